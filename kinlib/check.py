@@ -1,0 +1,141 @@
+"""What may come in: arrays of the right shape, finite numbers, unit axes, rotations, poses.
+
+Every public function passes its arguments through here, so that a wrong one is refused at the edge, with what was
+expected, what came and the likely cause, and the formulas behind the edge stay as short as in the book.
+"""
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+Array = NDArray[np.float64]
+
+UNIT = 1e-9
+"""How far the length of an axis may stray from 1. Data printed with nine digits pass; an axis left at (1, 1, 0) does not."""
+
+RIGID = 1e-6
+"""How far an entry of R^T R may stray from the identity. Single precision passes; four printed decimals do not."""
+
+TURN = 1e8
+"""The longest turn in radians that still means something: beyond it, rounding alone moves the result by 1e-8."""
+
+
+def array(x: ArrayLike, name: str) -> Array:
+    """Read x as an array of finite real numbers.
+
+    Raises ValueError for anything else, with the place of the first NaN or infinity.
+
+    >>> array([1, 2, 3], "point")
+    array([1., 2., 3.])
+    """
+    try:
+        values = np.asarray(x)
+        if values.dtype.kind == "c":
+            raise TypeError("complex numbers")
+        values = values.astype(float)
+    except (TypeError, ValueError) as error:
+        raise ValueError(
+            f"{name} should be an array of real numbers; got {_brief(x)}. "
+            "Is a symbol, a string or a row of another length among them?"
+        ) from error
+    if not np.isfinite(values).all():
+        index = np.argwhere(~np.isfinite(values))[0].tolist()
+        raise ValueError(f"{name} holds NaN or infinity at index {index}. Was there a division by zero before this step?")
+    return values
+
+
+def vectors(x: ArrayLike, name: str, size: int) -> Array:
+    """Read x as vectors of one size, shape (..., size).
+
+    Raises ValueError for another last dimension; says when the transpose would fit.
+
+    >>> vectors(np.eye(3), "axes", 3).shape
+    (3, 3)
+    """
+    values = array(x, name)
+    if values.shape[-1:] != (size,):
+        fits = values.ndim > 1 and values.shape[-2] == size
+        cause = f"Components stand in the last dimension: try {name}.T" if fits else f"One vector has {size} components"
+        raise ValueError(f"{name} should have shape (..., {size}); got {values.shape}. {cause}.")
+    return values
+
+
+def unit(x: ArrayLike, name: str) -> Array:
+    """Read x as unit vectors of space, shape (..., 3).
+
+    Raises ValueError for any other length, with the length that came.
+
+    >>> unit([0, 0, 1], "axis")
+    array([0., 0., 1.])
+    """
+    values = vectors(x, name, 3)
+    length = np.linalg.norm(values, axis=-1)
+    if (wrong := np.abs(length - 1) > UNIT).any():
+        raise ValueError(
+            f"{name} should be a unit vector; its length is {length[wrong].flat[0]:.6g}. "
+            f"A direction has no length of its own: divide it by its norm."
+        )
+    return values
+
+
+def turn(angle: Array) -> Array:
+    """Pass angles on, in radians.
+
+    Raises ValueError for one so large that rounding has eaten its direction.
+
+    >>> turn(np.array([0.0, 3.14]))
+    array([0.  , 3.14])
+    """
+    if (angle > TURN).any():
+        raise ValueError(f"A turn of {angle.max():.3g} rad has no direction left in double precision. Did a computation diverge?")
+    return angle
+
+
+def rigid(x: ArrayLike, name: str) -> Array:
+    """Read x as rotations (..., 3, 3) or poses (..., 4, 4).
+
+    Raises ValueError for another shape, a block that is not orthonormal, a reflection, a last row that is not 0 0 0 1.
+
+    >>> rigid(np.eye(4), "home").shape
+    (4, 4)
+    """
+    values = array(x, name)
+    if values.shape[-2:] not in {(3, 3), (4, 4)}:
+        raise ValueError(f"{name} should be a rotation (..., 3, 3) or a pose (..., 4, 4); got shape {values.shape}.")
+    if values.shape[-1] == 4 and (np.abs(values[..., 3, :] - (0, 0, 0, 1)) > RIGID).any():
+        row = values[..., 3, :].reshape(-1, 4)[0]
+        raise ValueError(
+            f"{name} is not a pose: its last row should be 0 0 0 1; got {row}. "
+            "Is the translation in the last row instead of the last column? Try the transpose."
+        )
+    R = values[..., :3, :3]
+    defect = np.abs(np.swapaxes(R, -1, -2) @ R - np.eye(3)).max(initial=0)
+    if defect > RIGID:
+        raise ValueError(
+            f"{name} is not rigid: R^T R differs from the identity by {defect:.2g}. "
+            "Were its entries rounded, or is an axis not of unit length?"
+        )
+    if (np.linalg.det(R) < 0).any():
+        raise ValueError(f"{name} is a reflection (det R = -1), not a rotation. Are two axes swapped? Is y = z x x?")
+    return values
+
+
+def poses(x: ArrayLike, name: str) -> Array:
+    """Read x as poses, shape (..., 4, 4).
+
+    Raises ValueError for anything that is not an element of SE(3).
+
+    >>> poses(np.eye(4), "home").shape
+    (4, 4)
+    """
+    values = rigid(x, name)
+    if values.shape[-1] != 4:
+        raise ValueError(f"{name} should be a pose (..., 4, 4); got a rotation of shape {values.shape}. Where is its origin?")
+    return values
+
+
+def _brief(x: Any) -> str:
+    """Say in a few words what came, for an error message."""
+    text = repr(x)
+    return f"{type(x).__name__} {text if len(text) <= 60 else text[:57] + '...'}"
