@@ -42,15 +42,15 @@ def vee(X: ArrayLike) -> Array:
         raise ValueError(f"vee takes (..., 3, 3) or (..., 4, 4); got shape {X.shape}.")
     W = X[..., :3, :3]
     # Skewness is a matter of scale: an entry of 1e9 may carry a rounding error that would be a fault beside 1.
-    allowed = check.RIGID * max(1.0, float(np.abs(X).max(initial=0)))
-    if (np.abs(W + np.swapaxes(W, -1, -2)) > allowed).any():
+    scale = np.maximum(1, np.abs(W).max(axis=(-2, -1), keepdims=True))
+    if (np.abs(W + np.swapaxes(W, -1, -2)) > check.RIGID * scale).any():
         raise ValueError(
             "vee takes a skew matrix, and this one differs from minus its transpose. Is it a rotation? Then take its log first."
         )
     omega = W[..., [2, 0, 1], [1, 2, 0]]
     if X.shape[-1] == 3:
         return omega
-    if (np.abs(X[..., 3, :]) > allowed).any():
+    if (np.abs(X[..., 3, :]) > check.RIGID).any():
         raise ValueError("The last row of an se(3) matrix is zero, and this one is not. Is it a pose? Then take its log first.")
     return np.concatenate([omega, X[..., :3, 3]], axis=-1)
 
@@ -74,7 +74,8 @@ def exp(x: ArrayLike) -> Array:
            [ 0.,  0.,  0.,  1.]])
     """
     x = _generator(x)
-    theta = check.turn(np.linalg.norm(x[..., :3], axis=-1))[..., None, None]
+    # hypot squares nothing, so that no vector is too long or too short to have a length.
+    theta = check.turn(np.hypot.reduce(x[..., :3], axis=-1))[..., None, None]
     W = _hat(x[..., :3])
     W2 = W @ W
     a = np.sinc(theta / np.pi)
