@@ -61,10 +61,7 @@ class Chain:
             self._keep("points", _points_on(self.screws, self.points))
 
     def _keep(self, name: str, values: Array) -> None:
-        """Hold a copy that nobody can write to: a frozen chain over a changing array would be frozen in name only."""
-        values = values.copy()
-        values.flags.writeable = False
-        object.__setattr__(self, name, values)
+        object.__setattr__(self, name, _frozen(values))
 
     @property
     def n(self) -> int:
@@ -91,7 +88,7 @@ class Chain:
         for axis, foot, pitch in zip(*line(self.screws), strict=True):
             # A prismatic axis is a free vector: any point serves, so the joint stays where the last one was.
             chosen.append(chosen[-1] if pitch == np.inf else foot + axis * (axis @ chosen[-1]))
-        return np.array(chosen[1:])
+        return _frozen(chosen[1:])
 
     @cached_property
     def body_screws(self) -> Array:
@@ -103,7 +100,7 @@ class Chain:
         >>> rppr().body_screws[0].round(6) + 0.0          # B_1 as the UIUC deck prints it
         array([ 0.,  1.,  0.,  0.,  0., -2.])
         """
-        return self.screws @ adjoint(inverse(self.home)).T
+        return _frozen(self.screws @ adjoint(inverse(self.home)).T)
 
     def fk(self, q: ArrayLike) -> Array:
         """Where the tool is: T(q) = e^[S1]q1 ... e^[Sn]qn M, the space form.
@@ -151,8 +148,8 @@ class Chain:
         True
         """
         q = self._joint_values(q)
-        if not 0 <= k <= self.n:
-            raise ValueError(f"k counts the joints to the left of M, 0 to {self.n}; got {k}.")
+        if k not in range(self.n + 1):
+            raise ValueError(f"k counts the joints to the left of M, 0 to {self.n}; got {k!r}.")
         before = exp(self.screws[:k] * q[..., :k, None])
         after = exp(self.body_screws[k:] * q[..., k:, None])
         factors = [*np.moveaxis(before, -3, 0), self.home, *np.moveaxis(after, -3, 0)]
@@ -223,6 +220,7 @@ class Chain:
                 f"{self.name} has {self.n} joints ({self.letters}), so q should have shape (..., {self.n}); "
                 f"got {q.shape}. {cause}."
             )
+        check.turn(np.abs(q * self._turns_and_slides[0]))
         return q
 
     @cached_property
@@ -269,6 +267,13 @@ class Chain:
             yield frame
             frame = _moved(frame, self._steps[i + 1])
         yield frame
+
+
+def _frozen(values: ArrayLike) -> Array:
+    """A copy that nobody can write to: a frozen chain over a changing array would be frozen in name only."""
+    copy = np.array(values)
+    copy.flags.writeable = False
+    return copy
 
 
 def _moved(frame: Array, step: Array) -> Array:

@@ -4,6 +4,7 @@ Every public function passes its arguments through here, so that a wrong one is 
 expected, what came and the likely cause, and the formulas behind the edge stay as short as in the book.
 """
 
+import reprlib
 from typing import Any
 
 import numpy as np
@@ -29,19 +30,32 @@ def array(x: ArrayLike, name: str) -> Array:
     >>> array([1, 2, 3], "point")
     array([1., 2., 3.])
     """
+    values = real(x, name)
+    if not np.isfinite(values).all():
+        place = f" at index {np.argwhere(~np.isfinite(values))[0].tolist()}" if values.ndim else ""
+        raise ValueError(f"{name} holds NaN or infinity{place}. Was there a division by zero before this step?")
+    return values
+
+
+def real(x: ArrayLike, name: str) -> Array:
+    """Read x as an array of real numbers, where infinity may have a meaning.
+
+    Raises ValueError for anything else.
+
+    >>> real(np.inf, "pitch")
+    array(inf)
+    """
     try:
         values = np.asarray(x)
-        if values.dtype.kind == "c":
-            raise TypeError("complex numbers")
-        values = values.astype(float)
-    except (TypeError, ValueError) as error:
+        if values.dtype.kind not in "biufO":
+            raise TypeError(f"{values.dtype} is no real number")
+        # To astype alone, None is NaN and "1" is 1; added to zero, they are what they are.
+        values = np.asarray(values + 0.0).astype(float, copy=False)
+    except (TypeError, ValueError, OverflowError) as error:
         raise ValueError(
-            f"{name} should be an array of real numbers; got {_brief(x)}. "
-            "Is a symbol, a string or a row of another length among them?"
+            f"{name} should be an array of real numbers; got {brief(x)}. "
+            "Is None, a symbol, a string or a row of another length among them?"
         ) from error
-    if not np.isfinite(values).all():
-        index = np.argwhere(~np.isfinite(values))[0].tolist()
-        raise ValueError(f"{name} holds NaN or infinity at index {index}. Was there a division by zero before this step?")
     return values
 
 
@@ -64,7 +78,8 @@ def vectors(x: ArrayLike, name: str, size: int) -> Array:
 def unit(x: ArrayLike, name: str) -> Array:
     """Read x as unit vectors of space, shape (..., 3).
 
-    Raises ValueError for any other length, with the length that came.
+    Raises ValueError for any other length, with the length that came. What strays within the tolerance comes back at
+    length 1.
 
     >>> unit([0, 0, 1], "axis")
     array([0., 0., 1.])
@@ -72,11 +87,11 @@ def unit(x: ArrayLike, name: str) -> Array:
     values = vectors(x, name, 3)
     length = np.linalg.norm(values, axis=-1)
     if (wrong := np.abs(length - 1) > UNIT).any():
-        raise ValueError(
-            f"{name} should be a unit vector; its length is {length[wrong].flat[0]:.6g}. "
-            f"A direction has no length of its own: divide it by its norm."
-        )
-    return values
+        came = length[wrong].flat[0]
+        cause = "A direction has no length of its own: divide it by its norm" if came else "Zero points nowhere"
+        raise ValueError(f"{name} should be a unit vector; its length is {came:.6g}. {cause}.")
+    units: Array = values / length[..., None]
+    return units
 
 
 def turn(angle: Array) -> Array:
@@ -103,13 +118,13 @@ def rigid(x: ArrayLike, name: str) -> Array:
     values = array(x, name)
     if values.shape[-2:] not in {(3, 3), (4, 4)}:
         raise ValueError(f"{name} should be a rotation (..., 3, 3) or a pose (..., 4, 4); got shape {values.shape}.")
-    if values.shape[-1] == 4 and (np.abs(values[..., 3, :] - (0, 0, 0, 1)) > RIGID).any():
-        row = values[..., 3, :].reshape(-1, 4)[0]
+    if values.shape[-1] == 4 and (wrong := (np.abs(values[..., 3, :] - (0, 0, 0, 1)) > RIGID).any(axis=-1)).any():
         raise ValueError(
-            f"{name} is not a pose: its last row should be 0 0 0 1; got {row}. "
+            f"{name} is not a pose: its last row should be 0 0 0 1; got {values[..., 3, :][wrong][0]}. "
             "Is the translation in the last row instead of the last column? Try the transpose."
         )
-    R = values[..., :3, :3]
+    # No entry of a rotation is beyond 1, and 10 is as wrong as 1e200, whose square would overflow.
+    R = np.clip(values[..., :3, :3], -10, 10)
     defect = np.abs(np.swapaxes(R, -1, -2) @ R - np.eye(3)).max(initial=0)
     if defect > RIGID:
         raise ValueError(
@@ -135,7 +150,10 @@ def poses(x: ArrayLike, name: str) -> Array:
     return values
 
 
-def _brief(x: Any) -> str:
-    """Say in a few words what came, for an error message."""
-    text = repr(x)
-    return f"{type(x).__name__} {text if len(text) <= 60 else text[:57] + '...'}"
+def brief(x: Any) -> str:
+    """Say in a few words what came, for an error message.
+
+    >>> brief([1, 2, 3])
+    'list [1, 2, 3]'
+    """
+    return f"{type(x).__name__} {reprlib.repr(x)}"

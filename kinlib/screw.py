@@ -39,9 +39,12 @@ def screw(axis: ArrayLike, point: ArrayLike = (0.0, 0.0, 0.0), pitch: ArrayLike 
     """
     axis = check.unit(axis, "axis")
     point = check.vectors(point, "point", 3)
-    pitch = np.asarray(pitch, dtype=float)[..., None]
-    if np.isnan(pitch).any() or (pitch == -np.inf).any():
-        raise ValueError("pitch should be a finite number, or inf for a prismatic joint; got NaN or -inf. Turn the axis round instead?")
+    pitch = check.real(pitch, "pitch")[..., None]
+    if (wrong := np.isnan(pitch) | (pitch == -np.inf)).any():
+        raise ValueError(
+            f"pitch should be a finite number, or inf for a prismatic joint; got {pitch[wrong][0]}. "
+            "To slide the other way, turn the axis round."
+        )
     slides = np.isinf(pitch)
     omega = np.where(slides, 0.0, axis)
     v = np.where(slides, axis, np.cross(point, axis) + np.where(slides, 0.0, pitch) * axis)
@@ -83,6 +86,7 @@ def axes(S: ArrayLike, name: str) -> Array:
     """Read S as screw axes, shape (..., 6).
 
     Raises ValueError for a twist of another size, with its row and its length; says when the transpose would fit.
+    What strays within the tolerance comes back at unit size, so that every formula sees the same axis.
 
     >>> axes([[0, 0, 1, 0, -2, 0]], "screws").shape
     (1, 6)
@@ -93,12 +97,20 @@ def axes(S: ArrayLike, name: str) -> Array:
         fits = S.ndim == 2 and S.shape == (6, 6) and (np.abs(_size(S.T) - 1) <= check.UNIT).all()
         index = np.argwhere(np.abs(size - 1) > check.UNIT)[0].tolist()
         part = "omega" if S[tuple(index)][:3].any() else "v (omega is zero: a prismatic joint)"
-        cause = f"Screws stand in rows, and yours stand in columns: try {name}.T" if fits else "Divide the direction by its norm"
+        length = size[tuple(index)]
+        if fits:
+            cause = f"Screws stand in rows, and yours stand in columns: try {name}.T"
+        elif length == 0:
+            cause = "A slide needs a direction, and a turn needs an axis"
+        elif length < check.RIGID:
+            cause = "Is it a prismatic joint with a rounding error in omega? Then set omega to zero"
+        else:
+            cause = "Divide the direction by its norm"
         raise ValueError(
             f"{name} should hold screw axes: |omega| = 1, or omega = 0 and |v| = 1. "
-            f"At index {index} the length of {part} is {size[tuple(index)]:.6g}. {cause}."
+            f"In {name}{index or ''} the length of {part} is {length:.6g}. {cause}."
         )
-    return S
+    return S / size[..., None]
 
 
 def _size(S: Array) -> Array:
