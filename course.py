@@ -1,0 +1,90 @@
+"""Open the course, or prove it: two commands that need nothing but Python 3.11 and pip.
+
+    python course.py open        start JupyterLab on the first lecture
+    python course.py test        run every test
+
+The first run makes the course's own environment in .venv, of the versions in constraints.txt; later runs find it made.
+Words that follow go on to JupyterLab or pytest: "open --no-browser", "test -k lie". For those who change dependencies,
+"pin" renews constraints.txt, and --newest after open or test ignores it.
+"""
+
+import hashlib
+import importlib.util
+import os
+import signal
+import subprocess
+import sys
+from pathlib import Path
+
+if sys.version_info < (3, 11):  # noqa: UP036 - up here, because an old Python does not get past the functions below
+    sys.exit(f"The course needs Python 3.11 or newer; this is {sys.version.split()[0]}. Try: python3.13 course.py open")
+
+ROOT = Path(__file__).resolve().parent
+UV = ROOT / ".uv"  # a folder of our own: the system's Python may refuse packages (PEP 668), or lack the venv module
+VENV = ROOT / ".venv"
+PYTHON = VENV / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
+STAMP = VENV / "stamp.txt"  # what the environment was made from; absent while it is being made
+PINS = "constraints.txt"
+
+FIRST_LECTURE = "--LabApp.default_url=/lab/tree/notebooks/00_start_here.ipynb"
+PROGRAMS = {"open": ("jupyterlab", f"--ServerApp.root_dir={ROOT}", FIRST_LECTURE), "test": ("pytest",)}
+GROUPS = {"open": "lab", "test": "test"}  # of pyproject.toml; test includes lab
+RESOLVE = "pip compile pyproject.toml --group=test --group=installer --universal --upgrade --quiet --no-annotate"
+
+
+def main(command: str = "help", *words: str) -> None:
+    signal.signal(signal.SIGINT, lambda *_: None)  # Ctrl-C is for the program that we start: it may have last words
+    if command in PROGRAMS:
+        prepare(GROUPS[command], newest="--newest" in words)
+        arguments = [word for word in words if word != "--newest"]
+        sys.exit(call(PYTHON, "-m", *PROGRAMS[command], *arguments))
+    elif command == "pin":
+        install_uv()
+        uv("choose versions", *RESOLVE.split(), "--custom-compile-command=python course.py pin", "-o", PINS)
+    elif command in ("help", "-h", "--help"):
+        print(__doc__)
+    else:
+        sys.exit(f"course.py knows open and test; it was given {command!r}. Try: python course.py open")
+
+
+def prepare(group: str, newest: bool) -> None:
+    """Make .venv, unless its stamp says that it was made by this Python, in this place, from these files."""
+    sources = [sys.version, str(ROOT), *((ROOT / name).read_text("utf-8") for name in ("pyproject.toml", PINS))]
+    fingerprint = hashlib.sha256("\n".join(sources).encode()).hexdigest()
+    made_from, _, made_for = STAMP.read_text("utf-8").partition(" ") if STAMP.exists() else ("", "", "")
+    made = made_from == fingerprint and not newest
+    if made and made_for in (group, "test"):
+        return
+    pins = () if newest else ("-c", PINS)
+    STAMP.unlink(missing_ok=True)
+    install_uv(*pins)
+    if not made:
+        uv("make the folder .venv", "venv", "--quiet", "--clear", "--python", sys.executable, VENV)
+    uv("install the course", "pip", "install", "--python", PYTHON, *pins, "--group", group, "-e", ".")
+    if not newest:
+        STAMP.write_text(f"{fingerprint} {group}", "utf-8")
+
+
+def install_uv(*pins: str) -> None:
+    if importlib.util.find_spec("pip") is None:
+        sys.exit("This Python has no pip. Try: python -m ensurepip; on Debian or Ubuntu: sudo apt install python3-pip")
+    settings = {"PIP_USER": "0", "PIP_REQUIRE_VIRTUALENV": "0", "PIP_ROOT_USER_ACTION": "ignore"}  # a folder is fine
+    step("fetch uv, its installer", "pip", "install", "-q", "--upgrade", "--target", UV, *pins, "uv", **settings)
+
+
+def uv(purpose: str, *arguments: str | Path) -> None:
+    step(purpose, "uv", *arguments, PYTHONPATH=str(UV))
+
+
+def step(purpose: str, module: str, *arguments: str | Path, **settings: str) -> None:
+    if call(sys.executable, "-m", module, *arguments, **settings):
+        sys.exit(f"course.py could not {purpose}: see above. Check the network, close JupyterLab, then try again.")
+
+
+def call(*command: str | Path, **settings: str) -> int:
+    # PYTHONPATH is emptied, for it brings the packages of another Python: a sourced ROS breaks pytest that way
+    return subprocess.call(command, cwd=ROOT, env={**os.environ, "PYTHONPATH": "", **settings})
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
