@@ -89,7 +89,7 @@ def unit(x: ArrayLike, name: str) -> Array:
     if (wrong := np.abs(length - 1) > UNIT).any():
         came = length[wrong].flat[0]
         cause = "A direction has no length of its own: divide it by its norm" if came else "Zero points nowhere"
-        raise ValueError(f"{name} should be a unit vector; its length is {came:.6g}. {cause}.")
+        raise ValueError(f"{name} should be a unit vector; its length is {came:.10g}. {cause}.")
     units: Array = values / length[..., None]
     return units
 

@@ -108,7 +108,7 @@ def axes(S: ArrayLike, name: str) -> Array:
             cause = "Divide the direction by its norm"
         raise ValueError(
             f"{name} should hold screw axes: |omega| = 1, or omega = 0 and |v| = 1. "
-            f"In {name}{index or ''} the length of {part} is {length:.6g}. {cause}."
+            f"In {name}{index or ''} the length of {part} is {length:.10g}. {cause}."
         )
     return S / size[..., None]
 
