@@ -1,0 +1,165 @@
+"""What is refused at the edge, and what the refusal says: what was expected, what came, what is likely wrong."""
+
+from fractions import Fraction
+
+import numpy as np
+import pytest
+import sympy
+from hypothesis import given
+from strategies import poses, rotations
+
+from kinlib import check
+
+TURNED = np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]])
+
+
+def pose(R, p=(1, 2, 3)):
+    T = np.eye(4)
+    T[:3, :3], T[:3, 3] = R, p
+    return T
+
+
+@pytest.mark.parametrize(
+    "x",
+    [
+        "a pose",
+        ["1", "2", "3"],
+        ["one", 2, 3],
+        None,
+        [None, 1, 2],
+        ...,
+        [1j, 0, 0],
+        [sympy.Symbol("q1"), 0, 0],
+        [sympy.I, 0, 0],
+        [[1, 2, 3], [1, 2]],
+        {"x": 1},
+        [10**400, 0, 0],
+        np.array(["2020-01-01"] * 3, dtype="datetime64[D]"),
+        print,
+    ],
+    ids=repr,
+)
+def test_what_is_no_array_of_numbers_is_refused_by_name(x):
+    message = r"point should be an array of real numbers; got \w+ .* Is None, a symbol, a string or a row of another length"
+    with pytest.raises(ValueError, match=message):
+        check.vectors(x, "point", 3)
+
+
+def test_a_long_value_is_named_and_not_recited():
+    with pytest.raises(ValueError) as refusal:
+        check.array(["x" * 10_000] * 1000, "q")
+    assert len(str(refusal.value)) < 400
+
+
+@pytest.mark.parametrize(
+    "x", [[1, 2, 3], (1, 2, 3), range(1, 4), np.array([1, 2, 3], dtype=np.uint8), [sympy.Integer(1), Fraction(2), 3.0]]
+)
+def test_whatever_holds_real_numbers_is_read(x):
+    assert check.array(x, "x").tolist() == [1, 2, 3]
+
+
+def test_what_is_read_is_a_copy():
+    x = np.ones(3)
+    check.array(x, "x")[:] = 7
+    assert x.tolist() == [1, 1, 1]
+
+
+@pytest.mark.parametrize("bad", [np.nan, np.inf, -np.inf])
+def test_nan_and_infinity_are_refused_with_their_place(bad):
+    with pytest.raises(ValueError, match=r"q holds NaN or infinity at index \[1, 0\]\. Was there a division by zero"):
+        check.array([[0, 1], [bad, 3]], "q")
+    with pytest.raises(ValueError, match=r"q holds NaN or infinity\. Was"):
+        check.array(bad, "q")
+
+
+def test_vectors_in_columns_are_refused_with_the_remedy():
+    with pytest.raises(ValueError, match=r"axes should have shape \(\.\.\., 3\); got \(3, 5\)\..*try axes\.T"):
+        check.vectors(np.zeros((3, 5)), "axes", 3)
+
+
+@pytest.mark.parametrize("x", [0.0, [], [1, 2], np.zeros((5, 4))])
+def test_vectors_of_another_size_are_refused(x):
+    with pytest.raises(ValueError, match=r"axes should have shape \(\.\.\., 3\); got .* One vector has 3 components"):
+        check.vectors(x, "axes", 3)
+
+
+def test_an_axis_that_is_not_unit_is_refused_with_its_length():
+    with pytest.raises(ValueError, match=r"axis should be a unit vector; its length is 1\.414213562\..*divide it by its norm"):
+        check.unit([[0, 0, 1], [1, 1, 0]], "axis")
+    with pytest.raises(ValueError, match=r"its length is 0\. Zero points nowhere"):
+        check.unit([0, 0, 0], "axis")
+
+
+def test_an_axis_printed_with_nine_digits_passes_and_becomes_unit():
+    printed = np.array([0.577350269] * 3)
+    assert abs(np.linalg.norm(check.unit(printed, "axis")) - 1) < 1e-15
+    with pytest.raises(ValueError, match=r"its length is 0\.99999953"):
+        check.unit(printed.round(6), "axis")
+
+
+@given(poses(), rotations())
+def test_every_pose_and_rotation_passes_unchanged(T, R):
+    np.testing.assert_array_equal(check.rigid(T, "X"), T)
+    np.testing.assert_array_equal(check.rigid(R, "X"), R)
+    np.testing.assert_array_equal(check.poses([T, T], "X"), [T, T])
+
+
+def test_a_pose_in_single_precision_passes():
+    check.poses(pose(TURNED @ [[0.6, 0, 0.8], [0, 1, 0], [-0.8, 0, 0.6]]).astype(np.float32), "home")
+
+
+@pytest.mark.parametrize("x", [0.0, np.eye(2), np.zeros(16), np.zeros((3, 4)), np.zeros((4, 4, 1))])
+def test_a_matrix_of_another_shape_is_refused(x):
+    with pytest.raises(ValueError, match=r"home should be a rotation \(\.\.\., 3, 3\) or a pose \(\.\.\., 4, 4\); got shape"):
+        check.rigid(x, "home")
+
+
+def test_a_transposed_pose_is_refused_with_the_remedy_and_its_own_row():
+    with pytest.raises(ValueError, match=r"home is not a pose.*0 0 0 1; got \[1\. 2\. 3\. 1\.\]\. .*Try the transpose"):
+        check.rigid([np.eye(4), pose(TURNED).T], "home")
+
+
+def test_rounded_entries_are_refused_with_their_defect():
+    c, s = np.cos(0.7).round(4), np.sin(0.7).round(4)
+    with pytest.raises(ValueError, match=r"R\^T R differs from the identity by \d\.?\d?e-05\. Were its entries rounded"):
+        check.rigid([[c, -s, 0], [s, c, 0], [0, 0, 1]], "R")
+
+
+@pytest.mark.parametrize("R", [np.zeros((3, 3)), 2 * np.eye(3), [[1, 1, 0], [0, 1, 0], [0, 0, 1]]])
+def test_what_does_not_keep_lengths_is_refused(R):
+    with pytest.raises(ValueError, match=r"home is not rigid: R\^T R differs from the identity by [13]\."):
+        check.rigid(R, "home")
+
+
+@pytest.mark.parametrize("sign", [1, -1])
+def test_entries_whose_squares_overflow_are_refused_like_any_other(sign):
+    """Their R^T R holds infinity minus infinity, and NaN is not greater than any tolerance."""
+    huge = 1e200 * np.array([[1, -sign, 0], [sign, 1, 0], [0, 0, 1]])
+    with pytest.raises(ValueError, match="not rigid"):
+        check.rigid(huge, "R")
+
+
+def test_a_reflection_is_refused_by_its_name():
+    with pytest.raises(ValueError, match=r"reflection \(det R = -1\).*Are two axes swapped"):
+        check.rigid(TURNED[:, [1, 0, 2]], "R")
+
+
+def test_a_rotation_is_no_pose():
+    with pytest.raises(ValueError, match=r"home should be a pose \(\.\.\., 4, 4\); got a rotation.*Where is its origin"):
+        check.poses(np.eye(3), "home")
+
+
+def test_one_bad_matrix_spoils_the_batch():
+    with pytest.raises(ValueError, match="not rigid"):
+        check.rigid(np.stack([np.eye(3)] * 9 + [1.1 * np.eye(3)]).reshape(2, 5, 3, 3), "R")
+
+
+def test_an_empty_batch_passes():
+    assert check.rigid(np.zeros((0, 4, 4)), "X").shape == (0, 4, 4)
+    assert check.unit(np.zeros((0, 3)), "axis").shape == (0, 3)
+
+
+def test_a_turn_of_a_hundred_million_radians_is_refused():
+    assert check.turn(np.array([1e8])) == 1e8
+    with pytest.raises(ValueError, match=r"A turn of 2e\+08 rad has no direction left.*Did a computation diverge"):
+        check.turn(np.array([1.0, 2e8]))
