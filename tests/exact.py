@@ -9,27 +9,48 @@ import numpy as np
 DIGITS = 40
 
 
+def exp(x):
+    """exp of a rotation vector or a twist."""
+    with mpmath.workdps(DIGITS):
+        return doubles(mpmath.expm(hat(numbers(x))))
+
+
+def fk(chain, q):
+    """e^[S1]q1 ... e^[Sn]qn M, as it stands."""
+    with mpmath.workdps(DIGITS):
+        return doubles(product(chain, numbers(q)))
+
+
+def jacobian(chain, q):
+    """(dT/dq_i) T^-1 as a twist, for each i: differences over 1e-12, whose error of 1e-24 forty digits can afford."""
+    with mpmath.workdps(DIGITS):
+        q, h = numbers(q), mpmath.mpf("1e-12")
+        back = product(chain, q) ** -1
+        columns = []
+        for i in range(chain.n):
+            ahead, behind = ([value + (i == j) * step for j, value in enumerate(q)] for step in (h, -h))
+            X = (product(chain, ahead) - product(chain, behind)) * back / (2 * h)
+            columns.append([X[2, 1], X[0, 2], X[1, 0], X[0, 3], X[1, 3], X[2, 3]])
+        return doubles(mpmath.matrix(columns).T)
+
+
 def hat(x):
-    """The matrix of a rotation vector (3 numbers) or a twist (6), in mpmath."""
+    """The matrix of a rotation vector (3 numbers) or a twist (6)."""
     wx, wy, wz, *v = x
     if not v:
         return mpmath.matrix([[0, -wz, wy], [wz, 0, -wx], [-wy, wx, 0]])
     return mpmath.matrix([[0, -wz, wy, v[0]], [wz, 0, -wx, v[1]], [-wy, wx, 0, v[2]], [0, 0, 0, 0]])
 
 
-def exp(x):
-    """exp of a rotation vector or twist of doubles, correctly rounded to doubles."""
-    with mpmath.workdps(DIGITS):
-        return doubles(mpmath.expm(hat([mpmath.mpf(float(value)) for value in x])))
+def product(chain, q):
+    T = mpmath.eye(4)
+    for S, value in zip(chain.screws, q, strict=True):
+        T = T * mpmath.expm(hat(numbers(S)) * value)
+    return T * mpmath.matrix(chain.home.tolist())
 
 
-def product_of_exponentials(screws, q, home):
-    """e^[S1]q1 ... e^[Sn]qn M, multiplied with 40 digits and rounded once."""
-    with mpmath.workdps(DIGITS):
-        T = mpmath.eye(4)
-        for S, value in zip(screws, q, strict=True):
-            T = T * mpmath.expm(hat([mpmath.mpf(float(s)) * mpmath.mpf(float(value)) for s in S]))
-        return doubles(T * mpmath.matrix(home.tolist()))
+def numbers(x):
+    return [mpmath.mpf(float(value)) for value in x]
 
 
 def doubles(matrix):

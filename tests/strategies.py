@@ -3,10 +3,21 @@
 Nothing here asks kinlib for a rotation. Poses are made from unit quaternions, so that a fault in exp cannot hide itself.
 """
 
+from inspect import get_annotations, getmembers, isfunction
+
 import numpy as np
 from hypothesis import strategies as st
 
 import kinlib as kl
+from kinlib import robots
+
+FAMILIES = [
+    f for _, f in getmembers(robots, isfunction) if f is not robots.arm and get_annotations(f)["return"] is kl.Chain
+]
+"""The functions that make the robots of the course; one that is added is tested from then on."""
+
+ROBOTS = [family() for family in FAMILIES]
+"""Every robot of the course with its default lengths."""
 
 HARD = [0.0, 1e-12, 1e-7, 1e-1, 1.0, np.pi - 1e-7, np.pi - 1e-12, np.pi]
 """Where the formulas for rotations change their nature: no turn, hardly any, half a turn."""
@@ -60,6 +71,11 @@ def moved_chains(draw, most=6):
     """A chain and joint values for it, of a few turns and a few metres."""
     chain = draw(chains(most))
     return chain, np.array(draw(st.lists(st.floats(-4, 4), min_size=chain.n, max_size=chain.n)))
+
+
+def configurations(chain, count):
+    """Joint values (count, n) from -pi to pi radians and metres, the same each time."""
+    return np.random.default_rng(7).uniform(-np.pi, np.pi, (count, chain.n))
 
 
 def _rotation(angle, axis):

@@ -40,13 +40,14 @@ def pose(R, p=(1, 2, 3)):
     ids=repr,
 )
 def test_what_is_no_array_of_numbers_is_refused_by_name(x):
-    message = r"point should be an array of real numbers; got \w+ .* Is None, a symbol, a string or a row of another length"
-    with pytest.raises(ValueError, match=message):
+    with pytest.raises(
+        ValueError, match=r"point should be an array of real numbers; got \w+ .*Is None, a symbol, a str"
+    ):
         check.vectors(x, "point", 3)
 
 
 def test_a_long_value_is_named_and_not_recited():
-    with pytest.raises(ValueError) as refusal:
+    with pytest.raises(ValueError, match="got list") as refusal:
         check.array(["x" * 10_000] * 1000, "q")
     assert len(str(refusal.value)) < 400
 
@@ -84,7 +85,7 @@ def test_vectors_of_another_size_are_refused(x):
 
 
 def test_an_axis_that_is_not_unit_is_refused_with_its_length():
-    with pytest.raises(ValueError, match=r"axis should be a unit vector; its length is 1\.414213562\..*divide it by its norm"):
+    with pytest.raises(ValueError, match=r"axis should be a unit vector; its length is 1\.414213562\..*divide it"):
         check.unit([[0, 0, 1], [1, 1, 0]], "axis")
     with pytest.raises(ValueError, match=r"its length is 0\. Zero points nowhere"):
         check.unit([0, 0, 0], "axis")
@@ -110,7 +111,7 @@ def test_a_pose_in_single_precision_passes():
 
 @pytest.mark.parametrize("x", [0.0, np.eye(2), np.zeros(16), np.zeros((3, 4)), np.zeros((4, 4, 1))])
 def test_a_matrix_of_another_shape_is_refused(x):
-    with pytest.raises(ValueError, match=r"home should be a rotation \(\.\.\., 3, 3\) or a pose \(\.\.\., 4, 4\); got shape"):
+    with pytest.raises(ValueError, match=r"home should be a rotation \(\.\.\., 3, 3\) or a pose .*; got shape"):
         check.rigid(x, "home")
 
 
@@ -121,7 +122,7 @@ def test_a_transposed_pose_is_refused_with_the_remedy_and_its_own_row():
 
 def test_rounded_entries_are_refused_with_their_defect():
     c, s = np.cos(0.7).round(4), np.sin(0.7).round(4)
-    with pytest.raises(ValueError, match=r"R\^T R differs from the identity by \d\.?\d?e-05\. Were its entries rounded"):
+    with pytest.raises(ValueError, match=r"R\^T R differs from the identity by \d\.?\d?e-05\. Were its entries"):
         check.rigid([[c, -s, 0], [s, c, 0], [0, 0, 1]], "R")
 
 
@@ -145,7 +146,7 @@ def test_a_reflection_is_refused_by_its_name():
 
 
 def test_a_rotation_is_no_pose():
-    with pytest.raises(ValueError, match=r"home should be a pose \(\.\.\., 4, 4\); got a rotation.*Where is its origin"):
+    with pytest.raises(ValueError, match=r"home should be a pose \(\.\.\., 4, 4\); got a rotation.*its origin"):
         check.poses(np.eye(3), "home")
 
 

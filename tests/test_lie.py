@@ -246,21 +246,31 @@ def test_adjoint_carries_twists_as_conjugation_carries_their_matrices(T, x):
 @pytest.mark.parametrize("size", [3, 6])
 def test_a_batch_is_its_elements_one_at_a_time(shape, size):
     """The hard angles stand side by side in one batch, so that no element lends another its branch."""
-    x = np.resize(np.concatenate([twists_of_angle(angle)[:1] for angle in (np.pi, 0.0, 1e-12, 1.0)]), (*shape, 6))[..., :size]
+    hard = np.array([twists_of_angle(angle)[0] for angle in (np.pi, 0.0, 1e-12, 1.0)])
+    x = np.resize(hard, (*shape, 6))[..., :size]
     X = exp(x)
-    for f, argument in [(hat, x), (vee, hat(x)), (exp, x), (log, X), (inverse, X), (adjoint, X)]:
+    for f, argument, example in [
+        (hat, x, hard[0, :size]),
+        (exp, x, hard[0, :size]),
+        (vee, hat(x), np.zeros((size // 3 + 2,) * 2)),
+        *((f, X, np.eye(size // 3 + 2)) for f in (log, inverse, adjoint)),
+    ]:
         batch = f(argument)
-        core = f(argument.reshape(-1, *argument.shape[len(shape) :])[0]).shape if argument.size else batch.shape[len(shape) :]
-        assert batch.shape == (*shape, *core)
+        assert batch.shape == (*shape, *f(example).shape)
         for index in np.ndindex(shape):
             np.testing.assert_array_equal(batch[index], f(argument[index]))
 
 
 def test_arguments_are_read_and_not_written():
-    for f, argument in [(exp, [0.1, 0.2, 0.3]), (log, np.eye(4)), (inverse, np.eye(4)), (adjoint, np.eye(3)), (vee, np.eye(3) * 0)]:
-        before = np.array(argument)
-        result = f(argument)
-        result[...] = 7
+    for f, argument in [
+        (exp, np.ones(3)),
+        (log, np.eye(4)),
+        (inverse, np.eye(3)),
+        (adjoint, np.eye(3)),
+        (hat, np.ones(6)),
+    ]:
+        before = argument.copy()
+        f(argument)[...] = 7
         np.testing.assert_array_equal(argument, before)
 
 
@@ -288,7 +298,7 @@ def test_a_vector_of_another_size_is_refused(f, x):
 def test_vee_refuses_a_rotation_and_a_pose_and_says_log():
     with pytest.raises(ValueError, match=r"skew matrix.*Is it a rotation\? Then take its log first"):
         vee(np.eye(3))
-    with pytest.raises(ValueError, match=r"last row of an se\(3\) matrix is zero.*Is it a pose\? Then take its log first"):
+    with pytest.raises(ValueError, match=r"last row of an se\(3\) matrix is zero.*Is it a pose\? Then take"):
         vee(exp([0, 0, 0, 1, 2, 3]) - np.diag([1, 1, 1, 0]))
     with pytest.raises(ValueError, match=r"\(\.\.\., 3, 3\) or \(\.\.\., 4, 4\); got shape \(6,\)"):
         vee(np.zeros(6))
