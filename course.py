@@ -34,6 +34,8 @@ RESOLVE = "pip compile pyproject.toml --group=test --group=installer --universal
 
 def main(command: str = "help", *words: str) -> None:
     signal.signal(signal.SIGINT, lambda *_: None)  # Ctrl-C is for the program that we start: it may have last words
+    if Path(sys.prefix) == VENV:  # it cannot remake itself: the Python that it was made by takes over
+        sys.exit(call(sys._base_executable, ROOT / "course.py", command, *words))
     if command in PROGRAMS:
         prepare(GROUPS[command], newest="--newest" in words)
         arguments = [word for word in words if word != "--newest"]

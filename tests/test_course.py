@@ -1,0 +1,108 @@
+"""course.py: installs when something changed, trusts no half-made environment, and says what to try."""
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+import course
+
+
+@pytest.fixture
+def calls(tmp_path, monkeypatch):
+    """A course in a folder of its own, where programs are noted down instead of run."""
+    noted = []
+
+    def call(*command, **_settings):
+        noted.append(" ".join(map(str, command[2:])))
+        if " venv " in noted[-1] + " ":
+            course.VENV.mkdir(exist_ok=True)
+        return 0
+
+    monkeypatch.setattr(course, "ROOT", tmp_path)
+    monkeypatch.setattr(course, "VENV", tmp_path / ".venv")
+    monkeypatch.setattr(course, "STAMP", tmp_path / ".venv" / "stamp.txt")
+    monkeypatch.setattr(course, "call", call)
+    monkeypatch.setattr(course.importlib.util, "find_spec", lambda _: "pip, which an environment made by uv lacks")
+    (tmp_path / "pyproject.toml").write_text("[project]")
+    (tmp_path / "constraints.txt").write_text("numpy==2.0")
+    return noted
+
+
+def steps(calls):
+    """The kinds of steps taken since the last question."""
+    kinds = [re.match(r"(pip|uv venv|uv pip)", line)[0] for line in calls]
+    calls.clear()
+    return kinds
+
+
+ALL = ["pip", "uv venv", "uv pip"]
+
+
+def test_the_first_run_installs_and_the_second_does_not(calls):
+    course.prepare("test", newest=False)
+    assert steps(calls) == ALL
+    course.prepare("test", newest=False)
+    assert steps(calls) == []
+
+
+@pytest.mark.parametrize("name", ["pyproject.toml", "constraints.txt"])
+def test_a_changed_file_installs_anew(calls, tmp_path, name):
+    course.prepare("test", newest=False)
+    (tmp_path / name).write_text("changed")
+    steps(calls)
+    course.prepare("test", newest=False)
+    assert steps(calls) == ALL
+
+
+def test_the_tests_add_to_the_lab_and_the_lab_is_among_them(calls):
+    course.prepare("lab", newest=False)
+    steps(calls)
+    course.prepare("test", newest=False)
+    assert steps(calls) == ["pip", "uv pip"]
+    course.prepare("lab", newest=False)
+    assert steps(calls) == []
+
+
+def test_the_newest_versions_are_sought_each_time_and_never_trusted(calls):
+    course.prepare("test", newest=False)
+    steps(calls)
+    course.prepare("test", newest=True)
+    assert not any("constraints" in line for line in calls)
+    assert steps(calls) == ALL
+    course.prepare("test", newest=False)
+    assert steps(calls) == ALL
+
+
+@pytest.mark.parametrize("broken", ["pip install", "uv venv", "uv pip"])
+def test_a_failed_step_is_named_and_repeated(calls, monkeypatch, broken):
+    with monkeypatch.context() as patch:
+        patch.setattr(course, "call", lambda *command, **_: " ".join(map(str, command[2:])).startswith(broken))
+        with pytest.raises(SystemExit, match=r"could not \w+ .*Check the network"):
+            course.prepare("test", newest=False)
+    course.prepare("test", newest=False)
+    assert "uv pip" in steps(calls)
+
+
+def test_a_python_without_pip_is_told_how_to_get_it(calls, monkeypatch):
+    monkeypatch.setattr(course.importlib.util, "find_spec", lambda _: None)
+    with pytest.raises(SystemExit, match="ensurepip"):
+        course.prepare("test", newest=False)
+    assert steps(calls) == []
+
+
+@pytest.mark.parametrize(("words", "answer"), [([], "python course.py open"), (["fly"], "it was given 'fly'")])
+def test_whoever_mistypes_is_told_the_commands(words, answer):
+    done = subprocess.run([sys.executable, course.__file__, *words], capture_output=True, text=True, check=False)
+    assert answer in done.stdout + done.stderr
+    assert done.returncode == bool(words)
+
+
+def test_an_old_python_is_told_in_one_line():
+    source = Path(course.__file__).read_text("utf-8")
+    old = f"import sys; sys.version_info = (3, 8); exec(compile({source!r}, 'course.py', 'exec'))"
+    done = subprocess.run([sys.executable, "-c", old], capture_output=True, text=True, check=False)
+    assert done.returncode == 1
+    assert re.fullmatch(r"The course needs Python 3\.11 or newer; .*\n", done.stderr)

@@ -1,0 +1,226 @@
+"""The house: clean code, imports that run downwards, notebooks without output, and files that say what they need and why."""
+
+import ast
+import json
+import re
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).parents[1]
+PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))
+
+
+def run(*command):
+    return subprocess.run(command, cwd=ROOT, capture_output=True, text=True, encoding="utf-8", check=False)
+
+
+def files(pattern):
+    """What is committed, or would be by the next commit."""
+    listed = run("git", "ls-files", "-z", "--cached", "--others", "--exclude-standard", "--", pattern)
+    if listed.returncode:
+        pytest.skip(f"only a git checkout knows which files count: {listed.stderr}")
+    return [path for name in sorted(set(listed.stdout.split("\0")) - {""}) if (path := ROOT / name).is_file()]
+
+
+# --- clean code ---
+
+
+@pytest.mark.parametrize(
+    "command", ["ruff check", "ruff format --diff", "mypy"], ids=["ruff-check", "ruff-format", "mypy"]
+)
+def test_the_tools_find_nothing(command):
+    done = run(sys.executable, "-m", *command.split())
+    assert done.returncode == 0, f"{command} says:\n{done.stdout}\n{done.stderr}"
+
+
+# --- kinlib ---
+
+FLOORS = [
+    *("check", "lie", "screw", "chain", "dh", "frames", "loops", "urdf", "symbolic"),
+    *("robots", "view", "practice", "grading"),
+]
+"""From the ground up. A module imports from floors below its own; within a package, from its own floor too."""
+
+
+def imports(source):
+    """Every module of kinlib that the source names in an import, wherever the import stands."""
+    for node in ast.walk(ast.parse(source)):
+        if isinstance(node, ast.Import):
+            yield from (alias.name for alias in node.names if alias.name.split(".")[0] == "kinlib")
+        elif isinstance(node, ast.ImportFrom) and node.level:
+            yield "." * node.level + (node.module or "")
+        elif isinstance(node, ast.ImportFrom) and node.module == "kinlib":
+            yield from (f"kinlib.{alias.name}" for alias in node.names)
+        elif isinstance(node, ast.ImportFrom) and node.module.startswith("kinlib."):
+            yield node.module
+
+
+def climbs(source, floor, in_package=False):
+    """The imports that do not run downwards."""
+    below = FLOORS[: FLOORS.index(floor) + in_package]
+    return [name for name in imports(source) if [*name.split("."), ""][1] not in below]
+
+
+MODULES = [
+    path for path in sorted((ROOT / "kinlib").rglob("*.py")) if path.parent.name != "kinlib" or path.stem[0] != "_"
+]
+
+
+@pytest.mark.parametrize("path", MODULES, ids=lambda path: path.relative_to(ROOT).as_posix())
+def test_imports_run_downwards(path):
+    floor, *rest = path.relative_to(ROOT / "kinlib").with_suffix("").parts
+    assert floor in FLOORS, f"{floor} has no floor yet: give it one in FLOORS, and in CONTRIBUTING.md"
+    up = climbs(path.read_text("utf-8"), floor, in_package=bool(rest))
+    assert not up, f"{floor} imports {up}; it may name only {FLOORS[: FLOORS.index(floor)]}, as kinlib.<floor>"
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        "from kinlib.chain import Chain",
+        "from kinlib import chain",
+        "def later():\n    import kinlib.view.picture",
+        "import kinlib",
+        "from kinlib import Chain",
+        "from . import lie",
+        "from kinlib.screw import screw",
+    ],
+)
+def test_an_import_that_climbs_is_noticed(source):
+    assert climbs(source, "screw")
+
+
+@pytest.mark.parametrize("source", ["from kinlib import check, lie", "import kinlib.lie", "import numpy"])
+def test_an_import_that_descends_is_let_be(source):
+    assert not climbs(source, "screw")
+
+
+def test_importing_kinlib_loads_numpy_and_nothing_heavier():
+    script = "import sys, numpy; numpys = set(sys.modules); import kinlib; print(*(set(sys.modules) - numpys))"
+    done = run(sys.executable, "-c", script)
+    assert done.returncode == 0, done.stderr
+    loaded = {name.split(".")[0] for name in done.stdout.split()} - sys.stdlib_module_names
+    assert loaded - {"numpy"} == {"kinlib"}, f"load these where they are first used: {loaded}"
+
+
+# --- what is committed ---
+
+
+def test_no_file_names_the_host_of_a_registry():
+    """Where packages come from is the business of each machine: a mirror, a proxy, a disk."""
+    dots = ["pypi org", "pythonhosted org", "npmjs org", "npmjs com", "yarnpkg com", "anaconda org", "crates io"]
+    hosts = re.compile(rb"\b(" + "|".join(dots).replace(" ", r"\.").encode() + rb")\b")
+    named = {path.relative_to(ROOT).as_posix(): hosts.search(path.read_bytes()) for path in files("*")}
+    assert not {name: found[0] for name, found in named.items() if found}
+
+
+def test_versions_are_pinned_in_one_place():
+    assert not files("*uv.lock"), "the pins are constraints.txt: uv's lock names the registry that it asked"
+
+
+def notebook_faults(text):
+    """Why this notebook should not be committed as it is."""
+    notebook = json.loads(text)
+    if len(text.encode()) > 150_000:
+        yield f"{len(text.encode()) // 1000} kB: at most 150 kB"
+    if "widgets" in notebook["metadata"]:
+        yield "the state of its widgets is saved in it"
+    for number, cell in enumerate(notebook["cells"]):
+        if cell.get("execution_count"):
+            yield f"cell {number} has a count of its runs"
+        checked = "# NBVAL_CHECK_OUTPUT" in "".join(cell["source"])
+        for output in cell.get("outputs", []):
+            shown = output.get("data", {"text/plain": output.get("text", "")})
+            shown_text = "".join(shown.get("text/plain", ""))
+            if not checked:
+                yield f"cell {number} has output, and is not marked # NBVAL_CHECK_OUTPUT"
+            elif set(shown) != {"text/plain"} or output.get("name") == "stderr":
+                yield f"cell {number} keeps {sorted(shown)}: only text is compared"
+            elif shown_text.count("\n") > 15 or re.search(r"\.\d{7}", shown_text):
+                yield f"cell {number} keeps more than 15 lines or 6 decimals: round it, so that every machine agrees"
+
+
+def test_committed_notebooks_hold_no_output_but_short_checked_text():
+    faults = {
+        path.relative_to(ROOT).as_posix(): list(notebook_faults(path.read_text("utf-8"))) for path in files("*.ipynb")
+    }
+    assert not {name: found for name, found in faults.items() if found}, "try: nbstripout, or run and round the cell"
+
+
+def a_notebook(source="1 / 3", metadata=None, count=None, **output):
+    cell = {"cell_type": "code", "source": [source], "execution_count": count, "outputs": [output] if output else []}
+    return json.dumps({"cells": [cell], "metadata": metadata or {}})
+
+
+CHECKED = "# NBVAL_CHECK_OUTPUT\n1 / 3"
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        a_notebook(text="0.333"),
+        a_notebook(count=1),
+        a_notebook(metadata={"widgets": {}}),
+        a_notebook("#" * 150_000),
+        a_notebook(CHECKED, data={"text/plain": "<Figure>", "image/png": "..."}),
+        a_notebook(CHECKED, data={"text/plain": ["0.3333333333"]}),
+        a_notebook(CHECKED, text="0\n" * 20),
+        a_notebook(CHECKED, text="a warning", name="stderr"),
+    ],
+)
+def test_a_notebook_to_clean_is_noticed(text):
+    assert list(notebook_faults(text))
+
+
+@pytest.mark.parametrize(
+    "text", [a_notebook(), a_notebook(CHECKED, text="0.333"), a_notebook(CHECKED, data={"text/plain": "1"})]
+)
+def test_a_clean_notebook_is_let_be(text):
+    assert not list(notebook_faults(text))
+
+
+# --- what the project says of itself ---
+
+
+def name_of(requirement):
+    return re.match(r"[\w.-]+", requirement)[0].lower().replace("_", "-")
+
+
+def dependencies():
+    project = PROJECT["project"]
+    groups = [*PROJECT["dependency-groups"].values(), *project.get("optional-dependencies", {}).values()]
+    named = [
+        *PROJECT["build-system"]["requires"],
+        *project["dependencies"],
+        *(item for group in groups for item in group),
+    ]
+    return {name_of(requirement) for requirement in named if isinstance(requirement, str)}
+
+
+def test_contributing_says_why_each_dependency_is_here():
+    lines = (ROOT / "CONTRIBUTING.md").read_text("utf-8").partition("## Dependencies")[2].partition("\n## ")[0]
+    assert set(re.findall(r"^- `([\w.-]+)`: \w.{9}", lines, re.MULTILINE)) == dependencies()
+
+
+def test_every_dependency_is_pinned():
+    """But for the builder, which makes the package in an environment of its own."""
+    pins = {name_of(line) for line in (ROOT / "constraints.txt").read_text("utf-8").splitlines() if line[0] not in "# "}
+    assert dependencies() - pins == {"hatchling"}, "run: python course.py pin"
+
+
+def test_a_wheel_holds_kinlib_and_its_data_only():
+    wheel = PROJECT["tool"]["hatch"]["build"]["targets"]["wheel"]
+    assert wheel == {"packages": ["kinlib"]}
+
+
+def test_the_version_is_said_once_everywhere():
+    import kinlib
+
+    version = PROJECT["project"]["version"]
+    assert kinlib.__version__ == version
+    assert f"\nversion: {version}\n" in (ROOT / "CITATION.cff").read_text("utf-8")
+    assert f"## [{version}]" in (ROOT / "CHANGELOG.md").read_text("utf-8")
