@@ -84,6 +84,7 @@ def test_fk_and_body_jacobian_agree_with_pinocchio(robot):
     model = peers.pinocchio_model(robot)
     q = configurations(robot, 20)
     close(robot.fk(q), peers.pinocchio_loop(model, q))
+    close(robot.fk(q), peers.pinocchio_loop_by_joint(model, q))
     for row in q:
         J = pin.computeFrameJacobian(model, model.createData(), row, model.getFrameId("tool"))
         close(robot.body_jacobian(row), np.roll(J, 3, axis=0))  # pinocchio stacks (v, omega)

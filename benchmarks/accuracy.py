@@ -1,0 +1,116 @@
+"""How right exp and log are: the worst error against 40-digit mpmath at each angle, here and in five other libraries.
+
+    python -m benchmarks.accuracy
+
+SO(3) is measured by rotation vectors, SE(3) by twists with |v| = 1, each in 50 directions. The error of exp is the
+largest entry of exp(x) - X, where X is exp(x) with 40 digits. log is given X rounded to doubles, and its error is that of
+the motion it names: the largest entry of exp(log(X)) - X, where this exp has 40 digits too. So a library that names the
+axis from its other end near pi is charged with no more than it costs.
+A dash: the library has no such function. "fails": it raised, or returned NaN.
+"""
+
+import sys
+import warnings
+from pathlib import Path
+
+import modern_robotics as mr
+import numpy as np
+import pytransform3d.rotations as pr
+import pytransform3d.transformations as pt
+import spatialmath.base as sm
+from scipy.spatial.transform import Rotation
+
+import kinlib as kl
+
+sys.path.append(str(Path(__file__).parents[1] / "tests"))
+import exact
+
+try:
+    import pinocchio as pin
+except ModuleNotFoundError:  # no wheel for Windows
+    pin = None
+
+DIRECTIONS = 50
+ANGLES = {
+    "0": 0.0,
+    **{f"1e-{k}": 10.0**-k for k in (12, 9, 7, 5, 3, 1)},
+    "1": 1.0,
+    "3": 3.0,
+    **{f"pi - 1e-{k}": np.pi - 10.0**-k for k in (3, 5, 7, 9, 12, 15)},
+    "pi": np.pi,
+}
+
+# Each library: exp and log of SO(3) from and to omega, exp and log of SE(3) from and to (omega, v).
+LIBRARIES = {
+    "kinlib": (kl.exp, kl.log, kl.exp, kl.log),
+    "SciPy": (lambda w: Rotation.from_rotvec(w).as_matrix(), lambda R: Rotation.from_matrix(R).as_rotvec(), None, None),
+    "modern_robotics": (
+        lambda w: mr.MatrixExp3(mr.VecToso3(w)),
+        lambda R: mr.so3ToVec(mr.MatrixLog3(R)),
+        lambda x: mr.MatrixExp6(mr.VecTose3(x)),
+        lambda T: mr.se3ToVec(mr.MatrixLog6(T)),
+    ),
+    "pytransform3d": (
+        pr.matrix_from_compact_axis_angle,
+        pr.compact_axis_angle_from_matrix,
+        pt.transform_from_exponential_coordinates,
+        pt.exponential_coordinates_from_transform,
+    ),
+    "spatialmath": (
+        sm.trexp,
+        lambda R: sm.trlog(R, twist=True),
+        lambda x: sm.trexp(np.roll(x, 3)),
+        lambda T: np.roll(sm.trlog(T, twist=True), 3),
+    ),
+}
+if pin:
+    LIBRARIES["pinocchio"] = (
+        pin.exp3,
+        pin.log3,
+        lambda x: pin.exp6(np.roll(x, 3)).homogeneous,
+        lambda T: np.roll(pin.log6(T).vector, 3),
+    )
+
+
+def worst(function, arguments, motions):
+    """The largest error over all arguments, as a cell of the table."""
+    if function is None:
+        return "-"
+    try:
+        values = [np.asarray(function(argument), dtype=float) for argument in arguments]
+    except (ValueError, TypeError, ArithmeticError, AttributeError):
+        return "fails"
+    if not np.isfinite(values).all():
+        return "fails"
+    reached = [value if value.ndim == 2 else exact.exp(value) for value in values]
+    return f"{np.abs(reached - motions).max():.0e}"
+
+
+def rows():
+    """Yield an angle's label, a library's name, and its four cells."""
+    rng = np.random.default_rng(3)
+    units = rng.normal(size=(2, DIRECTIONS, 3))
+    units[0, :6] = [*np.eye(3), *-np.eye(3)]
+    units /= np.linalg.norm(units, axis=-1, keepdims=True)
+    for label, angle in ANGLES.items():
+        x = np.concatenate([angle * units[0], units[1]], axis=-1)
+        T = np.array([exact.exp(row) for row in x])
+        omega, R = x[:, :3], T[:, :3, :3]
+
+        for name, (exp3, log3, exp6, log6) in LIBRARIES.items():
+            yield label, name, (worst(exp3, omega, R), worst(log3, R, R), worst(exp6, x, T), worst(log6, T, T))
+
+
+def main():
+    """Print the table, one block a function."""
+    warnings.simplefilter("ignore")  # some peers divide by zero on their way
+    table = {(label, name): cells for label, name, cells in rows()}
+    for column, title in enumerate(["exp, SO(3)", "log, SO(3)", "exp, SE(3)", "log, SE(3)"]):
+        print(f"{title:<12}" + "".join(f"{name:>17}" for name in LIBRARIES))
+        for label in ANGLES:
+            print(f"{label:<12}" + "".join(f"{table[label, name][column]:>17}" for name in LIBRARIES))
+        print()
+
+
+if __name__ == "__main__":
+    main()
