@@ -1,0 +1,107 @@
+"""Wrong ways that many problems share: each takes what is right and returns what people write instead.
+
+A problem picks the ones that fit and adds its own; `problem.Mistake` gives them a sentence.
+"""
+
+import numpy as np
+
+from kinlib.chain import Chain
+from kinlib.check import Array
+from kinlib.lie import exp
+from kinlib.practice.problem import Mistake, mistake
+
+
+def crossed_backwards(S: Array) -> Array:
+    """v = omega x q where -omega x q belongs: the moment changes sign, what the pitch adds does not."""
+    omega, v = S[..., :3], S[..., 3:]
+    along = np.sum(omega * v, axis=-1, keepdims=True) * omega
+    turns = omega.any(axis=-1, keepdims=True)
+    return np.concatenate([omega, np.where(turns, 2 * along - v, v)], axis=-1)
+
+
+def halves_swapped(S: Array) -> Array:
+    """(v, omega) where (omega, v) belongs: the order of another book."""
+    return np.roll(S, 3, axis=-1)
+
+
+def without_moment(S: Array) -> Array:
+    """v = 0 for a joint that turns: right only for an axis through the origin."""
+    turns = S[..., :3].any(axis=-1, keepdims=True)
+    return np.where(turns & (np.arange(6) >= 3), 0.0, S)
+
+
+def product(screws: Array, q: Array, home: Array, order: str = "screws then home") -> Array:
+    """Multiply the exponentials in one of the orders in which people write them."""
+    T, factors = np.eye(4), [exp(S * value) for S, value in zip(screws, q, strict=True)]
+    orders = {
+        "screws then home": [*factors, home],
+        "reversed": [*factors[::-1], home],
+        "home first": [home, *factors],
+        "no home": factors,
+    }
+    for factor in orders[order]:
+        T = T @ factor
+    return T
+
+
+def slides_as_turns(arm: Chain) -> Array:
+    """(d, -d x q) for a slide along d, as if it turned about d."""
+    d = arm.screws[:, 3:]
+    slides = ~arm.screws[:, :3].any(axis=-1, keepdims=True)
+    return np.where(slides, np.concatenate([d, np.cross(arm.joint_points, d)], axis=-1), arm.screws)
+
+
+def of_screws(S: Array) -> list[Mistake]:
+    """The three that every screw axis of a turning joint invites."""
+    return [
+        mistake(
+            "omega x q",
+            crossed_backwards(S),
+            "You took $v = \\omega \\times q$. The point of the body that sits at the origin moves with "
+            "$v = -\\omega \\times q$: the arrow from the axis to the origin is $-q$.",
+        ),
+        mistake(
+            "halves swapped",
+            halves_swapped(S),
+            "You wrote $(v, \\omega)$. Here a screw axis is $(\\omega, v)$, turn first, as in Modern Robotics; "
+            "some books and libraries use the other order.",
+        ),
+        mistake(
+            "no moment",
+            without_moment(S),
+            "You left $v = 0$. That holds for an axis through the origin of {s}; for any other, turning also moves the "
+            "point at the origin, by $v = -\\omega \\times q$.",
+        ),
+    ]
+
+
+def of_product(arm: Chain, q: Array) -> list[Mistake]:
+    """The wrong ways to multiply the factors of the space form."""
+    screws, home = arm.screws, arm.home
+    return [
+        mistake(
+            "reversed",
+            product(screws, q, home, "reversed"),
+            "You multiplied from the last joint to the first. The factor of joint 1 stands leftmost: it moves all that follows.",
+        ),
+        mistake(
+            "home first",
+            product(screws, q, home, "home first"),
+            "You put $M$ in front. With space screws it stands last, on the right; in front belong the body screws' factors.",
+        ),
+        mistake(
+            "no home",
+            product(screws, q, home, "no home"),
+            "You left out $M$. The exponentials say how the tool has moved since home; $M$ says where home is.",
+        ),
+        mistake(
+            "one exponential",
+            exp(q @ screws) @ home,
+            "You added the twists and took one exponential. $e^A e^B = e^{A+B}$ only where $AB = BA$, and turns do not commute.",
+        ),
+        mistake(
+            "degrees",
+            product(screws, np.where(screws[:, :3].any(axis=-1), np.degrees(q), q), home),
+            "You used degrees as radians. The exponential wants radians; slides stay in metres.",
+        ),
+    ]

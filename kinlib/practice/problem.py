@@ -1,0 +1,109 @@
+"""Problems: written once, with numbers of each student's own, the right answer and the mistakes that people make.
+
+A mistake is a named transformation of the right answer. If a student's answer is what the mistake would give, the
+mistake explains it, and the sheet says so in words.
+"""
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass, field
+from itertools import combinations
+from typing import TYPE_CHECKING, Any
+
+from kinlib.practice.answers import TOLERANCE, Answer
+from kinlib.practice.draw import Draw
+
+if TYPE_CHECKING:  # judging must not wait for matplotlib
+    from kinlib.view.picture import Picture
+
+ATTEMPTS = 100
+"""How many variants are drawn before a problem is called degenerate."""
+
+APART = 10
+"""How many tolerances must lie between the right answer and each mistake, and between any two mistakes."""
+
+
+@dataclass(frozen=True, eq=False)
+class Mistake:
+    """A named wrong way, the answer it leads to, and what to say to the person who took it."""
+
+    name: str
+    value: Any
+    message: str
+
+
+def mistake(name: str, value: Any, message: str) -> Mistake:
+    """Name a wrong way. The value is the answer that it gives, or a function that computes it.
+
+    >>> mistake("sign", lambda: -1, "You turned the wrong way.").value
+    -1
+    """
+    return Mistake(name, value() if callable(value) else value, message)
+
+
+@dataclass(frozen=True, eq=False)
+class Problem:
+    """One student's problem: the statement, what is given, the right answer and the mistakes, all with their numbers.
+
+    statement  Markdown with $...$ for mathematics
+    given      the same data as values, so that nobody has to type them: sheet.given(k).home
+    figure     a function that draws, called only when somebody looks
+
+    Raises ValueError for a mistake whose value is no answer of this kind: nobody could ever make it.
+    """
+
+    statement: str
+    answer: Answer
+    mistakes: Sequence[Mistake]
+    given: Mapping[str, Any] = field(default_factory=dict)
+    figure: Callable[[], "Picture"] | None = None
+
+    def __post_init__(self) -> None:
+        for wrong in self.mistakes:
+            self.answer.read(wrong.value)
+
+    def telling(self) -> bool:
+        """Whether every mistake leads away from the right answer, and each to a place of its own."""
+        reached = [self.answer.value, *(wrong.value for wrong in self.mistakes)]
+        return not any(self._same(one, other) for one, other in combinations(reached, 2))
+
+    def _same(self, one: Any, other: Any) -> bool:
+        return all(self.answer.agrees(one, other, APART * TOLERANCE))
+
+
+@dataclass(frozen=True)
+class Template:
+    """A problem before anybody's numbers are drawn."""
+
+    number: str
+    title: str
+    points: int
+    lecture: str
+    write: Callable[[Draw], Problem]
+
+    def variant(self, student: str) -> Problem:
+        """Draw one student's problem: the first one in which no mistake happens to give the right answer.
+
+        Raises ValueError when none is found: then the problem itself is degenerate.
+        """
+        for attempt in range(ATTEMPTS):
+            problem = self.write(Draw(student, self.number, attempt))
+            if problem.telling():
+                return problem
+        raise ValueError(
+            f"Problem {self.number}: in {ATTEMPTS} draws, two mistakes always gave the same answer, or one the right one. "
+            "Draw from a wider range, or drop a mistake that is none."
+        )
+
+
+def problem(number: str, title: str, points: int, lecture: str) -> Callable[[Callable[[Draw], Problem]], Template]:
+    """Make a template of a function from a Draw to a Problem.
+
+    number   its place, "03.2"; the student's numbers depend on it
+    points   full score, shared equally among the parts of the answer
+    lecture  where to re-read, "03_poe_space#Prismatic joints": notebook and heading
+    """
+
+    def wrap(write: Callable[[Draw], Problem]) -> Template:
+        return Template(number, title, points, lecture, write)
+
+    return wrap

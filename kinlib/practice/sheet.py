@@ -1,0 +1,144 @@
+"""Sheets: a handful of problems, shown, checked and counted inside a notebook."""
+
+import importlib
+import pkgutil
+from collections.abc import Sequence
+from dataclasses import dataclass
+from types import SimpleNamespace
+from typing import Any
+
+from kinlib.practice.judge import judge
+from kinlib.practice.problem import Problem, Template
+from kinlib.practice.verdict import Tally, Verdict
+
+SAMPLE = "your id"
+"""The id in a fresh sheet. Its numbers are as good as any, but they are everybody's."""
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """The problems of one sheet, before they belong to anybody."""
+
+    name: str
+    title: str
+    problems: Sequence[Template]
+
+    @property
+    def points(self) -> int:
+        """The full score."""
+        return sum(template.points for template in self.problems)
+
+
+class OpenSheet:
+    """A sheet in the hands of one student: shows problems, checks answers, remembers the verdicts.
+
+    Problems count from 1, as on the page.
+    """
+
+    def __init__(self, sheet: Sheet, student: Any) -> None:
+        if not isinstance(student, str) or not student.strip():
+            raise ValueError(
+                f"student should be your id, a text such as 'ada'; got {student!r}. Your numbers come from it."
+            )
+        self.sheet = sheet
+        self.student = student.strip()
+        self.verdicts: dict[int, Verdict] = {}
+        self._drawn: dict[int, Problem] = {}
+
+    def problem(self, k: int) -> Problem:
+        """This student's problem k, with its numbers.
+
+        Raises ValueError for a number that the sheet does not have.
+        """
+        if k not in self._drawn:
+            self._drawn[k] = self._template(k).variant(self.student)
+        return self._drawn[k]
+
+    def given(self, k: int) -> SimpleNamespace:
+        """What problem k gives, as values: sheet.given(1).home and the like, so that nobody has to type them."""
+        return SimpleNamespace(**self.problem(k).given)
+
+    def show(self, k: int) -> None:
+        """Display the statement and the figure of problem k."""
+        from IPython.display import Markdown, display
+
+        template, problem = self._template(k), self.problem(k)
+        given = "".join(f"`given.{name}` " for name in problem.given)
+        note = f"\n\nFrom `given = sheet.given({k})` you have {given}" if given else ""
+        display(Markdown(f"**{template.title}** ({template.points} points)\n\n{problem.statement}{note}"))
+        if problem.figure:
+            display(problem.figure())
+
+    def check(self, k: int, answer: Any) -> Verdict:
+        """Judge an answer to problem k, and say why. Check as often as you like: the last answer counts."""
+        template = self._template(k)
+        self.verdicts[k] = Verdict(template, judge(self.problem(k), answer))
+        return self.verdicts[k]
+
+    def tally(self) -> Tally:
+        """The points so far, problem by problem."""
+        note = f"these are the numbers of {SAMPLE!r}: type your own id at the top" if self.student == SAMPLE else ""
+        return Tally(self.sheet.problems, dict(self.verdicts), note)
+
+    def _template(self, k: int) -> Template:
+        if k not in range(1, len(self.sheet.problems) + 1):
+            raise ValueError(f"{self.sheet.name} has problems 1 to {len(self.sheet.problems)}; got {k!r}.")
+        return self.sheet.problems[k - 1]
+
+    def __repr__(self) -> str:
+        return (
+            f"{self.sheet.title}: {len(self.sheet.problems)} problems, {self.sheet.points} points, for {self.student!r}"
+        )
+
+
+def sheets() -> list[str]:
+    """The names of all sheets, in lecture order."""
+    return _modules("sheet_")
+
+
+def find_sheet(name: str) -> Sheet:
+    """The sheet of a name, as its module defines it.
+
+    Raises ValueError for a name that no sheet has, with those that there are.
+
+    >>> find_sheet("03_poe_space").title
+    'The product of exponentials in the space frame'
+    """
+    if name not in sheets():
+        raise ValueError(f"There is no sheet {name!r}. The sheets are: {', '.join(sheets())}.")
+    sheet: Sheet = importlib.import_module(f"kinlib.practice.sheet_{name}").SHEET
+    return sheet
+
+
+def open_sheet(name: str, student: str) -> OpenSheet:
+    """Open a sheet for one student, whose id seeds the numbers.
+
+    Raises ValueError for an unknown sheet, and for a student without an id.
+
+    >>> open_sheet("03_poe_space", "ada")
+    The product of exponentials in the space frame: 8 problems, 24 points, for 'ada'
+    """
+    return OpenSheet(find_sheet(name), student)
+
+
+def lecture_steps() -> dict[str, Template]:
+    """The steps that the lectures leave blank, by number: "03.a" is the first of lecture 03."""
+    modules = [importlib.import_module(f"kinlib.practice.steps_{name}") for name in _modules("steps_")]
+    return {template.number: template for module in modules for template in module.STEPS}
+
+
+def attempt(number: str, answer: Any) -> Verdict:
+    """Check a step that a lecture leaves blank: the same numbers for everybody, the same kind of feedback as a sheet.
+
+    Raises ValueError for a number that no lecture has.
+    """
+    steps = lecture_steps()
+    if number not in steps:
+        raise ValueError(f"No lecture has a step {number!r}. The steps are: {', '.join(steps)}.")
+    return Verdict(steps[number], judge(steps[number].variant(SAMPLE), answer))
+
+
+def _modules(prefix: str) -> list[str]:
+    here = importlib.import_module("kinlib.practice").__path__
+    names = (module.name for module in pkgutil.iter_modules(here))
+    return sorted(name.removeprefix(prefix) for name in names if name.startswith(prefix))

@@ -1,0 +1,60 @@
+"""Numbers and matrices as a statement shows them: LaTeX inside Markdown, without a digit too many."""
+
+from collections.abc import Iterable
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from kinlib.chain import Chain
+from kinlib.screw import line
+
+
+def number(x: float) -> str:
+    """Write a number with at most four significant digits, and never as -0.
+
+    >>> number(-0.0), number(0.25), number(np.pi)
+    ('0', '0.25', '3.142')
+    """
+    return f"{x + 0.0:.4g}" if abs(x) > 1e-12 else "0"
+
+
+def vector(x: ArrayLike) -> str:
+    """Write a vector in a row, for use between dollar signs.
+
+    >>> vector([0, -1, 0])
+    '(0, -1, 0)'
+    """
+    return "(" + ", ".join(number(value) for value in np.asarray(x, dtype=float)) + ")"
+
+
+def matrix(X: ArrayLike) -> str:
+    r"""Write a matrix in LaTeX, for use between dollar signs.
+
+    >>> matrix(np.eye(2))
+    '\\begin{pmatrix} 1 & 0 \\\\ 0 & 1 \\end{pmatrix}'
+    """
+    rows = r" \\ ".join(" & ".join(number(value) for value in row) for row in np.asarray(X, dtype=float))
+    return rf"\begin{{pmatrix}} {rows} \end{{pmatrix}}"
+
+
+def joint_table(chain: Chain) -> str:
+    """Write the joints as a Markdown table: kind, direction, a point on the axis, pitch.
+
+    >>> from kinlib.robots import rpr
+    >>> print(joint_table(rpr()).splitlines()[2])
+    | 1 | revolute | $(0, -1, 0)$ | $(-4, -2, 0)$ |
+    """
+    axis, _, pitch = line(chain.screws)
+    kinds = {"R": "revolute", "P": "prismatic", "H": "helical"}
+    rows = []
+    for i, letter in enumerate(chain.letters):
+        kind = kinds[letter] if letter != "H" else f"helical, ${number(pitch[i])}$ m/rad"
+        # A slide has no point, and a number that plays no part would only mislead.
+        point = f"${vector(chain.joint_points[i])}$" if letter != "P" else "any"
+        rows.append(f"| {i + 1} | {kind} | ${vector(axis[i])}$ | {point} |")
+    return _table(["joint", "kind", "direction", "point on the axis (m)"], rows)
+
+
+def _table(heads: Iterable[str], rows: Iterable[str]) -> str:
+    heads = list(heads)
+    return "\n".join(["| " + " | ".join(heads) + " |", "|" + " --- |" * len(heads), *rows])

@@ -1,0 +1,66 @@
+"""Cards: feedback in a frame, with an icon and a word, so that nothing hangs on colour alone."""
+
+import html
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+TONES = {
+    "right": ("✓", "#1a7f37", "#eefbf0"),
+    "partly": ("◐", "#8a5a00", "#fff8e6"),
+    "wrong": ("✗", "#b42318", "#fff1ef"),
+    "blank": ("…", "#57606a", "#f4f6f8"),
+    "unreadable": ("?", "#6e40c9", "#f6f1ff"),
+    "note": ("i", "#0b5cad", "#eef6ff"),
+}
+"""For each tone its icon, the colour of its edge and title, and the paper. Each pair has a contrast of at least 4.5."""
+
+FRAME = "border-left:5px solid {ink};background:{paper};color:#1f2328;padding:.6em 1em;margin:.4em 0;max-width:46em"
+
+
+@dataclass(frozen=True)
+class Card:
+    """A short message with a title: what a student reads after a check.
+
+    Paragraphs may hold `code` and $mathematics$; a pair ("pre", text) stands as it is, in columns.
+
+    >>> print(Card("right", "Well done", ["All of it."])._repr_mimebundle_()["text/plain"])
+    ✓ Well done
+      All of it.
+    """
+
+    tone: str
+    title: str
+    body: Sequence[str | tuple[str, str]] = ()
+
+    def __post_init__(self) -> None:
+        if self.tone not in TONES:
+            raise ValueError(f"tone should be one of {', '.join(TONES)}; got {self.tone!r}.")
+
+    def html(self) -> str:
+        """The card as HTML, with everything escaped that a message might hold."""
+        icon, ink, paper = TONES[self.tone]
+        title = f'<p style="margin:0;font-weight:600;color:{ink}"><span aria-hidden="true">{icon}</span> {_inline(self.title)}</p>'
+        body = "".join(_paragraph(part) for part in self.body)
+        return f'<div role="status" style="{FRAME.format(ink=ink, paper=paper)}">{title}{body}</div>'
+
+    def text(self) -> str:
+        """The card for a terminal."""
+        lines = [part if isinstance(part, str) else part[1] for part in self.body]
+        indented = ("  " + line for part in lines for line in part.splitlines())
+        return "\n".join([f"{TONES[self.tone][0]} {self.title}", *indented])
+
+    def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
+        return {"text/html": self.html(), "text/plain": self.text()}
+
+
+def _paragraph(part: str | tuple[str, str]) -> str:
+    if isinstance(part, str):
+        return f'<p style="margin:.4em 0 0">{_inline(part)}</p>'
+    style = "margin:.4em 0 0;background:transparent;color:inherit;white-space:pre;overflow-x:auto"
+    return f'<pre style="{style}">{html.escape(part[1])}</pre>'
+
+
+def _inline(text: str) -> str:
+    return re.sub(r"`([^`]+)`", r'<code style="background:transparent;color:inherit">\1</code>', html.escape(text))

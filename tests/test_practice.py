@@ -1,0 +1,115 @@
+"""The engine of the sheets: drawing, reading, judging, on problems small enough to see through."""
+
+import numpy as np
+import pytest
+
+from kinlib.practice.answers import Choice, Numbers, Ordering, Pose, Screws, Unreadable
+from kinlib.practice.draw import Draw
+from kinlib.practice.judge import judge
+from kinlib.practice.problem import Problem, mistake, problem
+from kinlib.practice.verdict import Verdict
+from kinlib.robots import youbot
+
+
+def two_screws(mistakes):
+    return Problem("Give both.", Screws(np.array([[0, 0, 1, 0, -2, 0], [0, 1, 0, 3, 0, 0.0]])), mistakes)
+
+
+NEGATED = mistake("negated", np.array([[0, 0, -1, 0, 2, 0], [0, -1, 0, -3, 0, 0.0]]), "You turned the axes round.")
+SHIFTED = mistake("shifted", np.array([[0, 0, 1, 0, -1, 0], [0, 1, 0, 4, 0, 0.0]]), "You moved the points.")
+
+
+def test_draws_are_the_same_for_ever():
+    """These numbers were written down once. If they change, every student in the middle of a sheet gets another one."""
+    draw = Draw("ada", "03.1")
+    assert [draw.integer(1, 100) for _ in range(6)] == [96, 41, 10, 90, 95, 7]
+
+
+def test_a_mistake_in_one_part_is_named_for_that_part():
+    p = two_screws([NEGATED, SHIFTED])
+    judgement = judge(p, [p.answer.value[0], NEGATED.value[1]])
+    assert (judgement.state, judgement.fraction) == ("partly", 0.5)
+    assert judgement.right_parts == ["screw 1"]
+    assert [(list(f.parts), f.mistake) for f in judgement.findings] == [(["screw 2"], "negated")]
+
+
+def test_two_mistakes_in_two_parts_are_both_named():
+    p = two_screws([NEGATED, SHIFTED])
+    assert judge(p, [SHIFTED.value[0], NEGATED.value[1]]).mistakes == ["shifted", "negated"]
+
+
+def test_an_unforeseen_answer_still_gets_a_foothold():
+    p = two_screws([NEGATED])
+    judgement = judge(p, [p.answer.value[0], [0, 1, 0, 9, 9, 9]])
+    assert judgement.mistakes == []
+    assert judgement.findings[0].message == "Its omega is right, its v is not."
+
+
+def test_an_answer_rounded_on_the_way_is_told_so():
+    p = Problem("How far?", Numbers(np.array(0.7071), "m"), [mistake("sign", np.array(-0.7071), "Wrong way.")])
+    assert "looks rounded" in judge(p, 0.7).findings[0].message
+    assert judge(p, 0.707).state == "right"
+
+
+def test_a_pose_that_is_no_pose_is_told_so():
+    p = Problem("Where?", Pose(youbot().home), [])
+    judgement = judge(p, 2 * youbot().home)
+    assert "no rotation at all" in judgement.findings[0].message
+
+
+def test_a_variant_in_which_a_mistake_is_right_is_drawn_again():
+    @problem("99.1", "A sign", points=1, lecture="none#none")
+    def sign(draw):
+        x = draw.integer(0, 1)
+        return Problem(f"{x}", Numbers(np.array(float(x))), [mistake("sign", np.array(-float(x)), "Sign.")])
+
+    assert {sign.variant(f"s{i}").statement for i in range(50)} == {"1"}
+
+
+def test_a_problem_that_is_always_degenerate_is_refused():
+    @problem("99.2", "Nothing to get wrong", points=1, lecture="none#none")
+    def degenerate(draw):
+        return Problem("", Numbers(np.array(0.0)), [mistake("sign", np.array(-0.0), "Sign.")])
+
+    with pytest.raises(ValueError, match=r"Problem 99.2.*wider range"):
+        degenerate.variant("ada")
+
+
+def test_a_mistake_of_another_shape_is_refused_when_the_problem_is_written():
+    with pytest.raises(ValueError, match=r"shape \(2, 6\).*shape \(6,\)"):
+        two_screws([mistake("one row", np.zeros(6), "?")])
+
+
+@pytest.mark.parametrize(
+    ("answer", "given", "words"),
+    [
+        (Screws(np.eye(3, 6)), np.eye(6, 3), "Rows and columns are swapped: try .T"),
+        (Screws(np.eye(1, 6)[0]), [0, 0, 1], "is the other half missing"),
+        (Screws(np.eye(3, 6)), np.zeros(18), "arrangement is not"),
+        (Numbers(np.array(1.0), "m"), "1.0", "one number in m"),
+        (Ordering(["e_a", "M"]), ["e_a"], "M appears 0 times"),
+        (Ordering(["e_a", "M"]), ["e_a", "e_b"], "'e_b' is none of them"),
+        (Ordering(["e_a", "M"]), "e_aM", "a list of the 2 names"),
+        (Choice("a", {"a": "left", "b": "right"}), "c", "one of the letters 'a', 'b'"),
+    ],
+)
+def test_what_cannot_be_read_is_refused_with_the_remedy(answer, given, words):
+    with pytest.raises(Unreadable, match=words):
+        answer.read(given)
+
+
+def test_a_list_of_lists_of_the_right_shape_is_as_good_as_an_array():
+    assert judge(two_screws([]), [[0, 0, 1, 0, -2, 0], [0, 1, 0, 3, 0, 0]]).state == "right"
+
+
+def test_a_card_names_score_mistake_and_section():
+    @problem("99.3", "Two screws", points=4, lecture="03_poe_space#Revolute joints")
+    def template(draw):
+        return two_screws([NEGATED])
+
+    p = template.variant("ada")
+    text = Verdict(template, judge(p, [p.answer.value[0], NEGATED.value[1]]))._repr_mimebundle_()["text/plain"]
+    assert "Partly right" in text
+    assert "2 of 4 points" in text
+    assert "Screw 2: You turned the axes round." in text
+    assert "lecture 03_poe_space, section “Revolute joints”" in text
