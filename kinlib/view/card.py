@@ -41,7 +41,7 @@ class Card:
     def html(self) -> str:
         """The card as HTML, with everything escaped that a message might hold."""
         icon, ink, paper = TONES[self.tone]
-        title = f'<p style="margin:0;font-weight:600;color:{ink}"><span aria-hidden="true">{icon}</span> {_inline(self.title)}</p>'
+        title = f'<p style="margin:0;font-weight:600;color:{ink}"><span aria-hidden="true">{icon}</span> {inline(self.title)}</p>'
         body = "".join(_paragraph(part) for part in self.body)
         return f'<div role="status" style="{FRAME.format(ink=ink, paper=paper)}">{title}{body}</div>'
 
@@ -57,10 +57,15 @@ class Card:
 
 def _paragraph(part: str | tuple[str, str]) -> str:
     if isinstance(part, str):
-        return f'<p style="margin:.4em 0 0">{_inline(part)}</p>'
+        return f'<p style="margin:.4em 0 0">{inline(part)}</p>'
     style = "margin:.4em 0 0;background:transparent;color:inherit;white-space:pre;overflow-x:auto"
     return f'<pre style="{style}">{html.escape(part[1])}</pre>'
 
 
-def _inline(text: str) -> str:
+def inline(text: str) -> str:
+    """A line of text as HTML: everything escaped, `code` set as code, formulas left to whoever typesets them.
+
+    >>> inline("a < b")
+    'a &lt; b'
+    """
     return re.sub(r"`([^`]+)`", r'<code style="background:transparent;color:inherit">\1</code>', html.escape(text))
