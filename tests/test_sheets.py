@@ -1,5 +1,9 @@
 """Every sheet and every lecture step: the right answer scores, each mistake gets its own message, nothing breaks it."""
 
+import json
+import re
+from pathlib import Path
+
 import numpy as np
 import pytest
 import sympy
@@ -12,6 +16,7 @@ from kinlib.practice.verdict import Verdict
 
 TEMPLATES = [template for name in sheets() for template in find_sheet(name).problems]
 STEPS = list(lecture_steps().values())
+NOTEBOOKS = Path(__file__).parents[1] / "notebooks"
 STUDENTS = [f"student {i}" for i in range(200)]
 
 each_problem = pytest.mark.parametrize("template", TEMPLATES, ids=lambda template: template.number)
@@ -24,16 +29,10 @@ def plain(template, answer):
 
 
 @each_problem
-def test_the_right_answer_scores_full_on_200_variants(template):
+def test_on_200_variants_the_right_answer_scores_full_and_each_mistake_gets_its_own_message(template):
     for student in STUDENTS:
         problem = template.variant(student)
         assert judge(problem, problem.answer.value).fraction == 1.0
-
-
-@each_problem
-def test_each_mistake_gets_its_own_message_on_200_variants(template):
-    for student in STUDENTS:
-        problem = template.variant(student)
         for wrong in problem.mistakes:
             judgement = judge(problem, wrong.value)
             assert judgement.mistakes == [wrong.name]
@@ -112,10 +111,12 @@ def test_a_hostile_value_gets_a_card_that_says_what_was_expected(template, hosti
     assert len(text) < 1500
 
 
-@each_problem
-def test_the_section_to_reread_is_a_heading_of_its_lecture(template, headings):
+@each_problem_and_step
+def test_the_section_to_reread_is_a_heading_of_its_lecture(template):
     notebook, _, section = template.lecture.partition("#")
-    assert section in headings(notebook)
+    cells = json.loads((NOTEBOOKS / f"{notebook}.ipynb").read_text(encoding="utf-8"))["cells"]
+    prose = "\n".join("".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown")
+    assert section in re.findall(r"^#+ (.+)$", prose, flags=re.MULTILINE)
 
 
 def test_ids_that_differ_in_case_or_blanks_are_one_student():

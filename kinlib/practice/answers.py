@@ -83,7 +83,8 @@ class Numbers(Answer):
         except Exception as error:  # a student's object may raise anything when it is asked for its shape
             raise Unreadable(f"Expected {self.expected}; got {_kind(given)} whose rows differ in length.") from error
         if shape != wanted:
-            raise Unreadable(f"Expected {self.expected}; got {_kind(given)} of shape {shape}.{_remedy(shape, wanted)}")
+            came = f"{_kind(given)} of shape {shape}" if shape else check.brief(given)
+            raise Unreadable(f"Expected {self.expected}; got {came}.{_remedy(shape, wanted)}")
         try:
             return check.array(given, "your answer")
         except ValueError as error:

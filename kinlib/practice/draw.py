@@ -14,8 +14,12 @@ import numpy as np
 from kinlib.chain import Chain
 from kinlib.check import Array
 from kinlib.robots import SLIDE, X, Y, Z, arm, pose
+from kinlib.view.canvas import seen_from
 
 T = TypeVar("T")
+
+APART = 1.2
+"""How far apart two joints of a drawn arm stand on the sheet, in metres of the arm."""
 
 DIRECTIONS = (X, Y, Z, -X, -Y, -Z)
 
@@ -60,13 +64,23 @@ class Draw:
     def arm(self, letters: str, reach: int = 4) -> Chain:
         """An arm with axes along x, y, z and joints at whole coordinates, as one draws it on squared paper.
 
-        letters such as "RPR" name the joints from base to tool. Neighbouring axes are never parallel.
+        letters such as "RPR" name the joints from base to tool. Neighbouring axes are never parallel, and no joint hides
+        another in the drawing.
         """
         joints: list[tuple[Array, Array, float]] = []
         for letter in letters:
             free = [axis for axis in DIRECTIONS if not joints or not axis @ joints[-1][0]]
-            joints.append((self.choice(free), self.point(reach), SLIDE if letter == "P" else 0.0))
+            point = self._point_in_sight([place for _, place, _ in joints], reach)
+            joints.append((self.choice(free), point, SLIDE if letter == "P" else 0.0))
         x = self.choice(DIRECTIONS)
         z = self.choice([axis for axis in DIRECTIONS if not axis @ x])
         home = pose((x, np.cross(z, x), z), self.point(reach))
         return arm(joints, home, "your arm", "drawn for you")
+
+    def _point_in_sight(self, others: Sequence[Array], reach: int) -> Array:
+        """A point that the drawing shows apart from others, and from the origin."""
+        _, sheet = seen_from("default")
+        while True:
+            point = self.point(reach)
+            if all(np.linalg.norm(sheet @ (point - other)) > APART for other in [np.zeros(3), *others]):
+                return point

@@ -7,13 +7,11 @@ mistake explains it, and the sheet says so in words.
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from itertools import combinations
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from kinlib.practice.answers import TOLERANCE, Answer
 from kinlib.practice.draw import Draw
-
-if TYPE_CHECKING:  # judging must not wait for matplotlib
-    from kinlib.view.picture import Picture
+from kinlib.view.picture import Picture
 
 ATTEMPTS = 100
 """How many variants are drawn before a problem is called degenerate."""
@@ -55,7 +53,7 @@ class Problem:
     answer: Answer
     mistakes: Sequence[Mistake]
     given: Mapping[str, Any] = field(default_factory=dict)
-    figure: Callable[[], "Picture"] | None = None
+    figure: Callable[[], Picture] | None = None
 
     def __post_init__(self) -> None:
         for wrong in self.mistakes:

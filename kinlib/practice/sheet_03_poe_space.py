@@ -6,7 +6,7 @@ import numpy as np
 
 from kinlib.practice.answers import Ordering, Pose, Screws
 from kinlib.practice.draw import Draw
-from kinlib.practice.mistakes import of_product, of_screws, product, slides_as_turns
+from kinlib.practice.mistakes import crossed_backwards, of_product, of_screws, product, slides_as_turns
 from kinlib.practice.problem import Problem, mistake, problem
 from kinlib.practice.sheet import Sheet
 from kinlib.practice.text import joint_table, matrix, number, vector
@@ -30,6 +30,11 @@ def plain_arm(draw: Draw) -> Problem:
                 "slide as turn",
                 slides_as_turns(robot),
                 "You treated the slide as a turn. A prismatic joint has no $\\omega$: $S = (0, d)$, and no point plays a part.",
+            ),
+            mistake(
+                "slide as turn, and omega x q",
+                crossed_backwards(slides_as_turns(robot)),
+                "Two things: a moment is $-\\omega \\times q$, with the minus; and a slide has none, for it does not turn: $S = (0, d)$.",
             ),
         ],
     )

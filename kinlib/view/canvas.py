@@ -42,18 +42,26 @@ AROUND: tuple[Offset, ...] = (
 """Where a label may stand, in points from what it names; the first free place is taken."""
 
 
+def seen_from(view: str) -> tuple[Array, Array]:
+    """The unit vector towards the eye, (3,), and the two that point right and up on the sheet, (2, 3).
+
+    >>> seen_from("front")[1].round(3) + 0.0
+    array([[1., 0., 0.],
+           [0., 0., 1.]])
+    """
+    if view not in VIEWS:
+        raise ValueError(f"view should be one of {', '.join(VIEWS)}; got {view!r}.")
+    azimuth, elevation = np.radians(VIEWS[view])
+    eye = np.array([np.cos(elevation) * np.cos(azimuth), np.cos(elevation) * np.sin(azimuth), np.sin(elevation)])
+    right = np.array([-np.sin(azimuth), np.cos(azimuth), 0.0])
+    return eye, np.array([right, np.cross(eye, right)])
+
+
 class Canvas:
     """A sheet that shows the points around which it is made, and keeps labels off each other."""
 
     def __init__(self, around: ArrayLike, view: str = "default", size: tuple[float, float] = (6.4, 4.4)) -> None:
-        if view not in VIEWS:
-            raise ValueError(f"view should be one of {', '.join(VIEWS)}; got {view!r}.")
-        azimuth, elevation = np.radians(VIEWS[view])
-        self.eye = np.array(
-            [np.cos(elevation) * np.cos(azimuth), np.cos(elevation) * np.sin(azimuth), np.sin(elevation)]
-        )
-        right = np.array([-np.sin(azimuth), np.cos(azimuth), 0.0])
-        self._plane = np.array([right, np.cross(self.eye, right)])
+        self.eye, self._plane = seen_from(view)
         around = np.reshape(np.asarray(around, dtype=float), (-1, 3))
         self.size = max(float(np.ptp(around, axis=0).max()), 1e-3)
         """The longest side of what is shown, in metres: the measure for everything drawn to look right, not to scale."""
