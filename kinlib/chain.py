@@ -215,7 +215,7 @@ class Chain:
         q = check.array(q, "q")
         if q.shape[-1:] != (self.n,):
             fits = q.ndim > 1 and q.shape[-2] == self.n
-            cause = "Joints stand in the last dimension: try q.T" if fits else "One configuration has a value for each joint"
+            cause = "Joints stand in the last dimension: try q.T" if fits else "Each joint has a value of its own"
             raise ValueError(
                 f"{self.name} has {self.n} joints ({self.letters}), so q should have shape (..., {self.n}); "
                 f"got {q.shape}. {cause}."

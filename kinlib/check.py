@@ -103,7 +103,9 @@ def turn(angle: Array) -> Array:
     array([0.  , 3.14])
     """
     if (angle > TURN).any():
-        raise ValueError(f"A turn of {angle.max():.3g} rad has no direction left in double precision. Did a computation diverge?")
+        raise ValueError(
+            f"A turn of {angle.max():.3g} rad has no direction left in double precision. Did a computation diverge?"
+        )
     return angle
 
 
@@ -146,7 +148,9 @@ def poses(x: ArrayLike, name: str) -> Array:
     """
     values = rigid(x, name)
     if values.shape[-1] != 4:
-        raise ValueError(f"{name} should be a pose (..., 4, 4); got a rotation of shape {values.shape}. Where is its origin?")
+        raise ValueError(
+            f"{name} should be a pose (..., 4, 4); got a rotation of shape {values.shape}. Where is its origin?"
+        )
     return values
 
 

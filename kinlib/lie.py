@@ -51,7 +51,9 @@ def vee(X: ArrayLike) -> Array:
     if X.shape[-1] == 3:
         return omega
     if (np.abs(X[..., 3, :]) > check.RIGID).any():
-        raise ValueError("The last row of an se(3) matrix is zero, and this one is not. Is it a pose? Then take its log first.")
+        raise ValueError(
+            "The last row of an se(3) matrix is zero, and this one is not. Is it a pose? Then take its log first."
+        )
     return np.concatenate([omega, X[..., :3, 3]], axis=-1)
 
 
@@ -185,8 +187,9 @@ def _rotation_log(R: Array) -> Array:
     qq[..., 1, 1] = 1 + xx - yy - zz
     qq[..., 2, 2] = 1 - xx + yy - zz
     qq[..., 3, 3] = 1 - xx - yy + zz
-    qq[..., 0, 1:] = qq[..., 1:, 0] = (R - np.swapaxes(R, -1, -2))[..., [2, 0, 1], [1, 2, 0]]
-    qq[..., [1, 1, 2], [2, 3, 3]] = qq[..., [2, 3, 3], [1, 1, 2]] = (R + np.swapaxes(R, -1, -2))[..., [0, 0, 1], [1, 2, 2]]
+    Rt = np.swapaxes(R, -1, -2)
+    qq[..., 0, 1:] = qq[..., 1:, 0] = (R - Rt)[..., [2, 0, 1], [1, 2, 0]]
+    qq[..., [1, 1, 2], [2, 3, 3]] = qq[..., [2, 3, 3], [1, 1, 2]] = (R + Rt)[..., [0, 0, 1], [1, 2, 2]]
     longest = np.argmax(np.diagonal(qq, axis1=-2, axis2=-1), axis=-1)
     q = np.take_along_axis(qq, longest[..., None, None], axis=-1)[..., 0]
     q /= np.linalg.norm(q, axis=-1, keepdims=True)

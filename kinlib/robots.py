@@ -17,6 +17,7 @@ from kinlib.screw import screw
 X, Y, Z = np.eye(3)
 SLIDE = np.inf
 
+
 def arm(joints: Sequence[tuple[Any, ...]], home: Array, name: str, source: str) -> Chain:
     """Make a chain from joints (axis, point) or (axis, point, pitch), read off a drawing at home.
 
@@ -67,7 +68,9 @@ def rppr() -> Chain:
     array([ 0.,  1.,  0.,  0.,  0., -2.])
     """
     joints = [(X, (0, 2, 0)), (X, (0, 2, 0), SLIDE), (Z, (2, 2, 0), SLIDE), (X, (2, 2, 0))]
-    return arm(joints, pose((-Y, X, Z), (2, 0, 0)), "RPPR", "UIUC deck, lecture 11, body-form example; slides reconstructed")
+    return arm(
+        joints, pose((-Y, X, Z), (2, 0, 0)), "RPPR", "UIUC deck, lecture 11, body-form example; slides reconstructed"
+    )
 
 
 def rprr(l2: float = 0.5, l4: float = 0.2, l5: float = 0.3) -> Chain:
@@ -108,7 +111,9 @@ def puma560(a2: float = 0.4318, a3: float = 0.0203, d3: float = 0.15005, d4: flo
     """
     elbow, wrist = (a2, d3, 0), (a2 + a3, d3, -d4)
     joints = [(Z, (0, 0, 0)), (Y, (0, 0, 0)), (Y, elbow), (-Z, wrist), (Y, wrist), (-Z, wrist)]
-    return arm(joints, pose((X, -Y, -Z), wrist), "PUMA 560", "Lecture 7, kinematics under DH; lengths from Corke (1994)")
+    return arm(
+        joints, pose((X, -Y, -Z), wrist), "PUMA 560", "Lecture 7, kinematics under DH; lengths from Corke (1994)"
+    )
 
 
 def rpr_lecture7(a1: float = 0.4) -> Chain:
@@ -129,7 +134,12 @@ def plain_arm(column: float = 0.4, upper: float = 0.5, fore: float = 0.3) -> Cha
     """
     shoulder, wrist = (0, 0, column), (upper, 0, column)
     joints = [(Z, (0, 0, 0)), (-Y, shoulder), (X, shoulder, SLIDE), (X, wrist)]
-    return arm(joints, pose((X, Y, Z), (upper + fore, 0, column)), "plain arm", "Chapter 4 review deck: family of exercises 4.7 to 4.9")
+    return arm(
+        joints,
+        pose((X, Y, Z), (upper + fore, 0, column)),
+        "plain arm",
+        "Chapter 4 review deck: family of exercises 4.7 to 4.9",
+    )
 
 
 def angled_arm(tilt: float = np.pi / 4, column: float = 0.4, upper: float = 0.5, fore: float = 0.3) -> Chain:
