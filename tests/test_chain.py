@@ -327,7 +327,7 @@ def test_a_home_that_is_no_pose_is_refused(home, message):
     ("q", "message"),
     [
         ([1, 2, 3, 4], r"youBot has 5 joints \(RRRRR\), so q should have shape \(\.\.\., 5\); got \(4,\)"),
-        ([1, 2, 3, 4, 5, 6], r"got \(6,\)\. One configuration has a value for each joint"),
+        ([1, 2, 3, 4, 5, 6], r"got \(6,\)\. Each joint has a value of its own"),
         (0.5, r"so q should have shape \(\.\.\., 5\); got \(\)"),
         (np.zeros((5, 100)), r"got \(5, 100\)\. Joints stand in the last dimension: try q\.T"),
         ([0, 0, np.nan, 0, 0], r"q holds NaN or infinity at index \[2\]"),
