@@ -26,7 +26,9 @@ HARD = [0.0, 1e-12, 1e-7, 1e-1, 1.0, np.pi - 1e-7, np.pi - 1e-12, np.pi]
 def angles(most=np.pi):
     """Angles in [0, most]: one in two a hard one or close beside it, the rest anywhere between."""
     beside = st.builds(lambda hard, off: min(abs(hard - off), most), st.sampled_from(HARD), st.floats(0, 1e-6))
-    return st.one_of(st.sampled_from(HARD), beside, st.floats(0, most), st.floats(0, most))
+    return st.one_of(
+        st.sampled_from([hard for hard in HARD if hard <= most]), beside, st.floats(0, most), st.floats(0, most)
+    )
 
 
 def directions():
