@@ -8,12 +8,17 @@ from numpy.typing import ArrayLike
 from kinlib.chain import Chain
 from kinlib.check import Array
 from kinlib.screw import line
-from kinlib.view.canvas import GREY, INK, ORANGE, VIOLET, Canvas
+from kinlib.view.canvas import GREY, ORANGE, VIOLET, Canvas
+from kinlib.view.joints import draw_bodies
 from kinlib.view.picture import Picture, spoken
 
 SHOWN = {"axes", "body axes", "home axes", "links", "tool", "base"}
 KINDS = {"R": "revolute", "P": "prismatic", "H": "helical"}
-STEEL, PAPER = "#5b7083", "#f3d9a4"
+STEEL = "#5b7083"
+
+BESIDE = [(20, 0), (-20, 0), (20, 12), (-20, -12)]
+BELOW = [(0, -14), (38, -6), (-38, -6), (0, 14), (0, -28), (46, -18), (-46, -18), (46, 10), (-46, 10), (0, 28)]
+"""Where the names of heights and of feet on the floor may stand, in pixels right and up."""
 
 
 def draw_arm(
@@ -51,10 +56,10 @@ def draw_arm(
     canvas = Canvas(seen, view)
     canvas.floor(seen)
     if ghost is not None:
-        canvas.line(shadow, GREY, 4.0, level=1)
-    canvas.line(path, STEEL, 5.0)
+        canvas.line(shadow, "#b6bec6", 6.0, level=1)
+    canvas.line(path, STEEL, 6.0)
     frames = chain.link_poses(q)
-    _draw_joints(canvas, chain, frames)
+    draw_bodies(canvas, chain, frames)
     if "home axes" in show:
         _draw_axes(canvas, chain, chain.link_poses(home), "S", GREY)
     if "axes" in show or "body axes" in show:
@@ -69,29 +74,34 @@ def draw_arm(
     return canvas.picture(alt or describe(chain, q), caption)
 
 
-def draw_joints(chain: Chain, caption: str = "", view: str = "default") -> Picture:
+def draw_joints(chain: Chain, tool: bool = False, caption: str = "", view: str = "default") -> Picture:
     """Draw an arm at home for reading: each joint with its number and its positive direction, on a numbered grid.
 
-    A dotted line drops from each joint to the floor, and its height stands beside it, so that the point can be read off.
+    A dotted line drops from each joint's point to the floor. There stand its x and y, and beside the line its height, so
+    that the point can be read off. With tool, the frame {b} is drawn and its origin measured in the same way.
 
     >>> from kinlib.robots import rpr
     >>> "joint 2 prismatic along z" in draw_joints(rpr()).alt
     True
     """
     home = np.zeros(chain.n)
-    path = np.concatenate([np.zeros((1, 3)), chain.joint_points])
-    canvas = Canvas(np.concatenate([path, path * (1, 1, 0)]), view)
-    canvas.floor(path, numbers=True)
-    for point in chain.joint_points:
+    measured = np.concatenate([chain.joint_points, chain.home[None, :3, 3]]) if tool else chain.joint_points
+    seen = np.concatenate([np.zeros((1, 3)), measured, measured * (1, 1, 0)])
+    canvas = Canvas(seen, view)
+    canvas.floor(seen, numbers=True)
+    # Joints may share a point, and then share its numbers.
+    for point in np.unique(measured.round(6), axis=0) + 0.0:
         foot = point * (1, 1, 0)
-        canvas.line([foot, point], ORANGE, 1.2, ":", level=1)
-        canvas.dot(foot, ORANGE, 3, level=1)
+        canvas.line([foot, point], ORANGE, 1.5, ":", level=1)
+        canvas.dot(foot, ORANGE, 5, level=6)
         if point[2]:
-            canvas.label((foot + point) / 2, f"{point[2]:g}", ORANGE, [(8, 0), (-8, 0), (8, 10), (-8, -10)], 8)
-        canvas.label(foot, f"({foot[0]:g}, {foot[1]:g})", ORANGE, [(0, -9), (0, 9), (24, 0), (-24, 0)], 8)
-    _draw_joints(canvas, chain, chain.link_poses(home))
+            canvas.label((foot + point) / 2, f"{point[2]:.4g}", ORANGE, BESIDE, 9)
+        canvas.label(foot, f"({foot[0]:.4g}, {foot[1]:.4g})", ORANGE, BELOW, 9)
+    draw_bodies(canvas, chain, chain.link_poses(home))
     _draw_axes(canvas, chain, chain.link_poses(home), "", VIOLET)
     canvas.triad(np.eye(4), "s", 0.16 * canvas.size)
+    if tool:
+        canvas.triad(chain.home, "b", 0.16 * canvas.size)
     points = "; ".join(f"joint {i + 1} at {spoken(p)}" for i, p in enumerate(chain.joint_points))
     return canvas.picture(f"{describe(chain, home)} Points on the axes: {points}.", caption)
 
@@ -138,42 +148,9 @@ def _draw_axes(canvas: Canvas, chain: Chain, frames: Array, name: str, colour: s
     for i, T in enumerate(frames):
         direction = T[:3, :3] @ line(chain.screws[i]).axis
         before, after = T[:3, 3] - 0.16 * canvas.size * direction, T[:3, 3] + 0.3 * canvas.size * direction
-        canvas.line([before, after], colour, 1.3, "--", level=3.5)
-        canvas.arrow(after - 0.01 * canvas.size * direction, after, colour, 1.3, level=3.6)
+        canvas.arrow(before, after, colour, 1.5, style="--", level=3.5)
         if name:
             canvas.label(after, f"${name}_{i + 1}$", colour)
-
-
-def _draw_joints(canvas: Canvas, chain: Chain, frames: Array) -> None:
-    """Each joint as its kind: a cylinder about its axis, a box along it, a cylinder with a thread; and its number."""
-    size = 0.035 * canvas.size
-    angles = np.linspace(0, 2 * np.pi, 33)
-    for i, (T, letter) in enumerate(zip(frames, chain.letters, strict=True)):
-        z = T[:3, :3] @ line(chain.screws[i]).axis
-        x = np.cross(np.eye(3)[np.argmin(np.abs(z))], z)
-        x /= np.linalg.norm(x)
-        y = np.cross(z, x)
-        sides = 4 if letter == "P" else 32
-        turn = np.linspace(0, 2 * np.pi, sides + 1) + np.pi / 4
-        ring = size * (np.cos(turn)[:, None] * x + np.sin(turn)[:, None] * y)
-        half = 1.5 * size * z
-        level = 3.0 + 0.001 * float(canvas.eye @ T[:3, 3])
-        canvas.body(np.concatenate([T[:3, 3] + ring - half, T[:3, 3] + ring + half]), PAPER, level)
-        near = half if canvas.eye @ z > 0 else -half
-        canvas.line(T[:3, 3] + ring + near, INK, 1.0, level=level + 0.0002)
-        if letter == "H":
-            thread = (
-                size * (np.cos(3 * angles)[:, None] * x + np.sin(3 * angles)[:, None] * y)
-                + np.linspace(-1, 1, 33)[:, None] * half
-            )
-            canvas.line(T[:3, 3] + thread, INK, 1.2, level=level + 0.0004)
-        canvas.label(
-            T[:3, 3],
-            str(i + 1),
-            INK,
-            [(14, 10), (-14, 10), (14, -12), (-14, -12), (26, 0), (-26, 0), (0, 22), (0, -24)],
-            10,
-        )
 
 
 def _direction(axis: Array) -> str:
