@@ -1,0 +1,243 @@
+"""What people look at: every drawing has words, every message is harmless, every slider does what it says."""
+
+import base64
+import re
+
+import numpy as np
+import pytest
+from matplotlib import pyplot as plt
+from traitlets import Bool, HasTraits
+
+import kinlib as kl
+from kinlib.view import Card, Picture, draw_arm, draw_frames, draw_joints, explore, plot, slide
+from kinlib.view.canvas import _hull
+from kinlib.view.card import TONES
+
+ROBOTS = [
+    kl.robots.rpr(),
+    kl.robots.rppr(),
+    kl.robots.rprr(),
+    kl.robots.youbot(),
+    kl.robots.puma560(),
+    kl.robots.rpr_lecture7(),
+    kl.robots.plain_arm(),
+    kl.robots.angled_arm(),
+    kl.robots.mid_formula_arm(),
+    kl.robots.hrr(),
+]
+each_robot = pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
+
+
+def svg(picture):
+    """The drawing inside the HTML that a page shows."""
+    return base64.b64decode(re.search(r"base64,([^\"]+)", picture.html())[1]).decode()
+
+
+# --- drawings ---
+
+
+@each_robot
+@pytest.mark.parametrize("draw", [draw_arm, draw_joints])
+def test_every_robot_is_drawn_with_words_that_say_what_is_seen(robot, draw):
+    picture = draw(robot)
+    assert robot.name in picture.alt
+    assert f"{robot.n} joints ({robot.letters})" in picture.alt
+    assert "<svg" in svg(picture)
+    assert len(picture.html()) < 100_000
+
+
+@each_robot
+def test_a_drawing_shows_the_configuration_that_it_is_given(robot):
+    q = np.linspace(0.2, 0.8, robot.n)
+    assert svg(draw_arm(robot, q)) != svg(draw_arm(robot))
+    x = robot.fk(q)[0, 3]
+    assert f"The tool is at ({x:.3g}" in draw_arm(robot, q).alt or abs(x) < 1e-3
+
+
+def test_the_same_drawing_is_the_same_text():
+    """So that a rebuilt page differs where its pictures do, and nowhere else."""
+    assert draw_arm(kl.robots.rpr()).svg == draw_arm(kl.robots.rpr()).svg
+
+
+@pytest.mark.parametrize("shown", ["axes", "home axes", "body axes", "links", "base", "tool"])
+def test_each_thing_to_show_adds_to_the_drawing(shown):
+    q = [0.5, 0.5, 0.5]
+    assert len(draw_arm(kl.robots.rpr(), q, show=[shown]).svg) > len(draw_arm(kl.robots.rpr(), q, show=[]).svg)
+
+
+def test_something_to_show_that_there_is_not_is_refused():
+    with pytest.raises(ValueError, match=r"show knows axes, .*; got 'wheels'"):
+        draw_arm(kl.robots.rpr(), show=["wheels"])
+
+
+def test_a_view_that_there_is_not_is_refused():
+    with pytest.raises(ValueError, match=r"view should be one of default, front.*'behind'"):
+        draw_arm(kl.robots.rpr(), view="behind")
+
+
+def test_a_ghost_is_drawn_too():
+    assert len(draw_arm(kl.robots.rpr(), ghost=[1, 1, 1]).svg) > len(draw_arm(kl.robots.rpr()).svg)
+
+
+def test_frames_are_named_and_placed_in_words():
+    T = kl.exp([0, 0, np.pi / 2, 0, 0, 0])
+    T[:3, 3] = 1, 2, 3
+    alt = draw_frames({"s": np.eye(4), "b": T}, {"p": (1, 0, 0)}).alt
+    assert alt == (
+        "Frame {s} at (0, 0, 0). Frame {b} at (1, 2, 3), its x along (0, 1, 0), its z along (0, 0, 1). Point p at (1, 0, 0)."
+    )
+
+
+def test_frames_that_are_no_poses_are_refused_by_name():
+    with pytest.raises(ValueError, match="frame b is not rigid"):
+        draw_frames({"b": np.diag([2.0, 1, 1, 1])})
+    with pytest.raises(ValueError, match="at least one pose"):
+        draw_frames({})
+
+
+def test_a_picture_without_words_is_refused():
+    with pytest.raises(ValueError, match=r"at least 20 characters; got 'arm'.*telephone"):
+        Picture("<svg/>", "arm")
+
+
+def test_words_cannot_break_out_of_the_page():
+    assert '"><script>' not in Picture("<svg/>", 'twenty characters and "><script>alert(1)</script>').html()
+
+
+def test_a_plot_refuses_what_it_cannot_tell_apart():
+    curves = {str(k): [0, 1] for k in range(6)}
+    with pytest.raises(ValueError, match="tells up to 5 curves apart; got 6"):
+        plot([0, 1], curves, xlabel="x", ylabel="y", alt="Six curves, too many to tell apart.")
+
+
+def test_a_plot_refuses_a_curve_of_another_length():
+    with pytest.raises(ValueError, match=r"curve 'a' should have the shape of x, \(2,\); got \(3,\)"):
+        plot([0, 1], {"a": [0, 1, 2]}, xlabel="x", ylabel="y", alt="A curve of another length.")
+
+
+def test_nothing_is_left_open():
+    draw_arm(kl.robots.rpr())
+    plot([0, 1], {"a": [0, 1]}, xlabel="x", ylabel="y", alt="A line from 0 to 1, and no more.")
+    assert plt.get_fignums() == []
+
+
+def test_the_hull_of_a_square_with_points_inside_is_the_square():
+    inside = np.random.default_rng(0).uniform(0.1, 0.9, (20, 2))
+    corners = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    assert {tuple(p) for p in _hull(np.concatenate([inside, corners]))} == set(corners)
+
+
+# --- cards ---
+
+
+@pytest.mark.parametrize("tone", TONES)
+def test_a_card_says_its_tone_without_colour(tone):
+    card = Card(tone, "A title", ["A line."])
+    assert TONES[tone][0] in card.html()
+    assert TONES[tone][0] in card.text()
+    assert 'role="status"' in card.html()
+
+
+@pytest.mark.parametrize("tone", TONES)
+def test_a_title_stands_out_from_its_paper(tone):
+    """Contrast by WCAG 2: at least 4.5."""
+
+    def luminance(colour):
+        shares = np.array([int(colour[k : k + 2], 16) for k in (1, 3, 5)]) / 255
+        return np.where(shares <= 0.04045, shares / 12.92, ((shares + 0.055) / 1.055) ** 2.4) @ (0.2126, 0.7152, 0.0722)
+
+    _, ink, paper = TONES[tone]
+    assert (luminance(paper) + 0.05) / (luminance(ink) + 0.05) >= 4.5
+
+
+def test_a_message_cannot_run_code_on_the_page():
+    card = Card("wrong", "<b>", ["<script>alert(1)</script> and `<i>`", ("pre", "</pre><script>")])
+    assert "<script>" not in card.html()
+    assert "<i>" not in card.html()
+    assert "<b>" not in card.html()
+
+
+def test_code_and_formulas_reach_the_page():
+    html = Card("note", "n", ["try `x.T`, for $a < b$"]).html()
+    assert ">x.T</code>" in html
+    assert "$a &lt; b$" in html
+
+
+def test_an_unknown_tone_is_refused():
+    with pytest.raises(ValueError, match=r"tone should be one of right.*'green'"):
+        Card("green", "A title")
+
+
+# --- widgets ---
+
+
+class Answered(HasTraits):
+    """Anything with this trait can cover a widget."""
+
+    committed = Bool(False)
+
+
+def sliders(box):
+    return [child for child in box.children if hasattr(child, "min")]
+
+
+def test_a_slider_moves_the_arm():
+    box = explore(kl.robots.rpr(), joints=[1, 2])
+    screen, before = box.children[0], box.children[0].value
+    sliders(box)[1].value = 0.5
+    assert screen.value != before
+    assert "q2 = 0.50 m" in screen.value
+    assert "at q = (0, 0.5, 0)" in screen.value
+
+
+def test_the_readout_is_the_pose():
+    robot = kl.robots.youbot()
+    box = explore(robot, joints=[2])
+    sliders(box)[0].value = 1.0
+    for x in robot.fk([0, 1, 0, 0, 0])[:3].ravel():
+        assert f"{x.round(3) + 0.0:7.3f}" in box.children[0].value
+
+
+def test_back_to_start_puts_every_slider_back():
+    box = explore(kl.robots.rpr(), start=[0.1, 0.2, 0.3])
+    for slider in sliders(box):
+        slider.value = 1.0
+    box.children[-1].click()
+    assert [slider.value for slider in sliders(box)] == [0.1, 0.2, 0.3]
+
+
+def test_a_joint_that_the_arm_does_not_have_is_refused():
+    with pytest.raises(ValueError, match="RPR has joints 1 to 3; got 4"):
+        explore(kl.robots.rpr(), joints=[4])
+
+
+def test_a_widget_stays_covered_until_the_prediction_is_committed():
+    question = Answered()
+    box = explore(kl.robots.rpr(), joints=[1], after=question)
+    assert "Commit to your prediction" in box.children[0].value
+    assert "<img" not in box.children[0].value
+    question.committed = True
+    assert "<img" in box.children[0].children[0].value
+
+
+def test_who_insists_may_look_and_nothing_is_recorded():
+    question = Answered()
+    box = explore(kl.robots.rpr(), joints=[1], after=question)
+    box.children[1].click()
+    assert "<img" in box.children[0].children[0].value
+    assert not question.committed
+
+
+def test_a_slide_draws_the_value_that_it_stands_on():
+    def line(slope):
+        return plot([0, 1], {"line": [0, slope]}, xlabel="x", ylabel="y", alt=f"A line through 0 of slope {slope}.")
+
+    box = slide(line, "slope", [1, 2, 3])
+    assert "slope 1." in box.children[0].value
+    box.children[1].value = 2
+    assert "slope 3." in box.children[0].value
+
+
+def test_a_slide_needs_somewhere_to_go():
+    with pytest.raises(ValueError, match="at least one value"):
+        slide(lambda _: None, "nothing", [])
