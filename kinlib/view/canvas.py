@@ -48,7 +48,7 @@ class Canvas:
 
     around  points (..., 3) to show
     view    one of VIEWS
-    size    width and height in pixels
+    size    width and greatest height in pixels; a flat drawing takes less
 
     Raises ValueError for a view that there is not.
     """
@@ -67,6 +67,7 @@ class Canvas:
         high = np.maximum(flat.max(axis=0) + MARGIN * self.size, tiles.max(axis=0))
         # One scale for both directions, or a circle would not look like one.
         self._scale = float(((self._sheet - 2 * BORDER) / (high - low)).min())
+        self._sheet[1] = (high - low)[1] * self._scale + 2 * BORDER
         self._middle = (low + high) / 2
         self._marks: list[tuple[float, str]] = []
         self._labels: list[Label] = []
@@ -104,14 +105,13 @@ class Canvas:
     ) -> None:
         """An arrow from one point to another. Pointing at the eye it is a ring with a dot, away from it one with a cross."""
         tail, tip = self.pixels(start), self.pixels(end)
-        length = float(np.linalg.norm(tip - tail))
-        if length < 3:
-            self._end_on(
-                tip, towards=float(self.eye @ (np.asarray(end, float) - start)) > 0, colour=colour, level=level
-            )
+        true = self._scale * float(np.linalg.norm(np.subtract(end, start)))
+        seen = float(np.linalg.norm(tip - tail))
+        if seen < 0.03 * true:
+            self._end_on(tip, towards=float(self.eye @ np.subtract(end, start)) > 0, colour=colour, level=level)
             return
-        along = (tip - tail) / length
-        head = min(6 + 1.5 * width, length)
+        along = (tip - tail) / max(seen, 1e-9)
+        head = (6 + 1.5 * width) * min(1.0, 2 * seen / max(true, 1e-9))  # foreshortened, but not as soon as its stem
         neck, across = tip - head * along, 0.36 * head * along[::-1] * (-1, 1)
         self._marks.append((level, svg.stroke(np.array([tail, neck]), colour, width, style)))
         self._marks.append((level, svg.outline(np.array([tip, neck + across, neck - across]), colour)))
@@ -144,7 +144,9 @@ class Canvas:
         for y in ys:
             self.line([(xs[0], y, 0), (xs[-1], y, 0)], PALE, 1.0, level=0)
         if not numbers:
-            self.label((xs[0], ys[0], 0), f"grid {xs[1] - xs[0]:.3g} m", GREY, [(10, -12), (-30, -12), (-30, 12)], 8)
+            self.label(
+                (xs[-1], ys[0], 0), f"grid {xs[1] - xs[0]:.3g} m", GREY, [(0, -12), (36, -8), (-40, -12), (36, 8)], 8
+            )
             return
         for x in xs[:-1]:
             self.label((x, ys[0], 0), _tick(x), AXIS_COLOURS[0], [(-3, -10)], 8)

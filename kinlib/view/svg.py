@@ -50,8 +50,8 @@ def disc(centre: Array, radius: float, colour: str, edge: str = "none") -> str:
 def words(centre: Sequence[float] | Array, text: str, colour: str, size: float) -> str:
     """Words around a centre, with a white rim that keeps them legible on a line. $S_1$ gets an italic S and a low 1.
 
-    >>> words([5.0, 5.0], "$S_1$", "black", 10)[-63:]
-    '<tspan dy="2.5" font-size="75%" font-style="normal">1</tspan></text>'
+    >>> words([5.0, 5.0], "$S_1$", "black", 10)[-84:]
+    '<tspan font-style="italic">S</tspan><tspan dy="2.5" font-size="75%">1</tspan></text>'
     """
     place = f'x="{centre[0]:.1f}" y="{centre[1] + 0.35 * size:.1f}" text-anchor="middle" font-size="{size:g}"'
     return f'<text {place} fill="{colour}" stroke="white" stroke-width="2.6" paint-order="stroke">{_runs(text, size)}</text>'
