@@ -27,7 +27,10 @@ STAMP = VENV / "stamp.txt"  # what the environment was made from; absent while i
 PINS = "constraints.txt"
 
 FIRST_LECTURE = "--LabApp.default_url=/lab/tree/notebooks/00_start_here.ipynb"
-PROGRAMS = {"open": ("jupyterlab", f"--ServerApp.root_dir={ROOT}", FIRST_LECTURE), "test": ("pytest",)}
+PROGRAMS = {
+    "open": ("jupyterlab", f"--ServerApp.root_dir={ROOT}", FIRST_LECTURE),
+    "test": ("pytest", "--numprocesses=auto", "--dist=loadfile"),  # on all cores, each notebook whole on one
+}
 GROUPS = {"open": "lab", "test": "test"}  # of pyproject.toml; test includes lab
 RESOLVE = "pip compile pyproject.toml --group=test --group=installer --universal --upgrade --quiet --no-annotate"
 
