@@ -201,7 +201,7 @@ def _face(question: Question) -> widgets.Widget:
     buttons, rows = [], []
     for index, option in enumerate(item.options):
         letter = LETTERS[index]
-        narrow = widgets.Layout(width="3em", flex="0 0 auto")
+        narrow = widgets.Layout(width="4em", flex="0 0 auto")
         button = widgets.Button(description=letter, tooltip=f"Commit to {letter}: {option.text}", layout=narrow)
         button.on_click(lambda _, index=index: question.commit(index))
         buttons.append(button)

@@ -53,7 +53,7 @@ def draw_arm(
     q = home if q is None else np.asarray(q, dtype=float)
     path, shadow = _path(chain, q), _path(chain, q if ghost is None else np.asarray(ghost, dtype=float))
     seen = np.concatenate([path, shadow]) if around is None else around
-    canvas = Canvas(seen, view)
+    canvas = Canvas(seen, view, sizes=_path(chain, home))
     canvas.floor(seen)
     if ghost is not None:
         canvas.line(shadow, "#b6bec6", 6.0, level=1)

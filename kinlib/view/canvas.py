@@ -47,16 +47,25 @@ class Canvas:
     """A sheet that shows the points around which it is made, and keeps labels off each other and off the drawing.
 
     around  points (..., 3) to show
+    sizes   points (..., 3) whose extent is the measure for marks; those to show, if not given
     view    one of VIEWS
     size    width and greatest height in pixels; a flat drawing takes less
 
     Raises ValueError for a view that there is not.
     """
 
-    def __init__(self, around: ArrayLike, view: str = "default", size: tuple[float, float] = (640, 440)) -> None:
+    def __init__(
+        self,
+        around: ArrayLike,
+        view: str = "default",
+        size: tuple[float, float] = (640, 440),
+        sizes: ArrayLike | None = None,
+    ) -> None:
         self.eye, self._plane = seen_from(view)
         around = np.reshape(np.asarray(around, dtype=float), (-1, 3))
-        self.size = max(float(np.ptp(around, axis=0).max()), 1e-3)
+        self._extent = max(float(np.ptp(around, axis=0).max()), 1e-3)
+        measured = 0.0 if sizes is None else float(np.ptp(np.reshape(sizes, (-1, 3)), axis=0).max())
+        self.size = measured or self._extent
         """The longest side of what is shown, in metres: the measure for everything drawn to look right, not to scale."""
         self._sheet = np.array(size, dtype=float)
         flat = self.flat(around)
@@ -187,7 +196,7 @@ class Canvas:
 
         room  how much farther than the points the floor reaches, in tiles
         """
-        step = _step(self.size / 6)
+        step = _step(self._extent / 6)
         low, high = points[:, side].min() / step - room, points[:, side].max() / step + room
         low, high = np.floor(low + 0.01), np.ceil(high - 0.01)
         if high - low < 2:

@@ -22,6 +22,9 @@ V = TypeVar("V")
 TURN, SLIDE = np.pi, 1.0
 """How far a slider goes to either side: half a turn in radians, one metre."""
 
+DEGREE, CENTIMETRE = np.pi / 180, 0.01
+"""What one press of an arrow key moves a joint by."""
+
 
 def explore(
     chain: Chain,
@@ -32,6 +35,7 @@ def explore(
     start: ArrayLike | None = None,
     span: tuple[float, float] | None = None,
     ghost: ArrayLike | None = None,
+    readout: bool = True,
 ) -> widgets.Widget:
     """Move joints of an arm and read where its tool is.
 
@@ -40,8 +44,10 @@ def explore(
     after    a question; the arm stays covered until it is committed
     start    (n,) joint values to begin with, home by default
     span     from where to where the sliders go, in radians or metres
+    ghost    (n,) another configuration, in grey
+    readout  whether the tool's pose stands below
 
-    Raises ValueError for a joint that the arm does not have.
+    Raises ValueError for a joint that the arm does not have, a start of another size, a span that does not hold it.
 
     >>> from kinlib.robots import rpr
     >>> type(explore(rpr(), joints=[2])).__name__
@@ -51,6 +57,7 @@ def explore(
     if wrong := [joint for joint in joints if joint not in range(1, chain.n + 1)]:
         raise ValueError(f"{chain.name} has joints 1 to {chain.n}; got {wrong[0]!r}.")
     home = np.zeros(chain.n) if start is None else np.array(start, dtype=float)
+    chain.fk(home)  # refuses a start of another size, in words
     sliders = {joint: _joint_slider(chain, joint, home[joint - 1], span) for joint in joints}
     low, high = home.copy(), home.copy()
     for joint, slider in sliders.items():
@@ -65,7 +72,8 @@ def explore(
 
     def draw() -> str:
         q = values()
-        return draw_arm(chain, q, show=show, around=around, ghost=ghost).html() + _readout(chain, q, joints)
+        picture = draw_arm(chain, q, show=show, around=around, ghost=ghost).html()
+        return picture + _readout(chain, q, joints) if readout else picture
 
     def reset(_: widgets.Button) -> None:
         for joint, slider in sliders.items():
@@ -110,15 +118,22 @@ def slide(
 
 def _joint_slider(chain: Chain, joint: int, value: float, span: tuple[float, float] | None) -> widgets.FloatSlider:
     slides = chain.letters[joint - 1] == "P"
-    far = SLIDE if slides else TURN
+    far, step = (SLIDE, CENTIMETRE) if slides else (TURN, DEGREE)
     low, high = span or (value - far, value + far)
+    if not low <= value <= high:
+        raise ValueError(
+            f"span should hold the start of joint {joint}, {value:.3g}; got {low:.3g} to {high:.3g}. Is one in degrees?"
+        )
+    # The page rounds a slider to whole steps from its lower end: the start has to be one, or the arm would twitch.
+    low, high = (value + step * np.round((end - value) / step) for end in (low, high))
     return widgets.FloatSlider(
         value=value,
         min=low,
         max=high,
-        step=0.01,
+        step=step,
         description=f"joint {joint} ({'m' if slides else 'rad'})",
         readout_format=".2f",
+        tooltip=f"Value of joint {joint}: arrow keys move it by {'a centimetre' if slides else 'a degree'}",
         style={"description_width": "initial"},
         layout=widgets.Layout(width="95%"),
     )
@@ -149,7 +164,11 @@ def _covered(inside: widgets.VBox, after: Any) -> widgets.VBox:
     def uncover(_: Any) -> None:
         box.children = [inside]
 
-    anyway.on_click(uncover)
+    def peek(_: widgets.Button) -> None:
+        told = Card("note", "Shown without a prediction", ["Nothing was recorded. You can still commit to one above."])
+        box.children = [widgets.HTML(told.html()), inside]
+
+    anyway.on_click(peek)
     after.observe(uncover, "committed")
     return box
 
@@ -158,7 +177,7 @@ def _readout(chain: Chain, q: Array, joints: Sequence[int]) -> str:
     """The joint values, in degrees too where they turn, and the tool's pose."""
     said = []
     for joint in joints:
-        value = q[joint - 1]
+        value = q[joint - 1].round(6) + 0.0
         unit = f"{value:.2f} m" if chain.letters[joint - 1] == "P" else f"{value:.2f} rad = {np.degrees(value):.0f}°"
         said.append(f"q{joint} = {unit}")
     T = "\n".join("  ".join(f"{x + 0.0:7.3f}" for x in row) for row in chain.fk(q).round(3) + 0.0)
