@@ -2,6 +2,8 @@
 
 import base64
 import re
+from itertools import combinations
+from xml.etree import ElementTree as ET
 
 import numpy as np
 import pytest
@@ -10,8 +12,9 @@ from traitlets import Bool, HasTraits
 
 import kinlib as kl
 from kinlib.view import Card, Picture, draw_arm, draw_frames, draw_joints, explore, plot, slide
-from kinlib.view.canvas import _hull
+from kinlib.view.canvas import Canvas, _hull
 from kinlib.view.card import TONES
+from kinlib.view.joints import _carried_axes, _shifts
 
 ROBOTS = [
     kl.robots.rpr(),
@@ -52,6 +55,55 @@ def test_a_drawing_shows_the_configuration_that_it_is_given(robot):
     assert svg(draw_arm(robot, q)) != svg(draw_arm(robot))
     x = robot.fk(q)[0, 3]
     assert f"The tool is at ({x:.3g}" in draw_arm(robot, q).alt or abs(x) < 1e-3
+
+
+@each_robot
+@pytest.mark.parametrize("draw", [draw_arm, draw_joints])
+def test_no_name_in_a_drawing_covers_another_or_leaves_the_sheet(robot, draw):
+    texts = ET.fromstring(draw(robot).svg).findall(".//{http://www.w3.org/2000/svg}text")
+    boxes = []
+    for text in texts:
+        size = float(text.get("font-size"))
+        half = np.array([0.25 * len("".join(text.itertext())), 0.4]) * size
+        centre = np.array([float(text.get("x")), float(text.get("y")) - 0.35 * size])
+        assert (centre - half > 0).all()
+        assert (centre + half < (640, 440)).all()
+        boxes.append((centre - half, centre + half))
+    covered = [
+        (a, b)
+        for a, b in combinations(range(len(boxes)), 2)
+        if (boxes[a][0] < boxes[b][1]).all() and (boxes[b][0] < boxes[a][1]).all()
+    ]
+    assert not [("".join(texts[a].itertext()), "".join(texts[b].itertext())) for a, b in covered]
+
+
+def test_joints_on_one_axis_stand_side_by_side():
+    """RPPR's first two joints share point and axis: drawn there, the one would hide the other."""
+    robot = kl.robots.rppr()
+    frames = robot.link_poses(np.zeros(4))
+    shifts = _shifts(_carried_axes(robot, frames), frames[:, :3, 3])
+    assert shifts.tolist() == [-0.5, 0.5, 0, 0]
+
+
+def test_a_name_says_its_letters_and_nothing_to_the_browser():
+    canvas = Canvas([(0, 0, 0), (1, 1, 1)])
+    canvas.label((0, 0, 0), "<script>&", "black")
+    canvas.label((1, 1, 1), r"$\theta_{12}$", "black")
+    said = ["".join(text.itertext()) for text in ET.fromstring(canvas.picture("Two names, no more.." * 2).svg).iter()]
+    assert "<script>&" in said
+    assert "θ12" in said
+
+
+@pytest.mark.parametrize(("end", "marks"), [((0, 0, 1), 2), ((0, 0, -1), 1)])
+def test_an_arrow_seen_end_on_is_a_ring_with_a_dot_or_a_cross(end, marks):
+    canvas = Canvas([(-1, -1, -1), (1, 1, 1)], view="top")
+    canvas.arrow((0, 0, 0), end)
+    assert canvas.picture("An arrow, seen from its tip or its feathers.").svg.count("<circle") == marks
+
+
+def test_a_robot_without_length_is_drawn_all_the_same():
+    still = kl.Chain(np.array([[0, 0, 1, 0, 0, 0.0]]), np.eye(4), name="pivot")
+    assert "nan" not in draw_arm(still).svg + draw_joints(still).svg
 
 
 def test_the_same_drawing_is_the_same_text():
@@ -206,6 +258,27 @@ def test_back_to_start_puts_every_slider_back():
     assert [slider.value for slider in sliders(box)] == [0.1, 0.2, 0.3]
 
 
+@each_robot
+@pytest.mark.parametrize("span", [None, (-1.0, 2.0)])
+def test_a_slider_starts_on_a_whole_step(robot, span):
+    """The page rounds a slider to whole steps from its lower end: an arm that starts beside one would twitch."""
+    for slider in sliders(explore(robot, start=np.linspace(0.123, 0.456, robot.n), span=span)):
+        steps = (slider.value - slider.min) / slider.step
+        assert abs(steps - round(steps)) < 1e-9
+        assert slider.min < slider.value < slider.max
+
+
+def test_a_start_outside_its_span_or_of_another_size_is_refused():
+    with pytest.raises(ValueError, match=r"hold the start of joint 1, 0; got 10 to 90. Is one in degrees"):
+        explore(kl.robots.rpr(), joints=[1], span=(10, 90))
+    with pytest.raises(ValueError, match="RPR has 3 joints"):
+        explore(kl.robots.rpr(), start=[0, 0])
+
+
+def test_the_readout_can_be_left_out():
+    assert "Tool pose" not in explore(kl.robots.rpr(), joints=[1], readout=False).children[0].value
+
+
 def test_a_joint_that_the_arm_does_not_have_is_refused():
     with pytest.raises(ValueError, match="RPR has joints 1 to 3; got 4"):
         explore(kl.robots.rpr(), joints=[4])
@@ -224,8 +297,12 @@ def test_who_insists_may_look_and_nothing_is_recorded():
     question = Answered()
     box = explore(kl.robots.rpr(), joints=[1], after=question)
     box.children[1].click()
-    assert "<img" in box.children[0].children[0].value
+    told, inside = box.children
+    assert "Nothing was recorded" in told.value
+    assert "<img" in inside.children[0].value
     assert not question.committed
+    question.committed = True
+    assert box.children == (inside,)
 
 
 def test_a_slide_draws_the_value_that_it_stands_on():

@@ -65,7 +65,8 @@ class Canvas:
         around = np.reshape(np.asarray(around, dtype=float), (-1, 3))
         self._extent = max(float(np.ptp(around, axis=0).max()), 1e-3)
         measured = 0.0 if sizes is None else float(np.ptp(np.reshape(sizes, (-1, 3)), axis=0).max())
-        self.size = measured or self._extent
+        # Where an arm is small in its room, its marks stay large enough to tell apart.
+        self.size = self._extent if sizes is None else max(measured, 0.6 * self._extent)
         """The longest side of what is shown, in metres: the measure for everything drawn to look right, not to scale."""
         self._sheet = np.array(size, dtype=float)
         flat = self.flat(around)
