@@ -5,15 +5,16 @@ import numpy as np
 from kinlib.chain import Chain
 from kinlib.check import Array
 from kinlib.screw import is_prismatic, line
-from kinlib.view.canvas import GREY, INK, ORANGE, VIOLET, Canvas
+from kinlib.view.canvas import INK, ORANGE, PALE, VIOLET, Canvas
 from kinlib.view.picture import Picture
 
 
 def draw_readers(chain: Chain, k: int, caption: str = "") -> Picture:
     """Draw an arm at home, its first k axes read from {s}, the others from {b}: the mid-formula form as a picture.
 
-    A dotted thread runs from the reader's origin square to the axis of each joint that turns. Its length is how far the
-    axis passes the reader by, and so, where the pitch is 0, the length of v. A slide has no thread: nobody asks where it is.
+    A dotted thread runs from the reader's origin square to the axis of each joint that turns. Its length, written
+    beside it, is how far the axis passes the reader by; where the pitch is 0 that is the length of v. A slide has no
+    thread: it has no line, and nobody asks where it is.
 
     Raises ValueError for a k outside 0 ... n.
 
@@ -27,16 +28,17 @@ def draw_readers(chain: Chain, k: int, caption: str = "") -> Picture:
     path = np.concatenate([np.zeros((1, 3)), chain.joint_points, chain.home[None, :3, 3]])
     canvas = Canvas(np.concatenate([path, feet.reshape(-1, 3)]))
     canvas.floor(path)
-    canvas.line(path, GREY, 4.0, level=1)
+    canvas.line(path, PALE, 6.0, level=1)
     for i, (point, axis) in enumerate(zip(chain.joint_points, line(chain.screws).axis, strict=True)):
         start, tip = np.array([[-0.16], [0.3]]) * canvas.size * axis + point
-        canvas.line([start, tip], VIOLET, 1.3, "--", level=3.5)
-        canvas.arrow(tip - 0.01 * canvas.size * axis, tip, VIOLET, 1.3)
+        canvas.arrow(start, tip, VIOLET, 1.3, style="--", level=3.5)
         canvas.label(tip, f"${_name(i, k)}$", VIOLET)
         canvas.dot(point, INK, 4)
-        canvas.line(feet[i], ORANGE, 2.2, ":", level=4.5)
+        canvas.line(feet[i], ORANGE, 2.6, ":", level=4.5)
         if np.ptp(feet[i], axis=0).any():  # a thread may end far from the joint, and still on its axis
             canvas.line([point, feet[i, 1]], VIOLET, 1.0, "--", level=1.5)
+            far = np.linalg.norm(feet[i, 1] - feet[i, 0])
+            canvas.label(feet[i].mean(axis=0), f"{far:.3g} m", ORANGE, [(-20, 0), (0, 12), (20, 0), (0, -12)], 9)
     canvas.triad(np.eye(4), "s", 0.18 * canvas.size)
     canvas.triad(chain.home, "b", 0.18 * canvas.size)
     return canvas.picture(_words(chain, k, feet), caption)
