@@ -2,7 +2,10 @@
 
 import base64
 import re
+import subprocess
+import sys
 from itertools import combinations
+from pathlib import Path
 from xml.etree import ElementTree as ET
 
 import numpy as np
@@ -15,6 +18,8 @@ from kinlib.view import Card, Picture, draw_arm, draw_frames, draw_joints, explo
 from kinlib.view.canvas import Canvas, _hull
 from kinlib.view.card import TONES
 from kinlib.view.joints import _carried_axes, _shifts
+
+ROOT = Path(__file__).parents[1]
 
 ROBOTS = [
     kl.robots.rpr(),
@@ -177,6 +182,13 @@ def test_the_hull_of_a_square_with_points_inside_is_the_square():
     inside = np.random.default_rng(0).uniform(0.1, 0.9, (20, 2))
     corners = [(0, 0), (1, 0), (1, 1), (0, 1)]
     assert {tuple(p) for p in _hull(np.concatenate([inside, corners]))} == set(corners)
+
+
+def test_an_arm_is_drawn_without_waiting_for_matplotlib():
+    """Loading it takes a second in the lab and three in the browser; only curves need it."""
+    script = "import sys; from kinlib.view import draw_arm; from kinlib.robots import rpr; draw_arm(rpr()); print(*sys.modules)"
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True, cwd=ROOT)
+    assert not {"matplotlib", "ipywidgets"} & set(done.stdout.split())
 
 
 # --- cards ---

@@ -4,12 +4,13 @@ import base64
 import html
 import io
 from dataclasses import dataclass
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from matplotlib import rc_context
-from matplotlib.figure import Figure
 from numpy.typing import ArrayLike
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
 
 SHORTEST = 20
 """Fewer characters than this name a figure and do not say what it shows."""
@@ -45,15 +46,18 @@ class Picture:
         return {"text/html": self.html(), "text/plain": self.alt}
 
 
-def picture(figure: Figure, alt: str, caption: str = "") -> Picture:
+def picture(figure: "Figure", alt: str, caption: str = "") -> Picture:
     """Finish a matplotlib figure, made without pyplot so that nothing is left open.
 
     Raises ValueError for a text alternative that says too little.
 
+    >>> from matplotlib.figure import Figure
     >>> figure = Figure(figsize=(2, 1))
     >>> picture(figure, "An empty figure, two inches wide.").alt
     'An empty figure, two inches wide.'
     """
+    from matplotlib import rc_context
+
     buffer = io.StringIO()
     # A fixed salt and no date: the same drawing is the same text, today and tomorrow.
     with rc_context({"svg.hashsalt": "kinlib", "svg.fonttype": "path"}):

@@ -3,7 +3,6 @@
 from collections.abc import Mapping
 
 import numpy as np
-from matplotlib.figure import Figure
 from numpy.typing import ArrayLike
 
 from kinlib.view.picture import Picture, picture
@@ -39,6 +38,8 @@ def plot(
     >>> plot([0, 1, 2], {"square": [0, 1, 4]}, xlabel="x", ylabel="y", alt="A parabola through 0, 1 and 4.").alt
     'A parabola through 0, 1 and 4.'
     """
+    from matplotlib.figure import Figure
+
     x = np.asarray(x, dtype=float)
     if len(curves) > len(STYLES):
         raise ValueError(f"plot tells up to {len(STYLES)} curves apart; got {len(curves)}. Draw two figures?")
