@@ -1,13 +1,28 @@
 """kinlib: robot forward kinematics, small enough to read and strict enough to trust.
 
-Read the modules in the order of the lectures: lie, screw, chain. `NOTATION.md` says the conventions once.
+Read the modules in the order of the lectures: lie, screw, chain, dh. `NOTATION.md` says the conventions once.
 """
 
 from kinlib import robots
 from kinlib.chain import Chain
+from kinlib.dh import DHTable, dh_transform
 from kinlib.lie import adjoint, exp, hat, inverse, log, vee
 from kinlib.screw import Line, line, screw
 
 __version__ = "0.1.0"
 
-__all__ = ["Chain", "Line", "adjoint", "exp", "hat", "inverse", "line", "log", "robots", "screw", "vee"]
+__all__ = [
+    "Chain",
+    "DHTable",
+    "Line",
+    "adjoint",
+    "dh_transform",
+    "exp",
+    "hat",
+    "inverse",
+    "line",
+    "log",
+    "robots",
+    "screw",
+    "vee",
+]

@@ -1,0 +1,221 @@
+"""Denavit-Hartenberg tables: an arm as four numbers a row, in the standard or the modified convention.
+
+Two frames on neighbouring links need six numbers in general. If each x axis runs along the common normal of two joint
+axes, four do: the twist alpha and the length a of the normal, the offset d and the angle theta about the joint.
+
+    standard   A_i = Rz(theta_i) Tz(d_i) Tx(a_i) Rx(alpha_i)                joint i moves about z_{i-1}
+    modified   T_i = Rx(alpha_{i-1}) Tx(a_{i-1}) Rz(theta_i) Tz(d_i)        joint i moves about z_i
+
+Both are the same product Z_1 X_1 Z_2 X_2 ... Z_n, cut at other places. So a table in one convention becomes a table in
+the other by moving alpha and a by one row, and the constants left over at the ends go into the base and the tool.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from functools import reduce
+from typing import Any, Literal, get_args
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from kinlib import check
+from kinlib.chain import Chain
+from kinlib.check import Array
+from kinlib.dh_rows import COLUMNS, read_rows
+from kinlib.lie import adjoint
+
+Convention = Literal["standard", "modified"]
+
+
+def dh_transform(a: ArrayLike, alpha: ArrayLike, d: ArrayLike, theta: ArrayLike, *, convention: Convention) -> Array:
+    """Write the transform of one DH row: where frame i stands in frame i-1.
+
+    a, d in metres and alpha, theta in radians, any shapes that broadcast -> (..., 4, 4).
+    In the modified convention a and alpha are those of the row, a_{i-1} and alpha_{i-1}.
+
+    Raises ValueError for another convention, and for NaN.
+    Source: EduFill module, "Computation with Denavit-Hartenberg table" (standard); deck n = 5 and Lecture 7 (modified).
+
+    >>> dh_transform(0, 0, 0.2, 0, convention="standard")[:3, 3]
+    array([0. , 0. , 0.2])
+    """
+    convention = _convention(convention)
+    values = zip(COLUMNS, (a, alpha, d, theta), strict=True)
+    a, alpha, d, theta = np.broadcast_arrays(*(check.array(value, name) for name, value in values))
+    ca, sa, ct, st = np.cos(alpha), np.sin(alpha), np.cos(theta), np.sin(theta)
+    T = np.zeros((*a.shape, 4, 4))
+    T[..., 3, 3] = 1.0
+    if convention == "standard":
+        rows = [[ct, -st * ca, st * sa, a * ct], [st, ct * ca, -ct * sa, a * st], [0 * st, sa, ca, d]]
+    else:
+        rows = [[ct, -st, 0 * st, a], [st * ca, ct * ca, -sa, -sa * d], [st * sa, ct * sa, ca, ca * d]]
+    for i, row in enumerate(rows):
+        T[..., i, :] = np.stack(row, axis=-1)
+    return T
+
+
+@dataclass(frozen=True, eq=False)
+class DHTable:
+    r"""An open chain as a DH table, with what no table can hold: the base and the tool.
+
+    rows        text as on a slide, dictionaries by column name, or numbers (m, 4) in the order a, alpha, d, theta
+    convention  "standard" or "modified"; no default, for a table means nothing without it
+    joints      a letter a row: R (theta moves), P (d moves), F (nothing moves); read from the variables in the rows
+    base, tool  (4, 4), from {s} to frame 0 and from the last frame to {b}
+    lengths     values of the names that the rows use
+
+    Raises ValueError that names the row and the column.
+    Source: EduFill module (standard), deck n = 5 and Lecture 7 (modified).
+
+    >>> table = DHTable("a | alpha | d | theta \n 0.4 | 0 | 0 | q1 \n 0.3 | 0 | 0 | q2", convention="standard")
+    >>> table.fk([np.pi / 2, 0])[:3, 3].round(3) + 0.0
+    array([0. , 0.7, 0. ])
+    """
+
+    rows: Any = field(repr=False)
+    convention: Convention = field(kw_only=True)
+    joints: str = field(default="", kw_only=True)
+    base: Array = field(default_factory=lambda: np.eye(4), kw_only=True, repr=False)
+    tool: Array = field(default_factory=lambda: np.eye(4), kw_only=True, repr=False)
+    lengths: Mapping[str, float] | None = field(default=None, kw_only=True, repr=False)
+    name: str = field(default="table", kw_only=True)
+
+    signs: Array = field(init=False, repr=False)
+
+    def __post_init__(self) -> None:
+        read = read_rows(self.rows, self.joints or None, self.lengths)
+        arrays = {"rows": read.numbers, "signs": read.signs}
+        for name, value in {"base": self.base, "tool": self.tool}.items():
+            arrays[name] = check.poses(value, name)
+            if arrays[name].ndim != 2:
+                raise ValueError(f"{name} should be one pose, (4, 4); got {np.shape(value)}.")
+        for name, array in arrays.items():
+            object.__setattr__(self, name, _frozen(array))
+        object.__setattr__(self, "convention", _convention(self.convention))
+        object.__setattr__(self, "joints", read.joints)
+
+    @property
+    def n(self) -> int:
+        """The number of joints: of rows, less those without a joint."""
+        return len(self._moving)
+
+    @property
+    def columns(self) -> dict[str, Array]:
+        """The numbers by name, (m,) each, with every joint at 0.
+
+        >>> DHTable([[0.4, 0, 0, 0]], convention="standard").columns["a"]
+        array([0.4])
+        """
+        return dict(zip(COLUMNS, self.rows.T, strict=True))
+
+    def link_transforms(self, q: ArrayLike) -> Array:
+        """Where each frame stands in the one before it: A_i or T_i, one for each row.
+
+        q (..., n) in radians and metres -> (..., m, 4, 4).
+
+        Raises ValueError for joint values of another size, and for NaN.
+        Source: deck n = 5, which prints them for its RPRR arm.
+
+        >>> DHTable([[0.4, 0, 0, 0]], convention="standard").link_transforms([np.pi / 2])[0, :3, 3].round(3) + 0.0
+        array([0. , 0.4, 0. ])
+        """
+        q = check.vectors(q, "q", self.n)
+        values = np.zeros((*q.shape[:-1], *self.rows.shape))
+        values += self.rows
+        for k, row in enumerate(self._moving):
+            column = COLUMNS.index("theta" if self.joints[row] == "R" else "d")
+            values[..., row, column] += self.signs[row] * q[..., k]
+        a, alpha, d, theta = np.moveaxis(values, -1, 0)
+        return dh_transform(a, alpha, d, theta, convention=self.convention)
+
+    def fk(self, q: ArrayLike) -> Array:
+        """Where the tool is: base A_1(q_1) ... A_m tool.
+
+        q (..., n) -> T_sb (..., 4, 4).
+
+        Raises ValueError for joint values of another size, and for NaN.
+        Source: Chapter 4 review deck, step 7.
+
+        >>> DHTable([[0.4, 0, 0, 0]], convention="modified").fk(np.zeros((1000, 1))).shape
+        (1000, 4, 4)
+        """
+        links = np.moveaxis(self.link_transforms(q), -3, 0)
+        return reduce(np.matmul, [*links, self.tool], self.base)
+
+    def to_chain(self) -> Chain:
+        """The same arm as screw axes and a home pose: each joint's own z, read in {s} at home.
+
+        >>> DHTable([[0.4, 0, 0, 0], [0.3, 0, 0, 0]], convention="standard").to_chain().screws[1] + 0.0
+        array([ 0. ,  0. ,  1. ,  0. , -0.4,  0. ])
+        """
+        before = [self.base]
+        for link in self.link_transforms(np.zeros(self.n)):
+            before.append(before[-1] @ link)
+        # In the standard convention joint i moves about the z before its row, in the modified about the z behind it.
+        carriers = before[:-1] if self.convention == "standard" else before[1:]
+        screws, points = [], []
+        for row in self._moving:
+            own = np.zeros(6)
+            own[2 if self.joints[row] == "R" else 5] = self.signs[row]
+            screws.append(adjoint(carriers[row]) @ own)
+            points.append(carriers[row][:3, 3])
+        return Chain(np.array(screws), before[-1] @ self.tool, np.array(points), self.name)
+
+    def converted(self, convention: Convention) -> "DHTable":
+        """The same arm in a convention, without loss: alpha and a move by one row, what is left over to base or tool.
+
+        Standard to modified: row i takes a and alpha of row i-1, and those of the last row go to the tool.
+        Modified to standard: row i takes a and alpha of row i+1, and those of the first row go to the base.
+
+        Raises ValueError for another convention.
+
+        >>> table = DHTable([[0.4, 0.1, 0, 0], [0.3, 0, 0, 0]], convention="standard")
+        >>> table.converted("modified").columns["a"]
+        array([0. , 0.4])
+        """
+        if _convention(convention) == self.convention:
+            return self
+        normals, joints = self.rows[:, :2], self.rows[:, 2:]
+        none = np.zeros((1, 2))
+        base, tool = self.base, self.tool
+        if convention == "modified":
+            tool = _normal(*normals[-1]) @ tool
+            normals = np.concatenate([none, normals[:-1]])
+        else:
+            base = base @ _normal(*normals[0])
+            normals = np.concatenate([normals[1:], none])
+        # The signs are no numbers of the table, so they travel beside it.
+        table = DHTable(
+            np.hstack([normals, joints]),
+            convention=convention,
+            joints=self.joints,
+            base=base,
+            tool=tool,
+            name=self.name,
+        )
+        object.__setattr__(table, "signs", self.signs)
+        return table
+
+    @property
+    def _moving(self) -> list[int]:
+        return [row for row, letter in enumerate(self.joints) if letter != "F"]
+
+
+def _convention(name: Any) -> Convention:
+    if name not in get_args(Convention):
+        raise ValueError(
+            f"convention should be 'standard' or 'modified'; got {name!r}. Where does z_i lie: on joint i, or on i+1?"
+        )
+    found: Convention = name
+    return found
+
+
+def _normal(a: float, alpha: float) -> Array:
+    """The step along a common normal, Tx(a) Rx(alpha): the piece X_i that the two conventions put in different rows."""
+    return dh_transform(a, alpha, 0, 0, convention="standard")
+
+
+def _frozen(values: Array) -> Array:
+    copy = np.array(values)
+    copy.flags.writeable = False
+    return copy
