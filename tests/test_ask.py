@@ -84,13 +84,23 @@ def test_a_terminal_shows_the_question_too(question):
 def test_an_uncommitted_question_says_so():
     lecture, key = ALL[0]
     ask(f"{lecture}/{key}")
-    assert explain(f"{lecture}/{key}").title == "You have not committed to an answer yet"
+    assert explain(f"{lecture}/{key}").card.title == "You have not committed to an answer yet"
 
 
 def test_explain_compares_with_what_was_asked_on_this_page():
     lecture, key = ALL[0]
     ask(f"{lecture}/{key}").commit(find(f"{lecture}/{key}").right)
-    assert explain(f"{lecture}/{key}").tone == "right"
+    assert explain(f"{lecture}/{key}").card.tone == "right"
+
+
+def test_an_explanation_on_the_page_changes_when_the_reader_commits():
+    lecture, key = ALL[0]
+    question = ask(f"{lecture}/{key}")
+    explanation = explain(f"{lecture}/{key}")
+    explanation._repr_mimebundle_()
+    assert "You have not committed" in explanation._face.value
+    question.commit(find(f"{lecture}/{key}").right)
+    assert "is right" in explanation._face.value
 
 
 @pytest.mark.parametrize(

@@ -107,6 +107,29 @@ class Question(HasTraits):
         return "\n".join([f"{KINDS[self.item.kind]}: {self.item.text}", *lines])
 
 
+class Explanation:
+    """What there is to say of a prediction: on the page, a card that changes by itself when the reader commits."""
+
+    def __init__(self, question: Question) -> None:
+        self.question = question
+        self._face: widgets.Widget | None = None
+
+    @property
+    def card(self) -> Card:
+        """The explanation as it stands now."""
+        return self.question.explanation()
+
+    def _repr_mimebundle_(self, **options: Any) -> Any:
+        if self._face is None:
+            self._face = widgets.HTMLMath(self.card.html())
+            self.question.observe(self._renew, "committed")
+        return {**self._face._repr_mimebundle_(**options), "text/plain": self.card.text()}
+
+    def _renew(self, _: Any) -> None:
+        if self._face is not None:
+            self._face.value = self.card.html()
+
+
 _asked: dict[str, Question] = {}
 
 
@@ -125,12 +148,12 @@ def ask(name: str) -> Question:
     return _asked[name]
 
 
-def explain(name: str) -> Card:
-    """Compare the prediction made at ask(name) with the truth.
+def explain(name: str) -> Explanation:
+    """Compare the prediction made at ask(name) with the truth, as soon as it is made.
 
     Raises ValueError for a name that there is not.
     """
-    return _asked.get(name, Question(find(name))).explanation()
+    return Explanation(_asked.get(name) or Question(find(name)))
 
 
 def find(name: str) -> Item:

@@ -5,7 +5,7 @@ mistake explains it, and the sheet says so in words.
 """
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from itertools import combinations
 from typing import Any
 
@@ -56,8 +56,8 @@ class Problem:
     figure: Callable[[], Picture] | None = None
 
     def __post_init__(self) -> None:
-        for wrong in self.mistakes:
-            self.answer.read(wrong.value)
+        read = [replace(wrong, value=self.answer.read(wrong.value)) for wrong in self.mistakes]
+        object.__setattr__(self, "mistakes", read)
 
     def telling(self) -> bool:
         """Whether every mistake leads away from the right answer, and each to a place of its own."""
