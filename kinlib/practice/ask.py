@@ -93,7 +93,7 @@ class Question(HasTraits):
         chosen = item.options[self.choice]
         if chosen.right:
             return Card("right", f"{LETTERS[self.choice]} is right", [chosen.why])
-        told = f"Right is {LETTERS[item.right]}: {right.text} {right.why}"
+        told = f"Right is {LETTERS[item.right]}: {right.text.rstrip('.')}. {right.why}"
         return Card("wrong", f"{LETTERS[self.choice]} is not it", [chosen.why, told])
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
