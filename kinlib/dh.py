@@ -39,7 +39,7 @@ def dh_transform(a: ArrayLike, alpha: ArrayLike, d: ArrayLike, theta: ArrayLike,
     >>> dh_transform(0, 0, 0.2, 0, convention="standard")[:3, 3]
     array([0. , 0. , 0.2])
     """
-    convention = _convention(convention)
+    convention = convention_of(convention)
     values = zip(COLUMNS, (a, alpha, d, theta), strict=True)
     a, alpha, d, theta = np.broadcast_arrays(*(check.array(value, name) for name, value in values))
     ca, sa, ct, st = np.cos(alpha), np.sin(alpha), np.cos(theta), np.sin(theta)
@@ -91,7 +91,7 @@ class DHTable:
                 raise ValueError(f"{name} should be one pose, (4, 4); got {np.shape(value)}.")
         for name, array in arrays.items():
             object.__setattr__(self, name, _frozen(array))
-        object.__setattr__(self, "convention", _convention(self.convention))
+        object.__setattr__(self, "convention", convention_of(self.convention))
         object.__setattr__(self, "joints", read.joints)
 
     @property
@@ -173,7 +173,7 @@ class DHTable:
         >>> table.converted("modified").columns["a"]
         array([0. , 0.4])
         """
-        if _convention(convention) == self.convention:
+        if convention_of(convention) == self.convention:
             return self
         normals, joints = self.rows[:, :2], self.rows[:, 2:]
         none = np.zeros((1, 2))
@@ -201,7 +201,14 @@ class DHTable:
         return [row for row, letter in enumerate(self.joints) if letter != "F"]
 
 
-def _convention(name: Any) -> Convention:
+def convention_of(name: Any) -> Convention:
+    """Read the name of a convention.
+
+    Raises ValueError for any other name.
+
+    >>> convention_of("standard")
+    'standard'
+    """
     if name not in get_args(Convention):
         raise ValueError(
             f"convention should be 'standard' or 'modified'; got {name!r}. Where does z_i lie: on joint i, or on i+1?"

@@ -81,7 +81,7 @@ def rprr(l2: float = 0.5, l4: float = 0.2, l5: float = 0.3) -> Chain:
     >>> rprr(l2=0.5, l4=0.2, l5=0.3).home[:3, 3]
     array([0. , 0.3, 0.3])
     """
-    joints = [(Z, (0, 0, 0)), (Y, (0, 0, l2), SLIDE), (X, (0, 0, l2)), (Y, (0, 0, l2))]
+    joints = [(Z, (0, 0, 0)), (Y, (0, 0, 0), SLIDE), (X, (0, 0, l2)), (Y, (0, 0, l2))]
     return arm(joints, pose((Z, X, Y), (0, l5, l2 - l4)), "RPRR", "deck Example with n = 5")
 
 
