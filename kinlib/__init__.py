@@ -6,6 +6,7 @@ Read the modules in the order of the lectures: lie, screw, chain, dh. `NOTATION.
 from kinlib import robots
 from kinlib.chain import Chain
 from kinlib.dh import DHTable, dh_transform
+from kinlib.equivalence import Equivalence, equivalent
 from kinlib.frames import FrameAssignment, assign_frames
 from kinlib.lie import adjoint, exp, hat, inverse, log, vee
 from kinlib.screw import Line, line, screw
@@ -15,11 +16,13 @@ __version__ = "0.1.0"
 __all__ = [
     "Chain",
     "DHTable",
+    "Equivalence",
     "FrameAssignment",
     "Line",
     "adjoint",
     "assign_frames",
     "dh_transform",
+    "equivalent",
     "exp",
     "hat",
     "inverse",

@@ -44,7 +44,21 @@ def test_the_tools_find_nothing(command):
 # --- kinlib ---
 
 FLOORS = [
-    *("check", "lie", "screw", "chain", "dh_rows", "dh", "normals", "frame_steps", "frames", "loops", "urdf", "symbolic"),
+    *(
+        "check",
+        "lie",
+        "screw",
+        "chain",
+        "dh_rows",
+        "dh",
+        "normals",
+        "frame_steps",
+        "frames",
+        "equivalence",
+        "loops",
+        "urdf",
+        "symbolic",
+    ),
     *("robots", "view", "practice", "grading"),
 ]
 """From the ground up. A module imports from floors below its own; within a package, from its own floor too."""

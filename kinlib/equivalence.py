@@ -1,0 +1,211 @@
+"""Whether two descriptions are one mechanism: the same motions, up to base, tool, joint zero and joint sign.
+
+Two chains a and b are equivalent if there are poses X and Y, signs s and offsets c with
+
+    T_b(q) = X T_a(s q + c) Y      for every q.
+
+The directions of the axes decide the turns, one joint after the other: the next direction of a can reach the next of b
+only by turning about the axis before, and that gives the offset. Where axes are parallel, the step from one to the next
+gives it instead. Once all turns are known, places are a linear problem. What is found is checked on random postures, so a
+yes is never wrong; and it carries X, Y, s and c, so anybody can check it again.
+"""
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+
+import numpy as np
+
+from kinlib.chain import Chain
+from kinlib.check import Array
+from kinlib.dh import DHTable
+from kinlib.lie import exp, inverse
+from kinlib.normals import NEARLY
+from kinlib.screw import line
+
+SAME = 1e-7
+"""How far two mechanisms may differ, in an entry of a pose, and still be called one."""
+
+POSTURES = 16
+"""In how many random postures an answer is checked."""
+
+
+@dataclass(frozen=True, eq=False)
+class Equivalence:
+    """The answer, which counts as True or False, with the map that shows it or the reason why there is none.
+
+    base, tool, signs, offsets   X, Y, s, c with T_b(q) = X T_a(s q + c) Y
+    difference                   the largest difference in an entry, over random postures; inf where no map was found
+    reason                       why not, in words
+    """
+
+    same: bool
+    base: Array = field(default_factory=lambda: np.eye(4), repr=False)
+    tool: Array = field(default_factory=lambda: np.eye(4), repr=False)
+    signs: Array = field(default_factory=lambda: np.ones(0))
+    offsets: Array = field(default_factory=lambda: np.zeros(0))
+    difference: float = np.inf
+    reason: str = ""
+
+    def __bool__(self) -> bool:
+        return self.same
+
+
+def equivalent(a: Chain | DHTable, b: Chain | DHTable, *, tolerance: float = SAME) -> Equivalence:
+    """Decide whether two descriptions move alike, up to base, tool, joint zero and joint sign.
+
+    a, b are chains, or tables in either convention. The position of a prismatic axis plays no part, for a slide has none.
+
+    Raises ValueError for a tolerance that is not positive.
+
+    >>> from kinlib.robots import puma560
+    >>> from kinlib.frames import assign_frames
+    >>> bool(equivalent(puma560(), assign_frames(puma560(), convention="standard").table))
+    True
+    """
+    if not tolerance > 0:
+        raise ValueError(f"tolerance should be a positive number of metres and radians; got {tolerance!r}.")
+    one, other = (thing.to_chain() if isinstance(thing, DHTable) else thing for thing in (a, b))
+    if one.letters != other.letters:
+        return Equivalence(False, reason=f"The joints differ in kind: {one.letters} here, {other.letters} there.")
+    best = Equivalence(False, reason=_first_difference(one, other))
+    for match in _turned_alike(one, other, 10 * tolerance):
+        found = _placed_alike(one, other, match)
+        if found.difference <= tolerance:
+            return found
+        if found.difference < best.difference:
+            best = replace(best, difference=found.difference)
+    return best
+
+
+@dataclass(frozen=True, eq=False)
+class _Match:
+    """How far the directions are matched: joints 0 to len(signs) - 1.
+
+    base   the turn from link 0 of a to link 0 of b, (3, 3)
+    link   the same for the link behind the last matched joint
+    free   whose turn may still be chosen without spoiling what is matched: a joint, -1 for the base, or None
+    """
+
+    base: Array
+    link: Array
+    signs: tuple[float, ...]
+    offsets: Array
+    free: int | None
+
+
+def _turned_alike(one: Chain, other: Chain, loose: float) -> Iterator[_Match]:
+    """Every way to turn the joints of one so that its axes point as those of the other."""
+    u, v = line(one.screws).axis, line(other.screws).axis
+    for sign in (1.0, -1.0):
+        R = _onto(u[0], sign * v[0])
+        first = 0 if one.letters[0] == "R" else -1
+        yield from _continued(_Match(R, R, (sign,), np.zeros(one.n), first), one, other, loose)
+
+
+def _continued(match: _Match, one: Chain, other: Chain, loose: float) -> Iterator[_Match]:
+    joint = len(match.signs)
+    if joint == one.n:
+        yield match
+        return
+    u, v = line(one.screws).axis, line(other.screws).axis
+    axis, now = match.signs[-1] * v[joint - 1], match.link @ u[joint]
+    turns = one.letters[joint] == "R"
+    for sign in (1.0, -1.0):
+        wanted = sign * v[joint]
+        if abs(axis @ (now - wanted)) > loose:
+            continue
+        tries = []
+        if np.linalg.norm(np.cross(axis, now)) < NEARLY + loose:
+            # Parallel: the direction says nothing about the turn before, but the step from axis to axis does.
+            step = _side_step(match, joint, axis, one, other) if turns else match
+            tries.append(replace(step, free=joint if turns else step.free))
+        if np.linalg.norm(np.cross(axis, now)) > loose / 10:
+            step = match if match.free is None else _turned(match, axis, now, wanted, other)
+            tries.append(replace(step, free=joint if turns else None))
+        for step in tries:
+            if np.linalg.norm(step.link @ u[joint] - wanted) <= loose:
+                yield from _continued(replace(step, signs=(*match.signs, sign)), one, other, loose)
+
+
+def _side_step(match: _Match, joint: int, axis: Array, one: Chain, other: Chain) -> _Match:
+    """Use the turn of a joint to bring the next parallel axis to the side on which it should be."""
+    before = match.free
+    if before is None or before < 0:
+        return match
+    now = match.link @ (one.joint_points[joint] - one.joint_points[before])
+    wanted = other.joint_points[joint] - other.joint_points[before]
+    return _turned(match, axis, now, wanted, other)
+
+
+def _turned(match: _Match, axis: Array, now: Array, wanted: Array, other: Chain) -> _Match:
+    """Turn all behind the free joint about an axis, until `now` stands at the side of `wanted`."""
+    angle = np.arctan2(axis @ np.cross(now, wanted), now @ wanted - (axis @ now) * (axis @ wanted))
+    R = exp(angle * axis)
+    if match.free == -1:
+        return replace(match, base=R @ match.base, link=R @ match.link)
+    offsets = match.offsets.copy()
+    own = match.signs[match.free] * line(other.screws).axis[match.free]
+    offsets[match.free] += angle * np.sign(own @ axis)
+    return replace(match, link=R @ match.link, offsets=offsets)
+
+
+def _placed_alike(one: Chain, other: Chain, match: _Match) -> Equivalence:
+    """Find the shift of the base and the zeros of the slides, which are a linear problem, and try the whole map."""
+    carried, wanted = line(one.jacobian(match.offsets).T), line(other.screws)
+    slides = [joint for joint, letter in enumerate(one.letters) if letter == "P"]
+    rows, right = [np.zeros((0, 3 + len(slides)))], [np.zeros(0)]
+    for joint in range(one.n):
+        if joint not in slides:
+            moves = [match.base @ carried.axis[slide] * (slide < joint) for slide in slides]
+            # Along its own direction an axis may lie anywhere.
+            across = np.eye(3) - np.outer(wanted.axis[joint], wanted.axis[joint])
+            rows.append(across @ np.column_stack([np.eye(3), *moves]))
+            right.append(across @ (wanted.point[joint] - match.base @ carried.point[joint]))
+    solved = np.linalg.lstsq(np.concatenate(rows), np.concatenate(right), rcond=1e-9)[0]
+    X = np.eye(4)
+    X[:3, :3], X[:3, 3] = match.base, solved[:3]
+    signs, offsets = np.array(match.signs), match.offsets.copy()
+    offsets[slides] = solved[3:]
+    Y = inverse(X @ one.fk(offsets)) @ other.home
+    q = np.random.default_rng(0).uniform(-np.pi, np.pi, (POSTURES, one.n))
+    difference = float(np.abs(other.fk(q) - X @ one.fk(signs * q + offsets) @ Y).max())
+    return Equivalence(True, X, Y, signs, offsets, difference)
+
+
+def _first_difference(one: Chain, other: Chain) -> str:
+    """Name the first pair of neighbours that stand to each other in another way: what a person would look at first."""
+    here, there = line(one.screws), line(other.screws)
+    for i in range(one.n - 1):
+        # Acute, for either axis may point the other way.
+        angles = [_acute_degrees(lines.axis[i], lines.axis[i + 1]) for lines in (here, there)]
+        if abs(angles[0] - angles[1]) > 1e-3:
+            return (
+                f"Axes {i + 1} and {i + 2} make an angle of {angles[0]:.4g} degrees here, and of {angles[1]:.4g} there."
+            )
+        if "P" not in one.letters[i : i + 2]:
+            apart = [_distance(lines.axis[i : i + 2], lines.point[i : i + 2]) for lines in (here, there)]
+            if abs(apart[0] - apart[1]) > SAME:
+                return f"Axes {i + 1} and {i + 2} are {apart[0]:.4g} m apart here, and {apart[1]:.4g} m there."
+    return "Neighbouring axes agree two by two, but no turn of the joints brings all of them together."
+
+
+def _acute_degrees(u: Array, v: Array) -> float:
+    return float(np.degrees(np.arctan2(np.linalg.norm(np.cross(u, v)), abs(u @ v))))
+
+
+def _distance(axes: Array, points: Array) -> float:
+    normal, between = np.cross(*axes), points[1] - points[0]
+    sine = float(np.linalg.norm(normal))
+    if sine > NEARLY:
+        return float(abs(between @ normal)) / sine
+    return float(np.linalg.norm(np.cross(between, axes[0])))
+
+
+def _onto(u: Array, v: Array) -> Array:
+    """A turn that takes the unit vector u to the unit vector v."""
+    across = np.cross(u, v)
+    sine = float(np.linalg.norm(across))
+    if sine < 1e-9:
+        # Opposite vectors leave the axis open: any that is square to u will do.
+        across, sine = np.cross(u, np.eye(3)[np.argmin(np.abs(u))]), 0.0
+    return exp(across / np.linalg.norm(across) * np.arctan2(sine, u @ v))
