@@ -120,7 +120,7 @@ def _continued(match: _Match, one: Chain, other: Chain, loose: float) -> Iterato
             step = _side_step(match, joint, axis, one, other) if turns else match
             tries.append(replace(step, free=joint if turns else step.free))
         if np.linalg.norm(np.cross(axis, now)) > loose / 10:
-            step = match if match.free is None else _turned(match, axis, now, wanted, other)
+            step = _turned(match, axis, now, wanted, other)
             tries.append(replace(step, free=joint if turns else None))
         for step in tries:
             if np.linalg.norm(step.link @ u[joint] - wanted) <= loose:
@@ -139,6 +139,8 @@ def _side_step(match: _Match, joint: int, axis: Array, one: Chain, other: Chain)
 
 def _turned(match: _Match, axis: Array, now: Array, wanted: Array, other: Chain) -> _Match:
     """Turn all behind the free joint about an axis, until `now` stands at the side of `wanted`."""
+    if match.free is None:
+        return match
     angle = np.arctan2(axis @ np.cross(now, wanted), now @ wanted - (axis @ now) * (axis @ wanted))
     R = exp(angle * axis)
     if match.free == -1:
