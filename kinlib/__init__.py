@@ -7,6 +7,7 @@ from kinlib import robots
 from kinlib.chain import Chain
 from kinlib.dh import DHTable, dh_transform
 from kinlib.equivalence import Equivalence, equivalent
+from kinlib.frame_check import Breach, check_frames
 from kinlib.frames import FrameAssignment, assign_frames
 from kinlib.lie import adjoint, exp, hat, inverse, log, vee
 from kinlib.screw import Line, line, screw
@@ -14,6 +15,7 @@ from kinlib.screw import Line, line, screw
 __version__ = "0.1.0"
 
 __all__ = [
+    "Breach",
     "Chain",
     "DHTable",
     "Equivalence",
@@ -21,6 +23,7 @@ __all__ = [
     "Line",
     "adjoint",
     "assign_frames",
+    "check_frames",
     "dh_transform",
     "equivalent",
     "exp",

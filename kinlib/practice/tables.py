@@ -19,6 +19,9 @@ from kinlib.practice.answers import TOLERANCE, Answer, Unreadable
 LONGEST = 10_000
 """No table that a person types has more characters; a longer text is no answer, and reading it would take its time."""
 
+ROUNDED = 3
+"""How many tolerances a pose may be off: each row brings its own rounding, and they add up towards the tool."""
+
 
 @dataclass(frozen=True, eq=False)
 class Table(Answer):
@@ -78,15 +81,15 @@ class Table(Answer):
         if one.n != other.n:
             return [False]
         if not self.anchored:
-            return [bool(equivalent(one, other, tolerance=tolerance))]
+            return [bool(equivalent(one, other, tolerance=ROUNDED * tolerance))]
         q = np.random.default_rng(0).uniform(-np.pi, np.pi, (16, one.n))
-        return [bool(np.abs(one.fk(q) - other.fk(q)).max() <= tolerance * (1 + np.abs(other.rows[:, [0, 2]]).sum()))]
+        return [bool(np.abs(one.fk(q) - other.fk(q)).max() <= ROUNDED * tolerance)]
 
     def hint(self, given: DHTable, part: int) -> str:
         if given.joints != self.value.joints:
             return f"Its joints are {given.joints}; those of the arm are {self.value.joints}. Which column holds the variable?"
         return (
-            equivalent(given, self.value, tolerance=TOLERANCE)
+            equivalent(given, self.value, tolerance=ROUNDED * TOLERANCE)
             .reason.replace(" here", " in your table")
             .replace(" there", " in the arm")
         )
