@@ -1,11 +1,12 @@
 """kinlib: robot forward kinematics, small enough to read and strict enough to trust.
 
-Read the modules in the order of the lectures: lie, screw, chain, dh. `NOTATION.md` says the conventions once.
+Read the modules in the order of the lectures: lie, screw, chain, dh, frames. `NOTATION.md` says the conventions once.
 """
 
 from kinlib import robots
 from kinlib.chain import Chain
 from kinlib.dh import DHTable, dh_transform
+from kinlib.diagnosis import Diagnosis, diagnose
 from kinlib.equivalence import Equivalence, equivalent
 from kinlib.frame_check import Breach, check_frames
 from kinlib.frames import FrameAssignment, assign_frames
@@ -18,6 +19,7 @@ __all__ = [
     "Breach",
     "Chain",
     "DHTable",
+    "Diagnosis",
     "Equivalence",
     "FrameAssignment",
     "Line",
@@ -25,6 +27,7 @@ __all__ = [
     "assign_frames",
     "check_frames",
     "dh_transform",
+    "diagnose",
     "equivalent",
     "exp",
     "hat",

@@ -11,7 +11,7 @@ the other by moving alpha and a by one row, and the constants left over at the e
 """
 
 from collections.abc import Mapping
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import reduce
 from typing import Any, Literal, get_args
 
@@ -184,15 +184,19 @@ class DHTable:
         else:
             base = base @ _normal(*normals[0])
             normals = np.concatenate([normals[1:], none])
+        rows = np.hstack([normals, joints])
+        return self.changed(rows=rows, convention=convention, base=base, tool=tool)
+
+    def changed(self, **fields: Any) -> "DHTable":
+        """The same table with some of its fields replaced: rows as numbers (m, 4), convention, joints, base, tool, name.
+
+        Raises ValueError as a new table would.
+
+        >>> DHTable([[0.4, 0, 0, 0]], convention="standard").changed(convention="modified").convention
+        'modified'
+        """
+        table = replace(self, lengths=None, **fields)
         # The signs are no numbers of the table, so they travel beside it.
-        table = DHTable(
-            np.hstack([normals, joints]),
-            convention=convention,
-            joints=self.joints,
-            base=base,
-            tool=tool,
-            name=self.name,
-        )
         object.__setattr__(table, "signs", self.signs)
         return table
 

@@ -18,7 +18,7 @@ import numpy as np
 from kinlib.chain import Chain
 from kinlib.check import Array
 from kinlib.dh import DHTable
-from kinlib.lie import exp, inverse
+from kinlib.lie import exp, hat, inverse
 from kinlib.normals import NEARLY
 from kinlib.screw import line
 
@@ -67,14 +67,12 @@ def equivalent(a: Chain | DHTable, b: Chain | DHTable, *, tolerance: float = SAM
     one, other = (thing.to_chain() if isinstance(thing, DHTable) else thing for thing in (a, b))
     if one.letters != other.letters:
         return Equivalence(False, reason=f"The joints differ in kind: {one.letters} here, {other.letters} there.")
-    best = Equivalence(False, reason=_first_difference(one, other))
-    for match in _turned_alike(one, other, 10 * tolerance):
-        found = _placed_alike(one, other, match)
-        if found.difference <= tolerance:
-            return found
-        if found.difference < best.difference:
-            best = replace(best, difference=found.difference)
-    return best
+    maps = [_placed_alike(one, other, match) for match in _turned_alike(one, other, 10 * tolerance)]
+    right = [found for found in maps if found.difference <= tolerance]
+    if right:
+        return min(right, key=lambda found: _length(found, tolerance))
+    closest = min((found.difference for found in maps), default=np.inf)
+    return Equivalence(False, difference=closest, reason=_first_difference(one, other))
 
 
 @dataclass(frozen=True, eq=False)
@@ -168,10 +166,32 @@ def _placed_alike(one: Chain, other: Chain, match: _Match) -> Equivalence:
     X[:3, :3], X[:3, 3] = match.base, solved[:3]
     signs, offsets = np.array(match.signs), match.offsets.copy()
     offsets[slides] = solved[3:]
+    # The first joint may take over a turn of the base, and the last one of the tool: leave as little in both as can be.
+    spare = _nearest_home(X, one.screws[0])
+    X, offsets[0] = X @ exp(spare * one.screws[0]), offsets[0] - spare
     Y = inverse(X @ one.fk(offsets)) @ other.home
+    spare = _nearest_home(inverse(Y), one.body_screws[-1])
+    Y, offsets[-1] = exp(-spare * one.body_screws[-1]) @ Y, offsets[-1] + spare
     q = np.random.default_rng(0).uniform(-np.pi, np.pi, (POSTURES, one.n))
     difference = float(np.abs(other.fk(q) - X @ one.fk(signs * q + offsets) @ Y).max())
     return Equivalence(True, X, Y, signs, offsets, difference)
+
+
+def _nearest_home(T: Array, S: Array) -> float:
+    """How far to move along a screw axis so that T e^[S]q comes as near the identity as it can."""
+    R, omega = T[:3, :3], S[:3]
+    if not omega.any():
+        return float(-(R @ S[3:]) @ T[:3, 3])
+    # The trace of R e^[omega]q is a cosine in q, and it is largest here.
+    even, odd = np.trace(R) - omega @ R @ omega, np.trace(R @ hat(omega))
+    return float(np.arctan2(odd, even)) if np.hypot(odd, even) > NEARLY else 0.0
+
+
+def _length(found: Equivalence, tolerance: float) -> tuple[int, float]:
+    """How much there is to tell of a map: signs, zeros, a base, a tool; and how far these two are from nothing."""
+    moved = [float(np.abs(T - np.eye(4)).sum()) for T in (found.base, found.tool)]
+    told = np.sum(found.signs < 0) + np.sum(np.abs(found.offsets) > tolerance) + sum(far > tolerance for far in moved)
+    return int(told), sum(moved)
 
 
 def _first_difference(one: Chain, other: Chain) -> str:

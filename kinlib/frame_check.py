@@ -76,7 +76,7 @@ def _on_axes(chain: Chain, T: Array, standard: bool, tolerance: float) -> Iterat
         i = joint - 1 if standard else joint
         z, origin = T[i, :3, 2], T[i, :3, 3]
         if np.linalg.norm(np.cross(z, axis)) > tolerance:
-            elsewhere = joint + 1 if standard else joint - 1
+            elsewhere = joint - 1 if standard else joint + 1
             other = elsewhere if 1 <= elsewhere <= chain.n else None
             swapped = other is not None and np.linalg.norm(np.cross(z, axes[other - 1])) <= tolerance
             hint = f" It lies along the axis of joint {other}, as in the other convention." if swapped else ""

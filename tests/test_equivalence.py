@@ -1,0 +1,149 @@
+"""One mechanism or two: yes for every legal re-choice, no for every entry that matters, and always with the proof."""
+
+import numpy as np
+import pytest
+from arms import arm
+
+import kinlib as kl
+from kinlib import DHTable, assign_frames, equivalent
+
+
+def rechosen(rng, chain):
+    """The same arm with all that a DH table leaves free chosen anew: x and z turned round, origins slid along parallel
+    axes, zeros shifted, slides moved aside, another base and another tool."""
+    table = assign_frames(chain, convention="modified").table
+    a, alpha, d, theta = table.rows.T.copy()
+    for i in range(1, table.n):
+        if rng.random() < 0.5:  # x_{i-1} turned round
+            a[i], alpha[i] = -a[i], -alpha[i]
+            theta[i - 1], theta[i] = theta[i - 1] + np.pi, theta[i] - np.pi
+        if alpha[i] == 0:
+            slid = rng.normal()
+            d[i - 1], d[i] = d[i - 1] + slid, d[i] - slid
+    turns = np.array(list(table.joints)) == "R"
+    theta[turns] += rng.normal(size=turns.sum())
+    d[~turns] += rng.normal(size=(~turns).sum())
+    base, tool = (kl.exp(rng.normal(size=6)) for _ in range(2))
+    rows = np.column_stack([a, alpha, d, theta])
+    moved = DHTable(rows, convention="modified", joints=table.joints, base=base, tool=tool).to_chain()
+    signs = rng.choice([-1.0, 1.0], size=(table.n, 1))
+    return kl.Chain(signs * moved.screws, moved.home)
+
+
+@pytest.mark.parametrize("seed", range(8))
+def test_every_legal_rechoice_is_the_same_mechanism(seed):
+    rng = np.random.default_rng(seed)
+    for _ in range(40):
+        chain, cases = arm(rng, int(rng.integers(1, 9)))
+        assert equivalent(chain, rechosen(rng, chain)), (chain.letters, cases)
+
+
+@pytest.mark.parametrize("seed", range(4))
+def test_the_map_that_is_given_is_a_proof(seed):
+    rng = np.random.default_rng(seed)
+    chain, _ = arm(rng, 6)
+    other = rechosen(rng, chain)
+    found = equivalent(chain, other)
+    q = rng.uniform(-2, 2, (50, 6))
+    mapped = found.base @ chain.fk(found.signs * q + found.offsets) @ found.tool
+    np.testing.assert_allclose(other.fk(q), mapped, rtol=0, atol=1e-10)
+
+
+def settles(chain, other):
+    """Whether a difference is real, by another road: what the poses of two turns or slides can tell, however chosen.
+
+    Two joints i < j stand to each other by the angle and the distance of their axes. Neither depends on base, tool, zero
+    or sign while the joints between them stay; so any difference between neighbours is real.
+    """
+    here, there = kl.line(chain.screws), kl.line(other.screws)
+    for i in range(chain.n - 1):
+        cosines = [abs(lines.axis[i] @ lines.axis[i + 1]) for lines in (here, there)]
+        if abs(cosines[0] - cosines[1]) > 1e-9:
+            return True
+    return False
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_changed_twist_is_never_the_same_mechanism(seed):
+    """alpha between two neighbours is what no choice can change, however little it is off."""
+    rng = np.random.default_rng(100 + seed)
+    for _ in range(30):
+        chain, _ = arm(rng, int(rng.integers(2, 8)))
+        table = assign_frames(chain, convention="standard").table
+        rows = table.rows.copy()
+        row = rng.integers(table.n - 1)
+        rows[row, 1] += 10 ** rng.uniform(-5.5, -1)
+        other = table.changed(rows=rows).to_chain()
+        if settles(chain, other):
+            assert not equivalent(chain, other)
+
+
+@pytest.mark.parametrize("seed", range(6))
+def test_a_yes_is_always_right(seed):
+    """Any entry, changed by any amount: if the answer is yes, the map shows it; if no, the poses differ by more."""
+    rng = np.random.default_rng(200 + seed)
+    for _ in range(30):
+        chain, _ = arm(rng, int(rng.integers(2, 7)))
+        table = assign_frames(chain, convention="modified").table
+        rows = table.rows.copy()
+        rows[rng.integers(table.n), rng.integers(4)] += 10 ** rng.uniform(-5.9, -1)
+        other = table.changed(rows=rows)
+        found = equivalent(chain, other)
+        assert found.difference <= 1e-7 if found else found.difference > 1e-7
+
+
+@pytest.mark.parametrize("length", ["a", "d"])
+@pytest.mark.parametrize("delta", [2e-6, 1e-4, 0.1])
+def test_a_skew_arm_forgives_no_length(length, delta):
+    """Axes all skew and turning: a and d between two normals are seen in every re-choice."""
+    rows = np.array([[0.3, 0.7, 0.2, 0], [0.25, -1.1, 0.35, 0], [0.4, 0.9, 0.15, 0], [0.2, 0.5, 0.3, 0]])
+    table = DHTable(rows, convention="standard")
+    changed = rows.copy()
+    changed[1, {"a": 0, "d": 2}[length]] += delta
+    assert not equivalent(table, table.changed(rows=changed))
+
+
+def test_two_conventions_of_one_table_are_equivalent():
+    table = assign_frames(kl.robots.puma560(), convention="standard").table
+    assert equivalent(table, table.converted("modified"))
+    assert equivalent(table, kl.robots.puma560())
+    assert not equivalent(table, table.changed(convention="modified"))
+
+
+def test_prismatic_axes_are_free_vectors():
+    here = kl.robots.rpr_lecture7()
+    points = here.joint_points + np.array([[0, 0, 0], [5, 5, 5], [0, 0, 0]])
+    there = kl.Chain(here.screws, here.home, points)
+    for convention in ("standard", "modified"):
+        tables = [assign_frames(arm, convention=convention).table for arm in (here, there)]
+        assert np.abs(tables[0].rows - tables[1].rows).max() > 1
+        assert equivalent(*tables)
+
+
+def test_a_mirrored_arm_is_another_mechanism():
+    """A mirror keeps angles and lengths, and turns the hand: no motion of base and tool undoes it."""
+    table = DHTable([[0.3, 0.7, 0.2, 0], [0.25, 1.1, 0.35, 0], [0.4, 0.9, 0.15, 0]], convention="standard")
+    mirrored = table.changed(rows=table.rows * (1, -1, 1, -1))
+    assert not equivalent(table, mirrored)
+
+
+def test_what_differs_first_is_said():
+    right = DHTable([[0.3, 0.7, 0.2, 0], [0.25, 1.1, 0.35, 0]], convention="standard")
+    angle = DHTable([[0.3, 0.5, 0.2, 0], [0.25, 1.1, 0.35, 0]], convention="standard")
+    length = DHTable([[0.5, 0.7, 0.2, 0], [0.25, 1.1, 0.35, 0]], convention="standard")
+    assert equivalent(right, angle).reason == "Axes 1 and 2 make an angle of 40.11 degrees here, and of 28.65 there."
+    assert equivalent(right, length).reason == "Axes 1 and 2 are 0.3 m apart here, and 0.5 m there."
+    assert equivalent(kl.robots.rpr(), kl.robots.rppr()).reason == "The joints differ in kind: RPR here, RPPR there."
+
+
+def test_the_simplest_map_is_given():
+    chain = kl.robots.youbot()
+    found = equivalent(chain, chain)
+    assert found.signs.tolist() == [1] * 5
+    np.testing.assert_allclose(found.offsets, 0, atol=1e-12)
+    np.testing.assert_allclose([found.base, found.tool], [np.eye(4)] * 2, atol=1e-12)
+
+
+def test_a_tolerance_that_is_none_is_refused():
+    with pytest.raises(ValueError, match="tolerance should be a positive number"):
+        equivalent(kl.robots.rpr(), kl.robots.rpr(), tolerance=0)
