@@ -64,7 +64,7 @@ class Numbers(Answer):
 
     value: Array
     unit: str = ""
-    noun: ClassVar[str] = "array"
+    noun: ClassVar[str] = "an array"
 
     @property
     def expected(self) -> str:
@@ -114,6 +114,11 @@ class Screws(Numbers):
 
     names: Sequence[str] = ()
     noun: ClassVar[str] = "screw axes (omega, v), an array"
+
+    @property
+    def expected(self) -> str:
+        several = super().expected
+        return several if np.ndim(self.value) > 1 else several.replace("screw axes", "a screw axis")
 
     @property
     def parts(self) -> Sequence[str]:
@@ -229,7 +234,8 @@ def is_blank(given: Any) -> bool:
 
 
 def _kind(given: Any) -> str:
-    return f"a {type(given).__name__}"
+    name = type(given).__name__
+    return f"{'an' if name == 'ndarray' or name[:1] in 'aeiouAEIOU' else 'a'} {name}"
 
 
 def _remedy(shape: tuple[int, ...], wanted: tuple[int, ...]) -> str:

@@ -87,5 +87,5 @@ def _foothold(answer: Answer, value: Any, part: int) -> str:
         return "This is close, but off in the second or third digit: it looks rounded on the way. Keep all digits until the end."
     return (
         answer.hint(value, part)
-        or "None of the mistakes that we know gives this. Check it against the figure, one step at a time."
+        or "None of the mistakes that we know gives this. Go back to what is given, and check one step at a time."
     )

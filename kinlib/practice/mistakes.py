@@ -57,8 +57,8 @@ def of_screws(S: Array) -> list[Mistake]:
         mistake(
             "omega x q",
             crossed_backwards(S),
-            "You took $v = \\omega \\times q$. The point of the body that sits at the origin moves with "
-            "$v = -\\omega \\times q$: the arrow from the axis to the origin is $-q$.",
+            "You took $v = \\omega \\times p$. The point of the body that sits at the origin moves with "
+            "$v = -\\omega \\times p$: the arrow from the axis to the origin is $-p$.",
         ),
         mistake(
             "halves swapped",
@@ -69,8 +69,8 @@ def of_screws(S: Array) -> list[Mistake]:
         mistake(
             "no moment",
             without_moment(S),
-            "You left $v = 0$. That holds for an axis through the origin of {s}; for any other, turning also moves the "
-            "point at the origin, by $v = -\\omega \\times q$.",
+            "You left $v = 0$. That holds for a turn about an axis through the origin of {s}; about any other, turning also "
+            "moves the point at the origin, by $v = -\\omega \\times p$.",
         ),
     ]
 
@@ -87,7 +87,7 @@ def of_product(arm: Chain, q: Array) -> list[Mistake]:
         mistake(
             "home first",
             product(screws, q, home, "home first"),
-            "You put $M$ in front. With space screws it stands last, on the right; in front belong the body screws' factors.",
+            "You put $M$ in front. With space screws it stands last, on the right; in front it belongs with body screws only.",
         ),
         mistake(
             "no home",
@@ -97,7 +97,8 @@ def of_product(arm: Chain, q: Array) -> list[Mistake]:
         mistake(
             "one exponential",
             exp(q @ screws) @ home,
-            "You added the twists and took one exponential. $e^A e^B = e^{A+B}$ only where $AB = BA$, and turns do not commute.",
+            "You added the twists and took one exponential. You can rely on $e^A e^B = e^{A+B}$ only where $AB = BA$, and the "
+            "joints of an arm seldom commute.",
         ),
         mistake(
             "degrees",

@@ -34,7 +34,7 @@ def plain_arm(draw: Draw) -> Problem:
             mistake(
                 "slide as turn, and omega x q",
                 crossed_backwards(slides_as_turns(robot)),
-                "Two things: a moment is $-\\omega \\times q$, with the minus; and a slide has none, for it does not turn: $S = (0, d)$.",
+                "Two things: a moment is $-\\omega \\times p$, with the minus; and a slide has none, for it does not turn: $S = (0, d)$.",
             ),
         ],
     )
@@ -142,7 +142,7 @@ def helical_joint(draw: Draw) -> Problem:
             mistake(
                 "no climb",
                 screw(axis, point),
-                "This joint turns and does not climb. Add the pitch along the axis: $v = -\\omega \\times q + h\\,\\omega$.",
+                "This joint turns and does not climb. Add the pitch along the axis: $v = -\\omega \\times p + h\\,\\omega$.",
             ),
             mistake(
                 "left-handed",

@@ -228,7 +228,8 @@ def screw_between(_draw: Draw) -> Problem:
             mistake(
                 "logs subtracted",
                 log(drawn) - log(home),
-                "You subtracted logarithms. $\\log(AB) = \\log A + \\log B$ holds for numbers; for motions only where they commute.",
+                "You subtracted logarithms. $\\log(AB) = \\log A + \\log B$ holds for positive numbers; "
+                "for motions that do not commute you cannot rely on it.",
             ),
             mistake(
                 "halves swapped",

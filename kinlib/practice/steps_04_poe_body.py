@@ -69,7 +69,7 @@ def body_screw_from_the_drawing(_draw: Draw) -> Problem:
             mistake(
                 "omega x q",
                 crossed_backwards(B),
-                "You took $v = \\omega \\times q$. In {b} as in {s} it is $v = -\\omega \\times q$.",
+                "You took $v = \\omega \\times p$. In {b} as in {s} it is $v = -\\omega \\times p$.",
             ),
             mistake(
                 "no moment",
