@@ -4,9 +4,10 @@ import numpy as np
 
 from kinlib.check import Array
 from kinlib.dh import DHTable, dh_transform
-from kinlib.practice.answers import Numbers, Pose
+from kinlib.practice.answers import Pose
 from kinlib.practice.draw import Draw
 from kinlib.practice.problem import Mistake, Problem, mistake, problem
+from kinlib.practice.row import Entries
 
 QUARTER = np.pi / 2
 ROW_2 = (0.0, -QUARTER, 0.3, -QUARTER)
@@ -102,7 +103,7 @@ def n5_rows_2_and_3(_draw: Draw) -> Problem:
 def youbot_row_2(_draw: Draw) -> Problem:
     return Problem(
         statement="Give row 2 of the youBot's table in the modified convention: $a_1$, $\\alpha_1$, $d_2$, offset of $\\theta_2$.",
-        answer=Numbers(np.array([0.033, QUARTER, 0.0, 0.0])),
+        answer=Entries(np.array([0.033, QUARTER, 0.0, 0.0]), names=["a_1", "alpha_1", "d_2", "theta_2"]),
         mistakes=[
             mistake(
                 "not handed on",
