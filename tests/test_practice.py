@@ -90,7 +90,7 @@ def test_a_mistake_of_another_shape_is_refused_when_the_problem_is_written():
         (Ordering(["e_a", "M"]), ["e_a"], "M appears 0 times"),
         (Ordering(["e_a", "M"]), ["e_a", "e_b"], "'e_b' is none of them"),
         (Ordering(["e_a", "M"]), "e_aM", "a list of the 2 names"),
-        (Choice("a", {"a": "left", "b": "right"}), "c", "one of the letters 'a', 'b'"),
+        (Choice("a", {"a": "left", "b": "right"}), "c", "one of 'a', 'b'"),
     ],
 )
 def test_what_cannot_be_read_is_refused_with_the_remedy(answer, given, words):

@@ -212,7 +212,7 @@ class Choice(Answer):
 
     @property
     def expected(self) -> str:
-        return f"one of the letters {', '.join(map(repr, self.options))}"
+        return f"one of {', '.join(map(repr, self.options))}"
 
     @property
     def parts(self) -> Sequence[str]:

@@ -1,4 +1,4 @@
-"""One row of a DH table as an answer: four numbers, judged one by one, angles up to whole turns."""
+"""Entries of a DH table as an answer: numbers with names, judged one by one, angles up to whole turns."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -12,37 +12,50 @@ from kinlib.practice.answers import TOLERANCE, Numbers
 
 
 @dataclass(frozen=True, eq=False)
-class Row(Numbers):
-    """The numbers of one row, (4,), in the order a, alpha, d, theta: metres and radians.
+class Entries(Numbers):
+    """Some entries of a table, (k,): lengths in metres, angles in radians. Names that begin as alpha or theta are angles.
 
-    >>> Row(np.array([0.4, 0, 0, np.pi])).agrees(np.array([0.4, 0, 0, -np.pi]), np.array([0.4, 0, 0.1, np.pi]))
-    [True, True, False, True]
+    >>> Entries(np.array([0.4, np.pi]), names=["a_1", "theta_1"]).agrees(np.array([0.4, -np.pi]), np.array([0.4, np.pi]))
+    [True, True]
     """
 
-    noun: ClassVar[str] = "a, alpha, d, theta in metres and radians, an array"
+    names: Sequence[str] = ()
+
+    @property
+    def expected(self) -> str:
+        return f"{len(self.names)} numbers, {', '.join(self.names)}, lengths in metres and angles in radians"
 
     @property
     def parts(self) -> Sequence[str]:
-        return COLUMNS
+        return self.names
 
     def agrees(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> list[bool]:
-        return same_row(one, other, tolerance)
+        same = super().agrees(one, other, tolerance)
+        # An angle is compared by the chord 2 sin(x / 2), which knows no whole turns.
+        chord = np.abs(2 * np.sin((one - other) / 2)) <= tolerance
+        return [bool(chord[k]) if self._is_angle(k) else same[k] for k in range(len(self.names))]
 
     def hint(self, given: Array, part: int) -> str:
-        if COLUMNS[part] in ANGLES and abs(given[part]) > 4 * np.pi:
+        if self._is_angle(part) and abs(given[part]) > 4 * np.pi:
             return "This is more than two full turns. Is it in degrees?"
         if abs(given[part] + self.value[part]) <= TOLERANCE:
             return "The size is right, the sign is not."
         return ""
 
+    def _pieces(self) -> list[int]:
+        return list(range(len(self.names)))
 
-def same_row(one: Array, other: Array, tolerance: float) -> list[bool]:
-    """Compare two rows column by column, angles up to whole turns."""
-    apart = np.abs(one - other)
-    for column in ANGLES:
-        k = COLUMNS.index(column)
-        # A turn is measured as the chord that it makes: 2 sin(angle / 2), which knows no whole turns.
-        apart[k] = np.abs(2 * np.sin(apart[k] / 2))
-    allowed = tolerance * np.maximum(1.0, np.maximum(np.abs(one), np.abs(other)))
-    allowed[[COLUMNS.index(column) for column in ANGLES]] = tolerance
-    return [bool(fine) for fine in apart <= allowed]
+    def _is_angle(self, part: int) -> bool:
+        return self.names[part].startswith(ANGLES)
+
+
+@dataclass(frozen=True, eq=False)
+class Row(Entries):
+    """The numbers of one row, (4,), in the order a, alpha, d, theta.
+
+    >>> Row(np.array([0.4, 0, 0, np.pi])).agrees(np.array([0.4, 0, 0, -np.pi]), np.array([0.4, 0, 0.1, np.pi]))
+    [True, True, False, True]
+    """
+
+    names: Sequence[str] = COLUMNS
+    noun: ClassVar[str] = "row"

@@ -50,6 +50,7 @@ def draw_row(row: ArrayLike, done: int = 4, *, caption: str = "") -> Picture:
     canvas.arrow((0, 0, 0), (length, 0, 0), AXIS_COLOURS[0], 2.2)
     canvas.label((length, 0, 0), "$x_{i-1}$", AXIS_COLOURS[0])
     if done >= 1:
+        canvas.line([np.zeros(3), 0.9 * length * foot[:3, 0]], GREY, 1.2, ":", level=2.5)
         _arc(canvas, (0, 0, 0), 0.7 * length * np.eye(3)[:, :2], theta, "θ")
     if done >= 2:
         canvas.line([np.zeros(3), foot[:3, 3]], VIOLET, 3.4, level=3)
@@ -58,6 +59,7 @@ def draw_row(row: ArrayLike, done: int = 4, *, caption: str = "") -> Picture:
         canvas.line([foot[:3, 3], end[:3, 3]], ORANGE, 3.4, level=3)
         canvas.label((foot[:3, 3] + end[:3, 3]) / 2, "$a$", ORANGE, [(0, 13), (0, -13)], 13)
     if done == 4:
+        canvas.line([end[:3, 3], end[:3, 3] + 0.9 * length * foot[:3, 2]], GREY, 1.2, ":", level=2.5)
         _arc(canvas, end[:3, 3], 0.9 * length * np.stack([foot[:3, 2], -foot[:3, 1]], axis=1), alpha, "α")
     canvas.dot(foot[:3, 3], GREY)
     canvas.dot(end[:3, 3], GREY)
