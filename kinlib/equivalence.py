@@ -22,7 +22,7 @@ from kinlib.lie import exp, hat, inverse
 from kinlib.normals import NEARLY
 from kinlib.screw import line
 
-SAME = 1e-7
+SAME = 1e-8
 """How far two mechanisms may differ, in an entry of a pose, and still be called one."""
 
 POSTURES = 16

@@ -57,3 +57,25 @@ def configurations(rng, chain, count=50, reach=1.0):
     """Joint values (count, n): up to half a turn, up to `reach` metres."""
     q = rng.uniform(-1, 1, (count, chain.n))
     return q * np.where(np.array(list(chain.letters)) == "P", reach, np.pi)
+
+
+def rechosen(rng, chain):
+    """The same arm with all that a DH table leaves free chosen anew: x and z turned round, origins slid along parallel
+    axes, zeros shifted, slides moved aside, another base and another tool."""
+    table = kl.assign_frames(chain, convention="modified").table
+    a, alpha, d, theta = table.rows.T.copy()
+    for i in range(1, table.n):
+        if rng.random() < 0.5:  # x_{i-1} turned round
+            a[i], alpha[i] = -a[i], -alpha[i]
+            theta[i - 1], theta[i] = theta[i - 1] + np.pi, theta[i] - np.pi
+        if alpha[i] == 0:
+            slid = rng.normal()
+            d[i - 1], d[i] = d[i - 1] + slid, d[i] - slid
+    turns = np.array(list(table.joints)) == "R"
+    theta[turns] += rng.normal(size=turns.sum())
+    d[~turns] += rng.normal(size=(~turns).sum())
+    base, tool = (kl.exp(rng.normal(size=6)) for _ in range(2))
+    rows = np.column_stack([a, alpha, d, theta])
+    moved = kl.DHTable(rows, convention="modified", joints=table.joints, base=base, tool=tool).to_chain()
+    signs = rng.choice([-1.0, 1.0], size=(table.n, 1))
+    return kl.Chain(signs * moved.screws, moved.home)
