@@ -31,7 +31,7 @@ def test_a_changed_source_is_noticed_and_written(tmp_path):
     assert command("--check", "--root", str(tmp_path)).returncode == 1
     assert command("--root", str(tmp_path)).stdout.startswith("written")
     assert command("--check", "--root", str(tmp_path)).returncode == 0
-    target.write_text(target.read_text().replace("your lines here", "no"))
+    target.write_text(target.read_text(encoding="utf-8").replace("your lines here", "no"), encoding="utf-8")
     assert command("--check", "--root", str(tmp_path)).returncode == 1
 
 

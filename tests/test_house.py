@@ -12,6 +12,7 @@ import pytest
 from tidy_notebooks import MARK, tidied
 
 ROOT = Path(__file__).parents[1]
+MADE = {".venv", ".uv", ".ipynb_checkpoints"}
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))
 
 
@@ -24,8 +25,8 @@ def files(pattern):
     listed = run("git", "ls-files", "-z", "--cached", "--others", "--exclude-standard", "--", pattern)
     if listed.returncode == 0:
         paths = [ROOT / name for name in listed.stdout.split("\0") if name]
-    else:  # unpacked from an archive: everything counts but what course.py made
-        paths = [path for path in ROOT.rglob(pattern) if not {".venv", ".uv"} & set(path.parts)]
+    else:  # unpacked from an archive: everything counts but what course.py and Jupyter made
+        paths = [path for path in ROOT.rglob(pattern) if not MADE & set(path.parts)]
     return sorted({path for path in paths if path.is_file()})
 
 

@@ -12,7 +12,9 @@ from nbclient.exceptions import CellExecutionError
 
 ROOT = Path(__file__).parents[1]
 FOLDERS = ("notebooks", "exercises", "solutions")
-NOTEBOOKS = [path for folder in FOLDERS for path in sorted((ROOT / folder).rglob("[!.]*.ipynb"))]
+FOUND = [path for folder in FOLDERS for path in sorted((ROOT / folder).rglob("*.ipynb"))]
+# JupyterLab keeps copies of what it opened, as old as the last save
+NOTEBOOKS = [path for path in FOUND if ".ipynb_checkpoints" not in path.parts]
 LECTURES = [path for path in NOTEBOOKS if path.parent.name == "notebooks"]
 
 SECONDS = 30
