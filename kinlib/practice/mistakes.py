@@ -12,7 +12,11 @@ from kinlib.practice.problem import Mistake, mistake
 
 
 def crossed_backwards(S: Array) -> Array:
-    """v = omega x q where -omega x q belongs: the moment changes sign, what the pitch adds does not."""
+    """v = omega x q where -omega x q belongs: the moment changes sign, what the pitch adds does not.
+
+    >>> crossed_backwards(np.array([0, 0, 1, 0, -2, 0.1]))
+    array([0. , 0. , 1. , 0. , 2. , 0.1])
+    """
     omega, v = S[..., :3], S[..., 3:]
     along = np.sum(omega * v, axis=-1, keepdims=True) * omega
     turns = omega.any(axis=-1, keepdims=True)
@@ -20,18 +24,32 @@ def crossed_backwards(S: Array) -> Array:
 
 
 def halves_swapped(S: Array) -> Array:
-    """(v, omega) where (omega, v) belongs: the order of another book."""
+    """(v, omega) where (omega, v) belongs: the order of another book.
+
+    >>> halves_swapped(np.array([0, 0, 1, 0, -2, 0]))
+    array([ 0, -2,  0,  0,  0,  1])
+    """
     return np.roll(S, 3, axis=-1)
 
 
 def without_moment(S: Array) -> Array:
-    """v = 0 for a joint that turns: right only for an axis through the origin."""
+    """v = 0 for a joint that turns: right only for an axis through the origin.
+
+    >>> without_moment(np.array([[0, 0, 1, 0, -2, 0], [0, 0, 0, 1, 0, 0]]))
+    array([[0., 0., 1., 0., 0., 0.],
+           [0., 0., 0., 1., 0., 0.]])
+    """
     turns = S[..., :3].any(axis=-1, keepdims=True)
     return np.where(turns & (np.arange(6) >= 3), 0.0, S)
 
 
 def product(screws: Array, q: Array, home: Array, order: str = "screws then home") -> Array:
-    """Multiply the exponentials in one of the orders in which people write them."""
+    """Multiply the exponentials in one of the orders in which people write them.
+
+    >>> from kinlib.robots import rpr
+    >>> product(rpr().screws, np.array([0.0, 2.0, 0.0]), rpr().home, "no home")[:3, 3]
+    array([0., 0., 2.])
+    """
     T, factors = np.eye(4), [exp(S * value) for S, value in zip(screws, q, strict=True)]
     orders = {
         "screws then home": [*factors, home],
@@ -45,14 +63,23 @@ def product(screws: Array, q: Array, home: Array, order: str = "screws then home
 
 
 def slides_as_turns(arm: Chain) -> Array:
-    """(d, -d x q) for a slide along d, as if it turned about d."""
+    """(d, -d x q) for a slide along d, as if it turned about d.
+
+    >>> from kinlib.robots import rpr
+    >>> slides_as_turns(rpr())[1] + 0.0
+    array([ 0.,  0.,  1., -2.,  4.,  0.])
+    """
     d = arm.screws[:, 3:]
     slides = ~arm.screws[:, :3].any(axis=-1, keepdims=True)
     return np.where(slides, np.concatenate([d, np.cross(arm.joint_points, d)], axis=-1), arm.screws)
 
 
 def of_screws(S: Array) -> list[Mistake]:
-    """The three that every screw axis of a turning joint invites."""
+    """The three that every screw axis of a turning joint invites.
+
+    >>> [wrong.name for wrong in of_screws(np.array([0, 0, 1, 0, -2, 0]))]
+    ['omega x q', 'halves swapped', 'no moment']
+    """
     return [
         mistake(
             "omega x q",
@@ -76,7 +103,12 @@ def of_screws(S: Array) -> list[Mistake]:
 
 
 def of_product(arm: Chain, q: Array) -> list[Mistake]:
-    """The wrong ways to multiply the factors of the space form."""
+    """The wrong ways to multiply the factors of the space form.
+
+    >>> from kinlib.robots import rpr
+    >>> [wrong.name for wrong in of_product(rpr(), np.ones(3))]
+    ['reversed', 'home first', 'no home', 'one exponential', 'degrees']
+    """
     screws, home = arm.screws, arm.home
     return [
         mistake(
