@@ -83,7 +83,7 @@ def draw_moves(row: ArrayLike, done: int, caption: str = "") -> Picture:
         canvas.triad(walk[0], "i-1", 0.3 * size)
         if done:
             canvas.triad(walk[done], "i" if done == 4 else "", 0.4 * size)
-        canvas.label(walk[0, :3, 3], convention, INK, [(-38, -42), (-38, -52)], 11)
+        canvas.label(walk[0, :3, 3], convention, INK, [(36, -44), (36, -54)], 11)
         last = NAMES[ORDER[convention][done - 1]] if done else "nothing yet"
         place, z = walk[done, :3, 3] - side * apart, walk[done, :3, 2]
         said.append(f"{convention.capitalize()}: {last}; the frame is at {spoken(place)}, its z along {spoken(z)}.")
