@@ -186,7 +186,7 @@ def to_modified(draw: Draw) -> Problem:
     table = _table(draw, "standard")
     return Problem(
         statement="Convert this standard table to the modified convention. The base stays; what is left over becomes the tool, "
-        "and no part of the answer. Give four rows $a_{i-1}, \\alpha_{i-1}, d_i, \\theta_i$, with $q = 0$.\n\n"
+        "and no part of the answer. Give four rows $a_{i-1}, \\alpha_{i-1}, d_i, \\theta_i$ at $q = 0$, angles in radians.\n\n"
         + _printed(table.rows, "standard", table.joints),
         given={"rows": table.rows, "joints": table.joints},
         answer=Rows(table.converted("modified").rows),
@@ -205,7 +205,7 @@ def to_standard(draw: Draw) -> Problem:
     return Problem(
         statement="The first row of this modified table is not empty: its frame {0} stands on the wall, away from axis 1. "
         "Convert the table to the standard convention. What is left over becomes the base, and no part of the answer. "
-        "Give four rows $a_i, \\alpha_i, d_i, \\theta_i$, with $q = 0$.\n\n"
+        "Give four rows $a_i, \\alpha_i, d_i, \\theta_i$ at $q = 0$, angles in radians.\n\n"
         + _printed(table.rows, "modified", table.joints),
         given={"rows": table.rows, "joints": table.joints},
         answer=Rows(table.converted("standard").rows),
@@ -270,11 +270,11 @@ def faulty_entry(draw: Draw) -> Problem:
     links = DHTable(rows, convention="modified").link_transforms(np.zeros(3))
     poses = np.array([reduce(np.matmul, links[: k + 1]) for k in range(3)])
     other = {1: 3, 2: 4, 3: 1, 4: 2}[column]
-    shown = ",\\quad ".join(f"{{}}^0T_{k + 1} = {matrix(T)}" for k, T in enumerate(poses))
+    shown = "\n\n".join(f"$${{}}^0T_{k + 1} = {matrix(T)}$$" for k, T in enumerate(poses))
     return Problem(
         statement="One entry of this modified table is misprinted. The frames of the arm, at $q = 0$, are right. Find the entry, "
         "and give its row, its column and the value that belongs there: three numbers. Columns count 1 to 4 as printed, "
-        f"the value is in metres or radians.\n\n{_printed(printed, 'modified', 'RRR')}\n\n$${shown}$$",
+        f"the value is in metres or radians.\n\n{_printed(printed, 'modified', 'RRR')}\n\n{shown}",
         figure=partial(draw_frames, {"0": np.eye(4), **{str(k + 1): T for k, T in enumerate(poses)}}),
         given={"rows": printed, "poses": poses},
         answer=Fault(np.array([row, column, right])),
