@@ -58,8 +58,12 @@ class Diagnosis:
         return "\n".join(["This table is the arm.", *_conventions(self.equivalence)])
 
 
-def diagnose(table: DHTable, reference: Chain | DHTable, *, tolerance: float = SAME) -> Diagnosis:
+def diagnose(
+    table: DHTable, reference: Chain | DHTable, *, tolerance: float = SAME, in_pairs: bool = True
+) -> Diagnosis:
     """Find what is wrong with a table, given the arm that it claims to describe.
+
+    in_pairs  whether two mistakes together are tried where none alone explains the table; it may take some seconds
 
     Raises ValueError where the two cannot be compared: another number of joints.
 
@@ -76,7 +80,8 @@ def diagnose(table: DHTable, reference: Chain | DHTable, *, tolerance: float = S
     if as_it_stands:
         return Diagnosis((), table, as_it_stands)
     single = [*_whole(table), *_by_row(table)]
-    doubles = combinations([fix for fix in single if fix.fault.name != "column shifted"], 2)
+    paired = [fix for fix in single if fix.fault.name != "column shifted"]
+    doubles = combinations(paired, 2) if in_pairs else ()
     for fixes in [*((fix,) for fix in single), *((fix,) for fix in _numbers(table, arm)), *doubles]:
         mended = table
         for fix in fixes:

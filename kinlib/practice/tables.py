@@ -13,6 +13,7 @@ import numpy as np
 
 from kinlib import check
 from kinlib.dh import DHTable
+from kinlib.diagnosis import diagnose
 from kinlib.equivalence import equivalent
 from kinlib.practice.answers import TOLERANCE, Answer, Unreadable
 
@@ -88,8 +89,12 @@ class Table(Answer):
     def hint(self, given: DHTable, part: int) -> str:
         if given.joints != self.value.joints:
             return f"Its joints are {given.joints}; those of the arm are {self.value.joints}. Which column holds the variable?"
-        return (
-            equivalent(given, self.value, tolerance=ROUNDED * TOLERANCE)
-            .reason.replace(" here", " in your table")
-            .replace(" there", " in the arm")
-        )
+        found = diagnose(given, self.value, tolerance=ROUNDED * TOLERANCE, in_pairs=False)
+        if found.right:
+            return "Your table moves like the arm, from another start. " + " ".join(str(found).splitlines()[1:])
+        if [fault.name for fault in found.faults] == ["wrong number"]:
+            # Naming the right number would end the problem; naming the place begins it.
+            return f"All but one entry can stand: look again at {found.faults[0].column} in row {found.faults[0].row}."
+        if found.faults:
+            return str(found)
+        return found.equivalence.reason.replace(" here", " in your table").replace(" there", " in the arm")
