@@ -13,7 +13,7 @@ from kinlib.practice.answers import TOLERANCE, Numbers
 
 @dataclass(frozen=True, eq=False)
 class Entries(Numbers):
-    """Some entries of a table, (k,): lengths in metres, angles in radians. Names that begin as alpha or theta are angles.
+    """Some entries of a table, (k,): lengths in metres, angles in radians. Names that hold alpha or theta are angles.
 
     >>> Entries(np.array([0.4, np.pi]), names=["a_1", "theta_1"]).agrees(np.array([0.4, -np.pi]), np.array([0.4, np.pi]))
     [True, True]
@@ -27,7 +27,8 @@ class Entries(Numbers):
 
     @property
     def parts(self) -> Sequence[str]:
-        return self.names
+        # A card may begin a sentence with a part, and "A_1" would be another thing than a_1.
+        return [name if " " in name else f"entry {name}" for name in self.names]
 
     def agrees(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> list[bool]:
         same = super().agrees(one, other, tolerance)
@@ -46,7 +47,7 @@ class Entries(Numbers):
         return list(range(len(self.names)))
 
     def _is_angle(self, part: int) -> bool:
-        return self.names[part].startswith(ANGLES)
+        return any(angle in self.names[part] for angle in ANGLES)
 
 
 @dataclass(frozen=True, eq=False)

@@ -57,7 +57,8 @@ def four_numbers(draw: Draw) -> Problem:
             mistake(
                 "signs turned round",
                 [-a, -alpha, -d, -theta],
-                "All four have the right size and the other sign: you went from frame 1 to frame 0. A row leads from $i-1$ to $i$.",
+                "The size is right, the sign is not. A row leads from frame 0 to frame 1: $d$ grows along $z_0$, $a$ along $x_1$, and "
+                "the right thumb points along $z_0$ for $\\theta$, along $x_1$ for $\\alpha$.",
             ),
             mistake("degrees", [a, np.degrees(alpha), d, np.degrees(theta)], WAYS["degrees"].message),
         ],
@@ -142,7 +143,7 @@ def offsets(draw: Draw) -> Problem:
         "The rows read $\\theta_i = q_i + c_i$. Give the offsets $c_1, c_2, c_3$ in radians.",
         figure=partial(draw_table, table, view="top"),
         given={"headings_degrees": np.array(headings)},
-        answer=Entries(values, names=["theta_1 - q_1", "theta_2 - q_2", "theta_3 - q_3"]),
+        answer=Entries(values, names=["offset of theta_1", "offset of theta_2", "offset of theta_3"]),
         mistakes=[
             mistake(
                 "measured from the base",
@@ -287,7 +288,7 @@ def parallel_axes(draw: Draw) -> Problem:
 
     return Problem(
         statement="Three parallel axes point up. Their joints are where the table says. Put $O_0$ at joint 1, and each further "
-        "origin where the deck puts it for parallel axes, at joint $i + 1$; let each $x_i$ point from joint to joint. Give "
+        "origin where the deck puts it for parallel axes, at joint $i + 1$; let each $x_i$ point from axis to axis. Give "
         f"$a_1, d_1, a_2, d_2$.\n\n{joint_table(robot)}",
         figure=partial(draw_joints, robot),
         given={"points": points},
