@@ -7,6 +7,8 @@ from pathlib import Path
 
 import pytest
 
+from kinlib.practice import find_sheet
+
 pytest.importorskip("nbgrader", reason="exercises/ is made with nbgrader")
 
 ROOT = Path(__file__).parents[1]
@@ -18,9 +20,29 @@ def command(*options):
     return subprocess.run(run, capture_output=True, text=True, check=False)
 
 
-def test_every_sheet_in_exercises_is_fresh():
-    done = command("--check", "--root", str(ROOT))
+@pytest.fixture
+def committed(tmp_path):
+    """The sheets as git holds them: a student may have worked in exercises/ and saved it."""
+    exported = ["git", "checkout-index", "--all", f"--prefix={tmp_path.as_posix()}/"]
+    done = subprocess.run(exported, cwd=ROOT, capture_output=True, check=False)
+    return tmp_path if done.returncode == 0 else ROOT
+
+
+def test_every_sheet_in_exercises_is_fresh(committed):
+    done = command("--check", "--root", str(committed))
     assert done.returncode == 0, f"run python -m kinlib.practice.handout\n{done.stdout}{done.stderr}"
+
+
+@pytest.mark.parametrize("source", SOURCES, ids=lambda path: path.stem)
+def test_every_problem_has_its_cells_and_its_points_in_the_sheet(source):
+    cells = {cell["id"]: cell for cell in json.loads(source.read_text(encoding="utf-8"))["cells"]}
+    for k, template in enumerate(find_sheet(source.stem).problems, start=1):
+        assert f"sheet.show({k})" in "".join(cells[f"show-{k}"]["source"])
+        assert cells[f"answer-{k}"]["metadata"]["nbgrader"]["solution"]
+        check = cells[f"check-{k}"]
+        assert f"sheet.check({k}, " in "".join(check["source"])
+        assert check["metadata"]["nbgrader"]["points"] == template.points
+    assert f"check-{len(find_sheet(source.stem).problems) + 1}" not in cells
 
 
 def test_a_changed_source_is_noticed_and_written(tmp_path):

@@ -143,10 +143,18 @@ def test_the_last_answer_counts():
 
 def test_the_sample_id_is_pointed_out():
     assert "type your own id" in open_sheet("03_poe_space", SAMPLE).tally()._repr_markdown_()
+    assert "type your own id" in repr(open_sheet("03_poe_space", "Your ID"))
     assert "type your own id" not in open_sheet("03_poe_space", "ada").tally()._repr_markdown_()
 
 
-@pytest.mark.parametrize("student", ["", "  ", None, 7])
+def test_a_number_is_an_id_too():
+    assert (
+        open_sheet("03_poe_space", 1234567).problem(1).statement
+        == open_sheet("03_poe_space", "1234567").problem(1).statement
+    )
+
+
+@pytest.mark.parametrize("student", ["", "  ", None, True, [7]])
 def test_a_sheet_needs_a_student(student):
     with pytest.raises(ValueError, match="student should be your id"):
         open_sheet("03_poe_space", student)

@@ -21,6 +21,9 @@ T = TypeVar("T")
 APART = 1.2
 """How far apart two joints of a drawn arm stand on the sheet, in metres of the arm."""
 
+BESIDE = 0.4
+"""How far apart the lines stand that drop from them to the floor, so that each height is read at its own line."""
+
 DIRECTIONS = (X, Y, Z, -X, -Y, -Z)
 
 
@@ -78,9 +81,10 @@ class Draw:
         return arm(joints, home, "your arm", "drawn for you")
 
     def _point_in_sight(self, others: Sequence[Array], reach: int) -> Array:
-        """A point that the drawing shows apart from others, and from the origin."""
+        """A point that the drawing shows apart from others and from the origin, on a drop line of its own."""
         _, sheet = seen_from("default")
         while True:
             point = self.point(reach)
-            if all(np.linalg.norm(sheet @ (point - other)) > APART for other in [np.zeros(3), *others]):
+            apart = [sheet @ (point - other) for other in [np.zeros(3), *others]]
+            if all(np.linalg.norm(step) > APART and abs(step[0]) > BESIDE for step in apart):
                 return point

@@ -36,6 +36,8 @@ class OpenSheet:
     """
 
     def __init__(self, sheet: Sheet, student: Any) -> None:
+        # A matriculation number is an id as good as any, with or without quotes.
+        student = str(student) if isinstance(student, int) and not isinstance(student, bool) else student
         if not isinstance(student, str) or not student.strip():
             raise ValueError(
                 f"student should be your id, a text such as 'ada'; got {student!r}. Your numbers come from it."
@@ -77,18 +79,24 @@ class OpenSheet:
 
     def tally(self) -> Tally:
         """The points so far, problem by problem."""
-        note = f"these are the numbers of {SAMPLE!r}: type your own id at the top" if self.student == SAMPLE else ""
-        return Tally(self.sheet.problems, dict(self.verdicts), note)
+        return Tally(self.sheet.problems, dict(self.verdicts), self._note)
 
     def _template(self, k: int) -> Template:
         if k not in range(1, len(self.sheet.problems) + 1):
             raise ValueError(f"{self.sheet.name} has problems 1 to {len(self.sheet.problems)}; got {k!r}.")
         return self.sheet.problems[k - 1]
 
+    @property
+    def _note(self) -> str:
+        """A word to whoever works on the sample without knowing it."""
+        sample = self.student.casefold() == SAMPLE
+        return f"these are the numbers of {SAMPLE!r}: type your own id at the top" if sample else ""
+
     def __repr__(self) -> str:
-        return (
+        told = (
             f"{self.sheet.title}: {len(self.sheet.problems)} problems, {self.sheet.points} points, for {self.student!r}"
         )
+        return f"{told} ({self._note})" if self._note else told
 
 
 def sheets() -> list[str]:

@@ -4,6 +4,7 @@ from functools import partial
 
 import numpy as np
 
+from kinlib.chain import Chain
 from kinlib.practice.answers import Ordering, Pose, Screws
 from kinlib.practice.draw import Draw
 from kinlib.practice.mistakes import crossed_backwards, of_product, of_screws, product, slides_as_turns
@@ -251,9 +252,11 @@ def where_is_the_tool(draw: Draw) -> Problem:
 
 @problem("03.8", "A longer tool on an angled arm", points=3, lecture="03_poe_space#The home pose")
 def longer_tool(draw: Draw) -> Problem:
-    robot = angled_arm(
+    straight = angled_arm(
         np.radians(draw.choice([30, 40, 50, 60])), draw.length(0.3, 0.8), draw.length(0.4, 0.9), draw.length(0.2, 0.5)
     )
+    # A hand turned away from {s}: parallel to it, the extension could stand on either side of M.
+    robot = Chain(straight.screws, pose((-Z, Y, X), straight.home[:3, 3]), straight.points, "angled arm")
     longer = draw.length(0.15, 0.4)
     q = np.array(
         [
@@ -280,6 +283,11 @@ def longer_tool(draw: Draw) -> Problem:
                 "extended in {s}",
                 extension @ robot.fk(q),
                 "You lengthened the tool along the $z$ of {s}, after the motion. The tool's own $z$ turns with it: multiply on the right.",
+            ),
+            mistake(
+                "extended in {s} at home",
+                Chain(robot.screws, extension @ robot.home).fk(q),
+                "You lengthened $M$ along the $z$ of {s}: $\\mathrm{Trans}_z\\, M$. Its own $z$ is a column of $M$: multiply on the right.",
             ),
             mistake(
                 "reversed",
