@@ -17,7 +17,7 @@ from numpy.typing import ArrayLike
 from kinlib import check
 from kinlib.check import Array
 from kinlib.lie import adjoint, exp, inverse
-from kinlib.screw import axes, is_prismatic, line
+from kinlib.screw import Line, axes, is_prismatic, line
 
 CHUNK = 4096
 """Configurations worked on at a time: their poses fit in a core's cache, which is worth a factor of two on long batches."""
@@ -69,6 +69,16 @@ class Chain:
         return len(self.screws)
 
     @cached_property
+    def lines(self) -> Line:
+        """The joint axes as geometry: directions (n, 3), the points nearest the origin (n, 3), pitches (n,).
+
+        >>> from kinlib.robots import rpr
+        >>> rpr().lines.pitch
+        array([ 0., inf,  0.])
+        """
+        return line(self.screws)
+
+    @cached_property
     def letters(self) -> str:
         """The joints from base to tool, one letter each: R revolute, P prismatic, H helical.
 
@@ -76,7 +86,7 @@ class Chain:
         >>> rpr().letters
         'RPR'
         """
-        pitch = line(self.screws).pitch
+        pitch = self.lines.pitch
         return "".join("P" if h == np.inf else "H" if abs(h) > check.UNIT else "R" for h in pitch)
 
     @cached_property
@@ -85,7 +95,7 @@ class Chain:
         if self.points is not None:
             return self.points
         chosen = [np.zeros(3)]
-        for axis, foot, pitch in zip(*line(self.screws), strict=True):
+        for axis, foot, pitch in zip(*self.lines, strict=True):
             # A prismatic axis is a free vector: any point serves, so the joint stays where the last one was.
             chosen.append(chosen[-1] if pitch == np.inf else foot + axis * (axis @ chosen[-1]))
         return _frozen(chosen[1:])
@@ -227,13 +237,13 @@ class Chain:
     def _turns_and_slides(self) -> tuple[Array, Array]:
         """What one unit of each joint does: radians about its own z, and metres along it."""
         prismatic = is_prismatic(self.screws)
-        return np.where(prismatic, 0.0, 1.0), np.where(prismatic, 1.0, line(self.screws).pitch)
+        return np.where(prismatic, 0.0, 1.0), np.where(prismatic, 1.0, self.lines.pitch)
 
     @cached_property
     def _joint_frames(self) -> Array:
         """A frame J_i on each joint at home, (n, 4, 4), with its z along the axis."""
         J = np.zeros((self.n, 4, 4))
-        J[:, :3, 2] = line(self.screws).axis
+        J[:, :3, 2] = self.lines.axis
         # Any x square to z will do; crossing z with the coordinate axis farthest from it loses no digits.
         farthest = np.eye(3)[np.argmin(np.abs(J[:, :3, 2]), axis=-1)]
         J[:, :3, 0] = np.cross(farthest, J[:, :3, 2])

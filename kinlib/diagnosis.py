@@ -86,7 +86,8 @@ def diagnose(
         mended = table
         for fix in fixes:
             mended = fix.apply(mended)
-        if found := equivalent(mended, arm, tolerance=tolerance):
+        if equivalent(mended, arm, tolerance=tolerance, simplest=False):
+            found = equivalent(mended, arm, tolerance=tolerance)
             return Diagnosis([fix.fault for fix in fixes], mended, found)
     return Diagnosis((), None, as_it_stands)
 

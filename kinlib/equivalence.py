@@ -25,6 +25,9 @@ from kinlib.screw import line
 SAME = 1e-8
 """How far two mechanisms may differ, in an entry of a pose, and still be called one."""
 
+LOOSE = 10
+"""How many tolerances a part may be off on the way: what counts is the whole map, which is tried at the end."""
+
 POSTURES = 16
 """In how many random postures an answer is checked."""
 
@@ -50,10 +53,13 @@ class Equivalence:
         return self.same
 
 
-def equivalent(a: Chain | DHTable, b: Chain | DHTable, *, tolerance: float = SAME) -> Equivalence:
+def equivalent(
+    a: Chain | DHTable, b: Chain | DHTable, *, tolerance: float = SAME, simplest: bool = True
+) -> Equivalence:
     """Decide whether two descriptions move alike, up to base, tool, joint zero and joint sign.
 
     a, b are chains, or tables in either convention. The position of a prismatic axis plays no part, for a slide has none.
+    simplest  among several maps give the one that takes the fewest words; False takes the first, for a bare yes or no
 
     Raises ValueError for a tolerance that is not positive.
 
@@ -67,11 +73,18 @@ def equivalent(a: Chain | DHTable, b: Chain | DHTable, *, tolerance: float = SAM
     one, other = (thing.to_chain() if isinstance(thing, DHTable) else thing for thing in (a, b))
     if one.letters != other.letters:
         return Equivalence(False, reason=f"The joints differ in kind: {one.letters} here, {other.letters} there.")
-    maps = [_placed_alike(one, other, match) for match in _turned_alike(one, other, 10 * tolerance)]
-    right = [found for found in maps if found.difference <= tolerance]
+    if _plainly_apart(one, other, LOOSE * tolerance):
+        return Equivalence(False, reason=_first_difference(one, other))
+    right, closest = [], np.inf
+    for match in _turned_alike(one, other, LOOSE * tolerance):
+        found = _placed_alike(one, other, match)
+        closest = min(closest, found.difference)
+        if found.difference <= tolerance:
+            right.append(found)
+            if not simplest:
+                break
     if right:
         return min(right, key=lambda found: _length(found, tolerance))
-    closest = min((found.difference for found in maps), default=np.inf)
     return Equivalence(False, difference=closest, reason=_first_difference(one, other))
 
 
@@ -93,7 +106,7 @@ class _Match:
 
 def _turned_alike(one: Chain, other: Chain, loose: float) -> Iterator[_Match]:
     """Every way to turn the joints of one so that its axes point as those of the other."""
-    u, v = line(one.screws).axis, line(other.screws).axis
+    u, v = one.lines.axis, other.lines.axis
     for sign in (1.0, -1.0):
         R = _onto(u[0], sign * v[0])
         first = 0 if one.letters[0] == "R" else -1
@@ -105,7 +118,7 @@ def _continued(match: _Match, one: Chain, other: Chain, loose: float) -> Iterato
     if joint == one.n:
         yield match
         return
-    u, v = line(one.screws).axis, line(other.screws).axis
+    u, v = one.lines.axis, other.lines.axis
     axis, now = match.signs[-1] * v[joint - 1], match.link @ u[joint]
     turns = one.letters[joint] == "R"
     for sign in (1.0, -1.0):
@@ -144,14 +157,14 @@ def _turned(match: _Match, axis: Array, now: Array, wanted: Array, other: Chain)
     if match.free == -1:
         return replace(match, base=R @ match.base, link=R @ match.link)
     offsets = match.offsets.copy()
-    own = match.signs[match.free] * line(other.screws).axis[match.free]
+    own = match.signs[match.free] * other.lines.axis[match.free]
     offsets[match.free] += angle * np.sign(own @ axis)
     return replace(match, link=R @ match.link, offsets=offsets)
 
 
 def _placed_alike(one: Chain, other: Chain, match: _Match) -> Equivalence:
     """Find the shift of the base and the zeros of the slides, which are a linear problem, and try the whole map."""
-    carried, wanted = line(one.jacobian(match.offsets).T), line(other.screws)
+    carried, wanted = line(one.jacobian(match.offsets).T), other.lines
     slides = [joint for joint, letter in enumerate(one.letters) if letter == "P"]
     rows, right = [np.zeros((0, 3 + len(slides)))], [np.zeros(0)]
     for joint in range(one.n):
@@ -194,9 +207,15 @@ def _length(found: Equivalence, tolerance: float) -> tuple[int, float]:
     return int(told), sum(moved)
 
 
+def _plainly_apart(one: Chain, other: Chain, loose: float) -> bool:
+    """Whether two neighbouring axes stand at another angle: then there is nothing to search for."""
+    cosines = [np.abs(np.sum(lines.axis[:-1] * lines.axis[1:], axis=-1)) for lines in (one.lines, other.lines)]
+    return bool((np.abs(cosines[0] - cosines[1]) > loose).any())
+
+
 def _first_difference(one: Chain, other: Chain) -> str:
     """Name the first pair of neighbours that stand to each other in another way: what a person would look at first."""
-    here, there = line(one.screws), line(other.screws)
+    here, there = one.lines, other.lines
     for i in range(one.n - 1):
         # Acute, for either axis may point the other way.
         angles = [_acute_degrees(lines.axis[i], lines.axis[i + 1]) for lines in (here, there)]
