@@ -28,6 +28,9 @@ SAME = 1e-8
 LOOSE = 10
 """How many tolerances a part may be off on the way: what counts is the whole map, which is tried at the end."""
 
+PLAIN = 0.99
+"""Axes whose angle has a smaller cosine are plainly not parallel."""
+
 POSTURES = 16
 """In how many random postures an answer is checked."""
 
@@ -77,7 +80,7 @@ def equivalent(
         return Equivalence(False, reason=_first_difference(one, other))
     right, closest = [], np.inf
     for match in _turned_alike(one, other, LOOSE * tolerance):
-        found = _placed_alike(one, other, match)
+        found = _placed_alike(one, other, match, LOOSE * tolerance)
         closest = min(closest, found.difference)
         if found.difference <= tolerance:
             right.append(found)
@@ -162,7 +165,7 @@ def _turned(match: _Match, axis: Array, now: Array, wanted: Array, other: Chain)
     return replace(match, link=R @ match.link, offsets=offsets)
 
 
-def _placed_alike(one: Chain, other: Chain, match: _Match) -> Equivalence:
+def _placed_alike(one: Chain, other: Chain, match: _Match, loose: float) -> Equivalence:
     """Find the shift of the base and the zeros of the slides, which are a linear problem, and try the whole map."""
     carried, wanted = line(one.jacobian(match.offsets).T), other.lines
     slides = [joint for joint, letter in enumerate(one.letters) if letter == "P"]
@@ -174,7 +177,11 @@ def _placed_alike(one: Chain, other: Chain, match: _Match) -> Equivalence:
             across = np.eye(3) - np.outer(wanted.axis[joint], wanted.axis[joint])
             rows.append(across @ np.column_stack([np.eye(3), *moves]))
             right.append(across @ (wanted.point[joint] - match.base @ carried.point[joint]))
-    solved = np.linalg.lstsq(np.concatenate(rows), np.concatenate(right), rcond=1e-9)[0]
+    equations, sides = np.concatenate(rows), np.concatenate(right)
+    solved = np.linalg.lstsq(equations, sides, rcond=1e-9)[0]
+    missed = float(np.abs(equations @ solved - sides).max(initial=0))
+    if missed > loose:
+        return Equivalence(False, difference=missed)
     X = np.eye(4)
     X[:3, :3], X[:3, 3] = match.base, solved[:3]
     signs, offsets = np.array(match.signs), match.offsets.copy()
@@ -208,9 +215,17 @@ def _length(found: Equivalence, tolerance: float) -> tuple[int, float]:
 
 
 def _plainly_apart(one: Chain, other: Chain, loose: float) -> bool:
-    """Whether two neighbouring axes stand at another angle: then there is nothing to search for."""
-    cosines = [np.abs(np.sum(lines.axis[:-1] * lines.axis[1:], axis=-1)) for lines in (one.lines, other.lines)]
-    return bool((np.abs(cosines[0] - cosines[1]) > loose).any())
+    """Whether two neighbouring axes stand at another angle, or at another distance: then there is nothing to search for."""
+    for i in range(one.n - 1):
+        pairs = [(lines.axis[i : i + 2], lines.point[i : i + 2]) for lines in (one.lines, other.lines)]
+        cosines = [abs(float(axes[0] @ axes[1])) for axes, _ in pairs]
+        if abs(cosines[0] - cosines[1]) > loose:
+            return True
+        # Nearly parallel axes have a distance that hangs on the last digits, and slides have none.
+        told = "P" not in one.letters[i : i + 2] and cosines[0] < PLAIN
+        if told and abs(_distance(*pairs[0]) - _distance(*pairs[1])) > loose / (1 - PLAIN):
+            return True
+    return False
 
 
 def _first_difference(one: Chain, other: Chain) -> str:
