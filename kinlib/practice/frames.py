@@ -1,0 +1,49 @@
+"""Frames as answers: any that obey the rules are right, for nobody's choice is the only one."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import ClassVar
+
+import numpy as np
+
+from kinlib.chain import Chain
+from kinlib.check import Array
+from kinlib.dh import Convention
+from kinlib.frame_check import Breach, check_frames
+from kinlib.practice.answers import TOLERANCE, Numbers
+
+
+@dataclass(frozen=True, eq=False)
+class Frames(Numbers):
+    """DH frames 0 to n of an arm at home, (n + 1, 4, 4), seen from {s}; each frame is a part.
+
+    They are judged by the rules of the convention. Only the frames of a mistake are compared as they are.
+
+    >>> from kinlib.frames import assign_frames
+    >>> from kinlib.robots import pose, rpr, X, Y, Z
+    >>> frames = assign_frames(rpr(), convention="standard").frames
+    >>> other = frames @ pose((-X, -Y, Z), (0, 0, 0))                      # every x and y turned round
+    >>> Frames(frames, chain=rpr(), convention="standard").agrees(other, frames)
+    [True, True, True, True]
+    """
+
+    chain: Chain = field(kw_only=True)
+    convention: Convention = field(kw_only=True)
+    noun: ClassVar[str] = "frames 0 to n in {s}, an array"
+
+    @property
+    def parts(self) -> Sequence[str]:
+        return [f"frame {i}" for i in range(self.chain.n + 1)]
+
+    def agrees(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> list[bool]:
+        if not self._breaches(other):
+            broken = {breach.frame for breach in self._breaches(one)}
+            return [i not in broken for i in range(len(one))]
+        return [bool(np.allclose(mine, yours, rtol=0, atol=tolerance)) for mine, yours in zip(one, other, strict=True)]
+
+    def hint(self, given: Array, part: int) -> str:
+        return next((breach.text for breach in self._breaches(given) if breach.frame == part), "")
+
+    def _breaches(self, frames: Array) -> list[Breach]:
+        # Entries typed with three decimals, at the end of a link of some metres.
+        return check_frames(self.chain, frames, self.convention, tolerance=10 * TOLERANCE)
