@@ -61,7 +61,7 @@ class Chain:
             self._keep("points", _points_on(self.screws, self.points))
 
     def _keep(self, name: str, values: Array) -> None:
-        object.__setattr__(self, name, _frozen(values))
+        object.__setattr__(self, name, check.frozen(values))
 
     @property
     def n(self) -> int:
@@ -98,7 +98,7 @@ class Chain:
         for axis, foot, pitch in zip(*self.lines, strict=True):
             # A prismatic axis is a free vector: any point serves, so the joint stays where the last one was.
             chosen.append(chosen[-1] if pitch == np.inf else foot + axis * (axis @ chosen[-1]))
-        return _frozen(chosen[1:])
+        return check.frozen(chosen[1:])
 
     @cached_property
     def body_screws(self) -> Array:
@@ -110,7 +110,7 @@ class Chain:
         >>> rppr().body_screws[0].round(6) + 0.0          # B_1 as the UIUC deck prints it
         array([ 0.,  1.,  0.,  0.,  0., -2.])
         """
-        return _frozen(self.screws @ adjoint(inverse(self.home)).T)
+        return check.frozen(self.screws @ adjoint(inverse(self.home)).T)
 
     def fk(self, q: ArrayLike) -> Array:
         """Where the tool is: T(q) = e^[S1]q1 ... e^[Sn]qn M, the space form.
@@ -280,13 +280,6 @@ class Chain:
             yield frame
             frame = _moved(frame, self._steps[i + 1])
         yield frame
-
-
-def _frozen(values: ArrayLike) -> Array:
-    """A copy that nobody can write to: a frozen chain over a changing array would be frozen in name only."""
-    copy = np.array(values)
-    copy.flags.writeable = False
-    return copy
 
 
 def _moved(frame: Array, step: Array) -> Array:

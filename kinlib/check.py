@@ -154,6 +154,17 @@ def poses(x: ArrayLike, name: str) -> Array:
     return values
 
 
+def frozen(values: ArrayLike) -> Array:
+    """Copy values so that nobody can write to them: a frozen object over a changing array would be frozen in name only.
+
+    >>> frozen([1.0, 2.0]).flags.writeable
+    False
+    """
+    copy = np.array(values, dtype=float)
+    copy.flags.writeable = False
+    return copy
+
+
 def brief(x: Any) -> str:
     """Say in a few words what came, for an error message.
 

@@ -90,7 +90,7 @@ class DHTable:
             if arrays[name].ndim != 2:
                 raise ValueError(f"{name} should be one pose, (4, 4); got {np.shape(value)}.")
         for name, array in arrays.items():
-            object.__setattr__(self, name, _frozen(array))
+            object.__setattr__(self, name, check.frozen(array))
         object.__setattr__(self, "convention", convention_of(self.convention))
         object.__setattr__(self, "joints", read.joints)
 
@@ -224,9 +224,3 @@ def convention_of(name: Any) -> Convention:
 def _normal(a: float, alpha: float) -> Array:
     """The step along a common normal, Tx(a) Rx(alpha): the piece X_i that the two conventions put in different rows."""
     return dh_transform(a, alpha, 0, 0, convention="standard")
-
-
-def _frozen(values: Array) -> Array:
-    copy = np.array(values)
-    copy.flags.writeable = False
-    return copy
