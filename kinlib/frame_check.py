@@ -13,7 +13,6 @@ from kinlib import check
 from kinlib.chain import Chain
 from kinlib.check import Array
 from kinlib.dh import Convention, convention_of
-from kinlib.screw import line
 
 DRAWN = 1e-6
 """How far a frame may stray from a rule, in metres or as the sine of an angle."""
@@ -71,7 +70,7 @@ def _handed(T: Array, tolerance: float) -> Iterator[Breach]:
 
 
 def _on_axes(chain: Chain, T: Array, standard: bool, tolerance: float) -> Iterator[Breach]:
-    axes = line(chain.screws).axis
+    axes = chain.lines.axis
     for joint, (axis, point) in enumerate(zip(axes, chain.joint_points, strict=True), start=1):
         i = joint - 1 if standard else joint
         z, origin = T[i, :3, 2], T[i, :3, 3]

@@ -13,7 +13,9 @@ from kinlib.chain import Chain
 from kinlib.check import Array
 from kinlib.dh import DHTable
 from kinlib.normals import Normal
-from kinlib.screw import line
+
+PROBES = 24
+"""In how many postures a table is compared with its chain."""
 
 SINGULAR = (
     "These axes are nearly parallel, {angle:.1e} rad apart, and DH is singular here: their normal lies {far:.2g} m away and "
@@ -74,15 +76,15 @@ def told(chain: Chain, table: DHTable, frames: Array, normals: Sequence[Normal],
     singular = any(normal.nearly_parallel for normal in normals)
     exact = "This table is the arm, to rounding" if accuracy < 1e-11 else "This table is the arm only so far"
     note = " Nearly parallel axes cost it the digits." if singular and accuracy >= 1e-11 else ""
-    steps.append(Step("accuracy", None, f"{exact}: in {24} postures its poses differ by {accuracy:.1e} at most.{note}"))
+    steps.append(
+        Step("accuracy", None, f"{exact}: in {PROBES} postures its poses differ by {accuracy:.1e} at most.{note}")
+    )
     return steps
 
 
 def _axes(chain: Chain, standard: bool) -> Step:
     found = []
-    for i, (letter, axis, point) in enumerate(
-        zip(chain.letters, line(chain.screws).axis, chain.joint_points, strict=True)
-    ):
+    for i, (letter, axis, point) in enumerate(zip(chain.letters, chain.lines.axis, chain.joint_points, strict=True)):
         where = "anywhere (a slide has a direction, not a line)" if letter == "P" else f"through {_vector(point)}"
         found.append(f"joint {i + 1}, {'sliding' if letter == 'P' else 'turning'}, along {_vector(axis)} {where}")
     rule = "z_{i-1} lies on the axis of joint i" if standard else "z_i lies on the axis of joint i"

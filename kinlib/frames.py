@@ -17,13 +17,12 @@ import numpy as np
 from kinlib.chain import Chain
 from kinlib.check import Array
 from kinlib.dh import Convention, DHTable, convention_of, dh_transform
-from kinlib.frame_steps import Step, told
+from kinlib.frame_steps import PROBES, Step, told
 from kinlib.lie import inverse
 from kinlib.normals import MEETS, Normal, common_normal
-from kinlib.screw import line
 
-PROBES = 24
-"""How many configurations an assignment is compared with its chain in."""
+SPARED = 1e-3
+"""A slide less apart than this from its neighbour, in radians, is laid across it: then their normal cannot run away."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,7 +87,7 @@ def assign_frames(chain: Chain, *, convention: Convention) -> FrameAssignment:
 def _assigned(chain: Chain, convention: Convention, parallel_below: float) -> FrameAssignment:
     """Assign frames, with axes less apart than the bound taken as parallel."""
     standard = convention == "standard"
-    axes, points = line(chain.screws).axis, _places(chain)
+    axes, points = chain.lines.axis, _places(chain)
     frame = _first(axes[0], points[0])
     base, normals, turns, twists = frame, [], [], []
     frames = [frame]
@@ -125,11 +124,11 @@ def _assigned(chain: Chain, convention: Convention, parallel_below: float) -> Fr
 def _places(chain: Chain) -> Array:
     """A point on each axis. A slide may lie anywhere, so it goes where it spares the next joint a runaway normal."""
     places = np.array(chain.joint_points)
-    axes = line(chain.screws).axis
+    axes = chain.lines.axis
     for i, letter in enumerate(chain.letters):
         if letter == "P":
             for neighbour in (i - 1, i + 1):
-                if 0 <= neighbour < chain.n and MEETS < np.linalg.norm(np.cross(axes[i], axes[neighbour])) < 1e-3:
+                if 0 <= neighbour < chain.n and MEETS < np.linalg.norm(np.cross(axes[i], axes[neighbour])) < SPARED:
                     places[i] = places[neighbour]
     return places
 

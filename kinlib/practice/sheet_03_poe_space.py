@@ -12,14 +12,14 @@ from kinlib.practice.problem import Problem, mistake, problem
 from kinlib.practice.sheet import Sheet
 from kinlib.practice.text import joint_table, matrix, number, vector
 from kinlib.robots import SLIDE, X, Y, Z, angled_arm, arm, pose
-from kinlib.screw import line, screw
+from kinlib.screw import screw
 from kinlib.view import draw_arm, draw_joints
 
 
 @problem("03.1", "Screw axes of a plain arm", points=3, lecture="03_poe_space#Revolute joints")
 def plain_arm(draw: Draw) -> Problem:
     robot = draw.arm(draw.choice(["RRP", "RPR", "PRR"]))
-    axes = line(robot.screws).axis
+    axes = robot.lines.axis
     return Problem(
         statement=f"Give the screw axes $S_1, S_2, S_3$ of this arm in {{s}}, as rows.\n\n{joint_table(robot)}",
         figure=partial(draw_joints, robot),

@@ -6,7 +6,6 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlib.chain import Chain
-from kinlib.screw import line
 
 
 def number(x: float) -> str:
@@ -44,7 +43,7 @@ def joint_table(chain: Chain) -> str:
     >>> print(joint_table(rpr()).splitlines()[2])
     | 1 | revolute | $(0, -1, 0)$ | $(-4, -2, 0)$ |
     """
-    axis, _, pitch = line(chain.screws)
+    axis, _, pitch = chain.lines
     kinds = {"R": "revolute", "P": "prismatic", "H": "helical"}
     rows = []
     for i, letter in enumerate(chain.letters):

@@ -7,7 +7,6 @@ from numpy.typing import ArrayLike
 
 from kinlib.chain import Chain
 from kinlib.check import Array
-from kinlib.screw import line
 from kinlib.view.canvas import GREY, ORANGE, VIOLET, Canvas
 from kinlib.view.joints import draw_bodies
 from kinlib.view.picture import Picture, spoken
@@ -15,10 +14,6 @@ from kinlib.view.picture import Picture, spoken
 SHOWN = {"axes", "body axes", "home axes", "links", "tool", "base"}
 KINDS = {"R": "revolute", "P": "prismatic", "H": "helical"}
 STEEL = "#5b7083"
-
-BESIDE = [(20, 0), (-20, 0), (20, 12), (-20, -12)]
-BELOW = [(0, -14), (38, -6), (-38, -6), (0, 14), (0, -28), (46, -18), (-46, -18), (46, 10), (-46, 10), (0, 28)]
-"""Where the names of heights and of feet on the floor may stand, in pixels right and up."""
 
 
 def draw_arm(
@@ -89,14 +84,7 @@ def draw_joints(chain: Chain, tool: bool = False, caption: str = "", view: str =
     seen = np.concatenate([np.zeros((1, 3)), measured, measured * (1, 1, 0)])
     canvas = Canvas(seen, view)
     canvas.floor(seen, numbers=True)
-    # Joints may share a point, and then share its numbers.
-    for point in np.unique(measured.round(6), axis=0) + 0.0:
-        foot = point * (1, 1, 0)
-        canvas.line([foot, point], ORANGE, 1.5, ":", level=1)
-        canvas.dot(foot, ORANGE, 5, level=6)
-        if point[2]:
-            canvas.label((foot + point) / 2, f"{point[2]:.4g}", ORANGE, BESIDE, 9)
-        canvas.label(foot, f"({foot[0]:.4g}, {foot[1]:.4g})", ORANGE, BELOW, 9)
+    canvas.measure(measured, ORANGE)
     draw_bodies(canvas, chain, chain.link_poses(home))
     _draw_axes(canvas, chain, chain.link_poses(home), "", VIOLET)
     canvas.triad(np.eye(4), "s", 0.16 * canvas.size)
@@ -113,7 +101,7 @@ def describe(chain: Chain, q: Array) -> str:
     >>> describe(hrr(), np.zeros(3))[:24]
     'HRR arm, 3 joints (HRR),'
     """
-    axis = line(chain.screws).axis
+    axis = chain.lines.axis
     joints = "; ".join(
         f"joint {i + 1} {KINDS[letter]} along {_direction(axis[i])}" for i, letter in enumerate(chain.letters)
     )
@@ -146,7 +134,7 @@ def _path(chain: Chain, q: Array) -> Array:
 def _draw_axes(canvas: Canvas, chain: Chain, frames: Array, name: str, colour: str) -> None:
     """Each axis as a dashed arrow through its joint, in the positive direction, named at its tip."""
     for i, T in enumerate(frames):
-        direction = T[:3, :3] @ line(chain.screws[i]).axis
+        direction = T[:3, :3] @ chain.lines.axis[i]
         before, after = T[:3, 3] - 0.16 * canvas.size * direction, T[:3, 3] + 0.3 * canvas.size * direction
         canvas.arrow(before, after, colour, 1.5, style="--", level=3.5)
         if name:

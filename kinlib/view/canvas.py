@@ -27,6 +27,10 @@ MARGIN = 0.33
 BORDER = 20.0
 """Room in pixels for the names at the tips."""
 
+BESIDE = [(20, 0), (-20, 0), (20, 12), (-20, -12)]
+BELOW = [(0, -14), (38, -6), (-38, -6), (0, 14), (0, -28), (46, -18), (-46, -18), (46, 10), (-46, 10), (0, 28)]
+"""Where the names of heights and of feet on the floor may stand, in pixels right and up."""
+
 
 def seen_from(view: str) -> tuple[Array, Array]:
     """The unit vector towards the eye, (3,), and the two that point right and up on the sheet, (2, 3).
@@ -142,6 +146,17 @@ class Canvas:
     ) -> None:
         """A name beside a point, in that one of the places where it covers least; an earlier place wins a draw."""
         self._labels.append(Label(self.pixels(point), text, colour, places, 1.25 * size))
+
+    def measure(self, points: Array, colour: str) -> None:
+        """Drop each point to the floor by a dotted line, with the numbers that a reader needs: its height, and its foot."""
+        # Joints may share a point, and then share its numbers.
+        for point in np.unique(points.round(6), axis=0) + 0.0:
+            foot = point * (1, 1, 0)
+            self.line([foot, point], colour, 1.5, ":", level=1)
+            self.dot(foot, colour, 5, level=6)
+            if point[2]:
+                self.label((foot + point) / 2, f"{point[2]:.4g}", colour, BESIDE, 9)
+            self.label(foot, f"({foot[0]:.4g}, {foot[1]:.4g})", colour, BELOW, 9)
 
     def floor(self, points: ArrayLike, numbers: bool = False) -> None:
         """A grid at height 0 under the points, in steps of 1, 2 or 5; with numbers along x and y where asked."""

@@ -6,7 +6,6 @@ import numpy as np
 
 from kinlib.chain import Chain
 from kinlib.check import Array
-from kinlib.screw import line
 from kinlib.view.canvas import INK, Canvas
 
 PAPER = "#f3d9a4"
@@ -37,7 +36,7 @@ def draw_bodies(canvas: Canvas, chain: Chain, frames: Array) -> None:
 
 def _carried_axes(chain: Chain, frames: Array) -> Array:
     """The direction (n, 3) of each joint's axis where the arm has carried it."""
-    carried: Array = (frames[:, :3, :3] @ line(chain.screws).axis[:, :, None])[..., 0]
+    carried: Array = (frames[:, :3, :3] @ chain.lines.axis[:, :, None])[..., 0]
     return carried
 
 

@@ -4,7 +4,7 @@ import numpy as np
 
 from kinlib.chain import Chain
 from kinlib.check import Array
-from kinlib.screw import is_prismatic, line
+from kinlib.screw import is_prismatic
 from kinlib.view.canvas import INK, ORANGE, PALE, VIOLET, Canvas
 from kinlib.view.picture import Picture
 
@@ -29,7 +29,7 @@ def draw_readers(chain: Chain, k: int, caption: str = "") -> Picture:
     canvas = Canvas(np.concatenate([path, feet.reshape(-1, 3)]))
     canvas.floor(path)
     canvas.line(path, PALE, 6.0, level=1)
-    for i, (point, axis) in enumerate(zip(chain.joint_points, line(chain.screws).axis, strict=True)):
+    for i, (point, axis) in enumerate(zip(chain.joint_points, chain.lines.axis, strict=True)):
         start, tip = np.array([[-0.16], [0.3]]) * canvas.size * axis + point
         canvas.arrow(start, tip, VIOLET, 1.3, style="--", level=3.5)
         canvas.label(tip, f"${_name(i, k)}$", VIOLET)
@@ -54,7 +54,7 @@ def threads(chain: Chain, k: int) -> Array:
     >>> np.linalg.norm(ends[3:, 1] - ends[3:, 0], axis=-1).round(6)
     array([0., 0., 0.])
     """
-    axis = line(chain.screws).axis
+    axis = chain.lines.axis
     reader = np.where(np.arange(chain.n)[:, None] < k, 0.0, chain.home[:3, 3])
     across = chain.joint_points - reader
     across = across - np.sum(across * axis, axis=-1, keepdims=True) * axis

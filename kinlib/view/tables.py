@@ -8,7 +8,6 @@ from numpy.typing import ArrayLike
 from kinlib import check
 from kinlib.check import Array
 from kinlib.dh import DHTable, dh_transform
-from kinlib.view.arm import BELOW, BESIDE
 from kinlib.view.canvas import AXIS_COLOURS, GREY, INK, ORANGE, PALE, VIOLET, Canvas
 from kinlib.view.joints import draw_bodies
 from kinlib.view.picture import Picture, spoken
@@ -106,7 +105,7 @@ def draw_table(
     canvas = Canvas(seen if around is None else around, view)
     canvas.floor(seen if around is None else around, numbers=numbers)
     if numbers:
-        _measured(canvas, origins)
+        canvas.measure(origins, GREY)
     canvas.line([np.zeros(3), origins[0]], PALE, 5.0, level=1)
     canvas.line([origins[-1], tip[:3, 3]], PALE, 5.0, level=1)
     for start, corner, end in zip(origins, corners, origins[1:], strict=False) if path else ():
@@ -160,16 +159,6 @@ def _corners(table: DHTable, frames: list[Array]) -> Array:
             x, across = start[:3, 0], end[:3, 3] - start[:3, 3]
             corners.append(start[:3, 3] + (across @ x) * x)
     return np.array(corners)
-
-
-def _measured(canvas: Canvas, origins: Array) -> None:
-    for point in np.unique(origins.round(6), axis=0) + 0.0:
-        foot = point * (1, 1, 0)
-        canvas.line([foot, point], GREY, 1.5, ":", level=1)
-        canvas.dot(foot, GREY, 5, level=6)
-        if point[2]:
-            canvas.label((foot + point) / 2, f"{point[2]:.4g}", GREY, BESIDE, 9)
-        canvas.label(foot, f"({foot[0]:.4g}, {foot[1]:.4g})", GREY, BELOW, 9)
 
 
 def _words(table: DHTable, frames: list[Array]) -> str:
