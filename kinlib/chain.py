@@ -31,9 +31,11 @@ class Chain:
     home     (4, 4)  M = T_sb at q = 0
     points   (n, 3)  where on its axis each joint is drawn, at home; `joint_points` fills in what is not given
     name, source     what it is called, and which document it comes from
+    limits   (n, 2)  the least and the greatest value of each joint, infinite where it has none; None: no joint has any
+    joint_names      what its document calls each joint, n words, or none at all
 
     Raises ValueError for anything that is not a chain: no joints, screws in columns, axes that are not of unit size, a
-    home that is not rigid, a point off its axis.
+    home that is not rigid, a point off its axis, a lower limit above the upper one.
     Source: Modern Robotics, 4.1; Chapter 4 review deck.
 
     >>> from kinlib.screw import screw
@@ -47,6 +49,8 @@ class Chain:
     points: Array | None = field(default=None, repr=False)
     name: str = "arm"
     source: str = ""
+    limits: Array | None = field(default=None, repr=False)
+    joint_names: tuple[str, ...] = field(default=(), repr=False)
 
     def __post_init__(self) -> None:
         screws = check.array(self.screws, "screws")
@@ -59,6 +63,10 @@ class Chain:
         self._keep("home", home)
         if self.points is not None:
             self._keep("points", _points_on(self.screws, self.points))
+        if self.limits is not None:
+            self._keep("limits", _limits(self.limits, len(screws)))
+        if self.joint_names and len(self.joint_names) != len(screws):
+            raise ValueError(f"joint_names should hold {len(screws)} names, one a joint; got {len(self.joint_names)}.")
 
     def _keep(self, name: str, values: Array) -> None:
         object.__setattr__(self, name, check.frozen(values))
@@ -309,6 +317,20 @@ def _chunks(q: Array) -> Iterator[tuple[slice, Array]]:
     for start in range(0, len(rows), CHUNK):
         part = slice(start, start + CHUNK)
         yield part, rows[part]
+
+
+def _limits(limits: ArrayLike, n: int) -> Array:
+    limits = check.real(limits, "limits")
+    if limits.shape != (n, 2):
+        raise ValueError(f"limits should have one row (least, greatest) a joint, ({n}, 2); got {limits.shape}.")
+    # Written so that NaN, which is neither above nor below, is refused too.
+    ordered = limits[:, 0] <= limits[:, 1]
+    if not ordered.all():
+        joint = int(np.argmin(ordered))
+        raise ValueError(
+            f"The limits of joint {joint + 1} should be (least, greatest); got {limits[joint].tolist()}. Are they exchanged?"
+        )
+    return limits
 
 
 def _points_on(screws: Array, points: ArrayLike) -> Array:

@@ -382,3 +382,24 @@ def test_v_with_the_wrong_sign_is_found_by_its_point():
     q, w = np.array([1.0, 0, 0]), np.array([0, 0, 1.0])
     with pytest.raises(ValueError, match=r"lies 2 m off its axis.*is v = w x q\?"):
         Chain([[*w, *np.cross(w, q)]], np.eye(4), points=[q])
+
+
+@pytest.mark.parametrize(
+    ("told", "message"),
+    [
+        ({"limits": np.zeros((2, 3))}, r"one row \(least, greatest\) a joint, \(3, 2\); got \(2, 3\)"),
+        ({"limits": [[-1, 1], [1, -1], [0, 1]]}, r"limits of joint 2 .*got \[1.0, -1.0\]. Are they exchanged\?"),
+        ({"limits": [[-1, 1], [0, 1], [np.nan, 1]]}, "limits of joint 3"),
+        ({"joint_names": ("shoulder", "elbow")}, "3 names, one a joint; got 2"),
+    ],
+)
+def test_limits_and_names_are_checked(told, message):
+    robot = robots.rpr()
+    with pytest.raises(ValueError, match=message):
+        Chain(robot.screws, robot.home, **told)
+
+
+def test_a_joint_may_be_limited_on_one_side_only():
+    robot = robots.rpr()
+    limits = [[-np.inf, np.inf], [0, np.inf], [-1, 1]]
+    np.testing.assert_array_equal(Chain(robot.screws, robot.home, limits=limits).limits, limits)
