@@ -3,6 +3,8 @@
 Read the modules in the order of the lectures: lie, screw, chain, dh, frames. `NOTATION.md` says the conventions once.
 """
 
+from typing import TYPE_CHECKING, Any
+
 from kinlib import robots
 from kinlib.chain import Chain
 from kinlib.dh import DHTable, dh_transform
@@ -12,6 +14,21 @@ from kinlib.frame_check import Breach, check_frames
 from kinlib.frames import FrameAssignment, assign_frames
 from kinlib.lie import adjoint, exp, hat, inverse, log, vee
 from kinlib.screw import Line, line, screw
+
+if TYPE_CHECKING:
+    from kinlib import symbolic
+else:
+
+    def __getattr__(name: str) -> Any:
+        """Load kl.symbolic, and SymPy with it, when it is first used: most of the course never asks for it."""
+        if name != "symbolic":
+            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        from importlib import import_module
+
+        return import_module("kinlib.symbolic")
+
+    def __dir__() -> list[str]:
+        return sorted({*globals(), *__all__})
 
 __version__ = "0.1.0"
 
@@ -36,5 +53,6 @@ __all__ = [
     "log",
     "robots",
     "screw",
+    "symbolic",
     "vee",
 ]

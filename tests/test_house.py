@@ -84,6 +84,8 @@ FLOORS = [
         "diagnosis",
         "loops",
         "urdf",
+        "symbols",
+        "runs",
         "symbolic",
     ),
     *("robots", "view", "practice", "grading"),
