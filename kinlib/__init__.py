@@ -14,6 +14,7 @@ from kinlib.frame_check import Breach, check_frames
 from kinlib.frames import FrameAssignment, assign_frames
 from kinlib.lie import adjoint, exp, hat, inverse, log, vee
 from kinlib.screw import Line, line, screw
+from kinlib.urdf import load_urdf, to_urdf
 
 if TYPE_CHECKING:
     from kinlib import symbolic
@@ -29,6 +30,7 @@ else:
 
     def __dir__() -> list[str]:
         return sorted({*globals(), *__all__})
+
 
 __version__ = "0.1.0"
 
@@ -50,9 +52,11 @@ __all__ = [
     "hat",
     "inverse",
     "line",
+    "load_urdf",
     "log",
     "robots",
     "screw",
     "symbolic",
+    "to_urdf",
     "vee",
 ]

@@ -72,6 +72,7 @@ FLOORS = [
     *(
         "check",
         "lie",
+        "rpy",
         "screw",
         "chain",
         "dh_rows",
@@ -83,6 +84,8 @@ FLOORS = [
         "equivalence",
         "diagnosis",
         "loops",
+        "urdf_xml",
+        "urdf_tree",
         "urdf",
         "symbols",
         "runs",
