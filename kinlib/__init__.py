@@ -1,11 +1,12 @@
 """kinlib: robot forward kinematics, small enough to read and strict enough to trust.
 
-Read the modules in the order of the lectures: lie, screw, chain, dh, frames. `NOTATION.md` says the conventions once.
+Read the modules in the order of the lectures: lie, screw, chain, dh, frames, loops, urdf. `NOTATION.md` says the conventions once.
 """
 
 from typing import TYPE_CHECKING, Any
 
-from kinlib import robots
+from kinlib import linkages, robots
+from kinlib.bodies import Joint
 from kinlib.chain import Chain
 from kinlib.dh import DHTable, dh_transform
 from kinlib.diagnosis import Diagnosis, diagnose
@@ -13,6 +14,7 @@ from kinlib.equivalence import Equivalence, equivalent
 from kinlib.frame_check import Breach, check_frames
 from kinlib.frames import FrameAssignment, assign_frames
 from kinlib.lie import adjoint, exp, hat, inverse, log, vee
+from kinlib.loops import Mechanism
 from kinlib.screw import Line, line, screw
 from kinlib.urdf import load_urdf, to_urdf
 
@@ -41,7 +43,9 @@ __all__ = [
     "Diagnosis",
     "Equivalence",
     "FrameAssignment",
+    "Joint",
     "Line",
+    "Mechanism",
     "adjoint",
     "assign_frames",
     "check_frames",
@@ -52,6 +56,7 @@ __all__ = [
     "hat",
     "inverse",
     "line",
+    "linkages",
     "load_urdf",
     "log",
     "robots",
