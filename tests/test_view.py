@@ -14,10 +14,10 @@ from matplotlib import pyplot as plt
 from traitlets import Bool, HasTraits
 
 import kinlib as kl
-from kinlib.view import Card, Picture, draw_arm, draw_frames, draw_joints, explore, plot, slide
+from kinlib.view import Card, Picture, draw_arm, draw_frames, draw_joints, plot, slide
 from kinlib.view.canvas import Canvas, _hull
 from kinlib.view.card import TONES
-from kinlib.view.joints import _carried_axes, _shifts
+from kinlib.view.joints import _carried_axes, shifts
 
 ROOT = Path(__file__).parents[1]
 
@@ -86,8 +86,8 @@ def test_joints_on_one_axis_stand_side_by_side():
     """RPPR's first two joints share point and axis: drawn there, the one would hide the other."""
     robot = kl.robots.rppr()
     frames = robot.link_poses(np.zeros(4))
-    shifts = _shifts(_carried_axes(robot, frames), frames[:, :3, 3])
-    assert shifts.tolist() == [-0.5, 0.5, 0, 0]
+    moved = shifts(_carried_axes(robot, frames), frames[:, :3, 3])
+    assert moved.tolist() == [-0.5, 0.5, 0, 0]
 
 
 def test_a_name_says_its_letters_and_nothing_to_the_browser():
@@ -241,64 +241,13 @@ class Answered(HasTraits):
     committed = Bool(False)
 
 
-def sliders(box):
-    return [child for child in box.children if hasattr(child, "min")]
-
-
-def test_a_slider_moves_the_arm():
-    box = explore(kl.robots.rpr(), joints=[1, 2])
-    screen, before = box.children[0], box.children[0].value
-    sliders(box)[1].value = 0.5
-    assert screen.value != before
-    assert "q2 = 0.50 m" in screen.value
-    assert "at q = (0, 0.5, 0)" in screen.value
-
-
-def test_the_readout_is_the_pose():
-    robot = kl.robots.youbot()
-    box = explore(robot, joints=[2])
-    sliders(box)[0].value = 1.0
-    for x in robot.fk([0, 1, 0, 0, 0])[:3].ravel():
-        assert f"{x.round(3) + 0.0:7.3f}" in box.children[0].value
-
-
-def test_back_to_start_puts_every_slider_back():
-    box = explore(kl.robots.rpr(), start=[0.1, 0.2, 0.3])
-    for slider in sliders(box):
-        slider.value = 1.0
-    box.children[-1].click()
-    assert [slider.value for slider in sliders(box)] == [0.1, 0.2, 0.3]
-
-
-@each_robot
-@pytest.mark.parametrize("span", [None, (-1.0, 2.0)])
-def test_a_slider_starts_on_a_whole_step(robot, span):
-    """The page rounds a slider to whole steps from its lower end: an arm that starts beside one would twitch."""
-    for slider in sliders(explore(robot, start=np.linspace(0.123, 0.456, robot.n), span=span)):
-        steps = (slider.value - slider.min) / slider.step
-        assert abs(steps - round(steps)) < 1e-9
-        assert slider.min < slider.value < slider.max
-
-
-def test_a_start_outside_its_span_or_of_another_size_is_refused():
-    with pytest.raises(ValueError, match=r"hold the start of joint 1, 0; got 10 to 90. Is one in degrees"):
-        explore(kl.robots.rpr(), joints=[1], span=(10, 90))
-    with pytest.raises(ValueError, match="RPR has 3 joints"):
-        explore(kl.robots.rpr(), start=[0, 0])
-
-
-def test_the_readout_can_be_left_out():
-    assert "Tool pose" not in explore(kl.robots.rpr(), joints=[1], readout=False).children[0].value
-
-
-def test_a_joint_that_the_arm_does_not_have_is_refused():
-    with pytest.raises(ValueError, match="RPR has joints 1 to 3; got 4"):
-        explore(kl.robots.rpr(), joints=[4])
+def a_line(slope):
+    return plot([0, 1], {"line": [0, slope]}, xlabel="x", ylabel="y", alt=f"A line through 0 of slope {slope}.")
 
 
 def test_a_widget_stays_covered_until_the_prediction_is_committed():
     question = Answered()
-    box = explore(kl.robots.rpr(), joints=[1], after=question)
+    box = slide(a_line, "slope", [1, 2], after=question)
     assert "Commit to your prediction" in box.children[0].value
     assert "<img" not in box.children[0].value
     question.committed = True
@@ -307,7 +256,7 @@ def test_a_widget_stays_covered_until_the_prediction_is_committed():
 
 def test_who_insists_may_look_and_nothing_is_recorded():
     question = Answered()
-    box = explore(kl.robots.rpr(), joints=[1], after=question)
+    box = slide(a_line, "slope", [1, 2], after=question)
     box.children[1].click()
     told, inside = box.children
     assert "Nothing was recorded" in told.value
@@ -318,10 +267,7 @@ def test_who_insists_may_look_and_nothing_is_recorded():
 
 
 def test_a_slide_draws_the_value_that_it_stands_on():
-    def line(slope):
-        return plot([0, 1], {"line": [0, slope]}, xlabel="x", ylabel="y", alt=f"A line through 0 of slope {slope}.")
-
-    box = slide(line, "slope", [1, 2, 3])
+    box = slide(a_line, "slope", [1, 2, 3])
     assert "slope 1." in box.children[0].value
     box.children[1].value = 2
     assert "slope 3." in box.children[0].value

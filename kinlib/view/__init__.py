@@ -1,5 +1,6 @@
 """What people look at: drawings with a text alternative, widgets, and cards with feedback."""
 
+from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from kinlib.view.arm import draw_arm, draw_joints
@@ -9,15 +10,17 @@ from kinlib.view.picture import Picture
 from kinlib.view.plot import plot
 
 if TYPE_CHECKING:
-    from kinlib.view.widgets import explore, slide
+    from kinlib.view.viewer import Viewer, explore
+    from kinlib.view.widgets import slide
 
-__all__ = ["Card", "Picture", "draw_arm", "draw_frames", "draw_joints", "explore", "plot", "slide"]
+__all__ = ["Card", "Picture", "Viewer", "draw_arm", "draw_frames", "draw_joints", "explore", "plot", "slide"]
+
+LATE = {"Viewer": "viewer", "explore": "viewer", "slide": "widgets"}
+"""What needs ipywidgets and anywidget, and its module: loaded when somebody wants a slider, for a figure does without."""
 
 
 def __getattr__(name: str) -> Any:
-    """Load ipywidgets when somebody wants a slider, and not before: a figure does without."""
-    if name in {"explore", "slide"}:
-        from kinlib.view import widgets
-
-        return getattr(widgets, name)
+    """Load what comes late."""
+    if name in LATE:
+        return getattr(import_module(f"kinlib.view.{LATE[name]}"), name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

@@ -18,7 +18,7 @@ def draw_bodies(canvas: Canvas, chain: Chain, frames: Array) -> None:
     """Draw each joint as its kind, with its number, where the frames (n, 4, 4) of the links have carried it."""
     radius = 0.035 * canvas.size
     axes = _carried_axes(chain, frames)
-    for i, (z, shift) in enumerate(zip(axes, _shifts(axes, frames[:, :3, 3]), strict=True)):
+    for i, (z, shift) in enumerate(zip(axes, shifts(axes, frames[:, :3, 3]), strict=True)):
         centre, half = frames[i, :3, 3] + 3.3 * radius * shift * z, 1.5 * radius * z
         level = 3.0 + 0.01 * float(canvas.eye @ centre) / canvas.size  # the nearer one hides the farther one
         corners = 4 if chain.letters[i] == "P" else 24
@@ -48,11 +48,15 @@ def _around(z: Array, radius: float, turn: Array) -> Array:
     return points
 
 
-def _shifts(axes: Array, points: Array) -> Array:
+def shifts(axes: Array, points: Array) -> Array:
     """How far each joint is drawn from its point along its axis, (n,), in lengths of a joint.
 
     Joints that share a point and an axis would hide each other. Along its axis a joint may stand anywhere: the screw is
     the same, and so is the motion.
+
+    >>> z = np.array([0.0, 0, 1])
+    >>> shifts(np.array([z, z]), np.zeros((2, 3)))
+    array([-0.5,  0.5])
     """
     shift = np.zeros(len(axes))
     for i in range(len(axes)):

@@ -1,0 +1,90 @@
+// The layers of an arm on the stage: which there are, what each holds, and how they follow the theme.
+import { Color, MeshBasicMaterial, MeshLambertMaterial } from 'three';
+import { Figure } from './figure.js';
+import * as parts from './parts.js';
+
+/** Layers that the reader may switch on and off, with their names on the page. */
+export const TOGGLES = {
+  axes: 'screw axes',
+  'body axes': 'body axes',
+  'home axes': 'axes at home',
+  normals: 'common normals',
+  dimensions: 'lengths',
+  trail: 'trail',
+};
+
+/** What the list of frames offers, and which layers each choice shows. */
+export const FRAMES = {
+  none: { name: 'no frames', layers: [] },
+  poe: { name: 'PoE: {s} and {b}', layers: ['base', 'tool'] },
+  links: { name: 'PoE with links', layers: ['base', 'tool', 'links'] },
+  standard: { name: 'standard DH', layers: ['standard'] },
+  modified: { name: 'modified DH', layers: ['modified'] },
+};
+
+/** The choice of frames that a set of layers amounts to. */
+export function framesOf(shown) {
+  return ['modified', 'standard', 'links'].find((name) => shown.includes(name))
+    ?? (shown.includes('base') || shown.includes('tool') ? 'poe' : 'none');
+}
+
+export function without(shown, layers) {
+  return shown.filter((name) => !layers.includes(name));
+}
+
+export const FRAME_LAYERS = ['base', 'tool', 'links', 'standard', 'modified'];
+
+/** Make every layer of the arms in the colours of a theme. */
+export function dress(stage, shown) {
+  const { data, theme } = stage;
+  const { size } = data;
+  const each = (make) => data.arms.flatMap((arm, k) => make(arm).map((part) => ({ ...part, arm: k })));
+  const colours = theme;
+  stage.put('links', each((arm) => parts.links(arm, size, colours)), { outlined: true });
+  stage.put('joints', each((arm) => parts.joints(arm, size, colours)), { outlined: true });
+  stage.put('mount', parts.mount(data, size, colours), { outlined: true });
+  stage.figure.stretched.length = 0;
+  stage.putRods('rods', each((arm) => parts.rods(arm, size, colours)));
+  stage.put('axes', each((arm) => parts.axes(arm, size, { letter: 'S', colour: colours.axis })));
+  stage.put('body axes', each((arm) => parts.axes(arm, size, { letter: 'B', colour: colours.axis })));
+  stage.put('home axes', each((arm) => parts.axes(arm, size, { letter: 'S', colour: colours.home, onBody: () => 0 })));
+  stage.put('normals', each((arm) => parts.normals(arm, size, colours)));
+  stage.put('dimensions', each((arm) => parts.dimensions(arm, size, colours)));
+  for (const name of FRAME_LAYERS) {
+    const numbered = !['base', 'tool'].includes(name);
+    const length = numbered ? 0.14 : 0.19;
+    stage.put(`frames ${name}`, each((arm) => parts.triads(arm.frames[name] ?? [], size, colours, { numbered, length })));
+  }
+  reveal(stage, shown);
+}
+
+export function reveal(stage, shown) {
+  for (const name of ['axes', 'body axes', 'home axes', 'normals', 'dimensions']) stage.show(name, shown.includes(name));
+  for (const name of FRAME_LAYERS) stage.show(`frames ${name}`, shown.includes(name));
+}
+
+/** The arm in another configuration, as a grey ghost. Returns how to move it, and how to be rid of it. */
+export function haunt(stage, q) {
+  const ghost = new Figure(stage.data.arms);
+  stage.scene.add(ghost.root);
+  const colour = new Color(stage.theme.ghost);
+  const veil = new MeshLambertMaterial({ color: colour, transparent: true, opacity: 0.55 });
+  const mask = new MeshBasicMaterial({ colorWrite: false }); // first where, then how: no piece shows through another
+  mask.userData.order = 1;
+  veil.userData.order = 2;
+  const { data, theme } = stage;
+  const plain = { ...theme, link: theme.ghost, joint: theme.ghost, cap: theme.ghost, rod: theme.ghost, ink: theme.ghost };
+  const each = (make) => data.arms.flatMap((arm, k) => make(arm, data.size, plain).map((part) => ({ ...part, arm: k })));
+  const body = [...each(parts.links), ...each(parts.joints)];
+  stage.put('ghost mask', body.map((part) => ({ ...part })), { figure: ghost, material: mask });
+  stage.put('ghost', body, { figure: ghost, material: veil });
+  stage.putRods('ghost rods', each(parts.rods), { figure: ghost, material: veil });
+  ghost.setQ(q);
+  stage.draw();
+  return () => {
+    for (const name of ['ghost', 'ghost mask', 'ghost rods']) stage.remove(name);
+    ghost.root.removeFromParent();
+    for (const material of [veil, mask]) material.dispose();
+    stage.draw();
+  };
+}

@@ -1,0 +1,113 @@
+// One slider and one number field a joint, play and reset. A handler says what it wants and no more: q changes, and
+// everything is drawn from the change, whoever made it.
+import { fixed, h, KEYS, named, unique } from './dom.js';
+
+const DEGREE = Math.PI / 180;
+const SWEEP = 4000; // milliseconds for one joint, there and back
+
+/** @param state { sliders, start(), q(), set(q) } @returns { element, update(q), dispose() } */
+export function controls(state) {
+  const rows = state.sliders.map((slider) => row(slider, state));
+  const player = play(state);
+  const element = h('fieldset', { class: 'kv-joints' },
+    h('legend', {}, 'Joint values'),
+    ...rows.map(({ element: line }) => line),
+    h('div', { class: 'kv-buttons' },
+      player.button,
+      h('button', { type: 'button', ...KEYS, onclick: () => { player.stop(); state.set(state.start()); } }, '↺ Reset')));
+  return {
+    element,
+    update(q) {
+      for (const { update } of rows) update(q);
+    },
+    dispose: player.stop,
+  };
+}
+
+function row(slider, state) {
+  const { column, name, unit, low, high } = slider;
+  const id = unique('q');
+  const turns = unit === 'rad';
+  const step = turns ? DEGREE : 0.01;
+  const said = turns ? 'radians' : 'metres';
+  const whole = `Joint ${column + 1}${slider.title ? ` (${slider.title})` : ''}, ${said}`;
+  const set = (value) => {
+    const q = [...state.q()];
+    if (!Number.isFinite(value) || value === q[column]) return;
+    q[column] = value;
+    state.set(q);
+  };
+  const range = h('input', {
+    ...KEYS, id, type: 'range', min: low, max: high, step: 'any', 'aria-label': whole,
+    oninput: () => set(Number(range.value)),
+    onkeydown: (event) => {
+      const steps = STEPS[event.key];
+      if (!steps || event.ctrlKey || event.metaKey || event.altKey) return;
+      event.preventDefault();
+      const value = Math.abs(steps) === Infinity ? Math.sign(steps) * Infinity : state.q()[column] + steps * step;
+      set(Math.max(low, Math.min(high, value)));
+    },
+  });
+  const field = h('input', {
+    ...KEYS, type: 'number', step: 'any', 'aria-label': `${whole}, as a number`,
+    onchange: () => {
+      if (field.value.trim() === '') field.value = fixed(state.q()[column], 3);
+      else set(Number(field.value));
+    },
+  });
+  const degrees = h('span', { class: 'kv-degrees', 'aria-hidden': 'true' });
+  let last;
+  return {
+    element: h('div', { class: 'kv-row' },
+      h('label', { for: id, title: whole }, named(name)), range, field, h('span', { class: 'kv-unit' }, unit), degrees),
+    update(q) {
+      const value = q[column];
+      if (value === last) return;
+      last = value;
+      if (Number(range.value) !== value) range.value = value;
+      range.style.setProperty('--share', `${Math.max(0, Math.min(100, (100 * (value - low)) / (high - low)))}%`);
+      if (document.activeElement !== field || Number(field.value) !== value) field.value = fixed(value, 3);
+      const text = turns ? `${fixed(value / DEGREE, 0)}°` : '';
+      degrees.textContent = text;
+      range.setAttribute('aria-valuetext', turns ? `${fixed(value, 2)} radians, ${fixed(value / DEGREE, 0)} degrees` : `${fixed(value, 3)} metres`);
+    },
+  };
+}
+
+const STEPS = {
+  ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageDown: -10, PageUp: 10, Home: -Infinity, End: Infinity,
+};
+
+/** Play: each joint sweeps to its upper end, to its lower one and back, one joint after the other. */
+function play(state) {
+  let frame = 0;
+  let begun = 0;
+  let from = [];
+  const calm = () => matchMedia('(prefers-reduced-motion: reduce)').matches;
+  const button = h('button', { type: 'button', class: 'kv-play', ...KEYS, onclick: () => (frame ? stop() : start()) }, '▶ Play');
+  function stop() {
+    cancelAnimationFrame(frame);
+    frame = 0;
+    button.textContent = '▶ Play';
+  }
+  function start() {
+    from = [...state.q()];
+    begun = performance.now();
+    button.textContent = '❚❚ Pause';
+    frame = requestAnimationFrame(tick);
+  }
+  function tick(now) {
+    const time = Math.max(0, now - begun);
+    const turn = state.sliders[Math.floor(time / SWEEP) % state.sliders.length];
+    let share = (time % SWEEP) / SWEEP;
+    if (calm()) share = Math.floor(share * 4) / 4; // four stations instead of a motion
+    const q = [...from];
+    const rest = from[turn.column];
+    const wave = Math.sin(2 * Math.PI * share);
+    q[turn.column] = rest + (wave > 0 ? wave * Math.max(0, turn.high - rest) : -wave * Math.min(0, turn.low - rest));
+    if (q.some((value, k) => value !== state.q()[k])) state.set(q);
+    if (button.isConnected) frame = requestAnimationFrame(tick);
+    else stop();
+  }
+  return { button, stop };
+}

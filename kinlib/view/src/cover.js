@@ -1,0 +1,43 @@
+// Predict mode: the picture stays covered until a prediction is committed, here or in a question above. Who insists may
+// look; nothing is recorded for it.
+import { h, KEYS, unique } from './dom.js';
+
+/** @param model with covered, prediction { text, options } and choice @returns { element, update() } */
+export function cover(model) {
+  const element = h('div', { class: 'kv-cover', role: 'group', 'aria-label': 'Prediction' });
+  let drawn;
+  const lift = (choice) => {
+    if (choice !== undefined) model.set('choice', choice);
+    model.set('covered', false);
+    model.save_changes();
+  };
+  function content() {
+    const { text, options = [] } = model.get('prediction') ?? {};
+    const anyway = h('button', { type: 'button', ...KEYS, class: 'kv-quiet', onclick: () => lift() }, 'Show anyway');
+    if (!text) {
+      return [h('p', { class: 'kv-title' }, 'Commit to your prediction above first'),
+        h('p', {}, 'The arm appears here as soon as you have.'), anyway];
+    }
+    const group = unique('prediction');
+    const commit = h('button', { type: 'button', ...KEYS, disabled: true, onclick: () => {
+      lift(Number(element.querySelector('input:checked').value));
+    } }, 'Commit');
+    return [
+      h('p', { class: 'kv-title' }, 'Predict'), h('p', {}, text),
+      ...options.map((option, k) => h('label', {}, h('input', {
+        ...KEYS, type: 'radio', name: group, value: k, onchange: () => { commit.disabled = false; },
+      }), ' ', option)),
+      h('div', { class: 'kv-buttons' }, commit, anyway),
+    ];
+  }
+  return {
+    element,
+    update() {
+      const covered = model.get('covered');
+      if (covered === drawn) return;
+      drawn = covered;
+      element.hidden = !covered;
+      element.replaceChildren(...(covered ? content() : []));
+    },
+  };
+}

@@ -1,0 +1,58 @@
+// A figure: the bodies of an arm, or of the arms of a closed chain, as nested groups. A joint's group is turned by
+// exp([S_i] q_i), and what it holds is given where it is at home: the scene graph is the product of exponentials.
+import { Group, Matrix4 } from 'three';
+import { screwExp } from './screw.js';
+
+export class Figure {
+  /** @param arms [{ columns, joints: [{ screw }], home }], all standing on one base, which is body 0 of each of them */
+  constructor(arms) {
+    this.root = new Group();
+    this.arms = arms.map((arm) => {
+      const bodies = [this.root];
+      for (const { screw } of arm.joints) {
+        const body = new Group();
+        body.matrixAutoUpdate = false;
+        body.userData.screw = screw;
+        bodies.at(-1).add(body);
+        bodies.push(body);
+      }
+      const tool = new Group();
+      tool.matrixAutoUpdate = false;
+      tool.matrix.set(...arm.home);
+      bodies.at(-1).add(tool);
+      return { bodies, tool, columns: arm.columns };
+    });
+    /** what moves with each joint value and is not a rigid body: the rods of slides */
+    this.stretched = [];
+  }
+
+  body(arm, index) {
+    return this.arms[arm].bodies[index];
+  }
+
+  setQ(q) {
+    for (const { bodies, columns } of this.arms) {
+      columns.forEach((column, i) => {
+        const body = bodies[i + 1];
+        screwExp(body.userData.screw, q[column], body.matrix);
+        body.matrixWorldNeedsUpdate = true;
+      });
+    }
+    for (const stretch of this.stretched) stretch(q);
+    this.root.updateMatrixWorld(true);
+  }
+
+  /** T_sb of an arm, in rows. */
+  pose(arm = 0) {
+    return rows(this.arms[arm].tool.matrixWorld);
+  }
+}
+
+export function rows(matrix) {
+  const e = matrix.elements;
+  return [0, 1, 2, 3].map((row) => [0, 1, 2, 3].map((column) => e[4 * column + row]));
+}
+
+export function matrixOf(numbers) {
+  return new Matrix4().set(...numbers);
+}

@@ -1,0 +1,136 @@
+// Names in the picture: drawn flat, over the solids, each beside its point where it covers least. A name that has to go
+// far from its point gets a thin line back to it.
+import { Vector3 } from 'three';
+
+const SIZE = 14;
+const RINGS = [12, 19, 29, 42];
+const TURNS = [0, 30, -30, 60, -60, 95, -95, 135, -135, 180];
+const FONT = '"Segoe UI", "Helvetica Neue", "DejaVu Sans", Arial, sans-serif';
+
+const at = new Vector3();
+const back = new Vector3();
+
+export function fontOf(label, size = SIZE) {
+  return `${label.italic ? 'italic ' : ''}600 ${size}px ${FONT}`;
+}
+
+/** Place labels and draw them. @param labels [{ at, from?, body, text, sub, colour, weight, seat? }] */
+export function drawLabels(context, labels, eye, { halo, leader }) {
+  const taken = [];
+  const order = labels.map((label) => prepared(context, label, eye)).sort((a, b) => b.label.weight - a.label.weight);
+  const anchors = order.map(({ x, y }) => [x, y]);
+  for (const item of order) {
+    const box = place(item, taken, anchors, eye);
+    if (!box) continue;
+    taken.push(box);
+    if (item.label.seat.ring > 1) line(context, [item.x, item.y], box, leader);
+    write(context, item, box, halo);
+  }
+  return taken.length;
+}
+
+function prepared(context, label, eye) {
+  at.set(...label.at).applyMatrix4(label.body.matrixWorld);
+  eye.project(at, at);
+  const [x, y] = [at.x, at.y];
+  let away = Math.PI / 4; // up and to the right, where nothing says otherwise
+  let [dx, dy] = [0, 0];
+  if (label.from) {
+    back.set(...label.from).applyMatrix4(label.body.matrixWorld);
+    eye.project(back, back);
+    [dx, dy] = [x - back.x, back.y - y];
+    if (Math.hypot(dx, dy) > 3) away = Math.atan2(dy, dx);
+  }
+  if (label.width === undefined) {
+    context.font = fontOf(label);
+    label.main = context.measureText(label.text).width;
+    context.font = fontOf(label, 0.72 * SIZE);
+    label.width = label.main + (label.sub ? context.measureText(label.sub).width + 0.5 : 0);
+  }
+  return { label, x, y, away };
+}
+
+/** The first free place, or the least bad one; where the label stood last time wins a draw, so that it does not jump. */
+function place(item, taken, anchors, eye) {
+  const { label, x, y, away } = item;
+  const [w, h] = [label.width / 2 + 1, 0.5 * SIZE];
+  let best = null;
+  let least = 14;
+  RINGS.forEach((radius, ring) => TURNS.forEach((degrees, turn) => {
+    const angle = away + (degrees * Math.PI) / 180;
+    const [cx, cy] = [x + Math.cos(angle) * (radius + w - 4), y - Math.sin(angle) * radius];
+    const box = { left: cx - w, right: cx + w, top: cy - h, bottom: cy + h };
+    if (box.left < 2 || box.right > eye.width - 2 || box.top < 2 || box.bottom > eye.height - 2) return;
+    if (taken.some((other) => box.left < other.right + 2 && other.left < box.right + 2
+      && box.top < other.bottom + 1 && other.top < box.bottom + 1)) return;
+    let cost = 2.2 * ring + Math.abs(degrees) / 60;
+    for (const [px, py] of anchors) { // better not on the tip of something else
+      if (px > box.left - 4 && px < box.right + 4 && py > box.top - 4 && py < box.bottom + 4) cost += 2;
+    }
+    if (label.seat?.ring === ring && label.seat.turn === turn) cost -= 0.8;
+    if (cost < least) [best, least] = [{ ...box, ring, turn }, cost];
+  }));
+  label.seat = best && { ring: best.ring, turn: best.turn };
+  return best;
+}
+
+function line(context, [x, y], box, colour) {
+  const end = [Math.max(box.left, Math.min(box.right, x)), Math.max(box.top, Math.min(box.bottom, y))];
+  context.strokeStyle = colour;
+  context.lineWidth = 1;
+  context.beginPath();
+  context.moveTo(x, y);
+  context.lineTo(...end);
+  context.stroke();
+}
+
+function write(context, { label }, box, halo) {
+  const middle = (box.top + box.bottom) / 2;
+  const pieces = [[label.text, SIZE, box.left + 1, middle], [label.sub, 0.72 * SIZE, box.left + 1.5 + label.main, middle + 4]];
+  context.textAlign = 'left';
+  context.textBaseline = 'middle';
+  context.lineJoin = 'round';
+  for (const [text, size, left, y] of pieces) {
+    if (!text) continue;
+    context.font = fontOf(label, size);
+    context.strokeStyle = halo;
+    context.lineWidth = 3.5;
+    context.strokeText(text, left, y);
+  }
+  for (const [text, size, left, y] of pieces) {
+    if (!text) continue;
+    context.font = fontOf(label, size);
+    context.fillStyle = label.colour;
+    context.fillText(text, left, y);
+  }
+}
+
+/** A length beside what it measures: a thin line with ticks at its ends, and the number on it. */
+export function drawDimension(context, { body, from, to, text, colour }, eye, halo) {
+  const p = eye.project(at.set(...from).applyMatrix4(body.matrixWorld), new Vector3());
+  const q = eye.project(back.set(...to).applyMatrix4(body.matrixWorld), new Vector3());
+  const length = Math.hypot(q.x - p.x, q.y - p.y);
+  if (length < 26) return; // seen end on: a number here would say nothing
+  const flip = q.x - p.x > 0 ? 1 : -1;
+  const [nx, ny] = [(-(q.y - p.y) / length) * flip, ((q.x - p.x) / length) * flip];
+  const off = 22;
+  context.strokeStyle = colour;
+  context.lineWidth = 1;
+  context.beginPath();
+  for (const end of [p, q]) {
+    context.moveTo(end.x + (off - 5) * nx, end.y + (off - 5) * ny);
+    context.lineTo(end.x + (off + 5) * nx, end.y + (off + 5) * ny);
+  }
+  context.moveTo(p.x + off * nx, p.y + off * ny);
+  context.lineTo(q.x + off * nx, q.y + off * ny);
+  context.stroke();
+  context.font = fontOf({}, 12);
+  context.textAlign = 'center';
+  context.textBaseline = 'middle';
+  const [x, y] = [(p.x + q.x) / 2 + off * nx, (p.y + q.y) / 2 + off * ny];
+  context.strokeStyle = halo;
+  context.lineWidth = 5;
+  context.strokeText(text, x, y);
+  context.fillStyle = colour;
+  context.fillText(text, x, y);
+}

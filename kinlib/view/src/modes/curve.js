@@ -1,0 +1,108 @@
+// A closed chain on its curves: a driver slider along one of them, the configuration space beside, click to go there.
+import { h, KEYS, unique } from '../dom.js';
+
+const SIDE = 260;
+const MARGIN = 30;
+
+/** @param kit.data { curves: [[[q...], ...], ...], closed: [bool...], across: [column, column], names: [name, name], labels: [text...] } */
+export function curve({ stage, data, state }) {
+  const { curves, across, names } = data;
+  const id = unique('curve');
+  let at = nearest(curves, state.q());
+  const go = (which, sample) => state.set(curves[which][sample]);
+  const driver = h('input', { ...KEYS, id, type: 'range', min: 0, step: 1, oninput: () => go(at.which, Number(driver.value)) });
+  const select = h('select', { ...KEYS, 'aria-label': 'Assembly mode', onchange: () => {
+    const which = Number(select.value);
+    go(which, nearest([curves[which]], state.q()).sample);
+  } }, ...curves.map((_, k) => h('option', { value: k }, data.labels?.[k] ?? `assembly mode ${k + 1}`)));
+  const canvas = h('canvas', { class: 'kv-map', tabindex: 0, role: 'img', ...KEYS, onclick: (event) => {
+    const box = canvas.getBoundingClientRect();
+    const point = [event.clientX - box.left, event.clientY - box.top];
+    const found = closest(curves.map((samples) => samples.map(place)), point);
+    go(found.which, found.sample);
+  }, onkeydown: (event) => {
+    const step = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
+    if (!step) return;
+    event.preventDefault();
+    const many = curves[at.which].length;
+    go(at.which, (at.sample + step + many) % many);
+  } });
+  const bounds = across.map((column) => {
+    const values = curves.flat().map((q) => q[column]);
+    const [low, high] = [Math.min(...values), Math.max(...values)];
+    const room = 0.06 * (high - low) || 0.5;
+    return [low - room, high + room];
+  });
+
+  function place(q) {
+    const [x, y] = across.map((column, k) => (q[column] - bounds[k][0]) / (bounds[k][1] - bounds[k][0]));
+    return [MARGIN + x * (SIDE - MARGIN - 8), SIDE - MARGIN - y * (SIDE - MARGIN - 8)];
+  }
+
+  function paint(q) {
+    const ratio = Math.min(devicePixelRatio || 1, 2);
+    canvas.width = SIDE * ratio;
+    canvas.height = SIDE * ratio;
+    canvas.style.width = `${SIDE}px`;
+    const context = canvas.getContext('2d');
+    const { theme } = stage;
+    context.scale(ratio, ratio);
+    context.fillStyle = theme.paper;
+    context.fillRect(0, 0, SIDE, SIDE);
+    context.strokeStyle = theme.grid;
+    context.strokeRect(MARGIN, 8, SIDE - MARGIN - 8, SIDE - MARGIN - 8);
+    curves.forEach((samples, which) => {
+      context.strokeStyle = which === at.which ? theme.axis : theme.quiet;
+      context.lineWidth = which === at.which ? 2.5 : 1.5;
+      context.setLineDash(which === at.which ? [] : [5, 3]);
+      context.beginPath();
+      samples.forEach((sample, k) => context[k ? 'lineTo' : 'moveTo'](...place(sample)));
+      context.stroke();
+    });
+    context.setLineDash([]);
+    context.beginPath();
+    context.arc(...place(q), 6, 0, 2 * Math.PI);
+    context.fillStyle = theme.normal;
+    context.fill();
+    context.strokeStyle = theme.ink;
+    context.lineWidth = 1.5;
+    context.stroke();
+    context.fillStyle = theme.ink;
+    context.font = 'italic 600 13px sans-serif';
+    context.fillText(names[0].replace('_', ''), SIDE - 26, SIDE - 10);
+    context.fillText(names[1].replace('_', ''), 4, 18);
+  }
+
+  return {
+    element: h('div', { class: 'kv-curve' },
+      h('div', { class: 'kv-row kv-driver' }, h('label', { for: id }, 'drive'), driver),
+      ...(curves.length > 1 ? [select] : []), canvas),
+    replacesSliders: true,
+    update(q) {
+      at = nearest(curves, q, at);
+      driver.max = curves[at.which].length - 1;
+      driver.value = at.sample;
+      select.value = at.which;
+      canvas.setAttribute('aria-label', `Configuration space, ${names.join(' against ')}: ${curves.length} curves; the arm is at sample ${at.sample + 1} of curve ${at.which + 1}.`);
+      paint(q);
+    },
+    dress: () => paint(state.q()),
+  };
+}
+
+/** The sample of all curves that is nearest to q; between equals, the one on the curve of before. */
+function nearest(curves, q, before) {
+  const found = closest(curves, q);
+  if (before === undefined || found.which === before.which) return found;
+  const own = closest([curves[before.which]], q);
+  return own.distance <= found.distance + 1e-12 ? { ...own, which: before.which } : found;
+}
+
+function closest(lists, point) {
+  const best = { which: 0, sample: 0, distance: Infinity };
+  lists.forEach((samples, which) => samples.forEach((values, sample) => {
+    const distance = values.reduce((sum, value, k) => sum + (value - point[k]) ** 2, 0);
+    if (distance < best.distance) Object.assign(best, { which, sample, distance });
+  }));
+  return best;
+}

@@ -1,0 +1,142 @@
+// What an arm is made of: for each layer its parts, which are solids and labels on the bodies, at home.
+// A part is { body, shape, from, to, radius, colour }, a label { body, at, from, text, sub, colour, weight }.
+import { dashes } from './shapes.js';
+
+export const COLOURS = {
+  x: '#c1121f', y: '#1a7f37', z: '#0b5cad',
+  violet: '#7d3ac1', orange: '#b35900',
+};
+
+/** Sizes, as shares of the arm's size. */
+export const JOINT = 0.05;
+const LINK = 0.026;
+const ROD = 0.0066;
+
+const add = (p, q, s = 1) => p.map((value, k) => value + s * q[k]);
+const minus = (p, q) => add(p, q, -1);
+const norm = (p) => Math.hypot(...p);
+const unit = (p) => p.map((value) => value / (norm(p) || 1));
+
+/** Where a joint is drawn: joints that share point and axis stand side by side. */
+export function seat(joint, size) {
+  return add(joint.point, joint.axis, 3.3 * JOINT * size * joint.shift);
+}
+
+export function links(arm, size, colours) {
+  return arm.links.flatMap((path, body) => path.slice(1).map((to, k) => (
+    { body, shape: 'capsule', from: path[k], to, radius: LINK * size, colour: colours.link })));
+}
+
+export function joints(arm, size, colours) {
+  const r = JOINT * size;
+  return arm.joints.flatMap((joint, i) => {
+    const centre = seat(joint, size);
+    const at = (share) => add(centre, joint.axis, share * r);
+    if (joint.kind === 'P') { // the sleeve stays on the link before, what slides in it is a rod
+      return [{ body: i, shape: 'box', from: at(-1.6), to: at(1.6), radius: 0.92 * r, colour: colours.joint }];
+    }
+    const body = { body: i + 1, shape: 'cylinder', from: at(-1.5), to: at(1.5), radius: r, colour: colours.joint };
+    const caps = [-1, 1].map((end) => (
+      { ...body, from: at(1.5 * end), to: at(1.62 * end), radius: 0.55 * r, colour: colours.cap }));
+    if (joint.kind === 'H') {
+      const thread = { shape: 'helix', radius: 1.02 * r, turns: Math.sign(joint.travel) * 3, wire: 0.09 * r };
+      return [{ ...body, radius: 0.96 * r }, ...caps, { ...body, ...thread, from: at(-1.3), to: at(1.3), colour: colours.ink }];
+    }
+    // a mark on the rim: a cylinder that turns about its own axis shows nothing else
+    const side = square(joint.axis);
+    const mark = { ...body, shape: 'rod', from: add(at(-1.5), side, r), to: add(at(1.5), side, r), radius: 0.13 * r, colour: colours.ink };
+    return [body, ...caps, mark];
+  });
+}
+
+/** What leaves the sleeve of a slide or climbs out of a helical joint: a rod as long as the way that it went. */
+export function rods(arm, size, colours) {
+  return arm.joints.flatMap((joint, i) => (joint.travel === 0 ? [] : [{
+    body: i, joint: i, start: joint.point, axis: joint.axis, travel: joint.travel, radius: 0.75 * LINK * size, colour: colours.rod,
+  }]));
+}
+
+/** Screw axes: dashed, with a tip, named; on the body before the joint, which holds the axis still. */
+export function axes(arm, size, { letter, colour, onBody = (i) => i }) {
+  return arm.joints.flatMap((joint, i) => {
+    const body = onBody(i);
+    const centre = seat(joint, size);
+    const from = add(centre, joint.axis, -0.26 * size);
+    const neck = add(centre, joint.axis, 0.31 * size);
+    const tip = add(centre, joint.axis, 0.36 * size);
+    const line = { body, from, to: neck, radius: 0.0048 * size, colour, dash: 0.035 * size, gap: 0.018 * size };
+    return [
+      ...dashes(line),
+      { body, shape: 'cone', from: neck, to: tip, radius: 0.014 * size, colour },
+      { body, label: true, at: tip, from: centre, text: letter, sub: `${i + 1}`, colour, italic: true, weight: 3 },
+    ];
+  });
+}
+
+/** Frames as three thin rods with a letter at each tip. Frames that share an origin get rods of different length. */
+export function triads(frames, size, colours, { numbered = false, length = 0.17 } = {}) {
+  const ranks = new Map();
+  return frames.flatMap(({ name, body, pose }) => {
+    const origin = [pose[3], pose[7], pose[11]];
+    const key = origin.map((value) => (value / size).toFixed(4)).join();
+    const rank = ranks.get(key) ?? 0;
+    ranks.set(key, rank + 1);
+    const long = (length + 0.055 * rank) * size;
+    const own = numbered && /^\d+$/.test(name);
+    const thick = own ? 0.85 : 1.15;
+    const made = ['x', 'y', 'z'].flatMap((letter, k) => {
+      const axis = [pose[k], pose[4 + k], pose[8 + k]];
+      const colour = colours[letter];
+      const neck = add(origin, axis, long - 0.035 * size);
+      const tip = add(origin, axis, long);
+      return [
+        { body, shape: 'rod', from: origin, to: neck, radius: thick * ROD * size, colour },
+        { body, shape: 'cone', from: neck, to: tip, radius: thick * 2.3 * ROD * size, colour },
+        { body, label: true, at: tip, from: origin, text: letter, sub: own ? name : '', colour, italic: true, weight: letter === 'y' ? 1 : 2 },
+      ];
+    });
+    made.push({ body, shape: 'sphere', from: origin, to: origin, radius: 1.6 * ROD * size, colour: colours.ink });
+    if (!own) made.push({ body, label: true, at: origin, text: `{${name}}`, sub: '', colour: colours.ink, weight: 4 });
+    return made;
+  });
+}
+
+/** Common normals, orange and dashed. One without length is a short line along its direction. */
+export function normals(arm, size, colours) {
+  return arm.normals.flatMap(({ body, from, to, along }, i) => {
+    const short = norm(minus(to, from)) < 1e-6 * size;
+    const half = short ? 0.09 * size : 0;
+    const ends = { from: add(from, along, -half), to: add(to, along, half) };
+    const middle = add(ends.from, minus(ends.to, ends.from), 0.5);
+    return [
+      ...dashes({ body, ...ends, radius: 0.0075 * size, colour: colours.normal, dash: 0.02 * size, gap: 0.011 * size }),
+      { body, label: true, at: short ? ends.to : middle, text: 'a', sub: `${i + 1}`, colour: colours.normal, italic: true, weight: 2 },
+    ];
+  });
+}
+
+/** Lengths of the links: a dimension line beside each piece, drawn flat on the sheet. */
+export function dimensions(arm, size, colours) {
+  return arm.links.flatMap((path, body) => path.slice(1).flatMap((to, k) => {
+    const length = norm(minus(to, path[k]));
+    if (length < 0.02 * size) return [];
+    return [{ body, dimension: true, from: path[k], to, text: `${Number(length.toPrecision(4))}`, colour: colours.ink }];
+  }));
+}
+
+/** A unit vector square to an axis, the same one every time. */
+export function square(axis) {
+  const least = axis.map(Math.abs).indexOf(Math.min(...axis.map(Math.abs)));
+  const other = [0, 1, 2].map((k) => (k === least ? 1 : 0));
+  const along = axis[least];
+  return unit(minus(other, axis.map((value) => value * along)));
+}
+
+/** What holds the arm where its base is above the floor: a column down to a foot. */
+export function mount({ floor, foot }, size, colours) {
+  const top = [foot[0], foot[1], foot[2]];
+  const ground = [foot[0], foot[1], floor];
+  const plate = { body: 0, shape: 'cylinder', from: ground, to: add(ground, [0, 0, 0.018 * size]), radius: 0.1 * size, colour: colours.rod };
+  if (foot[2] - floor < 0.05 * size) return [plate];
+  return [plate, { body: 0, shape: 'capsule', from: ground, to: top, radius: 0.03 * size, colour: colours.rod }];
+}

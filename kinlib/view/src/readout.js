@@ -1,0 +1,51 @@
+// Where the tool is: the pose as a matrix, its columns in the colours of the axes, and a button that copies it as Python.
+import { fixed, h, KEYS } from './dom.js';
+
+const HEADS = [['x̂', 'x'], ['ŷ', 'y'], ['ẑ', 'z'], ['p', 'p']];
+
+/** @returns { element, update(q, T) } */
+export function readout() {
+  let now = { q: [], T: [] };
+  const cells = Array.from({ length: 16 }, () => h('td'));
+  const told = h('span', { class: 'kv-told', role: 'status' });
+  const copy = h('button', { type: 'button', ...KEYS, class: 'kv-copy', title: 'Copy q and T(q) as Python', onclick: async () => {
+    told.textContent = (await toClipboard(python(now))) ? 'copied' : 'this page may not copy';
+    setTimeout(() => { told.textContent = ''; }, 2000);
+  } }, 'Copy');
+  const element = h('div', { class: 'kv-pose' },
+    h('table', {},
+      h('caption', {}, h('span', {}, 'Tool pose ', h('i', {}, 'T'), '(', h('i', {}, 'q'), '), {b} seen from {s}'), copy, told),
+      h('thead', {}, h('tr', {}, ...HEADS.map(([text, name]) => h('th', { scope: 'col', class: `kv-${name}` }, text)))),
+      h('tbody', {}, ...[0, 1, 2, 3].map((row) => h('tr', {}, ...cells.slice(4 * row, 4 * row + 4))))));
+  return {
+    element,
+    update(q, T) {
+      now = { q, T };
+      T.flat().forEach((value, k) => {
+        const text = fixed(value, 4);
+        if (cells[k].textContent !== text) cells[k].textContent = text;
+      });
+    },
+  };
+}
+
+/** Every digit, as code that can be pasted into a cell. */
+export function python({ q, T }) {
+  const row = (values) => `[${values.map((value) => `${value + 0}`).join(', ')}]`;
+  return `q = np.array(${row(q)})\nT = np.array([\n${T.map((values) => `    ${row(values)},`).join('\n')}\n])`;
+}
+
+async function toClipboard(text) {
+  try {
+    await navigator.clipboard.writeText(text);
+    return true;
+  } catch { // an older way, for pages that may not use the newer one
+    const field = h('textarea', { style: 'position:fixed;opacity:0' });
+    field.value = text;
+    document.body.append(field);
+    field.select();
+    const done = document.execCommand('copy');
+    field.remove();
+    return done;
+  }
+}

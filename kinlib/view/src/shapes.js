@@ -1,0 +1,104 @@
+// Shapes: solids between two points, merged into one mesh a body, so that an arm costs few draw calls.
+import {
+  BoxGeometry, BufferGeometry, CapsuleGeometry, Color, ConeGeometry, Curve, CylinderGeometry, Float32BufferAttribute,
+  Matrix4, Quaternion, SphereGeometry, TubeGeometry, Vector3,
+} from 'three';
+
+const UP = new Vector3(0, 1, 0);
+const ONE = new Vector3(1, 1, 1);
+
+class Helix extends Curve {
+  constructor(radius, height, turns) {
+    super();
+    Object.assign(this, { radius, height, turns });
+  }
+
+  getPoint(t, out = new Vector3()) {
+    const angle = 2 * Math.PI * this.turns * t;
+    return out.set(this.radius * Math.cos(angle), this.height * (t - 0.5), -this.radius * Math.sin(angle));
+  }
+}
+
+/** Geometry that stands along y, centred at 0, for each shape. */
+const MAKERS = {
+  rod: (length, r) => new CylinderGeometry(r, r, length, 12),
+  cylinder: (length, r) => new CylinderGeometry(r, r, length, 40),
+  cone: (length, r) => new ConeGeometry(r, length, 16),
+  box: (length, r) => new BoxGeometry(2 * r, length, 2 * r),
+  sphere: (_, r) => new SphereGeometry(r, 20, 14),
+  capsule: (length, r) => new CapsuleGeometry(r, length, 8, 20),
+  // the sign of the turns is the hand of the thread
+  helix: (length, r, { turns, wire }) => new TubeGeometry(new Helix(r, length, turns), 96, wire, 6),
+};
+
+/** @param part { shape, from, to, radius, ... } in metres; the solid runs from one point to the other */
+export function solid(part) {
+  const from = new Vector3(...part.from);
+  const along = new Vector3(...part.to).sub(from);
+  const length = along.length();
+  const geometry = MAKERS[part.shape](length, part.radius, part);
+  const turned = new Quaternion();
+  if (length > 0) turned.setFromUnitVectors(UP, along.clone().divideScalar(length));
+  const middle = from.addScaledVector(along, 0.5);
+  return geometry.applyMatrix4(new Matrix4().compose(middle, turned, ONE));
+}
+
+/** A dashed line is a row of rods: WebGL's own lines are one pixel wide. */
+export function dashes({ from, to, dash, gap, ...rest }) {
+  const start = new Vector3(...from);
+  const along = new Vector3(...to).sub(start);
+  const length = along.length();
+  const count = Math.max(1, Math.round((length + gap) / (dash + gap)));
+  const scale = length / (count * (dash + gap) - gap);
+  return Array.from({ length: count }, (_, k) => {
+    const at = (s) => start.clone().addScaledVector(along, (s * scale) / length).toArray();
+    return { ...rest, shape: 'rod', from: at(k * (dash + gap)), to: at(k * (dash + gap) + dash) };
+  });
+}
+
+/** One geometry out of many parts, each in its own colour. */
+export function merged(parts) {
+  const position = [];
+  const normal = [];
+  const swell = [];
+  const colour = [];
+  const index = [];
+  const ink = new Color();
+  for (const part of parts) {
+    const geometry = solid(part);
+    const first = position.length / 3;
+    const points = geometry.attributes.position.array;
+    for (const value of points) position.push(value);
+    for (const value of geometry.attributes.normal.array) normal.push(value);
+    for (const value of outwards(points, geometry.attributes.normal.array)) swell.push(value);
+    ink.set(part.colour);
+    for (let k = 0; k < points.length; k += 3) colour.push(ink.r, ink.g, ink.b);
+    for (const corner of geometry.index.array) index.push(first + corner);
+    geometry.dispose();
+  }
+  const whole = new BufferGeometry();
+  whole.setAttribute('position', new Float32BufferAttribute(position, 3));
+  whole.setAttribute('normal', new Float32BufferAttribute(normal, 3));
+  whole.setAttribute('swell', new Float32BufferAttribute(swell, 3));
+  whole.setAttribute('color', new Float32BufferAttribute(colour, 3));
+  whole.setIndex(index);
+  return whole;
+}
+
+/** Where an outline grows to: at an edge, where corners share a place but not a normal, the mean of the normals. */
+function outwards(points, normals) {
+  const sums = new Map();
+  const keys = [];
+  for (let k = 0; k < points.length; k += 3) {
+    const key = `${Math.fround(points[k]).toFixed(6)},${points[k + 1].toFixed(6)},${points[k + 2].toFixed(6)}`;
+    const sum = sums.get(key) ?? [0, 0, 0];
+    for (let c = 0; c < 3; c += 1) sum[c] += normals[k + c];
+    sums.set(key, sum);
+    keys.push(key);
+  }
+  return keys.flatMap((key) => {
+    const [x, y, z] = sums.get(key);
+    const length = Math.hypot(x, y, z) || 1;
+    return [x / length, y / length, z / length];
+  });
+}

@@ -1,0 +1,219 @@
+// The stage: an arm's layers of parts, the floor, the light and the eye, painted when something has changed.
+// A layer is a named set of parts that is shown or not; see parts.js for what a part is.
+import {
+  BackSide, BufferGeometry, Color, CylinderGeometry, DirectionalLight, Float32BufferAttribute, HemisphereLight,
+  LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshStandardMaterial, Quaternion, Scene, Vector3,
+} from 'three';
+import { Eye } from './camera.js';
+import { Figure } from './figure.js';
+import { drawDimension, drawLabels } from './labels.js';
+import { canPaint, paint } from './painter.js';
+import { drawFlat } from './flat.js';
+import { merged } from './shapes.js';
+
+export class Stage {
+  /** @param data what kinlib/view/scene.py says; @param canvas where the picture goes */
+  constructor(data, canvas, theme) {
+    this.data = data;
+    this.canvas = canvas;
+    this.context = canvas.getContext('2d');
+    this.theme = theme;
+    this.figure = new Figure(data.arms);
+    this.layers = new Map();
+    this.flat = !canPaint();
+    this.scene = new Scene();
+    this.scene.add(this.figure.root);
+    this.eye = new Eye(data.room, () => this.draw());
+    this.solid = new MeshStandardMaterial({ vertexColors: true, roughness: 0.62, metalness: 0 });
+    this.edge = new MeshBasicMaterial({ side: BackSide });
+    this.edge.onBeforeCompile = (shader) => {
+      shader.uniforms.width = this.edge.userData.width;
+      shader.vertexShader = shader.vertexShader
+        .replace('#include <common>', '#include <common>\nattribute vec3 swell;\nuniform float width;')
+        .replace('#include <begin_vertex>', 'vec3 transformed = position + width * swell;');
+    };
+    this.edge.userData.width = { value: 0 };
+    this.#light();
+    this.#floor();
+    this.repaint(theme);
+    /** called with the 2-D context before and after the labels: overlays of the modes */
+    this.overlays = new Set();
+  }
+
+  #light() {
+    this.sky = new HemisphereLight(0xffffff, 0x8d96a8, 2.1);
+    this.sky.position.set(0, 0, 1);
+    const sun = new DirectionalLight(0xffffff, 1.7);
+    sun.position.set(1, -1.6, 2.4);
+    this.scene.add(this.sky, sun);
+  }
+
+  /** A grid at the height of the floor, fading out, in steps of 1, 2 or 5. */
+  #floor() {
+    const { centre, radius } = this.data.room;
+    const step = roundStep(radius / 4);
+    const reach = 1.25 * radius;
+    const [cx, cy] = [0, 1].map((k) => Math.round(centre[k] / step) * step);
+    const count = Math.ceil(reach / step);
+    const position = [];
+    const alpha = [];
+    const point = (x, y) => {
+      position.push(x, y, this.data.floor);
+      alpha.push(Math.max(0, 1 - (Math.hypot(x - cx, y - cy) / reach) ** 2));
+    };
+    for (let i = -count; i <= count; i += 1) {
+      for (let k = -count; k < count; k += 1) {
+        point(cx + i * step, cy + k * step);
+        point(cx + i * step, cy + (k + 1) * step);
+        point(cx + k * step, cy + i * step);
+        point(cx + (k + 1) * step, cy + i * step);
+      }
+    }
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new Float32BufferAttribute(position, 3));
+    geometry.setAttribute('color', new Float32BufferAttribute(alpha.flatMap((a) => [1, 1, 1, a]), 4));
+    this.grid = new LineSegments(geometry, new LineBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false }));
+    this.grid.renderOrder = -1;
+    this.gridStep = step;
+    this.scene.add(this.grid);
+  }
+
+  /** Take on the colours of a theme; whoever made layers makes them anew. */
+  repaint(theme) {
+    this.theme = theme;
+    this.grid.material.color = new Color(theme.grid);
+    this.edge.color = new Color(theme.outline);
+    this.draw();
+  }
+
+  /** Put a layer on the stage, in place of the one of that name. Parts name a body, and an arm where there are several. */
+  put(name, parts, { figure = this.figure, material = this.solid, outlined = false } = {}) {
+    this.remove(name);
+    const meshes = [];
+    const bodyOf = (part) => figure.body(part.arm ?? 0, part.body);
+    const solids = parts.filter((part) => part.shape);
+    for (const [body, group] of groupBy(solids, bodyOf)) {
+      const geometry = merged(group);
+      const mesh = new Mesh(geometry, material);
+      meshes.push([body, mesh]);
+      if (outlined) meshes.push([body, new Mesh(geometry, this.edge)]);
+    }
+    for (const [body, mesh] of meshes) {
+      body.add(mesh);
+      if (material.userData.order) mesh.renderOrder = material.userData.order;
+    }
+    const flat = parts.filter((part) => !part.shape).map((part) => ({ ...part, body: bodyOf(part) }));
+    this.layers.set(name, {
+      meshes: meshes.map(([, mesh]) => mesh),
+      labels: flat.filter((part) => part.label),
+      dimensions: flat.filter((part) => part.dimension),
+      solids: solids.map((part) => ({ ...part, body: bodyOf(part) })),
+      shown: true,
+    });
+    this.draw();
+  }
+
+  /** Rods of slides: one mesh each, as long as the joint has gone. */
+  putRods(name, rods, { figure = this.figure, material } = {}) {
+    this.remove(name);
+    const up = new Vector3(0, 1, 0);
+    const shape = new CylinderGeometry(1, 1, 1, 14);
+    const meshes = rods.map((rod) => {
+      const mesh = new Mesh(shape, material ?? new MeshStandardMaterial({ color: rod.colour, roughness: 0.4 }));
+      const axis = new Vector3(...rod.axis);
+      const column = figure.arms[rod.arm ?? 0].columns[rod.joint];
+      mesh.quaternion.copy(new Quaternion().setFromUnitVectors(up, axis));
+      figure.stretched.push((q) => {
+        const way = rod.travel * q[column];
+        mesh.position.set(...rod.start).addScaledVector(axis, way / 2);
+        mesh.scale.set(rod.radius, Math.max(Math.abs(way), 1e-9), rod.radius);
+      });
+      figure.body(rod.arm ?? 0, rod.body).add(mesh);
+      return mesh;
+    });
+    const solids = rods.map((rod, k) => ({ rod: meshes[k], colour: rod.colour, radius: rod.radius }));
+    this.layers.set(name, { meshes, labels: [], dimensions: [], solids, shown: true });
+  }
+
+  show(name, shown) {
+    const layer = this.layers.get(name);
+    if (!layer) return;
+    layer.shown = shown;
+    for (const mesh of layer.meshes) mesh.visible = shown;
+    this.draw();
+  }
+
+  remove(name) {
+    for (const mesh of this.layers.get(name)?.meshes ?? []) {
+      mesh.removeFromParent();
+      mesh.geometry.dispose();
+    }
+    this.layers.delete(name);
+  }
+
+  setQ(q) {
+    this.figure.setQ(q);
+    this.draw();
+  }
+
+  resize(width, height) {
+    const ratio = Math.min(devicePixelRatio || 1, 2);
+    Object.assign(this, { width, height, ratio });
+    this.canvas.width = Math.round(width * ratio);
+    this.canvas.height = Math.round(height * ratio);
+    this.eye.resize(width, height);
+    this.paint(); // a canvas is blank after it was sized
+  }
+
+  /** Ask for a picture: many changes in one frame are painted once, and what nobody sees is painted when it is seen. */
+  draw() {
+    this.stale = true;
+    if (this.waiting || !this.visible) return;
+    this.waiting = requestAnimationFrame(() => {
+      this.waiting = 0;
+      this.paint();
+    });
+  }
+
+  see(visible) {
+    this.visible = visible;
+    if (visible && this.stale) this.draw();
+  }
+
+  paint() {
+    if (!this.width || !this.visible) return;
+    const { context, eye, theme, ratio, width, height } = this;
+    this.stale = false;
+    this.figure.root.updateMatrixWorld(true);
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.fillStyle = theme.paper;
+    context.fillRect(0, 0, width, height);
+    const shown = [...this.layers.values()].filter((layer) => layer.shown);
+    this.edge.userData.width.value = 1.1 * eye.scale;
+    if (this.flat) drawFlat(context, shown.flatMap((layer) => layer.solids), eye, theme);
+    else this.calls = paint(this.scene, eye.camera, context, { width, height, ratio });
+    for (const dimension of shown.flatMap((layer) => layer.dimensions)) drawDimension(context, dimension, eye, theme.halo);
+    this.labelled = drawLabels(context, shown.flatMap((layer) => layer.labels), eye, { halo: theme.halo, leader: theme.quiet });
+    for (const overlay of this.overlays) overlay(context, eye);
+    this.canvas.dataset.pictures = Number(this.canvas.dataset.pictures ?? 0) + 1;
+  }
+
+  dispose() {
+    cancelAnimationFrame(this.waiting);
+    for (const name of [...this.layers.keys()]) this.remove(name);
+    for (const thing of [this.grid.geometry, this.grid.material, this.solid, this.edge]) thing.dispose();
+    this.visible = false;
+  }
+}
+
+function groupBy(parts, key) {
+  const groups = new Map();
+  for (const part of parts) groups.set(key(part), [...(groups.get(key(part)) ?? []), part]);
+  return groups;
+}
+
+/** The length 1, 2 or 5 times a power of ten that is nearest above a rough one. */
+export function roundStep(rough) {
+  const power = 10 ** Math.floor(Math.log10(rough));
+  return [1, 2, 5, 10].map((digit) => digit * power).find((step) => step >= 0.999 * rough);
+}

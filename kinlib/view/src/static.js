@@ -1,0 +1,40 @@
+// A page without a kernel: the state stands in the page as JSON, and this stands in for the model of the kernel.
+import { widget } from './viewer.js';
+
+class StaticModel {
+  #state;
+  #listeners = new Map();
+
+  constructor(state) {
+    this.#state = { ...state };
+  }
+
+  get(name) {
+    return this.#state[name];
+  }
+
+  set(name, value) {
+    this.#state[name] = value;
+    for (const listener of this.#listeners.get(`change:${name}`) ?? []) listener();
+  }
+
+  on(event, listener) {
+    this.#listeners.set(event, [...(this.#listeners.get(event) ?? []), listener]);
+  }
+
+  off(event, listener) {
+    this.#listeners.set(event, (this.#listeners.get(event) ?? []).filter((other) => other !== listener));
+  }
+
+  save_changes() {} // nobody to save for
+}
+
+/** Bring to life what is on the page and sleeps: each viewer takes the place of its drawn figure. */
+export function wake(root = document) {
+  for (const element of root.querySelectorAll('[data-kinlib-viewer]:not([data-awake])')) {
+    element.dataset.awake = '';
+    const state = JSON.parse(element.querySelector('script[type="application/json"]').textContent);
+    element.querySelector('[data-kinlib-drawing]')?.remove();
+    widget.render({ model: new StaticModel(state), el: element });
+  }
+}

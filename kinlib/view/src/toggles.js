@@ -1,0 +1,32 @@
+// What is shown, and from where: buttons that stay pressed, a list of frames, and the named views.
+import { FRAME_LAYERS, FRAMES, framesOf, TOGGLES, without } from './arm.js';
+import { VIEWS } from './camera.js';
+import { h, KEYS } from './dom.js';
+
+/** @param state { available, shown(), setShown(names) } @returns { element, update() } */
+export function toggles({ available, shown, setShown }) {
+  const buttons = Object.entries(TOGGLES).filter(([name]) => available.includes(name)).map(([name, text]) => {
+    const button = h('button', { type: 'button', class: 'kv-chip', ...KEYS, onclick: () => {
+      const now = shown();
+      setShown(now.includes(name) ? without(now, [name]) : [...now, name]);
+    } }, text);
+    return { name, button };
+  });
+  const select = h('select', { ...KEYS, 'aria-label': 'Frames', onchange: () => (
+    setShown([...without(shown(), FRAME_LAYERS), ...FRAMES[select.value].layers])) },
+  ...Object.entries(FRAMES)
+    .filter(([, { layers }]) => layers.every((layer) => available.includes(layer)))
+    .map(([value, { name }]) => h('option', { value }, name)));
+  return {
+    element: h('div', { class: 'kv-toggles', role: 'group', 'aria-label': 'Show' }, select, ...buttons.map(({ button }) => button)),
+    update() {
+      for (const { name, button } of buttons) button.setAttribute('aria-pressed', String(shown().includes(name)));
+      select.value = framesOf(shown());
+    },
+  };
+}
+
+export function views(eye) {
+  return h('div', { class: 'kv-views', role: 'group', 'aria-label': 'View' },
+    ...Object.keys(VIEWS).map((name) => h('button', { type: 'button', ...KEYS, onclick: () => eye.look(name) }, name)));
+}

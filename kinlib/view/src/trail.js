@@ -1,0 +1,69 @@
+// The way of the tool: where it has been since the trail was switched on.
+import {
+  CylinderGeometry, DynamicDrawUsage, InstancedMesh, Matrix4, MeshBasicMaterial, Quaternion, Vector3,
+} from 'three';
+
+const MOST = 900; // the oldest piece goes first
+const UP = new Vector3(0, 1, 0);
+
+export class Trail {
+  constructor(stage) {
+    this.stage = stage;
+    this.mesh = new InstancedMesh(new CylinderGeometry(1, 1, 1, 6), new MeshBasicMaterial({ color: stage.theme.trail }), MOST);
+    this.mesh.instanceMatrix.setUsage(DynamicDrawUsage);
+    this.mesh.frustumCulled = false;
+    this.points = [];
+    this.clear();
+    stage.scene.add(this.mesh);
+    this.onPaint = (context, eye) => this.#flat(context, eye);
+    stage.overlays.add(this.onPaint);
+  }
+
+  clear() {
+    this.mesh.count = 0;
+    this.next = 0;
+    this.last = null;
+    this.points.length = 0;
+  }
+
+  /** The tool came here. Steps too short to see are left out. */
+  add(point) {
+    const { size } = this.stage.data;
+    if (this.last && this.last.distanceTo(point) < 0.002 * size) return;
+    if (this.last) {
+      const along = new Vector3().subVectors(point, this.last);
+      const length = along.length();
+      const turned = new Quaternion().setFromUnitVectors(UP, along.divideScalar(length));
+      const middle = new Vector3().lerpVectors(this.last, point, 0.5);
+      const scale = new Vector3(0.005 * size, 1.02 * length, 0.005 * size);
+      this.mesh.setMatrixAt(this.next, new Matrix4().compose(middle, turned, scale));
+      this.mesh.instanceMatrix.needsUpdate = true;
+      this.next = (this.next + 1) % MOST;
+      this.mesh.count = Math.min(MOST, this.mesh.count + 1);
+    }
+    this.last = point.clone();
+    this.points.push(this.last);
+    if (this.points.length > MOST) this.points.shift();
+  }
+
+  #flat(context, eye) {
+    if (!this.stage.flat || this.points.length < 2) return;
+    context.strokeStyle = this.stage.theme.trail;
+    context.lineWidth = 2;
+    context.beginPath();
+    this.points.forEach((point, k) => {
+      const { x, y } = eye.project(point, new Vector3());
+      if (k) context.lineTo(x, y);
+      else context.moveTo(x, y);
+    });
+    context.stroke();
+  }
+
+  dispose() {
+    this.stage.overlays.delete(this.onPaint);
+    this.mesh.removeFromParent();
+    this.mesh.geometry.dispose();
+    this.mesh.material.dispose();
+    this.mesh.dispose();
+  }
+}

@@ -1,0 +1,165 @@
+// The viewer: puts stage, controls and readout together. There is one path for every change: whoever sets a trait, here
+// or in Python, sets the model, and the page is drawn from the model's change.
+import { Vector3 } from 'three';
+import { dress, FRAME_LAYERS, haunt, reveal, TOGGLES } from './arm.js';
+import { steer } from './camera.js';
+import { controls } from './controls.js';
+import { cover } from './cover.js';
+import { fixed, h, KEYS } from './dom.js';
+import { MODES } from './modes/index.js';
+import { readout } from './readout.js';
+import { Stage } from './stage.js';
+import { isDark, onThemeChange, themeOf } from './theme.js';
+import { toggles, views } from './toggles.js';
+import { Trail } from './trail.js';
+import css from './viewer.css';
+
+const HEIGHT = 0.78; // of the width of the picture
+const SAID_AFTER = 700; // milliseconds of rest before a screen reader hears the pose
+
+function render({ model, el }) {
+  style();
+  const data = model.get('scene');
+  const q = () => model.get('q');
+  const set = (values) => {
+    model.set('q', values);
+    model.save_changes();
+  };
+  const state = { sliders: data.sliders, q, set, start: () => model.get('start') };
+
+  const canvas = h('canvas', { class: 'kv-canvas', tabindex: 0, role: 'img', ...KEYS });
+  const message = h('p', { class: 'kv-message', role: 'status', hidden: true });
+  const spoken = h('p', { class: 'kv-spoken', 'aria-live': 'polite' });
+  const frame = h('div', { class: 'kv-picture' }, canvas);
+  const root = h('div', { class: 'kv', role: 'group', 'aria-label': `Viewer of ${data.name}` });
+  el.append(root);
+  root.append(frame);
+  const stage = new Stage(data, canvas, themeOf(root));
+  const pose = readout();
+  const panel = controls(state);
+  const veil = cover(model);
+  const available = [...Object.keys(TOGGLES), ...FRAME_LAYERS].filter((name) => FRAME_LAYERS.includes(name)
+    ? data.arms.some((arm) => arm.frames[name]) : name === 'normals' ? data.arms.some((arm) => arm.normals.length)
+      : name !== 'body axes' && name !== 'home axes' || model.get('shown').includes(name));
+  const switches = toggles({ available, shown: () => model.get('shown'), setShown: (names) => {
+    model.set('shown', names);
+    model.save_changes();
+  } });
+  const chosen = model.get('mode') ?? {};
+  const mode = MODES[chosen.kind]?.({ model, stage, data: chosen, state, say }) ?? {};
+  frame.append(views(stage.eye));
+  const side = h('div', { class: 'kv-side' },
+    ...(mode.element ? [mode.element] : []),
+    ...(mode.replacesSliders ? [] : [panel.element]),
+    ...(model.get('readout') ? [pose.element] : []));
+  const inside = h('div', { class: 'kv-inside' }, h('div', { class: 'kv-left' }, frame, switches.element), side);
+  root.append(veil.element, inside, message, spoken);
+
+  let trail = null;
+  let unhaunt = null;
+  let speaking = 0;
+  const tip = new Vector3();
+
+  function say(text) {
+    message.textContent = text;
+    message.hidden = !text;
+  }
+
+  function update() {
+    const values = q();
+    stage.setQ(values);
+    const T = stage.figure.pose();
+    pose.update(values, T);
+    panel.update(values);
+    mode.update?.(values, T);
+    trail?.add(tip.set(T[0][3], T[1][3], T[2][3]));
+    root.dataset.pose = JSON.stringify(T);
+    say([model.get('message'), stage.flat && NO_WEBGL, outside(data.limits, values)].filter(Boolean).join(' '));
+    clearTimeout(speaking);
+    speaking = setTimeout(() => tell(T), SAID_AFTER);
+  }
+
+  function tell(T) {
+    const place = [0, 1, 2].map((row) => fixed(T[row][3], 3)).join(', ');
+    canvas.setAttribute('aria-label', `${data.words} At q = (${q().map((x) => fixed(x, 2)).join(', ')}) the tool is at (${place}) m. ${HOW}`);
+    if (document.activeElement && root.contains(document.activeElement)) spoken.textContent = `The tool is at ${place} metres.`;
+  }
+
+  function show() {
+    const shown = model.get('shown');
+    reveal(stage, shown);
+    switches.update();
+    const wanted = shown.includes('trail');
+    if (wanted && !trail) {
+      trail = new Trail(stage);
+      update();
+    } else if (!wanted && trail) {
+      trail.dispose();
+      trail = null;
+    }
+  }
+
+  function ghost() {
+    unhaunt?.();
+    unhaunt = model.get('ghost').length ? haunt(stage, model.get('ghost')) : null;
+  }
+
+  function paintAnew() {
+    root.dataset.theme = isDark(root) ? 'dark' : 'light';
+    stage.repaint(themeOf(root));
+    dress(stage, model.get('shown'));
+    stage.setQ(q());
+    ghost();
+    mode.dress?.();
+  }
+
+  function uncover() {
+    veil.update();
+    inside.hidden = model.get('covered');
+  }
+
+  const changes = { q: update, message: update, shown: show, ghost, covered: uncover };
+  for (const [name, listener] of Object.entries(changes)) model.on(`change:${name}`, listener);
+  paintAnew();
+  show();
+  uncover();
+  update();
+  tell(stage.figure.pose());
+  const stopTheme = onThemeChange(paintAnew);
+  const stopSteering = steer(stage.eye, canvas);
+  const sized = new ResizeObserver(() => {
+    const width = frame.clientWidth;
+    if (width) stage.resize(width, Math.round(Math.max(260, Math.min(HEIGHT * width, 560))));
+  });
+  sized.observe(frame);
+  const seen = new IntersectionObserver((entries) => stage.see(entries.at(-1).isIntersecting), { rootMargin: '200px' });
+  seen.observe(frame);
+  return () => {
+    for (const [name, listener] of Object.entries(changes)) model.off(`change:${name}`, listener);
+    for (const stop of [stopTheme, stopSteering, () => sized.disconnect(), () => seen.disconnect(), panel.dispose]) stop();
+    clearTimeout(speaking);
+    mode.dispose?.();
+    trail?.dispose();
+    unhaunt?.();
+    stage.dispose();
+  };
+}
+
+const NO_WEBGL = 'This browser draws without WebGL: a plain drawing instead of solids.';
+const HOW = 'Arrow keys turn the view, shift and arrow keys move it, plus and minus zoom, 0 to 3 are the named views.';
+
+/** What to say of a configuration that the arm cannot take. */
+function outside(limits, q) {
+  const beyond = (limits ?? []).flatMap(([low, high], k) => ((low !== null && q[k] < low - 1e-9) || (high !== null && q[k] > high + 1e-9)
+    ? [`Joint ${k + 1} stands at ${fixed(q[k], 3)}, beyond its limits ${low ?? '−∞'} to ${high ?? '∞'}: the arm cannot go there.`] : []));
+  return beyond.join(' ');
+}
+
+function style() {
+  if (document.getElementById('kinlib-viewer-style')) return;
+  const sheet = h('style', { id: 'kinlib-viewer-style' });
+  sheet.textContent = css;
+  document.head.append(sheet);
+}
+
+export const widget = { render };

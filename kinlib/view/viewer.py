@@ -1,0 +1,167 @@
+"""The 3-D viewer: an arm that turns in the page, in JupyterLab, in the browser lab and on a page without a kernel.
+
+Python says what the arm is, once, as data (kinlib.view.scene). The page moves it by its screws and reads the pose off the
+scene graph, so a slider answers without asking Python. Both sides share the traits below; whoever sets one, both follow.
+"""
+
+import html
+import json
+from collections.abc import Collection, Sequence
+from pathlib import Path
+from typing import Any
+
+import anywidget
+import numpy as np
+import traitlets
+from numpy.typing import ArrayLike
+
+from kinlib.chain import Chain
+from kinlib.view.arm import describe, draw_arm
+from kinlib.view.scene import LAYERS, scene
+
+STATIC = Path(__file__).parent / "static"
+"""The bundle viewer.js, made from src by `npm run build`, and loader.js, which fetches it where a page holds a viewer."""
+
+
+class Values(traitlets.List[float]):
+    """Joint values, as anything that NumPy reads as numbers."""
+
+    def validate(self, obj: Any, value: Any) -> list[float] | None:
+        return super().validate(obj, np.asarray(value, dtype=float).tolist())
+
+
+class Viewer(anywidget.AnyWidget):
+    """An arm on the page. Make one with `explore`.
+
+    q           (n,) joint values; the page and Python both set them
+    start       (n,) where "Reset" goes
+    ghost       (n,) another configuration in grey, or empty
+    shown       which layers are drawn, any of kinlib.view.scene.LAYERS
+    covered     whether the picture waits for a prediction
+    prediction  {"text", "options"}: the question on the cover; empty where a question stands elsewhere
+    choice      the option committed to on the cover, counted from 0; -1 before
+    message     a line below the picture, for what Python has to say
+    """
+
+    # The bundle names one object, so that a page without modules can run it too; a module exports what it holds.
+    _esm = (STATIC / "viewer.js").read_text("utf-8") + "\nexport default kinlib.widget;"
+
+    scene = traitlets.Dict().tag(sync=True)
+    q = Values(traitlets.Float()).tag(sync=True)
+    start = Values(traitlets.Float()).tag(sync=True)
+    ghost = Values(traitlets.Float()).tag(sync=True)
+    shown = traitlets.List(traitlets.Unicode()).tag(sync=True)
+    covered = traitlets.Bool(False).tag(sync=True)
+    prediction = traitlets.Dict().tag(sync=True)
+    choice = traitlets.Int(-1).tag(sync=True)
+    message = traitlets.Unicode("").tag(sync=True)
+    readout = traitlets.Bool(True).tag(sync=True)
+    mode = traitlets.Dict().tag(sync=True)
+
+    def __init__(self, chain: Chain, **traits: Any) -> None:
+        self.chain = chain
+        super().__init__(**traits)
+
+    @traitlets.validate("q", "start", "ghost")
+    def _fits(self, proposal: Any) -> list[float]:
+        values: list[float] = proposal["value"]
+        if values or proposal["trait"].name != "ghost":
+            self.chain.fk(values)  # refuses values of another size and NaN, in words
+        return values
+
+    @traitlets.validate("shown")
+    def _known(self, proposal: Any) -> list[str]:
+        names: list[str] = proposal["value"]
+        if unknown := set(names) - set(LAYERS):
+            raise ValueError(f"show knows {', '.join(LAYERS)}; got {', '.join(map(repr, sorted(unknown)))}.")
+        return names
+
+    @property
+    def alt(self) -> str:
+        """What the picture shows, in words."""
+        return describe(self.chain, np.array(self.q))
+
+    def html(self) -> str:
+        """The viewer for a page without a kernel: its state as JSON, and a drawing until loader.js wakes it."""
+        names = (
+            "scene",
+            "q",
+            "start",
+            "ghost",
+            "shown",
+            "covered",
+            "prediction",
+            "choice",
+            "message",
+            "readout",
+            "mode",
+        )
+        state = {name: getattr(self, name) for name in names}
+        # A "<" might end the script or begin another; in JSON it may be written so.
+        data = json.dumps(state, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")
+        return (
+            f'<div data-kinlib-viewer><script type="application/json">{data}</script>'
+            f"<div data-kinlib-drawing>{self._drawing()}</div></div>"
+        )
+
+    def _drawing(self) -> str:
+        """What is there before the page wakes, and on paper."""
+        if self.covered:
+            return f"<p>{html.escape(self.prediction.get('text', 'The picture waits for your prediction.'))}</p>"
+        drawn = [name for name in self.shown if name in {"axes", "body axes", "home axes", "links", "base", "tool"}]
+        return draw_arm(self.chain, self.q, show=drawn, ghost=self.ghost or None).html()
+
+    def _repr_mimebundle_(self, **options: Any) -> Any:
+        data, metadata = super()._repr_mimebundle_(**options) or ({}, {})
+        return {**data, "text/plain": self.alt, "text/html": self.html()}, metadata
+
+
+def explore(
+    chain: Chain,
+    joints: Sequence[int] | None = None,
+    *,
+    show: Collection[str] = ("axes", "base", "tool"),
+    after: Any = None,
+    start: ArrayLike | None = None,
+    span: tuple[float, float] | None = None,
+    ghost: ArrayLike | None = None,
+    readout: bool = True,
+    predict: tuple[str, Sequence[str]] | None = None,
+) -> Viewer:
+    """Turn the joints of an arm in three dimensions, and read where its tool is.
+
+    joints   which ones get a slider, counted from 1; all by default, but name the one that matters
+    show     what is drawn at first, any of kinlib.view.scene.LAYERS; the reader may switch
+    after    a question; the arm stays covered until it is committed
+    start    (n,) joint values to begin with, home by default; afterwards `q` follows the page and leads it
+    span     from where to where the sliders go, in radians or metres; by default the limits of the joints
+    ghost    (n,) another configuration, in grey
+    readout  whether the tool's pose stands beside the picture
+    predict  a question (text, options) on the cover itself; `choice` is what was committed to
+
+    Raises ValueError for a joint that the arm does not have, values of another size, NaN, a span that does not hold the
+    start, and a layer that there is not.
+
+    >>> from kinlib.robots import youbot
+    >>> arm = explore(youbot(), joints=[3])
+    >>> arm.q = [0, 0, np.pi / 2, 0, 0]
+    >>> arm.alt[-35:]
+    'The tool is at (0.188, 0, 0.499) m.'
+    """
+    home = np.zeros(chain.n) if start is None else np.array(start, dtype=float)
+    shade = None if ghost is None else np.array(ghost, dtype=float)
+    text, options = predict or ("", ())
+    made = Viewer(
+        chain,
+        scene=scene(chain, home, joints=joints, span=span, ghost=shade),
+        q=home,
+        start=home,
+        ghost=[] if shade is None else shade,
+        shown=list(show),
+        readout=readout,
+        covered=bool(text) or not (after is None or after.committed),
+        prediction={"text": text, "options": list(options)} if text else {},
+    )
+    if after is not None:
+        after.observe(lambda _: made.set_trait("covered", False), "committed")
+    return made
