@@ -24,7 +24,21 @@ APART = 1.2
 BESIDE = 0.4
 """How far apart the lines stand that drop from them to the floor, so that each height is read at its own line."""
 
+IN_SIGHT = 1.0
+"""How far apart the points of a drawing stand on the sheet, in metres, for marks on both to be told apart."""
+
 DIRECTIONS = (X, Y, Z, -X, -Y, -Z)
+
+
+def in_sight(places: Sequence[Array]) -> bool:
+    """Whether a drawing shows these points apart from each other; one point alone is no drawing yet.
+
+    >>> in_sight([np.zeros(3), 3 * X]), in_sight([np.zeros(3), 0.1 * X])
+    (True, False)
+    """
+    _, sheet = seen_from("default")
+    far = [np.linalg.norm(sheet @ (one - other)) for k, one in enumerate(places) for other in places[:k]]
+    return bool(far and min(far) > IN_SIGHT)
 
 
 class Draw:

@@ -9,7 +9,7 @@ from kinlib.dh import DHTable, dh_transform
 from kinlib.dh_rows import COLUMNS
 from kinlib.practice.answers import Choice, Pose
 from kinlib.practice.dh_mistakes import WAYS, base_in_a_row, of_pose, of_table, tool_in_a_row
-from kinlib.practice.draw import DIRECTIONS, Draw
+from kinlib.practice.draw import DIRECTIONS, Draw, in_sight
 from kinlib.practice.problem import Problem, mistake, problem
 from kinlib.practice.row import Entries, Row
 from kinlib.practice.sheet import Sheet
@@ -17,7 +17,6 @@ from kinlib.practice.tables import Table
 from kinlib.practice.text import joint_table, matrix, number, vector
 from kinlib.robots import X, Y, Z, arm, pose
 from kinlib.view import draw_joints
-from kinlib.view.canvas import seen_from
 from kinlib.view.tables import draw_table
 
 RIGHT = np.pi / 2
@@ -26,7 +25,7 @@ RIGHT = np.pi / 2
 @problem("05.1", "Four numbers between two drawn frames", points=4, lecture="05_dh_standard#Four numbers")
 def four_numbers(draw: Draw) -> Problem:
     start, row = np.eye(4), np.zeros(4)
-    while not _in_sight([np.zeros(3), start[:3, 3], (start @ _row(row))[:3, 3]]):
+    while not in_sight([np.zeros(3), start[:3, 3], (start @ _row(row))[:3, 3]]):
         x = draw.choice(DIRECTIONS)
         z = draw.choice([axis for axis in DIRECTIONS if not axis @ x])
         start = pose((x, np.cross(z, x), z), np.abs(draw.point(3)))
@@ -98,7 +97,7 @@ def one_row(draw: Draw) -> Problem:
 @problem("05.3", "A whole table, off a drawing", points=4, lecture="05_dh_standard#Reading a table off a drawing")
 def whole_table(draw: Draw) -> Problem:
     rows, places = np.zeros((3, 4)), [np.zeros(3)]
-    while not _in_sight(places):
+    while not in_sight(places):
         d, a = draw.shuffled(range(1, 4)), draw.shuffled(range(1, 4))
         turns = [draw.choice((0, 1, -1)) * RIGHT for _ in range(3)]
         leans = [draw.choice((1, -1)) * RIGHT, draw.choice((1, -1)) * RIGHT, 0]
@@ -210,7 +209,7 @@ def chain_of_matrices(draw: Draw) -> Problem:
 @problem("05.6", "The faulty entry", points=3, lecture="05_dh_standard#Reading a table off a drawing")
 def faulty_entry(draw: Draw) -> Problem:
     rows, places = np.zeros((3, 4)), [np.zeros(3)]
-    while not _in_sight(places):
+    while not in_sight(places):
         rows = np.array(
             [
                 [draw.integer(1, 3), draw.choice((-1, 1)), draw.integer(1, 3), draw.choice((-1, 0, 1, 2))]
@@ -385,13 +384,6 @@ def _spelt(row: list[float], i: int) -> str:
     a, alpha, d, _ = row
     lean = {1: "\\pi/2", -1: "-\\pi/2", 0: "0"}[round(alpha / RIGHT)]
     return f"({number(a)}, {lean}, {number(d)}, q_{i})"
-
-
-def _in_sight(places: list[Array]) -> bool:
-    """Whether a drawing shows these points apart from each other; one point alone is no drawing yet."""
-    _, sheet = seen_from("default")
-    far = [np.linalg.norm(sheet @ (one - other)) for k, one in enumerate(places) for other in places[:k]]
-    return bool(far and min(far) > 1.0)
 
 
 SHEET = Sheet(

@@ -15,6 +15,7 @@ from kinlib.practice.answers import TOLERANCE, Choice, Numbers, Pose, Screws
 from kinlib.practice.dh_mistakes import of_pose
 from kinlib.practice.draw import Draw
 from kinlib.practice.mistakes import halves_swapped
+from kinlib.practice.places import Rotation
 from kinlib.practice.problem import Mistake, Problem, mistake, problem
 from kinlib.practice.row import Row
 from kinlib.practice.sheet import Sheet
@@ -70,26 +71,6 @@ class Fault(Numbers):
 
     def _pieces(self) -> list[int]:
         return [0, 1, 2]
-
-
-@dataclass(frozen=True, eq=False)
-class Rotation(Numbers):
-    """One rotation, (3, 3).
-
-    >>> Rotation(np.eye(3)).expected
-    'a rotation, an array of shape (3, 3)'
-    """
-
-    noun: ClassVar[str] = "a rotation, an array"
-
-    @property
-    def parts(self) -> Sequence[str]:
-        return ["the rotation"]
-
-    def hint(self, given: Array, part: int) -> str:
-        if np.allclose(given.T @ given, np.eye(3), atol=0.03) and np.linalg.det(given) > 0:
-            return ""
-        return "It is no rotation at all: its columns should be unit, square and right-handed."
 
 
 @problem("06.1", "The link transform of a row", points=3, lecture="06_dh_modified#The general matrix")
