@@ -30,6 +30,8 @@ class Answer(ABC):
     """The right answer of a problem, and the way to read and compare others of its kind."""
 
     value: Any
+    inputs: Sequence[Any] = ()
+    """What a function is called with, where the answer is one."""
 
     @property
     @abstractmethod
@@ -48,6 +50,10 @@ class Answer(ABC):
     @abstractmethod
     def agrees(self, one: Any, other: Any, tolerance: float = TOLERANCE) -> list[bool]:
         """Compare two values that were read, part by part."""
+
+    def at(self, seed: int) -> "Answer":
+        """The same answer, asked for at inputs drawn anew. Only a function has inputs."""
+        return self
 
     def hint(self, given: Any, part: int) -> str:
         """What is right about a wrong part, if anything is: a first foothold for a mistake that nobody foresaw."""

@@ -59,6 +59,11 @@ class Problem:
         read = [replace(wrong, value=self.answer.read(wrong.value)) for wrong in self.mistakes]
         object.__setattr__(self, "mistakes", read)
 
+    def again(self, seed: int) -> "Problem":
+        """The same problem; where it asks for a function, with other inputs to call it at."""
+        answer = self.answer.at(seed)
+        return self if answer is self.answer else replace(self, answer=answer)
+
     def telling(self) -> bool:
         """Whether every mistake leads away from the right answer, and each to a place of its own."""
         reached = [self.answer.value, *(wrong.value for wrong in self.mistakes)]

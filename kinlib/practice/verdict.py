@@ -4,6 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from kinlib.practice.answer_data import MIME
 from kinlib.practice.judge import Finding, Judgement
 from kinlib.practice.problem import Template
 from kinlib.practice.text import number
@@ -20,10 +21,14 @@ TITLES = {
 
 @dataclass(frozen=True)
 class Verdict:
-    """What one answer earned, and why. Displays itself as a card."""
+    """What one answer earned, and why. Displays itself as a card, and beside it writes down the answer as data.
+
+    emission  the answer with its sheet, problem and student; a grader reads it and judges for itself
+    """
 
     template: Template
     judgement: Judgement
+    emission: Mapping[str, Any] | None = None
 
     @property
     def score(self) -> float:
@@ -45,8 +50,9 @@ class Verdict:
             lines.append(f"Re-read: lecture {notebook}, section “{section}”.")
         return Card(judgement.state, title, lines)
 
-    def _repr_mimebundle_(self, **options: Any) -> dict[str, str]:
-        return self.card._repr_mimebundle_(**options)
+    def _repr_mimebundle_(self, **options: Any) -> dict[str, Any]:
+        data = {MIME: self.emission} if self.emission else {}
+        return {**self.card._repr_mimebundle_(**options), **data}
 
 
 @dataclass(frozen=True)

@@ -1,0 +1,286 @@
+"""Answers as data: what a student's value is, in plain JSON, and back.
+
+A check cell writes the answer beside its card, so that whoever grades reads data and never runs what made it. Writing is
+lenient: whatever an object does when it is looked at, something comes out. Reading is strict: it takes the few forms
+below and refuses the rest, for anybody can write JSON.
+
+    null                                  nothing yet
+    {"number": 1.5}, {"text": "..."}
+    {"array": [flat numbers], "shape": [3, 6]}         null stands for NaN and infinity
+    {"list": [...]}, {"map": [["a", ...], ...]}
+    {"symbolic": "a*cos(q1)"}, {"matrix": [[...], ...]}
+    {"dh": [rows], "convention": ..., "joints": ..., "signs": ..., "base": ..., "tool": ...}
+    {"function": "name"}, and with "outputs": [...] once somebody called it
+    {"other": "what it is"}
+"""
+
+import sys
+from collections.abc import Callable, Mapping, Sequence
+from copy import deepcopy
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from kinlib.check import Array
+from kinlib.dh import DHTable
+from kinlib.dh_rows import COLUMNS
+from kinlib.practice.answers import is_blank
+from kinlib.practice.symbol_text import LONGEST, expression
+
+MIME = "application/vnd.kinlib.answer+json"
+"""Under this name a check cell's output holds the answer."""
+
+MOST_NUMBERS = 4096
+"""No answer of the course has more numbers, nor a list more entries."""
+
+DEEPEST = 5
+"""How deep lists may nest: a table of matrices, and some."""
+
+Data = dict[str, Any] | None
+
+
+class Malformed(ValueError):
+    """This JSON is none of the forms that an answer has."""
+
+
+@dataclass(frozen=True)
+class Opaque:
+    """What could not be written down: it stands where the value stood, so that a message can name it."""
+
+    name: str
+
+    def __repr__(self) -> str:
+        return self.name
+
+
+@dataclass(frozen=True)
+class Outputs:
+    """What a student's function gave, input by input."""
+
+    values: Sequence[Any]
+
+
+def to_data(value: Any, inputs: Sequence[Any] = ()) -> Data:
+    """Write an answer as JSON. It never raises: a value that is no answer becomes {"other": ...}.
+
+    inputs  where a function is asked for, the arguments of each call: then its outputs are written
+
+    >>> to_data([[1, 2.5]])
+    {'array': [1.0, 2.5], 'shape': [1, 2]}
+    >>> to_data(["e_a", "M"])
+    {'list': [{'text': 'e_a'}, {'text': 'M'}]}
+    """
+    try:
+        if inputs and callable(value):
+            called = [_written(value(*deepcopy(arguments)), 1) for arguments in inputs]
+            return {"function": str(getattr(value, "__name__", "function"))[:80], "outputs": called}
+        return _written(value, 0)
+    except Exception as error:  # a student's object may raise anything when it is looked at
+        return {"other": f"{type(value).__name__} that raises {type(error).__name__} when it is read"}
+
+
+def _written(value: Any, depth: int) -> Data:
+    if is_blank(value):
+        return None
+    if depth > DEEPEST:
+        return {"other": f"{_kind(value)}, nested deeper than {DEEPEST}"}
+    for kinds, write in WRITERS:
+        if isinstance(value, kinds):
+            return write(value, depth)
+    return _symbolic(value, depth) or _unusual(value, depth)
+
+
+def _unusual(value: Any, depth: int) -> Data:
+    """What has no kind of its own here: functions, and what turns into an array."""
+    if callable(value):
+        return {"function": str(getattr(value, "__name__", _kind(value)))[:80]}
+    return _array(np.asarray(value), depth) if hasattr(value, "__array__") else {"other": _kind(value)}
+
+
+def _kind(value: Any) -> str:
+    return type(value).__name__[:80]
+
+
+def _text(value: str, _: int) -> Data:
+    return {"text": str(value)} if len(value) <= LONGEST else {"other": f"text of {len(value)} characters"}
+
+
+def _number(x: float) -> float | None:
+    return x if np.isfinite(x) else None
+
+
+def _array(values: Array, depth: int) -> Data:
+    if values.size > MOST_NUMBERS or values.ndim > DEEPEST:
+        return {"other": f"array of shape {values.shape}"}
+    if values.dtype.kind in "biuf":
+        flat = [_number(x) for x in values.astype(float).ravel().tolist()]
+        return {"array": flat, "shape": list(values.shape)}
+    if values.dtype.kind in "OU":
+        return _written(values.tolist(), depth)
+    return {"other": f"array of {values.dtype}"}
+
+
+def _list(values: Sequence[Any], depth: int) -> Data:
+    if len(values) > MOST_NUMBERS:
+        return {"other": f"list of {len(values)} entries"}
+    items = [_written(item, depth + 1) for item in values]
+    rows = [item for item in items if item and ("number" in item or "array" in item)]
+    shapes = {tuple(row.get("shape", ())) for row in rows}
+    flat = [x for row in rows for x in row.get("array", [row.get("number")])]
+    if len(rows) == len(items) and len(shapes) == 1 and len(flat) <= MOST_NUMBERS:
+        # Rows of one length are an array, however they were typed.
+        return {"array": flat, "shape": [len(items), *min(shapes)]}
+    return {"list": items}
+
+
+def _map(value: Mapping[Any, Any], depth: int) -> Data:
+    if len(value) > MOST_NUMBERS:
+        return {"other": f"dictionary of {len(value)} entries"}
+    return {"map": [[str(key)[:80], _written(item, depth + 1)] for key, item in value.items()]}
+
+
+def _table(table: DHTable, _: int) -> Data:
+    return {
+        "dh": table.rows.tolist(),
+        "convention": table.convention,
+        "joints": table.joints,
+        "signs": table.signs.tolist(),
+        "base": table.base.tolist(),
+        "tool": table.tool.tolist(),
+    }
+
+
+WRITERS: tuple[tuple[Any, Callable[[Any, int], Data]], ...] = (
+    (str, _text),
+    ((bool, int, float, np.bool_, np.integer, np.floating), lambda value, _: {"number": _number(float(value))}),
+    (DHTable, _table),
+    (np.ndarray, lambda value, depth: _array(np.asarray(value), depth)),
+    (Mapping, _map),
+    ((list, tuple), _list),
+)
+
+
+def _symbolic(value: Any, depth: int) -> Data:
+    """SymPy's kinds, without loading SymPy for those who never used it."""
+    sympy = sys.modules.get("sympy")
+    if sympy is None:
+        return None
+    if isinstance(value, sympy.MatrixBase):
+        return {"matrix": [[_written(entry, depth + 1) for entry in row] for row in value.tolist()]}
+    if isinstance(value, sympy.Expr):
+        text = str(value)
+        return {"symbolic": text} if len(text) <= LONGEST else {"other": f"formula of {len(text)} characters"}
+    return None
+
+
+def from_data(data: Any) -> Any:
+    """Read an answer back. Arrays come as arrays, formulas as SymPy, what could not be written as Opaque.
+
+    Raises Malformed for JSON of any other form.
+
+    >>> from_data({"array": [1.0, None], "shape": [2]})
+    array([ 1., nan])
+    """
+    return _read(data, 0)
+
+
+def _read(data: Any, depth: int) -> Any:
+    if data is None:
+        return None
+    if not isinstance(data, dict) or depth > DEEPEST + 1:
+        raise Malformed("An answer is null or an object of a known form, and not nested without end.")
+    read = READERS.get(frozenset(data))
+    if read is None:
+        raise Malformed(f"An answer has none of the forms with the keys {', '.join(sorted(map(str, data)))[:80]}.")
+    return read(next(iter(data.values())) if len(data) == 1 else data, depth)
+
+
+def _string(text: Any, _: int) -> str:
+    if not isinstance(text, str) or len(text) > LONGEST:
+        raise Malformed(f"A text is a text, of at most {LONGEST} characters.")
+    return text
+
+
+def _items(items: Any, depth: int) -> list[Any]:
+    if not isinstance(items, list) or len(items) > MOST_NUMBERS:
+        raise Malformed(f"A list is a list, of at most {MOST_NUMBERS} entries.")
+    return [_read(item, depth + 1) for item in items]
+
+
+def _entries(entries: Any, depth: int) -> dict[str, Any]:
+    if not isinstance(entries, list) or len(entries) > MOST_NUMBERS:
+        raise Malformed("A map is a list of pairs, a name and a value.")
+    return dict(_entry(entry, depth) for entry in entries)
+
+
+def _numbers(flat: Any, shape: Any) -> Array:
+    if not isinstance(flat, list) or not isinstance(shape, list):
+        raise Malformed("An array is a list of numbers, and the list of its sizes.")
+    sizes = [size for size in shape if isinstance(size, int) and not isinstance(size, bool) and size >= 0]
+    if len(flat) > MOST_NUMBERS or len(sizes) != len(shape) or len(shape) > DEEPEST + 1:
+        raise Malformed("An array has a shape of whole numbers, and not more numbers than an answer needs.")
+    if any(x is not None and (isinstance(x, bool) or not isinstance(x, int | float)) for x in flat):
+        raise Malformed("An array holds numbers and nothing else.")
+    try:
+        values = np.array([np.nan if x is None else float(x) for x in flat])
+        return values.reshape(sizes)
+    except (OverflowError, ValueError) as error:
+        raise Malformed("The numbers of an array do not fill its shape.") from error
+
+
+def _entry(entry: Any, depth: int) -> tuple[str, Any]:
+    match entry:
+        case [str() as key, value]:
+            return key[:80], _read(value, depth + 1)
+    raise Malformed("A map holds pairs of a name and a value.")
+
+
+def _formula(text: Any, depth: int) -> Any:
+    try:
+        return expression(_string(text, depth))
+    except Malformed:
+        raise
+    except (ValueError, TypeError, ArithmeticError) as error:
+        return Opaque(f"a formula that cannot be read: {error}")
+
+
+def _matrix(rows: Any, depth: int) -> Any:
+    import sympy as sp
+
+    if not isinstance(rows, list) or len({len(row) if isinstance(row, list) else -1 for row in rows} - {-1}) > 1:
+        raise Malformed("A matrix is a list of rows of one length.")
+    entries = [_items(row, depth) for row in rows]
+    if any(isinstance(entry, str | Opaque | list | dict | np.ndarray) for row in entries for entry in row):
+        return Opaque("a matrix with entries that cannot be read")
+    return sp.Matrix(entries)
+
+
+def _dh(data: dict[str, Any], _: int) -> Any:
+    """The signs of the joints are told as a typed table tells them: by the variable in its column."""
+    try:
+        joints, signs = str(data["joints"]), [float(sign) for sign in data["signs"]]
+        cells = [dict(zip(COLUMNS, map(float, row), strict=True)) for row in data["dh"][:MOST_NUMBERS]]
+        typed: list[dict[str, Any]] = []
+        for row, letter, sign in zip(cells, joints, signs, strict=True):
+            moving = {"R": "theta", "P": "d"}.get(letter)
+            typed.append({**row, moving: f"{row[moving]!r} {'-' if sign < 0 else '+'} q"} if moving else {**row})
+        return DHTable(typed, convention=data["convention"], joints=joints, base=data["base"], tool=data["tool"])
+    except (KeyError, TypeError, ValueError, OverflowError) as error:
+        raise Malformed(f"This is no DH table: {str(error)[:200]}") from error
+
+
+READERS: dict[frozenset[str], Callable[[Any, int], Any]] = {
+    frozenset({"number"}): lambda number, _: _numbers([number], [])[()],
+    frozenset({"text"}): _string,
+    frozenset({"array", "shape"}): lambda data, _: _numbers(data["array"], data["shape"]),
+    frozenset({"list"}): _items,
+    frozenset({"map"}): _entries,
+    frozenset({"symbolic"}): _formula,
+    frozenset({"matrix"}): _matrix,
+    frozenset({"dh", "convention", "joints", "signs", "base", "tool"}): _dh,
+    frozenset({"function"}): lambda name, depth: Opaque(f"function {_string(name, depth)[:80]}"),
+    frozenset({"function", "outputs"}): lambda data, depth: Outputs(_items(data["outputs"], depth)),
+    frozenset({"other"}): lambda name, depth: Opaque(_string(name, depth)[:200]),
+}
+"""How each form is read: by its one value, or where it has several, by all of it. No form has a key too many."""

@@ -1,0 +1,96 @@
+"""Functions as answers: called, not read. Two functions agree if they give the same wherever anybody looks."""
+
+from collections.abc import Callable, Sequence
+from copy import deepcopy
+from dataclasses import dataclass, field, replace
+from typing import Any
+
+import numpy as np
+
+from kinlib import check
+from kinlib.check import Array
+from kinlib.practice.answer_data import Outputs
+from kinlib.practice.answers import TOLERANCE, Answer, Numbers, Unreadable
+
+CALLS = 5
+"""At how many inputs a function is asked."""
+
+Sample = Callable[[np.random.Generator], tuple[Any, ...]]
+
+
+@dataclass(frozen=True)
+class Called:
+    """A function, and what it gave at the inputs of the problem."""
+
+    function: Callable[..., Any] | None
+    outputs: Sequence[Any]
+
+
+@dataclass(frozen=True, eq=False)
+class Function(Answer):
+    """A function, judged by what it gives at drawn inputs. A grader draws other ones in every run.
+
+    value   the right function
+    output  the kind of answer that each call gives
+    sample  draws the arguments of one call
+
+    >>> square = Function(np.square, Numbers(np.array(0.0)), lambda chance: (chance.uniform(1, 2),))
+    >>> square.agrees(square.read(lambda x: x * x), square.read(np.square))
+    [True]
+    """
+
+    value: Callable[..., Any]
+    output: Numbers
+    sample: Sample
+    inputs: Sequence[tuple[Any, ...]] = field(default=())
+
+    def __post_init__(self) -> None:
+        if not self.inputs:
+            object.__setattr__(self, "inputs", self.at(0).inputs)
+
+    def at(self, seed: int) -> "Function":
+        """The same answer, asked for at other inputs."""
+        chance = np.random.default_rng(seed)
+        return replace(self, inputs=[self.sample(chance) for _ in range(CALLS)])
+
+    @property
+    def expected(self) -> str:
+        return f"a function whose every call gives {self.output.expected}"
+
+    @property
+    def parts(self) -> Sequence[str]:
+        return ["the function"]
+
+    def read(self, given: Any) -> Called:
+        if isinstance(given, Called):
+            given = given.function
+        if isinstance(given, Outputs):
+            if len(given.values) != len(self.inputs):
+                raise Unreadable(
+                    f"Expected {self.expected}; it gave {len(given.values)} outputs for {len(self.inputs)} calls."
+                )
+            return Called(None, [self._output(value) for value in given.values])
+        if not callable(given) or isinstance(given, type):
+            raise Unreadable(
+                f"Expected {self.expected}; got {check.brief(given)}. Leave the brackets off: fk, not fk(q)."
+            )
+        return Called(given, [self._output(self._call(given, arguments)) for arguments in self.inputs])
+
+    def _call(self, function: Callable[..., Any], arguments: Sequence[Any]) -> Any:
+        try:
+            return function(*deepcopy(arguments))  # what a call does to its arguments stays in that call
+        except Exception as error:
+            raise Unreadable(
+                f"Expected {self.expected}; called with {', '.join(map(str, arguments))} it raised "
+                f"{type(error).__name__}: {error}"
+            ) from error
+
+    def _output(self, value: Any) -> Array:
+        if value is None or value is ...:
+            raise Unreadable(f"Expected {self.expected}; a call gave nothing. Is the return missing?")
+        return self.output.read(value)
+
+    def agrees(self, one: Any, other: Any, tolerance: float = TOLERANCE) -> list[bool]:
+        outputs = [given.outputs if isinstance(given, Called) else self.read(given).outputs for given in (one, other)]
+        pairs = zip(*outputs, strict=True)
+        return [all(all(self.output.agrees(mine, yours, tolerance)) for mine, yours in pairs)]
