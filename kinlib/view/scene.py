@@ -39,7 +39,7 @@ LAYERS = (
 """What the viewer can show: screw axes, frames, and what lies between."""
 
 TURN, SLIDE = np.pi, 1.0
-"""How far a slider goes to either side where the joint has no limits: half a turn in radians, one metre."""
+"""How far a slider goes to either side of 0 where the joint has no limits: half a turn in radians, one metre."""
 
 
 def scene(
@@ -144,7 +144,10 @@ def _slider(chain: Chain, i: int, value: float, span: tuple[float, float] | None
     slides = chain.letters[i] == "P"
     far = SLIDE if slides else TURN
     least, most = chain.limits[i] if chain.limits is not None else (-np.inf, np.inf)
-    low, high = span or (least if np.isfinite(least) else value - far, most if np.isfinite(most) else value + far)
+    low, high = span or (
+        least if np.isfinite(least) else min(-far, value),
+        most if np.isfinite(most) else max(far, value),
+    )
     if span and not low <= value <= high:
         raise ValueError(
             f"span should hold the start of joint {i + 1}, {value:.3g}; got {low:.3g} to {high:.3g}. Is one in degrees?"
@@ -166,9 +169,9 @@ def _room(postures: Array, touched: Array, size: float) -> tuple[dict[str, Any],
     """
     low, high = postures.min(axis=0), postures.max(axis=0)
     centre = (low + high) / 2
-    near = float(np.linalg.norm(high - low)) / 2 + 0.3 * size
+    near = float(np.linalg.norm(high - low)) / 2 + 0.22 * size
     far = float(np.linalg.norm(touched - centre, axis=-1).max()) + 0.15 * size
-    radius = min(max(near, far), 1.2 * near)
+    radius = min(max(near, far), 1.15 * near)
     lowest = float(postures[:, 2].min())
     floor = 0.0 if lowest > -0.05 * size else lowest - 0.2 * size
     return {"centre": centre.tolist(), "radius": radius}, floor

@@ -41,6 +41,7 @@ class Viewer(anywidget.AnyWidget):
     prediction  {"text", "options"}: the question on the cover; empty where a question stands elsewhere
     choice      the option committed to on the cover, counted from 0; -1 before
     message     a line below the picture, for what Python has to say
+    mode        {"kind", ...}: what a player of src/modes is given; empty for an arm with sliders
     """
 
     # The bundle names one object, so that a page without modules can run it too; a module exports what it holds.

@@ -34,26 +34,28 @@ export function without(shown, layers) {
 
 export const FRAME_LAYERS = ['base', 'tool', 'links', 'standard', 'modified'];
 
+/** Axes, frames and normals run inside the arm: what it hides of them shines through. */
+const SEEN = { through: true };
+
 /** Make every layer of the arms in the colours of a theme. */
 export function dress(stage, shown) {
   const { data, theme } = stage;
   const { size } = data;
   const each = (make) => data.arms.flatMap((arm, k) => make(arm).map((part) => ({ ...part, arm: k })));
   const colours = theme;
-  stage.put('links', each((arm) => parts.links(arm, size, colours)), { outlined: true });
-  stage.put('joints', each((arm) => parts.joints(arm, size, colours)), { outlined: true });
-  stage.put('mount', parts.mount(data, size, colours), { outlined: true });
+  const arm = [...each((one) => parts.links(one, size, colours)), ...each((one) => parts.joints(one, size, colours))];
+  stage.put('arm', [...parts.mount(data, size, colours), ...arm], { outlined: true });
   stage.figure.stretched.length = 0;
   stage.putRods('rods', each((arm) => parts.rods(arm, size, colours)));
-  stage.put('axes', each((arm) => parts.axes(arm, size, { letter: 'S', colour: colours.axis })));
-  stage.put('body axes', each((arm) => parts.axes(arm, size, { letter: 'B', colour: colours.axis })));
-  stage.put('home axes', each((arm) => parts.axes(arm, size, { letter: 'S', colour: colours.home, onBody: () => 0 })));
-  stage.put('normals', each((arm) => parts.normals(arm, size, colours)));
+  stage.put('axes', each((arm) => parts.axes(arm, size, { letter: 'S', colour: colours.axis })), SEEN);
+  stage.put('body axes', each((arm) => parts.axes(arm, size, { letter: 'B', colour: colours.axis })), SEEN);
+  stage.put('home axes', each((arm) => parts.axes(arm, size, { letter: 'S', colour: colours.home, onBody: () => 0 })), SEEN);
+  stage.put('normals', each((arm) => parts.normals(arm, size, colours)), SEEN);
   stage.put('dimensions', each((arm) => parts.dimensions(arm, size, colours)));
   for (const name of FRAME_LAYERS) {
     const numbered = !['base', 'tool'].includes(name);
-    const length = numbered ? 0.14 : 0.19;
-    stage.put(`frames ${name}`, each((arm) => parts.triads(arm.frames[name] ?? [], size, colours, { numbered, length })));
+    const length = numbered ? 0.17 : 0.24;
+    stage.put(`frames ${name}`, each((arm) => parts.triads(arm.frames[name] ?? [], size, colours, { numbered, length })), SEEN);
   }
   reveal(stage, shown);
 }

@@ -108,6 +108,7 @@ export class Eye {
 /** Let hand and keys move the eye. Returns how to stop listening. */
 export function steer(eye, element) {
   const fingers = new Map();
+  let pressed = [0, 0];
   const middle = () => {
     const all = [...fingers.values()];
     const [x, y] = [0, 1].map((k) => all.reduce((sum, p) => sum + p[k], 0) / all.length);
@@ -115,6 +116,7 @@ export function steer(eye, element) {
   };
   const listeners = {
     pointerdown(event) {
+      pressed = [event.clientX, event.clientY];
       element.focus({ preventScroll: true });
       element.setPointerCapture(event.pointerId);
       fingers.set(event.pointerId, [event.clientX, event.clientY]);
@@ -129,7 +131,13 @@ export function steer(eye, element) {
       if (fingers.size > 1 || event.shiftKey || event.buttons === 2) eye.move(dx, -dy);
       else eye.turn(0.4 * dx, 0.4 * dy);
     },
-    pointerup: (event) => fingers.delete(event.pointerId),
+    pointerup(event) {
+      fingers.delete(event.pointerId);
+      if (Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) > 4) return;
+      const box = element.getBoundingClientRect();
+      const detail = { x: event.clientX - box.left, y: event.clientY - box.top };
+      element.dispatchEvent(new CustomEvent('tap', { detail })); // pressed and not dragged: for who picks
+    },
     pointercancel: (event) => fingers.delete(event.pointerId),
     wheel(event) {
       if (document.activeElement !== element && !event.ctrlKey) return;

@@ -14,9 +14,8 @@ export function fontOf(label, size = SIZE) {
   return `${label.italic ? 'italic ' : ''}600 ${size}px ${FONT}`;
 }
 
-/** Place labels and draw them. @param labels [{ at, from?, body, text, sub, colour, weight, seat? }] */
-export function drawLabels(context, labels, eye, { halo, leader }) {
-  const taken = [];
+/** Place labels and draw them. @param labels [{ at, from?, body, text, sub, colour, weight }]; @param taken boxes to keep off */
+export function drawLabels(context, labels, taken, eye, { halo, leader }) {
   const order = labels.map((label) => prepared(context, label, eye)).sort((a, b) => b.label.weight - a.label.weight);
   const anchors = order.map(({ x, y }) => [x, y]);
   for (const item of order) {
@@ -26,7 +25,6 @@ export function drawLabels(context, labels, eye, { halo, leader }) {
     if (item.label.seat.ring > 1) line(context, [item.x, item.y], box, leader);
     write(context, item, box, halo);
   }
-  return taken.length;
 }
 
 function prepared(context, label, eye) {
@@ -61,8 +59,7 @@ function place(item, taken, anchors, eye) {
     const [cx, cy] = [x + Math.cos(angle) * (radius + w - 4), y - Math.sin(angle) * radius];
     const box = { left: cx - w, right: cx + w, top: cy - h, bottom: cy + h };
     if (box.left < 2 || box.right > eye.width - 2 || box.top < 2 || box.bottom > eye.height - 2) return;
-    if (taken.some((other) => box.left < other.right + 2 && other.left < box.right + 2
-      && box.top < other.bottom + 1 && other.top < box.bottom + 1)) return;
+    if (taken.some((other) => crosses(box, other))) return;
     let cost = 2.2 * ring + Math.abs(degrees) / 60;
     for (const [px, py] of anchors) { // better not on the tip of something else
       if (px > box.left - 4 && px < box.right + 4 && py > box.top - 4 && py < box.bottom + 4) cost += 2;
@@ -105,15 +102,39 @@ function write(context, { label }, box, halo) {
   }
 }
 
-/** A length beside what it measures: a thin line with ticks at its ends, and the number on it. */
-export function drawDimension(context, { body, from, to, text, colour }, eye, halo) {
-  const p = eye.project(at.set(...from).applyMatrix4(body.matrixWorld), new Vector3());
-  const q = eye.project(back.set(...to).applyMatrix4(body.matrixWorld), new Vector3());
-  const length = Math.hypot(q.x - p.x, q.y - p.y);
-  if (length < 26) return; // seen end on: a number here would say nothing
-  const flip = q.x - p.x > 0 ? 1 : -1;
-  const [nx, ny] = [(-(q.y - p.y) / length) * flip, ((q.x - p.x) / length) * flip];
-  const off = 22;
+const OFFSETS = [22, -22, 40, -40];
+
+/** Lengths beside what they measure: thin lines with ticks, each with its number. Returns the boxes of the numbers. */
+export function drawDimensions(context, dimensions, eye, halo) {
+  const taken = [];
+  for (const { body, from, to, text, colour } of dimensions) {
+    const p = eye.project(at.set(...from).applyMatrix4(body.matrixWorld), new Vector3());
+    const q = eye.project(back.set(...to).applyMatrix4(body.matrixWorld), new Vector3());
+    const length = Math.hypot(q.x - p.x, q.y - p.y);
+    if (length < 22) continue; // seen end on: a number here would say nothing
+    const flip = q.x - p.x > 0 ? 1 : -1;
+    const [nx, ny] = [(-(q.y - p.y) / length) * flip, ((q.x - p.x) / length) * flip];
+    context.font = fontOf({}, 12);
+    const half = context.measureText(text).width / 2 + 2;
+    const boxes = OFFSETS.map((off) => {
+      const [x, y] = [(p.x + q.x) / 2 + off * nx, (p.y + q.y) / 2 + off * ny];
+      return { off, x, y, left: x - half, right: x + half, top: y - 8, bottom: y + 8 };
+    });
+    const { off, ...box } = boxes.find((one) => !taken.some((other) => crosses(one, other))) ?? boxes[0];
+    taken.push(box);
+    measure(context, p, q, [nx, ny], off, colour);
+    context.textAlign = 'center';
+    context.textBaseline = 'middle';
+    context.strokeStyle = halo;
+    context.lineWidth = 5;
+    context.strokeText(text, box.x, box.y);
+    context.fillStyle = colour;
+    context.fillText(text, box.x, box.y);
+  }
+  return taken;
+}
+
+function measure(context, p, q, [nx, ny], off, colour) {
   context.strokeStyle = colour;
   context.lineWidth = 1;
   context.beginPath();
@@ -124,13 +145,8 @@ export function drawDimension(context, { body, from, to, text, colour }, eye, ha
   context.moveTo(p.x + off * nx, p.y + off * ny);
   context.lineTo(q.x + off * nx, q.y + off * ny);
   context.stroke();
-  context.font = fontOf({}, 12);
-  context.textAlign = 'center';
-  context.textBaseline = 'middle';
-  const [x, y] = [(p.x + q.x) / 2 + off * nx, (p.y + q.y) / 2 + off * ny];
-  context.strokeStyle = halo;
-  context.lineWidth = 5;
-  context.strokeText(text, x, y);
-  context.fillStyle = colour;
-  context.fillText(text, x, y);
+}
+
+function crosses(a, b) {
+  return a.left < b.right + 2 && b.left < a.right + 2 && a.top < b.bottom + 1 && b.top < a.bottom + 1;
 }

@@ -1,5 +1,5 @@
 // Where the tool is: the pose as a matrix, its columns in the colours of the axes, and a button that copies it as Python.
-import { fixed, h, KEYS } from './dom.js';
+import { fixed, h, KEYS, unique } from './dom.js';
 
 const HEADS = [['x̂', 'x'], ['ŷ', 'y'], ['ẑ', 'z'], ['p', 'p']];
 
@@ -12,11 +12,13 @@ export function readout() {
     told.textContent = (await toClipboard(python(now))) ? 'copied' : 'this page may not copy';
     setTimeout(() => { told.textContent = ''; }, 2000);
   } }, 'Copy');
+  const id = unique('pose');
   const element = h('div', { class: 'kv-pose' },
-    h('table', {},
-      h('caption', {}, h('span', {}, 'Tool pose ', h('i', {}, 'T'), '(', h('i', {}, 'q'), '), {b} seen from {s}'), copy, told),
+    h('div', { class: 'kv-head' }, h('span', { id, class: 'kv-title' }, 'Tool pose ', h('i', {}, 'T'), '(', h('i', {}, 'q'), ')'), told, copy),
+    h('table', { 'aria-labelledby': id },
       h('thead', {}, h('tr', {}, ...HEADS.map(([text, name]) => h('th', { scope: 'col', class: `kv-${name}` }, text)))),
-      h('tbody', {}, ...[0, 1, 2, 3].map((row) => h('tr', {}, ...cells.slice(4 * row, 4 * row + 4))))));
+      h('tbody', {}, ...[0, 1, 2, 3].map((row) => h('tr', {}, ...cells.slice(4 * row, 4 * row + 4))))),
+    h('p', { class: 'kv-note' }, '{b} seen from {s}; lengths in metres'));
   return {
     element,
     update(q, T) {

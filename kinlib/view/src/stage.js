@@ -1,12 +1,12 @@
 // The stage: an arm's layers of parts, the floor, the light and the eye, painted when something has changed.
 // A layer is a named set of parts that is shown or not; see parts.js for what a part is.
 import {
-  BackSide, BufferGeometry, Color, CylinderGeometry, DirectionalLight, Float32BufferAttribute, HemisphereLight,
+  BackSide, BufferGeometry, Color, CylinderGeometry, DirectionalLight, Float32BufferAttribute, GreaterDepth, HemisphereLight,
   LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshStandardMaterial, Quaternion, Scene, Vector3,
 } from 'three';
 import { Eye } from './camera.js';
 import { Figure } from './figure.js';
-import { drawDimension, drawLabels } from './labels.js';
+import { drawDimensions, drawLabels } from './labels.js';
 import { canPaint, paint } from './painter.js';
 import { drawFlat } from './flat.js';
 import { merged } from './shapes.js';
@@ -25,6 +25,8 @@ export class Stage {
     this.scene.add(this.figure.root);
     this.eye = new Eye(data.room, () => this.draw());
     this.solid = new MeshStandardMaterial({ vertexColors: true, roughness: 0.62, metalness: 0 });
+    this.hidden = new MeshBasicMaterial({ vertexColors: true, transparent: true, opacity: 0.3, depthFunc: GreaterDepth, depthWrite: false });
+    this.hidden.userData.order = 3;
     this.edge = new MeshBasicMaterial({ side: BackSide });
     this.edge.onBeforeCompile = (shader) => {
       shader.uniforms.width = this.edge.userData.width;
@@ -87,7 +89,7 @@ export class Stage {
   }
 
   /** Put a layer on the stage, in place of the one of that name. Parts name a body, and an arm where there are several. */
-  put(name, parts, { figure = this.figure, material = this.solid, outlined = false } = {}) {
+  put(name, parts, { figure = this.figure, material = this.solid, outlined = false, through = false } = {}) {
     this.remove(name);
     const meshes = [];
     const bodyOf = (part) => figure.body(part.arm ?? 0, part.body);
@@ -97,10 +99,11 @@ export class Stage {
       const mesh = new Mesh(geometry, material);
       meshes.push([body, mesh]);
       if (outlined) meshes.push([body, new Mesh(geometry, this.edge)]);
+      if (through) meshes.push([body, new Mesh(geometry, this.hidden)]);
     }
     for (const [body, mesh] of meshes) {
       body.add(mesh);
-      if (material.userData.order) mesh.renderOrder = material.userData.order;
+      mesh.renderOrder = mesh.material.userData.order ?? 0;
     }
     const flat = parts.filter((part) => !part.shape).map((part) => ({ ...part, body: bodyOf(part) }));
     this.layers.set(name, {
@@ -192,8 +195,8 @@ export class Stage {
     this.edge.userData.width.value = 1.1 * eye.scale;
     if (this.flat) drawFlat(context, shown.flatMap((layer) => layer.solids), eye, theme);
     else this.calls = paint(this.scene, eye.camera, context, { width, height, ratio });
-    for (const dimension of shown.flatMap((layer) => layer.dimensions)) drawDimension(context, dimension, eye, theme.halo);
-    this.labelled = drawLabels(context, shown.flatMap((layer) => layer.labels), eye, { halo: theme.halo, leader: theme.quiet });
+    const taken = drawDimensions(context, shown.flatMap((layer) => layer.dimensions), eye, theme.halo);
+    drawLabels(context, shown.flatMap((layer) => layer.labels), taken, eye, { halo: theme.halo, leader: theme.quiet });
     for (const overlay of this.overlays) overlay(context, eye);
     this.canvas.dataset.pictures = Number(this.canvas.dataset.pictures ?? 0) + 1;
   }
@@ -201,7 +204,7 @@ export class Stage {
   dispose() {
     cancelAnimationFrame(this.waiting);
     for (const name of [...this.layers.keys()]) this.remove(name);
-    for (const thing of [this.grid.geometry, this.grid.material, this.solid, this.edge]) thing.dispose();
+    for (const thing of [this.grid.geometry, this.grid.material, this.solid, this.hidden, this.edge]) thing.dispose();
     this.visible = false;
   }
 }
