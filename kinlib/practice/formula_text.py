@@ -1,0 +1,92 @@
+r"""Formulas as people type them, read as trees: nothing is run, for nothing in the language can.
+
+The language: numbers, names, + - * / and powers, functions called by name, brackets, and lists for matrices. A blank or
+nothing between two factors multiplies, as on paper: 2 sin(q) c_1. Greek letters, LaTeX's \frac, \theta and s_{12}, and
+the superscripts of a keyboard are read as what they mean.
+"""
+
+import ast
+import re
+import unicodedata
+from collections.abc import Iterator
+
+LONGEST = 2000
+"""No formula that a person types has more characters."""
+
+FUNCTIONS = (
+    *("sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh"),
+    *("sqrt", "exp", "log", "ln", "abs", "Abs", "sinc", "Matrix"),
+)
+"""What may be called. A matrix is no function, but written like one."""
+
+WRITTEN = {
+    **{letter: unicodedata.name(letter).split()[-1].lower() for letter in "αβγδθλμξπρστφψω"},
+    **{subscript: str(digit) for digit, subscript in enumerate("₀₁₂₃₄₅₆₇₈₉")},
+    **dict.fromkeys("·×⋅", "*"),
+    **dict.fromkeys("−–", "-"),
+    "²": "**2",
+    "³": "**3",
+    "^": "**",
+    "°": "*pi/180",
+}
+"""What stands on paper and on no keyboard."""
+
+TOKEN = re.compile(
+    r"\s*(?:(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)|(?P<name>[A-Za-z]\w*)|(?P<sign>\*\*|[-+*/(),\[\]]))",
+    re.ASCII,
+)
+
+
+def parse(text: str) -> ast.expr:
+    r"""Read a text as a syntax tree of the language.
+
+    Raises ValueError for what the language does not have, with the place, and for a text that is too long.
+
+    >>> ast.unparse(parse(r"2 a_2 cos(θ_1)^2 - \frac{1}{2} s_{12}"))
+    '2 * a_2 * cos(theta_1) ** 2 - 1 / 2 * s_12'
+    """
+    if len(text) > LONGEST:
+        raise ValueError(f"A formula has at most {LONGEST} characters here, and this has {len(text)}.")
+    clean = " ".join(_tokens(_plain(text)))
+    try:
+        return ast.parse(clean, mode="eval").body
+    except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
+        raise ValueError(f"{_cut(text)!r} is not finished, or a bracket is missing. {_advice(clean)}") from error
+
+
+def _plain(text: str) -> str:
+    """Turn what stands on paper into what stands on a keyboard."""
+    text = re.sub(r"\\d?frac\{([^{}]*)\}\{([^{}]*)\}", r"((\1)/(\2))", text.strip().strip("$"))
+    text = re.sub(r"√\s*(\w+)", r"sqrt(\1)", text).replace("√", "sqrt")
+    text = re.sub(r"\\(cdot|times)\b", "*", text)
+    text = re.sub(r"\\(left|right|,|;|!)", " ", text)
+    text = re.sub(r"\b(sp|sympy|np|math)\.", "", text)
+    # The bar of s_{12} falls; any other brace groups.
+    text = re.sub(r"_\{(\w+)\}", r"_\1", text).replace("{", "(").replace("}", ")").replace("\\", " ")
+    return "".join(WRITTEN.get(letter, letter) for letter in text)
+
+
+def _tokens(text: str) -> Iterator[str]:
+    """Cut a text into numbers, names and signs, with a * where two factors stand side by side."""
+    before, kind, place = "", "", 0
+    while text[place:].strip():
+        found = TOKEN.match(text, place)
+        if found is None:
+            letter = text[place:].strip()[0]
+            raise ValueError(f"{letter!r} is not part of a formula; it stands in {_cut(text[max(0, place - 10) :])!r}.")
+        place, word = found.end(), found[found.lastgroup or 0]
+        ends = before in (")", "]") or (kind in ("number", "name") and before not in FUNCTIONS)
+        begins = word == "(" or found.lastgroup == "name" or (found.lastgroup == "number" and kind != "number")
+        if ends and begins:
+            yield "*"
+        yield word
+        before, kind = word, found.lastgroup or ""
+
+
+def _advice(clean: str) -> str:
+    called = re.search(rf"\b({'|'.join(FUNCTIONS)})\b(?! \()", clean)
+    return f"Write {called[1]} with brackets, {called[1]}(...)." if called else "Try 2*sin(q) or a*cos(q1)/3."
+
+
+def _cut(text: str) -> str:
+    return text if len(text) <= 60 else text[:57] + "..."

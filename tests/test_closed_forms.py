@@ -1,0 +1,222 @@
+"""Closed forms as answers: right by what they mean, and no text or expression that breaks the reader or keeps it busy."""
+
+import time
+from contextlib import suppress
+
+import numpy as np
+import pytest
+import sympy as sp
+from hypothesis import given
+from hypothesis import strategies as st
+
+import kinlib as kl
+from kinlib.practice.answers import Unreadable
+from kinlib.practice.closed_forms import ClosedForm
+from kinlib.practice.formula_text import FUNCTIONS
+from kinlib.practice.formulas import MOST, Reader
+from kinlib.practice.judge import judge
+from kinlib.practice.problem import Problem, mistake
+
+q_1, q_2 = sp.symbols("q_1 q_2", real=True)
+a_2 = sp.Symbol("a_2", positive=True)
+theta = sp.Symbol("theta")
+
+RIGHT = ClosedForm(a_2 * sp.cos(q_1 + q_2) + sp.sin(q_1) ** 2)
+
+
+def is_right(form, given):
+    return all(form.agrees(form.read(given), form.value))
+
+
+# --- by meaning ---
+
+
+@pytest.mark.parametrize(
+    "given",
+    [
+        RIGHT.value,
+        sp.expand_trig(RIGHT.value),
+        RIGHT.value.rewrite(sp.exp),
+        a_2 * sp.Symbol("c_12") + sp.Symbol("s_1") ** 2,
+        "a_2*cos(q_1 + q_2) + sin(q_1)**2",
+        "sp.sin(q1)**2 + a2*sp.cos(q2 + q1)",
+        "a2 c12 + 1 - c1^2",
+        "a2 (c1 c2 - s1 s2) + s1²",
+        "2a2 cos(θ₁ + θ₂)/2 + sin(theta1)**2",
+        r"$a_2 \cos\left(\theta_{1} + \theta_{2}\right) + \frac{1 - \cos(2 \theta_1)}{2}$",
+        "a_2·cos(q1+q2) − (−1 + cos(q1)²)",
+        ["a2 c12 + s1**2"],
+        "1.0*a2*c12 + s1*s1",
+    ],
+    ids=repr,
+)
+def test_one_formula_is_right_in_every_dress(given):
+    assert is_right(RIGHT, given)
+
+
+@pytest.mark.parametrize(
+    "given",
+    ["a2 c12 + s1", "a2 c12 - s1^2", "a2 c12 + s1^2 + 1/10^9", "a2 cos(q1 - q2) + s1^2", "0.99 a2 c12 + s1^2", 1, "q1"],
+)
+def test_another_formula_is_wrong(given):
+    assert not is_right(RIGHT, given)
+
+
+def test_decimals_count_as_three_and_what_is_exact_counts_exactly():
+    form = ClosedForm(sp.sqrt(2) / 2 * sp.sin(theta))
+    assert is_right(form, "0.7071*sin(theta)")
+    assert is_right(form, np.sqrt(2) / 2 * sp.sin(theta))
+    assert not is_right(form, "7071/10000*sin(theta)")
+    assert is_right(form, "sin(theta)/√2")
+
+
+@given(
+    st.recursive(
+        st.sampled_from([q_1, q_2, a_2, sp.pi, sp.Integer(2), sp.Rational(-1, 3)]),
+        lambda part: st.one_of(
+            st.tuples(part, part).map(lambda two: two[0] + two[1]),
+            st.tuples(part, part).map(lambda two: two[0] * two[1]),
+            part.map(sp.sin),
+            part.map(sp.cos),
+            part.map(lambda base: base**2),
+        ),
+        max_leaves=8,
+    )
+)
+def test_values_are_those_of_sympy_and_its_text_says_the_same(expression):
+    """The oracle is SymPy's own evaluation; what it prints is read back as the same formula."""
+    reader = Reader([q_1, q_2, a_2])
+    made, typed = reader.read(expression), reader.read(str(expression))
+    at = {symbol: sp.Float(repr(reader.first_point[symbol.name.replace("_", "")])) for symbol in (q_1, q_2, a_2)}
+    oracle = float(expression.subs(at).evalf(25))
+    assert made.values[0] == pytest.approx(oracle, rel=1e-12, abs=1e-12)
+    np.testing.assert_allclose(typed.values, made.values, rtol=1e-14, atol=1e-14)
+
+
+def test_a_matrix_may_be_sympy_text_rows_or_the_work_of_kinlib():
+    T = kl.symbolic.exp(kl.symbolic.screw((0, 0, 1), point=(a_2, 0, 0)) * q_1)
+    form = ClosedForm(T)
+    text = "[[c1, -s1, 0, a2(1 - c1)], [s1, c1, 0, -a2 s1], [0, 0, 1, 0], [0, 0, 0, 1]]"
+    rows = [str(row) for row in T.tolist()]
+    for dress in (T, sp.ImmutableMatrix(T), text, f"Matrix({text})", T.tolist(), np.array(T), rows):
+        assert is_right(form, dress)
+    assert form.agrees(form.read(sp.eye(4)), T) == [False, False]
+    assert form.agrees(form.read(text.replace("a2(1 - c1)", "a2")), T) == [True, False]
+
+
+def test_a_vector_may_lie_or_stand():
+    form = ClosedForm(sp.Matrix([q_1, 0, a_2]))
+    assert is_right(form, "[q1, 0, a2]")
+    assert is_right(form, [["q1", "0", "a2"]])
+    assert is_right(form, sp.Matrix([[q_1, 0, a_2]]))
+
+
+def test_a_symbol_that_the_right_answer_does_without_may_be_declared():
+    form = ClosedForm(sp.Integer(1), symbols=[theta])
+    assert is_right(form, "sin(theta)**2 + cos(theta)**2")
+    assert is_right(form, "s_theta^2 + c_theta^2")
+
+
+def test_a_mistake_is_recognised_by_meaning_too():
+    problem = Problem("", ClosedForm(sp.cos(2 * theta)), [mistake("half", sp.cos(theta), "The angle is doubled.")])
+    judgement = judge(problem, "1 - 2 sin(theta/2)^2")
+    assert judgement.mistakes == ["half"]
+    assert judge(problem, "1 - 2 sin(theta)^2").state == "right"
+
+
+def test_a_wrong_formula_is_told_numbers_and_a_wrong_matrix_is_told_where():
+    message = judge(Problem("", RIGHT, []), "a2 c12").findings[0].message
+    assert "your formula gives" in message
+    rotation = ClosedForm(sp.Matrix([[sp.cos(theta), -sp.sin(theta)], [sp.sin(theta), sp.cos(theta)]]))
+    message = (
+        judge(Problem("", rotation, []), "[[cos(theta), sin(theta)], [sin(theta), cos(theta)]]").findings[0].message
+    )
+    assert message == "3 of the 4 entries are right. Look at row 1, column 2."
+
+
+# --- what is no formula ---
+
+SHARED = q_1
+for _ in range(60):
+    SHARED = sp.sin(SHARED) * sp.cos(SHARED)
+
+UNREADABLE = {
+    "a tower of powers": ("9**9**9**9", "Exponents go up to 64"),
+    "a tower in brackets": ("((9**9)**9)**9", "grows beyond 1e"),
+    "a tower made by SymPy": (sp.Pow(9, sp.Pow(9, 9, evaluate=False), evaluate=False), "Exponents go up to 64"),
+    "a tower of exponentials": ("exp(exp(exp(exp(9))))", "grows beyond"),
+    "a very large whole number": (sp.Integer(7) ** 100_000, "grows beyond"),
+    "code": ("__import__('os').system('true')", "is not part of a formula"),
+    "an attribute": ("q1.__class__", "is not part of a formula"),
+    "a lambda": ("lambda: 1", "':' is not part of a formula"),
+    "a comprehension": ("[q1 for q1 in q2]", "is not finished"),
+    "a condition": ("q1 if q1 else q2", "is not finished"),
+    "an index": ("[q1, q2][0]", "Only numbers, names"),
+    "a call of a symbol": ("(sin)(q1)", "sin wants its brackets at once"),
+    "a call of what is no function": ("eval(q1)", "eval is none of the symbols"),
+    "a starred argument": ("sin(*q1)", "Only numbers, names"),
+    "an unknown symbol": ("a3 c12", "a3 is none of the symbols here: a_2, q_1, q_2"),
+    "a shorthand of an unknown angle": ("c13", "c13 is none of the symbols"),
+    "an unknown function of SymPy": (sp.Function("f")(q_1), "f is no function here"),
+    "an integral": (sp.Integral(sp.sin(q_1), q_1), "Integral is no function"),
+    "a function without brackets": ("sin q1", "Write sin with brackets"),
+    "a power of a function": ("sin^2(q1)", "wants its brackets at once"),
+    "two arguments": ("cos(q1, q2)", "takes another number of arguments"),
+    "a bracket that is missing": ("sin(q1", "a bracket is missing"),
+    "nothing": (" ", "is not finished"),
+    "a division by zero": ("1/(q1 - q1)", "divides by zero"),
+    "a logarithm of zero": ("log(0)", "grows beyond"),
+    "NaN": (sp.nan, "NaN or infinity"),
+    "complex infinity": (sp.zoo, "NaN or infinity"),
+    "a float that is NaN": (float("nan"), "grows beyond"),
+    "what is not real": ("sqrt(-1 - q1^2)", "not real"),
+    "a wrong shape": ("[q1, q2]", "Yours is a vector of 2 formulas"),
+    "a ragged list": ([["q1"], ["q1", "q2"]], "rows differ in length"),
+    "an empty list": ([], "It is empty"),
+    "a huge array": (np.zeros((4000, 4000)), "more entries"),
+    "a long list": ([0] * 100_000, "more entries"),
+    "a deep list": ([[[[[0]]]]], "more entries|Yours"),
+    "a long text": ("q1+" * 10_000 + "q1", "at most 2000 characters"),
+    "a thousand minus signs": ("-" * 1900 + "q1", "nested too deeply|is not finished"),
+    "a thousand brackets": ("(" * 900 + "q1" + ")" * 900, "is not finished"),
+    "a long sum of SymPy": (sp.Add(*(sp.sin(k * q_1) for k in range(MOST))), f"more than {MOST} parts"),
+    "a function": (np.sin, "no formula"),
+    "an object": (object(), "no formula"),
+    "bytes": (b"q1", "no formula"),
+    "a dictionary": ({"q1": 1}, "no formula"),
+}
+
+
+@pytest.mark.parametrize(("hostile", "words"), UNREADABLE.values(), ids=UNREADABLE)
+def test_what_is_no_formula_is_refused_in_bounded_time_with_a_reason(hostile, words):
+    start = time.perf_counter()
+    with pytest.raises(Unreadable, match=f"(?s)Expected one formula in a_2, q_1, q_2.*({words})"):
+        RIGHT.read(hostile)
+    assert time.perf_counter() - start < 2
+
+
+def test_an_expression_that_shares_its_parts_is_worked_out_once_and_never_printed():
+    """Written out, it would have 2^60 parts."""
+    start = time.perf_counter()
+    assert not is_right(RIGHT, SHARED)
+    assert "your formula gives" in judge(Problem("", RIGHT, []), SHARED).findings[0].message
+    assert time.perf_counter() - start < 2
+
+
+@given(st.text(alphabet="q12ac_s+-*/^()[],. eπθ√²sin'\"\\{}9", max_size=60) | st.text(max_size=40))
+def test_any_text_is_a_formula_or_unreadable(text):
+    with suppress(Unreadable):
+        assert np.isfinite(RIGHT.read(text).values).all()
+
+
+@pytest.mark.parametrize("name", sorted({*FUNCTIONS} - {"Matrix", "atan2"}))
+def test_every_function_of_the_language_is_that_of_sympy(name):
+    x = sp.Symbol("x", positive=True)
+    reader = Reader([x])
+    half = sp.Rational(1, 3)
+    function = {"abs": sp.Abs}.get(name) or getattr(sp, name)
+    typed = reader.read(f"{name}(x/3)").values[0]
+    oracle = complex(function(half * sp.Float(repr(reader.first_point["x"]))).evalf(20))
+    assert typed == pytest.approx(oracle.real, rel=1e-12)
+    if name != "sinc":
+        assert reader.read(function(x * half)).values[0] == pytest.approx(oracle.real, rel=1e-12)
