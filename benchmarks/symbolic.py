@@ -1,0 +1,79 @@
+"""How short and how soon: forward kinematics in symbols, here and by multiplying out and simplifying.
+
+    python -m benchmarks.symbolic
+    python -m benchmarks.symbolic --quick       without simplify
+
+Milliseconds, and operations as SymPy counts them, for each robot of the course with a symbol for each joint. "multiplied":
+the exponentials of the joints and the home pose, one after the other. "simplified": then sympy.simplify, entry by entry.
+"toolbox": the Robotics Toolbox for Python on the DH table of the same robot, simplified by its own method; its PUMA 560 has
+floats for lengths, and it takes no helical joint. Every column starts with SymPy's cache empty, is timed once, and agrees
+with the numbers of kl.Chain to 1e-9 at one posture.
+"""
+
+import sys
+import time
+from functools import reduce
+from inspect import get_annotations, getmembers, isfunction
+
+import numpy as np
+import sympy as sp
+from roboticstoolbox import DHRobot, PrismaticDH, RevoluteDH
+from sympy.core.cache import clear_cache
+
+import kinlib as kl
+
+
+def multiplied(robot):
+    """Multiply the factors of the space form as they stand."""
+    values = zip(robot.screws, kl.symbolic.joints(robot.n), strict=True)
+    factors = [kl.symbolic.exp(kl.symbolic.exact(S) * value) for S, value in values]
+    return reduce(sp.Matrix.multiply, [*factors, kl.symbolic.exact(robot.home)])
+
+
+def simplified(robot):
+    """Multiply, then simplify each entry."""
+    return multiplied(robot).applyfunc(sp.simplify)
+
+
+def toolbox(robot):
+    """Ask the Robotics Toolbox, on the standard table of the same arm with exact entries."""
+    table = kl.assign_frames(robot, convention="standard").table
+    links = []
+    for numbers, letter in zip(table.rows, table.joints, strict=True):
+        a, alpha, d, theta = kl.symbolic.exact(numbers)
+        if letter == "R":
+            links.append(RevoluteDH(a=a, alpha=alpha, d=d, offset=theta))
+        else:
+            links.append(PrismaticDH(a=a, alpha=alpha, theta=theta, offset=d))
+    arm = DHRobot(links, symbolic=True)
+    T = sp.Matrix(arm.fkine(kl.symbolic.joints(robot.n)).simplify().A)
+    return kl.symbolic.exact(table.base) * T * kl.symbolic.exact(table.tool)
+
+
+def cell(make, robot):
+    """One entry of the table: milliseconds and operations."""
+    clear_cache()
+    start = time.perf_counter()
+    try:
+        T = make(robot)
+    except Exception as error:  # a peer may fail in any way, and then the table says so
+        return f"{type(error).__name__:>22}"
+    milliseconds = 1e3 * (time.perf_counter() - start)
+    q = np.linspace(0.3, 1.7, robot.n)
+    at_q = T.subs(dict(zip(kl.symbolic.joints(robot.n), q, strict=True))).evalf()
+    np.testing.assert_allclose(np.array(at_q, dtype=float), robot.fk(q), rtol=0, atol=1e-9)
+    return f"{milliseconds:>12,.0f} ms{sp.count_ops(T):>7}"
+
+
+def main(quick=False):
+    """Print the table, one line a robot."""
+    kl.symbolic.fk(kl.robots.rpr())  # what is loaded at first use is no part of the time
+    makers = [kl.symbolic.fk, multiplied] if quick else [kl.symbolic.fk, multiplied, simplified, toolbox]
+    families = [f for _, f in getmembers(kl.robots, isfunction) if get_annotations(f).get("return") is kl.Chain]
+    print(f"{'':<18}" + "".join(f"{name:>22}" for name in ["kinlib", *(make.__name__ for make in makers[1:])]))
+    for robot in (family() for family in families if family is not kl.robots.arm):
+        print(f"{robot.name:<18}" + "".join(cell(make, robot) for make in makers), flush=True)
+
+
+if __name__ == "__main__":
+    main("--quick" in sys.argv)
