@@ -27,7 +27,7 @@ def four_bar(ground: float, crank: float, coupler: float, rocker: float) -> Mech
     A is the crank's angle and D the rocker's, both from x; B is the coupler's to the crank, C the coupler's to the rocker.
 
     Raises ValueError for a length that is not positive.
-    Source: Modern Robotics, figure 2.7 and example 2.2; Grashof's condition sorts its kinds.
+    Source: Modern Robotics, example 2.3 and figure 2.4(a); Grashof's condition sorts its kinds.
 
     >>> four_bar(0.4, 0.1, 0.35, 0.3).names
     ('A', 'B', 'D', 'C')
@@ -42,7 +42,7 @@ def four_bar(ground: float, crank: float, coupler: float, rocker: float) -> Mech
             Joint("C", ("rocker", "coupler"), screw(Z, c), gap=_shift(c - b - coupler * X), point=c),
         ],
         name="four-bar",
-        source="Modern Robotics, figure 2.7",
+        source="Modern Robotics, figure 2.4(a)",
     )
 
 
@@ -52,7 +52,7 @@ def slider_crank(crank: float, rod: float, offset: float = 0.0) -> Mechanism:
     The slide runs along the line y = offset.
 
     Raises ValueError for a length that is not positive.
-    Source: Modern Robotics, figure 2.8.
+    Source: Modern Robotics, example 2.3 and figure 2.4(b).
 
     >>> slider_crank(1, 3).trace([0, 0, 4, 0]).closed
     True
@@ -67,7 +67,7 @@ def slider_crank(crank: float, rod: float, offset: float = 0.0) -> Mechanism:
             Joint("C", ("slider", "rod"), screw(Z, pin), gap=_shift(pin - (crank + rod) * X), point=pin),
         ],
         name="slider-crank",
-        source="Modern Robotics, figure 2.8",
+        source="Modern Robotics, figure 2.4(b)",
     )
 
 
@@ -75,14 +75,14 @@ def five_bar(ground: float, left: tuple[float, float], right: tuple[float, float
     """A planar five-bar: two arms of two links each, from A and from D, pinned together at C. It has two freedoms.
 
     Raises ValueError for a length that is not positive.
-    Source: Modern Robotics, figure 7.1 (a five-bar linkage as a parallel robot).
+    Source: Modern Robotics, example 2.4 and figure 2.5(b).
 
     >>> five_bar(1, (1, 1), (1, 1)).kutzbach()
     2
     """
     left_arm = _planar_arm(0.0, left, ("A", "B"))
     right_arm = _planar_arm(ground, right, ("D", "E", "C"))
-    return Mechanism.from_branches(left_arm, right_arm, name="five-bar", source="Modern Robotics, figure 7.1")
+    return Mechanism.from_branches(left_arm, right_arm, name="five-bar", source="Modern Robotics, figure 2.5(b)")
 
 
 def ten_links(left: Sequence[float] = (1.0,) * 5, right: Sequence[float] = (1.0,) * 5) -> Mechanism:
@@ -92,7 +92,7 @@ def ten_links(left: Sequence[float] = (1.0,) * 5, right: Sequence[float] = (1.0,
     deck's (3.81) leaves the pin out: it equates two points, and the pin is what turns two points into two poses.
 
     Raises ValueError for a length that is not positive.
-    Source: the UIUC deck's (3.81), from LaValle, Planning Algorithms, section 3.4.3.
+    Source: the UIUC deck's (3.81), from LaValle, Planning Algorithms, section 3.4.
 
     >>> ten_links().kutzbach()
     8
@@ -108,7 +108,7 @@ def parallelogram(ground: float = 0.4, crank: float = 0.2) -> Mechanism:
     It is drawn closed, with all cranks upright: q = 0 is a posture.
 
     Raises ValueError for a length that is not positive.
-    Source: Modern Robotics, example 2.6 and figure 2.7(b).
+    Source: Modern Robotics, example 2.6 and figure 2.7(a).
 
     >>> linkage = parallelogram()
     >>> linkage.kutzbach(), linkage.mobility([0, 0, 0, 0, 0, 0]).finite
@@ -174,7 +174,7 @@ def three_rrr(base: float = 0.5, platform: float = 0.2, upper: float = 0.3, lowe
     base, platform: the distance of their corners from their middle. Every arm is drawn stretched, from its foot inwards.
 
     Raises ValueError for a length that is not positive.
-    Source: Modern Robotics, figure 2.9 (a planar mechanism with two overlapping joints has the same count) and 7.1.
+    Source: Modern Robotics, 7.1.1.
 
     >>> three_rrr().kutzbach()
     3
@@ -199,7 +199,7 @@ def bennett(a: float = 1.0, alpha: float = np.pi / 3, b: float = 0.6) -> Mechani
     offsets: a standard DH table whose last frame is its first.
 
     Raises ValueError for a length that is not positive, and where no twist beta fits.
-    Source: Bennett, A new mechanism, Engineering 76 (1903); McCarthy and Soh, Geometric Design of Linkages, 7.3.
+    Source: Bennett, A new mechanism, Engineering 76 (1903); McCarthy and Soh, Geometric Design of Linkages.
 
     >>> bennett().kutzbach()
     -2
@@ -255,7 +255,7 @@ def stewart_gough(base: float = 0.5, platform: float = 0.3, height: float = 0.6)
     It is drawn closed. Each leg is a universal joint at its foot, a slide along it, a spherical joint at its head.
 
     Raises ValueError for a length that is not positive.
-    Source: Modern Robotics, example 2.8 and 7.1.2; Gough (1956), Stewart (1965).
+    Source: Modern Robotics, example 2.8, figure 1.1(b) and 7.1.2; Gough (1956), Stewart (1965).
 
     >>> stewart_gough().kutzbach()
     6

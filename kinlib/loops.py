@@ -99,7 +99,7 @@ class Mechanism:
         The values of q are those of the first branch, then those of the second, and so on.
 
         Raises ValueError for fewer than two branches.
-        Source: the UIUC deck's (3.81), from LaValle, Planning Algorithms, section 3.4.3.
+        Source: the UIUC deck's (3.81), from LaValle, Planning Algorithms, section 3.4.
 
         >>> from kinlib.robots import rpr
         >>> Mechanism.from_branches(rpr(), rpr()).n
