@@ -27,6 +27,16 @@ export class Eye {
 
   home() {
     Object.assign(this, { ...VIEWS['3-D'], zoom: 1, target: new Vector3(...this.room.centre) });
+    this.radius = this.room.radius;
+    this.place();
+  }
+
+  /** Step back as far as it takes to keep points in view: an arm at play shall not leave the picture. */
+  keep(points, margin) {
+    const centre = new Vector3(...this.room.centre);
+    const far = Math.max(...points.map((point) => point.distanceTo(centre))) + margin;
+    if (far <= this.radius) return;
+    this.radius = far;
     this.place();
   }
 
@@ -37,23 +47,23 @@ export class Eye {
 
   /** Metres of space a pixel. */
   get scale() {
-    return (2 * this.room.radius) / (Math.min(this.width, this.height) * this.zoom);
+    return (2 * this.radius) / (Math.min(this.width, this.height) * this.zoom);
   }
 
   place() {
-    const { camera, scale, width, height, target, room } = this;
+    const { camera, scale, width, height, target } = this;
     const [a, e] = [this.azimuth * DEGREE, this.elevation * DEGREE];
     const away = new Vector3(Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a), Math.sin(e));
     // seen from right above, "up" is where the eye would fall back to
     camera.up.set(-Math.sin(e) * Math.cos(a), -Math.sin(e) * Math.sin(a), Math.cos(e));
-    const distance = 12 * room.radius;
+    const distance = 12 * this.radius;
     camera.position.copy(target).addScaledVector(away, distance);
     camera.lookAt(target);
     camera.left = (-width * scale) / 2;
     camera.right = (width * scale) / 2;
     camera.top = (height * scale) / 2;
     camera.bottom = (-height * scale) / 2;
-    camera.near = 0.01 * room.radius;
+    camera.near = 0.01 * this.radius;
     camera.far = 2 * distance;
     camera.updateProjectionMatrix();
     camera.updateMatrixWorld(true);

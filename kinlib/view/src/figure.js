@@ -1,6 +1,6 @@
 // A figure: the bodies of an arm, or of the arms of a closed chain, as nested groups. A joint's group is turned by
 // exp([S_i] q_i), and what it holds is given where it is at home: the scene graph is the product of exponentials.
-import { Group, Matrix4 } from 'three';
+import { Group, Matrix4, Vector3 } from 'three';
 import { screwExp } from './screw.js';
 
 export class Figure {
@@ -9,18 +9,20 @@ export class Figure {
     this.root = new Group();
     this.arms = arms.map((arm) => {
       const bodies = [this.root];
-      for (const { screw } of arm.joints) {
+      const points = [];
+      for (const { screw, point } of arm.joints) {
         const body = new Group();
         body.matrixAutoUpdate = false;
         body.userData.screw = screw;
         bodies.at(-1).add(body);
         bodies.push(body);
+        points.push(point);
       }
       const tool = new Group();
       tool.matrixAutoUpdate = false;
       tool.matrix.set(...arm.home);
       bodies.at(-1).add(tool);
-      return { bodies, tool, columns: arm.columns };
+      return { bodies, tool, points, columns: arm.columns };
     });
     /** what moves with each joint value and is not a rigid body: the rods of slides */
     this.stretched = [];
@@ -40,6 +42,14 @@ export class Figure {
     }
     for (const stretch of this.stretched) stretch(q);
     this.root.updateMatrixWorld(true);
+  }
+
+  /** Where the joints and the tools are, in space. */
+  stations() {
+    return this.arms.flatMap(({ bodies, tool, points }) => [
+      ...points.map((point, i) => new Vector3(...point).applyMatrix4(bodies[i + 1].matrixWorld)),
+      new Vector3().setFromMatrixPosition(tool.matrixWorld),
+    ]);
   }
 
   /** T_sb of an arm, in rows. */

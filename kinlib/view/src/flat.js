@@ -1,25 +1,41 @@
 // Without WebGL: the same parts as strokes, the farther ones first. Less to look at, and all of it still moves.
 import { Vector3 } from 'three';
 
-const ENDS = { round: new Set(['capsule', 'sphere', 'rod']) };
+const ROUND = new Set(['capsule', 'sphere', 'rod']);
 
 export function drawFlat(context, solids, eye, theme) {
   const strokes = solids.map((part) => {
     const [p, q] = ends(part).map((point) => eye.project(point, new Vector3()));
-    return { p, q, width: Math.max(1, (2 * part.radius) / eye.scale), colour: part.colour, round: ENDS.round.has(part.shape) };
+    return { p, q, part, width: Math.max(1, (2 * part.radius) / eye.scale), depth: p.z + q.z };
   });
-  strokes.sort((a, b) => b.p.z + b.q.z - a.p.z - a.q.z);
-  for (const { p, q, width, colour, round } of strokes) {
-    for (const [ink, grown] of [[theme.outline, width > 6 ? 2 : 0], [colour, 0]]) {
-      context.strokeStyle = ink;
-      context.lineWidth = width + grown;
-      context.lineCap = round ? 'round' : 'butt';
-      context.beginPath();
-      context.moveTo(p.x, p.y);
-      context.lineTo(q.x + (round ? 0.01 : 0), q.y); // a point is a very short line
-      context.stroke();
-    }
+  strokes.sort((a, b) => b.depth - a.depth);
+  for (const { p, q, part, width } of strokes) {
+    if (part.shape === 'cone') tip(context, p, q, width, part.colour);
+    else stroke(context, p, q, width, part, theme);
   }
+}
+
+function stroke(context, p, q, width, { shape, colour }, theme) {
+  context.lineCap = ROUND.has(shape) ? 'round' : 'butt';
+  for (const [ink, grown] of [[theme.outline, width > 6 ? 2 : 0], [colour, 0]]) {
+    context.strokeStyle = ink;
+    context.lineWidth = width + grown;
+    context.beginPath();
+    context.moveTo(p.x, p.y);
+    context.lineTo(q.x + (ROUND.has(shape) ? 0.01 : 0), q.y); // a point is a very short line
+    context.stroke();
+  }
+}
+
+function tip(context, p, q, width, colour) {
+  const length = Math.hypot(q.x - p.x, q.y - p.y) || 1;
+  const [nx, ny] = [(-(q.y - p.y) / length) * (width / 2), ((q.x - p.x) / length) * (width / 2)];
+  context.fillStyle = colour;
+  context.beginPath();
+  context.moveTo(q.x, q.y);
+  context.lineTo(p.x + nx, p.y + ny);
+  context.lineTo(p.x - nx, p.y - ny);
+  context.fill();
 }
 
 function ends(part) {

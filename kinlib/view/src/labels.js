@@ -3,7 +3,7 @@
 import { Vector3 } from 'three';
 
 const SIZE = 14;
-const RINGS = [12, 19, 29, 42];
+const RINGS = [12, 19, 29, 42, 58];
 const TURNS = [0, 30, -30, 60, -60, 95, -95, 135, -135, 180];
 const FONT = '"Segoe UI", "Helvetica Neue", "DejaVu Sans", Arial, sans-serif';
 
@@ -14,17 +14,21 @@ export function fontOf(label, size = SIZE) {
   return `${label.italic ? 'italic ' : ''}600 ${size}px ${FONT}`;
 }
 
-/** Place labels and draw them. @param labels [{ at, from?, body, text, sub, colour, weight }]; @param taken boxes to keep off */
+/** Place labels and draw them. @param labels [{ at, from?, body, text, sub, colour, weight }]; @param taken boxes to keep off. Returns
+ * where each name stands. */
 export function drawLabels(context, labels, taken, eye, { halo, leader }) {
   const order = labels.map((label) => prepared(context, label, eye)).sort((a, b) => b.label.weight - a.label.weight);
   const anchors = order.map(({ x, y }) => [x, y]);
+  const placed = [];
   for (const item of order) {
     const box = place(item, taken, anchors, eye);
     if (!box) continue;
     taken.push(box);
+    placed.push({ ...box, name: item.label.text + item.label.sub });
     if (item.label.seat.ring > 1) line(context, [item.x, item.y], box, leader);
     write(context, item, box, halo);
   }
+  return placed;
 }
 
 function prepared(context, label, eye) {
@@ -53,7 +57,7 @@ function place(item, taken, anchors, eye) {
   const { label, x, y, away } = item;
   const [w, h] = [label.width / 2 + 1, 0.5 * SIZE];
   let best = null;
-  let least = 14;
+  let least = label.weight > 1 ? Infinity : 12; // a y that stands in the way may go: x and z say where it is
   RINGS.forEach((radius, ring) => TURNS.forEach((degrees, turn) => {
     const angle = away + (degrees * Math.PI) / 180;
     const [cx, cy] = [x + Math.cos(angle) * (radius + w - 4), y - Math.sin(angle) * radius];
@@ -61,6 +65,7 @@ function place(item, taken, anchors, eye) {
     if (box.left < 2 || box.right > eye.width - 2 || box.top < 2 || box.bottom > eye.height - 2) return;
     if (taken.some((other) => crosses(box, other))) return;
     let cost = 2.2 * ring + Math.abs(degrees) / 60;
+    if (cost - 0.8 > least) return;
     for (const [px, py] of anchors) { // better not on the tip of something else
       if (px > box.left - 4 && px < box.right + 4 && py > box.top - 4 && py < box.bottom + 4) cost += 2;
     }

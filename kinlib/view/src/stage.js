@@ -38,7 +38,9 @@ export class Stage {
     this.#light();
     this.#floor();
     this.repaint(theme);
-    /** called with the 2-D context before and after the labels: overlays of the modes */
+    /** boxes in the picture, in pixels, that names keep off */
+    this.reserved = () => [];
+    /** called with the 2-D context and the eye when all else is drawn: what modes put over the picture */
     this.overlays = new Set();
   }
 
@@ -112,6 +114,7 @@ export class Stage {
       dimensions: flat.filter((part) => part.dimension),
       solids: solids.map((part) => ({ ...part, body: bodyOf(part) })),
       shown: true,
+      masked: material.colorWrite === false,
     });
     this.draw();
   }
@@ -156,6 +159,7 @@ export class Stage {
 
   setQ(q) {
     this.figure.setQ(q);
+    this.eye.keep(this.figure.stations(), 0.22 * this.data.size);
     this.draw();
   }
 
@@ -193,10 +197,10 @@ export class Stage {
     context.fillRect(0, 0, width, height);
     const shown = [...this.layers.values()].filter((layer) => layer.shown);
     this.edge.userData.width.value = 1.1 * eye.scale;
-    if (this.flat) drawFlat(context, shown.flatMap((layer) => layer.solids), eye, theme);
+    if (this.flat) drawFlat(context, shown.flatMap((layer) => (layer.masked ? [] : layer.solids)), eye, theme);
     else this.calls = paint(this.scene, eye.camera, context, { width, height, ratio });
-    const taken = drawDimensions(context, shown.flatMap((layer) => layer.dimensions), eye, theme.halo);
-    drawLabels(context, shown.flatMap((layer) => layer.labels), taken, eye, { halo: theme.halo, leader: theme.quiet });
+    const taken = [...this.reserved(), ...drawDimensions(context, shown.flatMap((layer) => layer.dimensions), eye, theme.halo)];
+    this.names = drawLabels(context, shown.flatMap((layer) => layer.labels), taken, eye, { halo: theme.halo, leader: theme.quiet });
     for (const overlay of this.overlays) overlay(context, eye);
     this.canvas.dataset.pictures = Number(this.canvas.dataset.pictures ?? 0) + 1;
   }

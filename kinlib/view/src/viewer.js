@@ -32,9 +32,11 @@ function render({ model, el }) {
   const spoken = h('p', { class: 'kv-spoken', 'aria-live': 'polite' });
   const frame = h('div', { class: 'kv-picture' }, canvas);
   const root = h('div', { class: 'kv', role: 'group', 'aria-label': `Viewer of ${data.name}` });
+  root.viewer = { model }; // for tests, and for who scripts a page
   el.append(root);
   root.append(frame);
   const stage = new Stage(data, canvas, themeOf(root));
+  root.viewer.stage = stage;
   const pose = readout();
   const panel = controls(state);
   const veil = cover(model);
@@ -47,7 +49,12 @@ function render({ model, el }) {
   } });
   const chosen = model.get('mode') ?? {};
   const mode = MODES[chosen.kind]?.({ model, stage, data: chosen, state, say }) ?? {};
-  frame.append(views(stage.eye));
+  const corner = views(stage.eye);
+  frame.append(corner);
+  stage.reserved = () => {
+    const left = corner.offsetLeft;
+    return corner.offsetTop < canvas.offsetTop ? [] : [{ left, right: left + corner.offsetWidth, top: corner.offsetTop, bottom: corner.offsetTop + corner.offsetHeight }];
+  };
   const side = h('div', { class: 'kv-side' },
     ...(mode.element ? [mode.element] : []),
     ...(mode.replacesSliders ? [] : [panel.element]),
@@ -73,7 +80,6 @@ function render({ model, el }) {
     panel.update(values);
     mode.update?.(values, T);
     trail?.add(tip.set(T[0][3], T[1][3], T[2][3]));
-    root.dataset.pose = JSON.stringify(T);
     say([model.get('message'), stage.flat && NO_WEBGL, outside(data.limits, values)].filter(Boolean).join(' '));
     clearTimeout(speaking);
     speaking = setTimeout(() => tell(T), SAID_AFTER);

@@ -1,0 +1,88 @@
+"""A real browser for tests: Chromium, drawing without a graphics card, that reaches nothing but this machine.
+
+Every page is watched: an error on its console or a request to another host fails the test that used it.
+"""
+
+import os
+import shutil
+from contextlib import contextmanager
+from pathlib import Path
+
+import pytest
+
+NAMES = ("chromium", "chromium-browser", "google-chrome", "chrome", "msedge")
+CHROMIUM = os.environ.get("KINLIB_CHROMIUM") or next(filter(None, map(shutil.which, NAMES)), None)
+NONE = (
+    "NOT RUN IN A BROWSER: there is no Chromium on the path. Install one (apt install chromium), or name it in KINLIB_CHROMIUM."
+)
+
+LOCAL = ["--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1", "--disable-background-networking", "--no-first-run"]
+DRAWN = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+NOT_DRAWN = ["--disable-3d-apis"]
+SECONDS = 20_000
+"""How long to wait for anything, in milliseconds: every wait ends."""
+
+
+@contextmanager
+def browsers():
+    """Give a function that starts browsers, with WebGL or without; or skip, loudly, where there is none."""
+    if CHROMIUM is None:
+        pytest.skip(NONE)
+    from playwright.sync_api import sync_playwright
+
+    with sync_playwright() as playwright:
+        started = []
+
+        def start(webgl=True):
+            arguments = ["--no-sandbox", *LOCAL, *(DRAWN if webgl else NOT_DRAWN)]
+            started.append(playwright.chromium.launch(executable_path=CHROMIUM, args=arguments))
+            return started[-1]
+
+        yield start
+        for browser in started:
+            browser.close()
+
+
+@contextmanager
+def watched(browser, **settings):
+    """Open a page, and fail if it complains or asks anybody but this machine."""
+    context = browser.new_context(**{"viewport": {"width": 720, "height": 560}, **settings})
+    context.set_default_timeout(SECONDS)
+    page = context.new_page()
+    complaints, strangers = [], []
+    page.on("console", lambda message: complaints.append(message.text) if message.type == "error" else None)
+    page.on("pageerror", lambda error: complaints.append(str(error)))
+    local = ("file:", "data:", "blob:", "http://127.0.0.1", "ws://127.0.0.1")
+    page.on("request", lambda request: None if request.url.startswith(local) else strangers.append(request.url))
+    yield page
+    context.close()
+    assert not complaints, f"the page complains: {complaints[:3]}"
+    assert not strangers, f"the page asks other hosts: {strangers[:3]}"
+
+
+def static_page(folder: Path, *viewers, style="background:white") -> Path:
+    """Write a page without a kernel that holds viewers, with the files that it needs beside it."""
+    from kinlib.view.viewer import STATIC
+
+    shutil.copytree(STATIC, folder / "static", dirs_exist_ok=True)
+    page = folder / "page.html"
+    body = "\n".join(viewer if isinstance(viewer, str) else viewer.html() for viewer in viewers)
+    head = '<!doctype html><html lang="en"><meta charset="utf-8"><title>Arms</title><link rel="icon" href="data:,">'
+    loader = '<script src="static/loader.js"></script>'
+    page.write_text(f'{head}<body style="{style}"><main>{body}</main>{loader}</body></html>', "utf-8")
+    return page
+
+
+def pictures(page, which=0):
+    """How many pictures a viewer has painted."""
+    return int(page.locator(".kv-canvas").nth(which).get_attribute("data-pictures") or 0)
+
+
+def awake(page, count=1):
+    """Wait until so many viewers have drawn a picture."""
+    page.wait_for_function(f"document.querySelectorAll('.kv-canvas[data-pictures]').length >= {count}", timeout=SECONDS)
+
+
+def pose(page, which=0):
+    """The tool's pose of a viewer, every digit of it."""
+    return page.evaluate(f"document.querySelectorAll('.kv')[{which}].viewer.stage.figure.pose()")
