@@ -22,14 +22,14 @@ from kinlib.practice.formula_text import FUNCTIONS, parse
 POINTS = 5
 """At so many points formulas are compared. One alone would tell nearly all apart."""
 
-LARGEST, LEAST, HIGHEST = 1e12, 1e-60, 64
-"""No value on the way is larger, nor any exponent; what is smaller than the least is zero."""
-
 MOST = 5000
 """No formula that a person finds has more parts."""
 
 DIGITS = mpmath.MPContext()
 DIGITS.dps = 30
+
+LARGEST, LEAST, HIGHEST = DIGITS.mpf(10**12), DIGITS.mpf(10) ** -60, 64
+"""No value on the way is larger, nor any exponent; what is smaller than the least is zero."""
 
 CONSTANTS = {"pi": DIGITS.mpf(DIGITS.pi), "E": DIGITS.mpf(DIGITS.e), "I": DIGITS.mpc(0, 1)}
 OTHERWISE = {"Abs": "fabs", "abs": "fabs", "ln": "log"}
@@ -213,14 +213,16 @@ def _each(operation: Callable[..., Any], *values: Any) -> Values:
         raise ValueError("It has no value at some points.") from error
     # Written so that NaN, which is neither above nor below, is refused too.
     if not all(abs(result) <= LARGEST for result in results):
-        raise ValueError(f"On the way a value grows beyond {LARGEST:.0e}. Is there a division by zero?")
+        raise ValueError(f"On the way a value grows beyond {float(LARGEST):.0e}. Is there a division by zero?")
     return tuple(result if abs(result) >= LEAST else DIGITS.zero for result in results)
 
 
 def _real(value: Any) -> float:
-    if abs(DIGITS.im(value)) > 1e-20 * max(1, abs(value)):
-        raise ValueError("Its values are not real. Is there a root or a logarithm of something negative?")
-    return float(DIGITS.re(value))
+    if isinstance(value, DIGITS.mpc):
+        if abs(value.imag) > 1e-20 * max(1, abs(value)):
+            raise ValueError("Its values are not real. Is there a root or a logarithm of something negative?")
+        value = value.real
+    return float(value)
 
 
 def _drawn(symbol: sp.Symbol) -> Values:
