@@ -181,8 +181,7 @@ class Mechanism:
         """
         q = self._values(q)
         still = np.broadcast_to(np.eye(4), (*q.shape[:-1], 4, 4))
-        moved = {body: as_chain(self.joints, walk, body) for body, walk in self._walks.items() if walk}
-        return {self.ground: still} | {body: walk.chain.fk(q[..., walk.columns]) for body, walk in moved.items()}
+        return {self.ground: still} | {body: walk.chain.fk(q[..., walk.columns]) for body, walk in self._ways.items()}
 
     def assemble(self, guess: ArrayLike, hold: Mapping[str, float] | None = None) -> Assembly:
         """Close the linkage near a guess (n,), some joint values held where they should be.
@@ -293,6 +292,11 @@ class Mechanism:
     @cached_property
     def _walks(self) -> dict[str, list[Passage]]:
         return walks(self.joints, self.ground)
+
+    @cached_property
+    def _ways(self) -> dict[str, Walk]:
+        """The walk from the ground to every body that moves, as an open chain."""
+        return {body: as_chain(self.joints, walk, body) for body, walk in self._walks.items() if walk}
 
     @cached_property
     def _size(self) -> float:
