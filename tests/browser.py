@@ -5,18 +5,25 @@ Every page is watched: an error on its console or a request to another host fail
 
 import os
 import shutil
+import socket
+import subprocess
+import sys
 from contextlib import contextmanager
 from pathlib import Path
 
 import pytest
 
+ROOT = Path(__file__).parents[1]
+
 NAMES = ("chromium", "chromium-browser", "google-chrome", "chrome", "msedge")
 CHROMIUM = os.environ.get("KINLIB_CHROMIUM") or next(filter(None, map(shutil.which, NAMES)), None)
-NONE = (
-    "NOT RUN IN A BROWSER: there is no Chromium on the path. Install one (apt install chromium), or name it in KINLIB_CHROMIUM."
-)
+NONE = "NOT RUN IN A BROWSER: there is no Chromium on the path. Install one (apt install chromium), or name it in KINLIB_CHROMIUM."
 
-LOCAL = ["--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1", "--disable-background-networking", "--no-first-run"]
+LOCAL = [
+    "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",
+    "--disable-background-networking",
+    "--no-first-run",
+]
 DRAWN = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
 NOT_DRAWN = ["--disable-3d-apis"]
 SECONDS = 20_000
@@ -86,3 +93,31 @@ def awake(page, count=1):
 def pose(page, which=0):
     """The tool's pose of a viewer, every digit of it."""
     return page.evaluate(f"document.querySelectorAll('.kv')[{which}].viewer.stage.figure.pose()")
+
+
+@contextmanager
+def jupyterlab(folder: Path):
+    """Serve a folder in JupyterLab on a port of its own. Gives the address."""
+    with socket.socket() as free:
+        free.bind(("127.0.0.1", 0))
+        port = free.getsockname()[1]
+    settings = {
+        "PYTHONPATH": str(ROOT),
+        "JUPYTER_CONFIG_DIR": str(folder / "config"),
+        "JUPYTER_DATA_DIR": str(folder / "data"),
+    }
+    server = subprocess.Popen(
+        [
+            *(sys.executable, "-m", "jupyterlab", "--no-browser", "--allow-root", f"--port={port}"),
+            *("--ServerApp.port_retries=0", "--IdentityProvider.token=", f"--ServerApp.root_dir={folder}"),
+            *("--LabApp.news_url=", "--LabApp.check_for_updates_class=jupyterlab.NeverCheckForUpdate"),
+        ],
+        env={**os.environ, **settings},
+        stdout=subprocess.DEVNULL,
+        stderr=subprocess.DEVNULL,
+    )
+    try:
+        yield f"http://127.0.0.1:{port}"
+    finally:
+        server.terminate()
+        server.wait(20)

@@ -1,10 +1,13 @@
 """The viewer in a real browser: turned by mouse, keys and Python, in JupyterLab and on a page without a kernel."""
 
+import contextlib
 import re
+import time
 
+import nbformat
 import numpy as np
 import pytest
-from browser import SECONDS, awake, browsers, pictures, pose, static_page, watched
+from browser import SECONDS, awake, browsers, jupyterlab, pictures, pose, static_page, watched
 
 import kinlib as kl
 from kinlib.screw import screw
@@ -210,7 +213,9 @@ def test_a_wheel_scrolls_the_page_until_the_picture_has_the_focus(show):
 def test_a_named_view_looks_along_an_axis(show, name, right, up):
     page = show(explore(kl.robots.youbot()), reduced_motion="reduce")
     page.get_by_role("button", name=name).click()
-    columns = np.reshape(page.evaluate("document.querySelector('.kv').viewer.stage.eye.camera.matrixWorld.elements"), (4, 4))
+    columns = np.reshape(
+        page.evaluate("document.querySelector('.kv').viewer.stage.eye.camera.matrixWorld.elements"), (4, 4)
+    )
     np.testing.assert_allclose(columns[:2, :3], [right, up], atol=1e-12)
 
 
@@ -290,7 +295,10 @@ def test_no_name_covers_another_or_leaves_the_picture(show, frames, width):
             assert a["left"] >= 0 and a["top"] >= 0 and a["right"] <= size[0] and a["bottom"] <= size[1]  # noqa: PT018
             for b in boxes[:k]:
                 apart = (
-                    a["left"] >= b["right"] or b["left"] >= a["right"] or a["top"] >= b["bottom"] or b["top"] >= a["bottom"]
+                    a["left"] >= b["right"]
+                    or b["left"] >= a["right"]
+                    or a["top"] >= b["bottom"]
+                    or b["top"] >= a["bottom"]
                 )
                 assert apart, (a["name"], b["name"])
 
@@ -499,3 +507,70 @@ def test_a_thousand_updates_leave_the_heap_flat(show):
     heap_after_updates()  # the trail is full, and the functions are compiled
     first, second = heap_after_updates(), heap_after_updates()
     assert second - first < 200_000, "bytes that 1000 updates left behind"
+
+
+# --- in JupyterLab ---
+
+CELLS = [
+    "import kinlib as kl\nfrom kinlib.view import explore\nchanges = []\n"
+    "arm = explore(kl.robots.youbot())\narm.observe(lambda change: changes.append(change.new), 'q')\narm",
+    "arm.q = [0.1, 0.2, 0.3, 0.4, 0.5]",
+    "print('heard', len(changes), 'last', [round(x, 3) for x in arm.q])",
+]
+
+
+@pytest.fixture(scope="module")
+def lab(browser, tmp_path_factory):
+    """A notebook with a viewer, open in JupyterLab, its first cell run."""
+    folder = tmp_path_factory.mktemp("lab")
+    cells = [nbformat.v4.new_code_cell(source) for source in CELLS]
+    kernel = {"kernelspec": {"name": "python3", "display_name": "Python 3", "language": "python"}}
+    nbformat.write(nbformat.v4.new_notebook(cells=cells, metadata=kernel), folder / "arm.ipynb")
+    with jupyterlab(folder) as address, watched(browser, viewport={"width": 1000, "height": 900}) as page:
+        for _ in range(120):
+            with contextlib.suppress(Exception):
+                page.request.get(f"{address}/api", timeout=1000)
+                break
+            time.sleep(0.5)
+        page.goto(f"{address}/doc/tree/arm.ipynb?reset", timeout=60_000)
+        page.locator(".jp-Notebook .jp-CodeCell").nth(2).wait_for(timeout=60_000)
+        page.get_by_text("| Idle").wait_for(timeout=60_000)
+        run(page, 0)
+        page.wait_for_selector(".kv-canvas[data-pictures]", timeout=60_000)
+        yield page
+
+
+def run(page, cell):
+    page.locator(".jp-CodeCell").nth(cell).locator(".jp-InputArea-editor").click()
+    page.keyboard.press("Control+Enter")
+
+
+def printed(page, cell):
+    page.locator(".jp-CodeCell").nth(cell).locator(".jp-OutputArea-output").wait_for()
+    return page.locator(".jp-CodeCell").nth(cell).locator(".jp-OutputArea-output").inner_text().strip()
+
+
+def test_in_the_lab_python_and_the_page_lead_each_other_and_nothing_echoes(lab):
+    page = lab
+    page.evaluate(
+        """window.heard = 0; document.querySelector('.kv').viewer.model.on('change:q', () => { window.heard += 1; })"""
+    )
+    settled(page, lambda: run(page, 1))
+    q = [0.1, 0.2, 0.3, 0.4, 0.5]
+    np.testing.assert_allclose(pose(page), kl.robots.youbot().fk(q), atol=1e-12)
+    sliders(page).nth(1).focus()
+    for _ in range(5):  # the lab takes the arrow keys for itself, unless the slider keeps them
+        settled(page, lambda: page.keyboard.press("ArrowRight"))
+    page.wait_for_timeout(500)  # whatever would come back has come
+    assert page.evaluate("window.heard") == 6
+    run(page, 2)
+    assert printed(page, 2) == f"heard 6 last {[0.1, round(0.2 + 5 * DEGREE, 3), 0.3, 0.4, 0.5]}"
+
+
+def test_in_the_lab_the_viewer_follows_its_theme(lab):
+    page = lab
+    assert page.locator(".kv").get_attribute("data-theme") == "light"
+    page.get_by_role("menuitem", name="Settings").click()
+    page.get_by_text("Theme", exact=True).hover()
+    settled(page, lambda: page.get_by_text("JupyterLab Dark", exact=True).click())
+    page.wait_for_function("document.querySelector('.kv').dataset.theme === 'dark'", timeout=SECONDS)

@@ -3,8 +3,9 @@
 import { Vector3 } from 'three';
 
 const SIZE = 14;
-const RINGS = [12, 19, 29, 42, 58];
+const RINGS = [12, 19, 29, 42, 58, 78, 100];
 const TURNS = [0, 30, -30, 60, -60, 95, -95, 135, -135, 180];
+const BEYOND = 40; // pixels: what is farther out than this has no name in the picture
 const FONT = '"Segoe UI", "Helvetica Neue", "DejaVu Sans", Arial, sans-serif';
 
 const at = new Vector3();
@@ -55,14 +56,16 @@ function prepared(context, label, eye) {
 /** The first free place, or the least bad one; where the label stood last time wins a draw, so that it does not jump. */
 function place(item, taken, anchors, eye) {
   const { label, x, y, away } = item;
+  if (x < -BEYOND || y < -BEYOND || x > eye.width + BEYOND || y > eye.height + BEYOND) return null;
   const [w, h] = [label.width / 2 + 1, 0.5 * SIZE];
   let best = null;
   let least = label.weight > 1 ? Infinity : 12; // a y that stands in the way may go: x and z say where it is
   RINGS.forEach((radius, ring) => TURNS.forEach((degrees, turn) => {
     const angle = away + (degrees * Math.PI) / 180;
-    const [cx, cy] = [x + Math.cos(angle) * (radius + w - 4), y - Math.sin(angle) * radius];
+    // at the border a name steps back into the picture
+    const cx = Math.max(w + 2, Math.min(eye.width - w - 2, x + Math.cos(angle) * (radius + w - 4)));
+    const cy = Math.max(h + 2, Math.min(eye.height - h - 2, y - Math.sin(angle) * radius));
     const box = { left: cx - w, right: cx + w, top: cy - h, bottom: cy + h };
-    if (box.left < 2 || box.right > eye.width - 2 || box.top < 2 || box.bottom > eye.height - 2) return;
     if (taken.some((other) => crosses(box, other))) return;
     let cost = 2.2 * ring + Math.abs(degrees) / 60;
     if (cost - 0.8 > least) return;

@@ -159,7 +159,7 @@ export class Stage {
 
   setQ(q) {
     this.figure.setQ(q);
-    this.eye.keep(this.figure.stations(), 0.22 * this.data.size);
+    this.eye.keep(this.figure.stations(), 0.3 * this.data.size);
     this.draw();
   }
 
