@@ -32,7 +32,7 @@ class Grader:
     def __init__(self, sheet: Master, limits: Limits | None = None, is_safe: bool = True) -> None:
         self.sheet, self.is_safe = sheet, is_safe
         self._limits = limits or Limits()
-        self._lock = Lock()
+        self._lock, self._judging = Lock(), Lock()
         self._runner = Runner(is_safe)
         self._judge = Peer("kinlib.grading.judge")
 
@@ -63,13 +63,14 @@ class Grader:
             problems = self._problems({}, {}, {})
             return self._result(student, "broken", str(fault), problems, digest=digest, began=began)
         heard = hear(self.sheet.name, planned, ran.said)
+        odd = {k: [*planned.odd.get(k, ()), *heard.faults(k)] for k in self.sheet.checks}
         verdicts = self._verdicts(student, seed, heard.answers)
         status, reason = _ending(planned, ran, heard)
         return self._result(
             student,
             status,
             reason,
-            self._problems(verdicts, heard.answers, planned.odd),
+            self._problems(verdicts, heard.answers, odd),
             notes=heard.remarks(student),
             typed_id=heard.typed_id,
             digest=digest,
@@ -143,15 +144,13 @@ class Grader:
 
     def _ask(self, message: Mapping[str, Any]) -> dict[str, Any]:
         """Ask the judge; one that has ended is started anew, and says so by an error."""
-        judge = self._judge
-        try:
-            return judge.ask({**message, "sheet": self.sheet.name}, JUDGING)
-        except Gone as gone:
-            with self._lock:
-                if self._judge is judge:
-                    judge.end()
-                    self._judge = Peer("kinlib.grading.judge")
-            return {"error": str(gone)}
+        with self._judging:  # one at a time, so that nobody's seconds run while another is judged
+            try:
+                return self._judge.ask({**message, "sheet": self.sheet.name}, JUDGING)
+            except Gone as gone:
+                self._judge.end()
+                self._judge = Peer("kinlib.grading.judge")
+                return {"error": str(gone)}
 
 
 def _zero(state: str, text: str) -> dict[str, Any]:

@@ -28,13 +28,18 @@ class Heard:
         notes = []
         if self.typed_id and self.typed_id.strip().casefold() != student.strip().casefold():
             notes.append(f"The sheet was opened for {self.typed_id!r}, and graded with the numbers of {student!r}.")
-        failed = [output for cell in self.cells if cell.problem is None for output in cell.outputs]
-        errors = [
-            f"{output['ename']}: {output['evalue']}"[:300] for output in failed if output["output_type"] == "error"
-        ]
+        errors = [error for cell in self.cells if cell.problem is None for error in _errors(cell)]
         if errors:
-            notes.append(f"{len(errors)} of the cells failed, the first with {errors[0]}")
+            cells = "One cell" if len(errors) == 1 else f"{len(errors)} cells, one of them"
+            notes.append(f"{cells} failed with {errors[0]}")
         return notes
+
+    def faults(self, problem: int) -> list[str]:
+        """Why the check cell of a problem gave no answer, if it gave none."""
+        if str(problem) in self.answers:
+            return []
+        errors = [error for cell in self.cells if cell.problem == problem for error in _errors(cell)]
+        return [f"Its check cell failed with {error}" for error in errors[-1:]]
 
 
 def hear(sheet: str, planned: Plan, said: bytes) -> Heard:
@@ -53,20 +58,26 @@ def hear(sheet: str, planned: Plan, said: bytes) -> Heard:
             {**output, "data": _without_answer(output["data"])} if "data" in output else output for output in outputs
         ]
         cells.append(RanCell(step.source, step.problem, step.place, shown))
-        if step.problem is None:
-            continue
         for output in outputs:
             emission = output.get("data", {}).get(MIME)
-            if _is_ours(emission, sheet, step.problem):
+            if step.problem and _is_ours(emission, sheet, step.problem):
                 answers[str(step.problem)] = emission["answer"]
-                typed_id = str(emission["student"])[:200]
+                typed_id = emission["student"][:200]
     return Heard(cells, answers, typed_id)
+
+
+def _errors(cell: RanCell) -> list[str]:
+    return [
+        f"{output['ename']}: {output['evalue']}"[:300] for output in cell.outputs if output["output_type"] == "error"
+    ]
 
 
 def _outputs(line: bytes, number: int) -> list[dict[str, Any]] | None:
     """The outputs of the cell with this number, or None if the line is not about it."""
     try:
         told = json.loads(line)
+        # Written again, it shows what nobody should have to pass on: infinities, halves of characters, endless nests.
+        json.dumps(told, allow_nan=False, ensure_ascii=False).encode()
     except (ValueError, RecursionError):
         return None
     match told:

@@ -9,8 +9,10 @@ which the inputs of function answers are drawn anew in every run. "verdicts" han
 import os
 import resource
 import secrets
+import signal
 import sys
 from collections.abc import Mapping
+from functools import lru_cache
 from typing import Any
 
 from kinlib.grading.paper import written
@@ -20,6 +22,9 @@ from kinlib.practice.judge import Finding, Judgement, judge
 from kinlib.practice.problem import Problem
 from kinlib.practice.sheet import Sheet, find_sheet
 from kinlib.practice.verdict import Verdict
+
+SECONDS = 2.0
+"""For one answer. The slowest that people give, a table that no mistake explains, takes a tenth of that."""
 
 MEMORY = 2 << 30
 """The most memory that the judge may take: an answer may ask for more than it says."""
@@ -38,8 +43,13 @@ def verdicts(sheet: Sheet, student: str, seed: int, answers: Mapping[str, Any]) 
 
 
 def _problems(sheet: Sheet, student: str, seed: int) -> list[Problem]:
-    problems = [template.variant(student) for template in sheet.problems]
-    return [problem.again(seed) for problem in problems]
+    return [problem.again(seed) for problem in _drawn(sheet.name, student)]
+
+
+@lru_cache(maxsize=16)
+def _drawn(sheet: str, student: str) -> list[Problem]:
+    """A student's variants: drawn for the paper, and soon asked for again."""
+    return [template.variant(student) for template in find_sheet(sheet).problems]
 
 
 def _verdict(sheet: Sheet, k: int, problem: Problem, data: Any) -> dict[str, Any]:
@@ -54,14 +64,30 @@ def _verdict(sheet: Sheet, k: int, problem: Problem, data: Any) -> dict[str, Any
 
 
 def _judged(problem: Problem, data: Any) -> Judgement:
+    """Judge one answer, in the time there is for one: whoever asks for more of it has not answered."""
     answer = problem.answer
     try:
-        value = from_data(data)
-    except (Malformed, RecursionError) as fault:
-        return Judgement("unreadable", findings=[Finding(answer.parts, f"The answer came in no known form. {fault}")])
-    if isinstance(value, Opaque):
-        return Judgement("unreadable", findings=[Finding(answer.parts, f"Expected {answer.expected}; got {value}.")])
-    return judge(problem, value)
+        value = from_data(data)  # before the clock runs: the first formula of all loads SymPy
+        if isinstance(value, Opaque):
+            return _unreadable(problem, f"Expected {answer.expected}; got {value}.")
+        signal.setitimer(signal.ITIMER_REAL, SECONDS)
+        return judge(problem, value)
+    except Malformed as fault:
+        return _unreadable(problem, f"The answer came in no known form. {fault}")
+    except Exception as error:  # whatever an answer makes of us, the next one is another problem's
+        return _unreadable(
+            problem, f"Expected {answer.expected}; the answer could not be judged: {type(error).__name__}."
+        )
+    finally:
+        signal.setitimer(signal.ITIMER_REAL, 0)
+
+
+def _unreadable(problem: Problem, message: str) -> Judgement:
+    return Judgement("unreadable", findings=[Finding(problem.answer.parts, message)])
+
+
+def _too_long(*_: Any) -> None:
+    raise TimeoutError(f"more than {SECONDS:g} s")
 
 
 def _answer(message: Mapping[str, Any]) -> dict[str, Any]:
@@ -78,6 +104,8 @@ def main() -> None:
     """Answer messages until there are no more."""
     resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
     inbox, outbox = sys.stdin.buffer, os.fdopen(os.dup(1), "wb")
+    os.dup2(2, 1)  # what a library prints is no message
+    signal.signal(signal.SIGALRM, _too_long)
     while (message := receive(inbox)) is not None:
         outbox.write(pack({**_answer(message), "id": message["id"]}))
         outbox.flush()

@@ -31,14 +31,16 @@ NAMESPACES = (
 
 
 def leave_session() -> None:
-    """Enter namespaces of users (unless we are root), of mounts and, from the next fork on, of processes.
+    """Enter namespaces of users (unless we are the machine's root), of mounts and, from the next fork on, of processes.
 
     Raises Missing where the kernel does not let us.
     """
     with layer("namespaces", NAMESPACES if sys.platform == "linux" else "Grade on Linux, or in a Linux container."):
-        is_root, user, group = os.geteuid() == 0, os.geteuid(), os.getegid()
-        kernel.unshare(kernel.NEWNS | kernel.NEWPID | (0 if is_root else kernel.NEWUSER))
-        if not is_root:
+        user, group = os.geteuid(), os.getegid()
+        try:
+            kernel.unshare(kernel.NEWNS | kernel.NEWPID)
+        except PermissionError:  # not root, or root of a container only: inside a user namespace anybody may
+            kernel.unshare(kernel.NEWUSER | kernel.NEWNS | kernel.NEWPID)
             for name, text in {"setgroups": "deny", "uid_map": f"0 {user} 1", "gid_map": f"0 {group} 1"}.items():
                 Path(f"/proc/self/{name}").write_text(text)
 

@@ -11,6 +11,7 @@ import os
 import signal
 import sys
 from collections.abc import Callable, Mapping, Sequence
+from traceback import format_exception
 from typing import Any, cast
 
 from IPython.core.displayhook import DisplayHook
@@ -22,9 +23,20 @@ from traitlets.config import Config
 SETTINGS = Config(
     {
         "HistoryManager": {"enabled": False},
-        "InteractiveShell": {"colors": "nocolor", "xmode": "Context"},
     }
 )
+
+FIRST_CELLS = (
+    "import numpy as np\nimport kinlib as kl\nnp.eye(4)",
+    "from IPython.display import Markdown\ndisplay(Markdown('$x$'))\nprint('text')",
+    "%time kl.exp([0, 0, 1])",
+    "def fails():\n    1 / 0\nfails()",
+    "this is no Python",
+    "%matplotlib inline\nimport matplotlib.pyplot as plt\nplt.plot([1, 2])\nplt.close('all')",
+)
+
+DEEPEST = 20
+"""So many calls of an error's trace are kept, the last ones."""
 
 PRINTED = 100_000
 """So many characters of what a cell prints are kept."""
@@ -54,11 +66,19 @@ class Shell(InteractiveShell):
     def enable_gui(self, gui: str | None = None) -> None:
         """Nobody looks: there is no window to care for."""
 
-    def _showtraceback(self, etype: type[BaseException], evalue: BaseException, stb: Sequence[str]) -> None:
-        text = "\n".join(stb)[-20_000:]
-        name, value = etype.__name__[:200], str(evalue)[:2000]
-        error = {"output_type": "error", "ename": name, "evalue": value, "traceback": text.split("\n")}
-        self.errors = [*self.errors, error]
+    def showtraceback(self, *_: Any, **__: Any) -> None:
+        """Remember the error that is being handled. IPython's own words for it take a second where recursion ran deep."""
+        kind, error, trace = sys.exc_info()
+        if kind is None or error is None:
+            return
+        while trace and not trace.tb_frame.f_code.co_filename.startswith("<ipython-input"):
+            trace = trace.tb_next
+        lines = "".join(format_exception(kind, error, trace, limit=-DEEPEST)).splitlines()
+        name, value = kind.__name__[:200], str(error)[:2000]
+        told = {"output_type": "error", "ename": name, "evalue": value, "traceback": [line[:1000] for line in lines]}
+        self.errors = [*self.errors, told]
+
+    showsyntaxerror = showindentationerror = showtraceback
 
 
 class Bounded(io.StringIO):
@@ -73,9 +93,12 @@ class Bounded(io.StringIO):
 
 
 def new_shell() -> Shell:
-    """A shell, made once and forked for each submission."""
+    """A shell, made once and forked for each submission. It has run a few cells, for first times are slow."""
     shell = Shell.instance(config=SETTINGS)
     builtins.input = _nobody_answers
+    for source in FIRST_CELLS:
+        _run(shell, source)
+    shell.reset(new_session=True)
     return shell
 
 
@@ -115,9 +138,10 @@ def _run(shell: Shell, source: str) -> list[dict[str, Any]]:
 def line(told: Mapping[str, Any]) -> bytes:
     """One line of JSON for a cell; outputs that JSON cannot hold are left out."""
     try:
-        return json.dumps(told, allow_nan=False, skipkeys=True).encode() + b"\n"
+        text = json.dumps(told, allow_nan=False, skipkeys=True, ensure_ascii=False)
     except (TypeError, ValueError, RecursionError):
-        return json.dumps({**told, "outputs": []}).encode() + b"\n"
+        text = json.dumps({**told, "outputs": []})
+    return text.encode(errors="replace") + b"\n"
 
 
 def write(descriptor: int, data: bytes) -> None:

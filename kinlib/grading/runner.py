@@ -7,6 +7,7 @@ import signal
 import socket
 import subprocess
 import sys
+import tempfile
 import threading
 import time
 from collections.abc import Sequence
@@ -45,6 +46,7 @@ class Runner:
 
     def __init__(self, is_safe: bool = True) -> None:
         self._lock = threading.Lock()
+        self._scratch = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         self._socket, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         with theirs:
             self._process = subprocess.Popen(
@@ -52,7 +54,7 @@ class Runner:
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.DEVNULL,
                 pass_fds=[theirs.fileno()],
-                env=environment(),
+                env={**environment(), "TMPDIR": self._scratch.name},
             )
         self._socket.settimeout(STARTING)
         greeting = json.loads(self._socket.recv(CHUNK) or b'{"missing": "The server ended before it was ready."}')
@@ -71,6 +73,7 @@ class Runner:
         self._socket.close()
         self._process.kill()
         self._process.wait()
+        self._scratch.cleanup()
 
     def _probe(self) -> None:
         """Send a child through every layer, and let it try the doors."""

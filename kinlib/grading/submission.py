@@ -16,6 +16,9 @@ LARGEST = 32 << 20
 
 MOST_CELLS = 1000
 
+MOST_PARTS = 500_000
+"""No notebook has more brackets and commas. An empty list takes two letters in the file and sixty bytes in memory."""
+
 CONFLICT = re.compile(r"^(<{7} |={7}$|>{7} )", re.MULTILINE)
 OPENED = re.compile(r"open_sheet\(\s*[\"']([^\"']+)[\"']")
 
@@ -131,6 +134,8 @@ def _notebook(content: bytes) -> dict[str, Any]:
             f"The file has {len(content) / 1e6:.0f} MB, and more than {LARGEST / 1e6:.0f} is not read. Clear all outputs, "
             "save, and hand it in again."
         )
+    if sum(map(content.count, (b"[", b"{", b","))) > MOST_PARTS:
+        raise Broken("The file is JSON of more parts than any notebook has.")
     text = _text(content)
     try:
         found = json.loads(text)
@@ -172,7 +177,8 @@ def _cell(place: int, cell: Mapping[str, Any]) -> Cell | None:
         return None
     source = cell.get("source", cell.get("input", ""))
     lines = source if isinstance(source, list) else [source]
-    text = "".join(line for line in lines if isinstance(line, str)).replace("\r\n", "\n").replace("\r", "\n")
+    text = "".join(line for line in lines if isinstance(line, str)).encode(errors="replace").decode()
+    text = text.replace("\r\n", "\n").replace("\r", "\n")
     metadata = cell.get("metadata")
     metadata = metadata if isinstance(metadata, dict) else {}
     graded = metadata.get("nbgrader")

@@ -10,6 +10,7 @@ import threading
 from collections.abc import Mapping, Sequence
 from concurrent.futures import Future
 from concurrent.futures import TimeoutError as Late
+from contextlib import suppress
 from typing import IO, Any, cast
 
 HEAD = struct.Struct(">I")
@@ -95,10 +96,13 @@ class Peer:
         """End the process, and everything that waits for it."""
         self._process.kill()
         self._process.wait()
+        with suppress(OSError), self._writing:  # what is still in the buffer has nobody to go to
+            self._outbox.close()
 
     def _listen(self) -> None:
         while (message := receive(self._inbox)) is not None:
             if (answer := self._waiting.pop(message.pop("id", None), None)) is not None:
                 answer.set_result(message)
+        self._inbox.close()
         while self._waiting:
             self._waiting.popitem()[1].set_exception(Gone("The process has ended."))

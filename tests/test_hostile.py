@@ -1,0 +1,312 @@
+"""Hostile and strange submissions: each gets a grade and a reason, none a point too many, and no neighbour loses one."""
+
+import json
+import os
+import re
+import socket
+import sqlite3
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import asdict
+from hashlib import sha256
+from pathlib import Path
+
+import attacks
+import pytest
+import submissions
+from submissions import as_bytes, attacking, code, handed_in, mistaken, problem_of, right
+
+from kinlib.grading.layers import Limits, Missing
+
+if sys.platform != "linux":
+    pytest.skip("the sandbox is made of Linux", allow_module_level=True)
+
+from kinlib.grading.grade import Grader
+from kinlib.grading.submission import master
+
+LIMITS = Limits(cell_seconds=0.5, seconds=2.0, processor_seconds=5, memory=1024, output=1)
+
+NEIGHBOUR = "neighbour"
+
+
+@pytest.fixture(scope="module")
+def outside(tmp_path_factory):
+    """What an attack would like to reach, on the machine that grades."""
+    folder = tmp_path_factory.mktemp("outside")
+    folder.chmod(0o777)
+    (folder / "secret.txt").write_text("SECRET-CANARY")
+    (folder / "solutions.ipynb").write_text("SECRET-CANARY")
+    with sqlite3.connect(folder / "gradebook.db") as book:
+        book.execute("create table grade (score real)")
+        book.execute("insert into grade values (7)")
+    return folder
+
+
+@pytest.fixture(scope="module")
+def port():
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        server.setblocking(False)
+        yield server
+
+
+@pytest.fixture(scope="module")
+def grader():
+    os.environ["SECRET_TOKEN"] = "SECRET-CANARY"
+    try:
+        with Grader(master(submissions.released()), LIMITS) as made:
+            yield made
+    except Missing as missing:
+        if "CI" not in os.environ:
+            raise
+        pytest.skip(f"NOTHING OF THE SANDBOX IS TESTED: {missing}")
+
+
+def listing(folder):
+    return {path.name: path.read_bytes() for path in sorted(folder.iterdir())}
+
+
+def strangers():
+    """Processes of users whom nobody knows: those that submissions run as."""
+    found = []
+    for folder in Path("/proc").glob("[0-9]*"):
+        try:
+            found += [folder.name] if folder.stat().st_uid > 2**29 else []
+        except OSError:
+            continue
+    return found
+
+
+@pytest.mark.parametrize("name", attacks.ATTACKS)
+def test_an_attack_gains_nothing_reads_nothing_changes_nothing(name, grader, outside, port):
+    replayed = "{" + ", ".join(f"{k}: {line.partition(' = ')[2]}" for k, line in right("bob").items()) + "}"
+    places = {"folder": outside, "port": port.getsockname()[1], "replayed": replayed}
+    before = listing(outside)
+    result = grader.grade("ada", as_bytes(attacking("ada", attacks.source(name, **places))))
+
+    assert result.points == 0
+    assert result.max == 24
+    assert result.status in {"graded", "stopped"}
+    assert result.reason or result.status == "graded"
+    assert all(problem.verdict for problem in result.problems)
+
+    told = json.dumps([cell.outputs for cell in result.cells])
+    assert "SECRET-CANARY" not in told
+    assert "NEIGHBOUR-CANARY" not in told
+    assert "uid=0" not in told
+    assert listing(outside) == before
+    with pytest.raises(BlockingIOError):
+        port.accept()
+    assert not strangers()
+
+    honest = handed_in(NEIGHBOUR, right(NEIGHBOUR), first="'NEIGHBOUR-CANARY'")
+    assert grader.grade(NEIGHBOUR, as_bytes(honest)).points == 24
+
+
+# --- strange, and honest ---
+
+
+def full(change=None, student="ada", lines=None, **more):
+    """A sheet with every answer right, after something happened to it."""
+    notebook = handed_in(student, {**right(student), **(lines or {})}, **more)
+    if change:
+        change(notebook)
+    return notebook
+
+
+def without(*names):
+    def change(notebook):
+        notebook["cells"] = [cell for cell in notebook["cells"] if cell["id"] not in names]
+
+    return change
+
+
+def doubled(notebook):
+    check = next(cell for cell in notebook["cells"] if cell["id"] == "check-1")
+    notebook["cells"].insert(3, dict(check))
+
+
+def edited(notebook):
+    check = next(cell for cell in notebook["cells"] if cell["id"] == "check-1")
+    check["source"] = "sheet.check(1, np.zeros((3, 6)))"
+
+
+def from_colab(notebook):
+    """Colab keeps its own ids in the metadata, and source as one text; nbgrader's names are gone."""
+    notebook["metadata"] = {"colab": {"provenance": []}, "kernelspec": {"name": "python3"}}
+    notebook["nbformat_minor"] = 0
+    for cell in notebook["cells"]:
+        cell["metadata"] = {"id": cell.pop("id") + "Xy7"}
+    notebook["cells"].insert(0, code("!pip install kinlib\nfrom google.colab import drive"))
+
+
+def from_vs_code(notebook):
+    """VS Code writes lines, other ids, and its own metadata."""
+    for number, cell in enumerate(notebook["cells"]):
+        cell["metadata"] = {"vscode": {"languageId": "python"}}
+        cell["id"] = f"{number:08x}"
+        cell["source"] = cell["source"].splitlines(keepends=True)
+
+
+def in_worksheets(notebook):
+    """The format of before 2014."""
+    for cell in notebook["cells"]:
+        cell["input"] = cell.pop("source")
+    notebook["worksheets"] = [{"cells": notebook.pop("cells")}]
+
+
+def with_outputs(notebook):
+    for cell in notebook["cells"]:
+        if cell["cell_type"] == "code":
+            cell["outputs"] = [{"output_type": "stream", "name": "stdout", "text": "x" * 200_000}]
+
+
+def with_lines_of_windows(notebook):
+    for cell in notebook["cells"]:
+        cell["source"] = cell["source"].replace("\n", "\r\n")
+
+
+def with_a_conflict_in_a_cell(notebook):
+    answer = next(cell for cell in notebook["cells"] if problem_of(cell, "answer") == 1)
+    answer["source"] = "<<<<<<< HEAD\nscrews_1 = 1\n=======\n" + answer["source"] + "\n>>>>>>> theirs\n"
+
+
+def conflicted(content):
+    lines = content.split(b"\n")
+    return b"\n".join([*lines[:9], b"<<<<<<< HEAD", lines[9], b"=======", lines[9], b">>>>>>> theirs", *lines[10:]])
+
+
+def spoiled(k, line):
+    """Every answer right, and a line in cell k after its answer."""
+    return full(lines={k: right("ada")[k] + "\n" + line})
+
+
+STRANGE = {
+    "as it should be": (full, 24, ""),
+    "computed, with warnings": (
+        lambda: spoiled(1, "import warnings, sys\nwarnings.warn('so')\nprint('x', file=sys.stderr)"),
+        24,
+        "",
+    ),
+    "magics, plots and displays": (
+        lambda: full(
+            first="%matplotlib inline\n%time 1 + 1\nimport matplotlib.pyplot as plt\nplt.plot([1, 2])\nplt.show()"
+        ),
+        24,
+        "",
+    ),
+    "a cell that awaits": (lambda: full(first="import asyncio\nawait asyncio.sleep(0)"), 24, ""),
+    "never touched": (lambda: handed_in("ada"), 0, ""),
+    "mistaken": (lambda: handed_in("ada", mistaken("ada")), None, ""),
+    "an id in capitals": (lambda: full(student="ADA"), 24, ""),
+    "another id, numbers typed in": (
+        lambda: full(student="bob"),
+        0,
+        "opened for 'bob', and graded with the numbers of 'ada'",
+    ),
+    "from Colab": (lambda: full(from_colab), 24, "One cell failed"),
+    "from VS Code": (lambda: full(from_vs_code), 24, ""),
+    "from an old notebook": (lambda: full(in_worksheets), 24, ""),
+    "outputs of 6 MB": (lambda: full(with_outputs), 24, ""),
+    "Windows line ends": (lambda: full(with_lines_of_windows), 24, ""),
+    "Windows line ends in the file": (lambda: as_bytes(full()).replace(b"\n", b"\r\n"), 24, ""),
+    "a byte order mark": (lambda: b"\xef\xbb\xbf" + as_bytes(full()), 24, ""),
+    "UTF-16": (lambda: as_bytes(full()).decode().encode("utf-16"), 24, ""),
+    "Latin-1": (lambda: as_bytes(full(first="'über'")).decode().encode("latin-1"), 24, ""),
+    "half a character": (lambda: as_bytes(full(first="'*'")).replace(b"'*'", rb"print('\ud83d')"), 24, ""),
+    "a check cell deleted": (lambda: full(without("check-1")), 24, "03.1: .*deleted"),
+    "all check cells deleted": (lambda: full(without(*(f"check-{k}" for k in range(1, 9)))), 24, "03.8: .*deleted"),
+    "an answer cell deleted": (
+        lambda: full(without("answer-1")),
+        21,
+        "03.1: .*NameError: name 'screws_1' is not defined",
+    ),
+    "the first cell deleted": (lambda: full(without("open")), 0, "NameError"),
+    "a check cell doubled": (lambda: full(doubled), 24, "03.1: .*2 times"),
+    "a check cell edited": (lambda: full(edited), 24, "03.1: .*edited"),
+    "a cell with a typing error": (lambda: spoiled(1, "x = = 1"), 21, "SyntaxError"),
+    "a cell that fails": (lambda: spoiled(1, "1 / 0"), 24, "ZeroDivisionError"),
+    "a cell that leaves": (lambda: spoiled(1, "import sys\nsys.exit()"), 24, "SystemExit"),
+    "a cell that asks": (lambda: spoiled(1, "name = input('Who are you?')"), 24, "nobody to answer"),
+    "a loop without end": (lambda: spoiled(1, "while True: pass"), 24, "CellLimit: This cell took too long"),
+    "recursion without end": (lambda: spoiled(1, "f = lambda: f()\nf()"), 24, "RecursionError"),
+    "20 GB": (lambda: spoiled(1, "np.ones(20 * 2**27)"), 24, "MemoryError"),
+    "much printed": (lambda: full(first="for _ in range(20): print('x' * 1_000_000)"), 24, ""),
+    "os._exit after four problems": (
+        lambda: spoiled(5, "import os\nos._exit(0)"),
+        12,
+        "stopped in code cell 16 .* ended itself",
+    ),
+    "os._exit(3)": (lambda: spoiled(5, "import os\nos._exit(3)"), 12, "with status 3"),
+    "a crash after four problems": (lambda: spoiled(5, "import ctypes\nctypes.string_at(0)"), 12, "ended by SIGSEGV"),
+    "a conflict in a cell": (lambda: full(with_a_conflict_in_a_cell), 21, "SyntaxError"),
+    "a conflict in the file": (lambda: conflicted(as_bytes(full())), 0, "merge left its marks .* line 10"),
+    "cut off": (lambda: as_bytes(full())[:5000], 0, "cut off or damaged"),
+    "empty": (lambda: b"  \n", 0, "is empty"),
+    "nothing": (lambda: None, 0, "Nothing was handed in"),
+    "a script": (lambda: b"import numpy as np\nscrews_1 = 0", 0, "no notebook.*not a script"),
+    "a PDF": (lambda: b"%PDF-1.7\n...", 0, "a PDF"),
+    "a zip": (lambda: b"PK\x03\x04\x00\xff", 0, "a zip"),
+    "a web page": (lambda: b"<!DOCTYPE html><html></html>", 0, "a web page"),
+    "other JSON": (lambda: b'{"a": [1, 2]}', 0, "it has no cells"),
+    "a list": (lambda: b"[1, 2]", 0, "no notebook"),
+    "cells that are none": (
+        lambda: b'{"cells": [1, null, {"cell_type": "code", "source": {"a": 1}, "metadata": 3}]}',
+        0,
+        "not sheet",
+    ),
+    "a number without end": (lambda: b'{"cells": ' + b"9" * 10_000 + b"}", 0, "cut off or damaged"),
+    "a nest without end": (lambda: b"[" * 200_000, 0, "without end"),
+    "a million lists": (lambda: b'{"cells": [' + b"[]," * 1_000_000 + b"[]]}", 0, "more parts"),
+    "too many cells": (lambda: {"cells": [code("1")] * 2000}, 0, "2000 cells"),
+    "40 MB": (lambda: b'{"cells": "' + b"x" * (40 << 20) + b'"}', 0, "Clear all outputs"),
+    "another sheet": (lambda: handed_in("ada", name="05_dh_standard"), 0, "opens 05_dh_standard"),
+    "a lecture": (lambda: {"cells": [code("import kinlib as kl\nkl.hat([0, 0, 1])")]}, 0, "none of its cells"),
+}
+
+
+@pytest.mark.parametrize("name", STRANGE)
+def test_a_strange_submission_gets_what_its_answers_deserve_and_a_reason(name, grader):
+    make, points, reason = STRANGE[name]
+    made = make()
+    result = grader.grade("ada", as_bytes(made) if isinstance(made, dict) else made)
+    odd = [f"{problem.number}: {note}" for problem in result.problems for note in problem.notes]
+    told = "\n".join([result.reason, *result.notes, *odd])
+    if points is None:
+        assert all(problem.mistakes for problem in result.problems)
+    else:
+        assert result.points == points
+    assert re.search(reason, told) if reason else not told
+    assert (result.status == "broken") == (not result.cells)
+    assert len(result.problems) == 8
+    json.dumps(asdict(result), allow_nan=False, ensure_ascii=False).encode()  # whoever keeps it needs no care
+
+
+def test_a_result_says_what_was_handed_in_and_how_it_was_run(grader):
+    content = as_bytes(full(first="print('shown')"))
+    result = grader.grade("ada", content)
+    assert result.digest == sha256(content).hexdigest()
+    assert result.is_safe
+    assert result.typed_id == "ada"
+    assert [
+        output["text"] for cell in result.cells for output in cell.outputs if output["output_type"] == "stream"
+    ] == ["shown\n"]
+    notebook = json.loads(content)
+    for cell in result.cells:
+        assert "".join(notebook["cells"][cell.place]["source"]) == cell.source
+
+
+def test_many_at_a_time_do_not_mix(grader):
+    students = [f"student {i}" for i in range(12)]
+    with ThreadPoolExecutor(4) as pool:
+        graded = pool.map(lambda s: grader.grade(s, as_bytes(handed_in(s, right(s), first=f"print({s!r})"))), students)
+    for student, result in zip(students, graded, strict=True):
+        assert (result.student, result.points) == (student, 24)
+        assert [output["text"] for output in result.cells[1].outputs] == [f"{student}\n"]
+
+
+def test_a_server_and_a_judge_that_were_killed_are_started_anew(grader):
+    for process in (grader._runner._process, grader._judge._process):
+        process.kill()
+        process.wait()
+    assert grader.grade("ada", as_bytes(full())).status in {"graded", "broken"}
+    assert grader.grade("ada", as_bytes(full())).points == 24
