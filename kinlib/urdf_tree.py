@@ -154,7 +154,7 @@ def read_tree(robot: Element) -> Tree:
             if joint.name in lines:
                 raise element.refusal(f"the joint in line {lines[joint.name]} has this name already.")
             if (other := above.get(joint.child)) is not None:
-                raise element.refusal(
+                raise next(end for end in element.children if end.tag == "child").refusal(
                     f"link {joint.child} hangs on joint {other.name} of line {other.element.line} already. A URDF is a "
                     "tree: a link with two parents closes a loop, and no URDF holds one."
                 )
