@@ -68,6 +68,7 @@ def test_decimals_count_as_three_and_what_is_exact_counts_exactly():
     assert is_right(form, np.sqrt(2) / 2 * sp.sin(theta))
     assert not is_right(form, "7071/10000*sin(theta)")
     assert is_right(form, "sin(theta)/√2")
+    assert not is_right(ClosedForm(theta), "1.0*theta + 1/10^6")
 
 
 @given(
@@ -184,23 +185,24 @@ UNREADABLE = {
     "an object": (object(), "no formula"),
     "bytes": (b"q1", "no formula"),
     "a dictionary": ({"q1": 1}, "no formula"),
+    "a formula of another shape": (Reader([q_1]).read("[q1, q1]"), "no formula"),
 }
 
 
 @pytest.mark.parametrize(("hostile", "words"), UNREADABLE.values(), ids=UNREADABLE)
 def test_what_is_no_formula_is_refused_in_bounded_time_with_a_reason(hostile, words):
-    start = time.perf_counter()
+    start = time.process_time()
     with pytest.raises(Unreadable, match=f"(?s)Expected one formula in a_2, q_1, q_2.*({words})"):
         RIGHT.read(hostile)
-    assert time.perf_counter() - start < 2
+    assert time.process_time() - start < 2
 
 
 def test_an_expression_that_shares_its_parts_is_worked_out_once_and_never_printed():
     """Written out, it would have 2^60 parts."""
-    start = time.perf_counter()
+    start = time.process_time()
     assert not is_right(RIGHT, SHARED)
     assert "your formula gives" in judge(Problem("", RIGHT, []), SHARED).findings[0].message
-    assert time.perf_counter() - start < 2
+    assert time.process_time() - start < 2
 
 
 @given(st.text(alphabet="q12ac_s+-*/^()[],. eπθ√²sin'\"\\{}9", max_size=60) | st.text(max_size=40))

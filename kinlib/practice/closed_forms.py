@@ -37,16 +37,17 @@ class ClosedForm(Answer):
 
     @property
     def expected(self) -> str:
-        names = ", ".join(symbol.name for symbol in self._declared)
-        rows = ", as a list of rows" if len(self._shape) > 1 else ""
-        return f"{shaped(self._shape)} in {names or 'numbers'}{rows}: text such as '2*sin(q)', or SymPy"
+        names = [symbol.name for symbol in self._declared]
+        entry = f"2*sin({names[-1]})" if names else "1/2"
+        example = (entry, f"[{entry}, 0, ...]", f"[[{entry}, 0, ...], ...]")[len(self._shape)]
+        return f"{shaped(self._shape)} in {', '.join(names) or 'numbers'}: text such as '{example}', or SymPy"
 
     @property
     def parts(self) -> Sequence[str]:
         return ["rotation", "position"] if self._shape == (4, 4) else ["the formula"]
 
     def read(self, given: Any) -> Formula:
-        if isinstance(given, Formula):
+        if isinstance(given, Formula) and given.values.shape == self._right.values.shape:
             return given
         try:
             return self._reader.read(given, self._shape)
@@ -78,7 +79,7 @@ class ClosedForm(Answer):
 
     @cached_property
     def _declared(self) -> list[sp.Symbol]:
-        return sorted({*sp.sympify(self.value).free_symbols, *self.symbols}, key=str)
+        return sorted({*sp.sympify(self.value, strict=True).free_symbols, *self.symbols}, key=str)
 
     @cached_property
     def _reader(self) -> Reader:

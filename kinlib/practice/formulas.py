@@ -138,9 +138,11 @@ class Reader:
         return self._called(expression.func.__name__, expression.args)
 
     def _number(self, number: Any) -> Values:
-        self._rounded |= isinstance(number, float | np.floating | sp.Float)
         plain = number.item() if isinstance(number, np.generic) else number
-        return _each(lambda: DIGITS.convert(plain)) * POINTS
+        values = _each(lambda: DIGITS.convert(plain)) * POINTS
+        # 2.0 was not rounded by anybody: an array of 0 and 1 may have become one of floats on the way.
+        self._rounded |= isinstance(plain, float | sp.Float) and not float(plain).is_integer()
+        return values
 
     def _called(self, name: str, arguments: Iterable[Any]) -> Values:
         if name not in CALLED:
