@@ -1,5 +1,7 @@
 """URDF files: every arm that two packages ship, and random trees, against Pinocchio; round trips; and files with faults."""
 
+import builtins
+import io
 import os
 import re
 import time
@@ -321,11 +323,11 @@ def test_only_the_file_itself_is_opened(tmp_path, monkeypatch):
     path.write_text(one_joint('<visual><mesh filename="mesh.stl"/></visual>'), "utf-8")
     (tmp_path / "mesh.stl").write_text("not to be read")
     load_urdf(path)
-    opened = []
-    import io
-
-    real = io.open
-    monkeypatch.setattr(io, "open", lambda file, *rest, **more: opened.append(file) or real(file, *rest, **more))
+    opened, real = [], io.open
+    for module in (builtins, io):
+        monkeypatch.setattr(
+            module, "open", lambda file, *rest, **more: opened.append(file) or real(file, *rest, **more)
+        )
     load_urdf(path)
     assert [os.fspath(file) for file in opened] == [os.fspath(path)]
 

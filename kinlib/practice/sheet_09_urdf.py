@@ -193,7 +193,10 @@ def home_from_a_file(draw: Draw) -> Problem:
     weld = Placed("weld", draw.point(3), right_angles(draw, 1), kind="fixed")
     drawn = draw.point(3)
     text = serial_file([*joints[:2], weld], LINKS)
-    visual = f'<link name="hand">\n  <visual> <origin xyz="{spaced(drawn)}"/> <geometry> <box size="1 1 1"/> </geometry> </visual>\n</link>'
+    box = (
+        f'  <visual>\n    <origin xyz="{spaced(drawn)}"/>\n    <geometry> <box size="1 1 1"/> </geometry>\n  </visual>'
+    )
+    visual = f'<link name="hand">\n{box}\n</link>'
     text = text.replace('<link name="hand"/>', visual)
     return Problem(
         statement=f"Give the home pose $M$ of the link `hand` in the frame of the base. {ROUNDED}\n\n{fenced(text)}",
@@ -337,7 +340,7 @@ def way_through_a_tree(draw: Draw) -> Problem:
     text = in_robot(
         links,
         (
-            f'<joint name="{name}" type="{kind}"> <parent link="{parent}"/> <child link="{child}"/> </joint>'
+            f'<joint name="{name}" type="{kind}">\n  <parent link="{parent}"/> <child link="{child}"/>\n</joint>'
             for name, parent, child, kind in shown
         ),
     )
