@@ -10,8 +10,9 @@ import pytest
 from browser import SECONDS, awake, browsers, jupyterlab, pictures, pose, static_page, watched
 
 import kinlib as kl
+from kinlib.linkages import four_bar
 from kinlib.screw import screw
-from kinlib.view import explore
+from kinlib.view import drive, explore
 from kinlib.view.scene import LAYERS
 
 DEGREE = np.pi / 180
@@ -303,6 +304,50 @@ def test_no_name_covers_another_or_leaves_the_picture(show, frames, width):
                 assert apart, (a["name"], b["name"])
 
 
+# --- closed chains ---
+
+LINKAGE = four_bar(0.4, 0.1, 0.35, 0.3)
+
+
+def four_bar_viewer():
+    return drive(LINKAGE, LINKAGE.assembly_modes(hold={"A": 1.0})[0], across=("A", "D"))
+
+
+def test_every_body_of_a_linkage_stands_where_the_library_says(show):
+    page = show(four_bar_viewer())
+    bodies = [body for body in LINKAGE.bodies if body != LINKAGE.ground]
+    for curve in page.evaluate("document.querySelector('.kv').viewer.model.get('mode').curves"):
+        for q in curve[::40]:
+            set_q(page, q)
+            expected = LINKAGE.poses(np.array(q))
+            for arm, body in enumerate(bodies):
+                found = page.evaluate(f"document.querySelector('.kv').viewer.stage.figure.pose({arm})")
+                np.testing.assert_allclose(found, expected[body], atol=1e-12)
+
+
+def test_the_driver_runs_along_its_curve_and_a_click_goes_to_the_other(show):
+    viewer = four_bar_viewer()
+    page = show(viewer)
+    curves = viewer.mode["curves"]
+    here = curves[0].index(viewer.q)
+    page.get_by_label("drive").focus()
+    settled(page, lambda: page.keyboard.press("ArrowRight"))
+    assert q_of(page) == curves[0][here + 1]
+    page.get_by_label("Assembly mode").select_option(index=1)
+    assert q_of(page) in curves[1]
+    place = page.locator(".kv-map").bounding_box()
+    rocker = [float(np.mean([q[2] for q in curve])) for curve in curves]
+    share = 0.95 if rocker[0] < rocker[1] else 0.05  # where the first curve lies on the map, from its top
+    settled(
+        page, lambda: page.mouse.click(place["x"] + place["width"] / 2, place["y"] + share * (place["height"] - 30))
+    )
+    assert q_of(page) in curves[0]
+    page.locator(".kv-map").focus()
+    at = curves[0].index(q_of(page))
+    settled(page, lambda: page.keyboard.press("ArrowUp"))
+    assert q_of(page) == curves[0][at + 1]
+
+
 # --- predictions ---
 
 
@@ -511,9 +556,15 @@ def test_a_thousand_updates_leave_the_heap_flat(show):
 
 # --- in JupyterLab ---
 
+FIRST = """
+import kinlib as kl
+from kinlib.view import explore
+changes = []
+arm = explore(kl.robots.youbot())
+arm.observe(lambda change: changes.append(change.new), 'q')
+arm"""
 CELLS = [
-    "import kinlib as kl\nfrom kinlib.view import explore\nchanges = []\n"
-    "arm = explore(kl.robots.youbot())\narm.observe(lambda change: changes.append(change.new), 'q')\narm",
+    FIRST.strip(),
     "arm.q = [0.1, 0.2, 0.3, 0.4, 0.5]",
     "print('heard', len(changes), 'last', [round(x, 3) for x in arm.q])",
 ]

@@ -10,12 +10,25 @@ from kinlib.view.picture import Picture
 from kinlib.view.plot import plot
 
 if TYPE_CHECKING:
+    from kinlib.view.driver import Drive, drive
     from kinlib.view.viewer import Viewer, explore
     from kinlib.view.widgets import slide
 
-__all__ = ["Card", "Picture", "Viewer", "draw_arm", "draw_frames", "draw_joints", "explore", "plot", "slide"]
+__all__ = [
+    "Card",
+    "Drive",
+    "Picture",
+    "Viewer",
+    "draw_arm",
+    "draw_frames",
+    "draw_joints",
+    "drive",
+    "explore",
+    "plot",
+    "slide",
+]
 
-LATE = {"Viewer": "viewer", "explore": "viewer", "slide": "widgets"}
+LATE = {"Drive": "driver", "Viewer": "viewer", "drive": "driver", "explore": "viewer", "slide": "widgets"}
 """What needs ipywidgets and anywidget, and its module: loaded when somebody wants a slider, for a figure does without."""
 
 

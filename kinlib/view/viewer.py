@@ -16,7 +16,7 @@ import traitlets
 from numpy.typing import ArrayLike
 
 from kinlib.chain import Chain
-from kinlib.view.arm import describe, draw_arm
+from kinlib.view.arm import SHOWN, describe, draw_arm
 from kinlib.view.scene import LAYERS, scene
 
 STATIC = Path(__file__).parent / "static"
@@ -30,8 +30,8 @@ class Values(traitlets.List[float]):
         return super().validate(obj, np.asarray(value, dtype=float).tolist())
 
 
-class Viewer(anywidget.AnyWidget):
-    """An arm on the page. Make one with `explore`.
+class ViewerBase(anywidget.AnyWidget):
+    """What every viewer shares with the page: the traits below, and a form for pages without a kernel.
 
     q           (n,) joint values; the page and Python both set them
     start       (n,) where "Reset" goes
@@ -59,15 +59,11 @@ class Viewer(anywidget.AnyWidget):
     readout = traitlets.Bool(True).tag(sync=True)
     mode = traitlets.Dict().tag(sync=True)
 
-    def __init__(self, chain: Chain, **traits: Any) -> None:
-        self.chain = chain
-        super().__init__(**traits)
-
     @traitlets.validate("q", "start", "ghost")
     def _fits(self, proposal: Any) -> list[float]:
         values: list[float] = proposal["value"]
         if values or proposal["trait"].name != "ghost":
-            self.chain.fk(values)  # refuses values of another size and NaN, in words
+            self._check(values)
         return values
 
     @traitlets.validate("shown")
@@ -80,7 +76,15 @@ class Viewer(anywidget.AnyWidget):
     @property
     def alt(self) -> str:
         """What the picture shows, in words."""
-        return describe(self.chain, np.array(self.q))
+        raise NotImplementedError
+
+    def _check(self, values: list[float]) -> None:
+        """Refuse joint values of another size and NaN, in words."""
+        raise NotImplementedError
+
+    def _drawing(self) -> str:
+        """What stands on the page, as HTML, before it wakes, and on paper."""
+        raise NotImplementedError
 
     def html(self) -> str:
         """The viewer for a page without a kernel: its state as JSON, and a drawing until loader.js wakes it."""
@@ -100,21 +104,35 @@ class Viewer(anywidget.AnyWidget):
         state = {name: getattr(self, name) for name in names}
         # A "<" might end the script or begin another; in JSON it may be written so.
         data = json.dumps(state, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")
+        covered = f"<p>{html.escape(self.prediction.get('text', 'The picture waits for your prediction.'))}</p>"
         return (
             f'<div data-kinlib-viewer><script type="application/json">{data}</script>'
-            f"<div data-kinlib-drawing>{self._drawing()}</div></div>"
+            f"<div data-kinlib-drawing>{covered if self.covered else self._drawing()}</div></div>"
         )
-
-    def _drawing(self) -> str:
-        """What is there before the page wakes, and on paper."""
-        if self.covered:
-            return f"<p>{html.escape(self.prediction.get('text', 'The picture waits for your prediction.'))}</p>"
-        drawn = [name for name in self.shown if name in {"axes", "body axes", "home axes", "links", "base", "tool"}]
-        return draw_arm(self.chain, self.q, show=drawn, ghost=self.ghost or None).html()
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
         data, metadata = super()._repr_mimebundle_(**options) or ({}, {})
         return {**data, "text/plain": self.alt, "text/html": self.html()}, metadata
+
+
+class Viewer(ViewerBase):
+    """An arm on the page. Make one with `explore`."""
+
+    def __init__(self, chain: Chain, **traits: Any) -> None:
+        self.chain = chain
+        super().__init__(**traits)
+
+    @property
+    def alt(self) -> str:
+        """What the picture shows, in words."""
+        return describe(self.chain, np.array(self.q))
+
+    def _check(self, values: list[float]) -> None:
+        self.chain.fk(values)
+
+    def _drawing(self) -> str:
+        drawn = [name for name in self.shown if name in SHOWN]
+        return draw_arm(self.chain, self.q, show=drawn, ghost=self.ghost or None).html()
 
 
 def explore(

@@ -34,6 +34,23 @@ export function without(shown, layers) {
 
 export const FRAME_LAYERS = ['base', 'tool', 'links', 'standard', 'modified'];
 
+/** The layers that this scene has something for, and that are worth a button. */
+export function available({ arms }, shown) {
+  const whole = arms.some((arm) => arm.links);
+  const worth = {
+    axes: true,
+    'body axes': shown.includes('body axes'),
+    'home axes': shown.includes('home axes'),
+    normals: arms.some((arm) => arm.normals?.length),
+    dimensions: whole,
+    trail: whole,
+  };
+  return [
+    ...Object.keys(TOGGLES).filter((name) => worth[name]),
+    ...FRAME_LAYERS.filter((name) => arms.some((arm) => arm.frames?.[name])),
+  ];
+}
+
 /** Axes, frames and normals run inside the arm: what it hides of them shines through. */
 const SEEN = { through: true };
 
@@ -41,10 +58,11 @@ const SEEN = { through: true };
 export function dress(stage, shown) {
   const { data, theme } = stage;
   const { size } = data;
-  const each = (make) => data.arms.flatMap((arm, k) => make(arm).map((part) => ({ ...part, arm: k })));
+  const each = (make) => data.arms.flatMap((arm, k) => (arm.links ? make(arm).map((part) => ({ ...part, arm: k })) : []));
   const colours = theme;
   const arm = [...each((one) => parts.links(one, size, colours)), ...each((one) => parts.joints(one, size, colours))];
-  stage.put('arm', [...parts.mount(data, size, colours), ...arm], { outlined: true });
+  stage.put('arm', [...parts.mount(data, size, colours), ...arm, ...parts.pieces(data, size, colours)], { outlined: true });
+  stage.put('piece axes', parts.pieceAxes(data, size, colours), SEEN);
   stage.figure.stretched.length = 0;
   stage.putRods('rods', each((arm) => parts.rods(arm, size, colours)));
   stage.put('axes', each((arm) => parts.axes(arm, size, { letter: 'S', colour: colours.axis })), SEEN);
@@ -55,12 +73,13 @@ export function dress(stage, shown) {
   for (const name of FRAME_LAYERS) {
     const numbered = !['base', 'tool'].includes(name);
     const length = numbered ? 0.17 : 0.24;
-    stage.put(`frames ${name}`, each((arm) => parts.triads(arm.frames[name] ?? [], size, colours, { numbered, length })), SEEN);
+    stage.put(`frames ${name}`, each((arm) => parts.triads(arm.frames?.[name] ?? [], size, colours, { numbered, length })), SEEN);
   }
   reveal(stage, shown);
 }
 
 export function reveal(stage, shown) {
+  stage.show('piece axes', shown.includes('axes'));
   for (const name of ['axes', 'body axes', 'home axes', 'normals', 'dimensions']) stage.show(name, shown.includes(name));
   for (const name of FRAME_LAYERS) stage.show(`frames ${name}`, shown.includes(name));
 }
@@ -76,8 +95,8 @@ export function haunt(stage, q) {
   veil.userData.order = 2;
   const { data, theme } = stage;
   const plain = { ...theme, link: theme.ghost, joint: theme.ghost, cap: theme.ghost, rod: theme.ghost, ink: theme.ghost };
-  const each = (make) => data.arms.flatMap((arm, k) => make(arm, data.size, plain).map((part) => ({ ...part, arm: k })));
-  const body = [...each(parts.links), ...each(parts.joints)];
+  const each = (make) => data.arms.flatMap((arm, k) => (arm.links ? make(arm, data.size, plain).map((part) => ({ ...part, arm: k })) : []));
+  const body = [...each(parts.links), ...each(parts.joints), ...parts.pieces(data, data.size, plain)].filter((part) => part.shape);
   stage.put('ghost mask', body.map((part) => ({ ...part })), { figure: ghost, material: mask });
   stage.put('ghost', body, { figure: ghost, material: veil });
   stage.putRods('ghost rods', each(parts.rods), { figure: ghost, material: veil });

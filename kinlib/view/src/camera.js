@@ -26,15 +26,21 @@ export class Eye {
   }
 
   home() {
-    Object.assign(this, { ...VIEWS['3-D'], zoom: 1, target: new Vector3(...this.room.centre) });
+    Object.assign(this, { ...this.named('3-D'), zoom: 1, target: new Vector3(...this.room.centre) });
     this.radius = this.room.radius;
     this.place();
+  }
+
+  /** The direction of a named view. Where the room says so, its own first look takes the place of the usual one. */
+  named(name) {
+    const [azimuth, elevation] = this.room.look ?? [];
+    return name === '3-D' && this.room.look ? { azimuth, elevation } : VIEWS[name];
   }
 
   /** Step back as far as it takes to keep points in view: an arm at play shall not leave the picture. */
   keep(points, margin) {
     const centre = new Vector3(...this.room.centre);
-    const far = Math.max(...points.map((point) => point.distanceTo(centre))) + margin;
+    const far = Math.max(0, ...points.map((point) => point.distanceTo(centre))) + margin;
     if (far <= this.radius) return;
     this.radius = far;
     this.place();
@@ -96,7 +102,7 @@ export class Eye {
 
   /** Go to a named view: on a short flight, or at once for who prefers reduced motion. */
   look(name) {
-    const goal = { ...VIEWS[name], zoom: 1, centre: new Vector3(...this.room.centre) };
+    const goal = { ...this.named(name), zoom: 1, centre: new Vector3(...this.room.centre) };
     const start = { azimuth: this.azimuth, elevation: this.elevation, zoom: this.zoom, centre: this.target.clone() };
     const turn = ((((goal.azimuth - start.azimuth) % 360) + 540) % 360) - 180; // the shorter way round
     const begun = performance.now();

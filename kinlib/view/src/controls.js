@@ -1,26 +1,26 @@
 // One slider and one number field a joint, play and reset. A handler says what it wants and no more: q changes, and
 // everything is drawn from the change, whoever made it.
 import { fixed, h, KEYS, named, unique } from './dom.js';
+import { player, ROUND } from './play.js';
 
 const DEGREE = Math.PI / 180;
-const SWEEP = 4000; // milliseconds for one joint, there and back
 
 /** @param state { sliders, start(), q(), set(q) } @returns { element, update(q), dispose() } */
 export function controls(state) {
   const rows = state.sliders.map((slider) => row(slider, state));
-  const player = play(state);
+  const motion = sweep(state);
   const element = h('fieldset', { class: 'kv-joints' },
     h('legend', {}, 'Joint values'),
     ...rows.map(({ element: line }) => line),
     h('div', { class: 'kv-buttons' },
-      player.button,
-      h('button', { type: 'button', ...KEYS, onclick: () => { player.stop(); state.set(state.start()); } }, '↺ Reset')));
+      motion.button,
+      h('button', { type: 'button', ...KEYS, onclick: () => { motion.stop(); state.set(state.start()); } }, '↺ Reset')));
   return {
     element,
     update(q) {
       for (const { update } of rows) update(q);
     },
-    dispose: player.stop,
+    dispose: motion.stop,
   };
 }
 
@@ -78,36 +78,15 @@ const STEPS = {
   ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageDown: -10, PageUp: 10, Home: -Infinity, End: Infinity,
 };
 
-/** Play: each joint sweeps to its upper end, to its lower one and back, one joint after the other. */
-function play(state) {
-  let frame = 0;
-  let begun = 0;
+/** Each joint sweeps to its upper end, to its lower one and back, one joint after the other. */
+function sweep(state) {
   let from = [];
-  const calm = () => matchMedia('(prefers-reduced-motion: reduce)').matches;
-  const button = h('button', { type: 'button', class: 'kv-play', ...KEYS, onclick: () => (frame ? stop() : start()) }, '▶ Play');
-  function stop() {
-    cancelAnimationFrame(frame);
-    frame = 0;
-    button.textContent = '▶ Play';
-  }
-  function start() {
-    from = [...state.q()];
-    begun = performance.now();
-    button.textContent = '❚❚ Pause';
-    frame = requestAnimationFrame(tick);
-  }
-  function tick(now) {
-    const time = Math.max(0, now - begun);
-    const turn = state.sliders[Math.floor(time / SWEEP) % state.sliders.length];
-    let share = (time % SWEEP) / SWEEP;
-    if (calm()) share = Math.floor(share * 4) / 4; // four stations instead of a motion
-    const q = [...from];
+  return player(() => { from = [...state.q()]; }, (time, share) => {
+    const turn = state.sliders[Math.floor(time / ROUND) % state.sliders.length];
     const rest = from[turn.column];
     const wave = Math.sin(2 * Math.PI * share);
+    const q = [...from];
     q[turn.column] = rest + (wave > 0 ? wave * Math.max(0, turn.high - rest) : -wave * Math.min(0, turn.low - rest));
     if (q.some((value, k) => value !== state.q()[k])) state.set(q);
-    if (button.isConnected) frame = requestAnimationFrame(tick);
-    else stop();
-  }
-  return { button, stop };
+  });
 }

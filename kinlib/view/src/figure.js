@@ -9,27 +9,26 @@ export class Figure {
     this.root = new Group();
     this.arms = arms.map((arm) => {
       const bodies = [this.root];
-      const points = [];
-      for (const { screw, point } of arm.joints) {
+      for (const { screw } of arm.joints) {
         const body = new Group();
         body.matrixAutoUpdate = false;
         body.userData.screw = screw;
         bodies.at(-1).add(body);
         bodies.push(body);
-        points.push(point);
       }
       const tool = new Group();
       tool.matrixAutoUpdate = false;
       tool.matrix.set(...arm.home);
       bodies.at(-1).add(tool);
-      return { bodies, tool, points, columns: arm.columns };
+      return { bodies, tool, columns: arm.columns, points: arm.links && arm.joints.map(({ point }) => point) };
     });
     /** what moves with each joint value and is not a rigid body: the rods of slides */
     this.stretched = [];
   }
 
   body(arm, index) {
-    return this.arms[arm].bodies[index];
+    const { bodies, tool } = this.arms[arm];
+    return index === 'tool' ? tool : bodies[index];
   }
 
   setQ(q) {
@@ -46,7 +45,7 @@ export class Figure {
 
   /** Where the joints and the tools are, in space. */
   stations() {
-    return this.arms.flatMap(({ bodies, tool, points }) => [
+    return this.arms.filter(({ points }) => points).flatMap(({ bodies, tool, points }) => [
       ...points.map((point, i) => new Vector3(...point).applyMatrix4(bodies[i + 1].matrixWorld)),
       new Vector3().setFromMatrixPosition(tool.matrixWorld),
     ]);

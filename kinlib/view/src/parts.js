@@ -124,6 +124,43 @@ export function dimensions(arm, size, colours) {
   }));
 }
 
+const PIECES = {
+  bar: ({ at, along }, size, colours) => ({ shape: 'capsule', from: at, to: add(at, along), radius: 0.022 * size, colour: colours.link }),
+  cylinder: ({ at, along }, size, colours) => centred('cylinder', at, along, 0.05 * size, 0.034 * size, colours.joint),
+  box: ({ at, along }, size, colours) => centred('box', at, along, 0.07 * size, 0.04 * size, colours.joint),
+  slider: ({ at, along }, size, colours) => centred('box', at, along, 0.05 * size, 0.028 * size, colours.rod),
+  ball: ({ at }, size, colours) => ({ shape: 'sphere', from: at, to: at, radius: 0.04 * size, colour: colours.joint }),
+};
+
+function centred(shape, at, along, half, radius, colour) {
+  return { shape, from: add(at, along, -half), to: add(at, along, half), radius, colour };
+}
+
+/** The pieces of a linkage: bars and joints, each named at its joint; a foot under each joint on the ground. */
+export function pieces({ pieces: all = [], floor }, size, colours) {
+  return all.flatMap((piece) => {
+    const { arm, body, kind, at, name, foot } = piece;
+    const made = [{ arm, body, ...PIECES[kind](piece, size, colours) }];
+    if (name) {
+      const [text, sub = ''] = name.replace(/^joint /, '').split('_');
+      made.push({ arm, body, label: true, at, text, sub, colour: colours.ink, italic: true, weight: 3 });
+    }
+    if (foot && at[2] > floor) {
+      const ground = [at[0], at[1], floor];
+      made.push({ arm, body, shape: 'capsule', from: ground, to: at, radius: 0.016 * size, colour: colours.rod });
+      made.push({ arm, body, shape: 'cylinder', from: ground, to: add(ground, [0, 0, 0.012 * size]), radius: 0.06 * size, colour: colours.rod });
+    }
+    return made;
+  });
+}
+
+/** The axes of a linkage's joints, through each joint. */
+export function pieceAxes({ pieces: all = [] }, size, colours) {
+  return all.filter(({ name, kind }) => name && kind !== 'ball').flatMap(({ arm, body, at, along }) => dashes({
+    arm, body, from: add(at, along, -0.3 * size), to: add(at, along, 0.3 * size), radius: 0.005 * size, colour: colours.axis, dash: 0.035 * size, gap: 0.018 * size,
+  }));
+}
+
 /** A unit vector square to an axis, the same one every time. */
 export function square(axis) {
   const least = axis.map(Math.abs).indexOf(Math.min(...axis.map(Math.abs)));
@@ -134,6 +171,7 @@ export function square(axis) {
 
 /** What holds the arm where its base is above the floor: a column down to a foot. */
 export function mount({ floor, foot }, size, colours) {
+  if (!foot) return [];
   const top = [foot[0], foot[1], foot[2]];
   const ground = [foot[0], foot[1], floor];
   const plate = { body: 0, shape: 'cylinder', from: ground, to: add(ground, [0, 0, 0.018 * size]), radius: 0.1 * size, colour: colours.rod };

@@ -17,8 +17,9 @@ export function toggles({ available, shown, setShown }) {
   ...Object.entries(FRAMES)
     .filter(([, { layers }]) => layers.every((layer) => available.includes(layer)))
     .map(([value, { name }]) => h('option', { value }, name)));
+  const choices = select.options.length > 1 ? [select] : [];
   return {
-    element: h('div', { class: 'kv-toggles', role: 'group', 'aria-label': 'Show' }, select, ...buttons.map(({ button }) => button)),
+    element: h('div', { class: 'kv-toggles', role: 'group', 'aria-label': 'Show' }, ...choices, ...buttons.map(({ button }) => button)),
     update() {
       for (const { name, button } of buttons) button.setAttribute('aria-pressed', String(shown().includes(name)));
       select.value = framesOf(shown());

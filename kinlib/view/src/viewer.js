@@ -1,7 +1,7 @@
 // The viewer: puts stage, controls and readout together. There is one path for every change: whoever sets a trait, here
 // or in Python, sets the model, and the page is drawn from the model's change.
 import { Vector3 } from 'three';
-import { dress, FRAME_LAYERS, haunt, reveal, TOGGLES } from './arm.js';
+import { available, dress, haunt, reveal } from './arm.js';
 import { steer } from './camera.js';
 import { controls } from './controls.js';
 import { cover } from './cover.js';
@@ -40,10 +40,7 @@ function render({ model, el }) {
   const pose = readout();
   const panel = controls(state);
   const veil = cover(model);
-  const available = [...Object.keys(TOGGLES), ...FRAME_LAYERS].filter((name) => FRAME_LAYERS.includes(name)
-    ? data.arms.some((arm) => arm.frames[name]) : name === 'normals' ? data.arms.some((arm) => arm.normals.length)
-      : name !== 'body axes' && name !== 'home axes' || model.get('shown').includes(name));
-  const switches = toggles({ available, shown: () => model.get('shown'), setShown: (names) => {
+  const switches = toggles({ available: available(data, model.get('shown')), shown: () => model.get('shown'), setShown: (names) => {
     model.set('shown', names);
     model.save_changes();
   } });

@@ -1,12 +1,13 @@
 // A closed chain on its curves: a driver slider along one of them, the configuration space beside, click to go there.
-import { h, KEYS, unique } from '../dom.js';
+import { fixed, h, KEYS, named, unique } from '../dom.js';
+import { player } from '../play.js';
 
 const SIDE = 260;
 const MARGIN = 30;
 
-/** @param kit.data { curves: [[[q...], ...], ...], closed: [bool...], across: [column, column], names: [name, name], labels: [text...] } */
+/** @param kit.data { curves: [[[q...], ...], ...], columns: [column, column], names: [name, name], all: [name...], closed: [bool...], labels: [text...] } */
 export function curve({ stage, data, state }) {
-  const { curves, across, names } = data;
+  const { curves, columns, names } = data;
   const id = unique('curve');
   let at = nearest(curves, state.q());
   const go = (which, sample) => state.set(curves[which][sample]);
@@ -14,7 +15,7 @@ export function curve({ stage, data, state }) {
   const select = h('select', { ...KEYS, 'aria-label': 'Assembly mode', onchange: () => {
     const which = Number(select.value);
     go(which, nearest([curves[which]], state.q()).sample);
-  } }, ...curves.map((_, k) => h('option', { value: k }, data.labels?.[k] ?? `assembly mode ${k + 1}`)));
+  } }, ...curves.map((_, k) => h('option', { value: k }, data.labels[k])));
   const canvas = h('canvas', { class: 'kv-map', tabindex: 0, role: 'img', ...KEYS, onclick: (event) => {
     const box = canvas.getBoundingClientRect();
     const point = [event.clientX - box.left, event.clientY - box.top];
@@ -27,7 +28,16 @@ export function curve({ stage, data, state }) {
     const many = curves[at.which].length;
     go(at.which, (at.sample + step + many) % many);
   } });
-  const bounds = across.map((column) => {
+  let from = 0;
+  const motion = player(() => { from = at.sample; }, (_, share) => {
+    const many = curves[at.which].length;
+    const sample = data.closed[at.which] ? (from + Math.round(share * (many - 1))) % many
+      : Math.round((0.5 - 0.5 * Math.cos(2 * Math.PI * share)) * (many - 1)); // an open curve is gone along and back
+    if (sample !== at.sample) go(at.which, sample);
+  });
+  const numbers = data.all.map(() => h('output'));
+  const values = h('p', { class: 'kv-values' }, ...data.all.flatMap((name, k) => [h('span', {}, named(name), ' = ', numbers[k])]));
+  const bounds = columns.map((column) => {
     const values = curves.flat().map((q) => q[column]);
     const [low, high] = [Math.min(...values), Math.max(...values)];
     const room = 0.06 * (high - low) || 0.5;
@@ -35,7 +45,7 @@ export function curve({ stage, data, state }) {
   });
 
   function place(q) {
-    const [x, y] = across.map((column, k) => (q[column] - bounds[k][0]) / (bounds[k][1] - bounds[k][0]));
+    const [x, y] = columns.map((column, k) => (q[column] - bounds[k][0]) / (bounds[k][1] - bounds[k][0]));
     return [MARGIN + x * (SIDE - MARGIN - 8), SIDE - MARGIN - y * (SIDE - MARGIN - 8)];
   }
 
@@ -69,24 +79,39 @@ export function curve({ stage, data, state }) {
     context.stroke();
     context.fillStyle = theme.ink;
     context.font = 'italic 600 13px sans-serif';
-    context.fillText(names[0].replace('_', ''), SIDE - 26, SIDE - 10);
-    context.fillText(names[1].replace('_', ''), 4, 18);
+    context.textAlign = 'center';
+    context.fillText(names[0].replace('_', ''), (SIDE + MARGIN - 8) / 2, SIDE - 9);
+    context.save(); // upright along its axis
+    context.translate(MARGIN / 2 - 2, (SIDE - MARGIN + 8) / 2);
+    context.rotate(-Math.PI / 2);
+    context.fillText(names[1].replace('_', ''), 0, 4);
+    context.restore();
+    context.font = '11px sans-serif';
+    context.fillStyle = theme.quiet;
+    const [[left, right], [bottom, top]] = bounds.map((pair) => pair.map((value) => fixed(value, 1)));
+    for (const [text, x, y] of [[left, MARGIN + 8, SIDE - 12], [right, SIDE - 20, SIDE - 12], [bottom, 13, SIDE - MARGIN - 2], [top, 13, 18]]) {
+      context.fillText(text, x, y);
+    }
   }
 
   return {
     element: h('div', { class: 'kv-curve' },
       h('div', { class: 'kv-row kv-driver' }, h('label', { for: id }, 'drive'), driver),
-      ...(curves.length > 1 ? [select] : []), canvas),
+      h('div', { class: 'kv-buttons' }, motion.button, ...(curves.length > 1 ? [select] : [])), canvas, values),
     replacesSliders: true,
     update(q) {
       at = nearest(curves, q, at);
       driver.max = curves[at.which].length - 1;
       driver.value = at.sample;
       select.value = at.which;
+      driver.style.setProperty('--share', `${(100 * at.sample) / (curves[at.which].length - 1)}%`);
+      driver.setAttribute('aria-valuetext', data.all.map((name, k) => `${name} ${fixed(q[k], 2)}`).join(', '));
+      numbers.forEach((number, k) => { number.textContent = fixed(q[k], 3); });
       canvas.setAttribute('aria-label', `Configuration space, ${names.join(' against ')}: ${curves.length} curves; the arm is at sample ${at.sample + 1} of curve ${at.which + 1}.`);
       paint(q);
     },
     dress: () => paint(state.q()),
+    dispose: motion.stop,
   };
 }
 
