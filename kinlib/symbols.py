@@ -20,8 +20,8 @@ def exact(x: Any) -> Any:
     """Read numbers as what they stand for: 0.25 as 1/4, 1.5707963267948966 as pi/2, 0.7071067811865476 as sqrt(2)/2.
 
     A number, an expression, or an array of them -> the same in SymPy, without a float. Vectors stand in columns.
-    A float is at most 9 decimals, or else pi times a fraction over at most 360, or else the root of a fraction over at
-    most 10000. Any other becomes the simplest fraction that is the same double: no digit is lost, none is invented.
+    A float within some fifty roundings of them is at most 9 decimals, or else pi times a fraction over at most 360, or
+    else the root of a fraction over at most 10000. Any other becomes the simplest fraction that is the same double.
 
     Raises ValueError for NaN, infinity, and what is no number.
 
@@ -56,7 +56,8 @@ def joints(n: int) -> tuple[sp.Symbol, ...]:
 def shorthand(expression: Any) -> Any:
     """Write c_1 for cos(q_1) and s_23 for sin(q_2 + q_3), as on a blackboard: symbols that notebooks print as $s_{23}$.
 
-    An expression or a matrix in q_i or theta_i -> the same, to be read; to compute on, keep the original.
+    An expression or a matrix in q_i or theta_i -> the same, to be read; to compute on, keep the original. Angles beyond 9
+    have no shorthand: s_12 would be the sine of one or of two.
 
     >>> q_1, q_2, a_2 = sp.symbols("q_1 q_2 a_2")
     >>> shorthand(a_2 * sp.cos(q_1 + q_2) - sp.sin(q_1) ** 2)
@@ -71,12 +72,11 @@ def _short(part: Any) -> str:
     """The shorthand of a sine or cosine of numbered angles, or nothing."""
     if not isinstance(part, sp.cos | sp.sin):
         return ""
-    found = [re.fullmatch(r"(q|theta)_?(\d+)", str(angle)) for angle in sp.Add.make_args(part.args[0])]
+    found = [re.fullmatch(r"(q|theta)_?([1-9])", str(angle)) for angle in sp.Add.make_args(part.args[0])]
     if not all(found) or len({angle[1] for angle in found if angle}) > 1:
         return ""
-    numbers = sorted(int(angle[2]) for angle in found if angle)
-    between = "," if numbers[-1] > 9 else ""
-    return f"{'c' if isinstance(part, sp.cos) else 's'}_{between.join(map(str, numbers))}"
+    digits = "".join(sorted(angle[2] for angle in found if angle))
+    return f"{'c' if isinstance(part, sp.cos) else 's'}_{digits}"
 
 
 def _recognised(x: float) -> sp.Expr:
