@@ -94,6 +94,29 @@ class Endless(list):
 answers = {1: Endless(), 2: [[]]}
 answers[2][0].append(answers[2])
 """,
+    "a function looks at who calls it": """
+import sys
+def spy(q):
+    frame = sys._getframe(1)
+    while frame:
+        for value in [*frame.f_locals.values()]:
+            if callable(getattr(getattr(value, "answer", None), "value", None)):
+                return value.answer.value(q)
+        frame = frame.f_back
+    return np.full((4, 4), 50.0)
+answers = {7: spy}
+""",
+    "a function gives what agrees with all": """
+class Pose(np.ndarray):
+    def __array_ufunc__(self, *a, **k): return np.zeros((4, 4))
+    def __eq__(self, other): return True
+answers = {7: lambda q: q.fill(0) or np.eye(4).view(Pose)}
+""",
+    "a function never returns": """
+def forever(q):
+    while True: pass
+answers = {7: forever}
+""",
     # --- forging what is sent ---
     "points are displayed": """
 from IPython.display import display

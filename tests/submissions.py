@@ -64,27 +64,36 @@ def names(name=SHEET):
 
 
 def right(student, name=SHEET):
-    """Lines with the right answers, typed in as numbers, by problem."""
-    return typed(student, lambda problem: problem.answer.value, name)
+    """Lines with the right answers, typed in, by problem."""
+    return typed(student, lambda problem: problem.answer.value, "kl.Chain({screws}, {home}).fk", name)
 
 
 def mistaken(student, which=0, name=SHEET):
     """Lines with the answers that a mistake leads to, by problem."""
-    return typed(student, lambda problem: problem.mistakes[which % len(problem.mistakes)].value, name)
+    home_first = "lambda q: {home} @ kl.Chain({screws}, np.eye(4)).fk(q)"
+    return typed(student, lambda problem: problem.mistakes[which % len(problem.mistakes)].value, home_first, name)
 
 
 def attacking(student, attack):
     """A notebook that runs an attack, and hands in what the attack put into `answers`, or else what is wrong."""
-    wrong = typed(student, lambda problem: far(problem.answer.value))
+    wrong = typed(student, lambda problem: far(problem.answer.value), "lambda q: np.full((4, 4), 50.0)")
     lines = {
         k: f"{line}\n{names()[k]} = globals().get('answers', {{}}).get({k}, {names()[k]})" for k, line in wrong.items()
     }
     return handed_in(student, lines, first=attack)
 
 
-def typed(student, answer, name=SHEET):
-    variants = enumerate((template.variant(student) for template in find_sheet(name).problems), start=1)
-    return {k: f"{names(name)[k]} = {literal(answer(problem))}" for k, problem in variants}
+def typed(student, answer, function, name=SHEET):
+    """Lines with answers to a student's variants, as numbers and names; where a function is asked for, with this one."""
+    lines = {}
+    for k, template in enumerate(find_sheet(name).problems, start=1):
+        problem = template.variant(student)
+        if callable(problem.answer.value):
+            value = function.format(**{given: literal(number) for given, number in problem.given.items()})
+        else:
+            value = literal(answer(problem))
+        lines[k] = f"{names(name)[k]} = {value}"
+    return lines
 
 
 def far(value):

@@ -17,7 +17,6 @@ from kinlib.grading.result import ProblemResult, Result
 from kinlib.grading.runner import Ran, Runner
 from kinlib.grading.submission import Broken, Master, Plan, plan
 from kinlib.grading.wire import Gone, Peer
-from kinlib.practice.sheet import find_sheet
 
 JUDGING = 20.0
 """Seconds that the judge may take for a sheet, and then for each problem by itself."""
@@ -26,7 +25,8 @@ JUDGING = 20.0
 class Grader:
     """Grades submissions of one sheet. Any number of threads may use one grader; close it when all is done.
 
-    Raises kinlib.grading.layers.Missing when the sandbox lacks a layer here, unless is_safe is False.
+    Raises kinlib.grading.layers.Missing when the sandbox lacks a layer here, unless is_safe is False; ValueError for a sheet
+    that the judge cannot find.
     """
 
     def __init__(self, sheet: Master, limits: Limits | None = None, is_safe: bool = True) -> None:
@@ -34,7 +34,12 @@ class Grader:
         self._limits = limits or Limits()
         self._lock, self._judging = Lock(), Lock()
         self._runner = Runner(is_safe)
-        self._judge = Peer("kinlib.grading.judge")
+        self._judge = self._new_judge()
+        told = self._ask({"ask": "problems"})
+        if "error" in told:
+            self.close()
+            raise ValueError(f"The judge cannot open sheet {sheet.name}. {told['error']}")
+        self._templates: list[tuple[str, str, int]] = [(n, title, points) for n, title, points in told["problems"]]
 
     def __enter__(self) -> "Grader":
         return self
@@ -100,14 +105,17 @@ class Grader:
         self, verdicts: Mapping[str, Any], answers: Mapping[str, Any], odd: Mapping[int, Sequence[str]]
     ) -> list[ProblemResult]:
         found = []
-        for k, template in enumerate(find_sheet(self.sheet.name).problems, start=1):
+        for k, (number, title, most) in enumerate(self._templates, start=1):
             verdict = verdicts.get(str(k)) or UNHEARD
             state = verdict["state"] if str(k) in answers else "missing"
-            points = template.points * float(verdict["fraction"])
+            points = most * float(verdict["fraction"])
             text, html, mistakes = verdict["text"], verdict["html"], verdict["mistakes"]
-            of_problem = template.number, template.title, points, template.points, state
+            of_problem = number, title, points, most, state
             found.append(ProblemResult(*of_problem, text, html, mistakes, odd.get(k, ()), answers.get(str(k))))
         return found
+
+    def _new_judge(self) -> Peer:
+        return Peer("kinlib.grading.judge", self.sheet.folder)
 
     def _run(self, paper: str, planned: Plan) -> Ran:
         """Run the cells. A server that has ended is started anew, once."""
@@ -149,7 +157,7 @@ class Grader:
                 return self._judge.ask({**message, "sheet": self.sheet.name}, JUDGING)
             except Gone as gone:
                 self._judge.end()
-                self._judge = Peer("kinlib.grading.judge")
+                self._judge = self._new_judge()
                 return {"error": str(gone)}
 
 

@@ -2,8 +2,11 @@
 
     python -m kinlib.grading.judge
 
-Two messages on stdin, answered on stdout. "paper" asks for a student's sheet without answers, and comes with a seed, from
-which the inputs of function answers are drawn anew in every run. "verdicts" hands in answers, with the seed of the paper.
+Three messages on stdin, answered on stdout. "problems" asks for their numbers, titles and points. "paper" asks for a
+student's sheet without answers, and comes with a seed, from which the inputs of function answers are drawn anew in every
+run. "verdicts" hands in answers, with the seed of the paper.
+
+It runs in the folder of the sheet: there the file lies of a robot that brings a sheet of its own.
 """
 
 import os
@@ -93,6 +96,8 @@ def _too_long(*_: Any) -> None:
 def _answer(message: Mapping[str, Any]) -> dict[str, Any]:
     try:
         sheet = find_sheet(message["sheet"])
+        if message["ask"] == "problems":
+            return {"problems": [[template.number, template.title, template.points] for template in sheet.problems]}
         if message["ask"] == "paper":
             return paper(sheet, message["student"])
         return {"verdicts": verdicts(sheet, message["student"], message["seed"], message["answers"])}

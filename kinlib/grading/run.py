@@ -38,6 +38,9 @@ FIRST_CELLS = (
 DEEPEST = 20
 """So many calls of an error's trace are kept, the last ones."""
 
+AGAIN = 0.2
+"""Seconds after which a cell that swallowed its interrupt is interrupted again."""
+
 PRINTED = 100_000
 """So many characters of what a cell prints are kept."""
 
@@ -106,7 +109,7 @@ def run_cells(shell: Shell, sources: Sequence[str], seconds: float, tell: Callab
     """Run the cells in order, each for so many seconds, and tell what each gave."""
     signal.signal(signal.SIGALRM, _interrupt)
     for number, source in enumerate(sources):
-        signal.setitimer(signal.ITIMER_REAL, seconds)
+        signal.setitimer(signal.ITIMER_REAL, seconds, AGAIN)
         try:
             outputs = _run(shell, source)
         except CellLimit:  # it came between two steps of ours

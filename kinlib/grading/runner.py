@@ -50,7 +50,14 @@ class Runner:
         self._socket, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
         with theirs:
             self._process = subprocess.Popen(
-                [sys.executable, "-m", "kinlib.grading.server", str(theirs.fileno()), *([] if is_safe else [UNSAFE])],
+                [
+                    sys.executable,
+                    "-P",
+                    "-m",
+                    "kinlib.grading.server",
+                    str(theirs.fileno()),
+                    *([] if is_safe else [UNSAFE]),
+                ],
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.DEVNULL,
                 pass_fds=[theirs.fileno()],

@@ -45,9 +45,10 @@ class Cell:
 
 @dataclass(frozen=True)
 class Master:
-    """The sheet as it was handed out: its name, and for each problem, from 1, the source of its check cell."""
+    """The sheet as it was handed out: its name, its folder, and for each problem, from 1, the source of its check cell."""
 
     name: str
+    folder: Path
     checks: Mapping[int, str]
 
 
@@ -79,7 +80,7 @@ def master(path: Path) -> Master:
     checks = {int(cell.name.removeprefix("check-")): cell.source for cell in cells if _is_check(cell.name)}
     if opened is None or not checks:
         raise ValueError(f"{path} opens no sheet, or none of its cells is named check-1, check-2, ...: is it a sheet?")
-    return Master(opened, checks)
+    return Master(opened, path.parent, checks)
 
 
 def code_cells(content: bytes) -> list[Cell]:

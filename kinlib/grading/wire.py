@@ -7,10 +7,11 @@ import struct
 import subprocess
 import sys
 import threading
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from concurrent.futures import Future
 from concurrent.futures import TimeoutError as Late
 from contextlib import suppress
+from pathlib import Path
 from typing import IO, Any, cast
 
 HEAD = struct.Struct(">I")
@@ -31,6 +32,8 @@ class Gone(RuntimeError):
 def environment() -> dict[str, str]:
     """The environment of a process that we start: one thread for BLAS, no window, no secrets."""
     kept = {name: os.environ[name] for name in KEPT if name in os.environ}
+    paths = [str(Path(__file__).parents[2]), *filter(None, kept.get("PYTHONPATH", "").split(os.pathsep))]
+    kept["PYTHONPATH"] = os.pathsep.join(str(Path(path).resolve()) for path in paths)  # it may start in another folder
     return {**kept, **dict.fromkeys(THREADS, "1"), "MPLBACKEND": "agg", "PYTHONDONTWRITEBYTECODE": "1"}
 
 
@@ -57,9 +60,10 @@ class Peer:
     without secrets. Each message gets an id; answers come in any order.
     """
 
-    def __init__(self, module: str, arguments: Sequence[str] = ()) -> None:
+    def __init__(self, module: str, folder: Path) -> None:
         self._process = subprocess.Popen(
-            [sys.executable, "-m", module, *arguments],
+            [sys.executable, "-P", "-m", module],
+            cwd=folder,
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             env=environment(),

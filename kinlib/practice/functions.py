@@ -3,6 +3,7 @@
 from collections.abc import Callable, Sequence
 from copy import deepcopy
 from dataclasses import dataclass, field, replace
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -11,11 +12,31 @@ from kinlib import check
 from kinlib.check import Array
 from kinlib.practice.answer_data import Outputs
 from kinlib.practice.answers import TOLERANCE, Answer, Numbers, Unreadable
+from kinlib.practice.problem import Mistake
 
 CALLS = 5
 """At how many inputs a function is asked."""
 
 Sample = Callable[[np.random.Generator], tuple[Any, ...]]
+
+
+def wherever(mistakes_at: Callable[..., Sequence[Mistake]], *somewhere: Any) -> list[Mistake]:
+    """The mistakes of one call as mistakes of a function: at every input, what the mistake gives there.
+
+    mistakes_at  the mistakes for given arguments, always the same ones in the same order
+    somewhere    arguments of one call
+
+    >>> at = lambda x: [Mistake("sign", -x, "You turned the wrong way.")]
+    >>> wherever(at, 1.0)[0].value(2.0)
+    -2.0
+    """
+
+    def value(place: int, *arguments: Any) -> Any:
+        return mistakes_at(*arguments)[place].value
+
+    return [
+        Mistake(wrong.name, partial(value, place), wrong.message) for place, wrong in enumerate(mistakes_at(*somewhere))
+    ]
 
 
 @dataclass(frozen=True)
@@ -94,3 +115,8 @@ class Function(Answer):
         outputs = [given.outputs if isinstance(given, Called) else self.read(given).outputs for given in (one, other)]
         pairs = zip(*outputs, strict=True)
         return [all(all(self.output.agrees(mine, yours, tolerance)) for mine, yours in pairs)]
+
+    def hint(self, given: Called, part: int) -> str:
+        right = self.read(self.value).outputs
+        count = sum(all(self.output.agrees(mine, yours)) for mine, yours in zip(given.outputs, right, strict=True))
+        return f"It is right at {count} of {len(right)} inputs that were tried." if count else ""

@@ -7,8 +7,9 @@ import numpy as np
 from kinlib.chain import Chain
 from kinlib.practice.answers import Ordering, Pose, Screws
 from kinlib.practice.draw import Draw
+from kinlib.practice.functions import Function, wherever
 from kinlib.practice.mistakes import crossed_backwards, of_product, of_screws, product, slides_as_turns
-from kinlib.practice.problem import Problem, mistake, problem
+from kinlib.practice.problem import Mistake, Problem, mistake, problem
 from kinlib.practice.sheet import Sheet
 from kinlib.practice.text import joint_table, matrix, number, vector
 from kinlib.robots import SLIDE, X, Y, Z, angled_arm, arm, pose
@@ -231,22 +232,28 @@ def which_order(draw: Draw) -> Problem:
     )
 
 
-@problem("03.7", "Where is the tool?", points=3, lecture="03_poe_space#The product")
+@problem("03.7", "Where is the tool, at any q?", points=3, lecture="03_poe_space#The product")
 def where_is_the_tool(draw: Draw) -> Problem:
     robot = draw.arm(draw.choice(["RRR", "RPR", "RRP"]))
-    turns = np.array([letter == "R" for letter in robot.letters])
-    typed = np.array([draw.degrees(-75, 75) if turn else draw.length(0.2, 1.0) for turn in turns])
-    q = np.where(turns, np.radians(typed), typed)
-    values = ", ".join(
-        f"{number(value)} {'degrees' if turn else 'm'}" for value, turn in zip(typed, turns, strict=True)
-    )
+
+    def joint_values(chance: np.random.Generator) -> tuple[np.ndarray]:
+        return (chance.uniform(0.3, 1.3, 3) * chance.choice([-1, 1], 3),)
+
     return Problem(
-        statement=f"This arm has the screws $S_i$ and the home pose $M$ below. Its joints stand at {values}. Give $T(q)$.\n\n"
+        statement="This arm has the screws $S_i$ and the home pose $M$ below. Write a function that takes $q$, three numbers in "
+        "radians and metres, and gives $T(q)$. The check calls it with values of its own.\n\n"
         f"$$S = {matrix(robot.screws)}, \\qquad M = {matrix(robot.home)}$$",
         figure=partial(draw_arm, robot),
-        given={"screws": robot.screws, "home": robot.home, "values": typed},
-        answer=Pose(robot.fk(q)),
-        mistakes=of_product(robot, q),
+        given={"screws": robot.screws, "home": robot.home},
+        answer=Function(robot.fk, Pose(robot.home), joint_values),
+        mistakes=[
+            *wherever(partial(of_product, robot), np.ones(3)),
+            Mistake(
+                "stays at home",
+                lambda _: robot.home,
+                "Your function gives the home pose, whatever $q$ is. Does the loop over the joints change the product?",
+            ),
+        ],
     )
 
 
