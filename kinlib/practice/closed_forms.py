@@ -53,6 +53,8 @@ class ClosedForm(Answer):
             return self._reader.read(given, self._shape)
         except ValueError as fault:
             raise Unreadable(f"Expected {self.expected}. {fault}") from fault
+        except Exception as error:  # a student's object may raise anything while it is read
+            raise Unreadable(f"Expected {self.expected}; got {type(given).__name__}.") from error
 
     def agrees(self, one: Any, other: Any, tolerance: float = TOLERANCE) -> list[bool]:
         same = self._same(one, other, tolerance)

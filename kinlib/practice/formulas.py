@@ -211,7 +211,9 @@ def _each(operation: Callable[..., Any], *values: Any) -> Values:
         results = [operation(*point) for point in zip(*values, strict=True)] if values else [operation()]
     except ZeroDivisionError as error:
         raise ValueError("It divides by zero.") from error
-    except (TypeError, OverflowError, NotImplementedError) as error:
+    except ValueError:
+        raise
+    except Exception as error:  # mpmath raises what it likes where a function has no value
         raise ValueError("It has no value at some points.") from error
     # Written so that NaN, which is neither above nor below, is refused too.
     if not all(abs(result) <= LARGEST for result in results):
@@ -249,6 +251,8 @@ def _unpacked(given: Any, depth: int = 0) -> tuple[tuple[int, ...], list[Any]]:
         given = given.elts
     if isinstance(given, sp.MatrixBase):
         given = given.tolist()
+    if isinstance(given, np.ndarray) and given.ndim == 0:
+        return _unpacked(given.item(), depth)
     if not isinstance(given, list | tuple | np.ndarray):
         return (), [given]
     if depth > 2 or (given.size if isinstance(given, np.ndarray) else len(given)) > MOST:
