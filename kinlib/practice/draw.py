@@ -78,6 +78,12 @@ class Draw:
         sizes = self.shuffled(range(1, reach + 1))[:3]
         return np.array([self.choice((-1, 1)) * size for size in sizes], dtype=float)
 
+    def axes(self) -> tuple[Array, Array, Array]:
+        """The axes x, y, z of a frame, each along one of {s}."""
+        x = self.choice(DIRECTIONS)
+        z = self.choice([axis for axis in DIRECTIONS if not axis @ x])
+        return x, np.cross(z, x), z
+
     def arm(self, letters: str, reach: int = 4) -> Chain:
         """An arm with axes along x, y, z and joints at whole coordinates, as one draws it on squared paper.
 
@@ -89,9 +95,7 @@ class Draw:
             free = [axis for axis in DIRECTIONS if not joints or not axis @ joints[-1][0]]
             point = self._point_in_sight([place for _, place, _ in joints], reach)
             joints.append((self.choice(free), point, SLIDE if letter == "P" else 0.0))
-        x = self.choice(DIRECTIONS)
-        z = self.choice([axis for axis in DIRECTIONS if not axis @ x])
-        home = pose((x, np.cross(z, x), z), self.point(reach))
+        home = pose(self.axes(), self.point(reach))
         return arm(joints, home, "your arm", "drawn for you")
 
     def _point_in_sight(self, others: Sequence[Array], reach: int) -> Array:

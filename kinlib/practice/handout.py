@@ -21,7 +21,9 @@ STUB = Config({"ClearSolutions": {"code_stub": {"python": "# your lines here"}}}
 
 
 def released(source: Path) -> str:
-    """The student's version of an instructor's notebook, as the text of a file."""
+    """The student's version of an instructor's notebook, as the text of a file. The file of a robot stays as it is."""
+    if source.suffix != ".ipynb":
+        return source.read_text(encoding="utf-8")
     notebook = nbformat.read(source, as_version=4)
     for step in STEPS:
         notebook, _ = step(config=STUB).preprocess(notebook, {"nbgrader": {}})
@@ -29,13 +31,13 @@ def released(source: Path) -> str:
 
 
 def sheets(root: Path) -> Iterator[tuple[Path, Path]]:
-    """Every sheet below a project's root: the instructor's notebook, and where the student's belongs."""
-    for source in sorted((root / "solutions").glob("*/*.ipynb")):
+    """Every file of a sheet below a project's root: the instructor's notebook or a robot, and where the student's belongs."""
+    for source in sorted([*(root / "solutions").glob("*/*.ipynb"), *(root / "solutions").glob("*/*.json")]):
         yield source, root / "exercises" / source.relative_to(root / "solutions")
 
 
 def stale(root: Path) -> list[Path]:
-    """The student's notebooks that are missing, or differ from what their source releases."""
+    """The student's files that are missing, or differ from what their source releases."""
     return [
         target
         for source, target in sheets(root)

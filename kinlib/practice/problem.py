@@ -16,6 +16,9 @@ from kinlib.view.picture import Picture
 ATTEMPTS = 100
 """How many variants are drawn before a problem is called degenerate."""
 
+LEAST = 3
+"""How many mistakes a problem names at least."""
+
 APART = 10
 """How many tolerances must lie between the right answer and each mistake, and between any two mistakes."""
 
@@ -68,6 +71,18 @@ class Problem:
         """Whether every mistake leads away from the right answer, and each to a place of its own."""
         reached = [self.answer.value, *(wrong.value for wrong in self.mistakes)]
         return not any(self._same(one, other) for one, other in combinations(reached, 2))
+
+    def sifted(self) -> "Problem":
+        """The same problem with those mistakes only that tell something, each where no earlier one leads already.
+
+        What an arm is may spoil a mistake for good: where all joints slide, nobody can confuse degrees with radians. If
+        fewer than LEAST are left, nothing is sifted, and so the problem does not count as telling.
+        """
+        kept: list[Mistake] = []
+        for wrong in self.mistakes:
+            if not any(self._same(wrong.value, value) for value in [self.answer.value, *(one.value for one in kept)]):
+                kept.append(wrong)
+        return replace(self, mistakes=kept) if len(kept) >= LEAST else self
 
     def _same(self, one: Any, other: Any) -> bool:
         return all(self.answer.agrees(one, other, APART * TOLERANCE))

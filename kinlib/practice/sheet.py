@@ -112,7 +112,7 @@ def sheets() -> list[str]:
 
 
 def find_sheet(name: str) -> Sheet:
-    """The sheet of a name, as its module defines it.
+    """The sheet of a name, as its module defines it, or of a robot whose file lies beside the notebook.
 
     Raises ValueError for a name that no sheet has, with those that there are.
 
@@ -122,7 +122,15 @@ def find_sheet(name: str) -> Sheet:
     if name in STAND_INS:
         return STAND_INS[name]
     if name not in sheets():
-        raise ValueError(f"There is no sheet {name!r}. The sheets are: {', '.join(sheets())}.")
+        # What it takes to make a sheet of any robot is loaded when there is one, and not before.
+        from kinlib.practice.robot_file import beside, found
+
+        if own := found(name):
+            return own
+        raise ValueError(
+            f"There is no sheet {name!r}. The sheets are: {', '.join(sheets())}. "
+            f"The sheet of another robot needs its file {beside(name)[0]} beside the notebook."
+        )
     sheet: Sheet = importlib.import_module(f"kinlib.practice.sheet_{name}").SHEET
     return sheet
 

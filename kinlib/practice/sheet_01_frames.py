@@ -8,7 +8,7 @@ import numpy as np
 from kinlib.check import Array
 from kinlib.lie import exp, inverse
 from kinlib.practice.answers import Choice, Numbers, Ordering, Pose
-from kinlib.practice.draw import DIRECTIONS, Draw, in_sight
+from kinlib.practice.draw import Draw, in_sight
 from kinlib.practice.places import Rotation, Vectors
 from kinlib.practice.problem import Mistake, Problem, mistake, problem
 from kinlib.practice.sheet import Sheet
@@ -27,7 +27,7 @@ def pose_off_a_drawing(draw: Draw) -> Problem:
     place = np.zeros(3)
     while not in_sight([np.zeros(3), place]):
         place = draw.point(4) * (1, 1, 0) + draw.integer(1, 4) * Z
-    T = pose(_axes(draw), place)
+    T = pose(draw.axes(), place)
     R = T[:3, :3]
     return Problem(
         statement="Read $T_{sb}$ off the drawing. Coordinates are whole metres, and each axis of {b} runs along one of {s}. The dotted "
@@ -421,7 +421,7 @@ def rigid_or_not(draw: Draw) -> Problem:
     for _ in range(2):  # sides of 3, 4 and 5: every entry has two decimals, and can be squared on paper
         axis, (c, s) = draw.choice((X, Y, Z)), np.array(draw.shuffled([0.6, 0.8])) * (1, draw.choice((-1, 1)))
         T = T @ pose(exp(np.arctan2(s, c) * axis).T, (0, 0, 0))
-    T[:3, :3], T[:3, 3] = (T[:3, :3] @ pose(_axes(draw), (0, 0, 0))[:3, :3]).round(2), draw.point(5)
+    T[:3, :3], T[:3, 3] = (T[:3, :3] @ pose(draw.axes(), (0, 0, 0))[:3, :3]).round(2), draw.point(5)
     j, k = draw.shuffled([0, 1, 2])[:2]
     if right == "b":
         T[:3, j] *= draw.choice([0.5, 1.5, 2])
@@ -453,16 +453,9 @@ def _turn(k: int, degrees: float) -> Array:
     return R
 
 
-def _axes(draw: Draw) -> tuple[Array, Array, Array]:
-    """The axes of a drawn frame, each along one of {s}."""
-    x = draw.choice(DIRECTIONS)
-    z = draw.choice([axis for axis in DIRECTIONS if not axis @ x])
-    return x, np.cross(z, x), z
-
-
 def _placed(draw: Draw) -> Array:
     """A pose with nothing special: turned in two steps, shifted by three lengths, no two alike."""
-    R, place = _turn(draw.integer(0, 2), draw.choice(ANGLES)) @ pose(_axes(draw), (0, 0, 0))[:3, :3], np.zeros(3)
+    R, place = _turn(draw.integer(0, 2), draw.choice(ANGLES)) @ pose(draw.axes(), (0, 0, 0))[:3, :3], np.zeros(3)
     while not in_sight([np.zeros(3), 3 * place]):
         place = draw.point(9) / 10
     return pose(R.T, place)

@@ -36,8 +36,10 @@ def matrix(X: ArrayLike) -> str:
     return rf"\begin{{pmatrix}} {rows} \end{{pmatrix}}"
 
 
-def joint_table(chain: Chain) -> str:
+def joint_table(chain: Chain, joints: Iterable[int] | None = None) -> str:
     """Write the joints as a Markdown table: kind, direction, a point on the axis, pitch.
+
+    joints  which ones, counted from 0; all by default
 
     >>> from kinlib.robots import rpr
     >>> print(joint_table(rpr()).splitlines()[2])
@@ -46,7 +48,8 @@ def joint_table(chain: Chain) -> str:
     axis, _, pitch = chain.lines
     kinds = {"R": "revolute", "P": "prismatic", "H": "helical"}
     rows = []
-    for i, letter in enumerate(chain.letters):
+    for i in range(chain.n) if joints is None else joints:
+        letter = chain.letters[i]
         kind = kinds[letter] if letter != "H" else f"helical, ${number(pitch[i])}$ m/rad"
         # A slide has no point, and a number that plays no part would only mislead.
         point = f"${vector(chain.joint_points[i])}$" if letter != "P" else "any"

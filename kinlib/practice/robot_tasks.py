@@ -1,0 +1,428 @@
+"""Problems on a robot that somebody brought: its home pose, its screws from both ends, where the tool goes.
+
+Each task says what it needs of the robot only by what is left of its mistakes: a robot that spoils too many of them does
+not get the task. `robot_sheet` picks.
+"""
+
+from collections.abc import Callable, Sequence
+from functools import partial
+from typing import NamedTuple
+
+import numpy as np
+
+from kinlib.chain import Chain
+from kinlib.check import Array
+from kinlib.lie import inverse
+from kinlib.practice.answers import Choice, Numbers, Pose, Screws
+from kinlib.practice.body_mistakes import carried, of_body_product, of_body_screws, of_space_screws, only_turned
+from kinlib.practice.draw import Draw
+from kinlib.practice.mistakes import crossed_backwards, of_product, of_screws, product, slides_as_turns
+from kinlib.practice.notebook import Entry
+from kinlib.practice.problem import Mistake, Problem, mistake
+from kinlib.practice.robot_draw import hand, leaning_base, moved, plain_base, posture
+from kinlib.practice.text import joint_table, matrix, number, vector
+from kinlib.view import draw_arm, draw_frames, draw_joints
+
+MOST = 3
+"""How many joints are asked for where the screws of all would only be the same work again."""
+
+
+class Task(NamedTuple):
+    """A problem before it has a robot, and its cells in the notebook. In a solution, {k} is the number of the problem."""
+
+    title: str
+    points: int
+    lecture: str
+    write: Callable[[Chain, Draw], Problem]
+    entry: Entry
+
+
+def home_pose(robot: Chain, draw: Draw) -> Problem:
+    """The home pose with the robot bolted down elsewhere and a tool on its flange."""
+    T_sr, T_rf, T_fb = leaning_base(draw, robot), robot.home, hand(draw, robot)
+    right = T_sr @ T_rf @ T_fb
+    return Problem(
+        statement=f"In its file, {robot.name} stands at {{r}} and ends in a flange {{f}}; at $q = 0$ the flange is at $T_{{rf}}$. In your "
+        "lab the robot is bolted down at $T_{sr}$, and it carries a tool {b} at $T_{fb}$. Give the home pose $M = T_{sb}(0)$.\n\n"
+        f"$$T_{{sr}} = {matrix(T_sr)}$$\n\n$$T_{{rf}} = {matrix(T_rf)}$$\n\n$$T_{{fb}} = {matrix(T_fb)}$$",
+        figure=partial(draw_frames, {"s": np.eye(4), "r": T_sr, "f": T_sr @ T_rf}),
+        given={"T_sr": T_sr, "T_rf": T_rf, "T_fb": T_fb},
+        answer=Pose(right),
+        mistakes=[
+            mistake("no base", T_rf @ T_fb, "This is the tool as {r} sees it. Put $T_{sr}$ in front."),
+            mistake("no tool", T_sr @ T_rf, "This is the flange. The tool stands away from it: put $T_{fb}$ behind."),
+            mistake(
+                "exchanged",
+                T_fb @ T_rf @ T_sr,
+                "You multiplied in reverse. $T_{sr}\\,T_{rf}\\,T_{fb}$: neighbouring letters cancel.",
+            ),
+            mistake(
+                "base inverted",
+                inverse(T_sr) @ T_rf @ T_fb,
+                "You inverted $T_{sr}$. It takes what {r} says to what {s} says, as it stands.",
+            ),
+            mistake(
+                "tool inverted",
+                T_sr @ T_rf @ inverse(T_fb),
+                "You inverted $T_{fb}$. It is where the flange sees the tool, as it stands.",
+            ),
+            mistake(
+                "seen from the tool",
+                inverse(right),
+                "This is $T_{bs}$, {s} seen from the tool. The first letter says who looks.",
+            ),
+        ],
+    ).sifted()
+
+
+def space_screws(robot: Chain, draw: Draw) -> Problem:
+    """Space screws from directions and points, in the student's own {s}."""
+    # Slides have directions only: along x, y, z there are too few of them for a class.
+    base = leaning_base if set(robot.letters) == {"P"} else plain_base
+    arm = moved(robot, base(draw, robot), np.eye(4))
+    joints = _some(draw, arm)
+    S, points, (axes, _, pitches) = arm.screws[joints], arm.joint_points[joints], arm.lines
+    slides = np.isinf(pitches[joints])[:, None]
+    moments = np.where(slides, np.concatenate([0 * points, np.cross(points, axes[joints])], axis=1), S)
+    return Problem(
+        statement=f"In your lab {robot.name} is bolted down where the drawing shows it, at home. Give {_axes_of(joints)} "
+        f"in {{s}}, as rows.\n\n{joint_table(arm, joints)}",
+        figure=partial(draw_joints, arm),
+        given={"axes": axes[joints], "points": points, "pitches": pitches[joints]},
+        answer=Screws(S, names=[f"screw {i + 1}" for i in joints]),
+        mistakes=[
+            *of_screws(S),
+            mistake(
+                "slide as turn",
+                slides_as_turns(arm)[joints],
+                "You treated a slide as a turn. A prismatic joint has no $\\omega$: $S = (0, d)$, and no point plays a part.",
+            ),
+            mistake(
+                "slide as turn, and omega x q",
+                crossed_backwards(slides_as_turns(arm))[joints],
+                "Two things: a moment is $-\\omega \\times p$, with the minus; and a slide has none, for it does not turn: $S = (0, d)$.",
+            ),
+            mistake(
+                "moment of a slide",
+                moments,
+                "You gave a slide a moment. Every point of the body slides alike, so where the slide is mounted plays no part.",
+            ),
+            mistake(
+                "turned round",
+                -S,
+                "Your axes point the other way, so your joints move the other way. The arrows show the positive direction.",
+            ),
+        ],
+    ).sifted()
+
+
+def body_screws(robot: Chain, draw: Draw) -> Problem:
+    """Body screws by the adjoint, for a base and a tool of the student's own."""
+    arm = moved(robot, plain_base(draw, robot), hand(draw, robot))
+    joints = _some(draw, arm)
+    S = arm.screws[joints]
+    return Problem(
+        statement=f"Below stand, for {robot.name}, {_axes_of(joints)} as {{s}} reads them, and the home pose of its tool. Give "
+        f"the same as {{b}} reads it, as rows.\n\n$$S = {matrix(S)}$$\n\n$$M = {matrix(arm.home)}$$",
+        figure=partial(draw_arm, arm),
+        given={"screws": S, "home": arm.home},
+        answer=Screws(arm.body_screws[joints], names=[f"screw {i + 1}" for i in joints]),
+        mistakes=of_body_screws(S, arm.home),
+    ).sifted()
+
+
+def where_is_the_tool(robot: Chain, draw: Draw) -> Problem:
+    """Forward kinematics by the space form, at joint values within the limits."""
+    arm = moved(robot, plain_base(draw, robot), hand(draw, robot))
+    at = posture(draw, arm)
+    return Problem(
+        statement=f"The joints of {robot.name} stand at {at.words}. Its screws in {{s}} and the home pose of its tool are below. Give "
+        f"$T(q)$.\n\n$$S = {matrix(arm.screws)}$$\n\n$$M = {matrix(arm.home)}$$",
+        figure=partial(draw_arm, arm),
+        given={"screws": arm.screws, "home": arm.home, "values": at.typed},
+        answer=Pose(arm.fk(at.q)),
+        mistakes=_of_motion(arm, at.q),
+    ).sifted()
+
+
+def which_mistake(robot: Chain, draw: Draw) -> Problem:
+    """A pose that somebody computed: what did they do?"""
+    arm = moved(robot, plain_base(draw, robot), hand(draw, robot))
+    at = posture(draw, arm)
+    asked = Problem("", Pose(arm.fk(at.q)), _of_motion(arm, at.q)).sifted()
+    if not asked.telling():
+        return asked
+    drawn = draw.shuffled(range(len(asked.mistakes)))[:4]
+    wrong = [asked.mistakes[i] for i in sorted(drawn)]
+    letters = "abcdef"[: len(wrong) + 1]
+    told = {letter: DONE[one.name] for letter, one in zip(letters, wrong, strict=False)} | {
+        letters[-1]: "nothing wrong"
+    }
+    poses = dict(zip(letters, [*(one.value for one in wrong), asked.answer.value], strict=True))
+    right = draw.choice(letters)
+    listed = "\n".join(f"- `'{letter}'`: {text}" for letter, text in told.items())
+    return Problem(
+        statement=f"The joints of {robot.name} stand at {at.words}. Somebody computed the pose $X$ of its tool by the space form. Check "
+        f"it: what did they do?\n\n$$S = {matrix(arm.screws)}$$\n\n$$M = {matrix(arm.home)}$$\n\n$$X = {matrix(poses[right])}$$"
+        f"\n\n{listed}",
+        figure=partial(draw_arm, arm),
+        given={"screws": arm.screws, "home": arm.home, "values": at.typed, "X": poses[right], "options": told},
+        answer=Choice(right, told),
+        mistakes=[
+            mistake(told[letter], letter, _not_so(poses[letter], poses[right])) for letter in letters if letter != right
+        ],
+    )
+
+
+def back_to_space(robot: Chain, draw: Draw) -> Problem:
+    """Space screws from body screws."""
+    arm = moved(robot, plain_base(draw, robot), hand(draw, robot))
+    joints = _some(draw, arm)
+    B = arm.body_screws[joints]
+    return Problem(
+        statement=f"A colleague wrote {robot.name} down as its tool sees it: {_axes_of(joints)}. Give the same in {{s}}, as rows."
+        f"\n\n$$B = {matrix(B)}$$\n\n$$M = {matrix(arm.home)}$$",
+        figure=partial(draw_arm, arm),
+        given={"body_screws": B, "home": arm.home},
+        answer=Screws(arm.screws[joints], names=[f"screw {i + 1}" for i in joints]),
+        mistakes=of_space_screws(B, arm.home),
+    ).sifted()
+
+
+def body_form(robot: Chain, draw: Draw) -> Problem:
+    """Forward kinematics by the body form."""
+    arm = moved(robot, plain_base(draw, robot), hand(draw, robot))
+    at = posture(draw, arm)
+    return Problem(
+        statement=f"{robot.name} is given by its body screws and its home pose. Its joints stand at {at.words}. Give $T(q)$.\n\n"
+        f"$$B = {matrix(arm.body_screws)}$$\n\n$$M = {matrix(arm.home)}$$",
+        figure=partial(draw_arm, arm),
+        given={"body_screws": arm.body_screws, "home": arm.home, "values": at.typed},
+        answer=Pose(arm.fk(at.q)),
+        mistakes=[*of_body_product(arm, at.q), *_of_standing_still(arm, at.q)],
+    ).sifted()
+
+
+def new_tool(robot: Chain, draw: Draw) -> Problem:
+    """Body screws after the tool was replaced."""
+    arm = moved(robot, plain_base(draw, robot), hand(draw, robot))
+    joints, H = _some(draw, arm), hand(draw, robot)
+    B, S = arm.body_screws[joints], arm.screws[joints]
+    return Problem(
+        statement=f"The tool of {robot.name} is replaced. The new one has its frame {{t}} where the old one saw $T_{{bt}}$. Below "
+        f"stands what {{b}} read: {_axes_of(joints)}. Give what {{t}} reads.\n\n$$B = {matrix(B)}$$\n\n"
+        f"$$T_{{bt}} = {matrix(H)}$$",
+        figure=partial(draw_arm, arm),
+        given={"body_screws": B, "T_bt": H},
+        answer=Screws(carried(inverse(H), B), names=[f"screw {i + 1}" for i in joints]),
+        mistakes=[
+            mistake(
+                "the old ones",
+                B,
+                "These are the old body screws. The axes stay; but body screws are read by the tool, and another tool reads other numbers.",
+            ),
+            mistake(
+                "the other way",
+                carried(H, B),
+                "You carried the screws with $\\mathrm{Ad}_{T_{bt}}$. That takes what {t} reads to what {b} reads; here it is $T_{tb}$.",
+            ),
+            mistake(
+                "only rotated",
+                only_turned(inverse(H), B),
+                "You turned both halves, but {t} also stands elsewhere: its origin is another, so the moments change.",
+            ),
+            mistake("space screws", S, "These are the space screws. The tool does not read them."),
+            mistake(
+                "halves swapped",
+                np.roll(carried(inverse(H), B), 3, axis=1),
+                "You wrote $(v, \\omega)$. Here a screw axis is $(\\omega, v)$.",
+            ),
+        ],
+    ).sifted()
+
+
+def point_of_the_tool(robot: Chain, draw: Draw) -> Problem:
+    """Where a point of the tool goes."""
+    arm = moved(robot, plain_base(draw, robot), hand(draw, robot))
+    at, tip = posture(draw, arm), hand(draw, robot)[:3, 3]
+    T, M = arm.fk(at.q), arm.home
+
+    def seen(pose: Array, point: Array = tip) -> Array:
+        place: Array = pose[:3, :3] @ point + pose[:3, 3]
+        return place
+
+    return Problem(
+        statement=f"The tool of {robot.name} holds a pencil, whose tip {{b}} sees at ${vector(tip)}$ m. The joints stand at {at.words}. "
+        f"Where does {{s}} see the tip?\n\n$$S = {matrix(arm.screws)}$$\n\n$$M = {matrix(M)}$$",
+        figure=partial(draw_arm, arm),
+        given={"screws": arm.screws, "home": M, "values": at.typed, "tip": tip},
+        answer=Numbers(seen(T), unit="m"),
+        mistakes=[
+            mistake("at home", seen(M), "This is where the tip is at home. The joints have moved since."),
+            mistake(
+                "origin of the tool",
+                T[:3, 3],
+                "This is the origin of {b}. The tip stands away from it: $T(q)$ times the tip.",
+            ),
+            mistake(
+                "not turned",
+                T[:3, 3] + tip,
+                "You added what {b} says to the origin of {b}. The tool is turned: $R\\,x + p$.",
+            ),
+            mistake(
+                "as a direction",
+                seen(T) - T[:3, 3],
+                "You gave the tip a 0. A point has a 1, which adds the position of {b}.",
+            ),
+            mistake("the way back", seen(inverse(T)), "You took $T^{-1}$, which goes from {s} to {b}."),
+            *(mistake(wrong.name, seen(wrong.value), wrong.message) for wrong in _of_motion(arm, at.q)),
+        ],
+    ).sifted()
+
+
+DONE = {
+    "reversed": "multiplied the exponentials from the last joint to the first",
+    "home first": "put $M$ in front",
+    "no home": "left out $M$",
+    "one exponential": "added the twists and took one exponential",
+    "degrees": "used degrees as radians",
+    "at home": "left the joints where they were",
+    "backwards": "moved every joint the other way",
+}
+"""What somebody did who made a mistake, in the words of an option."""
+
+
+def _of_motion(arm: Chain, q: Array) -> list[Mistake]:
+    return [*of_product(arm, q), *_of_standing_still(arm, q)]
+
+
+def _of_standing_still(arm: Chain, q: Array) -> list[Mistake]:
+    return [
+        mistake("at home", arm.home, "This is $M$, the pose at home. The joints have moved since."),
+        mistake(
+            "backwards",
+            product(arm.screws, -q, arm.home),
+            "You moved every joint the other way. The exponent is $[S_i] q_i$, with a plus.",
+        ),
+    ]
+
+
+def _not_so(theirs: Array, right: Array) -> str:
+    """How far the pose that an option gives is from the one that was computed."""
+    far = float(np.linalg.norm(theirs[:3, 3] - right[:3, 3]))
+    turned = not np.allclose(theirs[:3, :3], right[:3, :3], atol=1e-6)
+    if far < 1e-6:
+        return "That would put the tool at the same place, and turn it otherwise."
+    return f"That would put the tool {number(far)} m from there" + (", and turn it otherwise." if turned else ".")
+
+
+def _some(draw: Draw, arm: Chain) -> list[int]:
+    """A few joints in their order, counted from 0: of each kind one, if there is more than one kind."""
+    kinds = [
+        draw.choice([i for i, other in enumerate(arm.letters) if other == kind]) for kind in sorted(set(arm.letters))
+    ]
+    others = [i for i in draw.shuffled(range(arm.n)) if i not in kinds]
+    return sorted([*kinds, *others][: min(MOST, arm.n)])
+
+
+def _axes_of(joints: Sequence[int]) -> str:
+    """Some screw axes in words.
+
+    >>> _axes_of([0]), _axes_of([0, 2, 3])
+    ('the screw axis of joint 1', 'the screw axes of joints 1, 3 and 4')
+    """
+    numbers = [str(i + 1) for i in joints]
+    if len(numbers) == 1:
+        return f"the screw axis of joint {numbers[0]}"
+    return f"the screw axes of joints {', '.join(numbers[:-1])} and {numbers[-1]}"
+
+
+READ_VALUES = """\
+turns = given.{screws}[:, :3].any(axis=1)
+q = np.where(turns, np.radians(given.values), given.values)
+"""
+
+SPACE = READ_VALUES.format(screws="screws") + "T = kl.Chain(given.screws, given.home).fk(q)\n"
+
+VALUES = "`given.values` are in degrees and metres."
+POSE = "Answer with a pose, an array of shape (4, 4)."
+ROWS = "Answer with screw axes $(\\omega, v)$ in rows, in the order of the joints."
+
+TASKS: dict[str, Task] = {
+    "home_pose": Task(
+        "The home pose in your lab",
+        2,
+        "03_poe_space#The home pose",
+        home_pose,
+        Entry("pose", POSE, "pose_{k} = given.T_sr @ given.T_rf @ given.T_fb"),
+    ),
+    "space_screws": Task(
+        "Screw axes in your lab",
+        3,
+        "03_poe_space#Screw axes from a drawing",
+        space_screws,
+        Entry("screws", ROWS, "screws_{k} = kl.screw(given.axes, given.points, given.pitches)"),
+    ),
+    "body_screws": Task(
+        "The same axes, read by the tool",
+        3,
+        "04_poe_body#The adjoint",
+        body_screws,
+        Entry("screws", ROWS, "screws_{k} = given.screws @ kl.adjoint(kl.inverse(given.home)).T"),
+    ),
+    "where_is_the_tool": Task(
+        "Where is the tool?",
+        3,
+        "03_poe_space#The product",
+        where_is_the_tool,
+        Entry("pose", f"{POSE} {VALUES}", f"{SPACE}pose_{{k}} = T"),
+    ),
+    "which_mistake": Task(
+        "Which mistake is this?",
+        2,
+        "03_poe_space#The order of the factors",
+        which_mistake,
+        Entry(
+            "letter",
+            f"Answer with a letter, in quotes. {VALUES}",
+            "# A person tries each option; for all students, the copy with the solutions looks it up.\n"
+            "letter_{k} = sheet.problem({k}).answer.value",
+        ),
+    ),
+    "back_to_space": Task(
+        "Back to {s}",
+        2,
+        "04_poe_body#The adjoint",
+        back_to_space,
+        Entry("screws", ROWS, "screws_{k} = given.body_screws @ kl.adjoint(given.home).T"),
+    ),
+    "body_form": Task(
+        "The body form",
+        3,
+        "04_poe_body#The body form",
+        body_form,
+        Entry(
+            "pose",
+            f"{POSE} {VALUES}",
+            READ_VALUES.format(screws="body_screws")
+            + "screws = given.body_screws @ kl.adjoint(given.home).T\npose_{k} = kl.Chain(screws, given.home).fk_body(q)",
+        ),
+    ),
+    "new_tool": Task(
+        "A new tool",
+        2,
+        "04_poe_body#Check yourself",
+        new_tool,
+        Entry("screws", ROWS, "screws_{k} = given.body_screws @ kl.adjoint(kl.inverse(given.T_bt)).T"),
+    ),
+    "point_of_the_tool": Task(
+        "The tip of a pencil",
+        2,
+        "01_frames#An affine map in one matrix",
+        point_of_the_tool,
+        Entry(
+            "tip", f"Answer with three numbers, in metres. {VALUES}", f"{SPACE}tip_{{k}} = (T @ [*given.tip, 1])[:3]"
+        ),
+    ),
+}
+"""What a task is called here, the file of a sheet calls it."""
