@@ -111,7 +111,8 @@ class Grader:
             points = most * float(verdict["fraction"])
             text, html, mistakes = verdict["text"], verdict["html"], verdict["mistakes"]
             of_problem = number, title, points, most, state
-            found.append(ProblemResult(*of_problem, text, html, mistakes, odd.get(k, ()), answers.get(str(k))))
+            data = answers.get(str(k)), verdict.get("right")
+            found.append(ProblemResult(*of_problem, text, html, mistakes, odd.get(k, ()), *data))
         return found
 
     def _new_judge(self) -> Peer:

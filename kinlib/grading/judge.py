@@ -20,7 +20,7 @@ from typing import Any
 
 from kinlib.grading.paper import written
 from kinlib.grading.wire import pack, receive
-from kinlib.practice.answer_data import Malformed, Opaque, from_data
+from kinlib.practice.answer_data import Malformed, Opaque, from_data, to_data
 from kinlib.practice.judge import Finding, Judgement, judge
 from kinlib.practice.problem import Problem
 from kinlib.practice.sheet import Sheet, find_sheet
@@ -63,6 +63,7 @@ def _verdict(sheet: Sheet, k: int, problem: Problem, data: Any) -> dict[str, Any
         "mistakes": verdict.judgement.mistakes,
         "text": verdict.card.text(),
         "html": verdict.card.html(),
+        "right": to_data(problem.answer.value),
     }
 
 

@@ -16,6 +16,7 @@ class ProblemResult:
     mistakes the names of the mistakes that were recognised
     notes    what was odd about its cells
     answer   the answer as data, as kinlib.practice.answer_data writes it
+    right    the right answer as data, for whoever grades; None where the problem was not judged
     """
 
     number: str
@@ -28,6 +29,7 @@ class ProblemResult:
     mistakes: Sequence[str] = ()
     notes: Sequence[str] = ()
     answer: Any = None
+    right: Any = None
 
 
 @dataclass(frozen=True)
