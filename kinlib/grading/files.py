@@ -34,11 +34,15 @@ class Read(Protocol):
 
 @dataclass(frozen=True)
 class File:
-    """A file: its path below the folder or in the archive, when it was changed (any scale), and how to read it."""
+    """A file: its path below the folder or in the archive, when it was changed (any scale), and how to read it.
+
+    is_there  False for what stands in an empty folder: somebody is known who handed nothing in
+    """
 
     path: PurePosixPath
     changed: float
     read: Read
+    is_there: bool = True
 
     @property
     def is_notebook(self) -> bool:
@@ -68,13 +72,18 @@ def _of_folder(folder: Path) -> Iterator[File]:
     count = 0
     for place, folders, names in os.walk(folder):
         folders[:] = [name for name in folders if not name.startswith(".")]
-        links = [name for name in folders if Path(place, name).is_symlink()]
-        for name in [*names, *links]:
-            count += 1
-            if count > MOST_FILES:
-                raise ValueError(f"{folder} holds more than {MOST_FILES} files. Give the folder of the submissions alone.")
+        below = PurePosixPath(Path(place).relative_to(folder))
+        count += len(names)
+        if count > MOST_FILES:
+            raise ValueError(f"{folder} holds more than {MOST_FILES} files. Give the folder of the submissions alone.")
+        for name in names:
             path = Path(place, name)
-            yield File(PurePosixPath(path.relative_to(folder)), path.lstat().st_mtime, partial(_read, path))
+            yield File(below / name, path.lstat().st_mtime, partial(_read, path))
+        for name in folders:
+            if (path := Path(place, name)).is_symlink():
+                yield File(below / name / name, 0.0, partial(_read, path))
+        if not names and not folders:
+            yield File(below / "nothing", 0.0, bytes, is_there=False)
 
 
 def _read(path: Path) -> bytes:
@@ -83,7 +92,9 @@ def _read(path: Path) -> bytes:
         descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK)
     except OSError as error:
         if path.is_symlink():
-            raise Refused(f"{path.name} is a link to another place, not a file. Hand in the notebook itself.") from error
+            raise Refused(
+                f"{path.name} is a link to another place, not a file. Hand in the notebook itself."
+            ) from error
         raise Refused(f"{path.name} could not be opened: {error.strerror}.") from error
     with os.fdopen(descriptor, "rb") as stream:
         if not stat.S_ISREG(os.fstat(descriptor).st_mode):
@@ -114,7 +125,9 @@ def _unpacked(archive: zipfile.ZipFile, member: zipfile.ZipInfo, is_inside: bool
     if stat.S_ISLNK(member.external_attr >> 16):
         raise Refused(f"{name} is a link to another place, not a file. Hand in the notebook itself.")
     if member.file_size > LARGEST:
-        raise Refused(f"{name} unpacks to {member.file_size / 1e6:.0f} MB, and more than {LARGEST / 1e6:.0f} is not read.")
+        raise Refused(
+            f"{name} unpacks to {member.file_size / 1e6:.0f} MB, and more than {LARGEST / 1e6:.0f} is not read."
+        )
     try:
         with archive.open(member) as stream:
             return stream.read(LARGEST + 1)

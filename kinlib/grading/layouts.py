@@ -1,10 +1,10 @@
 """Layouts: whose a file is, told from where it lies, in a folder of one's own and in downloads of learning platforms.
 
-    folder      ada/anything.ipynb, or ada.ipynb
-    nbgrader    ada/<sheet>/<sheet>.ipynb, the submitted/ of a course
-    Canvas      lovelaceada_[LATE_]1815_99_<sheet>.ipynb         1815 is the ID of Canvas's gradebook
-    Moodle      Ada Lovelace_1815_assignsubmission_file_/<sheet>.ipynb   1815 is "Participant 1815" of the worksheet
-    Gradescope  submission_99/<sheet>.ipynb, and submission_metadata.yml says whose number 99 is
+folder      ada/anything.ipynb, or ada.ipynb
+nbgrader    ada/<sheet>/<sheet>.ipynb, the submitted/ of a course
+Canvas      lovelaceada_[LATE_]1815_99_<sheet>.ipynb         1815 is the ID of Canvas's gradebook
+Moodle      Ada Lovelace_1815_assignsubmission_file_/<sheet>.ipynb   1815 is "Participant 1815" of the worksheet
+Gradescope  submission_99/<sheet>.ipynb, and submission_metadata.yml says whose number 99 is
 """
 
 import re
@@ -75,7 +75,7 @@ def _piles(found: Sequence[File], owner: Callable[[PurePosixPath], Owner | None]
         if (of := owner(file.path)) is not None:
             name, key, called = of
             pile = piles.setdefault(key or name.casefold(), Pile(name, key))
-            if called:
+            if called and file.is_there:
                 pile.files.append((called, file))
     return list(piles.values())
 
@@ -114,17 +114,12 @@ def _without_wrapping(found: Sequence[File]) -> Sequence[File]:
     return [File(PurePosixPath(*file.path.parts[1:]), file.changed, file.read) for file in found]
 
 
-class _Loader(yaml.SafeLoader):
-    """Reads plain YAML, and takes Ruby's own objects for what they hold: nothing."""
-
-
-_Loader.add_multi_constructor("", lambda *_: None)
-
-
 def _gradescope(found: Sequence[File], metadata: File) -> list[Pile]:
+    # The base loader makes texts, lists and maps, nothing else: 007 stays 007, and Ruby's own objects stay away.
+    loader = getattr(yaml, "CBaseLoader", yaml.BaseLoader)
     try:
-        told = yaml.load(metadata.read().decode(), _Loader)  # noqa: S506 - a SafeLoader
-    except (yaml.YAMLError, UnicodeDecodeError) as error:
+        told = yaml.load(metadata.read().decode(), loader)  # noqa: S506
+    except (yaml.YAMLError, UnicodeDecodeError, RecursionError) as error:
         raise ValueError(f"{GRADESCOPE} cannot be read: {error}. Download the submissions again.") from error
     if not isinstance(told, Mapping):
         raise ValueError(f"{GRADESCOPE} holds no list of submissions. Download them again.")

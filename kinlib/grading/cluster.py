@@ -1,0 +1,57 @@
+"""More than one machine: the same submissions, graded by the workers of a running Dask cluster.
+
+Each process of a worker keeps one grader for each sheet: a server of forks and a judge of its own. A worker that dies loses
+what it had in hand; the scheduler gives that to another, and each result is written down once, here.
+"""
+
+import atexit
+from collections.abc import Iterator
+from concurrent.futures import Executor
+from contextlib import contextmanager
+from threading import Lock
+
+from kinlib.grading.grade import Grader
+from kinlib.grading.layers import Limits
+from kinlib.grading.result import Result
+from kinlib.grading.submission import Master
+
+GRADERS: dict[str, Grader] = {}
+STARTING = Lock()
+
+
+class Unreachable(RuntimeError):
+    """No cluster answers."""
+
+
+def graded(sheet: Master, limits: Limits, is_safe: bool, student: str, content: bytes | None) -> Result:
+    """Grade a submission in this process, whichever it is.
+
+    Raises kinlib.grading.layers.Missing where this machine cannot give the sandbox.
+    """
+    key = repr((sheet.name, sorted(sheet.checks.items()), limits, is_safe))
+    with STARTING:
+        if key not in GRADERS:
+            GRADERS[key] = Grader(sheet, limits, is_safe)
+            atexit.register(GRADERS[key].close)
+    return GRADERS[key].grade(student, content)
+
+
+@contextmanager
+def cluster(address: str) -> Iterator[tuple[Executor, int]]:
+    """The executor of a running cluster, and how many tasks it takes at a time.
+
+    Raises Unreachable when nothing answers at the address, or has no workers.
+    """
+    try:
+        from distributed import Client
+    except ImportError as error:
+        raise Unreachable("--cluster needs the package distributed: pip install distributed.") from error
+    try:
+        client = Client(address, timeout="10s", set_as_default=False)
+    except (OSError, ValueError) as error:
+        raise Unreachable(f"No Dask scheduler answers at {address}: {error}. Is it started, and reachable?") from error
+    with client:
+        threads = sum(worker["nthreads"] for worker in client.scheduler_info(n_workers=-1)["workers"].values())
+        if not threads:
+            raise Unreachable(f"The scheduler at {address} has no workers. Start some: dask worker {address}.")
+        yield client.get_executor(), threads
