@@ -10,8 +10,10 @@ from functools import partial
 from kinlib.chain import Chain
 from kinlib.practice.draw import Draw
 from kinlib.practice.problem import Template
+from kinlib.practice.robot_motions import MOTION_TASKS
+from kinlib.practice.robot_screws import SCREW_TASKS
 from kinlib.practice.robot_tables import TABLE_TASKS
-from kinlib.practice.robot_tasks import TASKS, Task
+from kinlib.practice.robot_task import Task
 from kinlib.practice.sheet import Sheet
 
 PROBLEMS = 8
@@ -23,7 +25,7 @@ PROBES = ("probe 1", "probe 2", "probe 3", "probe 4")
 TRIES = 8
 """Within how many draws a task has to be telling for each of them. A student's own draws go on far longer."""
 
-ALL: dict[str, Task] = {**TASKS, **TABLE_TASKS}
+ALL: dict[str, Task] = {**MOTION_TASKS, **SCREW_TASKS, **TABLE_TASKS}
 
 WANTED = (
     *("home_pose", "space_screws", "body_screws", "where_is_the_tool"),

@@ -20,7 +20,7 @@ from kinlib.practice.draw import Draw
 from kinlib.practice.notebook import Entry
 from kinlib.practice.problem import Problem, mistake
 from kinlib.practice.robot_draw import first, grain, moved, plain_base, plain_posture, rezeroed
-from kinlib.practice.robot_tasks import Task
+from kinlib.practice.robot_task import Task
 from kinlib.practice.tables import Table
 from kinlib.practice.text import joint_table, matrix, number
 from kinlib.view import draw_joints

@@ -1,40 +1,33 @@
-"""Problems on a robot that somebody brought: its home pose, its screws from both ends, where the tool goes.
+"""Where a robot that somebody brought has its tool: at home, at drawn joint values, and by somebody's wrong computation."""
 
-Each task says what it needs of the robot only by what is left of its mistakes: a robot that spoils too many of them does
-not get the task. `robot_sheet` picks.
-"""
-
-from collections.abc import Callable, Sequence
 from functools import partial
-from typing import NamedTuple
 
 import numpy as np
 
 from kinlib.chain import Chain
 from kinlib.check import Array
 from kinlib.lie import inverse
-from kinlib.practice.answers import Choice, Numbers, Pose, Screws
-from kinlib.practice.body_mistakes import carried, of_body_product, of_body_screws, of_space_screws, only_turned
+from kinlib.practice.answers import Choice, Numbers, Pose
+from kinlib.practice.body_mistakes import of_body_product
 from kinlib.practice.draw import Draw
-from kinlib.practice.mistakes import crossed_backwards, of_product, of_screws, product, slides_as_turns
+from kinlib.practice.mistakes import of_product, product
 from kinlib.practice.notebook import Entry
 from kinlib.practice.problem import Mistake, Problem, mistake
 from kinlib.practice.robot_draw import hand, leaning_base, moved, plain_base, posture
-from kinlib.practice.text import joint_table, matrix, number, vector
-from kinlib.view import draw_arm, draw_frames, draw_joints
+from kinlib.practice.robot_task import Task
+from kinlib.practice.text import matrix, number, vector
+from kinlib.view import draw_arm, draw_frames
 
-MOST = 3
-"""How many joints are asked for where the screws of all would only be the same work again."""
-
-
-class Task(NamedTuple):
-    """A problem before it has a robot, and its cells in the notebook. In a solution, {k} is the number of the problem."""
-
-    title: str
-    points: int
-    lecture: str
-    write: Callable[[Chain, Draw], Problem]
-    entry: Entry
+DONE = {
+    "reversed": "multiplied the exponentials from the last joint to the first",
+    "home first": "put $M$ in front",
+    "no home": "left out $M$",
+    "one exponential": "added the twists and took one exponential",
+    "degrees": "used degrees as radians",
+    "at home": "left the joints where they were",
+    "backwards": "moved every joint the other way",
+}
+"""What somebody did who made a mistake, in the words of an option."""
 
 
 def home_pose(robot: Chain, draw: Draw) -> Problem:
@@ -72,62 +65,6 @@ def home_pose(robot: Chain, draw: Draw) -> Problem:
                 "This is $T_{bs}$, {s} seen from the tool. The first letter says who looks.",
             ),
         ],
-    ).sifted()
-
-
-def space_screws(robot: Chain, draw: Draw) -> Problem:
-    """Space screws from directions and points, in the student's own {s}."""
-    # Slides have directions only: along x, y, z there are too few of them for a class.
-    base = leaning_base if set(robot.letters) == {"P"} else plain_base
-    arm = moved(robot, base(draw, robot), np.eye(4))
-    joints = _some(draw, arm)
-    S, points, (axes, _, pitches) = arm.screws[joints], arm.joint_points[joints], arm.lines
-    slides = np.isinf(pitches[joints])[:, None]
-    moments = np.where(slides, np.concatenate([0 * points, np.cross(points, axes[joints])], axis=1), S)
-    return Problem(
-        statement=f"In your lab {robot.name} is bolted down where the drawing shows it, at home. Give {_axes_of(joints)} "
-        f"in {{s}}, as rows.\n\n{joint_table(arm, joints)}",
-        figure=partial(draw_joints, arm),
-        given={"axes": axes[joints], "points": points, "pitches": pitches[joints]},
-        answer=Screws(S, names=[f"screw {i + 1}" for i in joints]),
-        mistakes=[
-            *of_screws(S),
-            mistake(
-                "slide as turn",
-                slides_as_turns(arm)[joints],
-                "You treated a slide as a turn. A prismatic joint has no $\\omega$: $S = (0, d)$, and no point plays a part.",
-            ),
-            mistake(
-                "slide as turn, and omega x q",
-                crossed_backwards(slides_as_turns(arm))[joints],
-                "Two things: a moment is $-\\omega \\times p$, with the minus; and a slide has none, for it does not turn: $S = (0, d)$.",
-            ),
-            mistake(
-                "moment of a slide",
-                moments,
-                "You gave a slide a moment. Every point of the body slides alike, so where the slide is mounted plays no part.",
-            ),
-            mistake(
-                "turned round",
-                -S,
-                "Your axes point the other way, so your joints move the other way. The arrows show the positive direction.",
-            ),
-        ],
-    ).sifted()
-
-
-def body_screws(robot: Chain, draw: Draw) -> Problem:
-    """Body screws by the adjoint, for a base and a tool of the student's own."""
-    arm = moved(robot, plain_base(draw, robot), hand(draw, robot))
-    joints = _some(draw, arm)
-    S = arm.screws[joints]
-    return Problem(
-        statement=f"Below stand, for {robot.name}, {_axes_of(joints)} as {{s}} reads them, and the home pose of its tool. Give "
-        f"the same as {{b}} reads it, as rows.\n\n$$S = {matrix(S)}$$\n\n$$M = {matrix(arm.home)}$$",
-        figure=partial(draw_arm, arm),
-        given={"screws": S, "home": arm.home},
-        answer=Screws(arm.body_screws[joints], names=[f"screw {i + 1}" for i in joints]),
-        mistakes=of_body_screws(S, arm.home),
     ).sifted()
 
 
@@ -174,21 +111,6 @@ def which_mistake(robot: Chain, draw: Draw) -> Problem:
     )
 
 
-def back_to_space(robot: Chain, draw: Draw) -> Problem:
-    """Space screws from body screws."""
-    arm = moved(robot, plain_base(draw, robot), hand(draw, robot))
-    joints = _some(draw, arm)
-    B = arm.body_screws[joints]
-    return Problem(
-        statement=f"A colleague wrote {robot.name} down as its tool sees it: {_axes_of(joints)}. Give the same in {{s}}, as rows."
-        f"\n\n$$B = {matrix(B)}$$\n\n$$M = {matrix(arm.home)}$$",
-        figure=partial(draw_arm, arm),
-        given={"body_screws": B, "home": arm.home},
-        answer=Screws(arm.screws[joints], names=[f"screw {i + 1}" for i in joints]),
-        mistakes=of_space_screws(B, arm.home),
-    ).sifted()
-
-
 def body_form(robot: Chain, draw: Draw) -> Problem:
     """Forward kinematics by the body form."""
     arm = moved(robot, plain_base(draw, robot), hand(draw, robot))
@@ -200,44 +122,6 @@ def body_form(robot: Chain, draw: Draw) -> Problem:
         given={"body_screws": arm.body_screws, "home": arm.home, "values": at.typed},
         answer=Pose(arm.fk(at.q)),
         mistakes=[*of_body_product(arm, at.q), *_of_standing_still(arm, at.q)],
-    ).sifted()
-
-
-def new_tool(robot: Chain, draw: Draw) -> Problem:
-    """Body screws after the tool was replaced."""
-    arm = moved(robot, plain_base(draw, robot), hand(draw, robot))
-    joints, H = _some(draw, arm), hand(draw, robot)
-    B, S = arm.body_screws[joints], arm.screws[joints]
-    return Problem(
-        statement=f"The tool of {robot.name} is replaced. The new one has its frame {{t}} where the old one saw $T_{{bt}}$. Below "
-        f"stands what {{b}} read: {_axes_of(joints)}. Give what {{t}} reads.\n\n$$B = {matrix(B)}$$\n\n"
-        f"$$T_{{bt}} = {matrix(H)}$$",
-        figure=partial(draw_arm, arm),
-        given={"body_screws": B, "T_bt": H},
-        answer=Screws(carried(inverse(H), B), names=[f"screw {i + 1}" for i in joints]),
-        mistakes=[
-            mistake(
-                "the old ones",
-                B,
-                "These are the old body screws. The axes stay; but body screws are read by the tool, and another tool reads other numbers.",
-            ),
-            mistake(
-                "the other way",
-                carried(H, B),
-                "You carried the screws with $\\mathrm{Ad}_{T_{bt}}$. That takes what {t} reads to what {b} reads; here it is $T_{tb}$.",
-            ),
-            mistake(
-                "only rotated",
-                only_turned(inverse(H), B),
-                "You turned both halves, but {t} also stands elsewhere: its origin is another, so the moments change.",
-            ),
-            mistake("space screws", S, "These are the space screws. The tool does not read them."),
-            mistake(
-                "halves swapped",
-                np.roll(carried(inverse(H), B), 3, axis=1),
-                "You wrote $(v, \\omega)$. Here a screw axis is $(\\omega, v)$.",
-            ),
-        ],
     ).sifted()
 
 
@@ -280,18 +164,6 @@ def point_of_the_tool(robot: Chain, draw: Draw) -> Problem:
     ).sifted()
 
 
-DONE = {
-    "reversed": "multiplied the exponentials from the last joint to the first",
-    "home first": "put $M$ in front",
-    "no home": "left out $M$",
-    "one exponential": "added the twists and took one exponential",
-    "degrees": "used degrees as radians",
-    "at home": "left the joints where they were",
-    "backwards": "moved every joint the other way",
-}
-"""What somebody did who made a mistake, in the words of an option."""
-
-
 def _of_motion(arm: Chain, q: Array) -> list[Mistake]:
     return [*of_product(arm, q), *_of_standing_still(arm, q)]
 
@@ -316,27 +188,6 @@ def _not_so(theirs: Array, right: Array) -> str:
     return f"That would put the tool {number(far)} m from there" + (", and turn it otherwise." if turned else ".")
 
 
-def _some(draw: Draw, arm: Chain) -> list[int]:
-    """A few joints in their order, counted from 0: of each kind one, if there is more than one kind."""
-    kinds = [
-        draw.choice([i for i, other in enumerate(arm.letters) if other == kind]) for kind in sorted(set(arm.letters))
-    ]
-    others = [i for i in draw.shuffled(range(arm.n)) if i not in kinds]
-    return sorted([*kinds, *others][: min(MOST, arm.n)])
-
-
-def _axes_of(joints: Sequence[int]) -> str:
-    """Some screw axes in words.
-
-    >>> _axes_of([0]), _axes_of([0, 2, 3])
-    ('the screw axis of joint 1', 'the screw axes of joints 1, 3 and 4')
-    """
-    numbers = [str(i + 1) for i in joints]
-    if len(numbers) == 1:
-        return f"the screw axis of joint {numbers[0]}"
-    return f"the screw axes of joints {', '.join(numbers[:-1])} and {numbers[-1]}"
-
-
 READ_VALUES = """\
 turns = given.{screws}[:, :3].any(axis=1)
 q = np.where(turns, np.radians(given.values), given.values)
@@ -346,29 +197,14 @@ SPACE = READ_VALUES.format(screws="screws") + "T = kl.Chain(given.screws, given.
 
 VALUES = "`given.values` are in degrees and metres."
 POSE = "Answer with a pose, an array of shape (4, 4)."
-ROWS = "Answer with screw axes $(\\omega, v)$ in rows, in the order of the joints."
 
-TASKS: dict[str, Task] = {
+MOTION_TASKS: dict[str, Task] = {
     "home_pose": Task(
         "The home pose in your lab",
         2,
         "03_poe_space#The home pose",
         home_pose,
         Entry("pose", POSE, "pose_{k} = given.T_sr @ given.T_rf @ given.T_fb"),
-    ),
-    "space_screws": Task(
-        "Screw axes in your lab",
-        3,
-        "03_poe_space#Screw axes from a drawing",
-        space_screws,
-        Entry("screws", ROWS, "screws_{k} = kl.screw(given.axes, given.points, given.pitches)"),
-    ),
-    "body_screws": Task(
-        "The same axes, read by the tool",
-        3,
-        "04_poe_body#The adjoint",
-        body_screws,
-        Entry("screws", ROWS, "screws_{k} = given.screws @ kl.adjoint(kl.inverse(given.home)).T"),
     ),
     "where_is_the_tool": Task(
         "Where is the tool?",
@@ -389,13 +225,6 @@ TASKS: dict[str, Task] = {
             "letter_{k} = sheet.problem({k}).answer.value",
         ),
     ),
-    "back_to_space": Task(
-        "Back to {s}",
-        2,
-        "04_poe_body#The adjoint",
-        back_to_space,
-        Entry("screws", ROWS, "screws_{k} = given.body_screws @ kl.adjoint(given.home).T"),
-    ),
     "body_form": Task(
         "The body form",
         3,
@@ -407,13 +236,6 @@ TASKS: dict[str, Task] = {
             READ_VALUES.format(screws="body_screws")
             + "screws = given.body_screws @ kl.adjoint(given.home).T\npose_{k} = kl.Chain(screws, given.home).fk_body(q)",
         ),
-    ),
-    "new_tool": Task(
-        "A new tool",
-        2,
-        "04_poe_body#Check yourself",
-        new_tool,
-        Entry("screws", ROWS, "screws_{k} = given.body_screws @ kl.adjoint(kl.inverse(given.T_bt)).T"),
     ),
     "point_of_the_tool": Task(
         "The tip of a pencil",
