@@ -87,7 +87,7 @@ class Peer:
             try:
                 self._outbox.write(pack({**message, "id": number}))
                 self._outbox.flush()
-            except OSError as error:
+            except (OSError, ValueError) as error:  # the pipe is broken, or closed already
                 del self._waiting[number]
                 raise Gone("The process has ended.") from error
         try:

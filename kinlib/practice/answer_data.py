@@ -18,6 +18,7 @@ import sys
 from collections.abc import Callable, Mapping, Sequence
 from copy import deepcopy
 from dataclasses import dataclass
+from itertools import islice
 from typing import Any
 
 import numpy as np
@@ -169,6 +170,9 @@ def _symbolic(value: Any, depth: int) -> Data:
     if isinstance(value, sympy.MatrixBase):
         return {"matrix": [[_written(entry, depth + 1) for entry in row] for row in value.tolist()]}
     if isinstance(value, sympy.Expr):
+        # Parts that an expression shares are written out each time, and a small one may have millions: count before.
+        if sum(1 for _ in islice(sympy.preorder_traversal(value), MOST_NUMBERS + 1)) > MOST_NUMBERS:
+            return {"other": f"formula of more than {MOST_NUMBERS} parts"}
         text = str(value)
         return {"symbolic": text} if len(text) <= LONGEST else {"other": f"formula of {len(text)} characters"}
     return None

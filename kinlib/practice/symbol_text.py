@@ -5,6 +5,7 @@ functions, names. Nothing else is in the language, so nothing else can happen.
 """
 
 import ast
+import re
 from typing import Any
 
 LONGEST = 10_000
@@ -13,8 +14,11 @@ LONGEST = 10_000
 HIGHEST = 64
 """The highest power of a number that is worked out: towers of powers would fill any memory."""
 
-FUNCTIONS = ("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh", "sqrt", "exp", "log", "Abs")
-NUMBERS = ("pi", "E")
+FUNCTIONS = (
+    *("sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh"),
+    *("sqrt", "exp", "log", "Abs", "sign", "sinc"),
+)
+NUMBERS = ("pi", "E", "I")
 
 
 def expression(text: str) -> Any:
@@ -28,7 +32,8 @@ def expression(text: str) -> Any:
     if len(text) > LONGEST:
         raise ValueError(f"A formula has at most {LONGEST} characters; this has {len(text)}.")
     try:
-        return _value(ast.parse(text.strip(), mode="eval").body)
+        # Symbols may be named as in LaTeX, theta_{1}; for whoever reads formulas it is theta_1.
+        return _value(ast.parse(re.sub(r"[\\{}]", "", text).strip(), mode="eval").body)
     except (SyntaxError, RecursionError, MemoryError) as error:
         raise ValueError(f"{text[:60]!r} is no formula: {type(error).__name__}.") from error
 
@@ -58,7 +63,7 @@ def _called(function: Any, arguments: list[Any]) -> Any:
 
 
 def _power(base: Any, exponent: Any) -> Any:
-    if base.is_number and exponent.is_number and not (abs(exponent) <= HIGHEST and abs(base) <= 10**HIGHEST):
+    if base.is_number and exponent.is_number and not (abs(exponent) <= HIGHEST and abs(base) <= 10**12):
         raise ValueError(f"A power of numbers goes up to {HIGHEST} here.")
     return base**exponent
 
