@@ -8,6 +8,7 @@ of the product, G e^[S]q = e^[Ad(G) S]q G, and become the home pose of the chain
 from collections import deque
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
+from functools import cached_property
 from itertools import pairwise
 
 import numpy as np
@@ -16,8 +17,11 @@ from numpy.typing import ArrayLike, NDArray
 from kinlib import check
 from kinlib.chain import Chain
 from kinlib.check import Array
-from kinlib.lie import adjoint, inverse
-from kinlib.screw import axes, line, screw
+from kinlib.lie import adjoint, exp, inverse
+from kinlib.screw import axes, is_prismatic, line, screw
+
+PARALLEL = 1e-2
+"""Axes that lie closer to parallel than the root of this, in radians, have no middle along them, only across."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -172,6 +176,36 @@ class Walk:
 
     chain: Chain
     columns: NDArray[np.intp]
+
+    @cached_property
+    def middle(self) -> Array:
+        """The point (3,) nearest to all axes that turn: the least squares of the distances, and nearest the origin.
+
+        Seen from far away all axes look alike, and a Jacobian's small singular values drown in its large ones; seen from
+        here they differ as much as they can.
+
+        >>> from kinlib.linkages import four_bar
+        >>> four_bar(4, 1, 3.5, 3).loops[0].middle      # drawn open: D, C, B and A at x = 4, 7, 3.5 and 2.5
+        array([4.25, 0.  , 0.  ])
+        """
+        axis, point, _ = (part[~is_prismatic(self.chain.screws)] for part in self.chain.lines)
+        # Across an axis a distance counts, along it it does not: I - a a^T leaves what lies across.
+        across = np.eye(3) - axis[:, :, None] * axis[:, None, :]
+        # Axes that are nearly parallel meet far away, and nothing is gained by going there.
+        near: Array = np.linalg.pinv(across.sum(axis=0), rcond=PARALLEL, hermitian=True) @ point.sum(axis=0)
+        return near
+
+    @cached_property
+    def to_middle(self) -> Array:
+        """The matrix (6, 6) that reads twists about the middle."""
+        return adjoint(exp([0, 0, 0, *-self.middle]))
+
+    @cached_property
+    def size(self) -> float:
+        """How far its axes are from its middle, and its end from its beginning, in metres: the longest of these ways."""
+        there, back = exp([0, 0, 0, *-self.middle]), exp([0, 0, 0, *self.middle])
+        centred = Chain(self.chain.screws @ self.to_middle.T, there @ self.chain.home @ back)
+        return float(np.linalg.norm(np.vstack([centred.lines.point, centred.home[:3, 3]]), axis=1).max())
 
 
 def as_chain(joints: Sequence[Joint], passages: Iterable[Passage], name: str) -> Walk:

@@ -6,6 +6,7 @@ others. What comes back are whole postures again, held values and all.
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,8 +25,12 @@ STEPS = 40
 ROUNDS = 3
 """The search for assembly modes is over when so many rounds in a row bring no new one."""
 
-APART = 1e-6
-"""Two assembly modes differ where some body stands elsewhere by this, in an entry of its pose."""
+APART = 1e-5
+"""Two assembly modes differ where some body stands elsewhere by this, in an entry of its pose. At a dead point two of them
+become one, and there the search knows it to the square root of the residual, 1e-6 or so."""
+
+SLACK = 1e-6
+"""A value is beyond its limits if it is so by more than this: limits are printed with few digits."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,7 +61,7 @@ class Closure:
     names            what each value is called
     turns    (n,)    which values are angles, the same again after 2 pi
     limits   (n, 2)  least and greatest value, infinite where there is none
-    size             of the linkage, in metres
+    reach    (n,)    how far from 0 the values are sought, where no limits are nearer
     closed           the norm of the residual below which it is closed
     """
 
@@ -66,13 +71,15 @@ class Closure:
     names: Sequence[str]
     turns: NDArray[np.bool_]
     limits: Array
-    size: float
+    reach: Array
     closed: float
 
     def assemble(self) -> Assembly:
         """Close the linkage near the posture, or come as near as it goes."""
         found = solve(self._reduced, self.posture[None, self.free], self.closed)
         q, residual = self._whole(found.x)[0], float(found.residual[0])
+        if self._beyond(q):
+            q = self._counted(q[None])[0]
         steps = f"after {found.iterations} step{'s' * (found.iterations != 1)}"
         if residual > self.closed:
             message = (
@@ -88,32 +95,34 @@ class Closure:
     def modes(self, stand: Callable[[Array], Array]) -> Array:
         """Every posture (m, n) that closes: a search from random guesses, until it brings nothing new.
 
-        stand  says where the bodies stand in a posture: what two postures must have alike to be one mode
+        stand  says where the bodies stand in postures (m, n), first dimension m: what two must have alike to be one mode
 
         Raises ValueError where a posture that closes is free to move.
         """
         # The guesses are random, and the answer must not be: every call draws the same ones.
         rng = np.random.default_rng(0)
-        reach = np.where(self.turns, np.pi, 2 * self.size)
-        least, most = np.maximum(self.limits[:, 0], -reach)[self.free], np.minimum(self.limits[:, 1], reach)[self.free]
+        least, most = self._window[:, self.free]
         modes: list[Array] = []
+        poses: list[Array] = []
         barren = 0
         while barren < ROUNDS:
             found = solve(self._reduced, rng.uniform(least, most, (GUESSES, len(self.free))), self.closed, STEPS)
-            known = len(modes)
-            closed = found.residual <= self.closed
-            for q, J in zip(self._whole(found.x[closed]), found.jacobian[closed], strict=True):
+            barren += 1
+            # Near a solution a step squares the error: one more leaves rounding alone.
+            exact = solve(self._reduced, found.x[found.residual <= self.closed], closed=0.0, iterations=1)
+            postures = self._counted(self._whole(exact.x))
+            for q, stands, J in zip(postures, stand(postures), exact.jacobian, strict=True):
+                if self._beyond(q) or any(np.abs(stands - others).max() <= APART for others in poses):
+                    continue
                 directions, _ = null_space(J)
                 if directions.shape[1] and finite_freedoms(self._reduced, q[self.free], directions, self.closed):
                     raise ValueError(
                         f"{directions.shape[1]} freedoms are left, so the modes are curves and not postures. "
                         "Hold as many joint values as the linkage has freedoms."
                     )
-                q[self.turns] = (q[self.turns] + np.pi) % (2 * np.pi) - np.pi
-                known_already = any(np.allclose(stand(q), stand(mode), rtol=0, atol=APART) for mode in modes)
-                if not known_already and not self._beyond(q):
-                    modes.append(q)
-            barren = 0 if len(modes) > known else barren + 1
+                modes.append(q)
+                poses.append(stands)
+                barren = 0
         return np.array(sorted(modes, key=list)).reshape(-1, len(self.posture))
 
     def trace(self, step: float, points: int | None, most: int) -> Curve:
@@ -141,7 +150,21 @@ class Closure:
         q[:, self.free] = x
         return q
 
+    @cached_property
+    def _window(self) -> Array:
+        """The least and the greatest values (2, n) among which a search makes sense: within limits, one turn of an angle."""
+        least, most = self.limits.T
+        nearest = np.clip(0, least, most)
+        least = np.maximum(least, np.minimum(nearest - self.reach, most - 2 * self.reach))
+        return np.stack([least, np.minimum(most, least + 2 * self.reach)])
+
+    def _counted(self, q: Array) -> Array:
+        """The same postures (m, n), with every free angle counted from the least value that its limits allow, or from -pi."""
+        least = self._window[0] - SLACK
+        free = np.isin(np.arange(len(self.posture)), self.free)
+        return np.where(free & self.turns, (q - least) % (2 * np.pi) + least, q)
+
     def _beyond(self, q: Array) -> list[str]:
         """The names of the values that are beyond their limits."""
-        beyond = (q < self.limits[:, 0] - APART) | (q > self.limits[:, 1] + APART)
+        beyond = (q < self.limits[:, 0] - SLACK) | (q > self.limits[:, 1] + SLACK)
         return [name for name, outside in zip(self.names, beyond, strict=True) if outside]

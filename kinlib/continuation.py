@@ -10,13 +10,14 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
+from numpy.polynomial import Polynomial
 from numpy.typing import NDArray
 
 from kinlib.check import Array
-from kinlib.gauss_newton import Equations, null_space, seen, solve
+from kinlib.gauss_newton import ROUGH, Equations, null_space, seen, solve
 
 BEND = 0.25
-"""A step may turn the tangent by this, in radians; a sharper bend is taken in smaller steps, and no branch is jumped."""
+"""A step may turn the tangent by this, in radians; a sharper bend is taken in smaller steps."""
 
 STRAY = 0.3
 """How far the curve may lie from where the tangent led, in parts of the step."""
@@ -24,8 +25,14 @@ STRAY = 0.3
 SHORTEST = 1e-5
 """In parts of the step asked for: where even this one leads nowhere, the curve is said to end."""
 
+CROSSING = 1e-3
+"""In parts of the step asked for: two branches that pass each other nearer than this are taken to cross."""
+
 SAME = 1e-9
 """Points of a curve nearer than this are one point."""
+
+STRAND = 1e-6
+"""A curve that passes its start nearer than this has come back to it, and does not run beside itself."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -88,11 +95,10 @@ class Path:
 
         Raises ValueError where start is no solution, or where not exactly one direction leads away from it.
         """
+        left = np.linalg.norm(self.equations(start[None])[0])
+        if left > ROUGH * self.closed:
+            raise ValueError(f"A curve starts at a solution; here {left:.2g} is left over. Assemble first.")
         found = solve(self.equations, start[None], self.closed)
-        if found.residual[0] > self.closed:
-            raise ValueError(
-                f"A curve starts at a solution; here {found.residual[0]:.2g} is left over. Assemble first."
-            )
         directions, _ = null_space(found.jacobian[0])
         if directions.shape[1] != 1:
             cause = (
@@ -115,7 +121,9 @@ class Path:
         return Curve(exact.x, tangents, end == "closed", (beginning, end), float(exact.residual.max()))
 
     def laid_out(self, curve: Curve, count: int) -> Curve:
-        """The same curve in count points, at about equal steps of its length, all found at once."""
+        """The same curve in count points, at about equal steps of its length, all found at once; one point stays one."""
+        if len(curve.q) == 1:
+            return curve
         near = solve(self.equations, curve.between(count), self.closed)
         found = solve(self.equations, near.x, closed=0.0, iterations=1)
         _, s, Vt = np.linalg.svd(found.jacobian)
@@ -131,35 +139,39 @@ class Path:
         """The curve from x, one way only: points, tangents, and why it ends."""
         points, tangents, h = [x], [tangent], step
         bend = np.zeros_like(x)
+        basis, side = _side(self.equations(x[None])[1][0], tangent, (np.empty(0), 0.0))
         end = f"{most} points"
         while len(points) <= most:
             x, tangent = points[-1], tangents[-1]
             guess = x + h * tangent + h * h / 2 * bend
-            new, ahead = self._back_to_the_curve(guess, tangent, tangent)
+            new, ahead, J = self._back_to_the_curve(guess, tangent, tangent)
             lost = ahead @ tangent < np.cos(BEND) or np.linalg.norm(new - guess) > STRAY * h
-            if lost and h > SHORTEST * step:
+            # Straight on may be another branch, that passes close by: there the equations lie on the tangent's other side.
+            other = not lost and _orientation(basis, J, ahead) * side < 0
+            if (lost and h > SHORTEST * step) or (other and h > CROSSING * step):
                 h /= 2
                 continue
             if lost:
                 end = "lost: no posture closes further on"
                 break
-            if (back := self._home(points[0], tangents[0], x, new)) is not None:
+            if (back := self._home(points[0], tangents[0], x, tangent, new)) is not None:
                 return np.array([*points, back]), np.array([*tangents, tangents[0]]), "closed"
-            beyond = (new < self.limits[:, 0] - SAME) | (new > self.limits[:, 1] + SAME)
-            if beyond.any():
-                stop, ahead, end = self._at_the_limit(x, tangent, new)
+            if (met := self._limit(x, tangent, new, ahead)) is not None:
+                stop, ahead, i = met
                 if np.linalg.norm(stop - x) > SAME:
                     points.append(stop)
                     tangents.append(ahead)
+                end = f"limit of {self.names[i]}"
                 break
             bend = (ahead - tangent) / np.linalg.norm(new - x)
+            basis, side = _side(J, ahead, (basis, side))
             points.append(new)
             tangents.append(ahead)
             h = min(1.5 * h, step)
         return np.array(points), np.array(tangents), end
 
-    def _back_to_the_curve(self, guess: Array, across: Array, tangent: Array) -> tuple[Array, Array]:
-        """The point where the curve meets the plane through guess across a direction, and the tangent there.
+    def _back_to_the_curve(self, guess: Array, across: Array, tangent: Array) -> tuple[Array, Array, Array]:
+        """The point where the curve meets the plane through guess across a direction, the tangent there, the Jacobian.
 
         Where none is found, the tangent is 0.
         """
@@ -170,15 +182,16 @@ class Path:
             return np.concatenate([r, (x - guess) @ across[:, None]], axis=1), np.concatenate([J, slices], axis=1)
 
         found = solve(equations, guess[None], self.closed, iterations=10)
+        J = found.jacobian[0, :-1]
         if found.residual[0] > self.closed:
-            return guess, np.zeros_like(guess)
+            return guess, np.zeros_like(guess), J
         # Of the directions that are open, at a crossing more than one, the one that goes straight on.
-        directions, _ = null_space(found.jacobian[0, :-1])
+        directions, _ = null_space(J)
         ahead = directions @ (directions.T @ tangent)
         length = np.linalg.norm(ahead)
-        return found.x[0], ahead / length if length else ahead
+        return found.x[0], ahead / length if length else ahead, J
 
-    def _home(self, start: Array, direction: Array, x: Array, new: Array) -> Array | None:
+    def _home(self, start: Array, direction: Array, x: Array, tangent: Array, new: Array) -> Array | None:
         """The start of the curve, counted on from x, if the step from x to new goes through it in its direction."""
         way = new - x
         length = np.linalg.norm(way)
@@ -189,16 +202,52 @@ class Path:
         passes = (
             SAME < along <= length + SAME and aside <= BEND * length / 2 and direction @ way > np.cos(BEND) * length
         )
+        if not passes:
+            return None
+        # Another strand of the curve may pass as near: where does this one cut the plane in which the start lies?
         back: Array = x + to_start
-        return back if passes else None
+        guess = x + along * tangent
+        guess += direction * (direction @ (back - guess))
+        here, ahead, _ = self._back_to_the_curve(guess, direction, tangent)
+        return back if ahead.any() and np.linalg.norm(here - back) < STRAND else None
 
-    def _at_the_limit(self, x: Array, tangent: Array, new: Array) -> tuple[Array, Array, str]:
-        """The point between x and new at which the first limit is met."""
-        limit = np.where(new > x, self.limits[:, 1], self.limits[:, 0])
-        with np.errstate(divide="ignore", invalid="ignore"):
-            part = np.where(new == x, np.inf, (limit - x) / (new - x))
-        i = int(np.argmin(np.where(part < 0, np.inf, part)))
-        guess = x + np.clip(part[i], 0, 1) * (new - x)
-        guess[i] = limit[i]
-        point, ahead = self._back_to_the_curve(guess, np.eye(len(x))[i], tangent)
-        return point, ahead, f"limit of {self.names[i]}"
+    def _limit(self, x: Array, tangent: Array, new: Array, ahead: Array) -> tuple[Array, Array, int] | None:
+        """Where the curve from x to new meets its first limit, the tangent there, and the coordinate that meets it.
+
+        Within one step a curve may pass a limit and be back. Nearly it is a cubic, and a cubic never leaves the hull of its
+        four control points: for most steps that is all that has to be known.
+        """
+        way = new - x
+        length = np.linalg.norm(way)
+        start, end = length * tangent, length * ahead
+        cubic = np.array([x, start, 3 * way - 2 * start - end, start + end - 2 * way])
+        hull = np.array([x + start / 3, new - end / 3, new])
+        below, above = hull < self.limits[:, 0] - SAME, hull > self.limits[:, 1] + SAME
+        met = []
+        for i, side in np.argwhere(np.stack([below.any(axis=0), above.any(axis=0)], axis=1)):
+            over = (2 * side - 1) * (Polynomial(cubic[:, i]) - self.limits[i, side]) - SAME
+            roots = over.roots()
+            inside = roots.real[(np.abs(roots.imag) < SAME) & (roots.real > 0) & (roots.real <= 1)]
+            out = [u for u in [0.0, *inside] if over.deriv()(u) > 0 and (u > 0 or over(u) > 0)]
+            met += [(u, i, side) for u in out]
+        for u, i, side in sorted(met):
+            guess = u ** np.arange(4) @ cubic
+            guess[i] = self.limits[i, side]
+            stop, onward, _ = self._back_to_the_curve(guess, np.eye(len(x))[i], tangent)
+            if onward.any() and np.linalg.norm(stop - x) <= length:
+                return stop, onward, int(i)
+        return (x, tangent, int(min(met)[1])) if met and (below[-1] | above[-1]).any() else None
+
+
+def _side(J: Array, tangent: Array, before: tuple[Array, float]) -> tuple[Array, float]:
+    """What the equations say at a point of a curve, as a basis (e, n - 1), and on which side of it the tangent points.
+
+    On one branch the side stays. At a crossing, where the basis is smaller, it is that of the point before.
+    """
+    U, s, _ = np.linalg.svd(J, full_matrices=False)
+    basis = U[:, seen(s)]
+    return (basis, _orientation(basis, J, tangent)) if basis.shape[1] == len(tangent) - 1 else before
+
+
+def _orientation(basis: Array, J: Array, tangent: Array) -> float:
+    return float(np.sign(np.linalg.det(np.vstack([basis.T @ J, tangent]))))

@@ -22,6 +22,9 @@ square root of the residual, 1e-8 or so, and its smallest singular value is as s
 TOLD = 1e-3
 """A step must bring at least this part of what its linear model promised, or the next one is damped more."""
 
+ROUGH = 1e3
+"""A point given as a solution may leave so many times more than what counts as solved: it was found elsewhere, or typed."""
+
 DEAD_END = 1e-12
 """Where the best step promises to lessen |r|^2 by no more than this part of it, the search is over."""
 

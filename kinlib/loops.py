@@ -24,15 +24,15 @@ from kinlib.chain import Chain
 from kinlib.check import Array
 from kinlib.closure import Assembly, Closure
 from kinlib.continuation import Curve
-from kinlib.gauss_newton import null_space
+from kinlib.gauss_newton import ROUGH, null_space
 from kinlib.lie import inverse, log
 from kinlib.mobility import Mobility, finite_freedoms, group_dimension
 from kinlib.rates import log_jacobian
 from kinlib.screw import line
 
 CLOSED = 1e-13
-"""A linkage is closed where the logarithms of its closure poses are shorter than this, all together; a linkage of d metres
-where they are shorter than 1 + d times this, for so much more is lost to rounding."""
+"""A linkage is closed where the logarithms of its closure poses, each read about the middle of its loop, are shorter than
+this, all together; with d metres from the origin to its farthest joint, than 1 + d times this: so much more is rounded off."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -208,7 +208,7 @@ class Mechanism:
         >>> len(four_bar(4, 1, 3.5, 3).assembly_modes(hold={"A": 1.0}))
         2
         """
-        return self._closure(np.zeros(self.n), hold).modes(lambda q: np.array(list(self.poses(q).values())))
+        return self._closure(np.zeros(self.n), hold).modes(lambda q: np.stack(list(self.poses(q).values()), axis=1))
 
     def trace(
         self,
@@ -224,7 +224,8 @@ class Mechanism:
         points  how many postures come back, at about equal steps; None: as many as were needed
         most    after so many steps either way the curve is left unfinished, and says so
 
-        Raises ValueError for a start that does not close, and where the linkage has not exactly one freedom there.
+        Raises ValueError for a start that does not close, where the linkage has not exactly one freedom there, and for a
+        step or a number of points that makes no curve.
         Source: pseudo-arclength continuation, as in Allgower and Georg, Numerical Continuation Methods (1990).
 
         >>> from kinlib.linkages import four_bar
@@ -233,6 +234,10 @@ class Mechanism:
         >>> curve.closed, curve.residual < 1e-12
         (True, True)
         """
+        if not (np.isfinite(step) and step > 0):
+            raise ValueError(f"step should be a length along the curve, above 0; got {step!r}.")
+        if most < 1 or (points is not None and points < 2):
+            raise ValueError(f"A curve has two points at least, and one step; got points={points!r}, most={most!r}.")
         return self._closure(start, hold).trace(step, points, most)
 
     def mobility(self, q: ArrayLike) -> Mobility:
@@ -248,12 +253,12 @@ class Mechanism:
         """
         closure = self._closure(q, None)
         r, J = closure.equations(closure.posture[None])
-        if (left := np.linalg.norm(r)) > self._closed * 1e3:
+        if (left := np.linalg.norm(r)) > ROUGH * closure.closed:
             raise ValueError(
                 f"This posture does not close: {left:.2g} is left over. Assemble it first, and pass on its q."
             )
         directions, singular_values = null_space(J[0])
-        finite = finite_freedoms(closure.equations, closure.posture, directions, self._closed)
+        finite = finite_freedoms(closure.equations, closure.posture, directions, closure.closed)
         return Mobility(self.kutzbach(), directions.shape[1], finite, singular_values, directions)
 
     def kutzbach(self, dimension: int | None = None) -> int:
@@ -269,7 +274,7 @@ class Mechanism:
         >>> four_bar(4, 1, 3.5, 3).kutzbach(), bennett().kutzbach()
         (1, -2)
         """
-        return self.n - sum(dimension or group_dimension(loop.chain.screws) for loop in self.loops)
+        return self.n - sum(dimension or group_dimension(loop.chain.screws @ loop.to_middle.T) for loop in self.loops)
 
     def joint_points(self, q: ArrayLike) -> Array:
         """Where every joint is, (..., j, 3), as its first body carries it.
@@ -298,18 +303,6 @@ class Mechanism:
         """The walk from the ground to every body that moves, as an open chain."""
         return {body: as_chain(self.joints, walk, body) for body, walk in self._walks.items() if walk}
 
-    @cached_property
-    def _size(self) -> float:
-        """How far the joints are apart, about: the longest moment or home shift of any loop."""
-        return max(
-            float(np.linalg.norm(np.vstack([loop.chain.lines.point, loop.chain.home[:3, 3]]), axis=1).max())
-            for loop in self.loops
-        )
-
-    @cached_property
-    def _closed(self) -> float:
-        return CLOSED * (1 + self._size)
-
     def _values(self, q: ArrayLike) -> Array:
         q = check.array(q, "q")
         if q.shape[-1:] != (self.n,):
@@ -329,6 +322,15 @@ class Mechanism:
             J[:, rows, loop.columns] = log_jacobian(r[:, rows]) @ loop.chain.jacobian(angles)
         return r, J
 
+    def _about_the_middle(self, q: Array) -> tuple[Array, Array]:
+        """The same, with every loop read about the point in its middle: as good near the origin as a mile away."""
+        r, J = self._linearized(q)
+        for i, loop in enumerate(self.loops):
+            rows = slice(6 * i, 6 * i + 6)
+            r[:, rows] = r[:, rows] @ loop.to_middle.T
+            J[:, rows] = loop.to_middle @ J[:, rows]
+        return r, J
+
     def _closure(self, posture: ArrayLike, hold: Mapping[str, float] | None) -> Closure:
         """The closure equations from a posture, without the joint values that are held."""
         posture = self._values(posture).copy()
@@ -337,9 +339,17 @@ class Mechanism:
         for name, value in (hold or {}).items():
             if name not in self.names:
                 raise ValueError(f"{self.name} has no joint value {name!r} to hold; it has {', '.join(self.names)}.")
+            if np.ndim(value):
+                raise ValueError(f"{name} is held at one value; got {check.brief(value)}.")
             posture[self.names.index(name)] = check.array(value, name)
         free = np.array([i for i, name in enumerate(self.names) if name not in (hold or {})], dtype=np.intp)
         if not len(free):
             raise ValueError("Every joint value is held, and nothing is left to be found.")
-        turns = np.concatenate([np.abs(line(joint.screws).pitch) <= check.UNIT for joint in self.joints])
-        return Closure(self._linearized, posture, free, self.names, turns, self.limits, self._size, self._closed)
+        pitch = np.abs(np.concatenate([line(joint.screws).pitch for joint in self.joints]))
+        turns = pitch <= check.UNIT
+        size = max(loop.size for loop in self.loops)
+        farthest = max(float(np.linalg.norm(loop.middle)) for loop in self.loops) + size
+        # A slide may have to go twice as far as the linkage is long, and a thread as many turns as this takes.
+        reach = np.where(turns, np.pi, 2 * size / np.clip(pitch, check.UNIT, 1))
+        closed = CLOSED * (1 + farthest)
+        return Closure(self._about_the_middle, posture, free, self.names, turns, self.limits, reach, closed)

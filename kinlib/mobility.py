@@ -31,7 +31,8 @@ class Mobility:
     kutzbach              freedoms of the joints, less those that the loops take if all their equations are independent
     instantaneous         freedoms of the joints, less the rank of the Jacobian: what a hand would feel here
     finite                freedoms that really lead somewhere, to postures that close
-    singular_values (n,)  of the Jacobian, the largest first; instantaneous counts those that are 0
+    singular_values (n,)  of the Jacobian about the middle of each loop, so that they are the same wherever the linkage is
+                          drawn, the largest first; instantaneous counts those that are 0
     directions (n, k)     joint speeds that the loops let through here, one a column
     """
 
@@ -46,14 +47,18 @@ class Mobility:
 
         >>> from kinlib.linkages import stretched_arch
         >>> print(stretched_arch().mobility([0, 0, 0]))
-        Counting gives 0. Here the loops let 1 through, but only 0 lead anywhere: ...
+        Counting gives 0. Here the loops let 1 through, but none leads anywhere: ...
         """
         counted = f"Counting gives {self.kutzbach}."
         felt = f"Here the loops let {self.instantaneous} through"
         if self.finite == self.instantaneous:
             had = "and as many lead on." if self.finite else "so nothing moves."
+        elif self.finite:
+            had = (
+                f"but only {self.finite} at a time leads on: this posture is singular, a crossing of branches perhaps."
+            )
         else:
-            had = f"but only {self.finite} lead anywhere: the others are infinitesimal, and this posture is singular."
+            had = "but none leads anywhere: it is infinitesimal, and this posture is singular."
         return f"{counted} {felt}, {had}"
 
 
