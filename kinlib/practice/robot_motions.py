@@ -30,6 +30,9 @@ DONE = {
 """What somebody did who made a mistake, in the words of an option."""
 
 
+NOTHING = "nothing wrong"
+
+
 def home_pose(robot: Chain, draw: Draw) -> Problem:
     """The home pose with the robot bolted down elsewhere and a tool on its flange."""
     T_sr, T_rf, T_fb = leaning_base(draw, robot), robot.home, hand(draw, robot)
@@ -195,6 +198,25 @@ q = np.where(turns, np.radians(given.values), given.values)
 
 SPACE = READ_VALUES.format(screws="screws") + "T = kl.Chain(given.screws, given.home).fk(q)\n"
 
+TRIED = f"""\
+from functools import reduce
+
+e, typed, back = (kl.exp(given.screws * values[:, None]) for values in (q, given.values, -q))
+M = given.home
+ways = {{
+    "{DONE["reversed"]}": [*e[::-1], M],
+    "{DONE["home first"]}": [M, *e],
+    "{DONE["no home"]}": [*e],
+    "{DONE["one exponential"]}": [kl.exp(q @ given.screws), M],
+    "{DONE["degrees"]}": [*typed, M],
+    "{DONE["at home"]}": [M],
+    "{DONE["backwards"]}": [*back, M],
+    "{NOTHING}": [*e, M],
+}}
+poses = {{letter: reduce(np.matmul, ways[text]) for letter, text in given.options.items()}}
+letter_{{k}} = next(letter for letter, pose in poses.items() if np.allclose(pose, given.X))
+"""
+
 VALUES = "`given.values` are in degrees and metres."
 POSE = "Answer with a pose, an array of shape (4, 4)."
 
@@ -221,8 +243,7 @@ MOTION_TASKS: dict[str, Task] = {
         Entry(
             "letter",
             f"Answer with a letter, in quotes. {VALUES}",
-            "# A person tries each option; for all students, the copy with the solutions looks it up.\n"
-            "letter_{k} = sheet.problem({k}).answer.value",
+            READ_VALUES.format(screws="screws") + TRIED,
         ),
     ),
     "body_form": Task(
