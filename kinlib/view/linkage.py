@@ -135,10 +135,9 @@ def draw_linkage(
         [now.all, *([] if shade is None else [shade.all]), *([] if curve is None else [np.asarray(curve)])]
     )
     seen = seen if around is None else np.reshape(np.asarray(around, dtype=float), (-1, 3))
+    # No axes and frames reach out here: some of the margin may go, and more of it where no floor needs it.
     middle = (seen.min(axis=0) + seen.max(axis=0)) / 2
-    canvas = Canvas(
-        middle + 0.8 * (seen - middle), view, size
-    )  # no axes and frames reach out here: some of the margin may go
+    canvas = Canvas(middle + (0.72 if planar else 0.9) * (seen - middle), view, size)
     canvas.floor(seen)
     if shade is not None:
         _draw_bars(canvas, mechanism, shade, GHOST, 1.0)
