@@ -141,6 +141,14 @@ def test_without_narrow_limits_no_joint_stands_still():
         assert np.all(posture(Draw(student, "x"), kl.robots.puma560()).q)
 
 
+def test_a_quarter_turn_cut_short_in_a_file_is_printed_as_a_quarter_turn():
+    """Many files write pi / 2 as 1.5708; a page full of 3.7e-06 would hide the arm."""
+    arm = kl.load_urdf(kl.to_urdf(ODD["PUMA"]).replace('xyz="0 1 0"', 'xyz="0 1 0.0000037"'))
+    assert np.abs(arm.screws[arm.screws != 0]).min() < 1e-5
+    for task in WANTED:
+        assert "e-0" not in robot_sheet("arm", arm, [task]).problems[0].variant("ada").statement
+
+
 # --- the folder ---
 
 

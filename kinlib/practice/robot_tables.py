@@ -146,8 +146,8 @@ def _and(variable: str, offset: str) -> str:
 
 
 def _plain(angle: float) -> float:
-    """An angle in degrees, between -180 and 180."""
-    return float(180 - (180 - np.degrees(angle)) % 360)
+    """An angle in degrees, between -180 and 180, to the thousandth."""
+    return float(180 - (180 - np.degrees(angle).round(3)) % 360)
 
 
 ANSWER = (

@@ -7,14 +7,17 @@ from numpy.typing import ArrayLike
 
 from kinlib.chain import Chain
 
+NOTHING = 1e-5
+"""What is smaller is written as 0. It is a hundredth of what an answer may be off, and in files it is pi / 2 cut short."""
+
 
 def number(x: float) -> str:
     """Write a number with at most four significant digits, and never as -0.
 
-    >>> number(-0.0), number(0.25), number(np.pi)
-    ('0', '0.25', '3.142')
+    >>> number(-0.0), number(0.25), number(np.pi), number(-3.7e-6)
+    ('0', '0.25', '3.142', '0')
     """
-    return f"{x + 0.0:.4g}" if abs(x) > 1e-12 else "0"
+    return f"{x + 0.0:.4g}" if abs(x) > NOTHING else "0"
 
 
 def vector(x: ArrayLike) -> str:
