@@ -11,6 +11,7 @@ from kinlib.view.plot import plot
 
 if TYPE_CHECKING:
     from kinlib.view.driver import Drive, drive
+    from kinlib.view.player import Player, play_assignment
     from kinlib.view.viewer import Viewer, explore
     from kinlib.view.widgets import slide
 
@@ -18,17 +19,24 @@ __all__ = [
     "Card",
     "Drive",
     "Picture",
+    "Player",
     "Viewer",
     "draw_arm",
     "draw_frames",
     "draw_joints",
     "drive",
     "explore",
+    "play_assignment",
     "plot",
     "slide",
 ]
 
-LATE = {"Drive": "driver", "Viewer": "viewer", "drive": "driver", "explore": "viewer", "slide": "widgets"}
+LATE = {
+    **dict.fromkeys(("Drive", "drive"), "driver"),
+    **dict.fromkeys(("Player", "play_assignment"), "player"),
+    **dict.fromkeys(("Viewer", "explore"), "viewer"),
+    "slide": "widgets",
+}
 """What needs ipywidgets and anywidget, and its module: loaded when somebody wants a slider, for a figure does without."""
 
 

@@ -1,22 +1,16 @@
 """A frame assignment, drawn: axes, common normals, origins and frames, as far as its steps have come."""
 
-from typing import TYPE_CHECKING
-
 import numpy as np
 
+from kinlib.frames import FrameAssignment
 from kinlib.screw import line
 from kinlib.view.canvas import AXIS_COLOURS, INK, ORANGE, VIOLET, Canvas
 from kinlib.view.joints import draw_bodies
 from kinlib.view.picture import Picture, spoken
-
-if TYPE_CHECKING:
-    from kinlib.frames import FrameAssignment
-
-FAR = 4.0
-"""What lies farther out than this many sizes of the arm is not kept in view: normals of nearly parallel axes do."""
+from kinlib.view.stages import FAR, in_view, legs, stage
 
 
-def draw_assignment(assignment: "FrameAssignment", until: int | None = None, *, caption: str = "") -> Picture:
+def draw_assignment(assignment: FrameAssignment, until: int | None = None, *, caption: str = "") -> Picture:
     """Draw a frame assignment after some of its steps: what the last of them names is strong, what came before is pale.
 
     until  the index in assignment.steps of the last step drawn; None for the finished assignment
@@ -34,9 +28,7 @@ def draw_assignment(assignment: "FrameAssignment", until: int | None = None, *, 
     Drawn so far: frame 0 at (0, 0, 0), x along (1, 0, 0), z along (0, 0, 1).
     """
     steps = assignment.steps
-    if until is not None and until not in range(len(steps)):
-        raise ValueError(f"until counts the steps of this assignment, 0 to {len(steps) - 1}; got {until!r}.")
-    drawing = _Drawing(assignment, len(steps) - 1 if until is None else until, whole=until is None)
+    drawing = _Drawing(assignment, until)
     drawing.draw()
     head = f"{assignment.chain.name}, {assignment.table.convention} convention"
     if until is None:
@@ -48,38 +40,30 @@ def draw_assignment(assignment: "FrameAssignment", until: int | None = None, *, 
 
 
 class _Drawing:
-    """One picture of an assignment: which of its parts are there, and which are strong."""
+    """One picture of an assignment."""
 
-    def __init__(self, assignment: "FrameAssignment", last: int, whole: bool) -> None:
-        self.assignment = assignment
-        self.chain, self.table = assignment.chain, assignment.table
-        self.standard = self.table.convention == "standard"
-        self.done = {(step.kind, step.frame) for step in assignment.steps[: last + 1]}
-        self.now = ("accuracy", None) if whole else (assignment.steps[last].kind, assignment.steps[last].frame)
+    def __init__(self, assignment: FrameAssignment, until: int | None) -> None:
+        self.assignment, self.stage = assignment, stage(assignment, until)
+        self.chain = assignment.chain
         self.axes = line(self.chain.screws).axis
         room = np.concatenate([self.chain.joint_points, self.chain.home[None, :3, 3]])
-        reach = FAR * max(float(np.ptp(room, axis=0).max()), 0.1)
+        self.near, self.feet = in_view(assignment)
+        seen = np.concatenate([room, assignment.frames[self.near, :3, 3], self.feet])
         self.middle = room.mean(axis=0)
-        origins = assignment.frames[:, :3, 3]
-        self.near = np.linalg.norm(origins - self.middle, axis=-1) < reach
-        feet = [foot for normal in assignment.normals for foot in (normal.start, normal.end)]
-        self.feet = np.array([foot for foot in feet if np.linalg.norm(foot - self.middle) < reach]).reshape(-1, 3)
-        seen = np.concatenate([room, origins[self.near], self.feet])
         self.canvas = Canvas(seen)
         self.canvas.floor(seen)
 
     def draw(self) -> None:
         self._lines()
         draw_bodies(self.canvas, self.chain, self.chain.link_poses(np.zeros(self.chain.n)))
-        for pair in range(self.chain.n - 1):
-            if ("normal", pair + 1) in self.done:
-                self._normal(pair)
-        if self.now[0] == "row" and self.now[1] is not None:
-            self._row(self.now[1])
-        for i in range(self.chain.n + 1):
-            if self.near[i]:
-                self._frame(i)
-        if self.now[0] == "accuracy":
+        for pair, strong in enumerate(self.stage.normals):
+            if strong is not None:
+                self._normal(pair, strong)
+        if self.stage.row is not None:
+            self._row(self.stage.row)
+        for i in np.flatnonzero(self.near):
+            self._frame(int(i))
+        if self.stage.kind == "accuracy":
             for name, T, there in (
                 ("s", np.eye(4), self.assignment.frames[0]),
                 ("b", self.chain.home, self.assignment.frames[-1]),
@@ -91,43 +75,24 @@ class _Drawing:
         whole = [
             f"frame {i} at {spoken(T[:3, 3])}, x along {spoken(T[:3, 0])}, z along {spoken(T[:3, 2])}"
             for i, T in enumerate(self.assignment.frames)
-            if "y" in self._parts(i)
+            if "y" in self.stage.frames[i]
         ]
         return f"Drawn so far: {'; '.join(whole) or 'the joints and their axes'}."
 
-    def _strong(self, i: int) -> bool:
-        """Whether frame i belongs to the step of the moment."""
-        kind, frame = self.now
-        if kind == "row":
-            return frame is not None and i in (frame - 1, frame)
-        return kind == "accuracy" or i == frame
-
-    def _parts(self, i: int) -> str:
-        """Which of O, z, x, y of frame i are there by now."""
-        if i in (0, self.chain.n):
-            return "Ozxy" if ("first" if i == 0 else "last", i) in self.done else ""
-        return "".join(
-            letters for kind, letters in {"origin": "Oz", "x": "x", "y": "y"}.items() if (kind, i) in self.done
-        )
-
     def _lines(self) -> None:
         """The joint axes, long enough to reach the feet of the normals on them."""
-        kind, frame = self.now
         for i, (z, point) in enumerate(zip(self.axes, self.chain.joint_points, strict=True)):
             on_it = [foot for foot in self.feet if np.linalg.norm(np.cross(z, foot - point)) < 1e-9]
             along = [0.0, *((foot - point) @ z for foot in on_it)]
             low, high = min(along) - 0.18 * self.canvas.size, max(along) + 0.3 * self.canvas.size
-            strong = kind in {"axes", "accuracy"} or (
-                kind == "normal" and frame is not None and i in (frame - 1, frame)
-            )
+            strong = self.stage.axes[i]
             colour = VIOLET if strong else _faded(VIOLET)
             self.canvas.arrow(
                 point + low * z, point + high * z, colour, 1.8 if strong else 1.2, style="--", level=1.5 + strong
             )
 
-    def _normal(self, pair: int) -> None:
+    def _normal(self, pair: int, strong: bool) -> None:
         normal = self.assignment.normals[pair]
-        strong = self.now in {("normal", pair + 1), ("accuracy", None), ("x", pair + 1)}
         colour, width = (ORANGE, 3.2) if strong else (_faded(ORANGE), 2.2)
         ends = np.array([normal.start, normal.end])
         if np.linalg.norm(ends[1] - ends[0]) > 1e-9:
@@ -138,25 +103,19 @@ class _Drawing:
 
     def _row(self, row: int) -> None:
         """The way of one row from frame to frame: d along the joint's axis, a along the common normal."""
-        before, after = self.assignment.frames[row - 1 : row + 1]
-        a, _, d, _ = self.table.rows[row - 1]
-        corner = before[:3, 3] + (d * before[:3, 2] if self.standard else a * before[:3, 0])
-        legs = [(before[:3, 3], corner), (corner, after[:3, 3])]
-        names = [("d", VIOLET, d, row), ("a", ORANGE, a, row if self.standard else row - 1)]
-        for (start, end), (name, colour, length, index) in zip(
-            legs, names if self.standard else names[::-1], strict=True
-        ):
-            if 1e-9 < abs(length) < FAR * self.canvas.size:
+        for name, start, end in legs(self.assignment, row):
+            if np.linalg.norm(end - start) < FAR * self.canvas.size:
+                colour = VIOLET if name[0] == "d" else ORANGE
                 self.canvas.line([start, end], colour, 4.5, level=3.4)
-                self.canvas.label((start + end) / 2, f"${name}_{index}$", colour, size=12)
+                self.canvas.label((start + end) / 2, f"${name}$", colour, size=12)
 
     def _frame(self, i: int) -> None:
-        parts, T, strong = self._parts(i), self.assignment.frames[i], self._strong(i)
+        parts, T, strong = self.stage.letters(i), self.assignment.frames[i], self.stage.strong[i]
         if not parts:
             return
         length = (0.17 + 0.08 * self._rank(i)) * self.canvas.size
         for letter in "xyz":
-            if letter in parts and (letter != "y" or (strong and self.now[0] != "accuracy")):
+            if letter in parts:
                 k = "xyz".index(letter)
                 colour = AXIS_COLOURS[k] if strong else _faded(AXIS_COLOURS[k])
                 tip = T[:3, 3] + length * T[:3, k]
@@ -166,14 +125,14 @@ class _Drawing:
                 places = [(away[0], away[1]), *((away[0] + dx, away[1] + dy) for dx, dy in _NUDGES)]
                 self.canvas.label(tip, f"${letter}_{i}$", colour, places, 10)
         self.canvas.dot(T[:3, 3], INK if strong else _faded(INK), 6 if strong else 4, level=6)
-        if self.now == ("origin", i):
+        if self.stage.kind == "origin" and strong:
             self.canvas.label(T[:3, 3], f"$O_{i}$", INK)
 
     def _rank(self, i: int) -> int:
         """How many frames drawn before this one stand at the same place."""
         frames = self.assignment.frames
         return sum(
-            bool(self._parts(j) and np.linalg.norm(frames[j, :3, 3] - frames[i, :3, 3]) < 1e-6) for j in range(i)
+            bool(self.stage.frames[j] and np.linalg.norm(frames[j, :3, 3] - frames[i, :3, 3]) < 1e-6) for j in range(i)
         )
 
 

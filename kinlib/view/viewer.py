@@ -78,6 +78,12 @@ class ViewerBase(anywidget.AnyWidget):
         """What the picture shows, in words."""
         raise NotImplementedError
 
+    def wait_for(self, question: Any) -> None:
+        """Stay covered until a question is committed; None covers nothing."""
+        if question is not None and not question.committed:
+            self.covered = True
+            question.observe(lambda _: self.set_trait("covered", False), "committed")
+
     def _check(self, values: list[float]) -> None:
         """Refuse joint values of another size and NaN, in words."""
         raise NotImplementedError
@@ -88,20 +94,9 @@ class ViewerBase(anywidget.AnyWidget):
 
     def html(self) -> str:
         """The viewer for a page without a kernel: its state as JSON, and a drawing until loader.js wakes it."""
-        names = (
-            "scene",
-            "q",
-            "start",
-            "ghost",
-            "shown",
-            "covered",
-            "prediction",
-            "choice",
-            "message",
-            "readout",
-            "mode",
-        )
-        state = {name: getattr(self, name) for name in names}
+        # What anywidget and ipywidgets synchronise for themselves is of no use to a page.
+        own = set(self.trait_names(sync=True)) - set(anywidget.AnyWidget.class_trait_names(sync=True))
+        state = self.get_state(sorted(name for name in own if not name.startswith("_")))
         # A "<" might end the script or begin another; in JSON it may be written so.
         data = json.dumps(state, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")
         covered = f"<p>{html.escape(self.prediction.get('text', 'The picture waits for your prediction.'))}</p>"
@@ -178,9 +173,8 @@ def explore(
         ghost=[] if shade is None else shade,
         shown=list(show),
         readout=readout,
-        covered=bool(text) or not (after is None or after.committed),
+        covered=bool(text),
         prediction={"text": text, "options": list(options)} if text else {},
     )
-    if after is not None:
-        after.observe(lambda _: made.set_trait("covered", False), "committed")
+    made.wait_for(after)
     return made

@@ -35,7 +35,7 @@ export function without(shown, layers) {
 export const FRAME_LAYERS = ['base', 'tool', 'links', 'standard', 'modified'];
 
 /** The layers that this scene has something for, and that are worth a button. */
-export function available({ arms }, shown) {
+export function available({ arms, offered }, shown) {
   const whole = arms.some((arm) => arm.links);
   const worth = {
     axes: true,
@@ -45,10 +45,11 @@ export function available({ arms }, shown) {
     dimensions: whole,
     trail: whole,
   };
-  return [
+  const found = [
     ...Object.keys(TOGGLES).filter((name) => worth[name]),
     ...FRAME_LAYERS.filter((name) => arms.some((arm) => arm.frames?.[name])),
   ];
+  return offered ? found.filter((name) => offered.includes(name)) : found; // a mode may have layers of its own
 }
 
 /** Axes, frames and normals run inside the arm: what it hides of them shines through. */

@@ -39,6 +39,7 @@ export class Eye {
 
   /** Step back as far as it takes to keep points in view: an arm at play shall not leave the picture. */
   keep(points, margin) {
+    if (this.room.snug) return; // an arm that stays at home
     const centre = new Vector3(...this.room.centre);
     const far = Math.max(0, ...points.map((point) => point.distanceTo(centre))) + margin;
     if (far <= this.radius) return;

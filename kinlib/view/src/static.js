@@ -2,6 +2,7 @@
 import { widget } from './viewer.js';
 
 class StaticModel {
+  alone = true; // for modes that ask Python something
   #state;
   #listeners = new Map();
 

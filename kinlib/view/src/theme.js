@@ -10,6 +10,7 @@ const LIGHT = {
 };
 
 const DARK = {
+  dark: true,
   x: '#ff6b6b', y: '#51cf66', z: '#74b3ff',
   paper: '#171b21', ink: '#e6edf3', halo: '#171b21', grid: '#4a5562', quiet: '#9aa5b1',
   link: '#7d9cbb', joint: '#e3b968', cap: '#a97f38', rod: '#a5b1bc', ghost: '#6b7681', outline: '#05070a',

@@ -1,4 +1,5 @@
 // Modes: what a viewer can do beyond showing an arm. Each is a function of a kit, and lives in a file of its own.
+import { assignment } from './assignment.js';
 import { curve } from './curve.js';
 
 /**
@@ -6,4 +7,4 @@ import { curve } from './curve.js';
  * (kit) -> { element?, replacesSliders?, update?(q, T), dress?(), dispose?() } of
  * kit: { model, stage, data (model.get('mode')), state (q(), set(q)), say(text) }
  */
-export const MODES = { curve };
+export const MODES = { assignment, curve };

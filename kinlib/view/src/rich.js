@@ -1,0 +1,22 @@
+// Sentences with names in them, as Python writes them: z_{i-1}, O_1, alpha_3. On the page a name is set as a name.
+import { h } from './dom.js';
+
+const NAME = /\b(alpha|theta|[A-Za-z])_(\{[^}]+\}|[0-9in]+)|\b(alpha|theta|pi)\b/g;
+const GREEK = { alpha: 'α', theta: 'θ', pi: 'π' };
+
+/** The nodes of a sentence. */
+export function rich(sentence) {
+  const text = sentence.replace(/(^|[\s(])-(?=\d| )/g, '$1−');
+  const nodes = [];
+  let done = 0;
+  for (const found of text.matchAll(NAME)) {
+    const [whole, base, index, word] = found;
+    nodes.push(text.slice(done, found.index), name(base ?? word, index?.replace(/[{}]/g, '')));
+    done = found.index + whole.length;
+  }
+  return [...nodes, text.slice(done)].filter((node) => node !== '');
+}
+
+function name(base, index) {
+  return h('span', { class: 'kv-name' }, h('i', {}, GREEK[base] ?? base), ...(index ? [h('sub', {}, index.replace('-', '−'))] : []));
+}
