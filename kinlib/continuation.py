@@ -126,11 +126,13 @@ class Path:
             return curve
         near = solve(self.equations, curve.between(count), self.closed)
         found = solve(self.equations, near.x, closed=0.0, iterations=1)
-        _, s, Vt = np.linalg.svd(found.jacobian)
+        _, values, Vt = np.linalg.svd(found.jacobian)
         missed = np.ones(Vt.shape[:2])
-        missed[:, : s.shape[1]] = ~seen(s)
-        # Of the directions that are open, the one in which the points follow each other.
-        onward = (Vt @ np.gradient(found.x, axis=0)[..., None])[..., 0] * missed
+        missed[:, : values.shape[1]] = ~seen(values)
+        # Of the directions that are open, the one in which the curve went by: its tangents turn little from point to point.
+        s = np.linspace(0, curve.length[-1], count)
+        nearby = np.stack([np.interp(s, curve.length, component) for component in curve.tangents.T], axis=1)
+        onward = (Vt @ nearby[..., None])[..., 0] * missed
         tangents = (np.swapaxes(Vt, 1, 2) @ onward[..., None])[..., 0]
         tangents /= np.linalg.norm(tangents, axis=1, keepdims=True)
         return Curve(found.x, tangents, curve.closed, curve.ends, float(found.residual.max()))

@@ -55,3 +55,29 @@ def numbers(x):
 
 def doubles(matrix):
     return np.array(matrix.tolist(), dtype=float)
+
+
+def log(T):
+    """log of a pose whose turn is between 0 and pi: the angle from the trace, and v from p = (1/1! + W/2! + W^2/3! ...) v."""
+    with mpmath.workdps(DIGITS):
+        R, p = T[:3, :3], T[:3, 3]
+        theta = mpmath.acos((R[0, 0] + R[1, 1] + R[2, 2] - 1) / 2)
+        scale = theta / (2 * mpmath.sin(theta))
+        omega = [scale * x for x in (R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1])]
+        along = mpmath.zeros(3)
+        term = mpmath.eye(3)
+        for k in range(1, 80):
+            along += term
+            term = term * hat(omega) / (k + 1)
+        return [*omega, *mpmath.lu_solve(along, p)]
+
+
+def residual_jacobian(chain, q):
+    """How log(fk(q)) changes with each value, by differences over 1e-12: neither an adjoint nor a Bernoulli number."""
+    with mpmath.workdps(DIGITS):
+        q, h = numbers(q), mpmath.mpf("1e-12")
+        columns = []
+        for i in range(chain.n):
+            ahead, behind = (log(product(chain, [x + (i == j) * s for j, x in enumerate(q)])) for s in (h, -h))
+            columns.append([(a - b) / (2 * h) for a, b in zip(ahead, behind, strict=True)])
+        return doubles(mpmath.matrix(columns).T)
