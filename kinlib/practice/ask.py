@@ -32,10 +32,9 @@ from typing import Any
 import ipywidgets as widgets
 from traitlets import Bool, HasTraits, Int
 
+from kinlib.practice.ask_page import KINDS, LETTERS, explanation_html, question_html
 from kinlib.view.card import Card, inline
-
-KINDS = {"recall": "Remember", "predict": "Predict", "check": "Check yourself"}
-LETTERS = "ABCDEFGH"
+from kinlib.view.still import for_a_page
 
 
 @dataclass(frozen=True)
@@ -68,9 +67,10 @@ class Question(HasTraits):
     committed = Bool(False)
     choice = Int(-1)
 
-    def __init__(self, item: Item) -> None:
+    def __init__(self, item: Item, name: str = "") -> None:
         super().__init__()
         self.item = item
+        self.name = name
         self._face: widgets.Widget | None = None
 
     def commit(self, choice: int) -> None:
@@ -99,7 +99,8 @@ class Question(HasTraits):
     def _repr_mimebundle_(self, **options: Any) -> Any:
         if self._face is None:
             self._face = _face(self)
-        return {**self._face._repr_mimebundle_(**options), "text/plain": self.text()}
+        still = {"text/html": question_html(self.name, self.item)} if for_a_page() else {}
+        return {**self._face._repr_mimebundle_(**options), **still, "text/plain": self.text()}
 
     def text(self) -> str:
         """The question for a terminal."""
@@ -123,7 +124,9 @@ class Explanation:
         if self._face is None:
             self._face = widgets.HTMLMath(self.card.html())
             self.question.observe(self._renew, "committed")
-        return {**self._face._repr_mimebundle_(**options), "text/plain": self.card.text()}
+        question = self.question
+        still = {"text/html": explanation_html(question.name, question.item)} if for_a_page() else {}
+        return {**self._face._repr_mimebundle_(**options), **still, "text/plain": self.card.text()}
 
     def _renew(self, _: Any) -> None:
         if self._face is not None:
@@ -144,7 +147,7 @@ def ask(name: str) -> Question:
     Traceback (most recent call last):
     ValueError: Lecture 03 has no question 'nothing'. It has: ...
     """
-    _asked[name] = Question(find(name))
+    _asked[name] = Question(find(name), name)
     return _asked[name]
 
 
@@ -153,7 +156,7 @@ def explain(name: str) -> Explanation:
 
     Raises ValueError for a name that there is not.
     """
-    return Explanation(_asked.get(name) or Question(find(name)))
+    return Explanation(_asked.get(name) or Question(find(name), name))
 
 
 def find(name: str) -> Item:

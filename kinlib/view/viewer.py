@@ -78,10 +78,13 @@ class ViewerBase(anywidget.AnyWidget):
         """What the picture shows, in words."""
         raise NotImplementedError
 
+    _after = ""  # the name of the question that the picture waits for; a page has questions too
+
     def wait_for(self, question: Any) -> None:
         """Stay covered until a question is committed; None covers nothing."""
         if question is not None and not question.committed:
             self.covered = True
+            self._after = getattr(question, "name", "")
             question.observe(lambda _: self.set_trait("covered", False), "committed")
 
     def _check(self, values: list[float]) -> None:
@@ -100,8 +103,9 @@ class ViewerBase(anywidget.AnyWidget):
         # A "<" might end the script or begin another; in JSON it may be written so.
         data = json.dumps(state, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")
         covered = f"<p>{html.escape(self.prediction.get('text', 'The picture waits for your prediction.'))}</p>"
+        after = f' data-kinlib-after="{html.escape(self._after)}"' if self._after else ""
         return (
-            f'<div data-kinlib-viewer><script type="application/json">{data}</script>'
+            f'<div data-kinlib-viewer{after}><script type="application/json">{data}</script>'
             f"<div data-kinlib-drawing>{covered if self.covered else self._drawing()}</div></div>"
         )
 

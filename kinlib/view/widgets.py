@@ -5,12 +5,14 @@ predicted cannot be surprised. The joints of an arm are turned in the viewer.
 """
 
 from collections.abc import Callable, Sequence
+from html import escape
 from typing import Any, TypeVar
 
 import ipywidgets as widgets
 
 from kinlib.view.card import Card
 from kinlib.view.picture import Picture
+from kinlib.view.still import for_a_page
 
 V = TypeVar("V")
 
@@ -44,7 +46,33 @@ def slide(
         layout=widgets.Layout(width="95%"),
         style={"description_width": "initial"},
     )
-    return _covered(_live(lambda: draw(values[slider.value]).html(), [slider], []), after)
+    inside = _covered(_live(lambda: draw(values[slider.value]).html(), [slider], []), after)
+    if not for_a_page():
+        return inside
+    pictures = [(text, draw(value).html()) for (text, _), value in zip(options, values, strict=True)]
+    return Slides(inside, pictures, label, start, after)
+
+
+class Slides(widgets.VBox):  # type: ignore[misc]  # ipywidgets ships no types
+    """A slider that carries its pictures, for a page on which nobody is left to draw them."""
+
+    def __init__(
+        self, inside: widgets.Widget, pictures: Sequence[tuple[str, str]], label: str, start: int, after: Any
+    ) -> None:
+        super().__init__([inside])
+        self._pictures, self._label, self._start, self._after = pictures, label, start, getattr(after, "name", "")
+
+    def html(self) -> str:
+        """Every picture, all but the first one hidden; a script may put a slider below them."""
+        after = f' data-kinlib-after="{escape(self._after)}"' if self._after else ""
+        shown = "".join(
+            f'<div data-value="{escape(text)}"{"" if index == self._start else " hidden"}>{picture}</div>'
+            for index, (text, picture) in enumerate(self._pictures)
+        )
+        return f'<div data-kinlib-slides data-label="{escape(self._label)}" data-start="{self._start}"{after}>{shown}</div>'
+
+    def _repr_mimebundle_(self, **options: Any) -> Any:
+        return {**super()._repr_mimebundle_(**options), "text/html": self.html()}
 
 
 def _live(
