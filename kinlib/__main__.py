@@ -10,6 +10,7 @@ import sys
 from collections.abc import Sequence
 
 COMMANDS = {
+    "grade": ("kinlib.grading.command", "grade the submissions of a sheet, in a sandbox"),
     "new-sheet": ("kinlib.practice.new_sheet", "write a sheet of exercises for a robot of your own"),
 }
 """For each command its module, and what it does, in a few words."""
@@ -27,7 +28,12 @@ def main(arguments: Sequence[str] | None = None) -> int:
     for name, (module, told) in COMMANDS.items():
         of_command = commands.add_parser(name, help=told, description=f"{told[0].upper()}{told[1:]}.")
         if name in arguments[:1]:
-            command = importlib.import_module(module)
+            try:
+                command = importlib.import_module(module)
+            except ModuleNotFoundError as missing:
+                of_command.error(
+                    f"{missing}. What this needs besides kinlib is an extra, for Linux: pip install 'kinlib[grading]'"
+                )
             command.add_arguments(of_command)
             of_command.set_defaults(run=command.run)
     options = parser.parse_args(arguments)

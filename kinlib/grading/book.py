@@ -26,7 +26,7 @@ LONGEST = 100
 
 
 class Busy(RuntimeError):
-    """Another run writes into this folder."""
+    """Another run writes into this folder, or it belongs to another sheet."""
 
 
 def file_name(student: str) -> str:
@@ -91,10 +91,10 @@ class Book:
 
 
 @contextmanager
-def opened(folder: Path) -> Iterator[Book]:
-    """A book for one run at a time.
+def opened(folder: Path, sheet: str) -> Iterator[Book]:
+    """The book of a sheet, for one run at a time.
 
-    Raises Busy while another run has it.
+    Raises Busy while another run has it, and where the folder holds the results of another sheet.
     """
     folder.mkdir(parents=True, exist_ok=True)
     with (folder / ".lock").open("w") as lock:
@@ -106,6 +106,12 @@ def opened(folder: Path) -> Iterator[Book]:
             ) from error
         for half in folder.rglob(".*.half"):
             half.unlink()
+        of = folder / "results" / "sheet.txt"
+        if of.exists() and of.read_text("utf-8").strip() != sheet:
+            raise Busy(
+                f"{folder} holds the results of sheet {of.read_text('utf-8').strip()}. Choose another --out for {sheet}."
+            )
+        write(of, f"{sheet}\n")
         yield Book(folder)
 
 

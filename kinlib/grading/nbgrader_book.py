@@ -1,0 +1,145 @@
+"""The gradebook of an nbgrader course, filled with results: one transaction a submission.
+
+Formgrader, generate_feedback and export find there what `nbgrader autograde` would have left: the points in gradebook.db,
+and a notebook in autograded/ for each student. A grade that a person gave by hand stays.
+"""
+
+import json
+import re
+from collections.abc import Iterable
+from dataclasses import asdict
+from datetime import datetime
+from hashlib import sha256
+from pathlib import Path
+from typing import Any
+
+import nbformat
+from nbformat import NotebookNode
+from nbgrader.api import (
+    Assignment,
+    Comment,
+    Grade,
+    Gradebook,
+    MissingEntry,
+    Student,
+    SubmittedAssignment,
+    SubmittedNotebook,
+)
+from nbgrader.coursedir import CourseDirectory
+from traitlets.config.loader import PyFileConfigLoader
+
+from kinlib.grading.book import write
+from kinlib.grading.files import Refused
+from kinlib.grading.gather import Handed
+from kinlib.grading.nbgrader_cells import filled, restored
+from kinlib.grading.result import Result
+from kinlib.grading.submission import Master
+
+FOLDER = re.compile(r"[^./\\\0+][^/\\\0+]*")
+"""An id that can be the name of a student's folder; nbgrader allows no + either."""
+
+KEY = "kinlib"
+"""Where an autograded notebook says, in its metadata, from which result it was made."""
+
+
+def course(folder: Path) -> CourseDirectory:
+    """The course in a folder, with the settings of its nbgrader_config.py.
+
+    Raises ValueError for a folder without one.
+    """
+    if not (folder / "nbgrader_config.py").is_file():
+        raise ValueError(f"{folder} holds no nbgrader_config.py. Is it the top of the course?")
+    config = PyFileConfigLoader("nbgrader_config.py", path=str(folder.resolve())).load_config()
+    config.CourseDirectory.root = str(folder.resolve())
+    return CourseDirectory(config=config)
+
+
+def fill(
+    folder: Path, sheet: Master, graded: Iterable[tuple[Handed, Result | None]], is_anew: bool = False
+) -> list[str]:
+    """Write results into the gradebook of a course; those that it has already only where is_anew. Who could not have one.
+
+    Raises ValueError for a folder that is no course, and for an assignment that was never generated.
+    """
+    place = course(folder)
+    released = Path(place.format_path(place.release_directory, ".", sheet.name), f"{sheet.name}.ipynb")
+    if not released.is_file():
+        raise ValueError(f"{released} is not there. First: nbgrader generate_assignment {sheet.name}")
+    handed_out = nbformat.read(released, as_version=4)
+    unfit = []
+    with Gradebook(place.db_url, place.course_id) as book:
+        try:
+            assignment = book.find_assignment(sheet.name)
+            book.find_notebook(sheet.name, sheet.name)
+        except MissingEntry as error:
+            raise ValueError(
+                f"The gradebook knows no {sheet.name}. First: nbgrader generate_assignment {sheet.name}"
+            ) from error
+        for handed, result in graded:
+            if result is None:
+                continue
+            if not FOLDER.fullmatch(result.student):
+                unfit.append(result.student)
+                continue
+            target = Path(
+                place.format_path(place.autograded_directory, result.student, sheet.name), f"{sheet.name}.ipynb"
+            )
+            mark = sha256(json.dumps(asdict(result)).encode()).hexdigest()
+            if is_anew or _mark(target) != mark:
+                collected = place.format_path(place.submitted_directory, result.student, sheet.name)
+                _record(book, assignment, result, place.get_existing_timestamp(collected))
+                write(target, _autograded(handed, result, handed_out, mark))
+    return unfit
+
+
+def _autograded(handed: Handed, result: Result, released: NotebookNode, mark: str) -> str:
+    try:
+        content = handed.content()
+    except Refused:
+        content = None
+    notebook = filled(restored(content, result, released), result)
+    notebook.metadata[KEY] = {"result": mark}
+    return str(nbformat.writes(notebook)) + "\n"
+
+
+def _mark(path: Path) -> str | None:
+    try:
+        return str(json.loads(path.read_bytes())["metadata"][KEY]["result"])
+    except (OSError, ValueError, KeyError, TypeError):
+        return None
+
+
+def _record(book: Gradebook, assignment: Assignment, result: Result, when: datetime | None) -> None:
+    """All points and comments of one submission, or none of them."""
+    problems = {f"check-{k}": problem for k, problem in enumerate(result.problems, start=1)}
+    blank = {
+        f"answer-{k}" for k, problem in enumerate(result.problems, start=1) if problem.state in {"blank", "missing"}
+    }
+    try:
+        notebook = _submitted(book.db, assignment, result)
+        notebook.assignment.timestamp = when or notebook.assignment.timestamp
+        for grade in notebook.grades:
+            grade.auto_score = problems[grade.cell.name].points
+            grade.needs_manual_grade = grade.manual_score is not None  # somebody should look at it again
+        for comment in notebook.comments:
+            comment.auto_comment = "No response." if comment.cell.name in blank else None
+        book.db.commit()
+    except BaseException:
+        book.db.rollback()
+        raise
+
+
+def _submitted(session: Any, assignment: Assignment, result: Result) -> SubmittedNotebook:
+    """The student's notebook in the gradebook; made, with a place for each grade and comment, if it is not there."""
+    student = session.get(Student, result.student) or Student(id=result.student)
+    session.add(student)
+    submission = next((s for s in student.submissions if s.assignment_id == assignment.id), None)
+    if submission is None:
+        submission = SubmittedAssignment(assignment=assignment, student=student)
+        for notebook in assignment.notebooks:
+            empty = SubmittedNotebook(notebook=notebook, assignment=submission)
+            session.add(empty)
+            session.add_all(Grade(cell_id=cell.id, notebook=empty) for cell in notebook.grade_cells)
+            session.add_all(Comment(cell_id=cell.id, notebook=empty) for cell in notebook.solution_cells)
+        session.flush()
+    return next(found for found in submission.notebooks if found.notebook.name == result.sheet)

@@ -1,0 +1,78 @@
+"""Notebooks as nbgrader keeps them after grading: what each cell gave, and the judge's verdict in place of each check.
+
+nbgrader reads points off a check cell's output, a number that is its result. What a student's code gave stays as text and
+pictures: formgrader and generate_feedback would put HTML into their pages as it is.
+"""
+
+import warnings
+from collections.abc import Mapping
+from copy import deepcopy
+from typing import Any
+
+import nbformat
+from nbformat import NotebookNode
+from nbformat.v4 import new_markdown_cell, new_output
+
+from kinlib.grading.pages import picture_of, text_of
+from kinlib.grading.result import ProblemResult, Result
+
+
+def filled(notebook: NotebookNode, result: Result) -> NotebookNode:
+    """The notebook that was graded, with the outputs of its result, and with its reasons on top."""
+    problems = {f"check-{k}": problem for k, problem in enumerate(result.problems, start=1)}
+    given = {cell.place: cell.outputs for cell in result.cells}
+    for place, cell in enumerate(notebook.cells):
+        if cell.cell_type == "code":
+            problem = problems.get(_name(cell))
+            cell.outputs = _verdict(problem) if problem else [_harmless(output) for output in given.get(place, ())]
+            cell.execution_count = None
+    told = [" ".join(line.replace("`", "'").split()) for line in (result.reason, *result.notes) if line]
+    if told:
+        notebook.cells.insert(0, new_markdown_cell("\n\n".join(f"`{line}`" for line in told)))
+    return notebook
+
+
+def restored(content: bytes | None, result: Result, released: NotebookNode) -> NotebookNode:
+    """What was handed in, with nbgrader's marks as they were handed out, whatever became of them.
+
+    Where nothing was run, this is the sheet as it was handed out. A check cell that was deleted stands at the end.
+    """
+    if content is None or not result.cells:
+        return deepcopy(released)
+    with warnings.catch_warnings(action="ignore"):  # about ids that old editors leave out
+        notebook: NotebookNode = nbformat.reads(content.decode("utf-8-sig", errors="replace"), as_version=4)
+    notebook.metadata = deepcopy(released.metadata)
+    marked = {name: cell for cell in released.cells if (name := _name(cell))}
+    checks = {
+        cell.place: f"check-{cell.problem}" for cell in result.cells if cell.problem
+    }  # the last one of each counts
+    last = {name: place for place, name in checks.items()}
+    for place, cell in enumerate(notebook.cells):
+        name = checks.get(place) or _name(cell) or cell.get("id", "")
+        is_it = last.get(name) == place if name.startswith("check-") else name in marked
+        cell.metadata = deepcopy(marked[name].metadata) if is_it else NotebookNode()
+        if is_it:
+            del marked[name]
+    notebook.cells += [deepcopy(cell) for name, cell in marked.items() if name.startswith("check-")]
+    return notebook
+
+
+def _name(cell: Mapping[str, Any]) -> str:
+    return str(cell.get("metadata", {}).get("nbgrader", {}).get("grade_id", ""))
+
+
+def _verdict(problem: ProblemResult) -> list[NotebookNode]:
+    card = {"text/html": problem.html, "text/plain": problem.verdict}
+    notes = [new_output("stream", name="stdout", text="\n".join(problem.notes) + "\n")] if problem.notes else []
+    points = new_output("execute_result", {"text/plain": repr(float(problem.points))})
+    return [new_output("display_data", card), *notes, points]
+
+
+def _harmless(output: Mapping[str, Any]) -> NotebookNode:
+    picture, text = picture_of(output), text_of(output)
+    shown: NotebookNode = (
+        new_output("display_data", {"image/png": picture, "text/plain": text})
+        if picture
+        else new_output("stream", name="stdout", text=text)
+    )
+    return shown

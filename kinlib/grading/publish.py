@@ -1,0 +1,42 @@
+"""Publishing: from the book of results to the pages and tables that people open."""
+
+from collections import Counter
+from collections.abc import Sequence
+from dataclasses import replace
+from pathlib import Path
+
+from kinlib.grading.book import Book, file_name, write
+from kinlib.grading.exports import export
+from kinlib.grading.feedback import feedback
+from kinlib.grading.gather import Handed
+from kinlib.grading.grades import grades
+from kinlib.grading.matches import matches, matches_table
+from kinlib.grading.pages import points
+from kinlib.grading.report import report
+from kinlib.grading.roster import Roster
+
+
+def publish(out: Path, handed: Sequence[Handed], book: Book, roster: Roster | None, column: str | None) -> list[str]:
+    """Write everything that the results tell, and say in a few lines what that is. Nothing is touched that says the same."""
+    results = []
+    for each in handed:
+        if result := book.kept(each.student):
+            write(out / "feedback" / f"{file_name(each.student)}.html", feedback(result))
+            results.append(replace(result, cells=()))  # a thousand of them with all pictures would not fit
+    if not results:
+        return ["Nothing is graded yet."]
+    found = matches(results)
+    write(out / "grades.csv", grades(results))
+    write(out / "matches.csv", matches_table(found))
+    write(out / "report.html", report(results, found))
+    if roster and (text := export(roster, results, column)):
+        write(out / f"{roster.kind}.csv", text)
+    states = Counter(result.status for result in results)
+    told = ", ".join(f"{count} {status}" for status, count in sorted(states.items()))
+    mean = points(sum(result.points for result in results) / len(results))
+    several = sorted({match.student for match in found if match.together > 1})
+    return [
+        f"{len(results)} of {len(handed)} submissions: {told}. {mean} of {points(results[0].max)} points on average.",
+        *([f"Several answers right for one other student (matches.csv): {', '.join(several)}."] if several else []),
+        f"All of it is in {out}: open report.html, then grades.csv.",
+    ]
