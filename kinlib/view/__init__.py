@@ -12,6 +12,7 @@ from kinlib.view.plot import plot
 if TYPE_CHECKING:
     from kinlib.view.driver import Drive, drive
     from kinlib.view.player import Player, play_assignment
+    from kinlib.view.row_player import RowPlayer, play_row, play_walk
     from kinlib.view.viewer import Viewer, explore
     from kinlib.view.widgets import slide
 
@@ -20,6 +21,7 @@ __all__ = [
     "Drive",
     "Picture",
     "Player",
+    "RowPlayer",
     "Viewer",
     "draw_arm",
     "draw_frames",
@@ -27,6 +29,8 @@ __all__ = [
     "drive",
     "explore",
     "play_assignment",
+    "play_row",
+    "play_walk",
     "plot",
     "slide",
 ]
@@ -34,6 +38,7 @@ __all__ = [
 LATE = {
     **dict.fromkeys(("Drive", "drive"), "driver"),
     **dict.fromkeys(("Player", "play_assignment"), "player"),
+    **dict.fromkeys(("RowPlayer", "play_row", "play_walk"), "row_player"),
     **dict.fromkeys(("Viewer", "explore"), "viewer"),
     "slide": "widgets",
 }

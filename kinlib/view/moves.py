@@ -41,11 +41,14 @@ def moves(row: ArrayLike, convention: Convention) -> Array:
     return np.array(stops)
 
 
-def draw_moves(row: ArrayLike, done: int, caption: str = "") -> Picture:
+def draw_moves(
+    row: ArrayLike, done: int, caption: str = "", *, conventions: Sequence[Convention] = tuple(ORDER)
+) -> Picture:
     """Draw a frame carried by the motions of one DH row, standard on the left and modified on the right.
 
-    row   (4,) a, alpha, d, theta
-    done  how many of the four motions are carried out
+    row          (4,) a, alpha, d, theta
+    done         how many of the four motions are carried out
+    conventions  which ones are drawn
 
     Both start from a frame {i-1} and use the same numbers. What is still to come is grey; the stretch along x is orange
     and marked a, the one along z is violet and marked d. The dashed line is the axis of joint i: the standard convention
@@ -59,16 +62,16 @@ def draw_moves(row: ArrayLike, done: int, caption: str = "") -> Picture:
     """
     if done not in range(5):
         raise ValueError(f"done counts the motions of a row, 0 to 4; got {done!r}.")
-    walks = {convention: moves(row, convention) for convention in ORDER}
+    walks = {convention: moves(row, convention) for convention in conventions}
     size = max(float(np.ptp(np.concatenate(list(walks.values()))[:, :3, 3], axis=0).max()), 0.2)
     apart = 2.2 * size * seen_from("default")[1][0]
-    for walk, side in zip(walks.values(), (0, 1), strict=True):
+    for walk, side in zip(walks.values(), (0, 1), strict=False):
         walk[:, :3, 3] += side * apart
     seen = np.concatenate([walk[:, :3, 3] for walk in walks.values()])
     middle = (seen.min(axis=0) + seen.max(axis=0)) / 2
     canvas = Canvas(middle + 0.72 * (seen - middle))  # nothing reaches far out here: most of the margin may go
     said = []
-    for (convention, walk), side in zip(walks.items(), (0, 1), strict=True):
+    for (convention, walk), side in zip(walks.items(), (0, 1), strict=False):
         for k, motion in enumerate(ORDER[convention]):
             ends = walk[k : k + 2, :3, 3]
             colour, mark = {ALONG_X: (ORANGE, "a"), ALONG_Z: (VIOLET, "d")}.get(motion, (INK, ""))
@@ -87,7 +90,8 @@ def draw_moves(row: ArrayLike, done: int, caption: str = "") -> Picture:
         last = NAMES[ORDER[convention][done - 1]] if done else "nothing yet"
         place, z = walk[done, :3, 3] - side * apart, walk[done, :3, 2]
         said.append(f"{convention.capitalize()}: {last}; the frame is at {spoken(place)}, its z along {spoken(z)}.")
-    return canvas.picture(f"One DH row, two conventions, motion {done} of 4. {' '.join(said)}", caption)
+    head = "One DH row, two conventions" if len(walks) > 1 else "One DH row"
+    return canvas.picture(f"{head}, motion {done} of 4. {' '.join(said)}", caption)
 
 
 def walk(rows: ArrayLike) -> Array:

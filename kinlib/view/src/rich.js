@@ -1,7 +1,7 @@
 // Sentences with names in them, as Python writes them: z_{i-1}, O_1, alpha_3. On the page a name is set as a name.
 import { h } from './dom.js';
 
-const NAME = /\b(alpha|theta|[A-Za-z])_(\{[^}]+\}|[0-9in]+)|\b(alpha|theta|pi)\b/g;
+const NAME = /\b(alpha|theta|[A-Za-z])_(\{[^}]+\}|[0-9inxz]+)|\b(alpha|theta|pi)\b/g;
 const GREEK = { alpha: 'α', theta: 'θ', pi: 'π' };
 
 /** The nodes of a sentence. */

@@ -1,0 +1,195 @@
+// The row player: the motions of a DH row, one after the other. Each track is an arm whose joints are the motions, so that
+// the scene graph carries the frame; `done` counts the motions that are done, and is between two numbers on the way.
+import { fixed, h, KEYS, unique } from '../dom.js';
+import { rich } from '../rich.js';
+import { dashes } from '../shapes.js';
+import { add, frame, mixed, originOf as place } from './drawing.js';
+import { sectors } from './sectors.js';
+
+const ROD = 0.34; // of a frame, as a share of the size of a row
+const EACH = 1100; // milliseconds for one motion
+const MOVES = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, Home: -Infinity, End: Infinity };
+
+/** @param kit.data { tracks: [{ title, stops, motions: [{ screw, value, axis, angle, travel, symbol, text }], axes, flags }] } */
+export function row({ model, stage, data }) {
+  const { tracks } = data;
+  const { size } = stage.data;
+  const last = tracks[0].motions.length;
+  const done = () => model.get('done');
+  const calm = matchMedia('(prefers-reduced-motion: reduce)');
+  const shares = () => tracks.map(({ motions }) => motions.map((_, k) => Math.max(0, Math.min(1, done() - k))));
+  const arcs = sectors(stage, tracks, shares, 0.62 * ROD * size);
+  let flight = 0;
+  let planted = -1;
+
+  const set = (value, keep = true) => {
+    model.set('done', Math.max(0, Math.min(last, value)));
+    if (keep) model.save_changes();
+  };
+  function stop() {
+    cancelAnimationFrame(flight);
+    flight = 0;
+    play.textContent = '▶ Play';
+  }
+  /** Go to a number of motions: one after the other, or at once for who prefers reduced motion. */
+  function fly(goal) {
+    stop();
+    const wanted = Math.max(0, Math.min(last, goal));
+    let from = done();
+    let begun;
+    const tick = (now) => {
+      begun ??= now;
+      if (!play.isConnected) return stop();
+      const next = wanted > from ? Math.min(wanted, Math.floor(from + 1e-9) + 1) : Math.max(wanted, Math.ceil(from - 1e-9) - 1);
+      const share = Math.min(1, Math.max(0, (now - begun) / EACH));
+      if (share < 1) set(calm.matches ? from : from + (next - from) * share * share * (3 - 2 * share), false);
+      else {
+        set(next);
+        [from, begun] = [next, now];
+        if (next === wanted) return stop();
+      }
+      flight = requestAnimationFrame(tick);
+    };
+    if (calm.matches && Math.abs(wanted - from) <= 1) return set(wanted);
+    play.textContent = '❚❚ Pause';
+    flight = requestAnimationFrame(tick);
+  }
+
+  const button = (text, label, act) => h('button', { type: 'button', ...KEYS, 'aria-label': label, title: label, onclick: act }, text);
+  const play = h('button', { type: 'button', class: 'kv-play', ...KEYS, onclick: () => {
+    if (flight) {
+      stop();
+      model.save_changes();
+    } else {
+      if (done() >= last) set(0);
+      fly(last);
+    }
+  } }, '▶ Play');
+  const back = button('◀ Back', 'One motion back', () => fly(Math.ceil(done() - 1e-9) - 1));
+  const next = button('Next ▶', 'Next motion', () => fly(Math.floor(done() + 1e-9) + 1));
+  const id = unique('done');
+  const slider = h('input', { ...KEYS, id, type: 'range', min: 0, max: last, step: 'any', 'aria-label': 'Motions done', oninput: () => {
+    stop();
+    set(Number(slider.value));
+  }, onkeydown: (event) => {
+    const by = MOVES[event.key];
+    if (!by || event.ctrlKey || event.metaKey || event.altKey) return;
+    event.preventDefault();
+    stop();
+    set(by > 0 ? Math.floor(done() + 1e-9) + by : Math.ceil(done() - 1e-9) + by);
+  } });
+  const lines = tracks.map(({ title, motions }) => {
+    const factors = motions.map((motion, k) => h('button', {
+      type: 'button', class: 'kv-factor', ...KEYS, title: `Go on until after motion ${k + 1}`, onclick: () => fly(k + 1),
+    }, ...rich(motion.symbol)));
+    const said = h('p', { class: 'kv-said' });
+    const head = title ? [h('p', { class: 'kv-title' }, `${title} convention`)] : [];
+    return { factors, said, element: h('div', { class: 'kv-track' }, ...head, h('div', { class: 'kv-product' }, ...factors), said) };
+  });
+  const element = h('section', { class: 'kv-player', role: 'group', 'aria-label': 'Motions of the row' },
+    h('div', { class: 'kv-buttons' }, back, play, next), slider,
+    h('div', { 'aria-live': 'polite' }, ...lines.map((line) => line.element)));
+
+  function write() {
+    const count = done();
+    const at = Math.min(last, Math.ceil(count - 1e-9));
+    slider.value = count;
+    slider.style.setProperty('--share', `${(100 * count) / last}%`);
+    slider.setAttribute('aria-valuetext', `${fixed(count, Number.isInteger(count) ? 0 : 1)} of ${last} motions`);
+    back.setAttribute('aria-disabled', String(count <= 0));
+    next.setAttribute('aria-disabled', String(count >= last));
+    lines.forEach(({ factors, said }, k) => {
+      factors.forEach((factor, i) => {
+        factor.classList.toggle('kv-done', i < at);
+        if (i === at - 1) factor.setAttribute('aria-current', 'step');
+        else factor.removeAttribute('aria-current');
+      });
+      const text = at ? tracks[k].motions[at - 1].text : 'Nothing is done yet: the frame stands where it starts.';
+      if (said.dataset.text !== text) said.replaceChildren(...rich(text)); // a screen reader hears changes only
+      said.dataset.text = text;
+    });
+  }
+
+  function move() {
+    stage.figure.setQ(tracks.flatMap(({ motions }, k) => motions.map(({ value }, i) => value * shares()[k][i])));
+    const reached = Math.floor(done() + 1e-9);
+    if (reached !== planted) plant(reached);
+    // where a frame is planted its own names stand; between the flags those of what moves
+    stage.show('names', !tracks[0].flags.some(({ after }) => after === done()));
+  }
+
+  /** Frames that stand still once they are reached, and the names of ways that have been gone. */
+  function plant(reached) {
+    planted = reached;
+    const kit = { size, theme: stage.theme, length: ROD };
+    stage.put('planted', tracks.flatMap(({ flags, stops, motions }, k) => [
+      ...flags.filter(({ after }) => after <= reached).flatMap(({ name, pose, after }) => (
+        frame(name.replace('-', '−').split(' ')[0], pose, 'Oxz', { ...kit, strong: after === reached, length: after ? ROD : 0.9 * ROD })
+          .concat(name.includes(' ') ? [tag(name, pose, stage.theme.ink)] : []))),
+      ...motions.flatMap(({ symbol, travel, axis, value }, i) => (
+        i < reached && travel * value ? [way(symbol, axis, stops[i], stops[i + 1], stage.theme)] : [])),
+    ].map((part) => ({ ...part, arm: k, body: 0 }))), { through: true });
+  }
+
+  function dress() {
+    const { theme } = stage;
+    const faint = mixed(theme.ghost, theme.paper, 0.3);
+    const pale = { ...theme, x: faint, y: faint, z: faint, quiet: faint };
+    const on = (k) => (part) => ({ arm: k, body: 0, ...part });
+    stage.put('still', tracks.flatMap(({ title, axes, stops, motions }, k) => [
+      ...motions.flatMap(({ axis, travel, value }, i) => (axis === 'x' && travel * value ? dashes({
+        from: place(stops[i]), to: place(stops[i + 1]), radius: 0.008 * size, colour: theme.normal, dash: 0.03 * size, gap: 0.03 * size,
+      }) : [])),
+      ...axes.flatMap(({ from, to, name, joint }) => line(from, to, name, joint, { size, theme })),
+      ...frame('', stops[last], 'Oxyz', { size, theme: pale, strong: false, length: 0.9 * ROD }).filter((part) => !part.label),
+      ...(title ? [{ label: true, at: add(place(stops[0]), [0, 0, -0.5 * size]), text: title, sub: '', colour: theme.ink, weight: 9 }] : []),
+    ].map(on(k))));
+    const moving = tracks.flatMap(({ stops }, k) => (
+      frame('', stops[0], 'Oxyz', { size, theme, length: ROD, body: last }).map((part) => ({ ...part, arm: k }))));
+    stage.put('moving', moving.filter((part) => !part.label), { through: true });
+    stage.put('names', moving.filter((part) => part.label));
+    stage.putRods('ways', tracks.flatMap(({ motions, stops }, k) => motions.flatMap(({ axis, travel }, i) => (travel ? [{
+      arm: k, body: i, joint: i, start: place(stops[0]), axis: axis === 'x' ? [1, 0, 0] : [0, 0, 1], travel,
+      radius: 0.022 * size, colour: axis === 'x' ? theme.normal : theme.axis,
+    }] : []))));
+    planted = -1;
+    move();
+  }
+
+  const changed = () => {
+    write();
+    move();
+  };
+  model.on('change:done', changed);
+  write();
+  return {
+    element,
+    replacesSliders: true,
+    dress,
+    update: move, // the joint values of an arm of motions are what is done of them
+    dispose() {
+      stop();
+      model.off('change:done', changed);
+      arcs.dispose();
+    },
+  };
+}
+
+function line(from, to, name, joint, { size, theme }) {
+  const colour = joint ? theme.axis : mixed(theme.axis, theme.paper, 0.45);
+  return [
+    ...dashes({ from, to, radius: (joint ? 0.009 : 0.006) * size, colour, dash: 0.06 * size, gap: 0.03 * size }),
+    ...(name ? [{ label: true, at: to, from, text: name, sub: '', colour: theme.axis, italic: true, weight: 5 }] : []),
+  ];
+}
+
+/** The name of a length that has been gone: d along z, a along x. */
+function way(symbol, axis, start, end, theme) {
+  const at = place(start).map((value, k) => (value + place(end)[k]) / 2);
+  const letter = symbol.match(/\(([ad])\)/)?.[1] ?? symbol.replace('_', '');
+  return { label: true, at, text: letter, sub: '', colour: axis === 'x' ? theme.normal : theme.axis, italic: true, weight: 6 };
+}
+
+function tag(name, pose, colour) {
+  return { label: true, at: place(pose), text: `{${name}}`, sub: '', colour, weight: 7 };
+}

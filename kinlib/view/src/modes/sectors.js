@@ -1,0 +1,63 @@
+// Angles that motions have turned, as sectors over the picture: from where x (or z) pointed to where it points now.
+import { Vector3 } from 'three';
+
+const STEPS = 24;
+
+/** @param shares how much of each motion of each track is done, from 0 to 1 */
+export function sectors(stage, tracks, shares, radius) {
+  const overlay = (context, eye) => tracks.forEach(({ motions, stops }, track) => motions.forEach((motion, k) => {
+    const share = shares()[track][k];
+    const angle = motion.angle * share;
+    if (Math.abs(angle) < 0.01) return;
+    const pose = stops[k];
+    const slides = motion.travel !== 0;
+    const turned = (phi, r) => eye.project(arm(pose, motion.axis, phi, r).add(along(pose, motion.axis, slides ? motion.travel * phi : 0)), new Vector3());
+    const points = Array.from({ length: STEPS + 1 }, (_, i) => turned((angle * i) / STEPS, radius));
+    const hub = turned(0, 0);
+    const colour = motion.axis === 'z' ? stage.theme.axis : stage.theme.normal;
+    const now = share < 1 || shares()[track][k + 1] === 0 || k === motions.length - 1;
+    context.save();
+    context.globalAlpha = now ? 0.3 : 0.12;
+    context.fillStyle = colour;
+    context.beginPath();
+    context.moveTo(hub.x, hub.y);
+    for (const { x, y } of points) context.lineTo(x, y);
+    if (!slides) context.fill(); // a screw motion climbs: its line is a helix, and has no sector
+    context.globalAlpha = now ? 1 : 0.55;
+    context.strokeStyle = colour;
+    context.lineWidth = 2;
+    context.beginPath();
+    points.forEach(({ x, y }, i) => context[i ? 'lineTo' : 'moveTo'](x, y));
+    context.stroke();
+    name(context, slides ? '' : motion.symbol, turned(angle / 2, 1.2 * radius), colour, stage.theme.halo);
+    context.restore();
+  }));
+  stage.overlays.add(overlay);
+  return { dispose: () => stage.overlays.delete(overlay) };
+}
+
+/** Where the tip of x (turns about z) or of z (turns about x) is after an angle. */
+function arm(pose, axis, angle, radius) {
+  const column = (k) => new Vector3(pose[k], pose[4 + k], pose[8 + k]);
+  // about z from x towards y, about x from z towards -y
+  const [from, to, sign] = axis === 'z' ? [column(0), column(1), 1] : [column(2), column(1), -1];
+  return column(3).addScaledVector(from, radius * Math.cos(angle)).addScaledVector(to, sign * radius * Math.sin(angle));
+}
+
+function along(pose, axis, way) {
+  const k = axis === 'z' ? 2 : 0;
+  return new Vector3(pose[k], pose[4 + k], pose[8 + k]).multiplyScalar(way);
+}
+
+function name(context, symbol, { x, y }, colour, halo) {
+  const letter = { 'R_z(theta)': 'θ', 'R_x(alpha)': 'α' }[symbol];
+  if (!letter) return;
+  context.font = 'italic 600 15px "Cambria Math", Cambria, "DejaVu Serif", Georgia, serif';
+  context.textAlign = 'center';
+  context.textBaseline = 'middle';
+  context.strokeStyle = halo;
+  context.lineWidth = 3.5;
+  context.strokeText(letter, x, y);
+  context.fillStyle = colour;
+  context.fillText(letter, x, y);
+}
