@@ -1,13 +1,11 @@
 """The viewer in a real browser: turned by mouse, keys and Python, in JupyterLab and on a page without a kernel."""
 
-import contextlib
 import re
-import time
 
 import nbformat
 import numpy as np
 import pytest
-from browser import SECONDS, awake, browsers, jupyterlab, pictures, pose, static_page, watched
+from browser import SECONDS, awake, browsers, jupyterlab, open_notebook, pictures, pose, run_cell, static_page, watched
 
 import kinlib as kl
 from kinlib.linkages import four_bar
@@ -94,6 +92,8 @@ def test_every_robot_of_the_course_stands_where_the_library_says(show):
     page = show(*map(explore, ROBOTS), count=1)
     worst = {}
     for which, robot in enumerate(ROBOTS):
+        page.locator("[data-kinlib-viewer]").nth(which).scroll_into_view_if_needed()
+        page.locator(".kv").nth(which).wait_for()  # a viewer wakes when it comes near
         q = np.random.default_rng(7).uniform(-np.pi, np.pi, (100, robot.n))
         found = page.evaluate(
             """([which, postures]) => {
@@ -411,7 +411,7 @@ def test_without_webgl_it_says_so_and_everything_still_moves(start, tmp_path):
 def test_eighteen_viewers_share_what_a_browser_can_give(show):
     page = show(*[explore(kl.robots.rpr()) for _ in range(18)], count=1)
     for which in range(18):
-        page.locator(".kv").nth(which).scroll_into_view_if_needed()
+        page.locator("[data-kinlib-viewer]").nth(which).scroll_into_view_if_needed()
         awake(page, which + 1)
     contexts = page.evaluate("globalThis[Symbol.for('kinlib.renderers')].length")
     assert contexts == 1
@@ -575,25 +575,11 @@ def lab(browser, tmp_path_factory):
     """A notebook with a viewer, open in JupyterLab, its first cell run."""
     folder = tmp_path_factory.mktemp("lab")
     cells = [nbformat.v4.new_code_cell(source) for source in CELLS]
-    kernel = {"kernelspec": {"name": "python3", "display_name": "Python 3", "language": "python"}}
-    nbformat.write(nbformat.v4.new_notebook(cells=cells, metadata=kernel), folder / "arm.ipynb")
     with jupyterlab(folder) as address, watched(browser, viewport={"width": 1000, "height": 900}) as page:
-        for _ in range(120):
-            with contextlib.suppress(Exception):
-                page.request.get(f"{address}/api", timeout=1000)
-                break
-            time.sleep(0.5)
-        page.goto(f"{address}/doc/tree/arm.ipynb?reset", timeout=60_000)
-        page.locator(".jp-Notebook .jp-CodeCell").nth(2).wait_for(timeout=60_000)
-        page.get_by_text("| Idle").wait_for(timeout=60_000)
-        run(page, 0)
+        open_notebook(page, address, folder, cells)
+        run_cell(page, 0)
         page.wait_for_selector(".kv-canvas[data-pictures]", timeout=60_000)
         yield page
-
-
-def run(page, cell):
-    page.locator(".jp-CodeCell").nth(cell).locator(".jp-InputArea-editor").click()
-    page.keyboard.press("Control+Enter")
 
 
 def printed(page, cell):
@@ -606,7 +592,7 @@ def test_in_the_lab_python_and_the_page_lead_each_other_and_nothing_echoes(lab):
     page.evaluate(
         """window.heard = 0; document.querySelector('.kv').viewer.model.on('change:q', () => { window.heard += 1; })"""
     )
-    settled(page, lambda: run(page, 1))
+    settled(page, lambda: run_cell(page, 1))
     q = [0.1, 0.2, 0.3, 0.4, 0.5]
     np.testing.assert_allclose(pose(page), kl.robots.youbot().fk(q), atol=1e-12)
     sliders(page).nth(1).focus()
@@ -614,7 +600,7 @@ def test_in_the_lab_python_and_the_page_lead_each_other_and_nothing_echoes(lab):
         settled(page, lambda: page.keyboard.press("ArrowRight"))
     page.wait_for_timeout(500)  # whatever would come back has come
     assert page.evaluate("window.heard") == 6
-    run(page, 2)
+    run_cell(page, 2)
     assert printed(page, 2) == f"heard 6 last {[0.1, round(0.2 + 5 * DEGREE, 3), 0.3, 0.4, 0.5]}"
 
 

@@ -63,18 +63,18 @@ export function dress(stage, shown) {
   const colours = theme;
   const arm = [...each((one) => parts.links(one, size, colours)), ...each((one) => parts.joints(one, size, colours))];
   stage.put('arm', [...parts.mount(data, size, colours), ...arm, ...parts.pieces(data, size, colours)], { outlined: true });
-  stage.put('piece axes', parts.pieceAxes(data, size, colours), SEEN);
+  stage.put('piece axes', () => parts.pieceAxes(data, size, colours), SEEN);
   stage.figure.stretched.length = 0;
   stage.putRods('rods', each((arm) => parts.rods(arm, size, colours)));
-  stage.put('axes', each((arm) => parts.axes(arm, size, { letter: 'S', colour: colours.axis })), SEEN);
-  stage.put('body axes', each((arm) => parts.axes(arm, size, { letter: 'B', colour: colours.axis })), SEEN);
-  stage.put('home axes', each((arm) => parts.axes(arm, size, { letter: 'S', colour: colours.home, onBody: () => 0 })), SEEN);
-  stage.put('normals', each((arm) => parts.normals(arm, size, colours)), SEEN);
-  stage.put('dimensions', each((arm) => parts.dimensions(arm, size, colours)));
+  stage.put('axes', () => each((arm) => parts.axes(arm, size, { letter: 'S', colour: colours.axis })), SEEN);
+  stage.put('body axes', () => each((arm) => parts.axes(arm, size, { letter: 'B', colour: colours.axis })), SEEN);
+  stage.put('home axes', () => each((arm) => parts.axes(arm, size, { letter: 'S', colour: colours.home, onBody: () => 0 })), SEEN);
+  stage.put('normals', () => each((arm) => parts.normals(arm, size, colours)), SEEN);
+  stage.put('dimensions', () => each((arm) => parts.dimensions(arm, size, colours)));
   for (const name of FRAME_LAYERS) {
     const numbered = !['base', 'tool'].includes(name);
     const length = numbered ? 0.17 : 0.24;
-    stage.put(`frames ${name}`, each((arm) => parts.triads(arm.frames?.[name] ?? [], size, colours, { numbered, length })), SEEN);
+    stage.put(`frames ${name}`, () => each((arm) => parts.triads(arm.frames?.[name] ?? [], size, colours, { numbered, length })), SEEN);
   }
   reveal(stage, shown);
 }

@@ -56,8 +56,8 @@ export function dashes({ from, to, dash, gap, ...rest }) {
   });
 }
 
-/** One geometry out of many parts, each in its own colour. */
-export function merged(parts) {
+/** One geometry out of many parts, each in its own colour; with the ways in which an outline grows, where it has one. */
+export function merged(parts, outlined) {
   const position = [];
   const normal = [];
   const swell = [];
@@ -70,7 +70,7 @@ export function merged(parts) {
     const points = geometry.attributes.position.array;
     for (const value of points) position.push(value);
     for (const value of geometry.attributes.normal.array) normal.push(value);
-    for (const value of outwards(points, geometry.attributes.normal.array)) swell.push(value);
+    if (outlined) for (const value of outwards(points, geometry.attributes.normal.array)) swell.push(value);
     ink.set(part.colour);
     for (let k = 0; k < points.length; k += 3) colour.push(ink.r, ink.g, ink.b);
     for (const corner of geometry.index.array) index.push(first + corner);
@@ -79,7 +79,7 @@ export function merged(parts) {
   const whole = new BufferGeometry();
   whole.setAttribute('position', new Float32BufferAttribute(position, 3));
   whole.setAttribute('normal', new Float32BufferAttribute(normal, 3));
-  whole.setAttribute('swell', new Float32BufferAttribute(swell, 3));
+  if (outlined) whole.setAttribute('swell', new Float32BufferAttribute(swell, 3));
   whole.setAttribute('color', new Float32BufferAttribute(colour, 3));
   whole.setIndex(index);
   return whole;
@@ -88,16 +88,15 @@ export function merged(parts) {
 /** Where an outline grows to: at an edge, where corners share a place but not a normal, the mean of the normals. */
 function outwards(points, normals) {
   const sums = new Map();
-  const keys = [];
+  const all = [];
   for (let k = 0; k < points.length; k += 3) {
-    const key = `${Math.fround(points[k]).toFixed(6)},${points[k + 1].toFixed(6)},${points[k + 2].toFixed(6)}`;
-    const sum = sums.get(key) ?? [0, 0, 0];
+    const key = `${Math.round(1e6 * points[k])},${Math.round(1e6 * points[k + 1])},${Math.round(1e6 * points[k + 2])}`;
+    let sum = sums.get(key);
+    if (!sum) sums.set(key, sum = [0, 0, 0]);
     for (let c = 0; c < 3; c += 1) sum[c] += normals[k + c];
-    sums.set(key, sum);
-    keys.push(key);
+    all.push(sum);
   }
-  return keys.flatMap((key) => {
-    const [x, y, z] = sums.get(key);
+  return all.flatMap(([x, y, z]) => {
     const length = Math.hypot(x, y, z) || 1;
     return [x / length, y / length, z / length];
   });

@@ -2,7 +2,7 @@
 // A layer is a named set of parts that is shown or not; see parts.js for what a part is.
 import {
   BackSide, BufferGeometry, Color, CylinderGeometry, DirectionalLight, Float32BufferAttribute, GreaterDepth, HemisphereLight,
-  LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshStandardMaterial, Quaternion, Scene, Vector3,
+  LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial, Quaternion, Scene, Vector3,
 } from 'three';
 import { Eye } from './camera.js';
 import { Figure } from './figure.js';
@@ -24,7 +24,7 @@ export class Stage {
     this.scene = new Scene();
     this.scene.add(this.figure.root);
     this.eye = new Eye(data.room, () => this.draw());
-    this.solid = new MeshStandardMaterial({ vertexColors: true, roughness: 0.62, metalness: 0 });
+    this.solid = new MeshLambertMaterial({ vertexColors: true });
     this.hidden = new MeshBasicMaterial({ vertexColors: true, transparent: true, opacity: 0.3, depthFunc: GreaterDepth, depthWrite: false });
     this.hidden.userData.order = 3;
     this.edge = new MeshBasicMaterial({ side: BackSide });
@@ -90,16 +90,23 @@ export class Stage {
     this.draw();
   }
 
-  /** Put a layer on the stage, in place of the one of that name. Parts name a body, and an arm where there are several. */
-  put(name, parts, { figure = this.figure, material = this.solid, outlined = false, through = false } = {}) {
+  /**
+   * Put a layer on the stage, in place of the one of that name. Parts name a body, and an arm where there are several.
+   * A function that gives the parts is called when the layer is first shown: most layers never are.
+   */
+  put(name, parts, options = {}) {
     this.remove(name);
+    if (typeof parts === 'function') this.layers.set(name, { ...EMPTY, make: () => parts(), options });
+    else this.#build(name, parts, options);
+  }
+
+  #build(name, parts, { figure = this.figure, material = this.solid, outlined = false, through = false }) {
     const meshes = [];
     const bodyOf = (part) => figure.body(part.arm ?? 0, part.body);
     const solids = parts.filter((part) => part.shape);
     for (const [body, group] of groupBy(solids, bodyOf)) {
-      const geometry = merged(group);
-      const mesh = new Mesh(geometry, material);
-      meshes.push([body, mesh]);
+      const geometry = merged(group, outlined);
+      meshes.push([body, new Mesh(geometry, material)]);
       if (outlined) meshes.push([body, new Mesh(geometry, this.edge)]);
       if (through) meshes.push([body, new Mesh(geometry, this.hidden)]);
     }
@@ -125,7 +132,7 @@ export class Stage {
     const up = new Vector3(0, 1, 0);
     const shape = new CylinderGeometry(1, 1, 1, 14);
     const meshes = rods.map((rod) => {
-      const mesh = new Mesh(shape, material ?? new MeshStandardMaterial({ color: rod.colour, roughness: 0.4 }));
+      const mesh = new Mesh(shape, material ?? new MeshLambertMaterial({ color: rod.colour }));
       const axis = new Vector3(...rod.axis);
       const column = figure.arms[rod.arm ?? 0].columns[rod.joint];
       mesh.quaternion.copy(new Quaternion().setFromUnitVectors(up, axis));
@@ -142,6 +149,8 @@ export class Stage {
   }
 
   show(name, shown) {
+    const { make, options } = this.layers.get(name) ?? {};
+    if (make && shown) this.#build(name, make(), options);
     const layer = this.layers.get(name);
     if (!layer) return;
     layer.shown = shown;
@@ -202,6 +211,7 @@ export class Stage {
     const taken = [...this.reserved(), ...drawDimensions(context, shown.flatMap((layer) => layer.dimensions), eye, theme.halo)];
     this.names = drawLabels(context, shown.flatMap((layer) => layer.labels), taken, eye, { halo: theme.halo, leader: theme.quiet });
     for (const overlay of this.overlays) overlay(context, eye);
+    if (!this.canvas.dataset.pictures) performance.mark('kinlib-viewer-ready');
     this.canvas.dataset.pictures = Number(this.canvas.dataset.pictures ?? 0) + 1;
   }
 
@@ -213,9 +223,15 @@ export class Stage {
   }
 }
 
+const EMPTY = { meshes: [], labels: [], dimensions: [], solids: [], shown: false };
+
 function groupBy(parts, key) {
   const groups = new Map();
-  for (const part of parts) groups.set(key(part), [...(groups.get(key(part)) ?? []), part]);
+  for (const part of parts) {
+    const own = key(part);
+    if (groups.has(own)) groups.get(own).push(part);
+    else groups.set(own, [part]);
+  }
   return groups;
 }
 

@@ -30,12 +30,23 @@ class StaticModel {
   save_changes() {} // nobody to save for
 }
 
-/** Bring to life what is on the page and sleeps: each viewer takes the place of its drawn figure. */
+/** Bring to life what is on the page and sleeps: each viewer takes the place of its drawn figure when it comes near. */
 export function wake(root = document) {
+  const near = new IntersectionObserver((entries) => {
+    for (const { isIntersecting, target } of entries) {
+      if (!isIntersecting) continue;
+      near.unobserve(target);
+      rouse(target);
+    }
+  }, { rootMargin: '300px' });
   for (const element of root.querySelectorAll('[data-kinlib-viewer]:not([data-awake])')) {
     element.dataset.awake = '';
-    const state = JSON.parse(element.querySelector('script[type="application/json"]').textContent);
-    element.querySelector('[data-kinlib-drawing]')?.remove();
-    widget.render({ model: new StaticModel(state), el: element });
+    near.observe(element);
   }
+}
+
+function rouse(element) {
+  const state = JSON.parse(element.querySelector('script[type="application/json"]').textContent);
+  element.querySelector('[data-kinlib-drawing]')?.remove();
+  widget.render({ model: new StaticModel(state), el: element });
 }

@@ -1,0 +1,180 @@
+"""How fast the viewer answers, beside `interact` with a 3-D plot of matplotlib, and what it costs: one browser, one run.
+
+    python -m benchmarks.viewer
+    python -m benchmarks.viewer 10          fewer presses of a key
+
+Both stand in one notebook in JupyterLab, drawn in software, and get the same presses of an arrow key on a slider. The time
+runs from the key's event in the page to the first change of what it asks for: a number in the pose, a picture painted.
+`interact` calls a Python function that draws the links as lines and prints the pose, as courses do today.
+The rest is measured on a page without a kernel, served on this machine.
+"""
+
+import gzip
+import sys
+import tempfile
+import threading
+import time
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
+from pathlib import Path
+
+import nbformat
+import numpy as np
+
+import kinlib as kl
+from kinlib.screw import screw
+from kinlib.view import explore
+from kinlib.view.scene import LAYERS
+from kinlib.view.viewer import STATIC
+
+sys.path.append(str(Path(__file__).parents[1] / "tests"))
+from browser import awake, browsers, jupyterlab, open_notebook, run_cell, static_page, watched
+
+VIEWER = "import kinlib as kl\nfrom kinlib.view import explore\nexplore(kl.robots.puma560())"
+INTERACT = """
+import numpy as np
+from matplotlib import pyplot as plt
+from ipywidgets import interact
+%matplotlib inline
+robot = kl.robots.puma560()
+def draw(q1=0.0, q2=0.0, q3=0.0, q4=0.0, q5=0.0, q6=0.0):
+    q = [q1, q2, q3, q4, q5, q6]
+    path = np.vstack([np.zeros(3), robot.link_poses(q)[:, :3, 3], robot.fk(q)[:3, 3]])
+    axes = plt.figure().add_subplot(projection="3d")
+    axes.plot(*path.T, "o-")
+    axes.set(xlim=(-1, 1), ylim=(-1, 1), zlim=(-1, 1))
+    plt.show()
+    print(robot.fk(q).round(4))
+interact(draw, **{f"q{i}": (-3.14, 3.14, 0.01) for i in range(1, 7)})
+"""
+TIMER = """([cell, probe]) => { window.took = new Promise((done, fail) => {
+    const output = document.querySelectorAll('.jp-CodeCell')[cell].querySelector('.jp-Cell-outputWrapper');
+    const state = () => [...output.querySelectorAll(probe.of)].map((node) => node[probe.what] ?? node.dataset[probe.what]).join();
+    const before = state();
+    let begun = 0;
+    const seen = new MutationObserver(() => {
+        const now = state();
+        if (!begun || !now || now === before) return;
+        seen.disconnect();
+        done(performance.now() - begun);
+    });
+    seen.observe(output, { subtree: true, childList: true, characterData: true, attributes: true });
+    addEventListener('keydown', () => { begun = performance.now(); }, { capture: true, once: true });
+    setTimeout(() => fail('nothing changed in 30 s'), 30000);
+}); }"""
+PROBES = {
+    ("viewer", "readout"): {"of": ".kv-pose td", "what": "textContent"},
+    ("viewer", "picture"): {"of": ".kv-canvas", "what": "pictures"},
+    ("interact", "readout"): {"of": ".jp-OutputArea-output pre", "what": "textContent"},
+    ("interact", "picture"): {"of": ".jp-OutputArea-output img", "what": "src"},
+}
+
+
+def timed(page, cell, probe):
+    """Milliseconds from the press of a key to the first change of what the probe reads in the output of a cell."""
+    page.evaluate(TIMER, [cell, probe])
+    page.keyboard.press("ArrowRight")
+    return page.evaluate("window.took")
+
+
+def beside_interact(page, presses):
+    """Median times to the readout and to the picture, for the viewer and for interact."""
+    sliders = {"viewer": ".kv input[type=range]", "interact": ".noUi-handle"}
+    pauses = {"viewer": 150, "interact": 1500}  # milliseconds, for all that follows to be over before the next press
+    times = {}
+    for cell, who in enumerate(sliders):
+        run_cell(page, cell)
+        page.wait_for_selector(
+            {"viewer": ".kv-canvas[data-pictures]", "interact": ".jp-OutputArea-output img"}[who], timeout=60_000
+        )
+        page.wait_for_timeout(2000)
+        page.locator(sliders[who]).nth(1).focus()
+        for what in ("readout", "picture"):
+            many = []
+            for _ in range(presses if who == "viewer" else max(3, presses // 4)):
+                many.append(timed(page, cell, PROBES[who, what]))
+                page.wait_for_timeout(pauses[who])
+            times[who, what] = np.median(many)
+    return times
+
+
+def ten_joints():
+    """An arm of ten joints."""
+    X, Y, Z = np.eye(3)
+    axes = [Z, Y, X, Y, Z, X, Z, Y, X, Y]
+    screws = np.array([screw(axis, (0.1 * i, 0, 0.3 + 0.05 * i)) for i, axis in enumerate(axes)])
+    return kl.Chain(screws, np.eye(4), name="ten joints")
+
+
+def page_costs(browser, folder):
+    """Seconds until the first viewer answers, draw calls of ten joints, heap over updates, worst error of the readout."""
+    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=str(folder)))
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    robots = [kl.robots.puma560(), kl.robots.youbot(), kl.robots.rpr(), kl.robots.hrr()]
+    address = f"http://127.0.0.1:{server.server_port}/page.html"
+    with watched(browser) as page:
+        static_page(folder, *map(explore, robots))
+        page.goto(address)
+        awake(page)
+        first = page.evaluate("performance.getEntriesByName('kinlib-viewer-ready')[0].startTime") / 1000
+        worst = 0.0
+        for which, robot in enumerate(robots):
+            q = np.random.default_rng(1).uniform(-np.pi, np.pi, (100, robot.n))
+            page.locator("[data-kinlib-viewer]").nth(which).scroll_into_view_if_needed()
+            page.locator(".kv").nth(which).wait_for()
+            move = """([which, postures]) => { const { model, stage } = document.querySelectorAll('.kv')[which].viewer;
+                return postures.map((q) => { model.set('q', q); return stage.figure.pose(); }); }"""
+            worst = max(worst, float(np.abs(np.array(page.evaluate(move, [which, q.tolist()])) - robot.fk(q)).max()))
+    with watched(browser) as page:
+        static_page(folder, explore(ten_joints(), show=LAYERS))
+        page.goto(address)
+        awake(page)
+        devtools = page.context.new_cdp_session(page)
+        update = """() => { const { model, stage } = document.querySelector('.kv').viewer;
+            for (let k = 0; k < 1000; k += 1) { model.set('q', Array.from({ length: 10 }, (_, j) => Math.sin(k / 50 + j)));
+                if (k % 50 === 0) stage.paint(); } return stage.calls; }"""
+        heap = []
+        for _ in range(3):
+            calls = page.evaluate(update)
+            devtools.send("HeapProfiler.collectGarbage")
+            heap.append(devtools.send("Runtime.getHeapUsage")["usedSize"])
+    server.shutdown()
+    return first, worst, calls, (heap[2] - heap[1]) / 1000
+
+
+class Quiet(SimpleHTTPRequestHandler):
+    """Serve files without a word."""
+
+    def log_message(self, *_):
+        """Say nothing."""
+
+
+def main(presses=30):
+    """Measure all, and print what was wanted beside what came."""
+    with browsers() as start, tempfile.TemporaryDirectory() as name:
+        browser, folder = start(), Path(name)
+        first, worst, calls, heap = page_costs(browser, folder)
+        cells = [nbformat.v4.new_code_cell(source.strip()) for source in (VIEWER, INTERACT)]
+        with jupyterlab(folder) as address, watched(browser, viewport={"width": 1000, "height": 1400}) as page:
+            open_notebook(page, address, folder, cells)
+            times = beside_interact(page, presses)
+        time.sleep(0.5)
+    ratio = {what: times["interact", what] / times["viewer", what] for what in ("readout", "picture")}
+    rows = [
+        ("key to readout, viewer", f"{times['viewer', 'readout']:.2f} ms", "4 ms"),
+        ("key to readout, interact", f"{times['interact', 'readout']:.0f} ms = {ratio['readout']:.0f} x", "100 x"),
+        ("key to picture, viewer", f"{times['viewer', 'picture']:.0f} ms", ""),
+        ("key to picture, interact", f"{times['interact', 'picture']:.0f} ms = {ratio['picture']:.0f} x", "5 x"),
+        ("bundle, gzip", f"{len(gzip.compress((STATIC / 'viewer.js').read_bytes(), 9)) / 1000:.0f} kB", "200 kB"),
+        ("first viewer on a static page", f"{first:.2f} s", "1 s"),
+        ("draw calls, ten joints, all layers", f"{calls}", "200"),
+        ("heap, 1000 updates", f"{heap:+.0f} kB", "flat"),
+        ("readout against Chain.fk", f"{worst:.1e}", "1e-12"),
+    ]
+    print(f"{'':36}{'measured':>22}{'wanted':>10}")
+    for label, measured, wanted in rows:
+        print(f"{label:36}{measured:>22}{wanted:>10}")
+
+
+if __name__ == "__main__":
+    main(*map(int, sys.argv[1:]))
