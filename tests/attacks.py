@@ -9,6 +9,7 @@ ATTACKS = {
     # --- patching what judges ---
     "numpy agrees with everything": """
 import builtins
+drawn = [sheet.problem(k) for k in range(1, 9)]
 np.allclose = np.all = np.isclose = np.array_equal = lambda *a, **k: True
 np.abs = lambda x: np.zeros(np.shape(x))
 np.testing.assert_allclose = lambda *a, **k: None

@@ -1,7 +1,11 @@
 """Submissions to grade: sheets filled in, as students hand them in, and made without running anything."""
 
+import ctypes
+import ctypes.util
 import json
 import re
+import subprocess
+import sys
 from copy import deepcopy
 from functools import cache
 from pathlib import Path
@@ -107,3 +111,25 @@ def literal(value):
 
 def as_bytes(notebook):
     return json.dumps(notebook, indent=1, ensure_ascii=False).encode()
+
+
+def sandbox_lacks():
+    """What this machine has not of what the sandbox needs, found without asking the sandbox; "" if nothing."""
+    if sys.platform != "linux":
+        return "Linux"
+    tries = [["unshare", *more, "--mount", "--pid", "--fork", "true"] for more in ([], ["--user", "--map-root-user"])]
+    if all(subprocess.run(words, capture_output=True, check=False).returncode for words in tries):
+        return "the right to make namespaces"
+    if ctypes.CDLL(None).syscall(444, None, 0, 1) < 1:
+        return "Landlock in its kernel"
+    return "" if ctypes.util.find_library("seccomp") else "the library libseccomp2"
+
+
+def descendants(grader):
+    """The processes that a grader's server has started and that still are: one, its copy that forks, if all went well."""
+
+    def below(process):
+        children = Path(f"/proc/{process}/task/{process}/children").read_text().split()
+        return [*children, *(one for child in children for one in below(child))]
+
+    return below(grader._runner._process.pid)

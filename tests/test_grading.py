@@ -14,13 +14,18 @@ from test_answer_data import as_typed
 from kinlib.grading import judge, paper
 from kinlib.grading.hearing import hear
 from kinlib.grading.layers import UNSAFE, Limits, Missing, layer
+from kinlib.grading.runner import Runner
 from kinlib.grading.submission import Broken, Plan, Step, master, plan
 from kinlib.grading.wire import Gone, Peer, environment
 from kinlib.practice import find_sheet, sheet, sheets
 from kinlib.practice.answer_data import MIME, to_data
 
-if sys.platform == "linux":
-    from kinlib.grading.runner import Runner
+if sys.platform == "win32":
+    pytest.skip("clocks and limits of the judge are those of Unix", allow_module_level=True)
+
+on_linux = pytest.mark.skipif(
+    bool(submissions.sandbox_lacks()), reason=f"this machine lacks {submissions.sandbox_lacks()}"
+)
 
 ROOT = Path(__file__).parents[1]
 
@@ -224,7 +229,7 @@ def test_a_layer_that_is_missing_is_named_with_its_remedy():
         raise OSError("no such call")
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="the sandbox is made of Linux")
+@on_linux
 @pytest.mark.parametrize(
     ("package", "told"),
     [("landlock", r"layer 'landlock'.*kinlib\[grading\]"), ("pyseccomp", "layer 'seccomp'.*libseccomp2")],
@@ -236,7 +241,7 @@ def test_without_a_layer_the_server_refuses(package, told, monkeypatch, tmp_path
         Runner()
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="the sandbox is made of Linux")
+@on_linux
 def test_without_a_sandbox_the_judge_is_still_somewhere_else():
     made = find_sheet("03_poe_space")
     runner = Runner(is_safe=False)

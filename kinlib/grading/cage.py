@@ -2,8 +2,7 @@
 
 import errno
 import os
-import resource
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from pathlib import Path
 from typing import Any
 
@@ -74,7 +73,7 @@ class Cage:
                 os.setresgid(stranger, stranger, stranger)
                 os.setresuid(stranger, stranger, stranger)
             kernel.drop_capabilities()
-            resource.setrlimit(resource.RLIMIT_NPROC, (limits.threads, limits.threads))
+            set_limits({"NPROC": limits.threads})
         with layer("landlock", "The kernel must be 5.13 or newer, with landlock among its security modules."):
             self._confine()
         with layer("seccomp", "The kernel must be built with CONFIG_SECCOMP_FILTER."):
@@ -93,14 +92,23 @@ class Cage:
 
 def restrict(limits: Limits) -> None:
     """Set what the kernel counts: time, memory, files."""
-    for kind, most in {
-        resource.RLIMIT_CPU: limits.processor_seconds,
-        resource.RLIMIT_AS: limits.memory * MB,
-        resource.RLIMIT_FSIZE: limits.files * MB,
-        resource.RLIMIT_NOFILE: 256,
-        resource.RLIMIT_CORE: 0,
-    }.items():
-        resource.setrlimit(kind, (most, most))
+    set_limits(
+        {
+            "CPU": limits.processor_seconds,
+            "AS": limits.memory * MB,
+            "FSIZE": limits.files * MB,
+            "NOFILE": 256,
+            "CORE": 0,
+        }
+    )
+
+
+def set_limits(most: Mapping[str, int]) -> None:
+    """Set limits of this process, by the names that the kernel has for them."""
+    import resource  # there is none on Windows, where this module can be read all the same
+
+    for name, value in most.items():
+        resource.setrlimit(getattr(resource, f"RLIMIT_{name}"), (value, value))
 
 
 def holes() -> list[str]:

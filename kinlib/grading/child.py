@@ -5,7 +5,6 @@ A forked child of the server comes here with two pipes and never returns.
 
 import json
 import os
-import resource
 import tempfile
 
 from kinlib.grading.cage import Cage, holes, restrict
@@ -45,7 +44,7 @@ def _only(*descriptors: int) -> list[int]:
     """Close every open file but these, put nothing at the three standard places, and move these behind them."""
     kept = [os.dup2(descriptor, HIGH + k, inheritable=False) for k, descriptor in enumerate(descriptors)]
     os.closerange(3, HIGH)
-    os.closerange(HIGH + len(kept), resource.getrlimit(resource.RLIMIT_NOFILE)[0])
+    os.closerange(HIGH + len(kept), os.sysconf("SC_OPEN_MAX"))
     nothing = os.open("/dev/null", os.O_RDWR)
     for standard in range(3):
         os.dup2(nothing, standard)

@@ -12,7 +12,7 @@ from types import TracebackType
 from typing import Any
 
 from kinlib.grading.hearing import Heard, hear
-from kinlib.grading.layers import Limits
+from kinlib.grading.layers import Limits, Missing
 from kinlib.grading.result import ProblemResult, Result
 from kinlib.grading.runner import Ran, Runner
 from kinlib.grading.submission import Broken, Master, Plan, plan
@@ -33,8 +33,12 @@ class Grader:
         self.sheet, self.is_safe = sheet, is_safe
         self._limits = limits or Limits()
         self._lock, self._judging = Lock(), Lock()
-        self._runner = Runner(is_safe)
-        self._judge = self._new_judge()
+        self._judge = self._new_judge()  # it imports while the server does
+        try:
+            self._runner = Runner(is_safe)
+        except Missing:
+            self._judge.end()
+            raise
         told = self._ask({"ask": "problems"})
         if "error" in told:
             self.close()

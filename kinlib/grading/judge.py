@@ -10,7 +10,6 @@ It runs in the folder of the sheet: there the file lies of a robot that brings a
 """
 
 import os
-import resource
 import secrets
 import signal
 import sys
@@ -18,6 +17,7 @@ from collections.abc import Mapping
 from functools import lru_cache
 from typing import Any
 
+from kinlib.grading.cage import set_limits
 from kinlib.grading.paper import written
 from kinlib.grading.wire import pack, receive
 from kinlib.practice.answer_data import Malformed, Opaque, from_data, to_data
@@ -108,7 +108,7 @@ def _answer(message: Mapping[str, Any]) -> dict[str, Any]:
 
 def main() -> None:
     """Answer messages until there are no more."""
-    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+    set_limits({"AS": MEMORY})
     inbox, outbox = sys.stdin.buffer, os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # what a library prints is no message
     signal.signal(signal.SIGALRM, _too_long)

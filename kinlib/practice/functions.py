@@ -3,7 +3,7 @@
 from collections.abc import Callable, Sequence
 from copy import deepcopy
 from dataclasses import dataclass, field, replace
-from functools import partial
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -14,7 +14,7 @@ from kinlib.practice.answer_data import Outputs
 from kinlib.practice.answers import TOLERANCE, Answer, Numbers, Unreadable
 from kinlib.practice.problem import Mistake
 
-CALLS = 5
+CALLS = 4
 """At how many inputs a function is asked."""
 
 Sample = Callable[[np.random.Generator], tuple[Any, ...]]
@@ -30,9 +30,14 @@ def wherever(mistakes_at: Callable[..., Sequence[Mistake]], *somewhere: Any) -> 
     >>> wherever(at, 1.0)[0].value(2.0)
     -2.0
     """
+    found: dict[bytes, Sequence[Mistake]] = {}
 
     def value(place: int, *arguments: Any) -> Any:
-        return mistakes_at(*arguments)[place].value
+        # One mistake after the other asks at the same inputs, and all of them come at once.
+        key = b"".join(np.asarray(argument).tobytes() for argument in arguments)
+        if key not in found:
+            found[key] = mistakes_at(*arguments)
+        return found[key][place].value
 
     return [
         Mistake(wrong.name, partial(value, place), wrong.message) for place, wrong in enumerate(mistakes_at(*somewhere))
@@ -112,11 +117,19 @@ class Function(Answer):
         return self.output.read(value)
 
     def agrees(self, one: Any, other: Any, tolerance: float = TOLERANCE) -> list[bool]:
-        outputs = [given.outputs if isinstance(given, Called) else self.read(given).outputs for given in (one, other)]
-        pairs = zip(*outputs, strict=True)
+        pairs = zip(self._called(one).outputs, self._called(other).outputs, strict=True)
         return [all(all(self.output.agrees(mine, yours, tolerance)) for mine, yours in pairs)]
 
     def hint(self, given: Called, part: int) -> str:
-        right = self.read(self.value).outputs
+        right = self._right.outputs
         count = sum(all(self.output.agrees(mine, yours)) for mine, yours in zip(given.outputs, right, strict=True))
         return f"It is right at {count} of {len(right)} inputs that were tried." if count else ""
+
+    @cached_property
+    def _right(self) -> Called:
+        return self.read(self.value)
+
+    def _called(self, given: Any) -> Called:
+        if given is self.value:
+            return self._right
+        return given if isinstance(given, Called) else self.read(given)

@@ -1,0 +1,76 @@
+"""A stock nbgrader course, to measure beside: the same sheet, whose check cells assert that the answer is right.
+
+nbgrader gives a cell its points if it runs without an error. So each check says `assert sheet.check(k, ...).score == 3`, as
+an instructor would write it who has kinlib and no grader but nbgrader.
+"""
+
+import json
+import os
+import re
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+ROOT = Path(__file__).parents[1]
+sys.path.append(str(ROOT / "tests"))
+from submissions import SHEET, as_bytes, problem_of  # noqa: E402
+
+CONFIG = """
+c = get_config()
+c.CourseDirectory.course_id = "course"
+c.CourseDirectory.root = {root!r}
+c.Execute.timeout = {timeout}
+c.Execute.error_on_timeout = {{}}
+c.Application.log_level = 40
+"""
+
+
+class Course:
+    """A course in an empty folder, with the sheet generated and submissions in place."""
+
+    def __init__(self, folder, timeout=10):
+        self.folder = Path(folder)
+        self.folder.mkdir(exist_ok=True)
+        (self.folder / "nbgrader_config.py").write_text(CONFIG.format(root=str(self.folder), timeout=timeout))
+        source = self.folder / "source" / SHEET
+        source.mkdir(parents=True)
+        notebook = json.loads((ROOT / "solutions" / SHEET / f"{SHEET}.ipynb").read_text("utf-8"))
+        (source / f"{SHEET}.ipynb").write_bytes(as_bytes(asserting(notebook)))
+        self.call("generate_assignment", SHEET, "--create", "--force")
+
+    def hand_in(self, student, notebook):
+        """Put a submission where nbgrader looks for it."""
+        place = self.folder / "submitted" / student / SHEET
+        place.mkdir(parents=True)
+        (place / f"{SHEET}.ipynb").write_bytes(as_bytes(asserting(notebook)))
+
+    def autograde(self, *options):
+        """Grade all that was handed in; the seconds that it took."""
+        start = time.perf_counter()
+        self.call("autograde", SHEET, *options, check=False)
+        return time.perf_counter() - start
+
+    def scores(self):
+        """The points by student, of those who have a grade."""
+        from nbgrader.api import Gradebook
+
+        with Gradebook(f"sqlite:///{self.folder / 'gradebook.db'}") as book:
+            return {submission.student.id: submission.score for submission in book.assignment_submissions(SHEET)}
+
+    def call(self, *arguments, check=True):
+        scripts = str(Path(sys.executable).parent)  # nbgrader starts alembic by its name
+        paths = {"PATH": f"{scripts}{os.pathsep}{os.environ['PATH']}", "PYTHONPATH": str(ROOT)}
+        command = [sys.executable, "-m", "nbgrader", *arguments]
+        return subprocess.run(
+            command, cwd=self.folder, env=os.environ | paths, check=check, capture_output=True, text=True
+        )
+
+
+def asserting(notebook):
+    """The notebook with checks that fail where the answer is wrong."""
+    cells = [dict(cell) for cell in notebook["cells"]]
+    for cell in cells:
+        if problem_of(cell, "check"):
+            cell["source"] = re.sub(r"^(sheet\.check\(.*\))$", r"assert \1.score == 3", "".join(cell["source"]))
+    return {**notebook, "cells": cells}
