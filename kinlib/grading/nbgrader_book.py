@@ -68,6 +68,7 @@ def fill(
     handed_out = nbformat.read(released, as_version=4)
     unfit = []
     with Gradebook(place.db_url, place.course_id) as book:
+        book.db().expire_on_commit = False  # the assignment stays what it is from one submission to the next
         try:
             assignment = book.find_assignment(sheet.name)
             book.find_notebook(sheet.name, sheet.name)
@@ -117,12 +118,13 @@ def _record(book: Gradebook, assignment: Assignment, result: Result, when: datet
     }
     try:
         notebook = _submitted(book.db, assignment, result)
+        names = {cell.id: cell.name for cell in [*notebook.notebook.grade_cells, *notebook.notebook.solution_cells]}
         notebook.assignment.timestamp = when or notebook.assignment.timestamp
         for grade in notebook.grades:
-            grade.auto_score = problems[grade.cell.name].points
+            grade.auto_score = problems[names[grade.cell_id]].points
             grade.needs_manual_grade = grade.manual_score is not None  # somebody should look at it again
         for comment in notebook.comments:
-            comment.auto_comment = "No response." if comment.cell.name in blank else None
+            comment.auto_comment = "No response." if names[comment.cell_id] in blank else None
         book.db.commit()
     except BaseException:
         book.db.rollback()
@@ -131,15 +133,14 @@ def _record(book: Gradebook, assignment: Assignment, result: Result, when: datet
 
 def _submitted(session: Any, assignment: Assignment, result: Result) -> SubmittedNotebook:
     """The student's notebook in the gradebook; made, with a place for each grade and comment, if it is not there."""
-    student = session.get(Student, result.student) or Student(id=result.student)
-    session.add(student)
-    submission = next((s for s in student.submissions if s.assignment_id == assignment.id), None)
-    if submission is None:
-        submission = SubmittedAssignment(assignment=assignment, student=student)
-        for notebook in assignment.notebooks:
-            empty = SubmittedNotebook(notebook=notebook, assignment=submission)
-            session.add(empty)
-            session.add_all(Grade(cell_id=cell.id, notebook=empty) for cell in notebook.grade_cells)
-            session.add_all(Comment(cell_id=cell.id, notebook=empty) for cell in notebook.solution_cells)
-        session.flush()
+    with session.no_autoflush:
+        student = session.get(Student, result.student) or Student(id=result.student)
+        submission = next((found for found in student.submissions if found.assignment_id == assignment.id), None)
+        if submission is None:
+            submission = SubmittedAssignment(assignment=assignment, student=student)
+            for notebook in assignment.notebooks:
+                empty = SubmittedNotebook(notebook=notebook, assignment=submission)
+                session.add_all(Grade(cell_id=cell.id, notebook=empty) for cell in notebook.grade_cells)
+                session.add_all(Comment(cell_id=cell.id, notebook=empty) for cell in notebook.solution_cells)
+            session.add(submission)
     return next(found for found in submission.notebooks if found.notebook.name == result.sheet)

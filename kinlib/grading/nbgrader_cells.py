@@ -11,7 +11,7 @@ from typing import Any
 
 import nbformat
 from nbformat import NotebookNode
-from nbformat.v4 import new_markdown_cell, new_output
+from nbformat.v4 import new_markdown_cell
 
 from kinlib.grading.pages import picture_of, text_of
 from kinlib.grading.result import ProblemResult, Result
@@ -63,16 +63,22 @@ def _name(cell: Mapping[str, Any]) -> str:
 
 def _verdict(problem: ProblemResult) -> list[NotebookNode]:
     card = {"text/html": problem.html, "text/plain": problem.verdict}
-    notes = [new_output("stream", name="stdout", text="\n".join(problem.notes) + "\n")] if problem.notes else []
-    points = new_output("execute_result", {"text/plain": repr(float(problem.points))})
-    return [new_output("display_data", card), *notes, points]
+    points = {"text/plain": repr(float(problem.points))}
+    return [
+        _output("display_data", data=card, metadata={}),
+        *(_output("stream", name="stdout", text=f"{note}\n") for note in problem.notes),
+        _output("execute_result", data=points, metadata={}, execution_count=None),
+    ]
 
 
 def _harmless(output: Mapping[str, Any]) -> NotebookNode:
     picture, text = picture_of(output), text_of(output)
-    shown: NotebookNode = (
-        new_output("display_data", {"image/png": picture, "text/plain": text})
-        if picture
-        else new_output("stream", name="stdout", text=text)
-    )
-    return shown
+    if picture is None:
+        return _output("stream", name="stdout", text=text)
+    return _output("display_data", data={"image/png": picture, "text/plain": text}, metadata={})
+
+
+def _output(kind: str, **parts: Any) -> NotebookNode:
+    """An output, unchecked: the notebook is checked as a whole when it is written."""
+    made: NotebookNode = nbformat.from_dict({"output_type": kind, **parts})
+    return made
