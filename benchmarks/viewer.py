@@ -56,6 +56,8 @@ TIMER = """([cell, probe]) => { window.took = new Promise((done, fail) => {
         const now = state();
         if (!begun || !now || now === before) return;
         seen.disconnect();
+        // reading a pixel back waits until the picture is there
+        if (probe.what === 'pictures') output.querySelector(probe.of).getContext('2d').getImageData(0, 0, 1, 1);
         done(performance.now() - begun);
     });
     seen.observe(output, { subtree: true, childList: true, characterData: true, attributes: true });

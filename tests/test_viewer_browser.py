@@ -6,6 +6,7 @@ import nbformat
 import numpy as np
 import pytest
 from browser import SECONDS, awake, browsers, jupyterlab, open_notebook, pictures, pose, run_cell, static_page, watched
+from traitlets import Bool, HasTraits
 
 import kinlib as kl
 from kinlib.linkages import four_bar
@@ -368,6 +369,19 @@ def test_who_insists_may_look_and_nothing_is_recorded(show):
     page.get_by_role("button", name="Show anyway").click()
     awake(page)
     assert page.evaluate("document.querySelector('.kv').viewer.model.get('choice')") == -1
+
+
+def test_a_question_elsewhere_on_the_page_lifts_the_cover(show):
+    page = show(explore(kl.robots.rpr(), after=Answered()), count=0)
+    page.get_by_text("Commit to your prediction above first").wait_for()
+    page.evaluate("document.querySelector('[data-kinlib-viewer]').dataset.uncovered = ''")
+    awake(page)
+
+
+class Answered(HasTraits):
+    """Anything with this trait can cover a viewer."""
+
+    committed = Bool(False)
 
 
 # --- what it says when something is not as it should be ---

@@ -173,7 +173,8 @@ def _room(postures: Array, touched: Array, size: float) -> tuple[dict[str, Any],
     far = float(np.linalg.norm(touched - centre, axis=-1).max()) + 0.15 * size
     radius = min(max(near, far), 1.15 * near)
     lowest = float(postures[:, 2].min())
-    floor = 0.0 if lowest > -0.05 * size else lowest - 0.2 * size
+    # The lowest joint stands on the floor, not in it; an arm that hangs from its base gets room below.
+    floor = lowest - (0.1 if lowest > -0.05 * size else 0.2) * size
     return {"centre": centre.tolist(), "radius": radius}, floor
 
 

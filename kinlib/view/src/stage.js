@@ -6,7 +6,7 @@ import {
 } from 'three';
 import { Eye } from './camera.js';
 import { Figure } from './figure.js';
-import { drawDimensions, drawLabels } from './labels.js';
+import { drawDimensions, drawLabels, fontOf } from './labels.js';
 import { canPaint, paint } from './painter.js';
 import { drawFlat } from './flat.js';
 import { merged } from './shapes.js';
@@ -210,6 +210,11 @@ export class Stage {
     else this.calls = paint(this.scene, eye.camera, context, { width, height, ratio });
     const taken = [...this.reserved(), ...drawDimensions(context, shown.flatMap((layer) => layer.dimensions), eye, theme.halo)];
     this.names = drawLabels(context, shown.flatMap((layer) => layer.labels), taken, eye, { halo: theme.halo, leader: theme.quiet });
+    context.font = fontOf({}, 11);
+    context.textAlign = 'left';
+    context.textBaseline = 'alphabetic';
+    context.fillStyle = theme.quiet;
+    context.fillText(`grid ${Number(this.gridStep.toPrecision(3))} m`, 10, height - 10);
     for (const overlay of this.overlays) overlay(context, eye);
     if (!this.canvas.dataset.pictures) performance.mark('kinlib-viewer-ready');
     this.canvas.dataset.pictures = Number(this.canvas.dataset.pictures ?? 0) + 1;

@@ -47,6 +47,11 @@ export function wake(root = document) {
 
 function rouse(element) {
   const state = JSON.parse(element.querySelector('script[type="application/json"]').textContent);
+  const model = new StaticModel(state);
+  // a question elsewhere on the page lifts the cover by the attribute data-uncovered, before the viewer wakes or after
+  const lift = () => 'uncovered' in element.dataset && model.set('covered', false);
+  lift();
+  new MutationObserver(lift).observe(element, { attributeFilter: ['data-uncovered'] });
   element.querySelector('[data-kinlib-drawing]')?.remove();
-  widget.render({ model: new StaticModel(state), el: element });
+  widget.render({ model, el: element });
 }
