@@ -56,6 +56,7 @@ def drive(
     across: tuple[str, str] | None = None,
     curves: Sequence[ArrayLike] | None = None,
     labels: Sequence[str] = (),
+    after: Any = None,
 ) -> Drive:
     """Drive a closed chain of one freedom along its curves, and see them in its configuration space.
 
@@ -64,6 +65,7 @@ def drive(
     curves  arrays (m, n) of closed postures; by default the curve through the start, and one for each way of assembling
             the linkage that it does not reach while the first joint value is as it was
     labels  what each curve is called
+    after   a question; the linkage stays covered until it is committed
 
     Raises ValueError for a start that does not close, a linkage that has not one freedom there, a name that there is not,
     and curves of another size.
@@ -85,7 +87,7 @@ def drive(
         closed = tuple(np.allclose(np.exp(1j * curve[0]), np.exp(1j * curve[-1])) for curve in traced)
     nearest = min(traced, key=lambda curve: float(np.linalg.norm(curve - first, axis=1).min()))
     begin = nearest[np.argmin(np.linalg.norm(nearest - first, axis=1))]
-    return Drive(
+    made = Drive(
         mechanism,
         scene=_scene(mechanism, np.concatenate(traced), begin),
         q=begin,
@@ -102,6 +104,8 @@ def drive(
             "labels": list(labels) or [f"assembly mode {k + 1}" for k in range(len(traced))],
         },
     )
+    made.wait_for(after)
+    return made
 
 
 def _curves(mechanism: Mechanism, start: Array) -> list[tuple[Array, bool]]:
