@@ -10,6 +10,7 @@ from kinlib.view.picture import Picture
 from kinlib.view.plot import plot
 
 if TYPE_CHECKING:
+    from kinlib.view.by_hand import ByHand, assign
     from kinlib.view.driver import Drive, drive
     from kinlib.view.player import Player, play_assignment
     from kinlib.view.row_player import RowPlayer, play_row, play_walk
@@ -17,12 +18,14 @@ if TYPE_CHECKING:
     from kinlib.view.widgets import slide
 
 __all__ = [
+    "ByHand",
     "Card",
     "Drive",
     "Picture",
     "Player",
     "RowPlayer",
     "Viewer",
+    "assign",
     "draw_arm",
     "draw_frames",
     "draw_joints",
@@ -36,6 +39,7 @@ __all__ = [
 ]
 
 LATE = {
+    **dict.fromkeys(("ByHand", "assign"), "by_hand"),
     **dict.fromkeys(("Drive", "drive"), "driver"),
     **dict.fromkeys(("Player", "play_assignment"), "player"),
     **dict.fromkeys(("RowPlayer", "play_row", "play_walk"), "row_player"),

@@ -3,7 +3,7 @@
 The page is told every step at once, in both conventions, and moves between them without asking Python.
 """
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Sequence
 from typing import Any, get_args
 
 import numpy as np
@@ -106,8 +106,10 @@ def play_assignment(chain: Chain, *, convention: Convention, step: int = 0, afte
     return made
 
 
-def cells(table: DHTable) -> list[list[str]]:
+def cells(table: DHTable, signs: Sequence[float] | Array = ()) -> list[list[str]]:
     """The rows of a table as a person writes them: a, alpha, d, theta, with q_i for what moves.
+
+    signs  (n,) -1 for a joint that counts the other way
 
     >>> from kinlib.robots import youbot
     >>> cells(assign_frames(youbot(), convention="standard").table)[3]
@@ -115,7 +117,7 @@ def cells(table: DHTable) -> list[list[str]]:
     """
     found = []
     for i, (letter, (a, alpha, d, theta)) in enumerate(zip(table.joints, table.rows, strict=True), start=1):
-        moves = f"q_{i}"
+        moves = f"−q_{i}" if len(signs) and signs[i - 1] < 0 else f"q_{i}"
         turn, slide = _number(np.degrees(theta), "°"), _number(d)
         if letter == "R":
             turn = moves if turn == "0" else f"{moves} {_signed(turn)}"

@@ -2,9 +2,10 @@
 import { h, KEYS, unique } from '../dom.js';
 import { rich } from '../rich.js';
 import { dashes } from '../shapes.js';
-import { add, axis, column, frame, lengths, marker, originOf, paleArm } from './drawing.js';
+import { axis, column, frame, lengths, marker, originOf, paleArm } from './drawing.js';
+import { dhTable } from './table.js';
+import { add } from './vectors.js';
 
-const HEADS = { standard: ['a_i', 'alpha_i', 'd_i', 'theta_i'], modified: ['a_{i-1}', 'alpha_{i-1}', 'd_i', 'theta_i'] };
 const MOVES = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1, PageDown: 5, PageUp: -5, Home: -Infinity, End: Infinity };
 
 /** @param kit.data { conventions: { standard, modified } }, each { axes, normals, frames, table, steps } */
@@ -35,7 +36,7 @@ export function assignment({ model, stage, data }) {
   const text = h('p', {});
   const others = h('p', { class: 'kv-note' });
   const told = h('div', { class: 'kv-step', 'aria-live': 'polite', 'aria-atomic': 'true' }, title, text, others);
-  const table = h('table', { class: 'kv-dh', 'aria-label': 'The table so far' });
+  const table = h('div', {});
   const element = h('section', { class: 'kv-player', role: 'group', 'aria-label': 'Steps of the assignment', onkeydown: (event) => {
     const by = MOVES[event.key];
     if (!by || event.target === select || event.ctrlKey || event.metaKey || event.altKey) return;
@@ -62,10 +63,7 @@ export function assignment({ model, stage, data }) {
     }
     const read = step.row ?? (steps.slice(0, model.get('step')).some(({ row }) => row) ? rows.length : 0);
     table.hidden = !read;
-    table.replaceChildren(
-      h('tr', {}, h('th', { scope: 'col' }, 'i'), ...HEADS[model.get('convention')].map((head) => h('th', { scope: 'col' }, ...rich(head)))),
-      ...rows.map((row, k) => h('tr', step.row === k + 1 ? { class: 'kv-lit' } : {},
-        h('th', { scope: 'row' }, `${k + 1}`), ...row.map((cell) => h('td', {}, ...(k < read ? rich(cell) : ['·']))))));
+    table.replaceChildren(dhTable(model.get('convention'), rows, { read, lit: step.row, label: 'The table so far' }));
   }
 
   function draw() {

@@ -2,12 +2,12 @@
 import { Color, Vector3 } from 'three';
 import * as parts from '../parts.js';
 import { dashes } from '../shapes.js';
+import { add } from './vectors.js';
 
 const WIDTH = 17; // of the marker pen, in pixels
 const STRONG = { rod: 0.0105, origin: 0.017 };
 const PALE = { rod: 0.0062, origin: 0.0105 };
 
-export const add = (p, q, s = 1) => p.map((value, k) => value + s * q[k]);
 export const column = (pose, k) => [pose[k], pose[4 + k], pose[8 + k]];
 export const originOf = (pose) => column(pose, 3);
 
@@ -26,7 +26,7 @@ export function paleArm(stage) {
 }
 
 /** A joint axis from end to end, dashed, with a tip and its number. */
-export function axis(i, from, to, { size, theme, strong = true, colour = theme.axis }) {
+export function axis(i, from, to, { size, theme, strong = true, colour = theme.axis, beyond = 0 }) {
   const along = add(to, from, -1);
   const length = Math.hypot(...along);
   const neck = add(from, along, 1 - (0.05 * size) / length);
@@ -35,7 +35,7 @@ export function axis(i, from, to, { size, theme, strong = true, colour = theme.a
   return [
     ...dashes(line),
     { body: i, shape: 'cone', from: neck, to, radius: 0.014 * size, colour: ink },
-    { body: i, label: true, at: to, from, text: `axis ${i + 1}`, sub: '', colour: strong ? colour : theme.quiet, italic: true, weight: 2.5 },
+    { body: i, label: true, at: add(to, along, (beyond * size) / length), from, text: `axis ${i + 1}`, sub: '', colour: strong ? colour : theme.quiet, italic: true, weight: 2.5 },
   ];
 }
 
@@ -81,7 +81,7 @@ export function marker(stage) {
     for (const { from, to = from, wrong } of strokes) {
       eye.project(p.set(...from), p);
       eye.project(q.set(...to), q);
-      context.strokeStyle = wrong ? (dark ? '#7a1f1f' : '#ffb3ad') : (dark ? '#5c4a00' : '#ffec99');
+      context.strokeStyle = wrong ? (dark ? '#661a1a' : '#ffb3ad') : (dark ? '#5c4a00' : '#ffec99');
       context.lineWidth = from === to ? 1.7 * WIDTH : WIDTH;
       context.beginPath();
       context.moveTo(p.x, p.y);

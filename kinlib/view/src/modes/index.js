@@ -1,4 +1,5 @@
 // Modes: what a viewer can do beyond showing an arm. Each is a function of a kit, and lives in a file of its own.
+import { assign } from './assign.js';
 import { assignment } from './assignment.js';
 import { curve } from './curve.js';
 import { row } from './row.js';
@@ -8,4 +9,4 @@ import { row } from './row.js';
  * (kit) -> { element?, replacesSliders?, update?(q, T), dress?(), dispose?() } of
  * kit: { model, stage, data (model.get('mode')), state (q(), set(q)), say(text) }
  */
-export const MODES = { assignment, curve, row };
+export const MODES = { assign, assignment, curve, row };

@@ -3,8 +3,9 @@
 import { fixed, h, KEYS, unique } from '../dom.js';
 import { rich } from '../rich.js';
 import { dashes } from '../shapes.js';
-import { add, frame, mixed, originOf as place } from './drawing.js';
+import { frame, mixed, originOf as place } from './drawing.js';
 import { sectors } from './sectors.js';
+import { add } from './vectors.js';
 
 const ROD = 0.34; // of a frame, as a share of the size of a row
 const EACH = 1100; // milliseconds for one motion

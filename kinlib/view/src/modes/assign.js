@@ -1,0 +1,143 @@
+// Assign mode: frames placed by hand on bare axes, part by part, by mouse, touch or keys. The frames are a trait, so Python
+// reads them; whether they obey the rules is asked of Python, and what is broken lights up where it is broken.
+import { axis, frame, lengths, marker, paleArm } from './drawing.js';
+import { handles } from './handles.js';
+import { panel } from './panel.js';
+import { picker } from './pick.js';
+import { add, columnOf, open, placed, PARTS } from './vectors.js';
+
+const PATIENCE = 6000; // milliseconds until silence of Python is mentioned
+
+/** @param kit.data { convention, joints: [joint or null], axes, z, points, x }, see kinlib/view/candidates.py */
+export function assign({ model, stage, data }) {
+  const { size } = stage.data;
+  const frames = () => model.get('frames');
+  const now = { i: 0, part: 'z', touched: new Set(), waiting: false };
+  const past = [];
+  const target = () => {
+    const T = frames()[now.i];
+    return { ...now, z: columnOf(T, 2), origin: columnOf(T, 3), x: columnOf(T, 0) };
+  };
+
+  function keep(next, kept = true) {
+    model.set('frames', next);
+    if (kept) model.save_changes();
+  }
+  let held = null; // the frames before a drag began
+  /** Put the part at hand somewhere. @param on whether to go on to what is open next */
+  function place(value, kept = true, on = false) {
+    const { i, part } = now;
+    held ??= frames();
+    if (kept) {
+      past.push(held);
+      held = null;
+    }
+    now.touched.add(i);
+    if (part === 'x' && !columnOf(frames()[i], 2)) return;
+    if (on) next(placed(frames()[i], part, value));
+    keep(frames().map((T, k) => (k === i ? placed(T, part, value) : T)), kept);
+  }
+  /** After a pick: the next part of this frame, and then the next frame that is open. */
+  function next(T) {
+    const here = open(T);
+    const others = frames().map((other, k) => k).filter((k) => k !== now.i && open(frames()[k]));
+    const there = others.find((k) => k > now.i) ?? others[0];
+    if (here) now.part = here;
+    else if (there !== undefined) Object.assign(now, { i: there, part: open(frames()[there]) });
+    picks.forget();
+  }
+  function go(i, part) {
+    Object.assign(now, { i, part: part ?? open(frames()[i]) ?? 'z' });
+    picks.forget();
+    changed();
+  }
+  function undo() {
+    if (past.length) keep(past.pop());
+  }
+  function clear() {
+    past.push(frames());
+    now.touched.add(now.i);
+    const bare = [...Array(3).fill([null, null, null, null]), [0, 0, 0, 1]];
+    now.part = 'z';
+    keep(frames().map((T, k) => (k === now.i ? bare.map((row) => [...row]) : T)));
+  }
+  function ask() {
+    now.touched.clear();
+    now.waiting = true;
+    clearTimeout(now.timer);
+    now.timer = setTimeout(() => side.silent(), PATIENCE);
+    model.set('asked', model.get('asked') + 1);
+    model.save_changes();
+    side.update();
+  }
+
+  const pen = marker(stage);
+  const picks = picker({ stage, data, target, place });
+  const marks = handles({ stage, data, picks, target, broken: () => breaches().map(({ joint }) => data.axes[joint - 1].point) });
+  /** The breaches of the last verdict, but those about frames that have changed since. */
+  const breaches = () => (model.get('verdict').breaches ?? []).filter(({ frame: i, rule }) => {
+    const other = rule.startsWith('x ') ? i + (data.convention === 'standard' ? -1 : 1) : i;
+    return !now.touched.has(i) && !now.touched.has(other);
+  });
+  const side = panel({ model, data, target, picks, size, place, go, undo, clear, ask, breaches, past });
+
+  /** A frame as far as it is placed; a z without an origin stands on the axis that it was taken from. */
+  function partly(T) {
+    const [x, y, z, origin] = [0, 1, 2, 3].map((k) => columnOf(T, k));
+    const joint = z && data.axes.find(({ along }) => Math.abs(Math.abs(along[0] * z[0] + along[1] * z[1] + along[2] * z[2]) - 1) < 1e-9);
+    const at = origin ?? joint?.point ?? [0, 0, 0];
+    const columns = [x ?? [0, 0, 0], y ?? [0, 0, 0], z ?? [0, 0, 0], at];
+    const letters = `${origin ? 'O' : ''}${z ? 'z' : ''}${x && origin ? 'xy' : ''}`;
+    return { letters, pose: [0, 1, 2].flatMap((row) => columns.map((column) => column[row])) };
+  }
+
+  function draw() {
+    const { theme } = stage;
+    const parts = frames().map(partly);
+    const long = lengths(parts.map(({ pose }) => pose), parts.map(({ letters }) => letters), size);
+    stage.put('hand', parts.flatMap(({ pose, letters }, i) => (
+      frame(i, pose, letters, { size, theme, strong: i === now.i, length: long[i], body: 0 })
+        .filter((part) => !part.label || part.text !== 'y' || i === now.i))), { through: true });
+    pen.mark(breaches().flatMap(({ frame: i, rule, joint }) => {
+      const T = frames()[i];
+      const from = columnOf(T, 3);
+      const ray = (k) => ({ from, to: add(from, columnOf(T, k), long[i] * size), wrong: true });
+      const line = { ...data.axes[joint - 1], wrong: true };
+      if (rule === 'origin on axis') return [{ from, wrong: true }, line];
+      if (rule === 'right-handed') return [ray(0), ray(1), ray(2)];
+      return rule.startsWith('z') ? [ray(2), line] : [ray(0), line];
+    }));
+  }
+
+  function changed() {
+    if (now.part !== 'z' && !(now.part in PARTS)) now.part = 'z';
+    draw();
+    side.update();
+  }
+  function judged() {
+    now.waiting = false;
+    clearTimeout(now.timer);
+    changed();
+  }
+  model.on('change:frames', changed);
+  model.on('change:verdict', judged);
+  const first = frames().findIndex((T) => open(T));
+  if (first >= 0) Object.assign(now, { i: first, part: open(frames()[first]) });
+  side.update();
+  return {
+    element: side.element,
+    replacesSliders: true,
+    dress() {
+      marks.keepOff();
+      paleArm(stage);
+      stage.put('bare axes', data.axes.flatMap(({ from, to }, i) => axis(i, from, to, { size, theme: stage.theme, beyond: 0.06 })), { through: true });
+      draw();
+    },
+    dispose() {
+      clearTimeout(now.timer);
+      model.off('change:frames', changed);
+      model.off('change:verdict', judged);
+      for (const one of [pen, picks, marks]) one.dispose();
+    },
+  };
+}

@@ -1,0 +1,138 @@
+// What can be picked, drawn over the picture: ends of axes for z, rings on points for the origin, a dial for x.
+import { add, cross } from './vectors.js';
+
+const TURN = 2 * Math.PI;
+
+/** @param picks what pick.js gives; @param target () -> { i, part, z, origin, x }; @param broken () -> where a rule is broken */
+export function handles({ stage, data, picks, target, broken }) {
+  const overlay = (context) => {
+    const { part } = target();
+    context.save();
+    for (const at of broken()) badge(context, ...picks.flat(at), stage.theme);
+    DRAWN[part]({ context, theme: stage.theme, data, picks, ...target() });
+    tip(context, picks, stage);
+    context.restore();
+  };
+  stage.overlays.add(overlay);
+  let free = null;
+  return {
+    /** Names in the picture keep off the handles. */
+    keepOff() {
+      free ??= stage.reserved;
+      stage.reserved = () => [...free(), ...{ z: data.z, origin: data.points, x: [] }[target().part].map(({ at }) => box(picks.flat(at), 9))];
+    },
+    dispose: () => stage.overlays.delete(overlay),
+  };
+}
+
+const box = ([x, y], half) => ({ left: x - half, right: x + half, top: y - half, bottom: y + half });
+
+const DRAWN = {
+  z({ context, theme, data, picks, z }) {
+    for (const { at, along } of data.z) {
+      const [x, y] = picks.flat(at);
+      const [dx, dy] = picks.flat(add(at, along, 1e-3 * picks.radius));
+      const angle = Math.hypot(dx - x, dy - y) > 1e-5 ? Math.atan2(dy - y, dx - x) : null;
+      disc(context, x, y, 10, theme, theme.axis, z && same(along, z));
+      arrow(context, x, y, angle, z && same(along, z) ? theme.paper : theme.axis);
+    }
+  },
+  origin({ context, theme, data, picks, origin }) {
+    for (const { at } of data.points) disc(context, ...picks.flat(at), 6.5, theme, theme.ink, origin && same(at, origin));
+    if (origin) circle(context, ...picks.flat(origin), 11, theme.normal, 3);
+  },
+  x({ context, theme, picks, z, origin, x }) {
+    if (!z || !origin) return;
+    const u = picks.named(z)[0]?.along ?? x;
+    if (!u) return;
+    const v = cross(z, u);
+    context.beginPath();
+    for (let k = 0; k <= 72; k += 1) {
+      const angle = (TURN * k) / 72;
+      const at = add(add(origin, u, picks.radius * Math.cos(angle)), v, picks.radius * Math.sin(angle));
+      context[k ? 'lineTo' : 'moveTo'](...picks.flat(at));
+    }
+    context.strokeStyle = theme.x;
+    context.setLineDash([2, 4]);
+    context.lineWidth = 2;
+    context.stroke();
+    context.setLineDash([]);
+    for (const { along } of picks.named(z)) disc(context, ...picks.flat(add(origin, along, picks.radius)), 7, theme, theme.x, x && same(along, x));
+    if (x) circle(context, ...picks.flat(add(origin, x, picks.radius)), 12, theme.normal, 3);
+  },
+};
+
+function disc(context, x, y, radius, theme, colour, filled) {
+  context.beginPath();
+  context.arc(x, y, radius, 0, TURN);
+  context.fillStyle = filled ? colour : theme.paper;
+  context.fill();
+  context.strokeStyle = colour;
+  context.lineWidth = 2;
+  context.stroke();
+}
+
+function circle(context, x, y, radius, colour, width) {
+  context.beginPath();
+  context.arc(x, y, radius, 0, TURN);
+  context.strokeStyle = colour;
+  context.lineWidth = width;
+  context.stroke();
+}
+
+/** A joint at which a rule is broken. */
+function badge(context, x, y, theme) {
+  disc(context, x, y, 11, theme, theme.x, true);
+  context.strokeStyle = theme.paper;
+  context.lineWidth = 2.5;
+  context.beginPath();
+  for (const side of [-1, 1]) {
+    context.moveTo(x - 4.5, y - 4.5 * side);
+    context.lineTo(x + 4.5, y + 4.5 * side);
+  }
+  context.stroke();
+}
+
+/** Which way z would point; towards the eye, or away from it, it is a dot. */
+function arrow(context, x, y, angle, colour) {
+  context.save();
+  context.translate(x, y);
+  context.fillStyle = colour;
+  context.beginPath();
+  if (angle === null) context.arc(0, 0, 2.5, 0, TURN);
+  else {
+    context.rotate(angle);
+    context.moveTo(6, 0);
+    context.lineTo(-4, 4.5);
+    context.lineTo(-4, -4.5);
+  }
+  context.fill();
+  context.restore();
+}
+
+/** The name of what is under the pointer, beside it. */
+function tip(context, picks, stage) {
+  const found = picks.hovered();
+  if (!found) return;
+  const [x, y] = picks.flat(found.at);
+  const { theme, width } = stage;
+  circle(context, x, y, 13, theme.normal, 3);
+  context.font = '600 13px "Segoe UI", "Helvetica Neue", "DejaVu Sans", Arial, sans-serif';
+  const [first, second, ...more] = found.text.split('; ');
+  const text = [first, ...(second ? [second] : []), ...(more.length ? ['…'] : [])].join('; ');
+  const wide = context.measureText(text).width + 14;
+  const left = Math.max(4, Math.min(width - wide - 4, x - wide / 2));
+  const top = y > 52 ? y - 44 : y + 20;
+  context.fillStyle = theme.ink;
+  context.beginPath();
+  context.roundRect(left, top, wide, 24, 5);
+  context.fill();
+  context.fillStyle = theme.paper;
+  context.textAlign = 'left';
+  context.textBaseline = 'middle';
+  context.fillText(text, left + 7, top + 12);
+}
+
+function same(p, q) {
+  return p.every((value, k) => Math.abs(value - q[k]) < 1e-9);
+}

@@ -1,0 +1,158 @@
+// Picking in the picture: what can be taken, drawn over it; what is under the pointer; drags along an axis and round a ring.
+// The eye is orthographic, so lines and planes of space are lines and planes of the picture, only foreshortened.
+import { Vector3 } from 'three';
+import { roundStep } from '../stage.js';
+import { add, cross, dot, minus, norm, times, turned } from './vectors.js';
+
+const GRIP = 18; // pixels round a handle
+const SNAP = 14; // pixels round a point, for what moves on a line
+const LINE = 12;
+const STEP = 5; // degrees on the ring, where nothing is near
+const CATCH = 8; // degrees round a direction that has a name
+const DEGREE = Math.PI / 180;
+
+/** @param target () -> { part, z, origin, x } of the frame at hand; @param place (value, kept) puts its part somewhere */
+export function picker({ stage, data, target, place }) {
+  const { canvas } = stage;
+  const { size } = stage.data;
+  const radius = 0.3 * size;
+  const grid = roundStep(size / 200);
+  let hovered = null;
+  let dragging = false;
+
+  const flat = (point) => {
+    const { x, y } = stage.eye.project(new Vector3(...point), new Vector3());
+    return [x, y];
+  };
+  const gap = (p, q) => Math.hypot(p[0] - q[0], p[1] - q[1]);
+  const nearest = (list, pointer, reach) => list
+    .map((item) => ({ ...item, off: gap(flat(item.at), pointer) }))
+    .filter(({ off }) => off < reach).sort((a, b) => a.off - b.off)[0];
+
+  /** How far along an axis the pointer is: on a picture of a line, shares are those of the line. */
+  function onAxis(axis, pointer) {
+    const start = flat(axis.point);
+    const way = minus(flat(add(axis.point, axis.along)), start);
+    const length = dot(way, way);
+    if (length < 1) return null; // seen end on
+    const [low, high] = ['from', 'to'].map((end) => dot(minus(axis[end], axis.point), axis.along));
+    const raw = dot(minus(pointer, start), way) / length;
+    const share = Math.round(Math.max(low, Math.min(high, raw)) / grid) * grid;
+    const at = add(axis.point, axis.along, share);
+    return { value: at, at, off: gap(flat(at), pointer), share };
+  }
+
+  function originAt(pointer, only) {
+    const points = only ? data.points.filter(({ at }) => norm(cross(minus(at, only.point), only.along)) < 1e-9) : data.points;
+    const point = nearest(points, pointer, only ? 10 : SNAP);
+    if (point) return { ...point, value: point.at };
+    const found = (only ? [only] : data.axes).map((axis) => ({ axis, ...onAxis(axis, pointer) }))
+      .filter(({ value, off }) => value && (only || off < LINE)).sort((a, b) => a.off - b.off)[0];
+    return found && { ...found, text: `on axis ${data.axes.indexOf(found.axis) + 1}, ${Number(found.share.toPrecision(4))} m from joint ${data.axes.indexOf(found.axis) + 1}` };
+  }
+
+  /** Directions square to z that have a name. */
+  const named = (z) => data.x.filter(({ along }) => Math.abs(dot(along, z)) < 1e-9);
+
+  function xAt(pointer, loose) {
+    const { z, origin } = target();
+    if (!z || !origin) return null;
+    const u = named(z)[0]?.along ?? square(z);
+    const v = cross(z, u);
+    const hub = flat(origin);
+    const [p, q] = [u, v].map((along) => minus(flat(add(origin, along, radius)), hub));
+    const det = p[0] * q[1] - p[1] * q[0];
+    const tips = named(z).map((one) => ({ ...one, at: add(origin, one.along, radius), value: one.along }));
+    const tip = nearest(tips, pointer, loose ? 0 : GRIP);
+    if (tip || Math.abs(det) < 0.04 * radius ** 2 / stage.eye.scale ** 2) return tip ?? null; // the ring is seen edge on
+    const off = minus(pointer, hub);
+    const [a, b] = [(off[0] * q[1] - off[1] * q[0]) / det, (p[0] * off[1] - p[1] * off[0]) / det];
+    const out = Math.hypot(a, b);
+    if (!loose && (out < 0.5 || out > 1.35)) return null;
+    const angle = Math.atan2(b, a) / DEGREE;
+    const close = tips.map((one) => ({ ...one, miss: Math.abs(((Math.atan2(dot(one.along, v), dot(one.along, u)) / DEGREE - angle + 540) % 360) - 180) }))
+      .filter(({ miss }) => miss < CATCH).sort((one, other) => one.miss - other.miss)[0];
+    if (close) return close;
+    const value = turned(u, z, Math.round(angle / STEP) * STEP * DEGREE);
+    return { value, at: add(origin, value, radius), text: `along (${value.map((number) => Number(number.toFixed(3))).join(', ')})` };
+  }
+
+  const HITS = {
+    z: (pointer) => {
+      const found = nearest(data.z, pointer, GRIP);
+      return found && { ...found, value: found.along };
+    },
+    origin: (pointer) => originAt(pointer),
+    x: (pointer) => xAt(pointer),
+  };
+  /** The axis that an origin lies on; of several, the one along its z. */
+  function track() {
+    const { origin, z } = target();
+    const through = data.axes.filter(({ point, along }) => norm(cross(minus(origin, point), along)) < 1e-9);
+    return through.find(({ along }) => z && norm(cross(along, z)) < 1e-9) ?? through[0];
+  }
+  /** What is under the hand: the origin of the frame, or the tip of its x. */
+  function held(pointer) {
+    const { part, origin, x } = target();
+    if (part === 'origin' && origin && track()) return gap(flat(origin), pointer) < GRIP;
+    return part === 'x' && origin && x ? gap(flat(add(origin, x, radius)), pointer) < GRIP : false;
+  }
+  const dragged = (pointer) => (target().part === 'x' ? xAt(pointer, true) : originAt(pointer, track()));
+  const pointerOf = (event) => {
+    const box = canvas.getBoundingClientRect();
+    return [event.clientX - box.left, event.clientY - box.top];
+  };
+
+  const listeners = {
+    pointerdown(event) {
+      if (event.button || !held(pointerOf(event))) return;
+      dragging = true;
+      event.stopImmediatePropagation(); // or the eye would turn
+      canvas.setPointerCapture(event.pointerId);
+    },
+    pointermove(event) {
+      const found = dragging ? dragged(pointerOf(event)) : !event.buttons && HITS[target().part](pointerOf(event));
+      canvas.style.cursor = dragging ? 'grabbing' : found ? 'pointer' : '';
+      if (dragging && found) place(found.value, false);
+      if (found?.text !== hovered?.text || dragging) {
+        hovered = found || null;
+        stage.draw();
+      }
+      if (dragging) event.stopImmediatePropagation();
+    },
+    pointerup(event) {
+      if (!dragging) return;
+      dragging = false;
+      event.stopImmediatePropagation();
+      const { part } = target();
+      place(target()[part], true);
+    },
+    pointerleave() {
+      hovered = null;
+      stage.draw();
+    },
+    tap({ detail: { x, y } }) {
+      const found = HITS[target().part]([x, y]);
+      if (found) place(found.value, true, true);
+    },
+  };
+  for (const [name, listener] of Object.entries(listeners)) canvas.addEventListener(name, listener, { capture: true });
+  return {
+    radius,
+    flat,
+    named,
+    hovered: () => hovered,
+    forget: () => { hovered = null; },
+    dispose: () => {
+      for (const [name, listener] of Object.entries(listeners)) canvas.removeEventListener(name, listener, { capture: true });
+    },
+  };
+}
+
+/** A unit vector square to another. */
+export function square(z) {
+  const least = z.map(Math.abs).indexOf(Math.min(...z.map(Math.abs)));
+  const other = [0, 1, 2].map((k) => (k === least ? 1 : 0));
+  const across = minus(other, times(z, z[least]));
+  return times(across, 1 / norm(across));
+}

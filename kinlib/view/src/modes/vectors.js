@@ -1,0 +1,45 @@
+// Vectors as arrays of three numbers, and the frames of a hand: 4x4 in rows, with null for what is not placed yet.
+
+export const add = (p, q, s = 1) => p.map((value, k) => value + s * q[k]);
+export const minus = (p, q) => add(p, q, -1);
+export const times = (p, s) => p.map((value) => value * s);
+export const dot = (p, q) => p.reduce((sum, value, k) => sum + value * q[k], 0);
+export const norm = (p) => Math.hypot(...p);
+export const cross = ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b * x];
+export const near = (p, q, off = 1e-9) => norm(minus(p, q)) < off;
+
+/** A vector turned about a unit axis that is square to it. */
+export function turned(along, axis, angle) {
+  const side = cross(axis, along);
+  return along.map((value, k) => tidy(value * Math.cos(angle) + side[k] * Math.sin(angle)));
+}
+
+/** A column of a frame, or null while it is open: 0 to 2 for x, y, z, and 3 for the origin. */
+export function columnOf(T, k) {
+  const values = [0, 1, 2].map((row) => T[row][k]);
+  return values.some((value) => value === null) ? null : values;
+}
+
+export const PARTS = { z: 2, origin: 3, x: 0 };
+
+/** The first part of a frame that is open; null when it is finished. */
+export function open(T) {
+  return Object.keys(PARTS).find((part) => !columnOf(T, PARTS[part])) ?? null;
+}
+
+/** A frame with one part placed. y follows from z and x, and an x that is not square to a new z is taken back. */
+export function placed(T, part, value) {
+  const next = T.map((row) => [...row]);
+  const put = (k, vector) => [0, 1, 2].forEach((row) => { next[row][k] = vector ? tidy(vector[row]) : null; });
+  put(PARTS[part], value);
+  const [z, x] = [columnOf(next, 2), columnOf(next, 0)];
+  const square = z && x && Math.abs(dot(z, x)) < 1e-9;
+  if (part === 'z' && x && !square) put(0, null);
+  put(1, square ? cross(z, x) : null);
+  return next;
+}
+
+/** A number without the dust of rounding about 0, and never -0. */
+function tidy(value) {
+  return Math.abs(value) < 1e-15 ? 0 : value;
+}
