@@ -5,6 +5,8 @@ import os
 import re
 import socket
 import sqlite3
+import subprocess
+import sys
 from concurrent.futures import ThreadPoolExecutor
 from dataclasses import asdict, replace
 from hashlib import sha256
@@ -298,3 +300,34 @@ def test_a_server_and_a_judge_that_were_killed_are_started_anew(grader):
         process.wait()
     assert grader.grade("ada", as_bytes(full())).status in {"graded", "broken"}
     assert grader.grade("ada", as_bytes(full())).points == 24
+
+
+def test_a_submission_is_in_no_process_group_with_whoever_grades(grader):
+    result = grader.grade("ada", as_bytes(full(first="import os\nprint(os.getpgrp() == os.getpid() == os.getsid(0))")))
+    assert result.cells[1].outputs[0]["text"] == "True\n"
+
+
+SOMEBODY = """
+import sys
+from attacks import ATTACKS, source
+from kinlib.grading.grade import Grader
+from kinlib.grading.submission import master
+from submissions import as_bytes, attacking, descendants, handed_in, released, right
+
+with Grader(master(released())) as grader:
+    for name in sys.argv[2:]:
+        result = grader.grade("ada", as_bytes(attacking("ada", source(name, folder=sys.argv[1]))))
+        print(name, result.points, len(descendants(grader)))
+    print(grader.grade("ada", as_bytes(handed_in("ada", right("ada")))).points)
+"""
+
+
+def test_where_there_is_only_one_user_a_submission_harms_that_user_no_more(outside):
+    """As in a container without root, or for a teacher on their own machine: ids cannot tell who is who."""
+    names = ["everybody is killed", "files are written outside", "files are deleted", "the sandbox is asked to let go"]
+    before = listing(outside)
+    command = ["unshare", "--user", "--map-root-user", sys.executable, "-c", SOMEBODY, str(outside), *names]
+    paths = {"PYTHONPATH": os.pathsep.join([str(submissions.ROOT), str(submissions.ROOT / "tests")])}
+    done = subprocess.run(command, env=os.environ | paths, capture_output=True, text=True, check=False)
+    assert done.stdout.splitlines() == [*(f"{name} 0.0 1" for name in names), "24.0"], done.stderr
+    assert listing(outside) == before

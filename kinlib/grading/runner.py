@@ -61,7 +61,8 @@ class Runner:
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.DEVNULL,
                 pass_fds=[theirs.fileno()],
-                env={**environment(), "TMPDIR": self._scratch.name},
+                env={**environment(), "TMPDIR": self._scratch.name, "IPYTHONDIR": self._scratch.name},
+                start_new_session=True,
             )
         self._socket.settimeout(STARTING)
         greeting = json.loads(self._socket.recv(CHUNK) or b'{"missing": "The server ended before it was ready."}')
