@@ -59,9 +59,13 @@ class Curve:
         return np.concatenate([[0.0], np.cumsum(steps)])
 
     def turning_points(self, i: int) -> NDArray[np.intp]:
-        """The points before which coordinate i went one way and after which it goes the other: dead points of a driver."""
+        """The points before which coordinate i went one way and after which it goes the other: dead points of a driver.
+
+        A closed curve may turn at its first point too, which is its last one.
+        """
         ahead = self.tangents[:, i] > 0
-        return np.flatnonzero(ahead[1:] != ahead[:-1]) + 1
+        before = np.concatenate([ahead[-2:-1] if self.closed else ahead[:1], ahead[:-1]])
+        return np.flatnonzero((ahead != before)[: len(ahead) - self.closed])
 
     def between(self, count: int) -> Array:
         """Points (count, n) at equal steps of length, by cubics between the points: near the curve, not yet on it."""
@@ -224,13 +228,16 @@ class Path:
         start, end = length * tangent, length * ahead
         cubic = np.array([x, start, 3 * way - 2 * start - end, start + end - 2 * way])
         hull = np.array([x + start / 3, new - end / 3, new])
-        below, above = hull < self.limits[:, 0] - SAME, hull > self.limits[:, 1] + SAME
+        beyond = np.stack([hull < self.limits[:, 0] - SAME, hull > self.limits[:, 1] + SAME], axis=-1)
         met = []
-        for i, side in np.argwhere(np.stack([below.any(axis=0), above.any(axis=0)], axis=1)):
-            over = (2 * side - 1) * (Polynomial(cubic[:, i]) - self.limits[i, side]) - SAME
+        for i, side in np.argwhere(beyond.any(axis=0)):
+            # A coefficient that moves nothing by SAME would, in front, make the roots of the others run away.
+            over = ((2 * side - 1) * (Polynomial(cubic[:, i]) - self.limits[i, side]) - SAME).trim(SAME)
             roots = over.roots()
             inside = roots.real[(np.abs(roots.imag) < SAME) & (roots.real > 0) & (roots.real <= 1)]
             out = [u for u in [0.0, *inside] if over.deriv()(u) > 0 and (u > 0 or over(u) > 0)]
+            if not out and beyond[-1, i, side]:
+                out = [1.0]
             met += [(u, i, side) for u in out]
         for u, i, side in sorted(met):
             guess = u ** np.arange(4) @ cubic
@@ -238,7 +245,7 @@ class Path:
             stop, onward, _ = self._back_to_the_curve(guess, np.eye(len(x))[i], tangent)
             if onward.any() and np.linalg.norm(stop - x) <= length:
                 return stop, onward, int(i)
-        return (x, tangent, int(min(met)[1])) if met and (below[-1] | above[-1]).any() else None
+        return (x, tangent, int(min(met)[1])) if beyond[-1].any() else None
 
 
 def _side(J: Array, tangent: Array, before: tuple[Array, float]) -> tuple[Array, float]:

@@ -85,6 +85,13 @@ def test_turning_points_stand_where_the_coordinate_turns_back():
         close(np.abs(curve.q[turned, i]), 1, atol=0.05**2)
 
 
+def test_a_closed_curve_may_turn_where_it_starts():
+    for start in ([1.0, 0.0], [0.0, -1.0]):
+        curve = circle().follow(np.array(start), 0.05, 1000)
+        for lines in (curve, circle().laid_out(curve, 200)):
+            assert [len(lines.turning_points(i)) for i in range(2)] == [2, 2]
+
+
 def test_a_curve_on_a_torus_closes_after_all_its_windings():
     """x = 2 y + 1 is the same point again when y has gone round once and x twice, and after 2 pi sqrt(5)."""
     path = plane_curve(lambda x, y: x - 2 * y - 1, lambda x, y: (1 + 0 * x, -2 + 0 * y), turns=(True, True))
@@ -205,6 +212,19 @@ def test_from_a_limit_only_the_way_inwards_is_open():
     assert curve.ends == ("limit of x", "limit of x")
     close(curve.q[[0, -1], 0], 0.6)
     close(straightened(circle(), curve), 2 * np.pi - 2 * np.arccos(0.6), atol=1e-5)
+
+
+def test_a_straight_way_stops_at_the_limit_that_it_starts_from():
+    """Where a curve is straight its cubic has no cubic part but rounding, and that must not hide where it ends."""
+    for rise in (1.0, -1.0, 0.3):
+        path = plane_curve(
+            lambda x, y, rise=rise: y - rise * x,
+            lambda x, y, rise=rise: (-rise + 0 * x, 1 + 0 * y),
+            limits=((0, 0.8), (-9, 9)),
+        )
+        curve = path.follow(np.zeros(2), 0.1, 1000)
+        close(np.sort(curve.q[[0, -1], 0]), [0, 0.8])
+        assert curve.ends == ("limit of x", "limit of x")
 
 
 def test_between_limits_that_leave_no_room_a_curve_is_one_point():

@@ -1,0 +1,513 @@
+"""Closed chains: residuals and Jacobians against 40 digits and Pinocchio, one mechanism in many descriptions, what is refused."""
+
+from dataclasses import replace
+
+import exact
+import numpy as np
+import peers
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from scipy.optimize import least_squares
+from strategies import poses as drawn_poses
+from strategies import screws as drawn_screws
+
+from kinlib import Chain, Mechanism, adjoint, exp, inverse, linkages, log, robots, screw
+from kinlib.bodies import Joint, cylindrical, spherical, universal
+
+EXACT = 1e-12
+X, Y, Z = np.eye(3)
+SLIDE = np.inf
+
+
+def close(got, expected, atol=EXACT):
+    np.testing.assert_allclose(got, expected, rtol=0, atol=atol)
+
+
+def jack(pitch=0.01):
+    """A screw jack: a spindle turns in the ground, a nut climbs along it and is kept from turning."""
+    return Mechanism(
+        [
+            Joint("crank", ("ground", "spindle"), screw(Z)),
+            Joint("thread", ("spindle", "nut"), screw(Z, pitch=pitch)),
+            Joint("rise", ("ground", "nut"), screw(Z, pitch=SLIDE)),
+        ],
+        name="jack",
+    )
+
+
+def wedges():
+    """Three slides in a plane, the second up a slope of 4 to 3."""
+    return Mechanism(
+        [
+            Joint("push", ("ground", "wedge"), screw(X, pitch=SLIDE)),
+            Joint("slope", ("wedge", "lift"), screw(0.6 * X + 0.8 * Y, pitch=SLIDE)),
+            Joint("rise", ("ground", "lift"), screw(Y, pitch=SLIDE)),
+        ]
+    )
+
+
+LINKAGES = [
+    linkages.four_bar(0.4, 0.1, 0.35, 0.3),
+    linkages.slider_crank(1, 3, 0.2),
+    linkages.bennett(),
+    jack(0.3),
+    linkages.sarrus(),
+    linkages.three_rrr(),
+    linkages.parallelogram(),
+]
+each_linkage = pytest.mark.parametrize("linkage", LINKAGES, ids=lambda linkage: linkage.name)
+
+
+def postures(linkage, count=3):
+    """Open ones, far from closing."""
+    return np.random.default_rng(6).uniform(-1.2, 1.2, (count, linkage.n))
+
+
+def limited(linkage, **limits):
+    joints = [replace(joint, limits=limits.get(joint.name)) for joint in linkage.joints]
+    return Mechanism(joints, linkage.ground, linkage.name)
+
+
+# --- residual and Jacobian ---
+
+
+@each_linkage
+def test_the_residual_is_the_logarithm_of_each_loop_walked_round(linkage):
+    for q in postures(linkage):
+        twists = np.split(linkage.residual(q), len(linkage.loops))
+        for loop, twist in zip(linkage.loops, twists, strict=True):
+            close(exact.exp(twist), exact.fk(loop.chain, q[loop.columns]))
+
+
+@each_linkage
+def test_the_jacobian_is_the_difference_of_residuals_with_40_digits(linkage):
+    for q in postures(linkage, 1):
+        parts = np.split(linkage.jacobian(q), len(linkage.loops))
+        for loop, part in zip(linkage.loops, parts, strict=True):
+            others = np.setdiff1d(np.arange(linkage.n), loop.columns)
+            close(part[:, loop.columns], exact.residual_jacobian(loop.chain, q[loop.columns]))
+            assert not part[:, others].any()
+
+
+@each_linkage
+def test_residual_and_jacobian_agree_with_pinocchio_s_constraints(linkage):
+    """Each loop as an open chain whose tool Pinocchio ties to the world by a rigid constraint; it stacks (v, omega)."""
+    pin = pytest.importorskip("pinocchio", reason="no pinocchio here (the wheel `pin` does not exist for Windows)")
+    for q in postures(linkage):
+        twists, parts = (np.split(found, len(linkage.loops)) for found in (linkage.residual(q), linkage.jacobian(q)))
+        for loop, twist, part in zip(linkage.loops, twists, parts, strict=True):
+            model = peers.pinocchio_model(loop.chain)
+            data, tool = model.createData(), model.frames[model.getFrameId("tool")]
+            contact = pin.ContactType.CONTACT_6D
+            tie = pin.RigidConstraintModel(contact, model, tool.parentJoint, tool.placement, 0, pin.SE3.Identity())
+            at = tie.createData()
+            pin.computeJointJacobians(model, data, q[loop.columns])
+            tie.calc(model, data, at)
+            J = pin.getConstraintJacobian(model, data, tie, at)
+            left = at.c1Mc2.inverse()
+            close(twist, np.roll(pin.log6(left).vector, 3), atol=1e-11)
+            # Its Jacobian is that of the velocity left over, in the tool's own frame, before the logarithm is taken.
+            close(np.roll(part[:, loop.columns], 3, axis=0), pin.Jlog6(left) @ J, atol=1e-11)
+
+
+@each_linkage
+def test_any_batch_shape_is_one_computation(linkage):
+    q = postures(linkage, 6).reshape(2, 3, -1)
+    size = 6 * len(linkage.loops)
+    assert linkage.residual(q).shape == (2, 3, size)
+    assert linkage.jacobian(q).shape == (2, 3, size, linkage.n)
+    close(linkage.jacobian(q)[1, 2], linkage.jacobian(q[1, 2]), atol=1e-14)
+    assert all(pose.shape == (2, 3, 4, 4) for pose in linkage.poses(q).values())
+    assert linkage.joint_points(q).shape == (2, 3, len(linkage.joints), 3)
+    assert linkage.residual(q[:, :0]).shape == (2, 0, size)
+
+
+@each_linkage
+def test_a_closed_linkage_holds_together_at_every_joint(linkage):
+    """Each joint, not only those that the walks use: b stands to a as e^[S]q gap says."""
+    found = linkage.assemble(postures(linkage, 1)[0] * 0.3)
+    assert found.converged, found.message
+    stands = linkage.poses(found.q)
+    first = 0
+    for joint in linkage.joints:
+        a, b = (stands[body] for body in joint.bodies)
+        relative = np.eye(4)
+        for S, value in zip(joint.screws, found.q[first : first + joint.freedoms], strict=True):
+            relative = relative @ exp(S * value)
+        close(inverse(a) @ b, relative @ joint.gap)
+        first += joint.freedoms
+
+
+# --- one mechanism, many descriptions ---
+
+
+def backwards(joint):
+    """The same joint described from its second body: a turns against b about the same axis, the other way round."""
+    return replace(
+        joint,
+        bodies=joint.bodies[::-1],
+        screws=-joint.screws @ adjoint(inverse(joint.gap)).T,
+        gap=inverse(joint.gap),
+        point=None,
+    )
+
+
+def moved(joint, T, scale):
+    screws, gap = joint.screws.copy(), joint.gap.copy()
+    screws[screws[:, :3].any(axis=1), 3:] *= scale
+    gap[:3, 3] *= scale
+    return replace(joint, screws=screws @ adjoint(T).T, gap=T @ gap @ inverse(T), point=None)
+
+
+DESCRIBED = {
+    "four-bar": (linkages.four_bar(0.4, 0.1, 0.35, 0.3), {"A": 1.0}, 2),
+    "slider-crank": (linkages.slider_crank(1, 3, 0.2), {"A": 1.0}, 2),
+    "Bennett": (linkages.bennett(), {"joint 1": 1.0}, 1),
+    "five-bar": (linkages.five_bar(1, (1, 1), (1, 1)), {"A": 2.0, "D": 1.0}, 2),
+}
+
+
+@settings(max_examples=6)
+@given(st.sampled_from(sorted(DESCRIBED)), st.data())
+def test_the_same_linkage_described_otherwise_moves_the_same(name, data):
+    """Another ground, joints in another order and backwards, drawn elsewhere: as many modes, the same mobility."""
+    linkage, hold, count = DESCRIBED[name]
+    order = data.draw(st.permutations(range(len(linkage.joints))))
+    turned = data.draw(st.lists(st.booleans(), min_size=len(order), max_size=len(order)))
+    T = data.draw(drawn_poses())
+    joints = [
+        moved(backwards(joint) if flip else joint, T, 1.0) for joint, flip in zip(linkage.joints, turned, strict=True)
+    ]
+    other = Mechanism([joints[i] for i in order], data.draw(st.sampled_from(linkage.bodies)), name)
+    modes = linkage.assembly_modes(hold=hold)
+    found = other.assembly_modes(hold=hold)
+    assert len(modes) == len(found) == count
+    # Its values are the same too, in their new order.
+    assert sorted(np.round(mode[order], 6).tolist() for mode in modes) == sorted(np.round(found, 6).tolist())
+    one, two = linkage.mobility(modes[0]), other.mobility(modes[0][order])
+    assert (one.kutzbach, one.instantaneous, one.finite) == (two.kutzbach, two.instantaneous, two.finite)
+
+
+@pytest.mark.parametrize(("scale", "far"), [(1e-3, 0), (1e-3, 10), (1, 1e4), (100, 1e4)])
+def test_neither_the_origin_nor_the_unit_of_length_makes_a_difference(scale, far):
+    """From linkages of millimetres to some of 100 m, and as far from the origin as a map may put them."""
+    T = exp([0.3, -0.5, 0.7, 0, 0, 0])
+    T[:3, 3] = np.array([1.0, -0.5, 0.3]) * far
+    for name in ("four-bar", "slider-crank", "Bennett"):
+        linkage, hold, count = DESCRIBED[name]
+        other = Mechanism([moved(joint, T, scale) for joint in linkage.joints], linkage.ground)
+        modes = other.assembly_modes(hold=hold)
+        assert len(modes) == count
+        assert other.kutzbach() == linkage.kutzbach()
+        mobility = other.mobility(modes[0])
+        assert mobility.instantaneous == mobility.finite == 1
+        # A curve of metres is as long as the linkage is large.
+        assert other.trace(modes[0], step=0.3 * max(1, scale) if name == "slider-crank" else 0.3).closed
+
+
+def test_the_singular_values_are_those_of_the_linkage_and_not_of_where_it_is_drawn():
+    linkage, hold, _ = DESCRIBED["Bennett"]
+    q = linkage.assembly_modes(hold=hold)[0]
+    for T in (exp([0.4, 1, -2, 3, 4, 5]), exp([0, 0, 0, 100, 0, 0])):
+        other = Mechanism([moved(joint, T, 1.0) for joint in linkage.joints])
+        close(other.mobility(q).singular_values, linkage.mobility(q).singular_values, atol=1e-11)
+
+
+def test_the_values_of_a_composite_joint_turn_round_with_it():
+    """A spherical joint backwards has its axes in reverse, so its first angle is its last; the loop may run the other way."""
+    joints = [
+        Joint("shaft", ("ground", "a"), screw(Z)),
+        Joint("ball", ("a", "b"), spherical(X)),
+        Joint("arm", ("ground", "b"), screw(X, Y)),
+    ]
+    forwards = Mechanism(joints)
+    turned = Joint("ball", ("b", "a"), -spherical(X)[::-1])
+    q = np.array([0.3, 0.1, -0.4, 0.2, 0.5])
+    other = Mechanism([joints[0], turned, joints[2]])
+    close(np.abs(other.residual(q[[0, 3, 2, 1, 4]])), np.abs(forwards.residual(q)))
+
+
+# --- joints of all kinds ---
+
+
+def test_a_jack_climbs_by_its_pitch():
+    linkage = jack(0.01)
+    assert linkage.kutzbach() == 1
+    for turn in (0.5, -3.0):
+        crank, thread, rise = linkage.assemble(np.zeros(3), hold={"crank": turn}).q
+        close([thread, rise], [-turn, -0.01 * turn])
+        assert crank == turn
+    raised = linkage.assemble(np.zeros(3), hold={"rise": 0.05})
+    close(raised.q, [-5, 5, 0.05])
+    assert len(linkage.assembly_modes(hold={"rise": 0.05})) == 1
+    curve = linkage.trace(np.zeros(3), most=30)
+    assert curve.ends == ("30 points", "30 points")
+
+
+def test_wedges_lift_by_their_slope():
+    linkage = wedges()
+    # Slides along three directions of a plane: two equations, not three.
+    assert linkage.kutzbach() == 1
+    close(linkage.assemble(np.zeros(3), hold={"push": 0.3}).q, [0.3, -0.5, -0.4])
+    curve = limited(linkage, rise=(-0.2, 0.6)).trace(np.zeros(3))
+    assert curve.ends == ("limit of rise", "limit of rise")
+    close(np.sort(curve.q[[0, -1], 2]), [-0.2, 0.6])
+
+
+@pytest.mark.parametrize("bend", [0.3, 1.0])
+def test_hooke_s_joint_turns_its_shafts_as_hooke_found(bend):
+    """tan(out) = cos(bend) tan(in): Robert Hooke, A Description of Helioscopes (1676)."""
+    out = np.array([np.sin(bend), 0, np.cos(bend)])
+    across = np.cross(Z, out) / np.sin(bend)
+    linkage = Mechanism(
+        [
+            Joint("in", ("ground", "fork"), screw(Z)),
+            Joint("cross", ("fork", "other fork"), universal(across, np.cross(out, across), np.zeros(3))),
+            Joint("out", ("ground", "other fork"), screw(out)),
+        ],
+        name="Hooke",
+    )
+    assert linkage.names == ("in", "cross.1", "cross.2", "out")
+    # About a point a loop has three equations.
+    assert linkage.kutzbach() == 1
+    curve = linkage.trace(np.zeros(4))
+    assert curve.closed
+    one, other = curve.q[:, 0], curve.q[:, 3]
+    close(np.sin(other) * np.cos(one), np.cos(bend) * np.cos(other) * np.sin(one))
+
+
+def test_cylinders_and_balls_count_as_the_books_say():
+    """RCCC has one freedom, RSSR has one and the idle spin of its coupler: McCarthy and Soh, 1.3."""
+    skew = [screw(Z), screw(X, Y), screw(Y, Z + X), screw(np.array([0.6, 0, 0.8]), 2 * X)]
+    lines = [(Z, 0 * X), (X, Y), (Y, Z + X), (np.array([0.6, 0, 0.8]), 2 * X)]
+    bodies = [("0", "1"), ("1", "2"), ("2", "3"), ("0", "3")]
+    rccc = Mechanism(
+        [Joint("R", bodies[0], skew[0])] + [Joint(f"C{i}", bodies[i], cylindrical(*lines[i])) for i in range(1, 4)]
+    )
+    mobility = rccc.mobility(np.zeros(7))
+    assert (mobility.kutzbach, mobility.instantaneous, mobility.finite) == (1, 1, 1)
+    balls = [Joint("S1", bodies[1], spherical(X + Y)), Joint("S2", bodies[2], spherical(2 * Y + Z))]
+    rssr = Mechanism([Joint("R1", bodies[0], skew[0]), *balls, Joint("R2", bodies[3], skew[3])])
+    assert rssr.names == ("R1", "S1.1", "S1.2", "S1.3", "S2.1", "S2.2", "S2.3", "R2")
+    mobility = rssr.mobility(np.zeros(8))
+    assert (mobility.kutzbach, mobility.instantaneous, mobility.finite) == (2, 2, 2)
+
+
+@settings(max_examples=15)
+@given(st.lists(drawn_screws(), min_size=2, max_size=7))
+def test_a_loop_of_any_joints_closes_where_it_is_drawn_and_counts_its_rank(axes):
+    """At q = 0 the Jacobian is the screws themselves: their rank by NumPy's own count, in parts of the largest."""
+    linkage = Mechanism.from_chain(Chain(np.array(axes), np.eye(4)))
+    zero = np.zeros(linkage.n)
+    close(linkage.residual(zero), 0)
+    close(linkage.jacobian(zero), np.array(axes).T)
+    # Between 1e-9 and 1e-5 rank is a matter of opinion, and neither count is right or wrong.
+    mobility = linkage.mobility(zero)
+    if not ((mobility.singular_values > 1e-9) & (mobility.singular_values < 1e-5)).any():
+        assert mobility.instantaneous == linkage.n - np.linalg.matrix_rank(np.array(axes), tol=1e-7)
+
+
+# --- closing ---
+
+
+def test_assemble_finds_the_posture_that_scipy_finds():
+    rng = np.random.default_rng(3)
+    for linkage, hold, _ in DESCRIBED.values():
+        mode = linkage.assembly_modes(hold=hold)[0]
+        free = [i for i, name in enumerate(linkage.names) if name not in hold]
+        guess = mode + 0.05 * rng.normal(size=linkage.n) * np.isin(np.arange(linkage.n), free)
+        found = linkage.assemble(guess, hold=hold)
+
+        def left(x, linkage=linkage, guess=guess, free=free):
+            q = guess.copy()
+            q[free] = x
+            return linkage.residual(q)
+
+        oracle = least_squares(left, guess[free], xtol=1e-15, ftol=1e-15, gtol=1e-15)
+        assert found.converged
+        close(found.q[free], oracle.x, atol=1e-9)
+        close(found.q, mode, atol=1e-11)
+        assert np.linalg.norm(linkage.residual(found.q)) < EXACT
+        assert f"after {found.iterations} step" in found.message
+
+
+def test_links_that_cannot_meet_are_told_with_the_gap():
+    """Three links of 1 m each do not span 4 m: 1 m is missing, once all lie on the line of the ground."""
+    found = linkages.four_bar(4, 1, 1, 1).assemble([0.5, 0.5, 2, 0])
+    assert not found.converged
+    close(found.residual, 1.0, atol=0.3)
+    assert found.message.startswith(
+        f"Not closed after {found.iterations} steps: a gap of {found.residual:.2g}, in metres"
+    )
+    assert "Are the links too short to meet?" in found.message
+    assert len(linkages.four_bar(4, 1, 1, 1).assembly_modes(hold={"A": 0.0})) == 0
+
+
+def test_a_driver_held_where_it_cannot_go_is_told():
+    linkage = linkages.four_bar(0.4, 0.3, 0.35, 0.1)  # a rocker: it does not reach 2.5 rad
+    found = linkage.assemble([0, 0, 0, 0], hold={"A": 2.5})
+    assert not found.converged
+    assert found.q[0] == 2.5
+
+
+def test_a_closed_posture_is_left_as_it_is():
+    linkage, hold, _ = DESCRIBED["four-bar"]
+    q = linkage.assembly_modes(hold=hold)[0]
+    again = linkage.assemble(q)
+    assert again.iterations == 0
+    assert again.q.tolist() == q.tolist()
+
+
+# --- limits ---
+
+
+def test_angles_limited_to_a_full_turn_from_zero_lose_no_mode():
+    linkage, hold, _ = DESCRIBED["four-bar"]
+    free = linkage.assembly_modes(hold=hold)
+    turned = limited(linkage, B=(0.0, 2 * np.pi), D=(0.0, 2 * np.pi), C=(-3 * np.pi, -np.pi))
+    modes = turned.assembly_modes(hold=hold)
+    assert len(modes) == len(free)
+    assert (modes >= turned.limits[:, 0] - EXACT).all()
+    assert (modes <= turned.limits[:, 1] + EXACT).all()
+    close(np.sort(np.cos(modes), axis=0), np.sort(np.cos(free), axis=0))
+
+
+def test_limits_leave_out_the_modes_beyond_them():
+    linkage, hold, _ = DESCRIBED["four-bar"]
+    rocker = linkage.assembly_modes(hold=hold)[:, 2]
+    assert len(limited(linkage, D=(0.0, np.pi)).assembly_modes(hold=hold)) == np.count_nonzero(rocker > 0) == 1
+    slider = DESCRIBED["slider-crank"][0]
+    assert len(limited(slider, slide=(0.0, 20.0)).assembly_modes(hold=hold)) == 1
+    assert len(limited(slider, slide=(10.0, 20.0)).assembly_modes(hold=hold)) == 0
+    assert len(limited(slider, slide=(-np.inf, -1.0)).assembly_modes(hold=hold)) == 1
+
+
+def test_a_posture_beyond_its_limits_is_told_and_one_a_turn_away_is_brought_home():
+    linkage, hold, _ = DESCRIBED["four-bar"]
+    q = linkage.assembly_modes(hold=hold)[1]
+    narrow = limited(linkage, D=(q[2] + 0.5, q[2] + 1.0))
+    found = narrow.assemble(q)
+    assert found.converged
+    assert found.message.endswith("but beyond the limits of D.")
+    with pytest.raises(ValueError, match=r"The start is beyond the limits of D\."):
+        narrow.trace(q)
+    turn_on = limited(linkage, D=(q[2] + 2 * np.pi - 0.5, q[2] + 2 * np.pi + 0.5)).assemble(q)
+    assert "beyond" not in turn_on.message
+    close(turn_on.q[2], q[2] + 2 * np.pi)
+
+
+@pytest.mark.parametrize("points", [None, 181])
+def test_a_trace_ends_exactly_at_its_limits(points):
+    linkage, hold, _ = DESCRIBED["four-bar"]
+    q = linkage.assembly_modes(hold=hold)[1]
+    curve = limited(linkage, A=(-0.4, 2.1)).trace(q, points=points)
+    assert curve.ends == ("limit of A", "limit of A")
+    close(np.sort(curve.q[[0, -1], 0]), [-0.4, 2.1])
+    assert curve.residual < EXACT
+    assert points is None or len(curve.q) == points
+
+
+def test_a_held_value_stays_put_along_a_trace():
+    linkage, hold, _ = DESCRIBED["five-bar"]
+    q = linkage.assembly_modes(hold=hold)[0]
+    curve = linkage.trace(q, hold={"A": q[0]})
+    assert (curve.q[:, 0] == q[0]).all()
+    assert (curve.tangents[:, 0] == 0).all()
+    assert np.linalg.norm(linkage.residual(curve.q), axis=1).max() < EXACT
+
+
+# --- from chains ---
+
+
+def test_a_chain_bent_round_is_the_loop_of_its_screws():
+    arm = robots.puma560()
+    linkage = Mechanism.from_chain(arm)
+    assert linkage.kutzbach() == 0
+    assert set(linkage.bodies) == {"ground", *(f"link {i}" for i in range(1, 6))}
+    q = np.array([0.1, -0.4, 0.3, 0.2, 0.5, -0.1])
+    close(linkage.residual(q), log(arm.fk(q)))
+
+
+def test_branches_meet_where_their_forward_kinematics_agree():
+    """(3.81): T_1(q_1) = T_2(q_2), so that log(T_1 T_2^-1) = 0, up to which way round the loop is walked."""
+    first, second = robots.rpr(), robots.rprr()
+    linkage = Mechanism.from_branches(first, second)
+    q = np.random.default_rng(2).uniform(-1, 1, 7)
+    there = first.fk(q[:3]) @ inverse(second.fk(q[3:]))
+    close(np.linalg.norm(linkage.residual(q)[:3]), np.linalg.norm(log(there)[:3]))
+    same = Mechanism.from_branches(first, first)
+    close(same.residual([0.3, 0.2, -0.5] * 2), 0)
+
+
+# --- what is refused ---
+
+
+def bars(*bodies):
+    return [Joint(f"J{i}", pair, screw(Z, i * X)) for i, pair in enumerate(bodies)]
+
+
+@pytest.mark.parametrize(
+    ("build", "message"),
+    [
+        (lambda: Mechanism([]), r"at least one joint; got none"),
+        (lambda: Mechanism(bars("ab", "bc")), r"has no loop: its 2 joints form a tree\. Use kl\.Chain"),
+        (lambda: Mechanism(bars("ab", "ab", "cd")), r"No joints lead from a to c, d\. Is a joint missing\?"),
+        (lambda: Mechanism(bars("ab", "ab"), ground="c"), r"one of the bodies a, b; got 'c'"),
+        (lambda: Mechanism(bars("ab", "ab")[:1] * 2), r"a name of its own; J0 came more than once"),
+        (lambda: Joint("J", ("a", "a"), screw(Z)), r"Joint J should join two different bodies"),
+        (
+            lambda: Joint("J", ("a", "b"), [0, 0, 2, 0, 0, 0]),
+            r"screws of J should hold screw axes.*length of omega is 2",
+        ),
+        (lambda: Joint("J", ("a", "b"), screw(Z), gap=2 * np.eye(4)), r"home is not a pose"),
+        (lambda: Joint("J", ("a", "b"), screw(Z), limits=(1, 0)), r"limits of joint 1 should be \(least, greatest\)"),
+        (lambda: Joint("J", ("a", "b"), screw(Z), limits=(np.nan, 0)), r"limits of joint 1"),
+        (lambda: Joint("J", ("a", "b"), universal(X, Y, Z), limits=(0, 1)), r"limits should have one row"),
+        (lambda: Joint("J", ("a", "b"), screw(Z), point=(0, 0)), r"point of J should have shape"),
+        (lambda: Mechanism.from_branches(robots.rpr()), r"at least two; got 1"),
+        (lambda: Mechanism.from_chain(Chain([screw(Z)], np.eye(4))), r"two different bodies"),
+        (
+            lambda: Mechanism.from_branches(*[replace(robots.rpr(), joint_names=("a", "b", "c"))] * 2),
+            r"a, b, c came more",
+        ),
+    ],
+)
+def test_what_is_no_mechanism_is_refused(build, message):
+    with pytest.raises(ValueError, match=message):
+        build()
+
+
+FOUR_BAR = linkages.four_bar(4, 1, 3.5, 3)
+
+
+@pytest.mark.parametrize(
+    ("ask", "message"),
+    [
+        (lambda m: m.residual([1, 2, 3]), r"four-bar has 4 joint values \(A, B, D, C\).*got \(3,\)"),
+        (lambda m: m.jacobian(np.zeros((4, 3))), r"shape \(\.\.\., 4\); got \(4, 3\)"),
+        (lambda m: m.poses([0, 0, 0, np.nan]), r"q holds NaN or infinity at index \[3\]"),
+        (lambda m: m.assemble(np.zeros((2, 4))), r"One posture, please, of shape \(4,\); got \(2, 4\)"),
+        (lambda m: m.assemble(np.zeros(4), hold={"E": 1}), r"no joint value 'E' to hold; it has A, B, D, C"),
+        (lambda m: m.assemble(np.zeros(4), hold={"A": np.nan}), r"A holds NaN"),
+        (lambda m: m.assemble(np.zeros(4), hold={"A": [1, 2]}), r"A is held at one value; got list \[1, 2\]"),
+        (lambda m: m.assemble(np.zeros(4), hold=dict.fromkeys("ABCD", 0)), r"Every joint value is held"),
+        (lambda m: m.assembly_modes(), r"1 freedoms are left, so the modes are curves and not postures\. Hold as many"),
+        (lambda m: m.mobility(np.zeros(4)), r"does not close: 2\.5 is left over\. Assemble it first"),
+        (lambda m: m.trace([0.5, 0.5, 2, 0]), r"A curve starts at a solution; here .* is left over\. Assemble first"),
+        (lambda m: m.trace(np.zeros(4), step=0), r"step should be a length along the curve, above 0; got 0"),
+        (lambda m: m.trace(np.zeros(4), step=np.nan), r"step should be"),
+        (lambda m: m.trace(np.zeros(4), points=1), r"two points at least, and one step; got points=1"),
+        (lambda m: m.trace(np.zeros(4), most=0), r"got points=None, most=0"),
+        (lambda m: m.trace(m.assembly_modes({"A": 1.0})[0], hold={"A": 1.0}), r"Nothing moves: it is a structure"),
+    ],
+)
+def test_what_makes_no_sense_is_refused(ask, message):
+    with pytest.raises(ValueError, match=message):
+        ask(FOUR_BAR)
+
+
+def test_a_mechanism_cannot_be_written_to():
+    for array in (FOUR_BAR.limits, FOUR_BAR.joints[0].screws, FOUR_BAR.joints[0].gap):
+        with pytest.raises(ValueError, match="read-only"):
+            array[...] = 0
