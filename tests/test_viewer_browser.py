@@ -407,6 +407,13 @@ def test_an_arm_without_any_length_is_shown(show):
     assert np.isfinite(page.evaluate("document.querySelector('.kv').viewer.stage.eye.scale"))
 
 
+def test_what_cannot_be_shown_says_so_on_the_page(show):
+    broken = explore(kl.robots.rpr()).html().replace('"scene":', '"scheme":')
+    page = show(broken, count=0)
+    page.get_by_role("alert").wait_for()
+    assert page.get_by_role("alert").inner_text().startswith("The viewer cannot show this arm: ")
+
+
 def test_without_webgl_it_says_so_and_everything_still_moves(start, tmp_path):
     with watched(start(webgl=False)) as page:
         page.goto(static_page(tmp_path, explore(kl.robots.puma560(), start=Q, ghost=np.zeros(6))).as_uri())

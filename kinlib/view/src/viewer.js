@@ -165,4 +165,15 @@ function style() {
   document.head.append(sheet);
 }
 
-export const widget = { render };
+/** Whatever goes wrong, the reader is told where the picture should be, and not only the console. */
+function show(context) {
+  try {
+    return render(context);
+  } catch (error) {
+    style();
+    context.el.append(h('p', { class: 'kv-failed', role: 'alert' }, `The viewer cannot show this arm: ${error.message}`));
+    return undefined;
+  }
+}
+
+export const widget = { render: show };
