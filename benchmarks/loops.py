@@ -47,7 +47,7 @@ def seconds(work, runs):
 
 def main():
     """Trace the four-bar and Bennett's linkage both ways, and print times and residuals."""
-    print(f"{POINTS} postures of one turn       kinlib      residual     scipy root   residual     ratio")
+    print(f"{POINTS} postures of one turn       kinlib      residual     scipy root   residual     ratio   apart by")
     bennett = linkages.bennett()
     crank_rocker = linkages.four_bar(0.4, 0.1, 0.35, 0.3)
     starts = {
@@ -60,7 +60,7 @@ def main():
         residuals = [np.linalg.norm(linkage.residual(q), axis=1).max() for q in (curve.q, postures)]
         print(
             f"{name:26} {1e3 * ours:8.0f} ms    {residuals[0]:9.1e} {1e3 * theirs:11.0f} ms    {residuals[1]:9.1e} "
-            f"{theirs / ours:9.1f}"
+            f"{theirs / ours:9.1f}  {np.abs(curve.q - postures).max():9.1e}"
         )
 
 

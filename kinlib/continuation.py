@@ -223,6 +223,8 @@ class Path:
         Within one step a curve may pass a limit and be back. Nearly it is a cubic, and a cubic never leaves the hull of its
         four control points: for most steps that is all that has to be known.
         """
+        if np.isinf(self.limits).all():
+            return None
         way = new - x
         length = np.linalg.norm(way)
         start, end = length * tangent, length * ahead
