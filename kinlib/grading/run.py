@@ -38,7 +38,7 @@ FIRST_CELLS = (
 DEEPEST = 20
 """So many calls of an error's trace are kept, the last ones."""
 
-AGAIN = 0.2
+AGAIN = 1.0
 """Seconds after which a cell that swallowed its interrupt is interrupted again."""
 
 PRINTED = 100_000

@@ -47,7 +47,7 @@ class Runner:
     def __init__(self, is_safe: bool = True) -> None:
         self._lock = threading.Lock()
         self._scratch = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
-        self._socket, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_SEQPACKET)
+        self._socket, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
         with theirs:
             self._process = subprocess.Popen(
                 [
