@@ -27,14 +27,14 @@ function forget() {
 function ready() {
   if (!renderer) {
     while (live().length >= MOST) live()[0]();
-    renderer = new WebGLRenderer({ antialias: true, alpha: true });
+    renderer = new WebGLRenderer({ antialias: true, alpha: true, stencil: true });
     renderer.domElement.addEventListener('webglcontextlost', forget, { once: true });
   }
   globalThis[LIST] = [...live().filter((other) => other !== release), release]; // the last used is the last to go
   return renderer;
 }
 
-/** Whether this browser draws in three dimensions. Asked once: a refused context says so on the console each time. */
+/** Whether this browser draws in three dimensions. Asked late and once: asking starts the machinery, and takes its time. */
 export function canPaint() {
   if (renderer) return true;
   if (refused) return false;

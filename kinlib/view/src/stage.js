@@ -1,8 +1,9 @@
 // The stage: an arm's layers of parts, the floor, the light and the eye, painted when something has changed.
 // A layer is a named set of parts that is shown or not; see parts.js for what a part is.
 import {
-  BackSide, BufferGeometry, Color, CylinderGeometry, DirectionalLight, Float32BufferAttribute, GreaterDepth, HemisphereLight,
-  LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial, Quaternion, Scene, Vector3,
+  BackSide, BufferGeometry, Color, CylinderGeometry, DirectionalLight, Float32BufferAttribute, GreaterDepth,
+  HemisphereLight, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial, NotEqualStencilFunc,
+  Quaternion, ReplaceStencilOp, Scene, Vector3,
 } from 'three';
 import { Eye } from './camera.js';
 import { Figure } from './figure.js';
@@ -20,7 +21,8 @@ export class Stage {
     this.theme = theme;
     this.figure = new Figure(data.arms);
     this.layers = new Map();
-    this.flat = !canPaint();
+    /** whether it draws without WebGL; undefined until somebody had to know */
+    this.flat = undefined;
     this.scene = new Scene();
     this.scene.add(this.figure.root);
     this.eye = new Eye(data.room, () => this.draw());
@@ -35,9 +37,26 @@ export class Stage {
         .replace('#include <begin_vertex>', 'vec3 transformed = position + width * swell;');
     };
     this.edge.userData.width = { value: 0 };
+    // The shadow falls straight down: it says where things are in x and y. The stencil keeps it from falling twice.
+    this.shade = new MeshBasicMaterial({
+      color: 0x000000, transparent: true, depthWrite: false, stencilWrite: true, stencilRef: 1,
+      stencilFunc: NotEqualStencilFunc, stencilZPass: ReplaceStencilOp,
+    });
+    this.shade.userData.order = -2;
+    this.shade.onBeforeCompile = (shader) => {
+      shader.uniforms.ground = { value: data.floor };
+      shader.vertexShader = shader.vertexShader
+        .replace('#include <common>', '#include <common>\nuniform float ground;')
+        .replace('#include <project_vertex>', `vec4 fallen = modelMatrix * vec4(transformed, 1.0);
+          fallen.z = ground;
+          vec4 mvPosition = viewMatrix * fallen;
+          gl_Position = projectionMatrix * mvPosition;`);
+    };
     this.#light();
     this.#floor();
     this.repaint(theme);
+    /** called when it turns out that there is no WebGL */
+    this.flattened = () => {};
     /** boxes in the picture, in pixels, that names keep off */
     this.reserved = () => [];
     /** called with the 2-D context and the eye when all else is drawn: what modes put over the picture */
@@ -86,6 +105,7 @@ export class Stage {
   repaint(theme) {
     this.theme = theme;
     this.grid.material.color = new Color(theme.grid);
+    this.shade.opacity = theme.shade;
     this.edge.color = new Color(theme.outline);
     this.draw();
   }
@@ -107,12 +127,13 @@ export class Stage {
     for (const [body, group] of groupBy(solids, bodyOf)) {
       const geometry = merged(group, outlined);
       meshes.push([body, new Mesh(geometry, material)]);
-      if (outlined) meshes.push([body, new Mesh(geometry, this.edge)]);
+      if (outlined) meshes.push([body, new Mesh(geometry, this.edge)], [body, new Mesh(geometry, this.shade)]);
       if (through) meshes.push([body, new Mesh(geometry, this.hidden)]);
     }
     for (const [body, mesh] of meshes) {
       body.add(mesh);
       mesh.renderOrder = mesh.material.userData.order ?? 0;
+      mesh.frustumCulled = mesh.material !== this.shade; // it is not where its geometry is
     }
     const flat = parts.filter((part) => !part.shape).map((part) => ({ ...part, body: bodyOf(part) }));
     this.layers.set(name, {
@@ -196,34 +217,52 @@ export class Stage {
     if (visible && this.stale) this.draw();
   }
 
+  /** Paint now. What comes first is a sketch without solids, because to start WebGL takes a while. */
   paint() {
     if (!this.width || !this.visible) return;
-    const { context, eye, theme, ratio, width, height } = this;
     this.stale = false;
     this.figure.root.updateMatrixWorld(true);
+    this.#picture(this.flat ?? true);
+    if (this.flat === undefined) {
+      cancelAnimationFrame(this.starting);
+      this.starting = requestAnimationFrame(() => setTimeout(() => this.#start()));
+      return;
+    }
+    if (!this.canvas.dataset.pictures) performance.mark('kinlib-viewer-picture');
+    this.canvas.dataset.pictures = Number(this.canvas.dataset.pictures ?? 0) + 1;
+  }
+
+  #start() {
+    if (this.flat !== undefined || !this.visible) return;
+    this.flat = !canPaint();
+    if (this.flat) this.flattened();
+    this.draw();
+  }
+
+  #picture(flat) {
+    const { context, eye, theme, ratio, width, height } = this;
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.fillStyle = theme.paper;
     context.fillRect(0, 0, width, height);
     const shown = [...this.layers.values()].filter((layer) => layer.shown);
+    const all = (kind) => shown.flatMap((layer) => layer[kind]);
     this.edge.userData.width.value = 1.1 * eye.scale;
-    if (this.flat) drawFlat(context, shown.flatMap((layer) => (layer.masked ? [] : layer.solids)), eye, theme);
+    if (flat) drawFlat(context, shown.flatMap((layer) => (layer.masked ? [] : layer.solids)), eye, theme);
     else this.calls = paint(this.scene, eye.camera, context, { width, height, ratio });
-    const taken = [...this.reserved(), ...drawDimensions(context, shown.flatMap((layer) => layer.dimensions), eye, theme.halo)];
-    this.names = drawLabels(context, shown.flatMap((layer) => layer.labels), taken, eye, { halo: theme.halo, leader: theme.quiet });
+    const taken = [...this.reserved(), ...drawDimensions(context, all('dimensions'), eye, theme.halo)];
+    this.names = drawLabels(context, all('labels'), taken, eye, { halo: theme.halo, leader: theme.quiet });
     context.font = fontOf({}, 11);
     context.textAlign = 'left';
     context.textBaseline = 'alphabetic';
     context.fillStyle = theme.quiet;
     context.fillText(`grid ${Number(this.gridStep.toPrecision(3))} m`, 10, height - 10);
     for (const overlay of this.overlays) overlay(context, eye);
-    if (!this.canvas.dataset.pictures) performance.mark('kinlib-viewer-ready');
-    this.canvas.dataset.pictures = Number(this.canvas.dataset.pictures ?? 0) + 1;
   }
 
   dispose() {
     cancelAnimationFrame(this.waiting);
     for (const name of [...this.layers.keys()]) this.remove(name);
-    for (const thing of [this.grid.geometry, this.grid.material, this.solid, this.hidden, this.edge]) thing.dispose();
+        for (const thing of [this.grid.geometry, this.grid.material, this.solid, this.hidden, this.edge, this.shade]) thing.dispose();
     this.visible = false;
   }
 }

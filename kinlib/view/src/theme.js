@@ -6,7 +6,7 @@ const LIGHT = {
   ...COLOURS,
   paper: '#f6f8fa', ink: '#1f2328', halo: '#f6f8fa', grid: '#aab4be', quiet: '#59636e',
   link: '#7f9bb5', joint: '#f0cf94', cap: '#c9a15c', rod: '#b9c4cd', ghost: '#a9b2bb', outline: '#2f3b47',
-  axis: COLOURS.violet, home: '#8c959f', normal: COLOURS.orange, trail: '#0b7285',
+  shade: 0.1, axis: COLOURS.violet, home: '#8c959f', normal: COLOURS.orange, trail: '#0b7285',
 };
 
 const DARK = {
@@ -14,7 +14,7 @@ const DARK = {
   x: '#ff6b6b', y: '#51cf66', z: '#74b3ff',
   paper: '#171b21', ink: '#e6edf3', halo: '#171b21', grid: '#4a5562', quiet: '#9aa5b1',
   link: '#7d9cbb', joint: '#e3b968', cap: '#a97f38', rod: '#a5b1bc', ghost: '#6b7681', outline: '#05070a',
-  axis: '#c39bff', home: '#8c959f', normal: '#ff9d4d', trail: '#3bc9db',
+  shade: 0.4, axis: '#c39bff', home: '#8c959f', normal: '#ff9d4d', trail: '#3bc9db',
 };
 
 export function themeOf(element) {

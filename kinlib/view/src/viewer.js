@@ -37,6 +37,7 @@ function render({ model, el }) {
   root.append(frame);
   const stage = new Stage(data, canvas, themeOf(root));
   root.viewer.stage = stage;
+  stage.flattened = () => update();
   const pose = readout();
   const panel = controls(state);
   const veil = cover(model);
@@ -128,6 +129,7 @@ function render({ model, el }) {
   uncover();
   update();
   tell(stage.figure.pose());
+  performance.mark('kinlib-viewer-answers');
   const stopTheme = onThemeChange(paintAnew);
   const stopSteering = steer(stage.eye, canvas);
   const sized = new ResizeObserver(() => {
