@@ -5,6 +5,7 @@ Every page is watched: an error on its console or a request to another host fail
 
 import contextlib
 import os
+import re
 import shutil
 import socket
 import subprocess
@@ -13,6 +14,7 @@ import time
 from contextlib import contextmanager
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 ROOT = Path(__file__).parents[1]
@@ -96,6 +98,41 @@ def awake(page, count=1):
 def pose(page, which=0):
     """The tool's pose of a viewer, every digit of it."""
     return page.evaluate(f"document.querySelectorAll('.kv')[{which}].viewer.stage.figure.pose()")
+
+
+def texts(page):
+    """Every text of the viewers on a page, with its colour and that of the paper behind it."""
+    return page.evaluate(
+        """(() => {
+            const paper = (node) => { for (; node; node = node.parentElement) {
+                const colour = getComputedStyle(node).backgroundColor; if (!/, 0\\)$|transparent/.test(colour)) return colour; } };
+            const texts = [...document.querySelectorAll('.kv *')].filter((node) => node.offsetParent
+                && [...node.childNodes].some((child) => child.nodeType === 3 && child.data.trim()));
+            return texts.map((node) => [node.textContent, getComputedStyle(node).color, paper(node)]); })()"""
+    )
+
+
+def contrast(ink, paper):
+    """Of two colours, by WCAG 2: from 1 to 21."""
+
+    def luminance(colour):
+        if colour.startswith("#"):
+            values = [int(colour[k : k + 2], 16) for k in (1, 3, 5)]
+        else:
+            values = [float(x) for x in re.findall(r"[\d.]+", colour)[:3]]
+        shares = np.array(values) / 255
+        return np.where(shares <= 0.04045, shares / 12.92, ((shares + 0.055) / 1.055) ** 2.4) @ (0.2126, 0.7152, 0.0722)
+
+    light, dark = sorted((luminance(ink), luminance(paper)), reverse=True)
+    return (light + 0.05) / (dark + 0.05)
+
+
+def cut_off(page):
+    """What of the viewers reaches beyond the right border of a page."""
+    return page.evaluate(
+        """[...document.querySelectorAll('.kv *')].filter((node) => node.getBoundingClientRect().right > innerWidth
+            && !node.closest('.kv-spoken')).map((node) => node.className)"""
+    )
 
 
 @contextmanager

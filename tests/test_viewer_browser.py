@@ -1,11 +1,23 @@
 """The viewer in a real browser: turned by mouse, keys and Python, in JupyterLab and on a page without a kernel."""
 
-import re
-
 import nbformat
 import numpy as np
 import pytest
-from browser import SECONDS, awake, browsers, jupyterlab, open_notebook, pictures, pose, run_cell, static_page, watched
+from browser import (
+    SECONDS,
+    awake,
+    browsers,
+    contrast,
+    cut_off,
+    jupyterlab,
+    open_notebook,
+    pictures,
+    pose,
+    run_cell,
+    static_page,
+    texts,
+    watched,
+)
 from traitlets import Bool, HasTraits
 
 import kinlib as kl
@@ -466,32 +478,12 @@ def test_all_text_stands_out_from_its_paper(show, style):
     """Contrast by WCAG 2, at least 4.5, for text on the page and names in the picture, light and dark."""
     page = show(explore(kl.robots.puma560(), show=["axes", "base", "tool", "normals"]), style=style)
     page.evaluate("document.querySelector('.kv').viewer.model.set('message', 'A word of warning.')")
-    pairs = page.evaluate(
-        """(() => {
-            const paper = (node) => { for (; node; node = node.parentElement) {
-                const colour = getComputedStyle(node).backgroundColor; if (!/, 0\\)$|transparent/.test(colour)) return colour; } };
-            const texts = [...document.querySelectorAll('.kv *')].filter((node) => node.offsetParent
-                && [...node.childNodes].some((child) => child.nodeType === 3 && child.data.trim()));
-            return texts.map((node) => [node.textContent, getComputedStyle(node).color, paper(node)]); })()"""
-    )
+    pairs = texts(page)
     theme = page.evaluate("document.querySelector('.kv').viewer.stage.theme")
     named = ["ink", "quiet", "axis", "normal", "x", "y", "z", "trail"]
     pairs += [[name, theme[name], theme["paper"]] for name in named]
     faint = {text: contrast(ink, paper) for text, ink, paper in pairs if contrast(ink, paper) < 4.5}
     assert not faint
-
-
-def contrast(ink, paper):
-    def luminance(colour):
-        if colour.startswith("#"):
-            values = [int(colour[k : k + 2], 16) for k in (1, 3, 5)]
-        else:
-            values = [float(x) for x in re.findall(r"[\d.]+", colour)[:3]]
-        shares = np.array(values) / 255
-        return np.where(shares <= 0.04045, shares / 12.92, ((shares + 0.055) / 1.055) ** 2.4) @ (0.2126, 0.7152, 0.0722)
-
-    light, dark = sorted((luminance(ink), luminance(paper)), reverse=True)
-    return (light + 0.05) / (dark + 0.05)
 
 
 def test_it_follows_the_page_from_light_to_dark(show):
@@ -503,11 +495,7 @@ def test_it_follows_the_page_from_light_to_dark(show):
 
 def test_nothing_is_cut_off_on_a_narrow_page(show):
     page = show(explore(kl.robots.puma560(), start=Q), viewport={"width": 400, "height": 900})
-    wide = page.evaluate(
-        """[...document.querySelectorAll('.kv *')].filter((node) => node.getBoundingClientRect().right > innerWidth
-            && !node.closest('.kv-spoken')).map((node) => node.className)"""
-    )
-    assert not wide
+    assert not cut_off(page)
     assert page.evaluate("document.documentElement.scrollWidth") <= 400
 
 

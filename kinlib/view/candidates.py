@@ -92,6 +92,13 @@ def _x(chain: Chain) -> list[tuple[Array, str]]:
             found += _both(along, f"{letter} of {name}", f"−{letter} of {name}")
     for i, axis in enumerate(chain.lines.axis):
         found += _both(axis, f"along axis {i + 1}", f"against axis {i + 1}")
+    for i, name, there in ((0, "{s}", np.zeros(3)), (chain.n - 1, "{b}", chain.home[:3, 3])):
+        z, off = chain.lines.axis[i], there - chain.joint_points[i]
+        across = off - z * (z @ off)
+        if (length := float(np.linalg.norm(across))) > SAME:
+            found += _both(
+                across / length, f"from axis {i + 1} straight to {name}", f"from {name} straight to axis {i + 1}"
+            )
     stations = [*chain.joint_points, chain.home[:3, 3]]
     names = [*(f"joint {i + 1}" for i in range(chain.n)), "{b}"]
     for i in range(chain.n):
