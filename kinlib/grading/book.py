@@ -35,10 +35,10 @@ def file_name(student: str) -> str:
     >>> file_name("ada"), file_name("../ö"), file_name("")
     ('ada', '%2E.%2F%C3%B6', '%')
     """
-    name = quote(student, safe=" @+,=")
+    name = quote(student, safe=" @+,=", errors="surrogatepass")
     name = name.replace(".", "%2E", 1) if name.startswith(".") else name
     if len(name) > LONGEST:
-        name = f"{name[: LONGEST - 17]}%{sha256(student.encode(errors='replace')).hexdigest()[:16]}"
+        name = f"{name[: LONGEST - 17]}%{sha256(_encoded(student)).hexdigest()[:16]}"
     return name or "%"
 
 

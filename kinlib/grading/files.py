@@ -82,7 +82,7 @@ def _of_folder(folder: Path) -> Iterator[File]:
         for name in folders:
             if (path := Path(place, name)).is_symlink():
                 yield File(below / name / name, 0.0, partial(_read, path))
-        if not names and not folders:
+        if not names and not folders and below.parts:
             yield File(below / "nothing", 0.0, bytes, is_there=False)
 
 

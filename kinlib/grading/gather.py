@@ -103,7 +103,7 @@ def _chosen(pile: Sequence[tuple[str, File]], sheet: str) -> tuple[File | None, 
     best = max(exact or copies or rest, key=lambda file: (file.changed, file.path))
     if len(notebooks) == 1:
         return best, []
-    return best, [f"{len(notebooks)} notebooks were handed in; {best.path.name} was graded."]
+    return best, [f"{len(notebooks)} notebooks were handed in; {best.path} was graded."]
 
 
 def _opens(file: File, sheet: str) -> bool:

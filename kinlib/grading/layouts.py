@@ -130,6 +130,8 @@ def _gradescope(found: Sequence[File], metadata: File) -> list[Pile]:
         for person in _submitters(record):
             key = str(person.get(":sid") or person.get(":email") or "")
             piles.append(Pile(str(person.get(":name") or key or submission), key or str(submission), own))
+    if not piles:
+        raise ValueError(f"{GRADESCOPE} names nobody. Download the submissions again.")
     return piles
 
 

@@ -68,7 +68,7 @@ class Roster:
 
 
 def read_roster(path: Path, id_column: str | None = None) -> Roster:
-    """Read a roster. The ids are in the column named, or in the one of its kind that is filled most.
+    """Read a roster. The ids are in the column named, or in the first of its kind that most rows fill.
 
     Raises ValueError for a table of no known kind, without such a column, or with one id twice.
     """
@@ -83,16 +83,13 @@ def read_roster(path: Path, id_column: str | None = None) -> Roster:
     key = columns[titles.index(KINDS[kind].key)]
     people = [row for row in rows if row[key].strip()]  # Canvas begins with rows that are nobody's
     wanted = [id_column.strip().casefold()] if id_column else KINDS[kind].ids
-    filled = {
-        column: sum(bool(row[column].strip()) for row in people)
-        for name in wanted
-        if name in titles and (column := columns[titles.index(name)])
-    }
-    best = max(filled, key=lambda column: filled[column], default=None)
-    if best is None or not filled[best]:
+    there = [columns[titles.index(name)] for name in wanted if name in titles]
+    filled = [column for column in there if 2 * sum(bool(row[column].strip()) for row in people) > len(people)]
+    if not filled:
         raise ValueError(
             f"In {path}, no id stands in {' or '.join(wanted)}. Say with --id-column where the ids are that students type."
         )
+    best = filled[0]
     roster = Roster(kind, columns, people, best)
     ids = [name.casefold() for name in roster.ids]
     if twice := sorted({name for name in ids if ids.count(name) > 1}):
