@@ -46,6 +46,10 @@ export class Trail {
     if (this.points.length > MOST) this.points.shift();
   }
 
+  repaint() {
+    this.mesh.material.color.set(this.stage.theme.trail);
+  }
+
   #flat(context, eye) {
     if (!this.stage.flat || this.points.length < 2) return;
     context.strokeStyle = this.stage.theme.trail;

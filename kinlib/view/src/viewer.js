@@ -66,6 +66,7 @@ function render({ model, el }) {
   const tip = new Vector3();
 
   function say(text) {
+    if (message.textContent === text) return; // a screen reader would hear it again
     message.textContent = text;
     message.hidden = !text;
   }
@@ -85,8 +86,9 @@ function render({ model, el }) {
 
   function tell(T) {
     const place = [0, 1, 2].map((row) => fixed(T[row][3], 3)).join(', ');
-    canvas.setAttribute('aria-label', `${data.words} At q = (${q().map((x) => fixed(x, 2)).join(', ')}) the tool is at (${place}) m. ${HOW}`);
-    if (document.activeElement && root.contains(document.activeElement)) spoken.textContent = `The tool is at ${place} metres.`;
+    const tool = data.arms[0].links ? ` The tool is at (${place}) metres.` : ''; // a linkage has none
+    canvas.setAttribute('aria-label', `${data.words} Now q = (${q().map((x) => fixed(x, 2)).join(', ')}).${tool} ${HOW}`);
+    if (root.contains(document.activeElement)) spoken.textContent = tool;
   }
 
   function show() {
@@ -109,11 +111,14 @@ function render({ model, el }) {
   }
 
   function paintAnew() {
-    root.dataset.theme = isDark(root) ? 'dark' : 'light';
+    const theme = isDark(root) ? 'dark' : 'light';
+    if (root.dataset.theme === theme) return; // pages change their classes for many reasons
+    root.dataset.theme = theme;
     stage.repaint(themeOf(root));
     dress(stage, model.get('shown'));
     stage.setQ(q());
     ghost();
+    trail?.repaint();
     mode.dress?.();
   }
 
