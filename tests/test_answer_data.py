@@ -12,7 +12,8 @@ from test_sheets import HOSTILE, Rude
 
 from kinlib.dh import DHTable
 from kinlib.practice import find_sheet, sheets
-from kinlib.practice.answer_data import DEEPEST, MIME, MOST_NUMBERS, Malformed, Opaque, Outputs, from_data, to_data
+from kinlib.practice.answer_data import DEEPEST, MIME, MOST_NUMBERS, Malformed, Opaque, Outputs, from_data
+from kinlib.practice.answer_writing import MOST_PARTS, to_data
 from kinlib.practice.formulas import Formula
 from kinlib.practice.functions import Called
 from kinlib.practice.judge import judge
@@ -117,6 +118,11 @@ def test_a_formula_that_shares_its_parts_is_not_written_out():
     for _ in range(60):
         x = sp.sin(x) + sp.cos(x)
     assert sent(x) == Opaque(f"formula of more than {MOST_NUMBERS} parts")
+
+
+def test_lists_in_lists_are_looked_at_up_to_a_number_of_parts():
+    row = [[0.5] * 1000] * 1000
+    assert sent([row] * 1000) == Opaque(f"list of more than {MOST_PARTS} parts")
 
 
 def test_a_list_that_holds_itself_comes_to_an_end():

@@ -18,7 +18,8 @@ from kinlib.grading.runner import Runner
 from kinlib.grading.submission import Broken, Plan, Step, master, plan
 from kinlib.grading.wire import Gone, Peer, environment
 from kinlib.practice import find_sheet, sheet, sheets
-from kinlib.practice.answer_data import MIME, to_data
+from kinlib.practice.answer_data import MIME
+from kinlib.practice.answer_writing import to_data
 
 if sys.platform == "win32":
     pytest.skip("clocks and limits of the judge are those of Unix", allow_module_level=True)

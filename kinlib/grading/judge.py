@@ -20,7 +20,8 @@ from typing import Any
 from kinlib.grading.cage import set_limits
 from kinlib.grading.paper import written
 from kinlib.grading.wire import pack, receive
-from kinlib.practice.answer_data import Malformed, Opaque, from_data, to_data
+from kinlib.practice.answer_data import Malformed, Opaque, from_data
+from kinlib.practice.answer_writing import to_data
 from kinlib.practice.judge import Finding, Judgement, judge
 from kinlib.practice.problem import Problem
 from kinlib.practice.sheet import Sheet, find_sheet

@@ -1,8 +1,8 @@
-"""Answers as data: what a student's value is, in plain JSON, and back.
+"""Answers as data: what a student's value is, in plain JSON.
 
-A check cell writes the answer beside its card, so that whoever grades reads data and never runs what made it. Writing is
-lenient: whatever an object does when it is looked at, something comes out. Reading is strict: it takes the few forms
-below and refuses the rest, for anybody can write JSON.
+A check cell writes the answer beside its card, so that whoever grades reads data and never runs what made it.
+`answer_writing` is lenient: whatever an object does when it is looked at, something comes out. Reading is strict: it takes
+the few forms below and refuses the rest, for anybody can write JSON.
 
     null                                  nothing yet
     {"number": 1.5}, {"text": "..."}
@@ -14,11 +14,8 @@ below and refuses the rest, for anybody can write JSON.
     {"other": "what it is"}
 """
 
-import sys
-from collections.abc import Callable, Mapping, Sequence
-from copy import deepcopy
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from itertools import islice
 from typing import Any
 
 import numpy as np
@@ -26,7 +23,6 @@ import numpy as np
 from kinlib.check import Array
 from kinlib.dh import DHTable
 from kinlib.dh_rows import COLUMNS
-from kinlib.practice.answers import is_blank
 from kinlib.practice.symbol_text import LONGEST, expression
 
 MIME = "application/vnd.kinlib.answer+json"
@@ -37,8 +33,6 @@ MOST_NUMBERS = 4096
 
 DEEPEST = 5
 """How deep lists may nest: a table of matrices, and some."""
-
-Data = dict[str, Any] | None
 
 
 class Malformed(ValueError):
@@ -60,122 +54,6 @@ class Outputs:
     """What a student's function gave, input by input."""
 
     values: Sequence[Any]
-
-
-def to_data(value: Any, inputs: Sequence[Any] = ()) -> Data:
-    """Write an answer as JSON. It never raises: a value that is no answer becomes {"other": ...}.
-
-    inputs  where a function is asked for, the arguments of each call: then its outputs are written
-
-    >>> to_data([[1, 2.5]])
-    {'array': [1.0, 2.5], 'shape': [1, 2]}
-    >>> to_data(["e_a", "M"])
-    {'list': [{'text': 'e_a'}, {'text': 'M'}]}
-    """
-    try:
-        if inputs and callable(value):
-            called = [_written(value(*deepcopy(arguments)), 1) for arguments in inputs]
-            return {"function": str(getattr(value, "__name__", "function"))[:80], "outputs": called}
-        return _written(value, 0)
-    except Exception as error:  # a student's object may raise anything when it is looked at
-        return {"other": f"{type(value).__name__} that raises {type(error).__name__} when it is read"}
-
-
-def _written(value: Any, depth: int) -> Data:
-    if is_blank(value):
-        return None
-    if depth > DEEPEST:
-        return {"other": f"{_kind(value)}, nested deeper than {DEEPEST}"}
-    for kinds, write in WRITERS:
-        if isinstance(value, kinds):
-            return write(value, depth)
-    return _symbolic(value, depth) or _unusual(value, depth)
-
-
-def _unusual(value: Any, depth: int) -> Data:
-    """What has no kind of its own here: functions, and what turns into an array."""
-    if callable(value):
-        return {"function": str(getattr(value, "__name__", _kind(value)))[:80]}
-    return _array(np.asarray(value), depth) if hasattr(value, "__array__") else {"other": _kind(value)}
-
-
-def _kind(value: Any) -> str:
-    return type(value).__name__[:80]
-
-
-def _text(value: str, _: int) -> Data:
-    return {"text": str(value)} if len(value) <= LONGEST else {"other": f"text of {len(value)} characters"}
-
-
-def _number(x: float) -> float | None:
-    return x if np.isfinite(x) else None
-
-
-def _array(values: Array, depth: int) -> Data:
-    if values.size > MOST_NUMBERS or values.ndim > DEEPEST:
-        return {"other": f"array of shape {values.shape}"}
-    if values.dtype.kind in "biuf":
-        flat = [_number(x) for x in values.astype(float).ravel().tolist()]
-        return {"array": flat, "shape": list(values.shape)}
-    if values.dtype.kind in "OU":
-        return _written(values.tolist(), depth)
-    return {"other": f"array of {values.dtype}"}
-
-
-def _list(values: Sequence[Any], depth: int) -> Data:
-    if len(values) > MOST_NUMBERS:
-        return {"other": f"list of {len(values)} entries"}
-    items = [_written(item, depth + 1) for item in values]
-    rows = [item for item in items if item and ("number" in item or "array" in item)]
-    shapes = {tuple(row.get("shape", ())) for row in rows}
-    flat = [x for row in rows for x in row.get("array", [row.get("number")])]
-    if len(rows) == len(items) and len(shapes) == 1 and len(flat) <= MOST_NUMBERS:
-        # Rows of one length are an array, however they were typed.
-        return {"array": flat, "shape": [len(items), *min(shapes)]}
-    return {"list": items}
-
-
-def _map(value: Mapping[Any, Any], depth: int) -> Data:
-    if len(value) > MOST_NUMBERS:
-        return {"other": f"dictionary of {len(value)} entries"}
-    return {"map": [[str(key)[:80], _written(item, depth + 1)] for key, item in value.items()]}
-
-
-def _table(table: DHTable, _: int) -> Data:
-    return {
-        "dh": table.rows.tolist(),
-        "convention": table.convention,
-        "joints": table.joints,
-        "signs": table.signs.tolist(),
-        "base": table.base.tolist(),
-        "tool": table.tool.tolist(),
-    }
-
-
-WRITERS: tuple[tuple[Any, Callable[[Any, int], Data]], ...] = (
-    (str, _text),
-    ((bool, int, float, np.bool_, np.integer, np.floating), lambda value, _: {"number": _number(float(value))}),
-    (DHTable, _table),
-    (np.ndarray, lambda value, depth: _array(np.asarray(value), depth)),
-    (Mapping, _map),
-    ((list, tuple), _list),
-)
-
-
-def _symbolic(value: Any, depth: int) -> Data:
-    """SymPy's kinds, without loading SymPy for those who never used it."""
-    sympy = sys.modules.get("sympy")
-    if sympy is None:
-        return None
-    if isinstance(value, sympy.MatrixBase):
-        return {"matrix": [[_written(entry, depth + 1) for entry in row] for row in value.tolist()]}
-    if isinstance(value, sympy.Expr):
-        # Parts that an expression shares are written out each time, and a small one may have millions: count before.
-        if sum(1 for _ in islice(sympy.preorder_traversal(value), MOST_NUMBERS + 1)) > MOST_NUMBERS:
-            return {"other": f"formula of more than {MOST_NUMBERS} parts"}
-        text = str(value)
-        return {"symbolic": text} if len(text) <= LONGEST else {"other": f"formula of {len(text)} characters"}
-    return None
 
 
 def from_data(data: Any) -> Any:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from types import SimpleNamespace
 from typing import Any
 
-from kinlib.practice.answer_data import to_data
+from kinlib.practice.answer_writing import to_data
 from kinlib.practice.judge import judge
 from kinlib.practice.problem import Problem, Template
 from kinlib.practice.verdict import Tally, Verdict
