@@ -1,0 +1,84 @@
+"""Sphinx's settings of the course site. `python course.py site` calls Sphinx with what kinsite has prepared."""
+
+import os
+import sys
+from pathlib import Path
+from urllib.parse import urlsplit
+
+import kinlib
+
+HERE = Path(__file__).resolve().parent
+sys.path.insert(0, str(HERE))
+
+project = "Forward kinematics"
+author = "The kinlib authors"
+project_copyright = "the kinlib authors. Code: MIT, lectures: CC BY 4.0"
+version = release = kinlib.__version__
+language = "en"
+
+extensions = [
+    "myst_nb",
+    "notfound.extension",
+    "sphinx_sitemap",
+    "sphinxcontrib.katex",
+    "sphinxext.opengraph",
+    "kinsite.outputs",
+    "kinsite.pages",
+]
+
+# --- what is read ---
+
+myst_enable_extensions = ["amsmath", "attrs_block", "attrs_inline", "colon_fence", "deflist", "dollarmath"]
+myst_heading_anchors = 3
+myst_links_external_new_tab = False
+exclude_patterns = ["files/**"]
+nb_execution_mode = "off"  # kinsite.execute has done it
+nb_execution_show_tb = True
+nb_merge_streams = True
+nb_ipywidgets_js = {}
+# HTML before widgets: there is no kernel, and what is shown brings a form of its own for pages
+nb_mime_priority_overrides = [
+    ("html", "text/html", 10),
+    ("html", "application/vnd.jupyter.widget-view+json", None),
+    ("html", "application/vnd.kinlib.answer+json", None),
+]
+nitpicky = True
+# Types of other libraries have no page here, and their sites cannot be asked while this one is built.
+nitpick_ignore_regex = [("py:.*", r"(?!kinlib\.).*")]
+python_use_unqualified_type_names = True
+python_maximum_signature_line_length = 88
+add_module_names = False
+
+# --- what is written ---
+
+html_theme = "furo"
+html_title = "Forward kinematics"
+html_favicon = "static/favicon.svg"
+html_static_path = ["static"]
+templates_path = ["templates"]
+html_css_files = ["course.css"]
+html_js_files = [("course.js", {"defer": "defer"}), ("loader.js", {"defer": "defer"})]
+html_baseurl = os.environ.get("KINLIB_SITE_URL", "http://127.0.0.1:8000/").rstrip("/") + "/"
+notfound_urls_prefix = urlsplit(html_baseurl).path  # a page for addresses that do not exist knows no "up"
+html_copy_source = False
+html_show_sourcelink = False
+html_use_index = False
+html_domain_indices = False
+html_math_renderer = "katex"
+pygments_style = "a11y-light"
+pygments_dark_style = "a11y-dark"
+html_theme_options = {
+    "light_css_variables": {"color-brand-primary": "#6b2fb3", "color-brand-content": "#6b2fb3"},
+    "dark_css_variables": {"color-brand-primary": "#c9a2ff", "color-brand-content": "#c9a2ff"},
+}
+
+katex_prerender = True
+katex_css_path = "katex/katex.min.css"
+
+sitemap_url_scheme = "{link}"
+sitemap_excludes = ["404.html", "search.html"]
+ogp_site_url = html_baseurl
+ogp_image = "_static/opengraph.png"
+ogp_image_alt = "An arm with its screw axes, and the words: where is the tool?"
+ogp_social_cards = {"enable": False}
+ogp_enable_meta_description = True

@@ -1,0 +1,1 @@
+"""The course site: executes the notebooks, writes the pages that are made from kinlib, and shows outputs without a kernel."""

@@ -1,0 +1,50 @@
+"""The page on which a reader sees how far they have come. What it shows lives in their browser, and nowhere else."""
+
+import re
+from collections.abc import Iterator, Mapping
+from html import escape
+from pathlib import Path
+
+from nbformat import NotebookNode
+
+ASKED = re.compile(r'data-kinlib-question="([^"]+)"[^>]*data-right="(\d)"')
+
+HEAD = """\
+# Your progress
+
+What you have read and answered on these pages is kept in this browser, and sent to nobody. Clearing the browser's data
+clears it too; so take a copy if it matters to you.
+"""
+
+
+def pages(lectures: Mapping[Path, NotebookNode]) -> Iterator[tuple[str, str]]:
+    """The one page: a table that a script fills in, which reads well without one.
+
+    lectures  the executed notebooks by their paths
+    """
+    rows = []
+    for path, notebook in sorted(lectures.items()):
+        if not (questions := asked(notebook)):
+            continue
+        names, keys = zip(*questions, strict=True)
+        title = notebook.cells[0].source.split("\n", 1)[0].removeprefix("# ")
+        rows.append(
+            f'<tr data-lecture="lectures/{path.stem}" data-questions="{escape(" ".join(names))}" data-keys="{" ".join(keys)}">'
+            f'<th scope="row"><a href="lectures/{path.stem}.html">{path.stem[:2]} {escape(title)}</a></th>'
+            f"<td data-read>not yet</td><td data-answered>0 of {len(names)}</td><td data-right>0</td></tr>"
+        )
+    table = (
+        '<div class="kinlib-progress" data-kinlib-progress><table><caption class="visually-hidden">Lectures read and questions '
+        'answered</caption><thead><tr><th scope="col">lecture</th><th scope="col">read</th><th scope="col">questions '
+        'answered</th><th scope="col">right at once</th></tr></thead>'
+        f"<tbody>{''.join(rows)}</tbody></table></div>"
+    )
+    yield "progress.md", f"{HEAD}\n````{{raw}} html\n{table}\n````\n"
+
+
+def asked(notebook: NotebookNode) -> list[tuple[str, str]]:
+    """The questions that a lecture asks, in order: name, and index of the right option."""
+    shown = (
+        output.get("data", {}).get("text/html", "") for cell in notebook.cells for output in cell.get("outputs", [])
+    )
+    return [pair for text in shown for pair in ASKED.findall("".join(text))]
