@@ -214,7 +214,7 @@ class Mechanism:
         self,
         start: ArrayLike,
         hold: Mapping[str, float] | None = None,
-        step: float = 0.1,
+        step: float = 0.2,
         points: int | None = None,
         most: int = 5000,
     ) -> Curve:
