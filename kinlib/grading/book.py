@@ -97,7 +97,7 @@ def opened(folder: Path, sheet: str) -> Iterator[Book]:
     Raises Busy while another run has it, and where the folder holds the results of another sheet.
     """
     folder.mkdir(parents=True, exist_ok=True)
-    with (folder / ".lock").open("w") as lock:
+    with (folder / ".lock").open("a") as lock:
         try:
             fcntl.flock(lock, fcntl.LOCK_EX | fcntl.LOCK_NB)  # the kernel lets go of it when the process ends, however
         except BlockingIOError as error:

@@ -18,6 +18,9 @@ from kinlib.grading.submission import Master
 GRADERS: dict[str, Grader] = {}
 STARTING = Lock()
 
+PATIENCE = "10s"
+"""How long a scheduler may take to answer."""
+
 
 class Unreachable(RuntimeError):
     """No cluster answers."""
@@ -47,7 +50,7 @@ def cluster(address: str) -> Iterator[tuple[Executor, int]]:
     except ImportError as error:
         raise Unreachable("--cluster needs the package distributed: pip install distributed.") from error
     try:
-        client = Client(address, timeout="10s", set_as_default=False)
+        client = Client(address, timeout=PATIENCE, set_as_default=False)
     except (OSError, ValueError) as error:
         raise Unreachable(f"No Dask scheduler answers at {address}: {error}. Is it started, and reachable?") from error
     with client:
