@@ -3,6 +3,11 @@
     python course.py open        start JupyterLab on the first lecture
     python course.py test        run every test
 
+And two for the course site, which is what both of them show and check, as pages:
+
+    python course.py site        build it into build/site/html
+    python course.py serve       show it on http://127.0.0.1:8000, to this machine only
+
 The first run makes the course's own environment in .venv, of the versions in constraints.txt; later runs find it made.
 Words that follow go on to JupyterLab or pytest: "open --no-browser", "test -k lie". For those who change dependencies,
 "pin" renews constraints.txt, and --newest after open or test ignores it.
@@ -28,10 +33,12 @@ PINS = "constraints.txt"
 
 FIRST_LECTURE = "--LabApp.default_url=/lab/tree/notebooks/00_start_here.ipynb"
 PROGRAMS = {
-    "open": ("jupyterlab", f"--ServerApp.root_dir={ROOT}", FIRST_LECTURE),
-    "test": ("pytest", "--numprocesses=auto", "--dist=loadfile"),  # on all cores, each notebook whole on one
+    "open": ("-m", "jupyterlab", f"--ServerApp.root_dir={ROOT}", FIRST_LECTURE),
+    "test": ("-m", "pytest", "--numprocesses=auto", "--dist=loadfile"),  # on all cores, each notebook whole on one
+    "site": ("site/build.py",),
+    "serve": ("site/serve.py",),
 }
-GROUPS = {"open": "lab", "test": "test"}  # of pyproject.toml; test includes lab
+GROUPS = {"open": "lab", "test": "test", "site": "site", "serve": "site"}  # of pyproject.toml; test includes all
 RESOLVE = "pip compile pyproject.toml --group=test --group=installer --universal --upgrade --quiet --no-annotate"
 
 
@@ -42,14 +49,14 @@ def main(command: str = "help", *words: str) -> None:
     if command in PROGRAMS:
         prepare(GROUPS[command], newest="--newest" in words)
         arguments = [word for word in words if word != "--newest"]
-        sys.exit(call(PYTHON, "-m", *PROGRAMS[command], *arguments))
+        sys.exit(call(PYTHON, *PROGRAMS[command], *arguments))
     elif command == "pin":
         install_uv()
         uv("choose versions", *RESOLVE.split(), "--custom-compile-command=python course.py pin", "-o", PINS)
     elif command in ("help", "-h", "--help"):
         print(__doc__)
     else:
-        sys.exit(f"course.py knows open and test; it was given {command!r}. Try: python course.py open")
+        sys.exit(f"course.py knows open, test, site and serve; it was given {command!r}. Try: python course.py open")
 
 
 def prepare(group: str, newest: bool) -> None:

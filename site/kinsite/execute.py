@@ -35,14 +35,14 @@ SECONDS = 120
 """How long a cell may take. Students wait for less, and another test sees to that; builds run on busy machines."""
 
 
-class LectureRaised(Exception):
-    """A notebook of the course that does not run."""
+class NotebookRaised(Exception):
+    """A notebook of the course that does not run without a complaint."""
 
 
 def execute_all(paths: Iterable[Path], kept: Path = KEPT) -> dict[Path, NotebookNode]:
     """Execute notebooks two at a time, those that are kept not at all.
 
-    Raises LectureRaised that names the notebook and the cell, for the first one that raises or complains.
+    Raises NotebookRaised that names the notebook and the cell, for the first one that raises or complains.
     """
     with ThreadPoolExecutor(max_workers=os.cpu_count() or 1) as pool:
         paths = list(paths)
@@ -52,7 +52,7 @@ def execute_all(paths: Iterable[Path], kept: Path = KEPT) -> dict[Path, Notebook
 def execute(path: Path, kept: Path = KEPT) -> NotebookNode:
     """Execute one notebook, or take the outputs that its cells gave last time.
 
-    Raises LectureRaised that names the notebook and the cell.
+    Raises NotebookRaised that names the notebook and the cell.
     """
     notebook = nbformat.read(path, as_version=4)
     code = [cell for cell in notebook.cells if cell.cell_type == "code"]
@@ -98,11 +98,11 @@ def run(notebook: NotebookNode, path: Path) -> None:
         # What the kernel itself has to say while it starts is not for whoever builds; what cells say is among the outputs.
         client.execute(env={**os.environ, VARIABLE: "1"}, stderr=subprocess.DEVNULL)
     except CellExecutionError as error:
-        raise LectureRaised(f"{path.relative_to(ROOT)} raises:\n{plain(str(error))}") from None
+        raise NotebookRaised(f"{path.relative_to(ROOT)} raises:\n{plain(str(error))}") from None
     for cell in notebook.cells:
         for output in cell.get("outputs", []):
             if output.get("name") == "stderr":
-                raise LectureRaised(f"{path.relative_to(ROOT)}, cell {cell.id!r}, complains:\n{plain(output.text)}")
+                raise NotebookRaised(f"{path.relative_to(ROOT)}, cell {cell.id!r}, complains:\n{plain(output.text)}")
 
 
 def key(sources: Iterable[str]) -> str:

@@ -11,7 +11,7 @@ from sphinx.util.docutils import SphinxDirective
 from kinlib import robots
 from kinlib.view import explore
 from kinlib.view.viewer import STATIC
-from kinsite.__main__ import FONTS
+from kinsite.fonts import FONTS
 
 
 def setup(app: Sphinx) -> dict[str, Any]:

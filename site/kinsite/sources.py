@@ -35,7 +35,7 @@ The numbers below are those of the id "your id". Yours come from your own id, an
 def prepare(source: Path) -> None:
     """Write everything that Sphinx reads into a folder, and remove what is no longer there.
 
-    Raises LectureRaised for a notebook that does not run, ValueError for a robot without a source.
+    Raises NotebookRaised for a notebook that does not run, ValueError for a robot without a source.
     """
     written = {source / name for name, text in pages() if write(source / name, text)}
     for old in source.rglob("*"):
