@@ -12,6 +12,7 @@ from submissions import as_bytes, code, handed_in, problem_of, right
 from test_answer_data import as_typed
 
 from kinlib.grading import judge, paper
+from kinlib.grading.grade import Grader
 from kinlib.grading.hearing import hear
 from kinlib.grading.layers import UNSAFE, Limits, Missing, layer
 from kinlib.grading.runner import Runner
@@ -262,3 +263,27 @@ def test_importing_a_grader_runs_no_student_and_loads_no_sandbox():
     )
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True, cwd=ROOT)
     assert done.stdout.strip() == "[]"
+
+
+@on_linux
+def test_a_robots_own_sheet_is_judged_by_the_file_beside_the_masters_notebook(tmp_path):
+    from kinlib.practice.new_sheet import new_sheet
+    from kinlib.robots import rpr
+
+    made = new_sheet(rpr(), tmp_path / "my_robot")
+    blank = as_bytes({"cells": [code('from kinlib.practice import open_sheet\nsheet = open_sheet("my_robot", "ada")')]})
+    with Grader(master(made)) as grader:
+        assert [problem.state for problem in grader.grade("ada", made.read_bytes()).problems].count("right") >= 6
+        result = grader.grade("ada", blank)
+        assert result.points == 0
+        assert all("deleted" in problem.notes[0] for problem in result.problems)
+
+
+def test_a_sheet_that_the_judge_cannot_find_is_refused(tmp_path):
+    from kinlib.practice.new_sheet import new_sheet
+    from kinlib.robots import rpr
+
+    made = new_sheet(rpr(), tmp_path / "my_robot")
+    made.with_suffix(".json").unlink()
+    with pytest.raises(ValueError, match=r"cannot open sheet my_robot.*its file my_robot\.json"):
+        Grader(master(made), is_safe=False)

@@ -7,6 +7,7 @@ reads them and gives the points. This module carries messages between the two, a
 import time
 from collections.abc import Mapping, Sequence
 from hashlib import sha256
+from pathlib import Path
 from threading import Lock
 from types import TracebackType
 from typing import Any
@@ -120,7 +121,8 @@ class Grader:
         return found
 
     def _new_judge(self) -> Peer:
-        return Peer("kinlib.grading.judge", self.sheet.folder)
+        # On another machine the folder may be missing; then there is no robot's own sheet, and the judge says so.
+        return Peer("kinlib.grading.judge", self.sheet.folder if self.sheet.folder.is_dir() else Path())
 
     def _run(self, paper: str, planned: Plan) -> Ran:
         """Run the cells. A server that has ended is started anew, once."""
