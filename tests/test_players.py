@@ -314,3 +314,19 @@ def test_what_are_no_frames_is_refused(frames, message):
         assign(kl.robots.rpr(), "standard", frames=frames)
     with pytest.raises(ValueError, match="convention"):
         assign(kl.robots.rpr(), "common")
+
+
+@pytest.mark.parametrize("missing", [[1], [0, 3]], ids=["one", "two"])
+def test_a_sheet_says_which_frames_are_not_placed_and_what_to_do(missing):
+    from kinlib.practice import open_sheet
+
+    sheet = open_sheet("07_frame_assignment", "ada")
+    given = sheet.given(2)
+    chain = kl.Chain(given.screws, given.home, given.points)
+    frames = kl.assign_frames(chain, convention="standard").frames.copy()
+    frames[missing, :3, 0] = np.nan
+    pasted = [... if i in missing else T for i, T in enumerate(frames)]
+    for answer in (frames, pasted, assign(chain, "standard", frames=frames).frames):
+        verdict = sheet.check(2, answer)
+        assert verdict.judgement.fraction == 0
+        assert f"{', '.join(map(str, missing))}. If you placed them by hand, press Copy" in repr(verdict)

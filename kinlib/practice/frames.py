@@ -2,7 +2,7 @@
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 
@@ -10,7 +10,7 @@ from kinlib.chain import Chain
 from kinlib.check import Array
 from kinlib.dh import Convention
 from kinlib.frame_check import Breach, check_frames
-from kinlib.practice.answers import TOLERANCE, Numbers
+from kinlib.practice.answers import TOLERANCE, Numbers, Unreadable
 
 
 @dataclass(frozen=True, eq=False)
@@ -35,6 +35,16 @@ class Frames(Numbers):
     def parts(self) -> Sequence[str]:
         return [f"frame {i}" for i in range(self.chain.n + 1)]
 
+    def read(self, given: Any) -> Array:
+        if open_frames := _open(given):
+            listed = ", ".join(map(str, open_frames))
+            raise Unreadable(
+                f"Expected {self.expected}. Not placed yet: {'frames' if len(open_frames) > 1 else 'frame'} {listed}. "
+                "If you placed them by hand, press Copy there and paste the list here: what stands in the picture alone is gone "
+                "when the notebook is run anew."
+            )
+        return super().read(given)
+
     def agrees(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> list[bool]:
         if not self._breaches(other):
             broken = {breach.frame for breach in self._breaches(one)}
@@ -47,3 +57,11 @@ class Frames(Numbers):
     def _breaches(self, frames: Array) -> list[Breach]:
         # Entries typed with three decimals, at the end of a link of some metres.
         return check_frames(self.chain, frames, self.convention, tolerance=10 * TOLERANCE)
+
+
+def _open(given: Any) -> list[int]:
+    """Which frames of an answer have entries that are not there yet: NaN, as frames by hand have, or `...`."""
+    try:
+        return [i for i, T in enumerate(given) if T is ... or np.isnan(np.asarray(T, dtype=float)).any()]
+    except Exception:  # whatever else came is for the reader of numbers to name
+        return []

@@ -76,7 +76,8 @@ def frames_by_the_rules(draw: Draw) -> Problem:
     found = assign_frames(robot, convention="standard").frames
     return Problem(
         statement="Place frames 0 to 3 on this arm by the rules of the standard convention. Answer with four poses as seen from "
-        "{s}, an array of shape (4, 4, 4); `pose((x, y, z), origin)` from `kinlib.robots` writes one. Whatever the rules leave open, "
+        "{s}, an array of shape (4, 4, 4): place them by hand in the next cell and copy them, or write each with "
+        "`pose((x, y, z), origin)` from `kinlib.robots`. Whatever the rules leave open, "
         f"choose.\n\n{joint_table(robot)}",
         figure=partial(draw_joints, robot),
         given={"screws": robot.screws, "home": robot.home, "points": robot.joint_points},
