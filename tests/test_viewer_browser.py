@@ -365,14 +365,18 @@ def test_the_driver_runs_along_its_curve_and_a_click_goes_to_the_other(show):
 
 
 def test_the_picture_stays_covered_until_a_prediction_is_committed(show):
-    page = show(explore(kl.robots.rpr(), predict=("Which way?", ["up", "down"])), count=0)
+    viewer = explore(kl.robots.rpr(), predict=("Which way?", ["up", "down"]))
+    viewer.message = "It goes down."
+    page = show(viewer, count=0)
     commit = page.get_by_role("button", name="Commit")
     commit.wait_for()
     assert not page.locator(".kv-canvas").is_visible()
+    assert not page.get_by_text("It goes down.").is_visible()
     assert commit.is_disabled()
     page.get_by_label("down").check()
     commit.click()
     awake(page)
+    assert page.get_by_text("It goes down.").is_visible()
     assert page.evaluate("document.querySelector('.kv').viewer.model.get('choice')") == 1
 
 

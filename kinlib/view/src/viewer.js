@@ -68,7 +68,7 @@ function render({ model, el }) {
   function say(text) {
     if (message.textContent === text) return; // a screen reader would hear it again
     message.textContent = text;
-    message.hidden = !text;
+    message.hidden = !text || model.get('covered');
   }
 
   function update() {
@@ -125,6 +125,7 @@ function render({ model, el }) {
   function uncover() {
     veil.update();
     inside.hidden = model.get('covered');
+    message.hidden = inside.hidden || !message.textContent; // what it says may tell what is to be predicted
   }
 
   const changes = { q: update, message: update, shown: show, ghost, covered: uncover };
