@@ -63,8 +63,10 @@ def fill(
     """
     place = course(folder)
     released = Path(place.format_path(place.release_directory, ".", sheet.name), f"{sheet.name}.ipynb")
-    if not released.is_file():
-        raise ValueError(f"{released} is not there. First: nbgrader generate_assignment {sheet.name}")
+    kept = Path(place.db_url.removeprefix("sqlite:///"))
+    for path in (released, kept) if place.db_url.startswith("sqlite:///") else (released,):
+        if not path.is_file():
+            raise ValueError(f"{path} is not there. First: nbgrader generate_assignment {sheet.name}")
     handed_out = nbformat.read(released, as_version=4)
     unfit = []
     with Gradebook(place.db_url, place.course_id) as book:
