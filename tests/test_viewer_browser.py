@@ -623,4 +623,8 @@ def test_in_the_lab_the_viewer_follows_its_theme(lab):
     page.get_by_role("menuitem", name="Settings").click()
     page.get_by_text("Theme", exact=True).hover()
     settled(page, lambda: page.get_by_text("JupyterLab Dark", exact=True).click())
-    page.wait_for_function("document.querySelector('.kv').dataset.theme === 'dark'", timeout=SECONDS)
+    dark = "document.querySelectorAll('.kv[data-theme=dark]').length === 1"
+    page.wait_for_function(dark, timeout=SECONDS)
+    page.evaluate("document.querySelector('.kv').dataset.theme = 'old'")
+    run_cell(page, 0)  # a viewer that is made while the lab is dark
+    page.wait_for_function(dark, timeout=SECONDS)

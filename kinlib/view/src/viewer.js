@@ -139,6 +139,7 @@ function render({ model, el }) {
   const stopTheme = onThemeChange(paintAnew);
   const stopSteering = steer(stage.eye, canvas);
   const sized = new ResizeObserver(() => {
+    paintAnew(); // a lab attaches what it shows only now, and only now there is a page to take after
     const width = frame.clientWidth;
     if (width) stage.resize(width, Math.round(Math.max(260, Math.min(HEIGHT * width, 560))));
   });
