@@ -152,6 +152,16 @@ def test_feedback_says_points_verdicts_and_why_and_shows_no_right_answer():
     assert "7.25" not in page
 
 
+def test_what_the_sheet_says_of_points_where_nobody_judges_is_left_out():
+    tally, check = RanCell("sheet.tally()", None, 1, [output("SURROGATE")]), RanCell("x", 1, 0, [output("SURROGATE")])
+    failed = RanCell(
+        "sheet.check(1, x)", 1, 2, [{"output_type": "error", "ename": "E", "evalue": "e", "traceback": ["TRACE"]}]
+    )
+    page = feedback(result(cells=[check, tally, failed]))
+    assert "SURROGATE" not in page
+    assert "TRACE" in page
+
+
 def test_what_was_graded_without_a_sandbox_says_so_everywhere():
     unsafe = result(is_safe=False)
     for text in (feedback(unsafe), report([unsafe], []), *grades([unsafe, unsafe]).splitlines()[1:]):

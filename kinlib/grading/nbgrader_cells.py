@@ -13,14 +13,14 @@ import nbformat
 from nbformat import NotebookNode
 from nbformat.v4 import new_markdown_cell
 
-from kinlib.grading.pages import picture_of, text_of
+from kinlib.grading.pages import outputs_of, picture_of, text_of
 from kinlib.grading.result import ProblemResult, Result
 
 
 def filled(notebook: NotebookNode, result: Result) -> NotebookNode:
     """The notebook that was graded, with the outputs of its result, and with its reasons on top."""
     problems = {f"check-{k}": problem for k, problem in enumerate(result.problems, start=1)}
-    given = {cell.place: cell.outputs for cell in result.cells}
+    given = {cell.place: outputs_of(cell) for cell in result.cells}
     for place, cell in enumerate(notebook.cells):
         if cell.cell_type == "code":
             problem = problems.get(_name(cell))

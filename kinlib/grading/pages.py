@@ -6,6 +6,7 @@ slip through, it does nothing.
 
 import base64
 import binascii
+import re
 from collections.abc import Mapping
 from typing import Any
 
@@ -13,8 +14,12 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from kinlib.grading.mathematics import sentence
+from kinlib.grading.result import RanCell
 
 PNG = b"\x89PNG\r\n\x1a\n"
+
+TALLY = re.compile(r"\s*sheet\.tally\(\)\s*")
+"""The cell of a sheet that counts points."""
 
 STATES = {
     "right": ("✓", "right"),
@@ -51,6 +56,12 @@ def picture_of(output: Mapping[str, Any]) -> str | None:
     return picture if _is_png(picture) else None
 
 
+def outputs_of(cell: RanCell) -> list[Mapping[str, Any]]:
+    """What a cell gave, but for verdicts: where sheets run, nobody is there who could judge."""
+    is_verdict = cell.problem is not None or TALLY.fullmatch(cell.source)
+    return [output for output in cell.outputs if not is_verdict or output.get("output_type") == "error"]
+
+
 def text_of(output: Mapping[str, Any]) -> str:
     """What a cell gave, as text: the text behind a display, a stream, or the error with its last lines."""
     if output.get("output_type") == "error":
@@ -78,5 +89,5 @@ ENVIRONMENT = Environment(
     trim_blocks=True,
     lstrip_blocks=True,
 )
-ENVIRONMENT.filters |= {"sentence": sentence, "points": points, "shown": shown}
+ENVIRONMENT.filters |= {"sentence": sentence, "points": points, "shown": shown, "outputs": outputs_of}
 ENVIRONMENT.globals["STATES"] = STATES
