@@ -136,7 +136,7 @@ export function panel({ model, data, target, size, picks, place, go, undo, clear
     } else if (left.length) said.replaceChildren(h('p', {}, `So far no rule is broken. Still open: ${left.map((k) => `frame ${k}`).join(', ')}.`));
     else {
       said.replaceChildren(h('p', { class: 'kv-right' }, '✓ Every rule holds. This is a right assignment.'),
-        h('p', {}, `The table read off your frames is this arm: its poses differ by ${off.toExponential(0).replace('-', '−')} at most.`
+        h('p', {}, `The table read off your frames is this arm: its poses differ by ${off < 1e-12 ? 'less than 1e−12' : off.toExponential(0).replace('-', '−')}.`
           + (table.some((row) => row.join().includes('−q')) ? ' Where a z points against its axis, q stands with a minus.' : '')),
         dhTable(data.convention, table));
     }

@@ -103,11 +103,18 @@ export function picker({ stage, data, target, place }) {
     return [event.clientX - box.left, event.clientY - box.top];
   };
 
+  function release(event) {
+    if (!dragging) return;
+    dragging = false;
+    event.stopImmediatePropagation();
+    place(target()[target().part], true);
+  }
   const listeners = {
     pointerdown(event) {
       if (event.button || !held(pointerOf(event))) return;
       dragging = true;
       event.stopImmediatePropagation(); // or the eye would turn
+      canvas.focus({ preventScroll: true });
       canvas.setPointerCapture(event.pointerId);
     },
     pointermove(event) {
@@ -120,13 +127,8 @@ export function picker({ stage, data, target, place }) {
       }
       if (dragging) event.stopImmediatePropagation();
     },
-    pointerup(event) {
-      if (!dragging) return;
-      dragging = false;
-      event.stopImmediatePropagation();
-      const { part } = target();
-      place(target()[part], true);
-    },
+    pointerup: release,
+    pointercancel: release, // a finger that the page takes for scrolling
     pointerleave() {
       hovered = null;
       stage.draw();
