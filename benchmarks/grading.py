@@ -36,17 +36,23 @@ def main(count=100, many=1000):
             save(handed, student, notebook)
         for number in range(many):
             save(more, *generated(number))
-        book = Course(Path(top, "book"), is_asserting=False).folder
+        books = [str(Course(Path(top, name), is_asserting=False).folder) for name in ("book", "long book")]
         print(f"{count} submissions of sheet 03            seconds    a minute    ms each    memory")
         plain = told("kinlib grade", count, *ours(handed, Path(top, "plain")))
-        told("the same, with nbgrader's gradebook", count, *ours(handed, Path(top, "booked"), "--gradebook", str(book)))
+        booked = told("with nbgrader's gradebook", count, *ours(handed, Path(top, "booked"), "--gradebook", books[0]))
         stock = told("nbgrader autograde", count, theirs.autograde())
         print(f"kinlib is {stock / plain:.0f} times as fast")
         scores = theirs.scores()
-        agreed = sum(scores.get(student) == whole for student, whole in points(Path(top, "plain")).items())
-        print(f"{agreed} of {count} get the same points from both, the others more from kinlib, for parts of answers\n")
-        seconds, memory = ours(more, Path(top, "long"))
-        told(f"kinlib grade, {many} submissions", many, seconds, memory)
+        differ = [whole - scores.get(student, 0) for student, whole in points(Path(top, "plain")).items()]
+        more_points, fewer = sum(one > 0 for one in differ), sum(one < 0 for one in differ)
+        print(
+            f"points: {differ.count(0)} the same, {more_points} more from kinlib, for parts of answers, {fewer} fewer\n"
+        )
+        seconds, memory = ours(more, Path(top, "long"), "--gradebook", books[1])
+        told(f"{many}, with the gradebook", many, seconds, memory)
+        print(
+            f"each further submission takes {1e3 * (seconds - booked) / (many - count):.0f} ms, pages and gradebook included"
+        )
         third = len(memory) // 3
         growth = statistics.median(memory[2 * third :]) - statistics.median(memory[third : 2 * third])
         print(f"growth from the second third to the last: {growth:+.0f} MB")

@@ -5,7 +5,7 @@
 
 nbgrader runs each attack in namespaces of processes and mounts made for it, on a disk that can be read and not written,
 but for the course and the folder that is attacked: or this would be no benchmark, but the end of the machine that runs it.
-Attacks that would take all its memory, processes or disk are not tried on nbgrader.
+Attacks that would take all its memory, processes or disk, or turn its mounts, are not tried on nbgrader.
 
 An attack *wins points* that no answer earned, *reads* a secret, *changes* a file, *reaches* a port, leaves a process
 *alive*, or leaves the submission without a *grade*. Nothing of this is a dash.
@@ -32,6 +32,7 @@ ALONE = 4
 
 TOO_MUCH = {
     *("20 GB are asked for", "a fork bomb", "a thread bomb", "the output floods", "the pipe floods", "the disk fills"),
+    "the sandbox is asked to let go",
 }
 """For a grader without limits."""
 

@@ -167,7 +167,7 @@ answers = {k: opened("03_poe_space", "ada").problem(k).answer.value for k in ran
     "the sheet's module is imported": """
 import importlib, importlib.util, sys, kinlib, glob
 from pathlib import Path
-for path in [*Path(kinlib.__path__[0]).rglob("*sheet_03*"), *Path("/").glob("**/sheet_03_poe_space*")]:
+for path in Path(kinlib.__path__[0]).rglob("*sheet_03*"):
     print("found", path)
 from kinlib.practice.sheet_03_poe_space import SHEET
 answers = {k: SHEET.problems[k - 1].variant("ada").answer.value for k in range(1, 9)}
