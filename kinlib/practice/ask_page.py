@@ -25,10 +25,10 @@ def question_html(name: str, item: "Item") -> str:
     """
     options = "".join(f"<li>{_option(option, item.kind)}</li>" for option in item.options)
     return (
-        f'<section class="kinlib-question" data-kinlib-question="{escape(name)}" data-kind="{item.kind}" '
+        f'<div role="group" class="kinlib-question" data-kinlib-question="{escape(name)}" data-kind="{item.kind}" '
         f'data-right="{item.right}" aria-label="{KINDS[item.kind]}: a question">'
         f"<p><strong>{KINDS[item.kind]}.</strong> {inline(item.text)}</p>"
-        f'<ol class="kinlib-options" type="A">{options}</ol></section>'
+        f'<ol class="kinlib-options" type="A">{options}</ol></div>'
     )
 
 
@@ -41,9 +41,9 @@ def explanation_html(name: str, item: "Item") -> str:
     """
     told = "".join(f"<li><p>{inline(option.text)}</p>{_why(option)}</li>" for option in item.options)
     return (
-        f'<section class="kinlib-explanation" data-kinlib-explain="{escape(name)}" aria-label="What came of a prediction">'
+        f'<div role="group" class="kinlib-explanation" data-kinlib-explain="{escape(name)}" aria-label="What came of a prediction">'
         f"<details><summary>Compare with your prediction: {inline(item.text)}</summary>"
-        f'<ol class="kinlib-options" type="A">{told}</ol></details></section>'
+        f'<ol class="kinlib-options" type="A">{told}</ol></details></div>'
     )
 
 
