@@ -207,7 +207,7 @@ def folder(tmp_path):
     return tmp_path / "in"
 
 
-def test_what_changed_is_graded_again_and_nothing_else(folder, tmp_path, asked):
+def test_what_changed_is_graded_again_and_nothing_else(folder, tmp_path, asked, monkeypatch):
     out = tmp_path / "out"
     assert grade(folder, out) == 0
     assert asked() == ["ada", "bob", "cyn"]
@@ -215,6 +215,9 @@ def test_what_changed_is_graded_again_and_nothing_else(folder, tmp_path, asked):
     assert grade(folder, out) == 0
     assert asked() == ["bob"]
     assert grade(folder, out, "--unsafe-no-sandbox") == 0  # another way to run is another result
+    assert asked() == ["ada", "bob", "cyn"]
+    monkeypatch.setattr("kinlib.grading.book._code", lambda: "a problem was changed")
+    assert grade(folder, out, "--unsafe-no-sandbox") == 0
     assert asked() == ["ada", "bob", "cyn"]
 
 

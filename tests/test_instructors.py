@@ -24,7 +24,8 @@ COMMANDS = [line for language, text in BLOCKS if not language for line in text.s
 def sheet(request, monkeypatch):
     """The sheet of the guide, found as if its module were among the others."""
     names = {}
-    exec(PROBLEM if request.param == "as it is" else PROBLEM.replace("mistakes=[", f"mistakes=[{MISTAKE}"), names)
+    more = PROBLEM.replace("    return", f"    {MISTAKE}    return").replace("mistakes=[", "mistakes=[exchanged, ")
+    exec(PROBLEM if request.param == "as it is" else more, names)
     monkeypatch.setitem(STAND_INS, "11_warm_up", names["SHEET"])
     return names["SHEET"]
 

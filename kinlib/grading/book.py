@@ -1,7 +1,7 @@
 """The book of results: a file for each student, written whole or not at all, so that a run may be stopped at any moment.
 
-A result is kept under a mark of all that it came from: the notebook, the sheet's check cells, the sandbox, the version of
-kinlib. The next run asks for results by their marks, and grades what has none.
+A result is kept under a mark of all that it came from: the notebook, the sheet, the sandbox, and kinlib itself, where the
+problems are. The next run asks for results by their marks, and grades what has none.
 """
 
 import fcntl
@@ -9,12 +9,12 @@ import json
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from dataclasses import asdict
+from functools import cache
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
 from urllib.parse import quote
 
-import kinlib
 from kinlib.grading.result import ProblemResult, RanCell, Result
 from kinlib.grading.submission import Master
 
@@ -44,9 +44,23 @@ def file_name(student: str) -> str:
 
 def mark(sheet: Master, is_safe: bool, parts: Sequence[str | bytes | None]) -> str:
     """What stands for all that a result came from."""
-    told = [kinlib.__version__, sheet.name, sorted(sheet.checks.items()), is_safe]
+    robot = sheet.folder / f"{sheet.name}.json"
+    told = [
+        _code(),
+        sheet.name,
+        sorted(sheet.checks.items()),
+        is_safe,
+        robot.read_text("utf-8") if robot.exists() else "",
+    ]
     each = [part if part is None else sha256(_encoded(part)).hexdigest() for part in parts]
     return sha256(json.dumps([*told, each]).encode()).hexdigest()
+
+
+@cache
+def _code() -> str:
+    """What stands for kinlib as it is: a problem may be changed after the first submissions were graded."""
+    modules = sorted(Path(__file__).parents[1].rglob("*.py"))
+    return sha256(b"\0".join(module.read_bytes() for module in modules)).hexdigest()
 
 
 def _encoded(part: str | bytes) -> bytes:
