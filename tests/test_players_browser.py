@@ -337,6 +337,19 @@ def test_a_frame_is_cleared_and_brought_back(show):
     np.testing.assert_array_equal(frames_of(page), RIGHT)
 
 
+def test_a_breach_goes_out_when_its_frame_changes_and_comes_back_with_it(show):
+    page = show(broken())
+    wrong = page.get_by_role("button", name="Frame 1, breaks a rule")
+    wrong.click()
+    page.get_by_role("button", name="Take this frame away").click()
+    assert not wrong.is_visible()
+    assert "Check again." in page.locator(".kv-verdict").inner_text()
+    page.get_by_role("button", name="Undo the last change").click()
+    assert wrong.is_visible()
+    page.evaluate(f"frames => {MODEL}.set('frames', frames)", RIGHT.tolist())  # as Python does
+    assert not wrong.is_visible()
+
+
 def test_an_x_that_is_not_square_to_a_new_z_is_taken_back(show):
     page = show(assign(ARM, "standard", frames=RIGHT))
     page.get_by_role("button", name="Frame 3, placed").click()

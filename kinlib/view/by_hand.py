@@ -80,7 +80,7 @@ class ByHand(Viewer):
             start=home,
             shown=["base", "tool"],
             readout=False,
-            mode={"kind": "assign", "convention": convention, "joints": _joints(chain, convention), **found},
+            mode={"kind": "assign", "convention": convention, **found},
             frames=frames,
         )
         self.observe(self._judge, "asked")
@@ -200,12 +200,6 @@ def _off(chain: Chain, table: DHTable, signs: Array) -> float:
     """The largest difference of a pose between the table and the arm, over postures by chance."""
     q = np.random.default_rng(0).uniform(-np.pi, np.pi, (PROBES, chain.n))
     return float(np.abs(table.fk(signs * q) - chain.fk(q)).max())
-
-
-def _joints(chain: Chain, convention: Convention) -> list[int | None]:
-    """On which joint's axis, counted from 1, the z of each frame belongs; the frame at the loose end has none."""
-    own = [*range(1, chain.n + 1)]
-    return [*own, None] if convention == "standard" else [None, *own]
 
 
 def _joint(breach: Breach, convention: Convention, n: int) -> int:

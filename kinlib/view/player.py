@@ -98,7 +98,7 @@ def play_assignment(chain: Chain, *, convention: Convention, step: int = 0, afte
     >>> from kinlib.robots import youbot
     >>> player = play_assignment(youbot(), convention="standard", step=3)
     >>> player.alt[:62]
-    'youBot, standard convention, step 4 of 25. O_1 lies on axis 2, '
+    'youBot, standard convention, step 4 of 25. O_1 lies on axis 2,'
     """
     made = Player(chain, convention=convention_of(convention))
     made.step = step

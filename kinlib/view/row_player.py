@@ -43,7 +43,7 @@ SAID: dict[Convention, dict[int, str]] = {
 AXES: dict[Convention, tuple[str, str]] = {"standard": ("axis i", "axis i+1"), "modified": ("axis i−1", "axis i")}
 """The axes on which the z of frame i-1 and of frame i lie."""
 
-SNUG = {1: 0.88, 2: 0.79}
+SNUG = {1: 0.94, 2: 0.79}
 """Of the ball around all that is drawn, for one track and for two side by side: from where the eye begins, they do not fill it."""
 
 

@@ -4,15 +4,19 @@ import { axis, frame, lengths, marker, paleArm } from './drawing.js';
 import { handles } from './handles.js';
 import { panel } from './panel.js';
 import { picker } from './pick.js';
-import { add, columnOf, open, placed, PARTS } from './vectors.js';
+import { add, columnOf, open, placed } from './vectors.js';
 
 const PATIENCE = 6000; // milliseconds until silence of Python is mentioned
 
-/** @param kit.data { convention, joints: [joint or null], axes, z, points, x }, see kinlib/view/candidates.py */
+/** @param kit.data { convention, axes, z, points, x }, see kinlib/view/candidates.py */
 export function assign({ model, stage, data }) {
   const { size } = stage.data;
   const frames = () => model.get('frames');
-  const now = { i: 0, part: 'z', touched: new Set(), waiting: false };
+  const now = { i: 0, part: 'z', waiting: false };
+  const shot = () => frames().map((T) => JSON.stringify(T));
+  let judgedOn = model.get('verdict').asked ? shot() : null; // the frames that the last verdict is about
+  let sent = null;
+  const touched = () => (judgedOn ? shot().flatMap((T, i) => (T === judgedOn[i] ? [] : [i])) : []);
   const past = [];
   const target = () => {
     const T = frames()[now.i];
@@ -27,15 +31,15 @@ export function assign({ model, stage, data }) {
   /** Put the part at hand somewhere. @param on whether to go on to what is open next */
   function place(value, kept = true, on = false) {
     const { i, part } = now;
+    if (part === 'x' && !columnOf(frames()[i], 2)) return;
     held ??= frames();
     if (kept) {
       past.push(held);
       held = null;
     }
-    now.touched.add(i);
-    if (part === 'x' && !columnOf(frames()[i], 2)) return;
     if (on) next(placed(frames()[i], part, value));
     keep(frames().map((T, k) => (k === i ? placed(T, part, value) : T)), kept);
+    if (on) changed(); // a pick of what was there already changes no trait
   }
   /** After a pick: the next part of this frame, and then the next frame that is open. */
   function next(T) {
@@ -56,16 +60,15 @@ export function assign({ model, stage, data }) {
   }
   function clear() {
     past.push(frames());
-    now.touched.add(now.i);
     const bare = [...Array(3).fill([null, null, null, null]), [0, 0, 0, 1]];
     now.part = 'z';
     keep(frames().map((T, k) => (k === now.i ? bare.map((row) => [...row]) : T)));
   }
   function ask() {
-    now.touched.clear();
-    now.waiting = true;
+    sent = shot();
     clearTimeout(now.timer);
-    now.timer = setTimeout(() => side.silent(), PATIENCE);
+    now.waiting = !model.alone;
+    if (now.waiting) now.timer = setTimeout(() => side.silent(), PATIENCE);
     model.set('asked', model.get('asked') + 1);
     model.save_changes();
     side.update();
@@ -75,11 +78,12 @@ export function assign({ model, stage, data }) {
   const picks = picker({ stage, data, target, place });
   const marks = handles({ stage, data, picks, target, broken: () => breaches().map(({ joint }) => data.axes[joint - 1].point) });
   /** The breaches of the last verdict, but those about frames that have changed since. */
-  const breaches = () => (model.get('verdict').breaches ?? []).filter(({ frame: i, rule }) => {
-    const other = rule.startsWith('x ') ? i + (data.convention === 'standard' ? -1 : 1) : i;
-    return !now.touched.has(i) && !now.touched.has(other);
-  });
-  const side = panel({ model, data, target, picks, size, place, go, undo, clear, ask, breaches, past });
+  const breaches = () => {
+    const other = ({ frame: i, rule }) => (rule.startsWith('x ') ? i + (data.convention === 'standard' ? -1 : 1) : i);
+    const anew = touched();
+    return (model.get('verdict').breaches ?? []).filter((one) => !anew.includes(one.frame) && !anew.includes(other(one)));
+  };
+  const side = panel({ model, data, target, picks, size, place, go, undo, clear, ask, breaches, touched, past });
 
   /** A frame as far as it is placed; a z without an origin stands on the axis that it was taken from. */
   function partly(T) {
@@ -110,12 +114,13 @@ export function assign({ model, stage, data }) {
   }
 
   function changed() {
-    if (now.part !== 'z' && !(now.part in PARTS)) now.part = 'z';
     draw();
     side.update();
   }
   function judged() {
     now.waiting = false;
+    judgedOn = sent ?? shot();
+    sent = null;
     clearTimeout(now.timer);
     changed();
   }

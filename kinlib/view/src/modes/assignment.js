@@ -1,5 +1,5 @@
 // The frame-assignment player: one step at a time, forwards and back, with its sentence, and what it names lit up.
-import { h, KEYS, unique } from '../dom.js';
+import { h, KEYS } from '../dom.js';
 import { rich } from '../rich.js';
 import { dashes } from '../shapes.js';
 import { axis, column, frame, lengths, marker, originOf, paleArm } from './drawing.js';
@@ -21,12 +21,11 @@ export function assignment({ model, stage, data }) {
     model.save_changes();
   };
   const button = (text, label, act) => h('button', { type: 'button', ...KEYS, 'aria-label': label, title: label, onclick: act }, text);
-  const id = unique('step');
   const first = button('|◀', 'First step', () => go(0));
   const back = button('◀ Back', 'One step back', () => go(model.get('step') - 1));
   const next = button('Next ▶', 'Next step', () => go(model.get('step') + 1));
   const end = button('▶|', 'Last step', () => go(last));
-  const slider = h('input', { ...KEYS, id, type: 'range', min: 0, max: last, step: 1, 'aria-label': 'Step', oninput: () => go(Number(slider.value)) });
+  const slider = h('input', { ...KEYS, type: 'range', min: 0, max: last, step: 1, 'aria-label': 'Step', oninput: () => go(Number(slider.value)) });
   const select = h('select', { ...KEYS, 'aria-label': 'Convention', onchange: () => {
     model.set('convention', select.value);
     model.save_changes();

@@ -1,8 +1,8 @@
 // The panel of assign mode: which frame, its three parts as lists for keys and screen readers, the rules, the table.
 import { h, KEYS } from '../dom.js';
+import { square } from '../parts.js';
 import { rich } from '../rich.js';
 import { roundStep } from '../stage.js';
-import { square } from './pick.js';
 import { add, columnOf, dot, near, open, PARTS, turned } from './vectors.js';
 import { dhTable } from './table.js';
 
@@ -16,7 +16,7 @@ const NEEDS = { z: 'First give z_{i} a direction: x is square to it.', origin: '
 const NAMES = { z: 'z_', origin: 'O_', x: 'x_' };
 const about = (text, i) => text.replaceAll('{i}', `${i}`);
 
-export function panel({ model, data, target, size, picks, place, go, undo, clear, ask, breaches, past }) {
+export function panel({ model, data, target, size, picks, place, go, undo, clear, ask, breaches, touched, past }) {
   const frames = () => model.get('frames');
   const button = (text, label, act) => h('button', { type: 'button', ...KEYS, 'aria-label': label, title: label, onclick: act }, text);
   const tabs = frames().map((_, i) => h('button', { type: 'button', class: 'kv-tab', ...KEYS, onclick: () => go(i) }));
@@ -120,7 +120,7 @@ export function panel({ model, data, target, size, picks, place, go, undo, clear
   function verdict(broken, waiting) {
     const { asked, breaches: all = [], table = [], off = 0 } = model.get('verdict');
     const left = frames().map((T, k) => (open(T) ? k : null)).filter((k) => k !== null);
-    const key = JSON.stringify([asked, model.get('asked'), broken, waiting, left, target().touched.size]);
+    const key = JSON.stringify([asked, model.get('asked'), broken, waiting, left, touched().length]);
     if (said.dataset.key === key) return;
     said.dataset.key = key;
     if (model.alone && model.get('asked') > (asked ?? 0)) {
@@ -131,7 +131,7 @@ export function panel({ model, data, target, size, picks, place, go, undo, clear
       said.replaceChildren(h('p', { class: 'kv-title' }, `${broken.length} broken ${broken.length > 1 ? 'rules' : 'rule'}`), h('ul', {}, ...broken.map((one) => h('li', {},
         h('button', { type: 'button', class: 'kv-breach', ...KEYS, onclick: () => go(one.frame, partOf(one.rule)) },
           h('b', { class: 'kv-wrong' }, `✕ joint ${one.joint}: `), ...rich(one.text))))));
-    } else if (target().touched.size) {
+    } else if (touched().length) {
       said.replaceChildren(h('p', {}, all.length ? 'Nothing of what was broken is left as it was. Check again.' : 'The frames have changed. Check again.'));
     } else if (left.length) said.replaceChildren(h('p', {}, `So far no rule is broken. Still open: ${left.map((k) => `frame ${k}`).join(', ')}.`));
     else {
@@ -145,7 +145,7 @@ export function panel({ model, data, target, size, picks, place, go, undo, clear
   return {
     element,
     update,
-    silent: () => said.replaceChildren(h('p', {}, model.alone ? '' : 'No answer from Python yet. Is the kernel running?')),
+    silent: () => said.replaceChildren(h('p', {}, 'No answer from Python yet. Is the kernel running?')),
   };
 }
 

@@ -1,8 +1,9 @@
 // Picking in the picture: what can be taken, drawn over it; what is under the pointer; drags along an axis and round a ring.
 // The eye is orthographic, so lines and planes of space are lines and planes of the picture, only foreshortened.
 import { Vector3 } from 'three';
+import { square } from '../parts.js';
 import { roundStep } from '../stage.js';
-import { add, cross, dot, minus, norm, times, turned } from './vectors.js';
+import { add, cross, dot, minus, norm, turned } from './vectors.js';
 
 const GRIP = 18; // pixels round a handle
 const SNAP = 14; // pixels round a point, for what moves on a line
@@ -149,12 +150,4 @@ export function picker({ stage, data, target, place }) {
       for (const [name, listener] of Object.entries(listeners)) canvas.removeEventListener(name, listener, { capture: true });
     },
   };
-}
-
-/** A unit vector square to another. */
-export function square(z) {
-  const least = z.map(Math.abs).indexOf(Math.min(...z.map(Math.abs)));
-  const other = [0, 1, 2].map((k) => (k === least ? 1 : 0));
-  const across = minus(other, times(z, z[least]));
-  return times(across, 1 / norm(across));
 }

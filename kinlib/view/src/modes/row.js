@@ -1,6 +1,6 @@
 // The row player: the motions of a DH row, one after the other. Each track is an arm whose joints are the motions, so that
 // the scene graph carries the frame; `done` counts the motions that are done, and is between two numbers on the way.
-import { fixed, h, KEYS, unique } from '../dom.js';
+import { fixed, h, KEYS } from '../dom.js';
 import { rich } from '../rich.js';
 import { dashes } from '../shapes.js';
 import { frame, mixed, originOf as place } from './drawing.js';
@@ -68,8 +68,7 @@ export function row({ model, stage, data }) {
   } }, '▶ Play');
   const back = button('◀ Back', 'One motion back', () => fly(Math.ceil(done() - 1e-9) - 1));
   const next = button('Next ▶', 'Next motion', () => fly(Math.floor(done() + 1e-9) + 1));
-  const id = unique('done');
-  const slider = h('input', { ...KEYS, id, type: 'range', min: 0, max: last, step: 'any', 'aria-label': 'Motions done', oninput: () => {
+  const slider = h('input', { ...KEYS, type: 'range', min: 0, max: last, step: 'any', 'aria-label': 'Motions done', oninput: () => {
     stop();
     set(Number(slider.value));
   }, onkeydown: (event) => {
