@@ -6,6 +6,7 @@ import subprocess
 import sys
 import threading
 import time
+from pathlib import Path
 
 import pytest
 import submissions
@@ -16,8 +17,10 @@ if sys.platform != "linux":
 
 from kinlib.__main__ import main
 from kinlib.grading.book import Book
-from kinlib.grading.cluster import Unreachable, cluster
+from kinlib.grading.cluster import Unreachable, cluster, grade_here
 from kinlib.grading.grades import grades
+from kinlib.grading.layers import Limits
+from kinlib.grading.submission import Master
 
 STUDENTS = [f"student{number}" for number in range(10)]
 
@@ -57,7 +60,7 @@ def running(tmp_path):
             process.wait()
 
 
-def test_a_worker_is_killed_in_the_middle_and_everybody_is_graded_once(running, tmp_path, monkeypatch):
+def test_a_worker_is_killed_in_the_middle_and_everybody_is_graded_once(running, tmp_path, monkeypatch, capsys):
     address, workers = running
     for student in STUDENTS:
         (tmp_path / "in" / student).mkdir(parents=True)
@@ -78,6 +81,8 @@ def test_a_worker_is_killed_in_the_middle_and_everybody_is_graded_once(running, 
     out = tmp_path / "out"
     code = main(["grade", str(sheet), str(tmp_path / "in"), "--out", str(out), "--cluster", address])
     killer.join()
+    if "The sandbox cannot" in capsys.readouterr().err and "CI" not in os.environ:
+        pytest.skip("NO CLUSTER IS TESTED: there is no sandbox here")
     assert code == 0
     assert workers[0].poll() is not None
     assert workers[1].poll() is None
@@ -85,6 +90,23 @@ def test_a_worker_is_killed_in_the_middle_and_everybody_is_graded_once(running, 
     results = [Book(out).kept(student) for student in STUDENTS]
     assert [result.points for result in results] == [24] * len(STUDENTS)
     assert (out / "grades.csv").read_text("utf-8") == grades(results)
+
+
+def test_a_worker_needs_no_folder_of_whoever_grades(monkeypatch, tmp_path):
+    class Told:
+        def __init__(self, sheet, *_):
+            self.folder = sheet.folder
+
+        def grade(self, student, content):
+            return self.folder
+
+        def close(self):
+            pass
+
+    monkeypatch.setattr("kinlib.grading.cluster.Grader", Told)
+    monkeypatch.setattr("kinlib.grading.cluster.GRADERS", {})
+    for folder, expected in ((tmp_path, tmp_path), (Path("/nowhere"), Path.cwd())):
+        assert grade_here(Master(SHEET, folder, {}), Limits(), True, "ada", None) == expected
 
 
 def test_a_scheduler_that_is_not_there_is_told(monkeypatch):

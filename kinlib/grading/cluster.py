@@ -8,6 +8,8 @@ import atexit
 from collections.abc import Iterator
 from concurrent.futures import Executor
 from contextlib import contextmanager
+from dataclasses import replace
+from pathlib import Path
 from threading import Lock
 
 from kinlib.grading.grade import Grader
@@ -31,6 +33,8 @@ def grade_here(sheet: Master, limits: Limits, is_safe: bool, student: str, conte
 
     Raises kinlib.grading.layers.Missing where this machine cannot give the sandbox.
     """
+    # The folder is one of whoever grades. Only the sheet of a robot needs it, and says so if its file is not here.
+    sheet = sheet if sheet.folder.is_dir() else replace(sheet, folder=Path.cwd())
     key = repr((sheet, limits, is_safe))
     with STARTING:
         if key not in GRADERS:
@@ -54,7 +58,7 @@ def cluster(address: str) -> Iterator[tuple[Executor, int]]:
     except (OSError, ValueError) as error:
         raise Unreachable(f"No Dask scheduler answers at {address}: {error}. Is it started, and reachable?") from error
     with client:
-        threads = sum(worker["nthreads"] for worker in client.scheduler_info(n_workers=-1)["workers"].values())
+        threads = sum(client.nthreads().values())
         if not threads:
             raise Unreachable(f"The scheduler at {address} has no workers. Start some: dask worker {address}.")
         yield client.get_executor(), threads
