@@ -73,6 +73,15 @@ def test_a_flat_folder_names_students_by_files(tmp_path):
     assert list(by_student(gathered)) == ["ada", "bob", "cyn", "d.e"]
 
 
+def test_a_name_is_the_same_however_its_accents_are_written(tmp_path):
+    """A Mac takes an accent apart; a zip of an old Windows leaves bytes that are no UTF-8."""
+    (tmp_path / "r.csv").write_text("id\nzoé\n", "utf-8")
+    root = folder(tmp_path / "in", **{f"zoe\u0301/{NAME}": "zoé"})
+    Path(os.fsdecode(os.fsencode(root) + b"/x\xff.ipynb")).write_bytes(notebook("x"))
+    gathered = gather(root, SHEET, read_roster(tmp_path / "r.csv"))
+    assert [(handed.student, bool(handed.notebook)) for handed in gathered.handed] == [("x?", True), ("zoé", True)]
+
+
 def test_the_submitted_folder_of_nbgrader_holds_other_sheets_too(tmp_path):
     other = "05_dh_standard/05_dh_standard.ipynb"
     folder(tmp_path, **{f"ada/{SHEET}/{NAME}": "ada", f"ada/{other}": "ada", f"bob/{other}": "bob"})

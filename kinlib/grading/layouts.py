@@ -8,6 +8,7 @@ Gradescope  submission_99/<sheet>.ipynb, and submission_metadata.yml says whose 
 """
 
 import re
+import unicodedata
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import PurePosixPath
@@ -74,19 +75,24 @@ def _piles(found: Sequence[File], owner: Callable[[PurePosixPath], Owner | None]
     for file in found:
         if (of := owner(file.path)) is not None:
             name, key, called = of
-            pile = piles.setdefault(key or name.casefold(), Pile(name, key))
+            pile = piles.setdefault(key or _plain(name).casefold(), Pile(_plain(name), key))
             if called and file.is_there:
                 pile.files.append((called, file))
     return list(piles.values())
 
 
+def _plain(name: str) -> str:
+    """A name in the one form that others write it in too: a Mac takes its accents apart, an old zip spoils them."""
+    return unicodedata.normalize("NFC", name.encode(errors="replace").decode()).strip()
+
+
 def _of_folder(path: PurePosixPath, sheet: str) -> Owner | None:
     if len(path.parts) > 1:
-        return path.parts[0].strip(), "", path.name
+        return path.parts[0], "", path.name
     if path.suffix.lower() != ".ipynb":
         return None  # a list, a note: whoever collected put it there
     student = re.sub(rf"^{re.escape(sheet)}[-_ ]+|[-_ ]+{re.escape(sheet)}$", "", path.stem)
-    return student.strip(), "", f"{sheet}.ipynb"
+    return student, "", f"{sheet}.ipynb"
 
 
 def _of_course(path: PurePosixPath, sheet: str) -> Owner | None:

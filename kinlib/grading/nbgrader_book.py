@@ -7,7 +7,8 @@ and a notebook in autograded/ for each student. A grade that a person gave by ha
 import json
 import re
 from collections.abc import Iterable
-from dataclasses import asdict
+from copy import deepcopy
+from dataclasses import asdict, replace
 from datetime import datetime
 from hashlib import sha256
 from pathlib import Path
@@ -29,13 +30,12 @@ from nbgrader.coursedir import CourseDirectory
 from traitlets.config.loader import PyFileConfigLoader
 
 from kinlib.grading.book import write
-from kinlib.grading.files import Refused
 from kinlib.grading.gather import Handed
 from kinlib.grading.nbgrader_cells import filled, restored
 from kinlib.grading.result import Result
 from kinlib.grading.submission import Master
 
-FOLDER = re.compile(r"[^./\\\0+][^/\\\0+]*")
+FOLDER = re.compile(r"[^./\\\0+][^/\\\0+]{0,79}")
 """An id that can be the name of a student's folder; nbgrader allows no + either."""
 
 KEY = "kinlib"
@@ -89,18 +89,27 @@ def fill(
             )
             mark = sha256(json.dumps(asdict(result)).encode()).hexdigest()
             if is_anew or _mark(target) != mark:
-                collected = place.format_path(place.submitted_directory, result.student, sheet.name)
-                _record(book, assignment, result, place.get_existing_timestamp(collected))
+                _record(book, assignment, result, _handed_in(place, result))
                 write(target, _autograded(handed, result, handed_out, mark))
     return unfit
 
 
-def _autograded(handed: Handed, result: Result, released: NotebookNode, mark: str) -> str:
+def _handed_in(place: CourseDirectory, result: Result) -> datetime | None:
+    """When it was handed in, if a file beside it says so."""
+    collected = place.format_path(place.submitted_directory, result.student, result.sheet)
     try:
-        content = handed.content()
-    except Refused:
-        content = None
-    notebook = filled(restored(content, result, released), result)
+        when: datetime | None = place.get_existing_timestamp(collected)
+    except (OSError, ValueError, AttributeError):  # a time that is none, and nbgrader's own slip when it says so
+        when = None
+    return when
+
+
+def _autograded(handed: Handed, result: Result, released: NotebookNode, mark: str) -> str:
+    """The notebook that was graded; where nbformat, which is stricter than we are, cannot read it, the one handed out."""
+    try:
+        notebook = filled(restored(handed.content(), result, released), result)
+    except Exception:  # there is no end to what may be wrong with it
+        notebook = filled(deepcopy(released), replace(result, cells=()))
     notebook.metadata[KEY] = {"result": mark}
     return str(nbformat.writes(notebook)) + "\n"
 

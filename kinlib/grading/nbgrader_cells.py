@@ -37,24 +37,30 @@ def restored(content: bytes | None, result: Result, released: NotebookNode) -> N
 
     Where nothing was run, this is the sheet as it was handed out. A check cell that was deleted stands at the end.
     """
+    made = deepcopy(released)
     if content is None or not result.cells:
-        return deepcopy(released)
+        return made
     with warnings.catch_warnings(action="ignore"):  # about ids that old editors leave out
-        notebook: NotebookNode = nbformat.reads(content.decode("utf-8-sig", errors="replace"), as_version=4)
-    notebook.metadata = deepcopy(released.metadata)
-    marked = {name: cell for cell in released.cells if (name := _name(cell))}
-    checks = {
-        cell.place: f"check-{cell.problem}" for cell in result.cells if cell.problem
-    }  # the last one of each counts
-    last = {name: place for place, name in checks.items()}
-    for place, cell in enumerate(notebook.cells):
+        submitted = nbformat.reads(content.decode("utf-8-sig", errors="replace"), as_version=4)
+    marked = {name: cell for cell in made.cells if (name := _name(cell))}
+    checks = {cell.place: f"check-{cell.problem}" for cell in result.cells if cell.problem}
+    last = {name: place for place, name in checks.items()}  # where a check is there twice, the last one counts
+    made.cells = []
+    for place, cell in enumerate(submitted.cells):
         name = checks.get(place) or _name(cell) or cell.get("id", "")
         is_it = last.get(name) == place if name.startswith("check-") else name in marked
-        cell.metadata = deepcopy(marked[name].metadata) if is_it else NotebookNode()
-        if is_it:
-            del marked[name]
-    notebook.cells += [deepcopy(cell) for name, cell in marked.items() if name.startswith("check-")]
-    return notebook
+        metadata = marked.pop(name).metadata if is_it else {}
+        made.cells.append(_bare(cell, metadata, name if is_it else f"cell-{place}"))
+    made.cells += [cell for name, cell in marked.items() if name.startswith("check-")]
+    return made
+
+
+def _bare(cell: Mapping[str, Any], metadata: Mapping[str, Any], name: str) -> NotebookNode:
+    """A cell with nothing but what the format asks for: editors leave much behind."""
+    kept = {key: cell[key] for key in ("cell_type", "source", "attachments") if key in cell}
+    runs: dict[str, Any] = {"outputs": [], "execution_count": None} if cell["cell_type"] == "code" else {}
+    made: NotebookNode = nbformat.from_dict({**kept, **runs, "metadata": metadata, "id": name})
+    return made
 
 
 def _name(cell: Mapping[str, Any]) -> str:
