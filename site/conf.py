@@ -46,7 +46,6 @@ nitpicky = True
 # Types of other libraries have no page here, and their sites cannot be asked while this one is built.
 nitpick_ignore_regex = [("py:.*", r"(?!kinlib\.).*")]
 python_use_unqualified_type_names = True
-python_maximum_signature_line_length = 88
 add_module_names = False
 
 # --- what is written ---

@@ -183,7 +183,7 @@ def screw_table(made: Chain) -> str:
         f"| {i} | ${sixfold(S)}$ | ${sixfold(B)}$ |"
         for i, (S, B) in enumerate(zip(made.screws, made.body_screws, strict=True), start=1)
     ]
-    head = "| joint | $S_i = (\\omega, v)$ in {s} | $B_i = (\\omega, v)$ in {b} |\n| --- | --- | --- |"
+    head = "| joint | in {s}: $S_i = (\\omega, v)$ | in {b}: $B_i = (\\omega, v)$ |\n| --- | --- | --- |"
     return "\n".join([head, *rows])
 
 
@@ -196,11 +196,8 @@ def sixfold(S: ArrayLike) -> str:
 def dh_table(found: FrameAssignment) -> str:
     """A table as kl.assign_frames finds it, with its base and its tool."""
     table = found.table
-    names = (
-        ("a_{i-1}", "\\alpha_{i-1}", "d_i", "\\theta_i")
-        if table.convention == "modified"
-        else ("a_i", "\\alpha_i", "d_i", "\\theta_i")
-    )
+    link = "i-1" if table.convention == "modified" else "i"
+    names = (f"length $a_{{{link}}}$", f"twist $\\alpha_{{{link}}}$", "offset $d_i$", "angle $\\theta_i$")
     rows = []
     for i, (row, letter, sign) in enumerate(zip(table.rows, table.joints, table.signs, strict=True), start=1):
         a, alpha, d, theta = number(row[0]), angle(row[1]), number(row[2]), angle(row[3])
@@ -208,7 +205,7 @@ def dh_table(found: FrameAssignment) -> str:
         d = added(variable, d) if letter == "P" else d
         theta = added(variable, theta) if letter == "R" else theta
         rows.append(f"| {i} | ${a}$ | ${alpha}$ | ${d}$ | ${theta}$ |")
-    head = "| $i$ | " + " | ".join(f"${name}$" for name in names) + " |\n|" + " --- |" * 5
+    head = "| row | " + " | ".join(names) + " |\n|" + " --- |" * 5
     ends = f"The base is ${matrix(table.base)}$, the tool ${matrix(table.tool)}$."
     return "\n".join(
         [head, *rows, "", "Any other right table is as good: this is the one that `kl.assign_frames` finds.", "", ends]
@@ -243,7 +240,7 @@ def loop_tables(function: str, made: Mechanism) -> str:
         [
             "## Mobility",
             "",
-            "| | |",
+            "| what | how many |",
             "| --- | --- |",
             f"| bodies, with the ground | {len(made.bodies)} |",
             f"| joints | {len(made.joints)} |",

@@ -2,7 +2,7 @@
 
 import shutil
 from pathlib import Path
-from typing import Any
+from typing import Any, ClassVar
 
 from docutils import nodes
 from sphinx.application import Sphinx
@@ -19,18 +19,20 @@ def setup(app: Sphinx) -> dict[str, Any]:
     app.add_directive("kinlib-arm", ArmDirective)
     app.connect("builder-inited", bring_files)
     app.connect("html-page-context", around, priority=800)
+    app.connect("build-finished", clear)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
 
 
 class ArmDirective(SphinxDirective):
-    """An arm of kl.robots, to turn."""
+    """An arm of kl.robots, to turn; `at` says the joint values to begin with."""
 
     required_arguments = 1
+    option_spec: ClassVar = {"at": lambda text: [float(value) for value in text.split()]}
 
     def run(self) -> list[nodes.Node]:
         """Show it."""
         made = getattr(robots, self.arguments[0])()
-        return [nodes.raw("", explore(made).html(), format="html")]
+        return [nodes.raw("", explore(made, start=self.options.get("at")).html(), format="html")]
 
 
 def bring_files(app: Sphinx) -> None:
@@ -47,8 +49,19 @@ def bring_files(app: Sphinx) -> None:
         shutil.copytree(files, Path(app.outdir) / "files", dirs_exist_ok=True)
 
 
+def clear(app: Sphinx, failed: Exception | None) -> None:
+    """Remove pages whose source is gone: Sphinx leaves them, and search engines find them."""
+    known = {*app.env.found_docs, "search"}
+    for path in [] if failed else Path(app.outdir).rglob("*.html"):
+        name = path.relative_to(app.outdir).with_suffix("").as_posix()
+        if name not in known and not name.startswith("_static/"):
+            path.unlink()
+
+
 def around(app: Sphinx, page: str, _: str, context: dict[str, Any], doctree: Any) -> None:
     """Say what the templates need to know of a page."""
+    # furo calls its captions headings and leaves out of which level; captions they are
+    context["furo_navigation_tree"] = context["furo_navigation_tree"].replace(' role="heading"', "")
     folder, _, name = page.partition("/")
     is_notebook = folder in ("lectures", "sheets") and name != "index" and doctree is not None
     context["kinlib_notebook"] = f"files/{page}.ipynb" if is_notebook else ""

@@ -11,7 +11,11 @@ from functools import cache
 from types import ModuleType
 from typing import Any
 
+from numpy.typing import ArrayLike
 from sphinx.util.inspect import stringify_signature
+from sphinx.util.typing import stringify_annotation
+
+from kinlib.check import Array
 
 FLOORS = {
     "Rigid motions": ["lie", "rpy", "screw"],
@@ -25,6 +29,9 @@ FLOORS = {
 """The modules that others may rely on, in reading order. Packages show what they export, and their modules the rest."""
 
 SPECIAL = re.compile(r"([\\`*_{}\[\]<>$|~^#])")
+ALIASES = {name: stringify_annotation(kind, "smart") for name, kind in {"ArrayLike": ArrayLike, "Array": Array}.items()}
+"""Types whose names say more than what they stand for."""
+
 OURS = re.compile(r"~?kinlib(?:\.\w+)+")
 DEFINED = re.compile(r"^(\S.*?)(?:  +|(?<=\)) +)(\S.*)$")
 
@@ -127,6 +134,8 @@ def signature(member: Any) -> str:
     if inspect.isclass(member):
         found = found.replace(return_annotation=inspect.Signature.empty)
     written = stringify_signature(found, unqualified_typehints=True).replace("\n", " ")
+    for name, spelled in ALIASES.items():
+        written = written.replace(spelled, name)
     return OURS.sub(lambda name: places().get(name[0].lstrip("~"), name[0].rpartition(".")[2]), written)
 
 

@@ -272,9 +272,8 @@
   // --- what is wider than the page can be scrolled with the keys ---
 
   function scrollable() {
-    for (const element of all('article pre, article .table-wrapper, article div.math, article .kinlib-progress, .kinlib-choice > span')) {
+    for (const element of all('article pre, article .table-wrapper, article div.math, article .kinlib-progress')) {
       const wide = element.scrollWidth > element.clientWidth + 1;
-      if (element.closest('button')) continue;
       if (wide) element.setAttribute('tabindex', '0');
       else element.removeAttribute('tabindex');
     }
