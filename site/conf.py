@@ -35,6 +35,7 @@ exclude_patterns = ["files/**"]
 nb_execution_mode = "off"  # kinsite.execute has done it
 nb_execution_show_tb = True
 nb_merge_streams = True
+nb_render_markdown_format = "myst"  # problems are stated in formulas and tables
 nb_ipywidgets_js = {}
 # HTML before widgets: there is no kernel, and what is shown brings a form of its own for pages
 nb_mime_priority_overrides = [

@@ -19,7 +19,7 @@ ROOT = Path(__file__).parents[1]
 SITE = ROOT / "site"
 sys.path.insert(0, str(SITE))
 
-from kinsite import execute  # noqa: E402
+from kinsite import execute, gallery, mistakes, outputs  # noqa: E402
 from serve import serve  # noqa: E402
 
 KB = 1000
@@ -140,7 +140,7 @@ def test_every_page_says_what_it_is(built, pages):
         for part in ('lang="en"', 'icon" href=', 'name="viewport"'):
             assert part in text, f"{name} lacks {part}"
         if name not in ("search.html", "404.html"):
-            for part in ('<meta name="description"', '<meta property="og:image"'):
+            for part in ('name="description"', 'property="og:image"'):
                 assert part in text, f"{name} lacks {part}"
         titles.setdefault(re.search(r"<title>(.*?)</title>", text)[1], []).append(name)
     # A lecture and its sheet are titled differently, and so is everything else
@@ -154,7 +154,8 @@ def test_nothing_of_a_page_weighs_too_much(built, pages):
         text = (built / name).read_text("utf-8")
         eager = re.sub(r'<img loading="lazy"[^>]*>', "", text)
         named = set(re.findall(r'(?:src|href)="([^"#?]+\.(?:css|js|svg|png))(?:\?[^"]*)?"', eager))
-        files = {(built / name).parent.joinpath(found).resolve() for found in named if "//" not in found}
+        base = built if name == "404.html" else (built / name).parent  # the one page that names all from the top
+        files = {(base / found.lstrip("/")).resolve() for found in named if "//" not in found}
         fonts = {built / "_static/katex/fonts" / f"KaTeX_{font}-Regular.woff2" for font in ("Main", "Size1", "Size2")}
         fonts |= {built / "_static/katex/fonts/KaTeX_Math-Italic.woff2"} if "katex" in text else set()
         weight = sum(compressed(path) for path in {built / name, *files, *fonts} if path.name != "viewer.js")
@@ -198,3 +199,186 @@ def unwatched(browser, **settings):
     context = browser.new_context(**settings)
     yield context.new_page()
     context.close()
+
+
+# --- questions, sliders and what is remembered ---
+
+RECALL = '[data-kinlib-question="03/recall-2"]'
+ORDER = '[data-kinlib-question="03/order"]'
+
+
+def test_a_question_explains_the_choice_and_the_first_one_stands(page, address):
+    page.goto(f"{address}/lectures/03_poe_space.html")
+    page.locator(f"{RECALL} button").nth(0).click()
+    reply = page.locator(f"{RECALL} .kinlib-reply")
+    assert "A is not it" in reply.inner_text()
+    assert "A twist does not know which point you call the tool" in reply.inner_text()
+    assert "Right is C: The velocity of the point of the body" in reply.inner_text()
+    page.locator(f"{RECALL} button").nth(2).click()
+    assert "A is not it" in reply.inner_text()
+
+
+def test_a_prediction_uncovers_the_arm_and_is_compared_below(page, address):
+    """Before it, neither the arm is there nor its explanation; afterwards both are, and a reload remembers."""
+    page.goto(f"{address}/lectures/03_poe_space.html")
+    waiting = page.locator('[data-kinlib-after="03/order"]')
+    told = page.locator('[data-kinlib-explain="03/order"]')
+    waiting.locator(".kv-cover").wait_for()
+    assert not told.get_by_text("You moved joint 1 first").is_visible()
+    page.locator(f"{ORDER} button").nth(0).focus()
+    page.keyboard.press("Enter")
+    waiting.locator(".kv-canvas").wait_for(state="visible")
+    assert "A is not it" in told.inner_text()
+    assert "You moved joint 1 first" in told.inner_text()
+    assert "moved joint 1 first" not in page.locator(ORDER).inner_text()
+    page.reload()
+    page.locator('[data-kinlib-after="03/order"] .kv-canvas').wait_for(state="visible")
+    assert "A is not it" in page.locator('[data-kinlib-explain="03/order"]').inner_text()
+
+
+def test_a_slider_shows_its_pictures_once_the_prediction_is_made(page, address):
+    page.goto(f"{address}/lectures/04_poe_body.html")
+    slides = page.locator('[data-kinlib-slides][data-kinlib-after="04/joint-1"]')
+    assert slides.locator("img:visible").count() == 0
+    page.locator('[data-kinlib-question="04/joint-1"] button').nth(1).click()
+    seen = []
+    for k in (0, 6):
+        slides.locator("input").fill(str(k))
+        shown = slides.locator("img:visible")
+        assert shown.count() == 1
+        page.wait_for_function("image => image.complete && image.naturalWidth > 0", arg=shown.element_handle())
+        seen.append(shown.get_attribute("src"))
+    assert seen[0] != seen[1]
+    assert slides.locator("output").inner_text() == "90"
+
+
+def test_progress_is_shown_saved_forgotten_and_read_back(page, address, tmp_path):
+    page.goto(f"{address}/lectures/03_poe_space.html")
+    page.locator(f"{RECALL} button").nth(2).click()
+    page.get_by_role("button", name="Mark this lecture as read").click()
+    page.goto(f"{address}/progress.html")
+    row = page.locator('tr[data-lecture="lectures/03_poe_space"]')
+    told = ["✓ read", re.compile(r"^1 of \d+$"), "1"]
+    assert_cells(row, told)
+    with page.expect_download() as saved:
+        page.get_by_role("button", name="Save a copy").click()
+    copy = tmp_path / "copy.json"
+    saved.value.save_as(copy)
+    page.on("dialog", lambda dialog: dialog.accept())
+    page.get_by_role("button", name="Forget everything").click()
+    assert_cells(row, ["not yet", re.compile(r"^0 of"), "0"])
+    page.locator("input[type=file]").set_input_files(copy)
+    page.get_by_text("Read back").wait_for()
+    assert_cells(row, told)
+    (tmp_path / "other.json").write_text("[1, 2]")
+    page.locator("input[type=file]").set_input_files(tmp_path / "other.json")
+    page.get_by_text("This is no copy of your progress").wait_for()
+    assert_cells(row, told)
+
+
+def assert_cells(row, expected):
+    from playwright.sync_api import expect
+
+    for cell, text in zip(row.locator("td").all(), expected, strict=True):
+        expect(cell).to_have_text(text)
+
+
+def test_a_browser_that_keeps_nothing_still_answers(chromium, address):
+    """A private window, or storage that is full: the page says so, and goes on."""
+    with watched(chromium) as page:
+        page.add_init_script(
+            "Storage.prototype.setItem = () => { throw new DOMException('full', 'QuotaExceededError'); }"
+        )
+        page.goto(f"{address}/lectures/03_poe_space.html")
+        page.locator(f"{RECALL} button").nth(2).click()
+        assert "C is right" in page.locator(f"{RECALL} .kinlib-reply").inner_text()
+        assert page.get_by_text("keeps nothing for this page").count() == 1
+
+
+def test_without_scripts_every_explanation_can_be_opened(chromium, address):
+    with watched(chromium, java_script_enabled=False) as page:
+        page.goto(f"{address}/lectures/03_poe_space.html")
+        page.locator(f"{RECALL} summary").nth(2).click()
+        assert page.get_by_text("Even if the body has no matter there").is_visible()
+        page.locator('[data-kinlib-explain="03/order"] summary').click()
+        assert page.get_by_text("When the turn of joint 2 comes, joint 1 has not moved yet").is_visible()
+
+
+def test_the_search_finds_words_without_asking_anybody(page, address):
+    page.goto(f"{address}/search.html?q=pitch")
+    page.locator("#search-results li a").first.wait_for()
+    assert page.locator("#search-results li a").count() > 3
+
+
+# --- what the pages are made of ---
+
+
+def test_no_page_tells_what_a_problem_s_answer_is(built):
+    """Sheets stand there as handed out: their answer cells are blank, and nothing comes from solutions/."""
+    for path in sorted((built / "sheets").glob("[0-9]*.html")):
+        text = re.sub(r"<[^>]+>", "", path.read_text("utf-8"))
+        blanks = re.findall(r"^\s*(\w+_\d+) = (.*)$", text, re.MULTILINE)
+        asked = [value for name, value in blanks if re.fullmatch(r"[a-z]\w*_\d+", name)]
+        assert asked, path.name
+        assert "### BEGIN SOLUTION" not in text
+        assert asked.count("...") >= 7, (path.name, asked)
+
+
+@pytest.mark.parametrize(
+    ("heard", "common"),
+    [
+        (["You turned 7 times as far.", "You turned 9 times as far."], "You turned … times as far."),
+        (["Longer by 2.509 m.", "It is even."], "Longer by … m. Or: It is even."),
+        (["Look at $x_1$.", "Look at $x_2$."], "Look at …."),
+        (["Always 0.5."] * 3, "Always 0.5."),
+    ],
+)
+def test_what_is_only_one_student_s_is_left_out_of_a_message(heard, common):
+    assert mistakes.common(heard) == common
+
+
+def test_a_formula_that_does_not_set_is_no_formula():
+    from sphinxcontrib.katex import KaTeXError
+
+    assert 'class="katex"' in outputs.formulas("<p>a $x^2$ b</p>")
+    assert outputs.formulas("<pre>$5</pre><code>$a$</code>") == "<pre>$5</pre><code>$a$</code>"
+    with pytest.raises(KaTeXError, match=r"[Uu]ndefined"):
+        outputs.formulas(r"<p>$\nosuchthing$</p>")
+
+
+def test_outputs_are_kept_until_the_cells_or_kinlib_change(tmp_path, monkeypatch):
+    ran = []
+    monkeypatch.setattr(execute, "run", lambda _, path: ran.append(path.name))
+    path = ROOT / "notebooks" / "00_start_here.ipynb"
+    for _ in range(2):
+        execute.execute(path, tmp_path)
+    assert len(ran) == 1
+    monkeypatch.setattr(execute, "library", lambda: "another kinlib")
+    execute.execute(path, tmp_path)
+    assert len(ran) == 2
+    assert len(list(tmp_path.iterdir())) == 1, "what nobody needs any more is not kept"
+
+
+@pytest.mark.parametrize(
+    ("source", "told"), [("1 / 0", "ZeroDivisionError"), ("import warnings\nwarnings.warn('old')", "old")]
+)
+def test_a_notebook_that_raises_or_complains_fails_the_build_by_name(tmp_path, monkeypatch, source, told):
+    import nbformat
+
+    monkeypatch.setattr(execute, "ROOT", tmp_path)
+    path = tmp_path / "notebooks" / "broken.ipynb"
+    path.parent.mkdir()
+    nbformat.write(nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(source)]), path)
+    with pytest.raises(execute.NotebookRaised, match=rf"(?s)broken\.ipynb.*{told}"):
+        execute.execute(path, tmp_path)
+
+
+def test_a_robot_without_a_source_fails_the_build_by_name(monkeypatch):
+    from dataclasses import replace
+
+    from kinlib import robots
+
+    nameless = replace(robots.rpr(), source="")
+    monkeypatch.setattr(gallery, "offered", lambda module: [("rpr", lambda: nameless)] if module is robots else [])
+    with pytest.raises(ValueError, match="rpr names no source"):
+        dict(gallery.pages())
