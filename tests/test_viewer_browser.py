@@ -614,7 +614,10 @@ def test_in_the_lab_python_and_the_page_lead_each_other_and_nothing_echoes(lab):
     page.wait_for_timeout(500)  # whatever would come back has come
     assert page.evaluate("window.heard") == 6
     run_cell(page, 2)
-    assert printed(page, 2) == f"heard 6 last {[0.1, round(0.2 + 5 * DEGREE, 3), 0.3, 0.4, 0.5]}"
+    # A page sends no value while the kernel still works on the one before: then two steps arrive as one, the last.
+    heard, _, last = printed(page, 2).removeprefix("heard ").partition(" last ")
+    assert 2 <= int(heard) <= 6
+    assert last == str([0.1, round(0.2 + 5 * DEGREE, 3), 0.3, 0.4, 0.5])
 
 
 def test_in_the_lab_the_viewer_follows_its_theme(lab):
