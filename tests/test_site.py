@@ -172,23 +172,21 @@ def compressed(path):
 # --- each kind of page, as people meet it ---
 
 
-@pytest.mark.parametrize("theme", ["light", "dark"])
 @pytest.mark.parametrize("kind", KINDS)
-def test_axe_finds_nothing(chromium, address, kind, theme):
+def test_axe_finds_nothing_in_light_and_in_dark(chromium, address, kind):
     axe = (SITE / "node_modules" / "axe-core" / "axe.min.js").read_text("utf-8")
     size = {"width": 390, "height": 844} if kind == "phone" else {"width": 1200, "height": 900}
     opened = unwatched if kind == "missing" else watched
-    with opened(chromium, viewport=size, color_scheme=theme) as page:
+    with opened(chromium, viewport=size) as page:
         page.goto(f"{address}/{KINDS[kind]}")
         page.wait_for_load_state("networkidle")
         page.evaluate(axe)
-        found = page.evaluate("axe.run(document, { resultTypes: ['violations'] })")["violations"]
-        told = [
-            (fault["id"], node["html"][:200], node["failureSummary"][:300])
-            for fault in found
-            for node in fault["nodes"]
-        ]
-        assert not told, json.dumps(told[:4], indent=1)
+        for theme in ("light", "dark"):
+            page.emulate_media(color_scheme=theme)
+            page.wait_for_timeout(300)  # colours fade from one theme to the other
+            found = page.evaluate("axe.run(document, { resultTypes: ['violations'] })")["violations"]
+            told = [(fault["id"], node["html"][:200]) for fault in found for node in fault["nodes"]]
+            assert not told, f"{theme}: {json.dumps(told[:4], indent=1)}"
         wide = page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth")
         assert wide <= 0, f"the page is {wide} pixels wider than the window"
 
@@ -214,7 +212,7 @@ def test_a_question_explains_the_choice_and_the_first_one_stands(page, address):
     assert "A is not it" in reply.inner_text()
     assert "A twist does not know which point you call the tool" in reply.inner_text()
     assert "Right is C: The velocity of the point of the body" in reply.inner_text()
-    page.locator(f"{RECALL} button").nth(2).click()
+    page.locator(f"{RECALL} button").nth(2).dispatch_event("click")
     assert "A is not it" in reply.inner_text()
 
 
@@ -223,6 +221,7 @@ def test_a_prediction_uncovers_the_arm_and_is_compared_below(page, address):
     page.goto(f"{address}/lectures/03_poe_space.html")
     waiting = page.locator('[data-kinlib-after="03/order"]')
     told = page.locator('[data-kinlib-explain="03/order"]')
+    waiting.scroll_into_view_if_needed()
     waiting.locator(".kv-cover").wait_for()
     assert not told.get_by_text("You moved joint 1 first").is_visible()
     page.locator(f"{ORDER} button").nth(0).focus()
@@ -232,7 +231,8 @@ def test_a_prediction_uncovers_the_arm_and_is_compared_below(page, address):
     assert "You moved joint 1 first" in told.inner_text()
     assert "moved joint 1 first" not in page.locator(ORDER).inner_text()
     page.reload()
-    page.locator('[data-kinlib-after="03/order"] .kv-canvas').wait_for(state="visible")
+    waiting.scroll_into_view_if_needed()
+    waiting.locator(".kv-canvas").wait_for(state="visible")
     assert "A is not it" in page.locator('[data-kinlib-explain="03/order"]').inner_text()
 
 
@@ -245,6 +245,7 @@ def test_a_slider_shows_its_pictures_once_the_prediction_is_made(page, address):
     for k in (0, 6):
         slides.locator("input").fill(str(k))
         shown = slides.locator("img:visible")
+        shown.scroll_into_view_if_needed()
         assert shown.count() == 1
         page.wait_for_function("image => image.complete && image.naturalWidth > 0", arg=shown.element_handle())
         seen.append(shown.get_attribute("src"))
@@ -317,11 +318,9 @@ def test_no_page_tells_what_a_problem_s_answer_is(built):
     """Sheets stand there as handed out: their answer cells are blank, and nothing comes from solutions/."""
     for path in sorted((built / "sheets").glob("[0-9]*.html")):
         text = re.sub(r"<[^>]+>", "", path.read_text("utf-8"))
-        blanks = re.findall(r"^\s*(\w+_\d+) = (.*)$", text, re.MULTILINE)
-        asked = [value for name, value in blanks if re.fullmatch(r"[a-z]\w*_\d+", name)]
-        assert asked, path.name
-        assert "### BEGIN SOLUTION" not in text
-        assert asked.count("...") >= 7, (path.name, asked)
+        answers = re.findall(r"^\s*\w+_\d+ = (.*)$", text, re.MULTILINE)
+        assert "BEGIN SOLUTION" not in text
+        assert answers.count("...") >= 7, (path.name, answers)
 
 
 @pytest.mark.parametrize(

@@ -79,11 +79,11 @@ def pictured(html: str, folder: Path, where: str) -> str:
 
 def size(svg: bytes) -> str:
     """The width and height of a drawing, so that the page does not jump when it arrives."""
-    found = re.search(rb'<svg[^>]*?\bheight="([\d.]+)pt"[^>]*?\bwidth="([\d.]+)pt"', svg, re.DOTALL)
-    if not found:
+    head = svg[: svg.find(b">", svg.find(b"<svg"))] if b"<svg" in svg else b""
+    found = {side: re.search(rb'\b%s="([\d.]+)(?:pt|px)?"' % side, head) for side in (b"width", b"height")}
+    if not all(found.values()):
         return ""
-    high, wide = (round(float(value) * 4 / 3) for value in found.groups())
-    return f'width="{wide}" height="{high}" '
+    return "".join(f'{side.decode()}="{round(float(value[1]))}" ' for side, value in found.items() if value)
 
 
 def without_widget_state(_: Sphinx, *about: Any) -> None:

@@ -1,5 +1,6 @@
 """What stands around the text of each page: the bar above a lecture or a sheet, the script and style that it needs."""
 
+import hashlib
 import shutil
 from pathlib import Path
 from typing import Any, ClassVar
@@ -11,16 +12,25 @@ from sphinx.util.docutils import SphinxDirective
 from kinlib import robots
 from kinlib.view import explore
 from kinlib.view.viewer import STATIC
+from kinsite.execute import library
 from kinsite.fonts import FONTS
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
     """Tell Sphinx what to call, and when."""
+    # whatever of ours changes, pages are read anew: what they show is made by it
+    app.add_config_value("kinlib_made_by", made_by(), "env")
     app.add_directive("kinlib-arm", ArmDirective)
     app.connect("builder-inited", bring_files)
     app.connect("html-page-context", around, priority=800)
     app.connect("build-finished", clear)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
+
+
+def made_by() -> str:
+    """What kinlib and the site's own modules are now, as one name."""
+    own = sorted(Path(__file__).parent.glob("*.py"))
+    return hashlib.sha256(b"".join([library().encode(), *(path.read_bytes() for path in own)])).hexdigest()
 
 
 class ArmDirective(SphinxDirective):

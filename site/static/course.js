@@ -132,15 +132,7 @@
 
   function viewer(element) {
     const name = element.dataset.kinlibAfter;
-    const uncover = () => {
-      const awake = element.querySelector('.kv')?.viewer;
-      if (awake) {
-        awake.model.set('covered', false);
-        return;
-      }
-      const script = element.querySelector('script[type="application/json"]'); // it sleeps: it shall wake uncovered
-      script.textContent = JSON.stringify({ ...JSON.parse(script.textContent), covered: false });
-    };
+    const uncover = () => { element.dataset.uncovered = ''; }; // the viewer looks for it, awake or when it wakes
     if (committed(name)) uncover();
     document.addEventListener('kinlib-committed', ({ detail }) => detail === name && uncover());
   }
