@@ -39,6 +39,9 @@ POSTURES: dict[str, ArrayLike] = {
 }
 """From where the linkages are assembled that are drawn open, or that their drawing does not show well."""
 
+BETWEEN = "\n\n"
+"""What stands between paragraphs."""
+
 POINTS = 160
 """Postures along the curve of a linkage that is driven."""
 
@@ -145,8 +148,9 @@ def cards(entries: list[Entry]) -> str:
 def page(entry: Entry) -> str:
     """One robot: to turn, to read, and to call."""
     call = f"kl.{'robots' if isinstance(entry.made, Chain) else 'linkages'}.{entry.function}"
-    words = prose(entry.words)
-    head = f"# {escape(entry.made.name[0].upper() + entry.made.name[1:])}\n\n{words}\n"
+    # what it raises is for who calls it, and its source stands below
+    said = [part for part in entry.words.split(BETWEEN) if not part.startswith(("Raises", "Source:"))]
+    head = f"# {escape(entry.made.name)}\n\n{prose(BETWEEN.join(said))}\n"
     source = f"**Source.** {escape(entry.made.source)}. In Python it is {{py:func}}`{call} <kinlib.{call[3:]}>`."
     tables = arm_tables(entry.made) if isinstance(entry.made, Chain) else loop_tables(entry.function, entry.made)
     return "\n\n".join([head, raw(shown(entry)), source, tables]) + "\n"
