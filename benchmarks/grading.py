@@ -4,9 +4,8 @@
     python -m benchmarks.grading 20 200        by both, and then by kinlib alone
 
 kinlib grades two at a time; nbgrader has no way to. Both are timed from start to end, imports included, kinlib with its pages
-of feedback and its report. Memory is what the
-grading process and all that it started take together, each shared page counted once (PSS), at its highest; growth is how far the
-last third of the long run lies above the second, in the median.
+of feedback and its report. Memory is what the grading process and all that it started take together, each shared page
+counted once (PSS), at its highest; growth is how far the last third of the long run lies above the second, in the median.
 """
 
 import csv
