@@ -11,6 +11,7 @@ from xml.etree import ElementTree as ET
 import numpy as np
 import pytest
 from matplotlib import pyplot as plt
+from strategies import ROBOTS
 from traitlets import Bool, HasTraits
 
 import kinlib as kl
@@ -21,18 +22,6 @@ from kinlib.view.joints import _carried_axes, shifts
 
 ROOT = Path(__file__).parents[1]
 
-ROBOTS = [
-    kl.robots.rpr(),
-    kl.robots.rppr(),
-    kl.robots.rprr(),
-    kl.robots.youbot(),
-    kl.robots.puma560(),
-    kl.robots.rpr_lecture7(),
-    kl.robots.plain_arm(),
-    kl.robots.angled_arm(),
-    kl.robots.mid_formula_arm(),
-    kl.robots.hrr(),
-]
 each_robot = pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
 
 

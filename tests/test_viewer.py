@@ -9,6 +9,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from strategies import ROBOTS
 from traitlets import Bool, HasTraits
 
 import kinlib as kl
@@ -18,18 +19,6 @@ from kinlib.view.viewer import STATIC
 
 ROOT = Path(__file__).parents[1]
 
-ROBOTS = [
-    kl.robots.rpr(),
-    kl.robots.rppr(),
-    kl.robots.rprr(),
-    kl.robots.youbot(),
-    kl.robots.puma560(),
-    kl.robots.rpr_lecture7(),
-    kl.robots.plain_arm(),
-    kl.robots.angled_arm(),
-    kl.robots.mid_formula_arm(),
-    kl.robots.hrr(),
-]
 each_robot = pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
 
 

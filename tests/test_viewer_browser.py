@@ -18,6 +18,7 @@ from browser import (
     texts,
     watched,
 )
+from strategies import ROBOTS
 from traitlets import Bool, HasTraits
 
 import kinlib as kl
@@ -85,19 +86,6 @@ def shown_pixels(page):
 
 
 # --- the kinematics of the page ---
-
-ROBOTS = [
-    kl.robots.rpr(),
-    kl.robots.rppr(),
-    kl.robots.rprr(),
-    kl.robots.youbot(),
-    kl.robots.puma560(),
-    kl.robots.rpr_lecture7(),
-    kl.robots.plain_arm(),
-    kl.robots.angled_arm(),
-    kl.robots.mid_formula_arm(),
-    kl.robots.hrr(),
-]
 
 
 def test_every_robot_of_the_course_stands_where_the_library_says(show):
