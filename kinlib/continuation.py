@@ -10,7 +10,6 @@ from dataclasses import dataclass
 from functools import cached_property
 
 import numpy as np
-from numpy.polynomial import Polynomial
 from numpy.typing import NDArray
 
 from kinlib.check import Array
@@ -234,7 +233,7 @@ class Path:
         met = []
         for i, side in np.argwhere(beyond.any(axis=0)):
             # A coefficient that moves nothing by SAME would, in front, make the roots of the others run away.
-            over = ((2 * side - 1) * (Polynomial(cubic[:, i]) - self.limits[i, side]) - SAME).trim(SAME)
+            over = ((2 * side - 1) * (np.polynomial.Polynomial(cubic[:, i]) - self.limits[i, side]) - SAME).trim(SAME)
             roots = over.roots()
             inside = roots.real[(np.abs(roots.imag) < SAME) & (roots.real > 0) & (roots.real <= 1)]
             out = [u for u in [0.0, *inside] if over.deriv()(u) > 0 and (u > 0 or over(u) > 0)]

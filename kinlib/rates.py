@@ -5,7 +5,6 @@ itself if motions commuted. How far they do not is told by the bracket of twists
 """
 
 import numpy as np
-from numpy.polynomial import Polynomial
 from numpy.typing import ArrayLike
 
 from kinlib import check
@@ -19,8 +18,8 @@ BERNOULLI = np.array([1 / 12, 1 / 720, 1 / 30240, 1 / 1209600, 1 / 47900160, 691
 """1 - (theta/2) cot(theta/2) = sum of BERNOULLI[k-1] theta^(2k), with |B_2k| / (2k)!; below SERIES the rest is 1e-15."""
 
 _K = np.arange(1, len(BERNOULLI) + 1)
-_SECOND = Polynomial((2 - _K) * BERNOULLI)
-_FOURTH = Polynomial(((1 - _K) * BERNOULLI)[1:])
+_SECOND = np.flip((2 - _K) * BERNOULLI)
+_FOURTH = np.flip(((1 - _K) * BERNOULLI)[1:])
 
 
 def ad(x: ArrayLike) -> Array:
@@ -63,8 +62,8 @@ def log_jacobian(x: ArrayLike) -> Array:
     cot = 1 / np.tan(half)
     f = 1 - half * cot
     bend = (half / np.sin(half) ** 2 - cot) * far / 4
-    c2 = np.where(theta < SERIES, _SECOND(square), (2 * f - bend) / far**2)
-    c4 = np.where(theta < SERIES, _FOURTH(square), (f - bend) / far**4)
+    c2 = np.where(theta < SERIES, np.polyval(_SECOND, square), (2 * f - bend) / far**2)
+    c4 = np.where(theta < SERIES, np.polyval(_FOURTH, square), (f - bend) / far**4)
     A2 = A @ A
     rate: Array = np.eye(6) - A / 2 + c2 * A2 + c4 * (A2 @ A2)
     return rate

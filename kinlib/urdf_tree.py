@@ -6,7 +6,6 @@ the element and its line.
 
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
-from difflib import get_close_matches
 from typing import NamedTuple
 
 import numpy as np
@@ -169,6 +168,8 @@ def meant(name: str, links: Mapping[str, Element]) -> str:
     >>> meant("bsae", {"base": Element("link", 1, {}), "tool": Element("link", 2, {})})
     ' Did you mean base?'
     """
+    from difflib import get_close_matches
+
     if close := get_close_matches(name, links, n=1):
         return f" Did you mean {close[0]}?"
     return f" The links are {', '.join(list(links)[:12])}{', ...' if len(links) > 12 else '.'}"
