@@ -158,7 +158,9 @@ def test_an_import_that_descends_is_let_be(source):
 
 def test_importing_kinlib_loads_numpy_dataclasses_and_nothing_else():
     """Not even the rest of the standard library: a lecture's first cell is waited for."""
-    script = "import sys, numpy.typing, dataclasses; known = {*sys.modules}; import kinlib; print(*{*sys.modules} - known)"
+    script = (
+        "import sys, numpy.typing, dataclasses; known = {*sys.modules}; import kinlib; print(*{*sys.modules} - known)"
+    )
     done = run(sys.executable, "-c", script)
     assert done.returncode == 0, done.stderr
     loaded = {name for name in done.stdout.split() if name.split(".")[0] != "kinlib"}
