@@ -10,7 +10,8 @@ And two for the course site, which is what both of them show and check, as pages
 
 The first run makes the course's own environment in .venv, of the versions in constraints.txt; later runs find it made.
 Words that follow go on to JupyterLab or pytest: "open --no-browser", "test -k lie". For those who change dependencies,
-"pin" renews constraints.txt, and --newest after open or test ignores it.
+"pin" renews constraints.txt, and --newest after open or test ignores it. For those who change tests, "mutation screw"
+plants faults in kinlib/screw.py, one at a time, and prints those that its tests let pass.
 """
 
 import hashlib
@@ -37,9 +38,11 @@ PROGRAMS = {
     "test": ("-m", "pytest", "--numprocesses=auto", "--dist=loadfile"),  # on all cores, each notebook whole on one
     "site": ("site/build.py",),
     "serve": ("site/serve.py",),
+    "mutation": ("tests/mutation.py",),
 }
-GROUPS = {"open": "lab", "test": "test", "site": "site", "serve": "site"}  # of pyproject.toml; test includes all
-RESOLVE = "pip compile pyproject.toml --group=test --group=installer --universal --upgrade --quiet --no-annotate"
+GROUPS = {"open": "lab", "test": "test", "site": "site", "serve": "site", "mutation": "mutation"}  # of pyproject.toml
+INCLUDED = {"test": {"test", "lab", "site"}, "mutation": {"mutation", "test", "lab", "site"}}
+RESOLVE = "pip compile pyproject.toml --group=mutation --group=installer --universal --upgrade --quiet --no-annotate"
 
 
 def main(command: str = "help", *words: str) -> None:
@@ -56,7 +59,9 @@ def main(command: str = "help", *words: str) -> None:
     elif command in ("help", "-h", "--help"):
         print(__doc__)
     else:
-        sys.exit(f"course.py knows open, test, site and serve; it was given {command!r}. Try: python course.py open")
+        sys.exit(
+            f"course.py knows open, test, site, serve, mutation; it was given {command!r}. Try: python course.py open"
+        )
 
 
 def prepare(group: str, newest: bool) -> None:
@@ -65,7 +70,7 @@ def prepare(group: str, newest: bool) -> None:
     fingerprint = hashlib.sha256("\n".join(sources).encode()).hexdigest()
     made_from, _, made_for = STAMP.read_text("utf-8").partition(" ") if STAMP.exists() else ("", "", "")
     made = made_from == fingerprint and not newest
-    if made and made_for in (group, "test"):
+    if made and group in INCLUDED.get(made_for, {made_for}):
         return
     pins = () if newest else ("-c", PINS)
     STAMP.unlink(missing_ok=True)

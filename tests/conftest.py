@@ -14,6 +14,15 @@ mpl.use("agg")
 
 # Deadlines measure the machine, not the code. In CI the same commit draws the same examples; at home each run draws new.
 hypothesis.settings.register_profile("kinlib", deadline=None, derandomize="CI" in os.environ, print_blob=True)
+# tests/mutation.py runs a module's tests once for each fault: a few examples, the same ones, and no search for the smallest
+hypothesis.settings.register_profile(
+    "mutation",
+    deadline=None,
+    derandomize=True,
+    database=None,
+    max_examples=25,
+    phases=[hypothesis.Phase.explicit, hypothesis.Phase.generate],
+)
 hypothesis.settings.load_profile("kinlib")
 
 

@@ -66,6 +66,15 @@ def test_the_tests_add_to_the_lab_and_the_lab_is_among_them(calls):
     assert steps(calls) == []
 
 
+def test_planting_faults_needs_the_tests_and_more(calls):
+    course.prepare("test", newest=False)
+    steps(calls)
+    course.prepare("mutation", newest=False)
+    assert steps(calls) == ["pip", "uv pip"]
+    course.prepare("test", newest=False)
+    assert steps(calls) == []
+
+
 def test_the_newest_versions_are_sought_each_time_and_never_trusted(calls):
     course.prepare("test", newest=False)
     steps(calls)

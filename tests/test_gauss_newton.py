@@ -3,6 +3,7 @@
 from itertools import pairwise
 
 import numpy as np
+import pytest
 import scipy.linalg
 from hypothesis import given
 from hypothesis import strategies as st
@@ -55,6 +56,51 @@ def test_it_finds_what_scipy_finds():
         root(lambda x: rosenbrock(x[None])[0][0], guess, method="lm", options={"xtol": 1e-15}).x for guess in guesses
     ]
     close(found.x, oracle)
+
+
+def damped(equations, x, steps):
+    """Fan and Yuan's iteration as it is printed, for one guess and a square or tall Jacobian of full rank."""
+    mu = 1.0
+    for _ in range(steps):
+        r, J = (part[0] for part in equations(x[None]))
+        dx = -np.linalg.solve(J.T @ J + mu * (r @ r) * np.eye(len(x)), J.T @ r)
+        promised = r @ r - np.sum((r + J @ dx) ** 2)
+        brought = r @ r - np.sum(equations((x + dx)[None])[0] ** 2)
+        better = brought > 1e-3 * promised
+        x, mu = (x + dx, max(mu / 4, 1e-8)) if better else (x, 4 * mu)
+    return x
+
+
+def test_step_by_step_it_is_the_iteration_of_fan_and_yuan():
+    guesses = np.random.default_rng(1).uniform(-3, 3, (20, 2))
+    for steps in range(1, 9):
+        close(solve(rosenbrock, guesses, 0.0, steps).x, [damped(rosenbrock, x, steps) for x in guesses], atol=1e-9)
+
+
+def test_a_step_that_brings_far_less_than_it_promised_is_not_taken():
+    """A slope that is stated 10,000 times too steep: the step that it asks for lessens the residual by 1 in 10,000."""
+
+    def steep(x):
+        return x, np.full((len(x), 1, 1), 1e4)
+
+    assert solve(steep, np.ones((1, 1)), closed=0.1, iterations=1).x == 1
+
+
+@pytest.mark.parametrize("scale", [2.0**-60, 2.0**60])
+def test_equations_in_other_units_have_the_same_way(scale):
+    """In powers of two, to the last digit: at the solution, and where nothing solves."""
+
+    def scaled(equations):
+        return lambda x: tuple(scale * part for part in equations(x))
+
+    def apart(x):
+        r, J = circle(x)
+        return np.concatenate([r, r + 2], axis=1), np.concatenate([J, J], axis=1)
+
+    for equations in (rosenbrock, apart):
+        guess = np.array([[-1.2, 1.0]])
+        found, same = solve(equations, guess, 1e-12), solve(scaled(equations), guess, 1e-12 * scale)
+        assert (found.x.tolist(), found.iterations) == (same.x.tolist(), same.iterations)
 
 
 def test_short_of_rank_it_still_arrives():
@@ -126,6 +172,18 @@ def test_the_steps_are_counted_and_limited():
     assert found.iterations == 3
     assert found.residual[0] > 1e-13
     assert solve(circle, np.empty((0, 2)), closed=1e-13).x.shape == (0, 2)
+    # Towards a solution where J is short of rank the residual falls by a factor a step, and never to nothing.
+    assert solve(powell, np.ones((1, 4)), closed=0.0).iterations == 100
+
+
+def test_whoever_stands_on_a_solution_takes_no_step():
+    assert solve(circle, np.array([[1.0, 0.0]]), closed=0.0).iterations == 0
+    assert solve(lambda x: (x - 1, np.ones((len(x), 1, 1))), np.array([[1 + 1e-9]]), closed=0.0).iterations == 1
+
+
+def test_the_jacobian_comes_with_the_solution():
+    found = solve(rosenbrock, np.array([[3, -2], [0, 1]]), closed=1e-13)
+    close(found.jacobian, rosenbrock(found.x)[1])
 
 
 def test_the_guess_is_not_written_to():
@@ -148,5 +206,6 @@ def test_null_space_is_scipy_s(rows, columns, rank, seed):
 
 def test_singular_values_count_in_parts_of_the_largest():
     assert seen(np.array([1e6, 1.0, 1e-2])).tolist() == [True, True, False]
+    assert seen(np.array([1e-30, 1e-35, 1e-40])).tolist() == [True, True, False]
     assert seen(np.zeros(3)).tolist() == [False, False, False]
     assert seen(np.array([[1.0, 1e-6], [1.0, 1e-8]])).tolist() == [[True, True], [True, False]]

@@ -113,6 +113,32 @@ def test_another_solution_nearby_proves_nothing():
     assert finite_freedoms(equations, np.zeros(1), np.eye(1), closed=1e-13) == 0
 
 
+def test_a_branch_that_passes_by_proves_nothing():
+    """From the lone point at 0 the search slides to the line y = 1, which closes for every x."""
+    equations = polynomial(
+        lambda x, y: [x * x * (1 - y), 1e-4 * y * (1 - y)],
+        lambda x, y: [[2 * x * (1 - y), -x * x], [0, 1e-4 * (1 - 2 * y)]],
+    )
+    assert finite_freedoms(equations, np.zeros(2), np.eye(2)[:, :1], closed=1e-13) == 0
+    assert finite_freedoms(equations, np.array([0.0, 1.0]), np.eye(2)[:, :1], closed=1e-13) == 1
+
+
+def test_the_planes_are_the_same_ones_in_every_call():
+    def asked():
+        places = []
+        _, _, point, *functions = SETS["a cusp"]
+        equations = polynomial(*functions)
+
+        def recording(x):
+            places.append(x.tolist())
+            return equations(x)
+
+        finite_freedoms(recording, np.array(point, dtype=float), np.eye(2), closed=1e-13)
+        return places
+
+    assert asked() == asked()
+
+
 # --- in words ---
 
 

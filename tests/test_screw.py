@@ -21,6 +21,7 @@ def close(got, expected, atol=1e-13):
 @given(points(), directions(), st.floats(-1, 1))
 def test_a_screw_is_the_one_of_modern_robotics(point, axis, pitch):
     close(screw(axis, point, pitch), mr.ScrewToAxis(point, axis, pitch))
+    close(screw(axis, point), mr.ScrewToAxis(point, axis, 0))
 
 
 @given(points(), directions(), st.floats(-1, 1), st.floats(-np.pi, np.pi))
@@ -132,6 +133,7 @@ def test_a_point_in_the_plane_is_refused():
     [
         ([0, 0, 2, 0, 0, 0], r"In S the length of omega is 2\. Divide the direction by its norm"),
         ([[0, 0, 1, 0, 0, 0], [0, 0, 0, 0, 3, 4]], r"In S\[1\] the length of v \(omega is zero.*\) is 5\. Divide"),
+        ([0, 0, 0, 2, 0, 0], r"In S the length of v \(omega is zero: a prismatic joint\) is 2\. Divide"),
         (np.zeros(6), r"In S the length of v .* is 0\. A slide needs a direction, and a turn needs an axis"),
         ([1e-17, 0, 0, 0, 0, 1], r"length of omega is 1e-17\. Is it a prismatic joint with a rounding error in omega"),
         (np.zeros((6, 2)), r"S should have shape \(\.\.\., 6\); got \(6, 2\).*try S\.T"),

@@ -1,0 +1,144 @@
+"""How many faults the tests of a module notice: each is planted by itself, and its tests should fail.
+
+    python course.py mutation screw             every fault that mutmut can plant in kinlib/screw.py
+    python course.py mutation loops 100         a hundred of them, drawn at random
+    python course.py mutation practice.judge
+
+What survived is printed as the line that it made, with its function. A test should kill it; if none can, because the
+faulty line does the same, tests/mutation.toml says why, and there the tests of each module and its last score stand too.
+
+mutmut forks a process for each fault from one that has imported all. It runs in build/mutation/<module>, on a copy, where
+
+    PYTHONPATH=. mutmut browse
+
+shows more. Two things are ours. It leaves decorated functions alone, so that properties are written without their @ in
+the copy. And a text with blanks is for people, who proofread it: faults in nothing else are not counted.
+"""
+
+import ast
+import json
+import os
+import random
+import resource
+import shutil
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+ROOT = Path(__file__).resolve().parents[1]
+NOTES = tomllib.loads((ROOT / "tests/mutation.toml").read_text("utf-8"))
+UNNOTICED = {0: "survived", 33: "never run", 5: "never run"}
+MEMORY = 8 * 2**30
+
+SETTINGS = """
+[tool.mutmut]
+source_paths = ["kinlib"]
+only_mutate = ["{path}"]
+also_copy = ["conftest.py", "course.py"]
+pytest_add_cli_args = ["--hypothesis-profile=mutation", "-p", "no:cacheprovider"]
+pytest_add_cli_args_test_selection = {tests}
+timeout_multiplier = 4.0
+timeout_constant = 2.0
+use_git_change_detection = false
+"""
+
+
+def main(module: str, count: str = "") -> None:
+    """Plant faults in a module and say which ones its tests let pass."""
+    folder, path = prepared(module)
+    faults = {name: fault for name, fault in planted(folder, path).items() if fault}
+    if count:
+        faults = dict(random.Random(module).sample(sorted(faults.items()), min(int(count), len(faults))))
+    run = [sys.executable, "-c", "from mutmut.__main__ import cli; cli()", "run", "--max-children=1", *faults]
+    said = folder / "log.txt"
+    with said.open("w") as log:
+        done = subprocess.run(run, stdout=log, stderr=log, check=False, preexec_fn=bounded, env=environment())
+    if done.returncode:
+        sys.exit(f"mutmut stopped; it needs tests that pass. It said:\n{said.read_text('utf-8')[-3000:]}")
+    codes = json.loads((folder / f"mutants/{path}.meta").read_text("utf-8"))["exit_code_by_key"]
+    survivors = {name: fault for name, fault in faults.items() if codes[name] in UNNOTICED}
+    explained = NOTES.get("explained", {}).get(module, {})
+    left = {name: fault for name, fault in survivors.items() if fault not in explained}
+    for name, fault in left.items():
+        print(f"{UNNOTICED[codes[name]]}: {fault}        ({name})")
+    killed = len(faults) - len(survivors)
+    print(f"{module}: {len(faults)} faults, {killed} killed, {len(survivors) - len(left)} explained, {len(left)} left")
+    sys.exit(bool(left))
+
+
+def prepared(module: str) -> tuple[Path, str]:
+    """A copy of kinlib and its tests, in which mutmut may work, with the settings for one module."""
+    path = f"kinlib/{module.replace('.', '/')}.py"
+    folder = ROOT / "build/mutation" / module
+    shutil.rmtree(folder, ignore_errors=True)
+    for name in ("kinlib", "tests"):
+        shutil.copytree(ROOT / name, folder / name, ignore=shutil.ignore_patterns("__pycache__", "node_modules"))
+    for name in ("conftest.py", "course.py"):
+        shutil.copy(ROOT / name, folder)
+    tests = [f"tests/{name}" for name in NOTES["modules"][module]["tests"]]
+    settings = SETTINGS.format(path=path, tests=json.dumps(tests))
+    (folder / "pyproject.toml").write_text((ROOT / "pyproject.toml").read_text("utf-8") + settings, "utf-8")
+    (folder / path).write_text(undecorated((ROOT / path).read_text("utf-8")), "utf-8")
+    return folder, path
+
+
+def undecorated(source: str) -> str:
+    """The same module with `@property def f` written as `f = property(f_plain)`, and so for every decorator that is a name."""
+    tree = ast.parse(source)
+    for body in [tree.body, *(node.body for node in tree.body if isinstance(node, ast.ClassDef))]:
+        for place, node in reversed(list(enumerate(body))):
+            match node:
+                case ast.FunctionDef(name=name, decorator_list=[ast.Name(id=decorator)]):
+                    if decorator not in {"staticmethod", "classmethod"}:
+                        node.name, node.decorator_list = f"{name}_plain", []
+                        body.insert(place + 1, *ast.parse(f"{name} = {decorator}({name}_plain)").body)
+    return ast.unparse(tree)
+
+
+def planted(folder: Path, path: str) -> dict[str, str]:
+    """Every fault by its name in mutmut: the function, and the line that it made; "" for a fault in mere words."""
+    os.chdir(folder)  # where its settings stand
+    from mutmut.mutation.file_mutation import mutate_file_contents
+
+    made = mutate_file_contents(path, (folder / path).read_text("utf-8"))
+    functions = {node.name: node for node in ast.walk(ast.parse(made.code)) if isinstance(node, ast.FunctionDef)}
+    prefix = path.removesuffix(".py").replace("/", ".")
+    return {f"{prefix}.{name}": told(functions, name) for name in made.mutant_names}
+
+
+def told(functions: dict[str, ast.FunctionDef], name: str) -> str:
+    """The function, and the line that a fault made there."""
+    stem = name.rpartition("__mutmut_")[0]
+    right, wrong = functions[f"{stem}__mutmut_orig"], functions[name]
+    right.name = wrong.name = "function"
+    if wordless(right) == wordless(wrong):
+        return ""
+    before, after = (ast.unparse(node).splitlines() for node in (right, wrong))
+    new = [line.strip() for line in after if line not in before] or [
+        f"no {line.strip()}" for line in before if line not in after
+    ]
+    return f"{stem.removeprefix('x').strip('ǁ_').replace('ǁ', '.').removesuffix('_plain')}: {' '.join(new)}"
+
+
+def wordless(function: ast.FunctionDef) -> str:
+    """The function without what its texts with blanks say."""
+    copy = ast.parse(ast.unparse(function))
+    for node in ast.walk(copy):
+        if isinstance(node, ast.Constant) and isinstance(node.value, str) and " " in node.value:
+            node.value = " "
+    return ast.dump(copy)
+
+
+def environment() -> dict[str, str]:
+    """One thread for each fault, and no other kinlib than the copy."""
+    return os.environ | {"OPENBLAS_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
+
+
+def bounded() -> None:
+    """A fault may ask for any amount of memory."""
+    resource.setrlimit(resource.RLIMIT_AS, (MEMORY, MEMORY))
+
+
+if __name__ == "__main__":
+    main(*sys.argv[1:])
