@@ -9,6 +9,7 @@ of d. There the assignment compares the exact row with one that takes the axes a
 says how accurate the table is.
 """
 
+import math
 from dataclasses import dataclass, field
 from functools import cached_property
 
@@ -16,9 +17,8 @@ import numpy as np
 
 from kinlib.chain import Chain
 from kinlib.check import Array
-from kinlib.dh import Convention, DHTable, convention_of, dh_transform
+from kinlib.dh import Convention, DHTable, convention_of
 from kinlib.frame_steps import PROBES, Step, told
-from kinlib.lie import inverse
 from kinlib.normals import MEETS, Normal, common_normal
 
 SPARED = 1e-3
@@ -29,17 +29,21 @@ SPARED = 1e-3
 class FrameAssignment:
     """Frames for an arm: the table, the frames that it came from, and the way there.
 
-    table     exactly one row a joint, with base and tool
-    frames    (n + 1, 4, 4), frames 0 to n in {s} at home
-    normals   the common normal of each pair of neighbouring axes
-    accuracy  the largest difference in an entry between the table's poses and the chain's, measured
+    table    exactly one row a joint, with base and tool
+    frames   (n + 1, 4, 4), frames 0 to n in {s} at home
+    normals  the common normal of each pair of neighbouring axes
     """
 
     chain: Chain
     table: DHTable
     frames: Array = field(repr=False)
     normals: tuple[Normal, ...] = field(repr=False)
-    accuracy: float = 0.0
+
+    @cached_property
+    def accuracy(self) -> float:
+        """The largest difference in an entry between the table's poses and the chain's, measured in many postures."""
+        q = np.random.default_rng(0).uniform(-np.pi, np.pi, (PROBES, self.chain.n))
+        return float(np.abs(self.table.fk(q) - self.chain.fk(q)).max())
 
     @property
     def base(self) -> Array:
@@ -114,11 +118,9 @@ def _assigned(chain: Chain, convention: Convention, parallel_below: float) -> Fr
         twists.insert(0, (0.0, 0.0))
     frames.append(frame)
     rows = [(a, alpha, d, theta) for (a, alpha), (d, theta) in zip(twists, turns, strict=True)]
-    tool = inverse(frame) @ chain.home
+    tool = _seen_from(frame, chain.home)
     table = DHTable(rows, convention=convention, joints=chain.letters, base=base, tool=tool, name=chain.name)
-    q = np.random.default_rng(0).uniform(-np.pi, np.pi, (PROBES, chain.n))
-    accuracy = float(np.abs(table.fk(q) - chain.fk(q)).max())
-    return FrameAssignment(chain, table, np.array(frames), tuple(normals), accuracy)
+    return FrameAssignment(chain, table, np.array(frames), tuple(normals))
 
 
 def _places(chain: Chain) -> Array:
@@ -147,25 +149,47 @@ def _last(frame: Array, home: Array) -> tuple[Array, tuple[float, float], float]
     x = off / a if a > MEETS else _square(home[:3, :3].T, z)
     a = a if a > MEETS else 0.0
     frame, turn = _turned_to(frame, x, foot)
-    return frame @ dh_transform(a, 0, 0, 0, convention="standard"), turn, a
+    return frame @ _normal_step(a, 0.0), turn, a
 
 
 def _turned_to(frame: Array, x: Array, origin: Array) -> tuple[Array, tuple[float, float]]:
     """Move a frame about and along its own z until its x and its origin are as wanted; give d and theta too."""
     d = float(frame[:3, 2] @ (origin - frame[:3, 3]))
-    theta = float(np.arctan2(frame[:3, 1] @ x, frame[:3, 0] @ x))
-    return frame @ dh_transform(0, 0, d, theta, convention="standard"), (d, theta)
+    cos, sin, _ = x @ frame[:3, :3]
+    theta = math.atan2(sin, cos)
+    return frame @ _joint_step(d, theta), (d, theta)
 
 
 def _twisted_to(frame: Array, normal: Normal, z: Array) -> tuple[Array, tuple[float, float]]:
     """Move a frame about and along its own x onto the next axis; give a and alpha too."""
     a = float(frame[:3, 0] @ (normal.end - frame[:3, 3])) if normal.case not in _MEETING else 0.0
     straight = np.pi if normal.case.startswith("anti") else 0.0
-    alpha = straight if normal.free else float(np.arctan2(-(frame[:3, 1] @ z), frame[:3, 2] @ z))
-    return frame @ dh_transform(a, alpha, 0, 0, convention="standard"), (a, alpha)
+    _, minus_sin, cos = z @ frame[:3, :3]
+    alpha = straight if normal.free else math.atan2(-minus_sin, cos)
+    return frame @ _normal_step(a, alpha), (a, alpha)
+
+
+def _joint_step(d: float, theta: float) -> Array:
+    """About a joint and along it: Z = Rz(theta) Tz(d)."""
+    c, s = math.cos(theta), math.sin(theta)
+    return np.array([[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, d], [0, 0, 0, 1]])
+
+
+def _normal_step(a: float, alpha: float) -> Array:
+    """Along a common normal and about it: X = Tx(a) Rx(alpha)."""
+    c, s = math.cos(alpha), math.sin(alpha)
+    return np.array([[1, 0, 0, a], [0, c, -s, 0], [0, s, c, 0], [0, 0, 0, 1]])
 
 
 _MEETING = {"intersecting", "coincident", "anti-coincident"}
+
+
+def _seen_from(frame: Array, T: Array) -> Array:
+    """A pose in a frame, which may lie far away: so their difference is taken first."""
+    seen = T.copy()
+    seen[:3, 3] -= frame[:3, 3]
+    seen[:3] = frame[:3, :3].T @ seen[:3]
+    return seen
 
 
 def _axis(frame: Array) -> tuple[Array, Array]:
