@@ -2,6 +2,8 @@
 
 import numpy as np
 import pytest
+from hypothesis import given
+from strategies import rotations
 
 import kinlib as kl
 from kinlib import assign_frames, check_frames
@@ -35,24 +37,89 @@ def test_another_right_assignment_passes_too():
     assert rules(drawn(0, kl.exp([0, 0, 1.0, 0, 0, 0.3]))) == set()
 
 
+def along(x):
+    """The right frames with another x_1, which need not be square to z_1 nor a unit vector."""
+    frames = RIGHT.copy()
+    frames[1, :3, 0] = x
+    return frames
+
+
 BROKEN = {
-    "a left-handed frame": (drawn(3, np.diag([1, -1, 1, 1])), (3, "right-handed")),
-    "axes that are not unit": (drawn(3, np.diag([2, 1, 1, 1])), (3, "right-handed")),
-    "z off its direction": (drawn(2, kl.exp([0.3, 0, 0, 0, 0, 0])), (2, "z along axis")),
-    "an origin beside the axis": (drawn(2, kl.exp([0, 0, 0, 0, 0.1, 0])), (2, "origin on axis")),
-    "x turned about z": (drawn(1, kl.exp([0, 0, 0.3, 0, 0, 0])), (1, "x square to z")),
-    "x beside the common normal": (drawn(1, kl.exp([0, 0, 0, 0, 0, 0.2])), (1, "x meets z")),
+    "a left-handed frame": (
+        drawn(3, np.diag([1, -1, 1, 1])),
+        (3, "right-handed", "Frame 3 is left-handed: y_3 should be z_3 x x_3. Turn y_3 round."),
+    ),
+    "axes that are not unit": (
+        drawn(3, np.diag([2, 1, 1, 1])),
+        (3, "right-handed", "The axes of frame 3 are not unit vectors square to each other."),
+    ),
+    "z off its direction": (
+        drawn(2, kl.exp([0.3, 0, 0, 0, 0, 0])),
+        (2, "z along axis", "z_2 should lie along the axis of joint 3; it does not."),
+    ),
+    "an origin beside the axis": (
+        drawn(2, kl.exp([0, 0, 0, 0, 0.1, 0])),
+        (2, "origin on axis", "The origin of frame 2 should lie on the axis of joint 3; it is 0.1 m off."),
+    ),
+    "x turned about z": (
+        drawn(1, kl.exp([0, 0, 0.3, 0, 0, 0])),
+        (1, "x square to z", "x_1 should be perpendicular to z_0; the angle is 72.81 degrees."),
+    ),
+    "x along z": (
+        along(2 * RIGHT[0, :3, 2]),
+        (1, "x square to z", "x_1 should be perpendicular to z_0; the angle is 0 degrees."),
+    ),
+    "x against z": (
+        along(-2 * RIGHT[0, :3, 2]),
+        (1, "x square to z", "x_1 should be perpendicular to z_0; the angle is 180 degrees."),
+    ),
+    "x beside the common normal": (
+        drawn(1, kl.exp([0, 0, 0, 0, 0, 0.2])),
+        (
+            *(1, "x meets z"),
+            "The line of x_1 should meet the axis z_0; it passes 0.2 m beside it. Is x_1 on the common normal?",
+        ),
+    ),
 }
 
 
 @pytest.mark.parametrize(("frames", "broken"), BROKEN.values(), ids=BROKEN)
 def test_each_broken_rule_is_named_at_its_frame(frames, broken):
-    assert broken in rules(frames)
+    breaches = check_frames(ARM, frames, "standard")
+    assert broken in {(breach.frame, breach.rule, breach.text) for breach in breaches}
+
+
+def off_axis(arm, frames, convention):
+    return [breach.text for breach in check_frames(arm, frames, convention) if breach.rule == "z along axis"]
 
 
 def test_frames_of_the_other_convention_are_recognised():
-    breaches = check_frames(ARM, assign_frames(ARM, convention="modified").frames, "standard")
-    assert any("as in the other convention" in breach.text for breach in breaches)
+    assert off_axis(ARM, assign_frames(ARM, convention="modified").frames, "standard") == [
+        "z_1 should lie along the axis of joint 2; it does not. It lies along the axis of joint 1, as in the other convention.",
+        "z_4 should lie along the axis of joint 5; it does not. It lies along the axis of joint 4, as in the other convention.",
+    ]
+    assert off_axis(ARM, RIGHT, "modified") == [
+        "z_1 should lie along the axis of joint 1; it does not. It lies along the axis of joint 2, as in the other convention.",
+        "z_4 should lie along the axis of joint 4; it does not. It lies along the axis of joint 5, as in the other convention.",
+    ]
+
+
+def test_before_the_first_joint_and_behind_the_last_there_is_no_other_axis():
+    """z_0 and z_n along the axis at the other end of the arm are off, and no sign of the other convention."""
+    frames = np.tile(np.eye(4), (ARM.n + 1, 1, 1))
+    frames[[0, -1], :3, :3] = np.eye(3)[:, [1, 2, 0]]  # z along x, as joint 5
+    assert off_axis(ARM, frames, "standard")[0] == "z_0 should lie along the axis of joint 1; it does not."
+    frames[[0, -1], :3, :3] = np.eye(3)  # z along z, as joint 1
+    assert off_axis(ARM, frames, "modified")[-1] == "z_5 should lie along the axis of joint 5; it does not."
+
+
+@given(rotations())
+def test_the_rules_do_not_hang_on_where_the_arm_stands(R):
+    """Not on a rounding either, by which the determinant of a rotation falls short of 1."""
+    T = np.eye(4)
+    T[:3, :3], T[:3, 3] = R, (1, 2, 3)
+    moved = kl.Chain(ARM.screws @ kl.adjoint(T).T, T @ ARM.home)
+    assert check_frames(moved, T @ RIGHT, "standard") == []
 
 
 def test_a_prismatic_axis_may_lie_anywhere():
@@ -68,3 +135,5 @@ def test_a_frame_too_few_is_refused():
         check_frames(ARM, RIGHT[1:], "standard")
     with pytest.raises(ValueError, match="convention should be"):
         check_frames(ARM, RIGHT, "paul")
+    with pytest.raises(ValueError, match="frames holds NaN"):
+        check_frames(ARM, np.full_like(RIGHT, np.nan), "standard")
