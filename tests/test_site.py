@@ -358,6 +358,18 @@ def test_outputs_are_kept_until_the_cells_or_kinlib_change(tmp_path, monkeypatch
     assert len(list(tmp_path.iterdir())) == 1, "what nobody needs any more is not kept"
 
 
+def test_a_notebook_that_has_just_run_is_the_page_that_the_next_build_finds(tmp_path, monkeypatch):
+    """A kernel writes more into a notebook than outputs; were it kept, every page would be made twice."""
+
+    def run(notebook, path):
+        notebook.metadata["language_info"] = {"name": "another"}
+        notebook.cells[-1].metadata["execution"] = "now"
+
+    monkeypatch.setattr(execute, "run", run)
+    path = ROOT / "notebooks" / "00_start_here.ipynb"
+    assert execute.execute(path, tmp_path) == execute.execute(path, tmp_path)
+
+
 @pytest.mark.parametrize(
     ("source", "told"), [("1 / 0", "ZeroDivisionError"), ("import warnings\nwarnings.warn('old')", "old")]
 )

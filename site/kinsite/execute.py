@@ -10,6 +10,7 @@ import re
 import subprocess
 from collections.abc import Callable, Iterable
 from concurrent.futures import ThreadPoolExecutor
+from copy import deepcopy
 from functools import cache
 from importlib.metadata import version
 from pathlib import Path
@@ -59,8 +60,10 @@ def execute(path: Path, kept: Path = KEPT) -> NotebookNode:
     name = f"{path.relative_to(ROOT).parts[0]}-{path.stem}"  # a lecture and its sheet are called alike
     found = kept / f"{name}-{key(cell.source for cell in code)}.json"
     if not found.exists():
-        run(notebook, path)
-        keep(found, [cell.outputs for cell in code], name)
+        # a copy runs: what a kernel writes beside the outputs would make the page another one than the next time
+        ran = deepcopy(notebook)
+        run(ran, path)
+        keep(found, [cell.outputs for cell in ran.cells if cell.cell_type == "code"], name)
     kept_outputs = json.loads(found.read_text("utf-8"))
     for number, (cell, outputs) in enumerate(zip(code, kept_outputs, strict=True), start=1):
         cell.outputs = [nbformat.from_dict(output) for output in outputs]
