@@ -8,7 +8,6 @@ import fcntl
 import json
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from dataclasses import asdict
 from functools import cache
 from hashlib import sha256
 from pathlib import Path
@@ -87,8 +86,8 @@ class Book:
 
     def keep(self, result: Result, mark: str) -> None:
         """Write a result down. After this, no end of the program loses it."""
-        told = {"form": FORM, "mark": mark, "result": asdict(result)}
-        write(self._path(result.student), json.dumps(told, ensure_ascii=False, indent=1) + "\n")
+        told = {"form": FORM, "mark": mark, "result": result.data()}
+        write(self._path(result.student), json.dumps(told, ensure_ascii=False) + "\n")
 
     def kept(self, student: str, mark: str | None = None) -> Result | None:
         """The result of a student, if there is one, and if a mark is given, one that bears it."""

@@ -22,6 +22,7 @@ from tqdm import tqdm
 
 from kinlib.grading.book import Book, Busy, opened
 from kinlib.grading.cluster import Unreachable, cluster, grade_here
+from kinlib.grading.desk import Desk
 from kinlib.grading.gather import Handed, gather
 from kinlib.grading.grade import Grader
 from kinlib.grading.layers import UNSAFE, Limits, Missing
@@ -82,15 +83,16 @@ def _run(options: argparse.Namespace) -> int:
     chosen = _chosen(gathered.handed, options.only)
     for remark in gathered.remarks:
         print(remark)
-    with opened(options.out, sheet.name) as book:
-        lost = _grade(options, sheet, chosen, book)
-        said = publish(options.out, gathered.handed, book, roster, options.column)
-        if options.gradebook:
-            from kinlib.grading.nbgrader_book import fill
-
-            graded = ((handed, book.kept(handed.student)) for handed in chosen)
-            if unfit := fill(options.gradebook, sheet, graded, options.regrade):
-                said.append(f"Not in the gradebook, for their ids cannot name a folder: {', '.join(unfit)}.")
+    with (
+        opened(options.out, sheet.name) as book,
+        Desk(options.out, sheet, options.gradebook, options.regrade) as desk,
+    ):
+        lost = _grade(options, sheet, chosen, book, desk)
+        for handed in chosen:
+            if handed.student not in desk.done and (result := book.kept(handed.student)):
+                desk.take(handed, result)
+        said = publish(options.out, gathered.handed, book, roster, options.column, done=desk.done)
+        said += desk.remarks()
     print("\n".join([*said, *([f"{UNSAFE}: the submissions ran with your rights."] if options.unsafe else [])]))
     for student, why in lost.items():
         print(f"Not graded: {student}: {why!r}. The same command tries again.", file=sys.stderr)
@@ -110,7 +112,7 @@ def _chosen(handed: Sequence[Handed], only: Sequence[str] | None) -> list[Handed
 
 
 def _grade(
-    options: argparse.Namespace, sheet: Master, handed: Sequence[Handed], book: Book
+    options: argparse.Namespace, sheet: Master, handed: Sequence[Handed], book: Book, desk: Desk
 ) -> dict[str, BaseException]:
     """Grade what has no result yet, and keep each result as it comes. Who could not be graded, and why."""
     is_done = (lambda *_: False) if options.regrade else (lambda student, mark: book.kept(student, mark) is not None)
@@ -132,7 +134,9 @@ def _grade(
                 if isinstance(done, BaseException):
                     lost[task.handed.student] = done
                 else:
-                    book.keep(task.signed(done), task.mark)
+                    result = task.signed(done)
+                    book.keep(result, task.mark)
+                    desk.take(task.handed, result)
                 bar.update()
     return lost
 

@@ -6,34 +6,39 @@ and a notebook in autograded/ for each student. A grade that a person gave by ha
 
 import json
 import re
-from collections.abc import Iterable
+from collections.abc import Iterator
+from contextlib import contextmanager
 from copy import deepcopy
-from dataclasses import asdict, replace
+from dataclasses import replace
 from datetime import datetime
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
 
-import nbformat
-from nbformat import NotebookNode
-from nbgrader.api import (
-    Assignment,
-    Comment,
-    Grade,
-    Gradebook,
-    MissingEntry,
-    Student,
-    SubmittedAssignment,
-    SubmittedNotebook,
-)
-from nbgrader.coursedir import CourseDirectory
 from traitlets.config.loader import PyFileConfigLoader
 
 from kinlib.grading.book import write
 from kinlib.grading.gather import Handed
-from kinlib.grading.nbgrader_cells import filled, restored
+from kinlib.grading.lean import lean
 from kinlib.grading.result import Result
 from kinlib.grading.submission import Master
+
+with lean():
+    import nbformat
+    from nbformat import NotebookNode
+    from nbgrader.api import (
+        Assignment,
+        Comment,
+        Grade,
+        Gradebook,
+        MissingEntry,
+        Student,
+        SubmittedAssignment,
+        SubmittedNotebook,
+    )
+    from nbgrader.coursedir import CourseDirectory
+
+    from kinlib.grading.nbgrader_cells import filled, restored
 
 FOLDER = re.compile(r"[^./\\\0+][^/\\\0+]{0,79}")
 """An id that can be the name of a student's folder; nbgrader allows no + either."""
@@ -54,10 +59,35 @@ def course(folder: Path) -> CourseDirectory:
     return CourseDirectory(config=config)
 
 
-def fill(
-    folder: Path, sheet: Master, graded: Iterable[tuple[Handed, Result | None]], is_anew: bool = False
-) -> list[str]:
-    """Write results into the gradebook of a course; those that it has already only where is_anew. Who could not have one.
+class Ledger:
+    """The gradebook of a course, open for the results of one sheet.
+
+    unfit  the students whose ids cannot name a folder; nothing is written for them
+    """
+
+    def __init__(
+        self, place: CourseDirectory, book: Gradebook, assignment: Assignment, released: NotebookNode, is_anew: bool
+    ) -> None:
+        self._place, self._book, self._assignment, self._released = place, book, assignment, released
+        self._is_anew = is_anew
+        self.unfit: list[str] = []
+
+    def enter(self, handed: Handed, result: Result) -> None:
+        """Write a result down, in one transaction, with the notebook that belongs to it. One that is there is left as it is."""
+        if not FOLDER.fullmatch(result.student):
+            self.unfit.append(result.student)
+            return
+        folder = self._place.format_path(self._place.autograded_directory, result.student, result.sheet)
+        target = Path(folder, f"{result.sheet}.ipynb")
+        mark = sha256(json.dumps(result.data()).encode()).hexdigest()
+        if self._is_anew or _mark(target) != mark:
+            _record(self._book, self._assignment, result, _handed_in(self._place, result))
+            write(target, _autograded(handed, result, self._released, mark))
+
+
+@contextmanager
+def ledger(folder: Path, sheet: Master, is_anew: bool = False) -> Iterator[Ledger]:
+    """Open the gradebook of a course; is_anew, to write down also what it has already.
 
     Raises ValueError for a folder that is no course, and for an assignment that was never generated.
     """
@@ -67,8 +97,6 @@ def fill(
     for path in (released, kept) if place.db_url.startswith("sqlite:///") else (released,):
         if not path.is_file():
             raise ValueError(f"{path} is not there. First: nbgrader generate_assignment {sheet.name}")
-    handed_out = nbformat.read(released, as_version=4)
-    unfit = []
     with Gradebook(place.db_url, place.course_id) as book:
         book.db().expire_on_commit = False  # the assignment stays what it is from one submission to the next
         try:
@@ -78,20 +106,7 @@ def fill(
             raise ValueError(
                 f"The gradebook knows no {sheet.name}. First: nbgrader generate_assignment {sheet.name}"
             ) from error
-        for handed, result in graded:
-            if result is None:
-                continue
-            if not FOLDER.fullmatch(result.student):
-                unfit.append(result.student)
-                continue
-            target = Path(
-                place.format_path(place.autograded_directory, result.student, sheet.name), f"{sheet.name}.ipynb"
-            )
-            mark = sha256(json.dumps(asdict(result)).encode()).hexdigest()
-            if is_anew or _mark(target) != mark:
-                _record(book, assignment, result, _handed_in(place, result))
-                write(target, _autograded(handed, result, handed_out, mark))
-    return unfit
+        yield Ledger(place, book, assignment, nbformat.read(released, as_version=4), is_anew)
 
 
 def _handed_in(place: CourseDirectory, result: Result) -> datetime | None:
@@ -108,10 +123,11 @@ def _autograded(handed: Handed, result: Result, released: NotebookNode, mark: st
     """The notebook that was graded; where nbformat, which is stricter than we are, cannot read it, the one handed out."""
     try:
         notebook = filled(restored(handed.content(), result, released), result)
+        nbformat.validate(notebook)
     except Exception:  # there is no end to what may be wrong with it
         notebook = filled(deepcopy(released), replace(result, cells=()))
     notebook.metadata[KEY] = {"result": mark}
-    return str(nbformat.writes(notebook)) + "\n"
+    return json.dumps(notebook, ensure_ascii=False) + "\n"  # nbformat's own form, indented, takes five times as long
 
 
 def _mark(path: Path) -> str | None:

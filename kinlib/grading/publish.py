@@ -1,7 +1,7 @@
 """Publishing: from the book of results to the pages and tables that people open."""
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Container, Sequence
 from dataclasses import replace
 from pathlib import Path
 
@@ -13,15 +13,33 @@ from kinlib.grading.grades import grades
 from kinlib.grading.matches import matches, matches_table
 from kinlib.grading.pages import points
 from kinlib.grading.report import report
+from kinlib.grading.result import Result
 from kinlib.grading.roster import Roster
 
 
-def publish(out: Path, handed: Sequence[Handed], book: Book, roster: Roster | None, column: str | None) -> list[str]:
-    """Write everything that the results tell, and say in a few lines what that is. Nothing is touched that says the same."""
+def publish_page(out: Path, result: Result) -> None:
+    """Write a student's page."""
+    write(out / "feedback" / f"{file_name(result.student)}.html", feedback(result))
+
+
+def publish(
+    out: Path,
+    handed: Sequence[Handed],
+    book: Book,
+    roster: Roster | None,
+    column: str | None,
+    *,
+    done: Container[str] = (),
+) -> list[str]:
+    """Write everything that the results tell, and say in a few lines what that is. Nothing is touched that says the same.
+
+    done  the students whose pages were written from what the book holds
+    """
     results = []
     for each in handed:
         if result := book.kept(each.student):
-            write(out / "feedback" / f"{file_name(each.student)}.html", feedback(result))
+            if each.student not in done:
+                publish_page(out, result)
             results.append(replace(result, cells=()))  # a thousand of them with all pictures would not fit
     if not results:
         return ["Nothing is graded yet."]

@@ -70,3 +70,7 @@ class Result:
     is_safe: bool = True
     seconds: float = 0.0
     cells: Sequence[RanCell] = field(default=(), repr=False)
+
+    def data(self) -> dict[str, Any]:
+        """The result as JSON holds it. Nothing is copied: this is asked for with every output in it."""
+        return {**vars(self), "problems": [*map(vars, self.problems)], "cells": [*map(vars, self.cells)]}

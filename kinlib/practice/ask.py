@@ -27,14 +27,16 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cache
 from importlib.resources import files
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
-import ipywidgets as widgets
 from traitlets import Bool, HasTraits, Int
 
 from kinlib.practice.ask_page import KINDS, LETTERS, explanation_html, question_html
 from kinlib.view.card import Card, inline
 from kinlib.view.still import for_a_page
+
+if TYPE_CHECKING:
+    import ipywidgets as widgets
 
 
 @dataclass(frozen=True)
@@ -121,6 +123,8 @@ class Explanation:
         return self.question.explanation()
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
+        import ipywidgets as widgets  # where sheets are graded, nobody looks at questions
+
         if self._face is None:
             self._face = widgets.HTMLMath(self.card.html())
             self.question.observe(self._renew, "committed")
@@ -220,8 +224,10 @@ def _lectures() -> dict[str, dict[str, Item]]:
     return {file.name[:2]: read(file.read_text(encoding="utf-8"), file.name) for file in found}
 
 
-def _face(question: Question) -> widgets.Widget:
+def _face(question: Question) -> "widgets.Widget":
     """The question with its options, each a button with its letter beside its text, which may hold formulas."""
+    import ipywidgets as widgets
+
     item = question.item
     reply = widgets.HTMLMath()
     buttons, rows = [], []

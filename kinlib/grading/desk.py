@@ -1,0 +1,65 @@
+"""The desk: where a result goes as soon as it is there, to the student's page and into the gradebook, while others run."""
+
+from contextlib import ExitStack, suppress
+from functools import cached_property
+from importlib import import_module
+from pathlib import Path
+from threading import Thread
+from types import TracebackType
+from typing import TYPE_CHECKING
+
+from kinlib.grading.gather import Handed
+from kinlib.grading.publish import publish_page
+from kinlib.grading.result import Result
+from kinlib.grading.submission import Master
+
+if TYPE_CHECKING:
+    from kinlib.grading.nbgrader_book import Ledger
+
+
+class Desk:
+    """Takes results, one after the other, each for its page and, where there is a course of nbgrader, for its gradebook.
+
+    done  the students whose results were taken
+    """
+
+    def __init__(self, out: Path, sheet: Master, course: Path | None, is_anew: bool) -> None:
+        self._out, self._sheet, self._course, self._is_anew = out, sheet, course, is_anew
+        self._open = ExitStack()
+        self.done: set[str] = set()
+        if course:
+            Thread(target=_import_gradebook).start()  # while the sandbox starts
+
+    def __enter__(self) -> "Desk":
+        return self
+
+    def __exit__(
+        self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        self._open.close()
+
+    def take(self, handed: Handed, result: Result) -> None:
+        """Write down what there is to say of a result. Raises ValueError for a course that is none, or not ready."""
+        publish_page(self._out, result)
+        if self._ledger:
+            self._ledger.enter(handed, result)
+        self.done.add(handed.student)
+
+    def remarks(self) -> list[str]:
+        """What could not be written down."""
+        if not self._ledger or not self._ledger.unfit:
+            return []
+        return [f"Not in the gradebook, for their ids cannot name a folder: {', '.join(self._ledger.unfit)}."]
+
+    @cached_property
+    def _ledger(self) -> "Ledger | None":
+        if self._course is None:
+            return None
+        from kinlib.grading.nbgrader_book import ledger
+
+        return self._open.enter_context(ledger(self._course, self._sheet, self._is_anew))
+
+
+def _import_gradebook() -> None:
+    with suppress(ImportError):  # whoever needs it next says what is missing
+        import_module("kinlib.grading.nbgrader_book")
