@@ -10,17 +10,17 @@ The same motion is written in three forms, which differ in where the home pose M
 from collections.abc import Iterator
 from dataclasses import dataclass, field
 from functools import cached_property, reduce
+from typing import Any, TypeGuard
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from kinlib import check
 from kinlib.check import Array
 from kinlib.lie import adjoint, exp, inverse
 from kinlib.screw import Line, axes, is_prismatic, line
-
-CHUNK = 4096
-"""Configurations worked on at a time: their poses fit in a core's cache, which is worth a factor of two on long batches."""
+from kinlib.straight_line import StraightLine, write_out
+from kinlib.sweep import cross, sweep
 
 
 @dataclass(frozen=True, eq=False)
@@ -132,12 +132,9 @@ class Chain:
         >>> rprr().fk(np.zeros((1000, 4))).shape
         (1000, 4, 4)
         """
-        q = self._joint_values(q)
-        T = np.empty((len(q.reshape(-1, self.n)), 4, 4))
-        for part, rows in _chunks(q):
-            *_, tool = self._walk(rows)
-            T[part] = _poses(tool)
-        return T.reshape(*q.shape[:-1], 4, 4)
+        if self._is_one_configuration(q):
+            return np.array(self._tool_program.run(*q.ravel().tolist())).reshape(*q.shape[:-1], 4, 4)
+        return sweep(self._tool, self._joint_values(q), (self.n,), (4, 4))
 
     def fk_body(self, q: ArrayLike) -> Array:
         """Where the tool is, by the body form: T(q) = M e^[B1]q1 ... e^[Bn]qn.
@@ -185,12 +182,7 @@ class Chain:
         >>> youbot().link_poses(np.zeros(5))[3, :3, 3]       # joint 4 of the youBot at home
         array([0.323, 0.   , 0.147])
         """
-        q = self._joint_values(q)
-        T = np.empty((len(q.reshape(-1, self.n)), self.n, 4, 4))
-        for part, rows in _chunks(q):
-            for i, frame in zip(range(self.n), self._walk(rows), strict=False):
-                T[part, i] = _poses(_moved(frame, inverse(_turned(self._joint_frames[i]))))
-        return T.reshape(*q.shape[:-1], self.n, 4, 4)
+        return sweep(self._links, self._joint_values(q), (self.n,), (self.n, 4, 4))
 
     def jacobian(self, q: ArrayLike) -> Array:
         """How the tool moves for each joint's unit of speed, as twists in {s}: the space Jacobian.
@@ -205,15 +197,9 @@ class Chain:
         >>> bool((rpr().jacobian([0, 0, 0]) == rpr().screws.T).all())      # at home nothing has been carried yet
         True
         """
-        q = self._joint_values(q)
-        turns, slides = self._turns_and_slides
-        J = np.empty((len(q.reshape(-1, self.n)), 6, self.n))
-        for part, rows in _chunks(q):
-            for i, (_, _, z, p) in zip(range(self.n), self._walk(rows), strict=False):
-                moment = p[[1, 2, 0]] * z[[2, 0, 1]] - p[[2, 0, 1]] * z[[1, 2, 0]]
-                J[part, :3, i] = (turns[i] * z).T
-                J[part, 3:, i] = (turns[i] * moment + slides[i] * z).T
-        return J.reshape(*q.shape[:-1], 6, self.n)
+        if self._is_one_configuration(q):
+            return np.array(self._jacobian_program.run(*q.ravel().tolist())).reshape(*q.shape[:-1], 6, self.n)
+        return sweep(self._carried_screws, self._joint_values(q), (self.n,), (6, self.n))
 
     def body_jacobian(self, q: ArrayLike) -> Array:
         """The same as twists in {b}: the body Jacobian, J_b = Ad(T^-1) J_s.
@@ -268,31 +254,77 @@ class Chain:
         steps: Array = inverse(stations[:-1]) @ stations[1:]
         return steps
 
-    def _walk(self, q: Array) -> Iterator[Array]:
-        """Carry a frame along the arm for m configurations (m, n) at once: yield each joint's frame, then the tool's.
+    def _is_one_configuration(self, q: ArrayLike) -> TypeGuard[Array]:
+        """Whether q is a single configuration, and needs no further check. Any other q takes the way of the batches."""
+        return (
+            isinstance(q, np.ndarray)
+            and q.size == self.n
+            and q.shape[-1:] == (self.n,)
+            and q.dtype.kind in "iuf"
+            # The sum is NaN or infinite if any of the values is, and then this is false.
+            and sum(map(abs, q.ravel().tolist())) <= check.TURN
+        )
+
+    @cached_property
+    def _tool_program(self) -> StraightLine:
+        return write_out(lambda q: self._tool(q[:, None])[..., 0].T, self.n)
+
+    @cached_property
+    def _jacobian_program(self) -> StraightLine:
+        return write_out(lambda q: self._carried_screws(q[:, None])[..., 0].T, self.n)
+
+    # What follows is written for `sweep`, which lays m configurations out as (n, m), and for `write_out`, which gives the
+    # names of one. A frame is its columns x, y, z, p, shape (4, 3, m).
+
+    def _tool(self, q: NDArray[Any]) -> NDArray[Any]:
+        """The tool's poses by their columns, (4, 4, m)."""
+        *_, tool = self._walk(q)
+        return _closed(tool)
+
+    def _links(self, q: Array) -> Array:
+        """The link frames by their columns, (4, 4, n, m)."""
+        frames = zip(self._walk(q), self._joint_frames, strict=False)
+        return np.stack([_closed(_moved(frame, inverse(_turned(J)))) for frame, J in frames], axis=2)
+
+    def _carried_screws(self, q: NDArray[Any]) -> NDArray[Any]:
+        """The columns of the space Jacobian, (n, 6, m)."""
+        columns = []
+        for turn, slide, (_, _, z, p) in zip(*self._turns_and_slides, self._walk(q), strict=False):
+            columns.append(np.concatenate([turn * z, turn * cross(p, z) + slide * z]))
+        return np.array(columns)
+
+    def _walk(self, q: NDArray[Any]) -> Iterator[NDArray[Any]]:
+        """Carry a frame along the arm: yield each joint's frame, then the tool's.
 
         In its own frame J a joint turns about z, and e^[S]q = J Z(q) J^-1. The constants between two joints merge:
         T(q) = J_1 Z(q_1) (J_1^-1 J_2) Z(q_2) ... Z(q_n) (J_n^-1 M). That is the space form, with one product a joint
-        where it has two. A frame is its columns x, y, z, p, shape (4, 3, m): the components lie apart, the
-        configurations side by side, so that every line below is one sweep over memory.
+        where it has two.
         """
-        turns, slides = self._turns_and_slides
-        # One tangent of the half angle gives both cosine and sine, to the last digit, in half the time of the two.
-        t = np.tan(turns[:, None] * q.T / 2)
-        half = 1 / (1 + t * t)
-        cos, sin = (1 - t * t) * half, 2 * t * half
-        frame = np.broadcast_to(self._steps[0, :3].T[..., None], (4, 3, len(q)))
+        cos, sin, slide = self._joint_motions(q)
+        frame = np.broadcast_to(self._steps[0, :3].T[..., None], (4, 3, q.shape[1]))
         for i in range(self.n):
             x, y, z, p = frame
-            frame = np.stack([cos[i] * x + sin[i] * y, cos[i] * y - sin[i] * x, z, p + slides[i] * q[:, i] * z])
+            frame = np.stack([cos[i] * x + sin[i] * y, cos[i] * y - sin[i] * x, z, p + slide[i] * z])
             yield frame
             frame = _moved(frame, self._steps[i + 1])
         yield frame
 
+    def _joint_motions(self, q: NDArray[Any]) -> tuple[NDArray[Any], NDArray[Any], NDArray[Any]]:
+        """The cosine and the sine of every joint's turn, and its slide, (n, m) each."""
+        turns, slides = (unit[:, None] for unit in self._turns_and_slides)
+        if q.dtype == object:  # names, which know a cosine and a sine, and no other function
+            cos, sin, turning = np.ones_like(q), np.zeros_like(q), turns[:, 0] != 0
+            cos[turning], sin[turning] = np.cos(q[turning]), np.sin(q[turning])
+            return cos, sin, slides * q
+        # One tangent of the half angle gives both cosine and sine, to the last digit, in half the time of the two.
+        t = np.tan(turns * q / 2)
+        share = 1 / (1 + t * t)
+        return (1 - t * t) * share, 2 * t * share, slides * q
 
-def _moved(frame: Array, step: Array) -> Array:
+
+def _moved(frame: NDArray[Any], step: Array) -> NDArray[Any]:
     """Multiply frames (4, 3, m) by one pose from the right: the new columns are sums of the old ones."""
-    columns: Array = step.T @ frame.reshape(4, -1)
+    columns: NDArray[Any] = step.T @ frame.reshape(4, -1)
     return columns.reshape(frame.shape)
 
 
@@ -303,20 +335,12 @@ def _turned(T: Array) -> Array:
     return R
 
 
-def _poses(frame: Array) -> Array:
-    """Write frames (4, 3, m) as poses (m, 4, 4)."""
-    T = np.zeros((frame.shape[-1], 4, 4))
-    T[:, :3] = frame.transpose(2, 1, 0)
-    T[:, 3, 3] = 1.0
-    return T
-
-
-def _chunks(q: Array) -> Iterator[tuple[slice, Array]]:
-    """Cut configurations (..., n) into runs of rows, each with the slice where its results belong."""
-    rows = q.reshape(-1, q.shape[-1])
-    for start in range(0, len(rows), CHUNK):
-        part = slice(start, start + CHUNK)
-        yield part, rows[part]
+def _closed(frame: NDArray[Any]) -> NDArray[Any]:
+    """Frames (4, 3, m) with the last row of their poses, (4, 4, m)."""
+    X = np.zeros((4, 4, frame.shape[-1]), dtype=frame.dtype)
+    X[:, :3] = frame
+    X[3, 3] = 1.0
+    return X
 
 
 def _limits(limits: ArrayLike, n: int) -> Array:

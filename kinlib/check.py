@@ -8,22 +8,38 @@ import reprlib
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
-Array = NDArray[np.float64]
+from kinlib.sweep import Array, cross, dot, pieces
+
+__all__ = [
+    "Array",
+    "array",
+    "brief",
+    "frozen",
+    "motions",
+    "poses",
+    "real",
+    "rigid",
+    "rigid_columns",
+    "turn",
+    "unit",
+    "vectors",
+]
 
 UNIT = 1e-9
 """How far the length of an axis may stray from 1. Data printed with nine digits pass; an axis left at (1, 1, 0) does not."""
 
 RIGID = 1e-6
-"""How far an entry of R^T R may stray from the identity. Single precision passes; four printed decimals do not."""
+"""How far x . x, y . y and x . y of a rotation's columns may stray from 1, 1 and 0, and z from x x y. Single precision passes;
+four printed decimals do not."""
 
 TURN = 1e8
 """The longest turn in radians that still means something: beyond it, rounding alone moves the result by 1e-8."""
 
 
 def array(x: ArrayLike, name: str) -> Array:
-    """Read x as an array of finite real numbers.
+    """Read x as an array of finite real numbers: x itself, if it is one, so write to a copy.
 
     Raises ValueError for anything else, with the place of the first NaN or infinity.
 
@@ -38,7 +54,7 @@ def array(x: ArrayLike, name: str) -> Array:
 
 
 def real(x: ArrayLike, name: str) -> Array:
-    """Read x as an array of real numbers, where infinity may have a meaning.
+    """Read x as an array of real numbers, where infinity may have a meaning: x itself, if it is one.
 
     Raises ValueError for anything else.
 
@@ -49,8 +65,9 @@ def real(x: ArrayLike, name: str) -> Array:
         values = np.asarray(x)
         if values.dtype.kind not in "biufO":
             raise TypeError(f"{values.dtype} is no real number")
-        # To astype alone, None is NaN and "1" is 1; added to zero, they are what they are.
-        values = np.asarray(values + 0.0).astype(float, copy=False)
+        if values.dtype != float:
+            # To astype alone, None is NaN and "1" is 1; added to zero, they are what they are.
+            values = np.asarray(values + 0.0).astype(float, copy=False)
     except (TypeError, ValueError, OverflowError) as error:
         raise ValueError(
             f"{name} should be an array of real numbers; got {brief(x)}. "
@@ -117,25 +134,46 @@ def rigid(x: ArrayLike, name: str) -> Array:
     >>> rigid(np.eye(4), "home").shape
     (4, 4)
     """
+    values = motions(x, name)
+    for _, columns in pieces(values, values.shape[-2:]):
+        rigid_columns(columns, name)
+    return values
+
+
+def motions(x: ArrayLike, name: str) -> Array:
+    """Read x as matrices of the shape of rotations, (..., 3, 3), or of poses, (..., 4, 4).
+
+    Raises ValueError for another shape.
+
+    >>> motions(np.zeros((4, 4)), "home").shape
+    (4, 4)
+    """
     values = array(x, name)
     if values.shape[-2:] not in {(3, 3), (4, 4)}:
         raise ValueError(f"{name} should be a rotation (..., 3, 3) or a pose (..., 4, 4); got shape {values.shape}.")
-    if values.shape[-1] == 4 and (wrong := (np.abs(values[..., 3, :] - (0, 0, 0, 1)) > RIGID).any(axis=-1)).any():
+    return values
+
+
+def rigid_columns(X: Array, name: str) -> Array:
+    """Pass rotations (3, 3, m) or poses (4, 4, m) on, laid out by their columns as `sweep` lays them out.
+
+    Raises ValueError for a block that is not orthonormal, a reflection, a last row that is not 0 0 0 1.
+
+    >>> rigid_columns(np.eye(4)[:, :, None], "home").shape
+    (4, 4, 1)
+    """
+    if len(X) == 4 and (wrong := np.abs(X[:, 3] - [[0], [0], [0], [1]]) > RIGID).any():
         raise ValueError(
-            f"{name} is not a pose: its last row should be 0 0 0 1; got {values[..., 3, :][wrong][0]}. "
+            f"{name} is not a pose: its last row should be 0 0 0 1; got {X[:, 3, wrong.any(axis=0)][:, 0]}. "
             "Is the translation in the last row instead of the last column? Try the transpose."
         )
-    # No entry of a rotation is beyond 1, and 10 is as wrong as 1e200, whose square would overflow.
-    R = np.clip(values[..., :3, :3], -10, 10)
-    defect = np.abs(np.swapaxes(R, -1, -2) @ R - np.eye(3)).max(initial=0)
-    if defect > RIGID:
-        raise ValueError(
-            f"{name} is not rigid: R^T R differs from the identity by {defect:.2g}. "
-            "Were its entries rounded, or is an axis not of unit length?"
-        )
-    if (np.linalg.det(R) < 0).any():
-        raise ValueError(f"{name} is a reflection (det R = -1), not a rotation. Are two axes swapped? Is y = z x x?")
-    return values
+    x, y, z = X[:3, :3]
+    with np.errstate(over="ignore", invalid="ignore"):  # what overflows is far from rigid, and is refused below
+        stray = np.array([dot(x, x) - 1, dot(y, y) - 1, dot(x, y), *(cross(x, y) - z)])
+        rigid = np.abs(stray).max(initial=0) <= RIGID
+    if not rigid:
+        raise ValueError(f"{name} is {_fault(np.clip(X[:3, :3], -10, 10))}")
+    return X
 
 
 def poses(x: ArrayLike, name: str) -> Array:
@@ -172,3 +210,14 @@ def brief(x: Any) -> str:
     'list [1, 2, 3]'
     """
     return f"{type(x).__name__} {reprlib.repr(x)}"
+
+
+def _fault(R: Array) -> str:
+    """What is wrong with matrices (3, 3, m) that are not all rotations."""
+    defect = np.abs(np.einsum("ikm,jkm->ijm", R, R) - np.eye(3)[:, :, None]).max()
+    if defect <= RIGID:
+        return "a reflection (det R = -1), not a rotation. Are two axes swapped? Is y = z x x?"
+    return (
+        f"not rigid: R^T R differs from the identity by {defect:.2g}. "
+        "Were its entries rounded, or is an axis not of unit length?"
+    )

@@ -9,6 +9,10 @@ from numpy.typing import ArrayLike
 
 from kinlib import check
 from kinlib.check import Array
+from kinlib.sweep import cross, dot, sweep
+
+TINY = np.finfo(float).tiny
+"""Added above and below the line of a quotient that has a limit, it makes 0 / 0 that limit, and changes nothing else."""
 
 
 def hat(x: ArrayLike) -> Array:
@@ -76,20 +80,7 @@ def exp(x: ArrayLike) -> Array:
            [ 0.,  0.,  0.,  1.]])
     """
     x = _generator(x)
-    # hypot squares nothing, so that no vector is too long or too short to have a length.
-    theta = check.turn(np.hypot.reduce(x[..., :3], axis=-1))[..., None, None]
-    W = _hat(x[..., :3])
-    W2 = W @ W
-    a = np.sinc(theta / np.pi)
-    # The half angle keeps every digit where 1 - cos(theta) would cancel.
-    b = np.sinc(theta / (2 * np.pi)) ** 2 / 2
-    R = np.eye(3) + a * W + b * W2
-    if x.shape[-1] == 3:
-        return R
-    # Near 0 the error of 1 - a is divided by theta^2 and meets W^2, which shrinks as fast: no series is needed.
-    c = _quotient(1 - a, theta**2)
-    p = (np.eye(3) + b * W + c * W2) @ x[..., 3:, None]
-    return _pose(R, p[..., 0])
+    return sweep(_exp_rotation, x, (3,), (3, 3)) if x.shape[-1] == 3 else sweep(_exp_motion, x, (6,), (4, 4))
 
 
 def log(X: ArrayLike) -> Array:
@@ -106,15 +97,8 @@ def log(X: ArrayLike) -> Array:
     >>> log(exp([0, 0, np.pi / 2, 1, 0, 0])).round(6)
     array([0.      , 0.      , 1.570796, 1.      , 0.      , 0.      ])
     """
-    X = check.rigid(X, "X")
-    omega = _rotation_log(X[..., :3, :3])
-    if X.shape[-1] == 3:
-        return omega
-    theta = np.linalg.norm(omega, axis=-1)[..., None, None]
-    W = _hat(omega)
-    k = _quotient(1 - np.cos(theta / 2) / np.sinc(theta / (2 * np.pi)), theta**2)
-    v = (np.eye(3) - W / 2 + k * (W @ W)) @ X[..., :3, 3, None]
-    return np.concatenate([omega, v[..., 0]], axis=-1)
+    X = check.motions(X, "X")
+    return sweep(_log_rotation, X, (3, 3), (3,)) if X.shape[-1] == 3 else sweep(_log_motion, X, (4, 4), (6,))
 
 
 def inverse(X: ArrayLike) -> Array:
@@ -131,7 +115,7 @@ def inverse(X: ArrayLike) -> Array:
     X = check.rigid(X, "X")
     Rt = np.swapaxes(X[..., :3, :3], -1, -2)
     if X.shape[-1] == 3:
-        return Rt
+        return Rt.copy()
     return _pose(Rt, -(Rt @ X[..., :3, 3, None])[..., 0])
 
 
@@ -150,7 +134,7 @@ def adjoint(X: ArrayLike) -> Array:
     """
     X = check.rigid(X, "X")
     if X.shape[-1] == 3:
-        return X
+        return X.copy()
     R = X[..., :3, :3]
     Ad = np.zeros((*X.shape[:-2], 6, 6))
     Ad[..., :3, :3] = Ad[..., 3:, 3:] = R
@@ -178,42 +162,105 @@ def _hat(x: Array) -> Array:
     return W - np.swapaxes(W, -1, -2)
 
 
-def _rotation_log(R: Array) -> Array:
-    # With the unit quaternion q = (w, x, y, z) of R, the matrix 4 q q^T is linear in R. Each of its columns is a
-    # multiple of q, and the longest one is never near zero: no case for small angles, none for angles near pi.
-    xx, yy, zz = R[..., 0, 0], R[..., 1, 1], R[..., 2, 2]
-    qq = np.empty((*R.shape[:-2], 4, 4))
-    qq[..., 0, 0] = 1 + xx + yy + zz
-    qq[..., 1, 1] = 1 + xx - yy - zz
-    qq[..., 2, 2] = 1 - xx + yy - zz
-    qq[..., 3, 3] = 1 - xx - yy + zz
-    Rt = np.swapaxes(R, -1, -2)
-    qq[..., 0, 1:] = qq[..., 1:, 0] = (R - Rt)[..., [2, 0, 1], [1, 2, 0]]
-    qq[..., [1, 1, 2], [2, 3, 3]] = qq[..., [2, 3, 3], [1, 1, 2]] = (R + Rt)[..., [0, 0, 1], [1, 2, 2]]
-    longest = np.argmax(np.diagonal(qq, axis1=-2, axis2=-1), axis=-1)
-    q = np.take_along_axis(qq, longest[..., None, None], axis=-1)[..., 0]
-    q /= np.linalg.norm(q, axis=-1, keepdims=True)
-    # q and -q are the same rotation; w >= 0 picks the shorter way round.
-    q = np.where(q[..., :1] < 0, -q, q)
-    sine = np.linalg.norm(q[..., 1:], axis=-1, keepdims=True)
-    angle = 2 * np.arctan2(sine, q[..., :1])
-    # Below 1e-160 the sine underflows to 0, and there angle / sine has long since become 2.
-    stretch = np.full_like(angle, 2.0)
-    np.divide(angle, sine, out=stretch, where=sine > 0)
-    omega: Array = stretch * q[..., 1:]
-    return omega
-
-
-def _quotient(numerator: Array, denominator: Array) -> Array:
-    """Divide by theta^2, and say 0 where theta^2 is 0: there the quotient multiplies W^2 = 0."""
-    quotient = np.zeros_like(numerator)
-    np.divide(numerator, denominator, out=quotient, where=denominator > 0)
-    return quotient
-
-
 def _pose(R: Array, p: Array) -> Array:
     T = np.zeros((*p.shape[:-1], 4, 4))
     T[..., :3, :3] = R
     T[..., :3, 3] = p
     T[..., 3, 3] = 1.0
     return T
+
+
+# What follows is written for `sweep`: vectors are (3, m), matrices come as their columns, X[column, row] of shape (m,).
+
+
+def _exp_rotation(omega: Array) -> Array:
+    """Exponentials (3, 3, m) of rotation vectors (3, m)."""
+    return _rodrigues(omega, *_cos_a_b(_length(omega)))
+
+
+def _exp_motion(x: Array) -> Array:
+    """Exponentials (4, 4, m) of twists (6, m)."""
+    omega, v = x[:3], x[3:]
+    theta = _length(omega)
+    cos, a, b = _cos_a_b(theta)
+    # Near 0 the error of 1 - a is divided by theta^2 and meets W^2, which shrinks as fast: no series is needed.
+    c = (1 - a) / (theta * theta + TINY)
+    X = np.zeros((4, 4, len(theta)))
+    X[:3, :3] = _rodrigues(omega, cos, a, b)
+    X[3, :3] = a * v + b * cross(omega, v) + c * dot(omega, v) * omega
+    X[3, 3] = 1.0
+    return X
+
+
+def _cos_a_b(theta: Array) -> tuple[Array, Array, Array]:
+    """cos(theta), a = sin(theta) / theta and b = (1 - cos(theta)) / theta^2, by the tangent of the half angle.
+
+    It keeps every digit where 1 - cos(theta) would cancel, and costs half as much as a sine and a cosine.
+    """
+    half = check.turn(theta) / 2
+    t = np.tan(half)
+    share = 1 / (1 + t * t)
+    ratio = (t + TINY) / (half + TINY)
+    return (1 - t * t) * share, ratio * share, ratio * ratio * share / 2
+
+
+def _rodrigues(omega: Array, cos: Array, a: Array, b: Array) -> Array:
+    """R = I + a W + b W^2, where W^2 = omega omega^T - theta^2 I makes it  cos(theta) I + a W + b omega omega^T."""
+    R = (b * omega)[:, None] * omega
+    R[[0, 1, 2], [0, 1, 2]] += cos
+    around = (a * omega)[[2, 0, 1]]
+    R[[0, 1, 2], [1, 2, 0]] += around
+    R[[1, 2, 0], [0, 1, 2]] -= around
+    return R
+
+
+def _log_rotation(R: Array) -> Array:
+    """Rotation vectors (3, m) of rotations (3, 3, m)."""
+    _, stretch, axis = _quaternion_log(check.rigid_columns(R, "X"))
+    return 2 * stretch * axis
+
+
+def _log_motion(X: Array) -> Array:
+    """Twists (6, m) of poses (4, 4, m)."""
+    cos, stretch, axis = _quaternion_log(check.rigid_columns(X, "X")[:3, :3])
+    omega, p = 2 * stretch * axis, X[3, :3]
+    # (theta / 2) cot(theta / 2), without a tangent that has no bound near pi
+    cotangent = stretch * cos
+    k = (1 - cotangent) / (dot(omega, omega) + TINY)
+    v = cotangent * p - cross(omega, p) / 2 + k * dot(omega, p) * omega
+    return np.concatenate([omega, v])
+
+
+def _quaternion_log(R: Array) -> tuple[Array, Array, Array]:
+    """The unit quaternion (cos, axis) of each rotation, with cos >= 0, and half the angle over the length of axis."""
+    q = _quaternion(R)
+    # q and -q are the same rotation; cos >= 0 picks the shorter way round.
+    q *= np.where(q[0] < 0, -1.0, 1.0)
+    cos, axis = q[0], q[1:]
+    sine = _length(axis)
+    return cos, (np.arctan2(sine, cos) + TINY) / (sine + TINY), axis
+
+
+def _quaternion(R: Array) -> Array:
+    """Unit quaternions (4, m) of rotations (3, 3, m), up to their sign.
+
+    With the unit quaternion q = (w, x, y, z) of R, the matrix 4 q q^T is linear in R. Each of its columns is a multiple of
+    q, and the longest one is never near zero: no case for small angles, none for angles near pi.
+    """
+    (r11, r21, r31), (r12, r22, r32), (r13, r23, r33) = R
+    ww, xx = (1 + r11) + (r22 + r33), (1 + r11) - (r22 + r33)
+    yy, zz = (1 - r11) + (r22 - r33), (1 - r11) - (r22 - r33)
+    wx, wy, wz = r32 - r23, r13 - r31, r21 - r12
+    xy, xz, yz = r21 + r12, r13 + r31, r32 + r23
+    columns = [np.array(c) for c in ((ww, wx, wy, wz), (wx, xx, xy, xz), (wy, xy, yy, yz), (wz, xz, yz, zz))]
+    longest, length = columns[0], columns[0][0]
+    for i, column in enumerate(columns[1:], start=1):
+        # The entry on the diagonal is 4 q_i^2, and the column is 4 q_i q: where one is largest, so is the other.
+        longer = column[i] > length
+        longest, length = np.where(longer, column, longest), np.where(longer, column[i], length)
+    return longest / _length(longest)
+
+
+def _length(u: Array) -> Array:
+    """The lengths (m,) of vectors (k, m)."""
+    return np.sqrt(dot(u, u))

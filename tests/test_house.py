@@ -70,10 +70,12 @@ def test_mypy_finds_nothing():
 
 FLOORS = [
     *(
+        "sweep",
         "check",
         "lie",
         "rpy",
         "screw",
+        "straight_line",
         "chain",
         "dh_rows",
         "dh",
