@@ -20,6 +20,7 @@ from kinlib.check import Array
 from kinlib.dh import Convention, DHTable, convention_of
 from kinlib.frame_steps import PROBES, Step, told
 from kinlib.normals import MEETS, Normal, common_normal
+from kinlib.sweep import cross
 
 SPARED = 1e-3
 """A slide less apart than this from its neighbour, in radians, is laid across it: then their normal cannot run away."""
@@ -130,7 +131,7 @@ def _places(chain: Chain) -> Array:
     for i, letter in enumerate(chain.letters):
         if letter == "P":
             for neighbour in (i - 1, i + 1):
-                if 0 <= neighbour < chain.n and MEETS < np.linalg.norm(np.cross(axes[i], axes[neighbour])) < SPARED:
+                if 0 <= neighbour < chain.n and MEETS < np.linalg.norm(cross(axes[i], axes[neighbour])) < SPARED:
                     places[i] = places[neighbour]
     return places
 
@@ -198,7 +199,7 @@ def _axis(frame: Array) -> tuple[Array, Array]:
 
 def _frame(x: Array, z: Array, origin: Array) -> Array:
     T = np.eye(4)
-    T[:3, :3] = np.transpose([x, np.cross(z, x), z])
+    T[:3, :3] = np.transpose([x, cross(z, x), z])
     T[:3, 3] = origin
     return T
 

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from kinlib import check
 from kinlib.check import Array
+from kinlib.sweep import cross
 
 
 class Line(NamedTuple):
@@ -67,7 +68,7 @@ def line(S: ArrayLike) -> Line:
     omega, v = S[..., :3], S[..., 3:]
     slides = is_prismatic(S)
     axis = np.where(slides[..., None], v, omega)
-    point = np.where(slides[..., None], 0.0, np.cross(omega, v))
+    point = np.where(slides[..., None], 0.0, cross(omega.T, v.T).T)
     pitch = np.where(slides, np.inf, np.sum(omega * v, axis=-1))
     return Line(axis, point, pitch)
 
