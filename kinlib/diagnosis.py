@@ -16,6 +16,7 @@ from kinlib.dh import Convention, DHTable
 from kinlib.dh_rows import COLUMNS
 from kinlib.equivalence import SAME, Equivalence, equivalent
 from kinlib.frames import assign_frames
+from kinlib.lie import log
 
 A, ALPHA, D, THETA = range(4)
 
@@ -169,16 +170,16 @@ def _numbers(table: DHTable, arm: Chain) -> Iterator[_Fix]:
     if "H" in arm.letters:
         return
     own = assign_frames(arm, convention=table.convention).table.rows
-    usual = {
-        A: {0.0, *own[:, A], *-own[:, A], *own[:, D], *-own[:, D]},
-        ALPHA: {0.0, np.pi / 2, -np.pi / 2, np.pi, *own[:, ALPHA], *-own[:, ALPHA]},
-        D: {0.0, *own[:, D], *-own[:, D], *own[:, A], *-own[:, A]},
-        THETA: {0.0, np.pi / 2, -np.pi / 2, np.pi, *own[:, THETA], *-own[:, THETA]},
-    }
+    lengths = np.concatenate([own[:, A], own[:, D]])
+    usual = {column: {0.0, *lengths, *-lengths} for column in (A, D)}
+    for column in (ALPHA, THETA):
+        # Beside an axis that is drawn the other way round, an angle and its supplement change places.
+        angles = np.concatenate([own[:, column], np.remainder(-own[:, column], 2 * np.pi) - np.pi])
+        usual[column] = {0.0, np.pi / 2, -np.pi / 2, np.pi, *angles, *-angles}
     for row, letter in enumerate(table.joints):
         for column, name in enumerate(COLUMNS):
             moves = (letter, name) in {("R", "theta"), ("P", "d")}
-            for value in sorted(usual[column], key=abs) if not moves else ():
+            for value in sorted(usual[column], key=lambda value: (abs(value), -value)) if not moves else ():
                 text = f"Row {row + 1}: {name} should be {value:.4g}; the table says {table.rows[row, column]:.4g}."
                 yield _Fix(Fault("wrong number", text, row + 1, name), [(row, column, float(value))])
 
@@ -196,5 +197,6 @@ def _conventions(found: Equivalence) -> Iterator[str]:
 
 
 def _where(T: np.ndarray) -> str:
-    degrees = np.degrees(np.arccos(np.clip((np.trace(T[:3, :3]) - 1) / 2, -1, 1)))
-    return f"turned by {degrees:.4g} degrees, shifted by {np.linalg.norm(T[:3, 3]):.4g} m"
+    degrees, metres = np.degrees(np.linalg.norm(log(T[:3, :3]))), np.linalg.norm(T[:3, 3])
+    # A rounding of 1e-17 is nothing to tell.
+    return f"turned by {round(float(degrees), 6):.4g} degrees, shifted by {round(float(metres), 9):.4g} m"

@@ -36,9 +36,22 @@ def test_zeros_signs_base_and_tool_are_told_and_not_held_against_a_table():
     ours = DHTable("a|alpha|d|theta\n0.4|0|0|q1\n0.3|0|0|q2", convention="standard", base=kl.exp([0, 0, 0, 1, 2, 3]))
     found = diagnose(theirs, ours)
     assert found.right
-    assert "Joint 1 counts the other way." in str(found)
-    assert "Joint 2 has its zero elsewhere, by -1.571." in str(found)
-    assert "The base frames differ" in str(found)
+    assert str(found).splitlines() == [
+        "This table is the arm.",
+        "Joint 1 counts the other way.",
+        "Joint 2 has its zero elsewhere, by -1.571.",
+        "The base frames differ: turned by 0 degrees, shifted by 2.236 m.",
+        "The tool frames differ: turned by 0 degrees, shifted by 3 m.",
+    ]
+
+
+def test_how_far_the_frames_at_the_ends_differ_is_told():
+    table = DHTable([[0.4, 0.7, 0.1, 0], [0.3, 0, 0, 0]], convention="standard")
+    moved = table.changed(base=kl.exp([np.pi / 2, 0, 0, 0, 0, 0]), tool=kl.exp([0, 0.5, 0, 0, 0.3, 0]))
+    assert str(diagnose(table, moved)).splitlines()[1:] == [
+        "The base frames differ: turned by 90 degrees, shifted by 0 m.",
+        "The tool frames differ: turned by 28.65 degrees, shifted by 0.3 m.",
+    ]
 
 
 WRONG = {
@@ -83,6 +96,159 @@ def test_at_the_end_of_an_arm_an_anti_parallel_axis_may_be_turned_round():
     found = diagnose(with_entries(right, (1, "alpha", 0.0)), right)
     assert found.right
     assert "Joint 1 counts the other way." in str(found)
+
+
+# --- each mistake, at each place where it can be made, word for word ---
+
+ROWS = np.array(
+    [[0.31, 0.7, 0.12, 0], [0.23, -1.1, 0.37, 0], [0.17, 0.9, 0, 0.4], [0.29, 0.6, 0.19, 0], [0.11, 0.5, 0.13, 0]]
+)
+ARM = DHTable(ROWS, convention="standard", joints="RRPRR")
+SHALLOW = ARM.changed(rows=ROWS * (1, 0.15, 1, 0.15))
+"""The same arm with angles of a few degrees: more than two full turns are refused before anybody diagnoses them."""
+
+EVERYWHERE = {
+    "standard as modified": (
+        *(ARM.changed(convention="modified"), ARM, "other convention", None),
+        "The table is in the standard convention, and was read as modified.",
+    ),
+    "modified as standard": (
+        *(ARM.converted("modified").changed(convention="standard"), ARM, "other convention", None),
+        "The table is in the modified convention, and was read as standard.",
+    ),
+    "a and alpha too high": (
+        *(ARM.changed(rows=np.hstack([np.roll(ROWS[:, :2], -1, axis=0), ROWS[:, 2:]])), ARM, "column shifted", None),
+        "The columns a and alpha stand one row too high: a_{i-1} and a_i were taken for each other.",
+    ),
+    "a and alpha too low": (
+        ARM.converted("modified").changed(
+            rows=np.hstack(
+                [np.roll(ARM.converted("modified").rows[:, :2], 1, axis=0), ARM.converted("modified").rows[:, 2:]]
+            )
+        ),
+        *(ARM, "column shifted", None),
+        "The columns a and alpha stand one row too low: a_{i-1} and a_i were taken for each other.",
+    ),
+    "degrees": (
+        SHALLOW.changed(rows=SHALLOW.rows * (1, np.degrees(1), 1, np.degrees(1))),
+        *(SHALLOW, "degrees", None, "The angles are degrees, read as radians."),
+    ),
+    "every alpha": (
+        *(ARM.changed(rows=ROWS * (1, -1, 1, 1)), ARM, "sign of alpha", "alpha"),
+        "Every alpha has the wrong sign: it turns from z_{i-1} to z_i about x_i, by the right hand.",
+    ),
+    "every a and d": (
+        *(ARM.changed(rows=ROWS[:, [2, 1, 0, 3]]), ARM, "a and d exchanged", "a"),
+        "The columns a and d are exchanged: a is measured along x, d along z.",
+    ),
+}
+
+
+@pytest.mark.parametrize(("wrong", "right", "name", "column", "text"), EVERYWHERE.values(), ids=EVERYWHERE)
+def test_a_mistake_that_spoils_the_whole_table_is_told(wrong, right, name, column, text):
+    found = diagnose(wrong, right)
+    assert [(fault.name, fault.row, fault.column, fault.text) for fault in found.faults] == [(name, None, column, text)]
+    assert str(found) == text
+    assert equivalent(found.corrected, right)
+
+
+IN_A_ROW = {
+    **{f"alpha of row {k}": ("sign of alpha", k, "alpha", "alpha has the wrong sign.") for k in (1, 2, 3, 4)},
+    **{
+        f"a and d of row {k}": ("a and d exchanged", k, "a", "a and d are exchanged. a is measured along x, d along z.")
+        for k in (1, 2, 3, 4)
+    },
+    **{f"d of row {k}": ("sign of d", k, "d", "d has the wrong sign.") for k in (2, 4)},
+    **{f"a of row {k}": ("sign of a", k, "a", "a has the wrong sign.") for k in (2, 3)},
+    **{
+        f"slide of row {k}": (
+            *("variable in the wrong column", k, "theta"),
+            "the joint variable belongs in theta, for this joint turns.",
+        )
+        for k in (1, 2, 4, 5)
+    },
+    "turn of row 3": (
+        "variable in the wrong column",
+        3,
+        "d",
+        "the joint variable belongs in d, for this joint slides.",
+    ),
+    "angles of row 3": ("theta and alpha exchanged", 3, "theta", "theta and alpha are exchanged."),
+}
+
+
+def with_a_mistake(name, row):
+    a, alpha, d, theta = ROWS[row - 1]
+    match name:
+        case "sign of alpha":
+            return with_entries(ARM, (row, "alpha", -alpha))
+        case "sign of d":
+            return with_entries(ARM, (row, "d", -d))
+        case "sign of a":
+            return with_entries(ARM, (row, "a", -a))
+        case "a and d exchanged":
+            return exchanged(ARM, row)
+        case "theta and alpha exchanged":
+            return with_entries(ARM, (row, "alpha", theta), (row, "theta", alpha))
+    joints = list(ARM.joints)
+    joints[row - 1] = {"R": "P", "P": "R"}[joints[row - 1]]
+    return ARM.changed(joints="".join(joints))
+
+
+@pytest.mark.parametrize(("name", "row", "column", "text"), IN_A_ROW.values(), ids=IN_A_ROW)
+def test_a_mistake_in_a_row_is_told_with_its_place(name, row, column, text):
+    found = diagnose(with_a_mistake(name, row), ARM)
+    told = [(fault.name, fault.row, fault.column, fault.text) for fault in found.faults]
+    assert told == [(name, row, column, f"Row {row}: {text}")]
+    assert equivalent(found.corrected, ARM)
+
+
+SIGNED = DHTable(
+    [[0.31, -0.7, 0.12, 0], [-0.23, -1.1, 0.37, 0], [-0.17, 0.9, -0.22, 0], [0.29, 0.6, 0.19, 0]], convention="standard"
+)
+
+
+@pytest.mark.parametrize("column", ["a", "alpha", "d"])
+@pytest.mark.parametrize("turned_round", [[], [1, 3], [2]])
+def test_a_wrong_number_is_found_whichever_way_the_axes_are_drawn(column, turned_round):
+    screws = np.array(SIGNED.to_chain().screws)
+    screws[turned_round] *= -1
+    arm = kl.Chain(screws, SIGNED.to_chain().home)
+    right = SIGNED.rows[1, ("a", "alpha", "d").index(column)]
+    (fault,) = diagnose(with_entries(SIGNED, (2, column, 0.777)), arm, in_pairs=False).faults
+    told = f"Row 2: {column} should be {right:.4g}; the table says 0.777."
+    assert (fault.name, fault.row, fault.column, fault.text) == ("wrong number", 2, column, told)
+
+
+@pytest.mark.parametrize("angle", [0, np.pi / 2, -np.pi / 2, np.pi])
+@pytest.mark.parametrize(("table", "row", "column"), [(SIGNED, 2, "alpha"), (ARM, 3, "theta")])
+def test_a_right_angle_or_none_is_found(table, row, column, angle):
+    right = with_entries(table, (row, column, angle))
+    (fault,) = diagnose(with_entries(right, (row, column, 0.777)), right, in_pairs=False).faults
+    assert fault.text == f"Row {row}: {column} should be {angle:.4g}; the table says 0.777."
+
+
+@pytest.mark.parametrize("column", ["a", "d"])
+def test_a_length_that_should_be_nothing_is_found(column):
+    right = with_entries(SIGNED, (3, column, 0.0))
+    (fault,) = diagnose(with_entries(right, (3, column, 0.777)), right, in_pairs=False).faults
+    assert fault.text == f"Row 3: {column} should be 0; the table says 0.777."
+
+
+@pytest.mark.parametrize(("right", "wrong"), [(np.pi, 0.0), (0.0, np.pi)])
+def test_parallel_axes_that_point_the_other_way_are_told_the_angle(right, wrong):
+    arm = with_entries(SIGNED, (2, "alpha", right))
+    (fault,) = diagnose(with_entries(arm, (2, "alpha", wrong)), arm).faults
+    assert (fault.name, fault.row, fault.column) == ("anti-parallel", 2, "alpha")
+    assert fault.text == (
+        f"Row 2: the axes are parallel and point opposite ways, or the same way: alpha should be {right:.4g}."
+    )
+
+
+def test_a_table_of_a_helical_arm_is_told_that_no_table_has_its_joints():
+    helical = kl.Chain([kl.screw((0, 0, 1), (0, 0, 0), 0.1), kl.screw((0, 1, 0), (1, 0, 0))], np.eye(4))
+    found = diagnose(DHTable([[1, 0.5, 0, 0], [0.3, 0.2, 0.1, 0]], convention="standard"), helical)
+    assert str(found).endswith("explains this table. The joints differ in kind: RR here, HR there.")
 
 
 def test_two_mistakes_together_are_both_named():
