@@ -36,6 +36,21 @@ def test_one_right_angle_of_two_is_half():
     assert sorted(answer.agrees(answer.read([2.0, 0.5]), answer.value)) == [False, True]
 
 
+def test_each_angle_is_a_part_with_a_name():
+    assert Angles(np.array(0.5)).parts == ["the angle"]
+    assert Angles(np.array([0.5])).parts == ["angle 1"]
+    assert Angles(np.array([0.5, -0.5])).parts == ["one angle", "the other angle"]
+    assert Angles(np.array([0.5, -0.5, 0.1])).parts == ["angle 1", "angle 2", "angle 3"]
+    assert Angles(np.array([0.5, -0.5])).expected == "angles, an array of shape (2,) in rad"
+    assert Angles(np.array([0.5, -0.5]), any_order=True).expected.endswith("of shape (2,) in rad, in any order")
+
+
+def test_an_angle_is_read_within_half_a_turn_of_the_right_one():
+    """So that feedback can say it as it was meant, and how far off it is."""
+    assert Angles(np.array(0.5)).read(0.5 + 4 * np.pi - 3) == pytest.approx(-2.5, abs=1e-12)
+    assert Angles(np.array(0.5)).read(0.5 - 4 * np.pi + 3) == pytest.approx(3.5, abs=1e-12)
+
+
 @pytest.mark.parametrize("given", [[1.0], [1.0, 2.0, 3.0], "east", [np.nan, 1.0]])
 def test_what_is_no_pair_of_angles_is_unreadable(given):
     with pytest.raises(Unreadable, match=r"Expected angles, an array of shape \(2,\) in rad, in any order"):

@@ -24,7 +24,13 @@ def test_a_function_is_right_however_it_is_written():
 
 
 def test_a_mistake_of_a_function_is_named():
-    assert judge(asked(), lambda x: x + x).mistakes == ["doubled"]
+    judgement = judge(asked(), lambda x: x + x)
+    assert judgement.mistakes == ["doubled"]
+    assert judgement.findings[0].message == "You doubled."
+
+
+def test_a_function_whose_outputs_were_rounded_on_the_way_is_told_so():
+    assert "looks rounded" in judge(asked(), lambda x: np.square(x) + 0.01).findings[0].message
 
 
 def test_the_inputs_are_other_ones_for_each_seed_and_the_same_for_one():
@@ -32,6 +38,14 @@ def test_the_inputs_are_other_ones_for_each_seed_and_the_same_for_one():
     assert len(inputs[0]) == CALLS
     assert not np.isclose(inputs[0], inputs[1]).any()
     np.testing.assert_array_equal(inputs[0], squares().at(0).inputs)
+    np.testing.assert_array_equal(inputs[0], squares().inputs)
+
+
+def test_two_functions_may_be_compared_as_they_are():
+    answer = squares()
+    assert answer.agrees(np.square, lambda x: x * x) == [True]
+    assert answer.agrees(lambda x: 2 * x, np.square) == [False]
+    assert answer.agrees(lambda x: 2 * x, lambda x: x + x) == [True]
 
 
 def test_a_function_that_knows_the_inputs_of_home_is_wrong_elsewhere():
@@ -49,7 +63,9 @@ def test_outputs_from_elsewhere_are_judged_like_the_function():
     problem = asked().again(3)
     outputs = Outputs([np.square(x) for (x,) in problem.answer.inputs])
     assert judge(problem, outputs).state == "right"
-    assert judge(problem, Outputs(outputs.values[1:])).state == "unreadable"
+    fewer = judge(problem, Outputs(outputs.values[1:]))
+    assert fewer.state == "unreadable"
+    assert fewer.findings[0].message.endswith(f"it gave {CALLS - 1} outputs for {CALLS} calls.")
     assert judge(problem, Outputs([None] * CALLS)).state == "unreadable"
 
 
@@ -58,6 +74,7 @@ def test_a_function_that_is_right_at_some_inputs_is_told_so():
     first = problem.answer.inputs[0][0]
     judgement = judge(problem, lambda x: x**2 if np.array_equal(x, first) else 0 * x)
     assert judgement.findings[0].message == f"It is right at 1 of {CALLS} inputs that were tried."
+    assert judge(problem, lambda x: 0 * x).findings[0].message.startswith("None of the mistakes that we know")
 
 
 def test_a_function_cannot_change_the_inputs_of_others():

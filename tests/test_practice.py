@@ -5,7 +5,7 @@ import pytest
 
 from kinlib.practice.answers import Choice, Numbers, Ordering, Pose, Screws, Unreadable
 from kinlib.practice.draw import Draw
-from kinlib.practice.judge import judge
+from kinlib.practice.judge import Finding, Judgement, judge
 from kinlib.practice.problem import Problem, mistake, problem
 from kinlib.practice.verdict import Verdict
 from kinlib.robots import youbot
@@ -23,6 +23,28 @@ def test_draws_are_the_same_for_ever():
     """These numbers were written down once. If they change, every student in the middle of a sheet gets another one."""
     draw = Draw("ada", "03.1")
     assert [draw.integer(1, 100) for _ in range(6)] == [96, 41, 10, 90, 95, 7]
+
+
+def test_right_blank_and_unreadable_are_told_for_every_part():
+    p = two_screws([NEGATED])
+    parts = ["screw 1", "screw 2"]
+    expected = "Expected screw axes (omega, v), an array of shape (2, 6)"
+    assert judge(p, p.answer.value) == Judgement("right", 1.0, parts, ())
+    blank = Finding(parts, f"{expected.replace('ted', 'ted:', 1)}.")
+    assert judge(p, ...) == judge(p, None) == Judgement("blank", 0.0, (), [blank])
+    unreadable = Finding(parts, f"{expected}; got a list of shape (2,).")
+    assert judge(p, [1, 2]) == Judgement("unreadable", 0.0, (), [unreadable])
+
+
+def test_a_mistake_in_the_whole_is_one_finding_and_what_nobody_foresaw_is_one_a_part():
+    p = two_screws([SHIFTED, NEGATED])
+    whole = Finding(["screw 1", "screw 2"], "You turned the axes round.", "negated")
+    assert judge(p, NEGATED.value) == Judgement("wrong", 0.0, [], [whole])
+    unforeseen = judge(p, [[0, 1, 0, 0, -2, 0], [1, 0, 0, 3, 0, 0]])
+    hint = "Its v is right, its omega is not."
+    assert unforeseen == Judgement("wrong", 0.0, [], [Finding(["screw 1"], hint), Finding(["screw 2"], hint)])
+    nowhere = judge(p, np.full((2, 6), 9.0)).findings[0].message
+    assert nowhere.startswith("None of the mistakes that we know gives this.")
 
 
 def test_a_mistake_in_one_part_is_named_for_that_part():
