@@ -83,6 +83,7 @@ def test_the_printed_table_is_the_arm_of_its_document(table, arm):
     close(table.to_chain().screws, arm.screws)
 
 
+@pytest.mark.oracle("roboticstoolbox", dh_transform)
 @pytest.mark.parametrize("convention", ["standard", "modified"])
 def test_a_row_is_the_robotics_toolbox_s_row(convention):
     rtb = pytest.importorskip("roboticstoolbox")
@@ -92,6 +93,7 @@ def test_a_row_is_the_robotics_toolbox_s_row(convention):
         close(dh_transform(a, alpha, d, theta, convention=convention), expected)
 
 
+@pytest.mark.oracle("roboticstoolbox", DHTable.fk)
 def test_puma_560_by_the_robotics_toolbox():
     rtb = pytest.importorskip("roboticstoolbox")
     table, _ = PRINTED["PUMA 560"]
@@ -108,6 +110,7 @@ def test_the_general_matrix_of_each_deck_is_the_product_of_its_four_motions():
     close(dh_transform(a, alpha, d, theta, convention="modified"), turn_x @ slide_x @ turn_z @ slide_z)
 
 
+@pytest.mark.oracle("printed: deck Example with n = 5", DHTable.link_transforms)
 def test_the_link_transforms_of_deck_n_5_come_out_as_printed_and_one_as_it_should_be():
     table, _ = PRINTED["n = 5"]
     q1, q2, q3, q4 = q = np.array([0.4, 0.7, -1.1, 2.0])
@@ -124,6 +127,7 @@ def test_the_link_transforms_of_deck_n_5_come_out_as_printed_and_one_as_it_shoul
     assert abs(table.link_transforms(q)[1, 2, 2]) < EXACT
 
 
+@pytest.mark.oracle("printed: Lecture 7", dh_transform)
 def test_one_of_lecture_7_s_two_general_matrices_has_two_entries_exchanged():
     """The first prints row 2 as (c s_alpha, c c_alpha, ...) and row 3 as (s s_alpha, s c_alpha, ...): no rotation at all."""
     alpha, theta = 0.5, 0.7

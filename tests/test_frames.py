@@ -9,6 +9,7 @@ from test_dh import PRINTED
 
 import kinlib as kl
 from kinlib import robots
+from kinlib.frame_steps import told
 from kinlib.frames import assign_frames
 from kinlib.normals import NEARLY
 
@@ -33,6 +34,7 @@ def fuzzed(convention, count=COUNT, angle=None, seed=0):
 # --- as the decks print it ---
 
 
+@pytest.mark.oracle("printed: EduFill module, deck n = 5, Lecture 7", assign_frames, kl.FrameAssignment.base)
 @pytest.mark.parametrize("name", PRINTED)
 def test_the_assignment_gives_the_deck_s_own_table(name):
     printed, chain = PRINTED[name]
@@ -47,6 +49,7 @@ def test_the_youbot_needs_no_tool():
     np.testing.assert_allclose(found.tool, np.eye(4), rtol=0, atol=1e-12)
 
 
+@pytest.mark.oracle("printed: deck Example with n = 5", kl.FrameAssignment.tool)
 def test_deck_n_5_s_fifth_row_is_the_tool():
     """The deck writes its fixed tool as a fifth row; here a table has a row a joint, and the tool stands behind it."""
     printed, chain = PRINTED["n = 5"]
@@ -188,6 +191,7 @@ def test_z_of_the_standard_convention_lies_on_the_next_joint_and_that_of_the_mod
 # --- the steps ---
 
 
+@pytest.mark.oracle("printed: EduFill module, deck n = 5, Lecture 7", kl.FrameAssignment.steps, told)
 @each_convention
 def test_the_steps_come_in_the_order_of_the_decks(convention):
     for found, _, _ in fuzzed(convention, count=20, seed=9):

@@ -48,6 +48,7 @@ def repeated(x):
     return np.concatenate([r, 2 * r, -r], axis=1), np.concatenate([J, 2 * J, -J], axis=1)
 
 
+@pytest.mark.oracle("scipy", solve)
 def test_it_finds_what_scipy_finds():
     guesses = np.random.default_rng(1).uniform(-3, 3, (20, 2))
     found = solve(rosenbrock, guesses, closed=1e-13)
@@ -192,6 +193,7 @@ def test_the_guess_is_not_written_to():
     assert guess.tolist() == [[3, 4]]
 
 
+@pytest.mark.oracle("scipy", null_space, seen)
 @given(st.integers(1, 6), st.integers(1, 6), st.integers(0, 6), st.integers(0, 99))
 def test_null_space_is_scipy_s(rows, columns, rank, seed):
     rng = np.random.default_rng(seed)

@@ -68,6 +68,7 @@ FOUR_BARS = {
 }
 
 
+@pytest.mark.oracle("mpmath", Mechanism.assembly_modes, linkages.four_bar)
 @pytest.mark.parametrize("name", FOUR_BARS)
 def test_a_four_bar_has_the_two_modes_that_two_circles_have(name):
     linkage = linkages.four_bar(*FOUR_BARS[name])
@@ -78,6 +79,7 @@ def test_a_four_bar_has_the_two_modes_that_two_circles_have(name):
         assert apart(mode, np.array(expected)) < EXACT
 
 
+@pytest.mark.oracle("mpmath", Mechanism.trace, linkages.four_bar)
 def test_every_posture_of_the_traced_crank_rocker_is_on_both_circles():
     linkage = linkages.four_bar(*FOUR_BARS["crank-rocker"])
     curve = linkage.trace(linkage.assembly_modes(hold={"A": 1.0})[0], points=73)
@@ -86,6 +88,7 @@ def test_every_posture_of_the_traced_crank_rocker_is_on_both_circles():
         assert min(apart(q, other) for other in four_bar_postures(*FOUR_BARS["crank-rocker"], q[0])) < EXACT
 
 
+@pytest.mark.oracle("printed: Freudenstein (1954)", Mechanism.trace, linkages.four_bar)
 def test_freudenstein_s_equation_holds_along_the_curve():
     """K1 cos(D) - K2 cos(A) + K3 = cos(A - D): Freudenstein, An analytical approach to the design of four-link mechanisms (1954)."""
     g, a, c, r = FOUR_BARS["non-Grashof"]
@@ -180,6 +183,7 @@ def test_beside_a_change_point_the_two_curves_are_not_mixed_up(near):
 # --- slider-crank and five-bar ---
 
 
+@pytest.mark.oracle("printed: the slider-crank of every book on engines", linkages.slider_crank)
 @pytest.mark.parametrize("offset", [0.0, 0.4])
 def test_the_slider_is_where_the_textbook_says(offset):
     """x = r cos A +- sqrt(l^2 - (e - r sin A)^2): the slider-crank of every book on engines."""
@@ -200,6 +204,7 @@ def test_the_slider_s_dead_points_are_crank_and_rod_on_one_line():
     close(np.sort(curve.q[dead, 2]), [2, 4], atol=1e-5)
 
 
+@pytest.mark.oracle("mpmath", linkages.five_bar, Mechanism.poses)
 def test_a_five_bar_has_two_freedoms_and_its_tip_lies_on_two_circles():
     left, right = (1.0, 1.2), (0.9, 1.1)
     linkage = linkages.five_bar(1.5, left, right)
@@ -252,6 +257,7 @@ def three_rrr_count(base, platform, upper, lower, motors):
     return np.count_nonzero(np.diff(np.sign(f)))
 
 
+@pytest.mark.oracle("mpmath", linkages.three_rrr, Mechanism.poses)
 @pytest.mark.parametrize("pose", [(0.02, -0.03, 0.1), (-0.05, 0.02, -0.4)])
 def test_the_3_rrr_carries_its_platform_where_inverse_kinematics_wants_it(pose):
     linkage = linkages.three_rrr()
@@ -283,6 +289,7 @@ def test_the_3_rrr_has_as_many_modes_as_its_sextic_has_roots(count):
     assert len(modes) == three_rrr_count(*sizes, motors) == count
 
 
+@pytest.mark.oracle("axiom: a leg is as long as its ends are apart", linkages.stewart_gough, Mechanism.assemble)
 def test_the_stewart_gough_platform_goes_where_the_lengths_of_its_legs_send_it():
     """A leg is as long as head and foot are apart: nothing else is asked of the plate's pose."""
     linkage = linkages.stewart_gough()
@@ -303,6 +310,7 @@ def test_the_stewart_gough_platform_goes_where_the_lengths_of_its_legs_send_it()
 # --- moves against all counting ---
 
 
+@pytest.mark.oracle("printed: Bennett (1903)", linkages.bennett, Mechanism.kutzbach)
 @pytest.mark.parametrize(("a", "alpha", "b"), [(1.0, np.pi / 3, 0.6), (0.7, 0.4, 1.2), (1.0, 2.0, 0.5)])
 def test_bennett_s_linkage_obeys_bennett_s_relation(a, alpha, b):
     """tan(t1/2) tan(t2/2) is constant, sin((beta + alpha)/2) / sin((beta - alpha)/2): Bennett (1903); Hunt, 10.4."""
@@ -332,6 +340,7 @@ def test_skew_hinges_that_miss_bennett_s_condition_do_not_move():
     assert not any(spoiled.assemble(guess).converged for guess in ([1, 2, 1, 2], [0.3, -2, 0, 1], [-1, -2, 2, 2]))
 
 
+@pytest.mark.oracle("printed: Chen, You and Tarnai (2005)", linkages.bricard)
 def test_bricard_s_hinges_turn_as_chen_you_and_tarnai_say():
     """For twists of a right angle, cos(a) + cos(b) + cos(a) cos(b) = 0, every other hinge alike: their (2005) equation."""
     linkage = linkages.bricard()
@@ -346,6 +355,7 @@ def test_bricard_s_hinges_turn_as_chen_you_and_tarnai_say():
     assert (mobility.instantaneous, mobility.finite) == (1, 1)
 
 
+@pytest.mark.oracle("printed: Sarrus (1853)", linkages.sarrus)
 def test_sarrus_s_top_moves_along_a_straight_line_and_does_not_turn():
     """From as high as the plates are long above the ground to as far below it; it passes through its floor unhindered."""
     linkage = linkages.sarrus(side=0.3, rise=0.2)
@@ -361,6 +371,7 @@ def test_sarrus_s_top_moves_along_a_straight_line_and_does_not_turn():
     close([height.min(), height.max()], [-most, most], atol=1e-3)
 
 
+@pytest.mark.oracle("printed: Modern Robotics, example 2.6", linkages.parallelogram)
 def test_three_equal_cranks_move_one_coupler_without_turning_it():
     linkage = linkages.parallelogram()
     mobility = linkage.mobility(np.zeros(6))
@@ -391,6 +402,7 @@ def test_a_triangle_is_a_structure_and_without_height_it_gives_a_little(linkage,
     assert mobility.directions.shape == (3, felt)
 
 
+@pytest.mark.oracle("printed: LaValle, Planning Algorithms, (4.33)", linkages.ten_links)
 def test_the_ring_of_ten_links_has_eight_freedoms_however_it_lies():
     """LaValle's (4.3.3): ten links in a ring, one of them on the ground by a hinge: 11 joint values, 3 equations."""
     linkage = linkages.ten_links()

@@ -72,6 +72,7 @@ def limited(linkage, **limits):
 # --- residual and Jacobian ---
 
 
+@pytest.mark.oracle("mpmath", Mechanism.residual)
 @each_linkage
 def test_the_residual_is_the_logarithm_of_each_loop_walked_round(linkage):
     for q in postures(linkage):
@@ -80,6 +81,7 @@ def test_the_residual_is_the_logarithm_of_each_loop_walked_round(linkage):
             close(exact.exp(twist), exact.fk(loop.chain, q[loop.columns]))
 
 
+@pytest.mark.oracle("mpmath", Mechanism.jacobian)
 @each_linkage
 def test_the_jacobian_is_the_difference_of_residuals_with_40_digits(linkage):
     for q in postures(linkage, 1):
@@ -90,6 +92,7 @@ def test_the_jacobian_is_the_difference_of_residuals_with_40_digits(linkage):
             assert not part[:, others].any()
 
 
+@pytest.mark.oracle("pinocchio", Mechanism.residual, Mechanism.jacobian)
 @each_linkage
 def test_residual_and_jacobian_agree_with_pinocchio_s_constraints(linkage):
     """Each loop as an open chain whose tool Pinocchio ties to the world by a rigid constraint; it stacks (v, omega)."""
@@ -255,6 +258,7 @@ def test_wedges_lift_by_their_slope():
     close(np.sort(curve.q[[0, -1], 2]), [-0.2, 0.6])
 
 
+@pytest.mark.oracle("printed: Hooke (1676)", Mechanism.trace, universal)
 @pytest.mark.parametrize("bend", [0.3, 1.0])
 def test_hooke_s_joint_turns_its_shafts_as_hooke_found(bend):
     """tan(out) = cos(bend) tan(in): Robert Hooke, A Description of Helioscopes (1676)."""
@@ -311,6 +315,7 @@ def test_a_loop_of_any_joints_closes_where_it_is_drawn_and_counts_its_rank(axes)
 # --- closing ---
 
 
+@pytest.mark.oracle("scipy", Mechanism.assemble)
 def test_assemble_finds_the_posture_that_scipy_finds():
     rng = np.random.default_rng(3)
     for linkage, hold, _ in DESCRIBED.values():

@@ -93,6 +93,7 @@ UR5 = DHTable(UR5_TABLE, convention="standard", name="UR5")
 PANDA = DHTable(PANDA_TABLE, convention="modified", name="Panda")
 
 
+@pytest.mark.oracle("pinocchio", equivalent)
 @pytest.mark.parametrize(("table", "joints"), [(UR5, UR5_JOINTS), (PANDA, PANDA_JOINTS)], ids=["UR5", "Panda"])
 def test_the_maker_s_table_is_the_urdf_up_to_base_tool_and_zero(table, joints):
     chain, model = from_pinocchio(joints)
@@ -120,6 +121,7 @@ def test_the_panda_s_table_read_in_the_wrong_convention_is_recognised():
     assert fault.text == "The table is in the modified convention, and was read as standard."
 
 
+@pytest.mark.oracle("pinocchio", kl.assign_frames)
 @pytest.mark.parametrize("joints", [UR5_JOINTS, PANDA_JOINTS], ids=["UR5", "Panda"])
 @pytest.mark.parametrize("convention", ["standard", "modified"])
 def test_frames_are_assigned_to_them_with_base_and_tool_made_explicit(joints, convention):
@@ -131,6 +133,7 @@ def test_frames_are_assigned_to_them_with_base_and_tool_made_explicit(joints, co
     assert kl.check_frames(chain, found.frames, convention) == []
 
 
+@pytest.mark.oracle("roboticstoolbox", kl.Equivalence.__bool__)
 def test_puma_560_is_the_robotics_toolbox_s_puma_560():
     rtb = pytest.importorskip("roboticstoolbox")
     links = rtb.models.DH.Puma560().links

@@ -18,6 +18,7 @@ def close(got, expected, atol=1e-13):
     np.testing.assert_allclose(got, expected, rtol=0, atol=atol)
 
 
+@pytest.mark.oracle("modern_robotics", screw)
 @given(points(), directions(), st.floats(-1, 1))
 def test_a_screw_is_the_one_of_modern_robotics(point, axis, pitch):
     close(screw(axis, point, pitch), mr.ScrewToAxis(point, axis, pitch))
@@ -76,6 +77,7 @@ def test_moving_a_screw_by_the_adjoint_moves_its_line_and_keeps_its_pitch(T, S):
         close(np.cross(moved - after.point, after.axis), 0)
 
 
+@pytest.mark.oracle("mpmath", exp)
 @given(screws(), st.floats(-2, 2))
 def test_a_screw_motion_is_the_series_of_its_matrix(S, q):
     close(exp(S * q), exact.exp(S * q))
