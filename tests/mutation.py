@@ -90,7 +90,7 @@ def undecorated(source: str) -> str:
         for place, node in reversed(list(enumerate(body))):
             match node:
                 case ast.FunctionDef(name=name, decorator_list=[ast.Name(id=decorator)]):
-                    if decorator not in {"staticmethod", "classmethod"}:
+                    if decorator not in {"staticmethod", "classmethod", "abstractmethod"}:
                         node.name, node.decorator_list = f"{name}_plain", []
                         body.insert(place + 1, *ast.parse(f"{name} = {decorator}({name}_plain)").body)
     return ast.unparse(tree)

@@ -58,6 +58,8 @@ def test_a_mistake_in_one_part_is_named_for_that_part():
 def test_two_mistakes_in_two_parts_are_both_named():
     p = two_screws([NEGATED, SHIFTED])
     assert judge(p, [SHIFTED.value[0], NEGATED.value[1]]).mistakes == ["shifted", "negated"]
+    half = judge(p, [SHIFTED.value[0], [0, 1, 0, 9, 9, 9]])
+    assert [finding.mistake for finding in half.findings] == ["shifted", None]
 
 
 def test_an_unforeseen_answer_still_gets_a_foothold():
