@@ -208,5 +208,6 @@ def wrong_number(x):
 
 
 def misprinted(text):
-    other = re.sub(r'(?<!version=")-?\d+\.\d+(?![\de])', lambda number: repr(float(wrong(float(number[0])))), text)
+    number = r'(?<![\w.])(?<!version=")(?<!name=")-?\d+(\.\d+)?(?![\w.])'
+    other = re.sub(number, lambda found: repr(float(wrong(float(found[0])))), text)
     return other if other != text else f"{text}?"

@@ -8,9 +8,11 @@ import modern_robotics as mr
 import numpy as np
 import peers
 import pytest
+import pytransform3d.transformations as pt
 import sympy
 from hypothesis import given, settings
-from strategies import ROBOTS, configurations, moved_chains, points, poses
+from hypothesis import strategies as st
+from strategies import ROBOTS, configurations, moved_chains, points, poses, screws
 
 from kinlib import Chain, adjoint, exp, inverse, robots, screw
 from kinlib.screw import is_prismatic
@@ -122,6 +124,40 @@ def test_an_axis_printed_with_nine_digits_does_not_split_the_forms():
     close(chain.fk([1, 2]), chain.fk_body([1, 2]))
 
 
+@pytest.mark.oracle("mpmath", Chain.fk_mid)
+@settings(max_examples=25)
+@given(moved_chains(), st.data())
+def test_the_mid_form_is_the_product_to_40_digits_wherever_the_home_stands(drawn, data):
+    chain, q = drawn
+    k = data.draw(st.integers(0, chain.n))
+    close(chain.fk_mid(q, k), exact.fk(chain, q), allowed(chain, q))
+
+
+@pytest.mark.oracle("modern_robotics", Chain)
+@given(st.lists(screws(), min_size=1, max_size=6), poses(), st.data())
+def test_a_chain_keeps_the_axes_and_the_home_that_it_is_given(axes, home, data):
+    q = data.draw(st.lists(st.floats(-3, 3), min_size=len(axes), max_size=len(axes)))
+    expected = mr.FKinSpace(home, np.transpose(axes), np.where(np.abs(q) < 1e-5, 0, q))
+    close(Chain(axes, home).fk(np.where(np.abs(q) < 1e-5, 0, q)), expected, atol=1e-12)
+
+
+@pytest.mark.oracle("pinocchio", Chain.n, Chain.letters)
+@each_robot
+def test_joints_are_counted_and_named_as_pinocchio_does(robot):
+    model = peers.pinocchio_model(robot)
+    kinds = [joint.shortname().removeprefix("JointModel")[0] for joint in list(model.joints)[1:]]
+    assert ("".join(kinds), model.nv) == (robot.letters, robot.n)
+
+
+@pytest.mark.oracle("pytransform3d", Chain.lines)
+@given(moved_chains())
+def test_the_lines_of_the_axes_are_those_of_pytransform3d(drawn):
+    chain, _ = drawn
+    points, axes, pitches = zip(*map(pt.screw_parameters_from_screw_axis, chain.screws), strict=True)
+    for got, expected in zip(chain.lines, (axes, points, pitches), strict=True):
+        close(got, expected)
+
+
 # --- where the links are ---
 
 
@@ -134,6 +170,35 @@ def test_link_poses_are_the_partial_products(drawn):
         start = np.eye(4)
         start[:3, 3] = chain.joint_points[i]
         close(links[i], reduce(np.matmul, factors[: i + 1]) @ start, allowed(chain, q))
+
+
+@pytest.mark.oracle("pinocchio", Chain.link_poses)
+@given(moved_chains())
+def test_links_stand_where_pinocchio_has_its_joints(drawn):
+    """Pinocchio's joint frames start at the points nearest the origin, ours at joint_points: both are parallel to {s}."""
+    pin = pytest.importorskip("pinocchio", reason="no pinocchio here (the wheel `pin` does not exist for Windows)")
+    chain, q = drawn
+    model = peers.pinocchio_model(chain)
+    data = model.createData()
+    pin.forwardKinematics(model, data, q)
+    for S, point, link, placed in zip(
+        chain.screws, chain.joint_points, chain.link_poses(q), list(data.oMi)[1:], strict=True
+    ):
+        start = np.cross(S[:3], S[3:])
+        close(link, (placed * pin.SE3(np.eye(3), point - start)).homogeneous, allowed(chain, q))
+
+
+@pytest.mark.oracle("sympy", Chain.joint_points)
+@each_robot
+def test_joint_points_are_feet_of_perpendiculars_as_sympy_s_geometry_draws_them(robot):
+    before = sympy.Point3D(0, 0, 0)
+    bare = Chain(robot.screws, robot.home)
+    for S, found in zip(robot.screws, bare.joint_points, strict=True):
+        if S[:3].any():
+            exact_S = sympy.Matrix([sympy.Rational(float(x)) for x in S])
+            on_axis = sympy.Point3D(*exact_S[:3, 0].cross(exact_S[3:, 0]))
+            before = sympy.Line3D(on_axis, direction_ratio=list(exact_S[:3])).projection(before)
+        close(found, np.array(before.evalf(30).args, dtype=float))
 
 
 @each_robot
