@@ -26,7 +26,6 @@ from kinlib.grading.desk import Desk
 from kinlib.grading.gather import Handed, gather
 from kinlib.grading.grade import Grader
 from kinlib.grading.layers import UNSAFE, Limits, Missing
-from kinlib.grading.publish import publish
 from kinlib.grading.result import Result
 from kinlib.grading.roster import read_roster
 from kinlib.grading.submission import Master, master
@@ -91,6 +90,8 @@ def _run(options: argparse.Namespace) -> int:
         for handed in chosen:
             if handed.student not in desk.done and (result := book.kept(handed.student)):
                 desk.take(handed, result)
+        from kinlib.grading.publish import publish  # by now the desk has imported it
+
         said = publish(options.out, gathered.handed, book, roster, options.column, done=desk.done)
         said += desk.remarks()
     print("\n".join([*said, *([f"{UNSAFE}: the submissions ran with your rights."] if options.unsafe else [])]))

@@ -1,4 +1,7 @@
-"""The desk: where a result goes as soon as it is there, to the student's page and into the gradebook, while others run."""
+"""The desk: where a result goes as soon as it is there, to the student's page and into the gradebook, while others run.
+
+What writes the pages and keeps the gradebook takes a second to import. It is imported while the sandbox starts.
+"""
 
 from contextlib import ExitStack, suppress
 from functools import cached_property
@@ -9,12 +12,13 @@ from types import TracebackType
 from typing import TYPE_CHECKING
 
 from kinlib.grading.gather import Handed
-from kinlib.grading.publish import publish_page
 from kinlib.grading.result import Result
 from kinlib.grading.submission import Master
 
 if TYPE_CHECKING:
     from kinlib.grading.nbgrader_book import Ledger
+
+PAGES, GRADEBOOK = "kinlib.grading.publish", "kinlib.grading.nbgrader_book"
 
 
 class Desk:
@@ -27,8 +31,7 @@ class Desk:
         self._out, self._sheet, self._course, self._is_anew = out, sheet, course, is_anew
         self._open = ExitStack()
         self.done: set[str] = set()
-        if course:
-            Thread(target=_import_gradebook).start()  # while the sandbox starts
+        Thread(target=_import, args=[PAGES, *([GRADEBOOK] if course else [])]).start()
 
     def __enter__(self) -> "Desk":
         return self
@@ -40,6 +43,8 @@ class Desk:
 
     def take(self, handed: Handed, result: Result) -> None:
         """Write down what there is to say of a result. Raises ValueError for a course that is none, or not ready."""
+        from kinlib.grading.publish import publish_page
+
         publish_page(self._out, result)
         if self._ledger:
             self._ledger.enter(handed, result)
@@ -60,6 +65,7 @@ class Desk:
         return self._open.enter_context(ledger(self._course, self._sheet, self._is_anew))
 
 
-def _import_gradebook() -> None:
-    with suppress(ImportError):  # whoever needs it next says what is missing
-        import_module("kinlib.grading.nbgrader_book")
+def _import(*modules: str) -> None:
+    for module in modules:
+        with suppress(ImportError):  # whoever needs it next says what is missing
+            import_module(module)

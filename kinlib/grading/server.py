@@ -51,8 +51,8 @@ def _prepared() -> "Cage":
     leave_session()
     if child := os.fork():
         signal.signal(signal.SIGINT, signal.SIG_IGN)
-        _, status = os.waitpid(child, 0)
-        os._exit(os.waitstatus_to_exitcode(status) % 256)
+        # To wait needs no NumPy: another program takes our place, with a third of our memory.
+        os.execv(sys.executable, [sys.executable, "-ISc", f"import os; os.waitpid({child}, 0)"])  # noqa: S606
     kernel.end_with_parent(signal.SIGKILL)
     from kinlib.grading.cage import Cage
 
