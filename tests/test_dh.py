@@ -216,6 +216,59 @@ def test_an_angle_may_be_typed_in_any_of_these_ways(entry, number):
     close(DHTable(f"a | alpha | d | theta\n 0 | {entry} | 0 | q1", convention="standard").rows[0, 1], number, 1e-15)
 
 
+@pytest.mark.parametrize(
+    ("entry", "constant", "sign"),
+    [
+        *[
+            (entry, 0.0, 1)
+            for entry in ("q", "q1", "q_1", "θ1", "θ_1", "theta_1", r"$\theta_{1}$", "+q1", "1*q1", "q1*1", "q1/1")
+        ],
+        *[(entry, 0.0, -1) for entry in ("-q1", "−θ_1", "-1*q1", "q1*-1", "q1/-1")],
+        *[(entry, 0.5, 1) for entry in ("q1 + 0.5", "0.5 + q1", "q1 - -0.5", "-(-q1 - 0.5)", "(2*q1 + 1)/2")],
+        *[(entry, 0.5, -1) for entry in ("0.5 - q1", "-q1 + 0.5", "-(q1 - 0.5)")],
+        *[(entry, -0.5, 1) for entry in ("q1 - 0.5", "-0.5 + q1", "q1 - 1 + 0.5", "q1 + 0.5 - 1")],
+    ],
+)
+def test_a_joint_variable_is_found_wherever_it_stands_in_an_entry(entry, constant, sign):
+    for column, joint in (("theta", "R"), ("d", "P")):
+        row = {"a": 0, "alpha": 0, "d": 0, "theta": 0, column: entry}
+        table = DHTable([row], convention="standard")
+        assert (table.joints, table.rows[0, ("d", "theta").index(column) + 2]) == (joint, constant)
+        assert table.signs.tolist() == [sign]
+
+
+@pytest.mark.parametrize(
+    ("entry", "constant", "sign"), [("d_1", 0, 1), ("d1 + 0.5", 0.5, 1), ("-(d_1 - 0.5)", 0.5, -1)]
+)
+def test_d_with_a_number_is_what_moves_in_its_own_column_and_an_unknown_length_elsewhere(entry, constant, sign):
+    table = DHTable([{"a": 0, "alpha": 0, "d": entry, "theta": 0}], convention="standard")
+    assert (table.joints, table.rows[0, 2], table.signs[0]) == ("P", constant, sign)
+    with pytest.raises(ValueError, match=r"Row 1, theta: .*lengths=\{'d_?1': \.\.\.\}"):
+        DHTable([{"a": 0, "alpha": 0, "d": 0, "theta": entry}], convention="standard")
+
+
+TWO_ROWS = {
+    "bars": "a | alpha | d | theta\n0.4 | 0 | 0.1 | q1\n0.3 | pi/2 | q2 | 0.2",
+    "bars all round": "|a|alpha|d|theta|\n|---|:-:|--:|---|\n|0.4|0|0.1|q1|\n|0.3|pi/2|q2|0.2|",
+    "blanks": "a alpha d theta\n0.4 0 0.1 q1\n0.3 pi/2 q2 0.2",
+    "wide blanks": "a  alpha   d    theta\n0.4  0  0.1  q1 + 0\n0.3  pi / 2  q2  0.2",
+    "tabs": "a\talpha\td\ttheta\n0.4\t0\t0.1\tq1 + 0\n0.3\tpi / 2\tq2\t0.2",
+    "a column of numbers": "i | a | alpha | d | theta\n1 | 0.4 | 0 | 0.1 | q1\n2 | 0.3 | pi/2 | q2 | 0.2",
+    "numbers under no head": "a alpha d theta\n1 0.4 0 0.1 q1\n2 0.3 pi/2 q2 0.2",
+    "numbers with a dot": "a alpha d theta\n1. 0.4 0 0.1 q1\n2. 0.3 pi/2 q2 0.2",
+    "Greek, shuffled, with indices": "θ_i | d_i | α_{i-1} [rad] | a_{i-1}\nq1 | 0.1 | 0 | 0.4\n0.2 | q2 | pi/2 | 0.3",
+    "other words": "Link | Angle | Offset | Twist | Length\n1 | q1 | 0.1 | 0 | 0.4\n2 | 0.2 | q2 | pi/2 | 0.3",
+    "degrees": "a | psi (deg) | d | theta\n0.4 | 0 | 0.1 | q1\n0.3 | +90 | q2 | 0.2",
+}
+
+
+@pytest.mark.parametrize("text", TWO_ROWS.values(), ids=TWO_ROWS)
+def test_a_table_may_be_laid_out_in_any_of_these_ways(text):
+    table = DHTable(text, convention="standard")
+    close(table.rows, [[0.4, 0, 0.1, 0], [0.3, np.pi / 2, 0, 0.2]], 1e-15)
+    assert table.joints == "RP"
+
+
 def test_degrees_in_the_head_of_a_column_count_for_its_numbers_and_not_for_its_variables():
     table = DHTable("a | alpha [°] | d | theta (deg)\n 0 | 90 | 0 | q1\n 0 | pi/2 | q2 | 45", convention="standard")
     close(table.rows[:, 1], [np.pi / 2, np.pi / 2])
@@ -223,7 +276,12 @@ def test_degrees_in_the_head_of_a_column_count_for_its_numbers_and_not_for_its_v
 
 
 REFUSED = {
-    "degrees": ("a|alpha|d|theta\n0|-90|0|q1", r"Row 1: alpha = -90 rad is more than two full turns.*-90°"),
+    "degrees": (
+        "a|alpha|d|theta\n0|-90|0|q1",
+        r"Row 1: alpha = -90 rad is more than two full turns\. Is it in degrees\? Then write -90°, or head the column alpha",
+    ),
+    "degrees in row 2": ("a|alpha|d|theta\n0|0|0|q1\n0|0|q2|90", "Row 2: theta = 90 rad is more than two full turns"),
+    "a row too many numbers": ("a|alpha|d|theta\n0|0|0|q1\n3|0|0|0|q2", "Row 2 has 5 entries under 4 heads: '3"),
     "two variables": ("a|alpha|d|theta\n0|0|q1|q1", "Row 1: the joint variable belongs in theta or in d, once"),
     "a variable in a": ("a|alpha|d|theta\nq1|0|0|0", "Row 1: the joint variable belongs in theta or in d"),
     "a gear": ("a|alpha|d|theta\n0|0|0|2*q1", "should stand alone, as q or -q; its factor is 2"),

@@ -109,15 +109,36 @@ def test_what_differs_first_is_said():
     right = DHTable([[0.3, 0.7, 0.2, 0], [0.25, 1.1, 0.35, 0]], convention="standard")
     angle = DHTable([[0.3, 0.5, 0.2, 0], [0.25, 1.1, 0.35, 0]], convention="standard")
     length = DHTable([[0.5, 0.7, 0.2, 0], [0.25, 1.1, 0.35, 0]], convention="standard")
+    for one, other in [(right, angle), (right, length), (kl.robots.rpr(), kl.robots.rppr())]:
+        assert not equivalent(one, other)
     assert equivalent(right, angle).reason == "Axes 1 and 2 make an angle of 40.11 degrees here, and of 28.65 there."
     assert equivalent(right, length).reason == "Axes 1 and 2 are 0.3 m apart here, and 0.5 m there."
     assert equivalent(kl.robots.rpr(), kl.robots.rppr()).reason == "The joints differ in kind: RPR here, RPPR there."
 
 
-def test_the_simplest_map_is_given():
-    chain = kl.robots.youbot()
+@pytest.mark.parametrize(
+    ("joints", "reason"), [("RRP", "Axes 1 and 2 are 0.3 m"), ("RPR", "Axes 2 and 3 make an angle")]
+)
+def test_where_a_slide_stands_is_no_difference(joints, reason):
+    rows = np.array([[0.3, 0.7, 0.2, 0], [0.25, 1.1, 0.35, 0], [0.4, 0.9, 0.15, 0]])
+    changed = rows + np.array([[0.2, 0, 0, 0], [0, 0.1, 0, 0], [0, 0, 0, 0]])
+    one, other = (DHTable(table, convention="standard", joints=joints) for table in (rows, changed))
+    assert equivalent(one, other).reason.startswith(reason)
+
+
+def test_a_base_moved_along_a_first_slide_is_another_zero():
+    arm = DHTable([[0, 0.7, 0, 0], [0.25, 1.1, 0.35, 0], [0.4, 0, 0.15, 0]], convention="standard", joints="PRR")
+    found = equivalent(arm, arm.changed(base=kl.exp([0, 0, 0, 0, 0, 0.6])))
+    np.testing.assert_allclose(found.offsets, [0.6, 0, 0], atol=1e-12)
+    np.testing.assert_allclose([found.base, found.tool], [np.eye(4)] * 2, atol=1e-12)
+
+
+@pytest.mark.parametrize("family", [kl.robots.youbot, kl.robots.puma560])
+def test_the_simplest_map_is_given(family):
+    """Of a wrist too, which may turn over: q4 + pi, -q5, q6 + pi is another way to say the same."""
+    chain = family()
     found = equivalent(chain, chain)
-    assert found.signs.tolist() == [1] * 5
+    assert found.signs.tolist() == [1] * chain.n
     np.testing.assert_allclose(found.offsets, 0, atol=1e-12)
     np.testing.assert_allclose([found.base, found.tool], [np.eye(4)] * 2, atol=1e-12)
 
