@@ -2,11 +2,16 @@
 
 from fractions import Fraction
 
+import modern_robotics as mr
+import mpmath
 import numpy as np
 import pytest
+import pytransform3d.rotations as pr
+import pytransform3d.transformations as pt
 import sympy
 from hypothesis import given
-from strategies import poses, rotations
+from hypothesis import strategies as st
+from strategies import directions, poses, rotations
 
 from kinlib import check
 
@@ -59,6 +64,22 @@ def test_whatever_holds_real_numbers_is_read(x):
     assert check.array(x, "x").tolist() == [1, 2, 3]
 
 
+@pytest.mark.oracle("fractions", check.array, check.real, check.vectors, check.frozen)
+@given(st.lists(st.tuples(st.integers(), st.integers(1, 10**20)), min_size=3, max_size=3))
+def test_a_fraction_is_read_as_the_double_nearest_to_it(pairs):
+    fractions = [Fraction(*pair) for pair in pairs]
+    expected = [p / q for p, q in pairs]  # Python divides whole numbers to the nearest double
+    for read in (check.array, check.real, lambda x, name: check.vectors(x, name, 3)):
+        assert read(fractions, "x").tolist() == expected
+    assert check.frozen(fractions).tolist() == expected
+
+
+@pytest.mark.oracle("text: written out in the test", check.brief)
+def test_what_came_is_said_in_a_few_words():
+    assert check.brief(range(3)) == "range range(0, 3)"
+    assert check.brief("q" * 99) == f"str {('q' * 12 + '...' + 'q' * 13)!r}"
+
+
 def test_a_million_numbers_are_read_where_they_lie():
     """A copy of a long batch costs as much as its poses."""
     x = np.ones((1000, 4, 4))
@@ -92,6 +113,13 @@ def test_an_axis_that_is_not_unit_is_refused_with_its_length():
         check.unit([0, 0, 0], "axis")
 
 
+@pytest.mark.oracle("pytransform3d", check.unit)
+@given(directions())
+def test_a_direction_comes_back_at_the_length_that_pytransform3d_gives_it(u):
+    close = np.testing.assert_allclose
+    close(check.unit(u * (1 + 5e-10), "axis"), pr.norm_vector(u), rtol=0, atol=1e-15)
+
+
 def test_an_axis_printed_with_nine_digits_passes_and_becomes_unit():
     printed = np.array([0.577350269] * 3)
     assert abs(np.linalg.norm(check.unit(printed, "axis")) - 1) < 1e-15
@@ -104,6 +132,38 @@ def test_every_pose_and_rotation_passes_unchanged(T, R):
     np.testing.assert_array_equal(check.rigid(T, "X"), T)
     np.testing.assert_array_equal(check.rigid(R, "X"), R)
     np.testing.assert_array_equal(check.poses([T, T], "X"), [T, T])
+
+
+NOISE = st.one_of(st.floats(0, 1e-8), st.floats(1e-2, 1.0))
+"""Where two libraries agree, whatever their tolerances: rounding, or a hundredth and more."""
+
+
+@pytest.mark.oracle("modern_robotics", check.rigid, check.motions, check.poses)
+@given(poses(), NOISE, st.integers(0, 99))
+def test_what_modern_robotics_calls_rigid_passes_and_nothing_else_does(T, size, seed):
+    X = T.copy()
+    X[:3, :3] += size * np.random.default_rng(seed).choice([-1, 1], (3, 3))
+    for read, Y, is_rigid in ((check.rigid, X[:3, :3], mr.TestIfSO3), (check.poses, X, mr.TestIfSE3)):
+        if is_rigid(Y):
+            np.testing.assert_array_equal(read(Y, "X"), Y)
+            np.testing.assert_array_equal(check.motions(Y, "X"), Y)
+        else:
+            with pytest.raises(ValueError, match=r"not rigid|reflection"):
+                read(Y, "X")
+
+
+@pytest.mark.oracle("pytransform3d", check.rigid_columns)
+@given(st.lists(poses(), min_size=1, max_size=4), NOISE, st.integers(0, 99))
+def test_columns_are_rigid_where_pytransform3d_finds_their_matrices_so(batch, size, seed):
+    X = np.array(batch)
+    X[-1, :3, :3] += size * np.random.default_rng(seed).choice([-1, 1], (3, 3))
+    try:
+        expected = np.array([pt.check_transform(T) for T in X]).T
+    except ValueError:
+        with pytest.raises(ValueError, match=r"not rigid|reflection"):
+            check.rigid_columns(X.T, "X")
+    else:
+        np.testing.assert_array_equal(check.rigid_columns(X.T, "X"), expected)
 
 
 def test_a_pose_in_single_precision_passes():
@@ -159,6 +219,15 @@ def test_one_bad_matrix_spoils_the_batch():
 def test_an_empty_batch_passes():
     assert check.rigid(np.zeros((0, 4, 4)), "X").shape == (0, 4, 4)
     assert check.unit(np.zeros((0, 3)), "axis").shape == (0, 3)
+
+
+@pytest.mark.oracle("mpmath", check.turn)
+def test_at_the_longest_turn_the_last_digit_moves_the_result_by_1e_8():
+    longest = check.turn(np.array([check.TURN]))[0]
+    beside = np.nextafter(longest, np.inf)
+    moved = mpmath.sqrt(2 - 2 * mpmath.cos(mpmath.mpf(float(beside)) - mpmath.mpf(1e8)))
+    assert float(moved) == beside - longest == pytest.approx(1.5e-8, rel=0.01)
+    assert longest == mpmath.mpf(1e8)
 
 
 def test_a_turn_of_a_hundred_million_radians_is_refused():

@@ -4,9 +4,10 @@ import exact
 import modern_robotics as mr
 import numpy as np
 import pytest
+import pytransform3d.transformations as pt
 from hypothesis import given
 from hypothesis import strategies as st
-from strategies import directions, points, poses, screws
+from strategies import directions, points, poses, screws, twists
 
 from kinlib import adjoint, exp, line, screw
 from kinlib.screw import axes, is_prismatic
@@ -53,6 +54,33 @@ def test_line_undoes_screw(point, axis, pitch):
     close(found.pitch, pitch)
     close(found.point, point - axis * (axis @ point))  # the foot of the perpendicular from the origin
     close(screw(*found), screw(axis, point, pitch))
+
+
+@pytest.mark.oracle("pytransform3d", line)
+@given(screws())
+def test_a_line_is_the_one_of_pytransform3d(S):
+    point, axis, pitch = pt.screw_parameters_from_screw_axis(S)
+    for got, expected in zip(line(S), (axis, point, pitch), strict=True):
+        close(got, expected)
+
+
+@pytest.mark.oracle("pytransform3d", is_prismatic)
+@given(screws())
+def test_what_slides_is_what_has_pitch_infinity_for_pytransform3d(S):
+    *_, pitch = pt.screw_parameters_from_screw_axis(S)
+    assert is_prismatic(S) == np.isinf(pitch)
+
+
+@pytest.mark.oracle("pytransform3d", axes)
+@given(twists().filter(lambda x: np.linalg.norm(x[:3]) > 1e-3))
+def test_what_is_a_screw_axis_to_pytransform3d_is_one_to_us_and_nothing_else_is(x):
+    """Scaled to |omega| = 1 it passes, at any other length both refuse it; its tolerance is 1e-6 or so, and ours 1e-9."""
+    S = x / np.linalg.norm(x[:3])
+    close(axes(S, "S"), pt.check_screw_axis(S))
+    for scale in (0.9, 1.1):
+        for check in (pt.check_screw_axis, lambda axis: axes(axis, "S")):
+            with pytest.raises(ValueError, match=r"Norm of rotation axis|length of omega"):
+                check(scale * S)
 
 
 @given(screws())
