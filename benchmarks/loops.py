@@ -1,20 +1,53 @@
 """How fast a closed chain is traced, beside a plain loop over scipy.optimize.root on the same equations.
 
-    python -m benchmarks.loops
+    python -m benchmarks loops          the times
+    python -m benchmarks.loops          with residuals, and how far the two are apart
 
 Both find the same 361 postures of one turn. kinlib follows the curve by its length and knows the Jacobian; the loop turns
 the driver step by step and starts each search at the posture before, which is what one writes first. It is given six
-equations in the three or so unknowns that are left, so its method is "lm". Medians of a few runs, all in one process.
+equations in the three or so unknowns that are left, so its method is "lm". Both end at the same postures.
 """
 
-import time
+from collections.abc import Iterator
+from functools import partial
 
 import numpy as np
 from scipy.optimize import root
 
+from benchmarks.measure import Row, Way, compared
 from kinlib import linkages
+from kinlib.loops import Mechanism
 
 POINTS = 361
+
+WANTED = 5.0
+"""So many times faster than the loop."""
+
+
+def rows(quick: bool = False) -> Iterator[Row]:
+    """A row for each linkage."""
+    count, rounds = (19, 1) if quick else (POINTS, 5)
+    for name, (linkage, start) in starts().items():
+        peers = {"scipy.optimize.root, a loop": (partial(peer, linkage, linkage.trace(start, points=count).q), WANTED)}
+        ours = Way(partial(linkage.trace, start, points=count))
+        yield from compared(f"{name}, {POINTS} postures of one turn", ours, peers, rounds)
+
+
+def peer(linkage: Mechanism, postures: np.ndarray) -> Way:
+    """The loop, once it has found the same postures."""
+    loop = partial(plain_loop, linkage, postures, driver=0)
+    np.testing.assert_allclose(loop(), postures, rtol=0, atol=1e-6)
+    return Way(loop)
+
+
+def starts() -> dict[str, tuple[Mechanism, np.ndarray]]:
+    """The linkages, each with a posture in which it closes."""
+    bennett = linkages.bennett()
+    crank_rocker = linkages.four_bar(0.4, 0.1, 0.35, 0.3)
+    return {
+        "four-bar": (crank_rocker, crank_rocker.assembly_modes(hold={"A": 1.0})[0]),
+        "Bennett's linkage": (bennett, bennett.assemble([1, 2, 1, 2]).q),
+    }
 
 
 def plain_loop(linkage, postures, driver):
@@ -35,33 +68,14 @@ def plain_loop(linkage, postures, driver):
     return np.array(found)
 
 
-def seconds(work, runs):
-    """The median time of a few runs, and what the last one gave."""
-    times = []
-    for _ in range(runs):
-        start = time.perf_counter()
-        result = work()
-        times.append(time.perf_counter() - start)
-    return np.median(times), result
-
-
-def main():
-    """Trace the four-bar and Bennett's linkage both ways, and print times and residuals."""
-    print(f"{POINTS} postures of one turn       kinlib      residual     scipy root   residual     ratio   apart by")
-    bennett = linkages.bennett()
-    crank_rocker = linkages.four_bar(0.4, 0.1, 0.35, 0.3)
-    starts = {
-        "four-bar, crank-rocker": (crank_rocker, crank_rocker.assembly_modes(hold={"A": 1.0})[0]),
-        "Bennett's linkage": (bennett, bennett.assemble([1, 2, 1, 2]).q),
-    }
-    for name, (linkage, start) in starts.items():
-        ours, curve = seconds(lambda linkage=linkage, start=start: linkage.trace(start, points=POINTS), 5)
-        theirs, postures = seconds(lambda linkage=linkage, q=curve.q: plain_loop(linkage, q, driver=0), 3)
-        residuals = [np.linalg.norm(linkage.residual(q), axis=1).max() for q in (curve.q, postures)]
-        print(
-            f"{name:26} {1e3 * ours:8.0f} ms    {residuals[0]:9.1e} {1e3 * theirs:11.0f} ms    {residuals[1]:9.1e} "
-            f"{theirs / ours:9.1f}  {np.abs(curve.q - postures).max():9.1e}"
-        )
+def main() -> None:
+    """Trace both ways, and print residuals and how far they are apart."""
+    print(f"{POINTS} postures of one turn       residual    of the loop   apart by")
+    for name, (linkage, start) in starts().items():
+        ours = linkage.trace(start, points=POINTS).q
+        theirs = plain_loop(linkage, ours, driver=0)
+        residuals = [np.linalg.norm(linkage.residual(q), axis=1).max() for q in (ours, theirs)]
+        print(f"{name:26} {residuals[0]:12.1e} {residuals[1]:14.1e} {np.abs(ours - theirs).max():10.1e}")
 
 
 if __name__ == "__main__":

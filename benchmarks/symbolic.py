@@ -1,6 +1,7 @@
 """How short and how soon: forward kinematics in symbols, here and by multiplying out and simplifying.
 
-    python -m benchmarks.symbolic
+    python -m benchmarks symbolic               the PUMA 560 alone: at most 0.1 s and 275 operations
+    python -m benchmarks.symbolic               each robot of the course, beside others
     python -m benchmarks.symbolic --quick       without simplify
 
 Milliseconds, and operations as SymPy counts them, for each robot of the course with a symbol for each joint. "multiplied":
@@ -12,15 +13,34 @@ with the numbers of kl.Chain to 1e-9 at one posture.
 
 import sys
 import time
+from collections.abc import Iterator
 from functools import reduce
 from inspect import get_annotations, getmembers, isfunction
+from statistics import median
 
 import numpy as np
 import sympy as sp
-from roboticstoolbox import DHRobot, PrismaticDH, RevoluteDH
 from sympy.core.cache import clear_cache
 
 import kinlib as kl
+from benchmarks.measure import ROUNDS, Row, Way, in_turns
+
+SECONDS, OPERATIONS = 0.1, 275
+"""At most so many for the PUMA 560."""
+
+
+def rows(quick: bool = False) -> Iterator[Row]:
+    """The rows of the table: there is no peer, a bound stands for it."""
+    robot = kl.robots.puma560()
+
+    def anew() -> sp.Matrix:
+        clear_cache()
+        return kl.symbolic.fk(robot)
+
+    operations = int(sp.count_ops(anew()))
+    (times,) = in_turns([Way(anew)], rounds=1 if quick else ROUNDS)
+    yield Row("PUMA 560 in symbols", "s", median(times), SECONDS, at_most=True)
+    yield Row("PUMA 560 in symbols, operations", "operations", operations, OPERATIONS, at_most=True)
 
 
 def multiplied(robot):
@@ -37,6 +57,8 @@ def simplified(robot):
 
 def toolbox(robot):
     """Ask the Robotics Toolbox, on the standard table of the same arm with exact entries."""
+    from roboticstoolbox import DHRobot, PrismaticDH, RevoluteDH
+
     table = kl.assign_frames(robot, convention="standard").table
     links = []
     for numbers, letter in zip(table.rows, table.joints, strict=True):
