@@ -13,7 +13,7 @@ the other by moving alpha and a by one row, and the constants left over at the e
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
 from functools import reduce
-from typing import Any, Literal, get_args
+from typing import Any, Literal, cast, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -213,12 +213,11 @@ def convention_of(name: Any) -> Convention:
     >>> convention_of("standard")
     'standard'
     """
-    if name not in get_args(Convention):
+    if not isinstance(name, str) or name not in get_args(Convention):
         raise ValueError(
-            f"convention should be 'standard' or 'modified'; got {name!r}. Where does z_i lie: on joint i, or on i+1?"
+            f"convention should be 'standard' or 'modified'; got {name!r:.60}. Where does z_i lie: on joint i, or on i+1?"
         )
-    found: Convention = name
-    return found
+    return cast("Convention", name)
 
 
 def _normal(a: float, alpha: float) -> Array:
