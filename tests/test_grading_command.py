@@ -313,6 +313,53 @@ def test_from_a_download_of_canvas_to_the_file_that_canvas_takes(tmp_path, asked
     assert [row["student"] for row in rows(tmp_path / "other" / "grades.csv")] == ["xada_1", "xbob_2"]
 
 
+def as_moodle_finds(name):
+    """Whose a file of a zip is for Moodle, and what it is called for the student, as its importziplib.php tells."""
+    _, participant, *plugin, called = name.split("_", 4)
+    assert plugin == ["assignfeedback", "file"]
+    return int(participant), called
+
+
+def as_canvas_finds(name):
+    """Whose a file of a zip is for Canvas, and to which of the files handed in it belongs, as its assignments tell."""
+    parts = name.split("_")
+    assert not parts[-1].startswith("link")
+    return tuple([int(part) for part in parts if part.isdecimal()][:2])
+
+
+@pytest.mark.parametrize(
+    ("name", "finds", "found"),
+    [
+        (
+            "Ada_{}_assignsubmission_file_/any.ipynb",
+            as_moodle_finds,
+            [(1815, f"{SHEET}.html"), (1816, f"{SHEET}.html")],
+        ),
+        ("Ada_{}_assignsubmission_file_any.ipynb", as_moodle_finds, [(1815, f"{SHEET}.html"), (1816, f"{SHEET}.html")]),
+        ("ada_LATE_{}_99_03_poe_space-1.ipynb", as_canvas_finds, [(1815, 99), (1816, 99)]),
+        ("student{}/03_poe_space.ipynb", None, None),
+    ],
+)
+def test_the_pages_of_a_download_go_back_as_a_zip_in_which_the_platform_finds_everybody(
+    tmp_path, asked, name, finds, found
+):
+    with zipfile.ZipFile(tmp_path / "submissions.zip", "w") as archive:
+        for number in (1815, 1816):
+            archive.writestr(name.format(number), as_bytes(handed_in(f"student{number}")))
+    source, out = tmp_path / "submissions.zip", tmp_path / "out"
+    assert grade(source, out) == 0
+    if finds is None:
+        assert not (out / "feedback.zip").exists()
+        return
+    with zipfile.ZipFile(out / "feedback.zip") as archive:
+        assert [finds(name) for name in archive.namelist()] == found
+        pages = {archive.read(name) for name in archive.namelist()}
+    assert pages == {path.read_bytes() for path in (out / "feedback").iterdir()}
+    written = (out / "feedback.zip").stat().st_mtime_ns
+    assert grade(source, out) == 0
+    assert (out / "feedback.zip").stat().st_mtime_ns == written
+
+
 def test_an_interrupt_ends_it_with_what_is_done(folder, tmp_path, asked, monkeypatch, capsys):
     kept = Book.keep
 

@@ -8,6 +8,7 @@ reason. In the folder of results:
     grades.csv       a row for each student          report.html   how the class did, for the lecture
     matches.csv      answers right for others        feedback/     a page for each student
     canvas.csv, moodle.csv, gradescope.csv           for the platform that the roster came from
+    feedback.zip     all pages, as Moodle and Canvas take them back
     results/         what the next run goes on from
 """
 
@@ -27,6 +28,7 @@ from kinlib.grading.gather import Handed, gather
 from kinlib.grading.grade import Grader
 from kinlib.grading.layers import UNSAFE, Limits, Missing
 from kinlib.grading.result import Result
+from kinlib.grading.returns import give_back
 from kinlib.grading.roster import read_roster
 from kinlib.grading.submission import Master, master
 from kinlib.grading.tasks import Task, tasks
@@ -94,6 +96,7 @@ def _run(options: argparse.Namespace) -> int:
 
         said = publish(options.out, gathered.handed, book, roster, options.column, done=desk.done)
         said += desk.remarks()
+        give_back(options.out, gathered, sheet.name)
     print("\n".join([*said, *([f"{UNSAFE}: the submissions ran with your rights."] if options.unsafe else [])]))
     for student, why in lost.items():
         print(f"Not graded: {student}: {why!r}. The same command tries again.", file=sys.stderr)
