@@ -233,6 +233,30 @@ def test_a_table_is_its_chain_of_screws(table):
     close(table.to_chain().fk_body(q), table.fk(q))
 
 
+@pytest.mark.parametrize("convention", ["standard", "modified"])
+def test_the_chain_of_a_table_has_its_name_and_its_joints_where_the_frames_stand(convention):
+    rows = [[0.4, 0.1, 0.2, 0.3], [0.3, 0.7, 0.1, -0.4]]
+    table = DHTable(rows, convention=convention, base=kl.exp([0, 0, 1, 1, 2, 3]), name="elbow")
+    frames = [table.base]
+    for link in table.link_transforms([0, 0]):
+        frames.append(frames[-1] @ link)
+    chain = table.to_chain()
+    assert chain.name == "elbow"
+    close(chain.joint_points, [frame[:3, 3] for frame in (frames[:2] if convention == "standard" else frames[1:])])
+
+
+def test_the_columns_are_told_by_name():
+    columns = DHTable(
+        "a|alpha|d|theta\nl1|0.7|0.2|q1\n0.25|1.1|q2|0.5", convention="standard", lengths={"l1": 4}
+    ).columns
+    assert {name: values.tolist() for name, values in columns.items()} == {
+        "a": [4, 0.25],
+        "alpha": [0.7, 1.1],
+        "d": [0.2, 0],
+        "theta": [0, 0.5],
+    }
+
+
 @given(tables())
 def test_fk_is_the_product_of_the_links(table):
     q = values(table.n, 1)[0]
@@ -457,9 +481,19 @@ def test_lengths_that_are_none_are_refused(lengths, words):
         DHTable("a|alpha|d|theta\nl|0|0|q1", convention="standard", lengths=lengths)
 
 
-def test_a_base_that_is_no_pose_is_refused():
-    with pytest.raises(ValueError, match="base is not rigid"):
-        DHTable([[0, 0, 0, 0]], convention="standard", base=np.diag([2, 1, 1, 1]))
+@pytest.mark.parametrize("end", ["base", "tool"])
+def test_a_base_or_a_tool_that_is_no_pose_is_refused(end):
+    with pytest.raises(ValueError, match=f"{end} is not rigid"):
+        DHTable([[0, 0, 0, 0]], convention="standard", **{end: np.diag([2, 1, 1, 1])})
+    with pytest.raises(ValueError, match=rf"{end} should be one pose, \(4, 4\); got \(2, 4, 4\)\."):
+        DHTable([[0, 0, 0, 0]], convention="standard", **{end: np.tile(np.eye(4), (2, 1, 1))})
+
+
+@pytest.mark.parametrize("name", ["a", "alpha", "d", "theta"])
+def test_a_row_s_number_that_is_none_is_refused_by_its_name(name):
+    row = {"a": 0, "alpha": 0, "d": 0, "theta": 0, name: np.nan}
+    with pytest.raises(ValueError, match=f"^{name} holds NaN"):
+        dh_transform(**row, convention="standard")
 
 
 def test_too_few_joint_values_are_refused():
