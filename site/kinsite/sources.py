@@ -48,7 +48,7 @@ def pages() -> Iterator[tuple[str, str]]:
     executed = execute_all([*reversed(LECTURES), *SHEETS])
     yield from written_pages()
     yield from notebooks(executed)
-    yield from progress.pages({path: executed[path] for path in LECTURES})
+    yield from progress.pages(*({path: executed[path] for path in paths} for paths in (LECTURES, SHEETS)))
     for module in (gallery, mistakes, reference):
         source = Path(module.__file__ or "").read_text("utf-8")
         yield from made(module.__name__.rpartition(".")[2], module.pages, source).items()
