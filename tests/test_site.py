@@ -2,25 +2,15 @@
 
 import gzip
 import json
-import os
 import re
-import subprocess
-import sys
-import threading
 from contextlib import contextmanager
 from functools import cache
-from pathlib import Path
 from urllib.parse import unquote, urlsplit
 
 import pytest
 from browser import browsers, watched
-
-ROOT = Path(__file__).parents[1]
-SITE = ROOT / "site"
-sys.path.insert(0, str(SITE))
-
-from kinsite import execute, gallery, mistakes, outputs  # noqa: E402
-from serve import serve  # noqa: E402
+from built_site import ROOT, SITE, build_site, served
+from kinsite import execute, gallery, mistakes, outputs
 
 KB = 1000
 TEXT, LECTURE = 200 * KB, 450 * KB
@@ -46,25 +36,13 @@ KINDS = {
 @pytest.fixture(scope="module")
 def built():
     """The folder of pages. Its notebooks run only if they or kinlib have changed since the last build."""
-    done = subprocess.run(
-        [sys.executable, SITE / "build.py"], cwd=ROOT, env={**os.environ, "PYTHONPATH": str(ROOT)},
-        capture_output=True, text=True, check=False,
-    )  # fmt: skip
-    if "none on the path" in done.stderr and not os.environ.get("CI"):
-        pytest.skip(f"NO SITE WAS BUILT: {done.stderr}")
-    assert done.returncode == 0, f"{done.stdout[-3000:]}\n{done.stderr[-3000:]}"
-    return execute.ROOT / "build" / "site" / "html"
+    return build_site()
 
 
 @pytest.fixture(scope="module")
 def address(built):
-    server = serve(built, 0)
-    thread = threading.Thread(target=server.serve_forever, daemon=True)
-    thread.start()
-    yield f"http://127.0.0.1:{server.server_address[1]}"
-    server.shutdown()
-    server.server_close()
-    thread.join()
+    with served(built) as address:
+        yield address
 
 
 @pytest.fixture(scope="module")
@@ -92,7 +70,9 @@ def page(chromium):
 
 @pytest.fixture(scope="module")
 def pages(built):
-    return sorted(path.relative_to(built).as_posix() for path in built.rglob("*.html") if "_static" not in path.parts)
+    return sorted(
+        path.relative_to(built).as_posix() for path in built.rglob("*.html") if not {"_static", "lab"} & set(path.parts)
+    )
 
 
 # --- every page ---
@@ -259,7 +239,7 @@ def test_progress_is_shown_saved_forgotten_and_read_back(page, address, tmp_path
     page.get_by_role("button", name="Mark this lecture as read").click()
     page.goto(f"{address}/progress.html")
     row = page.locator('tr[data-lecture="lectures/03_poe_space"]')
-    told = ["✓ read", re.compile(r"^1 of \d+$"), "1"]
+    told = ["✓ read", re.compile(r"^1 of \d+$"), "1", "0 of 8"]
     assert_cells(row, told)
     with page.expect_download() as saved:
         page.get_by_role("button", name="Save a copy").click()
@@ -267,7 +247,7 @@ def test_progress_is_shown_saved_forgotten_and_read_back(page, address, tmp_path
     saved.value.save_as(copy)
     page.on("dialog", lambda dialog: dialog.accept())
     page.get_by_role("button", name="Forget everything").click()
-    assert_cells(row, ["not yet", re.compile(r"^0 of"), "0"])
+    assert_cells(row, ["not yet", re.compile(r"^0 of"), "0", "0 of 8"])
     page.locator("input[type=file]").set_input_files(copy)
     page.get_by_text("Read back").wait_for()
     assert_cells(row, told)

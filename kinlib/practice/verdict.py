@@ -19,6 +19,10 @@ TITLES = {
 }
 
 
+SOLVED = "application/vnd.kinlib.solved+json"
+"""Under this name a check says that its problem has full marks, to a page that counts them. Nobody grades by it."""
+
+
 @dataclass(frozen=True)
 class Verdict:
     """What one answer earned, and why. Displays itself as a card, and beside it writes down the answer as data.
@@ -52,6 +56,8 @@ class Verdict:
 
     def _repr_mimebundle_(self, **options: Any) -> dict[str, Any]:
         data = {MIME: self.emission} if self.emission else {}
+        if self.emission and self.judgement.state == "right":
+            data[SOLVED] = {name: self.emission[name] for name in ("sheet", "problem")}
         return {**self.card._repr_mimebundle_(**options), **data}
 
 

@@ -20,6 +20,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
     """Tell Sphinx what to call, and when."""
     # whatever of ours changes, pages are read anew: what they show is made by it
     app.add_config_value("kinlib_made_by", made_by(), "env")
+    app.add_config_value("kinlib_lab", "", "html")  # the folder of the lab, where there is one
     app.add_directive("kinlib-arm", ArmDirective)
     app.connect("builder-inited", bring_files)
     app.connect("html-page-context", around, priority=800)
@@ -64,7 +65,7 @@ def clear(app: Sphinx, failed: Exception | None) -> None:
     known = {*app.env.found_docs, "search"}
     for path in [] if failed else Path(app.outdir).rglob("*.html"):
         name = path.relative_to(app.outdir).with_suffix("").as_posix()
-        if name not in known and not name.startswith("_static/"):
+        if name not in known and not name.startswith(("_static/", "lab/")):
             path.unlink()
 
 
@@ -75,6 +76,9 @@ def around(app: Sphinx, page: str, _: str, context: dict[str, Any], doctree: Any
     folder, _, name = page.partition("/")
     is_notebook = folder in ("lectures", "sheets") and name != "index" and doctree is not None
     context["kinlib_notebook"] = f"files/{page}.ipynb" if is_notebook else ""
+    inside = f"notebooks/{name}.ipynb" if folder == "lectures" else f"exercises/{name}/{name}.ipynb"
+    where = app.config.kinlib_lab
+    context["kinlib_run"] = f"{where}/notebooks/index.html?path={inside}" if where and is_notebook else ""
     context["kinlib_kind"] = folder.rstrip("s") if is_notebook else ""
     context["kinlib_sheet"] = name if folder == "lectures" and f"sheets/{name}" in app.env.found_docs else ""
     context["kinlib_lecture"] = name if folder == "sheets" and f"lectures/{name}" in app.env.found_docs else ""

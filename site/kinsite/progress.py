@@ -12,31 +12,35 @@ ASKED = re.compile(r'data-kinlib-question="([^"]+)"[^>]*data-right="(\d)"')
 HEAD = """\
 # Your progress
 
-What you have read and answered on these pages is kept in this browser, and sent to nobody. Clearing the browser's data
-clears it too; so take a copy if it matters to you.
+What you have read, answered and solved is kept in this browser, and sent to nobody. Clearing the browser's data clears it
+too; so take a copy if it matters to you. A problem counts as solved once you have run its sheet in the browser, and the
+check gave full marks. Nobody grades by this page.
 """
 
 
-def pages(lectures: Mapping[Path, NotebookNode]) -> Iterator[tuple[str, str]]:
+def pages(lectures: Mapping[Path, NotebookNode], sheets: Mapping[Path, NotebookNode]) -> Iterator[tuple[str, str]]:
     """The one page: a table that a script fills in, which reads well without one.
 
-    lectures  the executed notebooks by their paths
+    lectures, sheets  the executed notebooks by their paths; a sheet is called like its lecture
     """
     rows = []
+    problems = {path.stem: sum(cell.id.startswith("check-") for cell in sheet.cells) for path, sheet in sheets.items()}
     for path, notebook in sorted(lectures.items()):
         if not (questions := asked(notebook)):
             continue
         names, keys = zip(*questions, strict=True)
         title = notebook.cells[0].source.split("\n", 1)[0].removeprefix("# ")
         rows.append(
-            f'<tr data-lecture="lectures/{path.stem}" data-questions="{escape(" ".join(names))}" data-keys="{" ".join(keys)}">'
+            f'<tr data-lecture="lectures/{path.stem}" data-questions="{escape(" ".join(names))}" '
+            f'data-keys="{" ".join(keys)}" data-problems="{problems.get(path.stem, 0)}">'
             f'<th scope="row"><a href="lectures/{path.stem}.html">{path.stem[:2]} {escape(title)}</a></th>'
-            f"<td data-read>not yet</td><td data-answered>0 of {len(names)}</td><td data-right>0</td></tr>"
+            f"<td data-read>not yet</td><td data-answered>0 of {len(names)}</td><td data-right>0</td>"
+            f"<td data-solved>{f'0 of {problems[path.stem]}' if path.stem in problems else ''}</td></tr>"
         )
     table = (
-        '<div class="kinlib-progress" data-kinlib-progress><table><caption class="visually-hidden">Lectures read and questions '
-        'answered</caption><thead><tr><th scope="col">lecture</th><th scope="col">read</th><th scope="col">questions '
-        'answered</th><th scope="col">right at once</th></tr></thead>'
+        '<div class="kinlib-progress" data-kinlib-progress><table><caption class="visually-hidden">Lectures read, questions '
+        'answered and problems solved</caption><thead><tr><th scope="col">lecture</th><th scope="col">read</th>'
+        '<th scope="col">questions answered</th><th scope="col">right at once</th><th scope="col">problems solved</th></tr></thead>'
         f"<tbody>{''.join(rows)}</tbody></table></div>"
     )
     yield "progress.md", f"{HEAD}\n````{{raw}} html\n{table}\n````\n"

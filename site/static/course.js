@@ -6,18 +6,25 @@
   const LETTERS = 'ABCDEFGH';
   const NO_MEMORY = 'This browser keeps nothing for this page (private window, or storage full). Your answers last until you leave it.';
 
-  // --- memory: { answers: { '03/order': 1 }, read: ['lectures/03_poe_space'] } ---
+  // --- memory: { answers: { '03/order': 1 }, read: ['lectures/03_poe_space'], solved: ['03_poe_space/1'] } ---
+  // What is solved, the lab notes there: site/lab/extension.
 
   let lasting = true;
   let memory = recall();
 
   function recall() {
     try {
-      const { answers, read } = JSON.parse(localStorage.getItem(KEY)) ?? {};
-      return { answers: answers && typeof answers === 'object' ? answers : {}, read: Array.isArray(read) ? read : [] };
+      return sound(JSON.parse(localStorage.getItem(KEY)));
     } catch {
-      return { answers: {}, read: [] }; // no storage, or nothing of ours in it
+      return sound(null); // no storage, or nothing of ours in it
     }
+  }
+
+  /** What was kept, whatever else it may be. */
+  function sound(kept) {
+    const { answers, read, solved } = kept ?? {};
+    const list = (names) => (Array.isArray(names) ? names.map(String) : []);
+    return { answers: answers && typeof answers === 'object' ? answers : {}, read: list(read), solved: list(solved) };
   }
 
   function keep(change) {
@@ -221,6 +228,9 @@
         const answered = names.filter((name) => name in memory.answers);
         row.querySelector('[data-read]').textContent = memory.read.includes(row.dataset.lecture) ? '✓ read' : 'not yet';
         row.querySelector('[data-answered]').textContent = `${answered.length} of ${names.length}`;
+        const mine = `${row.dataset.lecture.replace('lectures/', '')}/`;
+        const solved = memory.solved.filter((name) => name.startsWith(mine)).length;
+        if (row.dataset.problems > 0) row.querySelector('[data-solved]').textContent = `${solved} of ${row.dataset.problems}`;
         const keys = row.dataset.keys.split(' ');
         row.querySelector('[data-right]').textContent = names.filter((name, k) => memory.answers[name] === Number(keys[k])).length;
       }
@@ -236,11 +246,13 @@
 
     async function readBack() {
       try {
-        const { answers, read } = JSON.parse(await file.files[0].text());
-        if (!answers || typeof answers !== 'object' || !Array.isArray(read)) throw new TypeError('another file');
+        const copy = JSON.parse(await file.files[0].text());
+        if (!copy.answers || typeof copy.answers !== 'object' || !Array.isArray(copy.read)) throw new TypeError('another file');
+        const { answers, read, solved } = sound(copy);
         keep((kept) => {
           kept.answers = { ...kept.answers, ...answers };
-          kept.read = [...new Set([...kept.read, ...read.map(String)])];
+          kept.read = [...new Set([...kept.read, ...read])];
+          kept.solved = [...new Set([...kept.solved, ...solved])];
         });
         status.textContent = 'Read back, and added to what was here.';
       } catch {
@@ -251,8 +263,8 @@
     }
 
     function forget() {
-      if (!confirm('Forget which lectures you have read and what you have answered?')) return;
-      memory = { answers: {}, read: [] };
+      if (!confirm('Forget which lectures you have read, what you have answered and what you have solved?')) return;
+      memory = sound(null);
       try {
         localStorage.removeItem(KEY);
       } catch { /* nothing was kept */ }
