@@ -1,5 +1,6 @@
 """Arms for frame assignment: neighbouring axes in every case that two lines can be in, mixed with slides."""
 
+import hypothesis
 import numpy as np
 
 import kinlib as kl
@@ -9,6 +10,11 @@ NEARLY = "nearly parallel"
 
 ANGLES = (*(10.0**-k for k in range(16, 2, -1)), 3e-9, 3e-8)
 """How far off parallel, in radians: from less than a double can hold, past the singular range, to a tenth of a degree."""
+
+
+def few(count):
+    """So many arms, or a tenth of them where every fault that tests/mutation.py plants asks for them anew."""
+    return count if hypothesis.settings.get_current_profile_name() != "mutation" else max(count // 10, 5)
 
 
 def unit(v):

@@ -4,7 +4,7 @@ import re
 
 import numpy as np
 import pytest
-from arms import ANGLES, CASES, arm, configurations
+from arms import ANGLES, CASES, arm, configurations, few
 from test_dh import PRINTED
 
 import kinlib as kl
@@ -26,7 +26,7 @@ def error(found, q):
 
 def fuzzed(convention, count=COUNT, angle=None, seed=0):
     rng = np.random.default_rng(seed)
-    for _ in range(count):
+    for _ in range(few(count)):
         chain, cases = arm(rng, int(rng.integers(2, 10)), angle=angle)
         yield assign_frames(chain, convention=convention), cases, configurations(rng, chain)
 
