@@ -15,7 +15,7 @@ LONGEST = 2000
 
 FUNCTIONS = (
     *("sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh"),
-    *("sqrt", "exp", "log", "ln", "abs", "Abs", "sinc", "Matrix"),
+    *("sqrt", "exp", "log", "ln", "abs", "Abs", "sign", "sinc", "Matrix"),
 )
 """What may be called. A matrix is no function, but written like one."""
 
@@ -37,17 +37,20 @@ TOKEN = re.compile(
 )
 
 
-def parse(text: str) -> ast.expr:
+def parse(text: str, longest: int = LONGEST, *, on_paper: bool = True) -> ast.expr:
     r"""Read a text as a syntax tree of the language.
+
+    longest   the most characters
+    on_paper  whether two factors side by side are multiplied; what a program wrote has its signs
 
     Raises ValueError for what the language does not have, with the place, and for a text that is too long.
 
     >>> ast.unparse(parse(r"2 a_2 cos(θ_1)^2 - \frac{1}{2} s_{12}"))
     '2 * a_2 * cos(theta_1) ** 2 - 1 / 2 * s_12'
     """
-    if len(text) > LONGEST:
-        raise ValueError(f"A formula has at most {LONGEST} characters here, and this has {len(text)}.")
-    clean = " ".join(_tokens(_plain(text)))
+    if len(text) > longest:
+        raise ValueError(f"A formula has at most {longest} characters here, and this has {len(text)}.")
+    clean = " ".join(_tokens(_plain(text), on_paper))
     try:
         return ast.parse(clean, mode="eval").body
     except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
@@ -66,8 +69,8 @@ def _plain(text: str) -> str:
     return "".join(WRITTEN.get(letter, letter) for letter in text)
 
 
-def _tokens(text: str) -> Iterator[str]:
-    """Cut a text into numbers, names and signs, with a * where two factors stand side by side."""
+def _tokens(text: str, on_paper: bool) -> Iterator[str]:
+    """Cut a text into numbers, names and signs, on paper with a * where two factors stand side by side."""
     before, kind, place = "", "", 0
     while text[place:].strip():
         found = TOKEN.match(text, place)
@@ -77,7 +80,7 @@ def _tokens(text: str) -> Iterator[str]:
         place, word = found.end(), found[found.lastgroup or 0]
         ends = before in (")", "]") or (kind in ("number", "name") and before not in FUNCTIONS)
         begins = word == "(" or found.lastgroup == "name" or (found.lastgroup == "number" and kind != "number")
-        if ends and begins:
+        if on_paper and ends and begins:
             yield "*"
         yield word
         before, kind = word, found.lastgroup or ""

@@ -1,23 +1,23 @@
-"""Symbolic expressions as text: read back by a language of its own, in which nothing can be run.
+"""Symbolic expressions as text: what `str` makes of them, read back as SymPy, with nothing run.
 
-SymPy's own reader is `eval`. A judge that reads what a stranger wrote needs less: sums, products, powers, a dozen
-functions, names. Nothing else is in the language, so nothing else can happen.
+SymPy's own reader is `eval`. A judge that reads what a stranger wrote needs less: `formula_text` reads it as it reads what
+people type, and here the tree becomes SymPy's.
 """
 
 import ast
-import re
 from typing import Any
 
+from kinlib.practice import formula_text
+
 LONGEST = 10_000
-"""No formula that a person writes has more characters."""
+"""No formula that SymPy makes for a person has more characters."""
 
 HIGHEST = 64
 """The highest power of a number that is worked out: towers of powers would fill any memory."""
 
-FUNCTIONS = (
-    *("sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh"),
-    *("sqrt", "exp", "log", "Abs", "sign", "sinc"),
-)
+FUNCTIONS = tuple(name for name in formula_text.FUNCTIONS if name not in {"abs", "Matrix"})
+"""What SymPy knows by the same name. A matrix comes entry by entry."""
+
 NUMBERS = ("pi", "E", "I")
 
 
@@ -29,13 +29,10 @@ def expression(text: str) -> Any:
     >>> expression("a*cos(q1) + b**2/3")
     a*cos(q1) + b**2/3
     """
-    if len(text) > LONGEST:
-        raise ValueError(f"A formula has at most {LONGEST} characters; this has {len(text)}.")
     try:
-        # Symbols may be named as in LaTeX, theta_{1}; for whoever reads formulas it is theta_1.
-        return _value(ast.parse(re.sub(r"[\\{}]", "", text).strip(), mode="eval").body)
-    except (SyntaxError, RecursionError, MemoryError) as error:
-        raise ValueError(f"{text[:60]!r} is no formula: {type(error).__name__}.") from error
+        return _value(formula_text.parse(text, LONGEST, on_paper=False))
+    except RecursionError as error:
+        raise ValueError(f"{text[:60]!r} is nested too deeply for a formula.") from error
 
 
 def _value(node: ast.expr) -> Any:
