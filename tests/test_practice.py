@@ -122,6 +122,110 @@ def test_what_cannot_be_read_is_refused_with_the_remedy(answer, given, words):
         answer.read(given)
 
 
+class Rude:
+    """What raises when it is asked for a number."""
+
+    def __add__(self, other):
+        raise RuntimeError("no")
+
+
+PAIR = Numbers(np.zeros(2), "m")
+
+
+@pytest.mark.parametrize(
+    ("answer", "given", "said"),
+    [
+        (PAIR, [[1], [2, 3]], "Expected an array of shape (2,) in m; got a list whose rows differ in length."),
+        (PAIR, np.zeros(3), "Expected an array of shape (2,) in m; got an ndarray of shape (3,)."),
+        (PAIR, 7, "Expected an array of shape (2,) in m; got int 7."),
+        (PAIR, [Rude(), Rude()], "Expected an array of shape (2,) in m; got a list that does not turn into numbers."),
+        (Numbers(np.array(0.0)), (), "Expected one number; got a tuple of shape (0,)."),
+        (
+            Numbers(np.zeros((4, 3, 2))),
+            np.zeros((2, 3, 4)),
+            "Expected an array of shape (4, 3, 2); got an ndarray of shape (2, 3, 4). The count of numbers is right",
+        ),
+        (
+            PAIR,
+            [np.nan, 0],
+            "Expected an array of shape (2,) in m. Your answer holds NaN or infinity at index [0]. ",
+        ),
+        (Screws(np.eye(1, 6)[0]), 0, "Expected a screw axis (omega, v), an array of shape (6,); got int 0."),
+        (
+            Ordering(["e_a", "M"]),
+            ["M", "e_a"] * 10,
+            "Expected a list of the 2 names M, e_a, each once; e_a appears 10 times.",
+        ),
+        (Ordering(["e_a", "M"]), [7], "Expected a list of the 2 names M, e_a, each once; int 7 is none of them. "),
+        (Ordering(["e_a", "M"]), ["M"] * 21, "Expected a list of the 2 names M, e_a, each once; got list ['M', 'M', "),
+        (Choice("a", {"a": "left", "b": "right"}), 7, "Expected one of 'a', 'b'; got int 7."),
+        (Choice("a", {"a": "left", "b": "right"}), " " * 100 + "a", "Expected one of 'a', 'b'; got str '   "),
+    ],
+)
+def test_what_cannot_be_read_is_told_word_for_word_what_was_expected_and_what_came(answer, given, said):
+    with pytest.raises(Unreadable) as refusal:
+        answer.read(given)
+    assert str(refusal.value).startswith(said)
+
+
+@pytest.mark.parametrize(
+    ("right", "near", "far"),
+    [(0, 9e-4, 1.1e-3), (0.5, 0.5009, 0.5011), (1, 1.0009, 1.0015), (-1000, -1000.9, -1001.1)],
+)
+def test_a_number_may_be_off_by_a_thousandth_of_itself_or_of_1(right, near, far):
+    answer = Numbers(np.array(float(right)))
+    assert answer.agrees(np.array(float(near)), answer.value) == answer.agrees(answer.value, np.array(near)) == [True]
+    assert answer.agrees(np.array(float(far)), answer.value) == answer.agrees(answer.value, np.array(far)) == [False]
+
+
+def test_names_are_put_in_order_and_options_are_chosen():
+    order = Ordering(["e_a", "M"])
+    assert [judge(Problem("", order, []), given).state for given in (["e_a", "M"], ("e_a", "M"), ["M", "e_a"])] == [
+        *("right", "right", "wrong")
+    ]
+    choice = Choice("b", {"a": "left", "b": "right"})
+    assert [judge(Problem("", choice, []), given).state for given in ("b", " B\n", "a")] == ["right", "right", "wrong"]
+
+
+TURN = np.array([[0.0, -1, 0, 1], [1, 0, 0, 2], [0, 0, 1, 3], [0, 0, 0, 1]])
+
+
+def turned(R, p=(1, 2, 3)):
+    T = TURN.copy()
+    T[:3, :3], T[:3, 3] = R, p
+    return T
+
+
+@pytest.mark.parametrize(
+    ("given", "right_parts", "hints"),
+    [
+        (TURN, ["rotation", "position"], []),
+        (turned(TURN[:3, :3], (9, 9, 9)), ["rotation"], [False]),
+        (turned(np.eye(3)), ["position"], [False]),
+        (turned(2 * np.eye(3)), ["position"], [True]),
+        (turned(np.diag([1, 1, -1])), ["position"], [True]),
+        (turned(2 * np.eye(3), (9, 9, 9)), [], [True, False]),
+    ],
+)
+def test_a_pose_is_judged_by_rotation_and_position_and_what_is_no_rotation_is_told_so(given, right_parts, hints):
+    judgement = judge(Problem("", Pose(TURN), []), given)
+    assert list(judgement.right_parts) == right_parts
+    assert ["no rotation at all" in finding.message for finding in judgement.findings] == hints
+
+
+def test_a_screw_is_told_which_half_is_right_if_one_is():
+    right = np.array([0, 0, 1, 0, -2, 0.5])
+    problem = Problem("", Screws(right), [])
+    assert problem.answer.parts == ["screw 1"]
+    told = {
+        (0, 0, 1, 9, -2, 0.5): "Its omega is right, its v is not.",
+        (0, 1, 0, 0, -2, 0.5): "Its v is right, its omega is not.",
+        (0, 1, 0, 9, -2, 0.5): "None of the mistakes",
+    }
+    for given, words in told.items():
+        assert judge(problem, given).findings[0].message.startswith(words)
+
+
 def test_a_list_of_lists_of_the_right_shape_is_as_good_as_an_array():
     assert judge(two_screws([]), [[0, 0, 1, 0, -2, 0], [0, 1, 0, 3, 0, 0]]).state == "right"
 
