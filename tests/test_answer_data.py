@@ -131,6 +131,12 @@ def test_a_list_that_holds_itself_comes_to_an_end():
     assert len(json.dumps(to_data(endless))) < 1000
 
 
+def a_table(**odd):
+    right = {"dh": [[0, 0, 0, 0]], "convention": "standard", "joints": "R", "signs": [1]}
+    pose = np.eye(4).tolist()
+    return {**odd, **{name: value for name, value in {**right, "base": pose, "tool": pose}.items() if name not in odd}}
+
+
 @pytest.mark.parametrize(
     "data",
     [
@@ -167,6 +173,14 @@ def test_a_list_that_holds_itself_comes_to_an_end():
         {"dh": [[0, 0, 0, 0]], "convention": "other", "joints": "R", "signs": [1], "base": [], "tool": []},
         {"dh": 7, "convention": "standard", "joints": "R", "signs": [1], "base": [], "tool": []},
         {"dh": [["x"]], "convention": [], "joints": {}, "signs": 1, "base": None, "tool": 7},
+        a_table(signs="1"),
+        a_table(signs=[0.5]),
+        a_table(dh=[["0", 0, 0, 0]]),
+        a_table(dh=[[1e400, 0, 0, 0]]),
+        a_table(base=[[1, 0, 0, 0], [0, 1, 0], [0, 0, 1, 0], [0, 0, 0, 1]]),
+        {"matrix": [[]] * (MOST_NUMBERS + 1)},
+        {"matrix": [[{"number": 1}], 7]},
+        {"\ud800": 1},
         {"function": "f", "outputs": 7},
         {"function": "f", "outputs": [7]},
         {"other": None},
@@ -176,8 +190,18 @@ def test_a_list_that_holds_itself_comes_to_an_end():
     ids=lambda data: json.dumps(data)[:60],
 )
 def test_json_of_any_other_form_is_refused(data):
-    with pytest.raises(Malformed):
+    with pytest.raises(Malformed) as refused:
         from_data(data)
+    assert str(refused.value).encode().endswith((b".", b"?")), "a sentence that a screen can show, to its end"
+
+
+def test_a_table_of_plain_numbers_is_read():
+    assert from_data(a_table()).joints == "R"
+
+
+@pytest.mark.parametrize("entry", [None, {"text": "x"}, {"list": []}, {"function": "f", "outputs": []}, {"matrix": []}])
+def test_a_matrix_of_what_is_no_formula_is_opaque(entry):
+    assert from_data({"matrix": [[entry]]}) == Opaque("a matrix with entries that cannot be read")
 
 
 def test_a_nest_without_end_is_refused():

@@ -286,6 +286,12 @@ def test_what_cannot_be_compared_matches_nobody(data):
     assert matches([answered("ada", data, array(1)), answered("bob", array(2), data)]) == []
 
 
+@pytest.mark.parametrize("data", [7, False, "text", [1], {"array": 10**400, "shape": []}, {"map": {"a": 10**400}}])
+def test_what_nobody_could_read_matches_nobody(data):
+    """The judge found that it is no answer; it may be any JSON at all."""
+    assert matches([answered("ada", array(1), array(1)), answered("bob", data, array(2), "unreadable")]) == []
+
+
 def test_a_formula_that_was_copied_letter_by_letter_is_found():
     text = {"text": "a*cos(q1)"}
     class_ = [

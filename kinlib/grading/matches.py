@@ -60,8 +60,9 @@ def _of_problem(results: Sequence[Result], place: int) -> Iterable[Match]:
     arrays = {form: np.array(numbers, dtype=float) for form, numbers in rows.items()}
     for result in results:
         problem = result.problems[place]
-        form, numbers = _form(problem.answer)
-        if problem.state in WRONG and form in arrays:
+        # What the judge could not read may be any JSON at all.
+        form, numbers = _form(problem.answer if problem.state in WRONG else None)
+        if form in arrays:
             fits = _near(arrays[form], np.array(numbers, dtype=float))
             others = {owners[form][row] for row in np.flatnonzero(fits)} - {result.student}
             if others:

@@ -20,6 +20,7 @@ from typing import Any
 
 import numpy as np
 
+from kinlib import check
 from kinlib.check import Array
 from kinlib.dh import DHTable
 from kinlib.dh_rows import COLUMNS
@@ -74,7 +75,7 @@ def _read(data: Any, depth: int) -> Any:
         raise Malformed("An answer is null or an object of a known form, and not nested without end.")
     read = READERS.get(frozenset(data))
     if read is None:
-        raise Malformed(f"An answer has none of the forms with the keys {', '.join(sorted(map(str, data)))[:80]}.")
+        raise Malformed(f"An answer has none of the forms with the keys {', '.join(sorted(map(str, data)))!r:.80}.")
     return read(next(iter(data.values())) if len(data) == 1 else data, depth)
 
 
@@ -130,26 +131,31 @@ def _formula(text: Any, depth: int) -> Any:
 def _matrix(rows: Any, depth: int) -> Any:
     import sympy as sp
 
-    if not isinstance(rows, list) or len({len(row) if isinstance(row, list) else -1 for row in rows} - {-1}) > 1:
+    sizes = {len(row) if isinstance(row, list) else -1 for row in rows} if isinstance(rows, list) else {-1}
+    if -1 in sizes or len(sizes) > 1 or len(rows) > MOST_NUMBERS:
         raise Malformed("A matrix is a list of rows of one length.")
     entries = [_items(row, depth) for row in rows]
-    if any(isinstance(entry, str | Opaque | list | dict | np.ndarray) for row in entries for entry in row):
+    if not all(isinstance(entry, sp.Expr | float) for row in entries for entry in row):
         return Opaque("a matrix with entries that cannot be read")
     return sp.Matrix(entries)
 
 
 def _dh(data: dict[str, Any], _: int) -> Any:
     """The signs of the joints are told as a typed table tells them: by the variable in its column."""
+    rows, joints, signs = data["dh"], data["joints"], data["signs"]
+    if not isinstance(rows, list) or not isinstance(joints, str) or not isinstance(signs, list):
+        raise Malformed("A DH table is a list of rows, a text with their joints, and a list of signs.")
+    if not len(rows) == len(joints) == len(signs) <= MOST_NUMBERS or any(sign not in (1, -1) for sign in signs):
+        raise Malformed("A DH table has a letter for each row, and a sign, 1 or -1.")
     try:
-        joints, signs = str(data["joints"]), [float(sign) for sign in data["signs"]]
-        cells = [dict(zip(COLUMNS, map(float, row), strict=True)) for row in data["dh"][:MOST_NUMBERS]]
         typed: list[dict[str, Any]] = []
-        for row, letter, sign in zip(cells, joints, signs, strict=True):
+        for row, letter, sign in zip(check.vectors(rows, "dh", len(COLUMNS)).tolist(), joints, signs, strict=True):
+            cells = dict(zip(COLUMNS, row, strict=True))
             moving = {"R": "theta", "P": "d"}.get(letter)
-            typed.append({**row, moving: f"{row[moving]!r} {'-' if sign < 0 else '+'} q"} if moving else {**row})
+            typed.append({**cells, moving: f"{cells[moving]!r} {'-' if sign < 0 else '+'} q"} if moving else cells)
         return DHTable(typed, convention=data["convention"], joints=joints, base=data["base"], tool=data["tool"])
-    except (KeyError, TypeError, ValueError, OverflowError) as error:
-        raise Malformed(f"This is no DH table: {str(error)[:200]}") from error
+    except ValueError as error:
+        raise Malformed(f"This is no DH table: {str(error)[:1000]}") from error
 
 
 READERS: dict[frozenset[str], Callable[[Any, int], Any]] = {

@@ -18,6 +18,9 @@ from kinlib.check import Array
 TOLERANCE = 1e-3
 """How far a number may be off, relative to its size where that is above 1: three printed decimals are enough."""
 
+LARGEST = 1e12
+"""No answer of the course is larger; what is has lost its way, and its square would not fit into a number."""
+
 NEAR = 3e-2
 """Within this an answer was rounded on the way rather than misunderstood, and feedback says so."""
 
@@ -92,13 +95,16 @@ class Numbers(Answer):
             came = f"{_kind(given)} of shape {shape}" if shape else check.brief(given)
             raise Unreadable(f"Expected {self.expected}; got {came}.{_remedy(shape, wanted)}")
         try:
-            return check.array(given, "your answer")
+            values = check.array(given, "your answer")
         except ValueError as error:
             raise Unreadable(f"Expected {self.expected}. {_sentence(str(error))}") from error
         except Exception as error:
             raise Unreadable(
                 f"Expected {self.expected}; got {_kind(given)} that does not turn into numbers."
             ) from error
+        if (largest := np.abs(values).max(initial=0.0)) > LARGEST:
+            raise Unreadable(f"Expected {self.expected}; got {largest:.3g}. Was there a division by almost zero?")
+        return values
 
     def agrees(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> list[bool]:
         allowed = tolerance * np.maximum(1.0, np.maximum(np.abs(one), np.abs(other)))
