@@ -29,7 +29,7 @@ SUITE = (
     "grading",
 )
 SLOW = {"grading"}
-WIDTHS = {"what": 50, "kinlib": 9, "peer's": 13, "peer": 37, "ratio": 32, "wanted": 18, "": 12}
+WIDTHS = {"what": 50, "kinlib": 9, "peer's": 13, "peer": 37, "ratio": 32, "wanted": 22, "": 12}
 """Letters for each column."""
 
 
@@ -48,16 +48,16 @@ def main(*words: str) -> None:
     names = chosen.names or [name for name in SUITE if chosen.all or name not in SLOW]
     print(", ".join(f"{name} {value}" for name, value in machine().items()))
     print(line({name: name for name in WIDTHS}))
-    measured = {}
     for name in names:
         try:
             with warnings.catch_warnings():
                 warnings.simplefilter("ignore")  # some peers warn on their way
-                measured[name] = run(name, chosen.quick)
+                measured = run(name, chosen.quick)
         except (NotHere, ModuleNotFoundError) as missing:
             print(f"{name} was not measured: {missing}")
-    if chosen.save:
-        save(measured)
+            continue
+        if chosen.save:
+            save({name: measured})
 
 
 def run(name: str, quick: bool) -> tuple[list[Row], list[Curve]]:
@@ -83,7 +83,7 @@ def line(cells: dict[str, str]) -> str:
 
 def growth(curve: Curve) -> str:
     """A curve in one line."""
-    points = ", ".join(f"{size:g}: {amount(s, 's')}" for size, s in zip(curve.sizes, curve.seconds, strict=True))
+    points = ", ".join(f"{size:,.0f}: {amount(s, 's')}" for size, s in zip(curve.sizes, curve.seconds, strict=True))
     return f"{curve.what}, by {curve.of}: {points}; grows with the power {curve.exponent:.2f}"
 
 

@@ -24,7 +24,7 @@ from contextlib import redirect_stdout, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
-from benchmarks.measure import Row
+from benchmarks.measure import Curve, NotHere, Row
 
 sys.path += [str(Path(__file__).parent), str(Path(__file__).parents[1] / "tests")]
 from stock import ROOT, Course
@@ -34,6 +34,9 @@ JOBS = 2
 
 FASTER, EACH, MOST, GROWTH = 25.0, 50.0, 250.0, 5.0
 """Wanted: so many times as fast as nbgrader; at most so many ms for a submission, MB, and MB of growth."""
+
+CLASSES = (25, 50, 100, 200, 400)
+"""Submissions, to see how the time grows."""
 
 
 @dataclass(frozen=True)
@@ -101,7 +104,12 @@ points: {made.differ.count(0)} the same, {more} more from kinlib, for parts of a
 
 
 def rows(quick: bool = False) -> Iterator[Row]:
-    """The rows of the table of all benchmarks."""
+    """The rows of the table of all benchmarks.
+
+    Raises NotHere where there is no sandbox.
+    """
+    if sys.platform != "linux":
+        raise NotHere("the sandbox is made of what only Linux has")
     with redirect_stdout(sys.stderr):
         made = main(3, 9) if quick else main()
     count, many, peer = made.booked.count, made.many.count, "nbgrader autograde"
@@ -110,6 +118,19 @@ def rows(quick: bool = False) -> Iterator[Row]:
     yield Row("each further submission, gradebook filled", "s", made.each / 1e3, EACH / 1e3, at_most=True)
     yield Row(f"memory of grading, {JOBS} at a time", "MB", made.most, MOST, at_most=True)
     yield Row(f"growth of memory in {many} submissions", "MB", made.many.growth, GROWTH, at_most=True)
+
+
+def curves(quick: bool = False) -> Iterator[Curve]:
+    """How the time grows with the class, without a gradebook. Each class is graded once: what it takes is no matter of luck."""
+    counts = (1, 2, 4) if quick else CLASSES
+    with tempfile.TemporaryDirectory() as top:
+        runs = []
+        for count in counts:
+            handed = Path(top, f"{count} handed in")
+            for number in range(count):
+                save(handed, *generated(number))
+            runs.append(ours(handed, Path(top, f"{count} graded")))
+    yield Curve("grading a class", "submissions", counts, tuple(run.seconds for run in runs))
 
 
 def compared(count: int, many: int) -> Comparison:

@@ -2,7 +2,7 @@
 
 A machine is never quiet, and what slows it for a second slows whoever runs in that second. So nobody is timed nine times in
 a row: in each round everybody has a turn, in another order each time. The first round, in which caches fill, does not count.
-Of the rest the median is told, and between which ratios the middle half of the rounds lies.
+Of the rest the medians are told. A ratio is that of one round, in which all have the same machine; its quartiles are told too.
 
     >>> ours, theirs = in_turns([Way(lambda: sum(range(1000))), Way(lambda: sum(range(9000)))], rounds=5)
     >>> len(ours), len(theirs)
@@ -41,13 +41,13 @@ Make = Callable[[], Way]
 class Row:
     """A line of the table: what kinlib takes, what the peer takes, and what was wanted.
 
-    what     what is measured, with its size
-    unit     of both numbers: "s", or what is counted
-    ours     the median of kinlib
-    peer     the other one, and how it is used; empty where a bound stands for it
-    theirs   its median; None where it is not installed
-    wanted   so many times better than the peer; for a row `at_most`, at most so many times the peer, or the bound itself
-    middle   between which ratios the middle half of the rounds lies; None for what does not vary
+    what       what is measured, with its size
+    unit       of both numbers: "s", or what is counted
+    ours       the median of kinlib
+    peer       the other one, and how it is used; empty where a bound stands for it
+    theirs     its median; None where it is not installed
+    wanted     so many times better than the peer; for a row `at_most`, at most so many times the peer, or the bound itself
+    quartiles  of the rounds' ratios: lower, median, upper; None where there are no rounds
     """
 
     what: str
@@ -57,7 +57,7 @@ class Row:
     peer: str = ""
     theirs: float | None = None
     at_most: bool = False
-    middle: tuple[float, float] | None = None
+    quartiles: tuple[float, float, float] | None = None
 
     @property
     def figure(self) -> float | None:
@@ -66,7 +66,7 @@ class Row:
             return self.ours
         if self.theirs is None:
             return None
-        return ratio(self.ours, self.theirs, self.at_most)
+        return self.quartiles[1] if self.quartiles else ratio(self.ours, self.theirs, self.at_most)
 
     @property
     def met(self) -> bool | None:
@@ -152,8 +152,8 @@ def row(
     if theirs is None:
         return Row(what, "s", median(ours), wanted, peer, at_most=at_most)
     ratios = [ratio(*pair, at_most) for pair in zip(ours, theirs, strict=True)]
-    lower, upper = (float(quartile) for quartile in np.quantile(ratios, [0.25, 0.75]))
-    return Row(what, "s", median(ours), wanted, peer, median(theirs), at_most, (lower, upper))
+    lower, middle, upper = np.quantile(ratios, [0.25, 0.5, 0.75]).tolist()
+    return Row(what, "s", median(ours), wanted, peer, median(theirs), at_most, (lower, middle, upper))
 
 
 def grown(what: str, of: str, sizes: Sequence[float], way: Callable[[Any], Way], rounds: int = 5) -> Curve:

@@ -119,7 +119,7 @@ def told(row: Row) -> dict[str, str]:
         "kinlib": amount(row.ours, row.unit),
         "peer's": "" if not row.peer else "not installed" if row.theirs is None else amount(row.theirs, row.unit),
         "peer": row.peer,
-        "ratio": figure + (f" ({times(row.middle[0])} to {times(row.middle[1])})" if row.middle else ""),
+        "ratio": figure + (f" ({times(row.quartiles[0])} to {times(row.quartiles[2])})" if row.quartiles else ""),
         "wanted": wanted,
         "": {True: "met", False: "missed", None: "not measured"}[row.met],
     }
@@ -151,7 +151,7 @@ def times(ratio: float) -> str:
 
 
 def _run(data: Mapping[str, Any]) -> Run:
-    rows = (Row(**{**row, "middle": tuple(row["middle"]) if row["middle"] else None}) for row in data["rows"])
+    rows = (Row(**{name: tuple(v) if isinstance(v, list) else v for name, v in row.items()}) for row in data["rows"])
     curves = (
         Curve(**{name: tuple(v) if isinstance(v, list) else v for name, v in curve.items()}) for curve in data["curves"]
     )

@@ -4,7 +4,10 @@
     python -m benchmarks.symbolic               each robot of the course, beside others
     python -m benchmarks.symbolic --quick       without simplify
 
-Milliseconds, and operations as SymPy counts them, for each robot of the course with a symbol for each joint. "multiplied":
+The PUMA 560 gets a symbol for each joint and numbers for its lengths. SymPy's cache is emptied before each round, and nothing
+is simplified. Operations are counted as SymPy counts them.
+
+The other table: milliseconds and operations for each robot of the course. "multiplied":
 the exponentials of the joints and the home pose, one after the other. "simplified": then sympy.simplify, entry by entry.
 "toolbox": the Robotics Toolbox for Python on the DH table of the same robot, simplified by its own method; its PUMA 560 has
 floats for lengths, and it takes no helical joint. Every column starts with SymPy's cache empty, is timed once, and agrees

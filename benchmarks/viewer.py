@@ -7,6 +7,7 @@
 Both stand in one notebook in JupyterLab, drawn in software, and get presses of an arrow key on a slider, in turns. The time
 runs from the key's event in the page to the first change of what it asks for: a number in the pose, a picture painted.
 `interact` calls a Python function that draws the links as lines and prints the pose, as courses do today.
+
 The rest is measured on a page without a kernel, served on this machine.
 """
 

@@ -53,6 +53,7 @@ def test_a_peer_that_is_not_installed_leaves_a_row_without_a_verdict():
     ("row", "figure", "met"),
     [
         (Row("faster", "s", 1.0, 2.0, "peer", 3.0), 3.0, True),
+        (Row("by the median of the rounds", "s", 1.0, 2.0, "peer", 3.0, quartiles=(1.0, 1.9, 4.0)), 1.9, False),
         (Row("not fast enough", "s", 1.0, 4.0, "peer", 3.0), 3.0, False),
         (Row("not much slower", "s", 1.2, 1.3, "peer", 1.0, at_most=True), 1.2, True),
         (Row("too much slower", "s", 1.4, 1.3, "peer", 1.0, at_most=True), 1.4, False),
@@ -97,7 +98,7 @@ def test_examples_in_docstrings_run(module):
 
 
 def measured(ours=1.0):
-    row = Row("poses", "s", ours, 2.0, "peer", 3.0, middle=(2.5, 3.5))
+    row = Row("poses", "s", ours, 2.0, "peer", 3.0, quartiles=(2.5, 2.9, 3.5))
     return {"forward_kinematics": ([row], [Curve("poses", "joints", (1, 2), (1e-3, 2e-3))])}
 
 
