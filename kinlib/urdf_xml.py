@@ -52,7 +52,7 @@ class Element:
 
     def __str__(self) -> str:
         name = f' name="{self.attributes["name"][:60]}"' if "name" in self.attributes else ""
-        return f"<{self.tag}{name}>"
+        return f"<{self.tag:.60}{name}>"
 
     def only(self, tag: str) -> "Element | None":
         """The child with a tag, or None. Raises ValueError where there are two."""
@@ -64,7 +64,8 @@ class Element:
     def word(self, attribute: str) -> str:
         """What an attribute says. Raises ValueError where it is missing or empty, and for a macro left in it."""
         if not (word := self.attributes.get(attribute, "")):
-            raise self.refusal(f"it should say {attribute}=...; it says {' '.join(self.attributes) or 'nothing'}.")
+            came = " ".join(self.attributes) or "nothing"
+            raise self.refusal(f"it should say {attribute}=...; it says {came:.200}.")
         if len(word) > LONGEST:
             raise self.refusal(f'{attribute}="{word[:20]}..." runs on for {len(word)} letters.')
         if "${" in word or "$(" in word:
@@ -134,7 +135,7 @@ def read_robot(path_or_text: str | os.PathLike[str]) -> Element:
         ) from error
     root: Element = builder.root
     if root.tag != "robot":
-        came = OTHERS.get(root.tag, f"<{root.tag}>")
+        came = OTHERS.get(root.tag, f"<{root.tag:.60}>")
         raise root.refusal(f"the first element of a URDF is <robot>; this is {came}.")
     return root
 

@@ -5,6 +5,7 @@ from contextlib import chdir
 from functools import cache
 from pathlib import Path
 
+import numpy as np
 import pytest
 
 KUKA = "kuka_description"
@@ -55,3 +56,21 @@ def text_of(name):
         found_by_name = {**kuka, "kuka_resources": xacro / KUKA / "kuka_resources"}
         packages.update_package_cache({**found_by_name, "qut_frankie_description": xacro / "qut_frankie_description"})
         return XacroDoc.from_file(path.name, resolve_packages=False).to_urdf_string()
+
+
+def as_pinocchio_reads(text, base, tip, names, q):
+    """The poses of tip in base for values (N, n) of the named joints, by Pinocchio's own reader; other joints stay at 0."""
+    pin = pytest.importorskip("pinocchio", reason="no pinocchio here (the wheel `pin` does not exist for Windows)")
+    model = pin.buildModelFromXML(text)
+    data = model.createData()
+    base, tip = (model.getFrameId(link, pin.FrameType.BODY) for link in (base, tip))
+    found = []
+    for row in q:
+        values = pin.neutral(model)
+        for name, value in zip(names, row, strict=True):
+            joint = model.joints[model.getJointId(name)]
+            # A continuous joint of Pinocchio is a point of the circle.
+            values[joint.idx_q : joint.idx_q + joint.nq] = [np.cos(value), np.sin(value)] if joint.nq == 2 else [value]
+        pin.framesForwardKinematics(model, data, values)
+        found.append((data.oMf[base].inverse() * data.oMf[tip]).homogeneous)
+    return np.array(found)
