@@ -210,7 +210,7 @@ def dh_table(found: FrameAssignment) -> str:
         theta = added(variable, theta) if letter == "R" else theta
         rows.append(f"| {i} | ${a}$ | ${alpha}$ | ${d}$ | ${theta}$ |")
     head = "| row | " + " | ".join(names) + " |\n|" + " --- |" * 5
-    ends = f"The base is ${matrix(table.base)}$, the tool ${matrix(table.tool)}$."
+    ends = f"The base and the tool are\n\n$${matrix(table.base)} \\qquad \\text{{and}} \\qquad {matrix(table.tool)}.$$"
     return "\n".join(
         [head, *rows, "", "Any other right table is as good: this is the one that `kl.assign_frames` finds.", "", ends]
     )

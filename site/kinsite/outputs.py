@@ -19,6 +19,9 @@ katex.KATEX_DEFAULT_OPTIONS.update(throwOnError=True, strict="error")  # a formu
 PICTURE = re.compile(r'<img ([^>]*?)src="data:image/(svg\+xml|png);base64,([^"]+)"')
 APART = re.compile(r"(<(script|style|pre|code|textarea|svg)\b.*?</\2>|<[^>]+>)", re.DOTALL)
 """What of HTML is no running text."""
+PUNCTUATION = re.compile(r"[.,;:?!)\]’”]+")
+SHORT = 24
+"""So many letters of LaTeX fit on the line of any phone: what is longer may break within."""
 FORMULA = re.compile(r"\$\$(.+?)\$\$|(?<!\\)\$([^$\n]+?)\$")
 
 
@@ -31,7 +34,9 @@ def setup(app: Sphinx) -> dict[str, Any]:
 
 
 def mend(app: Sphinx, doctree: nodes.document, page: str) -> None:
-    """Set the formulas in each piece of HTML of a page, and take the pictures out of it."""
+    """Set the formulas in each piece of HTML of a page, take the pictures out of it, and hold what stands together."""
+    for formula in list(doctree.findall(nodes.math)):
+        hold(formula)
     up = "../" * page.count("/")
     folder = Path(app.outdir) / "_images"
     for node in doctree.findall(nodes.raw):
@@ -39,6 +44,18 @@ def mend(app: Sphinx, doctree: nodes.document, page: str) -> None:
             text = pictured(formulas(node.astext()), folder, f"{up}_images")
             node.children = [nodes.Text(text)]
             node.rawsource = text
+
+
+def hold(formula: nodes.math) -> None:
+    """Keep a short formula and what punctuates it in one line: a browser may break a line behind any formula."""
+    follows = formula.next_node(descend=False, siblings=True)
+    mark = PUNCTUATION.match(follows.astext()) if isinstance(follows, nodes.Text) else None
+    if mark is None or len(formula.astext()) > SHORT:
+        return
+    rest = nodes.Text(follows.astext()[mark.end() :])
+    follows.parent.replace(follows, rest)
+    formula.parent.replace(formula, together := nodes.inline(classes=["together"]))
+    together += [formula, nodes.Text(mark[0])]
 
 
 def formulas(html: str) -> str:

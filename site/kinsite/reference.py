@@ -33,7 +33,8 @@ ALIASES = {name: stringify_annotation(kind, "smart") for name, kind in {"ArrayLi
 """Types whose names say more than what they stand for."""
 
 OURS = re.compile(r"~?kinlib(?:\.\w+)+")
-DEFINED = re.compile(r"^(\S.*?)(?:  +|(?<=\)) +)(\S.*)$")
+DEFINED = re.compile(r"^(\S.{,40}?)(?:  +|(?<=\)) +(?=->))(\S.*)$")
+"""A line in two columns, or one that says which shapes become which."""
 
 
 def pages() -> Iterator[tuple[str, str]]:
@@ -174,23 +175,27 @@ def prose(text: str, doctest: bool = False) -> str:
 
 
 def paragraph(block: str) -> str:
-    """Running text, or what is listed in two columns as definitions."""
-    lines = block.split("\n")
-    if all(DEFINED.match(line) or line.startswith("  ") for line in lines) and DEFINED.match(lines[0]):
-        out = []
-        for line in lines:
-            if found := DEFINED.match(line):
-                out.append(f"\n`{found[1].strip()}`\n: {escape(found[2])}")
-            else:
-                out.append(f"  {escape(line.strip())}")
-        return "\n".join(out).strip("\n")
-    said = []
-    for line in lines:
+    r"""Running text, and what is listed in two columns as definitions, in the order in which they stand.
+
+    >>> print(paragraph("(..., 3) -> (..., 3, 3), the matrix.\nIt is skew."))
+    `(..., 3)`
+    : -> (..., 3, 3), the matrix.
+    <BLANKLINE>
+    It is skew.
+    """
+    said: list[str] = []
+    listed = False
+    for line in block.split("\n"):
         word, _, rest = line.partition(" ")
-        if word in ("Raises", "Source:"):
-            said.append(f"\n**{word}** {escape(rest)}")
+        if listed and line.startswith("  "):
+            said.append(f"  {escape(line.strip())}")
+        elif found := DEFINED.match(line):
+            said.append(f"\n`{found[1].strip()}`\n: {escape(found[2])}")
+            listed = True
         else:
-            said.append(escape(line))
+            apart = "\n" if listed or word in ("Raises", "Source:") else ""
+            said.append(apart + (f"**{word}** {escape(rest)}" if word in ("Raises", "Source:") else escape(line)))
+            listed = False
     return "\n".join(said).strip("\n")
 
 

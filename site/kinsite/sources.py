@@ -24,6 +24,9 @@ MOVED = {
 }
 """Where a link of a notebook leads on the site."""
 
+CHECKED = "# NBVAL_CHECK_OUTPUT"
+"""Tells the tests to compare what a cell shows; it tells a reader nothing."""
+
 SAMPLE = """\
 :::{{note}}
 The numbers below are those of the id "your id". Yours come from your own id, and so nobody can copy them:
@@ -57,11 +60,26 @@ def pages() -> Iterator[tuple[str, str]]:
 def written_pages() -> Iterator[tuple[str, str]]:
     """The pages that people have written, in site/pages and at the top of the repository."""
     for path in sorted((SITE / "pages").rglob("*.md")):
-        yield path.relative_to(SITE / "pages").as_posix(), path.read_text("utf-8")
+        text = path.read_text("utf-8")
+        yield path.relative_to(SITE / "pages").as_posix(), linked(text) if path.stem == "glossary" else text
     yield "notation.md", (ROOT / "NOTATION.md").read_text("utf-8")
     yield "contributing.md", (ROOT / "CONTRIBUTING.md").read_text("utf-8")
     if (SITE / "instructors.md").exists():
         yield "instructors.md", (SITE / "instructors.md").read_text("utf-8")
+
+
+def linked(text: str) -> str:
+    r"""Text whose lectures can be followed: "Lecture 04" becomes a link to it.
+
+    >>> linked("Lecture 00.")
+    '[Lecture\xa000](lectures/00_start_here.ipynb).'
+    """
+    names = {path.stem[:2]: path.name for path in LECTURES}
+    return re.sub(
+        r"([Ll]ecture)\s(\d\d)\b",
+        lambda found: f"[{found[1]}\N{NO-BREAK SPACE}{found[2]}](lectures/{names[found[2]]})",
+        text,
+    )
 
 
 def notebooks(executed: Mapping[Path, NotebookNode]) -> Iterator[tuple[str, str]]:
@@ -75,11 +93,13 @@ def notebooks(executed: Mapping[Path, NotebookNode]) -> Iterator[tuple[str, str]
 
 
 def moved(notebook: NotebookNode) -> NotebookNode:
-    """A notebook whose links lead to where things are on the site."""
+    """A notebook whose links lead to where things are on the site, without the marks that are for tests."""
     for cell in notebook.cells:
         if cell.cell_type == "markdown":
             for old, new in MOVED.items():
                 cell.source = re.sub(rf"\]\({old}", f"]({new}", cell.source)
+        else:
+            cell.source = cell.source.removeprefix(f"{CHECKED}\n")
     notebook.metadata.pop("widgets", None)
     return notebook
 
