@@ -5,7 +5,7 @@
     python course.py mutation practice.judge
 
 What survived is printed as the line that it made, with its function. A test should kill it; if none can, because the
-faulty line does the same, tests/mutation.toml says why, and there the tests of each module and its last score stand too.
+faulty line does the same, tests/mutation.toml says why. There the tests of each module and its last score stand too.
 
 mutmut forks a process for each fault from one that has imported all. It runs in build/mutation/<module>, on a copy, where
 
@@ -48,6 +48,9 @@ def main(module: str, count: str = "") -> None:
     """Plant faults in a module and say which ones its tests let pass."""
     folder, path = prepared(module)
     faults = {name: fault for name, fault in planted(folder, path).items() if fault}
+    explained = NOTES["explained"].get(module, {})
+    for fault in set(explained) - set(faults.values()):
+        print(f"explained, and no fault any more: {fault}")
     if count:
         faults = dict(random.Random(module).sample(sorted(faults.items()), min(int(count), len(faults))))
     run = [sys.executable, "-c", "from mutmut.__main__ import cli; cli()", "run", "--max-children=1", *faults]
@@ -58,7 +61,6 @@ def main(module: str, count: str = "") -> None:
         sys.exit(f"mutmut stopped; it needs tests that pass. It said:\n{said.read_text('utf-8')[-3000:]}")
     codes = json.loads((folder / f"mutants/{path}.meta").read_text("utf-8"))["exit_code_by_key"]
     survivors = {name: fault for name, fault in faults.items() if codes[name] in UNNOTICED}
-    explained = NOTES.get("explained", {}).get(module, {})
     left = {name: fault for name, fault in survivors.items() if fault not in explained}
     for name, fault in left.items():
         print(f"{UNNOTICED[codes[name]]}: {fault}        ({name})")
