@@ -31,6 +31,9 @@ NOTES = tomllib.loads((ROOT / "tests/mutation.toml").read_text("utf-8"))
 UNNOTICED = {0: "survived", 33: "never run", 5: "never run"}
 MEMORY = 8 * 2**30
 
+MUTMUT = "import sys; sys.setrecursionlimit(3000); from mutmut.__main__ import cli; cli()"
+"""The choice between the right function and the faulty one takes two calls: what recurses goes three times as deep."""
+
 SETTINGS = """
 [tool.mutmut]
 source_paths = ["kinlib"]
@@ -53,7 +56,7 @@ def main(module: str, count: str = "") -> None:
         print(f"explained, and no fault any more: {fault}")
     if count:
         faults = dict(random.Random(module).sample(sorted(faults.items()), min(int(count), len(faults))))
-    run = [sys.executable, "-c", "from mutmut.__main__ import cli; cli()", "run", "--max-children=1", *faults]
+    run = [sys.executable, "-c", MUTMUT, "run", "--max-children=1", *faults]
     said = folder / "log.txt"
     with said.open("w") as log:
         done = subprocess.run(run, stdout=log, stderr=log, check=False, preexec_fn=bounded, env=environment())
