@@ -47,6 +47,7 @@ RESOLVE = "pip compile pyproject.toml --group=mutation --group=installer --unive
 
 def main(command: str = "help", *words: str) -> None:
     signal.signal(signal.SIGINT, lambda *_: None)  # Ctrl-C is for the program that we start: it may have last words
+    signal.signal(signal.SIGTERM, lambda number, _: sys.exit(128 + number))  # and so is this, but it reaches us alone
     if Path(sys.prefix) == VENV:  # it cannot remake itself: the Python that it was made by takes over
         sys.exit(call(sys._base_executable, ROOT / "course.py", command, *words))
     if command in PROGRAMS:
@@ -100,7 +101,12 @@ def step(purpose: str, module: str, *arguments: str | Path, **settings: str) -> 
 
 def call(*command: str | Path, **settings: str) -> int:
     # PYTHONPATH is emptied, for it brings the packages of another Python: a sourced ROS breaks pytest that way
-    return subprocess.call(command, cwd=ROOT, env={**os.environ, "PYTHONPATH": "", **settings})
+    with subprocess.Popen(command, cwd=ROOT, env={**os.environ, "PYTHONPATH": "", **settings}) as program:
+        try:
+            return program.wait()
+        except SystemExit:
+            program.terminate()  # `with` waits until it has ended
+            raise
 
 
 if __name__ == "__main__":

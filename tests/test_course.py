@@ -109,6 +109,33 @@ def test_whoever_mistypes_is_told_the_commands(words, answer):
     assert done.returncode == bool(words)
 
 
+PROGRAM = """
+import signal, sys, time
+signal.signal(signal.SIGTERM, lambda *_: sys.exit("stopped in good order"))
+print("ready", flush=True)
+time.sleep(60)
+"""
+RUN_IT = """
+import sys, course
+course.prepare = lambda *_, **__: None
+course.PYTHON, course.PROGRAMS["open"] = sys.executable, ("-c", sys.argv[1])
+course.main("open")
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows ends a program without a word to it")
+def test_whoever_stops_the_course_stops_what_it_started():
+    """Or JupyterLab and its kernels would go on, and nobody would know."""
+    run_it = [sys.executable, "-c", RUN_IT, PROGRAM]
+    root = Path(course.__file__).parent
+    with subprocess.Popen(run_it, cwd=root, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as started:
+        assert started.stdout.readline() == "ready\n"
+        started.terminate()
+        told = started.communicate(timeout=30)[1]
+    assert told == "stopped in good order\n"
+    assert started.returncode == 128 + 15
+
+
 def test_an_old_python_is_told_in_one_line():
     source = Path(course.__file__).read_text("utf-8")
     old = f"import sys; sys.version_info = (3, 8); exec(compile({source!r}, 'course.py', 'exec'))"
