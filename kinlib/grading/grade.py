@@ -6,6 +6,7 @@ reads them and gives the points. This module carries messages between the two, a
 
 import time
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from hashlib import sha256
 from pathlib import Path
 from threading import Lock
@@ -21,6 +22,11 @@ from kinlib.grading.wire import Gone, Peer
 
 JUDGING = 20.0
 """Seconds that the judge may take for a sheet, and then for each problem by itself."""
+
+MOST_RUNS = 4
+"""So often the cells of one submission run: each time without one more that ended the process."""
+
+ENDED_ITSELF = "the process ended itself"
 
 
 class Grader:
@@ -68,11 +74,10 @@ class Grader:
                 raise Broken("Nothing was handed in.")
             planned = plan(self.sheet, content)
             seed, paper = self._paper(student)
-            ran = self._run(paper, planned)
+            ran, heard = self._heard(paper, planned)
         except Broken as fault:
             problems = self._problems({}, {}, {})
             return self._result(student, "broken", str(fault), problems, digest=digest, began=began)
-        heard = hear(self.sheet.name, planned, ran.said)
         odd = {k: [*planned.odd.get(k, ()), *heard.faults(k)] for k in self.sheet.checks}
         verdicts = self._verdicts(student, seed, heard.answers)
         status, reason = _ending(planned, ran, heard)
@@ -124,13 +129,30 @@ class Grader:
         # On another machine the folder may be missing; then there is no robot's own sheet, and the judge says so.
         return Peer("kinlib.grading.judge", self.sheet.folder if self.sheet.folder.is_dir() else Path())
 
-    def _run(self, paper: str, planned: Plan) -> Ran:
-        """Run the cells. A server that has ended is started anew, once."""
+    def _heard(self, paper: str, planned: Plan) -> tuple[Ran, Heard]:
+        """Run the cells, and hear what they gave. If one ends the process, the others run again without it.
+
+        A crash in one problem costs that problem, and no later one. All runs together have the time of one.
+        """
         sources = [step.source for step in planned.steps]
+        told: list[tuple[Ran, Heard]] = []
+        end = time.monotonic() + self._limits.seconds
+        while len(told) < MOST_RUNS and (left := end - time.monotonic()) > 0:
+            ran = self._run(paper, sources, replace(self._limits, seconds=left))
+            heard = hear(self.sheet.name, planned, ran.said)
+            told.append((ran, heard))
+            if len(heard.cells) == len(sources) or not ran.by_itself:
+                break
+            why = f"This cell was left out, and the others ran without it: {ran.ended or ENDED_ITSELF}."
+            sources[len(heard.cells)] = f"raise RuntimeError({why!r})"
+        return max(told, key=lambda each: len(each[1].cells))
+
+    def _run(self, paper: str, sources: Sequence[str], limits: Limits) -> Ran:
+        """Run the cells once. A server that has ended is started anew, once."""
         for _ in range(2):
             runner = self._runner
             try:
-                return runner.run(paper, sources, self._limits)
+                return runner.run(paper, sources, limits)
             except Gone:
                 with self._lock:
                     if self._runner is runner:
@@ -181,7 +203,7 @@ def _ending(planned: Plan, ran: Ran, heard: Heard) -> tuple[str, str]:
     count = len(heard.cells)
     if count == len(planned.steps):
         return "graded", ""
-    why = ran.ended or "the process ended itself"
+    why = ran.ended or ENDED_ITSELF
     return (
         "stopped",
         f"The run stopped in code cell {count + 1} of {len(planned.steps)}: {why}. What was answered before counts.",

@@ -19,6 +19,9 @@ from kinlib.grading.wire import Gone, environment
 
 CHUNK = 1 << 20
 
+BY_LIMIT = {-signal.SIGKILL, -signal.SIGXCPU} if sys.platform == "linux" else set[int]()
+"""The statuses of what had too much memory or time."""
+
 STARTING = 120.0
 """Seconds that the server may take to import everything; a first start of matplotlib also looks at every font."""
 
@@ -28,14 +31,16 @@ class Ran:
     """What became of a run.
 
     said       the bytes that the child wrote; nobody has looked at them yet
-    ended      "" if it ended by itself, or what ended it
+    ended      what ended it; "" where it came to its end, or nobody knows better
     processor_seconds, memory (MB)   what it used
+    by_itself  whether it ended as its code wanted, and by no limit
     """
 
     said: bytes
     ended: str
     processor_seconds: float
     memory: float
+    by_itself: bool = False
 
 
 class Runner:
@@ -106,7 +111,8 @@ class Runner:
                 pass  # it is gone already: what it said, if anything, says why
             heard, ended = _listen(voice.fileno(), limits)
         done = json.loads(self._ask(b"end " + child))
-        return Ran(heard, ended or _end(done["status"]), done["processor_seconds"], done["memory"])
+        by_itself = not ended and done["status"] not in BY_LIMIT
+        return Ran(heard, ended or _end(done["status"]), done["processor_seconds"], done["memory"], by_itself)
 
     def _ask(self, message: bytes, descriptors: Sequence[int] = ()) -> bytes:
         with self._lock:
