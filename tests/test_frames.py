@@ -3,6 +3,7 @@
 import re
 
 import numpy as np
+import peers
 import pytest
 from arms import ANGLES, CASES, arm, configurations, few
 from test_dh import PRINTED
@@ -110,6 +111,21 @@ def test_a_table_that_is_not_exact_says_so_at_its_end(convention):
     assert "only so far" in found.steps[-1].text
     assert f"{found.accuracy:.1e}" in found.steps[-1].text
     assert "Hayati" in next(step.text for step in found.steps if step.kind == "normal")
+
+
+@pytest.mark.oracle("roboticstoolbox", kl.FrameAssignment.accuracy)
+@each_convention
+def test_the_accuracy_is_what_two_others_find_between_the_table_and_the_arm(convention):
+    """Axes 1e-9 rad off parallel are taken as parallel, and that much is wrong: the Robotics Toolbox's arm beside Pinocchio's."""
+    rtb, _ = pytest.importorskip("roboticstoolbox"), pytest.importorskip("pinocchio")
+    chain, _ = arm(np.random.default_rng(3), 4, cases=(), angle=1e-9, slides=0)
+    found = assign_frames(chain, convention=convention)
+    link = rtb.RevoluteDH if convention == "standard" else rtb.RevoluteMDH
+    links = [link(a=a, alpha=alpha, d=d, offset=theta) for a, alpha, d, theta in found.table.rows]
+    q = configurations(np.random.default_rng(0), chain, 2000)
+    by_table = found.base @ rtb.DHRobot(links).fkine(q).A @ found.tool
+    worst = np.abs(by_table - peers.pinocchio_loop(peers.pinocchio_model(chain), q)).max()
+    assert 1e-10 < found.accuracy <= 1.01 * worst < 2 * found.accuracy
 
 
 def test_a_naive_threshold_would_be_silently_wrong():
