@@ -287,3 +287,12 @@ def test_a_sheet_that_the_judge_cannot_find_is_refused(tmp_path):
     made.with_suffix(".json").unlink()
     with pytest.raises(ValueError, match=r"cannot open sheet my_robot.*its file my_robot\.json"):
         Grader(master(made), is_safe=False)
+
+
+def test_the_judge_imports_nothing_that_people_look_at():
+    """It draws, reads and compares. Everything else would be memory and time, before the first submission."""
+    told = "import sys, kinlib.grading.judge; print(*{'IPython', 'ipywidgets', 'matplotlib', 'sympy'} & {*sys.modules})"
+    done = subprocess.run(
+        [sys.executable, "-c", told], capture_output=True, text=True, check=True, cwd=submissions.ROOT
+    )
+    assert done.stdout.split() == []
