@@ -1,5 +1,6 @@
 """The course site: it builds without a warning, and every page opens in a real browser without a fault, a stranger or a burden."""
 
+import doctest
 import gzip
 import json
 import re
@@ -10,7 +11,7 @@ from urllib.parse import unquote, urlsplit
 import pytest
 from browser import browsers, watched
 from built_site import ROOT, SITE, build_site, served
-from kinsite import execute, gallery, mistakes, outputs
+from kinsite import execute, gallery, mistakes, outputs, reference, sources
 
 KB = 1000
 TEXT, LECTURE = 200 * KB, 450 * KB
@@ -26,11 +27,17 @@ KINDS = {
     "mistakes": "mistakes/03_poe_space.html",
     "reference": "reference/chain.html",
     "glossary": "glossary.html",
+    "notation": "notation.html",
+    "errata": "lectures/errata.html",
+    "instructors": "instructors.html",
     "progress": "progress.html",
     "search": "search.html?q=screw",
     "missing": "no/such/page.html",
     "phone": "lectures/00_start_here.html",
 }
+
+PHONE = {"width": 360, "height": 780}
+SIDEWAYS = "document.documentElement.scrollWidth - document.documentElement.clientWidth"
 
 
 @pytest.fixture(scope="module")
@@ -82,7 +89,7 @@ def test_every_page_opens_without_a_fault_and_every_link_leads_somewhere(flat, a
     """One browser opens them all; `watched` fails at the first word on a console and the first request to a stranger."""
     assert len(pages) > 60
     broken = []
-    with watched(flat) as page:
+    with watched(flat, viewport=PHONE) as page:
         for name in pages:
             answer = page.goto(f"{address}/{name}")
             assert answer.status == 200
@@ -93,6 +100,8 @@ def test_every_page_opens_without_a_fault_and_every_link_leads_somewhere(flat, a
                 where = urlsplit(link)
                 if f"{where.scheme}://{where.netloc}" == address:
                     broken += faults_of_link(built, name, where)
+            if (wide := page.evaluate(SIDEWAYS)) > 0:
+                broken.append(f"{name} is {wide} pixels wider than a phone")
     assert not broken, broken[:5]
 
 
@@ -119,9 +128,9 @@ def test_every_page_says_what_it_is(built, pages):
         assert text.count("<h1") == 1, f"{name} has {text.count('<h1')} main headings"
         for part in ('lang="en"', 'icon" href=', 'name="viewport"'):
             assert part in text, f"{name} lacks {part}"
-        if name not in ("search.html", "404.html"):
-            for part in ('name="description"', 'property="og:image"'):
-                assert part in text, f"{name} lacks {part}"
+        assert "noindex" not in text, f"{name} hides from search engines"
+        for part in ('name="description"', 'property="og:image"'):
+            assert part in text or name in ("404.html", "search.html"), f"{name} lacks {part}"
         titles.setdefault(re.search(r"<title>(.*?)</title>", text)[1], []).append(name)
     # A lecture and its sheet are titled differently, and so is everything else
     assert not {title: names for title, names in titles.items() if len(names) > 1}
@@ -155,7 +164,7 @@ def compressed(path):
 @pytest.mark.parametrize("kind", KINDS)
 def test_axe_finds_nothing_in_light_and_in_dark(chromium, address, kind):
     axe = (SITE / "node_modules" / "axe-core" / "axe.min.js").read_text("utf-8")
-    size = {"width": 390, "height": 844} if kind == "phone" else {"width": 1200, "height": 900}
+    size = PHONE if kind == "phone" else {"width": 1200, "height": 900}
     opened = unwatched if kind == "missing" else watched
     with opened(chromium, viewport=size) as page:
         page.goto(f"{address}/{KINDS[kind]}")
@@ -167,8 +176,7 @@ def test_axe_finds_nothing_in_light_and_in_dark(chromium, address, kind):
             found = page.evaluate("axe.run(document, { resultTypes: ['violations'] })")["violations"]
             told = [(fault["id"], node["html"][:200]) for fault in found for node in fault["nodes"]]
             assert not told, f"{theme}: {json.dumps(told[:4], indent=1)}"
-        wide = page.evaluate("document.documentElement.scrollWidth - document.documentElement.clientWidth")
-        assert wide <= 0, f"the page is {wide} pixels wider than the window"
+        assert page.evaluate(SIDEWAYS) <= 0, "the page is wider than the window"
 
 
 @contextmanager
@@ -286,9 +294,34 @@ def test_without_scripts_every_explanation_can_be_opened(chromium, address):
 
 
 def test_the_search_finds_words_without_asking_anybody(page, address):
-    page.goto(f"{address}/search.html?q=pitch")
-    page.locator("#search-results li a").first.wait_for()
-    assert page.locator("#search-results li a").count() > 3
+    """Lectures before the pages of robots, whose tables hold every word; and a formula is told once, not three times."""
+    page.goto(f"{address}/search.html?q=screw")
+    page.get_by_text("Search finished").wait_for()
+    found = page.locator("#search-results li")
+    assert found.count() > 20
+    leads = [link.rsplit("/", 2)[-2] for link in found.locator("a").evaluate_all("found => found.map(e => e.href)")]
+    assert leads.index("lectures") < leads.index("robots")
+    context = found.filter(has_text="DH frames for any arm").locator(".context").first
+    context.wait_for()
+    assert context.inner_text().count("(0,d)") == 1
+    assert "\\omega" not in "".join(found.locator(".context").all_inner_texts())
+
+
+def test_what_the_keyboard_is_on_can_be_seen_and_the_first_tab_skips_the_navigation(page, address):
+    page.goto(f"{address}/lectures/03_poe_space.html")
+    page.keyboard.press("Tab")
+    assert page.evaluate("document.activeElement.textContent") == "Skip to content"
+    page.wait_for_function("document.activeElement.getBoundingClientRect().top >= 0")
+    page.keyboard.press("Enter")
+    page.keyboard.press("Tab")
+    assert page.evaluate("document.activeElement.closest('article, [role=main]') !== null")
+    for _ in range(12):
+        drawn = page.evaluate(
+            "(s => [s.outlineStyle, parseFloat(s.outlineWidth)])(getComputedStyle(document.activeElement))"
+        )
+        assert drawn[0] != "none", page.evaluate("document.activeElement.outerHTML")
+        assert drawn[1] >= 2
+        page.keyboard.press("Tab")
 
 
 # --- what the pages are made of ---
@@ -314,6 +347,38 @@ def test_no_page_tells_what_a_problem_s_answer_is(built):
 )
 def test_what_is_only_one_student_s_is_left_out_of_a_message(heard, common):
     assert mistakes.common(heard) == common
+
+
+@pytest.mark.parametrize("module", [execute, gallery, mistakes, outputs, reference, sources], ids=lambda m: m.__name__)
+def test_the_examples_of_the_site_s_own_modules_run(module):
+    assert not doctest.testmod(module, optionflags=doctest.NORMALIZE_WHITESPACE).failed
+
+
+def test_what_is_for_tests_is_not_on_a_page(built, pages):
+    """But for the page that says how to write one."""
+    assert [name for name in pages if "NBVAL" in (built / name).read_text("utf-8")] == ["contributing.html"]
+
+
+def test_a_docstring_s_prose_stays_prose_and_its_list_a_list():
+    """A bracket before a word makes no list, two blanks do; and prose may go on below a list."""
+    assert reference.paragraph("A point (n, 3) on every axis") == "A point (n, 3) on every axis"
+    assert reference.paragraph("q      (n,) values\n       in radians\nAnd more.") == (
+        "`q`\n: (n,) values\n  in radians\n\nAnd more."
+    )
+
+
+def test_a_comma_stays_with_its_formula(page, address):
+    """Where a line ends behind a formula, a browser would begin the next one with the comma."""
+    page.set_viewport_size(PHONE)
+    page.goto(f"{address}/mistakes/03_poe_space.html")
+    assert page.locator(".together").count() > 20
+    tops = page.evaluate(
+        """[...document.querySelectorAll('.together')].map((held) => {
+            const range = document.createRange();
+            range.selectNodeContents(held.lastChild);
+            return range.getBoundingClientRect().top - held.querySelector('.katex-html').getBoundingClientRect().bottom; })"""
+    )
+    assert max(tops) < 0
 
 
 def test_a_formula_that_does_not_set_is_no_formula():

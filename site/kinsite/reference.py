@@ -179,7 +179,7 @@ def paragraph(block: str) -> str:
 
     >>> print(paragraph("(..., 3) -> (..., 3, 3), the matrix.\nIt is skew."))
     `(..., 3)`
-    : -> (..., 3, 3), the matrix.
+    : -\> (..., 3, 3), the matrix.
     <BLANKLINE>
     It is skew.
     """
