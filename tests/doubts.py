@@ -17,7 +17,7 @@ from collections.abc import Iterator
 from dataclasses import fields, is_dataclass
 from functools import wraps
 from importlib import import_module
-from inspect import ismodule
+from inspect import isfunction, ismodule
 from itertools import cycle
 
 import numpy as np
@@ -133,7 +133,7 @@ def lie(thing):
     @wraps(honest)
     def liar(*args, **kwargs):
         told = honest(*args, **kwargs)
-        return spoil(args[0]) if name == "__post_init__" else wrong(told)
+        return spoil(args[0]) if told is None else wrong(told)  # what it gives, or else what it has changed
 
     if not ismodule(owner):
         kind = type(vars(owner)[name])
@@ -154,11 +154,16 @@ def lie(thing):
 
 
 def spoil(thing):
-    """Put wrong numbers into the fields of a dataclass; words in them stay, and a yes too if there are numbers."""
+    """Put wrong numbers into the fields of a dataclass; if it has none, no for yes; and if it has words only, other words."""
     told = {field.name: getattr(thing, field.name, None) for field in fields(thing) if field.name != "inside"}
-    counted = {name: x for name, x in told.items() if not isinstance(x, str | bool | None)}
-    for name, x in (counted or {name: x for name, x in told.items() if isinstance(x, bool)}).items():
-        object.__setattr__(thing, name, wrong(x, words=False))
+    said = {
+        name
+        for name, x in told.items()
+        if x is None or isinstance(next(iter(x.values()), "") if isinstance(x, dict) else x, str)
+    }
+    counted = {name for name in told if name not in said and not isinstance(told[name], bool)}
+    for name in counted or told.keys() - said or said:
+        object.__setattr__(thing, name, wrong(told[name], words=not told.keys() - said))
 
 
 def wrong(x, words=True):  # noqa: PLR0911 - one line a kind
@@ -170,7 +175,8 @@ def wrong(x, words=True):  # noqa: PLR0911 - one line a kind
     if isinstance(x, sp.Expr):
         return x + sp.Rational(1, 10**7)
     if isinstance(x, bool | int | float | complex | np.ndarray | np.generic):
-        return wrong_number(np.asarray(x))[()]
+        off = wrong_number(np.asarray(x))[()]
+        return type(x)(off) if isinstance(x, bool | int | float | complex) else off
     if isinstance(x, dict):
         return {key: wrong(value, words) for key, value in x.items()}
     if isinstance(x, tuple) and hasattr(x, "_fields"):
@@ -184,6 +190,11 @@ def wrong(x, words=True):  # noqa: PLR0911 - one line a kind
         for cached in set(getattr(x, "__dict__", {})) - {field.name for field in fields(x)}:
             del x.__dict__[cached]
         spoil(x)
+    elif hasattr(x, "__dict__") and not callable(x):
+        x = copy.copy(x)
+        vars(x).update({name: wrong(value, words=False) for name, value in vars(x).items()})
+    elif isfunction(x):
+        return lambda *args, **kwargs: wrong(x(*args, **kwargs))
     return x
 
 

@@ -8,6 +8,7 @@ from hypothesis import strategies as st
 
 import kinlib as kl
 from kinlib import DHTable, dh_transform, robots
+from kinlib.dh import convention_of
 from kinlib.dh_rows import read_rows
 
 EXACT = 1e-12
@@ -154,25 +155,24 @@ def test_a_table_in_the_other_convention_is_the_same_arm_to_the_robotics_toolbox
 @pytest.mark.oracle("roboticstoolbox", DHTable.to_chain)
 @given(tables("RP"))
 def test_the_axes_of_a_table_are_the_twists_of_the_robotics_toolbox(table):
-    """Its twists are (v, omega) in the frame of the base; Ad of the base takes them to {s}."""
-    twists, home = as_rtb(table, table.convention).twists()
-    axes = [kl.adjoint(table.base) @ np.roll(S, 3) for S in twists.A] if table.n > 1 else None
+    """It writes (v, omega), and its twists and its last frame know of no base and no tool."""
+    table = table.changed(base=np.eye(4))
+    twists, last = as_rtb(table, table.convention).twists()
     chain = table.to_chain()
-    close(chain.home, home.A)
-    if axes:
-        close(chain.screws, axes)
+    close(chain.home, last.A @ table.tool)
+    close(chain.screws, np.roll(np.reshape(twists.A, (-1, 6)), 3, axis=1))
 
 
 @pytest.mark.oracle("sympy", read_rows, DHTable.columns)
-@given(sums(), sums(), sums(), sums())
-def test_an_entry_is_what_sympy_makes_of_it(*entries):
+@given(st.tuples(*[sums()] * 4))
+def test_an_entry_is_what_sympy_makes_of_it(entries):
     """Any sum of numbers, fractions, pi and a length; the coefficient of q is the joint's sign."""
     text = dict(zip(("a", "alpha", "d", "theta"), entries, strict=True))
     q = sympy.Symbol("q1")
     exact = {name: sympy.sympify(entry).subs("l_2", sympy.Rational(1, 4)) for name, entry in text.items()}
     read = read_rows([text | {"theta": f"{text['theta']} - q1"}], lengths={"l_2": 0.25})
     close(read.numbers[0], [float(value.evalf(30)) for value in exact.values()], atol=1e-13)
-    assert read.signs.tolist() == [sympy.diff(exact["theta"] - q, q)]
+    assert read.signs.tolist() == [float(sympy.diff(exact["theta"] - q, q))]
     table = DHTable(read.numbers, convention="standard")
     close([table.columns[name][0] for name in exact], [float(value.evalf(30)) for value in exact.values()], atol=1e-13)
 
@@ -506,3 +506,8 @@ def test_a_table_cannot_be_written_to():
     for array in (table.rows, table.signs, table.base, table.tool):
         with pytest.raises(ValueError, match="read-only"):
             array[0] = 1
+
+
+@pytest.mark.oracle("text: written out in the test", convention_of)
+def test_a_convention_has_one_of_two_names():
+    assert [convention_of(name) for name in ("standard", "modified")] == ["standard", "modified"]

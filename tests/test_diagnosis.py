@@ -24,6 +24,7 @@ def exchanged(table, row):
     return with_entries(table, (row, "a", d), (row, "d", a))
 
 
+@pytest.mark.oracle("axiom: a right table is right in every convention", kl.Diagnosis.right)
 @pytest.mark.parametrize("table", [STANDARD, MODIFIED, STANDARD.converted("modified")])
 def test_a_right_table_is_right(table):
     found = diagnose(table, PUMA)
@@ -31,6 +32,7 @@ def test_a_right_table_is_right(table):
     assert str(found).startswith("This table is the arm.")
 
 
+@pytest.mark.oracle("text: written out in the test", kl.Diagnosis.__str__)
 def test_zeros_signs_base_and_tool_are_told_and_not_held_against_a_table():
     theirs = DHTable("a|alpha|d|theta\n0.4|0|0|-q1\n0.3|0|0|q2 + pi/2", convention="standard")
     ours = DHTable("a|alpha|d|theta\n0.4|0|0|q1\n0.3|0|0|q2", convention="standard", base=kl.exp([0, 0, 0, 1, 2, 3]))

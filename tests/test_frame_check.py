@@ -83,6 +83,7 @@ BROKEN = {
 }
 
 
+@pytest.mark.oracle("printed: EduFill module, steps II to V", check_frames)
 @pytest.mark.parametrize(("frames", "broken"), BROKEN.values(), ids=BROKEN)
 def test_each_broken_rule_is_named_at_its_frame(frames, broken):
     breaches = check_frames(ARM, frames, "standard")

@@ -114,6 +114,7 @@ def test_the_ur5_s_half_turn_is_told():
     assert len(said) == 3
 
 
+@pytest.mark.oracle("printed: Franka Emika, Robot and interface specifications", kl.diagnose)
 def test_the_panda_s_table_read_in_the_wrong_convention_is_recognised():
     """It is printed in the modified convention, without saying so in most copies."""
     chain, _ = from_pinocchio(PANDA_JOINTS)

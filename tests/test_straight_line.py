@@ -9,7 +9,7 @@ import sympy
 from hypothesis import given
 from strategies import ROBOTS, moved_chains
 
-from kinlib.straight_line import write_out
+from kinlib.straight_line import Name, write_out
 
 each_robot = pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
 
@@ -29,6 +29,11 @@ def test_what_is_known_beforehand_is_not_computed():
         lambda q: np.zeros((2, 2)) @ q + np.eye(2) @ q,
     ):
         assert written(formula) == []
+
+
+@pytest.mark.oracle("text: written out in the test", Name.cos, Name.sin)
+def test_a_cosine_and_a_sine_are_noted_by_their_names():
+    assert [f(Name("q1", {})).lines for f in (np.cos, np.sin)] == [{"cos(q1)": "v1"}, {"sin(q1)": "v1"}]
 
 
 def test_what_was_computed_once_is_not_computed_again():
@@ -62,6 +67,7 @@ def test_each_operation_does_what_it_says():
     assert operations.run(2.0, 3.0) == (5.0, 6.0, 6.0, -1.0, -2.0, 2.0, -2.0, 6.0, -2.0, 8.0, 8.0, -2.0)
 
 
+@pytest.mark.oracle("sympy", write_out)
 def test_a_program_says_what_sympy_says():
     """The same formula of SymPy's matrices and symbols, its values taken with 30 digits."""
 

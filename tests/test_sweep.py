@@ -26,7 +26,18 @@ def test_every_element_is_in_one_piece_and_no_piece_is_longer_than_a_chunk():
     np.testing.assert_array_equal(np.concatenate(found, axis=-1)[0], np.arange(2.0 * CHUNK + 3))
 
 
+@pytest.mark.oracle("numpy", dot, cross)
 def test_dot_and_cross_are_those_of_numpy():
     u, v = np.random.default_rng(0).normal(size=(2, 50, 3))
     np.testing.assert_allclose(dot(u.T, v.T), (u * v).sum(axis=1), rtol=1e-14, atol=1e-14)
     np.testing.assert_allclose(cross(u.T, v.T).T, np.cross(u, v), rtol=0, atol=1e-14)
+
+
+@pytest.mark.oracle("numpy", sweep, pieces)
+@pytest.mark.parametrize("shape", [(), (5,), (2, 3), (CHUNK + 1,)])
+def test_a_sweep_of_determinants_is_numpy_s(shape):
+    X = np.random.default_rng(1).normal(size=(*shape, 3, 3))
+    found = sweep(lambda columns: dot(columns[0], cross(columns[1], columns[2])), X, (3, 3), ())
+    np.testing.assert_allclose(found, np.linalg.det(X), rtol=0, atol=1e-13)
+    cut = [np.linalg.det(columns.T) for _, columns in pieces(X, (3, 3))]
+    np.testing.assert_allclose(np.concatenate(cut), np.linalg.det(X).ravel(), rtol=0, atol=1e-13)

@@ -4,6 +4,7 @@ import subprocess
 import sys
 import time
 
+import modern_robotics as mr
 import numpy as np
 import pytest
 import sympy as sp
@@ -15,7 +16,7 @@ from sympy.physics.vector import Point, ReferenceFrame
 
 import kinlib as kl
 from kinlib import symbolic
-from kinlib.runs import signs_gathered
+from kinlib.runs import Run, Turn, pose, product, rotation, signs_gathered, skew
 from kinlib.symbolic import exact, joints, shorthand
 
 AGREES = 1e-12
@@ -122,6 +123,7 @@ def test_rows_without_a_joint_and_joints_that_turn_back_are_read_from_a_table():
 # --- against SymPy's own mechanics ---
 
 
+@pytest.mark.oracle("sympy", symbolic.fk)
 def test_a_planar_arm_agrees_with_the_frames_and_points_of_sympy_mechanics():
     world = ReferenceFrame("s")
     first = world.orientnew("1", "Axis", (q_1, world.z))
@@ -135,6 +137,7 @@ def test_a_planar_arm_agrees_with_the_frames_and_points_of_sympy_mechanics():
     same(T[:3, 3], tool.pos_from(base).to_matrix(world))
 
 
+@pytest.mark.oracle("sympy", symbolic.fk)
 def test_puma_with_letters_for_its_lengths_agrees_with_sympy_mechanics():
     world = frame = ReferenceFrame("s")
     links = []
@@ -150,6 +153,7 @@ def test_puma_with_letters_for_its_lengths_agrees_with_sympy_mechanics():
     close(np.array(symbolic.fk(*puma()).subs(values), dtype=float)[:3], np.array(oracle, dtype=float))
 
 
+@pytest.mark.oracle("sympy", symbolic.exp)
 @pytest.mark.parametrize(
     "S",
     [
@@ -184,6 +188,132 @@ def test_fk_is_the_product_of_the_exponentials():
     same(symbolic.fk(sp.Matrix.hstack(*S).T, M), symbolic.fk(S, M))
     B = [symbolic.adjoint(symbolic.inverse(M)) * axis for axis in S]
     same(symbolic.fk_body(B, M), symbolic.fk(S, M))
+
+
+def letters(*names):
+    return sp.symbols(" ".join(names), real=True)
+
+
+@pytest.mark.oracle("sympy", symbolic.hat, symbolic.vee, skew)
+def test_hat_and_vee_are_those_of_sympy_s_matrices():
+    w, v = sp.Matrix(letters("x", "y", "z")), sp.Matrix(letters("a", "b", "c"))
+    assert symbolic.hat(w) == skew(w) == w.hat()
+    assert symbolic.hat(sp.Matrix([w, v])) == w.hat().row_join(v).col_join(sp.zeros(1, 4))
+    assert symbolic.vee(w.hat()) == w.hat().vee()
+
+
+def any_pose():
+    """A rotation by fractions, which SymPy's quaternions make, and a place."""
+    R = sp.Quaternion(1, 2, -3, 4).to_rotation_matrix()
+    return R.row_join(sp.Matrix(letters("x", "y", "z"))).col_join(sp.Matrix([[0, 0, 0, 1]]))
+
+
+@pytest.mark.oracle("sympy", symbolic.inverse, pose)
+def test_the_inverse_of_a_pose_is_that_of_sympy_s_matrices():
+    T = any_pose()
+    assert pose(T[:3, :3], T[:3, 3]) == T
+    same(symbolic.inverse(T), T.inv())
+
+
+@pytest.mark.oracle("sympy", symbolic.adjoint)
+def test_the_adjoint_is_conjugation_by_sympy_s_matrices():
+    """Column by column: T hat(e) T^-1 for each unit twist, with SymPy's own hat and inverse."""
+    T = any_pose()
+    back = T.inv()
+    columns = []
+    for e in sp.eye(6).columnspace():
+        X = T * sp.Matrix(e[:3]).hat().row_join(sp.Matrix(e[3:])).col_join(sp.zeros(1, 4)) * back
+        columns.append(sp.Matrix([X[2, 1], X[0, 2], X[1, 0], *X[:3, 3]]))
+    same(symbolic.adjoint(T), sp.Matrix.hstack(*columns))
+
+
+@pytest.mark.oracle("sympy", rotation)
+@pytest.mark.parametrize("axis", [(0, 0, 1), (0, -1, 0), (sp.Rational(2, 3), sp.Rational(-1, 3), sp.Rational(2, 3))])
+def test_a_rotation_is_that_of_sympy_s_quaternions(axis):
+    same(rotation(sp.Matrix(axis), q), sp.Quaternion.from_axis_angle(axis, q).to_rotation_matrix())
+
+
+def spelt_out(word):
+    """A word multiplied letter by letter, by SymPy's quaternions and matrices."""
+    T = sp.eye(4)
+    for letter in word:
+        turns = isinstance(letter, Turn)
+        R = sp.Quaternion.from_axis_angle(tuple(letter.axis), letter.angle).to_rotation_matrix() if turns else sp.eye(3)
+        p = sp.zeros(3, 1) if turns else letter
+        T = T * R.row_join(p).col_join(sp.Matrix([[0, 0, 0, 1]]))
+    return T
+
+
+AXES = [sp.Matrix(axis) for axis in ((0, 0, 1), (0, 0, -1), (1, 0, 0), (0, sp.Rational(3, 5), sp.Rational(4, 5)))]
+words = st.lists(
+    st.one_of(
+        st.builds(Turn, st.sampled_from(AXES), st.sampled_from([q_1, q_2, q_1 + q_2, sp.pi / 2, sp.pi / 3])),
+        st.sampled_from([sp.Matrix([a_1, 0, 0]), sp.Matrix([0, q_3, -1])]),
+    ),
+    min_size=1,
+    max_size=4,
+)
+
+
+@pytest.mark.oracle("sympy", product, Run.carry)
+@settings(max_examples=10, deadline=None)
+@given(words)
+def test_a_word_is_the_product_of_its_letters_by_sympy(word):
+    same(product(word, sp.eye(4)), spelt_out(word))
+
+
+@pytest.mark.oracle("sympy", Run.takes, Run.turn, Run.shift)
+def test_a_run_is_turns_about_one_line_as_sympy_multiplies_them():
+    run = Run()
+    z, x = AXES[0], AXES[2]
+    asked = [run.takes(Turn(z, q_1))]
+    word = [Turn(z, q_1), a_1 * x, Turn(-z, q_2), a_2 * x]
+    for letter in word:
+        (run.turn if isinstance(letter, Turn) else run.shift)(letter)
+    asked += [run.takes(Turn(axis, q_3)) for axis in (z, -z, x)]
+    same(run.carry(sp.eye(4)), spelt_out(word))
+    assert asked == [True, sp.Matrix(z).cross(z).is_zero_matrix, True, x.cross(z).is_zero_matrix]
+
+
+@pytest.mark.oracle("sympy", symbolic.dh_transform, symbolic.table_fk, joints)
+@pytest.mark.parametrize("convention", ["standard", "modified"])
+def test_a_row_is_four_motions_of_sympy_s_frames(convention):
+    """Turned and shifted by SymPy's mechanics: about and along z, about and along x, in the order of the convention."""
+    a, alpha, d = letters("a", "alpha", "d")
+    (theta,) = joints(1)
+    assert theta == sp.Symbol("q_1", real=True)
+    world = frame = ReferenceFrame("s")
+    base = here = Point("O")
+    order = "zx" if convention == "standard" else "xz"
+    for number, letter in enumerate(order):
+        angle, length = (theta, d) if letter == "z" else (alpha, a)
+        axis = getattr(frame, letter)
+        here = here.locatenew(f"P{number}", length * axis)
+        frame = frame.orientnew(f"F{number}", "Axis", (angle, axis))
+    oracle = world.dcm(frame).row_join(here.pos_from(base).to_matrix(world)).col_join(sp.Matrix([[0, 0, 0, 1]]))
+    same(symbolic.dh_transform(a, alpha, d, theta, convention=convention), oracle)
+    same(symbolic.table_fk([(a, alpha, d, theta)], convention), oracle)
+
+
+@pytest.mark.oracle("sympy", symbolic.fk_body)
+def test_the_body_form_is_home_times_sympy_s_exponentials():
+    B = [symbolic.screw((0, 0, 1), point=(1, 2, 0)), symbolic.screw((0, 1, 0), pitch=sp.oo)]
+    M = symbolic.exp((sp.pi / 2, 0, 0, 2, 0, 0))
+    oracle = M
+    for axis, value in zip(B, joints(2), strict=True):
+        X = sp.Matrix(axis[:3]).hat().row_join(sp.Matrix(axis[3:])).col_join(sp.zeros(1, 4))
+        oracle = oracle * (X * value).exp()
+    at_once = {joints(2)[0]: sp.Rational(7, 5), joints(2)[1]: sp.Rational(3, 10)}
+    difference = (oracle - symbolic.fk_body(B, M)).subs(at_once)
+    assert max(abs(sp.N(entry, 30)) for entry in difference) < 1e-25
+
+
+@pytest.mark.oracle("modern_robotics", symbolic.screw)
+@pytest.mark.parametrize("pitch", [0, sp.Rational(1, 10), -2])
+def test_a_screw_of_fractions_is_the_one_of_modern_robotics(pitch):
+    axis, point = (sp.Rational(2, 3), sp.Rational(-1, 3), sp.Rational(2, 3)), (1, sp.Rational(1, 4), -2)
+    expected = mr.ScrewToAxis(*(np.array(part, dtype=float) for part in (point, axis)), float(pitch))
+    close(numbers(symbolic.screw(axis, point, pitch)).ravel(), expected)
 
 
 # --- short, and soon ---
@@ -230,6 +360,7 @@ def test_a_numeric_joint_value_may_stand_for_a_symbol():
     same(T, symbolic.fk(kl.robots.rpr()).subs(dict(zip(joints(3), (sp.pi / 2, q, 0), strict=True))))
 
 
+@pytest.mark.oracle("sympy", signs_gathered)
 @given(st.lists(st.sampled_from([1, -1, 2]), min_size=2, max_size=4), st.sampled_from([1, -1, 3]))
 def test_gathering_signs_changes_no_value_and_adds_no_operation(signs, factor):
     symbols = sp.symbols("x_1:5")
@@ -264,6 +395,18 @@ def test_a_float_is_read_as_what_it_stands_for(x, expected):
     assert exact(x) == expected
 
 
+@pytest.mark.oracle("sympy", exact)
+@given(
+    st.one_of(
+        st.decimals(-1000, 1000, places=9).map(str).map(sp.Rational),
+        st.fractions(-7, 7, max_denominator=360).map(lambda fraction: sp.Rational(fraction) * sp.pi),
+        st.fractions(0, 90, max_denominator=100).map(lambda fraction: sp.sqrt(sp.Rational(fraction))),
+    )
+)
+def test_a_number_that_sympy_has_rounded_to_a_double_is_read_as_what_it_was(number):
+    assert exact(float(number.evalf(30))) == number
+
+
 @given(st.floats(-1e6, 1e6))
 def test_no_digit_of_any_float_is_lost(x):
     number = exact(x)
@@ -281,6 +424,7 @@ def test_an_array_becomes_a_matrix_of_its_shape(w):
 # --- shorthand ---
 
 
+@pytest.mark.oracle("text: written out in the test", shorthand)
 def test_shorthand_writes_sums_of_numbered_angles_as_a_blackboard_does():
     theta = sp.symbols("theta_1:3")
     assert str(shorthand(sp.cos(q_3 + q_2) + sp.sin(q_1))) == "c_23 + s_1"
