@@ -1,9 +1,11 @@
 """Gathering: whatever a folder or a platform's download holds, each student has one submission, and each oddity a sentence."""
 
 import os
+import re
 import stat
 import sys
 import zipfile
+from contextlib import suppress
 from pathlib import Path
 
 import pytest
@@ -207,6 +209,8 @@ def test_somebody_whom_the_roster_does_not_know_is_said(tmp_path):
         ("id,name\nada,A\nADA,B\n", "'ada' is there 2 times in 'id'"),
         ("Student,ID,Section\n,,\n", "no id stands in .* --id-column"),
         ("", "has the columns none"),
+        ("a" * 5000, "has the columns a{300}. A roster"),
+        (f"id\n{'x' * 200_000}\n", r"cannot be read as a table \(CSV in UTF-8\): field larger"),
     ],
 )
 def test_a_roster_that_cannot_be_one_is_told_why(tmp_path, text, message):
@@ -341,6 +345,23 @@ def test_a_member_that_lies_about_its_size_gives_no_more_than_it_says(tmp_path):
     source.write_bytes(source.read_bytes().replace((LARGEST + 1).to_bytes(4, "little"), small))
     (handed,) = gather(source, SHEET).handed
     assert "damaged" in refusal(handed)
+
+
+def test_a_zip_of_which_a_byte_was_changed_is_read_or_told_whichever_byte(tmp_path):
+    """Versions, flags, kinds of compression and names: each has an error of its own in Python's library."""
+    source = zipped(tmp_path / "s.zip", {f"ada/{NAME}": notebook("ada"), "ä/x.txt": b"x" * 100})
+    sound, told = source.read_bytes(), []
+    for place in range(len(sound)):
+        for flip in (0x08, 0xFF):
+            source.write_bytes(bytes([*sound[:place], sound[place] ^ flip, *sound[place + 1 :]]))
+            try:
+                for file in files(source):
+                    with suppress(Refused):
+                        file.read()
+            except ValueError as error:
+                told.append(str(error))
+    assert told
+    assert all(re.search(r"neither a folder nor a zip|is damaged: .*Download it again", each) for each in told)
 
 
 def test_a_damaged_member_costs_one_student_and_a_damaged_zip_is_told(tmp_path):

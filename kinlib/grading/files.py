@@ -4,8 +4,10 @@ A link is not followed, a pipe is not opened, a member of a zip that says it lie
 read beyond what a notebook may have. Each of these is a fault with a sentence, which becomes a student's reason.
 """
 
+import lzma
 import os
 import stat
+import struct
 import zipfile
 import zlib
 from collections.abc import Iterator, Sequence
@@ -18,6 +20,12 @@ from kinlib.grading.submission import LARGEST
 
 MOST_FILES = 100_000
 """A download of more files than that is none of a course."""
+
+DAMAGED = (
+    *(zipfile.BadZipFile, zlib.error, lzma.LZMAError, struct.error),
+    *(NotImplementedError, RuntimeError, ValueError, EOFError, OSError),
+)
+"""What comes of a zip whose bytes were changed, depending on which."""
 
 SKIPPED = ("__MACOSX", "Thumbs.db", "desktop.ini")
 
@@ -105,7 +113,7 @@ def _read(path: Path) -> bytes:
 def _of_zip(source: Path) -> Iterator[File]:
     try:
         archive = zipfile.ZipFile(source)  # open as long as its files are: each is read when its turn comes
-    except zipfile.BadZipFile as error:
+    except DAMAGED as error:
         raise ValueError(f"{source} is damaged: {error}. Download it again.") from error
     members = [member for member in archive.infolist() if not member.is_dir()]
     if len(members) > MOST_FILES:
@@ -131,7 +139,7 @@ def _unpacked(archive: zipfile.ZipFile, member: zipfile.ZipInfo, is_inside: bool
     try:
         with archive.open(member) as stream:
             return stream.read(LARGEST + 1)
-    except (zipfile.BadZipFile, zlib.error, NotImplementedError, RuntimeError, EOFError, OSError) as error:
+    except DAMAGED as error:
         raise Refused(f"{name} is damaged or locked in its archive: {error}.") from error
 
 

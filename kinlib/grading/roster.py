@@ -77,7 +77,7 @@ def read_roster(path: Path, id_column: str | None = None) -> Roster:
     kind = next((name for name, kind in KINDS.items() if set(kind.known_by) <= set(titles)), None)
     if kind is None:
         raise ValueError(
-            f"{path} has the columns {', '.join(columns) or 'none'}. A roster is what Canvas, Moodle or Gradescope exports, "
+            f"{path} has the columns {', '.join(columns)[:300] or 'none'}. A roster is what Canvas, Moodle or Gradescope exports, "
             "or a table with a column id."
         )
     key = columns[titles.index(KINDS[kind].key)]
@@ -100,13 +100,13 @@ def read_roster(path: Path, id_column: str | None = None) -> Roster:
 def _table(path: Path) -> tuple[list[str], list[Row]]:
     try:
         text = path.read_text("utf-8-sig")
-    except (OSError, UnicodeDecodeError) as error:
+        head = text.partition("\n")[0]
+        delimiter = max(",;\t", key=head.count)  # Moodle writes the one that the reader's language prefers
+        reader = csv.DictReader(io.StringIO(text), delimiter=delimiter, restval="")
+        rows: list[Row] = [{name: value for name, value in row.items() if name is not None} for row in reader]
+        return list(reader.fieldnames or []), rows
+    except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise ValueError(f"{path} cannot be read as a table (CSV in UTF-8): {error}.") from error
-    head = text.partition("\n")[0]
-    delimiter = max(",;\t", key=head.count)  # Moodle writes the one that the reader's language prefers
-    reader = csv.DictReader(io.StringIO(text), delimiter=delimiter, restval="")
-    rows: list[Row] = [{name: value for name, value in row.items() if name is not None} for row in reader]
-    return list(reader.fieldnames or []), rows
 
 
 def _key(cell: str) -> str:
