@@ -34,7 +34,7 @@ NAMES = {
 INDEX = {"", "i", "link", "joint", "row", "#"}
 VARIABLE = re.compile(r"(q|theta|d)_?\d*", re.ASCII)
 
-WORDS = re.compile(r"(?:(?:\d+\.?\d*|\.\d+)(?:[eE][-+]?\d+)?(?![\w.])|[A-Za-z_]\w*|[-+*/()\s])*", re.ASCII)
+WORDS = re.compile(r"(?:(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?(?![\w.])|[A-Za-z_]\w*\b|[-+*/()\s])*", re.ASCII)
 """What an entry is written in: numbers, names, signs. Python reads 0x1F and 1_000 as numbers too; people do not."""
 
 LARGEST, LONGEST = 100_000, 200

@@ -425,6 +425,7 @@ REFUSED = {
         f"a|alpha|d|theta\n{'-' * 5000}1|0|0|q1",
         "Row 1, a: .* has 5001 letters; .* at most 200",
     ),
+    "a word of forty letters": (f"a|alpha|d|theta\n{'a' * 40}!|0|0|q1", "Row 1, a: 'a{40}!' is no number"),
     "a text without end": ("0 " * 60_000, "at most 100000 letters; this has 120000"),
     "millimetres": ("a (mm)|alpha|d (mm)|theta\n400|0|0|q1", r"head 'a \(mm\)' says mm, and lengths are metres"),
     "a length in degrees": ("a (deg)|alpha|d|theta\n0.4|0|0|q1", "Row 1, a: '0.4' is an angle, and a is a length"),
