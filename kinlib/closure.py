@@ -63,6 +63,19 @@ class Closure:
     limits   (n, 2)  least and greatest value, infinite where there is none
     reach    (n,)    how far from 0 the values are sought, where no limits are nearer
     closed           the norm of the residual below which it is closed
+
+    >>> def circle(x):  # x^2 + y^2 = 1, and its derivative
+    ...     return (x**2).sum(-1, keepdims=True) - 1, 2 * x[:, None]
+    >>> square = np.array([[-2.0, 2.0]] * 2)
+    >>> held = Closure(circle, np.array([0.5, 0.0]), np.array([0]), "xy", np.zeros(2, bool), square, np.ones(2), 1e-9)
+    >>> held.assemble().q.round(9)
+    array([1., 0.])
+    >>> held.modes(stand=lambda q: q).round(9)
+    array([[-1.,  0.],
+           [ 1.,  0.]])
+    >>> free = replace(held, posture=np.array([1.0, 0.0]), free=np.array([0, 1]))
+    >>> free.trace(0.1, points=8, most=100).ends
+    ('closed', 'closed')
     """
 
     equations: Equations

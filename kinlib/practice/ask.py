@@ -64,7 +64,15 @@ class Item:
 
 
 class Question(HasTraits):
-    """A question on the page: what was chosen, and whether the reader has committed to it."""
+    """A question on the page: what was chosen, and whether the reader has committed to it.
+
+    >>> question = ask("03/order")
+    >>> print(question.text().splitlines()[2])
+    B  The axis as you read it at home
+    >>> question.commit(1)
+    >>> question.explanation().title
+    'B is right'
+    """
 
     committed = Bool(False)
     choice = Int(-1)
@@ -159,6 +167,10 @@ def explain(name: str) -> Explanation:
     """Compare the prediction made at ask(name) with the truth, as soon as it is made.
 
     Raises ValueError for a name that there is not.
+
+    >>> ask("03/order").commit(0)
+    >>> explain("03/order").card.title
+    'A is not it'
     """
     return Explanation(_asked.get(name) or Question(find(name), name))
 
@@ -167,6 +179,9 @@ def find(name: str) -> Item:
     """The words of a question.
 
     Raises ValueError for a name that there is not, and for a file that is not as it should be, naming file and key.
+
+    >>> find("03/order").kind
+    'predict'
     """
     lecture, _, key = name.partition("/")
     items = _lectures().get(lecture)

@@ -50,6 +50,18 @@ class Problem:
     figure     a function that draws, called only when somebody looks
 
     Raises ValueError for a mistake whose value is no answer of this kind: nobody could ever make it.
+
+    >>> import numpy as np
+    >>> from kinlib.practice.answers import Numbers
+    >>> values = {"twice": 6, "half": 1.5, "half again": 1.5, "sign": -3}
+    >>> wrong = [mistake(name, np.array(value), "A sentence.") for name, value in values.items()]
+    >>> drawn = Problem("How many?", Numbers(np.array(3.0)), wrong)
+    >>> drawn.telling()
+    False
+    >>> [kept.name for kept in drawn.sifted().mistakes]
+    ['twice', 'half', 'sign']
+    >>> drawn.again(seed=1) is drawn  # it asks for no function
+    True
     """
 
     statement: str
@@ -90,7 +102,12 @@ class Problem:
 
 @dataclass(frozen=True)
 class Template:
-    """A problem before anybody's numbers are drawn."""
+    """A problem before anybody's numbers are drawn.
+
+    >>> from kinlib.practice import find_sheet
+    >>> find_sheet("03_poe_space").problems[0].variant("ada").given["letters"]
+    'PRR'
+    """
 
     number: str
     title: str
@@ -119,6 +136,17 @@ def problem(number: str, title: str, points: int, lecture: str) -> Callable[[Cal
     number   its place, "03.2"; the student's numbers depend on it
     points   full score, shared equally among the parts of the answer
     lecture  where to re-read, "03_poe_space#Prismatic joints": notebook and heading
+
+    >>> import numpy as np
+    >>> from kinlib.practice.answers import Numbers
+    >>> @problem("03.9", "A half", points=1, lecture="03_poe_space#Helical joints")
+    ... def half(draw):
+    ...     x = draw.length(0.1, 0.5)
+    ...     ways = {"doubled": 2 * x, "kept": x, "sign": -x / 2}
+    ...     wrong = [mistake(name, np.array(value), "A sentence.") for name, value in ways.items()]
+    ...     return Problem(f"What is half of {x}?", Numbers(np.array(x / 2)), wrong)
+    >>> half.title, len(half.variant("ada").mistakes)
+    ('A half', 3)
     """
 
     def wrap(write: Callable[[Draw], Problem]) -> Template:

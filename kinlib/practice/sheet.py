@@ -38,6 +38,16 @@ class OpenSheet:
     """A sheet in the hands of one student: shows problems, checks answers, remembers the verdicts.
 
     Problems count from 1, as on the page.
+
+    >>> sheet = open_sheet("03_poe_space", "ada")
+    >>> sheet.given(1).letters
+    'PRR'
+    >>> sheet.check(1, sheet.problem(1).answer.value).score
+    3.0
+    >>> sheet.tally().score
+    3.0
+    >>> sheet.show(6)
+    <IPython.core.display.Markdown object>
     """
 
     def __init__(self, sheet: Sheet, student: Any) -> None:
@@ -107,7 +117,11 @@ class OpenSheet:
 
 
 def sheets() -> list[str]:
-    """The names of all sheets, in lecture order."""
+    """The names of all sheets, in lecture order.
+
+    >>> sheets()[0]
+    '01_frames'
+    """
     return _modules("sheet_")
 
 
@@ -147,7 +161,11 @@ def open_sheet(name: str, student: str) -> OpenSheet:
 
 
 def lecture_steps() -> dict[str, Template]:
-    """The steps that the lectures leave blank, by number: "03.a" is the first of lecture 03."""
+    """The steps that the lectures leave blank, by number: "03.a" is the first of lecture 03.
+
+    >>> lecture_steps()["03.a"].title
+    'A joint that leans by 30 degrees'
+    """
     modules = [importlib.import_module(f"kinlib.practice.steps_{name}") for name in _modules("steps_")]
     return {template.number: template for module in modules for template in module.STEPS}
 
@@ -156,6 +174,9 @@ def attempt(number: str, answer: Any) -> Verdict:
     """Check a step that a lecture leaves blank: the same numbers for everybody, the same kind of feedback as a sheet.
 
     Raises ValueError for a number that no lecture has.
+
+    >>> attempt("03.a", ...).card.title
+    'Problem 03.a: Nothing here yet'
     """
     steps = lecture_steps()
     if number not in steps:

@@ -6,8 +6,10 @@ from typing import TYPE_CHECKING, Any
 from kinlib.view.arm import draw_arm, draw_joints
 from kinlib.view.card import Card
 from kinlib.view.frames import draw_frames
+from kinlib.view.linkage import draw_linkage
 from kinlib.view.picture import Picture
 from kinlib.view.plot import plot
+from kinlib.view.torus import draw_torus
 
 if TYPE_CHECKING:
     from kinlib.view.by_hand import ByHand, assign
@@ -29,6 +31,8 @@ __all__ = [
     "draw_arm",
     "draw_frames",
     "draw_joints",
+    "draw_linkage",
+    "draw_torus",
     "drive",
     "explore",
     "play_assignment",

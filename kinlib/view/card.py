@@ -25,9 +25,12 @@ class Card:
 
     Paragraphs may hold `code` and $mathematics$; a pair ("pre", text) stands as it is, in columns.
 
-    >>> print(Card("right", "Well done", ["All of it."])._repr_mimebundle_()["text/plain"])
+    >>> card = Card("right", "Well done", ["All < 1."])
+    >>> print(card.text())
     ✓ Well done
-      All of it.
+      All < 1.
+    >>> "All &lt; 1." in card.html()
+    True
     """
 
     tone: str

@@ -21,6 +21,9 @@ class Picture:
     """A finished drawing as SVG, with what it shows in words.
 
     Raises ValueError for a text alternative that says too little.
+
+    >>> Picture("<svg></svg>", "A drawing with nothing in it.").html()
+    '<figure style="margin:0"><img alt="A drawing with nothing in it." ...></figure>'
     """
 
     svg: str

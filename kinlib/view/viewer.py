@@ -42,6 +42,16 @@ class ViewerBase(anywidget.AnyWidget):
     choice      the option committed to on the cover, counted from 0; -1 before
     message     a line below the picture, for what Python has to say
     mode        {"kind", ...}: what a player of src/modes is given; empty for an arm with sliders
+
+    >>> from kinlib.practice import ask
+    >>> from kinlib.robots import rpr
+    >>> arm = explore(rpr())
+    >>> arm.html()[:25]
+    '<div data-kinlib-viewer><'
+    >>> arm.wait_for(question := ask("03/order"))
+    >>> question.commit(0)
+    >>> arm.covered
+    False
     """
 
     # The bundle names one object, so that a page without modules can run it too; a module exports what it holds.
