@@ -30,7 +30,7 @@ CHECKED = "# NBVAL_CHECK_OUTPUT"
 SAMPLE = """\
 :::{{note}}
 The numbers below are those of the id "your id". Yours come from your own id, and so nobody can copy them:
-{{download}}`download this sheet </{path}>`, open it in Jupyter, and write your id in its first cell.
+run this sheet in the browser, or {{download}}`download it </{path}>` and open it in Jupyter, and write your id in its first cell.
 :::
 """
 
