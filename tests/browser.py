@@ -45,8 +45,8 @@ def browsers():
     with sync_playwright() as playwright:
         started = []
 
-        def start(webgl=True, more=()):
-            arguments = ["--no-sandbox", *LOCAL, *(DRAWN if webgl else NOT_DRAWN), *more]
+        def start(webgl=True):
+            arguments = ["--no-sandbox", *LOCAL, *(DRAWN if webgl else NOT_DRAWN)]
             started.append(playwright.chromium.launch(executable_path=CHROMIUM, args=arguments))
             return started[-1]
 

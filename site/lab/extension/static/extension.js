@@ -10,27 +10,43 @@
 
   const TOLD = {
     wasm: 'Python cannot start here: this browser has no WebAssembly, or it is switched off, as lockdown modes do. Open this page in a current Firefox, Chrome, Edge or Safari. You can still read, type and download.',
-    storage: 'This browser keeps nothing: its storage is full, or the window is private. What you type lasts until you close this tab, so download the notebook before that. To go on later, open the file with “File, Open from Path” or in any Jupyter.',
+    storage: 'This browser keeps nothing: its storage is full, or the window is private. What you type lasts until you close this tab, so download the notebook before that. To go on later, free some space and save again, or take a window that is not private, and put the file back with Upload, in the folder that the logo leads to.',
     starting: 'Python is still on its way: 30 MB the first time, from your own disk later. What you type meanwhile is kept.',
     silent: `A cell has been running for ${PATIENCE} seconds. If it may be stuck, restart Python: what you typed stays, and results come back when you run the cells again.`,
     dead: 'Python has stopped. What you typed is still here: restart Python, then run the cells again.',
   };
 
+  let lasts = true; // what is kept, until we know better
   let shared;
   const take = async (name) => (await Object.values(shared[name])[0].get())();
   (window._JUPYTERLAB ??= {})[NAME] = {
     init(scope) { shared = scope; },
     async get() {
-      const { INotebookTracker, NotebookActions } = await take('@jupyterlab/notebook');
-      const activate = (app, tracker) => {
+      const packages = ['@jupyterlab/notebook', '@jupyterlab/docmanager', '@jupyterlab/apputils'];
+      const [{ INotebookTracker, NotebookActions }, { IDocumentManager }, { Dialog }] = await Promise.all(packages.map(take));
+      const activate = (app, tracker, manager) => {
         if (typeof WebAssembly !== 'object') tell('wasm');
+        const save = ['Download the notebook', () => tracker.currentWidget && download(tracker.currentWidget)];
+        lasting().catch(() => { lasts = false; tell('storage', save); }); // then JupyterLite calls kept what it holds in memory
         app.commands.addCommand(`${NAME}:download`, {
           label: 'Download', caption: 'Download this notebook as it stands, to hand it in or to keep it', execute: () => download(tracker.currentWidget),
         });
-        tracker.widgetAdded.connect((_, panel) => watch(panel));
+        tracker.widgetAdded.connect((_, panel) => {
+          watch(panel);
+          panel.context.saveState.connect((__, state) => {
+            if (state === 'failed') {
+              manager.autosave = false; // or a dialog would come between every two words
+              setTimeout(() => Dialog.flush());
+              tell('storage', save);
+            } else if (state.startsWith('completed') && lasts) {
+              manager.autosave = true;
+              untell('storage');
+            }
+          });
+        });
         NotebookActions.executed.connect((_, { cell }) => note(cell));
       };
-      return () => ({ __esModule: true, default: { id: `${NAME}:plugin`, autoStart: true, requires: [INotebookTracker], activate } });
+      return () => ({ __esModule: true, default: { id: `${NAME}:plugin`, autoStart: true, requires: [INotebookTracker, IDocumentManager], activate } });
     },
   };
 
@@ -40,15 +56,9 @@
     const { context, sessionContext } = panel;
     const keep = () => context.model.dirty && context.save().catch(() => {});
     const restart = ['Restart Python', () => { untell('silent', 'dead', 'starting'); sessionContext.restartKernel(); }];
-    const save = ['Download the notebook', () => download(panel)];
     let heard = false;
     let waiting;
 
-    context.saveState.connect((_, state) => {
-      if (state === 'failed') tell('storage', save);
-      else if (state.startsWith('completed')) untell('storage');
-    });
-    lasting().catch(() => tell('storage', save));
     document.addEventListener('visibilitychange', () => document.hidden && keep());
 
     sessionContext.statusChanged.connect((_, status) => {
@@ -108,7 +118,7 @@
   document.body.append(board);
 
   function tell(name, ...actions) {
-    untell(name);
+    if (board.querySelector(`[data-told="${name}"]`)) return;
     const card = document.createElement('div');
     card.dataset.told = name;
     card.style.cssText = 'background:#fff8e6;color:#1f2328;border:1px solid #8a5a00;border-left-width:6px;border-radius:.4rem;padding:.7rem 1rem;box-shadow:0 4px 18px #0004';
