@@ -20,5 +20,5 @@ def test_what_sympy_writes_and_what_people_type_goes_one_way(text):
 @pytest.mark.parametrize("text", ["2 a", "a b", "a(b)", "factorial(9)", "2(a)"])
 def test_what_stands_side_by_side_is_a_product_on_paper_only(text):
     assert parse(text)
-    with pytest.raises(ValueError, match="formula|not finished"):
+    with pytest.raises(ValueError, match=r"formula|not finished"):
         expression(text)
