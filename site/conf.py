@@ -36,7 +36,7 @@ nb_execution_mode = "off"  # kinsite.execute has done it
 nb_execution_show_tb = True
 nb_merge_streams = True
 nb_render_markdown_format = "myst"  # problems are stated in formulas and tables
-nb_ipywidgets_js = {}
+nb_ipywidgets_js: dict[str, str] = {}
 # HTML before widgets: there is no kernel, and what is shown brings a form of its own for pages
 nb_mime_priority_overrides = [
     ("html", "text/html", 10),

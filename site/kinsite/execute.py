@@ -55,7 +55,7 @@ def execute(path: Path, kept: Path = KEPT) -> NotebookNode:
 
     Raises NotebookRaised that names the notebook and the cell.
     """
-    notebook = nbformat.read(path, as_version=4)
+    notebook: NotebookNode = nbformat.read(path, as_version=4)
     code = [cell for cell in notebook.cells if cell.cell_type == "code"]
     name = f"{path.relative_to(ROOT).parts[0]}-{path.stem}"  # a lecture and its sheet are called alike
     found = kept / f"{name}-{key(cell.source for cell in code)}.json"
