@@ -6,7 +6,7 @@ The pages are written to build/site/html, or with a folder as the only argument,
 import sys
 from pathlib import Path
 
-from kinsite import lab
+from kinsite import STRICT, lab
 from kinsite.execute import ROOT, NotebookRaised
 from kinsite.fonts import fetch
 from kinsite.sources import prepare
@@ -22,9 +22,7 @@ def build(folder: Path = ROOT / "build" / "site") -> int:
     prepare(folder / "source")
     browser_lab = lab.build()
     words = (
-        "-n",
-        "-W",
-        "--keep-going",
+        *STRICT,
         "-q",
         "-c",
         HERE,

@@ -3,7 +3,10 @@
 import doctest
 import gzip
 import json
+import os
 import re
+import subprocess
+import sys
 from contextlib import contextmanager
 from functools import cache
 from urllib.parse import unquote, urlsplit
@@ -11,7 +14,7 @@ from urllib.parse import unquote, urlsplit
 import pytest
 from browser import browsers, watched
 from built_site import ROOT, SITE, build_site, served
-from kinsite import execute, gallery, mistakes, outputs, reference, sources
+from kinsite import STRICT, execute, gallery, mistakes, outputs, reference, sources
 
 KB = 1000
 TEXT, LECTURE = 200 * KB, 450 * KB
@@ -427,6 +430,30 @@ def test_a_notebook_that_raises_or_complains_fails_the_build_by_name(tmp_path, m
     nbformat.write(nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(source)]), path)
     with pytest.raises(execute.NotebookRaised, match=rf"(?s)broken\.ipynb.*{told}"):
         execute.execute(path, tmp_path)
+
+
+FAULTY = {
+    "picture": ("![An arm that nobody drew](gone.svg)", "image file not readable: gone.svg"),
+    "link": ("[Lecture 99](nowhere.md)", "'myst' cross-reference target not found: 'nowhere.md'"),
+    "heading": ("[Above](#no-such-heading)", "'myst' cross-reference target not found: 'no-such-heading'"),
+    "function": ("{py:func}`kinlib.lie.explode`", "py:func reference target not found: kinlib.lie.explode"),
+    "alone": ("A page that no list of contents names.", "document isn't included in any toctree"),
+}
+
+
+@pytest.mark.usefixtures("built")  # which has fetched what Sphinx needs
+def test_pages_with_faults_fail_the_build_and_each_is_named(tmp_path):
+    listed = "\n".join(name for name in FAULTY if name != "alone")
+    (tmp_path / "index.md").write_text(f"# Faults\n\n```{{toctree}}\n{listed}\n```\n", "utf-8")
+    for name, (text, _) in FAULTY.items():
+        (tmp_path / f"{name}.md").write_text(f"# A page\n\n{text}\n", "utf-8")
+    words = [sys.executable, "-m", "sphinx", "-b", "html", *STRICT, "-c", SITE, tmp_path, tmp_path / "html"]
+    done = subprocess.run(
+        words, cwd=SITE, env={**os.environ, "PYTHONPATH": str(ROOT)}, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 1
+    for name, (_, told) in FAULTY.items():
+        assert re.search(rf"{name}\.md(:\d+)?: WARNING: {re.escape(told)}", done.stderr), f"{name}:\n{done.stderr}"
 
 
 def test_a_robot_without_a_source_fails_the_build_by_name(monkeypatch):
