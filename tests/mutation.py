@@ -24,15 +24,14 @@ import shutil
 import subprocess
 import sys
 import tomllib
+from collections.abc import Iterable
 from pathlib import Path
+from typing import Any
 
 ROOT = Path(__file__).resolve().parents[1]
 NOTES = tomllib.loads((ROOT / "tests/mutation.toml").read_text("utf-8"))
 UNNOTICED = {0: "survived", 33: "never run", 5: "never run"}
 MEMORY = 8 * 2**30
-
-MUTMUT = "import sys; sys.setrecursionlimit(3000); from mutmut.__main__ import cli; cli()"
-"""The choice between the right function and the faulty one takes two calls: what recurses goes three times as deep."""
 
 SETTINGS = """
 [tool.mutmut]
@@ -56,7 +55,7 @@ def main(module: str, count: str = "") -> None:
         print(f"explained, and no fault any more: {fault}")
     if count:
         faults = dict(random.Random(module).sample(sorted(faults.items()), min(int(count), len(faults))))
-    run = [sys.executable, "-c", MUTMUT, "run", "--max-children=1", *faults]
+    run = [sys.executable, "tests/mutation.py", "--mutmut", "run", "--max-children=1", *faults]
     said = folder / "log.txt"
     with said.open("w") as log:
         done = subprocess.run(run, stdout=log, stderr=log, check=False, preexec_fn=bounded, env=environment())
@@ -135,6 +134,35 @@ def wordless(function: ast.FunctionDef) -> str:
     return ast.dump(copy)
 
 
+def mutmut(*words: str) -> None:
+    """mutmut itself, with two changes to how it runs the tests that reach a fault: quick ones first, and by another way.
+
+    It names them to pytest, which does not take back an id with a backslash; so all are collected, and those kept.
+    """
+    from mutmut.__main__ import cli
+    from mutmut.runners.harness import PytestRunner
+    from mutmut.state import state
+    from mutmut.utils.file_utils import change_cwd
+
+    class Chosen:
+        def __init__(self, tests: Iterable[str]) -> None:
+            self.tests = set(tests)
+
+        def pytest_collection_modifyitems(self, items: list[Any]) -> None:
+            seconds = state().duration_by_test
+            items[:] = sorted((i for i in items if i.nodeid in self.tests), key=lambda i: seconds[i.nodeid])
+
+    def run_tests(runner: PytestRunner, *, mutant_name: str | None, tests: Iterable[str]) -> int:
+        plugins = [Chosen(tests)] if tests else []
+        with change_cwd("mutants"):
+            return int(runner.execute_pytest(runner._pytest_args_regular_run([]), plugins=plugins))
+
+    PytestRunner.run_tests = run_tests
+    # The choice between the right function and the faulty one takes two calls: what recurses goes three times as deep.
+    sys.setrecursionlimit(3 * sys.getrecursionlimit())
+    cli(words)
+
+
 def environment() -> dict[str, str]:
     """One thread for each fault, and no other kinlib than the copy."""
     return os.environ | {"OPENBLAS_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
@@ -146,4 +174,7 @@ def bounded() -> None:
 
 
 if __name__ == "__main__":
-    main(*sys.argv[1:])
+    if sys.argv[1] == "--mutmut":
+        mutmut(*sys.argv[2:])
+    else:
+        main(*sys.argv[1:])
