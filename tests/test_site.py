@@ -34,6 +34,7 @@ KINDS = {
     "errata": "lectures/errata.html",
     "instructors": "instructors.html",
     "progress": "progress.html",
+    "performance": "performance.html",
     "search": "search.html?q=screw",
     "missing": "no/such/page.html",
     "phone": "lectures/00_start_here.html",

@@ -10,7 +10,7 @@ from pathlib import Path
 import nbformat
 from nbformat import NotebookNode
 
-from kinsite import gallery, mistakes, progress, reference
+from kinsite import gallery, mistakes, performance, progress, reference
 from kinsite.execute import ROOT, execute_all, made
 
 SITE = ROOT / "site"
@@ -50,6 +50,7 @@ def pages() -> Iterator[tuple[str, str]]:
     """Every page of the site: its path and its text."""
     executed = execute_all([*reversed(LECTURES), *SHEETS])
     yield from written_pages()
+    yield from performance.pages()
     yield from notebooks(executed)
     yield from progress.pages(*({path: executed[path] for path in paths} for paths in (LECTURES, SHEETS)))
     for module in (gallery, mistakes, reference):
