@@ -47,6 +47,10 @@ def test_zeros_signs_base_and_tool_are_told_and_not_held_against_a_table():
     ]
 
 
+def test_of_what_does_not_differ_nothing_is_told():
+    assert str(diagnose(ARM, ARM)) == "This table is the arm."
+
+
 def test_how_far_the_frames_at_the_ends_differ_is_told():
     table = DHTable([[0.4, 0.7, 0.1, 0], [0.3, 0, 0, 0]], convention="standard")
     moved = table.changed(base=kl.exp([np.pi / 2, 0, 0, 0, 0, 0]), tool=kl.exp([0, 0.5, 0, 0, 0.3, 0]))
@@ -260,6 +264,7 @@ def test_two_mistakes_together_are_both_named():
     wrong = exchanged(with_entries(right, (2, "alpha", 0.9)), 3)
     found = diagnose(wrong, right)
     assert sorted(fault.name for fault in found.faults) == ["a and d exchanged", "sign of alpha"]
+    assert str(found).splitlines() == [fault.text for fault in found.faults]
     assert [fault.row for fault in found.faults if fault.name == "a and d exchanged"] == [3]
     assert equivalent(found.corrected, right)
 

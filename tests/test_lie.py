@@ -296,6 +296,25 @@ def test_a_column_of_twists_is_refused_with_the_remedy(f):
         f(np.zeros((6, 2)))
 
 
+@pytest.mark.parametrize(("f", "name", "shape"), [(hat, "x", 3), (exp, "x", 6), (vee, "X", (3, 3)), (log, "X", (3, 3))])
+def test_what_is_no_number_is_refused_by_its_name(f, name, shape):
+    with pytest.raises(ValueError, match=f"^{name} holds NaN or infinity at index"):
+        f(np.full(shape, np.nan))
+
+
+@pytest.mark.parametrize("f", [log, inverse, adjoint])
+@pytest.mark.parametrize("size", [3, 4])
+def test_what_is_no_motion_is_refused_by_its_name(f, size):
+    with pytest.raises(ValueError, match=r"^X is not rigid"):
+        f(np.diag([2, 2, 2, 1])[:size, :size])
+
+
+@pytest.mark.parametrize("f", [hat, exp])
+def test_a_column_of_rotation_vectors_is_refused_with_the_remedy(f):
+    with pytest.raises(ValueError, match=r"got shape \(3, 5\).*Try x\.T"):
+        f(np.zeros((3, 5)))
+
+
 @pytest.mark.parametrize("f", [hat, exp])
 @pytest.mark.parametrize("x", [1.0, [], [1, 2], np.zeros((3, 4))[0], np.zeros((2, 7))])
 def test_a_vector_of_another_size_is_refused(f, x):

@@ -72,6 +72,7 @@ def test_on_one_line_x_is_the_one_before_made_square(z, origin, step, before, si
         close(found.start, origin + step * z if slide else origin)
         close(found.end, found.start)
         assert found.free
+        assert found.sine < 1e-15
 
 
 @pytest.mark.parametrize(
