@@ -1,7 +1,11 @@
-"""Notebooks: each runs from a cold kernel in half a minute without a complaint, and whoever cannot see hears its figures."""
+"""Notebooks: each runs from a cold kernel in half a minute without a complaint, and whoever cannot see hears its figures.
+
+The numbers in a lecture's prose come from its cells; tests/prose.py says which numbers, and what counts as coming from a cell.
+"""
 
 import re
 import time
+from functools import cache
 from html.parser import HTMLParser
 from pathlib import Path
 
@@ -9,6 +13,10 @@ import nbformat
 import pytest
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError
+from prose import numbers_of, without_witness, witnesses
+
+from kinlib.practice.ask import _lectures as questions
+from kinlib.practice.sheet import lecture_steps
 
 ROOT = Path(__file__).parents[1]
 FOLDERS = ("notebooks", "exercises", "solutions")
@@ -76,15 +84,21 @@ def test_what_only_looks_like_html_is_let_be(text):
 # --- as they run ---
 
 
-@each(NOTEBOOKS)
-def test_a_notebook_runs_from_a_cold_kernel(path, record_property):
+@cache
+def executed(path):
+    """The notebook with its outputs, and the seconds that it took: every test here reads the same run."""
     notebook = nbformat.read(path, as_version=4)
     start = time.perf_counter()
     try:
         NotebookClient(notebook, timeout=SECONDS, resources={"metadata": {"path": path.parent}}).execute()
     except CellExecutionError as error:
         pytest.fail(re.sub(r"\x1b\[[\d;]*m", "", str(error)), pytrace=False)
-    seconds = time.perf_counter() - start
+    return notebook, time.perf_counter() - start
+
+
+@each(NOTEBOOKS)
+def test_a_notebook_runs_from_a_cold_kernel(path, record_property):
+    notebook, seconds = executed(path)
     record_property(path.relative_to(ROOT).as_posix(), seconds)
     outputs = list(outputs_of(notebook))
     complaints = [output.text for output in outputs if output.get("name") == "stderr"]
@@ -92,6 +106,31 @@ def test_a_notebook_runs_from_a_cold_kernel(path, record_property):
     silent = [what for output in outputs for what in without_alternative(output)]
     assert not silent, f"these figures say nothing to who cannot see them: {silent}"
     assert seconds < SECONDS, f"took {seconds:.0f} s, and students wait for at most {SECONDS}"
+
+
+@each(LECTURES)
+def test_every_number_in_the_prose_comes_from_a_cell(path):
+    """In the text, in the questions and in the blank steps of a lecture."""
+    cells = executed(path)[0].cells
+    seen = witnesses(cells)
+    unseen = {cell.id: without_witness(cell.source, seen) for cell in cells if cell.cell_type == "markdown"}
+    for name, assumed, claims in asked_in(path):
+        unseen[name] = without_witness(claims, seen | set(numbers_of(assumed)))
+    unseen = {place: numbers for place, numbers in unseen.items() if numbers}
+    assert not unseen, f"let a cell print these, or word the sentence without them: {unseen}"
+
+
+def asked_in(path):
+    """What a lecture asks elsewhere than in its text: name, what is assumed there, and what is said to be true."""
+    lecture = path.stem.partition("_")[0]
+    for name, item in questions().get(lecture, {}).items():
+        assumed = [item.text, *(option.text for option in item.options if not option.right)]
+        claims = [item.options[item.right].text, *(option.why for option in item.options)]
+        yield name, "\n".join(assumed), "\n".join(claims)
+    for number, step in lecture_steps().items():
+        if number.startswith(f"{lecture}."):
+            problem = step.variant("anybody")
+            yield number, "", "\n".join([problem.statement, *(wrong.message for wrong in problem.mistakes)])
 
 
 def outputs_of(notebook):
