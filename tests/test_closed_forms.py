@@ -16,6 +16,7 @@ from kinlib.practice.formula_text import FUNCTIONS
 from kinlib.practice.formulas import MOST, Reader
 from kinlib.practice.judge import judge
 from kinlib.practice.problem import Problem, mistake
+from kinlib.practice.text import number
 
 q_1, q_2 = sp.symbols("q_1 q_2", real=True)
 a_2 = sp.Symbol("a_2", positive=True)
@@ -133,6 +134,36 @@ def test_a_wrong_formula_is_told_numbers_and_a_wrong_matrix_is_told_where():
         judge(Problem("", rotation, []), "[[cos(theta), sin(theta)], [sin(theta), cos(theta)]]").findings[0].message
     )
     assert message == "3 of the 4 entries are right. Look at row 1, column 2."
+
+
+def test_what_is_expected_is_said_in_the_problem_s_own_symbols():
+    T = sp.eye(4) * q_1
+    expected = {
+        RIGHT: "one formula in a_2, q_1, q_2: text such as '2*sin(q_2)', or SymPy",
+        ClosedForm(sp.Rational(1, 2)): "one formula in numbers: text such as '1/2', or SymPy",
+        ClosedForm(sp.Matrix([q_1, 1])): "a vector of 2 formulas in q_1: text such as '[2*sin(q_1), 0, ...]', or SymPy",
+        ClosedForm(T): "a 4x4 matrix of formulas in q_1: text such as '[[2*sin(q_1), 0, ...], ...]', or SymPy",
+    }
+    assert [form.expected for form in expected] == list(expected.values())
+    assert [form.parts for form in expected] == [["the formula"]] * 3 + [["rotation", "position"]]
+
+
+def test_the_numbers_that_are_told_are_those_of_both_formulas():
+    form = ClosedForm(theta)
+    at = Reader([theta]).first_point["theta"]
+    told = f"Try numbers: at theta = {number(at)} your formula gives {number(2 * at)}, and {number(at)} is right."
+    assert form.hint(form.read("2 theta"), 0) == told
+    vector = ClosedForm(sp.Matrix([theta, 0, 1]))
+    assert vector.hint(vector.read("[theta, 0, 2]"), 0) == "2 of the 3 entries are right. Look at entry 3."
+
+
+def test_a_right_answer_with_decimals_is_met_by_what_is_exact():
+    assert is_right(ClosedForm(0.7071 * sp.sin(theta)), "sin(theta)/√2")
+
+
+def test_what_is_nearly_right_is_told_so_though_it_is_exact():
+    assert "This is close" in judge(Problem("", ClosedForm(theta), []), "99/100 theta").findings[0].message
+    assert "This is close" not in judge(Problem("", ClosedForm(theta), []), "9/10 theta").findings[0].message
 
 
 # --- what is no formula ---

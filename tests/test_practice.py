@@ -185,6 +185,7 @@ def test_names_are_put_in_order_and_options_are_chosen():
     assert [judge(Problem("", order, []), given).state for given in (["e_a", "M"], ("e_a", "M"), ["M", "e_a"])] == [
         *("right", "right", "wrong")
     ]
+    assert judge(Problem("", order, []), ["M", "e_a"]).findings[0].message.startswith("None of the mistakes")
     choice = Choice("b", {"a": "left", "b": "right"})
     assert [judge(Problem("", choice, []), given).state for given in ("b", " B\n", "a")] == ["right", "right", "wrong"]
 

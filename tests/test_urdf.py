@@ -378,7 +378,8 @@ def test_a_file_may_be_in_any_encoding_that_it_names(tmp_path, encoding):
         ('<axis xyz="0 0 1"/>\n<axis xyz="0 0 1"/>', "it has <axis> twice, in lines 5 and 6"),
         ('<origin xyz="0 0"/>', 'Line 5, <origin> in <joint name="j">: xyz should hold 3 numbers'),
         ('<origin rpy="0 0 90"/>', "rpy holds 90 rad. URDF writes radians, not degrees"),
-        ('<origin xyz="0 0 1e7"/>', r"xyz holds 1e\+07 m"),
+        ('<origin xyz="0 0 1e7"/>', r"xyz holds 1e\+07 m\. URDF writes metres\.$"),
+        ('<origin xyz="1 0 -1e7"/>', r"xyz holds -1e\+07 m\. URDF"),
         ('<origin xyz="${length} 0 0"/>', 'xyz="[$]{length} 0 0" is for xacro to work out. Expand the file first'),
         ('<origin xyz="$(arg x) 0 0"/>', "for xacro"),
         ('<parent link="b"/>', "it has <parent> twice"),
@@ -393,7 +394,7 @@ def test_a_fault_in_a_joint_is_named_with_its_line(parts, said):
     ("kind", "parts", "said"),
     [
         ("revolute", "", 'Line 4, <joint name="j">: a revolute joint needs its <limit .*continuous'),
-        ("prismatic", "", "a prismatic joint needs its <limit"),
+        ("prismatic", "", "a prismatic joint needs its <limit .*How far does it slide"),
         ("revolute", '<limit lower="2" upper="1"/>', "Line 5, <limit> .*lower is 2 and upper is 1. Are they exchanged"),
         ("revolute", '<limit lower="-inf" upper="1"/>', 'got "-inf"'),
         ("revolut", "", 'type="revolut" is none of revolute, continuous'),
@@ -433,6 +434,8 @@ def linked(links, *joints):
         (linked("abc", "ab", "bc").replace("j1", "j0"), 'Line 6, <joint name="j0">: the joint in line 5 has this name'),
         (linked("ab", "aβ"), 'Line 4, <child> in <joint name="j0">: joint j0 names link "β", and there is none'),
         (linked(["base", "arm"], ["bsae", "arm"]), "Did you mean base"),
+        (linked("ab", "aβ"), r"there is none\. The links are a, b\.$"),
+        (linked("abcdefghijklm", "aβ"), r"The links are a, b, c, d, e, f, g, h, i, j, k, l, \.\.\.$"),
         (
             linked("abcd", "ab", "bc", "cd", "db"),
             "Line 9, <child> in <joint .*link b hangs on joint j0 of line 6 already.*no URDF holds one",
