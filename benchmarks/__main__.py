@@ -29,7 +29,7 @@ SUITE = (
     "grading",
 )
 SLOW = {"grading"}
-WIDTHS = {"what": 50, "kinlib": 9, "peer's": 13, "peer": 37, "ratio": 32, "wanted": 22, "": 12}
+WIDTHS = {"what": 50, "kinlib": 9, "peer's": 13, "peer": 37, "ratio": 32, "wanted": 22, "result": 12}
 """Letters for each column."""
 
 

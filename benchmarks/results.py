@@ -121,7 +121,7 @@ def told(row: Row) -> dict[str, str]:
         "peer": row.peer,
         "ratio": figure + (f" ({times(row.quartiles[0])} to {times(row.quartiles[2])})" if row.quartiles else ""),
         "wanted": wanted,
-        "": {True: "met", False: "missed", None: "not measured"}[row.met],
+        "result": {True: "met", False: "missed", None: "not measured"}[row.met],
     }
 
 

@@ -80,6 +80,9 @@ PROBES = {
 FASTER = {"readout": 100.0, "picture": 5.0}
 """So many times faster than interact is wanted, to the number that a reader waits for and to the picture."""
 
+SCROLLED = 300
+"""Milliseconds, for a page to show the slider that gets the focus, which is no part of the answer to a key."""
+
 PAUSES = {"viewer": 150, "interact": 1500}
 """Milliseconds, for all that follows to be over before the next press."""
 
@@ -115,6 +118,7 @@ def beside_interact(page, presses):
     for _ in range(presses):
         for (who, what), probe in PROBES.items():
             page.locator(sliders[who]).nth(1).focus()
+            page.wait_for_timeout(SCROLLED)
             times[who, what].append(timed(page, list(sliders).index(who), probe))
             page.wait_for_timeout(PAUSES[who])
     return times

@@ -46,7 +46,7 @@ def test_a_peer_that_is_not_installed_leaves_a_row_without_a_verdict():
     (row,) = compared("something", Way(int), {"peer": (missing, 2.0)}, rounds=1)
     assert (row.theirs, row.figure, row.met) == (None, None, None)
     assert told(row)["peer's"] == "not installed"
-    assert told(row)[""] == "not measured"
+    assert told(row)["result"] == "not measured"
 
 
 @pytest.mark.parametrize(
@@ -170,7 +170,7 @@ def test_the_command_prints_a_table_and_says_what_could_not_be_measured(monkeypa
     command.main("frames", "viewer", "--quick")
     kind, head, row, missing = capsys.readouterr().out.splitlines()
     assert kind.startswith("processor")
-    assert head.split() == ["what", "kinlib", "peer's", "peer", "ratio", "wanted"]
+    assert head.split() == ["what", "kinlib", "peer's", "peer", "ratio", "wanted", "result"]
     assert row.split()[-3:] == ["2", "x", "met"]
     assert missing == "viewer was not measured: there is no browser"
 

@@ -6,7 +6,7 @@ No number stands here, and no sentence that a new measurement could make wrong.
 import ast
 import re
 import sys
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 import numpy as np
 
@@ -20,7 +20,7 @@ sys.path.insert(0, str(ROOT))  # the benchmarks are no part of kinlib
 from benchmarks.measure import Curve, Row
 from benchmarks.results import Run, amount, load, times, told
 
-HEADS = ("what", "kinlib", "peer's", "peer", "ratio", "before", "wanted", "")
+HEADS = ("what", "kinlib", "peer's", "peer", "ratio", "before", "wanted", "result")
 
 TOP = """\
 # Performance
@@ -78,15 +78,17 @@ def section(name: str, runs: tuple[Run, ...]) -> str:
     said = [block for block in re.split(r"\n\s*\n", text) if not block.startswith("    ")][:2]
     before = {(row.what, row.peer): row for run in runs[1:] for row in run.rows}
     table = [cells(row, before.get((row.what, row.peer))) for row in runs[0].rows]
-    return "\n\n".join([f"## {name.replace('_', ' ').capitalize()}", *map(escape, said), grid(HEADS, table)])
+    heads = [head for head in HEADS if any(line[head] for line in table)]
+    shown = grid(heads, [[line[head] for head in heads] for line in table])
+    return "\n\n".join([f"## {name.replace('_', ' ').capitalize()}", *map(escape, said), shown])
 
 
-def cells(row: Row, before: Row | None) -> list[str]:
+def cells(row: Row, before: Row | None) -> dict[str, str]:
     """A row of the table, with the ratio of the run before."""
     earlier = "" if before is None else times(before.figure) if before.peer and before.figure else ""
     if before and not before.peer:
         earlier = amount(before.ours, before.unit)
-    return [{**told(row), "before": earlier}[head] for head in HEADS]
+    return {**told(row), "before": earlier}
 
 
 def growth_table(curves: list[Curve]) -> str:
@@ -110,7 +112,7 @@ def drawing(curve: Curve) -> Picture:
     return plot(x, named, xlabel=curve.of, ylabel=f"{curve.what}: seconds", log="xy", alt=alt)
 
 
-def grid(heads: tuple[str, ...], rows: list[list[str]]) -> str:
+def grid(heads: Sequence[str], rows: list[list[str]]) -> str:
     """A table."""
     lines = [heads, ["---"] * len(heads), *([escape(cell) for cell in row] for row in rows)]
     return "\n".join(f"| {' | '.join(line)} |" for line in lines)
