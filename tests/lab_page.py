@@ -1,9 +1,6 @@
 """A notebook of the browser lab, as a person handles it: found on its page, run, typed into, read."""
 
 import re
-from contextlib import contextmanager
-
-from browser import watched
 
 BOOT = 240_000
 """How long Python may take to come, in milliseconds: a cold start is slow where cores are shared."""
@@ -12,17 +9,8 @@ LOOK = 60_000
 """How long JupyterLab may take to draw itself."""
 
 
-@contextmanager
-def opened(browser, address, notebook, prepare=None, **settings):
-    """Open a notebook of the lab, in a browser that fails at a word on its console or a request to a stranger."""
-    with watched(browser, viewport={"width": 1200, "height": 1000}, **settings) as page:
-        if prepare:
-            prepare(page)
-        visit(page, address, notebook)
-        yield page
-
-
 def visit(page, address, notebook):
+    page.set_default_timeout(LOOK)
     page.goto(f"{address}/lab/notebooks/index.html?path={notebook}")
     page.locator(".jp-Notebook .jp-CodeCell").first.wait_for(timeout=LOOK)
 

@@ -17,8 +17,8 @@ from playwright.sync_api import expect
 
 SHEET = "exercises/03_poe_space/03_poe_space.ipynb"
 
-IMPATIENT = """var impatient = false, patient = setTimeout;
-setTimeout = (act, wait, ...more) => patient(act, impatient && wait === 60000 ? 1000 : wait, ...more)"""
+IMPATIENT = """const patient = setTimeout;
+setTimeout = (act, wait, ...more) => patient(act, window.impatient && wait === 60000 ? 1000 : wait, ...more)"""
 """A minute that passes in a second, once somebody is impatient."""
 
 FULL = "() => { IDBObjectStore.prototype.put = () => { throw new DOMException('full', 'QuotaExceededError'); }; }"
@@ -52,6 +52,7 @@ def start():
 def test_a_sheet_is_opened_answered_checked_kept_and_handed_in(start, address, tmp_path):
     """One student's evening, in one window: Python takes a while to come, so it comes once."""
     with watched(start(), viewport={"width": 1200, "height": 1000}) as page:
+        page.set_default_timeout(LOOK)
         page.add_init_script(IMPATIENT)
         page.goto(f"{address}/sheets/03_poe_space.html")
         page.get_by_role("link", name="Run in the browser").click()
@@ -154,7 +155,7 @@ def hand_in(page, folder):
 
 def break_python(page):
     """A cell that never ends: a message offers another Python, and what was typed outlives it."""
-    page.evaluate("impatient = true")
+    page.evaluate("window.impatient = true")
     write(page, cell(page, "sheet.show(2)"), "while True: pass")
     run(page, cell(page, "while True"), done=False)
     page.get_by_text("has been running for 60 seconds").wait_for(timeout=LOOK)
