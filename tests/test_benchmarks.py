@@ -2,6 +2,7 @@
 
 import doctest
 import json
+import re
 import time
 from functools import partial
 from pathlib import Path
@@ -138,6 +139,32 @@ def test_what_is_saved_says_of_the_machine_only_what_kind_it_is(tmp_path):
     assert set(said["machine"]) == {"processor", "cores", "system", "Python", *results.PACKAGES}
     for secret in (socket.gethostname(), getpass.getuser(), str(Path.home())):
         assert secret not in said["machine"].values()
+
+
+def test_the_page_on_performance_shows_every_row_that_is_kept_and_says_each_picture_in_words():
+    import built_site  # noqa: F401 - it lets kinsite be found
+    from kinsite import performance
+
+    shown = dict(performance.pages())
+    page = shown.pop("performance.md")
+    kept = load()
+    for name, (last, *_) in kept.runs.items():
+        assert f"## {name.replace('_', ' ').capitalize()}\n" in page
+        for row in last.rows:
+            (line,) = [line for line in page.splitlines() if line.startswith("| ") and telling(row) <= words_of(line)]
+            assert line.endswith(f"| {told(row)['result']} |")
+    pictures = dict(re.findall(r"^!\[([^\]]{20,})\]\((\S+\.svg)\)$", page, re.MULTILINE))
+    assert set(pictures.values()) == set(shown)
+    assert len(shown) == sum(len(runs[0].curves) for runs in kept.runs.values())
+
+
+def telling(row):
+    """What a line of the page must hold to be that of a row."""
+    return {row.what, *([row.peer] if row.peer else []), amount(row.ours, row.unit)}
+
+
+def words_of(line):
+    return {cell.strip().replace("\\", "") for cell in line.split(" | ")} | {line.split(" | ")[0].removeprefix("| ")}
 
 
 # --- the command ---
