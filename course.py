@@ -8,6 +8,8 @@ And two for the course site, which is what both of them show and check, as pages
     python course.py site        build it into build/site/html
     python course.py serve       show it on http://127.0.0.1:8000, to this machine only
 
+Where there is a Chromium, "pdf" prints the lectures of the site that was built into it, as course.pdf.
+
 The first run makes the course's own environment in .venv, of the versions in constraints.txt; later runs find it made.
 Words that follow go on to JupyterLab or pytest: "open --no-browser", "test -k lie". For those who change dependencies,
 "pin" renews constraints.txt, and --newest after open or test ignores it. For those who change tests, "mutation screw"
@@ -38,9 +40,17 @@ PROGRAMS = {
     "test": ("-m", "pytest", "--numprocesses=auto", "--dist=loadfile"),  # on all cores, each notebook whole on one
     "site": ("site/build.py",),
     "serve": ("site/serve.py",),
+    "pdf": ("site/pdf.py",),
     "mutation": ("tests/mutation.py",),
 }
-GROUPS = {"open": "lab", "test": "test", "site": "site", "serve": "site", "mutation": "mutation"}  # of pyproject.toml
+GROUPS = {
+    "open": "lab",
+    "test": "test",
+    "site": "site",
+    "serve": "site",
+    "pdf": "site",
+    "mutation": "mutation",
+}  # of pyproject.toml
 INCLUDED = {"test": {"test", "lab", "site"}, "mutation": {"mutation", "test", "lab", "site"}}
 RESOLVE = "pip compile pyproject.toml --group=mutation --group=installer --universal --upgrade --quiet --no-annotate"
 
@@ -61,7 +71,7 @@ def main(command: str = "help", *words: str) -> None:
         print(__doc__)
     else:
         sys.exit(
-            f"course.py knows open, test, site, serve, mutation; it was given {command!r}. Try: python course.py open"
+            f"course.py knows open, test, site, serve, pdf, mutation; it was given {command!r}. Try: python course.py open"
         )
 
 
