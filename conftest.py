@@ -4,7 +4,9 @@ import sys
 from pathlib import Path
 
 # On Windows not even its modules load.
-collect_ignore = ["kinlib/grading"] if sys.platform == "win32" else []
+collect_ignore = (
+    ["kinlib/grading", "tests/fuzz_answers.py", "tests/fuzz_notebooks.py"] if sys.platform == "win32" else []
+)
 
 
 def pytest_addoption(parser):

@@ -1,0 +1,136 @@
+"""DH tables in every form, mangled: refused with a sentence, or an arm that is rigid and can be written and read again."""
+
+import re
+from functools import cache
+
+import numpy as np
+from fuzz_urdf import assert_rigid
+from hypothesis import strategies as st
+from mangled import LEAVES, PIECE, assert_explained, chances, mangled, mostly, noise, often
+
+from kinlib.dh import DHTable
+from kinlib.dh_rows import COLUMNS, _table
+from kinlib.practice.answer_data import from_data
+from kinlib.practice.answer_writing import to_data
+
+LENGTHS = {"l1": 0.4, "l2": 0.3, "a_3": 1.0}
+
+SLIDES = (
+    "a | alpha | d | theta\n 0.4 | 0 | 0 | q1\n 0.3 | 0 | 0 | q2",
+    "i | alpha_{i-1} (deg) | a_{i-1} | d_i | theta_i\n1 | 0 | 0 | 0 | θ1\n2 | -90 | l1 | q2 | -90\n3 | 90 | 0 | 0 | theta_3",
+    "| link | a | α | d | θ |\n|---|---|---|---|---|\n| 1 | l1 | π/2 | 0 | q1 + pi/2 |\n| 2 | l2 | −90° | d_2 | 0 |",
+    "theta  d  a  alpha\nq_1    0.6  0  -pi/2\nq_2 - pi/2  0  0.4  0\n-q_3  0.1 0  90°",
+    "$a$ | $\\alpha$ | $d$ | $\\theta$\n0 | \\frac{\\pi}{2} | d_1 - 0.5 | \\pi\n1/2 | (l1 - 0.1)*2 | 0 | \\theta_{2}",
+    "length\ttwist\toffset\tangle\n0.1\t90deg\t0\tq1\n2e-1\t-1.5e0\t0\tq2",
+)
+
+WORDS = r"""
+a  alpha  d  theta  q1  q  -q2  θ  theta_1  d3  l1  l2  a_3  pi  π  -pi/2  \frac{1}{2}  |  |  ---  deg  (deg)  °
+-90°  90deg  *2  /0  /3  **  ^2  //  (  )  i  link  row  #  1.  Matrix([  lambda: 0  f'{q}'  [0.5]  q1 + q2
+q1*0  2*q  __import__  +  sin(0)  0.4 # m  0.4\  'a'  if  1if 1else 2  10^-3  1e-3°  5+5  -0.0  °°  0°1
+"""
+
+CUTS = (r"[^|\t\n]+", r"[^\n]+\n?", r"\w+", PIECE)
+"""Entries, rows, words, and anything."""
+
+PLAIN = re.compile(
+    r"(?>[\s()+\-−*/{}\\$°]|deg|d?frac|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|(?:q|theta|θ|d)_?\{?\d*\}?|pi|π|l1|l2|a_3)*+",
+    re.ASCII,
+)
+"""What an entry is made of, if it is one: no word of Python is a number here, nor a digit of another script."""
+
+ENTRIES = (
+    "0",
+    "0.4",
+    "-90°",
+    "pi/2",
+    "q1",
+    "-q",
+    "theta_2 - pi/2",
+    "d_3",
+    "l1",
+    0,
+    0.5,
+    -1,
+    np.float32(0.25),
+    np.pi / 2,
+)
+
+
+def in_rows(chance):
+    """A table as dictionaries, or as numbers, or as something between, with an odd entry here and there."""
+
+    def entry():
+        if chance.random() < 0.97:
+            return chance.choice(ENTRIES)
+        odd = (*LEAVES, np.nan, np.array([1.0]), np.array(2), np.int8(3), 1j, b"1", 1 + 0j, object, np.bool_(1), {1: 2})
+        return chance.choice(odd)
+
+    names = ["a", "alpha", "d", "theta"]
+    rows = []
+    for _ in range(chance.randint(1, 4)):
+        row = {name: entry() for name in names if chance.random() < 0.97}
+        numbers = [chance.choice([0, 0.4, -1.5, 1e-9, 3]) for _ in names]
+        rows.append(
+            chance.choices([row, numbers, list(row.values()), entry()], [chance.choice([40, 1]), 4, 0.3, 0.2])[0]
+        )
+    if chance.random() < 0.3:
+        rows = [[chance.choice([0, 0.4, -1.5, 1e-9, 3, 1e200, 12.56]) for _ in names] for _ in rows]
+    return chance.choice([rows, rows, rows, tuple(rows), np.array(rows, dtype=object), iter(rows), rows[0]])
+
+
+@cache
+def cases():
+    """Rows, convention, joints and lengths."""
+    texts, rows = mangled(st.sampled_from(SLIDES), WORDS, CUTS), chances().map(in_rows)
+    conventions = mostly(["standard", "modified"], ["Standard", "", None, [], {}, "\ud800", "x" * 9999, np.zeros(2)])
+    joints = mostly([""], ["RR", "RP", "RPR", "R", "FF", "rr", None, 0, ["R", "R"], "R" * 9999])
+    odd = [
+        None,
+        {},
+        {"l1": "x"},
+        {"l1": None},
+        {"l1": np.nan},
+        {"l1": 10**400},
+        {"l1": [0.5]},
+        {"pi": 3.0},
+        {3: 3},
+        [],
+        7,
+    ]
+    anything = often(20, texts | rows, noise(), st.sampled_from(LEAVES))
+    return st.tuples(anything, conventions, joints, mostly([LENGTHS], odd))
+
+
+def check(case):
+    rows, convention, joints, lengths = case
+    try:
+        table = DHTable(rows, convention=convention, joints=joints, lengths=lengths)
+    except ValueError as error:
+        assert_explained(error)
+        return
+    q = np.linspace(-3, 3, 2 * table.n).reshape(2, table.n)
+    poses, near = table.fk(q), {"rtol": 0, "atol": 1e-9 * (1 + np.abs(table.rows).sum() + 3 * table.n)}
+    assert_rigid(poses)
+    np.testing.assert_allclose(table.to_chain().fk(q), poses, **near)
+    other = "modified" if convention == "standard" else "standard"
+    np.testing.assert_allclose(table.converted(other).fk(q), poses, **near)
+    np.testing.assert_array_equal(DHTable(_typed(table), convention=convention).fk(q), poses)
+    np.testing.assert_array_equal(from_data(to_data(table)).fk(q), poses)
+    for entry in _texts(rows):
+        assert PLAIN.fullmatch(entry), f"{entry!r} is read as a number"
+
+
+def _typed(table):
+    """The table as a slide would have it."""
+    rows = ["theta | d | alpha | a"]
+    for (a, alpha, d, theta), letter, sign in zip(table.rows.tolist(), table.joints, table.signs, strict=True):
+        q = f" {'+' if sign > 0 else '-'} q" if letter != "F" else ""
+        rows.append(f"{theta!r}{q if letter == 'R' else ''} | {d!r}{q if letter == 'P' else ''} | {alpha!r} | {a!r}")
+    return "\n".join(rows)
+
+
+def _texts(rows):
+    """The entries of a table that are text, whatever its form."""
+    rows = _table(rows)[0] if isinstance(rows, str) else [row for row in rows if isinstance(row, dict)]
+    return [row[column] for row in rows for column in COLUMNS if isinstance(row[column], str)]

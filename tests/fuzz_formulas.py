@@ -1,0 +1,98 @@
+"""Formulas as students type them, mangled; and formulas spelt in a dozen ways, which mean what NumPy says they mean."""
+
+from functools import cache
+
+import numpy as np
+import sympy as sp
+from hypothesis import strategies as st
+from mangled import assert_explained, chances, mangled, noise, often, pieces
+
+from kinlib.practice.answers import Unreadable
+from kinlib.practice.closed_forms import ClosedForm
+
+q_1, q_2, a = sp.symbols("q_1 q_2 a")
+ASKED = {
+    "one": ClosedForm(a * sp.cos(q_1 + q_2)),
+    "vector": ClosedForm(sp.Matrix([a * sp.cos(q_1), a * sp.sin(q_2)])),
+}
+
+TYPED = pieces(r"""
+a cos(q_1 + q_2)  2 sin(q1)cos(q1)  a c_{12} - \frac{1}{2} s_1^2  √(a²+1)·cos θ₁  [a c1, a*s2]  2a(q1+1)
+Matrix([[c1, -s1], [s1, c1]])  -(-q1)**2/3  atan2(q_1, q_2) + ln(abs(a)) - exp(-q1)  $\sin(\theta_1)\cdot a$
+sp.cos(q1)*np.sin(q2)  90° + pi/2  [[1,0,0,0],[0,1,0,0],[0,0,1,0],[0,0,0,1]]  1e-3 q1  sinc(q1)/cot(a)
+""")
+
+WORDS = r"""
+q_1  q2  θ_1  a  c12  s1  sin(  cos  sqrt(  √  atan2(  sinc  abs  exp(  log(0)  Matrix(  **  ^  **64  ^-1  /0  *
+·  \frac{  }{  _{1}  \left(  °  E  I  pi  ln  acos(2)  1/  lambda  if  for  and  not  True  None  [  ]  ,  =  ==
+@  //  **9**9**9  1e308  1e-60
+"""
+
+LEAVES = {
+    **dict.fromkeys(["q_1", "q1", "θ_1", r"\theta_{1}"], lambda x: x[0]),
+    **dict.fromkeys(["q_2", "θ₂", "theta2"], lambda x: x[1]),
+    **dict.fromkeys(["c12", "c_{12}", "cos(q1+q2)"], lambda x: np.cos(x[0] + x[1])),
+    "a": lambda x: x[2],
+    r"\frac{a}{2}": lambda x: x[2] / 2,
+    "2a²": lambda x: 2 * x[2] ** 2,
+    **{number: lambda _, number=number: float(number) for number in ("2", "0.5", "1.5e-1", ".25", "3.")},
+}
+ONE = {
+    "sin({})": np.sin,
+    "cos ({})": np.cos,
+    "atan({})": np.arctan,
+    "-({})": np.negative,
+    "({})/2": lambda x: x / 2,
+    **dict.fromkeys(["({})**2", "({})^2", "({})²", "({}) ** 2"], np.square),
+}
+TWO = {
+    "({}+{})": np.add,
+    "({} - ({}))": np.subtract,
+    "({} − ({}))": np.subtract,
+    **dict.fromkeys(["({})*({})", "({}) · ({})", "({}) ({})", "({})({})", r"({}) \cdot ({})"], np.multiply),
+}
+"""How people write it, and what NumPy makes of it."""
+
+
+def spelt(chance, depth=4):
+    """A formula as text, and what it is for x = (q_1, q_2, a)."""
+    if depth == 0 or chance.random() < 0.2:
+        return chance.choice(list(LEAVES.items()))
+    one, f = spelt(chance, depth - 1)
+    if chance.random() < 0.4:
+        text, function = chance.choice(list(ONE.items()))
+        return text.format(one), lambda x: function(f(x))
+    text, function = chance.choice(list(TWO.items()))
+    other, g = spelt(chance, depth - 1)
+    return text.format(one, other), lambda x: function(f(x), g(x))
+
+
+@cache
+def cases():
+    """For which answer, the text, and what it means if we know that."""
+    asked = st.sampled_from(list(ASKED))
+    odd = st.tuples(asked, often(20, mangled(st.sampled_from(TYPED), WORDS), noise()), st.none())
+    known = chances().map(lambda chance: ("one", *spelt(chance)))
+    return odd | known
+
+
+def check(case):
+    which, text, meaning = case
+    answer = ASKED[which]
+    try:
+        formula = answer.read(text)
+    except Unreadable as error:
+        assert_explained(error, Unreadable)
+        if meaning:
+            raise AssertionError(f"{text!r} is a formula") from error
+        return
+    assert np.isfinite(formula.values).all()
+    right = answer.agrees(formula, answer.value)
+    assert answer.agrees(answer.read(formula.given), formula) == [True] * len(right)
+    assert all(right) or isinstance(answer.hint(formula, right.index(False)), str)
+    if meaning:
+        points = answer._reader._points
+        expected = meaning(np.array([points[name] for name in ("q1", "q2", "a")], dtype=float))
+        np.testing.assert_allclose(
+            formula.values, np.broadcast_to(expected, formula.values.shape), rtol=1e-9, atol=1e-9
+        )

@@ -1,0 +1,225 @@
+"""Whatever lies in a submission's folder or zip, beside whatever roster: everybody gets points within bounds, and reasons.
+
+What a sandbox would hear is made up here, and mangled too; the judge, the gradebook and all pages are the real ones.
+"""
+
+import io
+import json
+import math
+import signal
+import tempfile
+import warnings
+import zipfile
+from contextlib import suppress
+from functools import cache
+from pathlib import Path
+
+import nbformat
+from fuzz_answers import assert_verdict
+from hypothesis import strategies as st
+from mangled import (
+    LEAVES,
+    PIECE,
+    assert_explained,
+    chances,
+    change_json,
+    change_text,
+    mangled,
+    mangled_json,
+    mostly,
+    noise,
+    often,
+    pieces,
+)
+from submissions import SHEET, as_bytes, handed_in, released, right
+
+from kinlib.grading import judge as judging
+from kinlib.grading.book import Book
+from kinlib.grading.files import Refused
+from kinlib.grading.gather import gather
+from kinlib.grading.grade import Grader
+from kinlib.grading.layers import Limits
+from kinlib.grading.nbgrader_cells import filled, restored
+from kinlib.grading.publish import publish
+from kinlib.grading.roster import read_roster
+from kinlib.grading.runner import Ran
+from kinlib.grading.submission import master
+from kinlib.grading.tasks import tasks
+from kinlib.grading.wire import pack, receive
+from kinlib.practice import find_sheet
+from kinlib.practice.answer_data import MIME
+from kinlib.practice.answer_writing import to_data
+
+NAMES = pieces(rf"""
+ada.ipynb  ada/{SHEET}.ipynb  ada/{SHEET} (1).ipynb  submitted/ada/{SHEET}/{SHEET}.ipynb  ada/notes.txt  bob.IPYNB  x.pdf
+lovelaceada_1815_99_{SHEET}.ipynb  Ada Lovelace_1815_assignsubmission_file_/{SHEET}.ipynb  submission_99/{SHEET}.ipynb
+submission_metadata.yml  ../out.ipynb  /etc/x.ipynb  C:\x.ipynb  .hidden/a
+""")
+METADATA = (
+    "submission_99:\n  :submitters:\n  - :name: Ada\n    :sid: '007'\n    :email: ada@x\n  :created_at: 2026-01-01\n"
+)
+ROSTERS = (
+    "id\nada\nbob\n",
+    "Student,ID,SIS User ID,SIS Login ID,Section\nPoints Possible,,,,\n'Ada, L',1815,7,ada,1\nBob,1816,8,bob,1\n",
+    'Identifier,Full name,Email address,Grade,Maximum Grade\nParticipant 1815,Ada,ada,,"10,00"\nParticipant 7,Bob,bob,,10\n',
+    "First Name,Last Name,SID,Email\nAda,L,007,ada@x\nBob,B,8,bob@x\n",
+)
+WORDS = rf"""
+"cells"  "cell_type"  "code"  "source"  "metadata"  "nbgrader"  "grade_id"  "check-1"  "worksheets"  NaN  Infinity  null
+[[  {{}}  []  <<<<<<< a  =======  student = 'x'  open_sheet(\"{SHEET}\"  open_sheet('01_frames')  \ud800  %PDF  PK
+check-0  check-001  check-999  check-٣  check-1  cell_type  grade_id
+"""
+
+
+class Prompter:
+    """In place of a sandbox: what a run says was written before, and is mangled.
+
+    asked           the problem that gets its right answer
+    changes, slips  what becomes of the lines, as data and as text
+    """
+
+    asked, changes, slips = 0, (), ()
+
+    def run(self, paper, sources, limits):
+        lines = [{"cell": number, "outputs": self._outputs(source)} for number, source in enumerate(sources)]
+        for change in self.changes:
+            lines = change_json(lines, [change], (*LEAVES, lines[-1:]))
+        said = "\n".join(map(json.dumps, lines if isinstance(lines, list) else [lines]))
+        return Ran(change_text(said, self.slips).encode(errors="surrogatepass"), "", 0.1, 50.0)
+
+    def _outputs(self, source):
+        outputs = [{"output_type": "stream", "name": "stdout", "text": "0.5\n"}]
+        if source == grader().sheet.checks.get(self.asked):
+            right = find_sheet(SHEET).problems[self.asked - 1].variant("ada").answer.value
+            emission = {"sheet": SHEET, "problem": self.asked, "student": "ada", "answer": to_data(right)}
+            data = {"text/html": "<b>", "text/plain": "x", "image/png": "iVBORw0KGgo=", MIME: emission}
+            outputs += [{"output_type": "display_data", "metadata": {}, "data": data}] * 2
+        return outputs
+
+
+class Rehearsal(Grader):
+    """A grader without a sandbox, whose judge sits in this process."""
+
+    def __init__(self, sheet):
+        self.sheet, self.is_safe, self._runner, self._limits = sheet, False, Prompter(), Limits()
+        self._templates = [(each.number, each.title, each.points) for each in find_sheet(sheet.name).problems]
+
+    def _ask(self, message):
+        told = receive(io.BytesIO(pack(message)))
+        answer = judging._answer({**told, "sheet": self.sheet.name})
+        assert "error" not in answer, answer
+        return receive(io.BytesIO(pack(answer)))
+
+
+@cache
+def grader():
+    return Rehearsal(master(released()))
+
+
+@cache
+def handed_out():
+    return nbformat.read(released(), as_version=4)
+
+
+@cache
+def cases():
+    """A folder or a zip, its files by name, the roster, and what is odd about the zip and about what the runs say."""
+    whole = [json.loads(released().read_text("utf-8")), handed_in("ada", right("ada")), handed_in("bob", right("ada"))]
+    old = {"nbformat": 3, "worksheets": [{"cells": [{**cell, "input": cell["source"]} for cell in whole[1]["cells"]]}]}
+    small = {
+        "cells": [{"cell_type": "code", "source": ["student = 'ada'\n", f"sheet = open_sheet('{SHEET}', student)"]}]
+    }
+    documents = [*whole, whole[1], old, small]
+    as_json = mangled_json(st.sampled_from(documents), pieces(WORDS)).map(as_bytes_of)
+    as_text = mangled(st.sampled_from([as_bytes(each).decode() for each in documents]), WORDS).map(_encoded)
+    codings = st.sampled_from(documents).map(lambda each: json.dumps(each).encode("utf-16"))
+    others = st.one_of(mangled(st.just(METADATA)).map(_encoded), noise().map(_encoded), st.binary(max_size=60), codings)
+    contents = often(4, as_json, as_text, others)
+    names = often(4, st.sampled_from(NAMES), mangled(st.sampled_from(NAMES), cuts=(r"[^/]+", PIECE)))
+    rosters = often(4, st.sampled_from([None, *ROSTERS]), mangled(st.sampled_from(ROSTERS), cuts=(r"[^,\n]*", PIECE)))
+    files = st.lists(st.tuples(names, contents), min_size=1, max_size=3)
+    lists = st.tuples(*[st.lists(chances(), max_size=most) for most in (2, 2, 1)])
+    return st.tuples(mostly(["folder", "zip"], ["file"]), files, rosters, lists, st.integers(0, 8))
+
+
+def as_bytes_of(data):
+    return json.dumps(data).encode()
+
+
+def _encoded(text):
+    return text.encode(errors="surrogatepass")
+
+
+def check(case):
+    kind, files, roster_text, (changes, slips, flips), asked = case
+    signal.signal(signal.SIGALRM, judging._too_long)
+    prompter = grader()._runner
+    prompter.changes, prompter.slips, prompter.asked = changes, slips, asked
+    with tempfile.TemporaryDirectory() as root:
+        try:
+            roster = _roster(Path(root), roster_text)
+            gathered = gather(_laid(Path(root), kind, files, flips), SHEET, roster)
+        except ValueError as error:
+            assert_explained(error, ValueError, Refused)
+            return
+        book = Book(Path(root) / "out")
+        for task in tasks(gathered.handed, grader().sheet, False, lambda *_: False):
+            result = task.signed(grader().grade(task.drawn_for, task.content))
+            assert_fair(result)
+            book.keep(result, task.mark)
+            kept = book.kept(result.student, task.mark)
+            assert kept is not None
+            assert (kept.points, kept.status, len(kept.cells)) == (result.points, result.status, len(result.cells))
+            assert_fit_for_nbgrader(task.content, result)
+        try:
+            publish(Path(root) / "out", gathered.handed, book, roster, None)
+        except ValueError as error:
+            assert_explained(error)
+
+
+def assert_fair(result):
+    assert math.isfinite(result.points)
+    assert 0 <= result.points <= result.max
+    assert result.status == "graded" or result.reason
+    for problem in result.problems:
+        assert_verdict({"fraction": problem.points / problem.max, "state": problem.state, "text": problem.verdict})
+
+
+def assert_fit_for_nbgrader(content, result):
+    with suppress(Exception), warnings.catch_warnings(action="ignore"):
+        # what nbformat cannot read is filled in the sheet that was handed out
+        notebook = filled(restored(content, result, handed_out()), result)
+        nbformat.validate(notebook)
+        return
+    nbformat.validate(filled(restored(None, result, handed_out()), result))
+
+
+def _roster(root, text):
+    if text is None:
+        return None
+    (root / "roster.csv").write_bytes(_encoded(text))
+    return read_roster(root / "roster.csv")
+
+
+def _laid(root, kind, files, flips):
+    """The files in a folder, or in a zip with some of its bytes changed; names that this disk cannot hold are left out."""
+    place = root / "in"
+    if kind == "zip":
+        with zipfile.ZipFile(place, "w", zipfile.ZIP_DEFLATED) as archive, warnings.catch_warnings(action="ignore"):
+            for name, content in files:
+                with suppress(ValueError, IndexError):
+                    archive.writestr(name, content)
+        data = bytearray(place.read_bytes())
+        for chance in flips:
+            data[chance.randrange(len(data))] = chance.randrange(256)
+        place.write_bytes(data)
+    elif kind == "file":
+        place.write_bytes(files[0][1])
+    else:
+        place.mkdir()
+        for name, content in files:
+            path = place / name.lstrip("/").replace("..", "")
+            with suppress(OSError, ValueError):
+                path.parent.mkdir(parents=True, exist_ok=True)
+                path.write_bytes(content)
+    return place
