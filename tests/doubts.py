@@ -202,7 +202,7 @@ def wrong_number(x):
     if x.dtype.kind not in "biufc":
         return x
     if x.dtype.kind in "biu":
-        return ~x if x.dtype == bool else x + 1
+        return ~x if x.dtype == bool else x - 1  # one less is an index too
     # Poses and screw axes that are none would be refused, and never compared: these are turned and shifted.
     off = OFF * next(SIZES)
     if x.shape[-2:] in {(3, 3), (4, 4)}:
@@ -215,7 +215,7 @@ def wrong_number(x):
             return x + off * np.concatenate(
                 [np.cross(AXIS, omega), np.cross(AXIS, v) + np.cross(SHIFT, omega)], axis=-1
             )
-    return x + off * (1 + np.abs(x))
+    return x + off * (1 + np.abs(np.where(np.isfinite(x), x, 0)))
 
 
 def misprinted(text):

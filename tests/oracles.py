@@ -23,15 +23,10 @@ import kinlib
 
 TESTS = Path(__file__).parent
 SHOWN = [
-    "practice.bars",
-    "practice.closed_forms",
-    "practice.formulas",
-    "view.linkage",
-    "view.motions",
-    "view.moves",
-    "view.scene",
+    *("practice.bars", "practice.closed_forms", "practice.formulas"),
+    *("view.linkage", "view.motions", "view.moves", "view.scene"),
 ]
-"""Where what people look at and do computes: these modules count like those of the floors below."""
+"""Where what people look at and do computes: these modules count like those of the floors below, but for their drawings."""
 
 SPOKEN = {"__str__", "__bool__"}
 """Methods that have no name of their own and say something all the same."""
@@ -50,7 +45,7 @@ def public():
     floors = [module.name for module in pkgutil.iter_modules(kinlib.__path__) if not module.ispkg]
     for module in map(import_module, (f"kinlib.{name}" for name in [*floors, *SHOWN] if name[0] != "_")):
         for name, thing in vars(module).items():
-            if name[0] == "_" or getattr(thing, "__module__", "") != module.__name__:
+            if name.startswith(("_", "draw_")) or getattr(thing, "__module__", "") != module.__name__:
                 continue
             if inspect.isfunction(thing):
                 yield name_of(thing)

@@ -1,12 +1,15 @@
 """Four bars by compass and ruler, against the solver that closes any linkage, and against what the lengths must be."""
 
+import mpmath
 import numpy as np
 import pytest
+import sympy as sp
 from hypothesis import assume, given
 from hypothesis import strategies as st
+from test_linkages import meeting_points
 
 from kinlib import linkages
-from kinlib.practice.bars import Bars, slider_place
+from kinlib.practice.bars import Bars, slider_place, upright
 
 lengths = st.floats(0.1, 2)
 angles = st.floats(-np.pi, np.pi)
@@ -72,3 +75,56 @@ def test_a_crank_that_turns_right_round_has_no_dead_point():
 def test_a_crank_pin_on_the_rocker_pin_is_refused():
     with pytest.raises(ValueError, match="B stands on D"):
         Bars(1, 1, 2, 2).joints(0.0)
+
+
+# --- by other hands ---
+
+
+@pytest.mark.oracle("mpmath", Bars.joints, Bars.modes, upright)
+@given(st.tuples(lengths, lengths, lengths, lengths), angles)
+def test_the_joints_are_where_two_circles_meet_with_30_digits(four, A):
+    ground, crank, coupler, rocker = four
+    B, D = crank * np.array([np.cos(A), np.sin(A)]), np.array([ground, 0.0])
+    assume(np.linalg.norm(B - D) > 1e-2)
+    left_and_right = meeting_points(B, coupler, D, rocker)
+    assume(left_and_right)
+    C = np.array(left_and_right)
+    assume(np.linalg.norm(C[0] - C[1]) > 1e-2)
+    bars = Bars(*four)
+    for got, expected in zip(bars.joints(A), (B, D, C), strict=True):
+        np.testing.assert_allclose(got, expected, rtol=0, atol=1e-11)
+    directions = [[mpmath.arg(mpmath.mpc(*(c - foot))) for foot in (B, D)] for c in C]
+    q = [[A, b - A, d, b - d] for b, d in directions]
+    turned = np.array([[float(mpmath.arg(mpmath.expj(angle))) for angle in row] for row in q])
+    np.testing.assert_allclose(np.exp(1j * bars.modes(A)), np.exp(1j * turned), rtol=0, atol=1e-9)
+    inside = np.abs(np.abs(turned) - np.pi) > 1e-6
+    np.testing.assert_allclose(upright(np.array(q, dtype=float))[inside], turned[inside], rtol=0, atol=1e-11)
+
+
+@pytest.mark.oracle("sympy", Bars.dead_point, Bars.cosine)
+@pytest.mark.parametrize("four", [(0.5, 0.3, 0.3, 0.3), (0.4, 0.3, 0.2, 0.4), (4, 2, 2.5, 3)])
+def test_the_dead_point_is_an_angle_of_sympy_s_triangle(four):
+    """Ground, crank, and coupler and rocker in one line: the angle at A is opposite to the last."""
+    ground, crank, coupler, rocker = map(sp.Rational, map(str, four))
+    A, D, B = sp.Triangle(sss=(ground, coupler + rocker, crank)).vertices
+    angle = sp.Triangle(A, D, B).angles[A]
+    assert Bars(*four).dead_point() == pytest.approx(float(angle), abs=1e-12)
+    assert Bars(*four).cosine(float(coupler + rocker)) == pytest.approx(float(sp.cos(angle)), abs=1e-12)
+
+
+@pytest.mark.oracle("mpmath", slider_place)
+@given(lengths, st.floats(0.2, 3), st.floats(-0.5, 0.5), angles, st.sampled_from([1, -1]))
+def test_the_slider_is_at_a_root_of_its_quadratic(crank, rod, offset, A, side):
+    """(x - B_x)^2 + (e - B_y)^2 = l^2, by mpmath's roots of polynomials."""
+    height = offset - crank * np.sin(A)
+    assume(abs(height) < rod - 1e-3)
+    x = crank * np.cos(A)
+    roots = sorted(float(root.real) for root in mpmath.polyroots([1, -2 * x, x * x + height**2 - rod**2]))
+    assert slider_place(crank, rod, offset, A, side) == pytest.approx(roots[side > 0], abs=1e-9)
+
+
+@pytest.mark.oracle("printed: Grashof (1883)", Bars.surplus)
+def test_the_surplus_is_grashof_s_in_hand_written_numbers():
+    assert Bars(5, 1, 4, 3).surplus == -1
+    assert Bars(3, 2, 4, 3).surplus == 0
+    assert Bars(4, 2, 2.5, 3).surplus == 0.5

@@ -13,7 +13,7 @@ import kinlib as kl
 from kinlib.practice.answers import Unreadable
 from kinlib.practice.closed_forms import ClosedForm
 from kinlib.practice.formula_text import FUNCTIONS
-from kinlib.practice.formulas import MOST, Reader
+from kinlib.practice.formulas import MOST, Reader, shaped
 from kinlib.practice.judge import judge
 from kinlib.practice.problem import Problem, mistake
 from kinlib.practice.text import number
@@ -63,6 +63,30 @@ def test_another_formula_is_wrong(given):
     assert not is_right(RIGHT, given)
 
 
+@pytest.mark.oracle("sympy", ClosedForm.agrees, ClosedForm.read)
+def test_forms_agree_where_sympy_proves_it():
+    same, other = sp.expand_trig(RIGHT.value), RIGHT.value + sp.Rational(1, 10**6)
+    for typed in (same, other, str(same), str(other)):
+        difference = sp.simplify(RIGHT.value - sp.sympify(typed, {str(symbol): symbol for symbol in (a_2, q_1, q_2)}))
+        assert RIGHT.agrees(RIGHT.read(typed), RIGHT.value) == [difference == 0]
+    read, reader = RIGHT.read(same), Reader([q_1, q_2, a_2])
+    point = {x: sp.Float(repr(reader.first_point[x.name.replace("_", "")])) for x in (q_1, q_2, a_2)}
+    assert read.values[0] == pytest.approx(float(same.subs(point).evalf(25)), rel=1e-12)
+
+
+@pytest.mark.oracle("text: written out in the test", ClosedForm.expected, ClosedForm.parts, ClosedForm.hint, shaped)
+def test_what_is_expected_is_said_in_words():
+    matrix = ClosedForm(sp.eye(2) * q_1)
+    assert [shaped(shape) for shape in ((), (3,), (2, 2))] == [
+        "one formula",
+        "a vector of 3 formulas",
+        "a 2x2 matrix of formulas",
+    ]
+    assert matrix.expected == "a 2x2 matrix of formulas in q_1: text such as '[[2*sin(q_1), 0, ...], ...]', or SymPy"
+    assert (matrix.parts, ClosedForm(sp.eye(4)).parts) == (["the formula"], ["rotation", "position"])
+    assert matrix.hint(matrix.read("[[q1, 0], [1, q1]]"), 0) == "3 of the 4 entries are right. Look at row 2, column 1."
+
+
 def test_decimals_count_as_three_and_what_is_exact_counts_exactly():
     form = ClosedForm(sp.sqrt(2) / 2 * sp.sin(theta))
     assert is_right(form, "0.7071*sin(theta)")
@@ -72,6 +96,7 @@ def test_decimals_count_as_three_and_what_is_exact_counts_exactly():
     assert not is_right(ClosedForm(theta), "1.0*theta + 1/10^6")
 
 
+@pytest.mark.oracle("sympy", Reader.read, Reader.first_point)
 @given(
     st.recursive(
         st.sampled_from([q_1, q_2, a_2, sp.pi, sp.Integer(2), sp.Rational(-1, 3)]),

@@ -3,8 +3,11 @@
 import mpmath
 import numpy as np
 import pytest
+from scipy.interpolate import CubicHermiteSpline
+from scipy.signal import find_peaks
+from scipy.spatial import distance
 
-from kinlib.continuation import Path
+from kinlib.continuation import Curve, Path
 
 EXACT = 1e-12
 STEPS = [0.3, 0.1, 0.03]
@@ -61,6 +64,7 @@ def straightened(path, curve):
 # --- closed curves ---
 
 
+@pytest.mark.oracle("axiom: the points of a unit circle", Path.follow)
 @pytest.mark.parametrize("step", STEPS)
 def test_a_circle_is_gone_round_once(step):
     curve = circle().follow(np.array([0.6, 0.8]), step, 1000)
@@ -265,6 +269,34 @@ def test_a_curve_laid_out_is_on_the_curve_at_equal_steps_and_closes():
         assert steps.max() / steps.min() < 1.02
         along = laid.q[2:] - laid.q[:-2]
         close((laid.tangents[1:-1] * along).sum(1) / np.linalg.norm(along, axis=1), 1, atol=2e-3)
+
+
+def drawn(count=40, far=7.0):
+    """A curve of cosines, whose tangents are known."""
+    s = np.linspace(0.1, far, count)
+    q = np.stack([np.cos(s), np.sin(2 * s), 0.5 * s], axis=1)
+    rates = np.stack([-np.sin(s), 2 * np.cos(2 * s), np.full(count, 0.5)], axis=1)
+    return s, Curve(q, rates / np.linalg.norm(rates, axis=1, keepdims=True), False, ("limit", "limit"), 0.0)
+
+
+@pytest.mark.oracle("scipy", Curve.between, Curve.length)
+@pytest.mark.parametrize("count", [2, 7, 101])
+def test_between_its_points_a_curve_is_scipy_s_hermite_spline(count):
+    _, curve = drawn()
+    s = np.cumsum([0.0, *map(distance.euclidean, curve.q, curve.q[1:])])
+    close(curve.length, s)
+    spline = CubicHermiteSpline(s, curve.q, curve.tangents)
+    close(curve.between(count), spline(np.linspace(0, s[-1], count)))
+
+
+@pytest.mark.oracle("scipy", Curve.turning_points)
+def test_a_coordinate_turns_at_the_peaks_that_scipy_finds():
+    _, curve = drawn(4001)
+    for i in (0, 1):
+        peaks = [found for sign in (1, -1) for found in find_peaks(sign * curve.q[:, i])[0]]
+        turned = curve.turning_points(i)
+        assert len(turned) == len(peaks) > 1
+        assert set(turned - np.sort(peaks)) <= {0, 1}  # it counts the first point beyond the peak
 
 
 # --- where there is no curve ---

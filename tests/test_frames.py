@@ -2,17 +2,19 @@
 
 import re
 
+import mpmath
 import numpy as np
 import peers
 import pytest
 from arms import ANGLES, CASES, arm, configurations, few
+from scipy.linalg import lstsq, null_space
 from test_dh import PRINTED
 
 import kinlib as kl
 from kinlib import robots
 from kinlib.frame_steps import told
 from kinlib.frames import assign_frames
-from kinlib.normals import NEARLY
+from kinlib.normals import NEARLY, Normal, common_normal
 
 CONVENTIONS = ("standard", "modified")
 COUNT = 300
@@ -56,6 +58,39 @@ def test_deck_n_5_s_fifth_row_is_the_tool():
     printed, chain = PRINTED["n = 5"]
     tool = printed.link_transforms(np.zeros(chain.n))[-1]
     np.testing.assert_allclose(assign_frames(chain, convention="modified").tool, tool, rtol=0, atol=1e-12)
+
+
+@pytest.mark.oracle("scipy", common_normal, Normal.free)
+@pytest.mark.parametrize("case", CASES)
+def test_a_common_normal_runs_between_the_feet_that_scipy_finds_nearest(case):
+    """How far to go along both axes so that the way between is shortest: least squares, with rank 1 where it is free."""
+    rng = np.random.default_rng(20)
+    for _ in range(20):
+        chain, _ = arm(rng, 2, cases=(case,), slides=0)
+        one, other = zip(chain.lines.axis, chain.joint_points, strict=True)
+        found = common_normal(one, other, kl.exp(rng.normal(size=3))[0], slide=True)
+        directions, between = np.stack([one[0], -other[0]], axis=1), other[1] - one[1]
+        along, _, rank, _ = lstsq(directions, between, cond=1e-9)
+        way = between - directions @ along
+        assert found.free == (rank == 1)
+        np.testing.assert_allclose(found.end - found.start, way, rtol=0, atol=1e-9)
+        if not found.free:
+            np.testing.assert_allclose(found.start, one[1] + along[0] * one[0], rtol=0, atol=1e-9)
+            np.testing.assert_allclose(found.end, other[1] + along[1] * other[0], rtol=0, atol=1e-9)
+        square = null_space(np.stack([one[0], other[0]]), rcond=1e-9)
+        np.testing.assert_allclose(square @ square.T @ found.x, found.x, rtol=0, atol=1e-9)
+
+
+@pytest.mark.oracle("mpmath", Normal.nearly_parallel)
+@pytest.mark.parametrize("power", [3, 4, 6, 7, 9, 11, 13, 14])
+def test_axes_are_nearly_parallel_by_their_angle_with_40_digits(power):
+    with mpmath.workdps(40):
+        leaning = [mpmath.sin(mpmath.mpf(10) ** -power), 0, mpmath.cos(mpmath.mpf(10) ** -power)]
+        u = np.array([float(x) for x in leaning])
+        angle = mpmath.asin(mpmath.norm([mpmath.mpf(float(x)) for x in u[:2]]))
+    Z, X, _ = np.eye(3)[[2, 0, 1]]
+    found = common_normal((Z, np.zeros(3)), (u, X), X, slide=True)
+    assert found.nearly_parallel == (1e-12 < angle < 1e-5)
 
 
 # --- every case ---

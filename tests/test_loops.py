@@ -1,19 +1,27 @@
 """Closed chains: residuals and Jacobians against 40 digits and Pinocchio, one mechanism in many descriptions, what is refused."""
 
 from dataclasses import replace
+from functools import reduce
 
 import exact
+import modern_robotics as mr
 import numpy as np
 import peers
 import pytest
-from hypothesis import given, settings
+from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from scipy.linalg import null_space
 from scipy.optimize import least_squares
+from scipy.sparse.csgraph import breadth_first_order, connected_components, shortest_path
+from scipy.spatial import distance
+from scipy.spatial.transform import Rotation
+from strategies import directions, moved_chains, points
 from strategies import poses as drawn_poses
 from strategies import screws as drawn_screws
 
 from kinlib import Chain, Mechanism, adjoint, exp, inverse, linkages, log, robots, screw
-from kinlib.bodies import Joint, cylindrical, spherical, universal
+from kinlib.bodies import Joint, Walk, as_chain, cycles, cylindrical, in_series, spherical, universal, walks
+from kinlib.closure import Closure
 
 EXACT = 1e-12
 X, Y, Z = np.eye(3)
@@ -140,6 +148,167 @@ def test_a_closed_linkage_holds_together_at_every_joint(linkage):
             relative = relative @ exp(S * value)
         close(inverse(a) @ b, relative @ joint.gap)
         first += joint.freedoms
+
+
+def graph_of(linkage):
+    """Which bodies a joint joins, as SciPy's sparse graphs take it: (N, N), with the joint's number, from 1, as weight."""
+    bodies = list(dict.fromkeys([linkage.ground, *(body for joint in linkage.joints for body in joint.bodies)]))
+    edges = np.zeros((len(bodies), len(bodies)), dtype=int)
+    for i, joint in enumerate(linkage.joints, start=1):
+        a, b = map(bodies.index, joint.bodies)
+        edges[a, b], edges[b, a] = i, -i
+    return bodies, edges
+
+
+def passed(joint, q, backwards=False):
+    """How a joint moves its second body against its first, by the exponentials of Modern Robotics."""
+    factors = [mr.MatrixExp6(mr.VecTose3(S * value)) for S, value in zip(joint.screws, q, strict=True)]
+    T = reduce(np.matmul, [*factors, joint.gap])
+    return mr.TransInv(T) if backwards else T
+
+
+def unmade(linkage):
+    """The same linkage, from which nothing has been asked yet."""
+    return Mechanism(linkage.joints, linkage.ground, linkage.name)
+
+
+@pytest.mark.oracle("modern_robotics", Mechanism.poses, Mechanism.joint_points, as_chain, Joint.place)
+@pytest.mark.oracle("modern_robotics", Mechanism.loops)
+@each_linkage
+def test_a_closed_linkage_stands_where_modern_robotics_leads_along_any_walk(linkage):
+    """Along SciPy's walks through the graph of bodies, which need not be ours: what is closed is the same by every way."""
+    linkage = unmade(linkage)
+    q = linkage.assemble(0.3 * postures(linkage, 1)[0]).q
+    values = np.split(q, np.cumsum([joint.freedoms for joint in linkage.joints])[:-1])
+    bodies, edges = graph_of(linkage)
+    order, before = breadth_first_order(edges != 0, 0, directed=False)
+    stands = {0: np.eye(4)}
+    for body in order[1:]:
+        number = edges[before[body], body]
+        i = abs(number) - 1
+        stands[body] = stands[before[body]] @ passed(linkage.joints[i], values[i], backwards=number < 0)
+    found = linkage.poses(q)
+    for body, pose in stands.items():
+        close(found[bodies[body]], pose, atol=1e-10)
+    for loop in linkage.loops:
+        close(mr.FKinSpace(loop.chain.home, loop.chain.screws.T, q[loop.columns]), np.eye(4), atol=1e-10)
+    for joint, point in zip(linkage.joints, linkage.joint_points(q), strict=True):
+        drawn = joint.point if joint.point is not None else np.cross(joint.screws[0, :3], joint.screws[0, 3:])
+        close(point, (stands[bodies.index(joint.bodies[0])] @ [*drawn, 1])[:3], atol=1e-10)
+
+
+@pytest.mark.oracle("modern_robotics", cycles)
+@each_linkage
+def test_round_a_cycle_modern_robotics_comes_back(linkage):
+    q = linkage.assemble(0.3 * postures(linkage, 1)[0]).q
+    values = np.split(q, np.cumsum([joint.freedoms for joint in linkage.joints])[:-1])
+    for cycle in cycles(linkage.joints, walks(linkage.joints, linkage.ground)):
+        around = [passed(linkage.joints[i], values[i], not forwards) for i, forwards in cycle]
+        close(reduce(np.matmul, around), np.eye(4), atol=1e-10)
+
+
+@pytest.mark.oracle("scipy", walks, Mechanism.bodies)
+@each_linkage
+def test_walks_are_as_short_as_scipy_s_and_loops_as_many_as_its_graph_has(linkage):
+    bodies, edges = graph_of(linkage)
+    shortest = shortest_path(edges != 0, directed=False, unweighted=True, indices=0)
+    ways = walks(linkage.joints, linkage.ground)
+    assert {body: len(way) for body, way in ways.items()} == dict(zip(bodies, shortest, strict=True))
+    fresh = unmade(linkage)
+    assert sorted(fresh.bodies) == sorted(bodies)
+    parts, _ = connected_components(edges != 0, directed=False)
+    count = len(linkage.joints) - len(bodies) + parts
+    assert len(fresh.loops) == len(cycles(linkage.joints, ways)) == count
+    # No loop is made of the others: over bodies and joints, they are a basis of the null space of the incidence matrix.
+    incidence = np.zeros((len(bodies), len(linkage.joints)))
+    for i, joint in enumerate(linkage.joints):
+        incidence[[bodies.index(body) for body in joint.bodies], i] = -1, 1
+    around = np.zeros((count, len(linkage.joints)))
+    for row, cycle in zip(around, cycles(linkage.joints, ways), strict=True):
+        for i, forwards in cycle:
+            row[i] += 1 if forwards else -1
+    oracle = null_space(incidence)
+    close(around - around @ oracle @ oracle.T, 0)
+    assert np.linalg.matrix_rank(around) == count == oracle.shape[1]
+
+
+@pytest.mark.oracle("scipy", Walk.middle, Walk.size, Walk.to_middle)
+@each_linkage
+def test_the_middle_of_a_loop_is_where_scipy_finds_the_sum_of_squares_least(linkage):
+    for loop in unmade(linkage).loops:
+        turning = loop.chain.screws[loop.chain.screws[:, :3].any(axis=1)]
+        omega, feet = turning[:, :3], np.cross(turning[:, :3], turning[:, 3:])
+
+        def off(p, omega=omega, feet=feet):
+            return np.cross(p - feet, omega).ravel()
+
+        if len(turning):
+            least = least_squares(off, np.zeros(3), xtol=1e-15, ftol=1e-15, gtol=1e-15)
+            close(np.linalg.norm(off(loop.middle)), np.linalg.norm(least.fun), atol=1e-9)
+        shift = mr.RpToTrans(np.eye(3), -loop.middle)
+        close(loop.to_middle, mr.Adjoint(shift))
+        axes = loop.chain.screws @ mr.Adjoint(shift).T
+        ways = [np.cross(S[:3], S[3:]) for S in axes] + [(shift @ loop.chain.home @ mr.TransInv(shift))[:3, 3]]
+        close(loop.size, max(distance.cdist(np.array(ways), np.zeros((1, 3))).ravel()))
+
+
+@pytest.mark.oracle("scipy", spherical, universal)
+@given(st.tuples(*[st.floats(-3, 3)] * 3), points())
+def test_a_ball_and_a_cross_turn_as_scipy_s_angles_do(angles, centre):
+    """Turns about x, y and z, each carried by those before it: intrinsic angles, capital letters to SciPy."""
+    for screws, letters in (
+        (spherical(centre), "XYZ"),
+        (universal(X, Y, centre), "XY"),
+        (universal(Z, X, centre), "ZX"),
+    ):
+        T = reduce(np.matmul, [exp(S * angle) for S, angle in zip(screws, angles, strict=False)])
+        close(T[:3, :3], Rotation.from_euler(letters, angles[: len(letters)]).as_matrix())
+        close(T @ [*centre, 1], [*centre, 1])
+
+
+@pytest.mark.oracle("modern_robotics", cylindrical)
+@given(points(), directions())
+def test_a_cylinder_slides_and_turns_about_one_line_of_modern_robotics(point, axis):
+    close(cylindrical(axis, point), [[0, 0, 0, *axis], mr.ScrewToAxis(point, axis, 0)])
+
+
+@pytest.mark.oracle("pinocchio", Mechanism.from_chain, Mechanism.from_branches, in_series)
+@given(moved_chains(3), moved_chains(3))
+def test_chains_bent_round_and_joined_close_where_pinocchio_says(one, two):
+    """For a ring, log of its pose; for two branches, T_1 = T_2: what moves the end of one must move that of the other."""
+    pin = pytest.importorskip("pinocchio", reason="no pinocchio here (the wheel `pin` does not exist for Windows)")
+    # modern_robotics takes turns below 1e-6 for none
+    one, two = ((chain, np.where(np.abs(q) < 1e-5, 0, q)) for chain, q in (one, two))
+    (first, q), (second, p) = one, two
+    there, here = (peers.pinocchio_loop(peers.pinocchio_model(chain), v[None])[0] for chain, v in (one, two))
+    assume(first.n > 1 and all(np.trace(T[:3, :3]) > -0.99 for T in (there, here, there @ mr.TransInv(here))))
+    size = 1 + sum(np.abs(chain.screws[:, 3:]).sum() for chain in (first, second)) * 5
+    close(Mechanism.from_chain(first).residual(q), np.roll(pin.log6(there).vector, 3), atol=1e-12 * size)
+    joined = Mechanism.from_branches(first, second)
+    left = joined.residual([*q, *p])
+    ways = (there @ mr.TransInv(here), here @ mr.TransInv(there))
+    apart = [np.abs(left - np.roll(pin.log6(T).vector, 3)).max() for T in ways]
+    assert min(apart) < 1e-12 * size
+    straight = in_series(
+        first, [str(i) for i in range(first.n + 1)], [f"joint {i}" for i in range(first.n)], first.home
+    )
+    values = np.reshape(q, (-1, 1))
+    close(reduce(np.matmul, map(passed, straight, values)), there, atol=1e-11 * size)
+
+
+@pytest.mark.oracle("text: written out in the test", Mechanism, Mechanism.n, Mechanism.names, Mechanism.limits)
+@pytest.mark.oracle("text: written out in the test", Joint, Joint.range, Joint.freedoms)
+def test_a_linkage_of_two_joints_is_what_was_written_down():
+    turn = Joint("turn", ("a", "b"), screw(Z), limits=(-1, 2))
+    ball = Joint("ball", ("b", "a"), spherical(X))
+    linkage = Mechanism([turn, ball])
+    assert (linkage.n, turn.freedoms, ball.freedoms) == (4, 1, 3)
+    assert linkage.names == ("turn", "ball.1", "ball.2", "ball.3")
+    assert linkage.limits.tolist() == [[-1, 2], *[[-np.inf, np.inf]] * 3]
+    assert turn.range.tolist() == [[-1, 2]]
+    assert turn.screws.tolist() == [[0, 0, 1, 0, 0, 0]]
+    assert [joint.screws.tolist() for joint in linkage.joints] == [turn.screws.tolist(), ball.screws.tolist()]
+    assert linkage.joints[1].screws[:, 3:].tolist() == [[0, 0, 0], [0, 0, 1], [0, -1, 0]]
 
 
 # --- one mechanism, many descriptions ---
@@ -281,6 +450,9 @@ def test_hooke_s_joint_turns_its_shafts_as_hooke_found(bend):
     close(np.sin(other) * np.cos(one), np.cos(bend) * np.cos(other) * np.sin(one))
 
 
+@pytest.mark.oracle(
+    "printed: McCarthy and Soh, Geometric Design of Linkages, 1.3", Mechanism.kutzbach, Mechanism.mobility
+)
 def test_cylinders_and_balls_count_as_the_books_say():
     """RCCC has one freedom, RSSR has one and the idle spin of its coupler: McCarthy and Soh, 1.3."""
     skew = [screw(Z), screw(X, Y), screw(Y, Z + X), screw(np.array([0.6, 0, 0.8]), 2 * X)]
@@ -315,7 +487,7 @@ def test_a_loop_of_any_joints_closes_where_it_is_drawn_and_counts_its_rank(axes)
 # --- closing ---
 
 
-@pytest.mark.oracle("scipy", Mechanism.assemble)
+@pytest.mark.oracle("scipy", Mechanism.assemble, Closure.assemble)
 def test_assemble_finds_the_posture_that_scipy_finds():
     rng = np.random.default_rng(3)
     for linkage, hold, _ in DESCRIBED.values():

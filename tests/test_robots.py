@@ -138,6 +138,76 @@ def test_the_screws_move_as_the_printed_table_does(robot, convention, rows, tool
         close(robot.fk(q), arm.fkine(q).A @ tool)
 
 
+# --- as they are drawn, step by step, by spatialmath ---
+
+
+def drawn_robots():
+    """Each robot, and how one walks from its base to its tool: turns and steps as the drawing has them."""
+    from spatialmath import SE3
+
+    turn = {"x": SE3.Rx, "y": SE3.Ry, "z": SE3.Rz}
+
+    def walk(*steps):
+        """Letter and angle, or a step along x, y, z."""
+        made = SE3()
+        for step in steps:
+            made = made * (turn[step[0]](step[1]) if isinstance(step[0], str) else SE3(*step))
+        return made.A
+
+    yield (
+        robots.rprr(L2, L4, L5),
+        lambda q: (
+            walk(("z", q[0]), (0, q[1], L2), ("x", q[2]), ("y", q[3]), (0, L5, -L4)) @ SE3.OA([1, 0, 0], [0, 1, 0]).A
+        ),
+    )
+    yield (
+        robots.puma560(A2, A3, D3, D4),
+        lambda q: walk(
+            *(
+                ("z", q[0]),
+                ("y", q[1]),
+                (A2, D3, 0),
+                ("y", q[2]),
+                (A3, 0, -D4),
+                ("z", -q[3]),
+                ("y", q[4]),
+                ("z", -q[5]),
+            ),
+            ("x", PI),
+        ),
+    )
+    yield robots.rpr_lecture7(0.6), lambda q: walk(("z", q[0]), (0.6, -q[1], 0), ("z", q[2]))
+    yield (
+        robots.plain_arm(0.4, 0.5, 0.3),
+        lambda q: walk(("z", q[0]), (0, 0, 0.4), ("y", -q[1]), (0.5 + q[2], 0, 0), ("x", q[3]), (0.3, 0, 0)),
+    )
+    yield (
+        robots.angled_arm(0.7, 0.4, 0.5, 0.3),
+        lambda q: walk(
+            *(("z", q[0]), (0, 0, 0.4), ("y", 0.7), ("z", q[1]), (0, 0, 0.5 + q[2]), ("y", q[3] - 0.7), (0.3, 0, 0))
+        ),
+    )
+    yield (
+        robots.mid_formula_arm(0.6, 0.4, 0.2),
+        lambda q: walk(
+            *(("z", q[0]), (0, 0, 0.4), ("y", q[1]), (0.6, 0, 0), ("x", q[2]), ("y", q[3]), (0.2, 0, 0), ("y", PI / 2))
+        ),
+    )
+    yield (
+        robots.hrr(0.1, 0.5, 0.3),
+        lambda q: walk(("z", q[0]), (0.5, 0, 0.1 * q[0]), ("z", q[1]), (0.3, 0, 0), ("z", q[2])),
+    )
+
+
+@pytest.mark.oracle("spatialmath", robots.rprr, robots.puma560, robots.rpr_lecture7, robots.plain_arm)
+@pytest.mark.oracle("spatialmath", robots.angled_arm, robots.mid_formula_arm, robots.hrr, robots.arm, robots.pose)
+def test_a_robot_moves_as_spatialmath_walks_through_its_drawing():
+    pytest.importorskip("spatialmath")
+    for robot, walked in drawn_robots():
+        for q in configurations(robot, 5):
+            close(robot.fk(q), walked(q))
+
+
 # --- deck "Example with n = 5" ---
 
 
@@ -168,6 +238,7 @@ def test_the_youbot_lies_straight_and_horizontal_when_all_values_are_zero():
     close(robot.home[:3, 2], (1, 0, 0))
 
 
+@pytest.mark.oracle("printed: EduFill module, lecture 1", robots.youbot)
 def test_the_youbot_in_the_drawn_posture_steps_up_by_its_third_link():
     """[0, 0, pi/2, -pi/2, -pi/4]: two lengths forward, one up, the last forward again, the gripper turned by 45 degrees."""
     T = robots.youbot().fk([0, 0, PI / 2, -PI / 2, -PI / 4])
@@ -203,6 +274,7 @@ def test_only_one_rotation_has_the_first_two_rows_that_are_printed():
     np.testing.assert_array_equal(robots.rpr().home[:3, :3], found[0])
 
 
+@pytest.mark.oracle("printed: UIUC deck, lecture 11, example 1", robots.rpr)
 def test_our_M_of_example_1_differs_from_the_printed_one_in_two_entries():
     assert np.argwhere(robots.rpr().home != PRINTED_M1).tolist() == [[2, 0], [3, 3]]
 
@@ -240,6 +312,7 @@ def test_the_printed_M_of_example_2_is_a_pose_and_ours():
     np.testing.assert_array_equal(robots.rppr().home, check.poses(printed, "M"))
 
 
+@pytest.mark.oracle("printed: UIUC deck, lecture 11, body-form example", robots.rppr)
 def test_B1_and_B4_of_example_2_are_as_printed():
     w, q1, q4 = (0, 1, 0), (-2, -2, 0), (-2, 0, 0)
     for q in (q1, q4):

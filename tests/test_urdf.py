@@ -5,19 +5,23 @@ import io
 import os
 import re
 import time
+from xml.etree import ElementTree as ET
 
 import numpy as np
 import pytest
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from scipy.linalg import norm
+from scipy.sparse.csgraph import shortest_path
+from scipy.spatial.transform import Rotation
 from strategies import FAMILIES, configurations, directions, points, poses, rotations
 from urdf_files import ARMS, TROSSEN, as_pinocchio_reads, text_of
 
 import kinlib as kl
 from kinlib import load_urdf, robots, to_urdf
 from kinlib.rpy import origin, roll_pitch_yaw
-from kinlib.urdf_tree import read_tree
-from kinlib.urdf_xml import DEEPEST, LARGEST, read_robot
+from kinlib.urdf_tree import Joint, Tree, meant, read_tree
+from kinlib.urdf_xml import DEEPEST, LARGEST, Element, read_robot
 
 CLOSE = 1e-9
 CONVENTIONS = ("standard", "modified")
@@ -178,8 +182,6 @@ def test_roll_pitch_yaw_undoes_origin(R):
 @pytest.mark.oracle("scipy", origin)
 @given(points(7))
 def test_origin_turns_about_fixed_axes_as_scipy_says(rpy):
-    from scipy.spatial.transform import Rotation
-
     expected = Rotation.from_euler("xyz", rpy).as_matrix()  # lower case: fixed axes
     np.testing.assert_allclose(origin(rpy=rpy)[:3, :3], expected, rtol=0, atol=1e-14)
 
@@ -188,6 +190,123 @@ def test_origin_turns_about_fixed_axes_as_scipy_says(rpy):
 def test_roll_pitch_yaw_has_no_bad_angle(pitch):
     R = origin(rpy=(0.3, pitch, -1.2))[:3, :3]
     np.testing.assert_allclose(origin(rpy=roll_pitch_yaw(R))[:3, :3], R, rtol=0, atol=1e-15)
+
+
+# --- what stands in a file ---
+
+
+def plain(name):
+    """Whether a name stands in no namespace, for those are read apart by lxml and as they are written by us."""
+    return isinstance(name, str) and not re.search("[:}]|xmlns", name)
+
+
+def as_lxml_reads(element):
+    """Tag, line, attributes and children, as lxml has them."""
+    said = {name: word for name, word in element.attrib.items() if plain(name)}
+    return element.tag, element.sourceline, said, [as_lxml_reads(child) for child in element if plain(child.tag)]
+
+
+def as_we_read(element):
+    said = {name: word for name, word in element.attributes.items() if plain(name)}
+    return element.tag, element.line, said, [as_we_read(child) for child in element.children if plain(child.tag)]
+
+
+@pytest.mark.oracle("lxml", read_robot, Element.word, Element.numbers, Element.only)
+@each_arm
+def test_the_elements_of_a_shipped_file_are_those_of_lxml(name):
+    etree = pytest.importorskip("lxml.etree")
+    text = text_of(name)
+    theirs, ours = etree.fromstring(text.encode(), etree.XMLParser(recover=True)), read_robot(text)
+    assert as_we_read(ours) == as_lxml_reads(theirs)
+    assert ours.word("name") == theirs.get("name")
+    joints = [element for element in ours.children if element.tag == "joint"]
+    for one, other in zip(joints, theirs.findall("joint"), strict=True):
+        assert one.word("type") == other.get("type")
+        assert one.only("parent").attributes == dict(other.find("parent").attrib)
+        assert one.only("parent").line == other.find("parent").sourceline
+        if (origin := other.find("origin")) is not None and "xyz" in origin.attrib:
+            assert one.only("origin").numbers("xyz", 3) == [float(word) for word in origin.get("xyz").split()]
+
+
+@pytest.mark.oracle("scipy", Tree.root, Tree.path, Tree.tips, Tree.known)
+@settings(max_examples=40)
+@given(trees())
+def test_ways_through_a_tree_are_the_shortest_ones_of_scipy_s_graphs(drawn):
+    text, base, tip = drawn
+    robot = ET.fromstring(text)
+    names = [link.get("name") for link in robot.findall("link")]
+    joints = [
+        (joint.find("parent").get("link"), joint.find("child").get("link"), joint) for joint in robot.findall("joint")
+    ]
+    edges = np.zeros((len(names), len(names)))
+    for parent, child, _ in joints:
+        edges[names.index(parent), names.index(child)] = 1
+    tree = read_tree(read_robot(text))
+    assert tree.root == names[int(np.flatnonzero(edges.sum(axis=0) == 0)[0])]
+    assert tree.known(base, "base") == base
+    _, before = shortest_path(edges, directed=False, return_predecessors=True, indices=names.index(base))
+    steps, here = [], names.index(tip)
+    while here != names.index(base):
+        steps.insert(0, (names[before[here]], names[here]))
+        here = before[here]
+    found = [(step.joint.parent, step.joint.child)[:: 1 if step.sign > 0 else -1] for step in tree.path(base, tip)]
+    assert found == steps
+    below = np.isfinite(shortest_path(edges, indices=names.index(base)))
+    stiff = {(parent, child) for parent, child, joint in joints if joint.get("type") == "fixed"}
+    moving = np.array(
+        [[edge and (names[i], names[j]) not in stiff for j, edge in enumerate(row)] for i, row in enumerate(edges)]
+    )
+    weights = np.where(edges, 1 + 100.0 * moving, 0)
+    far = shortest_path(weights, indices=names.index(base))
+    ends = {names[i] for i in np.flatnonzero(below & (edges.sum(axis=1) == 0)) if far[i] >= 100}
+    assert set(tree.tips(base)) == ends
+
+
+@pytest.mark.oracle("scipy", read_tree, Joint.moves)
+@settings(max_examples=40)
+@given(trees())
+def test_a_joint_stands_where_its_numbers_say_by_scipy(drawn):
+    text, *_ = drawn
+    above = {joint.name: joint for joint in read_tree(read_robot(text)).above.values()}
+    for told in ET.fromstring(text).findall("joint"):
+        joint, origin = above[told.get("name")], told.find("origin")
+        xyz, rpy = (
+            [float(x) for x in ((origin.get(name) if origin is not None else None) or "0 0 0").split()]
+            for name in ("xyz", "rpy")
+        )
+        np.testing.assert_allclose(
+            joint.origin[:3, :3], Rotation.from_euler("xyz", rpy).as_matrix(), rtol=0, atol=1e-14
+        )
+        np.testing.assert_array_equal(joint.origin[:3, 3], xyz)
+        assert joint.moves == (told.get("type") != "fixed")
+        if joint.moves:
+            axis = (
+                [float(x) for x in told.find("axis").get("xyz").split()] if told.find("axis") is not None else [1, 0, 0]
+            )
+            np.testing.assert_allclose(joint.axis, np.array(axis) / norm(axis), rtol=0, atol=1e-15)
+
+
+@pytest.mark.oracle("scipy", roll_pitch_yaw)
+@given(rotations())
+def test_roll_pitch_and_yaw_are_scipy_s_angles(R):
+    """Where the pitch is a right angle, roll and yaw are not told apart, and each may choose."""
+    assume(abs(R[2, 0]) < 1 - 1e-6)
+    np.testing.assert_allclose(
+        np.exp(1j * roll_pitch_yaw(R)), np.exp(1j * Rotation.from_matrix(R).as_euler("xyz")), atol=1e-9
+    )
+
+
+@pytest.mark.oracle("text: written out in the test", Tree.__str__, meant, Element.refusal, Element.__str__)
+def test_a_tree_an_element_and_a_slip_of_the_pen_in_words():
+    text = (
+        '<robot name="one"><link name="base"/>\n<link name="tool"/>\n<joint name="j" type="fixed"><parent link="base"/>'
+    )
+    robot = read_robot(text + '<child link="tool"/></joint></robot>')
+    tree = read_tree(robot)
+    assert str(tree) == "base\n  j (fixed): tool"
+    assert meant("tol", tree.links) == " Did you mean tool?"
+    assert str(robot.children[1]) == '<link name="tool">'
+    assert str(robot.children[2].children[0].refusal("why.")) == 'Line 3, <parent> in <joint name="j">: why.'
 
 
 # --- there and back ---

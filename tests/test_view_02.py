@@ -1,7 +1,12 @@
 """The walk of the exponential series and the ways along screws: they end where the exponential says."""
 
+import exact
+import mpmath
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+from strategies import points, screws
 
 from kinlib import exp, inverse, log, robots, screw
 from kinlib.view.motions import draw_motions, draw_series, series_walk
@@ -60,3 +65,16 @@ def test_a_way_between_two_poses_of_an_arm_ends_at_the_second():
 def test_too_few_and_too_many_ways_are_refused(motions):
     with pytest.raises(ValueError, match="motions should name 1 to 4 twists"):
         draw_motions(np.eye(4), motions)
+
+
+@pytest.mark.oracle("mpmath", series_walk)
+@given(screws(), st.floats(-3, 3), points())
+def test_each_stop_is_a_sum_of_powers_with_40_digits(S, q, point):
+    with mpmath.workdps(exact.DIGITS):
+        X = exact.hat(exact.numbers(S)) * mpmath.mpf(q)
+        start = mpmath.matrix([*exact.numbers(point), 1])
+        sums, total = [], mpmath.zeros(4)
+        for k in range(6):
+            total += X**k / mpmath.factorial(k)
+            sums.append(exact.doubles((total * start).T)[0, :3])
+    np.testing.assert_allclose(series_walk(S, q, point, 6), sums, rtol=0, atol=1e-12)

@@ -59,3 +59,21 @@ def test_a_count_that_there_is_not_is_refused(wrong):
 def test_another_convention_is_refused():
     with pytest.raises(ValueError, match="convention should be"):
         moves(ROWS[0], "craig")
+
+
+@pytest.mark.oracle("spatialmath", moves, walk)
+@pytest.mark.parametrize("convention", ["standard", "modified"])
+def test_each_stop_is_where_spatialmath_s_turns_and_shifts_lead(convention):
+    SE3 = pytest.importorskip("spatialmath").SE3
+    for a, alpha, d, theta in ROWS:
+        about_x, about_z = [SE3.Rx(alpha), SE3.Tx(a)], [SE3.Rz(theta), SE3.Tz(d)]
+        steps = [*about_z, *about_x[::-1]] if convention == "standard" else [*about_x, *about_z]
+        stops = [np.eye(4)]
+        for step in steps:
+            stops.append(stops[-1] @ step.A)
+        np.testing.assert_allclose(moves([a, alpha, d, theta], convention), stops, atol=1e-14)
+    stops = [np.eye(4)]
+    for a, alpha, d, theta in ROWS:
+        stops += [stops[-1] @ (SE3.Rz(theta) * SE3.Tz(d)).A]
+        stops += [stops[-1] @ (SE3.Tx(a) * SE3.Rx(alpha)).A]
+    np.testing.assert_allclose(walk(ROWS), stops, atol=1e-14)

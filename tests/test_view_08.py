@@ -3,13 +3,14 @@
 import re
 import time
 
+import modern_robotics as mr
 import numpy as np
 import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
 from kinlib import linkages
-from kinlib.view.linkage import draw_linkage, is_planar, posture
+from kinlib.view.linkage import Posture, describe, draw_linkage, is_planar, posture
 from kinlib.view.torus import LEFT, SIDE, TOP, beside, draw_torus, wrapped
 
 ALL = [
@@ -156,3 +157,38 @@ def test_two_pictures_side_by_side_say_what_both_show():
     assert "triangle with the bodies" in two.alt
     assert two.svg.count("<svg ") == 3
     assert two.caption == "caption"
+
+
+@pytest.mark.oracle("modern_robotics", posture, Posture.all)
+def test_a_drawn_slider_crank_stands_where_modern_robotics_puts_its_pins():
+    """Crank 0.1, rod 0.3: the pin B rides on the crank, and the slider goes along x."""
+    q = np.array([0.7, -0.2, 0.35, 0.5])
+    drawn = posture(linkages.slider_crank(0.1, 0.3, 0.05), q).all
+    B = mr.MatrixExp6(mr.VecTose3([0, 0, 0.7, 0, 0, 0])) @ [0.1, 0, 0, 1]
+    for pin in (B[:3], [0, 0, 0], [0.35, 0.05, 0]):
+        assert np.linalg.norm(drawn - pin, axis=1).min() < 1e-12
+
+
+@pytest.mark.oracle("numpy", Posture.gap)
+def test_the_gap_of_an_open_four_bar_is_the_way_between_its_two_ends():
+    """All angles 0: the coupler ends at 0.1 + 0.35, the rocker at 0.4 + 0.3."""
+    now = posture(linkages.four_bar(0.4, 0.1, 0.35, 0.3), np.zeros(4))
+    assert now.gap.max() == pytest.approx(np.linalg.norm(np.array([0.45, 0]) - [0.7, 0]), abs=1e-12)
+
+
+@pytest.mark.oracle("text: written out in the test", describe)
+def test_a_linkage_is_told_in_one_breath():
+    linkage = linkages.stretched_arch(0.2, 0.9)
+    assert describe(linkage, posture(linkage, np.zeros(3))) == (
+        "stretched arch with the bodies ground, left, right. A joins ground and left at (0, 0); B joins left and right at "
+        "(0.2, 0); C joins ground and right at (1.1, 0). All lengths in metres. It is closed."
+    )
+
+
+@pytest.mark.oracle("modern_robotics", is_planar)
+@each
+def test_planar_is_what_keeps_the_plane_of_modern_robotics_still(mechanism):
+    """Each joint by itself: z stays upright, and nothing rises."""
+    screws = np.concatenate([joint.screws for joint in mechanism.joints])
+    moved = [mr.MatrixExp6(mr.VecTose3(0.7 * S)) for S in screws]
+    assert is_planar(mechanism) == all(np.allclose(T[2], [0, 0, 1, 0]) for T in moved)

@@ -7,14 +7,17 @@ import shutil
 import subprocess
 from pathlib import Path
 
+import modern_robotics as mr
 import numpy as np
 import pytest
-from strategies import ROBOTS
+from scipy.linalg import null_space
+from scipy.spatial import distance
+from strategies import ROBOTS, configurations
 from traitlets import Bool, HasTraits
 
 import kinlib as kl
 from kinlib.view import explore
-from kinlib.view.scene import LAYERS, link_paths
+from kinlib.view.scene import LAYERS, branch, extent, link_paths, scene
 from kinlib.view.viewer import STATIC
 
 ROOT = Path(__file__).parents[1]
@@ -38,6 +41,39 @@ def test_the_links_run_from_the_base_over_every_joint_to_the_tool(robot):
     for path, start, end in zip(paths, stations[:-1], stations[1:], strict=True):
         np.testing.assert_allclose(path[0], start, atol=1e-12)
         np.testing.assert_allclose(path[-1], end, atol=1e-9)
+
+
+@pytest.mark.oracle("modern_robotics", branch, scene)
+@each_robot
+def test_what_the_page_is_told_moves_as_modern_robotics_says(robot):
+    """The page turns each body about its screw: from the data alone, the tool goes where the arm's own goes."""
+    q = configurations(robot, 3)
+    told = scene(robot, np.zeros(robot.n))
+    for arm in (branch(robot, range(robot.n)), told["arms"][0]):
+        axes = np.transpose([joint["screw"] for joint in arm["joints"]])
+        for row in q:
+            found = mr.FKinSpace(np.reshape(arm["home"], (4, 4)), axes, row)
+            np.testing.assert_allclose(found, mr.FKinSpace(robot.home, robot.screws.T, row), rtol=0, atol=1e-12)
+
+
+@pytest.mark.oracle("scipy", extent, link_paths)
+@each_robot
+def test_an_arm_is_as_long_as_scipy_measures_it_and_its_links_lead_along_the_shortest_way(robot):
+    """The longest side by SciPy's Chebyshev distance; a bend of a link is a foot of the shortest way between two axes."""
+    stations = np.array([np.zeros(3), *robot.joint_points, robot.home[:3, 3]])
+    assert extent(robot) == pytest.approx(distance.pdist(stations, "chebyshev").max(), rel=1e-12)
+    axes = np.array([(0, 0, 1), *robot.lines.axis])
+    for i, path in enumerate(link_paths(robot)[:-1]):
+        off = cdist_to_lines(path, stations[[i, i + 1]], axes[[i, i + 1]])
+        np.testing.assert_allclose(path[[0, -1]], stations[[i, i + 1]], atol=1e-9)
+        if len(path) > 2:
+            assert off.min(axis=1).max() < 1e-9
+
+
+def cdist_to_lines(points, feet, axes):
+    """How far points (k, 3) are from two lines, (k, 2): what SciPy's null space leaves of the way there."""
+    across = [null_space(axis[None]) for axis in axes]
+    return np.stack([np.linalg.norm((points - foot) @ N, axis=1) for foot, N in zip(feet, across, strict=True)], axis=1)
 
 
 @each_robot
