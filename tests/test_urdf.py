@@ -438,6 +438,11 @@ def test_only_the_file_itself_is_opened(tmp_path, monkeypatch):
     assert [os.fspath(file) for file in opened] == [os.fspath(path)]
 
 
+def test_a_document_type_is_refused_though_it_declares_nothing():
+    with pytest.raises(ValueError, match=r"^Line 2, <!DOCTYPE>: a URDF has no document type and no entities"):
+        load_urdf("\n<!DOCTYPE robot>\n" + one_joint())
+
+
 def test_a_path_may_go_up_the_tree_and_down_again():
     """From the left hand to the right one: the joints of the left arm count from the hand on, and run backwards."""
     link = "".join(f'<link name="{name}"/>' for name in ("torso", "left", "right"))
