@@ -10,7 +10,7 @@ from pathlib import Path
 import nbformat
 from nbformat import NotebookNode
 
-from kinsite import gallery, mistakes, performance, progress, reference
+from kinsite import gallery, mistakes, performance, progress, reference, witnesses
 from kinsite.execute import ROOT, execute_all, made
 
 SITE = ROOT / "site"
@@ -52,6 +52,7 @@ def pages() -> Iterator[tuple[str, str]]:
     yield from written_pages()
     yield from performance.pages()
     yield from notebooks(executed)
+    yield from witnesses.pages()
     yield from progress.pages(*({path: executed[path] for path in paths} for paths in (LECTURES, SHEETS)))
     for module in (gallery, mistakes, reference):
         source = Path(module.__file__ or "").read_text("utf-8")
