@@ -26,7 +26,7 @@ def address():
 @pytest.fixture(scope="module")
 def chromium():
     with browsers() as start:
-        yield start()
+        yield start(webgl=False)  # a lecture of ten viewers would take minutes without a graphics card
 
 
 @pytest.mark.parametrize("notebook", sorted(NOTEBOOKS))
