@@ -49,6 +49,10 @@ class Slow(AssertionError):
     """A case took longer than it may."""
 
 
+class Over(KeyboardInterrupt):
+    """The time is over, for this fault or for the hunt. Hypothesis stops at once for this and nothing else."""
+
+
 def timed(target, case):
     """Check a case, and its time; a slow one once more, for first times load and draw what later ones find."""
     for _ in range(2):
@@ -84,7 +88,7 @@ class Hunt:
         def check(case):
             nonlocal last
             if time.monotonic() > last:
-                return
+                raise Over
             self.examples += 1
             faulthandler.dump_traceback_later(HANGS, exit=True, file=sys.__stderr__)
             try:
@@ -102,6 +106,8 @@ class Hunt:
 
         try:
             check()
+        except Over:
+            pass
         except Exception:
             if not raised:  # the fault is in what draws
                 raise
