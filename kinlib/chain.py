@@ -288,10 +288,13 @@ class Chain:
 
     def _carried_screws(self, q: NDArray[Any]) -> NDArray[Any]:
         """The columns of the space Jacobian, (n, 6, m)."""
-        columns = []
-        for turn, slide, (_, _, z, p) in zip(*self._turns_and_slides, self._walk(q), strict=False):
-            columns.append(np.concatenate([turn * z, turn * cross(p, z) + slide * z]))
-        return np.array(columns)
+        J = np.zeros((self.n, 6, q.shape[1]), dtype=q.dtype)
+        for twist, turn, slide, (_, _, z, p) in zip(J, *self._turns_and_slides, self._walk(q), strict=False):
+            if turn:
+                twist[:3], twist[3:] = z, cross(p, z)
+            if slide:
+                twist[3:] += slide * z
+        return J
 
     def _walk(self, q: NDArray[Any]) -> Iterator[NDArray[Any]]:
         """Carry a frame along the arm: yield each joint's frame, then the tool's.

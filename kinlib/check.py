@@ -162,15 +162,16 @@ def rigid_columns(X: Array, name: str) -> Array:
     >>> rigid_columns(np.eye(4)[:, :, None], "home").shape
     (4, 4, 1)
     """
-    if len(X) == 4 and (wrong := np.abs(X[:, 3] - [[0], [0], [0], [1]]) > RIGID).any():
+    exact = len(X) == 3 or not (X[:3, 3].any() or (X[3, 3] != 1).any())
+    if not exact and (wrong := np.abs(X[:, 3] - [[0], [0], [0], [1]]) > RIGID).any():
         raise ValueError(
             f"{name} is not a pose: its last row should be 0 0 0 1; got {X[:, 3, wrong.any(axis=0)][:, 0]}. "
             "Is the translation in the last row instead of the last column? Try the transpose."
         )
     x, y, z = X[:3, :3]
     with np.errstate(over="ignore", invalid="ignore"):  # what overflows is far from rigid, and is refused below
-        stray = np.array([dot(x, x) - 1, dot(y, y) - 1, dot(x, y), *(cross(x, y) - z)])
-        rigid = np.abs(stray).max(initial=0) <= RIGID
+        strays = dot(x, x) - 1, dot(y, y) - 1, dot(x, y), cross(x, y) - z
+        rigid = all(np.abs(stray).max(initial=0) <= RIGID for stray in strays)
     if not rigid:
         raise ValueError(f"{name} is {_fault(np.clip(X[:3, :3], -10, 10))}")
     return X

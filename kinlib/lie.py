@@ -216,33 +216,34 @@ def _rodrigues(omega: Array, cos: Array, a: Array, b: Array) -> Array:
 
 def _log_rotation(R: Array) -> Array:
     """Rotation vectors (3, m) of rotations (3, 3, m)."""
-    _, stretch, axis = _quaternion_log(check.rigid_columns(R, "X"))
-    return 2 * stretch * axis
+    half_omega, _, _ = _half_log(check.rigid_columns(R, "X"))
+    return 2 * half_omega
 
 
 def _log_motion(X: Array) -> Array:
     """Twists (6, m) of poses (4, 4, m)."""
-    cos, stretch, axis = _quaternion_log(check.rigid_columns(X, "X")[:3, :3])
-    omega, p = 2 * stretch * axis, X[3, :3]
-    # (theta / 2) cot(theta / 2), without a tangent that has no bound near pi
-    cotangent = stretch * cos
-    k = (1 - cotangent) / (dot(omega, omega) + TINY)
-    v = cotangent * p - cross(omega, p) / 2 + k * dot(omega, p) * omega
-    return np.concatenate([omega, v])
+    u, half, cotangent = _half_log(check.rigid_columns(X, "X")[:3, :3])
+    p = X[3, :3]
+    x = np.empty((6, X.shape[-1]))
+    x[:3] = 2 * u
+    # With omega = 2u, the products with W and W^2 are those with u, and k theta^2 = 1 - cotangent.
+    x[3:] = cotangent * p - cross(u, p) + (1 - cotangent) / (half * half + TINY) * dot(u, p) * u
+    return x
 
 
-def _quaternion_log(R: Array) -> tuple[Array, Array, Array]:
-    """The unit quaternion (cos, axis) of each rotation, with cos >= 0, and half the angle over the length of axis."""
+def _half_log(R: Array) -> tuple[Array, Array, Array]:
+    """omega / 2 as (3, m), theta / 2 and (theta / 2) cot(theta / 2) of rotations (3, 3, m), by their quaternions."""
     q = _quaternion(R)
-    # q and -q are the same rotation; cos >= 0 picks the shorter way round.
-    q *= np.where(q[0] < 0, -1.0, 1.0)
-    cos, axis = q[0], q[1:]
-    sine = _length(axis)
-    return cos, (np.arctan2(sine, cos) + TINY) / (sine + TINY), axis
+    cos, sine = np.abs(q[0]), _length(q[1:])
+    half = np.arctan2(sine, cos)
+    # Where there is no turn, q is (4, 0, 0, 0), and half of an angle is a quarter of its sine.
+    stretch = (half + TINY) / (sine + 4 * TINY)
+    # q and -q are the same rotation; w >= 0 picks the shorter way round.
+    return stretch * np.where(q[0] < 0, -1.0, 1.0) * q[1:], half, stretch * cos
 
 
 def _quaternion(R: Array) -> Array:
-    """Unit quaternions (4, m) of rotations (3, 3, m), up to their sign.
+    """Quaternions (4, m) of rotations (3, 3, m), up to sign and length.
 
     With the unit quaternion q = (w, x, y, z) of R, the matrix 4 q q^T is linear in R. Each of its columns is a multiple of
     q, and the longest one is never near zero: no case for small angles, none for angles near pi.
@@ -253,12 +254,12 @@ def _quaternion(R: Array) -> Array:
     wx, wy, wz = r32 - r23, r13 - r31, r21 - r12
     xy, xz, yz = r21 + r12, r13 + r31, r32 + r23
     columns = [np.array(c) for c in ((ww, wx, wy, wz), (wx, xx, xy, xz), (wy, xy, yy, yz), (wz, xz, yz, zz))]
-    longest, length = columns[0], columns[0][0]
-    for i, column in enumerate(columns[1:], start=1):
+    longest, length = columns[0], ww
+    for column, square in zip(columns[1:], (xx, yy, zz), strict=True):
         # The entry on the diagonal is 4 q_i^2, and the column is 4 q_i q: where one is largest, so is the other.
-        longer = column[i] > length
-        longest, length = np.where(longer, column, longest), np.where(longer, column[i], length)
-    return longest / _length(longest)
+        longer = square > length
+        longest, length = np.where(longer, column, longest), np.maximum(square, length)
+    return longest
 
 
 def _length(u: Array) -> Array:
