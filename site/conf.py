@@ -5,6 +5,9 @@ import sys
 from pathlib import Path
 from urllib.parse import urlsplit
 
+import sphinxcontrib.katex
+from sphinxcontrib.katex import KaTeXServer
+
 import kinlib
 
 HERE = Path(__file__).resolve().parent
@@ -75,6 +78,10 @@ html_theme_options = {
 
 katex_prerender = True
 katex_css_path = "katex/katex.min.css"
+# A busy machine refuses a connection between the birth of a Unix socket and its first listener, and the extension gives up.
+# By way of the loopback network, which is its other way, it asks again.
+KaTeXServer.start_server_process = KaTeXServer.start_network_socket
+sphinxcontrib.katex.STARTUP_TIMEOUT = 60.0
 
 sitemap_url_scheme = "{link}"
 sitemap_excludes = ["404.html", "search.html"]

@@ -45,7 +45,7 @@ def run(kind):
     settings = {"PYTHONPATH": str(ROOT), lab.VARIABLE: os.environ.get(lab.VARIABLE, kind)}
     return subprocess.run(
         [sys.executable, SITE / "build.py"], cwd=ROOT, env={**os.environ, **settings},
-        capture_output=True, text=True, check=False,
+        capture_output=True, text=True, check=False, timeout=PATIENCE,
     )  # fmt: skip
 
 

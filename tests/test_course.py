@@ -117,6 +117,7 @@ time.sleep(60)
 """
 RUN_IT = """
 import sys, course
+course.VENV = None  # these tests may run in it, and then it would be started anew
 course.prepare = lambda *_, **__: None
 course.PYTHON, course.PROGRAMS["open"] = sys.executable, ("-c", sys.argv[1])
 course.main("open")
