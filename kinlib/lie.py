@@ -225,7 +225,7 @@ def _log_motion(X: Array) -> Array:
     u, half, cotangent = _half_log(check.rigid_columns(X, "X")[:3, :3])
     p = X[3, :3]
     x = np.empty((6, X.shape[-1]))
-    x[:3] = 2 * u
+    np.multiply(u, 2, out=x[:3])
     # With omega = 2u, the products with W and W^2 are those with u, and k theta^2 = 1 - cotangent.
     x[3:] = cotangent * p - cross(u, p) + (1 - cotangent) / (half * half + TINY) * dot(u, p) * u
     return x
@@ -233,17 +233,17 @@ def _log_motion(X: Array) -> Array:
 
 def _half_log(R: Array) -> tuple[Array, Array, Array]:
     """omega / 2 as (3, m), theta / 2 and (theta / 2) cot(theta / 2) of rotations (3, 3, m), by their quaternions."""
-    q = _quaternion(R)
-    cos, sine = np.abs(q[0]), _length(q[1:])
+    w, axis = _quaternion(R)
+    cos, sine = np.abs(w), _length(axis)
     half = np.arctan2(sine, cos)
-    # Where there is no turn, q is (4, 0, 0, 0), and half of an angle is a quarter of its sine.
+    # Where there is no turn, w is 4 and axis is 0: half the angle is a quarter of what stands for its sine.
     stretch = (half + TINY) / (sine + 4 * TINY)
     # q and -q are the same rotation; w >= 0 picks the shorter way round.
-    return stretch * np.where(q[0] < 0, -1.0, 1.0) * q[1:], half, stretch * cos
+    return stretch * np.where(w < 0, -1.0, 1.0) * axis, half, stretch * cos
 
 
-def _quaternion(R: Array) -> Array:
-    """Quaternions (4, m) of rotations (3, 3, m), up to sign and length.
+def _quaternion(R: Array) -> tuple[Array, Array]:
+    """Quaternions of rotations (3, 3, m), up to sign and length: w (m,) and (x, y, z) as (3, m).
 
     With the unit quaternion q = (w, x, y, z) of R, the matrix 4 q q^T is linear in R. Each of its columns is a multiple of
     q, and the longest one is never near zero: no case for small angles, none for angles near pi.
@@ -253,13 +253,13 @@ def _quaternion(R: Array) -> Array:
     yy, zz = (1 - r11) + (r22 - r33), (1 - r11) - (r22 - r33)
     wx, wy, wz = r32 - r23, r13 - r31, r21 - r12
     xy, xz, yz = r21 + r12, r13 + r31, r32 + r23
-    columns = [np.array(c) for c in ((ww, wx, wy, wz), (wx, xx, xy, xz), (wy, xy, yy, yz), (wz, xz, yz, zz))]
-    longest, length = columns[0], ww
-    for column, square in zip(columns[1:], (xx, yy, zz), strict=True):
+    longest, length = [ww, wx, wy, wz], ww
+    for square, column in ((xx, (wx, xx, xy, xz)), (yy, (wy, xy, yy, yz)), (zz, (wz, xz, yz, zz))):
         # The entry on the diagonal is 4 q_i^2, and the column is 4 q_i q: where one is largest, so is the other.
         longer = square > length
-        longest, length = np.where(longer, column, longest), np.maximum(square, length)
-    return longest
+        longest = [np.where(longer, ours, theirs) for ours, theirs in zip(column, longest, strict=True)]
+        length = np.maximum(square, length)
+    return longest[0], np.array(longest[1:])
 
 
 def _length(u: Array) -> Array:

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-CHUNK = 4096
+CHUNK = 8192
 """Columns worked on at a time: a pose's sixteen rows of them fit in a core's cache, worth a factor of two on long batches."""
 
 
@@ -35,8 +35,8 @@ def sweep(formula: Callable[[Array], Array], x: Array, takes: tuple[int, ...], g
 def pieces(x: Array, takes: tuple[int, ...]) -> Iterator[tuple[slice, Array]]:
     """Cut a batch (..., *takes) into pieces, each laid out for a formula, (*takes reversed, m), with the slice it is from.
 
-    >>> [(piece, columns.shape) for piece, columns in pieces(np.zeros((5000, 3, 3)), (3, 3))]
-    [(slice(0, 4096, None), (3, 3, 4096)), (slice(4096, 8192, None), (3, 3, 904))]
+    >>> [(piece, columns.shape) for piece, columns in pieces(np.zeros((9000, 3, 3)), (3, 3))]
+    [(slice(0, 8192, None), (3, 3, 8192)), (slice(8192, 16384, None), (3, 3, 808))]
     """
     elements = x.reshape(-1, *takes)
     for start in range(0, len(elements), CHUNK):
@@ -61,4 +61,9 @@ def cross(u: Array, v: Array) -> Array:
     array([[0., 0., 1.]])
     """
     (a, b, c), (x, y, z) = u, v
-    return np.array([b * z - c * y, c * x - a * z, a * y - b * x])
+    # Each row is written where it belongs: to collect three finished ones would copy them.
+    products = np.empty_like(u)
+    np.subtract(b * z, c * y, out=products[0])
+    np.subtract(c * x, a * z, out=products[1])
+    np.subtract(a * y, b * x, out=products[2])
+    return products
