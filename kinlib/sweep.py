@@ -61,9 +61,9 @@ def cross(u: Array, v: Array) -> Array:
     array([[0., 0., 1.]])
     """
     (a, b, c), (x, y, z) = u, v
-    # Each row is written where it belongs: to collect three finished ones would copy them.
+    # Each row is written where it belongs: to collect three finished ones would copy them. One vector has rows of shape ().
     products = np.empty_like(u)
-    np.subtract(b * z, c * y, out=products[0])
-    np.subtract(c * x, a * z, out=products[1])
-    np.subtract(a * y, b * x, out=products[2])
+    np.subtract(b * z, c * y, out=products[0, ...])
+    np.subtract(c * x, a * z, out=products[1, ...])
+    np.subtract(a * y, b * x, out=products[2, ...])
     return products

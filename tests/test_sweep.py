@@ -41,3 +41,8 @@ def test_a_sweep_of_determinants_is_numpy_s(shape):
     np.testing.assert_allclose(found, np.linalg.det(X), rtol=0, atol=1e-13)
     cut = [np.linalg.det(columns.T) for _, columns in pieces(X, (3, 3))]
     np.testing.assert_allclose(np.concatenate(cut), np.linalg.det(X).ravel(), rtol=0, atol=1e-13)
+
+
+def test_one_vector_is_crossed_too():
+    u, v = np.random.default_rng(0).normal(size=(2, 3))
+    np.testing.assert_allclose(cross(u, v), np.cross(u, v), rtol=0, atol=1e-14)
