@@ -17,7 +17,7 @@ import numpy as np
 
 from kinlib.chain import Chain
 from kinlib.check import Array
-from kinlib.dh import Convention, DHTable, convention_of
+from kinlib.dh import Convention, DHTable, convention_of, joint_step, normal_step
 from kinlib.frame_steps import PROBES, Step, told
 from kinlib.normals import MEETS, Normal, common_normal
 from kinlib.sweep import cross
@@ -150,7 +150,7 @@ def _last(frame: Array, home: Array) -> tuple[Array, tuple[float, float], float]
     x = off / a if a > MEETS else _square(home[:3, :3].T, z)
     a = a if a > MEETS else 0.0
     frame, turn = _turned_to(frame, x, foot)
-    return frame @ _normal_step(a, 0.0), turn, a
+    return frame @ normal_step(a, 0.0), turn, a
 
 
 def _turned_to(frame: Array, x: Array, origin: Array) -> tuple[Array, tuple[float, float]]:
@@ -158,7 +158,7 @@ def _turned_to(frame: Array, x: Array, origin: Array) -> tuple[Array, tuple[floa
     d = float(frame[:3, 2] @ (origin - frame[:3, 3]))
     cos, sin, _ = x @ frame[:3, :3]
     theta = math.atan2(sin, cos)
-    return frame @ _joint_step(d, theta), (d, theta)
+    return frame @ joint_step(d, theta), (d, theta)
 
 
 def _twisted_to(frame: Array, normal: Normal, z: Array) -> tuple[Array, tuple[float, float]]:
@@ -167,19 +167,7 @@ def _twisted_to(frame: Array, normal: Normal, z: Array) -> tuple[Array, tuple[fl
     straight = np.pi if normal.case.startswith("anti") else 0.0
     _, minus_sin, cos = z @ frame[:3, :3]
     alpha = straight if normal.free else math.atan2(-minus_sin, cos)
-    return frame @ _normal_step(a, alpha), (a, alpha)
-
-
-def _joint_step(d: float, theta: float) -> Array:
-    """About a joint and along it: Z = Rz(theta) Tz(d)."""
-    c, s = math.cos(theta), math.sin(theta)
-    return np.array([[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, d], [0, 0, 0, 1]])
-
-
-def _normal_step(a: float, alpha: float) -> Array:
-    """Along a common normal and about it: X = Tx(a) Rx(alpha)."""
-    c, s = math.cos(alpha), math.sin(alpha)
-    return np.array([[1, 0, 0, a], [0, c, -s, 0], [0, s, c, 0], [0, 0, 0, 1]])
+    return frame @ normal_step(a, alpha), (a, alpha)
 
 
 _MEETING = {"intersecting", "coincident", "anti-coincident"}

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 import kinlib as kl
 from kinlib import DHTable, dh_transform, robots
-from kinlib.dh import convention_of
+from kinlib.dh import convention_of, joint_step, normal_step
 from kinlib.dh_rows import read_rows
 
 EXACT = 1e-12
@@ -100,6 +100,14 @@ def test_a_row_is_the_robotics_toolbox_s_row(convention):
     for a, alpha, d, theta in np.random.default_rng(1).uniform(-3, 3, (30, 4)):
         expected = link(a=a, alpha=alpha, d=d).A(theta).A
         close(dh_transform(a, alpha, d, theta, convention=convention), expected)
+
+
+@pytest.mark.oracle("roboticstoolbox", joint_step, normal_step)
+def test_the_two_halves_of_a_row_are_rows_of_the_robotics_toolbox():
+    rtb = pytest.importorskip("roboticstoolbox")
+    for a, alpha, d, theta in np.random.default_rng(2).uniform(-3, 3, (30, 4)):
+        close(joint_step(d, theta), rtb.RevoluteDH(d=d).A(theta).A)
+        close(normal_step(a, alpha), rtb.RevoluteDH(a=a, alpha=alpha).A(0).A)
 
 
 @pytest.mark.oracle("roboticstoolbox", DHTable.fk)
