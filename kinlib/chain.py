@@ -304,10 +304,13 @@ class Chain:
         where it has two.
         """
         cos, sin, slide = self._joint_motions(q)
-        frame = np.broadcast_to(self._steps[0, :3].T[..., None], (4, 3, q.shape[1]))
+        slides = self._turns_and_slides[1] != 0
+        frame = np.array(np.broadcast_to(self._steps[0, :3].T[..., None], (4, 3, q.shape[1])), dtype=q.dtype)
         for i in range(self.n):
             x, y, z, p = frame
-            frame = np.stack([cos[i] * x + sin[i] * y, cos[i] * y - sin[i] * x, z, p + slide[i] * z])
+            frame[0], frame[1] = cos[i] * x + sin[i] * y, cos[i] * y - sin[i] * x
+            if slides[i]:
+                p += slide[i] * z
             yield frame
             frame = _moved(frame, self._steps[i + 1])
         yield frame

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinlib.sweep import Array, cross, dot, pieces
+from kinlib.sweep import Array, Pieces, cross, dot, pieces
 
 __all__ = [
     "Array",
@@ -21,7 +21,7 @@ __all__ = [
     "poses",
     "real",
     "rigid",
-    "rigid_columns",
+    "rigid_pieces",
     "turn",
     "unit",
     "vectors",
@@ -129,52 +129,45 @@ def turn(angle: Array) -> Array:
 def rigid(x: ArrayLike, name: str) -> Array:
     """Read x as rotations (..., 3, 3) or poses (..., 4, 4).
 
-    Raises ValueError for another shape, a block that is not orthonormal, a reflection, a last row that is not 0 0 0 1.
+    Raises ValueError for another shape, NaN or infinity, a block that is not orthonormal, a reflection, a last row that is
+    not 0 0 0 1.
 
     >>> rigid(np.eye(4), "home").shape
     (4, 4)
     """
     values = motions(x, name)
-    for _, columns in pieces(values, values.shape[-2:]):
-        rigid_columns(columns, name)
+    for _ in rigid_pieces(values, values.shape[-2:], name):
+        pass
     return values
 
 
 def motions(x: ArrayLike, name: str) -> Array:
-    """Read x as matrices of the shape of rotations, (..., 3, 3), or of poses, (..., 4, 4).
+    """Read x as matrices of the shape of rotations, (..., 3, 3), or of poses, (..., 4, 4): what `rigid_pieces` looks into.
 
     Raises ValueError for another shape.
 
     >>> motions(np.zeros((4, 4)), "home").shape
     (4, 4)
     """
-    values = array(x, name)
+    values = real(x, name)
     if values.shape[-2:] not in {(3, 3), (4, 4)}:
         raise ValueError(f"{name} should be a rotation (..., 3, 3) or a pose (..., 4, 4); got shape {values.shape}.")
     return values
 
 
-def rigid_columns(X: Array, name: str) -> Array:
-    """Pass rotations (3, 3, m) or poses (4, 4, m) on, laid out by their columns as `sweep` lays them out.
+def rigid_pieces(values: Array, takes: tuple[int, ...], name: str = "X") -> Pieces:
+    """Cut rotations or poses as `pieces` does, and look at each piece while it is at hand: a second round would cost more.
 
-    Raises ValueError for a block that is not orthonormal, a reflection, a last row that is not 0 0 0 1.
+    Raises ValueError for the first matrix that is no rotation or no pose, with its index.
 
-    >>> rigid_columns(np.eye(4)[:, :, None], "home").shape
-    (4, 4, 1)
+    >>> [columns.shape for _, columns in rigid_pieces(np.eye(4)[None], (4, 4), "home")]
+    [(4, 4, 1)]
     """
-    exact = len(X) == 3 or not (X[:3, 3].any() or (X[3, 3] != 1).any())
-    if not exact and (wrong := np.abs(X[:, 3] - [[0], [0], [0], [1]]) > RIGID).any():
-        raise ValueError(
-            f"{name} is not a pose: its last row should be 0 0 0 1; got {X[:, 3, wrong.any(axis=0)][:, 0]}. "
-            "Is the translation in the last row instead of the last column? Try the transpose."
-        )
-    x, y, z = X[:3, :3]
-    with np.errstate(over="ignore", invalid="ignore"):  # what overflows is far from rigid, and is refused below
-        strays = dot(x, x) - 1, dot(y, y) - 1, dot(x, y), cross(x, y) - z
-        rigid = all(np.abs(stray).max(initial=0) <= RIGID for stray in strays)
-    if not rigid:
-        raise ValueError(f"{name} is {_fault(np.clip(X[:3, :3], -10, 10))}")
-    return X
+    for piece, X in pieces(values, takes):
+        if not _are_rigid(X):
+            first = next(i for i in range(X.shape[-1]) if not _are_rigid(X[..., i : i + 1]))
+            raise ValueError(_fault(values, piece.start + first, name))
+        yield piece, X
 
 
 def poses(x: ArrayLike, name: str) -> Array:
@@ -213,12 +206,33 @@ def brief(x: Any) -> str:
     return f"{type(x).__name__} {reprlib.repr(x)}"
 
 
-def _fault(R: Array) -> str:
-    """What is wrong with matrices (3, 3, m) that are not all rotations."""
-    defect = np.abs(np.einsum("ikm,jkm->ijm", R, R) - np.eye(3)[:, :, None]).max()
+def _are_rigid(X: Array) -> bool:
+    """Whether all of (3, 3, m) are rotations, or all of (4, 4, m) are poses."""
+    x, y, z = X[:3, :3]
+    with np.errstate(
+        over="ignore", invalid="ignore"
+    ):  # what overflows is far from rigid, and so is NaN, which is never less
+        strays = [dot(x, x) - 1, dot(y, y) - 1, dot(x, y), cross(x, y) - z]
+        if len(X) == 4:
+            strays += X[:3, 3], X[3, 3] - 1, 0 * X[3, :3]  # 0 times infinity is NaN
+        return all(np.abs(stray).max(initial=0) <= RIGID for stray in strays)
+
+
+def _fault(values: Array, count: int, name: str) -> str:
+    """What is wrong with one of these matrices, which is no rotation or no pose."""
+    index = np.unravel_index(count, values.shape[:-2])
+    X, place = values[index], f" at index {[int(i) for i in index]}" if index else ""
+    array(values, name)
+    if len(X) == 4 and (np.abs(X[3] - [0, 0, 0, 1]) > RIGID).any():
+        return (
+            f"{name} is not a pose{place}: its last row should be 0 0 0 1; got {X[3]}. "
+            "Is the translation in the last row instead of the last column? Try the transpose."
+        )
+    R = np.clip(X[:3, :3], -10, 10)  # the square of a huge number would overflow
+    defect = np.abs(R.T @ R - np.eye(3)).max()
     if defect <= RIGID:
-        return "a reflection (det R = -1), not a rotation. Are two axes swapped? Is y = z x x?"
+        return f"{name} is a reflection{place} (det R = -1), not a rotation. Are two axes swapped? Is y = z x x?"
     return (
-        f"not rigid: R^T R differs from the identity by {defect:.2g}. "
+        f"{name} is not rigid{place}: R^T R differs from the identity by {defect:.2g}. "
         "Were its entries rounded, or is an axis not of unit length?"
     )

@@ -98,7 +98,9 @@ def log(X: ArrayLike) -> Array:
     array([0.      , 0.      , 1.570796, 1.      , 0.      , 0.      ])
     """
     X = check.motions(X, "X")
-    return sweep(_log_rotation, X, (3, 3), (3,)) if X.shape[-1] == 3 else sweep(_log_motion, X, (4, 4), (6,))
+    if X.shape[-1] == 3:
+        return sweep(_log_rotation, X, (3, 3), (3,), cut=check.rigid_pieces)
+    return sweep(_log_motion, X, (4, 4), (6,), cut=check.rigid_pieces)
 
 
 def inverse(X: ArrayLike) -> Array:
@@ -216,13 +218,13 @@ def _rodrigues(omega: Array, cos: Array, a: Array, b: Array) -> Array:
 
 def _log_rotation(R: Array) -> Array:
     """Rotation vectors (3, m) of rotations (3, 3, m)."""
-    half_omega, _, _ = _half_log(check.rigid_columns(R, "X"))
+    half_omega, _, _ = _half_log(R)
     return 2 * half_omega
 
 
 def _log_motion(X: Array) -> Array:
     """Twists (6, m) of poses (4, 4, m)."""
-    u, half, cotangent = _half_log(check.rigid_columns(X, "X")[:3, :3])
+    u, half, cotangent = _half_log(X[:3, :3])
     p = X[3, :3]
     x = np.empty((6, X.shape[-1]))
     np.multiply(u, 2, out=x[:3])
@@ -234,32 +236,39 @@ def _log_motion(X: Array) -> Array:
 def _half_log(R: Array) -> tuple[Array, Array, Array]:
     """omega / 2 as (3, m), theta / 2 and (theta / 2) cot(theta / 2) of rotations (3, 3, m), by their quaternions."""
     w, axis = _quaternion(R)
-    cos, sine = np.abs(w), _length(axis)
-    half = np.arctan2(sine, cos)
+    sine = _length(axis)
+    half = np.arctan2(sine, w)
     # Where there is no turn, w is 4 and axis is 0: half the angle is a quarter of what stands for its sine.
     stretch = (half + TINY) / (sine + 4 * TINY)
-    # q and -q are the same rotation; w >= 0 picks the shorter way round.
-    return stretch * np.where(w < 0, -1.0, 1.0) * axis, half, stretch * cos
+    return stretch * axis, half, stretch * w
 
 
 def _quaternion(R: Array) -> tuple[Array, Array]:
-    """Quaternions of rotations (3, 3, m), up to sign and length: w (m,) and (x, y, z) as (3, m).
+    """Quaternions of rotations (3, 3, m), up to their length: w >= 0 as (m,), and (x, y, z) as (3, m).
 
-    With the unit quaternion q = (w, x, y, z) of R, the matrix 4 q q^T is linear in R. Each of its columns is a multiple of
-    q, and the longest one is never near zero: no case for small angles, none for angles near pi.
+    With the unit quaternion q = (w, x, y, z) of R, the matrix 4 q q^T is linear in R. Its columns 4w q, 4x q, 4y q and 4z q
+    are multiples of q, and one that is not near zero has all its digits: the first up to 151 degrees, where 4w is 1, and the
+    longest of the others beyond. There is no case for small angles, and none for angles near pi.
     """
+    q = np.empty((4, R.shape[-1]))
+    q[0] = 1 + R[0, 0] + R[1, 1] + R[2, 2]
+    q[1:] = R[1, 2] - R[2, 1], R[2, 0] - R[0, 2], R[0, 1] - R[1, 0]
+    beyond = np.flatnonzero(q[0] < 1 / 4)
+    q[:, beyond] = _quaternion_of_long_turn(R.take(beyond, axis=2))
+    return q[0], q[1:]
+
+
+def _quaternion_of_long_turn(R: Array) -> Array:
+    """Quaternions (4, m) up to their length, with w >= 0, by the longest of the columns 4x q, 4y q and 4z q."""
     (r11, r21, r31), (r12, r22, r32), (r13, r23, r33) = R
-    ww, xx = (1 + r11) + (r22 + r33), (1 + r11) - (r22 + r33)
-    yy, zz = (1 - r11) + (r22 - r33), (1 - r11) - (r22 - r33)
+    xx, yy, zz = 1 + r11 - r22 - r33, 1 - r11 + r22 - r33, 1 - r11 - r22 + r33
     wx, wy, wz = r32 - r23, r13 - r31, r21 - r12
     xy, xz, yz = r21 + r12, r13 + r31, r32 + r23
-    longest, length = [ww, wx, wy, wz], ww
-    for square, column in ((xx, (wx, xx, xy, xz)), (yy, (wy, xy, yy, yz)), (zz, (wz, xz, yz, zz))):
-        # The entry on the diagonal is 4 q_i^2, and the column is 4 q_i q: where one is largest, so is the other.
-        longer = square > length
-        longest = [np.where(longer, ours, theirs) for ours, theirs in zip(column, longest, strict=True)]
-        length = np.maximum(square, length)
-    return longest[0], np.array(longest[1:])
+    # The entry on the diagonal is 4x^2, 4y^2 or 4z^2: where one is largest, so is its column.
+    q = np.where(yy > xx, [wy, xy, yy, yz], [wx, xx, xy, xz])
+    q = np.where(zz > np.maximum(xx, yy), [wz, xz, yz, zz], q)
+    # q and -q are the same rotation; w >= 0 picks the shorter way round.
+    return q * np.where(q[0] < 0, -1.0, 1.0)
 
 
 def _length(u: Array) -> Array:

@@ -12,36 +12,47 @@ from numpy.typing import NDArray
 
 Array = NDArray[np.float64]
 
-CHUNK = 8192
-"""Columns worked on at a time: a pose's sixteen rows of them fit in a core's cache, worth a factor of two on long batches."""
+CHUNK = 5000
+"""Columns worked on at a time: a pose's sixteen rows of them fit in a core's cache, worth a factor of two on long batches.
+No power of two, by which rows would begin at addresses for which a cache has few places."""
+
+Pieces = Iterator[tuple[slice, Array]]
+"""Parts of a batch, each laid out for a formula, with the slice that it is from."""
 
 
-def sweep(formula: Callable[[Array], Array], x: Array, takes: tuple[int, ...], gives: tuple[int, ...]) -> Array:
+def pieces(x: Array, takes: tuple[int, ...]) -> Pieces:
+    """Cut a batch (..., *takes) into pieces, each laid out for a formula: (*takes reversed, m).
+
+    >>> [(piece, columns.shape) for piece, columns in pieces(np.zeros((9000, 3, 3)), (3, 3))]
+    [(slice(0, 5000, None), (3, 3, 5000)), (slice(5000, 10000, None), (3, 3, 4000))]
+    """
+    elements = x.reshape(-1, *takes)
+    for start in range(0, len(elements), CHUNK):
+        piece = slice(start, start + CHUNK)
+        yield piece, np.ascontiguousarray(elements[piece].T)
+
+
+def sweep(
+    formula: Callable[[Array], Array],
+    x: Array,
+    takes: tuple[int, ...],
+    gives: tuple[int, ...],
+    cut: Callable[[Array, tuple[int, ...]], Pieces] = pieces,
+) -> Array:
     """Apply a formula to a batch (..., *takes), and bring its results together as (..., *gives).
 
     The formula is given m elements at a time with their axes reversed, (*takes reversed, m), and returns (*gives reversed,
-    m): a matrix comes as its columns, R[0] is the x axis of every pose, and R[0, 2] the z component of each.
+    m): a matrix comes as its columns, R[0] is the x axis of every pose, and R[0, 2] the z component of each. Another way to
+    `cut` the batch may refuse some of it.
 
     >>> lengths = sweep(lambda v: np.sqrt(v[0] ** 2 + v[1] ** 2), np.array([[3.0, 4.0], [5.0, 12.0]]), (2,), ())
     >>> lengths
     array([ 5., 13.])
     """
     results = np.empty((*x.shape[: x.ndim - len(takes)], *gives))
-    for piece, columns in pieces(x, takes):
+    for piece, columns in cut(x, takes):
         results.reshape(-1, *gives)[piece] = formula(columns).T
     return results
-
-
-def pieces(x: Array, takes: tuple[int, ...]) -> Iterator[tuple[slice, Array]]:
-    """Cut a batch (..., *takes) into pieces, each laid out for a formula, (*takes reversed, m), with the slice it is from.
-
-    >>> [(piece, columns.shape) for piece, columns in pieces(np.zeros((9000, 3, 3)), (3, 3))]
-    [(slice(0, 8192, None), (3, 3, 8192)), (slice(8192, 16384, None), (3, 3, 808))]
-    """
-    elements = x.reshape(-1, *takes)
-    for start in range(0, len(elements), CHUNK):
-        piece = slice(start, start + CHUNK)
-        yield piece, np.ascontiguousarray(elements[piece].T)
 
 
 def dot(u: Array, v: Array) -> Array:

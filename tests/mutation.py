@@ -2,6 +2,7 @@
 
     python course.py mutation screw             every fault that mutmut can plant in kinlib/screw.py
     python course.py mutation loops 100         a hundred of them, drawn at random
+    python course.py mutation loops again       those that its tests let pass the last time
     python course.py mutation practice.judge
 
 What survived is printed as the line that it made, with its function. A test should kill it; if none can, because the
@@ -53,7 +54,12 @@ def main(module: str, count: str = "") -> None:
     explained = NOTES["explained"].get(module, {})
     for fault in set(explained) - set(faults.values()):
         print(f"explained, and no fault any more: {fault}")
-    if count:
+    last = folder.with_name(f"{module}.json")
+    if count == "again":
+        faults = {
+            name: fault for name, fault in json.loads(last.read_text("utf-8")).items() if faults.get(name) == fault
+        }
+    elif count:
         faults = dict(random.Random(module).sample(sorted(faults.items()), min(int(count), len(faults))))
     run = [sys.executable, "tests/mutation.py", "--mutmut", "run", "--max-children=1", *faults]
     said = folder / "log.txt"
@@ -63,6 +69,7 @@ def main(module: str, count: str = "") -> None:
         sys.exit(f"mutmut stopped; it needs tests that pass. It said:\n{said.read_text('utf-8')[-3000:]}")
     codes = json.loads((folder / f"mutants/{path}.meta").read_text("utf-8"))["exit_code_by_key"]
     survivors = {name: fault for name, fault in faults.items() if codes[name] in UNNOTICED}
+    last.write_text(json.dumps(survivors), "utf-8")
     left = {name: fault for name, fault in survivors.items() if fault not in explained}
     for name, fault in left.items():
         print(f"{UNNOTICED[codes[name]]}: {fault}        ({name})")

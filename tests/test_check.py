@@ -14,6 +14,8 @@ from hypothesis import strategies as st
 from strategies import directions, poses, rotations
 
 from kinlib import check
+from kinlib.lie import log
+from kinlib.sweep import CHUNK
 
 TURNED = np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]])
 
@@ -152,18 +154,39 @@ def test_what_modern_robotics_calls_rigid_passes_and_nothing_else_does(T, size, 
                 read(Y, "X")
 
 
-@pytest.mark.oracle("pytransform3d", check.rigid_columns)
+@pytest.mark.oracle("pytransform3d", check.rigid_pieces)
 @given(st.lists(poses(), min_size=1, max_size=4), NOISE, st.integers(0, 99))
-def test_columns_are_rigid_where_pytransform3d_finds_their_matrices_so(batch, size, seed):
+def test_pieces_are_rigid_where_pytransform3d_finds_their_matrices_so(batch, size, seed):
     X = np.array(batch)
     X[-1, :3, :3] += size * np.random.default_rng(seed).choice([-1, 1], (3, 3))
     try:
         expected = np.array([pt.check_transform(T) for T in X]).T
     except ValueError:
         with pytest.raises(ValueError, match=r"not rigid|reflection"):
-            check.rigid_columns(X.T, "X")
+            list(check.rigid_pieces(X, (4, 4)))
     else:
-        np.testing.assert_array_equal(check.rigid_columns(X.T, "X"), expected)
+        ((_, found),) = check.rigid_pieces(X, (4, 4))
+        np.testing.assert_array_equal(found, expected)
+
+
+FAULTS = {
+    "NaN in the rotation": (np.s_[1, 2], np.nan, r"X holds NaN or infinity at index \[1, 2, 1, 2\]"),
+    "infinity in the translation": (np.s_[0, 3], np.inf, r"X holds NaN or infinity at index \[1, 2, 0, 3\]"),
+    "a last row": (np.s_[3, 0], 2e-6, r"X is not a pose at index \[1, 2\]: .*0 0 0 1; got \[2\.e-06 "),
+    "a last entry": (np.s_[3, 3], 0.0, r"X is not a pose at index \[1, 2\]: .*0 0 0 1; got \[0\. 0\. 0\. 0\.\]"),
+    "no rotation": (np.s_[0, 0], 1.1, r"X is not rigid at index \[1, 2\]: R\^T R differs from the identity by 0\.21\."),
+    "a reflection": (np.s_[2, 2], -1.0, r"X is a reflection at index \[1, 2\] \(det R = -1\)"),
+}
+
+
+@pytest.mark.parametrize("fault", FAULTS)
+@pytest.mark.parametrize("read", [lambda X: check.rigid(X, "X"), log], ids=["rigid", "log"])
+def test_the_first_faulty_pose_of_many_is_named_by_its_index(fault, read):
+    place, value, said = FAULTS[fault]
+    X = np.tile(np.eye(4), (3, CHUNK, 1, 1))
+    X[1, 2][place] = X[2, 9][place] = value
+    with pytest.raises(ValueError, match=said):
+        read(X)
 
 
 def test_a_pose_in_single_precision_passes():
@@ -212,7 +235,9 @@ def test_a_rotation_is_no_pose():
 
 
 def test_one_bad_matrix_spoils_the_batch():
-    with pytest.raises(ValueError, match="not rigid"):
+    with pytest.raises(
+        ValueError, match=r"R is not rigid at index \[1, 4\]: R\^T R differs from the identity by 0\.21\."
+    ):
         check.rigid(np.stack([np.eye(3)] * 9 + [1.1 * np.eye(3)]).reshape(2, 5, 3, 3), "R")
 
 
