@@ -1,5 +1,7 @@
 """The rate of a logarithm: the Bernoulli series with 40 digits, an integral by SciPy, Pinocchio, and what is refused."""
 
+from fractions import Fraction
+
 import exact
 import mpmath
 import numpy as np
@@ -122,6 +124,14 @@ def test_any_batch_shape_is_one_computation():
     assert log_jacobian(x).shape == ad(x).shape == (2, 3, 4, 6, 6)
     close(log_jacobian(x)[1, 2, 3], log_jacobian(x[1, 2, 3]), atol=1e-15)
     assert log_jacobian(np.empty((0, 6))).shape == (0, 6, 6)
+
+
+@pytest.mark.parametrize("function", [ad, log_jacobian])
+def test_numbers_of_another_kind_are_computed_in_doubles(function):
+    """A turn whose length was taken in single precision would be off by 1e-8."""
+    x = np.array([0.1, 0.7, -0.3, 1, 2, 3], dtype=np.float32)
+    for same in (x, [Fraction(float(value)) for value in x]):
+        close(function(same), function(x.tolist()), atol=0)
 
 
 @pytest.mark.parametrize("function", [ad, log_jacobian])
