@@ -18,9 +18,14 @@ PROBES = 24
 """In how many postures a table is compared with its chain."""
 
 SINGULAR = (
-    "These axes are nearly parallel, {angle:.1e} rad apart, and DH is singular here: their normal lies {far:.2g} m away and "
-    "runs off as 1 / angle, so the last digits of d are lost. (Hayati's remedy is a fifth parameter: a small turn about y "
-    "instead of the far normal.)"
+    "These axes are nearly parallel, {angle:.1e} rad apart, and DH is singular here: a millimetre between them moves their "
+    "normal by {far:.2g} m along them, so the last digits of d are lost. (Hayati's remedy is a fifth parameter: a small turn "
+    "about y instead of the far normal.)"
+)
+
+SPARED = (
+    "These axes are nearly parallel, {angle:.1e} rad apart; but a slide has no line of its own, so it is laid across its "
+    "neighbour, and their normal cannot run away."
 )
 
 CASES = {
@@ -107,11 +112,14 @@ def _link(chain: Chain, T: Array, pair: int, normal: Normal, standard: bool) -> 
     i, j, frame = pair + 1, pair + 2, pair + 1
     length = _number(float(np.linalg.norm(normal.end - normal.start)))
     text = CASES[normal.case].format(i=i, j=j, a=length)
-    if normal.nearly_parallel:
-        far = max(float(np.linalg.norm(normal.end - chain.joint_points[pair + 1])), 1 / normal.sine)
-        text += " " + SINGULAR.format(angle=normal.sine, far=far)
+    has_length = normal.case in {"skew", "parallel", "anti-parallel"}
+    singular = normal.nearly_parallel and (has_length or "P" not in chain.letters[pair : pair + 2])
+    if singular:
+        text += " " + SINGULAR.format(angle=normal.sine, far=1e-3 / normal.sine)
         text += " Here they are taken as parallel." if normal.free else " Here the far normal is kept."
-    others = "The far normal." if normal.nearly_parallel and normal.free else ELSE[normal.case]
+    elif normal.nearly_parallel:
+        text += " " + SPARED.format(angle=normal.sine)
+    others = "The far normal." if singular and normal.free else ELSE[normal.case]
     yield Step("normal", frame, text, others)
     on = f"axis {j}" if standard else f"axis {i}"
     why = "where the common normal meets it"
@@ -125,7 +133,7 @@ def _link(chain: Chain, T: Array, pair: int, normal: Normal, standard: bool) -> 
     )
     direction = (
         "along the common normal, from joint to joint"
-        if normal.case in {"skew", "parallel", "anti-parallel"}
+        if has_length
         else (
             "square to both axes, as near the x before as that allows"
             if normal.case == "intersecting"
@@ -136,7 +144,7 @@ def _link(chain: Chain, T: Array, pair: int, normal: Normal, standard: bool) -> 
         "x",
         frame,
         f"x_{frame} is {direction}: {_vector(normal.x)}.",
-        "" if normal.case == "parallel" else ELSE[normal.case],
+        "" if normal.case in {"parallel", "anti-parallel"} else ELSE[normal.case],
     )
     yield Step("y", frame, f"y_{frame} = z_{frame} x x_{frame} completes a right-handed frame: {_vector(T[:3, 1])}.")
 
@@ -149,8 +157,10 @@ def _last(chain: Chain, table: DHTable, frames: Array) -> Step:
         return Step(
             "last", n, text, "Any frame whose x meets z_{n-1} at a right angle; the tool transform takes up the rest."
         )
+    d, theta = ("0", f"q_{n}") if table.joints[-1] == "R" else (f"q_{n}", "0")
     text = (
-        f"Frame {n} stands where d_{n} = 0 and theta_{n} = q_{n}. {place} What is left to {{b}} is the tool transform."
+        f"Frame {n} stands where d_{n} = {d} and theta_{n} = {theta}. {place} "
+        "What is left to {b} is the tool transform."
     )
     return Step("last", n, text, "Any other origin on the axis and any x square to it; d, theta and the tool follow.")
 

@@ -127,15 +127,18 @@ def test_a_case_is_recognised_and_named(case, convention):
 def test_nearly_parallel_axes_cost_no_more_than_they_must(angle, convention):
     """Exact up to 1e-10 rad and from 1e-5 on. Between, no table in doubles is exact: below 1e-6, and never silent."""
     singular = 1.01e-10 < angle < 0.99e-5
-    for found, cases, q in fuzzed(convention, count=60, angle=angle, seed=2):
+    for found, _, q in fuzzed(convention, count=60, angle=angle, seed=2):
         assert len(found.table.rows) == found.chain.n
         assert error(found, q) < (1e-6 if singular else 1e-9)
         # The claim was measured with slides of up to pi metres, in other configurations: it may be a little off.
         measured = error(found, configurations(np.random.default_rng(12), found.chain, reach=np.pi))
         assert measured < 3 * max(found.accuracy, 1e-12)
         assert found.accuracy < 3 * max(measured, 1e-12)
-        if "nearly parallel" in cases and singular and any(normal.nearly_parallel for normal in found.normals):
-            assert any("nearly parallel" in step.text and "DH is singular here" in step.text for step in found.steps)
+        normals = [step.text for step in found.steps if step.kind == "normal"]
+        for pair, (normal, text) in enumerate(zip(found.normals, normals, strict=True)):
+            assert ("These axes are nearly parallel" in text) == normal.nearly_parallel
+            if normal.nearly_parallel and "P" not in found.chain.letters[pair : pair + 2]:
+                assert "DH is singular here" in text
 
 
 @each_convention
@@ -266,9 +269,196 @@ def test_the_step_of_a_row_says_the_row_s_numbers(convention):
                 assert float(number or 0) == pytest.approx(value, rel=1e-3, abs=1e-11)
 
 
-def test_a_slide_is_said_to_have_no_line():
-    steps = assign_frames(robots.rpr_lecture7(), convention="modified").steps
-    assert "a slide has a direction, not a line" in steps[0].text
+def vectors(text):
+    """The vectors that a step names, one after the other."""
+    return [
+        [float(number) for number in found.split(",")] for found in re.findall(r"\(([-+.\de, ]*,[-+.\de, ]*)\)", text)
+    ]
+
+
+@each_convention
+def test_the_steps_say_where_axes_and_frames_stand(convention):
+    for found, _, _ in fuzzed(convention, count=50, seed=15):
+        chain, frames = found.chain, found.frames
+        lines = zip(chain.letters, chain.lines.axis, chain.joint_points, strict=True)
+        expected = {("axes", None): [vector for letter, *line in lines for vector in line[: 1 if letter == "P" else 2]]}
+        expected |= {(kind, i): frames[i, :3, [3, 0]] for kind, i in (("first", 0), ("last", chain.n))}
+        columns = {"origin": [3], "x": [0], "y": [1]}
+        expected |= {(kind, i): frames[i, :3, k] for kind, k in columns.items() for i in range(1, chain.n)}
+        told = {(step.kind, step.frame): step.text for step in found.steps}
+        for step, there in expected.items():
+            np.testing.assert_allclose(vectors(told[step]), there, rtol=1e-3, atol=1e-11)
+        for i, normal in enumerate(found.normals, start=1):
+            assert told["normal", i].startswith(f"Axes {i} and {i + 1} ")
+            if normal.case in {"skew", "parallel", "anti-parallel"}:
+                (length,) = re.findall(r"(\S+) m ", told["normal", i])
+                assert float(length) == pytest.approx(np.linalg.norm(normal.end - normal.start), rel=1e-3)
+
+
+ROUND = "The opposite direction, with -a, -alpha, and half a turn more in one theta and less in the next."
+ROUND_ABOUT = ROUND.replace("-a, ", "")
+STANDARD = [
+    (
+        (
+            "Locate the joint axes: joint 1, turning, along (0, 0, 1) through (0, 0, 0); joint 2, sliding, along (0, -1, 0) "
+            "anywhere (a slide has a direction, not a line); joint 3, turning, along (0, 0, 1) through (0.4, 0, 0). "
+            "In this convention z_{i-1} lies on the axis of joint i."
+        ),
+        "Each z may point the other way; then that joint counts the other way.",
+    ),
+    (
+        (
+            "Frame 0 stands on axis 1, at the point nearest {s}, with x as near the x of {s} as the axis allows. "
+            "Its origin is at (0, 0, 0), its x along (1, 0, 0)."
+        ),
+        "Any other origin on the axis and any x square to it; base, d_1 and theta_1 follow.",
+    ),
+    ("Axes 1 and 2 are skew: there is one common normal, 0.4 m long.", ROUND),
+    ("O_1 lies on axis 2, where the common normal meets it: (0.4, 0, 0).", ""),
+    ("x_1 is along the common normal, from joint to joint: (1, 0, 0).", ROUND),
+    ("y_1 = z_1 x x_1 completes a right-handed frame: (0, 0, 1).", ""),
+    ("Axes 2 and 3 meet: the common normal has no length, and its direction is square to both.", ROUND_ABOUT),
+    ("O_2 lies on axis 3, where the common normal meets it: (0.4, 0, 0).", ""),
+    ("x_2 is square to both axes, as near the x before as that allows: (1, 0, 0).", ROUND_ABOUT),
+    ("y_2 = z_2 x x_2 completes a right-handed frame: (0, 1, 0).", ""),
+    (
+        (
+            "There is no next axis: z_3 is parallel to z_2, and the frame as near the tool as that allows. "
+            "O_3 is at (0.4, 0, 0), x_3 along (1, 0, 0)."
+        ),
+        "Any frame whose x meets z_{n-1} at a right angle; the tool transform takes up the rest.",
+    ),
+    ("Row 1: a_1 = 0.4, alpha_1 = 1.571, d_1 = 0, theta_1 = q_1.", ""),
+    ("Row 2: a_2 = 0, alpha_2 = -1.571, d_2 = q_2, theta_2 = 0.", ""),
+    ("Row 3: a_3 = 0, alpha_3 = 0, d_3 = 0, theta_3 = q_3.", ""),
+]
+MODIFIED = [
+    (STANDARD[0][0].replace("z_{i-1}", "z_i"), STANDARD[0][1]),
+    (
+        (
+            "Frame 0 matches frame 1 when q_1 = 0, so the first row begins with alpha = 0 and a = 0. "
+            "Its origin is at (0, 0, 0), its x along (1, 0, 0)."
+        ),
+        "Any frame at all, with other numbers in the base and in the first row.",
+    ),
+    STANDARD[2],
+    ("O_1 lies on axis 1, where the common normal meets it: (0, 0, 0).", ""),
+    STANDARD[4],
+    ("y_1 = z_1 x x_1 completes a right-handed frame: (0, 1, 0).", ""),
+    STANDARD[6],
+    ("O_2 lies on axis 2, where the common normal meets it: (0.4, 0, 0).", ""),
+    STANDARD[8],
+    ("y_2 = z_2 x x_2 completes a right-handed frame: (0, 0, 1).", ""),
+    (
+        (
+            "Frame 3 stands where d_3 = 0 and theta_3 = q_3. O_3 is at (0.4, 0, 0), x_3 along (1, 0, 0). "
+            "What is left to {b} is the tool transform."
+        ),
+        "Any other origin on the axis and any x square to it; d, theta and the tool follow.",
+    ),
+    ("Row 1: a_0 = 0, alpha_0 = 0, d_1 = 0, theta_1 = q_1.", ""),
+    ("Row 2: a_1 = 0.4, alpha_1 = 1.571, d_2 = q_2, theta_2 = 0.", ""),
+    ("Row 3: a_2 = 0, alpha_2 = -1.571, d_3 = 0, theta_3 = q_3.", ""),
+]
+
+
+@pytest.mark.parametrize(("convention", "words"), [("standard", STANDARD), ("modified", MODIFIED)])
+def test_the_arm_of_lecture_7_is_told_word_for_word(convention, words):
+    steps = assign_frames(robots.rpr_lecture7(), convention=convention).steps
+    assert [(step.text, step.others) for step in steps[:-1]] == words
+
+
+ANYWHERE = "Any direction square to the axis, and any place on it."
+ALONG = "Any other place along the axes: "
+FREE = {
+    "parallel": (
+        "along the common normal, from joint to joint",
+        ALONG + "what d loses in one row, it gains in the next.",
+        "",
+    ),
+    "anti-parallel": (
+        "along the common normal, from joint to joint",
+        ALONG + "both d change alike, for the axes point opposite ways.",
+        "",
+    ),
+    "coincident": ("kept as it was", ANYWHERE, ANYWHERE),
+    "anti-coincident": ("kept as it was", ANYWHERE, ANYWHERE),
+}
+
+
+@pytest.mark.parametrize(
+    ("convention", "place"), [("standard", "axis 2, at joint 2"), ("modified", "axis 1, where d stays 0")]
+)
+@pytest.mark.parametrize("case", FREE)
+def test_where_a_normal_may_slide_the_steps_say_so(case, convention, place):
+    direction, free, free_x = FREE[case]
+    chain, _ = arm(np.random.default_rng(1), 2, cases=(case,), slides=0)
+    _, _, normal, origin, x, y, *_ = assign_frames(chain, convention=convention).steps
+    assert origin.text.startswith(f"O_1 lies on {place}, for the normal may slide: (")
+    assert x.text.startswith(f"x_1 is {direction}: (")
+    assert (normal.others, origin.others, x.others, y.others) == (free, free, free_x, "")
+
+
+def leaning(angle, letters="RR"):
+    """Two axes, the second 0.3 m off and leaning so much across that way; its joint stands 0.5 m up."""
+    turned = kl.exp([0.3, -0.5, 0.7])
+    axes = turned @ [0, 0, 1], turned @ [0, -np.sin(angle), np.cos(angle)]
+    points = np.array([(0, 0, 0), (0.3, 0.2, 0.5)]) @ turned.T
+    lines = zip(letters, axes, points, strict=True)
+    screws = [kl.screw(axis, point, np.inf if letter == "P" else 0.0) for letter, axis, point in lines]
+    return kl.Chain(np.array(screws), np.eye(4), points)
+
+
+@each_convention
+@pytest.mark.parametrize(
+    ("angle", "far", "taken", "others"),
+    [
+        (1e-6, "1e+03", " Here the far normal is kept.", ROUND),
+        (1e-11, "1e+08", " Here they are taken as parallel.", "The far normal."),
+    ],
+)
+def test_nearly_parallel_axes_are_said_to_be_singular_and_what_was_done(angle, far, taken, others, convention):
+    normal = assign_frames(leaning(angle), convention=convention).steps[2]
+    assert normal.text.startswith("Axes 1 and 2 are ")
+    assert (
+        f" These axes are nearly parallel, {angle:.1e} rad apart, and DH is singular here: "
+        f"a millimetre between them moves their normal by {far} m along them, so the last digits of d are lost. "
+    ) in normal.text
+    assert normal.text.endswith(taken)
+    assert normal.others == others
+
+
+@each_convention
+@pytest.mark.parametrize("letters", ["RP", "PR"])
+def test_a_slide_that_is_nearly_parallel_has_no_normal_that_runs_away(letters, convention):
+    """A slide has no line: laid across its neighbour it meets it, and no digit is lost."""
+    found = assign_frames(leaning(1e-8, letters), convention=convention)
+    normal, origin = found.steps[2:4]
+    assert normal.text.startswith("Axes 1 and 2 meet: ")
+    assert "1.0e-08 rad apart; but a slide has no line of its own" in normal.text
+    assert "singular" not in normal.text
+    assert np.abs(vectors(origin.text)).max() < 1
+    assert found.accuracy < 1e-14
+    assert "to rounding" in found.steps[-1].text
+
+
+@pytest.mark.parametrize("letter", ["R", "P"])
+def test_the_last_frame_stands_where_its_row_says_that_its_joint_is_at_zero(letter):
+    chain = kl.Chain([kl.screw((0, 0, 1), (1, 0, 0), 0.0 if letter == "R" else np.inf)], np.eye(4))
+    *_, last, row, _ = assign_frames(chain, convention="modified").steps
+    d, theta = {"R": ("0", "q_1"), "P": ("q_1", "0")}[letter]
+    assert last.text.startswith(f"Frame 1 stands where d_1 = {d} and theta_1 = {theta}. ")
+    assert row.text == f"Row 1: a_0 = 0, alpha_0 = 0, d_1 = {d}, theta_1 = {theta}."
+
+
+@pytest.mark.parametrize(("angle", "note"), [(0.5, ""), (1e-6, " Nearly parallel axes cost it the digits.")])
+def test_the_last_step_says_how_exact_a_table_is_and_why_it_is_not(angle, note):
+    found = assign_frames(leaning(angle), convention="standard")
+    parts = found.chain, found.table, found.frames, found.normals
+    exact, inexact = (told(*parts, accuracy)[-1] for accuracy in (0.99e-11, 1.01e-11))
+    measured = "in 24 postures its poses differ by {} at most."
+    assert exact.text == f"This table is the arm, to rounding: {measured.format('9.9e-12')}"
+    assert inexact.text == f"This table is the arm only so far: {measured.format('1.0e-11')}{note}"
 
 
 def test_what_was_free_is_said_and_what_was_not_is_not():
