@@ -6,7 +6,7 @@ from contextlib import suppress
 import numpy as np
 import pytest
 import sympy as sp
-from hypothesis import given
+from hypothesis import example, given
 from hypothesis import strategies as st
 
 import kinlib as kl
@@ -70,7 +70,7 @@ def test_forms_agree_where_sympy_proves_it():
         difference = sp.simplify(RIGHT.value - sp.sympify(typed, {str(symbol): symbol for symbol in (a_2, q_1, q_2)}))
         assert RIGHT.agrees(RIGHT.read(typed), RIGHT.value) == [difference == 0]
     read, reader = RIGHT.read(same), Reader([q_1, q_2, a_2])
-    point = {x: sp.Float(repr(reader.first_point[x.name.replace("_", "")])) for x in (q_1, q_2, a_2)}
+    point = {x: sp.Float(reader.first_point[x.name.replace("_", "")], 30) for x in (q_1, q_2, a_2)}
     assert read.values[0] == pytest.approx(float(same.subs(point).evalf(25)), rel=1e-12)
 
 
@@ -85,6 +85,21 @@ def test_what_is_expected_is_said_in_words():
     assert matrix.expected == "a 2x2 matrix of formulas in q_1: text such as '[[2*sin(q_1), 0, ...], ...]', or SymPy"
     assert (matrix.parts, ClosedForm(sp.eye(4)).parts) == (["the formula"], ["rotation", "position"])
     assert matrix.hint(matrix.read("[[q1, 0], [1, q1]]"), 0) == "3 of the 4 entries are right. Look at row 2, column 1."
+
+
+@pytest.mark.parametrize(
+    ("right", "near", "far"),
+    [
+        (0, "0.0006", "0.0014"),
+        (1000, "1000.6", "1001.4"),
+        (0, "6/10^7/10^6", "14/10^7/10^6"),
+        (1000, "1000 + 6/10^10", "1000 + 14/10^10"),
+    ],
+)
+def test_how_far_values_may_lie_apart_grows_only_above_one(right, near, far):
+    form = ClosedForm(sp.Integer(right))
+    assert is_right(form, near)
+    assert not is_right(form, far)
 
 
 def test_decimals_count_as_three_and_what_is_exact_counts_exactly():
@@ -110,11 +125,12 @@ def test_decimals_count_as_three_and_what_is_exact_counts_exactly():
         max_leaves=8,
     )
 )
+@example(sp.sin(q_1**8))
 def test_values_are_those_of_sympy_and_its_text_says_the_same(expression):
     """The oracle is SymPy's own evaluation; what it prints is read back as the same formula."""
     reader = Reader([q_1, q_2, a_2])
     made, typed = reader.read(expression), reader.read(str(expression))
-    at = {symbol: sp.Float(repr(reader.first_point[symbol.name.replace("_", "")])) for symbol in (q_1, q_2, a_2)}
+    at = {symbol: sp.Float(reader.first_point[symbol.name.replace("_", "")], 30) for symbol in (q_1, q_2, a_2)}
     oracle = float(expression.subs(at).evalf(25))
     assert made.values[0] == pytest.approx(oracle, rel=1e-12, abs=1e-12)
     np.testing.assert_allclose(typed.values, made.values, rtol=1e-14, atol=1e-14)
@@ -129,6 +145,8 @@ def test_a_matrix_may_be_sympy_text_rows_or_the_work_of_kinlib():
         assert is_right(form, dress)
     assert form.agrees(form.read(sp.eye(4)), T) == [False, False]
     assert form.agrees(form.read(text.replace("a2(1 - c1)", "a2")), T) == [True, False]
+    for row, right in [("0, 0, 0, 0", [True, False]), ("0, 1, 0, 1", [False, True])]:
+        assert form.agrees(form.read(text.replace("0, 0, 0, 1", row)), T) == right
 
 
 def test_a_vector_may_lie_or_stand():
@@ -285,7 +303,7 @@ def test_every_function_of_the_language_is_that_of_sympy(name):
     half = sp.Rational(1, 3)
     function = {"abs": sp.Abs}.get(name) or getattr(sp, name)
     typed = reader.read(f"{name}(x/3)").values[0]
-    oracle = complex(function(half * sp.Float(repr(reader.first_point["x"]))).evalf(20))
+    oracle = complex(function(half * sp.Float(reader.first_point["x"], 30)).evalf(20))
     assert typed == pytest.approx(oracle.real, rel=1e-12)
     if name != "sinc":
         assert reader.read(function(x * half)).values[0] == pytest.approx(oracle.real, rel=1e-12)

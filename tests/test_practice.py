@@ -216,6 +216,21 @@ def test_a_pose_is_judged_by_rotation_and_position_and_what_is_no_rotation_is_to
     assert ["no rotation at all" in finding.message for finding in judgement.findings] == hints
 
 
+@pytest.mark.parametrize(
+    ("row", "right_parts"),
+    [
+        ((0, 0, 0, 0), ["rotation"]),
+        ((0, 0.5, 0, 1), ["position"]),
+        ((1, 2, 3, 4), []),
+        ((0, 0, 0, 1.0005), ["rotation", "position"]),
+    ],
+)
+def test_a_pose_ends_in_a_row_of_its_own(row, right_parts):
+    judgement = judge(Problem("", Pose(TURN), []), [*TURN[:3].tolist(), row])
+    assert list(judgement.right_parts) == right_parts
+    assert all(finding.message.startswith("The last row of a pose is 0 0 0 1") for finding in judgement.findings)
+
+
 def test_a_screw_is_told_which_half_is_right_if_one_is():
     right = np.array([0, 0, 1, 0, -2, 0.5])
     problem = Problem("", Screws(right), [])

@@ -97,4 +97,4 @@ class ClosedForm(Answer):
 
     @property
     def _pieces(self) -> list[Any]:
-        return [np.s_[:3, :3], np.s_[:3, 3]] if self._shape == (4, 4) else [...]
+        return [np.s_[:, :3], np.s_[:, 3]] if self._shape == (4, 4) else [...]
