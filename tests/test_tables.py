@@ -8,7 +8,7 @@ from kinlib import DHTable
 from kinlib.practice.answers import Unreadable
 from kinlib.practice.judge import judge
 from kinlib.practice.problem import Problem
-from kinlib.practice.tables import Table
+from kinlib.practice.tables import LONGEST, Table
 
 ROWS = [[0.3, 0.7, 0.2, 0], [0.25, -1.1, 0.35, 0.5], [0.4, 0.9, 0.15, 0]]
 RIGHT = DHTable(ROWS, convention="standard")
@@ -87,6 +87,13 @@ def test_lengths_with_names_are_known():
     text = "a|alpha|d|theta\nl1|0.7|0.2|q1\n0.25|-1.1|0.35|q2+0.5\n0.4|0.9|0.15|q3"
     assert judged(text, lengths={"l1": 0.3}).state == "right"
     assert "Give lengths={'l1': ...}" in judged(text).findings[0].message
+
+
+def test_a_text_is_read_up_to_a_length():
+    text = "a|alpha|d|theta\n0.3|0.7|0.2|q1\n0.25|-1.1|0.35|q2+0.5\n0.4|0.9|0.15|q3"
+    assert judged(text.ljust(LONGEST)).state == "right"
+    with pytest.raises(Unreadable, match="too long"):
+        Table(RIGHT).read(text.ljust(LONGEST + 1))
 
 
 def test_an_arm_of_another_number_of_joints_is_another_arm():
