@@ -167,8 +167,7 @@ class Closure:
     def _window(self) -> Array:
         """The least and the greatest values (2, n) among which a search makes sense: within limits, one turn of an angle."""
         least, most = self.limits.T
-        nearest = np.clip(0, least, most)
-        least = np.maximum(least, np.minimum(nearest - self.reach, most - 2 * self.reach))
+        least = np.maximum(least, np.minimum(-self.reach, most - 2 * self.reach))
         return np.stack([least, np.minimum(most, least + 2 * self.reach)])
 
     def _counted(self, q: Array) -> Array:
