@@ -591,7 +591,131 @@ def test_a_held_value_stays_put_along_a_trace():
     curve = linkage.trace(q, hold={"A": q[0]})
     assert (curve.q[:, 0] == q[0]).all()
     assert (curve.tangents[:, 0] == 0).all()
+    # Along the motion nothing opens, to first order, and a unit tangent is as long as a unit step.
+    close(np.einsum("mij,mj->mi", linkage.jacobian(curve.q), curve.tangents), 0)
+    close(np.linalg.norm(curve.tangents, axis=1), 1)
     assert np.linalg.norm(linkage.residual(curve.q), axis=1).max() < EXACT
+
+
+# --- closing equations whose answers are known ---
+
+
+def closing(equations, start=(0.0,), *, turns=False, limits=(-np.inf, np.inf), reach=2.0, closed=1e-13):
+    n = len(start)
+    names = [f"q{i}" for i in range(1, n + 1)]
+    return Closure(
+        *(equations, np.array(start, dtype=float), np.arange(n), names, np.full(n, turns)),
+        *(np.tile(limits, (n, 1)).astype(float), np.full(n, reach), closed),
+    )
+
+
+def line_at(root):
+    return lambda x: (x - root, np.ones((len(x), 1, 1)))
+
+
+def nowhere(x):
+    """Equations that no x solves, and that lead nowhere."""
+    return np.ones((len(x), 1)), np.zeros((len(x), 1, x.shape[1]))
+
+
+def cosine(x):
+    return np.cos(x), -np.sin(x)[:, None]
+
+
+@pytest.mark.parametrize(
+    ("start", "words"), [(0.5, "after 0 steps."), (0.5 + 1e-6, "after 1 step."), (0.501, "after 2 steps.")]
+)
+def test_the_steps_are_counted_in_the_words_too(start, words):
+    found = closing(line_at(0.5), [start]).assemble()
+    assert found.message.endswith(words)
+    assert f" {found.iterations} " in words
+
+
+@pytest.mark.parametrize(("equations", "rounds"), [(nowhere, 3), (line_at(0.5), 4)])
+def test_the_search_is_over_when_three_rounds_in_a_row_brought_nothing_new(equations, rounds):
+    brought = []
+
+    def stand(q):
+        brought.append(len(q))
+        return q
+
+    assert len(closing(equations).modes(stand)) == rounds - 3
+    assert len(brought) == rounds
+
+
+def asked_by(modes_of, **options):
+    """Where a search for modes asks what is left over."""
+    asked = []
+
+    def equations(x):
+        asked.append(x.copy())
+        return modes_of(x)
+
+    closing(equations, **options).modes(stand=lambda q: q)
+    return np.concatenate(asked)
+
+
+def test_every_call_searches_from_the_same_guesses():
+    assert asked_by(nowhere).tolist() == asked_by(nowhere).tolist()
+
+
+@pytest.mark.parametrize(
+    ("limits", "window"),
+    [
+        ((-np.inf, np.inf), (-2, 2)),
+        ((-1, 0.5), (-1, 0.5)),
+        ((-1, np.inf), (-1, 3)),
+        ((5, np.inf), (5, 9)),
+        ((-np.inf, 1), (-3, 1)),
+        ((-np.inf, -5), (-9, -5)),
+    ],
+)
+def test_modes_are_sought_among_all_values_within_reach_of_0_or_of_the_limit_nearest_to_it(limits, window):
+    guesses = asked_by(nowhere, limits=limits)
+    assert window[0] <= guesses.min() < guesses.max() <= window[1]
+    close([guesses.min(), guesses.max()], window, atol=0.05 * np.ptp(window))
+
+
+def test_what_closes_too_slowly_is_no_mode_that_is_sought_and_can_be_assembled_all_the_same():
+    """Newton's steps to a root of fourth order shorten the way by a quarter each."""
+    slow = closing(lambda x: (x**4, 4 * x[:, None] ** 3), [1.0], closed=1e-45)
+    assert slow.modes(stand=lambda q: q).shape == (0, 1)
+    found = slow.assemble()
+    assert found.converged
+    assert found.iterations > 40
+
+
+def test_a_posture_that_gives_a_little_and_goes_nowhere_is_a_mode():
+    """x^2 + y^2 = 0 at 0 alone: one equation, and one direction in which it does not resist."""
+    shaky = closing(lambda x: ((x * x).sum(1, keepdims=True), 2 * x[:, None]), [0.0, 0.0])
+    close(shaky.modes(stand=lambda q: q), [[0, 0]], atol=1e-6)
+
+
+@pytest.mark.parametrize(("beyond", "count"), [(2e-6, 0), (5e-7, 1), (-5e-7, 1)])
+def test_a_mode_beyond_a_limit_by_what_its_print_leaves_out_is_one(beyond, count):
+    """The cosine is 0 at a right angle either way; limits stand beside one of them, below it or above."""
+    for limits in ((np.pi / 2 + beyond, 2), (1, np.pi / 2 - beyond)):
+        within = closing(cosine, turns=True, limits=limits, reach=np.pi)
+        close(within.modes(stand=lambda q: q), np.full((count, 1), np.pi / 2))
+        found = replace(within, posture=np.array([1.5])).assemble()
+        close(np.sin(found.q), [1])
+        assert ("beyond the limits of q1" in found.message) == (count == 0)
+
+
+@pytest.mark.parametrize(
+    ("limits", "angles"),
+    [
+        ((-np.inf, np.inf), (-0.5, 0.5)),
+        ((-np.inf, 0), (-1.5, -0.5)),
+        ((-np.inf, 2), (-0.5, 0.5)),
+        ((-np.inf, -7), (-3.5, -2.5)),
+        ((1, np.inf), (0.5, 1.5)),
+        ((2, np.inf), (1.5, 2.5)),
+    ],
+)
+def test_an_angle_is_counted_from_its_least_value_or_within_the_last_turn_below_its_greatest(limits, angles):
+    free = closing(cosine, turns=True, limits=limits, reach=np.pi)
+    close(free.modes(stand=np.sin), np.pi * np.array(angles)[:, None])
 
 
 # --- from chains ---
