@@ -215,7 +215,7 @@ def _are_rigid(X: Array) -> bool:
         strays = [dot(x, x) - 1, dot(y, y) - 1, dot(x, y), cross(x, y) - z]
         if len(X) == 4:
             strays += X[:3, 3], X[3, 3] - 1, 0 * X[3, :3]  # 0 times infinity is NaN
-        return all(np.abs(stray).max(initial=0) <= RIGID for stray in strays)
+        return all(np.abs(stray).max() <= RIGID for stray in strays)
 
 
 def _fault(values: Array, count: int, name: str) -> str:
@@ -228,7 +228,7 @@ def _fault(values: Array, count: int, name: str) -> str:
             f"{name} is not a pose{place}: its last row should be 0 0 0 1; got {X[3]}. "
             "Is the translation in the last row instead of the last column? Try the transpose."
         )
-    R = np.clip(X[:3, :3], -10, 10)  # the square of a huge number would overflow
+    R = np.clip(X[:3, :3], -1e150, 1e150)  # the square of a huge number would overflow
     defect = np.abs(R.T @ R - np.eye(3)).max()
     if defect <= RIGID:
         return f"{name} is a reflection{place} (det R = -1), not a rotation. Are two axes swapped? Is y = z x x?"

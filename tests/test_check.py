@@ -53,6 +53,29 @@ def test_what_is_no_array_of_numbers_is_refused_by_name(x):
         check.vectors(x, "point", 3)
 
 
+def test_the_cause_of_a_refusal_names_the_kind_of_number():
+    with pytest.raises(ValueError, match="array of real numbers") as refusal:
+        check.array([1j], "q")
+    assert str(refusal.value.__cause__) == "complex128 is no real number"
+
+
+@pytest.mark.parametrize(
+    "read",
+    [
+        check.array,
+        check.real,
+        lambda x, name: check.vectors(x, name, 3),
+        check.unit,
+        check.motions,
+        check.rigid,
+        check.poses,
+    ],
+)
+def test_whoever_reads_what_is_no_array_says_its_name(read):
+    with pytest.raises(ValueError, match=r"^elbow should be an array of real numbers; got NoneType None"):
+        read(None, "elbow")
+
+
 def test_a_long_value_is_named_and_not_recited():
     with pytest.raises(ValueError, match="got list") as refusal:
         check.array(["x" * 10_000] * 1000, "q")
@@ -185,7 +208,7 @@ def test_the_first_faulty_pose_of_many_is_named_by_its_index(fault, read):
     place, value, said = FAULTS[fault]
     X = np.tile(np.eye(4), (3, CHUNK, 1, 1))
     X[1, 2][place] = X[2, 9][place] = value
-    with pytest.raises(ValueError, match=said):
+    with pytest.raises(ValueError, match=f"^{said}"):
         read(X)
 
 
@@ -216,6 +239,12 @@ def test_what_does_not_keep_lengths_is_refused(R):
         check.rigid(R, "home")
 
 
+@pytest.mark.parametrize(("scale", "defect"), [(100, "1e.04"), (-1e6, "1e.12"), (1e200, "1e.300"), (-1e200, "1e.300")])
+def test_how_far_a_block_is_from_rigid_is_told_as_it_is_up_to_1e300(scale, defect):
+    with pytest.raises(ValueError, match=rf"R\^T R differs from the identity by {defect}\. "):
+        check.rigid(scale * np.eye(3), "R")
+
+
 @pytest.mark.parametrize("sign", [1, -1])
 def test_entries_whose_squares_overflow_are_refused_like_any_other(sign):
     """Their R^T R holds infinity minus infinity, and NaN is not greater than any tolerance."""
@@ -230,8 +259,18 @@ def test_a_reflection_is_refused_by_its_name():
 
 
 def test_a_rotation_is_no_pose():
-    with pytest.raises(ValueError, match=r"home should be a pose \(\.\.\., 4, 4\); got a rotation.*its origin"):
-        check.poses(np.eye(3), "home")
+    for R in (np.eye(3), np.tile(np.eye(3), (2, 4, 1, 1))):
+        with pytest.raises(ValueError, match=r"home should be a pose \(\.\.\., 4, 4\); got a rotation.*its origin"):
+            check.poses(R, "home")
+
+
+def test_what_is_frozen_is_a_copy_that_nobody_can_write_to():
+    x = np.array([1.0, 2.0])
+    copy = check.frozen(x)
+    with pytest.raises(ValueError, match="read-only"):
+        copy[0] = 7
+    x[:] = 7
+    assert copy.tolist() == [1, 2]
 
 
 def test_one_bad_matrix_spoils_the_batch():
