@@ -77,7 +77,7 @@ def cases():
 
 def check(case):
     place, data = case
-    signal.signal(signal.SIGALRM, judging._too_long)
+    signal.signal(signal.SIGPROF, judging._too_long)
     assert_read_and_written(data)
     sheet, k = TEMPLATES[place]
     template, verdict = sheet.problems[k], judging._verdict(sheet, k + 1, problem(place), data)

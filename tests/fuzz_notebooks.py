@@ -152,7 +152,7 @@ def _encoded(text):
 
 def check(case):
     kind, files, roster_text, (changes, slips, flips), asked = case
-    signal.signal(signal.SIGALRM, judging._too_long)
+    signal.signal(signal.SIGPROF, judging._too_long)
     prompter = grader()._runner
     prompter.changes, prompter.slips, prompter.asked = changes, slips, asked
     with tempfile.TemporaryDirectory() as root:

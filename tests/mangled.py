@@ -134,7 +134,8 @@ def change_text(text, changes, own=(), cuts=(PIECE,)):
             case 6:
                 parts[at] = odd + parts[at]
             case 7:  # with all that are alike, so that a name stays one name
-                parts = [odd if part == parts[at] else part for part in parts]
+                alike = parts.count(parts[at])
+                parts = [odd[: MOST // alike] if part == parts[at] else part for part in parts]
         text = "".join(parts)
     return text
 

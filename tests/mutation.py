@@ -13,7 +13,8 @@ mutmut forks a process for each fault from one that has imported all. It runs in
     PYTHONPATH=. mutmut browse
 
 shows more. Two things are ours. It leaves decorated functions alone, so that properties are written without their @ in
-the copy. And a text with blanks is for people, who proofread it: faults in nothing else are not counted.
+the copy. And faults are not counted where no test should look: in a text with blanks, which is for people, who proofread
+it, and in zip's strict, which asserts what the lines before it made sure of.
 """
 
 import ast
@@ -108,7 +109,7 @@ def undecorated(source: str) -> str:
 
 
 def planted(folder: Path, path: str) -> dict[str, str]:
-    """Every fault by its name in mutmut: the function, and the line that it made; "" for a fault in mere words."""
+    """Every fault by its name in mutmut: the function, and the line that it made; "" for one that is not counted."""
     os.chdir(folder)  # where its settings stand
     from mutmut.mutation.file_mutation import mutate_file_contents
 
@@ -123,7 +124,7 @@ def told(functions: dict[str, ast.FunctionDef], name: str) -> str:
     stem = name.rpartition("__mutmut_")[0]
     right, wrong = functions[f"{stem}__mutmut_orig"], functions[name]
     right.name = wrong.name = "function"
-    if wordless(right) == wordless(wrong):
+    if bare(right) == bare(wrong):
         return ""
     before, after = (ast.unparse(node).splitlines() for node in (right, wrong))
     new = [line.strip() for line in after if line not in before] or [
@@ -132,12 +133,15 @@ def told(functions: dict[str, ast.FunctionDef], name: str) -> str:
     return f"{stem.removeprefix('x').strip('ǁ_').replace('ǁ', '.').removesuffix('_plain')}: {' '.join(new)}"
 
 
-def wordless(function: ast.FunctionDef) -> str:
-    """The function without what its texts with blanks say."""
+def bare(function: ast.FunctionDef) -> str:
+    """The function without what its texts with blanks say, and without zip's strict."""
     copy = ast.parse(ast.unparse(function))
     for node in ast.walk(copy):
-        if isinstance(node, ast.Constant) and isinstance(node.value, str) and " " in node.value:
-            node.value = " "
+        match node:
+            case ast.Constant(value=str(text)) if " " in text:
+                node.value = " "
+            case ast.Call(func=ast.Name(id="zip")):
+                node.keywords = []
     return ast.dump(copy)
 
 

@@ -3,6 +3,7 @@
 import json
 import subprocess
 import sys
+import time
 from pathlib import Path
 
 import numpy as np
@@ -113,9 +114,20 @@ def test_one_answer_may_take_its_time_and_no_more(monkeypatch):
     made = find_sheet("03_poe_space")
     monkeypatch.setattr(judge, "SECONDS", 0.05)
     monkeypatch.setattr(judge, "judge", lambda *_: [None for _ in iter(int, 1)])
-    judge.signal.signal(judge.signal.SIGALRM, judge._too_long)
+    judge.signal.signal(judge.signal.SIGPROF, judge._too_long)
     told = judge.verdicts(made, "ada", 0, {"1": {"number": 1}})
     assert "could not be judged: TimeoutError" in told["1"]["text"]
+
+
+def test_a_judge_that_has_to_wait_for_its_turn_gives_the_same_verdict(monkeypatch):
+    """The clock of an answer counts what its judge computes, and not what others do on a busy machine meanwhile."""
+    made = find_sheet("03_poe_space")
+    right = judge.verdicts(made, "ada", 0, {"1": {"number": 1}})
+    at_once = judge.judge
+    monkeypatch.setattr(judge, "SECONDS", 0.5)
+    monkeypatch.setattr(judge, "judge", lambda *asked: [time.sleep(0.6), at_once(*asked)][1])
+    judge.signal.signal(judge.signal.SIGPROF, judge._too_long)
+    assert judge.verdicts(made, "ada", 0, {"1": {"number": 1}}) == right
 
 
 # --- what is heard ---

@@ -20,7 +20,7 @@ from kinlib.grading.runner import Ran, Runner
 from kinlib.grading.submission import Broken, Master, Plan, plan
 from kinlib.grading.wire import Gone, Peer
 
-JUDGING = 20.0
+JUDGING = 60.0
 """Seconds that the judge may take for a sheet, and then for each problem by itself."""
 
 MOST_RUNS = 4
