@@ -9,6 +9,7 @@ from mangled import assert_explained, chances, mangled, noise, often, pieces
 
 from kinlib.practice.answers import Unreadable
 from kinlib.practice.closed_forms import ClosedForm
+from kinlib.practice.formulas import LARGEST
 
 q_1, q_2, a = sp.symbols("q_1 q_2 a")
 ASKED = {
@@ -55,16 +56,17 @@ TWO = {
 
 
 def spelt(chance, depth=4):
-    """A formula as text, and what it is for x = (q_1, q_2, a)."""
+    """A formula as text, and every value on the way to it, its own last, for x = (q_1, q_2, a)."""
     if depth == 0 or chance.random() < 0.2:
-        return chance.choice(list(LEAVES.items()))
+        text, leaf = chance.choice(list(LEAVES.items()))
+        return text, lambda x: [leaf(x)]
     one, f = spelt(chance, depth - 1)
     if chance.random() < 0.4:
         text, function = chance.choice(list(ONE.items()))
-        return text.format(one), lambda x: function(f(x))
+        return text.format(one), lambda x: [*(way := f(x)), function(way[-1])]
     text, function = chance.choice(list(TWO.items()))
     other, g = spelt(chance, depth - 1)
-    return text.format(one, other), lambda x: function(f(x), g(x))
+    return text.format(one, other), lambda x: [*(way := f(x)), *(side := g(x)), function(way[-1], side[-1])]
 
 
 @cache
@@ -79,11 +81,13 @@ def cases():
 def check(case):
     which, text, meaning = case
     answer = ASKED[which]
+    points = answer._reader._points
+    way = meaning(np.array([points[name] for name in ("q1", "q2", "a")], dtype=float)) if meaning else []
     try:
         formula = answer.read(text)
     except Unreadable as error:
         assert_explained(error, Unreadable)
-        if meaning:
+        if meaning and max(np.abs(value).max() for value in way) <= LARGEST:
             raise AssertionError(f"{text!r} is a formula") from error
         return
     assert np.isfinite(formula.values).all()
@@ -91,8 +95,5 @@ def check(case):
     assert answer.agrees(answer.read(formula.given), formula) == [True] * len(right)
     assert all(right) or isinstance(answer.hint(formula, right.index(False)), str)
     if meaning:
-        points = answer._reader._points
-        expected = meaning(np.array([points[name] for name in ("q1", "q2", "a")], dtype=float))
-        np.testing.assert_allclose(
-            formula.values, np.broadcast_to(expected, formula.values.shape), rtol=1e-9, atol=1e-9
-        )
+        expected = np.broadcast_to(way[-1], formula.values.shape)
+        np.testing.assert_allclose(formula.values, expected, rtol=1e-9, atol=1e-9)
