@@ -149,7 +149,7 @@ def _by_row(table: DHTable) -> Iterator[_Fix]:
         if a != d:
             text = f"{place}: a and d are exchanged. a is measured along x, d along z."
             yield _Fix(Fault("a and d exchanged", text, row + 1, "a"), [(row, A, d), (row, D, a)])
-        if table.joints[row] == "R" and d:
+        if d and table.joints[row] != "P":
             yield _Fix(Fault("sign of d", f"{place}: d has the wrong sign.", row + 1, "d"), [(row, D, -d)])
         if a:
             yield _Fix(Fault("sign of a", f"{place}: a has the wrong sign.", row + 1, "a"), [(row, A, -a)])
@@ -158,7 +158,7 @@ def _by_row(table: DHTable) -> Iterator[_Fix]:
             joints = table.joints[:row] + letter + table.joints[row + 1 :]
             text = f"{place}: the joint variable belongs in {column}, for this joint {'slides' if letter == 'P' else 'turns'}."
             yield _Fix(Fault("variable in the wrong column", text, row + 1, column), joints=joints)
-        if theta and table.joints[row] == "P":
+        if theta != alpha and table.joints[row] != "R":
             text = f"{place}: theta and alpha are exchanged."
             yield _Fix(
                 Fault("theta and alpha exchanged", text, row + 1, "theta"), [(row, ALPHA, theta), (row, THETA, alpha)]

@@ -241,6 +241,117 @@ def test_a_length_that_should_be_nothing_is_found(column):
     assert fault.text == f"Row 3: {column} should be 0; the table says 0.777."
 
 
+def alone(wrong, right, **options):
+    """The one mistake that is found, which mends the table."""
+    found = diagnose(wrong, right, in_pairs=False, **options)
+    assert equivalent(found.corrected, right, **options)
+    assert found.equivalence
+    (fault,) = found.faults
+    return fault.name, fault.row, fault.column, fault.text
+
+
+def exchanged_angles(table, row):
+    _, alpha, _, theta = table.rows[row - 1]
+    return with_entries(table, (row, "alpha", theta), (row, "theta", alpha))
+
+
+@pytest.mark.parametrize(("alpha", "theta"), [(0.9, 0.4), (0.0, 0.4), (0.9, 0.0)])
+def test_the_angles_of_a_slide_that_changed_places_are_found_though_one_is_nothing(alpha, theta):
+    right = with_entries(ARM, (3, "alpha", alpha), (3, "theta", theta))
+    told = ("theta and alpha exchanged", 3, "theta", "Row 3: theta and alpha are exchanged.")
+    assert alone(exchanged_angles(right, 3), right) == told
+
+
+def test_theta_of_a_joint_that_turns_is_its_zero_and_no_angle_that_changes_places():
+    wrong = with_entries(ARM, (2, "alpha", 0.777), (2, "theta", -1.1))
+    told = ("wrong number", 2, "alpha", "Row 2: alpha should be -1.1; the table says 0.777.")
+    assert alone(wrong, ARM) == told
+
+
+FIXED = DHTable(
+    [[0.31, 0.7, 0.12, 0], [0.23, 1.3, 0.37, 0.4], [0.17, 0.9, 0.22, 0], [0.29, 0.6, 0.19, 0]],
+    convention="standard",
+    joints="RFRR",
+)
+"""An arm with a bracket: row 2 has no joint, and each of its numbers counts."""
+
+
+@pytest.mark.parametrize(
+    ("wrong", "name", "column", "text"),
+    [
+        (with_entries(FIXED, (2, "a", -0.23)), "sign of a", "a", "a has the wrong sign."),
+        (with_entries(FIXED, (2, "alpha", -1.3)), "sign of alpha", "alpha", "alpha has the wrong sign."),
+        (with_entries(FIXED, (2, "d", -0.37)), "sign of d", "d", "d has the wrong sign."),
+        (
+            *(exchanged(FIXED, 2), "a and d exchanged", "a"),
+            "a and d are exchanged. a is measured along x, d along z.",
+        ),
+        (
+            *(exchanged_angles(FIXED, 2), "theta and alpha exchanged", "theta"),
+            "theta and alpha are exchanged.",
+        ),
+    ],
+)
+def test_a_mistake_in_a_row_without_a_joint_is_told(wrong, name, column, text):
+    assert alone(wrong, FIXED) == (name, 2, column, f"Row 2: {text}")
+
+
+@pytest.mark.parametrize(
+    ("column", "number"),
+    [
+        ("a", 0),
+        ("d", 0),
+        *((column, angle) for column in ("alpha", "theta") for angle in (0, np.pi / 2, -np.pi / 2, np.pi)),
+    ],
+)
+def test_in_a_row_without_a_joint_the_usual_numbers_are_tried(column, number):
+    """They stand nowhere in the arm's own table, where a bracket is part of the rows beside it."""
+    right = with_entries(FIXED, (2, column, number))
+    told = ("wrong number", 2, column, f"Row 2: {column} should be {number:.4g}; the table says 0.777.")
+    assert alone(with_entries(right, (2, column, 0.777)), right) == told
+
+
+@pytest.mark.parametrize(
+    ("a", "alpha", "smallest"),
+    [(0.4, 0.6, 0.6), (0.4, 0.6 - np.pi, 0.6), (0.4, -0.6, -0.6), (0.4, np.pi - 0.6, -0.6), (0, -0.6, 0.6)],
+)
+def test_of_several_right_numbers_the_smallest_is_told(a, alpha, smallest):
+    """Either of two axes may be turned round; and where they meet, nothing says which way their angle is measured."""
+    right = DHTable([[a, alpha, 0.1, 0], [0.3, 0, 0, 0]], convention="standard")
+    told = ("wrong number", 1, "alpha", f"Row 1: alpha should be {smallest}; the table says 0.777.")
+    assert alone(with_entries(right, (1, "alpha", 0.777)), right) == told
+
+
+SHORT = DHTable([[0.4, 0.6, 0.1, 0], [0.3, -0.9, 0.25, 0], [0, 0, 0, 0]], convention="standard")
+
+
+def test_a_tolerance_holds_for_the_table_and_for_the_mended_one():
+    printed = with_entries(SHORT, (1, "a", 0.400001))
+    wrong = with_entries(printed, (1, "alpha", -0.6))
+    assert diagnose(printed, SHORT, tolerance=1e-5).right
+    assert not diagnose(printed, SHORT, tolerance=1e-7, in_pairs=False).right
+    found = diagnose(wrong, SHORT, tolerance=1e-5)
+    assert [fault.name for fault in found.faults] == ["sign of alpha"]
+    assert found.equivalence
+    assert 1e-7 < found.equivalence.difference < 1e-5
+    assert [fault.name for fault in diagnose(wrong, SHORT, tolerance=1e-7).faults] == ["wrong number"]
+
+
+def test_two_mistakes_are_looked_for_only_where_that_is_wanted():
+    wrong = exchanged(with_entries(SHORT, (2, "alpha", 0.9)), 1)
+    assert len(diagnose(wrong, SHORT).faults) == 2
+    assert diagnose(wrong, SHORT, in_pairs=False).corrected is None
+
+
+def test_of_a_nanometre_and_a_millionth_of_a_degree_nothing_is_told():
+    moved = SIGNED.changed(base=kl.exp([0, 0, 0, 3e-10, 0, 0]) @ kl.exp([np.pi / 2, 0, 0, 0, 0, 0]))
+    moved = moved.changed(tool=kl.exp([0, 5e-9, 0, 0, 0, 0]) @ kl.exp([0, 0, 0, 0.4, 0, 0]))
+    assert str(diagnose(SIGNED, moved)).splitlines()[1:] == [
+        "The base frames differ: turned by 90 degrees, shifted by 0 m.",
+        "The tool frames differ: turned by 0 degrees, shifted by 0.4 m.",
+    ]
+
+
 @pytest.mark.parametrize(("right", "wrong"), [(np.pi, 0.0), (0.0, np.pi)])
 def test_parallel_axes_that_point_the_other_way_are_told_the_angle(right, wrong):
     arm = with_entries(SIGNED, (2, "alpha", right))
