@@ -5,6 +5,7 @@ import io
 import os
 import re
 import time
+from pathlib import Path
 from xml.etree import ElementTree as ET
 
 import numpy as np
@@ -21,7 +22,7 @@ import kinlib as kl
 from kinlib import load_urdf, robots, to_urdf
 from kinlib.rpy import origin, roll_pitch_yaw
 from kinlib.urdf_tree import Joint, Tree, meant, read_tree
-from kinlib.urdf_xml import DEEPEST, LARGEST, Element, read_robot
+from kinlib.urdf_xml import DEEPEST, LARGEST, LONGEST, Element, read_robot
 
 CLOSE = 1e-9
 CONVENTIONS = ("standard", "modified")
@@ -252,6 +253,7 @@ def test_ways_through_a_tree_are_the_shortest_ones_of_scipy_s_graphs(drawn):
         here = before[here]
     found = [(step.joint.parent, step.joint.child)[:: 1 if step.sign > 0 else -1] for step in tree.path(base, tip)]
     assert found == steps
+    assert {step.sign for step in tree.path(base, tip)} <= {1, -1}
     below = np.isfinite(shortest_path(edges, indices=names.index(base)))
     stiff = {(parent, child) for parent, child, joint in joints if joint.get("type") == "fixed"}
     moving = np.array(
@@ -370,12 +372,63 @@ def test_a_helical_joint_is_refused_with_the_reason():
         to_urdf(robots.hrr())
 
 
+def test_of_two_helical_joints_the_first_is_named():
+    S = kl.screw((0, 0, 1), (0, 0, 0), 0.1)
+    with pytest.raises(ValueError, match=r"Joint 2 of .* is helical"):
+        to_urdf(kl.Chain([kl.screw((0, 0, 1)), S, S], np.eye(4)))
+
+
+FILE = """<robot name="lift">
+  <link name="base_link"/>
+  <link name="link_1"/>
+  <link name="link_2"/>
+  <link name="tool"/>
+  <joint name="joint_1" type="continuous">
+    <parent link="base_link"/> <child link="link_1"/>
+    <origin xyz="0 0.5 0"/>
+    <axis xyz="0 0 -1"/>
+  </joint>
+  <joint name="joint_2" type="prismatic">
+    <parent link="link_1"/> <child link="link_2"/>
+    <origin xyz="2 -0.5 0"/>
+    <axis xyz="0 1 0"/>
+    <limit lower="0" upper="1.5" effort="1" velocity="1"/>
+  </joint>
+  <joint name="weld" type="fixed">
+    <parent link="link_2"/> <child link="tool"/>
+    <origin xyz="0 0 1" rpy="0 0 0"/>
+  </joint>
+</robot>
+"""
+
+
+def test_a_file_of_ours_is_written_as_a_person_would():
+    """Frames parallel to the base's, whole numbers as such, no -0, limits where there are any, and a line for each thing."""
+    lift = kl.Chain(
+        np.array([[-0.0, 0, -1, -0.5, 0, 0], [0, 0, 0, -0.0, 1, 0]]),
+        origin((2, 0, 1)),
+        points=np.array([[0, 0.5, -0.0], [2, 0, 0]]),
+        name="lift",
+        limits=np.array([[-np.inf, np.inf], [0, 1.5]]),
+    )
+    assert to_urdf(lift) == FILE
+
+
+@pytest.mark.parametrize(
+    ("names", "weld"), [("a b c", "weld"), ("weld b c", "weld_0"), ("a weld_0 weld", "weld_1"), ("weld_0 a b", "weld")]
+)
+def test_the_last_joint_of_a_file_of_ours_has_a_name_that_no_other_joint_has(names, weld):
+    arm = robots.rpr()
+    text = to_urdf(kl.Chain(arm.screws, arm.home, joint_names=tuple(names.split())))
+    assert re.findall('<joint name="(.+)" type', text) == [*names.split(), weld]
+
+
 @pytest.mark.parametrize(
     ("names", "said"),
     [
-        (("a", "a", "b"), "tells joints apart"),
-        (("a", "", "b"), "letters that print"),
-        (("a", "b\n", "c"), "that print"),
+        (("a", "a", "b"), r"tells joints apart by their names; got a, a, b\.$"),
+        (("a", "", "b"), r"letters that print; got str ''\.$"),
+        (("a", "b\n", "c"), r"that print; got str 'b\\n'\.$"),
     ],
 )
 def test_names_that_no_file_can_hold_are_refused(names, said):
@@ -415,6 +468,49 @@ def test_an_axis_is_brought_to_unit_length(xyz):
     """As Pinocchio does, and KDL: a slide along 0 0 5 by one metre is one metre."""
     text = one_joint(f'<axis xyz="{xyz}"/><limit lower="0" upper="1"/>', "prismatic")
     assert load_urdf(text).fk([1.0])[:3, 3].tolist() == [0, 0, 1]
+
+
+def test_an_axis_is_a_unit_however_many_turns_stand_before_it():
+    """Each product of rotations rounds, and a thousand of them show in the thirteenth digit."""
+    n = 1000
+    joint = '<joint name="j{0}" type="{2}"><parent link="{0}"/><child link="{1}"/><origin rpy="0.3 0.5 -0.7"/></joint>'
+    joints = [joint.format(i, i + 1, "fixed" if i < n - 1 else "continuous") for i in range(n)]
+    links = "".join(f'<link name="{i}"/>' for i in range(n + 1))
+    S = load_urdf(f'<robot name="long">{links}{"".join(joints)}</robot>').screws[0]
+    assert norm(S[:3]) == pytest.approx(1, rel=0, abs=1e-15)
+
+
+def test_the_axis_of_a_weld_is_passed_over_whatever_it_says():
+    """Exporters write 0 0 0 there; Pinocchio and urdfdom do not look at it either."""
+    tree = read_tree(read_robot(one_joint('<axis xyz="0 0 0"/>', "fixed")))
+    assert tree.above["b"].axis.tolist() == [0, 0, 0]
+
+
+@pytest.mark.parametrize(
+    ("said", "limits"),
+    [
+        ('upper="2"', [0, 2]),
+        ('lower="-2"', [-2, 0]),
+        ('effort="1" velocity="1"', [0, 0]),
+        ('lower="1" upper="1"', [1, 1]),
+    ],
+)
+def test_a_limit_that_is_not_given_is_0_and_a_joint_may_be_locked(said, limits):
+    assert load_urdf(one_joint(f"<limit {said}/>", "revolute")).limits.tolist() == [limits]
+
+
+def test_an_origin_may_stand_as_far_off_as_any_and_turn_as_far():
+    assert load_urdf(one_joint('<origin xyz="0 -1e6 0"/>')).home[1, 3] == -1e6
+    twice = load_urdf(one_joint(f'<origin rpy="0 0 {4 * np.pi!r}"/>')).home
+    np.testing.assert_allclose(twice, np.eye(4), rtol=0, atol=1e-14)
+
+
+def test_names_may_be_long_and_are_cut_where_they_are_told():
+    text = one_joint().replace('"one"', f'"{"r" * LONGEST}"')
+    assert load_urdf(text).name == "r" * LONGEST
+    with pytest.raises(ValueError, match=f"runs on for {LONGEST + 1} letters"):
+        load_urdf(text.replace('name="r', 'name="rr'))
+    assert str(Element("link", 1, {"name": "l" * 100})) == f'<link name="{"l" * 60}">'
 
 
 def test_meshes_masses_and_colours_change_nothing_and_are_not_opened():
@@ -493,12 +589,12 @@ def test_a_file_may_be_in_any_encoding_that_it_names(tmp_path, encoding):
         ('<axis xyz="0 0 1 0"/>', "got 4"),
         ('<axis xyz="0, 0, 1"/>', 'got "0,".*separated by blanks'),
         ('\n\n<axis xyz="nan 0 1"/>', 'Line 7, .*should hold finite numbers; got "nan"'),
-        ('<axis xyz="0 0 inf"/>', 'got "inf"'),
+        ('<axis xyz="0 0 inf"/>', r'got "inf"\.$'),
         ('<axis xyz="1e999 0 0"/>', 'got "1e999"'),
         ('<axis xyz="1_0 0 0"/>', 'got "1_0"'),
         ('<axis xyz="0 0 ١"/>', "finite numbers"),
         ('<axis xyz="x"/>', 'got "x"'),
-        (f'<axis xyz="{"1" * 5000} 0 0"/>', "runs on for 5004 letters"),
+        (f'<axis xyz="{"1" * 5000} 0 0"/>', r'xyz="1{20}\.\.\." runs on for 5004 letters\.$'),
         ("<axis/>", "it should say xyz=...; it says nothing"),
         ('<axis xyz="0 0 1"/>\n<axis xyz="0 0 1"/>', "it has <axis> twice, in lines 5 and 6"),
         ('<origin xyz="0 0"/>', 'Line 5, <origin> in <joint name="j">: xyz should hold 3 numbers'),
@@ -552,6 +648,10 @@ def linked(links, *joints):
     return "\n".join(['<robot name="r">', *lines, "</robot>"])
 
 
+RING = "abcdefghijklm"
+"""One more than a message names."""
+
+
 @pytest.mark.parametrize(
     ("text", "said"),
     [
@@ -560,6 +660,7 @@ def linked(links, *joints):
         (linked("ab", "aβ"), 'Line 4, <child> in <joint name="j0">: joint j0 names link "β", and there is none'),
         (linked(["base", "arm"], ["bsae", "arm"]), "Did you mean base"),
         (linked("ab", "aβ"), r"there is none\. The links are a, b\.$"),
+        (linked("abcdefghijkl", "aβ"), r"The links are a, b, c, d, e, f, g, h, i, j, k, l\.$"),
         (linked("abcdefghijklm", "aβ"), r"The links are a, b, c, d, e, f, g, h, i, j, k, l, \.\.\.$"),
         (
             linked("abcd", "ab", "bc", "cd", "db"),
@@ -567,7 +668,13 @@ def linked(links, *joints):
         ),
         (linked("abcd", "bc", "cd", "db"), "Line 8, <joint name=.j2.>: .*round in a circle: b, d, c"),
         (linked("a", "aa"), "in a circle: a"),
-        (linked("abc", "ab"), 'Line 4, <link name="c">: no joint holds it, and none holds a'),
+        (
+            linked(RING, *zip(RING, RING[1:] + RING[:1], strict=True)),
+            r"in a circle: a, m, l, k, j, i, h, g, f, e, d, c\.$",
+        ),
+        (linked("abc", "ab"), r'Line 4, <link name="c">: no joint holds it, and none holds a\. A tree'),
+        (linked("abcd", "ab"), r'Line 4, <link name="c">: no joint holds it, and none holds a, d\.'),
+        (linked(RING), r'Line 3, <link name="b">: .* none holds a, c, d, e, f, g, h, i, j, k, l\.'),
         (linked(""), 'Line 1, <robot name="r">: it has no <link>'),
         (linked("abc", "ab", "ac"), 'Line 2, <link name="a">: which link is the tip .*It may be b, c'),
         (linked("a"), "Below the base nothing moves"),
@@ -607,7 +714,7 @@ BOMB = "<!DOCTYPE r [<!ENTITY a 'ha'>" + "".join(f"<!ENTITY {chr(ord(a) + 1)} '{
     [
         ("", "The text is empty"),
         (" \n ", "The text is empty"),
-        ("<robot", "Line 1: this is not XML: unclosed token"),
+        ("<robot", r"^Line 1: this is not XML: unclosed token\.$"),
         ("<robot>\n<link>\n</robot>", "Line 3: this is not XML: mismatched tag. An element opened above"),
         ("<robot>\n<link>", "Line 2: .*end too early"),
         ("\n<robot>\n<link name=a/>", "Line 3: this is not XML: not well-formed .*Is a quote missing"),
@@ -645,6 +752,7 @@ def test_what_is_no_urdf_is_refused(text, said):
     [
         (b"", "is empty"),
         (b"\0\0\0", "Line 1: this is not XML"),
+        (b"\n\n<robot>\n<link name=a/>\n</robot>", "Line 4: this is not XML: .*Is a quote missing"),
         (one_joint().replace("one", "Ä").encode("latin-1"), "Line 1: this is not XML: .*not saved as UTF-8"),
         (b'<?xml version="1.0" encoding="klingon"?>\n<robot name="r"/>', "Line 1: unknown encoding: klingon"),
         (b'<?xml version="1.0" encoding="rot13"?>\n<robot name="r"/>', "Line 1: .*Save the file as UTF-8"),
@@ -667,6 +775,24 @@ def test_a_large_file_is_refused_before_it_is_read(tmp_path):
     with pytest.raises(ValueError, match=r"The file holds 100.0 MB"):
         load_urdf(path)
     assert time.perf_counter() - start < 0.1
+
+
+def test_a_file_of_the_largest_size_is_read_to_its_end(tmp_path):
+    path = tmp_path / "arm.urdf"
+    head, end = one_joint().encode().split(b"</robot>")[0], b"</robot>"
+    path.write_bytes(head + b" " * (LARGEST - len(head) - len(end)) + end)
+    assert load_urdf(path).name == "one"
+    assert path.stat().st_size == LARGEST
+
+
+def test_a_file_that_grows_while_it_is_opened_is_read_no_further_than_any(tmp_path, monkeypatch):
+    path, before = tmp_path / "arm.urdf", tmp_path / "before.urdf"
+    path.write_bytes(b" " * (LARGEST + 2_000_000))
+    before.write_text(one_joint())
+    small = before.stat()
+    monkeypatch.setattr(Path, "stat", lambda *_, **__: small)
+    with pytest.raises(ValueError, match=r"^The file holds 4\.0 MB; a URDF of more than 4 MB is not read\.$"):
+        load_urdf(path)
 
 
 @pytest.mark.skipif(not os.path.exists("/dev/zero"), reason="no device that never ends")  # noqa: PTH110
