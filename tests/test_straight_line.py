@@ -36,6 +36,11 @@ def test_a_cosine_and_a_sine_are_noted_by_their_names():
     assert [f(Name("q1", {})).lines for f in (np.cos, np.sin)] == [{"cos(q1)": "v1"}, {"sin(q1)": "v1"}]
 
 
+def test_minus_one_times_a_number_is_written_as_its_negative():
+    assert written(lambda q: np.array([-1 * q[0], q[0] * -1.0, -q[0]])) == ["v1 = -q1"]
+    assert written(lambda q: -2 * q[0]) == ["v1 = -2.0 * q1"]
+
+
 def test_what_was_computed_once_is_not_computed_again():
     assert written(lambda q: np.cos(q[0]) * q[1] + np.cos(q[0]) * q[1]) == [
         "v1 = cos(q1)",
