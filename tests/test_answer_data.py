@@ -156,13 +156,19 @@ def a_table(**odd):
         {"array": [1, [2]], "shape": [2]},
         {"array": ["1"], "shape": [1]},
         {"array": 7, "shape": [1]},
+        {"array": [1], "shape": 1},
+        {"array": [1], "shape": [True]},
+        {"array": [1], "shape": [1.0]},
+        {"array": [1], "shape": [1] * (DEEPEST + 2)},
         {"array": [0] * (MOST_NUMBERS + 1), "shape": [MOST_NUMBERS + 1]},
         {"array": [], "shape": [0] * 40},
         {"array": [], "shape": [0, 10**30]},
         {"list": 7},
         {"list": [None] * (MOST_NUMBERS + 1)},
         {"list": [7]},
-        {"map": {"a": 1}},
+        {"map": {}},
+        {"map": 7},
+        {"map": [["a", None]] * (MOST_NUMBERS + 1)},
         {"map": [["a"]]},
         {"map": [[7, None]]},
         {"symbolic": 7},
@@ -174,6 +180,8 @@ def a_table(**odd):
         {"dh": 7, "convention": "standard", "joints": "R", "signs": [1], "base": [], "tool": []},
         {"dh": [["x"]], "convention": [], "joints": {}, "signs": 1, "base": None, "tool": 7},
         a_table(signs="1"),
+        a_table(joints=["R"]),
+        a_table(joints="X"),
         a_table(signs=[0.5]),
         a_table(dh=[["0", 0, 0, 0]]),
         a_table(dh=[[1e400, 0, 0, 0]]),
@@ -195,6 +203,40 @@ def test_json_of_any_other_form_is_refused(data):
     assert str(refused.value).encode().endswith((b".", b"?")), "a sentence that a screen can show, to its end"
 
 
+def welds(n):
+    return a_table(dh=[[0, 0, 0, 0]] * n, joints="F" * n, signs=[1] * n)
+
+
+@pytest.mark.parametrize(
+    ("data", "said"),
+    [
+        ({"matrix": [7]}, "A matrix is a list of rows of one length."),
+        (a_table(dh=[[0, 0, 0]]), "This is no DH table: dh should have shape (..., 4); got (1, 3). One vector has 4"),
+        (welds(MOST_NUMBERS), "This is no DH table: A table should have at least one joint; every row here is fixed."),
+        (welds(MOST_NUMBERS + 1), "A DH table has a letter for each row, and a sign, 1 or -1."),
+        ({"b": 1, "a": 2}, "An answer has none of the forms with the keys 'a, b'."),
+    ],
+    ids=lambda value: str(value)[:40],
+)
+def test_what_is_refused_is_told_why(data, said):
+    with pytest.raises(Malformed) as refused:
+        from_data(data)
+    assert str(refused.value).startswith(said)
+
+
+def test_what_is_read_may_be_as_long_as_any_and_no_longer_name_is_told():
+    assert from_data({"text": "x" * LONGEST}) == "x" * LONGEST
+    assert len(from_data({"list": [None] * MOST_NUMBERS})) == MOST_NUMBERS
+    assert from_data({"array": [1] * MOST_NUMBERS, "shape": [MOST_NUMBERS]}).sum() == MOST_NUMBERS
+    assert from_data({"array": [1], "shape": [1] * (DEEPEST + 1)}).ndim == DEEPEST + 1
+    assert from_data({"array": [], "shape": [0, 3]}).shape == (0, 3)
+    assert from_data({"matrix": [[]] * MOST_NUMBERS}).shape == (MOST_NUMBERS, 0)
+    assert from_data({"map": [["a" * 100, {"number": 1}]] * MOST_NUMBERS}) == {"a" * 80: 1}
+    with pytest.raises(Malformed) as refused:
+        from_data(a_table(dh=[[0] * 4] * 2000, joints="X" * 2000, signs=[1] * 2000))
+    assert len(str(refused.value)) == len("This is no DH table: ") + 1000
+
+
 def test_a_table_of_plain_numbers_is_read():
     assert from_data(a_table()).joints == "R"
 
@@ -204,12 +246,21 @@ def test_a_matrix_of_what_is_no_formula_is_opaque(entry):
     assert from_data({"matrix": [[entry]]}) == Opaque("a matrix with entries that cannot be read")
 
 
-def test_a_nest_without_end_is_refused():
+NESTS = {
+    "lists": lambda data: {"list": [data]},
+    "maps": lambda data: {"map": [["a", data]]},
+    "outputs": lambda data: {"function": "f", "outputs": [data]},
+}
+
+
+@pytest.mark.parametrize("nest", NESTS.values(), ids=NESTS)
+def test_a_nest_is_read_to_a_depth_and_refused_beyond(nest):
     data = None
-    for _ in range(DEEPEST + 3):
-        data = {"list": [data]}
+    for _ in range(DEEPEST + 2):
+        data = nest(data)
+    assert from_data(data) is not None
     with pytest.raises(Malformed, match="without end"):
-        from_data(data)
+        from_data(nest(data))
 
 
 @pytest.mark.parametrize(
@@ -240,7 +291,7 @@ def test_a_nest_without_end_is_refused():
     ],
 )
 def test_a_text_that_is_no_formula_is_opaque_and_nothing_runs(text):
-    assert isinstance(from_data({"symbolic": text}), Opaque)
+    assert from_data({"symbolic": text}).name.startswith("a formula that cannot be read: ")
 
 
 @given(st.text(alphabet="x1209.+-*/()sincoqrtpe, ", max_size=40))
