@@ -232,6 +232,39 @@ def test_walks_are_as_short_as_scipy_s_and_loops_as_many_as_its_graph_has(linkag
     assert np.linalg.matrix_rank(around) == count == oracle.shape[1]
 
 
+def test_a_loop_at_the_end_of_an_arm_leaves_the_arm_out():
+    """The bodies at its end are joined twice, or in a triangle."""
+    for ends, expected in (
+        ([("b", "c"), ("b", "c")], [(3, True), (2, False)]),
+        ([("b", "c"), ("c", "b")], [(2, True), (3, True)]),
+        ([("b", "c"), ("d", "b"), ("c", "d")], [(2, True), (4, True), (3, True)]),
+    ):
+        linkage = Mechanism(bars(("ground", "a"), ("a", "b"), *ends))
+        assert cycles(linkage.joints, walks(linkage.joints, "ground")) == [expected]
+        assert [loop.columns.tolist() for loop in linkage.loops] == [[i for i, _ in expected]]
+
+
+def test_a_joint_of_several_values_passed_backwards_undoes_itself():
+    q = np.array([0.3, -0.8, 1.1])
+    ball = Joint("ball", ("a", "b"), spherical([1.0, 2.0, 3.0]), gap=exp([0.1, 0.2, 0.3, 4.0, 5.0, 6.0]))
+    there, back = (as_chain([ball], [(0, forwards)], "ball") for forwards in (True, False))
+    close(there.chain.fk(q[there.columns]) @ back.chain.fk(q[back.columns]), np.eye(4))
+    assert (there.columns.tolist(), back.columns.tolist()) == ([0, 1, 2], [2, 1, 0])
+
+
+def test_every_loop_is_a_chain_with_its_own_number():
+    assert [loop.chain.name for loop in linkages.three_rrr().loops] == ["loop 1", "loop 2"]
+
+
+@pytest.mark.parametrize(("lean", "height"), [(0.09, 0), (0.11, 5)])
+def test_the_middle_does_not_run_away_to_where_nearly_parallel_axes_would_meet(lean, height):
+    """Two axes lean towards each other and meet 5 m above the origin: to where less than 0.1 rad leads, nobody goes."""
+    aside = 5 * np.tan(lean) * X
+    up, across = np.cos(lean) * Z, np.sin(lean) * X
+    chain = Chain(np.stack([screw(up + across, -aside), screw(up - across, aside)]), np.eye(4))
+    close(Walk(chain, np.arange(2)).middle, height * Z)
+
+
 @pytest.mark.oracle("scipy", Walk.middle, Walk.size, Walk.to_middle)
 @each_linkage
 def test_the_middle_of_a_loop_is_where_scipy_finds_the_sum_of_squares_least(linkage):
@@ -730,6 +763,15 @@ def test_a_chain_bent_round_is_the_loop_of_its_screws():
     close(linkage.residual(q), log(arm.fk(q)))
 
 
+def test_a_chain_bent_round_keeps_its_limits_and_where_its_joints_are_drawn():
+    arm = robots.puma560()
+    assert np.isinf(Mechanism.from_chain(arm).limits).all()
+    limits = np.arange(12.0).reshape(6, 2)
+    joints = Mechanism.from_chain(replace(arm, limits=limits)).joints
+    close([joint.place for joint in joints], arm.joint_points)
+    close([joint.limits for joint in joints], limits[:, None])
+
+
 def test_branches_meet_where_their_forward_kinematics_agree():
     """(3.81): T_1(q_1) = T_2(q_2), so that log(T_1 T_2^-1) = 0, up to which way round the loop is walked."""
     first, second = robots.rpr(), robots.rprr()
@@ -756,7 +798,7 @@ def bars(*bodies):
         (lambda: Mechanism(bars("ab", "ab", "cd")), r"No joints lead from a to c, d\. Is a joint missing\?"),
         (lambda: Mechanism(bars("ab", "ab"), ground="c"), r"one of the bodies a, b; got 'c'"),
         (lambda: Mechanism(bars("ab", "ab")[:1] * 2), r"a name of its own; J0 came more than once"),
-        (lambda: Joint("J", ("a", "a"), screw(Z)), r"Joint J should join two different bodies"),
+        (lambda: Joint("J", ("a", "a"), screw(Z)), r"Joint J should join two different bodies; got tuple \('a', 'a'\)"),
         (
             lambda: Joint("J", ("a", "b"), [0, 0, 2, 0, 0, 0]),
             r"screws of J should hold screw axes.*length of omega is 2",
@@ -808,7 +850,8 @@ def test_what_makes_no_sense_is_refused(ask, message):
         ask(FOUR_BAR)
 
 
-def test_a_mechanism_cannot_be_written_to():
-    for array in (FOUR_BAR.limits, FOUR_BAR.joints[0].screws, FOUR_BAR.joints[0].gap):
+def test_a_mechanism_cannot_be_written_to_whatever_it_was_written_in():
+    listed = Joint("J", ("a", "b"), [0, 0, 1, 0, 0, 0], np.eye(4).tolist(), [-1, 2], [3, 0, 0])
+    for array in (FOUR_BAR.limits, listed.screws, listed.gap, listed.limits, listed.point):
         with pytest.raises(ValueError, match="read-only"):
             array[...] = 0
