@@ -31,7 +31,6 @@ NAMES = {
 }
 """What other documents call the columns; the EduFill module writes psi where others write alpha."""
 
-INDEX = {"", "i", "link", "joint", "row", "#"}
 VARIABLE = re.compile(r"(q|theta|d)_?\d*", re.ASCII)
 
 WORDS = re.compile(r"(?:(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?(?![\w.])|[A-Za-z_]\w*\b|[-+*/()\s])*", re.ASCII)
@@ -182,12 +181,15 @@ def _cells(line: str) -> list[str]:
 
 
 def _column(head: str) -> tuple[str, bool]:
-    """The name of a column, and whether its numbers are degrees: "alpha_{i-1} (deg)" is ("alpha", True)."""
+    """The name of a column, and whether its numbers are degrees: "alpha_{i-1} (deg)" is ("alpha", True).
+
+    Any other name stays as it is: a column that counts the rows, or says of what kind a joint is, is not read.
+    """
     if unit := re.search(r"\b[mc]m\b", head):
         raise ValueError(f"The head {head!r:.60} says {unit[0]}, and lengths are metres here: write 0.4 for 400 mm.")
     degrees = bool(re.search(r"deg|°", head))
     name = re.sub(r"\([^()]*\)|\[[^\[\]]*\]|[\\${}]|_.*|°", "", head).strip().lower()
-    return ("index" if name in INDEX else NAMES.get(name, name)), degrees
+    return NAMES.get(name, name), degrees
 
 
 def _cell(row: Any, column: str, number: int, lengths: Mapping[str, float], in_degrees: bool) -> tuple[float, float]:
@@ -224,7 +226,7 @@ def _cell(row: Any, column: str, number: int, lengths: Mapping[str, float], in_d
     if not np.isfinite([constant, factor]).all():
         raise ValueError(f"{place}: {entry!r} is larger than any number here.")
     # A head in degrees holds for bare numbers; where pi stands, or a degree sign, the entry says its own unit.
-    is_bare = in_degrees and not has_unit and "pi" not in text
+    is_bare = in_degrees and not has_unit and not re.search(r"\bpi\b", text)
     return (constant * np.pi / 180 if is_bare else constant), factor
 
 

@@ -354,6 +354,32 @@ def test_d_with_a_number_is_what_moves_in_its_own_column_and_an_unknown_length_e
         DHTable([{"a": 0, "alpha": 0, "d": 0, "theta": entry}], convention="standard")
 
 
+@pytest.mark.parametrize("name", ["l", "X1", "Lambda", "pitch", "copied", "q_max", "PI"])
+@pytest.mark.parametrize("head", ["a | alpha | d | theta (deg)", "a  alpha  d  theta (deg)"])
+def test_a_length_or_an_angle_may_have_any_name(head, name):
+    """It may begin with a letter that means something elsewhere, or have pi in it: an angle in degrees stays one."""
+    bar = " | " if "|" in head else "  "
+    text = "\n".join([head, bar.join([name, "0", "q1", name])])
+    table = DHTable(text, convention="standard", lengths={name: 0.25})
+    close(table.rows, [[0.25, 0, 0, np.radians(0.25)]], 1e-15)
+
+
+def test_the_largest_numbers_and_texts_that_are_read_are_those_that_the_messages_name():
+    close(
+        DHTable([[1e12, 4 * np.pi, -1e12, -4 * np.pi]], convention="standard").rows[0, [1, 3]], [4 * np.pi, -4 * np.pi]
+    )
+    entry = "0.5".ljust(200, "0")
+    table = DHTable(f"a|alpha|d|theta\n{entry}|0|0|q1".ljust(100_000), convention="standard")
+    assert table.rows.tolist() == [[0.5, 0, 0, 0]]
+
+
+def test_a_row_without_a_variable_has_no_joint_and_a_column_of_another_name_is_not_read():
+    text = "joint | kind | a | alpha | d | theta\nA | turns | 0 | 0 | 0 | -q1\nB | none | 0.4 | 0 | 0.1 | 0"
+    table = DHTable(text, convention="standard")
+    assert (table.joints, table.n, table.signs.tolist()) == ("RF", 1, [-1, 1])
+    assert table.rows.tolist() == [[0, 0, 0, 0], [0.4, 0, 0.1, 0]]
+
+
 TWO_ROWS = {
     "bars": "a | alpha | d | theta\n0.4 | 0 | 0.1 | q1\n0.3 | pi/2 | q2 | 0.2",
     "bars all round": "|a|alpha|d|theta|\n|---|:-:|--:|---|\n|0.4|0|0.1|q1|\n|0.3|pi/2|q2|0.2|",
@@ -396,10 +422,18 @@ REFUSED = {
         "a|alpha|d|theta\n0|-90|0|q1",
         r"Row 1: alpha = -90 rad is more than two full turns\. Is it in degrees\? Then write -90°, or head the column alpha",
     ),
+    "an angle of two turns and a bit": (
+        [[0, 0, 0, 0], [0, -12.57, 0, 0]],
+        "Row 2: alpha = -12.57 rad is more than two",
+    ),
     "degrees in row 2": ("a|alpha|d|theta\n0|0|0|q1\n0|0|q2|90", "Row 2: theta = 90 rad is more than two full turns"),
     "a row too many numbers": ("a|alpha|d|theta\n0|0|0|q1\n3|0|0|0|q2", "Row 2 has 5 entries under 4 heads: '3"),
     "two variables": ("a|alpha|d|theta\n0|0|q1|q1", "Row 1: the joint variable belongs in theta or in d, once"),
     "a variable in a": ("a|alpha|d|theta\nq1|0|0|0", "Row 1: the joint variable belongs in theta or in d"),
+    "a variable in alpha": (
+        "a|alpha|d|theta\n0|0|0|q1\n0|q2|0|0",
+        "Row 2: the joint variable belongs in theta or in d, once; it stands in alpha",
+    ),
     "a gear": ("a|alpha|d|theta\n0|0|0|2*q1", "should stand alone, as q or -q; its factor is 2"),
     "an unknown length": ("a|alpha|d|theta\n0|0|l7|q1", r"Row 1, d: 'l7'.*lengths=\{'l7': ...\}"),
     "an angle in a length": ("a|alpha|d|theta\n0|0|30°|q1", "d is a length. Are two columns exchanged"),
@@ -410,12 +444,18 @@ REFUSED = {
     "a missing entry": ("a|alpha|d|theta\n0|0|q1", "Row 1 has 3 entries under 4 heads"),
     "no rows": ("a|alpha|d|theta", "needs a head and at least one row"),
     "no joint": ("a|alpha|d|theta\n0|0|0|0", "every row here is fixed"),
-    "a row without a column": ([{"a": 0, "d": 0, "theta": "q1"}], "Row 1 has no alpha"),
+    "a row without a column": (
+        [{"a": 0, "d": 0, "theta": "q1"}],
+        r"Row 1 has no alpha\. Each row names all of a, alpha, d, theta",
+    ),
     "NaN": ([[0, 0, np.nan, 0]], r"rows holds NaN or infinity at index \[0, 2\]"),
     "a transposed table": (np.zeros((4, 6)), r"rows should have shape \(..., 4\); got \(4, 6\).*rows.T"),
     "one row": (np.zeros(4), r"should have shape \(m, 4\)"),
     # What fuzzing found: these came as another error, as infinity, or as a number that nobody had typed
-    "two numbers in one entry": ("a|alpha|d|theta\n1 2|0|0|q1", "Row 1, a: '1 2' is no number"),
+    "two numbers in one entry": (
+        "a|alpha|d|theta\n1 2|0|0|q1",
+        r"Row 1, a: '1 2' is no number with at most a joint variable\. Try 0\.5, pi/2, q1 \+ pi/2 or -90°\.",
+    ),
     "a number as in Python": ("a|alpha|d|theta\n1_000|0|0|q1", "Row 1, a: '1_000' is no number"),
     "a number in sixteens": ("a|alpha|d|theta\n0x10|0|0|q1", "Row 1, a: '0x10' is no number"),
     "a decimal comma": ("a|alpha|d|theta\n0,4|0|0|q1", "Row 1, a: '0,4' is no number"),
@@ -431,7 +471,7 @@ REFUSED = {
     "a long head": ("a" * 10_000 + "\n0", "each once; got 'a{40}"),
     "an entry nested without end": (
         f"a|alpha|d|theta\n{'-' * 5000}1|0|0|q1",
-        "Row 1, a: .* has 5001 letters; .* at most 200",
+        r"Row 1, a: '-{20}'\.\.\. has 5001 letters; an entry has at most 200",
     ),
     "a word of forty letters": (f"a|alpha|d|theta\n{'a' * 40}!|0|0|q1", "Row 1, a: 'a{40}!' is no number"),
     "a text without end": ("0 " * 60_000, "at most 100000 letters; this has 120000"),
