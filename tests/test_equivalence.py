@@ -102,15 +102,34 @@ def test_a_mirrored_arm_is_another_mechanism():
     """A mirror keeps angles and lengths, and turns the hand: no motion of base and tool undoes it."""
     table = DHTable([[0.3, 0.7, 0.2, 0], [0.25, 1.1, 0.35, 0], [0.4, 0.9, 0.15, 0]], convention="standard")
     mirrored = table.changed(rows=table.rows * (1, -1, 1, -1))
-    assert not equivalent(table, mirrored)
+    found = equivalent(table, mirrored)
+    assert not found
+    assert found.reason.startswith("Neighbouring axes agree two by two, but no turn of the joints")
+    assert 0.01 < found.difference < 10
+
+
+@pytest.mark.parametrize("delta", [3e-8, 1e-7, 1e-6])
+def test_how_far_the_nearest_map_misses_is_told(delta):
+    table = DHTable([[0.3, 0.7, 0.2, 0], [0.25, -1.1, 0.35, 0], [0.4, 0.9, 0.15, 0]], convention="standard")
+    rows = table.rows.copy()
+    rows[1, 2] += delta
+    found = equivalent(table, table.changed(rows=rows))
+    assert not found
+    assert 1e-8 < found.difference < 3 * delta
+    assert equivalent(table, table.changed(rows=rows), tolerance=3 * delta)
 
 
 def test_what_differs_first_is_said():
     right = DHTable([[0.3, 0.7, 0.2, 0], [0.25, 1.1, 0.35, 0]], convention="standard")
     angle = DHTable([[0.3, 0.5, 0.2, 0], [0.25, 1.1, 0.35, 0]], convention="standard")
     length = DHTable([[0.5, 0.7, 0.2, 0], [0.25, 1.1, 0.35, 0]], convention="standard")
-    for one, other in [(right, angle), (right, length), (kl.robots.rpr(), kl.robots.rppr())]:
-        assert not equivalent(one, other)
+    later = DHTable([[0.3, 0.7, 0.2, 0], [0.25, 1.1, 0.35, 0], [0, 0, 0, 0]], convention="standard")
+    beyond = DHTable([[0.3, 0.7, 0.2, 0], [0.5, 1.1, 0.35, 0], [0, 0, 0, 0]], convention="standard")
+    little = DHTable([[0.3, 0.705, 0.2, 0], [0.25, 1.1, 0.35, 0]], convention="standard")
+    for one, other in [(right, angle), (right, length), (later, beyond), (kl.robots.rpr(), kl.robots.rppr())]:
+        assert equivalent(one, other).same is False
+    assert equivalent(right, little).reason == "Axes 1 and 2 make an angle of 40.11 degrees here, and of 40.39 there."
+    assert equivalent(later, beyond).reason == "Axes 2 and 3 are 0.25 m apart here, and 0.5 m there."
     assert equivalent(right, angle).reason == "Axes 1 and 2 make an angle of 40.11 degrees here, and of 28.65 there."
     assert equivalent(right, length).reason == "Axes 1 and 2 are 0.3 m apart here, and 0.5 m there."
     assert equivalent(kl.robots.rpr(), kl.robots.rppr()).reason == "The joints differ in kind: RPR here, RPPR there."
@@ -123,7 +142,8 @@ def test_where_a_slide_stands_is_no_difference(joints, reason):
     rows = np.array([[0.3, 0.7, 0.2, 0], [0.25, 1.1, 0.35, 0], [0.4, 0.9, 0.15, 0]])
     changed = rows + np.array([[0.2, 0, 0, 0], [0, 0.1, 0, 0], [0, 0, 0, 0]])
     one, other = (DHTable(table, convention="standard", joints=joints) for table in (rows, changed))
-    assert equivalent(one, other).reason.startswith(reason)
+    for end in (np.eye(4), kl.exp([0.3, 0, 0, 1, 2, 3])):
+        assert equivalent(one, other.changed(base=end)).reason.startswith(reason)
 
 
 def test_a_base_moved_along_a_first_slide_is_another_zero():
@@ -131,6 +151,49 @@ def test_a_base_moved_along_a_first_slide_is_another_zero():
     found = equivalent(arm, arm.changed(base=kl.exp([0, 0, 0, 0, 0, 0.6])))
     np.testing.assert_allclose(found.offsets, [0.6, 0, 0], atol=1e-12)
     np.testing.assert_allclose([found.base, found.tool], [np.eye(4)] * 2, atol=1e-12)
+
+
+@pytest.mark.parametrize("joints", ["RRR", "RRP"])
+def test_a_tool_moved_along_a_last_joint_is_another_zero(joints):
+    arm = DHTable([[0.3, 0.7, 0.2, 0], [0.25, 1.1, 0.35, 0], [0, 0, 0, 0]], convention="standard", joints=joints)
+    found = equivalent(arm, arm.changed(tool=kl.exp([0, 0, 0.6, 0, 0, 0] if joints == "RRR" else [0, 0, 0, 0, 0, 0.6])))
+    np.testing.assert_allclose(found.offsets, [0, 0, 0.6], atol=1e-12)
+    np.testing.assert_allclose([found.base, found.tool], [np.eye(4)] * 2, atol=1e-12)
+
+
+def test_a_tool_that_is_turned_otherwise_keeps_no_turn_that_the_last_joint_can_make():
+    arm = DHTable([[0.3, 0.7, 0.2, 0], [0.25, 1.1, 0.35, 0], [0, 0, 0, 0]], convention="standard")
+    tilted = kl.exp([0.4, -0.5, 0, 0, 0, 0])
+    found = equivalent(arm, arm.changed(tool=kl.exp([0, 0, 0.6, 0, 0, 0]) @ tilted))
+    np.testing.assert_allclose(found.offsets, [0, 0, 0.6], atol=1e-12)
+    np.testing.assert_allclose([found.base, found.tool], [np.eye(4), tilted], atol=1e-12)
+
+
+def test_a_base_that_is_turned_over_leaves_the_zero_of_the_first_joint():
+    """By half a turn across its axis, every zero is as near."""
+    arm = DHTable([[0.3, 0.7, 0.2, 0], [0.25, 1.1, 0.35, 0], [0, 0, 0, 0]], convention="standard")
+    over = kl.exp([0, np.pi, 0, 0, 0, 0])
+    found = equivalent(arm, arm.changed(base=over))
+    np.testing.assert_allclose(found.offsets, 0, atol=1e-12)
+    np.testing.assert_allclose([found.base, found.tool], [over, np.eye(4)], atol=1e-12)
+
+
+def test_a_joint_that_counts_the_other_way_is_no_arm_turned_over():
+    """Turned over at both ends it would move alike as well, and take more words."""
+    arm = kl.Chain([kl.screw((0, 0, 1), (0, 0, 0))], kl.exp([0.4, 0, 0, 0.3, 0, 0]))
+    found = equivalent(arm, kl.Chain(-arm.screws, arm.home))
+    assert (found.signs.tolist(), found.offsets.tolist()) == ([-1], [0])
+    np.testing.assert_allclose([found.base, found.tool], [np.eye(4)] * 2, atol=1e-12)
+
+
+@pytest.mark.parametrize("angle", [0, 1e-12, 1e-10])
+def test_axes_that_are_parallel_but_for_rounding_leave_the_height_of_the_base_alone(angle):
+    """An angle so small says nothing of how high an arm stands."""
+    rows = [[0.3, angle, 0.2, 0], [0.25, -angle, 0.35, 0], [0.2, 0, 0.1, 0]]
+    one = DHTable(rows, convention="standard", base=kl.exp([0.3, -0.5, 0.7, 0.1, 0.2, 0.3]))
+    found = equivalent(one, one.to_chain())
+    assert found
+    np.testing.assert_allclose([found.base, found.tool], [np.eye(4)] * 2, atol=1e-9)
 
 
 @pytest.mark.parametrize("family", [kl.robots.youbot, kl.robots.puma560])
