@@ -106,8 +106,11 @@ def test_decimals_count_as_three_and_what_is_exact_counts_exactly():
     form = ClosedForm(sp.sqrt(2) / 2 * sp.sin(theta))
     assert is_right(form, "0.7071*sin(theta)")
     assert is_right(form, np.sqrt(2) / 2 * sp.sin(theta))
+    assert is_right(form, "0.7071*sin(1*theta)")
     assert not is_right(form, "7071/10000*sin(theta)")
+    assert not is_right(form, sp.Rational(7071, 10000) * sp.sin(theta))
     assert is_right(form, "sin(theta)/√2")
+    assert is_right(ClosedForm(sp.sqrt(2) / 2), np.float32(0.7071))
     assert not is_right(ClosedForm(theta), "1.0*theta + 1/10^6")
 
 
@@ -147,6 +150,44 @@ def test_a_matrix_may_be_sympy_text_rows_or_the_work_of_kinlib():
     assert form.agrees(form.read(text.replace("a2(1 - c1)", "a2")), T) == [True, False]
     for row, right in [("0, 0, 0, 0", [True, False]), ("0, 1, 0, 1", [False, True])]:
         assert form.agrees(form.read(text.replace("0, 0, 0, 1", row)), T) == right
+
+
+@pytest.mark.parametrize(
+    "given", [[[["q1"]]], [["[q1]"]], [["Matrix([q1])"]], [[np.array("[q1]")]], np.array("[[q1]]")]
+)
+def test_a_formula_may_stand_in_three_brackets_and_in_no_more(given):
+    form = ClosedForm(q_1)
+    assert is_right(form, given)
+    with pytest.raises(Unreadable, match="more entries than any matrix"):
+        form.read([[given]])
+
+
+def test_a_formula_is_read_up_to_its_bounds_and_what_came_is_kept():
+    reader = Reader([q_1])
+    assert reader.read([0] * MOST).values.shape == (MOST, 5)
+    assert reader.read(["2 q1", "1"]).given == ["2 q1", "1"]
+    np.testing.assert_array_equal(reader.read(["1^64", "10^12", "10^-61"]).values[:, 0], [1, 1e12, 0])
+    np.testing.assert_allclose(reader.read("10^-59").values, 1e-59, rtol=1e-15)
+
+
+def test_what_is_complex_on_the_way_may_be_real_in_the_end_at_any_size():
+    np.testing.assert_allclose(Reader([q_1]).read("10^10 exp(I q1)^2 exp(-2 I q1)").values, 1e10, rtol=1e-15)
+
+
+def test_symbols_are_drawn_all_over_a_range_and_positive_ones_from_a_positive_one():
+    for options, least, most in [({}, -3, 3), ({"positive": True}, 0.2, 2)]:
+        symbols = sp.symbols("x_1:60", **options)
+        values = Reader(symbols).read(symbols).values
+        assert least < values.min() < least + 0.1 * (most - least)
+        assert most > values.max() > most - 0.1 * (most - least)
+        assert len(np.unique(values)) == values.size
+
+
+def test_an_angle_may_be_called_q_or_theta_whichever_the_problem_says():
+    angles = sp.symbols("theta_1 theta_2")
+    form = ClosedForm(sp.cos(sum(angles)) + angles[0])
+    assert is_right(form, "cos(q1 + q_2) + θ₁")
+    assert is_right(form, "c12 + q1")
 
 
 def test_a_vector_may_lie_or_stand():
@@ -216,6 +257,11 @@ for _ in range(60):
     SHARED = sp.sin(SHARED) * sp.cos(SHARED)
 
 
+NESTED = q_1
+for _ in range(2000):
+    NESTED = sp.sin(NESTED, evaluate=False)
+
+
 class Rude(list):
     """A list that raises when it is looked into."""
 
@@ -251,6 +297,11 @@ UNREADABLE = {
     "a logarithm of zero": ("log(0)", "grows beyond"),
     "NaN": (sp.nan, "NaN or infinity"),
     "complex infinity": (sp.zoo, "NaN or infinity"),
+    "minus infinity": (-sp.oo, "NaN or infinity"),
+    "a high power of 1": ("1^65", "Exponents go up to 64"),
+    "functions in functions in functions": (NESTED, "nested too deeply"),
+    "a name of forty letters": ("x" * 40, r"\. x{40} is none of the symbols"),
+    "a name of forty-one letters": ("x" * 41, r"\. x{37}\.\.\. is none of the symbols"),
     "a float that is NaN": (float("nan"), "grows beyond"),
     "what is not real": ("sqrt(-1 - q1^2)", "not real"),
     "a wrong shape": ("[q1, q2]", "Yours is a vector of 2 formulas"),
@@ -264,7 +315,7 @@ UNREADABLE = {
     "a thousand brackets": ("(" * 900 + "q1" + ")" * 900, "is not finished"),
     "a long sum of SymPy": (sp.Add(*(sp.sin(k * q_1) for k in range(MOST))), f"more than {MOST} parts"),
     "a function": (np.sin, "no formula"),
-    "an object": (object(), "no formula"),
+    "an object": (object(), "of type object, no formula"),
     "bytes": (b"q1", "no formula"),
     "a rude list": (Rude([1]), "got Rude"),
     "an angle that is not real": ("atan2(I, q1)", "no value"),
