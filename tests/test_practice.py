@@ -1,5 +1,7 @@
 """The engine of the sheets: drawing, reading, judging, on problems small enough to see through."""
 
+from array import array
+
 import numpy as np
 import pytest
 
@@ -161,13 +163,38 @@ PAIR = Numbers(np.zeros(2), "m")
         (Ordering(["e_a", "M"]), [7], "Expected a list of the 2 names M, e_a, each once; int 7 is none of them. "),
         (Ordering(["e_a", "M"]), ["M"] * 21, "Expected a list of the 2 names M, e_a, each once; got list ['M', 'M', "),
         (Choice("a", {"a": "left", "b": "right"}), 7, "Expected one of 'a', 'b'; got int 7."),
-        (Choice("a", {"a": "left", "b": "right"}), " " * 100 + "a", "Expected one of 'a', 'b'; got str '   "),
+        (Choice("a", {"a": "left", "b": "right"}), " " * 99 + "a", "Expected one of 'a', 'b'; got str '   "),
     ],
 )
 def test_what_cannot_be_read_is_told_word_for_word_what_was_expected_and_what_came(answer, given, said):
     with pytest.raises(Unreadable) as refusal:
         answer.read(given)
     assert str(refusal.value).startswith(said)
+
+
+@pytest.mark.parametrize(
+    ("answer", "given", "came"),
+    [
+        (Screws(np.eye(3, 6)), np.zeros((2, 6)), "an ndarray of shape (2, 6)"),
+        (Screws(np.eye(1, 6)[0]), 0, "int 0"),
+        (Screws(np.eye(1, 6)[0]), np.zeros(5), "an ndarray of shape (5,)"),
+        (PAIR, (1, 2, 3), "a tuple of shape (3,)"),
+        *(
+            (PAIR, type(name, (list,), {})([1]), f"{a} {name} of shape (1,)")
+            for a, name in [("an", "Odd"), ("a", "Xs")]
+        ),
+        (PAIR, array("d", [1]), "an array of shape (1,)"),
+    ],
+)
+def test_a_remedy_is_told_where_there_is_one_and_nowhere_else(answer, given, came):
+    with pytest.raises(Unreadable) as refusal:
+        answer.read(given)
+    assert str(refusal.value) == f"Expected {answer.expected}; got {came}."
+
+
+def test_what_is_read_may_be_as_large_as_any_and_empty():
+    assert PAIR.read([1e12, -1e12]).tolist() == [1e12, -1e12]
+    assert Screws(np.zeros((0, 6))).read(np.zeros((0, 6))).shape == (0, 6)
 
 
 @pytest.mark.parametrize(
@@ -187,7 +214,9 @@ def test_names_are_put_in_order_and_options_are_chosen():
     ]
     assert judge(Problem("", order, []), ["M", "e_a"]).findings[0].message.startswith("None of the mistakes")
     choice = Choice("b", {"a": "left", "b": "right"})
-    assert [judge(Problem("", choice, []), given).state for given in ("b", " B\n", "a")] == ["right", "right", "wrong"]
+    assert [judge(Problem("", choice, []), given).state for given in ("b", " B\n", " " * 98 + "b", "a")] == [
+        *("right", "right", "right", "wrong")
+    ]
 
 
 TURN = np.array([[0.0, -1, 0, 1], [1, 0, 0, 2], [0, 0, 1, 3], [0, 0, 0, 1]])
@@ -206,6 +235,7 @@ def turned(R, p=(1, 2, 3)):
         (turned(TURN[:3, :3], (9, 9, 9)), ["rotation"], [False]),
         (turned(np.eye(3)), ["position"], [False]),
         (turned(2 * np.eye(3)), ["position"], [True]),
+        (turned([[0.87, -0.5, 0], [0.5, 0.87, 0], [0, 0, 1]]), ["position"], [False]),
         (turned(np.diag([1, 1, -1])), ["position"], [True]),
         (turned(2 * np.eye(3), (9, 9, 9)), [], [True, False]),
     ],
@@ -231,12 +261,20 @@ def test_a_pose_ends_in_a_row_of_its_own(row, right_parts):
     assert all(finding.message.startswith("The last row of a pose is 0 0 0 1") for finding in judgement.findings)
 
 
+def test_a_pose_that_is_wrong_and_no_more_is_told_nothing_of_its_form():
+    given = turned(np.eye(3), (9, 9, 9))
+    given[3, 3] = 1.0005
+    for finding in judge(Problem("", Pose(TURN), []), given).findings:
+        assert finding.message.startswith("None of the mistakes")
+
+
 def test_a_screw_is_told_which_half_is_right_if_one_is():
     right = np.array([0, 0, 1, 0, -2, 0.5])
     problem = Problem("", Screws(right), [])
     assert problem.answer.parts == ["screw 1"]
     told = {
         (0, 0, 1, 9, -2, 0.5): "Its omega is right, its v is not.",
+        (0, 0.0005, 1, 9, -2, 0.5): "Its omega is right, its v is not.",
         (0, 1, 0, 0, -2, 0.5): "Its v is right, its omega is not.",
         (0, 1, 0, 9, -2, 0.5): "None of the mistakes",
     }
