@@ -385,6 +385,20 @@ def test_a_comma_stays_with_its_formula(page, address):
     assert max(tops) < 0
 
 
+@pytest.mark.parametrize("size", [PHONE, {"width": 1200, "height": 900}], ids=["phone", "desk"])
+def test_the_number_of_a_formula_stands_behind_its_end(page, address, size):
+    """On a phone a long formula goes on beyond the edge, where its number would stand over it."""
+    page.set_viewport_size(size)
+    page.goto(f"{address}/lectures/03_poe_space.html")
+    room = page.evaluate(
+        """[...document.querySelectorAll('.katex-display:has(.tag)')].map((shown) => {
+            const ends = [...shown.querySelectorAll('.base')].map((part) => part.getBoundingClientRect().right);
+            return shown.querySelector('.tag').getBoundingClientRect().left - Math.max(...ends); })"""
+    )
+    assert len(room) > 3
+    assert min(room) > 5
+
+
 def test_a_formula_that_does_not_set_is_no_formula():
     from sphinxcontrib.katex import KaTeXError
 
