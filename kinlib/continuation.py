@@ -145,7 +145,7 @@ class Path:
         points, tangents, h = [x], [tangent], step
         bend = np.zeros_like(x)
         basis, side = _side(self.equations(x[None])[1][0], tangent, (np.empty(0), 0.0))
-        end = f"{most} points"
+        end = f"{most} point{'s' * (most != 1)}"
         while len(points) <= most:
             x, tangent = points[-1], tangents[-1]
             guess = x + h * tangent + h * h / 2 * bend

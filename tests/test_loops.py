@@ -64,6 +64,7 @@ LINKAGES = [
     linkages.three_rrr(),
     linkages.parallelogram(),
 ]
+FOUR_BAR = linkages.four_bar(4, 1, 3.5, 3)
 each_linkage = pytest.mark.parametrize("linkage", LINKAGES, ids=lambda linkage: linkage.name)
 
 
@@ -335,6 +336,9 @@ def test_a_linkage_of_two_joints_is_what_was_written_down():
     turn = Joint("turn", ("a", "b"), screw(Z), limits=(-1, 2))
     ball = Joint("ball", ("b", "a"), spherical(X))
     linkage = Mechanism([turn, ball])
+    assert linkage.joints == (turn, ball)
+    assert (linkage.ground, linkage.bodies, linkage.name, linkage.source) == ("a", ("a", "b"), "linkage", "")
+    assert Mechanism([turn, ball], "b").bodies == ("b", "a")
     assert (linkage.n, turn.freedoms, ball.freedoms) == (4, 1, 3)
     assert linkage.names == ("turn", "ball.1", "ball.2", "ball.3")
     assert linkage.limits.tolist() == [[-1, 2], *[[-np.inf, np.inf]] * 3]
@@ -569,6 +573,38 @@ def test_a_closed_posture_is_left_as_it_is():
     assert again.q.tolist() == q.tolist()
 
 
+@pytest.mark.parametrize("far", [0.0, 3.0])
+def test_what_counts_as_closed_grows_with_the_distance_of_the_farthest_joint(far):
+    """Two joints 1 m to either side of a middle `far` from the origin, and a slide, which is left open as far as it is out."""
+    middle = far * Y
+    joints = [
+        Joint("turn", ("ground", "a"), screw(Z, middle + X)),
+        Joint("turn back", ("a", "b"), screw(Z, middle - X)),
+        Joint("slide", ("ground", "b"), screw(Z, pitch=SLIDE)),
+    ]
+    for out, steps in ((0.95, 0), (1.05, 1)):
+        found = Mechanism(joints).assemble([0, 0, out * 1e-13 * (1 + far + 1)])
+        assert found.converged
+        assert found.iterations == steps
+
+
+def test_a_thread_finds_its_place_in_every_turn():
+    """A four-bar whose crank climbs a thread: with every turn of the crank it has the same two modes, one pitch higher."""
+    A, B, D, C = FOUR_BAR.joints
+    linkage = Mechanism(
+        [
+            Joint("A", A.bodies, screw(Z, pitch=0.2), limits=(-28, 28)),
+            *(B, D, replace(C, bodies=("rocker", "nut"))),
+            Joint("rise", ("coupler", "nut"), screw(Z, pitch=SLIDE)),
+        ]
+    )
+    flat = FOUR_BAR.assembly_modes(hold={"D": 2.0})
+    turned = (flat[:, 0] + 2 * np.pi * np.arange(-5, 6)[:, None]).ravel()
+    modes = linkage.assembly_modes(hold={"D": 2.0})
+    close(modes[:, 0], np.sort(turned[np.abs(turned) < 28]))
+    close(modes[:, 4], -0.2 * modes[:, 0])
+
+
 # --- limits ---
 
 
@@ -616,6 +652,18 @@ def test_a_trace_ends_exactly_at_its_limits(points):
     close(np.sort(curve.q[[0, -1], 0]), [-0.4, 2.1])
     assert curve.residual < EXACT
     assert points is None or len(curve.q) == points
+
+
+def test_a_curve_of_two_points_is_one_and_so_is_one_step():
+    ends = jack().trace(np.zeros(3), most=1)
+    assert (len(ends.q), ends.ends) == (3, ("1 point", "1 point"))
+    ways = jack().trace(np.zeros(3), points=2, most=3)
+    close(ways.q, ends.q[[0, -1]] * 3)
+
+
+def test_a_step_is_a_fifth_of_a_radian_unless_another_is_asked_for():
+    for steps, length in (({}, 0.2), ({"step": 0.5}, 0.5)):
+        close(np.diff(jack(1e-4).trace(np.zeros(3), most=5, **steps).length), length)
 
 
 def test_a_held_value_stays_put_along_a_trace():
@@ -767,9 +815,30 @@ def test_a_chain_bent_round_keeps_its_limits_and_where_its_joints_are_drawn():
     arm = robots.puma560()
     assert np.isinf(Mechanism.from_chain(arm).limits).all()
     limits = np.arange(12.0).reshape(6, 2)
-    joints = Mechanism.from_chain(replace(arm, limits=limits)).joints
-    close([joint.place for joint in joints], arm.joint_points)
-    close([joint.limits for joint in joints], limits[:, None])
+    ring = Mechanism.from_chain(replace(arm, limits=limits))
+    close([joint.place for joint in ring.joints], arm.joint_points)
+    close([joint.limits for joint in ring.joints], limits[:, None])
+    assert (ring.ground, ring.name, ring.source) == ("ground", arm.name, arm.source)
+
+
+def test_joints_and_links_without_names_are_numbered_branch_by_branch():
+    ring = Mechanism.from_chain(robots.rprr())
+    assert ring.names == ("joint 1", "joint 2", "joint 3", "joint 4")
+    assert ring.bodies == ("ground", "link 1", "link 3", "link 2")
+    joined = Mechanism.from_branches(robots.rpr(), robots.rprr())
+    assert joined.names == (*(f"joint 1.{i}" for i in (1, 2, 3)), *(f"joint 2.{i}" for i in (1, 2, 3, 4)))
+    links = [*(f"link 1.{i}" for i in (1, 2)), *(f"link 2.{i}" for i in (1, 2, 3))]
+    assert sorted(joined.bodies) == ["end", "ground", *links]
+    assert (joined.ground, joined.name, joined.source) == ("ground", "linkage", "")
+    named = Mechanism.from_branches(robots.rpr(), robots.rpr(), name="pair", source="a drawing")
+    assert (named.name, named.source) == ("pair", "a drawing")
+
+
+def test_the_last_body_of_all_branches_is_drawn_at_the_home_of_the_first():
+    first, second = robots.rpr(), robots.rprr()
+    q = np.array([0.3, -0.2, 0.5, 0.1, 0.2, -0.4, 0.6])
+    end = Mechanism.from_branches(first, second).poses(q)["end"]
+    close(end @ first.home, first.fk(q[:3]))
 
 
 def test_branches_meet_where_their_forward_kinematics_agree():
@@ -819,9 +888,6 @@ def bars(*bodies):
 def test_what_is_no_mechanism_is_refused(build, message):
     with pytest.raises(ValueError, match=message):
         build()
-
-
-FOUR_BAR = linkages.four_bar(4, 1, 3.5, 3)
 
 
 @pytest.mark.parametrize(
