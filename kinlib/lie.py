@@ -87,7 +87,7 @@ def log(X: ArrayLike) -> Array:
     """Find the rotation vector or the twist whose exponential is X: the motion that reaches X in one unit of time.
 
     (..., 3, 3) -> (..., 3); (..., 4, 4) -> (..., 6). The angle |omega| lies in [0, pi]; at exactly pi both omega and
-    -omega are right, and the one whose largest component is positive is returned.
+    -omega are right, and the one whose largest component is positive is returned; of several, the first is.
 
     With W = hat(omega):  v = (I - W / 2 + k W^2) p,  k = (1 - (theta / 2) cot(theta / 2)) / theta^2.
 

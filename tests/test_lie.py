@@ -69,7 +69,7 @@ def test_exp_is_right_to_1e_13_beyond_half_a_turn(angle):
     close(exp(x), [exact.exp(row) for row in x])
 
 
-@pytest.mark.parametrize("size", [5e-324, 1e-310, 1e-200, 1e-160, 1e-154, 1e-100, 1e-16, 1e-9])
+@pytest.mark.parametrize("size", [5e-324, 1e-310, 1e-200, 1e-160, 2.0**-511, 2.0**-510, 1e-154, 1e-100, 1e-16, 1e-9])
 def test_tiny_turns_are_neither_lost_nor_nan(size):
     """Where theta^2 underflows, exp still knows omega, and log returns it to the last digit that a denormal has."""
     x = np.concatenate([size * DIRECTIONS, np.ones_like(DIRECTIONS)], axis=-1)
@@ -91,6 +91,15 @@ def test_log_of_an_exact_half_turn_has_angle_pi_and_the_positive_axis():
         close(np.linalg.norm(omega), np.pi, atol=1e-15)
         assert omega[np.argmax(np.abs(omega))] > 0
         close(np.abs(omega @ a), np.pi)
+
+
+@pytest.mark.parametrize(("first", "second"), [(0, 1), (0, 2), (1, 2)])
+def test_of_two_largest_components_of_an_exact_half_turn_the_first_is_positive(first, second):
+    R = -np.eye(3)
+    R[[first, second], [first, second]], R[[first, second], [second, first]] = 0, -1
+    omega = np.zeros(3)
+    omega[first], omega[second] = np.pi / np.sqrt(2), -np.pi / np.sqrt(2)
+    close(log(R), omega, atol=1e-15)
 
 
 def test_log_of_a_half_turn_about_z_is_pi_along_z():
@@ -331,6 +340,19 @@ def test_vee_refuses_a_rotation_and_a_pose_and_says_log():
         vee(np.zeros(6))
 
 
+@pytest.mark.parametrize("place", [np.s_[0, 1], np.s_[1, 1], np.s_[3, 2], np.s_[3, 3]])
+def test_vee_takes_what_single_precision_rounded_and_no_more(place):
+    """A sum of two entries, and each of the last row, may stray from 0 by 1e-6."""
+    for size, passes in ((0.4e-6, True), (1.5e-6, False)):
+        X = hat([0.1, 0.2, 0.3, 1, 2, 3])
+        X[place] += size
+        if passes:
+            close(vee(X), [0.1, 0.2, 0.3, 1, 2, 3], atol=size)
+        else:
+            with pytest.raises(ValueError, match="Then take its log first"):
+                vee(X)
+
+
 def test_vee_judges_each_matrix_of_a_batch_by_its_own_size():
     """Beside a huge neighbour a wrong matrix stays wrong; beside huge entries a rounding error stays a rounding error."""
     huge = hat([1e9, 0, 0]) + np.diag([0, 0, 1e-7])
@@ -351,7 +373,7 @@ def test_what_is_not_a_motion_is_refused(f):
         f(2 * np.eye(3))
     with pytest.raises(ValueError, match="reflection"):
         f(np.diag([1, 1, -1, 1]))
-    with pytest.raises(ValueError, match=r"rotation \(\.\.\., 3, 3\) or a pose \(\.\.\., 4, 4\); got shape \(6,\)"):
+    with pytest.raises(ValueError, match=r"^X should be a rotation \(\.\.\., 3, 3\) or a pose .*; got shape \(6,\)"):
         f(np.zeros(6))
 
 
