@@ -146,6 +146,17 @@ def test_where_a_slide_stands_is_no_difference(joints, reason):
         assert equivalent(one, other.changed(base=end)).reason.startswith(reason)
 
 
+def test_a_slide_along_a_turn_does_not_say_how_far_it_is_turned():
+    """Where it is drawn, beside the axis of the turn, is no direction to bring it to."""
+    screws = np.array([kl.screw((0, 0, 1), (0, 0, 0)), kl.screw((0, 0, 1), (0, 0, 0), np.inf)])
+    here, there = (
+        kl.Chain(screws, np.eye(4), np.array([(0, 0, 0), place])) for place in [(0.3, 0.2, 0), (-0.1, 0.4, 0)]
+    )
+    found = equivalent(here, there)
+    np.testing.assert_allclose(found.offsets, 0, atol=1e-12)
+    np.testing.assert_allclose([found.base, found.tool], [np.eye(4)] * 2, atol=1e-12)
+
+
 def test_a_base_moved_along_a_first_slide_is_another_zero():
     arm = DHTable([[0, 0.7, 0, 0], [0.25, 1.1, 0.35, 0], [0.4, 0, 0.15, 0]], convention="standard", joints="PRR")
     found = equivalent(arm, arm.changed(base=kl.exp([0, 0, 0, 0, 0, 0.6])))

@@ -228,12 +228,37 @@ def test_the_choices_that_the_decks_prescribe(convention):
         if convention == "standard":
             np.testing.assert_allclose(frames[-1][:3, 2], frames[-2][:3, 2], atol=1e-12)  # z_n parallel to z_{n-1}
             assert found.table.rows[-1, 1] == 0
+            np.testing.assert_allclose(
+                frames[-1][:3, 3], chain.home[:3, 3], atol=1e-9
+            )  # as near the tool as z_n allows
+            x, _, z, origin = frames[0][:3].T
+            assert abs(origin @ z) < 1e-9, "frame 0 stands where its axis is nearest {s}"
+            if z[0] ** 2 < 0.98:  # x of {s} is not along the axis
+                assert x[0] == pytest.approx(np.sqrt(1 - z[0] ** 2)), "no other x that is square to z is as near"
             for i, normal in enumerate(found.normals, start=1):
                 if normal.case in {"parallel", "anti-parallel"} and chain.letters[i - 1 : i + 1] == "RR":
                     np.testing.assert_allclose(frames[i][:3, 3], chain.joint_points[i], atol=1e-9)
         else:
             np.testing.assert_allclose(frames[0], frames[1], atol=1e-12)  # {0} matches {1}
             np.testing.assert_allclose(found.table.rows[0], 0, atol=1e-12)
+
+
+@pytest.mark.parametrize("off", [0, 1e-13, -1e-13])
+def test_a_tool_that_is_off_the_last_axis_by_rounding_alone_is_on_it(off):
+    home = kl.exp([0, 0, 0.5, 0, 0, 0])
+    home[:3, 3] = 0.3, off, 0.7
+    found = assign_frames(kl.Chain([kl.screw((0, 0, 1), (0.3, 0, 0))], home), convention="standard")
+    assert found.table.rows[0].tolist() == [0, 0, pytest.approx(0.7), pytest.approx(0.5)]
+    np.testing.assert_allclose(found.tool, np.eye(4), atol=1e-12)
+
+
+@each_convention
+def test_the_table_has_the_name_of_its_arm_and_the_same_accuracy_each_time(convention):
+    chain, _ = arm(np.random.default_rng(3), 3, cases=(), angle=1e-8, slides=0)
+    chain = kl.Chain(chain.screws, chain.home, chain.joint_points, "leaning tower")
+    found, again = (assign_frames(chain, convention=convention) for _ in range(2))
+    assert found.table.name == "leaning tower"
+    assert found.accuracy == again.accuracy > 1e-11
 
 
 def test_z_of_the_standard_convention_lies_on_the_next_joint_and_that_of_the_modified_on_its_own():
@@ -477,6 +502,9 @@ def test_what_was_free_is_said_and_what_was_not_is_not():
 def test_a_helical_joint_is_refused_by_its_number(convention):
     with pytest.raises(ValueError, match="Joint 1 of HRR arm is helical"):
         assign_frames(robots.hrr(), convention=convention)
+    screws = [kl.screw((0, 0, 1), (k, 0, 0), pitch) for k, pitch in enumerate([0, 0.1, 0.2])]
+    with pytest.raises(ValueError, match=r"Joint 2 of .* is helical: it turns and climbs at once"):
+        assign_frames(kl.Chain(screws, np.eye(4)), convention=convention)
 
 
 @pytest.mark.parametrize("convention", ["Standard", "classic", None, 1])
