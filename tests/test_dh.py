@@ -436,6 +436,8 @@ REFUSED = {
     ),
     "a gear": ("a|alpha|d|theta\n0|0|0|2*q1", "should stand alone, as q or -q; its factor is 2"),
     "an unknown length": ("a|alpha|d|theta\n0|0|l7|q1", r"Row 1, d: 'l7'.*lengths=\{'l7': ...\}"),
+    "a row that another number counts": ("a|alpha|d|theta\n1X|3|0|0|q1", "Row 1 has 5 entries under 4 heads: '1X"),
+    "an angle in a length, in letters": ("a|alpha|d|theta\n30 deg|0|0|q1", "a is a length. Are two columns exchanged"),
     "an angle in a length": ("a|alpha|d|theta\n0|0|30°|q1", "d is a length. Are two columns exchanged"),
     "code": ("a|alpha|d|theta\n0|0|0|__import__('os')", "Row 1, theta: .* is no number"),
     "a division by zero": ("a|alpha|d|theta\n0|1/0|0|q1", "Row 1, alpha: '1/0' is no number"),
@@ -508,8 +510,9 @@ def test_a_table_means_nothing_without_its_convention():
 def test_letters_that_contradict_the_variables_are_refused():
     with pytest.raises(ValueError, match="joints says P, and the variables in the table say R"):
         DHTable("a|alpha|d|theta\n0|0|0|q1", convention="standard", joints="P")
-    with pytest.raises(ValueError, match="a letter R, P or F for each of the 1 rows; got 'RR'"):
-        DHTable([[0, 0, 0, 0]], convention="standard", joints="RR")
+    for letters in ("RR", "X", "r"):
+        with pytest.raises(ValueError, match=f"a letter R, P or F for each of the 1 rows; got '{letters}'"):
+            DHTable([[0, 0, 0, 0]], convention="standard", joints=letters)
     with pytest.raises(ValueError, match=r"joints should be text, a letter for each row; got list \['R'\]"):
         DHTable([[0, 0, 0, 0]], convention="standard", joints=["R"])
 

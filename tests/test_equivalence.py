@@ -70,6 +70,15 @@ def test_a_yes_is_always_right(seed):
         assert found.difference <= 1e-8 if found else found.difference > 1e-8
 
 
+@pytest.mark.parametrize("column", range(4))
+@pytest.mark.parametrize("delta", [1e-9, 3e-9])
+def test_what_differs_by_less_than_the_tolerance_is_the_same(column, delta):
+    rows = np.array([[0.3, 0.7, 0.2, 0], [0.25, -1.1, 0.35, 0], [0.4, 0.9, 0.15, 0], [0.2, 0.5, 0.3, 0]])
+    table = DHTable(rows, convention="standard")
+    rows[1, column] += delta
+    assert equivalent(table, table.changed(rows=rows))
+
+
 @pytest.mark.parametrize("length", ["a", "d"])
 @pytest.mark.parametrize("delta", [2e-6, 1e-4, 0.1])
 def test_a_skew_arm_forgives_no_length(length, delta):
@@ -195,6 +204,11 @@ def test_a_joint_that_counts_the_other_way_is_no_arm_turned_over():
     found = equivalent(arm, kl.Chain(-arm.screws, arm.home))
     assert (found.signs.tolist(), found.offsets.tolist()) == ([-1], [0])
     np.testing.assert_allclose([found.base, found.tool], [np.eye(4)] * 2, atol=1e-12)
+    first = equivalent(arm, kl.Chain(-arm.screws, arm.home), simplest=False)
+    assert first, "where a bare yes is wanted, any map will do"
+    np.testing.assert_allclose(
+        first.base @ arm.fk(first.signs * [0.7] + first.offsets) @ first.tool, arm.fk([-0.7]), atol=1e-12
+    )
 
 
 @pytest.mark.parametrize("angle", [0, 1e-12, 1e-10])
