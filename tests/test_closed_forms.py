@@ -153,13 +153,13 @@ def test_a_matrix_may_be_sympy_text_rows_or_the_work_of_kinlib():
 
 
 @pytest.mark.parametrize(
-    "given", [[[["q1"]]], [["[q1]"]], [["Matrix([q1])"]], [[np.array("[q1]")]], np.array("[[q1]]")]
+    "given", [[[["q1"]]], [["[q1]"]], [["Matrix([q1])"]], [[np.array("[q1]")]], np.array("[[[q1]]]")]
 )
 def test_a_formula_may_stand_in_three_brackets_and_in_no_more(given):
     form = ClosedForm(q_1)
     assert is_right(form, given)
     with pytest.raises(Unreadable, match="more entries than any matrix"):
-        form.read([[given]])
+        form.read([given])
 
 
 def test_a_formula_is_read_up_to_its_bounds_and_what_came_is_kept():
@@ -188,6 +188,13 @@ def test_an_angle_may_be_called_q_or_theta_whichever_the_problem_says():
     form = ClosedForm(sp.cos(sum(angles)) + angles[0])
     assert is_right(form, "cos(q1 + q_2) + θ₁")
     assert is_right(form, "c12 + q1")
+    assert is_right(ClosedForm(sp.cos(q_1 + q_2) + q_1), "cos(θ₁ + theta_2) + q1")
+
+
+@pytest.mark.parametrize(("symbols", "there"), [([q_1, a_2], "q_1, a_2"), ([], "there are none")])
+def test_who_writes_an_unknown_symbol_is_told_which_there_are(symbols, there):
+    with pytest.raises(ValueError, match=f"^x is none of the symbols here: {there}\\.$"):
+        Reader(symbols).read("x")
 
 
 def test_a_vector_may_lie_or_stand():
