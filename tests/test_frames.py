@@ -454,6 +454,20 @@ def test_nearly_parallel_axes_are_said_to_be_singular_and_what_was_done(angle, f
 
 
 @each_convention
+@pytest.mark.parametrize("letters", ["RR", "RRP"])
+def test_axes_that_meet_nearly_parallel_are_singular_too(letters, convention):
+    """Where they meet is as little sure as where a far normal is; a slide behind them changes nothing."""
+    turned = kl.exp([0.3, -0.5, 0.7])
+    lines = zip(letters, [(0, 0, 1), (0, -1e-7, 1), (1, 0, 0)], [(0, 0, 0), (0, 0, 0.5), (0.3, 0, 0.5)], strict=False)
+    screws = [
+        kl.screw(turned @ axis / np.linalg.norm(axis), turned @ point, np.inf if letter == "P" else 0.0)
+        for letter, axis, point in lines
+    ]
+    normal = assign_frames(kl.Chain(np.array(screws), np.eye(4)), convention=convention).steps[2]
+    assert "These axes are nearly parallel, 1.0e-07 rad apart, and DH is singular here" in normal.text
+
+
+@each_convention
 @pytest.mark.parametrize("letters", ["RP", "PR"])
 def test_a_slide_that_is_nearly_parallel_has_no_normal_that_runs_away(letters, convention):
     """A slide has no line: laid across its neighbour it meets it, and no digit is lost."""
