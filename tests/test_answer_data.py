@@ -212,6 +212,7 @@ def welds(n):
     [
         ({"matrix": [7]}, "A matrix is a list of rows of one length."),
         (a_table(dh=[[0, 0, 0]]), "This is no DH table: dh should have shape (..., 4); got (1, 3). One vector has 4"),
+        (a_table(joints=["R"]), "A DH table is a list of rows, a text with their joints, and a list of signs."),
         (welds(MOST_NUMBERS), "This is no DH table: A table should have at least one joint; every row here is fixed."),
         (welds(MOST_NUMBERS + 1), "A DH table has a letter for each row, and a sign, 1 or -1."),
         ({"b": 1, "a": 2}, "An answer has none of the forms with the keys 'a, b'."),
