@@ -120,6 +120,10 @@ def test_a_case_is_recognised_and_named(case, convention):
         said |= {"anti-parallel": "parallel and point opposite ways", "coincident": "are one line: "}
         said |= {"anti-coincident": "one line and point opposite ways"}
         assert said[case] in next(step.text for step in found.steps if step.kind == "normal")
+        a = found.table.rows[0 if convention == "standard" else 1, 0]
+        assert (a == 0) == (case in {"intersecting", "coincident", "anti-coincident"}), (
+            "where axes meet, a is 0 to the last bit"
+        )
 
 
 @each_convention
