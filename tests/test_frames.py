@@ -120,10 +120,10 @@ def test_a_case_is_recognised_and_named(case, convention):
         said |= {"anti-parallel": "parallel and point opposite ways", "coincident": "are one line: "}
         said |= {"anti-coincident": "one line and point opposite ways"}
         assert said[case] in next(step.text for step in found.steps if step.kind == "normal")
-        a = found.table.rows[0 if convention == "standard" else 1, 0]
-        assert (a == 0) == (case in {"intersecting", "coincident", "anti-coincident"}), (
-            "where axes meet, a is 0 to the last bit"
-        )
+        a, alpha, *_ = found.table.rows[0 if convention == "standard" else 1]
+        assert (a == 0) == (case in {"intersecting", "coincident", "anti-coincident"}), "to the last bit"
+        if case not in {"skew", "intersecting"}:
+            assert alpha == (np.pi if case.startswith("anti") else 0), "to the last bit"
 
 
 @each_convention
@@ -447,8 +447,10 @@ def leaning(angle, letters="RR"):
     ],
 )
 def test_nearly_parallel_axes_are_said_to_be_singular_and_what_was_done(angle, far, taken, others, convention):
-    normal = assign_frames(leaning(angle), convention=convention).steps[2]
+    found = assign_frames(leaning(angle), convention=convention)
+    normal = found.steps[2]
     assert normal.text.startswith("Axes 1 and 2 are ")
+    assert found.table.rows[:, 1].any() == (angle == 1e-6)
     assert (
         f" These axes are nearly parallel, {angle:.1e} rad apart, and DH is singular here: "
         f"a millimetre between them moves their normal by {far} m along them, so the last digits of d are lost. "
