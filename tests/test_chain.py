@@ -40,6 +40,7 @@ def test_all_forms_agree_to_1e_13_on_every_robot(robot):
     q = configurations(robot, 200)
     T = robot.fk(q)
     close(robot.fk_body(q), T)
+    close(robot.fk_body(q), robot.fk_mid(q, 0), atol=0)
     for k in range(robot.n + 1):
         close(robot.fk_mid(q, k), T)
 
@@ -411,7 +412,6 @@ def test_a_home_that_is_no_pose_is_refused(home, message):
         ([[0] * 5, [0] * 4], "a row of another length"),
         ([0, 0, 1e9, 0, 0], r"A turn of 1e\+09 rad has no direction left"),
     ],
-    ids=lambda value: repr(value)[:20],
 )
 def test_joint_values_that_are_none_are_refused_by_every_method(method, q, message):
     with pytest.raises(ValueError, match=message):
@@ -442,6 +442,21 @@ def test_points_off_their_axes_are_refused(at, message):
         Chain([screw((0, 0, 1)), screw((0, 0, 1), (1, 0, 0))], np.eye(4), points=at)
 
 
+def test_a_joint_that_slides_may_be_drawn_anywhere_and_excuses_no_other_joint():
+    screws = [screw((0, 0, 1), pitch=np.inf), screw((0, 0, 1))]
+    assert Chain(screws, np.eye(4), points=[[7, 8, 9], [0, 0, 1]]).joint_points.tolist() == [[7, 8, 9], [0, 0, 1]]
+    with pytest.raises(ValueError, match=r"The point of joint 2 lies 1 m off its axis"):
+        Chain(screws, np.eye(4), points=[[7, 8, 9], [1, 0, 0]])
+
+
+@pytest.mark.parametrize(("height", "most"), [(0, 1e-9), (1000, 1e-6)])
+def test_a_point_may_be_off_its_axis_by_a_nanometre_and_by_one_more_for_each_metre_that_it_is_away(height, most):
+    near, far = [[0.5 * most, 0, height]], [[1.5 * most, 0, height]]
+    assert Chain([screw((0, 0, 1))], np.eye(4), points=near).points.tolist() == near
+    with pytest.raises(ValueError, match=rf"The point of joint 1 lies {far[0][0]:.3g} m off its axis"):
+        Chain([screw((0, 0, 1))], np.eye(4), points=far)
+
+
 @given(points(1000.0))
 def test_any_point_of_the_axis_serves(point):
     """However far out: the tolerance grows with the distance, as the rounding does."""
@@ -462,6 +477,7 @@ def test_v_with_the_wrong_sign_is_found_by_its_point():
         ({"limits": np.zeros((2, 3))}, r"one row \(least, greatest\) a joint, \(3, 2\); got \(2, 3\)"),
         ({"limits": [[-1, 1], [1, -1], [0, 1]]}, r"limits of joint 2 .*got \[1.0, -1.0\]. Are they exchanged\?"),
         ({"limits": [[-1, 1], [0, 1], [np.nan, 1]]}, "limits of joint 3"),
+        ({"limits": [["low", "high"]] * 3}, "^limits should be an array of real numbers; got list"),
         ({"joint_names": ("shoulder", "elbow")}, "3 names, one a joint; got 2"),
     ],
 )
@@ -469,6 +485,11 @@ def test_limits_and_names_are_checked(told, message):
     robot = robots.rpr()
     with pytest.raises(ValueError, match=message):
         Chain(robot.screws, robot.home, **told)
+
+
+def test_a_joint_may_be_limited_to_one_value():
+    limits = [[-1, 1], [0.5, 0.5], [0, 0]]
+    assert Chain(robots.rpr().screws, np.eye(4), limits=limits).limits.tolist() == limits
 
 
 def test_a_joint_may_be_limited_on_one_side_only():

@@ -9,6 +9,7 @@ import sympy
 from hypothesis import given
 from strategies import ROBOTS, moved_chains
 
+from kinlib import robots
 from kinlib.straight_line import Name, write_out
 
 each_robot = pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
@@ -122,6 +123,27 @@ def test_a_single_configuration_is_refused_in_the_words_of_a_batch(value):
             method(q)
         with pytest.raises(ValueError, match=re.escape(str(one.value))):
             method(q.tolist())
+
+
+@pytest.mark.parametrize(
+    ("q", "is_written_out"),
+    [
+        pytest.param(np.array([1.0, 2, 3]), True, id="one configuration"),
+        pytest.param(np.array([[1.0, 2, 3]]), True, id="a batch of one"),
+        pytest.param(np.array([1, 2, 3], dtype=np.int8), True, id="integers"),
+        pytest.param(np.array([1, 2, 3], dtype=np.uint8), True, id="unsigned integers"),
+        pytest.param([1.0, 2, 3], False, id="a list"),
+        pytest.param(np.array([True, False, True]), False, id="bits"),
+        pytest.param(np.array([1.0, 2, 3], dtype=object), False, id="objects"),
+        pytest.param(np.array([[1.0, 2, 3]] * 2), False, id="a batch of two"),
+        pytest.param(np.empty((0, 3)), False, id="a batch of none"),
+    ],
+)
+def test_a_program_is_written_for_one_configuration_and_for_nothing_else(q, is_written_out):
+    """Writing it takes as long as a thousand configurations of a batch."""
+    chain = robots.rpr()
+    chain.fk(q), chain.jacobian(q)
+    assert ("_tool_program" in vars(chain)) is ("_jacobian_program" in vars(chain)) is is_written_out
 
 
 @pytest.mark.parametrize("kind", [np.int64, np.float32, np.uint8, np.float64])
