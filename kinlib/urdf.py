@@ -58,7 +58,7 @@ def load_urdf(path_or_text: str | os.PathLike[str], base: str | None = None, tip
             _refuse_what_no_chain_holds(joint)
             frame = T if sign > 0 else before
             axis, point = sign * frame[:3, :3] @ joint.axis, frame[:3, 3]
-            screws.append(screw(axis / np.linalg.norm(axis), point, np.inf if joint.type == "prismatic" else 0.0))
+            screws.append(screw(axis, point, np.inf if joint.type == "prismatic" else 0.0))
             points.append(point)
             moving.append(joint)
     if not moving:

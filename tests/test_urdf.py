@@ -471,7 +471,7 @@ def test_an_axis_is_brought_to_unit_length(xyz):
 
 
 def test_an_axis_is_a_unit_however_many_turns_stand_before_it():
-    """Each product of rotations rounds, and a thousand of them show in the thirteenth digit."""
+    """A thousand rotations, each rounded, leave it off in the thirteenth digit; it is brought back to 1."""
     n = 1000
     joint = '<joint name="j{0}" type="{2}"><parent link="{0}"/><child link="{1}"/><origin rpy="0.3 0.5 -0.7"/></joint>'
     joints = [joint.format(i, i + 1, "fixed" if i < n - 1 else "continuous") for i in range(n)]
