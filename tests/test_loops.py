@@ -415,6 +415,24 @@ def test_neither_the_origin_nor_the_unit_of_length_makes_a_difference(scale, far
         assert other.trace(modes[0], step=0.3 * max(1, scale) if name == "slider-crank" else 0.3).closed
 
 
+def test_with_every_crank_more_counting_goes_down_and_the_parallelogram_moves_all_the_same():
+    """One loop for each crank after the first, and the equations of every loop below those of the one before."""
+    for cranks in (2, 3, 4, 5):
+        joints = []
+        for i in range(cranks):
+            foot, crank = 0.1 * i * X, f"crank {i}"
+            joints += [
+                Joint(f"A{i}", ("ground", crank), screw(Z, foot)),
+                Joint(f"B{i}", (crank, "coupler"), screw(Z, foot + 0.2 * Y)),
+            ]
+        linkage = Mechanism(joints)
+        assert len(linkage.loops) == cranks - 1
+        mobility = linkage.mobility(np.zeros(2 * cranks))
+        assert (mobility.kutzbach, mobility.instantaneous, mobility.finite) == (3 - cranks, 1, 1)
+        turned = linkage.assemble(np.zeros(2 * cranks), hold={"A0": 0.3})
+        close(turned.q, 0.3 * np.resize([1, -1], 2 * cranks))
+
+
 def test_the_singular_values_are_those_of_the_linkage_and_not_of_where_it_is_drawn():
     linkage, hold, _ = DESCRIBED["Bennett"]
     q = linkage.assembly_modes(hold=hold)[0]
