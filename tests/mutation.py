@@ -21,6 +21,7 @@ import ast
 import json
 import os
 import random
+import re
 import resource
 import shutil
 import subprocess
@@ -157,11 +158,17 @@ def mutmut(*words: str) -> None:
 
     class Chosen:
         def __init__(self, tests: Iterable[str]) -> None:
-            self.tests = set(tests)
+            seconds = state().duration_by_test
+            self.seconds = {plain(test): seconds[test] for test in tests}
 
         def pytest_collection_modifyitems(self, items: list[Any]) -> None:
-            seconds = state().duration_by_test
-            items[:] = sorted((i for i in items if i.nodeid in self.tests), key=lambda i: seconds[i.nodeid])
+            items[:] = sorted(
+                (item for item in items if plain(item.nodeid) in self.seconds),
+                key=lambda item: self.seconds[plain(item.nodeid)],
+            )
+
+    def plain(test: str) -> str:  # pytest escapes a backslash once more each time that it collects a test
+        return re.sub(r"\\+", "/", test)
 
     def run_tests(runner: PytestRunner, *, mutant_name: str | None, tests: Iterable[str]) -> int:
         plugins = [Chosen(tests)] if tests else []
