@@ -181,6 +181,17 @@ def test_a_naive_threshold_would_be_silently_wrong():
     assert assign_frames(chain, convention="standard").accuracy < 1e-8
 
 
+@each_convention
+def test_of_two_pairs_only_the_one_that_gains_is_taken_as_parallel(convention):
+    turned, lean = kl.exp([0.3, -0.5, 0.7]), [0, 1e-11, 1e-11 + 3e-6]
+    points = np.array([(0, 0, 0), (0.3, 0.2, 0.5), (0.5, 0.6, 0.1)]) @ turned.T
+    axes = [turned @ [0, -np.sin(angle), np.cos(angle)] for angle in lean]
+    screws = np.array([kl.screw(axis, point) for axis, point in zip(axes, points, strict=True)])
+    found = assign_frames(kl.Chain(screws, np.eye(4), points), convention=convention)
+    assert [normal.free for normal in found.normals] == [True, False]
+    assert found.accuracy < 1e-9
+
+
 def test_axes_from_a_thousandth_of_a_degree_on_are_what_they_are():
     assert NEARLY <= 1e-5
 
