@@ -345,7 +345,8 @@ def test_a_joint_variable_is_found_wherever_it_stands_in_an_entry(entry, constan
 
 
 @pytest.mark.parametrize(
-    ("entry", "constant", "sign"), [("d_1", 0, 1), ("d1 + 0.5", 0.5, 1), ("-(d_1 - 0.5)", 0.5, -1)]
+    ("entry", "constant", "sign"),
+    [("d_1", 0, 1), ("d1 + 0.5", 0.5, 1), ("0.5 + d_1", 0.5, 1), ("-(d_1 - 0.5)", 0.5, -1)],
 )
 def test_d_with_a_number_is_what_moves_in_its_own_column_and_an_unknown_length_elsewhere(entry, constant, sign):
     table = DHTable([{"a": 0, "alpha": 0, "d": entry, "theta": 0}], convention="standard")
@@ -383,6 +384,7 @@ def test_a_row_without_a_variable_has_no_joint_and_a_column_of_another_name_is_n
 TWO_ROWS = {
     "bars": "a | alpha | d | theta\n0.4 | 0 | 0.1 | q1\n0.3 | pi/2 | q2 | 0.2",
     "bars all round": "|a|alpha|d|theta|\n|---|:-:|--:|---|\n|0.4|0|0.1|q1|\n|0.3|pi/2|q2|0.2|",
+    "bars round the head": "|a|alpha|d|theta|\n0.4|0|0.1|q1\n0.3|pi/2|q2|0.2",
     "blanks": "a alpha d theta\n0.4 0 0.1 q1\n0.3 pi/2 q2 0.2",
     "wide blanks": "a  alpha   d    theta\n0.4  0  0.1  q1 + 0\n0.3  pi / 2  q2  0.2",
     "tabs": "a\talpha\td\ttheta\n0.4\t0\t0.1\tq1 + 0\n0.3\tpi / 2\tq2\t0.2",
@@ -467,7 +469,10 @@ REFUSED = {
     "infinity": ("a|alpha|d|theta\n1e400|0|0|q1", "Row 1, a: '1e400' is larger than any number"),
     "infinity less infinity": ("a|alpha|d|theta\n1e400-1e400|0|0|q1", "Row 1, a: .* is larger than any number"),
     "a length beyond the planets": ([[1e200, 0, 0, 0]], r"Row 1: a = 1e\+200 m is farther than any arm reaches"),
-    "an offset beyond the planets": ([[0, 0, -1e13, 0]], r"Row 1: d = -1e\+13 m is farther than any arm reaches"),
+    "an offset beyond the planets": (
+        [[0] * 4, [0, 0, -1e13, 0]],
+        r"Row 2: d = -1e\+13 m is farther than any arm reaches",
+    ),
     "a letter of no file": ("a|alpha|d|theta\n\0|0|0|q1", r"Row 1, a: '\\x00' is no number"),
     "half a letter in the head": ("a|alpha|d|\ud800\n0|0|0|q1", r"each once; got 'a\|alpha\|d\|\\ud800'"),
     "a long head": ("a" * 10_000 + "\n0", "each once; got 'a{40}"),
