@@ -125,6 +125,7 @@ def test_how_far_the_nearest_map_misses_is_told(delta):
     found = equivalent(table, table.changed(rows=rows))
     assert not found
     assert 1e-8 < found.difference < 3 * delta
+    assert found.difference == equivalent(table, table.changed(rows=rows)).difference
     assert equivalent(table, table.changed(rows=rows), tolerance=3 * delta)
 
 
@@ -196,6 +197,13 @@ def test_a_base_that_is_turned_over_leaves_the_zero_of_the_first_joint():
     found = equivalent(arm, arm.changed(base=over))
     np.testing.assert_allclose(found.offsets, 0, atol=1e-12)
     np.testing.assert_allclose([found.base, found.tool], [over, np.eye(4)], atol=1e-12)
+
+
+@pytest.mark.parametrize("axis", np.eye(3))
+def test_an_arm_may_be_turned_over_about_any_axis(axis):
+    arm = kl.Chain([kl.screw(axis, (0, 0, 0)), kl.screw(np.roll(axis, 1), (0.3, 0.2, 0.1))], np.eye(4))
+    over = kl.exp([*np.pi * np.roll(axis, 1), 0, 0, 0])
+    assert equivalent(arm, kl.Chain((kl.adjoint(over) @ arm.screws.T).T, over))
 
 
 def test_a_joint_that_counts_the_other_way_is_no_arm_turned_over():
