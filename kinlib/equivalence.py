@@ -31,6 +31,9 @@ LOOSE = 10
 PLAIN = 0.99
 """Axes whose angle has a smaller cosine are plainly not parallel."""
 
+PARALLEL = 1e-9
+"""Axes that make a smaller angle are as far apart everywhere, to a micrometre along a kilometre."""
+
 POSTURES = 16
 """In how many random postures an answer is checked."""
 
@@ -222,7 +225,8 @@ def _plainly_apart(one: Chain, other: Chain, loose: float) -> bool:
         if abs(cosines[0] - cosines[1]) > loose:
             return True
         # Nearly parallel axes have a distance that hangs on the last digits, and slides have none.
-        told = "P" not in one.letters[i : i + 2] and cosines[0] < PLAIN
+        parallel = all(np.linalg.norm(np.cross(*axes)) < PARALLEL for axes, _ in pairs)
+        told = "P" not in one.letters[i : i + 2] and (cosines[0] < PLAIN or parallel)
         if told and abs(_distance(*pairs[0]) - _distance(*pairs[1])) > loose / (1 - PLAIN):
             return True
     return False
