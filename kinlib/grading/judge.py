@@ -29,7 +29,7 @@ from kinlib.practice.verdict import Verdict
 
 SECONDS = 4.0
 """Of processor time, for one answer: a busy machine changes no verdict. The slowest that people give, a table that no mistake
-explains, takes a tenth of that, and one that fuzzing found a third."""
+explains, takes a tenth of that."""
 
 MEMORY = 2 << 30
 """The most memory that the judge may take: an answer may ask for more than it says."""
