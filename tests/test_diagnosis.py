@@ -29,6 +29,7 @@ def exchanged(table, row):
 def test_a_right_table_is_right(table):
     found = diagnose(table, PUMA)
     assert found.right
+    assert not [*found.faults]
     assert str(found).startswith("This table is the arm.")
 
 
@@ -311,6 +312,13 @@ def test_in_a_row_without_a_joint_the_usual_numbers_are_tried(column, number):
     assert alone(with_entries(right, (2, column, 0.777)), right) == told
 
 
+def test_no_angle_at_all_is_tried_though_the_arm_s_own_table_has_an_angle_everywhere():
+    right = with_entries(FIXED, (1, "theta", 0.5), (2, "theta", 0), (3, "theta", 0.6), (4, "theta", 0.7))
+    assert np.abs(assign_frames(right.to_chain(), convention="standard").table.rows[:, 3]).min() > 0.1
+    told = ("wrong number", 2, "theta", "Row 2: theta should be 0; the table says 0.777.")
+    assert alone(with_entries(right, (2, "theta", 0.777)), right) == told
+
+
 @pytest.mark.parametrize(
     ("a", "alpha", "smallest"),
     [(0.4, 0.6, 0.6), (0.4, 0.6 - np.pi, 0.6), (0.4, -0.6, -0.6), (0.4, np.pi - 0.6, -0.6), (0, -0.6, 0.6)],
@@ -385,6 +393,7 @@ def test_what_nothing_explains_is_said_with_the_first_difference():
     wrong = DHTable(np.random.default_rng(1).uniform(0.2, 1, (4, 4)), convention="standard")
     found = diagnose(wrong, right)
     assert not found.right
+    assert not [*found.faults]
     assert found.corrected is None
     assert "None of the mistakes that we know" in str(found)
     assert "Axes 1 and 2 make an angle of" in str(found)
