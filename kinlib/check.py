@@ -209,9 +209,8 @@ def brief(x: Any) -> str:
 def _are_rigid(X: Array) -> bool:
     """Whether all of (3, 3, m) are rotations, or all of (4, 4, m) are poses."""
     x, y, z = X[:3, :3]
-    with np.errstate(
-        over="ignore", invalid="ignore"
-    ):  # what overflows is far from rigid, and so is NaN, which is never less
+    # What overflows is far from rigid; and so is NaN, for it is never less than a tolerance.
+    with np.errstate(over="ignore", invalid="ignore"):
         strays = [dot(x, x) - 1, dot(y, y) - 1, dot(x, y), cross(x, y) - z]
         if len(X) == 4:
             strays += X[:3, 3], X[3, 3] - 1, 0 * X[3, :3]  # 0 times infinity is NaN

@@ -225,8 +225,9 @@ def _plainly_apart(one: Chain, other: Chain, loose: float) -> bool:
         if abs(cosines[0] - cosines[1]) > loose:
             return True
         # Nearly parallel axes have a distance that hangs on the last digits, and slides have none.
-        parallel = all(np.linalg.norm(np.cross(*axes)) < PARALLEL for axes, _ in pairs)
-        told = "P" not in one.letters[i : i + 2] and (cosines[0] < PLAIN or parallel)
+        told = "P" not in one.letters[i : i + 2] and (
+            cosines[0] < PLAIN or all(np.linalg.norm(np.cross(*axes)) < PARALLEL for axes, _ in pairs)
+        )
         if told and abs(_distance(*pairs[0]) - _distance(*pairs[1])) > loose / (1 - PLAIN):
             return True
     return False
