@@ -13,7 +13,7 @@ the other by moving alpha and a by one row, and the constants left over at the e
 import math
 from collections.abc import Mapping
 from dataclasses import dataclass, field, replace
-from functools import reduce
+from functools import cached_property, reduce
 from typing import Any, Literal, cast, get_args
 
 import numpy as np
@@ -149,6 +149,10 @@ class DHTable:
         >>> DHTable([[0.4, 0, 0, 0], [0.3, 0, 0, 0]], convention="standard").to_chain().screws[1] + 0.0
         array([ 0. ,  0. ,  1. ,  0. , -0.4,  0. ])
         """
+        return self._chain
+
+    @cached_property
+    def _chain(self) -> Chain:
         before = [self.base]
         for link in self.link_transforms(np.zeros(self.n)):
             before.append(before[-1] @ link)

@@ -21,6 +21,7 @@ from kinlib.dh import DHTable
 from kinlib.lie import exp, hat, inverse
 from kinlib.normals import NEARLY
 from kinlib.screw import line
+from kinlib.sweep import cross
 
 SAME = 1e-8
 """How far two mechanisms may differ, in an entry of a pose, and still be called one."""
@@ -126,17 +127,18 @@ def _continued(match: _Match, one: Chain, other: Chain, loose: float) -> Iterato
         return
     u, v = one.lines.axis, other.lines.axis
     axis, now = match.signs[-1] * v[joint - 1], match.link @ u[joint]
+    sine = np.linalg.norm(cross(axis, now))
     turns = one.letters[joint] == "R"
     for sign in (1.0, -1.0):
         wanted = sign * v[joint]
         if abs(axis @ (now - wanted)) > loose:
             continue
         tries = []
-        if np.linalg.norm(np.cross(axis, now)) < NEARLY + loose:
+        if sine < NEARLY + loose:
             # Parallel: the direction says nothing about the turn before, but the step from axis to axis does.
             step = _side_step(match, joint, axis, one, other) if turns else match
             tries.append(replace(step, free=joint if turns else step.free))
-        if np.linalg.norm(np.cross(axis, now)) > loose / 10:
+        if sine > loose / 10:
             step = _turned(match, axis, now, wanted, other)
             tries.append(replace(step, free=joint if turns else None))
         for step in tries:
@@ -158,7 +160,7 @@ def _turned(match: _Match, axis: Array, now: Array, wanted: Array, other: Chain)
     """Turn all behind the free joint about an axis, until `now` stands at the side of `wanted`."""
     if match.free is None:
         return match
-    angle = np.arctan2(axis @ np.cross(now, wanted), now @ wanted - (axis @ now) * (axis @ wanted))
+    angle = np.arctan2(axis @ cross(now, wanted), now @ wanted - (axis @ now) * (axis @ wanted))
     R = exp(angle * axis)
     if match.free == -1:
         return replace(match, base=R @ match.base, link=R @ match.link)
@@ -170,7 +172,8 @@ def _turned(match: _Match, axis: Array, now: Array, wanted: Array, other: Chain)
 
 def _placed_alike(one: Chain, other: Chain, match: _Match, loose: float) -> Equivalence:
     """Find the shift of the base and the zeros of the slides, which are a linear problem, and try the whole map."""
-    carried, wanted = line(one.jacobian(match.offsets).T), other.lines
+    # Two configurations are a batch. For a single one the chain would write a program first, which does not pay for one use.
+    carried, wanted = line(one.jacobian(np.stack([match.offsets, match.offsets]))[0].T), other.lines
     slides = [joint for joint, letter in enumerate(one.letters) if letter == "P"]
     rows, right = [np.zeros((0, 3 + len(slides)))], [np.zeros(0)]
     for joint in range(one.n):
@@ -192,7 +195,7 @@ def _placed_alike(one: Chain, other: Chain, match: _Match, loose: float) -> Equi
     # The first joint may take over a turn of the base, and the last one of the tool: leave as little in both as can be.
     spare = _nearest_home(X, one.screws[0])
     X, offsets[0] = X @ exp(spare * one.screws[0]), offsets[0] - spare
-    Y = inverse(X @ one.fk(offsets)) @ other.home
+    Y = inverse(X @ one.fk(np.stack([offsets, offsets]))[0]) @ other.home
     spare = _nearest_home(inverse(Y), one.body_screws[-1])
     Y, offsets[-1] = exp(-spare * one.body_screws[-1]) @ Y, offsets[-1] + spare
     q = np.random.default_rng(0).uniform(-np.pi, np.pi, (POSTURES, one.n))
@@ -226,7 +229,7 @@ def _plainly_apart(one: Chain, other: Chain, loose: float) -> bool:
             return True
         # Nearly parallel axes have a distance that hangs on the last digits, and slides have none.
         told = "P" not in one.letters[i : i + 2] and (
-            cosines[0] < PLAIN or all(np.linalg.norm(np.cross(*axes)) < PARALLEL for axes, _ in pairs)
+            cosines[0] < PLAIN or all(np.linalg.norm(cross(*axes)) < PARALLEL for axes, _ in pairs)
         )
         if told and abs(_distance(*pairs[0]) - _distance(*pairs[1])) > loose / (1 - PLAIN):
             return True
@@ -251,22 +254,22 @@ def _first_difference(one: Chain, other: Chain) -> str:
 
 
 def _acute_degrees(u: Array, v: Array) -> float:
-    return float(np.degrees(np.arctan2(np.linalg.norm(np.cross(u, v)), abs(u @ v))))
+    return float(np.degrees(np.arctan2(np.linalg.norm(cross(u, v)), abs(u @ v))))
 
 
 def _distance(axes: Array, points: Array) -> float:
-    normal, between = np.cross(*axes), points[1] - points[0]
+    normal, between = cross(*axes), points[1] - points[0]
     sine = float(np.linalg.norm(normal))
     if sine > NEARLY:
         return float(abs(between @ normal)) / sine
-    return float(np.linalg.norm(np.cross(between, axes[0])))
+    return float(np.linalg.norm(cross(between, axes[0])))
 
 
 def _onto(u: Array, v: Array) -> Array:
     """A turn that takes the unit vector u to the unit vector v."""
-    across = np.cross(u, v)
+    across = cross(u, v)
     sine = float(np.linalg.norm(across))
     if sine < 1e-9:
         # Opposite vectors leave the axis open: any that is square to u will do.
-        across, sine = np.cross(u, np.eye(3)[np.argmin(np.abs(u))]), 0.0
+        across, sine = cross(u, np.eye(3)[np.argmin(np.abs(u))]), 0.0
     return exp(across / np.linalg.norm(across) * np.arctan2(sine, u @ v))
