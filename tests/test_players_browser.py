@@ -301,7 +301,7 @@ def choose(page, label, wanted):
 
 def test_frames_are_placed_by_keys_alone(show):
     page = show(assign(ARM, "standard"))
-    page.get_by_role("button", name="Frame 0, open").focus()
+    page.get_by_role("button", name="Frame 0, not started").focus()
     for i, T in enumerate(RIGHT):
         choose(page, f"Direction of z {i}", T[:3, 2])
         choose(page, f"Origin of frame {i}", T[:3, 3])

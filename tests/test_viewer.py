@@ -3,8 +3,6 @@
 import gzip
 import json
 import re
-import shutil
-import subprocess
 from pathlib import Path
 
 import modern_robotics as mr
@@ -197,34 +195,3 @@ def test_the_bundle_is_small_and_asks_no_other_host():
     bundle = (STATIC / "viewer.js").read_bytes()
     assert len(gzip.compress(bundle, 9)) <= 200_000
     assert not re.search(rb"fetch\(\s*[\"'`]https?:|import\(\s*[\"'`]https?:|\.src\s*=\s*[\"'`]https?:", bundle)
-
-
-# --- how it is made ---
-
-NPM = shutil.which("npm")
-
-
-@pytest.fixture(scope="module")
-def modules():
-    """What the bundle is made with: fetched once, by the versions in package-lock.json."""
-    if NPM is None:
-        pytest.skip("The bundle was not rebuilt: there is no Node. Install Node 20 or newer to change the viewer.")
-    lock, installed = ROOT / "package-lock.json", ROOT / "node_modules" / ".package-lock.json"
-    if not installed.exists() or installed.stat().st_mtime < lock.stat().st_mtime:
-        done = subprocess.run([NPM, "ci"], cwd=ROOT, capture_output=True, text=True, check=False)
-        if done.returncode:
-            pytest.skip(f"The bundle was not rebuilt: npm ci failed.\n{done.stderr[-500:]}")
-    return ROOT / "node_modules"
-
-
-def test_the_bundle_is_made_from_its_sources_byte_by_byte(modules, tmp_path):
-    command = json.loads((ROOT / "package.json").read_text("utf-8"))["scripts"]["build"].split()
-    entry = [word for word in command if not word.startswith("--outfile")]
-    made = tmp_path / "viewer.js"
-    # npm finds esbuild in node_modules, on every system
-    done = subprocess.run(
-        [NPM, "exec", "--offline", "--", *entry, f"--outfile={made}"],
-        cwd=ROOT, capture_output=True, text=True, check=False,
-    )  # fmt: skip
-    assert done.returncode == 0, done.stderr
-    assert made.read_bytes() == (STATIC / "viewer.js").read_bytes(), "run: npm run build"

@@ -4,7 +4,8 @@
   'use strict';
   const KEY = 'kinlib-course';
   const LETTERS = 'ABCDEFGH';
-  const NO_MEMORY = 'This browser keeps nothing for this page (private window, or storage full). Your answers last until you leave it.';
+  const NO_MEMORY =
+    'This browser keeps nothing for this page (private window, or storage full). Your answers last until you leave it.';
 
   // --- memory: { answers: { '03/order': 1 }, read: ['lectures/03_poe_space'], solved: ['03_poe_space/1'] } ---
   // What is solved, the lab notes there: site/lab/extension.
@@ -64,16 +65,28 @@
       text: copied(item.querySelector('summary') ?? item.querySelector('.kinlib-option')),
       why: item.querySelector('.kinlib-why'),
     }));
-    const buttons = options.map(({ text }, k) => h('button', {
-      type: 'button', class: 'kinlib-choice', 'aria-pressed': 'false', onclick: () => commit(k),
-    }, h('b', {}, LETTERS[k]), h('span', {}, ...text)));
-    options.forEach(({ item }, k) => item.replaceChildren(buttons[k]));
+    const buttons = options.map(({ text }, k) =>
+      h(
+        'button',
+        {
+          type: 'button',
+          class: 'kinlib-choice',
+          'aria-pressed': 'false',
+          onclick: () => commit(k),
+        },
+        h('b', {}, LETTERS[k]),
+        h('span', {}, ...text),
+      ),
+    );
+    for (const [k, { item }] of options.entries()) item.replaceChildren(buttons[k]);
     section.append(reply);
     section.dataset.awake = '';
 
     function commit(k) {
       if ('committed' in section.dataset) return; // the first one stands
-      keep(({ answers }) => { answers[name] = k; });
+      keep(({ answers }) => {
+        answers[name] = k;
+      });
       show(k);
       document.dispatchEvent(new CustomEvent('kinlib-committed', { detail: name }));
     }
@@ -83,8 +96,8 @@
       buttons.forEach((button, index) => {
         button.setAttribute('aria-disabled', 'true');
         button.setAttribute('aria-pressed', String(index === k));
-        const tone = index === k ? (k === right ? 'right' : 'wrong') : index === right ? 'right' : '';
-        if (predicts || !tone) return;
+        if (predicts || (index !== k && index !== right)) return;
+        const tone = index === right ? 'right' : 'wrong';
         button.dataset.verdict = tone;
         button.append(h('span', { class: 'kinlib-verdict' }, tone === 'right' ? '✓ right' : '✗ not it'));
       });
@@ -92,7 +105,14 @@
         buttons[k].append(h('span', { class: 'kinlib-verdict' }, '● your prediction'));
         reply.replaceChildren(h('p', {}, `You said ${LETTERS[k]}. Now look, and then compare.`));
       } else {
-        reply.replaceChildren(...verdict(k, right, (index) => options[index].why, (index) => options[index].text));
+        reply.replaceChildren(
+          ...verdict(
+            k,
+            right,
+            (index) => options[index].why,
+            (index) => options[index].text,
+          ),
+        );
       }
     }
 
@@ -103,10 +123,16 @@
   /** What there is to say of option k: why it is right, or why it is not and what is. */
   function verdict(k, right, why, text) {
     const said = (index) => [...copied(why(index))].slice(1); // without the "Right." or "Not it." before it
-    if (k === right) return [h('p', { class: 'kinlib-title', 'data-tone': 'right' }, `✓ ${LETTERS[k]} is right`), h('p', {}, ...said(k))];
+    if (k === right)
+      return [
+        h('p', { class: 'kinlib-title', 'data-tone': 'right' }, `✓ ${LETTERS[k]} is right`),
+        h('p', {}, ...said(k)),
+      ];
     return [
-      h('p', { class: 'kinlib-title', 'data-tone': 'wrong' }, `✗ ${LETTERS[k]} is not it`), h('p', {}, ...said(k)),
-      h('p', {}, h('strong', {}, `Right is ${LETTERS[right]}: `), ...text(right).map((node) => node.cloneNode(true))), h('p', {}, ...said(right)),
+      h('p', { class: 'kinlib-title', 'data-tone': 'wrong' }, `✗ ${LETTERS[k]} is not it`),
+      h('p', {}, ...said(k)),
+      h('p', {}, h('strong', {}, `Right is ${LETTERS[right]}: `), ...text(right).map((node) => node.cloneNode(true))),
+      h('p', {}, ...said(right)),
     ];
   }
 
@@ -126,8 +152,14 @@
     function show() {
       if (!('committed' in asked.dataset)) return;
       waits.hidden = true;
-      reply.replaceChildren(...verdict(Number(asked.dataset.committed), Number(asked.dataset.right),
-        (index) => items[index].querySelector('.kinlib-why'), (index) => copied(items[index].querySelector('p'))));
+      reply.replaceChildren(
+        ...verdict(
+          Number(asked.dataset.committed),
+          Number(asked.dataset.right),
+          (index) => items[index].querySelector('.kinlib-why'),
+          (index) => copied(items[index].querySelector('p')),
+        ),
+      );
     }
     document.addEventListener('kinlib-committed', ({ detail }) => detail === name && show());
     show();
@@ -139,7 +171,9 @@
 
   function viewer(element) {
     const name = element.dataset.kinlibAfter;
-    const uncover = () => { element.dataset.uncovered = ''; }; // the viewer looks for it, awake or when it wakes
+    const uncover = () => {
+      element.dataset.uncovered = '';
+    }; // the viewer looks for it, awake or when it wakes
     if (committed(name)) uncover();
     document.addEventListener('kinlib-committed', ({ detail }) => detail === name && uncover());
   }
@@ -150,18 +184,30 @@
     const begin = Number(element.dataset.start);
     const value = h('output', {});
     const range = h('input', {
-      type: 'range', min: 0, max: frames.length - 1, step: 1, value: begin, oninput: () => show(Number(range.value)),
+      type: 'range',
+      min: 0,
+      max: frames.length - 1,
+      step: 1,
+      value: begin,
+      oninput: () => show(Number(range.value)),
     });
     const stage = h('div', {}, ...frames);
     const bar = h('label', {}, h('span', {}, element.dataset.label), range, value);
     const anyway = h('button', { type: 'button', class: 'kinlib-button', onclick: () => uncover() }, 'Show anyway');
-    const cover = h('div', {}, h('p', { class: 'kinlib-title' }, 'Commit to your prediction above first'),
-      h('p', {}, 'The picture appears here as soon as you have.'), anyway);
+    const cover = h(
+      'div',
+      {},
+      h('p', { class: 'kinlib-title' }, 'Commit to your prediction above first'),
+      h('p', {}, 'The picture appears here as soon as you have.'),
+      anyway,
+    );
     element.classList.add('kinlib-slides');
     element.append(cover, stage, bar);
 
     function show(k) {
-      frames.forEach((frame, index) => { frame.hidden = index !== k; });
+      frames.forEach((frame, index) => {
+        frame.hidden = index !== k;
+      });
       value.textContent = frames[k].dataset.value;
       range.setAttribute('aria-valuetext', frames[k].dataset.value);
     }
@@ -186,12 +232,16 @@
   function done(element) {
     const name = element.dataset.kinlibDone;
     const status = h('span', { role: 'status' });
-    const button = h('button', { type: 'button', class: 'kinlib-button', onclick: () => {
-      keep((kept) => {
-        kept.read = kept.read.includes(name) ? kept.read.filter((other) => other !== name) : [...kept.read, name];
-      });
-      show();
-    } });
+    const button = h('button', {
+      type: 'button',
+      class: 'kinlib-button',
+      onclick: () => {
+        keep((kept) => {
+          kept.read = kept.read.includes(name) ? kept.read.filter((other) => other !== name) : [...kept.read, name];
+        });
+        show();
+      },
+    });
     const more = element.dataset.progress ? h('a', { href: element.dataset.progress }, 'Your progress') : '';
     element.append(button, status, more);
     element.hidden = false;
@@ -209,17 +259,34 @@
   function marks() {
     for (const link of all('.sidebar-tree a.reference')) {
       const target = new URL(link.href, location.href).pathname.replace(/\.html$/, '');
-      link.classList.toggle('kinlib-read', memory.read.some((name) => target.endsWith(`/${name}`)));
+      link.classList.toggle(
+        'kinlib-read',
+        memory.read.some((name) => target.endsWith(`/${name}`)),
+      );
     }
   }
 
   function progress(element) {
     const status = h('p', { role: 'status' });
-    const file = h('input', { type: 'file', accept: 'application/json,.json', class: 'visually-hidden', 'aria-label': 'A copy to read back', tabindex: -1, onchange: readBack });
-    element.append(h('div', { class: 'kinlib-buttons' },
-      h('button', { type: 'button', class: 'kinlib-button', onclick: copyOut }, 'Save a copy'),
-      h('button', { type: 'button', class: 'kinlib-button', onclick: () => file.click() }, 'Read a copy back'),
-      h('button', { type: 'button', class: 'kinlib-button', onclick: forget }, 'Forget everything'), file), status);
+    const file = h('input', {
+      type: 'file',
+      accept: 'application/json,.json',
+      class: 'visually-hidden',
+      'aria-label': 'A copy to read back',
+      tabindex: -1,
+      onchange: readBack,
+    });
+    element.append(
+      h(
+        'div',
+        { class: 'kinlib-buttons' },
+        h('button', { type: 'button', class: 'kinlib-button', onclick: copyOut }, 'Save a copy'),
+        h('button', { type: 'button', class: 'kinlib-button', onclick: () => file.click() }, 'Read a copy back'),
+        h('button', { type: 'button', class: 'kinlib-button', onclick: forget }, 'Forget everything'),
+        file,
+      ),
+      status,
+    );
     fill();
 
     function fill() {
@@ -230,15 +297,21 @@
         row.querySelector('[data-answered]').textContent = `${answered.length} of ${names.length}`;
         const mine = `${row.dataset.lecture.replace('lectures/', '')}/`;
         const solved = memory.solved.filter((name) => name.startsWith(mine)).length;
-        if (row.dataset.problems > 0) row.querySelector('[data-solved]').textContent = `${solved} of ${row.dataset.problems}`;
+        if (row.dataset.problems > 0)
+          row.querySelector('[data-solved]').textContent = `${solved} of ${row.dataset.problems}`;
         const keys = row.dataset.keys.split(' ');
-        row.querySelector('[data-right]').textContent = names.filter((name, k) => memory.answers[name] === Number(keys[k])).length;
+        row.querySelector('[data-right]').textContent = names.filter(
+          (name, k) => memory.answers[name] === Number(keys[k]),
+        ).length;
       }
       marks();
     }
 
     function copyOut() {
-      const link = h('a', { href: URL.createObjectURL(new Blob([JSON.stringify(memory, null, 1)], { type: 'application/json' })), download: 'kinlib-progress.json' });
+      const link = h('a', {
+        href: URL.createObjectURL(new Blob([JSON.stringify(memory, null, 1)], { type: 'application/json' })),
+        download: 'kinlib-progress.json',
+      });
       link.click();
       URL.revokeObjectURL(link.href);
       status.textContent = 'Saved as kinlib-progress.json.';
@@ -247,7 +320,8 @@
     async function readBack() {
       try {
         const copy = JSON.parse(await file.files[0].text());
-        if (!copy.answers || typeof copy.answers !== 'object' || !Array.isArray(copy.read)) throw new TypeError('another file');
+        if (!copy.answers || typeof copy.answers !== 'object' || !Array.isArray(copy.read))
+          throw new TypeError('another file');
         const { answers, read, solved } = sound(copy);
         keep((kept) => {
           kept.answers = { ...kept.answers, ...answers };
@@ -256,7 +330,8 @@
         });
         status.textContent = 'Read back, and added to what was here.';
       } catch {
-        status.textContent = 'This is no copy of your progress. It should be a file named kinlib-progress.json, saved on this page.';
+        status.textContent =
+          'This is no copy of your progress. It should be a file named kinlib-progress.json, saved on this page.';
       }
       file.value = '';
       fill();
@@ -267,7 +342,9 @@
       memory = sound(null);
       try {
         localStorage.removeItem(KEY);
-      } catch { /* nothing was kept */ }
+      } catch {
+        /* nothing was kept */
+      }
       status.textContent = 'Forgotten.';
       fill();
     }

@@ -9,7 +9,8 @@
   const textOf = Search.htmlToText;
   Search.htmlToText = (html, anchor) => {
     const page = new DOMParser().parseFromString(html, 'text/html');
-    for (const again of page.querySelectorAll('.katex-html, .katex annotation, [data-kinlib-viewer] script')) again.remove();
+    for (const again of page.querySelectorAll('.katex-html, .katex annotation, [data-kinlib-viewer] script'))
+      again.remove();
     return textOf(page.documentElement.outerHTML, anchor);
   };
 })();

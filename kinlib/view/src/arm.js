@@ -24,8 +24,10 @@ export const FRAMES = {
 
 /** The choice of frames that a set of layers amounts to. */
 export function framesOf(shown) {
-  return ['modified', 'standard', 'links'].find((name) => shown.includes(name))
-    ?? (shown.includes('base') || shown.includes('tool') ? 'poe' : 'none');
+  return (
+    ['modified', 'standard', 'links'].find((name) => shown.includes(name)) ??
+    (shown.includes('base') || shown.includes('tool') ? 'poe' : 'none')
+  );
 }
 
 export function without(shown, layers) {
@@ -59,29 +61,44 @@ const SEEN = { through: true };
 export function dress(stage, shown) {
   const { data, theme } = stage;
   const { size } = data;
-  const each = (make) => data.arms.flatMap((arm, k) => (arm.links ? make(arm).map((part) => ({ ...part, arm: k })) : []));
+  const each = (make) =>
+    data.arms.flatMap((arm, k) => (arm.links ? make(arm).map((part) => ({ ...part, arm: k })) : []));
   const colours = theme;
   const arm = [...each((one) => parts.links(one, size, colours)), ...each((one) => parts.joints(one, size, colours))];
-  stage.put('arm', [...parts.mount(data, size, colours), ...arm, ...parts.pieces(data, size, colours)], { outlined: true });
+  stage.put('arm', [...parts.mount(data, size, colours), ...arm, ...parts.pieces(data, size, colours)], {
+    outlined: true,
+  });
   stage.put('piece axes', () => parts.pieceAxes(data, size, colours), SEEN);
   stage.figure.stretched.length = 0;
-  stage.putRods('rods', each((arm) => parts.rods(arm, size, colours)));
+  stage.putRods(
+    'rods',
+    each((arm) => parts.rods(arm, size, colours)),
+  );
   stage.put('axes', () => each((arm) => parts.axes(arm, size, { letter: 'S', colour: colours.axis })), SEEN);
   stage.put('body axes', () => each((arm) => parts.axes(arm, size, { letter: 'B', colour: colours.axis })), SEEN);
-  stage.put('home axes', () => each((arm) => parts.axes(arm, size, { letter: 'S', colour: colours.home, onBody: () => 0 })), SEEN);
+  stage.put(
+    'home axes',
+    () => each((arm) => parts.axes(arm, size, { letter: 'S', colour: colours.home, onBody: () => 0 })),
+    SEEN,
+  );
   stage.put('normals', () => each((arm) => parts.normals(arm, size, colours)), SEEN);
   stage.put('dimensions', () => each((arm) => parts.dimensions(arm, size, colours)));
   for (const name of FRAME_LAYERS) {
     const numbered = !['base', 'tool'].includes(name);
     const length = numbered ? 0.17 : 0.24;
-    stage.put(`frames ${name}`, () => each((arm) => parts.triads(arm.frames?.[name] ?? [], size, colours, { numbered, length })), SEEN);
+    stage.put(
+      `frames ${name}`,
+      () => each((arm) => parts.triads(arm.frames?.[name] ?? [], size, colours, { numbered, length })),
+      SEEN,
+    );
   }
   reveal(stage, shown);
 }
 
 export function reveal(stage, shown) {
   stage.show('piece axes', shown.includes('axes'));
-  for (const name of ['axes', 'body axes', 'home axes', 'normals', 'dimensions']) stage.show(name, shown.includes(name));
+  for (const name of ['axes', 'body axes', 'home axes', 'normals', 'dimensions'])
+    stage.show(name, shown.includes(name));
   for (const name of FRAME_LAYERS) stage.show(`frames ${name}`, shown.includes(name));
 }
 
@@ -95,10 +112,24 @@ export function haunt(stage, q) {
   mask.userData.order = 1;
   veil.userData.order = 2;
   const { data, theme } = stage;
-  const plain = { ...theme, link: theme.ghost, joint: theme.ghost, cap: theme.ghost, rod: theme.ghost, ink: theme.ghost };
-  const each = (make) => data.arms.flatMap((arm, k) => (arm.links ? make(arm, data.size, plain).map((part) => ({ ...part, arm: k })) : []));
-  const body = [...each(parts.links), ...each(parts.joints), ...parts.pieces(data, data.size, plain)].filter((part) => part.shape);
-  stage.put('ghost mask', body.map((part) => ({ ...part })), { figure: ghost, material: mask });
+  const plain = {
+    ...theme,
+    link: theme.ghost,
+    joint: theme.ghost,
+    cap: theme.ghost,
+    rod: theme.ghost,
+    ink: theme.ghost,
+  };
+  const each = (make) =>
+    data.arms.flatMap((arm, k) => (arm.links ? make(arm, data.size, plain).map((part) => ({ ...part, arm: k })) : []));
+  const body = [...each(parts.links), ...each(parts.joints), ...parts.pieces(data, data.size, plain)].filter(
+    (part) => part.shape,
+  );
+  stage.put(
+    'ghost mask',
+    body.map((part) => ({ ...part })),
+    { figure: ghost, material: mask },
+  );
   stage.put('ghost', body, { figure: ghost, material: veil });
   stage.putRods('ghost rods', each(parts.rods), { figure: ghost, material: veil });
   ghost.setQ(q);

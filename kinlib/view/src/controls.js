@@ -9,12 +9,29 @@ const DEGREE = Math.PI / 180;
 export function controls(state) {
   const rows = state.sliders.map((slider) => row(slider, state));
   const motion = sweep(state);
-  const element = h('fieldset', { class: 'kv-joints' },
+  const element = h(
+    'fieldset',
+    { class: 'kv-joints' },
     h('legend', {}, 'Joint values'),
     ...rows.map(({ element: line }) => line),
-    h('div', { class: 'kv-buttons' },
+    h(
+      'div',
+      { class: 'kv-buttons' },
       motion.button,
-      h('button', { type: 'button', ...KEYS, onclick: () => { motion.stop(); state.set(state.start()); } }, '↺ Reset')));
+      h(
+        'button',
+        {
+          type: 'button',
+          ...KEYS,
+          onclick: () => {
+            motion.stop();
+            state.set(state.start());
+          },
+        },
+        '↺ Reset',
+      ),
+    ),
+  );
   return {
     element,
     update(q) {
@@ -38,7 +55,13 @@ function row(slider, state) {
     state.set(q);
   };
   const range = h('input', {
-    ...KEYS, id, type: 'range', min: low, max: high, step: 'any', 'aria-label': whole,
+    ...KEYS,
+    id,
+    type: 'range',
+    min: low,
+    max: high,
+    step: 'any',
+    'aria-label': whole,
     oninput: () => set(Number(range.value)),
     onkeydown: (event) => {
       const steps = STEPS[event.key];
@@ -49,7 +72,10 @@ function row(slider, state) {
     },
   });
   const field = h('input', {
-    ...KEYS, type: 'number', step: 'any', 'aria-label': `${whole}, as a number`,
+    ...KEYS,
+    type: 'number',
+    step: 'any',
+    'aria-label': `${whole}, as a number`,
     onchange: () => {
       if (field.value.trim() === '') field.value = fixed(state.q()[column], 3);
       else set(Number(field.value));
@@ -58,8 +84,15 @@ function row(slider, state) {
   const degrees = h('span', { class: 'kv-degrees', 'aria-hidden': 'true' });
   let last;
   return {
-    element: h('div', { class: 'kv-row' },
-      h('label', { for: id, title: whole }, named(name)), range, field, h('span', { class: 'kv-unit' }, unit), degrees),
+    element: h(
+      'div',
+      { class: 'kv-row' },
+      h('label', { for: id, title: whole }, named(name)),
+      range,
+      field,
+      h('span', { class: 'kv-unit' }, unit),
+      degrees,
+    ),
     update(q) {
       const value = q[column];
       if (value === last) return;
@@ -69,24 +102,39 @@ function row(slider, state) {
       if (document.activeElement !== field || Number(field.value) !== value) field.value = fixed(value, 3);
       const text = turns ? `${fixed(value / DEGREE, 0)}°` : '';
       degrees.textContent = text;
-      range.setAttribute('aria-valuetext', turns ? `${fixed(value, 2)} radians, ${fixed(value / DEGREE, 0)} degrees` : `${fixed(value, 3)} metres`);
+      range.setAttribute(
+        'aria-valuetext',
+        turns ? `${fixed(value, 2)} radians, ${fixed(value / DEGREE, 0)} degrees` : `${fixed(value, 3)} metres`,
+      );
     },
   };
 }
 
 const STEPS = {
-  ArrowLeft: -1, ArrowDown: -1, ArrowRight: 1, ArrowUp: 1, PageDown: -10, PageUp: 10, Home: -Infinity, End: Infinity,
+  ArrowLeft: -1,
+  ArrowDown: -1,
+  ArrowRight: 1,
+  ArrowUp: 1,
+  PageDown: -10,
+  PageUp: 10,
+  Home: -Infinity,
+  End: Infinity,
 };
 
 /** Each joint sweeps to its upper end, to its lower one and back, one joint after the other. */
 function sweep(state) {
   let from = [];
-  return player(() => { from = [...state.q()]; }, (time, share) => {
-    const turn = state.sliders[Math.floor(time / ROUND) % state.sliders.length];
-    const rest = from[turn.column];
-    const wave = Math.sin(2 * Math.PI * share);
-    const q = [...from];
-    q[turn.column] = rest + (wave > 0 ? wave * Math.max(0, turn.high - rest) : -wave * Math.min(0, turn.low - rest));
-    if (q.some((value, k) => value !== state.q()[k])) state.set(q);
-  });
+  return player(
+    () => {
+      from = [...state.q()];
+    },
+    (time, share) => {
+      const turn = state.sliders[Math.floor(time / ROUND) % state.sliders.length];
+      const rest = from[turn.column];
+      const wave = Math.sin(2 * Math.PI * share);
+      const q = [...from];
+      q[turn.column] = rest + (wave > 0 ? wave * Math.max(0, turn.high - rest) : -wave * Math.min(0, turn.low - rest));
+      if (q.some((value, k) => value !== state.q()[k])) state.set(q);
+    },
+  );
 }

@@ -15,18 +15,45 @@ export function cover(model) {
     const { text, options = [] } = model.get('prediction') ?? {};
     const anyway = h('button', { type: 'button', ...KEYS, class: 'kv-quiet', onclick: () => lift() }, 'Show anyway');
     if (!text) {
-      return [h('p', { class: 'kv-title' }, 'Commit to your prediction above first'),
-        h('p', {}, 'The arm appears here as soon as you have.'), anyway];
+      return [
+        h('p', { class: 'kv-title' }, 'Commit to your prediction above first'),
+        h('p', {}, 'The arm appears here as soon as you have.'),
+        anyway,
+      ];
     }
     const group = unique('prediction');
-    const commit = h('button', { type: 'button', ...KEYS, disabled: true, onclick: () => {
-      lift(Number(element.querySelector('input:checked').value));
-    } }, 'Commit');
+    const commit = h(
+      'button',
+      {
+        type: 'button',
+        ...KEYS,
+        disabled: true,
+        onclick: () => {
+          lift(Number(element.querySelector('input:checked').value));
+        },
+      },
+      'Commit',
+    );
     return [
-      h('p', { class: 'kv-title' }, 'Predict'), h('p', {}, text),
-      ...options.map((option, k) => h('label', {}, h('input', {
-        ...KEYS, type: 'radio', name: group, value: k, onchange: () => { commit.disabled = false; },
-      }), ' ', option)),
+      h('p', { class: 'kv-title' }, 'Predict'),
+      h('p', {}, text),
+      ...options.map((option, k) =>
+        h(
+          'label',
+          {},
+          h('input', {
+            ...KEYS,
+            type: 'radio',
+            name: group,
+            value: k,
+            onchange: () => {
+              commit.disabled = false;
+            },
+          }),
+          ' ',
+          option,
+        ),
+      ),
       h('div', { class: 'kv-buttons' }, commit, anyway),
     ];
   }

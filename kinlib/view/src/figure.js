@@ -45,10 +45,12 @@ export class Figure {
 
   /** Where the joints and the tools are, in space. */
   stations() {
-    return this.arms.filter(({ points }) => points).flatMap(({ bodies, tool, points }) => [
-      ...points.map((point, i) => new Vector3(...point).applyMatrix4(bodies[i + 1].matrixWorld)),
-      new Vector3().setFromMatrixPosition(tool.matrixWorld),
-    ]);
+    return this.arms
+      .filter(({ points }) => points)
+      .flatMap(({ bodies, tool, points }) => [
+        ...points.map((point, i) => new Vector3(...point).applyMatrix4(bodies[i + 1].matrixWorld)),
+        new Vector3().setFromMatrixPosition(tool.matrixWorld),
+      ]);
   }
 
   /** T_sb of an arm, in rows. */

@@ -17,7 +17,10 @@ export function drawFlat(context, solids, eye, theme) {
 
 function stroke(context, p, q, width, { shape, colour }, theme) {
   context.lineCap = ROUND.has(shape) ? 'round' : 'butt';
-  for (const [ink, grown] of [[theme.outline, width > 6 ? 2 : 0], [colour, 0]]) {
+  for (const [ink, grown] of [
+    [theme.outline, width > 6 ? 2 : 0],
+    [colour, 0],
+  ]) {
     context.strokeStyle = ink;
     context.lineWidth = width + grown;
     context.beginPath();

@@ -60,21 +60,24 @@ function place(item, taken, anchors, eye) {
   const [w, h] = [label.width / 2 + 1, 0.5 * SIZE];
   let best = null;
   let least = label.weight > 1 ? Infinity : 12; // a y that stands in the way may go: x and z say where it is
-  RINGS.forEach((radius, ring) => TURNS.forEach((degrees, turn) => {
-    const angle = away + (degrees * Math.PI) / 180;
-    // at the border a name steps back into the picture
-    const cx = Math.max(w + 2, Math.min(eye.width - w - 2, x + Math.cos(angle) * (radius + w - 4)));
-    const cy = Math.max(h + 2, Math.min(eye.height - h - 2, y - Math.sin(angle) * radius));
-    const box = { left: cx - w, right: cx + w, top: cy - h, bottom: cy + h };
-    if (taken.some((other) => crosses(box, other))) return;
-    let cost = 2.2 * ring + Math.abs(degrees) / 60;
-    if (cost - 0.8 > least) return;
-    for (const [px, py] of anchors) { // better not on the tip of something else
-      if (px > box.left - 4 && px < box.right + 4 && py > box.top - 4 && py < box.bottom + 4) cost += 2;
+  for (const [ring, radius] of RINGS.entries()) {
+    for (const [turn, degrees] of TURNS.entries()) {
+      const angle = away + (degrees * Math.PI) / 180;
+      // at the border a name steps back into the picture
+      const cx = Math.max(w + 2, Math.min(eye.width - w - 2, x + Math.cos(angle) * (radius + w - 4)));
+      const cy = Math.max(h + 2, Math.min(eye.height - h - 2, y - Math.sin(angle) * radius));
+      const box = { left: cx - w, right: cx + w, top: cy - h, bottom: cy + h };
+      if (taken.some((other) => crosses(box, other))) continue;
+      let cost = 2.2 * ring + Math.abs(degrees) / 60;
+      if (cost - 0.8 > least) continue;
+      // a place on the tip of something else is worse
+      for (const [px, py] of anchors) {
+        if (px > box.left - 4 && px < box.right + 4 && py > box.top - 4 && py < box.bottom + 4) cost += 2;
+      }
+      if (label.seat?.ring === ring && label.seat.turn === turn) cost -= 0.8;
+      if (cost < least) [best, least] = [{ ...box, ring, turn }, cost];
     }
-    if (label.seat?.ring === ring && label.seat.turn === turn) cost -= 0.8;
-    if (cost < least) [best, least] = [{ ...box, ring, turn }, cost];
-  }));
+  }
   label.seat = best && { ring: best.ring, turn: best.turn };
   return best;
 }
@@ -91,7 +94,10 @@ function line(context, [x, y], box, colour) {
 
 function write(context, { label }, box, halo) {
   const middle = (box.top + box.bottom) / 2;
-  const pieces = [[label.text, SIZE, box.left + 1, middle], [label.sub, 0.72 * SIZE, box.left + 1.5 + label.main, middle + 4]];
+  const pieces = [
+    [label.text, SIZE, box.left + 1, middle],
+    [label.sub, 0.72 * SIZE, box.left + 1.5 + label.main, middle + 4],
+  ];
   context.textAlign = 'left';
   context.textBaseline = 'middle';
   context.lineJoin = 'round';

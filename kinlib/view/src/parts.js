@@ -3,8 +3,11 @@
 import { dashes } from './shapes.js';
 
 export const COLOURS = {
-  x: '#c1121f', y: '#1a7f37', z: '#0b5cad',
-  violet: '#7d3ac1', orange: '#b35900',
+  x: '#c1121f',
+  y: '#1a7f37',
+  z: '#0b5cad',
+  violet: '#7d3ac1',
+  orange: '#b35900',
 };
 
 /** Sizes, as shares of the arm's size. */
@@ -23,8 +26,11 @@ export function seat(joint, size) {
 }
 
 export function links(arm, size, colours) {
-  return arm.links.flatMap((path, body) => path.slice(1).map((to, k) => (
-    { body, shape: 'capsule', from: path[k], to, radius: LINK * size, colour: colours.link })));
+  return arm.links.flatMap((path, body) =>
+    path
+      .slice(1)
+      .map((to, k) => ({ body, shape: 'capsule', from: path[k], to, radius: LINK * size, colour: colours.link })),
+  );
 }
 
 export function joints(arm, size, colours) {
@@ -32,28 +38,57 @@ export function joints(arm, size, colours) {
   return arm.joints.flatMap((joint, i) => {
     const centre = seat(joint, size);
     const at = (share) => add(centre, joint.axis, share * r);
-    if (joint.kind === 'P') { // the sleeve stays on the link before, what slides in it is a rod
+    if (joint.kind === 'P') {
+      // the sleeve stays on the link before, what slides in it is a rod
       return [{ body: i, shape: 'box', from: at(-1.6), to: at(1.6), radius: 0.92 * r, colour: colours.joint }];
     }
     const body = { body: i + 1, shape: 'cylinder', from: at(-1.5), to: at(1.5), radius: r, colour: colours.joint };
-    const caps = [-1, 1].map((end) => (
-      { ...body, from: at(1.5 * end), to: at(1.62 * end), radius: 0.55 * r, colour: colours.cap }));
+    const caps = [-1, 1].map((end) => ({
+      ...body,
+      from: at(1.5 * end),
+      to: at(1.62 * end),
+      radius: 0.55 * r,
+      colour: colours.cap,
+    }));
     if (joint.kind === 'H') {
       const thread = { shape: 'helix', radius: 1.02 * r, turns: Math.sign(joint.travel) * 3, wire: 0.09 * r };
-      return [{ ...body, radius: 0.96 * r }, ...caps, { ...body, ...thread, from: at(-1.3), to: at(1.3), colour: colours.ink }];
+      return [
+        { ...body, radius: 0.96 * r },
+        ...caps,
+        { ...body, ...thread, from: at(-1.3), to: at(1.3), colour: colours.ink },
+      ];
     }
     // a mark on the rim: a cylinder that turns about its own axis shows nothing else
     const side = square(joint.axis);
-    const mark = { ...body, shape: 'rod', from: add(at(-1.5), side, r), to: add(at(1.5), side, r), radius: 0.13 * r, colour: colours.ink };
+    const mark = {
+      ...body,
+      shape: 'rod',
+      from: add(at(-1.5), side, r),
+      to: add(at(1.5), side, r),
+      radius: 0.13 * r,
+      colour: colours.ink,
+    };
     return [body, ...caps, mark];
   });
 }
 
 /** What leaves the sleeve of a slide or climbs out of a helical joint: a rod as long as the way that it went. */
 export function rods(arm, size, colours) {
-  return arm.joints.flatMap((joint, i) => (joint.travel === 0 ? [] : [{
-    body: i, joint: i, start: joint.point, axis: joint.axis, travel: joint.travel, radius: 0.75 * LINK * size, colour: colours.rod,
-  }]));
+  return arm.joints.flatMap((joint, i) =>
+    joint.travel === 0
+      ? []
+      : [
+          {
+            body: i,
+            joint: i,
+            start: joint.point,
+            axis: joint.axis,
+            travel: joint.travel,
+            radius: 0.75 * LINK * size,
+            colour: colours.rod,
+          },
+        ],
+  );
 }
 
 /** Screw axes: dashed, with a tip, named; on the body before the joint, which holds the axis still. */
@@ -92,7 +127,17 @@ export function triads(frames, size, colours, { numbered = false, length = 0.17 
       return [
         { body, shape: 'rod', from: origin, to: neck, radius: thick * ROD * size, colour },
         { body, shape: 'cone', from: neck, to: tip, radius: thick * 2.3 * ROD * size, colour },
-        { body, label: true, at: tip, from: origin, text: letter, sub: own ? name : '', colour, italic: true, weight: letter === 'y' ? 1 : 2 },
+        {
+          body,
+          label: true,
+          at: tip,
+          from: origin,
+          text: letter,
+          sub: own ? name : '',
+          colour,
+          italic: true,
+          weight: letter === 'y' ? 1 : 2,
+        },
       ];
     });
     made.push({ body, shape: 'sphere', from: origin, to: origin, radius: 1.6 * ROD * size, colour: colours.ink });
@@ -110,22 +155,41 @@ export function normals(arm, size, colours) {
     const middle = add(ends.from, minus(ends.to, ends.from), 0.5);
     return [
       ...dashes({ body, ...ends, radius: 0.0075 * size, colour: colours.normal, dash: 0.02 * size, gap: 0.011 * size }),
-      { body, label: true, at: short ? ends.to : middle, text: 'a', sub: `${i + 1}`, colour: colours.normal, italic: true, weight: 2 },
+      {
+        body,
+        label: true,
+        at: short ? ends.to : middle,
+        text: 'a',
+        sub: `${i + 1}`,
+        colour: colours.normal,
+        italic: true,
+        weight: 2,
+      },
     ];
   });
 }
 
 /** Lengths of the links: a dimension line beside each piece, drawn flat on the sheet. */
 export function dimensions(arm, size, colours) {
-  return arm.links.flatMap((path, body) => path.slice(1).flatMap((to, k) => {
-    const length = norm(minus(to, path[k]));
-    if (length < 0.02 * size) return [];
-    return [{ body, dimension: true, from: path[k], to, text: `${Number(length.toPrecision(4))}`, colour: colours.ink }];
-  }));
+  return arm.links.flatMap((path, body) =>
+    path.slice(1).flatMap((to, k) => {
+      const length = norm(minus(to, path[k]));
+      if (length < 0.02 * size) return [];
+      return [
+        { body, dimension: true, from: path[k], to, text: `${Number(length.toPrecision(4))}`, colour: colours.ink },
+      ];
+    }),
+  );
 }
 
 const PIECES = {
-  bar: ({ at, along }, size, colours) => ({ shape: 'capsule', from: at, to: add(at, along), radius: 0.022 * size, colour: colours.link }),
+  bar: ({ at, along }, size, colours) => ({
+    shape: 'capsule',
+    from: at,
+    to: add(at, along),
+    radius: 0.022 * size,
+    colour: colours.link,
+  }),
   cylinder: ({ at, along }, size, colours) => centred('cylinder', at, along, 0.05 * size, 0.034 * size, colours.joint),
   box: ({ at, along }, size, colours) => centred('box', at, along, 0.07 * size, 0.04 * size, colours.joint),
   slider: ({ at, along }, size, colours) => centred('box', at, along, 0.05 * size, 0.028 * size, colours.rod),
@@ -148,7 +212,15 @@ export function pieces({ pieces: all = [], floor }, size, colours) {
     if (foot && at[2] > floor) {
       const ground = [at[0], at[1], floor];
       made.push({ arm, body, shape: 'capsule', from: ground, to: at, radius: 0.016 * size, colour: colours.rod });
-      made.push({ arm, body, shape: 'cylinder', from: ground, to: add(ground, [0, 0, 0.012 * size]), radius: 0.06 * size, colour: colours.rod });
+      made.push({
+        arm,
+        body,
+        shape: 'cylinder',
+        from: ground,
+        to: add(ground, [0, 0, 0.012 * size]),
+        radius: 0.06 * size,
+        colour: colours.rod,
+      });
     }
     return made;
   });
@@ -156,9 +228,20 @@ export function pieces({ pieces: all = [], floor }, size, colours) {
 
 /** The axes of a linkage's joints, through each joint. */
 export function pieceAxes({ pieces: all = [] }, size, colours) {
-  return all.filter(({ name, kind }) => name && kind !== 'ball').flatMap(({ arm, body, at, along }) => dashes({
-    arm, body, from: add(at, along, -0.3 * size), to: add(at, along, 0.3 * size), radius: 0.005 * size, colour: colours.axis, dash: 0.035 * size, gap: 0.018 * size,
-  }));
+  return all
+    .filter(({ name, kind }) => name && kind !== 'ball')
+    .flatMap(({ arm, body, at, along }) =>
+      dashes({
+        arm,
+        body,
+        from: add(at, along, -0.3 * size),
+        to: add(at, along, 0.3 * size),
+        radius: 0.005 * size,
+        colour: colours.axis,
+        dash: 0.035 * size,
+        gap: 0.018 * size,
+      }),
+    );
 }
 
 /** A unit vector square to an axis, the same one every time. */
@@ -166,7 +249,12 @@ export function square(axis) {
   const least = axis.map(Math.abs).indexOf(Math.min(...axis.map(Math.abs)));
   const other = [0, 1, 2].map((k) => (k === least ? 1 : 0));
   const along = axis[least];
-  return unit(minus(other, axis.map((value) => value * along)));
+  return unit(
+    minus(
+      other,
+      axis.map((value) => value * along),
+    ),
+  );
 }
 
 /** What holds the arm where its base is above the floor: a column down to a foot. */
@@ -174,7 +262,14 @@ export function mount({ floor, foot }, size, colours) {
   if (!foot) return [];
   const top = [foot[0], foot[1], foot[2]];
   const ground = [foot[0], foot[1], floor];
-  const plate = { body: 0, shape: 'cylinder', from: ground, to: add(ground, [0, 0, 0.018 * size]), radius: 0.1 * size, colour: colours.rod };
+  const plate = {
+    body: 0,
+    shape: 'cylinder',
+    from: ground,
+    to: add(ground, [0, 0, 0.018 * size]),
+    radius: 0.1 * size,
+    colour: colours.rod,
+  };
   if (foot[2] - floor < 0.05 * size) return [plate];
   return [plate, { body: 0, shape: 'capsule', from: ground, to: top, radius: 0.03 * size, colour: colours.rod }];
 }

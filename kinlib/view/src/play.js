@@ -10,7 +10,11 @@ export function player(begin, tick) {
   let frame = 0;
   let begun = 0;
   const calm = matchMedia('(prefers-reduced-motion: reduce)');
-  const button = h('button', { type: 'button', class: 'kv-play', ...KEYS, onclick: () => (frame ? stop() : start()) }, '▶ Play');
+  const button = h(
+    'button',
+    { type: 'button', class: 'kv-play', ...KEYS, onclick: () => (frame ? stop() : start()) },
+    '▶ Play',
+  );
   function stop() {
     cancelAnimationFrame(frame);
     frame = 0;

@@ -1,24 +1,53 @@
 // Where the tool is: the pose as a matrix, its columns in the colours of the axes, and a button that copies it as Python.
 import { fixed, h, KEYS, unique } from './dom.js';
 
-const HEADS = [['x̂', 'x'], ['ŷ', 'y'], ['ẑ', 'z'], ['p', 'p']];
+const HEADS = [
+  ['x̂', 'x'],
+  ['ŷ', 'y'],
+  ['ẑ', 'z'],
+  ['p', 'p'],
+];
 
 /** @returns { element, update(q, T) } */
 export function readout() {
   let now = { q: [], T: [] };
   const cells = Array.from({ length: 16 }, () => h('td'));
   const told = h('span', { class: 'kv-told', role: 'status' });
-  const copy = h('button', { type: 'button', ...KEYS, class: 'kv-copy', title: 'Copy q and T(q) as Python', onclick: async () => {
-    told.textContent = (await toClipboard(python(now))) ? 'copied' : 'this page may not copy';
-    setTimeout(() => { told.textContent = ''; }, 2000);
-  } }, 'Copy');
+  const copy = h(
+    'button',
+    {
+      type: 'button',
+      ...KEYS,
+      class: 'kv-copy',
+      title: 'Copy q and T(q) as Python',
+      onclick: async () => {
+        told.textContent = (await toClipboard(python(now))) ? 'copied' : 'this page may not copy';
+        setTimeout(() => {
+          told.textContent = '';
+        }, 2000);
+      },
+    },
+    'Copy',
+  );
   const id = unique('pose');
-  const element = h('div', { class: 'kv-pose' },
-    h('div', { class: 'kv-head' }, h('span', { id, class: 'kv-title' }, 'Tool pose ', h('i', {}, 'T'), '(', h('i', {}, 'q'), ')'), told, copy),
-    h('table', { 'aria-labelledby': id },
+  const element = h(
+    'div',
+    { class: 'kv-pose' },
+    h(
+      'div',
+      { class: 'kv-head' },
+      h('span', { id, class: 'kv-title' }, 'Tool pose ', h('i', {}, 'T'), '(', h('i', {}, 'q'), ')'),
+      told,
+      copy,
+    ),
+    h(
+      'table',
+      { 'aria-labelledby': id },
       h('thead', {}, h('tr', {}, ...HEADS.map(([text, name]) => h('th', { scope: 'col', class: `kv-${name}` }, text)))),
-      h('tbody', {}, ...[0, 1, 2, 3].map((row) => h('tr', {}, ...cells.slice(4 * row, 4 * row + 4))))),
-    h('p', { class: 'kv-note' }, '{b} seen from {s}; lengths in metres'));
+      h('tbody', {}, ...[0, 1, 2, 3].map((row) => h('tr', {}, ...cells.slice(4 * row, 4 * row + 4)))),
+    ),
+    h('p', { class: 'kv-note' }, '{b} seen from {s}; lengths in metres'),
+  );
   return {
     element,
     update(q, T) {
@@ -41,7 +70,8 @@ async function toClipboard(text) {
   try {
     await navigator.clipboard.writeText(text);
     return true;
-  } catch { // an older way, for pages that may not use the newer one
+  } catch {
+    // an older way, for pages that may not use the newer one
     const field = h('textarea', { style: 'position:fixed;opacity:0' });
     field.value = text;
     document.body.append(field);

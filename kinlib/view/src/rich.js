@@ -18,5 +18,10 @@ export function rich(sentence) {
 }
 
 function name(base, index) {
-  return h('span', { class: 'kv-name' }, h('i', {}, GREEK[base] ?? base), ...(index ? [h('sub', {}, index.replace('-', '−'))] : []));
+  return h(
+    'span',
+    { class: 'kv-name' },
+    h('i', {}, GREEK[base] ?? base),
+    ...(index ? [h('sub', {}, index.replace('-', '−'))] : []),
+  );
 }

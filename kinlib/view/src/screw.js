@@ -13,6 +13,7 @@ export function screwExp([x, y, z, a, b, c], q, out = new Matrix4()) {
   const climb = x * a + y * b + z * c;
   // p = (I q + (1 - cos q) W + (q - sin q) W^2) v = sin q v + (1 - cos q) omega x v + (q - sin q) (omega . v) omega
   const along = (q - sin) * climb;
+  // biome-ignore format: one row of the matrix per line
   return out.set(
     cos + x * x * k, x * y * k - z * sin, x * z * k + y * sin, sin * a + k * (y * c - z * b) + along * x,
     y * x * k + z * sin, cos + y * y * k, y * z * k - x * sin, sin * b + k * (z * a - x * c) + along * y,

@@ -1,7 +1,18 @@
 // Shapes: solids between two points, merged into one mesh a body, so that an arm costs few draw calls.
 import {
-  BoxGeometry, BufferGeometry, CapsuleGeometry, Color, ConeGeometry, Curve, CylinderGeometry, Float32BufferAttribute,
-  Matrix4, Quaternion, SphereGeometry, TubeGeometry, Vector3,
+  BoxGeometry,
+  BufferGeometry,
+  CapsuleGeometry,
+  Color,
+  ConeGeometry,
+  Curve,
+  CylinderGeometry,
+  Float32BufferAttribute,
+  Matrix4,
+  Quaternion,
+  SphereGeometry,
+  TubeGeometry,
+  Vector3,
 } from 'three';
 
 const UP = new Vector3(0, 1, 0);
@@ -51,7 +62,11 @@ export function dashes({ from, to, dash, gap, ...rest }) {
   const count = Math.max(1, Math.round((length + gap) / (dash + gap)));
   const scale = length / (count * (dash + gap) - gap);
   return Array.from({ length: count }, (_, k) => {
-    const at = (s) => start.clone().addScaledVector(along, (s * scale) / length).toArray();
+    const at = (s) =>
+      start
+        .clone()
+        .addScaledVector(along, (s * scale) / length)
+        .toArray();
     return { ...rest, shape: 'rod', from: at(k * (dash + gap)), to: at(k * (dash + gap) + dash) };
   });
 }
@@ -91,8 +106,8 @@ function outwards(points, normals) {
   const all = [];
   for (let k = 0; k < points.length; k += 3) {
     const key = `${Math.round(1e6 * points[k])},${Math.round(1e6 * points[k + 1])},${Math.round(1e6 * points[k + 2])}`;
-    let sum = sums.get(key);
-    if (!sum) sums.set(key, sum = [0, 0, 0]);
+    if (!sums.has(key)) sums.set(key, [0, 0, 0]);
+    const sum = sums.get(key);
     for (let c = 0; c < 3; c += 1) sum[c] += normals[k + c];
     all.push(sum);
   }

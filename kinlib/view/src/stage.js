@@ -1,15 +1,30 @@
 // The stage: an arm's layers of parts, the floor, the light and the eye, painted when something has changed.
 // A layer is a named set of parts that is shown or not; see parts.js for what a part is.
 import {
-  BackSide, BufferGeometry, Color, CylinderGeometry, DirectionalLight, Float32BufferAttribute, GreaterDepth,
-  HemisphereLight, LineBasicMaterial, LineSegments, Mesh, MeshBasicMaterial, MeshLambertMaterial, NotEqualStencilFunc,
-  Quaternion, ReplaceStencilOp, Scene, Vector3,
+  BackSide,
+  BufferGeometry,
+  Color,
+  CylinderGeometry,
+  DirectionalLight,
+  Float32BufferAttribute,
+  GreaterDepth,
+  HemisphereLight,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshBasicMaterial,
+  MeshLambertMaterial,
+  NotEqualStencilFunc,
+  Quaternion,
+  ReplaceStencilOp,
+  Scene,
+  Vector3,
 } from 'three';
 import { Eye } from './camera.js';
 import { Figure } from './figure.js';
+import { drawFlat } from './flat.js';
 import { drawDimensions, drawLabels, fontOf } from './labels.js';
 import { canPaint, paint } from './painter.js';
-import { drawFlat } from './flat.js';
 import { merged } from './shapes.js';
 
 export class Stage {
@@ -27,7 +42,13 @@ export class Stage {
     this.scene.add(this.figure.root);
     this.eye = new Eye(data.room, () => this.draw());
     this.solid = new MeshLambertMaterial({ vertexColors: true });
-    this.hidden = new MeshBasicMaterial({ vertexColors: true, transparent: true, opacity: 0.3, depthFunc: GreaterDepth, depthWrite: false });
+    this.hidden = new MeshBasicMaterial({
+      vertexColors: true,
+      transparent: true,
+      opacity: 0.3,
+      depthFunc: GreaterDepth,
+      depthWrite: false,
+    });
     this.hidden.userData.order = 3;
     this.edge = new MeshBasicMaterial({ side: BackSide });
     this.edge.onBeforeCompile = (shader) => {
@@ -39,18 +60,26 @@ export class Stage {
     this.edge.userData.width = { value: 0 };
     // The shadow falls straight down: it says where things are in x and y. The stencil keeps it from falling twice.
     this.shade = new MeshBasicMaterial({
-      color: 0x000000, transparent: true, depthWrite: false, stencilWrite: true, stencilRef: 1,
-      stencilFunc: NotEqualStencilFunc, stencilZPass: ReplaceStencilOp,
+      color: 0x000000,
+      transparent: true,
+      depthWrite: false,
+      stencilWrite: true,
+      stencilRef: 1,
+      stencilFunc: NotEqualStencilFunc,
+      stencilZPass: ReplaceStencilOp,
     });
     this.shade.userData.order = -2;
     this.shade.onBeforeCompile = (shader) => {
       shader.uniforms.ground = { value: data.floor };
       shader.vertexShader = shader.vertexShader
         .replace('#include <common>', '#include <common>\nuniform float ground;')
-        .replace('#include <project_vertex>', `vec4 fallen = modelMatrix * vec4(transformed, 1.0);
+        .replace(
+          '#include <project_vertex>',
+          `vec4 fallen = modelMatrix * vec4(transformed, 1.0);
           fallen.z = ground;
           vec4 mvPosition = viewMatrix * fallen;
-          gl_Position = projectionMatrix * mvPosition;`);
+          gl_Position = projectionMatrix * mvPosition;`,
+        );
     };
     this.#light();
     this.#floor();
@@ -94,8 +123,17 @@ export class Stage {
     }
     const geometry = new BufferGeometry();
     geometry.setAttribute('position', new Float32BufferAttribute(position, 3));
-    geometry.setAttribute('color', new Float32BufferAttribute(alpha.flatMap((a) => [1, 1, 1, a]), 4));
-    this.grid = new LineSegments(geometry, new LineBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false }));
+    geometry.setAttribute(
+      'color',
+      new Float32BufferAttribute(
+        alpha.flatMap((a) => [1, 1, 1, a]),
+        4,
+      ),
+    );
+    this.grid = new LineSegments(
+      geometry,
+      new LineBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false }),
+    );
     this.grid.renderOrder = -1;
     this.gridStep = step;
     this.scene.add(this.grid);
@@ -247,7 +285,13 @@ export class Stage {
     const shown = [...this.layers.values()].filter((layer) => layer.shown);
     const all = (kind) => shown.flatMap((layer) => layer[kind]);
     this.edge.userData.width.value = 1.1 * eye.scale;
-    if (flat) drawFlat(context, shown.flatMap((layer) => (layer.masked ? [] : layer.solids)), eye, theme);
+    if (flat)
+      drawFlat(
+        context,
+        shown.flatMap((layer) => (layer.masked ? [] : layer.solids)),
+        eye,
+        theme,
+      );
     else this.calls = paint(this.scene, eye.camera, context, { width, height, ratio });
     const taken = [...this.reserved(), ...drawDimensions(context, all('dimensions'), eye, theme.halo)];
     this.names = drawLabels(context, all('labels'), taken, eye, { halo: theme.halo, leader: theme.quiet });
@@ -262,7 +306,8 @@ export class Stage {
   dispose() {
     cancelAnimationFrame(this.waiting);
     for (const name of [...this.layers.keys()]) this.remove(name);
-        for (const thing of [this.grid.geometry, this.grid.material, this.solid, this.hidden, this.edge, this.shade]) thing.dispose();
+    for (const thing of [this.grid.geometry, this.grid.material, this.solid, this.hidden, this.edge, this.shade])
+      thing.dispose();
     this.visible = false;
   }
 }

@@ -24,7 +24,10 @@ class StaticModel {
   }
 
   off(event, listener) {
-    this.#listeners.set(event, (this.#listeners.get(event) ?? []).filter((other) => other !== listener));
+    this.#listeners.set(
+      event,
+      (this.#listeners.get(event) ?? []).filter((other) => other !== listener),
+    );
   }
 
   save_changes() {} // nobody to save for
@@ -32,13 +35,16 @@ class StaticModel {
 
 /** Bring to life what is on the page and sleeps: each viewer takes the place of its drawn figure when it comes near. */
 export function wake(root = document) {
-  const near = new IntersectionObserver((entries) => {
-    for (const { isIntersecting, target } of entries) {
-      if (!isIntersecting) continue;
-      near.unobserve(target);
-      rouse(target);
-    }
-  }, { rootMargin: '300px' });
+  const near = new IntersectionObserver(
+    (entries) => {
+      for (const { isIntersecting, target } of entries) {
+        if (!isIntersecting) continue;
+        near.unobserve(target);
+        rouse(target);
+      }
+    },
+    { rootMargin: '300px' },
+  );
   for (const element of root.querySelectorAll('[data-kinlib-viewer]:not([data-awake])')) {
     element.dataset.awake = '';
     near.observe(element);

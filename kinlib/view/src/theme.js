@@ -4,17 +4,45 @@ import { COLOURS } from './parts.js';
 
 const LIGHT = {
   ...COLOURS,
-  paper: '#f6f8fa', ink: '#1f2328', halo: '#f6f8fa', grid: '#aab4be', quiet: '#59636e',
-  link: '#7f9bb5', joint: '#f0cf94', cap: '#c9a15c', rod: '#b9c4cd', ghost: '#a9b2bb', outline: '#2f3b47',
-  shade: 0.1, axis: COLOURS.violet, home: '#8c959f', normal: COLOURS.orange, trail: '#0b7285',
+  paper: '#f6f8fa',
+  ink: '#1f2328',
+  halo: '#f6f8fa',
+  grid: '#aab4be',
+  quiet: '#59636e',
+  link: '#7f9bb5',
+  joint: '#f0cf94',
+  cap: '#c9a15c',
+  rod: '#b9c4cd',
+  ghost: '#a9b2bb',
+  outline: '#2f3b47',
+  shade: 0.1,
+  axis: COLOURS.violet,
+  home: '#8c959f',
+  normal: COLOURS.orange,
+  trail: '#0b7285',
 };
 
 const DARK = {
   dark: true,
-  x: '#ff6b6b', y: '#51cf66', z: '#74b3ff',
-  paper: '#171b21', ink: '#e6edf3', halo: '#171b21', grid: '#4a5562', quiet: '#9aa5b1',
-  link: '#7d9cbb', joint: '#e3b968', cap: '#a97f38', rod: '#a5b1bc', ghost: '#6b7681', outline: '#05070a',
-  shade: 0.4, axis: '#c39bff', home: '#8c959f', normal: '#ff9d4d', trail: '#3bc9db',
+  x: '#ff6b6b',
+  y: '#51cf66',
+  z: '#74b3ff',
+  paper: '#171b21',
+  ink: '#e6edf3',
+  halo: '#171b21',
+  grid: '#4a5562',
+  quiet: '#9aa5b1',
+  link: '#7d9cbb',
+  joint: '#e3b968',
+  cap: '#a97f38',
+  rod: '#a5b1bc',
+  ghost: '#6b7681',
+  outline: '#05070a',
+  shade: 0.4,
+  axis: '#c39bff',
+  home: '#8c959f',
+  normal: '#ff9d4d',
+  trail: '#3bc9db',
 };
 
 export function themeOf(element) {
@@ -23,7 +51,10 @@ export function themeOf(element) {
 
 export function isDark(element) {
   for (let node = element.parentElement; node; node = node.parentElement) {
-    const [r, g, b, alpha = 1] = getComputedStyle(node).backgroundColor.match(/[\d.]+/g)?.map(Number) ?? [];
+    const [r, g, b, alpha = 1] =
+      getComputedStyle(node)
+        .backgroundColor.match(/[\d.]+/g)
+        ?.map(Number) ?? [];
     if (alpha > 0.5 && b !== undefined) return 0.2126 * r + 0.7152 * g + 0.0722 * b < 110;
   }
   return false; // a page that paints nothing is white
@@ -32,7 +63,10 @@ export function isDark(element) {
 /** Call back when the page changes its colours. Returns how to stop. */
 export function onThemeChange(callback) {
   const watch = new MutationObserver(() => requestAnimationFrame(callback));
-  const attributes = { attributes: true, attributeFilter: ['class', 'style', 'data-theme', 'data-mode', 'data-jp-theme-name'] };
+  const attributes = {
+    attributes: true,
+    attributeFilter: ['class', 'style', 'data-theme', 'data-mode', 'data-jp-theme-name'],
+  };
   watch.observe(document.documentElement, attributes);
   watch.observe(document.body, attributes);
   const preference = matchMedia('(prefers-color-scheme: dark)');

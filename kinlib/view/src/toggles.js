@@ -5,21 +5,43 @@ import { h, KEYS } from './dom.js';
 
 /** @param state { available, shown(), setShown(names) } @returns { element, update() } */
 export function toggles({ available, shown, setShown }) {
-  const buttons = Object.entries(TOGGLES).filter(([name]) => available.includes(name)).map(([name, text]) => {
-    const button = h('button', { type: 'button', class: 'kv-chip', ...KEYS, onclick: () => {
-      const now = shown();
-      setShown(now.includes(name) ? without(now, [name]) : [...now, name]);
-    } }, text);
-    return { name, button };
-  });
-  const select = h('select', { ...KEYS, 'aria-label': 'Frames', onchange: () => (
-    setShown([...without(shown(), FRAME_LAYERS), ...FRAMES[select.value].layers])) },
-  ...Object.entries(FRAMES)
-    .filter(([, { layers }]) => layers.every((layer) => available.includes(layer)))
-    .map(([value, { name }]) => h('option', { value }, name)));
+  const buttons = Object.entries(TOGGLES)
+    .filter(([name]) => available.includes(name))
+    .map(([name, text]) => {
+      const button = h(
+        'button',
+        {
+          type: 'button',
+          class: 'kv-chip',
+          ...KEYS,
+          onclick: () => {
+            const now = shown();
+            setShown(now.includes(name) ? without(now, [name]) : [...now, name]);
+          },
+        },
+        text,
+      );
+      return { name, button };
+    });
+  const select = h(
+    'select',
+    {
+      ...KEYS,
+      'aria-label': 'Frames',
+      onchange: () => setShown([...without(shown(), FRAME_LAYERS), ...FRAMES[select.value].layers]),
+    },
+    ...Object.entries(FRAMES)
+      .filter(([, { layers }]) => layers.every((layer) => available.includes(layer)))
+      .map(([value, { name }]) => h('option', { value }, name)),
+  );
   const choices = select.options.length > 1 ? [select] : [];
   return {
-    element: h('div', { class: 'kv-toggles', role: 'group', 'aria-label': 'Show' }, ...choices, ...buttons.map(({ button }) => button)),
+    element: h(
+      'div',
+      { class: 'kv-toggles', role: 'group', 'aria-label': 'Show' },
+      ...choices,
+      ...buttons.map(({ button }) => button),
+    ),
     update() {
       for (const { name, button } of buttons) button.setAttribute('aria-pressed', String(shown().includes(name)));
       select.value = framesOf(shown());
@@ -28,6 +50,9 @@ export function toggles({ available, shown, setShown }) {
 }
 
 export function views(eye) {
-  return h('div', { class: 'kv-views', role: 'group', 'aria-label': 'View' },
-    ...Object.keys(VIEWS).map((name) => h('button', { type: 'button', ...KEYS, onclick: () => eye.look(name) }, name)));
+  return h(
+    'div',
+    { class: 'kv-views', role: 'group', 'aria-label': 'View' },
+    ...Object.keys(VIEWS).map((name) => h('button', { type: 'button', ...KEYS, onclick: () => eye.look(name) }, name)),
+  );
 }

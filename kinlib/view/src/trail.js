@@ -1,6 +1,12 @@
 // The way of the tool: where it has been since the trail was switched on.
 import {
-  CylinderGeometry, DynamicDrawUsage, InstancedMesh, Matrix4, MeshBasicMaterial, Quaternion, Vector3,
+  CylinderGeometry,
+  DynamicDrawUsage,
+  InstancedMesh,
+  Matrix4,
+  MeshBasicMaterial,
+  Quaternion,
+  Vector3,
 } from 'three';
 
 const MOST = 900; // the oldest piece goes first
@@ -9,7 +15,11 @@ const UP = new Vector3(0, 1, 0);
 export class Trail {
   constructor(stage) {
     this.stage = stage;
-    this.mesh = new InstancedMesh(new CylinderGeometry(1, 1, 1, 6), new MeshBasicMaterial({ color: stage.theme.trail }), MOST);
+    this.mesh = new InstancedMesh(
+      new CylinderGeometry(1, 1, 1, 6),
+      new MeshBasicMaterial({ color: stage.theme.trail }),
+      MOST,
+    );
     this.mesh.instanceMatrix.setUsage(DynamicDrawUsage);
     this.mesh.frustumCulled = false;
     this.points = [];

@@ -41,22 +41,38 @@ function render({ model, el }) {
   const pose = readout();
   const panel = controls(state);
   const veil = cover(model);
-  const switches = toggles({ available: available(data, model.get('shown')), shown: () => model.get('shown'), setShown: (names) => {
-    model.set('shown', names);
-    model.save_changes();
-  } });
+  const switches = toggles({
+    available: available(data, model.get('shown')),
+    shown: () => model.get('shown'),
+    setShown: (names) => {
+      model.set('shown', names);
+      model.save_changes();
+    },
+  });
   const chosen = model.get('mode') ?? {};
   const mode = MODES[chosen.kind]?.({ model, stage, data: chosen, state, say }) ?? {};
   const corner = views(stage.eye);
   frame.append(corner);
   stage.reserved = () => {
     const left = corner.offsetLeft;
-    return corner.offsetTop < canvas.offsetTop ? [] : [{ left, right: left + corner.offsetWidth, top: corner.offsetTop, bottom: corner.offsetTop + corner.offsetHeight }];
+    return corner.offsetTop < canvas.offsetTop
+      ? []
+      : [
+          {
+            left,
+            right: left + corner.offsetWidth,
+            top: corner.offsetTop,
+            bottom: corner.offsetTop + corner.offsetHeight,
+          },
+        ];
   };
-  const side = h('div', { class: 'kv-side' },
+  const side = h(
+    'div',
+    { class: 'kv-side' },
     ...(mode.element ? [mode.element] : []),
     ...(mode.replacesSliders ? [] : [panel.element]),
-    ...(model.get('readout') ? [pose.element] : []));
+    ...(model.get('readout') ? [pose.element] : []),
+  );
   const inside = h('div', { class: 'kv-inside' }, h('div', { class: 'kv-left' }, frame, switches.element), side);
   root.append(veil.element, inside, message, spoken);
 
@@ -87,7 +103,12 @@ function render({ model, el }) {
   function tell(T) {
     const place = [0, 1, 2].map((row) => fixed(T[row][3], 3)).join(', ');
     const tool = data.arms[0].links ? ` The tool is at (${place}) metres.` : ''; // a linkage has none
-    canvas.setAttribute('aria-label', `${data.words} Now q = (${q().map((x) => fixed(x, 2)).join(', ')}).${tool} ${HOW}`);
+    canvas.setAttribute(
+      'aria-label',
+      `${data.words} Now q = (${q()
+        .map((x) => fixed(x, 2))
+        .join(', ')}).${tool} ${HOW}`,
+    );
     if (root.contains(document.activeElement)) spoken.textContent = tool;
   }
 
@@ -148,7 +169,8 @@ function render({ model, el }) {
   seen.observe(frame);
   return () => {
     for (const [name, listener] of Object.entries(changes)) model.off(`change:${name}`, listener);
-    for (const stop of [stopTheme, stopSteering, () => sized.disconnect(), () => seen.disconnect(), panel.dispose]) stop();
+    for (const stop of [stopTheme, stopSteering, () => sized.disconnect(), () => seen.disconnect(), panel.dispose])
+      stop();
     clearTimeout(speaking);
     mode.dispose?.();
     trail?.dispose();
@@ -162,8 +184,13 @@ const HOW = 'Arrow keys turn the view, shift and arrow keys move it, plus and mi
 
 /** What to say of a configuration that the arm cannot take. */
 function outside(limits, q) {
-  const beyond = (limits ?? []).flatMap(([low, high], k) => ((low !== null && q[k] < low - 1e-9) || (high !== null && q[k] > high + 1e-9)
-    ? [`Joint ${k + 1} stands at ${fixed(q[k], 3)}, beyond its limits ${low ?? '−∞'} to ${high ?? '∞'}: the arm cannot go there.`] : []));
+  const beyond = (limits ?? []).flatMap(([low, high], k) =>
+    (low !== null && q[k] < low - 1e-9) || (high !== null && q[k] > high + 1e-9)
+      ? [
+          `Joint ${k + 1} stands at ${fixed(q[k], 3)}, beyond its limits ${low ?? '−∞'} to ${high ?? '∞'}: the arm cannot go there.`,
+        ]
+      : [],
+  );
   return beyond.join(' ');
 }
 
@@ -180,7 +207,9 @@ function show(context) {
     return render(context);
   } catch (error) {
     style();
-    context.el.append(h('p', { class: 'kv-failed', role: 'alert' }, `The viewer cannot show this arm: ${error.message}`));
+    context.el.append(
+      h('p', { class: 'kv-failed', role: 'alert' }, `The viewer cannot show this arm: ${error.message}`),
+    );
     return undefined;
   }
 }

@@ -38,13 +38,18 @@ export function assign({ model, stage, data }) {
       held = null;
     }
     if (on) next(placed(frames()[i], part, value));
-    keep(frames().map((T, k) => (k === i ? placed(T, part, value) : T)), kept);
+    keep(
+      frames().map((T, k) => (k === i ? placed(T, part, value) : T)),
+      kept,
+    );
     if (on) changed(); // a pick of what was there already changes no trait
   }
   /** After a pick: the next part of this frame, and then the next frame that is open. */
   function next(T) {
     const here = open(T);
-    const others = frames().map((other, k) => k).filter((k) => k !== now.i && open(frames()[k]));
+    const others = frames()
+      .map((_, k) => k)
+      .filter((k) => k !== now.i && open(frames()[k]));
     const there = others.find((k) => k > now.i) ?? others[0];
     if (here) now.part = here;
     else if (there !== undefined) Object.assign(now, { i: there, part: open(frames()[there]) });
@@ -76,19 +81,29 @@ export function assign({ model, stage, data }) {
 
   const pen = marker(stage);
   const picks = picker({ stage, data, target, place });
-  const marks = handles({ stage, data, picks, target, broken: () => breaches().map(({ joint }) => data.axes[joint - 1].point) });
+  const marks = handles({
+    stage,
+    data,
+    picks,
+    target,
+    broken: () => breaches().map(({ joint }) => data.axes[joint - 1].point),
+  });
   /** The breaches of the last verdict, but those about frames that have changed since. */
   const breaches = () => {
     const other = ({ frame: i, rule }) => (rule.startsWith('x ') ? i + (data.convention === 'standard' ? -1 : 1) : i);
     const anew = touched();
-    return (model.get('verdict').breaches ?? []).filter((one) => !anew.includes(one.frame) && !anew.includes(other(one)));
+    return (model.get('verdict').breaches ?? []).filter(
+      (one) => !anew.includes(one.frame) && !anew.includes(other(one)),
+    );
   };
   const side = panel({ model, data, target, picks, size, place, go, undo, clear, ask, breaches, touched, past });
 
   /** A frame as far as it is placed; a z without an origin stands on the axis that it was taken from. */
   function partly(T) {
     const [x, y, z, origin] = [0, 1, 2, 3].map((k) => columnOf(T, k));
-    const joint = z && data.axes.find(({ along }) => Math.abs(Math.abs(along[0] * z[0] + along[1] * z[1] + along[2] * z[2]) - 1) < 1e-9);
+    const joint =
+      z &&
+      data.axes.find(({ along }) => Math.abs(Math.abs(along[0] * z[0] + along[1] * z[1] + along[2] * z[2]) - 1) < 1e-9);
     const at = origin ?? joint?.point ?? [0, 0, 0];
     const columns = [x ?? [0, 0, 0], y ?? [0, 0, 0], z ?? [0, 0, 0], at];
     const letters = `${origin ? 'O' : ''}${z ? 'z' : ''}${x && origin ? 'xy' : ''}`;
@@ -98,19 +113,31 @@ export function assign({ model, stage, data }) {
   function draw() {
     const { theme } = stage;
     const parts = frames().map(partly);
-    const long = lengths(parts.map(({ pose }) => pose), parts.map(({ letters }) => letters), size);
-    stage.put('hand', parts.flatMap(({ pose, letters }, i) => (
-      frame(i, pose, letters, { size, theme, strong: i === now.i, length: long[i], body: 0 })
-        .filter((part) => !part.label || part.text !== 'y' || i === now.i))), { through: true });
-    pen.mark(breaches().flatMap(({ frame: i, rule, joint }) => {
-      const T = frames()[i];
-      const from = columnOf(T, 3);
-      const ray = (k) => ({ from, to: add(from, columnOf(T, k), long[i] * size), wrong: true });
-      const line = { ...data.axes[joint - 1], wrong: true };
-      if (rule === 'origin on axis') return [{ from, wrong: true }, line];
-      if (rule === 'right-handed') return [ray(0), ray(1), ray(2)];
-      return rule.startsWith('z') ? [ray(2), line] : [ray(0), line];
-    }));
+    const long = lengths(
+      parts.map(({ pose }) => pose),
+      parts.map(({ letters }) => letters),
+      size,
+    );
+    stage.put(
+      'hand',
+      parts.flatMap(({ pose, letters }, i) =>
+        frame(i, pose, letters, { size, theme, strong: i === now.i, length: long[i], body: 0 }).filter(
+          (part) => !part.label || part.text !== 'y' || i === now.i,
+        ),
+      ),
+      { through: true },
+    );
+    pen.mark(
+      breaches().flatMap(({ frame: i, rule, joint }) => {
+        const T = frames()[i];
+        const from = columnOf(T, 3);
+        const ray = (k) => ({ from, to: add(from, columnOf(T, k), long[i] * size), wrong: true });
+        const line = { ...data.axes[joint - 1], wrong: true };
+        if (rule === 'origin on axis') return [{ from, wrong: true }, line];
+        if (rule === 'right-handed') return [ray(0), ray(1), ray(2)];
+        return rule.startsWith('z') ? [ray(2), line] : [ray(0), line];
+      }),
+    );
   }
 
   function changed() {
@@ -135,7 +162,11 @@ export function assign({ model, stage, data }) {
     dress() {
       marks.keepOff();
       paleArm(stage);
-      stage.put('bare axes', data.axes.flatMap(({ from, to }, i) => axis(i, from, to, { size, theme: stage.theme, beyond: 0.06 })), { through: true });
+      stage.put(
+        'bare axes',
+        data.axes.flatMap(({ from, to }, i) => axis(i, from, to, { size, theme: stage.theme, beyond: 0.06 })),
+        { through: true },
+      );
       draw();
     },
     dispose() {

@@ -6,7 +6,16 @@ import { axis, column, frame, lengths, marker, originOf, paleArm } from './drawi
 import { dhTable } from './table.js';
 import { add } from './vectors.js';
 
-const MOVES = { ArrowRight: 1, ArrowDown: 1, ArrowLeft: -1, ArrowUp: -1, PageDown: 5, PageUp: -5, Home: -Infinity, End: Infinity };
+const MOVES = {
+  ArrowRight: 1,
+  ArrowDown: 1,
+  ArrowLeft: -1,
+  ArrowUp: -1,
+  PageDown: 5,
+  PageUp: -5,
+  Home: -Infinity,
+  End: Infinity,
+};
 
 /** @param kit.data { conventions: { standard, modified } }, each { axes, normals, frames, table, steps } */
 export function assignment({ model, stage, data }) {
@@ -20,31 +29,58 @@ export function assignment({ model, stage, data }) {
     model.set('step', wanted);
     model.save_changes();
   };
-  const button = (text, label, act) => h('button', { type: 'button', ...KEYS, 'aria-label': label, title: label, onclick: act }, text);
+  const button = (text, label, act) =>
+    h('button', { type: 'button', ...KEYS, 'aria-label': label, title: label, onclick: act }, text);
   const first = button('|◀', 'First step', () => go(0));
   const back = button('◀ Back', 'One step back', () => go(model.get('step') - 1));
   const next = button('Next ▶', 'Next step', () => go(model.get('step') + 1));
   const end = button('▶|', 'Last step', () => go(last));
-  const slider = h('input', { ...KEYS, type: 'range', min: 0, max: last, step: 1, 'aria-label': 'Step', oninput: () => go(Number(slider.value)) });
-  const select = h('select', { ...KEYS, 'aria-label': 'Convention', onchange: () => {
-    model.set('convention', select.value);
-    model.save_changes();
-  } }, ...Object.keys(data.conventions).map((name) => h('option', { value: name }, `${name} convention`)));
+  const slider = h('input', {
+    ...KEYS,
+    type: 'range',
+    min: 0,
+    max: last,
+    step: 1,
+    'aria-label': 'Step',
+    oninput: () => go(Number(slider.value)),
+  });
+  const select = h(
+    'select',
+    {
+      ...KEYS,
+      'aria-label': 'Convention',
+      onchange: () => {
+        model.set('convention', select.value);
+        model.save_changes();
+      },
+    },
+    ...Object.keys(data.conventions).map((name) => h('option', { value: name }, `${name} convention`)),
+  );
   const count = h('span', { class: 'kv-told' });
   const title = h('p', { class: 'kv-title' });
   const text = h('p', {});
   const others = h('p', { class: 'kv-note' });
   const told = h('div', { class: 'kv-step', 'aria-live': 'polite', 'aria-atomic': 'true' }, title, text, others);
   const table = h('div', {});
-  const element = h('section', { class: 'kv-player', role: 'group', 'aria-label': 'Steps of the assignment', onkeydown: (event) => {
-    const by = MOVES[event.key];
-    if (!by || event.target === select || event.ctrlKey || event.metaKey || event.altKey) return;
-    event.preventDefault();
-    go(model.get('step') + by);
-  } },
-  h('div', { class: 'kv-head' }, select, count),
-  h('div', { class: 'kv-buttons' }, first, back, next, end),
-  slider, told, table);
+  const element = h(
+    'section',
+    {
+      class: 'kv-player',
+      role: 'group',
+      'aria-label': 'Steps of the assignment',
+      onkeydown: (event) => {
+        const by = MOVES[event.key];
+        if (!by || event.target === select || event.ctrlKey || event.metaKey || event.altKey) return;
+        event.preventDefault();
+        go(model.get('step') + by);
+      },
+    },
+    h('div', { class: 'kv-head' }, select, count),
+    h('div', { class: 'kv-buttons' }, first, back, next, end),
+    slider,
+    told,
+    table,
+  );
 
   function write() {
     const { steps, table: rows } = now();
@@ -57,7 +93,12 @@ export function assignment({ model, stage, data }) {
     slider.value = model.get('step');
     slider.style.setProperty('--share', `${(100 * model.get('step')) / last}%`);
     slider.setAttribute('aria-valuetext', `${model.get('step') + 1} of ${last + 1}: ${step.title}`);
-    for (const [control, off] of [[first, 0], [back, 0], [next, last], [end, last]]) {
+    for (const [control, off] of [
+      [first, 0],
+      [back, 0],
+      [next, last],
+      [end, last],
+    ]) {
       control.setAttribute('aria-disabled', String(model.get('step') === off)); // disabled, it would lose the focus
     }
     const read = step.row ?? (steps.slice(0, model.get('step')).some(({ row }) => row) ? rows.length : 0);
@@ -72,16 +113,24 @@ export function assignment({ model, stage, data }) {
     const kit = { size, theme };
     const long = lengths(frames, step.letters, size);
     const shown = frames.map((pose, i) => ({ pose, letters: pose ? step.letters[i] : '', i }));
-    stage.put('steps', [
-      ...axes.flatMap(([from, to], i) => axis(i, from, to, { ...kit, strong: step.axes[i] })),
-      ...normals.flatMap((normal, i) => (step.normals[i] === null ? [] : common(normal, i, kit, step.normals[i]))),
-      ...step.legs.flatMap(({ name, from, to }) => leg(name, from, to, kit)),
-      ...shown.flatMap(({ pose, letters, i }) => (letters ? frame(i, pose, letters, { ...kit, strong: step.strong[i], length: long[i], body: i }) : [])),
-    ], { through: true });
+    stage.put(
+      'steps',
+      [
+        ...axes.flatMap(([from, to], i) => axis(i, from, to, { ...kit, strong: step.axes[i] })),
+        ...normals.flatMap((normal, i) => (step.normals[i] === null ? [] : common(normal, i, kit, step.normals[i]))),
+        ...step.legs.flatMap(({ name, from, to }) => leg(name, from, to, kit)),
+        ...shown.flatMap(({ pose, letters, i }) =>
+          letters ? frame(i, pose, letters, { ...kit, strong: step.strong[i], length: long[i], body: i }) : [],
+        ),
+      ],
+      { through: true },
+    );
     pen.mark([
       ...(step.axes.every(Boolean) ? [] : axes.filter((_, i) => step.axes[i]).map(([from, to]) => ({ from, to }))),
       ...normals.filter((_, i) => step.normals[i] && !step.strong.every(Boolean)).map((normal) => ends(normal, size)),
-      ...shown.flatMap(({ pose, i }) => (pose ? [...step.lit[i]].map((letter) => named(pose, letter, long[i] * size)) : [])),
+      ...shown.flatMap(({ pose, i }) =>
+        pose ? [...step.lit[i]].map((letter) => named(pose, letter, long[i] * size)) : [],
+      ),
       ...step.legs.map(({ from, to }) => ({ from, to })),
     ]);
   }
@@ -115,8 +164,25 @@ function ends({ from, to, along }, size) {
 function common(normal, i, { size, theme }, strong) {
   const { from, to } = ends(normal, size);
   const middle = from.map((value, k) => (value + to[k]) / 2);
-  const line = { body: i + 1, from, to, radius: (strong ? 0.0105 : 0.006) * size, colour: theme.normal, dash: 0.02 * size, gap: 0.011 * size };
-  const name = { body: i + 1, label: true, at: middle, text: `normal ${i + 1}–${i + 2}`, sub: '', colour: theme.normal, italic: true, weight: 3 };
+  const line = {
+    body: i + 1,
+    from,
+    to,
+    radius: (strong ? 0.0105 : 0.006) * size,
+    colour: theme.normal,
+    dash: 0.02 * size,
+    gap: 0.011 * size,
+  };
+  const name = {
+    body: i + 1,
+    label: true,
+    at: middle,
+    text: `normal ${i + 1}–${i + 2}`,
+    sub: '',
+    colour: theme.normal,
+    italic: true,
+    weight: 3,
+  };
   return [...dashes(line), ...(strong ? [name] : [])];
 }
 

@@ -11,32 +11,67 @@ export function curve({ stage, data, state }) {
   const id = unique('curve');
   let at = nearest(curves, state.q());
   const go = (which, sample) => state.set(curves[which][sample]);
-  const driver = h('input', { ...KEYS, id, type: 'range', min: 0, step: 1, oninput: () => go(at.which, Number(driver.value)) });
-  const select = h('select', { ...KEYS, 'aria-label': 'Assembly mode', onchange: () => {
-    const which = Number(select.value);
-    go(which, nearest([curves[which]], state.q()).sample);
-  } }, ...curves.map((_, k) => h('option', { value: k }, data.labels[k])));
-  const canvas = h('canvas', { class: 'kv-map', tabindex: 0, role: 'img', ...KEYS, onclick: (event) => {
-    const box = canvas.getBoundingClientRect();
-    const point = [event.clientX - box.left, event.clientY - box.top];
-    const found = closest(curves.map((samples) => samples.map(place)), point);
-    go(found.which, found.sample);
-  }, onkeydown: (event) => {
-    const step = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
-    if (!step) return;
-    event.preventDefault();
-    const many = curves[at.which].length;
-    go(at.which, (at.sample + step + many) % many);
-  } });
-  let from = 0;
-  const motion = player(() => { from = at.sample; }, (_, share) => {
-    const many = curves[at.which].length;
-    const sample = data.closed[at.which] ? (from + Math.round(share * (many - 1))) % many
-      : Math.round((0.5 - 0.5 * Math.cos(2 * Math.PI * share)) * (many - 1)); // an open curve is gone along and back
-    if (sample !== at.sample) go(at.which, sample);
+  const driver = h('input', {
+    ...KEYS,
+    id,
+    type: 'range',
+    min: 0,
+    step: 1,
+    oninput: () => go(at.which, Number(driver.value)),
   });
+  const select = h(
+    'select',
+    {
+      ...KEYS,
+      'aria-label': 'Assembly mode',
+      onchange: () => {
+        const which = Number(select.value);
+        go(which, nearest([curves[which]], state.q()).sample);
+      },
+    },
+    ...curves.map((_, k) => h('option', { value: k }, data.labels[k])),
+  );
+  const canvas = h('canvas', {
+    class: 'kv-map',
+    tabindex: 0,
+    role: 'img',
+    ...KEYS,
+    onclick: (event) => {
+      const box = canvas.getBoundingClientRect();
+      const point = [event.clientX - box.left, event.clientY - box.top];
+      const found = closest(
+        curves.map((samples) => samples.map(place)),
+        point,
+      );
+      go(found.which, found.sample);
+    },
+    onkeydown: (event) => {
+      const step = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1 }[event.key];
+      if (!step) return;
+      event.preventDefault();
+      const many = curves[at.which].length;
+      go(at.which, (at.sample + step + many) % many);
+    },
+  });
+  let from = 0;
+  const motion = player(
+    () => {
+      from = at.sample;
+    },
+    (_, share) => {
+      const many = curves[at.which].length;
+      const sample = data.closed[at.which]
+        ? (from + Math.round(share * (many - 1))) % many
+        : Math.round((0.5 - 0.5 * Math.cos(2 * Math.PI * share)) * (many - 1)); // an open curve is gone along and back
+      if (sample !== at.sample) go(at.which, sample);
+    },
+  );
   const numbers = data.all.map(() => h('output'));
-  const values = h('p', { class: 'kv-values' }, ...data.all.flatMap((name, k) => [h('span', {}, named(name), ' = ', numbers[k])]));
+  const values = h(
+    'p',
+    { class: 'kv-values' },
+    ...data.all.flatMap((name, k) => [h('span', {}, named(name), ' = ', numbers[k])]),
+  );
   const bounds = columns.map((column) => {
     const values = curves.flat().map((q) => q[column]);
     const [low, high] = [Math.min(...values), Math.max(...values)];
@@ -66,7 +101,7 @@ export function curve({ stage, data, state }) {
       context.lineWidth = which === at.which ? 2.5 : 1.5;
       context.setLineDash(which === at.which ? [] : [5, 3]);
       context.beginPath();
-      samples.forEach((sample, k) => context[k ? 'lineTo' : 'moveTo'](...place(sample)));
+      for (const sample of samples) context.lineTo(...place(sample));
       context.stroke();
     });
     context.setLineDash([]);
@@ -89,15 +124,25 @@ export function curve({ stage, data, state }) {
     context.font = '11px sans-serif';
     context.fillStyle = theme.quiet;
     const [[left, right], [bottom, top]] = bounds.map((pair) => pair.map((value) => fixed(value, 1)));
-    for (const [text, x, y] of [[left, MARGIN + 8, SIDE - 12], [right, SIDE - 20, SIDE - 12], [bottom, 13, SIDE - MARGIN - 2], [top, 13, 18]]) {
+    for (const [text, x, y] of [
+      [left, MARGIN + 8, SIDE - 12],
+      [right, SIDE - 20, SIDE - 12],
+      [bottom, 13, SIDE - MARGIN - 2],
+      [top, 13, 18],
+    ]) {
       context.fillText(text, x, y);
     }
   }
 
   return {
-    element: h('div', { class: 'kv-curve' },
+    element: h(
+      'div',
+      { class: 'kv-curve' },
       h('div', { class: 'kv-row kv-driver' }, h('label', { for: id }, 'drive'), driver),
-      h('div', { class: 'kv-buttons' }, motion.button, ...(curves.length > 1 ? [select] : [])), canvas, values),
+      h('div', { class: 'kv-buttons' }, motion.button, ...(curves.length > 1 ? [select] : [])),
+      canvas,
+      values,
+    ),
     replacesSliders: true,
     update(q) {
       at = nearest(curves, q, at);
@@ -106,8 +151,13 @@ export function curve({ stage, data, state }) {
       select.value = at.which;
       driver.style.setProperty('--share', `${(100 * at.sample) / (curves[at.which].length - 1)}%`);
       driver.setAttribute('aria-valuetext', data.all.map((name, k) => `${name} ${fixed(q[k], 2)}`).join(', '));
-      numbers.forEach((number, k) => { number.textContent = fixed(q[k], 3); });
-      canvas.setAttribute('aria-label', `Configuration space, ${names.join(' against ')}: ${curves.length} curves; the arm is at sample ${at.sample + 1} of curve ${at.which + 1}.`);
+      numbers.forEach((number, k) => {
+        number.textContent = fixed(q[k], 3);
+      });
+      canvas.setAttribute(
+        'aria-label',
+        `Configuration space, ${names.join(' against ')}: ${curves.length} curves; the arm is at sample ${at.sample + 1} of curve ${at.which + 1}.`,
+      );
       paint(q);
     },
     dress: () => paint(state.q()),
@@ -125,9 +175,11 @@ function nearest(curves, q, before) {
 
 function closest(lists, point) {
   const best = { which: 0, sample: 0, distance: Infinity };
-  lists.forEach((samples, which) => samples.forEach((values, sample) => {
-    const distance = values.reduce((sum, value, k) => sum + (value - point[k]) ** 2, 0);
-    if (distance < best.distance) Object.assign(best, { which, sample, distance });
-  }));
+  for (const [which, samples] of lists.entries()) {
+    for (const [sample, values] of samples.entries()) {
+      const distance = values.reduce((sum, value, k) => sum + (value - point[k]) ** 2, 0);
+      if (distance < best.distance) Object.assign(best, { which, sample, distance });
+    }
+  }
   return best;
 }

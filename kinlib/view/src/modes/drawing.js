@@ -5,6 +5,10 @@ import { dashes } from '../shapes.js';
 import { add } from './vectors.js';
 
 const WIDTH = 17; // of the marker pen, in pixels
+const MARKER_COLOURS = {
+  light: { named: '#ffec99', wrong: '#ffb3ad' },
+  dark: { named: '#5c4a00', wrong: '#661a1a' },
+};
 const STRONG = { rod: 0.0105, origin: 0.017 };
 const PALE = { rod: 0.0062, origin: 0.0105 };
 
@@ -20,8 +24,18 @@ export function mixed(colour, other, share) {
 export function paleArm(stage) {
   const { data, theme } = stage;
   const pale = (colour, share = 0.62) => mixed(colour, theme.paper, share);
-  const colours = { ...theme, link: pale(theme.link), joint: pale(theme.joint, 0.35), cap: pale(theme.cap, 0.35), rod: pale(theme.rod), ink: theme.quiet };
-  const made = data.arms.flatMap((arm) => [...parts.links(arm, data.size, colours), ...parts.joints(arm, data.size, colours)]);
+  const colours = {
+    ...theme,
+    link: pale(theme.link),
+    joint: pale(theme.joint, 0.35),
+    cap: pale(theme.cap, 0.35),
+    rod: pale(theme.rod),
+    ink: theme.quiet,
+  };
+  const made = data.arms.flatMap((arm) => [
+    ...parts.links(arm, data.size, colours),
+    ...parts.joints(arm, data.size, colours),
+  ]);
   stage.put('arm', [...parts.mount(data, data.size, colours), ...made], { outlined: true });
 }
 
@@ -31,11 +45,29 @@ export function axis(i, from, to, { size, theme, strong = true, colour = theme.a
   const length = Math.hypot(...along);
   const neck = add(from, along, 1 - (0.05 * size) / length);
   const ink = strong ? colour : mixed(colour, theme.paper, 0.45);
-  const line = { body: i, from, to: neck, radius: (strong ? 0.006 : 0.0042) * size, colour: ink, dash: 0.035 * size, gap: 0.018 * size };
+  const line = {
+    body: i,
+    from,
+    to: neck,
+    radius: (strong ? 0.006 : 0.0042) * size,
+    colour: ink,
+    dash: 0.035 * size,
+    gap: 0.018 * size,
+  };
   return [
     ...dashes(line),
     { body: i, shape: 'cone', from: neck, to, radius: 0.014 * size, colour: ink },
-    { body: i, label: true, at: add(to, along, (beyond * size) / length), from, text: `axis ${i + 1}`, sub: '', colour: strong ? colour : theme.quiet, italic: true, weight: 2.5 },
+    {
+      body: i,
+      label: true,
+      at: add(to, along, (beyond * size) / length),
+      from,
+      text: `axis ${i + 1}`,
+      sub: '',
+      colour: strong ? colour : theme.quiet,
+      italic: true,
+      weight: 2.5,
+    },
   ];
 }
 
@@ -43,19 +75,38 @@ export function axis(i, from, to, { size, theme, strong = true, colour = theme.a
 export function frame(i, pose, letters, { size, theme, strong = true, length = 0.2, body = 0 }) {
   const look = strong ? STRONG : PALE;
   const origin = originOf(pose);
-  const made = ['x', 'y', 'z'].filter((letter) => letters.includes(letter)).flatMap((letter) => {
-    const along = column(pose, 'xyz'.indexOf(letter));
-    const ink = strong ? theme[letter] : mixed(theme[letter], theme.paper, 0.35);
-    const neck = add(origin, along, (length - 0.045) * size);
-    const tip = add(origin, along, length * size);
-    return [
-      { body, shape: 'rod', from: origin, to: neck, radius: look.rod * size, colour: ink },
-      { body, shape: 'cone', from: neck, to: tip, radius: 2.3 * look.rod * size, colour: ink },
-      { body, label: true, at: tip, from: origin, text: letter, sub: `${i}`, colour: theme[letter], italic: true, weight: strong ? 4 : 2 },
-    ];
-  });
+  const made = ['x', 'y', 'z']
+    .filter((letter) => letters.includes(letter))
+    .flatMap((letter) => {
+      const along = column(pose, 'xyz'.indexOf(letter));
+      const ink = strong ? theme[letter] : mixed(theme[letter], theme.paper, 0.35);
+      const neck = add(origin, along, (length - 0.045) * size);
+      const tip = add(origin, along, length * size);
+      return [
+        { body, shape: 'rod', from: origin, to: neck, radius: look.rod * size, colour: ink },
+        { body, shape: 'cone', from: neck, to: tip, radius: 2.3 * look.rod * size, colour: ink },
+        {
+          body,
+          label: true,
+          at: tip,
+          from: origin,
+          text: letter,
+          sub: `${i}`,
+          colour: theme[letter],
+          italic: true,
+          weight: strong ? 4 : 2,
+        },
+      ];
+    });
   if (letters.includes('O')) {
-    made.push({ body, shape: 'sphere', from: origin, to: origin, radius: look.origin * size, colour: strong ? theme.ink : theme.quiet });
+    made.push({
+      body,
+      shape: 'sphere',
+      from: origin,
+      to: origin,
+      radius: look.origin * size,
+      colour: strong ? theme.ink : theme.quiet,
+    });
   }
   return made;
 }
@@ -63,7 +114,8 @@ export function frame(i, pose, letters, { size, theme, strong = true, length = 0
 /** How long the rods of each frame are: frames that share an origin get rods of different length. */
 export function lengths(poses, drawn, size) {
   return poses.map((pose, i) => {
-    const here = (k) => drawn[k] && poses[k] && Math.hypot(...add(originOf(poses[k]), originOf(pose), -1)) < 1e-6 * size;
+    const here = (k) =>
+      drawn[k] && poses[k] && Math.hypot(...add(originOf(poses[k]), originOf(pose), -1)) < 1e-6 * size;
     const rank = pose ? [...poses.keys()].slice(0, i).filter(here).length : 0;
     return 0.2 + 0.07 * rank;
   });
@@ -81,7 +133,7 @@ export function marker(stage) {
     for (const { from, to = from, wrong } of strokes) {
       eye.project(p.set(...from), p);
       eye.project(q.set(...to), q);
-      context.strokeStyle = wrong ? (dark ? '#661a1a' : '#ffb3ad') : (dark ? '#5c4a00' : '#ffec99');
+      context.strokeStyle = MARKER_COLOURS[dark ? 'dark' : 'light'][wrong ? 'wrong' : 'named'];
       context.lineWidth = from === to ? 1.7 * WIDTH : WIDTH;
       context.beginPath();
       context.moveTo(p.x, p.y);

@@ -19,7 +19,10 @@ export function handles({ stage, data, picks, target, broken }) {
     /** Names in the picture keep off the handles. */
     keepOff() {
       free ??= stage.reserved;
-      stage.reserved = () => [...free(), ...{ z: data.z, origin: data.points, x: [] }[target().part].map(({ at }) => box(picks.flat(at), 9))];
+      stage.reserved = () => [
+        ...free(),
+        ...{ z: data.z, origin: data.points, x: [] }[target().part].map(({ at }) => box(picks.flat(at), 9)),
+      ];
     },
     dispose: () => stage.overlays.delete(overlay),
   };
@@ -38,7 +41,8 @@ const DRAWN = {
     }
   },
   origin({ context, theme, data, picks, origin }) {
-    for (const { at } of data.points) disc(context, ...picks.flat(at), 6.5, theme, theme.ink, origin && same(at, origin));
+    for (const { at } of data.points)
+      disc(context, ...picks.flat(at), 6.5, theme, theme.ink, origin && same(at, origin));
     if (origin) circle(context, ...picks.flat(origin), 11, theme.normal, 3);
   },
   x({ context, theme, picks, z, origin, x }) {
@@ -57,7 +61,8 @@ const DRAWN = {
     context.lineWidth = 2;
     context.stroke();
     context.setLineDash([]);
-    for (const { along } of picks.named(z)) disc(context, ...picks.flat(add(origin, along, picks.radius)), 7, theme, theme.x, x && same(along, x));
+    for (const { along } of picks.named(z))
+      disc(context, ...picks.flat(add(origin, along, picks.radius)), 7, theme, theme.x, x && same(along, x));
     if (x) circle(context, ...picks.flat(add(origin, x, picks.radius)), 12, theme.normal, 3);
   },
 };

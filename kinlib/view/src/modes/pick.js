@@ -26,9 +26,11 @@ export function picker({ stage, data, target, place }) {
     return [x, y];
   };
   const gap = (p, q) => Math.hypot(p[0] - q[0], p[1] - q[1]);
-  const nearest = (list, pointer, reach) => list
-    .map((item) => ({ ...item, off: gap(flat(item.at), pointer) }))
-    .filter(({ off }) => off < reach).sort((a, b) => a.off - b.off)[0];
+  const nearest = (list, pointer, reach) =>
+    list
+      .map((item) => ({ ...item, off: gap(flat(item.at), pointer) }))
+      .filter(({ off }) => off < reach)
+      .sort((a, b) => a.off - b.off)[0];
 
   /** How far along an axis the pointer is: on a picture of a line, shares are those of the line. */
   function onAxis(axis, pointer) {
@@ -44,12 +46,21 @@ export function picker({ stage, data, target, place }) {
   }
 
   function originAt(pointer, only) {
-    const points = only ? data.points.filter(({ at }) => norm(cross(minus(at, only.point), only.along)) < 1e-9) : data.points;
+    const points = only
+      ? data.points.filter(({ at }) => norm(cross(minus(at, only.point), only.along)) < 1e-9)
+      : data.points;
     const point = nearest(points, pointer, only ? 10 : SNAP);
     if (point) return { ...point, value: point.at };
-    const found = (only ? [only] : data.axes).map((axis) => ({ axis, ...onAxis(axis, pointer) }))
-      .filter(({ value, off }) => value && (only || off < LINE)).sort((a, b) => a.off - b.off)[0];
-    return found && { ...found, text: `on axis ${data.axes.indexOf(found.axis) + 1}, ${Number(found.share.toPrecision(4))} m from joint ${data.axes.indexOf(found.axis) + 1}` };
+    const found = (only ? [only] : data.axes)
+      .map((axis) => ({ axis, ...onAxis(axis, pointer) }))
+      .filter(({ value, off }) => value && (only || off < LINE))
+      .sort((a, b) => a.off - b.off)[0];
+    return (
+      found && {
+        ...found,
+        text: `on axis ${data.axes.indexOf(found.axis) + 1}, ${Number(found.share.toPrecision(4))} m from joint ${data.axes.indexOf(found.axis) + 1}`,
+      }
+    );
   }
 
   /** Directions square to z that have a name. */
@@ -65,17 +76,26 @@ export function picker({ stage, data, target, place }) {
     const det = p[0] * q[1] - p[1] * q[0];
     const tips = named(z).map((one) => ({ ...one, at: add(origin, one.along, radius), value: one.along }));
     const tip = nearest(tips, pointer, loose ? 0 : GRIP);
-    if (tip || Math.abs(det) < 0.04 * radius ** 2 / stage.eye.scale ** 2) return tip ?? null; // the ring is seen edge on
+    if (tip || Math.abs(det) < (0.04 * radius ** 2) / stage.eye.scale ** 2) return tip ?? null; // the ring is seen edge on
     const off = minus(pointer, hub);
     const [a, b] = [(off[0] * q[1] - off[1] * q[0]) / det, (p[0] * off[1] - p[1] * off[0]) / det];
     const out = Math.hypot(a, b);
     if (!loose && (out < 0.5 || out > 1.35)) return null;
     const angle = Math.atan2(b, a) / DEGREE;
-    const close = tips.map((one) => ({ ...one, miss: Math.abs(((Math.atan2(dot(one.along, v), dot(one.along, u)) / DEGREE - angle + 540) % 360) - 180) }))
-      .filter(({ miss }) => miss < CATCH).sort((one, other) => one.miss - other.miss)[0];
+    const close = tips
+      .map((one) => ({
+        ...one,
+        miss: Math.abs(((Math.atan2(dot(one.along, v), dot(one.along, u)) / DEGREE - angle + 540) % 360) - 180),
+      }))
+      .filter(({ miss }) => miss < CATCH)
+      .sort((one, other) => one.miss - other.miss)[0];
     if (close) return close;
     const value = turned(u, z, Math.round(angle / STEP) * STEP * DEGREE);
-    return { value, at: add(origin, value, radius), text: `along (${value.map((number) => Number(number.toFixed(3))).join(', ')})` };
+    return {
+      value,
+      at: add(origin, value, radius),
+      text: `along (${value.map((number) => Number(number.toFixed(3))).join(', ')})`,
+    };
   }
 
   const HITS = {
@@ -120,7 +140,8 @@ export function picker({ stage, data, target, place }) {
     },
     pointermove(event) {
       const found = dragging ? dragged(pointerOf(event)) : !event.buttons && HITS[target().part](pointerOf(event));
-      canvas.style.cursor = dragging ? 'grabbing' : found ? 'pointer' : '';
+      const free = found ? 'pointer' : '';
+      canvas.style.cursor = dragging ? 'grabbing' : free;
       if (dragging && found) place(found.value, false);
       if (found?.text !== hovered?.text || dragging) {
         hovered = found || null;
@@ -145,9 +166,12 @@ export function picker({ stage, data, target, place }) {
     flat,
     named,
     hovered: () => hovered,
-    forget: () => { hovered = null; },
+    forget: () => {
+      hovered = null;
+    },
     dispose: () => {
-      for (const [name, listener] of Object.entries(listeners)) canvas.removeEventListener(name, listener, { capture: true });
+      for (const [name, listener] of Object.entries(listeners))
+        canvas.removeEventListener(name, listener, { capture: true });
     },
   };
 }

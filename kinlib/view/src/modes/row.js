@@ -41,7 +41,8 @@ export function row({ model, stage, data }) {
     const tick = (now) => {
       begun ??= now;
       if (!play.isConnected) return stop();
-      const next = wanted > from ? Math.min(wanted, Math.floor(from + 1e-9) + 1) : Math.max(wanted, Math.ceil(from - 1e-9) - 1);
+      const next =
+        wanted > from ? Math.min(wanted, Math.floor(from + 1e-9) + 1) : Math.max(wanted, Math.ceil(from - 1e-9) - 1);
       const share = Math.min(1, Math.max(0, (now - begun) / EACH));
       if (share < 1) set(calm.matches ? from : from + (next - from) * share * share * (3 - 2 * share), false);
       else {
@@ -56,39 +57,76 @@ export function row({ model, stage, data }) {
     flight = requestAnimationFrame(tick);
   }
 
-  const button = (text, label, act) => h('button', { type: 'button', ...KEYS, 'aria-label': label, title: label, onclick: act }, text);
-  const play = h('button', { type: 'button', class: 'kv-play', ...KEYS, onclick: () => {
-    if (flight) {
-      stop();
-      model.save_changes();
-    } else {
-      if (done() >= last) set(0);
-      fly(last);
-    }
-  } }, '▶ Play');
+  const button = (text, label, act) =>
+    h('button', { type: 'button', ...KEYS, 'aria-label': label, title: label, onclick: act }, text);
+  const play = h(
+    'button',
+    {
+      type: 'button',
+      class: 'kv-play',
+      ...KEYS,
+      onclick: () => {
+        if (flight) {
+          stop();
+          model.save_changes();
+        } else {
+          if (done() >= last) set(0);
+          fly(last);
+        }
+      },
+    },
+    '▶ Play',
+  );
   const back = button('◀ Back', 'One motion back', () => fly(Math.ceil(done() - 1e-9) - 1));
   const next = button('Next ▶', 'Next motion', () => fly(Math.floor(done() + 1e-9) + 1));
-  const slider = h('input', { ...KEYS, type: 'range', min: 0, max: last, step: 'any', 'aria-label': 'Motions done', oninput: () => {
-    stop();
-    set(Number(slider.value));
-  }, onkeydown: (event) => {
-    const by = MOVES[event.key];
-    if (!by || event.ctrlKey || event.metaKey || event.altKey) return;
-    event.preventDefault();
-    stop();
-    set(by > 0 ? Math.floor(done() + 1e-9) + by : Math.ceil(done() - 1e-9) + by);
-  } });
+  const slider = h('input', {
+    ...KEYS,
+    type: 'range',
+    min: 0,
+    max: last,
+    step: 'any',
+    'aria-label': 'Motions done',
+    oninput: () => {
+      stop();
+      set(Number(slider.value));
+    },
+    onkeydown: (event) => {
+      const by = MOVES[event.key];
+      if (!by || event.ctrlKey || event.metaKey || event.altKey) return;
+      event.preventDefault();
+      stop();
+      set(by > 0 ? Math.floor(done() + 1e-9) + by : Math.ceil(done() - 1e-9) + by);
+    },
+  });
   const lines = tracks.map(({ title, motions }) => {
-    const factors = motions.map((motion, k) => h('button', {
-      type: 'button', class: 'kv-factor', ...KEYS, title: `Go on until after motion ${k + 1}`, onclick: () => fly(k + 1),
-    }, ...rich(motion.symbol)));
+    const factors = motions.map((motion, k) =>
+      h(
+        'button',
+        {
+          type: 'button',
+          class: 'kv-factor',
+          ...KEYS,
+          title: `Go on until after motion ${k + 1}`,
+          onclick: () => fly(k + 1),
+        },
+        ...rich(motion.symbol),
+      ),
+    );
     const said = h('p', { class: 'kv-said' });
     const head = title ? [h('p', { class: 'kv-title' }, `${title} convention`)] : [];
-    return { factors, said, element: h('div', { class: 'kv-track' }, ...head, h('div', { class: 'kv-product' }, ...factors), said) };
+    return {
+      factors,
+      said,
+      element: h('div', { class: 'kv-track' }, ...head, h('div', { class: 'kv-product' }, ...factors), said),
+    };
   });
-  const element = h('section', { class: 'kv-player', role: 'group', 'aria-label': 'Motions of the row' },
-    h('div', { class: 'kv-buttons' }, back, play, next), slider,
-    h('div', { 'aria-live': 'polite' }, ...lines.map((line) => line.element)));
+  const element = h(
+    'section',
+    { class: 'kv-player', role: 'group', 'aria-label': 'Motions of the row' },
+    h('div', { class: 'kv-buttons' }, back, play, next),
+    slider,
+    h('div', { 'aria-live': 'polite' }, ...lines.map((line) => line.element)),
+  );
 
   function write() {
     const count = done();
@@ -122,13 +160,26 @@ export function row({ model, stage, data }) {
   function plant(reached) {
     planted = reached;
     const kit = { size, theme: stage.theme, length: ROD };
-    stage.put('planted', tracks.flatMap(({ flags, stops, motions }, k) => [
-      ...flags.filter(({ after }) => after <= reached).flatMap(({ name, pose, after }) => (
-        frame(name.replace('-', '−').split(' ')[0], pose, 'Oxz', { ...kit, strong: after === reached, length: after ? ROD : 0.9 * ROD })
-          .concat(name.includes(' ') ? [tag(name, pose, stage.theme.ink)] : []))),
-      ...motions.flatMap(({ symbol, travel, axis, value }, i) => (
-        i < reached && travel * value ? [way(symbol, axis, stops[i], stops[i + 1], stage.theme)] : [])),
-    ].map((part) => ({ ...part, arm: k, body: 0 }))), { through: true });
+    stage.put(
+      'planted',
+      tracks.flatMap(({ flags, stops, motions }, k) =>
+        [
+          ...flags
+            .filter(({ after }) => after <= reached)
+            .flatMap(({ name, pose, after }) =>
+              frame(name.replace('-', '−').split(' ')[0], pose, 'Oxz', {
+                ...kit,
+                strong: after === reached,
+                length: after ? ROD : 0.9 * ROD,
+              }).concat(name.includes(' ') ? [tag(name, pose, stage.theme.ink)] : []),
+            ),
+          ...motions.flatMap(({ symbol, travel, axis, value }, i) =>
+            i < reached && travel * value ? [way(symbol, axis, stops[i], stops[i + 1], stage.theme)] : [],
+          ),
+        ].map((part) => ({ ...part, arm: k, body: 0 })),
+      ),
+      { through: true },
+    );
   }
 
   function dress() {
@@ -136,22 +187,74 @@ export function row({ model, stage, data }) {
     const faint = mixed(theme.ghost, theme.paper, 0.3);
     const pale = { ...theme, x: faint, y: faint, z: faint, quiet: faint };
     const on = (k) => (part) => ({ arm: k, body: 0, ...part });
-    stage.put('still', tracks.flatMap(({ title, axes, stops, motions }, k) => [
-      ...motions.flatMap(({ axis, travel, value }, i) => (axis === 'x' && travel * value ? dashes({
-        from: place(stops[i]), to: place(stops[i + 1]), radius: 0.008 * size, colour: theme.normal, dash: 0.03 * size, gap: 0.03 * size,
-      }) : [])),
-      ...axes.flatMap(({ from, to, name, joint }) => line(from, to, name, joint, { size, theme })),
-      ...frame('', stops[last], 'Oxyz', { size, theme: pale, strong: false, length: 0.9 * ROD }).filter((part) => !part.label),
-      ...(title ? [{ label: true, at: add(place(stops[0]), [0, 0, -0.5 * size]), text: title, sub: '', colour: theme.ink, weight: 9 }] : []),
-    ].map(on(k))));
-    const moving = tracks.flatMap(({ stops }, k) => (
-      frame('', stops[0], 'Oxyz', { size, theme, length: ROD, body: last }).map((part) => ({ ...part, arm: k }))));
-    stage.put('moving', moving.filter((part) => !part.label), { through: true });
-    stage.put('names', moving.filter((part) => part.label));
-    stage.putRods('ways', tracks.flatMap(({ motions, stops }, k) => motions.flatMap(({ axis, travel }, i) => (travel ? [{
-      arm: k, body: i, joint: i, start: place(stops[0]), axis: axis === 'x' ? [1, 0, 0] : [0, 0, 1], travel,
-      radius: 0.022 * size, colour: axis === 'x' ? theme.normal : theme.axis,
-    }] : []))));
+    stage.put(
+      'still',
+      tracks.flatMap(({ title, axes, stops, motions }, k) =>
+        [
+          ...motions.flatMap(({ axis, travel, value }, i) =>
+            axis === 'x' && travel * value
+              ? dashes({
+                  from: place(stops[i]),
+                  to: place(stops[i + 1]),
+                  radius: 0.008 * size,
+                  colour: theme.normal,
+                  dash: 0.03 * size,
+                  gap: 0.03 * size,
+                })
+              : [],
+          ),
+          ...axes.flatMap(({ from, to, name, joint }) => line(from, to, name, joint, { size, theme })),
+          ...frame('', stops[last], 'Oxyz', { size, theme: pale, strong: false, length: 0.9 * ROD }).filter(
+            (part) => !part.label,
+          ),
+          ...(title
+            ? [
+                {
+                  label: true,
+                  at: add(place(stops[0]), [0, 0, -0.5 * size]),
+                  text: title,
+                  sub: '',
+                  colour: theme.ink,
+                  weight: 9,
+                },
+              ]
+            : []),
+        ].map(on(k)),
+      ),
+    );
+    const moving = tracks.flatMap(({ stops }, k) =>
+      frame('', stops[0], 'Oxyz', { size, theme, length: ROD, body: last }).map((part) => ({ ...part, arm: k })),
+    );
+    stage.put(
+      'moving',
+      moving.filter((part) => !part.label),
+      { through: true },
+    );
+    stage.put(
+      'names',
+      moving.filter((part) => part.label),
+    );
+    stage.putRods(
+      'ways',
+      tracks.flatMap(({ motions, stops }, k) =>
+        motions.flatMap(({ axis, travel }, i) =>
+          travel
+            ? [
+                {
+                  arm: k,
+                  body: i,
+                  joint: i,
+                  start: place(stops[0]),
+                  axis: axis === 'x' ? [1, 0, 0] : [0, 0, 1],
+                  travel,
+                  radius: 0.022 * size,
+                  colour: axis === 'x' ? theme.normal : theme.axis,
+                },
+              ]
+            : [],
+        ),
+      ),
+    );
     planted = -1;
     move();
   }
@@ -187,7 +290,15 @@ function line(from, to, name, joint, { size, theme }) {
 function way(symbol, axis, start, end, theme) {
   const at = place(start).map((value, k) => (value + place(end)[k]) / 2);
   const letter = symbol.match(/\(([ad])\)/)?.[1] ?? symbol.replace('_', '');
-  return { label: true, at, text: letter, sub: '', colour: axis === 'x' ? theme.normal : theme.axis, italic: true, weight: 6 };
+  return {
+    label: true,
+    at,
+    text: letter,
+    sub: '',
+    colour: axis === 'x' ? theme.normal : theme.axis,
+    italic: true,
+    weight: 6,
+  };
 }
 
 function tag(name, pose, colour) {

@@ -5,33 +5,41 @@ const STEPS = 24;
 
 /** @param shares how much of each motion of each track is done, from 0 to 1 */
 export function sectors(stage, tracks, shares, radius) {
-  const overlay = (context, eye) => tracks.forEach(({ motions, stops }, track) => motions.forEach((motion, k) => {
-    const share = shares()[track][k];
-    const angle = motion.angle * share;
-    if (Math.abs(angle) < 0.01) return;
-    const pose = stops[k];
-    const slides = motion.travel !== 0;
-    const turned = (phi, r) => eye.project(arm(pose, motion.axis, phi, r).add(along(pose, motion.axis, slides ? motion.travel * phi : 0)), new Vector3());
-    const points = Array.from({ length: STEPS + 1 }, (_, i) => turned((angle * i) / STEPS, radius));
-    const hub = turned(0, 0);
-    const colour = motion.axis === 'z' ? stage.theme.axis : stage.theme.normal;
-    const now = share < 1 || shares()[track][k + 1] === 0 || k === motions.length - 1;
-    context.save();
-    context.globalAlpha = now ? 0.3 : 0.12;
-    context.fillStyle = colour;
-    context.beginPath();
-    context.moveTo(hub.x, hub.y);
-    for (const { x, y } of points) context.lineTo(x, y);
-    if (!slides) context.fill(); // a screw motion climbs: its line is a helix, and has no sector
-    context.globalAlpha = now ? 1 : 0.55;
-    context.strokeStyle = colour;
-    context.lineWidth = 2;
-    context.beginPath();
-    points.forEach(({ x, y }, i) => context[i ? 'lineTo' : 'moveTo'](x, y));
-    context.stroke();
-    name(context, slides ? '' : motion.symbol, turned(angle / 2, 1.2 * radius), colour, stage.theme.halo);
-    context.restore();
-  }));
+  const overlay = (context, eye) => {
+    for (const [track, { motions, stops }] of tracks.entries()) {
+      for (const [k, motion] of motions.entries()) {
+        const share = shares()[track][k];
+        const angle = motion.angle * share;
+        if (Math.abs(angle) < 0.01) continue;
+        const pose = stops[k];
+        const slides = motion.travel !== 0;
+        const turned = (phi, r) =>
+          eye.project(
+            arm(pose, motion.axis, phi, r).add(along(pose, motion.axis, slides ? motion.travel * phi : 0)),
+            new Vector3(),
+          );
+        const points = Array.from({ length: STEPS + 1 }, (_, i) => turned((angle * i) / STEPS, radius));
+        const hub = turned(0, 0);
+        const colour = motion.axis === 'z' ? stage.theme.axis : stage.theme.normal;
+        const now = share < 1 || shares()[track][k + 1] === 0 || k === motions.length - 1;
+        context.save();
+        context.globalAlpha = now ? 0.3 : 0.12;
+        context.fillStyle = colour;
+        context.beginPath();
+        context.moveTo(hub.x, hub.y);
+        for (const { x, y } of points) context.lineTo(x, y);
+        if (!slides) context.fill(); // a screw motion climbs: its line is a helix, and has no sector
+        context.globalAlpha = now ? 1 : 0.55;
+        context.strokeStyle = colour;
+        context.lineWidth = 2;
+        context.beginPath();
+        for (const { x, y } of points) context.lineTo(x, y);
+        context.stroke();
+        name(context, slides ? '' : motion.symbol, turned(angle / 2, 1.2 * radius), colour, stage.theme.halo);
+        context.restore();
+      }
+    }
+  };
   stage.overlays.add(overlay);
   return { dispose: () => stage.overlays.delete(overlay) };
 }
@@ -41,7 +49,9 @@ function arm(pose, axis, angle, radius) {
   const column = (k) => new Vector3(pose[k], pose[4 + k], pose[8 + k]);
   // about z from x towards y, about x from z towards -y
   const [from, to, sign] = axis === 'z' ? [column(0), column(1), 1] : [column(2), column(1), -1];
-  return column(3).addScaledVector(from, radius * Math.cos(angle)).addScaledVector(to, sign * radius * Math.sin(angle));
+  return column(3)
+    .addScaledVector(from, radius * Math.cos(angle))
+    .addScaledVector(to, sign * radius * Math.sin(angle));
 }
 
 function along(pose, axis, way) {

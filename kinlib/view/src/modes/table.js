@@ -2,12 +2,29 @@
 import { h } from '../dom.js';
 import { rich } from '../rich.js';
 
-const HEADS = { standard: ['a_i', 'alpha_i', 'd_i', 'theta_i'], modified: ['a_{i-1}', 'alpha_{i-1}', 'd_i', 'theta_i'] };
+const HEADS = {
+  standard: ['a_i', 'alpha_i', 'd_i', 'theta_i'],
+  modified: ['a_{i-1}', 'alpha_{i-1}', 'd_i', 'theta_i'],
+};
 
 /** @param rows [[a, alpha, d, theta as text]]; @param read how many are filled in; @param lit the row at hand, from 1 */
 export function dhTable(convention, rows, { read = rows.length, lit = 0, label = 'The table' } = {}) {
-  return h('table', { class: 'kv-dh', 'aria-label': label },
-    h('tr', {}, h('th', { scope: 'col' }, 'i'), ...HEADS[convention].map((head) => h('th', { scope: 'col' }, ...rich(head)))),
-    ...rows.map((row, k) => h('tr', k + 1 === lit ? { class: 'kv-lit' } : {},
-      h('th', { scope: 'row' }, `${k + 1}`), ...row.map((cell) => h('td', {}, ...(k < read ? rich(cell) : ['·']))))));
+  return h(
+    'table',
+    { class: 'kv-dh', 'aria-label': label },
+    h(
+      'tr',
+      {},
+      h('th', { scope: 'col' }, 'i'),
+      ...HEADS[convention].map((head) => h('th', { scope: 'col' }, ...rich(head))),
+    ),
+    ...rows.map((row, k) =>
+      h(
+        'tr',
+        k + 1 === lit ? { class: 'kv-lit' } : {},
+        h('th', { scope: 'row' }, `${k + 1}`),
+        ...row.map((cell) => h('td', {}, ...(k < read ? rich(cell) : ['·']))),
+      ),
+    ),
+  );
 }

@@ -29,7 +29,10 @@ export function open(T) {
 /** A frame with one part placed. y follows from z and x, and an x that is not square to a new z is taken back. */
 export function placed(T, part, value) {
   const next = T.map((row) => [...row]);
-  const put = (k, vector) => [0, 1, 2].forEach((row) => { next[row][k] = vector ? tidy(vector[row]) : null; });
+  const put = (k, vector) =>
+    [0, 1, 2].forEach((row) => {
+      next[row][k] = vector ? tidy(vector[row]) : null;
+    });
   put(PARTS[part], value);
   const [z, x] = [columnOf(next, 2), columnOf(next, 0)];
   const square = z && x && Math.abs(dot(z, x)) < 1e-9;

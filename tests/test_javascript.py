@@ -1,0 +1,56 @@
+"""The JavaScript of the viewer and of the site: the committed bundle is that of its sources, and the linter is content."""
+
+import json
+import os
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from kinlib.view.viewer import STATIC
+
+ROOT = Path(__file__).parents[1]
+NPM = shutil.which("npm")
+
+
+def skip_unless_ci(reason):
+    """Skip on a machine without Node. In CI the test fails instead, because there nothing may be left unchecked."""
+    (pytest.fail if os.environ.get("CI") else pytest.skip)(reason)
+
+
+@pytest.fixture(scope="module")
+def node_modules():
+    """The packages that package-lock.json names, installed once."""
+    if NPM is None:
+        skip_unless_ci("There is no npm. Install Node 20 or newer to change the JavaScript.")
+    lock, installed = ROOT / "package-lock.json", ROOT / "node_modules" / ".package-lock.json"
+    if not installed.exists() or installed.stat().st_mtime < lock.stat().st_mtime:
+        done = subprocess.run([NPM, "ci"], cwd=ROOT, capture_output=True, text=True, check=False)
+        if done.returncode:
+            skip_unless_ci(f"npm ci failed.\n{done.stderr[-500:]}")
+    return ROOT / "node_modules"
+
+
+def test_the_bundle_is_built_from_its_sources_byte_for_byte(node_modules, tmp_path):
+    command = json.loads((ROOT / "package.json").read_text("utf-8"))["scripts"]["build"].split()
+    entry = [word for word in command if not word.startswith("--outfile")]
+    made = tmp_path / "viewer.js"
+    # npm finds esbuild in node_modules, on every system
+    done = subprocess.run(
+        [NPM, "exec", "--offline", "--", *entry, f"--outfile={made}"],
+        cwd=ROOT, capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    assert made.read_bytes() == (STATIC / "viewer.js").read_bytes(), "run: npm run build"
+
+
+def test_the_linter_and_the_formatter_find_nothing_to_change(node_modules):
+    done = subprocess.run(
+        [NPM, "run", "--silent", "lint"], cwd=ROOT, capture_output=True, encoding="utf-8", check=False
+    )
+    assert done.returncode == 0, f"run: npm run format\n{done.stdout}{done.stderr}"
+
+
+def test_the_lock_file_names_no_registry():
+    assert '"resolved"' not in (ROOT / "package-lock.json").read_text("utf-8")
