@@ -118,7 +118,7 @@ def inverse(X: ArrayLike) -> Array:
     Rt = np.swapaxes(X[..., :3, :3], -1, -2)
     if X.shape[-1] == 3:
         return Rt.copy()
-    return _pose(Rt, -(Rt @ X[..., :3, 3, None])[..., 0])
+    return pose(Rt, -(Rt @ X[..., :3, 3, None])[..., 0])
 
 
 def adjoint(X: ArrayLike) -> Array:
@@ -144,6 +144,43 @@ def adjoint(X: ArrayLike) -> Array:
     return Ad
 
 
+def pose(R: ArrayLike, p: ArrayLike) -> Array:
+    """Write a homogeneous transformation from its rotation and its position: T = [[R, p], [0, 1]].
+
+    R (..., 3, 3), p (..., 3), batch dimensions that broadcast -> (..., 4, 4). R is taken as it is, a rotation or not.
+
+    Source: Modern Robotics, (3.62).
+
+    >>> pose(np.eye(3), [1, 2, 3])
+    array([[1., 0., 0., 1.],
+           [0., 1., 0., 2.],
+           [0., 0., 1., 3.],
+           [0., 0., 0., 1.]])
+    """
+    R, p = np.asarray(R, dtype=float), np.asarray(p, dtype=float)
+    T = np.zeros((*np.broadcast_shapes(R.shape[:-2], p.shape[:-1]), 4, 4))
+    T[..., :3, :3] = R
+    T[..., :3, 3] = p
+    T[..., 3, 3] = 1.0
+    return T
+
+
+def perpendicular(axis: ArrayLike) -> Array:
+    """Choose a unit vector perpendicular to an axis, the same one every time.
+
+    axis (..., 3), not zero -> (..., 3): the coordinate axis farthest from it, crossed with it. No digits are lost.
+
+    >>> perpendicular([[0, 0, 1], [0, 3, 0]]) + 0.0
+    array([[ 0., -1.,  0.],
+           [ 0.,  0.,  1.]])
+    """
+    axis = np.asarray(axis, dtype=float)
+    farthest = np.eye(3)[np.argmin(np.abs(axis), axis=-1)]
+    across = np.cross(farthest, axis)
+    unit: Array = across / np.linalg.norm(across, axis=-1, keepdims=True)
+    return unit
+
+
 def _generator(x: ArrayLike) -> Array:
     x = check.array(x, "x")
     if x.shape[-1:] not in {(3,), (6,)}:
@@ -162,14 +199,6 @@ def _hat(x: Array) -> Array:
     W = np.zeros((*x.shape, 3))
     W[..., [2, 0, 1], [1, 2, 0]] = x
     return W - np.swapaxes(W, -1, -2)
-
-
-def _pose(R: Array, p: Array) -> Array:
-    T = np.zeros((*p.shape[:-1], 4, 4))
-    T[..., :3, :3] = R
-    T[..., :3, 3] = p
-    T[..., 3, 3] = 1.0
-    return T
 
 
 # What follows is written for `sweep`: vectors are (3, m), matrices come as their columns, X[column, row] of shape (m,).

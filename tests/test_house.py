@@ -76,6 +76,7 @@ FLOORS = [
         "rpy",
         "screw",
         "straight_line",
+        "fast_kinematics",
         "chain",
         "dh_rows",
         "dh",

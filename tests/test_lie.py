@@ -6,11 +6,14 @@ import exact
 import modern_robotics as mr
 import numpy as np
 import pytest
+import pytransform3d.transformations as pt
 from hypothesis import given
+from hypothesis import strategies as st
 from scipy.spatial.transform import Rotation
-from strategies import poses, rotation_vectors, rotations, twists
+from strategies import directions, points, poses, rotation_vectors, rotations, twists
 
 from kinlib import adjoint, exp, hat, inverse, log, vee
+from kinlib.lie import perpendicular, pose
 
 EXACT = 1e-13
 """The promise of the library. Entries are of size 1 to 4, so this is some hundred roundings; the worst seen is ten."""
@@ -386,3 +389,28 @@ def test_what_comes_back_is_the_callers_own(function, size):
     before = given.copy()
     function(given)[...] = 7
     np.testing.assert_array_equal(given, before)
+
+
+# --- helpers: poses from their parts, and perpendicular directions ---
+
+
+@pytest.mark.oracle("pytransform3d", pose)
+@given(rotations(), points())
+def test_a_pose_is_its_rotation_and_its_position(R, p):
+    close(pose(R, p), pt.transform_from(R, p), atol=0)
+
+
+def test_poses_broadcast():
+    R, p = np.stack([np.eye(3), exp([0, 0, 1.0])]), np.arange(12.0).reshape(2, 2, 3)
+    T = pose(R, p[:, :1])
+    assert T.shape == (2, 2, 4, 4)
+    close(T[1, 0], pose(R[0], p[1, 0]), atol=0)
+
+
+@pytest.mark.oracle("axiom: a unit vector of which the scalar product with the axis is 0", perpendicular)
+@given(directions(), st.floats(1e-3, 1e3))
+def test_a_perpendicular_is_a_unit_vector_at_right_angles_to_the_axis(axis, length):
+    x = perpendicular(length * axis)
+    close(x @ axis, 0, atol=1e-15)
+    close(x @ x, 1, atol=1e-15)
+    close(perpendicular(np.stack([axis, -axis]))[0], x)

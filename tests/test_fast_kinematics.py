@@ -1,0 +1,114 @@
+"""Fast kinematics: the same numbers as the equations of `Chain`, one configuration or many, on any chain."""
+
+import inspect
+import pickle
+
+import modern_robotics as mr
+import numpy as np
+import pytest
+from hypothesis import given
+from strategies import ROBOTS, configurations, moved_chains
+
+from kinlib import Chain, robots
+from kinlib.fast_kinematics import FastKinematics
+
+EQUATIONS = [Chain.fk, Chain.link_poses, Chain.jacobian]
+each_equation = pytest.mark.parametrize("method", EQUATIONS, ids=lambda method: method.__name__)
+
+
+def close(got, expected, atol):
+    np.testing.assert_allclose(got, expected, rtol=0, atol=atol)
+
+
+def allowed(chain, q):
+    """1e-14 for each joint of an arm of one metre, and in proportion to its size."""
+    reach = 1 + np.abs(chain.screws[:, 3:]).max() + np.abs(chain.home[:3, 3]).max()
+    return 1e-14 * chain.n * reach * (1 + np.abs(q).max()) ** 2
+
+
+@each_equation
+@given(moved_chains())
+def test_a_single_configuration_is_what_the_equation_says(method, drawn):
+    chain, q = drawn
+    close(method(chain, q), method.__wrapped__(chain, q), allowed(chain, q))
+    assert method.__name__ in chain._fast.programs
+
+
+@each_equation
+@given(moved_chains())
+def test_a_batch_is_what_the_equation_says(method, drawn):
+    chain, q = drawn
+    batch = np.stack([q, -q, q / 3, 0 * q]).reshape(2, 2, chain.n)
+    close(method(chain, batch), method.__wrapped__(chain, batch), allowed(chain, q))
+    assert not chain._fast.programs
+
+
+@each_equation
+@pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
+def test_every_robot_moves_as_the_equation_says(method, robot):
+    q = configurations(robot, 50)
+    close(method(robot, q), method.__wrapped__(robot, q), allowed(robot, q))
+    for row in q[:3]:
+        close(method(robot, row), method.__wrapped__(robot, row), allowed(robot, row))
+
+
+@each_equation
+def test_the_equation_is_what_a_reader_is_shown(method):
+    source = inspect.getsource(method)
+    assert "exp(S_i * q_i)" in source
+    assert "_fast" not in source
+
+
+@pytest.mark.parametrize("shape", [(), (0,), (1,), (3,), (2, 0, 3)])
+@each_equation
+def test_the_equations_take_the_same_shapes(method, shape):
+    robot = robots.hrr()
+    q = np.zeros((*shape, robot.n))
+    assert method.__wrapped__(robot, q).shape == method(robot, q).shape
+
+
+@pytest.mark.oracle("modern_robotics", FastKinematics.run_program, FastKinematics.run_batch)
+@pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
+def test_programs_and_batches_agree_with_modern_robotics(robot):
+    fast = FastKinematics(robot.screws, robot.home, robot.joint_points)
+    q = configurations(robot, 3)
+    poses = [mr.FKinSpace(robot.home, robot.screws.T, row) for row in q]
+    jacobians = [mr.JacobianSpace(robot.screws.T, row) for row in q]
+    close(fast.run_batch("fk", q), poses, 1e-12)
+    close([fast.run_program("fk", row) for row in q], poses, 1e-12)
+    close(fast.run_batch("jacobian", q), jacobians, 1e-12)
+    close([fast.run_program("jacobian", row) for row in q], jacobians, 1e-12)
+
+
+@pytest.mark.oracle("text: written out in the test", FastKinematics.is_one_configuration)
+@pytest.mark.parametrize(
+    ("q", "expected"),
+    [
+        (np.array([1.0, 2, 3]), True),
+        (np.array([[1, 2, 3]]), True),
+        ([1.0, 2, 3], False),
+        (np.array([1.0, 2]), False),
+        (np.array([[1.0], [2], [3]]), False),
+        (np.array([1.0, np.nan, 3]), False),
+        (np.array([1e9, 0, 0]), False),
+        (np.array([1, 2, 3j]), False),
+        (np.zeros((2, 3)), False),
+    ],
+)
+def test_one_configuration_is_an_array_of_n_finite_numbers(q, expected):
+    robot = robots.rpr()
+    assert robot._fast.is_one_configuration(q) is expected
+
+
+def test_a_name_without_a_formula_is_refused():
+    with pytest.raises(ValueError, match="There is no fast implementation of 'body_jacobian'"):
+        robots.rpr()._fast.run_batch("body_jacobian", np.zeros(3))
+
+
+def test_a_chain_with_its_programs_survives_a_journey_to_another_process():
+    robot = robots.youbot()
+    q = configurations(robot, 1)[0]
+    T = robot.fk(q)
+    again = pickle.loads(pickle.dumps(robot))
+    assert "fk" in again._fast.programs
+    close(again.fk(q), T, 0)
