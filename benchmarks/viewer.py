@@ -167,7 +167,7 @@ def page_costs(browser, folder):
             page.locator("[data-kinlib-viewer]").nth(which).scroll_into_view_if_needed()
             page.locator(".kv").nth(which).wait_for()
             move = """([which, postures]) => { const { model, stage } = document.querySelectorAll('.kv')[which].viewer;
-                return postures.map((q) => { model.set('q', q); return stage.figure.pose(); }); }"""
+                return postures.map((q) => { model.set('q', q); return stage.tree.pose(); }); }"""
             worst = max(worst, float(np.abs(np.array(page.evaluate(move, [which, q.tolist()])) - robot.fk(q)).max()))
     with watched(browser) as page:
         static_page(folder, explore(ten_joints(), show=LAYERS))

@@ -102,7 +102,7 @@ def awake(page, count=1):
 
 def pose(page, which=0):
     """The tool's pose of a viewer, every digit of it."""
-    return page.evaluate(f"document.querySelectorAll('.kv')[{which}].viewer.stage.figure.pose()")
+    return page.evaluate(f"document.querySelectorAll('.kv')[{which}].viewer.stage.tree.pose()")
 
 
 def texts(page):

@@ -82,8 +82,8 @@ def pixel(page, x, y):
 def place_of(page, point):
     """Where a point of space is on the page, in pixels."""
     return page.evaluate(
-        f"""point => {{ const {{ eye, canvas }} = {STAGE}; const {{ left, top }} = canvas.getBoundingClientRect();
-            const {{ x, y }} = eye.project(eye.target.clone().set(...point)); return [x + left, y + top]; }}""",
+        f"""point => {{ const {{ camera, canvas }} = {STAGE}; const {{ left, top }} = canvas.getBoundingClientRect();
+            const {{ x, y }} = camera.project(camera.target.clone().set(...point)); return [x + left, y + top]; }}""",
         [float(value) for value in point],
     )
 
@@ -150,7 +150,7 @@ def test_the_other_convention_is_a_choice_away_and_the_table_fills(show):
 
 def carried(page, track):
     """Where the moving frame of a track stands."""
-    elements = page.evaluate(f"{STAGE}.figure.arms[{track}].tool.matrixWorld.elements")
+    elements = page.evaluate(f"{STAGE}.tree.arms[{track}].tool.matrixWorld.elements")
     return np.reshape(elements, (4, 4)).T
 
 
@@ -259,7 +259,7 @@ def test_an_origin_is_dragged_along_its_axis_and_x_round_its_dial(show):
     page = show(hand)
     page.get_by_role("button", name="Frame 1, placed").click()
     page.get_by_role("button", name="Place O 1 in the picture").click()
-    camera = f"{STAGE}.eye.azimuth"
+    camera = f"{STAGE}.camera.azimuth"
     before = page.evaluate(camera)
     z, origin, dial = RIGHT[1, :3, 2], RIGHT[1, :3, 3], DIAL * hand.scene["size"]
 
@@ -280,7 +280,7 @@ def test_an_origin_is_dragged_along_its_axis_and_x_round_its_dial(show):
     np.testing.assert_allclose(frames_of(page)[1][:3, 0], y, atol=1e-12)  # snapped
     turned = frames_of(page)[1][:3, :3]
     np.testing.assert_allclose(turned.T @ turned, np.eye(3), atol=1e-12)
-    assert page.evaluate(camera) == before, "the eye stands still while the hand drags"
+    assert page.evaluate(camera) == before, "the camera must not move during a drag"
     page.get_by_role("button", name="Undo the last change").click()
     np.testing.assert_allclose(frames_of(page)[1], moved)
 

@@ -99,7 +99,7 @@ def test_every_robot_of_the_course_stands_where_the_library_says(show):
         found = page.evaluate(
             """([which, postures]) => {
                 const { model, stage } = document.querySelectorAll('.kv')[which].viewer;
-                return postures.map((q) => { model.set('q', q); return stage.figure.pose(); });
+                return postures.map((q) => { model.set('q', q); return stage.tree.pose(); });
             }""",
             [which, q.tolist()],
         )
@@ -216,7 +216,7 @@ def test_a_named_view_looks_along_an_axis(show, name, right, up):
     page = show(explore(kl.robots.youbot()), reduced_motion="reduce")
     page.get_by_role("button", name=name).click()
     columns = np.reshape(
-        page.evaluate("document.querySelector('.kv').viewer.stage.eye.camera.matrixWorld.elements"), (4, 4)
+        page.evaluate("document.querySelector('.kv').viewer.stage.camera.threeCamera.matrixWorld.elements"), (4, 4)
     )
     np.testing.assert_allclose(columns[:2, :3], [right, up], atol=1e-12)
 
@@ -322,7 +322,7 @@ def test_every_body_of_a_linkage_stands_where_the_library_says(show):
             set_q(page, q)
             expected = LINKAGE.poses(np.array(q))
             for arm, body in enumerate(bodies):
-                found = page.evaluate(f"document.querySelector('.kv').viewer.stage.figure.pose({arm})")
+                found = page.evaluate(f"document.querySelector('.kv').viewer.stage.tree.pose({arm})")
                 np.testing.assert_allclose(found, expected[body], atol=1e-12)
 
 
@@ -408,7 +408,7 @@ def test_an_arm_without_any_length_is_shown(show):
     page = show(explore(pivot, show=LAYERS))
     set_q(page, [0.5, 0.5, 0.5])
     np.testing.assert_allclose(pose(page), pivot.fk([0.5, 0.5, 0.5]), atol=1e-12)
-    assert np.isfinite(page.evaluate("document.querySelector('.kv').viewer.stage.eye.scale"))
+    assert np.isfinite(page.evaluate("document.querySelector('.kv').viewer.stage.camera.scale"))
 
 
 def test_what_cannot_be_shown_says_so_on_the_page(show):

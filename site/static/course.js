@@ -80,7 +80,7 @@
     );
     for (const [k, { item }] of options.entries()) item.replaceChildren(buttons[k]);
     section.append(reply);
-    section.dataset.awake = '';
+    section.dataset.started = '';
 
     function commit(k) {
       if ('committed' in section.dataset) return; // the first one stands

@@ -11,23 +11,23 @@ export function h(tag, settings = {}, ...children) {
 }
 
 /** JupyterLab takes the arrow keys from whatever has the focus, unless that element itself carries this. */
-export const KEYS = { 'data-lm-suppress-shortcuts': 'true' };
+export const NO_SHORTCUTS = { 'data-lm-suppress-shortcuts': 'true' };
 
 /** A name with an index: q_1 is q with a subscript 1. */
-export function named(name) {
+export function renderSymbol(name) {
   const [base, sub] = name.split('_');
   return h('span', { class: 'kv-name' }, h('i', {}, base), ...(sub ? [h('sub', {}, sub)] : []));
 }
 
 /** A number for people: rounded, and never -0. */
-export function fixed(value, digits) {
+export function formatNumber(value, digits) {
   const text = value.toFixed(digits);
   return Number(text) === 0 ? (0).toFixed(digits) : text;
 }
 
 let count = 0;
 /** An id that no other viewer on the page has, whichever copy of this module made it. */
-export function unique(name) {
+export function uniqueId(name) {
   count += 1;
   return `kv-${name}-${count}-${Math.random().toString(36).slice(2, 7)}`;
 }

@@ -1,3 +1,3 @@
-// The one entry of the bundle: `widget` is what anywidget renders, `wake` is for pages without a kernel.
-export { wake } from './static.js';
+// The one entry of the bundle: `widget` is what anywidget renders, `startViewers` is for pages without a kernel.
+export { startViewers } from './static-page.js';
 export { widget } from './viewer.js';

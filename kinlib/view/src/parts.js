@@ -1,6 +1,6 @@
 // What an arm is made of: for each layer its parts, which are solids and labels on the bodies, at home.
 // A part is { body, shape, from, to, radius, colour }, a label { body, at, from, text, sub, colour, weight }.
-import { dashes } from './shapes.js';
+import { dashedLine } from './shapes.js';
 
 export const COLOURS = {
   x: '#c1121f',
@@ -21,7 +21,7 @@ const norm = (p) => Math.hypot(...p);
 const unit = (p) => p.map((value) => value / (norm(p) || 1));
 
 /** Where a joint is drawn: joints that share point and axis stand side by side. */
-export function seat(joint, size) {
+export function jointCentre(joint, size) {
   return add(joint.point, joint.axis, 3.3 * JOINT * size * joint.shift);
 }
 
@@ -36,7 +36,7 @@ export function links(arm, size, colours) {
 export function joints(arm, size, colours) {
   const r = JOINT * size;
   return arm.joints.flatMap((joint, i) => {
-    const centre = seat(joint, size);
+    const centre = jointCentre(joint, size);
     const at = (share) => add(centre, joint.axis, share * r);
     if (joint.kind === 'P') {
       // the sleeve stays on the link before, what slides in it is a rod
@@ -59,7 +59,7 @@ export function joints(arm, size, colours) {
       ];
     }
     // a mark on the rim: a cylinder that turns about its own axis shows nothing else
-    const side = square(joint.axis);
+    const side = perpendicularTo(joint.axis);
     const mark = {
       ...body,
       shape: 'rod',
@@ -95,13 +95,13 @@ export function rods(arm, size, colours) {
 export function axes(arm, size, { letter, colour, onBody = (i) => i }) {
   return arm.joints.flatMap((joint, i) => {
     const body = onBody(i);
-    const centre = seat(joint, size);
+    const centre = jointCentre(joint, size);
     const from = add(centre, joint.axis, -0.26 * size);
     const neck = add(centre, joint.axis, 0.31 * size);
     const tip = add(centre, joint.axis, 0.36 * size);
     const line = { body, from, to: neck, radius: 0.0048 * size, colour, dash: 0.035 * size, gap: 0.018 * size };
     return [
-      ...dashes(line),
+      ...dashedLine(line),
       { body, shape: 'cone', from: neck, to: tip, radius: 0.014 * size, colour },
       { body, label: true, at: tip, from: centre, text: letter, sub: `${i + 1}`, colour, italic: true, weight: 3 },
     ];
@@ -154,7 +154,14 @@ export function normals(arm, size, colours) {
     const ends = { from: add(from, along, -half), to: add(to, along, half) };
     const middle = add(ends.from, minus(ends.to, ends.from), 0.5);
     return [
-      ...dashes({ body, ...ends, radius: 0.0075 * size, colour: colours.normal, dash: 0.02 * size, gap: 0.011 * size }),
+      ...dashedLine({
+        body,
+        ...ends,
+        radius: 0.0075 * size,
+        colour: colours.normal,
+        dash: 0.02 * size,
+        gap: 0.011 * size,
+      }),
       {
         body,
         label: true,
@@ -231,7 +238,7 @@ export function pieceAxes({ pieces: all = [] }, size, colours) {
   return all
     .filter(({ name, kind }) => name && kind !== 'ball')
     .flatMap(({ arm, body, at, along }) =>
-      dashes({
+      dashedLine({
         arm,
         body,
         from: add(at, along, -0.3 * size),
@@ -245,7 +252,7 @@ export function pieceAxes({ pieces: all = [] }, size, colours) {
 }
 
 /** A unit vector square to an axis, the same one every time. */
-export function square(axis) {
+export function perpendicularTo(axis) {
   const least = axis.map(Math.abs).indexOf(Math.min(...axis.map(Math.abs)));
   const other = [0, 1, 2].map((k) => (k === least ? 1 : 0));
   const along = axis[least];
@@ -258,7 +265,7 @@ export function square(axis) {
 }
 
 /** What holds the arm where its base is above the floor: a column down to a foot. */
-export function mount({ floor, foot }, size, colours) {
+export function pedestal({ floor, foot }, size, colours) {
   if (!foot) return [];
   const top = [foot[0], foot[1], foot[2]];
   const ground = [foot[0], foot[1], floor];

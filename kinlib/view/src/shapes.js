@@ -43,7 +43,7 @@ const MAKERS = {
 };
 
 /** @param part { shape, from, to, radius, ... } in metres; the solid runs from one point to the other */
-export function solid(part) {
+export function makeSolid(part) {
   const from = new Vector3(...part.from);
   const along = new Vector3(...part.to).sub(from);
   const length = along.length();
@@ -55,7 +55,7 @@ export function solid(part) {
 }
 
 /** A dashed line is a row of rods: WebGL's own lines are one pixel wide. */
-export function dashes({ from, to, dash, gap, ...rest }) {
+export function dashedLine({ from, to, dash, gap, ...rest }) {
   const start = new Vector3(...from);
   const along = new Vector3(...to).sub(start);
   const length = along.length();
@@ -72,20 +72,21 @@ export function dashes({ from, to, dash, gap, ...rest }) {
 }
 
 /** One geometry out of many parts, each in its own colour; with the ways in which an outline grows, where it has one. */
-export function merged(parts, outlined) {
+export function mergeParts(parts, outlined) {
   const position = [];
   const normal = [];
-  const swell = [];
+  const outlineNormal = [];
   const colour = [];
   const index = [];
   const ink = new Color();
   for (const part of parts) {
-    const geometry = solid(part);
+    const geometry = makeSolid(part);
     const first = position.length / 3;
     const points = geometry.attributes.position.array;
     for (const value of points) position.push(value);
     for (const value of geometry.attributes.normal.array) normal.push(value);
-    if (outlined) for (const value of outwards(points, geometry.attributes.normal.array)) swell.push(value);
+    if (outlined)
+      for (const value of outlineNormals(points, geometry.attributes.normal.array)) outlineNormal.push(value);
     ink.set(part.colour);
     for (let k = 0; k < points.length; k += 3) colour.push(ink.r, ink.g, ink.b);
     for (const corner of geometry.index.array) index.push(first + corner);
@@ -94,14 +95,14 @@ export function merged(parts, outlined) {
   const whole = new BufferGeometry();
   whole.setAttribute('position', new Float32BufferAttribute(position, 3));
   whole.setAttribute('normal', new Float32BufferAttribute(normal, 3));
-  if (outlined) whole.setAttribute('swell', new Float32BufferAttribute(swell, 3));
+  if (outlined) whole.setAttribute('outlineNormal', new Float32BufferAttribute(outlineNormal, 3));
   whole.setAttribute('color', new Float32BufferAttribute(colour, 3));
   whole.setIndex(index);
   return whole;
 }
 
 /** Where an outline grows to: at an edge, where corners share a place but not a normal, the mean of the normals. */
-function outwards(points, normals) {
+function outlineNormals(points, normals) {
   const sums = new Map();
   const all = [];
   for (let k = 0; k < points.length; k += 3) {

@@ -20,12 +20,12 @@ import {
   Scene,
   Vector3,
 } from 'three';
-import { Eye } from './camera.js';
-import { Figure } from './figure.js';
-import { drawFlat } from './flat.js';
+import { Camera } from './camera.js';
+import { drawWithoutWebGL } from './canvas-fallback.js';
+import { KinematicTree } from './kinematic-tree.js';
 import { drawDimensions, drawLabels, fontOf } from './labels.js';
-import { canPaint, paint } from './painter.js';
-import { merged } from './shapes.js';
+import { mergeParts } from './shapes.js';
+import { hasWebGL, renderScene } from './webgl.js';
 
 export class Stage {
   /** @param data what kinlib/view/scene.py says; @param canvas where the picture goes */
@@ -34,13 +34,13 @@ export class Stage {
     this.canvas = canvas;
     this.context = canvas.getContext('2d');
     this.theme = theme;
-    this.figure = new Figure(data.arms);
+    this.tree = new KinematicTree(data.arms);
     this.layers = new Map();
     /** whether it draws without WebGL; undefined until somebody had to know */
-    this.flat = undefined;
+    this.withoutWebGL = undefined;
     this.scene = new Scene();
-    this.scene.add(this.figure.root);
-    this.eye = new Eye(data.room, () => this.draw());
+    this.scene.add(this.tree.root);
+    this.camera = new Camera(data.room, () => this.draw());
     this.solid = new MeshLambertMaterial({ vertexColors: true });
     this.hidden = new MeshBasicMaterial({
       vertexColors: true,
@@ -54,8 +54,8 @@ export class Stage {
     this.edge.onBeforeCompile = (shader) => {
       shader.uniforms.width = this.edge.userData.width;
       shader.vertexShader = shader.vertexShader
-        .replace('#include <common>', '#include <common>\nattribute vec3 swell;\nuniform float width;')
-        .replace('#include <begin_vertex>', 'vec3 transformed = position + width * swell;');
+        .replace('#include <common>', '#include <common>\nattribute vec3 outlineNormal;\nuniform float width;')
+        .replace('#include <begin_vertex>', 'vec3 transformed = position + width * outlineNormal;');
     };
     this.edge.userData.width = { value: 0 };
     // The shadow falls straight down: it says where things are in x and y. The stencil keeps it from falling twice.
@@ -81,18 +81,18 @@ export class Stage {
           gl_Position = projectionMatrix * mvPosition;`,
         );
     };
-    this.#light();
-    this.#floor();
-    this.repaint(theme);
+    this.#addLights();
+    this.#addFloor();
+    this.setTheme(theme);
     /** called when it turns out that there is no WebGL */
-    this.flattened = () => {};
+    this.onWebGLMissing = () => {};
     /** boxes in the picture, in pixels, that names keep off */
-    this.reserved = () => [];
+    this.reservedBoxes = () => [];
     /** called with the 2-D context and the eye when all else is drawn: what modes put over the picture */
     this.overlays = new Set();
   }
 
-  #light() {
+  #addLights() {
     this.sky = new HemisphereLight(0xffffff, 0x8d96a8, 2.1);
     this.sky.position.set(0, 0, 1);
     const sun = new DirectionalLight(0xffffff, 1.7);
@@ -101,7 +101,7 @@ export class Stage {
   }
 
   /** A grid at the height of the floor, fading out, in steps of 1, 2 or 5. */
-  #floor() {
+  #addFloor() {
     const { centre, radius } = this.data.room;
     const step = roundStep(radius / 4);
     const reach = 1.25 * radius;
@@ -140,7 +140,7 @@ export class Stage {
   }
 
   /** Take on the colours of a theme; whoever made layers makes them anew. */
-  repaint(theme) {
+  setTheme(theme) {
     this.theme = theme;
     this.grid.material.color = new Color(theme.grid);
     this.shade.opacity = theme.shade;
@@ -152,18 +152,18 @@ export class Stage {
    * Put a layer on the stage, in place of the one of that name. Parts name a body, and an arm where there are several.
    * A function that gives the parts is called when the layer is first shown: most layers never are.
    */
-  put(name, parts, options = {}) {
-    this.remove(name);
+  setLayer(name, parts, options = {}) {
+    this.removeLayer(name);
     if (typeof parts === 'function') this.layers.set(name, { ...EMPTY, make: () => parts(), options });
-    else this.#build(name, parts, options);
+    else this.#buildLayer(name, parts, options);
   }
 
-  #build(name, parts, { figure = this.figure, material = this.solid, outlined = false, through = false }) {
+  #buildLayer(name, parts, { tree = this.tree, material = this.solid, outlined = false, through = false }) {
     const meshes = [];
-    const bodyOf = (part) => figure.body(part.arm ?? 0, part.body);
+    const bodyOf = (part) => tree.body(part.arm ?? 0, part.body);
     const solids = parts.filter((part) => part.shape);
     for (const [body, group] of groupBy(solids, bodyOf)) {
-      const geometry = merged(group, outlined);
+      const geometry = mergeParts(group, outlined);
       meshes.push([body, new Mesh(geometry, material)]);
       if (outlined) meshes.push([body, new Mesh(geometry, this.edge)], [body, new Mesh(geometry, this.shade)]);
       if (through) meshes.push([body, new Mesh(geometry, this.hidden)]);
@@ -186,30 +186,30 @@ export class Stage {
   }
 
   /** Rods of slides: one mesh each, as long as the joint has gone. */
-  putRods(name, rods, { figure = this.figure, material } = {}) {
-    this.remove(name);
+  setRods(name, rods, { tree = this.tree, material } = {}) {
+    this.removeLayer(name);
     const up = new Vector3(0, 1, 0);
     const shape = new CylinderGeometry(1, 1, 1, 14);
     const meshes = rods.map((rod) => {
       const mesh = new Mesh(shape, material ?? new MeshLambertMaterial({ color: rod.colour }));
       const axis = new Vector3(...rod.axis);
-      const column = figure.arms[rod.arm ?? 0].columns[rod.joint];
+      const column = tree.arms[rod.arm ?? 0].columns[rod.joint];
       mesh.quaternion.copy(new Quaternion().setFromUnitVectors(up, axis));
-      figure.stretched.push((q) => {
+      tree.rodUpdates.push((q) => {
         const way = rod.travel * q[column];
         mesh.position.set(...rod.start).addScaledVector(axis, way / 2);
         mesh.scale.set(rod.radius, Math.max(Math.abs(way), 1e-9), rod.radius);
       });
-      figure.body(rod.arm ?? 0, rod.body).add(mesh);
+      tree.body(rod.arm ?? 0, rod.body).add(mesh);
       return mesh;
     });
     const solids = rods.map((rod, k) => ({ rod: meshes[k], colour: rod.colour, radius: rod.radius }));
     this.layers.set(name, { meshes, labels: [], dimensions: [], solids, shown: true });
   }
 
-  show(name, shown) {
+  showLayer(name, shown) {
     const { make, options } = this.layers.get(name) ?? {};
-    if (make && shown) this.#build(name, make(), options);
+    if (make && shown) this.#buildLayer(name, make(), options);
     const layer = this.layers.get(name);
     if (!layer) return;
     layer.shown = shown;
@@ -217,7 +217,7 @@ export class Stage {
     this.draw();
   }
 
-  remove(name) {
+  removeLayer(name) {
     for (const mesh of this.layers.get(name)?.meshes ?? []) {
       mesh.removeFromParent();
       mesh.geometry.dispose();
@@ -226,8 +226,8 @@ export class Stage {
   }
 
   setQ(q) {
-    this.figure.setQ(q);
-    this.eye.keep(this.figure.stations(), 0.3 * this.data.size);
+    this.tree.setQ(q);
+    this.camera.keepInView(this.tree.jointPositions(), 0.3 * this.data.size);
     this.draw();
   }
 
@@ -236,7 +236,7 @@ export class Stage {
     Object.assign(this, { width, height, ratio });
     this.canvas.width = Math.round(width * ratio);
     this.canvas.height = Math.round(height * ratio);
-    this.eye.resize(width, height);
+    this.camera.resize(width, height);
     this.paint(); // a canvas is blank after it was sized
   }
 
@@ -250,7 +250,7 @@ export class Stage {
     });
   }
 
-  see(visible) {
+  setVisible(visible) {
     this.visible = visible;
     if (visible && this.stale) this.draw();
   }
@@ -259,53 +259,53 @@ export class Stage {
   paint() {
     if (!this.width || !this.visible) return;
     this.stale = false;
-    this.figure.root.updateMatrixWorld(true);
-    this.#picture(this.flat ?? true);
-    if (this.flat === undefined) {
+    this.tree.root.updateMatrixWorld(true);
+    this.#drawPicture(this.withoutWebGL ?? true);
+    if (this.withoutWebGL === undefined) {
       cancelAnimationFrame(this.starting);
-      this.starting = requestAnimationFrame(() => setTimeout(() => this.#start()));
+      this.starting = requestAnimationFrame(() => setTimeout(() => this.#startWebGL()));
       return;
     }
     if (!this.canvas.dataset.pictures) performance.mark('kinlib-viewer-picture');
     this.canvas.dataset.pictures = Number(this.canvas.dataset.pictures ?? 0) + 1;
   }
 
-  #start() {
-    if (this.flat !== undefined || !this.visible) return;
-    this.flat = !canPaint();
-    if (this.flat) this.flattened();
+  #startWebGL() {
+    if (this.withoutWebGL !== undefined || !this.visible) return;
+    this.withoutWebGL = !hasWebGL();
+    if (this.withoutWebGL) this.onWebGLMissing();
     this.draw();
   }
 
-  #picture(flat) {
-    const { context, eye, theme, ratio, width, height } = this;
+  #drawPicture(flat) {
+    const { context, camera, theme, ratio, width, height } = this;
     context.setTransform(ratio, 0, 0, ratio, 0, 0);
     context.fillStyle = theme.paper;
     context.fillRect(0, 0, width, height);
     const shown = [...this.layers.values()].filter((layer) => layer.shown);
     const all = (kind) => shown.flatMap((layer) => layer[kind]);
-    this.edge.userData.width.value = 1.1 * eye.scale;
+    this.edge.userData.width.value = 1.1 * camera.scale;
     if (flat)
-      drawFlat(
+      drawWithoutWebGL(
         context,
         shown.flatMap((layer) => (layer.masked ? [] : layer.solids)),
-        eye,
+        camera,
         theme,
       );
-    else this.calls = paint(this.scene, eye.camera, context, { width, height, ratio });
-    const taken = [...this.reserved(), ...drawDimensions(context, all('dimensions'), eye, theme.halo)];
-    this.names = drawLabels(context, all('labels'), taken, eye, { halo: theme.halo, leader: theme.quiet });
+    else this.calls = renderScene(this.scene, camera.threeCamera, context, { width, height, ratio });
+    const taken = [...this.reservedBoxes(), ...drawDimensions(context, all('dimensions'), camera, theme.halo)];
+    this.names = drawLabels(context, all('labels'), taken, camera, { halo: theme.halo, leader: theme.quiet });
     context.font = fontOf({}, 11);
     context.textAlign = 'left';
     context.textBaseline = 'alphabetic';
     context.fillStyle = theme.quiet;
     context.fillText(`grid ${Number(this.gridStep.toPrecision(3))} m`, 10, height - 10);
-    for (const overlay of this.overlays) overlay(context, eye);
+    for (const overlay of this.overlays) overlay(context, camera);
   }
 
   dispose() {
     cancelAnimationFrame(this.waiting);
-    for (const name of [...this.layers.keys()]) this.remove(name);
+    for (const name of [...this.layers.keys()]) this.removeLayer(name);
     for (const thing of [this.grid.geometry, this.grid.material, this.solid, this.hidden, this.edge, this.shade])
       thing.dispose();
     this.visible = false;

@@ -9,7 +9,7 @@ import {
   Vector3,
 } from 'three';
 
-const MOST = 900; // the oldest piece goes first
+const MAX_SEGMENTS = 900; // the oldest piece goes first
 const UP = new Vector3(0, 1, 0);
 
 export class Trail {
@@ -18,14 +18,14 @@ export class Trail {
     this.mesh = new InstancedMesh(
       new CylinderGeometry(1, 1, 1, 6),
       new MeshBasicMaterial({ color: stage.theme.trail }),
-      MOST,
+      MAX_SEGMENTS,
     );
     this.mesh.instanceMatrix.setUsage(DynamicDrawUsage);
     this.mesh.frustumCulled = false;
     this.points = [];
     this.clear();
     stage.scene.add(this.mesh);
-    this.onPaint = (context, eye) => this.#flat(context, eye);
+    this.onPaint = (context, camera) => this.#drawWithoutWebGL(context, camera);
     stage.overlays.add(this.onPaint);
   }
 
@@ -48,25 +48,25 @@ export class Trail {
       const scale = new Vector3(0.005 * size, 1.02 * length, 0.005 * size);
       this.mesh.setMatrixAt(this.next, new Matrix4().compose(middle, turned, scale));
       this.mesh.instanceMatrix.needsUpdate = true;
-      this.next = (this.next + 1) % MOST;
-      this.mesh.count = Math.min(MOST, this.mesh.count + 1);
+      this.next = (this.next + 1) % MAX_SEGMENTS;
+      this.mesh.count = Math.min(MAX_SEGMENTS, this.mesh.count + 1);
     }
     this.last = point.clone();
     this.points.push(this.last);
-    if (this.points.length > MOST) this.points.shift();
+    if (this.points.length > MAX_SEGMENTS) this.points.shift();
   }
 
-  repaint() {
+  applyTheme() {
     this.mesh.material.color.set(this.stage.theme.trail);
   }
 
-  #flat(context, eye) {
-    if (!this.stage.flat || this.points.length < 2) return;
+  #drawWithoutWebGL(context, camera) {
+    if (!this.stage.withoutWebGL || this.points.length < 2) return;
     context.strokeStyle = this.stage.theme.trail;
     context.lineWidth = 2;
     context.beginPath();
     this.points.forEach((point, k) => {
-      const { x, y } = eye.project(point, new Vector3());
+      const { x, y } = camera.project(point, new Vector3());
       if (k) context.lineTo(x, y);
       else context.moveTo(x, y);
     });

@@ -1,24 +1,24 @@
 // The viewer: puts stage, controls and readout together. There is one path for every change: whoever sets a trait, here
 // or in Python, sets the model, and the page is drawn from the model's change.
 import { Vector3 } from 'three';
-import { available, dress, haunt, reveal } from './arm.js';
-import { steer } from './camera.js';
-import { controls } from './controls.js';
-import { cover } from './cover.js';
-import { fixed, h, KEYS } from './dom.js';
+import { orbitControls } from './camera.js';
+import { formatNumber, h, NO_SHORTCUTS } from './dom.js';
+import { jointSliders } from './joint-sliders.js';
+import { layerToggles, viewButtons } from './layer-toggles.js';
+import { availableLayers, buildLayers, showGhost, showLayers } from './layers.js';
 import { MODES } from './modes/index.js';
-import { readout } from './readout.js';
+import { poseReadout } from './pose-readout.js';
+import { predictionCover } from './prediction-cover.js';
 import { Stage } from './stage.js';
 import { isDark, onThemeChange, themeOf } from './theme.js';
-import { toggles, views } from './toggles.js';
 import { Trail } from './trail.js';
 import css from './viewer.css';
 
-const HEIGHT = 0.78; // of the width of the picture
-const SAID_AFTER = 700; // milliseconds of rest before a screen reader hears the pose
+const HEIGHT_PER_WIDTH = 0.78; // of the width of the picture
+const SPEECH_DELAY_MS = 700; // milliseconds of rest before a screen reader hears the pose
 
 function render({ model, el }) {
-  style();
+  addStyleSheet();
   const data = model.get('scene');
   const q = () => model.get('q');
   const set = (values) => {
@@ -27,7 +27,7 @@ function render({ model, el }) {
   };
   const state = { sliders: data.sliders, q, set, start: () => model.get('start') };
 
-  const canvas = h('canvas', { class: 'kv-canvas', tabindex: 0, role: 'img', ...KEYS });
+  const canvas = h('canvas', { class: 'kv-canvas', tabindex: 0, role: 'img', ...NO_SHORTCUTS });
   const message = h('p', { class: 'kv-message', role: 'status', hidden: true });
   const spoken = h('p', { class: 'kv-spoken', 'aria-live': 'polite' });
   const frame = h('div', { class: 'kv-picture' }, canvas);
@@ -37,12 +37,12 @@ function render({ model, el }) {
   root.append(frame);
   const stage = new Stage(data, canvas, themeOf(root));
   root.viewer.stage = stage;
-  stage.flattened = () => update();
-  const pose = readout();
-  const panel = controls(state);
-  const veil = cover(model);
-  const switches = toggles({
-    available: available(data, model.get('shown')),
+  stage.onWebGLMissing = () => update();
+  const pose = poseReadout();
+  const panel = jointSliders(state);
+  const cover = predictionCover(model);
+  const switches = layerToggles({
+    available: availableLayers(data, model.get('shown')),
     shown: () => model.get('shown'),
     setShown: (names) => {
       model.set('shown', names);
@@ -50,10 +50,10 @@ function render({ model, el }) {
     },
   });
   const chosen = model.get('mode') ?? {};
-  const mode = MODES[chosen.kind]?.({ model, stage, data: chosen, state, say }) ?? {};
-  const corner = views(stage.eye);
+  const mode = MODES[chosen.kind]?.({ model, stage, data: chosen, state, showMessage }) ?? {};
+  const corner = viewButtons(stage.camera);
   frame.append(corner);
-  stage.reserved = () => {
+  stage.reservedBoxes = () => {
     const left = corner.offsetLeft;
     return corner.offsetTop < canvas.offsetTop
       ? []
@@ -74,14 +74,14 @@ function render({ model, el }) {
     ...(model.get('readout') ? [pose.element] : []),
   );
   const inside = h('div', { class: 'kv-inside' }, h('div', { class: 'kv-left' }, frame, switches.element), side);
-  root.append(veil.element, inside, message, spoken);
+  root.append(cover.element, inside, message, spoken);
 
   let trail = null;
-  let unhaunt = null;
+  let hideGhost = null;
   let speaking = 0;
   const tip = new Vector3();
 
-  function say(text) {
+  function showMessage(text) {
     if (message.textContent === text) return; // a screen reader would hear it again
     message.textContent = text;
     message.hidden = !text || model.get('covered');
@@ -90,31 +90,35 @@ function render({ model, el }) {
   function update() {
     const values = q();
     stage.setQ(values);
-    const T = stage.figure.pose();
+    const T = stage.tree.pose();
     pose.update(values, T);
     panel.update(values);
     mode.update?.(values, T);
     trail?.add(tip.set(T[0][3], T[1][3], T[2][3]));
-    say([model.get('message'), stage.flat && NO_WEBGL, outside(data.limits, values)].filter(Boolean).join(' '));
+    showMessage(
+      [model.get('message'), stage.withoutWebGL && NO_WEBGL, limitMessage(data.limits, values)]
+        .filter(Boolean)
+        .join(' '),
+    );
     clearTimeout(speaking);
-    speaking = setTimeout(() => tell(T), SAID_AFTER);
+    speaking = setTimeout(() => describe(T), SPEECH_DELAY_MS);
   }
 
-  function tell(T) {
-    const place = [0, 1, 2].map((row) => fixed(T[row][3], 3)).join(', ');
+  function describe(T) {
+    const place = [0, 1, 2].map((row) => formatNumber(T[row][3], 3)).join(', ');
     const tool = data.arms[0].links ? ` The tool is at (${place}) metres.` : ''; // a linkage has none
     canvas.setAttribute(
       'aria-label',
       `${data.words} Now q = (${q()
-        .map((x) => fixed(x, 2))
-        .join(', ')}).${tool} ${HOW}`,
+        .map((x) => formatNumber(x, 2))
+        .join(', ')}).${tool} ${KEYBOARD_HELP}`,
     );
     if (root.contains(document.activeElement)) spoken.textContent = tool;
   }
 
-  function show() {
+  function updateLayers() {
     const shown = model.get('shown');
-    reveal(stage, shown);
+    showLayers(stage, shown);
     switches.update();
     const wanted = shown.includes('trail');
     if (wanted && !trail) {
@@ -126,75 +130,77 @@ function render({ model, el }) {
     }
   }
 
-  function ghost() {
-    unhaunt?.();
-    unhaunt = model.get('ghost').length ? haunt(stage, model.get('ghost')) : null;
+  function updateGhost() {
+    hideGhost?.();
+    hideGhost = model.get('ghost').length ? showGhost(stage, model.get('ghost')) : null;
   }
 
-  function paintAnew() {
+  function applyTheme() {
     const theme = isDark(root) ? 'dark' : 'light';
     if (root.dataset.theme === theme) return; // pages change their classes for many reasons
     root.dataset.theme = theme;
-    stage.repaint(themeOf(root));
-    dress(stage, model.get('shown'));
+    stage.setTheme(themeOf(root));
+    buildLayers(stage, model.get('shown'));
     stage.setQ(q());
-    ghost();
-    trail?.repaint();
-    mode.dress?.();
+    updateGhost();
+    trail?.applyTheme();
+    mode.applyTheme?.();
   }
 
-  function uncover() {
-    veil.update();
+  function updateCover() {
+    cover.update();
     inside.hidden = model.get('covered');
     message.hidden = inside.hidden || !message.textContent; // what it says may tell what is to be predicted
   }
 
-  const changes = { q: update, message: update, shown: show, ghost, covered: uncover };
+  const changes = { q: update, message: update, shown: updateLayers, ghost: updateGhost, covered: updateCover };
   for (const [name, listener] of Object.entries(changes)) model.on(`change:${name}`, listener);
-  paintAnew();
-  show();
-  uncover();
+  applyTheme();
+  updateLayers();
+  updateCover();
   update();
-  tell(stage.figure.pose());
+  describe(stage.tree.pose());
   performance.mark('kinlib-viewer-answers');
-  const stopTheme = onThemeChange(paintAnew);
-  const stopSteering = steer(stage.eye, canvas);
+  const stopTheme = onThemeChange(applyTheme);
+  const stopOrbit = orbitControls(stage.camera, canvas);
   const sized = new ResizeObserver(() => {
-    paintAnew(); // a lab attaches what it shows only now, and only now there is a page to take after
+    applyTheme(); // a lab attaches what it shows only now, and only now there is a page to take after
     const width = frame.clientWidth;
-    if (width) stage.resize(width, Math.round(Math.max(260, Math.min(HEIGHT * width, 560))));
+    if (width) stage.resize(width, Math.round(Math.max(260, Math.min(HEIGHT_PER_WIDTH * width, 560))));
   });
   sized.observe(frame);
-  const seen = new IntersectionObserver((entries) => stage.see(entries.at(-1).isIntersecting), { rootMargin: '200px' });
+  const seen = new IntersectionObserver((entries) => stage.setVisible(entries.at(-1).isIntersecting), {
+    rootMargin: '200px',
+  });
   seen.observe(frame);
   return () => {
     for (const [name, listener] of Object.entries(changes)) model.off(`change:${name}`, listener);
-    for (const stop of [stopTheme, stopSteering, () => sized.disconnect(), () => seen.disconnect(), panel.dispose])
-      stop();
+    for (const stop of [stopTheme, stopOrbit, () => sized.disconnect(), () => seen.disconnect(), panel.dispose]) stop();
     clearTimeout(speaking);
     mode.dispose?.();
     trail?.dispose();
-    unhaunt?.();
+    hideGhost?.();
     stage.dispose();
   };
 }
 
 const NO_WEBGL = 'This browser draws without WebGL: a plain drawing instead of solids.';
-const HOW = 'Arrow keys turn the view, shift and arrow keys move it, plus and minus zoom, 0 to 3 are the named views.';
+const KEYBOARD_HELP =
+  'Arrow keys turn the view, shift and arrow keys move it, plus and minus zoom, 0 to 3 are the named views.';
 
 /** What to say of a configuration that the arm cannot take. */
-function outside(limits, q) {
+function limitMessage(limits, q) {
   const beyond = (limits ?? []).flatMap(([low, high], k) =>
     (low !== null && q[k] < low - 1e-9) || (high !== null && q[k] > high + 1e-9)
       ? [
-          `Joint ${k + 1} stands at ${fixed(q[k], 3)}, beyond its limits ${low ?? '−∞'} to ${high ?? '∞'}: the arm cannot go there.`,
+          `Joint ${k + 1} stands at ${formatNumber(q[k], 3)}, beyond its limits ${low ?? '−∞'} to ${high ?? '∞'}: the arm cannot go there.`,
         ]
       : [],
   );
   return beyond.join(' ');
 }
 
-function style() {
+function addStyleSheet() {
   if (document.getElementById('kinlib-viewer-style')) return;
   const sheet = h('style', { id: 'kinlib-viewer-style' });
   sheet.textContent = css;
@@ -202,11 +208,11 @@ function style() {
 }
 
 /** Whatever goes wrong, the reader is told where the picture should be, and not only the console. */
-function show(context) {
+function renderOrExplain(context) {
   try {
     return render(context);
   } catch (error) {
-    style();
+    addStyleSheet();
     context.el.append(
       h('p', { class: 'kv-failed', role: 'alert' }, `The viewer cannot show this arm: ${error.message}`),
     );
@@ -214,4 +220,4 @@ function show(context) {
   }
 }
 
-export const widget = { render: show };
+export const widget = { render: renderOrExplain };

@@ -6,7 +6,7 @@
     if (!document.querySelector('[data-kinlib-viewer]')) return;
     const script = document.createElement('script');
     script.src = bundle;
-    script.onload = () => kinlib.wake();
+    script.onload = () => kinlib.startViewers();
     document.head.append(script);
   };
   if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', begin);

@@ -1,12 +1,13 @@
 // Modes: what a viewer can do beyond showing an arm. Each is a function of a kit, and lives in a file of its own.
-import { assign } from './assign.js';
-import { assignment } from './assignment.js';
-import { curve } from './curve.js';
-import { row } from './row.js';
+
+import { assignmentSteps } from './assignment-steps.js';
+import { configurationCurve } from './configuration-curve.js';
+import { dhRowMotions } from './dh-row.js';
+import { placeFrames } from './place-frames.js';
 
 /**
  * model.get('mode') is {} or { kind, ... } with the data that Python made for it. A mode is a function
- * (kit) -> { element?, replacesSliders?, update?(q, T), dress?(), dispose?() } of
- * kit: { model, stage, data (model.get('mode')), state (q(), set(q)), say(text) }
+ * (kit) -> { element?, replacesSliders?, update?(q, T), applyTheme?(), dispose?() } of
+ * kit: { model, stage, data (model.get('mode')), state (q(), set(q)), showMessage(text) }
  */
-export const MODES = { assign, assignment, curve, row };
+export const MODES = { assign: placeFrames, assignment: assignmentSteps, curve: configurationCurve, row: dhRowMotions };

@@ -8,7 +8,7 @@ export const cross = ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a 
 export const near = (p, q, off = 1e-9) => norm(minus(p, q)) < off;
 
 /** A vector turned about a unit axis that is square to it. */
-export function turned(along, axis, angle) {
+export function rotatePerpendicular(along, axis, angle) {
   const side = cross(axis, along);
   return along.map((value, k) => tidy(value * Math.cos(angle) + side[k] * Math.sin(angle)));
 }
@@ -22,12 +22,12 @@ export function columnOf(T, k) {
 export const PARTS = { z: 2, origin: 3, x: 0 };
 
 /** The first part of a frame that is open; null when it is finished. */
-export function open(T) {
+export function openPart(T) {
   return Object.keys(PARTS).find((part) => !columnOf(T, PARTS[part])) ?? null;
 }
 
 /** A frame with one part placed. y follows from z and x, and an x that is not square to a new z is taken back. */
-export function placed(T, part, value) {
+export function withPart(T, part, value) {
   const next = T.map((row) => [...row]);
   const put = (k, vector) =>
     [0, 1, 2].forEach((row) => {

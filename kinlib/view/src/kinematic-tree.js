@@ -1,9 +1,9 @@
-// A figure: the bodies of an arm, or of the arms of a closed chain, as nested groups. A joint's group is turned by
+// A tree: the bodies of an arm, or of the arms of a closed chain, as nested groups. A joint's group is turned by
 // exp([S_i] q_i), and what it holds is given where it is at home: the scene graph is the product of exponentials.
 import { Group, Matrix4, Vector3 } from 'three';
-import { screwExp } from './screw.js';
+import { screwExp } from './screw-exp.js';
 
-export class Figure {
+export class KinematicTree {
   /** @param arms [{ columns, joints: [{ screw }], home }], all standing on one base, which is body 0 of each of them */
   constructor(arms) {
     this.root = new Group();
@@ -23,7 +23,7 @@ export class Figure {
       return { bodies, tool, columns: arm.columns, points: arm.links && arm.joints.map(({ point }) => point) };
     });
     /** what moves with each joint value and is not a rigid body: the rods of slides */
-    this.stretched = [];
+    this.rodUpdates = [];
   }
 
   body(arm, index) {
@@ -39,12 +39,12 @@ export class Figure {
         body.matrixWorldNeedsUpdate = true;
       });
     }
-    for (const stretch of this.stretched) stretch(q);
+    for (const stretch of this.rodUpdates) stretch(q);
     this.root.updateMatrixWorld(true);
   }
 
   /** Where the joints and the tools are, in space. */
-  stations() {
+  jointPositions() {
     return this.arms
       .filter(({ points }) => points)
       .flatMap(({ bodies, tool, points }) => [

@@ -3,10 +3,10 @@ import { Vector3 } from 'three';
 
 const ROUND = new Set(['capsule', 'sphere', 'rod']);
 
-export function drawFlat(context, solids, eye, theme) {
+export function drawWithoutWebGL(context, solids, camera, theme) {
   const strokes = solids.map((part) => {
-    const [p, q] = ends(part).map((point) => eye.project(point, new Vector3()));
-    return { p, q, part, width: Math.max(1, (2 * part.radius) / eye.scale), depth: p.z + q.z };
+    const [p, q] = ends(part).map((point) => camera.project(point, new Vector3()));
+    return { p, q, part, width: Math.max(1, (2 * part.radius) / camera.scale), depth: p.z + q.z };
   });
   strokes.sort((a, b) => b.depth - a.depth);
   for (const { p, q, part, width } of strokes) {

@@ -1,27 +1,27 @@
 // The row player: the motions of a DH row, one after the other. Each track is an arm whose joints are the motions, so that
 // the scene graph carries the frame; `done` counts the motions that are done, and is between two numbers on the way.
-import { fixed, h, KEYS } from '../dom.js';
-import { rich } from '../rich.js';
-import { dashes } from '../shapes.js';
-import { frame, mixed, originOf as place } from './drawing.js';
-import { sectors } from './sectors.js';
+import { formatNumber, h, NO_SHORTCUTS } from '../dom.js';
+import { renderMathText } from '../math-text.js';
+import { dashedLine } from '../shapes.js';
+import { angleSectors } from './angle-sectors.js';
+import { frame, mixColours, originOf } from './frame-drawing.js';
 import { add } from './vectors.js';
 
-const ROD = 0.34; // of a frame, as a share of the size of a row
-const EACH = 1100; // milliseconds for one motion
-const MOVES = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, Home: -Infinity, End: Infinity };
+const FRAME_LENGTH = 0.34; // of a frame, as a share of the size of a row
+const MOTION_MS = 1100; // milliseconds for one motion
+const KEY_STEPS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, Home: -Infinity, End: Infinity };
 
 /** @param kit.data { tracks: [{ title, stops, motions: [{ screw, value, axis, angle, travel, symbol, text }], axes, flags }] } */
-export function row({ model, stage, data }) {
+export function dhRowMotions({ model, stage, data }) {
   const { tracks } = data;
   const { size } = stage.data;
   const last = tracks[0].motions.length;
   const done = () => model.get('done');
   const calm = matchMedia('(prefers-reduced-motion: reduce)');
   const shares = () => tracks.map(({ motions }) => motions.map((_, k) => Math.max(0, Math.min(1, done() - k))));
-  const arcs = sectors(stage, tracks, shares, 0.62 * ROD * size);
+  const arcs = angleSectors(stage, tracks, shares, 0.62 * FRAME_LENGTH * size);
   let flight = 0;
-  let planted = -1;
+  let drawnUpTo = -1;
 
   const set = (value, keep = true) => {
     model.set('done', Math.max(0, Math.min(last, value)));
@@ -43,7 +43,7 @@ export function row({ model, stage, data }) {
       if (!play.isConnected) return stop();
       const next =
         wanted > from ? Math.min(wanted, Math.floor(from + 1e-9) + 1) : Math.max(wanted, Math.ceil(from - 1e-9) - 1);
-      const share = Math.min(1, Math.max(0, (now - begun) / EACH));
+      const share = Math.min(1, Math.max(0, (now - begun) / MOTION_MS));
       if (share < 1) set(calm.matches ? from : from + (next - from) * share * share * (3 - 2 * share), false);
       else {
         set(next);
@@ -58,13 +58,13 @@ export function row({ model, stage, data }) {
   }
 
   const button = (text, label, act) =>
-    h('button', { type: 'button', ...KEYS, 'aria-label': label, title: label, onclick: act }, text);
+    h('button', { type: 'button', ...NO_SHORTCUTS, 'aria-label': label, title: label, onclick: act }, text);
   const play = h(
     'button',
     {
       type: 'button',
       class: 'kv-play',
-      ...KEYS,
+      ...NO_SHORTCUTS,
       onclick: () => {
         if (flight) {
           stop();
@@ -80,7 +80,7 @@ export function row({ model, stage, data }) {
   const back = button('◀ Back', 'One motion back', () => fly(Math.ceil(done() - 1e-9) - 1));
   const next = button('Next ▶', 'Next motion', () => fly(Math.floor(done() + 1e-9) + 1));
   const slider = h('input', {
-    ...KEYS,
+    ...NO_SHORTCUTS,
     type: 'range',
     min: 0,
     max: last,
@@ -91,7 +91,7 @@ export function row({ model, stage, data }) {
       set(Number(slider.value));
     },
     onkeydown: (event) => {
-      const by = MOVES[event.key];
+      const by = KEY_STEPS[event.key];
       if (!by || event.ctrlKey || event.metaKey || event.altKey) return;
       event.preventDefault();
       stop();
@@ -105,11 +105,11 @@ export function row({ model, stage, data }) {
         {
           type: 'button',
           class: 'kv-factor',
-          ...KEYS,
+          ...NO_SHORTCUTS,
           title: `Go on until after motion ${k + 1}`,
           onclick: () => fly(k + 1),
         },
-        ...rich(motion.symbol),
+        ...renderMathText(motion.symbol),
       ),
     );
     const said = h('p', { class: 'kv-said' });
@@ -133,7 +133,7 @@ export function row({ model, stage, data }) {
     const at = Math.min(last, Math.ceil(count - 1e-9));
     slider.value = count;
     slider.style.setProperty('--share', `${(100 * count) / last}%`);
-    slider.setAttribute('aria-valuetext', `${fixed(count, Number.isInteger(count) ? 0 : 1)} of ${last} motions`);
+    slider.setAttribute('aria-valuetext', `${formatNumber(count, Number.isInteger(count) ? 0 : 1)} of ${last} motions`);
     back.setAttribute('aria-disabled', String(count <= 0));
     next.setAttribute('aria-disabled', String(count >= last));
     lines.forEach(({ factors, said }, k) => {
@@ -143,24 +143,24 @@ export function row({ model, stage, data }) {
         else factor.removeAttribute('aria-current');
       });
       const text = at ? tracks[k].motions[at - 1].text : 'Nothing is done yet: the frame stands where it starts.';
-      if (said.dataset.text !== text) said.replaceChildren(...rich(text)); // a screen reader hears changes only
+      if (said.dataset.text !== text) said.replaceChildren(...renderMathText(text)); // a screen reader hears changes only
       said.dataset.text = text;
     });
   }
 
   function move() {
-    stage.figure.setQ(tracks.flatMap(({ motions }, k) => motions.map(({ value }, i) => value * shares()[k][i])));
+    stage.tree.setQ(tracks.flatMap(({ motions }, k) => motions.map(({ value }, i) => value * shares()[k][i])));
     const reached = Math.floor(done() + 1e-9);
-    if (reached !== planted) plant(reached);
+    if (reached !== drawnUpTo) drawReachedFrames(reached);
     // where a frame is planted its own names stand; between the flags those of what moves
-    stage.show('names', !tracks[0].flags.some(({ after }) => after === done()));
+    stage.showLayer('names', !tracks[0].flags.some(({ after }) => after === done()));
   }
 
   /** Frames that stand still once they are reached, and the names of ways that have been gone. */
-  function plant(reached) {
-    planted = reached;
-    const kit = { size, theme: stage.theme, length: ROD };
-    stage.put(
+  function drawReachedFrames(reached) {
+    drawnUpTo = reached;
+    const kit = { size, theme: stage.theme, length: FRAME_LENGTH };
+    stage.setLayer(
       'planted',
       tracks.flatMap(({ flags, stops, motions }, k) =>
         [
@@ -170,7 +170,7 @@ export function row({ model, stage, data }) {
               frame(name.replace('-', '−').split(' ')[0], pose, 'Oxz', {
                 ...kit,
                 strong: after === reached,
-                length: after ? ROD : 0.9 * ROD,
+                length: after ? FRAME_LENGTH : 0.9 * FRAME_LENGTH,
               }).concat(name.includes(' ') ? [tag(name, pose, stage.theme.ink)] : []),
             ),
           ...motions.flatMap(({ symbol, travel, axis, value }, i) =>
@@ -182,20 +182,20 @@ export function row({ model, stage, data }) {
     );
   }
 
-  function dress() {
+  function applyTheme() {
     const { theme } = stage;
-    const faint = mixed(theme.ghost, theme.paper, 0.3);
+    const faint = mixColours(theme.ghost, theme.paper, 0.3);
     const pale = { ...theme, x: faint, y: faint, z: faint, quiet: faint };
     const on = (k) => (part) => ({ arm: k, body: 0, ...part });
-    stage.put(
+    stage.setLayer(
       'still',
       tracks.flatMap(({ title, axes, stops, motions }, k) =>
         [
           ...motions.flatMap(({ axis, travel, value }, i) =>
             axis === 'x' && travel * value
-              ? dashes({
-                  from: place(stops[i]),
-                  to: place(stops[i + 1]),
+              ? dashedLine({
+                  from: originOf(stops[i]),
+                  to: originOf(stops[i + 1]),
                   radius: 0.008 * size,
                   colour: theme.normal,
                   dash: 0.03 * size,
@@ -204,14 +204,14 @@ export function row({ model, stage, data }) {
               : [],
           ),
           ...axes.flatMap(({ from, to, name, joint }) => line(from, to, name, joint, { size, theme })),
-          ...frame('', stops[last], 'Oxyz', { size, theme: pale, strong: false, length: 0.9 * ROD }).filter(
+          ...frame('', stops[last], 'Oxyz', { size, theme: pale, strong: false, length: 0.9 * FRAME_LENGTH }).filter(
             (part) => !part.label,
           ),
           ...(title
             ? [
                 {
                   label: true,
-                  at: add(place(stops[0]), [0, 0, -0.5 * size]),
+                  at: add(originOf(stops[0]), [0, 0, -0.5 * size]),
                   text: title,
                   sub: '',
                   colour: theme.ink,
@@ -223,18 +223,21 @@ export function row({ model, stage, data }) {
       ),
     );
     const moving = tracks.flatMap(({ stops }, k) =>
-      frame('', stops[0], 'Oxyz', { size, theme, length: ROD, body: last }).map((part) => ({ ...part, arm: k })),
+      frame('', stops[0], 'Oxyz', { size, theme, length: FRAME_LENGTH, body: last }).map((part) => ({
+        ...part,
+        arm: k,
+      })),
     );
-    stage.put(
+    stage.setLayer(
       'moving',
       moving.filter((part) => !part.label),
       { through: true },
     );
-    stage.put(
+    stage.setLayer(
       'names',
       moving.filter((part) => part.label),
     );
-    stage.putRods(
+    stage.setRods(
       'ways',
       tracks.flatMap(({ motions, stops }, k) =>
         motions.flatMap(({ axis, travel }, i) =>
@@ -244,7 +247,7 @@ export function row({ model, stage, data }) {
                   arm: k,
                   body: i,
                   joint: i,
-                  start: place(stops[0]),
+                  start: originOf(stops[0]),
                   axis: axis === 'x' ? [1, 0, 0] : [0, 0, 1],
                   travel,
                   radius: 0.022 * size,
@@ -255,7 +258,7 @@ export function row({ model, stage, data }) {
         ),
       ),
     );
-    planted = -1;
+    drawnUpTo = -1;
     move();
   }
 
@@ -268,7 +271,7 @@ export function row({ model, stage, data }) {
   return {
     element,
     replacesSliders: true,
-    dress,
+    applyTheme,
     update: move, // the joint values of an arm of motions are what is done of them
     dispose() {
       stop();
@@ -279,16 +282,16 @@ export function row({ model, stage, data }) {
 }
 
 function line(from, to, name, joint, { size, theme }) {
-  const colour = joint ? theme.axis : mixed(theme.axis, theme.paper, 0.45);
+  const colour = joint ? theme.axis : mixColours(theme.axis, theme.paper, 0.45);
   return [
-    ...dashes({ from, to, radius: (joint ? 0.009 : 0.006) * size, colour, dash: 0.06 * size, gap: 0.03 * size }),
+    ...dashedLine({ from, to, radius: (joint ? 0.009 : 0.006) * size, colour, dash: 0.06 * size, gap: 0.03 * size }),
     ...(name ? [{ label: true, at: to, from, text: name, sub: '', colour: theme.axis, italic: true, weight: 5 }] : []),
   ];
 }
 
 /** The name of a length that has been gone: d along z, a along x. */
 function way(symbol, axis, start, end, theme) {
-  const at = place(start).map((value, k) => (value + place(end)[k]) / 2);
+  const at = originOf(start).map((value, k) => (value + originOf(end)[k]) / 2);
   const letter = symbol.match(/\(([ad])\)/)?.[1] ?? symbol.replace('_', '');
   return {
     label: true,
@@ -302,5 +305,5 @@ function way(symbol, axis, start, end, theme) {
 }
 
 function tag(name, pose, colour) {
-  return { label: true, at: place(pose), text: `{${name}}`, sub: '', colour, weight: 7 };
+  return { label: true, at: originOf(pose), text: `{${name}}`, sub: '', colour, weight: 7 };
 }

@@ -1,6 +1,6 @@
 // The layers of an arm on the stage: which there are, what each holds, and how they follow the theme.
 import { Color, MeshBasicMaterial, MeshLambertMaterial } from 'three';
-import { Figure } from './figure.js';
+import { KinematicTree } from './kinematic-tree.js';
 import * as parts from './parts.js';
 
 /** Layers that the reader may switch on and off, with their names on the page. */
@@ -23,7 +23,7 @@ export const FRAMES = {
 };
 
 /** The choice of frames that a set of layers amounts to. */
-export function framesOf(shown) {
+export function frameChoiceOf(shown) {
   return (
     ['modified', 'standard', 'links'].find((name) => shown.includes(name)) ??
     (shown.includes('base') || shown.includes('tool') ? 'poe' : 'none')
@@ -37,7 +37,7 @@ export function without(shown, layers) {
 export const FRAME_LAYERS = ['base', 'tool', 'links', 'standard', 'modified'];
 
 /** The layers that this scene has something for, and that are worth a button. */
-export function available({ arms, offered }, shown) {
+export function availableLayers({ arms, offered }, shown) {
   const whole = arms.some((arm) => arm.links);
   const worth = {
     axes: true,
@@ -58,59 +58,59 @@ export function available({ arms, offered }, shown) {
 const SEEN = { through: true };
 
 /** Make every layer of the arms in the colours of a theme. */
-export function dress(stage, shown) {
+export function buildLayers(stage, shown) {
   const { data, theme } = stage;
   const { size } = data;
   const each = (make) =>
     data.arms.flatMap((arm, k) => (arm.links ? make(arm).map((part) => ({ ...part, arm: k })) : []));
   const colours = theme;
   const arm = [...each((one) => parts.links(one, size, colours)), ...each((one) => parts.joints(one, size, colours))];
-  stage.put('arm', [...parts.mount(data, size, colours), ...arm, ...parts.pieces(data, size, colours)], {
+  stage.setLayer('arm', [...parts.pedestal(data, size, colours), ...arm, ...parts.pieces(data, size, colours)], {
     outlined: true,
   });
-  stage.put('piece axes', () => parts.pieceAxes(data, size, colours), SEEN);
-  stage.figure.stretched.length = 0;
-  stage.putRods(
+  stage.setLayer('piece axes', () => parts.pieceAxes(data, size, colours), SEEN);
+  stage.tree.rodUpdates.length = 0;
+  stage.setRods(
     'rods',
     each((arm) => parts.rods(arm, size, colours)),
   );
-  stage.put('axes', () => each((arm) => parts.axes(arm, size, { letter: 'S', colour: colours.axis })), SEEN);
-  stage.put('body axes', () => each((arm) => parts.axes(arm, size, { letter: 'B', colour: colours.axis })), SEEN);
-  stage.put(
+  stage.setLayer('axes', () => each((arm) => parts.axes(arm, size, { letter: 'S', colour: colours.axis })), SEEN);
+  stage.setLayer('body axes', () => each((arm) => parts.axes(arm, size, { letter: 'B', colour: colours.axis })), SEEN);
+  stage.setLayer(
     'home axes',
     () => each((arm) => parts.axes(arm, size, { letter: 'S', colour: colours.home, onBody: () => 0 })),
     SEEN,
   );
-  stage.put('normals', () => each((arm) => parts.normals(arm, size, colours)), SEEN);
-  stage.put('dimensions', () => each((arm) => parts.dimensions(arm, size, colours)));
+  stage.setLayer('normals', () => each((arm) => parts.normals(arm, size, colours)), SEEN);
+  stage.setLayer('dimensions', () => each((arm) => parts.dimensions(arm, size, colours)));
   for (const name of FRAME_LAYERS) {
     const numbered = !['base', 'tool'].includes(name);
     const length = numbered ? 0.17 : 0.24;
-    stage.put(
+    stage.setLayer(
       `frames ${name}`,
       () => each((arm) => parts.triads(arm.frames?.[name] ?? [], size, colours, { numbered, length })),
       SEEN,
     );
   }
-  reveal(stage, shown);
+  showLayers(stage, shown);
 }
 
-export function reveal(stage, shown) {
-  stage.show('piece axes', shown.includes('axes'));
+export function showLayers(stage, shown) {
+  stage.showLayer('piece axes', shown.includes('axes'));
   for (const name of ['axes', 'body axes', 'home axes', 'normals', 'dimensions'])
-    stage.show(name, shown.includes(name));
-  for (const name of FRAME_LAYERS) stage.show(`frames ${name}`, shown.includes(name));
+    stage.showLayer(name, shown.includes(name));
+  for (const name of FRAME_LAYERS) stage.showLayer(`frames ${name}`, shown.includes(name));
 }
 
 /** The arm in another configuration, as a grey ghost. Returns how to move it, and how to be rid of it. */
-export function haunt(stage, q) {
-  const ghost = new Figure(stage.data.arms);
+export function showGhost(stage, q) {
+  const ghost = new KinematicTree(stage.data.arms);
   stage.scene.add(ghost.root);
   const colour = new Color(stage.theme.ghost);
-  const veil = new MeshLambertMaterial({ color: colour, transparent: true, opacity: 0.55 });
+  const translucent = new MeshLambertMaterial({ color: colour, transparent: true, opacity: 0.55 });
   const mask = new MeshBasicMaterial({ colorWrite: false }); // first where, then how: no piece shows through another
   mask.userData.order = 1;
-  veil.userData.order = 2;
+  translucent.userData.order = 2;
   const { data, theme } = stage;
   const plain = {
     ...theme,
@@ -125,19 +125,19 @@ export function haunt(stage, q) {
   const body = [...each(parts.links), ...each(parts.joints), ...parts.pieces(data, data.size, plain)].filter(
     (part) => part.shape,
   );
-  stage.put(
+  stage.setLayer(
     'ghost mask',
     body.map((part) => ({ ...part })),
-    { figure: ghost, material: mask },
+    { tree: ghost, material: mask },
   );
-  stage.put('ghost', body, { figure: ghost, material: veil });
-  stage.putRods('ghost rods', each(parts.rods), { figure: ghost, material: veil });
+  stage.setLayer('ghost', body, { tree: ghost, material: translucent });
+  stage.setRods('ghost rods', each(parts.rods), { tree: ghost, material: translucent });
   ghost.setQ(q);
   stage.draw();
   return () => {
-    for (const name of ['ghost', 'ghost mask', 'ghost rods']) stage.remove(name);
+    for (const name of ['ghost', 'ghost mask', 'ghost rods']) stage.removeLayer(name);
     ghost.root.removeFromParent();
-    for (const material of [veil, mask]) material.dispose();
+    for (const material of [translucent, mask]) material.dispose();
     stage.draw();
   };
 }

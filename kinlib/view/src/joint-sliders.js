@@ -1,14 +1,14 @@
 // One slider and one number field a joint, play and reset. A handler says what it wants and no more: q changes, and
 // everything is drawn from the change, whoever made it.
-import { fixed, h, KEYS, named, unique } from './dom.js';
-import { player, ROUND } from './play.js';
+import { formatNumber, h, NO_SHORTCUTS, renderSymbol, uniqueId } from './dom.js';
+import { playButton, ROUND_MS } from './play-button.js';
 
 const DEGREE = Math.PI / 180;
 
 /** @param state { sliders, start(), q(), set(q) } @returns { element, update(q), dispose() } */
-export function controls(state) {
-  const rows = state.sliders.map((slider) => row(slider, state));
-  const motion = sweep(state);
+export function jointSliders(state) {
+  const rows = state.sliders.map((slider) => sliderRow(slider, state));
+  const motion = sweepJoints(state);
   const element = h(
     'fieldset',
     { class: 'kv-joints' },
@@ -22,7 +22,7 @@ export function controls(state) {
         'button',
         {
           type: 'button',
-          ...KEYS,
+          ...NO_SHORTCUTS,
           onclick: () => {
             motion.stop();
             state.set(state.start());
@@ -41,9 +41,9 @@ export function controls(state) {
   };
 }
 
-function row(slider, state) {
+function sliderRow(slider, state) {
   const { column, name, unit, low, high } = slider;
-  const id = unique('q');
+  const id = uniqueId('q');
   const turns = unit === 'rad';
   const step = turns ? DEGREE : 0.01;
   const said = turns ? 'radians' : 'metres';
@@ -55,7 +55,7 @@ function row(slider, state) {
     state.set(q);
   };
   const range = h('input', {
-    ...KEYS,
+    ...NO_SHORTCUTS,
     id,
     type: 'range',
     min: low,
@@ -64,7 +64,7 @@ function row(slider, state) {
     'aria-label': whole,
     oninput: () => set(Number(range.value)),
     onkeydown: (event) => {
-      const steps = STEPS[event.key];
+      const steps = KEY_STEPS[event.key];
       if (!steps || event.ctrlKey || event.metaKey || event.altKey) return;
       event.preventDefault();
       const value = Math.abs(steps) === Infinity ? Math.sign(steps) * Infinity : state.q()[column] + steps * step;
@@ -72,12 +72,12 @@ function row(slider, state) {
     },
   });
   const field = h('input', {
-    ...KEYS,
+    ...NO_SHORTCUTS,
     type: 'number',
     step: 'any',
     'aria-label': `${whole}, as a number`,
     onchange: () => {
-      if (field.value.trim() === '') field.value = fixed(state.q()[column], 3);
+      if (field.value.trim() === '') field.value = formatNumber(state.q()[column], 3);
       else set(Number(field.value));
     },
   });
@@ -87,7 +87,7 @@ function row(slider, state) {
     element: h(
       'div',
       { class: 'kv-row' },
-      h('label', { for: id, title: whole }, named(name)),
+      h('label', { for: id, title: whole }, renderSymbol(name)),
       range,
       field,
       h('span', { class: 'kv-unit' }, unit),
@@ -99,18 +99,20 @@ function row(slider, state) {
       last = value;
       if (Number(range.value) !== value) range.value = value;
       range.style.setProperty('--share', `${Math.max(0, Math.min(100, (100 * (value - low)) / (high - low)))}%`);
-      if (document.activeElement !== field || Number(field.value) !== value) field.value = fixed(value, 3);
-      const text = turns ? `${fixed(value / DEGREE, 0)}°` : '';
+      if (document.activeElement !== field || Number(field.value) !== value) field.value = formatNumber(value, 3);
+      const text = turns ? `${formatNumber(value / DEGREE, 0)}°` : '';
       degrees.textContent = text;
       range.setAttribute(
         'aria-valuetext',
-        turns ? `${fixed(value, 2)} radians, ${fixed(value / DEGREE, 0)} degrees` : `${fixed(value, 3)} metres`,
+        turns
+          ? `${formatNumber(value, 2)} radians, ${formatNumber(value / DEGREE, 0)} degrees`
+          : `${formatNumber(value, 3)} metres`,
       );
     },
   };
 }
 
-const STEPS = {
+const KEY_STEPS = {
   ArrowLeft: -1,
   ArrowDown: -1,
   ArrowRight: 1,
@@ -122,14 +124,14 @@ const STEPS = {
 };
 
 /** Each joint sweeps to its upper end, to its lower one and back, one joint after the other. */
-function sweep(state) {
+function sweepJoints(state) {
   let from = [];
-  return player(
+  return playButton(
     () => {
       from = [...state.q()];
     },
     (time, share) => {
-      const turn = state.sliders[Math.floor(time / ROUND) % state.sliders.length];
+      const turn = state.sliders[Math.floor(time / ROUND_MS) % state.sliders.length];
       const rest = from[turn.column];
       const wave = Math.sin(2 * Math.PI * share);
       const q = [...from];

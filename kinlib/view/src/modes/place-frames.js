@@ -1,15 +1,15 @@
 // Assign mode: frames placed by hand on bare axes, part by part, by mouse, touch or keys. The frames are a trait, so Python
 // reads them; whether they obey the rules is asked of Python, and what is broken lights up where it is broken.
-import { axis, frame, lengths, marker, paleArm } from './drawing.js';
-import { handles } from './handles.js';
-import { panel } from './panel.js';
-import { picker } from './pick.js';
-import { add, columnOf, open, placed } from './vectors.js';
+import { axis, drawPaleArm, frame, lengths, marker } from './frame-drawing.js';
+import { pickHandles } from './place-frames-handles.js';
+import { placeFramesPanel } from './place-frames-panel.js';
+import { framePicker } from './place-frames-picking.js';
+import { add, columnOf, openPart, withPart } from './vectors.js';
 
-const PATIENCE = 6000; // milliseconds until silence of Python is mentioned
+const SILENCE_MS = 6000; // milliseconds until silence of Python is mentioned
 
 /** @param kit.data { convention, axes, z, points, x }, see kinlib/view/candidates.py */
-export function assign({ model, stage, data }) {
+export function placeFrames({ model, stage, data }) {
   const { size } = stage.data;
   const frames = () => model.get('frames');
   const now = { i: 0, part: 'z', waiting: false };
@@ -37,26 +37,26 @@ export function assign({ model, stage, data }) {
       past.push(held);
       held = null;
     }
-    if (on) next(placed(frames()[i], part, value));
+    if (on) next(withPart(frames()[i], part, value));
     keep(
-      frames().map((T, k) => (k === i ? placed(T, part, value) : T)),
+      frames().map((T, k) => (k === i ? withPart(T, part, value) : T)),
       kept,
     );
     if (on) changed(); // a pick of what was there already changes no trait
   }
   /** After a pick: the next part of this frame, and then the next frame that is open. */
   function next(T) {
-    const here = open(T);
+    const here = openPart(T);
     const others = frames()
       .map((_, k) => k)
-      .filter((k) => k !== now.i && open(frames()[k]));
+      .filter((k) => k !== now.i && openPart(frames()[k]));
     const there = others.find((k) => k > now.i) ?? others[0];
     if (here) now.part = here;
-    else if (there !== undefined) Object.assign(now, { i: there, part: open(frames()[there]) });
+    else if (there !== undefined) Object.assign(now, { i: there, part: openPart(frames()[there]) });
     picks.forget();
   }
   function go(i, part) {
-    Object.assign(now, { i, part: part ?? open(frames()[i]) ?? 'z' });
+    Object.assign(now, { i, part: part ?? openPart(frames()[i]) ?? 'z' });
     picks.forget();
     changed();
   }
@@ -72,16 +72,16 @@ export function assign({ model, stage, data }) {
   function ask() {
     sent = shot();
     clearTimeout(now.timer);
-    now.waiting = !model.alone;
-    if (now.waiting) now.timer = setTimeout(() => side.silent(), PATIENCE);
+    now.waiting = !model.withoutKernel;
+    if (now.waiting) now.timer = setTimeout(() => side.showNoAnswer(), SILENCE_MS);
     model.set('asked', model.get('asked') + 1);
     model.save_changes();
     side.update();
   }
 
   const pen = marker(stage);
-  const picks = picker({ stage, data, target, place });
-  const marks = handles({
+  const picks = framePicker({ stage, data, target, place });
+  const marks = pickHandles({
     stage,
     data,
     picks,
@@ -96,10 +96,24 @@ export function assign({ model, stage, data }) {
       (one) => !anew.includes(one.frame) && !anew.includes(other(one)),
     );
   };
-  const side = panel({ model, data, target, picks, size, place, go, undo, clear, ask, breaches, touched, past });
+  const side = placeFramesPanel({
+    model,
+    data,
+    target,
+    picks,
+    size,
+    place,
+    go,
+    undo,
+    clear,
+    ask,
+    breaches,
+    touched,
+    past,
+  });
 
   /** A frame as far as it is placed; a z without an origin stands on the axis that it was taken from. */
-  function partly(T) {
+  function drawnFrame(T) {
     const [x, y, z, origin] = [0, 1, 2, 3].map((k) => columnOf(T, k));
     const joint =
       z &&
@@ -112,13 +126,13 @@ export function assign({ model, stage, data }) {
 
   function draw() {
     const { theme } = stage;
-    const parts = frames().map(partly);
+    const parts = frames().map(drawnFrame);
     const long = lengths(
       parts.map(({ pose }) => pose),
       parts.map(({ letters }) => letters),
       size,
     );
-    stage.put(
+    stage.setLayer(
       'hand',
       parts.flatMap(({ pose, letters }, i) =>
         frame(i, pose, letters, { size, theme, strong: i === now.i, length: long[i], body: 0 }).filter(
@@ -153,16 +167,16 @@ export function assign({ model, stage, data }) {
   }
   model.on('change:frames', changed);
   model.on('change:verdict', judged);
-  const first = frames().findIndex((T) => open(T));
-  if (first >= 0) Object.assign(now, { i: first, part: open(frames()[first]) });
+  const first = frames().findIndex((T) => openPart(T));
+  if (first >= 0) Object.assign(now, { i: first, part: openPart(frames()[first]) });
   side.update();
   return {
     element: side.element,
     replacesSliders: true,
-    dress() {
-      marks.keepOff();
-      paleArm(stage);
-      stage.put(
+    applyTheme() {
+      marks.reserveHandles();
+      drawPaleArm(stage);
+      stage.setLayer(
         'bare axes',
         data.axes.flatMap(({ from, to }, i) => axis(i, from, to, { size, theme: stage.theme, beyond: 0.06 })),
         { through: true },

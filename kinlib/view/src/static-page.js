@@ -2,7 +2,7 @@
 import { widget } from './viewer.js';
 
 class StaticModel {
-  alone = true; // for modes that ask Python something
+  withoutKernel = true; // for modes that ask Python something
   #state;
   #listeners = new Map();
 
@@ -34,30 +34,30 @@ class StaticModel {
 }
 
 /** Bring to life what is on the page and sleeps: each viewer takes the place of its drawn figure when it comes near. */
-export function wake(root = document) {
-  const near = new IntersectionObserver(
+export function startViewers(root = document) {
+  const observer = new IntersectionObserver(
     (entries) => {
       for (const { isIntersecting, target } of entries) {
         if (!isIntersecting) continue;
-        near.unobserve(target);
-        rouse(target);
+        observer.unobserve(target);
+        startViewer(target);
       }
     },
     { rootMargin: '300px' },
   );
-  for (const element of root.querySelectorAll('[data-kinlib-viewer]:not([data-awake])')) {
-    element.dataset.awake = '';
-    near.observe(element);
+  for (const element of root.querySelectorAll('[data-kinlib-viewer]:not([data-started])')) {
+    element.dataset.started = '';
+    observer.observe(element);
   }
 }
 
-function rouse(element) {
+function startViewer(element) {
   const state = JSON.parse(element.querySelector('script[type="application/json"]').textContent);
   const model = new StaticModel(state);
   // a question elsewhere on the page lifts the cover by the attribute data-uncovered, before the viewer wakes or after
-  const lift = () => 'uncovered' in element.dataset && model.set('covered', false);
-  lift();
-  new MutationObserver(lift).observe(element, { attributeFilter: ['data-uncovered'] });
+  const uncover = () => 'uncovered' in element.dataset && model.set('covered', false);
+  uncover();
+  new MutationObserver(uncover).observe(element, { attributeFilter: ['data-uncovered'] });
   element.querySelector('[data-kinlib-drawing]')?.remove();
   widget.render({ model, el: element });
 }

@@ -4,24 +4,24 @@ import { add, cross } from './vectors.js';
 const TURN = 2 * Math.PI;
 
 /** @param picks what pick.js gives; @param target () -> { i, part, z, origin, x }; @param broken () -> where a rule is broken */
-export function handles({ stage, data, picks, target, broken }) {
+export function pickHandles({ stage, data, picks, target, broken }) {
   const overlay = (context) => {
     const { part } = target();
     context.save();
-    for (const at of broken()) badge(context, ...picks.flat(at), stage.theme);
-    DRAWN[part]({ context, theme: stage.theme, data, picks, ...target() });
-    tip(context, picks, stage);
+    for (const at of broken()) drawCross(context, ...picks.toPixels(at), stage.theme);
+    DRAW_HANDLES[part]({ context, theme: stage.theme, data, picks, ...target() });
+    drawTooltip(context, picks, stage);
     context.restore();
   };
   stage.overlays.add(overlay);
   let free = null;
   return {
     /** Names in the picture keep off the handles. */
-    keepOff() {
-      free ??= stage.reserved;
-      stage.reserved = () => [
+    reserveHandles() {
+      free ??= stage.reservedBoxes;
+      stage.reservedBoxes = () => [
         ...free(),
-        ...{ z: data.z, origin: data.points, x: [] }[target().part].map(({ at }) => box(picks.flat(at), 9)),
+        ...{ z: data.z, origin: data.points, x: [] }[target().part].map(({ at }) => box(picks.toPixels(at), 9)),
       ];
     },
     dispose: () => stage.overlays.delete(overlay),
@@ -30,20 +30,20 @@ export function handles({ stage, data, picks, target, broken }) {
 
 const box = ([x, y], half) => ({ left: x - half, right: x + half, top: y - half, bottom: y + half });
 
-const DRAWN = {
+const DRAW_HANDLES = {
   z({ context, theme, data, picks, z }) {
     for (const { at, along } of data.z) {
-      const [x, y] = picks.flat(at);
-      const [dx, dy] = picks.flat(add(at, along, 1e-3 * picks.radius));
+      const [x, y] = picks.toPixels(at);
+      const [dx, dy] = picks.toPixels(add(at, along, 1e-3 * picks.radius));
       const angle = Math.hypot(dx - x, dy - y) > 1e-5 ? Math.atan2(dy - y, dx - x) : null;
-      disc(context, x, y, 10, theme, theme.axis, z && same(along, z));
-      arrow(context, x, y, angle, z && same(along, z) ? theme.paper : theme.axis);
+      drawDisc(context, x, y, 10, theme, theme.axis, z && same(along, z));
+      drawArrow(context, x, y, angle, z && same(along, z) ? theme.paper : theme.axis);
     }
   },
   origin({ context, theme, data, picks, origin }) {
     for (const { at } of data.points)
-      disc(context, ...picks.flat(at), 6.5, theme, theme.ink, origin && same(at, origin));
-    if (origin) circle(context, ...picks.flat(origin), 11, theme.normal, 3);
+      drawDisc(context, ...picks.toPixels(at), 6.5, theme, theme.ink, origin && same(at, origin));
+    if (origin) drawCircle(context, ...picks.toPixels(origin), 11, theme.normal, 3);
   },
   x({ context, theme, picks, z, origin, x }) {
     if (!z || !origin) return;
@@ -54,7 +54,7 @@ const DRAWN = {
     for (let k = 0; k <= 72; k += 1) {
       const angle = (TURN * k) / 72;
       const at = add(add(origin, u, picks.radius * Math.cos(angle)), v, picks.radius * Math.sin(angle));
-      context[k ? 'lineTo' : 'moveTo'](...picks.flat(at));
+      context[k ? 'lineTo' : 'moveTo'](...picks.toPixels(at));
     }
     context.strokeStyle = theme.x;
     context.setLineDash([2, 4]);
@@ -62,12 +62,12 @@ const DRAWN = {
     context.stroke();
     context.setLineDash([]);
     for (const { along } of picks.named(z))
-      disc(context, ...picks.flat(add(origin, along, picks.radius)), 7, theme, theme.x, x && same(along, x));
-    if (x) circle(context, ...picks.flat(add(origin, x, picks.radius)), 12, theme.normal, 3);
+      drawDisc(context, ...picks.toPixels(add(origin, along, picks.radius)), 7, theme, theme.x, x && same(along, x));
+    if (x) drawCircle(context, ...picks.toPixels(add(origin, x, picks.radius)), 12, theme.normal, 3);
   },
 };
 
-function disc(context, x, y, radius, theme, colour, filled) {
+function drawDisc(context, x, y, radius, theme, colour, filled) {
   context.beginPath();
   context.arc(x, y, radius, 0, TURN);
   context.fillStyle = filled ? colour : theme.paper;
@@ -77,7 +77,7 @@ function disc(context, x, y, radius, theme, colour, filled) {
   context.stroke();
 }
 
-function circle(context, x, y, radius, colour, width) {
+function drawCircle(context, x, y, radius, colour, width) {
   context.beginPath();
   context.arc(x, y, radius, 0, TURN);
   context.strokeStyle = colour;
@@ -86,8 +86,8 @@ function circle(context, x, y, radius, colour, width) {
 }
 
 /** A joint at which a rule is broken. */
-function badge(context, x, y, theme) {
-  disc(context, x, y, 11, theme, theme.x, true);
+function drawCross(context, x, y, theme) {
+  drawDisc(context, x, y, 11, theme, theme.x, true);
   context.strokeStyle = theme.paper;
   context.lineWidth = 2.5;
   context.beginPath();
@@ -99,7 +99,7 @@ function badge(context, x, y, theme) {
 }
 
 /** Which way z would point; towards the eye, or away from it, it is a dot. */
-function arrow(context, x, y, angle, colour) {
+function drawArrow(context, x, y, angle, colour) {
   context.save();
   context.translate(x, y);
   context.fillStyle = colour;
@@ -116,12 +116,12 @@ function arrow(context, x, y, angle, colour) {
 }
 
 /** The name of what is under the pointer, beside it. */
-function tip(context, picks, stage) {
+function drawTooltip(context, picks, stage) {
   const found = picks.hovered();
   if (!found) return;
-  const [x, y] = picks.flat(found.at);
+  const [x, y] = picks.toPixels(found.at);
   const { theme, width } = stage;
-  circle(context, x, y, 13, theme.normal, 3);
+  drawCircle(context, x, y, 13, theme.normal, 3);
   context.font = '600 13px "Segoe UI", "Helvetica Neue", "DejaVu Sans", Arial, sans-serif';
   const [first, second, ...more] = found.text.split('; ');
   const text = [first, ...(second ? [second] : []), ...(more.length ? ['…'] : [])].join('; ');

@@ -5,7 +5,7 @@ const NAME = /\b(alpha|theta|[A-Za-z])_(\{[^}]+\}|[0-9inxz]+)|\b(alpha|theta|pi)
 const GREEK = { alpha: 'α', theta: 'θ', pi: 'π' };
 
 /** The nodes of a sentence. */
-export function rich(sentence) {
+export function renderMathText(sentence) {
   const text = sentence.replace(/(^|[\s(])-(?=\d| )/g, '$1−');
   const nodes = [];
   let done = 0;

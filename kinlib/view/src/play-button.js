@@ -1,18 +1,18 @@
 // Play: a button that moves something round after round, until it is pressed again.
-import { h, KEYS } from './dom.js';
+import { h, NO_SHORTCUTS } from './dom.js';
 
 /** Milliseconds for one round. */
-export const ROUND = 4000;
-const STATIONS = 4; // in a round, for who prefers reduced motion
+export const ROUND_MS = 4000;
+const REDUCED_MOTION_STEPS = 4; // in a round, for who prefers reduced motion
 
 /** @param begin called as it starts; @param tick(time, share of the round) moves things; @returns { button, stop } */
-export function player(begin, tick) {
+export function playButton(begin, tick) {
   let frame = 0;
   let begun = 0;
   const calm = matchMedia('(prefers-reduced-motion: reduce)');
   const button = h(
     'button',
-    { type: 'button', class: 'kv-play', ...KEYS, onclick: () => (frame ? stop() : start()) },
+    { type: 'button', class: 'kv-play', ...NO_SHORTCUTS, onclick: () => (frame ? stop() : start()) },
     '▶ Play',
   );
   function stop() {
@@ -28,8 +28,8 @@ export function player(begin, tick) {
   }
   function step(now) {
     const time = Math.max(0, now - begun);
-    const share = (time % ROUND) / ROUND;
-    tick(time, calm.matches ? Math.floor(share * STATIONS) / STATIONS : share);
+    const share = (time % ROUND_MS) / ROUND_MS;
+    tick(time, calm.matches ? Math.floor(share * REDUCED_MOTION_STEPS) / REDUCED_MOTION_STEPS : share);
     if (button.isConnected) frame = requestAnimationFrame(step);
     else stop();
   }

@@ -1,7 +1,7 @@
 // Where the tool is: the pose as a matrix, its columns in the colours of the axes, and a button that copies it as Python.
-import { fixed, h, KEYS, unique } from './dom.js';
+import { formatNumber, h, NO_SHORTCUTS, uniqueId } from './dom.js';
 
-const HEADS = [
+const COLUMNS = [
   ['x̂', 'x'],
   ['ŷ', 'y'],
   ['ẑ', 'z'],
@@ -9,7 +9,7 @@ const HEADS = [
 ];
 
 /** @returns { element, update(q, T) } */
-export function readout() {
+export function poseReadout() {
   let now = { q: [], T: [] };
   const cells = Array.from({ length: 16 }, () => h('td'));
   const told = h('span', { class: 'kv-told', role: 'status' });
@@ -17,11 +17,11 @@ export function readout() {
     'button',
     {
       type: 'button',
-      ...KEYS,
+      ...NO_SHORTCUTS,
       class: 'kv-copy',
       title: 'Copy q and T(q) as Python',
       onclick: async () => {
-        told.textContent = (await toClipboard(python(now))) ? 'copied' : 'this page may not copy';
+        told.textContent = (await copyToClipboard(formatPython(now))) ? 'copied' : 'this page may not copy';
         setTimeout(() => {
           told.textContent = '';
         }, 2000);
@@ -29,7 +29,7 @@ export function readout() {
     },
     'Copy',
   );
-  const id = unique('pose');
+  const id = uniqueId('pose');
   const element = h(
     'div',
     { class: 'kv-pose' },
@@ -43,7 +43,11 @@ export function readout() {
     h(
       'table',
       { 'aria-labelledby': id },
-      h('thead', {}, h('tr', {}, ...HEADS.map(([text, name]) => h('th', { scope: 'col', class: `kv-${name}` }, text)))),
+      h(
+        'thead',
+        {},
+        h('tr', {}, ...COLUMNS.map(([text, name]) => h('th', { scope: 'col', class: `kv-${name}` }, text))),
+      ),
       h('tbody', {}, ...[0, 1, 2, 3].map((row) => h('tr', {}, ...cells.slice(4 * row, 4 * row + 4)))),
     ),
     h('p', { class: 'kv-note' }, '{b} seen from {s}; lengths in metres'),
@@ -53,7 +57,7 @@ export function readout() {
     update(q, T) {
       now = { q, T };
       T.flat().forEach((value, k) => {
-        const text = fixed(value, 4);
+        const text = formatNumber(value, 4);
         if (cells[k].textContent !== text) cells[k].textContent = text;
       });
     },
@@ -61,12 +65,12 @@ export function readout() {
 }
 
 /** Every digit, as code that can be pasted into a cell. */
-export function python({ q, T }) {
+export function formatPython({ q, T }) {
   const row = (values) => `[${values.map((value) => `${value + 0}`).join(', ')}]`;
   return `q = np.array(${row(q)})\nT = np.array([\n${T.map((values) => `    ${row(values)},`).join('\n')}\n])`;
 }
 
-async function toClipboard(text) {
+async function copyToClipboard(text) {
   try {
     await navigator.clipboard.writeText(text);
     return true;

@@ -1,29 +1,45 @@
 // The panel of assign mode: which frame, its three parts as lists for keys and screen readers, the rules, the table.
-import { h, KEYS } from '../dom.js';
-import { square } from '../parts.js';
-import { rich } from '../rich.js';
+import { h, NO_SHORTCUTS } from '../dom.js';
+import { renderMathText } from '../math-text.js';
+import { perpendicularTo } from '../parts.js';
 import { roundStep } from '../stage.js';
-import { dhTable } from './table.js';
-import { add, columnOf, near, open, PARTS, turned } from './vectors.js';
+import { dhTable } from './dh-table.js';
+import { add, columnOf, near, openPart, PARTS, rotatePerpendicular } from './vectors.js';
 
-const TURN = 15; // degrees for one press
-const HOW = {
+const ROTATION_STEP_DEG = 15; // degrees for one press
+const INSTRUCTIONS = {
   z: 'Which way does z_{i} point? Tap one end of an axis.',
   origin: 'Where is O_{i}? Tap a ring, or anywhere on an axis. Then drag it along.',
   x: 'Which way does x_{i} point? Tap the dial round the origin, or drag the tip of x. It snaps to named directions.',
 };
-const NEEDS = {
+const MISSING = {
   z: 'First give z_{i} a direction: x is square to it.',
   origin: 'First put O_{i} somewhere: x starts there.',
 };
-const NAMES = { z: 'z_', origin: 'O_', x: 'x_' };
-const about = (text, i) => text.replaceAll('{i}', `${i}`);
+const SYMBOLS = { z: 'z_', origin: 'O_', x: 'x_' };
+const withIndex = (text, i) => text.replaceAll('{i}', `${i}`);
 
-export function panel({ model, data, target, size, picks, place, go, undo, clear, ask, breaches, touched, past }) {
+export function placeFramesPanel({
+  model,
+  data,
+  target,
+  size,
+  picks,
+  place,
+  go,
+  undo,
+  clear,
+  ask,
+  breaches,
+  touched,
+  past,
+}) {
   const frames = () => model.get('frames');
   const button = (text, label, act) =>
-    h('button', { type: 'button', ...KEYS, 'aria-label': label, title: label, onclick: act }, text);
-  const tabs = frames().map((_, i) => h('button', { type: 'button', class: 'kv-tab', ...KEYS, onclick: () => go(i) }));
+    h('button', { type: 'button', ...NO_SHORTCUTS, 'aria-label': label, title: label, onclick: act }, text);
+  const tabs = frames().map((_, i) =>
+    h('button', { type: 'button', class: 'kv-tab', ...NO_SHORTCUTS, onclick: () => go(i) }),
+  );
   const bar = h(
     'div',
     {
@@ -54,14 +70,24 @@ export function panel({ model, data, target, size, picks, place, go, undo, clear
   const turn = (by) =>
     at('x', () => {
       const { x, z } = target();
-      if (z) place(x ? turned(x, z, (by * TURN * Math.PI) / 180) : (picks.named(z)[0]?.along ?? square(z)));
+      if (z)
+        place(
+          x
+            ? rotatePerpendicular(x, z, (by * ROTATION_STEP_DEG * Math.PI) / 180)
+            : (picks.named(z)[0]?.along ?? perpendicularTo(z)),
+        );
     });
-  const lists = { z: together(data.z), origin: data.points.map(({ at: point, text }) => [point, text]) };
+  const lists = { z: groupDirections(data.z), origin: data.points.map(({ at: point, text }) => [point, text]) };
   const rows = Object.fromEntries(
     Object.keys(PARTS).map((part) => {
-      const choose = h('button', { type: 'button', class: 'kv-part', ...KEYS, onclick: () => go(target().i, part) });
+      const choose = h('button', {
+        type: 'button',
+        class: 'kv-part',
+        ...NO_SHORTCUTS,
+        onclick: () => go(target().i, part),
+      });
       const select = h('select', {
-        ...KEYS,
+        ...NO_SHORTCUTS,
         onfocus: () => target().part !== part && go(target().i, part),
         onchange: () => {
           const value = JSON.parse(select.value);
@@ -75,17 +101,17 @@ export function panel({ model, data, target, size, picks, place, go, undo, clear
           button('+', `Slide the origin ${step} m along z`, () => slide(1)),
         ],
         x: [
-          button('↺', `Turn x by ${TURN} degrees about z`, () => turn(1)),
-          button('↻', `Turn x by ${TURN} degrees the other way`, () => turn(-1)),
+          button('↺', `Turn x by ${ROTATION_STEP_DEG} degrees about z`, () => turn(1)),
+          button('↻', `Turn x by ${ROTATION_STEP_DEG} degrees the other way`, () => turn(-1)),
         ],
       }[part];
       return [part, { choose, select, nudge, element: h('div', { class: 'kv-place' }, choose, select, ...nudge) }];
     }),
   );
-  const check = h('button', { type: 'button', class: 'kv-main', ...KEYS, onclick: ask }, 'Check the rules');
+  const check = h('button', { type: 'button', class: 'kv-main', ...NO_SHORTCUTS, onclick: ask }, 'Check the rules');
   const back = button('↶ Undo', 'Undo the last change', undo);
   const wipe = button('Clear', 'Take this frame away', clear);
-  const copy = button('Copy', 'Copy the frames as Python', () => copied());
+  const copy = button('Copy', 'Copy the frames as Python', () => copyFrames());
   const said = h('div', { class: 'kv-verdict', 'aria-live': 'polite' });
   const element = h(
     'section',
@@ -103,7 +129,7 @@ export function panel({ model, data, target, size, picks, place, go, undo, clear
     said,
   );
 
-  async function copied() {
+  async function copyFrames() {
     const text = asPython(frames());
     try {
       await navigator.clipboard.writeText(text);
@@ -148,8 +174,8 @@ export function panel({ model, data, target, size, picks, place, go, undo, clear
       'aria-label',
       { z: `Direction of z ${i}`, origin: `Origin of frame ${i}`, x: `Direction of x ${i}` }[part],
     );
-    choose.replaceChildren(...rich(`${NAMES[part]}${i}`));
-    choose.setAttribute('aria-label', `Place ${NAMES[part].replace('_', ' ')}${i} in the picture`);
+    choose.replaceChildren(...renderMathText(`${SYMBOLS[part]}${i}`));
+    choose.setAttribute('aria-label', `Place ${SYMBOLS[part].replace('_', ' ')}${i} in the picture`);
     choose.setAttribute('aria-pressed', String(state.part === part));
     for (const one of nudge) one.disabled = !state.z || (part === 'origin' && !value);
   }
@@ -167,24 +193,24 @@ export function panel({ model, data, target, size, picks, place, go, undo, clear
       tab.tabIndex = k === i ? 0 : -1;
     });
     const missing = part === 'x' && ['z', 'origin'].find((needed) => !state[needed]);
-    const text = about(missing ? NEEDS[missing] : HOW[part], i);
-    if (how.dataset.text !== text) how.replaceChildren(...rich(text));
+    const text = withIndex(missing ? MISSING[missing] : INSTRUCTIONS[part], i);
+    if (how.dataset.text !== text) how.replaceChildren(...renderMathText(text));
     how.dataset.text = text;
     for (const name of Object.keys(rows)) fill(name, rows[name], state);
     check.setAttribute('aria-disabled', String(waiting));
     back.disabled = !past.length;
-    verdict(broken, waiting);
+    showVerdict(broken, waiting);
   }
 
-  function verdict(broken, waiting) {
+  function showVerdict(broken, waiting) {
     const { asked, breaches: all = [], table = [], off = 0 } = model.get('verdict');
     const left = frames()
-      .map((T, k) => (open(T) ? k : null))
+      .map((T, k) => (openPart(T) ? k : null))
       .filter((k) => k !== null);
     const key = JSON.stringify([asked, model.get('asked'), broken, waiting, left, touched().length]);
     if (said.dataset.key === key) return;
     said.dataset.key = key;
-    if (model.alone && model.get('asked') > (asked ?? 0)) {
+    if (model.withoutKernel && model.get('asked') > (asked ?? 0)) {
       said.replaceChildren(
         h(
           'p',
@@ -206,9 +232,9 @@ export function panel({ model, data, target, size, picks, place, go, undo, clear
               {},
               h(
                 'button',
-                { type: 'button', class: 'kv-breach', ...KEYS, onclick: () => go(one.frame, partOf(one.rule)) },
+                { type: 'button', class: 'kv-breach', ...NO_SHORTCUTS, onclick: () => go(one.frame, partOf(one.rule)) },
                 h('b', { class: 'kv-wrong' }, `✕ joint ${one.joint}: `),
-                ...rich(one.text),
+                ...renderMathText(one.text),
               ),
             ),
           ),
@@ -247,12 +273,12 @@ export function panel({ model, data, target, size, picks, place, go, undo, clear
   return {
     element,
     update,
-    silent: () => said.replaceChildren(h('p', {}, 'No answer from Python yet. Is the kernel running?')),
+    showNoAnswer: () => said.replaceChildren(h('p', {}, 'No answer from Python yet. Is the kernel running?')),
   };
 }
 
 /** Each direction once, with all its names: axes may be parallel. */
-function together(all) {
+function groupDirections(all) {
   const found = [];
   for (const { along, text } of all) {
     const same = found.find(([other]) => near(other, along));
@@ -266,7 +292,7 @@ const partOf = (rule) => ['z', 'origin'].find((part) => rule.startsWith(part)) ?
 
 /** The mark of a frame that breaks no rule, and its name for screen readers. */
 function progressOf(T) {
-  if (!open(T)) return ['●', 'placed'];
+  if (!openPart(T)) return ['●', 'placed'];
   return columnOf(T, 2) ? ['◐', 'started'] : ['○', 'not started'];
 }
 
@@ -275,7 +301,7 @@ function asPython(frames) {
   const number = (value) => `${Number(value.toFixed(12))}`;
   const vector = (values) => `(${values.map(number).join(', ')})`;
   const lines = frames.map((T) =>
-    open(T)
+    openPart(T)
       ? '    ...,'
       : `    pose((${[0, 1, 2].map((k) => vector(columnOf(T, k))).join(', ')}), ${vector(columnOf(T, 3))}),`,
   );

@@ -3,14 +3,14 @@
 // In JupyterLab every widget brings its own copy of this module, so a list on the page keeps the copies few.
 import { WebGLRenderer } from 'three';
 
-const MOST = 6; // browsers drop the oldest context beyond 16, with its picture
-const LIST = Symbol.for('kinlib.renderers');
+const MAX_CONTEXTS = 6; // browsers drop the oldest context beyond 16, with its picture
+const RENDERERS = Symbol.for('kinlib.renderers');
 let renderer = null;
 let refused = false;
 
-function live() {
-  globalThis[LIST] ??= [];
-  return globalThis[LIST];
+function liveRenderers() {
+  globalThis[RENDERERS] ??= [];
+  return globalThis[RENDERERS];
 }
 
 function release() {
@@ -21,21 +21,21 @@ function release() {
 
 function forget() {
   renderer = null;
-  globalThis[LIST] = live().filter((other) => other !== release);
+  globalThis[RENDERERS] = liveRenderers().filter((other) => other !== release);
 }
 
-function ready() {
+function acquireRenderer() {
   if (!renderer) {
-    while (live().length >= MOST) live()[0]();
+    while (liveRenderers().length >= MAX_CONTEXTS) liveRenderers()[0]();
     renderer = new WebGLRenderer({ antialias: true, alpha: true, stencil: true });
     renderer.domElement.addEventListener('webglcontextlost', forget, { once: true });
   }
-  globalThis[LIST] = [...live().filter((other) => other !== release), release]; // the last used is the last to go
+  globalThis[RENDERERS] = [...liveRenderers().filter((other) => other !== release), release]; // the last used is the last to go
   return renderer;
 }
 
 /** Whether this browser draws in three dimensions. Asked late and once: asking starts the machinery, and takes its time. */
-export function canPaint() {
+export function hasWebGL() {
   if (renderer) return true;
   if (refused) return false;
   const probe = document.createElement('canvas').getContext('webgl2');
@@ -45,8 +45,8 @@ export function canPaint() {
 }
 
 /** Paint a scene onto a flat canvas, over what is there. Returns the number of draw calls. */
-export function paint(scene, camera, context, { width, height, ratio }) {
-  const gl = ready();
+export function renderScene(scene, camera, context, { width, height, ratio }) {
+  const gl = acquireRenderer();
   const size = gl.domElement;
   if (size.width !== Math.floor(width * ratio) || size.height !== Math.floor(height * ratio)) {
     gl.setPixelRatio(ratio);
@@ -55,9 +55,4 @@ export function paint(scene, camera, context, { width, height, ratio }) {
   gl.render(scene, camera);
   context.drawImage(gl.domElement, 0, 0, width, height);
   return gl.info.render.calls;
-}
-
-/** How many contexts the page holds, and what this module's holds: for those who measure. */
-export function usage() {
-  return { contexts: live().length, ...renderer?.info.memory, ...renderer?.info.render };
 }

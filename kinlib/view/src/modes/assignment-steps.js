@@ -1,12 +1,12 @@
 // The frame-assignment player: one step at a time, forwards and back, with its sentence, and what it names lit up.
-import { h, KEYS } from '../dom.js';
-import { rich } from '../rich.js';
-import { dashes } from '../shapes.js';
-import { axis, column, frame, lengths, marker, originOf, paleArm } from './drawing.js';
-import { dhTable } from './table.js';
+import { h, NO_SHORTCUTS } from '../dom.js';
+import { renderMathText } from '../math-text.js';
+import { dashedLine } from '../shapes.js';
+import { dhTable } from './dh-table.js';
+import { axis, column, drawPaleArm, frame, lengths, marker, originOf } from './frame-drawing.js';
 import { add } from './vectors.js';
 
-const MOVES = {
+const KEY_STEPS = {
   ArrowRight: 1,
   ArrowDown: 1,
   ArrowLeft: -1,
@@ -18,7 +18,7 @@ const MOVES = {
 };
 
 /** @param kit.data { conventions: { standard, modified } }, each { axes, normals, frames, table, steps } */
-export function assignment({ model, stage, data }) {
+export function assignmentSteps({ model, stage, data }) {
   const pen = marker(stage);
   const { size } = stage.data;
   const now = () => data.conventions[model.get('convention')];
@@ -30,13 +30,13 @@ export function assignment({ model, stage, data }) {
     model.save_changes();
   };
   const button = (text, label, act) =>
-    h('button', { type: 'button', ...KEYS, 'aria-label': label, title: label, onclick: act }, text);
+    h('button', { type: 'button', ...NO_SHORTCUTS, 'aria-label': label, title: label, onclick: act }, text);
   const first = button('|◀', 'First step', () => go(0));
   const back = button('◀ Back', 'One step back', () => go(model.get('step') - 1));
   const next = button('Next ▶', 'Next step', () => go(model.get('step') + 1));
   const end = button('▶|', 'Last step', () => go(last));
   const slider = h('input', {
-    ...KEYS,
+    ...NO_SHORTCUTS,
     type: 'range',
     min: 0,
     max: last,
@@ -47,7 +47,7 @@ export function assignment({ model, stage, data }) {
   const select = h(
     'select',
     {
-      ...KEYS,
+      ...NO_SHORTCUTS,
       'aria-label': 'Convention',
       onchange: () => {
         model.set('convention', select.value);
@@ -69,7 +69,7 @@ export function assignment({ model, stage, data }) {
       role: 'group',
       'aria-label': 'Steps of the assignment',
       onkeydown: (event) => {
-        const by = MOVES[event.key];
+        const by = KEY_STEPS[event.key];
         if (!by || event.target === select || event.ctrlKey || event.metaKey || event.altKey) return;
         event.preventDefault();
         go(model.get('step') + by);
@@ -87,9 +87,9 @@ export function assignment({ model, stage, data }) {
     const step = steps[model.get('step')];
     select.value = model.get('convention');
     count.textContent = `step ${model.get('step') + 1} of ${last + 1}`;
-    title.replaceChildren(...rich(step.title));
-    text.replaceChildren(...rich(step.text));
-    others.replaceChildren(...(step.others ? [h('b', {}, 'Also legal: '), ...rich(step.others)] : []));
+    title.replaceChildren(...renderMathText(step.title));
+    text.replaceChildren(...renderMathText(step.text));
+    others.replaceChildren(...(step.others ? [h('b', {}, 'Also legal: '), ...renderMathText(step.others)] : []));
     slider.value = model.get('step');
     slider.style.setProperty('--share', `${(100 * model.get('step')) / last}%`);
     slider.setAttribute('aria-valuetext', `${model.get('step') + 1} of ${last + 1}: ${step.title}`);
@@ -113,7 +113,7 @@ export function assignment({ model, stage, data }) {
     const kit = { size, theme };
     const long = lengths(frames, step.letters, size);
     const shown = frames.map((pose, i) => ({ pose, letters: pose ? step.letters[i] : '', i }));
-    stage.put(
+    stage.setLayer(
       'steps',
       [
         ...axes.flatMap(([from, to], i) => axis(i, from, to, { ...kit, strong: step.axes[i] })),
@@ -144,8 +144,8 @@ export function assignment({ model, stage, data }) {
   return {
     element,
     replacesSliders: true,
-    dress() {
-      paleArm(stage);
+    applyTheme() {
+      drawPaleArm(stage);
       changed();
     },
     dispose() {
@@ -183,7 +183,7 @@ function common(normal, i, { size, theme }, strong) {
     italic: true,
     weight: 3,
   };
-  return [...dashes(line), ...(strong ? [name] : [])];
+  return [...dashedLine(line), ...(strong ? [name] : [])];
 }
 
 /** A stretch of a row: d along an axis, a along a normal. */

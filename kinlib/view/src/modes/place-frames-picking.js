@@ -1,19 +1,19 @@
 // Picking in the picture: what can be taken, drawn over it; what is under the pointer; drags along an axis and round a ring.
 // The eye is orthographic, so lines and planes of space are lines and planes of the picture, only foreshortened.
 import { Vector3 } from 'three';
-import { square } from '../parts.js';
+import { perpendicularTo } from '../parts.js';
 import { roundStep } from '../stage.js';
-import { add, cross, dot, minus, norm, turned } from './vectors.js';
+import { add, cross, dot, minus, norm, rotatePerpendicular } from './vectors.js';
 
-const GRIP = 18; // pixels round a handle
-const SNAP = 14; // pixels round a point, for what moves on a line
-const LINE = 12;
-const STEP = 5; // degrees on the ring, where nothing is near
-const CATCH = 8; // degrees round a direction that has a name
+const HANDLE_RADIUS_PX = 18; // pixels round a handle
+const POINT_RADIUS_PX = 14; // pixels round a point, for what moves on a line
+const AXIS_DISTANCE_PX = 12;
+const RING_STEP_DEG = 5; // degrees on the ring, where nothing is near
+const DIRECTION_SNAP_DEG = 8; // degrees round a direction that has a name
 const DEGREE = Math.PI / 180;
 
 /** @param target () -> { part, z, origin, x } of the frame at hand; @param place (value, kept) puts its part somewhere */
-export function picker({ stage, data, target, place }) {
+export function framePicker({ stage, data, target, place }) {
   const { canvas } = stage;
   const { size } = stage.data;
   const radius = 0.3 * size;
@@ -21,39 +21,39 @@ export function picker({ stage, data, target, place }) {
   let hovered = null;
   let dragging = false;
 
-  const flat = (point) => {
-    const { x, y } = stage.eye.project(new Vector3(...point), new Vector3());
+  const toPixels = (point) => {
+    const { x, y } = stage.camera.project(new Vector3(...point), new Vector3());
     return [x, y];
   };
   const gap = (p, q) => Math.hypot(p[0] - q[0], p[1] - q[1]);
   const nearest = (list, pointer, reach) =>
     list
-      .map((item) => ({ ...item, off: gap(flat(item.at), pointer) }))
+      .map((item) => ({ ...item, off: gap(toPixels(item.at), pointer) }))
       .filter(({ off }) => off < reach)
       .sort((a, b) => a.off - b.off)[0];
 
   /** How far along an axis the pointer is: on a picture of a line, shares are those of the line. */
   function onAxis(axis, pointer) {
-    const start = flat(axis.point);
-    const way = minus(flat(add(axis.point, axis.along)), start);
+    const start = toPixels(axis.point);
+    const way = minus(toPixels(add(axis.point, axis.along)), start);
     const length = dot(way, way);
     if (length < 1) return null; // seen end on
     const [low, high] = ['from', 'to'].map((end) => dot(minus(axis[end], axis.point), axis.along));
     const raw = dot(minus(pointer, start), way) / length;
     const share = Math.round(Math.max(low, Math.min(high, raw)) / grid) * grid;
     const at = add(axis.point, axis.along, share);
-    return { value: at, at, off: gap(flat(at), pointer), share };
+    return { value: at, at, off: gap(toPixels(at), pointer), share };
   }
 
   function originAt(pointer, only) {
     const points = only
       ? data.points.filter(({ at }) => norm(cross(minus(at, only.point), only.along)) < 1e-9)
       : data.points;
-    const point = nearest(points, pointer, only ? 10 : SNAP);
+    const point = nearest(points, pointer, only ? 10 : POINT_RADIUS_PX);
     if (point) return { ...point, value: point.at };
     const found = (only ? [only] : data.axes)
       .map((axis) => ({ axis, ...onAxis(axis, pointer) }))
-      .filter(({ value, off }) => value && (only || off < LINE))
+      .filter(({ value, off }) => value && (only || off < AXIS_DISTANCE_PX))
       .sort((a, b) => a.off - b.off)[0];
     return (
       found && {
@@ -66,31 +66,31 @@ export function picker({ stage, data, target, place }) {
   /** Directions square to z that have a name. */
   const named = (z) => data.x.filter(({ along }) => Math.abs(dot(along, z)) < 1e-9);
 
-  function xAt(pointer, loose) {
+  function xAt(pointer, duringDrag) {
     const { z, origin } = target();
     if (!z || !origin) return null;
-    const u = named(z)[0]?.along ?? square(z);
+    const u = named(z)[0]?.along ?? perpendicularTo(z);
     const v = cross(z, u);
-    const hub = flat(origin);
-    const [p, q] = [u, v].map((along) => minus(flat(add(origin, along, radius)), hub));
+    const hub = toPixels(origin);
+    const [p, q] = [u, v].map((along) => minus(toPixels(add(origin, along, radius)), hub));
     const det = p[0] * q[1] - p[1] * q[0];
     const tips = named(z).map((one) => ({ ...one, at: add(origin, one.along, radius), value: one.along }));
-    const tip = nearest(tips, pointer, loose ? 0 : GRIP);
-    if (tip || Math.abs(det) < (0.04 * radius ** 2) / stage.eye.scale ** 2) return tip ?? null; // the ring is seen edge on
+    const tip = nearest(tips, pointer, duringDrag ? 0 : HANDLE_RADIUS_PX);
+    if (tip || Math.abs(det) < (0.04 * radius ** 2) / stage.camera.scale ** 2) return tip ?? null; // the ring is seen edge on
     const off = minus(pointer, hub);
     const [a, b] = [(off[0] * q[1] - off[1] * q[0]) / det, (p[0] * off[1] - p[1] * off[0]) / det];
     const out = Math.hypot(a, b);
-    if (!loose && (out < 0.5 || out > 1.35)) return null;
+    if (!duringDrag && (out < 0.5 || out > 1.35)) return null;
     const angle = Math.atan2(b, a) / DEGREE;
     const close = tips
       .map((one) => ({
         ...one,
         miss: Math.abs(((Math.atan2(dot(one.along, v), dot(one.along, u)) / DEGREE - angle + 540) % 360) - 180),
       }))
-      .filter(({ miss }) => miss < CATCH)
+      .filter(({ miss }) => miss < DIRECTION_SNAP_DEG)
       .sort((one, other) => one.miss - other.miss)[0];
     if (close) return close;
-    const value = turned(u, z, Math.round(angle / STEP) * STEP * DEGREE);
+    const value = rotatePerpendicular(u, z, Math.round(angle / RING_STEP_DEG) * RING_STEP_DEG * DEGREE);
     return {
       value,
       at: add(origin, value, radius),
@@ -100,25 +100,25 @@ export function picker({ stage, data, target, place }) {
 
   const HITS = {
     z: (pointer) => {
-      const found = nearest(data.z, pointer, GRIP);
+      const found = nearest(data.z, pointer, HANDLE_RADIUS_PX);
       return found && { ...found, value: found.along };
     },
     origin: (pointer) => originAt(pointer),
     x: (pointer) => xAt(pointer),
   };
   /** The axis that an origin lies on; of several, the one along its z. */
-  function track() {
+  function axisOfOrigin() {
     const { origin, z } = target();
     const through = data.axes.filter(({ point, along }) => norm(cross(minus(origin, point), along)) < 1e-9);
     return through.find(({ along }) => z && norm(cross(along, z)) < 1e-9) ?? through[0];
   }
   /** What is under the hand: the origin of the frame, or the tip of its x. */
-  function held(pointer) {
+  function isOnDraggedPart(pointer) {
     const { part, origin, x } = target();
-    if (part === 'origin' && origin && track()) return gap(flat(origin), pointer) < GRIP;
-    return part === 'x' && origin && x ? gap(flat(add(origin, x, radius)), pointer) < GRIP : false;
+    if (part === 'origin' && origin && axisOfOrigin()) return gap(toPixels(origin), pointer) < HANDLE_RADIUS_PX;
+    return part === 'x' && origin && x ? gap(toPixels(add(origin, x, radius)), pointer) < HANDLE_RADIUS_PX : false;
   }
-  const dragged = (pointer) => (target().part === 'x' ? xAt(pointer, true) : originAt(pointer, track()));
+  const dragged = (pointer) => (target().part === 'x' ? xAt(pointer, true) : originAt(pointer, axisOfOrigin()));
   const pointerOf = (event) => {
     const box = canvas.getBoundingClientRect();
     return [event.clientX - box.left, event.clientY - box.top];
@@ -132,7 +132,7 @@ export function picker({ stage, data, target, place }) {
   }
   const listeners = {
     pointerdown(event) {
-      if (event.button || !held(pointerOf(event))) return;
+      if (event.button || !isOnDraggedPart(pointerOf(event))) return;
       dragging = true;
       event.stopImmediatePropagation(); // or the eye would turn
       canvas.focus({ preventScroll: true });
@@ -163,7 +163,7 @@ export function picker({ stage, data, target, place }) {
   for (const [name, listener] of Object.entries(listeners)) canvas.addEventListener(name, listener, { capture: true });
   return {
     radius,
-    flat,
+    toPixels,
     named,
     hovered: () => hovered,
     forget: () => {

@@ -1,6 +1,6 @@
 // A DH table on the page, in the head of its convention.
 import { h } from '../dom.js';
-import { rich } from '../rich.js';
+import { renderMathText } from '../math-text.js';
 
 const HEADS = {
   standard: ['a_i', 'alpha_i', 'd_i', 'theta_i'],
@@ -16,14 +16,14 @@ export function dhTable(convention, rows, { read = rows.length, lit = 0, label =
       'tr',
       {},
       h('th', { scope: 'col' }, 'i'),
-      ...HEADS[convention].map((head) => h('th', { scope: 'col' }, ...rich(head))),
+      ...HEADS[convention].map((head) => h('th', { scope: 'col' }, ...renderMathText(head))),
     ),
     ...rows.map((row, k) =>
       h(
         'tr',
         k + 1 === lit ? { class: 'kv-lit' } : {},
         h('th', { scope: 'row' }, `${k + 1}`),
-        ...row.map((cell) => h('td', {}, ...(k < read ? rich(cell) : ['·']))),
+        ...row.map((cell) => h('td', {}, ...(k < read ? renderMathText(cell) : ['·']))),
       ),
     ),
   );

@@ -1,10 +1,10 @@
 // What the modes about frames draw with: a pale arm, axes from end to end, frames axis by axis, and a marker pen.
 import { Color, Vector3 } from 'three';
 import * as parts from '../parts.js';
-import { dashes } from '../shapes.js';
+import { dashedLine } from '../shapes.js';
 import { add } from './vectors.js';
 
-const WIDTH = 17; // of the marker pen, in pixels
+const MARKER_WIDTH_PX = 17; // of the marker pen, in pixels
 const MARKER_COLOURS = {
   light: { named: '#ffec99', wrong: '#ffb3ad' },
   dark: { named: '#5c4a00', wrong: '#661a1a' },
@@ -16,14 +16,14 @@ export const column = (pose, k) => [pose[k], pose[4 + k], pose[8 + k]];
 export const originOf = (pose) => column(pose, 3);
 
 /** A colour on its way to another. */
-export function mixed(colour, other, share) {
+export function mixColours(colour, other, share) {
   return `#${new Color(colour).lerp(new Color(other), share).getHexString()}`;
 }
 
 /** The arm steps back: what is drawn on it is the point. */
-export function paleArm(stage) {
+export function drawPaleArm(stage) {
   const { data, theme } = stage;
-  const pale = (colour, share = 0.62) => mixed(colour, theme.paper, share);
+  const pale = (colour, share = 0.62) => mixColours(colour, theme.paper, share);
   const colours = {
     ...theme,
     link: pale(theme.link),
@@ -36,7 +36,7 @@ export function paleArm(stage) {
     ...parts.links(arm, data.size, colours),
     ...parts.joints(arm, data.size, colours),
   ]);
-  stage.put('arm', [...parts.mount(data, data.size, colours), ...made], { outlined: true });
+  stage.setLayer('arm', [...parts.pedestal(data, data.size, colours), ...made], { outlined: true });
 }
 
 /** A joint axis from end to end, dashed, with a tip and its number. */
@@ -44,7 +44,7 @@ export function axis(i, from, to, { size, theme, strong = true, colour = theme.a
   const along = add(to, from, -1);
   const length = Math.hypot(...along);
   const neck = add(from, along, 1 - (0.05 * size) / length);
-  const ink = strong ? colour : mixed(colour, theme.paper, 0.45);
+  const ink = strong ? colour : mixColours(colour, theme.paper, 0.45);
   const line = {
     body: i,
     from,
@@ -55,7 +55,7 @@ export function axis(i, from, to, { size, theme, strong = true, colour = theme.a
     gap: 0.018 * size,
   };
   return [
-    ...dashes(line),
+    ...dashedLine(line),
     { body: i, shape: 'cone', from: neck, to, radius: 0.014 * size, colour: ink },
     {
       body: i,
@@ -79,7 +79,7 @@ export function frame(i, pose, letters, { size, theme, strong = true, length = 0
     .filter((letter) => letters.includes(letter))
     .flatMap((letter) => {
       const along = column(pose, 'xyz'.indexOf(letter));
-      const ink = strong ? theme[letter] : mixed(theme[letter], theme.paper, 0.35);
+      const ink = strong ? theme[letter] : mixColours(theme[letter], theme.paper, 0.35);
       const neck = add(origin, along, (length - 0.045) * size);
       const tip = add(origin, along, length * size);
       return [
@@ -125,16 +125,16 @@ export function lengths(poses, drawn, size) {
 export function marker(stage) {
   let strokes = [];
   const [p, q] = [new Vector3(), new Vector3()];
-  const overlay = (context, eye) => {
+  const overlay = (context, camera) => {
     const dark = stage.theme.dark;
     context.save();
     context.globalCompositeOperation = dark ? 'screen' : 'multiply';
     context.lineCap = 'round';
     for (const { from, to = from, wrong } of strokes) {
-      eye.project(p.set(...from), p);
-      eye.project(q.set(...to), q);
+      camera.project(p.set(...from), p);
+      camera.project(q.set(...to), q);
       context.strokeStyle = MARKER_COLOURS[dark ? 'dark' : 'light'][wrong ? 'wrong' : 'named'];
-      context.lineWidth = from === to ? 1.7 * WIDTH : WIDTH;
+      context.lineWidth = from === to ? 1.7 * MARKER_WIDTH_PX : MARKER_WIDTH_PX;
       context.beginPath();
       context.moveTo(p.x, p.y);
       context.lineTo(q.x + 0.01, q.y); // a point is a very short line

@@ -1,19 +1,23 @@
 // Predict mode: the picture stays covered until a prediction is committed, here or in a question above. Who insists may
 // look; nothing is recorded for it.
-import { h, KEYS, unique } from './dom.js';
+import { h, NO_SHORTCUTS, uniqueId } from './dom.js';
 
 /** @param model with covered, prediction { text, options } and choice @returns { element, update() } */
-export function cover(model) {
+export function predictionCover(model) {
   const element = h('div', { class: 'kv-cover', role: 'group', 'aria-label': 'Prediction' });
   let drawn;
-  const lift = (choice) => {
+  const uncover = (choice) => {
     if (choice !== undefined) model.set('choice', choice);
     model.set('covered', false);
     model.save_changes();
   };
   function content() {
     const { text, options = [] } = model.get('prediction') ?? {};
-    const anyway = h('button', { type: 'button', ...KEYS, class: 'kv-quiet', onclick: () => lift() }, 'Show anyway');
+    const anyway = h(
+      'button',
+      { type: 'button', ...NO_SHORTCUTS, class: 'kv-quiet', onclick: () => uncover() },
+      'Show anyway',
+    );
     if (!text) {
       return [
         h('p', { class: 'kv-title' }, 'Commit to your prediction above first'),
@@ -21,15 +25,15 @@ export function cover(model) {
         anyway,
       ];
     }
-    const group = unique('prediction');
+    const group = uniqueId('prediction');
     const commit = h(
       'button',
       {
         type: 'button',
-        ...KEYS,
+        ...NO_SHORTCUTS,
         disabled: true,
         onclick: () => {
-          lift(Number(element.querySelector('input:checked').value));
+          uncover(Number(element.querySelector('input:checked').value));
         },
       },
       'Commit',
@@ -42,7 +46,7 @@ export function cover(model) {
           'label',
           {},
           h('input', {
-            ...KEYS,
+            ...NO_SHORTCUTS,
             type: 'radio',
             name: group,
             value: k,

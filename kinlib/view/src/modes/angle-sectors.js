@@ -1,11 +1,11 @@
 // Angles that motions have turned, as sectors over the picture: from where x (or z) pointed to where it points now.
 import { Vector3 } from 'three';
 
-const STEPS = 24;
+const ARC_SEGMENTS = 24;
 
 /** @param shares how much of each motion of each track is done, from 0 to 1 */
-export function sectors(stage, tracks, shares, radius) {
-  const overlay = (context, eye) => {
+export function angleSectors(stage, tracks, shares, radius) {
+  const overlay = (context, camera) => {
     for (const [track, { motions, stops }] of tracks.entries()) {
       for (const [k, motion] of motions.entries()) {
         const share = shares()[track][k];
@@ -13,13 +13,13 @@ export function sectors(stage, tracks, shares, radius) {
         if (Math.abs(angle) < 0.01) continue;
         const pose = stops[k];
         const slides = motion.travel !== 0;
-        const turned = (phi, r) =>
-          eye.project(
+        const pointAt = (phi, r) =>
+          camera.project(
             arm(pose, motion.axis, phi, r).add(along(pose, motion.axis, slides ? motion.travel * phi : 0)),
             new Vector3(),
           );
-        const points = Array.from({ length: STEPS + 1 }, (_, i) => turned((angle * i) / STEPS, radius));
-        const hub = turned(0, 0);
+        const points = Array.from({ length: ARC_SEGMENTS + 1 }, (_, i) => pointAt((angle * i) / ARC_SEGMENTS, radius));
+        const hub = pointAt(0, 0);
         const colour = motion.axis === 'z' ? stage.theme.axis : stage.theme.normal;
         const now = share < 1 || shares()[track][k + 1] === 0 || k === motions.length - 1;
         context.save();
@@ -35,7 +35,7 @@ export function sectors(stage, tracks, shares, radius) {
         context.beginPath();
         for (const { x, y } of points) context.lineTo(x, y);
         context.stroke();
-        name(context, slides ? '' : motion.symbol, turned(angle / 2, 1.2 * radius), colour, stage.theme.halo);
+        drawAngleName(context, slides ? '' : motion.symbol, pointAt(angle / 2, 1.2 * radius), colour, stage.theme.halo);
         context.restore();
       }
     }
@@ -59,7 +59,7 @@ function along(pose, axis, way) {
   return new Vector3(pose[k], pose[4 + k], pose[8 + k]).multiplyScalar(way);
 }
 
-function name(context, symbol, { x, y }, colour, halo) {
+function drawAngleName(context, symbol, { x, y }, colour, halo) {
   const letter = { 'R_z(theta)': 'θ', 'R_x(alpha)': 'α' }[symbol];
   if (!letter) return;
   context.font = 'italic 600 15px "Cambria Math", Cambria, "DejaVu Serif", Georgia, serif';

@@ -1,10 +1,11 @@
 // What is shown, and from where: buttons that stay pressed, a list of frames, and the named views.
-import { FRAME_LAYERS, FRAMES, framesOf, TOGGLES, without } from './arm.js';
+
 import { VIEWS } from './camera.js';
-import { h, KEYS } from './dom.js';
+import { h, NO_SHORTCUTS } from './dom.js';
+import { FRAME_LAYERS, FRAMES, frameChoiceOf, TOGGLES, without } from './layers.js';
 
 /** @param state { available, shown(), setShown(names) } @returns { element, update() } */
-export function toggles({ available, shown, setShown }) {
+export function layerToggles({ available, shown, setShown }) {
   const buttons = Object.entries(TOGGLES)
     .filter(([name]) => available.includes(name))
     .map(([name, text]) => {
@@ -13,7 +14,7 @@ export function toggles({ available, shown, setShown }) {
         {
           type: 'button',
           class: 'kv-chip',
-          ...KEYS,
+          ...NO_SHORTCUTS,
           onclick: () => {
             const now = shown();
             setShown(now.includes(name) ? without(now, [name]) : [...now, name]);
@@ -26,7 +27,7 @@ export function toggles({ available, shown, setShown }) {
   const select = h(
     'select',
     {
-      ...KEYS,
+      ...NO_SHORTCUTS,
       'aria-label': 'Frames',
       onchange: () => setShown([...without(shown(), FRAME_LAYERS), ...FRAMES[select.value].layers]),
     },
@@ -44,15 +45,17 @@ export function toggles({ available, shown, setShown }) {
     ),
     update() {
       for (const { name, button } of buttons) button.setAttribute('aria-pressed', String(shown().includes(name)));
-      select.value = framesOf(shown());
+      select.value = frameChoiceOf(shown());
     },
   };
 }
 
-export function views(eye) {
+export function viewButtons(camera) {
   return h(
     'div',
     { class: 'kv-views', role: 'group', 'aria-label': 'View' },
-    ...Object.keys(VIEWS).map((name) => h('button', { type: 'button', ...KEYS, onclick: () => eye.look(name) }, name)),
+    ...Object.keys(VIEWS).map((name) =>
+      h('button', { type: 'button', ...NO_SHORTCUTS, onclick: () => camera.flyTo(name) }, name),
+    ),
   );
 }

@@ -1,18 +1,18 @@
 // A closed chain on its curves: a driver slider along one of them, the configuration space beside, click to go there.
-import { fixed, h, KEYS, named, unique } from '../dom.js';
-import { player } from '../play.js';
+import { formatNumber, h, NO_SHORTCUTS, renderSymbol, uniqueId } from '../dom.js';
+import { playButton } from '../play-button.js';
 
-const SIDE = 260;
-const MARGIN = 30;
+const MAP_SIZE_PX = 260;
+const MAP_MARGIN_PX = 30;
 
 /** @param kit.data { curves: [[[q...], ...], ...], columns: [column, column], names: [name, name], all: [name...], closed: [bool...], labels: [text...] } */
-export function curve({ stage, data, state }) {
+export function configurationCurve({ stage, data, state }) {
   const { curves, columns, names } = data;
-  const id = unique('curve');
+  const id = uniqueId('curve');
   let at = nearest(curves, state.q());
   const go = (which, sample) => state.set(curves[which][sample]);
   const driver = h('input', {
-    ...KEYS,
+    ...NO_SHORTCUTS,
     id,
     type: 'range',
     min: 0,
@@ -22,7 +22,7 @@ export function curve({ stage, data, state }) {
   const select = h(
     'select',
     {
-      ...KEYS,
+      ...NO_SHORTCUTS,
       'aria-label': 'Assembly mode',
       onchange: () => {
         const which = Number(select.value);
@@ -35,7 +35,7 @@ export function curve({ stage, data, state }) {
     class: 'kv-map',
     tabindex: 0,
     role: 'img',
-    ...KEYS,
+    ...NO_SHORTCUTS,
     onclick: (event) => {
       const box = canvas.getBoundingClientRect();
       const point = [event.clientX - box.left, event.clientY - box.top];
@@ -54,7 +54,7 @@ export function curve({ stage, data, state }) {
     },
   });
   let from = 0;
-  const motion = player(
+  const motion = playButton(
     () => {
       from = at.sample;
     },
@@ -70,7 +70,7 @@ export function curve({ stage, data, state }) {
   const values = h(
     'p',
     { class: 'kv-values' },
-    ...data.all.flatMap((name, k) => [h('span', {}, named(name), ' = ', numbers[k])]),
+    ...data.all.flatMap((name, k) => [h('span', {}, renderSymbol(name), ' = ', numbers[k])]),
   );
   const bounds = columns.map((column) => {
     const values = curves.flat().map((q) => q[column]);
@@ -81,21 +81,24 @@ export function curve({ stage, data, state }) {
 
   function place(q) {
     const [x, y] = columns.map((column, k) => (q[column] - bounds[k][0]) / (bounds[k][1] - bounds[k][0]));
-    return [MARGIN + x * (SIDE - MARGIN - 8), SIDE - MARGIN - y * (SIDE - MARGIN - 8)];
+    return [
+      MAP_MARGIN_PX + x * (MAP_SIZE_PX - MAP_MARGIN_PX - 8),
+      MAP_SIZE_PX - MAP_MARGIN_PX - y * (MAP_SIZE_PX - MAP_MARGIN_PX - 8),
+    ];
   }
 
   function paint(q) {
     const ratio = Math.min(devicePixelRatio || 1, 2);
-    canvas.width = SIDE * ratio;
-    canvas.height = SIDE * ratio;
-    canvas.style.width = `${SIDE}px`;
+    canvas.width = MAP_SIZE_PX * ratio;
+    canvas.height = MAP_SIZE_PX * ratio;
+    canvas.style.width = `${MAP_SIZE_PX}px`;
     const context = canvas.getContext('2d');
     const { theme } = stage;
     context.scale(ratio, ratio);
     context.fillStyle = theme.paper;
-    context.fillRect(0, 0, SIDE, SIDE);
+    context.fillRect(0, 0, MAP_SIZE_PX, MAP_SIZE_PX);
     context.strokeStyle = theme.grid;
-    context.strokeRect(MARGIN, 8, SIDE - MARGIN - 8, SIDE - MARGIN - 8);
+    context.strokeRect(MAP_MARGIN_PX, 8, MAP_SIZE_PX - MAP_MARGIN_PX - 8, MAP_SIZE_PX - MAP_MARGIN_PX - 8);
     curves.forEach((samples, which) => {
       context.strokeStyle = which === at.which ? theme.axis : theme.quiet;
       context.lineWidth = which === at.which ? 2.5 : 1.5;
@@ -115,19 +118,19 @@ export function curve({ stage, data, state }) {
     context.fillStyle = theme.ink;
     context.font = 'italic 600 13px sans-serif';
     context.textAlign = 'center';
-    context.fillText(names[0].replace('_', ''), (SIDE + MARGIN - 8) / 2, SIDE - 9);
+    context.fillText(names[0].replace('_', ''), (MAP_SIZE_PX + MAP_MARGIN_PX - 8) / 2, MAP_SIZE_PX - 9);
     context.save(); // upright along its axis
-    context.translate(MARGIN / 2 - 2, (SIDE - MARGIN + 8) / 2);
+    context.translate(MAP_MARGIN_PX / 2 - 2, (MAP_SIZE_PX - MAP_MARGIN_PX + 8) / 2);
     context.rotate(-Math.PI / 2);
     context.fillText(names[1].replace('_', ''), 0, 4);
     context.restore();
     context.font = '11px sans-serif';
     context.fillStyle = theme.quiet;
-    const [[left, right], [bottom, top]] = bounds.map((pair) => pair.map((value) => fixed(value, 1)));
+    const [[left, right], [bottom, top]] = bounds.map((pair) => pair.map((value) => formatNumber(value, 1)));
     for (const [text, x, y] of [
-      [left, MARGIN + 8, SIDE - 12],
-      [right, SIDE - 20, SIDE - 12],
-      [bottom, 13, SIDE - MARGIN - 2],
+      [left, MAP_MARGIN_PX + 8, MAP_SIZE_PX - 12],
+      [right, MAP_SIZE_PX - 20, MAP_SIZE_PX - 12],
+      [bottom, 13, MAP_SIZE_PX - MAP_MARGIN_PX - 2],
       [top, 13, 18],
     ]) {
       context.fillText(text, x, y);
@@ -150,9 +153,9 @@ export function curve({ stage, data, state }) {
       driver.value = at.sample;
       select.value = at.which;
       driver.style.setProperty('--share', `${(100 * at.sample) / (curves[at.which].length - 1)}%`);
-      driver.setAttribute('aria-valuetext', data.all.map((name, k) => `${name} ${fixed(q[k], 2)}`).join(', '));
+      driver.setAttribute('aria-valuetext', data.all.map((name, k) => `${name} ${formatNumber(q[k], 2)}`).join(', '));
       numbers.forEach((number, k) => {
-        number.textContent = fixed(q[k], 3);
+        number.textContent = formatNumber(q[k], 3);
       });
       canvas.setAttribute(
         'aria-label',
@@ -160,7 +163,7 @@ export function curve({ stage, data, state }) {
       );
       paint(q);
     },
-    dress: () => paint(state.q()),
+    applyTheme: () => paint(state.q()),
     dispose: motion.stop,
   };
 }
