@@ -22,10 +22,13 @@ from numpy.typing import ArrayLike
 from kinlib import check
 from kinlib.chain import Chain
 from kinlib.check import Array
-from kinlib.dh_rows import COLUMNS, read_rows
+from kinlib.dh_rows import COLUMNS, Rows, read_rows
 from kinlib.lie import adjoint
 
 Convention = Literal["standard", "modified"]
+
+KEYS = ("rows", "convention", "joints", "signs", "base", "tool")
+"""What a table holds as data: the keys of `DHTable.to_dict`."""
 
 
 def dh_transform(a: ArrayLike, alpha: ArrayLike, d: ArrayLike, theta: ArrayLike, *, convention: Convention) -> Array:
@@ -62,6 +65,8 @@ class DHTable:
     rows        text as on a slide, dictionaries by column name, or numbers (m, 4) in the order a, alpha, d, theta
     convention  "standard" or "modified"; no default, for a table means nothing without it
     joints      a letter a row: R (theta moves), P (d moves), F (nothing moves); read from the variables in the rows
+    signs       (m,) 1 or -1 a row: theta or d is the number in the row plus sign times q; read from the variables in the
+                rows, where 0.5 - q1 has the sign -1, and 1 if the rows are numbers and no signs are given
     base, tool  (4, 4), from {s} to frame 0 and from the last frame to {b}
     lengths     values of the names that the rows use
 
@@ -76,16 +81,15 @@ class DHTable:
     rows: Any = field(repr=False)
     convention: Convention = field(kw_only=True)
     joints: str = field(default="", kw_only=True)
+    signs: Array = field(default_factory=lambda: np.empty(0), kw_only=True, repr=False)
     base: Array = field(default_factory=lambda: np.eye(4), kw_only=True, repr=False)
     tool: Array = field(default_factory=lambda: np.eye(4), kw_only=True, repr=False)
     lengths: Mapping[str, float] | None = field(default=None, kw_only=True, repr=False)
     name: str = field(default="table", kw_only=True)
 
-    signs: Array = field(init=False, repr=False)
-
     def __post_init__(self) -> None:
         read = read_rows(self.rows, self.joints or None, self.lengths)
-        arrays = {"rows": read.numbers, "signs": read.signs}
+        arrays = {"rows": read.numbers, "signs": _signs(self.signs, read)}
         for name, value in {"base": self.base, "tool": self.tool}.items():
             arrays[name] = check.poses(value, name)
             if arrays[name].ndim != 2:
@@ -200,14 +204,75 @@ class DHTable:
         >>> DHTable([[0.4, 0, 0, 0]], convention="standard").changed(convention="modified").convention
         'modified'
         """
-        table = replace(self, lengths=None, **fields)
-        # The signs are no numbers of the table, so they travel beside it.
-        object.__setattr__(table, "signs", self.signs)
-        return table
+        return replace(self, **fields)
+
+    def to_dict(self) -> dict[str, Any]:
+        """Write the table as plain JSON types: all but its name, with rows as numbers in the order a, alpha, d, theta.
+
+        >>> data = DHTable([[0.4, 0, 0.1, 0]], convention="standard", signs=[-1]).to_dict()
+        >>> data["rows"], data["convention"], data["joints"], data["signs"]
+        ([[0.4, 0.0, 0.1, 0.0]], 'standard', 'R', [-1])
+        >>> data["base"] == data["tool"] == np.eye(4).tolist()
+        True
+        """
+        return {
+            "rows": self.rows.tolist(),
+            "convention": self.convention,
+            "joints": self.joints,
+            "signs": self.signs.astype(int).tolist(),
+            "base": self.base.tolist(),
+            "tool": self.tool.tolist(),
+        }
+
+    @classmethod
+    def from_dict(cls, data: Any) -> "DHTable":
+        """Read a table that `to_dict` wrote, for example from a JSON file that others can write to.
+
+        Raises ValueError for any other form: a key missing or unknown, text where a number must be, a wrong shape, NaN, a sign
+        other than 1 and -1, and whatever a new table would refuse.
+
+        >>> table = DHTable([[0.4, 0, 0.1, 0], [0.3, 0, 0, 0]], convention="modified", joints="RP", signs=[1, -1])
+        >>> DHTable.from_dict(table.to_dict()).to_dict() == table.to_dict()
+        True
+        """
+        if not isinstance(data, dict) or set(data) != set(KEYS):
+            given = sorted(map(repr, data)) if isinstance(data, dict) else check.brief(data)
+            raise ValueError(
+                f"A table as data must be a dictionary with the keys {', '.join(KEYS)}; got {given!s:.200}."
+            )
+        if not isinstance(data["joints"], str):
+            raise ValueError(f"joints must be text, a letter for each row; got {check.brief(data['joints'])}.")
+        if not isinstance(data["signs"], list) or not _all_numbers(data["signs"]) or not data["signs"]:
+            raise ValueError(f"signs must be a list of 1 and -1, one for each row; got {check.brief(data['signs'])}.")
+        for name in ("rows", "base", "tool"):
+            matrix = data[name]
+            if not isinstance(matrix, list) or not all(isinstance(row, list) and _all_numbers(row) for row in matrix):
+                raise ValueError(f"{name} must be a list of rows of numbers; got {check.brief(matrix)}.")
+        return cls(**data)
 
     @property
     def _moving(self) -> list[int]:
         return [row for row, letter in enumerate(self.joints) if letter != "F"]
+
+
+def _signs(given: Array, read: Rows) -> Array:
+    """The signs of the rows: as given, or else as read."""
+    m = len(read.numbers)
+    if np.size(given) == 0:
+        return np.ones(m) if read.signs is None else read.signs
+    signs = check.array(given, "signs")
+    if signs.shape != (m,) or (np.abs(signs) != 1).any():
+        raise ValueError(f"signs must have an entry 1 or -1 for each of the {m} rows; got {check.brief(given)}.")
+    if read.signs is not None and (signs != read.signs).any():
+        raise ValueError(
+            f"signs says {signs.astype(int).tolist()}, and the variables in the table say "
+            f"{read.signs.astype(int).tolist()}. Leave signs out where the rows have variables."
+        )
+    return signs
+
+
+def _all_numbers(values: list[Any]) -> bool:
+    return all(isinstance(value, int | float) and not isinstance(value, bool) for value in values)
 
 
 def convention_of(name: Any) -> Convention:

@@ -45,11 +45,14 @@ FARTHEST = 1e12
 
 @dataclass(frozen=True, eq=False)
 class Rows:
-    """A table that was read: numbers (m, 4) in the order of COLUMNS, joint kinds as letters R, P or F, signs (m,)."""
+    """A table that was read: numbers (m, 4) in the order of COLUMNS, joint kinds as letters R, P or F, signs (m,).
+
+    The signs are those of the joint variables in the entries. A table of numbers has none, so its signs are None.
+    """
 
     numbers: Array
     joints: str
-    signs: Array
+    signs: Array | None
 
 
 def read_rows(rows: Any, joints: str | None = None, lengths: Mapping[str, float] | None = None) -> Rows:
@@ -76,7 +79,7 @@ def read_rows(rows: Any, joints: str | None = None, lengths: Mapping[str, float]
         numbers = check.vectors(rows, "rows", 4)
         if numbers.ndim != 2:
             raise ValueError(f"rows should have shape (m, 4), with columns {', '.join(COLUMNS)}; got {numbers.shape}.")
-        return _finished(numbers, joints or "R" * len(numbers), np.ones(len(numbers)))
+        return _finished(numbers, joints or "R" * len(numbers), None)
     cells = [
         [_cell(row, column, number, lengths, column in degrees) for column in COLUMNS]
         for number, row in enumerate(rows, start=1)
@@ -90,7 +93,7 @@ def read_rows(rows: Any, joints: str | None = None, lengths: Mapping[str, float]
     return _finished(np.array([[constant for constant, _ in row] for row in cells]), letters, np.array(signs))
 
 
-def _finished(numbers: Array, joints: str, signs: Array) -> Rows:
+def _finished(numbers: Array, joints: str, signs: Array | None) -> Rows:
     if len(joints) != len(numbers) or set(joints) - set("RPF"):
         raise ValueError(
             f"joints should have a letter R, P or F for each of the {len(numbers)} rows; got {joints!r:.60}."

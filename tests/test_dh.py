@@ -1,5 +1,8 @@
 """DH tables: against the Robotics Toolbox, against the decks' print, and through both conventions without loss."""
 
+import dataclasses
+import json
+
 import numpy as np
 import pytest
 import sympy
@@ -568,3 +571,105 @@ def test_a_table_cannot_be_written_to():
 @pytest.mark.oracle("text: written out in the test", convention_of)
 def test_a_convention_has_one_of_two_names():
     assert [convention_of(name) for name in ("standard", "modified")] == ["standard", "modified"]
+
+
+# --- signs ---
+
+
+def test_signs_are_read_from_the_variables_or_given_with_numbers():
+    typed = DHTable("a | alpha | d | theta\n0.4 | 0 | 0 | 0.5 - q1\n0.3 | 0 | q2 | 0", convention="standard")
+    given = DHTable([[0.4, 0, 0, 0.5], [0.3, 0, 0, 0]], convention="standard", joints="RP", signs=[-1, 1])
+    assert typed.signs.tolist() == given.signs.tolist() == [-1, 1]
+    assert DHTable(given.rows, convention="standard").signs.tolist() == [1, 1]
+    q = np.array([0.3, 0.7])
+    close(typed.fk(q), given.fk(q), atol=0)
+    close(given.fk(q), given.to_chain().fk(q), atol=1e-14)
+
+
+@pytest.mark.parametrize("change", [dataclasses.replace, lambda table, **fields: table.changed(**fields)])
+def test_a_changed_table_keeps_its_signs_unless_they_are_changed(change):
+    table = DHTable("a | alpha | d | theta\nl | 0 | 0 | -q1", convention="standard", lengths={"l": 0.4})
+    assert change(table, convention="modified").signs.tolist() == [-1]
+    assert change(table, rows=[[1, 0, 0, 0]]).signs.tolist() == [-1]
+    assert change(table, signs=[1]).signs.tolist() == [1]
+
+
+@pytest.mark.parametrize(
+    ("rows", "signs", "message"),
+    [
+        ([[0, 0, 0, 0]], [1, 1], r"signs must have an entry 1 or -1 for each of the 1 rows; got list \[1, 1\]"),
+        ([[0, 0, 0, 0]], [0.5], r"signs must have an entry 1 or -1 for each of the 1 rows; got list \[0\.5\]"),
+        ([[0, 0, 0, 0]], [[1]], r"signs must have an entry 1 or -1"),
+        ([[0, 0, 0, 0]], ["+"], "signs should be an array of real numbers"),
+        ([[0, 0, 0, 0]], [np.nan], "signs holds NaN"),
+        ("a|alpha|d|theta\n0|0|0|-q1", [1], r"signs says \[1\], and the variables in the table say \[-1\]\. Leave"),
+    ],
+)
+def test_signs_that_are_none_are_refused(rows, signs, message):
+    with pytest.raises(ValueError, match=message):
+        DHTable(rows, convention="standard", signs=signs)
+
+
+# --- as data ---
+
+
+@pytest.mark.oracle("text: written out in the test", DHTable.to_dict, DHTable.from_dict)
+def test_a_table_is_written_as_plain_data():
+    expected = {
+        "rows": [[0.5, 0.0, 0.0, 0.25], [0.0, 1.5, 2.0, 0.0]],
+        "convention": "modified",
+        "joints": "RP",
+        "signs": [-1, 1],
+        "base": [[1.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]],
+        "tool": np.eye(4).tolist(),
+    }
+    typed = "a | alpha | d | theta\n0.5 | 0 | 0 | 0.25 - q1\n0 | 1.5 | 2 + q2 | 0"
+    table = DHTable(typed, convention="modified", base=kl.exp([0, 0, 0, 1, 0, 0]))
+    assert table.to_dict() == expected
+    read = DHTable.from_dict(expected)
+    for name in ("rows", "signs", "base", "tool"):
+        np.testing.assert_allclose(getattr(read, name), expected[name], rtol=0, atol=0)
+    assert (read.convention, read.joints) == ("modified", "RP")
+
+
+@given(tables(), st.data())
+def test_a_table_survives_json(table, data):
+    table = table.changed(
+        signs=data.draw(st.lists(st.sampled_from([1, -1]), min_size=len(table.rows), max_size=len(table.rows)))
+    )
+    back = DHTable.from_dict(json.loads(json.dumps(table.to_dict())))
+    assert back.to_dict() == table.to_dict()
+    q = np.linspace(-1, 1, table.n)
+    np.testing.assert_array_equal(back.fk(q), table.fk(q))
+
+
+DATA = DHTable([[0.5, 0, 0, 0]], convention="standard").to_dict()
+
+
+@pytest.mark.parametrize(
+    ("data", "message"),
+    [
+        (7, r"^A table as data must be a dictionary with the keys rows, convention, joints, .*; got int 7\.$"),
+        ({}, r"must be a dictionary with the keys .*; got \[\]\.$"),
+        ({**DATA, "name": "arm"}, "must be a dictionary with the keys .*'name'"),
+        ({**DATA, "rows": "a | alpha"}, "rows must be a list of rows of numbers; got str"),
+        ({**DATA, "rows": [["0.5", 0, 0, 0]]}, "rows must be a list of rows of numbers; got list"),
+        ({**DATA, "rows": [[True, 0, 0, 0]]}, "rows must be a list of rows of numbers"),
+        ({**DATA, "rows": [{"a": 1}]}, "rows must be a list of rows of numbers"),
+        ({**DATA, "rows": [[0.5, 0, 0]]}, r"rows should have shape \(\.\.\., 4\); got \(1, 3\)"),
+        ({**DATA, "rows": [[np.nan, 0, 0, 0]]}, "rows holds NaN"),
+        ({**DATA, "rows": [[10**400, 0, 0, 0]]}, "rows"),
+        ({**DATA, "convention": "other"}, "convention should be 'standard' or 'modified'"),
+        ({**DATA, "joints": ["R"]}, "joints must be text, a letter for each row; got list"),
+        ({**DATA, "joints": "X"}, "joints should have a letter R, P or F"),
+        ({**DATA, "signs": "1"}, "signs must be a list of 1 and -1, one for each row; got str"),
+        ({**DATA, "signs": []}, "signs must be a list of 1 and -1"),
+        ({**DATA, "signs": [True]}, "signs must be a list of 1 and -1"),
+        ({**DATA, "signs": [2]}, "signs must have an entry 1 or -1"),
+        ({**DATA, "base": None}, "base must be a list of rows of numbers; got NoneType"),
+        ({**DATA, "tool": np.diag([1.0, 1, -1, 1]).tolist()}, "tool is a reflection"),
+    ],
+)
+def test_data_of_any_other_form_is_refused(data, message):
+    with pytest.raises(ValueError, match=message):
+        DHTable.from_dict(data)

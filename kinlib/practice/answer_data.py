@@ -20,10 +20,8 @@ from typing import Any
 
 import numpy as np
 
-from kinlib import check
 from kinlib.check import Array
 from kinlib.dh import DHTable
-from kinlib.dh_rows import COLUMNS
 from kinlib.practice.symbol_text import LONGEST, expression
 
 MIME = "application/vnd.kinlib.answer+json"
@@ -141,21 +139,15 @@ def _matrix(rows: Any, depth: int) -> Any:
 
 
 def _dh(data: dict[str, Any], _: int) -> Any:
-    """The signs of the joints are told as a typed table tells them: by the variable in its column."""
-    rows, joints, signs = data["dh"], data["joints"], data["signs"]
-    if not isinstance(rows, list) or not isinstance(joints, str) or not isinstance(signs, list):
-        raise Malformed("A DH table is a list of rows, a text with their joints, and a list of signs.")
-    if not len(rows) == len(joints) == len(signs) <= MOST_NUMBERS or any(sign not in (1, -1) for sign in signs):
-        raise Malformed("A DH table has a letter for each row, and a sign, 1 or -1.")
+    rows, *rest = data["dh"], data["joints"], data["signs"]
+    if not isinstance(rows, list) or any(isinstance(part, list | str) and len(part) != len(rows) for part in rest):
+        raise Malformed("A DH table is a list of rows, with a letter and a sign for each of them.")
+    if len(rows) > MOST_NUMBERS:
+        raise Malformed(f"A DH table has at most {MOST_NUMBERS} rows.")
     try:
-        typed: list[dict[str, Any]] = []
-        for row, letter, sign in zip(check.vectors(rows, "dh", len(COLUMNS)).tolist(), joints, signs, strict=True):
-            cells = dict(zip(COLUMNS, row, strict=True))
-            moving = {"R": "theta", "P": "d"}.get(letter)
-            typed.append({**cells, moving: f"{cells[moving]!r} {'-' if sign < 0 else '+'} q"} if moving else cells)
-        return DHTable(typed, convention=data["convention"], joints=joints, base=data["base"], tool=data["tool"])
+        return DHTable.from_dict({"rows": rows} | {key: value for key, value in data.items() if key != "dh"})
     except ValueError as error:
-        raise Malformed(f"This is no DH table: {str(error)[:1000]}") from error
+        raise Malformed(f"This is no DH table: {error}") from error
 
 
 READERS: dict[frozenset[str], Callable[[Any, int], Any]] = {

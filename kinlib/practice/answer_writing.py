@@ -125,14 +125,8 @@ def _map(value: Mapping[Any, Any], place: _Place) -> Data:
 
 
 def _table(table: DHTable, _: _Place) -> Data:
-    return {
-        "dh": table.rows.tolist(),
-        "convention": table.convention,
-        "joints": table.joints,
-        "signs": table.signs.tolist(),
-        "base": table.base.tolist(),
-        "tool": table.tool.tolist(),
-    }
+    data = table.to_dict()
+    return {"dh": data.pop("rows"), **data}
 
 
 WRITERS: tuple[tuple[Any, Callable[[Any, _Place], Data]], ...] = (

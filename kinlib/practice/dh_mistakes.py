@@ -5,9 +5,8 @@ product of the rows. Both take the names of WAYS that fit the problem.
 """
 
 from collections.abc import Callable, Mapping
-from dataclasses import replace
 from functools import reduce
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -26,7 +25,7 @@ def with_rows(table: DHTable, rows: ArrayLike) -> DHTable:
     >>> with_rows(DHTable("a | alpha | d | theta\n 1 | 0 | 0 | -q1", convention="standard"), [[2, 0, 0, 0]]).signs
     array([-1.])
     """
-    return _changed(table, rows=np.asarray(rows, dtype=float))
+    return table.changed(rows=np.asarray(rows, dtype=float))
 
 
 def other_convention(table: DHTable) -> DHTable:
@@ -35,7 +34,7 @@ def other_convention(table: DHTable) -> DHTable:
     >>> other_convention(DHTable([[1, 0, 0, 0]], convention="standard")).convention
     'modified'
     """
-    return _changed(table, convention=_other(table.convention))
+    return table.changed(convention=_other(table.convention))
 
 
 def z_on_the_wrong_joint(table: DHTable) -> DHTable:
@@ -99,21 +98,21 @@ def slide_in_theta(table: DHTable) -> DHTable:
     >>> slide_in_theta(DHTable("a|alpha|d|theta\n 0|0|q1|0", convention="standard")).joints
     'R'
     """
-    return _changed(table, joints=table.joints.replace("P", "R"))
+    return table.changed(joints=table.joints.replace("P", "R"))
 
 
 def base_in_a_row(table: DHTable) -> DHTable:
     """The base's shift written into the first row, its x into a and its z into d, and no base."""
     rows = table.rows.copy()
     rows[0, [A, D]] += table.base[[0, 2], 3]
-    return _changed(table, rows=rows, base=np.eye(4))
+    return table.changed(rows=rows, base=np.eye(4))
 
 
 def tool_in_a_row(table: DHTable) -> DHTable:
     """The tool's shift written into the last row, its x into a and its z into d, and no tool."""
     rows = table.rows.copy()
     rows[-1, [A, D]] += table.tool[[0, 2], 3]
-    return _changed(table, rows=rows, tool=np.eye(4))
+    return table.changed(rows=rows, tool=np.eye(4))
 
 
 def off_the_normal(table: DHTable) -> DHTable:
@@ -214,13 +213,6 @@ def of_pose(table: DHTable, q: ArrayLike, *names: str) -> list[Mistake]:
         reversed_ if name == "reversed" else mistake(name, WAYS[name].change(table).fk(q), WAYS[name].message)
         for name in names
     ]
-
-
-def _changed(table: DHTable, **changes: Any) -> DHTable:
-    """The table with some of it replaced. The signs of the joints are no numbers of the table, so they travel beside it."""
-    other = replace(table, **{"rows": table.rows, "lengths": None, **changes})
-    object.__setattr__(other, "signs", table.signs)
-    return other
 
 
 def _other(convention: Convention) -> Convention:
