@@ -1,5 +1,7 @@
 """Robots that a sheet for any robot has to bear: common ones, and those that spoil a problem or two."""
 
+from dataclasses import replace
+
 import numpy as np
 from arms import arm as random_arm
 
@@ -10,7 +12,7 @@ from kinlib.robots import SLIDE, X, Y, Z, arm, pose
 
 def made(joints, home, name, limits=None):
     chain = arm(joints, home, name, "made for a test")
-    return kl.Chain(chain.screws, chain.home, chain.points, name, chain.source, limits)
+    return replace(chain, name=name, limits=limits)
 
 
 def seven():

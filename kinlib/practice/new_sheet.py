@@ -9,6 +9,7 @@ import argparse
 import os
 import re
 import sys
+from dataclasses import replace
 from pathlib import Path
 
 from kinlib.chain import Chain
@@ -64,7 +65,7 @@ def new_sheet(
         raise FileExistsError(f"{folder} holds something already. Take another folder, or write it anew with --force.")
     chain = _read(robot, base, tip)
     called = _spelt(name or chain.name)
-    chain = Chain(chain.screws, chain.home, chain.points, called, chain.source, chain.limits, chain.joint_names)
+    chain = replace(chain, name=called)
     tasks = tasks_for(chain)
     sheet = robot_sheet(sheet_name, chain, tasks)
     entries = [ALL[task].entry for task in tasks]

@@ -4,6 +4,7 @@ Base and tool change every screw and every pose; another zero posture changes th
 has numbers of their own, and the robot stays the robot.
 """
 
+from dataclasses import replace
 from typing import NamedTuple
 
 import numpy as np
@@ -69,7 +70,7 @@ def moved(chain: Chain, base: Array, tool: Array) -> Chain:
     """
     points = chain.joint_points @ base[:3, :3].T + base[:3, 3]
     screws = chain.screws @ adjoint(base).T
-    return Chain(screws, base @ chain.home @ tool, points, chain.name, chain.source, chain.limits, chain.joint_names)
+    return replace(chain, screws=screws, home=base @ chain.home @ tool, points=points)
 
 
 def rezeroed(chain: Chain, q: Array) -> Chain:
@@ -81,8 +82,7 @@ def rezeroed(chain: Chain, q: Array) -> Chain:
     """
     points = chain.link_poses(q)[:, :3, 3]
     limits = None if chain.limits is None else chain.limits - q[:, None]
-    names = chain.joint_names
-    return Chain(chain.jacobian(q).T, chain.fk(q), points, chain.name, chain.source, limits, names)
+    return replace(chain, screws=chain.jacobian(q).T, home=chain.fk(q), points=points, limits=limits)
 
 
 def first(chain: Chain, joints: int) -> Chain:
@@ -94,10 +94,14 @@ def first(chain: Chain, joints: int) -> Chain:
     """
     if joints >= chain.n:
         return chain
-    home = pose(np.eye(3), chain.joint_points[joints])
-    names = chain.joint_names[:joints]
-    limits = None if chain.limits is None else chain.limits[:joints]
-    return Chain(chain.screws[:joints], home, chain.joint_points[:joints], chain.name, chain.source, limits, names)
+    return replace(
+        chain,
+        screws=chain.screws[:joints],
+        home=pose(np.eye(3), chain.joint_points[joints]),
+        points=chain.joint_points[:joints],
+        limits=None if chain.limits is None else chain.limits[:joints],
+        joint_names=chain.joint_names[:joints],
+    )
 
 
 def posture(draw: Draw, chain: Chain) -> Posture:

@@ -1,10 +1,10 @@
 """Sheet 03: screw axes of every kind of joint, read in the space frame, and their product."""
 
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
 
-from kinlib.chain import Chain
 from kinlib.practice.answers import Ordering, Pose, Screws
 from kinlib.practice.draw import Draw
 from kinlib.practice.functions import Function, wherever
@@ -263,7 +263,7 @@ def longer_tool(draw: Draw) -> Problem:
         np.radians(draw.choice([30, 40, 50, 60])), draw.length(0.3, 0.8), draw.length(0.4, 0.9), draw.length(0.2, 0.5)
     )
     # A hand turned away from {s}: parallel to it, the extension could stand on either side of M.
-    robot = Chain(straight.screws, pose((-Z, Y, X), straight.home[:3, 3]), straight.points, "angled arm")
+    robot = replace(straight, home=pose((-Z, Y, X), straight.home[:3, 3]))
     longer = draw.length(0.15, 0.4)
     q = np.array(
         [
@@ -293,7 +293,7 @@ def longer_tool(draw: Draw) -> Problem:
             ),
             mistake(
                 "extended in {s} at home",
-                Chain(robot.screws, extension @ robot.home).fk(q),
+                replace(robot, home=extension @ robot.home).fk(q),
                 "You lengthened $M$ along the $z$ of {s}: $\\mathrm{Trans}_z\\, M$. Its own $z$ is a column of $M$: multiply on the right.",
             ),
             mistake(

@@ -1,5 +1,6 @@
 """Sheet 04: body screws off a drawing and by the adjoint, M in front and in the middle, a new tool, a Jacobian's column."""
 
+from dataclasses import replace
 from functools import partial
 
 import numpy as np
@@ -280,7 +281,7 @@ def _arm(draw: Draw, letters: str) -> Chain:
     """A drawn arm whose hand is turned by an angle of its own, so that no rotation is its own inverse."""
     robot = draw.arm(letters)
     home = robot.home @ _turn(draw.choice([X, Y, Z]), draw.choice([20, 30, -40, 50, -60, 70]))
-    return Chain(robot.screws, home, robot.points, robot.name, robot.source)
+    return replace(robot, home=home)
 
 
 def _turn(axis: Array, degrees: float) -> Array:
