@@ -2,6 +2,7 @@
 
 import json
 import re
+from functools import cache
 from pathlib import Path
 
 import numpy as np
@@ -22,22 +23,42 @@ STEPS = list(lecture_steps().values())
 NOTEBOOKS = Path(__file__).parents[1] / "notebooks"
 STUDENTS = [f"student {i}" for i in range(200)]
 
+SHARED = 30
+"""So many students' variants are kept for all tests of this file; all 200 of every problem would fill the memory."""
+
 FEW = 25
 """On how many variants a generated problem is tried here; tests/test_new_sheet.py tries more robots."""
 
-each_problem = pytest.mark.parametrize("template", TEMPLATES, ids=lambda template: template.number)
-each_problem_and_step = pytest.mark.parametrize("template", TEMPLATES + STEPS, ids=lambda template: template.number)
+
+def each(templates):
+    """One test for each template. All tests of a template run on one worker, where they share the variants in `variant`."""
+    groups = [pytest.mark.xdist_group(f"problem {template.number}") for template in templates]
+    cases = [
+        pytest.param(template, id=template.number, marks=group)
+        for template, group in zip(templates, groups, strict=True)
+    ]
+    return pytest.mark.parametrize("template", cases)
+
+
+each_problem = each(TEMPLATES)
+each_problem_and_step = each(TEMPLATES + STEPS)
+
+
+@cache
+def variant(template, student):
+    """The problem of one student, drawn once for all tests of this file."""
+    return template.variant(student)
 
 
 def plain(template, answer):
     """What a student reads in a terminal: the card's plain text."""
-    return Verdict(template, judge(template.variant(SAMPLE), answer))._repr_mimebundle_()["text/plain"]
+    return Verdict(template, judge(variant(template, SAMPLE), answer))._repr_mimebundle_()["text/plain"]
 
 
 @each_problem
 def test_on_200_variants_the_right_answer_scores_full_and_each_mistake_gets_its_own_message(template):
-    for student in STUDENTS[: FEW if template in GENERATED else None]:
-        problem = template.variant(student)
+    for number, student in enumerate(STUDENTS[: FEW if template in GENERATED else None]):
+        problem = variant(template, student) if number < SHARED else template.variant(student)
         assert judge(problem, problem.answer.value).fraction == 1.0
         for wrong in problem.mistakes:
             judgement = judge(problem, wrong.value)
@@ -48,7 +69,7 @@ def test_on_200_variants_the_right_answer_scores_full_and_each_mistake_gets_its_
 
 @each_problem
 def test_a_right_answer_typed_with_three_decimals_is_right(template):
-    problem = template.variant("ada")
+    problem = variant(template, "ada")
     if isinstance(problem.answer, Numbers):
         assert judge(problem, np.round(problem.answer.value, 3).tolist()).state == "right"
 
@@ -56,23 +77,24 @@ def test_a_right_answer_typed_with_three_decimals_is_right(template):
 @each_problem
 def test_no_two_students_get_the_same_numbers(template):
     statements = {
-        template.variant(student).statement + str(template.variant(student).answer.value) for student in STUDENTS[:30]
+        variant(template, student).statement + str(variant(template, student).answer.value)
+        for student in STUDENTS[:SHARED]
     }
     assert len(statements) > 20
 
 
 @each_problem
 def test_a_problem_names_at_least_three_mistakes(template):
-    assert len(template.variant("ada").mistakes) >= 3
+    assert len(variant(template, "ada").mistakes) >= 3
 
 
 @each_problem_and_step
 @pytest.mark.parametrize("blank", [..., None])
 def test_a_blank_stub_earns_a_friendly_zero(template, blank):
-    judgement = judge(template.variant(SAMPLE), blank)
+    judgement = judge(variant(template, SAMPLE), blank)
     assert (judgement.state, judgement.fraction) == ("blank", 0)
     assert "Nothing here yet" in plain(template, blank)
-    assert template.variant(SAMPLE).answer.expected in plain(template, blank)
+    assert variant(template, SAMPLE).answer.expected in plain(template, blank)
 
 
 HOSTILE = {
@@ -109,7 +131,7 @@ class Rude:
 @each_problem_and_step
 @pytest.mark.parametrize("hostile", [*HOSTILE.values(), Rude()], ids=[*HOSTILE, "a rude object"])
 def test_a_hostile_value_gets_a_card_that_says_what_was_expected(template, hostile):
-    judgement = judge(template.variant(SAMPLE), hostile)
+    judgement = judge(variant(template, SAMPLE), hostile)
     assert (judgement.state, judgement.fraction) == ("unreadable", 0)
     text = plain(template, hostile)
     assert "Expected" in text
