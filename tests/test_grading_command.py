@@ -80,8 +80,6 @@ def out(handed, tmp_path_factory):
         try:
             command.Grader(command.master(Path(SOLUTION))).close()
         except Missing as missing:
-            if "CI" not in os.environ:
-                raise
             pytest.skip(f"NO GRADING IS TESTED: {missing}")
     return folder
 
