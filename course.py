@@ -1,19 +1,15 @@
-"""Open the course, or prove it: two commands that need nothing but Python 3.11 and pip.
+"""Open the course, test it, or build and serve its site. This needs nothing but Python 3.11 or newer and pip.
 
     python course.py open        start JupyterLab on the first lecture
     python course.py test        run every test
+    python course.py site        build the course site into build/site/html
+    python course.py serve       serve it on http://127.0.0.1:8000, to this machine only
 
-And two for the course site, which is what both of them show and check, as pages:
+The first run makes an environment in .venv, with the versions in constraints.txt; later runs use it again.
+Further arguments are passed on to JupyterLab or pytest: "open --no-browser", "test -k lie".
+With --newest, open and test ignore constraints.txt and install the newest versions.
 
-    python course.py site        build it into build/site/html
-    python course.py serve       show it on http://127.0.0.1:8000, to this machine only
-
-Where there is a Chromium, "pdf" prints the lectures of the site that was built into it, as course.pdf.
-
-The first run makes the course's own environment in .venv, of the versions in constraints.txt; later runs find it made.
-Words that follow go on to JupyterLab or pytest: "open --no-browser", "test -k lie". For those who change dependencies,
-"pin" renews constraints.txt, and --newest after open or test ignores it. For those who change tests, "mutation screw"
-plants faults in kinlib/screw.py, one at a time, and prints those that its tests let pass.
+The tasks of maintainers are in noxfile.py.
 """
 
 import hashlib
@@ -24,59 +20,49 @@ import subprocess
 import sys
 from pathlib import Path
 
-if sys.version_info < (3, 11):  # noqa: UP036 - up here, because an old Python does not get past the functions below
+if sys.version_info < (3, 11):  # noqa: UP036 - checked first: an old Python cannot even define the functions below
     sys.exit(f"The course needs Python 3.11 or newer; this is {sys.version.split()[0]}. Try: python3.13 course.py open")
 
 ROOT = Path(__file__).resolve().parent
-UV = ROOT / ".uv"  # a folder of our own: the system's Python may refuse packages (PEP 668), or lack the venv module
+UV = ROOT / ".uv"  # own folder: the system's Python may refuse packages (PEP 668) or lack the venv module
 VENV = ROOT / ".venv"
 PYTHON = VENV / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
-STAMP = VENV / "stamp.txt"  # what the environment was made from; absent while it is being made
+STAMP = VENV / "stamp.txt"  # what the environment was made from; does not exist while it is being made
 PINS = "constraints.txt"
 
 FIRST_LECTURE = "--LabApp.default_url=/lab/tree/notebooks/00_start_here.ipynb"
 PROGRAMS = {
     "open": ("-m", "jupyterlab", f"--ServerApp.root_dir={ROOT}", FIRST_LECTURE),
-    "test": ("-m", "pytest", "--numprocesses=auto", "--dist=loadfile"),  # on all cores, each notebook whole on one
+    "test": ("-m", "pytest", "--numprocesses=auto", "--dist=loadfile"),  # on all cores; each file on one core
     "site": ("site/build.py",),
     "serve": ("site/serve.py",),
-    "pdf": ("site/pdf.py",),
-    "mutation": ("tests/mutation.py",),
 }
-GROUPS = {
-    "open": "lab",
-    "test": "test",
-    "site": "site",
-    "serve": "site",
-    "pdf": "site",
-    "mutation": "mutation",
-}  # of pyproject.toml
-INCLUDED = {"test": {"test", "lab", "site"}, "mutation": {"mutation", "test", "lab", "site"}}
-RESOLVE = "pip compile pyproject.toml --group=mutation --group=installer --universal --upgrade --quiet --no-annotate"
+GROUPS = {"open": "lab", "test": "test", "site": "site", "serve": "site"}  # dependency groups of pyproject.toml
+INCLUDED = {"test": {"test", "lab", "site"}}  # groups that a group includes
 
 
 def main(command: str = "help", *words: str) -> None:
-    signal.signal(signal.SIGINT, lambda *_: None)  # Ctrl-C is for the program that we start: it may have last words
-    signal.signal(signal.SIGTERM, lambda number, _: sys.exit(128 + number))  # and so is this, but it reaches us alone
-    if Path(sys.prefix) == VENV:  # it cannot remake itself: the Python that it was made by takes over
+    signal.signal(
+        signal.SIGINT, lambda *_: None
+    )  # Ctrl-C goes to the program that we start, too: it ends in its own way
+    signal.signal(
+        signal.SIGTERM, lambda number, _: sys.exit(128 + number)
+    )  # this signal reaches only us: call() passes it on
+    if Path(sys.prefix) == VENV:  # an environment cannot remake itself, so the Python that made it does
         sys.exit(call(sys._base_executable, ROOT / "course.py", command, *words))
     if command in PROGRAMS:
         prepare(GROUPS[command], newest="--newest" in words)
         arguments = [word for word in words if word != "--newest"]
         sys.exit(call(PYTHON, *PROGRAMS[command], *arguments))
-    elif command == "pin":
-        install_uv()
-        uv("choose versions", *RESOLVE.split(), "--custom-compile-command=python course.py pin", "-o", PINS)
     elif command in ("help", "-h", "--help"):
         print(__doc__)
     else:
-        sys.exit(
-            f"course.py knows open, test, site, serve, pdf, mutation; it was given {command!r}. Try: python course.py open"
-        )
+        known = ", ".join(PROGRAMS)
+        sys.exit(f"The command must be one of {known}; got {command!r}. Try: python course.py open")
 
 
 def prepare(group: str, newest: bool) -> None:
-    """Make .venv, unless its stamp says that it was made by this Python, in this place, from these files."""
+    """Make .venv, unless its stamp says that this Python made it in this folder from the same files."""
     sources = [sys.version, str(ROOT), *((ROOT / name).read_text("utf-8") for name in ("pyproject.toml", PINS))]
     fingerprint = hashlib.sha256("\n".join(sources).encode()).hexdigest()
     made_from, _, made_for = STAMP.read_text("utf-8").partition(" ") if STAMP.exists() else ("", "", "")
@@ -96,7 +82,11 @@ def prepare(group: str, newest: bool) -> None:
 def install_uv(*pins: str) -> None:
     if importlib.util.find_spec("pip") is None:
         sys.exit("This Python has no pip. Try: python -m ensurepip; on Debian or Ubuntu: sudo apt install python3-pip")
-    settings = {"PIP_USER": "0", "PIP_REQUIRE_VIRTUALENV": "0", "PIP_ROOT_USER_ACTION": "ignore"}  # a folder is fine
+    settings = {
+        "PIP_USER": "0",
+        "PIP_REQUIRE_VIRTUALENV": "0",
+        "PIP_ROOT_USER_ACTION": "ignore",
+    }  # we install into a folder
     step("fetch uv, its installer", "pip", "install", "-q", "--upgrade", "--target", UV, *pins, "uv", **settings)
 
 
@@ -110,7 +100,7 @@ def step(purpose: str, module: str, *arguments: str | Path, **settings: str) -> 
 
 
 def call(*command: str | Path, **settings: str) -> int:
-    # PYTHONPATH is emptied, for it brings the packages of another Python: a sourced ROS breaks pytest that way
+    # PYTHONPATH is emptied because it adds packages of another Python; for example, ROS sets it and breaks pytest
     with subprocess.Popen(command, cwd=ROOT, env={**os.environ, "PYTHONPATH": "", **settings}) as program:
         try:
             return program.wait()

@@ -1,4 +1,4 @@
-"""Print the site that was built as one PDF, into the site: `python course.py pdf`. It needs a Chromium on the path."""
+"""Print the site that was built as one PDF, into the site: `nox -s pdf`. It needs a Chromium on the path."""
 
 import os
 import shutil

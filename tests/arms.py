@@ -13,7 +13,7 @@ ANGLES = (*(10.0**-k for k in range(16, 2, -1)), 3e-9, 3e-8)
 
 
 def few(count):
-    """So many arms, or a tenth of them where every fault that tests/mutation.py plants asks for them anew."""
+    """Return the number of arms, or a tenth of it under `nox -s mutation`, which draws them again for each mutant."""
     return count if hypothesis.settings.get_current_profile_name() != "mutation" else max(count // 10, 5)
 
 

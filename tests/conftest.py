@@ -1,20 +1,20 @@
-"""What every test run shares: how Hypothesis draws, one thread a worker, and the seconds that each notebook took."""
+"""What every test run shares: the profiles of Hypothesis, one BLAS thread per worker, and the time of each notebook."""
 
 import os
 
 if "PYTEST_XDIST_WORKER" in os.environ:
-    # Workers already share the cores; BLAS reads this once, when NumPy loads, and kernels that we start inherit it
+    # Workers already share the cores. BLAS reads this once, when NumPy is imported; kernels that tests start inherit it.
     os.environ.update(dict.fromkeys(("OPENBLAS_NUM_THREADS", "MKL_NUM_THREADS", "VECLIB_MAXIMUM_THREADS"), "1"))
 
 import hypothesis
 import matplotlib as mpl
 
-# Not by the variable MPLBACKEND: kernels would inherit it, and draw otherwise than they do for a student
+# Not by the variable MPLBACKEND, because kernels would inherit it and draw differently than they do for a student.
 mpl.use("agg")
 
-# Deadlines measure the machine, not the code. In CI the same commit draws the same examples; at home each run draws new.
+# Deadlines measure the machine, not the code. In CI, the same commit draws the same examples; elsewhere each run draws new ones.
 hypothesis.settings.register_profile("kinlib", deadline=None, derandomize="CI" in os.environ, print_blob=True)
-# tests/mutation.py runs a module's tests once for each fault: a few examples, the same ones, and no search for the smallest
+# `nox -s mutation` runs the tests once for each mutant: a few examples, always the same, and no shrinking.
 hypothesis.settings.register_profile(
     "mutation",
     deadline=None,
@@ -23,6 +23,8 @@ hypothesis.settings.register_profile(
     max_examples=25,
     phases=[hypothesis.Phase.explicit, hypothesis.Phase.generate],
 )
+# `nox -s fuzz`: many examples, and a case that takes seconds is a fault too.
+hypothesis.settings.register_profile("fuzz", deadline=5000, max_examples=100_000, print_blob=True)
 hypothesis.settings.load_profile("kinlib")
 
 

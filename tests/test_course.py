@@ -1,4 +1,4 @@
-"""course.py: installs when something changed, trusts no half-made environment, and says what to try."""
+"""course.py installs when something changed, never uses an incomplete environment, and its errors say what to try."""
 
 import re
 import subprocess
@@ -12,7 +12,7 @@ import course
 
 @pytest.fixture
 def calls(tmp_path, monkeypatch):
-    """A course in a folder of its own, where programs are noted down instead of run."""
+    """A course in a folder of its own, where programs are recorded instead of run."""
     noted = []
 
     def call(*command, **_settings):
@@ -25,7 +25,9 @@ def calls(tmp_path, monkeypatch):
     monkeypatch.setattr(course, "VENV", tmp_path / ".venv")
     monkeypatch.setattr(course, "STAMP", tmp_path / ".venv" / "stamp.txt")
     monkeypatch.setattr(course, "call", call)
-    monkeypatch.setattr(course.importlib.util, "find_spec", lambda _: "pip, which an environment made by uv lacks")
+    monkeypatch.setattr(
+        course.importlib.util, "find_spec", lambda _: "pip, which an environment made by uv does not have"
+    )
     (tmp_path / "pyproject.toml").write_text("[project]")
     (tmp_path / "constraints.txt").write_text("numpy==2.0")
     return noted
@@ -49,7 +51,7 @@ def test_the_first_run_installs_and_the_second_does_not(calls):
 
 
 @pytest.mark.parametrize("name", ["pyproject.toml", "constraints.txt"])
-def test_a_changed_file_installs_anew(calls, tmp_path, name):
+def test_a_changed_file_installs_again(calls, tmp_path, name):
     course.prepare("test", newest=False)
     (tmp_path / name).write_text("changed")
     steps(calls)
@@ -57,7 +59,7 @@ def test_a_changed_file_installs_anew(calls, tmp_path, name):
     assert steps(calls) == ALL
 
 
-def test_the_tests_add_to_the_lab_and_the_lab_is_among_them(calls):
+def test_the_test_group_adds_to_the_lab_and_includes_it(calls):
     course.prepare("lab", newest=False)
     steps(calls)
     course.prepare("test", newest=False)
@@ -66,16 +68,7 @@ def test_the_tests_add_to_the_lab_and_the_lab_is_among_them(calls):
     assert steps(calls) == []
 
 
-def test_planting_faults_needs_the_tests_and_more(calls):
-    course.prepare("test", newest=False)
-    steps(calls)
-    course.prepare("mutation", newest=False)
-    assert steps(calls) == ["pip", "uv pip"]
-    course.prepare("test", newest=False)
-    assert steps(calls) == []
-
-
-def test_the_newest_versions_are_sought_each_time_and_never_trusted(calls):
+def test_the_newest_versions_are_installed_each_time_and_never_reused(calls):
     course.prepare("test", newest=False)
     steps(calls)
     course.prepare("test", newest=True)
@@ -95,15 +88,17 @@ def test_a_failed_step_is_named_and_repeated(calls, monkeypatch, broken):
     assert "uv pip" in steps(calls)
 
 
-def test_a_python_without_pip_is_told_how_to_get_it(calls, monkeypatch):
+def test_without_pip_the_error_says_how_to_install_it(calls, monkeypatch):
     monkeypatch.setattr(course.importlib.util, "find_spec", lambda _: None)
     with pytest.raises(SystemExit, match="ensurepip"):
         course.prepare("test", newest=False)
     assert steps(calls) == []
 
 
-@pytest.mark.parametrize(("words", "answer"), [([], "python course.py open"), (["fly"], "it was given 'fly'")])
-def test_whoever_mistypes_is_told_the_commands(words, answer):
+@pytest.mark.parametrize(
+    ("words", "answer"), [([], "python course.py open"), (["fly"], "one of open, test, site, serve; got 'fly'")]
+)
+def test_a_wrong_command_is_answered_with_the_right_ones(words, answer):
     done = subprocess.run([sys.executable, course.__file__, *words], capture_output=True, text=True, check=False)
     assert answer in done.stdout + done.stderr
     assert done.returncode == bool(words)
@@ -117,16 +112,16 @@ time.sleep(60)
 """
 RUN_IT = """
 import sys, course
-course.VENV = None  # these tests may run in it, and then it would be started anew
+course.VENV = None  # these tests may run in it, and then course.py would start itself again
 course.prepare = lambda *_, **__: None
 course.PYTHON, course.PROGRAMS["open"] = sys.executable, ("-c", sys.argv[1])
 course.main("open")
 """
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="Windows ends a program without a word to it")
-def test_whoever_stops_the_course_stops_what_it_started():
-    """Or JupyterLab and its kernels would go on, and nobody would know."""
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows ends a program without a signal")
+def test_stopping_the_course_stops_the_program_that_it_started():
+    """Otherwise JupyterLab and its kernels would keep running unnoticed."""
     run_it = [sys.executable, "-c", RUN_IT, PROGRAM]
     root = Path(course.__file__).parent
     with subprocess.Popen(run_it, cwd=root, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as started:
@@ -137,7 +132,7 @@ def test_whoever_stops_the_course_stops_what_it_started():
     assert started.returncode == 128 + 15
 
 
-def test_an_old_python_is_told_in_one_line():
+def test_an_old_python_gets_a_one_line_error():
     source = Path(course.__file__).read_text("utf-8")
     old = f"import sys; sys.version_info = (3, 8); exec(compile({source!r}, 'course.py', 'exec'))"
     done = subprocess.run([sys.executable, "-c", old], capture_output=True, text=True, check=False)

@@ -212,7 +212,7 @@ def test_a_committed_notebook_holds_no_output_but_short_checked_text(path, commi
     in_git = committed / path.relative_to(ROOT)
     path = in_git if in_git.exists() else path
     faults = list(faults_of(json.loads(path.read_text("utf-8")), is_lecture=path.parent.name == "notebooks"))
-    assert not faults, f"{faults[:3]}: try python tests/tidy_notebooks.py notebooks/*.ipynb"
+    assert not faults, f"{faults[:3]}: try nox -s tidy -- notebooks/*.ipynb"
     assert path.stat().st_size <= 150_000, "at most 150 kB: what makes it large belongs in a file, or in kinlib"
 
 
@@ -281,7 +281,7 @@ def test_contributing_says_why_each_dependency_is_here():
 
 def test_every_dependency_is_pinned():
     pins = {name_of(line) for line in (ROOT / "constraints.txt").read_text("utf-8").splitlines() if line[0] not in "# "}
-    assert dependencies() - pins == set(), "run: python course.py pin"
+    assert dependencies() - pins == set(), "run: nox -s pin"
 
 
 def test_a_wheel_holds_kinlib_and_its_data_only():

@@ -1,6 +1,6 @@
 """Notebooks: each runs from a cold kernel in half a minute without a complaint, and whoever cannot see hears its figures.
 
-The numbers in a lecture's prose come from its cells; tests/prose.py says which numbers, and what counts as coming from a cell.
+The numbers in a lecture's prose come from its cells; tools/prose_numbers.py says which numbers, and what counts as coming from a cell.
 """
 
 import re
@@ -13,7 +13,7 @@ import nbformat
 import pytest
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError
-from prose import numbers_of, without_witness, witnesses
+from prose_numbers import numbers_of, without_witness, witnesses
 
 from kinlib.practice.ask import _lectures as questions
 from kinlib.practice.sheet import lecture_steps

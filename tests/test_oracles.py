@@ -1,33 +1,34 @@
-"""No public function of kinlib without a witness, and no witness that is not asked."""
+"""Every public function of kinlib has an oracle, and the oracle check detects comparisons that prove nothing."""
 
 import os
 from types import SimpleNamespace
 
-import doubts
+import check_oracles
 import modern_robotics as mr
 import numpy as np
-import oracles
+import oracle_table
 import pytest
 from hypothesis import given
 from strategies import poses
 
 from kinlib import Chain, adjoint, exp, inverse
 
-TABLE = oracles.table()
+TABLE = oracle_table.table()
+COMPARISONS = [comparison for comparisons in TABLE.values() for comparison in comparisons]
 KINDS = ("printed", "axiom", "text")
 
 
-def test_every_public_function_has_a_witness():
-    silent = [name for name, heard in TABLE.items() if not heard]
-    assert not silent, "compare each with somebody else's, and say so: @pytest.mark.oracle(...); see tests/oracles.py"
+def test_every_public_function_has_an_oracle():
+    missing = [name for name, comparisons in TABLE.items() if not comparisons]
+    assert not missing, "mark a test of each with @pytest.mark.oracle(...): see tools/oracle_table.py"
 
 
-def test_every_witness_speaks_of_a_public_function():
-    assert set(TABLE) == set(oracles.public())
+def test_every_comparison_is_of_a_public_function():
+    assert set(TABLE) == set(oracle_table.public())
 
 
-@pytest.mark.parametrize("oracle", sorted({witness.oracle for heard in TABLE.values() for witness in heard}))
-def test_an_oracle_is_a_package_that_its_tests_import_or_what_it_is_instead_is_said(oracle):
+@pytest.mark.parametrize("oracle", sorted({comparison.oracle for comparison in COMPARISONS}))
+def test_an_oracle_is_a_package_that_its_tests_import_or_is_described(oracle):
     kind, colon, words = oracle.partition(": ")
     if colon:
         assert kind in KINDS
@@ -35,40 +36,38 @@ def test_an_oracle_is_a_package_that_its_tests_import_or_what_it_is_instead_is_s
         return
     pytest.importorskip(oracle)
     assert oracle != "kinlib"
-    helpers = "".join(path.read_text("utf-8") for path in oracles.TESTS.glob("*.py") if path.stem[:5] != "test_")
-    for file in {
-        witness.test.partition("::")[0] for heard in TABLE.values() for witness in heard if witness.oracle == oracle
-    }:
-        text = (oracles.TESTS / file).read_text("utf-8") + helpers
+    helpers = "".join(path.read_text("utf-8") for path in oracle_table.TESTS.rglob("*.py") if path.stem[:5] != "test_")
+    for file in {comparison.test.partition("::")[0] for comparison in COMPARISONS if comparison.oracle == oracle}:
+        text = (oracle_table.TESTS / file).read_text("utf-8") + helpers
         assert f"import {oracle}" in text or f"from {oracle}" in text or f'importorskip("{oracle}' in text
 
 
-# --- doubts: a sham is found out ---
+# --- the check detects comparisons that prove nothing ---
 
 
 @given(poses())
-def honest(T):
+def compares(T):
     np.testing.assert_allclose(adjoint(T), mr.Adjoint(T), atol=1e-12)
 
 
 @given(poses())
-def alone(T):
+def ignores_the_oracle(T):
     np.testing.assert_allclose(adjoint(inverse(T)) @ adjoint(T), np.eye(6), atol=1e-12)
 
 
 @given(poses())
-def idle(T):
+def ignores_the_function(T):
     adjoint(T)
     np.testing.assert_allclose(mr.Adjoint(T), mr.Adjoint(T))
 
 
 @given(poses())
-def blunt(T):
+def tolerates_too_much(T):
     np.testing.assert_allclose(adjoint(T), mr.Adjoint(T), atol=1e-3)
 
 
-def borrowed():
-    """Both sides come from the function itself."""
+def computes_both_sides_itself():
+    """Both sides come from the function under test."""
     np.testing.assert_allclose(exp([0, 0, 1.0]), exp([0, 0, 1.0]) + mr.Adjoint(np.eye(4))[0, 1])
 
 
@@ -77,25 +76,25 @@ def as_test(function, *about):
     return SimpleNamespace(name=function.__name__, obj=function, runtest=function, iter_markers=lambda _: [mark])
 
 
-forks = pytest.mark.skipif(not hasattr(os, "fork"), reason="a doubt is raised in a fork")
+forks = pytest.mark.skipif(not hasattr(os, "fork"), reason="each check runs in a fork, which Windows does not have")
 
 
 @forks
-def test_an_honest_witness_is_believed():
-    doubts.doubt(as_test(honest, adjoint))
+def test_a_real_comparison_passes():
+    check_oracles.check(as_test(compares, adjoint))
 
 
 @forks
 @pytest.mark.parametrize(
-    ("sham", "about", "why"),
+    ("comparison", "function", "reason"),
     [
-        (alone, adjoint, "passes without modern_robotics"),
-        (idle, adjoint, "no difference when kinlib.lie.adjoint errs"),
-        (blunt, adjoint, "no difference when kinlib.lie.adjoint errs"),
-        (borrowed, exp, "no difference when kinlib.lie.exp errs"),
-        (honest, Chain.fk, "no difference when kinlib.chain.Chain.fk errs"),
+        (ignores_the_oracle, adjoint, "passes without modern_robotics"),
+        (ignores_the_function, adjoint, "no difference when kinlib.lie.adjoint is wrong"),
+        (tolerates_too_much, adjoint, "no difference when kinlib.lie.adjoint is wrong"),
+        (computes_both_sides_itself, exp, "no difference when kinlib.lie.exp is wrong"),
+        (compares, Chain.fk, "no difference when kinlib.chain.Chain.fk is wrong"),
     ],
 )
-def test_a_sham_is_found_out(sham, about, why):
-    with pytest.raises(pytest.fail.Exception, match=why):
-        doubts.doubt(as_test(sham, about))
+def test_a_comparison_that_proves_nothing_fails(comparison, function, reason):
+    with pytest.raises(pytest.fail.Exception, match=reason):
+        check_oracles.check(as_test(comparison, function))

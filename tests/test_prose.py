@@ -1,11 +1,11 @@
-"""Each formula of a lecture has its assertion nearby. And the rules of tests/prose.py notice what they are there to notice."""
+"""Each formula of a lecture has its assertion nearby. And the rules of tools/prose_numbers.py notice what they are there to notice."""
 
 from pathlib import Path
 
 import nbformat
 import pytest
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_output
-from prose import (
+from prose_numbers import (
     checked,
     named,
     numbers_given,

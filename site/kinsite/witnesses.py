@@ -1,17 +1,18 @@
-"""The witnesses: by whom each public function has been compared, read from the tests that did it."""
+"""The page of oracles: which implementation each public function is compared with, read from the tests."""
 
 import sys
+from collections import Counter
 from collections.abc import Iterator
 
 from kinsite.execute import ROOT
 
 HEAD = """\
-# Who else says so
+# Independent checks
 
-Each public function of kinlib has been compared with an implementation that we did not write: a package, a number that a
-document prints, or, where nobody computes it, an axiom or words written out by hand. This table is read from the tests.
-`python course.py test --oracles` doubts each of its lines: the test has to fail without its oracle, and it has to find a
-difference when the function errs by a ten-millionth.
+Each public function of kinlib is compared with an implementation that we did not write: a package or a number printed in a
+document. Where no other implementation exists, the test checks an axiom, or text written by hand. This table is read from
+the tests. `python course.py test --oracles` checks that each comparison can fail: the test must fail without its oracle, and
+when the function is wrong by 1e-7.
 
 | function | compared with |
 | --- | --- |
@@ -19,13 +20,13 @@ difference when the function errs by a ten-millionth.
 
 
 def pages() -> Iterator[tuple[str, str]]:
-    """The one page: a row a function, its oracles, and how many tests ask each of them."""
-    sys.path.append(str(ROOT / "tests"))
-    from oracles import table
+    """Yield the page: one row for each function, with its oracles and the number of tests that use each."""
+    sys.path.append(str(ROOT / "tools"))
+    from oracle_table import table
 
     rows = []
-    for name, heard in table().items():
-        counts = {witness.oracle: [one.oracle for one in heard].count(witness.oracle) for witness in heard}
-        asked = "; ".join(oracle + (f" ({count} tests)" if count > 1 else "") for oracle, count in counts.items())
-        rows.append(f"| `{name.removeprefix('kinlib.')}` | {asked} |")
+    for name, comparisons in table().items():
+        counts = Counter(comparison.oracle for comparison in comparisons)
+        oracles = "; ".join(oracle + (f" ({count} tests)" if count > 1 else "") for oracle, count in counts.items())
+        rows.append(f"| `{name.removeprefix('kinlib.')}` | {oracles} |")
     yield "witnesses.md", HEAD + "\n".join(rows) + "\n"

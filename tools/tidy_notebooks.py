@@ -1,6 +1,6 @@
 """Make notebooks ready to commit: outputs go, but for the text of cells marked # NBVAL_CHECK_OUTPUT, which nbval compares.
 
-    python tests/tidy_notebooks.py notebooks/01_frames.ipynb ...
+    python tools/tidy_notebooks.py notebooks/01_frames.ipynb ...
 
 nbstripout does not know the mark; and it takes the count of runs, without which nbval compares nothing.
 """

@@ -1,6 +1,6 @@
-"""Whatever lies in a submission's folder or zip, beside whatever roster: everybody gets points within bounds, and reasons.
+"""Fuzz grading: for any folder or zip of submissions and any roster, every student gets valid points and a reason.
 
-What a sandbox would hear is made up here, and mangled too; the judge, the gradebook and all pages are the real ones.
+The output of the sandbox is made up here and corrupted too; the judge, the gradebook and all pages are the real ones.
 """
 
 import io
@@ -15,22 +15,23 @@ from functools import cache
 from pathlib import Path
 
 import nbformat
-from fuzz_answers import assert_verdict
-from hypothesis import strategies as st
-from mangled import (
+from assertions import assert_explained, assert_verdict
+from corruption import (
     LEAVES,
     PIECE,
-    assert_explained,
-    chances,
     change_json,
     change_text,
-    mangled,
-    mangled_json,
+    corrupted_json,
+    corrupted_texts,
     mostly,
     noise,
     often,
     pieces,
+    random_sources,
 )
+from fuzz_settings import fuzz_settings
+from hypothesis import given
+from hypothesis import strategies as st
 from submissions import SHEET, as_bytes, handed_in, released, right
 
 from kinlib.grading import judge as judging
@@ -72,10 +73,10 @@ check-0  check-001  check-999  check-٣  check-1  cell_type  grade_id
 
 
 class Prompter:
-    """In place of a sandbox: what a run says was written before, and is mangled.
+    """A stand-in for the sandbox, with prepared and corrupted output.
 
     asked           the problem that gets its right answer
-    changes, slips  what becomes of the lines, as data and as text
+    changes, slips  changes to the lines of the output, as data and as text
     """
 
     asked, changes, slips = 0, (), ()
@@ -98,7 +99,7 @@ class Prompter:
 
 
 class Rehearsal(Grader):
-    """A grader without a sandbox, whose judge sits in this process."""
+    """A grader without a sandbox, with its judge in this process."""
 
     def __init__(self, sheet):
         self.sheet, self.is_safe, self._runner, self._limits = sheet, False, Prompter(), Limits()
@@ -121,24 +122,27 @@ def handed_out():
     return nbformat.read(released(), as_version=4)
 
 
-@cache
 def cases():
-    """A folder or a zip, its files by name, the roster, and what is odd about the zip and about what the runs say."""
+    """A folder or a zip, its files by name, the roster, and the changes to the zip and to the output of the runs."""
     whole = [json.loads(released().read_text("utf-8")), handed_in("ada", right("ada")), handed_in("bob", right("ada"))]
     old = {"nbformat": 3, "worksheets": [{"cells": [{**cell, "input": cell["source"]} for cell in whole[1]["cells"]]}]}
     small = {
         "cells": [{"cell_type": "code", "source": ["student = 'ada'\n", f"sheet = open_sheet('{SHEET}', student)"]}]
     }
     documents = [*whole, whole[1], old, small]
-    as_json = mangled_json(st.sampled_from(documents), pieces(WORDS)).map(as_bytes_of)
-    as_text = mangled(st.sampled_from([as_bytes(each).decode() for each in documents]), WORDS).map(_encoded)
+    as_json = corrupted_json(st.sampled_from(documents), pieces(WORDS)).map(as_bytes_of)
+    as_text = corrupted_texts(st.sampled_from([as_bytes(each).decode() for each in documents]), WORDS).map(_encoded)
     codings = st.sampled_from(documents).map(lambda each: json.dumps(each).encode("utf-16"))
-    others = st.one_of(mangled(st.just(METADATA)).map(_encoded), noise().map(_encoded), st.binary(max_size=60), codings)
+    others = st.one_of(
+        corrupted_texts(st.just(METADATA)).map(_encoded), noise().map(_encoded), st.binary(max_size=60), codings
+    )
     contents = often(4, as_json, as_text, others)
-    names = often(4, st.sampled_from(NAMES), mangled(st.sampled_from(NAMES), cuts=(r"[^/]+", PIECE)))
-    rosters = often(4, st.sampled_from([None, *ROSTERS]), mangled(st.sampled_from(ROSTERS), cuts=(r"[^,\n]*", PIECE)))
+    names = often(4, st.sampled_from(NAMES), corrupted_texts(st.sampled_from(NAMES), cuts=(r"[^/]+", PIECE)))
+    rosters = often(
+        4, st.sampled_from([None, *ROSTERS]), corrupted_texts(st.sampled_from(ROSTERS), cuts=(r"[^,\n]*", PIECE))
+    )
     files = st.lists(st.tuples(names, contents), min_size=1, max_size=3)
-    lists = st.tuples(*[st.lists(chances(), max_size=most) for most in (2, 2, 1)])
+    lists = st.tuples(*[st.lists(random_sources(), max_size=most) for most in (2, 2, 1)])
     return st.tuples(mostly(["folder", "zip"], ["file"]), files, rosters, lists, st.integers(0, 8))
 
 
@@ -150,7 +154,9 @@ def _encoded(text):
     return text.encode(errors="surrogatepass")
 
 
-def check(case):
+@fuzz_settings(15)
+@given(st.deferred(cases))
+def test_every_student_of_any_submission_gets_valid_points_and_a_reason(case):
     kind, files, roster_text, (changes, slips, flips), asked = case
     signal.signal(signal.SIGPROF, judging._too_long)
     prompter = grader()._runner
@@ -202,7 +208,7 @@ def _roster(root, text):
 
 
 def _laid(root, kind, files, flips):
-    """The files in a folder, or in a zip with some of its bytes changed; names that this disk cannot hold are left out."""
+    """The files in a folder, or in a zip with some bytes changed, without the names that this file system refuses."""
     place = root / "in"
     if kind == "zip":
         with zipfile.ZipFile(place, "w", zipfile.ZIP_DEFLATED) as archive, warnings.catch_warnings(action="ignore"):

@@ -1,19 +1,19 @@
-"""Answers as data, mangled: whatever lies where a check cell writes its answer, a verdict comes of it, and so do the tables."""
+"""Fuzz the judge: whatever data is found where a check cell writes its answer, the result is a complete verdict."""
 
 import json
-import math
 import re
 import signal
 from functools import cache
 
+from assertions import assert_explained, assert_verdict
+from corruption import corrupted_json, corrupted_texts, noise, often
+from fuzz_settings import fuzz_settings
+from hypothesis import given
 from hypothesis import strategies as st
-from mangled import assert_explained, mangled, mangled_json, noise, often
 
 from kinlib.grading import judge as judging
 from kinlib.grading.matches import matches
-from kinlib.grading.pages import STATES
 from kinlib.grading.result import ProblemResult, Result
-from kinlib.grading.wire import pack
 from kinlib.practice import find_sheet, sheets
 from kinlib.practice.answer_data import Malformed, from_data
 from kinlib.practice.answer_writing import to_data
@@ -50,7 +50,7 @@ def problem(place):
 
 @cache
 def answers(place):
-    """Answers to a problem as they are handed in: the right one, those of its mistakes, and some of its neighbours."""
+    """Answers to a problem as data: the right one, and those of its mistakes."""
     asked = problem(place)
     values = [asked.answer.value, *(mistake.value for mistake in asked.mistakes)]
     return [to_data(_typed(value), asked.answer.inputs) for value in values]
@@ -61,21 +61,22 @@ def _typed(value):
     return value.function if isinstance(value, Called) else value
 
 
-@cache
 def cases():
-    """The place of a problem, and what came as its answer."""
-    strings = mangled(noise()).map(lambda text: {"text": text})
-    odd = mangled_json(st.sampled_from(FORMS)) | strings
+    """The index of a problem, and the data of its answer."""
+    strings = corrupted_texts(noise()).map(lambda text: {"text": text})
+    odd = corrupted_json(st.sampled_from(FORMS)) | strings
 
     @cache
     def handed_in(place):
-        nearly = mangled_json(st.sampled_from(answers(place)), FORMS)
+        nearly = corrupted_json(st.sampled_from(answers(place)), FORMS)
         return st.tuples(st.just(place), often(20, nearly, odd))
 
     return st.integers(0, len(TEMPLATES) - 1).flatmap(handed_in)
 
 
-def check(case):
+@fuzz_settings(20)
+@given(st.deferred(cases))
+def test_any_answer_data_gets_a_complete_verdict(case):
     place, data = case
     signal.signal(signal.SIGPROF, judging._too_long)
     assert_read_and_written(data)
@@ -99,19 +100,6 @@ def assert_read_and_written(data):
         written = to_data(value)
         if not re.search('"(other|function)"', json.dumps(written)):
             assert json.dumps(to_data(from_data(written))) == json.dumps(written)
-
-
-def assert_verdict(verdict):
-    fraction, state = verdict["fraction"], verdict["state"]
-    assert math.isfinite(fraction)
-    assert 0 <= fraction <= 1
-    assert state in STATES
-    assert (state == "right") == (fraction == 1)
-    assert (state in {"blank", "unreadable", "wrong", "missing"}) == (fraction == 0)
-    assert "could not be judged" not in verdict["text"], verdict["text"][-300:]
-    assert state in {"right", "missing"} or len(verdict["text"].splitlines()) > 2, "there is no reason"
-    assert len(verdict["text"]) < 5000, verdict["text"][:300]
-    pack(verdict)
 
 
 def _result(student, told):

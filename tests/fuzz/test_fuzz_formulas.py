@@ -1,11 +1,12 @@
-"""Formulas as students type them, mangled; and formulas spelt in a dozen ways, which mean what NumPy says they mean."""
-
-from functools import cache
+"""Fuzz the reader of formulas: corrupted ones are refused with a sentence, valid ones have the values that NumPy computes."""
 
 import numpy as np
 import sympy as sp
+from assertions import assert_explained
+from corruption import corrupted_texts, noise, often, pieces, random_sources
+from fuzz_settings import fuzz_settings
+from hypothesis import given
 from hypothesis import strategies as st
-from mangled import assert_explained, chances, mangled, noise, often, pieces
 
 from kinlib.practice.answers import Unreadable
 from kinlib.practice.closed_forms import ClosedForm
@@ -52,11 +53,11 @@ TWO = {
     "({} − ({}))": np.subtract,
     **dict.fromkeys(["({})*({})", "({}) · ({})", "({}) ({})", "({})({})", r"({}) \cdot ({})"], np.multiply),
 }
-"""How people write it, and what NumPy makes of it."""
+"""How people write an operation, and the NumPy function for it."""
 
 
 def spelt(chance, depth=4):
-    """A formula as text, and every value on the way to it, its own last, for x = (q_1, q_2, a)."""
+    """A formula as text, and a function of x = (q_1, q_2, a) that gives all intermediate values, and its value last."""
     if depth == 0 or chance.random() < 0.2:
         text, leaf = chance.choice(list(LEAVES.items()))
         return text, lambda x: [leaf(x)]
@@ -69,16 +70,17 @@ def spelt(chance, depth=4):
     return text.format(one, other), lambda x: [*(way := f(x)), *(side := g(x)), function(way[-1], side[-1])]
 
 
-@cache
 def cases():
-    """For which answer, the text, and what it means if we know that."""
+    """The name of the answer, the text, and its values if they are known."""
     asked = st.sampled_from(list(ASKED))
-    odd = st.tuples(asked, often(20, mangled(st.sampled_from(TYPED), WORDS), noise()), st.none())
-    known = chances().map(lambda chance: ("one", *spelt(chance)))
+    odd = st.tuples(asked, often(20, corrupted_texts(st.sampled_from(TYPED), WORDS), noise()), st.none())
+    known = random_sources().map(lambda chance: ("one", *spelt(chance)))
     return odd | known
 
 
-def check(case):
+@fuzz_settings(100)
+@given(st.deferred(cases))
+def test_a_formula_is_refused_with_a_sentence_or_has_the_values_that_numpy_computes(case):
     which, text, meaning = case
     answer = ASKED[which]
     points = answer._reader._points

@@ -1,12 +1,13 @@
-"""DH tables in every form, mangled: refused with a sentence, or an arm that is rigid and can be written and read again."""
+"""Fuzz DH tables in every form: refused with a sentence, or an arm with rigid poses that can be written and read again."""
 
 import re
-from functools import cache
 
 import numpy as np
-from fuzz_urdf import assert_rigid
+from assertions import assert_explained, assert_rigid
+from corruption import LEAVES, PIECE, corrupted_texts, mostly, noise, often, random_sources
+from fuzz_settings import fuzz_settings
+from hypothesis import given
 from hypothesis import strategies as st
-from mangled import LEAVES, PIECE, assert_explained, chances, mangled, mostly, noise, often
 
 from kinlib.dh import DHTable
 from kinlib.dh_rows import COLUMNS, _table
@@ -31,13 +32,13 @@ q1*0  2*q  __import__  +  sin(0)  0.4 # m  0.4\  'a'  if  1if 1else 2  10^-3  1e
 """
 
 CUTS = (r"[^|\t\n]+", r"[^\n]+\n?", r"\w+", PIECE)
-"""Entries, rows, words, and anything."""
+"""Entries, rows, words, and any piece."""
 
 PLAIN = re.compile(
     r"(?>[\s()+\-−*/{}\\$°]|deg|d?frac|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|(?:q|theta|θ|d)_?\{?\d*\}?|pi|π|l1|l2|a_3)*+",
     re.ASCII,
 )
-"""What an entry is made of, if it is one: no word of Python is a number here, nor a digit of another script."""
+"""What a valid entry consists of: no keyword of Python and no digit of another script counts as a number."""
 
 ENTRIES = (
     "0",
@@ -58,7 +59,7 @@ ENTRIES = (
 
 
 def in_rows(chance):
-    """A table as dictionaries, or as numbers, or as something between, with an odd entry here and there."""
+    """A table as dictionaries, as numbers or as a mixture, with a few odd entries."""
 
     def entry():
         if chance.random() < 0.97:
@@ -79,10 +80,9 @@ def in_rows(chance):
     return chance.choice([rows, rows, rows, tuple(rows), np.array(rows, dtype=object), iter(rows), rows[0]])
 
 
-@cache
 def cases():
     """Rows, convention, joints and lengths."""
-    texts, rows = mangled(st.sampled_from(SLIDES), WORDS, CUTS), chances().map(in_rows)
+    texts, rows = corrupted_texts(st.sampled_from(SLIDES), WORDS, CUTS), random_sources().map(in_rows)
     conventions = mostly(["standard", "modified"], ["Standard", "", None, [], {}, "\ud800", "x" * 9999, np.zeros(2)])
     joints = mostly([""], ["RR", "RP", "RPR", "R", "FF", "rr", None, 0, ["R", "R"], "R" * 9999])
     odd = [
@@ -102,7 +102,9 @@ def cases():
     return st.tuples(anything, conventions, joints, mostly([LENGTHS], odd))
 
 
-def check(case):
+@fuzz_settings(200)
+@given(st.deferred(cases))
+def test_a_dh_table_is_refused_with_a_sentence_or_is_the_same_arm_in_every_form(case):
     rows, convention, joints, lengths = case
     try:
         table = DHTable(rows, convention=convention, joints=joints, lengths=lengths)
@@ -122,7 +124,7 @@ def check(case):
 
 
 def _typed(table):
-    """The table as a slide would have it."""
+    """The table as text, as on a slide."""
     rows = ["theta | d | alpha | a"]
     for (a, alpha, d, theta), letter, sign in zip(table.rows.tolist(), table.joints, table.signs, strict=True):
         q = f" {'+' if sign > 0 else '-'} q" if letter != "F" else ""
@@ -131,6 +133,6 @@ def _typed(table):
 
 
 def _texts(rows):
-    """The entries of a table that are text, whatever its form."""
+    """The entries of a table that are text, in any form of the table."""
     rows = _table(rows)[0] if isinstance(rows, str) else [row for row in rows if isinstance(row, dict)]
     return [row[column] for row in rows for column in COLUMNS if isinstance(row[column], str)]

@@ -1,4 +1,4 @@
-"""URDF text, mangled: it is refused with a sentence, or it is the arm that Pinocchio reads, and can be written again."""
+"""Fuzz the URDF reader: a corrupted file is refused with a sentence, or read as the arm that Pinocchio reads from it."""
 
 import atexit
 import shutil
@@ -7,8 +7,11 @@ from functools import cache
 from pathlib import Path
 
 import numpy as np
+from assertions import assert_explained, assert_rigid
+from corruption import LETTERS, PIECE, corrupted_texts, mostly, noise, often, pieces, random_sources
+from fuzz_settings import fuzz_settings
+from hypothesis import given
 from hypothesis import strategies as st
-from mangled import LETTERS, PIECE, assert_explained, chances, mangled, mostly, noise, often, pieces
 from strategies import FAMILIES, configurations
 from urdf_files import as_pinocchio_reads
 
@@ -62,7 +65,7 @@ NUMBERS_OF_AN_ARM = (
 
 
 def arm(chance):
-    """An arm with odd numbers wherever a number may be."""
+    """An arm with an odd number wherever a number is allowed."""
 
     def three():
         return " ".join(chance.choice([*NUMBERS_OF_AN_ARM, repr(chance.uniform(-9, 9))]) for _ in range(3))
@@ -78,18 +81,19 @@ def arm(chance):
     return "\n".join([*parts, "</robot>"])
 
 
-@cache
 def cases():
-    """The text, the coding in which it lies in a file (None for a text that is typed), base and tip."""
+    """The text, the encoding of its file (None for text that is passed directly), base and tip."""
     ours = [to_urdf(family()) for family in FAMILIES if "H" not in family().letters]
-    documents = st.sampled_from([CRANE, CRANE, MIMIC, *ours]) | chances().map(arm)
-    texts = often(20, mangled(documents, WORDS, CUTS), noise().map("<{}".format), noise())
+    documents = st.sampled_from([CRANE, CRANE, MIMIC, *ours]) | random_sources().map(arm)
+    texts = often(20, corrupted_texts(documents, WORDS, CUTS), noise().map("<{}".format), noise())
     tips = mostly([*[None] * 8, "hook", "trolley", "tool", "l1", "l3", "finger"], ["lamp", "", *LETTERS])
     bases = mostly([None], ["truck", "boom", "hook", "l2", "", *LETTERS])
     return st.tuples(texts, mostly([None], CODINGS), bases, tips)
 
 
-def check(case):
+@fuzz_settings(150)
+@given(st.deferred(cases))
+def test_urdf_text_is_refused_with_a_sentence_or_read_as_pinocchio_reads_it(case):
     text, coding, base, tip = case
     try:
         chain = load_urdf(*_given(text, coding), base, tip)
@@ -111,14 +115,6 @@ def check(case):
         np.testing.assert_allclose(poses, witness, rtol=0, atol=1e-9 * reach)
 
 
-def assert_rigid(T):
-    R = T[..., :3, :3]
-    assert np.isfinite(T).all()
-    np.testing.assert_allclose(np.swapaxes(R, -1, -2) @ R, np.broadcast_to(np.eye(3), R.shape), atol=1e-9)
-    assert (np.linalg.det(R) > 0).all()
-    assert (T[..., 3, :] == (0, 0, 0, 1)).all()
-
-
 def _given(text, coding):
     if coding is None:
         return [text]
@@ -135,7 +131,7 @@ def _folder():
 
 
 def _as_pinocchio(text, chain, q):
-    """The poses by Pinocchio's own reader; None where it refuses the file."""
+    """The poses by Pinocchio's own reader; None if it refuses the file."""
     base, tip = chain.source.removeprefix("URDF, from ").split(" to ")
     try:
         return as_pinocchio_reads(text, base, tip, chain.joint_names, q)

@@ -1,0 +1,100 @@
+"""Tasks of maintainers. `nox --list` shows them; arguments after `--` go to the tool: `nox -s mutation -- screw`.
+
+All sessions use the environment that `python course.py test` makes: `.venv/bin/python -m nox -s lint`.
+"""
+
+import os
+import sys
+from pathlib import Path
+
+import nox
+
+nox.needs_version = ">=2025.5"
+nox.options.default_venv_backend = "none"
+nox.options.sessions = ["lint"]
+
+PYTHON = sys.executable
+ONE_THREAD = {"OPENBLAS_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
+
+
+def run_pytest(session: nox.Session, *arguments: str, **settings: str) -> None:
+    """Run pytest with this session's own arguments after the given ones."""
+    session.run(PYTHON, "-m", "pytest", *arguments, *session.posargs, env=settings)
+
+
+@nox.session
+def lint(session: nox.Session) -> None:
+    """Find mistakes without running the code: ruff, the format, types."""
+    session.run(PYTHON, "-m", "ruff", "check")
+    session.run(PYTHON, "-m", "ruff", "format", "--check")
+    session.run(PYTHON, "-m", "mypy")
+
+
+@nox.session(name="format")
+def format_code(session: nox.Session) -> None:
+    """Fix what ruff can fix, and format."""
+    session.run(PYTHON, "-m", "ruff", "check", "--fix", *session.posargs)
+    session.run(PYTHON, "-m", "ruff", "format", *session.posargs)
+
+
+@nox.session
+def oracles(session: nox.Session) -> None:
+    """Check that every comparison with an oracle can fail, and list which library verifies which function."""
+    run_pytest(session, "--numprocesses=auto", "--dist=loadfile", "--oracles", "tests")
+
+
+@nox.session
+def fuzz(session: nox.Session) -> None:
+    """Fuzz until a fault is found or all examples are used: `nox -s fuzz -- -k urdf`."""
+    run_pytest(session, "tests/fuzz", "-x", "--hypothesis-profile=fuzz", "--hypothesis-show-statistics")
+
+
+@nox.session
+def mutation(session: nox.Session) -> None:
+    """Run mutmut on modules of kinlib and list the mutants that survive: `nox -s mutation -- screw lie`."""
+    names = [f"kinlib.{module}.x*" for module in session.posargs]
+    session.run(PYTHON, "-m", "mutmut", "run", *names, env=ONE_THREAD)
+    session.run(PYTHON, "-m", "mutmut", "results")
+
+
+@nox.session
+def benchmarks(session: nox.Session) -> None:
+    """Measure kinlib beside its peers: `nox -s benchmarks -- --save` keeps the results for the site."""
+    session.run(PYTHON, "-m", "benchmarks", *session.posargs)
+
+
+@nox.session
+def pdf(session: nox.Session) -> None:
+    """Print the lectures of the site as one PDF; needs a built site and a Chromium."""
+    session.run(PYTHON, "site/pdf.py", *session.posargs)
+
+
+@nox.session
+def tidy(session: nox.Session) -> None:
+    """Remove the outputs of notebooks before a commit: `nox -s tidy -- notebooks/01_frames.ipynb`; without a name, of all."""
+    notebooks = session.posargs or [str(path) for path in sorted(Path("notebooks").glob("*.ipynb"))]
+    session.run(PYTHON, "tools/tidy_notebooks.py", *notebooks)
+
+
+@nox.session
+def release(session: nox.Session) -> None:
+    """Make the students' notebooks in exercises/ from solutions/."""
+    session.run(PYTHON, "-m", "kinlib.practice.handout", *session.posargs)
+
+
+@nox.session
+def viewer(session: nox.Session) -> None:
+    """Bundle the 3-D viewer; needs Node 20 or newer."""
+    session.run("npm", "ci", external=True)
+    session.run("npm", "run", "build", external=True)
+
+
+@nox.session
+def pin(session: nox.Session) -> None:
+    """Write constraints.txt anew; `nox -s pin -- --upgrade` takes the newest versions, otherwise only what is new is added."""
+    session.run(
+        *(PYTHON, "-m", "uv", "pip", "compile", "pyproject.toml", "--group=test", "--group=installer"),
+        *("--universal", "--quiet", "--no-annotate", "--custom-compile-command=nox -s pin", "-o", "constraints.txt"),
+        *session.posargs,
+        env={"PYTHONPATH": os.pathsep.join(filter(None, [".uv", os.environ.get("PYTHONPATH")]))},
+    )

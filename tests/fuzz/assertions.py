@@ -1,0 +1,52 @@
+"""Claims that several fuzz targets check: an error explains itself, a pose is rigid, a verdict is complete."""
+
+import math
+import re
+import traceback
+from pathlib import Path
+
+import numpy as np
+
+import kinlib
+
+SENTENCE = re.compile(r"\S.*[.?!)>`'\"]", re.DOTALL)
+
+MAX_MESSAGE_LENGTH = 1500
+"""A longer message only repeats the input."""
+
+LIBRARY = Path(kinlib.__file__).parent.as_posix()
+
+
+def assert_explained(error, *types):
+    """An explained error is one that the library raises on purpose, with a printable sentence; any other error is a fault."""
+    message = str(error)
+    assert type(error) in (types or (ValueError,)), f"{type(error).__name__}: {message[:300]}"
+    file = Path(traceback.extract_tb(error.__traceback__)[-1].filename).as_posix()
+    assert file.startswith(LIBRARY), f"this was raised in {file}: {message[:300]}"
+    assert SENTENCE.fullmatch(message), f"this is not a sentence: {message[:300]!r}"
+    assert len(message) <= MAX_MESSAGE_LENGTH, f"this message has {len(message)} characters: {message[:300]!r}"
+    message.encode()
+
+
+def assert_rigid(T):
+    R = T[..., :3, :3]
+    assert np.isfinite(T).all()
+    np.testing.assert_allclose(np.swapaxes(R, -1, -2) @ R, np.broadcast_to(np.eye(3), R.shape), atol=1e-9)
+    assert (np.linalg.det(R) > 0).all()
+    assert (T[..., 3, :] == (0, 0, 0, 1)).all()
+
+
+def assert_verdict(verdict):
+    from kinlib.grading.pages import STATES  # grading cannot be imported on Windows
+    from kinlib.grading.wire import pack
+
+    fraction, state = verdict["fraction"], verdict["state"]
+    assert math.isfinite(fraction)
+    assert 0 <= fraction <= 1
+    assert state in STATES
+    assert (state == "right") == (fraction == 1)
+    assert (state in {"blank", "unreadable", "wrong", "missing"}) == (fraction == 0)
+    assert "could not be judged" not in verdict["text"], verdict["text"][-300:]
+    assert state in {"right", "missing"} or len(verdict["text"].splitlines()) > 2, "there is no reason"
+    assert len(verdict["text"]) < 5000, verdict["text"][:300]
+    pack(verdict)
