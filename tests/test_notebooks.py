@@ -13,7 +13,7 @@ import nbformat
 import pytest
 from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError
-from prose_numbers import numbers_of, without_witness, witnesses
+from prose_numbers import numbers_of, numbers_without_source, sources
 
 from kinlib.practice.ask import _lectures as questions
 from kinlib.practice.sheet import lecture_steps
@@ -112,10 +112,10 @@ def test_a_notebook_runs_from_a_cold_kernel(path, record_property):
 def test_every_number_in_the_prose_comes_from_a_cell(path):
     """In the text, in the questions and in the blank steps of a lecture."""
     cells = executed(path)[0].cells
-    seen = witnesses(cells)
-    unseen = {cell.id: without_witness(cell.source, seen) for cell in cells if cell.cell_type == "markdown"}
+    seen = sources(cells)
+    unseen = {cell.id: numbers_without_source(cell.source, seen) for cell in cells if cell.cell_type == "markdown"}
     for name, assumed, claims in asked_in(path):
-        unseen[name] = without_witness(claims, seen | set(numbers_of(assumed)))
+        unseen[name] = numbers_without_source(claims, seen | set(numbers_of(assumed)))
     unseen = {place: numbers for place, numbers in unseen.items() if numbers}
     assert not unseen, f"let a cell print these, or word the sentence without them: {unseen}"
 

@@ -1,4 +1,4 @@
-"""Each formula of a lecture has its assertion nearby. And the rules of tools/prose_numbers.py notice what they are there to notice."""
+"""Each formula of a lecture has its assertion nearby; and the rules of tools/prose_numbers.py find what they should."""
 
 from pathlib import Path
 
@@ -7,35 +7,35 @@ import pytest
 from nbformat.v4 import new_code_cell, new_markdown_cell, new_output
 from prose_numbers import (
     checked,
+    formulas_without_check,
+    formulas_without_number,
     named,
     numbers_given,
     numbers_in,
     numbers_printed,
-    without_check,
-    without_number,
-    without_witness,
+    numbers_without_source,
 )
 
 LECTURES = sorted((Path(__file__).parents[1] / "notebooks").glob("*.ipynb"))
 each_lecture = pytest.mark.parametrize("path", LECTURES, ids=lambda path: path.stem)
 
 
-# --- the formulas of the lectures; their numbers are in test_notebooks.py, which has run them ---
+# --- the formulas of the lectures; test_notebooks.py checks the numbers, because it runs the notebooks ---
 
 
 @each_lecture
-def test_every_formula_bears_a_number(path):
-    bare = list(without_number(nbformat.read(path, as_version=4).cells))
+def test_every_formula_has_a_number(path):
+    bare = list(formulas_without_number(nbformat.read(path, as_version=4).cells))
     assert not bare, "number them, as \\tag{7} or (7), and assert them in a cell nearby:\n" + "\n".join(bare)
 
 
 @each_lecture
 def test_every_number_of_a_formula_has_its_assertion(path):
-    unproved = list(without_check(nbformat.read(path, as_version=4).cells))
+    unproved = list(formulas_without_check(nbformat.read(path, as_version=4).cells))
     assert not unproved, "\n".join(unproved)
 
 
-# --- what the rules notice ---
+# --- what the rules find ---
 
 
 @pytest.mark.parametrize(
@@ -49,8 +49,8 @@ def test_every_number_of_a_formula_has_its_assertion(path):
         "- (1) $ab = c$\n- $ef = g$",
     ],
 )
-def test_a_claim_without_a_number_is_noticed(markdown):
-    assert list(without_number([new_markdown_cell(markdown)]))
+def test_a_claim_without_a_number_is_found(markdown):
+    assert list(formulas_without_number([new_markdown_cell(markdown)]))
 
 
 @pytest.mark.parametrize(
@@ -67,32 +67,32 @@ def test_a_claim_without_a_number_is_noticed(markdown):
         "`$ab = c$`",
     ],
 )
-def test_names_cases_quotations_and_numbered_claims_are_let_be(markdown):
-    assert not list(without_number([new_markdown_cell(markdown)]))
+def test_definitions_cases_quotations_and_numbered_claims_are_accepted(markdown):
+    assert not list(formulas_without_number([new_markdown_cell(markdown)]))
 
 
-def test_a_number_is_named_in_brackets_and_an_equation_of_a_book_is_not():
+def test_a_number_in_brackets_names_a_formula_but_not_if_it_is_an_equation_of_a_book():
     assert named(
         r"By (1), $\quad(2)$ and $$a = b \tag{c}$$ as in (3.88), $f(4)$, $A_1(5)$, $R^{(6)}$ and 1904 (1954)."
     ) == {*("1", "2", "c")}
 
 
-def test_only_an_assertion_checks():
+def test_only_an_assertion_counts_as_a_check():
     assert list(checked("assert a == b  # (1), (3) to (5)\nc = d  # (2)\nprint('# (6)')")) == ["1", "3", "4", "5"]
     assert list(checked("assert np.allclose(\n    a,  # (a) to (c)\n    b,\n)")) == ["a", "b", "c"]
 
 
-def test_a_formula_and_its_assertion_are_neighbours():
+def test_a_formula_and_its_assertion_must_be_near_each_other():
     formula, check, other = (
         new_markdown_cell("$$ab = c \\tag{1}$$"),
         new_code_cell("assert True  # (1)"),
         new_code_cell("1"),
     )
-    assert not list(without_check([formula, other, check]))
-    assert not list(without_check([check, other, formula]))
-    assert list(without_check([formula, other]))
-    assert list(without_check([check, other]))
-    assert list(without_check([formula, *5 * [other], check]))
+    assert not list(formulas_without_check([formula, other, check]))
+    assert not list(formulas_without_check([check, other, formula]))
+    assert list(formulas_without_check([formula, other]))
+    assert list(formulas_without_check([check, other]))
+    assert list(formulas_without_check([formula, *5 * [other], check]))
 
 
 @pytest.mark.parametrize(
@@ -111,9 +111,9 @@ def test_a_formula_and_its_assertion_are_neighbours():
         ("90 radians", 90.0, 9.0),
     ],
 )
-def test_a_witness_rounds_to_the_number(text, right, wrong):
-    assert not without_witness(text, [right])
-    assert without_witness(text, [wrong])
+def test_a_source_rounds_to_the_number(text, right, wrong):
+    assert not numbers_without_source(text, [right])
+    assert numbers_without_source(text, [wrong])
 
 
 @pytest.mark.parametrize(
@@ -129,11 +129,11 @@ def test_a_witness_rounds_to_the_number(text, right, wrong):
         r"$\frac12$ and $x_{10}$",
     ],
 )
-def test_what_is_chosen_or_quoted_needs_no_witness(text):
+def test_chosen_and_quoted_numbers_need_no_source(text):
     assert not list(numbers_in(text))
 
 
-def test_a_picture_and_a_question_are_no_witness():
+def test_pictures_and_questions_are_no_source():
     picture = new_output(
         "display_data", {"text/html": '<svg viewBox="0 0 0.37 1"/>', "text/plain": "An arm, 0.2 m long."}
     )
@@ -142,6 +142,6 @@ def test_a_picture_and_a_question_are_no_witness():
     assert set(numbers_printed([cell])) == {0.2, 0.1}
 
 
-def test_what_is_given_stands_in_the_code():
+def test_literals_in_the_code_are_a_source():
     cell = new_code_cell('length = -0.25  # 0.75\ntable = "1 | 0.147"\nflag = True')
     assert set(numbers_given([cell, new_markdown_cell("0.9")])) == {0.25, 1, 0.147}

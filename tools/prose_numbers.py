@@ -1,13 +1,13 @@
-r"""What the prose of a notebook says: its numbers, each with a witness among the cells, and its formulas, each with its check.
+r"""Check the prose of a notebook: each number must come from a cell, and each formula must be asserted in a cell nearby.
 
-A decimal, a power of ten, a length or an angle in radians is witnessed by a number that a cell prints and that rounds to it,
-or it is given: it stands as a literal in the code. Not asked for are counts, indices, years and whole degrees, which somebody
-chose and nobody measured, nor what is quoted: code, block quotes, and a number alone in brackets or after "example", which
-names an equation of a book, as (3.88) does.
+A decimal, a power of ten, a length or an angle in radians needs a source: a number that a cell prints and that rounds to it,
+or a literal in the code. No source is needed for counts, indices, years and whole degrees, because they are chosen and not
+measured. The same holds for quotations: code, block quotes, and a number alone in brackets or after "example", which refers
+to an equation of a book, as (3.88) does.
 
-A formula claims something if it is displayed with a relation sign in it, or relates more than a name to more than a value.
-Then a number of ours stands in it or beside it: \tag{7}, or (7) in its paragraph or at the head of the paragraph that leads to
-the display. In a block quote somebody else claims it. A cell nearby asserts it and says so, `assert ...  # (7)`.
+A formula makes a claim if it is displayed with a relation sign in it, or if it relates more than a name to more than a value.
+Then it needs a number: \tag{7}, or (7) in its paragraph or at the beginning of the paragraph before the display. In a block
+quote, the claim is somebody else's. A cell nearby must assert the formula and name its number: `assert ...  # (7)`.
 """
 
 import ast
@@ -24,7 +24,7 @@ QUOTED = [
 
 
 def our_words(markdown):
-    """The text without what it quotes."""
+    """Return the text without its quotations."""
     for quoted in QUOTED:
         markdown = re.sub(quoted, " ", markdown)
     return markdown
@@ -42,7 +42,7 @@ PRINTED = re.compile(r"\d+\.?\d*(?:e[-+]?\d+)?")
 
 
 def numbers_in(markdown):
-    """Each number that asks for a witness, as it is written, with the test that a witness passes."""
+    """Yield each number that needs a source, as it is written, with a function that tests whether a number is its source."""
     for found in NUMBER.finditer(our_words(markdown)):
         if found["plain"]:
             yield found[0], rounds_to(found["plain"], UNITS.get(found["unit"], 1.0))
@@ -53,23 +53,23 @@ def numbers_in(markdown):
 
 
 def rounds_to(written, unit=1.0):
-    """Whether a number, in metres or in the unit, is the written one at its digits; the zeros that end 300 are none."""
+    """Return a test: does a number, in metres or in the unit, round to the written one? Final zeros, as in 300, do not count as digits."""
     mantissa = written.partition("e")[0]
     digits = mantissa.replace(".", "").lstrip("0") if "." in mantissa else mantissa.strip("0")
 
-    def witness(number):
+    def source(number):
         return any(float(f"{number / scale:.{max(len(digits), 1) - 1}e}") == float(written) for scale in {1.0, unit})
 
-    return witness
+    return source
 
 
 def of_size(power):
-    """Whether a number is this power of ten within a factor of five: a bare power names a size and no digit."""
+    """Return a test: is a number this power of ten within a factor of five? A bare power of ten only gives a size."""
     return lambda number: power / 5 < number < power * 5
 
 
 def numbers_printed(cells):
-    """What the cells print: the text of their outputs, not the coordinates in a picture, nor a question's own numbers."""
+    """Yield the numbers that the cells print as text: not the coordinates in a picture, and not the numbers in a question."""
     for cell in cells:
         for output in cell.get("outputs", []):
             data = output.get("data", {})
@@ -78,7 +78,7 @@ def numbers_printed(cells):
 
 
 def numbers_given(cells):
-    """The literals of the code, and those inside of its strings, which hold tables and files."""
+    """Yield the literals of the code, and the numbers in its strings, which contain tables and files."""
     for cell in cells:
         if cell.cell_type == "code":
             for node in ast.walk(ast.parse(cell.source)):
@@ -90,14 +90,14 @@ def numbers_of(text):
     return map(float, PRINTED.findall(text))
 
 
-def witnesses(cells):
-    """The numbers that the cells of an executed notebook print, or are given."""
+def sources(cells):
+    """Return the numbers that the cells of an executed notebook print or contain as literals."""
     return {*numbers_printed(cells), *numbers_given(cells)}
 
 
-def without_witness(text, witnesses):
-    """The numbers in a text that nothing witnesses, as they are written there."""
-    return [number for number, witness in numbers_in(text) if not any(map(witness, witnesses))]
+def numbers_without_source(text, sources):
+    """Return the numbers in a text that have no source, as they are written there."""
+    return [number for number, source in numbers_in(text) if not any(map(source, sources))]
 
 
 # --- formulas ---
@@ -106,7 +106,7 @@ LABEL = r"\((\d{1,2}|[a-h])\)"
 NAMED = re.compile(rf"(?:(?<![\w{{}})\\])|(?<=\\quad)){LABEL}(?!\()|\\tag\{{(\d{{1,2}}|[a-h])\}}|\\text\{{{LABEL}\}}")
 CHECKED = re.compile(rf"{LABEL}(?: to {LABEL})?")
 NEAR = 4
-"""Cells. After a formula may come a question about it, a slider and an explanation, and then its check."""
+"""Largest distance of a formula from its assertion, in cells: a question, a slider and an explanation may lie between."""
 
 PARAGRAPHS = re.compile(r"\n\s*\n|\n(?=\s*(?:[-*|] ?|\d+\. ))")
 FORMULA = re.compile(r"\$\$(.+?)\$\$|\$([^$]+)\$", re.DOTALL)
@@ -117,8 +117,8 @@ NAME = re.compile(r"(?:d|\|)?\[?\w?\]?\|?(?:\(\w?\))?")
 VALUE = re.compile(r"(?:[-+/°.,;()\[\]\s\d]|\\pi\b|\\pm\b|\\[,;! ])*")
 
 
-def without_number(cells):
-    """The formulas that claim something and bear no number."""
+def formulas_without_number(cells):
+    """Yield the formulas that make a claim and have no number."""
     for cell in cells:
         if cell.cell_type == "markdown":
             for before, paragraph in pairwise(["", *PARAGRAPHS.split(our_words(cell.source))]):
@@ -129,7 +129,7 @@ def without_number(cells):
 
 
 def claims(displayed, inline):
-    """Whether a formula may be false: `S = (\\omega, v)` says what a letter stands for, `q_1 = 0` which case is meant."""
+    """Return whether a formula makes a claim: `S = (\\omega, v)` only defines a symbol, `q_1 = 0` only names a case."""
     left, *right = RELATION.split(displayed or inline)
     if displayed or not right:
         return bool(right)
@@ -138,12 +138,12 @@ def claims(displayed, inline):
 
 
 def named(markdown):
-    """The numbers of formulas in a text."""
+    """Return the numbers of formulas in a text."""
     return {next(filter(None, found)) for found in NAMED.findall(our_words(markdown))}
 
 
 def checked(code):
-    """The numbers of formulas in the comments of assertions, and of nothing else: `# (7)`, `# (2) to (4)`."""
+    """Yield the numbers of formulas in the comments of assertions, but not of other lines: `# (7)`, `# (2) to (4)`."""
     asserted = {
         line
         for node in ast.walk(ast.parse(code))
@@ -162,8 +162,8 @@ def every(first, last):
     return [chr(letter) for letter in range(ord(first), ord(last) + 1)]
 
 
-def without_check(cells):
-    """The numbers that the prose names and no assertion nearby, and those that an assertion names and no prose nearby."""
+def formulas_without_check(cells):
+    """Yield the numbers of formulas without an assertion nearby, and of assertions without a formula nearby."""
     formulas, checks = {}, {}
     for place, cell in enumerate(cells):
         markdown = cell.cell_type == "markdown"

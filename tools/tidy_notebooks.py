@@ -1,8 +1,9 @@
-"""Make notebooks ready to commit: outputs go, but for the text of cells marked # NBVAL_CHECK_OUTPUT, which nbval compares.
+"""Remove the outputs of notebooks before a commit, except the text of cells marked # NBVAL_CHECK_OUTPUT.
 
     python tools/tidy_notebooks.py notebooks/01_frames.ipynb ...
 
-nbstripout does not know the mark; and it takes the count of runs, without which nbval compares nothing.
+nbval compares the outputs of marked cells. nbstripout does not know the mark, and it removes the execution count, without
+which nbval compares nothing.
 """
 
 import json
@@ -13,7 +14,7 @@ MARK = "# NBVAL_CHECK_OUTPUT"
 
 
 def tidied(notebook):
-    """The notebook without what only this run, or this machine, knows."""
+    """Return the notebook without what differs from run to run or from machine to machine."""
     notebook["metadata"].pop("widgets", None)
     notebook["metadata"]["language_info"] = {"name": "python"}
     for cell in notebook["cells"]:
