@@ -265,6 +265,26 @@ class Chain:
         return FastKinematics(self.screws, self.home, self.joint_points)
 
 
+def random_configurations(n: int, count: int) -> Array:
+    """Draw configurations at which two descriptions of an arm are compared, the same ones every time.
+
+    n joints -> (count, n): each value between -pi and pi, in radians or metres.
+
+    >>> random_configurations(2, 3).shape
+    (3, 2)
+    """
+    return np.random.default_rng(0).uniform(-np.pi, np.pi, (count, n))
+
+
+def largest_difference(poses: Array, others: Array) -> float:
+    """Find the largest difference between two entries of poses (..., 4, 4) that should be the same.
+
+    >>> largest_difference(np.eye(4), exp([0, 0, 0, 0.5, 0, -2]))
+    2.0
+    """
+    return float(np.abs(poses - others).max())
+
+
 def _limits(limits: ArrayLike, n: int) -> Array:
     limits = check.real(limits, "limits")
     if limits.shape != (n, 2):

@@ -12,6 +12,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from kinlib.angles import wrap_angle
 from kinlib.check import Array
 from kinlib.gauss_newton import ROUGH, Equations, null_space, seen, solve
 
@@ -201,7 +202,7 @@ class Path:
         way = new - x
         length = np.linalg.norm(way)
         to_start = start - x
-        to_start = np.where(self.turns, (to_start + np.pi) % (2 * np.pi) - np.pi, to_start)
+        to_start = np.where(self.turns, wrap_angle(to_start), to_start)
         along = to_start @ way / length
         aside = np.linalg.norm(to_start - along * way / length)
         passes = (

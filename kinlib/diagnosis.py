@@ -11,6 +11,7 @@ from itertools import combinations
 
 import numpy as np
 
+from kinlib.angles import wrap_angle
 from kinlib.chain import Chain
 from kinlib.dh import Convention, DHTable
 from kinlib.dh_rows import COLUMNS
@@ -174,7 +175,7 @@ def _numbers(table: DHTable, arm: Chain) -> Iterator[_Fix]:
     usual = {column: {0.0, *lengths, *-lengths} for column in (A, D)}
     for column in (ALPHA, THETA):
         # Beside an axis that is drawn the other way round, an angle and its supplement change places.
-        angles = np.concatenate([own[:, column], np.remainder(-own[:, column], 2 * np.pi) - np.pi])
+        angles = np.concatenate([own[:, column], wrap_angle(np.pi - own[:, column])])
         usual[column] = {0.0, np.pi / 2, -np.pi / 2, np.pi, *angles, *-angles}
     for row, letter in enumerate(table.joints):
         for column, name in enumerate(COLUMNS):

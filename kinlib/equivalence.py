@@ -15,10 +15,10 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from kinlib.chain import Chain
+from kinlib.chain import Chain, largest_difference, random_configurations
 from kinlib.check import Array
 from kinlib.dh import DHTable
-from kinlib.lie import exp, hat, inverse
+from kinlib.lie import exp, hat, inverse, perpendicular, pose
 from kinlib.normals import NEARLY
 from kinlib.screw import line
 from kinlib.sweep import cross
@@ -188,8 +188,7 @@ def _placed_alike(one: Chain, other: Chain, match: _Match, loose: float) -> Equi
     missed = float(np.abs(equations @ solved - sides).max(initial=0))
     if missed > loose:
         return Equivalence(False, difference=missed)
-    X = np.eye(4)
-    X[:3, :3], X[:3, 3] = match.base, solved[:3]
+    X = pose(match.base, solved[:3])
     signs, offsets = np.array(match.signs), match.offsets.copy()
     offsets[slides] = solved[3:]
     # The first joint may take over a turn of the base, and the last one of the tool: leave as little in both as can be.
@@ -198,8 +197,8 @@ def _placed_alike(one: Chain, other: Chain, match: _Match, loose: float) -> Equi
     Y = inverse(X @ one.fk(np.stack([offsets, offsets]))[0]) @ other.home
     spare = _nearest_home(inverse(Y), one.body_screws[-1])
     Y, offsets[-1] = exp(-spare * one.body_screws[-1]) @ Y, offsets[-1] + spare
-    q = np.random.default_rng(0).uniform(-np.pi, np.pi, (POSTURES, one.n))
-    difference = float(np.abs(other.fk(q) - X @ one.fk(signs * q + offsets) @ Y).max())
+    q = random_configurations(one.n, POSTURES)
+    difference = largest_difference(other.fk(q), X @ one.fk(signs * q + offsets) @ Y)
     return Equivalence(True, X, Y, signs, offsets, difference)
 
 
@@ -270,6 +269,6 @@ def _onto(u: Array, v: Array) -> Array:
     across = cross(u, v)
     sine = float(np.linalg.norm(across))
     if sine < 1e-9:
-        # Opposite vectors leave the axis open: any that is square to u will do.
-        across, sine = cross(u, np.eye(3)[np.argmin(np.abs(u))]), 0.0
+        # Opposite vectors leave the axis open: any that is perpendicular to u will do.
+        across, sine = perpendicular(u), 0.0
     return exp(across / np.linalg.norm(across) * np.arctan2(sine, u @ v))

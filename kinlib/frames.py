@@ -15,10 +15,11 @@ from functools import cached_property
 
 import numpy as np
 
-from kinlib.chain import Chain
+from kinlib.chain import Chain, largest_difference, random_configurations
 from kinlib.check import Array
 from kinlib.dh import Convention, DHTable, convention_of, joint_step, normal_step
 from kinlib.frame_steps import PROBES, Step, told
+from kinlib.lie import pose
 from kinlib.normals import MEETS, Normal, common_normal
 from kinlib.sweep import cross
 
@@ -43,8 +44,8 @@ class FrameAssignment:
     @cached_property
     def accuracy(self) -> float:
         """The largest difference in an entry between the table's poses and the chain's, measured in many postures."""
-        q = np.random.default_rng(0).uniform(-np.pi, np.pi, (PROBES, self.chain.n))
-        return float(np.abs(self.table.fk(q) - self.chain.fk(q)).max())
+        q = random_configurations(self.chain.n, PROBES)
+        return largest_difference(self.table.fk(q), self.chain.fk(q))
 
     @property
     def base(self) -> Array:
@@ -186,10 +187,7 @@ def _axis(frame: Array) -> tuple[Array, Array]:
 
 
 def _frame(x: Array, z: Array, origin: Array) -> Array:
-    T = np.eye(4)
-    T[:3, :3] = np.transpose([x, cross(z, x), z])
-    T[:3, 3] = origin
-    return T
+    return pose(np.transpose([x, cross(z, x), z]), origin)
 
 
 def _square(candidates: Array, z: Array) -> Array:

@@ -13,7 +13,7 @@ from kinlib.bodies import Joint, spherical, universal
 from kinlib.chain import Chain
 from kinlib.check import Array
 from kinlib.dh import DHTable
-from kinlib.lie import exp
+from kinlib.lie import exp, pose
 from kinlib.loops import Mechanism
 from kinlib.screw import screw
 
@@ -294,9 +294,7 @@ def _ring(links: Sequence[tuple[float, float]], name: str, source: str) -> Mecha
 
 
 def _shift(way: Array) -> Array:
-    T = np.eye(4)
-    T[:3, 3] = way
-    return T
+    return pose(np.eye(3), way)
 
 
 def _turned(direction: Array, angle: float) -> Array:

@@ -10,6 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
+from kinlib import lie
 from kinlib.chain import Chain
 from kinlib.check import Array
 from kinlib.screw import screw
@@ -38,10 +39,7 @@ def pose(axes: ArrayLike, origin: ArrayLike) -> Array:
            [ 0.,  1., -0.,  3.],
            [ 0.,  0.,  0.,  1.]])
     """
-    T = np.eye(4)
-    T[:3, :3] = np.transpose(axes)
-    T[:3, 3] = origin
-    return T
+    return lie.pose(np.transpose(axes), origin)
 
 
 def rpr() -> Chain:

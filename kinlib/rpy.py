@@ -5,7 +5,7 @@ from numpy.typing import ArrayLike
 
 from kinlib import check
 from kinlib.check import Array
-from kinlib.lie import exp
+from kinlib.lie import exp, pose
 
 
 def origin(xyz: ArrayLike = (0.0, 0.0, 0.0), rpy: ArrayLike = (0.0, 0.0, 0.0)) -> Array:
@@ -21,10 +21,7 @@ def origin(xyz: ArrayLike = (0.0, 0.0, 0.0), rpy: ArrayLike = (0.0, 0.0, 0.0)) -
     array([1., 0., 0.])
     """
     roll, pitch, yaw = _three(rpy, "rpy")
-    T = np.eye(4)
-    T[:3, :3] = exp([0, 0, yaw]) @ exp([0, pitch, 0]) @ exp([roll, 0, 0])
-    T[:3, 3] = _three(xyz, "xyz")
-    return T
+    return pose(exp([0, 0, yaw]) @ exp([0, pitch, 0]) @ exp([roll, 0, 0]), _three(xyz, "xyz"))
 
 
 def roll_pitch_yaw(R: ArrayLike) -> Array:

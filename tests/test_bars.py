@@ -9,7 +9,8 @@ from hypothesis import strategies as st
 from test_linkages import meeting_points
 
 from kinlib import linkages
-from kinlib.practice.bars import Bars, slider_place, upright
+from kinlib.angles import wrap_angle
+from kinlib.practice.bars import Bars, slider_place
 
 lengths = st.floats(0.1, 2)
 angles = st.floats(-np.pi, np.pi)
@@ -80,7 +81,7 @@ def test_a_crank_pin_on_the_rocker_pin_is_refused():
 # --- by other hands ---
 
 
-@pytest.mark.oracle("mpmath", Bars.joints, Bars.modes, upright)
+@pytest.mark.oracle("mpmath", Bars.joints, Bars.modes, wrap_angle)
 @given(st.tuples(lengths, lengths, lengths, lengths), angles)
 def test_the_joints_are_where_two_circles_meet_with_30_digits(four, A):
     ground, crank, coupler, rocker = four
@@ -98,7 +99,7 @@ def test_the_joints_are_where_two_circles_meet_with_30_digits(four, A):
     turned = np.array([[float(mpmath.arg(mpmath.expj(angle))) for angle in row] for row in q])
     np.testing.assert_allclose(np.exp(1j * bars.modes(A)), np.exp(1j * turned), rtol=0, atol=1e-9)
     inside = np.abs(np.abs(turned) - np.pi) > 1e-6
-    np.testing.assert_allclose(upright(np.array(q, dtype=float))[inside], turned[inside], rtol=0, atol=1e-11)
+    np.testing.assert_allclose(wrap_angle(np.array(q, dtype=float))[inside], turned[inside], rtol=0, atol=1e-11)
 
 
 @pytest.mark.oracle("sympy", Bars.dead_point, Bars.cosine)

@@ -15,6 +15,7 @@ from hypothesis import strategies as st
 from strategies import ROBOTS, configurations, moved_chains, points, poses, screws
 
 from kinlib import Chain, adjoint, exp, inverse, robots, screw
+from kinlib.chain import largest_difference, random_configurations
 from kinlib.screw import is_prismatic
 from kinlib.sweep import CHUNK
 
@@ -496,3 +497,18 @@ def test_a_joint_may_be_limited_on_one_side_only():
     robot = robots.rpr()
     limits = [[-np.inf, np.inf], [0, np.inf], [-1, 1]]
     np.testing.assert_array_equal(Chain(robot.screws, robot.home, limits=limits).limits, limits)
+
+
+# --- how descriptions of an arm are compared ---
+
+
+@pytest.mark.oracle("numpy", random_configurations)
+def test_configurations_are_drawn_from_minus_pi_to_pi_and_the_same_every_time():
+    expected = np.random.default_rng(0).uniform(-np.pi, np.pi, (5, 3))
+    close(random_configurations(3, 5), expected, atol=0)
+
+
+@pytest.mark.oracle("text: written out in the test", largest_difference)
+def test_the_largest_difference_is_that_of_one_entry_of_one_pose():
+    poses = np.stack([np.eye(4), exp([0, 0, 0, 1, 2, 3]), exp([0, 0, 0, 0, -5, 0])])
+    close(largest_difference(poses, np.eye(4)), 5)

@@ -72,6 +72,7 @@ FLOORS = [
     *(
         "sweep",
         "check",
+        "angles",
         "lie",
         "rpy",
         "screw",

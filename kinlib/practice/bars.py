@@ -7,6 +7,7 @@ from typing import NamedTuple
 
 import numpy as np
 
+from kinlib.angles import wrap_angle
 from kinlib.check import Array
 
 NEAR = 1e-6
@@ -66,7 +67,7 @@ class Bars(NamedTuple):
         B, D, C = self.joints(A)
         coupler, rocker = (np.arctan2(*(C - foot).T[::-1]) for foot in (B, D))
         q = np.stack([np.full(2, A), coupler - A, rocker, coupler - rocker], axis=1)
-        return upright(q)
+        return wrap_angle(q)
 
     def dead_point(self) -> float:
         """The greatest crank angle, in radians, at which coupler and rocker still reach: they lie in one line there.
@@ -97,13 +98,3 @@ def slider_place(crank: float, rod: float, offset: float, A: float, side: int = 
     4.0
     """
     return float(crank * np.cos(A) + side * np.sqrt(rod**2 - (offset - crank * np.sin(A)) ** 2))
-
-
-def upright(angles: Array) -> Array:
-    """The same angles between -pi and pi.
-
-    >>> upright(np.array([3 * np.pi / 2]))
-    array([-1.57079633])
-    """
-    turned: Array = np.arctan2(np.sin(angles), np.cos(angles))
-    return turned

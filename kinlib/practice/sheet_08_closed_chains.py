@@ -7,11 +7,12 @@ from functools import partial
 import numpy as np
 
 from kinlib import linkages
+from kinlib.angles import wrap_angle
 from kinlib.check import Array
 from kinlib.lie import exp, inverse, log
 from kinlib.practice.angles import Angles
 from kinlib.practice.answers import Choice, Numbers
-from kinlib.practice.bars import Bars, slider_place, upright
+from kinlib.practice.bars import Bars, slider_place
 from kinlib.practice.draw import Draw
 from kinlib.practice.drawn_linkages import PLANAR, SPATIAL, crank_rocker, held_back, of_kind, over_constrained
 from kinlib.practice.problem import Problem, mistake, problem
@@ -231,7 +232,7 @@ def which_mode(draw: Draw) -> Problem:
     bars, degrees, drawn, named = _told_apart(draw)
     q = bars.modes(np.radians(degrees))[drawn]
     letters = dict(zip("abcd", draw.shuffled(list(named)), strict=True))
-    listed = {letter: np.degrees(upright(named[name])).round(1) for letter, name in letters.items()}
+    listed = {letter: np.degrees(wrap_angle(named[name])).round(1) for letter, name in letters.items()}
     shown = "\n".join(f"- {letter}) $D = {number(D)}°$, $C = {number(C)}°$" for letter, (D, C) in listed.items())
     why = {
         "other mode": "These values close the loop too, in the other mode. Look on which side of the line from B to D the pin C lies.",
@@ -267,7 +268,7 @@ def _told_apart(draw: Draw) -> tuple[Bars, int, int, dict[str, Array]]:
             "sign of C": np.array([q[2], -q[3]]),
         }
         pairs = np.array(list(named.values()))
-        apart = np.abs(upright(pairs[:, None] - pairs[None])).max(axis=-1) + 2 * np.eye(4)
+        apart = np.abs(wrap_angle(pairs[:, None] - pairs[None])).max(axis=-1) + 2 * np.eye(4)
         if apart.min() > 0.2:
             return bars, degrees, drawn, named
 

@@ -3,7 +3,7 @@
 import numpy as np
 
 from kinlib.check import Array
-from kinlib.lie import exp, hat, inverse, log
+from kinlib.lie import exp, hat, inverse, log, pose
 from kinlib.practice.answers import Numbers, Pose
 from kinlib.practice.draw import Draw
 from kinlib.practice.mistakes import halves_swapped
@@ -39,17 +39,6 @@ def column(W: Array, theta: float) -> Array:
     """
     G: Array = np.eye(3) * theta + (1 - np.cos(theta)) * W + (theta - np.sin(theta)) * W @ W
     return G
-
-
-def pose(R: Array, p: Array) -> Array:
-    """Put a rotation and a position together, whether or not they are right.
-
-    >>> pose(np.eye(3), np.array([1, 2, 3]))[:3, 3]
-    array([1., 2., 3.])
-    """
-    T = np.eye(4)
-    T[:3, :3], T[:3, 3] = R, p
-    return T
 
 
 @problem("02.a", "The p-column of a turn", points=1, lecture="02_matrix_exponential#From turns to screws")

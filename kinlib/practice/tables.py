@@ -9,9 +9,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-import numpy as np
-
 from kinlib import check
+from kinlib.chain import largest_difference, random_configurations
 from kinlib.dh import DHTable
 from kinlib.diagnosis import diagnose
 from kinlib.equivalence import equivalent
@@ -83,8 +82,8 @@ class Table(Answer):
             return [False]
         if not self.anchored:
             return [bool(equivalent(one, other, tolerance=ROUNDED * tolerance, simplest=False))]
-        q = np.random.default_rng(0).uniform(-np.pi, np.pi, (16, one.n))
-        return [bool(np.abs(one.fk(q) - other.fk(q)).max() <= ROUNDED * tolerance)]
+        q = random_configurations(one.n, 16)
+        return [bool(largest_difference(one.fk(q), other.fk(q)) <= ROUNDED * tolerance)]
 
     def hint(self, given: DHTable, part: int) -> str:
         if given.joints != self.value.joints:

@@ -11,7 +11,7 @@ import traitlets
 from numpy.typing import ArrayLike
 
 from kinlib import check
-from kinlib.chain import Chain
+from kinlib.chain import Chain, largest_difference, random_configurations
 from kinlib.check import Array
 from kinlib.dh import Convention, DHTable, convention_of
 from kinlib.frame_check import Breach, check_frames
@@ -198,8 +198,8 @@ def signs_of(chain: Chain, frames: Array, convention: Convention) -> Array:
 
 def _off(chain: Chain, table: DHTable, signs: Array) -> float:
     """The largest difference of a pose between the table and the arm, over postures by chance."""
-    q = np.random.default_rng(0).uniform(-np.pi, np.pi, (PROBES, chain.n))
-    return float(np.abs(table.fk(signs * q) - chain.fk(q)).max())
+    q = random_configurations(chain.n, PROBES)
+    return largest_difference(table.fk(signs * q), chain.fk(q))
 
 
 def _joint(breach: Breach, convention: Convention, n: int) -> int:

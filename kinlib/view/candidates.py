@@ -10,6 +10,7 @@ import numpy as np
 
 from kinlib.chain import Chain
 from kinlib.check import Array
+from kinlib.lie import perpendicular
 from kinlib.normals import Normal, common_normal
 from kinlib.view.picture import spoken
 from kinlib.view.scene import extent
@@ -112,7 +113,7 @@ def _normals(chain: Chain) -> Iterator[tuple[int, Normal]]:
     """The normals of neighbouring axes. One that may slide is drawn at either joint."""
     axes = [*zip(chain.lines.axis, chain.joint_points, strict=True)]
     for i in range(chain.n - 1):
-        across = np.eye(3)[np.argmin(np.abs(axes[i][0]))]
+        across = perpendicular(axes[i][0])
         at_next = common_normal(axes[i], axes[i + 1], across, slide=True)
         yield i, at_next
         if at_next.free:

@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlib import check
+from kinlib.angles import wrap_angle
 from kinlib.bodies import as_chain, walks
 from kinlib.check import Array
 from kinlib.lie import inverse
@@ -124,7 +125,7 @@ def _traced(mechanism: Mechanism, start: Array) -> tuple[Array, bool]:
     around = np.round((q[-1] - q[0]) / (2 * np.pi)) * angles * 2 * np.pi
     if curve.closed and around[0]:
         q, around = (q, around) if around[0] > 0 else (q[::-1], -around)
-        cut = int(np.argmin(np.abs(_short(q[:-1, 0] + np.pi))))
+        cut = int(np.argmin(np.abs(wrap_angle(q[:-1, 0] + np.pi))))
         q = np.concatenate([q[cut:-1], q[: cut + 1] + around])
     turns = 2 * np.pi * np.round((q.min(axis=0) + q.max(axis=0)) / (4 * np.pi))
     return q - turns * angles, curve.closed
@@ -133,13 +134,7 @@ def _traced(mechanism: Mechanism, start: Array) -> tuple[Array, bool]:
 def _apart(curve: Array, posture: Array, mechanism: Mechanism) -> float:
     """How far a posture is from the nearest point of a curve; angles a full turn apart are the same."""
     gap = curve - posture
-    return float(np.linalg.norm(np.where(_angles(mechanism), _short(gap), gap), axis=1).min())
-
-
-def _short(angle: Array) -> Array:
-    """The same angle between -pi and pi."""
-    short: Array = angle - 2 * np.pi * np.round(angle / (2 * np.pi))
-    return short
+    return float(np.linalg.norm(np.where(_angles(mechanism), wrap_angle(gap), gap), axis=1).min())
 
 
 def _angles(mechanism: Mechanism) -> Array:

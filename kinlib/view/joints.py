@@ -6,6 +6,7 @@ import numpy as np
 
 from kinlib.chain import Chain
 from kinlib.check import Array
+from kinlib.lie import perpendicular
 from kinlib.view.canvas import INK, Canvas
 
 PAPER = "#f3d9a4"
@@ -52,9 +53,8 @@ def _carried_axes(chain: Chain, frames: Array) -> Array:
 
 
 def _around(z: Array, radius: float, turn: Array) -> Array:
-    """Points (m, 3) on a circle about the origin, square to z."""
-    x = np.cross(np.eye(3)[np.argmin(np.abs(z))], z)
-    x /= np.linalg.norm(x)
+    """Points (m, 3) on a circle about the origin, perpendicular to z."""
+    x = perpendicular(z)
     points: Array = radius * (np.cos(turn)[:, None] * x + np.sin(turn)[:, None] * np.cross(z, x))
     return points
 

@@ -11,6 +11,7 @@ import numpy as np
 from kinlib.chain import Chain
 from kinlib.check import Array
 from kinlib.frames import assign_frames
+from kinlib.lie import perpendicular, pose
 from kinlib.normals import common_normal
 from kinlib.view.arm import describe, reach
 from kinlib.view.joints import shifts
@@ -133,7 +134,7 @@ def link_paths(chain: Chain) -> list[Array]:
     points = [np.zeros(3), *chain.joint_points]
     paths = []
     for i in range(chain.n):
-        normal = common_normal((axes[i], points[i]), (axes[i + 1], points[i + 1]), _across(axes[i]), slide=True)
+        normal = common_normal((axes[i], points[i]), (axes[i + 1], points[i + 1]), perpendicular(axes[i]), slide=True)
         paths.append(_path([points[i], normal.start, normal.end, points[i + 1]]))
     z, last = axes[-1], points[-1]
     paths.append(_path([last, last + z * (z @ (tool - last)), tool]))
@@ -195,14 +196,6 @@ def _path(points: list[Array]) -> Array:
     return way + 0.0
 
 
-def _across(z: Array) -> Array:
-    """A unit vector square to z, the same one every time."""
-    across = np.eye(3)[np.argmin(np.abs(z))]
-    across = across - z * (z @ across)
-    unit: Array = across / np.linalg.norm(across)
-    return unit
-
-
 def _joints(chain: Chain) -> list[dict[str, Any]]:
     axis, _, pitch = chain.lines
     return [
@@ -231,8 +224,7 @@ def _frames(chain: Chain, size: float) -> dict[str, Any]:
     """The frames that can be shown, each with its name, its body and its pose at home."""
     n = chain.n
     ends = {"s": _frame("s", 0, np.eye(4)), "b": _frame("b", n, chain.home)}
-    on_links = np.tile(np.eye(4), (n, 1, 1))
-    on_links[:, :3, 3] = chain.joint_points
+    on_links = pose(np.eye(3), chain.joint_points)
     shown: dict[str, Any] = {
         "base": [ends["s"]],
         "tool": [ends["b"]],
@@ -258,7 +250,7 @@ def _normals(chain: Chain, size: float) -> list[dict[str, Any]]:
     axes, points = chain.lines.axis, chain.joint_points
     found = []
     for i in range(chain.n - 1):
-        normal = common_normal((axes[i], points[i]), (axes[i + 1], points[i + 1]), _across(axes[i]), slide=True)
+        normal = common_normal((axes[i], points[i]), (axes[i + 1], points[i + 1]), perpendicular(axes[i]), slide=True)
         if _near(normal.start, size) and _near(normal.end, size):
             found.append(
                 {"body": i + 1, "from": normal.start.tolist(), "to": normal.end.tolist(), "along": normal.x.tolist()}

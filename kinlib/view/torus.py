@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlib import check
+from kinlib.angles import wrap_angle
 from kinlib.check import Array
 from kinlib.view import svg
 from kinlib.view.canvas import GREY, INK, PALE
@@ -54,7 +55,9 @@ def draw_torus(
         drawn += [svg.words(foot, f"{tick}°", INK, 11) for foot in feet]
     drawn.append(svg.words([LEFT + SIDE / 2, TOP + SIDE + 30], xlabel, INK, 12))
     drawn.append(svg.words([LEFT + 26, TOP - 7], ylabel, INK, 12))
-    placed = {name: _place(np.degrees(_home(check.vectors(p, f"mark {name}", 2)))) for name, p in (marks or {}).items()}
+    placed = {
+        name: _place(np.degrees(wrap_angle(check.vectors(p, f"mark {name}", 2)))) for name, p in (marks or {}).items()
+    }
     for (name, points), (colour, dash) in zip(curves.items(), LINES, strict=False):
         pieces = wrapped(check.vectors(points, f"curve {name}", 2))
         drawn += [svg.stroke(_place(piece), colour, 2.2, dash) for piece in pieces]
@@ -83,7 +86,7 @@ def wrapped(points: Array) -> list[Array]:
     >>> [len(piece) for piece in wrapped(np.radians([[160.0, 0], [170, 0], [190, 0], [200, 0], [210, 0]]))]
     [2, 3]
     """
-    angles = np.degrees(_home(points))
+    angles = np.degrees(wrap_angle(points))
     leaves = (np.abs(np.diff(angles, axis=0)) > 180).any(axis=1)
     return np.split(angles, np.flatnonzero(leaves) + 1)
 
@@ -95,12 +98,6 @@ def _beside(points: Array, marks: list[Array]) -> Array:
     far = np.min([np.linalg.norm(candidates - mark, axis=1) for mark in marks or [np.zeros(2)]], axis=0)
     place: Array = candidates[int(np.argmax(far))] - (0, 12)
     return place
-
-
-def _home(angles: Array) -> Array:
-    """The same angles between -pi and pi."""
-    home: Array = (angles + np.pi) % (2 * np.pi) - np.pi
-    return home
 
 
 def _place(degrees: Array) -> Array:
