@@ -83,7 +83,7 @@ def test_a_browser_that_keeps_nothing_says_so_and_gives_the_file(start, address,
             wait_for(page, lambda: "early words" in page.evaluate(KEPT), LOOK)
             page.evaluate(FULL)
         write(page, cell(page, "screws_1 ="), "screws_1 = 'not to be lost'")
-        page.get_by_text("This browser keeps nothing").wait_for(timeout=LOOK)
+        page.get_by_text("This browser cannot store your work").wait_for(timeout=LOOK)
         with page.expect_download() as taken:
             page.get_by_role("button", name="Download the notebook").click()
         taken.value.save_as(tmp_path / "sheet.ipynb")

@@ -11,6 +11,7 @@ from kinlib.view.viewer import STATIC
 
 ROOT = Path(__file__).parents[1]
 NPM = shutil.which("npm")
+SITE = [ROOT / "site" / "static", ROOT / "site" / "lab" / "extension" / "static"]
 
 
 @pytest.fixture(scope="module")
@@ -44,6 +45,21 @@ def test_the_linter_and_the_formatter_find_nothing_to_change(node_modules):
         [NPM, "run", "--silent", "lint"], cwd=ROOT, capture_output=True, encoding="utf-8", check=False
     )
     assert done.returncode == 0, f"run: npm run format\n{done.stdout}{done.stderr}"
+
+
+def test_no_line_is_longer_than_120_characters():
+    # the formatter leaves comments and strings as they are
+    sources = [
+        path for folder in [ROOT / "kinlib", *SITE] for path in folder.rglob("*.js") if path != STATIC / "viewer.js"
+    ]
+    assert len(sources) > 30
+    long = [
+        f"{path.relative_to(ROOT)}:{number}"
+        for path in sources
+        for number, line in enumerate(path.read_text("utf-8").splitlines(), start=1)
+        if len(line) > 120
+    ]
+    assert long == []
 
 
 def test_the_lock_file_names_no_registry():

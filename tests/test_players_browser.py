@@ -310,7 +310,7 @@ def test_frames_are_placed_by_keys_alone(show):
         if i < len(RIGHT) - 1:
             page.keyboard.press("ArrowRight")
     np.testing.assert_allclose(frames_of(page), RIGHT, rtol=0, atol=1e-12)
-    for button in ("Slide the origin", "Turn x by 15 degrees about z"):
+    for button in ("Move the origin by 0", "Rotate x by 15 degrees about z"):
         page.get_by_role("button", name=button).first.press("Enter")
     changed = frames_of(page)[3]
     np.testing.assert_allclose(changed[:3, 0] @ RIGHT[3, :3, 0], np.cos(np.radians(15)), atol=1e-12)
@@ -320,7 +320,7 @@ def test_frames_are_placed_by_keys_alone(show):
 def test_without_python_the_frames_can_be_copied_and_it_says_who_judges(show):
     page = show(assign(ARM, "standard", frames=RIGHT), permissions=["clipboard-read", "clipboard-write"])
     page.get_by_role("button", name="Check the rules").click()
-    assert "Judging takes Python, and this page has none." in page.locator(".kv-verdict").inner_text()
+    assert "Checking needs Python, and this page has no kernel." in page.locator(".kv-verdict").inner_text()
     page.get_by_role("button", name="Copy the frames as Python").click()
     page.get_by_text("Copied").wait_for()
     copied = eval(page.evaluate("navigator.clipboard.readText()"), {"pose": pose})
@@ -331,7 +331,7 @@ def test_without_python_the_frames_can_be_copied_and_it_says_who_judges(show):
 def test_a_frame_is_cleared_and_brought_back(show):
     page = show(assign(ARM, "standard", frames=RIGHT))
     page.get_by_role("button", name="Frame 2, placed").click()
-    page.get_by_role("button", name="Take this frame away").click()
+    page.get_by_role("button", name="Clear this frame").click()
     assert get(page, "frames")[2] == [[None] * 4, [None] * 4, [None] * 4, [0, 0, 0, 1]]
     page.get_by_role("button", name="Undo the last change").click()
     np.testing.assert_array_equal(frames_of(page), RIGHT)
@@ -341,7 +341,7 @@ def test_a_breach_goes_out_when_its_frame_changes_and_comes_back_with_it(show):
     page = show(broken())
     wrong = page.get_by_role("button", name="Frame 1, breaks a rule")
     wrong.click()
-    page.get_by_role("button", name="Take this frame away").click()
+    page.get_by_role("button", name="Clear this frame").click()
     assert not wrong.is_visible()
     assert "Check again." in page.locator(".kv-verdict").inner_text()
     page.get_by_role("button", name="Undo the last change").click()
@@ -442,7 +442,7 @@ def test_in_the_lab_python_reads_the_frames_and_lights_up_the_broken_rule(lab):
     check = page.get_by_role("button", name="Check the rules")
     page.get_by_label("Direction of z 0", exact=True).select_option(index=1)
     check.click()
-    page.get_by_text("So far no rule is broken. Still open: frame 0, frame 1, frame 2, frame 3.").wait_for()
+    page.get_by_text("No rule is broken so far. Not complete yet: frame 0, frame 1, frame 2, frame 3.").wait_for()
     run_cell(page, 1)
     page.get_by_role("button", name="Frame 3, placed").wait_for()
     check.click()
@@ -467,7 +467,7 @@ def test_in_the_lab_right_frames_are_right_for_page_and_sheet(lab):
     run_cell(page, 3)
     assert printed(page, 3) == "right True"
     page.get_by_role("button", name="Check the rules").click()
-    page.get_by_text("Every rule holds.").wait_for()
+    page.get_by_text("Every rule holds:").wait_for()
     assert page.locator(".kv-dh tr").count() == 4
 
 

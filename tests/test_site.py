@@ -201,11 +201,11 @@ def test_a_question_explains_the_choice_and_the_first_one_stands(page, address):
     page.goto(f"{address}/lectures/03_poe_space.html")
     page.locator(f"{RECALL} button").nth(0).click()
     reply = page.locator(f"{RECALL} .kinlib-reply")
-    assert "A is not it" in reply.inner_text()
+    assert "A is not correct" in reply.inner_text()
     assert "A twist does not know which point you call the tool" in reply.inner_text()
-    assert "Right is C: The velocity of the point of the body" in reply.inner_text()
+    assert "The correct answer is C: The velocity of the point of the body" in reply.inner_text()
     page.locator(f"{RECALL} button").nth(2).dispatch_event("click")
-    assert "A is not it" in reply.inner_text()
+    assert "A is not correct" in reply.inner_text()
 
 
 def test_a_prediction_uncovers_the_arm_and_is_compared_below(page, address):
@@ -219,13 +219,13 @@ def test_a_prediction_uncovers_the_arm_and_is_compared_below(page, address):
     page.locator(f"{ORDER} button").nth(0).focus()
     page.keyboard.press("Enter")
     waiting.locator(".kv-canvas").wait_for(state="visible")
-    assert "A is not it" in told.inner_text()
+    assert "A is not correct" in told.inner_text()
     assert "You moved joint 1 first" in told.inner_text()
     assert "moved joint 1 first" not in page.locator(ORDER).inner_text()
     page.reload()
     waiting.scroll_into_view_if_needed()
     waiting.locator(".kv-canvas").wait_for(state="visible")
-    assert "A is not it" in page.locator('[data-kinlib-explain="03/order"]').inner_text()
+    assert "A is not correct" in page.locator('[data-kinlib-explain="03/order"]').inner_text()
 
 
 def test_a_slider_shows_its_pictures_once_the_prediction_is_made(page, address):
@@ -258,14 +258,14 @@ def test_progress_is_shown_saved_forgotten_and_read_back(page, address, tmp_path
     copy = tmp_path / "copy.json"
     saved.value.save_as(copy)
     page.on("dialog", lambda dialog: dialog.accept())
-    page.get_by_role("button", name="Forget everything").click()
+    page.get_by_role("button", name="Delete everything").click()
     assert_cells(row, ["not yet", re.compile(r"^0 of"), "0", "0 of 8"])
     page.locator("input[type=file]").set_input_files(copy)
-    page.get_by_text("Read back").wait_for()
+    page.get_by_text("Loaded, and added").wait_for()
     assert_cells(row, told)
     (tmp_path / "other.json").write_text("[1, 2]")
     page.locator("input[type=file]").set_input_files(tmp_path / "other.json")
-    page.get_by_text("This is no copy of your progress").wait_for()
+    page.get_by_text("This file is not a copy of your progress").wait_for()
     assert_cells(row, told)
 
 
@@ -284,8 +284,8 @@ def test_a_browser_that_keeps_nothing_still_answers(chromium, address):
         )
         page.goto(f"{address}/lectures/03_poe_space.html")
         page.locator(f"{RECALL} button").nth(2).click()
-        assert "C is right" in page.locator(f"{RECALL} .kinlib-reply").inner_text()
-        assert page.get_by_text("keeps nothing for this page").count() == 1
+        assert "C is correct" in page.locator(f"{RECALL} .kinlib-reply").inner_text()
+        assert page.get_by_text("stores nothing for this page").count() == 1
 
 
 def test_without_scripts_every_explanation_can_be_opened(chromium, address):

@@ -331,7 +331,7 @@ def test_the_driver_runs_along_its_curve_and_a_click_goes_to_the_other(show):
     page = show(viewer)
     curves = viewer.mode["curves"]
     here = curves[0].index(viewer.q)
-    page.get_by_label("drive").focus()
+    page.get_by_label("driver").focus()
     settled(page, lambda: page.keyboard.press("ArrowRight"))
     assert q_of(page) == curves[0][here + 1]
     page.get_by_label("Assembly mode").select_option(index=1)
@@ -397,8 +397,8 @@ def test_a_configuration_beyond_its_limits_is_shown_with_a_message(show):
     message = page.locator(".kv-message")
     assert not message.is_visible()
     set_q(page, [1.5, 0, -0.2])
-    assert "Joint 1 stands at 1.500, beyond its limits -1 to 1" in message.inner_text()
-    assert "Joint 3 stands at -0.200, beyond its limits 0 to ∞" in message.inner_text()
+    assert "Joint 1 is at 1.500, outside its limits -1 to 1" in message.inner_text()
+    assert "Joint 3 is at -0.200, outside its limits 0 to ∞" in message.inner_text()
     set_q(page, [1, 9, 0.2])
     assert not message.is_visible()
 
@@ -422,7 +422,7 @@ def test_without_webgl_it_says_so_and_everything_still_moves(start, tmp_path):
     with watched(start(webgl=False)) as page:
         page.goto(static_page(tmp_path, explore(kl.robots.puma560(), start=Q, ghost=np.zeros(6))).as_uri())
         awake(page)
-        assert "without WebGL" in page.locator(".kv-message").inner_text()
+        assert "WebGL is not available" in page.locator(".kv-message").inner_text()
         before = shown_pixels(page)
         sliders(page).first.focus()
         settled(page, lambda: page.keyboard.press("PageUp"))

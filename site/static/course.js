@@ -1,41 +1,46 @@
-// Brings the pages to life: questions that take an answer and explain it, sliders between pictures, and what was read and
-// answered, which is kept in this browser and sent to nobody. Without it the pages still tell everything.
+// Makes the pages interactive: questions that accept an answer and explain it, sliders between pictures, and a record
+// of what was read and answered, which is stored in this browser only. The pages are complete without this script.
 (() => {
   'use strict';
   const KEY = 'kinlib-course';
   const LETTERS = 'ABCDEFGH';
-  const NO_MEMORY =
-    'This browser keeps nothing for this page (private window, or storage full). Your answers last until you leave it.';
+  const NO_STORAGE =
+    'This browser stores nothing for this page, because the window is private or the storage is full. ' +
+    'Your answers are lost when you leave the page.';
 
-  // --- memory: { answers: { '03/order': 1 }, read: ['lectures/03_poe_space'], solved: ['03_poe_space/1'] } ---
-  // What is solved, the lab notes there: site/lab/extension.
+  const CONFIRM_DELETE =
+    'Delete the record of the lectures that you have read, the questions that you have answered ' +
+    'and the problems that you have solved?';
 
-  let lasting = true;
-  let memory = recall();
+  // --- progress: { answers: { '03/order': 1 }, read: ['lectures/03_poe_space'], solved: ['03_poe_space/1'] } ---
+  // The lab adds to `solved`: site/lab/extension.
 
-  function recall() {
+  let storageWorks = true;
+  let progress = loadProgress();
+
+  function loadProgress() {
     try {
-      return sound(JSON.parse(localStorage.getItem(KEY)));
+      return validProgress(JSON.parse(localStorage.getItem(KEY)));
     } catch {
-      return sound(null); // no storage, or nothing of ours in it
+      return validProgress(null); // no storage, or no record of this course in it
     }
   }
 
-  /** What was kept, whatever else it may be. */
-  function sound(kept) {
-    const { answers, read, solved } = kept ?? {};
+  /** A valid record, whatever was stored. */
+  function validProgress(record) {
+    const { answers, read, solved } = record ?? {};
     const list = (names) => (Array.isArray(names) ? names.map(String) : []);
     return { answers: answers && typeof answers === 'object' ? answers : {}, read: list(read), solved: list(solved) };
   }
 
-  function keep(change) {
-    if (lasting) memory = { ...memory, ...recall() }; // another tab may have been at work
-    change(memory);
+  function updateProgress(change) {
+    if (storageWorks) progress = { ...progress, ...loadProgress() }; // another tab may have changed the record
+    change(progress);
     try {
-      localStorage.setItem(KEY, JSON.stringify(memory));
+      localStorage.setItem(KEY, JSON.stringify(progress));
     } catch {
-      if (lasting) document.body.append(h('p', { class: 'visually-hidden', role: 'status' }, NO_MEMORY));
-      lasting = false;
+      if (storageWorks) document.body.append(h('p', { class: 'visually-hidden', role: 'status' }, NO_STORAGE));
+      storageWorks = false;
     }
   }
 
@@ -49,20 +54,20 @@
     return element;
   }
 
-  const copied = (element) => [...element.childNodes].map((node) => node.cloneNode(true));
+  const cloneChildren = (element) => [...element.childNodes].map((node) => node.cloneNode(true));
   const all = (selector, root = document) => [...root.querySelectorAll(selector)];
-  const named = (attribute, name) => all(`[${attribute}="${CSS.escape(name)}"]`);
+  const elementsNamed = (attribute, name) => all(`[${attribute}="${CSS.escape(name)}"]`);
 
   // --- questions ---
 
-  function question(section) {
+  function startQuestion(section) {
     const name = section.dataset.kinlibQuestion;
     const right = Number(section.dataset.right);
     const predicts = section.dataset.kind === 'predict';
     const reply = h('div', { class: 'kinlib-reply', role: 'status' });
     const options = all('.kinlib-options > li', section).map((item) => ({
       item,
-      text: copied(item.querySelector('summary') ?? item.querySelector('.kinlib-option')),
+      text: cloneChildren(item.querySelector('summary') ?? item.querySelector('.kinlib-option')),
       why: item.querySelector('.kinlib-why'),
     }));
     const buttons = options.map(({ text }, k) =>
@@ -83,8 +88,8 @@
     section.dataset.started = '';
 
     function commit(k) {
-      if ('committed' in section.dataset) return; // the first one stands
-      keep(({ answers }) => {
+      if ('committed' in section.dataset) return; // the first answer counts
+      updateProgress(({ answers }) => {
         answers[name] = k;
       });
       show(k);
@@ -99,14 +104,14 @@
         if (predicts || (index !== k && index !== right)) return;
         const tone = index === right ? 'right' : 'wrong';
         button.dataset.verdict = tone;
-        button.append(h('span', { class: 'kinlib-verdict' }, tone === 'right' ? '✓ right' : '✗ not it'));
+        button.append(h('span', { class: 'kinlib-verdict' }, tone === 'right' ? '✓ correct' : '✗ not correct'));
       });
       if (predicts) {
         buttons[k].append(h('span', { class: 'kinlib-verdict' }, '● your prediction'));
-        reply.replaceChildren(h('p', {}, `You said ${LETTERS[k]}. Now look, and then compare.`));
+        reply.replaceChildren(h('p', {}, `You predicted ${LETTERS[k]}. Now observe, and then compare.`));
       } else {
         reply.replaceChildren(
-          ...verdict(
+          ...explainAnswer(
             k,
             right,
             (index) => options[index].why,
@@ -116,36 +121,42 @@
       }
     }
 
-    const before = memory.answers[name];
+    const before = progress.answers[name];
     if (Number.isInteger(before) && before in options) show(before);
   }
 
-  /** What there is to say of option k: why it is right, or why it is not and what is. */
-  function verdict(k, right, why, text) {
-    const said = (index) => [...copied(why(index))].slice(1); // without the "Right." or "Not it." before it
+  /** The explanation of option k: why it is correct, or why it is not and which one is. */
+  function explainAnswer(k, right, why, text) {
+    // each text begins with a verdict, which is left out here
+    const said = (index) => cloneChildren(why(index)).slice(1);
     if (k === right)
       return [
-        h('p', { class: 'kinlib-title', 'data-tone': 'right' }, `✓ ${LETTERS[k]} is right`),
+        h('p', { class: 'kinlib-title', 'data-tone': 'right' }, `✓ ${LETTERS[k]} is correct`),
         h('p', {}, ...said(k)),
       ];
     return [
-      h('p', { class: 'kinlib-title', 'data-tone': 'wrong' }, `✗ ${LETTERS[k]} is not it`),
+      h('p', { class: 'kinlib-title', 'data-tone': 'wrong' }, `✗ ${LETTERS[k]} is not correct`),
       h('p', {}, ...said(k)),
-      h('p', {}, h('strong', {}, `Right is ${LETTERS[right]}: `), ...text(right).map((node) => node.cloneNode(true))),
+      h(
+        'p',
+        {},
+        h('strong', {}, `The correct answer is ${LETTERS[right]}: `),
+        ...text(right).map((node) => node.cloneNode(true)),
+      ),
       h('p', {}, ...said(right)),
     ];
   }
 
-  function explanation(section) {
+  function startExplanation(section) {
     const name = section.dataset.kinlibExplain;
-    const asked = named('data-kinlib-question', name)[0];
+    const asked = elementsNamed('data-kinlib-question', name)[0];
     if (!asked) return;
     const details = section.querySelector('details');
     const items = all('.kinlib-options > li', section);
     const summary = section.querySelector('summary');
-    const waits = h('p', {}, 'You have not committed to your prediction yet. What came of it appears here.');
+    const waits = h('p', {}, 'You have not committed to your prediction yet. The explanation appears here afterwards.');
     const reply = h('div', { role: 'status' });
-    const told = h('p', {}, ...copied(summary));
+    const told = h('p', {}, ...cloneChildren(summary));
     section.prepend(told, waits, reply);
     details.hidden = true;
 
@@ -153,11 +164,11 @@
       if (!('committed' in asked.dataset)) return;
       waits.hidden = true;
       reply.replaceChildren(
-        ...verdict(
+        ...explainAnswer(
           Number(asked.dataset.committed),
           Number(asked.dataset.right),
           (index) => items[index].querySelector('.kinlib-why'),
-          (index) => copied(items[index].querySelector('p')),
+          (index) => cloneChildren(items[index].querySelector('p')),
         ),
       );
     }
@@ -165,20 +176,21 @@
     show();
   }
 
-  // --- what waits for a prediction ---
+  // --- pictures that are covered until a prediction is made ---
 
-  const committed = (name) => named('data-kinlib-question', name).some((section) => 'committed' in section.dataset);
+  const committed = (name) =>
+    elementsNamed('data-kinlib-question', name).some((section) => 'committed' in section.dataset);
 
-  function viewer(element) {
+  function uncoverViewerLater(element) {
     const name = element.dataset.kinlibAfter;
     const uncover = () => {
-      element.dataset.uncovered = '';
-    }; // the viewer looks for it, awake or when it wakes
+      element.dataset.uncovered = ''; // the viewer observes this attribute, and reads it when it starts
+    };
     if (committed(name)) uncover();
     document.addEventListener('kinlib-committed', ({ detail }) => detail === name && uncover());
   }
 
-  function slides(element) {
+  function startSlides(element) {
     const frames = all(':scope > [data-value]', element);
     const name = element.dataset.kinlibAfter;
     const begin = Number(element.dataset.start);
@@ -198,7 +210,7 @@
       'div',
       {},
       h('p', { class: 'kinlib-title' }, 'Commit to your prediction above first'),
-      h('p', {}, 'The picture appears here as soon as you have.'),
+      h('p', {}, 'The picture appears here afterwards.'),
       anyway,
     );
     element.classList.add('kinlib-slides');
@@ -220,7 +232,7 @@
 
     show(begin);
     cover.hidden = true;
-    if (!name || committed(name) || !named('data-kinlib-question', name).length) return;
+    if (!name || committed(name) || !elementsNamed('data-kinlib-question', name).length) return;
     cover.hidden = false;
     stage.hidden = true;
     bar.style.display = 'none';
@@ -229,15 +241,17 @@
 
   // --- progress ---
 
-  function done(element) {
+  function startReadButton(element) {
     const name = element.dataset.kinlibDone;
     const status = h('span', { role: 'status' });
     const button = h('button', {
       type: 'button',
       class: 'kinlib-button',
       onclick: () => {
-        keep((kept) => {
-          kept.read = kept.read.includes(name) ? kept.read.filter((other) => other !== name) : [...kept.read, name];
+        updateProgress((record) => {
+          record.read = record.read.includes(name)
+            ? record.read.filter((other) => other !== name)
+            : [...record.read, name];
         });
         show();
       },
@@ -247,69 +261,71 @@
     element.hidden = false;
 
     function show() {
-      const read = memory.read.includes(name);
-      button.textContent = read ? 'Not read after all' : 'Mark this lecture as read';
+      const read = progress.read.includes(name);
+      button.textContent = read ? 'Mark this lecture as not read' : 'Mark this lecture as read';
       status.textContent = read ? '✓ You have read this lecture.' : '';
-      marks();
+      markReadLectures();
     }
     show();
   }
 
-  /** A tick beside each lecture that was read, in the table of contents. */
-  function marks() {
+  /** Tick the lectures that were read in the table of contents. */
+  function markReadLectures() {
     for (const link of all('.sidebar-tree a.reference')) {
       const target = new URL(link.href, location.href).pathname.replace(/\.html$/, '');
       link.classList.toggle(
         'kinlib-read',
-        memory.read.some((name) => target.endsWith(`/${name}`)),
+        progress.read.some((name) => target.endsWith(`/${name}`)),
       );
     }
   }
 
-  function progress(element) {
+  function startProgressTable(element) {
     const status = h('p', { role: 'status' });
     const file = h('input', {
       type: 'file',
       accept: 'application/json,.json',
       class: 'visually-hidden',
-      'aria-label': 'A copy to read back',
+      'aria-label': 'Saved copy to load',
       tabindex: -1,
-      onchange: readBack,
+      onchange: loadCopy,
     });
     element.append(
       h(
         'div',
         { class: 'kinlib-buttons' },
-        h('button', { type: 'button', class: 'kinlib-button', onclick: copyOut }, 'Save a copy'),
-        h('button', { type: 'button', class: 'kinlib-button', onclick: () => file.click() }, 'Read a copy back'),
-        h('button', { type: 'button', class: 'kinlib-button', onclick: forget }, 'Forget everything'),
+        h('button', { type: 'button', class: 'kinlib-button', onclick: saveCopy }, 'Save a copy'),
+        h('button', { type: 'button', class: 'kinlib-button', onclick: () => file.click() }, 'Load a copy'),
+        h('button', { type: 'button', class: 'kinlib-button', onclick: deleteProgress }, 'Delete everything'),
         file,
       ),
       status,
     );
-    fill();
+    fillTable();
 
-    function fill() {
+    function fillTable() {
       for (const row of all('tr[data-lecture]', element)) {
         const names = row.dataset.questions.split(' ');
-        const answered = names.filter((name) => name in memory.answers);
-        row.querySelector('[data-read]').textContent = memory.read.includes(row.dataset.lecture) ? '✓ read' : 'not yet';
+        const answered = names.filter((name) => name in progress.answers);
+        row.querySelector('[data-read]').textContent = progress.read.includes(row.dataset.lecture)
+          ? '✓ read'
+          : 'not yet';
         row.querySelector('[data-answered]').textContent = `${answered.length} of ${names.length}`;
         const mine = `${row.dataset.lecture.replace('lectures/', '')}/`;
-        const solved = memory.solved.filter((name) => name.startsWith(mine)).length;
+        const solved = progress.solved.filter((name) => name.startsWith(mine)).length;
         if (row.dataset.problems > 0)
           row.querySelector('[data-solved]').textContent = `${solved} of ${row.dataset.problems}`;
         const keys = row.dataset.keys.split(' ');
         row.querySelector('[data-right]').textContent = names.filter(
-          (name, k) => memory.answers[name] === Number(keys[k]),
+          (name, k) => progress.answers[name] === Number(keys[k]),
         ).length;
       }
-      marks();
+      markReadLectures();
     }
 
-    function copyOut() {
+    function saveCopy() {
       const link = h('a', {
-        href: URL.createObjectURL(new Blob([JSON.stringify(memory, null, 1)], { type: 'application/json' })),
+        href: URL.createObjectURL(new Blob([JSON.stringify(progress, null, 1)], { type: 'application/json' })),
         download: 'kinlib-progress.json',
       });
       link.click();
@@ -317,42 +333,42 @@
       status.textContent = 'Saved as kinlib-progress.json.';
     }
 
-    async function readBack() {
+    async function loadCopy() {
       try {
         const copy = JSON.parse(await file.files[0].text());
         if (!copy.answers || typeof copy.answers !== 'object' || !Array.isArray(copy.read))
-          throw new TypeError('another file');
-        const { answers, read, solved } = sound(copy);
-        keep((kept) => {
-          kept.answers = { ...kept.answers, ...answers };
-          kept.read = [...new Set([...kept.read, ...read])];
-          kept.solved = [...new Set([...kept.solved, ...solved])];
+          throw new TypeError('not a record of progress');
+        const { answers, read, solved } = validProgress(copy);
+        updateProgress((record) => {
+          record.answers = { ...record.answers, ...answers };
+          record.read = [...new Set([...record.read, ...read])];
+          record.solved = [...new Set([...record.solved, ...solved])];
         });
-        status.textContent = 'Read back, and added to what was here.';
+        status.textContent = 'Loaded, and added to the progress in this browser.';
       } catch {
         status.textContent =
-          'This is no copy of your progress. It should be a file named kinlib-progress.json, saved on this page.';
+          'This file is not a copy of your progress. Choose a file kinlib-progress.json that was saved on this page.';
       }
       file.value = '';
-      fill();
+      fillTable();
     }
 
-    function forget() {
-      if (!confirm('Forget which lectures you have read, what you have answered and what you have solved?')) return;
-      memory = sound(null);
+    function deleteProgress() {
+      if (!confirm(CONFIRM_DELETE)) return;
+      progress = validProgress(null);
       try {
         localStorage.removeItem(KEY);
       } catch {
-        /* nothing was kept */
+        /* nothing was stored */
       }
-      status.textContent = 'Forgotten.';
-      fill();
+      status.textContent = 'Deleted.';
+      fillTable();
     }
   }
 
-  // --- what is wider than the page can be scrolled with the keys ---
+  // --- content that is wider than the page can be scrolled with the keyboard ---
 
-  function scrollable() {
+  function makeWideContentFocusable() {
     for (const element of all('article pre, article .table-wrapper, article div.math, article .kinlib-progress')) {
       const wide = element.scrollWidth > element.clientWidth + 1;
       if (wide) element.setAttribute('tabindex', '0');
@@ -361,13 +377,13 @@
   }
 
   document.documentElement.classList.remove('no-js');
-  all('[data-kinlib-question]').forEach(question);
-  all('[data-kinlib-explain]').forEach(explanation);
-  all('[data-kinlib-viewer][data-kinlib-after]').forEach(viewer);
-  all('[data-kinlib-slides]').forEach(slides);
-  all('[data-kinlib-done]').forEach(done);
-  all('[data-kinlib-progress]').forEach(progress);
-  marks();
-  scrollable();
-  addEventListener('resize', scrollable);
+  all('[data-kinlib-question]').forEach(startQuestion);
+  all('[data-kinlib-explain]').forEach(startExplanation);
+  all('[data-kinlib-viewer][data-kinlib-after]').forEach(uncoverViewerLater);
+  all('[data-kinlib-slides]').forEach(startSlides);
+  all('[data-kinlib-done]').forEach(startReadButton);
+  all('[data-kinlib-progress]').forEach(startProgressTable);
+  markReadLectures();
+  makeWideContentFocusable();
+  addEventListener('resize', makeWideContentFocusable);
 })();

@@ -1,11 +1,11 @@
-// The search, as this course needs it: lectures before pages of robots, and formulas told once. It stands after Sphinx's
-// searchtools.js, whose Scorer and Search these are.
+// Adapts Sphinx's search to this course: lectures rank before pages of robots, and each formula is indexed once.
+// It is loaded after Sphinx's searchtools.js, which defines Scorer and Search.
 (() => {
   'use strict';
   const FIRST = { lectures: 8, sheets: 2, mistakes: 1 };
   Scorer.score = ([page, , , , score]) => score + (FIRST[page.split('/')[0]] ?? 0);
 
-  // A formula stands in a page three times: for the eye, for who listens, and as it was written.
+  // A page contains each formula three times: as it is displayed, for screen readers, and as TeX.
   const textOf = Search.htmlToText;
   Search.htmlToText = (html, anchor) => {
     const page = new DOMParser().parseFromString(html, 'text/html');

@@ -1,6 +1,6 @@
-// The eye: orthographic, so that parallel lines stay parallel and lengths compare, as in a drawing.
-// Drag turns, shift-drag or two fingers move, wheel or pinch zooms; the same by keys. Until the picture has the focus,
-// wheel and finger scroll the page.
+// The camera is orthographic, so that parallel lines stay parallel and lengths can be compared, as in a drawing.
+// Dragging rotates the view, shift-drag or two fingers pan it, the wheel or a pinch zooms; the keyboard does the same.
+// As long as the picture does not have the focus, the wheel and a finger scroll the page.
 import { OrthographicCamera, Vector3 } from 'three';
 
 export const VIEWS = {
@@ -10,11 +10,11 @@ export const VIEWS = {
   top: { azimuth: -90, elevation: 90 },
 };
 const DEGREE = Math.PI / 180;
-const FLIGHT_MS = 350; // milliseconds from one named view to the next
+const FLIGHT_MS = 350; // duration of the animation from one named view to the next
 const prefersReducedMotion = () => matchMedia('(prefers-reduced-motion: reduce)').matches;
 
 export class Camera {
-  /** @param room { centre, radius }: the ball that should be in view */
+  /** @param room { centre, radius, look?, snug? }: the ball that must be in view, see kinlib/view/scene.py */
   constructor(room, changed) {
     this.room = room;
     this.changed = changed;
@@ -31,15 +31,15 @@ export class Camera {
     this.update();
   }
 
-  /** The direction of a named view. Where the room says so, its own first look takes the place of the usual one. */
+  /** The direction of a named view. The scene may define a 3-D view of its own in place of the usual one. */
   directionOf(name) {
     const [azimuth, elevation] = this.room.look ?? [];
     return name === '3-D' && this.room.look ? { azimuth, elevation } : VIEWS[name];
   }
 
-  /** Step back as far as it takes to keep points in view: an arm at play shall not leave the picture. */
+  /** Zoom out as far as needed to keep points in view, because a moving arm must not leave the picture. */
   keepInView(points, margin) {
-    if (this.room.snug) return; // an arm that stays at home
+    if (this.room.snug) return; // the arm does not leave its home configuration
     const centre = new Vector3(...this.room.centre);
     const far = Math.max(0, ...points.map((point) => point.distanceTo(centre))) + margin;
     if (far <= this.radius) return;
@@ -52,7 +52,7 @@ export class Camera {
     this.update();
   }
 
-  /** Metres of space a pixel. */
+  /** Metres per pixel. */
   get scale() {
     return (2 * this.radius) / (Math.min(this.width, this.height) * this.zoom);
   }
@@ -61,7 +61,7 @@ export class Camera {
     const { threeCamera, scale, width, height, target } = this;
     const [a, e] = [this.azimuth * DEGREE, this.elevation * DEGREE];
     const away = new Vector3(Math.cos(e) * Math.cos(a), Math.cos(e) * Math.sin(a), Math.sin(e));
-    // seen from right above, "up" is where the eye would fall back to
+    // computed rather than fixed to z, because in the top view z is the direction of view
     threeCamera.up.set(-Math.sin(e) * Math.cos(a), -Math.sin(e) * Math.sin(a), Math.cos(e));
     const distance = 12 * this.radius;
     threeCamera.position.copy(target).addScaledVector(away, distance);
@@ -77,7 +77,7 @@ export class Camera {
     this.changed();
   }
 
-  /** Where a point of space appears, in pixels from the upper left corner; z grows away from the eye. */
+  /** Where a point in space appears, in pixels from the upper left corner; z increases away from the camera. */
   project(point, out = new Vector3()) {
     out.copy(point).project(this.threeCamera);
     return out.set(((out.x + 1) * this.width) / 2, ((1 - out.y) * this.height) / 2, out.z);
@@ -101,11 +101,11 @@ export class Camera {
     this.update();
   }
 
-  /** Go to a named view: on a short flight, or at once for who prefers reduced motion. */
+  /** Go to a named view, animated, or at once if the reader prefers reduced motion. */
   flyTo(name) {
     const goal = { ...this.directionOf(name), zoom: 1, centre: new Vector3(...this.room.centre) };
     const start = { azimuth: this.azimuth, elevation: this.elevation, zoom: this.zoom, centre: this.target.clone() };
-    const turn = ((((goal.azimuth - start.azimuth) % 360) + 540) % 360) - 180; // the shorter way round
+    const turn = ((((goal.azimuth - start.azimuth) % 360) + 540) % 360) - 180; // the shorter of the two rotations
     const begun = performance.now();
     cancelAnimationFrame(this.flight);
     const fly = (now) => {
@@ -122,7 +122,7 @@ export class Camera {
   }
 }
 
-/** Let hand and keys move the eye. Returns how to stop listening. */
+/** Let pointer, wheel and keyboard move the camera. Returns a function that removes the listeners. */
 export function orbitControls(camera, element) {
   const fingers = new Map();
   let pressed = [0, 0];
@@ -153,7 +153,7 @@ export function orbitControls(camera, element) {
       if (Math.hypot(event.clientX - pressed[0], event.clientY - pressed[1]) > 4) return;
       const box = element.getBoundingClientRect();
       const detail = { x: event.clientX - box.left, y: event.clientY - box.top };
-      element.dispatchEvent(new CustomEvent('tap', { detail })); // pressed and not dragged: for who picks
+      element.dispatchEvent(new CustomEvent('tap', { detail })); // pressed but not dragged: modes use it for picking
     },
     pointercancel: (event) => fingers.delete(event.pointerId),
     wheel(event) {

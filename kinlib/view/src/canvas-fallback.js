@@ -1,4 +1,4 @@
-// Without WebGL: the same parts as strokes, the farther ones first. Less to look at, and all of it still moves.
+// Without WebGL the same parts are drawn as strokes on the 2-D canvas, the farther ones first. Everything still moves.
 import { Vector3 } from 'three';
 
 const ROUND = new Set(['capsule', 'sphere', 'rod']);
@@ -25,7 +25,7 @@ function stroke(context, p, q, width, { shape, colour }, theme) {
     context.lineWidth = width + grown;
     context.beginPath();
     context.moveTo(p.x, p.y);
-    context.lineTo(q.x + (ROUND.has(shape) ? 0.01 : 0), q.y); // a point is a very short line
+    context.lineTo(q.x + (ROUND.has(shape) ? 0.01 : 0), q.y); // a canvas draws no line of length 0
     context.stroke();
   }
 }

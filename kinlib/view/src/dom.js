@@ -1,4 +1,4 @@
-/** Make an element: h('button', { type: 'button', onclick }, 'Play'). What is not a property is an attribute. */
+/** Make an element: h('button', { type: 'button', onclick }, 'Play'). Names that begin with on are event listeners. */
 export function h(tag, settings = {}, ...children) {
   const element = document.createElement(tag);
   for (const [name, value] of Object.entries(settings)) {
@@ -10,23 +10,23 @@ export function h(tag, settings = {}, ...children) {
   return element;
 }
 
-/** JupyterLab takes the arrow keys from whatever has the focus, unless that element itself carries this. */
+/** Attributes that keep JupyterLab from handling the arrow keys while the element has the focus. */
 export const NO_SHORTCUTS = { 'data-lm-suppress-shortcuts': 'true' };
 
-/** A name with an index: q_1 is q with a subscript 1. */
+/** Render a symbol with its index: q_1 becomes q with the subscript 1. */
 export function renderSymbol(name) {
   const [base, sub] = name.split('_');
   return h('span', { class: 'kv-name' }, h('i', {}, base), ...(sub ? [h('sub', {}, sub)] : []));
 }
 
-/** A number for people: rounded, and never -0. */
+/** Format a number with a fixed count of digits, and never as -0. */
 export function formatNumber(value, digits) {
   const text = value.toFixed(digits);
   return Number(text) === 0 ? (0).toFixed(digits) : text;
 }
 
 let count = 0;
-/** An id that no other viewer on the page has, whichever copy of this module made it. */
+/** An id that is unique on the page, even if several copies of this module run there. */
 export function uniqueId(name) {
   count += 1;
   return `kv-${name}-${count}-${Math.random().toString(36).slice(2, 7)}`;

@@ -1,3 +1,3 @@
-// The one entry of the bundle: `widget` is what anywidget renders, `startViewers` is for pages without a kernel.
+// The entry point of the bundle: anywidget renders `widget`; pages without a kernel call `startViewers`.
 export { startViewers } from './static-page.js';
 export { widget } from './viewer.js';

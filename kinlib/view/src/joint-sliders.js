@@ -1,5 +1,5 @@
-// One slider and one number field a joint, play and reset. A handler says what it wants and no more: q changes, and
-// everything is drawn from the change, whoever made it.
+// One slider and one number field per joint, a play button and a reset button. A handler only sets q. Everything is
+// drawn when q changes, so that it makes no difference whether the page or Python changed it.
 import { formatNumber, h, NO_SHORTCUTS, renderSymbol, uniqueId } from './dom.js';
 import { playButton, ROUND_MS } from './play-button.js';
 
@@ -123,7 +123,7 @@ const KEY_STEPS = {
   End: Infinity,
 };
 
-/** Each joint sweeps to its upper end, to its lower one and back, one joint after the other. */
+/** Move one joint after the other to its upper limit, to its lower limit and back. */
 function sweepJoints(state) {
   let from = [];
   return playButton(

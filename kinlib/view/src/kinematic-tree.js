@@ -1,10 +1,10 @@
-// A tree: the bodies of an arm, or of the arms of a closed chain, as nested groups. A joint's group is turned by
-// exp([S_i] q_i), and what it holds is given where it is at home: the scene graph is the product of exponentials.
+// The bodies of an arm, or of the arms of a closed chain, as nested groups. The group of joint i is transformed by
+// exp([S_i] q_i), and what it contains is given in its home position: the scene graph is the product of exponentials.
 import { Group, Matrix4, Vector3 } from 'three';
 import { screwExp } from './screw-exp.js';
 
 export class KinematicTree {
-  /** @param arms [{ columns, joints: [{ screw }], home }], all standing on one base, which is body 0 of each of them */
+  /** @param arms [{ columns, joints: [{ screw }], home }], on one common base, which is body 0 of each */
   constructor(arms) {
     this.root = new Group();
     this.arms = arms.map((arm) => {
@@ -22,7 +22,7 @@ export class KinematicTree {
       bodies.at(-1).add(tool);
       return { bodies, tool, columns: arm.columns, points: arm.links && arm.joints.map(({ point }) => point) };
     });
-    /** what moves with each joint value and is not a rigid body: the rods of slides */
+    /** functions of q that update the rods of prismatic joints, whose length changes with q */
     this.rodUpdates = [];
   }
 
@@ -43,7 +43,7 @@ export class KinematicTree {
     this.root.updateMatrixWorld(true);
   }
 
-  /** Where the joints and the tools are, in space. */
+  /** The positions of the joints and the tools in the space frame. */
   jointPositions() {
     return this.arms
       .filter(({ points }) => points)
@@ -53,7 +53,7 @@ export class KinematicTree {
       ]);
   }
 
-  /** T_sb of an arm, in rows. */
+  /** T_sb of an arm, as a list of rows. */
   pose(arm = 0) {
     return rows(this.arms[arm].tool.matrixWorld);
   }

@@ -1,11 +1,11 @@
-// Names in the picture: drawn flat, over the solids, each beside its point where it covers least. A name that has to go
-// far from its point gets a thin line back to it.
+// Labels are drawn on the 2-D canvas over the solids, each beside its point, where it covers as little as possible.
+// A label that has to be placed far from its point gets a thin leader line.
 import { Vector3 } from 'three';
 
 const FONT_SIZE_PX = 14;
 const RING_RADII_PX = [12, 19, 29, 42, 58, 78, 100];
 const RING_ANGLES_DEG = [0, 30, -30, 60, -60, 95, -95, 135, -135, 180];
-const OUTSIDE_MARGIN_PX = 40; // pixels: what is farther out than this has no name in the picture
+const OUTSIDE_MARGIN_PX = 40; // points farther outside the picture get no label
 const FONT = '"Segoe UI", "Helvetica Neue", "DejaVu Sans", Arial, sans-serif';
 
 const at = new Vector3();
@@ -15,8 +15,12 @@ export function fontOf(label, size = FONT_SIZE_PX) {
   return `${label.italic ? 'italic ' : ''}600 ${size}px ${FONT}`;
 }
 
-/** Place labels and draw them. @param labels [{ at, from?, body, text, sub, colour, weight }]; @param taken boxes to keep off. Returns
- * where each name stands. */
+/**
+ * Place labels and draw them.
+ * @param labels [{ at, from?, body, text, sub, colour, weight }]
+ * @param taken boxes that labels must not cover
+ * @returns the box of each label, with its name
+ */
 export function drawLabels(context, labels, taken, camera, { halo, leader }) {
   const order = labels
     .map((label) => measureLabel(context, label, camera))
@@ -38,7 +42,7 @@ function measureLabel(context, label, camera) {
   at.set(...label.at).applyMatrix4(label.body.matrixWorld);
   camera.project(at, at);
   const [x, y] = [at.x, at.y];
-  let away = Math.PI / 4; // up and to the right, where nothing says otherwise
+  let away = Math.PI / 4; // up and to the right if the label has no direction of its own
   let [dx, dy] = [0, 0];
   if (label.from) {
     back.set(...label.from).applyMatrix4(label.body.matrixWorld);
@@ -55,7 +59,7 @@ function measureLabel(context, label, camera) {
   return { label, x, y, away };
 }
 
-/** The first free place, or the least bad one; where the label stood last time wins a draw, so that it does not jump. */
+/** The free place of least cost. The place of the last frame costs less, so that labels do not jump. */
 function placeLabel(item, taken, anchors, camera) {
   const { label, x, y, away } = item;
   if (
@@ -67,18 +71,18 @@ function placeLabel(item, taken, anchors, camera) {
     return null;
   const [w, h] = [label.width / 2 + 1, 0.5 * FONT_SIZE_PX];
   let best = null;
-  let least = label.weight > 1 ? Infinity : 12; // a y that stands in the way may go: x and z say where it is
+  let least = label.weight > 1 ? Infinity : 12; // a label y may be left out, because x and z determine it
   for (const [ring, radius] of RING_RADII_PX.entries()) {
     for (const [turn, degrees] of RING_ANGLES_DEG.entries()) {
       const angle = away + (degrees * Math.PI) / 180;
-      // at the border a name steps back into the picture
+      // a label at the border is moved back into the picture
       const cx = Math.max(w + 2, Math.min(camera.width - w - 2, x + Math.cos(angle) * (radius + w - 4)));
       const cy = Math.max(h + 2, Math.min(camera.height - h - 2, y - Math.sin(angle) * radius));
       const box = { left: cx - w, right: cx + w, top: cy - h, bottom: cy + h };
       if (taken.some((other) => overlap(box, other))) continue;
       let cost = 2.2 * ring + Math.abs(degrees) / 60;
       if (cost - 0.8 > least) continue;
-      // a place on the tip of something else is worse
+      // a place that covers another label's point costs more
       for (const [px, py] of anchors) {
         if (px > box.left - 4 && px < box.right + 4 && py > box.top - 4 && py < box.bottom + 4) cost += 2;
       }
@@ -126,14 +130,14 @@ function drawText(context, { label }, box, halo) {
 
 const DIMENSION_OFFSETS_PX = [22, -22, 40, -40];
 
-/** Lengths beside what they measure: thin lines with ticks, each with its number. Returns the boxes of the numbers. */
+/** Draw dimension lines with ticks, each with its length. Returns the boxes of the numbers. */
 export function drawDimensions(context, dimensions, camera, halo) {
   const taken = [];
   for (const { body, from, to, text, colour } of dimensions) {
     const p = camera.project(at.set(...from).applyMatrix4(body.matrixWorld), new Vector3());
     const q = camera.project(back.set(...to).applyMatrix4(body.matrixWorld), new Vector3());
     const length = Math.hypot(q.x - p.x, q.y - p.y);
-    if (length < 22) continue; // seen end on: a number here would say nothing
+    if (length < 22) continue; // seen end-on, where a number could not be read as this length
     const flip = q.x - p.x > 0 ? 1 : -1;
     const [nx, ny] = [(-(q.y - p.y) / length) * flip, ((q.x - p.x) / length) * flip];
     context.font = fontOf({}, 12);

@@ -1,4 +1,4 @@
-// What is shown, and from where: buttons that stay pressed, a list of frames, and the named views.
+// Toggle buttons for the layers, a list of frame choices, and buttons for the named views.
 
 import { VIEWS } from './camera.js';
 import { h, NO_SHORTCUTS } from './dom.js';

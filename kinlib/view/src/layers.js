@@ -1,9 +1,9 @@
-// The layers of an arm on the stage: which there are, what each holds, and how they follow the theme.
+// The layers of an arm on the stage: which ones exist, what each contains, and how they follow the theme.
 import { Color, MeshBasicMaterial, MeshLambertMaterial } from 'three';
 import { KinematicTree } from './kinematic-tree.js';
 import * as parts from './parts.js';
 
-/** Layers that the reader may switch on and off, with their names on the page. */
+/** Layers that the reader can switch on and off, with their names on the page. */
 export const TOGGLES = {
   axes: 'screw axes',
   'body axes': 'body axes',
@@ -13,7 +13,7 @@ export const TOGGLES = {
   trail: 'trail',
 };
 
-/** What the list of frames offers, and which layers each choice shows. */
+/** The choices in the list of frames, and the layers that each one shows. */
 export const FRAMES = {
   none: { name: 'no frames', layers: [] },
   poe: { name: 'PoE: {s} and {b}', layers: ['base', 'tool'] },
@@ -22,7 +22,7 @@ export const FRAMES = {
   modified: { name: 'modified DH', layers: ['modified'] },
 };
 
-/** The choice of frames that a set of layers amounts to. */
+/** The choice in the list of frames that corresponds to a set of layers. */
 export function frameChoiceOf(shown) {
   return (
     ['modified', 'standard', 'links'].find((name) => shown.includes(name)) ??
@@ -36,7 +36,7 @@ export function without(shown, layers) {
 
 export const FRAME_LAYERS = ['base', 'tool', 'links', 'standard', 'modified'];
 
-/** The layers that this scene has something for, and that are worth a button. */
+/** The layers that contain something in this scene and therefore get a button. */
 export function availableLayers({ arms, offered }, shown) {
   const whole = arms.some((arm) => arm.links);
   const worth = {
@@ -51,13 +51,13 @@ export function availableLayers({ arms, offered }, shown) {
     ...Object.keys(TOGGLES).filter((name) => worth[name]),
     ...FRAME_LAYERS.filter((name) => arms.some((arm) => arm.frames?.[name])),
   ];
-  return offered ? found.filter((name) => offered.includes(name)) : found; // a mode may have layers of its own
+  return offered ? found.filter((name) => offered.includes(name)) : found; // a mode may restrict them
 }
 
-/** Axes, frames and normals run inside the arm: what it hides of them shines through. */
+/** Axes, frames and normals lie inside the arm, so their hidden parts are drawn through it. */
 const SEEN = { through: true };
 
-/** Make every layer of the arms in the colours of a theme. */
+/** Build every layer of the arms in the colours of the stage's theme. */
 export function buildLayers(stage, shown) {
   const { data, theme } = stage;
   const { size } = data;
@@ -95,6 +95,7 @@ export function buildLayers(stage, shown) {
   showLayers(stage, shown);
 }
 
+/** Show the named layers and hide the others. */
 export function showLayers(stage, shown) {
   stage.showLayer('piece axes', shown.includes('axes'));
   for (const name of ['axes', 'body axes', 'home axes', 'normals', 'dimensions'])
@@ -102,13 +103,14 @@ export function showLayers(stage, shown) {
   for (const name of FRAME_LAYERS) stage.showLayer(`frames ${name}`, shown.includes(name));
 }
 
-/** The arm in another configuration, as a grey ghost. Returns how to move it, and how to be rid of it. */
+/** Draw the arm in a second configuration, grey and translucent. Returns a function that removes it. */
 export function showGhost(stage, q) {
   const ghost = new KinematicTree(stage.data.arms);
   stage.scene.add(ghost.root);
   const colour = new Color(stage.theme.ghost);
   const translucent = new MeshLambertMaterial({ color: colour, transparent: true, opacity: 0.55 });
-  const mask = new MeshBasicMaterial({ colorWrite: false }); // first where, then how: no piece shows through another
+  // the mask fills the depth buffer first, so that no part of the ghost shows through another
+  const mask = new MeshBasicMaterial({ colorWrite: false });
   mask.userData.order = 1;
   translucent.userData.order = 2;
   const { data, theme } = stage;

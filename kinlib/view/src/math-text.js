@@ -1,10 +1,10 @@
-// Sentences with names in them, as Python writes them: z_{i-1}, O_1, alpha_3. On the page a name is set as a name.
+// Sentences that contain symbols as Python writes them: z_{i-1}, O_1, alpha_3. On the page they are set as symbols.
 import { h } from './dom.js';
 
 const NAME = /\b(alpha|theta|[A-Za-z])_(\{[^}]+\}|[0-9inxz]+)|\b(alpha|theta|pi)\b/g;
 const GREEK = { alpha: 'α', theta: 'θ', pi: 'π' };
 
-/** The nodes of a sentence. */
+/** The DOM nodes of a sentence. */
 export function renderMathText(sentence) {
   const text = sentence.replace(/(^|[\s(])-(?=\d| )/g, '$1−');
   const nodes = [];

@@ -1,4 +1,4 @@
-// What an arm is made of: for each layer its parts, which are solids and labels on the bodies, at home.
+// The parts of each layer of an arm: solids and labels, fixed to the bodies and given in the home configuration.
 // A part is { body, shape, from, to, radius, colour }, a label { body, at, from, text, sub, colour, weight }.
 import { dashedLine } from './shapes.js';
 
@@ -10,7 +10,7 @@ export const COLOURS = {
   orange: '#b35900',
 };
 
-/** Sizes, as shares of the arm's size. */
+/** Radii, as fractions of the arm's size. */
 export const JOINT = 0.05;
 const LINK = 0.026;
 const ROD = 0.0066;
@@ -20,7 +20,7 @@ const minus = (p, q) => add(p, q, -1);
 const norm = (p) => Math.hypot(...p);
 const unit = (p) => p.map((value) => value / (norm(p) || 1));
 
-/** Where a joint is drawn: joints that share point and axis stand side by side. */
+/** Where a joint is drawn: joints with the same point and axis are drawn side by side along the axis. */
 export function jointCentre(joint, size) {
   return add(joint.point, joint.axis, 3.3 * JOINT * size * joint.shift);
 }
@@ -39,7 +39,7 @@ export function joints(arm, size, colours) {
     const centre = jointCentre(joint, size);
     const at = (share) => add(centre, joint.axis, share * r);
     if (joint.kind === 'P') {
-      // the sleeve stays on the link before, what slides in it is a rod
+      // the sleeve belongs to the previous link; a rod translates in it
       return [{ body: i, shape: 'box', from: at(-1.6), to: at(1.6), radius: 0.92 * r, colour: colours.joint }];
     }
     const body = { body: i + 1, shape: 'cylinder', from: at(-1.5), to: at(1.5), radius: r, colour: colours.joint };
@@ -58,7 +58,7 @@ export function joints(arm, size, colours) {
         { ...body, ...thread, from: at(-1.3), to: at(1.3), colour: colours.ink },
       ];
     }
-    // a mark on the rim: a cylinder that turns about its own axis shows nothing else
+    // a mark on the rim, because the rotation of a cylinder about its own axis is otherwise invisible
     const side = perpendicularTo(joint.axis);
     const mark = {
       ...body,
@@ -72,7 +72,7 @@ export function joints(arm, size, colours) {
   });
 }
 
-/** What leaves the sleeve of a slide or climbs out of a helical joint: a rod as long as the way that it went. */
+/** The rod of a prismatic or helical joint, as long as the joint's translation. */
 export function rods(arm, size, colours) {
   return arm.joints.flatMap((joint, i) =>
     joint.travel === 0
@@ -91,7 +91,7 @@ export function rods(arm, size, colours) {
   );
 }
 
-/** Screw axes: dashed, with a tip, named; on the body before the joint, which holds the axis still. */
+/** Screw axes: dashed, with a tip and a name; on the body before the joint, which does not move its own axis. */
 export function axes(arm, size, { letter, colour, onBody = (i) => i }) {
   return arm.joints.flatMap((joint, i) => {
     const body = onBody(i);
@@ -146,7 +146,7 @@ export function triads(frames, size, colours, { numbered = false, length = 0.17 
   });
 }
 
-/** Common normals, orange and dashed. One without length is a short line along its direction. */
+/** Common normals, orange and dashed. One of length 0 is drawn as a short line along its direction. */
 export function normals(arm, size, colours) {
   return arm.normals.flatMap(({ body, from, to, along }, i) => {
     const short = norm(minus(to, from)) < 1e-6 * size;
@@ -176,7 +176,7 @@ export function normals(arm, size, colours) {
   });
 }
 
-/** Lengths of the links: a dimension line beside each piece, drawn flat on the sheet. */
+/** Lengths of the links: a dimension line beside each segment, drawn on the 2-D canvas. */
 export function dimensions(arm, size, colours) {
   return arm.links.flatMap((path, body) =>
     path.slice(1).flatMap((to, k) => {
@@ -207,7 +207,7 @@ function centred(shape, at, along, half, radius, colour) {
   return { shape, from: add(at, along, -half), to: add(at, along, half), radius, colour };
 }
 
-/** The pieces of a linkage: bars and joints, each named at its joint; a foot under each joint on the ground. */
+/** The parts of a linkage: bars and joints with their names, and a foot under each joint on the ground. */
 export function pieces({ pieces: all = [], floor }, size, colours) {
   return all.flatMap((piece) => {
     const { arm, body, kind, at, name, foot } = piece;
@@ -251,7 +251,7 @@ export function pieceAxes({ pieces: all = [] }, size, colours) {
     );
 }
 
-/** A unit vector square to an axis, the same one every time. */
+/** A unit vector perpendicular to an axis; the same axis always gives the same vector. */
 export function perpendicularTo(axis) {
   const least = axis.map(Math.abs).indexOf(Math.min(...axis.map(Math.abs)));
   const other = [0, 1, 2].map((k) => (k === least ? 1 : 0));
@@ -264,7 +264,7 @@ export function perpendicularTo(axis) {
   );
 }
 
-/** What holds the arm where its base is above the floor: a column down to a foot. */
+/** The pedestal of an arm whose base is above the floor: a column on a round plate. */
 export function pedestal({ floor, foot }, size, colours) {
   if (!foot) return [];
   const top = [foot[0], foot[1], foot[2]];

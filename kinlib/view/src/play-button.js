@@ -1,11 +1,15 @@
-// Play: a button that moves something round after round, until it is pressed again.
+// A button that starts a periodic motion and stops it when it is pressed again.
 import { h, NO_SHORTCUTS } from './dom.js';
 
-/** Milliseconds for one round. */
+/** Period of the motion. */
 export const ROUND_MS = 4000;
-const REDUCED_MOTION_STEPS = 4; // in a round, for who prefers reduced motion
+const REDUCED_MOTION_STEPS = 4; // per period, if the reader prefers reduced motion
 
-/** @param begin called as it starts; @param tick(time, share of the round) moves things; @returns { button, stop } */
+/**
+ * @param begin is called when the motion starts
+ * @param tick (time in milliseconds, fraction of the period) draws one frame
+ * @returns { button, stop }
+ */
 export function playButton(begin, tick) {
   let frame = 0;
   let begun = 0;

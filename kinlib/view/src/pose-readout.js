@@ -1,4 +1,4 @@
-// Where the tool is: the pose as a matrix, its columns in the colours of the axes, and a button that copies it as Python.
+// The pose of the tool as a matrix, with its columns in the colours of the axes, and a button that copies it as Python.
 import { formatNumber, h, NO_SHORTCUTS, uniqueId } from './dom.js';
 
 const COLUMNS = [
@@ -21,7 +21,7 @@ export function poseReadout() {
       class: 'kv-copy',
       title: 'Copy q and T(q) as Python',
       onclick: async () => {
-        told.textContent = (await copyToClipboard(formatPython(now))) ? 'copied' : 'this page may not copy';
+        told.textContent = (await copyToClipboard(formatPython(now))) ? 'copied' : 'no access to the clipboard';
         setTimeout(() => {
           told.textContent = '';
         }, 2000);
@@ -50,7 +50,7 @@ export function poseReadout() {
       ),
       h('tbody', {}, ...[0, 1, 2, 3].map((row) => h('tr', {}, ...cells.slice(4 * row, 4 * row + 4)))),
     ),
-    h('p', { class: 'kv-note' }, '{b} seen from {s}; lengths in metres'),
+    h('p', { class: 'kv-note' }, 'pose of {b} in {s}; lengths in metres'),
   );
   return {
     element,
@@ -64,7 +64,7 @@ export function poseReadout() {
   };
 }
 
-/** Every digit, as code that can be pasted into a cell. */
+/** q and T(q) as Python code with all digits, ready to be pasted into a cell. */
 export function formatPython({ q, T }) {
   const row = (values) => `[${values.map((value) => `${value + 0}`).join(', ')}]`;
   return `q = np.array(${row(q)})\nT = np.array([\n${T.map((values) => `    ${row(values)},`).join('\n')}\n])`;
@@ -75,7 +75,7 @@ async function copyToClipboard(text) {
     await navigator.clipboard.writeText(text);
     return true;
   } catch {
-    // an older way, for pages that may not use the newer one
+    // the older interface, for pages without access to the clipboard
     const field = h('textarea', { style: 'position:fixed;opacity:0' });
     field.value = text;
     document.body.append(field);

@@ -1,5 +1,5 @@
-// Predict mode: the picture stays covered until a prediction is committed, here or in a question above. Who insists may
-// look; nothing is recorded for it.
+// Covers a viewer whose motion is to be predicted, until the reader commits to a prediction, here or in a question
+// above. The reader may also uncover it without an answer; then nothing is recorded.
 import { h, NO_SHORTCUTS, uniqueId } from './dom.js';
 
 /** @param model with covered, prediction { text, options } and choice @returns { element, update() } */
@@ -21,7 +21,7 @@ export function predictionCover(model) {
     if (!text) {
       return [
         h('p', { class: 'kv-title' }, 'Commit to your prediction above first'),
-        h('p', {}, 'The arm appears here as soon as you have.'),
+        h('p', {}, 'The arm appears here afterwards.'),
         anyway,
       ];
     }

@@ -1,4 +1,4 @@
-// exp([S] q) for a unit screw axis S = (omega, v): Rodrigues' formula and its extension to rigid motions.
+// exp([S] q) for a normalised screw axis S = (omega, v): Rodrigues' formula and its extension to rigid motions.
 // Source: Modern Robotics, (3.88). Matrix4 holds JavaScript numbers, which are doubles.
 import { Matrix4 } from 'three';
 
@@ -9,7 +9,7 @@ export function screwExp([x, y, z, a, b, c], q, out = new Matrix4()) {
   const cos = Math.cos(q);
   const sin = Math.sin(q);
   const half = Math.sin(q / 2);
-  const k = 2 * half * half; // 1 - cos q, without the cancellation
+  const k = 2 * half * half; // 1 - cos q, without cancellation for small q
   const climb = x * a + y * b + z * c;
   // p = (I q + (1 - cos q) W + (q - sin q) W^2) v = sin q v + (1 - cos q) omega x v + (q - sin q) (omega . v) omega
   const along = (q - sin) * climb;

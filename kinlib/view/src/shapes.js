@@ -1,4 +1,4 @@
-// Shapes: solids between two points, merged into one mesh a body, so that an arm costs few draw calls.
+// Solids between two points, merged into one mesh per body, so that an arm needs few draw calls.
 import {
   BoxGeometry,
   BufferGeometry,
@@ -30,7 +30,7 @@ class Helix extends Curve {
   }
 }
 
-/** Geometry that stands along y, centred at 0, for each shape. */
+/** For each shape, its geometry along the y axis, centred at the origin. */
 const MAKERS = {
   rod: (length, r) => new CylinderGeometry(r, r, length, 12),
   cylinder: (length, r) => new CylinderGeometry(r, r, length, 40),
@@ -38,11 +38,11 @@ const MAKERS = {
   box: (length, r) => new BoxGeometry(2 * r, length, 2 * r),
   sphere: (_, r) => new SphereGeometry(r, 20, 14),
   capsule: (length, r) => new CapsuleGeometry(r, length, 8, 20),
-  // the sign of the turns is the hand of the thread
+  // the sign of turns makes the thread right-handed or left-handed
   helix: (length, r, { turns, wire }) => new TubeGeometry(new Helix(r, length, turns), 96, wire, 6),
 };
 
-/** @param part { shape, from, to, radius, ... } in metres; the solid runs from one point to the other */
+/** The geometry of a part { shape, from, to, radius, ... }, in metres, between its two points. */
 export function makeSolid(part) {
   const from = new Vector3(...part.from);
   const along = new Vector3(...part.to).sub(from);
@@ -54,7 +54,7 @@ export function makeSolid(part) {
   return geometry.applyMatrix4(new Matrix4().compose(middle, turned, ONE));
 }
 
-/** A dashed line is a row of rods: WebGL's own lines are one pixel wide. */
+/** A dashed line as a row of rods, because lines in WebGL are only one pixel wide. */
 export function dashedLine({ from, to, dash, gap, ...rest }) {
   const start = new Vector3(...from);
   const along = new Vector3(...to).sub(start);
@@ -71,7 +71,7 @@ export function dashedLine({ from, to, dash, gap, ...rest }) {
   });
 }
 
-/** One geometry out of many parts, each in its own colour; with the ways in which an outline grows, where it has one. */
+/** Merge parts into one geometry with a colour per vertex and, if outlined, the normals of its outline. */
 export function mergeParts(parts, outlined) {
   const position = [];
   const normal = [];
@@ -101,7 +101,7 @@ export function mergeParts(parts, outlined) {
   return whole;
 }
 
-/** Where an outline grows to: at an edge, where corners share a place but not a normal, the mean of the normals. */
+/** The offset direction of each vertex of the outline: the mean normal of all vertices at the same position. */
 function outlineNormals(points, normals) {
   const sums = new Map();
   const all = [];

@@ -1,5 +1,5 @@
-// The stage: an arm's layers of parts, the floor, the light and the eye, painted when something has changed.
-// A layer is a named set of parts that is shown or not; see parts.js for what a part is.
+// The stage holds the layers of parts, the floor, the lights and the camera, and paints them when something changes.
+// A layer is a named set of parts that can be shown or hidden; parts.js defines what a part is.
 import {
   BackSide,
   BufferGeometry,
@@ -28,7 +28,7 @@ import { mergeParts } from './shapes.js';
 import { hasWebGL, renderScene } from './webgl.js';
 
 export class Stage {
-  /** @param data what kinlib/view/scene.py says; @param canvas where the picture goes */
+  /** @param data the scene, see kinlib/view/scene.py; @param canvas the 2-D canvas of the picture */
   constructor(data, canvas, theme) {
     this.data = data;
     this.canvas = canvas;
@@ -36,7 +36,7 @@ export class Stage {
     this.theme = theme;
     this.tree = new KinematicTree(data.arms);
     this.layers = new Map();
-    /** whether it draws without WebGL; undefined until somebody had to know */
+    /** whether it draws without WebGL; undefined before the first attempt to start WebGL */
     this.withoutWebGL = undefined;
     this.scene = new Scene();
     this.scene.add(this.tree.root);
@@ -58,7 +58,7 @@ export class Stage {
         .replace('#include <begin_vertex>', 'vec3 transformed = position + width * outlineNormal;');
     };
     this.edge.userData.width = { value: 0 };
-    // The shadow falls straight down: it says where things are in x and y. The stencil keeps it from falling twice.
+    // The shadow falls straight down and so shows x and y. The stencil keeps overlapping shadows from adding up.
     this.shade = new MeshBasicMaterial({
       color: 0x000000,
       transparent: true,
@@ -84,11 +84,11 @@ export class Stage {
     this.#addLights();
     this.#addFloor();
     this.setTheme(theme);
-    /** called when it turns out that there is no WebGL */
+    /** called if WebGL turns out to be unavailable */
     this.onWebGLMissing = () => {};
-    /** boxes in the picture, in pixels, that names keep off */
+    /** returns the boxes in the picture, in pixels, that labels must not cover */
     this.reservedBoxes = () => [];
-    /** called with the 2-D context and the eye when all else is drawn: what modes put over the picture */
+    /** functions (2-D context, camera) that modes draw with over the finished picture */
     this.overlays = new Set();
   }
 
@@ -100,7 +100,7 @@ export class Stage {
     this.scene.add(this.sky, sun);
   }
 
-  /** A grid at the height of the floor, fading out, in steps of 1, 2 or 5. */
+  /** A grid on the floor that fades out, with a step of 1, 2 or 5 times a power of ten. */
   #addFloor() {
     const { centre, radius } = this.data.room;
     const step = roundStep(radius / 4);
@@ -139,7 +139,7 @@ export class Stage {
     this.scene.add(this.grid);
   }
 
-  /** Take on the colours of a theme; whoever made layers makes them anew. */
+  /** Use the colours of a theme. The layers have to be built again by their makers. */
   setTheme(theme) {
     this.theme = theme;
     this.grid.material.color = new Color(theme.grid);
@@ -149,8 +149,8 @@ export class Stage {
   }
 
   /**
-   * Put a layer on the stage, in place of the one of that name. Parts name a body, and an arm where there are several.
-   * A function that gives the parts is called when the layer is first shown: most layers never are.
+   * Set a layer, replacing the one of the same name. A part names its body, and its arm if there are several.
+   * If parts is a function, it is called when the layer is first shown, because most layers never are.
    */
   setLayer(name, parts, options = {}) {
     this.removeLayer(name);
@@ -171,7 +171,7 @@ export class Stage {
     for (const [body, mesh] of meshes) {
       body.add(mesh);
       mesh.renderOrder = mesh.material.userData.order ?? 0;
-      mesh.frustumCulled = mesh.material !== this.shade; // it is not where its geometry is
+      mesh.frustumCulled = mesh.material !== this.shade; // the shader moves the shadow away from its geometry
     }
     const flat = parts.filter((part) => !part.shape).map((part) => ({ ...part, body: bodyOf(part) }));
     this.layers.set(name, {
@@ -185,7 +185,7 @@ export class Stage {
     this.draw();
   }
 
-  /** Rods of slides: one mesh each, as long as the joint has gone. */
+  /** Set a layer of rods of prismatic joints: one mesh each, as long as the joint's translation. */
   setRods(name, rods, { tree = this.tree, material } = {}) {
     this.removeLayer(name);
     const up = new Vector3(0, 1, 0);
@@ -237,10 +237,10 @@ export class Stage {
     this.canvas.width = Math.round(width * ratio);
     this.canvas.height = Math.round(height * ratio);
     this.camera.resize(width, height);
-    this.paint(); // a canvas is blank after it was sized
+    this.paint(); // resizing clears a canvas
   }
 
-  /** Ask for a picture: many changes in one frame are painted once, and what nobody sees is painted when it is seen. */
+  /** Schedule a repaint: changes within one frame are painted once, and a hidden stage when it is visible again. */
   draw() {
     this.stale = true;
     if (this.waiting || !this.visible) return;
@@ -255,7 +255,7 @@ export class Stage {
     if (visible && this.stale) this.draw();
   }
 
-  /** Paint now. What comes first is a sketch without solids, because to start WebGL takes a while. */
+  /** Paint now. The first picture is drawn without WebGL, because starting WebGL takes a while. */
   paint() {
     if (!this.width || !this.visible) return;
     this.stale = false;
@@ -324,7 +324,7 @@ function groupBy(parts, key) {
   return groups;
 }
 
-/** The length 1, 2 or 5 times a power of ten that is nearest above a rough one. */
+/** The smallest step of 1, 2 or 5 times a power of ten that is at least a rough one. */
 export function roundStep(rough) {
   const power = 10 ** Math.floor(Math.log10(rough));
   return [1, 2, 5, 10].map((digit) => digit * power).find((step) => step >= 0.999 * rough);

@@ -1,8 +1,8 @@
-// A page without a kernel: the state stands in the page as JSON, and this stands in for the model of the kernel.
+// Viewers on a page without a kernel: their state is in the page as JSON, and StaticModel replaces the kernel's model.
 import { widget } from './viewer.js';
 
 class StaticModel {
-  withoutKernel = true; // for modes that ask Python something
+  withoutKernel = true; // for modes that would send a request to Python
   #state;
   #listeners = new Map();
 
@@ -30,10 +30,10 @@ class StaticModel {
     );
   }
 
-  save_changes() {} // nobody to save for
+  save_changes() {} // there is no kernel to synchronise with
 }
 
-/** Bring to life what is on the page and sleeps: each viewer takes the place of its drawn figure when it comes near. */
+/** Start the viewers of a page: each one replaces its static figure when that is about to be scrolled into view. */
 export function startViewers(root = document) {
   const observer = new IntersectionObserver(
     (entries) => {
@@ -54,7 +54,7 @@ export function startViewers(root = document) {
 function startViewer(element) {
   const state = JSON.parse(element.querySelector('script[type="application/json"]').textContent);
   const model = new StaticModel(state);
-  // a question elsewhere on the page lifts the cover by the attribute data-uncovered, before the viewer wakes or after
+  // a question elsewhere on the page sets data-uncovered, before the viewer has started or afterwards
   const uncover = () => 'uncovered' in element.dataset && model.set('covered', false);
   uncover();
   new MutationObserver(uncover).observe(element, { attributeFilter: ['data-uncovered'] });

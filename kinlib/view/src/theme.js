@@ -1,5 +1,5 @@
-// Light or dark: whatever the page behind the viewer is. JupyterLab, VS Code, Sphinx and bare pages each say it in
-// their own way, but all of them paint a background.
+// The theme is light or dark like the page behind the viewer. JupyterLab, VS Code, Sphinx and plain pages each declare
+// their theme in another way, but all of them paint a background, so its luminance decides.
 import { COLOURS } from './parts.js';
 
 const LIGHT = {
@@ -57,10 +57,10 @@ export function isDark(element) {
         ?.map(Number) ?? [];
     if (alpha > 0.5 && b !== undefined) return 0.2126 * r + 0.7152 * g + 0.0722 * b < 110;
   }
-  return false; // a page that paints nothing is white
+  return false; // a page without a background is white
 }
 
-/** Call back when the page changes its colours. Returns how to stop. */
+/** Call back when the page changes its colours. Returns a function that stops it. */
 export function onThemeChange(callback) {
   const watch = new MutationObserver(() => requestAnimationFrame(callback));
   const attributes = {

@@ -1,4 +1,4 @@
-// The way of the tool: where it has been since the trail was switched on.
+// The path of the tool since the trail was switched on.
 import {
   CylinderGeometry,
   DynamicDrawUsage,
@@ -9,7 +9,7 @@ import {
   Vector3,
 } from 'three';
 
-const MAX_SEGMENTS = 900; // the oldest piece goes first
+const MAX_SEGMENTS = 900; // the oldest segment is replaced first
 const UP = new Vector3(0, 1, 0);
 
 export class Trail {
@@ -36,7 +36,7 @@ export class Trail {
     this.points.length = 0;
   }
 
-  /** The tool came here. Steps too short to see are left out. */
+  /** Add a position of the tool. Steps too short to see are left out. */
   add(point) {
     const { size } = this.stage.data;
     if (this.last && this.last.distanceTo(point) < 0.002 * size) return;

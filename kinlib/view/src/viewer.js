@@ -1,5 +1,5 @@
-// The viewer: puts stage, controls and readout together. There is one path for every change: whoever sets a trait, here
-// or in Python, sets the model, and the page is drawn from the model's change.
+// The viewer combines the stage, the controls and the readout. Every change takes the same path: the page or Python
+// sets a trait of the model, and the page is drawn when the model reports the change.
 import { Vector3 } from 'three';
 import { orbitControls } from './camera.js';
 import { formatNumber, h, NO_SHORTCUTS } from './dom.js';
@@ -14,8 +14,8 @@ import { isDark, onThemeChange, themeOf } from './theme.js';
 import { Trail } from './trail.js';
 import css from './viewer.css';
 
-const HEIGHT_PER_WIDTH = 0.78; // of the width of the picture
-const SPEECH_DELAY_MS = 700; // milliseconds of rest before a screen reader hears the pose
+const HEIGHT_PER_WIDTH = 0.78; // of the picture
+const SPEECH_DELAY_MS = 700; // a screen reader announces the pose when nothing has moved for this long
 
 function render({ model, el }) {
   addStyleSheet();
@@ -32,7 +32,7 @@ function render({ model, el }) {
   const spoken = h('p', { class: 'kv-spoken', 'aria-live': 'polite' });
   const frame = h('div', { class: 'kv-picture' }, canvas);
   const root = h('div', { class: 'kv', role: 'group', 'aria-label': `Viewer of ${data.name}` });
-  root.viewer = { model }; // for tests, and for who scripts a page
+  root.viewer = { model }; // for tests and for scripts on the page
   el.append(root);
   root.append(frame);
   const stage = new Stage(data, canvas, themeOf(root));
@@ -82,7 +82,7 @@ function render({ model, el }) {
   const tip = new Vector3();
 
   function showMessage(text) {
-    if (message.textContent === text) return; // a screen reader would hear it again
+    if (message.textContent === text) return; // a screen reader would read it out again
     message.textContent = text;
     message.hidden = !text || model.get('covered');
   }
@@ -106,7 +106,7 @@ function render({ model, el }) {
 
   function describe(T) {
     const place = [0, 1, 2].map((row) => formatNumber(T[row][3], 3)).join(', ');
-    const tool = data.arms[0].links ? ` The tool is at (${place}) metres.` : ''; // a linkage has none
+    const tool = data.arms[0].links ? ` The tool is at (${place}) metres.` : ''; // a linkage has no tool
     canvas.setAttribute(
       'aria-label',
       `${data.words} Now q = (${q()
@@ -137,7 +137,7 @@ function render({ model, el }) {
 
   function applyTheme() {
     const theme = isDark(root) ? 'dark' : 'light';
-    if (root.dataset.theme === theme) return; // pages change their classes for many reasons
+    if (root.dataset.theme === theme) return; // pages change their classes for other reasons, too
     root.dataset.theme = theme;
     stage.setTheme(themeOf(root));
     buildLayers(stage, model.get('shown'));
@@ -150,7 +150,7 @@ function render({ model, el }) {
   function updateCover() {
     cover.update();
     inside.hidden = model.get('covered');
-    message.hidden = inside.hidden || !message.textContent; // what it says may tell what is to be predicted
+    message.hidden = inside.hidden || !message.textContent; // the message could reveal what is to be predicted
   }
 
   const changes = { q: update, message: update, shown: updateLayers, ghost: updateGhost, covered: updateCover };
@@ -164,7 +164,7 @@ function render({ model, el }) {
   const stopTheme = onThemeChange(applyTheme);
   const stopOrbit = orbitControls(stage.camera, canvas);
   const sized = new ResizeObserver(() => {
-    applyTheme(); // a lab attaches what it shows only now, and only now there is a page to take after
+    applyTheme(); // JupyterLab attaches the element only now, so its background was unknown before
     const width = frame.clientWidth;
     if (width) stage.resize(width, Math.round(Math.max(260, Math.min(HEIGHT_PER_WIDTH * width, 560))));
   });
@@ -184,20 +184,18 @@ function render({ model, el }) {
   };
 }
 
-const NO_WEBGL = 'This browser draws without WebGL: a plain drawing instead of solids.';
+const NO_WEBGL = 'WebGL is not available in this browser, so the arm is drawn without shading.';
 const KEYBOARD_HELP =
-  'Arrow keys turn the view, shift and arrow keys move it, plus and minus zoom, 0 to 3 are the named views.';
+  'Arrow keys rotate the view, shift and arrow keys pan it, plus and minus zoom, 0 to 3 select the named views.';
 
-/** What to say of a configuration that the arm cannot take. */
+/** A message about joint values beyond the joint limits, or an empty string. */
 function limitMessage(limits, q) {
   const beyond = (limits ?? []).flatMap(([low, high], k) =>
     (low !== null && q[k] < low - 1e-9) || (high !== null && q[k] > high + 1e-9)
-      ? [
-          `Joint ${k + 1} stands at ${formatNumber(q[k], 3)}, beyond its limits ${low ?? '−∞'} to ${high ?? '∞'}: the arm cannot go there.`,
-        ]
+      ? [`Joint ${k + 1} is at ${formatNumber(q[k], 3)}, outside its limits ${low ?? '−∞'} to ${high ?? '∞'}.`]
       : [],
   );
-  return beyond.join(' ');
+  return beyond.length ? `${beyond.join(' ')} The arm cannot reach this configuration.` : '';
 }
 
 function addStyleSheet() {
@@ -207,7 +205,7 @@ function addStyleSheet() {
   document.head.append(sheet);
 }
 
-/** Whatever goes wrong, the reader is told where the picture should be, and not only the console. */
+/** Render, and show an error in place of the picture, not only in the console. */
 function renderOrExplain(context) {
   try {
     return render(context);

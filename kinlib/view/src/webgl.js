@@ -1,9 +1,9 @@
-// One WebGL renderer for all viewers of this module. Each viewer shows a flat canvas, and gets its picture copied there:
-// a page with many viewers needs one context, and a picture once drawn stays when its context is gone.
-// In JupyterLab every widget brings its own copy of this module, so a list on the page keeps the copies few.
+// One WebGL renderer for all viewers of this module. Each viewer has a 2-D canvas, to which its picture is copied, so
+// that a page with many viewers needs one context, and a picture remains when its context is lost.
+// In JupyterLab every widget loads its own copy of this module, so a list on the page limits the number of contexts.
 import { WebGLRenderer } from 'three';
 
-const MAX_CONTEXTS = 6; // browsers drop the oldest context beyond 16, with its picture
+const MAX_CONTEXTS = 6; // browsers drop the oldest context when there are more than 16
 const RENDERERS = Symbol.for('kinlib.renderers');
 let renderer = null;
 let refused = false;
@@ -30,11 +30,12 @@ function acquireRenderer() {
     renderer = new WebGLRenderer({ antialias: true, alpha: true, stencil: true });
     renderer.domElement.addEventListener('webglcontextlost', forget, { once: true });
   }
-  globalThis[RENDERERS] = [...liveRenderers().filter((other) => other !== release), release]; // the last used is the last to go
+  // the most recently used renderer is released last
+  globalThis[RENDERERS] = [...liveRenderers().filter((other) => other !== release), release];
   return renderer;
 }
 
-/** Whether this browser draws in three dimensions. Asked late and once: asking starts the machinery, and takes its time. */
+/** Whether WebGL is available. Tested late and only once, because the test starts WebGL and takes a while. */
 export function hasWebGL() {
   if (renderer) return true;
   if (refused) return false;
@@ -44,7 +45,7 @@ export function hasWebGL() {
   return !refused;
 }
 
-/** Paint a scene onto a flat canvas, over what is there. Returns the number of draw calls. */
+/** Render a scene and copy it onto a 2-D canvas, over what is there. Returns the number of draw calls. */
 export function renderScene(scene, camera, context, { width, height, ratio }) {
   const gl = acquireRenderer();
   const size = gl.domElement;

@@ -1,9 +1,9 @@
-// Angles that motions have turned, as sectors over the picture: from where x (or z) pointed to where it points now.
+// The angles of motions as sectors over the picture, from the initial to the current direction of x (or z).
 import { Vector3 } from 'three';
 
 const ARC_SEGMENTS = 24;
 
-/** @param shares how much of each motion of each track is done, from 0 to 1 */
+/** @param shares () -> the completed fraction of each motion of each track, from 0 to 1 */
 export function angleSectors(stage, tracks, shares, radius) {
   const overlay = (context, camera) => {
     for (const [track, { motions, stops }] of tracks.entries()) {
@@ -28,7 +28,7 @@ export function angleSectors(stage, tracks, shares, radius) {
         context.beginPath();
         context.moveTo(hub.x, hub.y);
         for (const { x, y } of points) context.lineTo(x, y);
-        if (!slides) context.fill(); // a screw motion climbs: its line is a helix, and has no sector
+        if (!slides) context.fill(); // the line of a screw motion is a helix, which has no sector
         context.globalAlpha = now ? 1 : 0.55;
         context.strokeStyle = colour;
         context.lineWidth = 2;
@@ -44,10 +44,10 @@ export function angleSectors(stage, tracks, shares, radius) {
   return { dispose: () => stage.overlays.delete(overlay) };
 }
 
-/** Where the tip of x (turns about z) or of z (turns about x) is after an angle. */
+/** The tip of x after a rotation about z, or of z after a rotation about x. */
 function arm(pose, axis, angle, radius) {
   const column = (k) => new Vector3(pose[k], pose[4 + k], pose[8 + k]);
-  // about z from x towards y, about x from z towards -y
+  // a rotation about z takes x towards y; a rotation about x takes z towards -y
   const [from, to, sign] = axis === 'z' ? [column(0), column(1), 1] : [column(2), column(1), -1];
   return column(3)
     .addScaledVector(from, radius * Math.cos(angle))

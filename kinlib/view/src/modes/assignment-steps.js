@@ -1,4 +1,4 @@
-// The frame-assignment player: one step at a time, forwards and back, with its sentence, and what it names lit up.
+// The steps of a frame assignment, forwards and backwards, each with its explanation and with its objects highlighted.
 import { h, NO_SHORTCUTS } from '../dom.js';
 import { renderMathText } from '../math-text.js';
 import { dashedLine } from '../shapes.js';
@@ -89,7 +89,7 @@ export function assignmentSteps({ model, stage, data }) {
     count.textContent = `step ${model.get('step') + 1} of ${last + 1}`;
     title.replaceChildren(...renderMathText(step.title));
     text.replaceChildren(...renderMathText(step.text));
-    others.replaceChildren(...(step.others ? [h('b', {}, 'Also legal: '), ...renderMathText(step.others)] : []));
+    others.replaceChildren(...(step.others ? [h('b', {}, 'Also valid: '), ...renderMathText(step.others)] : []));
     slider.value = model.get('step');
     slider.style.setProperty('--share', `${(100 * model.get('step')) / last}%`);
     slider.setAttribute('aria-valuetext', `${model.get('step') + 1} of ${last + 1}: ${step.title}`);
@@ -99,11 +99,12 @@ export function assignmentSteps({ model, stage, data }) {
       [next, last],
       [end, last],
     ]) {
-      control.setAttribute('aria-disabled', String(model.get('step') === off)); // disabled, it would lose the focus
+      // aria-disabled, because a disabled button would lose the focus
+      control.setAttribute('aria-disabled', String(model.get('step') === off));
     }
     const read = step.row ?? (steps.slice(0, model.get('step')).some(({ row }) => row) ? rows.length : 0);
     table.hidden = !read;
-    table.replaceChildren(dhTable(model.get('convention'), rows, { read, lit: step.row, label: 'The table so far' }));
+    table.replaceChildren(dhTable(model.get('convention'), rows, { read, lit: step.row, label: 'DH table so far' }));
   }
 
   function draw() {
@@ -155,7 +156,7 @@ export function assignmentSteps({ model, stage, data }) {
   };
 }
 
-/** A common normal; one without length is a short line along its direction. */
+/** A common normal; one of length 0 is drawn as a short line along its direction. */
 function ends({ from, to, along }, size) {
   const half = Math.hypot(...add(to, from, -1)) < 1e-6 * size ? 0.16 * size : 0;
   return { from: add(from, along, -half), to: add(to, along, half) };
@@ -186,7 +187,7 @@ function common(normal, i, { size, theme }, strong) {
   return [...dashedLine(line), ...(strong ? [name] : [])];
 }
 
-/** A stretch of a row: d along an axis, a along a normal. */
+/** A length of a DH row: d along an axis or a along a common normal. */
 function leg(name, from, to, { size, theme }) {
   const colour = name.startsWith('d') ? theme.axis : theme.normal;
   const [base, sub] = name.split('_');

@@ -1,11 +1,14 @@
-// A closed chain on its curves: a driver slider along one of them, the configuration space beside, click to go there.
+// A closed chain on the curves of its configuration space: a slider moves it along one, a click on the map to another.
 import { formatNumber, h, NO_SHORTCUTS, renderSymbol, uniqueId } from '../dom.js';
 import { playButton } from '../play-button.js';
 
 const MAP_SIZE_PX = 260;
 const MAP_MARGIN_PX = 30;
 
-/** @param kit.data { curves: [[[q...], ...], ...], columns: [column, column], names: [name, name], all: [name...], closed: [bool...], labels: [text...] } */
+/**
+ * @param kit.data { curves: [[[q...], ...], ...], columns: [column, column], names: [name, name], all: [name...],
+ *   closed: [bool...], labels: [text...] }
+ */
 export function configurationCurve({ stage, data, state }) {
   const { curves, columns, names } = data;
   const id = uniqueId('curve');
@@ -60,9 +63,10 @@ export function configurationCurve({ stage, data, state }) {
     },
     (_, share) => {
       const many = curves[at.which].length;
+      // an open curve is traversed forwards and backwards
       const sample = data.closed[at.which]
         ? (from + Math.round(share * (many - 1))) % many
-        : Math.round((0.5 - 0.5 * Math.cos(2 * Math.PI * share)) * (many - 1)); // an open curve is gone along and back
+        : Math.round((0.5 - 0.5 * Math.cos(2 * Math.PI * share)) * (many - 1));
       if (sample !== at.sample) go(at.which, sample);
     },
   );
@@ -119,7 +123,7 @@ export function configurationCurve({ stage, data, state }) {
     context.font = 'italic 600 13px sans-serif';
     context.textAlign = 'center';
     context.fillText(names[0].replace('_', ''), (MAP_SIZE_PX + MAP_MARGIN_PX - 8) / 2, MAP_SIZE_PX - 9);
-    context.save(); // upright along its axis
+    context.save(); // rotated, to be read along the vertical axis
     context.translate(MAP_MARGIN_PX / 2 - 2, (MAP_SIZE_PX - MAP_MARGIN_PX + 8) / 2);
     context.rotate(-Math.PI / 2);
     context.fillText(names[1].replace('_', ''), 0, 4);
@@ -141,7 +145,7 @@ export function configurationCurve({ stage, data, state }) {
     element: h(
       'div',
       { class: 'kv-curve' },
-      h('div', { class: 'kv-row kv-driver' }, h('label', { for: id }, 'drive'), driver),
+      h('div', { class: 'kv-row kv-driver' }, h('label', { for: id }, 'driver'), driver),
       h('div', { class: 'kv-buttons' }, motion.button, ...(curves.length > 1 ? [select] : [])),
       canvas,
       values,
@@ -159,7 +163,8 @@ export function configurationCurve({ stage, data, state }) {
       });
       canvas.setAttribute(
         'aria-label',
-        `Configuration space, ${names.join(' against ')}: ${curves.length} curves; the arm is at sample ${at.sample + 1} of curve ${at.which + 1}.`,
+        `Configuration space, ${names.join(' against ')}: ${curves.length} curves; ` +
+          `the linkage is at sample ${at.sample + 1} of curve ${at.which + 1}.`,
       );
       paint(q);
     },
@@ -168,7 +173,7 @@ export function configurationCurve({ stage, data, state }) {
   };
 }
 
-/** The sample of all curves that is nearest to q; between equals, the one on the curve of before. */
+/** The sample nearest to q on all curves; if two are equally near, the one on the same curve as before. */
 function nearest(curves, q, before) {
   const found = closest(curves, q);
   if (before === undefined || found.which === before.which) return found;

@@ -1,5 +1,5 @@
-// The row player: the motions of a DH row, one after the other. Each track is an arm whose joints are the motions, so that
-// the scene graph carries the frame; `done` counts the motions that are done, and is between two numbers on the way.
+// The motions of a DH row, one after the other. Each track is an arm whose joints are the motions, so that the scene
+// graph moves the frame. `done` counts the completed motions; during a motion it is a fraction.
 import { formatNumber, h, NO_SHORTCUTS } from '../dom.js';
 import { renderMathText } from '../math-text.js';
 import { dashedLine } from '../shapes.js';
@@ -7,11 +7,14 @@ import { angleSectors } from './angle-sectors.js';
 import { frame, mixColours, originOf } from './frame-drawing.js';
 import { add } from './vectors.js';
 
-const FRAME_LENGTH = 0.34; // of a frame, as a share of the size of a row
-const MOTION_MS = 1100; // milliseconds for one motion
+const FRAME_LENGTH = 0.34; // as a fraction of the size of the scene
+const MOTION_MS = 1100;
 const KEY_STEPS = { ArrowRight: 1, ArrowUp: 1, ArrowLeft: -1, ArrowDown: -1, Home: -Infinity, End: Infinity };
 
-/** @param kit.data { tracks: [{ title, stops, motions: [{ screw, value, axis, angle, travel, symbol, text }], axes, flags }] } */
+/**
+ * @param kit.data { tracks: [{ title, stops, axes, flags,
+ *   motions: [{ screw, value, axis, angle, travel, symbol, text }] }] }
+ */
 export function dhRowMotions({ model, stage, data }) {
   const { tracks } = data;
   const { size } = stage.data;
@@ -32,7 +35,7 @@ export function dhRowMotions({ model, stage, data }) {
     flight = 0;
     play.textContent = '▶ Play';
   }
-  /** Go to a number of motions: one after the other, or at once for who prefers reduced motion. */
+  /** Go to a number of completed motions, animated, or at once if the reader prefers reduced motion. */
   function fly(goal) {
     stop();
     const wanted = Math.max(0, Math.min(last, goal));
@@ -106,7 +109,7 @@ export function dhRowMotions({ model, stage, data }) {
           type: 'button',
           class: 'kv-factor',
           ...NO_SHORTCUTS,
-          title: `Go on until after motion ${k + 1}`,
+          title: `Go to the end of motion ${k + 1}`,
           onclick: () => fly(k + 1),
         },
         ...renderMathText(motion.symbol),
@@ -142,8 +145,9 @@ export function dhRowMotions({ model, stage, data }) {
         if (i === at - 1) factor.setAttribute('aria-current', 'step');
         else factor.removeAttribute('aria-current');
       });
-      const text = at ? tracks[k].motions[at - 1].text : 'Nothing is done yet: the frame stands where it starts.';
-      if (said.dataset.text !== text) said.replaceChildren(...renderMathText(text)); // a screen reader hears changes only
+      const text = at ? tracks[k].motions[at - 1].text : 'No motion is complete yet: the frame is at its start.';
+      // a screen reader announces changes, so an unchanged text must not be set again
+      if (said.dataset.text !== text) said.replaceChildren(...renderMathText(text));
       said.dataset.text = text;
     });
   }
@@ -152,11 +156,11 @@ export function dhRowMotions({ model, stage, data }) {
     stage.tree.setQ(tracks.flatMap(({ motions }, k) => motions.map(({ value }, i) => value * shares()[k][i])));
     const reached = Math.floor(done() + 1e-9);
     if (reached !== drawnUpTo) drawReachedFrames(reached);
-    // where a frame is planted its own names stand; between the flags those of what moves
+    // at a frame that stays, its own labels are shown; between two of them, the labels of the moving frame
     stage.showLayer('names', !tracks[0].flags.some(({ after }) => after === done()));
   }
 
-  /** Frames that stand still once they are reached, and the names of ways that have been gone. */
+  /** Draw the frames that have been reached, which stay, and the names of the completed translations. */
   function drawReachedFrames(reached) {
     drawnUpTo = reached;
     const kit = { size, theme: stage.theme, length: FRAME_LENGTH };
@@ -272,7 +276,7 @@ export function dhRowMotions({ model, stage, data }) {
     element,
     replacesSliders: true,
     applyTheme,
-    update: move, // the joint values of an arm of motions are what is done of them
+    update: move, // the joint values follow from `done`
     dispose() {
       stop();
       model.off('change:done', changed);
@@ -289,7 +293,7 @@ function line(from, to, name, joint, { size, theme }) {
   ];
 }
 
-/** The name of a length that has been gone: d along z, a along x. */
+/** The name of a completed translation: d along z, a along x. */
 function way(symbol, axis, start, end, theme) {
   const at = originOf(start).map((value, k) => (value + originOf(end)[k]) / 2);
   const letter = symbol.match(/\(([ad])\)/)?.[1] ?? symbol.replace('_', '');

@@ -1,4 +1,4 @@
-// A DH table on the page, in the head of its convention.
+// A DH table on the page, with the column names of its convention.
 import { h } from '../dom.js';
 import { renderMathText } from '../math-text.js';
 
@@ -7,8 +7,12 @@ const HEADS = {
   modified: ['a_{i-1}', 'alpha_{i-1}', 'd_i', 'theta_i'],
 };
 
-/** @param rows [[a, alpha, d, theta as text]]; @param read how many are filled in; @param lit the row at hand, from 1 */
-export function dhTable(convention, rows, { read = rows.length, lit = 0, label = 'The table' } = {}) {
+/**
+ * @param rows [[a, alpha, d, theta as text]]
+ * @param read the number of rows that are filled in
+ * @param lit the number of the highlighted row, from 1
+ */
+export function dhTable(convention, rows, { read = rows.length, lit = 0, label = 'DH table' } = {}) {
   return h(
     'table',
     { class: 'kv-dh', 'aria-label': label },

@@ -1,10 +1,10 @@
-// What the modes about frames draw with: a pale arm, axes from end to end, frames axis by axis, and a marker pen.
+// Drawing functions for the modes about frames: a pale arm, joint axes, frames axis by axis, and a highlighter.
 import { Color, Vector3 } from 'three';
 import * as parts from '../parts.js';
 import { dashedLine } from '../shapes.js';
 import { add } from './vectors.js';
 
-const MARKER_WIDTH_PX = 17; // of the marker pen, in pixels
+const MARKER_WIDTH_PX = 17;
 const MARKER_COLOURS = {
   light: { named: '#ffec99', wrong: '#ffb3ad' },
   dark: { named: '#5c4a00', wrong: '#661a1a' },
@@ -15,12 +15,12 @@ const PALE = { rod: 0.0062, origin: 0.0105 };
 export const column = (pose, k) => [pose[k], pose[4 + k], pose[8 + k]];
 export const originOf = (pose) => column(pose, 3);
 
-/** A colour on its way to another. */
+/** A colour between two others. */
 export function mixColours(colour, other, share) {
   return `#${new Color(colour).lerp(new Color(other), share).getHexString()}`;
 }
 
-/** The arm steps back: what is drawn on it is the point. */
+/** Draw the arm in pale colours, so that what is drawn on it stands out. */
 export function drawPaleArm(stage) {
   const { data, theme } = stage;
   const pale = (colour, share = 0.62) => mixColours(colour, theme.paper, share);
@@ -39,7 +39,7 @@ export function drawPaleArm(stage) {
   stage.setLayer('arm', [...parts.pedestal(data, data.size, colours), ...made], { outlined: true });
 }
 
-/** A joint axis from end to end, dashed, with a tip and its number. */
+/** A joint axis between two points, dashed, with a tip and its number. */
 export function axis(i, from, to, { size, theme, strong = true, colour = theme.axis, beyond = 0 }) {
   const along = add(to, from, -1);
   const length = Math.hypot(...along);
@@ -71,7 +71,7 @@ export function axis(i, from, to, { size, theme, strong = true, colour = theme.a
   ];
 }
 
-/** The parts of a frame that are there: letters of O, x, y, z. */
+/** The parts of a frame that are placed, given as letters of O, x, y, z. */
 export function frame(i, pose, letters, { size, theme, strong = true, length = 0.2, body = 0 }) {
   const look = strong ? STRONG : PALE;
   const origin = originOf(pose);
@@ -121,7 +121,7 @@ export function lengths(poses, drawn, size) {
   });
 }
 
-/** A marker pen: broad see-through strokes over what is meant. @returns { mark(strokes), dispose() } */
+/** A highlighter: broad transparent strokes over the picture. @returns { mark(strokes), dispose() } */
 export function marker(stage) {
   let strokes = [];
   const [p, q] = [new Vector3(), new Vector3()];
@@ -137,7 +137,7 @@ export function marker(stage) {
       context.lineWidth = from === to ? 1.7 * MARKER_WIDTH_PX : MARKER_WIDTH_PX;
       context.beginPath();
       context.moveTo(p.x, p.y);
-      context.lineTo(q.x + 0.01, q.y); // a point is a very short line
+      context.lineTo(q.x + 0.01, q.y); // a canvas draws no line of length 0
       context.stroke();
     }
     context.restore();

@@ -1,4 +1,4 @@
-// Modes: what a viewer can do beyond showing an arm. Each is a function of a kit, and lives in a file of its own.
+// Modes: what a viewer can do in addition to showing an arm. Each one is a function of a kit, in a file of its own.
 
 import { assignmentSteps } from './assignment-steps.js';
 import { configurationCurve } from './configuration-curve.js';
@@ -6,7 +6,7 @@ import { dhRowMotions } from './dh-row.js';
 import { placeFrames } from './place-frames.js';
 
 /**
- * model.get('mode') is {} or { kind, ... } with the data that Python made for it. A mode is a function
+ * model.get('mode') is {} or { kind, ... } with the data that Python computed for it. A mode is a function
  * (kit) -> { element?, replacesSliders?, update?(q, T), applyTheme?(), dispose?() } of
  * kit: { model, stage, data (model.get('mode')), state (q(), set(q)), showMessage(text) }
  */

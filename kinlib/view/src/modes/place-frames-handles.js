@@ -1,9 +1,13 @@
-// What can be picked, drawn over the picture: ends of axes for z, rings on points for the origin, a dial for x.
+// The handles that can be picked: ends of axes for z, rings on points for the origin, a dial for x.
 import { add, cross } from './vectors.js';
 
 const TURN = 2 * Math.PI;
 
-/** @param picks what pick.js gives; @param target () -> { i, part, z, origin, x }; @param broken () -> where a rule is broken */
+/**
+ * @param picks see place-frames-picking.js
+ * @param target () -> { i, part, z, origin, x }
+ * @param broken () -> the points of joints at which a rule is broken
+ */
 export function pickHandles({ stage, data, picks, target, broken }) {
   const overlay = (context) => {
     const { part } = target();
@@ -16,7 +20,7 @@ export function pickHandles({ stage, data, picks, target, broken }) {
   stage.overlays.add(overlay);
   let free = null;
   return {
-    /** Names in the picture keep off the handles. */
+    /** Keep labels from covering the handles. */
     reserveHandles() {
       free ??= stage.reservedBoxes;
       stage.reservedBoxes = () => [
@@ -85,7 +89,7 @@ function drawCircle(context, x, y, radius, colour, width) {
   context.stroke();
 }
 
-/** A joint at which a rule is broken. */
+/** A cross at a joint where a rule is broken. */
 function drawCross(context, x, y, theme) {
   drawDisc(context, x, y, 11, theme, theme.x, true);
   context.strokeStyle = theme.paper;
@@ -98,7 +102,7 @@ function drawCross(context, x, y, theme) {
   context.stroke();
 }
 
-/** Which way z would point; towards the eye, or away from it, it is a dot. */
+/** The direction of z as an arrow; a dot if z points towards the camera or away from it. */
 function drawArrow(context, x, y, angle, colour) {
   context.save();
   context.translate(x, y);
@@ -115,7 +119,7 @@ function drawArrow(context, x, y, angle, colour) {
   context.restore();
 }
 
-/** The name of what is under the pointer, beside it. */
+/** The name of the handle under the pointer, beside it. */
 function drawTooltip(context, picks, stage) {
   const found = picks.hovered();
   if (!found) return;

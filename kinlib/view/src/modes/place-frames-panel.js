@@ -1,4 +1,5 @@
-// The panel of assign mode: which frame, its three parts as lists for keys and screen readers, the rules, the table.
+// The panel for placing frames: the choice of frame, its three parts as lists for keyboards and screen readers, the
+// verdict on the rules, and the DH table.
 import { h, NO_SHORTCUTS } from '../dom.js';
 import { renderMathText } from '../math-text.js';
 import { perpendicularTo } from '../parts.js';
@@ -6,16 +7,19 @@ import { roundStep } from '../stage.js';
 import { dhTable } from './dh-table.js';
 import { add, columnOf, near, openPart, PARTS, rotatePerpendicular } from './vectors.js';
 
-const ROTATION_STEP_DEG = 15; // degrees for one press
+const ROTATION_STEP_DEG = 15; // for one press of a button
 const INSTRUCTIONS = {
-  z: 'Which way does z_{i} point? Tap one end of an axis.',
-  origin: 'Where is O_{i}? Tap a ring, or anywhere on an axis. Then drag it along.',
-  x: 'Which way does x_{i} point? Tap the dial round the origin, or drag the tip of x. It snaps to named directions.',
+  z: 'Choose the direction of z_{i}: tap one end of an axis.',
+  origin: 'Choose O_{i}: tap a ring or any point of an axis. You can then drag it along the axis.',
+  x: 'Choose the direction of x_{i}: tap the dial around O_{i} or drag the tip of x_{i}. It snaps to named directions.',
 };
 const MISSING = {
-  z: 'First give z_{i} a direction: x is square to it.',
-  origin: 'First put O_{i} somewhere: x starts there.',
+  z: 'Choose the direction of z_{i} first, because x_{i} must be perpendicular to it.',
+  origin: 'Place O_{i} first, because x_{i} starts there.',
 };
+const NO_KERNEL =
+  'Checking needs Python, and this page has no kernel. Copy your frames and check them in a notebook ' +
+  'with kl.check_frames, or in the sheet.';
 const SYMBOLS = { z: 'z_', origin: 'O_', x: 'x_' };
 const withIndex = (text, i) => text.replaceAll('{i}', `${i}`);
 
@@ -97,12 +101,12 @@ export function placeFramesPanel({
       const nudge = {
         z: [],
         origin: [
-          button('−', `Slide the origin ${step} m back along z`, () => slide(-1)),
-          button('+', `Slide the origin ${step} m along z`, () => slide(1)),
+          button('−', `Move the origin by −${step} m along z`, () => slide(-1)),
+          button('+', `Move the origin by ${step} m along z`, () => slide(1)),
         ],
         x: [
-          button('↺', `Turn x by ${ROTATION_STEP_DEG} degrees about z`, () => turn(1)),
-          button('↻', `Turn x by ${ROTATION_STEP_DEG} degrees the other way`, () => turn(-1)),
+          button('↺', `Rotate x by ${ROTATION_STEP_DEG} degrees about z`, () => turn(1)),
+          button('↻', `Rotate x by −${ROTATION_STEP_DEG} degrees about z`, () => turn(-1)),
         ],
       }[part];
       return [part, { choose, select, nudge, element: h('div', { class: 'kv-place' }, choose, select, ...nudge) }];
@@ -110,7 +114,7 @@ export function placeFramesPanel({
   );
   const check = h('button', { type: 'button', class: 'kv-main', ...NO_SHORTCUTS, onclick: ask }, 'Check the rules');
   const back = button('↶ Undo', 'Undo the last change', undo);
-  const wipe = button('Clear', 'Take this frame away', clear);
+  const wipe = button('Clear', 'Clear this frame', clear);
   const copy = button('Copy', 'Copy the frames as Python', () => copyFrames());
   const said = h('div', { class: 'kv-verdict', 'aria-live': 'polite' });
   const element = h(
@@ -136,7 +140,7 @@ export function placeFramesPanel({
       copy.textContent = 'Copied';
     } catch {
       said.replaceChildren(
-        h('p', {}, 'The clipboard is closed to this page. Copy this:'),
+        h('p', {}, 'This page has no access to the clipboard. Copy this text:'),
         h('pre', { tabindex: 0 }, text),
       );
       return;
@@ -210,64 +214,49 @@ export function placeFramesPanel({
     const key = JSON.stringify([asked, model.get('asked'), broken, waiting, left, touched().length]);
     if (said.dataset.key === key) return;
     said.dataset.key = key;
-    if (model.withoutKernel && model.get('asked') > (asked ?? 0)) {
-      said.replaceChildren(
+    said.replaceChildren(...verdictNodes());
+
+    function verdictNodes() {
+      if (model.withoutKernel && model.get('asked') > (asked ?? 0)) return [h('p', {}, NO_KERNEL)];
+      if (waiting) return [h('p', {}, 'Checking in Python …')];
+      if (!asked) return [];
+      if (broken.length) return brokenRules(broken);
+      if (touched().length) {
+        const changed = all.length ? 'The frames that broke a rule have changed.' : 'The frames have changed.';
+        return [h('p', {}, `${changed} Check again.`)];
+      }
+      if (left.length) {
+        const names = left.map((k) => `frame ${k}`).join(', ');
+        return [h('p', {}, `No rule is broken so far. Not complete yet: ${names}.`)];
+      }
+      const difference = off < 1e-12 ? 'less than 1e−12' : off.toExponential(0).replace('-', '−');
+      const reversed = table.some((row) => row.join().includes('−q'));
+      return [
+        h('p', { class: 'kv-right' }, '✓ Every rule holds: this is a valid frame assignment.'),
         h(
           'p',
           {},
-          'Judging takes Python, and this page has none. Copy your frames, and check them in the notebook: kl.check_frames, or the sheet.',
-        ),
-      );
-    } else if (waiting) said.replaceChildren(h('p', {}, 'Asking Python …'));
-    else if (!asked) said.replaceChildren();
-    else if (broken.length) {
-      said.replaceChildren(
-        h('p', { class: 'kv-title' }, `${broken.length} broken ${broken.length > 1 ? 'rules' : 'rule'}`),
-        h(
-          'ul',
-          {},
-          ...broken.map((one) =>
-            h(
-              'li',
-              {},
-              h(
-                'button',
-                { type: 'button', class: 'kv-breach', ...NO_SHORTCUTS, onclick: () => go(one.frame, partOf(one.rule)) },
-                h('b', { class: 'kv-wrong' }, `✕ joint ${one.joint}: `),
-                ...renderMathText(one.text),
-              ),
-            ),
-          ),
-        ),
-      );
-    } else if (touched().length) {
-      said.replaceChildren(
-        h(
-          'p',
-          {},
-          all.length
-            ? 'Nothing of what was broken is left as it was. Check again.'
-            : 'The frames have changed. Check again.',
-        ),
-      );
-    } else if (left.length)
-      said.replaceChildren(
-        h('p', {}, `So far no rule is broken. Still open: ${left.map((k) => `frame ${k}`).join(', ')}.`),
-      );
-    else {
-      said.replaceChildren(
-        h('p', { class: 'kv-right' }, '✓ Every rule holds. This is a right assignment.'),
-        h(
-          'p',
-          {},
-          `The table read off your frames is this arm: its poses differ by ${off < 1e-12 ? 'less than 1e−12' : off.toExponential(0).replace('-', '−')}.` +
-            (table.some((row) => row.join().includes('−q'))
-              ? ' Where a z points against its axis, q stands with a minus.'
-              : ''),
+          `The DH table of your frames describes this arm: the poses differ by ${difference}.`,
+          reversed ? ' Where a z axis is antiparallel to its joint axis, q has a minus sign.' : '',
         ),
         dhTable(data.convention, table),
-      );
+      ];
     }
+  }
+
+  function brokenRules(broken) {
+    const items = broken.map((one) =>
+      h(
+        'button',
+        { type: 'button', class: 'kv-breach', ...NO_SHORTCUTS, onclick: () => go(one.frame, partOf(one.rule)) },
+        h('b', { class: 'kv-wrong' }, `✕ joint ${one.joint}: `),
+        ...renderMathText(one.text),
+      ),
+    );
+    return [
+      h('p', { class: 'kv-title' }, `${broken.length} broken ${broken.length > 1 ? 'rules' : 'rule'}`),
+      h('ul', {}, ...items.map((item) => h('li', {}, item))),
+    ];
   }
 
   return {
@@ -277,7 +266,7 @@ export function placeFramesPanel({
   };
 }
 
-/** Each direction once, with all its names: axes may be parallel. */
+/** Each direction once, with all its names, because axes may be parallel. */
 function groupDirections(all) {
   const found = [];
   for (const { along, text } of all) {
@@ -296,7 +285,7 @@ function progressOf(T) {
   return columnOf(T, 2) ? ['◐', 'started'] : ['○', 'not started'];
 }
 
-/** The frames as code: pose((x, y, z), origin) of kinlib.robots, with what is open left out. */
+/** The frames as Python code: pose((x, y, z), origin) of kinlib.robots, and `...` for incomplete frames. */
 function asPython(frames) {
   const number = (value) => `${Number(value.toFixed(12))}`;
   const vector = (values) => `(${values.map(number).join(', ')})`;

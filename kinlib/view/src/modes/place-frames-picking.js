@@ -1,18 +1,21 @@
-// Picking in the picture: what can be taken, drawn over it; what is under the pointer; drags along an axis and round a ring.
-// The eye is orthographic, so lines and planes of space are lines and planes of the picture, only foreshortened.
+// Picking in the picture: the handle under the pointer, and drags along an axis or around a dial.
+// The camera is orthographic, so lines in space are lines in the picture, and ratios along a line are preserved.
 import { Vector3 } from 'three';
 import { perpendicularTo } from '../parts.js';
 import { roundStep } from '../stage.js';
 import { add, cross, dot, minus, norm, rotatePerpendicular } from './vectors.js';
 
-const HANDLE_RADIUS_PX = 18; // pixels round a handle
-const POINT_RADIUS_PX = 14; // pixels round a point, for what moves on a line
+const HANDLE_RADIUS_PX = 18; // around a handle
+const POINT_RADIUS_PX = 14; // around a point, at which an origin on an axis snaps
 const AXIS_DISTANCE_PX = 12;
-const RING_STEP_DEG = 5; // degrees on the ring, where nothing is near
-const DIRECTION_SNAP_DEG = 8; // degrees round a direction that has a name
+const RING_STEP_DEG = 5; // on the dial, away from named directions
+const DIRECTION_SNAP_DEG = 8; // around a named direction
 const DEGREE = Math.PI / 180;
 
-/** @param target () -> { part, z, origin, x } of the frame at hand; @param place (value, kept) puts its part somewhere */
+/**
+ * @param target () -> { part, z, origin, x } of the selected frame
+ * @param place (value, kept, on) sets the selected part, see place-frames.js
+ */
 export function framePicker({ stage, data, target, place }) {
   const { canvas } = stage;
   const { size } = stage.data;
@@ -32,12 +35,12 @@ export function framePicker({ stage, data, target, place }) {
       .filter(({ off }) => off < reach)
       .sort((a, b) => a.off - b.off)[0];
 
-  /** How far along an axis the pointer is: on a picture of a line, shares are those of the line. */
+  /** The point of an axis that is nearest to the pointer, rounded to the grid. */
   function onAxis(axis, pointer) {
     const start = toPixels(axis.point);
     const way = minus(toPixels(add(axis.point, axis.along)), start);
     const length = dot(way, way);
-    if (length < 1) return null; // seen end on
+    if (length < 1) return null; // seen end-on
     const [low, high] = ['from', 'to'].map((end) => dot(minus(axis[end], axis.point), axis.along));
     const raw = dot(minus(pointer, start), way) / length;
     const share = Math.round(Math.max(low, Math.min(high, raw)) / grid) * grid;
@@ -55,15 +58,12 @@ export function framePicker({ stage, data, target, place }) {
       .map((axis) => ({ axis, ...onAxis(axis, pointer) }))
       .filter(({ value, off }) => value && (only || off < AXIS_DISTANCE_PX))
       .sort((a, b) => a.off - b.off)[0];
-    return (
-      found && {
-        ...found,
-        text: `on axis ${data.axes.indexOf(found.axis) + 1}, ${Number(found.share.toPrecision(4))} m from joint ${data.axes.indexOf(found.axis) + 1}`,
-      }
-    );
+    if (!found) return found;
+    const number = data.axes.indexOf(found.axis) + 1;
+    return { ...found, text: `on axis ${number}, ${Number(found.share.toPrecision(4))} m from joint ${number}` };
   }
 
-  /** Directions square to z that have a name. */
+  /** The named directions perpendicular to z. */
   const named = (z) => data.x.filter(({ along }) => Math.abs(dot(along, z)) < 1e-9);
 
   function xAt(pointer, duringDrag) {
@@ -76,7 +76,8 @@ export function framePicker({ stage, data, target, place }) {
     const det = p[0] * q[1] - p[1] * q[0];
     const tips = named(z).map((one) => ({ ...one, at: add(origin, one.along, radius), value: one.along }));
     const tip = nearest(tips, pointer, duringDrag ? 0 : HANDLE_RADIUS_PX);
-    if (tip || Math.abs(det) < (0.04 * radius ** 2) / stage.camera.scale ** 2) return tip ?? null; // the ring is seen edge on
+    const edgeOn = Math.abs(det) < (0.04 * radius ** 2) / stage.camera.scale ** 2;
+    if (tip || edgeOn) return tip ?? null;
     const off = minus(pointer, hub);
     const [a, b] = [(off[0] * q[1] - off[1] * q[0]) / det, (p[0] * off[1] - p[1] * off[0]) / det];
     const out = Math.hypot(a, b);
@@ -106,13 +107,13 @@ export function framePicker({ stage, data, target, place }) {
     origin: (pointer) => originAt(pointer),
     x: (pointer) => xAt(pointer),
   };
-  /** The axis that an origin lies on; of several, the one along its z. */
+  /** The axis through the origin; if there are several, the one along z. */
   function axisOfOrigin() {
     const { origin, z } = target();
     const through = data.axes.filter(({ point, along }) => norm(cross(minus(origin, point), along)) < 1e-9);
     return through.find(({ along }) => z && norm(cross(along, z)) < 1e-9) ?? through[0];
   }
-  /** What is under the hand: the origin of the frame, or the tip of its x. */
+  /** Whether the pointer is on the origin of the frame or on the tip of its x, whichever is selected. */
   function isOnDraggedPart(pointer) {
     const { part, origin, x } = target();
     if (part === 'origin' && origin && axisOfOrigin()) return gap(toPixels(origin), pointer) < HANDLE_RADIUS_PX;
@@ -134,7 +135,7 @@ export function framePicker({ stage, data, target, place }) {
     pointerdown(event) {
       if (event.button || !isOnDraggedPart(pointerOf(event))) return;
       dragging = true;
-      event.stopImmediatePropagation(); // or the eye would turn
+      event.stopImmediatePropagation(); // otherwise the camera would rotate
       canvas.focus({ preventScroll: true });
       canvas.setPointerCapture(event.pointerId);
     },
@@ -150,7 +151,7 @@ export function framePicker({ stage, data, target, place }) {
       if (dragging) event.stopImmediatePropagation();
     },
     pointerup: release,
-    pointercancel: release, // a finger that the page takes for scrolling
+    pointercancel: release, // the browser has started to scroll the page
     pointerleave() {
       hovered = null;
       stage.draw();

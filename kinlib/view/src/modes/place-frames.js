@@ -1,12 +1,12 @@
-// Assign mode: frames placed by hand on bare axes, part by part, by mouse, touch or keys. The frames are a trait, so Python
-// reads them; whether they obey the rules is asked of Python, and what is broken lights up where it is broken.
+// Frames placed by hand on bare joint axes, part by part, by mouse, touch or keyboard. The frames are a trait, so that
+// Python reads them. Python also checks the rules, and a broken rule is highlighted in the picture.
 import { axis, drawPaleArm, frame, lengths, marker } from './frame-drawing.js';
 import { pickHandles } from './place-frames-handles.js';
 import { placeFramesPanel } from './place-frames-panel.js';
 import { framePicker } from './place-frames-picking.js';
 import { add, columnOf, openPart, withPart } from './vectors.js';
 
-const SILENCE_MS = 6000; // milliseconds until silence of Python is mentioned
+const SILENCE_MS = 6000; // without an answer from Python, until the panel says so
 
 /** @param kit.data { convention, axes, z, points, x }, see kinlib/view/candidates.py */
 export function placeFrames({ model, stage, data }) {
@@ -27,8 +27,12 @@ export function placeFrames({ model, stage, data }) {
     model.set('frames', next);
     if (kept) model.save_changes();
   }
-  let held = null; // the frames before a drag began
-  /** Put the part at hand somewhere. @param on whether to go on to what is open next */
+  let held = null; // the frames before the drag
+  /**
+   * Set the selected part.
+   * @param kept whether the value is final, not an intermediate one of a drag
+   * @param on whether to select the next incomplete part afterwards
+   */
   function place(value, kept = true, on = false) {
     const { i, part } = now;
     if (part === 'x' && !columnOf(frames()[i], 2)) return;
@@ -42,9 +46,9 @@ export function placeFrames({ model, stage, data }) {
       frames().map((T, k) => (k === i ? withPart(T, part, value) : T)),
       kept,
     );
-    if (on) changed(); // a pick of what was there already changes no trait
+    if (on) changed(); // picking the present value changes no trait
   }
-  /** After a pick: the next part of this frame, and then the next frame that is open. */
+  /** Select the next missing part of this frame or, if there is none, the next incomplete frame. */
   function next(T) {
     const here = openPart(T);
     const others = frames()
@@ -88,7 +92,7 @@ export function placeFrames({ model, stage, data }) {
     target,
     broken: () => breaches().map(({ joint }) => data.axes[joint - 1].point),
   });
-  /** The breaches of the last verdict, but those about frames that have changed since. */
+  /** The broken rules of the last verdict, without those of frames that have changed since. */
   const breaches = () => {
     const other = ({ frame: i, rule }) => (rule.startsWith('x ') ? i + (data.convention === 'standard' ? -1 : 1) : i);
     const anew = touched();
@@ -112,7 +116,7 @@ export function placeFrames({ model, stage, data }) {
     past,
   });
 
-  /** A frame as far as it is placed; a z without an origin stands on the axis that it was taken from. */
+  /** The placed parts of a frame; a z without an origin is drawn on the joint axis that it is parallel to. */
   function drawnFrame(T) {
     const [x, y, z, origin] = [0, 1, 2, 3].map((k) => columnOf(T, k));
     const joint =

@@ -1,4 +1,4 @@
-// Vectors as arrays of three numbers, and the frames of a hand: 4x4 in rows, with null for what is not placed yet.
+// Vectors as arrays of three numbers, and frames that are being placed: 4x4 in rows, with null for missing parts.
 
 export const add = (p, q, s = 1) => p.map((value, k) => value + s * q[k]);
 export const minus = (p, q) => add(p, q, -1);
@@ -7,13 +7,13 @@ export const norm = (p) => Math.hypot(...p);
 export const cross = ([a, b, c], [x, y, z]) => [b * z - c * y, c * x - a * z, a * y - b * x];
 export const near = (p, q, off = 1e-9) => norm(minus(p, q)) < off;
 
-/** A vector turned about a unit axis that is square to it. */
+/** Rotate a vector about a unit axis perpendicular to it. */
 export function rotatePerpendicular(along, axis, angle) {
   const side = cross(axis, along);
   return along.map((value, k) => tidy(value * Math.cos(angle) + side[k] * Math.sin(angle)));
 }
 
-/** A column of a frame, or null while it is open: 0 to 2 for x, y, z, and 3 for the origin. */
+/** A column of a frame, or null if it is missing: 0 to 2 for x, y, z, and 3 for the origin. */
 export function columnOf(T, k) {
   const values = [0, 1, 2].map((row) => T[row][k]);
   return values.some((value) => value === null) ? null : values;
@@ -21,12 +21,12 @@ export function columnOf(T, k) {
 
 export const PARTS = { z: 2, origin: 3, x: 0 };
 
-/** The first part of a frame that is open; null when it is finished. */
+/** The first missing part of a frame; null if it is complete. */
 export function openPart(T) {
   return Object.keys(PARTS).find((part) => !columnOf(T, PARTS[part])) ?? null;
 }
 
-/** A frame with one part placed. y follows from z and x, and an x that is not square to a new z is taken back. */
+/** The frame with one part set. y follows from z and x; an x that is not perpendicular to a new z is removed. */
 export function withPart(T, part, value) {
   const next = T.map((row) => [...row]);
   const put = (k, vector) =>
@@ -41,7 +41,7 @@ export function withPart(T, part, value) {
   return next;
 }
 
-/** A number without the dust of rounding about 0, and never -0. */
+/** Replace a rounding error around 0, and -0, by 0. */
 function tidy(value) {
   return Math.abs(value) < 1e-15 ? 0 : value;
 }

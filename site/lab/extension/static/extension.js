@@ -1,26 +1,34 @@
-// What the course adds to the lab in the browser: answers are kept as they are made, what was solved is noted for the page
-// of progress, and when the browser cannot do its part, a message says so and what to do. JupyterLab loads this file as a
-// prebuilt extension; what it uses of JupyterLab, it takes from there.
+// What the course adds to the lab in the browser: answers are saved as they are made, solved problems are recorded for
+// the page of progress, and if the browser cannot run or store something, a message says what to do. JupyterLab loads
+// this file as a prebuilt extension and provides its own packages.
 (() => {
   'use strict';
   const NAME = 'kinlib-lab';
-  const KEY = 'kinlib-course'; // what the pages keep there, course.js says
+  const KEY = 'kinlib-course'; // in localStorage; course.js describes the record
   const SOLVED = 'application/vnd.kinlib.solved+json';
-  const PATIENCE = 60; // in seconds
+  const SILENCE_S = 60; // without a result, until a message is shown
 
-  const TOLD = {
-    wasm: 'Python cannot start here: this browser has no WebAssembly, or it is switched off, as lockdown modes do. Open this page in a current Firefox, Chrome, Edge or Safari. You can still read, type and download.',
+  const MESSAGES = {
+    wasm:
+      'Python cannot start, because this browser has no WebAssembly or has it switched off, for example in a ' +
+      'lockdown mode. Open this page in a current Firefox, Chrome, Edge or Safari. ' +
+      'Here you can still read, type and download.',
     storage:
-      'This browser keeps nothing: its storage is full, or the window is private. What you type lasts until you close this tab, so download the notebook before that. To go on later, free some space and save again, or take a window that is not private, and put the file back with Upload, in the folder that the logo leads to.',
+      'This browser cannot store your work, because its storage is full or the window is private. What you type ' +
+      'is lost when you close this tab, so download the notebook first. To continue later, free some space and save ' +
+      'again, or use a window that is not private and upload the file there, ' +
+      'in the folder that a click on the logo opens.',
     starting:
-      'Python is still on its way: 30 MB the first time, from your own disk later. What you type meanwhile is kept.',
-    silent: `A cell has been running for ${PATIENCE} seconds. If it may be stuck, restart Python: what you typed stays, and results come back when you run the cells again.`,
+      'Python is still loading: 30 MB the first time, later from your own disk. What you type in the meantime is kept.',
+    silent:
+      `A cell has been running for ${SILENCE_S} seconds. If it does not end, restart Python: what you typed is kept, ` +
+      'and the results return when you run the cells again.',
     dead: 'Python has stopped. What you typed is still here: restart Python, then run the cells again.',
   };
 
-  let lasts = true; // what is kept, until we know better
+  let storageWorks = true; // until a test or a failed save shows the contrary
   let shared;
-  const take = async (name) => (await Object.values(shared[name])[0].get())();
+  const resolveShared = async (name) => (await Object.values(shared[name])[0].get())();
   window._JUPYTERLAB ??= {};
   window._JUPYTERLAB[NAME] = {
     init(scope) {
@@ -29,34 +37,35 @@
     async get() {
       const packages = ['@jupyterlab/notebook', '@jupyterlab/docmanager', '@jupyterlab/apputils'];
       const [{ INotebookTracker, NotebookActions }, { IDocumentManager }, { Dialog }] = await Promise.all(
-        packages.map(take),
+        packages.map(resolveShared),
       );
       const activate = (app, tracker, manager) => {
-        if (typeof WebAssembly !== 'object') tell('wasm');
+        if (typeof WebAssembly !== 'object') showMessage('wasm');
         const save = ['Download the notebook', () => tracker.currentWidget && download(tracker.currentWidget)];
-        lasting().catch(() => {
-          lasts = false;
-          tell('storage', save);
-        }); // then JupyterLite calls kept what it holds in memory
+        // without storage, JupyterLite reports as saved what is only in memory
+        testStorage().catch(() => {
+          storageWorks = false;
+          showMessage('storage', save);
+        });
         app.commands.addCommand(`${NAME}:download`, {
           label: 'Download',
-          caption: 'Download this notebook as it stands, to hand it in or to keep it',
+          caption: 'Download this notebook in its present state, to hand it in or to keep it',
           execute: () => download(tracker.currentWidget),
         });
         tracker.widgetAdded.connect((_, panel) => {
-          watch(panel);
+          watchKernel(panel);
           panel.context.saveState.connect((__, state) => {
             if (state === 'failed') {
-              manager.autosave = false; // or a dialog would come between every two words
+              manager.autosave = false; // otherwise a dialog would interrupt the typing again and again
               setTimeout(() => Dialog.flush());
-              tell('storage', save);
-            } else if (state.startsWith('completed') && lasts) {
+              showMessage('storage', save);
+            } else if (state.startsWith('completed') && storageWorks) {
               manager.autosave = true;
-              untell('storage');
+              hideMessages('storage');
             }
           });
         });
-        NotebookActions.executed.connect((_, { cell }) => note(cell));
+        NotebookActions.executed.connect((_, { cell }) => recordSolved(cell));
       };
       return () => ({
         __esModule: true,
@@ -67,33 +76,36 @@
 
   // --- answers ---
 
-  function watch(panel) {
+  function watchKernel(panel) {
     const { context, sessionContext } = panel;
-    const keep = () => context.model.dirty && context.save().catch(() => {});
+    const save = () => context.model.dirty && context.save().catch(() => {});
     const restart = [
       'Restart Python',
       () => {
-        untell('silent', 'dead', 'starting');
+        hideMessages('silent', 'dead', 'starting');
         sessionContext.restartKernel();
       },
     ];
-    let heard = false;
+    let hasStarted = false;
     let waiting;
 
-    document.addEventListener('visibilitychange', () => document.hidden && keep());
+    document.addEventListener('visibilitychange', () => document.hidden && save());
 
     sessionContext.statusChanged.connect((_, status) => {
       clearTimeout(waiting);
-      heard ||= status === 'idle';
+      hasStarted ||= status === 'idle';
       if (status === 'busy' || status === 'starting') {
-        waiting = setTimeout(() => (heard ? tell('silent', restart) : tell('starting')), PATIENCE * 1000);
-      } else if (status === 'dead') tell('dead', restart);
-      else untell('silent', 'dead', 'starting');
+        waiting = setTimeout(
+          () => (hasStarted ? showMessage('silent', restart) : showMessage('starting')),
+          SILENCE_S * 1000,
+        );
+      } else if (status === 'dead') showMessage('dead', restart);
+      else hideMessages('silent', 'dead', 'starting');
     });
   }
 
-  /** Whether anything can be kept: some private windows refuse to open the store, some only to write. */
-  function lasting() {
+  /** Test whether anything can be stored: some private windows cannot open a database, others cannot write to it. */
+  function testStorage() {
     return new Promise((resolve, reject) => {
       const opened = indexedDB.open(NAME, 1);
       opened.onupgradeneeded = () => opened.result.createObjectStore('probe');
@@ -107,7 +119,7 @@
     });
   }
 
-  /** The notebook as it stands on the screen, as a file: what cannot be kept can still be taken away. */
+  /** Download the notebook in its present state, so that nothing is lost even if it cannot be stored. */
   function download({ context, content }) {
     const text = JSON.stringify(content.model.toJSON(), null, 1);
     const link = document.createElement('a');
@@ -119,8 +131,8 @@
 
   // --- progress ---
 
-  /** Remember a problem whose check gave full marks. It is for the reader's eyes: whoever grades runs the sheet anew. */
-  function note(cell) {
+  /** Record the problems whose check gave full marks, for the reader only: grading runs the sheet again. */
+  function recordSolved(cell) {
     const outputs = cell.model.outputs?.toJSON() ?? [];
     const solved = outputs
       .map(({ data }) => data?.[SOLVED])
@@ -132,37 +144,40 @@
       const before = Array.isArray(kept.solved) ? kept.solved : [];
       localStorage.setItem(KEY, JSON.stringify({ ...kept, solved: [...new Set([...before, ...solved])] }));
     } catch {
-      /* it is not kept, as the message about storage says */
+      /* nothing is stored, as the message about storage says */
     }
   }
 
   // --- messages ---
 
-  const board = document.createElement('div');
-  board.style.cssText =
-    'position:fixed;z-index:10000;left:50%;bottom:1rem;transform:translateX(-50%);width:min(44rem,94vw);display:grid;gap:.5rem;font:15px/1.45 system-ui,sans-serif';
-  board.setAttribute('role', 'alert');
-  document.body.append(board);
+  const messages = document.createElement('div');
+  messages.style.cssText =
+    'position:fixed;z-index:10000;left:50%;bottom:1rem;transform:translateX(-50%);' +
+    'width:min(44rem,94vw);display:grid;gap:.5rem;font:15px/1.45 system-ui,sans-serif';
+  messages.setAttribute('role', 'alert');
+  document.body.append(messages);
 
-  function tell(name, ...actions) {
-    if (board.querySelector(`[data-told="${name}"]`)) return;
+  function showMessage(name, ...actions) {
+    if (messages.querySelector(`[data-message="${name}"]`)) return;
     const card = document.createElement('div');
-    card.dataset.told = name;
+    card.dataset.message = name;
     card.style.cssText =
-      'background:#fff8e6;color:#1f2328;border:1px solid #8a5a00;border-left-width:6px;border-radius:.4rem;padding:.7rem 1rem;box-shadow:0 4px 18px #0004';
-    card.append(TOLD[name], document.createElement('br'));
-    for (const [label, act] of [...actions, ['Close', () => untell(name)]]) {
+      'background:#fff8e6;color:#1f2328;border:1px solid #8a5a00;border-left-width:6px;' +
+      'border-radius:.4rem;padding:.7rem 1rem;box-shadow:0 4px 18px #0004';
+    card.append(MESSAGES[name], document.createElement('br'));
+    for (const [label, act] of [...actions, ['Close', () => hideMessages(name)]]) {
       const button = document.createElement('button');
       button.textContent = label;
       button.style.cssText =
-        'margin:.5rem .5rem 0 0;padding:.25rem .8rem;font:inherit;color:inherit;background:#fff;border:1px solid #8a5a00;border-radius:.3rem;cursor:pointer';
+        'margin:.5rem .5rem 0 0;padding:.25rem .8rem;font:inherit;color:inherit;background:#fff;' +
+        'border:1px solid #8a5a00;border-radius:.3rem;cursor:pointer';
       button.onclick = act;
       card.append(button);
     }
-    board.append(card);
+    messages.append(card);
   }
 
-  function untell(...names) {
-    for (const name of names) board.querySelector(`[data-told="${name}"]`)?.remove();
+  function hideMessages(...names) {
+    for (const name of names) messages.querySelector(`[data-message="${name}"]`)?.remove();
   }
 })();
