@@ -15,5 +15,6 @@ def wrap_angle(angle: ArrayLike) -> Array:
     array([ 3.14159265,  3.14159265, -1.57079633,  0.5       ])
     """
     angle = np.asarray(angle, dtype=float)
-    wrapped: Array = angle - 2 * np.pi * np.ceil(angle / (2 * np.pi) - 0.5)
-    return wrapped
+    # Beside -pi the quotient is rounded to -1/2, so that what lies in the interval already has to be left out.
+    is_inside = (-np.pi < angle) & (angle <= np.pi)
+    return np.where(is_inside, angle, angle - 2 * np.pi * np.ceil(angle / (2 * np.pi) - 0.5))
