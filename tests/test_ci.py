@@ -3,6 +3,7 @@
 import os
 import subprocess
 import sys
+import tomllib
 from pathlib import Path
 
 import pytest
@@ -41,6 +42,13 @@ def test_every_ci_run_prints_the_ten_slowest_tests(file):
     lines = [line for line in (ROOT / file).read_text("utf-8").splitlines() if "course.py test" in line]
     assert lines
     assert all(line.endswith("--durations=10") for line in lines)
+
+
+def test_mutation_testing_names_files_that_exist():
+    settings = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["tool"]["mutmut"]
+    patterns = [*settings["source_paths"], *settings["pytest_add_cli_args_test_selection"], *settings["also_copy"]]
+    patterns += [f"**/{pattern.removeprefix('*/')}" for pattern in settings["do_not_mutate"]]
+    assert [pattern for pattern in patterns if not any(ROOT.glob(pattern))] == []
 
 
 TESTS = """
