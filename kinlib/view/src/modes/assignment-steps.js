@@ -3,7 +3,7 @@ import { h, NO_SHORTCUTS } from '../dom.js';
 import { renderMathText } from '../math-text.js';
 import { dashedLine } from '../shapes.js';
 import { dhTable } from './dh-table.js';
-import { axis, column, drawPaleArm, frame, lengths, marker, originOf } from './frame-drawing.js';
+import { axis, column, createHighlighter, drawPaleArm, frame, lengths, originOf } from './frame-drawing.js';
 import { add } from './vectors.js';
 
 const KEY_STEPS = {
@@ -19,7 +19,7 @@ const KEY_STEPS = {
 
 /** @param kit.data { conventions: { standard, modified } }, each { axes, normals, frames, table, steps } */
 export function assignmentSteps({ model, stage, data }) {
-  const pen = marker(stage);
+  const highlighter = createHighlighter(stage);
   const { size } = stage.data;
   const now = () => data.conventions[model.get('convention')];
   const last = now().steps.length - 1;
@@ -126,7 +126,7 @@ export function assignmentSteps({ model, stage, data }) {
       ],
       { through: true },
     );
-    pen.mark([
+    highlighter.mark([
       ...(step.axes.every(Boolean) ? [] : axes.filter((_, i) => step.axes[i]).map(([from, to]) => ({ from, to }))),
       ...normals.filter((_, i) => step.normals[i] && !step.strong.every(Boolean)).map((normal) => ends(normal, size)),
       ...shown.flatMap(({ pose, i }) =>
@@ -151,7 +151,7 @@ export function assignmentSteps({ model, stage, data }) {
     },
     dispose() {
       for (const name of names) model.off(name, changed);
-      pen.dispose();
+      highlighter.dispose();
     },
   };
 }

@@ -22,7 +22,7 @@ export function dhRowMotions({ model, stage, data }) {
   const done = () => model.get('done');
   const calm = matchMedia('(prefers-reduced-motion: reduce)');
   const shares = () => tracks.map(({ motions }) => motions.map((_, k) => Math.max(0, Math.min(1, done() - k))));
-  const arcs = angleSectors(stage, tracks, shares, 0.62 * FRAME_LENGTH * size);
+  const sectors = angleSectors(stage, tracks, shares, 0.62 * FRAME_LENGTH * size);
   let flight = 0;
   let drawnUpTo = -1;
 
@@ -115,12 +115,12 @@ export function dhRowMotions({ model, stage, data }) {
         ...renderMathText(motion.symbol),
       ),
     );
-    const said = h('p', { class: 'kv-said' });
+    const explanation = h('p', { class: 'kv-said' });
     const head = title ? [h('p', { class: 'kv-title' }, `${title} convention`)] : [];
     return {
       factors,
-      said,
-      element: h('div', { class: 'kv-track' }, ...head, h('div', { class: 'kv-product' }, ...factors), said),
+      explanation,
+      element: h('div', { class: 'kv-track' }, ...head, h('div', { class: 'kv-product' }, ...factors), explanation),
     };
   });
   const element = h(
@@ -139,7 +139,7 @@ export function dhRowMotions({ model, stage, data }) {
     slider.setAttribute('aria-valuetext', `${formatNumber(count, Number.isInteger(count) ? 0 : 1)} of ${last} motions`);
     back.setAttribute('aria-disabled', String(count <= 0));
     next.setAttribute('aria-disabled', String(count >= last));
-    lines.forEach(({ factors, said }, k) => {
+    lines.forEach(({ factors, explanation }, k) => {
       factors.forEach((factor, i) => {
         factor.classList.toggle('kv-done', i < at);
         if (i === at - 1) factor.setAttribute('aria-current', 'step');
@@ -147,8 +147,8 @@ export function dhRowMotions({ model, stage, data }) {
       });
       const text = at ? tracks[k].motions[at - 1].text : 'No motion is complete yet: the frame is at its start.';
       // a screen reader announces changes, so an unchanged text must not be set again
-      if (said.dataset.text !== text) said.replaceChildren(...renderMathText(text));
-      said.dataset.text = text;
+      if (explanation.dataset.text !== text) explanation.replaceChildren(...renderMathText(text));
+      explanation.dataset.text = text;
     });
   }
 
@@ -280,7 +280,7 @@ export function dhRowMotions({ model, stage, data }) {
     dispose() {
       stop();
       model.off('change:done', changed);
-      arcs.dispose();
+      sectors.dispose();
     },
   };
 }

@@ -4,8 +4,8 @@ import * as parts from '../parts.js';
 import { dashedLine } from '../shapes.js';
 import { add } from './vectors.js';
 
-const MARKER_WIDTH_PX = 17;
-const MARKER_COLOURS = {
+const HIGHLIGHT_WIDTH_PX = 17;
+const HIGHLIGHT_COLOURS = {
   light: { named: '#ffec99', wrong: '#ffb3ad' },
   dark: { named: '#5c4a00', wrong: '#661a1a' },
 };
@@ -122,7 +122,7 @@ export function lengths(poses, drawn, size) {
 }
 
 /** A highlighter: broad transparent strokes over the picture. @returns { mark(strokes), dispose() } */
-export function marker(stage) {
+export function createHighlighter(stage) {
   let strokes = [];
   const [p, q] = [new Vector3(), new Vector3()];
   const overlay = (context, camera) => {
@@ -133,8 +133,8 @@ export function marker(stage) {
     for (const { from, to = from, wrong } of strokes) {
       camera.project(p.set(...from), p);
       camera.project(q.set(...to), q);
-      context.strokeStyle = MARKER_COLOURS[dark ? 'dark' : 'light'][wrong ? 'wrong' : 'named'];
-      context.lineWidth = from === to ? 1.7 * MARKER_WIDTH_PX : MARKER_WIDTH_PX;
+      context.strokeStyle = HIGHLIGHT_COLOURS[dark ? 'dark' : 'light'][wrong ? 'wrong' : 'named'];
+      context.lineWidth = from === to ? 1.7 * HIGHLIGHT_WIDTH_PX : HIGHLIGHT_WIDTH_PX;
       context.beginPath();
       context.moveTo(p.x, p.y);
       context.lineTo(q.x + 0.01, q.y); // a canvas draws no line of length 0

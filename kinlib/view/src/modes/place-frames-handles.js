@@ -4,28 +4,28 @@ import { add, cross } from './vectors.js';
 const TURN = 2 * Math.PI;
 
 /**
- * @param picks see place-frames-picking.js
- * @param target () -> { i, part, z, origin, x }
+ * @param picker see place-frames-picking.js
+ * @param selected () -> { i, part, z, origin, x }
  * @param broken () -> the points of joints at which a rule is broken
  */
-export function pickHandles({ stage, data, picks, target, broken }) {
+export function pickHandles({ stage, data, picker, selected, broken }) {
   const overlay = (context) => {
-    const { part } = target();
+    const { part } = selected();
     context.save();
-    for (const at of broken()) drawCross(context, ...picks.toPixels(at), stage.theme);
-    DRAW_HANDLES[part]({ context, theme: stage.theme, data, picks, ...target() });
-    drawTooltip(context, picks, stage);
+    for (const at of broken()) drawCross(context, ...picker.toPixels(at), stage.theme);
+    DRAW_HANDLES[part]({ context, theme: stage.theme, data, picker, ...selected() });
+    drawTooltip(context, picker, stage);
     context.restore();
   };
   stage.overlays.add(overlay);
-  let free = null;
+  let otherBoxes = null;
   return {
     /** Keep labels from covering the handles. */
     reserveHandles() {
-      free ??= stage.reservedBoxes;
+      otherBoxes ??= stage.reservedBoxes;
       stage.reservedBoxes = () => [
-        ...free(),
-        ...{ z: data.z, origin: data.points, x: [] }[target().part].map(({ at }) => box(picks.toPixels(at), 9)),
+        ...otherBoxes(),
+        ...{ z: data.z, origin: data.points, x: [] }[selected().part].map(({ at }) => box(picker.toPixels(at), 9)),
       ];
     },
     dispose: () => stage.overlays.delete(overlay),
@@ -35,39 +35,39 @@ export function pickHandles({ stage, data, picks, target, broken }) {
 const box = ([x, y], half) => ({ left: x - half, right: x + half, top: y - half, bottom: y + half });
 
 const DRAW_HANDLES = {
-  z({ context, theme, data, picks, z }) {
+  z({ context, theme, data, picker, z }) {
     for (const { at, along } of data.z) {
-      const [x, y] = picks.toPixels(at);
-      const [dx, dy] = picks.toPixels(add(at, along, 1e-3 * picks.radius));
+      const [x, y] = picker.toPixels(at);
+      const [dx, dy] = picker.toPixels(add(at, along, 1e-3 * picker.radius));
       const angle = Math.hypot(dx - x, dy - y) > 1e-5 ? Math.atan2(dy - y, dx - x) : null;
       drawDisc(context, x, y, 10, theme, theme.axis, z && same(along, z));
       drawArrow(context, x, y, angle, z && same(along, z) ? theme.paper : theme.axis);
     }
   },
-  origin({ context, theme, data, picks, origin }) {
+  origin({ context, theme, data, picker, origin }) {
     for (const { at } of data.points)
-      drawDisc(context, ...picks.toPixels(at), 6.5, theme, theme.ink, origin && same(at, origin));
-    if (origin) drawCircle(context, ...picks.toPixels(origin), 11, theme.normal, 3);
+      drawDisc(context, ...picker.toPixels(at), 6.5, theme, theme.ink, origin && same(at, origin));
+    if (origin) drawCircle(context, ...picker.toPixels(origin), 11, theme.normal, 3);
   },
-  x({ context, theme, picks, z, origin, x }) {
+  x({ context, theme, picker, z, origin, x }) {
     if (!z || !origin) return;
-    const u = picks.named(z)[0]?.along ?? x;
+    const u = picker.namedDirections(z)[0]?.along ?? x;
     if (!u) return;
     const v = cross(z, u);
     context.beginPath();
     for (let k = 0; k <= 72; k += 1) {
       const angle = (TURN * k) / 72;
-      const at = add(add(origin, u, picks.radius * Math.cos(angle)), v, picks.radius * Math.sin(angle));
-      context[k ? 'lineTo' : 'moveTo'](...picks.toPixels(at));
+      const at = add(add(origin, u, picker.radius * Math.cos(angle)), v, picker.radius * Math.sin(angle));
+      context[k ? 'lineTo' : 'moveTo'](...picker.toPixels(at));
     }
     context.strokeStyle = theme.x;
     context.setLineDash([2, 4]);
     context.lineWidth = 2;
     context.stroke();
     context.setLineDash([]);
-    for (const { along } of picks.named(z))
-      drawDisc(context, ...picks.toPixels(add(origin, along, picks.radius)), 7, theme, theme.x, x && same(along, x));
-    if (x) drawCircle(context, ...picks.toPixels(add(origin, x, picks.radius)), 12, theme.normal, 3);
+    for (const { along } of picker.namedDirections(z))
+      drawDisc(context, ...picker.toPixels(add(origin, along, picker.radius)), 7, theme, theme.x, x && same(along, x));
+    if (x) drawCircle(context, ...picker.toPixels(add(origin, x, picker.radius)), 12, theme.normal, 3);
   },
 };
 
@@ -120,10 +120,10 @@ function drawArrow(context, x, y, angle, colour) {
 }
 
 /** The name of the handle under the pointer, beside it. */
-function drawTooltip(context, picks, stage) {
-  const found = picks.hovered();
+function drawTooltip(context, picker, stage) {
+  const found = picker.hovered();
   if (!found) return;
-  const [x, y] = picks.toPixels(found.at);
+  const [x, y] = picker.toPixels(found.at);
   const { theme, width } = stage;
   drawCircle(context, x, y, 13, theme.normal, 3);
   context.font = '600 13px "Segoe UI", "Helvetica Neue", "DejaVu Sans", Arial, sans-serif';

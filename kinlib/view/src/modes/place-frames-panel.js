@@ -26,23 +26,23 @@ const withIndex = (text, i) => text.replaceAll('{i}', `${i}`);
 export function placeFramesPanel({
   model,
   data,
-  target,
+  selected,
   size,
-  picks,
-  place,
-  go,
+  picker,
+  setPart,
+  selectPart,
   undo,
   clear,
-  ask,
+  requestVerdict,
   breaches,
-  touched,
-  past,
+  changedFrames,
+  history,
 }) {
   const frames = () => model.get('frames');
   const button = (text, label, act) =>
     h('button', { type: 'button', ...NO_SHORTCUTS, 'aria-label': label, title: label, onclick: act }, text);
   const tabs = frames().map((_, i) =>
-    h('button', { type: 'button', class: 'kv-tab', ...NO_SHORTCUTS, onclick: () => go(i) }),
+    h('button', { type: 'button', class: 'kv-tab', ...NO_SHORTCUTS, onclick: () => selectPart(i) }),
   );
   const bar = h(
     'div',
@@ -54,31 +54,31 @@ export function placeFramesPanel({
         const by = { ArrowRight: 1, ArrowLeft: -1 }[event.key];
         if (!by) return;
         event.preventDefault();
-        go((target().i + by + tabs.length) % tabs.length);
-        tabs[target().i].focus();
+        selectPart((selected().i + by + tabs.length) % tabs.length);
+        tabs[selected().i].focus();
       },
     },
     ...tabs,
   );
-  const how = h('p', { class: 'kv-how', 'aria-live': 'polite' });
+  const instruction = h('p', { class: 'kv-how', 'aria-live': 'polite' });
   const step = roundStep(size / 25);
-  const at = (part, act) => {
-    if (target().part !== part) go(target().i, part);
+  const withPartSelected = (part, act) => {
+    if (selected().part !== part) selectPart(selected().i, part);
     act();
   };
-  const slide = (by) =>
-    at('origin', () => {
-      const { origin, z } = target();
-      if (origin && z) place(add(origin, z, by * step));
+  const moveOrigin = (by) =>
+    withPartSelected('origin', () => {
+      const { origin, z } = selected();
+      if (origin && z) setPart(add(origin, z, by * step));
     });
-  const turn = (by) =>
-    at('x', () => {
-      const { x, z } = target();
+  const rotateX = (by) =>
+    withPartSelected('x', () => {
+      const { x, z } = selected();
       if (z)
-        place(
+        setPart(
           x
             ? rotatePerpendicular(x, z, (by * ROTATION_STEP_DEG * Math.PI) / 180)
-            : (picks.named(z)[0]?.along ?? perpendicularTo(z)),
+            : (picker.namedDirections(z)[0]?.along ?? perpendicularTo(z)),
         );
     });
   const lists = { z: groupDirections(data.z), origin: data.points.map(({ at: point, text }) => [point, text]) };
@@ -88,35 +88,39 @@ export function placeFramesPanel({
         type: 'button',
         class: 'kv-part',
         ...NO_SHORTCUTS,
-        onclick: () => go(target().i, part),
+        onclick: () => selectPart(selected().i, part),
       });
       const select = h('select', {
         ...NO_SHORTCUTS,
-        onfocus: () => target().part !== part && go(target().i, part),
+        onfocus: () => selected().part !== part && selectPart(selected().i, part),
         onchange: () => {
           const value = JSON.parse(select.value);
-          if (value) at(part, () => place(value));
+          if (value) withPartSelected(part, () => setPart(value));
         },
       });
       const nudge = {
         z: [],
         origin: [
-          button('−', `Move the origin by −${step} m along z`, () => slide(-1)),
-          button('+', `Move the origin by ${step} m along z`, () => slide(1)),
+          button('−', `Move the origin by −${step} m along z`, () => moveOrigin(-1)),
+          button('+', `Move the origin by ${step} m along z`, () => moveOrigin(1)),
         ],
         x: [
-          button('↺', `Rotate x by ${ROTATION_STEP_DEG} degrees about z`, () => turn(1)),
-          button('↻', `Rotate x by −${ROTATION_STEP_DEG} degrees about z`, () => turn(-1)),
+          button('↺', `Rotate x by ${ROTATION_STEP_DEG} degrees about z`, () => rotateX(1)),
+          button('↻', `Rotate x by −${ROTATION_STEP_DEG} degrees about z`, () => rotateX(-1)),
         ],
       }[part];
       return [part, { choose, select, nudge, element: h('div', { class: 'kv-place' }, choose, select, ...nudge) }];
     }),
   );
-  const check = h('button', { type: 'button', class: 'kv-main', ...NO_SHORTCUTS, onclick: ask }, 'Check the rules');
+  const check = h(
+    'button',
+    { type: 'button', class: 'kv-main', ...NO_SHORTCUTS, onclick: requestVerdict },
+    'Check the rules',
+  );
   const back = button('↶ Undo', 'Undo the last change', undo);
-  const wipe = button('Clear', 'Clear this frame', clear);
+  const clearButton = button('Clear', 'Clear this frame', clear);
   const copy = button('Copy', 'Copy the frames as Python', () => copyFrames());
-  const said = h('div', { class: 'kv-verdict', 'aria-live': 'polite' });
+  const verdictBox = h('div', { class: 'kv-verdict', 'aria-live': 'polite' });
   const element = h(
     'section',
     { class: 'kv-player kv-assign', role: 'group', 'aria-label': 'Frames by hand' },
@@ -127,19 +131,19 @@ export function placeFramesPanel({
       h('span', { class: 'kv-told' }, `${data.convention} convention`),
     ),
     bar,
-    how,
+    instruction,
     ...Object.values(rows).map((row) => row.element),
-    h('div', { class: 'kv-buttons' }, check, back, wipe, copy),
-    said,
+    h('div', { class: 'kv-buttons' }, check, back, clearButton, copy),
+    verdictBox,
   );
 
   async function copyFrames() {
-    const text = asPython(frames());
+    const text = formatPython(frames());
     try {
       await navigator.clipboard.writeText(text);
       copy.textContent = 'Copied';
     } catch {
-      said.replaceChildren(
+      verdictBox.replaceChildren(
         h('p', {}, 'This page has no access to the clipboard. Copy this text:'),
         h('pre', { tabindex: 0 }, text),
       );
@@ -150,11 +154,13 @@ export function placeFramesPanel({
     }, 1500);
   }
 
-  function fill(part, { select, choose, nudge }, state) {
+  function updatePart(part, { select, choose, nudge }, state) {
     const { i } = state;
     const value = state[part];
     const list =
-      part === 'x' ? (state.z ? picks.named(state.z) : []).map(({ along, text }) => [along, text]) : lists[part];
+      part === 'x'
+        ? (state.z ? picker.namedDirections(state.z) : []).map(({ along, text }) => [along, text])
+        : lists[part];
     const found = value && list.findIndex(([other]) => near(other, value));
     const own =
       value && found < 0
@@ -185,7 +191,7 @@ export function placeFramesPanel({
   }
 
   function update() {
-    const state = target();
+    const state = selected();
     const { i, part, waiting } = state;
     const broken = breaches();
     tabs.forEach((tab, k) => {
@@ -198,11 +204,11 @@ export function placeFramesPanel({
     });
     const missing = part === 'x' && ['z', 'origin'].find((needed) => !state[needed]);
     const text = withIndex(missing ? MISSING[missing] : INSTRUCTIONS[part], i);
-    if (how.dataset.text !== text) how.replaceChildren(...renderMathText(text));
-    how.dataset.text = text;
-    for (const name of Object.keys(rows)) fill(name, rows[name], state);
+    if (instruction.dataset.text !== text) instruction.replaceChildren(...renderMathText(text));
+    instruction.dataset.text = text;
+    for (const name of Object.keys(rows)) updatePart(name, rows[name], state);
     check.setAttribute('aria-disabled', String(waiting));
-    back.disabled = !past.length;
+    back.disabled = !history.length;
     showVerdict(broken, waiting);
   }
 
@@ -211,17 +217,17 @@ export function placeFramesPanel({
     const left = frames()
       .map((T, k) => (openPart(T) ? k : null))
       .filter((k) => k !== null);
-    const key = JSON.stringify([asked, model.get('asked'), broken, waiting, left, touched().length]);
-    if (said.dataset.key === key) return;
-    said.dataset.key = key;
-    said.replaceChildren(...verdictNodes());
+    const key = JSON.stringify([asked, model.get('asked'), broken, waiting, left, changedFrames().length]);
+    if (verdictBox.dataset.key === key) return;
+    verdictBox.dataset.key = key;
+    verdictBox.replaceChildren(...verdictNodes());
 
     function verdictNodes() {
       if (model.withoutKernel && model.get('asked') > (asked ?? 0)) return [h('p', {}, NO_KERNEL)];
       if (waiting) return [h('p', {}, 'Checking in Python …')];
       if (!asked) return [];
       if (broken.length) return brokenRules(broken);
-      if (touched().length) {
+      if (changedFrames().length) {
         const changed = all.length ? 'The frames that broke a rule have changed.' : 'The frames have changed.';
         return [h('p', {}, `${changed} Check again.`)];
       }
@@ -248,7 +254,12 @@ export function placeFramesPanel({
     const items = broken.map((one) =>
       h(
         'button',
-        { type: 'button', class: 'kv-breach', ...NO_SHORTCUTS, onclick: () => go(one.frame, partOf(one.rule)) },
+        {
+          type: 'button',
+          class: 'kv-breach',
+          ...NO_SHORTCUTS,
+          onclick: () => selectPart(one.frame, partOfRule(one.rule)),
+        },
         h('b', { class: 'kv-wrong' }, `✕ joint ${one.joint}: `),
         ...renderMathText(one.text),
       ),
@@ -262,7 +273,7 @@ export function placeFramesPanel({
   return {
     element,
     update,
-    showNoAnswer: () => said.replaceChildren(h('p', {}, 'No answer from Python yet. Is the kernel running?')),
+    showNoAnswer: () => verdictBox.replaceChildren(h('p', {}, 'No answer from Python yet. Is the kernel running?')),
   };
 }
 
@@ -277,7 +288,7 @@ function groupDirections(all) {
   return found;
 }
 
-const partOf = (rule) => ['z', 'origin'].find((part) => rule.startsWith(part)) ?? 'x';
+const partOfRule = (rule) => ['z', 'origin'].find((part) => rule.startsWith(part)) ?? 'x';
 
 /** The mark of a frame that breaks no rule, and its name for screen readers. */
 function progressOf(T) {
@@ -286,7 +297,7 @@ function progressOf(T) {
 }
 
 /** The frames as Python code: pose((x, y, z), origin) of kinlib.robots, and `...` for incomplete frames. */
-function asPython(frames) {
+function formatPython(frames) {
   const number = (value) => `${Number(value.toFixed(12))}`;
   const vector = (values) => `(${values.map(number).join(', ')})`;
   const lines = frames.map((T) =>

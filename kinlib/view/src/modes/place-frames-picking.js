@@ -13,10 +13,10 @@ const DIRECTION_SNAP_DEG = 8; // around a named direction
 const DEGREE = Math.PI / 180;
 
 /**
- * @param target () -> { part, z, origin, x } of the selected frame
- * @param place (value, kept, on) sets the selected part, see place-frames.js
+ * @param selected () -> { part, z, origin, x } of the selected frame
+ * @param setPart (value, final, advance) sets the selected part, see place-frames.js
  */
-export function framePicker({ stage, data, target, place }) {
+export function framePicker({ stage, data, selected, setPart }) {
   const { canvas } = stage;
   const { size } = stage.data;
   const radius = 0.3 * size;
@@ -28,10 +28,10 @@ export function framePicker({ stage, data, target, place }) {
     const { x, y } = stage.camera.project(new Vector3(...point), new Vector3());
     return [x, y];
   };
-  const gap = (p, q) => Math.hypot(p[0] - q[0], p[1] - q[1]);
+  const distance = (p, q) => Math.hypot(p[0] - q[0], p[1] - q[1]);
   const nearest = (list, pointer, reach) =>
     list
-      .map((item) => ({ ...item, off: gap(toPixels(item.at), pointer) }))
+      .map((item) => ({ ...item, off: distance(toPixels(item.at), pointer) }))
       .filter(({ off }) => off < reach)
       .sort((a, b) => a.off - b.off)[0];
 
@@ -45,7 +45,7 @@ export function framePicker({ stage, data, target, place }) {
     const raw = dot(minus(pointer, start), way) / length;
     const share = Math.round(Math.max(low, Math.min(high, raw)) / grid) * grid;
     const at = add(axis.point, axis.along, share);
-    return { value: at, at, off: gap(toPixels(at), pointer), share };
+    return { value: at, at, off: distance(toPixels(at), pointer), share };
   }
 
   function originAt(pointer, only) {
@@ -64,17 +64,17 @@ export function framePicker({ stage, data, target, place }) {
   }
 
   /** The named directions perpendicular to z. */
-  const named = (z) => data.x.filter(({ along }) => Math.abs(dot(along, z)) < 1e-9);
+  const namedDirections = (z) => data.x.filter(({ along }) => Math.abs(dot(along, z)) < 1e-9);
 
   function xAt(pointer, duringDrag) {
-    const { z, origin } = target();
+    const { z, origin } = selected();
     if (!z || !origin) return null;
-    const u = named(z)[0]?.along ?? perpendicularTo(z);
+    const u = namedDirections(z)[0]?.along ?? perpendicularTo(z);
     const v = cross(z, u);
     const hub = toPixels(origin);
     const [p, q] = [u, v].map((along) => minus(toPixels(add(origin, along, radius)), hub));
     const det = p[0] * q[1] - p[1] * q[0];
-    const tips = named(z).map((one) => ({ ...one, at: add(origin, one.along, radius), value: one.along }));
+    const tips = namedDirections(z).map((one) => ({ ...one, at: add(origin, one.along, radius), value: one.along }));
     const tip = nearest(tips, pointer, duringDrag ? 0 : HANDLE_RADIUS_PX);
     const edgeOn = Math.abs(det) < (0.04 * radius ** 2) / stage.camera.scale ** 2;
     if (tip || edgeOn) return tip ?? null;
@@ -99,7 +99,7 @@ export function framePicker({ stage, data, target, place }) {
     };
   }
 
-  const HITS = {
+  const FIND_HANDLE = {
     z: (pointer) => {
       const found = nearest(data.z, pointer, HANDLE_RADIUS_PX);
       return found && { ...found, value: found.along };
@@ -109,17 +109,17 @@ export function framePicker({ stage, data, target, place }) {
   };
   /** The axis through the origin; if there are several, the one along z. */
   function axisOfOrigin() {
-    const { origin, z } = target();
+    const { origin, z } = selected();
     const through = data.axes.filter(({ point, along }) => norm(cross(minus(origin, point), along)) < 1e-9);
     return through.find(({ along }) => z && norm(cross(along, z)) < 1e-9) ?? through[0];
   }
   /** Whether the pointer is on the origin of the frame or on the tip of its x, whichever is selected. */
   function isOnDraggedPart(pointer) {
-    const { part, origin, x } = target();
-    if (part === 'origin' && origin && axisOfOrigin()) return gap(toPixels(origin), pointer) < HANDLE_RADIUS_PX;
-    return part === 'x' && origin && x ? gap(toPixels(add(origin, x, radius)), pointer) < HANDLE_RADIUS_PX : false;
+    const { part, origin, x } = selected();
+    if (part === 'origin' && origin && axisOfOrigin()) return distance(toPixels(origin), pointer) < HANDLE_RADIUS_PX;
+    return part === 'x' && origin && x ? distance(toPixels(add(origin, x, radius)), pointer) < HANDLE_RADIUS_PX : false;
   }
-  const dragged = (pointer) => (target().part === 'x' ? xAt(pointer, true) : originAt(pointer, axisOfOrigin()));
+  const dragged = (pointer) => (selected().part === 'x' ? xAt(pointer, true) : originAt(pointer, axisOfOrigin()));
   const pointerOf = (event) => {
     const box = canvas.getBoundingClientRect();
     return [event.clientX - box.left, event.clientY - box.top];
@@ -129,7 +129,7 @@ export function framePicker({ stage, data, target, place }) {
     if (!dragging) return;
     dragging = false;
     event.stopImmediatePropagation();
-    place(target()[target().part], true);
+    setPart(selected()[selected().part], true);
   }
   const listeners = {
     pointerdown(event) {
@@ -140,10 +140,12 @@ export function framePicker({ stage, data, target, place }) {
       canvas.setPointerCapture(event.pointerId);
     },
     pointermove(event) {
-      const found = dragging ? dragged(pointerOf(event)) : !event.buttons && HITS[target().part](pointerOf(event));
+      const found = dragging
+        ? dragged(pointerOf(event))
+        : !event.buttons && FIND_HANDLE[selected().part](pointerOf(event));
       const free = found ? 'pointer' : '';
       canvas.style.cursor = dragging ? 'grabbing' : free;
-      if (dragging && found) place(found.value, false);
+      if (dragging && found) setPart(found.value, false);
       if (found?.text !== hovered?.text || dragging) {
         hovered = found || null;
         stage.draw();
@@ -157,17 +159,17 @@ export function framePicker({ stage, data, target, place }) {
       stage.draw();
     },
     tap({ detail: { x, y } }) {
-      const found = HITS[target().part]([x, y]);
-      if (found) place(found.value, true, true);
+      const found = FIND_HANDLE[selected().part]([x, y]);
+      if (found) setPart(found.value, true, true);
     },
   };
   for (const [name, listener] of Object.entries(listeners)) canvas.addEventListener(name, listener, { capture: true });
   return {
     radius,
     toPixels,
-    named,
+    namedDirections,
     hovered: () => hovered,
-    forget: () => {
+    clearHover: () => {
       hovered = null;
     },
     dispose: () => {

@@ -1,6 +1,6 @@
 // Frames placed by hand on bare joint axes, part by part, by mouse, touch or keyboard. The frames are a trait, so that
 // Python reads them. Python also checks the rules, and a broken rule is highlighted in the picture.
-import { axis, drawPaleArm, frame, lengths, marker } from './frame-drawing.js';
+import { axis, createHighlighter, drawPaleArm, frame, lengths } from './frame-drawing.js';
 import { pickHandles } from './place-frames-handles.js';
 import { placeFramesPanel } from './place-frames-panel.js';
 import { framePicker } from './place-frames-picking.js';
@@ -12,108 +12,108 @@ const SILENCE_MS = 6000; // without an answer from Python, until the panel says 
 export function placeFrames({ model, stage, data }) {
   const { size } = stage.data;
   const frames = () => model.get('frames');
-  const now = { i: 0, part: 'z', waiting: false };
-  const shot = () => frames().map((T) => JSON.stringify(T));
-  let judgedOn = model.get('verdict').asked ? shot() : null; // the frames that the last verdict is about
-  let sent = null;
-  const touched = () => (judgedOn ? shot().flatMap((T, i) => (T === judgedOn[i] ? [] : [i])) : []);
-  const past = [];
-  const target = () => {
-    const T = frames()[now.i];
-    return { ...now, z: columnOf(T, 2), origin: columnOf(T, 3), x: columnOf(T, 0) };
+  const selection = { i: 0, part: 'z', waiting: false };
+  const snapshot = () => frames().map((T) => JSON.stringify(T));
+  let judgedFrames = model.get('verdict').asked ? snapshot() : null; // the frames that the last verdict is about
+  let sentFrames = null;
+  const changedFrames = () => (judgedFrames ? snapshot().flatMap((T, i) => (T === judgedFrames[i] ? [] : [i])) : []);
+  const history = [];
+  const selected = () => {
+    const T = frames()[selection.i];
+    return { ...selection, z: columnOf(T, 2), origin: columnOf(T, 3), x: columnOf(T, 0) };
   };
 
-  function keep(next, kept = true) {
+  function setFrames(next, final = true) {
     model.set('frames', next);
-    if (kept) model.save_changes();
+    if (final) model.save_changes();
   }
-  let held = null; // the frames before the drag
+  let framesBeforeDrag = null;
   /**
    * Set the selected part.
-   * @param kept whether the value is final, not an intermediate one of a drag
-   * @param on whether to select the next incomplete part afterwards
+   * @param final whether the value is final, not an intermediate one of a drag
+   * @param advance whether to select the next incomplete part afterwards
    */
-  function place(value, kept = true, on = false) {
-    const { i, part } = now;
+  function setPart(value, final = true, advance = false) {
+    const { i, part } = selection;
     if (part === 'x' && !columnOf(frames()[i], 2)) return;
-    held ??= frames();
-    if (kept) {
-      past.push(held);
-      held = null;
+    framesBeforeDrag ??= frames();
+    if (final) {
+      history.push(framesBeforeDrag);
+      framesBeforeDrag = null;
     }
-    if (on) next(withPart(frames()[i], part, value));
-    keep(
+    if (advance) selectNext(withPart(frames()[i], part, value));
+    setFrames(
       frames().map((T, k) => (k === i ? withPart(T, part, value) : T)),
-      kept,
+      final,
     );
-    if (on) changed(); // picking the present value changes no trait
+    if (advance) redraw(); // picking the present value changes no trait
   }
   /** Select the next missing part of this frame or, if there is none, the next incomplete frame. */
-  function next(T) {
+  function selectNext(T) {
     const here = openPart(T);
     const others = frames()
       .map((_, k) => k)
-      .filter((k) => k !== now.i && openPart(frames()[k]));
-    const there = others.find((k) => k > now.i) ?? others[0];
-    if (here) now.part = here;
-    else if (there !== undefined) Object.assign(now, { i: there, part: openPart(frames()[there]) });
-    picks.forget();
+      .filter((k) => k !== selection.i && openPart(frames()[k]));
+    const there = others.find((k) => k > selection.i) ?? others[0];
+    if (here) selection.part = here;
+    else if (there !== undefined) Object.assign(selection, { i: there, part: openPart(frames()[there]) });
+    picker.clearHover();
   }
-  function go(i, part) {
-    Object.assign(now, { i, part: part ?? openPart(frames()[i]) ?? 'z' });
-    picks.forget();
-    changed();
+  function selectPart(i, part) {
+    Object.assign(selection, { i, part: part ?? openPart(frames()[i]) ?? 'z' });
+    picker.clearHover();
+    redraw();
   }
   function undo() {
-    if (past.length) keep(past.pop());
+    if (history.length) setFrames(history.pop());
   }
   function clear() {
-    past.push(frames());
+    history.push(frames());
     const bare = [...Array(3).fill([null, null, null, null]), [0, 0, 0, 1]];
-    now.part = 'z';
-    keep(frames().map((T, k) => (k === now.i ? bare.map((row) => [...row]) : T)));
+    selection.part = 'z';
+    setFrames(frames().map((T, k) => (k === selection.i ? bare.map((row) => [...row]) : T)));
   }
-  function ask() {
-    sent = shot();
-    clearTimeout(now.timer);
-    now.waiting = !model.withoutKernel;
-    if (now.waiting) now.timer = setTimeout(() => side.showNoAnswer(), SILENCE_MS);
+  function requestVerdict() {
+    sentFrames = snapshot();
+    clearTimeout(selection.timer);
+    selection.waiting = !model.withoutKernel;
+    if (selection.waiting) selection.timer = setTimeout(() => panel.showNoAnswer(), SILENCE_MS);
     model.set('asked', model.get('asked') + 1);
     model.save_changes();
-    side.update();
+    panel.update();
   }
 
-  const pen = marker(stage);
-  const picks = framePicker({ stage, data, target, place });
-  const marks = pickHandles({
+  const highlighter = createHighlighter(stage);
+  const picker = framePicker({ stage, data, selected, setPart });
+  const handles = pickHandles({
     stage,
     data,
-    picks,
-    target,
+    picker,
+    selected,
     broken: () => breaches().map(({ joint }) => data.axes[joint - 1].point),
   });
   /** The broken rules of the last verdict, without those of frames that have changed since. */
   const breaches = () => {
     const other = ({ frame: i, rule }) => (rule.startsWith('x ') ? i + (data.convention === 'standard' ? -1 : 1) : i);
-    const anew = touched();
+    const anew = changedFrames();
     return (model.get('verdict').breaches ?? []).filter(
       (one) => !anew.includes(one.frame) && !anew.includes(other(one)),
     );
   };
-  const side = placeFramesPanel({
+  const panel = placeFramesPanel({
     model,
     data,
-    target,
-    picks,
+    selected,
+    picker,
     size,
-    place,
-    go,
+    setPart,
+    selectPart,
     undo,
     clear,
-    ask,
+    requestVerdict,
     breaches,
-    touched,
-    past,
+    changedFrames,
+    history,
   });
 
   /** The placed parts of a frame; a z without an origin is drawn on the joint axis that it is parallel to. */
@@ -137,15 +137,15 @@ export function placeFrames({ model, stage, data }) {
       size,
     );
     stage.setLayer(
-      'hand',
+      'placed frames',
       parts.flatMap(({ pose, letters }, i) =>
-        frame(i, pose, letters, { size, theme, strong: i === now.i, length: long[i], body: 0 }).filter(
-          (part) => !part.label || part.text !== 'y' || i === now.i,
+        frame(i, pose, letters, { size, theme, strong: i === selection.i, length: long[i], body: 0 }).filter(
+          (part) => !part.label || part.text !== 'y' || i === selection.i,
         ),
       ),
       { through: true },
     );
-    pen.mark(
+    highlighter.mark(
       breaches().flatMap(({ frame: i, rule, joint }) => {
         const T = frames()[i];
         const from = columnOf(T, 3);
@@ -158,27 +158,27 @@ export function placeFrames({ model, stage, data }) {
     );
   }
 
-  function changed() {
+  function redraw() {
     draw();
-    side.update();
+    panel.update();
   }
-  function judged() {
-    now.waiting = false;
-    judgedOn = sent ?? shot();
-    sent = null;
-    clearTimeout(now.timer);
-    changed();
+  function onVerdict() {
+    selection.waiting = false;
+    judgedFrames = sentFrames ?? snapshot();
+    sentFrames = null;
+    clearTimeout(selection.timer);
+    redraw();
   }
-  model.on('change:frames', changed);
-  model.on('change:verdict', judged);
+  model.on('change:frames', redraw);
+  model.on('change:verdict', onVerdict);
   const first = frames().findIndex((T) => openPart(T));
-  if (first >= 0) Object.assign(now, { i: first, part: openPart(frames()[first]) });
-  side.update();
+  if (first >= 0) Object.assign(selection, { i: first, part: openPart(frames()[first]) });
+  panel.update();
   return {
-    element: side.element,
+    element: panel.element,
     replacesSliders: true,
     applyTheme() {
-      marks.reserveHandles();
+      handles.reserveHandles();
       drawPaleArm(stage);
       stage.setLayer(
         'bare axes',
@@ -188,10 +188,10 @@ export function placeFrames({ model, stage, data }) {
       draw();
     },
     dispose() {
-      clearTimeout(now.timer);
-      model.off('change:frames', changed);
-      model.off('change:verdict', judged);
-      for (const one of [pen, picks, marks]) one.dispose();
+      clearTimeout(selection.timer);
+      model.off('change:frames', redraw);
+      model.off('change:verdict', onVerdict);
+      for (const one of [highlighter, picker, handles]) one.dispose();
     },
   };
 }
