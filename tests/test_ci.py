@@ -1,6 +1,7 @@
-"""Continuous integration: the workflows build and test what they claim to, and a skipped test fails there."""
+"""Continuous integration and the tasks of maintainers: commands exist and do what is said, and a skipped test fails in CI."""
 
 import os
+import re
 import subprocess
 import sys
 import tomllib
@@ -49,6 +50,14 @@ def test_mutation_testing_names_files_that_exist():
     patterns = [*settings["source_paths"], *settings["pytest_add_cli_args_test_selection"], *settings["also_copy"]]
     patterns += [f"**/{pattern.removeprefix('*/')}" for pattern in settings["do_not_mutate"]]
     assert [pattern for pattern in patterns if not any(ROOT.glob(pattern))] == []
+
+
+def test_every_nox_session_that_a_file_names_exists():
+    done = subprocess.run([sys.executable, "-m", "nox", "--list"], cwd=ROOT, capture_output=True, text=True, check=True)
+    sessions = set(re.findall(r"^[*-] (\w+) ->", done.stdout, re.MULTILINE))
+    files = [*ROOT.glob("*.md"), *ROOT.glob("*.toml"), *ROOT.glob("*.py"), *ROOT.glob("site/*.md")]
+    named = {name for file in files for name in re.findall(r"nox -s (\w+)", file.read_text("utf-8"))}
+    assert {"mutation", "fuzz", "pin", "pdf"} <= named <= sessions
 
 
 TESTS = """
