@@ -8,7 +8,7 @@ c.ClearSolutions.code_stub = {"python": "# your lines here"}
 
 c.OverwriteCells.add_missing_cells = True
 c.Autograde.autograde_preprocessors = [
-    "kinlib.grading.nbgrader_plugin.Execute",
+    "misstep.grading.nbgrader.plugin.Execute",
     "nbgrader.preprocessors.LimitOutput",
     "nbgrader.preprocessors.SaveAutoGrades",
     "nbgrader.preprocessors.AssignLatePenalties",

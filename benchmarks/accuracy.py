@@ -23,7 +23,7 @@ from scipy.spatial.transform import Rotation
 import kinlib as kl
 
 sys.path.append(str(Path(__file__).parents[1] / "tests"))
-import exact
+import mpmath_oracle
 
 try:
     import pinocchio as pin
@@ -82,7 +82,7 @@ def worst(function, arguments, motions):
         return "fails"
     if not np.isfinite(values).all():
         return "fails"
-    reached = [value if value.ndim == 2 else exact.exp(value) for value in values]
+    reached = [value if value.ndim == 2 else mpmath_oracle.exp(value) for value in values]
     return f"{np.abs(reached - motions).max():.0e}"
 
 
@@ -94,7 +94,7 @@ def rows():
     units /= np.linalg.norm(units, axis=-1, keepdims=True)
     for label, angle in ANGLES.items():
         x = np.concatenate([angle * units[0], units[1]], axis=-1)
-        T = np.array([exact.exp(row) for row in x])
+        T = np.array([mpmath_oracle.exp(row) for row in x])
         omega, R = x[:, :3], T[:, :3, :3]
 
         for name, (exp3, log3, exp6, log6) in LIBRARIES.items():

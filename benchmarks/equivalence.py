@@ -18,7 +18,7 @@ import numpy as np
 import kinlib as kl
 
 sys.path.append(str(Path(__file__).parents[1] / "tests"))
-from arms import arm, rechosen
+from example_arms import arm, rechosen
 
 
 def main(count=5_000):

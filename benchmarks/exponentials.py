@@ -20,7 +20,7 @@ import kinlib as kl
 from benchmarks.measure import Row, Way, compared
 
 sys.path.append(str(Path(__file__).parents[1] / "tests"))
-import exact
+import mpmath_oracle
 
 NEAR = {
     "near 0": [0.0, *(10.0**-k for k in range(1, 13))],
@@ -47,7 +47,7 @@ def rows(quick: bool = False) -> Iterator[Row]:
 
     for where, angles in NEAR.items():
         x = np.concatenate([twists(rng, np.full(2 if quick else 30, angle)) for angle in angles])
-        T = np.array([exact.exp(row) for row in x])
+        T = np.array([mpmath_oracle.exp(row) for row in x])
         ours = max(worst(kl.exp, "exp", x, T), worst(kl.log, "log", x, T))
         try:
             theirs = max(worst(theirs_for("exp"), "exp", x, T), worst(theirs_for("log"), "log", x, T))
@@ -84,5 +84,5 @@ def peer(name: str, argument: np.ndarray, ours: Function) -> Way:
 def worst(function: Function, name: str, x: np.ndarray, T: np.ndarray) -> float:
     """The largest error of exp on twists x, or of log on poses T = exp(x); infinite where the function fails."""
     with np.errstate(all="ignore"):
-        values = function(x) if name == "exp" else np.array([exact.exp(row) for row in function(T)])
+        values = function(x) if name == "exp" else np.array([mpmath_oracle.exp(row) for row in function(T)])
     return float(np.nan_to_num(np.abs(values - T), nan=np.inf).max())

@@ -67,10 +67,10 @@ def puma560(count: int) -> tuple[kl.Chain, np.ndarray]:
 
 
 def pinocchio(robot: kl.Chain, q: np.ndarray, loop: str) -> Way:
-    """One of the loops of tests/peers.py."""
-    import peers
+    """One of the loops of tests/support/pinocchio_oracle.py."""
+    import pinocchio_oracle
 
-    run = partial(getattr(peers, loop), peers.pinocchio_model(robot), q)
+    run = partial(getattr(peers, loop), pinocchio_oracle.pinocchio_model(robot), q)
     np.testing.assert_allclose(run()[:1000], robot.fk(q[:1000]), rtol=0, atol=1e-12)
     return Way(run, len(q))
 

@@ -9,7 +9,7 @@ The peer is AutoDH 0.2 (edsterg/autodh), the one automatic assigner that we foun
 end-effector frame, so the same arms go to both.
 
 How right: an arm has 2 to 9 joints, one in four a slide, links up to half a metre; its neighbouring axes are drawn in every
-case that two lines can be in (tests/arms.py). The error is the largest entry of T_table(q) - T_chain(q) over 20 postures.
+case that two lines can be in (tests/support/example_arms.py). The error is the largest entry of T_table(q) - T_chain(q) over 20 postures.
 The first lines have one case for all pairs of an arm; then all cases are mixed, in 10,000 arms a convention; then pairs
 that are nearly parallel by an angle are mixed in, in 1,000 arms for each angle. Beside the worst error stand how many
 arms are off by more than 1e-9, and by how many times the error was larger than the accuracy that the assignment claims.
@@ -30,7 +30,7 @@ import kinlib as kl
 from benchmarks.measure import Curve, Row, Way, compared, grown
 
 sys.path.append(str(Path(__file__).parents[1] / "tests"))
-from arms import ANGLES, CASES, arm, configurations
+from example_arms import ANGLES, CASES, arm, configurations
 
 try:
     import autodh

@@ -3,7 +3,7 @@
     python -m benchmarks.grading
     python -m benchmarks.grading 20 200        by both, and then by kinlib alone
 
-Each is timed from start to end as an instructor runs it, imports included. kinlib grades two at a time, which nbgrader has
+Each is timed from start to end as an instructor runs it, imports included. misstep grades two at a time, which nbgrader has
 no way to, and fills nbgrader's gradebook, as `nbgrader autograde` does. With it come a page of feedback for each student and
 a report, which autograde does not make: they are in kinlib's seconds, and how long the pages take alone stands below them.
 
@@ -145,7 +145,7 @@ def compared(count: int, many: int) -> Comparison:
             save(more, *generated(number))
         books = [str(Course(Path(top, name), is_asserting=False).folder) for name in ("book", "long book")]
         plain = ours(handed, Path(top, "plain"))
-        plain.told("kinlib grade")
+        plain.told("misstep grade")
         booked = ours(handed, Path(top, "booked"), "--gradebook", books[0])
         booked.told("with nbgrader's gradebook")
         pages = Run(count, seconds_of_pages(Path(top, "booked"), Path(top, "pages")))
@@ -185,14 +185,14 @@ def ours(handed, out, *options):
             with suppress(subprocess.TimeoutExpired):
                 process.wait(0.5)
     if process.returncode:
-        raise NotHere(f"kinlib grade ended with {process.returncode}. It says why when it is run by itself.")
+        raise NotHere(f"misstep grade ended with {process.returncode}. It says why when it is run by itself.")
     return Run(len(list(handed.iterdir())), time.perf_counter() - start, memory)
 
 
 def seconds_of_pages(out, where):
     """Write the pages of results once more, and nothing else: the seconds."""
-    from kinlib.grading.book import Book
-    from kinlib.grading.publish import publish_page
+    from misstep.grading.publish.publish import publish_page
+    from misstep.grading.publish.result_store import Book
 
     results = [Book(out).kept(path.stem) for path in (out / "results").glob("*.json")]
     start = time.perf_counter()

@@ -39,9 +39,9 @@ TOO_MUCH = {
 
 def main(*words):
     """Print a line for each attack, and how many won."""
-    from kinlib.grading.grade import Grader
-    from kinlib.grading.layers import Limits
-    from kinlib.grading.submission import master
+    from misstep.grading.collect.submission import master
+    from misstep.grading.judging.grader import Grader
+    from misstep.grading.sandbox.limits import Limits
 
     names = [name for name in attacks.ATTACKS if not words or any(word in name for word in words)]
     os.environ["SECRET_TOKEN"] = CANARY

@@ -30,10 +30,10 @@ def rows(quick: bool = False) -> Iterator[Row]:
 
 def pinocchio(robot: kl.Chain, q: np.ndarray) -> Way:
     """Jacobians (N, 6, n), one after the other."""
-    import peers
     import pinocchio as pin
+    import pinocchio_oracle
 
-    model = peers.pinocchio_model(robot)
+    model = pinocchio_oracle.pinocchio_model(robot)
     data = model.createData()
 
     def run() -> np.ndarray:

@@ -16,7 +16,7 @@ from scipy.optimize import root
 
 from benchmarks.measure import Row, Way, compared
 from kinlib import linkages
-from kinlib.loops import Mechanism
+from kinlib.mechanisms.mechanism import Mechanism
 
 POINTS = 361
 

@@ -27,10 +27,10 @@ import numpy as np
 
 import kinlib as kl
 from benchmarks.measure import NotHere, Row, row
-from kinlib.screw import screw
+from kinlib.rigid.screw import screw
 from kinlib.view import explore
-from kinlib.view.scene import LAYERS
-from kinlib.view.viewer import STATIC
+from kinlib.view.viewer.scene import LAYERS
+from kinlib.view.viewer.viewer import STATIC
 
 sys.path.append(str(Path(__file__).parents[1] / "tests"))
 from browser import CHROMIUM, NONE, awake, browsers, jupyterlab, open_notebook, run_cell, static_page, watched

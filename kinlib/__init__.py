@@ -5,18 +5,19 @@ Read the modules in the order of the lectures: lie, screw, chain, dh, frames, lo
 
 from typing import TYPE_CHECKING, Any
 
-from kinlib import linkages, robots
-from kinlib.bodies import Joint
-from kinlib.chain import Chain
-from kinlib.dh import DHTable, dh_transform
-from kinlib.diagnosis import Diagnosis, diagnose
-from kinlib.equivalence import Equivalence, equivalent
-from kinlib.frame_check import Breach, check_frames
-from kinlib.frames import FrameAssignment, assign_frames
-from kinlib.lie import adjoint, exp, hat, inverse, log, vee
-from kinlib.loops import Mechanism
-from kinlib.screw import Line, line, screw
-from kinlib.urdf import load_urdf, to_urdf
+from kinlib.chains import robots
+from kinlib.chains.chain import Chain
+from kinlib.dh.assignment import FrameAssignment, assign_frames
+from kinlib.dh.diagnosis import Diagnosis, diagnose
+from kinlib.dh.equivalence import Equivalence, equivalent
+from kinlib.dh.rules import Breach, check_frames
+from kinlib.dh.table import DHTable, dh_transform
+from kinlib.mechanisms import linkages
+from kinlib.mechanisms.joints import Joint
+from kinlib.mechanisms.mechanism import Mechanism
+from kinlib.rigid.lie import adjoint, exp, hat, inverse, log, vee
+from kinlib.rigid.screw import Line, line, screw
+from kinlib.urdf.chains import load_urdf, to_urdf
 
 if TYPE_CHECKING:
     from kinlib import symbolic

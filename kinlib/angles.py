@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinlib.check import Array
+from kinlib.arrays.validation import Array
 
 
 def wrap_angle(angle: ArrayLike) -> Array:

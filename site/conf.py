@@ -44,8 +44,8 @@ nb_ipywidgets_js: dict[str, str] = {}
 nb_mime_priority_overrides = [
     ("html", "text/html", 10),
     ("html", "application/vnd.jupyter.widget-view+json", None),
-    ("html", "application/vnd.kinlib.answer+json", None),
-    ("html", "application/vnd.kinlib.solved+json", None),
+    ("html", "application/vnd.misstep.answer+json", None),
+    ("html", "application/vnd.misstep.solved+json", None),
 ]
 nitpicky = True
 # Types of other libraries have no page here, and their sites cannot be asked while this one is built.

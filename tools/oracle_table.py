@@ -28,7 +28,7 @@ COMPUTING = [
 ]
 """Modules of the packages in LAYERS_ABOVE that compute: all their public functions but those that draw need an oracle too."""
 
-LAYERS_ABOVE = ("kinlib.view", "kinlib.practice", "kinlib.grading")
+LAYERS_ABOVE = ("kinlib.view", "kincourse", "misstep.grading")
 """What presents the mathematics: no other implementation to compare with."""
 
 SPECIAL_METHODS = {"__str__", "__bool__"}

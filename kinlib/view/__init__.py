@@ -3,21 +3,21 @@
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from kinlib.view.arm import draw_arm, draw_joints
-from kinlib.view.card import Card
-from kinlib.view.frames import draw_frames
-from kinlib.view.linkage import draw_linkage
-from kinlib.view.picture import Picture
-from kinlib.view.plot import plot
-from kinlib.view.torus import draw_torus
+from kinlib.view.drawing.picture import Picture
+from kinlib.view.drawing.plot import plot
+from kinlib.view.figures.arm import draw_arm, draw_joints
+from kinlib.view.figures.frames import draw_frames
+from kinlib.view.figures.linkage import draw_linkage
+from kinlib.view.figures.torus import draw_torus
+from misstep.card import Card
 
 if TYPE_CHECKING:
-    from kinlib.view.by_hand import ByHand, assign
-    from kinlib.view.driver import Drive, drive
-    from kinlib.view.player import Player, play_assignment
-    from kinlib.view.row_player import RowPlayer, play_row, play_walk
-    from kinlib.view.viewer import Viewer, explore
-    from kinlib.view.widgets import slide
+    from kinlib.view.viewer.assignment_player import Player, play_assignment
+    from kinlib.view.viewer.dh_row_player import RowPlayer, play_row, play_walk
+    from kinlib.view.viewer.frames_by_hand import ByHand, assign
+    from kinlib.view.viewer.linkage_driver import Drive, drive
+    from kinlib.view.viewer.sliders import slide
+    from kinlib.view.viewer.viewer import Viewer, explore
 
 __all__ = [
     "ByHand",

@@ -21,7 +21,7 @@ FOR_SCREENS = re.compile(
 )
 IDS = re.compile(r'\b(id|for|aria-labelledby|aria-describedby)="([^"]+)"')
 LINKS = re.compile(r'\b(href|src)="(?![a-z]+:|//)([^"#]*)(#[^"]*)?"')
-ASKED = re.compile(r'data-kinlib-question="[^"]+"[^>]*data-right="(\d)"')
+ASKED = re.compile(r'data-misstep-question="[^"]+"[^>]*data-right="(\d)"')
 LETTERS = "ABCDEFGH"
 
 BOOK = """\

@@ -22,7 +22,7 @@ from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError
 from nbformat import NotebookNode
 
-from kinlib.view.still import VARIABLE
+from kinlib.view.drawing.static_export import VARIABLE
 
 ROOT = Path(__file__).resolve().parents[2]
 KEPT = ROOT / "build" / "executed"

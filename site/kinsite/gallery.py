@@ -7,18 +7,19 @@ from fractions import Fraction
 from typing import Any
 
 import numpy as np
+from kincourse.text.joint_table import joint_table
 from numpy.typing import ArrayLike
 
 from kinlib import linkages, robots
-from kinlib.chain import Chain
-from kinlib.dh import Convention
-from kinlib.frames import FrameAssignment, assign_frames
-from kinlib.loops import Mechanism
-from kinlib.practice.text import joint_table, matrix, number
+from kinlib.chains.chain import Chain
+from kinlib.dh.assignment import FrameAssignment, assign_frames
+from kinlib.dh.table import Convention
+from kinlib.mechanisms.mechanism import Mechanism
 from kinlib.view import draw_arm, drive, explore
-from kinlib.view.linkage import draw_linkage
-from kinlib.view.picture import Picture
+from kinlib.view.drawing.picture import Picture
+from kinlib.view.figures.linkage import draw_linkage
 from kinsite.reference import escape, prose
+from misstep.text import matrix, number
 
 NO_ROBOTS = {"arm", "pose"}
 """What kl.robots offers that is no robot."""

@@ -9,8 +9,9 @@ from collections.abc import Iterator, Sequence
 
 from myst_parser.slugs import github_slugify
 
-from kinlib.practice.problem import Template
-from kinlib.practice.sheet import Sheet, find_sheet, sheets
+from kincourse import find_sheet, sheets
+from misstep.problem import Template
+from misstep.sheet import Sheet
 
 READERS = tuple(f"a reader of the site, {letter}" for letter in "abcdefgh")
 """Ids for whom the problems are drawn: enough of them that what can differ does."""

@@ -11,7 +11,7 @@ from sphinx.util.docutils import SphinxDirective
 
 from kinlib import robots
 from kinlib.view import explore
-from kinlib.view.viewer import STATIC
+from kinlib.view.viewer.viewer import STATIC
 from kinsite.execute import library
 from kinsite.fonts import FONTS
 

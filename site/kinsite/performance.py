@@ -10,8 +10,8 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
-from kinlib.view.picture import Picture
-from kinlib.view.plot import plot
+from kinlib.view.drawing.picture import Picture
+from kinlib.view.drawing.plot import plot
 from kinsite.execute import ROOT
 from kinsite.reference import escape
 

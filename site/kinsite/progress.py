@@ -7,7 +7,7 @@ from pathlib import Path
 
 from nbformat import NotebookNode
 
-ASKED = re.compile(r'data-kinlib-question="([^"]+)"[^>]*data-right="(\d)"')
+ASKED = re.compile(r'data-misstep-question="([^"]+)"[^>]*data-right="(\d)"')
 
 HEAD = """\
 # Your progress

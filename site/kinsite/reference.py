@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike
 from sphinx.util.inspect import stringify_signature
 from sphinx.util.typing import stringify_annotation
 
-from kinlib.check import Array
+from kinlib.arrays.validation import Array
 
 FLOORS = {
     "Rigid motions": ["lie", "rpy", "screw"],

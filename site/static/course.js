@@ -61,14 +61,14 @@
   // --- questions ---
 
   function startQuestion(section) {
-    const name = section.dataset.kinlibQuestion;
+    const name = section.dataset.misstepQuestion;
     const right = Number(section.dataset.right);
     const predicts = section.dataset.kind === 'predict';
     const reply = h('div', { class: 'kinlib-reply', role: 'status' });
-    const options = all('.kinlib-options > li', section).map((item) => ({
+    const options = all('.misstep-options > li', section).map((item) => ({
       item,
-      text: cloneChildren(item.querySelector('summary') ?? item.querySelector('.kinlib-option')),
-      why: item.querySelector('.kinlib-why'),
+      text: cloneChildren(item.querySelector('summary') ?? item.querySelector('.misstep-option')),
+      why: item.querySelector('.misstep-why'),
     }));
     const buttons = options.map(({ text }, k) =>
       h(
@@ -148,11 +148,11 @@
   }
 
   function startExplanation(section) {
-    const name = section.dataset.kinlibExplain;
-    const asked = elementsNamed('data-kinlib-question', name)[0];
+    const name = section.dataset.misstepExplain;
+    const asked = elementsNamed('data-misstep-question', name)[0];
     if (!asked) return;
     const details = section.querySelector('details');
-    const items = all('.kinlib-options > li', section);
+    const items = all('.misstep-options > li', section);
     const summary = section.querySelector('summary');
     const waits = h('p', {}, 'You have not committed to your prediction yet. The explanation appears here afterwards.');
     const reply = h('div', { role: 'status' });
@@ -167,7 +167,7 @@
         ...explainAnswer(
           Number(asked.dataset.committed),
           Number(asked.dataset.right),
-          (index) => items[index].querySelector('.kinlib-why'),
+          (index) => items[index].querySelector('.misstep-why'),
           (index) => cloneChildren(items[index].querySelector('p')),
         ),
       );
@@ -179,7 +179,7 @@
   // --- pictures that are covered until a prediction is made ---
 
   const committed = (name) =>
-    elementsNamed('data-kinlib-question', name).some((section) => 'committed' in section.dataset);
+    elementsNamed('data-misstep-question', name).some((section) => 'committed' in section.dataset);
 
   function uncoverViewerLater(element) {
     const name = element.dataset.kinlibAfter;
@@ -232,7 +232,7 @@
 
     show(begin);
     cover.hidden = true;
-    if (!name || committed(name) || !elementsNamed('data-kinlib-question', name).length) return;
+    if (!name || committed(name) || !elementsNamed('data-misstep-question', name).length) return;
     cover.hidden = false;
     stage.hidden = true;
     bar.style.display = 'none';
@@ -377,8 +377,8 @@
   }
 
   document.documentElement.classList.remove('no-js');
-  all('[data-kinlib-question]').forEach(startQuestion);
-  all('[data-kinlib-explain]').forEach(startExplanation);
+  all('[data-misstep-question]').forEach(startQuestion);
+  all('[data-misstep-explain]').forEach(startExplanation);
   all('[data-kinlib-viewer][data-kinlib-after]').forEach(uncoverViewerLater);
   all('[data-kinlib-slides]').forEach(startSlides);
   all('[data-kinlib-done]').forEach(startReadButton);

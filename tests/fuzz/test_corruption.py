@@ -7,7 +7,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 import kinlib as kl
-from kinlib.check import array
+from kinlib.arrays.validation import array
 
 
 @pytest.mark.parametrize(

@@ -11,14 +11,14 @@ from fuzz_settings import fuzz_settings
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinlib.grading import judge as judging
-from kinlib.grading.matches import matches
-from kinlib.grading.result import ProblemResult, Result
-from kinlib.practice import find_sheet, sheets
-from kinlib.practice.answer_data import Malformed, from_data
-from kinlib.practice.answer_writing import to_data
-from kinlib.practice.formulas import Formula
-from kinlib.practice.functions import Called
+from kincourse import find_sheet, sheets
+from misstep.answers.function import Called
+from misstep.formulas.evaluation import Formula
+from misstep.grading.judging import judge_process as judging
+from misstep.grading.judging.result import ProblemResult, Result
+from misstep.grading.publish.shared_answers import matches
+from misstep.storage.deserialize import Malformed, from_data
+from misstep.storage.serialize import to_data
 
 TEMPLATES = [(find_sheet(name), k) for name in sheets() for k in range(len(find_sheet(name).problems))]
 

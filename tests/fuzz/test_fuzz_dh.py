@@ -9,10 +9,10 @@ from fuzz_settings import fuzz_settings
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinlib.dh import DHTable
-from kinlib.dh_rows import COLUMNS, _table
-from kinlib.practice.answer_data import from_data
-from kinlib.practice.answer_writing import to_data
+from kinlib.dh.parsing import COLUMNS, _table
+from kinlib.dh.table import DHTable
+from misstep.storage.deserialize import from_data
+from misstep.storage.serialize import to_data
 
 LENGTHS = {"l1": 0.4, "l2": 0.3, "a_3": 1.0}
 

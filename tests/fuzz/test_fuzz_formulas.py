@@ -8,9 +8,9 @@ from fuzz_settings import fuzz_settings
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinlib.practice.answers import Unreadable
-from kinlib.practice.closed_forms import ClosedForm
-from kinlib.practice.formulas import LARGEST
+from misstep.answers.base import Unreadable
+from misstep.answers.expression import ClosedForm
+from misstep.formulas.evaluation import LARGEST
 
 q_1, q_2, a = sp.symbols("q_1 q_2 a")
 ASKED = {

@@ -34,22 +34,22 @@ from hypothesis import given
 from hypothesis import strategies as st
 from submissions import SHEET, as_bytes, handed_in, released, right
 
-from kinlib.grading import judge as judging
-from kinlib.grading.book import Book
-from kinlib.grading.files import Refused
-from kinlib.grading.gather import gather
-from kinlib.grading.grade import Grader
-from kinlib.grading.layers import Limits
-from kinlib.grading.nbgrader_cells import filled, restored
-from kinlib.grading.publish import publish
-from kinlib.grading.roster import read_roster
-from kinlib.grading.runner import Ran
-from kinlib.grading.submission import master
-from kinlib.grading.tasks import tasks
-from kinlib.grading.wire import pack, receive
-from kinlib.practice import find_sheet
-from kinlib.practice.answer_data import MIME
-from kinlib.practice.answer_writing import to_data
+from kincourse import find_sheet
+from misstep.grading.collect.files import Refused
+from misstep.grading.collect.gather import gather
+from misstep.grading.collect.roster import read_roster
+from misstep.grading.collect.submission import master
+from misstep.grading.collect.tasks import tasks
+from misstep.grading.judging import judge_process as judging
+from misstep.grading.judging.grader import Grader
+from misstep.grading.judging.rpc import pack, receive
+from misstep.grading.nbgrader.cells import filled, restored
+from misstep.grading.publish.publish import publish
+from misstep.grading.publish.result_store import Book
+from misstep.grading.sandbox.limits import Limits
+from misstep.grading.sandbox.runner import Ran
+from misstep.storage.deserialize import MIME
+from misstep.storage.serialize import to_data
 
 NAMES = pieces(rf"""
 ada.ipynb  ada/{SHEET}.ipynb  ada/{SHEET} (1).ipynb  submitted/ada/{SHEET}/{SHEET}.ipynb  ada/notes.txt  bob.IPYNB  x.pdf

@@ -5,7 +5,7 @@
   'use strict';
   const NAME = 'kinlib-lab';
   const KEY = 'kinlib-course'; // in localStorage; course.js describes the record
-  const SOLVED = 'application/vnd.kinlib.solved+json';
+  const SOLVED = 'application/vnd.misstep.solved+json';
   const SILENCE_S = 60; // without a result, until a message is shown
 
   const MESSAGES = {

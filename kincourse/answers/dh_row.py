@@ -1,0 +1,63 @@
+"""Entries of a DH table as an answer: numbers with names, judged one by one, angles up to whole turns."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+from misstep.answers.number import Numbers
+
+from kinlib.arrays.validation import Array
+from kinlib.dh.parsing import ANGLES, COLUMNS
+from misstep.answers.base import TOLERANCE
+
+
+@dataclass(frozen=True, eq=False)
+class Entries(Numbers):
+    """Some entries of a table, (k,): lengths in metres, angles in radians. Names that hold alpha or theta are angles.
+
+    >>> Entries(np.array([0.4, np.pi]), names=["a_1", "theta_1"]).agrees(np.array([0.4, -np.pi]), np.array([0.4, np.pi]))
+    [True, True]
+    """
+
+    names: Sequence[str] = ()
+
+    @property
+    def expected(self) -> str:
+        return f"{len(self.names)} numbers, {', '.join(self.names)}, lengths in metres and angles in radians"
+
+    @property
+    def parts(self) -> Sequence[str]:
+        # A card may begin a sentence with a part, and "A_1" would be another thing than a_1.
+        return [name if " " in name else f"entry {name}" for name in self.names]
+
+    def agrees(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> list[bool]:
+        same = super().agrees(one, other, tolerance)
+        # An angle is compared by the chord 2 sin(x / 2), which knows no whole turns.
+        chord = np.abs(2 * np.sin((one - other) / 2)) <= tolerance
+        return [bool(chord[k]) if self._is_angle(k) else same[k] for k in range(len(self.names))]
+
+    def hint(self, given: Array, part: int) -> str:
+        if self._is_angle(part) and abs(given[part]) > 4 * np.pi:
+            return "This is more than two full turns. Is it in degrees?"
+        if abs(given[part] + self.value[part]) <= TOLERANCE:
+            return "The size is right, the sign is not."
+        return ""
+
+    def _pieces(self) -> list[int]:
+        return list(range(len(self.names)))
+
+    def _is_angle(self, part: int) -> bool:
+        return any(angle in self.names[part] for angle in ANGLES)
+
+
+@dataclass(frozen=True, eq=False)
+class Row(Entries):
+    """The numbers of one row, (4,), in the order a, alpha, d, theta.
+
+    >>> Row(np.array([0.4, 0, 0, np.pi])).agrees(np.array([0.4, 0, 0, -np.pi]), np.array([0.4, 0, 0.1, np.pi]))
+    [True, True, False, True]
+    """
+
+    names: Sequence[str] = COLUMNS
+    noun: ClassVar[str] = "row"

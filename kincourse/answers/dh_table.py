@@ -1,0 +1,99 @@
+"""DH tables as answers: typed as text, dictionaries or numbers, and right if they are the same mechanism.
+
+A table is not unique, so it is never compared with *the* table. A student's table and a mistake's table are both asked
+one question: is it equivalent? With `anchored` the zero posture, the joint signs, the base and the tool count too: then
+the poses themselves must agree.
+"""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+from typing import Any
+
+from kinlib.arrays import validation
+from kinlib.chains.chain import largest_difference, random_configurations
+from kinlib.dh.diagnosis import diagnose
+from kinlib.dh.equivalence import equivalent
+from kinlib.dh.table import DHTable
+from misstep.answers.base import TOLERANCE, Answer, Unreadable
+
+LONGEST = 10_000
+"""No table that a person types has more characters; a longer text is no answer, and reading it would take its time."""
+
+ROUNDED = 3
+"""How many tolerances a pose may be off: each row brings its own rounding, and they add up towards the tool."""
+
+
+@dataclass(frozen=True, eq=False)
+class Table(Answer):
+    """A DH table of an arm, in a given convention.
+
+    value     the right table; its convention, base and tool are those of the problem
+    anchored  whether poses must agree as they are, zero posture and all; otherwise any equivalent table is right
+    lengths   names that a typed table may use
+
+    >>> right = DHTable([[0.4, 0, 0, 0], [0.3, 0, 0, 0]], convention="standard")
+    >>> flipped = DHTable([[-0.4, 0, 0, np.pi], [0.3, 0, 0, -np.pi]], convention="standard")
+    >>> Table(right).agrees(flipped, right)
+    [True]
+    """
+
+    value: DHTable
+    anchored: bool = False
+    lengths: Mapping[str, float] = field(default_factory=dict)
+
+    @property
+    def expected(self) -> str:
+        return (
+            f"a DH table in the {self.value.convention} convention with {self.value.n} joints ({self.value.joints}): "
+            "text with a head such as 'a | alpha | d | theta', or one dictionary a row, with q1, q2, ... for what moves"
+        )
+
+    @property
+    def parts(self) -> Sequence[str]:
+        return ["the table"]
+
+    def read(self, given: Any) -> DHTable:
+        if isinstance(given, DHTable):
+            table = given
+        else:
+            try:
+                table = self._typed(given)
+            except Unreadable:
+                raise
+            except Exception as error:  # a student's object may raise anything while it is read
+                said = str(error) if isinstance(error, ValueError) else f"Got {validation.brief(given)}."
+                raise Unreadable(f"Expected {self.expected}. {said}") from error
+        if table.n != self.value.n:
+            raise Unreadable(f"Expected {self.expected}; your table has {table.n} joints ({table.joints}).")
+        return table
+
+    def _typed(self, given: Any) -> DHTable:
+        if len(given) > (LONGEST if isinstance(given, str) else 4 * len(self.value.rows)):
+            raise Unreadable(f"Expected {self.expected}; got {validation.brief(given)}, which is too long.")
+        named = isinstance(given, str) or any(isinstance(row, Mapping) for row in given)
+        joints = "" if named else self.value.joints
+        base, tool = self.value.base, self.value.tool
+        return DHTable(
+            given, convention=self.value.convention, joints=joints, base=base, tool=tool, lengths=self.lengths
+        )
+
+    def agrees(self, one: DHTable, other: DHTable, tolerance: float = TOLERANCE) -> list[bool]:
+        if one.n != other.n:
+            return [False]
+        if not self.anchored:
+            return [bool(equivalent(one, other, tolerance=ROUNDED * tolerance, simplest=False))]
+        q = random_configurations(one.n, 16)
+        return [bool(largest_difference(one.fk(q), other.fk(q)) <= ROUNDED * tolerance)]
+
+    def hint(self, given: DHTable, part: int) -> str:
+        if given.joints != self.value.joints:
+            return f"Its joints are {given.joints}; those of the arm are {self.value.joints}. Which column holds the variable?"
+        found = diagnose(given, self.value, tolerance=ROUNDED * TOLERANCE, in_pairs=False)
+        if found.right:
+            return "Your table moves like the arm, from another start. " + " ".join(str(found).splitlines()[1:])
+        if [fault.name for fault in found.faults] == ["wrong number"]:
+            # Naming the right number would end the problem; naming the place begins it.
+            return f"All but one entry can stand: look again at {found.faults[0].column} in row {found.faults[0].row}."
+        if found.faults:
+            return str(found)
+        return found.equivalence.reason.replace(" here", " in your table").replace(" there", " in the arm")

@@ -1,0 +1,68 @@
+"""Frames as answers: any that obey the rules are right, for nobody's choice is the only one."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import Any, ClassVar
+
+import numpy as np
+from misstep.answers.number import Numbers
+
+from kinlib.arrays.validation import Array
+from kinlib.chains.chain import Chain
+from kinlib.dh.rules import Breach, check_frames
+from kinlib.dh.table import Convention
+from misstep.answers.base import TOLERANCE, Unreadable
+
+
+@dataclass(frozen=True, eq=False)
+class Frames(Numbers):
+    """DH frames 0 to n of an arm at home, (n + 1, 4, 4), seen from {s}; each frame is a part.
+
+    They are judged by the rules of the convention. Only the frames of a mistake are compared as they are.
+
+    >>> from kinlib.dh.assignment import assign_frames
+    >>> from kinlib.chains.robots import pose, rpr, X, Y, Z
+    >>> frames = assign_frames(rpr(), convention="standard").frames
+    >>> other = frames @ pose((-X, -Y, Z), (0, 0, 0))                      # every x and y turned round
+    >>> Frames(frames, chain=rpr(), convention="standard").agrees(other, frames)
+    [True, True, True, True]
+    """
+
+    chain: Chain = field(kw_only=True)
+    convention: Convention = field(kw_only=True)
+    noun: ClassVar[str] = "frames 0 to n in {s}, an array"
+
+    @property
+    def parts(self) -> Sequence[str]:
+        return [f"frame {i}" for i in range(self.chain.n + 1)]
+
+    def read(self, given: Any) -> Array:
+        if open_frames := _open(given):
+            listed = ", ".join(map(str, open_frames))
+            raise Unreadable(
+                f"Expected {self.expected}. Not placed yet: {'frames' if len(open_frames) > 1 else 'frame'} {listed}. "
+                "If you placed them by hand, press Copy there and paste the list here: what stands in the picture alone is gone "
+                "when the notebook is run anew."
+            )
+        return super().read(given)
+
+    def agrees(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> list[bool]:
+        if not self._breaches(other):
+            broken = {breach.frame for breach in self._breaches(one)}
+            return [i not in broken for i in range(len(one))]
+        return [bool(np.allclose(mine, yours, rtol=0, atol=tolerance)) for mine, yours in zip(one, other, strict=True)]
+
+    def hint(self, given: Array, part: int) -> str:
+        return next((breach.text for breach in self._breaches(given) if breach.frame == part), "")
+
+    def _breaches(self, frames: Array) -> list[Breach]:
+        # Entries typed with three decimals, at the end of a link of some metres.
+        return check_frames(self.chain, frames, self.convention, tolerance=10 * TOLERANCE)
+
+
+def _open(given: Any) -> list[int]:
+    """Which frames of an answer have entries that are not there yet: NaN, as frames by hand have, or `...`."""
+    try:
+        return [i for i, T in enumerate(given) if T is ... or np.isnan(np.asarray(T, dtype=float)).any()]
+    except Exception:  # whatever else came is for the reader of numbers to name
+        return []

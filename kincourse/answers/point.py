@@ -1,0 +1,58 @@
+"""Rotations, points and directions as answers."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import ClassVar
+
+import numpy as np
+from misstep.answers.number import Numbers
+
+from kinlib.arrays.validation import Array
+from misstep.answers.base import NEAR
+
+
+@dataclass(frozen=True, eq=False)
+class Rotation(Numbers):
+    """One rotation, (3, 3).
+
+    >>> Rotation(np.eye(3)).expected
+    'a rotation, an array of shape (3, 3)'
+    """
+
+    noun: ClassVar[str] = "a rotation, an array"
+
+    @property
+    def parts(self) -> Sequence[str]:
+        return ["the rotation"]
+
+    def hint(self, given: Array, part: int) -> str:
+        if np.allclose(given.T @ given, np.eye(3), atol=NEAR) and np.linalg.det(given) > 0:
+            return ""
+        return "It is no rotation at all: its columns should be unit, square and right-handed."
+
+
+@dataclass(frozen=True, eq=False)
+class Vectors(Numbers):
+    """Vectors in rows, (k, 3); each is a part with a name of its own.
+
+    >>> Vectors(np.eye(2, 3), names=["the point", "the direction"]).agrees(np.zeros((2, 3)), np.eye(2, 3))
+    [False, False]
+    """
+
+    names: Sequence[str] = ()
+
+    @property
+    def expected(self) -> str:
+        return f"{super().expected}, in rows: {', '.join(self.names)}"
+
+    @property
+    def parts(self) -> Sequence[str]:
+        return self.names
+
+    def hint(self, given: Array, part: int) -> str:
+        if np.allclose(np.sort(np.abs(given[part])), np.sort(np.abs(self.value[part])), atol=NEAR):
+            return "Its components have the right sizes; their order or their signs are not right."
+        return ""
+
+    def _pieces(self) -> list[int]:
+        return list(range(len(self.value)))

@@ -1,0 +1,406 @@
+"""Sheet 05: DH tables in the standard convention, read off drawings, multiplied, mended."""
+
+from functools import partial
+
+import numpy as np
+from misstep.answers.choice import Choice
+from misstep.mistakes import mistake
+
+from kincourse.answers.dh_row import Entries, Row
+from kincourse.answers.dh_table import Table
+from kincourse.answers.pose import Pose
+from kincourse.mistakes.dh import WAYS, base_in_a_row, of_pose, of_table, tool_in_a_row
+from kincourse.problem import problem
+from kincourse.sampling.arms import DIRECTIONS, ArmSampler, in_sight
+from kincourse.text.joint_table import joint_table
+from kinlib.arrays.validation import Array
+from kinlib.chains.robots import X, Y, Z, arm, pose
+from kinlib.dh.parsing import COLUMNS
+from kinlib.dh.table import DHTable, dh_transform
+from kinlib.view import draw_joints
+from kinlib.view.figures.dh_table_figure import draw_table
+from misstep.problem import Problem
+from misstep.sheet import Sheet
+from misstep.text import matrix, number, vector
+
+RIGHT = np.pi / 2
+
+
+@problem("05.1", "Four numbers between two drawn frames", points=4, lecture="05_dh_standard#Four numbers")
+def four_numbers(sampler: ArmSampler) -> Problem:
+    start, row = np.eye(4), np.zeros(4)
+    while not in_sight([np.zeros(3), start[:3, 3], (start @ _row(row))[:3, 3]]):
+        x = sampler.choice(DIRECTIONS)
+        z = sampler.choice([axis for axis in DIRECTIONS if not axis @ x])
+        start = pose((x, np.cross(z, x), z), np.abs(sampler.point(3)))
+        row = np.array(
+            [
+                sampler.integer(1, 4),
+                sampler.choice((-1, 1)) * RIGHT,
+                sampler.choice((-1, 1)) * sampler.integer(1, 4),
+                sampler.choice((-1, 1, 2)) * RIGHT,
+            ]
+        )
+    a, alpha, d, theta = row
+    frames = DHTable([row], convention="standard", base=start, name="Two frames")
+    return Problem(
+        statement="Frames 0 and 1 are neighbours in the standard convention. Read the four numbers of the row off the drawing: "
+        "$a_1, \\alpha_1, d_1, \\theta_1$. Lengths are whole metres, angles are whole quarter turns; $y$ follows from $x$ and $z$.",
+        figure=partial(draw_table, frames, numbers=True, path=False),
+        answer=Row(row),
+        mistakes=[
+            mistake("a and d swapped", [d, alpha, a, theta], WAYS["a and d swapped"].message),
+            mistake(
+                "angles swapped",
+                [a, theta, d, alpha],
+                "You exchanged the angles. $\\theta$ turns about $z_0$, from $x_0$ to $x_1$; $\\alpha$ turns about $x_1$, from $z_0$ "
+                "to $z_1$.",
+            ),
+            mistake("sign of alpha", [a, -alpha, d, theta], WAYS["sign of alpha"].message),
+            mistake(
+                "signs turned round",
+                [-a, -alpha, -d, -theta],
+                "The size is right, the sign is not. A row leads from frame 0 to frame 1: $d$ grows along $z_0$, $a$ along $x_1$, and "
+                "the right thumb points along $z_0$ for $\\theta$, along $x_1$ for $\\alpha$.",
+            ),
+            mistake("degrees", [a, np.degrees(alpha), d, np.degrees(theta)], WAYS["degrees"].message),
+        ],
+    )
+
+
+@problem("05.2", "One row as a matrix", points=2, lecture="05_dh_standard#The general A matrix")
+def one_row(sampler: ArmSampler) -> Problem:
+    a, d = sampler.length(0.2, 0.9), sampler.length(0.2, 0.9)
+    alpha, theta = sampler.choice([90, -90, 60, -60, 30, -30]), sampler.degrees(-75, 75)
+    row = np.array([a, np.radians(alpha), d, np.radians(theta)])
+    table, A = DHTable([row], convention="standard"), _row(row)
+    ahead = A.copy()
+    ahead[:3, 3] = a, 0, d
+    return Problem(
+        statement="Write $A_i$ for the row\n\n| a | alpha | d | theta |\n| --- | --- | --- | --- |\n"
+        f"| {number(a)} | {alpha}° | {number(d)} | {theta}° |\n\nin the standard convention. Lengths are in metres.",
+        given={"a": a, "alpha_degrees": alpha, "d": d, "theta_degrees": theta},
+        answer=Pose(A),
+        mistakes=[
+            *of_pose(table, [0], "the other convention", "a and d swapped", "sign of alpha", "degrees"),
+            mistake(
+                "a along the old x",
+                ahead,
+                "You walked $a$ along $x_{i-1}$. The turn $\\theta$ comes first, so $a$ runs along $x_i$: "
+                "the origin is at $(a\\,c_\\theta, a\\,s_\\theta, d)$.",
+            ),
+            mistake(
+                "only the joint",
+                _row(row * (0, 0, 1, 1)),
+                "This is the screw about $z_{i-1}$ alone. The common normal is missing: $T_x(a)\\,R_x(\\alpha)$.",
+            ),
+        ],
+    )
+
+
+@problem("05.3", "A whole table, off a drawing", points=4, lecture="05_dh_standard#Reading a table off a drawing")
+def whole_table(sampler: ArmSampler) -> Problem:
+    rows, places = np.zeros((3, 4)), [np.zeros(3)]
+    while not in_sight(places):
+        d, a = sampler.shuffled(range(1, 4)), sampler.shuffled(range(1, 4))
+        turns = [sampler.choice((0, 1, -1)) * RIGHT for _ in range(3)]
+        leans = [sampler.choice((1, -1)) * RIGHT, sampler.choice((1, -1)) * RIGHT, 0]
+        signs = [1, sampler.choice((-1, 1)), 0]
+        rows = np.array([[a[i], leans[i], signs[i] * d[i], turns[i]] for i in range(3)], dtype=float)
+        robot = DHTable(rows, convention="standard", name="your arm").to_chain()
+        places = [np.zeros(3), rows[0, 2] * Z, *robot.joint_points[1:], robot.home[:3, 3]]
+    table = DHTable(rows, convention="standard", name="your arm")
+    return Problem(
+        statement="Write a table of this arm in the standard convention. It is drawn where all its joint values are 0; each "
+        "arrow shows which way its joint turns when $q$ grows. Frame 0 is {s}, and frame 3 is {b}, so base and tool are the "
+        f"identity. Every table that moves {{b}} as the arm does is right.\n\n{joint_table(robot)}\n\n"
+        f"{{b}} is at ${vector(robot.home[:3, 3])}$, its $x$ along ${vector(robot.home[:3, 0])}$, its $z$ along "
+        f"${vector(robot.home[:3, 2])}$.",
+        figure=partial(draw_joints, robot, tool=True),
+        given={"screws": robot.screws, "home": robot.home, "points": robot.joint_points},
+        answer=Table(table, anchored=True),
+        mistakes=of_table(
+            table,
+            "no offset",
+            "sign of alpha",
+            "a and d swapped",
+            "alpha one row off",
+            "z on the wrong joint",
+            "off the normal",
+            "degrees",
+        ),
+    )
+
+
+@problem("05.4", "Offsets from a drawn zero", points=3, lecture="05_dh_standard#The offset")
+def offsets(sampler: ArmSampler) -> Problem:
+    lengths = [sampler.integer(1, 3) for _ in range(3)]
+    headings = [sampler.degrees(15, 75), sampler.degrees(-60, 60), sampler.degrees(-150, 150)]
+    values = np.radians(np.diff(headings, prepend=0))
+    rows = [[a, 0, 0, theta] for a, theta in zip(lengths, values, strict=True)]
+    table = DHTable(rows, convention="standard", name="Your planar arm")
+    said = ", ".join(f"link {i} by {angle}°" for i, angle in enumerate(headings, start=1))
+    return Problem(
+        statement="All axes of this planar arm point towards you, and $x_i$ runs along link $i$. The maker calls the drawn "
+        f"posture zero. In it, the links are turned against $x_0$, anticlockwise where positive: {said}. "
+        "The rows read $\\theta_i = q_i + c_i$. Give the offsets $c_1, c_2, c_3$ in radians.",
+        figure=partial(draw_table, table, view="top"),
+        given={"headings_degrees": np.array(headings)},
+        answer=Entries(values, names=["offset of theta_1", "offset of theta_2", "offset of theta_3"]),
+        mistakes=[
+            mistake(
+                "measured from the base",
+                np.radians(headings),
+                "You measured every link from $x_0$. $\\theta_i$ runs from $x_{i-1}$ to $x_i$, from one link to the next.",
+            ),
+            mistake("no offset", np.zeros(3), WAYS["no offset"].message),
+            mistake(
+                "signs turned round",
+                -values,
+                "You measured backwards, from $x_i$ to $x_{i-1}$. Anticlockwise is positive here, for $z$ points towards you.",
+            ),
+            mistake(
+                "added up",
+                np.cumsum(np.radians(headings)),
+                "You added the angles. The headings are sums already; the offsets are their differences.",
+            ),
+            mistake("degrees", np.degrees(values), WAYS["degrees"].message),
+        ],
+    )
+
+
+@problem("05.5", "A chain of A matrices", points=2, lecture="05_dh_standard#The product of the A matrices")
+def chain_of_matrices(sampler: ArmSampler) -> Problem:
+    letters = sampler.choice(["RPR", "RRP", "PRR"])
+    cells, values = [], []
+    for i, letter in enumerate(letters, start=1):
+        a, alpha = sampler.length(0.1, 0.6), sampler.choice([90, -90, 60, -60])
+        shift, turn = sampler.length(0.1, 0.6), sampler.choice([90, -90])
+        turns = f"q{i} {'+' if turn > 0 else '-'} 90°" if letter == "R" else f"{turn}°"
+        slides = f"{number(shift)}" if letter == "R" else f"q{i}"
+        cells.append(f"{number(a)} | {alpha}° | {slides} | {turns}")
+        values.append(np.radians(sampler.degrees(-75, 75)) if letter == "R" else sampler.length(0.2, 0.8))
+    text = "\n".join(["a | alpha | d | theta", *cells])
+    table, q = DHTable(text, convention="standard", name="your arm"), np.round(values, 3)
+    turned = np.array([letter == "R" for letter in letters])
+    printed = _printed(cells)
+    return Problem(
+        statement=f"Where is frame 3 of this arm, seen from frame 0, at $q = {vector(q)}$ (radians and metres)? The convention is "
+        f"standard.\n\n{printed}",
+        figure=partial(draw_table, table),  # at zero: at q, its words would tell the answer
+        given={"text": text, "q": q},
+        answer=Pose(table.fk(q)),
+        mistakes=[
+            *of_pose(
+                table,
+                q,
+                "reversed",
+                "the other convention",
+                "no offset",
+                "slide in theta",
+                "alpha one row off",
+                "a and d swapped",
+            ),
+            mistake(
+                "q in degrees",
+                table.fk(np.where(turned, np.degrees(q), q)),
+                "You turned radians into degrees. $q$ is in radians already, and sine and cosine want them so.",
+            ),
+        ],
+    )
+
+
+@problem("05.6", "The faulty entry", points=3, lecture="05_dh_standard#Reading a table off a drawing")
+def faulty_entry(sampler: ArmSampler) -> Problem:
+    rows, places = np.zeros((3, 4)), [np.zeros(3)]
+    while not in_sight(places):
+        rows = np.array(
+            [
+                [sampler.integer(1, 3), sampler.choice((-1, 1)), sampler.integer(1, 3), sampler.choice((-1, 0, 1, 2))]
+                for _ in range(3)
+            ],
+            dtype=float,
+        ) * (1, RIGHT, 1, RIGHT)
+        table = DHTable(rows, convention="standard", name="Frames 0 to 3")
+        links = table.link_transforms(np.zeros(3))
+        frames = [np.eye(4), links[0], links[0] @ links[1], links[0] @ links[1] @ links[2]]
+        places = [T[:3, 3] for T in frames]
+    i, k = sampler.integer(0, 2), sampler.integer(0, 3)
+    wrong = rows.copy()
+    if k in {0, 2}:
+        wrong[i, k] = sampler.choice([length for length in (1, 2, 3, -rows[i, k]) if length != rows[i, k]])
+    else:
+        quarter = round(rows[i, k] / RIGHT)
+        wrong[i, k] = RIGHT * sampler.choice([other for other in (-1, 0, 1, 2) if (other - quarter) % 4])
+    names = {f"{column}{row + 1}": f"{column} in row {row + 1}" for row in range(3) for column in COLUMNS}
+    partner, pair = COLUMNS[(k + 2) % 4], COLUMNS[k ^ 1]
+    column, row = COLUMNS[k], i + 1
+    lines = [" | ".join([number(a), _degrees(alpha), number(d), _degrees(theta)]) for a, alpha, d, theta in wrong]
+    printed = _printed(lines)
+    return Problem(
+        statement="The table below was read off the drawn frames, at $q = 0$, in the standard convention. One entry is wrong. "
+        f"Which? Answer with its column and its row, such as `'d2'`.\n\n{printed}",
+        figure=partial(draw_table, table, numbers=True),
+        given={"frames": np.array(frames), "rows": wrong},
+        answer=Choice(f"{column}{row}", names),
+        mistakes=[
+            mistake(
+                "its partner",
+                f"{partner}{row}",
+                "The row is right. But $d$ and $\\theta$ belong to $z_{i-1}$, $a$ and $\\alpha$ to $x_i$: look about which of the two "
+                "the drawing and the table differ.",
+            ),
+            mistake(
+                "the other number of the axis",
+                f"{pair}{row}",
+                "The row is right, and so is the axis. Of its two numbers one is a length, one an angle: look which of them differs.",
+            ),
+            mistake(
+                "the row before",
+                f"{column}{(row - 2) % 3 + 1}",
+                "The column is right, and you are in another row. Row $i$ leads from frame $i-1$ to frame $i$.",
+            ),
+            mistake(
+                "the row after",
+                f"{column}{row % 3 + 1}",
+                "The column is right, and you are in another row: that of the frame in front or behind. Count the frames from 0.",
+            ),
+        ],
+    )
+
+
+@problem("05.7", "Parallel axes", points=4, lecture="05_dh_standard#Special cases")
+def parallel_axes(sampler: ArmSampler) -> Problem:
+    sides = np.zeros((2, 2))
+    while np.abs(sides.sum(axis=0)).max() < 1:  # axis 3 shall not lie on axis 1
+        pairs = sampler.choice([(3, 4), (6, 8)]), sampler.choice([(3, 4), (6, 8), (5, 12)])
+        sides = np.array(
+            [np.array(sampler.shuffled(pair)) * (sampler.choice((-1, 1)), sampler.choice((-1, 1))) for pair in pairs]
+        )
+    climbs = [sampler.choice((-1, 1)) * sampler.integer(1, 3), sampler.choice((-1, 1)) * sampler.integer(1, 3)]
+    first = np.array((0, 0, sampler.integer(4, 6)), dtype=float)
+    second = first + np.append(sides[0], climbs[0])
+    third = second + np.append(sides[1], climbs[1])
+    points = np.array([first, second, third])
+    robot = arm([(Z, point) for point in points], pose((X, Y, Z), third), "Three upright joints", "drawn for you")
+    steps = np.diff(points, axis=0)
+    far = np.hypot(steps[:, 0], steps[:, 1])
+
+    def entries(a: Array, d: Array) -> Array:
+        return np.stack([a, d], axis=1).ravel()
+
+    return Problem(
+        statement="Three parallel axes point up. Their joints are where the table says. Put $O_0$ at joint 1, and each further "
+        "origin where the deck puts it for parallel axes, at joint $i + 1$; let each $x_i$ point from axis to axis. Give "
+        f"$a_1, d_1, a_2, d_2$.\n\n{joint_table(robot)}",
+        figure=partial(draw_joints, robot),
+        given={"points": points},
+        answer=Entries(entries(far, steps[:, 2]), names=["a_1", "d_1", "a_2", "d_2"]),
+        mistakes=[
+            mistake(
+                "off the normal", entries(np.linalg.norm(steps, axis=1), np.zeros(2)), WAYS["off the normal"].message
+            ),
+            mistake("a and d swapped", entries(steps[:, 2], far), WAYS["a and d swapped"].message),
+            mistake(
+                "height above the floor",
+                entries(far, points[1:, 2]),
+                "You took the height above the floor for $d$. It is measured from $O_{i-1}$, along $z_{i-1}$: a difference.",
+            ),
+            mistake(
+                "origins on one level",
+                entries(far, np.zeros(2)),
+                "You kept all origins on one level. That is a legal table of this arm, for parallel axes leave it open; here the "
+                "origins are asked for at the joints.",
+            ),
+            mistake(
+                "d downwards",
+                entries(far, -steps[:, 2]),
+                "Your $d$ has the other sign. It grows along $z$, which points up.",
+            ),
+            mistake(
+                "round the corner",
+                entries(np.abs(steps[:, :2]).sum(axis=1), steps[:, 2]),
+                "You added the steps along $x$ and along $y$. The common normal goes straight from axis to axis: Pythagoras.",
+            ),
+        ],
+    )
+
+
+@problem("05.8", "Base and tool", points=2, lecture="05_dh_standard#Base and tool")
+def base_and_tool(sampler: ArmSampler) -> Problem:
+    rows = [
+        [sampler.length(0.2, 0.6), sampler.choice([1, -1]) * RIGHT, sampler.length(0.2, 0.6), 0],
+        [sampler.length(0.3, 0.8), 0, 0, 0],
+    ]
+    up, forward, sideways = sampler.length(1.2, 2.4), sampler.length(0.2, 0.8), sampler.length(0.2, 0.8)
+    hangs = sampler.choice([(X, -Y, -Z), (-X, Y, -Z), (Y, X, -Z), (Y, Z, X), (Z, X, Y)])
+    base = pose(hangs, (forward, sideways, up))
+    looks = sampler.choice([(Y, Z, X), (Z, X, Y), (X, Z, -Y), (-Z, Y, X)])
+    tool = pose(looks, (sampler.length(0.1, 0.3), 0, sampler.length(0.1, 0.3)))
+    table = DHTable(rows, convention="standard", base=base, tool=tool, name="your arm")
+    bare = DHTable(rows, convention="standard")
+    q = np.round(np.radians([sampler.degrees(20, 80), sampler.degrees(-80, -20)]), 3)
+    T = bare.fk(q)
+    return Problem(
+        statement=f"An arm has two rows, $(a, \\alpha, d, \\theta) = {_spelt(rows[0], 1)}$ and ${_spelt(rows[1], 2)}$, in the standard "
+        f"convention. It is mounted at $T_{{s0}}$, and a camera {{b}} sits on frame 2 at $T_{{2b}}$:\n\n"
+        f"$$T_{{s0}} = {matrix(base)}, \\qquad T_{{2b}} = {matrix(tool)}.$$\n\nWhere is the camera, $T_{{sb}}(q)$, at $q = {vector(q)}$?",
+        figure=partial(draw_table, table),  # at zero: at q, its words would tell the answer
+        given={"rows": np.array(rows), "base": base, "tool": tool, "q": q},
+        answer=Pose(table.fk(q)),
+        mistakes=[
+            mistake("no base", T @ tool, "This is the camera as frame 0 sees it. Put $T_{s0}$ in front."),
+            mistake("no tool", base @ T, "This is where frame 2 is. The camera sits beside it: put $T_{2b}$ behind."),
+            mistake(
+                "neither",
+                T,
+                "This is frame 2 as frame 0 sees it. $T_{s0}$ belongs in front, $T_{2b}$ behind: neighbouring letters cancel.",
+            ),
+            mistake(
+                "exchanged",
+                tool @ T @ base,
+                "You exchanged base and tool. $T_{s0}\\,T_{02}\\,T_{2b}$: neighbouring letters cancel.",
+            ),
+            mistake(
+                "base behind", T @ base @ tool, "You put $T_{s0}$ behind the rows. What stands there rides on the hand."
+            ),
+            mistake("base in a row", base_in_a_row(table).fk(q), WAYS["base in a row"].message),
+            mistake("tool in a row", tool_in_a_row(table).fk(q), WAYS["tool in a row"].message),
+        ],
+    )
+
+
+def _row(row: Array) -> Array:
+    return dh_transform(*row, convention="standard")
+
+
+def _printed(rows: list[str]) -> str:
+    """A table in Markdown, from rows whose cells are already parted."""
+    head = ["| i | a | alpha | d | theta |", "| --- | --- | --- | --- | --- |"]
+    return "\n".join([*head, *(f"| {i} | {row} |" for i, row in enumerate(rows, start=1))])
+
+
+def _degrees(angle: float) -> str:
+    return f"{number(np.degrees(angle))}°"
+
+
+def _spelt(row: list[float], i: int) -> str:
+    a, alpha, d, _ = row
+    lean = {1: "\\pi/2", -1: "-\\pi/2", 0: "0"}[round(alpha / RIGHT)]
+    return f"({number(a)}, {lean}, {number(d)}, q_{i})"
+
+
+SHEET = Sheet(
+    "05_dh_standard",
+    "Denavit-Hartenberg tables in the standard convention",
+    [
+        four_numbers,
+        one_row,
+        whole_table,
+        offsets,
+        chain_of_matrices,
+        faulty_entry,
+        parallel_axes,
+        base_and_tool,
+    ],
+)

@@ -1,0 +1,490 @@
+"""Sheet 06: rows as two screws, link transforms, both conventions of one arm, a faulty entry, the wrist, a chain."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import partial, reduce
+from typing import ClassVar
+
+import numpy as np
+from misstep.answers.choice import Choice
+from misstep.answers.number import Numbers
+from misstep.mistakes import Mistake, mistake
+
+from kincourse.answers.dh_row import Row
+from kincourse.answers.point import Rotation
+from kincourse.answers.pose import Pose
+from kincourse.answers.screws import Screws
+from kincourse.mistakes.dh import of_pose
+from kincourse.mistakes.space_form import halves_swapped
+from kincourse.problem import problem
+from kincourse.sampling.arms import ArmSampler
+from kinlib.arrays.validation import Array
+from kinlib.dh.parsing import COLUMNS
+from kinlib.dh.table import Convention, DHTable, dh_transform
+from kinlib.rigid.lie import exp
+from kinlib.view import draw_arm, draw_frames
+from misstep.answers.base import TOLERANCE
+from misstep.problem import Problem
+from misstep.sheet import Sheet
+from misstep.text import matrix, number, vector
+
+TILTS = (-90, 90, -60, 60, -45, 45, -30, 30)
+"""Angles alpha for people, in degrees: none is 0, for a joint parallel to the one before hides half of the mistakes."""
+
+HEADS = {
+    "standard": "| $i$ | $a_i$ | $\\alpha_i$ | $d_i$ | $\\theta_i$ |",
+    "modified": "| $i$ | $a_{i-1}$ | $\\alpha_{i-1}$ | $d_i$ | $\\theta_i$ |",
+    "": "| row | $a$ | $\\alpha$ | $d$ | $\\theta$ |",
+}
+
+
+@dataclass(frozen=True, eq=False)
+class Rows(Numbers):
+    """The numbers of a table, (m, 4), in the order a, alpha, d, theta; each row is a part, angles count up to whole turns.
+
+    >>> Rows(np.zeros((2, 4))).agrees(np.zeros((2, 4)), np.array([[0, 0, 0, 2 * np.pi], [0, 0, 0.1, 0]]))
+    [True, False]
+    """
+
+    noun: ClassVar[str] = "rows of a, alpha, d, theta in metres and radians, an array"
+
+    @property
+    def parts(self) -> Sequence[str]:
+        return [f"row {i + 1}" for i in range(len(self.value))]
+
+    def agrees(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> list[bool]:
+        return [all(Row(mine).agrees(mine, yours, tolerance)) for mine, yours in zip(one, other, strict=True)]
+
+    def hint(self, given: Array, part: int) -> str:
+        right = Row(self.value[part]).agrees(given[part], self.value[part])
+        wrong = [name for name, fine in zip(COLUMNS, right, strict=True) if not fine]
+        return f"Look at its {' and '.join(wrong)}." if len(wrong) < 3 else ""
+
+
+@dataclass(frozen=True, eq=False)
+class Fault(Numbers):
+    """Where a printed table is wrong, and what belongs there: row and column, counted from 1, and the right value.
+
+    >>> Fault(np.array([2, 1, 0.5])).agrees(np.array([2, 1, 0.5]), np.array([2, 3, 0.5]))
+    [True, False, True]
+    """
+
+    noun: ClassVar[str] = "row, column and right value, an array"
+
+    @property
+    def parts(self) -> Sequence[str]:
+        return ["the row", "the column", "the value"]
+
+    def _pieces(self) -> list[int]:
+        return [0, 1, 2]
+
+
+@problem("06.1", "The link transform of a row", points=3, lecture="06_dh_modified#The general matrix")
+def link_transform(sampler: ArmSampler) -> Problem:
+    row = _row(sampler)
+    a, alpha, d, theta = row
+    ca, sa, c, s = np.cos(alpha), np.sin(alpha), np.cos(theta), np.sin(theta)
+    exchanged = _link(row)
+    exchanged[1, 0], exchanged[2, 1] = c * sa, s * ca
+    return Problem(
+        statement="Give the link transform ${}^{i-1}T_i$ of this row of a modified table, with the joint where it stands.\n\n"
+        + _printed([row], "modified"),
+        given={"a": a, "alpha": alpha, "d": d, "theta": theta},
+        answer=Pose(_link(row)),
+        mistakes=[
+            mistake(
+                "standard",
+                _link(row, "standard"),
+                "You read the row in the standard convention, $R_z T_z T_x R_x$. Modified is $R_x T_x R_z T_z$: across the link first.",
+            ),
+            mistake(
+                "sign of alpha",
+                _link((a, -alpha, d, theta)),
+                "Your $\\alpha$ turns the other way. $R_x(\\alpha)$ has $-\\sin\\alpha$ in its upper right, as every rotation that "
+                "turns the right-handed way.",
+            ),
+            mistake(
+                "a and d swapped",
+                _link((d, alpha, a, theta)),
+                "You exchanged $a$ and $d$. $a$ is the way along $x_{i-1}$, $d$ the way along $z_i$.",
+            ),
+            mistake(
+                "degrees",
+                _link((a, np.degrees(alpha), d, np.degrees(theta))),
+                "You gave degrees to a cosine that reads radians: use np.radians first.",
+            ),
+            mistake(
+                "entries exchanged",
+                exchanged,
+                "You used the first general matrix of Lecture 7, in which two entries have changed places. Its columns are not "
+                "square to each other.",
+            ),
+        ],
+    )
+
+
+@problem("06.2", "A row as two axial screws", points=2, lecture="06_dh_modified#Two axial screws")
+def axial_screws(sampler: ArmSampler) -> Problem:
+    row = _row(sampler)
+    a, alpha, d, theta = row
+    right = np.array([[alpha, 0, 0, a, 0, 0], [0, 0, theta, 0, 0, d]])
+    return Problem(
+        statement="Give the two twists $x_1, x_2$, $(\\omega, v)$ in rows, for which ${}^{i-1}T_i = e^{[x_1]} e^{[x_2]}$.\n\n"
+        + _printed([row], "modified"),
+        given={"a": a, "alpha": alpha, "d": d, "theta": theta},
+        answer=Screws(right, names=["the first twist", "the second twist"]),
+        mistakes=[
+            mistake(
+                "halves swapped",
+                halves_swapped(right),
+                "You wrote $(v, \\omega)$. Here a twist is $(\\omega, v)$: the turn first, then the slide.",
+            ),
+            mistake(
+                "joint first",
+                right[::-1],
+                "You put the joint first. That is the standard convention; the modified one crosses the link first.",
+            ),
+            mistake(
+                "theta for alpha",
+                [[theta, 0, 0, a, 0, 0], right[1]],
+                "You turned about $x$ by $\\theta$. That is how Lecture 7 prints it, and it is a fault: about $x$ turns $\\alpha$.",
+            ),
+            mistake(
+                "a and d swapped",
+                [[alpha, 0, 0, d, 0, 0], [0, 0, theta, 0, 0, a]],
+                "You exchanged $a$ and $d$. Each screw slides along its own axis: $a$ along $x$, $d$ along $z$.",
+            ),
+            mistake(
+                "unit screws",
+                [[1, 0, 0, a / alpha, 0, 0], [0, 0, 1, 0, 0, d / theta]],
+                "These are the right screw axes, for one radian. The twist is the axis times its angle.",
+            ),
+            mistake(
+                "degrees",
+                right * np.repeat((180 / np.pi, 1.0), 3),
+                "Your angles are in degrees. A twist holds radians.",
+            ),
+        ],
+    )
+
+
+@problem("06.3", "From standard to modified", points=4, lecture="06_dh_modified#Converting")
+def to_modified(sampler: ArmSampler) -> Problem:
+    table = _table(sampler, "standard")
+    return Problem(
+        statement="Convert this standard table to the modified convention. The base stays; what is left over becomes the tool, "
+        "and no part of the answer. Give four rows $a_{i-1}, \\alpha_{i-1}, d_i, \\theta_i$ at $q = 0$, angles in radians.\n\n"
+        + _printed(table.rows, "standard", table.joints),
+        given={"rows": table.rows, "joints": table.joints},
+        answer=Rows(table.converted("modified").rows),
+        mistakes=_conversion(
+            table.rows,
+            down=True,
+            folded="You put the left-over $a$ and $\\alpha$ of the last row into the first. They stand behind the last joint: "
+            "they are the tool.",
+        ),
+    )
+
+
+@problem("06.4", "From modified to standard", points=4, lecture="06_dh_modified#Converting")
+def to_standard(sampler: ArmSampler) -> Problem:
+    table = _table(sampler, "modified")
+    return Problem(
+        statement="The first row of this modified table is not empty: its frame {0} stands on the wall, away from axis 1. "
+        "Convert the table to the standard convention. What is left over becomes the base, and no part of the answer. "
+        "Give four rows $a_i, \\alpha_i, d_i, \\theta_i$ at $q = 0$, angles in radians.\n\n"
+        + _printed(table.rows, "modified", table.joints),
+        given={"rows": table.rows, "joints": table.joints},
+        answer=Rows(table.converted("standard").rows),
+        mistakes=_conversion(
+            table.rows,
+            down=False,
+            folded="You put the left-over $a$ and $\\alpha$ of the first row into the last. They stand before the first joint: "
+            "they are the base.",
+        ),
+    )
+
+
+@problem("06.5", "Which convention is this?", points=2, lecture="06_dh_modified#Which convention is this?")
+def which_convention(sampler: ArmSampler) -> Problem:
+    truth = sampler.choice("abcd")
+    rows = np.array([_row(sampler), _row(sampler)])
+    rows[:, 3] = 0.0
+    q = np.radians([sampler.degrees(20, 80), sampler.degrees(-80, -20)])
+    if truth == "c":  # without d and theta only screws along one x are left, and they commute
+        rows[:, 2], q = 0.0, np.zeros(2)
+    poses = {name: DHTable(rows, convention=name).fk(q) for name in ("standard", "modified")}
+    faulty = DHTable(rows * (1, -1, 1, 1), convention=sampler.choice(["standard", "modified"])).fk(q)
+    T = {"a": poses["standard"], "b": poses["modified"], "c": poses["standard"], "d": faulty}[truth]
+    off = {name: float(np.linalg.norm(pose[:3, 3] - T[:3, 3])) for name, pose in poses.items()}
+    turned = {name: not np.allclose(pose[:3, :3], T[:3, :3]) for name, pose in poses.items()}
+    options = {
+        "a": "standard",
+        "b": "modified",
+        "c": "both readings give this pose, so it does not tell",
+        "d": "neither reading gives this pose, so the table has a fault",
+    }
+    why = {
+        "a": f"Read as standard, the table puts the hand {number(off['standard'])} m from there"
+        + (", and turns it otherwise." if turned["standard"] else "."),
+        "b": f"Read as modified, the table puts the hand {number(off['modified'])} m from there"
+        + (", and turns it otherwise." if turned["modified"] else "."),
+        "c": "The two readings do not agree at this posture: multiply the rows both ways, and compare with the pose.",
+        "d": "At least one of the readings does give this pose. Compare all sixteen entries, with all digits.",
+    }
+    if truth == "c":
+        why["a"] = "It may be standard. But read as modified it gives the same pose: all $d$ and $\\theta$ are 0 here."
+        why["b"] = "It may be modified. But read as standard it gives the same pose: all $d$ and $\\theta$ are 0 here."
+    listed = "\n".join(f"- `'{letter}'`: {text}" for letter, text in options.items())
+    return Problem(
+        statement="A table of two revolute joints came without a word on its convention. On the machine, with base and tool at "
+        f"its first and last frame, somebody measured the pose $T$ of the hand at $q = {vector(np.degrees(q))}$ degrees. "
+        f"Which reading of the table is right?\n\n{_printed(rows, '', 'RR')}\n\n$$T = {matrix(T)}$$\n\n{listed}",
+        figure=partial(draw_frames, {"0": np.eye(4), "2": T}, arrows=False),
+        given={"rows": rows, "q": q, "pose": T},
+        answer=Choice(truth, options),
+        mistakes=[mistake(options[letter], letter, why[letter]) for letter in options if letter != truth],
+    )
+
+
+@problem("06.6", "The faulty entry", points=3, lecture="06_dh_modified#The general matrix")
+def faulty_entry(sampler: ArmSampler) -> Problem:
+    rows = np.array(
+        [(0.0, 0.0, sampler.length(0.1, 0.4), np.radians(sampler.degrees(-80, 80))), _row(sampler), _row(sampler)]
+    )
+    row, column = sampler.integer(2, 3), sampler.integer(1, 4)
+    right = rows[row - 1, column - 1]
+    printed = rows.copy()
+    printed[row - 1, column - 1] = (
+        (right + 0.15) if column in (1, 3) else (right + np.radians(sampler.choice([15, 20])))
+    )
+    links = DHTable(rows, convention="modified").link_transforms(np.zeros(3))
+    poses = np.array([reduce(np.matmul, links[: k + 1]) for k in range(3)])
+    other = {1: 3, 2: 4, 3: 1, 4: 2}[column]
+    shown = "\n\n".join(f"$${{}}^0T_{k + 1} = {matrix(T)}$$" for k, T in enumerate(poses))
+    return Problem(
+        statement="One entry of this modified table is misprinted. The frames of the arm, at $q = 0$, are right. Find the entry, "
+        "and give its row, its column and the value that belongs there: three numbers. Columns count 1 to 4 as printed, "
+        f"the value is in metres or radians.\n\n{_printed(printed, 'modified', 'RRR')}\n\n{shown}",
+        figure=partial(draw_frames, {"0": np.eye(4), **{str(k + 1): T for k, T in enumerate(poses)}}),
+        given={"rows": printed, "poses": poses},
+        answer=Fault(np.array([row, column, right])),
+        mistakes=[
+            mistake(
+                "counted from 0",
+                [row - 1, column - 1, right],
+                "You counted from 0, as Python does. On paper the first row and the first column are 1.",
+            ),
+            mistake(
+                "the row of the other frame",
+                [row - 1, column, right],
+                "The value is right, the row is not. Row $i$ leads from {i-1} to {i}, although its $a$ and $\\alpha$ carry the "
+                "index $i-1$.",
+            ),
+            mistake(
+                "the other of its kind",
+                [row, other, right],
+                "The row is right. But "
+                + (
+                    "$a$ is measured along $x_{i-1}$, and $d$ along $z_i$: you have exchanged them."
+                    if column in (1, 3)
+                    else "$\\alpha$ turns about $x_{i-1}$, and $\\theta$ about $z_i$: you have exchanged them."
+                ),
+            ),
+            mistake(
+                "what is printed",
+                [row, column, printed[row - 1, column - 1]],
+                "You found the entry, and gave what is printed there. Read the right value off $({}^0T_{i-1})^{-1}\\,{}^0T_i$.",
+            ),
+            mistake(
+                "inverse",
+                [row, column, -right],
+                "The entry is right, its sign is not. Did you take $({}^0T_i)^{-1}\\,{}^0T_{i-1}$? That is the way back.",
+            ),
+        ],
+    )
+
+
+@problem("06.7", "The rotation of a wrist", points=3, lecture="06_dh_modified#The wrist")
+def wrist(sampler: ArmSampler) -> Problem:
+    degrees = [sampler.degrees(-80, 80) for _ in range(3)]
+    t4, t5, t6 = np.radians(degrees)
+    constant = _turn("x", -np.pi / 2)
+    euler = _turn("y", t4) @ _turn("z", t5) @ _turn("y", t6)
+    rows = [(0.0, -np.pi / 2, 0.0, 0.0), (0.0, np.pi / 2, 0.0, 0.0), (0.0, -np.pi / 2, 0.0, 0.0)]
+    reversed_ = reduce(
+        np.matmul, [_link((*row[:3], t))[:3, :3] for row, t in zip(rows[::-1], (t6, t5, t4), strict=True)]
+    )
+    typed = _turn("y", degrees[0]) @ _turn("z", degrees[1]) @ _turn("y", degrees[2])
+    return Problem(
+        statement="Rows 4 to 6 of a modified table are those of the PUMA's wrist. Give ${}^3R_6$ at "
+        f"$(\\theta_4, \\theta_5, \\theta_6) = {vector(degrees)}$ degrees.\n\n"
+        + _printed(rows, "modified", "RRR", first=4),
+        given={"degrees": degrees},
+        answer=Rotation(euler @ constant),
+        mistakes=[
+            mistake(
+                "no constant",
+                euler,
+                "You gave the Y-Z-Y Euler angles alone. Behind them stands the constant $R_x(-90°)$: put in zeros and see.",
+            ),
+            mistake(
+                "constant on the left",
+                constant @ euler,
+                "You put the constant on the left. With Y-Z-Y it stands on the right; on the left it goes with Z-Y-Z.",
+            ),
+            mistake(
+                "constant turned round",
+                euler @ constant.T,
+                "Your constant is $R_x(+90°)$. The sum of the three $\\alpha$ is $-90°$.",
+            ),
+            mistake(
+                "standard",
+                _turn("z", t4) @ _turn("y", t5) @ _turn("z", t6) @ constant,
+                "You read the rows in the standard convention. Then the same table is a Z-Y-Z wrist, with the constant behind it.",
+            ),
+            mistake(
+                "reversed",
+                reversed_,
+                "You multiplied from row 6 to row 4. Joint 4 carries 5 and 6, so its factor stands leftmost.",
+            ),
+            mistake(
+                "degrees",
+                typed @ constant,
+                "You gave degrees to a cosine that reads radians: use np.radians first.",
+            ),
+        ],
+    )
+
+
+@problem("06.8", "The chain of Lecture 7", points=3, lecture="06_dh_modified#A worked example")
+def chain(sampler: ArmSampler) -> Problem:
+    a1, d2 = sampler.length(0.3, 0.9), sampler.length(0.2, 0.9)
+    degrees = sampler.degrees(-75, 75), sampler.degrees(-75, 75)
+    rows: list[list[float]] = [[0, 0, 0, 0], [a1, np.pi / 2, 0, 0], [0, -np.pi / 2, 0, 0]]
+    table = DHTable(rows, convention="modified", joints="RPR", name="RPR of Lecture 7")
+    q = np.array([np.radians(degrees[0]), d2, np.radians(degrees[1])])
+    return Problem(
+        statement=f"The RPR arm of Lecture 7 stands at $\\theta_1 = {degrees[0]}$ degrees, $d_2 = {number(d2)}$ m, "
+        f"$\\theta_3 = {degrees[1]}$ degrees. Give ${{}}^0T_3 = {{}}^0T_1\\,{{}}^1T_2\\,{{}}^2T_3$.\n\n"
+        + _printed(table.rows, "modified", "RPR"),
+        figure=partial(draw_arm, table.to_chain()),
+        given={"rows": table.rows, "values": np.array([degrees[0], d2, degrees[1]])},
+        answer=Pose(table.fk(q)),
+        mistakes=[
+            *of_pose(
+                table, q, "reversed", "the other convention", "slide in theta", "sign of alpha", "alpha one row off"
+            ),
+            mistake(
+                "degrees",
+                table.fk([degrees[0], d2, degrees[1]]),
+                "You gave degrees to a cosine that reads radians. Only the two turns are angles; $d_2$ stays in metres.",
+            ),
+            mistake(
+                "slide in a",
+                DHTable([rows[0], [a1 + d2, *rows[1][1:]], rows[2]], convention="modified", joints="RPR").fk(
+                    q * (1, 0, 1)
+                ),
+                "You added $d_2$ to $a_1$. $a_1$ runs along $x_1$; the slide runs along $z_2$, square to it.",
+            ),
+        ],
+    )
+
+
+def _row(sampler: ArmSampler) -> tuple[float, float, float, float]:
+    """A row without a zero, a and d apart: no swap can hide."""
+    a, d = sampler.shuffled([sampler.length(0.2, 0.5), sampler.length(0.6, 0.9)])
+    alpha, theta = sampler.choice(TILTS), sampler.degrees(-80, 80)
+    return a, float(np.radians(alpha)), d, float(np.radians(theta))
+
+
+def _table(sampler: ArmSampler, convention: Convention) -> DHTable:
+    """Four rows of their own lengths and angles, one of them a slide."""
+    rows = np.array([_row(sampler) for _ in range(4)])
+    rows[:, 0] = np.array(sampler.shuffled([0.2, 0.3, 0.4, 0.5, 0.6]))[:4]
+    return DHTable(rows, convention=convention, joints=sampler.choice(["RRPR", "RPRR", "RRRP"]))
+
+
+def _link(row: Sequence[float], convention: Convention = "modified") -> Array:
+    a, alpha, d, theta = row
+    return dh_transform(a, alpha, d, theta, convention=convention)
+
+
+def _turn(axis: str, angle: float) -> Array:
+    turn: Array = exp(angle * np.eye(3)["xyz".index(axis)])
+    return turn
+
+
+def _conversion(rows: Array, down: bool, folded: str) -> list[Mistake]:
+    """The wrong ways to hand a and alpha on by one row, down to modified or up to standard."""
+    step, empty = (1, 0) if down else (-1, -1)
+
+    def handed(by: int, columns: slice, lost: int | None) -> Array:
+        moved = rows.copy()
+        moved[:, columns] = np.roll(rows[:, columns], by, axis=0)
+        if lost is not None:
+            moved[lost, columns] = 0.0
+        return moved
+
+    to, onto = ("modified", "next") if down else ("standard", "previous")
+    return [
+        mistake(
+            "not converted",
+            rows,
+            f"These are the rows as they stand. In the {to} convention each row's $a$ and $\\alpha$ stand in the {onto} row.",
+        ),
+        mistake(
+            "the other way",
+            handed(-step, np.s_[:2], -1 if down else 0),
+            f"You handed $a$ and $\\alpha$ on the wrong way. To {to}, each row gives them to the {onto} one.",
+        ),
+        mistake(
+            "whole rows",
+            handed(step, np.s_[:], empty),
+            "You moved whole rows. $d$ and $\\theta$ belong to the joint and stay in its row; only $a$ and $\\alpha$ move.",
+        ),
+        mistake(
+            "alpha alone",
+            handed(step, np.s_[1:2], empty),
+            "You moved $\\alpha$ and left $a$. Both belong to one link, and to one screw: they move together.",
+        ),
+        mistake("end folded in", handed(step, np.s_[:2], None), folded),
+        mistake(
+            "degrees",
+            handed(step, np.s_[:2], empty) * (1, 180 / np.pi, 1, 180 / np.pi),
+            "Your angles are in degrees. The answer is in radians; np.radians converts them.",
+        ),
+    ]
+
+
+def _printed(
+    rows: Array | Sequence[tuple[float, float, float, float]], convention: str, joints: str = "", first: int = 1
+) -> str:
+    """A table as a slide prints it, angles in degrees, with the variable of each joint where it belongs."""
+    lines = [HEADS[convention], "|" + " --- |" * 5]
+    for k, (a, alpha, d, theta) in enumerate(rows):
+        kind, name = joints[k : k + 1], f"q_{k + first}"
+        slide, turn = number(d), f"{number(np.degrees(theta))}°"
+        if kind == "R":
+            turn = f"{name} + {turn}" if theta else name
+        if kind == "P":
+            slide = f"{name} + {slide}" if d else name
+        turn = turn.replace("+ -", "- ")
+        lines.append(f"| {k + first} | {number(a)} | {number(np.degrees(alpha))}° | ${slide}$ | ${turn}$ |")
+    return "\n".join(lines)
+
+
+SHEET = Sheet(
+    "06_dh_modified",
+    "Denavit-Hartenberg tables in the modified convention",
+    [
+        link_transform,
+        axial_screws,
+        to_modified,
+        to_standard,
+        which_convention,
+        faulty_entry,
+        wrist,
+        chain,
+    ],
+)

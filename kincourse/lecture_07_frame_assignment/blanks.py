@@ -1,0 +1,124 @@
+"""The blanks of lecture 07: a row between anti-parallel axes, an origin, and the whole table of an arm nobody has seen."""
+
+from dataclasses import replace
+
+import numpy as np
+from misstep.answers.number import Numbers
+from misstep.mistakes import mistake
+
+from kincourse.answers.dh_row import Row
+from kincourse.answers.dh_table import Table
+from kincourse.mistakes.dh import WAYS, of_table
+from kincourse.problem import problem
+from kincourse.sampling.arms import ArmSampler
+from kinlib.chains.robots import SLIDE, X, Y, Z, arm, pose
+from kinlib.dh.assignment import assign_frames
+from misstep.problem import Problem
+
+STRANGER = arm(
+    [
+        (Z, (0, 0, 0)),
+        (-Y, (0, 0, 0.5)),
+        (-Y, (0.5, 0, 0.5)),
+        (Y, (0.8, 0.2, 0.5)),
+        (X, (0.9, 0.35, 0.8), SLIDE),
+        (X, (1.1, 0.35, 0.8)),
+    ],
+    pose((X, Y, Z), (1.3, 0.35, 0.8)),
+    "stranger",
+    "made for lecture 07",
+)
+"""The arm that the lecture builds: five pairs of axes, five different cases."""
+
+
+@problem("07.a", "A row between anti-parallel axes", points=1, lecture="07_frame_assignment#The algorithm")
+def anti_parallel_row(_draw: ArmSampler) -> Problem:
+    return Problem(
+        statement="Give row 3 of the stranger, standard convention, as $[a, \\alpha, d, \\theta]$ at home.",
+        answer=Row(np.array([0.3, np.pi, -0.2, 0.0])),
+        mistakes=[
+            mistake(
+                "parallel",
+                [0.3, 0.0, -0.2, 0.0],
+                "You took $\\alpha = 0$. $z_2$ points along $-y$ and $z_3$ along $+y$: from one to the other it is half a turn.",
+            ),
+            mistake(
+                "sign of d",
+                [0.3, np.pi, 0.2, 0.0],
+                "$d$ has the right size and the wrong sign. It is measured along $z_2$, which points along $-y$ of {s}.",
+            ),
+            mistake(
+                "parallel, and the sign of d",
+                [0.3, 0.0, 0.2, 0.0],
+                "You measured along the axis of joint 4. In the standard convention $d_3$ is measured along $z_2$, the axis of "
+                "joint 3, and from $z_2$ to $z_3$ it is half a turn.",
+            ),
+            mistake("off the normal", [np.hypot(0.3, 0.2), np.pi, 0.0, 0.0], WAYS["off the normal"].message),
+            mistake("a and d swapped", [-0.2, np.pi, 0.3, 0.0], WAYS["a and d swapped"].message),
+            mistake("degrees", [0.3, 180.0, -0.2, 0.0], WAYS["degrees"].message),
+        ],
+    )
+
+
+@problem("07.b", "The foot of a normal", points=1, lecture="07_frame_assignment#A worked example")
+def origin_4(_draw: ArmSampler) -> Problem:
+    return Problem(
+        statement="Where is $O_4$ of the stranger in the standard convention, seen from {s}?",
+        answer=Numbers(np.array([0.8, 0.35, 0.8]), unit="m"),
+        mistakes=[
+            mistake(
+                "at joint 5",
+                [0.9, 0.35, 0.8],
+                "This is where the slide is drawn. An origin stands at the foot of the normal, wherever the joint is built.",
+            ),
+            mistake(
+                "the other foot",
+                [0.8, 0.35, 0.5],
+                "This is the foot on axis 4, where the modified convention puts its origin. In the standard one $O_4$ lies on "
+                "the axis of joint 5.",
+            ),
+            mistake(
+                "at joint 6",
+                [1.1, 0.35, 0.8],
+                "This is joint 6, on the same line. $O_4$ belongs to the pair of axes 4 and 5; the normal meets axis 5 at $x = 0.8$.",
+            ),
+            mistake(
+                "above joint 4",
+                [0.8, 0.2, 0.8],
+                "You went straight up from joint 4. Axis 5 passes beside that point, at $y = 0.35$: the normal starts "
+                "further along axis 4.",
+            ),
+        ],
+    )
+
+
+@problem("07.c", "The table of the stranger", points=1, lecture="07_frame_assignment#What is free")
+def table_of_the_stranger(_draw: ArmSampler) -> Problem:
+    table = assign_frames(STRANGER, convention="standard").table
+    rows = table.rows.copy()
+    rows[2, 1] = 0.0
+    return Problem(
+        statement="Give a table of the stranger, in either convention. Every table of the same mechanism is right.",
+        answer=Table(table),
+        mistakes=[
+            mistake(
+                "anti-parallel as parallel",
+                replace(table, rows=rows),
+                "Axes 3 and 4 point opposite ways: $\\alpha$ between them is $\\pi$. With 0 all that comes "
+                "behind joint 4 is turned over, and $d_4$ runs the wrong way.",
+            ),
+            *of_table(
+                table,
+                "the other convention",
+                "z on the wrong joint",
+                "alpha one row off",
+                "a and d swapped",
+                "slide in theta",
+                "off the normal",
+                "degrees",
+            ),
+        ],
+    )
+
+
+STEPS = [anti_parallel_row, origin_4, table_of_the_stranger]

@@ -1,0 +1,430 @@
+"""Sheet 07: the case of two axes, frames and tables of drawn arms, broken rules, and which tables are one arm."""
+
+from dataclasses import replace
+from functools import partial
+
+import numpy as np
+from misstep.answers.choice import Choice
+from misstep.answers.number import Numbers
+from misstep.mistakes import Mistake, mistake
+
+from kincourse.answers.dh_table import Table
+from kincourse.answers.frames import Frames
+from kincourse.mistakes.dh import of_table
+from kincourse.problem import problem
+from kincourse.sampling.arms import DIRECTIONS, ArmSampler
+from kincourse.text.joint_table import joint_table
+from kinlib.arrays.validation import Array
+from kinlib.chains.chain import Chain
+from kinlib.chains.robots import SLIDE, X, Y, Z, arm, pose
+from kinlib.dh.assignment import assign_frames
+from kinlib.dh.equivalence import equivalent
+from kinlib.dh.table import DHTable
+from kinlib.view import draw_joints
+from kinlib.view.drawing.picture import Picture
+from kinlib.view.figures.assignment import draw_assignment
+from misstep.problem import Problem
+from misstep.sheet import Sheet
+from misstep.text import number, vector
+
+RIGHT = np.pi / 2
+
+CASES = {
+    "a": "skew",
+    "b": "intersecting",
+    "c": "parallel",
+    "d": "anti-parallel",
+    "e": "coincident",
+    "f": "anti-coincident",
+}
+
+
+@problem("07.1", "The case of two axes", points=2, lecture="07_frame_assignment#The algorithm")
+def the_case(sampler: ArmSampler) -> Problem:
+    right = sampler.choice(list(CASES))
+    z, point = sampler.choice(DIRECTIONS), sampler.point(4)
+    side = sampler.choice([axis for axis in DIRECTIONS if not axis @ z])
+    along, off = sampler.integer(1, 3) * sampler.choice((-1, 1)), sampler.integer(1, 3)
+    other = {"a": side, "b": side, "c": z, "d": -z, "e": z, "f": -z}[right]
+    across = {"a": np.cross(z, side), "b": 0 * z, "c": side, "d": side, "e": 0 * z, "f": 0 * z}[right]
+    place = point + along * z + off * across + (sampler.integer(1, 3) * side if right in "ab" else 0)
+    robot = arm([(z, point), (other, place)], pose((X, Y, Z), place + X), "Two axes", "drawn for you")
+    listed = "\n".join(f"- {letter}) {case}" for letter, case in CASES.items())
+    return Problem(
+        statement=f"Two revolute joints are neighbours. In which case are their axes?\n\n{joint_table(robot)}\n\n{listed}\n\n"
+        "Answer with a letter, such as `'a'`.",
+        figure=partial(draw_joints, robot),
+        given={"axes": np.array([z, other]), "points": robot.joint_points},
+        answer=Choice(right, CASES),
+        mistakes=[mistake(CASES[wrong], wrong, _why_not(wrong, right)) for wrong in CASES if wrong != right],
+    )
+
+
+def _why_not(wrong: str, right: str) -> str:
+    """The first feature of two axes in which two cases differ."""
+    lean = {"a": "neither", "b": "neither", "c": "same", "d": "opposite", "e": "same", "f": "opposite"}
+    if lean[wrong] != lean[right]:
+        return {
+            "neither": "Compare the directions: these two are no multiples of each other, so the axes are not parallel.",
+            "same": "Compare the directions: they are equal. Axes that point the same way leave $\\alpha = 0$.",
+            "opposite": "Compare the directions: one is the other with a minus. Such axes are parallel, and $\\alpha = \\pi$.",
+        }[lean[right]]
+    if right in "bef":
+        return "Look for a common point: from one joint, walk along its axis. You do come to the other axis."
+    return "Look for a common point: no walk along one axis brings you to the other, so they are apart."
+
+
+@problem("07.2", "Frames by the rules", points=4, lecture="07_frame_assignment#The algorithm")
+def frames_by_the_rules(sampler: ArmSampler) -> Problem:
+    robot = sampler.arm("RRR")
+    found = assign_frames(robot, convention="standard").frames
+    return Problem(
+        statement="Place frames 0 to 3 on this arm by the rules of the standard convention. Answer with four poses as seen from "
+        "{s}, an array of shape (4, 4, 4): place them by hand in the next cell and copy them, or write each with "
+        "`pose((x, y, z), origin)` from `kinlib.chains.robots`. Whatever the rules leave open, "
+        f"choose.\n\n{joint_table(robot)}",
+        figure=partial(draw_joints, robot),
+        given={"screws": robot.screws, "home": robot.home, "points": robot.joint_points},
+        answer=Frames(found, chain=robot, convention="standard"),
+        mistakes=[
+            mistake(
+                "z on the wrong joint",
+                assign_frames(robot, convention="modified").frames,
+                "You put $z_i$ on the axis of joint $i$. In the standard convention it lies on that of joint $i + 1$, and $z_0$ on "
+                "that of joint 1.",
+            ),
+            mistake(
+                "left-handed",
+                found * _columns(1, -1, 1),
+                "Your frames are left-handed. $y = z \\times x$: turn every $y$ round.",
+            ),
+            mistake(
+                "origins at the joints",
+                _at_the_joints(found, robot),
+                "You put every origin where its joint is drawn. It stands where the common normal meets the axis.",
+            ),
+            mistake(
+                "x along the link",
+                _along_the_links(found, robot),
+                "You laid $x_i$ along the link, from joint to joint. It runs along the common normal, square to both axes.",
+            ),
+        ],
+    )
+
+
+def _columns(x: float, y: float, z: float) -> Array:
+    """A factor for each column of a pose."""
+    factors: Array = np.array([[x, y, z, 1.0]])
+    return factors
+
+
+def _at_the_joints(frames: Array, robot: Chain) -> Array:
+    moved = frames.copy()
+    moved[: robot.n, :3, 3] = robot.joint_points
+    return moved
+
+
+def _along_the_links(frames: Array, robot: Chain) -> Array:
+    turned = frames.copy()
+    for i in range(1, robot.n):
+        link = robot.joint_points[i] - robot.joint_points[i - 1]
+        x = link / np.linalg.norm(link)
+        turned[i, :3, 0] = x
+        turned[i, :3, 1] = np.cross(frames[i, :3, 2], x)
+    return turned
+
+
+@problem("07.3", "The table of a drawn arm", points=4, lecture="07_frame_assignment#What is free")
+def table_of_an_arm(sampler: ArmSampler) -> Problem:
+    robot = sampler.arm(sampler.choice(["RRR", "RRRP", "RRRR"]))
+    table = assign_frames(robot, convention="standard").table
+    return Problem(
+        statement="Write a table of this arm in the standard convention: text with the head `a | alpha | d | theta`, one row for each "
+        "joint, with `q1`, `q2`, ... for what moves. Every table of the same mechanism is right: base, tool, zeros and joint signs are "
+        f"yours to choose.\n\n{joint_table(robot)}",
+        figure=partial(draw_joints, robot),
+        given={"screws": robot.screws, "home": robot.home, "points": robot.joint_points},
+        answer=Table(table),
+        mistakes=of_table(
+            table,
+            "the other convention",
+            "z on the wrong joint",
+            "alpha one row off",
+            "a and d swapped",
+            "off the normal",
+            "degrees",
+        ),
+    )
+
+
+@problem("07.4", "Parallel and anti-parallel axes", points=4, lecture="07_frame_assignment#The algorithm")
+def parallel_axes(sampler: ArmSampler) -> Problem:
+    height, upper, fore, hand = (sampler.integer(1, 4) for _ in range(4))
+    aside, behind = sampler.integer(1, 3), sampler.choice((-1, 1)) * sampler.integer(1, 3)
+    back = sampler.choice((-1, 1))
+    points = np.cumsum([(0, 0, height), (upper, 0, 0), (fore, aside, 0), (0, behind, hand)], axis=0).astype(float)
+    axes = [Z, back * Y, back * Y, -back * Y, X]
+    robot = arm(
+        [*zip(axes, [np.zeros(3), *points], strict=True)],
+        pose((X, Y, Z), points[-1] + X),
+        "Your arm",
+        "drawn for you",
+    )
+    table = assign_frames(robot, convention="modified").table
+    # With O_3 at the height of joint 4, as most people would: along anti-parallel axes both d change alike.
+    same_way, level = table.rows.copy(), table.rows.copy()
+    same_way[2:4, 2] += aside * back
+    same_way[3, 1] = 0.0
+    level[:, 2] = 0.0
+    return Problem(
+        statement="Axes 2, 3 and 4 of this arm are parallel lines, and axis 4 points the other way. Write a table in the modified "
+        f"convention. Every table of the same mechanism is right.\n\n{joint_table(robot)}",
+        figure=partial(draw_joints, robot),
+        given={"screws": robot.screws, "home": robot.home, "points": robot.joint_points},
+        answer=Table(table),
+        mistakes=[
+            mistake(
+                "alpha 0",
+                table.changed(rows=same_way),
+                "Axes 3 and 4 are parallel and point opposite ways: $\\alpha_3$ is $\\pi$, not 0.",
+            ),
+            mistake(
+                "d forgotten",
+                table.changed(rows=level),
+                "Your origins may slide along parallel axes, but what lies between the first and the last normal stays: some $d$ "
+                "has to hold the step along $y$.",
+            ),
+            *of_table(
+                table, "the other convention", "z on the wrong joint", "alpha one row off", "a and d swapped", "degrees"
+            ),
+        ],
+    )
+
+
+RULES = {
+    "a": "$x_i$ is not perpendicular to $z_{i-1}$",
+    "b": "the line of $x_i$ does not meet the axis $z_{i-1}$",
+    "c": "$z_i$ does not lie along the axis of joint $i + 1$",
+    "d": "the origin does not lie on the axis of joint $i + 1$",
+    "e": "none: the frame is legal",
+}
+
+LOOK = {
+    "a": "Take the scalar product of $x_i$ and $z_{i-1}$.",
+    "b": "Walk from the origin along $x_i$, both ways: do you come to the axis $z_{i-1}$?",
+    "c": "Compare $z_i$ with the direction of joint $i + 1$, not of joint $i$.",
+    "d": "From the origin, is the arrow to the joint a multiple of the axis?",
+    "e": "Go through the rules one by one, with the numbers.",
+}
+
+
+@problem("07.5", "Which rule is broken?", points=3, lecture="07_frame_assignment#When a table is wrong")
+def which_rule(sampler: ArmSampler) -> Problem:
+    robot, right = sampler.arm("RRR"), sampler.choice(list(RULES))
+    found = assign_frames(robot, convention="standard")
+    i, frames = sampler.integer(1, 2), found.frames.copy()
+    T, far = frames[i], sampler.choice((-1, 1)) * sampler.integer(1, 2)
+    turn = sampler.choice((-1, 1)) * np.radians(sampler.choice([30, 45, 60]))
+    c, s = np.cos(turn), np.sin(turn)
+    x, y, z = T[:3, :3].T
+    axes, origin = {
+        "a": ((c * x + s * y, c * y - s * x, z), T[:3, 3]),
+        "b": ((x, y, z), T[:3, 3] + far * z),
+        "c": ((x, -z, y), T[:3, 3]),
+        "d": ((x, y, z), T[:3, 3] + far * x),
+        "e": ((-x, -y, z), T[:3, 3]),
+    }[right]
+    frames[i] = pose(axes, origin)
+    before = frames[i - 1]
+    listed = "\n".join(f"- {letter}) {rule}" for letter, rule in RULES.items())
+    return Problem(
+        statement=f"Somebody placed frames on this arm, in the standard convention. Frame {i - 1} is right: its origin is at "
+        f"${vector(before[:3, 3])}$, and $z_{i - 1} = {vector(before[:3, 2])}$. Frame {i} has its origin at ${vector(origin)}$, with "
+        f"$x_{i} = {vector(axes[0])}$ and $z_{i} = {vector(axes[2])}$. Which rule does frame $i = {i}$ break?"
+        f"\n\n{joint_table(robot)}\n\n{listed}\n\nAnswer with a letter, such as `'a'`.",
+        figure=partial(_with_frames, robot, frames),
+        given={"frame": i, "frames": frames, "screws": robot.screws, "points": robot.joint_points},
+        answer=Choice(right, RULES),
+        mistakes=[_another_rule(wrong, right) for wrong in RULES if wrong != right],
+    )
+
+
+def _another_rule(wrong: str, right: str) -> Mistake:
+    if wrong == "e":
+        return mistake("called legal", wrong, f"There is a rule that this frame breaks. {LOOK[right]}")
+    if right == "e":
+        return mistake(f"rule {wrong}", wrong, f"This rule is obeyed. {LOOK[wrong]} An $x$ may point either way.")
+    return mistake(f"rule {wrong}", wrong, f"This rule is obeyed; another one is broken. {LOOK[wrong]}")
+
+
+def _with_frames(robot: Chain, frames: Array) -> Picture:
+    return draw_assignment(replace(assign_frames(robot, convention="standard"), frames=frames))
+
+
+@problem("07.6", "A table to mend", points=3, lecture="07_frame_assignment#When a table is wrong")
+def table_to_mend(sampler: ArmSampler) -> Problem:
+    rows = np.zeros((4, 4))
+    for i in range(4):
+        rows[i] = sampler.integer(1, 3), sampler.choice((-1, 1)) * RIGHT, sampler.integer(1, 3), 0.0
+    table = DHTable(rows, convention="standard", name="Your arm")
+    robot = table.to_chain()
+    i, k = sampler.choice([(1, 0), (2, 0), (1, 2), (2, 2)])
+    off = sampler.choice([step for step in (-2, -1, 1, 2) if rows[i, k] + step > 0])
+    printed = rows.copy()
+    printed[i, k] += off
+    twice, beside = printed.copy(), printed.copy()
+    twice[i, k] += off
+    beside[i, 2 - k] -= off
+    lines = [
+        f"| {n} | {number(a)} | {number(np.degrees(lean))}° | {number(d)} | q{n} |"
+        for n, (a, lean, d, _) in enumerate(printed, 1)
+    ]
+    text = "\n".join(["| i | a | alpha | d | theta |", "| --- | --- | --- | --- | --- |", *lines])
+    return Problem(
+        statement="This table claims to be the arm below, in the standard convention. One length is wrong. Find it by the axes, and give "
+        f"the mended table.\n\n{text}\n\n{joint_table(robot)}",
+        figure=partial(draw_joints, robot),
+        given={"rows": printed, "screws": robot.screws, "home": robot.home, "points": robot.joint_points},
+        answer=Table(table),
+        mistakes=[
+            mistake(
+                "as printed",
+                table.changed(rows=printed),
+                "This is the printed table. One of its lengths does not fit the axes.",
+            ),
+            mistake(
+                "the other way",
+                table.changed(rows=twice),
+                "You found the entry, and changed it the wrong way: it is twice as far off now.",
+            ),
+            mistake(
+                "its partner",
+                table.changed(rows=beside),
+                "The row is the right one, but you changed the other length. $a$ is the distance between two axes, $d$ the distance "
+                "between two normals.",
+            ),
+        ],
+    )
+
+
+@problem("07.7", "A slide drawn elsewhere", points=2, lecture="07_frame_assignment#Prismatic joints are free vectors")
+def slide_elsewhere(sampler: ArmSampler) -> Problem:
+    first, second, moved = sampler.shuffled(
+        [sampler.length(0.2, 0.5), sampler.length(0.55, 0.9), sampler.length(0.95, 1.4)]
+    )
+    reach = first + second
+    robot = arm(
+        [(Z, (0, 0, 0)), (-Y, (first, 0, 0), SLIDE), (Z, (reach, 0, 0))],
+        pose((X, Y, Z), (reach, 0, 0)),
+        "Your crane",
+        "drawn for you",
+    )
+    return Problem(
+        statement=f"The modified table of this arm says $a_1 = {number(first)}$ and $a_2 = {number(second)}$, for its slide is drawn at "
+        f"$x = {number(first)}$. A colleague draws the same slide at $x = {number(moved)}$, in the same direction. Give $a_1$ and $a_2$ "
+        f"in her table, with every $x$ axis along $x$ of {{s}}.\n\n{joint_table(robot)}",
+        figure=partial(draw_joints, robot),
+        given={"a_1": first, "a_2": second, "moved_to": moved},
+        answer=Numbers(np.array([moved, reach - moved]), unit="m"),
+        mistakes=[
+            mistake(
+                "unchanged",
+                [first, second],
+                "The arm does not change, but the table does: a row measures from line to line, and she drew another line.",
+            ),
+            mistake(
+                "only the first",
+                [moved, second],
+                "$a_1$ is right. But joint 3 stayed where it is: what one row gains, the next one loses.",
+            ),
+            mistake(
+                "only the second",
+                [first, reach - moved],
+                "$a_2$ is right. But $a_1$ is the distance from axis 1 to the slide's line, and that line has moved.",
+            ),
+            mistake(
+                "sign of the second",
+                [moved, moved - reach],
+                "$a_2$ has the wrong sign. It is counted along $x$, from the slide's line to axis 3; if you come from beyond, it is "
+                "negative.",
+            ),
+            mistake(
+                "exchanged",
+                [reach - moved, moved],
+                "You exchanged the two: $a_1$ leads to the slide, $a_2$ from it to joint 3.",
+            ),
+        ],
+    )
+
+
+@problem("07.8", "Which table is the same arm?", points=3, lecture="07_frame_assignment#Two right tables")
+def same_arm(sampler: ArmSampler) -> Problem:
+    table, changed = _two_tables(sampler)
+    names = list(changed)
+    order = sampler.shuffled(names)
+    letters = dict(zip("abcd", order, strict=True))
+    right = next(letter for letter, name in letters.items() if name == "legal")
+    shown = "\n\n".join(f"**{letter})**\n\n{_as_markdown(changed[name])}" for letter, name in letters.items())
+    why = {
+        "half an x": "In this one somebody began to turn $x_3$ round and stopped half-way: $a_3$ and $\\alpha_3$ have to change their "
+        "signs together.",
+        "half a slide": "In this one $O_2$ slid along the parallel axes in row 2 only. What $d_2$ gains, $d_3$ has to lose.",
+        "a sign": "In this one $d_4$ has the other sign, and nothing makes up for it.",
+    }
+    return Problem(
+        statement=f"Here is a table in the standard convention:\n\n{_as_markdown(table)}\n\nOne of these is the same mechanism:"
+        f"\n\n{shown}\n\nWhich? Answer with a letter, such as `'a'`.",
+        given={"table": table.rows, "tables": {letter: changed[name].rows for letter, name in letters.items()}},
+        answer=Choice(right, dict.fromkeys("abcd", "a table")),
+        mistakes=[mistake(name, letter, why[name]) for letter, name in letters.items() if name != "legal"],
+    )
+
+
+def _two_tables(sampler: ArmSampler) -> tuple[DHTable, dict[str, DHTable]]:
+    """A table with parallel axes 2 and 3, a legal re-choice of it, and three that changed by half."""
+    while True:
+        rows = np.zeros((5, 4))
+        for i in range(5):
+            rows[i] = (
+                sampler.length(0.1, 0.6),
+                np.radians(sampler.choice([90, -90, 60, -60])),
+                sampler.length(0.1, 0.6),
+                0.0,
+            )
+        rows[1, 1], slid = 0.0, sampler.length(0.1, 0.4)
+        table = DHTable(rows, convention="standard")
+        turn_x = rows.copy()
+        turn_x[2] = turn_x[2] * (-1, -1, 1, 1) + (0, 0, 0, np.pi)
+        turn_x[3, 3] -= np.pi
+        half_x = turn_x * np.where(np.outer(np.eye(5)[2], np.eye(4)[1]) == 1, -1, 1)
+        legal = turn_x + slid * np.outer(np.eye(5)[1] - np.eye(5)[2], np.eye(4)[2])
+        half_slide = turn_x + slid * np.outer(np.eye(5)[1], np.eye(4)[2])
+        sign = legal * np.where(np.outer(np.eye(5)[3], np.eye(4)[2]) == 1, -1, 1)
+        made = {"legal": legal, "half an x": half_x, "half a slide": half_slide, "a sign": sign}
+        changed = {name: table.changed(rows=new) for name, new in made.items()}
+        if [bool(equivalent(table, other)) for other in changed.values()] == [True, False, False, False]:
+            return table, changed
+
+
+def _as_markdown(table: DHTable) -> str:
+    head = ["| i | a | alpha | d | theta |", "| --- | --- | --- | --- | --- |"]
+    for i, (a, alpha, d, theta) in enumerate(table.rows, start=1):
+        turn = f"q{i}" + (f" {'+' if theta > 0 else '-'} {number(abs(np.degrees(theta)))}°" if theta else "")
+        head.append(f"| {i} | {number(a)} | {number(np.degrees(alpha))}° | {number(d)} | {turn} |")
+    return "\n".join(head)
+
+
+SHEET = Sheet(
+    "07_frame_assignment",
+    "DH frames for any arm",
+    [
+        the_case,
+        frames_by_the_rules,
+        table_of_an_arm,
+        parallel_axes,
+        which_rule,
+        table_to_mend,
+        slide_elsewhere,
+        same_arm,
+    ],
+)

@@ -1,0 +1,470 @@
+"""Sheet 08: loops to be closed by hand and by formula, modes told apart, freedoms counted where counting holds and fails."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import partial
+
+import numpy as np
+from misstep.answers.choice import Choice
+from misstep.answers.number import Numbers
+from misstep.mistakes import mistake
+
+from kincourse.problem import problem
+from kincourse.sampling.arms import ArmSampler
+from kincourse.sampling.four_bar_geometry import Bars, slider_place
+from kincourse.sampling.linkages import PLANAR, SPATIAL, crank_rocker, held_back, of_kind, over_constrained
+from kinlib.angles import wrap_angle
+from kinlib.arrays.validation import Array
+from kinlib.mechanisms import linkages
+from kinlib.rigid.lie import exp, inverse, log
+from kinlib.view.figures.linkage import draw_linkage
+from misstep.answers.angle import Angles
+from misstep.problem import Problem
+from misstep.sheet import Sheet
+from misstep.text import number, vector
+
+ANGLES = "$A$ and $D$ count from the $x$ axis, $B$ is the coupler's angle against the crank, $C$ its angle against the rocker."
+
+
+def told(bars: Bars) -> str:
+    """The lengths, in a sentence."""
+    ground, crank, coupler, rocker = (number(length) for length in bars)
+    return f"A four-bar has a ground of {ground} m, a crank of {crank} m, a coupler of {coupler} m and a rocker of {rocker} m."
+
+
+def open_posture(A: float) -> Array:
+    """A posture to draw where C must not be given away: the coupler along x, the rocker upright."""
+    return np.array([A, -A, np.pi / 2, 0.0])
+
+
+@problem(
+    "08.1", "The gap of a posture", points=3, lecture="08_closed_chains#A loop is an open chain that must come back"
+)
+def gap(sampler: ArmSampler) -> Problem:
+    bars = crank_rocker(sampler)
+    linkage = linkages.four_bar(*bars)
+    degrees = np.array(
+        [sampler.degrees(20, 80), sampler.degrees(-60, -20), sampler.degrees(85, 130), sampler.degrees(-75, -25)]
+    )
+    S = {joint.name: joint.screws[0] for joint in linkage.joints}
+    G = linkage.joints[3].gap
+
+    def factors(angles: Array) -> tuple[Array, Array, Array, Array]:
+        A, B, D, C = (exp(S[name] * angle) for name, angle in zip("ABDC", angles, strict=True))
+        return A, B, D, C
+
+    A, B, D, C = factors(np.radians(degrees))
+    wrong = factors(degrees.astype(float))
+    r = log(D @ C @ G @ inverse(A @ B))
+    listed = ", ".join(f"${name} = {angle}°$" for name, angle in zip("ABDC", degrees, strict=True))
+    return Problem(
+        statement=f"{told(bars)} {ANGLES} It is not closed yet: {listed}. Walk round, from the ground over D and C to the coupler and "
+        "back over B and A. What twist is left over, $r = \\log(e^{[S_D]D}\\, e^{[S_C]C}\\, G\\, e^{-[S_B]B}\\, e^{-[S_A]A})$?",
+        figure=partial(draw_linkage, linkage, np.radians(degrees)),
+        given={"S": S, "G": G, "degrees": dict(zip("ABDC", degrees.tolist(), strict=True))},
+        answer=Numbers(r),
+        mistakes=[
+            mistake(
+                "not inverted",
+                log(D @ C @ G @ A @ B),
+                "You did not invert the second branch. Branches that meet have equal poses, so one is multiplied by the other's "
+                "inverse: on the way back every joint is undone.",
+            ),
+            mistake(
+                "not reversed",
+                log(D @ C @ G @ inverse(A) @ inverse(B)),
+                "The signs are right, the order is not: on the way back you pass B first, then A.",
+            ),
+            mistake(
+                "no gap",
+                log(D @ C @ inverse(A @ B)),
+                "You left out $G$. The drawing is open; $G$ moves the coupler's drawing to where C has it.",
+            ),
+            mistake(
+                "the other way round",
+                -r,
+                "You walked the other way: over A and B, and back over C and D. All signs turn.",
+            ),
+            mistake(
+                "degrees",
+                log(wrong[2] @ wrong[3] @ G @ inverse(wrong[0] @ wrong[1])),
+                "You used degrees as radians.",
+            ),
+        ],
+    )
+
+
+@problem("08.2", "Both ways to put it together", points=3, lecture="08_closed_chains#The smallest loop")
+def both_modes(sampler: ArmSampler) -> Problem:
+    bars, degrees = crank_rocker(sampler), sampler.degrees(25, 155)
+    A = np.radians(degrees)
+    left, right = bars.modes(A)
+    D = np.array([left[2], right[2]])
+    swapped = Bars(bars.ground, bars.crank, bars.rocker, bars.coupler).modes(A)[:, 2]
+    return Problem(
+        statement=f"{told(bars)} Its crank stands at {degrees} degrees from the $x$ axis. Give the rocker's angle $D$, from the $x$ axis "
+        "too and in radians, in both assembly modes, in any order. (Drawn before C is pinned.)",
+        figure=partial(draw_linkage, linkages.four_bar(*bars), open_posture(A)),
+        given={"bars": tuple(bars), "degrees": degrees},
+        answer=Angles(D, any_order=True),
+        mistakes=[
+            mistake(
+                "mirrored in the ground",
+                [left[2], -left[2]],
+                "One is right. You mirrored it in the ground line, but B does not move: the mirror is the line from B to D.",
+            ),
+            mistake(
+                "inner angles",
+                np.pi - D,
+                "These are the inner angles at D. The joint value counts from the direction of $x$, anticlockwise.",
+            ),
+            mistake(
+                "crank from y",
+                bars.modes(np.pi / 2 - A)[:, 2],
+                "You measured the crank from the $y$ axis. At 0 degrees it lies along $x$.",
+            ),
+            mistake(
+                "lengths swapped",
+                swapped,
+                "You swapped coupler and rocker. The circle about B has the coupler's radius, the one about D the rocker's.",
+            ),
+            mistake(
+                "the coupler's angles",
+                [left[0] + left[1], right[0] + right[1]],
+                "These are the coupler's angles from the $x$ axis. The rocker hangs at D.",
+            ),
+            mistake("degrees", np.degrees(D), "Right, but in degrees. Joint values are in radians."),
+        ],
+    )
+
+
+@problem("08.3", "A point of the coupler", points=3, lecture="08_closed_chains#The smallest loop")
+def coupler_point(sampler: ArmSampler) -> Problem:
+    bars, degrees = crank_rocker(sampler), sampler.degrees(25, 155)
+    A, point = np.radians(degrees), np.array([sampler.length(0.1, 0.25), sampler.length(0.1, 0.25)])
+    linkage, (q, other) = linkages.four_bar(*bars), bars.modes(A)
+    B = bars.joints(A)[0]
+
+    def carried(angle: float, where: Array = point) -> Array:
+        turned: Array = B + exp(np.array([0.0, 0.0, angle]))[:2, :2] @ where
+        return turned
+
+    angle = q[0] + q[1]
+    drawn = {"P": ("coupler", (bars.crank + point[0], point[1], 0.0))}
+    return Problem(
+        statement=f"{told(bars)} Its crank stands at {degrees} degrees, and C lies to the left of the arrow from B to D. A point P of the "
+        f"coupler lies {number(point[0])} m from B along the coupler, towards C, and {number(point[1])} m to the left of it. Where is P, "
+        "as $[x, y]$ from A?",
+        figure=partial(draw_linkage, linkage, q, points=drawn),
+        given={"bars": tuple(bars), "degrees": degrees, "along": point[0], "left": point[1]},
+        answer=Numbers(carried(angle), unit="m"),
+        mistakes=[
+            mistake(
+                "other mode", carried(other[0] + other[1]), "This is P in the other assembly mode, with C to the right."
+            ),
+            mistake(
+                "relative angle",
+                carried(q[1]),
+                "You turned by $B$ alone. $B$ counts from the crank; from the $x$ axis the coupler stands at $A + B$.",
+            ),
+            mistake(
+                "not turned",
+                B + point,
+                "You added P's coordinates without turning them: the coupler does not lie along $x$.",
+            ),
+            mistake(
+                "to the right",
+                carried(angle, point * (1, -1)),
+                "P lies to the left of the way from B to C. You put it to the right.",
+            ),
+            mistake(
+                "from C",
+                carried(angle, point * (-1, 1) + (bars.coupler, 0)),
+                "You measured from C. P's distance along the coupler counts from B.",
+            ),
+        ],
+    )
+
+
+@problem("08.4", "A slider-crank with an offset", points=2, lecture="08_closed_chains#A worked example")
+def slider(sampler: ArmSampler) -> Problem:
+    crank, rod, offset = (
+        sampler.length(0.1, 0.25),
+        sampler.length(0.45, 0.8),
+        sampler.choice((-1, 1)) * sampler.length(0.05, 0.15),
+    )
+    degrees = sampler.degrees(20, 160)
+    A = np.radians(degrees)
+    x = slider_place(crank, rod, offset, A)
+    linkage = linkages.slider_crank(crank, rod, offset)
+    side = "above" if offset > 0 else "below"
+    return Problem(
+        statement=f"A slider-crank has a crank of {number(crank)} m and a rod of {number(rod)} m. Its slide runs along $x$, "
+        f"{number(abs(offset))} m {side} A. The crank stands at {degrees} degrees from the $x$ axis. Where is the slider "
+        "along $x$, from A, on the far side of B? (Drawn before C is pinned.)",
+        figure=partial(draw_linkage, linkage, np.array([A, -A, 1.1 * (crank + rod), 0.0])),
+        given={"crank": crank, "rod": rod, "offset": offset, "degrees": degrees},
+        answer=Numbers(np.array(x), unit="m"),
+        mistakes=[
+            mistake(
+                "other mode",
+                slider_place(crank, rod, offset, A, side=-1),
+                "This is the other mode, the slider on the near side of B.",
+            ),
+            mistake("no offset", slider_place(crank, rod, 0.0, A), "You let the slide run through A."),
+            mistake(
+                "sign of the offset",
+                slider_place(crank, rod, -offset, A),
+                f"The slide runs {side} A; you took the other side.",
+            ),
+            mistake(
+                "flat rod",
+                crank * np.cos(A) + rod,
+                "You laid the rod along $x$. It climbs from B to the slide, so it reaches less far.",
+            ),
+            mistake(
+                "crank from y",
+                slider_place(crank, rod, offset, np.pi / 2 - A),
+                "You measured the crank from the $y$ axis, or swapped sine and cosine.",
+            ),
+            mistake(
+                "degrees",
+                slider_place(crank, rod, offset, float(degrees)),
+                "You gave degrees to a cosine that wants radians.",
+            ),
+        ],
+    )
+
+
+@problem("08.5", "Which posture is drawn?", points=2, lecture="08_closed_chains#The smallest loop")
+def which_mode(sampler: ArmSampler) -> Problem:
+    bars, degrees, drawn, named = _told_apart(sampler)
+    q = bars.modes(np.radians(degrees))[drawn]
+    letters = dict(zip("abcd", sampler.shuffled(list(named)), strict=True))
+    listed = {letter: np.degrees(wrap_angle(named[name])).round(1) for letter, name in letters.items()}
+    shown = "\n".join(f"- {letter}) $D = {number(D)}°$, $C = {number(C)}°$" for letter, (D, C) in listed.items())
+    why = {
+        "other mode": "These values close the loop too, in the other mode. Look on which side of the line from B to D the pin C lies.",
+        "inner angle": "This $D$ is the inner angle of the quadrilateral. The rocker's angle counts from the direction of $x$.",
+        "sign of C": "$D$ is right. $C$ counts from the rocker to the coupler, anticlockwise, and yours has the other sign.",
+    }
+    C = bars.joints(np.radians(degrees))[2][drawn]
+    return Problem(
+        statement=f"{told(bars)} {ANGLES} Somebody assembled it with the crank at {degrees} degrees, and read off that C is at "
+        f"${vector(C.round(2))}$, to a centimetre. Which joint values are these?\n\n{shown}\n\nAnswer with a letter, such as `'a'`.",
+        figure=partial(draw_linkage, linkages.four_bar(*bars), q),
+        given={
+            "bars": tuple(bars),
+            "C": C.round(2),
+            "options": {letter: values.tolist() for letter, values in listed.items()},
+        },
+        answer=Choice(
+            next(letter for letter, name in letters.items() if name == "right"), dict.fromkeys("abcd", "joint values")
+        ),
+        mistakes=[mistake(name, letter, why[name]) for letter, name in letters.items() if name != "right"],
+    )
+
+
+def _told_apart(sampler: ArmSampler) -> tuple[Bars, int, int, dict[str, Array]]:
+    """A four-bar, its crank angle, one of its modes, and four pairs (D, C) that differ by more than a reading error."""
+    while True:
+        bars, degrees, drawn = crank_rocker(sampler), sampler.degrees(25, 155), sampler.integer(0, 1)
+        q, other = bars.modes(np.radians(degrees))[[drawn, 1 - drawn]]
+        named = {
+            "right": np.array([q[2], q[3]]),
+            "other mode": np.array([other[2], other[3]]),
+            "inner angle": np.array([np.pi - q[2], q[3]]),
+            "sign of C": np.array([q[2], -q[3]]),
+        }
+        pairs = np.array(list(named.values()))
+        apart = np.abs(wrap_angle(pairs[:, None] - pairs[None])).max(axis=-1) + 2 * np.eye(4)
+        if apart.min() > 0.2:
+            return bars, degrees, drawn, named
+
+
+KINDS = {
+    "a": "the crank turns right round, the rocker swings",
+    "b": "crank and rocker both turn right round",
+    "c": "crank and rocker swing, and the coupler turns right round",
+    "d": "no bar turns right round against another",
+    "e": "it is at the limit: all four bars can lie on one line",
+}
+
+
+@problem("08.6", "What kind of four-bar is it?", points=2, lecture="08_closed_chains#Grashof's condition")
+def kind_of(sampler: ArmSampler) -> Problem:
+    right = sampler.choice(list(KINDS))
+    bars = of_kind(sampler, right)
+    listed = "\n".join(f"- {letter}) {kind}" for letter, kind in KINDS.items())
+    return Problem(
+        statement=f"{told(bars)} What holds?\n\n{listed}\n\nAnswer with a letter, such as `'a'`.",
+        given={"bars": tuple(bars)},
+        answer=Choice(right, KINDS),
+        mistakes=[mistake(f"kind {wrong}", wrong, _not_of_kind(wrong, right)) for wrong in KINDS if wrong != right],
+    )
+
+
+def _not_of_kind(wrong: str, right: str) -> str:
+    if right == "e":
+        return "Add up shortest and longest, and the other two: the sums are equal, and that is the limit."
+    if right == "d":
+        return "Shortest plus longest is more than the other two together: here no bar turns right round."
+    if wrong == "d":
+        return "Shortest plus longest is less than the other two together, so the shortest bar does turn right round."
+    if wrong == "e":
+        return "At the limit shortest plus longest would be exactly what the other two are together."
+    turns = {"a": "the crank", "b": "the ground", "c": "the coupler"}[right]
+    return f"Grashof's condition holds, so the shortest bar turns against all others. Which bar is the shortest? Here it is {turns}."
+
+
+@problem("08.7", "How far the crank can go", points=3, lecture="08_closed_chains#The configuration-space curve")
+def dead_point(sampler: ArmSampler) -> Problem:
+    bars = held_back(sampler)
+    ground, crank, coupler, rocker = bars
+    far = coupler + rocker
+    A = bars.dead_point()
+    return Problem(
+        statement=f"{told(bars)} Its crank cannot turn right round. What is the greatest angle $A$ from the $x$ axis, in radians, at which "
+        "the loop still closes?",
+        figure=partial(draw_linkage, linkages.four_bar(*bars), bars.modes(0.6 * A)[0]),
+        given={"bars": tuple(bars)},
+        answer=Angles(np.array(A)),
+        mistakes=[
+            mistake(
+                "supplement",
+                np.pi - A,
+                "This is the supplement. In the triangle A, B, D the angle at A is the crank's own.",
+            ),
+            mistake(
+                "angle at B",
+                _corner(crank, far, ground),
+                "This is the angle at B of the triangle A, B, D. The crank's angle is the one at A, opposite the stretched bars.",
+            ),
+            mistake(
+                "angle at D",
+                _corner(ground, far, crank),
+                "This is the angle at D of the triangle A, B, D. The crank's angle is the one at A.",
+            ),
+            mistake(
+                "one bar only",
+                np.arccos(np.clip(bars.cosine(max(coupler, rocker)), -1, 1)),
+                "You let one bar reach from B to D. At the dead point coupler and rocker lie in one line, end to end.",
+            ),
+            mistake("degrees", np.degrees(A), "Right, but in degrees. Joint values are in radians."),
+        ],
+    )
+
+
+def _corner(one: float, two: float, opposite: float) -> float:
+    """The angle of a triangle between two sides."""
+    return float(np.arccos((one**2 + two**2 - opposite**2) / (2 * one * two)))
+
+
+JOINTS = "A pin and a slide have one freedom, a universal joint two, a ball joint three."
+
+
+@problem("08.8", "Freedoms by counting", points=3, lecture="08_closed_chains#Counting freedoms")
+def counting(sampler: ArmSampler) -> Problem:
+    d, kinds = sampler.choice([(3, PLANAR), (6, SPATIAL), (6, SPATIAL)])
+    one, other = sampler.shuffled(kinds)[:2]
+    legs = [one] * sampler.integer(1, 3) + [other] * sampler.integer(1, 3)
+    f = [freedoms for leg in legs for freedoms in leg.freedoms]
+    N, J = 2 + sum(len(leg.freedoms) - 1 for leg in legs), len(f)
+    place = "in one plane" if d == 3 else "in space"
+    counts = [f"{legs.count(leg)} with {leg.words}" for leg in (one, other)]
+    right = d * (N - 1 - J) + sum(f)
+    mistakes = [
+        mistake(
+            "ground not counted",
+            right - d,
+            f"You are $d = {d}$ too low. The ground is a body too, and the platform another: $N = {N}$. Or did you count one loop for each "
+            "leg? The first leg closes none.",
+        ),
+        mistake(
+            "d N",
+            right + d,
+            f"You are $d = {d}$ too high: the ground stands still, so {N - 1} bodies move, not {N}.",
+        ),
+        mistake(
+            "the wrong d",
+            (9 - d) * (N - 1 - J) + sum(f),
+            f"You took $d = {9 - d}$. A body that moves {place} has {d} freedoms when it is free.",
+        ),
+        mistake("no loops", sum(f), "You added up the freedoms of the joints. Each loop takes $d$ of them away."),
+    ]
+    if d == 6:
+        mistakes.append(
+            mistake(
+                "one freedom each",
+                d * (N - 1 - J) + J,
+                "You gave every joint one freedom. A universal joint has two, a ball joint three.",
+            )
+        )
+    return Problem(
+        statement=f"A platform moves {place}. It stands on {len(legs)} legs, {' and '.join(counts)}, each named from the ground to the "
+        f"platform, with a body of its own between every two joints. {JOINTS} How many freedoms does Kutzbach's formula give?",
+        given={"d": d, "legs": [leg.freedoms for leg in legs]},
+        answer=Numbers(np.array(float(right))),
+        mistakes=mistakes,
+    )
+
+
+@problem("08.9", "Counted, felt, had", points=3, lecture="08_closed_chains#Where counting fails")
+def three_numbers(sampler: ArmSampler) -> Problem:
+    case = over_constrained(sampler)
+    linkage, loops = case.linkage, len(case.linkage.loops)
+    found = linkage.mobility(case.q)
+    counted, felt, rank = found.kutzbach, found.instantaneous, linkage.n - found.instantaneous
+    d = (linkage.n - counted) // loops
+    shown = ", ".join(f"{value:.3f}" if value > 1e-6 else "0" for value in found.singular_values)
+    return Problem(
+        statement=f"The drawing shows {case.words}: {linkage.n} joint values in {loops} loop{'s' * (loops > 1)}. In this posture "
+        f"the Jacobian of its closure has the singular values {shown}. How many freedoms are *counted* by Kutzbach's formula, how "
+        "many are *felt* in this posture, and how many are *had*, so that they lead to other postures?",
+        figure=partial(draw_linkage, linkage, case.q, names=False),
+        given={"joint_values": linkage.n, "loops": loops, "singular_values": found.singular_values.round(3)},
+        answer=Counts(np.array([counted, felt, case.had], dtype=float), names=["counted", "felt", "had"]),
+        mistakes=[
+            mistake(
+                "believed the count",
+                [counted, counted, counted],
+                "You believed the count. Felt is the number of joint values less the rank of $J$: look at the singular values that are 0.",
+            ),
+            mistake(
+                "rank",
+                [counted, rank, case.had],
+                f"You gave the rank of $J$, {rank}: how many of its equations are new. Felt is what they leave over.",
+            ),
+            mistake(
+                "the wrong d",
+                [linkage.n - (9 - d) * loops, felt, case.had],
+                f"You counted with $d = {9 - d}$. This linkage moves {'in one plane' if d == 3 else 'in space'}: $d = {d}$.",
+            ),
+            mistake("had", [counted, felt, 1 - case.had], case.why),
+        ],
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class Counts(Numbers):
+    """Whole numbers with names, each a part."""
+
+    names: Sequence[str] = ()
+
+    @property
+    def expected(self) -> str:
+        return f"{len(self.names)} whole numbers, {', '.join(self.names)}"
+
+    @property
+    def parts(self) -> Sequence[str]:
+        return self.names
+
+    def _pieces(self) -> list[int]:
+        return list(range(len(self.names)))
+
+
+SHEET = Sheet(
+    "08_closed_chains",
+    "Closed chains",
+    [gap, both_modes, coupler_point, slider, which_mode, kind_of, dead_point, counting, three_numbers],
+)

@@ -1,0 +1,219 @@
+"""Wrong ways to write a DH table: each takes the right table and returns what people write instead.
+
+`of_table` gives a problem whose answer is a table its mistakes with their sentences, `of_pose` one whose answer is the
+product of the rows. Both take the names of WAYS that fit the problem.
+"""
+
+from collections.abc import Callable, Mapping
+from functools import reduce
+from typing import NamedTuple
+
+import numpy as np
+from misstep.mistakes import Mistake, mistake
+from numpy.typing import ArrayLike
+
+from kinlib.arrays.validation import Array
+from kinlib.dh.parsing import ANGLES, COLUMNS
+from kinlib.dh.table import Convention, DHTable
+
+A, ALPHA, D, THETA = range(4)
+
+
+def with_rows(table: DHTable, rows: ArrayLike) -> DHTable:
+    r"""The same joints, base and tool with other numbers.
+
+    >>> with_rows(DHTable("a | alpha | d | theta\n 1 | 0 | 0 | -q1", convention="standard"), [[2, 0, 0, 0]]).signs
+    array([-1.])
+    """
+    return table.changed(rows=np.asarray(rows, dtype=float))
+
+
+def other_convention(table: DHTable) -> DHTable:
+    """The same rows, read in the convention that they were not written in.
+
+    >>> other_convention(DHTable([[1, 0, 0, 0]], convention="standard")).convention
+    'modified'
+    """
+    return table.changed(convention=_other(table.convention))
+
+
+def z_on_the_wrong_joint(table: DHTable) -> DHTable:
+    """Frames placed as the other convention asks, and their rows multiplied as this one does.
+
+    In the standard convention that is z_i on the axis of joint i, in the modified z_i on that of joint i+1.
+
+    >>> z_on_the_wrong_joint(DHTable([[1, 0, 0, 0], [2, 0, 0, 0]], convention="standard")).columns["a"]
+    array([0., 1.])
+    """
+    return with_rows(table, table.converted(_other(table.convention)).rows)
+
+
+def alpha_shifted(table: DHTable) -> DHTable:
+    """The column alpha one row off: alpha_{i-1} in row i of a standard table, alpha_i in row i of a modified one.
+
+    >>> alpha_shifted(DHTable([[0, 1, 0, 0], [0, 2, 0, 0]], convention="standard")).columns["alpha"]
+    array([0., 1.])
+    """
+    rows = table.rows.copy()
+    step = 1 if table.convention == "standard" else -1
+    rows[:, ALPHA] = np.roll(rows[:, ALPHA], step)
+    rows[0 if step == 1 else -1, ALPHA] = 0.0
+    return with_rows(table, rows)
+
+
+def lengths_swapped(table: DHTable) -> DHTable:
+    """a in the place of d, and d in the place of a."""
+    return with_rows(table, table.rows[:, [D, ALPHA, A, THETA]])
+
+
+def alpha_negated(table: DHTable) -> DHTable:
+    """Every alpha with the other sign."""
+    return with_rows(table, table.rows * (1, -1, 1, 1))
+
+
+def in_degrees(table: DHTable) -> DHTable:
+    """Angles typed in degrees where radians are read, less whole turns.
+
+    >>> in_degrees(DHTable([[0, np.pi / 2, 0, 0]], convention="standard")).columns["alpha"].round(4)
+    array([2.0354])
+    """
+    rows = table.rows.copy()
+    for column in ANGLES:
+        k = COLUMNS.index(column)
+        rows[:, k] = np.degrees(rows[:, k]) % (2 * np.pi)
+    return with_rows(table, rows)
+
+
+def without_offset(table: DHTable) -> DHTable:
+    """theta = q in the row of every joint that turns."""
+    turns = np.array([letter == "R" for letter in table.joints])
+    rows = table.rows.copy()
+    rows[turns, THETA] = 0.0
+    return with_rows(table, rows)
+
+
+def slide_in_theta(table: DHTable) -> DHTable:
+    r"""The variable of every prismatic joint put into theta, as if it turned.
+
+    >>> slide_in_theta(DHTable("a|alpha|d|theta\n 0|0|q1|0", convention="standard")).joints
+    'R'
+    """
+    return table.changed(joints=table.joints.replace("P", "R"))
+
+
+def base_in_a_row(table: DHTable) -> DHTable:
+    """The base's shift written into the first row, its x into a and its z into d, and no base."""
+    rows = table.rows.copy()
+    rows[0, [A, D]] += table.base[[0, 2], 3]
+    return table.changed(rows=rows, base=np.eye(4))
+
+
+def tool_in_a_row(table: DHTable) -> DHTable:
+    """The tool's shift written into the last row, its x into a and its z into d, and no tool."""
+    rows = table.rows.copy()
+    rows[-1, [A, D]] += table.tool[[0, 2], 3]
+    return table.changed(rows=rows, tool=np.eye(4))
+
+
+def off_the_normal(table: DHTable) -> DHTable:
+    """a measured from joint to joint, and no d: x_i runs along the link and not along the common normal.
+
+    >>> off_the_normal(DHTable([[3, 0, 4, 0]], convention="standard")).columns["a"]
+    array([5.])
+    """
+    rows = table.rows.copy()
+    slanted = np.array([letter != "P" for letter in table.joints]) & (rows[:, A] != 0)
+    rows[slanted, A] = np.hypot(rows[slanted, A], rows[slanted, D])
+    rows[slanted, D] = 0.0
+    return with_rows(table, rows)
+
+
+def product_reversed(table: DHTable, q: ArrayLike) -> Array:
+    """The rows multiplied from the last to the first."""
+    links = table.link_transforms(q)[::-1]
+    T: Array = reduce(np.matmul, [*links, table.tool], table.base)
+    return T
+
+
+class Way(NamedTuple):
+    """A wrong way, and what to say to the person who took it."""
+
+    change: Callable[[DHTable], DHTable]
+    message: str
+
+
+WAYS: Mapping[str, Way] = {
+    "the other convention": Way(
+        other_convention,
+        "You multiplied the rows in the other convention. Standard is $R_z T_z T_x R_x$, joint first; "
+        "modified is $R_x T_x R_z T_z$, common normal first. The same numbers give another arm.",
+    ),
+    "z on the wrong joint": Way(
+        z_on_the_wrong_joint,
+        "You put $z_i$ on the wrong joint. In the standard convention $z_i$ lies on the axis of joint $i + 1$, in the "
+        "modified on that of joint $i$; your rows are those of the other one.",
+    ),
+    "alpha one row off": Way(
+        alpha_shifted,
+        "Your column $\\alpha$ is one row off. In a standard table row $i$ holds $\\alpha_i$, from $z_{i-1}$ to $z_i$; "
+        "in a modified one it holds $\\alpha_{i-1}$.",
+    ),
+    "a and d swapped": Way(
+        lengths_swapped,
+        "You exchanged $a$ and $d$. $d$ is measured along $z$, the joint's axis; $a$ along $x$, the common normal.",
+    ),
+    "sign of alpha": Way(
+        alpha_negated,
+        "Your $\\alpha$ has the wrong sign. Point the right thumb along $x$, the common normal: the fingers curl from the "
+        "first $z$ to the next where $\\alpha$ is positive.",
+    ),
+    "degrees": Way(
+        in_degrees,
+        "You gave degrees where radians are read. 90 stands for 90 radians, which is fourteen turns and a bit.",
+    ),
+    "no offset": Way(
+        without_offset,
+        "You wrote $\\theta = q$ and left out the offset. $\\theta$ is the angle between two $x$ axes; where it is not 0 in "
+        "the drawn zero posture, the difference is added to $q$.",
+    ),
+    "slide in theta": Way(
+        slide_in_theta,
+        "You put the variable of a prismatic joint into $\\theta$. What slides changes $d$; its $\\theta$ is a constant.",
+    ),
+    "base in a row": Way(
+        base_in_a_row,
+        "You wrote the base into the first row. That row moves along $z_0$ and along the normal behind it, which turns with "
+        "joint 1. A base does not turn: it stands in front of the table.",
+    ),
+    "tool in a row": Way(
+        tool_in_a_row,
+        "You wrote the tool into the last row. It stands behind the table, as a pose of its own.",
+    ),
+    "off the normal": Way(
+        off_the_normal,
+        "You measured $a$ from joint to joint. $x_i$ runs along the common normal, square to both axes; what is left over "
+        "along the axis is $d$.",
+    ),
+}
+
+
+def of_table(table: DHTable, *names: str) -> list[Mistake]:
+    """Mistakes for a problem whose answer is a table."""
+    return [mistake(name, WAYS[name].change(table), WAYS[name].message) for name in names]
+
+
+def of_pose(table: DHTable, q: ArrayLike, *names: str) -> list[Mistake]:
+    """Mistakes for a problem whose answer is where a table puts the tool; "reversed" is one of them too."""
+    reversed_ = mistake(
+        "reversed",
+        product_reversed(table, q),
+        "You multiplied from the last row to the first. $A_1$ stands leftmost: it moves all that follows.",
+    )
+    return [
+        reversed_ if name == "reversed" else mistake(name, WAYS[name].change(table).fk(q), WAYS[name].message)
+        for name in names
+    ]
+
+
+def _other(convention: Convention) -> Convention:
+    return "modified" if convention == "standard" else "standard"

@@ -1,0 +1,140 @@
+"""Wrong ways that many problems share: each takes what is right and returns what people write instead.
+
+A problem picks the ones that fit and adds its own; `problem.Mistake` gives them a sentence.
+"""
+
+import numpy as np
+from misstep.mistakes import Mistake, mistake
+
+from kinlib.arrays.validation import Array
+from kinlib.chains.chain import Chain
+from kinlib.rigid.lie import exp
+
+
+def crossed_backwards(S: Array) -> Array:
+    """v = omega x q where -omega x q belongs: the moment changes sign, what the pitch adds does not.
+
+    >>> crossed_backwards(np.array([0, 0, 1, 0, -2, 0.1]))
+    array([0. , 0. , 1. , 0. , 2. , 0.1])
+    """
+    omega, v = S[..., :3], S[..., 3:]
+    along = np.sum(omega * v, axis=-1, keepdims=True) * omega
+    turns = omega.any(axis=-1, keepdims=True)
+    return np.concatenate([omega, np.where(turns, 2 * along - v, v)], axis=-1)
+
+
+def halves_swapped(S: Array) -> Array:
+    """(v, omega) where (omega, v) belongs: the order of another book.
+
+    >>> halves_swapped(np.array([0, 0, 1, 0, -2, 0]))
+    array([ 0, -2,  0,  0,  0,  1])
+    """
+    return np.roll(S, 3, axis=-1)
+
+
+def without_moment(S: Array) -> Array:
+    """v = 0 for a joint that turns: right only for an axis through the origin.
+
+    >>> without_moment(np.array([[0, 0, 1, 0, -2, 0], [0, 0, 0, 1, 0, 0]]))
+    array([[0., 0., 1., 0., 0., 0.],
+           [0., 0., 0., 1., 0., 0.]])
+    """
+    turns = S[..., :3].any(axis=-1, keepdims=True)
+    return np.where(turns & (np.arange(6) >= 3), 0.0, S)
+
+
+def product(screws: Array, q: Array, home: Array, order: str = "screws then home") -> Array:
+    """Multiply the exponentials in one of the orders in which people write them.
+
+    >>> from kinlib.chains.robots import rpr
+    >>> product(rpr().screws, np.array([0.0, 2.0, 0.0]), rpr().home, "no home")[:3, 3]
+    array([0., 0., 2.])
+    """
+    T, factors = np.eye(4), [exp(S * value) for S, value in zip(screws, q, strict=True)]
+    orders = {
+        "screws then home": [*factors, home],
+        "reversed": [*factors[::-1], home],
+        "home first": [home, *factors],
+        "no home": factors,
+    }
+    for factor in orders[order]:
+        T = T @ factor
+    return T
+
+
+def slides_as_turns(arm: Chain) -> Array:
+    """(d, -d x q) for a slide along d, as if it turned about d.
+
+    >>> from kinlib.chains.robots import rpr
+    >>> slides_as_turns(rpr())[1] + 0.0
+    array([ 0.,  0.,  1., -2.,  4.,  0.])
+    """
+    d = arm.screws[:, 3:]
+    slides = ~arm.screws[:, :3].any(axis=-1, keepdims=True)
+    return np.where(slides, np.concatenate([d, np.cross(arm.joint_points, d)], axis=-1), arm.screws)
+
+
+def of_screws(S: Array) -> list[Mistake]:
+    """The three that every screw axis of a turning joint invites.
+
+    >>> [wrong.name for wrong in of_screws(np.array([0, 0, 1, 0, -2, 0]))]
+    ['omega x q', 'halves swapped', 'no moment']
+    """
+    return [
+        mistake(
+            "omega x q",
+            crossed_backwards(S),
+            "You took $v = \\omega \\times p$. The point of the body that sits at the origin moves with "
+            "$v = -\\omega \\times p$: the arrow from the axis to the origin is $-p$.",
+        ),
+        mistake(
+            "halves swapped",
+            halves_swapped(S),
+            "You wrote $(v, \\omega)$. Here a screw axis is $(\\omega, v)$, turn first, as in Modern Robotics; "
+            "some books and libraries use the other order.",
+        ),
+        mistake(
+            "no moment",
+            without_moment(S),
+            "You left $v = 0$. That holds for a turn about an axis through the origin of {s}; about any other, turning also "
+            "moves the point at the origin, by $v = -\\omega \\times p$.",
+        ),
+    ]
+
+
+def of_product(arm: Chain, q: Array) -> list[Mistake]:
+    """The wrong ways to multiply the factors of the space form.
+
+    >>> from kinlib.chains.robots import rpr
+    >>> [wrong.name for wrong in of_product(rpr(), np.ones(3))]
+    ['reversed', 'home first', 'no home', 'one exponential', 'degrees']
+    """
+    screws, home = arm.screws, arm.home
+    return [
+        mistake(
+            "reversed",
+            product(screws, q, home, "reversed"),
+            "You multiplied from the last joint to the first. The factor of joint 1 stands leftmost: it moves all that follows.",
+        ),
+        mistake(
+            "home first",
+            product(screws, q, home, "home first"),
+            "You put $M$ in front. With space screws it stands last, on the right; in front it belongs with body screws only.",
+        ),
+        mistake(
+            "no home",
+            product(screws, q, home, "no home"),
+            "You left out $M$. The exponentials say how the tool has moved since home; $M$ says where home is.",
+        ),
+        mistake(
+            "one exponential",
+            exp(q @ screws) @ home,
+            "You added the twists and took one exponential. You can rely on $e^A e^B = e^{A+B}$ only where $AB = BA$, and the "
+            "joints of an arm seldom commute.",
+        ),
+        mistake(
+            "degrees",
+            product(screws, np.where(screws[:, :3].any(axis=-1), np.degrees(q), q), home),
+            "You used degrees as radians. The exponential wants radians; slides stay in metres.",
+        ),
+    ]

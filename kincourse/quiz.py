@@ -1,0 +1,125 @@
+"""Quiz time: a drawn arm at each click, as many as anybody wants, and a table judged by whether it is the same mechanism."""
+
+import secrets
+from functools import partial
+
+from misstep.mistakes import mistake
+
+from kincourse.answers.dh_table import Table
+from kincourse.sampling.arms import ArmSampler
+from kincourse.text.joint_table import joint_table
+from kinlib.dh.assignment import assign_frames
+from kinlib.dh.table import Convention, convention_of
+from kinlib.view import draw_joints
+from misstep.card import Card
+from misstep.judge import Judgement, judge
+from misstep.problem import Problem
+from misstep.verdict import TITLES
+
+KINDS = ("RR", "RRR", "RPR", "RRP", "PRR", "RRRR")
+
+EMPTY = "a | alpha | d | theta\n"
+
+
+def question(seed: str, convention: Convention) -> Problem:
+    """A drawn arm whose DH table is asked for, the same for the same seed.
+
+    Raises ValueError for another convention.
+
+    >>> question("one", "standard").answer.value.convention
+    'standard'
+    """
+    draw = ArmSampler(seed, "quiz")
+    arm = sampler.arm(sampler.choice(KINDS))
+    table = assign_frames(arm, convention=convention_of(convention)).table
+    other: Convention = "modified" if convention == "standard" else "standard"
+    misread = assign_frames(arm, convention=other).table.changed(convention=convention)
+    return Problem(
+        statement=f"Give a DH table of this arm in the {convention} convention; any right one will do.\n\n{joint_table(arm)}",
+        figure=partial(draw_joints, arm),
+        answer=Table(table),
+        mistakes=[
+            mistake(
+                "other convention",
+                misread,
+                "This is a table of the arm, in the other convention. Where does a row begin: with the joint, or with the link?",
+            )
+        ],
+    )
+
+
+class Quiz:
+    """One arm after the other, with a place to type a table. Displays itself.
+
+    right, asked   how many tables were right, and how many arms were drawn
+    """
+
+    def __init__(self, convention: Convention, seed: str | None = None) -> None:
+        import ipywidgets as widgets  # where sheets are graded, nobody starts a quiz
+
+        self.convention = convention_of(convention)
+        self.seed = seed if seed is not None else secrets.token_hex(8)
+        self.asked = 0
+        self.right = 0
+        self._solved = False
+        self._paper = widgets.HTML()
+        self._typed = widgets.Textarea(
+            value=EMPTY, description="Your table", layout=widgets.Layout(width="95%", height="9em")
+        )
+        self._reply = widgets.HTMLMath()
+        check = widgets.Button(description="Check", tooltip="Check the table that you have typed")
+        another = widgets.Button(description="Another arm", tooltip="ArmSampler another arm")
+        check.on_click(lambda _: self.check(self._typed.value))
+        another.on_click(lambda _: self.another())
+        self._face = widgets.VBox([self._paper, self._typed, widgets.HBox([check, another]), self._reply])
+        self.another()
+
+    @property
+    def problem(self) -> Problem:
+        """The arm that is on the page."""
+        return question(f"{self.seed}/{self.asked}", self.convention)
+
+    def another(self) -> None:
+        """ArmSampler the next arm."""
+        self.asked += 1
+        self._solved = False
+        problem = self.problem
+        figure = problem.figure() if problem.figure else None
+        told = Card(
+            "note",
+            f"Arm {self.asked}",
+            [f"Give a DH table in the {self.convention} convention. Any right one will do."],
+        )
+        self._paper.value = told.html() + (figure.html() if figure else "")
+        self._typed.value = EMPTY
+        self._reply.value = ""
+
+    def check(self, typed: object) -> Judgement:
+        """Judge a table, and say what is right or wrong about it. The arm stays until another is asked for."""
+        judgement = judge(self.problem, ... if typed == EMPTY else typed)
+        if judgement.state == "right" and not self._solved:
+            self._solved = True
+            self.right += 1
+        lines = [finding.message for finding in judgement.findings]
+        self._reply.value = Card(
+            judgement.state, TITLES[judgement.state], [*lines, f"{self.right} right of {self.asked}."]
+        ).html()
+        return judgement
+
+    def _repr_mimebundle_(self, **options: object) -> dict[str, object]:
+        text = f"A quiz on DH tables in the {self.convention} convention.\n{self.problem.statement}"
+        bundle: dict[str, object] = {**self._face._repr_mimebundle_(**options), "text/plain": text}
+        return bundle
+
+
+def quiz(convention: Convention, seed: str | None = None) -> Quiz:
+    """Start a quiz on DH tables: a drawn arm at each click, a table to type, judged by equivalence.
+
+    seed  draws the same arms again; by default everybody gets others
+
+    Raises ValueError for another convention.
+
+    >>> quiz("modified", seed="class of 2026").check("a | alpha | d | theta").state
+    'unreadable'
+    """
+    return Quiz(convention, seed)

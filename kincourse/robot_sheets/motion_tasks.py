@@ -1,0 +1,274 @@
+"""Where a robot that somebody brought has its tool: at home, at drawn joint values, and by somebody's wrong computation."""
+
+from functools import partial
+
+import numpy as np
+from misstep.answers.choice import Choice
+from misstep.answers.number import Numbers
+from misstep.mistakes import Mistake, mistake
+
+from kincourse.answers.pose import Pose
+from kincourse.mistakes.body_form import of_body_product
+from kincourse.mistakes.space_form import of_product, product
+from kincourse.robot_sheets.sampling import hand, leaning_base, moved, plain_base, posture
+from kincourse.robot_sheets.task import Task
+from kincourse.sampling.arms import ArmSampler
+from kinlib.arrays.validation import Array
+from kinlib.chains.chain import Chain
+from kinlib.rigid.lie import inverse
+from kinlib.view import draw_arm, draw_frames
+from misstep.problem import Problem
+from misstep.release.instructor_notebook import Entry
+from misstep.text import matrix, number, vector
+
+DONE = {
+    "reversed": "multiplied the exponentials from the last joint to the first",
+    "home first": "put $M$ in front",
+    "no home": "left out $M$",
+    "one exponential": "added the twists and took one exponential",
+    "degrees": "used degrees as radians",
+    "at home": "left the joints where they were",
+    "backwards": "moved every joint the other way",
+}
+"""What somebody did who made a mistake, in the words of an option."""
+
+
+NOTHING = "nothing wrong"
+
+
+def home_pose(robot: Chain, sampler: ArmSampler) -> Problem:
+    """The home pose with the robot bolted down elsewhere and a tool on its flange."""
+    T_sr, T_rf, T_fb = leaning_base(sampler, robot), robot.home, hand(sampler, robot)
+    right = T_sr @ T_rf @ T_fb
+    return Problem(
+        statement=f"In its file, {robot.name} stands at {{r}} and ends in a flange {{f}}; at $q = 0$ the flange is at $T_{{rf}}$. In your "
+        "lab the robot is bolted down at $T_{sr}$, and it carries a tool {b} at $T_{fb}$. Give the home pose $M = T_{sb}(0)$.\n\n"
+        f"$$T_{{sr}} = {matrix(T_sr)}$$\n\n$$T_{{rf}} = {matrix(T_rf)}$$\n\n$$T_{{fb}} = {matrix(T_fb)}$$",
+        figure=partial(draw_frames, {"s": np.eye(4), "r": T_sr, "f": T_sr @ T_rf}),
+        given={"T_sr": T_sr, "T_rf": T_rf, "T_fb": T_fb},
+        answer=Pose(right),
+        mistakes=[
+            mistake("no base", T_rf @ T_fb, "This is the tool as {r} sees it. Put $T_{sr}$ in front."),
+            mistake("no tool", T_sr @ T_rf, "This is the flange. The tool stands away from it: put $T_{fb}$ behind."),
+            mistake(
+                "exchanged",
+                T_fb @ T_rf @ T_sr,
+                "You multiplied in reverse. $T_{sr}\\,T_{rf}\\,T_{fb}$: neighbouring letters cancel.",
+            ),
+            mistake(
+                "base inverted",
+                inverse(T_sr) @ T_rf @ T_fb,
+                "You inverted $T_{sr}$. It takes what {r} says to what {s} says, as it stands.",
+            ),
+            mistake(
+                "tool inverted",
+                T_sr @ T_rf @ inverse(T_fb),
+                "You inverted $T_{fb}$. It is where the flange sees the tool, as it stands.",
+            ),
+            mistake(
+                "seen from the tool",
+                inverse(right),
+                "This is $T_{bs}$, {s} seen from the tool. The first letter says who looks.",
+            ),
+        ],
+    ).sifted()
+
+
+def where_is_the_tool(robot: Chain, sampler: ArmSampler) -> Problem:
+    """Forward kinematics by the space form, at joint values within the limits."""
+    arm = moved(robot, plain_base(sampler, robot), hand(sampler, robot))
+    at = posture(sampler, arm)
+    return Problem(
+        statement=f"The joints of {robot.name} stand at {at.words}. Its screws in {{s}} and the home pose of its tool are below. Give "
+        f"$T(q)$.\n\n$$S = {matrix(arm.screws)}$$\n\n$$M = {matrix(arm.home)}$$",
+        figure=partial(draw_arm, arm),
+        given={"screws": arm.screws, "home": arm.home, "values": at.typed},
+        answer=Pose(arm.fk(at.q)),
+        mistakes=_of_motion(arm, at.q),
+    ).sifted()
+
+
+def which_mistake(robot: Chain, sampler: ArmSampler) -> Problem:
+    """A pose that somebody computed: what did they do?"""
+    arm = moved(robot, plain_base(sampler, robot), hand(sampler, robot))
+    at = posture(sampler, arm)
+    asked = Problem("", Pose(arm.fk(at.q)), _of_motion(arm, at.q)).sifted()
+    if not asked.telling():
+        return asked
+    drawn = sampler.shuffled(range(len(asked.mistakes)))[:4]
+    wrong = [asked.mistakes[i] for i in sorted(drawn)]
+    letters = "abcdef"[: len(wrong) + 1]
+    told = {letter: DONE[one.name] for letter, one in zip(letters, wrong, strict=False)} | {
+        letters[-1]: "nothing wrong"
+    }
+    poses = dict(zip(letters, [*(one.value for one in wrong), asked.answer.value], strict=True))
+    right = sampler.choice(letters)
+    listed = "\n".join(f"- `'{letter}'`: {text}" for letter, text in told.items())
+    return Problem(
+        statement=f"The joints of {robot.name} stand at {at.words}. Somebody computed the pose $X$ of its tool by the space form. Check "
+        f"it: what did they do?\n\n$$S = {matrix(arm.screws)}$$\n\n$$M = {matrix(arm.home)}$$\n\n$$X = {matrix(poses[right])}$$"
+        f"\n\n{listed}",
+        figure=partial(draw_arm, arm),
+        given={"screws": arm.screws, "home": arm.home, "values": at.typed, "X": poses[right], "options": told},
+        answer=Choice(right, told),
+        mistakes=[
+            mistake(told[letter], letter, _not_so(poses[letter], poses[right])) for letter in letters if letter != right
+        ],
+    )
+
+
+def body_form(robot: Chain, sampler: ArmSampler) -> Problem:
+    """Forward kinematics by the body form."""
+    arm = moved(robot, plain_base(sampler, robot), hand(sampler, robot))
+    at = posture(sampler, arm)
+    return Problem(
+        statement=f"{robot.name} is given by its body screws and its home pose. Its joints stand at {at.words}. Give $T(q)$.\n\n"
+        f"$$B = {matrix(arm.body_screws)}$$\n\n$$M = {matrix(arm.home)}$$",
+        figure=partial(draw_arm, arm),
+        given={"body_screws": arm.body_screws, "home": arm.home, "values": at.typed},
+        answer=Pose(arm.fk(at.q)),
+        mistakes=[*of_body_product(arm, at.q), *_of_standing_still(arm, at.q)],
+    ).sifted()
+
+
+def point_of_the_tool(robot: Chain, sampler: ArmSampler) -> Problem:
+    """Where a point of the tool goes."""
+    arm = moved(robot, plain_base(sampler, robot), hand(sampler, robot))
+    at, tip = posture(sampler, arm), hand(sampler, robot)[:3, 3]
+    T, M = arm.fk(at.q), arm.home
+
+    def seen(pose: Array, point: Array = tip) -> Array:
+        place: Array = pose[:3, :3] @ point + pose[:3, 3]
+        return place
+
+    return Problem(
+        statement=f"The tool of {robot.name} holds a pencil, whose tip {{b}} sees at ${vector(tip)}$ m. The joints stand at {at.words}. "
+        f"Where does {{s}} see the tip?\n\n$$S = {matrix(arm.screws)}$$\n\n$$M = {matrix(M)}$$",
+        figure=partial(draw_arm, arm),
+        given={"screws": arm.screws, "home": M, "values": at.typed, "tip": tip},
+        answer=Numbers(seen(T), unit="m"),
+        mistakes=[
+            mistake("at home", seen(M), "This is where the tip is at home. The joints have moved since."),
+            mistake(
+                "origin of the tool",
+                T[:3, 3],
+                "This is the origin of {b}. The tip stands away from it: $T(q)$ times the tip.",
+            ),
+            mistake(
+                "not turned",
+                T[:3, 3] + tip,
+                "You added what {b} says to the origin of {b}. The tool is turned: $R\\,x + p$.",
+            ),
+            mistake(
+                "as a direction",
+                seen(T) - T[:3, 3],
+                "You gave the tip a 0. A point has a 1, which adds the position of {b}.",
+            ),
+            mistake("the way back", seen(inverse(T)), "You took $T^{-1}$, which goes from {s} to {b}."),
+            *(mistake(wrong.name, seen(wrong.value), wrong.message) for wrong in _of_motion(arm, at.q)),
+        ],
+    ).sifted()
+
+
+def _of_motion(arm: Chain, q: Array) -> list[Mistake]:
+    return [*of_product(arm, q), *_of_standing_still(arm, q)]
+
+
+def _of_standing_still(arm: Chain, q: Array) -> list[Mistake]:
+    return [
+        mistake("at home", arm.home, "This is $M$, the pose at home. The joints have moved since."),
+        mistake(
+            "backwards",
+            product(arm.screws, -q, arm.home),
+            "You moved every joint the other way. The exponent is $[S_i] q_i$, with a plus.",
+        ),
+    ]
+
+
+def _not_so(theirs: Array, right: Array) -> str:
+    """How far the pose that an option gives is from the one that was computed."""
+    far = float(np.linalg.norm(theirs[:3, 3] - right[:3, 3]))
+    turned = not np.allclose(theirs[:3, :3], right[:3, :3], atol=1e-6)
+    if far < 1e-6:
+        return "That would put the tool at the same place, and turn it otherwise."
+    return f"That would put the tool {number(far)} m from there" + (", and turn it otherwise." if turned else ".")
+
+
+READ_VALUES = """\
+turns = given.{screws}[:, :3].any(axis=1)
+q = np.where(turns, np.radians(given.values), given.values)
+"""
+
+SPACE = READ_VALUES.format(screws="screws") + "T = kl.Chain(given.screws, given.home).fk(q)\n"
+
+TRIED = f"""\
+from functools import reduce
+
+e, typed, back = (kl.exp(given.screws * values[:, None]) for values in (q, given.values, -q))
+M = given.home
+ways = {{
+    "{DONE["reversed"]}": [*e[::-1], M],
+    "{DONE["home first"]}": [M, *e],
+    "{DONE["no home"]}": [*e],
+    "{DONE["one exponential"]}": [kl.exp(q @ given.screws), M],
+    "{DONE["degrees"]}": [*typed, M],
+    "{DONE["at home"]}": [M],
+    "{DONE["backwards"]}": [*back, M],
+    "{NOTHING}": [*e, M],
+}}
+poses = {{letter: reduce(np.matmul, ways[text]) for letter, text in given.options.items()}}
+letter_{{k}} = next(letter for letter, pose in poses.items() if np.allclose(pose, given.X))
+"""
+
+VALUES = "`given.values` are in degrees and metres."
+POSE = "Answer with a pose, an array of shape (4, 4)."
+
+MOTION_TASKS: dict[str, Task] = {
+    "home_pose": Task(
+        "The home pose in your lab",
+        2,
+        "03_poe_space#The home pose",
+        home_pose,
+        Entry("pose", POSE, "pose_{k} = given.T_sr @ given.T_rf @ given.T_fb"),
+    ),
+    "where_is_the_tool": Task(
+        "Where is the tool?",
+        3,
+        "03_poe_space#The product",
+        where_is_the_tool,
+        Entry("pose", f"{POSE} {VALUES}", f"{SPACE}pose_{{k}} = T"),
+    ),
+    "which_mistake": Task(
+        "Which mistake is this?",
+        2,
+        "03_poe_space#The order of the factors",
+        which_mistake,
+        Entry(
+            "letter",
+            f"Answer with a letter, in quotes. {VALUES}",
+            READ_VALUES.format(screws="screws") + TRIED,
+        ),
+    ),
+    "body_form": Task(
+        "The body form",
+        3,
+        "04_poe_body#The body form",
+        body_form,
+        Entry(
+            "pose",
+            f"{POSE} {VALUES}",
+            READ_VALUES.format(screws="body_screws")
+            + "screws = given.body_screws @ kl.adjoint(given.home).T\npose_{k} = kl.Chain(screws, given.home).fk_body(q)",
+        ),
+    ),
+    "point_of_the_tool": Task(
+        "The tip of a pencil",
+        2,
+        "01_frames#An affine map in one matrix",
+        point_of_the_tool,
+        Entry(
+            "tip", f"Answer with three numbers, in metres. {VALUES}", f"{SPACE}tip_{{k}} = (T @ [*given.tip, 1])[:3]"
+        ),
+    ),
+}
+"""What a task is called here, the file of a sheet calls it."""

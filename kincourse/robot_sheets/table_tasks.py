@@ -1,0 +1,207 @@
+"""Problems on the DH tables of a robot that somebody brought: a standard one, a modified one, one with a faulty entry.
+
+The robot stands in a zero posture of the student's own, so that the offsets of the table are their own too. Its first and
+its last frame are given; what the rules leave open between them is free.
+"""
+
+from functools import partial
+
+import numpy as np
+from misstep.answers.choice import Choice
+from misstep.mistakes import mistake
+
+from kincourse.answers.dh_table import Table
+from kincourse.mistakes.dh import of_table
+from kincourse.robot_sheets.sampling import first, grain, moved, plain_base, plain_posture, rezeroed
+from kincourse.robot_sheets.task import Task
+from kincourse.sampling.arms import ArmSampler
+from kincourse.text.joint_table import joint_table
+from kinlib.arrays.validation import Array
+from kinlib.chains.chain import Chain
+from kinlib.dh.assignment import assign_frames
+from kinlib.dh.parsing import ANGLES, COLUMNS
+from kinlib.dh.table import Convention, DHTable
+from kinlib.rigid.lie import inverse
+from kinlib.view import draw_joints
+from kinlib.view.figures.dh_table_figure import draw_table
+from misstep.problem import Problem
+from misstep.release.instructor_notebook import Entry
+from misstep.text import matrix, number
+
+LONGEST = 7
+"""How many rows a table has at most: those of a robot with more joints end behind the seventh."""
+
+MISTAKES = (
+    *("the other convention", "z on the wrong joint", "no offset", "sign of alpha", "alpha one row off"),
+    *("a and d swapped", "off the normal", "slide in theta", "degrees"),
+)
+
+
+def standard_table(robot: Chain, sampler: ArmSampler) -> Problem:
+    """A table in the standard convention between two given frames."""
+    return _table(robot, sampler, "standard")
+
+
+def modified_table(robot: Chain, sampler: ArmSampler) -> Problem:
+    """A table in the modified convention between two given frames."""
+    return _table(robot, sampler, "modified")
+
+
+def faulty_entry(robot: Chain, sampler: ArmSampler) -> Problem:
+    """One entry of a table does not fit the drawn frames."""
+    arm, cut, _ = _arm(robot, sampler)
+    table = _assigned(arm, sampler.choice(("standard", "modified")))
+    frames = [table.base]
+    for link in table.link_transforms(np.zeros(table.n)):
+        frames.append(frames[-1] @ link)
+    i, k = sampler.integer(0, table.n - 1), sampler.integer(0, 3)
+    wrong = table.rows.copy()
+    wrong[i, k] = _another(sampler, wrong[i, k], COLUMNS[k], grain(robot))
+    names = {f"{column}{row + 1}": f"{column} in row {row + 1}" for row in range(table.n) for column in COLUMNS}
+    column, row, axis = COLUMNS[k], i + 1, "$z$" if k > 1 else "$x$"
+    others = {
+        "its partner": (
+            f"{COLUMNS[(k + 2) % 4]}{row}",
+            "The row is right. But $d$ and $\\theta$ belong to $z$, $a$ and $\\alpha$ to $x$.",
+        ),
+        "the other number of the axis": (
+            f"{COLUMNS[k ^ 1]}{row}",
+            f"The row is right, and so is {axis}. Is it the length or the angle?",
+        ),
+        "the row before": (
+            f"{column}{(row - 2) % table.n + 1}",
+            "The column is right. Row $i$ leads from frame $i-1$ to frame $i$.",
+        ),
+        "the row after": (
+            f"{column}{row % table.n + 1}",
+            "The column is right. Count the frames from 0, and the rows from 1.",
+        ),
+    }
+    return Problem(
+        statement=f"The table below was read off the drawn frames of {robot.name}{cut}, in the {table.convention} convention, with the "
+        "joints where they stand in the drawing. One entry is wrong. Which? Answer with its column and its row, such as `'d2'`. The poses "
+        f"of the frames in {{s}} are in `given.frames`.\n\n{_printed(table, wrong)}",
+        figure=partial(draw_table, table, numbers=True, path=False),
+        given={"frames": np.array(frames), "rows": wrong, "convention": table.convention},
+        answer=Choice(f"{column}{row}", names),
+        mistakes=[mistake(name, value, message) for name, (value, message) in others.items()],
+    ).sifted()
+
+
+def _table(robot: Chain, sampler: ArmSampler, convention: Convention) -> Problem:
+    arm, cut, words = _arm(robot, sampler)
+    table = _assigned(arm, convention)
+    n, end = table.n, arm.home @ inverse(table.tool)
+    return Problem(
+        statement=f"{robot.name}{cut} is drawn with its joints at {words}; this posture is to be $q = 0$. Write its table in the "
+        f"{convention} convention. Frame 0 and frame {n} are given, as {{s}} sees them; what the rules leave open is free, and every "
+        f"table that fits is right.\n\n{joint_table(arm)}\n\n$$T_{{s0}} = {matrix(table.base)}$$\n\n$$T_{{s{n}}}(0) = {matrix(end)}$$",
+        figure=partial(draw_joints, arm),
+        given={"screws": arm.screws, "points": arm.joint_points, "home": arm.home, "base": table.base, "last": end},
+        answer=Table(table, anchored=True),
+        mistakes=of_table(table, *MISTAKES),
+    ).sifted()
+
+
+def _arm(robot: Chain, sampler: ArmSampler) -> tuple[Chain, str, str]:
+    """The robot in the student's zero posture and place, where it was cut, and the posture in words."""
+    part = first(robot, LONGEST)
+    at = plain_posture(sampler, part)
+    arm = moved(rezeroed(part, at.q), plain_base(sampler, robot), np.eye(4))
+    cut = f", up to joint {LONGEST}," if part.n < robot.n else ""
+    return arm, cut, at.words
+
+
+def _assigned(arm: Chain, convention: Convention) -> DHTable:
+    """The rows of our own choice of frames."""
+    return assign_frames(arm, convention=convention).table.changed(name=arm.name)
+
+
+def _another(sampler: ArmSampler, value: float, column: str, step: float) -> float:
+    """A wrong number in the place of a right one: plain, and plainly wrong."""
+    if column in ANGLES:
+        return value + float(np.radians(sampler.choice([90, -90, 180])))
+    off = sampler.choice((-1, 1)) * sampler.integer(1, 3) * step
+    return sampler.choice([-value, value + off]) if abs(value) > step / 2 else value + off
+
+
+def _printed(table: DHTable, rows: Array) -> str:
+    """The table as a page prints it, angles in degrees."""
+    lines = ["| i | a | alpha | d | theta |", "| --- | --- | --- | --- | --- |"]
+    for i, (a, alpha, d, theta) in enumerate(rows, start=1):
+        sign, letter = table.signs[i - 1], table.joints[i - 1]
+        variable = f"{'-' if sign < 0 else ''}q{i}"
+        turn, shift = f"{number(_plain(theta))}°", number(d)
+        if letter == "R":
+            turn = _and(variable, turn)
+        else:
+            shift = _and(variable, shift)
+        lines.append(f"| {i} | {number(a)} | {number(_plain(alpha))}° | {shift} | {turn} |")
+    return "\n".join(lines)
+
+
+def _and(variable: str, offset: str) -> str:
+    """A joint variable and its offset, if it has any."""
+    if offset in {"0", "0°"}:
+        return variable
+    return f"{variable} - {offset[1:]}" if offset.startswith("-") else f"{variable} + {offset}"
+
+
+def _plain(angle: float) -> float:
+    """An angle in degrees, between -180 and 180, to the thousandth."""
+    return float(180 - (180 - np.degrees(angle).round(3)) % 360)
+
+
+ANSWER = (
+    "Answer with a table: text with the head `a | alpha | d | theta` and one row a joint, with `q1`, `q2`, ... for what moves; "
+    "angles as `90°` or `pi/2`."
+)
+
+SOLUTION = """\
+arm = kl.Chain(given.screws, given.home, given.points)
+table_{k} = kl.assign_frames(arm, convention="CONVENTION").table
+"""
+
+FAULT = """\
+link = kl.inverse(given.frames[:-1]) @ given.frames[1:]
+R, p = link[:, :3, :3], link[:, :3, 3]
+if given.convention == "standard":  # the entries of Rz Tz Tx Rx, read backwards
+    alpha, theta = np.arctan2(R[:, 2, 1], R[:, 2, 2]), np.arctan2(R[:, 1, 0], R[:, 0, 0])
+    a, d = np.cos(theta) * p[:, 0] + np.sin(theta) * p[:, 1], p[:, 2]
+else:  # those of Rx Tx Rz Tz
+    alpha, theta = np.arctan2(-R[:, 1, 2], R[:, 2, 2]), np.arctan2(-R[:, 0, 1], R[:, 0, 0])
+    a, d = p[:, 0], np.cos(alpha) * p[:, 2] - np.sin(alpha) * p[:, 1]
+off = given.rows - np.column_stack([a, alpha, d, theta])
+off[:, [1, 3]] = np.sin(off[:, [1, 3]] / 2)  # whole turns count nothing
+row, column = np.unravel_index(np.argmax(np.abs(off)), off.shape)
+entry_{k} = f"{('a', 'alpha', 'd', 'theta')[column]}{row + 1}"
+"""
+
+TABLE_TASKS: dict[str, Task] = {
+    "standard_table": Task(
+        "A table in the standard convention",
+        4,
+        "05_dh_standard#Reading a table off a drawing",
+        standard_table,
+        Entry("table", ANSWER, SOLUTION.replace("CONVENTION", "standard")),
+    ),
+    "modified_table": Task(
+        "A table in the modified convention",
+        4,
+        "06_dh_modified#Frame labelling in eight steps",
+        modified_table,
+        Entry("table", ANSWER, SOLUTION.replace("CONVENTION", "modified")),
+    ),
+    "faulty_entry": Task(
+        "The faulty entry",
+        3,
+        "05_dh_standard#The four motions",
+        faulty_entry,
+        Entry(
+            "entry",
+            "Answer with a column and a row, in quotes.",
+            FAULT,
+        ),
+    ),
+}
+"""What a task is called here, the file of a sheet calls it."""

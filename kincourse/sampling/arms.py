@@ -1,0 +1,108 @@
+"""Numbers of a student's own: the same ones every time, others for the neighbour.
+
+A variant is drawn from the student, the problem and nothing else, on every machine and for years to come. Of Python's
+generator only `random()` promises that, so everything here is built on it.
+"""
+
+import hashlib
+import random
+from collections.abc import Sequence
+from typing import TypeVar
+
+import numpy as np
+
+from kinlib.arrays.validation import Array
+from kinlib.chains.chain import Chain
+from kinlib.chains.robots import SLIDE, X, Y, Z, arm, pose
+from kinlib.view.drawing.canvas import seen_from
+
+T = TypeVar("T")
+
+APART = 1.2
+"""How far apart two joints of a drawn arm stand on the sheet, in metres of the arm."""
+
+BESIDE = 0.4
+"""How far apart the lines stand that drop from them to the floor, so that each height is read at its own line."""
+
+IN_SIGHT = 1.0
+"""How far apart the points of a drawing stand on the sheet, in metres, for marks on both to be told apart."""
+
+DIRECTIONS = (X, Y, Z, -X, -Y, -Z)
+
+
+def in_sight(places: Sequence[Array]) -> bool:
+    """Whether a drawing shows these points apart from each other; one point alone is no drawing yet.
+
+    >>> in_sight([np.zeros(3), 3 * X]), in_sight([np.zeros(3), 0.1 * X])
+    (True, False)
+    """
+    _, sheet = seen_from("default")
+    far = [np.linalg.norm(sheet @ (one - other)) for k, one in enumerate(places) for other in places[:k]]
+    return bool(far and min(far) > IN_SIGHT)
+
+
+class ArmSampler:
+    """A source of chance that belongs to one student and one problem.
+
+    >>> ArmSampler("ada", "03.1").integer(1, 6) == ArmSampler("ada", "03.1").integer(1, 6)
+    True
+    """
+
+    def __init__(self, student: str, problem: str, attempt: int = 0) -> None:
+        key = f"{student.strip().casefold()}/{problem}/{attempt}"
+        self._random = random.Random(int.from_bytes(hashlib.sha256(key.encode()).digest()))
+
+    def choice(self, options: Sequence[T]) -> T:
+        """One of the options, each as likely as the next."""
+        return options[int(self._random.random() * len(options))]
+
+    def integer(self, low: int, high: int) -> int:
+        """A whole number from low to high, both included."""
+        return self.choice(range(low, high + 1))
+
+    def length(self, low: float, high: float) -> float:
+        """A length in metres from low to high, in steps of 5 cm: short enough to type."""
+        return round(self.integer(round(low * 20), round(high * 20)) / 20, 2)
+
+    def degrees(self, low: int, high: int) -> int:
+        """An angle for people, in steps of 5 degrees, never 0: a joint that stands still tests nothing."""
+        return self.choice([angle for angle in range(low, high + 1, 5) if angle])
+
+    def shuffled(self, items: Sequence[T]) -> list[T]:
+        """The items in a drawn order."""
+        left = list(items)
+        return [left.pop(int(self._random.random() * len(left))) for _ in items]
+
+    def point(self, reach: int) -> Array:
+        """A point with whole coordinates, none of them zero and no two of equal size: no sign or swap can hide."""
+        sizes = self.shuffled(range(1, reach + 1))[:3]
+        return np.array([self.choice((-1, 1)) * size for size in sizes], dtype=float)
+
+    def axes(self) -> tuple[Array, Array, Array]:
+        """The axes x, y, z of a frame, each along one of {s}."""
+        x = self.choice(DIRECTIONS)
+        z = self.choice([axis for axis in DIRECTIONS if not axis @ x])
+        return x, np.cross(z, x), z
+
+    def arm(self, letters: str, reach: int = 4) -> Chain:
+        """An arm with axes along x, y, z and joints at whole coordinates, as one draws it on squared paper.
+
+        letters such as "RPR" name the joints from base to tool. Neighbouring axes are never parallel, and no joint hides
+        another in the drawing.
+        """
+        joints: list[tuple[Array, Array, float]] = []
+        for letter in letters:
+            free = [axis for axis in DIRECTIONS if not joints or not axis @ joints[-1][0]]
+            point = self._point_in_sight([place for _, place, _ in joints], reach)
+            joints.append((self.choice(free), point, SLIDE if letter == "P" else 0.0))
+        home = pose(self.axes(), self.point(reach))
+        return arm(joints, home, "your arm", "drawn for you")
+
+    def _point_in_sight(self, others: Sequence[Array], reach: int) -> Array:
+        """A point that the drawing shows apart from others and from the origin, on a drop line of its own."""
+        _, sheet = seen_from("default")
+        while True:
+            point = self.point(reach)
+            apart = [sheet @ (point - other) for other in [np.zeros(3), *others]]
+            if all(np.linalg.norm(step) > APART and abs(step[0]) > BESIDE for step in apart):
+                return point

@@ -1,0 +1,314 @@
+"""Open chains: n screw axes and a home pose say everything about where the tool goes.
+
+The same motion is written in three forms, which differ in where the home pose M stands:
+
+    space form   T(q) = e^[S1]q1 ... e^[Sn]qn M
+    body form    T(q) = M e^[B1]q1 ... e^[Bn]qn,        B_i = Ad(M^-1) S_i
+    mid form     T(q) = e^[S1]q1 ... e^[Sk]qk M e^[Bk+1]qk+1 ... e^[Bn]qn
+"""
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+from functools import cached_property, reduce, wraps
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from kinlib.arrays import validation
+from kinlib.arrays.validation import Array
+from kinlib.fast_kinematics import FastKinematics
+from kinlib.rigid.lie import adjoint, exp, inverse, pose
+from kinlib.rigid.screw import Line, axes, is_prismatic, line
+
+
+def _accelerate(equation: Callable[["Chain", ArrayLike], Array]) -> Callable[["Chain", ArrayLike], Array]:
+    """Compute a method of `Chain` by `FastKinematics`; the method's own body remains as the equation that it computes.
+
+    For example, `Chain.fk.__wrapped__(chain, q)` multiplies the exponentials as they are written in `fk`, and
+    tests/kinlib/test_fast_kinematics.py compares the two. The fast implementation takes a hundredth of the time for one configuration,
+    and a fifth of it for many.
+    """
+    name = equation.__name__
+
+    @wraps(equation)
+    def method(self: "Chain", q: ArrayLike) -> Array:
+        fast = self._fast
+        if fast.is_one_configuration(q):
+            return fast.run_program(name, q)
+        return fast.run_batch(name, self._joint_values(q))
+
+    return method
+
+
+@dataclass(frozen=True, eq=False)
+class Chain:
+    """An open chain of revolute, prismatic and helical joints.
+
+    screws   (n, 6)  screw axes S_1 ... S_n in the fixed frame {s}, read at home
+    home     (4, 4)  M = T_sb at q = 0
+    points   (n, 3)  where on its axis each joint is drawn, at home; `joint_points` fills in what is not given
+    name, source     what it is called, and which document it comes from
+    limits   (n, 2)  the least and the greatest value of each joint, infinite where it has none; None: no joint has any
+    joint_names      what its document calls each joint, n words, or none at all
+
+    Raises ValueError for anything that is not a chain: no joints, screws in columns, axes that are not of unit size, a
+    home that is not rigid, a point off its axis, a lower limit above the upper one.
+    Source: Modern Robotics, 4.1; Chapter 4 review deck.
+
+    >>> from kinlib.rigid.screw import screw
+    >>> arm = Chain(np.array([screw((0, 0, 1)), screw((0, 0, 1), point=(1, 0, 0))]), home=exp([0, 0, 0, 2, 0, 0]))
+    >>> arm.fk([np.pi / 2, 0])[:3, 3].round(6) + 0.0      # an outstretched arm of two metres, turned left
+    array([0., 2., 0.])
+    """
+
+    screws: Array = field(repr=False)
+    home: Array = field(repr=False)
+    points: Array | None = field(default=None, repr=False)
+    name: str = "arm"
+    source: str = ""
+    limits: Array | None = field(default=None, repr=False)
+    joint_names: tuple[str, ...] = field(default=(), repr=False)
+
+    def __post_init__(self) -> None:
+        screws = validation.array(self.screws, "screws")
+        if screws.ndim != 2 or len(screws) == 0:
+            raise ValueError(f"screws should have shape (n, 6), one row a joint; got {screws.shape}.")
+        home = validation.poses(self.home, "home")
+        if home.ndim != 2:
+            raise ValueError(f"home should be one pose, (4, 4); got {home.shape}. A chain has one home.")
+        self._keep("screws", axes(screws, "screws"))
+        self._keep("home", home)
+        if self.points is not None:
+            self._keep("points", _points_on(self.screws, self.points))
+        if self.limits is not None:
+            self._keep("limits", _limits(self.limits, len(screws)))
+        if self.joint_names and len(self.joint_names) != len(screws):
+            raise ValueError(f"joint_names should hold {len(screws)} names, one a joint; got {len(self.joint_names)}.")
+
+    def _keep(self, name: str, values: Array) -> None:
+        object.__setattr__(self, name, validation.frozen(values))
+
+    @property
+    def n(self) -> int:
+        """The number of joints."""
+        return len(self.screws)
+
+    @cached_property
+    def lines(self) -> Line:
+        """The joint axes as geometry: directions (n, 3), the points nearest the origin (n, 3), pitches (n,).
+
+        >>> from kinlib.chains.robots import rpr
+        >>> rpr().lines.pitch
+        array([ 0., inf,  0.])
+        """
+        return line(self.screws)
+
+    @cached_property
+    def letters(self) -> str:
+        """The joints from base to tool, one letter each: R revolute, P prismatic, H helical.
+
+        >>> from kinlib.chains.robots import rpr
+        >>> rpr().letters
+        'RPR'
+        """
+        pitch = self.lines.pitch
+        return "".join("P" if h == np.inf else "H" if abs(h) > validation.UNIT else "R" for h in pitch)
+
+    @cached_property
+    def joint_points(self) -> Array:
+        """A point (n, 3) on every joint axis at home: as given, or else the one nearest the joint before it."""
+        if self.points is not None:
+            return self.points
+        chosen = [np.zeros(3)]
+        for axis, foot, pitch in zip(*self.lines, strict=True):
+            # A prismatic axis is a free vector: any point serves, so the joint stays where the last one was.
+            chosen.append(chosen[-1] if pitch == np.inf else foot + axis * (axis @ chosen[-1]))
+        return validation.frozen(chosen[1:])
+
+    @cached_property
+    def body_screws(self) -> Array:
+        """The same axes read in the tool frame {b} at home, (n, 6):  B_i = Ad(M^-1) S_i.
+
+        Source: Modern Robotics, 4.1.3; Chapter 4 review deck, the last line of its derivation.
+
+        >>> from kinlib.chains.robots import rppr
+        >>> rppr().body_screws[0].round(6) + 0.0          # B_1 as the UIUC deck prints it
+        array([ 0.,  1.,  0.,  0.,  0., -2.])
+        """
+        return validation.frozen(self.screws @ adjoint(inverse(self.home)).T)
+
+    @_accelerate
+    def fk(self, q: ArrayLike) -> Array:
+        """Where the tool is: T(q) = e^[S1]q1 ... e^[Sn]qn M, the space form.
+
+        q (..., n) in radians and metres -> T_sb (..., 4, 4). Any number of configurations is one computation.
+
+        Raises ValueError for joint values of another size, and for NaN.
+        Source: Modern Robotics, (4.14).
+
+        >>> from kinlib.chains.robots import rprr
+        >>> rprr().fk(np.zeros((1000, 4))).shape
+        (1000, 4, 4)
+        """
+        T = np.eye(4)
+        for S_i, q_i in zip(self.screws, self._by_joint(q), strict=True):
+            T = T @ exp(S_i * q_i)
+        return T @ self.home
+
+    def fk_body(self, q: ArrayLike) -> Array:
+        """Where the tool is, by the body form: T(q) = M e^[B1]q1 ... e^[Bn]qn.
+
+        q (..., n) -> (..., 4, 4), equal to fk(q).
+
+        Raises ValueError for joint values of another size, and for NaN.
+        Source: Modern Robotics, (4.16); Chapter 4 review deck.
+
+        >>> from kinlib.chains.robots import rppr
+        >>> np.allclose(rppr().fk_body([1, 2, 3, 4]), rppr().fk([1, 2, 3, 4]), atol=1e-13)
+        True
+        """
+        return self.fk_mid(q, 0)
+
+    def fk_mid(self, q: ArrayLike, k: int) -> Array:
+        """Where the tool is, with M after the first k joints: e^[S1]q1 ... e^[Sk]qk M e^[Bk+1]qk+1 ... e^[Bn]qn.
+
+        q (..., n) -> (..., 4, 4), equal to fk(q) for every k from 0, the body form, to n, the space form.
+
+        Raises ValueError for joint values of another size, for NaN, and for a k outside 0 ... n.
+        Source: Chapter 4 review deck, "PoE with a Mid-Formula Matrix".
+
+        >>> from kinlib.chains.robots import youbot
+        >>> np.allclose(youbot().fk_mid([1, 2, 3, 4, 5], 2), youbot().fk([1, 2, 3, 4, 5]), atol=1e-13)
+        True
+        """
+        q = self._joint_values(q)
+        if k not in range(self.n + 1):
+            raise ValueError(f"k counts the joints to the left of M, 0 to {self.n}; got {k!r}.")
+        before = exp(self.screws[:k] * q[..., :k, None])
+        after = exp(self.body_screws[k:] * q[..., k:, None])
+        factors = [*np.moveaxis(before, -3, 0), self.home, *np.moveaxis(after, -3, 0)]
+        return reduce(np.matmul, factors)
+
+    @_accelerate
+    def link_poses(self, q: ArrayLike) -> Array:
+        """Where every link is: frame i rides on link i, and stands at joint i parallel to {s} when q = 0.
+
+        q (..., n) -> (..., n, 4, 4):  T_i(q) = e^[S1]q1 ... e^[Si]qi M_i, with M_i the shift to joint_points[i].
+
+        Raises ValueError for joint values of another size, and for NaN.
+        Source: Modern Robotics, 4.1.2 (the links of figure 4.2), with frames of our choice.
+
+        >>> from kinlib.chains.robots import youbot
+        >>> youbot().link_poses(np.zeros(5))[3, :3, 3]       # joint 4 of the youBot at home
+        array([0.323, 0.   , 0.147])
+        """
+        links, T = [], np.eye(4)
+        for S_i, q_i, point in zip(self.screws, self._by_joint(q), self.joint_points, strict=True):
+            T = T @ exp(S_i * q_i)
+            links.append(T @ pose(np.eye(3), point))
+        return np.stack(links, axis=-3)
+
+    @_accelerate
+    def jacobian(self, q: ArrayLike) -> Array:
+        """How the tool moves for each joint's unit of speed, as twists in {s}: the space Jacobian.
+
+        q (..., n) -> (..., 6, n). Column i is joint i's screw axis where the joints before it have carried it:
+        J_i = Ad(e^[S1]q1 ... e^[Si-1]qi-1) S_i.
+
+        Raises ValueError for joint values of another size, and for NaN.
+        Source: Modern Robotics, (5.11).
+
+        >>> from kinlib.chains.robots import rpr
+        >>> bool((rpr().jacobian([0, 0, 0]) == rpr().screws.T).all())      # at home nothing has been carried yet
+        True
+        """
+        columns, T = [], np.broadcast_to(np.eye(4), (*np.shape(q)[:-1], 4, 4))
+        for S_i, q_i in zip(self.screws, self._by_joint(q), strict=True):
+            columns.append(adjoint(T) @ S_i)
+            T = T @ exp(S_i * q_i)
+        return np.stack(columns, axis=-1)
+
+    def body_jacobian(self, q: ArrayLike) -> Array:
+        """The same as twists in {b}: the body Jacobian, J_b = Ad(T^-1) J_s.
+
+        q (..., n) -> (..., 6, n).
+
+        Raises ValueError for joint values of another size, and for NaN.
+        Source: Modern Robotics, (5.22).
+
+        >>> from kinlib.chains.robots import rpr
+        >>> np.allclose(rpr().body_jacobian([0, 0, 0]), rpr().body_screws.T)
+        True
+        """
+        return adjoint(inverse(self.fk(q))) @ self.jacobian(q)
+
+    def _joint_values(self, q: ArrayLike) -> Array:
+        """Read q as joint values of this chain, (..., n)."""
+        q = validation.array(q, "q")
+        if q.shape[-1:] != (self.n,):
+            fits = q.ndim > 1 and q.shape[-2] == self.n
+            cause = "Joints stand in the last dimension: try q.T" if fits else "Each joint has a value of its own"
+            raise ValueError(
+                f"{self.name} has {self.n} joints ({self.letters}), so q should have shape (..., {self.n}); "
+                f"got {q.shape}. {cause}."
+            )
+        validation.turn(np.abs(q * self._fast.rotations))
+        return q
+
+    def _by_joint(self, q: ArrayLike) -> Array:
+        """The values of each joint, (n, ..., 1), ready to be multiplied by its screw axis."""
+        return np.moveaxis(self._joint_values(q), -1, 0)[..., None]
+
+    @cached_property
+    def _fast(self) -> FastKinematics:
+        """The fast implementation of `fk`, `link_poses` and `jacobian`, made when it is first needed."""
+        return FastKinematics(self.screws, self.home, self.joint_points)
+
+
+def random_configurations(n: int, count: int) -> Array:
+    """Draw configurations at which two descriptions of an arm are compared, the same ones every time.
+
+    n joints -> (count, n): each value between -pi and pi, in radians or metres.
+
+    >>> random_configurations(2, 3).shape
+    (3, 2)
+    """
+    return np.random.default_rng(0).uniform(-np.pi, np.pi, (count, n))
+
+
+def largest_difference(poses: Array, others: Array) -> float:
+    """Find the largest difference between two entries of poses (..., 4, 4) that should be the same.
+
+    >>> largest_difference(np.eye(4), exp([0, 0, 0, 0.5, 0, -2]))
+    2.0
+    """
+    return float(np.abs(poses - others).max())
+
+
+def _limits(limits: ArrayLike, n: int) -> Array:
+    limits = validation.real(limits, "limits")
+    if limits.shape != (n, 2):
+        raise ValueError(f"limits should have one row (least, greatest) a joint, ({n}, 2); got {limits.shape}.")
+    # Written so that NaN, which is neither above nor below, is refused too.
+    ordered = limits[:, 0] <= limits[:, 1]
+    if not ordered.all():
+        joint = int(np.argmin(ordered))
+        raise ValueError(
+            f"The limits of joint {joint + 1} should be (least, greatest); got {limits[joint].tolist()}. Are they exchanged?"
+        )
+    return limits
+
+
+def _points_on(screws: Array, points: ArrayLike) -> Array:
+    points = validation.vectors(points, "points", 3)
+    if points.shape != (len(screws), 3):
+        raise ValueError(f"points should have one row a joint, ({len(screws)}, 3); got {points.shape}.")
+    axis, foot, _ = line(screws)
+    off = np.linalg.norm(np.cross(points - foot, axis), axis=-1)
+    off[is_prismatic(screws)] = 0.0
+    worst = int(np.argmax(off))
+    if off[worst] > validation.UNIT * (1 + np.abs(points).max()):
+        raise ValueError(
+            f"The point of joint {worst + 1} lies {off[worst]:.3g} m off its axis. Is it the point of another joint, or is v = w x q?"
+        )
+    return points

@@ -1,0 +1,177 @@
+"""The robots of the course, as data: each one's joints, its home pose, and the document it comes from.
+
+An arm is written as its drawing is read: joint by joint, a direction, a point on the axis, a pitch. Lengths are metres.
+Where a document gives symbols and no numbers, the lengths are arguments, with defaults that make a shapely arm.
+"""
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from kinlib.arrays.validation import Array
+from kinlib.chains.chain import Chain
+from kinlib.rigid import lie
+from kinlib.rigid.screw import screw
+
+X, Y, Z = np.eye(3)
+SLIDE = np.inf
+
+
+def arm(joints: Sequence[tuple[Any, ...]], home: Array, name: str, source: str) -> Chain:
+    """Make a chain from joints (axis, point) or (axis, point, pitch), read off a drawing at home.
+
+    >>> arm([(Z, (0, 0, 0)), (X, (0, 0, 1), SLIDE)], pose(np.eye(3), (1, 0, 1)), "crane", "an example").letters
+    'RP'
+    """
+    screws = np.array([screw(*joint) for joint in joints])
+    points = np.array([joint[1] for joint in joints], dtype=float)
+    return Chain(screws, home, points, name, source)
+
+
+def pose(axes: ArrayLike, origin: ArrayLike) -> Array:
+    """Write the pose of a frame from its axes x, y, z, given one after the other, and its origin.
+
+    >>> pose((X, Z, -Y), (1, 2, 3))
+    array([[ 1.,  0., -0.,  1.],
+           [ 0.,  0., -1.,  2.],
+           [ 0.,  1., -0.,  3.],
+           [ 0.,  0.,  0.,  1.]])
+    """
+    return lie.pose(np.transpose(axes), origin)
+
+
+def rpr() -> Chain:
+    """The first example of the UIUC deck: turn, slide, turn, in one vertical plane.
+
+    The joints are as printed. The printed M is no pose: its third row reads 0 0 0 1, its last 0 0 0 0. The two rows
+    above leave one rotation, with third row 1 0 0; the origin and the last row follow. So M is reconstructed, by
+    the change of two entries.
+
+    >>> rpr().screws[0] + 0.0
+    array([ 0., -1.,  0.,  0.,  0.,  4.])
+    """
+    joints = [(-Y, (-4, -2, 0)), (Z, (-4, -2, 0), SLIDE), (-Y, (0, -4, 0))]
+    return arm(joints, pose((Z, X, Y), (0, 0, 1)), "RPR", "UIUC deck, lecture 11, example 1; M reconstructed")
+
+
+def rppr() -> Chain:
+    """The body-form example of the UIUC deck: turn, slide, slide, turn.
+
+    M, joint 1 and joint 4 are as printed, there in the body frame. The directions of the two slides are lost (the deck
+    shows zeros); they are reconstructed along the body's y, towards joint 4, and along its z.
+
+    >>> rppr().body_screws[3].round(6) + 0.0
+    array([ 0.,  1.,  0.,  0.,  0., -2.])
+    """
+    joints = [(X, (0, 2, 0)), (X, (0, 2, 0), SLIDE), (Z, (2, 2, 0), SLIDE), (X, (2, 2, 0))]
+    return arm(
+        joints, pose((-Y, X, Z), (2, 0, 0)), "RPPR", "UIUC deck, lecture 11, body-form example; slides reconstructed"
+    )
+
+
+def rprr(l2: float = 0.5, l4: float = 0.2, l5: float = 0.3) -> Chain:
+    """The arm of the deck "Example with n = 5": turn, slide, turn, turn, and a fixed tool as its fifth frame.
+
+    The deck gives letters only; its table puts joint 3 at height l2 and the tool l5 out and l4 down from there.
+
+    >>> rprr(l2=0.5, l4=0.2, l5=0.3).home[:3, 3]
+    array([0. , 0.3, 0.3])
+    """
+    joints = [(Z, (0, 0, 0)), (Y, (0, 0, 0), SLIDE), (X, (0, 0, l2)), (Y, (0, 0, l2))]
+    return arm(joints, pose((Z, X, Y), (0, l5, l2 - l4)), "RPRR", "deck Example with n = 5")
+
+
+def youbot() -> Chain:
+    """The arm of the KUKA youBot, from the EduFill module's table, straight and horizontal when all values are zero.
+
+    >>> youbot().home[:3, 3]
+    array([0.5405, 0.    , 0.147 ])
+    """
+    joints = [
+        (Z, (0, 0, 0)),
+        (-Y, (0.033, 0, 0.147)),
+        (-Y, (0.188, 0, 0.147)),
+        (-Y, (0.323, 0, 0.147)),
+        (X, (0.323, 0, 0.147)),
+    ]
+    return arm(joints, pose((Z, -Y, X), (0.5405, 0, 0.147)), "youBot", "EduFill manipulation module, lecture 1")
+
+
+def puma560(a2: float = 0.4318, a3: float = 0.0203, d3: float = 0.15005, d4: float = 0.4318) -> Chain:
+    """The PUMA 560 of Lecture 7, in its zero configuration, with {s} where the first two axes meet.
+
+    The deck gives letters only; the default lengths are those of Corke and Armstrong-Helouvry (1994).
+
+    >>> puma560().letters
+    'RRRRRR'
+    """
+    elbow, wrist = (a2, d3, 0), (a2 + a3, d3, -d4)
+    joints = [(Z, (0, 0, 0)), (Y, (0, 0, 0)), (Y, elbow), (-Z, wrist), (Y, wrist), (-Z, wrist)]
+    return arm(
+        joints, pose((X, -Y, -Z), wrist), "PUMA 560", "Lecture 7, kinematics under DH; lengths from Corke (1994)"
+    )
+
+
+def rpr_lecture7(a1: float = 0.4) -> Chain:
+    """The planar RPR arm that closes Lecture 7: turn, slide, turn, all in the plane of x and y.
+
+    >>> rpr_lecture7(a1=0.4).fk([0, 0.1, 0])[:3, 3] + 0.0
+    array([ 0.4, -0.1,  0. ])
+    """
+    joints = [(Z, (0, 0, 0)), (-Y, (a1, 0, 0), SLIDE), (Z, (a1, 0, 0))]
+    return arm(joints, pose((X, Y, Z), (a1, 0, 0)), "RPR of Lecture 7", "Lecture 7, kinematics under DH")
+
+
+def plain_arm(column: float = 0.4, upper: float = 0.5, fore: float = 0.3) -> Chain:
+    """A family for plain exercises: every axis along x, y or z. A turret, a shoulder, a telescope and a wrist.
+
+    >>> plain_arm().letters
+    'RRPR'
+    """
+    shoulder, wrist = (0, 0, column), (upper, 0, column)
+    joints = [(Z, (0, 0, 0)), (-Y, shoulder), (X, shoulder, SLIDE), (X, wrist)]
+    return arm(
+        joints,
+        pose((X, Y, Z), (upper + fore, 0, column)),
+        "plain arm",
+        "Chapter 4 review deck: family of exercises 4.7 to 4.9",
+    )
+
+
+def angled_arm(tilt: float = np.pi / 4, column: float = 0.4, upper: float = 0.5, fore: float = 0.3) -> Chain:
+    """A family with angled joints: the second joint leans from z towards x by tilt radians, the third slides along it.
+
+    >>> angled_arm().letters
+    'RRPR'
+    """
+    lean = np.cos(tilt) * Z + np.sin(tilt) * X
+    shoulder = np.array((0, 0, column))
+    elbow = shoulder + upper * lean
+    joints = [(Z, (0, 0, 0)), (lean, shoulder), (lean, elbow, SLIDE), (Y, elbow)]
+    home = pose((X, Y, Z), elbow + fore * X)
+    return arm(joints, home, "angled arm", "Chapter 4 review deck: family of exercises 4.11 to 4.13")
+
+
+def mid_formula_arm(reach: float = 0.6, lift: float = 0.4, tool: float = 0.2) -> Chain:
+    """A family for the mid-formula form: two joints easy to read from the base, two easy to read from the tool.
+
+    >>> mid_formula_arm().letters
+    'RRRR'
+    """
+    wrist = (reach, 0, lift)
+    joints = [(Z, (0, 0, 0)), (Y, (0, 0, lift)), (X, wrist), (Y, wrist)]
+    home = pose((-Z, Y, X), (reach + tool, 0, lift))
+    return arm(joints, home, "mid-formula arm", "Chapter 4 review deck: family of exercises 4.17 and 4.20")
+
+
+def hrr(pitch: float = 0.1, first: float = 0.5, second: float = 0.3) -> Chain:
+    """A family with a helical joint: a spindle that climbs by pitch metres a radian, then two turns about parallel axes.
+
+    >>> hrr().letters
+    'HRR'
+    """
+    joints = [(Z, (0, 0, 0), pitch), (Z, (first, 0, 0)), (Z, (first + second, 0, 0))]
+    home = pose((X, Y, Z), (first + second, 0, 0))
+    return arm(joints, home, "HRR arm", "a helical joint, in the manner of the Chapter 4 review deck's families")

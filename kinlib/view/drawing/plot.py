@@ -1,0 +1,76 @@
+"""Curves: a plot whose lines differ by dash and marker as well as by colour, and say in words what they show."""
+
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from kinlib.view.drawing.picture import Picture, picture
+
+STYLES = (
+    ("#7d3ac1", "-", "o"),
+    ("#b35900", "--", "s"),
+    ("#0b5cad", ":", "^"),
+    ("#1f2328", "-.", "D"),
+    ("#1a7f37", "-", "x"),
+)
+
+
+def plot(
+    x: ArrayLike,
+    curves: Mapping[str, ArrayLike],
+    *,
+    xlabel: str,
+    ylabel: str,
+    alt: str,
+    log: str = "",
+    mark: float | None = None,
+    caption: str = "",
+) -> Picture:
+    """Plot named curves over common values of x.
+
+    log    the axes with a logarithmic scale: "", "x", "y" or "xy"
+    mark   a value of x to point out with a vertical line
+
+    Raises ValueError for a curve of another length than x, for more curves than there are ways to tell them apart, and
+    for a text alternative that says too little.
+
+    >>> plot([0, 1, 2], {"square": [0, 1, 4]}, xlabel="x", ylabel="y", alt="A parabola through 0, 1 and 4.").alt
+    'A parabola through 0, 1 and 4.'
+    """
+    from matplotlib.figure import Figure
+
+    x = np.asarray(x, dtype=float)
+    if len(curves) > len(STYLES):
+        raise ValueError(f"plot tells up to {len(STYLES)} curves apart; got {len(curves)}. Draw two figures?")
+    if log not in {"", "x", "y", "xy"}:
+        raise ValueError(f"log should be '', 'x', 'y' or 'xy'; got {log!r}.")
+    figure = Figure(figsize=(6.4, 3.6), layout="constrained")
+    axes = figure.subplots()
+    for (name, y), (colour, dash, marker) in zip(curves.items(), STYLES, strict=False):
+        if np.shape(y) != x.shape:
+            raise ValueError(f"curve {name!r} should have the shape of x, {x.shape}; got {np.shape(y)}.")
+        every = max(1, len(x) // 12)
+        axes.plot(
+            x,
+            np.asarray(y, dtype=float),
+            color=colour,
+            linestyle=dash,
+            marker=marker,
+            markevery=every,
+            markersize=5,
+            label=name,
+        )
+    if mark is not None:
+        axes.axvline(mark, color="#8c959f", linestyle=(0, (2, 2)), linewidth=1)
+    if "x" in log:
+        axes.set_xscale("log")
+    if "y" in log:
+        axes.set_yscale("log")
+    axes.set_xlabel(xlabel)
+    axes.set_ylabel(ylabel)
+    axes.grid(alpha=0.3)
+    axes.spines[["top", "right"]].set_visible(False)
+    if len(curves) > 1:
+        axes.legend(frameon=False)
+    return picture(figure, alt, caption)

@@ -1,0 +1,149 @@
+"""A frame assignment, drawn: axes, common normals, origins and frames, as far as its steps have come."""
+
+import numpy as np
+
+from kinlib.dh.assignment import FrameAssignment
+from kinlib.rigid.screw import line
+from kinlib.view.drawing.canvas import AXIS_COLOURS, INK, ORANGE, VIOLET, Canvas
+from kinlib.view.drawing.picture import Picture, spoken
+from kinlib.view.figures.assignment_state import FAR, in_view, legs, stage
+from kinlib.view.figures.joints import draw_bodies
+
+
+def draw_assignment(assignment: FrameAssignment, until: int | None = None, *, caption: str = "") -> Picture:
+    """Draw a frame assignment after some of its steps: what the last of them names is strong, what came before is pale.
+
+    until  the index in assignment.steps of the last step drawn; None for the finished assignment
+
+    Axes are violet and dashed, common normals orange: a normal without length is a short dashed line along its direction.
+    Frame i has x_i, y_i, z_i at its tips; y is drawn only while its frame is strong. Frames that share an origin get rods
+    of different length. While a row is read off, its a is a thick orange line and its d a thick violet one.
+
+    Raises ValueError for a step that there is not.
+
+    >>> from kinlib.dh.assignment import assign_frames
+    >>> from kinlib.chains.robots import youbot
+    >>> print(draw_assignment(assign_frames(youbot(), convention="standard"), 3).alt)    # doctest: +NORMALIZE_WHITESPACE
+    youBot, standard convention, step 4 of 25. O_1 lies on axis 2, where the common normal meets it: (0.033, 0, 0.147).
+    Drawn so far: frame 0 at (0, 0, 0), x along (1, 0, 0), z along (0, 0, 1).
+    """
+    steps = assignment.steps
+    drawing = _Drawing(assignment, until)
+    drawing.draw()
+    head = f"{assignment.chain.name}, {assignment.table.convention} convention"
+    if until is None:
+        return drawing.canvas.picture(f"{head}, all {len(steps)} steps. {drawing.in_words()}", caption)
+    step = steps[until]
+    told = f"Step {until + 1} of {len(steps)}. {step.text}" + (f" Also legal: {step.others}" if step.others else "")
+    alt = f"{head}, step {until + 1} of {len(steps)}. {step.text} {drawing.in_words()}"
+    return drawing.canvas.picture(alt, caption or told)
+
+
+class _Drawing:
+    """One picture of an assignment."""
+
+    def __init__(self, assignment: FrameAssignment, until: int | None) -> None:
+        self.assignment, self.stage = assignment, stage(assignment, until)
+        self.chain = assignment.chain
+        self.axes = line(self.chain.screws).axis
+        room = np.concatenate([self.chain.joint_points, self.chain.home[None, :3, 3]])
+        self.near, self.feet = in_view(assignment)
+        seen = np.concatenate([room, assignment.frames[self.near, :3, 3], self.feet])
+        self.middle = room.mean(axis=0)
+        self.canvas = Canvas(seen)
+        self.canvas.floor(seen)
+
+    def draw(self) -> None:
+        self._lines()
+        draw_bodies(self.canvas, self.chain, self.chain.link_poses(np.zeros(self.chain.n)))
+        for pair, strong in enumerate(self.stage.normals):
+            if strong is not None:
+                self._normal(pair, strong)
+        if self.stage.row is not None:
+            self._row(self.stage.row)
+        for i in np.flatnonzero(self.near):
+            self._frame(int(i))
+        if self.stage.kind == "accuracy":
+            for name, T, there in (
+                ("s", np.eye(4), self.assignment.frames[0]),
+                ("b", self.chain.home, self.assignment.frames[-1]),
+            ):
+                if np.linalg.norm(T[:3, 3] - self.middle) < FAR * self.canvas.size and not np.allclose(T, there):
+                    self.canvas.triad(T, name, 0.12 * self.canvas.size)
+
+    def in_words(self) -> str:
+        whole = [
+            f"frame {i} at {spoken(T[:3, 3])}, x along {spoken(T[:3, 0])}, z along {spoken(T[:3, 2])}"
+            for i, T in enumerate(self.assignment.frames)
+            if "y" in self.stage.frames[i]
+        ]
+        return f"Drawn so far: {'; '.join(whole) or 'the joints and their axes'}."
+
+    def _lines(self) -> None:
+        """The joint axes, long enough to reach the feet of the normals on them."""
+        for i, (z, point) in enumerate(zip(self.axes, self.chain.joint_points, strict=True)):
+            on_it = [foot for foot in self.feet if np.linalg.norm(np.cross(z, foot - point)) < 1e-9]
+            along = [0.0, *((foot - point) @ z for foot in on_it)]
+            low, high = min(along) - 0.18 * self.canvas.size, max(along) + 0.3 * self.canvas.size
+            strong = self.stage.axes[i]
+            colour = VIOLET if strong else _faded(VIOLET)
+            self.canvas.arrow(
+                point + low * z, point + high * z, colour, 1.8 if strong else 1.2, style="--", level=1.5 + strong
+            )
+
+    def _normal(self, pair: int, strong: bool) -> None:
+        normal = self.assignment.normals[pair]
+        colour, width = (ORANGE, 3.2) if strong else (_faded(ORANGE), 2.2)
+        ends = np.array([normal.start, normal.end])
+        if np.linalg.norm(ends[1] - ends[0]) > 1e-9:
+            self.canvas.line(ends, colour, width, level=3.2)
+            return
+        half = 0.22 * self.canvas.size * normal.x
+        self.canvas.line([ends[0] - half, ends[0] + half], colour, width, "--", level=3.2)
+
+    def _row(self, row: int) -> None:
+        """The way of one row from frame to frame: d along the joint's axis, a along the common normal."""
+        for name, start, end in legs(self.assignment, row):
+            if np.linalg.norm(end - start) < FAR * self.canvas.size:
+                colour = VIOLET if name[0] == "d" else ORANGE
+                self.canvas.line([start, end], colour, 4.5, level=3.4)
+                self.canvas.label((start + end) / 2, f"${name}$", colour, size=12)
+
+    def _frame(self, i: int) -> None:
+        parts, T, strong = self.stage.letters(i), self.assignment.frames[i], self.stage.strong[i]
+        if not parts:
+            return
+        length = (0.17 + 0.08 * self._rank(i)) * self.canvas.size
+        for letter in "xyz":
+            if letter in parts:
+                k = "xyz".index(letter)
+                colour = AXIS_COLOURS[k] if strong else _faded(AXIS_COLOURS[k])
+                tip = T[:3, 3] + length * T[:3, k]
+                self.canvas.arrow(T[:3, 3], tip, colour, 2.4 if strong else 1.6, level=4 + strong + 0.01 * k)
+                away = self.canvas.flat(tip) - self.canvas.flat(T[:3, 3])
+                away = 11 * away / max(float(np.linalg.norm(away)), 1e-9)
+                places = [(away[0], away[1]), *((away[0] + dx, away[1] + dy) for dx, dy in _NUDGES)]
+                self.canvas.label(tip, f"${letter}_{i}$", colour, places, 10)
+        self.canvas.dot(T[:3, 3], INK if strong else _faded(INK), 6 if strong else 4, level=6)
+        if self.stage.kind == "origin" and strong:
+            self.canvas.label(T[:3, 3], f"$O_{i}$", INK)
+
+    def _rank(self, i: int) -> int:
+        """How many frames drawn before this one stand at the same place."""
+        frames = self.assignment.frames
+        return sum(
+            bool(self.stage.frames[j] and np.linalg.norm(frames[j, :3, 3] - frames[i, :3, 3]) < 1e-6) for j in range(i)
+        )
+
+
+_NUDGES = ((9, 0), (-9, 0), (0, 10), (0, -10), (14, 10), (-14, 10), (14, -10), (-14, -10))
+
+
+def _faded(colour: str, share: float = 0.55) -> str:
+    """A colour mixed with white, for what is there and not the point of the moment.
+
+    >>> _faded("#000000", 0.2)
+    '#cccccc'
+    """
+    values = (int(colour[k : k + 2], 16) for k in (1, 3, 5))
+    return "#" + "".join(f"{round(255 - share * (255 - value)):02x}" for value in values)

@@ -1,0 +1,169 @@
+"""DH tables, drawn: one row as the four numbers between two axes, and a whole table as the frames that it stands for."""
+
+from itertools import pairwise
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from kinlib.arrays import validation
+from kinlib.arrays.validation import Array
+from kinlib.dh.table import DHTable, dh_transform
+from kinlib.view.drawing.canvas import AXIS_COLOURS, GREY, INK, ORANGE, PALE, VIOLET, Canvas
+from kinlib.view.drawing.picture import Picture, spoken
+from kinlib.view.figures.joints import draw_bodies
+
+MOTIONS = ((3,), (3, 2), (3, 2, 0), (3, 2, 0, 1))
+"""The columns a, alpha, d, theta of a standard row in the order in which they act: theta, d, a, alpha."""
+
+SAID = ("theta about z", "d along z", "a along x", "alpha about x")
+
+
+def draw_row(row: ArrayLike, done: int = 4, *, caption: str = "") -> Picture:
+    """Draw what the four numbers of a standard row measure, and a frame that is carried by the first of them.
+
+    row   (4,) a, alpha, d, theta in metres and radians
+    done  how many of the motions Rz(theta), Tz(d), Tx(a), Rx(alpha) are carried out
+
+    Frame i-1 stands in ink, the axis z_{i-1} below it and the axis z_i are violet, their common normal is orange.
+
+    Raises ValueError for a row of another size, and for another number of motions than 0 to 4.
+
+    >>> draw_row([0.8, 1.0, 0.6, 0.9], 2).alt
+    'One row of a table, after theta about z, d along z. The frame is at (0, 0, 0.6), its x along (0.622, 0.783, 0).'
+    """
+    row = validation.vectors(row, "row", 4)
+    if done not in range(5):
+        raise ValueError(f"done counts the motions of a row, 0 to 4; got {done!r}.")
+    alpha, d, theta = row[1:]
+    foot, end = _after(row, 2), _after(row, 4)  # on z_{i-1}, and on z_i
+    moving = _after(row, done)
+    seen = np.array([[0, 0, 0], foot[:3, 3], end[:3, 3]])
+    canvas = Canvas(seen)
+    length = 0.38 * canvas.size
+    for T, name, low in ((np.eye(4), "$z_{i-1}$", -0.1), (end, "$z_i$", -0.45)):
+        far = max(0.0, d) + 0.62 * canvas.size if name == "$z_{i-1}$" else 0.62 * canvas.size
+        ends = T[:3, 3] + np.outer((low * canvas.size, far), T[:3, 2])
+        canvas.arrow(ends[0], ends[1], VIOLET, 1.4, style="--", level=2)
+        canvas.label(ends[1], name, VIOLET)
+    canvas.line([foot[:3, 3], end[:3, 3]], ORANGE, 2.0, ":", level=2.5)
+    canvas.arrow((0, 0, 0), (length, 0, 0), AXIS_COLOURS[0], 2.2)
+    canvas.label((length, 0, 0), "$x_{i-1}$", AXIS_COLOURS[0])
+    if done >= 1:
+        canvas.line([np.zeros(3), 0.9 * length * foot[:3, 0]], GREY, 1.2, ":", level=2.5)
+        _arc(canvas, (0, 0, 0), 0.7 * length * np.eye(3)[:, :2], theta, "θ")
+    if done >= 2:
+        canvas.line([np.zeros(3), foot[:3, 3]], VIOLET, 3.4, level=3)
+        canvas.label(foot[:3, 3] / 2, "$d$", VIOLET, [(-14, 0), (14, 0)], 13)
+    if done >= 3:
+        canvas.line([foot[:3, 3], end[:3, 3]], ORANGE, 3.4, level=3)
+        canvas.label((foot[:3, 3] + end[:3, 3]) / 2, "$a$", ORANGE, [(0, 13), (0, -13)], 13)
+    if done == 4:
+        canvas.line([end[:3, 3], end[:3, 3] + 0.9 * length * foot[:3, 2]], GREY, 1.2, ":", level=2.5)
+        _arc(canvas, end[:3, 3], 0.9 * length * np.stack([foot[:3, 2], -foot[:3, 1]], axis=1), alpha, "α")
+    canvas.dot(foot[:3, 3], GREY)
+    canvas.dot(end[:3, 3], GREY)
+    canvas.triad(moving, "", length)
+    told = f"after {', '.join(SAID[:done])}" if done else "before the first motion"
+    return canvas.picture(
+        f"One row of a table, {told}. The frame is at {spoken(moving[:3, 3])}, its x along {spoken(moving[:3, 0])}.",
+        caption,
+    )
+
+
+def draw_table(
+    table: DHTable,
+    q: ArrayLike | None = None,
+    *,
+    numbers: bool = False,
+    path: bool = True,
+    caption: str = "",
+    around: ArrayLike | None = None,
+    view: str = "default",
+) -> Picture:
+    """Draw the arm that a table describes, with the frames that the table stands for: x_i and z_i, without y_i.
+
+    q        (n,) joint values, zero by default
+    numbers  whether the grid has numbers, and each origin a dotted line down to it, so that it can be read off
+    path     whether the arm runs from frame to frame as its rows say it: d along z in violet, a along x in orange
+    around   points (..., 3) to keep in view, so that pictures of several configurations share one scale
+
+    Raises ValueError for joint values of another size.
+
+    >>> draw_table(DHTable([[1, 0, 0, 0]], convention="standard")).alt
+    'table. Frame 0 at (0, 0, 0), x along (1, 0, 0), z along (0, 0, 1). Frame 1 at (1, 0, 0), x along (1, 0, 0), z along (0, 0, 1).'
+    """
+    q = np.zeros(table.n) if q is None else validation.vectors(q, "q", table.n)
+    links = table.link_transforms(q)
+    frames = [table.base]
+    for link in links:
+        frames.append(frames[-1] @ link)
+    corners = _corners(table, frames)
+    origins = np.array([T[:3, 3] for T in frames])
+    tip = frames[-1] @ table.tool
+    floor = origins * (1, 1, 0) if numbers else origins
+    seen = np.concatenate([np.zeros((1, 3)), origins, corners, tip[None, :3, 3], floor])
+    canvas = Canvas(seen if around is None else around, view)
+    canvas.floor(seen if around is None else around, numbers=numbers)
+    if numbers:
+        canvas.measure(origins, GREY)
+    canvas.line([np.zeros(3), origins[0]], PALE, 5.0, level=1)
+    canvas.line([origins[-1], tip[:3, 3]], PALE, 5.0, level=1)
+    for start, corner, end in zip(origins, corners, origins[1:], strict=False) if path else ():
+        first, second = (VIOLET, ORANGE) if table.convention == "standard" else (ORANGE, VIOLET)
+        canvas.line([start, corner], first, 4.0, level=2.5)
+        canvas.line([corner, end], second, 4.0, level=2.5)
+    if path:
+        chain = table.to_chain()
+        draw_bodies(canvas, chain, chain.link_poses(q))
+    for i, T in enumerate(frames):
+        # Frames that share an origin get rods of different length, or one would hide the other.
+        rank = sum(bool(np.allclose(T[:3, 3], other[:3, 3], atol=1e-6)) for other in frames[:i])
+        length = (0.2 + 0.09 * rank) * canvas.size
+        for k, letter in ((0, "x"), (2, "z")):
+            canvas.arrow(T[:3, 3], T[:3, 3] + length * T[:3, k], AXIS_COLOURS[k], 2.0, level=4 + 0.01 * k)
+            canvas.label(T[:3, 3] + length * T[:3, k], f"${letter}_{i}$", AXIS_COLOURS[k])
+    for name, T in {"s": np.eye(4), "b": tip}.items():
+        if not np.allclose(T, frames[0 if name == "s" else -1]):
+            canvas.triad(T, name, 0.16 * canvas.size)
+    return canvas.picture(_words(table, frames), caption)
+
+
+def _after(row: Array, done: int) -> Array:
+    """Where a frame stands after the first motions of a standard row."""
+    carried = np.zeros(4)
+    if done:
+        columns = list(MOTIONS[done - 1])
+        carried[columns] = row[columns]
+    return dh_transform(*carried, convention="standard")
+
+
+def _arc(canvas: Canvas, centre: ArrayLike, plane: Array, angle: float, name: str) -> None:
+    """An angle, from the plane's first direction towards its second; their length is the radius."""
+    turn = np.linspace(0, angle, 24)
+    points = np.asarray(centre) + np.stack([np.cos(turn), np.sin(turn)], axis=1) @ plane.T
+    for start, end in pairwise(points[:-1]):
+        canvas.line([start, end], INK, 1.6, level=3)
+    canvas.arrow(points[-2], points[-1], INK, 1.6, level=3)
+    middle = np.asarray(centre) + 1.22 * (points[12] - np.asarray(centre))
+    canvas.label(middle, name, INK, [(0, 0), (6, 4), (-6, -4)], 13)
+
+
+def _corners(table: DHTable, frames: list[Array]) -> Array:
+    """Between two frames, where the step along one axis ends and that along the other begins, (m, 3)."""
+    corners = []
+    for start, end in pairwise(frames):
+        if table.convention == "standard":
+            z, across = start[:3, 2], end[:3, 3] - start[:3, 3]
+            corners.append(start[:3, 3] + (across @ z) * z)
+        else:
+            x, across = start[:3, 0], end[:3, 3] - start[:3, 3]
+            corners.append(start[:3, 3] + (across @ x) * x)
+    return np.array(corners)
+
+
+def _words(table: DHTable, frames: list[Array]) -> str:
+    said = [
+        f"Frame {i} at {spoken(T[:3, 3])}, x along {spoken(T[:3, 0])}, z along {spoken(T[:3, 2])}."
+        for i, T in enumerate(frames)
+    ]
+    return " ".join([f"{table.name}.", *said])

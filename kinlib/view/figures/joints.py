@@ -1,0 +1,79 @@
+"""The bodies of joints: a cylinder that turns about its axis, a box that slides along it, a screw with its thread."""
+
+from itertools import pairwise
+
+import numpy as np
+
+from kinlib.arrays.validation import Array
+from kinlib.chains.chain import Chain
+from kinlib.rigid.lie import perpendicular
+from kinlib.view.drawing.canvas import INK, Canvas
+
+PAPER = "#f3d9a4"
+
+RADIUS = 0.035
+"""Of a joint, as a share of what is shown."""
+
+APART = 3.3 * RADIUS
+"""How far apart joints on one axis stand: the length of a joint and a little air."""
+
+BESIDE = [(18, 13), (-18, 13), (18, -15), (-18, -15), (32, 0), (-32, 0), (0, 28), (0, -30), (34, 22), (-34, 22)]
+"""Where the number of a joint may stand, in pixels right and up."""
+
+
+def draw_bodies(canvas: Canvas, chain: Chain, frames: Array) -> None:
+    """Draw each joint as its kind, with its number, where the frames (n, 4, 4) of the links have carried it."""
+    axes = _carried_axes(chain, frames)
+    for i, (z, shift) in enumerate(zip(axes, shifts(axes, frames[:, :3, 3]), strict=True)):
+        centre = frames[i, :3, 3] + APART * canvas.size * shift * z
+        draw_body(canvas, chain.letters[i], z, centre)
+        canvas.label(centre, str(i + 1), INK, BESIDE, 11)
+
+
+def draw_body(canvas: Canvas, letter: str, z: Array, centre: Array) -> None:
+    """Draw one joint R, P or H about its axis z, (3,), where it is."""
+    radius = RADIUS * canvas.size
+    half = 1.5 * radius * z
+    level = 3.0 + 0.01 * float(canvas.eye @ centre) / canvas.size  # the nearer one hides the farther one
+    rim = centre + _around(z, radius, np.linspace(0, 2 * np.pi, (4 if letter == "P" else 24) + 1) + np.pi / 4)
+    canvas.body(np.concatenate([rim - half, rim + half]), PAPER, level)
+    canvas.line(rim + (half if canvas.eye @ z > 0 else -half), INK, 1.0, level=level + 1e-5)
+    if letter == "H":
+        thread = _around(z, radius, np.linspace(0, 6 * np.pi, 60))
+        climb = np.linspace(-1, 1, 60)[:, None] * half
+        for (here, there), (low, high) in zip(pairwise(thread), pairwise(climb), strict=True):
+            if canvas.eye @ (here + there) > 0:  # the windings on the far side are hidden
+                canvas.line([centre + here + low, centre + there + high], INK, 1.3, level=level + 2e-5)
+
+
+def _carried_axes(chain: Chain, frames: Array) -> Array:
+    """The direction (n, 3) of each joint's axis where the arm has carried it."""
+    carried: Array = (frames[:, :3, :3] @ chain.lines.axis[:, :, None])[..., 0]
+    return carried
+
+
+def _around(z: Array, radius: float, turn: Array) -> Array:
+    """Points (m, 3) on a circle about the origin, perpendicular to z."""
+    x = perpendicular(z)
+    points: Array = radius * (np.cos(turn)[:, None] * x + np.sin(turn)[:, None] * np.cross(z, x))
+    return points
+
+
+def shifts(axes: Array, points: Array) -> Array:
+    """How far each joint is drawn from its point along its axis, (n,), in lengths of a joint.
+
+    Joints that share a point and an axis would hide each other. Along its axis a joint may stand anywhere: the screw is
+    the same, and so is the motion.
+
+    >>> z = np.array([0.0, 0, 1])
+    >>> shifts(np.array([z, z]), np.zeros((2, 3)))
+    array([-0.5,  0.5])
+    """
+    shift = np.zeros(len(axes))
+    for i in range(len(axes)):
+        here = np.linalg.norm(points - points[i], axis=-1) < 1e-6
+        peers = np.flatnonzero(here & (np.abs(axes @ axes[i]) > 1 - 1e-6))
+        rank = float(np.searchsorted(peers, i)) - (len(peers) - 1) / 2
+        # Counted along the first one's direction, whichever way the others point.
+        shift[i] = rank * np.sign(axes[peers[0]] @ axes[i])
+    return shift

@@ -1,0 +1,258 @@
+"""Linkages, drawn: bodies as bars and plates, joints with their names, the ground hatched, gaps where a loop is open.
+
+A linkage in a plane is seen from above, any other in the projection of draw_arm.
+"""
+
+from collections.abc import Mapping
+from dataclasses import dataclass
+from functools import reduce
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from kinlib.arrays import validation
+from kinlib.arrays.validation import Array
+from kinlib.mechanisms.mechanism import Mechanism
+from kinlib.rigid.lie import exp, inverse
+from kinlib.rigid.screw import line
+from kinlib.view.drawing.canvas import GREY, INK, ORANGE, PALE, Canvas, seen_from
+from kinlib.view.drawing.picture import Picture, spoken
+from kinlib.view.drawing.svg import GREEK
+from kinlib.view.figures.joints import BESIDE, RADIUS, draw_body
+
+STEEL, GHOST = "#5b7083", "#b6bec6"
+
+OPEN = 1e-6
+"""A joint whose two halves are farther apart than this, in metres, is drawn with its gap."""
+
+Points = Mapping[str, tuple[str, ArrayLike]]
+
+
+@dataclass(frozen=True, eq=False)
+class Posture:
+    """Where a linkage has everything that is drawn of it.
+
+    first, second  (j, 3)  each joint as its first and as its second body has it: one place, where the loop is closed
+    axes           (j, 3)  the direction of each joint's first axis
+    corners                the points of each body, (k, 3)
+    points                 named points of bodies
+    """
+
+    first: Array
+    second: Array
+    axes: Array
+    corners: Mapping[str, Array]
+    points: Mapping[str, Array]
+
+    @property
+    def all(self) -> Array:
+        """Every point that is drawn, (m, 3)."""
+        return np.concatenate([self.first, self.second, *(point[None] for point in self.points.values())])
+
+    @property
+    def gap(self) -> Array:
+        """How far apart the two halves of each joint are, (j,)."""
+        far: Array = np.linalg.norm(self.first - self.second, axis=1)
+        return far
+
+
+def posture(mechanism: Mechanism, q: ArrayLike, points: Points | None = None) -> Posture:
+    """Carry joints, bodies and named points to where a posture has them; the posture need not close.
+
+    q       (n,) joint values
+    points  {"P": ("coupler", (x, y, z))}: points of bodies, read off the drawing like the joints
+
+    Raises ValueError for joint values of another size, for NaN, and for a body that there is not.
+
+    >>> from kinlib.mechanisms.linkages import four_bar
+    >>> posture(four_bar(4, 1, 3.5, 3), [np.pi / 2, 0, 0, 0]).gap.round(3)      # at q = 0 it is drawn open
+    array([0.   , 0.   , 0.   , 8.322])
+    """
+    values = np.asarray(q, dtype=float)
+    poses = mechanism.poses(values)
+    if wrong := [body for body, _ in (points or {}).values() if body not in poses]:
+        raise ValueError(f"{mechanism.name} has the bodies {', '.join(poses)}; got {wrong[0]!r}.")
+    named = {
+        name: _carried(poses[body], validation.vectors(p, f"point {name}", 3))
+        for name, (body, p) in (points or {}).items()
+    }
+    corners: dict[str, list[Array]] = {body: [] for body in poses}
+    first, second, axes = [], [], []
+    for joint, own in zip(mechanism.joints, _split(mechanism, values), strict=True):
+        here, there = (poses[body] for body in joint.bodies)
+        moved = reduce(np.matmul, exp(joint.screws * own[:, None]), here)
+        # A slide carries its second body along; every other joint has both bodies at one place.
+        first.append(_carried(moved, joint.place))
+        second.append(_carried(there @ inverse(joint.gap), joint.place))
+        axes.append(here[:3, :3] @ line(joint.screws[0]).axis)
+        corners[joint.bodies[0]].append(_carried(here, joint.place))
+        corners[joint.bodies[1]].append(second[-1])
+    for name, (body, _) in (points or {}).items():
+        corners[body].append(named[name])
+    shapes = {body: np.array(places) for body, places in corners.items()}
+    return Posture(np.array(first), np.array(second), np.array(axes), shapes, named)
+
+
+def draw_linkage(
+    mechanism: Mechanism,
+    q: ArrayLike,
+    *,
+    ghost: ArrayLike | None = None,
+    points: Points | None = None,
+    curve: ArrayLike | None = None,
+    around: ArrayLike | None = None,
+    view: str | None = None,
+    size: tuple[float, float] = (640, 440),
+    names: bool = True,
+    alt: str | None = None,
+    caption: str = "",
+) -> Picture:
+    """Draw a linkage in a posture, closed or not.
+
+    q       (n,) joint values
+    ghost   (n,) another posture, in grey
+    points  {"P": ("coupler", (x, y, z))}: points of bodies to name, read off the drawing like the joints
+    curve   (m, 3) points of a curve to draw dotted, such as the way of a point
+    around  points (..., 3) to keep in view, so that pictures of several postures share one scale
+    view    one of kinlib.view.drawing.canvas.VIEWS; by default from above for a linkage in the plane of x and y
+    size    width and greatest height in pixels
+    names   whether joints bear their names
+
+    An orange dotted line joins the two halves of a joint that does not close.
+
+    Raises ValueError for joint values of another size, for NaN, for a body or a view that there is not.
+
+    >>> from kinlib.mechanisms.linkages import slider_crank
+    >>> print(draw_linkage(slider_crank(1, 3), [0, 0, 4, 0]).alt)       # doctest: +NORMALIZE_WHITESPACE
+    slider-crank with the bodies ground, crank, slider, rod. A joins ground and crank at (0, 0); B joins crank and rod
+    at (1, 0); slide joins ground and slider at (4, 0); C joins slider and rod at (4, 0). All lengths in metres. It is
+    closed.
+    """
+    now = posture(mechanism, q, points)
+    shade = None if ghost is None else posture(mechanism, ghost)
+    planar = is_planar(mechanism)
+    view = view or ("top" if planar else "default")
+    seen = np.concatenate(
+        [now.all, *([] if shade is None else [shade.all]), *([] if curve is None else [np.asarray(curve)])]
+    )
+    seen = seen if around is None else np.reshape(np.asarray(around, dtype=float), (-1, 3))
+    # No axes and frames reach out here: some of the margin may go, and more of it where no floor needs it.
+    middle = (seen.min(axis=0) + seen.max(axis=0)) / 2
+    canvas = Canvas(middle + (0.72 if planar else 0.9) * (seen - middle), view, size)
+    canvas.floor(seen)
+    if shade is not None:
+        _draw_bars(canvas, mechanism, shade, GHOST, 1.0)
+    if curve is not None:
+        canvas.line(curve, ORANGE, 1.8, ":", level=1.5)
+    _draw_bars(canvas, mechanism, now, STEEL, 2.0)
+    _draw_ground(canvas, mechanism, now, view)
+    for joint, here, there, axis in zip(mechanism.joints, now.first, now.second, now.axes, strict=True):
+        slides = not joint.screws[0, :3].any()
+        if np.linalg.norm(here - there) > OPEN:
+            canvas.line([here, there], ORANGE, 2.2, ":", level=3.6)
+            canvas.dot(there, ORANGE, 7)
+        # A ball looks like a pin that is seen end-on, from wherever it is seen.
+        draw_body(canvas, "P" if slides else "R", canvas.eye if joint.freedoms == 3 else axis, here)
+        if names:
+            canvas.label(here, _letters(joint.name), INK, BESIDE, 11)
+    for name, point in now.points.items():
+        canvas.dot(point, INK, 8)
+        canvas.label(point, name, INK)
+    return canvas.picture(alt or describe(mechanism, now), caption)
+
+
+def describe(mechanism: Mechanism, now: Posture) -> str:
+    """Say in words what a drawing of a linkage shows: its bodies, where its joints are, and whether it is closed.
+
+    >>> from kinlib.mechanisms.linkages import triangle
+    >>> describe(triangle(), posture(triangle(), [0, 0, 0]))[-36:]
+    'All lengths in metres. It is closed.'
+    """
+    shown = slice(2) if is_planar(mechanism) else slice(3)
+    joints = [
+        f"{joint.name} joins {' and '.join(joint.bodies)} at {spoken(place[shown])}"
+        for joint, place in zip(mechanism.joints, now.first, strict=True)
+    ]
+    named = "".join(f" {name} is at {spoken(point[shown])}." for name, point in now.points.items())
+    widest = int(np.argmax(now.gap))
+    closed = (
+        "It is closed."
+        if now.gap[widest] <= OPEN
+        else f"It is open: at {mechanism.joints[widest].name} a gap of {now.gap[widest]:.2g} is left."
+    )
+    bodies = ", ".join(mechanism.bodies)
+    return f"{mechanism.name} with the bodies {bodies}. {'; '.join(joints)}.{named} All lengths in metres. {closed}"
+
+
+def is_planar(mechanism: Mechanism) -> bool:
+    """Whether a linkage moves in the plane of x and y: it turns about z, and slides across it.
+
+    >>> from kinlib.mechanisms.linkages import sarrus, slider_crank
+    >>> is_planar(slider_crank(1, 3)), is_planar(sarrus())
+    (True, False)
+    """
+    screws = np.concatenate([joint.screws for joint in mechanism.joints])
+    return bool(np.allclose(screws[:, [0, 1, 5]], 0))
+
+
+def _carried(T: Array, point: Array) -> Array:
+    place: Array = T[:3, :3] @ point + T[:3, 3]
+    return place
+
+
+def _split(mechanism: Mechanism, q: Array) -> list[Array]:
+    """The joint values of each joint."""
+    return np.split(q, np.cumsum([joint.freedoms for joint in mechanism.joints])[:-1])
+
+
+def _letters(name: str) -> str:
+    """A joint's name as a label: theta_1 in Greek, and of "joint 3" the number."""
+    head, _, low = name.removeprefix("joint ").partition("_")
+    return rf"$\{head}_{{{low}}}$" if low and head in GREEK else name.removeprefix("joint ")
+
+
+def _draw_bars(canvas: Canvas, mechanism: Mechanism, now: Posture, colour: str, level: float) -> None:
+    """Every moving body: a bar through two joints, a plate through more."""
+    for body, corners in now.corners.items():
+        if body == mechanism.ground:
+            continue
+        shape = np.unique(corners.round(9), axis=0)
+        plate = len(shape) > 2 and np.linalg.matrix_rank(shape - shape[0], tol=1e-6 * canvas.size) > 1
+        if plate:
+            canvas.body(shape, PALE, level - 0.1, edge=colour)
+        if not plate or len(shape) == 3:
+            canvas.line(shape[[*range(len(shape)), 0]], colour, 6.0, level=level)
+
+
+def _draw_ground(canvas: Canvas, mechanism: Mechanism, now: Posture, view: str) -> None:
+    """What stands still: a hatched foot under each joint of the ground, a hatched rail along each slide."""
+    right, up = sheet = seen_from(view)[1]
+    if view != "top":
+        canvas.line(now.corners[mechanism.ground], GREY, 1.3, "--", level=1.8)
+    for joint, foot, axis in zip(mechanism.joints, now.first, now.axes, strict=True):
+        if mechanism.ground not in joint.bodies:
+            continue
+        if joint.screws[0, :3].any():
+            wide, deep = 1.7 * RADIUS * canvas.size * right, -2.4 * RADIUS * canvas.size * up
+            canvas.line([foot + deep - wide, foot, foot + deep + wide], INK, 1.3, level=2.5)
+            _hatch(canvas, np.array([foot + deep - 1.3 * wide, foot + deep + 1.3 * wide]), up)
+        else:
+            _rail(canvas, joint.place, foot, axis, sheet)
+
+
+def _rail(canvas: Canvas, start: Array, slider: Array, axis: Array, sheet: Array) -> None:
+    """The line along which a slide runs, below its box: from a little before where it is drawn to a little beyond."""
+    across = np.array([-sheet[1] @ axis, sheet[0] @ axis]) @ sheet
+    across *= np.sign(across @ sheet[1] or 1.0) / max(np.linalg.norm(across), 1e-9)
+    along = np.sort([axis @ (start - slider), 0.0]) + np.array([-0.15, 0.15]) * canvas.size
+    _hatch(canvas, slider + np.outer(along, axis) - RADIUS * canvas.size * across, across)
+
+
+def _hatch(canvas: Canvas, ends: Array, up: Array) -> None:
+    """A line with short strokes below it: what stands still, in every textbook."""
+    canvas.line(ends, INK, 1.6, level=2.5)
+    length, step = np.linalg.norm(ends[1] - ends[0]), 0.6 * RADIUS * canvas.size
+    along = (ends[1] - ends[0]) / length
+    for share in np.linspace(0, 1, max(3, int(length / step))):
+        root = ends[0] + share * length * along
+        canvas.line([root, root - step * (along + up)], GREY, 1.0, level=2.4)

@@ -1,0 +1,76 @@
+"""Who reads which axis: an arm at home, each screw axis tied by a thread to the frame in which its numbers are written."""
+
+import numpy as np
+
+from kinlib.arrays.validation import Array
+from kinlib.chains.chain import Chain
+from kinlib.rigid.screw import is_prismatic
+from kinlib.view.drawing.canvas import INK, ORANGE, PALE, VIOLET, Canvas
+from kinlib.view.drawing.picture import Picture
+
+
+def draw_readers(chain: Chain, k: int, caption: str = "") -> Picture:
+    """Draw an arm at home, its first k axes read from {s}, the others from {b}: the mid-formula form as a picture.
+
+    A dotted thread runs from the reader's origin square to the axis of each joint that turns. Its length, written
+    beside it, is how far the axis passes the reader by; where the pitch is 0 that is the length of v. A slide has no
+    thread: it has no line, and nobody asks where it is.
+
+    Raises ValueError for a k outside 0 ... n.
+
+    >>> from kinlib.chains.robots import mid_formula_arm
+    >>> draw_readers(mid_formula_arm(), 2).alt
+    'mid-formula arm at home. Read from {s}: S_1 at 0 m, S_2 at 0.4 m. Read from {b}: B_3 at 0 m, B_4 at 0.2 m.'
+    """
+    if k not in range(chain.n + 1):
+        raise ValueError(f"k counts the joints that are read from {{s}}, 0 to {chain.n}; got {k!r}.")
+    feet = threads(chain, k)
+    path = np.concatenate([np.zeros((1, 3)), chain.joint_points, chain.home[None, :3, 3]])
+    canvas = Canvas(np.concatenate([path, feet.reshape(-1, 3)]))
+    canvas.floor(path)
+    canvas.line(path, PALE, 6.0, level=1)
+    for i, (point, axis) in enumerate(zip(chain.joint_points, chain.lines.axis, strict=True)):
+        start, tip = np.array([[-0.16], [0.3]]) * canvas.size * axis + point
+        canvas.arrow(start, tip, VIOLET, 1.3, style="--", level=3.5)
+        canvas.label(tip, f"${_name(i, k)}$", VIOLET)
+        canvas.dot(point, INK, 4)
+        canvas.line(feet[i], ORANGE, 2.6, ":", level=4.5)
+        if np.ptp(feet[i], axis=0).any():  # a thread may end far from the joint, and still on its axis
+            canvas.line([point, feet[i, 1]], VIOLET, 1.0, "--", level=1.5)
+            far = np.linalg.norm(feet[i, 1] - feet[i, 0])
+            canvas.label(feet[i].mean(axis=0), f"{far:.3g} m", ORANGE, [(-20, 0), (0, 12), (20, 0), (0, -12)], 9)
+    canvas.triad(np.eye(4), "s", 0.18 * canvas.size)
+    canvas.triad(chain.home, "b", 0.18 * canvas.size)
+    return canvas.picture(_words(chain, k, feet), caption)
+
+
+def threads(chain: Chain, k: int) -> Array:
+    """The thread of each joint at home, (n, 2, 3): the reader's origin, and the point of the axis nearest to it.
+
+    A slide's thread has no length.
+
+    >>> from kinlib.chains.robots import puma560
+    >>> ends = threads(puma560(), 3)                       # the wrist, read from the tool
+    >>> np.linalg.norm(ends[3:, 1] - ends[3:, 0], axis=-1).round(6)
+    array([0., 0., 0.])
+    """
+    axis = chain.lines.axis
+    reader = np.where(np.arange(chain.n)[:, None] < k, 0.0, chain.home[:3, 3])
+    across = chain.joint_points - reader
+    across = across - np.sum(across * axis, axis=-1, keepdims=True) * axis
+    across[is_prismatic(chain.screws)] = 0.0
+    return np.stack([reader, reader + across], axis=1)
+
+
+def _name(i: int, k: int) -> str:
+    return f"{'S' if i < k else 'B'}_{i + 1}"
+
+
+def _words(chain: Chain, k: int, feet: Array) -> str:
+    slides = is_prismatic(chain.screws)
+    far = np.linalg.norm(feet[:, 1] - feet[:, 0], axis=-1)
+    read = [f"{_name(i, k)} {'a slide' if slides[i] else f'at {far[i]:.3g} m'}" for i in range(chain.n)]
+    sides = [("s", read[:k]), ("b", read[k:])]
+    return " ".join(
+        [f"{chain.name} at home.", *(f"Read from {{{frame}}}: {', '.join(said)}." for frame, said in sides if said)]
+    )

@@ -1,0 +1,115 @@
+"""What two angles of a linkage can be together: curves on a torus, cut open into a square, and beside it the linkage.
+
+Both angles come round after a full turn, so the left edge of the square is its right edge and its lower edge the upper one.
+"""
+
+import re
+from collections.abc import Mapping
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from kinlib.angles import wrap_angle
+from kinlib.arrays import validation
+from kinlib.arrays.validation import Array
+from kinlib.view.drawing import svg
+from kinlib.view.drawing.canvas import GREY, INK, PALE
+from kinlib.view.drawing.picture import Picture
+
+LINES = (("#7d3ac1", "-"), ("#b35900", "--"), ("#0b5cad", ":"))
+"""Colour and dash of each curve: never told apart by colour alone."""
+
+SIDE, LEFT, TOP = 330.0, 62.0, 16.0
+"""The square and the room to its left and above it, in pixels."""
+
+TICKS = (-180, -90, 0, 90, 180)
+
+
+def draw_torus(
+    curves: Mapping[str, ArrayLike],
+    marks: Mapping[str, ArrayLike] | None = None,
+    *,
+    xlabel: str,
+    ylabel: str,
+    alt: str,
+    caption: str = "",
+) -> Picture:
+    """Draw curves of two angles on the square from -180 to 180 degrees.
+
+    curves  {"name": (m, 2)} angles in radians; each has a colour and a dash of its own, and its name beside it
+    marks   {"name": (2,)} points to mark and name, in radians
+
+    Raises ValueError for more curves than can be told apart, for other shapes, and for NaN.
+
+    >>> t = np.linspace(0, 2 * np.pi, 50)
+    >>> draw_torus({"once round": np.stack([t, 0.5 * np.sin(t)], 1)}, xlabel="A", ylabel="D", alt="A wave, once round the torus.").alt
+    'A wave, once round the torus.'
+    """
+    if len(curves) > len(LINES):
+        raise ValueError(f"draw_torus tells up to {len(LINES)} curves apart; got {len(curves)}.")
+    drawn = [svg.outline(_place(np.array([[-180, -180], [180, -180], [180, 180], [-180, 180]])), "white", GREY)]
+    for tick in TICKS:
+        lines = np.array([[(tick, -180), (tick, 180)], [(-180, tick), (180, tick)]])
+        drawn += [svg.stroke(_place(line), PALE, 1) for line in lines]
+        feet = _place(lines[:, 0]) + np.array([(0, 12), (-20, 0)])
+        drawn += [svg.words(foot, f"{tick}°", INK, 11) for foot in feet]
+    drawn.append(svg.words([LEFT + SIDE / 2, TOP + SIDE + 30], xlabel, INK, 12))
+    drawn.append(svg.words([LEFT + 26, TOP - 7], ylabel, INK, 12))
+    placed = {
+        name: _place(np.degrees(wrap_angle(validation.vectors(p, f"mark {name}", 2))))
+        for name, p in (marks or {}).items()
+    }
+    for (name, points), (colour, dash) in zip(curves.items(), LINES, strict=False):
+        pieces = wrapped(validation.vectors(points, f"curve {name}", 2))
+        drawn += [svg.stroke(_place(piece), colour, 2.2, dash) for piece in pieces]
+        drawn.append(svg.words(_beside(_place(np.concatenate(pieces)), list(placed.values())), name, colour, 12))
+    for name, centre in placed.items():
+        drawn += [svg.disc(centre, 5, INK), svg.words([centre[0], centre[1] + 14], name, INK, 12)]
+    return Picture(svg.document(drawn, LEFT + SIDE + 24, TOP + SIDE + 46), alt, caption)
+
+
+def beside(left: Picture, right: Picture, caption: str = "") -> Picture:
+    """Put two pictures side by side, as one.
+
+    >>> from kinlib.view import draw_arm
+    >>> from kinlib.chains.robots import rpr
+    >>> beside(draw_arm(rpr()), draw_arm(rpr())).alt.count("RPR, 3 joints")
+    2
+    """
+    (w, h), (v, g) = _size(left), _size(right)
+    shifted = right.svg.replace("<svg ", f'<svg x="{w:g}" ', 1)
+    return Picture(svg.document([left.svg, shifted], w + v, max(h, g)), f"{left.alt} Beside it: {right.alt}", caption)
+
+
+def wrapped(points: Array) -> list[Array]:
+    """A curve of angles (m, 2) in radians as it lies in the square: pieces (k, 2) in degrees, cut where it leaves.
+
+    >>> [len(piece) for piece in wrapped(np.radians([[160.0, 0], [170, 0], [190, 0], [200, 0], [210, 0]]))]
+    [2, 3]
+    """
+    angles = np.degrees(wrap_angle(points))
+    leaves = (np.abs(np.diff(angles, axis=0)) > 180).any(axis=1)
+    return np.split(angles, np.flatnonzero(leaves) + 1)
+
+
+def _beside(points: Array, marks: list[Array]) -> Array:
+    """Where a curve's name stands, in pixels: above that point of it, within the square, which is farthest from all marks."""
+    inside = points[(np.abs(points[:, 0] - LEFT - SIDE / 2) < 0.36 * SIDE) & (points[:, 1] > TOP + 22)]
+    candidates = inside if len(inside) else points
+    far = np.min([np.linalg.norm(candidates - mark, axis=1) for mark in marks or [np.zeros(2)]], axis=0)
+    place: Array = candidates[int(np.argmax(far))] - (0, 12)
+    return place
+
+
+def _place(degrees: Array) -> Array:
+    """Where angles (..., 2) in degrees stand on the sheet, in pixels."""
+    share = (np.asarray(degrees) + 180) / 360
+    place: Array = np.stack([LEFT + SIDE * share[..., 0], TOP + SIDE * (1 - share[..., 1])], axis=-1)
+    return place
+
+
+def _size(picture: Picture) -> tuple[float, float]:
+    found = re.match(r'<svg [^>]*?width="([\d.]+)" height="([\d.]+)"', picture.svg)
+    if found is None:
+        raise ValueError("beside takes drawings made by kinlib.view, which say their size in pixels.")
+    return float(found[1]), float(found[2])

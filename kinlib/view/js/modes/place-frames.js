@@ -1,0 +1,197 @@
+// Frames placed by hand on bare joint axes, part by part, by mouse, touch or keyboard. The frames are a trait, so that
+// Python reads them. Python also checks the rules, and a broken rule is highlighted in the picture.
+import { axis, createHighlighter, drawPaleArm, frame, lengths } from './frame-drawing.js';
+import { pickHandles } from './place-frames-handles.js';
+import { placeFramesPanel } from './place-frames-panel.js';
+import { framePicker } from './place-frames-picking.js';
+import { add, columnOf, openPart, withPart } from './vectors.js';
+
+const SILENCE_MS = 6000; // without an answer from Python, until the panel says so
+
+/** @param kit.data { convention, axes, z, points, x }, see kinlib/view/viewer/candidates.py */
+export function placeFrames({ model, stage, data }) {
+  const { size } = stage.data;
+  const frames = () => model.get('frames');
+  const selection = { i: 0, part: 'z', waiting: false };
+  const snapshot = () => frames().map((T) => JSON.stringify(T));
+  let judgedFrames = model.get('verdict').asked ? snapshot() : null; // the frames that the last verdict is about
+  let sentFrames = null;
+  const changedFrames = () => (judgedFrames ? snapshot().flatMap((T, i) => (T === judgedFrames[i] ? [] : [i])) : []);
+  const history = [];
+  const selected = () => {
+    const T = frames()[selection.i];
+    return { ...selection, z: columnOf(T, 2), origin: columnOf(T, 3), x: columnOf(T, 0) };
+  };
+
+  function setFrames(next, final = true) {
+    model.set('frames', next);
+    if (final) model.save_changes();
+  }
+  let framesBeforeDrag = null;
+  /**
+   * Set the selected part.
+   * @param final whether the value is final, not an intermediate one of a drag
+   * @param advance whether to select the next incomplete part afterwards
+   */
+  function setPart(value, final = true, advance = false) {
+    const { i, part } = selection;
+    if (part === 'x' && !columnOf(frames()[i], 2)) return;
+    framesBeforeDrag ??= frames();
+    if (final) {
+      history.push(framesBeforeDrag);
+      framesBeforeDrag = null;
+    }
+    if (advance) selectNext(withPart(frames()[i], part, value));
+    setFrames(
+      frames().map((T, k) => (k === i ? withPart(T, part, value) : T)),
+      final,
+    );
+    if (advance) redraw(); // picking the present value changes no trait
+  }
+  /** Select the next missing part of this frame or, if there is none, the next incomplete frame. */
+  function selectNext(T) {
+    const here = openPart(T);
+    const others = frames()
+      .map((_, k) => k)
+      .filter((k) => k !== selection.i && openPart(frames()[k]));
+    const there = others.find((k) => k > selection.i) ?? others[0];
+    if (here) selection.part = here;
+    else if (there !== undefined) Object.assign(selection, { i: there, part: openPart(frames()[there]) });
+    picker.clearHover();
+  }
+  function selectPart(i, part) {
+    Object.assign(selection, { i, part: part ?? openPart(frames()[i]) ?? 'z' });
+    picker.clearHover();
+    redraw();
+  }
+  function undo() {
+    if (history.length) setFrames(history.pop());
+  }
+  function clear() {
+    history.push(frames());
+    const bare = [...Array(3).fill([null, null, null, null]), [0, 0, 0, 1]];
+    selection.part = 'z';
+    setFrames(frames().map((T, k) => (k === selection.i ? bare.map((row) => [...row]) : T)));
+  }
+  function requestVerdict() {
+    sentFrames = snapshot();
+    clearTimeout(selection.timer);
+    selection.waiting = !model.withoutKernel;
+    if (selection.waiting) selection.timer = setTimeout(() => panel.showNoAnswer(), SILENCE_MS);
+    model.set('asked', model.get('asked') + 1);
+    model.save_changes();
+    panel.update();
+  }
+
+  const highlighter = createHighlighter(stage);
+  const picker = framePicker({ stage, data, selected, setPart });
+  const handles = pickHandles({
+    stage,
+    data,
+    picker,
+    selected,
+    broken: () => breaches().map(({ joint }) => data.axes[joint - 1].point),
+  });
+  /** The broken rules of the last verdict, without those of frames that have changed since. */
+  const breaches = () => {
+    const other = ({ frame: i, rule }) => (rule.startsWith('x ') ? i + (data.convention === 'standard' ? -1 : 1) : i);
+    const anew = changedFrames();
+    return (model.get('verdict').breaches ?? []).filter(
+      (one) => !anew.includes(one.frame) && !anew.includes(other(one)),
+    );
+  };
+  const panel = placeFramesPanel({
+    model,
+    data,
+    selected,
+    picker,
+    size,
+    setPart,
+    selectPart,
+    undo,
+    clear,
+    requestVerdict,
+    breaches,
+    changedFrames,
+    history,
+  });
+
+  /** The placed parts of a frame; a z without an origin is drawn on the joint axis that it is parallel to. */
+  function drawnFrame(T) {
+    const [x, y, z, origin] = [0, 1, 2, 3].map((k) => columnOf(T, k));
+    const joint =
+      z &&
+      data.axes.find(({ along }) => Math.abs(Math.abs(along[0] * z[0] + along[1] * z[1] + along[2] * z[2]) - 1) < 1e-9);
+    const at = origin ?? joint?.point ?? [0, 0, 0];
+    const columns = [x ?? [0, 0, 0], y ?? [0, 0, 0], z ?? [0, 0, 0], at];
+    const letters = `${origin ? 'O' : ''}${z ? 'z' : ''}${x && origin ? 'xy' : ''}`;
+    return { letters, pose: [0, 1, 2].flatMap((row) => columns.map((column) => column[row])) };
+  }
+
+  function draw() {
+    const { theme } = stage;
+    const parts = frames().map(drawnFrame);
+    const long = lengths(
+      parts.map(({ pose }) => pose),
+      parts.map(({ letters }) => letters),
+      size,
+    );
+    stage.setLayer(
+      'placed frames',
+      parts.flatMap(({ pose, letters }, i) =>
+        frame(i, pose, letters, { size, theme, strong: i === selection.i, length: long[i], body: 0 }).filter(
+          (part) => !part.label || part.text !== 'y' || i === selection.i,
+        ),
+      ),
+      { through: true },
+    );
+    highlighter.mark(
+      breaches().flatMap(({ frame: i, rule, joint }) => {
+        const T = frames()[i];
+        const from = columnOf(T, 3);
+        const ray = (k) => ({ from, to: add(from, columnOf(T, k), long[i] * size), wrong: true });
+        const line = { ...data.axes[joint - 1], wrong: true };
+        if (rule === 'origin on axis') return [{ from, wrong: true }, line];
+        if (rule === 'right-handed') return [ray(0), ray(1), ray(2)];
+        return rule.startsWith('z') ? [ray(2), line] : [ray(0), line];
+      }),
+    );
+  }
+
+  function redraw() {
+    draw();
+    panel.update();
+  }
+  function onVerdict() {
+    selection.waiting = false;
+    judgedFrames = sentFrames ?? snapshot();
+    sentFrames = null;
+    clearTimeout(selection.timer);
+    redraw();
+  }
+  model.on('change:frames', redraw);
+  model.on('change:verdict', onVerdict);
+  const first = frames().findIndex((T) => openPart(T));
+  if (first >= 0) Object.assign(selection, { i: first, part: openPart(frames()[first]) });
+  panel.update();
+  return {
+    element: panel.element,
+    replacesSliders: true,
+    applyTheme() {
+      handles.reserveHandles();
+      drawPaleArm(stage);
+      stage.setLayer(
+        'bare axes',
+        data.axes.flatMap(({ from, to }, i) => axis(i, from, to, { size, theme: stage.theme, beyond: 0.06 })),
+        { through: true },
+      );
+      draw();
+    },
+    dispose() {
+      clearTimeout(selection.timer);
+      model.off('change:frames', redraw);
+      model.off('change:verdict', onVerdict);
+      for (const one of [highlighter, picker, handles]) one.dispose();
+    },
+  };
+}

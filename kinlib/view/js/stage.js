@@ -1,0 +1,331 @@
+// The stage holds the layers of parts, the floor, the lights and the camera, and paints them when something changes.
+// A layer is a named set of parts that can be shown or hidden; parts.js defines what a part is.
+import {
+  BackSide,
+  BufferGeometry,
+  Color,
+  CylinderGeometry,
+  DirectionalLight,
+  Float32BufferAttribute,
+  GreaterDepth,
+  HemisphereLight,
+  LineBasicMaterial,
+  LineSegments,
+  Mesh,
+  MeshBasicMaterial,
+  MeshLambertMaterial,
+  NotEqualStencilFunc,
+  Quaternion,
+  ReplaceStencilOp,
+  Scene,
+  Vector3,
+} from 'three';
+import { Camera } from './camera.js';
+import { drawWithoutWebGL } from './canvas-fallback.js';
+import { KinematicTree } from './kinematic-tree.js';
+import { drawDimensions, drawLabels, fontOf } from './labels.js';
+import { mergeParts } from './shapes.js';
+import { hasWebGL, renderScene } from './webgl.js';
+
+export class Stage {
+  /** @param data the scene, see kinlib/view/viewer/scene.py; @param canvas the 2-D canvas of the picture */
+  constructor(data, canvas, theme) {
+    this.data = data;
+    this.canvas = canvas;
+    this.context = canvas.getContext('2d');
+    this.theme = theme;
+    this.tree = new KinematicTree(data.arms);
+    this.layers = new Map();
+    /** whether it draws without WebGL; undefined before the first attempt to start WebGL */
+    this.withoutWebGL = undefined;
+    this.scene = new Scene();
+    this.scene.add(this.tree.root);
+    this.camera = new Camera(data.room, () => this.draw());
+    this.solid = new MeshLambertMaterial({ vertexColors: true });
+    this.hidden = new MeshBasicMaterial({
+      vertexColors: true,
+      transparent: true,
+      opacity: 0.3,
+      depthFunc: GreaterDepth,
+      depthWrite: false,
+    });
+    this.hidden.userData.order = 3;
+    this.edge = new MeshBasicMaterial({ side: BackSide });
+    this.edge.onBeforeCompile = (shader) => {
+      shader.uniforms.width = this.edge.userData.width;
+      shader.vertexShader = shader.vertexShader
+        .replace('#include <common>', '#include <common>\nattribute vec3 outlineNormal;\nuniform float width;')
+        .replace('#include <begin_vertex>', 'vec3 transformed = position + width * outlineNormal;');
+    };
+    this.edge.userData.width = { value: 0 };
+    // The shadow falls straight down and so shows x and y. The stencil keeps overlapping shadows from adding up.
+    this.shade = new MeshBasicMaterial({
+      color: 0x000000,
+      transparent: true,
+      depthWrite: false,
+      stencilWrite: true,
+      stencilRef: 1,
+      stencilFunc: NotEqualStencilFunc,
+      stencilZPass: ReplaceStencilOp,
+    });
+    this.shade.userData.order = -2;
+    this.shade.onBeforeCompile = (shader) => {
+      shader.uniforms.ground = { value: data.floor };
+      shader.vertexShader = shader.vertexShader
+        .replace('#include <common>', '#include <common>\nuniform float ground;')
+        .replace(
+          '#include <project_vertex>',
+          `vec4 fallen = modelMatrix * vec4(transformed, 1.0);
+          fallen.z = ground;
+          vec4 mvPosition = viewMatrix * fallen;
+          gl_Position = projectionMatrix * mvPosition;`,
+        );
+    };
+    this.#addLights();
+    this.#addFloor();
+    this.setTheme(theme);
+    /** called if WebGL turns out to be unavailable */
+    this.onWebGLMissing = () => {};
+    /** returns the boxes in the picture, in pixels, that labels must not cover */
+    this.reservedBoxes = () => [];
+    /** functions (2-D context, camera) that modes draw with over the finished picture */
+    this.overlays = new Set();
+  }
+
+  #addLights() {
+    this.sky = new HemisphereLight(0xffffff, 0x8d96a8, 2.1);
+    this.sky.position.set(0, 0, 1);
+    const sun = new DirectionalLight(0xffffff, 1.7);
+    sun.position.set(1, -1.6, 2.4);
+    this.scene.add(this.sky, sun);
+  }
+
+  /** A grid on the floor that fades out, with a step of 1, 2 or 5 times a power of ten. */
+  #addFloor() {
+    const { centre, radius } = this.data.room;
+    const step = roundStep(radius / 4);
+    const reach = 1.25 * radius;
+    const [cx, cy] = [0, 1].map((k) => Math.round(centre[k] / step) * step);
+    const count = Math.ceil(reach / step);
+    const position = [];
+    const alpha = [];
+    const point = (x, y) => {
+      position.push(x, y, this.data.floor);
+      alpha.push(Math.max(0, 1 - (Math.hypot(x - cx, y - cy) / reach) ** 2));
+    };
+    for (let i = -count; i <= count; i += 1) {
+      for (let k = -count; k < count; k += 1) {
+        point(cx + i * step, cy + k * step);
+        point(cx + i * step, cy + (k + 1) * step);
+        point(cx + k * step, cy + i * step);
+        point(cx + (k + 1) * step, cy + i * step);
+      }
+    }
+    const geometry = new BufferGeometry();
+    geometry.setAttribute('position', new Float32BufferAttribute(position, 3));
+    geometry.setAttribute(
+      'color',
+      new Float32BufferAttribute(
+        alpha.flatMap((a) => [1, 1, 1, a]),
+        4,
+      ),
+    );
+    this.grid = new LineSegments(
+      geometry,
+      new LineBasicMaterial({ vertexColors: true, transparent: true, depthWrite: false }),
+    );
+    this.grid.renderOrder = -1;
+    this.gridStep = step;
+    this.scene.add(this.grid);
+  }
+
+  /** Use the colours of a theme. The layers have to be built again by their makers. */
+  setTheme(theme) {
+    this.theme = theme;
+    this.grid.material.color = new Color(theme.grid);
+    this.shade.opacity = theme.shade;
+    this.edge.color = new Color(theme.outline);
+    this.draw();
+  }
+
+  /**
+   * Set a layer, replacing the one of the same name. A part names its body, and its arm if there are several.
+   * If parts is a function, it is called when the layer is first shown, because most layers never are.
+   */
+  setLayer(name, parts, options = {}) {
+    this.removeLayer(name);
+    if (typeof parts === 'function') this.layers.set(name, { ...EMPTY, make: () => parts(), options });
+    else this.#buildLayer(name, parts, options);
+  }
+
+  #buildLayer(name, parts, { tree = this.tree, material = this.solid, outlined = false, through = false }) {
+    const meshes = [];
+    const bodyOf = (part) => tree.body(part.arm ?? 0, part.body);
+    const solids = parts.filter((part) => part.shape);
+    for (const [body, group] of groupBy(solids, bodyOf)) {
+      const geometry = mergeParts(group, outlined);
+      meshes.push([body, new Mesh(geometry, material)]);
+      if (outlined) meshes.push([body, new Mesh(geometry, this.edge)], [body, new Mesh(geometry, this.shade)]);
+      if (through) meshes.push([body, new Mesh(geometry, this.hidden)]);
+    }
+    for (const [body, mesh] of meshes) {
+      body.add(mesh);
+      mesh.renderOrder = mesh.material.userData.order ?? 0;
+      mesh.frustumCulled = mesh.material !== this.shade; // the shader moves the shadow away from its geometry
+    }
+    const flat = parts.filter((part) => !part.shape).map((part) => ({ ...part, body: bodyOf(part) }));
+    this.layers.set(name, {
+      meshes: meshes.map(([, mesh]) => mesh),
+      labels: flat.filter((part) => part.label),
+      dimensions: flat.filter((part) => part.dimension),
+      solids: solids.map((part) => ({ ...part, body: bodyOf(part) })),
+      shown: true,
+      masked: material.colorWrite === false,
+    });
+    this.draw();
+  }
+
+  /** Set a layer of rods of prismatic joints: one mesh each, as long as the joint's translation. */
+  setRods(name, rods, { tree = this.tree, material } = {}) {
+    this.removeLayer(name);
+    const up = new Vector3(0, 1, 0);
+    const shape = new CylinderGeometry(1, 1, 1, 14);
+    const meshes = rods.map((rod) => {
+      const mesh = new Mesh(shape, material ?? new MeshLambertMaterial({ color: rod.colour }));
+      const axis = new Vector3(...rod.axis);
+      const column = tree.arms[rod.arm ?? 0].columns[rod.joint];
+      mesh.quaternion.copy(new Quaternion().setFromUnitVectors(up, axis));
+      tree.rodUpdates.push((q) => {
+        const way = rod.travel * q[column];
+        mesh.position.set(...rod.start).addScaledVector(axis, way / 2);
+        mesh.scale.set(rod.radius, Math.max(Math.abs(way), 1e-9), rod.radius);
+      });
+      tree.body(rod.arm ?? 0, rod.body).add(mesh);
+      return mesh;
+    });
+    const solids = rods.map((rod, k) => ({ rod: meshes[k], colour: rod.colour, radius: rod.radius }));
+    this.layers.set(name, { meshes, labels: [], dimensions: [], solids, shown: true });
+  }
+
+  showLayer(name, shown) {
+    const { make, options } = this.layers.get(name) ?? {};
+    if (make && shown) this.#buildLayer(name, make(), options);
+    const layer = this.layers.get(name);
+    if (!layer) return;
+    layer.shown = shown;
+    for (const mesh of layer.meshes) mesh.visible = shown;
+    this.draw();
+  }
+
+  removeLayer(name) {
+    for (const mesh of this.layers.get(name)?.meshes ?? []) {
+      mesh.removeFromParent();
+      mesh.geometry.dispose();
+    }
+    this.layers.delete(name);
+  }
+
+  setQ(q) {
+    this.tree.setQ(q);
+    this.camera.keepInView(this.tree.jointPositions(), 0.3 * this.data.size);
+    this.draw();
+  }
+
+  resize(width, height) {
+    const ratio = Math.min(devicePixelRatio || 1, 2);
+    Object.assign(this, { width, height, ratio });
+    this.canvas.width = Math.round(width * ratio);
+    this.canvas.height = Math.round(height * ratio);
+    this.camera.resize(width, height);
+    this.paint(); // resizing clears a canvas
+  }
+
+  /** Schedule a repaint: changes within one frame are painted once, and a hidden stage when it is visible again. */
+  draw() {
+    this.stale = true;
+    if (this.waiting || !this.visible) return;
+    this.waiting = requestAnimationFrame(() => {
+      this.waiting = 0;
+      this.paint();
+    });
+  }
+
+  setVisible(visible) {
+    this.visible = visible;
+    if (visible && this.stale) this.draw();
+  }
+
+  /** Paint now. The first picture is drawn without WebGL, because starting WebGL takes a while. */
+  paint() {
+    if (!this.width || !this.visible) return;
+    this.stale = false;
+    this.tree.root.updateMatrixWorld(true);
+    this.#drawPicture(this.withoutWebGL ?? true);
+    if (this.withoutWebGL === undefined) {
+      cancelAnimationFrame(this.starting);
+      this.starting = requestAnimationFrame(() => setTimeout(() => this.#startWebGL()));
+      return;
+    }
+    if (!this.canvas.dataset.pictures) performance.mark('kinlib-viewer-picture');
+    this.canvas.dataset.pictures = Number(this.canvas.dataset.pictures ?? 0) + 1;
+  }
+
+  #startWebGL() {
+    if (this.withoutWebGL !== undefined || !this.visible) return;
+    this.withoutWebGL = !hasWebGL();
+    if (this.withoutWebGL) this.onWebGLMissing();
+    this.draw();
+  }
+
+  #drawPicture(flat) {
+    const { context, camera, theme, ratio, width, height } = this;
+    context.setTransform(ratio, 0, 0, ratio, 0, 0);
+    context.fillStyle = theme.paper;
+    context.fillRect(0, 0, width, height);
+    const shown = [...this.layers.values()].filter((layer) => layer.shown);
+    const all = (kind) => shown.flatMap((layer) => layer[kind]);
+    this.edge.userData.width.value = 1.1 * camera.scale;
+    if (flat)
+      drawWithoutWebGL(
+        context,
+        shown.flatMap((layer) => (layer.masked ? [] : layer.solids)),
+        camera,
+        theme,
+      );
+    else this.calls = renderScene(this.scene, camera.threeCamera, context, { width, height, ratio });
+    const taken = [...this.reservedBoxes(), ...drawDimensions(context, all('dimensions'), camera, theme.halo)];
+    this.names = drawLabels(context, all('labels'), taken, camera, { halo: theme.halo, leader: theme.quiet });
+    context.font = fontOf({}, 11);
+    context.textAlign = 'left';
+    context.textBaseline = 'alphabetic';
+    context.fillStyle = theme.quiet;
+    context.fillText(`grid ${Number(this.gridStep.toPrecision(3))} m`, 10, height - 10);
+    for (const overlay of this.overlays) overlay(context, camera);
+  }
+
+  dispose() {
+    cancelAnimationFrame(this.waiting);
+    for (const name of [...this.layers.keys()]) this.removeLayer(name);
+    for (const thing of [this.grid.geometry, this.grid.material, this.solid, this.hidden, this.edge, this.shade])
+      thing.dispose();
+    this.visible = false;
+  }
+}
+
+const EMPTY = { meshes: [], labels: [], dimensions: [], solids: [], shown: false };
+
+function groupBy(parts, key) {
+  const groups = new Map();
+  for (const part of parts) {
+    const own = key(part);
+    if (groups.has(own)) groups.get(own).push(part);
+    else groups.set(own, [part]);
+  }
+  return groups;
+}
+
+/** The smallest step of 1, 2 or 5 times a power of ten that is at least a rough one. */
+export function roundStep(rough) {
+  const power = 10 ** Math.floor(Math.log10(rough));
+  return [1, 2, 5, 10].map((digit) => digit * power).find((step) => step >= 0.999 * rough);
+}

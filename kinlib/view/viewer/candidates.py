@@ -1,0 +1,141 @@
+"""Where a frame may be put by hand: directions for z and x, points for the origin, each with its name.
+
+Right and wrong ones stand side by side. What is offered are the features of the drawing, not the answer.
+"""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from kinlib.arrays.validation import Array
+from kinlib.chains.chain import Chain
+from kinlib.dh.common_normal import Normal, common_normal
+from kinlib.rigid.lie import perpendicular
+from kinlib.view.drawing.picture import spoken
+from kinlib.view.viewer.scene import extent
+
+SAME = 1e-9
+"""Points nearer than this, in metres, are one, and unit vectors as near are one direction."""
+
+
+def candidates(chain: Chain) -> dict[str, Any]:
+    """Say what a student may pick: {"axes", "z", "points", "x"}, as data for the page.
+
+    axes    the joint axes: a point and a direction, and the ends between which each is drawn
+    z       directions of z, both ways along each axis and along z of {b}, each with the place of its handle
+    points  crossings, feet of common normals, joints, the origins of {s} and {b}: {"at", "text"}
+    x       directions of x: along normals, axes, links and the axes of {s} and {b}: {"along", "text"}
+
+    >>> from kinlib.chains.robots import rpr
+    >>> candidates(rpr())["points"][0]["text"]
+    'joint 1; joint 2; crossing of axes 1 and 2; foot of normal 2–3 on axis 2'
+    """
+    size, points = extent(chain), _points(chain)
+    lines = []
+    for z, point in zip(chain.lines.axis, chain.joint_points, strict=True):
+        along = [(at - point) @ z for at, _ in points if np.linalg.norm(np.cross(at - point, z)) < SAME]
+        ends = [point + reach * z for reach in (min([0.0, *along]) - 0.3 * size, max([0.0, *along]) + 0.3 * size)]
+        lines.append({"point": _list(point), "along": _list(z), "from": _list(ends[0]), "to": _list(ends[1])})
+    return {
+        "axes": lines,
+        "z": [*_z(chain, lines, size)],
+        "points": [{"at": _list(at), "text": text} for at, text in points],
+        "x": [{"along": _list(along), "text": text} for along, text in _x(chain)],
+    }
+
+
+def _z(chain: Chain, lines: list[dict[str, Any]], size: float) -> Iterator[dict[str, Any]]:
+    for i, line in enumerate(lines):
+        z = np.array(line["along"])
+        yield {"axis": i, "at": line["to"], "along": _list(z), "text": f"along axis {i + 1}"}
+        yield {"axis": i, "at": line["from"], "along": _list(-z), "text": f"against axis {i + 1}"}
+    tool, z = chain.home[:3, 3], chain.home[:3, 2]
+    for sign, word in ((1, "along"), (-1, "against")):
+        yield {
+            "axis": None,
+            "at": _list(tool + sign * 0.3 * size * z),
+            "along": _list(sign * z),
+            "text": f"{word} z of {{b}}",
+        }
+
+
+def _points(chain: Chain) -> list[tuple[Array, str]]:
+    found: list[tuple[Array, str]] = [(at, f"joint {i + 1}") for i, at in enumerate(chain.joint_points)]
+    for i, normal in _normals(chain):
+        pair = f"{i + 1}–{i + 2}"
+        if normal.case == "intersecting":
+            found.append((normal.start, f"crossing of axes {i + 1} and {i + 2}"))
+        elif normal.case in {"skew", "parallel", "anti-parallel"}:
+            found.append((normal.start, f"foot of normal {pair} on axis {i + 1}"))
+            found.append((normal.end, f"foot of normal {pair} on axis {i + 2}"))
+    tool = chain.home[:3, 3]
+    found += [(np.zeros(3), "origin of {s}"), (tool, "origin of {b}")]
+    for i, name in ((0, "{s}"), (chain.n - 1, "{b}")):
+        z, point = chain.lines.axis[i], chain.joint_points[i]
+        there = np.zeros(3) if name == "{s}" else tool
+        found.append((point + z * (z @ (there - point)), f"point of axis {i + 1} nearest to {name}"))
+    return _merged(found)
+
+
+def _x(chain: Chain) -> list[tuple[Array, str]]:
+    found: list[tuple[Array, str]] = []
+    for i, normal in _normals(chain):
+        pair = f"{i + 1}–{i + 2}"
+        if normal.case == "intersecting":
+            found += _both(
+                normal.x, f"square to axes {i + 1} and {i + 2}", f"square to axes {i + 1} and {i + 2}, opposite"
+            )
+        elif normal.case in {"skew", "parallel", "anti-parallel"}:
+            found += _both(normal.x, f"normal {pair}, to axis {i + 2}", f"normal {pair}, to axis {i + 1}")
+    for name, R in (("{s}", np.eye(3)), ("{b}", chain.home[:3, :3])):
+        for letter, along in zip("xyz", R.T, strict=True):
+            found += _both(along, f"{letter} of {name}", f"−{letter} of {name}")
+    for i, axis in enumerate(chain.lines.axis):
+        found += _both(axis, f"along axis {i + 1}", f"against axis {i + 1}")
+    for i, name, there in ((0, "{s}", np.zeros(3)), (chain.n - 1, "{b}", chain.home[:3, 3])):
+        z, off = chain.lines.axis[i], there - chain.joint_points[i]
+        across = off - z * (z @ off)
+        if (length := float(np.linalg.norm(across))) > SAME:
+            found += _both(
+                across / length, f"from axis {i + 1} straight to {name}", f"from {name} straight to axis {i + 1}"
+            )
+    stations = [*chain.joint_points, chain.home[:3, 3]]
+    names = [*(f"joint {i + 1}" for i in range(chain.n)), "{b}"]
+    for i in range(chain.n):
+        link = stations[i + 1] - stations[i]
+        if (length := float(np.linalg.norm(link))) > SAME:
+            found += _both(link / length, f"from {names[i]} to {names[i + 1]}", f"from {names[i + 1]} to {names[i]}")
+    return [(along, f"{spoken(along)}: {text}") for along, text in _merged(found)]
+
+
+def _normals(chain: Chain) -> Iterator[tuple[int, Normal]]:
+    """The normals of neighbouring axes. One that may slide is drawn at either joint."""
+    axes = [*zip(chain.lines.axis, chain.joint_points, strict=True)]
+    for i in range(chain.n - 1):
+        across = perpendicular(axes[i][0])
+        at_next = common_normal(axes[i], axes[i + 1], across, slide=True)
+        yield i, at_next
+        if at_next.free:
+            yield i, common_normal(axes[i], axes[i + 1], across, slide=False)
+
+
+def _both(along: Array, text: str, opposite: str) -> list[tuple[Array, str]]:
+    return [(along, text), (-along, opposite)]
+
+
+def _merged(found: list[tuple[Array, str]]) -> list[tuple[Array, str]]:
+    """Each place once, with all its names."""
+    places: list[tuple[Array, list[str]]] = []
+    for at, text in found:
+        names = next((names for other, names in places if np.linalg.norm(other - at) < SAME), None)
+        if names is None:
+            places.append((at, [text]))
+        elif text not in names:
+            names.append(text)
+    return [(at, "; ".join(names)) for at, names in places]
+
+
+def _list(values: Array) -> list[float]:
+    numbers: list[float] = (np.asarray(values) + 0.0).tolist()
+    return numbers

@@ -1,0 +1,277 @@
+"""The row player: the motions of a DH row, one after the other, carrying a frame from {i-1} to {i}.
+
+To the page a row is an arm: its joints are the motions, each about or along an axis that the ones before have carried. So
+the same scene graph that turns a robot plays a row, in the order of its convention.
+"""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+import traitlets
+from numpy.typing import ArrayLike
+
+from kinlib.arrays import validation
+from kinlib.arrays.validation import Array
+from kinlib.dh.table import Convention, convention_of
+from kinlib.rigid.lie import adjoint
+from kinlib.view.drawing.canvas import seen_from
+from kinlib.view.drawing.picture import Picture
+from kinlib.view.figures.dh_row_figure import (
+    ABOUT_X,
+    ABOUT_Z,
+    ALONG_X,
+    ALONG_Z,
+    ORDER,
+    draw_cuts,
+    draw_moves,
+    moves,
+    walk,
+)
+from kinlib.view.figures.dh_table_figure import draw_row
+from kinlib.view.viewer.viewer import ViewerBase
+
+SYMBOLS = {ABOUT_Z: "R_z(theta)", ALONG_Z: "T_z(d)", ALONG_X: "T_x(a)", ABOUT_X: "R_x(alpha)"}
+
+SAID: dict[Convention, dict[int, str]] = {
+    "standard": {
+        ABOUT_Z: "Turn about z by theta, {value}: x swings into the direction of the common normal.",
+        ALONG_Z: "Slide along z by d, {value}: the origin comes to the foot of the normal.",
+        ALONG_X: "Slide along x by a, {value}: across the link, onto the next axis.",
+        ABOUT_X: "Turn about x by alpha, {value}: z swings onto axis i+1. Here stands frame i.",
+    },
+    "modified": {
+        ABOUT_X: "Turn about x by alpha, {value}: z swings into the direction of axis i.",
+        ALONG_X: "Slide along x by a, {value}: across the link, onto axis i.",
+        ABOUT_Z: "Turn about z by theta, {value}: now the joint turns, about its own axis.",
+        ALONG_Z: "Slide along z by d, {value}: to the foot of the next normal. Here stands frame i.",
+    },
+}
+"""What each motion of a row does, in each convention."""
+
+AXES: dict[Convention, tuple[str, str]] = {"standard": ("axis i", "axis i+1"), "modified": ("axis i−1", "axis i")}
+"""The axes on which the z of frame i-1 and of frame i lie."""
+
+SNUG = {1: 0.94, 2: 0.79}
+"""Of the ball around all that is drawn, for one track and for two side by side: from where the eye begins, they do not fill it."""
+
+
+@dataclass(frozen=True)
+class Motion:
+    """One motion about and along an axis of the moving frame, "x" or "z"; both at once are a screw motion."""
+
+    axis: str
+    angle: float
+    way: float
+    symbol: str
+    text: str
+
+    @property
+    def twist(self) -> Array:
+        unit = np.eye(3)["xz".index(self.axis) * 2]
+        return np.concatenate([self.angle * unit, self.way * unit])
+
+
+class RowPlayer(ViewerBase):
+    """Motions on the page. Make one with `play_row` or `play_walk`.
+
+    done  how many of the motions are done; a fraction is on its way
+    """
+
+    done = traitlets.Float(0.0).tag(sync=True)
+
+    def __init__(self, tracks: Sequence[dict[str, Any]], still: Any, **traits: Any) -> None:
+        self.still, self.motions = still, len(tracks[0]["motions"])
+        rest = np.zeros(len(tracks) * self.motions)
+        scene = _scene(tracks)
+        mode = {"kind": "row", "tracks": list(tracks)}
+        super().__init__(scene=scene, q=rest, start=rest, shown=[], readout=False, mode=mode, **traits)
+
+    @traitlets.validate("done")
+    def _there(self, proposal: Any) -> float:
+        done: float = proposal["value"]
+        if not 0 <= done <= self.motions:
+            raise ValueError(f"done counts the motions that are done, 0 to {self.motions}; got {done!r}.")
+        return done
+
+    @property
+    def alt(self) -> str:
+        """What the picture shows, in words."""
+        return self._still().alt
+
+    def _check(self, values: list[float]) -> None:
+        validation.array(values, "q")
+
+    def _drawing(self) -> str:
+        return self._still().html()
+
+    def _still(self) -> Picture:
+        picture: Picture = self.still(round(self.done))
+        return picture
+
+
+def play_row(row: ArrayLike, *, convention: Convention | None = None, done: float = 0, after: Any = None) -> RowPlayer:
+    """Play the four motions of a DH row in the order of a convention, or of both, side by side.
+
+    row         (4,) a, alpha, d, theta, in metres and radians
+    convention  None shows both conventions, with the same four numbers
+    done        how many motions are done at first; afterwards the trait `done` follows the page and leads it
+    after       a question; the picture stays covered until it is committed
+
+    Raises ValueError for a row of another size, another convention, and another number of motions than 0 to 4.
+
+    >>> player = play_row([0.8, 0.6, 0.6, 1.4], convention="standard", done=2)
+    >>> player.alt
+    'One row of a table, after theta about z, d along z. The frame is at (0, 0, 0.6), its x along (0.17, 0.985, 0).'
+    """
+    values = validation.vectors(row, "row", 4)
+    if values.ndim != 1:
+        raise ValueError(
+            f"row should be one row, of shape (4,); got {values.shape}. For several, play_walk walks along them."
+        )
+    asked: list[Convention] = list(ORDER) if convention is None else [convention_of(convention)]
+    size = max(float(np.ptp([moves(values, name)[:, :3, 3] for name in ORDER], axis=(0, 1)).max()), 0.2)
+    apart = 1.9 * size * seen_from("default")[1][0]
+    tracks = [_row_track(values, name, k * apart, size) for k, name in enumerate(asked)]
+
+    def still(count: int) -> Picture:
+        return draw_row(values, count) if asked == ["standard"] else draw_moves(values, count, conventions=asked)
+
+    made = RowPlayer(tracks, still, done=done)
+    made.wait_for(after)
+    return made
+
+
+def play_walk(rows: ArrayLike, *, done: float = 0, after: Any = None) -> RowPlayer:
+    """Walk along an arm, Z_1 X_1 Z_2 X_2 ..., and see where each convention plants its frames.
+
+    rows  (m, 4) standard rows a, alpha, d, theta; each is two pieces, and each piece is one screw motion
+
+    Raises ValueError for rows of another size, and for more pieces than there are.
+
+    >>> play_walk([[0.4, 0, 0.1, 0]], done=2).alt
+    'The walk Z1 X1. {0} at (0, 0, 0); {1 mod} at (0, 0, 0.1); {1 std} at (0.4, 0, 0.1).'
+    """
+    values = np.atleast_2d(validation.vectors(rows, "rows", 4))
+    stops = walk(values)
+    size = max(float(np.ptp(stops[:, :3, 3], axis=0).max()), 0.2)
+    pieces, axes, flags = [], [], [_flag(0, "0", stops[0])]
+    for i, (a, alpha, d, theta) in enumerate(values, start=1):
+        along, across = f"Z_{i}: along and about the axis of joint {i}.", f"X_{i}: along and about the common normal."
+        pieces += [
+            Motion("z", theta, d, f"Z_{i}", f"{along} Here the modified convention plants its frame {i}."),
+            Motion("x", alpha, a, f"X_{i}", f"{across} Here the standard convention plants its frame {i}."),
+        ]
+        flags += [_flag(2 * i - 1, f"{i} mod", stops[2 * i - 1]), _flag(2 * i, f"{i} std", stops[2 * i])]
+        axes.append(_axis(stops[2 * i - 2], stops[2 * i - 1], f"axis {i}", size))
+    track = _track("", np.eye(4), pieces, stops, size, axes=axes, flags=flags)
+    made = RowPlayer([track], lambda count: draw_cuts(values, count), done=done)
+    made.wait_for(after)
+    return made
+
+
+def _row_track(row: Array, convention: Convention, place: Array, size: float) -> dict[str, Any]:
+    start = np.eye(4)
+    start[:3, 3] = place
+    stops = start @ moves(row, convention)
+    motions = []
+    for kind in ORDER[convention]:
+        turns, value = kind in (ABOUT_X, ABOUT_Z), row[kind]
+        shown = f"{np.degrees(value):.4g}°" if turns else f"{value:.4g} m"
+        motions.append(
+            Motion(
+                "x" if kind in (ALONG_X, ABOUT_X) else "z",
+                value if turns else 0.0,
+                0.0 if turns else value,
+                SYMBOLS[kind],
+                SAID[convention][kind].format(value=shown.replace("-", "−")),
+            )
+        )
+    # The d of a standard row runs along the axis where it starts, that of a modified one where it ends.
+    joint = [_axis(stops[0], stops[2], "", size), _axis(stops[4], stops[4], "", size)]
+    if convention == "modified":
+        joint = [_axis(stops[0], stops[0], "", size), _axis(stops[2], stops[4], "", size)]
+    axes = [
+        {**line, "name": name, "joint": name == "axis i"} for line, name in zip(joint, AXES[convention], strict=True)
+    ]
+    flags = [_flag(0, "i-1", stops[0]), _flag(4, "i", stops[4])]
+    return _track(convention, start, motions, stops, size, axes=axes, flags=flags)
+
+
+def _track(
+    title: str,
+    start: Array,
+    motions: Sequence[Motion],
+    stops: Array,
+    size: float,
+    *,
+    axes: list[dict[str, Any]],
+    flags: list[dict[str, Any]],
+) -> dict[str, Any]:
+    return {
+        "title": title,
+        "size": size,
+        "stops": [(T + 0.0).ravel().tolist() for T in stops],
+        "motions": [_spoken_motion(motion, start) for motion in motions],
+        "axes": axes,
+        "flags": flags,
+    }
+
+
+def _spoken_motion(motion: Motion, start: Array) -> dict[str, Any]:
+    """A motion as a joint: its screw where the frame starts, and how far the joint goes."""
+    unit, turned = motion.twist, abs(motion.angle) > validation.UNIT
+    value = motion.angle if turned else motion.way
+    screw = unit / value if value else np.concatenate([np.zeros(3), np.eye(3)["xz".index(motion.axis) * 2]])
+    return {
+        "screw": (adjoint(start) @ screw).tolist(),
+        "value": value,
+        "axis": motion.axis,
+        "angle": motion.angle,
+        "travel": motion.way / value if value else 0.0,
+        "symbol": motion.symbol,
+        "text": motion.text,
+    }
+
+
+def _axis(one: Array, other: Array, name: str, size: float) -> dict[str, Any]:
+    """The line along the z of a frame, long enough to hold two origins."""
+    z, far = one[:3, 2], float((other - one)[:3, 3] @ one[:3, 2])
+    ends = [one[:3, 3] + along * z for along in (min(0.0, far) - 0.3 * size, max(0.0, far) + 0.6 * size)]
+    return {"from": ends[0].tolist(), "to": ends[1].tolist(), "name": name, "joint": True}
+
+
+def _flag(after: int, name: str, pose: Array) -> dict[str, Any]:
+    return {"after": after, "name": name, "pose": (pose + 0.0).ravel().tolist()}
+
+
+def _scene(tracks: Sequence[dict[str, Any]]) -> dict[str, Any]:
+    """The motions as arms, in a room that holds every stop and every axis."""
+    ends = [end for track in tracks for line in track["axes"] for end in (line["from"], line["to"])]
+    stops = [np.reshape(stop, (4, 4))[:3, 3] for track in tracks for stop in track["stops"]]
+    points = np.array([*ends, *stops])
+    low, high = points.min(axis=0), points.max(axis=0)
+    count = len(tracks[0]["motions"])
+    return {
+        "name": "a row of a DH table",
+        "words": "Motions that carry a frame.",
+        "size": tracks[0]["size"],
+        "arms": [
+            {
+                "columns": list(range(k * count, (k + 1) * count)),
+                "joints": [{"screw": motion["screw"], "point": [0.0, 0.0, 0.0]} for motion in track["motions"]],
+                "home": track["stops"][0],
+            }
+            for k, track in enumerate(tracks)
+        ],
+        "sliders": [],
+        "limits": [],
+        "room": {
+            "centre": ((low + high) / 2).tolist(),
+            "radius": SNUG[len(tracks)] * float(np.linalg.norm(high - low)) / 2,
+            "snug": True,
+        },
+        "floor": float(points[:, 2].min()) - 0.1 * tracks[0]["size"],
+        "offered": [],
+    }

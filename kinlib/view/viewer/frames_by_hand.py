@@ -1,0 +1,210 @@
+"""Frames assigned by hand: the axes of an arm are drawn bare, and the reader gives each frame a z, an origin and an x.
+
+The page keeps the frames in a trait, so they work without a kernel too. Judging them by the rules is for Python.
+"""
+
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+import traitlets
+from numpy.typing import ArrayLike
+
+from kinlib.arrays import validation
+from kinlib.arrays.validation import Array
+from kinlib.chains.chain import Chain, largest_difference, random_configurations
+from kinlib.dh.explanation import PROBES
+from kinlib.dh.rules import Breach, check_frames
+from kinlib.dh.table import Convention, DHTable, convention_of
+from kinlib.rigid.lie import inverse
+from kinlib.view.drawing.picture import spoken
+from kinlib.view.figures.arm import draw_joints
+from kinlib.view.viewer.assignment_player import bare_scene, cells
+from kinlib.view.viewer.candidates import candidates
+from kinlib.view.viewer.viewer import Viewer
+
+BETWEEN = {"x square to z", "x meets z"}
+"""The rules about two frames; the others are about one."""
+
+
+class Poses(traitlets.TraitType[Any, Any]):
+    """Poses (m, 4, 4); NaN, to the page null, for an entry that is not there yet."""
+
+    def __init__(self) -> None:
+        super().__init__(np.zeros((0, 4, 4)))
+        self.tag(sync=True, to_json=_to_page, from_json=_from_page)
+
+    def validate(self, obj: Any, value: Any) -> Array:
+        return _from_page(value)
+
+
+def _to_page(poses: Array, _: Any) -> list[Any]:
+    return [[[None if np.isnan(x) else float(x) for x in row] for row in T] for T in poses]
+
+
+def _from_page(poses: Any, _: Any = None) -> Array:
+    try:
+        return np.array(poses, dtype=float)  # None becomes NaN
+    except (TypeError, ValueError) as error:
+        raise ValueError(
+            f"frames should be numbers, poses of shape (4, 4) one after the other; got {validation.brief(poses)}."
+        ) from error
+
+
+class ByHand(Viewer):
+    """Frames that are placed on the page. Make one with `assign`.
+
+    frames   (n + 1, 4, 4) frames 0 to n in {s} at home; NaN for what is not placed yet. The page and Python both set it
+    asked    how often the reader asked for the rules
+    verdict  the last answer to that, for the page
+    """
+
+    frames = Poses()
+    asked = traitlets.Int(0).tag(sync=True)
+    verdict = traitlets.Dict().tag(sync=True)
+
+    def __init__(self, chain: Chain, convention: Convention, frames: Array) -> None:
+        found, home = candidates(chain), np.zeros(chain.n)
+        ends = np.array([line[end] for line in found["axes"] for end in ("from", "to")])
+        scene = bare_scene(chain, ends)
+        arm = scene["arms"][0]
+        arm["frames"] = {name: arm["frames"][name] for name in ("base", "tool")}  # the others would be the answer
+        arm["normals"] = []
+        stations = [np.zeros(3), *chain.joint_points, chain.home[:3, 3]]
+        arm["links"] = [np.array(pair).tolist() for pair in pairwise(stations)]  # those that bend follow the normals
+        self.convention = convention
+        super().__init__(
+            chain,
+            scene={**scene, "offered": ["base", "tool"]},
+            q=home,
+            start=home,
+            shown=["base", "tool"],
+            readout=False,
+            mode={"kind": "assign", "convention": convention, **found},
+            frames=frames,
+        )
+        self.observe(self._judge, "asked")
+
+    @property
+    def breaches(self) -> list[Breach]:
+        """The rules that the frames break, as far as they are placed."""
+        return judged(self.chain, self.frames, self.convention)
+
+    @property
+    def table(self) -> DHTable | None:
+        """The table of the frames, once all are placed and no rule is broken. Its joints count about the frames' own z."""
+        if np.isnan(self.frames).any() or self.breaches:
+            return None
+        return table_of(self.chain, self.frames, self.convention)
+
+    @property
+    def alt(self) -> str:
+        """What the picture shows, in words."""
+        whole = [
+            f"Frame {i} at {spoken(T[:3, 3])}, x along {spoken(T[:3, 0])}, z along {spoken(T[:3, 2])}."
+            for i, T in enumerate(self.frames)
+            if not np.isnan(T).any()
+        ]
+        return f"{draw_joints(self.chain).alt} {' '.join(whole) or 'No frame is placed yet.'}"
+
+    @traitlets.validate("frames")
+    def _fitting(self, proposal: Any) -> Array:
+        frames: Array = proposal["value"]
+        if frames.shape != (self.chain.n + 1, 4, 4):
+            raise ValueError(
+                f"frames should have shape ({self.chain.n + 1}, 4, 4), frames 0 to {self.chain.n} of {self.chain.name}; "
+                f"got {frames.shape}."
+            )
+        return frames
+
+    def _drawing(self) -> str:
+        return draw_joints(self.chain).html()
+
+    def _judge(self, _: Any) -> None:
+        table = self.table
+        signs = signs_of(self.chain, self.frames, self.convention)
+        breaches = [
+            {"frame": b.frame, "rule": b.rule, "text": b.text, "joint": _joint(b, self.convention, self.chain.n)}
+            for b in self.breaches
+        ]
+        self.verdict = {
+            "asked": self.asked,
+            "breaches": breaches,
+            "table": [] if table is None else cells(table, signs),
+            "off": 0.0 if table is None else _off(self.chain, table, signs),
+        }
+
+
+def assign(chain: Chain, convention: Convention, *, frames: ArrayLike | None = None, after: Any = None) -> ByHand:
+    """Place DH frames 0 to n on an arm by hand, and have them judged by the rules.
+
+    frames  (n + 1, 4, 4) to begin with, in {s} at home, NaN for what is open; none are placed by default
+    after   a question; the arm stays covered until it is committed
+
+    What is placed is in `.frames`, the rules that it breaks in `.breaches`, and its table, once it is right, in `.table`.
+
+    Raises ValueError for another convention, and for frames of another shape.
+
+    >>> from kinlib.dh.assignment import assign_frames
+    >>> from kinlib.chains.robots import rpr
+    >>> by_hand = assign(rpr(), "standard", frames=assign_frames(rpr(), convention="standard").frames)
+    >>> by_hand.breaches
+    []
+    """
+    bare = np.full((chain.n + 1, 4, 4), np.nan)
+    bare[:, 3] = 0.0, 0.0, 0.0, 1.0
+    made = ByHand(chain, convention_of(convention), bare if frames is None else _from_page(frames))
+    made.wait_for(after)
+    return made
+
+
+def judged(chain: Chain, frames: Array, convention: Convention) -> list[Breach]:
+    """Judge frames as far as they are placed: rules about a frame that is not finished wait until it is.
+
+    >>> from kinlib.chains.robots import rpr
+    >>> judged(rpr(), np.full((4, 4, 4), np.nan), "standard")
+    []
+    """
+    whole = np.isfinite(frames.sum(axis=(1, 2)))
+    other = -1 if convention == "standard" else 1
+    filled = np.where(whole[:, None, None], frames, np.eye(4))
+    return [
+        breach
+        for breach in check_frames(chain, filled, convention)
+        if whole[breach.frame] and (breach.rule not in BETWEEN or whole[breach.frame + other])
+    ]
+
+
+def table_of(chain: Chain, frames: Array, convention: Convention) -> DHTable:
+    """Read the table off frames that obey the rules, with what stands before and behind them as base and tool."""
+    T = inverse(frames[:-1]) @ frames[1:]
+    if convention == "standard":
+        a, d = (T[:, :3, 0] * T[:, :3, 3]).sum(axis=1), T[:, 2, 3]
+        alpha, theta = np.arctan2(T[:, 2, 1], T[:, 2, 2]), np.arctan2(T[:, 1, 0], T[:, 0, 0])
+    else:
+        a, d = T[:, 0, 3], (T[:, :3, 2] * T[:, :3, 3]).sum(axis=1)
+        alpha, theta = np.arctan2(-T[:, 1, 2], T[:, 2, 2]), np.arctan2(-T[:, 0, 1], T[:, 0, 0])
+    rows = np.stack([a, alpha, d, theta], axis=1)
+    tool = inverse(frames[-1]) @ chain.home
+    return DHTable(rows, convention=convention, joints=chain.letters, base=frames[0], tool=tool, name=chain.name)
+
+
+def signs_of(chain: Chain, frames: Array, convention: Convention) -> Array:
+    """Which way each joint counts about the z on its axis, (n,): -1 where z points against the axis."""
+    z = frames[:-1, :3, 2] if convention == "standard" else frames[1:, :3, 2]
+    signs: Array = np.where((z * chain.lines.axis).sum(axis=1) < 0, -1.0, 1.0)
+    return signs
+
+
+def _off(chain: Chain, table: DHTable, signs: Array) -> float:
+    """The largest difference of a pose between the table and the arm, over postures by chance."""
+    q = random_configurations(chain.n, PROBES)
+    return largest_difference(table.fk(signs * q), chain.fk(q))
+
+
+def _joint(breach: Breach, convention: Convention, n: int) -> int:
+    """The joint of n, counted from 1, at which a rule is broken: that of the z which the rule is about."""
+    i = breach.frame
+    if breach.rule in BETWEEN:
+        return i if convention == "standard" else i + 1
+    return min(i + 1, n) if convention == "standard" else max(i, 1)

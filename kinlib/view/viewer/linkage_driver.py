@@ -1,0 +1,204 @@
+"""A closed chain in the viewer: one slider runs along its curve, for no joint moves without the others.
+
+The curve is what the linkage can do, traced once by kinlib.mechanisms.mechanism. Each way of assembling it that the curve does not reach
+has a curve of its own. Beside the picture stands the configuration space: two joint values against each other.
+"""
+
+from collections.abc import Sequence
+from itertools import pairwise
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from kinlib.angles import wrap_angle
+from kinlib.arrays import validation
+from kinlib.arrays.validation import Array
+from kinlib.mechanisms.joints import as_chain, walks
+from kinlib.mechanisms.mechanism import Mechanism
+from kinlib.rigid.lie import inverse
+from kinlib.rigid.screw import line
+from kinlib.view.figures.linkage import describe, draw_linkage, is_planar, posture
+from kinlib.view.viewer.viewer import ViewerBase
+
+POINTS = 240
+"""Postures along a curve: a step of the slider moves a full turn by a degree and a half."""
+
+SAME = 0.2
+"""A posture this near to a curve, in radians and metres together, lies on it: its points are closer than that."""
+
+FLAT, STEEP = [-90.0, 52.0], [-60.0, 22.0]
+"""Where the eye begins, as azimuth and elevation in degrees: over a linkage in the plane, before any other."""
+
+
+class Drive(ViewerBase):
+    """A linkage on the page. Make one with `drive`; q is one posture of its curves after the other."""
+
+    def __init__(self, mechanism: Mechanism, **traits: Any) -> None:
+        self.mechanism = mechanism
+        super().__init__(**traits)
+
+    def _check(self, values: list[float]) -> None:
+        self.mechanism.residual(values)
+
+    @property
+    def alt(self) -> str:
+        """What the picture shows, in words."""
+        return describe(self.mechanism, posture(self.mechanism, self.q))
+
+    def _drawing(self) -> str:
+        return draw_linkage(self.mechanism, self.q).html()
+
+
+def drive(
+    mechanism: Mechanism,
+    start: ArrayLike,
+    *,
+    across: tuple[str, str] | None = None,
+    curves: Sequence[ArrayLike] | None = None,
+    labels: Sequence[str] = (),
+    after: Any = None,
+) -> Drive:
+    """Drive a closed chain of one freedom along its curves, and see them in its configuration space.
+
+    start   (n,) a closed posture to begin with
+    across  the names of two joint values, drawn against each other; the first two by default
+    curves  arrays (m, n) of closed postures; by default the curve through the start, and one for each way of assembling
+            the linkage that it does not reach while the first joint value is as it was
+    labels  what each curve is called
+    after   a question; the linkage stays covered until it is committed
+
+    Raises ValueError for a start that does not close, a linkage that has not one freedom there, a name that there is not,
+    and curves of another size.
+
+    >>> from kinlib.mechanisms.linkages import four_bar
+    >>> linkage = four_bar(0.4, 0.1, 0.35, 0.3)
+    >>> shown = drive(linkage, linkage.assembly_modes(hold={"A": 1.0})[0])
+    >>> len(shown.mode["curves"]), shown.mode["names"]
+    (2, ['A', 'B'])
+    """
+    first = np.array(start, dtype=float)
+    named = list(across or mechanism.names[:2])
+    if unknown := [name for name in named if name not in mechanism.names]:
+        raise ValueError(f"{mechanism.name} has joint values {', '.join(mechanism.names)}; got {unknown[0]!r}.")
+    if curves is None:
+        traced, closed = zip(*_curves(mechanism, first), strict=True)
+    else:
+        traced = tuple(validation.vectors(curve, "curves", mechanism.n) for curve in curves)
+        closed = tuple(np.allclose(np.exp(1j * curve[0]), np.exp(1j * curve[-1])) for curve in traced)
+    nearest = min(traced, key=lambda curve: float(np.linalg.norm(curve - first, axis=1).min()))
+    begin = nearest[np.argmin(np.linalg.norm(nearest - first, axis=1))]
+    made = Drive(
+        mechanism,
+        scene=_scene(mechanism, np.concatenate(traced), begin),
+        q=begin,
+        start=begin,
+        shown=[] if is_planar(mechanism) else ["axes"],
+        readout=False,
+        mode={
+            "kind": "curve",
+            "curves": [curve.tolist() for curve in traced],
+            "columns": [mechanism.names.index(name) for name in named],
+            "names": named,
+            "closed": list(closed),
+            "all": list(mechanism.names),
+            "labels": list(labels) or [f"assembly mode {k + 1}" for k in range(len(traced))],
+        },
+    )
+    made.wait_for(after)
+    return made
+
+
+def _curves(mechanism: Mechanism, start: Array) -> list[tuple[Array, bool]]:
+    """The curve through a posture, and those of the other ways of assembling it with the first joint value held."""
+    found = [_traced(mechanism, start)]
+    for other in mechanism.assembly_modes(hold={mechanism.names[0]: float(start[0])}):
+        if all(_apart(curve, other, mechanism) > SAME for curve, _ in found):
+            found.append(_traced(mechanism, other))
+    return found
+
+
+def _traced(mechanism: Mechanism, start: Array) -> tuple[Array, bool]:
+    """One curve, and whether it closes: then it is cut where its first value passes half a turn, if that goes round."""
+    curve = mechanism.trace(start, points=POINTS)
+    q, angles = curve.q, _angles(mechanism)
+    around = np.round((q[-1] - q[0]) / (2 * np.pi)) * angles * 2 * np.pi
+    if curve.closed and around[0]:
+        q, around = (q, around) if around[0] > 0 else (q[::-1], -around)
+        cut = int(np.argmin(np.abs(wrap_angle(q[:-1, 0] + np.pi))))
+        q = np.concatenate([q[cut:-1], q[: cut + 1] + around])
+    turns = 2 * np.pi * np.round((q.min(axis=0) + q.max(axis=0)) / (4 * np.pi))
+    return q - turns * angles, curve.closed
+
+
+def _apart(curve: Array, posture: Array, mechanism: Mechanism) -> float:
+    """How far a posture is from the nearest point of a curve; angles a full turn apart are the same."""
+    gap = curve - posture
+    return float(np.linalg.norm(np.where(_angles(mechanism), wrap_angle(gap), gap), axis=1).min())
+
+
+def _angles(mechanism: Mechanism) -> Array:
+    screws = np.concatenate([joint.screws for joint in mechanism.joints])
+    turning: Array = (screws[:, :3] != 0).any(axis=1) & (np.abs(line(screws).pitch) <= validation.UNIT)
+    return turning
+
+
+def _scene(mechanism: Mechanism, travelled: Array, begin: Array) -> dict[str, Any]:
+    """Say a linkage as data: each moving body as an arm that leads to it, and what is drawn of it at its end."""
+    ways = walks(mechanism.joints, mechanism.ground)
+    names = [body for body in ways if body != mechanism.ground]
+    arms = [as_chain(mechanism.joints, ways[body], body) for body in names]
+    stations = np.concatenate([posture(mechanism, q).all for q in travelled[:: max(1, len(travelled) // 60)]])
+    low, high = stations.min(axis=0), stations.max(axis=0)
+    now = posture(mechanism, begin).all
+    size = max(float(np.ptp(now, axis=0).max()), 1e-3)
+    planar = is_planar(mechanism)
+    return {
+        "name": mechanism.name,
+        "words": f"{mechanism.name} with the bodies {', '.join(mechanism.bodies)}.",
+        "size": size,
+        "arms": [
+            {
+                "columns": arm.columns.tolist(),
+                "joints": [{"screw": screw.tolist(), "point": [0.0, 0.0, 0.0]} for screw in arm.chain.screws],
+                "home": arm.chain.home.ravel().tolist(),
+            }
+            for arm in arms
+        ],
+        "pieces": _pieces(mechanism, names),
+        "sliders": [],
+        "limits": [],
+        "room": {
+            "centre": ((low + high) / 2).tolist(),
+            "radius": float(np.linalg.norm(high - low)) / 2 + 0.12 * size,
+            "look": FLAT if planar else STEEP,
+        },
+        "floor": float(low[2]) - (0.1 if planar else 0.15) * size,
+    }
+
+
+def _pieces(mechanism: Mechanism, names: list[str]) -> list[dict[str, Any]]:
+    """Bars between the joints of each body, and the joints on the first of their two bodies, as each is drawn."""
+    corners: dict[str, list[Array]] = {body: [] for body in [mechanism.ground, *names]}
+    pieces = []
+    for joint in mechanism.joints:
+        first, second = joint.bodies
+        there = inverse(joint.gap)
+        corners[first].append(joint.place)
+        corners[second].append(there[:3, :3] @ joint.place + there[:3, 3])
+        axis = line(joint.screws[0]).axis
+        kind = "ball" if joint.freedoms > 1 else "box" if not joint.screws[0, :3].any() else "cylinder"
+        pieces.append(_piece(names, first, kind, joint.place, axis, name=joint.name, foot=first == mechanism.ground))
+        if kind == "box":  # what slides is as wide as its sleeve, so that its way is seen
+            pieces.append(_piece(names, second, "slider", corners[second][-1], axis))
+    for body, points in corners.items():
+        if body != mechanism.ground:
+            ends = [*points, points[0]] if len(points) > 2 else points
+            pieces += [_piece(names, body, "bar", a, b - a) for a, b in pairwise(ends) if np.linalg.norm(b - a)]
+    return pieces
+
+
+def _piece(names: list[str], body: str, kind: str, at: Array, along: Array, **more: Any) -> dict[str, Any]:
+    """A piece rides on the tool of the arm that leads to its body; what stands on the ground, on the base of any."""
+    on = {"arm": names.index(body), "body": "tool"} if body in names else {"arm": 0, "body": 0}
+    return {**on, "kind": kind, "at": at.tolist(), "along": np.asarray(along).tolist(), **more}

@@ -1,0 +1,100 @@
+"""Closed forms as answers: a formula is right if it means the same, however it is written."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+import sympy as sp
+from numpy.typing import NDArray
+
+from misstep.answers.base import TOLERANCE, Answer, Unreadable
+from misstep.formulas.evaluation import Formula, Reader, shaped
+from misstep.text import number
+
+EXACT = 1e-12
+"""How far values of formulas without decimals may lie apart, relative to their size above 1: they were rounded once."""
+
+
+@dataclass(frozen=True, eq=False)
+class ClosedForm(Answer):
+    """A formula, or a vector or matrix of formulas, as SymPy or as text; a pose has its rotation and position as parts.
+
+    value    the right one; the symbols in it are those that may be used
+    symbols  more that may be used, though the right one does without
+
+    Formulas are held against each other to twelve digits; where one of them holds decimals, to the three that a person types.
+
+    >>> q = sp.Symbol("q")
+    >>> right = ClosedForm(sp.sin(2 * q))
+    >>> right.agrees(right.read("2 sin(q) cos(q)"), right.value), right.agrees(right.read("2 sin(q)"), right.value)
+    ([True], [False])
+    """
+
+    value: Any
+    symbols: Sequence[sp.Symbol] = ()
+
+    @property
+    def expected(self) -> str:
+        names = [symbol.name for symbol in self._declared]
+        entry = f"2*sin({names[-1]})" if names else "1/2"
+        example = (entry, f"[{entry}, 0, ...]", f"[[{entry}, 0, ...], ...]")[len(self._shape)]
+        return f"{shaped(self._shape)} in {', '.join(names) or 'numbers'}: text such as '{example}', or SymPy"
+
+    @property
+    def parts(self) -> Sequence[str]:
+        return ["rotation", "position"] if self._shape == (4, 4) else ["the formula"]
+
+    def read(self, given: Any) -> Formula:
+        if isinstance(given, Formula) and given.values.shape == self._right.values.shape:
+            return given
+        try:
+            return self._reader.read(given, self._shape)
+        except ValueError as fault:
+            raise Unreadable(f"Expected {self.expected}. {fault}") from fault
+        except Exception as error:  # a student's object may raise anything while it is read
+            raise Unreadable(f"Expected {self.expected}; got {type(given).__name__}.") from error
+
+    def agrees(self, one: Any, other: Any, tolerance: float = TOLERANCE) -> list[bool]:
+        same = self._same(one, other, tolerance)
+        return [bool(same[piece].all()) for piece in self._pieces]
+
+    def hint(self, given: Formula, part: int) -> str:
+        same = self._same(given, self.value, TOLERANCE)[self._pieces[part]]
+        if same.ndim:
+            place = [int(index) + 1 for index in np.argwhere(~same)[0]]
+            where = f"row {place[0]}, column {place[1]}" if same.ndim > 1 else f"entry {place[0]}"
+            return f"{same.sum()} of the {same.size} entries are right. Look at {where}."
+        point = ", ".join(f"{name} = {number(value)}" for name, value in self._reader.first_point.items())
+        yours, right = given.values[0], self._right.values[0]
+        return f"Try numbers: at {point} your formula gives {number(yours)}, and {number(right)} is right."
+
+    def _same(self, one: Any, other: Any, tolerance: float) -> NDArray[np.bool_]:
+        """Which entries have the same values at all points."""
+        first, second = (self._right if formula is self.value else self.read(formula) for formula in (one, other))
+        a, b = first.values, second.values
+        # A wider tolerance than the usual asks whether two formulas are anywhere near each other.
+        allowed = tolerance if first.rounded or second.rounded or tolerance > TOLERANCE else EXACT
+        near = np.abs(a - b) <= allowed * np.maximum(1, np.maximum(np.abs(a), np.abs(b)))
+        return np.asarray(near.all(axis=-1))
+
+    @cached_property
+    def _declared(self) -> list[sp.Symbol]:
+        return sorted({*sp.sympify(self.value, strict=True).free_symbols, *self.symbols}, key=str)
+
+    @cached_property
+    def _reader(self) -> Reader:
+        return Reader(self._declared)
+
+    @cached_property
+    def _right(self) -> Formula:
+        return self._reader.read(self.value)
+
+    @property
+    def _shape(self) -> tuple[int, ...]:
+        return self._right.values.shape[:-1]
+
+    @property
+    def _pieces(self) -> list[Any]:
+        return [np.s_[:, :3], np.s_[:, 3]] if self._shape == (4, 4) else [...]

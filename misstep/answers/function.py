@@ -1,0 +1,136 @@
+"""Functions as answers: called, not read. Two functions agree if they give the same wherever anybody looks."""
+
+from collections.abc import Callable, Sequence
+from copy import deepcopy
+from dataclasses import dataclass, field, replace
+from functools import cached_property, partial
+from typing import Any
+
+import numpy as np
+
+from kinlib.arrays import validation
+from kinlib.arrays.validation import Array
+from misstep.answers.base import TOLERANCE, Answer, Unreadable
+from misstep.answers.number import Numbers
+from misstep.mistakes import Mistake
+from misstep.storage.deserialize import Outputs
+
+CALLS = 4
+"""At how many inputs a function is asked."""
+
+Sample = Callable[[np.random.Generator], tuple[Any, ...]]
+
+
+def wherever(mistakes_at: Callable[..., Sequence[Mistake]], *somewhere: Any) -> list[Mistake]:
+    """The mistakes of one call as mistakes of a function: at every input, what the mistake gives there.
+
+    mistakes_at  the mistakes for given arguments, always the same ones in the same order
+    somewhere    arguments of one call
+
+    >>> at = lambda x: [Mistake("sign", -x, "You turned the wrong way.")]
+    >>> wherever(at, 1.0)[0].value(2.0)
+    -2.0
+    """
+    found: dict[bytes, Sequence[Mistake]] = {}
+
+    def value(place: int, *arguments: Any) -> Any:
+        # One mistake after the other asks at the same inputs, and all of them come at once.
+        key = b"".join(np.asarray(argument).tobytes() for argument in arguments)
+        if key not in found:
+            found[key] = mistakes_at(*arguments)
+        return found[key][place].value
+
+    return [
+        Mistake(wrong.name, partial(value, place), wrong.message) for place, wrong in enumerate(mistakes_at(*somewhere))
+    ]
+
+
+@dataclass(frozen=True)
+class Called:
+    """A function, and what it gave at the inputs of the problem."""
+
+    function: Callable[..., Any] | None
+    outputs: Sequence[Any]
+
+
+@dataclass(frozen=True, eq=False)
+class Function(Answer):
+    """A function, judged by what it gives at drawn inputs. A grader draws other ones in every run.
+
+    value   the right function
+    output  the kind of answer that each call gives
+    sample  draws the arguments of one call
+
+    >>> square = Function(np.square, Numbers(np.array(0.0)), lambda chance: (chance.uniform(1, 2),))
+    >>> square.agrees(square.read(lambda x: x * x), square.read(np.square))
+    [True]
+    """
+
+    value: Callable[..., Any]
+    output: Numbers
+    sample: Sample
+    inputs: Sequence[tuple[Any, ...]] = field(default=())
+
+    def __post_init__(self) -> None:
+        if not self.inputs:
+            object.__setattr__(self, "inputs", self.at(0).inputs)
+
+    def at(self, seed: int) -> "Function":
+        """The same answer, asked for at other inputs."""
+        chance = np.random.default_rng(seed)
+        return replace(self, inputs=[self.sample(chance) for _ in range(CALLS)])
+
+    @property
+    def expected(self) -> str:
+        return f"a function whose every call gives {self.output.expected}"
+
+    @property
+    def parts(self) -> Sequence[str]:
+        return ["the function"]
+
+    def read(self, given: Any) -> Called:
+        if isinstance(given, Called):
+            given = given.function
+        if isinstance(given, Outputs):
+            if len(given.values) != len(self.inputs):
+                raise Unreadable(
+                    f"Expected {self.expected}; it gave {len(given.values)} outputs for {len(self.inputs)} calls."
+                )
+            return Called(None, [self._output(value) for value in given.values])
+        if not callable(given) or isinstance(given, type):
+            raise Unreadable(
+                f"Expected {self.expected}; got {validation.brief(given)}. Leave the brackets off: fk, not fk(q)."
+            )
+        return Called(given, [self._output(self._call(given, arguments)) for arguments in self.inputs])
+
+    def _call(self, function: Callable[..., Any], arguments: Sequence[Any]) -> Any:
+        try:
+            return function(*deepcopy(arguments))  # what a call does to its arguments stays in that call
+        except Exception as error:
+            raise Unreadable(
+                f"Expected {self.expected}; called with {', '.join(map(str, arguments))} it raised "
+                f"{type(error).__name__}: {error}"
+            ) from error
+
+    def _output(self, value: Any) -> Array:
+        if value is None or value is ...:
+            raise Unreadable(f"Expected {self.expected}; a call gave nothing. Is the return missing?")
+        return self.output.read(value)
+
+    def agrees(self, one: Any, other: Any, tolerance: float = TOLERANCE) -> list[bool]:
+        pairs = zip(self._called(one).outputs, self._called(other).outputs, strict=True)
+        return [all(all(self.output.agrees(mine, yours, tolerance)) for mine, yours in pairs)]
+
+    def hint(self, given: Called, part: int) -> str:
+        right = self._right.outputs
+        count = sum(all(self.output.agrees(mine, yours)) for mine, yours in zip(given.outputs, right, strict=True))
+        return f"It is right at {count} of {len(right)} inputs that were tried." if count else ""
+
+    @cached_property
+    def _right(self) -> Called:
+        return self.read(self.value)
+
+    def _called(self, given: Any) -> Called:
+        if given is self.value:
+            return self._right
+        return given if isinstance(given, Called) else self.read(given)

@@ -1,0 +1,58 @@
+"""Questions for a page without a kernel: plain HTML that reads well by itself, and that a script may bring to life.
+
+What the script goes by are the attributes data-misstep-question and data-misstep-explain. Without it, a reader opens the
+explanation of an option by a click on it, and that of a prediction where the lecture compares.
+"""
+
+from html import escape
+from typing import TYPE_CHECKING
+
+from misstep.card import inline
+
+if TYPE_CHECKING:
+    from misstep.questions.question import Item, Option
+
+KINDS = {"recall": "Remember", "predict": "Predict", "check": "Check yourself"}
+LETTERS = "ABCDEFGH"
+
+
+def question_html(name: str, item: "Item") -> str:
+    """A question and its options; those of a prediction keep their explanations back.
+
+    >>> from kincourse import find
+    >>> "draws a circle" in question_html("00/joint-5", find("00/joint-5"))
+    True
+    """
+    options = "".join(f"<li>{_option(option, item.kind)}</li>" for option in item.options)
+    return (
+        f'<div role="group" class="misstep-question" data-misstep-question="{escape(name)}" data-kind="{item.kind}" '
+        f'data-right="{item.right}" aria-label="{KINDS[item.kind]}: a question">'
+        f"<p><strong>{KINDS[item.kind]}.</strong> {inline(item.text)}</p>"
+        f'<ol class="misstep-options" type="A">{options}</ol></div>'
+    )
+
+
+def explanation_html(name: str, item: "Item") -> str:
+    """What there is to say of each option of a prediction, closed until the reader has made it.
+
+    >>> from kincourse import find
+    >>> explanation_html("00/joint-5", find("00/joint-5")).count("<li>")
+    4
+    """
+    told = "".join(f"<li><p>{inline(option.text)}</p>{_why(option)}</li>" for option in item.options)
+    return (
+        f'<div role="group" class="misstep-explanation" data-misstep-explain="{escape(name)}" aria-label="What came of a prediction">'
+        f"<details><summary>Compare with your prediction: {inline(item.text)}</summary>"
+        f'<ol class="misstep-options" type="A">{told}</ol></details></div>'
+    )
+
+
+def _option(option: "Option", kind: str) -> str:
+    if kind == "predict":
+        return f'<div class="misstep-option">{inline(option.text)}</div>'
+    return f'<details class="misstep-option"><summary>{inline(option.text)}</summary>{_why(option)}</details>'
+
+
+def _why(option: "Option") -> str:
+    verdict = "Right." if option.right else "Not it."
+    return f'<p class="misstep-why"><strong>{verdict}</strong> {inline(option.why)}</p>'

@@ -1,0 +1,68 @@
+"""Handing out: exercises/ made from solutions/, the only source.
+
+    python -m misstep.release.student_notebook           write every sheet of exercises/ anew
+    python -m misstep.release.student_notebook --check   say which ones are stale, and write nothing
+
+The steps are nbgrader's own, so that `nbgrader generate_assignment` and this command release the same notebook.
+"""
+
+import argparse
+from collections.abc import Iterator
+from pathlib import Path
+
+import nbformat
+from nbgrader.preprocessors import CheckCellMetadata, ClearOutput, ClearSolutions, ComputeChecksums, LockCells
+from traitlets.config import Config
+
+STEPS = (LockCells, ClearSolutions, ClearOutput, CheckCellMetadata, ComputeChecksums)
+
+STUB = Config({"ClearSolutions": {"code_stub": {"python": "# your lines here"}}})
+"""What a student finds where the solution stood. The line above it, `screws_1 = ...`, names what to fill."""
+
+
+def released(source: Path) -> str:
+    """The student's version of an instructor's notebook, as the text of a file. The file of a robot stays as it is."""
+    if source.suffix != ".ipynb":
+        return source.read_text(encoding="utf-8")
+    notebook = nbformat.read(source, as_version=4)
+    for step in STEPS:
+        notebook, _ = step(config=STUB).preprocess(notebook, {"nbgrader": {}})
+    return str(nbformat.writes(notebook)) + "\n"
+
+
+def sheets(root: Path) -> Iterator[tuple[Path, Path]]:
+    """Every file of a sheet below a project's root: the instructor's notebook or a robot, and where the student's belongs."""
+    for source in sorted([*(root / "solutions").glob("*/*.ipynb"), *(root / "solutions").glob("*/*.json")]):
+        yield source, root / "exercises" / source.relative_to(root / "solutions")
+
+
+def stale(root: Path) -> list[Path]:
+    """The student's files that are missing, or differ from what their source releases."""
+    return [
+        target
+        for source, target in sheets(root)
+        if not target.exists() or target.read_text(encoding="utf-8") != released(source)
+    ]
+
+
+def main() -> int:
+    """Write the stale sheets, or name them."""
+    parser = argparse.ArgumentParser(description="Make exercises/ from solutions/.")
+    parser.add_argument("--check", action="store_true", help="name what is stale and write nothing")
+    parser.add_argument(
+        "--root", type=Path, default=Path.cwd(), help="the folder that holds solutions/ (default: here)"
+    )
+    options = parser.parse_args()
+    if not any(sheets(options.root)):
+        parser.error(f"{options.root} holds no solutions/*/*.ipynb. Are you at the top of the project?")
+    for target in (late := stale(options.root)):
+        print(f"{'stale' if options.check else 'written'}: {target.relative_to(options.root)}")
+        if not options.check:
+            target.parent.mkdir(parents=True, exist_ok=True)
+            source = options.root / "solutions" / target.relative_to(options.root / "exercises")
+            target.write_text(released(source), encoding="utf-8", newline="\n")
+    return 1 if late and options.check else 0
+
+
+if __name__ == "__main__":
+    raise SystemExit(main())

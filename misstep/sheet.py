@@ -1,0 +1,190 @@
+"""Sheets: a handful of problems, shown, checked and counted inside a notebook."""
+
+import importlib
+import pkgutil
+from collections.abc import Sequence
+from dataclasses import dataclass
+from types import SimpleNamespace
+from typing import Any
+
+from misstep.judge import judge
+from misstep.problem import Problem, Template
+from misstep.storage.serialize import to_data
+from misstep.verdict import Tally, Verdict
+
+SAMPLE = "your id"
+"""The id in a fresh sheet. Its numbers are as good as any, but they are everybody's."""
+
+
+STAND_INS: dict[str, "Sheet"] = {}
+"""Sheets that stand in for those of the modules: where submissions run, the same problems without their answers."""
+
+
+@dataclass(frozen=True)
+class Sheet:
+    """The problems of one sheet, before they belong to anybody."""
+
+    name: str
+    title: str
+    problems: Sequence[Template]
+
+    @property
+    def points(self) -> int:
+        """The full score."""
+        return sum(template.points for template in self.problems)
+
+
+class OpenSheet:
+    """A sheet in the hands of one student: shows problems, checks answers, remembers the verdicts.
+
+    Problems count from 1, as on the page.
+
+    >>> sheet = open_sheet("03_poe_space", "ada")
+    >>> sheet.given(1).letters
+    'PRR'
+    >>> sheet.check(1, sheet.problem(1).answer.value).score
+    3.0
+    >>> sheet.tally().score
+    3.0
+    >>> sheet.show(6)
+    <IPython.core.display.Markdown object>
+    """
+
+    def __init__(self, sheet: Sheet, student: Any) -> None:
+        # A matriculation number is an id as good as any, with or without quotes.
+        student = str(student) if isinstance(student, int) and not isinstance(student, bool) else student
+        if not isinstance(student, str) or not student.strip():
+            raise ValueError(
+                f"student should be your id, a text such as 'ada'; got {student!r}. Your numbers come from it."
+            )
+        self.sheet = sheet
+        self.student = student.strip()
+        self.verdicts: dict[int, Verdict] = {}
+        self._drawn: dict[int, Problem] = {}
+
+    def problem(self, k: int) -> Problem:
+        """This student's problem k, with its numbers.
+
+        Raises ValueError for a number that the sheet does not have.
+        """
+        if k not in self._drawn:
+            self._drawn[k] = self._template(k).variant(self.student)
+        return self._drawn[k]
+
+    def given(self, k: int) -> SimpleNamespace:
+        """What problem k gives, as values: sheet.given(1).home and the like, so that nobody has to type them."""
+        return SimpleNamespace(**self.problem(k).given)
+
+    def show(self, k: int) -> None:
+        """Display the statement and the figure of problem k."""
+        from IPython.display import Markdown, display
+
+        template, problem = self._template(k), self.problem(k)
+        given = "".join(f"`given.{name}` " for name in problem.given)
+        note = f"\n\nFrom `given = sheet.given({k})` you have {given}" if given else ""
+        display(Markdown(f"**{template.title}** ({template.points} points)\n\n{problem.statement}{note}"))
+        if problem.figure:
+            display(problem.figure())
+
+    def check(self, k: int, answer: Any) -> Verdict:
+        """Judge an answer to problem k, and say why. Check as often as you like: the last answer counts."""
+        template, problem = self._template(k), self.problem(k)
+        written = to_data(answer, problem.answer.inputs)
+        emission = {"sheet": self.sheet.name, "problem": k, "student": self.student, "answer": written}
+        self.verdicts[k] = Verdict(template, judge(problem, answer), emission)
+        return self.verdicts[k]
+
+    def tally(self) -> Tally:
+        """The points so far, problem by problem."""
+        return Tally(self.sheet.problems, dict(self.verdicts), self._note)
+
+    def _template(self, k: int) -> Template:
+        if k not in range(1, len(self.sheet.problems) + 1):
+            raise ValueError(f"{self.sheet.name} has problems 1 to {len(self.sheet.problems)}; got {k!r}.")
+        return self.sheet.problems[k - 1]
+
+    @property
+    def _note(self) -> str:
+        """A word to whoever works on the sample without knowing it."""
+        sample = self.student.casefold() == SAMPLE
+        return f"these are the numbers of {SAMPLE!r}: type your own id at the top" if sample else ""
+
+    def __repr__(self) -> str:
+        told = (
+            f"{self.sheet.title}: {len(self.sheet.problems)} problems, {self.sheet.points} points, for {self.student!r}"
+        )
+        return f"{told} ({self._note})" if self._note else told
+
+
+def sheets() -> list[str]:
+    """The names of all sheets, in lecture order.
+
+    >>> sheets()[0]
+    '01_frames'
+    """
+    return _modules("sheet_")
+
+
+def find_sheet(name: str) -> Sheet:
+    """The sheet of a name, as its module defines it, or of a robot whose file lies beside the notebook.
+
+    Raises ValueError for a name that no sheet has, with those that there are.
+
+    >>> find_sheet("03_poe_space").title
+    'The product of exponentials in the space frame'
+    """
+    if name in STAND_INS:
+        return STAND_INS[name]
+    if name not in sheets():
+        # What it takes to make a sheet of any robot is loaded when there is one, and not before.
+        from kincourse.robot_sheets.robot_file import beside, found
+
+        if own := found(name):
+            return own
+        raise ValueError(
+            f"There is no sheet {name!r}. The sheets are: {', '.join(sheets())}. "
+            f"The sheet of another robot needs its file {beside(name)[0]} beside the notebook."
+        )
+    sheet: Sheet = importlib.import_module(f"kincourse.sheet_{name}").SHEET
+    return sheet
+
+
+def open_sheet(name: str, student: str) -> OpenSheet:
+    """Open a sheet for one student, whose id seeds the numbers.
+
+    Raises ValueError for an unknown sheet, and for a student without an id.
+
+    >>> open_sheet("03_poe_space", "ada")
+    The product of exponentials in the space frame: 8 problems, 24 points, for 'ada'
+    """
+    return OpenSheet(find_sheet(name), student)
+
+
+def lecture_steps() -> dict[str, Template]:
+    """The steps that the lectures leave blank, by number: "03.a" is the first of lecture 03.
+
+    >>> lecture_steps()["03.a"].title
+    'A joint that leans by 30 degrees'
+    """
+    modules = [importlib.import_module(f"kincourse.steps_{name}") for name in _modules("steps_")]
+    return {template.number: template for module in modules for template in module.STEPS}
+
+
+def attempt(number: str, answer: Any) -> Verdict:
+    """Check a step that a lecture leaves blank: the same numbers for everybody, the same kind of feedback as a sheet.
+
+    Raises ValueError for a number that no lecture has.
+
+    >>> attempt("03.a", ...).card.title
+    'Problem 03.a: Nothing here yet'
+    """
+    steps = lecture_steps()
+    if number not in steps:
+        raise ValueError(f"No lecture has a step {number!r}. The steps are: {', '.join(steps)}.")
+    return Verdict(steps[number], judge(steps[number].variant(SAMPLE), answer))
+
+
+def _modules(prefix: str) -> list[str]:
+    here = importlib.import_module("kincourse").__path__
+    names = (module.name for module in pkgutil.iter_modules(here))
+    return sorted(name.removeprefix(prefix) for name in names if name.startswith(prefix))

@@ -1,0 +1,166 @@
+"""Answers as data: what a student's value is, in plain JSON.
+
+A check cell writes the answer beside its card, so that whoever grades reads data and never runs what made it.
+`answer_writing` is lenient: whatever an object does when it is looked at, something comes out. Reading is strict: it takes
+the few forms below and refuses the rest, for anybody can write JSON.
+
+    null                                  nothing yet
+    {"number": 1.5}, {"text": "..."}
+    {"array": [flat numbers], "shape": [3, 6]}         null stands for NaN and infinity
+    {"list": [...]}, {"map": [["a", ...], ...]}
+    {"symbolic": "a*cos(q1)"}, {"matrix": [[...], ...]}
+    {"dh": [rows], "convention": ..., "joints": ..., "signs": ..., "base": ..., "tool": ...}
+    {"function": "name"}, and with "outputs": [...] once somebody called it
+    {"other": "what it is"}
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from kinlib.arrays.validation import Array
+from kinlib.dh.table import DHTable
+from misstep.formulas.sympy_parsing import LONGEST, expression
+
+MIME = "application/vnd.misstep.answer+json"
+"""Under this name a check cell's output holds the answer."""
+
+MOST_NUMBERS = 4096
+"""No answer of the course has more numbers, nor a list more entries."""
+
+DEEPEST = 5
+"""How deep lists may nest: a table of matrices, and some."""
+
+
+class Malformed(ValueError):
+    """This JSON is none of the forms that an answer has."""
+
+
+@dataclass(frozen=True)
+class Opaque:
+    """What could not be written down: it stands where the value stood, so that a message can name it."""
+
+    name: str
+
+    def __repr__(self) -> str:
+        return self.name
+
+
+@dataclass(frozen=True)
+class Outputs:
+    """What a student's function gave, input by input."""
+
+    values: Sequence[Any]
+
+
+def from_data(data: Any) -> Any:
+    """Read an answer back. Arrays come as arrays, formulas as SymPy, what could not be written as Opaque.
+
+    Raises Malformed for JSON of any other form.
+
+    >>> from_data({"array": [1.0, None], "shape": [2]})
+    array([ 1., nan])
+    """
+    return _read(data, 0)
+
+
+def _read(data: Any, depth: int) -> Any:
+    if data is None:
+        return None
+    if not isinstance(data, dict) or depth > DEEPEST + 1:
+        raise Malformed("An answer is null or an object of a known form, and not nested without end.")
+    read = READERS.get(frozenset(data))
+    if read is None:
+        raise Malformed(f"An answer has none of the forms with the keys {', '.join(sorted(map(str, data)))!r:.80}.")
+    return read(next(iter(data.values())) if len(data) == 1 else data, depth)
+
+
+def _string(text: Any, _: int) -> str:
+    if not isinstance(text, str) or len(text) > LONGEST:
+        raise Malformed(f"A text is a text, of at most {LONGEST} characters.")
+    return text
+
+
+def _items(items: Any, depth: int) -> list[Any]:
+    if not isinstance(items, list) or len(items) > MOST_NUMBERS:
+        raise Malformed(f"A list is a list, of at most {MOST_NUMBERS} entries.")
+    return [_read(item, depth + 1) for item in items]
+
+
+def _entries(entries: Any, depth: int) -> dict[str, Any]:
+    if not isinstance(entries, list) or len(entries) > MOST_NUMBERS:
+        raise Malformed("A map is a list of pairs, a name and a value.")
+    return dict(_entry(entry, depth) for entry in entries)
+
+
+def _numbers(flat: Any, shape: Any) -> Array:
+    if not isinstance(flat, list) or not isinstance(shape, list):
+        raise Malformed("An array is a list of numbers, and the list of its sizes.")
+    sizes = [size for size in shape if isinstance(size, int) and not isinstance(size, bool) and size >= 0]
+    if len(flat) > MOST_NUMBERS or len(sizes) != len(shape) or len(shape) > DEEPEST + 1:
+        raise Malformed("An array has a shape of whole numbers, and not more numbers than an answer needs.")
+    if any(x is not None and (isinstance(x, bool) or not isinstance(x, int | float)) for x in flat):
+        raise Malformed("An array holds numbers and nothing else.")
+    try:
+        values = np.array([np.nan if x is None else float(x) for x in flat])
+        return values.reshape(sizes)
+    except (OverflowError, ValueError) as error:
+        raise Malformed("The numbers of an array do not fill its shape.") from error
+
+
+def _entry(entry: Any, depth: int) -> tuple[str, Any]:
+    match entry:
+        case [str() as key, value]:
+            return key[:80], _read(value, depth + 1)
+    raise Malformed("A map holds pairs of a name and a value.")
+
+
+def _formula(text: Any, depth: int) -> Any:
+    try:
+        return expression(_string(text, depth))
+    except Malformed:
+        raise
+    except (ValueError, TypeError, ArithmeticError) as error:
+        return Opaque(f"a formula that cannot be read: {error}")
+
+
+def _matrix(rows: Any, depth: int) -> Any:
+    import sympy as sp
+
+    sizes = {len(row) if isinstance(row, list) else -1 for row in rows} if isinstance(rows, list) else {-1}
+    if -1 in sizes or len(sizes) > 1 or len(rows) > MOST_NUMBERS:
+        raise Malformed("A matrix is a list of rows of one length.")
+    entries = [_items(row, depth) for row in rows]
+    if not all(isinstance(entry, sp.Expr | float) for row in entries for entry in row):
+        return Opaque("a matrix with entries that cannot be read")
+    return sp.Matrix(entries)
+
+
+def _dh(data: dict[str, Any], _: int) -> Any:
+    rows, *rest = data["dh"], data["joints"], data["signs"]
+    if not isinstance(rows, list) or any(isinstance(part, list | str) and len(part) != len(rows) for part in rest):
+        raise Malformed("A DH table is a list of rows, with a letter and a sign for each of them.")
+    if len(rows) > MOST_NUMBERS:
+        raise Malformed(f"A DH table has at most {MOST_NUMBERS} rows.")
+    try:
+        return DHTable.from_dict({"rows": rows} | {key: value for key, value in data.items() if key != "dh"})
+    except ValueError as error:
+        raise Malformed(f"This is no DH table: {error}") from error
+
+
+READERS: dict[frozenset[str], Callable[[Any, int], Any]] = {
+    frozenset({"number"}): lambda number, _: _numbers([number], [])[()],
+    frozenset({"text"}): _string,
+    frozenset({"array", "shape"}): lambda data, _: _numbers(data["array"], data["shape"]),
+    frozenset({"list"}): _items,
+    frozenset({"map"}): _entries,
+    frozenset({"symbolic"}): _formula,
+    frozenset({"matrix"}): _matrix,
+    frozenset({"dh", "convention", "joints", "signs", "base", "tool"}): _dh,
+    frozenset({"function"}): lambda name, depth: Opaque(f"function {_string(name, depth)[:80]}"),
+    frozenset({"function", "outputs"}): lambda data, depth: Outputs(_items(data["outputs"], depth)),
+    frozenset({"other"}): lambda name, depth: Opaque(_string(name, depth)[:200]),
+}
+"""How each form is read: by its one value, or where it has several, by all of it. No form has a key too many."""

@@ -1,0 +1,99 @@
+"""Verdicts: a judgement in words, as a card that a student reads."""
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from misstep.card import Card
+from misstep.judge import Finding, Judgement
+from misstep.problem import Template
+from misstep.storage.deserialize import MIME
+from misstep.text import number
+
+TITLES = {
+    "right": "Right",
+    "partly": "Partly right",
+    "wrong": "Not yet",
+    "blank": "Nothing here yet",
+    "unreadable": "This cannot be read as an answer",
+}
+
+
+SOLVED = "application/vnd.misstep.solved+json"
+"""Under this name a check says that its problem has full marks, to a page that counts them. Nobody grades by it."""
+
+
+@dataclass(frozen=True)
+class Verdict:
+    """What one answer earned, and why. Displays itself as a card, and beside it writes down the answer as data.
+
+    emission  the answer with its sheet, problem and student; a grader reads it and judges for itself
+    """
+
+    template: Template
+    judgement: Judgement
+    emission: Mapping[str, Any] | None = None
+
+    @property
+    def score(self) -> float:
+        """The points earned."""
+        return self.template.points * self.judgement.fraction
+
+    @property
+    def card(self) -> Card:
+        """The feedback: title and score, what is right, each mistake in words, where to re-read."""
+        judgement, template = self.judgement, self.template
+        title = f"Problem {template.number}: {TITLES[judgement.state]}"
+        lines = [f"{number(self.score)} of {_points(template.points)}."]
+        if judgement.state == "partly":
+            lines.append(f"Right: {_listed(judgement.right_parts)}.")
+        alone = len(judgement.right_parts) == 0 and len(judgement.findings) == 1
+        lines += [_told(finding, alone) for finding in judgement.findings]
+        if judgement.findings and judgement.state != "blank":
+            notebook, _, section = template.lecture.partition("#")
+            lines.append(f"Re-read: lecture {notebook}, section “{section}”.")
+        return Card(judgement.state, title, lines)
+
+    def _repr_mimebundle_(self, **options: Any) -> dict[str, Any]:
+        data = {MIME: self.emission} if self.emission else {}
+        if self.emission and self.judgement.state == "right":
+            data[SOLVED] = {name: self.emission[name] for name in ("sheet", "problem")}
+        return {**self.card._repr_mimebundle_(**options), **data}
+
+
+@dataclass(frozen=True)
+class Tally:
+    """The points of a sheet so far. Displays itself as a table."""
+
+    problems: Sequence[Template]
+    verdicts: Mapping[int, Verdict]
+    note: str = ""
+
+    @property
+    def score(self) -> float:
+        """The points earned so far."""
+        return sum(verdict.score for verdict in self.verdicts.values())
+
+    def _repr_markdown_(self) -> str:
+        rows = ["| problem | points | state |", "| --- | --- | --- |"]
+        for k, template in enumerate(self.problems, start=1):
+            verdict = self.verdicts.get(k)
+            state = TITLES[verdict.judgement.state].lower() if verdict else "not checked yet"
+            rows.append(
+                f"| {template.number} {template.title} | {number(verdict.score if verdict else 0)} / {template.points} | {state} |"
+            )
+        total = sum(template.points for template in self.problems)
+        rows.append(f"| **together** | **{number(self.score)} / {total}** | {self.note} |")
+        return "\n".join(rows)
+
+
+def _told(finding: Finding, alone: bool) -> str:
+    return finding.message if alone else f"{_listed(finding.parts).capitalize()}: {finding.message}"
+
+
+def _listed(names: Sequence[str]) -> str:
+    return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
+
+
+def _points(points: int) -> str:
+    return f"{points} point" + "s" * (points != 1)

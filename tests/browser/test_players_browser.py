@@ -1,0 +1,483 @@
+"""The players and assign mode in a real browser: stepped, played, picked by mouse and by keys, and read by Python."""
+
+import nbformat
+import numpy as np
+import pytest
+from browser import (
+    SECONDS,
+    awake,
+    browsers,
+    contrast,
+    cut_off,
+    jupyterlab,
+    open_notebook,
+    run_cell,
+    static_page,
+    texts,
+    watched,
+)
+
+import kinlib as kl
+from kincourse import open_sheet
+from kinlib.chains.robots import pose
+from kinlib.dh.rules import check_frames
+from kinlib.view import assign, play_assignment, play_row, play_walk
+
+GIVEN = open_sheet("07_frame_assignment", "ada").given(2)
+ARM = kl.Chain(GIVEN.screws, GIVEN.home, GIVEN.points, "RRR")
+RIGHT = kl.assign_frames(ARM, convention="standard").frames
+ROW = [0.8, 0.6, 0.6, 1.4]
+WALK = [[0.6, -0.9, 0.4, 0.3], [0.5, 1.6, 0.4, -1.0]]
+DIAL = 0.3
+"""The radius of the dial for x, as a share of the size of the arm."""
+
+MODEL = "document.querySelector('.kv').viewer.model"
+STAGE = "document.querySelector('.kv').viewer.stage"
+
+
+@pytest.fixture(scope="module")
+def browser():
+    with browsers() as start:
+        yield start()
+
+
+@pytest.fixture
+def show(browser, tmp_path):
+    """Show a viewer on a page without a kernel."""
+    opened = []
+
+    def open_page(*viewers, style="background:white", **settings):
+        opened.append(watched(browser, **{"viewport": {"width": 1000, "height": 620}, **settings}))
+        page = opened[-1].__enter__()
+        page.goto(static_page(tmp_path, *viewers, style=style).as_uri())
+        awake(page)
+        return page
+
+    yield open_page
+    for page in opened:
+        page.__exit__(None, None, None)
+
+
+def get(page, trait):
+    return page.evaluate(f"{MODEL}.get('{trait}')")
+
+
+def wait_for(page, trait, value):
+    page.wait_for_function(f"{MODEL}.get('{trait}') === {value}", timeout=SECONDS)
+
+
+def drawn(page):
+    """The names in the picture, once it has been painted anew."""
+    page.evaluate(f"{STAGE}.paint()")
+    return {box["name"] for box in page.evaluate(f"{STAGE}.names")}
+
+
+def pixel(page, x, y):
+    return page.evaluate(
+        "([x, y]) => [...document.querySelector('.kv-canvas').getContext('2d').getImageData(x, y, 1, 1).data].slice(0, 3)",
+        [round(x), round(y)],
+    )
+
+
+def place_of(page, point):
+    """Where a point of space is on the page, in pixels."""
+    return page.evaluate(
+        f"""point => {{ const {{ camera, canvas }} = {STAGE}; const {{ left, top }} = canvas.getBoundingClientRect();
+            const {{ x, y }} = camera.project(camera.target.clone().set(...point)); return [x + left, y + top]; }}""",
+        [float(value) for value in point],
+    )
+
+
+# --- the assignment player ---
+
+
+def test_steps_go_forwards_and_back_by_buttons_and_keys(show):
+    player = play_assignment(kl.robots.youbot(), convention="standard")
+    steps = player.assignment.steps
+    page = show(player)
+    following, back = page.get_by_role("button", name="Next step"), page.get_by_role("button", name="One step back")
+    for expected in (1, 2, 3):
+        following.click()
+        assert get(page, "step") == expected
+    page.keyboard.press("ArrowRight")  # the button has the focus
+    page.keyboard.press("ArrowRight")
+    page.keyboard.press("ArrowLeft")
+    assert get(page, "step") == 4
+    back.click()
+    assert get(page, "step") == 3
+    assert page.locator(".kv-step").inner_text().startswith("Origin O")
+    said = page.locator(".kv-step p").nth(1).text_content()
+    assert said == steps[3].text.replace("O_1", "O1")
+    page.keyboard.press("End")
+    assert get(page, "step") == len(steps) - 1
+    page.keyboard.press("ArrowRight")  # there is no more
+    assert get(page, "step") == len(steps) - 1
+    assert following.get_attribute("aria-disabled") == "true"
+    page.keyboard.press("Home")
+    assert get(page, "step") == 0
+
+
+def test_a_frame_appears_part_by_part_and_what_is_named_is_lit(show):
+    page = show(play_assignment(kl.robots.youbot(), convention="standard", step=2))
+    seen = []
+    for _ in range(4):
+        seen.append({name for name in drawn(page) if name in {"z1", "x1", "y1", "normal 1–2"}})
+        page.get_by_role("button", name="Next step").click()
+    assert seen == [{"normal 1–2"}, {"z1"}, {"z1", "x1", "normal 1–2"}, {"z1", "x1", "y1"}]
+    page.evaluate(f"{MODEL}.set('step', 3)")
+    page.evaluate(f"{STAGE}.paint()")
+    box = page.locator(".kv-canvas").bounding_box()
+    x, y = place_of(page, (0.033, 0, 0.147))  # O_1, under the marker pen
+    red, green, blue = pixel(page, x - box["x"] + 11, y - box["y"] + 3)
+    assert blue < min(red, green) - 20, "yellow"
+
+
+def test_the_other_convention_is_a_choice_away_and_the_table_fills(show):
+    player = play_assignment(kl.robots.youbot(), convention="standard", step=18)
+    page = show(player)
+    rows = page.locator(".kv-dh tr")
+    first = player.assignment.steps.index(next(step for step in player.assignment.steps if step.kind == "row"))
+    page.evaluate(f"{MODEL}.set('step', {first})")
+    assert rows.nth(1).inner_text().split() == ["1", "0.033", "90°", "0.147", "q1"]
+    assert rows.nth(2).inner_text().split() == ["2", "·", "·", "·", "·"]
+    page.get_by_label("Convention").select_option("modified")
+    assert get(page, "convention") == "modified"
+    assert rows.nth(1).inner_text().split() == ["1", "0", "0", "0", "q1"]
+
+
+# --- the row player ---
+
+
+def carried(page, track):
+    """Where the moving frame of a track stands."""
+    elements = page.evaluate(f"{STAGE}.tree.arms[{track}].tool.matrixWorld.elements")
+    return np.reshape(elements, (4, 4)).T
+
+
+def test_the_motions_carry_the_frame_to_the_end_of_its_row_in_both_conventions(show):
+    player = play_row(ROW)
+    page = show(player, reduced_motion="reduce")
+    starts = [np.reshape(track["stops"][0], (4, 4)) for track in player.mode["tracks"]]
+    following = page.get_by_role("button", name="Next motion")
+    for _ in range(4):
+        following.click()
+    assert get(page, "done") == 4
+    for k, convention in enumerate(["standard", "modified"]):
+        expected = starts[k] @ kl.dh_transform(*ROW, convention=convention)
+        np.testing.assert_allclose(carried(page, k), expected, atol=1e-12)
+    page.get_by_role("button", name="One motion back").click()
+    expected = starts[0] @ kl.dh_transform(0.8, 0, 0.6, 1.4, convention="standard")
+    np.testing.assert_allclose(carried(page, 0), expected, atol=1e-12)
+    assert "across the link" in page.locator(".kv-said").first.inner_text()
+
+
+def test_half_a_motion_is_half_the_way(show):
+    page = show(play_row(ROW, convention="standard"))
+    box = page.get_by_label("Motions done").bounding_box()
+    page.mouse.click(box["x"] + 0.4 * box["width"], box["y"] + box["height"] / 2)
+    done = get(page, "done")
+    assert 1 < done < 2
+    expected = kl.dh_transform(0, 0, 0.6 * (done - 1), 1.4, convention="standard")
+    np.testing.assert_allclose(carried(page, 0), expected, atol=1e-12)
+    page.keyboard.press("ArrowRight")  # the slider has the focus: keys go from motion to motion
+    assert get(page, "done") == 2
+    page.keyboard.press("End")
+    assert get(page, "done") == 4
+    assert {"xi", "zi"} <= drawn(page)
+    page.keyboard.press("ArrowLeft")
+    assert get(page, "done") == 3
+
+
+def test_a_motion_is_seen_on_its_way_unless_less_motion_is_preferred(show):
+    page = show(play_row(ROW, convention="standard", done=3))
+    seen = f"window.seen = new Set(); {MODEL}.on('change:done', () => window.seen.add({MODEL}.get('done')))"
+    page.evaluate(seen)
+    page.get_by_role("button", name="Play").click()
+    wait_for(page, "done", 4)
+    assert page.evaluate("window.seen.size") > 3
+    calm = show(play_row(ROW, convention="standard", done=3), reduced_motion="reduce")
+    calm.evaluate(seen)
+    calm.get_by_role("button", name="Next motion").click()
+    assert calm.evaluate("[...window.seen]") == [4]
+
+
+def test_a_walk_plants_the_frames_of_both_conventions(show):
+    player = play_walk(WALK, done=2)
+    page = show(player, reduced_motion="reduce")
+    assert {"{1 mod}", "{1 std}"} <= drawn(page)
+    assert "{2 mod}" not in drawn(page)
+    page.get_by_role("button", name="X2").click()
+    wait_for(page, "done", 4)
+    np.testing.assert_allclose(carried(page, 0), kl.DHTable(WALK, convention="standard").fk([0, 0]), atol=1e-12)
+    assert {"{2 mod}", "{2 std}"} <= drawn(page)
+
+
+# --- frames by hand ---
+
+
+def frames_of(page):
+    return np.array(get(page, "frames"), dtype=float)
+
+
+def handle(hand, T, axis):
+    """The end of an axis along which a frame has its z."""
+    fits = [z for z in hand.mode["z"] if np.allclose(z["along"], T[:3, 2])]
+    return next((z["at"] for z in fits if z["axis"] == axis), fits[0]["at"])
+
+
+def click(page, point, off=(0, 0)):
+    x, y = place_of(page, point)
+    page.mouse.click(x + off[0], y + off[1])
+
+
+def test_frames_are_placed_by_mouse_and_snap_to_what_is_meant(show):
+    """Every pick is some pixels beside its place, and the frames come out exact."""
+    hand = assign(ARM, "standard")
+    page = show(hand)
+    dial = DIAL * hand.scene["size"]
+    for i, T in enumerate(RIGHT):
+        click(page, handle(hand, T, i), off=(3, -2))
+        click(page, T[:3, 3], off=(-2, 2))
+        click(page, T[:3, 3] + dial * T[:3, 0], off=(3, 3))
+    np.testing.assert_allclose(frames_of(page), RIGHT, rtol=0, atol=1e-12)
+    assert page.get_by_role("button", name="Frame 3, placed").is_visible()
+
+
+def test_a_finger_picks_as_a_mouse_does(show):
+    hand = assign(ARM, "standard")
+    page = show(hand, has_touch=True, viewport={"width": 400, "height": 800})
+    for point in (handle(hand, RIGHT[0], 0), RIGHT[0, :3, 3]):
+        x, y = place_of(page, point)
+        page.touchscreen.tap(x + 1, y + 1)  # on so small a picture others are near
+    np.testing.assert_allclose(frames_of(page)[0][:3, 2:], RIGHT[0, :3, 2:], atol=1e-12)
+
+
+def test_an_origin_is_dragged_along_its_axis_and_x_round_its_dial(show):
+    frames = np.array(assign(ARM, "standard").frames)
+    frames[1] = RIGHT[1]
+    hand = assign(ARM, "standard", frames=frames)
+    page = show(hand)
+    page.get_by_role("button", name="Frame 1, placed").click()
+    page.get_by_role("button", name="Place O 1 in the picture").click()
+    camera = f"{STAGE}.camera.azimuth"
+    before = page.evaluate(camera)
+    z, origin, dial = RIGHT[1, :3, 2], RIGHT[1, :3, 3], DIAL * hand.scene["size"]
+
+    def drag(start, end):
+        page.mouse.move(*place_of(page, start))
+        page.mouse.down()
+        page.mouse.move(*place_of(page, end), steps=3)
+        page.mouse.up()
+
+    drag(origin, origin + 0.9 * z)
+    moved = frames_of(page)[1]
+    along = (moved[:3, 3] - origin) @ z
+    assert 0.5 < along < 1.3
+    np.testing.assert_allclose(moved[:3, 3], origin + along * z, atol=1e-12)  # on its axis, to rounding
+    page.get_by_role("button", name="Place x 1 in the picture").click()
+    x, y = moved[:3, 0], moved[:3, 1]
+    drag(moved[:3, 3] + dial * x, moved[:3, 3] + dial * (0.08 * x + 0.99 * y))
+    np.testing.assert_allclose(frames_of(page)[1][:3, 0], y, atol=1e-12)  # snapped
+    turned = frames_of(page)[1][:3, :3]
+    np.testing.assert_allclose(turned.T @ turned, np.eye(3), atol=1e-12)
+    assert page.evaluate(camera) == before, "the camera must not move during a drag"
+    page.get_by_role("button", name="Undo the last change").click()
+    np.testing.assert_allclose(frames_of(page)[1], moved)
+
+
+def choose(page, label, wanted):
+    """Choose from a list by its arrow keys alone."""
+    select = page.get_by_label(label, exact=True)
+    select.focus()
+    for _ in range(60):
+        options = select.locator("option").evaluate_all("all => all.map((option) => JSON.parse(option.value))")
+        there = next(k for k, value in enumerate(options) if value and np.allclose(value, wanted))
+        here = select.evaluate("node => node.selectedIndex")
+        if here == there:
+            return
+        page.keyboard.press("ArrowDown" if there > here else "ArrowUp")
+    raise AssertionError(f"{label} does not come to {wanted}")
+
+
+def test_frames_are_placed_by_keys_alone(show):
+    page = show(assign(ARM, "standard"))
+    page.get_by_role("button", name="Frame 0, not started").focus()
+    for i, T in enumerate(RIGHT):
+        choose(page, f"Direction of z {i}", T[:3, 2])
+        choose(page, f"Origin of frame {i}", T[:3, 3])
+        choose(page, f"Direction of x {i}", T[:3, 0])
+        page.get_by_role("button", name=f"Frame {i}, placed").focus()
+        if i < len(RIGHT) - 1:
+            page.keyboard.press("ArrowRight")
+    np.testing.assert_allclose(frames_of(page), RIGHT, rtol=0, atol=1e-12)
+    for button in ("Move the origin by 0", "Rotate x by 15 degrees about z"):
+        page.get_by_role("button", name=button).first.press("Enter")
+    changed = frames_of(page)[3]
+    np.testing.assert_allclose(changed[:3, 0] @ RIGHT[3, :3, 0], np.cos(np.radians(15)), atol=1e-12)
+    np.testing.assert_allclose(np.cross(changed[:3, 3] - RIGHT[3, :3, 3], RIGHT[3, :3, 2]), 0, atol=1e-12)
+
+
+def test_without_python_the_frames_can_be_copied_and_it_says_who_judges(show):
+    page = show(assign(ARM, "standard", frames=RIGHT), permissions=["clipboard-read", "clipboard-write"])
+    page.get_by_role("button", name="Check the rules").click()
+    assert "Checking needs Python, and this page has no kernel." in page.locator(".kv-verdict").inner_text()
+    page.get_by_role("button", name="Copy the frames as Python").click()
+    page.get_by_text("Copied").wait_for()
+    copied = eval(page.evaluate("navigator.clipboard.readText()"), {"pose": pose})
+    np.testing.assert_allclose(copied, RIGHT, rtol=0, atol=1e-11)
+    assert check_frames(ARM, copied, "standard") == []
+
+
+def test_a_frame_is_cleared_and_brought_back(show):
+    page = show(assign(ARM, "standard", frames=RIGHT))
+    page.get_by_role("button", name="Frame 2, placed").click()
+    page.get_by_role("button", name="Clear this frame").click()
+    assert get(page, "frames")[2] == [[None] * 4, [None] * 4, [None] * 4, [0, 0, 0, 1]]
+    page.get_by_role("button", name="Undo the last change").click()
+    np.testing.assert_array_equal(frames_of(page), RIGHT)
+
+
+def test_a_breach_goes_out_when_its_frame_changes_and_comes_back_with_it(show):
+    page = show(broken())
+    wrong = page.get_by_role("button", name="Frame 1, breaks a rule")
+    wrong.click()
+    page.get_by_role("button", name="Clear this frame").click()
+    assert not wrong.is_visible()
+    assert "Check again." in page.locator(".kv-verdict").inner_text()
+    page.get_by_role("button", name="Undo the last change").click()
+    assert wrong.is_visible()
+    page.evaluate(f"frames => {MODEL}.set('frames', frames)", RIGHT.tolist())  # as Python does
+    assert not wrong.is_visible()
+
+
+def test_an_x_that_is_not_square_to_a_new_z_is_taken_back(show):
+    page = show(assign(ARM, "standard", frames=RIGHT))
+    page.get_by_role("button", name="Frame 3, placed").click()
+    z = next(axis for axis in ARM.lines.axis if abs(axis @ RIGHT[3, :3, 0]) > 0.5)
+    choose(page, "Direction of z 3", z)
+    assert np.isnan(frames_of(page)[3][:3, :2]).all()
+    np.testing.assert_array_equal(frames_of(page)[3][:3, 2], z)
+
+
+# --- for everybody ---
+
+
+def broken():
+    """An arm with frames, of which one breaks a rule."""
+    frames = RIGHT.copy()
+    frames[1, :3, 3] += RIGHT[1, :3, 0]
+    hand = assign(ARM, "standard", frames=frames)
+    hand.asked = 1
+    return hand
+
+
+ALL = {
+    "assignment": lambda: play_assignment(kl.robots.puma560(), convention="modified", step=24),
+    "row": lambda: play_row(ROW, done=2),
+    "by hand": broken,
+}
+
+
+@pytest.mark.parametrize("kind", ALL)
+@pytest.mark.parametrize("style", ["background:white", "background:#111418"])
+def test_it_can_be_read_fits_a_narrow_page_and_has_a_name_and_keys_for_each_control(show, kind, style):
+    page = show(ALL[kind](), style=style, viewport={"width": 400, "height": 900})
+    faint = {text: contrast(ink, paper) for text, ink, paper in texts(page) if contrast(ink, paper) < 4.5}
+    # what cannot be pressed now may be faint: WCAG 1.4.3 says so
+    off = page.locator(".kv :is([aria-disabled=true], :disabled)").all_inner_texts()
+    assert not set(faint) - set(off)
+    assert not cut_off(page)
+    controls = page.locator(".kv :is(button, input, select, canvas)")
+    told = controls.evaluate_all(
+        """all => all.map((node) => [node.getAttribute('data-lm-suppress-shortcuts'),
+            (node.getAttribute('aria-label') || node.textContent).trim().length > 1, node.outerHTML])"""
+    )
+    assert not [html for keys, named, html in told if keys != "true" or not named]
+
+
+# --- in JupyterLab ---
+
+FIRST = """
+import kinlib as kl
+from kincourse import open_sheet
+from kinlib.view import assign, play_assignment
+sheet = open_sheet('07_frame_assignment', 'ada')
+given = sheet.given(2)
+robot = kl.Chain(given.screws, given.home, given.points)
+hand = assign(robot, 'standard')
+hand"""
+WRONG = """
+right = kl.assign_frames(robot, convention='standard').frames.copy()
+wrong = right.copy()
+wrong[1, :3, 3] += right[1, :3, 0]
+hand.frames = wrong"""
+MENDED = """
+hand.frames = right
+verdict = sheet.check(2, hand.frames)
+print(verdict.judgement.state, bool(kl.equivalent(hand.table, robot)))"""
+PLAYER = "player = play_assignment(robot, convention='standard')\nplayer"
+BREACHES = "print([(b.frame, b.rule) for b in hand.breaches])"
+CELLS = [FIRST.strip(), WRONG.strip(), BREACHES, MENDED.strip(), PLAYER, "print(player.step)"]
+
+
+@pytest.fixture(scope="module")
+def lab(browser, tmp_path_factory):
+    """A notebook with an arm without frames, open in JupyterLab."""
+    folder = tmp_path_factory.mktemp("lab")
+    with jupyterlab(folder) as address, watched(browser, viewport={"width": 1100, "height": 900}) as page:
+        open_notebook(page, address, folder, [nbformat.v4.new_code_cell(source) for source in CELLS])
+        run_cell(page, 0)
+        page.wait_for_selector(".kv-canvas[data-pictures]", timeout=60_000)
+        yield page
+
+
+def printed(page, cell):
+    output = page.locator(".jp-CodeCell").nth(cell).locator(".jp-OutputArea-output")
+    output.wait_for()
+    return output.inner_text().strip()
+
+
+def test_in_the_lab_python_reads_the_frames_and_lights_up_the_broken_rule(lab):
+    page = lab
+    check = page.get_by_role("button", name="Check the rules")
+    page.get_by_label("Direction of z 0", exact=True).select_option(index=1)
+    check.click()
+    page.get_by_text("No rule is broken so far. Not complete yet: frame 0, frame 1, frame 2, frame 3.").wait_for()
+    run_cell(page, 1)
+    page.get_by_role("button", name="Frame 3, placed").wait_for()
+    check.click()
+    breach = page.get_by_role("button", name="✕ joint 2")
+    breach.wait_for()
+    assert page.get_by_role("button", name="Frame 1, breaks a rule").is_visible()
+    joint = place_of(page, ARM.joint_points[1])
+    box = page.locator(".kv-canvas").bounding_box()
+    page.evaluate(f"{STAGE}.paint()")
+    ratio = page.evaluate("document.querySelector('.kv-canvas').width") / box["width"]
+    red, green, blue = pixel(page, ratio * (joint[0] - box["x"] + 8), ratio * (joint[1] - box["y"]))
+    assert red - max(green, blue) > 100, "a red badge stands on joint 2"
+    run_cell(page, 2)
+    assert printed(page, 2).startswith("[(1, 'origin on axis')")
+    breach.click()
+    page.get_by_label("Origin of frame 1", exact=True).select_option(index=1)
+    page.get_by_text("Check again.").wait_for()
+
+
+def test_in_the_lab_right_frames_are_right_for_page_and_sheet(lab):
+    page = lab
+    run_cell(page, 3)
+    assert printed(page, 3) == "right True"
+    page.get_by_role("button", name="Check the rules").click()
+    page.get_by_text("Every rule holds:").wait_for()
+    assert page.locator(".kv-dh tr").count() == 4
+
+
+def test_in_the_lab_the_player_keeps_its_arrow_keys_and_python_reads_the_step(lab):
+    page = lab
+    run_cell(page, 4)
+    player = page.locator(".kv").nth(1)
+    player.get_by_role("button", name="Next step").click()
+    page.keyboard.press("ArrowRight")
+    page.keyboard.press("ArrowRight")
+    player.get_by_text("step 4 of").wait_for()
+    run_cell(page, 5)
+    assert printed(page, 5) == "3"

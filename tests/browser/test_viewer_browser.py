@@ -1,0 +1,621 @@
+"""The viewer in a real browser: turned by mouse, keys and Python, in JupyterLab and on a page without a kernel."""
+
+import nbformat
+import numpy as np
+import pytest
+from browser import (
+    SECONDS,
+    awake,
+    browsers,
+    contrast,
+    cut_off,
+    jupyterlab,
+    open_notebook,
+    pictures,
+    pose,
+    run_cell,
+    static_page,
+    texts,
+    watched,
+)
+from strategies import ROBOTS
+from traitlets import Bool, HasTraits
+
+import kinlib as kl
+from kinlib.mechanisms.linkages import four_bar
+from kinlib.rigid.screw import screw
+from kinlib.view import drive, explore
+from kinlib.view.viewer.scene import LAYERS
+
+DEGREE = np.pi / 180
+Q = [0.5, -0.6, 0.7, -0.8, 0.9, -1.0]
+
+
+@pytest.fixture(scope="module")
+def start():
+    with browsers() as found:
+        yield found
+
+
+@pytest.fixture(scope="module")
+def browser(start):
+    return start()
+
+
+@pytest.fixture
+def show(browser, tmp_path):
+    """Show viewers on a static page, wide awake."""
+    opened = []
+
+    def open_page(*viewers, count=None, style="background:white", before=None, **settings):
+        opened.append(watched(browser, **settings))
+        page = opened[-1].__enter__()
+        if before:
+            page.add_init_script(before)
+        page.goto(static_page(tmp_path, *viewers, style=style).as_uri())
+        awake(page, len(viewers) if count is None else count)
+        return page
+
+    yield open_page
+    for page in opened:
+        page.__exit__(None, None, None)
+
+
+def sliders(page):
+    return page.locator(".kv input[type=range]")
+
+
+def settled(page, change):
+    """Do something, and wait for the picture that follows."""
+    before = pictures(page)
+    change()
+    page.wait_for_function(f"Number(document.querySelector('.kv-canvas').dataset.pictures) > {before}", timeout=SECONDS)
+
+
+def set_q(page, q):
+    page.evaluate("q => document.querySelector('.kv').viewer.model.set('q', q)", list(q))
+
+
+def q_of(page):
+    return page.evaluate("document.querySelector('.kv').viewer.model.get('q')")
+
+
+def shown_pixels(page):
+    """The picture as a page's own data, to tell whether it has changed."""
+    return page.evaluate("document.querySelector('.kv-canvas').toDataURL()")
+
+
+# --- the kinematics of the page ---
+
+
+def test_every_robot_of_the_course_stands_where_the_library_says(show):
+    """The scene graph in JavaScript against Chain.fk: 100 postures each, a difference of 1e-12 at most."""
+    page = show(*map(explore, ROBOTS), count=1)
+    worst = {}
+    for which, robot in enumerate(ROBOTS):
+        page.locator("[data-kinlib-viewer]").nth(which).scroll_into_view_if_needed()
+        page.locator(".kv").nth(which).wait_for()  # a viewer wakes when it comes near
+        q = np.random.default_rng(7).uniform(-np.pi, np.pi, (100, robot.n))
+        found = page.evaluate(
+            """([which, postures]) => {
+                const { model, stage } = document.querySelectorAll('.kv')[which].viewer;
+                return postures.map((q) => { model.set('q', q); return stage.tree.pose(); });
+            }""",
+            [which, q.tolist()],
+        )
+        worst[robot.name] = np.abs(np.array(found) - robot.fk(q)).max()
+    assert max(worst.values()) < 1e-12, worst
+
+
+def test_the_table_is_the_pose(show):
+    page = show(explore(kl.robots.puma560(), start=Q))
+    cells = [float(text) for text in page.locator(".kv-pose td").all_inner_texts()]
+    np.testing.assert_allclose(np.reshape(cells, (4, 4)), kl.robots.puma560().fk(Q), atol=5.1e-5)
+
+
+def test_copy_gives_python_with_every_digit(show):
+    page = show(explore(kl.robots.puma560(), start=Q), permissions=["clipboard-read", "clipboard-write"])
+    page.get_by_role("button", name="Copy").click()
+    page.get_by_text("copied").wait_for()
+    copied = {}
+    exec(page.evaluate("navigator.clipboard.readText()"), {"np": np}, copied)
+    assert copied["q"].tolist() == Q
+    np.testing.assert_allclose(copied["T"], kl.robots.puma560().fk(Q), rtol=0, atol=1e-14)
+
+
+# --- hands and keys ---
+
+
+def test_a_slider_is_dragged_with_the_mouse(show):
+    page = show(explore(kl.robots.youbot()))
+    box = sliders(page).nth(1).bounding_box()
+    page.mouse.move(box["x"] + box["width"] / 2, box["y"] + box["height"] / 2)
+    page.mouse.down()
+    settled(page, lambda: page.mouse.move(box["x"] + 0.8 * box["width"], box["y"] + box["height"] / 2, steps=4))
+    page.mouse.up()
+    q = q_of(page)
+    assert 0.5 < q[1] < np.pi
+    assert [q[0], *q[2:]] == [0, 0, 0, 0]
+    np.testing.assert_allclose(pose(page), kl.robots.youbot().fk(q), atol=1e-12)
+
+
+def test_keys_move_a_joint_by_a_degree_or_a_centimetre_and_to_its_ends(show):
+    page = show(explore(kl.robots.rpr(), start=[0.1, 0.2, 0.3]))
+    for joint, key, value in [
+        (0, "ArrowRight", 0.1 + DEGREE),
+        (0, "PageDown", 0.1 - 9 * DEGREE),
+        (1, "ArrowLeft", 0.19),
+        (1, "End", 1.0),
+        (2, "Home", -np.pi),
+    ]:
+        sliders(page).nth(joint).focus()
+        page.keyboard.press(key)
+        assert q_of(page)[joint] == pytest.approx(value, abs=1e-12)
+
+
+def test_a_number_may_be_typed_and_letters_change_nothing(show):
+    page = show(explore(kl.robots.youbot()))
+    field = page.get_by_label("Joint 2, radians, as a number")
+    field.fill("1.25")
+    field.press("Enter")
+    assert q_of(page)[1] == 1.25
+    field.fill("")
+    field.press("Tab")
+    assert field.input_value() == "1.250"
+    assert q_of(page)[1] == 1.25
+
+
+def test_reset_goes_back_to_the_start_and_play_moves_every_joint(show):
+    page = show(explore(kl.robots.youbot(), joints=[2], start=[0, 0.5, 0, 0, 0]))
+    play = page.get_by_role("button", name="Play")
+    settled(page, play.click)
+    page.wait_for_function("document.querySelector('.kv').viewer.model.get('q')[1] > 0.6", timeout=SECONDS)
+    page.get_by_role("button", name="Pause").click()
+    stopped = q_of(page)
+    page.wait_for_timeout(150)
+    assert q_of(page) == stopped
+    page.get_by_role("button", name="Reset").click()
+    assert q_of(page) == [0, 0.5, 0, 0, 0]
+
+
+def test_the_picture_is_turned_moved_and_zoomed_by_hand_and_by_keys(show):
+    page = show(explore(kl.robots.youbot()))
+    canvas = page.locator(".kv-canvas")
+    seen = {shown_pixels(page)}
+
+    def drag(key=None):
+        box = canvas.bounding_box()
+        if key:
+            page.keyboard.down(key)
+        page.mouse.move(box["x"] + 200, box["y"] + 150)
+        page.mouse.down()
+        page.mouse.move(box["x"] + 260, box["y"] + 180, steps=3)
+        page.mouse.up()
+        if key:
+            page.keyboard.up(key)
+
+    changes = [drag, lambda: drag("Shift"), lambda: page.mouse.wheel(0, -300)]
+    changes += [lambda key=key: canvas.press(key) for key in ("ArrowLeft", "ArrowUp", "Shift+ArrowLeft", "+", "-")]
+    for change in changes:
+        settled(page, change)
+        page.wait_for_timeout(60)
+        now = shown_pixels(page)
+        assert now not in seen or change is changes[-1]
+        seen.add(now)
+
+
+def test_a_wheel_scrolls_the_page_until_the_picture_has_the_focus(show):
+    page = show(explore(kl.robots.youbot()), style="height:3000px")
+    page.mouse.move(200, 200)
+    page.mouse.wheel(0, 200)
+    page.wait_for_function("window.scrollY > 100", timeout=SECONDS)
+
+
+@pytest.mark.parametrize(("name", "right", "up"), [("front", (1, 0, 0), (0, 0, 1)), ("top", (1, 0, 0), (0, 1, 0))])
+def test_a_named_view_looks_along_an_axis(show, name, right, up):
+    page = show(explore(kl.robots.youbot()), reduced_motion="reduce")
+    page.get_by_role("button", name=name).click()
+    columns = np.reshape(
+        page.evaluate("document.querySelector('.kv').viewer.stage.camera.threeCamera.matrixWorld.elements"), (4, 4)
+    )
+    np.testing.assert_allclose(columns[:2, :3], [right, up], atol=1e-12)
+
+
+def test_who_prefers_less_motion_gets_views_at_once_and_play_in_stations(show):
+    page = show(explore(kl.robots.youbot(), joints=[1]), reduced_motion="reduce")
+    page.get_by_role("button", name="Play").click()
+    seen = set()
+    for _ in range(12):
+        page.wait_for_timeout(40)
+        seen.add(q_of(page)[0])
+    assert len(seen) <= 2
+
+
+# --- what is shown ---
+
+
+@pytest.mark.parametrize("layer", ["screw axes", "common normals", "lengths"])
+def test_a_layer_is_switched_off_and_on(show, layer):
+    page = show(explore(kl.robots.puma560(), start=Q, show=["axes", "normals", "dimensions"]))
+    chip = page.get_by_role("button", name=layer)
+    before = shown_pixels(page)
+    assert chip.get_attribute("aria-pressed") == "true"
+    settled(page, chip.click)
+    assert chip.get_attribute("aria-pressed") == "false"
+    assert (without := shown_pixels(page)) != before
+    settled(page, chip.click)
+    assert chip.get_attribute("aria-pressed") == "true"
+    assert shown_pixels(page) != without
+
+
+def test_frames_are_chosen_from_a_list_and_named(show):
+    page = show(explore(kl.robots.youbot()))
+    choose = page.get_by_label("Frames")
+    names = "[...document.querySelector('.kv').viewer.stage.names].map((box) => box.name)"
+    settled(page, lambda: choose.select_option(label="standard DH"))
+    assert {"x0", "z1", "x5"} <= set(page.evaluate(names))
+    settled(page, lambda: choose.select_option(label="no frames"))
+    assert set(page.evaluate(names)) == {f"S{i}" for i in range(1, 6)}
+
+
+def test_a_trail_follows_the_tool(show):
+    page = show(explore(kl.robots.youbot(), show=["trail"]))
+    before = shown_pixels(page)
+    for angle in np.linspace(0.1, 1, 10):
+        set_q(page, [angle, 0, 0, 0, 0])
+    settled(page, lambda: set_q(page, [0, 0, 0, 0, 0]))
+    assert shown_pixels(page) != before
+
+
+def test_a_ghost_stands_where_python_puts_it(show):
+    page = show(explore(kl.robots.youbot(), show=[]))
+    before = shown_pixels(page)
+    model = "document.querySelector('.kv').viewer.model"
+    settled(page, lambda: page.evaluate(f"{model}.set('ghost', [1, 0.5, 0, 0, 0])"))
+    assert shown_pixels(page) != before
+    settled(page, lambda: page.evaluate(f"{model}.set('ghost', [])"))
+    assert shown_pixels(page) == before
+
+
+POSTURES = [np.zeros(6), Q, [0, -0.5, 0.5, 0, 1.2, 0], [2, -1, 2.5, 1, -1, 2]]
+
+
+@pytest.mark.parametrize("frames", ["standard", "modified"])
+@pytest.mark.parametrize("width", [400, 900])
+def test_no_name_covers_another_or_leaves_the_picture(show, frames, width):
+    """The wrist of the PUMA 560: three frames in one point, each with three letters, six axes, five normals."""
+    page = show(
+        explore(kl.robots.puma560(), show=["axes", "normals", frames]), viewport={"width": width, "height": 700}
+    )
+    for q in POSTURES:
+        settled(page, lambda q=q: set_q(page, q))
+        boxes, size = page.evaluate(
+            "(() => { const { stage } = document.querySelector('.kv').viewer; return [stage.names, [stage.width, stage.height]]; })()"
+        )
+        assert {f"{letter}{i}" for letter in "xz" for i in range(7)} <= {box["name"] for box in boxes}
+        for k, a in enumerate(boxes):
+            assert a["left"] >= 0 and a["top"] >= 0 and a["right"] <= size[0] and a["bottom"] <= size[1]  # noqa: PT018
+            for b in boxes[:k]:
+                apart = (
+                    a["left"] >= b["right"]
+                    or b["left"] >= a["right"]
+                    or a["top"] >= b["bottom"]
+                    or b["top"] >= a["bottom"]
+                )
+                assert apart, (a["name"], b["name"])
+
+
+# --- closed chains ---
+
+LINKAGE = four_bar(0.4, 0.1, 0.35, 0.3)
+
+
+def four_bar_viewer():
+    return drive(LINKAGE, LINKAGE.assembly_modes(hold={"A": 1.0})[0], across=("A", "D"))
+
+
+def test_every_body_of_a_linkage_stands_where_the_library_says(show):
+    page = show(four_bar_viewer())
+    bodies = [body for body in LINKAGE.bodies if body != LINKAGE.ground]
+    for curve in page.evaluate("document.querySelector('.kv').viewer.model.get('mode').curves"):
+        for q in curve[::40]:
+            set_q(page, q)
+            expected = LINKAGE.poses(np.array(q))
+            for arm, body in enumerate(bodies):
+                found = page.evaluate(f"document.querySelector('.kv').viewer.stage.tree.pose({arm})")
+                np.testing.assert_allclose(found, expected[body], atol=1e-12)
+
+
+def test_the_driver_runs_along_its_curve_and_a_click_goes_to_the_other(show):
+    viewer = four_bar_viewer()
+    page = show(viewer)
+    curves = viewer.mode["curves"]
+    here = curves[0].index(viewer.q)
+    page.get_by_label("driver").focus()
+    settled(page, lambda: page.keyboard.press("ArrowRight"))
+    assert q_of(page) == curves[0][here + 1]
+    page.get_by_label("Assembly mode").select_option(index=1)
+    assert q_of(page) in curves[1]
+    place = page.locator(".kv-map").bounding_box()
+    rocker = [float(np.mean([q[2] for q in curve])) for curve in curves]
+    share = 0.95 if rocker[0] < rocker[1] else 0.05  # where the first curve lies on the map, from its top
+    settled(
+        page, lambda: page.mouse.click(place["x"] + place["width"] / 2, place["y"] + share * (place["height"] - 30))
+    )
+    assert q_of(page) in curves[0]
+    page.locator(".kv-map").focus()
+    at = curves[0].index(q_of(page))
+    settled(page, lambda: page.keyboard.press("ArrowUp"))
+    assert q_of(page) == curves[0][at + 1]
+
+
+# --- predictions ---
+
+
+def test_the_picture_stays_covered_until_a_prediction_is_committed(show):
+    viewer = explore(kl.robots.rpr(), predict=("Which way?", ["up", "down"]))
+    viewer.message = "It goes down."
+    page = show(viewer, count=0)
+    commit = page.get_by_role("button", name="Commit")
+    commit.wait_for()
+    assert not page.locator(".kv-canvas").is_visible()
+    assert not page.get_by_text("It goes down.").is_visible()
+    assert commit.is_disabled()
+    page.get_by_label("down").check()
+    commit.click()
+    awake(page)
+    assert page.get_by_text("It goes down.").is_visible()
+    assert page.evaluate("document.querySelector('.kv').viewer.model.get('choice')") == 1
+
+
+def test_who_insists_may_look_and_nothing_is_recorded(show):
+    page = show(explore(kl.robots.rpr(), predict=("Which way?", ["up", "down"])), count=0)
+    page.get_by_role("button", name="Show anyway").click()
+    awake(page)
+    assert page.evaluate("document.querySelector('.kv').viewer.model.get('choice')") == -1
+
+
+def test_a_question_elsewhere_on_the_page_lifts_the_cover(show):
+    page = show(explore(kl.robots.rpr(), after=Answered()), count=0)
+    page.get_by_text("Commit to your prediction above first").wait_for()
+    page.evaluate("document.querySelector('[data-kinlib-viewer]').dataset.uncovered = ''")
+    awake(page)
+
+
+class Answered(HasTraits):
+    """Anything with this trait can cover a viewer."""
+
+    committed = Bool(False)
+
+
+# --- what it says when something is not as it should be ---
+
+
+def test_a_configuration_beyond_its_limits_is_shown_with_a_message(show):
+    rpr = kl.robots.rpr()
+    page = show(explore(kl.Chain(rpr.screws, rpr.home, limits=[(-1, 1), (-np.inf, np.inf), (0, np.inf)])))
+    message = page.locator(".kv-message")
+    assert not message.is_visible()
+    set_q(page, [1.5, 0, -0.2])
+    assert "Joint 1 is at 1.500, outside its limits -1 to 1" in message.inner_text()
+    assert "Joint 3 is at -0.200, outside its limits 0 to ∞" in message.inner_text()
+    set_q(page, [1, 9, 0.2])
+    assert not message.is_visible()
+
+
+def test_an_arm_without_any_length_is_shown(show):
+    pivot = kl.Chain(np.array([screw((0, 0, 1)), screw((0, 1, 0)), screw((0, 0, 1))]), np.eye(4), name="wrist")
+    page = show(explore(pivot, show=LAYERS))
+    set_q(page, [0.5, 0.5, 0.5])
+    np.testing.assert_allclose(pose(page), pivot.fk([0.5, 0.5, 0.5]), atol=1e-12)
+    assert np.isfinite(page.evaluate("document.querySelector('.kv').viewer.stage.camera.scale"))
+
+
+def test_what_cannot_be_shown_says_so_on_the_page(show):
+    broken = explore(kl.robots.rpr()).html().replace('"scene":', '"scheme":')
+    page = show(broken, count=0)
+    page.get_by_role("alert").wait_for()
+    assert page.get_by_role("alert").inner_text().startswith("The viewer cannot show this arm: ")
+
+
+def test_without_webgl_it_says_so_and_everything_still_moves(start, tmp_path):
+    with watched(start(webgl=False)) as page:
+        page.goto(static_page(tmp_path, explore(kl.robots.puma560(), start=Q, ghost=np.zeros(6))).as_uri())
+        awake(page)
+        assert "WebGL is not available" in page.locator(".kv-message").inner_text()
+        before = shown_pixels(page)
+        sliders(page).first.focus()
+        settled(page, lambda: page.keyboard.press("PageUp"))
+        assert shown_pixels(page) != before
+        np.testing.assert_allclose(pose(page), kl.robots.puma560().fk(q_of(page)), atol=1e-12)
+
+
+# --- the page around it ---
+
+
+def test_eighteen_viewers_share_what_a_browser_can_give(show):
+    page = show(*[explore(kl.robots.rpr()) for _ in range(18)], count=1)
+    for which in range(18):
+        page.locator("[data-kinlib-viewer]").nth(which).scroll_into_view_if_needed()
+        awake(page, which + 1)
+    contexts = page.evaluate("globalThis[Symbol.for('kinlib.renderers')].length")
+    assert contexts == 1
+    colours = page.evaluate(
+        """[...document.querySelectorAll('.kv-canvas')].map((canvas) => {
+            const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+            return new Set(new Uint32Array(data.buffer)).size; })"""
+    )
+    assert min(colours) > 100  # no picture is blank
+
+
+def test_a_lost_context_is_made_anew(show):
+    page = show(explore(kl.robots.rpr()))
+    before = shown_pixels(page)
+    page.evaluate("globalThis[Symbol.for('kinlib.renderers')][0]()")
+    settled(page, lambda: page.evaluate("document.querySelector('.kv').viewer.stage.draw()"))
+    assert shown_pixels(page) == before
+
+
+def test_a_page_without_a_viewer_fetches_no_viewer(browser, tmp_path):
+    with watched(browser) as page:
+        asked = []
+        page.on("request", lambda request: asked.append(request.url))
+        page.goto(static_page(tmp_path, "<p>Nothing moves here.</p>").as_uri())
+        page.wait_for_load_state("networkidle")
+        assert not [url for url in asked if "viewer.js" in url]
+
+
+@pytest.mark.parametrize("style", ["background:white", "background:#111418"])
+def test_all_text_stands_out_from_its_paper(show, style):
+    """Contrast by WCAG 2, at least 4.5, for text on the page and names in the picture, light and dark."""
+    page = show(explore(kl.robots.puma560(), show=["axes", "base", "tool", "normals"]), style=style)
+    page.evaluate("document.querySelector('.kv').viewer.model.set('message', 'A word of warning.')")
+    pairs = texts(page)
+    theme = page.evaluate("document.querySelector('.kv').viewer.stage.theme")
+    named = ["ink", "quiet", "axis", "normal", "x", "y", "z", "trail"]
+    pairs += [[name, theme[name], theme["paper"]] for name in named]
+    faint = {text: contrast(ink, paper) for text, ink, paper in pairs if contrast(ink, paper) < 4.5}
+    assert not faint
+
+
+def test_it_follows_the_page_from_light_to_dark(show):
+    page = show(explore(kl.robots.rpr()))
+    assert page.locator(".kv").get_attribute("data-theme") == "light"
+    settled(page, lambda: page.evaluate("document.body.style.background = '#111'"))
+    assert page.locator(".kv").get_attribute("data-theme") == "dark"
+
+
+def test_nothing_is_cut_off_on_a_narrow_page(show):
+    page = show(explore(kl.robots.puma560(), start=Q), viewport={"width": 400, "height": 900})
+    assert not cut_off(page)
+    assert page.evaluate("document.documentElement.scrollWidth") <= 400
+
+
+def test_every_control_has_a_name_keeps_its_keys_and_shows_the_focus(show):
+    page = show(explore(kl.robots.youbot()))
+    controls = page.locator(".kv :is(button, input, select, canvas)")
+    for k in range(controls.count()):
+        control = controls.nth(k)
+        assert control.get_attribute("data-lm-suppress-shortcuts") == "true"
+        assert control.evaluate("node => (node.getAttribute('aria-label') || node.textContent).trim().length") > 1
+    page.keyboard.press("Tab")
+    for _ in range(controls.count()):
+        outline = page.evaluate("getComputedStyle(document.activeElement).outlineStyle")
+        assert outline == "solid", page.evaluate("document.activeElement.outerHTML")
+        page.keyboard.press("Tab")
+
+
+def test_a_screen_reader_hears_the_arm_and_where_its_tool_is(show):
+    page = show(explore(kl.robots.youbot()))
+    sliders(page).nth(2).focus()
+    page.keyboard.press("PageUp")
+    page.locator(".kv-spoken", has_text="The tool is at (").wait_for(state="attached")
+    label = page.locator(".kv-canvas").get_attribute("aria-label")
+    assert "youBot, 5 joints (RRRRR)" in label
+    assert "q = (0.00, 0.00, 0.17, 0.00, 0.00)" in label
+    assert sliders(page).nth(2).get_attribute("aria-valuetext") == "0.17 radians, 10 degrees"
+
+
+# --- how much it takes ---
+
+
+def ten_joints():
+    """An arm of ten joints of every direction, with links between."""
+    X, Y, Z = np.eye(3)
+    axes = [Z, Y, X, Y, Z, X, Z, Y, X, Y]
+    screws = np.array([screw(axis, (0.1 * i, 0, 0.3 + 0.05 * i)) for i, axis in enumerate(axes)])
+    home = np.eye(4)
+    home[:3, 3] = 1.1, 0, 0.8
+    return kl.Chain(screws, home, name="ten joints")
+
+
+def test_ten_joints_with_everything_shown_need_at_most_200_draw_calls(show):
+    page = show(explore(ten_joints(), show=LAYERS, ghost=np.full(10, 0.2)))
+    settled(page, lambda: set_q(page, np.full(10, 0.1)))
+    assert 20 < page.evaluate("document.querySelector('.kv').viewer.stage.calls") <= 200
+
+
+def test_a_thousand_updates_leave_the_heap_flat(show):
+    page = show(explore(kl.robots.puma560(), show=LAYERS))
+    devtools = page.context.new_cdp_session(page)
+
+    def heap_after_updates():
+        page.evaluate(
+            """async () => { const { model, stage } = document.querySelector('.kv').viewer;
+                for (let k = 0; k < 1000; k += 1) {
+                    model.set('q', [0, 1, 2, 3, 4, 5].map((joint) => Math.sin(k / 50 + joint)));
+                    if (k % 100 === 0) stage.paint();
+                } }"""
+        )
+        devtools.send("HeapProfiler.collectGarbage")
+        return devtools.send("Runtime.getHeapUsage")["usedSize"]
+
+    heap_after_updates()  # the trail is full, and the functions are compiled
+    first, second = heap_after_updates(), heap_after_updates()
+    assert second - first < 200_000, "bytes that 1000 updates left behind"
+
+
+# --- in JupyterLab ---
+
+FIRST = """
+import kinlib as kl
+from kinlib.view import explore
+changes = []
+arm = explore(kl.robots.youbot())
+arm.observe(lambda change: changes.append(change.new), 'q')
+arm"""
+CELLS = [
+    FIRST.strip(),
+    "arm.q = [0.1, 0.2, 0.3, 0.4, 0.5]",
+    "print('heard', len(changes), 'last', [round(x, 3) for x in arm.q])",
+]
+
+
+@pytest.fixture(scope="module")
+def lab(browser, tmp_path_factory):
+    """A notebook with a viewer, open in JupyterLab, its first cell run."""
+    folder = tmp_path_factory.mktemp("lab")
+    cells = [nbformat.v4.new_code_cell(source) for source in CELLS]
+    with jupyterlab(folder) as address, watched(browser, viewport={"width": 1000, "height": 900}) as page:
+        open_notebook(page, address, folder, cells)
+        run_cell(page, 0)
+        page.wait_for_selector(".kv-canvas[data-pictures]", timeout=60_000)
+        yield page
+
+
+def printed(page, cell):
+    page.locator(".jp-CodeCell").nth(cell).locator(".jp-OutputArea-output").wait_for()
+    return page.locator(".jp-CodeCell").nth(cell).locator(".jp-OutputArea-output").inner_text().strip()
+
+
+def test_in_the_lab_python_and_the_page_lead_each_other_and_nothing_echoes(lab):
+    page = lab
+    page.evaluate(
+        """window.heard = 0; document.querySelector('.kv').viewer.model.on('change:q', () => { window.heard += 1; })"""
+    )
+    settled(page, lambda: run_cell(page, 1))
+    q = [0.1, 0.2, 0.3, 0.4, 0.5]
+    np.testing.assert_allclose(pose(page), kl.robots.youbot().fk(q), atol=1e-12)
+    sliders(page).nth(1).focus()
+    for _ in range(5):  # the lab takes the arrow keys for itself, unless the slider keeps them
+        settled(page, lambda: page.keyboard.press("ArrowRight"))
+    page.wait_for_timeout(500)  # whatever would come back has come
+    assert page.evaluate("window.heard") == 6
+    run_cell(page, 2)
+    # A page sends no value while the kernel still works on the one before: then two steps arrive as one, the last.
+    heard, _, last = printed(page, 2).removeprefix("heard ").partition(" last ")
+    assert 2 <= int(heard) <= 6
+    assert last == str([0.1, round(0.2 + 5 * DEGREE, 3), 0.3, 0.4, 0.5])
+
+
+def test_in_the_lab_the_viewer_follows_its_theme(lab):
+    page = lab
+    assert page.locator(".kv").get_attribute("data-theme") == "light"
+    page.get_by_role("menuitem", name="Settings").click()
+    page.get_by_text("Theme", exact=True).hover()
+    settled(page, lambda: page.get_by_text("JupyterLab Dark", exact=True).click())
+    dark = "document.querySelectorAll('.kv[data-theme=dark]').length === 1"
+    page.wait_for_function(dark, timeout=SECONDS)
+    page.evaluate("document.querySelector('.kv').dataset.theme = 'old'")
+    run_cell(page, 0)  # a viewer that is made while the lab is dark
+    page.wait_for_function(dark, timeout=SECONDS)

@@ -1,0 +1,138 @@
+"""DH tables as answers: every legal table is right, and a wrong one is told what is wrong with it."""
+
+import numpy as np
+import pytest
+
+import kinlib as kl
+from kincourse.answers.dh_table import LONGEST, Table
+from kinlib import DHTable
+from misstep.answers.base import Unreadable
+from misstep.judge import judge
+from misstep.problem import Problem
+
+ROWS = [[0.3, 0.7, 0.2, 0], [0.25, -1.1, 0.35, 0.5], [0.4, 0.9, 0.15, 0]]
+RIGHT = DHTable(ROWS, convention="standard")
+
+
+def judged(given, **options):
+    return judge(Problem("Give the table.", Table(RIGHT, **options), []), given)
+
+
+def changed(*entries):
+    rows = np.array(ROWS)
+    for row, column, value in entries:
+        rows[row, column] = value
+    return rows.tolist()
+
+
+def test_numbers_dictionaries_and_text_are_read():
+    text = "a|alpha|d|theta\n0.3|0.7|0.2|q1\n0.25|-1.1|0.35|q2+0.5\n0.4|0.9|0.15|q3"
+    named = [dict(zip(("a", "alpha", "d", "theta"), row, strict=True)) for row in ROWS]
+    for row, number in zip(named, (1, 2, 3), strict=True):
+        row["theta"] = f"q{number} + {row['theta']}"
+    assert [judged(given).state for given in (ROWS, text, named, RIGHT)] == ["right"] * 4
+
+
+def test_a_flipped_x_and_another_zero_are_right():
+    flipped = changed((0, 0, -0.3), (0, 1, -0.7), (0, 3, np.pi), (1, 3, 0.5 - np.pi))
+    assert judged(flipped).state == "right"
+    assert judged(changed((1, 3, 2.0))).state == "right"
+
+
+def test_where_the_zero_counts_another_zero_is_wrong_and_told():
+    judgement = judged(changed((1, 3, 1.5)), anchored=True)
+    assert judgement.state == "wrong"
+    assert judgement.findings[0].message.startswith(
+        "Your table moves like the arm, from another start. Joint 2 has its zero"
+    )
+
+
+def test_three_decimals_are_enough():
+    right = DHTable(np.array(ROWS) * np.sqrt(2) / 2, convention="standard")
+    printed = right.rows.round(3).tolist()
+    for anchored in (False, True):
+        assert judge(Problem("", Table(right, anchored=anchored), []), printed).state == "right"
+    elsewhere = judge(Problem("", Table(right, anchored=True), []), [printed[0], [*printed[1][:3], 1.0], printed[2]])
+    assert elsewhere.findings[0].message.startswith("Your table moves like the arm, from another start.")
+
+
+def test_where_all_counts_the_frames_at_the_ends_are_those_of_the_problem():
+    ends = RIGHT.changed(base=kl.exp([0, 0, 1, 1, 0, 0]), tool=kl.exp([0, 1, 0, 0, 0, 2]))
+    assert judge(Problem("", Table(ends, anchored=True), []), ROWS).state == "right"
+    assert judge(Problem("", Table(ends, anchored=True), []), RIGHT).state == "wrong"
+
+
+def test_where_all_counts_a_joint_that_counts_the_other_way_is_wrong():
+    """At half a turn both signs give the same pose, so that one posture is not enough."""
+    text = "a|alpha|d|theta\n0.3|0.7|0.2|-q1\n0.25|-1.1|0.35|q2+0.5\n0.4|0.9|0.15|q3"
+    assert judged(text).state == "right"
+    assert judged(text, anchored=True).state == "wrong"
+
+
+def test_a_slide_is_known_from_the_problem_or_from_what_is_typed():
+    sliding = DHTable(ROWS, convention="standard", joints="RPR")
+    named = [
+        {"a": 0.3, "alpha": 0.7, "d": 0.2, "theta": "q1"},
+        {"a": 0.25, "alpha": -1.1, "d": "q2+0.35", "theta": 0.5},
+        {"a": 0.4, "alpha": 0.9, "d": 0.15, "theta": "q3"},
+    ]
+    for given in (ROWS, named, [named[0], named[1], named[2]]):
+        assert judge(Problem("", Table(sliding), []), given).state == "right"
+    for given in (named, DHTable(named, convention="standard")):
+        message = judged(given).findings[0].message
+        assert message == "Its joints are RPR; those of the arm are RRR. Which column holds the variable?"
+
+
+def test_lengths_with_names_are_known():
+    text = "a|alpha|d|theta\nl1|0.7|0.2|q1\n0.25|-1.1|0.35|q2+0.5\n0.4|0.9|0.15|q3"
+    assert judged(text, lengths={"l1": 0.3}).state == "right"
+    assert "Give lengths={'l1': ...}" in judged(text).findings[0].message
+
+
+def test_a_text_is_read_up_to_a_length():
+    text = "a|alpha|d|theta\n0.3|0.7|0.2|q1\n0.25|-1.1|0.35|q2+0.5\n0.4|0.9|0.15|q3"
+    assert judged(text.ljust(LONGEST)).state == "right"
+    with pytest.raises(Unreadable, match="too long"):
+        Table(RIGHT).read(text.ljust(LONGEST + 1))
+
+
+def test_an_arm_of_another_number_of_joints_is_another_arm():
+    assert Table(RIGHT).agrees(RIGHT, DHTable(ROWS[:2], convention="standard")) == [False]
+
+
+def test_two_mistakes_in_one_table_are_not_sought():
+    """It takes seconds, and a student waits: what differs first is told at once."""
+    message = judged(changed((0, 0, 0.2), (0, 2, 0.3), (1, 1, 1.1))).findings[0].message
+    assert message == "Axes 1 and 2 are 0.2 m apart in your table, and 0.3 m in the arm."
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        (changed((1, 1, 1.1)), "Row 2: alpha has the wrong sign."),
+        (changed((1, 0, 0.35), (1, 2, 0.25)), "Row 2: a and d are exchanged"),
+        (changed((1, 2, 0.9)), "All but one entry can stand: look again at d in row 2."),
+        (DHTable(ROWS, convention="modified"), "The table is in the standard convention, and was read as modified."),
+        (DHTable(ROWS, convention="standard", joints="RPR"), "Which column holds the variable?"),
+        (changed((0, 1, 0.1), (1, 0, 9.0), (1, 2, 5.0)), "Axes 1 and 2 make an angle"),
+    ],
+)
+def test_a_wrong_table_is_told_what_is_wrong(given, words):
+    assert words in judged(given).findings[0].message
+
+
+UNREADABLE = {
+    "another number of joints": ("a|alpha|d|theta\n0|0|0|q1", r"; your table has 1 joints \(R\)\.$"),
+    "no head": ("nonsense", r"\. A table as text needs a head and at least one row"),
+    "two columns": ([[1, 2]], r"\. rows should have shape \(\.\.\., 4\); got \(1, 2\)"),
+    "a long text": ("x" * 100_000, r"; got str 'x+\.\.\.x+', which is too long\.$"),
+    "many rows": ([[0.1, 0.2, 0.3, 0.4]] * 13, r"; got list \[.*\], which is too long\.$"),
+    "a number": (7, r"\. Got int 7\.$"),
+}
+
+
+@pytest.mark.parametrize(("given", "words"), UNREADABLE.values(), ids=UNREADABLE)
+def test_what_is_no_table_of_this_arm_is_unreadable(given, words):
+    expected = r"^Expected a DH table in the standard convention with 3 joints \(RRR\): text with .* for what moves"
+    with pytest.raises(Unreadable, match=f"(?s){expected}{words}"):
+        Table(RIGHT).read(given)

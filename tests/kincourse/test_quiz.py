@@ -1,0 +1,68 @@
+"""Quiz time: arms without end, every right table accepted, every wrong one told why."""
+
+import pytest
+
+from kincourse import quiz
+from kincourse.quiz import EMPTY, question
+from kinlib import DHTable, assign_frames
+
+
+def as_text(table):
+    """A table as a person would type it."""
+    lines = ["a | alpha | d | theta"]
+    for number, (letter, (a, alpha, d, theta)) in enumerate(zip(table.joints, table.rows, strict=True), start=1):
+        moves = (
+            (f"{d:.12g}", f"q{number} + {theta:.12g}") if letter == "R" else (f"q{number} + {d:.12g}", f"{theta:.12g}")
+        )
+        lines.append(" | ".join([f"{a:.12g}", f"{alpha:.12g}", *moves]))
+    return "\n".join(lines)
+
+
+@pytest.mark.parametrize("convention", ["standard", "modified"])
+def test_a_hundred_arms_each_take_their_own_table_and_its_other_form(convention):
+    for number in range(100):
+        right = question(f"seed {number}", convention).answer
+        for table in (right.value, right.value.converted("standard").converted(convention)):
+            assert all(right.agrees(right.read(as_text(table)), right.value))
+
+
+def test_typing_checking_and_going_on():
+    game = quiz("standard", seed="test")
+    first = game._paper.value
+    typed = as_text(game.problem.answer.value)
+    assert game.check(typed).state == "right"
+    assert game.check(typed).state == "right"
+    assert (game.right, game.asked) == (1, 1)
+    assert "1 right of 1" in game._reply.value
+    game.another()
+    assert game.asked == 2
+    assert game._paper.value != first
+    assert game._typed.value == EMPTY
+
+
+def test_an_empty_table_is_a_friendly_blank():
+    assert quiz("standard", seed="test").check(EMPTY).state == "blank"
+
+
+def test_the_other_convention_is_recognised():
+    game = quiz("standard", seed="test 5")
+    arm = game.problem.answer.value.to_chain()
+    other = assign_frames(arm, convention="modified").table
+    judgement = game.check(DHTable(other.rows, convention="standard", joints=other.joints))
+    assert judgement.mistakes == ["other convention"]
+    assert "in the other convention" in game._reply.value
+
+
+def test_the_same_seed_draws_the_same_arms():
+    assert quiz("standard", seed="x").problem.statement == quiz("standard", seed="x").problem.statement
+    assert quiz("standard").problem.statement != quiz("standard").problem.statement
+
+
+def test_it_shows_itself_in_a_terminal_too():
+    bundle = quiz("modified", seed="x")._repr_mimebundle_()
+    assert bundle["text/plain"].startswith("A quiz on DH tables in the modified convention.")
+
+
+def test_another_convention_is_refused():
+    with pytest.raises(ValueError, match="convention should be"):
+        quiz("craig")

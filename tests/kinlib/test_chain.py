@@ -1,0 +1,519 @@
+"""Chains: three forms that agree, 40 digits, Modern Robotics and Pinocchio; batches, Jacobians, and what is refused."""
+
+import time
+from functools import reduce
+
+import modern_robotics as mr
+import mpmath_oracle
+import numpy as np
+import pinocchio_oracle
+import pytest
+import pytransform3d.transformations as pt
+import sympy
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from strategies import ROBOTS, configurations, moved_chains, points, poses, screws
+
+from kinlib import Chain, adjoint, exp, inverse, robots
+from kinlib.arrays.batching import CHUNK
+from kinlib.chains.chain import largest_difference, random_configurations
+from kinlib.rigid import screw
+from kinlib.rigid.screw import is_prismatic
+
+EXACT = 1e-13
+each_robot = pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
+
+
+def close(got, expected, atol=EXACT):
+    np.testing.assert_allclose(got, expected, rtol=0, atol=atol)
+
+
+def allowed(chain, q):
+    """1e-13 for an arm of up to 10 m, and in proportion beyond: an error in an angle grows with the arm that it turns."""
+    shifts = np.linalg.norm(chain.screws[:, 3:], axis=-1) * (1 + np.abs(q)).max()
+    return EXACT * max(1, (shifts.sum() + np.linalg.norm(chain.home[:3, 3])) / 10)
+
+
+# --- where the tool is ---
+
+
+@each_robot
+def test_all_forms_agree_to_1e_13_on_every_robot(robot):
+    q = configurations(robot, 200)
+    T = robot.fk(q)
+    close(robot.fk_body(q), T)
+    close(robot.fk_body(q), robot.fk_mid(q, 0), atol=0)
+    for k in range(robot.n + 1):
+        close(robot.fk_mid(q, k), T)
+
+
+@given(moved_chains())
+def test_all_forms_agree_on_any_chain(drawn):
+    chain, q = drawn
+    T = chain.fk(q)
+    close(chain.fk_body(q), T, allowed(chain, q))
+    for k in range(chain.n + 1):
+        close(chain.fk_mid(q, k), T, allowed(chain, q))
+
+
+@pytest.mark.oracle("mpmath", Chain.fk)
+@each_robot
+def test_fk_is_the_product_of_exponentials_to_40_digits(robot):
+    for q in configurations(robot, 3):
+        close(robot.fk(q), mpmath_oracle.fk(robot, q))
+
+
+@settings(max_examples=25)
+@given(moved_chains())
+def test_fk_is_the_product_of_exponentials_on_any_chain(drawn):
+    chain, q = drawn
+    close(chain.fk(q), mpmath_oracle.fk(chain, q), allowed(chain, q))
+
+
+@each_robot
+def test_at_zero_every_form_is_the_home_pose(robot):
+    zero = np.zeros(robot.n)
+    for T in (robot.fk(zero), robot.fk_body(zero), robot.fk_mid(zero, robot.n // 2)):
+        close(T, robot.home, atol=1e-15)
+
+
+@pytest.mark.oracle("modern_robotics", Chain.fk, Chain.fk_body)
+@each_robot
+def test_fk_agrees_with_modern_robotics(robot):
+    for q in configurations(robot, 5):
+        close(robot.fk(q), mr.FKinSpace(robot.home, robot.screws.T, q), atol=1e-12)
+        close(robot.fk_body(q), mr.FKinBody(robot.home, robot.body_screws.T, q), atol=1e-12)
+
+
+@pytest.mark.oracle("pinocchio", Chain.fk, Chain.body_jacobian)
+@each_robot
+def test_fk_and_body_jacobian_agree_with_pinocchio(robot):
+    pin = pytest.importorskip("pinocchio", reason="no pinocchio here (the wheel `pin` does not exist for Windows)")
+    model = pinocchio_oracle.pinocchio_model(robot)
+    q = configurations(robot, 20)
+    close(robot.fk(q), pinocchio_oracle.pinocchio_loop(model, q))
+    close(robot.fk(q), pinocchio_oracle.pinocchio_loop_by_joint(model, q))
+    for row in q:
+        J = pin.computeFrameJacobian(model, model.createData(), row, model.getFrameId("tool"))
+        close(robot.body_jacobian(row), np.roll(J, 3, axis=0))  # pinocchio stacks (v, omega)
+
+
+@pytest.mark.oracle("pinocchio", Chain.fk)
+@given(moved_chains())
+def test_fk_agrees_with_pinocchio_on_any_chain(drawn):
+    pytest.importorskip("pinocchio", reason="no pinocchio here (the wheel `pin` does not exist for Windows)")
+    chain, q = drawn
+    close(
+        chain.fk(q),
+        pinocchio_oracle.pinocchio_loop(pinocchio_oracle.pinocchio_model(chain), q[None])[0],
+        allowed(chain, q),
+    )
+
+
+@given(moved_chains(), poses())
+def test_moving_the_base_frame_moves_the_answer(drawn, T):
+    """Read from another fixed frame, the same arm has screws Ad_T S and home T M, and everything it does is moved by T."""
+    chain, q = drawn
+    moved = Chain(chain.screws @ adjoint(T).T, T @ chain.home)
+    close(moved.fk(q), T @ chain.fk(q), allowed(moved, q))
+    close(moved.body_screws, chain.body_screws)
+
+
+@pytest.mark.oracle("modern_robotics", Chain.body_screws)
+@each_robot
+def test_body_screws_are_the_adjoint_of_the_inverse_home(robot):
+    close(robot.body_screws, [mr.Adjoint(mr.TransInv(robot.home)) @ S for S in robot.screws])
+
+
+def test_an_axis_printed_with_nine_digits_does_not_split_the_forms():
+    """Its length strays by 1e-9. Were it not brought back to 1, the forms would differ by that much."""
+    chain = Chain([[0.577350269, 0.577350269, 0.577350269, 0, 0, 0], [0.6, 0, 0.8, 0, 3, 0]], np.eye(4))
+    close(chain.fk([1, 2]), chain.fk_body([1, 2]))
+
+
+@pytest.mark.oracle("mpmath", Chain.fk_mid)
+@settings(max_examples=25)
+@given(moved_chains(), st.data())
+def test_the_mid_form_is_the_product_to_40_digits_wherever_the_home_stands(drawn, data):
+    chain, q = drawn
+    k = data.draw(st.integers(0, chain.n))
+    close(chain.fk_mid(q, k), mpmath_oracle.fk(chain, q), allowed(chain, q))
+
+
+@pytest.mark.oracle("modern_robotics", Chain)
+@given(st.lists(screws(), min_size=1, max_size=6), poses(), st.data())
+def test_a_chain_keeps_the_axes_and_the_home_that_it_is_given(axes, home, data):
+    q = data.draw(st.lists(st.floats(-3, 3), min_size=len(axes), max_size=len(axes)))
+    expected = mr.FKinSpace(home, np.transpose(axes), np.where(np.abs(q) < 1e-5, 0, q))
+    close(Chain(axes, home).fk(np.where(np.abs(q) < 1e-5, 0, q)), expected, atol=1e-12)
+
+
+@pytest.mark.oracle("pinocchio", Chain.n, Chain.letters)
+@each_robot
+def test_joints_are_counted_and_named_as_pinocchio_does(robot):
+    model = pinocchio_oracle.pinocchio_model(robot)
+    kinds = [joint.shortname().removeprefix("JointModel")[0] for joint in list(model.joints)[1:]]
+    assert ("".join(kinds), model.nv) == (robot.letters, robot.n)
+
+
+@pytest.mark.oracle("pytransform3d", Chain.lines)
+@given(moved_chains())
+def test_the_lines_of_the_axes_are_those_of_pytransform3d(drawn):
+    chain, _ = drawn
+    points, axes, pitches = zip(*map(pt.screw_parameters_from_screw_axis, chain.screws), strict=True)
+    for got, expected in zip(chain.lines, (axes, points, pitches), strict=True):
+        close(got, expected)
+
+
+# --- where the links are ---
+
+
+@given(moved_chains())
+def test_link_poses_are_the_partial_products(drawn):
+    chain, q = drawn
+    links = chain.link_poses(q)
+    factors = exp(chain.screws * q[:, None])
+    for i in range(chain.n):
+        start = np.eye(4)
+        start[:3, 3] = chain.joint_points[i]
+        close(links[i], reduce(np.matmul, factors[: i + 1]) @ start, allowed(chain, q))
+
+
+@pytest.mark.oracle("pinocchio", Chain.link_poses)
+@given(moved_chains())
+def test_links_stand_where_pinocchio_has_its_joints(drawn):
+    """Pinocchio's joint frames start at the points nearest the origin, ours at joint_points: both are parallel to {s}."""
+    pin = pytest.importorskip("pinocchio", reason="no pinocchio here (the wheel `pin` does not exist for Windows)")
+    chain, q = drawn
+    model = pinocchio_oracle.pinocchio_model(chain)
+    data = model.createData()
+    pin.forwardKinematics(model, data, q)
+    for S, point, link, placed in zip(
+        chain.screws, chain.joint_points, chain.link_poses(q), list(data.oMi)[1:], strict=True
+    ):
+        start = np.cross(S[:3], S[3:])
+        close(link, (placed * pin.SE3(np.eye(3), point - start)).homogeneous, allowed(chain, q))
+
+
+@pytest.mark.oracle("sympy", Chain.joint_points)
+@each_robot
+def test_joint_points_are_feet_of_perpendiculars_as_sympy_s_geometry_draws_them(robot):
+    before = sympy.Point3D(0, 0, 0)
+    bare = Chain(robot.screws, robot.home)
+    for S, found in zip(robot.screws, bare.joint_points, strict=True):
+        if S[:3].any():
+            exact_S = sympy.Matrix([sympy.Rational(float(x)) for x in S])
+            on_axis = sympy.Point3D(*exact_S[:3, 0].cross(exact_S[3:, 0]))
+            before = sympy.Line3D(on_axis, direction_ratio=list(exact_S[:3])).projection(before)
+        close(found, np.array(before.evalf(30).args, dtype=float))
+
+
+@each_robot
+def test_links_start_at_their_joints_and_the_last_one_carries_the_tool(robot):
+    home = robot.link_poses(np.zeros(robot.n))
+    close(home[:, :3, :3], np.broadcast_to(np.eye(3), (robot.n, 3, 3)), atol=1e-15)
+    close(home[:, :3, 3], robot.joint_points, atol=1e-15)
+    q = configurations(robot, 10)
+    close(robot.link_poses(q)[:, -1] @ inverse(home[-1]) @ robot.home, robot.fk(q))
+
+
+@given(moved_chains())
+def test_joint_points_lie_on_their_axes(drawn):
+    chain, _ = drawn
+    omega, v = chain.screws[:, :3], chain.screws[:, 3:]
+    pitch = np.sum(omega * v, axis=-1, keepdims=True)
+    moment = np.cross(chain.joint_points, omega) + pitch * omega
+    turns = ~is_prismatic(chain.screws)
+    close(moment[turns], v[turns])
+
+
+def test_a_joint_point_that_is_not_given_is_the_one_nearest_the_joint_before():
+    Z, X = (0, 0, 1), (1, 0, 0)
+    chain = Chain([screw(Z, (1, 0, 5)), screw(X, (0, 2, 3)), screw(X, pitch=np.inf), screw(Z, (4, 4, 9))], np.eye(4))
+    assert chain.joint_points.tolist() == [[1, 0, 0], [1, 2, 3], [1, 2, 3], [4, 4, 3]]
+
+
+def test_joint_points_that_are_given_are_kept():
+    chain = Chain([screw((0, 0, 1), (1, 0, 5))], np.eye(4), points=[[1, 0, 7]])
+    assert chain.joint_points.tolist() == [[1, 0, 7]]
+
+
+# --- how the tool moves ---
+
+
+@pytest.mark.oracle("mpmath", Chain.jacobian)
+@each_robot
+def test_the_jacobian_is_the_derivative_to_40_digits(robot):
+    q = configurations(robot, 1)[0]
+    close(robot.jacobian(q), mpmath_oracle.jacobian(robot, q))
+
+
+@pytest.mark.oracle("modern_robotics", Chain.jacobian, Chain.body_jacobian)
+@given(moved_chains())
+def test_jacobians_agree_with_modern_robotics(drawn):
+    chain, q = drawn
+    q = np.where(np.abs(q) < 1e-5, 0, q)  # modern_robotics takes turns below 1e-6 for none
+    close(chain.jacobian(q), mr.JacobianSpace(chain.screws.T, q), allowed(chain, q))
+    close(chain.body_jacobian(q), mr.JacobianBody(chain.body_screws.T, q), allowed(chain, q))
+
+
+@given(moved_chains())
+def test_the_body_jacobian_is_the_space_jacobian_read_in_the_tool_frame(drawn):
+    chain, q = drawn
+    close(adjoint(chain.fk(q)) @ chain.body_jacobian(q), chain.jacobian(q), allowed(chain, q))
+
+
+@each_robot
+def test_at_home_the_jacobians_are_the_screws(robot):
+    close(robot.jacobian(np.zeros(robot.n)), robot.screws.T, atol=1e-14)
+    close(robot.body_jacobian(np.zeros(robot.n)), robot.body_screws.T, atol=1e-14)
+
+
+# --- many configurations at once ---
+
+
+@pytest.mark.parametrize("shape", [(), (0,), (1,), (5,), (2, 3), (2, 0, 3)])
+@pytest.mark.parametrize("method", ["fk", "fk_body", "link_poses", "jacobian", "body_jacobian"])
+def test_a_batch_is_its_configurations_one_at_a_time(method, shape):
+    for robot in (robots.rprr(), robots.hrr()):
+        q = np.random.default_rng(1).uniform(-3, 3, (*shape, robot.n))
+        f = getattr(robot, method)
+        batch = f(q)
+        assert batch.shape == (*shape, *f(np.zeros(robot.n)).shape)
+        for index in np.ndindex(shape):
+            close(batch[index], f(q[index]), atol=1e-14)
+
+
+def test_long_batches_are_whole_where_the_chunks_meet():
+    """More rows than one chunk, and not a multiple of it; fk_body and the 'one row' of the others know no chunks."""
+    robot = robots.puma560()
+    q = configurations(robot, 2 * CHUNK + 3)
+    close(robot.fk(q), robot.fk_body(q))
+    for i in (0, CHUNK - 1, CHUNK, 2 * CHUNK, -1):
+        close(robot.link_poses(q)[i], robot.link_poses(q[i]), atol=1e-14)
+        close(robot.jacobian(q)[i], robot.jacobian(q[i]), atol=1e-14)
+
+
+def test_the_layout_of_the_joint_values_in_memory_does_not_matter():
+    robot = robots.youbot()
+    q = configurations(robot, 12)
+    for view in (np.asfortranarray(q), q[::-1], q[::3], np.repeat(q, 2, axis=1)[:, ::2]):
+        close(robot.fk(view), [robot.fk(row) for row in view.tolist()], atol=1e-14)
+
+
+def test_a_batch_is_one_computation_and_not_a_loop():
+    """At least 4 times faster than a loop over single configurations; it is 15 times, and a busy machine may take its share."""
+    robot = robots.puma560()
+    q = configurations(robot, 2000)
+    together = min(_seconds(lambda: robot.fk(q)) for _ in range(5))
+    one_by_one = min(_seconds(lambda: [robot.fk(row) for row in q[:200]]) for _ in range(3)) * 10
+    assert one_by_one > 4 * together
+
+
+def _seconds(work):
+    start = time.perf_counter()
+    work()
+    return time.perf_counter() - start
+
+
+# --- a chain stays what it is ---
+
+
+@pytest.mark.parametrize("name", ["screws", "home", "points", "body_screws", "joint_points"])
+def test_the_arrays_of_a_chain_cannot_be_written_to(name):
+    for chain in (robots.rpr(), Chain(robots.rpr().screws, np.eye(4), robots.rpr().points)):
+        with pytest.raises(ValueError, match="read-only"):
+            getattr(chain, name)[0, 0] = 7
+    with pytest.raises(AttributeError):
+        setattr(chain, name, np.eye(4))
+
+
+def test_joint_points_that_were_chosen_cannot_be_written_to():
+    with pytest.raises(ValueError, match="read-only"):
+        Chain(robots.rpr().screws, np.eye(4)).joint_points[0, 0] = 7
+
+
+def test_a_chain_keeps_no_thread_to_the_arrays_it_was_made_from():
+    screws, home, at = robots.rpr().screws.copy(), robots.rpr().home.copy(), robots.rpr().points.copy()
+    chain = Chain(screws, home, at)
+    before = chain.fk([1, 2, 3])
+    for array in (screws, home, at):
+        array[:] = 0
+    assert (chain.screws != 0).any()
+    close(chain.fk([1, 2, 3]), before, atol=0)
+
+
+def test_a_pose_that_was_returned_is_the_callers_own():
+    robot = robots.rpr()
+    robot.fk(np.zeros(3))[:] = 7
+    robot.jacobian(np.zeros(3))[:] = 7
+    robot.fk_mid(np.zeros(3), 0)[:] = 7
+    close(robot.fk(np.zeros(3)), robot.home, atol=1e-15)
+    close(robot.fk_body(np.zeros(3)), robot.home, atol=1e-15)
+
+
+def test_letters_name_the_joints():
+    chain = Chain([screw((0, 0, 1)), screw((0, 0, 1), pitch=np.inf), screw((0, 0, 1), pitch=-0.1)], np.eye(4))
+    assert (chain.letters, chain.n) == ("RPH", 3)
+
+
+# --- what is refused ---
+
+SCREWS = robots.youbot().screws
+
+
+@pytest.mark.parametrize(
+    ("screws", "message"),
+    [
+        (SCREWS.T, r"screws should have shape \(\.\.\., 6\); got \(6, 5\).*try screws\.T"),
+        (robots.puma560().screws.T, r"Screws stand in rows, and yours stand in columns: try screws\.T"),
+        (SCREWS[0], r"screws should have shape \(n, 6\), one row a joint; got \(6,\)"),
+        (np.zeros((0, 6)), r"screws should have shape \(n, 6\), one row a joint; got \(0, 6\)"),
+        (SCREWS[None], r"screws should have shape \(n, 6\), one row a joint; got \(1, 5, 6\)"),
+        (SCREWS * 2, r"In screws\[0\] the length of omega is 2\. Divide the direction by its norm"),
+        ([[0] * 6], r"In screws\[0\] the length of v .* is 0\. A slide needs a direction"),
+        ([[0, 0, 1, 0, np.nan, 0]], r"screws holds NaN or infinity at index \[0, 4\]"),
+        ([[0, 0, sympy.Symbol("w"), 0, 0, 0]], r"screws should be an array of real numbers; got list \[\[0, 0, w"),
+        (None, "screws should be an array of real numbers; got NoneType None"),
+        (["S1", "S2"], "screws should be an array of real numbers; got list"),
+        ([SCREWS[0], SCREWS[1][:3]], "a row of another length"),
+    ],
+)
+def test_screws_that_are_none_are_refused(screws, message):
+    with pytest.raises(ValueError, match=message):
+        Chain(screws, np.eye(4))
+
+
+@pytest.mark.parametrize(
+    ("home", "message"),
+    [
+        (np.eye(3), r"home should be a pose \(\.\.\., 4, 4\); got a rotation"),
+        (np.diag([1, 1, -1, 1]), "home is a reflection"),
+        (robots.youbot().home.T, r"home is not a pose: its last row .*got \[0\.5405 0\. .*Try the transpose"),
+        (np.diag([2, 2, 2, 1]), r"home is not rigid: R\^T R differs from the identity by 3"),
+        (np.stack([np.eye(4)] * 5), r"home should be one pose, \(4, 4\); got \(5, 4, 4\)"),
+        (np.full((4, 4), np.nan), r"home holds NaN or infinity at index \[0, 0\]"),
+        (None, "home should be an array of real numbers; got NoneType"),
+    ],
+)
+def test_a_home_that_is_no_pose_is_refused(home, message):
+    with pytest.raises(ValueError, match=message):
+        Chain(SCREWS, home)
+
+
+@pytest.mark.parametrize("method", ["fk", "fk_body", "link_poses", "jacobian", "body_jacobian"])
+@pytest.mark.parametrize(
+    ("q", "message"),
+    [
+        ([1, 2, 3, 4], r"youBot has 5 joints \(RRRRR\), so q should have shape \(\.\.\., 5\); got \(4,\)"),
+        ([1, 2, 3, 4, 5, 6], r"got \(6,\)\. Each joint has a value of its own"),
+        (0.5, r"so q should have shape \(\.\.\., 5\); got \(\)"),
+        (np.zeros((5, 100)), r"got \(5, 100\)\. Joints stand in the last dimension: try q\.T"),
+        ([0, 0, np.nan, 0, 0], r"q holds NaN or infinity at index \[2\]"),
+        ([0, 0, np.inf, 0, 0], r"q holds NaN or infinity at index \[2\]"),
+        ([0, 0, 1j, 0, 0], "q should be an array of real numbers; got list"),
+        (["0"] * 5, "q should be an array of real numbers; got list"),
+        (sympy.symbols("q1:6"), r"q should be an array of real numbers; got tuple \(q1, q2, q3, q4, q5\).*symbol"),
+        (None, "q should be an array of real numbers; got NoneType None"),
+        ([[0] * 5, [0] * 4], "a row of another length"),
+        ([0, 0, 1e9, 0, 0], r"A turn of 1e\+09 rad has no direction left"),
+    ],
+)
+def test_joint_values_that_are_none_are_refused_by_every_method(method, q, message):
+    with pytest.raises(ValueError, match=message):
+        getattr(robots.youbot(), method)(q)
+
+
+def test_a_long_slide_is_no_long_turn():
+    close(robots.rpr().fk([0, 1e9, 0])[:3, 3], [0, 0, 1e9 + 1], atol=1e-6)
+
+
+@pytest.mark.parametrize("k", [-1, 6, 1.5, "2", None])
+def test_a_k_outside_0_to_n_is_refused(k):
+    with pytest.raises(ValueError, match=r"k counts the joints to the left of M, 0 to 5; got "):
+        robots.youbot().fk_mid(np.zeros(5), k)
+
+
+@pytest.mark.parametrize(
+    ("at", "message"),
+    [
+        ([[0, 0, 0], [0, 0, 0]], r"The point of joint 2 lies 1 m off its axis\. .*another joint, or is v = w x q\?"),
+        ([[0, 0, 0]], r"points should have one row a joint, \(2, 3\); got \(1, 3\)"),
+        (np.zeros((3, 2)), r"points should have shape \(\.\.\., 3\); got \(3, 2\).*try points\.T"),
+        ([[0, 0, 0], [np.nan, 0, 0]], "points holds NaN"),
+    ],
+)
+def test_points_off_their_axes_are_refused(at, message):
+    with pytest.raises(ValueError, match=message):
+        Chain([screw((0, 0, 1)), screw((0, 0, 1), (1, 0, 0))], np.eye(4), points=at)
+
+
+def test_a_joint_that_slides_may_be_drawn_anywhere_and_excuses_no_other_joint():
+    screws = [screw((0, 0, 1), pitch=np.inf), screw((0, 0, 1))]
+    assert Chain(screws, np.eye(4), points=[[7, 8, 9], [0, 0, 1]]).joint_points.tolist() == [[7, 8, 9], [0, 0, 1]]
+    with pytest.raises(ValueError, match=r"The point of joint 2 lies 1 m off its axis"):
+        Chain(screws, np.eye(4), points=[[7, 8, 9], [1, 0, 0]])
+
+
+@pytest.mark.parametrize(("height", "most"), [(0, 1e-9), (1000, 1e-6)])
+def test_a_point_may_be_off_its_axis_by_a_nanometre_and_by_one_more_for_each_metre_that_it_is_away(height, most):
+    near, far = [[0.5 * most, 0, height]], [[1.5 * most, 0, height]]
+    assert Chain([screw((0, 0, 1))], np.eye(4), points=near).points.tolist() == near
+    with pytest.raises(ValueError, match=rf"The point of joint 1 lies {far[0][0]:.3g} m off its axis"):
+        Chain([screw((0, 0, 1))], np.eye(4), points=far)
+
+
+@given(points(1000.0))
+def test_any_point_of_the_axis_serves(point):
+    """However far out: the tolerance grows with the distance, as the rounding does."""
+    axis = np.array([2.0, -1.0, 2.0]) / 3
+    Chain([screw(axis, point)], np.eye(4), points=[point + 500 * axis])
+
+
+def test_v_with_the_wrong_sign_is_found_by_its_point():
+    """v = w x q instead of -w x q, the commonest slip: the axis is mirrored, and the point is not on it."""
+    q, w = np.array([1.0, 0, 0]), np.array([0, 0, 1.0])
+    with pytest.raises(ValueError, match=r"lies 2 m off its axis.*is v = w x q\?"):
+        Chain([[*w, *np.cross(w, q)]], np.eye(4), points=[q])
+
+
+@pytest.mark.parametrize(
+    ("told", "message"),
+    [
+        ({"limits": np.zeros((2, 3))}, r"one row \(least, greatest\) a joint, \(3, 2\); got \(2, 3\)"),
+        ({"limits": [[-1, 1], [1, -1], [0, 1]]}, r"limits of joint 2 .*got \[1.0, -1.0\]. Are they exchanged\?"),
+        ({"limits": [[-1, 1], [0, 1], [np.nan, 1]]}, "limits of joint 3"),
+        ({"limits": [["low", "high"]] * 3}, "^limits should be an array of real numbers; got list"),
+        ({"joint_names": ("shoulder", "elbow")}, "3 names, one a joint; got 2"),
+    ],
+)
+def test_limits_and_names_are_checked(told, message):
+    robot = robots.rpr()
+    with pytest.raises(ValueError, match=message):
+        Chain(robot.screws, robot.home, **told)
+
+
+def test_a_joint_may_be_limited_to_one_value():
+    limits = [[-1, 1], [0.5, 0.5], [0, 0]]
+    assert Chain(robots.rpr().screws, np.eye(4), limits=limits).limits.tolist() == limits
+
+
+def test_a_joint_may_be_limited_on_one_side_only():
+    robot = robots.rpr()
+    limits = [[-np.inf, np.inf], [0, np.inf], [-1, 1]]
+    np.testing.assert_array_equal(Chain(robot.screws, robot.home, limits=limits).limits, limits)
+
+
+# --- how descriptions of an arm are compared ---
+
+
+@pytest.mark.oracle("numpy", random_configurations)
+def test_configurations_are_drawn_from_minus_pi_to_pi_and_the_same_every_time():
+    expected = np.random.default_rng(0).uniform(-np.pi, np.pi, (5, 3))
+    close(random_configurations(3, 5), expected, atol=0)
+
+
+@pytest.mark.oracle("text: written out in the test", largest_difference)
+def test_the_largest_difference_is_that_of_one_entry_of_one_pose():
+    poses = np.stack([np.eye(4), exp([0, 0, 0, 1, 2, 3]), exp([0, 0, 0, 0, -5, 0])])
+    close(largest_difference(poses, np.eye(4)), 5)

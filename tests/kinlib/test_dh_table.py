@@ -1,0 +1,675 @@
+"""DH tables: against the Robotics Toolbox, against the decks' print, and through both conventions without loss."""
+
+import dataclasses
+import json
+
+import numpy as np
+import pytest
+import sympy
+from hypothesis import given
+from hypothesis import strategies as st
+
+import kinlib as kl
+from kinlib import DHTable, dh_transform, robots
+from kinlib.dh.parsing import read_rows
+from kinlib.dh.table import convention_of, joint_step, normal_step
+
+EXACT = 1e-12
+
+YOUBOT = r"""
+    Link | θ | d | a | ψ
+    1 | q_1 | 0.147 | 0.0330 | \frac{\pi}{2}
+    2 | q_2 | 0 | 0.1550 | 0
+    3 | q_3 | 0 | 0.1350 | 0
+    4 | q_4 + \frac{\pi}{2} | 0 | 0 | \frac{\pi}{2}
+    5 | q_5 | 0.2175 | 0 | 0
+"""
+N5 = """
+      | α_{i-1} (deg) | a_{i-1} | d_i | θ_i (deg)
+    1 | 0 | 0 | 0 | q_1
+    2 | -90 | 0 | q_2 | -90
+    3 | -90 | l_2 | 0 | q_3
+    4 | 90 | 0 | 0 | q_4
+    5 | 0 | -l_4 | l_5 | 0
+"""
+PUMA = """
+    i  α_{i-1}  a_{i-1}  d_i  θ_i
+    1  0        0        0    θ_1
+    2  -90°     0        0    θ_2
+    3  0        a_2      d_3  θ_3
+    4  -90°     a_3      d_4  θ_4
+    5  90°      0        0    θ_5
+    6  -90°     0        0    θ_6
+"""
+LECTURE_7 = """
+    i  α_{i-1}  a_{i-1}  d_i  θ_i
+    1  0        0        0    θ_1
+    2  90°      a_1      d_2  0
+    3  -90°     0        0    θ_3
+"""
+PRINTED = {
+    "youBot": (DHTable(YOUBOT, convention="standard"), robots.youbot()),
+    "n = 5": (DHTable(N5, convention="modified", lengths={"l_2": 0.5, "l_4": 0.2, "l_5": 0.3}), robots.rprr()),
+    "PUMA 560": (
+        DHTable(PUMA, convention="modified", lengths={"a_2": 0.4318, "a_3": 0.0203, "d_3": 0.15005, "d_4": 0.4318}),
+        robots.puma560(),
+    ),
+    "Lecture 7": (DHTable(LECTURE_7, convention="modified", lengths={"a_1": 0.4}), robots.rpr_lecture7()),
+}
+each_printed = pytest.mark.parametrize(("table", "arm"), PRINTED.values(), ids=PRINTED)
+
+
+def close(got, expected, atol=EXACT):
+    np.testing.assert_allclose(got, expected, rtol=0, atol=atol)
+
+
+def values(n, count=50, seed=0):
+    return np.random.default_rng(seed).uniform(-3, 3, (count, n))
+
+
+@st.composite
+def tables(draw, kinds="RPF"):
+    """Any table of 1 to 7 rows, with joints of both kinds, fixed rows, a base and a tool."""
+    m = draw(st.integers(1, 7))
+    number = st.floats(-2, 2, allow_subnormal=False)
+    joints = "R" + draw(st.text(kinds, min_size=m - 1, max_size=m - 1))
+    pose = st.builds(kl.exp, st.lists(number, min_size=6, max_size=6))
+    rows = draw(st.lists(st.lists(number, min_size=4, max_size=4), min_size=m, max_size=m))
+    convention = draw(st.sampled_from(["standard", "modified"]))
+    return DHTable(rows, convention=convention, joints=joints, base=draw(pose), tool=draw(pose))
+
+
+def sums():
+    """Entries as people type them: fractions, pi and a length, added up; every angle within a turn."""
+    numbers = st.sampled_from(["0.3", "-1/3", "0", "2.5e-3", "pi/4", "-pi/2", "3*pi/8", "l_2", "-l_2/2", "(1 - l_2)"])
+    return st.lists(numbers, min_size=1, max_size=3).map(" + ".join)
+
+
+# --- against what we did not write ---
+
+
+@each_printed
+def test_the_printed_table_is_the_arm_of_its_document(table, arm):
+    q = values(arm.n)
+    close(table.fk(q), arm.fk(q))
+    close(table.to_chain().screws, arm.screws)
+
+
+@pytest.mark.oracle("roboticstoolbox", dh_transform)
+@pytest.mark.parametrize("convention", ["standard", "modified"])
+def test_a_row_is_the_robotics_toolbox_s_row(convention):
+    rtb = pytest.importorskip("roboticstoolbox")
+    link = rtb.RevoluteDH if convention == "standard" else rtb.RevoluteMDH
+    for a, alpha, d, theta in np.random.default_rng(1).uniform(-3, 3, (30, 4)):
+        expected = link(a=a, alpha=alpha, d=d).A(theta).A
+        close(dh_transform(a, alpha, d, theta, convention=convention), expected)
+
+
+@pytest.mark.oracle("roboticstoolbox", joint_step, normal_step)
+def test_the_two_halves_of_a_row_are_rows_of_the_robotics_toolbox():
+    rtb = pytest.importorskip("roboticstoolbox")
+    for a, alpha, d, theta in np.random.default_rng(2).uniform(-3, 3, (30, 4)):
+        close(joint_step(d, theta), rtb.RevoluteDH(d=d).A(theta).A)
+        close(normal_step(a, alpha), rtb.RevoluteDH(a=a, alpha=alpha).A(0).A)
+
+
+@pytest.mark.oracle("roboticstoolbox", DHTable.fk)
+def test_puma_560_by_the_robotics_toolbox():
+    rtb = pytest.importorskip("roboticstoolbox")
+    table, _ = PRINTED["PUMA 560"]
+    links = [rtb.RevoluteMDH(a=a, alpha=alpha, d=d) for a, alpha, d, _ in table.rows]
+    q = values(6)
+    close(table.fk(q), rtb.DHRobot(links).fkine(q).A)
+
+
+def as_rtb(table, convention):
+    """The same rows in roboticstoolbox's hands, which knows no fixed ones; base and tool as its SE3."""
+    rtb = pytest.importorskip("roboticstoolbox")
+    turn, slide = (rtb.RevoluteDH, rtb.PrismaticDH) if convention == "standard" else (rtb.RevoluteMDH, rtb.PrismaticMDH)
+    links = [
+        turn(a=a, alpha=alpha, d=d, offset=theta) if letter == "R" else slide(a=a, alpha=alpha, theta=theta, offset=d)
+        for letter, (a, alpha, d, theta) in zip(table.joints, table.rows, strict=True)
+    ]
+    from spatialmath import SE3
+
+    return rtb.DHRobot(links, base=SE3(table.base, check=False), tool=SE3(table.tool, check=False))
+
+
+@pytest.mark.oracle("roboticstoolbox", DHTable, DHTable.fk, DHTable.n, DHTable.link_transforms)
+@given(tables("RP"))
+def test_any_table_moves_as_the_robotics_toolbox_s(table):
+    q = values(table.n, 3)
+    rows = [dict(zip(("a", "alpha", "d", "theta"), map(repr, row), strict=True)) for row in table.rows.tolist()]
+    typed = [
+        row | {name: f"{row[name]} + q"}
+        for row, name in zip(rows, map({"R": "theta", "P": "d"}.get, table.joints), strict=True)
+    ]
+    ours = DHTable(typed, convention=table.convention, base=table.base, tool=table.tool)
+    theirs = as_rtb(table, table.convention)
+    assert ours.n == theirs.n
+    for row, links in zip(q, ours.link_transforms(q), strict=True):
+        close(ours.fk(row), theirs.fkine(row).A)
+        close(links, [link.A(value).A for link, value in zip(theirs.links, row, strict=True)])
+
+
+@pytest.mark.oracle("roboticstoolbox", DHTable.converted, DHTable.changed)
+@given(tables("RP"))
+def test_a_table_in_the_other_convention_is_the_same_arm_to_the_robotics_toolbox(table):
+    other = "modified" if table.convention == "standard" else "standard"
+    one, two = as_rtb(table, table.convention), as_rtb(table.converted(other), other)
+    named = as_rtb(table.changed(name="same"), table.convention)
+    for row in values(table.n, 3):
+        close(two.fkine(row).A, one.fkine(row).A)
+        close(named.fkine(row).A, one.fkine(row).A, atol=0)
+
+
+@pytest.mark.oracle("roboticstoolbox", DHTable.to_chain)
+@given(tables("RP"))
+def test_the_axes_of_a_table_are_the_twists_of_the_robotics_toolbox(table):
+    """It writes (v, omega), and its twists and its last frame know of no base and no tool."""
+    table = table.changed(base=np.eye(4))
+    twists, last = as_rtb(table, table.convention).twists()
+    chain = table.to_chain()
+    close(chain.home, last.A @ table.tool)
+    close(chain.screws, np.roll(np.reshape(twists.A, (-1, 6)), 3, axis=1))
+
+
+@pytest.mark.oracle("sympy", read_rows, DHTable.columns)
+@given(st.tuples(*[sums()] * 4))
+def test_an_entry_is_what_sympy_makes_of_it(entries):
+    """Any sum of numbers, fractions, pi and a length; the coefficient of q is the joint's sign."""
+    text = dict(zip(("a", "alpha", "d", "theta"), entries, strict=True))
+    q = sympy.Symbol("q1")
+    exact = {name: sympy.sympify(entry).subs("l_2", sympy.Rational(1, 4)) for name, entry in text.items()}
+    read = read_rows([text | {"theta": f"{text['theta']} - q1"}], lengths={"l_2": 0.25})
+    close(read.numbers[0], [float(value.evalf(30)) for value in exact.values()], atol=1e-13)
+    assert read.signs.tolist() == [float(sympy.diff(exact["theta"] - q, q))]
+    table = DHTable(read.numbers, convention="standard")
+    close([table.columns[name][0] for name in exact], [float(value.evalf(30)) for value in exact.values()], atol=1e-13)
+
+
+def test_the_general_matrix_of_each_deck_is_the_product_of_its_four_motions():
+    a, alpha, d, theta = 0.3, 0.5, -0.4, 0.7
+    turn_x, turn_z = kl.exp([alpha, 0, 0, 0, 0, 0]), kl.exp([0, 0, theta, 0, 0, 0])
+    slide_x, slide_z = kl.exp([0, 0, 0, a, 0, 0]), kl.exp([0, 0, 0, 0, 0, d])
+    close(dh_transform(a, alpha, d, theta, convention="standard"), turn_z @ slide_z @ slide_x @ turn_x)
+    close(dh_transform(a, alpha, d, theta, convention="modified"), turn_x @ slide_x @ turn_z @ slide_z)
+
+
+@pytest.mark.oracle("printed: deck Example with n = 5", DHTable.link_transforms)
+def test_the_link_transforms_of_deck_n_5_come_out_as_printed_and_one_as_it_should_be():
+    table, _ = PRINTED["n = 5"]
+    q1, q2, q3, q4 = q = np.array([0.4, 0.7, -1.1, 2.0])
+    (c1, s1), (c3, s3), (c4, s4) = ((np.cos(x), np.sin(x)) for x in (q1, q3, q4))
+    printed = [
+        [[c1, -s1, 0, 0], [s1, c1, 0, 0], [0, 0, 1, 0]],
+        [[0, 1, 0, 0], [0, 0, 1, q2], [1, 0, 1, 0]],
+        [[c3, -s3, 0, 0.5], [0, 0, 1, 0], [-s3, -c3, 0, 0]],
+        [[c4, -s4, 0, 0], [0, 0, -1, 0], [s4, c4, 0, 0]],
+        [[1, 0, 0, -0.2], [0, 1, 0, 0], [0, 0, 1, 0.3]],
+    ]
+    wrong = np.argwhere(np.abs(table.link_transforms(q)[:, :3] - printed) > EXACT)
+    assert wrong.tolist() == [[1, 2, 2]]  # 1T2, third row: [1 0 0 0], where [1 0 1 0] is printed
+    assert abs(table.link_transforms(q)[1, 2, 2]) < EXACT
+
+
+@pytest.mark.oracle("printed: Lecture 7", dh_transform)
+def test_one_of_lecture_7_s_two_general_matrices_has_two_entries_exchanged():
+    """The first prints row 2 as (c s_alpha, c c_alpha, ...) and row 3 as (s s_alpha, s c_alpha, ...): no rotation at all."""
+    alpha, theta = 0.5, 0.7
+    ca, sa, c, s = np.cos(alpha), np.sin(alpha), np.cos(theta), np.sin(theta)
+    printed = np.array([[c, -s, 0], [c * sa, c * ca, -sa], [s * sa, s * ca, ca]])
+    right = dh_transform(0, alpha, 0, theta, convention="modified")[:3, :3]
+    assert np.abs(printed.T @ printed - np.eye(3)).max() > 0.1
+    assert np.argwhere(np.abs(printed - right) > EXACT).tolist() == [[1, 0], [2, 1]]
+
+
+# --- both conventions are one product ---
+
+
+@given(tables())
+def test_a_table_survives_the_other_convention_and_back(table):
+    q = values(table.n, 5)
+    other = "modified" if table.convention == "standard" else "standard"
+    there = table.converted(other)
+    assert there.convention == other
+    close(there.fk(q), table.fk(q))
+    close(there.converted(table.convention).fk(q), table.fk(q))
+
+
+@given(tables())
+def test_a_table_is_its_chain_of_screws(table):
+    q = values(table.n, 5)
+    close(table.to_chain().fk(q), table.fk(q))
+    close(table.to_chain().fk_body(q), table.fk(q))
+
+
+@pytest.mark.parametrize("convention", ["standard", "modified"])
+def test_the_chain_of_a_table_has_its_name_and_its_joints_where_the_frames_stand(convention):
+    rows = [[0.4, 0.1, 0.2, 0.3], [0.3, 0.7, 0.1, -0.4]]
+    table = DHTable(rows, convention=convention, base=kl.exp([0, 0, 1, 1, 2, 3]), name="elbow")
+    frames = [table.base]
+    for link in table.link_transforms([0, 0]):
+        frames.append(frames[-1] @ link)
+    chain = table.to_chain()
+    assert chain.name == "elbow"
+    close(chain.joint_points, [frame[:3, 3] for frame in (frames[:2] if convention == "standard" else frames[1:])])
+
+
+def test_the_columns_are_told_by_name():
+    columns = DHTable(
+        "a|alpha|d|theta\nl1|0.7|0.2|q1\n0.25|1.1|q2|0.5", convention="standard", lengths={"l1": 4}
+    ).columns
+    assert {name: values.tolist() for name, values in columns.items()} == {
+        "a": [4, 0.25],
+        "alpha": [0.7, 1.1],
+        "d": [0.2, 0],
+        "theta": [0, 0.5],
+    }
+
+
+@given(tables())
+def test_fk_is_the_product_of_the_links(table):
+    q = values(table.n, 1)[0]
+    T = table.base
+    for link in table.link_transforms(q):
+        T = T @ link
+    close(table.fk(q), T @ table.tool)
+
+
+def test_any_shape_of_joint_values_is_one_computation():
+    table, _ = PRINTED["youBot"]
+    q = values(5, 6).reshape(2, 3, 5)
+    assert table.fk(q).shape == (2, 3, 4, 4)
+    close(table.fk(q)[1, 2], table.fk(q[1, 2]))
+    assert table.link_transforms(np.zeros((0, 5))).shape == (0, 5, 4, 4)
+
+
+def test_converting_to_the_convention_it_has_changes_nothing():
+    table, _ = PRINTED["youBot"]
+    assert table.converted("standard") is table
+
+
+def test_a_joint_may_turn_the_other_way():
+    table = DHTable("a | alpha | d | theta\n 1 | 0 | 0 | pi/2 - q1", convention="standard")
+    close(table.fk([np.pi / 2])[:3, 3], [1, 0, 0])
+    close(table.converted("modified").fk([0.3]), table.fk([0.3]))
+    close(table.to_chain().fk([0.3]), table.fk([0.3]))
+
+
+# --- as people type them ---
+
+
+def test_text_dictionaries_and_numbers_are_the_same_table():
+    text = DHTable("a | alpha | d | theta\n 0.4 | pi/2 | 0.1 | q1 + 0.2", convention="standard")
+    mapped = DHTable([{"theta": "q1 + 0.2", "d": 0.1, "a": 0.4, "alpha": "pi/2"}], convention="standard")
+    numbers = DHTable([[0.4, np.pi / 2, 0.1, 0.2]], convention="standard")
+    for other in (mapped, numbers):
+        close(other.rows, text.rows, 1e-15)
+        assert other.joints == text.joints == "R"
+
+
+@pytest.mark.parametrize(
+    ("entry", "number"),
+    [
+        ("-90°", -np.pi / 2),
+        ("90 deg", np.pi / 2),
+        ("−π/2", -np.pi / 2),
+        ("3*pi/4", 3 * np.pi / 4),
+        (r"-\frac{\pi}{2}", -np.pi / 2),
+        (r"$\frac{\pi}{4}$", np.pi / 4),
+        ("0.5", 0.5),
+        ("+1e-3", 1e-3),
+    ],
+)
+def test_an_angle_may_be_typed_in_any_of_these_ways(entry, number):
+    close(DHTable(f"a | alpha | d | theta\n 0 | {entry} | 0 | q1", convention="standard").rows[0, 1], number, 1e-15)
+
+
+@pytest.mark.parametrize(
+    ("entry", "constant", "sign"),
+    [
+        *[
+            (entry, 0.0, 1)
+            for entry in ("q", "q1", "q_1", "θ1", "θ_1", "theta_1", r"$\theta_{1}$", "+q1", "1*q1", "q1*1", "q1/1")
+        ],
+        *[(entry, 0.0, -1) for entry in ("-q1", "−θ_1", "-1*q1", "q1*-1", "q1/-1")],
+        *[(entry, 0.5, 1) for entry in ("q1 + 0.5", "0.5 + q1", "q1 - -0.5", "-(-q1 - 0.5)", "(2*q1 + 1)/2")],
+        *[(entry, 0.5, -1) for entry in ("0.5 - q1", "-q1 + 0.5", "-(q1 - 0.5)")],
+        *[(entry, -0.5, 1) for entry in ("q1 - 0.5", "-0.5 + q1", "q1 - 1 + 0.5", "q1 + 0.5 - 1")],
+    ],
+)
+def test_a_joint_variable_is_found_wherever_it_stands_in_an_entry(entry, constant, sign):
+    for column, joint in (("theta", "R"), ("d", "P")):
+        row = {"a": 0, "alpha": 0, "d": 0, "theta": 0, column: entry}
+        table = DHTable([row], convention="standard")
+        assert (table.joints, table.rows[0, ("d", "theta").index(column) + 2]) == (joint, constant)
+        assert table.signs.tolist() == [sign]
+
+
+@pytest.mark.parametrize(
+    ("entry", "constant", "sign"),
+    [("d_1", 0, 1), ("d1 + 0.5", 0.5, 1), ("0.5 + d_1", 0.5, 1), ("-(d_1 - 0.5)", 0.5, -1)],
+)
+def test_d_with_a_number_is_what_moves_in_its_own_column_and_an_unknown_length_elsewhere(entry, constant, sign):
+    table = DHTable([{"a": 0, "alpha": 0, "d": entry, "theta": 0}], convention="standard")
+    assert (table.joints, table.rows[0, 2], table.signs[0]) == ("P", constant, sign)
+    with pytest.raises(ValueError, match=r"Row 1, theta: .*lengths=\{'d_?1': \.\.\.\}"):
+        DHTable([{"a": 0, "alpha": 0, "d": 0, "theta": entry}], convention="standard")
+
+
+@pytest.mark.parametrize("name", ["l", "X1", "Lambda", "pitch", "copied", "q_max", "PI"])
+@pytest.mark.parametrize("head", ["a | alpha | d | theta (deg)", "a  alpha  d  theta (deg)"])
+def test_a_length_or_an_angle_may_have_any_name(head, name):
+    """It may begin with a letter that means something elsewhere, or have pi in it: an angle in degrees stays one."""
+    bar = " | " if "|" in head else "  "
+    text = "\n".join([head, bar.join([name, "0", "q1", name])])
+    table = DHTable(text, convention="standard", lengths={name: 0.25})
+    close(table.rows, [[0.25, 0, 0, np.radians(0.25)]], 1e-15)
+
+
+def test_the_largest_numbers_and_texts_that_are_read_are_those_that_the_messages_name():
+    close(
+        DHTable([[1e12, 4 * np.pi, -1e12, -4 * np.pi]], convention="standard").rows[0, [1, 3]], [4 * np.pi, -4 * np.pi]
+    )
+    entry = "0.5".ljust(200, "0")
+    table = DHTable(f"a|alpha|d|theta\n{entry}|0|0|q1".ljust(100_000), convention="standard")
+    assert table.rows.tolist() == [[0.5, 0, 0, 0]]
+
+
+def test_a_row_without_a_variable_has_no_joint_and_a_column_of_another_name_is_not_read():
+    text = "joint | kind | a | alpha | d | theta\nA | turns | 0 | 0 | 0 | -q1\nB | none | 0.4 | 0 | 0.1 | 0"
+    table = DHTable(text, convention="standard")
+    assert (table.joints, table.n, table.signs.tolist()) == ("RF", 1, [-1, 1])
+    assert table.rows.tolist() == [[0, 0, 0, 0], [0.4, 0, 0.1, 0]]
+
+
+TWO_ROWS = {
+    "bars": "a | alpha | d | theta\n0.4 | 0 | 0.1 | q1\n0.3 | pi/2 | q2 | 0.2",
+    "bars all round": "|a|alpha|d|theta|\n|---|:-:|--:|---|\n|0.4|0|0.1|q1|\n|0.3|pi/2|q2|0.2|",
+    "bars round the head": "|a|alpha|d|theta|\n0.4|0|0.1|q1\n0.3|pi/2|q2|0.2",
+    "blanks": "a alpha d theta\n0.4 0 0.1 q1\n0.3 pi/2 q2 0.2",
+    "wide blanks": "a  alpha   d    theta\n0.4  0  0.1  q1 + 0\n0.3  pi / 2  q2  0.2",
+    "tabs": "a\talpha\td\ttheta\n0.4\t0\t0.1\tq1 + 0\n0.3\tpi / 2\tq2\t0.2",
+    "a column of numbers": "i | a | alpha | d | theta\n1 | 0.4 | 0 | 0.1 | q1\n2 | 0.3 | pi/2 | q2 | 0.2",
+    "numbers under no head": "a alpha d theta\n1 0.4 0 0.1 q1\n2 0.3 pi/2 q2 0.2",
+    "numbers with a dot": "a alpha d theta\n1. 0.4 0 0.1 q1\n2. 0.3 pi/2 q2 0.2",
+    "Greek, shuffled, with indices": "θ_i | d_i | α_{i-1} [rad] | a_{i-1}\nq1 | 0.1 | 0 | 0.4\n0.2 | q2 | pi/2 | 0.3",
+    "other words": "Link | Angle | Offset | Twist | Length\n1 | q1 | 0.1 | 0 | 0.4\n2 | 0.2 | q2 | pi/2 | 0.3",
+    "degrees": "a | psi (deg) | d | theta\n0.4 | 0 | 0.1 | q1\n0.3 | +90 | q2 | 0.2",
+}
+
+
+@pytest.mark.parametrize("text", TWO_ROWS.values(), ids=TWO_ROWS)
+def test_a_table_may_be_laid_out_in_any_of_these_ways(text):
+    table = DHTable(text, convention="standard")
+    close(table.rows, [[0.4, 0, 0.1, 0], [0.3, np.pi / 2, 0, 0.2]], 1e-15)
+    assert table.joints == "RP"
+
+
+def test_degrees_in_the_head_of_a_column_count_for_its_numbers_and_not_for_its_variables():
+    table = DHTable("a | alpha [°] | d | theta (deg)\n 0 | 90 | 0 | q1\n 0 | pi/2 | q2 | 45", convention="standard")
+    close(table.rows[:, 1], [np.pi / 2, np.pi / 2])
+    close(table.rows[:, 3], [0, np.pi / 4])
+
+
+@pytest.mark.parametrize(
+    ("entry", "degrees"),
+    [("1e1", 10), ("5+5", 10), ("q1 + 10", 10), ("45/9", 5), ("10 - q1", 10), ("-.5", -0.5), ("−5", -5), ("5 °", 5)],
+)
+def test_under_a_head_in_degrees_a_number_is_degrees_however_it_is_written(entry, degrees):
+    table = DHTable(f"a | alpha | d | theta (deg)\n 0 | 0 | 0 | {entry}\n 0 | 0 | 0 | q2", convention="standard")
+    close(table.rows[0, 3], np.radians(degrees), 1e-15)
+
+
+REFUSED = {
+    "degrees": (
+        "a|alpha|d|theta\n0|-90|0|q1",
+        r"Row 1: alpha = -90 rad is more than two full turns\. Is it in degrees\? Then write -90°, or head the column alpha",
+    ),
+    "an angle of two turns and a bit": (
+        [[0, 0, 0, 0], [0, -12.57, 0, 0]],
+        "Row 2: alpha = -12.57 rad is more than two",
+    ),
+    "degrees in row 2": ("a|alpha|d|theta\n0|0|0|q1\n0|0|q2|90", "Row 2: theta = 90 rad is more than two full turns"),
+    "a row too many numbers": ("a|alpha|d|theta\n0|0|0|q1\n3|0|0|0|q2", "Row 2 has 5 entries under 4 heads: '3"),
+    "two variables": ("a|alpha|d|theta\n0|0|q1|q1", "Row 1: the joint variable belongs in theta or in d, once"),
+    "a variable in a": ("a|alpha|d|theta\nq1|0|0|0", "Row 1: the joint variable belongs in theta or in d"),
+    "a variable in alpha": (
+        "a|alpha|d|theta\n0|0|0|q1\n0|q2|0|0",
+        "Row 2: the joint variable belongs in theta or in d, once; it stands in alpha",
+    ),
+    "a gear": ("a|alpha|d|theta\n0|0|0|2*q1", "should stand alone, as q or -q; its factor is 2"),
+    "an unknown length": ("a|alpha|d|theta\n0|0|l7|q1", r"Row 1, d: 'l7'.*lengths=\{'l7': ...\}"),
+    "a row that another number counts": ("a|alpha|d|theta\n1X|3|0|0|q1", "Row 1 has 5 entries under 4 heads: '1X"),
+    "an angle in a length, in letters": ("a|alpha|d|theta\n30 deg|0|0|q1", "a is a length. Are two columns exchanged"),
+    "an angle in a length": ("a|alpha|d|theta\n0|0|30°|q1", "d is a length. Are two columns exchanged"),
+    "code": ("a|alpha|d|theta\n0|0|0|__import__('os')", "Row 1, theta: .* is no number"),
+    "a division by zero": ("a|alpha|d|theta\n0|1/0|0|q1", "Row 1, alpha: '1/0' is no number"),
+    "a product of variables": ("a|alpha|d|theta\n0|0|0|q1*q1", "Row 1, theta: .* is no number"),
+    "a missing column": ("a|alpha|d\n0|0|0", "The head should name the columns a, alpha, d, theta, each once"),
+    "a missing entry": ("a|alpha|d|theta\n0|0|q1", "Row 1 has 3 entries under 4 heads"),
+    "no rows": ("a|alpha|d|theta", "needs a head and at least one row"),
+    "no joint": ("a|alpha|d|theta\n0|0|0|0", "every row here is fixed"),
+    "a row without a column": (
+        [{"a": 0, "d": 0, "theta": "q1"}],
+        r"Row 1 has no alpha\. Each row names all of a, alpha, d, theta",
+    ),
+    "NaN": ([[0, 0, np.nan, 0]], r"rows holds NaN or infinity at index \[0, 2\]"),
+    "a transposed table": (np.zeros((4, 6)), r"rows should have shape \(..., 4\); got \(4, 6\).*rows.T"),
+    "one row": (np.zeros(4), r"should have shape \(m, 4\)"),
+    # What fuzzing found: these came as another error, as infinity, or as a number that nobody had typed
+    "two numbers in one entry": (
+        "a|alpha|d|theta\n1 2|0|0|q1",
+        r"Row 1, a: '1 2' is no number with at most a joint variable\. Try 0\.5, pi/2, q1 \+ pi/2 or -90°\.",
+    ),
+    "a number as in Python": ("a|alpha|d|theta\n1_000|0|0|q1", "Row 1, a: '1_000' is no number"),
+    "a number in sixteens": ("a|alpha|d|theta\n0x10|0|0|q1", "Row 1, a: '0x10' is no number"),
+    "a decimal comma": ("a|alpha|d|theta\n0,4|0|0|q1", "Row 1, a: '0,4' is no number"),
+    "a digit of another script": ("a|alpha|d|theta\n٣|0|0|q1", "Row 1, a: '٣' is no number"),
+    "a variable of another script": ("a|alpha|d|theta\n0|0|0|q٣", "Row 1, theta: 'q٣' is no number"),
+    "a word of Python": ("a|alpha|d|theta\nTrue|0|0|q1", "Row 1, a: 'True' is no number"),
+    "infinity": ("a|alpha|d|theta\n1e400|0|0|q1", "Row 1, a: '1e400' is larger than any number"),
+    "infinity less infinity": ("a|alpha|d|theta\n1e400-1e400|0|0|q1", "Row 1, a: .* is larger than any number"),
+    "a length beyond the planets": ([[1e200, 0, 0, 0]], r"Row 1: a = 1e\+200 m is farther than any arm reaches"),
+    "an offset beyond the planets": (
+        [[0] * 4, [0, 0, -1e13, 0]],
+        r"Row 2: d = -1e\+13 m is farther than any arm reaches",
+    ),
+    "a letter of no file": ("a|alpha|d|theta\n\0|0|0|q1", r"Row 1, a: '\\x00' is no number"),
+    "half a letter in the head": ("a|alpha|d|\ud800\n0|0|0|q1", r"each once; got 'a\|alpha\|d\|\\ud800'"),
+    "a long head": ("a" * 10_000 + "\n0", "each once; got 'a{40}"),
+    "an entry nested without end": (
+        f"a|alpha|d|theta\n{'-' * 5000}1|0|0|q1",
+        r"Row 1, a: '-{20}'\.\.\. has 5001 letters; an entry has at most 200",
+    ),
+    "a word of forty letters": (f"a|alpha|d|theta\n{'a' * 40}!|0|0|q1", "Row 1, a: 'a{40}!' is no number"),
+    "a text without end": ("0 " * 60_000, "at most 100000 letters; this has 120000"),
+    "millimetres": ("a (mm)|alpha|d (mm)|theta\n400|0|0|q1", r"head 'a \(mm\)' says mm, and lengths are metres"),
+    "a length in degrees": ("a (deg)|alpha|d|theta\n0.4|0|0|q1", "Row 1, a: '0.4' is an angle, and a is a length"),
+    "a nameless row among named ones": (
+        [{"a": 0, "alpha": 0, "d": 0, "theta": "q"}, None],
+        "Row 2 has no a; it is NoneType",
+    ),
+    "text among named rows": (["a", {"a": 0, "alpha": 0, "d": 0, "theta": "q"}], "Row 1 has no a; it is str 'a'"),
+    "two numbers for one": (
+        [{"a": [1, 2], "alpha": 0, "d": 0, "theta": "q"}],
+        "Row 1, a should be one number; got list",
+    ),
+    "one number in a list": ([{"a": [1], "alpha": 0, "d": 0, "theta": "q"}], "Row 1, a should be one number; got list"),
+}
+
+
+@pytest.mark.parametrize(("rows", "words"), REFUSED.values(), ids=REFUSED)
+def test_a_table_that_is_none_is_refused_by_row_and_column(rows, words):
+    with pytest.raises(ValueError, match=words):
+        DHTable(rows, convention="standard")
+
+
+def test_a_table_means_nothing_without_its_convention():
+    with pytest.raises(TypeError, match="convention"):
+        DHTable([[0, 0, 0, 0]])
+    with pytest.raises(ValueError, match=r"should be 'standard' or 'modified'; got 'craig'. Where does z_i lie"):
+        DHTable([[0, 0, 0, 0]], convention="craig")
+    with pytest.raises(ValueError, match=r"should be 'standard' or 'modified'; got array\(\[0., 0.\]\)"):
+        DHTable([[0, 0, 0, 0]], convention=np.zeros(2))
+
+
+def test_letters_that_contradict_the_variables_are_refused():
+    with pytest.raises(ValueError, match="joints says P, and the variables in the table say R"):
+        DHTable("a|alpha|d|theta\n0|0|0|q1", convention="standard", joints="P")
+    for letters in ("RR", "X", "r"):
+        with pytest.raises(ValueError, match=f"a letter R, P or F for each of the 1 rows; got '{letters}'"):
+            DHTable([[0, 0, 0, 0]], convention="standard", joints=letters)
+    with pytest.raises(ValueError, match=r"joints should be text, a letter for each row; got list \['R'\]"):
+        DHTable([[0, 0, 0, 0]], convention="standard", joints=["R"])
+
+
+@pytest.mark.parametrize(
+    ("lengths", "words"),
+    [
+        ({"l": np.nan}, r"lengths\['l'\] holds NaN"),
+        ({"l": "0.4"}, r"lengths\['l'\] should be an array of real numbers; got str '0.4'"),
+        ({"l": 10**400}, r"lengths\['l'\] should be"),
+        ({"l": [0.4]}, r"lengths\['l'\] should be one number; got list \[0.4\]"),
+        ({"pi": 3}, "gives pi a value, and pi has one"),
+        (7, r"lengths should be a dictionary such as \{'l2': 0.5\}; got int 7"),
+    ],
+)
+def test_lengths_that_are_none_are_refused(lengths, words):
+    with pytest.raises(ValueError, match=words):
+        DHTable("a|alpha|d|theta\nl|0|0|q1", convention="standard", lengths=lengths)
+
+
+@pytest.mark.parametrize("end", ["base", "tool"])
+def test_a_base_or_a_tool_that_is_no_pose_is_refused(end):
+    with pytest.raises(ValueError, match=f"{end} is not rigid"):
+        DHTable([[0, 0, 0, 0]], convention="standard", **{end: np.diag([2, 1, 1, 1])})
+    with pytest.raises(ValueError, match=rf"{end} should be one pose, \(4, 4\); got \(2, 4, 4\)\."):
+        DHTable([[0, 0, 0, 0]], convention="standard", **{end: np.tile(np.eye(4), (2, 1, 1))})
+
+
+@pytest.mark.parametrize("name", ["a", "alpha", "d", "theta"])
+def test_a_row_s_number_that_is_none_is_refused_by_its_name(name):
+    row = {"a": 0, "alpha": 0, "d": 0, "theta": 0, name: np.nan}
+    with pytest.raises(ValueError, match=f"^{name} holds NaN"):
+        dh_transform(**row, convention="standard")
+
+
+def test_too_few_joint_values_are_refused():
+    with pytest.raises(ValueError, match=r"q should have shape \(..., 5\); got \(4,\)"):
+        PRINTED["youBot"][0].fk(np.zeros(4))
+
+
+def test_a_table_cannot_be_written_to():
+    table = PRINTED["youBot"][0]
+    for array in (table.rows, table.signs, table.base, table.tool):
+        with pytest.raises(ValueError, match="read-only"):
+            array[0] = 1
+
+
+@pytest.mark.oracle("text: written out in the test", convention_of)
+def test_a_convention_has_one_of_two_names():
+    assert [convention_of(name) for name in ("standard", "modified")] == ["standard", "modified"]
+
+
+# --- signs ---
+
+
+def test_signs_are_read_from_the_variables_or_given_with_numbers():
+    typed = DHTable("a | alpha | d | theta\n0.4 | 0 | 0 | 0.5 - q1\n0.3 | 0 | q2 | 0", convention="standard")
+    given = DHTable([[0.4, 0, 0, 0.5], [0.3, 0, 0, 0]], convention="standard", joints="RP", signs=[-1, 1])
+    assert typed.signs.tolist() == given.signs.tolist() == [-1, 1]
+    assert DHTable(given.rows, convention="standard").signs.tolist() == [1, 1]
+    q = np.array([0.3, 0.7])
+    close(typed.fk(q), given.fk(q), atol=0)
+    close(given.fk(q), given.to_chain().fk(q), atol=1e-14)
+
+
+@pytest.mark.parametrize("change", [dataclasses.replace, lambda table, **fields: table.changed(**fields)])
+def test_a_changed_table_keeps_its_signs_unless_they_are_changed(change):
+    table = DHTable("a | alpha | d | theta\nl | 0 | 0 | -q1", convention="standard", lengths={"l": 0.4})
+    assert change(table, convention="modified").signs.tolist() == [-1]
+    assert change(table, rows=[[1, 0, 0, 0]]).signs.tolist() == [-1]
+    assert change(table, signs=[1]).signs.tolist() == [1]
+
+
+@pytest.mark.parametrize(
+    ("rows", "signs", "message"),
+    [
+        ([[0, 0, 0, 0]], [1, 1], r"signs must have an entry 1 or -1 for each of the 1 rows; got list \[1, 1\]"),
+        ([[0, 0, 0, 0]], [0.5], r"signs must have an entry 1 or -1 for each of the 1 rows; got list \[0\.5\]"),
+        ([[0, 0, 0, 0]], [[1]], r"signs must have an entry 1 or -1"),
+        ([[0, 0, 0, 0]], ["+"], "signs should be an array of real numbers"),
+        ([[0, 0, 0, 0]], [np.nan], "signs holds NaN"),
+        ("a|alpha|d|theta\n0|0|0|-q1", [1], r"signs says \[1\], and the variables in the table say \[-1\]\. Leave"),
+    ],
+)
+def test_signs_that_are_none_are_refused(rows, signs, message):
+    with pytest.raises(ValueError, match=message):
+        DHTable(rows, convention="standard", signs=signs)
+
+
+# --- as data ---
+
+
+@pytest.mark.oracle("text: written out in the test", DHTable.to_dict, DHTable.from_dict)
+def test_a_table_is_written_as_plain_data():
+    expected = {
+        "rows": [[0.5, 0.0, 0.0, 0.25], [0.0, 1.5, 2.0, 0.0]],
+        "convention": "modified",
+        "joints": "RP",
+        "signs": [-1, 1],
+        "base": [[1.0, 0.0, 0.0, 1.0], [0.0, 1.0, 0.0, 0.0], [0.0, 0.0, 1.0, 0.0], [0.0, 0.0, 0.0, 1.0]],
+        "tool": np.eye(4).tolist(),
+    }
+    typed = "a | alpha | d | theta\n0.5 | 0 | 0 | 0.25 - q1\n0 | 1.5 | 2 + q2 | 0"
+    table = DHTable(typed, convention="modified", base=kl.exp([0, 0, 0, 1, 0, 0]))
+    assert table.to_dict() == expected
+    read = DHTable.from_dict(expected)
+    for name in ("rows", "signs", "base", "tool"):
+        np.testing.assert_allclose(getattr(read, name), expected[name], rtol=0, atol=0)
+    assert (read.convention, read.joints) == ("modified", "RP")
+
+
+@given(tables(), st.data())
+def test_a_table_survives_json(table, data):
+    table = table.changed(
+        signs=data.draw(st.lists(st.sampled_from([1, -1]), min_size=len(table.rows), max_size=len(table.rows)))
+    )
+    back = DHTable.from_dict(json.loads(json.dumps(table.to_dict())))
+    assert back.to_dict() == table.to_dict()
+    q = np.linspace(-1, 1, table.n)
+    np.testing.assert_array_equal(back.fk(q), table.fk(q))
+
+
+DATA = DHTable([[0.5, 0, 0, 0]], convention="standard").to_dict()
+
+
+@pytest.mark.parametrize(
+    ("data", "message"),
+    [
+        (7, r"^A table as data must be a dictionary with the keys rows, convention, joints, .*; got int 7\.$"),
+        ({}, r"must be a dictionary with the keys .*; got \[\]\.$"),
+        ({**DATA, "name": "arm"}, "must be a dictionary with the keys .*'name'"),
+        ({**DATA, "rows": "a | alpha"}, "rows must be a list of rows of numbers; got str"),
+        ({**DATA, "rows": [["0.5", 0, 0, 0]]}, "rows must be a list of rows of numbers; got list"),
+        ({**DATA, "rows": [[True, 0, 0, 0]]}, "rows must be a list of rows of numbers"),
+        ({**DATA, "rows": [{"a": 1}]}, "rows must be a list of rows of numbers"),
+        ({**DATA, "rows": [[0.5, 0, 0]]}, r"rows should have shape \(\.\.\., 4\); got \(1, 3\)"),
+        ({**DATA, "rows": [[np.nan, 0, 0, 0]]}, "rows holds NaN"),
+        ({**DATA, "rows": [[10**400, 0, 0, 0]]}, "rows"),
+        ({**DATA, "convention": "other"}, "convention should be 'standard' or 'modified'"),
+        ({**DATA, "joints": ["R"]}, "joints must be text, a letter for each row; got list"),
+        ({**DATA, "joints": "X"}, "joints should have a letter R, P or F"),
+        ({**DATA, "signs": "1"}, "signs must be a list of 1 and -1, one for each row; got str"),
+        ({**DATA, "signs": []}, "signs must be a list of 1 and -1"),
+        ({**DATA, "signs": [True]}, "signs must be a list of 1 and -1"),
+        ({**DATA, "signs": [2]}, "signs must have an entry 1 or -1"),
+        ({**DATA, "base": None}, "base must be a list of rows of numbers; got NoneType"),
+        ({**DATA, "tool": np.diag([1.0, 1, -1, 1]).tolist()}, "tool is a reflection"),
+    ],
+)
+def test_data_of_any_other_form_is_refused(data, message):
+    with pytest.raises(ValueError, match=message):
+        DHTable.from_dict(data)

@@ -1,0 +1,213 @@
+"""Gauss-Newton: against SciPy's least squares, on equations that are too many, too few or dependent, and at dead ends."""
+
+from itertools import pairwise
+
+import numpy as np
+import pytest
+import scipy.linalg
+from hypothesis import given
+from hypothesis import strategies as st
+from scipy.optimize import least_squares, root
+
+from kinlib.mechanisms.levenberg_marquardt import RANK, null_space, seen, solve
+
+
+def close(got, expected, atol=1e-12):
+    np.testing.assert_allclose(got, expected, rtol=0, atol=atol)
+
+
+def circle(x):
+    return (x * x).sum(-1, keepdims=True) - 1, 2 * x[:, None, :]
+
+
+def rosenbrock(x):
+    """(10 (y - x^2), 1 - x), 0 at (1, 1): a banana-shaped valley in which plain Gauss-Newton leaps about."""
+    r = np.stack([10 * (x[:, 1] - x[:, 0] ** 2), 1 - x[:, 0]], axis=-1)
+    J = np.zeros((len(x), 2, 2))
+    J[:, 0, 0], J[:, 0, 1], J[:, 1, 0] = -20 * x[:, 0], 10, -1
+    return r, J
+
+
+def powell(x):
+    """Powell's singular function: the Jacobian at its solution, 0, has rank 2 of 4."""
+    a, b, c, d = x.T
+    zero = 0 * a
+    r = np.stack([a + 10 * b, 5**0.5 * (c - d), (b - 2 * c) ** 2, 10**0.5 * (a - d) ** 2], axis=-1)
+    rows = [
+        [zero + 1, zero + 10, zero, zero],
+        [zero, zero, zero + 5**0.5, zero - 5**0.5],
+        [zero, 2 * (b - 2 * c), -4 * (b - 2 * c), zero],
+        [2 * 10**0.5 * (a - d), zero, zero, -2 * 10**0.5 * (a - d)],
+    ]
+    return r, np.array(rows).transpose(2, 0, 1)
+
+
+def repeated(x):
+    """The circle three times over: more equations than unknowns, and rank 1."""
+    r, J = circle(x)
+    return np.concatenate([r, 2 * r, -r], axis=1), np.concatenate([J, 2 * J, -J], axis=1)
+
+
+@pytest.mark.oracle("scipy", solve)
+def test_it_finds_what_scipy_finds():
+    guesses = np.random.default_rng(1).uniform(-3, 3, (20, 2))
+    found = solve(rosenbrock, guesses, closed=1e-13)
+    assert (found.residual <= 1e-13).all()
+    oracle = [
+        root(lambda x: rosenbrock(x[None])[0][0], guess, method="lm", options={"xtol": 1e-15}).x for guess in guesses
+    ]
+    close(found.x, oracle)
+
+
+def damped(equations, x, steps):
+    """Fan and Yuan's iteration as it is printed, for one guess and a square or tall Jacobian of full rank."""
+    mu = 1.0
+    for _ in range(steps):
+        r, J = (part[0] for part in equations(x[None]))
+        dx = -np.linalg.solve(J.T @ J + mu * (r @ r) * np.eye(len(x)), J.T @ r)
+        promised = r @ r - np.sum((r + J @ dx) ** 2)
+        brought = r @ r - np.sum(equations((x + dx)[None])[0] ** 2)
+        better = brought > 1e-3 * promised
+        x, mu = (x + dx, max(mu / 4, 1e-8)) if better else (x, 4 * mu)
+    return x
+
+
+def test_step_by_step_it_is_the_iteration_of_fan_and_yuan():
+    guesses = np.random.default_rng(1).uniform(-3, 3, (20, 2))
+    for steps in range(1, 9):
+        close(solve(rosenbrock, guesses, 0.0, steps).x, [damped(rosenbrock, x, steps) for x in guesses], atol=1e-9)
+
+
+def test_a_step_that_brings_far_less_than_it_promised_is_not_taken():
+    """A slope that is stated 10,000 times too steep: the step that it asks for lessens the residual by 1 in 10,000."""
+
+    def steep(x):
+        return x, np.full((len(x), 1, 1), 1e4)
+
+    assert solve(steep, np.ones((1, 1)), closed=0.1, iterations=1).x == 1
+
+
+@pytest.mark.parametrize("scale", [2.0**-60, 2.0**60])
+def test_equations_in_other_units_have_the_same_way(scale):
+    """In powers of two, to the last digit: at the solution, and where nothing solves."""
+
+    def scaled(equations):
+        return lambda x: tuple(scale * part for part in equations(x))
+
+    def apart(x):
+        r, J = circle(x)
+        return np.concatenate([r, r + 2], axis=1), np.concatenate([J, J], axis=1)
+
+    for equations in (rosenbrock, apart):
+        guess = np.array([[-1.2, 1.0]])
+        found, same = solve(equations, guess, 1e-12), solve(scaled(equations), guess, 1e-12 * scale)
+        assert (found.x.tolist(), found.iterations) == (same.x.tolist(), same.iterations)
+
+
+def test_short_of_rank_it_still_arrives():
+    """Powell's function is 0 at 0 alone. A residual of 1e-12 is the square of a distance, so that is known to 1e-6."""
+    found = solve(powell, np.random.default_rng(1).uniform(-3, 3, (20, 4)), closed=1e-12)
+    assert (found.residual <= 1e-12).all()
+    close(found.x, 0, atol=5e-6)
+
+
+@given(st.floats(-5, 5), st.floats(-5, 5))
+def test_from_anywhere_the_circle_is_reached_radially(a, b):
+    """By symmetry the nearest point is straight ahead; only the centre itself is a dead end."""
+    guess = np.array([[a, b]])
+    if np.linalg.norm(guess) < 1e-3:
+        return
+    for equations in (circle, repeated):
+        found = solve(equations, guess, closed=1e-13)
+        close(found.x, guess / np.linalg.norm(guess), atol=1e-11)
+
+
+def test_too_many_equations_that_agree_still_converge_quadratically():
+    sizes = [solve(repeated, np.array([[1.2, 0.0]]), closed=0.0, iterations=k).residual[0] for k in range(2, 6)]
+    for before, after in pairwise(sizes):
+        assert after < max(before**1.7, 1e-15)
+
+
+def test_where_nothing_solves_it_says_what_is_left_and_stops():
+    """Two circles 3 apart: the least that two equations leave over, as SciPy's least squares finds it."""
+
+    def apart(x):
+        a, b = x - [1.5, 0], x - [-1.5, 0]
+        r = np.stack([(a * a).sum(-1) - 1, (b * b).sum(-1) - 1], axis=-1)
+        return r, 2 * np.stack([a, b], axis=1)
+
+    found = solve(apart, np.array([[0.3, 1.0]]), closed=1e-13)
+    oracle = least_squares(lambda x: apart(x[None])[0][0], [0.3, 1.0], xtol=1e-15, ftol=1e-15, gtol=1e-15)
+    close(found.residual, np.sqrt(2 * oracle.cost), atol=1e-9)
+    assert found.residual[0] > 1
+    assert found.iterations < 100
+
+
+def test_a_dead_end_is_left_at_once():
+    """At the centre of the circle every direction is as good, and none is better to first order."""
+    found = solve(circle, np.zeros((1, 2)), closed=1e-12)
+    assert (found.x == 0).all()
+    assert found.residual[0] == 1
+    assert found.iterations == 1
+
+
+def test_guesses_side_by_side_do_not_disturb_each_other():
+    guesses = np.random.default_rng(2).uniform(-2, 2, (10, 2))
+    together = solve(rosenbrock, guesses, closed=1e-12)
+    for i, guess in enumerate(guesses):
+        alone = solve(rosenbrock, guess[None], closed=1e-12)
+        close(together.x[i], alone.x[0], atol=1e-13)
+        assert together.iterations >= alone.iterations
+
+
+def test_each_guess_may_have_its_own_tolerance_and_a_solved_one_stays():
+    guesses = np.array([[1.1, 0.0], [1.1, 0.0], [1.0, 0.0]])
+    found = solve(circle, guesses, closed=np.array([1.0, 1e-14, 1e-14]))
+    assert found.x[0].tolist() == [1.1, 0.0]
+    close(found.x[1], [1, 0], atol=1e-14)
+    assert found.x[2].tolist() == [1.0, 0.0]
+
+
+def test_the_steps_are_counted_and_limited():
+    found = solve(rosenbrock, np.array([[-1.2, 1.0]]), closed=1e-13, iterations=3)
+    assert found.iterations == 3
+    assert found.residual[0] > 1e-13
+    assert solve(circle, np.empty((0, 2)), closed=1e-13).x.shape == (0, 2)
+    # Towards a solution where J is short of rank the residual falls by a factor a step, and never to nothing.
+    assert solve(powell, np.ones((1, 4)), closed=0.0).iterations == 100
+
+
+def test_whoever_stands_on_a_solution_takes_no_step():
+    assert solve(circle, np.array([[1.0, 0.0]]), closed=0.0).iterations == 0
+    assert solve(lambda x: (x - 1, np.ones((len(x), 1, 1))), np.array([[1 + 1e-9]]), closed=0.0).iterations == 1
+
+
+def test_the_jacobian_comes_with_the_solution():
+    found = solve(rosenbrock, np.array([[3, -2], [0, 1]]), closed=1e-13)
+    close(found.jacobian, rosenbrock(found.x)[1])
+
+
+def test_the_guess_is_not_written_to():
+    guess = np.array([[3.0, 4.0]])
+    solve(circle, guess, closed=1e-12)
+    assert guess.tolist() == [[3, 4]]
+
+
+@pytest.mark.oracle("scipy", null_space, seen)
+@given(st.integers(1, 6), st.integers(1, 6), st.integers(0, 6), st.integers(0, 99))
+def test_null_space_is_scipy_s(rows, columns, rank, seed):
+    rng = np.random.default_rng(seed)
+    J = rng.normal(size=(rows, rank)) @ rng.normal(size=(rank, columns))
+    directions, values = null_space(J)
+    oracle = scipy.linalg.null_space(J, rcond=RANK)
+    close(directions @ directions.T, oracle @ oracle.T, atol=1e-9)
+    assert values.shape == (columns,)
+    assert (np.diff(values) <= 0).all()
+    assert np.count_nonzero(seen(values)) == columns - directions.shape[1]
+
+
+def test_singular_values_count_in_parts_of_the_largest():
+    assert seen(np.array([1e6, 1.0, 1e-2])).tolist() == [True, True, False]
+    assert seen(np.array([1e-30, 1e-35, 1e-40])).tolist() == [True, True, False]
+    assert seen(np.zeros(3)).tolist() == [False, False, False]
+    assert seen(np.array([[1.0, 1e-6], [1.0, 1e-8]])).tolist() == [[True, True], [True, False]]

@@ -1,0 +1,524 @@
+"""The linkages of the course: what they do, against plane geometry, books, a gripper's file and the theory of their kind."""
+
+import re
+from itertools import pairwise
+from pathlib import Path
+
+import mpmath
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+from scipy.spatial import distance
+
+from kinlib import Mechanism, exp, linkages
+from kinlib.mechanisms.closure import Closure
+from kinlib.mechanisms.continuation import Path as CurvePath
+from kinlib.mechanisms.joints import Joint
+from kinlib.rigid import screw
+
+EXACT = 1e-12
+X, Y, Z = np.eye(3)
+
+
+def close(got, expected, atol=EXACT):
+    np.testing.assert_allclose(got, expected, rtol=0, atol=atol)
+
+
+def close_angles(got, expected, atol=EXACT):
+    close(np.sin((np.asarray(got) - expected) / 2), 0, atol / 2)
+
+
+def apart(q, others):
+    """How far a posture of angles is from the nearest of others."""
+    return np.abs((others - q + np.pi) % (2 * np.pi) - np.pi).max(axis=-1).min()
+
+
+def meeting_points(one, r, other, s):
+    """Where a circle of radius r about one point meets one of radius s about another, with 30 digits; [] if nowhere."""
+    with mpmath.workdps(30):
+        way = mpmath.mpc(*other) - mpmath.mpc(*one)
+        d = abs(way)
+        along = (d * d + r * r - s * s) / (2 * d)
+        square = r * r - along * along
+        if square < 0:
+            return []
+        points = [mpmath.mpc(*one) + way / d * mpmath.mpc(along, sign * mpmath.sqrt(square)) for sign in (1, -1)]
+        return [np.array([float(p.real), float(p.imag)]) for p in points]
+
+
+def angle(vector):
+    return np.arctan2(vector[1], vector[0])
+
+
+# --- four bars ---
+
+
+def four_bar_postures(ground, crank, coupler, rocker, A):
+    """Both postures at a crank angle, by the circles on which C lies."""
+    B = crank * np.array([np.cos(A), np.sin(A)])
+    D = np.array([ground, 0.0])
+    for C in meeting_points(B, coupler, D, rocker):
+        of_coupler, of_rocker = angle(C - B), angle(C - D)
+        yield np.array([A, of_coupler - A, of_rocker, of_coupler - of_rocker])
+
+
+FOUR_BARS = {
+    "crank-rocker": (0.4, 0.1, 0.35, 0.3),
+    "double crank": (0.1, 0.4, 0.3, 0.35),
+    "rocker-crank": (0.4, 0.3, 0.35, 0.1),
+    "Grashof double rocker": (0.4, 0.35, 0.1, 0.3),
+    "non-Grashof": (4.0, 2.0, 2.5, 3.0),
+}
+
+
+@pytest.mark.oracle("mpmath", Mechanism.assembly_modes, Closure.modes, linkages.four_bar)
+@pytest.mark.parametrize("name", FOUR_BARS)
+def test_a_four_bar_has_the_two_modes_that_two_circles_have(name):
+    linkage = linkages.four_bar(*FOUR_BARS[name])
+    expected = list(four_bar_postures(*FOUR_BARS[name], -0.7))
+    modes = linkage.assembly_modes(hold={"A": -0.7})
+    assert len(modes) == len(expected) == 2
+    for mode in modes:
+        assert apart(mode, np.array(expected)) < EXACT
+
+
+@pytest.mark.oracle("mpmath", Mechanism.trace, Closure.trace, CurvePath.laid_out, linkages.four_bar)
+def test_every_posture_of_the_traced_crank_rocker_is_on_both_circles():
+    linkage = linkages.four_bar(*FOUR_BARS["crank-rocker"])
+    curve = linkage.trace(linkage.assembly_modes(hold={"A": 1.0})[0], points=73)
+    assert curve.closed
+    for q in curve.q:
+        assert min(apart(q, other) for other in four_bar_postures(*FOUR_BARS["crank-rocker"], q[0])) < EXACT
+
+
+@pytest.mark.oracle("printed: Freudenstein (1954)", Mechanism.trace, linkages.four_bar)
+def test_freudenstein_s_equation_holds_along_the_curve():
+    """K1 cos(D) - K2 cos(A) + K3 = cos(A - D): Freudenstein, An analytical approach to the design of four-link mechanisms (1954)."""
+    g, a, c, r = FOUR_BARS["non-Grashof"]
+    linkage = linkages.four_bar(g, a, c, r)
+    curve = linkage.trace(linkage.assembly_modes(hold={"A": 1.0})[0])
+    A, D = curve.q[:, 0], curve.q[:, 2]
+    close(g / a * np.cos(D) - g / r * np.cos(A) + (g * g + a * a + r * r - c * c) / (2 * a * r), np.cos(A - D))
+
+
+def test_grashof_s_crank_goes_round_in_both_modes_and_its_rocker_rocks():
+    linkage = linkages.four_bar(*FOUR_BARS["crank-rocker"])
+    g, a, c, r = FOUR_BARS["crank-rocker"]
+    one, other = linkage.assembly_modes(hold={"A": 1.0})
+    for start, stranger in ((one, other), (other, one)):
+        curve = linkage.trace(start, points=2000)
+        assert curve.closed
+        close(np.abs(curve.q[-1, 0] - curve.q[0, 0]), 2 * np.pi)
+        assert not len(curve.turning_points(0))
+        assert apart(stranger, curve.q) > 0.1
+        # The rocker turns where crank and coupler lie on one line: the law of cosines in both triangles.
+        widest, least = (np.arccos((g * g + r * r - reach**2) / (2 * g * r)) for reach in (c + a, c - a))
+        close(np.sort(np.pi - np.abs(curve.q[curve.turning_points(2), 2])), np.sort([least, widest]), atol=1e-4)
+
+
+def test_without_grashof_one_curve_holds_both_modes_and_the_crank_turns_back_where_coupler_and_rocker_stretch():
+    """There the crank's triangle has the sides 4, 2 and 2.5 + 3: the law of cosines."""
+    linkage = linkages.four_bar(*FOUR_BARS["non-Grashof"])
+    one, other = linkage.assembly_modes(hold={"A": 0.5})
+    curve = linkage.trace(one, points=4000)
+    assert curve.closed
+    close(curve.q[-1], curve.q[0])
+    assert apart(other, curve.q) < 0.01
+    turned = curve.q[curve.turning_points(0)]
+    farthest = np.arccos((16 + 4 - 5.5**2) / (2 * 4 * 2))
+    close(np.sort(turned[:, 0]), [-farthest, farthest], atol=1e-4)
+    close_angles(turned[:, 3], np.pi, atol=0.02)
+
+
+def test_at_a_dead_point_two_modes_become_one_and_beyond_it_there_is_none():
+    linkage = linkages.four_bar(*FOUR_BARS["non-Grashof"])
+    farthest = np.arccos((16 + 4 - 5.5**2) / (2 * 4 * 2))
+    assert [len(linkage.assembly_modes(hold={"A": farthest + off})) for off in (-1e-6, 0, 1e-6)] == [2, 1, 0]
+
+
+@settings(max_examples=6)
+@given(st.tuples(*[st.floats(0.5, 4.0)] * 4), st.floats(0, 2 * np.pi), st.integers(0, 1))
+def test_grashof_s_condition_tells_curves_and_cranks_of_any_four_bar(links, A, mode):
+    """If s + l < p + q there are two curves, each the mirror image of the other, and otherwise one that is its own.
+
+    The crank goes round if the shortest link is the crank or the ground. Source: Grashof (1883); McCarthy and Soh, 2.2.
+    """
+    ground, crank, *_ = links
+    sides = sorted(links)
+    margin = sides[1] + sides[2] - sides[0] - sides[3]
+    assume(abs(margin) > 0.05)
+    assume(sides[3] < sum(sides[:3]) - 0.05)
+    postures = list(four_bar_postures(*links, A))
+    assume(len(postures) == 2)
+    curve = linkages.four_bar(*links).trace(postures[mode], step=0.2)
+    assert curve.closed
+    assert curve.residual < 1e-12
+    assert (apart(-postures[mode], curve.between(5000)) < 0.02) == (margin < 0)
+    goes_round = margin > 0 and min(crank, ground) == sides[0]
+    assert (abs(curve.q[-1, 0] - curve.q[0, 0]) > 1) == goes_round
+
+
+@pytest.mark.parametrize("step", [0.3, 0.05])
+def test_a_change_point_is_crossed_straight_on(step):
+    """A parallelogram keeps A = D, an antiparallelogram tan(A/2) = -(g - a)/(g + a) tan(D/2), also where both lie flat."""
+    crossed, parallel = linkages.four_bar(4, 1, 4, 1).assembly_modes(hold={"A": 1.0})
+    for start in (crossed, parallel):
+        curve = linkages.four_bar(4, 1, 4, 1).trace(start, step=step)
+        assert curve.closed
+        close(np.abs(curve.q[-1, 0] - curve.q[0, 0]), 2 * np.pi)
+        A, D = curve.q[:, 0], curve.q[:, 2]
+        if start is parallel:
+            close_angles(A, D, atol=1e-8)
+        else:
+            close(5 * np.sin(A / 2) * np.cos(D / 2), -3 * np.cos(A / 2) * np.sin(D / 2), atol=1e-8)
+
+
+@pytest.mark.parametrize("near", [1e-2, 1e-5, 1e-8])
+def test_beside_a_change_point_the_two_curves_are_not_mixed_up(near):
+    """Lengths 3, 2, 4 - near, 3 fulfil Grashof's condition by so little, 3, 2, 4 + near miss it by as much."""
+    for coupler, mixed in ((4 - near, False), (4 + near, True)):
+        start = next(four_bar_postures(3, 2, coupler, 3, 1.0))
+        curve = linkages.four_bar(3, 2, coupler, 3).trace(start, step=0.2)
+        assert curve.closed
+        assert (apart(-start, curve.between(5000)) < 0.02) == mixed
+
+
+# --- slider-crank and five-bar ---
+
+
+@pytest.mark.oracle("printed: the slider-crank of every book on engines", linkages.slider_crank)
+@pytest.mark.parametrize("offset", [0.0, 0.4])
+def test_the_slider_is_where_the_textbook_says(offset):
+    """x = r cos A +- sqrt(l^2 - (e - r sin A)^2): the slider-crank of every book on engines."""
+    linkage = linkages.slider_crank(1, 3, offset)
+    for A in (0.9, np.pi):
+        modes = linkage.assembly_modes(hold={"A": A})
+        root = np.sqrt(9 - (offset - np.sin(A)) ** 2)
+        close(np.sort(modes[:, 2]), [np.cos(A) - root, np.cos(A) + root])
+        close_angles(modes[:, 0] + modes[:, 1], modes[:, 3])
+    curve = linkage.trace(linkage.assembly_modes(hold={"A": 1.0})[0], points=200)
+    assert curve.closed
+    close((curve.q[:, 2] - np.cos(curve.q[:, 0])) ** 2 + (offset - np.sin(curve.q[:, 0])) ** 2, 9)
+
+
+def test_the_slider_s_dead_points_are_crank_and_rod_on_one_line():
+    curve = linkages.slider_crank(1, 3).trace([0, 0, 4, 0], points=2000)
+    dead = curve.turning_points(2)
+    close(np.sort(curve.q[dead, 2]), [2, 4], atol=1e-5)
+
+
+@pytest.mark.oracle("mpmath", linkages.five_bar, Mechanism.poses)
+def test_a_five_bar_has_two_freedoms_and_its_tip_lies_on_two_circles():
+    left, right = (1.0, 1.2), (0.9, 1.1)
+    linkage = linkages.five_bar(1.5, left, right)
+    assert linkage.kutzbach() == 2
+    A, D = 1.5, 1.0
+    B, E = left[0] * np.array([np.cos(A), np.sin(A)]), np.array([1.5, 0]) + right[0] * np.array([np.cos(D), np.sin(D)])
+    tips = np.array(meeting_points(B, left[1], E, right[1]))
+    modes = linkage.assembly_modes(hold={"A": A, "D": D})
+    found = np.array([(linkage.poses(q)["end"] @ [*(sum(left) * X), 1])[:2] for q in modes])
+    close(found[np.argsort(found[:, 1])], tips[np.argsort(tips[:, 1])])
+    mobility = linkage.mobility(modes[0])
+    assert (mobility.instantaneous, mobility.finite) == (2, 2)
+
+
+# --- platforms ---
+
+
+def directions_of_three():
+    return np.array([[np.cos(a), np.sin(a)] for a in 2 * np.pi / 3 * np.arange(3)])
+
+
+def three_rrr_motors(base, platform, upper, lower, pose):
+    """The motor angles for a pose (x, y, phi) of the platform: in each arm the knee lies on two circles, the first is taken."""
+    x, y, phi = pose
+    turn = np.array([[np.cos(phi), -np.sin(phi)], [np.sin(phi), np.cos(phi)]])
+    for out in directions_of_three():
+        foot, corner = base * out, np.array([x, y]) + turn @ (platform * out)
+        knee = meeting_points(foot, upper, corner, lower)[0]
+        yield angle(knee - foot) - angle(-out)
+
+
+def three_rrr_count(base, platform, upper, lower, motors):
+    """How many platform poses fit the motors: p solved from two differences of circles, signs of the third counted over phi."""
+    outs = directions_of_three()
+    arms = [angle(-out) + motor for out, motor in zip(outs, motors, strict=True)]
+    knees = np.array([base * out + upper * np.array([np.cos(a), np.sin(a)]) for out, a in zip(outs, arms, strict=True)])
+    phi = np.linspace(-np.pi, np.pi, 40001)
+    c, s = np.cos(phi), np.sin(phi)
+    # Each corner p + R b_i is `lower` from its knee: |p - m_i|^2 = lower^2 with m_i = k_i - R b_i.
+    m = knees[:, None] - platform * np.stack(
+        [c * outs[:, :1] - s * outs[:, 1:], s * outs[:, :1] + c * outs[:, 1:]], axis=-1
+    )
+    rows = 2 * (m[1:] - m[0]).transpose(1, 0, 2)
+    right = ((m[1:] ** 2).sum(-1) - (m[0] ** 2).sum(-1)).T
+    det = rows[:, 0, 0] * rows[:, 1, 1] - rows[:, 0, 1] * rows[:, 1, 0]
+    x = right[:, 0] * rows[:, 1, 1] - rows[:, 0, 1] * right[:, 1]
+    y = rows[:, 0, 0] * right[:, 1] - right[:, 0] * rows[:, 1, 0]
+    # Multiplied by det^2, it has no poles, and where det = 0 it is positive.
+    f = (x - det * m[0, :, 0]) ** 2 + (y - det * m[0, :, 1]) ** 2 - (lower * det) ** 2
+    return np.count_nonzero(np.diff(np.sign(f)))
+
+
+@pytest.mark.oracle("mpmath", linkages.three_rrr, Mechanism.poses)
+@pytest.mark.parametrize("pose", [(0.02, -0.03, 0.1), (-0.05, 0.02, -0.4)])
+def test_the_3_rrr_carries_its_platform_where_inverse_kinematics_wants_it(pose):
+    linkage = linkages.three_rrr()
+    motors = dict(zip(("A1", "A2", "A3"), three_rrr_motors(0.5, 0.2, 0.3, 0.3, pose), strict=True))
+    modes = linkage.assembly_modes(hold=motors)
+    x, y, phi = pose
+    wanted = np.array([[np.cos(phi), -np.sin(phi), 0, x], [np.sin(phi), np.cos(phi), 0, y], [0, 0, 1, 0], [0, 0, 0, 1]])
+    # The platform is drawn at the end of the first arm, stretched inwards.
+    drawn = exp([0, 0, 0, 0.5 - 0.3 - 0.3 - 0.2, 0, 0])
+    away = [np.abs(linkage.poses(q)["end"] @ drawn - wanted).max() for q in modes]
+    assert min(away, default=np.inf) < EXACT
+    mobility = linkage.mobility(modes[int(np.argmin(away))])
+    assert (mobility.kutzbach, mobility.instantaneous, mobility.finite) == (3, 3, 3)
+
+
+THREE_RRR = {
+    0: ((0.67, 0.34, 0.14, 0.11), (1.88, 2.48, 0.64)),
+    2: ((0.5, 0.2, 0.3, 0.3), (0.3, 0.4, 0.2)),
+    4: ((0.63, 0.4, 0.45, 0.9), (-1.64, 0.74, -2.5)),
+    6: ((0.48, 0.63, 0.21, 0.94), (1.1, 1.94, 2.38)),
+}
+
+
+@pytest.mark.parametrize("count", THREE_RRR)
+def test_the_3_rrr_has_as_many_modes_as_its_sextic_has_roots(count):
+    """Up to six: Gosselin and Merlet, The direct kinematics of planar parallel manipulators (1994)."""
+    sizes, motors = THREE_RRR[count]
+    modes = linkages.three_rrr(*sizes).assembly_modes(hold=dict(zip(("A1", "A2", "A3"), motors, strict=True)))
+    assert len(modes) == three_rrr_count(*sizes, motors) == count
+
+
+@pytest.mark.oracle("axiom: a leg is as long as its ends are apart", linkages.stewart_gough, Mechanism.assemble)
+def test_the_stewart_gough_platform_goes_where_the_lengths_of_its_legs_send_it():
+    """A leg is as long as head and foot are apart: nothing else is asked of the plate's pose."""
+    linkage = linkages.stewart_gough()
+    assert linkage.kutzbach() == 6
+    zero = np.zeros(linkage.n)
+    mobility = linkage.mobility(zero)
+    assert (mobility.instantaneous, mobility.finite) == (6, 6)
+    feet = np.array([joint.place for joint in linkage.joints if joint.name[0] == "U"])
+    heads = np.array([joint.place for joint in linkage.joints if joint.name[0] == "S"])
+    T = exp([0.1, -0.15, 0.2, 0.05, -0.03, 0.04])
+    moved = heads @ T[:3, :3].T + T[:3, 3]
+    stretch = np.linalg.norm(moved - feet, axis=1) - np.linalg.norm(heads - feet, axis=1)
+    found = linkage.assemble(zero, hold={f"P{i}": s for i, s in enumerate(stretch, start=1)})
+    assert found.converged
+    close(linkage.poses(found.q)["plate"], T, atol=1e-10)
+
+
+# --- moves against all counting ---
+
+
+@pytest.mark.oracle("printed: Bennett (1903)", Mechanism.kutzbach)
+@pytest.mark.parametrize(("a", "alpha", "b"), [(1.0, np.pi / 3, 0.6), (0.7, 0.4, 1.2), (1.0, 2.0, 0.5)])
+def test_bennett_s_linkage_obeys_bennett_s_relation(a, alpha, b):
+    """tan(t1/2) tan(t2/2) is constant, sin((beta + alpha)/2) / sin((beta - alpha)/2): Bennett (1903); Hunt, 10.4."""
+    linkage = linkages.bennett(a, alpha, b)
+    assert linkage.kutzbach() == -2
+    curve = linkage.trace(linkage.assemble([1, 2, 1, 2]).q)
+    assert curve.closed
+    beta = np.arcsin(b * np.sin(alpha) / a)
+    t1, t2, t3, t4 = curve.q.T
+    left = np.sin(t1 / 2) * np.sin(t2 / 2) * np.sin((beta - alpha) / 2)
+    close(left, np.cos(t1 / 2) * np.cos(t2 / 2) * np.sin((beta + alpha) / 2))
+    close_angles(t1, -t3)
+    close_angles(t2, -t4)
+    for q in curve.q[::20]:
+        mobility = linkage.mobility(q)
+        assert (mobility.kutzbach, mobility.instantaneous, mobility.finite) == (-2, 1, 1)
+
+
+@pytest.mark.oracle("printed: Bennett (1903)", linkages.bennett)
+@given(st.floats(-3, 3), st.floats(0.3, 1.2), st.floats(0.4, 0.9))
+def test_where_bennett_s_relation_holds_the_ring_is_closed(t1, alpha, b):
+    """Its second angle from the first, with no solver: what is left over is nothing."""
+    beta = np.arcsin(b * np.sin(alpha))
+    t2 = 2 * np.arctan2(np.cos(t1 / 2) * np.sin((beta + alpha) / 2), np.sin(t1 / 2) * np.sin((beta - alpha) / 2))
+    close(linkages.bennett(1.0, alpha, b).residual([t1, t2, -t1, -t2]), 0)
+
+
+@pytest.mark.oracle("printed: Chen, You and Tarnai (2005)", linkages.bricard)
+@given(st.floats(-2 * np.pi / 3, 2 * np.pi / 3))
+def test_where_the_equation_of_chen_you_and_tarnai_holds_bricard_s_ring_is_closed(a):
+    """cos(b) = -cos(a) / (1 + cos(a)); each root but one sign belongs to the ring as it is drawn."""
+    b = np.arccos(-np.cos(a) / (1 + np.cos(a)))
+    left = [np.abs(linkages.bricard().residual([a, sign * b] * 3)).max() for sign in (1, -1)]
+    assert min(left) < EXACT * 100
+
+
+def test_skew_hinges_that_miss_bennett_s_condition_do_not_move():
+    """The same ring with a link one percent longer: nowhere does it close and move."""
+    ring = linkages.bennett()
+    rigid = linkages._ring([(1.0, np.pi / 3), (0.6, np.arcsin(0.6 * np.sin(np.pi / 3)))] * 2, "ring", "")
+    close(rigid.jacobian([1, 2, 1, 2]), ring.jacobian([1, 2, 1, 2]), atol=0)
+    spoiled = linkages._ring(
+        [(1.01, np.pi / 3), (0.6, np.arcsin(0.6 * np.sin(np.pi / 3))), (1.0, np.pi / 3), (0.6, 0.55)], "ring", ""
+    )
+    assert not any(spoiled.assemble(guess).converged for guess in ([1, 2, 1, 2], [0.3, -2, 0, 1], [-1, -2, 2, 2]))
+
+
+def test_bricard_s_hinges_turn_as_chen_you_and_tarnai_say():
+    """For twists of a right angle, cos(a) + cos(b) + cos(a) cos(b) = 0, every other hinge alike: their (2005) equation."""
+    linkage = linkages.bricard()
+    assert linkage.kutzbach() == 0
+    curve = linkage.trace(linkage.assemble([1, -2, 1, -2, 1, -2]).q)
+    assert curve.closed
+    a, b = np.cos(curve.q[:, 0]), np.cos(curve.q[:, 1])
+    close(a + b + a * b, 0)
+    close_angles(curve.q[:, ::2], curve.q[:, :1])
+    close_angles(curve.q[:, 1::2], curve.q[:, 1:2])
+    mobility = linkage.mobility(curve.q[10])
+    assert (mobility.instantaneous, mobility.finite) == (1, 1)
+
+
+@pytest.mark.oracle("printed: Sarrus (1853)", linkages.sarrus)
+def test_sarrus_s_top_moves_along_a_straight_line_and_does_not_turn():
+    """From as high as the plates are long above the ground to as far below it; it passes through its floor unhindered."""
+    linkage = linkages.sarrus(side=0.3, rise=0.2)
+    mobility = linkage.mobility(np.zeros(6))
+    assert (mobility.kutzbach, mobility.instantaneous, mobility.finite) == (0, 1, 1)
+    curve = linkage.trace(np.zeros(6), points=400)
+    assert curve.closed
+    T = linkage.poses(curve.q)["top"]
+    close(T[:, :3, :3], np.broadcast_to(np.eye(3), (400, 3, 3)))
+    close(T[:, :2, 3], 0)
+    height = T[:, 2, 3] + 2 * 0.2
+    most = 2 * 0.2 * np.sqrt(2)
+    close([height.min(), height.max()], [-most, most], atol=1e-3)
+
+
+@pytest.mark.oracle("printed: Modern Robotics, example 2.6", linkages.parallelogram)
+def test_three_equal_cranks_move_one_coupler_without_turning_it():
+    linkage = linkages.parallelogram()
+    mobility = linkage.mobility(np.zeros(6))
+    assert (mobility.kutzbach, mobility.instantaneous, mobility.finite) == (0, 1, 1)
+    curve = linkage.trace(np.zeros(6))
+    assert curve.closed
+    close_angles(curve.q[:, [2, 4]], curve.q[:, :1], atol=1e-8)
+    T = linkage.poses(curve.q)["coupler"]
+    close(T[:, :2, 3], 0.2 * np.stack([-np.sin(curve.q[:, 0]), np.cos(curve.q[:, 0]) - 1], axis=1), atol=1e-8)
+
+
+def test_flat_the_three_cranks_let_more_through_than_leads_on():
+    flat = linkages.parallelogram().mobility([-np.pi / 2, np.pi / 2] * 3)
+    assert flat.instantaneous > flat.finite == 1
+
+
+# --- structures, and one that gives a little ---
+
+
+@pytest.mark.parametrize(
+    ("linkage", "felt", "had"),
+    [(linkages.triangle(), 0, 0), (linkages.stretched_arch(), 1, 0), (linkages.stretched_arch(0.2, 0.9), 1, 0)],
+    ids=["triangle", "arch", "uneven arch"],
+)
+def test_a_triangle_is_a_structure_and_without_height_it_gives_a_little(linkage, felt, had):
+    mobility = linkage.mobility([0, 0, 0])
+    assert (mobility.kutzbach, mobility.instantaneous, mobility.finite) == (0, felt, had)
+    assert mobility.directions.shape == (3, felt)
+
+
+@pytest.mark.oracle("printed: LaValle, Planning Algorithms, (4.33)", linkages.ten_links)
+def test_the_ring_of_ten_links_has_eight_freedoms_however_it_lies():
+    """LaValle's (4.3.3): ten links in a ring, one of them on the ground by a hinge: 11 joint values, 3 equations."""
+    linkage = linkages.ten_links()
+    assert linkage.names == (*(f"theta_{i}" for i in range(1, 6)), *(f"theta_{i}" for i in range(10, 5, -1)), "pin")
+    rng = np.random.default_rng(5)
+    for _ in range(3):
+        found = linkage.assemble(rng.uniform(-2, 2, 11))
+        assert found.converged
+        mobility = linkage.mobility(found.q)
+        assert (mobility.kutzbach, mobility.instantaneous, mobility.finite) == (8, 8, 8)
+        # The deck's equation: the tips of both branches are one point.
+        tips = [sum(np.exp(1j * np.cumsum(branch))) for branch in (found.q[:5], found.q[5:10])]
+        close(tips[0], tips[1])
+
+
+@pytest.mark.oracle("scipy", linkages.triangle, linkages.stretched_arch)
+def test_the_bars_of_a_structure_are_as_long_as_scipy_measures_them():
+    for side in (0.5, 2.0):
+        close(distance.pdist(linkages.triangle(side).joint_points(np.zeros(3))), [side] * 3)
+    close(distance.pdist(linkages.stretched_arch(0.2, 0.9).joint_points(np.zeros(3))), [0.2, 1.1, 0.9])
+
+
+# --- a gripper as its maker's file has it ---
+
+
+def gripper():
+    """The left finger of the Robotiq 2F-85, from airo-models: its file is a tree, in which three joints copy one.
+
+    What makes them do so is a parallelogram. Its joints are in the file, all but the pin that would close the loop.
+    """
+    package = pytest.importorskip("airo_models")
+    text = (Path(package.__file__).parent / "grippers/robotiq_2f_85/urdf/robotiq_2f_85.urdf").read_text("utf-8")
+
+    def origin(name):
+        joint = re.search(rf'<joint name="{name}".*?</joint>', text, re.DOTALL).group()
+        return np.array(
+            [float(x) for x in re.search(r'(?<!<!-- )<origin rpy="[^"]*" xyz="([^"]*)"', joint).group(1).split()]
+        )
+
+    def copies(name):
+        joint = re.search(rf'<joint name="{name}".*?</joint>', text, re.DOTALL).group()
+        return float(re.search(r'<mimic joint="finger_joint" multiplier="([^"]*)"', joint).group(1))
+
+    # The right finger stands as its file does; the left one is its mirror image.
+    foot = origin("right_outer_knuckle_joint")
+    tip = foot + origin("right_outer_finger_joint") + origin("right_inner_finger_joint")
+    inner = origin("right_inner_knuckle_joint")
+    return foot, tip, inner, [1.0, copies("right_inner_finger_joint"), copies("right_inner_knuckle_joint")]
+
+
+def test_the_loop_of_a_gripper_turns_its_joints_as_its_file_says_they_copy_each_other():
+    foot, tip, inner, copied = gripper()
+    linkage = Mechanism(
+        [
+            Joint("outer knuckle", ("palm", "outer finger"), screw(X, foot), limits=(0.0, 0.8)),
+            Joint("inner finger", ("outer finger", "inner finger"), screw(X, tip)),
+            Joint("inner knuckle", ("palm", "link"), screw(X, inner)),
+            Joint("pin", ("link", "inner finger"), screw(X, inner + tip - foot)),
+        ],
+        name="Robotiq 2F-85",
+    )
+    curve = linkage.trace(np.zeros(4))
+    assert curve.ends == ("limit of outer knuckle",) * 2
+    drive = curve.q[:, :1]
+    close([drive.min(), drive.max()], [0, 0.8])
+    close(curve.q[:, :3], drive * copied)
+    # So the finger's pad stays upright, which is what the gripper is made for.
+    pad = linkage.poses(curve.q)["inner finger"]
+    close(pad[:, :3, :3], np.broadcast_to(np.eye(3), pad[:, :3, :3].shape))
+
+
+# --- what is refused ---
+
+
+@pytest.mark.parametrize(
+    ("build", "message"),
+    [
+        (lambda: linkages.four_bar(4, -1, 3, 3), r"crank should be a length in metres, above 0; got -1\."),
+        (lambda: linkages.four_bar(4, 1, np.nan, 3), r"coupler should be a length in metres, above 0; got nan"),
+        (lambda: linkages.slider_crank(1, 0), r"rod should be a length"),
+        (lambda: linkages.five_bar(1, (1, 1), (1, 0)), r"length 2 should be a length"),
+        (lambda: linkages.three_rrr(base=0), r"base should be a length"),
+        (lambda: linkages.stewart_gough(height=np.inf), r"height should be a length"),
+        (lambda: linkages.bennett(0.5, 1.5, 0.6), r"No twist has the sine 1\.2 = b sin\(alpha\) / a\. Is b too long\?"),
+    ],
+)
+def test_what_is_no_linkage_is_refused(build, message):
+    with pytest.raises(ValueError, match=message):
+        build()
+
+
+def test_every_linkage_says_where_it_comes_from():
+    made = [linkages.four_bar(4, 1, 3, 3), linkages.slider_crank(1, 3), linkages.five_bar(1, (1, 1), (1, 1))]
+    made += [linkages.ten_links(), linkages.parallelogram(), linkages.triangle(), linkages.stretched_arch()]
+    made += [linkages.three_rrr(), linkages.bennett(), linkages.bricard(), linkages.sarrus(), linkages.stewart_gough()]
+    assert all(linkage.source and linkage.name != "linkage" for linkage in made)
+    assert all(len(one.names) == len(set(one.names)) == one.n for one in made)
+    assert all(a.name != b.name for a, b in pairwise(made))

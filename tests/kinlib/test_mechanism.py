@@ -1,0 +1,944 @@
+"""Closed chains: residuals and Jacobians against 40 digits and Pinocchio, one mechanism in many descriptions, what is refused."""
+
+from dataclasses import replace
+from functools import reduce
+
+import modern_robotics as mr
+import mpmath_oracle
+import numpy as np
+import pinocchio_oracle
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+from scipy.linalg import null_space
+from scipy.optimize import least_squares
+from scipy.sparse.csgraph import breadth_first_order, connected_components, shortest_path
+from scipy.spatial import distance
+from scipy.spatial.transform import Rotation
+from strategies import directions, moved_chains, points
+from strategies import poses as drawn_poses
+from strategies import screws as drawn_screws
+
+from kinlib import Chain, Mechanism, adjoint, exp, inverse, linkages, log, robots
+from kinlib.mechanisms.closure import Closure
+from kinlib.mechanisms.joints import Joint, Walk, as_chain, cycles, cylindrical, in_series, spherical, universal, walks
+from kinlib.rigid import screw
+
+EXACT = 1e-12
+X, Y, Z = np.eye(3)
+SLIDE = np.inf
+
+
+def close(got, expected, atol=EXACT):
+    np.testing.assert_allclose(got, expected, rtol=0, atol=atol)
+
+
+def jack(pitch=0.01):
+    """A screw jack: a spindle turns in the ground, a nut climbs along it and is kept from turning."""
+    return Mechanism(
+        [
+            Joint("crank", ("ground", "spindle"), screw(Z)),
+            Joint("thread", ("spindle", "nut"), screw(Z, pitch=pitch)),
+            Joint("rise", ("ground", "nut"), screw(Z, pitch=SLIDE)),
+        ],
+        name="jack",
+    )
+
+
+def wedges():
+    """Three slides in a plane, the second up a slope of 4 to 3."""
+    return Mechanism(
+        [
+            Joint("push", ("ground", "wedge"), screw(X, pitch=SLIDE)),
+            Joint("slope", ("wedge", "lift"), screw(0.6 * X + 0.8 * Y, pitch=SLIDE)),
+            Joint("rise", ("ground", "lift"), screw(Y, pitch=SLIDE)),
+        ]
+    )
+
+
+LINKAGES = [
+    linkages.four_bar(0.4, 0.1, 0.35, 0.3),
+    linkages.slider_crank(1, 3, 0.2),
+    linkages.bennett(),
+    jack(0.3),
+    linkages.sarrus(),
+    linkages.three_rrr(),
+    linkages.parallelogram(),
+]
+FOUR_BAR = linkages.four_bar(4, 1, 3.5, 3)
+each_linkage = pytest.mark.parametrize("linkage", LINKAGES, ids=lambda linkage: linkage.name)
+
+
+def postures(linkage, count=3):
+    """Open ones, far from closing."""
+    return np.random.default_rng(6).uniform(-1.2, 1.2, (count, linkage.n))
+
+
+def limited(linkage, **limits):
+    joints = [replace(joint, limits=limits.get(joint.name)) for joint in linkage.joints]
+    return Mechanism(joints, linkage.ground, linkage.name)
+
+
+# --- residual and Jacobian ---
+
+
+@pytest.mark.oracle("mpmath", Mechanism.residual)
+@each_linkage
+def test_the_residual_is_the_logarithm_of_each_loop_walked_round(linkage):
+    for q in postures(linkage):
+        twists = np.split(linkage.residual(q), len(linkage.loops))
+        for loop, twist in zip(linkage.loops, twists, strict=True):
+            close(mpmath_oracle.exp(twist), mpmath_oracle.fk(loop.chain, q[loop.columns]))
+
+
+@pytest.mark.oracle("mpmath", Mechanism.jacobian)
+@each_linkage
+def test_the_jacobian_is_the_difference_of_residuals_with_40_digits(linkage):
+    for q in postures(linkage, 1):
+        parts = np.split(linkage.jacobian(q), len(linkage.loops))
+        for loop, part in zip(linkage.loops, parts, strict=True):
+            others = np.setdiff1d(np.arange(linkage.n), loop.columns)
+            close(part[:, loop.columns], mpmath_oracle.residual_jacobian(loop.chain, q[loop.columns]))
+            assert not part[:, others].any()
+
+
+@pytest.mark.oracle("pinocchio", Mechanism.residual, Mechanism.jacobian)
+@each_linkage
+def test_residual_and_jacobian_agree_with_pinocchio_s_constraints(linkage):
+    """Each loop as an open chain whose tool Pinocchio ties to the world by a rigid constraint; it stacks (v, omega)."""
+    pin = pytest.importorskip("pinocchio", reason="no pinocchio here (the wheel `pin` does not exist for Windows)")
+    for q in postures(linkage):
+        twists, parts = (np.split(found, len(linkage.loops)) for found in (linkage.residual(q), linkage.jacobian(q)))
+        for loop, twist, part in zip(linkage.loops, twists, parts, strict=True):
+            model = pinocchio_oracle.pinocchio_model(loop.chain)
+            data, tool = model.createData(), model.frames[model.getFrameId("tool")]
+            contact = pin.ContactType.CONTACT_6D
+            tie = pin.RigidConstraintModel(contact, model, tool.parentJoint, tool.placement, 0, pin.SE3.Identity())
+            at = tie.createData()
+            pin.computeJointJacobians(model, data, q[loop.columns])
+            tie.calc(model, data, at)
+            J = pin.getConstraintJacobian(model, data, tie, at)
+            left = at.c1Mc2.inverse()
+            close(twist, np.roll(pin.log6(left).vector, 3), atol=1e-11)
+            # Its Jacobian is that of the velocity left over, in the tool's own frame, before the logarithm is taken.
+            close(np.roll(part[:, loop.columns], 3, axis=0), pin.Jlog6(left) @ J, atol=1e-11)
+
+
+@each_linkage
+def test_any_batch_shape_is_one_computation(linkage):
+    q = postures(linkage, 6).reshape(2, 3, -1)
+    size = 6 * len(linkage.loops)
+    assert linkage.residual(q).shape == (2, 3, size)
+    assert linkage.jacobian(q).shape == (2, 3, size, linkage.n)
+    close(linkage.jacobian(q)[1, 2], linkage.jacobian(q[1, 2]), atol=1e-14)
+    assert all(pose.shape == (2, 3, 4, 4) for pose in linkage.poses(q).values())
+    assert linkage.joint_points(q).shape == (2, 3, len(linkage.joints), 3)
+    assert linkage.residual(q[:, :0]).shape == (2, 0, size)
+
+
+@each_linkage
+def test_a_closed_linkage_holds_together_at_every_joint(linkage):
+    """Each joint, not only those that the walks use: b stands to a as e^[S]q gap says."""
+    found = linkage.assemble(postures(linkage, 1)[0] * 0.3)
+    assert found.converged, found.message
+    stands = linkage.poses(found.q)
+    first = 0
+    for joint in linkage.joints:
+        a, b = (stands[body] for body in joint.bodies)
+        relative = np.eye(4)
+        for S, value in zip(joint.screws, found.q[first : first + joint.freedoms], strict=True):
+            relative = relative @ exp(S * value)
+        close(inverse(a) @ b, relative @ joint.gap)
+        first += joint.freedoms
+
+
+def graph_of(linkage):
+    """Which bodies a joint joins, as SciPy's sparse graphs take it: (N, N), with the joint's number, from 1, as weight."""
+    bodies = list(dict.fromkeys([linkage.ground, *(body for joint in linkage.joints for body in joint.bodies)]))
+    edges = np.zeros((len(bodies), len(bodies)), dtype=int)
+    for i, joint in enumerate(linkage.joints, start=1):
+        a, b = map(bodies.index, joint.bodies)
+        edges[a, b], edges[b, a] = i, -i
+    return bodies, edges
+
+
+def passed(joint, q, backwards=False):
+    """How a joint moves its second body against its first, by the exponentials of Modern Robotics."""
+    factors = [mr.MatrixExp6(mr.VecTose3(S * value)) for S, value in zip(joint.screws, q, strict=True)]
+    T = reduce(np.matmul, [*factors, joint.gap])
+    return mr.TransInv(T) if backwards else T
+
+
+def unmade(linkage):
+    """The same linkage, from which nothing has been asked yet."""
+    return Mechanism(linkage.joints, linkage.ground, linkage.name)
+
+
+@pytest.mark.oracle("modern_robotics", Mechanism.poses, Mechanism.joint_points, as_chain, Joint.place)
+@pytest.mark.oracle("modern_robotics", Mechanism.loops)
+@each_linkage
+def test_a_closed_linkage_stands_where_modern_robotics_leads_along_any_walk(linkage):
+    """Along SciPy's walks through the graph of bodies, which need not be ours: what is closed is the same by every way."""
+    linkage = unmade(linkage)
+    q = linkage.assemble(0.3 * postures(linkage, 1)[0]).q
+    values = np.split(q, np.cumsum([joint.freedoms for joint in linkage.joints])[:-1])
+    bodies, edges = graph_of(linkage)
+    order, before = breadth_first_order(edges != 0, 0, directed=False)
+    stands = {0: np.eye(4)}
+    for body in order[1:]:
+        number = edges[before[body], body]
+        i = abs(number) - 1
+        stands[body] = stands[before[body]] @ passed(linkage.joints[i], values[i], backwards=number < 0)
+    found = linkage.poses(q)
+    for body, pose in stands.items():
+        close(found[bodies[body]], pose, atol=1e-10)
+    for loop in linkage.loops:
+        close(mr.FKinSpace(loop.chain.home, loop.chain.screws.T, q[loop.columns]), np.eye(4), atol=1e-10)
+    for joint, point in zip(linkage.joints, linkage.joint_points(q), strict=True):
+        drawn = joint.point if joint.point is not None else np.cross(joint.screws[0, :3], joint.screws[0, 3:])
+        close(point, (stands[bodies.index(joint.bodies[0])] @ [*drawn, 1])[:3], atol=1e-10)
+
+
+@pytest.mark.oracle("modern_robotics", cycles)
+@each_linkage
+def test_round_a_cycle_modern_robotics_comes_back(linkage):
+    q = linkage.assemble(0.3 * postures(linkage, 1)[0]).q
+    values = np.split(q, np.cumsum([joint.freedoms for joint in linkage.joints])[:-1])
+    for cycle in cycles(linkage.joints, walks(linkage.joints, linkage.ground)):
+        around = [passed(linkage.joints[i], values[i], not forwards) for i, forwards in cycle]
+        close(reduce(np.matmul, around), np.eye(4), atol=1e-10)
+
+
+@pytest.mark.oracle("scipy", walks, Mechanism.bodies)
+@each_linkage
+def test_walks_are_as_short_as_scipy_s_and_loops_as_many_as_its_graph_has(linkage):
+    bodies, edges = graph_of(linkage)
+    shortest = shortest_path(edges != 0, directed=False, unweighted=True, indices=0)
+    ways = walks(linkage.joints, linkage.ground)
+    assert {body: len(way) for body, way in ways.items()} == dict(zip(bodies, shortest, strict=True))
+    fresh = unmade(linkage)
+    assert sorted(fresh.bodies) == sorted(bodies)
+    parts, _ = connected_components(edges != 0, directed=False)
+    count = len(linkage.joints) - len(bodies) + parts
+    assert len(fresh.loops) == len(cycles(linkage.joints, ways)) == count
+    # No loop is made of the others: over bodies and joints, they are a basis of the null space of the incidence matrix.
+    incidence = np.zeros((len(bodies), len(linkage.joints)))
+    for i, joint in enumerate(linkage.joints):
+        incidence[[bodies.index(body) for body in joint.bodies], i] = -1, 1
+    around = np.zeros((count, len(linkage.joints)))
+    for row, cycle in zip(around, cycles(linkage.joints, ways), strict=True):
+        for i, forwards in cycle:
+            row[i] += 1 if forwards else -1
+    oracle = null_space(incidence)
+    close(around - around @ oracle @ oracle.T, 0)
+    assert np.linalg.matrix_rank(around) == count == oracle.shape[1]
+
+
+def test_a_loop_at_the_end_of_an_arm_leaves_the_arm_out():
+    """The bodies at its end are joined twice, or in a triangle."""
+    for ends, expected in (
+        ([("b", "c"), ("b", "c")], [(3, True), (2, False)]),
+        ([("b", "c"), ("c", "b")], [(2, True), (3, True)]),
+        ([("b", "c"), ("d", "b"), ("c", "d")], [(2, True), (4, True), (3, True)]),
+    ):
+        linkage = Mechanism(bars(("ground", "a"), ("a", "b"), *ends))
+        assert cycles(linkage.joints, walks(linkage.joints, "ground")) == [expected]
+        assert [loop.columns.tolist() for loop in linkage.loops] == [[i for i, _ in expected]]
+
+
+def test_a_joint_of_several_values_passed_backwards_undoes_itself():
+    q = np.array([0.3, -0.8, 1.1])
+    ball = Joint("ball", ("a", "b"), spherical([1.0, 2.0, 3.0]), gap=exp([0.1, 0.2, 0.3, 4.0, 5.0, 6.0]))
+    there, back = (as_chain([ball], [(0, forwards)], "ball") for forwards in (True, False))
+    close(there.chain.fk(q[there.columns]) @ back.chain.fk(q[back.columns]), np.eye(4))
+    assert (there.columns.tolist(), back.columns.tolist()) == ([0, 1, 2], [2, 1, 0])
+
+
+def test_every_loop_is_a_chain_with_its_own_number():
+    assert [loop.chain.name for loop in linkages.three_rrr().loops] == ["loop 1", "loop 2"]
+
+
+@pytest.mark.parametrize(("lean", "height"), [(0.09, 0), (0.11, 5)])
+def test_the_middle_does_not_run_away_to_where_nearly_parallel_axes_would_meet(lean, height):
+    """Two axes lean towards each other and meet 5 m above the origin: to where less than 0.1 rad leads, nobody goes."""
+    aside = 5 * np.tan(lean) * X
+    up, across = np.cos(lean) * Z, np.sin(lean) * X
+    chain = Chain(np.stack([screw(up + across, -aside), screw(up - across, aside)]), np.eye(4))
+    close(Walk(chain, np.arange(2)).middle, height * Z)
+
+
+@pytest.mark.oracle("scipy", Walk.middle, Walk.size, Walk.to_middle)
+@each_linkage
+def test_the_middle_of_a_loop_is_where_scipy_finds_the_sum_of_squares_least(linkage):
+    for loop in unmade(linkage).loops:
+        turning = loop.chain.screws[loop.chain.screws[:, :3].any(axis=1)]
+        omega, feet = turning[:, :3], np.cross(turning[:, :3], turning[:, 3:])
+
+        def off(p, omega=omega, feet=feet):
+            return np.cross(p - feet, omega).ravel()
+
+        if len(turning):
+            least = least_squares(off, np.zeros(3), xtol=1e-15, ftol=1e-15, gtol=1e-15)
+            close(np.linalg.norm(off(loop.middle)), np.linalg.norm(least.fun), atol=1e-9)
+        shift = mr.RpToTrans(np.eye(3), -loop.middle)
+        close(loop.to_middle, mr.Adjoint(shift))
+        axes = loop.chain.screws @ mr.Adjoint(shift).T
+        ways = [np.cross(S[:3], S[3:]) for S in axes] + [(shift @ loop.chain.home @ mr.TransInv(shift))[:3, 3]]
+        close(loop.size, max(distance.cdist(np.array(ways), np.zeros((1, 3))).ravel()))
+
+
+@pytest.mark.oracle("scipy", spherical, universal)
+@given(st.tuples(*[st.floats(-3, 3)] * 3), points())
+def test_a_ball_and_a_cross_turn_as_scipy_s_angles_do(angles, centre):
+    """Turns about x, y and z, each carried by those before it: intrinsic angles, capital letters to SciPy."""
+    for screws, letters in (
+        (spherical(centre), "XYZ"),
+        (universal(X, Y, centre), "XY"),
+        (universal(Z, X, centre), "ZX"),
+    ):
+        T = reduce(np.matmul, [exp(S * angle) for S, angle in zip(screws, angles, strict=False)])
+        close(T[:3, :3], Rotation.from_euler(letters, angles[: len(letters)]).as_matrix())
+        close(T @ [*centre, 1], [*centre, 1])
+
+
+@pytest.mark.oracle("modern_robotics", cylindrical)
+@given(points(), directions())
+def test_a_cylinder_slides_and_turns_about_one_line_of_modern_robotics(point, axis):
+    close(cylindrical(axis, point), [[0, 0, 0, *axis], mr.ScrewToAxis(point, axis, 0)])
+
+
+@pytest.mark.oracle("pinocchio", Mechanism.from_chain, Mechanism.from_branches, in_series)
+@given(moved_chains(3), moved_chains(3))
+def test_chains_bent_round_and_joined_close_where_pinocchio_says(one, two):
+    """For a ring, log of its pose; for two branches, T_1 = T_2: what moves the end of one must move that of the other."""
+    pin = pytest.importorskip("pinocchio", reason="no pinocchio here (the wheel `pin` does not exist for Windows)")
+    # modern_robotics takes turns below 1e-6 for none
+    one, two = ((chain, np.where(np.abs(q) < 1e-5, 0, q)) for chain, q in (one, two))
+    (first, q), (second, p) = one, two
+    there, here = (
+        pinocchio_oracle.pinocchio_loop(pinocchio_oracle.pinocchio_model(chain), v[None])[0] for chain, v in (one, two)
+    )
+    assume(first.n > 1 and all(np.trace(T[:3, :3]) > -0.99 for T in (there, here, there @ mr.TransInv(here))))
+    size = 1 + sum(np.abs(chain.screws[:, 3:]).sum() for chain in (first, second)) * 5
+    close(Mechanism.from_chain(first).residual(q), np.roll(pin.log6(there).vector, 3), atol=1e-12 * size)
+    joined = Mechanism.from_branches(first, second)
+    left = joined.residual([*q, *p])
+    ways = (there @ mr.TransInv(here), here @ mr.TransInv(there))
+    apart = [np.abs(left - np.roll(pin.log6(T).vector, 3)).max() for T in ways]
+    assert min(apart) < 1e-12 * size
+    straight = in_series(
+        first, [str(i) for i in range(first.n + 1)], [f"joint {i}" for i in range(first.n)], first.home
+    )
+    values = np.reshape(q, (-1, 1))
+    close(reduce(np.matmul, map(passed, straight, values)), there, atol=1e-11 * size)
+
+
+@pytest.mark.oracle("text: written out in the test", Mechanism, Mechanism.n, Mechanism.names, Mechanism.limits)
+@pytest.mark.oracle("text: written out in the test", Joint, Joint.range, Joint.freedoms)
+def test_a_linkage_of_two_joints_is_what_was_written_down():
+    turn = Joint("turn", ("a", "b"), screw(Z), limits=(-1, 2))
+    ball = Joint("ball", ("b", "a"), spherical(X))
+    linkage = Mechanism([turn, ball])
+    assert linkage.joints == (turn, ball)
+    assert (linkage.ground, linkage.bodies, linkage.name, linkage.source) == ("a", ("a", "b"), "linkage", "")
+    assert Mechanism([turn, ball], "b").bodies == ("b", "a")
+    assert (linkage.n, turn.freedoms, ball.freedoms) == (4, 1, 3)
+    assert linkage.names == ("turn", "ball.1", "ball.2", "ball.3")
+    assert linkage.limits.tolist() == [[-1, 2], *[[-np.inf, np.inf]] * 3]
+    assert turn.range.tolist() == [[-1, 2]]
+    assert turn.screws.tolist() == [[0, 0, 1, 0, 0, 0]]
+    assert [joint.screws.tolist() for joint in linkage.joints] == [turn.screws.tolist(), ball.screws.tolist()]
+    assert linkage.joints[1].screws[:, 3:].tolist() == [[0, 0, 0], [0, 0, 1], [0, -1, 0]]
+
+
+# --- one mechanism, many descriptions ---
+
+
+def backwards(joint):
+    """The same joint described from its second body: a turns against b about the same axis, the other way round."""
+    return replace(
+        joint,
+        bodies=joint.bodies[::-1],
+        screws=-joint.screws @ adjoint(inverse(joint.gap)).T,
+        gap=inverse(joint.gap),
+        point=None,
+    )
+
+
+def moved(joint, T, scale):
+    screws, gap = joint.screws.copy(), joint.gap.copy()
+    screws[screws[:, :3].any(axis=1), 3:] *= scale
+    gap[:3, 3] *= scale
+    return replace(joint, screws=screws @ adjoint(T).T, gap=T @ gap @ inverse(T), point=None)
+
+
+DESCRIBED = {
+    "four-bar": (linkages.four_bar(0.4, 0.1, 0.35, 0.3), {"A": 1.0}, 2),
+    "slider-crank": (linkages.slider_crank(1, 3, 0.2), {"A": 1.0}, 2),
+    "Bennett": (linkages.bennett(), {"joint 1": 1.0}, 1),
+    "five-bar": (linkages.five_bar(1, (1, 1), (1, 1)), {"A": 2.0, "D": 1.0}, 2),
+}
+
+
+@settings(max_examples=6)
+@given(st.sampled_from(sorted(DESCRIBED)), st.data())
+def test_the_same_linkage_described_otherwise_moves_the_same(name, data):
+    """Another ground, joints in another order and backwards, drawn elsewhere: as many modes, the same mobility."""
+    linkage, hold, count = DESCRIBED[name]
+    order = data.draw(st.permutations(range(len(linkage.joints))))
+    turned = data.draw(st.lists(st.booleans(), min_size=len(order), max_size=len(order)))
+    T = data.draw(drawn_poses())
+    joints = [
+        moved(backwards(joint) if flip else joint, T, 1.0) for joint, flip in zip(linkage.joints, turned, strict=True)
+    ]
+    other = Mechanism([joints[i] for i in order], data.draw(st.sampled_from(linkage.bodies)), name)
+    modes = linkage.assembly_modes(hold=hold)
+    found = other.assembly_modes(hold=hold)
+    assert len(modes) == len(found) == count
+    # Its values are the same too, in their new order.
+    assert sorted(np.round(mode[order], 6).tolist() for mode in modes) == sorted(np.round(found, 6).tolist())
+    one, two = linkage.mobility(modes[0]), other.mobility(modes[0][order])
+    assert (one.kutzbach, one.instantaneous, one.finite) == (two.kutzbach, two.instantaneous, two.finite)
+
+
+@pytest.mark.parametrize(("scale", "far"), [(1e-3, 0), (1e-3, 10), (1, 1e4), (100, 1e4)])
+def test_neither_the_origin_nor_the_unit_of_length_makes_a_difference(scale, far):
+    """From linkages of millimetres to some of 100 m, and as far from the origin as a map may put them."""
+    T = exp([0.3, -0.5, 0.7, 0, 0, 0])
+    T[:3, 3] = np.array([1.0, -0.5, 0.3]) * far
+    for name in ("four-bar", "slider-crank", "Bennett"):
+        linkage, hold, count = DESCRIBED[name]
+        other = Mechanism([moved(joint, T, scale) for joint in linkage.joints], linkage.ground)
+        modes = other.assembly_modes(hold=hold)
+        assert len(modes) == count
+        assert other.kutzbach() == linkage.kutzbach()
+        mobility = other.mobility(modes[0])
+        assert mobility.instantaneous == mobility.finite == 1
+        # A curve of metres is as long as the linkage is large.
+        assert other.trace(modes[0], step=0.3 * max(1, scale) if name == "slider-crank" else 0.3).closed
+
+
+def test_with_every_crank_more_counting_goes_down_and_the_parallelogram_moves_all_the_same():
+    """One loop for each crank after the first, and the equations of every loop below those of the one before."""
+    for cranks in (2, 3, 4, 5):
+        joints = []
+        for i in range(cranks):
+            foot, crank = 0.1 * i * X, f"crank {i}"
+            joints += [
+                Joint(f"A{i}", ("ground", crank), screw(Z, foot)),
+                Joint(f"B{i}", (crank, "coupler"), screw(Z, foot + 0.2 * Y)),
+            ]
+        linkage = Mechanism(joints)
+        assert len(linkage.loops) == cranks - 1
+        mobility = linkage.mobility(np.zeros(2 * cranks))
+        assert (mobility.kutzbach, mobility.instantaneous, mobility.finite) == (3 - cranks, 1, 1)
+        turned = linkage.assemble(np.zeros(2 * cranks), hold={"A0": 0.3})
+        close(turned.q, 0.3 * np.resize([1, -1], 2 * cranks))
+
+
+def test_the_singular_values_are_those_of_the_linkage_and_not_of_where_it_is_drawn():
+    linkage, hold, _ = DESCRIBED["Bennett"]
+    q = linkage.assembly_modes(hold=hold)[0]
+    for T in (exp([0.4, 1, -2, 3, 4, 5]), exp([0, 0, 0, 100, 0, 0])):
+        other = Mechanism([moved(joint, T, 1.0) for joint in linkage.joints])
+        close(other.mobility(q).singular_values, linkage.mobility(q).singular_values, atol=1e-11)
+
+
+def test_the_values_of_a_composite_joint_turn_round_with_it():
+    """A spherical joint backwards has its axes in reverse, so its first angle is its last; the loop may run the other way."""
+    joints = [
+        Joint("shaft", ("ground", "a"), screw(Z)),
+        Joint("ball", ("a", "b"), spherical(X)),
+        Joint("arm", ("ground", "b"), screw(X, Y)),
+    ]
+    forwards = Mechanism(joints)
+    turned = Joint("ball", ("b", "a"), -spherical(X)[::-1])
+    q = np.array([0.3, 0.1, -0.4, 0.2, 0.5])
+    other = Mechanism([joints[0], turned, joints[2]])
+    close(np.abs(other.residual(q[[0, 3, 2, 1, 4]])), np.abs(forwards.residual(q)))
+
+
+# --- joints of all kinds ---
+
+
+def test_a_jack_climbs_by_its_pitch():
+    linkage = jack(0.01)
+    assert linkage.kutzbach() == 1
+    for turn in (0.5, -3.0):
+        crank, thread, rise = linkage.assemble(np.zeros(3), hold={"crank": turn}).q
+        close([thread, rise], [-turn, -0.01 * turn])
+        assert crank == turn
+    raised = linkage.assemble(np.zeros(3), hold={"rise": 0.05})
+    close(raised.q, [-5, 5, 0.05])
+    assert len(linkage.assembly_modes(hold={"rise": 0.05})) == 1
+    curve = linkage.trace(np.zeros(3), most=30)
+    assert curve.ends == ("30 points", "30 points")
+
+
+def test_wedges_lift_by_their_slope():
+    linkage = wedges()
+    # Slides along three directions of a plane: two equations, not three.
+    assert linkage.kutzbach() == 1
+    close(linkage.assemble(np.zeros(3), hold={"push": 0.3}).q, [0.3, -0.5, -0.4])
+    curve = limited(linkage, rise=(-0.2, 0.6)).trace(np.zeros(3))
+    assert curve.ends == ("limit of rise", "limit of rise")
+    close(np.sort(curve.q[[0, -1], 2]), [-0.2, 0.6])
+
+
+@pytest.mark.oracle("printed: Hooke (1676)", Mechanism.trace, universal)
+@pytest.mark.parametrize("bend", [0.3, 1.0])
+def test_hooke_s_joint_turns_its_shafts_as_hooke_found(bend):
+    """tan(out) = cos(bend) tan(in): Robert Hooke, A Description of Helioscopes (1676)."""
+    out = np.array([np.sin(bend), 0, np.cos(bend)])
+    across = np.cross(Z, out) / np.sin(bend)
+    linkage = Mechanism(
+        [
+            Joint("in", ("ground", "fork"), screw(Z)),
+            Joint("cross", ("fork", "other fork"), universal(across, np.cross(out, across), np.zeros(3))),
+            Joint("out", ("ground", "other fork"), screw(out)),
+        ],
+        name="Hooke",
+    )
+    assert linkage.names == ("in", "cross.1", "cross.2", "out")
+    # About a point a loop has three equations.
+    assert linkage.kutzbach() == 1
+    curve = linkage.trace(np.zeros(4))
+    assert curve.closed
+    one, other = curve.q[:, 0], curve.q[:, 3]
+    close(np.sin(other) * np.cos(one), np.cos(bend) * np.cos(other) * np.sin(one))
+
+
+@pytest.mark.oracle(
+    "printed: McCarthy and Soh, Geometric Design of Linkages, 1.3", Mechanism.kutzbach, Mechanism.mobility
+)
+def test_cylinders_and_balls_count_as_the_books_say():
+    """RCCC has one freedom, RSSR has one and the idle spin of its coupler: McCarthy and Soh, 1.3."""
+    skew = [screw(Z), screw(X, Y), screw(Y, Z + X), screw(np.array([0.6, 0, 0.8]), 2 * X)]
+    lines = [(Z, 0 * X), (X, Y), (Y, Z + X), (np.array([0.6, 0, 0.8]), 2 * X)]
+    bodies = [("0", "1"), ("1", "2"), ("2", "3"), ("0", "3")]
+    rccc = Mechanism(
+        [Joint("R", bodies[0], skew[0])] + [Joint(f"C{i}", bodies[i], cylindrical(*lines[i])) for i in range(1, 4)]
+    )
+    mobility = rccc.mobility(np.zeros(7))
+    assert (mobility.kutzbach, mobility.instantaneous, mobility.finite) == (1, 1, 1)
+    balls = [Joint("S1", bodies[1], spherical(X + Y)), Joint("S2", bodies[2], spherical(2 * Y + Z))]
+    rssr = Mechanism([Joint("R1", bodies[0], skew[0]), *balls, Joint("R2", bodies[3], skew[3])])
+    assert rssr.names == ("R1", "S1.1", "S1.2", "S1.3", "S2.1", "S2.2", "S2.3", "R2")
+    mobility = rssr.mobility(np.zeros(8))
+    assert (mobility.kutzbach, mobility.instantaneous, mobility.finite) == (2, 2, 2)
+
+
+@settings(max_examples=15)
+@given(st.lists(drawn_screws(), min_size=2, max_size=7))
+def test_a_loop_of_any_joints_closes_where_it_is_drawn_and_counts_its_rank(axes):
+    """At q = 0 the Jacobian is the screws themselves: their rank by NumPy's own count, in parts of the largest."""
+    linkage = Mechanism.from_chain(Chain(np.array(axes), np.eye(4)))
+    zero = np.zeros(linkage.n)
+    close(linkage.residual(zero), 0)
+    close(linkage.jacobian(zero), np.array(axes).T)
+    # Between 1e-9 and 1e-5 rank is a matter of opinion, and neither count is right or wrong.
+    mobility = linkage.mobility(zero)
+    if not ((mobility.singular_values > 1e-9) & (mobility.singular_values < 1e-5)).any():
+        assert mobility.instantaneous == linkage.n - np.linalg.matrix_rank(np.array(axes), tol=1e-7)
+
+
+# --- closing ---
+
+
+@pytest.mark.oracle("scipy", Mechanism.assemble, Closure.assemble)
+def test_assemble_finds_the_posture_that_scipy_finds():
+    rng = np.random.default_rng(3)
+    for linkage, hold, _ in DESCRIBED.values():
+        mode = linkage.assembly_modes(hold=hold)[0]
+        free = [i for i, name in enumerate(linkage.names) if name not in hold]
+        guess = mode + 0.05 * rng.normal(size=linkage.n) * np.isin(np.arange(linkage.n), free)
+        found = linkage.assemble(guess, hold=hold)
+
+        def left(x, linkage=linkage, guess=guess, free=free):
+            q = guess.copy()
+            q[free] = x
+            return linkage.residual(q)
+
+        oracle = least_squares(left, guess[free], xtol=1e-15, ftol=1e-15, gtol=1e-15)
+        assert found.converged
+        close(found.q[free], oracle.x, atol=1e-9)
+        close(found.q, mode, atol=1e-11)
+        assert np.linalg.norm(linkage.residual(found.q)) < EXACT
+        assert f"after {found.iterations} step" in found.message
+
+
+def test_links_that_cannot_meet_are_told_with_the_gap():
+    """Three links of 1 m each do not span 4 m: 1 m is missing, once all lie on the line of the ground."""
+    found = linkages.four_bar(4, 1, 1, 1).assemble([0.5, 0.5, 2, 0])
+    assert not found.converged
+    close(found.residual, 1.0, atol=0.3)
+    assert found.message.startswith(
+        f"Not closed after {found.iterations} steps: a gap of {found.residual:.2g}, in metres"
+    )
+    assert "Are the links too short to meet?" in found.message
+    assert len(linkages.four_bar(4, 1, 1, 1).assembly_modes(hold={"A": 0.0})) == 0
+
+
+def test_a_driver_held_where_it_cannot_go_is_told():
+    linkage = linkages.four_bar(0.4, 0.3, 0.35, 0.1)  # a rocker: it does not reach 2.5 rad
+    found = linkage.assemble([0, 0, 0, 0], hold={"A": 2.5})
+    assert not found.converged
+    assert found.q[0] == 2.5
+
+
+def test_a_closed_posture_is_left_as_it_is():
+    linkage, hold, _ = DESCRIBED["four-bar"]
+    q = linkage.assembly_modes(hold=hold)[0]
+    again = linkage.assemble(q)
+    assert again.iterations == 0
+    assert again.q.tolist() == q.tolist()
+
+
+@pytest.mark.parametrize("far", [0.0, 3.0])
+def test_what_counts_as_closed_grows_with_the_distance_of_the_farthest_joint(far):
+    """Two joints 1 m to either side of a middle `far` from the origin, and a slide, which is left open as far as it is out."""
+    middle = far * Y
+    joints = [
+        Joint("turn", ("ground", "a"), screw(Z, middle + X)),
+        Joint("turn back", ("a", "b"), screw(Z, middle - X)),
+        Joint("slide", ("ground", "b"), screw(Z, pitch=SLIDE)),
+    ]
+    for out, steps in ((0.95, 0), (1.05, 1)):
+        found = Mechanism(joints).assemble([0, 0, out * 1e-13 * (1 + far + 1)])
+        assert found.converged
+        assert found.iterations == steps
+
+
+def test_a_thread_finds_its_place_in_every_turn():
+    """A four-bar whose crank climbs a thread: with every turn of the crank it has the same two modes, one pitch higher."""
+    A, B, D, C = FOUR_BAR.joints
+    linkage = Mechanism(
+        [
+            Joint("A", A.bodies, screw(Z, pitch=0.2), limits=(-28, 28)),
+            *(B, D, replace(C, bodies=("rocker", "nut"))),
+            Joint("rise", ("coupler", "nut"), screw(Z, pitch=SLIDE)),
+        ]
+    )
+    flat = FOUR_BAR.assembly_modes(hold={"D": 2.0})
+    turned = (flat[:, 0] + 2 * np.pi * np.arange(-5, 6)[:, None]).ravel()
+    modes = linkage.assembly_modes(hold={"D": 2.0})
+    close(modes[:, 0], np.sort(turned[np.abs(turned) < 28]))
+    close(modes[:, 4], -0.2 * modes[:, 0])
+
+
+# --- limits ---
+
+
+def test_angles_limited_to_a_full_turn_from_zero_lose_no_mode():
+    linkage, hold, _ = DESCRIBED["four-bar"]
+    free = linkage.assembly_modes(hold=hold)
+    turned = limited(linkage, B=(0.0, 2 * np.pi), D=(0.0, 2 * np.pi), C=(-3 * np.pi, -np.pi))
+    modes = turned.assembly_modes(hold=hold)
+    assert len(modes) == len(free)
+    assert (modes >= turned.limits[:, 0] - EXACT).all()
+    assert (modes <= turned.limits[:, 1] + EXACT).all()
+    close(np.sort(np.cos(modes), axis=0), np.sort(np.cos(free), axis=0))
+
+
+def test_limits_leave_out_the_modes_beyond_them():
+    linkage, hold, _ = DESCRIBED["four-bar"]
+    rocker = linkage.assembly_modes(hold=hold)[:, 2]
+    assert len(limited(linkage, D=(0.0, np.pi)).assembly_modes(hold=hold)) == np.count_nonzero(rocker > 0) == 1
+    slider = DESCRIBED["slider-crank"][0]
+    assert len(limited(slider, slide=(0.0, 20.0)).assembly_modes(hold=hold)) == 1
+    assert len(limited(slider, slide=(10.0, 20.0)).assembly_modes(hold=hold)) == 0
+    assert len(limited(slider, slide=(-np.inf, -1.0)).assembly_modes(hold=hold)) == 1
+
+
+def test_a_posture_beyond_its_limits_is_told_and_one_a_turn_away_is_brought_home():
+    linkage, hold, _ = DESCRIBED["four-bar"]
+    q = linkage.assembly_modes(hold=hold)[1]
+    narrow = limited(linkage, D=(q[2] + 0.5, q[2] + 1.0))
+    found = narrow.assemble(q)
+    assert found.converged
+    assert found.message.endswith("but beyond the limits of D.")
+    with pytest.raises(ValueError, match=r"The start is beyond the limits of D\."):
+        narrow.trace(q)
+    turn_on = limited(linkage, D=(q[2] + 2 * np.pi - 0.5, q[2] + 2 * np.pi + 0.5)).assemble(q)
+    assert "beyond" not in turn_on.message
+    close(turn_on.q[2], q[2] + 2 * np.pi)
+
+
+@pytest.mark.parametrize("points", [None, 181])
+def test_a_trace_ends_exactly_at_its_limits(points):
+    linkage, hold, _ = DESCRIBED["four-bar"]
+    q = linkage.assembly_modes(hold=hold)[1]
+    curve = limited(linkage, A=(-0.4, 2.1)).trace(q, points=points)
+    assert curve.ends == ("limit of A", "limit of A")
+    close(np.sort(curve.q[[0, -1], 0]), [-0.4, 2.1])
+    assert curve.residual < EXACT
+    assert points is None or len(curve.q) == points
+
+
+def test_a_curve_of_two_points_is_one_and_so_is_one_step():
+    ends = jack().trace(np.zeros(3), most=1)
+    assert (len(ends.q), ends.ends) == (3, ("1 point", "1 point"))
+    ways = jack().trace(np.zeros(3), points=2, most=3)
+    close(ways.q, ends.q[[0, -1]] * 3)
+
+
+def test_a_step_is_a_fifth_of_a_radian_unless_another_is_asked_for():
+    for steps, length in (({}, 0.2), ({"step": 0.5}, 0.5)):
+        close(np.diff(jack(1e-4).trace(np.zeros(3), most=5, **steps).length), length)
+
+
+def test_a_held_value_stays_put_along_a_trace():
+    linkage, hold, _ = DESCRIBED["five-bar"]
+    q = linkage.assembly_modes(hold=hold)[0]
+    curve = linkage.trace(q, hold={"A": q[0]})
+    assert (curve.q[:, 0] == q[0]).all()
+    assert (curve.tangents[:, 0] == 0).all()
+    # Along the motion nothing opens, to first order, and a unit tangent is as long as a unit step.
+    close(np.einsum("mij,mj->mi", linkage.jacobian(curve.q), curve.tangents), 0)
+    close(np.linalg.norm(curve.tangents, axis=1), 1)
+    assert np.linalg.norm(linkage.residual(curve.q), axis=1).max() < EXACT
+
+
+# --- closing equations whose answers are known ---
+
+
+def closing(equations, start=(0.0,), *, turns=False, limits=(-np.inf, np.inf), reach=2.0, closed=1e-13):
+    n = len(start)
+    names = [f"q{i}" for i in range(1, n + 1)]
+    return Closure(
+        *(equations, np.array(start, dtype=float), np.arange(n), names, np.full(n, turns)),
+        *(np.tile(limits, (n, 1)).astype(float), np.full(n, reach), closed),
+    )
+
+
+def line_at(root):
+    return lambda x: (x - root, np.ones((len(x), 1, 1)))
+
+
+def nowhere(x):
+    """Equations that no x solves, and that lead nowhere."""
+    return np.ones((len(x), 1)), np.zeros((len(x), 1, x.shape[1]))
+
+
+def cosine(x):
+    return np.cos(x), -np.sin(x)[:, None]
+
+
+@pytest.mark.parametrize(
+    ("start", "words"), [(0.5, "after 0 steps."), (0.5 + 1e-6, "after 1 step."), (0.501, "after 2 steps.")]
+)
+def test_the_steps_are_counted_in_the_words_too(start, words):
+    found = closing(line_at(0.5), [start]).assemble()
+    assert found.message.endswith(words)
+    assert f" {found.iterations} " in words
+
+
+@pytest.mark.parametrize(("equations", "rounds"), [(nowhere, 3), (line_at(0.5), 4)])
+def test_the_search_is_over_when_three_rounds_in_a_row_brought_nothing_new(equations, rounds):
+    brought = []
+
+    def stand(q):
+        brought.append(len(q))
+        return q
+
+    assert len(closing(equations).modes(stand)) == rounds - 3
+    assert len(brought) == rounds
+
+
+def asked_by(modes_of, **options):
+    """Where a search for modes asks what is left over."""
+    asked = []
+
+    def equations(x):
+        asked.append(x.copy())
+        return modes_of(x)
+
+    closing(equations, **options).modes(stand=lambda q: q)
+    return np.concatenate(asked)
+
+
+def test_every_call_searches_from_the_same_guesses():
+    assert asked_by(nowhere).tolist() == asked_by(nowhere).tolist()
+
+
+@pytest.mark.parametrize(
+    ("limits", "window"),
+    [
+        ((-np.inf, np.inf), (-2, 2)),
+        ((-1, 0.5), (-1, 0.5)),
+        ((-1, np.inf), (-1, 3)),
+        ((5, np.inf), (5, 9)),
+        ((-np.inf, 1), (-3, 1)),
+        ((-np.inf, -5), (-9, -5)),
+    ],
+)
+def test_modes_are_sought_among_all_values_within_reach_of_0_or_of_the_limit_nearest_to_it(limits, window):
+    guesses = asked_by(nowhere, limits=limits)
+    assert window[0] <= guesses.min() < guesses.max() <= window[1]
+    close([guesses.min(), guesses.max()], window, atol=0.05 * np.ptp(window))
+
+
+def test_what_closes_too_slowly_is_no_mode_that_is_sought_and_can_be_assembled_all_the_same():
+    """Newton's steps to a root of fourth order shorten the way by a quarter each."""
+    slow = closing(lambda x: (x**4, 4 * x[:, None] ** 3), [1.0], closed=1e-45)
+    assert slow.modes(stand=lambda q: q).shape == (0, 1)
+    found = slow.assemble()
+    assert found.converged
+    assert found.iterations > 40
+
+
+def test_a_posture_that_gives_a_little_and_goes_nowhere_is_a_mode():
+    """x^2 + y^2 = 0 at 0 alone: one equation, and one direction in which it does not resist."""
+    shaky = closing(lambda x: ((x * x).sum(1, keepdims=True), 2 * x[:, None]), [0.0, 0.0])
+    close(shaky.modes(stand=lambda q: q), [[0, 0]], atol=1e-6)
+
+
+@pytest.mark.parametrize(("beyond", "count"), [(2e-6, 0), (5e-7, 1), (-5e-7, 1)])
+def test_a_mode_beyond_a_limit_by_what_its_print_leaves_out_is_one(beyond, count):
+    """The cosine is 0 at a right angle either way; limits stand beside one of them, below it or above."""
+    for limits in ((np.pi / 2 + beyond, 2), (1, np.pi / 2 - beyond)):
+        within = closing(cosine, turns=True, limits=limits, reach=np.pi)
+        close(within.modes(stand=lambda q: q), np.full((count, 1), np.pi / 2))
+        found = replace(within, posture=np.array([1.5])).assemble()
+        close(np.sin(found.q), [1])
+        assert ("beyond the limits of q1" in found.message) == (count == 0)
+
+
+@pytest.mark.parametrize(
+    ("limits", "angles"),
+    [
+        ((-np.inf, np.inf), (-0.5, 0.5)),
+        ((-np.inf, 0), (-1.5, -0.5)),
+        ((-np.inf, 2), (-0.5, 0.5)),
+        ((-np.inf, -7), (-3.5, -2.5)),
+        ((1, np.inf), (0.5, 1.5)),
+        ((2, np.inf), (1.5, 2.5)),
+    ],
+)
+def test_an_angle_is_counted_from_its_least_value_or_within_the_last_turn_below_its_greatest(limits, angles):
+    free = closing(cosine, turns=True, limits=limits, reach=np.pi)
+    close(free.modes(stand=np.sin), np.pi * np.array(angles)[:, None])
+
+
+# --- from chains ---
+
+
+def test_a_chain_bent_round_is_the_loop_of_its_screws():
+    arm = robots.puma560()
+    linkage = Mechanism.from_chain(arm)
+    assert linkage.kutzbach() == 0
+    assert set(linkage.bodies) == {"ground", *(f"link {i}" for i in range(1, 6))}
+    q = np.array([0.1, -0.4, 0.3, 0.2, 0.5, -0.1])
+    close(linkage.residual(q), log(arm.fk(q)))
+
+
+def test_a_chain_bent_round_keeps_its_limits_and_where_its_joints_are_drawn():
+    arm = robots.puma560()
+    assert np.isinf(Mechanism.from_chain(arm).limits).all()
+    limits = np.arange(12.0).reshape(6, 2)
+    ring = Mechanism.from_chain(replace(arm, limits=limits))
+    close([joint.place for joint in ring.joints], arm.joint_points)
+    close([joint.limits for joint in ring.joints], limits[:, None])
+    assert (ring.ground, ring.name, ring.source) == ("ground", arm.name, arm.source)
+
+
+def test_joints_and_links_without_names_are_numbered_branch_by_branch():
+    ring = Mechanism.from_chain(robots.rprr())
+    assert ring.names == ("joint 1", "joint 2", "joint 3", "joint 4")
+    assert ring.bodies == ("ground", "link 1", "link 3", "link 2")
+    joined = Mechanism.from_branches(robots.rpr(), robots.rprr())
+    assert joined.names == (*(f"joint 1.{i}" for i in (1, 2, 3)), *(f"joint 2.{i}" for i in (1, 2, 3, 4)))
+    links = [*(f"link 1.{i}" for i in (1, 2)), *(f"link 2.{i}" for i in (1, 2, 3))]
+    assert sorted(joined.bodies) == ["end", "ground", *links]
+    assert (joined.ground, joined.name, joined.source) == ("ground", "linkage", "")
+    named = Mechanism.from_branches(robots.rpr(), robots.rpr(), name="pair", source="a drawing")
+    assert (named.name, named.source) == ("pair", "a drawing")
+
+
+def test_the_last_body_of_all_branches_is_drawn_at_the_home_of_the_first():
+    first, second = robots.rpr(), robots.rprr()
+    q = np.array([0.3, -0.2, 0.5, 0.1, 0.2, -0.4, 0.6])
+    end = Mechanism.from_branches(first, second).poses(q)["end"]
+    close(end @ first.home, first.fk(q[:3]))
+
+
+def test_branches_meet_where_their_forward_kinematics_agree():
+    """(3.81): T_1(q_1) = T_2(q_2), so that log(T_1 T_2^-1) = 0, up to which way round the loop is walked."""
+    first, second = robots.rpr(), robots.rprr()
+    linkage = Mechanism.from_branches(first, second)
+    q = np.random.default_rng(2).uniform(-1, 1, 7)
+    there = first.fk(q[:3]) @ inverse(second.fk(q[3:]))
+    close(np.linalg.norm(linkage.residual(q)[:3]), np.linalg.norm(log(there)[:3]))
+    same = Mechanism.from_branches(first, first)
+    close(same.residual([0.3, 0.2, -0.5] * 2), 0)
+
+
+# --- what is refused ---
+
+
+def bars(*bodies):
+    return [Joint(f"J{i}", pair, screw(Z, i * X)) for i, pair in enumerate(bodies)]
+
+
+@pytest.mark.parametrize(
+    ("build", "message"),
+    [
+        (lambda: Mechanism([]), r"at least one joint; got none"),
+        (lambda: Mechanism(bars("ab", "bc")), r"has no loop: its 2 joints form a tree\. Use kl\.Chain"),
+        (lambda: Mechanism(bars("ab", "ab", "cd")), r"No joints lead from a to c, d\. Is a joint missing\?"),
+        (lambda: Mechanism(bars("ab", "ab"), ground="c"), r"one of the bodies a, b; got 'c'"),
+        (lambda: Mechanism(bars("ab", "ab")[:1] * 2), r"a name of its own; J0 came more than once"),
+        (lambda: Joint("J", ("a", "a"), screw(Z)), r"Joint J should join two different bodies; got tuple \('a', 'a'\)"),
+        (
+            lambda: Joint("J", ("a", "b"), [0, 0, 2, 0, 0, 0]),
+            r"screws of J should hold screw axes.*length of omega is 2",
+        ),
+        (lambda: Joint("J", ("a", "b"), screw(Z), gap=2 * np.eye(4)), r"home is not a pose"),
+        (lambda: Joint("J", ("a", "b"), screw(Z), limits=(1, 0)), r"limits of joint 1 should be \(least, greatest\)"),
+        (lambda: Joint("J", ("a", "b"), screw(Z), limits=(np.nan, 0)), r"limits of joint 1"),
+        (lambda: Joint("J", ("a", "b"), universal(X, Y, Z), limits=(0, 1)), r"limits should have one row"),
+        (lambda: Joint("J", ("a", "b"), screw(Z), point=(0, 0)), r"point of J should have shape"),
+        (lambda: Mechanism.from_branches(robots.rpr()), r"at least two; got 1"),
+        (lambda: Mechanism.from_chain(Chain([screw(Z)], np.eye(4))), r"two different bodies"),
+        (
+            lambda: Mechanism.from_branches(*[replace(robots.rpr(), joint_names=("a", "b", "c"))] * 2),
+            r"a, b, c came more",
+        ),
+    ],
+)
+def test_what_is_no_mechanism_is_refused(build, message):
+    with pytest.raises(ValueError, match=message):
+        build()
+
+
+@pytest.mark.parametrize(
+    ("ask", "message"),
+    [
+        (lambda m: m.residual([1, 2, 3]), r"four-bar has 4 joint values \(A, B, D, C\).*got \(3,\)"),
+        (lambda m: m.jacobian(np.zeros((4, 3))), r"shape \(\.\.\., 4\); got \(4, 3\)"),
+        (lambda m: m.poses([0, 0, 0, np.nan]), r"q holds NaN or infinity at index \[3\]"),
+        (lambda m: m.assemble(np.zeros((2, 4))), r"One posture, please, of shape \(4,\); got \(2, 4\)"),
+        (lambda m: m.assemble(np.zeros(4), hold={"E": 1}), r"no joint value 'E' to hold; it has A, B, D, C"),
+        (lambda m: m.assemble(np.zeros(4), hold={"A": np.nan}), r"A holds NaN"),
+        (lambda m: m.assemble(np.zeros(4), hold={"A": [1, 2]}), r"A is held at one value; got list \[1, 2\]"),
+        (lambda m: m.assemble(np.zeros(4), hold=dict.fromkeys("ABCD", 0)), r"Every joint value is held"),
+        (lambda m: m.assembly_modes(), r"1 freedoms are left, so the modes are curves and not postures\. Hold as many"),
+        (lambda m: m.mobility(np.zeros(4)), r"does not close: 2\.5 is left over\. Assemble it first"),
+        (lambda m: m.trace([0.5, 0.5, 2, 0]), r"A curve starts at a solution; here .* is left over\. Assemble first"),
+        (lambda m: m.trace(np.zeros(4), step=0), r"step should be a length along the curve, above 0; got 0"),
+        (lambda m: m.trace(np.zeros(4), step=np.nan), r"step should be"),
+        (lambda m: m.trace(np.zeros(4), points=1), r"two points at least, and one step; got points=1"),
+        (lambda m: m.trace(np.zeros(4), most=0), r"got points=None, most=0"),
+        (lambda m: m.trace(m.assembly_modes({"A": 1.0})[0], hold={"A": 1.0}), r"Nothing moves: it is a structure"),
+    ],
+)
+def test_what_makes_no_sense_is_refused(ask, message):
+    with pytest.raises(ValueError, match=message):
+        ask(FOUR_BAR)
+
+
+def test_a_mechanism_cannot_be_written_to_whatever_it_was_written_in():
+    listed = Joint("J", ("a", "b"), [0, 0, 1, 0, 0, 0], np.eye(4).tolist(), [-1, 2], [3, 0, 0])
+    for array in (FOUR_BAR.limits, listed.screws, listed.gap, listed.limits, listed.point):
+        with pytest.raises(ValueError, match="read-only"):
+            array[...] = 0

@@ -1,0 +1,407 @@
+"""The robots of the documents: every number that a deck prints and that is right comes out, every wrong one is proved wrong."""
+
+from functools import reduce
+from itertools import permutations, product
+
+import mpmath_oracle
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from strategies import FAMILIES, ROBOTS, configurations, directions, points, rotation_vectors
+
+from kinlib import exp, hat, inverse, line, robots
+from kinlib.arrays import validation
+from kinlib.rigid import screw
+
+PI = np.pi
+
+
+def close(got, expected, atol=1e-13):
+    np.testing.assert_allclose(got, expected, rtol=0, atol=atol)
+
+
+# --- each is what it says ---
+
+LETTERS = {
+    "rpr": "RPR",
+    "rppr": "RPPR",
+    "rprr": "RPRR",
+    "youbot": "RRRRR",
+    "puma560": "RRRRRR",
+    "rpr_lecture7": "RPR",
+    "plain_arm": "RRPR",
+    "angled_arm": "RRPR",
+    "mid_formula_arm": "RRRR",
+    "hrr": "HRR",
+}
+
+
+@pytest.mark.parametrize("name", LETTERS)
+def test_the_joints_are_of_the_kinds_that_the_documents_say(name):
+    assert getattr(robots, name)().letters == LETTERS[name]
+
+
+@pytest.mark.parametrize("family", FAMILIES, ids=lambda family: family.__name__)
+def test_every_robot_knows_its_source_and_has_a_name_of_its_own(family):
+    robot = family()
+    assert any(word in robot.source for word in ("deck", "Lecture", "lecture"))
+    assert [other.name for other in ROBOTS].count(robot.name) == 1
+
+
+@settings(max_examples=30)
+@pytest.mark.parametrize("family", FAMILIES, ids=lambda family: family.__name__)
+@given(data=st.data())
+def test_every_family_keeps_its_joints_apart_over_its_whole_range(family, data):
+    """No two joints do the same: somewhere, all n columns of the Jacobian are independent."""
+    ranges = {"tilt": st.floats(PI / 18, PI / 2), "pitch": st.floats(-0.5, 0.5)}
+    names = family.__annotations__.keys() - {"return"}
+    robot = family(**{name: data.draw(ranges.get(name, st.floats(0.1, 2)), label=name) for name in sorted(names)})
+    smallest = np.linalg.svd(robot.jacobian(configurations(robot, 20)), compute_uv=False)[:, -1]
+    assert smallest.max() > 1e-3
+    close(robot.fk(np.zeros(robot.n)), robot.home)
+
+
+def test_a_length_that_is_no_number_is_refused():
+    with pytest.raises(ValueError, match="NaN"):
+        robots.puma560(a2=np.nan)
+
+
+# --- against the tables, by roboticstoolbox ---
+
+
+def modified(*rows):
+    """RPRR, PUMA and the RPR of Lecture 7: rows of (letter, alpha_{i-1}, a_{i-1}, d_i, theta_i), angles in degrees."""
+    rtb = pytest.importorskip("roboticstoolbox")
+    links = []
+    for letter, alpha, a, d, theta in rows:
+        common = {"alpha": np.radians(alpha), "a": a}
+        if letter == "R":
+            links.append(rtb.RevoluteMDH(d=d, offset=np.radians(theta), **common))
+        else:
+            links.append(rtb.PrismaticMDH(theta=np.radians(theta), offset=d, **common))
+    return rtb.DHRobot(links)
+
+
+def standard(*rows):
+    """The youBot: rows of (offset, d, a, alpha), angles in degrees."""
+    rtb = pytest.importorskip("roboticstoolbox")
+    return rtb.DHRobot([rtb.RevoluteDH(offset=np.radians(o), d=d, a=a, alpha=np.radians(al)) for o, d, a, al in rows])
+
+
+def along(x=0.0, z=0.0):
+    return exp([0, 0, 0, x, 0, z])
+
+
+L2, L4, L5 = 0.7, 0.25, 0.35
+A2, A3, D3, D4 = 0.41, 0.03, 0.16, 0.44
+
+
+@pytest.mark.parametrize(
+    ("robot", "convention", "rows", "tool"),
+    [
+        (
+            robots.rprr(L2, L4, L5),
+            modified,
+            [("R", 0, 0, 0, 0), ("P", -90, 0, 0, -90), ("R", -90, L2, 0, 0), ("R", 90, 0, 0, 0)],
+            along(x=-L4, z=L5),  # row 5, which has no joint
+        ),
+        (
+            robots.puma560(A2, A3, D3, D4),
+            modified,
+            [
+                ("R", 0, 0, 0, 0),
+                ("R", -90, 0, 0, 0),
+                ("R", 0, A2, D3, 0),
+                ("R", -90, A3, D4, 0),
+                ("R", 90, 0, 0, 0),
+                ("R", -90, 0, 0, 0),
+            ],
+            along(),
+        ),
+        (
+            robots.rpr_lecture7(0.6),
+            modified,
+            [("R", 0, 0, 0, 0), ("P", 90, 0.6, 0, 0), ("R", -90, 0, 0, 0)],
+            along(),
+        ),
+        (
+            robots.youbot(),
+            standard,
+            [(0, 0.147, 0.033, 90), (0, 0, 0.155, 0), (0, 0, 0.135, 0), (90, 0, 0, 90), (0, 0.2175, 0, 0)],
+            along(),
+        ),
+    ],
+    ids=["RPRR", "PUMA 560", "RPR of Lecture 7", "youBot"],
+)
+def test_the_screws_move_as_the_printed_table_does(robot, convention, rows, tool):
+    arm = convention(*rows)
+    for q in configurations(robot, 20):
+        close(robot.fk(q), arm.fkine(q).A @ tool)
+
+
+# --- as they are drawn, step by step, by spatialmath ---
+
+
+def drawn_robots():
+    """Each robot, and how one walks from its base to its tool: turns and steps as the drawing has them."""
+    from spatialmath import SE3
+
+    turn = {"x": SE3.Rx, "y": SE3.Ry, "z": SE3.Rz}
+
+    def walk(*steps):
+        """Letter and angle, or a step along x, y, z."""
+        made = SE3()
+        for step in steps:
+            made = made * (turn[step[0]](step[1]) if isinstance(step[0], str) else SE3(*step))
+        return made.A
+
+    yield (
+        robots.rprr(L2, L4, L5),
+        lambda q: (
+            walk(("z", q[0]), (0, q[1], L2), ("x", q[2]), ("y", q[3]), (0, L5, -L4)) @ SE3.OA([1, 0, 0], [0, 1, 0]).A
+        ),
+    )
+    yield (
+        robots.puma560(A2, A3, D3, D4),
+        lambda q: walk(
+            *(
+                ("z", q[0]),
+                ("y", q[1]),
+                (A2, D3, 0),
+                ("y", q[2]),
+                (A3, 0, -D4),
+                ("z", -q[3]),
+                ("y", q[4]),
+                ("z", -q[5]),
+            ),
+            ("x", PI),
+        ),
+    )
+    yield robots.rpr_lecture7(0.6), lambda q: walk(("z", q[0]), (0.6, -q[1], 0), ("z", q[2]))
+    yield (
+        robots.plain_arm(0.4, 0.5, 0.3),
+        lambda q: walk(("z", q[0]), (0, 0, 0.4), ("y", -q[1]), (0.5 + q[2], 0, 0), ("x", q[3]), (0.3, 0, 0)),
+    )
+    yield (
+        robots.angled_arm(0.7, 0.4, 0.5, 0.3),
+        lambda q: walk(
+            *(("z", q[0]), (0, 0, 0.4), ("y", 0.7), ("z", q[1]), (0, 0, 0.5 + q[2]), ("y", q[3] - 0.7), (0.3, 0, 0))
+        ),
+    )
+    yield (
+        robots.mid_formula_arm(0.6, 0.4, 0.2),
+        lambda q: walk(
+            *(("z", q[0]), (0, 0, 0.4), ("y", q[1]), (0.6, 0, 0), ("x", q[2]), ("y", q[3]), (0.2, 0, 0), ("y", PI / 2))
+        ),
+    )
+    yield (
+        robots.hrr(0.1, 0.5, 0.3),
+        lambda q: walk(("z", q[0]), (0.5, 0, 0.1 * q[0]), ("z", q[1]), (0.3, 0, 0), ("z", q[2])),
+    )
+
+
+@pytest.mark.oracle("spatialmath", robots.rprr, robots.puma560, robots.rpr_lecture7, robots.plain_arm)
+@pytest.mark.oracle("spatialmath", robots.angled_arm, robots.mid_formula_arm, robots.hrr, robots.arm, robots.pose)
+def test_a_robot_moves_as_spatialmath_walks_through_its_drawing():
+    pytest.importorskip("spatialmath")
+    for robot, walked in drawn_robots():
+        for q in configurations(robot, 5):
+            close(robot.fk(q), walked(q))
+
+
+# --- deck "Example with n = 5" ---
+
+
+def test_the_link_transforms_of_the_rprr_multiply_to_its_pose_once_a_third_row_is_mended():
+    q1, q2, q3, q4 = q = np.array([0.3, 0.4, -0.5, 0.6])
+    (c1, c3, c4), (s1, s3, s4) = np.cos([q1, q3, q4]), np.sin([q1, q3, q4])
+    printed = [
+        [[c1, -s1, 0, 0], [s1, c1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]],
+        [[0, 1, 0, 0], [0, 0, 1, q2], [1, 0, 1, 0], [0, 0, 0, 1]],
+        [[c3, -s3, 0, L2], [0, 0, 1, 0], [-s3, -c3, 0, 0], [0, 0, 0, 1]],
+        [[c4, -s4, 0, 0], [0, 0, -1, 0], [s4, c4, 0, 0], [0, 0, 0, 1]],
+        [[1, 0, 0, -L4], [0, 1, 0, 0], [0, 0, 1, L5], [0, 0, 0, 1]],
+    ]
+    with pytest.raises(ValueError, match="not rigid"):
+        validation.rigid(printed[1], "1T2")
+    printed[1][2] = [1, 0, 0, 0]
+    close(reduce(np.matmul, validation.rigid(printed, "T")), robots.rprr(L2, L4, L5).fk(q))
+
+
+# --- EduFill: the youBot ---
+
+
+def test_the_youbot_lies_straight_and_horizontal_when_all_values_are_zero():
+    robot = robots.youbot()
+    line_of_arm = [*robot.joint_points[1:], robot.home[:3, 3]]
+    close([p[1:] for p in line_of_arm], [(0, 0.147)] * 5)
+    close([p[0] for p in line_of_arm], np.cumsum([0.033, 0.155, 0.135, 0, 0.2175]))
+    close(robot.home[:3, 2], (1, 0, 0))
+
+
+@pytest.mark.oracle("printed: EduFill module, lecture 1", robots.youbot)
+def test_the_youbot_in_the_drawn_posture_steps_up_by_its_third_link():
+    """[0, 0, pi/2, -pi/2, -pi/4]: two lengths forward, one up, the last forward again, the gripper turned by 45 degrees."""
+    T = robots.youbot().fk([0, 0, PI / 2, -PI / 2, -PI / 4])
+    close(T[:3, 3], (0.033 + 0.155 + 0.2175, 0, 0.147 + 0.135))
+    close(T[:3, 2], (1, 0, 0))
+    close(T[:3, 0], np.array([0, 1, 1]) / np.sqrt(2))
+
+
+# --- UIUC deck, example 1 ---
+
+PRINTED_M1 = np.array([[0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1], [0, 0, 0, 0]])
+
+
+def test_the_printed_M_of_example_1_is_no_pose():
+    with pytest.raises(ValueError, match="last row should be 0 0 0 1"):
+        validation.rigid(PRINTED_M1, "M")
+    assert np.linalg.matrix_rank(PRINTED_M1[:3, :3]) == 2
+    mended = PRINTED_M1.copy()
+    mended[3, 3] = 1  # the last row alone does not save it
+    with pytest.raises(ValueError, match="not rigid"):
+        validation.rigid(mended, "M")
+
+
+def test_only_one_rotation_has_the_first_two_rows_that_are_printed():
+    found = []
+    for rows in permutations(np.eye(3)):
+        for signs in product([1, -1], repeat=3):
+            R = np.array(signs)[:, None] * rows
+            if np.linalg.det(R) > 0 and (R[:2] == PRINTED_M1[:2, :3]).all():
+                found.append(R)
+    assert len(found) == 1
+    assert found[0][2].tolist() == [1, 0, 0] == np.cross(*PRINTED_M1[:2, :3]).tolist()
+    np.testing.assert_array_equal(robots.rpr().home[:3, :3], found[0])
+
+
+@pytest.mark.oracle("printed: UIUC deck, lecture 11, example 1", robots.rpr)
+def test_our_M_of_example_1_differs_from_the_printed_one_in_two_entries():
+    assert np.argwhere(robots.rpr().home != PRINTED_M1).tolist() == [[2, 0], [3, 3]]
+
+
+def test_the_screws_of_example_1_follow_from_its_legible_axes():
+    w1, q1, w3, q3 = (0, -1, 0), (-4, -2, 0), (0, -1, 0), (0, -4, 0)
+    S = robots.rpr().screws
+    np.testing.assert_array_equal(S[0], [0, -1, 0, 0, 0, 4])
+    np.testing.assert_array_equal(S[1], [0, 0, 0, 0, 0, 1])
+    np.testing.assert_array_equal(S[2], [0, -1, 0, 0, 0, 0])
+    np.testing.assert_array_equal(S[0, 3:], -np.cross(w1, q1))
+    np.testing.assert_array_equal(S[2, 3:], -np.cross(w3, q3))
+    np.testing.assert_array_equal(robots.rpr().joint_points[[0, 2]], [q1, q3])
+
+
+def test_the_printed_s1_puts_the_4_where_it_cannot_stand():
+    """v = -w x q is square to w = (0, -1, 0) and to q = (-4, -2, 0). The printed column begins with the 4; v ends with it."""
+    w, q = np.array([0, -1, 0]), np.array([-4, -2, 0])
+    assert (4, 0, 0) @ q != 0
+    assert (0, 0, 4) @ q == (0, 0, 4) @ w == 0
+
+
+@pytest.mark.parametrize("printed", [np.zeros(6), np.zeros(3)], ids=["s_3", "s_2"])
+def test_the_printed_zero_columns_are_no_screw_axes(printed):
+    with pytest.raises(ValueError, match=r"S should"):
+        line(printed)
+
+
+# --- UIUC deck, example 2 ---
+
+
+def test_the_printed_M_of_example_2_is_a_pose_and_ours():
+    """The deck's block form reads [R P; 0 I]; with the 1 that the numbers below it have, M is rigid as printed."""
+    printed = [[0, 1, 0, 2], [-1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
+    np.testing.assert_array_equal(robots.rppr().home, validation.poses(printed, "M"))
+
+
+@pytest.mark.oracle("printed: UIUC deck, lecture 11, body-form example", robots.rppr)
+def test_B1_and_B4_of_example_2_are_as_printed():
+    w, q1, q4 = (0, 1, 0), (-2, -2, 0), (-2, 0, 0)
+    for q in (q1, q4):
+        np.testing.assert_array_equal(screw(w, q), [0, 1, 0, 0, 0, -2])
+    close(robots.rppr().body_screws[[0, 3]], [[0, 1, 0, 0, 0, -2]] * 2, atol=1e-15)
+    # The same points in {s}, by way of M: there the chain has its joints.
+    M = robots.rppr().home
+    np.testing.assert_array_equal(robots.rppr().joint_points[[0, 3]], [(M @ [*q, 1])[:3] for q in (q1, q4)])
+
+
+def test_the_printed_slides_of_example_2_have_no_direction():
+    with pytest.raises(ValueError, match="A slide needs a direction"):
+        line([0, 0, 0, *(0, 0, 0)])
+
+
+# --- UIUC deck, the exponential and (3.88) ---
+
+
+def printed_388(omega, v, theta):
+    """Equation (3.88) and the line below it, letter by letter."""
+    W, T = hat(omega), np.eye(4)
+    T[:3, :3] = np.eye(3) + np.sin(theta) * W + (1 - np.cos(theta)) * W @ W
+    T[:3, 3] = (np.eye(3) * theta + (1 - np.cos(theta)) * W + (theta - np.sin(theta)) * W @ W) @ v
+    return T
+
+
+@settings(max_examples=40)
+@given(directions(), points(), st.one_of(st.sampled_from([0.0, 1e-12, 1e-7, PI - 1e-12, PI, 2 * PI]), st.floats(-7, 7)))
+def test_388_is_the_series_and_our_exp_when_omega_has_length_1(omega, v, theta):
+    x = np.concatenate([omega, v]) * theta
+    close(printed_388(omega, v, theta), mpmath_oracle.exp(x))
+    close(printed_388(omega, v, theta), exp(x))
+
+
+@pytest.mark.parametrize("length", [0.5, 0.9, 2.0])
+def test_388_fails_when_omega_has_another_length(length):
+    omega, v = length * np.array([0.6, 0, 0.8]), np.array([0.0, 1, 0])
+    error = np.abs(printed_388(omega, v, 1.0) - mpmath_oracle.exp([*omega, *v]))
+    assert error[:3, :3].max() > 1e-3
+    assert error[:3, 3].max() > 1e-3
+
+
+def test_without_omega_the_screw_is_a_shift_by_v_theta():
+    close(exp(np.array([0, 0, 0, 0.6, 0, 0.8]) * 2.5)[:3, 3], [1.5, 0, 2.0])
+
+
+# --- both decks, from the space form to the body form ---
+
+
+@given(rotation_vectors(), points())
+def test_conjugation_passes_through_the_exponential(omega, v):
+    """e^{M^-1 P M} = M^-1 e^P M, and therefore e^P M = M e^{M^-1 P M}."""
+    M, P = robots.rppr().home, hat([*omega, *v])
+    B = inverse(M) @ P @ M
+    close(M @ mpmath_oracle.exp([B[2, 1], B[0, 2], B[1, 0], *B[:3, 3]]), exp([*omega, *v]) @ M)
+
+
+def factors(robot, q):
+    """e^[S_i]q_i, and e^{M^-1 [S_i] M q_i} = e^[B_i]q_i, for all i."""
+    return exp(robot.screws * q[:, None]), exp(robot.body_screws * q[:, None])
+
+
+@pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
+def test_every_line_of_the_review_decks_derivation_is_the_same_pose(robot):
+    """M moves to the left past one factor a line, and each factor that it passes becomes a body factor."""
+    q = configurations(robot, 1)[0]
+    E, F = factors(robot, q)
+    for k in range(robot.n, -1, -1):
+        close(reduce(np.matmul, [*E[:k], robot.home, *F[k:]]), robot.fk(q))
+
+
+def test_the_second_line_of_the_UIUC_derivation_drops_the_factors_between_first_and_last():
+    """T = e^[S1]q1 M e^{M^-1[Sn]M qn}, as printed, holds for two joints and for no more."""
+    robot, q = robots.rpr(), np.array([0.4, 0.5, 0.6])
+    E, F = factors(robot, q)
+    assert np.abs(E[0] @ robot.home @ F[-1] - robot.fk(q)).max() > 0.1
+    close(E[0] @ E[1] @ robot.home @ F[-1], robot.fk(q))
+    q[1] = 0  # without its middle joint, the arm has two
+    E, F = factors(robot, q)
+    close(E[0] @ robot.home @ F[-1], robot.fk(q))
+
+
+def test_the_third_line_of_the_UIUC_derivation_has_an_M_too_many():
+    """It prints ... M e^{M^-1[S_{n-1}]M q} M e^{M^-1[Sn]M q}: at q = 0 that is M M, and the arm stands at M."""
+    robot, q = robots.rpr(), np.array([0.4, 0.5, 0.6])
+    E, F = factors(robot, q)
+    M = robot.home
+    assert np.abs(M @ M - M).max() >= 1
+    assert np.abs(E[0] @ M @ F[1] @ M @ F[2] - robot.fk(q)).max() > 0.1
+    close(E[0] @ M @ F[1] @ F[2], robot.fk(q))

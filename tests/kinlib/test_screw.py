@@ -1,0 +1,183 @@
+"""Screw axes: against Modern Robotics, against what each joint does to points, and back to the line."""
+
+import modern_robotics as mr
+import mpmath_oracle
+import numpy as np
+import pytest
+import pytransform3d.transformations as pt
+from hypothesis import given
+from hypothesis import strategies as st
+from strategies import directions, points, poses, screws, twists
+
+from kinlib import adjoint, exp, line
+from kinlib.rigid import screw
+from kinlib.rigid.screw import axes, is_prismatic
+
+Z = (0, 0, 1)
+
+
+def close(got, expected, atol=1e-13):
+    np.testing.assert_allclose(got, expected, rtol=0, atol=atol)
+
+
+@pytest.mark.oracle("modern_robotics", screw)
+@given(points(), directions(), st.floats(-1, 1))
+def test_a_screw_is_the_one_of_modern_robotics(point, axis, pitch):
+    close(screw(axis, point, pitch), mr.ScrewToAxis(point, axis, pitch))
+    close(screw(axis, point), mr.ScrewToAxis(point, axis, 0))
+
+
+@given(points(), directions(), st.floats(-1, 1), st.floats(-np.pi, np.pi))
+def test_a_screw_advances_points_of_its_axis_by_the_pitch_and_turns_the_rest_about_it(point, axis, pitch, angle):
+    T = exp(screw(axis, point, pitch) * angle)
+    close(T @ [*point, 1], [*(point + pitch * angle * axis), 1])
+    # A point off the axis keeps its distance from it, and turns by the angle.
+    side = np.cross(axis, (1.0, 2.0, 3.0))
+    moved = (T @ [*(point + side), 1])[:3] - (point + pitch * angle * axis)
+    close(moved, np.cos(angle) * side + np.sin(angle) * np.cross(axis, side))
+
+
+@given(points(), directions(), st.floats(-3, 3))
+def test_a_prismatic_axis_moves_every_point_alike(point, axis, length):
+    T = exp(screw(axis, point, np.inf) * length)
+    close(T[:3, :3], np.eye(3), atol=0)
+    close(T[:3, 3], length * axis, atol=1e-15)
+
+
+def test_the_point_of_a_prismatic_axis_plays_no_part():
+    assert screw(Z, (1, 2, 3), np.inf).tolist() == screw(Z, pitch=np.inf).tolist() == [0, 0, 0, 0, 0, 1]
+
+
+@given(points(), directions(), st.floats(-1, 1))
+def test_line_undoes_screw(point, axis, pitch):
+    found = line(screw(axis, point, pitch))
+    close(found.axis, axis)
+    close(found.pitch, pitch)
+    close(found.point, point - axis * (axis @ point))  # the foot of the perpendicular from the origin
+    close(screw(*found), screw(axis, point, pitch))
+
+
+@pytest.mark.oracle("pytransform3d", line)
+@given(screws())
+def test_a_line_is_the_one_of_pytransform3d(S):
+    point, axis, pitch = pt.screw_parameters_from_screw_axis(S)
+    for got, expected in zip(line(S), (axis, point, pitch), strict=True):
+        close(got, expected)
+
+
+@pytest.mark.oracle("pytransform3d", is_prismatic)
+@given(screws())
+def test_what_slides_is_what_has_pitch_infinity_for_pytransform3d(S):
+    *_, pitch = pt.screw_parameters_from_screw_axis(S)
+    assert is_prismatic(S) == np.isinf(pitch)
+
+
+@pytest.mark.oracle("pytransform3d", axes)
+@given(twists().filter(lambda x: np.linalg.norm(x[:3]) > 1e-3))
+def test_what_is_a_screw_axis_to_pytransform3d_is_one_to_us_and_nothing_else_is(x):
+    """Scaled to |omega| = 1 it passes, at any other length both refuse it; its tolerance is 1e-6 or so, and ours 1e-9."""
+    S = x / np.linalg.norm(x[:3])
+    close(axes(S, "S"), pt.check_screw_axis(S))
+    for scale in (0.9, 1.1):
+        for check in (pt.check_screw_axis, lambda axis: axes(axis, "S")):
+            with pytest.raises(ValueError, match=r"Norm of rotation axis|length of omega"):
+                check(scale * S)
+
+
+@given(screws())
+def test_screw_undoes_line(S):
+    close(screw(*line(S)), S)
+
+
+def test_a_prismatic_axis_has_pitch_infinity_and_no_line():
+    axis, point, pitch = line([0, 0, 0, 0, 0.6, 0.8])
+    assert axis.tolist() == [0, 0.6, 0.8]
+    assert point.tolist() == [0, 0, 0]
+    assert pitch == np.inf
+
+
+@given(poses(), screws())
+def test_moving_a_screw_by_the_adjoint_moves_its_line_and_keeps_its_pitch(T, S):
+    before, after = line(S), line(adjoint(T) @ S)
+    close(after.axis, T[:3, :3] @ before.axis)
+    close(after.pitch, before.pitch)
+    if np.isfinite(before.pitch):
+        moved = T[:3, :3] @ before.point + T[:3, 3]
+        close(np.cross(moved - after.point, after.axis), 0)
+
+
+@pytest.mark.oracle("mpmath", exp)
+@given(screws(), st.floats(-2, 2))
+def test_a_screw_motion_is_the_series_of_its_matrix(S, q):
+    close(exp(S * q), mpmath_oracle.exp(S * q))
+
+
+def test_a_batch_of_mixed_joints_is_its_elements():
+    axis = np.array([[0, 0, 1], [0, 1, 0], [1, 0, 0]])
+    point = np.array([[1, 2, 3], [4, 5, 6], [7, 8, 9]])
+    pitch = np.array([0.0, np.inf, 0.25])
+    S = screw(axis, point, pitch)
+    for i in range(3):
+        np.testing.assert_array_equal(S[i], screw(axis[i], point[i], pitch[i]))
+        for part, whole in zip(line(S[i]), line(S), strict=True):
+            np.testing.assert_array_equal(part, whole[i])
+    assert is_prismatic(S).tolist() == [False, True, False]
+    assert screw(Z, np.zeros((0, 3))).shape == (0, 6)
+    assert screw(Z, np.zeros((2, 5, 3))).shape == (2, 5, 6)
+    assert [part.shape for part in line(S[:0])] == [(0, 3), (0, 3), (0,)]
+
+
+def test_an_axis_that_strays_by_a_rounding_is_made_unit():
+    S = axes([[0.577350269, 0.577350269, 0.577350269, 0, 0, 0]], "screws")
+    close(np.linalg.norm(S[0, :3]), 1, atol=1e-15)
+
+
+# --- what is refused ---
+
+
+@pytest.mark.parametrize("pitch", [np.nan, -np.inf, [0.0, np.nan]])
+def test_a_pitch_that_is_no_pitch_is_refused(pitch):
+    with pytest.raises(
+        ValueError, match=r"pitch should be a finite number, or inf .*; got (nan|-inf)\. .*turn the axis"
+    ):
+        screw(Z, pitch=pitch)
+
+
+@pytest.mark.parametrize("pitch", ["inf", None, 1j])
+def test_a_pitch_that_is_no_number_is_refused(pitch):
+    with pytest.raises(ValueError, match=r"pitch should be an array of real numbers; got (str|NoneType|complex)"):
+        screw(Z, pitch=pitch)
+
+
+def test_an_axis_of_another_length_is_refused():
+    with pytest.raises(ValueError, match=r"axis should be a unit vector; its length is 2\. .*divide it by its norm"):
+        screw((0, 0, 2))
+
+
+def test_a_point_in_the_plane_is_refused():
+    with pytest.raises(ValueError, match=r"point should have shape \(\.\.\., 3\); got \(2,\)"):
+        screw(Z, (1, 2))
+
+
+@pytest.mark.parametrize(
+    ("S", "message"),
+    [
+        ([0, 0, 2, 0, 0, 0], r"In S the length of omega is 2\. Divide the direction by its norm"),
+        ([[0, 0, 1, 0, 0, 0], [0, 0, 0, 0, 3, 4]], r"In S\[1\] the length of v \(omega is zero.*\) is 5\. Divide"),
+        ([0, 0, 0, 2, 0, 0], r"In S the length of v \(omega is zero: a prismatic joint\) is 2\. Divide"),
+        (np.zeros(6), r"In S the length of v .* is 0\. A slide needs a direction, and a turn needs an axis"),
+        ([1e-17, 0, 0, 0, 0, 1], r"length of omega is 1e-17\. Is it a prismatic joint with a rounding error in omega"),
+        (np.zeros((6, 2)), r"S should have shape \(\.\.\., 6\); got \(6, 2\).*try S\.T"),
+        ([0, 0, 1, 0, 0], r"S should have shape \(\.\.\., 6\); got \(5,\)\. One vector has 6 components"),
+        ([0, 0, 1, np.nan, 0, 0], r"S holds NaN or infinity at index \[3\]"),
+    ],
+)
+def test_a_twist_that_is_no_screw_axis_is_refused(S, message):
+    with pytest.raises(ValueError, match=message):
+        line(S)
+
+
+def test_six_screws_in_columns_are_refused_with_the_remedy():
+    rows = screw(np.eye(3)[[2, 1, 1, 2, 1, 2]], np.arange(18.0).reshape(6, 3) ** 2)
+    with pytest.raises(ValueError, match=r"Screws stand in rows, and yours stand in columns: try S\.T"):
+        line(rows.T)

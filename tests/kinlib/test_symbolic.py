@@ -1,0 +1,479 @@
+"""The formulas in SymPy: against the numeric library, against SymPy's own mechanics and matrix exponential, and short."""
+
+import subprocess
+import sys
+import time
+
+import modern_robotics as mr
+import numpy as np
+import pytest
+import sympy as sp
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from strategies import ROBOTS, chains, configurations, poses, rotation_vectors, twists
+from sympy.core.cache import clear_cache
+from sympy.physics.vector import Point, ReferenceFrame
+
+import kinlib as kl
+from kinlib import symbolic
+from kinlib.symbolic.formulas import exact, joints, shorthand
+from kinlib.symbolic.merge_rotations import Run, Turn, pose, product, rotation, signs_gathered, skew
+
+AGREES = 1e-12
+"""Both sides carry some hundred roundings: the numeric one its own, the symbolic one those of evaluating it."""
+
+robots = pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
+q, q_1, q_2, q_3 = sp.symbols("q q_1 q_2 q_3", real=True)
+a_1, a_2, a_3, d_3, d_4 = sp.symbols("a_1 a_2 a_3 d_3 d_4", positive=True)
+
+
+def numbers(matrix, **values):
+    named = {symbol: values[symbol.name] for symbol in matrix.free_symbols}
+    return np.array(matrix.subs(named).evalf(20), dtype=float)
+
+
+def at(matrix, values):
+    return np.array(matrix.subs(dict(zip(joints(len(values)), values, strict=True))).evalf(20), dtype=float)
+
+
+def close(got, expected, atol=AGREES):
+    np.testing.assert_allclose(got, expected, rtol=0, atol=atol)
+
+
+def same(one, other):
+    """Equal to 25 digits wherever three points of small fractions are: what simplify would prove, in a hundredth of the time."""
+    difference = one - other
+    for k in (1, 2, 3):
+        at_k = {
+            symbol: sp.Rational(7 * k + 5 * i, 11 + 3 * i) for i, symbol in enumerate(sorted(one.free_symbols, key=str))
+        }
+        assert max(abs(sp.N(entry, 30, maxn=200)) for entry in difference.subs(at_k)) < 1e-25
+
+
+# --- against the numeric library ---
+
+
+@robots
+def test_every_robot_of_the_course_moves_as_its_numbers_do(robot):
+    tables = []
+    if "H" not in robot.letters:
+        tables = [kl.assign_frames(robot, convention=name).table for name in ("standard", "modified")]
+    forms = [symbolic.fk(robot), symbolic.fk_body(robot), *map(symbolic.table_fk, tables)]
+    for values in configurations(robot, 5):
+        for form in forms:
+            assert not form.atoms(sp.Float)
+            close(at(form, values), robot.fk(values))
+
+
+@robots
+def test_lambdify_gives_a_function_as_right_as_the_formula(robot):
+    function = sp.lambdify(joints(robot.n), symbolic.fk(robot), "numpy", cse=True)
+    for values in configurations(robot, 20):
+        close(function(*values), robot.fk(values))
+
+
+@settings(max_examples=15, deadline=None)
+@given(chains(most=4))
+def test_any_chain_of_doubles_keeps_its_digits(chain):
+    T = symbolic.fk(chain)
+    assert not T.atoms(sp.Float)
+    function = sp.lambdify(joints(chain.n), T.tolist(), "math")
+    for values in configurations(chain, 3):
+        close(np.array(function(*values), dtype=float), chain.fk(values))
+
+
+@settings(max_examples=15, deadline=None)
+@given(twists(), poses())
+def test_hat_exp_inverse_and_adjoint_are_those_of_kinlib(x, T):
+    if np.linalg.norm(x[:3]) > 1e-6 or not x[:3].any():
+        close(numbers(symbolic.exp(x)), kl.exp(x))
+        close(numbers(symbolic.exp(x[:3])), kl.exp(x[:3]))
+    close(numbers(symbolic.hat(x)), kl.hat(x))
+    close(numbers(symbolic.vee(symbolic.hat(x))).ravel(), x)
+    close(numbers(symbolic.inverse(T)), kl.inverse(T))
+    close(numbers(symbolic.adjoint(T)), kl.adjoint(T))
+    close(numbers(symbolic.adjoint(T[:3, :3])), kl.adjoint(T[:3, :3]))
+
+
+@pytest.mark.parametrize("convention", ["standard", "modified"])
+def test_a_link_of_a_table_is_that_of_kinlib(convention):
+    a, alpha, d, theta = sp.symbols("a alpha d theta")
+    A = symbolic.dh_transform(a, alpha, d, theta, convention=convention)
+    row = {"a": 0.3, "alpha": -0.7, "d": 0.2, "theta": 2.1}
+    close(numbers(A, **row), kl.dh_transform(**row, convention=convention))
+
+
+@pytest.mark.parametrize("convention", ["standard", "modified"])
+def test_a_table_of_symbols_is_the_product_of_its_links(convention):
+    alpha = sp.Symbol("alpha", real=True)
+    rows = [(a_1, alpha, 0, q_1), (a_2, 0, d_3, q_2 + sp.pi / 3), (0, sp.pi, q_3, 0), (a_3, -sp.pi / 2, 0, q)]
+    links = [symbolic.dh_transform(*row, convention=convention) for row in rows]
+    same(symbolic.table_fk(rows, convention), links[0] * links[1] * links[2] * links[3])
+
+
+def test_rows_without_a_joint_and_joints_that_turn_back_are_read_from_a_table():
+    text = "a|alpha|d|theta\n0.4|pi/2|0.1|-q1\n0.2|0|0|pi/3\n0|pi/4|q2|0"
+    table = kl.DHTable(
+        text, convention="standard", base=kl.exp([0.1, 0.2, 0.3, 1, 2, 3]), tool=kl.exp([0, 0, 1, 0, 1, 0])
+    )
+    close(at(symbolic.table_fk(table), [0.3, 0.8]), table.fk([0.3, 0.8]))
+    close(numbers(symbolic.table_fk(table, q=[0.3, 0.8])), table.fk([0.3, 0.8]))
+
+
+# --- against SymPy's own mechanics ---
+
+
+@pytest.mark.oracle("sympy", symbolic.fk)
+def test_a_planar_arm_agrees_with_the_frames_and_points_of_sympy_mechanics():
+    world = ReferenceFrame("s")
+    first = world.orientnew("1", "Axis", (q_1, world.z))
+    second = first.orientnew("2", "Axis", (q_2, first.z))
+    base = Point("base")
+    elbow = base.locatenew("elbow", a_1 * first.x)
+    tool = elbow.locatenew("tool", a_2 * second.x)
+    S = [symbolic.screw((0, 0, 1)), symbolic.screw((0, 0, 1), point=(a_1, 0, 0))]
+    T = symbolic.fk(S, symbolic.exp((0, 0, 0, a_1 + a_2, 0, 0)))
+    same(T[:3, :3], world.dcm(second))
+    same(T[:3, 3], tool.pos_from(base).to_matrix(world))
+
+
+@pytest.mark.oracle("sympy", symbolic.fk)
+def test_puma_with_letters_for_its_lengths_agrees_with_sympy_mechanics():
+    world = frame = ReferenceFrame("s")
+    links = []
+    for symbol, z, y in zip(joints(6), (1, 0, 0, -1, 0, -1), (0, 1, 1, 0, 1, 0), strict=True):
+        frame = frame.orientnew(f"after_{symbol}", "Axis", (symbol, y * frame.y + z * frame.z))
+        links.append(frame)
+    base = Point("base")
+    elbow = base.locatenew("elbow", a_2 * links[1].x + d_3 * links[1].y)
+    wrist = elbow.locatenew("wrist", a_3 * links[2].x - d_4 * links[2].z)
+    tool = frame.orientnew("tool", "Axis", (sp.pi, frame.x))
+    values = dict(zip([*joints(6), a_2, a_3, d_3, d_4], np.linspace(-2, 2.3, 10), strict=True))
+    oracle = world.dcm(tool).row_join(wrist.pos_from(base).to_matrix(world)).subs(values)
+    close(np.array(symbolic.fk(*puma()).subs(values), dtype=float)[:3], np.array(oracle, dtype=float))
+
+
+@pytest.mark.oracle("sympy", symbolic.exp)
+@pytest.mark.parametrize(
+    "S",
+    [
+        symbolic.screw((0, 0, 1), point=(1, 2, 0)),
+        symbolic.screw((sp.Rational(3, 5), 0, sp.Rational(4, 5)), point=(0, a_1, 0), pitch=sp.Rational(1, 10)),
+        symbolic.screw((0, 1, 0), pitch=sp.oo),
+    ],
+    ids=["turn", "screw", "slide"],
+)
+def test_exp_agrees_with_the_matrix_exponential_of_sympy(S):
+    oracle = (symbolic.hat(S) * q).exp()
+    difference = (oracle - symbolic.exp(S * q)).subs({q: sp.Rational(7, 5), a_1: sp.Rational(3, 10)})
+    assert max(abs(sp.N(entry, 30)) for entry in difference) < 1e-25
+
+
+def test_exp_of_any_rotation_vector_is_a_rotation():
+    w = sp.Matrix(sp.symbols("w_1:4", real=True))
+    R = symbolic.exp(w)
+    same(R.T * R, sp.eye(3))
+    same(R * w, w)
+
+
+def test_fk_is_the_product_of_the_exponentials():
+    S = [
+        symbolic.screw((0, 0, 1)),
+        symbolic.screw((0, -1, 0), point=(a_1, 0, d_3)),
+        symbolic.screw((0, 1, 0), pitch=np.inf),
+    ]
+    M = symbolic.exp((sp.pi / 2, 0, 0, a_2, 0, 0))
+    factors = [symbolic.exp(axis * value) for axis, value in zip(S, joints(3), strict=True)]
+    same(symbolic.fk(S, M), factors[0] * factors[1] * factors[2] * M)
+    same(symbolic.fk(sp.Matrix.hstack(*S).T, M), symbolic.fk(S, M))
+    B = [symbolic.adjoint(symbolic.inverse(M)) * axis for axis in S]
+    same(symbolic.fk_body(B, M), symbolic.fk(S, M))
+
+
+def letters(*names):
+    return sp.symbols(" ".join(names), real=True)
+
+
+@pytest.mark.oracle("sympy", symbolic.hat, symbolic.vee, skew)
+def test_hat_and_vee_are_those_of_sympy_s_matrices():
+    w, v = sp.Matrix(letters("x", "y", "z")), sp.Matrix(letters("a", "b", "c"))
+    assert symbolic.hat(w) == skew(w) == w.hat()
+    assert symbolic.hat(sp.Matrix([w, v])) == w.hat().row_join(v).col_join(sp.zeros(1, 4))
+    assert symbolic.vee(w.hat()) == w.hat().vee()
+
+
+def any_pose():
+    """A rotation by fractions, which SymPy's quaternions make, and a place."""
+    R = sp.Quaternion(1, 2, -3, 4).to_rotation_matrix()
+    return R.row_join(sp.Matrix(letters("x", "y", "z"))).col_join(sp.Matrix([[0, 0, 0, 1]]))
+
+
+@pytest.mark.oracle("sympy", symbolic.inverse, pose)
+def test_the_inverse_of_a_pose_is_that_of_sympy_s_matrices():
+    T = any_pose()
+    assert pose(T[:3, :3], T[:3, 3]) == T
+    same(symbolic.inverse(T), T.inv())
+
+
+@pytest.mark.oracle("sympy", symbolic.adjoint)
+def test_the_adjoint_is_conjugation_by_sympy_s_matrices():
+    """Column by column: T hat(e) T^-1 for each unit twist, with SymPy's own hat and inverse."""
+    T = any_pose()
+    back = T.inv()
+    columns = []
+    for e in sp.eye(6).columnspace():
+        X = T * sp.Matrix(e[:3]).hat().row_join(sp.Matrix(e[3:])).col_join(sp.zeros(1, 4)) * back
+        columns.append(sp.Matrix([X[2, 1], X[0, 2], X[1, 0], *X[:3, 3]]))
+    same(symbolic.adjoint(T), sp.Matrix.hstack(*columns))
+
+
+@pytest.mark.oracle("sympy", rotation)
+@pytest.mark.parametrize("axis", [(0, 0, 1), (0, -1, 0), (sp.Rational(2, 3), sp.Rational(-1, 3), sp.Rational(2, 3))])
+def test_a_rotation_is_that_of_sympy_s_quaternions(axis):
+    same(rotation(sp.Matrix(axis), q), sp.Quaternion.from_axis_angle(axis, q).to_rotation_matrix())
+
+
+def spelt_out(word):
+    """A word multiplied letter by letter, by SymPy's quaternions and matrices."""
+    T = sp.eye(4)
+    for letter in word:
+        turns = isinstance(letter, Turn)
+        R = sp.Quaternion.from_axis_angle(tuple(letter.axis), letter.angle).to_rotation_matrix() if turns else sp.eye(3)
+        p = sp.zeros(3, 1) if turns else letter
+        T = T * R.row_join(p).col_join(sp.Matrix([[0, 0, 0, 1]]))
+    return T
+
+
+AXES = [sp.Matrix(axis) for axis in ((0, 0, 1), (0, 0, -1), (1, 0, 0), (0, sp.Rational(3, 5), sp.Rational(4, 5)))]
+words = st.lists(
+    st.one_of(
+        st.builds(Turn, st.sampled_from(AXES), st.sampled_from([q_1, q_2, q_1 + q_2, sp.pi / 2, sp.pi / 3])),
+        st.sampled_from([sp.Matrix([a_1, 0, 0]), sp.Matrix([0, q_3, -1])]),
+    ),
+    min_size=1,
+    max_size=4,
+)
+
+
+@pytest.mark.oracle("sympy", product, Run.carry)
+@settings(max_examples=10, deadline=None)
+@given(words)
+def test_a_word_is_the_product_of_its_letters_by_sympy(word):
+    same(product(word, sp.eye(4)), spelt_out(word))
+
+
+@pytest.mark.oracle("sympy", Run.takes, Run.turn, Run.shift)
+def test_a_run_is_turns_about_one_line_as_sympy_multiplies_them():
+    run = Run()
+    z, x = AXES[0], AXES[2]
+    asked = [run.takes(Turn(z, q_1))]
+    word = [Turn(z, q_1), a_1 * x, Turn(-z, q_2), a_2 * x]
+    for letter in word:
+        (run.turn if isinstance(letter, Turn) else run.shift)(letter)
+    asked += [run.takes(Turn(axis, q_3)) for axis in (z, -z, x)]
+    same(run.carry(sp.eye(4)), spelt_out(word))
+    assert asked == [True, sp.Matrix(z).cross(z).is_zero_matrix, True, x.cross(z).is_zero_matrix]
+
+
+@pytest.mark.oracle("sympy", symbolic.dh_transform, symbolic.table_fk, joints)
+@pytest.mark.parametrize("convention", ["standard", "modified"])
+def test_a_row_is_four_motions_of_sympy_s_frames(convention):
+    """Turned and shifted by SymPy's mechanics: about and along z, about and along x, in the order of the convention."""
+    a, alpha, d = letters("a", "alpha", "d")
+    (theta,) = joints(1)
+    assert theta == sp.Symbol("q_1", real=True)
+    world = frame = ReferenceFrame("s")
+    base = here = Point("O")
+    order = "zx" if convention == "standard" else "xz"
+    for number, letter in enumerate(order):
+        angle, length = (theta, d) if letter == "z" else (alpha, a)
+        axis = getattr(frame, letter)
+        here = here.locatenew(f"P{number}", length * axis)
+        frame = frame.orientnew(f"F{number}", "Axis", (angle, axis))
+    oracle = world.dcm(frame).row_join(here.pos_from(base).to_matrix(world)).col_join(sp.Matrix([[0, 0, 0, 1]]))
+    same(symbolic.dh_transform(a, alpha, d, theta, convention=convention), oracle)
+    same(symbolic.table_fk([(a, alpha, d, theta)], convention), oracle)
+
+
+@pytest.mark.oracle("sympy", symbolic.fk_body)
+def test_the_body_form_is_home_times_sympy_s_exponentials():
+    B = [symbolic.screw((0, 0, 1), point=(1, 2, 0)), symbolic.screw((0, 1, 0), pitch=sp.oo)]
+    M = symbolic.exp((sp.pi / 2, 0, 0, 2, 0, 0))
+    oracle = M
+    for axis, value in zip(B, joints(2), strict=True):
+        X = sp.Matrix(axis[:3]).hat().row_join(sp.Matrix(axis[3:])).col_join(sp.zeros(1, 4))
+        oracle = oracle * (X * value).exp()
+    at_once = {joints(2)[0]: sp.Rational(7, 5), joints(2)[1]: sp.Rational(3, 10)}
+    difference = (oracle - symbolic.fk_body(B, M)).subs(at_once)
+    assert max(abs(sp.N(entry, 30)) for entry in difference) < 1e-25
+
+
+@pytest.mark.oracle("modern_robotics", symbolic.screw)
+@pytest.mark.parametrize("pitch", [0, sp.Rational(1, 10), -2])
+def test_a_screw_of_fractions_is_the_one_of_modern_robotics(pitch):
+    axis, point = (sp.Rational(2, 3), sp.Rational(-1, 3), sp.Rational(2, 3)), (1, sp.Rational(1, 4), -2)
+    expected = mr.ScrewToAxis(*(np.array(part, dtype=float) for part in (point, axis)), float(pitch))
+    close(numbers(symbolic.screw(axis, point, pitch)).ravel(), expected)
+
+
+# --- short, and soon ---
+
+
+def puma():
+    """PUMA 560 as kl.robots draws it, with a letter for each length."""
+    elbow, wrist = (a_2, d_3, 0), (a_2 + a_3, d_3, -d_4)
+    lines = [((0, 0, 1), (0, 0, 0)), ((0, 1, 0), (0, 0, 0)), ((0, 1, 0), elbow)]
+    lines += [((0, 0, -1), wrist), ((0, 1, 0), wrist), ((0, 0, -1), wrist)]
+    return [symbolic.screw(*line) for line in lines], sp.Matrix.vstack(
+        sp.diag(1, -1, -1).row_join(sp.Matrix(wrist)), sp.Matrix([[0, 0, 0, 1]])
+    )
+
+
+def test_puma_takes_a_tenth_of_a_second_and_275_operations_without_simplify():
+    robot = kl.robots.puma560()
+    seconds = []
+    for _ in range(5):
+        clear_cache()
+        start = time.process_time()
+        T = symbolic.fk(robot)
+        seconds.append(time.process_time() - start)
+    assert min(seconds) < 0.1
+    for form in (T, symbolic.fk_body(robot), symbolic.table_fk(kl.assign_frames(robot, convention="modified").table)):
+        assert sp.count_ops(form) <= 275
+    assert sp.count_ops(symbolic.fk(*puma())) <= 265
+
+
+def test_parallel_joints_show_sums_of_angles_and_turn_back_where_they_face_away():
+    assert {angle.args[0] for angle in symbolic.fk(kl.robots.youbot())[:3, 3].atoms(sp.cos, sp.sin)} == {
+        joints(1)[0],
+        joints(2)[1],
+        sum(joints(3)[1:]),
+        sum(joints(4)[1:]),
+    }
+    S = [symbolic.screw((0, 0, 1)), symbolic.screw((0, 0, -1), point=(a_1, 0, 0))]
+    assert symbolic.fk(S, sp.eye(4))[0, 0] == sp.cos(q_1 - q_2)
+
+
+def test_a_numeric_joint_value_may_stand_for_a_symbol():
+    T = symbolic.fk(kl.robots.rpr(), q=[np.pi / 2, q, 0])
+    assert T.free_symbols == {q}
+    same(T, symbolic.fk(kl.robots.rpr()).subs(dict(zip(joints(3), (sp.pi / 2, q, 0), strict=True))))
+
+
+@pytest.mark.oracle("sympy", signs_gathered)
+@given(st.lists(st.sampled_from([1, -1, 2]), min_size=2, max_size=4), st.sampled_from([1, -1, 3]))
+def test_gathering_signs_changes_no_value_and_adds_no_operation(signs, factor):
+    symbols = sp.symbols("x_1:5")
+    total = sp.Add(*(sign * symbol for sign, symbol in zip(signs, symbols, strict=False)))
+    before = sp.Mul(factor, total, q, evaluate=False) + q_1
+    after = signs_gathered(before)
+    assert sp.expand(before - after) == 0
+    assert sp.count_ops(after) <= sp.count_ops(before)
+
+
+# --- numbers ---
+
+
+@pytest.mark.parametrize(
+    ("x", "expected"),
+    [
+        (0.1 + 0.2, sp.Rational(3, 10)),
+        (0.15005, sp.Rational(3001, 20000)),
+        (-0.0, 0),
+        (np.sin(np.pi), 0),
+        (np.pi / 2, sp.pi / 2),
+        (np.radians(-35), -7 * sp.pi / 36),
+        (np.sqrt(0.5), sp.sqrt(2) / 2),
+        (-0.35 * np.sqrt(3), -7 * sp.sqrt(3) / 20),
+        (np.float32(0.5), sp.Rational(1, 2)),
+        (10**30, sp.Integer(10) ** 30),
+        (1e-7, sp.Rational(1, 10**7)),
+        (2.5 * a_1 + 0.5, sp.Rational(5, 2) * a_1 + sp.Rational(1, 2)),
+    ],
+)
+def test_a_float_is_read_as_what_it_stands_for(x, expected):
+    assert exact(x) == expected
+
+
+@pytest.mark.oracle("sympy", exact)
+@given(
+    st.one_of(
+        st.decimals(-1000, 1000, places=9).map(str).map(sp.Rational),
+        st.fractions(-7, 7, max_denominator=360).map(lambda fraction: sp.Rational(fraction) * sp.pi),
+        st.fractions(0, 90, max_denominator=100).map(lambda fraction: sp.sqrt(sp.Rational(fraction))),
+    )
+)
+def test_a_number_that_sympy_has_rounded_to_a_double_is_read_as_what_it_was(number):
+    assert exact(float(number.evalf(30))) == number
+
+
+@given(st.floats(-1e6, 1e6))
+def test_no_digit_of_any_float_is_lost(x):
+    number = exact(x)
+    assert not number.has(sp.Float)
+    assert abs(float(number) - x) <= 1e-14 * max(1, abs(x))
+
+
+@given(rotation_vectors())
+def test_an_array_becomes_a_matrix_of_its_shape(w):
+    assert exact(w).shape == (3, 1)
+    assert exact(kl.hat(w)).shape == (3, 3)
+    assert exact(w.tolist()) == exact(tuple(w))
+
+
+# --- shorthand ---
+
+
+@pytest.mark.oracle("text: written out in the test", shorthand)
+def test_shorthand_writes_sums_of_numbered_angles_as_a_blackboard_does():
+    theta = sp.symbols("theta_1:3")
+    assert str(shorthand(sp.cos(q_3 + q_2) + sp.sin(q_1))) == "c_23 + s_1"
+    assert sp.latex(shorthand(sp.Matrix([sp.sin(theta[0] + theta[1]) ** 2]))[0]) == "s_{12}^{2}"
+
+
+@pytest.mark.parametrize("angle", [q_1 - q_2, 2 * q_1, q_1 + sp.Symbol("theta_2"), q_1 + 1, q, sp.Symbol("q_12")])
+def test_shorthand_lets_be_what_has_none(angle):
+    assert shorthand(sp.cos(angle)) == sp.cos(angle)
+
+
+# --- what comes in wrong ---
+
+
+@pytest.mark.parametrize(
+    ("call", "words"),
+    [
+        (lambda: exact(np.nan), "NaN or infinity"),
+        (lambda: exact(sp.zoo), "division by zero"),
+        (lambda: exact("1"), "array of real numbers"),
+        (lambda: exact(np.zeros((2, 2, 2))), r"array of shape \(2, 2, 2\)"),
+        (lambda: symbolic.hat([1, 2]), "x should have 3x1 or 6x1 entries; got 2x1"),
+        (lambda: symbolic.hat(q), "got 1x1"),
+        (lambda: symbolic.vee(sp.eye(3)), "skew"),
+        (lambda: symbolic.inverse(sp.diag(1, 1, 1, 2)), "last row should be 0 0 0 1"),
+        (lambda: symbolic.inverse(sp.diag(1, 2, 1)), "not rigid"),
+        (lambda: symbolic.screw((1, 1, 0)), r"unit vector; its length is sqrt\(2\)"),
+        (lambda: symbolic.fk([[0, 0, 2, 0, 0, 0]], sp.eye(4)), "screw 1 should have"),
+        (lambda: symbolic.fk([[0, 0, 1, 0, 0, 0]]), "give its home pose"),
+        (lambda: symbolic.fk([[0, 0, 1, 0, 0, 0]], sp.eye(3)), "Where is its origin"),
+        (lambda: symbolic.fk(kl.robots.rpr(), q=[1, 2]), "q should have 3x1 entries; got 2x1"),
+        (lambda: symbolic.table_fk([(0, 0, 0)], "standard"), "row 1 should have 4x1 entries; got 3x1"),
+        (lambda: symbolic.table_fk([(0, 90, 0, q)], "standard"), "Is it in degrees"),
+        (lambda: symbolic.table_fk([(0, 0, 0, q)]), "convention should be 'standard' or 'modified'; got None"),
+    ],
+)
+def test_what_cannot_be_is_refused_with_the_remedy(call, words):
+    with pytest.raises(ValueError, match=words):
+        call()
+
+
+# --- kl.symbolic is there, and SymPy is not, until it is used ---
+
+
+def test_sympy_loads_when_kl_symbolic_is_first_used():
+    script = (
+        "import sys, kinlib as kl; print('sympy' in sys.modules, 'symbolic' in dir(kl)); "
+        "kl.symbolic.joints(2); print('sympy' in sys.modules); kl.nonsense"
+    )
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False)
+    assert done.stdout.split() == ["False", "True", "True"]
+    assert "module 'kinlib' has no attribute 'nonsense'" in done.stderr

@@ -1,0 +1,828 @@
+"""URDF files: every arm that two packages ship, and random trees, against Pinocchio; round trips; and files with faults."""
+
+import builtins
+import io
+import os
+import re
+import time
+from pathlib import Path
+from xml.etree import ElementTree as ET
+
+import numpy as np
+import pytest
+from hypothesis import assume, given, settings
+from hypothesis import strategies as st
+from scipy.linalg import norm
+from scipy.sparse.csgraph import shortest_path
+from scipy.spatial.transform import Rotation
+from strategies import FAMILIES, configurations, directions, points, poses, rotations
+from urdf_files import ARMS, TROSSEN, as_pinocchio_reads, text_of
+
+import kinlib as kl
+from kinlib import load_urdf, robots, to_urdf
+from kinlib.rigid.rpy import origin, roll_pitch_yaw
+from kinlib.urdf.tree import Joint, Tree, meant, read_tree
+from kinlib.urdf.xml import DEEPEST, LARGEST, LONGEST, Element, read_robot
+
+CLOSE = 1e-9
+CONVENTIONS = ("standard", "modified")
+TABLES = {"Lynxmotion AL5D": 5e-9}
+"""Where no DH table is as close: this file writes pi with nine decimals, so that its parallel axes are 6e-10 rad off
+parallel, and no row holds that. The normal of the exact row stands 1e8 m away; the parallel row errs by the angle."""
+ROBOTS = [family() for family in FAMILIES if "H" not in family().letters]
+
+each_arm = pytest.mark.parametrize("name", ARMS)
+
+
+def arm(name):
+    return load_urdf(text_of(name), tip=ARMS[name][2])
+
+
+def ends(chain):
+    """The two links that a chain from a file runs between: its source says so."""
+    return re.fullmatch("URDF, from (.+) to (.+)", chain.source).groups()
+
+
+# --- the arms that packages ship ---
+
+
+@pytest.mark.oracle("pinocchio", load_urdf)
+@each_arm
+def test_a_shipped_arm_moves_as_pinocchio_says(name):
+    chain = arm(name)
+    q = configurations(chain, 20)
+    expected = as_pinocchio_reads(text_of(name), *ends(chain), chain.joint_names, q)
+    np.testing.assert_allclose(chain.fk(q), expected, rtol=0, atol=CLOSE)
+
+
+@each_arm
+@pytest.mark.parametrize("convention", CONVENTIONS)
+def test_a_shipped_arm_gets_a_dh_table(name, convention):
+    chain = arm(name)
+    found = kl.assign_frames(chain, convention=convention)
+    q = configurations(chain, 20)
+    np.testing.assert_allclose(found.table.fk(q), chain.fk(q), rtol=0, atol=TABLES.get(name, CLOSE))
+    assert found.table.joints == chain.letters
+
+
+@each_arm
+def test_a_shipped_arm_keeps_its_limits_and_comes_back_from_a_file_of_ours(name):
+    chain = arm(name)
+    assert chain.limits.shape == (chain.n, 2)
+    assert_same(load_urdf(to_urdf(chain)), chain)
+
+
+@pytest.mark.oracle("pytransform3d", load_urdf)
+def test_three_shipped_arms_move_as_pytransform3d_says():
+    """A second witness, by other code: it reads the XML with lxml, and walks a graph of transforms."""
+    urdf = pytest.importorskip("pytransform3d.urdf")
+    for name in ("KUKA LBR iiwa 14", "UR5e", "PUMA 560"):
+        chain = arm(name)
+        base, tip = ends(chain)
+        manager = urdf.UrdfTransformManager()
+        manager.load_urdf(text_of(name))
+        low, high = chain.limits.T  # it clips what is beyond
+        for q in np.random.default_rng(0).uniform(low, high, (5, chain.n)):
+            for joint, value in zip(chain.joint_names, q, strict=True):
+                manager.set_joint(joint, value)
+            np.testing.assert_allclose(chain.fk(q), manager.get_transform(tip, base), rtol=0, atol=CLOSE)
+
+
+def test_a_finger_is_a_tip_too_and_a_finger_that_copies_it_is_not():
+    text = text_of("Trossen " + TROSSEN[0])
+    finger = load_urdf(text, tip="/left_finger_link")
+    assert finger.letters == "RRRRP"
+    q = configurations(finger, 10)
+    expected = as_pinocchio_reads(text, *ends(finger), finger.joint_names, q)
+    np.testing.assert_allclose(finger.fk(q), expected, rtol=0, atol=CLOSE)
+    with pytest.raises(ValueError, match=r"Line \d+, <mimic> in <joint name=\"right_finger\">: .*copies another joint"):
+        load_urdf(text, tip="/right_finger_link")
+
+
+def test_a_hand_leaves_the_choice_of_tip_to_us_and_names_it():
+    with pytest.raises(ValueError, match=r"tip=\.\.\. It may be panda_leftfinger, panda_rightfinger"):
+        load_urdf(text_of("Franka Panda with hand"))
+
+
+def test_limits_and_names_are_those_of_the_file():
+    chain = arm("KUKA LBR iiwa 14")
+    assert chain.joint_names == tuple(f"joint_a{i}" for i in range(1, 8))
+    np.testing.assert_allclose(np.degrees(chain.limits[:, 1]), [170, 120, 170, 120, 170, 120, 175], atol=0.02)
+    assert (chain.limits[:, 0] == -chain.limits[:, 1]).all()
+
+
+def test_a_table_is_diagnosed_against_an_arm_from_a_file():
+    """The table that Franka prints, without saying in which convention; its file carries the tool 0.107 m farther."""
+    rows = [[0, 0, 0.333, 0], [0, -90, 0, 0], [0, 90, 0.316, 0], [0.0825, 90, 0, 0]]
+    rows += [[-0.0825, -90, 0.384, 0], [0, 90, 0, 0], [0.088, 90, 0, 0]]
+    printed = kl.DHTable(np.array(rows) * (1, np.pi / 180, 1, 1), convention="modified")
+    panda = arm("Franka Panda")
+    assert kl.diagnose(printed, panda).right
+    (fault,) = kl.diagnose(printed.changed(convention="standard"), panda).faults
+    assert fault.name == "other convention"
+
+
+# --- random trees ---
+
+
+@st.composite
+def trees(draw):
+    """A URDF of two to eight links, in any order, and two of its links to join."""
+    n = draw(st.integers(2, 8))
+    names = draw(st.permutations([f"link {i}" for i in range(n)]))
+    elements = [f'<link name="{name}"/>' for name in names]
+    for i in range(1, n):
+        kind = draw(st.sampled_from(["revolute", "continuous", "prismatic", "fixed"]))
+        lower, upper = sorted(draw(st.tuples(st.floats(-3, 3), st.floats(-3, 3))))
+        size = draw(st.floats(0.1, 10))
+        parts = [
+            f'<parent link="{names[draw(st.integers(0, i - 1))]}"/>',
+            f'<child link="{names[i]}"/>',
+            f'<limit lower="{lower}" upper="{upper}" effort="1" velocity="1"/>',
+            *([f'<axis xyz="{spaced(size * draw(directions()))}"/>'] if draw(st.booleans()) else []),
+            *([f"<origin {draw(origins())}/>"] if draw(st.booleans()) else []),
+        ]
+        joint = f'<joint name="joint {i}" type="{kind}">{"".join(draw(st.permutations(parts)))}</joint>'
+        elements.insert(draw(st.integers(0, len(elements))), joint)
+    text = "\n".join(['<robot name="tree">', *elements, "</robot>"])
+    return text, draw(st.sampled_from(names)), draw(st.sampled_from(names))
+
+
+@st.composite
+def origins(draw):
+    xyz, rpy = draw(points()), draw(points(6))
+    parts = [f'xyz="{spaced(xyz)}"', f'rpy="{spaced(rpy)}"']
+    return " ".join(draw(st.lists(st.sampled_from(parts), unique=True)))
+
+
+def spaced(values):
+    return " ".join(repr(float(value)) for value in values)
+
+
+@pytest.mark.oracle("pinocchio", load_urdf)
+@settings(max_examples=150)
+@given(trees())
+def test_any_path_of_any_tree_moves_as_pinocchio_says(drawn):
+    text, base, tip = drawn
+    try:
+        chain = load_urdf(text, base, tip)
+    except ValueError as error:
+        # Two links that nothing moves against each other are no arm, and nothing else may be wrong here.
+        assume("no joint moves between" not in str(error))
+        raise
+    q = configurations(chain, 3)
+    expected = as_pinocchio_reads(text, base, tip, chain.joint_names, q)
+    np.testing.assert_allclose(chain.fk(q), expected, rtol=0, atol=CLOSE)
+
+
+@given(rotations())
+def test_roll_pitch_yaw_undoes_origin(R):
+    np.testing.assert_allclose(origin(rpy=roll_pitch_yaw(R))[:3, :3], R, rtol=0, atol=1e-14)
+
+
+@pytest.mark.oracle("scipy", origin)
+@given(points(7))
+def test_origin_turns_about_fixed_axes_as_scipy_says(rpy):
+    expected = Rotation.from_euler("xyz", rpy).as_matrix()  # lower case: fixed axes
+    np.testing.assert_allclose(origin(rpy=rpy)[:3, :3], expected, rtol=0, atol=1e-14)
+
+
+@pytest.mark.parametrize("pitch", [np.pi / 2, -np.pi / 2, np.pi / 2 - 1e-7, np.pi / 2 - 1e-12])
+def test_roll_pitch_yaw_has_no_bad_angle(pitch):
+    R = origin(rpy=(0.3, pitch, -1.2))[:3, :3]
+    np.testing.assert_allclose(origin(rpy=roll_pitch_yaw(R))[:3, :3], R, rtol=0, atol=1e-15)
+
+
+# --- what stands in a file ---
+
+
+def plain(name):
+    """Whether a name stands in no namespace, for those are read apart by lxml and as they are written by us."""
+    return isinstance(name, str) and not re.search("[:}]|xmlns", name)
+
+
+def as_lxml_reads(element):
+    """Tag, attributes and children, as lxml has them."""
+    said = {name: word for name, word in element.attrib.items() if plain(name)}
+    return element.tag, said, [as_lxml_reads(child) for child in element if plain(child.tag)]
+
+
+def as_we_read(element):
+    said = {name: word for name, word in element.attributes.items() if plain(name)}
+    return element.tag, said, [as_we_read(child) for child in element.children if plain(child.tag)]
+
+
+@pytest.mark.oracle("lxml", read_robot, Element.word, Element.numbers, Element.only)
+@each_arm
+def test_the_elements_of_a_shipped_file_are_those_of_lxml(name):
+    etree = pytest.importorskip("lxml.etree")
+    text = text_of(name)
+    theirs, ours = etree.fromstring(text.encode(), etree.XMLParser(recover=True)), read_robot(text)
+    assert as_we_read(ours) == as_lxml_reads(theirs)
+    assert ours.word("name") == theirs.get("name")
+    joints = [element for element in ours.children if element.tag == "joint"]
+    for one, other in zip(joints, theirs.findall("joint"), strict=True):
+        assert one.word("type") == other.get("type")
+        assert one.only("parent").attributes == dict(other.find("parent").attrib)
+        # lxml counts to where a tag ends; there and where we say that it begins is one line, unless it is a long one
+        assert one.only("parent").line == other.find("parent").sourceline
+        if (origin := other.find("origin")) is not None and "xyz" in origin.attrib:
+            assert one.only("origin").numbers("xyz", 3) == [float(word) for word in origin.get("xyz").split()]
+
+
+@pytest.mark.oracle("scipy", Tree.root, Tree.path, Tree.tips, Tree.known)
+@settings(max_examples=40)
+@given(trees())
+def test_ways_through_a_tree_are_the_shortest_ones_of_scipy_s_graphs(drawn):
+    text, base, tip = drawn
+    robot = ET.fromstring(text)
+    names = [link.get("name") for link in robot.findall("link")]
+    joints = [
+        (joint.find("parent").get("link"), joint.find("child").get("link"), joint) for joint in robot.findall("joint")
+    ]
+    edges = np.zeros((len(names), len(names)))
+    for parent, child, _ in joints:
+        edges[names.index(parent), names.index(child)] = 1
+    tree = read_tree(read_robot(text))
+    assert tree.root == names[int(np.flatnonzero(edges.sum(axis=0) == 0)[0])]
+    assert tree.known(base, "base") == base
+    _, before = shortest_path(edges, directed=False, return_predecessors=True, indices=names.index(base))
+    steps, here = [], names.index(tip)
+    while here != names.index(base):
+        steps.insert(0, (names[before[here]], names[here]))
+        here = before[here]
+    found = [(step.joint.parent, step.joint.child)[:: 1 if step.sign > 0 else -1] for step in tree.path(base, tip)]
+    assert found == steps
+    assert {step.sign for step in tree.path(base, tip)} <= {1, -1}
+    below = np.isfinite(shortest_path(edges, indices=names.index(base)))
+    stiff = {(parent, child) for parent, child, joint in joints if joint.get("type") == "fixed"}
+    moving = np.array(
+        [[edge and (names[i], names[j]) not in stiff for j, edge in enumerate(row)] for i, row in enumerate(edges)]
+    )
+    weights = np.where(edges, 1 + 100.0 * moving, 0)
+    far = shortest_path(weights, indices=names.index(base))
+    ends = {names[i] for i in np.flatnonzero(below & (edges.sum(axis=1) == 0)) if far[i] >= 100}
+    assert set(tree.tips(base)) == ends
+
+
+@pytest.mark.oracle("scipy", read_tree, Joint.moves)
+@settings(max_examples=40)
+@given(trees())
+def test_a_joint_stands_where_its_numbers_say_by_scipy(drawn):
+    text, *_ = drawn
+    above = {joint.name: joint for joint in read_tree(read_robot(text)).above.values()}
+    for told in ET.fromstring(text).findall("joint"):
+        joint, origin = above[told.get("name")], told.find("origin")
+        xyz, rpy = (
+            [float(x) for x in ((origin.get(name) if origin is not None else None) or "0 0 0").split()]
+            for name in ("xyz", "rpy")
+        )
+        np.testing.assert_allclose(
+            joint.origin[:3, :3], Rotation.from_euler("xyz", rpy).as_matrix(), rtol=0, atol=1e-14
+        )
+        np.testing.assert_array_equal(joint.origin[:3, 3], xyz)
+        assert joint.moves == (told.get("type") != "fixed")
+        if joint.moves:
+            axis = (
+                [float(x) for x in told.find("axis").get("xyz").split()] if told.find("axis") is not None else [1, 0, 0]
+            )
+            np.testing.assert_allclose(joint.axis, np.array(axis) / norm(axis), rtol=0, atol=1e-15)
+
+
+@pytest.mark.oracle("scipy", roll_pitch_yaw)
+@given(rotations())
+def test_roll_pitch_and_yaw_are_scipy_s_angles(R):
+    """Where the pitch is a right angle, roll and yaw are not told apart, and each may choose."""
+    assume(abs(R[2, 0]) < 1 - 1e-6)
+    np.testing.assert_allclose(
+        np.exp(1j * roll_pitch_yaw(R)), np.exp(1j * Rotation.from_matrix(R).as_euler("xyz")), atol=1e-9
+    )
+
+
+@pytest.mark.oracle("text: written out in the test", Tree.__str__, meant, Element.refusal, Element.__str__)
+def test_a_tree_an_element_and_a_slip_of_the_pen_in_words():
+    text = (
+        '<robot name="one"><link name="base"/>\n<link name="tool"/>\n<joint name="j" type="fixed"><parent link="base"/>'
+    )
+    robot = read_robot(text + '<child link="tool"/></joint></robot>')
+    tree = read_tree(robot)
+    assert str(tree) == "base\n  j (fixed): tool"
+    assert meant("tol", tree.links) == " Did you mean tool?"
+    assert str(robot.children[1]) == '<link name="tool">'
+    assert str(robot.children[2].children[0].refusal("why.")) == 'Line 3, <parent> in <joint name="j">: why.'
+
+
+# --- there and back ---
+
+
+def assert_same(back, chain):
+    atol = 1e-13 * (1 + np.abs(chain.joint_points).max() + np.abs(chain.home).max())
+    for part in ("screws", "home", "joint_points"):
+        np.testing.assert_allclose(getattr(back, part), getattr(chain, part), rtol=0, atol=atol)
+    assert back.name == chain.name
+    assert back.joint_names == (chain.joint_names or tuple(f"joint_{i + 1}" for i in range(chain.n)))
+    if chain.limits is None or np.isinf(chain.limits).all():
+        assert back.limits is None
+    else:
+        np.testing.assert_array_equal(back.limits, chain.limits)
+
+
+@pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
+def test_a_robot_of_the_course_comes_back_from_its_file(robot):
+    assert_same(load_urdf(to_urdf(robot)), robot)
+
+
+@st.composite
+def named_chains(draw):
+    # A pitch below a nanometre a radian counts as none, and no file keeps it: so there is none here.
+    screws = draw(
+        st.lists(st.builds(kl.screw, directions(), points(), st.sampled_from([0.0, np.inf])), min_size=1, max_size=6)
+    )
+    chain = kl.Chain(np.array(screws), draw(poses()))
+    bounds = st.lists(st.floats(-4, 4), min_size=2, max_size=2).map(sorted)
+    ends = st.tuples(st.just(-np.inf) | st.none(), st.just(np.inf) | st.none())
+    limits = [[end or bound for end, bound in zip(draw(ends), draw(bounds), strict=True)] for _ in range(chain.n)]
+    letters = st.characters(exclude_categories=["C", "Z"])
+    names = draw(st.lists(st.text(letters, min_size=1), unique=True, min_size=chain.n, max_size=chain.n))
+    return kl.Chain(
+        chain.screws,
+        chain.home,
+        name=draw(st.text(letters, min_size=1)),
+        limits=np.array(limits),
+        joint_names=tuple(names),
+    )
+
+
+@given(named_chains())
+def test_any_chain_comes_back_from_its_file(chain):
+    assert_same(load_urdf(to_urdf(chain)), chain)
+
+
+@pytest.mark.oracle("pinocchio", to_urdf)
+@given(named_chains())
+def test_a_file_of_ours_is_one_that_pinocchio_reads(chain):
+    q = configurations(chain, 2)
+    names = chain.joint_names
+    expected = as_pinocchio_reads(to_urdf(chain), "base_link", "tool", names, q)
+    np.testing.assert_allclose(chain.fk(q), expected, rtol=0, atol=CLOSE)
+
+
+def test_a_helical_joint_is_refused_with_the_reason():
+    with pytest.raises(ValueError, match=r"Joint 1 of HRR arm is helical: .*none that couples the two"):
+        to_urdf(robots.hrr())
+
+
+def test_of_two_helical_joints_the_first_is_named():
+    S = kl.screw((0, 0, 1), (0, 0, 0), 0.1)
+    with pytest.raises(ValueError, match=r"Joint 2 of .* is helical"):
+        to_urdf(kl.Chain([kl.screw((0, 0, 1)), S, S], np.eye(4)))
+
+
+FILE = """<robot name="lift">
+  <link name="base_link"/>
+  <link name="link_1"/>
+  <link name="link_2"/>
+  <link name="tool"/>
+  <joint name="joint_1" type="continuous">
+    <parent link="base_link"/> <child link="link_1"/>
+    <origin xyz="0 0.5 0"/>
+    <axis xyz="0 0 -1"/>
+  </joint>
+  <joint name="joint_2" type="prismatic">
+    <parent link="link_1"/> <child link="link_2"/>
+    <origin xyz="2 -0.5 0"/>
+    <axis xyz="0 1 0"/>
+    <limit lower="0" upper="1.5" effort="1" velocity="1"/>
+  </joint>
+  <joint name="weld" type="fixed">
+    <parent link="link_2"/> <child link="tool"/>
+    <origin xyz="0 0 1" rpy="0 0 0"/>
+  </joint>
+</robot>
+"""
+
+
+def test_a_file_of_ours_is_written_as_a_person_would():
+    """Frames parallel to the base's, whole numbers as such, no -0, limits where there are any, and a line for each thing."""
+    lift = kl.Chain(
+        np.array([[-0.0, 0, -1, -0.5, 0, 0], [0, 0, 0, -0.0, 1, 0]]),
+        origin((2, 0, 1)),
+        points=np.array([[0, 0.5, -0.0], [2, 0, 0]]),
+        name="lift",
+        limits=np.array([[-np.inf, np.inf], [0, 1.5]]),
+    )
+    assert to_urdf(lift) == FILE
+
+
+@pytest.mark.parametrize(
+    ("names", "weld"), [("a b c", "weld"), ("weld b c", "weld_0"), ("a weld_0 weld", "weld_1"), ("weld_0 a b", "weld")]
+)
+def test_the_last_joint_of_a_file_of_ours_has_a_name_that_no_other_joint_has(names, weld):
+    arm = robots.rpr()
+    text = to_urdf(kl.Chain(arm.screws, arm.home, joint_names=tuple(names.split())))
+    assert re.findall('<joint name="(.+)" type', text) == [*names.split(), weld]
+
+
+@pytest.mark.parametrize(
+    ("names", "said"),
+    [
+        (("a", "a", "b"), r"tells joints apart by their names; got a, a, b\.$"),
+        (("a", "", "b"), r"letters that print; got str ''\.$"),
+        (("a", "b\n", "c"), r"that print; got str 'b\\n'\.$"),
+    ],
+)
+def test_names_that_no_file_can_hold_are_refused(names, said):
+    arm = robots.rpr()
+    with pytest.raises(ValueError, match=said):
+        to_urdf(kl.Chain(arm.screws, arm.home, joint_names=names))
+
+
+# --- what the parts of a file mean ---
+
+ONE_JOINT = """<robot name="one">
+<link name="a"/>
+<link name="b"/>
+<joint name="j" type="{type}"><parent link="a"/><child link="b"/>
+{parts}
+</joint></robot>"""
+
+
+def one_joint(parts="", kind="continuous"):
+    return ONE_JOINT.format(type=kind, parts=parts)
+
+
+def test_the_axis_is_read_in_the_joint_s_own_frame():
+    """Rolled by a quarter turn, the joint's z points along the parent's -y."""
+    S = load_urdf(one_joint(f'<origin xyz="0 0 1" rpy="{np.pi / 2} 0 0"/><axis xyz="0 0 1"/>')).screws[0]
+    np.testing.assert_allclose(S, kl.screw((0, -1, 0), (0, 0, 1)), rtol=0, atol=1e-15)
+
+
+def test_without_an_axis_it_is_x_and_without_an_origin_it_is_the_parent_s():
+    chain = load_urdf(one_joint())
+    assert chain.screws.tolist() == [[1, 0, 0, 0, 0, 0]]
+    assert chain.home.tolist() == np.eye(4).tolist()
+
+
+@pytest.mark.parametrize("xyz", ["0 0 5", "0 0 1e-5", "0 0 1e300"])
+def test_an_axis_is_brought_to_unit_length(xyz):
+    """As Pinocchio does, and KDL: a slide along 0 0 5 by one metre is one metre."""
+    text = one_joint(f'<axis xyz="{xyz}"/><limit lower="0" upper="1"/>', "prismatic")
+    assert load_urdf(text).fk([1.0])[:3, 3].tolist() == [0, 0, 1]
+
+
+def test_an_axis_is_a_unit_however_many_turns_stand_before_it():
+    """A thousand rotations, each rounded, leave it off in the thirteenth digit; it is brought back to 1."""
+    n = 1000
+    joint = '<joint name="j{0}" type="{2}"><parent link="{0}"/><child link="{1}"/><origin rpy="0.3 0.5 -0.7"/></joint>'
+    joints = [joint.format(i, i + 1, "fixed" if i < n - 1 else "continuous") for i in range(n)]
+    links = "".join(f'<link name="{i}"/>' for i in range(n + 1))
+    S = load_urdf(f'<robot name="long">{links}{"".join(joints)}</robot>').screws[0]
+    assert norm(S[:3]) == pytest.approx(1, rel=0, abs=1e-15)
+
+
+def test_the_axis_of_a_weld_is_passed_over_whatever_it_says():
+    """Exporters write 0 0 0 there; Pinocchio and urdfdom do not look at it either."""
+    tree = read_tree(read_robot(one_joint('<axis xyz="0 0 0"/>', "fixed")))
+    assert tree.above["b"].axis.tolist() == [0, 0, 0]
+
+
+@pytest.mark.parametrize(
+    ("said", "limits"),
+    [
+        ('upper="2"', [0, 2]),
+        ('lower="-2"', [-2, 0]),
+        ('effort="1" velocity="1"', [0, 0]),
+        ('lower="1" upper="1"', [1, 1]),
+    ],
+)
+def test_a_limit_that_is_not_given_is_0_and_a_joint_may_be_locked(said, limits):
+    assert load_urdf(one_joint(f"<limit {said}/>", "revolute")).limits.tolist() == [limits]
+
+
+def test_an_origin_may_stand_as_far_off_as_any_and_turn_as_far():
+    assert load_urdf(one_joint('<origin xyz="0 -1e6 0"/>')).home[1, 3] == -1e6
+    twice = load_urdf(one_joint(f'<origin rpy="0 0 {4 * np.pi!r}"/>')).home
+    np.testing.assert_allclose(twice, np.eye(4), rtol=0, atol=1e-14)
+
+
+def test_names_may_be_long_and_are_cut_where_they_are_told():
+    text = one_joint().replace('"one"', f'"{"r" * LONGEST}"')
+    assert load_urdf(text).name == "r" * LONGEST
+    with pytest.raises(ValueError, match=f"runs on for {LONGEST + 1} letters"):
+        load_urdf(text.replace('name="r', 'name="rr'))
+    assert str(Element("link", 1, {"name": "l" * 100})) == f'<link name="{"l" * 60}">'
+
+
+def test_meshes_masses_and_colours_change_nothing_and_are_not_opened():
+    plain = one_joint('<axis xyz="0 0 1"/>')
+    visual = '<visual><origin xyz="9 9 9"/><geometry><mesh filename="package://no/such/file.stl"/></geometry></visual>'
+    dressed = plain.replace('<link name="b"/>', f'<link name="b">{visual}<inertial><mass value="2"/></inertial></link>')
+    dressed = dressed.replace("</robot>", '<transmission><joint name="j"/></transmission><gazebo/></robot>')
+    assert_same(load_urdf(dressed), load_urdf(plain))
+
+
+def test_only_the_file_itself_is_opened(tmp_path, monkeypatch):
+    path = tmp_path / "arm.urdf"
+    path.write_text(one_joint('<visual><mesh filename="mesh.stl"/></visual>'), "utf-8")
+    (tmp_path / "mesh.stl").write_text("not to be read")
+    load_urdf(path)
+    opened, real = [], io.open
+    for module in (builtins, io):
+        monkeypatch.setattr(
+            module, "open", lambda file, *rest, **more: opened.append(file) or real(file, *rest, **more)
+        )
+    load_urdf(path)
+    assert [os.fspath(file) for file in opened] == [os.fspath(path)]
+
+
+def test_a_document_type_is_refused_though_it_declares_nothing():
+    with pytest.raises(ValueError, match=r"^Line 2, <!DOCTYPE>: a URDF has no document type and no entities"):
+        load_urdf("\n<!DOCTYPE robot>\n" + one_joint())
+
+
+def test_a_path_may_go_up_the_tree_and_down_again():
+    """From the left hand to the right one: the joints of the left arm count from the hand on, and run backwards."""
+    link = "".join(f'<link name="{name}"/>' for name in ("torso", "left", "right"))
+    joint = (
+        '<joint name="{0}" type="continuous"><parent link="torso"/><child link="{0}"/>{1}<axis xyz="0 0 1"/></joint>'
+    )
+    text = f'<robot name="two arms">{link}' + joint.format("left", '<origin xyz="0 1 0"/>')
+    text += joint.format("right", '<origin xyz="0 -1 0"/>') + "</robot>"
+    chain = load_urdf(text, "left", "right")
+    assert chain.joint_names == ("left", "right")
+    np.testing.assert_allclose(chain.screws, [[0, 0, -1, 0, 0, 0], kl.screw((0, 0, 1), (0, -2, 0))], atol=1e-15)
+    np.testing.assert_allclose(
+        load_urdf(text, "right", "left").fk([0.3, 0.2]), kl.inverse(chain.fk([0.2, 0.3])), atol=1e-14
+    )
+
+
+def test_a_tree_prints_as_it_hangs():
+    assert str(read_tree(read_robot(one_joint()))) == "a\n  j (continuous): b"
+
+
+@pytest.mark.parametrize(
+    "before", ["", "\n\n  ", "\ufeff", "\n<?xml version='1.0' encoding='latin-1'?>\n", "<!-- < -->"]
+)
+def test_a_text_may_begin_as_people_paste_it(before):
+    assert load_urdf(before + one_joint().replace('"one"', '"Ärmchen"')).name == "Ärmchen"
+
+
+@pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "latin-1"])
+def test_a_file_may_be_in_any_encoding_that_it_names(tmp_path, encoding):
+    path = tmp_path / "arm.urdf"
+    says = encoding.removesuffix("-sig")
+    path.write_bytes(
+        (f'<?xml version="1.0" encoding="{says}"?>' + one_joint().replace('"one"', '"Ä"')).encode(encoding)
+    )
+    assert load_urdf(path).name == load_urdf(str(path)).name == "Ä"
+
+
+# --- files with faults: the element, the line, and why ---
+
+
+@pytest.mark.parametrize(
+    ("parts", "said"),
+    [
+        ('<axis xyz="0 0 0"/>', 'Line 5, <axis> in <joint name="j">: xyz is zero, and zero points nowhere'),
+        ('<axis xyz="1e-9 0 0"/>', "xyz is zero"),
+        ('<axis xyz="0 1"/>', 'xyz should hold 3 numbers; got 2: "0 1"'),
+        ('<axis xyz="0 0 1 0"/>', "got 4"),
+        ('<axis xyz="0, 0, 1"/>', 'got "0,".*separated by blanks'),
+        ('\n\n<axis xyz="nan 0 1"/>', 'Line 7, .*should hold finite numbers; got "nan"'),
+        ('<axis xyz="0 0 inf"/>', r'got "inf"\.$'),
+        ('<axis xyz="1e999 0 0"/>', 'got "1e999"'),
+        ('<axis xyz="1_0 0 0"/>', 'got "1_0"'),
+        ('<axis xyz="0 0 ١"/>', "finite numbers"),
+        ('<axis xyz="x"/>', 'got "x"'),
+        (f'<axis xyz="{"1" * 5000} 0 0"/>', r'xyz="1{20}\.\.\." runs on for 5004 letters\.$'),
+        ("<axis/>", "it should say xyz=...; it says nothing"),
+        ('<axis xyz="0 0 1"/>\n<axis xyz="0 0 1"/>', "it has <axis> twice, in lines 5 and 6"),
+        ('<origin xyz="0 0"/>', 'Line 5, <origin> in <joint name="j">: xyz should hold 3 numbers'),
+        ('<origin rpy="0 0 90"/>', "rpy holds 90 rad. URDF writes radians, not degrees"),
+        ('<origin xyz="0 0 1e7"/>', r"xyz holds 1e\+07 m\. URDF writes metres\.$"),
+        ('<origin xyz="1 0 -1e7"/>', r"xyz holds -1e\+07 m\. URDF"),
+        ('<origin xyz="${length} 0 0"/>', 'xyz="[$]{length} 0 0" is for xacro to work out. Expand the file first'),
+        ('<origin xyz="$(arg x) 0 0"/>', "for xacro"),
+        ('<parent link="b"/>', "it has <parent> twice"),
+    ],
+)
+def test_a_fault_in_a_joint_is_named_with_its_line(parts, said):
+    with pytest.raises(ValueError, match=said):
+        load_urdf(one_joint(parts))
+
+
+@pytest.mark.parametrize(
+    ("kind", "parts", "said"),
+    [
+        ("revolute", "", 'Line 4, <joint name="j">: a revolute joint needs its <limit .*continuous'),
+        ("prismatic", "", "a prismatic joint needs its <limit .*How far does it slide"),
+        ("revolute", '<limit lower="2" upper="1"/>', "Line 5, <limit> .*lower is 2 and upper is 1. Are they exchanged"),
+        ("revolute", '<limit lower="-inf" upper="1"/>', 'got "-inf"'),
+        ("revolut", "", 'type="revolut" is none of revolute, continuous'),
+        ("spherical", "", 'type="spherical" is none of'),
+    ],
+)
+def test_a_joint_of_a_kind_that_it_is_not_is_refused(kind, parts, said):
+    with pytest.raises(ValueError, match=said):
+        load_urdf(one_joint(parts, kind))
+
+
+@pytest.mark.parametrize(("kind", "ways"), [("planar", 3), ("floating", 6)])
+def test_a_joint_that_no_chain_holds_is_refused_with_the_reason_where_it_is_on_the_way(kind, ways):
+    text = one_joint("", kind).replace(
+        "</robot>", '<link name="c"/>\n<joint name="k" type="continuous"><parent link="b"/>'
+    )
+    text += '<child link="c"/></joint></robot>'
+    with pytest.raises(
+        ValueError, match=f"Line 4, <joint name=.j.>: a {kind} joint moves in {ways} ways at once.*such as b"
+    ):
+        load_urdf(text)
+    assert load_urdf(text, base="b").n == 1
+
+
+def linked(links, *joints):
+    """A URDF with one letter a link, and joints written "ab": a on top, b below it."""
+    lines = [f'<link name="{name}"/>' for name in links]
+    for i, (parent, child) in enumerate(joints):
+        lines.append(f'<joint name="j{i}" type="continuous"><parent link="{parent}"/><child link="{child}"/></joint>')
+    return "\n".join(['<robot name="r">', *lines, "</robot>"])
+
+
+RING = "abcdefghijklm"
+"""One more than a message names."""
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        (linked("abb", "ab"), 'Line 4, <link name="b">: the link in line 3 has this name already'),
+        (linked("abc", "ab", "bc").replace("j1", "j0"), 'Line 6, <joint name="j0">: the joint in line 5 has this name'),
+        (linked("ab", "aβ"), 'Line 4, <child> in <joint name="j0">: joint j0 names link "β", and there is none'),
+        (linked(["base", "arm"], ["bsae", "arm"]), "Did you mean base"),
+        (linked("ab", "aβ"), r"there is none\. The links are a, b\.$"),
+        (linked("abcdefghijkl", "aβ"), r"The links are a, b, c, d, e, f, g, h, i, j, k, l\.$"),
+        (linked("abcdefghijklm", "aβ"), r"The links are a, b, c, d, e, f, g, h, i, j, k, l, \.\.\.$"),
+        (
+            linked("abcd", "ab", "bc", "cd", "db"),
+            "Line 9, <child> in <joint .*link b hangs on joint j0 of line 6 already.*no URDF holds one",
+        ),
+        (linked("abcd", "bc", "cd", "db"), "Line 8, <joint name=.j2.>: .*round in a circle: b, d, c"),
+        (linked("a", "aa"), "in a circle: a"),
+        (
+            linked(RING, *zip(RING, RING[1:] + RING[:1], strict=True)),
+            r"in a circle: a, m, l, k, j, i, h, g, f, e, d, c\.$",
+        ),
+        (linked("abc", "ab"), r'Line 4, <link name="c">: no joint holds it, and none holds a\. A tree'),
+        (linked("abcd", "ab"), r'Line 4, <link name="c">: no joint holds it, and none holds a, d\.'),
+        (linked(RING), r'Line 3, <link name="b">: .* none holds a, c, d, e, f, g, h, i, j, k, l\.'),
+        (linked(""), 'Line 1, <robot name="r">: it has no <link>'),
+        (linked("abc", "ab", "ac"), 'Line 2, <link name="a">: which link is the tip .*It may be b, c'),
+        (linked("a"), "Below the base nothing moves"),
+        (linked("ab", "ab").replace('<child link="b"/>', ""), "Line 4, .*it has no <child link=...>"),
+        (linked("ab", "ab").replace(' link="b"', ""), "<child> in <joint name=.j0.>: it should say link="),
+        (linked("ab", "ab").replace('type="continuous"', ""), "it should say type=...; it says name"),
+        (linked("ab", "ab").replace(' name="r"', ""), "Line 1, <robot>: it should say name="),
+        (linked(["a", "${prefix}b"]), "Line 3, .*for xacro"),
+        (
+            '<robot name="r">\n<xacro:macro name="arm"/></robot>',
+            'Line 2, <xacro:macro name="arm">: a macro is for xacro',
+        ),
+    ],
+)
+def test_links_that_make_no_tree_are_refused(text, said):
+    with pytest.raises(ValueError, match=said):
+        load_urdf(text)
+
+
+def test_links_asked_for_must_exist_and_something_must_move_between_them():
+    text = linked(["base", "upper arm", "hand"], ["base", "upper arm"], ["upper arm", "hand"])
+    with pytest.raises(
+        ValueError, match=r"tip should be a link; there is none called 'uper arm'. Did you mean upper arm"
+    ):
+        load_urdf(text, tip="uper arm")
+    with pytest.raises(ValueError, match=r"base should be a link; there is none called 'x'. The links are base, "):
+        load_urdf(text, base="x")
+    with pytest.raises(ValueError, match=r"Line 4, .*no joint moves between hand and hand"):
+        load_urdf(text, "hand", "hand")
+
+
+BOMB = "<!DOCTYPE r [<!ENTITY a 'ha'>" + "".join(f"<!ENTITY {chr(ord(a) + 1)} '{f'&{a};' * 10}'>" for a in "abcdefghi")
+
+
+@pytest.mark.parametrize(
+    ("text", "said"),
+    [
+        ("", "The text is empty"),
+        (" \n ", "The text is empty"),
+        ("<robot", r"^Line 1: this is not XML: unclosed token\.$"),
+        ("<robot>\n<link>\n</robot>", "Line 3: this is not XML: mismatched tag. An element opened above"),
+        ("<robot>\n<link>", "Line 2: .*end too early"),
+        ("\n<robot>\n<link name=a/>", "Line 3: this is not XML: not well-formed .*Is a quote missing"),
+        ("<robot name='&who;'/>", "Line 1: this is not XML: undefined entity"),
+        ("<robot name='\ud800'/>", "surrogates not allowed"),
+        ("\n<sdf/>", "Line 2, <sdf>: the first element of a URDF is <robot>; this is an SDF file"),
+        ("<table/>", "this is <table>"),
+        # What fuzzing found: a message that hands back all that came
+        (f"<{'a' * 2000}/>", "^Line 1, <a{60}>: the first element of a URDF is <robot>; this is <a{60}>.$"),
+        (f'<robot name="r"><link {"a" * 2000}="x"/></robot>', r"<link> in .*name=...; it says a{200}\.$"),
+        ("\n" + BOMB + "]>\n<robot name='&j;'/>", "Line 2, <!DOCTYPE>: a URDF has no document type"),
+        ("<!DOCTYPE robot SYSTEM 'http://example.com/robot.dtd'>\n<robot name='r'/>", "Line 1, <!DOCTYPE>"),
+        ("<!DOCTYPE r [<!ENTITY f SYSTEM 'file:///etc/passwd'>]>\n<robot name='&f;'/>", "Line 1, <!DOCTYPE>"),
+        ("<!DOCTYPE r [<!ENTITY % p SYSTEM 'http://example.com/x'> %p;]>\n<robot name='r'/>", "Line 1, <!DOCTYPE>"),
+        ("<robot name='r'>\n" + "<a>" * (DEEPEST + 1), f"Line 2, <a> in <a>: it stands {DEEPEST} elements deep"),
+        ("<robot>" + " " * LARGEST, "The text holds 4.0 MB; a URDF of more than 4 MB is not read"),
+        ("robot.urdf", "There is no file 'robot.urdf'. Give the path of a URDF, or its text"),
+        ("https://example.com/robot.urdf", "is an address, and nothing is fetched"),
+        ("package://robot/robot.urdf", "nothing is fetched"),
+        ("x" * 5000, "xxx"),
+        ("a\0b", "There is no file"),
+        (os.curdir, "is a directory"),
+        (b"<robot/>", "A URDF is a path or a text; got bytes"),
+        (None, "A URDF is a path or a text; got NoneType None"),
+    ],
+    ids=lambda value: repr(value)[:40].replace("\\", "/"),  # who runs a test by its id cannot type a backslash
+)
+def test_what_is_no_urdf_is_refused(text, said):
+    with pytest.raises(ValueError, match=said):
+        load_urdf(text)
+
+
+@pytest.mark.parametrize(
+    ("content", "said"),
+    [
+        (b"", "is empty"),
+        (b"\0\0\0", "Line 1: this is not XML"),
+        (b"\n\n<robot>\n<link name=a/>\n</robot>", "Line 4: this is not XML: .*Is a quote missing"),
+        (one_joint().replace("one", "Ä").encode("latin-1"), "Line 1: this is not XML: .*not saved as UTF-8"),
+        (b'<?xml version="1.0" encoding="klingon"?>\n<robot name="r"/>', "Line 1: unknown encoding: klingon"),
+        (b'<?xml version="1.0" encoding="rot13"?>\n<robot name="r"/>', "Line 1: .*Save the file as UTF-8"),
+        (b'<?xml version="1.0" encoding="idna"?>\n<robot name="r"/>', "Line 1: .*Save the file as UTF-8"),
+        (b'<?xml version="1.0" encoding="utf-16"?>\n<robot name="r"/>', "Line 1: .*encoding specified"),
+    ],
+)
+def test_a_file_that_is_no_urdf_is_refused(tmp_path, content, said):
+    path = tmp_path / "arm.urdf"
+    path.write_bytes(content)
+    with pytest.raises(ValueError, match=said):
+        load_urdf(path)
+
+
+def test_a_large_file_is_refused_before_it_is_read(tmp_path):
+    path = tmp_path / "arm.urdf"
+    with path.open("wb") as file:
+        file.truncate(100_000_000)
+    start = time.perf_counter()
+    with pytest.raises(ValueError, match=r"The file holds 100.0 MB"):
+        load_urdf(path)
+    assert time.perf_counter() - start < 0.1
+
+
+def test_a_file_of_the_largest_size_is_read_to_its_end(tmp_path):
+    path = tmp_path / "arm.urdf"
+    head, end = one_joint().encode().split(b"</robot>")[0], b"</robot>"
+    path.write_bytes(head + b" " * (LARGEST - len(head) - len(end)) + end)
+    assert load_urdf(path).name == "one"
+    assert path.stat().st_size == LARGEST
+
+
+def test_a_file_that_grows_while_it_is_opened_is_read_no_further_than_any(tmp_path, monkeypatch):
+    path, before = tmp_path / "arm.urdf", tmp_path / "before.urdf"
+    path.write_bytes(b" " * (LARGEST + 2_000_000))
+    before.write_text(one_joint())
+    small = before.stat()
+    monkeypatch.setattr(Path, "stat", lambda *_, **__: small)
+    with pytest.raises(ValueError, match=r"^The file holds 4\.0 MB; a URDF of more than 4 MB is not read\.$"):
+        load_urdf(path)
+
+
+@pytest.mark.skipif(not os.path.exists("/dev/zero"), reason="no device that never ends")  # noqa: PTH110
+def test_a_device_is_no_file():
+    with pytest.raises(ValueError, match="There is no file '/dev/zero'"):
+        load_urdf("/dev/zero")
+
+
+SOUND = linked("abcd", "ab", "bc", "cd").splitlines()
+
+
+@pytest.mark.parametrize("line", range(len(SOUND)))
+def test_a_file_that_lost_a_line_gives_no_arm(line):
+    assert load_urdf("\n".join(SOUND)).n == 3
+    with pytest.raises(ValueError, match=r"Line \d+, <|Line \d+: this is not XML"):
+        load_urdf("\n".join(SOUND[:line] + SOUND[line + 1 :]))
+
+
+@settings(max_examples=200)
+@given(st.data())
+def test_a_mangled_file_is_refused_or_read_and_nothing_else(data):
+    """Letters of a sound file replaced at random: whatever happens is a chain, or a ValueError with words in it."""
+    text = list(one_joint('<origin xyz="0 0 1" rpy="0 0 1"/><axis xyz="0 0 1"/>'))
+    for _ in range(data.draw(st.integers(1, 5))):
+        text[data.draw(st.integers(0, len(text) - 1))] = data.draw(st.sampled_from('<>&"/ -.0eaj${\n\0é'))
+    assert outcome("".join(text)) == 1 or len(outcome("".join(text))) > 10
+
+
+def outcome(text):
+    try:
+        return load_urdf(text).n
+    except ValueError as error:
+        return str(error)

@@ -1,0 +1,406 @@
+"""Gathering: whatever a folder or a platform's download holds, each student has one submission, and each oddity a sentence."""
+
+import os
+import re
+import stat
+import sys
+import zipfile
+from contextlib import suppress
+from pathlib import Path
+
+import pytest
+
+if sys.platform == "win32":
+    pytest.skip("grading is made of Linux", allow_module_level=True)
+
+from misstep.grading.collect.files import Refused, files
+from misstep.grading.collect.gather import gather, typed_id
+from misstep.grading.collect.roster import read_roster
+from misstep.grading.collect.submission import LARGEST
+from misstep.grading.publish.result_store import file_name
+
+SHEET = "03_poe_space"
+NAME = f"{SHEET}.ipynb"
+
+
+def notebook(student="ada", sheet=SHEET):
+    code = f'student = \\"{student}\\"\\nsheet = open_sheet(\\"{sheet}\\", student)'
+    return f'{{"cells": [{{"cell_type": "code", "source": "{code}"}}]}}'.encode()
+
+
+def folder(root, **names):
+    """A folder with files; a path is written with __ for a slash."""
+    for number, (name, content) in enumerate(names.items()):
+        path = root / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content if isinstance(content, bytes) else notebook(content))
+        os.utime(path, (1e9 + number, 1e9 + number))
+    return root
+
+
+def zipped(path, members):
+    with zipfile.ZipFile(path, "w", zipfile.ZIP_DEFLATED) as archive:
+        for name, content in members.items():
+            archive.writestr(name, content)
+    return path
+
+
+def by_student(gathered):
+    return {handed.student: handed for handed in gathered.handed}
+
+
+def refusal(handed):
+    with pytest.raises(Refused) as refused:
+        handed.content()
+    return str(refused.value)
+
+
+# --- layouts ---
+
+
+@pytest.mark.parametrize("suffix", ["", "submitted/"])
+def test_a_folder_for_each_student(tmp_path, suffix):
+    folder(tmp_path, **{f"{suffix}ada/{NAME}": "ada", f"{suffix}bob/{NAME}": "bob", f"{suffix}roster.txt": b"a list"})
+    (tmp_path / suffix / "cyn").mkdir()
+    gathered = gather(tmp_path / suffix, SHEET)
+    assert gathered.kind == "folder"
+    assert [(handed.student, handed.drawn_for) for handed in gathered.handed] == [(s, s) for s in ("ada", "bob", "cyn")]
+    assert by_student(gathered)["ada"].content() == notebook("ada")
+    assert by_student(gathered)["cyn"].content() is None
+
+
+def test_a_flat_folder_names_students_by_files(tmp_path):
+    names = ["ada.ipynb", f"bob_{NAME}", f"{SHEET}-cyn.ipynb", "d.e.ipynb"]
+    gathered = gather(folder(tmp_path, **dict.fromkeys(names, "x")), SHEET)
+    assert list(by_student(gathered)) == ["ada", "bob", "cyn", "d.e"]
+
+
+def test_a_name_is_the_same_however_its_accents_are_written(tmp_path):
+    """A Mac takes an accent apart; a zip of an old Windows leaves bytes that are no UTF-8."""
+    (tmp_path / "r.csv").write_text("id\nzoé\n", "utf-8")
+    root = folder(tmp_path / "in", **{f"zoe\u0301/{NAME}": "zoé"})
+    Path(os.fsdecode(os.fsencode(root) + b"/x\xff.ipynb")).write_bytes(notebook("x"))
+    gathered = gather(root, SHEET, read_roster(tmp_path / "r.csv"))
+    assert [(handed.student, bool(handed.notebook)) for handed in gathered.handed] == [("x?", True), ("zoé", True)]
+
+
+def test_the_submitted_folder_of_nbgrader_holds_other_sheets_too(tmp_path):
+    other = "05_dh_standard/05_dh_standard.ipynb"
+    folder(tmp_path, **{f"ada/{SHEET}/{NAME}": "ada", f"ada/{other}": "ada", f"bob/{other}": "bob"})
+    (tmp_path / "ada" / SHEET / "timestamp.txt").write_text("2026-11-01 10:00:00 UTC")
+    gathered = gather(tmp_path, SHEET)
+    assert gathered.kind == "nbgrader"
+    assert by_student(gathered)["ada"].content() == notebook("ada")
+    assert by_student(gathered)["bob"].content() is None
+
+
+CANVAS = {
+    f"lovelaceada_1815_501_{NAME}": notebook("ada"),
+    f"boolegeorge_LATE_1816_502_{SHEET}-2.ipynb": notebook("bob"),
+}
+
+MOODLE = {
+    f"Ada Lovelace_1815_assignsubmission_file_/{NAME}": notebook("ada"),
+    f"George Boole_1816_assignsubmission_file_/my {NAME}": notebook("bob"),
+    "George Boole_1816_assignsubmission_onlinetext_/onlinetext.html": b"<p>Here it is.</p>",
+}
+
+GRADESCOPE = {
+    "assignment_9_export/submission_metadata.yml": """---
+submission_501:
+  :submitters:
+  - :name: Ada Lovelace
+    :sid: '0007'
+    :email: ada@example.edu
+  :created_at: !ruby/object:ActiveSupport::TimeWithZone
+    utc: 2026-11-01 10:00:00
+  :score: 0.0
+submission_502:
+  :submitters:
+  - :name: George Boole
+    :sid: 1816
+    :email: bob@example.edu
+  - :name: Cyn
+    :sid:
+    :email: cyn@example.edu
+""",
+    f"assignment_9_export/submission_501/{NAME}": notebook("ada"),
+    f"assignment_9_export/submission_502/{NAME}": notebook("bob"),
+}
+
+ROSTERS = {
+    "canvas": """Student,ID,SIS User ID,SIS Login ID,Section,Old (1)
+    Points Possible,,,,,10
+"Lovelace, Ada",1815,u1,ada,A,7
+"Boole, George",1816,u2,bob,A,
+"Missing, Cyn",1817,u3,cyn,B,
+"Student, Test",1818,,,B,
+""",
+    "moodle": """Identifier;Full name;ID number;Email address;Status;Grade;Maximum Grade;Last modified (grade);Feedback comments
+Participant 1815;Ada Lovelace;ada;ada@example.edu;Submitted for grading;;100,00;-;
+Participant 1816;George Boole;bob;bob@example.edu;Submitted for grading;;100,00;-;
+Participant 1817;Cyn;cyn;cyn@example.edu;No submission;;100,00;-;
+""",
+    "gradescope": """First Name,Last Name,SID,Email,Sections,Old,Old - Max Points
+Ada,Lovelace,0007,ada@example.edu,A,1,2
+George,Boole,1816,bob@example.edu,A,1,2
+Cyn,Missing,cyn@example.edu,cyn@example.edu,A,1,2
+""",
+}
+
+DOWNLOADS = {"canvas": CANVAS, "moodle": MOODLE, "gradescope": GRADESCOPE}
+
+
+def roster(path, kind, column=None):
+    path = path / f"{kind}.csv"
+    path.write_text(ROSTERS[kind], "utf-8-sig")
+    return read_roster(path, column)
+
+
+@pytest.mark.parametrize("kind", DOWNLOADS)
+@pytest.mark.parametrize("is_unpacked", [False, True])
+def test_a_download_without_a_roster_goes_by_the_ids_in_the_sheets_and_says_so(tmp_path, kind, is_unpacked):
+    source = zipped(tmp_path / "submissions.zip", DOWNLOADS[kind])
+    if is_unpacked:
+        with zipfile.ZipFile(source) as archive:
+            archive.extractall(tmp_path / "unpacked" / "submissions")
+        source = tmp_path / "unpacked"
+    gathered = gather(source, SHEET)
+    assert gathered.kind == kind
+    assert "no --roster" in gathered.remarks[0]
+    assert {handed.drawn_for for handed in gathered.handed} == {""}
+    told = {typed_id(handed.content()) for handed in gathered.handed if handed.content()}
+    assert told == {"ada", "bob"}
+    wanted = {
+        "canvas": ["boolegeorge_1816", "lovelaceada_1815"],
+        "moodle": ["Ada Lovelace_1815", "George Boole_1816"],
+        "gradescope": ["0007", "1816", "cyn@example.edu"],
+    }
+    assert list(by_student(gathered)) == wanted[kind]
+
+
+@pytest.mark.parametrize("kind", ["canvas", "moodle"])
+def test_a_roster_says_whose_a_submission_is_and_who_has_none(tmp_path, kind):
+    gathered = gather(zipped(tmp_path / "s.zip", DOWNLOADS[kind]), SHEET, roster(tmp_path, kind))
+    assert gathered.remarks == []
+    students = by_student(gathered)
+    assert list(students) == ["ada", "bob", "cyn"]
+    assert students["ada"].drawn_for == "ada"
+    assert students["bob"].content() == notebook("bob")
+    assert students["cyn"].content() is None
+
+
+def test_an_id_may_stand_in_another_column_and_zeros_in_front_of_it_stay(tmp_path):
+    by_email = roster(tmp_path, "gradescope", "Email")
+    gathered = gather(zipped(tmp_path / "s.zip", GRADESCOPE), SHEET, by_email)
+    assert [handed.student for handed in gathered.handed] == ["ada@example.edu", "bob@example.edu", "cyn@example.edu"]
+
+
+def test_somebody_whom_the_roster_does_not_know_is_said(tmp_path):
+    strange = {**CANVAS, f"stranger_9_9_{NAME}": notebook("eve")}
+    gathered = gather(zipped(tmp_path / "s.zip", strange), SHEET, roster(tmp_path, "canvas"))
+    assert gathered.remarks == ["Not in the roster, and so in no file for the platform: stranger_9."]
+
+
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("a,b\n1,2\n", "has the columns a, b. A roster is what Canvas"),
+        ("id,name\nada,A\nADA,B\n", "'ada' is there 2 times in 'id'"),
+        ("Student,ID,Section\n,,\n", "no id stands in .* --id-column"),
+        ("", "has the columns none"),
+        ("a" * 5000, "has the columns a{300}. A roster"),
+        (f"id\n{'x' * 200_000}\n", r"cannot be read as a table \(CSV in UTF-8\): field larger"),
+    ],
+)
+def test_a_roster_that_cannot_be_one_is_told_why(tmp_path, text, message):
+    (tmp_path / "r.csv").write_text(text)
+    with pytest.raises(ValueError, match=message):
+        read_roster(tmp_path / "r.csv")
+
+
+def test_a_column_that_is_not_there_is_named(tmp_path):
+    with pytest.raises(ValueError, match="no id stands in matriculation"):
+        roster(tmp_path, "canvas", "Matriculation")
+
+
+# --- which file ---
+
+
+@pytest.mark.parametrize(
+    ("names", "chosen"),
+    [
+        (["a.ipynb", NAME], NAME),
+        ([f"{SHEET}-1.ipynb", f"{SHEET} (2).ipynb"], f"{SHEET} (2).ipynb"),
+        ([f"{SHEET}-Copy1.ipynb", "other.ipynb"], f"{SHEET}-Copy1.ipynb"),
+        (["mine.ipynb"], "mine.ipynb"),
+        ([NAME.upper(), "z.ipynb"], NAME.upper()),
+    ],
+)
+def test_of_several_files_the_one_with_the_name_of_the_sheet_is_graded(tmp_path, names, chosen):
+    (handed,) = gather(folder(tmp_path, **{f"ada/{name}": "ada" for name in names}), SHEET).handed
+    assert handed.notebook.path.name == chosen
+    assert bool(handed.notes) == (len(names) > 1)
+    assert not handed.notes or f"{chosen} was graded" in handed.notes[0]
+
+
+def test_of_several_with_other_names_the_one_that_opens_the_sheet_is_graded(tmp_path):
+    folder(tmp_path, **{"ada/a.ipynb": "ada", "ada/b.ipynb": notebook("ada", "05_dh_standard")})
+    (handed,) = gather(tmp_path, SHEET).handed
+    assert handed.notebook.path.name == "a.ipynb"
+
+
+def test_a_file_that_is_no_notebook_is_handed_on_so_that_its_reason_is_told(tmp_path):
+    (handed,) = gather(folder(tmp_path, **{"ada/sheet.pdf": b"%PDF-1.7"}), SHEET).handed
+    assert handed.content() == b"%PDF-1.7"
+    assert handed.notes == ["No notebook among what was handed in: sheet.pdf."]
+
+
+def test_one_id_in_two_places_is_graded_once_by_the_newest(tmp_path):
+    (handed,) = gather(folder(tmp_path, **{f"ada/{NAME}": "old", f"ADA/{NAME}": "new"}), SHEET).handed
+    assert typed_id(handed.content()) == "new"
+    assert handed.notes == [f"2 notebooks were handed in; ADA/{NAME} was graded."]
+
+
+def test_two_submissions_of_one_id_on_a_platform_are_graded_once_by_the_newest(tmp_path):
+    of_ada = "submission_{}:\n  :submitters:\n  - :sid: '0007'\n"
+    members = {"e/submission_metadata.yml": of_ada.format(1) + of_ada.format(2)}
+    source = zipped(tmp_path / "s.zip", members)
+    with zipfile.ZipFile(source, "a") as archive:
+        for number, year in ((1, 2025), (2, 2026)):
+            archive.writestr(
+                zipfile.ZipInfo(f"e/submission_{number}/{NAME}", (year, 1, 1, 0, 0, 0)), notebook(str(year))
+            )
+    (handed,) = gather(source, SHEET).handed
+    assert typed_id(handed.content()) == "2026"
+    assert handed.notes == [f"2 submissions belong to this id; e/submission_2/{NAME} was graded, the newest."]
+
+
+@pytest.mark.parametrize("content", [b"", b"{", b'{"cells": []}', notebook().replace(b"student = ", b"who = ")])
+def test_a_notebook_that_names_nobody(content):
+    assert typed_id(content) == ""
+
+
+def test_an_empty_folder_and_a_file_that_is_no_download(tmp_path):
+    (tmp_path / "empty").mkdir()
+    (tmp_path / "x.tar").write_bytes(b"tar")
+    with pytest.raises(ValueError, match="neither a folder nor a zip"):
+        gather(tmp_path / "x.tar", SHEET)
+    with pytest.raises(ValueError, match="neither a folder nor a zip"):
+        gather(tmp_path / "nowhere", SHEET)
+    with pytest.raises(ValueError, match="no submission"):
+        gather(tmp_path / "empty", SHEET)
+
+
+# --- what is not to be trusted ---
+
+
+def test_links_and_pipes_in_a_folder_are_not_followed(tmp_path):
+    secret = tmp_path / "secret"
+    folder(secret, **{NAME: b"SECRET"})
+    root = folder(tmp_path / "in", **{f"ada/{NAME}": "ada"})
+    for student in ("bob", "eve"):
+        (root / student).mkdir()
+    (root / "bob" / NAME).symlink_to(secret / NAME)
+    (root / "cyn").symlink_to(secret)
+    os.mkfifo(root / "eve" / NAME)
+    students = by_student(gather(root, SHEET))
+    assert list(students) == ["ada", "bob", "cyn", "eve"]
+    assert "a link to another place" in refusal(students["bob"])
+    assert "a link to another place" in refusal(students["cyn"])
+    assert "no plain file" in refusal(students["eve"])
+
+
+def linked(name):
+    info = zipfile.ZipInfo(name)
+    info.external_attr = (stat.S_IFLNK | 0o777) << 16
+    return info
+
+
+def test_paths_and_links_in_a_zip_lead_nowhere(tmp_path):
+    source = tmp_path / "s.zip"
+    with zipfile.ZipFile(source, "w") as archive:
+        for name in ("../../ada/", "/etc/bob/", "..\\cyn\\", "C:\\dan\\"):
+            archive.writestr(f"{name}{NAME}", b"x")
+        archive.writestr(linked(f"eve/{NAME}"), b"/etc/passwd")
+    told = {handed.student: refusal(handed) for handed in gather(source, SHEET).handed}
+    assert set(told) == {"ada", "etc", "cyn", "dan", "eve"}
+    assert all("leads out of its archive" in told[name] for name in ("ada", "etc", "cyn", "dan"))
+    assert "a link" in told["eve"]
+    assert [path.name for path in tmp_path.iterdir()] == ["s.zip"]
+
+
+def test_a_zip_bomb_is_not_unpacked(tmp_path):
+    bomb = b"0" * (LARGEST + 1)
+    source = zipped(tmp_path / "s.zip", {f"ada/{NAME}": bomb, f"bob/{NAME}": notebook("bob")})
+    assert source.stat().st_size < 100_000
+    students = by_student(gather(source, SHEET))
+    assert "unpacks to 34 MB" in refusal(students["ada"])
+    assert students["bob"].content() == notebook("bob")
+
+
+def test_a_member_that_lies_about_its_size_gives_no_more_than_it_says(tmp_path):
+    source = zipped(tmp_path / "s.zip", {f"ada/{NAME}": b"0" * (LARGEST + 1)})
+    small = (1000).to_bytes(4, "little")
+    source.write_bytes(source.read_bytes().replace((LARGEST + 1).to_bytes(4, "little"), small))
+    (handed,) = gather(source, SHEET).handed
+    assert "damaged" in refusal(handed)
+
+
+def test_a_zip_of_which_a_byte_was_changed_is_read_or_told_whichever_byte(tmp_path):
+    """Versions, flags, kinds of compression and names: each has an error of its own in Python's library."""
+    source = zipped(tmp_path / "s.zip", {f"ada/{NAME}": notebook("ada"), "ä/x.txt": b"x" * 100})
+    sound, told = source.read_bytes(), []
+    for place in range(len(sound)):
+        for flip in (0x08, 0xFF):
+            source.write_bytes(bytes([*sound[:place], sound[place] ^ flip, *sound[place + 1 :]]))
+            try:
+                for file in files(source):
+                    with suppress(Refused):
+                        file.read()
+            except ValueError as error:
+                told.append(str(error))
+    assert told
+    assert all(re.search(r"neither a folder nor a zip|is damaged: .*Download it again", each) for each in told)
+
+
+def test_a_damaged_member_costs_one_student_and_a_damaged_zip_is_told(tmp_path):
+    source = zipped(tmp_path / "s.zip", {f"ada/{NAME}": os.urandom(5000), f"bob/{NAME}": notebook("bob")})
+    data = bytearray(source.read_bytes())
+    data[200:300] = bytes(100)
+    source.write_bytes(data)
+    students = by_student(gather(source, SHEET))
+    assert "damaged" in refusal(students["ada"])
+    assert students["bob"].content() == notebook("bob")
+    source.write_bytes(data[:-60])
+    with pytest.raises(ValueError, match=r"neither a folder nor a zip|damaged"):
+        gather(source, SHEET)
+
+
+def test_what_file_managers_leave_is_left_out(tmp_path):
+    names = [f"__MACOSX/ada/._{NAME}", f"ada/.ipynb_checkpoints/{NAME}", f"ada/{NAME}", ".DS_Store"]
+    found = files(zipped(tmp_path / "s.zip", dict.fromkeys(names, b"x")))
+    assert [str(file.path) for file in found] == [f"ada/{NAME}"]
+
+
+@pytest.mark.parametrize("metadata", ["just a text", "- a\n- b", "a: [1, 2", "a: &a [*a]"])
+def test_a_list_of_gradescope_that_is_none_is_told(tmp_path, metadata):
+    source = zipped(tmp_path / "s.zip", {"e/submission_metadata.yml": metadata, f"e/submission_1/{NAME}": b"x"})
+    with pytest.raises(ValueError, match="again"):
+        gather(source, SHEET)
+
+
+@pytest.mark.parametrize(
+    "student", ["..", "../../etc/passwd", "a/b", "", ".", "\x00", "ä" * 300, "con", "a\nb", "\ud800"]
+)
+def test_no_id_is_a_path(student, tmp_path):
+    path = tmp_path / f"{file_name(student)}.json"
+    path.write_text("x")
+    assert path.resolve().parent == tmp_path
+    assert not path.name.startswith(".")
+
+
+def test_ids_have_files_of_their_own():
+    students = ["a b", "a+b", "a%20b", "a/b", "a_b", "A", "ä", "x" * 300, "x" * 301, "", "%", ".a", "%2Ea"]
+    assert len({file_name(student) for student in students}) == len(students)
+    assert Path(file_name("ada.l")).name == "ada.l"

@@ -1,0 +1,371 @@
+"""`misstep grade`: from a folder to results, stopped at any moment and gone on with, each submission graded once."""
+
+import csv
+import json
+import os
+import re
+import signal
+import subprocess
+import sys
+import time
+import zipfile
+from pathlib import Path
+from typing import ClassVar
+
+import pytest
+import submissions
+from submissions import SHEET, as_bytes, handed_in, mistaken, right
+
+if sys.platform != "linux":
+    pytest.skip("the sandbox is made of Linux", allow_module_level=True)
+
+from misstep.__main__ import main
+from misstep.grading import command
+from misstep.grading.judging.result import ProblemResult, Result
+from misstep.grading.publish.result_store import Book, opened
+from misstep.grading.sandbox.limits import Missing
+
+SOLUTION = str(submissions.ROOT / "solutions" / SHEET / f"{SHEET}.ipynb")
+
+SLOW = "import time\ntime.sleep(0.4)"
+
+PARTS = {k: line for k, line in right("carol").items() if k <= 4}
+
+CLASS = {
+    "alice": (as_bytes(handed_in("alice", right("alice"))), 24, ""),
+    "boris": (as_bytes(handed_in("boris", mistaken("boris"), first=SLOW)), None, ""),
+    "carol": (as_bytes(handed_in("carol", PARTS)), 12, ""),
+    "david": (as_bytes(handed_in("david", right("alice"), first=SLOW)), None, ""),
+    "erika": (as_bytes(handed_in("alice", right("alice"))), None, "graded with the numbers of 'erika'"),
+    "frank": (b"%PDF-1.7", 0, "a PDF"),
+    "grace": (None, 0, "Nothing was handed in"),
+    "heidi": (as_bytes(handed_in("heidi", right("heidi"), first=SLOW)), 24, ""),
+}
+"""By student, what was handed in, the points that it deserves (or None, where some are lucky), and the reason told."""
+
+
+@pytest.fixture(scope="module")
+def handed(tmp_path_factory):
+    root = tmp_path_factory.mktemp("submissions")
+    for student, (content, _, _) in CLASS.items():
+        (root / student).mkdir()
+        if content is not None:
+            (root / student / f"{SHEET}.ipynb").write_bytes(content)
+    return root
+
+
+def grade(source, out, *options):
+    return main(["grade", SOLUTION, str(source), "--out", str(out), *map(str, options)])
+
+
+def rows(path):
+    with path.open(newline="") as stream:
+        return list(csv.DictReader(stream))
+
+
+def snapshot(folder):
+    """Every file with its bytes and the time of its last change."""
+    return {p.relative_to(folder): (p.read_bytes(), p.stat().st_mtime_ns) for p in folder.rglob("*") if p.is_file()}
+
+
+def contents(folder, pattern):
+    return {path.name: path.read_bytes() for path in folder.glob(pattern)}
+
+
+@pytest.fixture(scope="module")
+def out(handed, tmp_path_factory):
+    """The results of a whole run."""
+    folder = tmp_path_factory.mktemp("results")
+    if grade(handed, folder) != 0:
+        try:
+            command.Grader(command.master(Path(SOLUTION))).close()
+        except Missing as missing:
+            pytest.skip(f"NO GRADING IS TESTED: {missing}")
+    return folder
+
+
+def test_everybody_gets_the_points_and_the_reason_they_deserve(out):
+    told = {row["student"]: row for row in rows(out / "grades.csv")}
+    assert list(told) == list(CLASS)
+    for student, (_, points, reason) in CLASS.items():
+        assert points is None or float(told[student]["points"]) == points, student
+        assert reason in told[student]["reason"]
+    assert float(told["boris"]["points"]) < 20
+    assert told["boris"]["mistakes"].count(";") >= 5
+    assert "The id 'alice' stands in 2 sheets." in told["erika"]["reason"]
+
+
+def test_whoever_has_the_answers_of_another_is_on_the_list(out):
+    told = rows(out / "matches.csv")
+    assert {row["student"] for row in told[:7]} <= {"david", "erika"}
+    assert "alice" in told[0]["right for"]
+    assert int(told[0]["answers right for one of them"]) >= 5
+    assert "alice" not in {row["student"] for row in told}
+
+
+def test_a_page_of_feedback_holds_nobody_elses_data(out):
+    pages = {path.stem: path.read_text("utf-8") for path in (out / "feedback").iterdir()}
+    assert set(pages) == set(CLASS)
+    for student, page in pages.items():
+        named = {name for name in CLASS if re.search(rf"\b{name}\b", page)}
+        own = {student, "alice"} if student == "erika" else {student}  # erika's own sheet says alice
+        assert named == own
+
+
+def test_the_report_names_nobody(out):
+    page = (out / "report.html").read_text("utf-8")
+    assert not [name for name in CLASS if name in page]
+    assert "omega x q" in page
+
+
+def test_a_second_run_starts_nothing_and_touches_nothing(handed, out, monkeypatch):
+    before = snapshot(out)
+    monkeypatch.setattr(command, "Grader", None)
+    assert grade(handed, out) == 0
+    assert snapshot(out) == before
+
+
+def test_killed_at_any_moment_it_goes_on_and_ends_as_if_nothing_had_been(handed, out, tmp_path):
+    results = tmp_path / "out" / "results"
+    arguments = [
+        sys.executable,
+        "-m",
+        "kinlib",
+        "grade",
+        SOLUTION,
+        str(handed),
+        "--out",
+        str(tmp_path / "out"),
+        "--jobs",
+        "1",
+    ]
+    environment = {**os.environ, "PYTHONPATH": str(submissions.ROOT)}
+    with subprocess.Popen(arguments, env=environment, stdout=subprocess.DEVNULL, start_new_session=True) as process:
+        deadline = time.monotonic() + 120
+        while len(list(results.glob("*.json"))) < 3 and process.poll() is None and time.monotonic() < deadline:
+            time.sleep(0.02)
+        os.killpg(process.pid, signal.SIGKILL)
+    done = snapshot(results)
+    assert 3 <= len(done) < len(CLASS) + 1
+    (results / ".half.json.half").write_text('{"form": 1, "mark"')  # as a write leaves it that was cut off
+    assert grade(handed, tmp_path / "out") == 0
+    after = snapshot(results)
+    assert {path: after[path] for path in done} == done
+    assert not list((tmp_path / "out").rglob("*.half"))
+    for pattern in ("*.csv", "feedback/*.html", "report.html"):
+        assert contents(tmp_path / "out", pattern) == contents(out, pattern)
+
+
+# --- what a run does, with a grader that is none ---
+
+
+class Told:
+    """Stands in for the grader: everybody has 2 points of 3, and it remembers whom it was asked about."""
+
+    asked: ClassVar = []
+    broken: ClassVar = set()
+
+    def __init__(self, sheet, limits, is_safe):
+        self.is_safe = is_safe
+
+    def __enter__(self):
+        return self
+
+    def __exit__(self, *_):
+        pass
+
+    def grade(self, student, content):
+        self.asked.append(student)
+        if student in self.broken:
+            raise RuntimeError("the machine gave up")
+        one = ProblemResult("03.1", "Screw axes", 2.0, 3.0, "partly", "x\n  2 of 3 points.", "<p>2</p>")
+        return Result(student, SHEET, 2.0, 3.0, "graded", "", [one], is_safe=self.is_safe)
+
+
+@pytest.fixture
+def asked(monkeypatch):
+    """Whom the grader was asked about since the last look."""
+    monkeypatch.setattr(command, "Grader", Told)
+    monkeypatch.setattr(Told, "broken", set())
+
+    def look():
+        students = sorted(Told.asked)
+        Told.asked.clear()
+        return students
+
+    look()
+    return look
+
+
+@pytest.fixture
+def folder(tmp_path):
+    for student in ("ada", "bob", "cyn"):
+        (tmp_path / "in" / student).mkdir(parents=True)
+        (tmp_path / "in" / student / f"{SHEET}.ipynb").write_bytes(as_bytes(handed_in(student)))
+    return tmp_path / "in"
+
+
+def test_what_changed_is_graded_again_and_nothing_else(folder, tmp_path, asked, monkeypatch):
+    out = tmp_path / "out"
+    assert grade(folder, out) == 0
+    assert asked() == ["ada", "bob", "cyn"]
+    (folder / "bob" / f"{SHEET}.ipynb").write_bytes(as_bytes(handed_in("bob", first="1")))
+    assert grade(folder, out) == 0
+    assert asked() == ["bob"]
+    assert grade(folder, out, "--unsafe-no-sandbox") == 0  # another way to run is another result
+    assert asked() == ["ada", "bob", "cyn"]
+    monkeypatch.setattr("misstep.grading.publish.result_store._code", lambda: "a problem was changed")
+    assert grade(folder, out, "--unsafe-no-sandbox") == 0
+    assert asked() == ["ada", "bob", "cyn"]
+
+
+def test_only_and_regrade(folder, tmp_path, asked, capsys):
+    out = tmp_path / "out"
+    assert grade(folder, out, "--only", "ADA") == 0
+    assert asked() == ["ada"]
+    assert [row["student"] for row in rows(out / "grades.csv")] == ["ada"]
+    assert grade(folder, out) == 0
+    assert asked() == ["bob", "cyn"]
+    assert grade(folder, out, "--regrade", "--only", "bob", "cyn") == 0
+    assert asked() == ["bob", "cyn"]
+    assert len(rows(out / "grades.csv")) == 3
+    assert grade(folder, out, "--only", "zoe") == 2
+    assert "There is no submission of zoe" in capsys.readouterr().err
+
+
+def test_a_submission_on_which_the_machine_gives_up_is_said_and_tried_again(folder, tmp_path, asked, capsys):
+    Told.broken.add("bob")
+    assert grade(folder, tmp_path / "out") == 1
+    said = capsys.readouterr()
+    assert "Not graded: bob: RuntimeError('the machine gave up')" in said.err
+    assert "2 of 3 submissions" in said.out
+    Told.broken.clear()
+    asked()
+    assert grade(folder, tmp_path / "out") == 0
+    assert asked() == ["bob"]
+
+
+def test_a_result_that_cannot_be_read_is_made_anew(folder, tmp_path, asked):
+    out = tmp_path / "out"
+    grade(folder, out)
+    asked()
+    (out / "results" / "ada.json").write_text('{"form": 0}')
+    (out / "results" / "bob.json").write_bytes(b"\xff")
+    told = json.loads((out / "results" / "cyn.json").read_text())
+    del told["result"]["problems"][0]["number"]
+    (out / "results" / "cyn.json").write_text(json.dumps(told))
+    assert grade(folder, out) == 0
+    assert asked() == ["ada", "bob", "cyn"]
+
+
+def test_two_runs_do_not_write_into_one_folder_and_two_sheets_neither(folder, tmp_path, asked, capsys):
+    out = tmp_path / "out"
+    with opened(out, SHEET):
+        assert grade(folder, out) == 2
+    assert "Another run writes" in capsys.readouterr().err
+    with opened(out, SHEET):
+        pass
+    other = str(submissions.released("05_dh_standard"))
+    assert main(["grade", other, str(folder), "--out", str(out)]) == 2
+    assert f"holds the results of sheet {SHEET}" in capsys.readouterr().err
+
+
+@pytest.mark.usefixtures("asked")
+@pytest.mark.parametrize(
+    ("sheet", "options", "message"),
+    [
+        (SOLUTION, ["--jobs", "0"], "--jobs should be 1 or more"),
+        (SOLUTION, ["--roster", "nowhere.csv"], "nowhere.csv cannot be read"),
+        (str(submissions.ROOT / "notebooks" / "03_poe_space.ipynb"), [], "is it a sheet"),
+        ("nowhere.ipynb", [], "nowhere.ipynb"),
+    ],
+)
+def test_what_cannot_be_is_told_in_a_sentence(folder, capsys, sheet, options, message):
+    assert main(["grade", sheet, str(folder), "--out", str(folder.parent / "out"), *options]) == 2
+    assert message in capsys.readouterr().err
+
+
+def test_a_layer_that_is_missing_is_told_and_nothing_runs(folder, tmp_path, monkeypatch, capsys):
+    def missing(*_):
+        raise Missing("The sandbox cannot have its layer 'landlock' here.")
+
+    monkeypatch.setattr(command, "Grader", missing)
+    assert grade(folder, tmp_path / "out") == 2
+    assert "layer 'landlock'" in capsys.readouterr().err
+    assert not list((tmp_path / "out").rglob("*.json"))
+
+
+def test_from_a_download_of_canvas_to_the_file_that_canvas_takes(tmp_path, asked, capsys):
+    with zipfile.ZipFile(tmp_path / "submissions.zip", "w") as archive:
+        for number, student in ((1, "ada"), (2, "bob")):
+            archive.writestr(f"x{student}_{number}_9{number}_{SHEET}.ipynb", as_bytes(handed_in(student)))
+    roster = "Student,ID,SIS User ID,SIS Login ID,Section\nA,1,,ada,S\nB,2,,bob,S\nC,3,,cyn,S\n"
+    (tmp_path / "roster.csv").write_text(roster)
+    zipped, out = tmp_path / "submissions.zip", tmp_path / "out"
+    assert grade(zipped, out, "--roster", tmp_path / "roster.csv", "--column", "Sheet 3 (7)") == 0
+    assert asked() == ["ada", "bob", "cyn"]
+    assert (out / "canvas.csv").read_text().splitlines()[2:] == ["A,1,,ada,S,2", "B,2,,bob,S,2", "C,3,,cyn,S,2"]
+    assert grade(zipped, tmp_path / "other") == 0
+    assert asked() == ["ada", "bob"]
+    assert "no --roster" in capsys.readouterr().out
+    assert [row["student"] for row in rows(tmp_path / "other" / "grades.csv")] == ["xada_1", "xbob_2"]
+
+
+def as_moodle_finds(name):
+    """Whose a file of a zip is for Moodle, and what it is called for the student, as its importziplib.php tells."""
+    _, participant, *plugin, called = name.split("_", 4)
+    assert plugin == ["assignfeedback", "file"]
+    return int(participant), called
+
+
+def as_canvas_finds(name):
+    """Whose a file of a zip is for Canvas, and to which of the files handed in it belongs, as its assignments tell."""
+    parts = name.split("_")
+    assert not parts[-1].startswith("link")
+    return tuple([int(part) for part in parts if part.isdecimal()][:2])
+
+
+@pytest.mark.parametrize(
+    ("name", "finds", "found"),
+    [
+        (
+            "Ada_{}_assignsubmission_file_/any.ipynb",
+            as_moodle_finds,
+            [(1815, f"{SHEET}.html"), (1816, f"{SHEET}.html")],
+        ),
+        ("Ada_{}_assignsubmission_file_any.ipynb", as_moodle_finds, [(1815, f"{SHEET}.html"), (1816, f"{SHEET}.html")]),
+        ("ada_LATE_{}_99_03_poe_space-1.ipynb", as_canvas_finds, [(1815, 99), (1816, 99)]),
+        ("student{}/03_poe_space.ipynb", None, None),
+    ],
+)
+def test_the_pages_of_a_download_go_back_as_a_zip_in_which_the_platform_finds_everybody(
+    tmp_path, asked, name, finds, found
+):
+    with zipfile.ZipFile(tmp_path / "submissions.zip", "w") as archive:
+        for number in (1815, 1816):
+            archive.writestr(name.format(number), as_bytes(handed_in(f"student{number}")))
+    source, out = tmp_path / "submissions.zip", tmp_path / "out"
+    assert grade(source, out) == 0
+    if finds is None:
+        assert not (out / "feedback.zip").exists()
+        return
+    with zipfile.ZipFile(out / "feedback.zip") as archive:
+        assert [finds(name) for name in archive.namelist()] == found
+        pages = {archive.read(name) for name in archive.namelist()}
+    assert pages == {path.read_bytes() for path in (out / "feedback").iterdir()}
+    written = (out / "feedback.zip").stat().st_mtime_ns
+    assert grade(source, out) == 0
+    assert (out / "feedback.zip").stat().st_mtime_ns == written
+
+
+def test_an_interrupt_ends_it_with_what_is_done(folder, tmp_path, asked, monkeypatch, capsys):
+    kept = Book.keep
+
+    def keep(self, *result):
+        kept(self, *result)
+        raise KeyboardInterrupt
+
+    monkeypatch.setattr(Book, "keep", keep)
+    assert grade(folder, tmp_path / "out") == 130
+    assert "goes on from there" in capsys.readouterr().err
+    assert len(list((tmp_path / "out").rglob("*.json"))) == 1

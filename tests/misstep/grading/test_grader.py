@@ -1,0 +1,309 @@
+"""Grading, part by part: the paper, the judge, what is heard of a run, messages, refusals."""
+
+import json
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+import submissions
+from submissions import as_bytes, code, handed_in, problem_of, right
+from test_answer_data import as_typed
+
+from kincourse import find_sheet, sheets
+from misstep import sheet
+from misstep.grading.collect.submission import Broken, Plan, Step, master, plan
+from misstep.grading.judging import judge_process, redacted_sheet
+from misstep.grading.judging.grader import Grader
+from misstep.grading.judging.parse_output import hear
+from misstep.grading.judging.rpc import Gone, Peer, environment
+from misstep.grading.sandbox.limits import UNSAFE, Limits, Missing, layer
+from misstep.grading.sandbox.runner import Runner
+from misstep.storage.deserialize import MIME
+from misstep.storage.serialize import to_data
+
+if sys.platform == "win32":
+    pytest.skip("clocks and limits of the judge are those of Unix", allow_module_level=True)
+
+on_linux = pytest.mark.skipif(
+    bool(submissions.sandbox_lacks()), reason=f"this machine lacks {submissions.sandbox_lacks()}"
+)
+
+ROOT = Path(__file__).parents[3]
+
+
+# --- the paper ---
+
+
+@pytest.fixture
+def laid_out():
+    yield redacted_sheet.laid_out
+    sheet.STAND_INS.clear()
+
+
+@pytest.mark.parametrize("name", sheets())
+def test_a_paper_holds_what_is_given_and_no_answer(name, laid_out):
+    problems = [template.variant("ada") for template in find_sheet(name).problems]
+    stand_in = laid_out(redacted_sheet.written(find_sheet(name), problems))
+    assert find_sheet(name) is stand_in
+    for template, problem in zip(stand_in.problems, problems, strict=True):
+        side = template.variant("whoever")
+        assert side.statement == problem.statement
+        assert set(side.given) == set(problem.given)
+        assert not side.mistakes
+        with pytest.raises(AttributeError, match="somewhere else"):
+            _ = side.answer.value
+
+
+# --- the judge ---
+
+
+@pytest.mark.parametrize("name", sheets())
+def test_the_judge_gives_full_points_for_right_answers_and_names_mistakes(name):
+    made = find_sheet(name)
+    seed = judge_process.paper(made, "ada")["seed"]
+    problems = [template.variant("ada").again(seed) for template in made.problems]
+    for wanted, values in {
+        "right": [problem.answer.value for problem in problems],
+        "mistaken": [problem.mistakes[0].value for problem in problems],
+    }.items():
+        data = [
+            to_data(as_typed(value), problem.answer.inputs) for value, problem in zip(values, problems, strict=True)
+        ]
+        sent = json.loads(json.dumps({str(k): answer for k, answer in enumerate(data, start=1)}))
+        told = judge_process.verdicts(made, "ada", seed, sent)
+        for k, problem in enumerate(problems, start=1):
+            assert (told[str(k)]["fraction"] == 1) == (wanted == "right")
+            assert told[str(k)]["mistakes"] == ([] if wanted == "right" else [problem.mistakes[0].name])
+
+
+def test_a_paper_has_other_inputs_each_time_and_the_judge_knows_them_by_the_seed():
+    made = find_sheet("03_poe_space")
+    seeds = [judge_process.paper(made, "ada")["seed"] for _ in range(2)]
+    assert seeds[0] != seeds[1]
+    inputs = [made.problems[6].variant("ada").again(seed).answer.inputs for seed in seeds]
+    assert not np.isclose(inputs[0], inputs[1]).any()
+
+
+@pytest.mark.parametrize(
+    ("data", "told"),
+    [
+        ({"score": 3}, "no known form"),
+        ({"other": "frame"}, "got frame"),
+        ({"array": [None] * 18, "shape": [3, 6]}, "NaN"),
+        (None, "Expected"),
+    ],
+)
+def test_an_answer_that_is_none_is_told_why(data, told):
+    verdict = judge_process.verdicts(find_sheet("03_poe_space"), "ada", 0, {"1": data})["1"]
+    assert verdict["fraction"] == 0
+    assert told in verdict["text"]
+    assert "<script" not in verdict["html"]
+
+
+def test_what_a_verdict_quotes_is_escaped():
+    verdict = judge_process.verdicts(
+        find_sheet("03_poe_space"), "ada", 0, {"6": {"list": [{"text": "<script>alert(1)</script>"}]}}
+    )
+    assert "&lt;script&gt;" in verdict["6"]["html"]
+    assert "<script" not in verdict["6"]["html"]
+
+
+def test_one_answer_may_take_its_time_and_no_more(monkeypatch):
+    made = find_sheet("03_poe_space")
+    monkeypatch.setattr(judge, "SECONDS", 0.05)
+    monkeypatch.setattr(judge, "judge", lambda *_: [None for _ in iter(int, 1)])
+    judge_process.signal.signal(judge_process.signal.SIGPROF, judge_process._too_long)
+    told = judge_process.verdicts(made, "ada", 0, {"1": {"number": 1}})
+    assert "could not be judged: TimeoutError" in told["1"]["text"]
+
+
+def test_a_judge_that_has_to_wait_for_its_turn_gives_the_same_verdict(monkeypatch):
+    """The clock of an answer counts what its judge computes, and not what others do on a busy machine meanwhile."""
+    made = find_sheet("03_poe_space")
+    right = judge_process.verdicts(made, "ada", 0, {"1": {"number": 1}})
+    at_once = judge_process.judge
+    monkeypatch.setattr(judge, "SECONDS", 0.5)
+    monkeypatch.setattr(judge, "judge", lambda *asked: [time.sleep(0.6), at_once(*asked)][1])
+    judge_process.signal.signal(judge_process.signal.SIGPROF, judge_process._too_long)
+    assert judge_process.verdicts(made, "ada", 0, {"1": {"number": 1}}) == right
+
+
+# --- what is heard ---
+
+PLAN = Plan([Step("1"), Step("check", 1), Step("check", 2)])
+EMISSION = {"sheet": "s", "problem": 1, "student": "ada", "answer": {"number": 1.0}}
+
+
+def line(cell, *outputs):
+    return json.dumps({"cell": cell, "outputs": list(outputs)}).encode() + b"\n"
+
+
+def shown(emission, **more):
+    return {"output_type": "display_data", "metadata": {}, "data": {MIME: emission, "text/plain": "x"}, **more}
+
+
+def test_an_answer_is_heard_from_the_check_cell_of_its_problem():
+    heard = hear("s", PLAN, line(0) + line(1, shown(EMISSION)) + line(2))
+    assert heard.answers == {"1": {"number": 1.0}}
+    assert heard.typed_id == "ada"
+    assert heard.cells[1].outputs[0]["data"] == {"text/plain": "x"}
+
+
+def test_the_last_answer_counts():
+    heard = hear("s", PLAN, line(0) + line(1, shown(EMISSION), shown({**EMISSION, "answer": None})))
+    assert heard.answers == {"1": None}
+
+
+@pytest.mark.parametrize(
+    "said",
+    [
+        line(0, shown(EMISSION)) + line(1),
+        line(0) + line(1) + line(2, shown(EMISSION)),
+        line(0) + line(1, shown({**EMISSION, "sheet": "t"})),
+        line(0) + line(1, shown({**EMISSION, "problem": 2})),
+        line(0) + line(1, shown({**EMISSION, "points": 3})),
+        line(0) + line(1, shown({**EMISSION, "student": 7})),
+        line(0) + line(1, shown({**EMISSION, "answer": {"text": "x" * 300_000}})),
+        line(0) + line(1, shown(EMISSION, output_type="execute_result")),
+        line(0) + line(1, shown(EMISSION, metadata=7)),
+        line(1, shown(EMISSION)),
+        line(0)
+        + b'{"cell": 1, "outputs": ['
+        + json.dumps(shown(EMISSION)).encode().replace(b"1.0", b"1e999")
+        + b"]}\n",
+        line(0) + b'{"cell": 1, "outputs": [' + json.dumps(shown(EMISSION)).encode().replace(b"1.0", b"NaN") + b"]}\n",
+        line(0) + line(1, shown(EMISSION)).replace(b'"ada"', rb'"\ud800"'),
+        line(0) + b"[" * 100_000 + b"\n",
+        line(0) + b"9" * 10_000 + b"\n",
+        b"\xff\xfe\n",
+        b"",
+    ],
+)
+def test_what_is_not_an_answer_of_ours_is_not_heard(said):
+    assert not hear("s", PLAN, said).answers
+
+
+# --- what is planned ---
+
+MASTER = master(submissions.released())
+
+
+def test_the_sheets_own_checks_run_in_place_of_the_students():
+    notebook = handed_in("ada", right("ada"))
+    for cell in notebook["cells"]:
+        if problem_of(cell, "check") in (1, 2):
+            cell["source"] = "print('mine')"
+    planned = plan(MASTER, as_bytes(notebook))
+    assert [step.source for step in planned.steps if step.problem == 1] == [MASTER.checks[1]]
+    assert set(planned.odd) == {1, 2}
+
+
+def test_every_sheet_can_be_its_own_master():
+    for path in sorted(ROOT.glob("solutions/*/*.ipynb")):
+        made, released = master(path), master(ROOT / "exercises" / path.relative_to(ROOT / "solutions"))
+        assert made.checks == released.checks
+        assert len(made.checks) == len(find_sheet(made.name).problems)
+
+
+def test_a_master_that_is_no_sheet_is_refused(tmp_path):
+    (tmp_path / "x.ipynb").write_bytes(as_bytes({"cells": [code("1")]}))
+    with pytest.raises(ValueError, match="is it a sheet"):
+        master(tmp_path / "x.ipynb")
+
+
+@pytest.mark.parametrize(
+    "junk", [b"\x00" * 100, b"null", b'"x"', b"{}", b'{"cells": {}}', b'{"worksheets": [7]}', b"\xff\xfe["]
+)
+def test_junk_is_broken_and_says_so(junk):
+    with pytest.raises(Broken, match=r"\."):
+        plan(MASTER, junk)
+
+
+# --- processes ---
+
+
+def test_a_process_that_we_start_sees_no_secrets(monkeypatch):
+    monkeypatch.setenv("SECRET_TOKEN", "x")
+    assert "SECRET_TOKEN" not in environment()
+
+
+def test_a_judge_that_takes_too_long_is_ended(tmp_path):
+    peer = Peer("misstep.grading.judging.judge_process", tmp_path)
+    with pytest.raises(Gone, match="within 0 s"):
+        peer.ask({"ask": "problems", "sheet": "03_poe_space"}, 0.0)
+    with pytest.raises(Gone):
+        peer.ask({"ask": "problems", "sheet": "03_poe_space"}, 5.0)
+
+
+def test_a_layer_that_is_missing_is_named_with_its_remedy():
+    told = f"'landlock'.*no such call.*Get a newer kernel.*Nothing was run.*{UNSAFE}"
+    with pytest.raises(Missing, match=told), layer("landlock", "Get a newer kernel."):
+        raise OSError("no such call")
+
+
+@on_linux
+@pytest.mark.parametrize(
+    ("package", "told"),
+    [("landlock", r"layer 'landlock'.*kinlib\[grading\]"), ("pyseccomp", "layer 'seccomp'.*libseccomp2")],
+)
+def test_without_a_layer_the_server_refuses(package, told, monkeypatch, tmp_path):
+    (tmp_path / f"{package}.py").write_text("raise ImportError('it is not installed')")
+    monkeypatch.setenv("PYTHONPATH", str(tmp_path))
+    with pytest.raises(Missing, match=told):
+        Runner()
+
+
+@on_linux
+def test_without_a_sandbox_the_judge_is_still_somewhere_else():
+    made = find_sheet("03_poe_space")
+    runner = Runner(is_safe=False)
+    source = 'from kincourse import open_sheet\nopen_sheet("03_poe_space", "ada").problem(1).answer.value'
+    try:
+        ran = runner.run(judge_process.paper(made, "ada")["paper"], [source, "import os; os.listdir('/')"], Limits())
+    finally:
+        runner.close()
+    first, second = map(json.loads, ran.said.splitlines())
+    assert "somewhere else" in first["outputs"][0]["evalue"]
+    assert second["outputs"][0]["output_type"] == "display_data"
+
+
+def test_importing_a_grader_runs_no_student_and_loads_no_sandbox():
+    script = "import sys, misstep.grading.judging.grader; print([m for m in sys.modules if m in ('landlock', 'pyseccomp', 'sympy')])"
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True, cwd=ROOT)
+    assert done.stdout.strip() == "[]"
+
+
+@on_linux
+def test_a_robots_own_sheet_is_judged_by_the_file_beside_the_masters_notebook(tmp_path):
+    from kincourse.robot_sheets.new_sheet import new_sheet
+    from kinlib.chains.robots import rpr
+
+    made = new_sheet(rpr(), tmp_path / "my_robot")
+    blank = as_bytes({"cells": [code('from kincourse import open_sheet\nsheet = open_sheet("my_robot", "ada")')]})
+    with Grader(master(made)) as grader:
+        assert [problem.state for problem in grader.grade("ada", made.read_bytes()).problems].count("right") >= 6
+        result = grader.grade("ada", blank)
+        assert result.points == 0
+        assert all("deleted" in problem.notes[0] for problem in result.problems)
+
+
+def test_a_sheet_that_the_judge_cannot_find_is_refused(tmp_path):
+    from kincourse.robot_sheets.new_sheet import new_sheet
+    from kinlib.chains.robots import rpr
+
+    made = new_sheet(rpr(), tmp_path / "my_robot")
+    made.with_suffix(".json").unlink()
+    with pytest.raises(ValueError, match=r"cannot open sheet my_robot.*its file my_robot\.json"):
+        Grader(master(made), is_safe=False)
+
+
+def test_the_judge_imports_nothing_that_people_look_at():
+    """It draws, reads and compares. Everything else would be memory and time, before the first submission."""
+    told = "import sys, misstep.grading.judging.judge_process; print(*{'IPython', 'ipywidgets', 'matplotlib', 'sympy'} & {*sys.modules})"
+    done = subprocess.run(
+        [sys.executable, "-c", told], capture_output=True, text=True, check=True, cwd=submissions.ROOT
+    )
+    assert done.stdout.split() == []

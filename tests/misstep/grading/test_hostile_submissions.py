@@ -1,0 +1,343 @@
+"""Hostile and strange submissions: each gets a grade and a reason, none a point too many, and no neighbour loses one."""
+
+import json
+import os
+import re
+import socket
+import sqlite3
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from dataclasses import asdict, replace
+from hashlib import sha256
+
+import attacks
+import pytest
+import submissions
+from submissions import as_bytes, attacking, code, descendants, handed_in, mistaken, problem_of, right
+
+from misstep.grading.sandbox.limits import Limits
+
+if lacking := submissions.sandbox_lacks():
+    pytest.skip(f"NO ATTACK IS TRIED: this machine lacks {lacking}", allow_module_level=True)
+
+from misstep.grading.collect.submission import master
+from misstep.grading.judging.grader import Grader
+
+LIMITS = Limits(cell_seconds=2.0, seconds=20.0, processor_seconds=10, memory=1024, output=1)
+
+SHORT = replace(LIMITS, cell_seconds=0.5, seconds=2.0)
+"""For what would take all the time there is: those who only need theirs get plenty, for the machine may be busy."""
+
+ENDLESS = {"signals are ignored for ever", "every exception is swallowed for ever", "a function never returns"}
+
+NEIGHBOUR = "neighbour"
+
+
+@pytest.fixture(scope="module")
+def outside(tmp_path_factory):
+    """What an attack would like to reach, on the machine that grades."""
+    folder = tmp_path_factory.mktemp("outside")
+    folder.chmod(0o777)
+    (folder / "secret.txt").write_text("SECRET-CANARY")
+    (folder / "solutions.ipynb").write_text("SECRET-CANARY")
+    with sqlite3.connect(folder / "gradebook.db") as book:
+        book.execute("create table grade (score real)")
+        book.execute("insert into grade values (7)")
+    return folder
+
+
+@pytest.fixture(scope="module")
+def port():
+    with socket.create_server(("127.0.0.1", 0)) as server:
+        server.setblocking(False)
+        yield server
+
+
+@pytest.fixture(scope="module")
+def grader():
+    os.environ["SECRET_TOKEN"] = "SECRET-CANARY"
+    with Grader(master(submissions.released()), LIMITS) as made:
+        yield made
+
+
+def listing(folder):
+    return {path.name: path.read_bytes() for path in sorted(folder.iterdir())}
+
+
+@pytest.mark.parametrize("name", attacks.ATTACKS)
+def test_an_attack_gains_nothing_reads_nothing_changes_nothing(name, grader, outside, port, monkeypatch):
+    monkeypatch.setattr(grader, "_limits", SHORT if name in ENDLESS else LIMITS)
+    replayed = "{" + ", ".join(f"{k}: {line.partition(' = ')[2]}" for k, line in right("bob").items()) + "}"
+    places = {"folder": outside, "port": port.getsockname()[1], "replayed": replayed}
+    before = listing(outside)
+    result = grader.grade("ada", as_bytes(attacking("ada", attacks.source(name, **places))))
+
+    assert result.points == 0
+    assert result.max == 24
+    assert result.status in {"graded", "stopped"}
+    assert result.reason or result.status == "graded"
+    assert all(problem.verdict for problem in result.problems)
+
+    told = json.dumps([cell.outputs for cell in result.cells])
+    assert "SECRET-CANARY" not in told
+    assert "NEIGHBOUR-CANARY" not in told
+    assert "uid=0" not in told
+    assert listing(outside) == before
+    with pytest.raises(BlockingIOError):
+        port.accept()
+    assert len(descendants(grader)) == 1
+
+    honest = handed_in(NEIGHBOUR, right(NEIGHBOUR), first="'NEIGHBOUR-CANARY'")
+    assert grader.grade(NEIGHBOUR, as_bytes(honest)).points == 24
+
+
+# --- strange, and honest ---
+
+
+def full(change=None, student="ada", lines=None, **more):
+    """A sheet with every answer right, after something happened to it."""
+    notebook = handed_in(student, {**right(student), **(lines or {})}, **more)
+    if change:
+        change(notebook)
+    return notebook
+
+
+def without(*names):
+    def change(notebook):
+        notebook["cells"] = [cell for cell in notebook["cells"] if cell["id"] not in names]
+
+    return change
+
+
+def doubled(notebook):
+    check = next(cell for cell in notebook["cells"] if cell["id"] == "check-1")
+    notebook["cells"].insert(3, dict(check))
+
+
+def edited(notebook):
+    check = next(cell for cell in notebook["cells"] if cell["id"] == "check-1")
+    check["source"] = "sheet.check(1, np.zeros((3, 6)))"
+
+
+def from_colab(notebook):
+    """Colab keeps its own ids in the metadata, and source as one text; nbgrader's names are gone."""
+    notebook["metadata"] = {"colab": {"provenance": []}, "kernelspec": {"name": "python3"}}
+    notebook["nbformat_minor"] = 0
+    for cell in notebook["cells"]:
+        cell["metadata"] = {"id": cell.pop("id") + "Xy7"}
+    notebook["cells"].insert(0, code("!pip install kinlib\nfrom google.colab import drive"))
+
+
+def from_vs_code(notebook):
+    """VS Code writes lines, other ids, and its own metadata."""
+    for number, cell in enumerate(notebook["cells"]):
+        cell["metadata"] = {"vscode": {"languageId": "python"}}
+        cell["id"] = f"{number:08x}"
+        cell["source"] = cell["source"].splitlines(keepends=True)
+
+
+def in_worksheets(notebook):
+    """The format of before 2014."""
+    for cell in notebook["cells"]:
+        cell["input"] = cell.pop("source")
+    notebook["worksheets"] = [{"cells": notebook.pop("cells")}]
+
+
+def with_outputs(notebook):
+    for cell in notebook["cells"]:
+        if cell["cell_type"] == "code":
+            cell["outputs"] = [{"output_type": "stream", "name": "stdout", "text": "x" * 200_000}]
+
+
+def with_lines_of_windows(notebook):
+    for cell in notebook["cells"]:
+        cell["source"] = cell["source"].replace("\n", "\r\n")
+
+
+def with_a_conflict_in_a_cell(notebook):
+    answer = next(cell for cell in notebook["cells"] if problem_of(cell, "answer") == 1)
+    answer["source"] = "<<<<<<< HEAD\nscrews_1 = 1\n=======\n" + answer["source"] + "\n>>>>>>> theirs\n"
+
+
+def conflicted(content):
+    lines = content.split(b"\n")
+    return b"\n".join([*lines[:9], b"<<<<<<< HEAD", lines[9], b"=======", lines[9], b">>>>>>> theirs", *lines[10:]])
+
+
+def spoiled(k, line):
+    """Every answer right, and a line in cell k after its answer."""
+    return full(lines={k: right("ada")[k] + "\n" + line})
+
+
+STRANGE = {
+    "as it should be": (full, 24, ""),
+    "computed, with warnings": (
+        lambda: spoiled(1, "import warnings, sys\nwarnings.warn('so')\nprint('x', file=sys.stderr)"),
+        24,
+        "",
+    ),
+    "magics, plots and displays": (
+        lambda: full(
+            first="%matplotlib inline\n%time 1 + 1\nimport matplotlib.pyplot as plt\nplt.plot([1, 2])\nplt.show()"
+        ),
+        24,
+        "",
+    ),
+    "a cell that awaits": (lambda: full(first="import asyncio\nawait asyncio.sleep(0)"), 24, ""),
+    "never touched": (lambda: handed_in("ada"), 0, ""),
+    "mistaken": (lambda: handed_in("ada", mistaken("ada")), None, ""),
+    "an id in capitals": (lambda: full(student="ADA"), 24, ""),
+    "another id, numbers typed in": (
+        lambda: full(student="bob"),
+        0,
+        "opened for 'bob', and graded with the numbers of 'ada'",
+    ),
+    "from Colab": (lambda: full(from_colab), 24, "One cell failed"),
+    "from VS Code": (lambda: full(from_vs_code), 24, ""),
+    "from an old notebook": (lambda: full(in_worksheets), 24, ""),
+    "outputs of 6 MB": (lambda: full(with_outputs), 24, ""),
+    "Windows line ends": (lambda: full(with_lines_of_windows), 24, ""),
+    "Windows line ends in the file": (lambda: as_bytes(full()).replace(b"\n", b"\r\n"), 24, ""),
+    "a byte order mark": (lambda: b"\xef\xbb\xbf" + as_bytes(full()), 24, ""),
+    "UTF-16": (lambda: as_bytes(full()).decode().encode("utf-16"), 24, ""),
+    "Latin-1": (lambda: as_bytes(full(first="'über'")).decode().encode("latin-1"), 24, ""),
+    "half a character": (lambda: as_bytes(full(first="'*'")).replace(b"'*'", rb"print('\ud83d')"), 24, ""),
+    "a check cell deleted": (lambda: full(without("check-1")), 24, "03.1: .*deleted"),
+    "all check cells deleted": (lambda: full(without(*(f"check-{k}" for k in range(1, 9)))), 24, "03.8: .*deleted"),
+    "an answer cell deleted": (
+        lambda: full(without("answer-1")),
+        21,
+        "03.1: .*NameError: name 'screws_1' is not defined",
+    ),
+    "the first cell deleted": (lambda: full(without("open")), 0, "NameError"),
+    "a check cell doubled": (lambda: full(doubled), 24, "03.1: .*2 times"),
+    "a check cell edited": (lambda: full(edited), 24, "03.1: .*edited"),
+    "a cell with a typing error": (lambda: spoiled(1, "x = = 1"), 21, "SyntaxError"),
+    "a cell that fails": (lambda: spoiled(1, "1 / 0"), 24, "ZeroDivisionError"),
+    "a cell that leaves": (lambda: spoiled(1, "import sys\nsys.exit()"), 24, "SystemExit"),
+    "a cell that asks": (lambda: spoiled(1, "name = input('Who are you?')"), 24, "nobody to answer"),
+    "a loop without end": (lambda: spoiled(1, "while True: pass"), 24, "CellLimit: This cell took too long"),
+    "recursion without end": (lambda: spoiled(1, "f = lambda: f()\nf()"), 24, "RecursionError"),
+    "20 GB": (lambda: spoiled(1, "np.ones(20 * 2**27)"), 24, "MemoryError"),
+    "much printed": (lambda: full(first="for _ in range(20): print('x' * 1_000_000)"), 24, ""),
+    "os._exit after four problems": (
+        lambda: spoiled(5, "import os\nos._exit(0)"),
+        21,
+        "left out, and the others ran without it: the process ended itself",
+    ),
+    "os._exit(3)": (lambda: spoiled(5, "import os\nos._exit(3)"), 21, "with status 3"),
+    "a crash after four problems": (lambda: spoiled(5, "import ctypes\nctypes.string_at(0)"), 21, "ended by SIGSEGV"),
+    "a function that crashes when it is called": (
+        lambda: full(lines={7: "fk_7 = lambda *_: __import__('ctypes').string_at(0)"}),
+        21,
+        "03.7: Its check cell failed with RuntimeError: This cell was left out",
+    ),
+    "crashes without end": (
+        lambda: full(lines=dict.fromkeys((5, 6, 7, 8), "import ctypes\nctypes.string_at(0)")),
+        12,
+        "stopped in code cell .* ended by SIGSEGV",
+    ),
+    "a conflict in a cell": (lambda: full(with_a_conflict_in_a_cell), 21, "SyntaxError"),
+    "a conflict in the file": (lambda: conflicted(as_bytes(full())), 0, "merge left its marks .* line 10"),
+    "cut off": (lambda: as_bytes(full())[:5000], 0, "cut off or damaged"),
+    "empty": (lambda: b"  \n", 0, "is empty"),
+    "nothing": (lambda: None, 0, "Nothing was handed in"),
+    "a script": (lambda: b"import numpy as np\nscrews_1 = 0", 0, "no notebook.*not a script"),
+    "a PDF": (lambda: b"%PDF-1.7\n...", 0, "a PDF"),
+    "a zip": (lambda: b"PK\x03\x04\x00\xff", 0, "a zip"),
+    "a web page": (lambda: b"<!DOCTYPE html><html></html>", 0, "a web page"),
+    "other JSON": (lambda: b'{"a": [1, 2]}', 0, "it has no cells"),
+    "a list": (lambda: b"[1, 2]", 0, "no notebook"),
+    "cells that are none": (
+        lambda: b'{"cells": [1, null, {"cell_type": "code", "source": {"a": 1}, "metadata": 3}]}',
+        0,
+        "not sheet",
+    ),
+    "a number without end": (lambda: b'{"cells": ' + b"9" * 10_000 + b"}", 0, "cut off or damaged"),
+    "a nest without end": (lambda: b"[" * 200_000, 0, "without end"),
+    "a million lists": (lambda: b'{"cells": [' + b"[]," * 1_000_000 + b"[]]}", 0, "more parts"),
+    "too many cells": (lambda: {"cells": [code("1")] * 2000}, 0, "2000 cells"),
+    "40 MB": (lambda: b'{"cells": "' + b"x" * (40 << 20) + b'"}', 0, "Clear all outputs"),
+    "another sheet": (lambda: handed_in("ada", name="05_dh_standard"), 0, "opens 05_dh_standard"),
+    "a lecture": (lambda: {"cells": [code("import kinlib as kl\nkl.hat([0, 0, 1])")]}, 0, "none of its cells"),
+}
+
+
+@pytest.mark.parametrize("name", STRANGE)
+def test_a_strange_submission_gets_what_its_answers_deserve_and_a_reason(name, grader):
+    make, points, reason = STRANGE[name]
+    made = make()
+    result = grader.grade("ada", as_bytes(made) if isinstance(made, dict) else made)
+    odd = [f"{problem.number}: {note}" for problem in result.problems for note in problem.notes]
+    told = "\n".join([result.reason, *result.notes, *odd])
+    if points is None:
+        assert all(problem.mistakes for problem in result.problems)
+    else:
+        assert result.points == points
+    assert re.search(reason, told) if reason else not told
+    assert (result.status == "broken") == (not result.cells)
+    assert len(result.problems) == 8
+    json.dumps(asdict(result), allow_nan=False, ensure_ascii=False).encode()  # whoever keeps it needs no care
+
+
+def test_a_result_says_what_was_handed_in_and_how_it_was_run(grader):
+    content = as_bytes(full(first="print('shown')"))
+    result = grader.grade("ada", content)
+    assert result.digest == sha256(content).hexdigest()
+    assert result.is_safe
+    assert result.typed_id == "ada"
+    assert [
+        output["text"] for cell in result.cells for output in cell.outputs if output["output_type"] == "stream"
+    ] == ["shown\n"]
+    notebook = json.loads(content)
+    for cell in result.cells:
+        assert "".join(notebook["cells"][cell.place]["source"]) == cell.source
+
+
+def test_many_at_a_time_do_not_mix(grader):
+    students = [f"student {i}" for i in range(12)]
+    with ThreadPoolExecutor(4) as pool:
+        graded = pool.map(lambda s: grader.grade(s, as_bytes(handed_in(s, right(s), first=f"print({s!r})"))), students)
+    for student, result in zip(students, graded, strict=True):
+        assert (result.student, result.points) == (student, 24)
+        assert [output["text"] for output in result.cells[1].outputs] == [f"{student}\n"]
+
+
+def test_a_server_and_a_judge_that_were_killed_are_started_anew(grader):
+    for process in (grader._runner._process, grader._judge._process):
+        process.kill()
+        process.wait()
+    assert grader.grade("ada", as_bytes(full())).status in {"graded", "broken"}
+    assert grader.grade("ada", as_bytes(full())).points == 24
+
+
+def test_a_submission_is_in_no_process_group_with_whoever_grades(grader):
+    result = grader.grade("ada", as_bytes(full(first="import os\nprint(os.getpgrp() == os.getpid() == os.getsid(0))")))
+    assert result.cells[1].outputs[0]["text"] == "True\n"
+
+
+SOMEBODY = """
+import sys
+from attacks import ATTACKS, source
+from misstep.grading.judging.grader import Grader
+from misstep.grading.collect.submission import master
+from submissions import as_bytes, attacking, descendants, handed_in, released, right
+
+with Grader(master(released())) as grader:
+    for name in sys.argv[2:]:
+        result = grader.grade("ada", as_bytes(attacking("ada", source(name, folder=sys.argv[1]))))
+        print(name, result.points, len(descendants(grader)))
+    print(grader.grade("ada", as_bytes(handed_in("ada", right("ada")))).points)
+"""
+
+
+def test_where_there_is_only_one_user_a_submission_harms_that_user_no_more(outside):
+    """As in a container without root, or for a teacher on their own machine: ids cannot tell who is who."""
+    names = ["everybody is killed", "files are written outside", "files are deleted", "the sandbox is asked to let go"]
+    before = listing(outside)
+    command = ["unshare", "--user", "--map-root-user", sys.executable, "-c", SOMEBODY, str(outside), *names]
+    paths = {"PYTHONPATH": os.pathsep.join([str(submissions.ROOT), str(submissions.ROOT / "tests")])}
+    done = subprocess.run(command, env=os.environ | paths, capture_output=True, text=True, check=False)
+    assert done.stdout.splitlines() == [*(f"{name} 0.0 1" for name in names), "24.0"], done.stderr
+    assert listing(outside) == before

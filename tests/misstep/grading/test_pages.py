@@ -1,0 +1,413 @@
+"""Pages and tables: what a student wrote stands in them as letters, a reader finds what happened, and a spreadsheet runs nothing."""
+
+import csv
+import io
+import re
+from dataclasses import replace
+from html.parser import HTMLParser
+
+import pytest
+from browser import browsers, watched
+from hypothesis import given
+from hypothesis import strategies as st
+
+from misstep.grading.collect.roster import Roster
+from misstep.grading.judging.result import ProblemResult, RanCell, Result
+from misstep.grading.publish.csv_table import harmless, table
+from misstep.grading.publish.feedback import feedback
+from misstep.grading.publish.grades import grades
+from misstep.grading.publish.mathml import formula, sentence
+from misstep.grading.publish.platform_exports import export
+from misstep.grading.publish.report import report, spread
+from misstep.grading.publish.shared_answers import matches, matches_table
+
+EVIL = "</code></pre><script>document.title = 'owned'</script><img src=x onerror=\"document.title='owned'\">&amp;"
+
+PNG = "iVBORw0KGgoAAAANSUhEUgAAAAEAAAABCAYAAAAfFcSJAAAADUlEQVR42mNk+M9QDwADhgGAWjR9awAAAABJRU5ErkJggg=="
+
+
+def problem(number="03.1", points=3.0, state="right", **more):
+    told = {
+        "title": "Screw axes",
+        "max": 3.0,
+        "verdict": f"x Problem {number}\n  {points} of 3 points.",
+        "html": "<p>card</p>",
+        "mistakes": (),
+    }
+    return ProblemResult(number, points=points, state=state, **{**told, **more})
+
+
+def result(student="ada", problems=None, **more):
+    problems = problems or [problem("03.1"), problem("03.2", 1.5, "partly", mistakes=["omega x q"])]
+    points, most = (sum(getattr(one, name) for one in problems) for name in ("points", "max"))
+    return Result(
+        student, "03_poe_space", points, most, **{"status": "graded", "reason": "", "problems": problems, **more}
+    )
+
+
+class Reader(HTMLParser):
+    """Which elements a page has, with their attributes, and its letters."""
+
+    def __init__(self, page):
+        super().__init__()
+        self.elements, self.letters = [], ""
+        self.feed(page)
+
+    def handle_starttag(self, tag, attrs):
+        self.elements.append((tag, dict(attrs)))
+
+    def handle_data(self, data):
+        self.letters += data
+
+
+def output(text=None, **data):
+    if text is not None:
+        return {"output_type": "stream", "name": "stdout", "text": text}
+    return {
+        "output_type": "display_data",
+        "metadata": {},
+        "data": {kind.replace("_", "/"): v for kind, v in data.items()},
+    }
+
+
+@pytest.fixture
+def hostile():
+    """A result in which everything that a student can have a say in wants out of its place."""
+    error = {"output_type": "error", "ename": EVIL, "evalue": EVIL, "traceback": [EVIL]}
+    displays = [
+        output(text_html=EVIL, text_plain=EVIL),
+        output(image_png=EVIL),
+        output(image_png='"' + PNG),
+        output(EVIL),
+    ]
+    cells = [RanCell(EVIL, None, 0, [error, *displays]), RanCell(EVIL, 1, 1, [error, output(text_markdown=EVIL)])]
+    odd = problem(
+        verdict=f"x\n  {EVIL}\n  `{EVIL}`\n  ${EVIL}$\n  $\\href{{javascript:1}}{{x}}$", notes=[EVIL], mistakes=[EVIL]
+    )
+    return result(EVIL, [odd], reason=EVIL, notes=[EVIL], typed_id=EVIL, cells=cells)
+
+
+ALLOWED = {
+    *(
+        "html",
+        "head",
+        "meta",
+        "title",
+        "style",
+        "body",
+        "main",
+        "h1",
+        "h2",
+        "h3",
+        "p",
+        "table",
+        "caption",
+        "thead",
+        "tbody",
+    ),
+    *("tr", "th", "td", "a", "span", "article", "details", "summary", "pre", "code", "img", "strong"),
+    *("math", "mrow", "mi", "mo", "mn", "svg", "rect", "text", "line"),
+}
+
+
+def test_nothing_that_a_student_wrote_is_more_than_letters(hostile):
+    for page in (feedback(hostile), report([hostile], [])):
+        told = Reader(page)
+        assert {tag for tag, _ in told.elements} <= ALLOWED
+        assert not any(name.startswith("on") for _, attributes in told.elements for name in attributes)
+        links = [
+            value for _, attributes in told.elements for name, value in attributes.items() if name in {"href", "src"}
+        ]
+        assert all(link.startswith(("#problem-", "data:image/png;base64,")) for link in links)
+    assert EVIL in Reader(feedback(hostile)).letters
+
+
+def test_a_browser_runs_nothing_of_it_and_asks_nobody(hostile, tmp_path):
+    (tmp_path / "page.html").write_text(feedback(hostile), "utf-8")
+    with browsers() as start, watched(start(webgl=False)) as page:
+        page.goto((tmp_path / "page.html").as_uri())
+        page.evaluate("document.querySelectorAll('details').forEach(part => part.open = true)")
+        assert page.title().startswith("</code></pre><script>")
+        for width in (1100, 400):
+            page.set_viewport_size({"width": width, "height": 900})
+            assert page.evaluate("document.documentElement.scrollWidth <= document.documentElement.clientWidth")
+
+
+def test_a_page_forbids_itself_scripts_and_other_hosts():
+    policies = [a["content"] for t, a in Reader(feedback(result())).elements if a.get("http-equiv")]
+    assert policies == ["default-src 'none'; style-src 'unsafe-inline'; img-src data:"]
+
+
+def test_feedback_says_points_verdicts_and_why_and_shows_no_right_answer():
+    odd = problem(
+        "03.2", 0.0, "wrong", verdict="✗ Problem\n  0 of 3 points.\n  You took $v = \\omega$.", right={"number": 7.25}
+    )
+    cells = [RanCell("print(1)", None, 0, [output("shown\n"), output(image_png=PNG, text_plain="<Figure>")])]
+    page = feedback(result(problems=[problem(), odd], reason="The run stopped.", notes=["Odd."], cells=cells))
+    letters = Reader(page).letters
+    for words in ("3 of 6 points", "The run stopped.", "Odd.", "✗", "not yet", "You took", "print(1)", "shown"):
+        assert words in letters
+    assert "<math><mrow><mi>v</mi><mo>=</mo><mi>ω</mi></mrow></math>" in page
+    assert f'<img alt="&lt;Figure&gt;" src="data:image/png;base64,{PNG}">' in page
+    assert "7.25" not in page
+
+
+def test_what_the_sheet_says_of_points_where_nobody_judges_is_left_out():
+    tally, check = RanCell("sheet.tally()", None, 1, [output("SURROGATE")]), RanCell("x", 1, 0, [output("SURROGATE")])
+    failed = RanCell(
+        "sheet.check(1, x)", 1, 2, [{"output_type": "error", "ename": "E", "evalue": "e", "traceback": ["TRACE"]}]
+    )
+    page = feedback(result(cells=[check, tally, failed]))
+    assert "SURROGATE" not in page
+    assert "TRACE" in page
+
+
+def test_what_was_graded_without_a_sandbox_says_so_everywhere():
+    unsafe = result(is_safe=False)
+    for text in (feedback(unsafe), report([unsafe], []), *grades([unsafe, unsafe]).splitlines()[1:]):
+        assert "--unsafe-no-sandbox" in text
+    assert "--unsafe-no-sandbox" not in feedback(result()) + report([result()], []) + grades([result()])
+
+
+# --- formulas ---
+
+
+@pytest.mark.parametrize(
+    "latex",
+    [
+        r"\text{<script>x</script>}",
+        r"\style{color:red}{x}",
+        r"\href{javascript:x}{x}",
+        "{",
+        "^^",
+        r"\left(",
+        r"\frac{" * 400,
+    ],
+)
+def test_a_formula_becomes_mathematics_or_stays_as_typed(latex):
+    told = Reader(str(formula(latex)))
+    assert {tag for tag, _ in told.elements} <= {"code", "math", "mrow", "mi", "mo", "mtext", "mn"}
+    assert not any(attributes for _, attributes in told.elements)
+
+
+@given(st.text(alphabet="$`\\{}^_&<>abx1 \n'\"", max_size=40))
+def test_any_sentence_is_mathematics_code_and_letters(text):
+    told = Reader(str(sentence(text)))
+    assert {tag for tag, _ in told.elements} <= {
+        *("code", "math", "mrow", "mi", "mo", "mn", "msub", "msup", "msubsup", "mtext", "mspace"),
+    }
+    if "$" not in text and "`" not in text:
+        assert told.letters == text
+
+
+def test_the_formulas_of_the_course_are_all_set():
+    """Each formula in a message of a mistake, so that nobody reads its source."""
+    from kincourse import find_sheet
+
+    templates = find_sheet("03_poe_space").problems
+    told = {
+        piece
+        for t in templates
+        for wrong in t.variant("ada").mistakes
+        for piece in re.findall(r"\$([^$]+)\$", wrong.message)
+    }
+    assert len(told) > 10
+    assert [piece for piece in told if not formula(piece).startswith("<math>")] == []
+
+
+# --- report ---
+
+
+def test_the_report_counts_and_draws_and_names_nobody():
+    mistaken = problem("03.1", 0.0, "wrong", mistakes=["omega x q", "omega x q"])
+    class_ = [
+        result("ada", [problem()]),
+        result("bob", [mistaken]),
+        result("cyn", [mistaken]),
+        result("dan", [problem()]),
+    ]
+    page = report(class_, matches(class_))
+    told = Reader(page)
+    assert not {"ada", "bob", "cyn", "dan"} & set(re.findall(r"\w+", told.letters))
+    drawn = [
+        attributes["aria-label"] for tag, attributes in told.elements if tag == "svg" and "aria-label" in attributes
+    ]
+    assert drawn == [
+        "Points of the whole sheet: 0 points: 2; 1 points: 0; 2 points: 0; 3 points: 2",
+        "Points of problem 03.1: 0 points: 2; 1 points: 0; 2 points: 0; 3 points: 2",
+    ]
+    assert "omega x q (2)" in told.letters
+    assert "1.5 of 3 points" in told.letters
+    assert "2 right, 2 not yet." in told.letters
+
+
+@given(st.integers(1, 60), st.data())
+def test_a_histogram_counts_everybody_once(most, data):
+    values = data.draw(st.lists(st.floats(0, most), max_size=30))
+    bars = spread(values, most)
+    assert sum(bar.count for bar in bars) == len(values)
+    assert len({bar.label for bar in bars}) == len(bars) <= 10
+
+
+# --- matches ---
+
+
+def answered(student, value, right, state="wrong"):
+    one = problem("03.1", state=state, answer=value, right=right)
+    return result(student, [one, replace(one, number="03.2")])
+
+
+def array(*numbers):
+    return {"array": list(numbers), "shape": [len(numbers)]}
+
+
+def test_an_answer_that_is_right_for_another_is_listed_with_how_much_it_says():
+    class_ = [
+        answered("ada", array(1, 2), array(1, 2), "right"),
+        answered("bob", array(1, 2.0005), array(5, 6)),
+        answered("cyn", array(1, 2, 0), array(7, 8)),
+        answered("dan", {"text": "M"}, {"text": "e"}),
+        answered("eve", {"text": "M"}, {"text": "M"}, "right"),
+        answered("fay", {"text": "M"}, {"text": "M"}, "right"),
+        answered("gil", None, array(1, 2), "blank"),
+    ]
+    found = matches(class_)
+    assert [(m.student, m.problem, tuple(m.others), m.together) for m in found] == [
+        ("bob", "03.1", ("ada", "gil"), 2),
+        ("bob", "03.2", ("ada", "gil"), 2),
+        ("dan", "03.1", ("eve", "fay"), 2),
+        ("dan", "03.2", ("eve", "fay"), 2),
+    ]
+    assert matches_table(found).splitlines()[1] == 'bob,03.1,"ada, gil",2,2'
+
+
+@pytest.mark.parametrize("data", [{"other": "x"}, {"function": "f", "outputs": [array(1)]}])
+def test_what_cannot_be_compared_matches_nobody(data):
+    assert matches([answered("ada", data, array(1)), answered("bob", array(2), data)]) == []
+
+
+@pytest.mark.parametrize("data", [7, False, "text", [1], {"array": 10**400, "shape": []}, {"map": {"a": 10**400}}])
+def test_what_nobody_could_read_matches_nobody(data):
+    """The judge found that it is no answer; it may be any JSON at all."""
+    assert matches([answered("ada", array(1), array(1)), answered("bob", data, array(2), "unreadable")]) == []
+
+
+def test_a_formula_that_was_copied_letter_by_letter_is_found():
+    text = {"text": "a*cos(q1)"}
+    class_ = [
+        answered("ada", text, {"symbolic": "a*cos(q_1)"}, "right"),
+        answered("bob", text, {"symbolic": "b*cos(q_1)"}),
+    ]
+    assert [(m.student, m.others) for m in matches(class_)] == [("bob", ["ada"])] * 2
+
+
+# --- tables ---
+
+
+@pytest.mark.parametrize(
+    "cell", ["=1+1", "+1 2", "-x", "@SUM(A1)", "\t=1", "\r=1", "=cmd|' /C calc'!A0", "＝1", "-2+3"]
+)
+def test_no_cell_is_a_formula(cell):
+    assert harmless(cell) == f"'{cell}"
+
+
+@given(st.text(max_size=20))
+def test_a_cell_begins_as_no_formula_or_is_a_number(cell):
+    told = harmless(cell)
+    assert told[:1] not in set("=+-@\t\r") or told == "-" or float(told.replace(",", ".")) is not None
+
+
+@given(st.lists(st.lists(st.text(alphabet='a",;\n ', max_size=5), min_size=2, max_size=2), max_size=4))
+def test_a_table_reads_back_as_it_was(rows):
+    assert list(csv.reader(io.StringIO(table(["x", "y"], rows)))) == [
+        ["x", "y"],
+        *([harmless(cell) for cell in row] for row in rows),
+    ]
+
+
+def test_grades_hold_points_reasons_and_mistakes():
+    unusual = result("=bob", reason="It stopped.", notes=["Odd."], typed_id="ada")
+    rows = list(csv.DictReader(io.StringIO(grades([result(typed_id="ada"), unusual]))))
+    assert rows[0] == {
+        "student": "ada",
+        "points": "4.5",
+        "max": "6",
+        "status": "graded",
+        "03.1": "3",
+        "03.2": "1.5",
+        "reason": "",
+        "mistakes": "03.2 omega x q",
+        "id in the sheet": "ada",
+        "run in": "sandbox",
+    }
+    assert (rows[1]["student"], rows[1]["reason"]) == ("'=bob", "It stopped. Odd. The id 'ada' stands in 2 sheets.")
+
+
+# --- what platforms take ---
+
+
+def exported(kind, header, rows, id_column, column=None):
+    people = [dict(zip(header, row, strict=True)) for row in rows]
+    graded = [result("ada"), result("Bob", [problem("03.1", 0.0), problem("03.2", 2 / 3)])]
+    return export(Roster(kind, header, people, id_column), graded, column)
+
+
+CANVAS = ["Student", "ID", "SIS User ID", "SIS Login ID", "Section", "Old (1)", "Sheet 03_poe_space (77)"]
+
+CANVAS_ROWS = [
+    ["=Lovelace, Ada", "1", "u1", "ada", "A", "7", ""],
+    ["Boole, Bob", "2", "u2", "bob", "A", "", ""],
+    ["Student, Test", "3", "", "", "A", "", ""],
+]
+
+
+def test_canvas_takes_who_and_one_column_back():
+    assert exported("canvas", CANVAS, CANVAS_ROWS, "SIS Login ID") == (
+        "Student,ID,SIS User ID,SIS Login ID,Section,Sheet 03_poe_space (77)\n"
+        "    Points Possible,,,,,6\n"
+        '"\'=Lovelace, Ada",1,u1,ada,A,4.5\n'
+        '"Boole, Bob",2,u2,bob,A,0.67\n'
+        '"Student, Test",3,,,A,\n'
+    )
+    named = exported("canvas", CANVAS, CANVAS_ROWS, "SIS Login ID", "Sheet 3 (9)")
+    assert named.startswith("Student,ID,SIS User ID,SIS Login ID,Section,Sheet 3 (9)\n")
+
+
+MOODLE = [
+    "Identifier",
+    "Full name",
+    "ID number",
+    "Grade",
+    "Maximum Grade",
+    "Last modified (grade)",
+    "Feedback comments",
+]
+
+
+def moodle(maximum):
+    rows = [
+        ["Participant 1", "Ada", "ada", "", maximum, "-", ""],
+        ["Participant 3", "Cyn", "cyn", "", maximum, "-", ""],
+    ]
+    return exported("moodle", MOODLE, rows, "ID number")
+
+
+def test_moodle_takes_its_worksheet_back_with_grades_out_of_its_own_maximum():
+    assert moodle("100,00").splitlines()[1:] == [
+        'Participant 1,Ada,ada,75,"100,00",-,',
+        'Participant 3,Cyn,cyn,,"100,00",-,',
+    ]
+    with pytest.raises(ValueError, match="grade the assignment by points, not a scale"):
+        moodle("Excellent")
+
+
+def test_gradescope_has_columns_of_its_own():
+    header = ["First Name", "Last Name", "SID", "Email", "Sections", "Old", "Old - Max Points"]
+    text = exported("gradescope", header, [["Ada", "L", "ada", "a@b", "A", "1", "2"]], "SID")
+    assert text == (
+        "First Name,Last Name,SID,Email,Sections,03_poe_space,03_poe_space - Max Points\nAda,L,ada,a@b,A,4.5,6\n"
+    )
+
+
+def test_a_list_of_ones_own_needs_no_export():
+    assert exported("own", ["id"], [["ada"]], "id") is None

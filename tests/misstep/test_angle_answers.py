@@ -1,0 +1,57 @@
+"""Angles as answers: a full turn more is no other angle, and a set has no order."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from misstep.answers.angle import Angles
+from misstep.answers.base import Unreadable
+
+right = st.lists(st.floats(-3, 3), min_size=2, max_size=4)
+
+
+@given(right, st.data())
+def test_full_turns_and_the_order_make_no_difference(angles, data):
+    answer = Angles(np.array(angles), any_order=True)
+    turns = data.draw(st.lists(st.integers(-3, 3), min_size=len(angles), max_size=len(angles)))
+    mixed = data.draw(st.permutations(angles))
+    read = answer.read(np.array(mixed) + 2 * np.pi * np.array(turns))
+    assert all(answer.agrees(read, answer.value))
+
+
+@given(st.floats(-3, 3), st.floats(0.01, 6.27))
+def test_another_angle_is_another_angle(angle, off):
+    answer = Angles(np.array(angle))
+    assert not any(answer.agrees(answer.read(angle + off), answer.value))
+
+
+def test_where_order_matters_it_matters():
+    answer = Angles(np.array([0.5, -0.5]))
+    assert answer.agrees(answer.read([-0.5, 0.5]), answer.value) == [False, False]
+
+
+def test_one_right_angle_of_two_is_half():
+    answer = Angles(np.array([0.5, -0.5]), any_order=True)
+    assert sorted(answer.agrees(answer.read([2.0, 0.5]), answer.value)) == [False, True]
+
+
+def test_each_angle_is_a_part_with_a_name():
+    assert Angles(np.array(0.5)).parts == ["the angle"]
+    assert Angles(np.array([0.5])).parts == ["angle 1"]
+    assert Angles(np.array([0.5, -0.5])).parts == ["one angle", "the other angle"]
+    assert Angles(np.array([0.5, -0.5, 0.1])).parts == ["angle 1", "angle 2", "angle 3"]
+    assert Angles(np.array([0.5, -0.5])).expected == "angles, an array of shape (2,) in rad"
+    assert Angles(np.array([0.5, -0.5]), any_order=True).expected.endswith("of shape (2,) in rad, in any order")
+
+
+def test_an_angle_is_read_within_half_a_turn_of_the_right_one():
+    """So that feedback can say it as it was meant, and how far off it is."""
+    assert Angles(np.array(0.5)).read(0.5 + 4 * np.pi - 3) == pytest.approx(-2.5, abs=1e-12)
+    assert Angles(np.array(0.5)).read(0.5 - 4 * np.pi + 3) == pytest.approx(3.5, abs=1e-12)
+
+
+@pytest.mark.parametrize("given", [[1.0], [1.0, 2.0, 3.0], "east", [np.nan, 1.0]])
+def test_what_is_no_pair_of_angles_is_unreadable(given):
+    with pytest.raises(Unreadable, match=r"Expected angles, an array of shape \(2,\) in rad, in any order"):
+        Angles(np.array([0.5, -0.5]), any_order=True).read(given)

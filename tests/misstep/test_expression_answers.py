@@ -1,0 +1,368 @@
+"""Closed forms as answers: right by what they mean, and no text or expression that breaks the reader or keeps it busy."""
+
+import time
+from contextlib import suppress
+
+import numpy as np
+import pytest
+import sympy as sp
+from hypothesis import example, given
+from hypothesis import strategies as st
+from misstep.mistakes import mistake
+
+import kinlib as kl
+from misstep.answers.base import Unreadable
+from misstep.answers.expression import ClosedForm
+from misstep.formulas.evaluation import MOST, Reader, shaped
+from misstep.formulas.parsing import FUNCTIONS
+from misstep.judge import judge
+from misstep.problem import Problem
+from misstep.text import number
+
+q_1, q_2 = sp.symbols("q_1 q_2", real=True)
+a_2 = sp.Symbol("a_2", positive=True)
+theta = sp.Symbol("theta")
+
+RIGHT = ClosedForm(a_2 * sp.cos(q_1 + q_2) + sp.sin(q_1) ** 2)
+
+
+def is_right(form, given):
+    return all(form.agrees(form.read(given), form.value))
+
+
+# --- by meaning ---
+
+
+@pytest.mark.parametrize(
+    "given",
+    [
+        RIGHT.value,
+        sp.expand_trig(RIGHT.value),
+        RIGHT.value.rewrite(sp.exp),
+        a_2 * sp.Symbol("c_12") + sp.Symbol("s_1") ** 2,
+        "a_2*cos(q_1 + q_2) + sin(q_1)**2",
+        "sp.sin(q1)**2 + a2*sp.cos(q2 + q1)",
+        "a2 c12 + 1 - c1^2",
+        "a2 (c1 c2 - s1 s2) + s1²",
+        "2a2 cos(θ₁ + θ₂)/2 + sin(theta1)**2",
+        r"$a_2 \cos\left(\theta_{1} + \theta_{2}\right) + \frac{1 - \cos(2 \theta_1)}{2}$",
+        "a_2·cos(q1+q2) − (−1 + cos(q1)²)",
+        ["a2 c12 + s1**2"],
+        "1.0*a2*c12 + s1*s1",
+    ],
+    ids=repr,
+)
+def test_one_formula_is_right_in_every_dress(given):
+    assert is_right(RIGHT, given)
+
+
+@pytest.mark.parametrize(
+    "given",
+    ["a2 c12 + s1", "a2 c12 - s1^2", "a2 c12 + s1^2 + 1/10^9", "a2 cos(q1 - q2) + s1^2", "0.99 a2 c12 + s1^2", 1, "q1"],
+)
+def test_another_formula_is_wrong(given):
+    assert not is_right(RIGHT, given)
+
+
+@pytest.mark.oracle("sympy", ClosedForm.agrees, ClosedForm.read)
+def test_forms_agree_where_sympy_proves_it():
+    same, other = sp.expand_trig(RIGHT.value), RIGHT.value + sp.Rational(1, 10**6)
+    for typed in (same, other, str(same), str(other)):
+        difference = sp.simplify(RIGHT.value - sp.sympify(typed, {str(symbol): symbol for symbol in (a_2, q_1, q_2)}))
+        assert RIGHT.agrees(RIGHT.read(typed), RIGHT.value) == [difference == 0]
+    read, reader = RIGHT.read(same), Reader([q_1, q_2, a_2])
+    point = {x: sp.Float(reader.first_point[x.name.replace("_", "")], 30) for x in (q_1, q_2, a_2)}
+    assert read.values[0] == pytest.approx(float(same.subs(point).evalf(25)), rel=1e-12)
+
+
+@pytest.mark.oracle("text: written out in the test", ClosedForm.expected, ClosedForm.parts, ClosedForm.hint, shaped)
+def test_what_is_expected_is_said_in_words():
+    matrix = ClosedForm(sp.eye(2) * q_1)
+    assert [shaped(shape) for shape in ((), (3,), (2, 2))] == [
+        "one formula",
+        "a vector of 3 formulas",
+        "a 2x2 matrix of formulas",
+    ]
+    assert matrix.expected == "a 2x2 matrix of formulas in q_1: text such as '[[2*sin(q_1), 0, ...], ...]', or SymPy"
+    assert (matrix.parts, ClosedForm(sp.eye(4)).parts) == (["the formula"], ["rotation", "position"])
+    assert matrix.hint(matrix.read("[[q1, 0], [1, q1]]"), 0) == "3 of the 4 entries are right. Look at row 2, column 1."
+
+
+@pytest.mark.parametrize(
+    ("right", "near", "far"),
+    [
+        (0, "0.0006", "0.0014"),
+        (1000, "1000.6", "1001.4"),
+        (0, "6/10^7/10^6", "14/10^7/10^6"),
+        (1000, "1000 + 6/10^10", "1000 + 14/10^10"),
+    ],
+)
+def test_how_far_values_may_lie_apart_grows_only_above_one(right, near, far):
+    form = ClosedForm(sp.Integer(right))
+    assert is_right(form, near)
+    assert not is_right(form, far)
+
+
+def test_decimals_count_as_three_and_what_is_exact_counts_exactly():
+    form = ClosedForm(sp.sqrt(2) / 2 * sp.sin(theta))
+    assert is_right(form, "0.7071*sin(theta)")
+    assert is_right(form, np.sqrt(2) / 2 * sp.sin(theta))
+    assert is_right(form, "0.7071*sin(1*theta)")
+    assert not is_right(form, "7071/10000*sin(theta)")
+    assert not is_right(form, sp.Rational(7071, 10000) * sp.sin(theta))
+    assert is_right(form, "sin(theta)/√2")
+    assert is_right(ClosedForm(sp.sqrt(2) / 2), np.float32(0.7071))
+    assert not is_right(ClosedForm(theta), "1.0*theta + 1/10^6")
+
+
+@pytest.mark.oracle("sympy", Reader.read, Reader.first_point)
+@given(
+    st.recursive(
+        st.sampled_from([q_1, q_2, a_2, sp.pi, sp.Integer(2), sp.Rational(-1, 3)]),
+        lambda part: st.one_of(
+            st.tuples(part, part).map(lambda two: two[0] + two[1]),
+            st.tuples(part, part).map(lambda two: two[0] * two[1]),
+            part.map(sp.sin),
+            part.map(sp.cos),
+            part.map(lambda base: base**2),
+        ),
+        max_leaves=8,
+    )
+)
+@example(sp.sin(q_1**8))
+def test_values_are_those_of_sympy_and_its_text_says_the_same(expression):
+    """The oracle is SymPy's own evaluation; what it prints is read back as the same formula."""
+    reader = Reader([q_1, q_2, a_2])
+    made, typed = reader.read(expression), reader.read(str(expression))
+    at = {symbol: sp.Float(reader.first_point[symbol.name.replace("_", "")], 30) for symbol in (q_1, q_2, a_2)}
+    oracle = float(expression.subs(at).evalf(25))
+    assert made.values[0] == pytest.approx(oracle, rel=1e-12, abs=1e-12)
+    np.testing.assert_allclose(typed.values, made.values, rtol=1e-14, atol=1e-14)
+
+
+def test_a_matrix_may_be_sympy_text_rows_or_the_work_of_kinlib():
+    T = kl.symbolic.exp(kl.symbolic.screw((0, 0, 1), point=(a_2, 0, 0)) * q_1)
+    form = ClosedForm(T)
+    text = "[[c1, -s1, 0, a2(1 - c1)], [s1, c1, 0, -a2 s1], [0, 0, 1, 0], [0, 0, 0, 1]]"
+    rows = [str(row) for row in T.tolist()]
+    for dress in (T, sp.ImmutableMatrix(T), text, f"Matrix({text})", T.tolist(), np.array(T), rows):
+        assert is_right(form, dress)
+    assert form.agrees(form.read(sp.eye(4)), T) == [False, False]
+    assert form.agrees(form.read(text.replace("a2(1 - c1)", "a2")), T) == [True, False]
+    for row, right in [("0, 0, 0, 0", [True, False]), ("0, 1, 0, 1", [False, True])]:
+        assert form.agrees(form.read(text.replace("0, 0, 0, 1", row)), T) == right
+
+
+@pytest.mark.parametrize(
+    "given", [[[["q1"]]], [["[q1]"]], [["Matrix([q1])"]], [[np.array("[q1]")]], np.array("[[[q1]]]")]
+)
+def test_a_formula_may_stand_in_three_brackets_and_in_no_more(given):
+    form = ClosedForm(q_1)
+    assert is_right(form, given)
+    with pytest.raises(Unreadable, match="more entries than any matrix"):
+        form.read([given])
+
+
+def test_a_formula_is_read_up_to_its_bounds_and_what_came_is_kept():
+    reader = Reader([q_1])
+    assert reader.read([0] * MOST).values.shape == (MOST, 5)
+    assert reader.read(["2 q1", "1"]).given == ["2 q1", "1"]
+    np.testing.assert_array_equal(reader.read(["1^64", "10^12", "10^-61"]).values[:, 0], [1, 1e12, 0])
+    np.testing.assert_allclose(reader.read("10^-59").values, 1e-59, rtol=1e-15)
+
+
+def test_what_is_complex_on_the_way_may_be_real_in_the_end_at_any_size():
+    np.testing.assert_allclose(Reader([q_1]).read("10^10 exp(I q1)^2 exp(-2 I q1)").values, 1e10, rtol=1e-15)
+
+
+def test_symbols_are_drawn_all_over_a_range_and_positive_ones_from_a_positive_one():
+    for options, least, most in [({}, -3, 3), ({"positive": True}, 0.2, 2)]:
+        symbols = sp.symbols("x_1:60", **options)
+        values = Reader(symbols).read(symbols).values
+        assert least < values.min() < least + 0.1 * (most - least)
+        assert most > values.max() > most - 0.1 * (most - least)
+        assert len(np.unique(values)) == values.size
+
+
+def test_an_angle_may_be_called_q_or_theta_whichever_the_problem_says():
+    angles = sp.symbols("theta_1 theta_2")
+    form = ClosedForm(sp.cos(sum(angles)) + angles[0])
+    assert is_right(form, "cos(q1 + q_2) + θ₁")
+    assert is_right(form, "c12 + q1")
+    assert is_right(ClosedForm(sp.cos(q_1 + q_2) + q_1), "cos(θ₁ + theta_2) + q1")
+
+
+@pytest.mark.parametrize(("symbols", "there"), [([q_1, a_2], "q_1, a_2"), ([], "there are none")])
+def test_who_writes_an_unknown_symbol_is_told_which_there_are(symbols, there):
+    with pytest.raises(ValueError, match=f"^x is none of the symbols here: {there}\\.$"):
+        Reader(symbols).read("x")
+
+
+def test_a_vector_may_lie_or_stand():
+    form = ClosedForm(sp.Matrix([q_1, 0, a_2]))
+    assert is_right(form, "[q1, 0, a2]")
+    assert is_right(form, [["q1", "0", "a2"]])
+    assert is_right(form, sp.Matrix([[q_1, 0, a_2]]))
+
+
+def test_a_symbol_that_the_right_answer_does_without_may_be_declared():
+    form = ClosedForm(sp.Integer(1), symbols=[theta])
+    assert is_right(form, "sin(theta)**2 + cos(theta)**2")
+    assert is_right(form, "s_theta^2 + c_theta^2")
+
+
+def test_a_mistake_is_recognised_by_meaning_too():
+    problem = Problem("", ClosedForm(sp.cos(2 * theta)), [mistake("half", sp.cos(theta), "The angle is doubled.")])
+    judgement = judge(problem, "1 - 2 sin(theta/2)^2")
+    assert judgement.mistakes == ["half"]
+    assert judge(problem, "1 - 2 sin(theta)^2").state == "right"
+
+
+def test_a_wrong_formula_is_told_numbers_and_a_wrong_matrix_is_told_where():
+    message = judge(Problem("", RIGHT, []), "a2 c12").findings[0].message
+    assert "your formula gives" in message
+    rotation = ClosedForm(sp.Matrix([[sp.cos(theta), -sp.sin(theta)], [sp.sin(theta), sp.cos(theta)]]))
+    message = (
+        judge(Problem("", rotation, []), "[[cos(theta), sin(theta)], [sin(theta), cos(theta)]]").findings[0].message
+    )
+    assert message == "3 of the 4 entries are right. Look at row 1, column 2."
+
+
+def test_what_is_expected_is_said_in_the_problem_s_own_symbols():
+    T = sp.eye(4) * q_1
+    expected = {
+        RIGHT: "one formula in a_2, q_1, q_2: text such as '2*sin(q_2)', or SymPy",
+        ClosedForm(sp.Rational(1, 2)): "one formula in numbers: text such as '1/2', or SymPy",
+        ClosedForm(sp.Matrix([q_1, 1])): "a vector of 2 formulas in q_1: text such as '[2*sin(q_1), 0, ...]', or SymPy",
+        ClosedForm(T): "a 4x4 matrix of formulas in q_1: text such as '[[2*sin(q_1), 0, ...], ...]', or SymPy",
+    }
+    assert [form.expected for form in expected] == list(expected.values())
+    assert [form.parts for form in expected] == [["the formula"]] * 3 + [["rotation", "position"]]
+
+
+def test_the_numbers_that_are_told_are_those_of_both_formulas():
+    form = ClosedForm(theta)
+    at = Reader([theta]).first_point["theta"]
+    told = f"Try numbers: at theta = {number(at)} your formula gives {number(2 * at)}, and {number(at)} is right."
+    assert form.hint(form.read("2 theta"), 0) == told
+    vector = ClosedForm(sp.Matrix([theta, 0, 1]))
+    assert vector.hint(vector.read("[theta, 0, 2]"), 0) == "2 of the 3 entries are right. Look at entry 3."
+
+
+def test_a_right_answer_with_decimals_is_met_by_what_is_exact():
+    assert is_right(ClosedForm(0.7071 * sp.sin(theta)), "sin(theta)/√2")
+
+
+def test_what_is_nearly_right_is_told_so_though_it_is_exact():
+    assert "This is close" in judge(Problem("", ClosedForm(theta), []), "99/100 theta").findings[0].message
+    assert "This is close" not in judge(Problem("", ClosedForm(theta), []), "9/10 theta").findings[0].message
+
+
+# --- what is no formula ---
+
+SHARED = q_1
+for _ in range(60):
+    SHARED = sp.sin(SHARED) * sp.cos(SHARED)
+
+
+NESTED = q_1
+for _ in range(2000):
+    NESTED = sp.sin(NESTED, evaluate=False)
+
+
+class Rude(list):
+    """A list that raises when it is looked into."""
+
+    def __iter__(self):
+        raise RuntimeError("no")
+
+
+UNREADABLE = {
+    "a tower of powers": ("9**9**9**9", "Exponents go up to 64"),
+    "a tower in brackets": ("((9**9)**9)**9", "grows beyond 1e"),
+    "a tower made by SymPy": (sp.Pow(9, sp.Pow(9, 9, evaluate=False), evaluate=False), "Exponents go up to 64"),
+    "a tower of exponentials": ("exp(exp(exp(exp(9))))", "grows beyond"),
+    "a very large whole number": (sp.Integer(7) ** 100_000, "grows beyond"),
+    "code": ("__import__('os').system('true')", "is not part of a formula"),
+    "an attribute": ("q1.__class__", "is not part of a formula"),
+    "a lambda": ("lambda: 1", "':' is not part of a formula"),
+    "a comprehension": ("[q1 for q1 in q2]", "is not finished"),
+    "a condition": ("q1 if q1 else q2", "is not finished"),
+    "an index": ("[q1, q2][0]", "Only numbers, names"),
+    "a call of a symbol": ("(sin)(q1)", "sin wants its brackets at once"),
+    "a call of what is no function": ("eval(q1)", "eval is none of the symbols"),
+    "a starred argument": ("sin(*q1)", "Only numbers, names"),
+    "an unknown symbol": ("a3 c12", "a3 is none of the symbols here: a_2, q_1, q_2"),
+    "a shorthand of an unknown angle": ("c13", "c13 is none of the symbols"),
+    "an unknown function of SymPy": (sp.Function("f")(q_1), "f is no function here"),
+    "an integral": (sp.Integral(sp.sin(q_1), q_1), "Integral is no function"),
+    "a function without brackets": ("sin q1", "Write sin with brackets"),
+    "a power of a function": ("sin^2(q1)", "wants its brackets at once"),
+    "two arguments": ("cos(q1, q2)", "takes another number of arguments"),
+    "a bracket that is missing": ("sin(q1", "a bracket is missing"),
+    "nothing": (" ", "is not finished"),
+    "a division by zero": ("1/(q1 - q1)", "divides by zero"),
+    "a logarithm of zero": ("log(0)", "grows beyond"),
+    "NaN": (sp.nan, "NaN or infinity"),
+    "complex infinity": (sp.zoo, "NaN or infinity"),
+    "minus infinity": (-sp.oo, "NaN or infinity"),
+    "a high power of 1": ("1^65", "Exponents go up to 64"),
+    "functions in functions in functions": (NESTED, "nested too deeply"),
+    "a name of forty letters": ("x" * 40, r"\. x{40} is none of the symbols"),
+    "a name of forty-one letters": ("x" * 41, r"\. x{37}\.\.\. is none of the symbols"),
+    "a float that is NaN": (float("nan"), "grows beyond"),
+    "what is not real": ("sqrt(-1 - q1^2)", "not real"),
+    "a wrong shape": ("[q1, q2]", "Yours is a vector of 2 formulas"),
+    "a ragged list": ([["q1"], ["q1", "q2"]], "rows differ in length"),
+    "an empty list": ([], "It is empty"),
+    "a huge array": (np.zeros((4000, 4000)), "more entries"),
+    "a long list": ([0] * 100_000, "more entries"),
+    "a deep list": ([[[[[0]]]]], "more entries|Yours"),
+    "a long text": ("q1+" * 10_000 + "q1", "at most 2000 characters"),
+    "a thousand minus signs": ("-" * 1900 + "q1", "nested too deeply|is not finished"),
+    "a thousand brackets": ("(" * 900 + "q1" + ")" * 900, "is not finished"),
+    "a long sum of SymPy": (sp.Add(*(sp.sin(k * q_1) for k in range(MOST))), f"more than {MOST} parts"),
+    "a function": (np.sin, "no formula"),
+    "an object": (object(), "of type object, no formula"),
+    "bytes": (b"q1", "no formula"),
+    "a rude list": (Rude([1]), "got Rude"),
+    "an angle that is not real": ("atan2(I, q1)", "no value"),
+    "an array without dimensions, of text": (np.array("q3"), "q3 is none of the symbols"),
+    "a dictionary": ({"q1": 1}, "no formula"),
+    "a formula of another shape": (Reader([q_1]).read("[q1, q1]"), "no formula"),
+}
+
+
+@pytest.mark.parametrize(("hostile", "words"), UNREADABLE.values(), ids=UNREADABLE)
+def test_what_is_no_formula_is_refused_in_bounded_time_with_a_reason(hostile, words):
+    start = time.process_time()
+    with pytest.raises(Unreadable, match=f"(?s)^Expected one formula in a_2, q_1, q_2: .*({words})"):
+        RIGHT.read(hostile)
+    assert time.process_time() - start < 2
+
+
+def test_an_expression_that_shares_its_parts_is_worked_out_once_and_never_printed():
+    """Written out, it would have 2^60 parts."""
+    start = time.process_time()
+    assert not is_right(RIGHT, SHARED)
+    assert "your formula gives" in judge(Problem("", RIGHT, []), SHARED).findings[0].message
+    assert time.process_time() - start < 2
+
+
+@given(st.text(alphabet="q12ac_s+-*/^()[],. eπθ√²sin'\"\\{}9", max_size=60) | st.text(max_size=40))
+def test_any_text_is_a_formula_or_unreadable(text):
+    with suppress(Unreadable):
+        assert np.isfinite(RIGHT.read(text).values).all()
+
+
+@pytest.mark.parametrize("name", sorted({*FUNCTIONS} - {"Matrix", "atan2"}))
+def test_every_function_of_the_language_is_that_of_sympy(name):
+    x = sp.Symbol("x", positive=True)
+    reader = Reader([x])
+    half = sp.Rational(1, 3)
+    function = {"abs": sp.Abs}.get(name) or getattr(sp, name)
+    typed = reader.read(f"{name}(x/3)").values[0]
+    oracle = complex(function(half * sp.Float(reader.first_point["x"], 30)).evalf(20))
+    assert typed == pytest.approx(oracle.real, rel=1e-12)
+    if name != "sinc":
+        assert reader.read(function(x * half)).values[0] == pytest.approx(oracle.real, rel=1e-12)

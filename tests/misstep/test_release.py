@@ -1,0 +1,75 @@
+"""Handing out: exercises/ is what solutions/ releases, and nothing of a solution is in it."""
+
+import json
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from kincourse import find_sheet
+
+pytest.importorskip("nbgrader", reason="exercises/ is made with nbgrader")
+
+ROOT = Path(__file__).parents[2]
+SOURCES = sorted((ROOT / "solutions").glob("*/*.ipynb"))
+
+
+def command(*options):
+    run = [sys.executable, "-m", "misstep.release.student_notebook", *options]
+    return subprocess.run(run, capture_output=True, text=True, check=False)
+
+
+@pytest.fixture
+def committed(tmp_path):
+    """The sheets as git holds them: a student may have worked in exercises/ and saved it."""
+    exported = ["git", "checkout-index", "--all", f"--prefix={tmp_path.as_posix()}/"]
+    done = subprocess.run(exported, cwd=ROOT, capture_output=True, check=False)
+    return tmp_path if done.returncode == 0 else ROOT
+
+
+def test_every_sheet_in_exercises_is_fresh(committed):
+    done = command("--check", "--root", str(committed))
+    assert done.returncode == 0, f"run python -m misstep.release.student_notebook\n{done.stdout}{done.stderr}"
+
+
+@pytest.mark.parametrize("source", SOURCES, ids=lambda path: path.stem)
+def test_every_problem_has_its_cells_and_its_points_in_the_sheet(source):
+    cells = {cell["id"]: cell for cell in json.loads(source.read_text(encoding="utf-8"))["cells"]}
+    for k, template in enumerate(find_sheet(source.stem).problems, start=1):
+        assert f"sheet.show({k})" in "".join(cells[f"show-{k}"]["source"])
+        assert cells[f"answer-{k}"]["metadata"]["nbgrader"]["solution"]
+        check = cells[f"check-{k}"]
+        assert f"sheet.check({k}, " in "".join(check["source"])
+        assert check["metadata"]["nbgrader"]["points"] == template.points
+    assert f"check-{len(find_sheet(source.stem).problems) + 1}" not in cells
+
+
+def test_a_changed_source_is_noticed_and_written(tmp_path):
+    source = tmp_path / "solutions" / "03" / "03.ipynb"
+    source.parent.mkdir(parents=True)
+    source.write_bytes(SOURCES[0].read_bytes())
+    target = tmp_path / "exercises" / "03" / "03.ipynb"
+    assert command("--check", "--root", str(tmp_path)).returncode == 1
+    assert command("--root", str(tmp_path)).stdout.startswith("written")
+    assert command("--check", "--root", str(tmp_path)).returncode == 0
+    target.write_text(target.read_text(encoding="utf-8").replace("your lines here", "no"), encoding="utf-8")
+    assert command("--check", "--root", str(tmp_path)).returncode == 1
+
+
+def test_a_folder_without_solutions_is_refused(tmp_path):
+    done = command("--root", str(tmp_path))
+    assert done.returncode == 2
+    assert "no solutions" in done.stderr
+
+
+@pytest.mark.parametrize("source", SOURCES, ids=lambda path: path.stem)
+def test_no_line_of_a_solution_is_handed_out(source):
+    released = (ROOT / "exercises" / source.relative_to(ROOT / "solutions")).read_text(encoding="utf-8")
+    hidden = []
+    for cell in json.loads(source.read_text(encoding="utf-8"))["cells"]:
+        text = "".join(cell["source"])
+        if "### BEGIN SOLUTION" in text:
+            hidden += text.split("### BEGIN SOLUTION")[1].split("### END SOLUTION")[0].strip().splitlines()
+    assert len(hidden) >= 6
+    assert not [line for line in hidden if len(line.strip()) > 12 and line.strip() in released]

@@ -1,0 +1,109 @@
+"""Continuous integration and the tasks of maintainers: commands exist and do what is said, and a skipped test fails in CI."""
+
+import os
+import re
+import subprocess
+import sys
+import tomllib
+from pathlib import Path
+
+import pytest
+import yaml
+
+ROOT = Path(__file__).parents[2]
+
+
+def steps(workflow):
+    """The steps of all jobs of a workflow, in order."""
+    jobs = yaml.safe_load((ROOT / ".github" / "workflows" / workflow).read_text("utf-8"))["jobs"]
+    return [step for job in jobs.values() for step in job["steps"]]
+
+
+def step_that_runs(workflow, command):
+    found = [step for step in steps(workflow) if command in step.get("run", "")]
+    assert len(found) == 1, f"{workflow} must run {command!r} once"
+    return found[0]
+
+
+def test_the_published_site_needs_the_lab_where_the_site_is_built():
+    """site/build.py alone reads KINLIB_LAB: set on another step, a failed download would publish a site without a lab."""
+    assert step_that_runs("site.yml", "course.py site")["env"]["KINLIB_LAB"] == "official"
+    assert [step for step in steps("site.yml") if "KINLIB_LAB" in step.get("env", {})] == [
+        step_that_runs("site.yml", "course.py site")
+    ]
+
+
+def test_the_pdf_is_printed_into_the_site_after_it_is_built():
+    commands = [step.get("run", "") for step in steps("site.yml")]
+    assert commands.index("python course.py site") < commands.index(".venv/bin/python site/pdf.py")
+
+
+@pytest.mark.parametrize("file", [".ci/run", ".github/workflows/test.yml", ".github/workflows/newest.yml"])
+def test_every_ci_run_prints_the_ten_slowest_tests(file):
+    lines = [line for line in (ROOT / file).read_text("utf-8").splitlines() if "course.py test" in line]
+    assert lines
+    assert all(line.endswith("--durations=10") for line in lines)
+
+
+def test_mutation_testing_names_files_that_exist():
+    settings = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["tool"]["mutmut"]
+    patterns = [*settings["source_paths"], *settings["pytest_add_cli_args_test_selection"], *settings["also_copy"]]
+    patterns += [f"**/{pattern.removeprefix('*/')}" for pattern in settings["do_not_mutate"]]
+    assert [pattern for pattern in patterns if not any(ROOT.glob(pattern))] == []
+
+
+def test_every_nox_session_that_a_file_names_exists():
+    done = subprocess.run([sys.executable, "-m", "nox", "--list"], cwd=ROOT, capture_output=True, text=True, check=True)
+    sessions = set(re.findall(r"^[*-] (\w+) ->", done.stdout, re.MULTILINE))
+    files = [*ROOT.glob("*.md"), *ROOT.glob("*.toml"), *ROOT.glob("*.py"), *ROOT.glob("site/*.md")]
+    named = {name for file in files for name in re.findall(r"nox -s (\w+)", file.read_text("utf-8"))}
+    assert {"mutation", "fuzz", "pin", "pdf"} <= named <= sessions
+
+
+TESTS = """
+import pytest
+
+def test_skipped():
+    pytest.skip("there is no sandbox")
+
+@pytest.fixture
+def browser():
+    pytest.skip("there is no browser")
+
+def test_with_a_skipped_fixture(browser):
+    pass
+
+@pytest.mark.skipif(True, reason="there is no npm")
+def test_marked():
+    pass
+
+@pytest.mark.xfail(reason="a known fault", strict=True)
+def test_expected_to_fail():
+    assert False
+"""
+MODULE = "import pytest\npytest.importorskip('no_such_package')"
+
+
+def outcomes(folder, ci):
+    """Run tests that skip, and a module that does, with the project's conftest.py; return the last line of pytest."""
+    (folder / "conftest.py").write_text((ROOT / "conftest.py").read_text("utf-8"), "utf-8")
+    (folder / "test_skips.py").write_text(TESTS, "utf-8")
+    (folder / "test_module.py").write_text(MODULE, "utf-8")
+    environment = {name: value for name, value in os.environ.items() if name not in ("CI", "PYTEST_ADDOPTS")}
+    environment |= {"CI": "true"} if ci else {}
+    command = [sys.executable, "-m", "pytest", "-q", "-p", "no:cacheprovider", "--continue-on-collection-errors", "."]
+    done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, text=True, check=False)
+    return done.stdout.splitlines()[-1], done.stdout
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="only in CI on Linux does everything have to run")
+def test_in_ci_a_skipped_test_fails_and_says_why(tmp_path):
+    summary, text = outcomes(tmp_path, ci=True)
+    assert summary.startswith("1 failed, 1 xfailed, 3 errors"), text
+    for reason in ("no sandbox", "no browser", "no npm", "no_such_package"):
+        assert reason in text
+
+
+def test_elsewhere_a_skipped_test_is_skipped(tmp_path):
+    summary, text = outcomes(tmp_path, ci=False)
+    assert summary.startswith("4 skipped, 1 xfailed"), text

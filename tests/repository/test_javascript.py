@@ -1,0 +1,66 @@
+"""The JavaScript of the viewer and of the site: the committed bundle is that of its sources, and the linter is content."""
+
+import json
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from kinlib.view.viewer.viewer import STATIC
+
+ROOT = Path(__file__).parents[2]
+NPM = shutil.which("npm")
+SITE = [ROOT / "site" / "static", ROOT / "site" / "lab" / "extension" / "static"]
+
+
+@pytest.fixture(scope="module")
+def node_modules():
+    """The packages that package-lock.json names, installed once."""
+    if NPM is None:
+        pytest.skip("There is no npm. Install Node 20 or newer to change the JavaScript.")
+    lock, installed = ROOT / "package-lock.json", ROOT / "node_modules" / ".package-lock.json"
+    if not installed.exists() or installed.stat().st_mtime < lock.stat().st_mtime:
+        done = subprocess.run([NPM, "ci"], cwd=ROOT, capture_output=True, text=True, check=False)
+        if done.returncode:
+            pytest.skip(f"npm ci failed.\n{done.stderr[-500:]}")
+    return ROOT / "node_modules"
+
+
+def test_the_bundle_is_built_from_its_sources_byte_for_byte(node_modules, tmp_path):
+    command = json.loads((ROOT / "package.json").read_text("utf-8"))["scripts"]["build"].split()
+    entry = [word for word in command if not word.startswith("--outfile")]
+    made = tmp_path / "viewer.js"
+    # npm finds esbuild in node_modules, on every system
+    done = subprocess.run(
+        [NPM, "exec", "--offline", "--", *entry, f"--outfile={made}"],
+        cwd=ROOT, capture_output=True, text=True, check=False,
+    )  # fmt: skip
+    assert done.returncode == 0, done.stderr
+    assert made.read_bytes() == (STATIC / "viewer.js").read_bytes(), "run: npm run build"
+
+
+def test_the_linter_and_the_formatter_find_nothing_to_change(node_modules):
+    done = subprocess.run(
+        [NPM, "run", "--silent", "lint"], cwd=ROOT, capture_output=True, encoding="utf-8", check=False
+    )
+    assert done.returncode == 0, f"run: npm run format\n{done.stdout}{done.stderr}"
+
+
+def test_no_line_is_longer_than_120_characters():
+    # the formatter leaves comments and strings as they are
+    sources = [
+        path for folder in [ROOT / "kinlib", *SITE] for path in folder.rglob("*.js") if path != STATIC / "viewer.js"
+    ]
+    assert len(sources) > 30
+    long = [
+        f"{path.relative_to(ROOT)}:{number}"
+        for path in sources
+        for number, line in enumerate(path.read_text("utf-8").splitlines(), start=1)
+        if len(line) > 120
+    ]
+    assert long == []
+
+
+def test_the_lock_file_names_no_registry():
+    assert '"resolved"' not in (ROOT / "package-lock.json").read_text("utf-8")

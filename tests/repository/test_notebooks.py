@@ -1,0 +1,194 @@
+"""Notebooks: each runs from a cold kernel in half a minute without a complaint, and whoever cannot see hears its figures.
+
+The numbers in a lecture's prose come from its cells; tools/prose_numbers.py says which numbers, and what counts as coming from a cell.
+"""
+
+import re
+import time
+from functools import cache
+from html.parser import HTMLParser
+from pathlib import Path
+
+import nbformat
+import pytest
+from nbclient import NotebookClient
+from nbclient.exceptions import CellExecutionError
+from prose_numbers import numbers_of, numbers_without_source, sources
+
+from kincourse import lecture_steps
+from misstep.questions.question import _lectures as questions
+
+ROOT = Path(__file__).parents[2]
+FOLDERS = ("notebooks", "exercises", "solutions")
+FOUND = [path for folder in FOLDERS for path in sorted((ROOT / folder).rglob("*.ipynb"))]
+# JupyterLab keeps copies of what it opened, as old as the last save
+NOTEBOOKS = [path for path in FOUND if ".ipynb_checkpoints" not in path.parts]
+LECTURES = [path for path in NOTEBOOKS if path.parent.name == "notebooks"]
+
+SECONDS = 30
+SHORTEST_ALTERNATIVE = 20
+"""Letters. "A figure" tells nobody anything; "an RPR arm at home, seen from above" does."""
+
+
+def each(paths):
+    return pytest.mark.parametrize("path", paths, ids=lambda path: path.relative_to(ROOT).as_posix())
+
+
+def test_the_notebooks_are_found():
+    """A wrong folder would make every test below vanish, and nothing fail."""
+    assert ROOT / "notebooks" / "00_start_here.ipynb" in LECTURES
+    assert {path.relative_to(ROOT).parts[0] for path in NOTEBOOKS} == set(FOLDERS)
+
+
+# --- as they are written ---
+
+
+@each(LECTURES)
+def test_a_lecture_is_short_enough_to_take_in(path):
+    cells = nbformat.read(path, as_version=4).cells
+    assert len(cells) <= 40, f"{len(cells)} cells: the next idea may be the next lecture"
+    long = [cell.source for cell in cells if cell.cell_type == "code" and len(cell.source.splitlines()) > 15]
+    assert not long, f"more than 15 lines; what is not the lesson belongs in kinlib:\n\n{long[0]}"
+
+
+@each(LECTURES)
+def test_a_lecture_begins_with_its_title(path):
+    first = nbformat.read(path, as_version=4).cells[0]
+    assert first.cell_type == "markdown"
+    assert first.source.startswith("# "), f"expected '# Title', got {first.source[:60]!r}"
+
+
+@each(LECTURES)
+def test_the_text_of_a_lecture_holds_no_html(path):
+    """Markdown prints, translates and reads aloud; HTML in it does so only by luck."""
+    for cell in nbformat.read(path, as_version=4).cells:
+        if cell.cell_type == "markdown":
+            assert not html_in(cell.source), f"write {html_in(cell.source)} as Markdown in\n\n{cell.source}"
+
+
+def html_in(markdown):
+    text = re.sub(r"```.*?```|`[^`]*`|\$\$.*?\$\$|\$[^$]*\$", "", markdown, flags=re.DOTALL)
+    return re.findall(r"</?[a-zA-Z][\w-]*(?:\s[^>]*)?/?>|<!--", text)
+
+
+@pytest.mark.parametrize("text", ["a <b>word</b>", "<br/>", '<img src="x.png">', "<!-- hidden -->"])
+def test_html_is_recognised(text):
+    assert html_in(text)
+
+
+@pytest.mark.parametrize("text", ["$a<b>c$", "`<b>`", "```\n<b>\n```", "0 < x", "<https://example.org>"])
+def test_what_only_looks_like_html_is_let_be(text):
+    assert not html_in(text)
+
+
+# --- as they run ---
+
+
+@cache
+def executed(path):
+    """The notebook with its outputs, and the seconds that it took: every test here reads the same run."""
+    notebook = nbformat.read(path, as_version=4)
+    start = time.perf_counter()
+    try:
+        NotebookClient(notebook, timeout=SECONDS, resources={"metadata": {"path": path.parent}}).execute()
+    except CellExecutionError as error:
+        pytest.fail(re.sub(r"\x1b\[[\d;]*m", "", str(error)), pytrace=False)
+    return notebook, time.perf_counter() - start
+
+
+@each(NOTEBOOKS)
+def test_a_notebook_runs_from_a_cold_kernel(path, record_property):
+    notebook, seconds = executed(path)
+    record_property(path.relative_to(ROOT).as_posix(), seconds)
+    outputs = list(outputs_of(notebook))
+    complaints = [output.text for output in outputs if output.get("name") == "stderr"]
+    assert not complaints, f"a student would ask what this means:\n{complaints[0]}"
+    silent = [what for output in outputs for what in without_alternative(output)]
+    assert not silent, f"these figures say nothing to who cannot see them: {silent}"
+    assert seconds < SECONDS, f"took {seconds:.0f} s, and students wait for at most {SECONDS}"
+
+
+@each(LECTURES)
+def test_every_number_in_the_prose_comes_from_a_cell(path):
+    """In the text, in the questions and in the blank steps of a lecture."""
+    cells = executed(path)[0].cells
+    seen = sources(cells)
+    unseen = {cell.id: numbers_without_source(cell.source, seen) for cell in cells if cell.cell_type == "markdown"}
+    for name, assumed, claims in asked_in(path):
+        unseen[name] = numbers_without_source(claims, seen | set(numbers_of(assumed)))
+    unseen = {place: numbers for place, numbers in unseen.items() if numbers}
+    assert not unseen, f"let a cell print these, or word the sentence without them: {unseen}"
+
+
+def asked_in(path):
+    """What a lecture asks elsewhere than in its text: name, what is assumed there, and what is said to be true."""
+    lecture = path.stem.partition("_")[0]
+    for name, item in questions().get(lecture, {}).items():
+        assumed = [item.text, *(option.text for option in item.options if not option.right)]
+        claims = [item.options[item.right].text, *(option.why for option in item.options)]
+        yield name, "\n".join(assumed), "\n".join(claims)
+    for number, step in lecture_steps().items():
+        if number.startswith(f"{lecture}."):
+            problem = step.variant("anybody")
+            yield number, "", "\n".join([problem.statement, *(wrong.message for wrong in problem.mistakes)])
+
+
+def outputs_of(notebook):
+    """What the cells show, and what the widgets in them show."""
+    for cell in notebook.cells:
+        yield from cell.get("outputs", [])
+    widgets = notebook.metadata.get("widgets", {}).get("application/vnd.jupyter.widget-state+json", {}).get("state", {})
+    for widget in widgets.values():
+        yield from widget.state.get("outputs", [])
+        if widget.model_name == "ImageModel":
+            yield nbformat.v4.new_output("display_data", {"image/png": "an Image widget takes no text alternative"})
+        elif isinstance(widget.state.get("value"), str):
+            yield nbformat.v4.new_output("display_data", {"text/html": widget.state.value})
+
+
+def without_alternative(output):
+    """The pictures in an output that have no words of their own."""
+    data = output.get("data", {})
+    if "text/html" not in data:
+        return [kind for kind in data if kind.startswith("image/")]
+    pictures = Pictures()
+    pictures.feed(data["text/html"])
+    return pictures.silent
+
+
+class Pictures(HTMLParser):
+    def __init__(self):
+        super().__init__()
+        self.silent = []
+
+    def handle_starttag(self, tag, attributes):
+        words = dict(attributes).get({"img": "alt", "svg": "aria-label"}.get(tag)) or ""
+        if tag in ("img", "svg") and len(words.strip()) < SHORTEST_ALTERNATIVE:
+            self.silent.append(f"<{tag}> with the words {words!r}")
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        {"image/png": "..."},
+        {"image/svg+xml": "<svg/>", "text/plain": "<Figure size 640x480>"},
+        {"text/html": '<img src="data:...">'},
+        {"text/html": '<img src="data:..." alt="a figure">'},
+        {"text/html": "<div><svg viewBox='0 0 1 1'></svg></div>"},
+    ],
+)
+def test_a_silent_picture_is_noticed(data):
+    assert without_alternative({"data": data})
+
+
+@pytest.mark.parametrize(
+    "data",
+    [
+        {"text/html": '<img alt="An RPR arm at home, its three axes drawn dashed" src="data:...">', "image/png": "..."},
+        {"text/html": '<svg aria-label="Two frames and the line between them"></svg>'},
+        {"text/plain": "42"},
+        {},
+    ],
+)
+def test_a_picture_with_words_is_let_be(data):
+    assert not without_alternative({"data": data})

@@ -1,0 +1,77 @@
+"""The course as one PDF: what pages say to each other, they say within it too."""
+
+import shutil
+import sys
+from pathlib import Path
+
+import pytest
+from browser import CHROMIUM, NONE
+
+SITE = Path(__file__).parents[2] / "site"
+sys.path.insert(0, str(SITE))
+
+from kinsite.book import book  # noqa: E402
+from pdf import write_pdf  # noqa: E402
+
+PAGE = """<html><body><nav>elsewhere</nav><article role="main" id="furo-main-content">
+<h1>{title}<a class="headerlink" href="#top">#</a></h1><p class="kinlib-bar"><a href="x">Download</a></p>{text}</article></body></html>"""
+ONE = """<p id="here"><a href="#here">here</a> <a href="two.html#there">there</a> <a href="../robots/arm.html#x">arm</a>
+<a href="https://example.org/">out</a><img loading="lazy" src="../_images/a.svg"></p>
+<div data-misstep-question="01/a" data-kind="check" data-right="2"><details><summary>A</summary>why</details></div>
+<div data-misstep-explain="01/b"><details><summary>Compare</summary>told</details></div>"""
+
+
+@pytest.fixture
+def built(tmp_path):
+    folder = tmp_path / "html"
+    (folder / "lectures").mkdir(parents=True)
+    shutil.copytree(SITE / "static", folder / "_static")
+    (folder / "lectures/one.html").write_text(PAGE.format(title="One", text=ONE))
+    (folder / "lectures/two.html").write_text(PAGE.format(title="Two", text='<p id="there">Two.</p>'))
+    return folder
+
+
+def made(built):
+    return book(built, "html", "https://course.example/", ["lectures/one.html", "lectures/two.html"])
+
+
+@pytest.mark.parametrize(
+    "part",
+    [
+        'id="lectures-one--here"><a href="#lectures-one--here">here',
+        'href="#lectures-two--there"',
+        'href="https://course.example/robots/arm.html#x"',
+        'href="https://example.org/"',
+        'src="html/_images/a.svg"',
+        '<li><a href="#lectures-two">Two</a></li>',
+        '<div data-misstep-explain="01/b"><details open>',
+        'data-right="2"><details><summary>A',
+        "in their order: 1 C.",
+    ],
+)
+def test_links_lead_within_the_document_or_to_the_site_and_answers_stand_at_the_end(built, part):
+    assert part in made(built)
+
+
+@pytest.mark.parametrize("part", ["elsewhere", "Download", "headerlink", "lazy"])
+def test_what_is_for_screens_is_left_out(built, part):
+    assert part not in made(built)
+
+
+@pytest.mark.skipif(CHROMIUM is None, reason=NONE)
+def test_chromium_prints_it(built, tmp_path):
+    (tmp_path / "book.html").write_text(made(built), "utf-8")
+    write_pdf(tmp_path / "book.html", tmp_path / "course.pdf")
+    printed = (tmp_path / "course.pdf").read_bytes()
+    assert printed.startswith(b"%PDF")
+    assert printed.count(b"/Type /Page\n") >= 3, "a title and two lectures"
+    assert b"/Outlines" in printed
+
+
+def test_without_a_chromium_it_says_what_to_do(monkeypatch, tmp_path):
+    import pdf
+
+    monkeypatch.setattr(pdf.shutil, "which", lambda _: None)
+    monkeypatch.delenv("KINLIB_CHROMIUM", raising=False)
+    with pytest.raises(SystemExit, match="KINLIB_CHROMIUM"):
+        pdf.write_pdf(tmp_path / "book.html", tmp_path / "course.pdf")

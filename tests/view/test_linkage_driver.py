@@ -1,0 +1,93 @@
+"""Closed chains in the viewer: every posture on the slider closes, and every way of assembling has its curve."""
+
+import json
+import re
+
+import numpy as np
+import pytest
+
+from kinlib.mechanisms.linkages import bennett, four_bar, slider_crank
+from kinlib.view import drive
+
+GRASHOF = four_bar(0.4, 0.1, 0.35, 0.3)
+START = GRASHOF.assembly_modes(hold={"A": 1.0})[0]
+
+
+@pytest.fixture(scope="module")
+def crank_rocker():
+    return drive(GRASHOF, START, across=("A", "D"))
+
+
+@pytest.mark.parametrize(
+    ("linkage", "guess", "curves"),
+    [
+        (GRASHOF, START, 2),  # Grashof: the coupler cannot change sides
+        (four_bar(0.4, 0.3, 0.25, 0.3), [1, 1, 2, 1], 1),  # not Grashof: one curve passes through both
+        (bennett(), [1, 2, 1, 2], 1),
+        (slider_crank(0.3, 0.8), [1, 0, 1, 0], 2),  # the slider on either side
+    ],
+    ids=["crank-rocker", "triple rocker", "Bennett", "slider-crank"],
+)
+def test_each_way_of_assembling_has_its_curve_and_every_point_closes(linkage, guess, curves):
+    shown = drive(linkage, linkage.assemble(guess).q)
+    assert len(shown.mode["curves"]) == curves
+    for curve in shown.mode["curves"]:
+        assert np.linalg.norm(linkage.residual(curve), axis=-1).max() < 1e-11
+
+
+def test_the_curves_are_those_that_the_cosine_law_gives(crank_rocker):
+    """The rocker's angle by trigonometry, on both sides of the diagonal BD."""
+    for curve in crank_rocker.mode["curves"]:
+        q = np.array(curve)
+        B = 0.1 * np.stack([np.cos(q[:, 0]), np.sin(q[:, 0])], axis=-1)
+        diagonal = np.linalg.norm(B - (0.4, 0), axis=-1)
+        towards = np.arctan2(B[:, 1], B[:, 0] - 0.4)
+        opening = np.arccos((0.3**2 + diagonal**2 - 0.35**2) / (2 * 0.3 * diagonal))
+        rocker = q[:, GRASHOF.names.index("D")]
+        miss = [np.abs(np.exp(1j * rocker) - np.exp(1j * (towards + side * opening))) for side in (1, -1)]
+        assert min(np.max(one) for one in miss) < 1e-12
+
+
+def test_a_crank_that_goes_round_is_cut_at_half_a_turn(crank_rocker):
+    for curve in crank_rocker.mode["curves"]:
+        crank = np.array(curve)[:, 0]
+        assert (np.diff(crank) > 0).all()
+        assert abs(crank[0] + np.pi) < 0.06
+        assert crank[-1] - crank[0] == pytest.approx(2 * np.pi)
+
+
+def test_it_begins_at_the_start(crank_rocker):
+    assert np.abs(np.exp(1j * np.array(crank_rocker.q)) - np.exp(1j * START)).max() < 0.03
+    assert crank_rocker.q in crank_rocker.mode["curves"][0]
+
+
+def test_it_says_what_is_seen_and_takes_its_place_on_a_page_without_a_kernel(crank_rocker):
+    page = crank_rocker._repr_mimebundle_()[0]
+    assert "C joins rocker and coupler" in page["text/plain"]
+    assert re.search(r'<img alt="four-bar with the bodies ground, crank', page["text/html"])
+    state = json.loads(re.search(r'<script type="application/json">(.*?)</script>', page["text/html"])[1])
+    assert state["mode"]["names"] == ["A", "D"]
+
+
+def test_a_name_that_the_linkage_does_not_have_is_refused():
+    with pytest.raises(ValueError, match=r"four-bar has joint values A, B, D, C; got 'E'"):
+        drive(GRASHOF, START, across=("A", "E"))
+
+
+def test_a_start_that_does_not_close_is_refused():
+    with pytest.raises(ValueError, match="Assemble first"):
+        drive(GRASHOF, [1.0, 0, 0, 0])
+
+
+def test_values_of_another_size_are_refused(crank_rocker):
+    with pytest.raises(ValueError, match="four-bar has 4 joint values"):
+        crank_rocker.q = [0.0, 0, 0]
+
+
+def test_curves_may_be_given_with_their_names():
+    curve = GRASHOF.trace(START, points=30).q
+    shown = drive(GRASHOF, START, curves=[curve], labels=["elbow up"])
+    assert shown.mode["labels"] == ["elbow up"]
+    assert shown.mode["closed"] == [True]
+    with pytest.raises(ValueError, match="curves"):
+        drive(GRASHOF, START, curves=[curve[:, :3]])

@@ -1,0 +1,332 @@
+"""The players and assign mode, as Python sees them: what the page is told, what it may say, and how frames are judged."""
+
+import json
+import re
+
+import numpy as np
+import pytest
+from traitlets import Bool, HasTraits
+
+import kinlib as kl
+from kinlib.chains.robots import pose
+from kinlib.dh.rules import check_frames
+from kinlib.rigid.lie import exp
+from kinlib.view import assign, play_assignment, play_row, play_walk
+from kinlib.view.figures.dh_row_figure import moves, walk
+from kinlib.view.viewer.assignment_player import cells
+from kinlib.view.viewer.candidates import candidates
+from kinlib.view.viewer.frames_by_hand import judged
+
+ARMS = [kl.robots.rpr(), kl.robots.youbot(), kl.robots.puma560(), kl.robots.angled_arm()]
+CONVENTIONS = ["standard", "modified"]
+ROW = [0.8, 0.6, 0.6, 1.4]
+WALK = [[0.6, -0.9, 0.4, 0.3], [0.5, 1.6, 0.4, 0.0]]
+
+each_arm = pytest.mark.parametrize("chain", ARMS, ids=lambda chain: chain.name)
+each_convention = pytest.mark.parametrize("convention", CONVENTIONS)
+
+
+class Answered(HasTraits):
+    """Anything with this trait can cover a viewer."""
+
+    committed = Bool(False)
+
+
+def state_of(viewer):
+    """What a page without a kernel is given."""
+    found = re.search(r'<script type="application/json">(.*?)</script>', viewer.html(), flags=re.DOTALL)
+    return json.loads(found[1])
+
+
+# --- the assignment player ---
+
+
+@each_arm
+@each_convention
+def test_the_page_is_told_every_step_and_every_frame(chain, convention):
+    told = play_assignment(chain, convention=convention).mode["conventions"][convention]
+    found = kl.assign_frames(chain, convention=convention)
+    assert [step["text"] for step in told["steps"]] == [step.text for step in found.steps]
+    np.testing.assert_array_equal(np.reshape(told["frames"], (-1, 4, 4)), found.frames)
+    assert set(told["steps"][-1]["letters"]) == {"Ozx"}
+
+
+@each_convention
+def test_a_step_lights_up_what_its_sentence_names(convention):
+    told = play_assignment(kl.robots.youbot(), convention=convention).mode["conventions"][convention]
+    by_title = {step["title"]: step for step in told["steps"]}
+    assert by_title["Axes 2 and 3"]["axes"] == [False, True, True, False, False]
+    assert by_title["Axes 2 and 3"]["normals"][1] is True
+    assert by_title["Axes 2 and 3"]["normals"][2:] == [None, None]
+    assert by_title["Origin O_2"]["lit"] == ["", "", "O", "", "", ""]
+    assert by_title["Axis x_2"]["lit"][2] == "x"
+    assert by_title["Axis y_2"]["lit"][2] == "y"
+    assert by_title["Frame 5, the last"]["lit"][5] == "Oxyz"
+    row = by_title["Row 2 of the table"]
+    assert [leg["name"] for leg in row["legs"]] == {"standard": ["a_2"], "modified": ["a_1"]}[convention]
+    assert row["row"] == 2
+
+
+@each_arm
+@each_convention
+def test_the_table_on_the_page_is_the_table(chain, convention):
+    """The cells, read back by the library's own reader of printed tables, move as the arm does."""
+    found = kl.assign_frames(chain, convention=convention)
+    head = "i | a | alpha | d | theta\n"
+    text = head + "\n".join(" | ".join([str(i), *row]) for i, row in enumerate(cells(found.table), 1)).replace("−", "-")
+    read = kl.DHTable(text, convention=convention)
+    np.testing.assert_allclose(read.rows, found.table.rows, atol=5e-4)
+    assert "".join(read.joints) == chain.letters
+
+
+def test_the_step_is_read_and_led_by_python_and_said_in_words():
+    player = play_assignment(kl.robots.youbot(), convention="standard", step=3)
+    assert "step 4 of 25" in player.alt
+    player.step = 24
+    assert "This table is the arm" in player.alt
+    player.convention = "modified"
+    assert "modified convention" in player.alt
+    assert state_of(player)["step"] == 24
+    assert state_of(player)["convention"] == "modified"
+
+
+@pytest.mark.parametrize("step", [-1, 25])
+def test_a_step_that_there_is_not_is_refused_and_the_old_one_stays(step):
+    player = play_assignment(kl.robots.youbot(), convention="standard", step=2)
+    with pytest.raises(ValueError, match="0 to 24"):
+        player.step = step
+    assert player.step == 2
+
+
+def test_a_helical_joint_has_no_player():
+    with pytest.raises(ValueError, match="helical"):
+        play_assignment(kl.robots.hrr(), convention="standard")
+
+
+@pytest.mark.parametrize(
+    "make",
+    [
+        lambda question: play_assignment(kl.robots.rpr(), convention="standard", after=question),
+        lambda question: play_row(ROW, after=question),
+        lambda question: play_walk(WALK, after=question),
+        lambda question: assign(kl.robots.rpr(), "standard", after=question),
+    ],
+    ids=["assignment", "row", "walk", "by hand"],
+)
+def test_it_stays_covered_until_the_prediction_is_committed(make):
+    question = Answered()
+    player = make(question)
+    assert player.covered
+    assert "<img" not in player.html()
+    question.committed = True
+    assert not player.covered
+    assert "<img" in player.html()
+
+
+@each_convention
+def test_a_normal_that_has_run_away_leaves_the_arm_in_view(convention):
+    leaning = (0, np.sin(1e-6), np.cos(1e-6))
+    joints = [((0, 0, 1), (0, 0, 0)), (leaning, (0.5, 0.1, 0.1)), ((1, 0, 0), (0.9, 0, 0.3))]
+    chain = kl.robots.arm(joints, pose(np.eye(3), (1, 0, 0.3)), "leaning arm", "a test")
+    player = play_assignment(chain, convention=convention)
+    assert player.scene["room"]["radius"] < 5
+
+
+# --- the row player ---
+
+
+def product(track, share=1.0):
+    """The motions of a track as the page multiplies them: exponentials of the screws, then where the frame starts."""
+    T = np.eye(4)
+    for motion in track["motions"]:
+        T = T @ exp(np.array(motion["screw"]) * motion["value"] * share)
+    return T @ np.reshape(track["stops"][0], (4, 4))
+
+
+@pytest.mark.parametrize("row", [ROW, [0, 0, 0, 0], [-0.5, -2, 0, 3], [0, 1, -0.4, 0]])
+def test_the_motions_end_where_the_row_does_in_either_convention(row):
+    """The product of exponentials against kl.dh_transform, which multiplies matrices."""
+    for track in play_row(row).mode["tracks"]:
+        start = np.reshape(track["stops"][0], (4, 4))
+        expected = start @ kl.dh_transform(*row, convention=track["title"])
+        np.testing.assert_allclose(product(track), expected, rtol=0, atol=1e-14)
+        np.testing.assert_allclose(
+            np.reshape(track["stops"], (-1, 4, 4)), start @ moves(row, track["title"]), atol=1e-15
+        )
+
+
+def test_a_walk_is_one_screw_motion_a_piece():
+    track = play_walk(WALK).mode["tracks"][0]
+    assert [motion["symbol"] for motion in track["motions"]] == ["Z_1", "X_1", "Z_2", "X_2"]
+    np.testing.assert_allclose(product(track), walk(WALK)[-1], rtol=0, atol=1e-14)
+    assert [flag["name"] for flag in track["flags"]] == ["0", "1 mod", "1 std", "2 mod", "2 std"]
+    half = exp(np.array(track["motions"][1]["screw"]) * track["motions"][1]["value"] / 2)
+    there = kl.dh_transform(0.3, -0.45, 0, 0, convention="standard")
+    np.testing.assert_allclose(
+        half, there, atol=1e-14
+    )  # half a screw motion turns half the angle and climbs half the way
+
+
+def test_each_motion_says_what_it_does_with_its_number():
+    standard, modified = play_row(ROW).mode["tracks"]
+    assert [motion["symbol"] for motion in standard["motions"]] == ["R_z(theta)", "T_z(d)", "T_x(a)", "R_x(alpha)"]
+    assert [motion["symbol"] for motion in modified["motions"]] == ["R_x(alpha)", "T_x(a)", "R_z(theta)", "T_z(d)"]
+    assert "80.21°" in standard["motions"][0]["text"]
+    assert "0.6 m" in modified["motions"][3]["text"]
+
+
+@pytest.mark.parametrize(
+    ("player", "said"),
+    [
+        (play_row(ROW, convention="standard", done=2), "after theta about z, d along z"),
+        (play_row(ROW, convention="modified", done=1), "One DH row, motion 1 of 4. Modified: about x by alpha"),
+        (play_row(ROW, done=4), "two conventions, motion 4 of 4"),
+        (play_walk(WALK, done=3), "The walk Z1 X1 Z2."),
+    ],
+    ids=["standard", "modified", "both", "walk"],
+)
+def test_a_row_says_in_words_how_far_it_is(player, said):
+    assert said in player.alt
+    assert state_of(player)["done"] == player.done
+
+
+@pytest.mark.parametrize("done", [-0.1, 4.5, np.nan])
+def test_more_motions_than_there_are_are_refused(done):
+    with pytest.raises(ValueError, match="done counts the motions that are done, 0 to 4"):
+        play_row(ROW, done=done)
+
+
+def test_two_rows_are_no_row():
+    with pytest.raises(ValueError, match=r"one row, of shape \(4,\); got \(2, 4\)"):
+        play_row(WALK)
+
+
+# --- frames by hand ---
+
+
+@each_arm
+@each_convention
+def test_a_right_assignment_can_be_picked_from_what_is_offered(chain, convention):
+    """Each axis, origin and x of the library's own assignment is among the candidates, or lies on an axis."""
+    offered = candidates(chain)
+    for T in kl.assign_frames(chain, convention=convention).frames:
+        near = [np.linalg.norm(np.array(z["along"]) - T[:3, 2]) for z in offered["z"]]
+        assert min(near) < 1e-9
+        lines = [np.linalg.norm(np.cross(T[:3, 3] - axis["point"], axis["along"])) for axis in offered["axes"]]
+        points = [np.linalg.norm(np.array(point["at"]) - T[:3, 3]) for point in offered["points"]]
+        assert min(*lines, *points) < 1e-9
+        assert min(np.linalg.norm(np.array(x["along"]) - T[:3, 0]) for x in offered["x"]) < 1e-9
+
+
+def test_each_place_is_offered_once_with_all_its_names():
+    offered = candidates(kl.robots.youbot())
+    for key, at in (("points", "at"), ("x", "along")):
+        places = np.array([one[at] for one in offered[key]])
+        apart = np.linalg.norm(places[:, None] - places, axis=-1) + np.eye(len(places))
+        assert apart.min() > 1e-9
+
+
+def test_the_page_is_not_told_the_answer():
+    arm = assign(kl.robots.puma560(), "standard").scene["arms"][0]
+    assert set(arm["frames"]) == {"base", "tool"}
+    assert arm["normals"] == []
+    assert all(len(path) == 2 for path in arm["links"])  # straight: a link that bends would show the normal
+
+
+@each_arm
+@each_convention
+def test_a_right_assignment_is_called_right_and_its_table_is_the_arm(chain, convention):
+    hand = assign(chain, convention, frames=kl.assign_frames(chain, convention=convention).frames)
+    assert hand.breaches == []
+    assert kl.equivalent(hand.table, chain)
+    hand.asked += 1
+    assert hand.verdict["asked"] == 1
+    assert hand.verdict["breaches"] == []
+    assert len(hand.verdict["table"]) == chain.n
+    assert hand.verdict["off"] < 1e-9
+
+
+@each_convention
+def test_a_z_turned_round_is_right_and_its_joint_counts_the_other_way(convention):
+    """Every z and every x turned round, by half a turn about y: the rules hold, and the table moves alike with -q."""
+    chain = kl.robots.puma560()
+    frames = kl.assign_frames(chain, convention=convention).frames @ np.diag([-1, 1, -1, 1])
+    hand = assign(chain, convention, frames=frames)
+    hand.asked = 1
+    assert hand.verdict["breaches"] == []
+    assert all("−q" in row[3] for row in hand.verdict["table"])
+    assert hand.verdict["off"] < 1e-12
+
+
+@each_convention
+def test_a_broken_rule_is_told_at_the_joint_where_it_is_broken(convention):
+    chain = kl.robots.youbot()
+    frames = kl.assign_frames(chain, convention=convention).frames.copy()
+    i = 2
+    frames[i, :3, 3] += 0.1 * frames[i, :3, 1]
+    hand = assign(chain, convention, frames=frames)
+    hand.asked = 1
+    told = hand.verdict["breaches"]
+    assert [b.text for b in check_frames(chain, frames, convention)] == [one["text"] for one in told]
+    assert {"frame": 2, "rule": "origin on axis", "joint": 3 if convention == "standard" else 2}.items() <= told[
+        0
+    ].items()
+    assert hand.verdict["table"] == []
+    assert hand.table is None
+
+
+@each_convention
+@pytest.mark.parametrize("missing", [0, 1, 3, 5])
+def test_frames_that_are_not_finished_are_not_judged_and_spoil_no_other(convention, missing):
+    chain = kl.robots.youbot()
+    frames = kl.assign_frames(chain, convention=convention).frames.copy()
+    frames[missing, :3, 0] = np.nan
+    assert judged(chain, frames, convention) == []
+    other = 4 if missing != 4 else 2
+    frames[other, :3, :2] *= -1
+    frames[other, :3, 1] *= -1
+    assert {breach.frame for breach in judged(chain, frames, convention)} == {other}
+
+
+def test_frames_go_to_the_page_and_come_back_with_what_is_open():
+    hand = assign(kl.robots.rpr(), "standard")
+    sent = state_of(hand)["frames"]
+    assert sent[0] == [[None] * 4, [None] * 4, [None] * 4, [0, 0, 0, 1]]
+    sent[0][0][2] = 0.25
+    hand.set_state({"frames": sent})
+    assert hand.frames[0, 0, 2] == 0.25
+    assert np.isnan(hand.frames[0, 1, 2])
+    assert "No frame is placed yet." in hand.alt
+    hand.frames = kl.assign_frames(kl.robots.rpr(), convention="standard").frames
+    assert "Frame 3 at" in hand.alt
+
+
+@pytest.mark.parametrize(
+    ("frames", "message"),
+    [
+        (np.eye(4), r"shape \(4, 4, 4\).*got \(4, 4\)"),
+        ("soon", "should be numbers"),
+        ([[1, 2], [3]], "should be numbers"),
+    ],
+)
+def test_what_are_no_frames_is_refused(frames, message):
+    with pytest.raises(ValueError, match=message):
+        assign(kl.robots.rpr(), "standard", frames=frames)
+    with pytest.raises(ValueError, match="convention"):
+        assign(kl.robots.rpr(), "common")
+
+
+@pytest.mark.parametrize("missing", [[1], [0, 3]], ids=["one", "two"])
+def test_a_sheet_says_which_frames_are_not_placed_and_what_to_do(missing):
+    from kincourse import open_sheet
+
+    sheet = open_sheet("07_frame_assignment", "ada")
+    given = sheet.given(2)
+    chain = kl.Chain(given.screws, given.home, given.points)
+    frames = kl.assign_frames(chain, convention="standard").frames.copy()
+    frames[missing, :3, 0] = np.nan
+    pasted = [... if i in missing else T for i, T in enumerate(frames)]
+    for answer in (frames, pasted, assign(chain, "standard", frames=frames).frames):
+        verdict = sheet.check(2, answer)
+        assert verdict.judgement.fraction == 0
+        assert f"{', '.join(map(str, missing))}. If you placed them by hand, press Copy" in repr(verdict)

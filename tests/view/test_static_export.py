@@ -1,0 +1,90 @@
+"""Pages without a kernel: questions carry their explanations and sliders their pictures, and nowhere else do they."""
+
+from html.parser import HTMLParser
+
+import pytest
+
+from kincourse import explain, find
+from kinlib.chains.robots import rpr
+from kinlib.view import explore, slide
+from kinlib.view.drawing import plot
+from kinlib.view.drawing.static_export import VARIABLE
+from misstep.questions import question
+from misstep.questions.question import _lectures
+
+ALL = [f"{lecture}/{key}" for lecture, items in _lectures().items() for key in items]
+VOID = {"br", "img", "input"}
+
+
+class Tags(HTMLParser):
+    """Reads HTML strictly: each tag that opens closes, in order."""
+
+    def __init__(self, text):
+        super().__init__()
+        self.open, self.words, self.attributes = [], "", []
+        self.feed(text)
+        self.close()
+        assert not self.open, f"never closed: {self.open}"
+
+    def handle_starttag(self, tag, attributes):
+        self.attributes.append(dict(attributes))
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_endtag(self, tag):
+        assert self.open.pop() == tag
+
+    def handle_data(self, data):
+        self.words += data
+
+
+@pytest.fixture
+def page(monkeypatch):
+    monkeypatch.setenv(VARIABLE, "1")
+
+
+def still(shown):
+    bundle = shown._repr_mimebundle_()
+    return (bundle[0] if isinstance(bundle, tuple) else bundle).get("text/html", "")
+
+
+def line(slope):
+    return plot([0, 1], {"line": [0, slope]}, xlabel="x", ylabel="y", alt=f"A line through 0 whose slope is {slope}.")
+
+
+@pytest.mark.parametrize("name", ALL)
+def test_every_question_stands_for_itself_on_a_page(name, page):
+    """Whoever reads without a script finds each option and why it is right or wrong, and the page stays well formed."""
+    item = find(name)
+    asked = Tags(still(ask(name)))
+    told = Tags(still(explain(name))) if item.kind == "predict" else asked
+    plain = [text.replace("`", "") for option in item.options for text in (option.text, option.why)]
+    assert all(text in told.words for text in plain)
+    assert all(option.text.replace("`", "") in asked.words for option in item.options)
+    question = next(found for found in asked.attributes if "data-misstep-question" in found)
+    assert (question["data-misstep-question"], int(question["data-right"])) == (name, item.right)
+
+
+def test_a_prediction_keeps_its_explanations_back(page):
+    item = find("03/order")
+    assert not any(option.why in Tags(still(ask("03/order"))).words for option in item.options)
+
+
+def test_a_notebook_in_a_lab_does_not_hold_the_answers(monkeypatch):
+    """A student saves it, and opens it again: the explanations shall not lie in the file beside the question."""
+    monkeypatch.delenv(VARIABLE, raising=False)
+    assert still(ask("03/check-1")) == still(explain("03/order")) == still(slide(line, "slope", [1, 2])) == ""
+
+
+def test_a_slider_carries_a_picture_for_each_value(page):
+    held = Tags(still(slide(line, "slope", [1, 2, 5], start=1)))
+    frames = [found for found in held.attributes if "data-value" in found]
+    assert [(frame["data-value"], "hidden" in frame) for frame in frames] == [("1", True), ("2", False), ("5", True)]
+    assert [found["alt"][-2:] for found in held.attributes if "alt" in found] == ["1.", "2.", "5."]
+
+
+def test_what_waits_for_a_prediction_names_it(page):
+    question = ask("03/order")
+    for waiting in (slide(line, "slope", [1, 2], after=question), explore(rpr(), after=question)):
+        assert Tags(still(waiting)).attributes[0]["data-kinlib-after"] == "03/order"
+    assert "data-kinlib-after" not in still(explore(rpr()))

@@ -1,0 +1,268 @@
+"""What people look at: every drawing has words, every message is harmless, every slider does what it says."""
+
+import base64
+import re
+import subprocess
+import sys
+from itertools import combinations
+from pathlib import Path
+from xml.etree import ElementTree as ET
+
+import numpy as np
+import pytest
+from matplotlib import pyplot as plt
+from strategies import ROBOTS
+from traitlets import Bool, HasTraits
+
+import kinlib as kl
+from kinlib.view import Picture, draw_arm, draw_frames, draw_joints, slide
+from kinlib.view.drawing import plot
+from kinlib.view.drawing.canvas import Canvas, _hull
+from kinlib.view.figures.joints import _carried_axes, shifts
+from misstep.card import TONES, Card
+
+ROOT = Path(__file__).parents[2]
+
+each_robot = pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
+
+
+def svg(picture):
+    """The drawing inside the HTML that a page shows."""
+    return base64.b64decode(re.search(r"base64,([^\"]+)", picture.html())[1]).decode()
+
+
+# --- drawings ---
+
+
+@each_robot
+@pytest.mark.parametrize("draw", [draw_arm, draw_joints])
+def test_every_robot_is_drawn_with_words_that_say_what_is_seen(robot, draw):
+    picture = draw(robot)
+    assert robot.name in picture.alt
+    assert f"{robot.n} joints ({robot.letters})" in picture.alt
+    assert "<svg" in svg(picture)
+    assert len(picture.html()) < 100_000
+
+
+@each_robot
+def test_a_drawing_shows_the_configuration_that_it_is_given(robot):
+    q = np.linspace(0.2, 0.8, robot.n)
+    assert svg(draw_arm(robot, q)) != svg(draw_arm(robot))
+    x = robot.fk(q)[0, 3]
+    assert f"The tool is at ({x:.3g}" in draw_arm(robot, q).alt or abs(x) < 1e-3
+
+
+@each_robot
+@pytest.mark.parametrize("draw", [draw_arm, draw_joints])
+def test_no_name_in_a_drawing_covers_another_or_leaves_the_sheet(robot, draw):
+    texts = ET.fromstring(draw(robot).svg).findall(".//{http://www.w3.org/2000/svg}text")
+    boxes = []
+    for text in texts:
+        size = float(text.get("font-size"))
+        half = np.array([0.25 * len("".join(text.itertext())), 0.4]) * size
+        centre = np.array([float(text.get("x")), float(text.get("y")) - 0.35 * size])
+        assert (centre - half > 0).all()
+        assert (centre + half < (640, 440)).all()
+        boxes.append((centre - half, centre + half))
+    covered = [
+        (a, b)
+        for a, b in combinations(range(len(boxes)), 2)
+        if (boxes[a][0] < boxes[b][1]).all() and (boxes[b][0] < boxes[a][1]).all()
+    ]
+    assert not [("".join(texts[a].itertext()), "".join(texts[b].itertext())) for a, b in covered]
+
+
+def test_joints_on_one_axis_stand_side_by_side():
+    """RPPR's first two joints share point and axis: drawn there, the one would hide the other."""
+    robot = kl.robots.rppr()
+    frames = robot.link_poses(np.zeros(4))
+    moved = shifts(_carried_axes(robot, frames), frames[:, :3, 3])
+    assert moved.tolist() == [-0.5, 0.5, 0, 0]
+
+
+def test_a_name_says_its_letters_and_nothing_to_the_browser():
+    canvas = Canvas([(0, 0, 0), (1, 1, 1)])
+    canvas.label((0, 0, 0), "<script>&", "black")
+    canvas.label((1, 1, 1), r"$\theta_{12}$", "black")
+    said = ["".join(text.itertext()) for text in ET.fromstring(canvas.picture("Two names, no more.." * 2).svg).iter()]
+    assert "<script>&" in said
+    assert "θ12" in said
+
+
+@pytest.mark.parametrize(("end", "marks"), [((0, 0, 1), 2), ((0, 0, -1), 1)])
+def test_an_arrow_seen_end_on_is_a_ring_with_a_dot_or_a_cross(end, marks):
+    canvas = Canvas([(-1, -1, -1), (1, 1, 1)], view="top")
+    canvas.arrow((0, 0, 0), end)
+    assert canvas.picture("An arrow, seen from its tip or its feathers.").svg.count("<circle") == marks
+
+
+def test_a_robot_without_length_is_drawn_all_the_same():
+    still = kl.Chain(np.array([[0, 0, 1, 0, 0, 0.0]]), np.eye(4), name="pivot")
+    assert "nan" not in draw_arm(still).svg + draw_joints(still).svg
+
+
+def test_the_same_drawing_is_the_same_text():
+    """So that a rebuilt page differs where its pictures do, and nowhere else."""
+    assert draw_arm(kl.robots.rpr()).svg == draw_arm(kl.robots.rpr()).svg
+
+
+@pytest.mark.parametrize("shown", ["axes", "home axes", "body axes", "links", "base", "tool"])
+def test_each_thing_to_show_adds_to_the_drawing(shown):
+    q = [0.5, 0.5, 0.5]
+    assert len(draw_arm(kl.robots.rpr(), q, show=[shown]).svg) > len(draw_arm(kl.robots.rpr(), q, show=[]).svg)
+
+
+def test_something_to_show_that_there_is_not_is_refused():
+    with pytest.raises(ValueError, match=r"show knows axes, .*; got 'wheels'"):
+        draw_arm(kl.robots.rpr(), show=["wheels"])
+
+
+def test_a_view_that_there_is_not_is_refused():
+    with pytest.raises(ValueError, match=r"view should be one of default, front.*'behind'"):
+        draw_arm(kl.robots.rpr(), view="behind")
+
+
+def test_a_ghost_is_drawn_too():
+    assert len(draw_arm(kl.robots.rpr(), ghost=[1, 1, 1]).svg) > len(draw_arm(kl.robots.rpr()).svg)
+
+
+def test_frames_are_named_and_placed_in_words():
+    T = kl.exp([0, 0, np.pi / 2, 0, 0, 0])
+    T[:3, 3] = 1, 2, 3
+    alt = draw_frames({"s": np.eye(4), "b": T}, {"p": (1, 0, 0)}).alt
+    assert alt == (
+        "Frame {s} at (0, 0, 0). Frame {b} at (1, 2, 3), its x along (0, 1, 0), its z along (0, 0, 1). Point p at (1, 0, 0)."
+    )
+
+
+def test_frames_that_are_no_poses_are_refused_by_name():
+    with pytest.raises(ValueError, match="frame b is not rigid"):
+        draw_frames({"b": np.diag([2.0, 1, 1, 1])})
+    with pytest.raises(ValueError, match="at least one pose"):
+        draw_frames({})
+
+
+def test_a_picture_without_words_is_refused():
+    with pytest.raises(ValueError, match=r"at least 20 characters; got 'arm'.*telephone"):
+        Picture("<svg/>", "arm")
+
+
+def test_words_cannot_break_out_of_the_page():
+    assert '"><script>' not in Picture("<svg/>", 'twenty characters and "><script>alert(1)</script>').html()
+
+
+def test_a_plot_refuses_what_it_cannot_tell_apart():
+    curves = {str(k): [0, 1] for k in range(6)}
+    with pytest.raises(ValueError, match="tells up to 5 curves apart; got 6"):
+        plot([0, 1], curves, xlabel="x", ylabel="y", alt="Six curves, too many to tell apart.")
+
+
+def test_a_plot_refuses_a_curve_of_another_length():
+    with pytest.raises(ValueError, match=r"curve 'a' should have the shape of x, \(2,\); got \(3,\)"):
+        plot([0, 1], {"a": [0, 1, 2]}, xlabel="x", ylabel="y", alt="A curve of another length.")
+
+
+def test_nothing_is_left_open():
+    draw_arm(kl.robots.rpr())
+    plot([0, 1], {"a": [0, 1]}, xlabel="x", ylabel="y", alt="A line from 0 to 1, and no more.")
+    assert plt.get_fignums() == []
+
+
+def test_the_hull_of_a_square_with_points_inside_is_the_square():
+    inside = np.random.default_rng(0).uniform(0.1, 0.9, (20, 2))
+    corners = [(0, 0), (1, 0), (1, 1), (0, 1)]
+    assert {tuple(p) for p in _hull(np.concatenate([inside, corners]))} == set(corners)
+
+
+def test_an_arm_is_drawn_without_waiting_for_matplotlib():
+    """Loading it takes a second in the lab and three in the browser; only curves need it."""
+    script = "import sys; from kinlib.view import draw_arm; from kinlib.chains.robots import rpr; draw_arm(rpr()); print(*sys.modules)"
+    done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True, cwd=ROOT)
+    assert not {"matplotlib", "ipywidgets"} & set(done.stdout.split())
+
+
+# --- cards ---
+
+
+@pytest.mark.parametrize("tone", TONES)
+def test_a_card_says_its_tone_without_colour(tone):
+    card = Card(tone, "A title", ["A line."])
+    assert TONES[tone][0] in card.html()
+    assert TONES[tone][0] in card.text()
+    assert 'role="status"' in card.html()
+
+
+@pytest.mark.parametrize("tone", TONES)
+def test_a_title_stands_out_from_its_paper(tone):
+    """Contrast by WCAG 2: at least 4.5."""
+
+    def luminance(colour):
+        shares = np.array([int(colour[k : k + 2], 16) for k in (1, 3, 5)]) / 255
+        return np.where(shares <= 0.04045, shares / 12.92, ((shares + 0.055) / 1.055) ** 2.4) @ (0.2126, 0.7152, 0.0722)
+
+    _, ink, paper = TONES[tone]
+    assert (luminance(paper) + 0.05) / (luminance(ink) + 0.05) >= 4.5
+
+
+def test_a_message_cannot_run_code_on_the_page():
+    card = Card("wrong", "<b>", ["<script>alert(1)</script> and `<i>`", ("pre", "</pre><script>")])
+    assert "<script>" not in card.html()
+    assert "<i>" not in card.html()
+    assert "<b>" not in card.html()
+
+
+def test_code_and_formulas_reach_the_page():
+    html = Card("note", "n", ["try `x.T`, for $a < b$"]).html()
+    assert ">x.T</code>" in html
+    assert "$a &lt; b$" in html
+
+
+def test_an_unknown_tone_is_refused():
+    with pytest.raises(ValueError, match=r"tone should be one of right.*'green'"):
+        Card("green", "A title")
+
+
+# --- widgets ---
+
+
+class Answered(HasTraits):
+    """Anything with this trait can cover a widget."""
+
+    committed = Bool(False)
+
+
+def a_line(slope):
+    return plot([0, 1], {"line": [0, slope]}, xlabel="x", ylabel="y", alt=f"A line through 0 of slope {slope}.")
+
+
+def test_a_widget_stays_covered_until_the_prediction_is_committed():
+    question = Answered()
+    box = slide(a_line, "slope", [1, 2], after=question)
+    assert "Commit to your prediction" in box.children[0].value
+    assert "<img" not in box.children[0].value
+    question.committed = True
+    assert "<img" in box.children[0].children[0].value
+
+
+def test_who_insists_may_look_and_nothing_is_recorded():
+    question = Answered()
+    box = slide(a_line, "slope", [1, 2], after=question)
+    box.children[1].click()
+    told, inside = box.children
+    assert "Nothing was recorded" in told.value
+    assert "<img" in inside.children[0].value
+    assert not question.committed
+    question.committed = True
+    assert box.children == (inside,)
+
+
+def test_a_slide_draws_the_value_that_it_stands_on():
+    box = slide(a_line, "slope", [1, 2, 3])
+    assert "slope 1." in box.children[0].value
+    box.children[1].value = 2
+    assert "slope 3." in box.children[0].value
+
+
+def test_a_slide_needs_somewhere_to_go():
+    with pytest.raises(ValueError, match="at least one value"):
+        slide(lambda _: None, "nothing", [])

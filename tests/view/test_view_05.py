@@ -1,0 +1,52 @@
+"""The drawings of lecture 05: one row with its four numbers, and a table as its frames."""
+
+import pytest
+
+import kinlib as kl
+from kincourse.lecture_05_dh_standard.blanks import POSTURE, YOUBOT
+from kinlib.view.figures.dh_table_figure import draw_row, draw_table
+
+ROW = [0.8, 0.6, 0.5, 1.4]
+
+
+@pytest.mark.parametrize("done", range(5))
+def test_a_row_says_how_far_its_frame_has_come(done):
+    alt = draw_row(ROW, done).alt
+    expected = [(0, 0, 0), (0, 0, 0), (0, 0, 0.5), (0.136, 0.788, 0.5), (0.136, 0.788, 0.5)][done]
+    assert f"The frame is at ({', '.join(f'{x:g}' for x in expected)})" in alt
+    assert ("before the first motion" in alt) == (done == 0)
+
+
+@pytest.mark.parametrize("done", [-1, 5, None])
+def test_a_row_has_four_motions(done):
+    with pytest.raises(ValueError, match="done counts the motions of a row, 0 to 4"):
+        draw_row(ROW, done)
+
+
+def test_a_row_of_another_size_is_refused():
+    with pytest.raises(ValueError, match=r"row should have shape \(..., 4\)"):
+        draw_row([1, 2, 3])
+
+
+def test_the_words_of_a_table_say_where_each_frame_is():
+    alt = draw_table(YOUBOT, POSTURE).alt
+    hand = YOUBOT.fk(POSTURE)[:3, 3]
+    assert alt.count("Frame") == 6
+    assert f"Frame 5 at ({hand[0]:.3g}, 0, {hand[2]:.3g})" in alt
+
+
+@pytest.mark.parametrize("convention", ["standard", "modified"])
+@pytest.mark.parametrize("options", [{}, {"numbers": True}, {"path": False}], ids=str)
+def test_any_table_can_be_drawn(convention, options):
+    far = kl.exp([0.3, 0.2, 0.1, 1, 2, 3])
+    table = kl.DHTable(
+        [[0, 0, 0, 0], [1, 2, 3, 1], [0, 0, 0.5, 0]], convention=convention, joints="RPF", base=far, tool=far
+    )
+    svg = draw_table(table, [0.3, 0.4], **options).svg
+    assert "nan" not in svg
+    assert "{s}" in svg
+    assert "{b}" in svg
+
+
+def test_a_table_that_starts_in_s_has_no_second_frame_there():
+    assert "{s}" not in draw_table(YOUBOT).svg

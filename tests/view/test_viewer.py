@@ -1,0 +1,197 @@
+"""The viewer, as Python sees it: what it is told of an arm, what it refuses, and what a page without a kernel gets."""
+
+import gzip
+import json
+import re
+from pathlib import Path
+
+import modern_robotics as mr
+import numpy as np
+import pytest
+from scipy.linalg import null_space
+from scipy.spatial import distance
+from strategies import ROBOTS, configurations
+from traitlets import Bool, HasTraits
+
+import kinlib as kl
+from kinlib.view import explore
+from kinlib.view.viewer.scene import LAYERS, branch, extent, link_paths, scene
+from kinlib.view.viewer.viewer import STATIC
+
+ROOT = Path(__file__).parents[2]
+
+each_robot = pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
+
+
+class Answered(HasTraits):
+    """Anything with this trait can cover a viewer."""
+
+    committed = Bool(False)
+
+
+# --- what it is told ---
+
+
+@each_robot
+def test_the_links_run_from_the_base_over_every_joint_to_the_tool(robot):
+    paths = link_paths(robot)
+    stations = [np.zeros(3), *robot.joint_points, robot.home[:3, 3]]
+    for path, start, end in zip(paths, stations[:-1], stations[1:], strict=True):
+        np.testing.assert_allclose(path[0], start, atol=1e-12)
+        np.testing.assert_allclose(path[-1], end, atol=1e-9)
+
+
+@pytest.mark.oracle("modern_robotics", branch, scene)
+@each_robot
+def test_what_the_page_is_told_moves_as_modern_robotics_says(robot):
+    """The page turns each body about its screw: from the data alone, the tool goes where the arm's own goes."""
+    q = configurations(robot, 3)
+    told = scene(robot, np.zeros(robot.n))
+    for arm in (branch(robot, range(robot.n)), told["arms"][0]):
+        axes = np.transpose([joint["screw"] for joint in arm["joints"]])
+        for row in q:
+            found = mr.FKinSpace(np.reshape(arm["home"], (4, 4)), axes, row)
+            np.testing.assert_allclose(found, mr.FKinSpace(robot.home, robot.screws.T, row), rtol=0, atol=1e-12)
+
+
+@pytest.mark.oracle("scipy", extent, link_paths)
+@each_robot
+def test_an_arm_is_as_long_as_scipy_measures_it_and_its_links_lead_along_the_shortest_way(robot):
+    """The longest side by SciPy's Chebyshev distance; a bend of a link is a foot of the shortest way between two axes."""
+    stations = np.array([np.zeros(3), *robot.joint_points, robot.home[:3, 3]])
+    assert extent(robot) == pytest.approx(distance.pdist(stations, "chebyshev").max(), rel=1e-12)
+    axes = np.array([(0, 0, 1), *robot.lines.axis])
+    for i, path in enumerate(link_paths(robot)[:-1]):
+        off = cdist_to_lines(path, stations[[i, i + 1]], axes[[i, i + 1]])
+        np.testing.assert_allclose(path[[0, -1]], stations[[i, i + 1]], atol=1e-9)
+        if len(path) > 2:
+            assert off.min(axis=1).max() < 1e-9
+
+
+def cdist_to_lines(points, feet, axes):
+    """How far points (k, 3) are from two lines, (k, 2): what SciPy's null space leaves of the way there."""
+    across = [null_space(axis[None]) for axis in axes]
+    return np.stack([np.linalg.norm((points - foot) @ N, axis=1) for foot, N in zip(feet, across, strict=True)], axis=1)
+
+
+@each_robot
+def test_every_frame_that_can_be_shown_rides_on_a_body_of_the_arm(robot):
+    arm = explore(robot).scene["arms"][0]
+    for frames in arm["frames"].values():
+        for frame in frames:
+            assert 0 <= frame["body"] <= robot.n
+            kl.inverse(np.reshape(frame["pose"], (4, 4)))  # refuses what is not rigid
+    assert ("standard" in arm["frames"]) == ("H" not in robot.letters)
+
+
+@each_robot
+def test_dh_frames_are_those_of_the_assignment(robot):
+    if "H" in robot.letters:
+        return
+    shown = {f["name"]: f["pose"] for f in explore(robot).scene["arms"][0]["frames"]["modified"]}
+    for i, T in enumerate(kl.assign_frames(robot, convention="modified").frames):
+        np.testing.assert_array_equal(np.reshape(shown[str(i)], (4, 4)), T)
+
+
+def test_sliders_take_the_limits_of_the_arm_and_what_is_common_where_there_are_none():
+    rpr = kl.robots.rpr()
+    limited = kl.Chain(rpr.screws, rpr.home, limits=[(-1, 2), (-np.inf, np.inf), (0, np.inf)])
+    ends = [(s["low"], s["high"]) for s in explore(limited).scene["sliders"]]
+    assert ends == [(-1, 2), (-1, 1), (0, np.pi)]
+    assert explore(limited).scene["limits"] == [[-1, 2], [None, None], [0, None]]
+
+
+def test_only_the_joints_asked_for_get_sliders_with_their_units():
+    sliders = explore(kl.robots.rpr(), joints=[2, 3], span=(0, 1)).scene["sliders"]
+    assert [(s["name"], s["unit"], s["low"], s["high"]) for s in sliders] == [("q_2", "m", 0, 1), ("q_3", "rad", 0, 1)]
+
+
+# --- what it refuses ---
+
+
+def test_a_start_outside_its_span_or_of_another_size_is_refused():
+    with pytest.raises(ValueError, match=r"hold the start of joint 1, 0; got 10 to 90. Is one in degrees"):
+        explore(kl.robots.rpr(), joints=[1], span=(10, 90))
+    with pytest.raises(ValueError, match="RPR has 3 joints"):
+        explore(kl.robots.rpr(), start=[0, 0])
+
+
+def test_a_joint_that_the_arm_does_not_have_is_refused():
+    with pytest.raises(ValueError, match="RPR has joints 1 to 3; got 4"):
+        explore(kl.robots.rpr(), joints=[4])
+
+
+@pytest.mark.parametrize("trait", ["q", "ghost", "start"])
+@pytest.mark.parametrize("values", [[1, 2], [1, 2, np.nan]])
+def test_values_that_the_arm_cannot_take_are_refused_and_the_old_ones_stay(trait, values):
+    arm = explore(kl.robots.rpr(), start=[0.1, 0.2, 0.3], ghost=[0.1, 0.2, 0.3])
+    with pytest.raises(ValueError, match=r"RPR has 3 joints|NaN"):
+        setattr(arm, trait, values)
+    assert getattr(arm, trait) == [0.1, 0.2, 0.3]
+
+
+def test_a_layer_that_there_is_not_is_refused():
+    with pytest.raises(ValueError, match=r"show knows axes, .*; got 'wheels'"):
+        explore(kl.robots.rpr(), show=["wheels"])
+
+
+# --- what it does ---
+
+
+def test_values_may_be_an_array():
+    arm = explore(kl.robots.rpr())
+    arm.q = np.array([1, 2, 3])
+    assert arm.q == [1.0, 2.0, 3.0]
+    assert "at q = (1, 2, 3)" in arm.alt
+
+
+def test_it_stays_covered_until_the_prediction_is_committed():
+    question = Answered()
+    arm = explore(kl.robots.rpr(), joints=[1], after=question)
+    assert arm.covered
+    assert "<img" not in arm.html()
+    question.committed = True
+    assert not arm.covered
+    assert "<img" in arm.html()
+
+
+def test_a_question_that_was_committed_before_covers_nothing():
+    assert not explore(kl.robots.rpr(), after=Answered(committed=True)).covered
+
+
+def test_a_prediction_on_the_cover_is_a_trait_that_python_reads():
+    arm = explore(kl.robots.rpr(), predict=("Up or down?", ["up", "down"]))
+    assert arm.covered
+    assert arm.choice == -1
+    assert arm.prediction == {"text": "Up or down?", "options": ["up", "down"]}
+
+
+# --- a page without a kernel ---
+
+
+@each_robot
+def test_a_static_page_gets_the_state_and_a_drawing_with_words(robot):
+    arm = explore(robot, ghost=np.zeros(robot.n), show=LAYERS)
+    page = arm._repr_mimebundle_()[0]
+    state = json.loads(re.search(r'<script type="application/json">(.*?)</script>', page["text/html"])[1])
+    assert state["q"] == arm.q
+    assert state["scene"] == json.loads(json.dumps(arm.scene))
+    assert robot.name in re.search(r'<img alt="([^"]+)"', page["text/html"])[1]
+    assert page["text/plain"] == arm.alt
+    assert "application/vnd.jupyter.widget-view+json" in page
+    assert len(page["text/html"]) < 60_000
+
+
+def test_a_name_cannot_end_the_script_that_holds_it():
+    rpr = kl.robots.rpr()
+    arm = explore(kl.Chain(rpr.screws, rpr.home, name="</script><script>alert(1)</script>"))
+    assert "<script>alert" not in arm.html()
+    assert arm.html().count("<script") == 1
+    assert arm.html().count("</script>") == 1
+
+
+def test_the_bundle_is_small_and_asks_no_other_host():
+
+    bundle = (STATIC / "viewer.js").read_bytes()
+    assert len(gzip.compress(bundle, 9)) <= 200_000
+    assert not re.search(rb"fetch\(\s*[\"'`]https?:|import\(\s*[\"'`]https?:|\.src\s*=\s*[\"'`]https?:", bundle)
