@@ -7,7 +7,7 @@ import pytest
 
 # Grading needs Linux or macOS; on Windows not even its modules can be imported.
 collect_ignore = (
-    ["kinlib/grading", "tests/fuzz/test_fuzz_answers.py", "tests/fuzz/test_fuzz_notebooks.py"]
+    ["misstep/grading", "tests/fuzz/test_fuzz_answers.py", "tests/fuzz/test_fuzz_notebooks.py"]
     if sys.platform == "win32"
     else []
 )

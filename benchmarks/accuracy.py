@@ -22,7 +22,7 @@ from scipy.spatial.transform import Rotation
 
 import kinlib as kl
 
-sys.path.append(str(Path(__file__).parents[1] / "tests"))
+sys.path.append(str(Path(__file__).parents[1] / "tests" / "support"))
 import mpmath_oracle
 
 try:

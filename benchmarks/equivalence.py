@@ -17,7 +17,7 @@ import numpy as np
 
 import kinlib as kl
 
-sys.path.append(str(Path(__file__).parents[1] / "tests"))
+sys.path.append(str(Path(__file__).parents[1] / "tests" / "support"))
 from example_arms import arm, rechosen
 
 

@@ -19,7 +19,7 @@ import numpy as np
 import kinlib as kl
 from benchmarks.measure import Row, Way, compared
 
-sys.path.append(str(Path(__file__).parents[1] / "tests"))
+sys.path.append(str(Path(__file__).parents[1] / "tests" / "support"))
 import mpmath_oracle
 
 NEAR = {

@@ -18,7 +18,7 @@ import numpy as np
 import kinlib as kl
 from benchmarks.measure import Curve, Row, Way, compared, grown
 
-sys.path.append(str(Path(__file__).parents[1] / "tests"))
+sys.path.append(str(Path(__file__).parents[1] / "tests" / "support"))
 
 JOINTS = (1, 2, 4, 8, 16, 32, 64)
 
@@ -70,7 +70,7 @@ def pinocchio(robot: kl.Chain, q: np.ndarray, loop: str) -> Way:
     """One of the loops of tests/support/pinocchio_oracle.py."""
     import pinocchio_oracle
 
-    run = partial(getattr(peers, loop), pinocchio_oracle.pinocchio_model(robot), q)
+    run = partial(getattr(pinocchio_oracle, loop), pinocchio_oracle.pinocchio_model(robot), q)
     np.testing.assert_allclose(run()[:1000], robot.fk(q[:1000]), rtol=0, atol=1e-12)
     return Way(run, len(q))
 

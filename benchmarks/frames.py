@@ -29,7 +29,7 @@ import numpy as np
 import kinlib as kl
 from benchmarks.measure import Curve, Row, Way, compared, grown
 
-sys.path.append(str(Path(__file__).parents[1] / "tests"))
+sys.path.append(str(Path(__file__).parents[1] / "tests" / "support"))
 from example_arms import ANGLES, CASES, arm, configurations
 
 try:

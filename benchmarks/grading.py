@@ -26,7 +26,7 @@ from pathlib import Path
 
 from benchmarks.measure import Curve, NotHere, Row
 
-sys.path += [str(Path(__file__).parent), str(Path(__file__).parents[1] / "tests")]
+sys.path += [str(Path(__file__).parent), str(Path(__file__).parents[1] / "tests" / "support")]
 from stock import ROOT, Course
 from submissions import as_bytes, handed_in, mistaken, released, right
 

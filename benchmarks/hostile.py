@@ -20,7 +20,7 @@ import tempfile
 from functools import partial
 from pathlib import Path
 
-sys.path += [str(Path(__file__).parent), str(Path(__file__).parents[1] / "tests")]
+sys.path += [str(Path(__file__).parent), str(Path(__file__).parents[1] / "tests" / "support")]
 import attacks
 from stock import SHEET, Course
 from submissions import as_bytes, attacking, descendants, released, right

@@ -17,7 +17,7 @@ import kinlib as kl
 from benchmarks.forward_kinematics import puma560
 from benchmarks.measure import Row, Way, compared
 
-sys.path.append(str(Path(__file__).parents[1] / "tests"))
+sys.path.append(str(Path(__file__).parents[1] / "tests" / "support"))
 
 
 def rows(quick: bool = False) -> Iterator[Row]:

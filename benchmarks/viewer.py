@@ -32,7 +32,7 @@ from kinlib.view import explore
 from kinlib.view.viewer.scene import LAYERS
 from kinlib.view.viewer.viewer import STATIC
 
-sys.path.append(str(Path(__file__).parents[1] / "tests"))
+sys.path.append(str(Path(__file__).parents[1] / "tests" / "support"))
 from browser import CHROMIUM, NONE, awake, browsers, jupyterlab, open_notebook, run_cell, static_page, watched
 
 VIEWER = "import kinlib as kl\nfrom kinlib.view import explore\nexplore(kl.robots.puma560())"

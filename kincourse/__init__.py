@@ -1,6 +1,46 @@
-"""Practice: problems with numbers of each student's own, mistakes that are recognised, feedback that explains them."""
+"""kincourse: the course on forward kinematics. Notebooks import what they need from here.
 
-from kincourse import ask, attempt, explain, find_sheet, open_sheet, sheets
-from kincourse.quiz import quiz
+Each lecture has a folder with its problems, its blank steps and its questions. Nothing of a lecture is imported before
+somebody opens it.
+"""
 
-__all__ = ["ask", "attempt", "explain", "find_sheet", "open_sheet", "quiz", "sheets"]
+from typing import TYPE_CHECKING, Any
+
+from kincourse.catalog import COURSE
+
+if TYPE_CHECKING:
+    from kincourse.quiz import quiz
+else:
+
+    def __getattr__(name: str) -> Any:
+        """Load the quiz, and the drawings that it needs, when it is first used."""
+        if name != "quiz":
+            raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+        from kincourse.quiz import quiz
+
+        return quiz
+
+
+__version__ = "0.1.0"
+
+__all__ = [
+    "COURSE",
+    "ask",
+    "attempt",
+    "blanks",
+    "explain",
+    "find_question",
+    "find_sheet",
+    "open_sheet",
+    "quiz",
+    "sheets",
+]
+
+ask = COURSE.ask
+attempt = COURSE.attempt
+blanks = COURSE.blanks
+explain = COURSE.explain
+find_question = COURSE.find_question
+find_sheet = COURSE.find_sheet
+open_sheet = COURSE.open_sheet
+sheets = COURSE.sheets

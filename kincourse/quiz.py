@@ -3,8 +3,6 @@
 import secrets
 from functools import partial
 
-from misstep.mistakes import mistake
-
 from kincourse.answers.dh_table import Table
 from kincourse.sampling.arms import ArmSampler
 from kincourse.text.joint_table import joint_table
@@ -13,6 +11,7 @@ from kinlib.dh.table import Convention, convention_of
 from kinlib.view import draw_joints
 from misstep.card import Card
 from misstep.judge import Judgement, judge
+from misstep.mistakes import mistake
 from misstep.problem import Problem
 from misstep.verdict import TITLES
 
@@ -29,7 +28,7 @@ def question(seed: str, convention: Convention) -> Problem:
     >>> question("one", "standard").answer.value.convention
     'standard'
     """
-    draw = ArmSampler(seed, "quiz")
+    sampler = ArmSampler(seed, "quiz")
     arm = sampler.arm(sampler.choice(KINDS))
     table = assign_frames(arm, convention=convention_of(convention)).table
     other: Convention = "modified" if convention == "standard" else "standard"

@@ -1,0 +1,27 @@
+"""misstep: sheets of problems that check themselves and name the mistake, for courses on any subject.
+
+Each student has numbers of their own. A problem knows its right answer and the mistakes that lead to wrong ones. Start
+with `problem`, `mistakes` and `answers`, then read `judge`, `sheet` and `catalog`; `grading` is for instructors.
+"""
+
+from misstep.catalog import Course, find_course, load_course
+from misstep.mistakes import Mistake, mistake
+from misstep.problem import Problem, Template, problem
+from misstep.sampling import Sampler
+from misstep.sheet import OpenSheet, Sheet
+
+__version__ = "0.1.0"
+
+__all__ = [
+    "Course",
+    "Mistake",
+    "OpenSheet",
+    "Problem",
+    "Sampler",
+    "Sheet",
+    "Template",
+    "find_course",
+    "load_course",
+    "mistake",
+    "problem",
+]

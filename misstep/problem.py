@@ -7,11 +7,13 @@ mistake explains it, and the sheet says so in words.
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from itertools import combinations
-from typing import Any
+from typing import Any, TypeVar
 
-from kincourse.sampling.arms import ArmSampler
-from kinlib.view.drawing.picture import Picture
 from misstep.answers.base import TOLERANCE, Answer
+from misstep.mistakes import Mistake
+from misstep.sampling import Sampler
+
+S = TypeVar("S", bound=Sampler)
 
 ATTEMPTS = 100
 """How many variants are drawn before a problem is called degenerate."""
@@ -21,24 +23,6 @@ LEAST = 3
 
 APART = 10
 """How many tolerances must lie between the right answer and each mistake, and between any two mistakes."""
-
-
-@dataclass(frozen=True, eq=False)
-class Mistake:
-    """A named wrong way, the answer it leads to, and what to say to the person who took it."""
-
-    name: str
-    value: Any
-    message: str
-
-
-def mistake(name: str, value: Any, message: str) -> Mistake:
-    """Name a wrong way. The value is the answer that it gives, or a function that computes it.
-
-    >>> mistake("sign", lambda: -1, "You turned the wrong way.").value
-    -1
-    """
-    return Mistake(name, value() if callable(value) else value, message)
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,6 +37,7 @@ class Problem:
 
     >>> import numpy as np
     >>> from misstep.answers.number import Numbers
+    >>> from misstep.mistakes import mistake
     >>> values = {"twice": 6, "half": 1.5, "half again": 1.5, "sign": -3}
     >>> wrong = [mistake(name, np.array(value), "A sentence.") for name, value in values.items()]
     >>> drawn = Problem("How many?", Numbers(np.array(3.0)), wrong)
@@ -68,7 +53,7 @@ class Problem:
     answer: Answer
     mistakes: Sequence[Mistake]
     given: Mapping[str, Any] = field(default_factory=dict)
-    figure: Callable[[], Picture] | None = None
+    figure: Callable[[], Any] | None = None
 
     def __post_init__(self) -> None:
         read = [replace(wrong, value=self.answer.read(wrong.value)) for wrong in self.mistakes]
@@ -102,18 +87,14 @@ class Problem:
 
 @dataclass(frozen=True)
 class Template:
-    """A problem before anybody's numbers are drawn.
-
-    >>> from kincourse import find_sheet
-    >>> find_sheet("03_poe_space").problems[0].variant("ada").given["letters"]
-    'PRR'
-    """
+    """A problem before anybody's numbers are drawn."""
 
     number: str
     title: str
     points: int
     lecture: str
-    write: Callable[[ArmSampler], Problem]
+    write: Callable[[Any], Problem]
+    sampler: type[Sampler] = Sampler
 
     def variant(self, student: str) -> Problem:
         """ArmSampler one student's problem: the first one in which no mistake happens to give the right answer.
@@ -121,7 +102,7 @@ class Template:
         Raises ValueError when none is found: then the problem itself is degenerate.
         """
         for attempt in range(ATTEMPTS):
-            problem = self.write(ArmSampler(student, self.number, attempt))
+            problem = self.write(self.sampler(student, self.number, attempt))
             if problem.telling():
                 return problem
         raise ValueError(
@@ -131,17 +112,23 @@ class Template:
 
 
 def problem(
-    number: str, title: str, points: int, lecture: str
-) -> Callable[[Callable[[ArmSampler], Problem]], Template]:
-    """Make a template of a function from a ArmSampler to a Problem.
+    number: str,
+    title: str,
+    points: int,
+    lecture: str,
+    sampler: type[S] = Sampler,  # type: ignore[assignment]
+) -> Callable[[Callable[[S], Problem]], Template]:
+    """Make a template of a function from a sampler to a Problem.
 
     number   its place, "03.2"; the student's numbers depend on it
     points   full score, shared equally among the parts of the answer
     lecture  where to re-read, "03_poe_space#Prismatic joints": notebook and heading
+    sampler  the class of the sampler that the function is given
 
     >>> import numpy as np
     >>> from misstep.answers.number import Numbers
-    >>> @problem("03.9", "A half", points=1, lecture="03_poe_space#Helical joints")
+    >>> from misstep.mistakes import mistake
+    >>> @problem("01.1", "A half", points=1, lecture="01_fractions#Halves")
     ... def half(sampler):
     ...     x = sampler.length(0.1, 0.5)
     ...     ways = {"doubled": 2 * x, "kept": x, "sign": -x / 2}
@@ -151,7 +138,7 @@ def problem(
     ('A half', 3)
     """
 
-    def wrap(write: Callable[[ArmSampler], Problem]) -> Template:
-        return Template(number, title, points, lecture, write)
+    def wrap(write: Callable[[S], Problem]) -> Template:
+        return Template(number, title, points, lecture, write, sampler)
 
     return wrap

@@ -1,7 +1,5 @@
 """Sheets: a handful of problems, shown, checked and counted inside a notebook."""
 
-import importlib
-import pkgutil
 from collections.abc import Sequence
 from dataclasses import dataclass
 from types import SimpleNamespace
@@ -14,10 +12,6 @@ from misstep.verdict import Tally, Verdict
 
 SAMPLE = "your id"
 """The id in a fresh sheet. Its numbers are as good as any, but they are everybody's."""
-
-
-STAND_INS: dict[str, "Sheet"] = {}
-"""Sheets that stand in for those of the modules: where submissions run, the same problems without their answers."""
 
 
 @dataclass(frozen=True)
@@ -38,16 +32,6 @@ class OpenSheet:
     """A sheet in the hands of one student: shows problems, checks answers, remembers the verdicts.
 
     Problems count from 1, as on the page.
-
-    >>> sheet = open_sheet("03_poe_space", "ada")
-    >>> sheet.given(1).letters
-    'PRR'
-    >>> sheet.check(1, sheet.problem(1).answer.value).score
-    3.0
-    >>> sheet.tally().score
-    3.0
-    >>> sheet.show(6)
-    <IPython.core.display.Markdown object>
     """
 
     def __init__(self, sheet: Sheet, student: Any) -> None:
@@ -114,77 +98,3 @@ class OpenSheet:
             f"{self.sheet.title}: {len(self.sheet.problems)} problems, {self.sheet.points} points, for {self.student!r}"
         )
         return f"{told} ({self._note})" if self._note else told
-
-
-def sheets() -> list[str]:
-    """The names of all sheets, in lecture order.
-
-    >>> sheets()[0]
-    '01_frames'
-    """
-    return _modules("sheet_")
-
-
-def find_sheet(name: str) -> Sheet:
-    """The sheet of a name, as its module defines it, or of a robot whose file lies beside the notebook.
-
-    Raises ValueError for a name that no sheet has, with those that there are.
-
-    >>> find_sheet("03_poe_space").title
-    'The product of exponentials in the space frame'
-    """
-    if name in STAND_INS:
-        return STAND_INS[name]
-    if name not in sheets():
-        # What it takes to make a sheet of any robot is loaded when there is one, and not before.
-        from kincourse.robot_sheets.robot_file import beside, found
-
-        if own := found(name):
-            return own
-        raise ValueError(
-            f"There is no sheet {name!r}. The sheets are: {', '.join(sheets())}. "
-            f"The sheet of another robot needs its file {beside(name)[0]} beside the notebook."
-        )
-    sheet: Sheet = importlib.import_module(f"kincourse.sheet_{name}").SHEET
-    return sheet
-
-
-def open_sheet(name: str, student: str) -> OpenSheet:
-    """Open a sheet for one student, whose id seeds the numbers.
-
-    Raises ValueError for an unknown sheet, and for a student without an id.
-
-    >>> open_sheet("03_poe_space", "ada")
-    The product of exponentials in the space frame: 8 problems, 24 points, for 'ada'
-    """
-    return OpenSheet(find_sheet(name), student)
-
-
-def lecture_steps() -> dict[str, Template]:
-    """The steps that the lectures leave blank, by number: "03.a" is the first of lecture 03.
-
-    >>> lecture_steps()["03.a"].title
-    'A joint that leans by 30 degrees'
-    """
-    modules = [importlib.import_module(f"kincourse.steps_{name}") for name in _modules("steps_")]
-    return {template.number: template for module in modules for template in module.STEPS}
-
-
-def attempt(number: str, answer: Any) -> Verdict:
-    """Check a step that a lecture leaves blank: the same numbers for everybody, the same kind of feedback as a sheet.
-
-    Raises ValueError for a number that no lecture has.
-
-    >>> attempt("03.a", ...).card.title
-    'Problem 03.a: Nothing here yet'
-    """
-    steps = lecture_steps()
-    if number not in steps:
-        raise ValueError(f"No lecture has a step {number!r}. The steps are: {', '.join(steps)}.")
-    return Verdict(steps[number], judge(steps[number].variant(SAMPLE), answer))
-
-
-def _modules(prefix: str) -> list[str]:
-    here = importlib.import_module("kincourse").__path__
-    names = (module.name for module in pkgutil.iter_modules(here))
-    return sorted(name.removeprefix(prefix) for name in names if name.startswith(prefix))

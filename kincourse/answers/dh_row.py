@@ -5,11 +5,11 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
-from misstep.answers.number import Numbers
 
 from kinlib.arrays.validation import Array
 from kinlib.dh.parsing import ANGLES, COLUMNS
 from misstep.answers.base import TOLERANCE
+from misstep.answers.number import Numbers
 
 
 @dataclass(frozen=True, eq=False)

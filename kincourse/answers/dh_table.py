@@ -15,6 +15,9 @@ from kinlib.dh.diagnosis import diagnose
 from kinlib.dh.equivalence import equivalent
 from kinlib.dh.table import DHTable
 from misstep.answers.base import TOLERANCE, Answer, Unreadable
+from misstep.storage.deserialize import register_object
+
+register_object(DHTable, DHTable.from_dict)
 
 LONGEST = 10_000
 """No table that a person types has more characters; a longer text is no answer, and reading it would take its time."""

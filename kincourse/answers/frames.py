@@ -5,13 +5,13 @@ from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
 import numpy as np
-from misstep.answers.number import Numbers
 
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.rules import Breach, check_frames
 from kinlib.dh.table import Convention
 from misstep.answers.base import TOLERANCE, Unreadable
+from misstep.answers.number import Numbers
 
 
 @dataclass(frozen=True, eq=False)

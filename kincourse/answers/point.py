@@ -5,10 +5,10 @@ from dataclasses import dataclass
 from typing import ClassVar
 
 import numpy as np
-from misstep.answers.number import Numbers
 
 from kinlib.arrays.validation import Array
 from misstep.answers.base import NEAR
+from misstep.answers.number import Numbers
 
 
 @dataclass(frozen=True, eq=False)

@@ -1,12 +1,12 @@
 """The steps that lecture 00 leaves blank: the first answers that a reader types."""
 
 import numpy as np
-from misstep.answers.number import Numbers
-from misstep.mistakes import mistake
 
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kinlib.chains.robots import youbot
+from misstep.answers.number import Numbers
+from misstep.mistakes import mistake
 from misstep.problem import Problem
 
 
@@ -83,4 +83,4 @@ def posture_in_radians(_draw: ArmSampler) -> Problem:
     )
 
 
-STEPS = [hand_at_home, posture_in_radians]
+BLANKS = [hand_at_home, posture_in_radians]

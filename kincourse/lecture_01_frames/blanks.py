@@ -1,8 +1,6 @@
 """The steps that lecture 01 leaves blank: chaining, undoing and repairing poses of the arm of the deck "n = 5"."""
 
 import numpy as np
-from misstep.answers.number import Numbers
-from misstep.mistakes import mistake
 
 from kincourse.answers.pose import Pose
 from kincourse.problem import problem
@@ -10,6 +8,8 @@ from kincourse.sampling.arms import ArmSampler
 from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z, pose, rprr
 from kinlib.rigid.lie import inverse
+from misstep.answers.number import Numbers
+from misstep.mistakes import mistake
 from misstep.problem import Problem
 
 POSTURE = (np.pi / 2, 0.2, np.pi / 6, np.pi / 3)
@@ -184,4 +184,4 @@ def misprinted_row(_draw: ArmSampler) -> Problem:
     )
 
 
-STEPS = [one_more_link, look_back, tool_from_link_3, misprinted_row]
+BLANKS = [one_more_link, look_back, tool_from_link_3, misprinted_row]

@@ -4,10 +4,6 @@ from collections import deque
 from functools import partial
 
 import numpy as np
-from misstep.answers.choice import Choice
-from misstep.answers.number import Numbers
-from misstep.answers.order import Ordering
-from misstep.mistakes import Mistake, mistake
 
 from kincourse.answers.point import Rotation, Vectors
 from kincourse.answers.pose import Pose
@@ -19,6 +15,10 @@ from kinlib.chains.robots import X, Y, Z, pose
 from kinlib.rigid.lie import exp, inverse
 from kinlib.view import draw_frames
 from kinlib.view.figures.frames import draw_turn
+from misstep.answers.choice import Choice
+from misstep.answers.number import Numbers
+from misstep.answers.order import Ordering
+from misstep.mistakes import Mistake, mistake
 from misstep.problem import Problem
 from misstep.sheet import Sheet
 from misstep.text import matrix, vector

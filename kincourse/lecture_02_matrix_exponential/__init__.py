@@ -1,0 +1,1 @@
+"""Lecture 02: problems, blank steps and questions."""

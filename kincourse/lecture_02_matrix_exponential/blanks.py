@@ -1,8 +1,6 @@
 """The blanks of lecture 02: a p-column, a rotation, a pose, an axis that is not of unit length, and a logarithm."""
 
 import numpy as np
-from misstep.answers.number import Numbers
-from misstep.mistakes import mistake
 
 from kincourse.answers.pose import Pose
 from kincourse.mistakes.space_form import halves_swapped
@@ -11,6 +9,8 @@ from kincourse.sampling.arms import ArmSampler
 from kinlib.arrays.validation import Array
 from kinlib.chains.robots import angled_arm, hrr, youbot
 from kinlib.rigid.lie import exp, hat, inverse, log, pose
+from misstep.answers.number import Numbers
+from misstep.mistakes import mistake
 from misstep.problem import Problem
 from misstep.text import vector
 
@@ -232,4 +232,4 @@ def screw_between(_draw: ArmSampler) -> Problem:
     )
 
 
-STEPS = [p_column, leaning_rotation, leaning_pose, long_axis, screw_between]
+BLANKS = [p_column, leaning_rotation, leaning_pose, long_axis, screw_between]

@@ -4,11 +4,10 @@ from functools import partial
 
 import numpy as np
 import sympy as sp
-from misstep.answers.number import Numbers
-from misstep.mistakes import mistake
 
 from kincourse.answers.point import Rotation
 from kincourse.answers.pose import Pose
+from kincourse.answers.pose_expression import PoseExpression
 from kincourse.lecture_02_matrix_exponential.blanks import SQUARED_ENTRIES, column, pose, rotation
 from kincourse.mistakes.space_form import halves_swapped
 from kincourse.problem import problem
@@ -23,6 +22,8 @@ from kinlib.symbolic.merge_rotations import skew
 from kinlib.symbolic.numbers import exact
 from kinlib.view import draw_joints
 from misstep.answers.expression import ClosedForm
+from misstep.answers.number import Numbers
+from misstep.mistakes import mistake
 from misstep.problem import Problem
 from misstep.sheet import Sheet
 from misstep.text import matrix, number, vector
@@ -382,7 +383,7 @@ def spindle_as_a_formula(sampler: ArmSampler) -> Problem:
         "$e^{[S]\\theta}$ as a formula in $\\theta$: sixteen entries, without a decimal.",
         figure=partial(draw_joints, robot),
         given={"axis": w, "point": p, "pitch": h},
-        answer=ClosedForm(symbolic_pose(R, p - R * p + climb)),
+        answer=PoseExpression(symbolic_pose(R, p - R * p + climb)),
         mistakes=[
             mistake(
                 "no climb",

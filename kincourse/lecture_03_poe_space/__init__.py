@@ -1,0 +1,1 @@
+"""Lecture 03: problems, blank steps and questions."""

@@ -1,7 +1,6 @@
 """The steps that lecture 03 leaves blank: a leaning joint, a spindle, and a joint and the home pose of the youBot."""
 
 import numpy as np
-from misstep.mistakes import mistake
 
 from kincourse.answers.pose import Pose
 from kincourse.answers.screws import Screws
@@ -10,6 +9,7 @@ from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kinlib.chains.robots import X, Y, Z, angled_arm, pose, youbot
 from kinlib.rigid.screw import screw
+from misstep.mistakes import mistake
 from misstep.problem import Problem
 
 TILT = np.radians(30)
@@ -160,4 +160,4 @@ def youbot_home(_draw: ArmSampler) -> Problem:
     )
 
 
-STEPS = [leaning_joint, spindle, youbot_wrist, youbot_home]
+BLANKS = [leaning_joint, spindle, youbot_wrist, youbot_home]

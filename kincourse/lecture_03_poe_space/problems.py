@@ -4,8 +4,6 @@ from dataclasses import replace
 from functools import partial
 
 import numpy as np
-from misstep.answers.order import Ordering
-from misstep.mistakes import Mistake, mistake
 
 from kincourse.answers.pose import Pose
 from kincourse.answers.screws import Screws
@@ -17,6 +15,8 @@ from kinlib.chains.robots import SLIDE, X, Y, Z, angled_arm, arm, pose
 from kinlib.rigid.screw import screw
 from kinlib.view import draw_arm, draw_joints
 from misstep.answers.function import Function, wherever
+from misstep.answers.order import Ordering
+from misstep.mistakes import Mistake, mistake
 from misstep.problem import Problem
 from misstep.sheet import Sheet
 from misstep.text import matrix, number, vector

@@ -1,0 +1,1 @@
+"""Lecture 04: problems, blank steps and questions."""

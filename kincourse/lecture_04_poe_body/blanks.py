@@ -1,7 +1,6 @@
 """The blanks of lecture 04: a body screw by the adjoint, one read in the tool's frame, and a pose with M in the middle."""
 
 import numpy as np
-from misstep.mistakes import mistake
 
 from kincourse.answers.pose import Pose
 from kincourse.answers.screws import Screws
@@ -12,6 +11,7 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.chains.robots import mid_formula_arm, rpr
 from kinlib.rigid.lie import adjoint, exp
+from misstep.mistakes import mistake
 from misstep.problem import Problem
 from misstep.text import matrix, vector
 
@@ -139,4 +139,4 @@ def _middle(robot: Chain, before: Array, after: Array) -> Array:
     return T
 
 
-STEPS = [body_screw_by_the_adjoint, body_screw_from_the_drawing, pose_with_home_in_the_middle]
+BLANKS = [body_screw_by_the_adjoint, body_screw_from_the_drawing, pose_with_home_in_the_middle]

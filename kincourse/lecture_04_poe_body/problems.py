@@ -4,8 +4,6 @@ from dataclasses import replace
 from functools import partial
 
 import numpy as np
-from misstep.answers.order import Ordering
-from misstep.mistakes import mistake
 
 from kincourse.answers.pose import Pose
 from kincourse.answers.screws import Screws
@@ -18,6 +16,8 @@ from kinlib.chains.chain import Chain
 from kinlib.chains.robots import X, Y, Z, pose
 from kinlib.rigid.lie import exp, inverse
 from kinlib.view import draw_arm, draw_joints
+from misstep.answers.order import Ordering
+from misstep.mistakes import mistake
 from misstep.problem import Problem
 from misstep.sheet import Sheet
 from misstep.text import matrix, number

@@ -1,7 +1,6 @@
 """The steps that lecture 05 leaves blank: row 4 of the youBot, its matrix, and the product in the deck's posture."""
 
 import numpy as np
-from misstep.mistakes import mistake
 
 from kincourse.answers.dh_row import Row
 from kincourse.answers.pose import Pose
@@ -9,6 +8,7 @@ from kincourse.mistakes.dh import WAYS, of_pose
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kinlib.dh.table import DHTable, dh_transform
+from misstep.mistakes import mistake
 from misstep.problem import Problem
 
 RIGHT = np.pi / 2
@@ -108,4 +108,4 @@ def hand_in_the_posture(_draw: ArmSampler) -> Problem:
     )
 
 
-STEPS = [row_4, matrix_of_row_4, hand_in_the_posture]
+BLANKS = [row_4, matrix_of_row_4, hand_in_the_posture]

@@ -3,8 +3,6 @@
 from functools import partial
 
 import numpy as np
-from misstep.answers.choice import Choice
-from misstep.mistakes import mistake
 
 from kincourse.answers.dh_row import Entries, Row
 from kincourse.answers.dh_table import Table
@@ -19,6 +17,8 @@ from kinlib.dh.parsing import COLUMNS
 from kinlib.dh.table import DHTable, dh_transform
 from kinlib.view import draw_joints
 from kinlib.view.figures.dh_table_figure import draw_table
+from misstep.answers.choice import Choice
+from misstep.mistakes import mistake
 from misstep.problem import Problem
 from misstep.sheet import Sheet
 from misstep.text import matrix, number, vector

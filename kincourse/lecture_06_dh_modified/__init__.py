@@ -1,0 +1,1 @@
+"""Lecture 06: problems, blank steps and questions."""

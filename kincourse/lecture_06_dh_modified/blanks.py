@@ -1,7 +1,6 @@
 """The blanks of lecture 06: a link transform, the one that a deck misprints, a product of two, and a row handed on."""
 
 import numpy as np
-from misstep.mistakes import Mistake, mistake
 
 from kincourse.answers.dh_row import Entries
 from kincourse.answers.pose import Pose
@@ -9,6 +8,7 @@ from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kinlib.arrays.validation import Array
 from kinlib.dh.table import DHTable, dh_transform
+from misstep.mistakes import Mistake, mistake
 from misstep.problem import Problem
 
 QUARTER = np.pi / 2
@@ -151,4 +151,4 @@ def _misread(a: float, alpha: float, d: float, theta: float) -> list[Mistake]:
     ]
 
 
-STEPS = [puma_row_4, n5_row_2, n5_rows_2_and_3, youbot_row_2]
+BLANKS = [puma_row_4, n5_row_2, n5_rows_2_and_3, youbot_row_2]

@@ -6,9 +6,6 @@ from functools import partial, reduce
 from typing import ClassVar
 
 import numpy as np
-from misstep.answers.choice import Choice
-from misstep.answers.number import Numbers
-from misstep.mistakes import Mistake, mistake
 
 from kincourse.answers.dh_row import Row
 from kincourse.answers.point import Rotation
@@ -24,6 +21,9 @@ from kinlib.dh.table import Convention, DHTable, dh_transform
 from kinlib.rigid.lie import exp
 from kinlib.view import draw_arm, draw_frames
 from misstep.answers.base import TOLERANCE
+from misstep.answers.choice import Choice
+from misstep.answers.number import Numbers
+from misstep.mistakes import Mistake, mistake
 from misstep.problem import Problem
 from misstep.sheet import Sheet
 from misstep.text import matrix, number, vector

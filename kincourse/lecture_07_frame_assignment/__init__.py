@@ -1,0 +1,1 @@
+"""Lecture 07: problems, blank steps and questions."""

@@ -3,8 +3,6 @@
 from dataclasses import replace
 
 import numpy as np
-from misstep.answers.number import Numbers
-from misstep.mistakes import mistake
 
 from kincourse.answers.dh_row import Row
 from kincourse.answers.dh_table import Table
@@ -13,6 +11,8 @@ from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kinlib.chains.robots import SLIDE, X, Y, Z, arm, pose
 from kinlib.dh.assignment import assign_frames
+from misstep.answers.number import Numbers
+from misstep.mistakes import mistake
 from misstep.problem import Problem
 
 STRANGER = arm(
@@ -121,4 +121,4 @@ def table_of_the_stranger(_draw: ArmSampler) -> Problem:
     )
 
 
-STEPS = [anti_parallel_row, origin_4, table_of_the_stranger]
+BLANKS = [anti_parallel_row, origin_4, table_of_the_stranger]

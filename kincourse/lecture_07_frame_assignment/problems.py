@@ -4,9 +4,6 @@ from dataclasses import replace
 from functools import partial
 
 import numpy as np
-from misstep.answers.choice import Choice
-from misstep.answers.number import Numbers
-from misstep.mistakes import Mistake, mistake
 
 from kincourse.answers.dh_table import Table
 from kincourse.answers.frames import Frames
@@ -23,6 +20,9 @@ from kinlib.dh.table import DHTable
 from kinlib.view import draw_joints
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.assignment import draw_assignment
+from misstep.answers.choice import Choice
+from misstep.answers.number import Numbers
+from misstep.mistakes import Mistake, mistake
 from misstep.problem import Problem
 from misstep.sheet import Sheet
 from misstep.text import number, vector

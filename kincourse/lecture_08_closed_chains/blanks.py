@@ -1,12 +1,12 @@
 """The blanks of lecture 08: a slider's place, a rocker's angle in the right mode, and a count of freedoms."""
 
 import numpy as np
-from misstep.answers.number import Numbers
-from misstep.mistakes import mistake
 
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kincourse.sampling.four_bar_geometry import Bars, slider_place
+from misstep.answers.number import Numbers
+from misstep.mistakes import mistake
 from misstep.problem import Problem
 
 
@@ -108,4 +108,4 @@ def count(_draw: ArmSampler) -> Problem:
     )
 
 
-STEPS = [slider, rocker, count]
+BLANKS = [slider, rocker, count]

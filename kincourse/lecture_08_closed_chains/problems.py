@@ -5,20 +5,20 @@ from dataclasses import dataclass
 from functools import partial
 
 import numpy as np
-from misstep.answers.choice import Choice
-from misstep.answers.number import Numbers
-from misstep.mistakes import mistake
 
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kincourse.sampling.four_bar_geometry import Bars, slider_place
 from kincourse.sampling.linkages import PLANAR, SPATIAL, crank_rocker, held_back, of_kind, over_constrained
-from kinlib.angles import wrap_angle
 from kinlib.arrays.validation import Array
 from kinlib.mechanisms import linkages
+from kinlib.rigid.angles import wrap_angle
 from kinlib.rigid.lie import exp, inverse, log
 from kinlib.view.figures.linkage import draw_linkage
 from misstep.answers.angle import Angles
+from misstep.answers.choice import Choice
+from misstep.answers.number import Numbers
+from misstep.mistakes import mistake
 from misstep.problem import Problem
 from misstep.sheet import Sheet
 from misstep.text import number, vector

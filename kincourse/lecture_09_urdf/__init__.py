@@ -1,0 +1,1 @@
+"""Lecture 09: problems, blank steps and questions."""

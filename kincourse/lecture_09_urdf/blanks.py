@@ -1,8 +1,6 @@
 """The blanks of lecture 09: a joint of the lamp in the base frame, its screw axis, the home pose, and one rotation."""
 
 import numpy as np
-from misstep.answers.number import Numbers
-from misstep.mistakes import mistake
 
 from kincourse.answers.pose import Pose
 from kincourse.answers.screws import Screws
@@ -12,6 +10,8 @@ from kincourse.sampling.arms import ArmSampler
 from kinlib.chains.robots import X, Y, Z, pose
 from kinlib.rigid.rpy import origin
 from kinlib.rigid.screw import screw
+from misstep.answers.number import Numbers
+from misstep.mistakes import mistake
 from misstep.problem import Problem
 
 RIGHT = np.pi / 2
@@ -131,4 +131,4 @@ def rotation_of_rpy(_draw: ArmSampler) -> Problem:
     )
 
 
-STEPS = [place_of_tilt, screw_of_tilt, home_of_the_lamp, rotation_of_rpy]
+BLANKS = [place_of_tilt, screw_of_tilt, home_of_the_lamp, rotation_of_rpy]

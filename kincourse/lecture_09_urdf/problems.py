@@ -4,9 +4,6 @@ from itertools import accumulate
 from typing import Any
 
 import numpy as np
-from misstep.answers.choice import Choice
-from misstep.answers.number import Numbers
-from misstep.mistakes import Mistake, mistake
 
 from kincourse.answers.pose import Pose
 from kincourse.answers.screws import Screws
@@ -18,6 +15,9 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z, pose
 from kinlib.rigid.rpy import origin
 from kinlib.rigid.screw import screw
+from misstep.answers.choice import Choice
+from misstep.answers.number import Numbers
+from misstep.mistakes import Mistake, mistake
 from misstep.problem import Problem
 from misstep.sheet import Sheet
 from misstep.text import number

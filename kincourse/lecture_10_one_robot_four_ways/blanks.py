@@ -1,8 +1,6 @@
 """The blanks of lecture 10: one joint of the UIUC deck's first arm in the body frame, and two origins of its URDF."""
 
 import numpy as np
-from misstep.answers.number import Numbers
-from misstep.mistakes import mistake
 
 from kincourse.answers.screws import Screws
 from kincourse.mistakes.space_form import crossed_backwards, halves_swapped
@@ -10,6 +8,8 @@ from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kinlib.chains.robots import rpr
 from kinlib.rigid.lie import adjoint, inverse
+from misstep.answers.number import Numbers
+from misstep.mistakes import mistake
 from misstep.problem import Problem
 
 ARM = rpr()
@@ -91,4 +91,4 @@ def origin_of_tool(_draw: ArmSampler) -> Problem:
     )
 
 
-STEPS = [body_screw, origin_of_joint_3, origin_of_tool]
+BLANKS = [body_screw, origin_of_joint_3, origin_of_tool]

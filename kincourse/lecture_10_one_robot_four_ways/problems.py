@@ -4,9 +4,6 @@ from functools import partial
 
 import numpy as np
 import sympy as sp
-from misstep.answers.choice import Choice
-from misstep.answers.number import Numbers
-from misstep.mistakes import mistake
 
 from kincourse.answers.pose import Pose
 from kincourse.answers.screws import Screws
@@ -22,7 +19,10 @@ from kinlib.rigid.lie import adjoint, inverse, log
 from kinlib.rigid.rpy import origin, roll_pitch_yaw
 from kinlib.rigid.screw import screw
 from kinlib.view import draw_joints
+from misstep.answers.choice import Choice
 from misstep.answers.expression import ClosedForm
+from misstep.answers.number import Numbers
+from misstep.mistakes import mistake
 from misstep.problem import Problem
 from misstep.sheet import Sheet
 from misstep.text import matrix, number, vector

@@ -1,0 +1,1 @@
+"""Mistakes that many problems share, each computed from the right answer."""

@@ -5,12 +5,12 @@
 """
 
 import numpy as np
-from misstep.mistakes import Mistake, mistake
 
 from kincourse.mistakes.space_form import crossed_backwards, halves_swapped, product
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import adjoint, exp, inverse
+from misstep.mistakes import Mistake, mistake
 
 
 def carried(T: Array, S: Array) -> Array:

@@ -9,12 +9,12 @@ from functools import reduce
 from typing import NamedTuple
 
 import numpy as np
-from misstep.mistakes import Mistake, mistake
 from numpy.typing import ArrayLike
 
 from kinlib.arrays.validation import Array
 from kinlib.dh.parsing import ANGLES, COLUMNS
 from kinlib.dh.table import Convention, DHTable
+from misstep.mistakes import Mistake, mistake
 
 A, ALPHA, D, THETA = range(4)
 

@@ -4,11 +4,11 @@ A problem picks the ones that fit and adds its own; `problem.Mistake` gives them
 """
 
 import numpy as np
-from misstep.mistakes import Mistake, mistake
 
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import exp
+from misstep.mistakes import Mistake, mistake
 
 
 def crossed_backwards(S: Array) -> Array:

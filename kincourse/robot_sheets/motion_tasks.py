@@ -3,9 +3,6 @@
 from functools import partial
 
 import numpy as np
-from misstep.answers.choice import Choice
-from misstep.answers.number import Numbers
-from misstep.mistakes import Mistake, mistake
 
 from kincourse.answers.pose import Pose
 from kincourse.mistakes.body_form import of_body_product
@@ -17,6 +14,9 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import inverse
 from kinlib.view import draw_arm, draw_frames
+from misstep.answers.choice import Choice
+from misstep.answers.number import Numbers
+from misstep.mistakes import Mistake, mistake
 from misstep.problem import Problem
 from misstep.release.instructor_notebook import Entry
 from misstep.text import matrix, number, vector

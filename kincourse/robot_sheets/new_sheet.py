@@ -123,5 +123,5 @@ def run(options: argparse.Namespace) -> int:
         print(f"kincourse new-sheet: {fault}", file=sys.stderr)
         return 2
     print(f"written: {path} and {path.with_suffix('.json').name}, the robot")
-    print("The students' copy: python -m misstep.release.student_notebook")
+    print("The students' copy: misstep release")
     return 0

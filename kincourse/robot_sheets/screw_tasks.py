@@ -4,7 +4,6 @@ from collections.abc import Sequence
 from functools import partial
 
 import numpy as np
-from misstep.mistakes import mistake
 
 from kincourse.answers.screws import Screws
 from kincourse.mistakes.body_form import carried, of_body_screws, of_space_screws, only_turned
@@ -16,6 +15,7 @@ from kincourse.text.joint_table import joint_table
 from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import inverse
 from kinlib.view import draw_arm, draw_joints
+from misstep.mistakes import mistake
 from misstep.problem import Problem
 from misstep.release.instructor_notebook import Entry
 from misstep.text import matrix

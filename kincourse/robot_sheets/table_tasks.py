@@ -7,8 +7,6 @@ its last frame are given; what the rules leave open between them is free.
 from functools import partial
 
 import numpy as np
-from misstep.answers.choice import Choice
-from misstep.mistakes import mistake
 
 from kincourse.answers.dh_table import Table
 from kincourse.mistakes.dh import of_table
@@ -24,6 +22,8 @@ from kinlib.dh.table import Convention, DHTable
 from kinlib.rigid.lie import inverse
 from kinlib.view import draw_joints
 from kinlib.view.figures.dh_table_figure import draw_table
+from misstep.answers.choice import Choice
+from misstep.mistakes import mistake
 from misstep.problem import Problem
 from misstep.release.instructor_notebook import Entry
 from misstep.text import matrix, number

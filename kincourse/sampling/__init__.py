@@ -1,0 +1,1 @@
+"""Arms and linkages drawn for one student."""

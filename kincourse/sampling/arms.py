@@ -4,10 +4,7 @@ A variant is drawn from the student, the problem and nothing else, on every mach
 generator only `random()` promises that, so everything here is built on it.
 """
 
-import hashlib
-import random
 from collections.abc import Sequence
-from typing import TypeVar
 
 import numpy as np
 
@@ -15,8 +12,7 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.chains.robots import SLIDE, X, Y, Z, arm, pose
 from kinlib.view.drawing.canvas import seen_from
-
-T = TypeVar("T")
+from misstep.sampling import Sampler
 
 APART = 1.2
 """How far apart two joints of a drawn arm stand on the sheet, in metres of the arm."""
@@ -41,37 +37,12 @@ def in_sight(places: Sequence[Array]) -> bool:
     return bool(far and min(far) > IN_SIGHT)
 
 
-class ArmSampler:
-    """A source of chance that belongs to one student and one problem.
+class ArmSampler(Sampler):
+    """A sampler that also draws points, frames and arms.
 
-    >>> ArmSampler("ada", "03.1").integer(1, 6) == ArmSampler("ada", "03.1").integer(1, 6)
-    True
+    >>> ArmSampler("ada", "03.1").arm("RPR").n
+    3
     """
-
-    def __init__(self, student: str, problem: str, attempt: int = 0) -> None:
-        key = f"{student.strip().casefold()}/{problem}/{attempt}"
-        self._random = random.Random(int.from_bytes(hashlib.sha256(key.encode()).digest()))
-
-    def choice(self, options: Sequence[T]) -> T:
-        """One of the options, each as likely as the next."""
-        return options[int(self._random.random() * len(options))]
-
-    def integer(self, low: int, high: int) -> int:
-        """A whole number from low to high, both included."""
-        return self.choice(range(low, high + 1))
-
-    def length(self, low: float, high: float) -> float:
-        """A length in metres from low to high, in steps of 5 cm: short enough to type."""
-        return round(self.integer(round(low * 20), round(high * 20)) / 20, 2)
-
-    def degrees(self, low: int, high: int) -> int:
-        """An angle for people, in steps of 5 degrees, never 0: a joint that stands still tests nothing."""
-        return self.choice([angle for angle in range(low, high + 1, 5) if angle])
-
-    def shuffled(self, items: Sequence[T]) -> list[T]:
-        """The items in a drawn order."""
-        left = list(items)
-        return [left.pop(int(self._random.random() * len(left))) for _ in items]
 
     def point(self, reach: int) -> Array:
         """A point with whole coordinates, none of them zero and no two of equal size: no sign or swap can hide."""

@@ -7,8 +7,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kinlib.angles import wrap_angle
 from kinlib.arrays.validation import Array
+from kinlib.rigid.angles import wrap_angle
 
 NEAR = 1e-6
 """Two pins nearer than this, in metres, stand on each other."""

@@ -1,0 +1,1 @@
+"""What statements show: tables of joints, pieces of URDF files."""

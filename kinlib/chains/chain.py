@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike
 
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
-from kinlib.fast_kinematics import FastKinematics
+from kinlib.chains.fast_kinematics import FastKinematics
 from kinlib.rigid.lie import adjoint, exp, inverse, pose
 from kinlib.rigid.screw import Line, axes, is_prismatic, line
 

@@ -11,12 +11,12 @@ from itertools import combinations
 
 import numpy as np
 
-from kinlib.angles import wrap_angle
 from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.equivalence import SAME, Equivalence, equivalent
 from kinlib.dh.parsing import COLUMNS
 from kinlib.dh.table import Convention, DHTable
+from kinlib.rigid.angles import wrap_angle
 from kinlib.rigid.lie import log
 
 A, ALPHA, D, THETA = range(4)

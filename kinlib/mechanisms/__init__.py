@@ -1,0 +1,1 @@
+"""Closed chains: joints, loop closure, mobility, linkages (lecture 08)."""

@@ -12,9 +12,9 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from kinlib.angles import wrap_angle
 from kinlib.arrays.validation import Array
 from kinlib.mechanisms.levenberg_marquardt import ROUGH, Equations, null_space, seen, solve
+from kinlib.rigid.angles import wrap_angle
 
 BEND = 0.25
 """A step may turn the tangent by this, in radians; a sharper bend is taken in smaller steps."""

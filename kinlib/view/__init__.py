@@ -9,7 +9,6 @@ from kinlib.view.figures.arm import draw_arm, draw_joints
 from kinlib.view.figures.frames import draw_frames
 from kinlib.view.figures.linkage import draw_linkage
 from kinlib.view.figures.torus import draw_torus
-from misstep.card import Card
 
 if TYPE_CHECKING:
     from kinlib.view.viewer.assignment_player import Player, play_assignment
@@ -21,7 +20,6 @@ if TYPE_CHECKING:
 
 __all__ = [
     "ByHand",
-    "Card",
     "Drive",
     "Picture",
     "Player",
@@ -43,12 +41,12 @@ __all__ = [
 ]
 
 LATE = {
-    **dict.fromkeys(("ByHand", "assign"), "by_hand"),
-    **dict.fromkeys(("Drive", "drive"), "driver"),
-    **dict.fromkeys(("Player", "play_assignment"), "player"),
-    **dict.fromkeys(("RowPlayer", "play_row", "play_walk"), "row_player"),
-    **dict.fromkeys(("Viewer", "explore"), "viewer"),
-    "slide": "widgets",
+    **dict.fromkeys(("ByHand", "assign"), "viewer.frames_by_hand"),
+    **dict.fromkeys(("Drive", "drive"), "viewer.linkage_driver"),
+    **dict.fromkeys(("Player", "play_assignment"), "viewer.assignment_player"),
+    **dict.fromkeys(("RowPlayer", "play_row", "play_walk"), "viewer.dh_row_player"),
+    **dict.fromkeys(("Viewer", "explore"), "viewer.viewer"),
+    "slide": "viewer.sliders",
 }
 """What needs ipywidgets and anywidget, and its module: loaded when somebody wants a slider, for a figure does without."""
 

@@ -7,9 +7,9 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from kinlib.arrays.validation import Array
 from misstep.answers.base import NEAR
 from misstep.answers.number import Numbers
+from misstep.validation import Array
 
 
 @dataclass(frozen=True, eq=False)

@@ -19,7 +19,7 @@ EXACT = 1e-12
 
 @dataclass(frozen=True, eq=False)
 class ClosedForm(Answer):
-    """A formula, or a vector or matrix of formulas, as SymPy or as text; a pose has its rotation and position as parts.
+    """A formula, or a vector or matrix of formulas, as SymPy or as text, in one part unless a subclass cuts it.
 
     value    the right one; the symbols in it are those that may be used
     symbols  more that may be used, though the right one does without
@@ -44,7 +44,7 @@ class ClosedForm(Answer):
 
     @property
     def parts(self) -> Sequence[str]:
-        return ["rotation", "position"] if self._shape == (4, 4) else ["the formula"]
+        return ["the formula"]
 
     def read(self, given: Any) -> Formula:
         if isinstance(given, Formula) and given.values.shape == self._right.values.shape:
@@ -97,4 +97,5 @@ class ClosedForm(Answer):
 
     @property
     def _pieces(self) -> list[Any]:
-        return [np.s_[:, :3], np.s_[:, 3]] if self._shape == (4, 4) else [...]
+        """An index for each part."""
+        return [...]

@@ -8,12 +8,12 @@ from typing import Any
 
 import numpy as np
 
-from kinlib.arrays import validation
-from kinlib.arrays.validation import Array
+from misstep import validation
 from misstep.answers.base import TOLERANCE, Answer, Unreadable
 from misstep.answers.number import Numbers
 from misstep.mistakes import Mistake
 from misstep.storage.deserialize import Outputs
+from misstep.validation import Array
 
 CALLS = 4
 """At how many inputs a function is asked."""

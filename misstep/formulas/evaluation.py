@@ -16,8 +16,8 @@ import mpmath
 import numpy as np
 import sympy as sp
 
-from kinlib.arrays.validation import Array
 from misstep.formulas.parsing import FUNCTIONS, parse
+from misstep.validation import Array
 
 POINTS = 5
 """At so many points formulas are compared. One alone would tell nearly all apart."""

@@ -42,6 +42,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     """Say what the command takes."""
     parser.add_argument("sheet", type=Path, metavar="SHEET", help="the sheet that was handed out: solutions/X/X.ipynb")
     parser.add_argument("submissions", type=Path, metavar="SUBMISSIONS", help="a folder, or the zip of a platform")
+    parser.add_argument(
+        "--course", metavar="COURSE", help="the package or the folder of the course (default: the installed one)"
+    )
     parser.add_argument("--out", type=Path, required=True, metavar="RESULTS", help="the folder for the results")
     parser.add_argument("--roster", type=Path, metavar="CSV", help="who is in the course, as the platform exports it")
     parser.add_argument("--id-column", metavar="NAME", help="the column of the roster with the ids that students type")
@@ -78,7 +81,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _run(options: argparse.Namespace) -> int:
-    sheet = master(options.sheet)
+    sheet = master(options.sheet, options.course)
     roster = read_roster(options.roster, options.id_column) if options.roster else None
     gathered = gather(options.submissions, sheet.name, roster)
     chosen = _chosen(gathered.handed, options.only)

@@ -5,22 +5,16 @@ explanation of an option by a click on it, and that of a prediction where the le
 """
 
 from html import escape
-from typing import TYPE_CHECKING
 
 from misstep.card import inline
-
-if TYPE_CHECKING:
-    from misstep.questions.question import Item, Option
-
-KINDS = {"recall": "Remember", "predict": "Predict", "check": "Check yourself"}
-LETTERS = "ABCDEFGH"
+from misstep.questions.item import KINDS, Item, Option
 
 
-def question_html(name: str, item: "Item") -> str:
+def question_html(name: str, item: Item) -> str:
     """A question and its options; those of a prediction keep their explanations back.
 
-    >>> from kincourse import find
-    >>> "draws a circle" in question_html("00/joint-5", find("00/joint-5"))
+    >>> options = [Option("3", "One more."), Option("4", "Yes.", right=True)]
+    >>> "2 + 2" in question_html("00/sum", Item("sum", "check", "2 + 2?", options))
     True
     """
     options = "".join(f"<li>{_option(option, item.kind)}</li>" for option in item.options)
@@ -32,12 +26,12 @@ def question_html(name: str, item: "Item") -> str:
     )
 
 
-def explanation_html(name: str, item: "Item") -> str:
+def explanation_html(name: str, item: Item) -> str:
     """What there is to say of each option of a prediction, closed until the reader has made it.
 
-    >>> from kincourse import find
-    >>> explanation_html("00/joint-5", find("00/joint-5")).count("<li>")
-    4
+    >>> options = [Option("3", "One more."), Option("4", "Yes.", right=True)]
+    >>> explanation_html("00/sum", Item("sum", "predict", "2 + 2?", options)).count("<li>")
+    2
     """
     told = "".join(f"<li><p>{inline(option.text)}</p>{_why(option)}</li>" for option in item.options)
     return (
@@ -47,12 +41,12 @@ def explanation_html(name: str, item: "Item") -> str:
     )
 
 
-def _option(option: "Option", kind: str) -> str:
+def _option(option: Option, kind: str) -> str:
     if kind == "predict":
         return f'<div class="misstep-option">{inline(option.text)}</div>'
     return f'<details class="misstep-option"><summary>{inline(option.text)}</summary>{_why(option)}</details>'
 
 
-def _why(option: "Option") -> str:
+def _why(option: Option) -> str:
     verdict = "Right." if option.right else "Not it."
     return f'<p class="misstep-why"><strong>{verdict}</strong> {inline(option.why)}</p>'

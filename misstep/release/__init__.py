@@ -1,0 +1,1 @@
+"""From the instructors' notebooks to the students' notebooks."""

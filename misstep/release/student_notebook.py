@@ -1,12 +1,13 @@
-"""Handing out: exercises/ made from solutions/, the only source.
+"""Release: the students' notebooks in exercises/, made from the instructors' notebooks in solutions/.
 
-    python -m misstep.release.student_notebook           write every sheet of exercises/ anew
-    python -m misstep.release.student_notebook --check   say which ones are stale, and write nothing
+    misstep release           write every notebook of exercises/ that is stale
+    misstep release --check   name the notebooks that are stale, and write nothing
 
 The steps are nbgrader's own, so that `nbgrader generate_assignment` and this command release the same notebook.
 """
 
 import argparse
+import sys
 from collections.abc import Iterator
 from pathlib import Path
 
@@ -45,16 +46,20 @@ def stale(root: Path) -> list[Path]:
     ]
 
 
-def main() -> int:
-    """Write the stale sheets, or name them."""
-    parser = argparse.ArgumentParser(description="Make exercises/ from solutions/.")
-    parser.add_argument("--check", action="store_true", help="name what is stale and write nothing")
-    parser.add_argument(
-        "--root", type=Path, default=Path.cwd(), help="the folder that holds solutions/ (default: here)"
-    )
-    options = parser.parse_args()
+def add_arguments(parser: argparse.ArgumentParser) -> None:
+    """Declare the arguments of the command."""
+    parser.add_argument("--check", action="store_true", help="name the notebooks that are stale, and write nothing")
+    parser.add_argument("--root", type=Path, default=Path(), help="the folder that holds solutions/ (default: here)")
+
+
+def run(options: argparse.Namespace) -> int:
+    """Write the notebooks that are stale, or name them. The exit code is 1 for --check with stale notebooks."""
     if not any(sheets(options.root)):
-        parser.error(f"{options.root} holds no solutions/*/*.ipynb. Are you at the top of the project?")
+        print(
+            f"misstep release: {options.root.resolve()} has no solutions/*/*.ipynb. Are you at the top of the project?",
+            file=sys.stderr,
+        )
+        return 2
     for target in (late := stale(options.root)):
         print(f"{'stale' if options.check else 'written'}: {target.relative_to(options.root)}")
         if not options.check:
@@ -62,7 +67,3 @@ def main() -> int:
             source = options.root / "solutions" / target.relative_to(options.root / "exercises")
             target.write_text(released(source), encoding="utf-8", newline="\n")
     return 1 if late and options.check else 0
-
-
-if __name__ == "__main__":
-    raise SystemExit(main())

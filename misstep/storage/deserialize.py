@@ -9,20 +9,19 @@ the few forms below and refuses the rest, for anybody can write JSON.
     {"array": [flat numbers], "shape": [3, 6]}         null stands for NaN and infinity
     {"list": [...]}, {"map": [["a", ...], ...]}
     {"symbolic": "a*cos(q1)"}, {"matrix": [[...], ...]}
-    {"dh": [rows], "convention": ..., "joints": ..., "signs": ..., "base": ..., "tool": ...}
+    {"object": "DHTable", "fields": {...}}             an object of a kind that a course has registered
     {"function": "name"}, and with "outputs": [...] once somebody called it
     {"other": "what it is"}
 """
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 import numpy as np
 
-from kinlib.arrays.validation import Array
-from kinlib.dh.table import DHTable
 from misstep.formulas.sympy_parsing import LONGEST, expression
+from misstep.validation import Array
 
 MIME = "application/vnd.misstep.answer+json"
 """Under this name a check cell's output holds the answer."""
@@ -138,16 +137,39 @@ def _matrix(rows: Any, depth: int) -> Any:
     return sp.Matrix(entries)
 
 
-def _dh(data: dict[str, Any], _: int) -> Any:
-    rows, *rest = data["dh"], data["joints"], data["signs"]
-    if not isinstance(rows, list) or any(isinstance(part, list | str) and len(part) != len(rows) for part in rest):
-        raise Malformed("A DH table is a list of rows, with a letter and a sign for each of them.")
-    if len(rows) > MOST_NUMBERS:
-        raise Malformed(f"A DH table has at most {MOST_NUMBERS} rows.")
+def _object(data: dict[str, Any], depth: int) -> Any:
+    """An object of a kind that a course has registered; Opaque for any other."""
+    name = _string(data["object"], depth)[:80]
+    read = OBJECTS.get(name)
+    fields = data["fields"]
+    if not isinstance(fields, dict) or not all(isinstance(key, str) for key in fields):
+        raise Malformed("An object is the name of its kind, and its fields by name.")
+    if read is None:
+        return Opaque(name)
     try:
-        return DHTable.from_dict({"rows": rows} | {key: value for key, value in data.items() if key != "dh"})
-    except ValueError as error:
-        raise Malformed(f"This is no DH table: {error}") from error
+        return read(fields)
+    except (ValueError, TypeError, KeyError) as error:
+        raise Malformed(f"This is not a {name}: {str(error)[:1000]}") from error
+
+
+OBJECTS: dict[str, Callable[[Mapping[str, Any]], Any]] = {}
+"""How objects are read back from their fields, by the name of their class."""
+
+
+def register_object(kind: type, read: Callable[[Mapping[str, Any]], Any]) -> None:
+    """Register a class whose objects are answers: they have a method to_dict(), and `read` undoes it.
+
+    kind  the class; objects are stored under its name, with the fields that to_dict() gives
+    read  makes an object from the fields, and raises ValueError for fields that nobody's to_dict() gives
+
+    >>> class Resistor:
+    ...     def __init__(self, ohm):
+    ...         self.ohm = ohm
+    >>> register_object(Resistor, lambda fields: Resistor(fields["ohm"]))
+    >>> from_data({"object": "Resistor", "fields": {"ohm": 5.0}}).ohm
+    5.0
+    """
+    OBJECTS[kind.__name__] = read
 
 
 READERS: dict[frozenset[str], Callable[[Any, int], Any]] = {
@@ -158,7 +180,7 @@ READERS: dict[frozenset[str], Callable[[Any, int], Any]] = {
     frozenset({"map"}): _entries,
     frozenset({"symbolic"}): _formula,
     frozenset({"matrix"}): _matrix,
-    frozenset({"dh", "convention", "joints", "signs", "base", "tool"}): _dh,
+    frozenset({"object", "fields"}): _object,
     frozenset({"function"}): lambda name, depth: Opaque(f"function {_string(name, depth)[:80]}"),
     frozenset({"function", "outputs"}): lambda data, depth: Outputs(_items(data["outputs"], depth)),
     frozenset({"other"}): lambda name, depth: Opaque(_string(name, depth)[:200]),

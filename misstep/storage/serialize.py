@@ -3,6 +3,7 @@
 The forms are those of `answer_data`, which reads them back.
 """
 
+import json
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from copy import deepcopy
@@ -12,14 +13,16 @@ from typing import Any
 
 import numpy as np
 
-from kinlib.arrays.validation import Array
-from kinlib.dh.table import DHTable
 from misstep.answers.base import is_blank
 from misstep.formulas.sympy_parsing import LONGEST
 from misstep.storage.deserialize import DEEPEST, MOST_NUMBERS
+from misstep.validation import Array
 
 MOST_PARTS = 4 * MOST_NUMBERS
 """So many entries are looked at, of all lists together: a list of long lists of lists would take for ever."""
+
+MOST_CHARACTERS = 100_000
+"""The most characters that the fields of an object may take as JSON."""
 
 Data = dict[str, Any] | None
 
@@ -79,7 +82,18 @@ def _unusual(value: Any, place: _Place) -> Data:
     """What has no kind of its own here: functions, and what turns into an array."""
     if callable(value):
         return {"function": str(getattr(value, "__name__", _kind(value)))[:80]}
-    return _array(np.asarray(value), place) if hasattr(value, "__array__") else {"other": _kind(value)}
+    if hasattr(value, "__array__"):
+        return _array(np.asarray(value), place)
+    return _object(value) if hasattr(value, "to_dict") else {"other": _kind(value)}
+
+
+def _object(value: Any) -> Data:
+    """The fields of an object that writes itself down. Whether its kind is an answer is for the reader to say."""
+    fields = value.to_dict()
+    text = json.dumps(fields, allow_nan=False) if isinstance(fields, dict) else ""
+    if not text or len(text) > MOST_CHARACTERS:
+        return {"other": _kind(value)}
+    return {"object": _kind(value), "fields": json.loads(text)}
 
 
 def _kind(value: Any) -> str:
@@ -124,15 +138,9 @@ def _map(value: Mapping[Any, Any], place: _Place) -> Data:
     return {"map": [[str(key)[:80], _written(item, place.inside())] for key, item in value.items()]}
 
 
-def _table(table: DHTable, _: _Place) -> Data:
-    data = table.to_dict()
-    return {"dh": data.pop("rows"), **data}
-
-
 WRITERS: tuple[tuple[Any, Callable[[Any, _Place], Data]], ...] = (
     (str, _text),
     ((bool, int, float, np.bool_, np.integer, np.floating), lambda value, _: {"number": _number(float(value))}),
-    (DHTable, _table),
     (np.ndarray, lambda value, place: _array(np.asarray(value), place)),
     (Mapping, _map),
     ((list, tuple), _list),

@@ -7,9 +7,9 @@ from fractions import Fraction
 from typing import Any
 
 import numpy as np
-from kincourse.text.joint_table import joint_table
 from numpy.typing import ArrayLike
 
+from kincourse.text.joint_table import joint_table
 from kinlib import linkages, robots
 from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import FrameAssignment, assign_frames

@@ -68,7 +68,7 @@ def make(kind: str, folder: Path) -> None:
     shutil.rmtree(folder, ignore_errors=True)
     kernel = sorted((EXTENSIONS[0] / "static" / "pypi").glob("*.whl"))
     source = SOURCES[kind]()
-    packages = pyodide.lay_out(source, [wheels.build(folder / "wheel"), *kernel], folder / "static" / "pyodide")
+    packages = pyodide.lay_out(source, [*wheels.build(folder / "wheel"), *kernel], folder / "static" / "pyodide")
     for path in sources():
         target = folder / "contents" / path.relative_to(ROOT)
         target.parent.mkdir(parents=True, exist_ok=True)

@@ -17,14 +17,20 @@ from sphinx.util.typing import stringify_annotation
 
 from kinlib.arrays.validation import Array
 
-FLOORS = {
-    "Rigid motions": ["lie", "rpy", "screw"],
-    "Open chains": ["chain", "dh", "frames", "frame_check", "equivalence", "diagnosis"],
-    "Closed chains": ["bodies", "loops", "closure", "mobility", "linkages"],
-    "Files and symbols": ["urdf", "symbolic"],
-    "The course's robots": ["robots"],
-    "What people look at": ["view", "view.picture", "view.viewer"],
-    "What people do": ["practice", "practice.sheet", "practice.ask", "practice.problem", "practice.verdict"],
+MODULES = {
+    "Rigid motions": ["kinlib.rigid.lie", "kinlib.rigid.rpy", "kinlib.rigid.screw"],
+    "Open chains": ["kinlib.chains.chain", "kinlib.chains.robots"],
+    "Denavit-Hartenberg": [
+        *("kinlib.dh.table", "kinlib.dh.assignment", "kinlib.dh.rules", "kinlib.dh.equivalence", "kinlib.dh.diagnosis"),
+    ],
+    "Closed chains": [
+        *("kinlib.mechanisms.joints", "kinlib.mechanisms.mechanism", "kinlib.mechanisms.closure"),
+        *("kinlib.mechanisms.mobility", "kinlib.mechanisms.linkages"),
+    ],
+    "Files and symbols": ["kinlib.urdf.chains", "kinlib.symbolic"],
+    "What people look at": ["kinlib.view", "kinlib.view.drawing.picture", "kinlib.view.viewer.viewer"],
+    "The course": ["kincourse"],
+    "The engine": ["misstep", "misstep.sheet", "misstep.questions.widget", "misstep.problem", "misstep.verdict"],
 }
 """The modules that others may rely on, in reading order. Packages show what they export, and their modules the rest."""
 
@@ -32,7 +38,7 @@ SPECIAL = re.compile(r"([\\`*_{}\[\]<>$|~^#])")
 ALIASES = {name: stringify_annotation(kind, "smart") for name, kind in {"ArrayLike": ArrayLike, "Array": Array}.items()}
 """Types whose names say more than what they stand for."""
 
-OURS = re.compile(r"~?kinlib(?:\.\w+)+")
+OURS = re.compile(r"~?(?:kinlib|misstep|kincourse)(?:\.\w+)+")
 DEFINED = re.compile(r"^(\S.{,40}?)(?:  +|(?<=\)) +(?=->))(\S.*)$")
 """A line in two columns, or one that says which shapes become which."""
 
@@ -40,14 +46,14 @@ DEFINED = re.compile(r"^(\S.{,40}?)(?:  +|(?<=\)) +(?=->))(\S.*)$")
 def pages() -> Iterator[tuple[str, str]]:
     """One page a module, and one that leads to them."""
     lists = []
-    for title, names in FLOORS.items():
+    for title, names in MODULES.items():
         lists.append(f"## {title}\n")
         for name in names:
-            module = importlib.import_module(f"kinlib.{name}")
+            module = importlib.import_module(name)
             yield f"reference/{name}.md", page(module)
-            lists.append(f"- [`kinlib.{name}`]({name}.md): {escape(first_line(module))}")
+            lists.append(f"- [`{name}`]({name}.md): {escape(first_line(module))}")
         lists.append("")
-    tree = "\n".join(name for names in FLOORS.values() for name in names)
+    tree = "\n".join(name for names in MODULES.values() for name in names)
     yield "reference/index.md", OVERVIEW.format(lists="\n".join(lists), tree=tree)
 
 
@@ -82,7 +88,7 @@ def members(module: ModuleType) -> list[tuple[str, Any]]:
         found = [(name, getattr(module, name)) for name in module.__all__]
         return [(name, member) for name, member in found if inspect.isclass(member) or inspect.isfunction(member)]
     package = importlib.import_module(module.__name__.rpartition(".")[0])
-    exported = getattr(package, "__all__", ()) if package.__name__ != "kinlib" else ()
+    exported = getattr(package, "__all__", ()) if package.__name__ not in ("kinlib", "misstep", "kincourse") else ()
     own = [
         (name, member)
         for name, member in vars(module).items()
@@ -144,8 +150,8 @@ def signature(member: Any) -> str:
 def places() -> dict[str, str]:
     """Where each documented class stands: by the name of the module that defines it, the name that refers to its page."""
     found = {}
-    for name in (name for names in FLOORS.values() for name in names):
-        module = importlib.import_module(f"kinlib.{name}")
+    for name in (name for names in MODULES.values() for name in names):
+        module = importlib.import_module(name)
         for part, member in members(module):
             found[f"{member.__module__}.{part}"] = f"~{module.__name__}.{part}"
     return found

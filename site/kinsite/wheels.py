@@ -57,17 +57,26 @@ def installed(name: str) -> str:
         raise ValueError(f"The lab needs {name}, which is not installed here. Does pyproject.toml name it?") from None
 
 
-def build(folder: Path) -> Path:
-    """Build kinlib's own wheel from this checkout.
+PACKAGES = ("kinlib", "misstep", "kincourse")
+"""The packages of this repository, each with a pyproject.toml of its own."""
 
-    Its name says what is in it: a browser that keeps files by their names never takes an old one for the new one.
+
+def build(folder: Path) -> list[Path]:
+    """Build the wheels of the three packages from this checkout.
+
+    The name of each wheel depends on its content: a browser that keeps files by their names never takes an old one for the
+    new one.
     """
     folder.mkdir(parents=True, exist_ok=True)
-    for old in folder.glob("kinlib-*.whl"):
+    return [_build(package, folder) for package in PACKAGES]
+
+
+def _build(package: str, folder: Path) -> Path:
+    for old in folder.glob(f"{package}-*.whl"):
         old.unlink()
     command = (sys.executable, "-m", "hatchling", "build", "--target", "wheel", "--directory", str(folder))
-    subprocess.run(command, cwd=ROOT, check=True, capture_output=True)
-    (wheel,) = folder.glob("kinlib-*.whl")
+    subprocess.run(command, cwd=ROOT / package, check=True, capture_output=True)
+    (wheel,) = folder.glob(f"{package}-*.whl")
     name, release, rest = wheel.name.split("-", 2)
     return wheel.rename(folder / f"{name}-{release}-0{sha256_of(wheel)[:12]}-{rest}")
 

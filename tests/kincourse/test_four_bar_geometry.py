@@ -4,13 +4,13 @@ import mpmath
 import numpy as np
 import pytest
 import sympy as sp
+from circles import meeting_points
 from hypothesis import assume, given
 from hypothesis import strategies as st
-from test_linkages import meeting_points
 
 from kincourse.sampling.four_bar_geometry import Bars, slider_place
 from kinlib import linkages
-from kinlib.angles import wrap_angle
+from kinlib.rigid.angles import wrap_angle
 
 lengths = st.floats(0.1, 2)
 angles = st.floats(-np.pi, np.pi)

@@ -8,10 +8,10 @@ from pathlib import Path
 import numpy as np
 import pytest
 import sympy
-from misstep.answers.number import Numbers
 from odd_robots import generated_sheets
 
-from kincourse import attempt, find_sheet, lecture_steps, open_sheet, sheets
+from kincourse import attempt, blanks, find_sheet, open_sheet, sheets
+from misstep.answers.number import Numbers
 from misstep.judge import judge
 from misstep.sheet import SAMPLE
 from misstep.verdict import Verdict
@@ -19,7 +19,7 @@ from misstep.verdict import Verdict
 OF_THE_COURSE = [template for name in sheets() for template in find_sheet(name).problems]
 GENERATED = [template for sheet in generated_sheets() for template in sheet.problems]
 TEMPLATES = [*OF_THE_COURSE, *GENERATED]
-STEPS = list(lecture_steps().values())
+STEPS = list(blanks().values())
 NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
 STUDENTS = [f"student {i}" for i in range(200)]
 

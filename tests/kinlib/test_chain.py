@@ -14,10 +14,9 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from strategies import ROBOTS, configurations, moved_chains, points, poses, screws
 
-from kinlib import Chain, adjoint, exp, inverse, robots
+from kinlib import Chain, adjoint, exp, inverse, robots, screw
 from kinlib.arrays.batching import CHUNK
 from kinlib.chains.chain import largest_difference, random_configurations
-from kinlib.rigid import screw
 from kinlib.rigid.screw import is_prismatic
 
 EXACT = 1e-13

@@ -10,7 +10,7 @@ from hypothesis import given
 from strategies import ROBOTS, configurations, moved_chains
 
 from kinlib import Chain, robots
-from kinlib.fast_kinematics import FastKinematics
+from kinlib.chains.fast_kinematics import FastKinematics
 
 EQUATIONS = [Chain.fk, Chain.link_poses, Chain.jacobian]
 each_equation = pytest.mark.parametrize("method", EQUATIONS, ids=lambda method: method.__name__)

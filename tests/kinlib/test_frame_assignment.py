@@ -8,7 +8,7 @@ import pinocchio_oracle
 import pytest
 from example_arms import ANGLES, CASES, arm, configurations, few
 from scipy.linalg import lstsq, null_space
-from test_dh import PRINTED
+from test_dh_table import PRINTED
 
 import kinlib as kl
 from kinlib import robots

@@ -4,18 +4,17 @@ import re
 from itertools import pairwise
 from pathlib import Path
 
-import mpmath
 import numpy as np
 import pytest
+from circles import meeting_points
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from scipy.spatial import distance
 
-from kinlib import Mechanism, exp, linkages
+from kinlib import Mechanism, exp, linkages, screw
 from kinlib.mechanisms.closure import Closure
 from kinlib.mechanisms.continuation import Path as CurvePath
 from kinlib.mechanisms.joints import Joint
-from kinlib.rigid import screw
 
 EXACT = 1e-12
 X, Y, Z = np.eye(3)
@@ -32,19 +31,6 @@ def close_angles(got, expected, atol=EXACT):
 def apart(q, others):
     """How far a posture of angles is from the nearest of others."""
     return np.abs((others - q + np.pi) % (2 * np.pi) - np.pi).max(axis=-1).min()
-
-
-def meeting_points(one, r, other, s):
-    """Where a circle of radius r about one point meets one of radius s about another, with 30 digits; [] if nowhere."""
-    with mpmath.workdps(30):
-        way = mpmath.mpc(*other) - mpmath.mpc(*one)
-        d = abs(way)
-        along = (d * d + r * r - s * s) / (2 * d)
-        square = r * r - along * along
-        if square < 0:
-            return []
-        points = [mpmath.mpc(*one) + way / d * mpmath.mpc(along, sign * mpmath.sqrt(square)) for sign in (1, -1)]
-        return [np.array([float(p.real), float(p.imag)]) for p in points]
 
 
 def angle(vector):

@@ -19,10 +19,9 @@ from strategies import directions, moved_chains, points
 from strategies import poses as drawn_poses
 from strategies import screws as drawn_screws
 
-from kinlib import Chain, Mechanism, adjoint, exp, inverse, linkages, log, robots
+from kinlib import Chain, Mechanism, adjoint, exp, inverse, linkages, log, robots, screw
 from kinlib.mechanisms.closure import Closure
 from kinlib.mechanisms.joints import Joint, Walk, as_chain, cycles, cylindrical, in_series, spherical, universal, walks
-from kinlib.rigid import screw
 
 EXACT = 1e-12
 X, Y, Z = np.eye(3)

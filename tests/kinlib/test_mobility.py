@@ -5,11 +5,10 @@ import pytest
 from hypothesis import given
 from strategies import poses
 
-from kinlib import adjoint, linkages
+from kinlib import adjoint, linkages, screw
 from kinlib.mechanisms.joints import cylindrical, spherical, universal
 from kinlib.mechanisms.levenberg_marquardt import null_space
 from kinlib.mechanisms.mobility import Mobility, finite_freedoms, group_dimension
-from kinlib.rigid import screw
 
 X, Y, Z = np.eye(3)
 SLIDE = np.inf

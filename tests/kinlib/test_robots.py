@@ -10,9 +10,8 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 from strategies import FAMILIES, ROBOTS, configurations, directions, points, rotation_vectors
 
-from kinlib import exp, hat, inverse, line, robots
+from kinlib import exp, hat, inverse, line, robots, screw
 from kinlib.arrays import validation
-from kinlib.rigid import screw
 
 PI = np.pi
 

@@ -9,8 +9,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from strategies import directions, points, poses, screws, twists
 
-from kinlib import adjoint, exp, line
-from kinlib.rigid import screw
+from kinlib import adjoint, exp, line, screw
 from kinlib.rigid.screw import axes, is_prismatic
 
 Z = (0, 0, 1)

@@ -8,7 +8,6 @@ import pytest
 import sympy as sp
 from hypothesis import example, given
 from hypothesis import strategies as st
-from misstep.mistakes import mistake
 
 import kinlib as kl
 from misstep.answers.base import Unreadable
@@ -16,6 +15,7 @@ from misstep.answers.expression import ClosedForm
 from misstep.formulas.evaluation import MOST, Reader, shaped
 from misstep.formulas.parsing import FUNCTIONS
 from misstep.judge import judge
+from misstep.mistakes import mistake
 from misstep.problem import Problem
 from misstep.text import number
 

@@ -2,13 +2,13 @@
 
 import numpy as np
 import pytest
-from misstep.answers.number import Numbers
-from misstep.mistakes import Mistake
 
 from kincourse import find_sheet
 from misstep.answers.base import Unreadable
 from misstep.answers.function import CALLS, Function, wherever
+from misstep.answers.number import Numbers
 from misstep.judge import judge
+from misstep.mistakes import Mistake
 from misstep.problem import Problem
 from misstep.storage.deserialize import Outputs
 

@@ -4,9 +4,10 @@ from importlib.resources import files
 
 import pytest
 
-from kincourse import explain, find
-from misstep.questions import question
-from misstep.questions.question import KINDS, Question, _lectures, read
+from kincourse import COURSE, ask, explain
+from kincourse import find_question as find
+from misstep.questions.item import KINDS, read
+from misstep.questions.widget import Question
 
 WRITTEN = """
 [order]
@@ -20,7 +21,7 @@ text = 'the right one'
 right = true
 why = 'It stands next to $M$.'
 """
-ALL = [(lecture, key) for lecture, items in _lectures().items() for key in items]
+ALL = [(lecture, key) for lecture, items in COURSE.questions().items() for key in items]
 
 
 @pytest.fixture
@@ -130,7 +131,7 @@ def test_names_that_there_are_not_are_refused():
 
 def test_every_file_of_questions_is_read():
     folder = files("kincourse") / "questions"
-    assert len([file for file in folder.iterdir() if file.name.endswith(".toml")]) == len(_lectures()) >= 5
+    assert len([file for file in folder.iterdir() if file.name.endswith(".toml")]) == len(COURSE.questions()) >= 5
 
 
 @pytest.mark.parametrize(("lecture", "key"), ALL)

@@ -4,18 +4,18 @@ from array import array
 
 import numpy as np
 import pytest
+
 from kincourse.answers.pose import Pose
 from kincourse.answers.screws import Screws
 from kincourse.problem import problem
-from misstep.answers.choice import Choice
-from misstep.answers.number import Numbers
-from misstep.answers.order import Ordering
-from misstep.mistakes import mistake
-
 from kincourse.sampling.arms import ArmSampler
 from kinlib.chains.robots import youbot
 from misstep.answers.base import Unreadable
+from misstep.answers.choice import Choice
+from misstep.answers.number import Numbers
+from misstep.answers.order import Ordering
 from misstep.judge import Finding, Judgement, judge
+from misstep.mistakes import mistake
 from misstep.problem import Problem
 from misstep.verdict import Verdict
 

@@ -9,11 +9,10 @@ import sympy as sp
 from hypothesis import given
 from hypothesis import strategies as st
 from test_sheets import HOSTILE, Rude
+from typed_answers import as_typed
 
 from kincourse import find_sheet, open_sheet, sheets
 from kinlib.dh.table import DHTable
-from misstep.answers.function import Called
-from misstep.formulas.evaluation import Formula
 from misstep.formulas.sympy_parsing import FUNCTIONS, LONGEST, expression
 from misstep.judge import judge
 from misstep.storage.deserialize import DEEPEST, MIME, MOST_NUMBERS, Malformed, Opaque, Outputs, from_data
@@ -25,12 +24,6 @@ TEMPLATES = [template for name in sheets() for template in find_sheet(name).prob
 def sent(value, inputs=()):
     """A value after its journey: to JSON as strict as there is, and back."""
     return from_data(json.loads(json.dumps(to_data(value, inputs), allow_nan=False)))
-
-
-def as_typed(value):
-    """What was read goes back to what was typed."""
-    value = value.given if isinstance(value, Formula) else value
-    return value.function if isinstance(value, Called) else value
 
 
 @pytest.mark.parametrize("template", TEMPLATES, ids=lambda template: template.number)

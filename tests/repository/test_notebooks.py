@@ -15,8 +15,7 @@ from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError
 from prose_numbers import numbers_of, numbers_without_source, sources
 
-from kincourse import lecture_steps
-from misstep.questions.question import _lectures as questions
+from kincourse import COURSE, blanks
 
 ROOT = Path(__file__).parents[2]
 FOLDERS = ("notebooks", "exercises", "solutions")
@@ -123,11 +122,11 @@ def test_every_number_in_the_prose_comes_from_a_cell(path):
 def asked_in(path):
     """What a lecture asks elsewhere than in its text: name, what is assumed there, and what is said to be true."""
     lecture = path.stem.partition("_")[0]
-    for name, item in questions().get(lecture, {}).items():
+    for name, item in COURSE.questions().get(lecture, {}).items():
         assumed = [item.text, *(option.text for option in item.options if not option.right)]
         claims = [item.options[item.right].text, *(option.why for option in item.options)]
         yield name, "\n".join(assumed), "\n".join(claims)
-    for number, step in lecture_steps().items():
+    for number, step in blanks().items():
         if number.startswith(f"{lecture}."):
             problem = step.variant("anybody")
             yield number, "", "\n".join([problem.statement, *(wrong.message for wrong in problem.mistakes)])

@@ -13,7 +13,7 @@ sys.path.insert(0, str(Path(__file__).parents[2] / "site"))
 
 from kinsite import reference
 
-MODULES = [importlib.import_module(f"kinlib.{name}") for names in reference.FLOORS.values() for name in names]
+MODULES = [importlib.import_module(name) for names in reference.MODULES.values() for name in names]
 SHOWN = [(module, name, member) for module in MODULES for name, member in reference.members(module)]
 
 

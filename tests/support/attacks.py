@@ -159,15 +159,15 @@ answers = {replayed}
 """,
     # --- looking for the answers ---
     "the library is asked": """
-from kincourse import open_sheet as opened
-import misstep.sheet as s
-s.STAND_INS.clear()
+import importlib, sys
+sys.modules.pop('kincourse')
+opened = importlib.import_module('kincourse').open_sheet
 answers = {k: opened("03_poe_space", "ada").problem(k).answer.value for k in range(1, 9)}
 """,
     "the sheet's module is imported": """
 import importlib, importlib.util, sys, kinlib, glob
 from pathlib import Path
-for path in Path(kinlib.__path__[0]).rglob("*sheet_03*"):
+for path in Path(kinlib.__path__[0]).parent.rglob("*lecture_03*"):
     print("found", path)
 from kincourse.lecture_03_poe_space.problems import SHEET
 answers = {k: SHEET.problems[k - 1].variant("ada").answer.value for k in range(1, 9)}

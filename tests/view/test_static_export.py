@@ -4,15 +4,13 @@ from html.parser import HTMLParser
 
 import pytest
 
-from kincourse import explain, find
+from kincourse import COURSE, ask, explain
+from kincourse import find_question as find
 from kinlib.chains.robots import rpr
-from kinlib.view import explore, slide
-from kinlib.view.drawing import plot
+from kinlib.view import explore, plot, slide
 from kinlib.view.drawing.static_export import VARIABLE
-from misstep.questions import question
-from misstep.questions.question import _lectures
 
-ALL = [f"{lecture}/{key}" for lecture, items in _lectures().items() for key in items]
+ALL = [f"{lecture}/{key}" for lecture, items in COURSE.questions().items() for key in items]
 VOID = {"br", "img", "input"}
 
 

@@ -15,8 +15,7 @@ from strategies import ROBOTS
 from traitlets import Bool, HasTraits
 
 import kinlib as kl
-from kinlib.view import Picture, draw_arm, draw_frames, draw_joints, slide
-from kinlib.view.drawing import plot
+from kinlib.view import Picture, draw_arm, draw_frames, draw_joints, plot, slide
 from kinlib.view.drawing.canvas import Canvas, _hull
 from kinlib.view.figures.joints import _carried_axes, shifts
 from misstep.card import TONES, Card

@@ -8,8 +8,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from strategies import points, screws
 
-from kinlib import exp, inverse, log, robots
-from kinlib.rigid import screw
+from kinlib import exp, inverse, log, robots, screw
 from kinlib.view.figures.series_figure import draw_motions, draw_series, series_walk
 
 

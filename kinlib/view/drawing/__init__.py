@@ -1,0 +1,1 @@
+"""Drawing: SVG elements, labels and text alternatives, from which the figures are made."""

@@ -9,9 +9,9 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinlib.angles import wrap_angle
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
+from kinlib.rigid.angles import wrap_angle
 from kinlib.view.drawing import svg
 from kinlib.view.drawing.canvas import GREY, INK, PALE
 from kinlib.view.drawing.picture import Picture

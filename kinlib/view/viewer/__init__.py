@@ -1,0 +1,1 @@
+"""Widgets: the 3-D viewer and what moves with sliders."""

@@ -11,11 +11,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinlib.angles import wrap_angle
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.mechanisms.joints import as_chain, walks
 from kinlib.mechanisms.mechanism import Mechanism
+from kinlib.rigid.angles import wrap_angle
 from kinlib.rigid.lie import inverse
 from kinlib.rigid.screw import line
 from kinlib.view.figures.linkage import describe, draw_linkage, is_planar, posture

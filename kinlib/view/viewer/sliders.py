@@ -28,7 +28,7 @@ def slide(
 
     Raises ValueError for nothing to slide along.
 
-    >>> from kinlib.view.drawing import plot
+    >>> from kinlib.view import plot
     >>> def line(slope):
     ...     return plot([0, 1], {"line": [0, slope]}, xlabel="x", ylabel="y", alt=f"A line through 0 of slope {slope}.")
     >>> type(slide(line, "slope", [1, 2])).__name__

@@ -19,7 +19,7 @@ from kinlib.chains.chain import Chain
 from kinlib.view.figures.arm import SHOWN, describe, draw_arm
 from kinlib.view.viewer.scene import LAYERS, scene
 
-STATIC = Path(__file__).parent / "static"
+STATIC = Path(__file__).parents[1] / "static"
 """The bundle viewer.js, made from src by `npm run build`, and loader.js, which fetches it where a page holds a viewer."""
 
 
@@ -43,12 +43,14 @@ class ViewerBase(anywidget.AnyWidget):
     message     a line below the picture, for what Python has to say
     mode        {"kind", ...}: what a player of src/modes is given; empty for an arm with sliders
 
-    >>> from misstep.questions import question
+    >>> from traitlets import Bool, HasTraits
+    >>> class Question(HasTraits):
+    ...     committed = Bool(False)
     >>> from kinlib.chains.robots import rpr
     >>> arm = explore(rpr())
     >>> arm.html()[:25]
     '<div data-kinlib-viewer><'
-    >>> arm.wait_for(question := ask("03/order"))
+    >>> arm.wait_for(question := Question())
     >>> question.commit(0)
     >>> arm.covered
     False

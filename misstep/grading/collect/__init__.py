@@ -1,0 +1,1 @@
+"""What was handed in: folders, zips, rosters, notebooks."""

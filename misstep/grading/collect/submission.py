@@ -7,9 +7,12 @@ answers is in its code, so the code runs again, and in place of each check cell 
 import json
 import re
 from collections.abc import Mapping, Sequence
+from contextlib import chdir
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
+
+from misstep.catalog import course_of, find_course
 
 LARGEST = 32 << 20
 """No notebook of this course is larger, in bytes, even with every output in it."""
@@ -45,11 +48,15 @@ class Cell:
 
 @dataclass(frozen=True)
 class Master:
-    """The sheet as it was handed out: its name, its folder, and for each problem, from 1, the source of its check cell."""
+    """The sheet as it was handed out: its name, its folder, for each problem, from 1, the source of its check cell, its course.
+
+    course  the package of an installed course, or the folder of another one
+    """
 
     name: str
     folder: Path
     checks: Mapping[int, str]
+    course: str
 
 
 @dataclass(frozen=True)
@@ -70,17 +77,21 @@ class Plan:
     odd: Mapping[int, Sequence[str]] = field(default_factory=dict)
 
 
-def master(path: Path) -> Master:
+def master(path: Path, course: str | Path | None = None) -> Master:
     """Read the sheet that was handed out, from solutions/ or exercises/.
 
-    Raises ValueError for a notebook that opens no sheet, or has no check cells.
+    course  the course that has the sheet, by its package or its folder; by default the installed one that has it
+
+    Raises ValueError for a notebook that opens no sheet, or has no check cells, and where no course has the sheet.
     """
     cells = code_cells(path.read_bytes())
     opened = next((found[1] for cell in cells if (found := OPENED.search(cell.source))), None)
     checks = {int(cell.name.removeprefix("check-")): cell.source for cell in cells if _is_check(cell.name)}
     if opened is None or not checks:
         raise ValueError(f"{path} opens no sheet, or none of its cells is named check-1, check-2, ...: is it a sheet?")
-    return Master(opened, path.parent, checks)
+    with chdir(path.parent):  # a course may find sheets by files beside the notebook
+        found = find_course(course) if course else course_of(opened)
+    return Master(opened, path.parent, checks, found.reference)
 
 
 def code_cells(content: bytes) -> list[Cell]:

@@ -13,10 +13,12 @@ from threading import Lock
 from types import TracebackType
 from typing import Any
 
+from misstep.catalog import find_course
 from misstep.grading.collect.submission import Broken, Master, Plan, plan
 from misstep.grading.judging.parse_output import Heard, hear
 from misstep.grading.judging.result import ProblemResult, Result
 from misstep.grading.judging.rpc import Gone, Peer
+from misstep.grading.sandbox.course_stub import setup_for
 from misstep.grading.sandbox.limits import Limits, Missing
 from misstep.grading.sandbox.runner import Ran, Runner
 
@@ -42,7 +44,8 @@ class Grader:
         self._lock, self._judging = Lock(), Lock()
         self._judge = self._new_judge()  # it imports while the server does
         try:
-            self._runner = Runner(is_safe)
+            self._setup = setup_for(find_course(sheet.course))
+            self._runner = Runner(self._setup, is_safe)
         except Missing:
             self._judge.end()
             raise
@@ -128,7 +131,9 @@ class Grader:
     def _new_judge(self) -> Peer:
         # On another machine the folder may be missing; then there is no robot's own sheet, and the judge says so.
         return Peer(
-            "misstep.grading.judging.judge_process", self.sheet.folder if self.sheet.folder.is_dir() else Path()
+            "misstep.grading.judging.judge_process",
+            self.sheet.folder if self.sheet.folder.is_dir() else Path(),
+            self.sheet.course,
         )
 
     def _heard(self, paper: str, planned: Plan) -> tuple[Ran, Heard]:
@@ -159,7 +164,7 @@ class Grader:
                 with self._lock:
                     if self._runner is runner:
                         runner.close()
-                        self._runner = Runner(self.is_safe)
+                        self._runner = Runner(self._setup, self.is_safe)
         raise Broken("The run took the server of forks down twice. Please tell whoever grades.")
 
     def _paper(self, student: str) -> tuple[int, str]:

@@ -1,6 +1,8 @@
 """The judge: it draws the variants, reads answers as data, and gives the points. It never runs what a student wrote.
 
-    python -m misstep.grading.judging.judge_process
+    python -m misstep.grading.judging.judge_process COURSE
+
+COURSE is the package of an installed course, or the folder of another one.
 
 Three messages on stdin, answered on stdout. "problems" asks for their numbers, titles and points. "paper" asks for a
 student's sheet without answers, and comes with a seed, from which the inputs of function answers are drawn anew in every
@@ -17,7 +19,7 @@ from collections.abc import Mapping
 from functools import lru_cache
 from typing import Any
 
-from kincourse import find_sheet
+from misstep.catalog import Course, find_course
 from misstep.grading.judging.redacted_sheet import written
 from misstep.grading.judging.rpc import pack, receive
 from misstep.grading.sandbox.confine import set_limits
@@ -36,26 +38,26 @@ MEMORY = 2 << 30
 """The most memory that the judge may take: an answer may ask for more than it says."""
 
 
-def paper(sheet: Sheet, student: str) -> dict[str, Any]:
+def paper(course: Course, sheet: Sheet, student: str) -> dict[str, Any]:
     """A student's sheet without answers, and the seed of this run."""
     seed = secrets.randbits(64)
-    return {"seed": seed, "paper": written(sheet, _problems(sheet, student, seed))}
+    return {"seed": seed, "paper": written(sheet, _problems(course, sheet, student, seed))}
 
 
-def verdicts(sheet: Sheet, student: str, seed: int, answers: Mapping[str, Any]) -> dict[str, Any]:
+def verdicts(course: Course, sheet: Sheet, student: str, seed: int, answers: Mapping[str, Any]) -> dict[str, Any]:
     """Judge the answers, by problem number as text: "1" is the first. A problem without one is blank."""
-    problems = _problems(sheet, student, seed)
+    problems = _problems(course, sheet, student, seed)
     return {str(k): _verdict(sheet, k, problem, answers.get(str(k))) for k, problem in enumerate(problems, start=1)}
 
 
-def _problems(sheet: Sheet, student: str, seed: int) -> list[Problem]:
-    return [problem.again(seed) for problem in _drawn(sheet.name, student)]
+def _problems(course: Course, sheet: Sheet, student: str, seed: int) -> list[Problem]:
+    return [problem.again(seed) for problem in _drawn(course, sheet.name, student)]
 
 
 @lru_cache(maxsize=16)
-def _drawn(sheet: str, student: str) -> list[Problem]:
+def _drawn(course: Course, sheet: str, student: str) -> list[Problem]:
     """A student's variants: drawn for the paper, and soon asked for again."""
-    return [template.variant(student) for template in find_sheet(sheet).problems]
+    return [template.variant(student) for template in course.find_sheet(sheet).problems]
 
 
 def _verdict(sheet: Sheet, k: int, problem: Problem, data: Any) -> dict[str, Any]:
@@ -97,28 +99,29 @@ def _too_long(*_: Any) -> None:
     raise TimeoutError(f"more than {SECONDS:g} s of processor time")
 
 
-def _answer(message: Mapping[str, Any]) -> dict[str, Any]:
+def _answer(course: Course, message: Mapping[str, Any]) -> dict[str, Any]:
     try:
-        sheet = find_sheet(message["sheet"])
+        sheet = course.find_sheet(message["sheet"])
         if message["ask"] == "problems":
             return {"problems": [[template.number, template.title, template.points] for template in sheet.problems]}
         if message["ask"] == "paper":
-            return paper(sheet, message["student"])
-        return {"verdicts": verdicts(sheet, message["student"], message["seed"], message["answers"])}
+            return paper(course, sheet, message["student"])
+        return {"verdicts": verdicts(course, sheet, message["student"], message["seed"], message["answers"])}
     except Exception as error:  # whatever an answer makes of us, the next message is another student's
         return {"error": f"{type(error).__name__}: {error}"[:500]}
 
 
-def main() -> None:
+def main(reference: str) -> None:
     """Answer messages until there are no more."""
+    course = find_course(reference)
     set_limits({"AS": MEMORY})
     inbox, outbox = sys.stdin.buffer, os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # what a library prints is no message
     signal.signal(signal.SIGPROF, _too_long)
     while (message := receive(inbox)) is not None:
-        outbox.write(pack({**_answer(message), "id": message["id"]}))
+        outbox.write(pack({**_answer(course, message), "id": message["id"]}))
         outbox.flush()
 
 
 if __name__ == "__main__":
-    main()
+    main(sys.argv[1])

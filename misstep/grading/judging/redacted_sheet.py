@@ -11,10 +11,10 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
-from kincourse.sampling.arms import Draw
 from misstep.answers.base import Answer, Unreadable
 from misstep.problem import Problem, Template
-from misstep.sheet import STAND_INS, Sheet
+from misstep.sampling import Sampler
+from misstep.sheet import Sheet
 
 
 @dataclass(frozen=True, eq=False)
@@ -67,12 +67,11 @@ def written(sheet: Sheet, problems: Sequence[Problem]) -> str:
 
 
 def laid_out(text: str) -> Sheet:
-    """Read a paper, and let it stand in for its sheet. The judge wrote it: no submission ever has a say in it."""
+    """Read a redacted sheet. The judge wrote it: no submission ever has a say in it."""
     name, title, sides = pickle.loads(base64.b64decode(text))  # noqa: S301
     templates = [Template(number, title, points, "", partial(_side, *rest)) for number, title, points, *rest in sides]
-    STAND_INS[name] = Sheet(name, title, templates)
-    return STAND_INS[name]
+    return Sheet(name, title, templates)
 
 
-def _side(statement: str, given: Mapping[str, Any], inputs: Sequence[Any], _: Draw) -> Problem:
+def _side(statement: str, given: Mapping[str, Any], inputs: Sequence[Any], _: Sampler) -> Problem:
     return Side(statement, Withheld(inputs), (), given)

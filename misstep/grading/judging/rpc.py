@@ -32,7 +32,7 @@ class Gone(RuntimeError):
 def environment() -> dict[str, str]:
     """The environment of a process that we start: one thread for BLAS, no window, no secrets."""
     kept = {name: os.environ[name] for name in KEPT if name in os.environ}
-    paths = [str(Path(__file__).parents[2]), *filter(None, kept.get("PYTHONPATH", "").split(os.pathsep))]
+    paths = [str(Path(__file__).parents[3]), *filter(None, kept.get("PYTHONPATH", "").split(os.pathsep))]
     kept["PYTHONPATH"] = os.pathsep.join(str(Path(path).resolve()) for path in paths)  # it may start in another folder
     return {**kept, **dict.fromkeys(THREADS, "1"), "MPLBACKEND": "agg", "PYTHONDONTWRITEBYTECODE": "1"}
 
@@ -60,9 +60,9 @@ class Peer:
     without secrets. Each message gets an id; answers come in any order.
     """
 
-    def __init__(self, module: str, folder: Path) -> None:
+    def __init__(self, module: str, folder: Path, *arguments: str) -> None:
         self._process = subprocess.Popen(
-            [sys.executable, "-P", "-m", module],
+            [sys.executable, "-P", "-m", module, *arguments],
             cwd=folder,
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,

@@ -83,7 +83,7 @@ def page(template: str, **values: Any) -> str:
 
 
 ENVIRONMENT = Environment(
-    loader=PackageLoader("misstep.grading", "pages"),
+    loader=PackageLoader("misstep.grading.publish", "templates"),
     autoescape=True,
     undefined=StrictUndefined,
     trim_blocks=True,

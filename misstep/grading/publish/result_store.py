@@ -14,8 +14,10 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import quote
 
+from misstep.catalog import find_course
 from misstep.grading.collect.submission import Master
 from misstep.grading.judging.result import ProblemResult, RanCell, Result
+from misstep.grading.sandbox.course_stub import setup_for
 
 FORM = 1
 """The version of the files."""
@@ -45,7 +47,7 @@ def mark(sheet: Master, is_safe: bool, parts: Sequence[str | bytes | None]) -> s
     """What stands for all that a result came from."""
     robot = sheet.folder / f"{sheet.name}.json"
     told = [
-        _code(),
+        _code(sheet.course),
         sheet.name,
         sorted(sheet.checks.items()),
         is_safe,
@@ -56,9 +58,10 @@ def mark(sheet: Master, is_safe: bool, parts: Sequence[str | bytes | None]) -> s
 
 
 @cache
-def _code() -> str:
-    """What stands for kinlib as it is: a problem may be changed after the first submissions were graded."""
-    modules = sorted(Path(__file__).parents[1].rglob("*.py"))
+def _code(reference: str) -> str:
+    """A digest of the engine, the course and what it requires: a problem may be changed after the first submissions were graded."""
+    setup = setup_for(find_course(reference))
+    modules = sorted(file for folder in (*setup.readable, *setup.hidden) for file in Path(folder).rglob("*.py"))
     return sha256(b"\0".join(module.read_bytes() for module in modules)).hexdigest()
 
 

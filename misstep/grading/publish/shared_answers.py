@@ -13,9 +13,9 @@ from typing import Any
 
 import numpy as np
 
-from kinlib.arrays.validation import Array
 from misstep.grading.judging.result import Result
 from misstep.grading.publish.csv_table import table
+from misstep.validation import Array
 
 SAME = 1e-3
 """How far numbers may be apart, relative to their size where that is above 1: as far as the judge lets them be."""

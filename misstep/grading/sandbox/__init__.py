@@ -1,0 +1,1 @@
+"""Where submissions run: confined processes, limits, and what they can reach."""

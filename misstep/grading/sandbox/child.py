@@ -9,6 +9,7 @@ import tempfile
 
 from misstep.grading.judging.redacted_sheet import laid_out
 from misstep.grading.sandbox.confine import Cage, holes, restrict
+from misstep.grading.sandbox.course_stub import CourseStub
 from misstep.grading.sandbox.limits import Limits, Missing
 from misstep.grading.sandbox.run_cells import Shell, line, run_cells, write
 
@@ -16,7 +17,7 @@ HIGH = 250
 """Where the two pipes go: out of the way of what a notebook opens, below the limit of open files."""
 
 
-def live(cage: Cage | None, shell: Shell, inbox: int, outbox: int) -> None:
+def live(cage: Cage | None, shell: Shell, stub: CourseStub, inbox: int, outbox: int) -> None:
     """Read, be confined, run, write. Without a cage there are still limits, and a session of its own."""
     os.setsid()  # a group is killed as a whole, across pid namespaces: be in none with whoever grades
     inbox, outbox = _only(inbox, outbox)
@@ -33,9 +34,9 @@ def live(cage: Cage | None, shell: Shell, inbox: int, outbox: int) -> None:
         write(outbox, line({"missing": str(missing)}))
         os._exit(0)
     if "probe" in message:
-        write(outbox, line({"holes": holes() if cage else []}))
+        write(outbox, line({"holes": holes(cage.hidden) if cage else []}))
         os._exit(0)
-    laid_out(message.pop("paper"))
+    stub.lay_out(laid_out(message.pop("paper")))
     run_cells(shell, message.pop("cells"), limits.cell_seconds, lambda told: write(outbox, line(told)))
     os._exit(0)
 

@@ -2,11 +2,12 @@
 
 import errno
 import os
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
 from misstep.grading.sandbox import syscalls
+from misstep.grading.sandbox.course_stub import CourseSetup
 from misstep.grading.sandbox.limits import Limits, layer
 from misstep.grading.sandbox.rootfs import DEVICES, NAMESPACES, SCRATCH, readable
 
@@ -35,8 +36,9 @@ class Cage:
     Raises Missing for a layer that this machine lacks.
     """
 
-    def __init__(self) -> None:
-        self._readable = [path for path in readable() if not Path(path).is_symlink()]
+    def __init__(self, setup: CourseSetup) -> None:
+        self.hidden = setup.hidden
+        self._readable = [path for path in readable(setup.readable) if not Path(path).is_symlink()]
         self._count = 0
         with layer("namespaces", NAMESPACES):
             self._own_pids = os.open("/proc/self/ns/pid", os.O_RDONLY | os.O_CLOEXEC)
@@ -111,15 +113,15 @@ def set_limits(most: Mapping[str, int]) -> None:
         resource.setrlimit(getattr(resource, f"RLIMIT_{name}"), (value, value))
 
 
-def holes() -> list[str]:
+def holes(hidden: Sequence[str]) -> list[str]:
     """What can be done here that nobody in a cage should be able to do. Empty, if every layer holds."""
     tries: dict[str, Callable[[], Any]] = {
         "open a socket": _open_socket,
         "start a process": _start_process,
         "write to the root folder": lambda: Path("/written").write_text(""),
-        "write beside kinlib": lambda: Path(__file__).with_name("written").write_text(""),
+        "write beside the engine": lambda: Path(__file__).with_name("written").write_text(""),
         "read /etc/passwd": Path("/etc/passwd").read_text,
-        "read a sheet": lambda: next(Path(__file__).parents[1].glob("practice/sheet_*.py")),
+        "read a sheet": lambda: next(file for folder in hidden for file in Path(folder).rglob("*.py")),
         "see other processes": lambda: next(Path("/proc").glob("[0-9]*")),
         "become root": lambda: os.setresuid(0, 0, 0) if os.getuid() else _gain(),
     }

@@ -5,6 +5,7 @@ The server moves there once, before the first submission, and all that it forks 
 
 import os
 import sys
+from collections.abc import Sequence
 from pathlib import Path
 
 from misstep.grading.sandbox import syscalls
@@ -19,9 +20,6 @@ SCRATCH = "/scratch"
 
 COMMON = "/tmp"  # noqa: S108
 """Everybody's folder: for us the place where the new root is built, for a submission another name of its own folder."""
-
-HIDDEN = ("practice", "grading")
-"""Sheets know the right answers, and how we grade helps nobody to answer: over both packages lies an empty folder."""
 
 NAMESPACES = (
     "As root in a container, start it with --cap-add SYS_ADMIN --security-opt seccomp=unconfined --security-opt "
@@ -45,16 +43,18 @@ def leave_session() -> None:
                 Path(f"/proc/self/{name}").write_text(text)
 
 
-def readable() -> list[str]:
-    """What the interpreter needs of the disk: itself, its packages, kinlib, the libraries of the system."""
+def readable(required: Sequence[str]) -> list[str]:
+    """What the interpreter needs of the disk: itself, its packages, those that the course requires, the system's libraries."""
     packages = [path for path in sys.path if Path(path).name in {"site-packages", "dist-packages"}]
-    wanted = {*SYSTEM, sys.prefix, sys.base_prefix, sys.exec_prefix, *packages, _kinlib()}
+    wanted = {*SYSTEM, sys.prefix, sys.base_prefix, sys.exec_prefix, *packages, *required}
     found = [path for path in sorted(wanted) if Path(path).exists()]
     return [path for path in found if not any(Path(other) in Path(path).parents for other in found)]
 
 
-def move_in(paths: list[str]) -> None:
+def move_in(paths: list[str], hidden: Sequence[str]) -> None:
     """Make a root folder of these paths and the devices, all read-only, and forget the rest of the disk.
+
+    hidden  folders with right answers, and the engine: where one of them lies below a path, an empty folder covers it
 
     Raises Missing where the kernel refuses a mount.
     """
@@ -70,18 +70,15 @@ def move_in(paths: list[str]) -> None:
             Path(path).symlink_to(target)
         for path in [path for path in (*paths, *DEVICES) if path not in links]:
             _cover(Path(path), Path(f"/.old{path}"))
-        for name in HIDDEN:
-            syscalls.mount("none", f"{_kinlib()}/{name}", "tmpfs", NOSUID | NODEV | READ_ONLY, "mode=755,size=4k")
+        for folder in hidden:
+            if Path(folder).is_dir():
+                syscalls.mount("none", folder, "tmpfs", NOSUID | NODEV | READ_ONLY, "mode=755,size=4k")
         Path(SCRATCH).mkdir()
         if not Path(COMMON).exists():  # an interpreter may live there
             Path(COMMON).symlink_to(SCRATCH)
         syscalls.detach("/.old")
         Path("/.old").rmdir()
         syscalls.mount("none", "/", flags=REMOUNT | BIND | READ_ONLY | NOSUID)
-
-
-def _kinlib() -> str:
-    return str(Path(__file__).parents[1])
 
 
 def _cover(target: Path, source: Path) -> None:

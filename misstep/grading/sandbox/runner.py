@@ -15,6 +15,7 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 from misstep.grading.judging.rpc import Gone, environment
+from misstep.grading.sandbox.course_stub import CourseSetup
 from misstep.grading.sandbox.limits import UNSAFE, Limits, Missing
 
 CHUNK = 1 << 20
@@ -49,7 +50,7 @@ class Runner:
     Raises Missing when a layer of the sandbox is not to be had, unless is_safe is False.
     """
 
-    def __init__(self, is_safe: bool = True) -> None:
+    def __init__(self, setup: CourseSetup, is_safe: bool = True) -> None:
         self._lock = threading.Lock()
         self._scratch = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         self._socket, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
@@ -61,6 +62,7 @@ class Runner:
                     "-m",
                     "misstep.grading.sandbox.server",
                     str(theirs.fileno()),
+                    setup.to_json(),
                     *([] if is_safe else [UNSAFE]),
                 ],
                 stdin=subprocess.DEVNULL,

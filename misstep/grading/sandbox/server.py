@@ -1,8 +1,8 @@
 """The server that submissions are forked from: it imports once, and then knows nothing of anybody.
 
-    python -m misstep.grading.sandbox.server FD [--unsafe-no-sandbox]
+    python -m misstep.grading.sandbox.server FD SETUP [--unsafe-no-sandbox]
 
-FD is a Unix socket. "fork" comes with two pipes, one that the child reads its paper and its cells from and one that it
+FD is a Unix socket, SETUP a CourseSetup as JSON. "fork" comes with two pipes, one that the child reads its paper and its cells from and one that it
 writes to; the answer is the child's id. "end ID" kills that child and answers with its status, the seconds that it
 computed, and its memory in MB. The server itself reads neither pipe: so no child inherits, in its memory, what another
 student sent or answered.
@@ -14,9 +14,12 @@ import os
 import signal
 import socket
 import sys
+from contextlib import suppress
+from importlib import import_module
 from typing import TYPE_CHECKING
 
 from misstep.grading.sandbox import syscalls
+from misstep.grading.sandbox.course_stub import CourseSetup, CourseStub, install
 from misstep.grading.sandbox.limits import UNSAFE, Missing
 from misstep.grading.sandbox.rootfs import SCRATCH, leave_session, move_in, readable
 
@@ -28,14 +31,14 @@ HOME = dict.fromkeys(("HOME", "TMPDIR", "MPLCONFIGDIR", "IPYTHONDIR"), SCRATCH)
 """Where a submission finds its home."""
 
 
-def main(descriptor: int, is_safe: bool) -> None:
+def main(descriptor: int, setup: CourseSetup, is_safe: bool) -> None:
     """Prepare, say that all is ready or what is missing, and fork until the socket closes."""
     with socket.socket(fileno=descriptor) as parent:
         try:
-            cage = _prepared() if is_safe else None
-            shell = _warm_shell()
+            cage = _prepared(setup) if is_safe else None
+            shell, stub = _warm_shell(setup)
             if cage:
-                move_in(readable())
+                move_in(readable(setup.readable), setup.hidden)
                 os.environ.update(HOME)
         except Missing as missing:
             parent.send(json.dumps({"missing": str(missing)}).encode())
@@ -43,10 +46,10 @@ def main(descriptor: int, is_safe: bool) -> None:
         gc.collect()
         gc.freeze()  # a collection in a child would touch every object, and so copy every page of memory
         parent.send(b'{"missing": null}')
-        _serve(parent, cage, shell)
+        _serve(parent, cage, shell, stub)
 
 
-def _prepared() -> "Cage":
+def _prepared(setup: CourseSetup) -> "Cage":
     """Leave the session of whoever started us, and go on as the first process of a pid namespace."""
     leave_session()
     if child := os.fork():
@@ -56,27 +59,26 @@ def _prepared() -> "Cage":
     syscalls.end_with_parent(signal.SIGKILL)
     from misstep.grading.sandbox.confine import Cage
 
-    return Cage()
+    return Cage(setup)
 
 
-def _warm_shell() -> "Shell":
+def _warm_shell(setup: CourseSetup) -> "tuple[Shell, CourseStub]":
     """Import, once for all, what sheets use."""
-    import matplotlib.pyplot  # noqa: F401, ICN001
-    import sympy  # noqa: F401
-
-    import kinlib.view  # noqa: F401
-    import misstep.grading.sandbox.child
+    for module in ("matplotlib.pyplot", "sympy"):
+        with suppress(ModuleNotFoundError):  # not every course draws, or works with symbols
+            import_module(module)
     from misstep.grading.sandbox.run_cells import new_shell
 
-    return new_shell()
+    shell = new_shell(setup.warm_up)
+    return shell, install(setup.package)
 
 
-def _serve(parent: socket.socket, cage: "Cage | None", shell: "Shell") -> None:
+def _serve(parent: socket.socket, cage: "Cage | None", shell: "Shell", stub: CourseStub) -> None:
     while True:
         message, descriptors, _, _ = socket.recv_fds(parent, 100, 2)
         match message.decode().split():
             case ["fork"]:
-                parent.send(str(_forked(parent, cage, shell, *descriptors)).encode())
+                parent.send(str(_forked(parent, cage, shell, stub, *descriptors)).encode())
             case ["end", child]:
                 parent.send(json.dumps(_ended(int(child))).encode())
             case _:
@@ -85,7 +87,9 @@ def _serve(parent: socket.socket, cage: "Cage | None", shell: "Shell") -> None:
             os.close(descriptor)
 
 
-def _forked(parent: socket.socket, cage: "Cage | None", shell: "Shell", inbox: int, outbox: int) -> int:
+def _forked(
+    parent: socket.socket, cage: "Cage | None", shell: "Shell", stub: CourseStub, inbox: int, outbox: int
+) -> int:
     if cage:
         cage.before_fork()
     if child := os.fork():
@@ -94,7 +98,7 @@ def _forked(parent: socket.socket, cage: "Cage | None", shell: "Shell", inbox: i
         parent.detach()
         from misstep.grading.sandbox.child import live
 
-        live(cage, shell, inbox, outbox)
+        live(cage, shell, stub, inbox, outbox)
     finally:
         os._exit(1)
 
@@ -112,4 +116,4 @@ def _ended(child: int) -> dict[str, float]:
 
 
 if __name__ == "__main__":
-    main(int(sys.argv[1]), UNSAFE not in sys.argv)
+    main(int(sys.argv[1]), CourseSetup(**json.loads(sys.argv[2])), UNSAFE not in sys.argv)

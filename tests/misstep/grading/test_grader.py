@@ -10,10 +10,9 @@ import numpy as np
 import pytest
 import submissions
 from submissions import as_bytes, code, handed_in, problem_of, right
-from test_answer_data import as_typed
+from typed_answers import as_typed
 
-from kincourse import find_sheet, sheets
-from misstep import sheet
+from kincourse import COURSE, find_sheet, sheets
 from misstep.grading.collect.submission import Broken, Plan, Step, master, plan
 from misstep.grading.judging import judge_process, redacted_sheet
 from misstep.grading.judging.grader import Grader
@@ -39,15 +38,14 @@ ROOT = Path(__file__).parents[3]
 
 @pytest.fixture
 def laid_out():
-    yield redacted_sheet.laid_out
-    sheet.STAND_INS.clear()
+    return redacted_sheet.laid_out
 
 
 @pytest.mark.parametrize("name", sheets())
 def test_a_paper_holds_what_is_given_and_no_answer(name, laid_out):
     problems = [template.variant("ada") for template in find_sheet(name).problems]
     stand_in = laid_out(redacted_sheet.written(find_sheet(name), problems))
-    assert find_sheet(name) is stand_in
+    assert stand_in.name == name
     for template, problem in zip(stand_in.problems, problems, strict=True):
         side = template.variant("whoever")
         assert side.statement == problem.statement
@@ -73,7 +71,7 @@ def test_the_judge_gives_full_points_for_right_answers_and_names_mistakes(name):
             to_data(as_typed(value), problem.answer.inputs) for value, problem in zip(values, problems, strict=True)
         ]
         sent = json.loads(json.dumps({str(k): answer for k, answer in enumerate(data, start=1)}))
-        told = judge_process.verdicts(made, "ada", seed, sent)
+        told = judge_process.verdicts(COURSE, made, "ada", seed, sent)
         for k, problem in enumerate(problems, start=1):
             assert (told[str(k)]["fraction"] == 1) == (wanted == "right")
             assert told[str(k)]["mistakes"] == ([] if wanted == "right" else [problem.mistakes[0].name])
@@ -97,7 +95,7 @@ def test_a_paper_has_other_inputs_each_time_and_the_judge_knows_them_by_the_seed
     ],
 )
 def test_an_answer_that_is_none_is_told_why(data, told):
-    verdict = judge_process.verdicts(find_sheet("03_poe_space"), "ada", 0, {"1": data})["1"]
+    verdict = judge_process.verdicts(COURSE, find_sheet("03_poe_space"), "ada", 0, {"1": data})["1"]
     assert verdict["fraction"] == 0
     assert told in verdict["text"]
     assert "<script" not in verdict["html"]
@@ -105,7 +103,7 @@ def test_an_answer_that_is_none_is_told_why(data, told):
 
 def test_what_a_verdict_quotes_is_escaped():
     verdict = judge_process.verdicts(
-        find_sheet("03_poe_space"), "ada", 0, {"6": {"list": [{"text": "<script>alert(1)</script>"}]}}
+        COURSE, find_sheet("03_poe_space"), "ada", 0, {"6": {"list": [{"text": "<script>alert(1)</script>"}]}}
     )
     assert "&lt;script&gt;" in verdict["6"]["html"]
     assert "<script" not in verdict["6"]["html"]
@@ -113,22 +111,22 @@ def test_what_a_verdict_quotes_is_escaped():
 
 def test_one_answer_may_take_its_time_and_no_more(monkeypatch):
     made = find_sheet("03_poe_space")
-    monkeypatch.setattr(judge, "SECONDS", 0.05)
-    monkeypatch.setattr(judge, "judge", lambda *_: [None for _ in iter(int, 1)])
+    monkeypatch.setattr(judge_process, "SECONDS", 0.05)
+    monkeypatch.setattr(judge_process, "judge", lambda *_: [None for _ in iter(int, 1)])
     judge_process.signal.signal(judge_process.signal.SIGPROF, judge_process._too_long)
-    told = judge_process.verdicts(made, "ada", 0, {"1": {"number": 1}})
+    told = judge_process.verdicts(COURSE, made, "ada", 0, {"1": {"number": 1}})
     assert "could not be judged: TimeoutError" in told["1"]["text"]
 
 
 def test_a_judge_that_has_to_wait_for_its_turn_gives_the_same_verdict(monkeypatch):
     """The clock of an answer counts what its judge computes, and not what others do on a busy machine meanwhile."""
     made = find_sheet("03_poe_space")
-    right = judge_process.verdicts(made, "ada", 0, {"1": {"number": 1}})
+    right = judge_process.verdicts(COURSE, made, "ada", 0, {"1": {"number": 1}})
     at_once = judge_process.judge
-    monkeypatch.setattr(judge, "SECONDS", 0.5)
-    monkeypatch.setattr(judge, "judge", lambda *asked: [time.sleep(0.6), at_once(*asked)][1])
+    monkeypatch.setattr(judge_process, "SECONDS", 0.5)
+    monkeypatch.setattr(judge_process, "judge", lambda *asked: [time.sleep(0.6), at_once(*asked)][1])
     judge_process.signal.signal(judge_process.signal.SIGPROF, judge_process._too_long)
-    assert judge_process.verdicts(made, "ada", 0, {"1": {"number": 1}}) == right
+    assert judge_process.verdicts(COURSE, made, "ada", 0, {"1": {"number": 1}}) == right
 
 
 # --- what is heard ---

@@ -6,7 +6,7 @@ import pytransform3d.rotations as pr
 from hypothesis import example, given
 from hypothesis import strategies as st
 
-from kinlib.angles import wrap_angle
+from kinlib.rigid.angles import wrap_angle
 
 
 @pytest.mark.oracle("pytransform3d", wrap_angle)

@@ -1,0 +1,27 @@
+"""Poses in closed form as answers."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+
+from misstep.answers.expression import ClosedForm
+
+
+@dataclass(frozen=True, eq=False)
+class PoseExpression(ClosedForm):
+    """A pose as a 4x4 matrix of formulas; its rotation and its position are the parts, each with its share of the last row.
+
+    >>> import sympy as sp
+    >>> PoseExpression(sp.eye(4)).parts
+    ['rotation', 'position']
+    """
+
+    @property
+    def parts(self) -> Sequence[str]:
+        return ["rotation", "position"]
+
+    @property
+    def _pieces(self) -> list[Any]:
+        return [np.s_[:, :3], np.s_[:, 3]]

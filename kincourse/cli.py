@@ -1,0 +1,16 @@
+"""The command line of the course: `kincourse new-sheet robot.urdf --out FOLDER`."""
+
+from collections.abc import Sequence
+
+from misstep.cli import run_command
+
+COMMANDS = {"new-sheet": ("kincourse.robot_sheets.new_sheet", "write a sheet of exercises for a robot of your own")}
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command that the arguments name, and return its exit code: 0 done, 2 impossible request.
+
+    >>> main(["new-sheet", "nowhere.urdf", "--out", "solutions/my_robot"])
+    2
+    """
+    return run_command("kincourse", "Tools for those who teach this course.", COMMANDS, {}, arguments)

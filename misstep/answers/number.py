@@ -1,0 +1,83 @@
+"""Numbers and arrays of numbers as answers."""
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any, ClassVar
+
+import numpy as np
+
+from misstep import validation
+from misstep.answers.base import LARGEST, TOLERANCE, Answer, Unreadable
+from misstep.validation import Array
+
+
+@dataclass(frozen=True, eq=False)
+class Numbers(Answer):
+    """An array of real numbers of one shape, in one part unless a subclass cuts it.
+
+    >>> Numbers(np.array([1.0, 2.0]), unit="m").read([1, 2])
+    array([1., 2.])
+    """
+
+    value: Array
+    unit: str = ""
+    noun: ClassVar[str] = "an array"
+
+    @property
+    def expected(self) -> str:
+        shape = np.shape(self.value)
+        what = f"{self.noun} of shape {shape}" if shape else "one number"
+        return f"{what} in {self.unit}" if self.unit else what
+
+    @property
+    def parts(self) -> Sequence[str]:
+        return ["the answer"]
+
+    def read(self, given: Any) -> Array:
+        wanted = np.shape(self.value)
+        try:
+            shape = np.shape(given)
+        except Exception as error:  # a student's object may raise anything when it is asked for its shape
+            raise Unreadable(f"Expected {self.expected}; got {_kind(given)} whose rows differ in length.") from error
+        if shape != wanted:
+            came = f"{_kind(given)} of shape {shape}" if shape else validation.brief(given)
+            raise Unreadable(f"Expected {self.expected}; got {came}.{_remedy(shape, wanted)}")
+        try:
+            values = validation.array(given, "your answer")
+        except ValueError as error:
+            raise Unreadable(f"Expected {self.expected}. {_sentence(str(error))}") from error
+        except Exception as error:
+            raise Unreadable(
+                f"Expected {self.expected}; got {_kind(given)} that does not turn into numbers."
+            ) from error
+        if (largest := np.abs(values).max(initial=0.0)) > LARGEST:
+            raise Unreadable(f"Expected {self.expected}; got {largest:.3g}. Was there a division by almost zero?")
+        return values
+
+    def agrees(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> list[bool]:
+        allowed = tolerance * np.maximum(1.0, np.maximum(np.abs(one), np.abs(other)))
+        same = np.abs(one - other) <= allowed
+        return [bool(np.all(same[piece])) for piece in self._pieces()]
+
+    def _pieces(self) -> list[Any]:
+        """An index for each part."""
+        return [...]
+
+
+def _kind(given: Any) -> str:
+    name = type(given).__name__
+    return f"{'an' if name == 'ndarray' or name[:1] in 'aeiouAEIOU' else 'a'} {name}"
+
+
+def _remedy(shape: tuple[int, ...], wanted: tuple[int, ...]) -> str:
+    if len(shape) == 2 and shape[::-1] == wanted:
+        return " Rows and columns are swapped: try .T."
+    if shape == (3,) and wanted == (6,):
+        return " A screw axis is (omega, v), six numbers: is the other half missing?"
+    if np.prod(shape) == np.prod(wanted):
+        return f" The count of numbers is right, the arrangement is not: try np.reshape(..., {wanted})."
+    return ""
+
+
+def _sentence(text: str) -> str:
+    return text[0].upper() + text[1:]

@@ -1,0 +1,229 @@
+"""Courses: where the sheets, the blank steps and the questions of a course are found.
+
+A course is a Python package. Each lecture has a folder in it:
+
+    circuits/
+        __init__.py                  COURSE = Course("circuits"), and for students: open_sheet = COURSE.open_sheet
+        lecture_01_ohm/
+            problems.py              SHEET, the sheet "01_ohm"
+            blanks.py                BLANKS, the steps that the lecture leaves blank
+            questions.toml           its questions, as misstep.questions.item describes them
+
+An installed course is found by its entry point in the group "misstep.courses". Any other course is found by the path of
+its folder. Nothing of a lecture is imported before somebody opens it.
+"""
+
+import importlib
+import sys
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass, field
+from functools import cache, cached_property
+from importlib.metadata import entry_points
+from importlib.resources import files
+from importlib.util import module_from_spec, spec_from_file_location
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from misstep.judge import judge
+from misstep.problem import Template
+from misstep.questions.item import Item, read
+from misstep.sheet import SAMPLE, OpenSheet, Sheet
+from misstep.verdict import Verdict
+
+if TYPE_CHECKING:
+    from misstep.questions.widget import Explanation, Question
+
+GROUP = "misstep.courses"
+"""The group of entry points by which installed courses are found."""
+
+PREFIX = "lecture_"
+"""How the name of each lecture's folder begins."""
+
+
+@dataclass(frozen=True, eq=False)
+class Course:
+    """The sheets, blank steps and questions of one course.
+
+    package   the name of the Python package, from which students import open_sheet
+    requires  what submissions may import besides the packages of the environment: modules that lie elsewhere on the disk
+    warm_up   cells that the grader runs once, before the first submission, because first imports are slow
+    fallback  finds a sheet by a name that no lecture has, for example in a file beside the notebook; None if there is none
+    fallback_hint  what to try where the fallback finds nothing, with {name} for the name of the sheet
+    """
+
+    package: str
+    requires: Sequence[str] = ()
+    warm_up: Sequence[str] = ()
+    fallback: Callable[[str], Sheet | None] | None = None
+    fallback_hint: str = ""
+    _asked: dict[str, Any] = field(default_factory=dict, repr=False, compare=False)
+
+    @property
+    def folder(self) -> Path:
+        """The folder of the package."""
+        return Path(str(files(self.package)))
+
+    @property
+    def reference(self) -> str:
+        """What find_course takes to find this course in another process: the package if it is installed, or its folder."""
+        return self.package if self.package in {entry.name for entry in entry_points(group=GROUP)} else str(self.folder)
+
+    @cached_property
+    def lectures(self) -> list[str]:
+        """The names of the lectures, in order: "01_frames" is the one in the folder lecture_01_frames."""
+        names = (entry.name for entry in files(self.package).iterdir() if entry.is_dir())
+        return sorted(name.removeprefix(PREFIX) for name in names if name.startswith(PREFIX))
+
+    def _having(self, file: str) -> list[str]:
+        package = files(self.package)
+        return [name for name in self.lectures if (package / f"{PREFIX}{name}" / file).is_file()]
+
+    def sheets(self) -> list[str]:
+        """The names of all sheets, in the order of the lectures."""
+        return self._having("problems.py")
+
+    def find_sheet(self, name: str) -> Sheet:
+        """Find a sheet by its name.
+
+        Raises ValueError if there is no sheet of this name; the message lists those that exist.
+        """
+        if name in self.sheets():
+            return self._module(name, "problems").SHEET  # type: ignore[no-any-return]
+        if self.fallback and (own := self.fallback(name)):
+            return own
+        hint = self.fallback_hint.format(name=name)
+        raise ValueError(f"There is no sheet {name!r}. The sheets are: {', '.join(self.sheets())}. {hint}".rstrip())
+
+    def open_sheet(self, name: str, student: str) -> OpenSheet:
+        """Open a sheet for one student, whose id seeds the numbers.
+
+        Raises ValueError for an unknown sheet, and for an empty id.
+        """
+        return OpenSheet(self.find_sheet(name), student)
+
+    def blanks(self) -> dict[str, Template]:
+        """The steps that the lectures leave blank, by number: "03.a" is the first one of lecture 03."""
+        modules = [self._module(name, "blanks") for name in self._having("blanks.py")]
+        return {template.number: template for module in modules for template in module.BLANKS}
+
+    def attempt(self, number: str, answer: Any) -> Verdict:
+        """Check a step that a lecture leaves blank: the same numbers for everybody, and feedback as in a sheet.
+
+        Raises ValueError for an unknown number; the message lists those that exist.
+        """
+        blanks = self.blanks()
+        if number not in blanks:
+            raise ValueError(f"There is no blank step {number!r}. The blank steps are: {', '.join(blanks)}.")
+        return Verdict(blanks[number], judge(blanks[number].variant(SAMPLE), answer))
+
+    def questions(self) -> dict[str, dict[str, Item]]:
+        """The questions of each lecture, by the number of the lecture and the name of the question.
+
+        Raises ValueError for a file that is not as it should be; the message names the file and the key.
+        """
+        package = files(self.package)
+        found = {name: package / f"{PREFIX}{name}" / "questions.toml" for name in self._having("questions.toml")}
+        return {name.partition("_")[0]: _questions(str(file)) for name, file in found.items()}
+
+    def find_question(self, name: str) -> Item:
+        """Find a question by its name, "lecture/question", for example "03/order".
+
+        Raises ValueError for an unknown name; the message lists those that exist.
+        """
+        lecture, _, key = name.partition("/")
+        items = self.questions().get(lecture)
+        if items is None:
+            raise ValueError(
+                f"Questions are named lecture/question, such as 03/order; there is no lecture {lecture!r} in {name!r}."
+            )
+        if key not in items:
+            raise ValueError(f"Lecture {lecture} has no question {key!r}. It has: {', '.join(items)}.")
+        return items[key]
+
+    def ask(self, name: str) -> "Question":
+        """Put a question of a lecture on the page; name is "lecture/question", for example "03/order".
+
+        Pass the result as `after=` to a figure, which stays covered until the reader has answered.
+
+        Raises ValueError for an unknown name.
+        """
+        from misstep.questions.widget import Question
+
+        self._asked[name] = Question(self.find_question(name), name)
+        return self._asked[name]  # type: ignore[no-any-return]
+
+    def explain(self, name: str) -> "Explanation":
+        """Compare the prediction made at ask(name) with the right answer, as soon as the prediction is made.
+
+        Raises ValueError for an unknown name.
+        """
+        from misstep.questions.widget import Explanation, Question
+
+        return Explanation(self._asked.get(name) or Question(self.find_question(name), name))
+
+    def _module(self, lecture: str, name: str) -> Any:
+        return importlib.import_module(f"{self.package}.{PREFIX}{lecture}.{name}")
+
+
+@cache
+def _questions(path: str) -> dict[str, Item]:
+    file = Path(path)
+    return read(file.read_text(encoding="utf-8"), f"{file.parent.name}/{file.name}")
+
+
+def installed_courses() -> list[Course]:
+    """The courses that are installed, by their entry points in the group "misstep.courses"."""
+    return [entry.load() for entry in entry_points(group=GROUP)]
+
+
+def load_course(folder: str | Path) -> Course:
+    """Load a course from its folder, wherever that is.
+
+    Raises ValueError for a folder that is not a package with a COURSE.
+    """
+    path = Path(folder).resolve()
+    if not (path / "__init__.py").is_file() or not path.name.isidentifier():
+        raise ValueError(
+            f"{folder} should be the folder of a course, a Python package with an __init__.py that defines COURSE. "
+            "Is the path right?"
+        )
+    known = sys.modules.get(path.name)
+    if known is None or Path(str(known.__file__)).parent != path:
+        spec = spec_from_file_location(path.name, path / "__init__.py", submodule_search_locations=[str(path)])
+        known = module_from_spec(spec)  # type: ignore[arg-type]
+        sys.modules[path.name] = known
+        spec.loader.exec_module(known)  # type: ignore[union-attr]
+    course = getattr(known, "COURSE", None)
+    if not isinstance(course, Course):
+        raise ValueError(f"{path / '__init__.py'} should define COURSE = Course({path.name!r}); it defines {course!r}.")
+    return course
+
+
+def find_course(reference: str | Path) -> Course:
+    """Find a course by the name of its package, if it is installed, or by the path of its folder.
+
+    Raises ValueError if there is no such course.
+    """
+    for entry in entry_points(group=GROUP):
+        if entry.name == str(reference):
+            return entry.load()  # type: ignore[no-any-return]
+    return load_course(reference)
+
+
+def course_of(sheet: str) -> Course:
+    """The installed course that has a sheet of this name.
+
+    Raises ValueError if no installed course has it.
+    """
+    courses = installed_courses()
+    for course in courses:
+        if sheet in course.sheets():
+            return course
+    for course in courses:
+        if course.fallback and course.fallback(sheet):
+            return course
+    names = ", ".join(course.package for course in courses) or "none"
+    raise ValueError(
+        f"No installed course has a sheet {sheet!r}; installed are: {names}. "
+        "If the course is a folder, name it: --course path/to/the_course."
+    )

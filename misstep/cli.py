@@ -1,0 +1,55 @@
+"""The command line: `misstep COMMAND ...`, or `python -m misstep COMMAND ...`.
+
+Each command is a module with `add_arguments(parser)` and `run(options) -> int`, which gives the exit code. A command is
+imported when it is used, and not before. A course that has commands of its own calls `run_command` with them.
+"""
+
+import argparse
+import importlib
+import sys
+from collections.abc import Mapping, Sequence
+
+COMMANDS = {
+    "grade": ("misstep.grading.command", "grade the submissions of a sheet, in a sandbox"),
+    "release": ("misstep.release.student_notebook", "write the students' notebooks from the instructors' notebooks"),
+}
+"""For each command its module, and what it does, in a few words."""
+
+EXTRAS = {"grade": "misstep[grading]", "release": "misstep[release]"}
+"""For each command the extra that installs what it needs besides NumPy."""
+
+
+def main(arguments: Sequence[str] | None = None) -> int:
+    """Run the command that the arguments name, and return its exit code: 0 done, 2 impossible request.
+
+    >>> main(["release", "--root", "nowhere"])
+    2
+    """
+    return run_command("misstep", "Sheets that check themselves.", COMMANDS, EXTRAS, arguments)
+
+
+def run_command(
+    program: str,
+    description: str,
+    commands: Mapping[str, tuple[str, str]],
+    extras: Mapping[str, str],
+    arguments: Sequence[str] | None = None,
+) -> int:
+    """Run the command of a program that the arguments name, and return its exit code."""
+    arguments = sys.argv[1:] if arguments is None else arguments
+    parser = argparse.ArgumentParser(prog=program, description=description)
+    subparsers = parser.add_subparsers(metavar="command", required=True)
+    for name, (module, purpose) in commands.items():
+        subparser = subparsers.add_parser(name, help=purpose, description=f"{purpose[0].upper()}{purpose[1:]}.")
+        if name in arguments[:1]:
+            try:
+                command = importlib.import_module(module)
+            except ModuleNotFoundError as missing:
+                subparser.error(
+                    f"{missing}. Install what this command needs: pip install '{extras.get(name, program)}'"
+                )
+            command.add_arguments(subparser)
+            subparser.set_defaults(run=command.run)
+    options = parser.parse_args(arguments)
+    code: int = options.run(options)
+    return code

@@ -1,0 +1,93 @@
+"""Questions of the lectures, as they are written: recall at the start, predictions before a slider, checks at the end.
+
+The questions of a lecture are in its `questions.toml`, and not in the notebook, where a reader would see the answer beside
+the question. Each question is a table:
+
+    [order]                                     # ask("03/order")
+    kind = 'predict'                            # recall, predict or check
+    text = 'Which factor moves the tool first?'
+
+    [[order.options]]
+    text = '$e^{[S_1] q_1}$'
+    why = 'It is the leftmost factor, so it acts last.'
+
+    [[order.options]]
+    text = '$e^{[S_n] q_n}$'
+    right = true
+    why = 'It is next to $M$, so it acts first.'
+
+Single quotes keep the backslashes of formulas. Three single quotes hold text with an apostrophe or a second line.
+
+Questions of the kinds recall and check explain at once. A prediction is only recorded, because the picture that follows
+gives the answer; explain("03/order") compares afterwards.
+"""
+
+import tomllib
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+KINDS = {"recall": "Remember", "predict": "Predict", "check": "Check yourself"}
+LETTERS = "ABCDEFGH"
+
+
+@dataclass(frozen=True)
+class Option:
+    """One possible answer, and why it is right or wrong."""
+
+    text: str
+    why: str
+    right: bool = False
+
+
+@dataclass(frozen=True)
+class Item:
+    """A question in words, with exactly one right option."""
+
+    name: str
+    kind: str
+    text: str
+    options: Sequence[Option]
+
+    @property
+    def right(self) -> int:
+        """The index of the right option."""
+        return next(index for index, option in enumerate(self.options) if option.right)
+
+
+def read(text: str, file: str) -> dict[str, Item]:
+    r"""Read the questions of one file.
+
+    Raises ValueError that names the file, the question and what is wrong with it.
+
+    >>> order = "[order]\nkind = 'check'\ntext = '?'"
+    >>> options = [f"[[order.options]]\ntext = '{n}'\nwhy = '!'\nright = {n}" for n in ("true", "false")]
+    >>> read("\n".join([order, *options]), "03_poe_space.toml")["order"].right
+    0
+    """
+    try:
+        tables = tomllib.loads(text)
+    except tomllib.TOMLDecodeError as error:
+        raise ValueError(f"{file} is not TOML: {error}") from error
+    return {key: _item(key, table, f"{file}, question {key!r}") for key, table in tables.items()}
+
+
+def _item(key: str, table: Any, place: str) -> Item:
+    _keys(table, place, required={"kind", "text", "options"}, allowed=set())
+    if table["kind"] not in KINDS:
+        raise ValueError(f"{place}: kind should be one of {', '.join(KINDS)}; got {table['kind']!r}.")
+    options = []
+    for number, option in enumerate(table["options"], start=1):
+        _keys(option, f"{place}, option {number}", required={"text", "why"}, allowed={"right"})
+        options.append(Option(**option))
+    if sum(option.right for option in options) != 1 or not 2 <= len(options) <= len(LETTERS):
+        raise ValueError(f"{place}: there should be 2 to {len(LETTERS)} options, one of them right = true.")
+    return Item(key, table["kind"], table["text"], options)
+
+
+def _keys(table: Any, place: str, required: set[str], allowed: set[str]) -> None:
+    keys = set(table) if isinstance(table, dict) else set()
+    if missing := sorted(required - keys):
+        raise ValueError(f"{place}: {missing[0]} is missing.")
+    if unknown := sorted(keys - required - allowed):
+        raise ValueError(f"{place}: {unknown[0]!r} is no key of a question. Is it misspelt?")
