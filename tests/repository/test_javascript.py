@@ -1,4 +1,4 @@
-"""The JavaScript of the viewer and of the site: the committed bundle is that of its sources, and the linter is content."""
+"""The JavaScript of the viewer and of the site: the committed bundle matches its sources, and the linter finds nothing."""
 
 import json
 import shutil

@@ -46,8 +46,8 @@ function sliderRow(slider, state) {
   const id = uniqueId('q');
   const turns = unit === 'rad';
   const step = turns ? DEGREE : 0.01;
-  const said = turns ? 'radians' : 'metres';
-  const whole = `Joint ${column + 1}${slider.title ? ` (${slider.title})` : ''}, ${said}`;
+  const unitName = turns ? 'radians' : 'metres';
+  const label = `Joint ${column + 1}${slider.title ? ` (${slider.title})` : ''}, ${unitName}`;
   const set = (value) => {
     const q = [...state.q()];
     if (!Number.isFinite(value) || value === q[column]) return;
@@ -61,7 +61,7 @@ function sliderRow(slider, state) {
     min: low,
     max: high,
     step: 'any',
-    'aria-label': whole,
+    'aria-label': label,
     oninput: () => set(Number(range.value)),
     onkeydown: (event) => {
       const steps = KEY_STEPS[event.key];
@@ -75,7 +75,7 @@ function sliderRow(slider, state) {
     ...NO_SHORTCUTS,
     type: 'number',
     step: 'any',
-    'aria-label': `${whole}, as a number`,
+    'aria-label': `${label}, as a number`,
     onchange: () => {
       if (field.value.trim() === '') field.value = formatNumber(state.q()[column], 3);
       else set(Number(field.value));
@@ -87,7 +87,7 @@ function sliderRow(slider, state) {
     element: h(
       'div',
       { class: 'kv-row' },
-      h('label', { for: id, title: whole }, renderSymbol(name)),
+      h('label', { for: id, title: label }, renderSymbol(name)),
       range,
       field,
       h('span', { class: 'kv-unit' }, unit),

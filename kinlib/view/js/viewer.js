@@ -49,20 +49,20 @@ function render({ model, el }) {
       model.save_changes();
     },
   });
-  const chosen = model.get('mode') ?? {};
-  const mode = MODES[chosen.kind]?.({ model, stage, data: chosen, state, showMessage }) ?? {};
-  const corner = viewButtons(stage.camera);
-  frame.append(corner);
+  const modeData = model.get('mode') ?? {};
+  const mode = MODES[modeData.kind]?.({ model, stage, data: modeData, state, showMessage }) ?? {};
+  const viewBar = viewButtons(stage.camera);
+  frame.append(viewBar);
   stage.reservedBoxes = () => {
-    const left = corner.offsetLeft;
-    return corner.offsetTop < canvas.offsetTop
+    const left = viewBar.offsetLeft;
+    return viewBar.offsetTop < canvas.offsetTop
       ? []
       : [
           {
             left,
-            right: left + corner.offsetWidth,
-            top: corner.offsetTop,
-            bottom: corner.offsetTop + corner.offsetHeight,
+            right: left + viewBar.offsetWidth,
+            top: viewBar.offsetTop,
+            bottom: viewBar.offsetTop + viewBar.offsetHeight,
           },
         ];
   };
@@ -163,19 +163,26 @@ function render({ model, el }) {
   performance.mark('kinlib-viewer-answers');
   const stopTheme = onThemeChange(applyTheme);
   const stopOrbit = orbitControls(stage.camera, canvas);
-  const sized = new ResizeObserver(() => {
+  const resizeObserver = new ResizeObserver(() => {
     applyTheme(); // JupyterLab attaches the element only now, so its background was unknown before
     const width = frame.clientWidth;
     if (width) stage.resize(width, Math.round(Math.max(260, Math.min(HEIGHT_PER_WIDTH * width, 560))));
   });
-  sized.observe(frame);
-  const seen = new IntersectionObserver((entries) => stage.setVisible(entries.at(-1).isIntersecting), {
+  resizeObserver.observe(frame);
+  const visibilityObserver = new IntersectionObserver((entries) => stage.setVisible(entries.at(-1).isIntersecting), {
     rootMargin: '200px',
   });
-  seen.observe(frame);
+  visibilityObserver.observe(frame);
   return () => {
     for (const [name, listener] of Object.entries(changes)) model.off(`change:${name}`, listener);
-    for (const stop of [stopTheme, stopOrbit, () => sized.disconnect(), () => seen.disconnect(), panel.dispose]) stop();
+    for (const stop of [
+      stopTheme,
+      stopOrbit,
+      () => resizeObserver.disconnect(),
+      () => visibilityObserver.disconnect(),
+      panel.dispose,
+    ])
+      stop();
     clearTimeout(speaking);
     mode.dispose?.();
     trail?.dispose();
