@@ -13,7 +13,16 @@ def number(x: float) -> str:
     >>> number(-0.0), number(0.25), number(np.pi), number(-3.7e-6)
     ('0', '0.25', '3.142', '0')
     """
-    return f"{x + 0.0:.4g}" if abs(x) > NOTHING else "0"
+    return f"{float(x):.4g}" if abs(x) > NOTHING else "0"
+
+
+def degrees(angle: float) -> str:
+    """Write an angle, given in radians, in degrees.
+
+    >>> degrees(np.pi / 2), degrees(0)
+    ('90°', '0°')
+    """
+    return f"{number(float(np.degrees(angle)))}°"
 
 
 def vector(x: ArrayLike) -> str:

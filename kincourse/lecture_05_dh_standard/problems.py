@@ -13,6 +13,7 @@ from kincourse.sampling.arms import DIRECTIONS, ArmSampler, in_sight
 from kincourse.text.joint_table import joint_table
 from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z, arm, pose
+from kinlib.dh.formatting import markdown_table
 from kinlib.dh.parsing import COLUMNS
 from kinlib.dh.table import DHTable, dh_transform
 from kinlib.view import draw_joints
@@ -21,7 +22,7 @@ from misstep.answers.choice import Choice
 from misstep.mistakes import mistake
 from misstep.problem import Problem
 from misstep.sheet import Sheet
-from misstep.text import matrix, number, vector
+from misstep.text import degrees, matrix, number, vector
 
 RIGHT = np.pi / 2
 
@@ -183,7 +184,7 @@ def chain_of_matrices(sampler: ArmSampler) -> Problem:
     text = "\n".join(["a | alpha | d | theta", *cells])
     table, q = DHTable(text, convention="standard", name="your arm"), np.round(values, 3)
     turned = np.array([letter == "R" for letter in letters])
-    printed = _printed(cells)
+    printed = markdown_table([cell.split(" | ") for cell in cells])
     return Problem(
         statement=f"Where is frame 3 of this arm, seen from frame 0, at $q = {vector(q)}$ (radians and metres)? The convention is "
         f"standard.\n\n{printed}",
@@ -235,8 +236,7 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
     names = {f"{column}{row + 1}": f"{column} in row {row + 1}" for row in range(3) for column in COLUMNS}
     partner, pair = COLUMNS[(k + 2) % 4], COLUMNS[k ^ 1]
     column, row = COLUMNS[k], i + 1
-    lines = [" | ".join([number(a), _degrees(alpha), number(d), _degrees(theta)]) for a, alpha, d, theta in wrong]
-    printed = _printed(lines)
+    printed = markdown_table([[number(a), degrees(alpha), number(d), degrees(theta)] for a, alpha, d, theta in wrong])
     return Problem(
         statement="The table below was read off the drawn frames, at $q = 0$, in the standard convention. One entry is wrong. "
         f"Which? Answer with its column and its row, such as `'d2'`.\n\n{printed}",
@@ -372,16 +372,6 @@ def base_and_tool(sampler: ArmSampler) -> Problem:
 
 def _row(row: Array) -> Array:
     return dh_transform(*row, convention="standard")
-
-
-def _printed(rows: list[str]) -> str:
-    """A table in Markdown, from rows whose cells are already parted."""
-    head = ["| i | a | alpha | d | theta |", "| --- | --- | --- | --- | --- |"]
-    return "\n".join([*head, *(f"| {i} | {row} |" for i, row in enumerate(rows, start=1))])
-
-
-def _degrees(angle: float) -> str:
-    return f"{number(np.degrees(angle))}°"
 
 
 def _spelt(row: list[float], i: int) -> str:

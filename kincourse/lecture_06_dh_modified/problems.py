@@ -16,6 +16,7 @@ from kincourse.mistakes.space_form import halves_swapped
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kinlib.arrays.validation import Array
+from kinlib.dh.formatting import add_variable
 from kinlib.dh.parsing import COLUMNS
 from kinlib.dh.table import Convention, DHTable, dh_transform
 from kinlib.rigid.lie import exp
@@ -26,7 +27,7 @@ from misstep.answers.number import Numbers
 from misstep.mistakes import Mistake, mistake
 from misstep.problem import Problem
 from misstep.sheet import Sheet
-from misstep.text import matrix, number, vector
+from misstep.text import degrees, matrix, number, vector
 
 TILTS = (-90, 90, -60, 60, -45, 45, -30, 30)
 """Angles alpha for people, in degrees: none is 0, for a joint parallel to the one before hides half of the mistakes."""
@@ -464,13 +465,9 @@ def _printed(
     lines = [HEADS[convention], "|" + " --- |" * 5]
     for k, (a, alpha, d, theta) in enumerate(rows):
         kind, name = joints[k : k + 1], f"q_{k + first}"
-        slide, turn = number(d), f"{number(np.degrees(theta))}°"
-        if kind == "R":
-            turn = f"{name} + {turn}" if theta else name
-        if kind == "P":
-            slide = f"{name} + {slide}" if d else name
-        turn = turn.replace("+ -", "- ")
-        lines.append(f"| {k + first} | {number(a)} | {number(np.degrees(alpha))}° | ${slide}$ | ${turn}$ |")
+        slide = add_variable(name, number(d)) if kind == "P" else number(d)
+        turn = add_variable(name, degrees(theta)) if kind == "R" else degrees(theta)
+        lines.append(f"| {k + first} | {number(a)} | {degrees(alpha)} | ${slide}$ | ${turn}$ |")
     return "\n".join(lines)
 
 

@@ -16,6 +16,7 @@ from kinlib.chains.chain import Chain
 from kinlib.chains.robots import SLIDE, X, Y, Z, arm, pose
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.equivalence import equivalent
+from kinlib.dh.formatting import format_rows, markdown_table
 from kinlib.dh.table import DHTable
 from kinlib.view import draw_joints
 from kinlib.view.drawing.picture import Picture
@@ -25,7 +26,7 @@ from misstep.answers.number import Numbers
 from misstep.mistakes import Mistake, mistake
 from misstep.problem import Problem
 from misstep.sheet import Sheet
-from misstep.text import number, vector
+from misstep.text import degrees, number, vector
 
 RIGHT = np.pi / 2
 
@@ -407,11 +408,7 @@ def _two_tables(sampler: ArmSampler) -> tuple[DHTable, dict[str, DHTable]]:
 
 
 def _as_markdown(table: DHTable) -> str:
-    head = ["| i | a | alpha | d | theta |", "| --- | --- | --- | --- | --- |"]
-    for i, (a, alpha, d, theta) in enumerate(table.rows, start=1):
-        turn = f"q{i}" + (f" {'+' if theta > 0 else '-'} {number(abs(np.degrees(theta)))}°" if theta else "")
-        head.append(f"| {i} | {number(a)} | {number(np.degrees(alpha))}° | {number(d)} | {turn} |")
-    return "\n".join(head)
+    return markdown_table(format_rows(table, length=number, angle=degrees))
 
 
 SHEET = Sheet(

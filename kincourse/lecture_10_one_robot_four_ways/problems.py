@@ -14,6 +14,7 @@ from kincourse.sampling.arms import ArmSampler
 from kincourse.text.joint_table import joint_table
 from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z, pose
+from kinlib.dh.formatting import format_rows, markdown_table
 from kinlib.dh.table import DHTable
 from kinlib.rigid.lie import adjoint, inverse, log
 from kinlib.rigid.rpy import origin, roll_pitch_yaw
@@ -25,7 +26,7 @@ from misstep.answers.number import Numbers
 from misstep.mistakes import mistake
 from misstep.problem import Problem
 from misstep.sheet import Sheet
-from misstep.text import matrix, number, vector
+from misstep.text import degrees, matrix, number, vector
 
 QUARTER = np.pi / 2
 
@@ -56,7 +57,7 @@ def from_a_table(sampler: ArmSampler) -> Problem:
     S = screws[2]
     return Problem(
         statement="A table in the standard convention, with frame 0 in {s} and three turning joints. Give the screw axis "
-        f"$S_3$ of joint 3 in {{s}}, at home.\n\n{_printed(rows)}",
+        f"$S_3$ of joint 3 in {{s}}, at home.\n\n{_printed(table)}",
         given={"rows": rows},
         answer=Screws(S),
         mistakes=[
@@ -345,13 +346,10 @@ def where_is_the_tool(sampler: ArmSampler) -> Problem:
     )
 
 
-def _printed(rows: Array) -> str:
-    """A standard table of turning joints, as a slide prints it."""
-    lines = ["| row | $a$ (m) | $\\alpha$ | $d$ (m) | $\\theta$ |", "|" + " --- |" * 5]
-    for i, (a, alpha, d, theta) in enumerate(rows, start=1):
-        offset = f" {'+' if theta > 0 else '-'} 90°" if theta else ""
-        lines.append(f"| {i} | {number(a)} | {number(np.degrees(alpha))}° | {number(d)} | $q_{i}${offset} |")
-    return "\n".join(lines)
+def _printed(table: DHTable) -> str:
+    """A table of revolute joints, as a slide prints it."""
+    rows = format_rows(table, length=number, angle=degrees, variable="$q_{}$".format)
+    return markdown_table(rows, ["row", "$a$ (m)", "$\\alpha$", "$d$ (m)", "$\\theta$"])
 
 
 SHEET = Sheet(

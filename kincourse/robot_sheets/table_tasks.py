@@ -14,9 +14,9 @@ from kincourse.robot_sheets.sampling import first, grain, moved, plain_base, pla
 from kincourse.robot_sheets.task import Task
 from kincourse.sampling.arms import ArmSampler
 from kincourse.text.joint_table import joint_table
-from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import assign_frames
+from kinlib.dh.formatting import format_rows, markdown_table
 from kinlib.dh.parsing import ANGLES, COLUMNS
 from kinlib.dh.table import Convention, DHTable
 from kinlib.rigid.lie import inverse
@@ -80,7 +80,7 @@ def faulty_entry(robot: Chain, sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"The table below was read off the drawn frames of {robot.name}{cut}, in the {table.convention} convention, with the "
         "joints where they stand in the drawing. One entry is wrong. Which? Answer with its column and its row, such as `'d2'`. The poses "
-        f"of the frames in {{s}} are in `given.frames`.\n\n{_printed(table, wrong)}",
+        f"of the frames in {{s}} are in `given.frames`.\n\n{_printed(table.changed(rows=wrong))}",
         figure=partial(draw_table, table, numbers=True, path=False),
         given={"frames": np.array(frames), "rows": wrong, "convention": table.convention},
         answer=Choice(f"{column}{row}", names),
@@ -125,26 +125,9 @@ def _another(sampler: ArmSampler, value: float, column: str, step: float) -> flo
     return sampler.choice([-value, value + off]) if abs(value) > step / 2 else value + off
 
 
-def _printed(table: DHTable, rows: Array) -> str:
+def _printed(table: DHTable) -> str:
     """The table as a page prints it, angles in degrees."""
-    lines = ["| i | a | alpha | d | theta |", "| --- | --- | --- | --- | --- |"]
-    for i, (a, alpha, d, theta) in enumerate(rows, start=1):
-        sign, letter = table.signs[i - 1], table.joints[i - 1]
-        variable = f"{'-' if sign < 0 else ''}q{i}"
-        turn, shift = f"{number(_plain(theta))}°", number(d)
-        if letter == "R":
-            turn = _and(variable, turn)
-        else:
-            shift = _and(variable, shift)
-        lines.append(f"| {i} | {number(a)} | {number(_plain(alpha))}° | {shift} | {turn} |")
-    return "\n".join(lines)
-
-
-def _and(variable: str, offset: str) -> str:
-    """A joint variable and its offset, if it has any."""
-    if offset in {"0", "0°"}:
-        return variable
-    return f"{variable} - {offset[1:]}" if offset.startswith("-") else f"{variable} + {offset}"
+    return markdown_table(format_rows(table, length=number, angle=lambda angle: f"{number(_plain(angle))}°"))
 
 
 def _plain(angle: float) -> float:

@@ -9,9 +9,11 @@ from dataclasses import dataclass
 
 import numpy as np
 
+from kinlib.arrays.formatting import format_number, format_vector
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.common_normal import Normal
+from kinlib.dh.formatting import format_rows
 from kinlib.dh.table import DHTable
 
 PROBES = 24
@@ -90,15 +92,15 @@ def told(chain: Chain, table: DHTable, frames: Array, normals: Sequence[Normal],
 def _axes(chain: Chain, standard: bool) -> Step:
     found = []
     for i, (letter, axis, point) in enumerate(zip(chain.letters, chain.lines.axis, chain.joint_points, strict=True)):
-        where = "anywhere (a slide has a direction, not a line)" if letter == "P" else f"through {_vector(point)}"
-        found.append(f"joint {i + 1}, {'sliding' if letter == 'P' else 'turning'}, along {_vector(axis)} {where}")
+        where = "anywhere (a slide has a direction, not a line)" if letter == "P" else f"through {format_vector(point)}"
+        found.append(f"joint {i + 1}, {'sliding' if letter == 'P' else 'turning'}, along {format_vector(axis)} {where}")
     rule = "z_{i-1} lies on the axis of joint i" if standard else "z_i lies on the axis of joint i"
     turned = "Each z may point the other way; then that joint counts the other way."
     return Step("axes", None, f"Locate the joint axes: {'; '.join(found)}. In this convention {rule}.", turned)
 
 
 def _first(table: DHTable, frames: Array) -> Step:
-    place = f"Its origin is at {_vector(frames[0, :3, 3])}, its x along {_vector(frames[0, :3, 0])}."
+    place = f"Its origin is at {format_vector(frames[0, :3, 3])}, its x along {format_vector(frames[0, :3, 0])}."
     if table.convention == "standard":
         text = f"Frame 0 stands on axis 1, at the point nearest {{s}}, with x as near the x of {{s}} as the axis allows. {place}"
         return Step(
@@ -110,7 +112,7 @@ def _first(table: DHTable, frames: Array) -> Step:
 
 def _link(chain: Chain, T: Array, pair: int, normal: Normal, standard: bool) -> Iterator[Step]:
     i, j, frame = pair + 1, pair + 2, pair + 1
-    length = _number(float(np.linalg.norm(normal.end - normal.start)))
+    length = format_number(float(np.linalg.norm(normal.end - normal.start)))
     text = CASES[normal.case].format(i=i, j=j, a=length)
     has_length = normal.case in {"skew", "parallel", "anti-parallel"}
     singular = normal.nearly_parallel and (has_length or "P" not in chain.letters[pair : pair + 2])
@@ -128,7 +130,7 @@ def _link(chain: Chain, T: Array, pair: int, normal: Normal, standard: bool) -> 
     yield Step(
         "origin",
         frame,
-        f"O_{frame} lies on {on}, {why}: {_vector(T[:3, 3])}.",
+        f"O_{frame} lies on {on}, {why}: {format_vector(T[:3, 3])}.",
         ELSE[normal.case] if normal.free else "",
     )
     direction = (
@@ -143,15 +145,17 @@ def _link(chain: Chain, T: Array, pair: int, normal: Normal, standard: bool) -> 
     yield Step(
         "x",
         frame,
-        f"x_{frame} is {direction}: {_vector(normal.x)}.",
+        f"x_{frame} is {direction}: {format_vector(normal.x)}.",
         "" if normal.case in {"parallel", "anti-parallel"} else ELSE[normal.case],
     )
-    yield Step("y", frame, f"y_{frame} = z_{frame} x x_{frame} completes a right-handed frame: {_vector(T[:3, 1])}.")
+    yield Step(
+        "y", frame, f"y_{frame} = z_{frame} x x_{frame} completes a right-handed frame: {format_vector(T[:3, 1])}."
+    )
 
 
 def _last(chain: Chain, table: DHTable, frames: Array) -> Step:
     n, T = chain.n, frames[-1]
-    place = f"O_{n} is at {_vector(T[:3, 3])}, x_{n} along {_vector(T[:3, 0])}."
+    place = f"O_{n} is at {format_vector(T[:3, 3])}, x_{n} along {format_vector(T[:3, 0])}."
     if table.convention == "standard":
         text = f"There is no next axis: z_{n} is parallel to z_{n - 1}, and the frame as near the tool as that allows. {place}"
         return Step(
@@ -166,18 +170,9 @@ def _last(chain: Chain, table: DHTable, frames: Array) -> Step:
 
 
 def _rows(table: DHTable) -> Iterator[Step]:
-    for row, (letter, (a, alpha, d, theta)) in enumerate(zip(table.joints, table.rows, strict=True), start=1):
-        turn = f"q_{row}" + (f" {'+' if theta > 0 else '-'} {_number(abs(theta))}" if abs(theta) > 1e-12 else "")
-        slide = f"q_{row}" + (f" {'+' if d > 0 else '-'} {_number(abs(d))}" if abs(d) > 1e-12 else "")
-        d_text, theta_text = (_number(d), turn) if letter == "R" else (slide, _number(theta))
+    for row, (a, alpha, d, theta) in enumerate(
+        format_rows(table, angle=format_number, variable="q_{}".format), start=1
+    ):
         before = row - 1 if table.convention == "modified" else row
-        text = f"Row {row}: a_{before} = {_number(a)}, alpha_{before} = {_number(alpha)}, d_{row} = {d_text}, theta_{row} = {theta_text}."
+        text = f"Row {row}: a_{before} = {a}, alpha_{before} = {alpha}, d_{row} = {d}, theta_{row} = {theta}."
         yield Step("row", row, text)
-
-
-def _number(x: float) -> str:
-    return "0" if abs(x) < 1e-12 else f"{x:.4g}"
-
-
-def _vector(x: Array) -> str:
-    return "(" + ", ".join(_number(float(value)) for value in x) + ")"

@@ -13,6 +13,7 @@ from kincourse.text.joint_table import joint_table
 from kinlib import linkages, robots
 from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import FrameAssignment, assign_frames
+from kinlib.dh.formatting import format_rows, markdown_table
 from kinlib.dh.table import Convention
 from kinlib.mechanisms.mechanism import Mechanism
 from kinlib.view import draw_arm, drive, explore
@@ -203,25 +204,11 @@ def dh_table(found: FrameAssignment) -> str:
     table = found.table
     link = "i-1" if table.convention == "modified" else "i"
     names = (f"length $a_{{{link}}}$", f"twist $\\alpha_{{{link}}}$", "offset $d_i$", "angle $\\theta_i$")
-    rows = []
-    for i, (row, letter, sign) in enumerate(zip(table.rows, table.joints, table.signs, strict=True), start=1):
-        a, alpha, d, theta = number(row[0]), angle(row[1]), number(row[2]), angle(row[3])
-        variable = f"{'-' if sign < 0 else ''}q_{{{i}}}"
-        d = added(variable, d) if letter == "P" else d
-        theta = added(variable, theta) if letter == "R" else theta
-        rows.append(f"| {i} | ${a}$ | ${alpha}$ | ${d}$ | ${theta}$ |")
-    head = "| row | " + " | ".join(names) + " |\n|" + " --- |" * 5
+    rows = format_rows(table, length=number, angle=angle, variable="q_{{{}}}".format)
+    printed = markdown_table([[f"${cell}$" for cell in row] for row in rows], ["row", *names])
     ends = f"The base and the tool are\n\n$${matrix(table.base)} \\qquad \\text{{and}} \\qquad {matrix(table.tool)}.$$"
-    return "\n".join(
-        [head, *rows, "", "Any other right table is as good: this is the one that `kl.assign_frames` finds.", "", ends]
-    )
-
-
-def added(variable: str, constant: str) -> str:
-    """The joint variable and what is added to it."""
-    if constant == "0":
-        return variable
-    return f"{variable} {constant}" if constant.startswith("-") else f"{variable} + {constant}"
+    remark = "Any other right table is as good: this is the one that `kl.assign_frames` finds."
+    return f"{printed}\n\n{remark}\n\n{ends}"
 
 
 def angle(x: float) -> str:

@@ -9,6 +9,7 @@ from collections.abc import Sequence
 import numpy as np
 from numpy.typing import ArrayLike
 
+from kinlib.arrays.formatting import format_number
 from kinlib.arrays.validation import Array
 from kinlib.view.drawing import svg
 from kinlib.view.drawing.labels import AROUND, Label, Offset, placed
@@ -174,9 +175,9 @@ class Canvas:
             )
             return
         for x in xs[:-1]:
-            self.label((x, ys[0], 0), _tick(x), AXIS_COLOURS[0], [(-3, -10)], 8)
+            self.label((x, ys[0], 0), format_number(x, 3), AXIS_COLOURS[0], [(-3, -10)], 8)
         for y in ys[1:]:
-            self.label((xs[-1], y, 0), _tick(y), AXIS_COLOURS[1], [(11, -3)], 8)
+            self.label((xs[-1], y, 0), format_number(y, 3), AXIS_COLOURS[1], [(11, -3)], 8)
         self.label((xs.mean(), ys[0], 0), "x in m", AXIS_COLOURS[0], [(-8, -26)], 9)
         self.label((xs[-1], ys.mean(), 0), "y in m", AXIS_COLOURS[1], [(40, -8)], 9)
 
@@ -228,10 +229,6 @@ class Canvas:
             return
         for end in ((4, 4), (4, -4)):
             self._marks.append((level, svg.stroke(np.array([centre - end, centre + end]), colour, 1.3)))
-
-
-def _tick(value: float) -> str:
-    return f"{value:.3g}" if abs(value) > 1e-9 else "0"
 
 
 def _step(rough: float) -> float:

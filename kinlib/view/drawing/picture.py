@@ -6,8 +6,9 @@ import io
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
 from numpy.typing import ArrayLike
+
+from kinlib.arrays.formatting import SHORT_PI, format_vector
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -74,4 +75,4 @@ def spoken(values: ArrayLike) -> str:
     >>> spoken([0.5, -1e-17, 3])
     '(0.5, 0, 3)'
     """
-    return "(" + ", ".join(f"{value:.3g}" if abs(value) > 5e-4 else "0" for value in np.asarray(values)) + ")"
+    return format_vector(values, 3, zero=SHORT_PI)

@@ -3,7 +3,7 @@
 The page is told every step at once, in both conventions, and moves between them without asking Python.
 """
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Iterable, Iterator
 from typing import Any, get_args
 
 import numpy as np
@@ -13,6 +13,7 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import FrameAssignment, assign_frames
 from kinlib.dh.explanation import Step
+from kinlib.dh.formatting import format_rows
 from kinlib.dh.table import Convention, DHTable, convention_of
 from kinlib.view.figures.assignment import draw_assignment
 from kinlib.view.figures.assignment_state import in_view, legs, stage
@@ -106,34 +107,14 @@ def play_assignment(chain: Chain, *, convention: Convention, step: int = 0, afte
     return made
 
 
-def cells(table: DHTable, signs: Sequence[float] | Array = ()) -> list[list[str]]:
-    """The rows of a table as a person writes them: a, alpha, d, theta, with q_i for what moves.
-
-    signs  (n,) -1 for a joint that counts the other way
+def cells(table: DHTable) -> list[list[str]]:
+    """The rows of a table as a page shows them: a, alpha, d, theta, with q_i for what moves, and true minus signs.
 
     >>> from kinlib.chains.robots import youbot
     >>> cells(assign_frames(youbot(), convention="standard").table)[3]
     ['0', '90°', '0', 'q_4 + 90°']
     """
-    found = []
-    for i, (letter, (a, alpha, d, theta)) in enumerate(zip(table.joints, table.rows, strict=True), start=1):
-        moves = f"−q_{i}" if len(signs) and signs[i - 1] < 0 else f"q_{i}"
-        turn, slide = _number(np.degrees(theta), "°"), _number(d)
-        if letter == "R":
-            turn = moves if turn == "0" else f"{moves} {_signed(turn)}"
-        else:
-            slide = moves if slide == "0" else f"{moves} {_signed(slide)}"
-        found.append([_number(a), _number(np.degrees(alpha), "°"), slide, turn])
-    return found
-
-
-def _number(value: float, unit: str = "") -> str:
-    text = f"{value:.4g}"
-    return "0" if abs(value) < 1e-9 else text.replace("-", "−") + unit
-
-
-def _signed(text: str) -> str:
-    return f"− {text[1:]}" if text[0] == "−" else f"+ {text}"
+    return [[cell.replace("-", "−") for cell in row] for row in format_rows(table, variable="q_{}".format)]
 
 
 def bare_scene(chain: Chain, points: Array) -> dict[str, Any]:

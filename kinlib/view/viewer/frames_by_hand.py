@@ -122,7 +122,8 @@ class ByHand(Viewer):
 
     def _judge(self, _: Any) -> None:
         table = self.table
-        signs = signs_of(self.chain, self.frames, self.convention)
+        if table is not None:
+            table = table.changed(signs=signs_of(self.chain, self.frames, self.convention))
         breaches = [
             {"frame": b.frame, "rule": b.rule, "text": b.text, "joint": _joint(b, self.convention, self.chain.n)}
             for b in self.breaches
@@ -130,8 +131,8 @@ class ByHand(Viewer):
         self.verdict = {
             "asked": self.asked,
             "breaches": breaches,
-            "table": [] if table is None else cells(table, signs),
-            "off": 0.0 if table is None else _off(self.chain, table, signs),
+            "table": [] if table is None else cells(table),
+            "off": 0.0 if table is None else _off(self.chain, table),
         }
 
 
@@ -196,10 +197,10 @@ def signs_of(chain: Chain, frames: Array, convention: Convention) -> Array:
     return signs
 
 
-def _off(chain: Chain, table: DHTable, signs: Array) -> float:
+def _off(chain: Chain, table: DHTable) -> float:
     """The largest difference of a pose between the table and the arm, over postures by chance."""
     q = random_configurations(chain.n, PROBES)
-    return largest_difference(table.fk(signs * q), chain.fk(q))
+    return largest_difference(table.fk(q), chain.fk(q))
 
 
 def _joint(breach: Breach, convention: Convention, n: int) -> int:

@@ -1,0 +1,63 @@
+"""DH tables as text: each entry as a person writes it, with the joint variable where the joint moves."""
+
+from collections.abc import Callable, Sequence
+
+from kinlib.arrays.formatting import format_degrees, format_number
+from kinlib.dh.parsing import COLUMNS
+from kinlib.dh.table import DHTable
+
+Format = Callable[[float], str]
+
+
+def format_rows(
+    table: DHTable,
+    *,
+    length: Format = format_number,
+    angle: Format = format_degrees,
+    variable: Callable[[int], str] = "q{}".format,
+) -> list[list[str]]:
+    r"""Write each row of a table as its four entries a, alpha, d, theta.
+
+    length    writes a and d, given in metres
+    angle     writes alpha and theta, given in radians
+    variable  writes the variable of joint i, counted from 1
+
+    >>> table = DHTable("a | alpha | d | theta\n 0.4 | pi/2 | 0 | 0.5*pi - q1\n 0 | 0 | q2 | 0", convention="standard")
+    >>> format_rows(table)
+    [['0.4', '90°', '0', '-q1 + 90°'], ['0', '0', 'q2', '0']]
+    """
+    rows, joint = [], 0
+    for letter, sign, (a, alpha, d, theta) in zip(table.joints, table.signs, table.rows.tolist(), strict=True):
+        row = [length(a), angle(alpha), length(d), angle(theta)]
+        if letter != "F":
+            joint += 1
+            moving = COLUMNS.index("theta" if letter == "R" else "d")
+            row[moving] = add_variable(f"{'-' if sign < 0 else ''}{variable(joint)}", row[moving])
+        rows.append(row)
+    return rows
+
+
+def add_variable(variable: str, constant: str) -> str:
+    """Write a joint variable and the constant that is added to it, if there is any.
+
+    >>> add_variable("q1", "-90°"), add_variable("-q2", "0.3"), add_variable("q3", "0°")
+    ('q1 - 90°', '-q2 + 0.3', 'q3')
+    """
+    if constant in {"0", "0°"}:
+        return variable
+    return f"{variable} - {constant[1:]}" if constant.startswith("-") else f"{variable} + {constant}"
+
+
+def markdown_table(rows: Sequence[Sequence[str]], heads: Sequence[str] = ("i", *COLUMNS)) -> str:
+    """Write rows of entries as a table in Markdown, with the rows numbered from 1.
+
+    heads  of all columns, that of the numbers included
+
+    >>> print(markdown_table([["0.4", "90°", "0", "q1"]]))
+    | i | a | alpha | d | theta |
+    | --- | --- | --- | --- | --- |
+    | 1 | 0.4 | 90° | 0 | q1 |
+    """
+    lines = [" | ".join(cells) for cells in (heads, ["---"] * len(heads))]
+    lines += [" | ".join([str(i), *row]) for i, row in enumerate(rows, start=1)]
+    return "\n".join(f"| {line} |" for line in lines)
