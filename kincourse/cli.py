@@ -4,7 +4,7 @@ from collections.abc import Sequence
 
 from misstep.cli import run_command
 
-COMMANDS = {"new-sheet": ("kincourse.robot_sheets.new_sheet", "write a sheet of exercises for a robot of your own")}
+COMMANDS = {"new-sheet": ("kincourse.new_sheet", "write a sheet of exercises for a robot of your own")}
 
 
 def main(arguments: Sequence[str] | None = None) -> int:

@@ -7,9 +7,10 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
-from misstep.answers.base import NEAR, Answer, Unreadable, is_blank
+from misstep.answers.base import NEAR, Answer, Unreadable
 from misstep.mistakes import Mistake
 from misstep.problem import Problem
+from misstep.validation import is_blank
 
 State = Literal["right", "partly", "wrong", "blank", "unreadable"]
 

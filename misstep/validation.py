@@ -41,3 +41,12 @@ def brief(x: Any) -> str:
     'list [1, 2, 3]'
     """
     return f"{type(x).__name__} {reprlib.repr(x)}"
+
+
+def is_blank(given: Any) -> bool:
+    """Return whether a student has typed nothing yet: the ... of a fresh sheet, or None.
+
+    >>> is_blank(...), is_blank(0)
+    (True, False)
+    """
+    return given is None or given is ...

@@ -55,8 +55,3 @@ class Answer(ABC):
     def hint(self, given: Any, part: int) -> str:
         """What is right about a wrong part, if anything is: a first foothold for a mistake that nobody foresaw."""
         return ""
-
-
-def is_blank(given: Any) -> bool:
-    """Whether nothing has been typed yet: the ... of a fresh sheet, or None."""
-    return given is None or given is ...

@@ -24,15 +24,15 @@ from tqdm import tqdm
 from misstep.grading.collect.gather import Handed, gather
 from misstep.grading.collect.roster import read_roster
 from misstep.grading.collect.submission import Master, master
-from misstep.grading.collect.tasks import Task, tasks
 from misstep.grading.judging.bounded_executor import as_done
 from misstep.grading.judging.cluster import Unreachable, cluster, grade_here
 from misstep.grading.judging.grader import Grader
 from misstep.grading.judging.result import Result
 from misstep.grading.publish.feedback_zip import give_back
-from misstep.grading.publish.result_sink import Desk
 from misstep.grading.publish.result_store import Book, Busy, opened
+from misstep.grading.result_sink import Desk
 from misstep.grading.sandbox.limits import UNSAFE, Limits, Missing
+from misstep.grading.tasks import Task, tasks
 
 AHEAD = 3
 """For each worker, so many submissions are on their way, so that none waits for a disk."""

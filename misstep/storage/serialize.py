@@ -13,10 +13,9 @@ from typing import Any
 
 import numpy as np
 
-from misstep.answers.base import is_blank
 from misstep.formulas.sympy_parsing import LONGEST
 from misstep.storage.deserialize import DEEPEST, MOST_NUMBERS
-from misstep.validation import Array
+from misstep.validation import Array, is_blank
 
 MOST_PARTS = 4 * MOST_NUMBERS
 """So many entries are looked at, of all lists together: a list of long lists of lists would take for ever."""

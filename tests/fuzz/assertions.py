@@ -37,8 +37,8 @@ def assert_rigid(T):
 
 
 def assert_verdict(verdict):
-    from misstep.grading.judging.rpc import pack
     from misstep.grading.publish.pages import STATES  # grading cannot be imported on Windows
+    from misstep.grading.sandbox.rpc import pack
 
     fraction, state = verdict["fraction"], verdict["state"]
     assert math.isfinite(fraction)

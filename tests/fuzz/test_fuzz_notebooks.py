@@ -39,15 +39,15 @@ from misstep.grading.collect.files import Refused
 from misstep.grading.collect.gather import gather
 from misstep.grading.collect.roster import read_roster
 from misstep.grading.collect.submission import master
-from misstep.grading.collect.tasks import tasks
 from misstep.grading.judging import judge_process as judging
 from misstep.grading.judging.grader import Grader
-from misstep.grading.judging.rpc import pack, receive
 from misstep.grading.nbgrader.cells import filled, restored
 from misstep.grading.publish.publish import publish
 from misstep.grading.publish.result_store import Book
 from misstep.grading.sandbox.limits import Limits
+from misstep.grading.sandbox.rpc import pack, receive
 from misstep.grading.sandbox.runner import Ran
+from misstep.grading.tasks import tasks
 from misstep.storage.deserialize import MIME
 from misstep.storage.serialize import to_data
 

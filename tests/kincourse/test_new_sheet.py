@@ -19,7 +19,7 @@ from urdf_files import ARMS, text_of
 
 import kinlib as kl
 from kincourse import find_sheet, open_sheet
-from kincourse.robot_sheets.new_sheet import new_sheet
+from kincourse.new_sheet import new_sheet
 from kincourse.robot_sheets.robot_file import read, written
 from kincourse.robot_sheets.robot_sheet import ALL, PROBLEMS, WANTED, robot_sheet, tasks_for
 from kincourse.robot_sheets.sampling import plain_posture, posture

@@ -1,8 +1,9 @@
 """The house: clean code, imports that run downwards, notebooks without output, and files that say what they need and why."""
 
-import ast
 import json
+import os
 import re
+import shutil
 import subprocess
 import sys
 import tomllib
@@ -66,101 +67,45 @@ def test_mypy_finds_nothing():
     finds_nothing("mypy")
 
 
-# --- kinlib ---
-
-FLOORS = [
-    *(
-        "sweep",
-        "check",
-        "angles",
-        "lie",
-        "rpy",
-        "screw",
-        "straight_line",
-        "fast_kinematics",
-        "chain",
-        "dh_rows",
-        "dh",
-        "normals",
-        "frame_steps",
-        "frames",
-        "frame_check",
-        "equivalence",
-        "diagnosis",
-        "rates",
-        "gauss_newton",
-        "continuation",
-        "mobility",
-        "closure",
-        "bodies",
-        "loops",
-        "linkages",
-        "urdf_xml",
-        "urdf_tree",
-        "urdf",
-        "symbols",
-        "runs",
-        "symbolic",
-    ),
-    *("robots", "view", "practice", "grading"),
-]
-"""From the ground up. A module imports from floors below its own; within a package, from its own floor too."""
+# --- imports ---
 
 
-def imports(source):
-    """Every module of kinlib that the source names in an import, wherever the import stands."""
-    for node in ast.walk(ast.parse(source)):
-        if isinstance(node, ast.Import):
-            yield from (alias.name for alias in node.names if alias.name.split(".")[0] == "kinlib")
-        elif isinstance(node, ast.ImportFrom) and node.level:
-            yield "." * node.level + (node.module or "")
-        elif isinstance(node, ast.ImportFrom) and node.module == "kinlib":
-            yield from (f"kinlib.{alias.name}" for alias in node.names)
-        elif isinstance(node, ast.ImportFrom) and node.module.startswith("kinlib."):
-            yield node.module
+def lint_imports(folder, *options):
+    """Check the contracts of the pyproject.toml in a folder, on the packages that lie there."""
+    script = "import sys; from importlinter.cli import lint_imports; sys.exit(lint_imports(no_cache=True))"
+    environment = {**os.environ, "PYTHONPATH": str(folder)}
+    done = [sys.executable, "-P", "-c", script]
+    return subprocess.run(done, cwd=folder, env=environment, capture_output=True, encoding="utf-8", check=False)
 
 
-def climbs(source, floor, in_package=False):
-    """The imports that do not run downwards."""
-    below = FLOORS[: FLOORS.index(floor) + in_package]
-    return [name for name in imports(source) if [*name.split("."), ""][1] not in below]
-
-
-MODULES = [
-    path for path in sorted((ROOT / "kinlib").rglob("*.py")) if path.parent.name != "kinlib" or path.stem[0] != "_"
-]
-
-
-@pytest.mark.parametrize("path", MODULES, ids=lambda path: path.relative_to(ROOT).as_posix())
-def test_imports_run_downwards(path):
-    floor, *rest = path.relative_to(ROOT / "kinlib").with_suffix("").parts
-    assert floor in FLOORS, f"{floor} has no floor yet: give it one in FLOORS, and in CONTRIBUTING.md"
-    up = climbs(path.read_text("utf-8"), floor, in_package=bool(rest))
-    assert not up, f"{floor} imports {up}; it may name only {FLOORS[: FLOORS.index(floor)]}, as kinlib.<floor>"
+def test_the_import_contracts_are_kept():
+    done = lint_imports(ROOT)
+    assert done.returncode == 0, done.stdout
 
 
 @pytest.mark.parametrize(
-    "source",
+    ("module", "line"),
     [
-        "from kinlib.chains.chain import Chain",
-        "from kinlib.chains import chain",
-        "def later():\n    import kinlib.view.drawing.picture",
-        "import kinlib",
-        "from kinlib import Chain",
-        "from . import lie",
-        "from kinlib.rigid.screw import screw",
+        ("kinlib/rigid/screw.py", "from kinlib.chains.chain import Chain"),
+        ("kinlib/rigid/screw.py", "def later():\n    import kinlib.view.drawing.picture"),
+        ("kinlib/dh/table.py", "import misstep.text"),
+        ("misstep/text.py", "from kinlib import exp"),
+        ("misstep/judge.py", "from kincourse.catalog import COURSE"),
+        ("misstep/grading/collect/files.py", "from misstep.grading.publish import pages"),
+        ("kincourse/lecture_01_frames/problems.py", "from kincourse.lecture_02_matrix_exponential import problems"),
     ],
 )
-def test_an_import_that_climbs_is_noticed(source):
-    assert climbs(source, "screw")
-
-
-@pytest.mark.parametrize(
-    "source",
-    ["from kinlib.arrays import validation; from kinlib.rigid import lie", "import kinlib.rigid.lie", "import numpy"],
-)
-def test_an_import_that_descends_is_let_be(source):
-    assert not climbs(source, "screw")
+def test_an_import_that_breaks_a_contract_is_reported(tmp_path, module, line):
+    for package in ("kinlib", "misstep", "kincourse"):
+        shutil.copytree(
+            ROOT / package, tmp_path / package, ignore=shutil.ignore_patterns("*.js", "static", "__pycache__")
+        )
+    shutil.copy(ROOT / "pyproject.toml", tmp_path)
+    changed = tmp_path / module
+    changed.write_text(f"{changed.read_text('utf-8')}\n\n{line}\n", "utf-8")
+    done = lint_imports(tmp_path)
+    assert done.returncode == 1
+    assert "BROKEN" in done.stdout, done.stdout + done.stderr
 
 
 def test_importing_kinlib_loads_numpy_dataclasses_and_nothing_else():
@@ -288,15 +233,35 @@ def test_every_dependency_is_pinned():
     assert dependencies() - pins == set(), "run: nox -s pin"
 
 
-def test_a_wheel_holds_kinlib_and_its_data_only():
-    wheel = PROJECT["tool"]["hatch"]["build"]["targets"]["wheel"]
-    assert wheel == {"packages": ["kinlib"]}
+PACKAGES = {
+    name: tomllib.loads((ROOT / name / "pyproject.toml").read_text("utf-8"))
+    for name in ("kinlib", "misstep", "kincourse")
+}
+
+
+def test_the_workspace_installs_what_the_packages_say():
+    """The three packages are installed together from the root; their wheels are built from their own folders."""
+    projects = [package["project"] for package in PACKAGES.values()]
+    needed = {name_of(item) for project in projects for item in project["dependencies"]} - set(PACKAGES)
+    assert needed <= {name_of(item) for item in PROJECT["project"]["dependencies"]}
+    scripts = {name: target for project in projects for name, target in project.get("scripts", {}).items()}
+    assert PROJECT["project"]["scripts"] == scripts
+    assert PROJECT["project"]["entry-points"] == PACKAGES["kincourse"]["project"]["entry-points"]
+    assert PROJECT["tool"]["hatch"]["build"]["targets"]["wheel"] == {"packages": [*PACKAGES]}
+    assert [item for item in PACKAGES["misstep"]["project"]["dependencies"] if name_of(item) != "numpy"] == []
+
+
+def test_what_an_extra_needs_is_installed_for_the_tests():
+    extras = PACKAGES["misstep"]["project"]["optional-dependencies"].values()
+    assert {name_of(item) for items in extras for item in items} <= dependencies() | {"ipython"}
 
 
 def test_the_version_is_said_once_everywhere():
+    import kincourse
     import kinlib
+    import misstep
 
     version = PROJECT["project"]["version"]
-    assert kinlib.__version__ == version
+    assert kinlib.__version__ == misstep.__version__ == kincourse.__version__ == version
     assert f"\nversion: {version}\n" in (ROOT / "CITATION.cff").read_text("utf-8")
     assert f"## [{version}]" in (ROOT / "CHANGELOG.md").read_text("utf-8")

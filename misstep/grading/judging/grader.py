@@ -17,9 +17,9 @@ from misstep.catalog import find_course
 from misstep.grading.collect.submission import Broken, Master, Plan, plan
 from misstep.grading.judging.parse_output import Heard, hear
 from misstep.grading.judging.result import ProblemResult, Result
-from misstep.grading.judging.rpc import Gone, Peer
 from misstep.grading.sandbox.course_stub import setup_for
 from misstep.grading.sandbox.limits import Limits, Missing
+from misstep.grading.sandbox.rpc import Gone, Peer
 from misstep.grading.sandbox.runner import Ran, Runner
 
 JUDGING = 60.0

@@ -20,9 +20,9 @@ from functools import lru_cache
 from typing import Any
 
 from misstep.catalog import Course, find_course
-from misstep.grading.judging.redacted_sheet import written
-from misstep.grading.judging.rpc import pack, receive
 from misstep.grading.sandbox.confine import set_limits
+from misstep.grading.sandbox.redacted_sheet import written
+from misstep.grading.sandbox.rpc import pack, receive
 from misstep.judge import Finding, Judgement, judge
 from misstep.problem import Problem
 from misstep.sheet import Sheet

@@ -7,10 +7,10 @@ import json
 import os
 import tempfile
 
-from misstep.grading.judging.redacted_sheet import laid_out
 from misstep.grading.sandbox.confine import Cage, holes, restrict
 from misstep.grading.sandbox.course_stub import CourseStub
 from misstep.grading.sandbox.limits import Limits, Missing
+from misstep.grading.sandbox.redacted_sheet import laid_out
 from misstep.grading.sandbox.run_cells import Shell, line, run_cells, write
 
 HIGH = 250

@@ -14,9 +14,9 @@ from collections.abc import Sequence
 from dataclasses import asdict, dataclass
 from typing import Any
 
-from misstep.grading.judging.rpc import Gone, environment
 from misstep.grading.sandbox.course_stub import CourseSetup
 from misstep.grading.sandbox.limits import UNSAFE, Limits, Missing
+from misstep.grading.sandbox.rpc import Gone, environment
 
 CHUNK = 1 << 20
 

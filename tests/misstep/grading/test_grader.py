@@ -14,11 +14,12 @@ from typed_answers import as_typed
 
 from kincourse import COURSE, find_sheet, sheets
 from misstep.grading.collect.submission import Broken, Plan, Step, master, plan
-from misstep.grading.judging import judge_process, redacted_sheet
+from misstep.grading.judging import judge_process
 from misstep.grading.judging.grader import Grader
 from misstep.grading.judging.parse_output import hear
-from misstep.grading.judging.rpc import Gone, Peer, environment
+from misstep.grading.sandbox import redacted_sheet
 from misstep.grading.sandbox.limits import UNSAFE, Limits, Missing, layer
+from misstep.grading.sandbox.rpc import Gone, Peer, environment
 from misstep.grading.sandbox.runner import Runner
 from misstep.storage.deserialize import MIME
 from misstep.storage.serialize import to_data
@@ -276,7 +277,7 @@ def test_importing_a_grader_runs_no_student_and_loads_no_sandbox():
 
 @on_linux
 def test_a_robots_own_sheet_is_judged_by_the_file_beside_the_masters_notebook(tmp_path):
-    from kincourse.robot_sheets.new_sheet import new_sheet
+    from kincourse.new_sheet import new_sheet
     from kinlib.chains.robots import rpr
 
     made = new_sheet(rpr(), tmp_path / "my_robot")
@@ -289,7 +290,7 @@ def test_a_robots_own_sheet_is_judged_by_the_file_beside_the_masters_notebook(tm
 
 
 def test_a_sheet_that_the_judge_cannot_find_is_refused(tmp_path):
-    from kincourse.robot_sheets.new_sheet import new_sheet
+    from kincourse.new_sheet import new_sheet
     from kinlib.chains.robots import rpr
 
     made = new_sheet(rpr(), tmp_path / "my_robot")
