@@ -33,6 +33,8 @@ def arm(joints: Sequence[tuple[Any, ...]], home: Array, name: str, source: str) 
 def pose(axes: ArrayLike, origin: ArrayLike) -> Array:
     """Write the pose of a frame from its axes x, y, z, given one after the other, and its origin.
 
+    axes (3, 3) with x, y, z in its rows, origin (3,) in metres -> (4, 4), with the axes as the columns of its rotation.
+
     >>> pose((X, Z, -Y), (1, 2, 3))
     array([[ 1.,  0., -0.,  1.],
            [ 0.,  0., -1.,  2.],

@@ -147,7 +147,8 @@ def adjoint(X: ArrayLike) -> Array:
 def pose(R: ArrayLike, p: ArrayLike) -> Array:
     """Write a homogeneous transformation from its rotation and its position: T = [[R, p], [0, 1]].
 
-    R (..., 3, 3), p (..., 3), batch dimensions that broadcast -> (..., 4, 4). R is taken as it is, a rotation or not.
+    R (..., 3, 3), p (..., 3), batch dimensions that broadcast -> (..., 4, 4). The columns of R are the axes of the frame;
+    `kinlib.chains.robots.pose` takes the axes one after the other instead. R is not checked to be a rotation.
 
     Source: Modern Robotics, (3.62).
 

@@ -9,10 +9,8 @@ from kinlib import DHTable
 from kinlib.arrays.formatting import SHORT_PI, format_degrees, format_number, format_vector
 from kinlib.dh.formatting import add_variable, format_rows, markdown_table
 
-WRITTEN = "text: written out in the test"
 
-
-@pytest.mark.oracle(WRITTEN, format_number)
+@pytest.mark.oracle("text: written out in the test", format_number)
 @pytest.mark.parametrize(
     ("value", "text"),
     [
@@ -36,13 +34,13 @@ def test_digits_and_the_size_of_nothing_can_be_chosen():
     assert format_number(4e-5, zero=SHORT_PI) == "4e-05"
 
 
-@pytest.mark.oracle(WRITTEN, format_vector, format_degrees)
+@pytest.mark.oracle("text: written out in the test", format_vector, format_degrees)
 def test_vectors_and_angles_are_made_of_such_numbers():
     assert format_vector([0.5, -1e-17, 3]) == format_vector(np.array([0.5, -0.0, 3])) == "(0.5, 0, 3)"
     assert [format_degrees(angle) for angle in (np.pi / 2, -np.pi / 3, 1e-12)] == ["90°", "-60°", "0"]
 
 
-@pytest.mark.oracle(WRITTEN, format_rows, add_variable, markdown_table)
+@pytest.mark.oracle("text: written out in the test", format_rows, add_variable, markdown_table)
 def test_a_table_is_written_with_its_variables_signs_and_fixed_rows():
     text = "a | alpha | d | theta\n0.4 | 90° | 0.1 | -q1 - 30°\n0.2 | 0 | 0 | 0\n0 | -90° | 0.5 - q2 | 180°"
     table = DHTable(text, convention="standard")
