@@ -8,14 +8,14 @@ import sympy as sp
 from kincourse.answers.point import Rotation
 from kincourse.answers.pose import Pose
 from kincourse.answers.pose_expression import PoseExpression
-from kincourse.lecture_02_matrix_exponential.blanks import SQUARED_ENTRIES, column, pose, rotation
+from kincourse.lecture_02_matrix_exponential.blanks import SQUARED_ENTRIES, column, rotation
 from kincourse.mistakes.space_form import halves_swapped
 from kincourse.problem import problem
 from kincourse.sampling.arms import DIRECTIONS, ArmSampler
 from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z, arm
 from kinlib.chains.robots import pose as frame
-from kinlib.rigid.lie import exp, hat
+from kinlib.rigid.lie import exp, hat, pose
 from kinlib.symbolic.merge_rotations import pose as symbolic_pose
 from kinlib.symbolic.merge_rotations import rotation as turn
 from kinlib.symbolic.merge_rotations import skew
