@@ -9,14 +9,14 @@ from typing import TYPE_CHECKING, Any
 from kincourse.catalog import COURSE
 
 if TYPE_CHECKING:
-    from kincourse.quiz import quiz
+    from kincourse.dh_quiz import quiz
 else:
 
     def __getattr__(name: str) -> Any:
         """Load the quiz, and the drawings that it needs, when it is first used."""
         if name != "quiz":
             raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
-        from kincourse.quiz import quiz
+        from kincourse.dh_quiz import quiz
 
         return quiz
 

@@ -80,7 +80,7 @@ def bound(html: str, page: str, among: Sequence[str] | dict[str, str], folder: s
 
     html = FOR_SCREENS.sub("", html)
     html = IDS.sub(lambda found: f'{found[1]}="{name(page)}--{found[2]}"', LINKS.sub(led, html))
-    html = re.sub(r"(<[^>]*data-kinlib-(?:drawing|explain)[^>]*>)<details>", r"\1<details open>", html)
+    html = re.sub(r"(<[^>]*data-(?:kinlib-drawing|misstep-explain)[^>]*>)<details>", r"\1<details open>", html)
     html = html.replace(' loading="lazy"', "")
     right = [LETTERS[int(index)] for index in ASKED.findall(html)]
     if not right:

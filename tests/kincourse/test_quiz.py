@@ -3,7 +3,7 @@
 import pytest
 
 from kincourse import quiz
-from kincourse.quiz import EMPTY, question
+from kincourse.dh_quiz import EMPTY, question
 from kinlib import DHTable, assign_frames
 
 

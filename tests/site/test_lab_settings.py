@@ -51,7 +51,7 @@ def test_an_entry_says_what_an_import_loads_and_what_it_needs(tmp_path):
 
 
 def test_kinlib_s_wheel_is_named_by_what_it_holds(tmp_path):
-    first, again = wheels.build(tmp_path / "one"), wheels.build(tmp_path / "two")
+    first, again = wheels.build(tmp_path / "one")[0], wheels.build(tmp_path / "two")[0]
     assert first.name == again.name
     assert wheels.sha256_of(first)[:12] in first.name
     assert wheels.entry(first)["imports"] == ["kinlib"]
@@ -120,7 +120,7 @@ def test_without_a_network_there_is_no_lab_or_no_site(tmp_path, monkeypatch, cap
     monkeypatch.setattr(lab, "EXTENSIONS", (tmp_path / "no kernel",))
     monkeypatch.setattr(wheels, "FETCHED", tmp_path)
     monkeypatch.setattr(pyodide, "FETCHED", tmp_path)
-    monkeypatch.setattr(wheels, "build", lambda _: wheel(tmp_path, "kinlib", ["kinlib/__init__.py"], ["numpy"]))
+    monkeypatch.setattr(wheels, "build", lambda _: [wheel(tmp_path, "kinlib", ["kinlib/__init__.py"], ["numpy"])])
     monkeypatch.setattr(pyodide.urllib.request, "urlopen", unplugged)
     core = tmp_path / "pyodide"
     core.mkdir()
