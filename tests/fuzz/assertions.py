@@ -14,7 +14,7 @@ SENTENCE = re.compile(r"\S.*[.?!)>`'\"]", re.DOTALL)
 MAX_MESSAGE_LENGTH = 1500
 """A longer message only repeats the input."""
 
-LIBRARY = Path(kinlib.__file__).parent.as_posix()
+PACKAGES = tuple((Path(kinlib.__file__).parents[1] / name).as_posix() for name in ("kinlib", "misstep", "kincourse"))
 
 
 def assert_explained(error, *types):
@@ -22,7 +22,7 @@ def assert_explained(error, *types):
     message = str(error)
     assert type(error) in (types or (ValueError,)), f"{type(error).__name__}: {message[:300]}"
     file = Path(traceback.extract_tb(error.__traceback__)[-1].filename).as_posix()
-    assert file.startswith(LIBRARY), f"this was raised in {file}: {message[:300]}"
+    assert file.startswith(PACKAGES), f"this was raised in {file}: {message[:300]}"
     assert SENTENCE.fullmatch(message), f"this is not a sentence: {message[:300]!r}"
     assert len(message) <= MAX_MESSAGE_LENGTH, f"this message has {len(message)} characters: {message[:300]!r}"
     message.encode()
