@@ -82,4 +82,4 @@ def robot_sheet(name: str, robot: Chain, tasks: Sequence[str]) -> Sheet:
 
 
 def _template(name: str, k: int, robot: Chain, task: Task) -> Template:
-    return Template(f"{name}.{k}", task.title, task.points, task.lecture, partial(task.write, robot))
+    return Template(f"{name}.{k}", task.title, task.points, task.lecture, partial(task.write, robot), ArmSampler)
