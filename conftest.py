@@ -1,4 +1,4 @@
-"""Options and rules for every pytest run: the oracle check, what Windows leaves out, and no silent skips in CI."""
+"""Options and rules for every pytest run: the oracle check, the order and grouping of tests, and no silent skips in CI."""
 
 import os
 import sys
@@ -49,3 +49,57 @@ def pytest_runtest_makereport():
 def pytest_make_collect_report():
     """Fail a module that is skipped in CI."""
     return fail_if_skipped((yield))
+
+
+# --- the order of tests, and which tests run on one worker ---
+
+LONGEST_FIRST = ("tests/site/test_site.py", "notebooks/", "exercises/", "solutions/", "tests/kincourse/test_sheets.py")
+"""What starts first, so that all workers end at about the same time. By the time that a browser needs the site, it is built."""
+
+
+@pytest.hookimpl(wrapper=True)
+def pytest_collection_modifyitems(items):
+    """Start with what takes longest. The cells of a notebook run before tests/repository/test_notebooks.py, which needs them."""
+    order = {start: place for place, start in enumerate(LONGEST_FIRST)}
+    items.sort(
+        key=lambda item: next((order[start] for start in LONGEST_FIRST if item.nodeid.startswith(start)), len(order))
+    )
+    return (yield)
+
+
+def group(nodeid):
+    """Which tests a worker takes together: those of a file, or of one notebook, or of one problem of a sheet.
+
+    >>> group("tests/kinlib/test_chain.py::test_fk[rpr]")
+    'tests/kinlib/test_chain.py'
+    >>> group("notebooks/01_frames.ipynb::Cell 3")
+    'notebooks/01_frames.ipynb'
+    >>> group("tests/repository/test_notebooks.py::test_a_lecture_begins_with_its_title[notebooks/01_frames.ipynb]")
+    'notebooks/01_frames.ipynb'
+    >>> group("tests/kincourse/test_sheets.py::test_a_blank_stub_earns_a_friendly_zero[None-07.4]")
+    'tests/kincourse/test_sheets.py 07.4'
+    """
+    file, _, test = nodeid.partition("::")
+    parameters = test.partition("[")[2].removesuffix("]")
+    if parameters.endswith(".ipynb"):
+        return parameters
+    if file.endswith("/test_sheets.py"):
+        return f"{file} {parameters.rpartition('-')[2]}".strip()
+    return file
+
+
+@pytest.hookimpl(optionalhook=True)
+def pytest_xdist_make_scheduler(config, log):
+    """Distribute tests by `group`, with --dist=loadscope.
+
+    Not by the mark xdist_group: with pytest 9.2, pytest-xdist 3.8 ignores it (https://github.com/pytest-dev/pytest-xdist/issues/1386).
+    """
+    if config.getvalue("dist") != "loadscope":
+        return None
+    from xdist.scheduler import LoadScopeScheduling
+
+    class GroupScheduling(LoadScopeScheduling):
+        def _split_scope(self, nodeid):
+            return group(nodeid)
+
+    return GroupScheduling(config, log)

@@ -33,7 +33,13 @@ PINS = "constraints.txt"
 FIRST_LECTURE = "--LabApp.default_url=/lab/tree/notebooks/00_start_here.ipynb"
 PROGRAMS = {
     "open": ("-m", "jupyterlab", f"--ServerApp.root_dir={ROOT}", FIRST_LECTURE),
-    "test": ("-m", "pytest", "--numprocesses=auto", "--dist=loadfile"),  # on all cores; each file on one core
+    "test": (  # on all cores; conftest.py says which tests run on one of them
+        "-m",
+        "pytest",
+        "--numprocesses=auto",
+        "--dist=loadscope",
+        "--no-loadscope-reorder",
+    ),
     "site": ("site/build.py",),
     "serve": ("site/serve.py",),
 }

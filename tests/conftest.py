@@ -8,6 +8,7 @@ if "PYTEST_XDIST_WORKER" in os.environ:
 
 import hypothesis
 import matplotlib as mpl
+from notebook_runs import Recorder
 
 # Not by the variable MPLBACKEND, because kernels would inherit it and draw differently than they do for a student.
 mpl.use("agg")
@@ -28,10 +29,15 @@ hypothesis.settings.register_profile("fuzz", deadline=5000, max_examples=100_000
 hypothesis.settings.load_profile("kinlib")
 
 
+def pytest_configure(config):
+    """Record what nbval executes, for tests/repository/test_notebooks.py."""
+    config.pluginmanager.register(Recorder())
+
+
 def pytest_terminal_summary(terminalreporter):
     passed = terminalreporter.getreports("passed")
     seconds = {name: value for report in passed for name, value in report.user_properties if name.endswith(".ipynb")}
     if seconds:
-        terminalreporter.section("seconds per notebook, from a cold kernel")
+        terminalreporter.section("processor seconds per notebook, from a cold kernel")
     for name, value in sorted(seconds.items()):
         terminalreporter.write_line(f"{value:5.1f}  {name}")

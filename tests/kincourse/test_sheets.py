@@ -30,18 +30,8 @@ FEW = 25
 """On how many variants a generated problem is tried here; tests/kincourse/test_new_sheet.py tries more robots."""
 
 
-def each(templates):
-    """One test for each template. All tests of a template run on one worker, where they share the variants in `variant`."""
-    groups = [pytest.mark.xdist_group(f"problem {template.number}") for template in templates]
-    cases = [
-        pytest.param(template, id=template.number, marks=group)
-        for template, group in zip(templates, groups, strict=True)
-    ]
-    return pytest.mark.parametrize("template", cases)
-
-
-each_problem = each(TEMPLATES)
-each_problem_and_step = each(TEMPLATES + STEPS)
+each_problem = pytest.mark.parametrize("template", TEMPLATES, ids=lambda template: template.number)
+each_problem_and_step = pytest.mark.parametrize("template", TEMPLATES + STEPS, ids=lambda template: template.number)
 
 
 @cache
