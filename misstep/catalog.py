@@ -223,7 +223,8 @@ def course_of(sheet: str) -> Course:
         if course.fallback and course.fallback(sheet):
             return course
     names = ", ".join(course.package for course in courses) or "none"
+    hints = [course.fallback_hint.format(name=sheet) for course in courses if course.fallback_hint]
     raise ValueError(
         f"No installed course has a sheet {sheet!r}; installed are: {names}. "
-        "If the course is a folder, name it: --course path/to/the_course."
+        + " ".join([*hints, "If the course is a folder, name it: --course path/to/the_course."])
     )

@@ -67,6 +67,7 @@ def _warm_shell(setup: CourseSetup) -> "tuple[Shell, CourseStub]":
     for module in ("matplotlib.pyplot", "sympy"):
         with suppress(ModuleNotFoundError):  # not every course draws, or works with symbols
             import_module(module)
+    import misstep.grading.sandbox.child  # from now on the engine is out of reach
     from misstep.grading.sandbox.run_cells import new_shell
 
     shell = new_shell(setup.warm_up)

@@ -214,7 +214,7 @@ def test_what_changed_is_graded_again_and_nothing_else(folder, tmp_path, asked, 
     assert asked() == ["bob"]
     assert grade(folder, out, "--unsafe-no-sandbox") == 0  # another way to run is another result
     assert asked() == ["ada", "bob", "cyn"]
-    monkeypatch.setattr("misstep.grading.publish.result_store._code", lambda: "a problem was changed")
+    monkeypatch.setattr("misstep.grading.publish.result_store._code", lambda _: "a problem was changed")
     assert grade(folder, out, "--unsafe-no-sandbox") == 0
     assert asked() == ["ada", "bob", "cyn"]
 

@@ -18,6 +18,7 @@ from misstep.grading.judging import judge_process
 from misstep.grading.judging.grader import Grader
 from misstep.grading.judging.parse_output import hear
 from misstep.grading.sandbox import redacted_sheet
+from misstep.grading.sandbox.course_stub import setup_for
 from misstep.grading.sandbox.limits import UNSAFE, Limits, Missing, layer
 from misstep.grading.sandbox.rpc import Gone, Peer, environment
 from misstep.grading.sandbox.runner import Runner
@@ -62,7 +63,7 @@ def test_a_paper_holds_what_is_given_and_no_answer(name, laid_out):
 @pytest.mark.parametrize("name", sheets())
 def test_the_judge_gives_full_points_for_right_answers_and_names_mistakes(name):
     made = find_sheet(name)
-    seed = judge_process.paper(made, "ada")["seed"]
+    seed = judge_process.paper(COURSE, made, "ada")["seed"]
     problems = [template.variant("ada").again(seed) for template in made.problems]
     for wanted, values in {
         "right": [problem.answer.value for problem in problems],
@@ -80,7 +81,7 @@ def test_the_judge_gives_full_points_for_right_answers_and_names_mistakes(name):
 
 def test_a_paper_has_other_inputs_each_time_and_the_judge_knows_them_by_the_seed():
     made = find_sheet("03_poe_space")
-    seeds = [judge_process.paper(made, "ada")["seed"] for _ in range(2)]
+    seeds = [judge_process.paper(COURSE, made, "ada")["seed"] for _ in range(2)]
     assert seeds[0] != seeds[1]
     inputs = [made.problems[6].variant("ada").again(seed).answer.inputs for seed in seeds]
     assert not np.isclose(inputs[0], inputs[1]).any()
@@ -230,7 +231,7 @@ def test_a_process_that_we_start_sees_no_secrets(monkeypatch):
 
 
 def test_a_judge_that_takes_too_long_is_ended(tmp_path):
-    peer = Peer("misstep.grading.judging.judge_process", tmp_path)
+    peer = Peer("misstep.grading.judging.judge_process", tmp_path, "kincourse")
     with pytest.raises(Gone, match="within 0 s"):
         peer.ask({"ask": "problems", "sheet": "03_poe_space"}, 0.0)
     with pytest.raises(Gone):
@@ -246,22 +247,24 @@ def test_a_layer_that_is_missing_is_named_with_its_remedy():
 @on_linux
 @pytest.mark.parametrize(
     ("package", "told"),
-    [("landlock", r"layer 'landlock'.*kinlib\[grading\]"), ("pyseccomp", "layer 'seccomp'.*libseccomp2")],
+    [("landlock", r"layer 'landlock'.*misstep\[grading\]"), ("pyseccomp", "layer 'seccomp'.*libseccomp2")],
 )
 def test_without_a_layer_the_server_refuses(package, told, monkeypatch, tmp_path):
     (tmp_path / f"{package}.py").write_text("raise ImportError('it is not installed')")
     monkeypatch.setenv("PYTHONPATH", str(tmp_path))
     with pytest.raises(Missing, match=told):
-        Runner()
+        Runner(setup_for(COURSE))
 
 
 @on_linux
 def test_without_a_sandbox_the_judge_is_still_somewhere_else():
     made = find_sheet("03_poe_space")
-    runner = Runner(is_safe=False)
+    runner = Runner(setup_for(COURSE), is_safe=False)
     source = 'from kincourse import open_sheet\nopen_sheet("03_poe_space", "ada").problem(1).answer.value'
     try:
-        ran = runner.run(judge_process.paper(made, "ada")["paper"], [source, "import os; os.listdir('/')"], Limits())
+        ran = runner.run(
+            judge_process.paper(COURSE, made, "ada")["paper"], [source, "import os; os.listdir('/')"], Limits()
+        )
     finally:
         runner.close()
     first, second = map(json.loads, ran.said.splitlines())
@@ -289,14 +292,17 @@ def test_a_robots_own_sheet_is_judged_by_the_file_beside_the_masters_notebook(tm
         assert all("deleted" in problem.notes[0] for problem in result.problems)
 
 
-def test_a_sheet_that_the_judge_cannot_find_is_refused(tmp_path):
+def test_a_robots_sheet_without_its_file_is_refused(tmp_path):
     from kincourse.new_sheet import new_sheet
     from kinlib.chains.robots import rpr
 
     made = new_sheet(rpr(), tmp_path / "my_robot")
+    sheet = master(made)
     made.with_suffix(".json").unlink()
+    with pytest.raises(ValueError, match=r"No installed course has a sheet 'my_robot'.*its file my_robot\.json"):
+        master(made)
     with pytest.raises(ValueError, match=r"cannot open sheet my_robot.*its file my_robot\.json"):
-        Grader(master(made), is_safe=False)
+        Grader(sheet, is_safe=False)
 
 
 def test_the_judge_imports_nothing_that_people_look_at():
