@@ -1,4 +1,4 @@
-"""What people look at: drawings with a text alternative, widgets, and cards with feedback."""
+"""What people look at: drawings with a text alternative, and widgets."""
 
 from importlib import import_module
 from typing import TYPE_CHECKING, Any

@@ -18,7 +18,6 @@ import kinlib as kl
 from kinlib.view import Picture, draw_arm, draw_frames, draw_joints, plot, slide
 from kinlib.view.drawing.canvas import Canvas, _hull
 from kinlib.view.figures.joints import _carried_axes, shifts
-from misstep.card import TONES, Card
 
 ROOT = Path(__file__).parents[2]
 
@@ -178,47 +177,6 @@ def test_an_arm_is_drawn_without_waiting_for_matplotlib():
     script = "import sys; from kinlib.view import draw_arm; from kinlib.chains.robots import rpr; draw_arm(rpr()); print(*sys.modules)"
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True, cwd=ROOT)
     assert not {"matplotlib", "ipywidgets"} & set(done.stdout.split())
-
-
-# --- cards ---
-
-
-@pytest.mark.parametrize("tone", TONES)
-def test_a_card_says_its_tone_without_colour(tone):
-    card = Card(tone, "A title", ["A line."])
-    assert TONES[tone][0] in card.html()
-    assert TONES[tone][0] in card.text()
-    assert 'role="status"' in card.html()
-
-
-@pytest.mark.parametrize("tone", TONES)
-def test_a_title_stands_out_from_its_paper(tone):
-    """Contrast by WCAG 2: at least 4.5."""
-
-    def luminance(colour):
-        shares = np.array([int(colour[k : k + 2], 16) for k in (1, 3, 5)]) / 255
-        return np.where(shares <= 0.04045, shares / 12.92, ((shares + 0.055) / 1.055) ** 2.4) @ (0.2126, 0.7152, 0.0722)
-
-    _, ink, paper = TONES[tone]
-    assert (luminance(paper) + 0.05) / (luminance(ink) + 0.05) >= 4.5
-
-
-def test_a_message_cannot_run_code_on_the_page():
-    card = Card("wrong", "<b>", ["<script>alert(1)</script> and `<i>`", ("pre", "</pre><script>")])
-    assert "<script>" not in card.html()
-    assert "<i>" not in card.html()
-    assert "<b>" not in card.html()
-
-
-def test_code_and_formulas_reach_the_page():
-    html = Card("note", "n", ["try `x.T`, for $a < b$"]).html()
-    assert ">x.T</code>" in html
-    assert "$a &lt; b$" in html
-
-
-def test_an_unknown_tone_is_refused():
-    with pytest.raises(ValueError, match=r"tone should be one of right.*'green'"):
-        Card("green", "A title")
 
 
 # --- widgets ---

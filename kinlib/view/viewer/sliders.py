@@ -12,7 +12,10 @@ import ipywidgets as widgets
 
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.drawing.static_export import for_a_page
-from misstep.card import Card
+
+NOTE_STYLE = (
+    "border-left:5px solid #0b5cad;background:#eef6ff;color:#1f2328;padding:.6em 1em;margin:.4em 0;max-width:46em"
+)
 
 V = TypeVar("V")
 
@@ -93,17 +96,23 @@ def _covered(inside: widgets.VBox, after: Any) -> widgets.VBox:
     """Hide a widget until a question is committed; whoever insists may look, and nothing is recorded for it."""
     if after is None or after.committed:
         return inside
-    note = Card("note", "Commit to your prediction above first", ["The picture appears here as soon as you have."])
+    note = _note("Commit to your prediction above first", "The picture appears here as soon as you have.")
     anyway = widgets.Button(description="Show anyway", tooltip="Uncover the picture without a prediction")
-    box = widgets.VBox([widgets.HTML(note.html()), anyway])
+    box = widgets.VBox([widgets.HTML(note), anyway])
 
     def uncover(_: Any) -> None:
         box.children = [inside]
 
     def peek(_: widgets.Button) -> None:
-        told = Card("note", "Shown without a prediction", ["Nothing was recorded. You can still commit to one above."])
-        box.children = [widgets.HTML(told.html()), inside]
+        note = _note("Shown without a prediction", "Nothing was recorded. You can still commit to one above.")
+        box.children = [widgets.HTML(note), inside]
 
     anyway.on_click(peek)
     after.observe(uncover, "committed")
     return box
+
+
+def _note(title: str, text: str) -> str:
+    """A framed note in HTML, with an icon, in the colours of the notes that the course's feedback uses."""
+    head = f'<p style="margin:0;font-weight:600;color:#0b5cad"><span aria-hidden="true">i</span> {escape(title)}</p>'
+    return f'<div role="status" style="{NOTE_STYLE}">{head}<p style="margin:.4em 0 0">{escape(text)}</p></div>'

@@ -51,7 +51,7 @@ class ViewerBase(anywidget.AnyWidget):
     >>> arm.html()[:25]
     '<div data-kinlib-viewer><'
     >>> arm.wait_for(question := Question())
-    >>> question.commit(0)
+    >>> question.committed = True
     >>> arm.covered
     False
     """
