@@ -80,7 +80,7 @@ def tidy(session: nox.Session) -> None:
 @nox.session
 def release(session: nox.Session) -> None:
     """Make the students' notebooks in exercises/ from solutions/."""
-    session.run(PYTHON, "-m", "misstep.release.student_notebook", *session.posargs)
+    session.run(PYTHON, "-m", "misstep", "release", *session.posargs)
 
 
 @nox.session

@@ -8,16 +8,12 @@ from pathlib import Path
 import pytest
 
 from kincourse import find_sheet
+from misstep.cli import main
 
 pytest.importorskip("nbgrader", reason="exercises/ is made with nbgrader")
 
 ROOT = Path(__file__).parents[2]
 SOURCES = sorted((ROOT / "solutions").glob("*/*.ipynb"))
-
-
-def command(*options):
-    run = [sys.executable, "-m", "misstep.release.student_notebook", *options]
-    return subprocess.run(run, capture_output=True, text=True, check=False)
 
 
 @pytest.fixture
@@ -29,8 +25,7 @@ def committed(tmp_path):
 
 
 def test_every_sheet_in_exercises_is_fresh(committed):
-    done = command("--check", "--root", str(committed))
-    assert done.returncode == 0, f"run python -m misstep.release.student_notebook\n{done.stdout}{done.stderr}"
+    assert main(["release", "--check", "--root", str(committed)]) == 0, "run misstep release"
 
 
 @pytest.mark.parametrize("source", SOURCES, ids=lambda path: path.stem)
@@ -45,20 +40,24 @@ def test_every_problem_has_its_cells_and_its_points_in_the_sheet(source):
     assert f"check-{len(find_sheet(source.stem).problems) + 1}" not in cells
 
 
-def test_a_changed_source_is_noticed_and_written(tmp_path):
+def test_a_changed_source_is_noticed_and_written(tmp_path, capsys):
+    root = ["--root", str(tmp_path)]
     source = tmp_path / "solutions" / "03" / "03.ipynb"
     source.parent.mkdir(parents=True)
     source.write_bytes(SOURCES[0].read_bytes())
     target = tmp_path / "exercises" / "03" / "03.ipynb"
-    assert command("--check", "--root", str(tmp_path)).returncode == 1
-    assert command("--root", str(tmp_path)).stdout.startswith("written")
-    assert command("--check", "--root", str(tmp_path)).returncode == 0
+    assert main(["release", "--check", *root]) == 1
+    assert capsys.readouterr().out.startswith("stale")
+    assert main(["release", *root]) == 0
+    assert capsys.readouterr().out.startswith("written")
+    assert main(["release", "--check", *root]) == 0
     target.write_text(target.read_text(encoding="utf-8").replace("your lines here", "no"), encoding="utf-8")
-    assert command("--check", "--root", str(tmp_path)).returncode == 1
+    assert main(["release", "--check", *root]) == 1
 
 
 def test_a_folder_without_solutions_is_refused(tmp_path):
-    done = command("--root", str(tmp_path))
+    command = [sys.executable, "-m", "misstep", "release", "--root", str(tmp_path)]
+    done = subprocess.run(command, capture_output=True, text=True, check=False)
     assert done.returncode == 2
     assert "no solutions" in done.stderr
 
