@@ -67,7 +67,7 @@ class Quiz:
         )
         self._reply = widgets.HTMLMath()
         check = widgets.Button(description="Check", tooltip="Check the table that you have typed")
-        another = widgets.Button(description="Another arm", tooltip="ArmSampler another arm")
+        another = widgets.Button(description="Another arm", tooltip="Draw another arm")
         check.on_click(lambda _: self.check(self._typed.value))
         another.on_click(lambda _: self.another())
         self._face = widgets.VBox([self._paper, self._typed, widgets.HBox([check, another]), self._reply])
@@ -79,7 +79,7 @@ class Quiz:
         return question(f"{self.seed}/{self.asked}", self.convention)
 
     def another(self) -> None:
-        """ArmSampler the next arm."""
+        """Draw the next arm."""
         self.asked += 1
         self._solved = False
         problem = self.problem

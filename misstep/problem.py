@@ -97,7 +97,7 @@ class Template:
     sampler: type[Sampler] = Sampler
 
     def variant(self, student: str) -> Problem:
-        """ArmSampler one student's problem: the first one in which no mistake happens to give the right answer.
+        """Draw one student's problem: the first one in which no mistake happens to give the right answer.
 
         Raises ValueError when none is found: then the problem itself is degenerate.
         """
@@ -107,7 +107,7 @@ class Template:
                 return problem
         raise ValueError(
             f"Problem {self.number}: in {ATTEMPTS} draws, two mistakes always gave the same answer, or one the right one. "
-            "ArmSampler from a wider range, or drop a mistake that is none."
+            "Draw from a wider range, or drop a mistake that is none."
         )
 
 
