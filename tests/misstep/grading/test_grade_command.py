@@ -130,7 +130,7 @@ def test_killed_at_any_moment_it_goes_on_and_ends_as_if_nothing_had_been(handed,
     arguments = [
         sys.executable,
         "-m",
-        "kinlib",
+        "misstep",
         "grade",
         SOLUTION,
         str(handed),
