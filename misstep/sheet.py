@@ -60,13 +60,17 @@ class OpenSheet:
         return SimpleNamespace(**self.problem(k).given)
 
     def show(self, k: int) -> None:
-        """Display the statement and the figure of problem k."""
-        from IPython.display import Markdown, display
-
+        """Display the statement and the figure of problem k; without IPython, print the statement."""
         template, problem = self._template(k), self.problem(k)
         given = "".join(f"`given.{name}` " for name in problem.given)
         note = f"\n\nFrom `given = sheet.given({k})` you have {given}" if given else ""
-        display(Markdown(f"**{template.title}** ({template.points} points)\n\n{problem.statement}{note}"))
+        text = f"**{template.title}** ({template.points} points)\n\n{problem.statement}{note}"
+        try:
+            from IPython.display import Markdown, display
+        except ModuleNotFoundError:  # IPython is not a dependency: sheets also work in a plain interpreter
+            print(text)
+            return
+        display(Markdown(text))
         if problem.figure:
             display(problem.figure())
 

@@ -7,7 +7,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-import sympy
+from hostile_answers import HOSTILE, Rude
 from odd_robots import generated_sheets
 
 from kincourse import attempt, blanks, find_sheet, open_sheet, sheets
@@ -85,37 +85,6 @@ def test_a_blank_stub_earns_a_friendly_zero(template, blank):
     assert (judgement.state, judgement.fraction) == ("blank", 0)
     assert "Nothing here yet" in plain(template, blank)
     assert variant(template, SAMPLE).answer.expected in plain(template, blank)
-
-
-HOSTILE = {
-    "a string": "screw",
-    "an empty list": [],
-    "a ragged list": [[1, 2], [3]],
-    "a dictionary": {"S": 1},
-    "NaN in every shape": np.full((4, 4), np.nan),
-    "infinity": np.full(6, np.inf),
-    "a symbol": sympy.Symbol("x"),
-    "a symbolic matrix": sympy.Matrix(sympy.symarray("x", (4, 4))),
-    "complex numbers": np.full((3, 6), 1j),
-    "a huge array": np.zeros((4000, 4000)),
-    "a long list": [0.0] * 100_000,
-    "a deep list": [[[[[[0.0]]]]]],
-    "a function": np.sin,
-    "a class": Numbers,
-    "objects": np.array([[object()] * 4] * 4),
-    "a list of None": [None] * 6,
-    "bytes": b"\x00" * 6,
-}
-
-
-class Rude:
-    """An object that raises whenever NumPy asks it for anything."""
-
-    def __array__(self, *args, **kwargs):
-        raise RuntimeError("no")
-
-    def __repr__(self):
-        raise RuntimeError("no")
 
 
 @each_problem_and_step
