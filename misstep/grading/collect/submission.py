@@ -89,9 +89,10 @@ def master(path: Path, course: str | Path | None = None) -> Master:
     checks = {int(cell.name.removeprefix("check-")): cell.source for cell in cells if _is_check(cell.name)}
     if opened is None or not checks:
         raise ValueError(f"{path} opens no sheet, or none of its cells is named check-1, check-2, ...: is it a sheet?")
+    if course:
+        return Master(opened, path.parent, checks, find_course(course).reference)
     with chdir(path.parent):  # a course may find sheets by files beside the notebook
-        found = find_course(course) if course else course_of(opened)
-    return Master(opened, path.parent, checks, found.reference)
+        return Master(opened, path.parent, checks, course_of(opened).reference)
 
 
 def code_cells(content: bytes) -> list[Cell]:
