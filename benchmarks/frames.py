@@ -95,7 +95,7 @@ def autodh_joints(chain: kl.Chain) -> list:
     """The arm as AutoDH takes it."""
     kinds = {"R": autodh.Joint.Type.Revolute, "P": autodh.Joint.Type.Prismatic}
     axes, points = chain.lines.axis, chain.joint_points
-    return [autodh.Joint(*joint, kinds[k]) for *joint, k in zip(axes, points, chain.letters, strict=True)]
+    return [autodh.Joint(*joint, kinds[k]) for *joint, k in zip(axes, points, chain.joint_types, strict=True)]
 
 
 def ours(chain, convention, q):

@@ -29,7 +29,7 @@ def plain_arm(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"Give the screw axes $S_1, S_2, S_3$ of this arm in {{s}}, as rows.\n\n{joint_table(robot)}",
         figure=partial(draw_joints, robot),
-        given={"letters": robot.letters, "axes": axes, "points": robot.joint_points},
+        given={"letters": robot.joint_types, "axes": axes, "points": robot.joint_points},
         answer=Screws(robot.screws),
         mistakes=[
             *of_screws(robot.screws),

@@ -288,7 +288,7 @@ def _turn(axis: Array, degrees: float) -> Array:
 
 def _posture(sampler: ArmSampler, robot: Chain) -> tuple[Array, Array, str]:
     """Joint values as typed, in degrees and metres, as the formulas want them, and in words."""
-    turns = np.array([letter == "R" for letter in robot.letters])
+    turns = np.array([letter == "R" for letter in robot.joint_types])
     typed = np.array([sampler.degrees(-75, 75) if turn else sampler.length(0.2, 1.0) for turn in turns])
     words = [f"{number(value)} {'degrees' if turn else 'm'}" for value, turn in zip(typed, turns, strict=True)]
     return typed, np.where(turns, np.radians(typed), typed), ", ".join(words)

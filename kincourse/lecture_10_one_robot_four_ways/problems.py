@@ -297,7 +297,7 @@ def where_is_the_tool(sampler: ArmSampler) -> Problem:
     robot = sampler.arm(sampler.choice(("RPR", "RRP", "PRR")))
     degrees = [sampler.degrees(-80, 80) for _ in range(3)]
     slide = sampler.length(0.2, 0.9)
-    is_turn = np.array([letter == "R" for letter in robot.letters])
+    is_turn = np.array([letter == "R" for letter in robot.joint_types])
     q = np.where(is_turn, np.radians(degrees), slide)
     words = ", ".join(
         f"$q_{i + 1} = {degrees[i]}$ degrees" if turns else f"$q_{i + 1} = {number(slide)}$ m"
@@ -309,7 +309,7 @@ def where_is_the_tool(sampler: ArmSampler) -> Problem:
         f"The home pose is\n\n$$M = {matrix(robot.home)}.$$",
         figure=partial(draw_joints, robot),
         given={
-            "letters": robot.letters,
+            "letters": robot.joint_types,
             "axes": robot.lines.axis,
             "points": robot.joint_points,
             "home": robot.home,

@@ -56,7 +56,7 @@ def tasks_for(robot: Chain) -> list[str]:
 
 
 def _fits(robot: Chain, name: str) -> bool:
-    if name in TABLE_TASKS and "H" in robot.letters:
+    if name in TABLE_TASKS and "H" in robot.joint_types:
         return False  # no row of a table holds a helical joint
     return all(
         any(ALL[name].write(robot, ArmSampler(student, name, attempt)).telling() for attempt in range(TRIES))

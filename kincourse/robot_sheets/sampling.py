@@ -115,7 +115,7 @@ def plain_posture(sampler: ArmSampler, chain: Chain) -> Posture:
 
 
 def _posture(chain: Chain, typed: list[float]) -> Posture:
-    turns = np.array([letter != "P" for letter in chain.letters])
+    turns = np.array([letter != "P" for letter in chain.joint_types])
     values = np.array(typed)
     words = [f"{number(value)} {'degrees' if turn else 'm'}" for value, turn in zip(typed, turns, strict=True)]
     return Posture(values, np.where(turns, np.radians(values), values), ", ".join(words))
@@ -130,7 +130,7 @@ def _value(sampler: ArmSampler, chain: Chain, joint: int) -> float:
 
 def _quarter(sampler: ArmSampler, chain: Chain, joint: int) -> float:
     low, high = _range(chain, joint)
-    if chain.letters[joint] == "P":
+    if chain.joint_types[joint] == "P":
         return _value(sampler, chain, joint)
     quarters = [angle for angle in (-90.0, 0.0, 90.0, 180.0) if low <= angle <= high]
     return sampler.choice(quarters) if quarters else _within(sampler, low, high)
@@ -138,13 +138,13 @@ def _quarter(sampler: ArmSampler, chain: Chain, joint: int) -> float:
 
 def _step(chain: Chain, joint: int) -> tuple[float, int]:
     """A step that is short to type, and how many of them a joint may go."""
-    return (grain(chain) / 2, 8) if chain.letters[joint] == "P" else (5.0, FARTHEST // 5)
+    return (grain(chain) / 2, 8) if chain.joint_types[joint] == "P" else (5.0, FARTHEST // 5)
 
 
 def _range(chain: Chain, joint: int) -> tuple[float, float]:
     """The limits of a joint as people type them."""
     low, high = (-np.inf, np.inf) if chain.limits is None else chain.limits[joint]
-    low, high = (low, high) if chain.letters[joint] == "P" else (np.degrees(low), np.degrees(high))
+    low, high = (low, high) if chain.joint_types[joint] == "P" else (np.degrees(low), np.degrees(high))
     return float(low), float(high)
 
 

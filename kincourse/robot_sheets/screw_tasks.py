@@ -27,7 +27,7 @@ MOST = 3
 def space_screws(robot: Chain, sampler: ArmSampler) -> Problem:
     """Space screws from directions and points, in the student's own {s}."""
     # Slides have directions only: along x, y, z there are too few of them for a class.
-    base = leaning_base if set(robot.letters) == {"P"} else plain_base
+    base = leaning_base if set(robot.joint_types) == {"P"} else plain_base
     arm = moved(robot, base(sampler, robot), np.eye(4))
     joints = _some(sampler, arm)
     S, points, (axes, _, pitches) = arm.screws[joints], arm.joint_points[joints], arm.lines
@@ -136,7 +136,7 @@ def new_tool(robot: Chain, sampler: ArmSampler) -> Problem:
 def _some(sampler: ArmSampler, arm: Chain) -> list[int]:
     """A few joints in their order, counted from 0: of each kind one, if there is more than one kind."""
     kinds = [
-        sampler.choice([i for i, other in enumerate(arm.letters) if other == kind]) for kind in sorted(set(arm.letters))
+        sampler.choice([i for i, other in enumerate(arm.joint_types) if other == kind]) for kind in sorted(set(arm.joint_types))
     ]
     others = [i for i in sampler.shuffled(range(arm.n)) if i not in kinds]
     return sorted([*kinds, *others][: min(MOST, arm.n)])

@@ -19,7 +19,7 @@ def joint_table(chain: Chain, joints: Iterable[int] | None = None) -> str:
     kinds = {"R": "revolute", "P": "prismatic", "H": "helical"}
     rows = []
     for i in range(chain.n) if joints is None else joints:
-        letter = chain.letters[i]
+        letter = chain.joint_types[i]
         kind = kinds[letter] if letter != "H" else f"helical, ${number(pitch[i])}$ m/rad"
         # A slide has no point, and a number that plays no part would only mislead.
         point = f"${vector(chain.joint_points[i])}$" if letter != "P" else "any"

@@ -104,11 +104,11 @@ class Chain:
         return line(self.screws)
 
     @cached_property
-    def letters(self) -> str:
+    def joint_types(self) -> str:
         """The joints from base to tool, one letter each: R revolute, P prismatic, H helical.
 
         >>> from kinlib.chains.robots import rpr
-        >>> rpr().letters
+        >>> rpr().joint_types
         'RPR'
         """
         pitch = self.lines.pitch
@@ -249,7 +249,7 @@ class Chain:
             fits = q.ndim > 1 and q.shape[-2] == self.n
             cause = "Joints stand in the last dimension: try q.T" if fits else "Each joint has a value of its own"
             raise ValueError(
-                f"{self.name} has {self.n} joints ({self.letters}), so q should have shape (..., {self.n}); "
+                f"{self.name} has {self.n} joints ({self.joint_types}), so q should have shape (..., {self.n}); "
                 f"got {q.shape}. {cause}."
             )
         validation.turn(np.abs(q * self._fast.rotations))

@@ -22,7 +22,7 @@ SLIDE = np.inf
 def arm(joints: Sequence[tuple[Any, ...]], home: Array, name: str, source: str) -> Chain:
     """Make a chain from joints (axis, point) or (axis, point, pitch), read off a drawing at home.
 
-    >>> arm([(Z, (0, 0, 0)), (X, (0, 0, 1), SLIDE)], pose(np.eye(3), (1, 0, 1)), "crane", "an example").letters
+    >>> arm([(Z, (0, 0, 0)), (X, (0, 0, 1), SLIDE)], pose(np.eye(3), (1, 0, 1)), "crane", "an example").joint_types
     'RP'
     """
     screws = np.array([screw(*joint) for joint in joints])
@@ -106,7 +106,7 @@ def puma560(a2: float = 0.4318, a3: float = 0.0203, d3: float = 0.15005, d4: flo
 
     The deck gives letters only; the default lengths are those of Corke and Armstrong-Helouvry (1994).
 
-    >>> puma560().letters
+    >>> puma560().joint_types
     'RRRRRR'
     """
     elbow, wrist = (a2, d3, 0), (a2 + a3, d3, -d4)
@@ -129,7 +129,7 @@ def rpr_lecture7(a1: float = 0.4) -> Chain:
 def plain_arm(column: float = 0.4, upper: float = 0.5, fore: float = 0.3) -> Chain:
     """A family for plain exercises: every axis along x, y or z. A turret, a shoulder, a telescope and a wrist.
 
-    >>> plain_arm().letters
+    >>> plain_arm().joint_types
     'RRPR'
     """
     shoulder, wrist = (0, 0, column), (upper, 0, column)
@@ -145,7 +145,7 @@ def plain_arm(column: float = 0.4, upper: float = 0.5, fore: float = 0.3) -> Cha
 def angled_arm(tilt: float = np.pi / 4, column: float = 0.4, upper: float = 0.5, fore: float = 0.3) -> Chain:
     """A family with angled joints: the second joint leans from z towards x by tilt radians, the third slides along it.
 
-    >>> angled_arm().letters
+    >>> angled_arm().joint_types
     'RRPR'
     """
     lean = np.cos(tilt) * Z + np.sin(tilt) * X
@@ -159,7 +159,7 @@ def angled_arm(tilt: float = np.pi / 4, column: float = 0.4, upper: float = 0.5,
 def mid_formula_arm(reach: float = 0.6, lift: float = 0.4, tool: float = 0.2) -> Chain:
     """A family for the mid-formula form: two joints easy to read from the base, two easy to read from the tool.
 
-    >>> mid_formula_arm().letters
+    >>> mid_formula_arm().joint_types
     'RRRR'
     """
     wrist = (reach, 0, lift)
@@ -171,7 +171,7 @@ def mid_formula_arm(reach: float = 0.6, lift: float = 0.4, tool: float = 0.2) ->
 def hrr(pitch: float = 0.1, first: float = 0.5, second: float = 0.3) -> Chain:
     """A family with a helical joint: a spindle that climbs by pitch metres a radian, then two turns about parallel axes.
 
-    >>> hrr().letters
+    >>> hrr().joint_types
     'HRR'
     """
     joints = [(Z, (0, 0, 0), pitch), (Z, (first, 0, 0)), (Z, (first + second, 0, 0))]

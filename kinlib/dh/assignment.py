@@ -76,8 +76,8 @@ def assign_frames(chain: Chain, *, convention: Convention) -> FrameAssignment:
     array([0.147 , 0.    , 0.    , 0.    , 0.2175])
     """
     convention = convention_of(convention)
-    if "H" in chain.letters:
-        joint = chain.letters.index("H") + 1
+    if "H" in chain.joint_types:
+        joint = chain.joint_types.index("H") + 1
         raise ValueError(
             f"Joint {joint} of {chain.name} is helical: it turns and climbs at once, and a DH row has one variable. "
             "Keep its screw axis."
@@ -121,7 +121,7 @@ def _assigned(chain: Chain, convention: Convention, parallel_below: float) -> Fr
     frames.append(frame)
     rows = [(a, alpha, d, theta) for (a, alpha), (d, theta) in zip(twists, turns, strict=True)]
     tool = _seen_from(frame, chain.home)
-    table = DHTable(rows, convention=convention, joints=chain.letters, base=base, tool=tool, name=chain.name)
+    table = DHTable(rows, convention=convention, joints=chain.joint_types, base=base, tool=tool, name=chain.name)
     return FrameAssignment(chain, table, np.array(frames), tuple(normals))
 
 
@@ -129,7 +129,7 @@ def _places(chain: Chain) -> Array:
     """A point on each axis. A slide may lie anywhere, so it goes where it spares the next joint a runaway normal."""
     places = np.array(chain.joint_points)
     axes = chain.lines.axis
-    for i, letter in enumerate(chain.letters):
+    for i, letter in enumerate(chain.joint_types):
         if letter == "P":
             for neighbour in (i - 1, i + 1):
                 if 0 <= neighbour < chain.n and MEETS < np.linalg.norm(cross(axes[i], axes[neighbour])) < SPARED:

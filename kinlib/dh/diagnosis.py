@@ -77,7 +77,7 @@ def diagnose(
     """
     arm = reference.to_chain() if isinstance(reference, DHTable) else reference
     if table.n != arm.n:
-        raise ValueError(f"The table has {table.n} joints ({table.joints}), and the arm {arm.n} ({arm.letters}).")
+        raise ValueError(f"The table has {table.n} joints ({table.joints}), and the arm {arm.n} ({arm.joint_types}).")
     as_it_stands = equivalent(table, arm, tolerance=tolerance)
     if as_it_stands:
         return Diagnosis((), table, as_it_stands)
@@ -168,7 +168,7 @@ def _by_row(table: DHTable) -> Iterator[_Fix]:
 
 def _numbers(table: DHTable, arm: Chain) -> Iterator[_Fix]:
     """Entries that should be another number: one that stands in the arm's own table, or a usual angle."""
-    if "H" in arm.letters:
+    if "H" in arm.joint_types:
         return
     own = assign_frames(arm, convention=table.convention).table.rows
     lengths = np.concatenate([own[:, A], own[:, D]])

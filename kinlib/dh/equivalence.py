@@ -78,8 +78,8 @@ def equivalent(
     if not tolerance > 0:
         raise ValueError(f"tolerance should be a positive number of metres and radians; got {tolerance!r}.")
     one, other = (thing.to_chain() if isinstance(thing, DHTable) else thing for thing in (a, b))
-    if one.letters != other.letters:
-        return Equivalence(False, reason=f"The joints differ in kind: {one.letters} here, {other.letters} there.")
+    if one.joint_types != other.joint_types:
+        return Equivalence(False, reason=f"The joints differ in kind: {one.joint_types} here, {other.joint_types} there.")
     if _plainly_apart(one, other, LOOSE * tolerance):
         return Equivalence(False, reason=_first_difference(one, other))
     right, closest = [], np.inf
@@ -116,7 +116,7 @@ def _turned_alike(one: Chain, other: Chain, loose: float) -> Iterator[_Match]:
     u, v = one.lines.axis, other.lines.axis
     for sign in (1.0, -1.0):
         R = _onto(u[0], sign * v[0])
-        first = 0 if one.letters[0] == "R" else -1
+        first = 0 if one.joint_types[0] == "R" else -1
         yield from _continued(_Match(R, R, (sign,), np.zeros(one.n), first), one, other, loose)
 
 
@@ -128,7 +128,7 @@ def _continued(match: _Match, one: Chain, other: Chain, loose: float) -> Iterato
     u, v = one.lines.axis, other.lines.axis
     axis, now = match.signs[-1] * v[joint - 1], match.link @ u[joint]
     sine = np.linalg.norm(cross(axis, now))
-    turns = one.letters[joint] == "R"
+    turns = one.joint_types[joint] == "R"
     for sign in (1.0, -1.0):
         wanted = sign * v[joint]
         if abs(axis @ (now - wanted)) > loose:
@@ -174,7 +174,7 @@ def _placed_alike(one: Chain, other: Chain, match: _Match, loose: float) -> Equi
     """Find the shift of the base and the zeros of the slides, which are a linear problem, and try the whole map."""
     # Two configurations are a batch. For a single one the chain would write a program first, which does not pay for one use.
     carried, wanted = line(one.jacobian(np.stack([match.offsets, match.offsets]))[0].T), other.lines
-    slides = [joint for joint, letter in enumerate(one.letters) if letter == "P"]
+    slides = [joint for joint, letter in enumerate(one.joint_types) if letter == "P"]
     rows, right = [np.zeros((0, 3 + len(slides)))], [np.zeros(0)]
     for joint in range(one.n):
         if joint not in slides:
@@ -227,7 +227,7 @@ def _plainly_apart(one: Chain, other: Chain, loose: float) -> bool:
         if abs(cosines[0] - cosines[1]) > loose:
             return True
         # Nearly parallel axes have a distance that hangs on the last digits, and slides have none.
-        told = "P" not in one.letters[i : i + 2] and (
+        told = "P" not in one.joint_types[i : i + 2] and (
             cosines[0] < PLAIN or all(np.linalg.norm(cross(*axes)) < PARALLEL for axes, _ in pairs)
         )
         if told and abs(_distance(*pairs[0]) - _distance(*pairs[1])) > loose / (1 - PLAIN):
@@ -245,7 +245,7 @@ def _first_difference(one: Chain, other: Chain) -> str:
             return (
                 f"Axes {i + 1} and {i + 2} make an angle of {angles[0]:.4g} degrees here, and of {angles[1]:.4g} there."
             )
-        if "P" not in one.letters[i : i + 2]:
+        if "P" not in one.joint_types[i : i + 2]:
             apart = [_distance(lines.axis[i : i + 2], lines.point[i : i + 2]) for lines in (here, there)]
             if abs(apart[0] - apart[1]) > SAME:
                 return f"Axes {i + 1} and {i + 2} are {apart[0]:.4g} m apart here, and {apart[1]:.4g} m there."

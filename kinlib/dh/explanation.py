@@ -91,7 +91,7 @@ def told(chain: Chain, table: DHTable, frames: Array, normals: Sequence[Normal],
 
 def _axes(chain: Chain, standard: bool) -> Step:
     found = []
-    for i, (letter, axis, point) in enumerate(zip(chain.letters, chain.lines.axis, chain.joint_points, strict=True)):
+    for i, (letter, axis, point) in enumerate(zip(chain.joint_types, chain.lines.axis, chain.joint_points, strict=True)):
         where = "anywhere (a slide has a direction, not a line)" if letter == "P" else f"through {format_vector(point)}"
         found.append(f"joint {i + 1}, {'sliding' if letter == 'P' else 'turning'}, along {format_vector(axis)} {where}")
     rule = "z_{i-1} lies on the axis of joint i" if standard else "z_i lies on the axis of joint i"
@@ -115,7 +115,7 @@ def _link(chain: Chain, T: Array, pair: int, normal: Normal, standard: bool) -> 
     length = format_number(float(np.linalg.norm(normal.end - normal.start)))
     text = CASES[normal.case].format(i=i, j=j, a=length)
     has_length = normal.case in {"skew", "parallel", "anti-parallel"}
-    singular = normal.nearly_parallel and (has_length or "P" not in chain.letters[pair : pair + 2])
+    singular = normal.nearly_parallel and (has_length or "P" not in chain.joint_types[pair : pair + 2])
     if singular:
         text += " " + SINGULAR.format(angle=normal.sine, far=1e-3 / normal.sine)
         text += " Here they are taken as parallel." if normal.free else " Here the far normal is kept."

@@ -214,7 +214,7 @@ def as_chain(joints: Sequence[Joint], passages: Iterable[Passage], name: str) ->
     """Write a walk as an open chain, with the columns of q that its joints read.
 
     >>> from kinlib.mechanisms.linkages import four_bar
-    >>> as_chain(four_bar(4, 1, 3.5, 3).joints, [(0, True), (1, True)], "coupler").chain.letters
+    >>> as_chain(four_bar(4, 1, 3.5, 3).joints, [(0, True), (1, True)], "coupler").chain.joint_types
     'RR'
     """
     first = np.cumsum([0, *(joint.freedoms for joint in joints)])

@@ -89,9 +89,9 @@ def to_urdf(chain: Chain) -> str:
     >>> np.allclose(load_urdf(to_urdf(youbot())).screws, youbot().screws, atol=1e-15)
     True
     """
-    if "H" in chain.letters:
+    if "H" in chain.joint_types:
         raise ValueError(
-            f"Joint {chain.letters.index('H') + 1} of {chain.name} is helical: it turns and climbs at once. URDF has "
+            f"Joint {chain.joint_types.index('H') + 1} of {chain.name} is helical: it turns and climbs at once. URDF has "
             "joints that turn and joints that slide, and none that couples the two."
         )
     names = chain.joint_names or tuple(f"joint_{i + 1}" for i in range(chain.n))
@@ -103,8 +103,8 @@ def to_urdf(chain: Chain) -> str:
     steps = np.diff([np.zeros(3), *chain.joint_points, chain.home[:3, 3]], axis=0)
     parts = [f"<robot name={_quoted(chain.name)}>", *(f'  <link name="{link}"/>' for link in links)]
     for i, axis in enumerate(chain.lines.axis):
-        endless = chain.letters[i] == "R" and np.isinf(limits[i]).all()
-        kind = "continuous" if endless else "revolute" if chain.letters[i] == "R" else "prismatic"
+        endless = chain.joint_types[i] == "R" and np.isinf(limits[i]).all()
+        kind = "continuous" if endless else "revolute" if chain.joint_types[i] == "R" else "prismatic"
         lower, upper = np.clip(limits[i], -ENDLESS, ENDLESS)
         parts += [
             f'  <joint name={_quoted(names[i])} type="{kind}">',

@@ -61,7 +61,7 @@ class Entry:
     def kind(self) -> str:
         """What stands below its name in the gallery."""
         if isinstance(self.made, Chain):
-            return self.made.letters
+            return self.made.joint_types
         return f"{len(self.made.joints)} joints"
 
 
@@ -173,7 +173,7 @@ def arm_tables(made: Chain) -> str:
     """Axes, screws, home pose and both tables of an arm."""
     parts = ["## Axes at home", joint_table(made), "## Screw axes", screw_table(made)]
     parts += [f"The home pose is\n\n$$M = {matrix(made.home)}.$$"]
-    if "H" in made.letters:
+    if "H" in made.joint_types:
         return "\n\n".join(
             [*parts, "## DH tables", "A helical joint has no row in a table: nothing in it can both turn and climb."]
         )

@@ -83,7 +83,7 @@ def arm(chance):
 
 def cases():
     """The text, the encoding of its file (None for text that is passed directly), base and tip."""
-    ours = [to_urdf(family()) for family in FAMILIES if "H" not in family().letters]
+    ours = [to_urdf(family()) for family in FAMILIES if "H" not in family().joint_types]
     documents = st.sampled_from([CRANE, CRANE, MIMIC, *ours]) | random_sources().map(arm)
     texts = often(20, corrupted_texts(documents, WORDS, CUTS), noise().map("<{}".format), noise())
     tips = mostly([*[None] * 8, "hook", "trolley", "tool", "l1", "l3", "finger"], ["lamp", "", *LETTERS])

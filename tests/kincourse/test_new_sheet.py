@@ -64,9 +64,9 @@ def test_what_makes_no_sense_for_a_robot_is_replaced(key):
     """One joint has no neighbour whose axis a modified row could reach, and no table holds a helical joint."""
     if ODD[key].n == 1:
         assert not {"modified_table", "faulty_entry"} & set(FITTING[key])
-    if "H" in ODD[key].letters:
+    if "H" in ODD[key].joint_types:
         assert not {"standard_table", "modified_table", "faulty_entry"} & set(FITTING[key])
-    if ODD[key].n > 1 and "H" not in ODD[key].letters and "axis" not in key:
+    if ODD[key].n > 1 and "H" not in ODD[key].joint_types and "axis" not in key:
         assert FITTING[key] == list(WANTED[:PROBLEMS])
 
 

@@ -147,12 +147,12 @@ def test_a_chain_keeps_the_axes_and_the_home_that_it_is_given(axes, home, data):
     close(Chain(axes, home).fk(np.where(np.abs(q) < 1e-5, 0, q)), expected, atol=1e-12)
 
 
-@pytest.mark.oracle("pinocchio", Chain.n, Chain.letters)
+@pytest.mark.oracle("pinocchio", Chain.n, Chain.joint_types)
 @each_robot
 def test_joints_are_counted_and_named_as_pinocchio_does(robot):
     model = pinocchio_oracle.pinocchio_model(robot)
     kinds = [joint.shortname().removeprefix("JointModel")[0] for joint in list(model.joints)[1:]]
-    assert ("".join(kinds), model.nv) == (robot.letters, robot.n)
+    assert ("".join(kinds), model.nv) == (robot.joint_types, robot.n)
 
 
 @pytest.mark.oracle("pytransform3d", Chain.lines)
@@ -353,7 +353,7 @@ def test_a_pose_that_was_returned_is_the_callers_own():
 
 def test_letters_name_the_joints():
     chain = Chain([screw((0, 0, 1)), screw((0, 0, 1), pitch=np.inf), screw((0, 0, 1), pitch=-0.1)], np.eye(4))
-    assert (chain.letters, chain.n) == ("RPH", 3)
+    assert (chain.joint_types, chain.n) == ("RPH", 3)
 
 
 # --- what is refused ---

@@ -110,7 +110,7 @@ def test_no_program_multiplies_by_0_or_1(robot):
     assert " 0.0 *" not in source
     assert " 1.0 *" not in source
     assert "+ 0.0" not in source
-    assert source.count("cos(") == sum(letter != "P" for letter in robot.letters)
+    assert source.count("cos(") == sum(letter != "P" for letter in robot.joint_types)
 
 
 @pytest.mark.parametrize("value", [np.nan, np.inf, -np.inf, 1e9])

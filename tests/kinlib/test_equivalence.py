@@ -13,7 +13,7 @@ def test_every_legal_rechoice_is_the_same_mechanism(seed):
     rng = np.random.default_rng(seed)
     for _ in range(few(40)):
         chain, cases = arm(rng, int(rng.integers(1, 9)))
-        assert equivalent(chain, rechosen(rng, chain)), (chain.letters, cases)
+        assert equivalent(chain, rechosen(rng, chain)), (chain.joint_types, cases)
 
 
 @pytest.mark.parametrize("seed", range(4))

@@ -102,7 +102,7 @@ def test_an_assigned_table_is_the_arm_for_every_mix_of_cases(convention):
     for found, cases, q in fuzzed(convention):
         assert error(found, q) < 1e-9
         assert len(found.table.rows) == found.chain.n
-        assert found.table.joints == found.chain.letters
+        assert found.table.joints == found.chain.joint_types
         met.update(cases)
         met.update(normal.case for normal in found.normals)
     assert met == set(CASES)
@@ -141,7 +141,7 @@ def test_nearly_parallel_axes_cost_no_more_than_they_must(angle, convention):
         normals = [step.text for step in found.steps if step.kind == "normal"]
         for pair, (normal, text) in enumerate(zip(found.normals, normals, strict=True)):
             assert ("These axes are nearly parallel" in text) == normal.nearly_parallel
-            if normal.nearly_parallel and "P" not in found.chain.letters[pair : pair + 2]:
+            if normal.nearly_parallel and "P" not in found.chain.joint_types[pair : pair + 2]:
                 assert "DH is singular here" in text
 
 
@@ -213,7 +213,7 @@ def test_frames_obey_the_rules(convention):
             if not 0 <= joint < chain.n:
                 continue
             np.testing.assert_allclose(z[i], axis[joint], atol=1e-12)
-            if chain.letters[joint] == "R":  # a slide has a direction, and no line to lie on
+            if chain.joint_types[joint] == "R":  # a slide has a direction, and no line to lie on
                 off = np.cross(origin[i] - chain.joint_points[joint], axis[joint])
                 np.testing.assert_allclose(off, 0, atol=1e-9)
         for i in range(1, chain.n):
@@ -251,7 +251,7 @@ def test_the_choices_that_the_decks_prescribe(convention):
             if z[0] ** 2 < 0.98:  # x of {s} is not along the axis
                 assert x[0] == pytest.approx(np.sqrt(1 - z[0] ** 2)), "no other x that is square to z is as near"
             for i, normal in enumerate(found.normals, start=1):
-                if normal.case in {"parallel", "anti-parallel"} and chain.letters[i - 1 : i + 1] == "RR":
+                if normal.case in {"parallel", "anti-parallel"} and chain.joint_types[i - 1 : i + 1] == "RR":
                     np.testing.assert_allclose(frames[i][:3, 3], chain.joint_points[i], atol=1e-9)
         else:
             np.testing.assert_allclose(frames[0], frames[1], atol=1e-12)  # {0} matches {1}
@@ -320,7 +320,7 @@ def vectors(text):
 def test_the_steps_say_where_axes_and_frames_stand(convention):
     for found, _, _ in fuzzed(convention, count=50, seed=15):
         chain, frames = found.chain, found.frames
-        lines = zip(chain.letters, chain.lines.axis, chain.joint_points, strict=True)
+        lines = zip(chain.joint_types, chain.lines.axis, chain.joint_points, strict=True)
         expected = {("axes", None): [vector for letter, *line in lines for vector in line[: 1 if letter == "P" else 2]]}
         expected |= {(kind, i): frames[i, :3, [3, 0]] for kind, i in (("first", 0), ("last", chain.n))}
         columns = {"origin": [3], "x": [0], "y": [1]}

@@ -38,7 +38,7 @@ LETTERS = {
 
 @pytest.mark.parametrize("name", LETTERS)
 def test_the_joints_are_of_the_kinds_that_the_documents_say(name):
-    assert getattr(robots, name)().letters == LETTERS[name]
+    assert getattr(robots, name)().joint_types == LETTERS[name]
 
 
 @pytest.mark.parametrize("family", FAMILIES, ids=lambda family: family.__name__)

@@ -56,7 +56,7 @@ def same(one, other):
 @robots
 def test_every_robot_of_the_course_moves_as_its_numbers_do(robot):
     tables = []
-    if "H" not in robot.letters:
+    if "H" not in robot.joint_types:
         tables = [kl.assign_frames(robot, convention=name).table for name in ("standard", "modified")]
     forms = [symbolic.fk(robot), symbolic.fk_body(robot), *map(symbolic.table_fk, tables)]
     for values in configurations(robot, 5):

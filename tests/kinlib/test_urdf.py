@@ -29,7 +29,7 @@ CONVENTIONS = ("standard", "modified")
 TABLES = {"Lynxmotion AL5D": 5e-9}
 """Where no DH table is as close: this file writes pi with nine decimals, so that its parallel axes are 6e-10 rad off
 parallel, and no row holds that. The normal of the exact row stands 1e8 m away; the parallel row errs by the angle."""
-ROBOTS = [family() for family in FAMILIES if "H" not in family().letters]
+ROBOTS = [family() for family in FAMILIES if "H" not in family().joint_types]
 
 each_arm = pytest.mark.parametrize("name", ARMS)
 
@@ -62,7 +62,7 @@ def test_a_shipped_arm_gets_a_dh_table(name, convention):
     found = kl.assign_frames(chain, convention=convention)
     q = configurations(chain, 20)
     np.testing.assert_allclose(found.table.fk(q), chain.fk(q), rtol=0, atol=TABLES.get(name, CLOSE))
-    assert found.table.joints == chain.letters
+    assert found.table.joints == chain.joint_types
 
 
 @each_arm
@@ -91,7 +91,7 @@ def test_three_shipped_arms_move_as_pytransform3d_says():
 def test_a_finger_is_a_tip_too_and_a_finger_that_copies_it_is_not():
     text = text_of("Trossen " + TROSSEN[0])
     finger = load_urdf(text, tip="/left_finger_link")
-    assert finger.letters == "RRRRP"
+    assert finger.joint_types == "RRRRP"
     q = configurations(finger, 10)
     expected = as_pinocchio_reads(text, *ends(finger), finger.joint_names, q)
     np.testing.assert_allclose(finger.fk(q), expected, rtol=0, atol=CLOSE)

@@ -62,7 +62,7 @@ def _next(rng, case, z, point, angle):
 def configurations(rng, chain, count=50, reach=1.0):
     """Joint values (count, n): up to half a turn, up to `reach` metres."""
     q = rng.uniform(-1, 1, (count, chain.n))
-    return q * np.where(np.array(list(chain.letters)) == "P", reach, np.pi)
+    return q * np.where(np.array(list(chain.joint_types)) == "P", reach, np.pi)
 
 
 def rechosen(rng, chain):

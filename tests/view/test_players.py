@@ -76,7 +76,7 @@ def test_the_table_on_the_page_is_the_table(chain, convention):
     text = head + "\n".join(" | ".join([str(i), *row]) for i, row in enumerate(cells(found.table), 1)).replace("−", "-")
     read = kl.DHTable(text, convention=convention)
     np.testing.assert_allclose(read.rows, found.table.rows, atol=5e-4)
-    assert "".join(read.joints) == chain.letters
+    assert "".join(read.joints) == chain.joint_types
 
 
 def test_the_step_is_read_and_led_by_python_and_said_in_words():

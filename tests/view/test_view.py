@@ -37,7 +37,7 @@ def svg(picture):
 def test_every_robot_is_drawn_with_words_that_say_what_is_seen(robot, draw):
     picture = draw(robot)
     assert robot.name in picture.alt
-    assert f"{robot.n} joints ({robot.letters})" in picture.alt
+    assert f"{robot.n} joints ({robot.joint_types})" in picture.alt
     assert "<svg" in svg(picture)
     assert len(picture.html()) < 100_000
 

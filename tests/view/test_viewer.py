@@ -81,12 +81,12 @@ def test_every_frame_that_can_be_shown_rides_on_a_body_of_the_arm(robot):
         for frame in frames:
             assert 0 <= frame["body"] <= robot.n
             kl.inverse(np.reshape(frame["pose"], (4, 4)))  # refuses what is not rigid
-    assert ("standard" in arm["frames"]) == ("H" not in robot.letters)
+    assert ("standard" in arm["frames"]) == ("H" not in robot.joint_types)
 
 
 @each_robot
 def test_dh_frames_are_those_of_the_assignment(robot):
-    if "H" in robot.letters:
+    if "H" in robot.joint_types:
         return
     shown = {f["name"]: f["pose"] for f in explore(robot).scene["arms"][0]["frames"]["modified"]}
     for i, T in enumerate(kl.assign_frames(robot, convention="modified").frames):

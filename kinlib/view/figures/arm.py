@@ -103,12 +103,12 @@ def describe(chain: Chain, q: Array) -> str:
     """
     axis = chain.lines.axis
     joints = "; ".join(
-        f"joint {i + 1} {KINDS[letter]} along {_direction(axis[i])}" for i, letter in enumerate(chain.letters)
+        f"joint {i + 1} {KINDS[letter]} along {_direction(axis[i])}" for i, letter in enumerate(chain.joint_types)
     )
     values = "at home" if not np.any(q) else f"at q = {spoken(q)}"
     tool = spoken(chain.fk(q)[:3, 3])
     return (
-        f"{chain.name}, {chain.n} joints ({chain.letters}), {values}. {joints.capitalize()}. The tool is at {tool} m."
+        f"{chain.name}, {chain.n} joints ({chain.joint_types}), {values}. {joints.capitalize()}. The tool is at {tool} m."
     )
 
 

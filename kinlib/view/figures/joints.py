@@ -26,7 +26,7 @@ def draw_bodies(canvas: Canvas, chain: Chain, frames: Array) -> None:
     axes = _carried_axes(chain, frames)
     for i, (z, shift) in enumerate(zip(axes, shifts(axes, frames[:, :3, 3]), strict=True)):
         centre = frames[i, :3, 3] + APART * canvas.size * shift * z
-        draw_body(canvas, chain.letters[i], z, centre)
+        draw_body(canvas, chain.joint_types[i], z, centre)
         canvas.label(centre, str(i + 1), INK, BESIDE, 11)
 
 

@@ -187,7 +187,7 @@ def table_of(chain: Chain, frames: Array, convention: Convention) -> DHTable:
         alpha, theta = np.arctan2(-T[:, 1, 2], T[:, 2, 2]), np.arctan2(-T[:, 0, 1], T[:, 0, 0])
     rows = np.stack([a, alpha, d, theta], axis=1)
     tool = inverse(frames[-1]) @ chain.home
-    return DHTable(rows, convention=convention, joints=chain.letters, base=frames[0], tool=tool, name=chain.name)
+    return DHTable(rows, convention=convention, joints=chain.joint_types, base=frames[0], tool=tool, name=chain.name)
 
 
 def signs_of(chain: Chain, frames: Array, convention: Convention) -> Array:

@@ -142,7 +142,7 @@ def link_paths(chain: Chain) -> list[Array]:
 
 
 def _slider(chain: Chain, i: int, value: float, span: tuple[float, float] | None) -> dict[str, Any]:
-    slides = chain.letters[i] == "P"
+    slides = chain.joint_types[i] == "P"
     far = SLIDE if slides else TURN
     least, most = chain.limits[i] if chain.limits is not None else (-np.inf, np.inf)
     low, high = span or (
@@ -209,7 +209,7 @@ def _joints(chain: Chain) -> list[dict[str, Any]]:
             "travel": 1.0 if letter == "P" else float(h) if letter == "H" else 0.0,
         }
         for letter, screw, z, point, h, shift in zip(
-            chain.letters,
+            chain.joint_types,
             chain.screws,
             axis,
             chain.joint_points,
@@ -230,7 +230,7 @@ def _frames(chain: Chain, size: float) -> dict[str, Any]:
         "tool": [ends["b"]],
         "links": [_frame(str(i + 1), i + 1, T) for i, T in enumerate(on_links)],
     }
-    if "H" in chain.letters:
+    if "H" in chain.joint_types:
         return shown  # a DH row has one variable, and a helical joint turns and climbs
     for convention in ("standard", "modified"):
         frames = assign_frames(chain, convention=convention).frames
