@@ -42,13 +42,59 @@ PREFIX = "lecture_"
 
 @dataclass(frozen=True, eq=False)
 class Course:
-    """The sheets, blank steps and questions of one course.
+    r"""The sheets, blank steps and questions of one course.
 
     package   the name of the Python package, from which students import open_sheet
     requires  what submissions may import besides the packages of the environment: modules that lie elsewhere on the disk
     warm_up   cells that the grader runs once, before the first submission, because first imports are slow
     fallback  finds a sheet by a name that no lecture has, for example in a file beside the notebook; None if there is none
     fallback_hint  what to try where the fallback finds nothing, with {name} for the name of the sheet
+
+    A complete course, with one problem, one blank step and one question:
+
+    >>> from tempfile import TemporaryDirectory
+    >>> temporary = TemporaryDirectory()
+    >>> lecture = Path(temporary.name, "halves_course", "lecture_01_halves")
+    >>> lecture.mkdir(parents=True)
+    >>> problem = '''
+    ... import numpy as np
+    ... from misstep import Problem, Sheet, mistake, problem
+    ... from misstep.answers.number import Numbers
+    ...
+    ... @problem("01.1", "A half", points=2, lecture="01_halves#Halves")
+    ... def half(sampler):
+    ...     x = sampler.integer(1, 9)
+    ...     wrong = [mistake("doubled", np.array(2.0 * x), "You multiplied by 2. Divide by 2.")]
+    ...     return Problem(f"What is half of {x}?", Numbers(np.array(x / 2)), wrong, given={"x": x})
+    ... '''
+    >>> question = '''
+    ... [even]
+    ... kind = "check"
+    ... text = "Half of which number is a whole number?"
+    ... options = [{text = "4", right = true, why = "It is even."}, {text = "3", why = "It is odd."}]
+    ... '''
+    >>> definition = 'from misstep import Course\nCOURSE = Course("halves_course")'
+    >>> files = {
+    ...     lecture.parent / "__init__.py": definition,
+    ...     lecture / "problems.py": problem + 'SHEET = Sheet("01_halves", "Halves", [half])',
+    ...     lecture / "blanks.py": problem.replace("01.1", "01.a") + "BLANKS = [half]",
+    ...     lecture / "questions.toml": question,
+    ... }
+    >>> for file, text in files.items():
+    ...     _ = file.write_text(text)
+    >>> course = load_course(lecture.parent)
+    >>> course.sheets(), course.find_sheet("01_halves").points, list(course.blanks())
+    (['01_halves'], 2, ['01.a'])
+    >>> sheet = course.open_sheet("01_halves", "ada")
+    >>> sheet.check(1, 2 * sheet.given(1).x).judgement.mistakes
+    ['doubled']
+    >>> course.attempt("01.a", None).judgement.state
+    'blank'
+    >>> course.questions()["01"]["even"] is course.find_question("01/even")
+    True
+    >>> type(course.ask("01/even")).__name__, type(course.explain("01/even")).__name__
+    ('Question', 'Explanation')
+    >>> temporary.cleanup()
     """
 
     package: str
@@ -180,6 +226,15 @@ def load_course(folder: str | Path) -> Course:
     """Load a course from its folder, wherever that is.
 
     Raises ValueError for a folder that is not a package with a COURSE.
+
+    >>> from tempfile import TemporaryDirectory
+    >>> temporary = TemporaryDirectory()
+    >>> folder = Path(temporary.name, "empty_course")
+    >>> (folder / "lecture_01_halves").mkdir(parents=True)
+    >>> _ = (folder / "__init__.py").write_text('from misstep import Course; COURSE = Course("empty_course")')
+    >>> load_course(folder).lectures
+    ['01_halves']
+    >>> temporary.cleanup()
     """
     path = Path(folder).resolve()
     if not (path / "__init__.py").is_file() or not path.name.isidentifier():
@@ -203,6 +258,11 @@ def find_course(reference: str | Path) -> Course:
     """Find a course by the name of its package, if it is installed, or by the path of its folder.
 
     Raises ValueError if there is no such course.
+
+    >>> find_course("no_such_course")
+    Traceback (most recent call last):
+        ...
+    ValueError: no_such_course should be the folder of a course, ... Is the path right?
     """
     for entry in entry_points(group=GROUP):
         if entry.name == str(reference):

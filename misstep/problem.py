@@ -87,7 +87,23 @@ class Problem:
 
 @dataclass(frozen=True)
 class Template:
-    """A problem before anybody's numbers are drawn."""
+    """A problem before anybody's numbers are drawn; `problem` makes one of a function.
+
+    number   its place, "03.2"; the student's numbers depend on it
+    points   full score, shared equally among the parts of the answer
+    lecture  where to re-read, "03_poe_space#Prismatic joints": notebook and heading
+    write    the function from a sampler to a Problem
+    sampler  the class of the sampler that the function is given
+
+    >>> import numpy as np
+    >>> from misstep.answers.number import Numbers
+    >>> def write(sampler):
+    ...     x = sampler.integer(1, 9)
+    ...     return Problem(f"What is half of {x}?", Numbers(np.array(x / 2)), [])
+    >>> half = Template("01.1", "A half", points=1, lecture="01_fractions#Halves", write=write)
+    >>> half.variant("ada").statement == half.variant("Ada ").statement
+    True
+    """
 
     number: str
     title: str

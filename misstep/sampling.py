@@ -15,8 +15,13 @@ T = TypeVar("T")
 class Sampler:
     """A source of chance that belongs to one student and one problem.
 
-    >>> Sampler("ada", "03.1").integer(1, 6) == Sampler("ada", "03.1").integer(1, 6)
+    >>> sampler = Sampler("ada", "03.1")
+    >>> sampler.integer(1, 6) == Sampler("ada", "03.1").integer(1, 6)
     True
+    >>> sampler.choice("abc") in "abc", sampler.degrees(-90, 90) % 5, 0.1 <= sampler.length(0.1, 0.5) <= 0.5
+    (True, 0, True)
+    >>> sorted(sampler.shuffled([3, 1, 2]))
+    [1, 2, 3]
     """
 
     def __init__(self, student: str, problem: str, attempt: int = 0) -> None:

@@ -32,6 +32,25 @@ class OpenSheet:
     """A sheet in the hands of one student: shows problems, checks answers, remembers the verdicts.
 
     Problems count from 1, as on the page.
+
+    >>> import numpy as np
+    >>> from misstep import mistake, problem
+    >>> from misstep.answers.number import Numbers
+    >>> @problem("01.1", "A half", points=2, lecture="01_fractions#Halves")
+    ... def half(sampler):
+    ...     x = sampler.integer(1, 9)
+    ...     wrong = [mistake("doubled", np.array(2.0 * x), "You multiplied by 2. Divide by 2.")]
+    ...     return Problem(f"What is half of {x}?", Numbers(np.array(x / 2)), wrong, given={"x": x})
+    >>> sheet = OpenSheet(Sheet("01_fractions", "Fractions", [half]), "ada")
+    >>> sheet.show(1)
+    <IPython.core.display.Markdown object>
+    >>> x = sheet.given(1).x
+    >>> sheet.check(1, 2 * x).judgement.mistakes
+    ['doubled']
+    >>> sheet.check(1, x / 2).score, sheet.tally().score
+    (2.0, 2.0)
+    >>> bool(sheet.problem(1).answer.value == x / 2)
+    True
     """
 
     def __init__(self, sheet: Sheet, student: Any) -> None:
