@@ -29,6 +29,12 @@ KEPT = ROOT / "build" / "executed"
 UNDER = ("anywidget", "ipykernel", "ipywidgets", "matplotlib", "mpmath", "numpy", "sympy", "traitlets")
 """What can change an output although no line of ours has changed."""
 
+PACKAGES = ("kinlib", "misstep", "kincourse")
+"""The packages of this repository, each with a pyproject.toml of its own."""
+
+NOT_IN_NOTEBOOKS = ("misstep/grading/", "misstep/release/", "kinlib/view/js/")
+"""Folders of the packages that no notebook loads."""
+
 KEY = 16
 """Letters of the names by which outputs are kept."""
 
@@ -115,15 +121,14 @@ def key(sources: Iterable[str]) -> str:
 
 @cache
 def library() -> str:
-    """What kinlib is now, and what it stands on, as one name: any change of a file gives another one."""
+    """Hash the packages of the course and the versions of what they depend on: any change of a file changes the hash."""
     digest = hashlib.sha256(python_version().encode() + Path(__file__).read_bytes())
     for name in UNDER:
         digest.update(f"{name} {version(name)}\0".encode())
-    folder = ROOT / "kinlib"
-    for path in sorted(folder.rglob("*")):
-        inside = path.relative_to(folder).parts
-        if path.suffix in (".py", ".toml", ".js") and inside[0] != "grading" and inside[:2] != ("view", "src"):
-            digest.update(path.relative_to(folder).as_posix().encode() + b"\0" + path.read_bytes())
+    for path in sorted(path for package in PACKAGES for path in (ROOT / package).rglob("*")):
+        inside = path.relative_to(ROOT).as_posix()
+        if path.suffix in (".py", ".toml", ".js") and not inside.startswith(NOT_IN_NOTEBOOKS):
+            digest.update(inside.encode() + b"\0" + path.read_bytes())
     return digest.hexdigest()
 
 

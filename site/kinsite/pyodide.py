@@ -114,7 +114,7 @@ def lay_out(source: Distribution, own: list[Path], folder: Path) -> list[str]:
     ours = {(made := wheels.entry(wheel, python))["name"]: (made, wheel) for wheel in (*own, *source.shims())}
     known = {canonicalize_name(name): about for name, about in lock["packages"].items()}
     packages: dict[str, Any] = {}
-    todo = ["kinlib", *(name for name in KERNEL if name in {*known, *ours})]
+    todo = [*ours, *(name for name in KERNEL if name in known)]
     while todo:
         name = canonicalize_name(todo.pop())
         if name in packages or name in FRONT_END:

@@ -13,7 +13,7 @@ from zipfile import ZipFile
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 
-from kinsite.execute import ROOT
+from kinsite.execute import PACKAGES, ROOT
 
 FETCHED = ROOT / "build" / "lab" / "fetched"
 """What was fetched once is fetched."""
@@ -55,10 +55,6 @@ def installed(name: str) -> str:
         return version(name)
     except PackageNotFoundError:
         raise ValueError(f"The lab needs {name}, which is not installed here. Does pyproject.toml name it?") from None
-
-
-PACKAGES = ("kinlib", "misstep", "kincourse")
-"""The packages of this repository, each with a pyproject.toml of its own."""
 
 
 def build(folder: Path) -> list[Path]:

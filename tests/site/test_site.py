@@ -28,7 +28,7 @@ KINDS = {
     "arm": "robots/puma560.html",
     "linkage": "robots/four_bar.html",
     "mistakes": "mistakes/03_poe_space.html",
-    "reference": "reference/chain.html",
+    "reference": "reference/kinlib.chains.chain.html",
     "glossary": "glossary.html",
     "notation": "notation.html",
     "errata": "lectures/errata.html",
