@@ -3,7 +3,7 @@
 import secrets
 from functools import partial
 
-from kincourse.answers.dh_table import Table
+from kincourse.answers.dh_table import DHTableAnswer
 from kincourse.sampling.arms import ArmSampler
 from kincourse.text.joint_table import joint_table
 from kinlib.dh.assignment import assign_frames
@@ -15,28 +15,28 @@ from misstep.mistakes import mistake
 from misstep.problem import Problem
 from misstep.verdict import TITLES
 
-KINDS = ("RR", "RRR", "RPR", "RRP", "PRR", "RRRR")
+JOINT_TYPES = ("RR", "RRR", "RPR", "RRP", "PRR", "RRRR")
 
-EMPTY = "a | alpha | d | theta\n"
+EMPTY_TABLE = "a | alpha | d | theta\n"
 
 
-def question(seed: str, convention: Convention) -> Problem:
+def draw_problem(seed: str, convention: Convention) -> Problem:
     """A drawn arm whose DH table is asked for, the same for the same seed.
 
     Raises ValueError for another convention.
 
-    >>> question("one", "standard").answer.value.convention
+    >>> draw_problem("one", "standard").answer.value.convention
     'standard'
     """
     sampler = ArmSampler(seed, "quiz")
-    arm = sampler.arm(sampler.choice(KINDS))
+    arm = sampler.arm(sampler.choice(JOINT_TYPES))
     table = assign_frames(arm, convention=convention_of(convention)).table
     other: Convention = "modified" if convention == "standard" else "standard"
     misread = assign_frames(arm, convention=other).table.changed(convention=convention)
     return Problem(
         statement=f"Give a DH table of this arm in the {convention} convention; any right one will do.\n\n{joint_table(arm)}",
         figure=partial(draw_joints, arm),
-        answer=Table(table),
+        answer=DHTableAnswer(table),
         mistakes=[
             mistake(
                 "other convention",
@@ -61,22 +61,24 @@ class Quiz:
         self.asked = 0
         self.right = 0
         self._solved = False
-        self._paper = widgets.HTML()
-        self._typed = widgets.Textarea(
-            value=EMPTY, description="Your table", layout=widgets.Layout(width="95%", height="9em")
+        self._statement_box = widgets.HTML()
+        self._table_box = widgets.Textarea(
+            value=EMPTY_TABLE, description="Your table", layout=widgets.Layout(width="95%", height="9em")
         )
-        self._reply = widgets.HTMLMath()
+        self._feedback_box = widgets.HTMLMath()
         check = widgets.Button(description="Check", tooltip="Check the table that you have typed")
         another = widgets.Button(description="Another arm", tooltip="Draw another arm")
-        check.on_click(lambda _: self.check(self._typed.value))
+        check.on_click(lambda _: self.check(self._table_box.value))
         another.on_click(lambda _: self.another())
-        self._face = widgets.VBox([self._paper, self._typed, widgets.HBox([check, another]), self._reply])
+        self._layout = widgets.VBox(
+            [self._statement_box, self._table_box, widgets.HBox([check, another]), self._feedback_box]
+        )
         self.another()
 
     @property
     def problem(self) -> Problem:
         """The arm that is on the page."""
-        return question(f"{self.seed}/{self.asked}", self.convention)
+        return draw_problem(f"{self.seed}/{self.asked}", self.convention)
 
     def another(self) -> None:
         """Draw the next arm."""
@@ -84,30 +86,30 @@ class Quiz:
         self._solved = False
         problem = self.problem
         figure = problem.figure() if problem.figure else None
-        told = Card(
+        heading = Card(
             "note",
             f"Arm {self.asked}",
             [f"Give a DH table in the {self.convention} convention. Any right one will do."],
         )
-        self._paper.value = told.html() + (figure.html() if figure else "")
-        self._typed.value = EMPTY
-        self._reply.value = ""
+        self._statement_box.value = heading.html() + (figure.html() if figure else "")
+        self._table_box.value = EMPTY_TABLE
+        self._feedback_box.value = ""
 
     def check(self, typed: object) -> Judgement:
         """Judge a table, and say what is right or wrong about it. The arm stays until another is asked for."""
-        judgement = judge(self.problem, ... if typed == EMPTY else typed)
+        judgement = judge(self.problem, ... if typed == EMPTY_TABLE else typed)
         if judgement.state == "right" and not self._solved:
             self._solved = True
             self.right += 1
         lines = [finding.message for finding in judgement.findings]
-        self._reply.value = Card(
+        self._feedback_box.value = Card(
             judgement.state, TITLES[judgement.state], [*lines, f"{self.right} right of {self.asked}."]
         ).html()
         return judgement
 
     def _repr_mimebundle_(self, **options: object) -> dict[str, object]:
         text = f"A quiz on DH tables in the {self.convention} convention.\n{self.problem.statement}"
-        bundle: dict[str, object] = {**self._face._repr_mimebundle_(**options), "text/plain": text}
+        bundle: dict[str, object] = {**self._layout._repr_mimebundle_(**options), "text/plain": text}
         return bundle
 
 

@@ -13,21 +13,21 @@ from dataclasses import replace
 from pathlib import Path
 
 from kincourse import sheets
-from kincourse.robot_sheets.robot_file import proper, written
-from kincourse.robot_sheets.robot_sheet import ALL, robot_sheet, tasks_for
+from kincourse.robot_sheets.robot_file import dumps, validate_name
+from kincourse.robot_sheets.robot_sheet import TASKS, robot_sheet, tasks_for
 from kinlib.chains.chain import Chain
 from misstep.release.instructor_notebook import notebook
 
-IMPORTS = "import numpy as np\n\nimport kinlib as kl\nfrom kincourse import open_sheet"
+IMPORT_LINES = "import numpy as np\n\nimport kinlib as kl\nfrom kincourse import open_sheet"
 
-INTRO = """\
+INTRO_TEMPLATE = """\
 {count} problems, {points} points, on {robot}. The numbers are your own: they come from your id. Fill the cells that end in \
 `...`, run them, and run the check below each. You may check as often as you like; the last answer counts.
 
 A wrong answer costs nothing here. If it is one that people often give, the card says which step went astray and where to \
 re-read. The robot travels in the file `{file}`: keep it beside this notebook."""
 
-COUNTS = ("No", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine", "Ten")
+COUNT_WORDS = ("No", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine", "Ten")
 
 
 def new_sheet(
@@ -56,32 +56,34 @@ def new_sheet(
     'my_crane.ipynb'
     """
     folder = Path(out)
-    sheet_name = proper(folder.name)
+    sheet_name = validate_name(folder.name)
     if sheet_name in sheets():
         raise ValueError(f"The course has a sheet {sheet_name!r} already. Call the folder by another name.")
     if folder.is_file():
         raise FileExistsError(f"{folder} is a file. The sheet wants a folder of its own.")
     if folder.is_dir() and any(folder.iterdir()) and not force:
         raise FileExistsError(f"{folder} holds something already. Take another folder, or write it anew with --force.")
-    chain = _read(robot, base, tip)
-    called = _spelt(name or chain.name)
-    chain = replace(chain, name=called)
+    chain = _load_robot(robot, base, tip)
+    robot_name = _plain_name(name or chain.name)
+    chain = replace(chain, name=robot_name)
     tasks = tasks_for(chain)
     sheet = robot_sheet(sheet_name, chain, tasks)
-    entries = [ALL[task].entry for task in tasks]
-    solved = [
+    entries = [TASKS[task].entry for task in tasks]
+    numbered_entries = [
         entry._replace(solution=entry.solution.replace("{k}", str(k))) for k, entry in enumerate(entries, start=1)
     ]
-    intro = INTRO.format(count=COUNTS[len(tasks)], points=sheet.points, robot=called, file=f"{sheet_name}.json")
-    text = notebook(sheet, solved, intro, IMPORTS)
+    intro = INTRO_TEMPLATE.format(
+        count=COUNT_WORDS[len(tasks)], points=sheet.points, robot=robot_name, file=f"{sheet_name}.json"
+    )
+    text = notebook(sheet, numbered_entries, intro, IMPORT_LINES)
     folder.mkdir(parents=True, exist_ok=True)
     path = folder / f"{sheet_name}.ipynb"
     path.write_text(text, encoding="utf-8", newline="\n")
-    path.with_suffix(".json").write_text(written(chain, tasks), encoding="utf-8", newline="\n")
+    path.with_suffix(".json").write_text(dumps(chain, tasks), encoding="utf-8", newline="\n")
     return path
 
 
-def _read(robot: Chain | str | os.PathLike[str], base: str | None, tip: str | None) -> Chain:
+def _load_robot(robot: Chain | str | os.PathLike[str], base: str | None, tip: str | None) -> Chain:
     if isinstance(robot, Chain):
         return robot
     from kinlib.urdf.chains import load_urdf
@@ -94,10 +96,10 @@ def _read(robot: Chain | str | os.PathLike[str], base: str | None, tip: str | No
         raise ValueError(f"{robot}: {fault}") from fault
 
 
-def _spelt(name: str) -> str:
+def _plain_name(name: str) -> str:
     """A robot's name as a page can show it: nothing in it that Markdown or mathematics would read.
 
-    >>> _spelt("ur5_robot *left*")
+    >>> _plain_name("ur5_robot *left*")
     'ur5_robot left'
     """
     return re.sub(r"[^\w .()+-]", "", name)[:60].strip() or "the robot"

@@ -13,10 +13,10 @@ from misstep.answers.number import Numbers
 
 
 @dataclass(frozen=True, eq=False)
-class Entries(Numbers):
+class DHEntriesAnswer(Numbers):
     """Some entries of a table, (k,): lengths in metres, angles in radians. Names that hold alpha or theta are angles.
 
-    >>> Entries(np.array([0.4, np.pi]), names=["a_1", "theta_1"]).agrees(np.array([0.4, -np.pi]), np.array([0.4, np.pi]))
+    >>> DHEntriesAnswer(np.array([0.4, np.pi]), names=["a_1", "theta_1"]).agrees(np.array([0.4, -np.pi]), np.array([0.4, np.pi]))
     [True, True]
     """
 
@@ -52,10 +52,10 @@ class Entries(Numbers):
 
 
 @dataclass(frozen=True, eq=False)
-class Row(Entries):
+class DHRowAnswer(DHEntriesAnswer):
     """The numbers of one row, (4,), in the order a, alpha, d, theta.
 
-    >>> Row(np.array([0.4, 0, 0, np.pi])).agrees(np.array([0.4, 0, 0, -np.pi]), np.array([0.4, 0, 0.1, np.pi]))
+    >>> DHRowAnswer(np.array([0.4, 0, 0, np.pi])).agrees(np.array([0.4, 0, 0, -np.pi]), np.array([0.4, 0, 0.1, np.pi]))
     [True, True, False, True]
     """
 

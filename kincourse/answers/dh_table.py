@@ -19,24 +19,25 @@ from misstep.storage.deserialize import register_object
 
 register_object(DHTable, DHTable.from_dict)
 
-LONGEST = 10_000
+MAX_TEXT_LENGTH = 10_000
 """No table that a person types has more characters; a longer text is no answer, and reading it would take its time."""
 
-ROUNDED = 3
+POSE_TOLERANCE_FACTOR = 3
 """How many tolerances a pose may be off: each row brings its own rounding, and they add up towards the tool."""
 
 
 @dataclass(frozen=True, eq=False)
-class Table(Answer):
+class DHTableAnswer(Answer):
     """A DH table of an arm, in a given convention.
 
     value     the right table; its convention, base and tool are those of the problem
     anchored  whether poses must agree as they are, zero posture and all; otherwise any equivalent table is right
     lengths   names that a typed table may use
 
+    >>> import numpy as np
     >>> right = DHTable([[0.4, 0, 0, 0], [0.3, 0, 0, 0]], convention="standard")
     >>> flipped = DHTable([[-0.4, 0, 0, np.pi], [0.3, 0, 0, -np.pi]], convention="standard")
-    >>> Table(right).agrees(flipped, right)
+    >>> DHTableAnswer(right).agrees(flipped, right)
     [True]
     """
 
@@ -64,14 +65,14 @@ class Table(Answer):
             except Unreadable:
                 raise
             except Exception as error:  # a student's object may raise anything while it is read
-                said = str(error) if isinstance(error, ValueError) else f"Got {validation.brief(given)}."
-                raise Unreadable(f"Expected {self.expected}. {said}") from error
+                reason = str(error) if isinstance(error, ValueError) else f"Got {validation.brief(given)}."
+                raise Unreadable(f"Expected {self.expected}. {reason}") from error
         if table.n != self.value.n:
             raise Unreadable(f"Expected {self.expected}; your table has {table.n} joints ({table.joints}).")
         return table
 
     def _typed(self, given: Any) -> DHTable:
-        if len(given) > (LONGEST if isinstance(given, str) else 4 * len(self.value.rows)):
+        if len(given) > (MAX_TEXT_LENGTH if isinstance(given, str) else 4 * len(self.value.rows)):
             raise Unreadable(f"Expected {self.expected}; got {validation.brief(given)}, which is too long.")
         named = isinstance(given, str) or any(isinstance(row, Mapping) for row in given)
         joints = "" if named else self.value.joints
@@ -84,19 +85,19 @@ class Table(Answer):
         if one.n != other.n:
             return [False]
         if not self.anchored:
-            return [bool(equivalent(one, other, tolerance=ROUNDED * tolerance, simplest=False))]
+            return [bool(equivalent(one, other, tolerance=POSE_TOLERANCE_FACTOR * tolerance, simplest=False))]
         q = random_configurations(one.n, 16)
-        return [bool(largest_difference(one.fk(q), other.fk(q)) <= ROUNDED * tolerance)]
+        return [bool(largest_difference(one.fk(q), other.fk(q)) <= POSE_TOLERANCE_FACTOR * tolerance)]
 
     def hint(self, given: DHTable, part: int) -> str:
         if given.joints != self.value.joints:
             return f"Its joints are {given.joints}; those of the arm are {self.value.joints}. Which column holds the variable?"
-        found = diagnose(given, self.value, tolerance=ROUNDED * TOLERANCE, in_pairs=False)
-        if found.right:
-            return "Your table moves like the arm, from another start. " + " ".join(str(found).splitlines()[1:])
-        if [fault.name for fault in found.faults] == ["wrong number"]:
+        diagnosis = diagnose(given, self.value, tolerance=POSE_TOLERANCE_FACTOR * TOLERANCE, in_pairs=False)
+        if diagnosis.right:
+            return "Your table moves like the arm, from another start. " + " ".join(str(diagnosis).splitlines()[1:])
+        if [fault.name for fault in diagnosis.faults] == ["wrong number"]:
             # Naming the right number would end the problem; naming the place begins it.
-            return f"All but one entry can stand: look again at {found.faults[0].column} in row {found.faults[0].row}."
-        if found.faults:
-            return str(found)
-        return found.equivalence.reason.replace(" here", " in your table").replace(" there", " in the arm")
+            return f"All but one entry can stand: look again at {diagnosis.faults[0].column} in row {diagnosis.faults[0].row}."
+        if diagnosis.faults:
+            return str(diagnosis)
+        return diagnosis.equivalence.reason.replace(" here", " in your table").replace(" there", " in the arm")

@@ -15,7 +15,7 @@ from misstep.answers.number import Numbers
 
 
 @dataclass(frozen=True, eq=False)
-class Frames(Numbers):
+class DHFramesAnswer(Numbers):
     """DH frames 0 to n of an arm at home, (n + 1, 4, 4), seen from {s}; each frame is a part.
 
     They are judged by the rules of the convention. Only the frames of a mistake are compared as they are.
@@ -24,7 +24,7 @@ class Frames(Numbers):
     >>> from kinlib.chains.robots import pose, rpr, X, Y, Z
     >>> frames = assign_frames(rpr(), convention="standard").frames
     >>> other = frames @ pose((-X, -Y, Z), (0, 0, 0))                      # every x and y turned round
-    >>> Frames(frames, chain=rpr(), convention="standard").agrees(other, frames)
+    >>> DHFramesAnswer(frames, chain=rpr(), convention="standard").agrees(other, frames)
     [True, True, True, True]
     """
 
@@ -37,10 +37,10 @@ class Frames(Numbers):
         return [f"frame {i}" for i in range(self.chain.n + 1)]
 
     def read(self, given: Any) -> Array:
-        if open_frames := _open(given):
-            listed = ", ".join(map(str, open_frames))
+        if unplaced := _unplaced_frames(given):
+            listed = ", ".join(map(str, unplaced))
             raise Unreadable(
-                f"Expected {self.expected}. Not placed yet: {'frames' if len(open_frames) > 1 else 'frame'} {listed}. "
+                f"Expected {self.expected}. Not placed yet: {'frames' if len(unplaced) > 1 else 'frame'} {listed}. "
                 "If you placed them by hand, press Copy there and paste the list here: what stands in the picture alone is gone "
                 "when the notebook is run anew."
             )
@@ -60,7 +60,7 @@ class Frames(Numbers):
         return check_frames(self.chain, frames, self.convention, tolerance=10 * TOLERANCE)
 
 
-def _open(given: Any) -> list[int]:
+def _unplaced_frames(given: Any) -> list[int]:
     """Which frames of an answer have entries that are not there yet: NaN, as frames by hand have, or `...`."""
     try:
         return [i for i, T in enumerate(given) if T is ... or np.isnan(np.asarray(T, dtype=float)).any()]

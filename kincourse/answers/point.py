@@ -12,10 +12,10 @@ from misstep.answers.number import Numbers
 
 
 @dataclass(frozen=True, eq=False)
-class Rotation(Numbers):
+class RotationAnswer(Numbers):
     """One rotation, (3, 3).
 
-    >>> Rotation(np.eye(3)).expected
+    >>> RotationAnswer(np.eye(3)).expected
     'a rotation, an array of shape (3, 3)'
     """
 
@@ -32,10 +32,10 @@ class Rotation(Numbers):
 
 
 @dataclass(frozen=True, eq=False)
-class Vectors(Numbers):
+class VectorsAnswer(Numbers):
     """Vectors in rows, (k, 3); each is a part with a name of its own.
 
-    >>> Vectors(np.eye(2, 3), names=["the point", "the direction"]).agrees(np.zeros((2, 3)), np.eye(2, 3))
+    >>> VectorsAnswer(np.eye(2, 3), names=["the point", "the direction"]).agrees(np.zeros((2, 3)), np.eye(2, 3))
     [False, False]
     """
 

@@ -12,10 +12,10 @@ from misstep.validation import Array
 
 
 @dataclass(frozen=True, eq=False)
-class Pose(Numbers):
+class PoseAnswer(Numbers):
     """One pose, (4, 4); its rotation and its position are the parts, each with its share of the last row.
 
-    >>> Pose(np.eye(4)).agrees(np.eye(4), np.diag([1, -1, -1, 1.0]))
+    >>> PoseAnswer(np.eye(4)).agrees(np.eye(4), np.diag([1, -1, -1, 1.0]))
     [False, True]
     """
 

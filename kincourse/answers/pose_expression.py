@@ -10,11 +10,11 @@ from misstep.answers.expression import ClosedForm
 
 
 @dataclass(frozen=True, eq=False)
-class PoseExpression(ClosedForm):
+class PoseExpressionAnswer(ClosedForm):
     """A pose as a 4x4 matrix of formulas; its rotation and its position are the parts, each with its share of the last row.
 
     >>> import sympy as sp
-    >>> PoseExpression(sp.eye(4)).parts
+    >>> PoseExpressionAnswer(sp.eye(4)).parts
     ['rotation', 'position']
     """
 

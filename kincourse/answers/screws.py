@@ -12,10 +12,10 @@ from misstep.validation import Array
 
 
 @dataclass(frozen=True, eq=False)
-class Screws(Numbers):
+class ScrewsAnswer(Numbers):
     """Screw axes in rows, (n, 6), or a single one, (6,); each is a part.
 
-    >>> Screws(np.eye(2, 6)).parts
+    >>> ScrewsAnswer(np.eye(2, 6)).parts
     ['screw 1', 'screw 2']
     """
 

@@ -52,12 +52,12 @@ def hand_at_home(_draw: ArmSampler) -> Problem:
 
 
 @problem("00.b", "A posture in radians", points=1, lecture="00_start_here#Degrees and radians")
-def posture_in_radians(_draw: ArmSampler) -> Problem:
+def configuration_in_radians(_draw: ArmSampler) -> Problem:
     degrees = np.array([0, 0, 90, -90, -45])
-    posture, offset = np.radians(degrees), np.array([0, 0, 0, np.pi / 2, 0])
+    configuration, offset = np.radians(degrees), np.array([0, 0, 0, np.pi / 2, 0])
     return Problem(
         statement="Joints 3, 4 and 5 stand at 90, -90 and -45 degrees, the others at 0. Give the five joint values for `arm.fk`.",
-        answer=Numbers(posture, unit="radians"),
+        answer=Numbers(configuration, unit="radians"),
         mistakes=[
             mistake(
                 "degrees",
@@ -66,12 +66,12 @@ def posture_in_radians(_draw: ArmSampler) -> Problem:
             ),
             mistake(
                 "signs lost",
-                np.abs(posture),
+                np.abs(configuration),
                 "You lost the minus signs. A turn has a sense: positive is counterclockwise when the axis points at you.",
             ),
             mistake(
                 "offset added",
-                posture + offset,
+                configuration + offset,
                 "You added the deck's offset of pi/2 to joint 4. Its table needs that; our home pose holds it already.",
             ),
             mistake(
@@ -83,4 +83,4 @@ def posture_in_radians(_draw: ArmSampler) -> Problem:
     )
 
 
-BLANKS = [hand_at_home, posture_in_radians]
+BLANKS = [hand_at_home, configuration_in_radians]

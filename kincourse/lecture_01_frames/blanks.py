@@ -2,7 +2,7 @@
 
 import numpy as np
 
-from kincourse.answers.pose import Pose
+from kincourse.answers.pose import PoseAnswer
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kinlib.arrays.validation import Array
@@ -12,14 +12,14 @@ from misstep.answers.number import Numbers
 from misstep.mistakes import mistake
 from misstep.problem import Problem
 
-POSTURE = (np.pi / 2, 0.2, np.pi / 6, np.pi / 3)
+CONFIGURATION = (np.pi / 2, 0.2, np.pi / 6, np.pi / 3)
 """The joint values of the lecture's worked example: radians, metres, radians, radians."""
 
 
-def turn_z(q: float) -> Array:
+def rotation_about_z(q: float) -> Array:
     """Turn about z by q radians.
 
-    >>> turn_z(np.pi / 2)[:3, 0].round(6) + 0.0
+    >>> rotation_about_z(np.pi / 2)[:3, 0].round(6) + 0.0
     array([0., 1., 0.])
     """
     return pose((np.cos(q) * X + np.sin(q) * Y, np.cos(q) * Y - np.sin(q) * X, Z), (0, 0, 0))
@@ -31,8 +31,8 @@ def links() -> tuple[Array, Array, Array]:
     >>> links()[2][:3, 3]
     array([0.5, 0. , 0. ])
     """
-    q1, q2, q3, _ = POSTURE
-    return turn_z(q1), pose((Z, X, Y), (0, q2, 0)), pose((X, -Z, Y), (0.5, 0, 0)) @ turn_z(q3)
+    q1, q2, q3, _ = CONFIGURATION
+    return rotation_about_z(q1), pose((Z, X, Y), (0, q2, 0)), pose((X, -Z, Y), (0.5, 0, 0)) @ rotation_about_z(q3)
 
 
 def with_position(T: Array, p: Array) -> Array:
@@ -53,7 +53,7 @@ def one_more_link(_draw: ArmSampler) -> Problem:
     T_03 = T_02 @ T_23
     return Problem(
         statement="Give $T_{03}$ from $T_{02}$ and $T_{23}$.",
-        answer=Pose(T_03),
+        answer=PoseAnswer(T_03),
         mistakes=[
             mistake(
                 "reversed",
@@ -88,7 +88,7 @@ def look_back(_draw: ArmSampler) -> Problem:
     back = inverse(T_03)
     return Problem(
         statement="Give $T_{30}$, the base seen from link 3.",
-        answer=Pose(back),
+        answer=PoseAnswer(back),
         mistakes=[
             mistake(
                 "minus p",
@@ -123,10 +123,10 @@ def look_back(_draw: ArmSampler) -> Problem:
 @problem("01.c", "The tool, seen from link 3", points=1, lecture="01_frames#Chaining along the links")
 def tool_from_link_3(_draw: ArmSampler) -> Problem:
     T_01, T_12, T_23 = links()
-    T_03, T_05 = T_01 @ T_12 @ T_23, rprr().fk(POSTURE)
+    T_03, T_05 = T_01 @ T_12 @ T_23, rprr().fk(CONFIGURATION)
     return Problem(
         statement="Give $T_{35}$ from $T_{30}$ and $T_{05}$.",
-        answer=Pose(inverse(T_03) @ T_05),
+        answer=PoseAnswer(inverse(T_03) @ T_05),
         mistakes=[
             mistake(
                 "not inverted",

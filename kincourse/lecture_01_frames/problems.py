@@ -5,11 +5,11 @@ from functools import partial
 
 import numpy as np
 
-from kincourse.answers.point import Rotation, Vectors
-from kincourse.answers.pose import Pose
+from kincourse.answers.point import RotationAnswer, VectorsAnswer
+from kincourse.answers.pose import PoseAnswer
 from kincourse.lecture_01_frames.blanks import with_position
 from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler, in_sight
+from kincourse.sampling.arms import ArmSampler, are_distinguishable
 from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z, pose
 from kinlib.rigid.lie import exp, inverse
@@ -23,14 +23,14 @@ from misstep.problem import Problem
 from misstep.sheet import Sheet
 from misstep.text import matrix, vector
 
-ANGLES = (20, 25, 30, 35, 40, 50, 55, 60, 65, 70)
+ANGLES_DEG = (20, 25, 30, 35, 40, 50, 55, 60, 65, 70)
 """Angles for people, in degrees. Not 45, whose sine and cosine are alike."""
 
 
 @problem("01.1", "A pose off a drawing", points=2, lecture="01_frames#Columns and rows")
 def pose_off_a_drawing(sampler: ArmSampler) -> Problem:
     place = np.zeros(3)
-    while not in_sight([np.zeros(3), place]):
+    while not are_distinguishable([np.zeros(3), place]):
         place = sampler.point(4) * (1, 1, 0) + sampler.integer(1, 4) * Z
     T = pose(sampler.axes(), place)
     R = T[:3, :3]
@@ -38,7 +38,7 @@ def pose_off_a_drawing(sampler: ArmSampler) -> Problem:
         statement="Read $T_{sb}$ off the drawing. Coordinates are whole metres, and each axis of {b} runs along one of {s}. The dotted "
         "line drops to the floor: its foot has the numbers $x$ and $y$, and beside it stands the height.",
         figure=partial(draw_frames, {"s": np.eye(4), "b": T}, arrows=False, numbers=True),
-        answer=Pose(T),
+        answer=PoseAnswer(T),
         mistakes=[
             mistake(
                 "axes in rows",
@@ -71,8 +71,8 @@ def pose_off_a_drawing(sampler: ArmSampler) -> Problem:
 
 @problem("01.2", "A rotation off a drawing", points=2, lecture="01_frames#Columns and rows")
 def rotation_off_a_drawing(sampler: ArmSampler) -> Problem:
-    k, degrees = sampler.integer(0, 2), sampler.choice(ANGLES) * sampler.choice((-1, 1))
-    R = _turn(k, degrees)
+    k, degrees = sampler.integer(0, 2), sampler.choice(ANGLES_DEG) * sampler.choice((-1, 1))
+    R = _rotation(k, degrees)
     first, after = "yzx"[k], "zxy"[k]
     c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
     exchanged = np.where(np.isclose(R, c), s, np.where(np.isclose(R, s), c, np.where(np.isclose(R, -s), -c, R)))
@@ -80,7 +80,7 @@ def rotation_off_a_drawing(sampler: ArmSampler) -> Problem:
         statement="Frames {a} and {b} share their origin and one axis, along which you look: a dot is an arrow's tip, a cross its "
         "feathers. Give $R_{ab}$.",
         figure=partial(draw_turn, k, degrees),
-        answer=Rotation(R),
+        answer=RotationAnswer(R),
         mistakes=[
             mistake(
                 "turned the other way",
@@ -100,12 +100,12 @@ def rotation_off_a_drawing(sampler: ArmSampler) -> Problem:
             ),
             mistake(
                 "about the next axis",
-                _turn((k + 1) % 3, degrees),
+                _rotation((k + 1) % 3, degrees),
                 f"You turned about ${'yzx'[k]}$. The axis that both frames share is ${'xyz'[k]}$, and its row and column hold a single 1.",
             ),
             mistake(
                 "about the axis before",
-                _turn((k + 2) % 3, degrees),
+                _rotation((k + 2) % 3, degrees),
                 f"You turned about ${'zxy'[k]}$. The axis that both frames share is ${'xyz'[k]}$, and its row and column hold a single 1.",
             ),
         ],
@@ -115,8 +115,8 @@ def rotation_off_a_drawing(sampler: ArmSampler) -> Problem:
 @problem("01.3", "An affine map in one matrix", points=2, lecture="01_frames#An affine map in one matrix")
 def augmented_matrix(sampler: ArmSampler) -> Problem:
     shift_first = sampler.choice([True, False])
-    degrees, p = sampler.choice(ANGLES) * sampler.choice((-1, 1)), sampler.point(4)[:2]
-    R = _turn(2, degrees)[:2, :2]
+    degrees, p = sampler.choice(ANGLES_DEG) * sampler.choice((-1, 1)), sampler.point(4)[:2]
+    R = _rotation(2, degrees)[:2, :2]
     right, other = (R @ p, p) if shift_first else (p, R @ p)
     way = "anticlockwise" if degrees > 0 else "clockwise"
     turned, shifted = (
@@ -131,34 +131,34 @@ def augmented_matrix(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"A map {told}. Write it as one augmented matrix, (3, 3): it takes $(x, y, 1)$ to where the point $(x, y)$ goes.",
         given={"first": "shift" if shift_first else "turn", "degrees": degrees, "p": p},
-        answer=Numbers(_augmented(R, right)),
+        answer=Numbers(_augmented_matrix(R, right)),
         mistakes=[
             mistake(
                 "the other order",
-                _augmented(R, other),
+                _augmented_matrix(R, other),
                 "You turned first and shifted after. Here the shift comes first, so the turn takes it along: $R\\,(x + p) = R\\,x + R\\,p$."
                 if shift_first
                 else "You shifted first and turned after. Here the turn comes first, and nothing turns the shift: $R\\,x + p$.",
             ),
             mistake(
                 "translation in the last row",
-                _augmented(R, right).T,
+                _augmented_matrix(R, right).T,
                 "You wrote the matrix transposed: the translation stands in the last row. It belongs in the last column, where the extra 1 "
                 "picks it up.",
             ),
             mistake(
                 "turned the other way",
-                _augmented(R.T, R.T @ p if shift_first else p),
+                _augmented_matrix(R.T, R.T @ p if shift_first else p),
                 "You turned the other way. Anticlockwise is positive, and its matrix has $-\\sin$ in the upper right.",
             ),
             mistake(
                 "not augmented",
-                _augmented(R, 0 * p),
+                _augmented_matrix(R, 0 * p),
                 "The translation is missing. $R$ alone leaves the origin where it is; the last column says where it goes.",
             ),
             mistake(
                 "degrees",
-                _augmented(exp(degrees * Z)[:2, :2], exp(degrees * Z)[:2, :2] @ p if shift_first else p),
+                _augmented_matrix(exp(degrees * Z)[:2, :2], exp(degrees * Z)[:2, :2] @ p if shift_first else p),
                 "You gave degrees to a cosine that reads radians: use np.radians first.",
             ),
         ],
@@ -167,7 +167,7 @@ def augmented_matrix(sampler: ArmSampler) -> Problem:
 
 @problem("01.4", "A point and an arrow", points=2, lecture="01_frames#An affine map in one matrix")
 def point_and_arrow(sampler: ArmSampler) -> Problem:
-    T, point, d = _placed(sampler), sampler.point(6) / 10, sampler.point(6) / 10
+    T, point, d = _random_pose(sampler), sampler.point(6) / 10, sampler.point(6) / 10
     R, p = T[:3, :3], T[:3, 3]
     right = np.array([R @ point + p, R @ d])
     return Problem(
@@ -175,7 +175,7 @@ def point_and_arrow(sampler: ArmSampler) -> Problem:
         f"${vector(d)}$ m. Give both as {{s}} sees them, in two rows: the point, the arrow.\n\n$$T_{{sc}} = {matrix(T)}$$",
         figure=partial(draw_frames, {"s": np.eye(4), "c": T}, arrows=False),
         given={"T_sc": T, "point_c": point, "arrow_c": d},
-        answer=Vectors(right, names=["the point", "the arrow"]),
+        answer=VectorsAnswer(right, names=["the point", "the arrow"]),
         mistakes=[
             mistake(
                 "arrow as a point",
@@ -213,13 +213,13 @@ def point_and_arrow(sampler: ArmSampler) -> Problem:
 
 @problem("01.5", "Look back", points=2, lecture="01_frames#The inverse")
 def look_back(sampler: ArmSampler) -> Problem:
-    T = _placed(sampler)
+    T = _random_pose(sampler)
     R, p, back = T[:3, :3], T[:3, 3], inverse(T)
     return Problem(
         statement=f"A gripper {{g}} stands at $T_{{sg}}$. Give $T_{{gs}}$: how the gripper sees the base.\n\n$$T_{{sg}} = {matrix(T)}$$",
         figure=partial(draw_frames, {"s": np.eye(4), "g": T}, arrows=False),
         given={"T_sg": T},
-        answer=Pose(back),
+        answer=PoseAnswer(back),
         mistakes=[
             mistake(
                 "minus p",
@@ -253,7 +253,7 @@ def look_back(sampler: ArmSampler) -> Problem:
 
 @problem("01.6", "Letters that cancel", points=2, lecture="01_frames#Chaining along the links")
 def letters_that_cancel(sampler: ArmSampler) -> Problem:
-    T_sc, T_co, T_st = (_placed(sampler) for _ in range(3))
+    T_sc, T_co, T_st = (_random_pose(sampler) for _ in range(3))
     T_so = T_sc @ T_co
     right = inverse(T_st) @ T_so
     bad = np.eye(4)
@@ -264,7 +264,7 @@ def letters_that_cancel(sampler: ArmSampler) -> Problem:
         f"$$T_{{st}} = {matrix(T_st)}$$",
         figure=partial(draw_frames, {"s": np.eye(4), "c": T_sc, "t": T_st}, arrows=False),
         given={"T_sc": T_sc, "T_co": T_co, "T_st": T_st},
-        answer=Pose(right),
+        answer=PoseAnswer(right),
         mistakes=[
             mistake(
                 "not inverted",
@@ -302,10 +302,10 @@ def letters_that_cancel(sampler: ArmSampler) -> Problem:
 
 @problem("01.7", "Its own axis, or one of the room", points=3, lecture="01_frames#Left or right")
 def own_or_fixed(sampler: ArmSampler) -> Problem:
-    T, k, degrees = _placed(sampler), sampler.integer(0, 2), sampler.choice(ANGLES) * sampler.choice((-1, 1))
+    T, k, degrees = _random_pose(sampler), sampler.integer(0, 2), sampler.choice(ANGLES_DEG) * sampler.choice((-1, 1))
     along, far = sampler.integer(0, 2), sampler.length(0.2, 0.9)
     turns_first, turn_is_own = sampler.choice([True, False]), sampler.choice([True, False])
-    turn, shift = pose(_turn(k, degrees).T, (0, 0, 0)), pose((X, Y, Z), far * np.eye(3)[along])
+    turn, shift = pose(_rotation(k, degrees).T, (0, 0, 0)), pose((X, Y, Z), far * np.eye(3)[along])
     own, fixed = (turn, shift) if turn_is_own else (shift, turn)
     first, second = (turn, shift) if turns_first else (shift, turn)
     whose = {True: "its own", False: "the"}
@@ -327,7 +327,7 @@ def own_or_fixed(sampler: ArmSampler) -> Problem:
             "shift": far * np.eye(3)[along],
             "own": "turn" if turn_is_own else "shift",
         },
-        answer=Pose(fixed @ T @ own),
+        answer=PoseAnswer(fixed @ T @ own),
         mistakes=[
             mistake(
                 "sides exchanged",
@@ -410,7 +410,7 @@ FLAWS = {
     "e": "its last row is not 0 0 0 1",
 }
 
-LOOK = {
+FLAW_EXPLANATIONS = {
     "a": "Go through it once more: three unit columns, square to each other, the third the cross product of the first two, the last row.",
     "b": "Take the sum of squares of each column of the upper left block: one of them is not 1.",
     "c": "Take the scalar product of each two columns of the upper left block: one of them is not 0.",
@@ -441,35 +441,35 @@ def rigid_or_not(sampler: ArmSampler) -> Problem:
         statement=f"Is this matrix a rigid motion? If not, what is wrong with it?\n\n$${matrix(T)}$$\n\n{listed}",
         given={"matrix": T},
         answer=Choice(right, FLAWS),
-        mistakes=[_another_flaw(wrong, right) for wrong in FLAWS if wrong != right],
+        mistakes=[_flaw_mistake(wrong, right) for wrong in FLAWS if wrong != right],
     )
 
 
-def _another_flaw(wrong: str, right: str) -> Mistake:
+def _flaw_mistake(wrong: str, right: str) -> Mistake:
     if wrong == "a":
-        return mistake("called rigid", wrong, f"It is no rigid motion. {LOOK[right]}")
+        return mistake("called rigid", wrong, f"It is no rigid motion. {FLAW_EXPLANATIONS[right]}")
     there = "There is nothing wrong with it" if right == "a" else "That is in order, and something else is not"
-    return mistake(f"flaw {wrong}", wrong, f"{there}. {LOOK[right]}")
+    return mistake(f"flaw {wrong}", wrong, f"{there}. {FLAW_EXPLANATIONS[right]}")
 
 
-def _turn(k: int, degrees: float) -> Array:
+def _rotation(k: int, degrees: float) -> Array:
     """A turn about x, y or z: k is 0, 1 or 2."""
     R: Array = exp(np.radians(degrees) * np.eye(3)[k])
     return R
 
 
-def _placed(sampler: ArmSampler) -> Array:
+def _random_pose(sampler: ArmSampler) -> Array:
     """A pose with nothing special: turned in two steps, shifted by three lengths, no two alike."""
     R, place = (
-        _turn(sampler.integer(0, 2), sampler.choice(ANGLES)) @ pose(sampler.axes(), (0, 0, 0))[:3, :3],
+        _rotation(sampler.integer(0, 2), sampler.choice(ANGLES_DEG)) @ pose(sampler.axes(), (0, 0, 0))[:3, :3],
         np.zeros(3),
     )
-    while not in_sight([np.zeros(3), 3 * place]):
+    while not are_distinguishable([np.zeros(3), 3 * place]):
         place = sampler.point(9) / 10
     return pose(R.T, place)
 
 
-def _augmented(R: Array, p: Array) -> Array:
+def _augmented_matrix(R: Array, p: Array) -> Array:
     """An affine map of the plane as one matrix, (3, 3)."""
     A = np.eye(3)
     A[:2, :2], A[:2, 2] = R, p

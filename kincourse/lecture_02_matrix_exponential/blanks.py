@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from kincourse.answers.pose import Pose
-from kincourse.mistakes.space_form import halves_swapped
+from kincourse.answers.pose import PoseAnswer
+from kincourse.mistakes.space_form import swap_halves
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kinlib.arrays.validation import Array
@@ -127,7 +127,7 @@ def leaning_pose(_draw: ArmSampler) -> Problem:
     R = exp(S[:3] * theta)
     return Problem(
         statement="Give $e^{[S]q}$ for joint 2 of the angled arm, $q = 2\\pi/3$.",
-        answer=Pose(exp(S * theta)),
+        answer=PoseAnswer(exp(S * theta)),
         mistakes=[
             mistake(
                 "straight on",
@@ -162,7 +162,7 @@ def long_axis(_draw: ArmSampler) -> Problem:
     printed = rotation(W, np.sin(theta), 1 - np.cos(theta))
     return Problem(
         statement="Give $e^{[S]\\theta}$ for $\\omega = (0, 0, 2)$, $v = (1, 0, 0)$, $\\theta = \\pi/4$.",
-        answer=Pose(right),
+        answer=PoseAnswer(right),
         mistakes=[
             mistake(
                 "as printed",
@@ -225,7 +225,7 @@ def screw_between(_draw: ArmSampler) -> Problem:
             ),
             mistake(
                 "halves swapped",
-                halves_swapped(x),
+                swap_halves(x),
                 "You wrote $(v, \\omega)$. Here a twist is $(\\omega, v)$, turn first.",
             ),
         ],

@@ -5,13 +5,13 @@ from functools import partial
 import numpy as np
 import sympy as sp
 
-from kincourse.answers.point import Rotation
-from kincourse.answers.pose import Pose
-from kincourse.answers.pose_expression import PoseExpression
+from kincourse.answers.point import RotationAnswer
+from kincourse.answers.pose import PoseAnswer
+from kincourse.answers.pose_expression import PoseExpressionAnswer
 from kincourse.lecture_02_matrix_exponential.blanks import SQUARED_ENTRIES, column, rotation
-from kincourse.mistakes.space_form import halves_swapped
+from kincourse.mistakes.space_form import swap_halves
 from kincourse.problem import problem
-from kincourse.sampling.arms import DIRECTIONS, ArmSampler
+from kincourse.sampling.arms import AXIS_DIRECTIONS, ArmSampler
 from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z, arm
 from kinlib.chains.robots import pose as frame
@@ -28,10 +28,10 @@ from misstep.problem import Problem
 from misstep.sheet import Sheet
 from misstep.text import matrix, number, vector
 
-QUADRUPLES = ((1, 2, 2, 3), (2, 3, 6, 7), (1, 4, 8, 9), (4, 4, 7, 9))
+PYTHAGOREAN_QUADRUPLES = ((1, 2, 2, 3), (2, 3, 6, 7), (1, 4, 8, 9), (4, 4, 7, 9))
 """Three whole numbers and the length of their vector, whole too: directions that a person can make unit."""
 
-TRIPLES = ((3, 4, 5), (5, 12, 13), (8, 15, 17))
+PYTHAGOREAN_TRIPLES = ((3, 4, 5), (5, 12, 13), (8, 15, 17))
 
 THETA = sp.Symbol("theta", real=True)
 A = sp.Symbol("a", positive=True)
@@ -61,7 +61,7 @@ def matrix_of_a_screw(sampler: ArmSampler) -> Problem:
             ),
             mistake(
                 "halves swapped",
-                hat(halves_swapped(S)),
+                hat(swap_halves(S)),
                 "You put $v$ into the block and $\\omega$ into the column. Here a twist is $(\\omega, v)$, turn first.",
             ),
             mistake(
@@ -87,7 +87,7 @@ def turn_about_a_line(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"A body turns by {degrees} degrees about the direction ${vector(direction)}$. Give $R$.",
         given={"direction": direction, "degrees": degrees},
-        answer=Rotation(exp(u * angle)),
+        answer=RotationAnswer(exp(u * angle)),
         mistakes=[
             mistake(
                 "not a unit vector",
@@ -130,7 +130,7 @@ def turn_about_a_line(sampler: ArmSampler) -> Problem:
 
 @problem("02.3", "A rotation as a formula", points=3, lecture="02_matrix_exponential#The key identity")
 def rotation_as_a_formula(sampler: ArmSampler) -> Problem:
-    one, two, length = sampler.choice(TRIPLES)
+    one, two, length = sampler.choice(PYTHAGOREAN_TRIPLES)
     whole = sp.Matrix(sampler.shuffled([0, sampler.choice((-1, 1)) * one, sampler.choice((-1, 1)) * two]))
     omega = whole / length
     W, s, c = skew(omega), sp.sin(THETA), sp.cos(THETA)
@@ -179,7 +179,7 @@ def rotation_as_a_formula(sampler: ArmSampler) -> Problem:
 
 @problem("02.4", "Where the origin goes", points=3, lecture="02_matrix_exponential#From turns to screws")
 def where_the_origin_goes(sampler: ArmSampler) -> Problem:
-    d, e = sampler.choice([(d, e) for d in DIRECTIONS for e in (X, Y, Z) if not d @ e])
+    d, e = sampler.choice([(d, e) for d in AXIS_DIRECTIONS for e in (X, Y, Z) if not d @ e])
     k = sampler.choice((-1, 1)) * sampler.integer(1, 5)
     w = exact(d)
     point = A * exact(e) + k * exact(np.abs(np.cross(d, e)))
@@ -278,7 +278,7 @@ def three_terms(sampler: ArmSampler) -> Problem:
 @problem("02.6", "What a gyroscope measures", points=3, lecture="02_matrix_exponential#Bug hunt")
 def gyroscope(sampler: ArmSampler) -> Problem:
     size, seconds = sampler.choice([2.0, 3.0, 0.5]), sampler.choice([0.4, 0.5, 0.6, 0.7, 0.8])
-    omega, v = size * sampler.choice(DIRECTIONS), sampler.point(3)
+    omega, v = size * sampler.choice(AXIS_DIRECTIONS), sampler.point(3)
     S, W = np.concatenate([omega, v]), hat(omega)
     right = exp(S * seconds)
     printed = rotation(W, np.sin(seconds), 1 - np.cos(seconds))
@@ -288,7 +288,7 @@ def gyroscope(sampler: ArmSampler) -> Problem:
         f"$v = {vector(v)}$ metres in a second. Both stay as they are in {{s}}. "
         f"Give its pose after {number(seconds)} seconds, if it was $I$.",
         given={"omega": omega, "v": v, "seconds": seconds},
-        answer=Pose(right),
+        answer=PoseAnswer(right),
         mistakes=[
             mistake(
                 "as printed",
@@ -373,7 +373,7 @@ def near_half_a_turn(sampler: ArmSampler) -> Problem:
 
 @problem("02.8", "A spindle as a formula", points=3, lecture="02_matrix_exponential#Helices")
 def spindle_as_a_formula(sampler: ArmSampler) -> Problem:
-    d, point = sampler.choice(DIRECTIONS), sampler.point(4)
+    d, point = sampler.choice(AXIS_DIRECTIONS), sampler.point(4)
     h = sp.Rational(sampler.integer(1, 9), 20)
     w, p = exact(d), exact(point)
     R, v, climb = turn(w, THETA), exact(point).cross(exact(d)) + h * w, h * THETA * w
@@ -383,7 +383,7 @@ def spindle_as_a_formula(sampler: ArmSampler) -> Problem:
         "$e^{[S]\\theta}$ as a formula in $\\theta$: sixteen entries, without a decimal.",
         figure=partial(draw_joints, robot),
         given={"axis": w, "point": p, "pitch": h},
-        answer=PoseExpression(symbolic_pose(R, p - R * p + climb)),
+        answer=PoseExpressionAnswer(symbolic_pose(R, p - R * p + climb)),
         mistakes=[
             mistake(
                 "no climb",
@@ -422,7 +422,7 @@ def spindle_as_a_formula(sampler: ArmSampler) -> Problem:
 
 def _direction(sampler: ArmSampler) -> tuple[Array, int]:
     """A direction in whole numbers, none of them zero, and its length, whole too."""
-    *sizes, length = sampler.choice(QUADRUPLES)
+    *sizes, length = sampler.choice(PYTHAGOREAN_QUADRUPLES)
     return np.array([sampler.choice((-1, 1)) * size for size in sampler.shuffled(sizes)], dtype=float), length
 
 

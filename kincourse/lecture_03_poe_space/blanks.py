@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from kincourse.answers.pose import Pose
-from kincourse.answers.screws import Screws
-from kincourse.mistakes.space_form import of_screws
+from kincourse.answers.pose import PoseAnswer
+from kincourse.answers.screws import ScrewsAnswer
+from kincourse.mistakes.space_form import screw_mistakes
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kinlib.chains.robots import X, Y, Z, angled_arm, pose, youbot
@@ -12,14 +12,14 @@ from kinlib.rigid.screw import screw
 from misstep.mistakes import mistake
 from misstep.problem import Problem
 
-TILT = np.radians(30)
+TILT_RAD = np.radians(30)
 """How far joint 2 of the lecture's angled arm leans. At 45 degrees sine and cosine agree, and no swap would show."""
 
 
 @problem("03.a", "A joint that leans by 30 degrees", points=1, lecture="03_poe_space#Angled joints")
 def leaning_joint(_draw: ArmSampler) -> Problem:
     shoulder = np.array((0, 0, 0.4))
-    S = angled_arm(TILT).screws[1]
+    S = angled_arm(TILT_RAD).screws[1]
 
     def leaning(z: float, x: float) -> np.ndarray:
         axis = z * Z + x * X
@@ -27,12 +27,12 @@ def leaning_joint(_draw: ArmSampler) -> Problem:
 
     return Problem(
         statement="Joint 2 leans from $z$ towards $x$ by 30 degrees and passes through $(0, 0, 0.4)$. Give $S_2$.",
-        answer=Screws(S, names=["S_2"]),
+        answer=ScrewsAnswer(S, names=["S_2"]),
         mistakes=[
-            *of_screws(S),
+            *screw_mistakes(S),
             mistake(
                 "sine and cosine swapped",
-                leaning(np.sin(TILT), np.cos(TILT)),
+                leaning(np.sin(TILT_RAD), np.cos(TILT_RAD)),
                 "You swapped sine and cosine. At 0 degrees the joint stands along $z$, so $z$ gets the cosine.",
             ),
             mistake(
@@ -42,12 +42,12 @@ def leaning_joint(_draw: ArmSampler) -> Problem:
             ),
             mistake(
                 "leans the other way",
-                leaning(np.cos(TILT), -np.sin(TILT)),
+                leaning(np.cos(TILT_RAD), -np.sin(TILT_RAD)),
                 "Your axis leans away from $x$. Towards $x$ means a positive share of $x$.",
             ),
             mistake(
                 "not a unit axis",
-                leaning(1.0, np.tan(TILT)),
+                leaning(1.0, np.tan(TILT_RAD)),
                 "Your $\\omega$ has the right direction and the wrong length: joint 2 would turn too fast. Divide by the norm "
                 "before you take the moment.",
             ),
@@ -62,9 +62,9 @@ def spindle(_draw: ArmSampler) -> Problem:
     S = screw(axis, point, pitch)
     return Problem(
         statement="A spindle along $x$ passes through $(0, 0.3, 0.2)$; its nut advances 0.5 m in a full turn. Give its screw axis.",
-        answer=Screws(S, names=["the screw axis"]),
+        answer=ScrewsAnswer(S, names=["the screw axis"]),
         mistakes=[
-            *of_screws(S),
+            *screw_mistakes(S),
             mistake(
                 "lead as pitch",
                 screw(axis, point, lead),
@@ -95,9 +95,9 @@ def youbot_wrist(_draw: ArmSampler) -> Problem:
     S, wrist = arm.screws[3], arm.joint_points[3]
     return Problem(
         statement="Read $S_4$ off the drawing of the youBot.",
-        answer=Screws(S, names=["S_4"]),
+        answer=ScrewsAnswer(S, names=["S_4"]),
         mistakes=[
-            *of_screws(S),
+            *screw_mistakes(S),
             mistake(
                 "turned round",
                 -S,
@@ -129,7 +129,7 @@ def youbot_home(_draw: ArmSampler) -> Problem:
     return Problem(
         statement="The hand points along $x$ of {s}, 0.2175 m beyond joint 4. Its own $z$ points along $x$ of {s}, its own $x$ "
         "along $z$ of {s}. Give $M$.",
-        answer=Pose(M),
+        answer=PoseAnswer(M),
         mistakes=[
             mistake(
                 "parallel to {s}",

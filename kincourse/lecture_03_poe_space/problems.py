@@ -5,9 +5,15 @@ from functools import partial
 
 import numpy as np
 
-from kincourse.answers.pose import Pose
-from kincourse.answers.screws import Screws
-from kincourse.mistakes.space_form import crossed_backwards, of_product, of_screws, product, slides_as_turns
+from kincourse.answers.pose import PoseAnswer
+from kincourse.answers.screws import ScrewsAnswer
+from kincourse.mistakes.space_form import (
+    negate_moment,
+    prismatic_as_revolute,
+    product,
+    product_mistakes,
+    screw_mistakes,
+)
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kincourse.text.joint_table import joint_table
@@ -30,17 +36,17 @@ def plain_arm(sampler: ArmSampler) -> Problem:
         statement=f"Give the screw axes $S_1, S_2, S_3$ of this arm in {{s}}, as rows.\n\n{joint_table(robot)}",
         figure=partial(draw_joints, robot),
         given={"letters": robot.joint_types, "axes": axes, "points": robot.joint_points},
-        answer=Screws(robot.screws),
+        answer=ScrewsAnswer(robot.screws),
         mistakes=[
-            *of_screws(robot.screws),
+            *screw_mistakes(robot.screws),
             mistake(
                 "slide as turn",
-                slides_as_turns(robot),
+                prismatic_as_revolute(robot),
                 "You treated the slide as a turn. A prismatic joint has no $\\omega$: $S = (0, d)$, and no point plays a part.",
             ),
             mistake(
                 "slide as turn, and omega x q",
-                crossed_backwards(slides_as_turns(robot)),
+                negate_moment(prismatic_as_revolute(robot)),
                 "Two things: a moment is $-\\omega \\times p$, with the minus; and a slide has none, for it does not turn: $S = (0, d)$.",
             ),
         ],
@@ -64,9 +70,9 @@ def angled_joint(sampler: ArmSampler) -> Problem:
         f"through ${vector(point)}$. Give its screw axis.",
         figure=partial(draw_joints, robot),
         given={"degrees": degrees, "from_axis": upright, "towards": toward, "point": point},
-        answer=Screws(S),
+        answer=ScrewsAnswer(S),
         mistakes=[
-            *of_screws(S),
+            *screw_mistakes(S),
             mistake(
                 "sine and cosine swapped",
                 leaning(np.sin(tilt), np.cos(tilt)),
@@ -102,7 +108,7 @@ def leaning_slide(sampler: ArmSampler) -> Problem:
         statement=f"A prismatic joint is mounted at ${vector(point)}$ and slides along ${vector(direction)}$. Give its screw axis.",
         figure=partial(draw_joints, robot),
         given={"direction": direction, "point": point},
-        answer=Screws(S),
+        answer=ScrewsAnswer(S),
         mistakes=[
             mistake(
                 "direction in omega",
@@ -138,9 +144,9 @@ def helical_joint(sampler: ArmSampler) -> Problem:
         f"{number(lead)} m along the axis, right-handed. Give the screw axis, for $q$ in radians.",
         figure=partial(draw_joints, robot),
         given={"axis": axis, "point": point, "lead": lead},
-        answer=Screws(S),
+        answer=ScrewsAnswer(S),
         mistakes=[
-            *of_screws(S),
+            *screw_mistakes(S),
             mistake(
                 "lead taken as pitch",
                 screw(axis, point, lead),
@@ -169,9 +175,9 @@ def from_a_drawing(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"Read the screw axis of joint {joint} off the drawing. All joints are revolute; coordinates are whole metres.",
         figure=partial(draw_joints, robot),
-        answer=Screws(S),
+        answer=ScrewsAnswer(S),
         mistakes=[
-            *of_screws(S),
+            *screw_mistakes(S),
             mistake(
                 "turned round",
                 -S,
@@ -250,9 +256,9 @@ def where_is_the_tool(sampler: ArmSampler) -> Problem:
         f"$$S = {matrix(robot.screws)}, \\qquad M = {matrix(robot.home)}$$",
         figure=partial(draw_arm, robot),
         given={"screws": robot.screws, "home": robot.home},
-        answer=Function(robot.fk, Pose(robot.home), joint_values),
+        answer=Function(robot.fk, PoseAnswer(robot.home), joint_values),
         mistakes=[
-            *wherever(partial(of_product, robot), np.ones(3)),
+            *wherever(partial(product_mistakes, robot), np.ones(3)),
             Mistake(
                 "stays at home",
                 lambda _: robot.home,
@@ -287,7 +293,7 @@ def longer_tool(sampler: ArmSampler) -> Problem:
         f"Give the new tool's $T(q)$ at $q = {vector(q)}$.\n\n$$S = {matrix(robot.screws)}, \\qquad M = {matrix(robot.home)}$$",
         figure=partial(draw_arm, robot),
         given={"screws": robot.screws, "home": robot.home, "longer": longer, "q": q},
-        answer=Pose(robot.fk(q) @ extension),
+        answer=PoseAnswer(robot.fk(q) @ extension),
         mistakes=[
             mistake(
                 "the old tool",

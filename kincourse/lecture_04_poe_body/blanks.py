@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from kincourse.answers.pose import Pose
-from kincourse.answers.screws import Screws
-from kincourse.mistakes.space_form import crossed_backwards, halves_swapped, product
+from kincourse.answers.pose import PoseAnswer
+from kincourse.answers.screws import ScrewsAnswer
+from kincourse.mistakes.space_form import negate_moment, product, swap_halves
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kinlib.arrays.validation import Array
@@ -15,7 +15,7 @@ from misstep.mistakes import mistake
 from misstep.problem import Problem
 from misstep.text import matrix, vector
 
-TURN = np.radians([90, -90, 90, 90])
+CONFIGURATION_RAD = np.radians([90, -90, 90, 90])
 """Joint values of step 04.c: right angles, so that every entry of the pose can be checked on paper."""
 
 
@@ -26,7 +26,7 @@ def body_screw_by_the_adjoint(_draw: ArmSampler) -> Problem:
     return Problem(
         statement=f"The RPR arm has $S_1 = {vector(S)}$ and $M = {matrix(robot.home)}$. Give $B_1$.",
         given={"home": robot.home, "screw": S},
-        answer=Screws(robot.body_screws[0]),
+        answer=ScrewsAnswer(robot.body_screws[0]),
         mistakes=[
             mistake(
                 "Ad_M",
@@ -54,7 +54,7 @@ def body_screw_by_the_adjoint(_draw: ArmSampler) -> Problem:
             ),
             mistake(
                 "halves swapped",
-                halves_swapped(robot.body_screws[0]),
+                swap_halves(robot.body_screws[0]),
                 "You wrote $(v, \\omega)$. Here a screw is $(\\omega, v)$.",
             ),
         ],
@@ -67,11 +67,11 @@ def body_screw_from_the_drawing(_draw: ArmSampler) -> Problem:
     R, B = robot.home[:3, :3], robot.body_screws[3]
     return Problem(
         statement="Joint 4 of the mid-formula arm turns about $y_b$, and its axis passes through $(0, 0, -0.2)$ in {b}. Give $B_4$.",
-        answer=Screws(B),
+        answer=ScrewsAnswer(B),
         mistakes=[
             mistake(
                 "omega x q",
-                crossed_backwards(B),
+                negate_moment(B),
                 "You took $v = \\omega \\times p$. In {b} as in {s} it is $v = -\\omega \\times p$.",
             ),
             mistake(
@@ -89,7 +89,7 @@ def body_screw_from_the_drawing(_draw: ArmSampler) -> Problem:
                 np.concatenate([R.T @ robot.screws[3, :3], R.T @ robot.screws[3, 3:]]),
                 "You turned both halves of $S_4$. The origin moves too: measure the point of the axis from the tool.",
             ),
-            mistake("halves swapped", halves_swapped(B), "You wrote $(v, \\omega)$. Here a screw is $(\\omega, v)$."),
+            mistake("halves swapped", swap_halves(B), "You wrote $(v, \\omega)$. Here a screw is $(\\omega, v)$."),
         ],
     )
 
@@ -99,42 +99,42 @@ def pose_with_home_in_the_middle(_draw: ArmSampler) -> Problem:
     robot = mid_formula_arm()
     S, B, M = robot.screws, robot.body_screws, robot.home
     return Problem(
-        statement=f"Give $T(q)$ of the mid-formula arm at $q = {vector(np.degrees(TURN))}$ degrees, with $M$ after joint 2.",
-        given={"screws": S, "body_screws": B, "home": M, "q": TURN},
-        answer=Pose(robot.fk(TURN)),
+        statement=f"Give $T(q)$ of the mid-formula arm at $q = {vector(np.degrees(CONFIGURATION_RAD))}$ degrees, with $M$ after joint 2.",
+        given={"screws": S, "body_screws": B, "home": M, "q": CONFIGURATION_RAD},
+        answer=PoseAnswer(robot.fk(CONFIGURATION_RAD)),
         mistakes=[
             mistake(
                 "space screws after M",
-                _middle(robot, S, S),
+                _product_with_home_in_middle(robot, S, S),
                 "You kept space screws to the right of $M$. Whatever has let $M$ past it is read by the tool: $B_3$ and $B_4$.",
             ),
             mistake(
                 "body screws before M",
-                _middle(robot, B, B),
+                _product_with_home_in_middle(robot, B, B),
                 "You took body screws on both sides. To the left of $M$ the base reads: $S_1$ and $S_2$.",
             ),
             mistake(
                 "sides exchanged",
-                _middle(robot, B, S),
+                _product_with_home_in_middle(robot, B, S),
                 "You exchanged the sides: space screws stand to the left of $M$, body screws to the right.",
             ),
             mistake(
                 "M at the end",
-                product(np.concatenate([S[:2], B[2:]]), TURN, M),
+                product(np.concatenate([S[:2], B[2:]]), CONFIGURATION_RAD, M),
                 "You left $M$ at the end. It stands after joint 2, and the body screws follow it.",
             ),
             mistake(
                 "reversed",
-                product(S, TURN, M, "reversed"),
+                product(S, CONFIGURATION_RAD, M, "reversed"),
                 "You multiplied from the last joint to the first. Moving $M$ does not change the order of the joints.",
             ),
         ],
     )
 
 
-def _middle(robot: Chain, before: Array, after: Array) -> Array:
+def _product_with_home_in_middle(robot: Chain, before: Array, after: Array) -> Array:
     """The product with M after joint 2, with screws of either kind on either side."""
-    e = [exp(twist * value) for twist, value in zip([*before[:2], *after[2:]], TURN, strict=True)]
+    e = [exp(twist * value) for twist, value in zip([*before[:2], *after[2:]], CONFIGURATION_RAD, strict=True)]
     T: Array = e[0] @ e[1] @ robot.home @ e[2] @ e[3]
     return T
 

@@ -5,12 +5,18 @@ from functools import partial
 
 import numpy as np
 
-from kincourse.answers.pose import Pose
-from kincourse.answers.screws import Screws
-from kincourse.mistakes.body_form import carried, of_body_product, of_body_screws, of_space_screws, only_turned
+from kincourse.answers.pose import PoseAnswer
+from kincourse.answers.screws import ScrewsAnswer
+from kincourse.mistakes.body_form import (
+    body_product_mistakes,
+    body_screw_mistakes,
+    rotate_only,
+    space_screw_mistakes,
+    transform_screws,
+)
 from kincourse.mistakes.space_form import product
 from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler, in_sight
+from kincourse.sampling.arms import ArmSampler, are_distinguishable
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.chains.robots import X, Y, Z, pose
@@ -26,7 +32,7 @@ from misstep.text import matrix, number
 @problem("04.1", "A body screw off a drawing", points=3, lecture="04_poe_body#A second method")
 def body_screw_off_a_drawing(sampler: ArmSampler) -> Problem:
     robot = sampler.arm("RRR")
-    while not in_sight([robot.home[:3, 3], np.zeros(3), *robot.joint_points]):
+    while not are_distinguishable([robot.home[:3, 3], np.zeros(3), *robot.joint_points]):
         robot = sampler.arm("RRR")
     joint = sampler.integer(1, 3)
     B, neighbour = robot.body_screws[joint - 1], joint % 3
@@ -34,9 +40,9 @@ def body_screw_off_a_drawing(sampler: ArmSampler) -> Problem:
         statement=f"Read the body screw of joint {joint} off the drawing: stand at {{b}}, and write the axis with the directions and the "
         "distances of {b}. All joints are revolute; coordinates are whole metres.",
         figure=partial(draw_joints, robot, tool=True),
-        answer=Screws(B),
+        answer=ScrewsAnswer(B),
         mistakes=[
-            *of_body_screws(robot.screws[joint - 1], robot.home),
+            *body_screw_mistakes(robot.screws[joint - 1], robot.home),
             mistake(
                 "turned round",
                 -B,
@@ -53,27 +59,27 @@ def body_screw_off_a_drawing(sampler: ArmSampler) -> Problem:
 
 @problem("04.2", "Body screws by the adjoint", points=3, lecture="04_poe_body#The adjoint")
 def by_the_adjoint(sampler: ArmSampler) -> Problem:
-    robot = _arm(sampler, sampler.choice(["RRP", "RPR", "PRR"]))
+    robot = _random_arm(sampler, sampler.choice(["RRP", "RPR", "PRR"]))
     return Problem(
         statement="This arm has the space screws $S_i$ and the home pose $M$. Give its body screws $B_1, B_2, B_3$, as rows.\n\n"
         f"$$S = {matrix(robot.screws)}$$\n\n$$M = {matrix(robot.home)}$$",
         figure=partial(draw_arm, robot),
         given={"screws": robot.screws, "home": robot.home},
-        answer=Screws(robot.body_screws),
-        mistakes=of_body_screws(robot.screws, robot.home),
+        answer=ScrewsAnswer(robot.body_screws),
+        mistakes=body_screw_mistakes(robot.screws, robot.home),
     )
 
 
 @problem("04.3", "Back to space screws", points=2, lecture="04_poe_body#The adjoint")
 def back_to_space(sampler: ArmSampler) -> Problem:
-    robot = _arm(sampler, sampler.choice(["RRP", "RPR", "PRR"]))
+    robot = _random_arm(sampler, sampler.choice(["RRP", "RPR", "PRR"]))
     return Problem(
         statement="A colleague wrote this arm down as its tool sees it: body screws $B_i$, and the home pose $M$. Give the space screws "
         f"$S_1, S_2, S_3$, as rows.\n\n$$B = {matrix(robot.body_screws)}$$\n\n$$M = {matrix(robot.home)}$$",
         figure=partial(draw_arm, robot),
         given={"body_screws": robot.body_screws, "home": robot.home},
-        answer=Screws(robot.screws),
-        mistakes=of_space_screws(robot.body_screws, robot.home),
+        answer=ScrewsAnswer(robot.screws),
+        mistakes=space_screw_mistakes(robot.body_screws, robot.home),
     )
 
 
@@ -122,22 +128,22 @@ def where_home_stands(sampler: ArmSampler) -> Problem:
 
 @problem("04.5", "The body form", points=3, lecture="04_poe_body#The body form")
 def body_form(sampler: ArmSampler) -> Problem:
-    robot = _arm(sampler, sampler.choice(["RRR", "RPR", "RRP"]))
-    typed, q, told = _posture(sampler, robot)
+    robot = _random_arm(sampler, sampler.choice(["RRR", "RPR", "RRP"]))
+    typed, q, told = _random_configuration(sampler, robot)
     return Problem(
         statement=f"This arm is given by its body screws and its home pose. Its joints stand at {told}. Give $T(q)$.\n\n"
         f"$$B = {matrix(robot.body_screws)}$$\n\n$$M = {matrix(robot.home)}$$",
         figure=partial(draw_arm, robot),
         given={"body_screws": robot.body_screws, "home": robot.home, "values": typed},
-        answer=Pose(robot.fk(q)),
-        mistakes=of_body_product(robot, q),
+        answer=PoseAnswer(robot.fk(q)),
+        mistakes=body_product_mistakes(robot, q),
     )
 
 
 @problem("04.6", "M in the middle", points=3, lecture="04_poe_body#The mid-formula form")
 def home_in_the_middle(sampler: ArmSampler) -> Problem:
-    robot, k = _arm(sampler, sampler.choice(["RRRR", "RRPR", "RPRR"])), 2
-    typed, q, told = _posture(sampler, robot)
+    robot, k = _random_arm(sampler, sampler.choice(["RRRR", "RRPR", "RPRR"])), 2
+    typed, q, told = _random_configuration(sampler, robot)
     S, B, M = robot.screws, robot.body_screws, robot.home
     mixed = np.concatenate([S[:k], B[k:]])
     e = exp(mixed * q[:, None])
@@ -147,7 +153,7 @@ def home_in_the_middle(sampler: ArmSampler) -> Problem:
         f"are at {told}. Give $T(q)$.\n\n$${matrix(mixed)}$$\n\n$$M = {matrix(M)}$$",
         figure=partial(draw_arm, robot),
         given={"screws": mixed, "home": M, "values": typed},
-        answer=Pose(robot.fk(q)),
+        answer=PoseAnswer(robot.fk(q)),
         mistakes=[
             mistake(
                 "home last",
@@ -185,8 +191,8 @@ def home_in_the_middle(sampler: ArmSampler) -> Problem:
 
 @problem("04.7", "A new tool", points=3, lecture="04_poe_body#Check yourself")
 def new_tool(sampler: ArmSampler) -> Problem:
-    robot = _arm(sampler, sampler.choice(["RRP", "RPR", "PRR"]))
-    turn = _turn(sampler.choice([X, Y]), sampler.choice([30, 40, -50, -60, 70]))
+    robot = _random_arm(sampler, sampler.choice(["RRP", "RPR", "PRR"]))
+    turn = _rotation(sampler.choice([X, Y]), sampler.choice([30, 40, -50, -60, 70]))
     H = pose((X, Y, Z), (sampler.length(0.1, 0.4), 0, sampler.length(0.5, 0.9))) @ turn
     B, M = robot.body_screws, robot.home
     in_room = inverse(H @ M)
@@ -195,7 +201,7 @@ def new_tool(sampler: ArmSampler) -> Problem:
         f"screws as {{b}} read them. Give them as {{t}} reads them.\n\n$$B = {matrix(B)}$$\n\n$$T_{{bt}} = {matrix(H)}$$",
         figure=partial(draw_arm, robot),
         given={"body_screws": B, "T_bt": H, "home": M},
-        answer=Screws(carried(inverse(H), B)),
+        answer=ScrewsAnswer(transform_screws(inverse(H), B)),
         mistakes=[
             mistake(
                 "the old ones",
@@ -205,17 +211,17 @@ def new_tool(sampler: ArmSampler) -> Problem:
             ),
             mistake(
                 "the other way",
-                carried(H, B),
+                transform_screws(H, B),
                 "You carried the screws with $\\mathrm{Ad}_{T_{bt}}$. That takes what {t} reads to what {b} reads; here it is $T_{tb}$.",
             ),
             mistake(
                 "only rotated",
-                only_turned(inverse(H), B),
+                rotate_only(inverse(H), B),
                 "You turned both halves, but {t} also stands elsewhere: its origin is another, so the moments change.",
             ),
             mistake(
                 "moved in {s}",
-                carried(in_room, robot.screws),
+                transform_screws(in_room, robot.screws),
                 "You moved the tool along the axes of {s}: $T_{bt} M$. {t} is seen from {b}, so the new home pose is $M\\,T_{bt}$.",
             ),
             mistake(
@@ -229,8 +235,8 @@ def new_tool(sampler: ArmSampler) -> Problem:
 
 @problem("04.8", "A column of the body Jacobian", points=2, lecture="04_poe_body#Body screws and the body Jacobian")
 def jacobian_column(sampler: ArmSampler) -> Problem:
-    robot, i = _arm(sampler, sampler.choice(["RRRR", "RRPR", "PRRR"])), 1
-    typed, q, told = _posture(sampler, robot)
+    robot, i = _random_arm(sampler, sampler.choice(["RRRR", "RRPR", "PRRR"])), 1
+    typed, q, told = _random_configuration(sampler, robot)
     B = robot.body_screws
     e = exp(B * q[:, None])
     in_degrees = exp(B * np.where(B[:, :3].any(axis=-1), np.degrees(q), q)[:, None])
@@ -239,7 +245,7 @@ def jacobian_column(sampler: ArmSampler) -> Problem:
         f"tool reads it now.\n\n$$B = {matrix(B)}$$",
         figure=partial(draw_arm, robot),
         given={"body_screws": B, "values": typed},
-        answer=Screws(robot.body_jacobian(q)[:, i]),
+        answer=ScrewsAnswer(robot.body_jacobian(q)[:, i]),
         mistakes=[
             mistake(
                 "at home",
@@ -253,40 +259,40 @@ def jacobian_column(sampler: ArmSampler) -> Problem:
             ),
             mistake(
                 "joints before",
-                carried(inverse(e[0]), B[i]),
+                transform_screws(inverse(e[0]), B[i]),
                 f"You carried the axis past joint 1. That joint moves axis {i + 1} and the tool alike: only joints between the two count.",
             ),
             mistake(
                 "not inverted",
-                carried(e[2] @ e[3], B[i]),
+                transform_screws(e[2] @ e[3], B[i]),
                 "The product is right, its inverse is missing: the tool has moved, so it reads backwards, $\\mathrm{Ad}^{-1}$.",
             ),
             mistake(
                 "reversed",
-                carried(inverse(e[3] @ e[2]), B[i]),
+                transform_screws(inverse(e[3] @ e[2]), B[i]),
                 "You took the joints behind in the other order. Inside the inverse they stand as in the body form, joint 3 first.",
             ),
             mistake(
                 "degrees",
-                carried(inverse(in_degrees[2] @ in_degrees[3]), B[i]),
+                transform_screws(inverse(in_degrees[2] @ in_degrees[3]), B[i]),
                 "You used degrees as radians. The exponential wants radians; slides stay in metres.",
             ),
         ],
     )
 
 
-def _arm(sampler: ArmSampler, letters: str) -> Chain:
+def _random_arm(sampler: ArmSampler, letters: str) -> Chain:
     """A drawn arm whose hand is turned by an angle of its own, so that no rotation is its own inverse."""
     robot = sampler.arm(letters)
-    home = robot.home @ _turn(sampler.choice([X, Y, Z]), sampler.choice([20, 30, -40, 50, -60, 70]))
+    home = robot.home @ _rotation(sampler.choice([X, Y, Z]), sampler.choice([20, 30, -40, 50, -60, 70]))
     return replace(robot, home=home)
 
 
-def _turn(axis: Array, degrees: float) -> Array:
+def _rotation(axis: Array, degrees: float) -> Array:
     return pose(exp(np.radians(degrees) * axis).T, (0, 0, 0))
 
 
-def _posture(sampler: ArmSampler, robot: Chain) -> tuple[Array, Array, str]:
+def _random_configuration(sampler: ArmSampler, robot: Chain) -> tuple[Array, Array, str]:
     """Joint values as typed, in degrees and metres, as the formulas want them, and in words."""
     turns = np.array([letter == "R" for letter in robot.joint_types])
     typed = np.array([sampler.degrees(-75, 75) if turn else sampler.length(0.2, 1.0) for turn in turns])

@@ -2,23 +2,23 @@
 
 import numpy as np
 
-from kincourse.answers.dh_row import Row
-from kincourse.answers.pose import Pose
-from kincourse.mistakes.dh import WAYS, of_pose
+from kincourse.answers.dh_row import DHRowAnswer
+from kincourse.answers.pose import PoseAnswer
+from kincourse.mistakes.dh import TABLE_MISTAKES, pose_mistakes
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kinlib.dh.table import DHTable, dh_transform
 from misstep.mistakes import mistake
 from misstep.problem import Problem
 
-RIGHT = np.pi / 2
+RIGHT_ANGLE_RAD = np.pi / 2
 
 YOUBOT = DHTable(
     [
-        [0.033, RIGHT, 0.147, 0],
+        [0.033, RIGHT_ANGLE_RAD, 0.147, 0],
         [0.155, 0, 0, 0],
         [0.135, 0, 0, 0],
-        [0, RIGHT, 0, RIGHT],
+        [0, RIGHT_ANGLE_RAD, 0, RIGHT_ANGLE_RAD],
         [0, 0, 0.2175, 0],
     ],
     convention="standard",
@@ -26,7 +26,7 @@ YOUBOT = DHTable(
 )
 """The EduFill module's table, with its columns in our order: a, alpha, d, theta."""
 
-POSTURE = np.array([0, 0, RIGHT, -RIGHT, -np.pi / 4])
+DECK_CONFIGURATION = np.array([0, 0, RIGHT_ANGLE_RAD, -RIGHT_ANGLE_RAD, -np.pi / 4])
 """The joint values in which the EduFill module draws the arm."""
 
 
@@ -36,29 +36,31 @@ POSTURE = np.array([0, 0, RIGHT, -RIGHT, -np.pi / 4])
 def row_4(_draw: ArmSampler) -> Problem:
     return Problem(
         statement="Read row 4 of the youBot off the drawn frames: $a_4, \\alpha_4, d_4$ and $\\theta_4$ at home.",
-        answer=Row(YOUBOT.rows[3]),
+        answer=DHRowAnswer(YOUBOT.rows[3]),
         mistakes=[
-            mistake("no offset", [0, RIGHT, 0, 0], WAYS["no offset"].message),
-            mistake("sign of alpha", [0, -RIGHT, 0, RIGHT], WAYS["sign of alpha"].message),
+            mistake("no offset", [0, RIGHT_ANGLE_RAD, 0, 0], TABLE_MISTAKES["no offset"].message),
+            mistake(
+                "sign of alpha", [0, -RIGHT_ANGLE_RAD, 0, RIGHT_ANGLE_RAD], TABLE_MISTAKES["sign of alpha"].message
+            ),
             mistake(
                 "x turned round",
-                [0, -RIGHT, 0, -RIGHT],
+                [0, -RIGHT_ANGLE_RAD, 0, -RIGHT_ANGLE_RAD],
                 "This is the row of an $x_4$ that points down. That is a legal choice too, and row 5 would then begin with "
                 "$\\pi$; in the drawing $x_4$ points up.",
             ),
             mistake(
                 "sign of theta",
-                [0, RIGHT, 0, -RIGHT],
+                [0, RIGHT_ANGLE_RAD, 0, -RIGHT_ANGLE_RAD],
                 "$\\theta_4$ is counted about $z_3$, which points at you. From $x_3$, forward, to $x_4$, up, that is a positive turn.",
             ),
             mistake(
                 "alpha of the row before",
-                [0, 0, 0, RIGHT],
+                [0, 0, 0, RIGHT_ANGLE_RAD],
                 "You took $\\alpha$ from $z_2$ to $z_3$. That is $\\alpha_3$; row 4 holds $\\alpha_4$, from $z_3$ to $z_4$.",
             ),
             mistake(
                 "columns of the deck",
-                [RIGHT, 0, 0, RIGHT],
+                [RIGHT_ANGLE_RAD, 0, 0, RIGHT_ANGLE_RAD],
                 "You gave the numbers in the order of the deck, $\\theta, d, a, \\psi$. Here the order is $a, \\alpha, d, \\theta$.",
             ),
         ],
@@ -67,17 +69,17 @@ def row_4(_draw: ArmSampler) -> Problem:
 
 @problem("05.b", "The matrix of row 4", points=1, lecture="05_dh_standard#The offset")
 def matrix_of_row_4(_draw: ArmSampler) -> Problem:
-    def row(theta: float, alpha: float = RIGHT) -> np.ndarray:
+    def row(theta: float, alpha: float = RIGHT_ANGLE_RAD) -> np.ndarray:
         return dh_transform(0, alpha, 0, theta, convention="standard")
 
     return Problem(
         statement="Give $A_4$ of the youBot in the deck's posture, where $q_4 = -\\pi/2$.",
-        answer=Pose(row(0.0)),
+        answer=PoseAnswer(row(0.0)),
         mistakes=[
-            mistake("no offset", row(-RIGHT), WAYS["no offset"].message),
+            mistake("no offset", row(-RIGHT_ANGLE_RAD), TABLE_MISTAKES["no offset"].message),
             mistake(
                 "offset instead of q",
-                row(RIGHT),
+                row(RIGHT_ANGLE_RAD),
                 "This is $A_4$ at $q_4 = 0$. The offset is added to $q_4$; it does not take its place.",
             ),
             mistake(
@@ -85,7 +87,7 @@ def matrix_of_row_4(_draw: ArmSampler) -> Problem:
                 row(-np.pi),
                 "You subtracted the offset. $\\theta_4 = q_4 + \\pi/2$: at $q_4 = 0$ there is a right angle from $x_3$ to $x_4$.",
             ),
-            mistake("sign of alpha", row(0.0, -RIGHT), WAYS["sign of alpha"].message),
+            mistake("sign of alpha", row(0.0, -RIGHT_ANGLE_RAD), TABLE_MISTAKES["sign of alpha"].message),
             mistake(
                 "only the joint",
                 row(0.0, 0.0),
@@ -98,14 +100,20 @@ def matrix_of_row_4(_draw: ArmSampler) -> Problem:
 @problem(
     "05.c", "Where the hand is in the deck's posture", points=1, lecture="05_dh_standard#The product of the A matrices"
 )
-def hand_in_the_posture(_draw: ArmSampler) -> Problem:
+def pose_in_the_deck_configuration(_draw: ArmSampler) -> Problem:
     return Problem(
         statement="Give $T(q) = A_1 A_2 A_3 A_4 A_5$ of the youBot at $q = (0, 0, \\pi/2, -\\pi/2, -\\pi/4)$.",
-        answer=Pose(YOUBOT.fk(POSTURE)),
-        mistakes=of_pose(
-            YOUBOT, POSTURE, "reversed", "no offset", "the other convention", "a and d swapped", "sign of alpha"
+        answer=PoseAnswer(YOUBOT.fk(DECK_CONFIGURATION)),
+        mistakes=pose_mistakes(
+            YOUBOT,
+            DECK_CONFIGURATION,
+            "reversed",
+            "no offset",
+            "the other convention",
+            "a and d swapped",
+            "sign of alpha",
         ),
     )
 
 
-BLANKS = [row_4, matrix_of_row_4, hand_in_the_posture]
+BLANKS = [row_4, matrix_of_row_4, pose_in_the_deck_configuration]

@@ -4,12 +4,12 @@ from functools import partial
 
 import numpy as np
 
-from kincourse.answers.dh_row import Entries, Row
-from kincourse.answers.dh_table import Table
-from kincourse.answers.pose import Pose
-from kincourse.mistakes.dh import WAYS, base_in_a_row, of_pose, of_table, tool_in_a_row
+from kincourse.answers.dh_row import DHEntriesAnswer, DHRowAnswer
+from kincourse.answers.dh_table import DHTableAnswer
+from kincourse.answers.pose import PoseAnswer
+from kincourse.mistakes.dh import TABLE_MISTAKES, base_in_a_row, pose_mistakes, table_mistakes, tool_in_a_row
 from kincourse.problem import problem
-from kincourse.sampling.arms import DIRECTIONS, ArmSampler, in_sight
+from kincourse.sampling.arms import AXIS_DIRECTIONS, ArmSampler, are_distinguishable
 from kincourse.text.joint_table import joint_table
 from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z, arm, pose
@@ -24,22 +24,22 @@ from misstep.problem import Problem
 from misstep.sheet import Sheet
 from misstep.text import degrees, matrix, number, vector
 
-RIGHT = np.pi / 2
+RIGHT_ANGLE_RAD = np.pi / 2
 
 
 @problem("05.1", "Four numbers between two drawn frames", points=4, lecture="05_dh_standard#Four numbers")
 def four_numbers(sampler: ArmSampler) -> Problem:
     start, row = np.eye(4), np.zeros(4)
-    while not in_sight([np.zeros(3), start[:3, 3], (start @ _row(row))[:3, 3]]):
-        x = sampler.choice(DIRECTIONS)
-        z = sampler.choice([axis for axis in DIRECTIONS if not axis @ x])
+    while not are_distinguishable([np.zeros(3), start[:3, 3], (start @ _link_transform(row))[:3, 3]]):
+        x = sampler.choice(AXIS_DIRECTIONS)
+        z = sampler.choice([axis for axis in AXIS_DIRECTIONS if not axis @ x])
         start = pose((x, np.cross(z, x), z), np.abs(sampler.point(3)))
         row = np.array(
             [
                 sampler.integer(1, 4),
-                sampler.choice((-1, 1)) * RIGHT,
+                sampler.choice((-1, 1)) * RIGHT_ANGLE_RAD,
                 sampler.choice((-1, 1)) * sampler.integer(1, 4),
-                sampler.choice((-1, 1, 2)) * RIGHT,
+                sampler.choice((-1, 1, 2)) * RIGHT_ANGLE_RAD,
             ]
         )
     a, alpha, d, theta = row
@@ -48,23 +48,23 @@ def four_numbers(sampler: ArmSampler) -> Problem:
         statement="Frames 0 and 1 are neighbours in the standard convention. Read the four numbers of the row off the drawing: "
         "$a_1, \\alpha_1, d_1, \\theta_1$. Lengths are whole metres, angles are whole quarter turns; $y$ follows from $x$ and $z$.",
         figure=partial(draw_table, frames, numbers=True, path=False),
-        answer=Row(row),
+        answer=DHRowAnswer(row),
         mistakes=[
-            mistake("a and d swapped", [d, alpha, a, theta], WAYS["a and d swapped"].message),
+            mistake("a and d swapped", [d, alpha, a, theta], TABLE_MISTAKES["a and d swapped"].message),
             mistake(
                 "angles swapped",
                 [a, theta, d, alpha],
                 "You exchanged the angles. $\\theta$ turns about $z_0$, from $x_0$ to $x_1$; $\\alpha$ turns about $x_1$, from $z_0$ "
                 "to $z_1$.",
             ),
-            mistake("sign of alpha", [a, -alpha, d, theta], WAYS["sign of alpha"].message),
+            mistake("sign of alpha", [a, -alpha, d, theta], TABLE_MISTAKES["sign of alpha"].message),
             mistake(
                 "signs turned round",
                 [-a, -alpha, -d, -theta],
                 "The size is right, the sign is not. A row leads from frame 0 to frame 1: $d$ grows along $z_0$, $a$ along $x_1$, and "
                 "the right thumb points along $z_0$ for $\\theta$, along $x_1$ for $\\alpha$.",
             ),
-            mistake("degrees", [a, np.degrees(alpha), d, np.degrees(theta)], WAYS["degrees"].message),
+            mistake("degrees", [a, np.degrees(alpha), d, np.degrees(theta)], TABLE_MISTAKES["degrees"].message),
         ],
     )
 
@@ -74,16 +74,16 @@ def one_row(sampler: ArmSampler) -> Problem:
     a, d = sampler.length(0.2, 0.9), sampler.length(0.2, 0.9)
     alpha, theta = sampler.choice([90, -90, 60, -60, 30, -30]), sampler.degrees(-75, 75)
     row = np.array([a, np.radians(alpha), d, np.radians(theta)])
-    table, A = DHTable([row], convention="standard"), _row(row)
+    table, A = DHTable([row], convention="standard"), _link_transform(row)
     ahead = A.copy()
     ahead[:3, 3] = a, 0, d
     return Problem(
         statement="Write $A_i$ for the row\n\n| a | alpha | d | theta |\n| --- | --- | --- | --- |\n"
         f"| {number(a)} | {alpha}° | {number(d)} | {theta}° |\n\nin the standard convention. Lengths are in metres.",
         given={"a": a, "alpha_degrees": alpha, "d": d, "theta_degrees": theta},
-        answer=Pose(A),
+        answer=PoseAnswer(A),
         mistakes=[
-            *of_pose(table, [0], "the other convention", "a and d swapped", "sign of alpha", "degrees"),
+            *pose_mistakes(table, [0], "the other convention", "a and d swapped", "sign of alpha", "degrees"),
             mistake(
                 "a along the old x",
                 ahead,
@@ -92,7 +92,7 @@ def one_row(sampler: ArmSampler) -> Problem:
             ),
             mistake(
                 "only the joint",
-                _row(row * (0, 0, 1, 1)),
+                _link_transform(row * (0, 0, 1, 1)),
                 "This is the screw about $z_{i-1}$ alone. The common normal is missing: $T_x(a)\\,R_x(\\alpha)$.",
             ),
         ],
@@ -102,10 +102,10 @@ def one_row(sampler: ArmSampler) -> Problem:
 @problem("05.3", "A whole table, off a drawing", points=4, lecture="05_dh_standard#Reading a table off a drawing")
 def whole_table(sampler: ArmSampler) -> Problem:
     rows, places = np.zeros((3, 4)), [np.zeros(3)]
-    while not in_sight(places):
+    while not are_distinguishable(places):
         d, a = sampler.shuffled(range(1, 4)), sampler.shuffled(range(1, 4))
-        turns = [sampler.choice((0, 1, -1)) * RIGHT for _ in range(3)]
-        leans = [sampler.choice((1, -1)) * RIGHT, sampler.choice((1, -1)) * RIGHT, 0]
+        turns = [sampler.choice((0, 1, -1)) * RIGHT_ANGLE_RAD for _ in range(3)]
+        leans = [sampler.choice((1, -1)) * RIGHT_ANGLE_RAD, sampler.choice((1, -1)) * RIGHT_ANGLE_RAD, 0]
         signs = [1, sampler.choice((-1, 1)), 0]
         rows = np.array([[a[i], leans[i], signs[i] * d[i], turns[i]] for i in range(3)], dtype=float)
         robot = DHTable(rows, convention="standard", name="your arm").to_chain()
@@ -119,8 +119,8 @@ def whole_table(sampler: ArmSampler) -> Problem:
         f"${vector(robot.home[:3, 2])}$.",
         figure=partial(draw_joints, robot, tool=True),
         given={"screws": robot.screws, "home": robot.home, "points": robot.joint_points},
-        answer=Table(table, anchored=True),
-        mistakes=of_table(
+        answer=DHTableAnswer(table, anchored=True),
+        mistakes=table_mistakes(
             table,
             "no offset",
             "sign of alpha",
@@ -147,14 +147,14 @@ def offsets(sampler: ArmSampler) -> Problem:
         "The rows read $\\theta_i = q_i + c_i$. Give the offsets $c_1, c_2, c_3$ in radians.",
         figure=partial(draw_table, table, view="top"),
         given={"headings_degrees": np.array(headings)},
-        answer=Entries(values, names=["offset of theta_1", "offset of theta_2", "offset of theta_3"]),
+        answer=DHEntriesAnswer(values, names=["offset of theta_1", "offset of theta_2", "offset of theta_3"]),
         mistakes=[
             mistake(
                 "measured from the base",
                 np.radians(headings),
                 "You measured every link from $x_0$. $\\theta_i$ runs from $x_{i-1}$ to $x_i$, from one link to the next.",
             ),
-            mistake("no offset", np.zeros(3), WAYS["no offset"].message),
+            mistake("no offset", np.zeros(3), TABLE_MISTAKES["no offset"].message),
             mistake(
                 "signs turned round",
                 -values,
@@ -165,7 +165,7 @@ def offsets(sampler: ArmSampler) -> Problem:
                 np.cumsum(np.radians(headings)),
                 "You added the angles. The headings are sums already; the offsets are their differences.",
             ),
-            mistake("degrees", np.degrees(values), WAYS["degrees"].message),
+            mistake("degrees", np.degrees(values), TABLE_MISTAKES["degrees"].message),
         ],
     )
 
@@ -190,9 +190,9 @@ def chain_of_matrices(sampler: ArmSampler) -> Problem:
         f"standard.\n\n{printed}",
         figure=partial(draw_table, table),  # at zero: at q, its words would tell the answer
         given={"text": text, "q": q},
-        answer=Pose(table.fk(q)),
+        answer=PoseAnswer(table.fk(q)),
         mistakes=[
-            *of_pose(
+            *pose_mistakes(
                 table,
                 q,
                 "reversed",
@@ -214,14 +214,14 @@ def chain_of_matrices(sampler: ArmSampler) -> Problem:
 @problem("05.6", "The faulty entry", points=3, lecture="05_dh_standard#Reading a table off a drawing")
 def faulty_entry(sampler: ArmSampler) -> Problem:
     rows, places = np.zeros((3, 4)), [np.zeros(3)]
-    while not in_sight(places):
+    while not are_distinguishable(places):
         rows = np.array(
             [
                 [sampler.integer(1, 3), sampler.choice((-1, 1)), sampler.integer(1, 3), sampler.choice((-1, 0, 1, 2))]
                 for _ in range(3)
             ],
             dtype=float,
-        ) * (1, RIGHT, 1, RIGHT)
+        ) * (1, RIGHT_ANGLE_RAD, 1, RIGHT_ANGLE_RAD)
         table = DHTable(rows, convention="standard", name="Frames 0 to 3")
         links = table.link_transforms(np.zeros(3))
         frames = [np.eye(4), links[0], links[0] @ links[1], links[0] @ links[1] @ links[2]]
@@ -231,8 +231,8 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
     if k in {0, 2}:
         wrong[i, k] = sampler.choice([length for length in (1, 2, 3, -rows[i, k]) if length != rows[i, k]])
     else:
-        quarter = round(rows[i, k] / RIGHT)
-        wrong[i, k] = RIGHT * sampler.choice([other for other in (-1, 0, 1, 2) if (other - quarter) % 4])
+        quarter = round(rows[i, k] / RIGHT_ANGLE_RAD)
+        wrong[i, k] = RIGHT_ANGLE_RAD * sampler.choice([other for other in (-1, 0, 1, 2) if (other - quarter) % 4])
     names = {f"{column}{row + 1}": f"{column} in row {row + 1}" for row in range(3) for column in COLUMNS}
     partner, pair = COLUMNS[(k + 2) % 4], COLUMNS[k ^ 1]
     column, row = COLUMNS[k], i + 1
@@ -295,12 +295,14 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
         f"$a_1, d_1, a_2, d_2$.\n\n{joint_table(robot)}",
         figure=partial(draw_joints, robot),
         given={"points": points},
-        answer=Entries(entries(far, steps[:, 2]), names=["a_1", "d_1", "a_2", "d_2"]),
+        answer=DHEntriesAnswer(entries(far, steps[:, 2]), names=["a_1", "d_1", "a_2", "d_2"]),
         mistakes=[
             mistake(
-                "off the normal", entries(np.linalg.norm(steps, axis=1), np.zeros(2)), WAYS["off the normal"].message
+                "off the normal",
+                entries(np.linalg.norm(steps, axis=1), np.zeros(2)),
+                TABLE_MISTAKES["off the normal"].message,
             ),
-            mistake("a and d swapped", entries(steps[:, 2], far), WAYS["a and d swapped"].message),
+            mistake("a and d swapped", entries(steps[:, 2], far), TABLE_MISTAKES["a and d swapped"].message),
             mistake(
                 "height above the floor",
                 entries(far, points[1:, 2]),
@@ -329,7 +331,7 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
 @problem("05.8", "Base and tool", points=2, lecture="05_dh_standard#Base and tool")
 def base_and_tool(sampler: ArmSampler) -> Problem:
     rows = [
-        [sampler.length(0.2, 0.6), sampler.choice([1, -1]) * RIGHT, sampler.length(0.2, 0.6), 0],
+        [sampler.length(0.2, 0.6), sampler.choice([1, -1]) * RIGHT_ANGLE_RAD, sampler.length(0.2, 0.6), 0],
         [sampler.length(0.3, 0.8), 0, 0, 0],
     ]
     up, forward, sideways = sampler.length(1.2, 2.4), sampler.length(0.2, 0.8), sampler.length(0.2, 0.8)
@@ -342,12 +344,13 @@ def base_and_tool(sampler: ArmSampler) -> Problem:
     q = np.round(np.radians([sampler.degrees(20, 80), sampler.degrees(-80, -20)]), 3)
     T = bare.fk(q)
     return Problem(
-        statement=f"An arm has two rows, $(a, \\alpha, d, \\theta) = {_spelt(rows[0], 1)}$ and ${_spelt(rows[1], 2)}$, in the standard "
+        statement=f"An arm has two rows, $(a, \\alpha, d, \\theta) = {_format_row(rows[0], 1)}$ and "
+        f"${_format_row(rows[1], 2)}$, in the standard "
         f"convention. It is mounted at $T_{{s0}}$, and a camera {{b}} sits on frame 2 at $T_{{2b}}$:\n\n"
         f"$$T_{{s0}} = {matrix(base)}, \\qquad T_{{2b}} = {matrix(tool)}.$$\n\nWhere is the camera, $T_{{sb}}(q)$, at $q = {vector(q)}$?",
         figure=partial(draw_table, table),  # at zero: at q, its words would tell the answer
         given={"rows": np.array(rows), "base": base, "tool": tool, "q": q},
-        answer=Pose(table.fk(q)),
+        answer=PoseAnswer(table.fk(q)),
         mistakes=[
             mistake("no base", T @ tool, "This is the camera as frame 0 sees it. Put $T_{s0}$ in front."),
             mistake("no tool", base @ T, "This is where frame 2 is. The camera sits beside it: put $T_{2b}$ behind."),
@@ -364,19 +367,19 @@ def base_and_tool(sampler: ArmSampler) -> Problem:
             mistake(
                 "base behind", T @ base @ tool, "You put $T_{s0}$ behind the rows. What stands there rides on the hand."
             ),
-            mistake("base in a row", base_in_a_row(table).fk(q), WAYS["base in a row"].message),
-            mistake("tool in a row", tool_in_a_row(table).fk(q), WAYS["tool in a row"].message),
+            mistake("base in a row", base_in_a_row(table).fk(q), TABLE_MISTAKES["base in a row"].message),
+            mistake("tool in a row", tool_in_a_row(table).fk(q), TABLE_MISTAKES["tool in a row"].message),
         ],
     )
 
 
-def _row(row: Array) -> Array:
+def _link_transform(row: Array) -> Array:
     return dh_transform(*row, convention="standard")
 
 
-def _spelt(row: list[float], i: int) -> str:
+def _format_row(row: list[float], i: int) -> str:
     a, alpha, d, _ = row
-    lean = {1: "\\pi/2", -1: "-\\pi/2", 0: "0"}[round(alpha / RIGHT)]
+    lean = {1: "\\pi/2", -1: "-\\pi/2", 0: "0"}[round(alpha / RIGHT_ANGLE_RAD)]
     return f"({number(a)}, {lean}, {number(d)}, q_{i})"
 
 

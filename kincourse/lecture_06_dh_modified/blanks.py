@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from kincourse.answers.dh_row import Entries
-from kincourse.answers.pose import Pose
+from kincourse.answers.dh_row import DHEntriesAnswer
+from kincourse.answers.pose import PoseAnswer
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kinlib.arrays.validation import Array
@@ -22,7 +22,7 @@ def puma_row_4(_draw: ArmSampler) -> Problem:
     a, alpha, d, theta = 0.0203, -QUARTER, 0.4318, np.radians(30)
     return Problem(
         statement="Row 4 of the PUMA's table has $\\alpha_3 = -90°$, $a_3$, $d_4$ and $\\theta_4 = 30°$. Give ${}^3T_4$.",
-        answer=Pose(_link(a, alpha, d, theta)),
+        answer=PoseAnswer(_link(a, alpha, d, theta)),
         mistakes=[
             *_misread(a, alpha, d, theta),
             mistake(
@@ -46,7 +46,7 @@ def n5_row_2(_draw: ArmSampler) -> Problem:
     printed[2, 2] = 1.0
     return Problem(
         statement="Row 2 of the n = 5 arm is $\\alpha_1 = -90°$, $a_1 = 0$, $d_2 = q_2 = 0.3$ m, $\\theta_2 = -90°$. Give ${}^1T_2$.",
-        answer=Pose(_link(*ROW_2)),
+        answer=PoseAnswer(_link(*ROW_2)),
         mistakes=[
             mistake(
                 "as printed",
@@ -75,7 +75,7 @@ def n5_rows_2_and_3(_draw: ArmSampler) -> Problem:
     a, alpha, d, _ = ROW_3
     return Problem(
         statement="At $q_2 = 0.3$ m and $q_3 = 90°$, give ${}^1T_3 = {}^1T_2\\,{}^2T_3$ of the n = 5 arm, with $l_2 = 0.5$ m.",
-        answer=Pose(T_12 @ T_23),
+        answer=PoseAnswer(T_12 @ T_23),
         mistakes=[
             mistake(
                 "reversed",
@@ -105,7 +105,7 @@ def n5_rows_2_and_3(_draw: ArmSampler) -> Problem:
 def youbot_row_2(_draw: ArmSampler) -> Problem:
     return Problem(
         statement="Give row 2 of the youBot's table in the modified convention: $a_1$, $\\alpha_1$, $d_2$, offset of $\\theta_2$.",
-        answer=Entries(np.array([0.033, QUARTER, 0.0, 0.0]), names=["a_1", "alpha_1", "d_2", "theta_2"]),
+        answer=DHEntriesAnswer(np.array([0.033, QUARTER, 0.0, 0.0]), names=["a_1", "alpha_1", "d_2", "theta_2"]),
         mistakes=[
             mistake(
                 "not handed on",

@@ -7,12 +7,12 @@ from typing import ClassVar
 
 import numpy as np
 
-from kincourse.answers.dh_row import Row
-from kincourse.answers.point import Rotation
-from kincourse.answers.pose import Pose
-from kincourse.answers.screws import Screws
-from kincourse.mistakes.dh import of_pose
-from kincourse.mistakes.space_form import halves_swapped
+from kincourse.answers.dh_row import DHRowAnswer
+from kincourse.answers.point import RotationAnswer
+from kincourse.answers.pose import PoseAnswer
+from kincourse.answers.screws import ScrewsAnswer
+from kincourse.mistakes.dh import pose_mistakes
+from kincourse.mistakes.space_form import swap_halves
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kinlib.arrays.validation import Array
@@ -29,10 +29,10 @@ from misstep.problem import Problem
 from misstep.sheet import Sheet
 from misstep.text import degrees, matrix, number, vector
 
-TILTS = (-90, 90, -60, 60, -45, 45, -30, 30)
+ALPHAS_DEG = (-90, 90, -60, 60, -45, 45, -30, 30)
 """Angles alpha for people, in degrees: none is 0, for a joint parallel to the one before hides half of the mistakes."""
 
-HEADS = {
+TABLE_HEADS = {
     "standard": "| $i$ | $a_i$ | $\\alpha_i$ | $d_i$ | $\\theta_i$ |",
     "modified": "| $i$ | $a_{i-1}$ | $\\alpha_{i-1}$ | $d_i$ | $\\theta_i$ |",
     "": "| row | $a$ | $\\alpha$ | $d$ | $\\theta$ |",
@@ -40,10 +40,10 @@ HEADS = {
 
 
 @dataclass(frozen=True, eq=False)
-class Rows(Numbers):
+class DHRowsAnswer(Numbers):
     """The numbers of a table, (m, 4), in the order a, alpha, d, theta; each row is a part, angles count up to whole turns.
 
-    >>> Rows(np.zeros((2, 4))).agrees(np.zeros((2, 4)), np.array([[0, 0, 0, 2 * np.pi], [0, 0, 0.1, 0]]))
+    >>> DHRowsAnswer(np.zeros((2, 4))).agrees(np.zeros((2, 4)), np.array([[0, 0, 0, 2 * np.pi], [0, 0, 0.1, 0]]))
     [True, False]
     """
 
@@ -54,19 +54,19 @@ class Rows(Numbers):
         return [f"row {i + 1}" for i in range(len(self.value))]
 
     def agrees(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> list[bool]:
-        return [all(Row(mine).agrees(mine, yours, tolerance)) for mine, yours in zip(one, other, strict=True)]
+        return [all(DHRowAnswer(mine).agrees(mine, yours, tolerance)) for mine, yours in zip(one, other, strict=True)]
 
     def hint(self, given: Array, part: int) -> str:
-        right = Row(self.value[part]).agrees(given[part], self.value[part])
+        right = DHRowAnswer(self.value[part]).agrees(given[part], self.value[part])
         wrong = [name for name, fine in zip(COLUMNS, right, strict=True) if not fine]
         return f"Look at its {' and '.join(wrong)}." if len(wrong) < 3 else ""
 
 
 @dataclass(frozen=True, eq=False)
-class Fault(Numbers):
+class FaultyEntryAnswer(Numbers):
     """Where a printed table is wrong, and what belongs there: row and column, counted from 1, and the right value.
 
-    >>> Fault(np.array([2, 1, 0.5])).agrees(np.array([2, 1, 0.5]), np.array([2, 3, 0.5]))
+    >>> FaultyEntryAnswer(np.array([2, 1, 0.5])).agrees(np.array([2, 1, 0.5]), np.array([2, 3, 0.5]))
     [True, False, True]
     """
 
@@ -82,36 +82,36 @@ class Fault(Numbers):
 
 @problem("06.1", "The link transform of a row", points=3, lecture="06_dh_modified#The general matrix")
 def link_transform(sampler: ArmSampler) -> Problem:
-    row = _row(sampler)
+    row = _random_row(sampler)
     a, alpha, d, theta = row
     ca, sa, c, s = np.cos(alpha), np.sin(alpha), np.cos(theta), np.sin(theta)
-    exchanged = _link(row)
+    exchanged = _link_transform(row)
     exchanged[1, 0], exchanged[2, 1] = c * sa, s * ca
     return Problem(
         statement="Give the link transform ${}^{i-1}T_i$ of this row of a modified table, with the joint where it stands.\n\n"
-        + _printed([row], "modified"),
+        + _format_table([row], "modified"),
         given={"a": a, "alpha": alpha, "d": d, "theta": theta},
-        answer=Pose(_link(row)),
+        answer=PoseAnswer(_link_transform(row)),
         mistakes=[
             mistake(
                 "standard",
-                _link(row, "standard"),
+                _link_transform(row, "standard"),
                 "You read the row in the standard convention, $R_z T_z T_x R_x$. Modified is $R_x T_x R_z T_z$: across the link first.",
             ),
             mistake(
                 "sign of alpha",
-                _link((a, -alpha, d, theta)),
+                _link_transform((a, -alpha, d, theta)),
                 "Your $\\alpha$ turns the other way. $R_x(\\alpha)$ has $-\\sin\\alpha$ in its upper right, as every rotation that "
                 "turns the right-handed way.",
             ),
             mistake(
                 "a and d swapped",
-                _link((d, alpha, a, theta)),
+                _link_transform((d, alpha, a, theta)),
                 "You exchanged $a$ and $d$. $a$ is the way along $x_{i-1}$, $d$ the way along $z_i$.",
             ),
             mistake(
                 "degrees",
-                _link((a, np.degrees(alpha), d, np.degrees(theta))),
+                _link_transform((a, np.degrees(alpha), d, np.degrees(theta))),
                 "You gave degrees to a cosine that reads radians: use np.radians first.",
             ),
             mistake(
@@ -126,18 +126,18 @@ def link_transform(sampler: ArmSampler) -> Problem:
 
 @problem("06.2", "A row as two axial screws", points=2, lecture="06_dh_modified#Two axial screws")
 def axial_screws(sampler: ArmSampler) -> Problem:
-    row = _row(sampler)
+    row = _random_row(sampler)
     a, alpha, d, theta = row
     right = np.array([[alpha, 0, 0, a, 0, 0], [0, 0, theta, 0, 0, d]])
     return Problem(
         statement="Give the two twists $x_1, x_2$, $(\\omega, v)$ in rows, for which ${}^{i-1}T_i = e^{[x_1]} e^{[x_2]}$.\n\n"
-        + _printed([row], "modified"),
+        + _format_table([row], "modified"),
         given={"a": a, "alpha": alpha, "d": d, "theta": theta},
-        answer=Screws(right, names=["the first twist", "the second twist"]),
+        answer=ScrewsAnswer(right, names=["the first twist", "the second twist"]),
         mistakes=[
             mistake(
                 "halves swapped",
-                halves_swapped(right),
+                swap_halves(right),
                 "You wrote $(v, \\omega)$. Here a twist is $(\\omega, v)$: the turn first, then the slide.",
             ),
             mistake(
@@ -171,14 +171,14 @@ def axial_screws(sampler: ArmSampler) -> Problem:
 
 @problem("06.3", "From standard to modified", points=4, lecture="06_dh_modified#Converting")
 def to_modified(sampler: ArmSampler) -> Problem:
-    table = _table(sampler, "standard")
+    table = _random_table(sampler, "standard")
     return Problem(
         statement="Convert this standard table to the modified convention. The base stays; what is left over becomes the tool, "
         "and no part of the answer. Give four rows $a_{i-1}, \\alpha_{i-1}, d_i, \\theta_i$ at $q = 0$, angles in radians.\n\n"
-        + _printed(table.rows, "standard", table.joints),
+        + _format_table(table.rows, "standard", table.joints),
         given={"rows": table.rows, "joints": table.joints},
-        answer=Rows(table.converted("modified").rows),
-        mistakes=_conversion(
+        answer=DHRowsAnswer(table.converted("modified").rows),
+        mistakes=_conversion_mistakes(
             table.rows,
             down=True,
             folded="You put the left-over $a$ and $\\alpha$ of the last row into the first. They stand behind the last joint: "
@@ -189,15 +189,15 @@ def to_modified(sampler: ArmSampler) -> Problem:
 
 @problem("06.4", "From modified to standard", points=4, lecture="06_dh_modified#Converting")
 def to_standard(sampler: ArmSampler) -> Problem:
-    table = _table(sampler, "modified")
+    table = _random_table(sampler, "modified")
     return Problem(
         statement="The first row of this modified table is not empty: its frame {0} stands on the wall, away from axis 1. "
         "Convert the table to the standard convention. What is left over becomes the base, and no part of the answer. "
         "Give four rows $a_i, \\alpha_i, d_i, \\theta_i$ at $q = 0$, angles in radians.\n\n"
-        + _printed(table.rows, "modified", table.joints),
+        + _format_table(table.rows, "modified", table.joints),
         given={"rows": table.rows, "joints": table.joints},
-        answer=Rows(table.converted("standard").rows),
-        mistakes=_conversion(
+        answer=DHRowsAnswer(table.converted("standard").rows),
+        mistakes=_conversion_mistakes(
             table.rows,
             down=False,
             folded="You put the left-over $a$ and $\\alpha$ of the first row into the last. They stand before the first joint: "
@@ -209,7 +209,7 @@ def to_standard(sampler: ArmSampler) -> Problem:
 @problem("06.5", "Which convention is this?", points=2, lecture="06_dh_modified#Which convention is this?")
 def which_convention(sampler: ArmSampler) -> Problem:
     truth = sampler.choice("abcd")
-    rows = np.array([_row(sampler), _row(sampler)])
+    rows = np.array([_random_row(sampler), _random_row(sampler)])
     rows[:, 3] = 0.0
     q = np.radians([sampler.degrees(20, 80), sampler.degrees(-80, -20)])
     if truth == "c":  # without d and theta only screws along one x are left, and they commute
@@ -240,7 +240,7 @@ def which_convention(sampler: ArmSampler) -> Problem:
     return Problem(
         statement="A table of two revolute joints came without a word on its convention. On the machine, with base and tool at "
         f"its first and last frame, somebody measured the pose $T$ of the hand at $q = {vector(np.degrees(q))}$ degrees. "
-        f"Which reading of the table is right?\n\n{_printed(rows, '', 'RR')}\n\n$$T = {matrix(T)}$$\n\n{listed}",
+        f"Which reading of the table is right?\n\n{_format_table(rows, '', 'RR')}\n\n$$T = {matrix(T)}$$\n\n{listed}",
         figure=partial(draw_frames, {"0": np.eye(4), "2": T}, arrows=False),
         given={"rows": rows, "q": q, "pose": T},
         answer=Choice(truth, options),
@@ -251,7 +251,11 @@ def which_convention(sampler: ArmSampler) -> Problem:
 @problem("06.6", "The faulty entry", points=3, lecture="06_dh_modified#The general matrix")
 def faulty_entry(sampler: ArmSampler) -> Problem:
     rows = np.array(
-        [(0.0, 0.0, sampler.length(0.1, 0.4), np.radians(sampler.degrees(-80, 80))), _row(sampler), _row(sampler)]
+        [
+            (0.0, 0.0, sampler.length(0.1, 0.4), np.radians(sampler.degrees(-80, 80))),
+            _random_row(sampler),
+            _random_row(sampler),
+        ]
     )
     row, column = sampler.integer(2, 3), sampler.integer(1, 4)
     right = rows[row - 1, column - 1]
@@ -266,10 +270,10 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
     return Problem(
         statement="One entry of this modified table is misprinted. The frames of the arm, at $q = 0$, are right. Find the entry, "
         "and give its row, its column and the value that belongs there: three numbers. Columns count 1 to 4 as printed, "
-        f"the value is in metres or radians.\n\n{_printed(printed, 'modified', 'RRR')}\n\n{shown}",
+        f"the value is in metres or radians.\n\n{_format_table(printed, 'modified', 'RRR')}\n\n{shown}",
         figure=partial(draw_frames, {"0": np.eye(4), **{str(k + 1): T for k, T in enumerate(poses)}}),
         given={"rows": printed, "poses": poses},
-        answer=Fault(np.array([row, column, right])),
+        answer=FaultyEntryAnswer(np.array([row, column, right])),
         mistakes=[
             mistake(
                 "counted from 0",
@@ -310,19 +314,19 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
 def wrist(sampler: ArmSampler) -> Problem:
     degrees = [sampler.degrees(-80, 80) for _ in range(3)]
     t4, t5, t6 = np.radians(degrees)
-    constant = _turn("x", -np.pi / 2)
-    euler = _turn("y", t4) @ _turn("z", t5) @ _turn("y", t6)
+    constant = _rotation("x", -np.pi / 2)
+    euler = _rotation("y", t4) @ _rotation("z", t5) @ _rotation("y", t6)
     rows = [(0.0, -np.pi / 2, 0.0, 0.0), (0.0, np.pi / 2, 0.0, 0.0), (0.0, -np.pi / 2, 0.0, 0.0)]
     reversed_ = reduce(
-        np.matmul, [_link((*row[:3], t))[:3, :3] for row, t in zip(rows[::-1], (t6, t5, t4), strict=True)]
+        np.matmul, [_link_transform((*row[:3], t))[:3, :3] for row, t in zip(rows[::-1], (t6, t5, t4), strict=True)]
     )
-    typed = _turn("y", degrees[0]) @ _turn("z", degrees[1]) @ _turn("y", degrees[2])
+    typed = _rotation("y", degrees[0]) @ _rotation("z", degrees[1]) @ _rotation("y", degrees[2])
     return Problem(
         statement="Rows 4 to 6 of a modified table are those of the PUMA's wrist. Give ${}^3R_6$ at "
         f"$(\\theta_4, \\theta_5, \\theta_6) = {vector(degrees)}$ degrees.\n\n"
-        + _printed(rows, "modified", "RRR", first=4),
+        + _format_table(rows, "modified", "RRR", first=4),
         given={"degrees": degrees},
-        answer=Rotation(euler @ constant),
+        answer=RotationAnswer(euler @ constant),
         mistakes=[
             mistake(
                 "no constant",
@@ -341,7 +345,7 @@ def wrist(sampler: ArmSampler) -> Problem:
             ),
             mistake(
                 "standard",
-                _turn("z", t4) @ _turn("y", t5) @ _turn("z", t6) @ constant,
+                _rotation("z", t4) @ _rotation("y", t5) @ _rotation("z", t6) @ constant,
                 "You read the rows in the standard convention. Then the same table is a Z-Y-Z wrist, with the constant behind it.",
             ),
             mistake(
@@ -368,12 +372,12 @@ def chain(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"The RPR arm of Lecture 7 stands at $\\theta_1 = {degrees[0]}$ degrees, $d_2 = {number(d2)}$ m, "
         f"$\\theta_3 = {degrees[1]}$ degrees. Give ${{}}^0T_3 = {{}}^0T_1\\,{{}}^1T_2\\,{{}}^2T_3$.\n\n"
-        + _printed(table.rows, "modified", "RPR"),
+        + _format_table(table.rows, "modified", "RPR"),
         figure=partial(draw_arm, table.to_chain()),
         given={"rows": table.rows, "values": np.array([degrees[0], d2, degrees[1]])},
-        answer=Pose(table.fk(q)),
+        answer=PoseAnswer(table.fk(q)),
         mistakes=[
-            *of_pose(
+            *pose_mistakes(
                 table, q, "reversed", "the other convention", "slide in theta", "sign of alpha", "alpha one row off"
             ),
             mistake(
@@ -392,31 +396,31 @@ def chain(sampler: ArmSampler) -> Problem:
     )
 
 
-def _row(sampler: ArmSampler) -> tuple[float, float, float, float]:
+def _random_row(sampler: ArmSampler) -> tuple[float, float, float, float]:
     """A row without a zero, a and d apart: no swap can hide."""
     a, d = sampler.shuffled([sampler.length(0.2, 0.5), sampler.length(0.6, 0.9)])
-    alpha, theta = sampler.choice(TILTS), sampler.degrees(-80, 80)
+    alpha, theta = sampler.choice(ALPHAS_DEG), sampler.degrees(-80, 80)
     return a, float(np.radians(alpha)), d, float(np.radians(theta))
 
 
-def _table(sampler: ArmSampler, convention: Convention) -> DHTable:
+def _random_table(sampler: ArmSampler, convention: Convention) -> DHTable:
     """Four rows of their own lengths and angles, one of them a slide."""
-    rows = np.array([_row(sampler) for _ in range(4)])
+    rows = np.array([_random_row(sampler) for _ in range(4)])
     rows[:, 0] = np.array(sampler.shuffled([0.2, 0.3, 0.4, 0.5, 0.6]))[:4]
     return DHTable(rows, convention=convention, joints=sampler.choice(["RRPR", "RPRR", "RRRP"]))
 
 
-def _link(row: Sequence[float], convention: Convention = "modified") -> Array:
+def _link_transform(row: Sequence[float], convention: Convention = "modified") -> Array:
     a, alpha, d, theta = row
     return dh_transform(a, alpha, d, theta, convention=convention)
 
 
-def _turn(axis: str, angle: float) -> Array:
+def _rotation(axis: str, angle: float) -> Array:
     turn: Array = exp(angle * np.eye(3)["xyz".index(axis)])
     return turn
 
 
-def _conversion(rows: Array, down: bool, folded: str) -> list[Mistake]:
+def _conversion_mistakes(rows: Array, down: bool, folded: str) -> list[Mistake]:
     """The wrong ways to hand a and alpha on by one row, down to modified or up to standard."""
     step, empty = (1, 0) if down else (-1, -1)
 
@@ -458,11 +462,11 @@ def _conversion(rows: Array, down: bool, folded: str) -> list[Mistake]:
     ]
 
 
-def _printed(
+def _format_table(
     rows: Array | Sequence[tuple[float, float, float, float]], convention: str, joints: str = "", first: int = 1
 ) -> str:
     """A table as a slide prints it, angles in degrees, with the variable of each joint where it belongs."""
-    lines = [HEADS[convention], "|" + " --- |" * 5]
+    lines = [TABLE_HEADS[convention], "|" + " --- |" * 5]
     for k, (a, alpha, d, theta) in enumerate(rows):
         kind, name = joints[k : k + 1], f"q_{k + first}"
         slide = add_variable(name, number(d)) if kind == "P" else number(d)

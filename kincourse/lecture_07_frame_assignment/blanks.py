@@ -4,9 +4,9 @@ from dataclasses import replace
 
 import numpy as np
 
-from kincourse.answers.dh_row import Row
-from kincourse.answers.dh_table import Table
-from kincourse.mistakes.dh import WAYS, of_table
+from kincourse.answers.dh_row import DHRowAnswer
+from kincourse.answers.dh_table import DHTableAnswer
+from kincourse.mistakes.dh import TABLE_MISTAKES, table_mistakes
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kinlib.chains.robots import SLIDE, X, Y, Z, arm, pose
@@ -35,7 +35,7 @@ STRANGER = arm(
 def anti_parallel_row(_draw: ArmSampler) -> Problem:
     return Problem(
         statement="Give row 3 of the stranger, standard convention, as $[a, \\alpha, d, \\theta]$ at home.",
-        answer=Row(np.array([0.3, np.pi, -0.2, 0.0])),
+        answer=DHRowAnswer(np.array([0.3, np.pi, -0.2, 0.0])),
         mistakes=[
             mistake(
                 "parallel",
@@ -53,9 +53,9 @@ def anti_parallel_row(_draw: ArmSampler) -> Problem:
                 "You measured along the axis of joint 4. In the standard convention $d_3$ is measured along $z_2$, the axis of "
                 "joint 3, and from $z_2$ to $z_3$ it is half a turn.",
             ),
-            mistake("off the normal", [np.hypot(0.3, 0.2), np.pi, 0.0, 0.0], WAYS["off the normal"].message),
-            mistake("a and d swapped", [-0.2, np.pi, 0.3, 0.0], WAYS["a and d swapped"].message),
-            mistake("degrees", [0.3, 180.0, -0.2, 0.0], WAYS["degrees"].message),
+            mistake("off the normal", [np.hypot(0.3, 0.2), np.pi, 0.0, 0.0], TABLE_MISTAKES["off the normal"].message),
+            mistake("a and d swapped", [-0.2, np.pi, 0.3, 0.0], TABLE_MISTAKES["a and d swapped"].message),
+            mistake("degrees", [0.3, 180.0, -0.2, 0.0], TABLE_MISTAKES["degrees"].message),
         ],
     )
 
@@ -99,7 +99,7 @@ def table_of_the_stranger(_draw: ArmSampler) -> Problem:
     rows[2, 1] = 0.0
     return Problem(
         statement="Give a table of the stranger, in either convention. Every table of the same mechanism is right.",
-        answer=Table(table),
+        answer=DHTableAnswer(table),
         mistakes=[
             mistake(
                 "anti-parallel as parallel",
@@ -107,7 +107,7 @@ def table_of_the_stranger(_draw: ArmSampler) -> Problem:
                 "Axes 3 and 4 point opposite ways: $\\alpha$ between them is $\\pi$. With 0 all that comes "
                 "behind joint 4 is turned over, and $d_4$ runs the wrong way.",
             ),
-            *of_table(
+            *table_mistakes(
                 table,
                 "the other convention",
                 "z on the wrong joint",

@@ -5,11 +5,11 @@ from functools import partial
 
 import numpy as np
 
-from kincourse.answers.dh_table import Table
-from kincourse.answers.frames import Frames
-from kincourse.mistakes.dh import of_table
+from kincourse.answers.dh_table import DHTableAnswer
+from kincourse.answers.frames import DHFramesAnswer
+from kincourse.mistakes.dh import table_mistakes
 from kincourse.problem import problem
-from kincourse.sampling.arms import DIRECTIONS, ArmSampler
+from kincourse.sampling.arms import AXIS_DIRECTIONS, ArmSampler
 from kincourse.text.joint_table import joint_table
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
@@ -28,7 +28,7 @@ from misstep.problem import Problem
 from misstep.sheet import Sheet
 from misstep.text import degrees, number, vector
 
-RIGHT = np.pi / 2
+RIGHT_ANGLE_RAD = np.pi / 2
 
 CASES = {
     "a": "skew",
@@ -43,8 +43,8 @@ CASES = {
 @problem("07.1", "The case of two axes", points=2, lecture="07_frame_assignment#The algorithm")
 def the_case(sampler: ArmSampler) -> Problem:
     right = sampler.choice(list(CASES))
-    z, point = sampler.choice(DIRECTIONS), sampler.point(4)
-    side = sampler.choice([axis for axis in DIRECTIONS if not axis @ z])
+    z, point = sampler.choice(AXIS_DIRECTIONS), sampler.point(4)
+    side = sampler.choice([axis for axis in AXIS_DIRECTIONS if not axis @ z])
     along, off = sampler.integer(1, 3) * sampler.choice((-1, 1)), sampler.integer(1, 3)
     other = {"a": side, "b": side, "c": z, "d": -z, "e": z, "f": -z}[right]
     across = {"a": np.cross(z, side), "b": 0 * z, "c": side, "d": side, "e": 0 * z, "f": 0 * z}[right]
@@ -57,11 +57,11 @@ def the_case(sampler: ArmSampler) -> Problem:
         figure=partial(draw_joints, robot),
         given={"axes": np.array([z, other]), "points": robot.joint_points},
         answer=Choice(right, CASES),
-        mistakes=[mistake(CASES[wrong], wrong, _why_not(wrong, right)) for wrong in CASES if wrong != right],
+        mistakes=[mistake(CASES[wrong], wrong, _case_message(wrong, right)) for wrong in CASES if wrong != right],
     )
 
 
-def _why_not(wrong: str, right: str) -> str:
+def _case_message(wrong: str, right: str) -> str:
     """The first feature of two axes in which two cases differ."""
     lean = {"a": "neither", "b": "neither", "c": "same", "d": "opposite", "e": "same", "f": "opposite"}
     if lean[wrong] != lean[right]:
@@ -86,7 +86,7 @@ def frames_by_the_rules(sampler: ArmSampler) -> Problem:
         f"choose.\n\n{joint_table(robot)}",
         figure=partial(draw_joints, robot),
         given={"screws": robot.screws, "home": robot.home, "points": robot.joint_points},
-        answer=Frames(found, chain=robot, convention="standard"),
+        answer=DHFramesAnswer(found, chain=robot, convention="standard"),
         mistakes=[
             mistake(
                 "z on the wrong joint",
@@ -145,8 +145,8 @@ def table_of_an_arm(sampler: ArmSampler) -> Problem:
         f"yours to choose.\n\n{joint_table(robot)}",
         figure=partial(draw_joints, robot),
         given={"screws": robot.screws, "home": robot.home, "points": robot.joint_points},
-        answer=Table(table),
-        mistakes=of_table(
+        answer=DHTableAnswer(table),
+        mistakes=table_mistakes(
             table,
             "the other convention",
             "z on the wrong joint",
@@ -182,7 +182,7 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
         f"convention. Every table of the same mechanism is right.\n\n{joint_table(robot)}",
         figure=partial(draw_joints, robot),
         given={"screws": robot.screws, "home": robot.home, "points": robot.joint_points},
-        answer=Table(table),
+        answer=DHTableAnswer(table),
         mistakes=[
             mistake(
                 "alpha 0",
@@ -195,7 +195,7 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
                 "Your origins may slide along parallel axes, but what lies between the first and the last normal stays: some $d$ "
                 "has to hold the step along $y$.",
             ),
-            *of_table(
+            *table_mistakes(
                 table, "the other convention", "z on the wrong joint", "alpha one row off", "a and d swapped", "degrees"
             ),
         ],
@@ -210,7 +210,7 @@ RULES = {
     "e": "none: the frame is legal",
 }
 
-LOOK = {
+RULE_EXPLANATIONS = {
     "a": "Take the scalar product of $x_i$ and $z_{i-1}$.",
     "b": "Walk from the origin along $x_i$, both ways: do you come to the axis $z_{i-1}$?",
     "c": "Compare $z_i$ with the direction of joint $i + 1$, not of joint $i$.",
@@ -246,16 +246,18 @@ def which_rule(sampler: ArmSampler) -> Problem:
         figure=partial(_with_frames, robot, frames),
         given={"frame": i, "frames": frames, "screws": robot.screws, "points": robot.joint_points},
         answer=Choice(right, RULES),
-        mistakes=[_another_rule(wrong, right) for wrong in RULES if wrong != right],
+        mistakes=[_rule_mistake(wrong, right) for wrong in RULES if wrong != right],
     )
 
 
-def _another_rule(wrong: str, right: str) -> Mistake:
+def _rule_mistake(wrong: str, right: str) -> Mistake:
     if wrong == "e":
-        return mistake("called legal", wrong, f"There is a rule that this frame breaks. {LOOK[right]}")
+        return mistake("called legal", wrong, f"There is a rule that this frame breaks. {RULE_EXPLANATIONS[right]}")
     if right == "e":
-        return mistake(f"rule {wrong}", wrong, f"This rule is obeyed. {LOOK[wrong]} An $x$ may point either way.")
-    return mistake(f"rule {wrong}", wrong, f"This rule is obeyed; another one is broken. {LOOK[wrong]}")
+        return mistake(
+            f"rule {wrong}", wrong, f"This rule is obeyed. {RULE_EXPLANATIONS[wrong]} An $x$ may point either way."
+        )
+    return mistake(f"rule {wrong}", wrong, f"This rule is obeyed; another one is broken. {RULE_EXPLANATIONS[wrong]}")
 
 
 def _with_frames(robot: Chain, frames: Array) -> Picture:
@@ -266,7 +268,7 @@ def _with_frames(robot: Chain, frames: Array) -> Picture:
 def table_to_mend(sampler: ArmSampler) -> Problem:
     rows = np.zeros((4, 4))
     for i in range(4):
-        rows[i] = sampler.integer(1, 3), sampler.choice((-1, 1)) * RIGHT, sampler.integer(1, 3), 0.0
+        rows[i] = sampler.integer(1, 3), sampler.choice((-1, 1)) * RIGHT_ANGLE_RAD, sampler.integer(1, 3), 0.0
     table = DHTable(rows, convention="standard", name="Your arm")
     robot = table.to_chain()
     i, k = sampler.choice([(1, 0), (2, 0), (1, 2), (2, 2)])
@@ -286,7 +288,7 @@ def table_to_mend(sampler: ArmSampler) -> Problem:
         f"the mended table.\n\n{text}\n\n{joint_table(robot)}",
         figure=partial(draw_joints, robot),
         given={"rows": printed, "screws": robot.screws, "home": robot.home, "points": robot.joint_points},
-        answer=Table(table),
+        answer=DHTableAnswer(table),
         mistakes=[
             mistake(
                 "as printed",
@@ -360,12 +362,12 @@ def slide_elsewhere(sampler: ArmSampler) -> Problem:
 
 @problem("07.8", "Which table is the same arm?", points=3, lecture="07_frame_assignment#Two right tables")
 def same_arm(sampler: ArmSampler) -> Problem:
-    table, changed = _two_tables(sampler)
+    table, changed = _tables_to_compare(sampler)
     names = list(changed)
     order = sampler.shuffled(names)
     letters = dict(zip("abcd", order, strict=True))
     right = next(letter for letter, name in letters.items() if name == "legal")
-    shown = "\n\n".join(f"**{letter})**\n\n{_as_markdown(changed[name])}" for letter, name in letters.items())
+    shown = "\n\n".join(f"**{letter})**\n\n{_format_table(changed[name])}" for letter, name in letters.items())
     why = {
         "half an x": "In this one somebody began to turn $x_3$ round and stopped half-way: $a_3$ and $\\alpha_3$ have to change their "
         "signs together.",
@@ -373,7 +375,7 @@ def same_arm(sampler: ArmSampler) -> Problem:
         "a sign": "In this one $d_4$ has the other sign, and nothing makes up for it.",
     }
     return Problem(
-        statement=f"Here is a table in the standard convention:\n\n{_as_markdown(table)}\n\nOne of these is the same mechanism:"
+        statement=f"Here is a table in the standard convention:\n\n{_format_table(table)}\n\nOne of these is the same mechanism:"
         f"\n\n{shown}\n\nWhich? Answer with a letter, such as `'a'`.",
         given={"table": table.rows, "tables": {letter: changed[name].rows for letter, name in letters.items()}},
         answer=Choice(right, dict.fromkeys("abcd", "a table")),
@@ -381,7 +383,7 @@ def same_arm(sampler: ArmSampler) -> Problem:
     )
 
 
-def _two_tables(sampler: ArmSampler) -> tuple[DHTable, dict[str, DHTable]]:
+def _tables_to_compare(sampler: ArmSampler) -> tuple[DHTable, dict[str, DHTable]]:
     """A table with parallel axes 2 and 3, a legal re-choice of it, and three that changed by half."""
     while True:
         rows = np.zeros((5, 4))
@@ -407,7 +409,7 @@ def _two_tables(sampler: ArmSampler) -> tuple[DHTable, dict[str, DHTable]]:
             return table, changed
 
 
-def _as_markdown(table: DHTable) -> str:
+def _format_table(table: DHTable) -> str:
     return markdown_table(format_rows(table, length=number, angle=degrees))
 
 

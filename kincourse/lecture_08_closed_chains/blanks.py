@@ -4,7 +4,7 @@ import numpy as np
 
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
-from kincourse.sampling.four_bar_geometry import Bars, slider_place
+from kincourse.sampling.four_bar_geometry import FourBar, slider_position
 from misstep.answers.number import Numbers
 from misstep.mistakes import mistake
 from misstep.problem import Problem
@@ -16,31 +16,31 @@ def slider(_draw: ArmSampler) -> Problem:
     return Problem(
         statement="A slider-crank has a crank of 0.2 m, a rod of 0.5 m, and its slide on the line $y = -0.1$. The crank stands at "
         "150 degrees. Where is the slider along x, on the far side of the crank pin?",
-        answer=Numbers(np.array(slider_place(crank, rod, offset, A)), unit="m"),
+        answer=Numbers(np.array(slider_position(crank, rod, offset, A)), unit="m"),
         mistakes=[
             mistake(
                 "other mode",
-                slider_place(crank, rod, offset, A, side=-1),
+                slider_position(crank, rod, offset, A, side=-1),
                 "This is the other assembly mode, with the slider on the near side of B. Take the root with the plus sign.",
             ),
             mistake(
                 "no offset",
-                slider_place(crank, rod, 0.0, A),
+                slider_position(crank, rod, 0.0, A),
                 "You left out the offset. The rod has to climb from the crank pin to the line $y = -0.1$, not to $y = 0$.",
             ),
             mistake(
                 "sign of the offset",
-                slider_place(crank, rod, -offset, A),
+                slider_position(crank, rod, -offset, A),
                 "The offset is negative: the slide lies below the x axis.",
             ),
             mistake(
                 "degrees",
-                slider_place(crank, rod, offset, 150.0),
+                slider_position(crank, rod, offset, 150.0),
                 "You gave degrees to a cosine that wants radians.",
             ),
             mistake(
                 "sine and cosine swapped",
-                slider_place(crank, rod, offset, np.pi / 2 - A),
+                slider_position(crank, rod, offset, np.pi / 2 - A),
                 "You swapped sine and cosine of the crank's angle. At 0 degrees the crank lies along x.",
             ),
         ],
@@ -49,9 +49,9 @@ def slider(_draw: ArmSampler) -> Problem:
 
 @problem("08.b", "A rocker angle", points=1, lecture="08_closed_chains#The smallest loop")
 def rocker(_draw: ArmSampler) -> Problem:
-    bars, A = Bars(0.4, 0.1, 0.35, 0.3), np.pi / 2
-    above, below = bars.modes(A)
-    swapped = Bars(0.4, 0.1, 0.3, 0.35).modes(A)[0, 2]
+    four_bar, A = FourBar(0.4, 0.1, 0.35, 0.3), np.pi / 2
+    above, below = four_bar.assembly_modes(A)
+    swapped = FourBar(0.4, 0.1, 0.3, 0.35).assembly_modes(A)[0, 2]
     return Problem(
         statement="The crank of the lecture's four-bar stands at 90 degrees. What is the rocker's angle $D$, in radians, in the mode "
         "that has C above?",

@@ -8,8 +8,15 @@ import numpy as np
 
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
-from kincourse.sampling.four_bar_geometry import Bars, slider_place
-from kincourse.sampling.linkages import PLANAR, SPATIAL, crank_rocker, held_back, of_kind, over_constrained
+from kincourse.sampling.four_bar_geometry import FourBar, slider_position
+from kincourse.sampling.linkages import (
+    PLANAR_LEGS,
+    SPATIAL_LEGS,
+    crank_rocker,
+    four_bar_of_kind,
+    limited_crank,
+    overconstrained_case,
+)
 from kinlib.arrays.validation import Array
 from kinlib.mechanisms import linkages
 from kinlib.rigid.angles import wrap_angle
@@ -23,16 +30,16 @@ from misstep.problem import Problem
 from misstep.sheet import Sheet
 from misstep.text import number, vector
 
-ANGLES = "$A$ and $D$ count from the $x$ axis, $B$ is the coupler's angle against the crank, $C$ its angle against the rocker."
+ANGLES_NOTE = "$A$ and $D$ count from the $x$ axis, $B$ is the coupler's angle against the crank, $C$ its angle against the rocker."
 
 
-def told(bars: Bars) -> str:
+def describe_lengths(four_bar: FourBar) -> str:
     """The lengths, in a sentence."""
-    ground, crank, coupler, rocker = (number(length) for length in bars)
+    ground, crank, coupler, rocker = (number(length) for length in four_bar)
     return f"A four-bar has a ground of {ground} m, a crank of {crank} m, a coupler of {coupler} m and a rocker of {rocker} m."
 
 
-def open_posture(A: float) -> Array:
+def open_configuration(A: float) -> Array:
     """A posture to draw where C must not be given away: the coupler along x, the rocker upright."""
     return np.array([A, -A, np.pi / 2, 0.0])
 
@@ -41,8 +48,8 @@ def open_posture(A: float) -> Array:
     "08.1", "The gap of a posture", points=3, lecture="08_closed_chains#A loop is an open chain that must come back"
 )
 def gap(sampler: ArmSampler) -> Problem:
-    bars = crank_rocker(sampler)
-    linkage = linkages.four_bar(*bars)
+    four_bar = crank_rocker(sampler)
+    linkage = linkages.four_bar(*four_bar)
     degrees = np.array(
         [sampler.degrees(20, 80), sampler.degrees(-60, -20), sampler.degrees(85, 130), sampler.degrees(-75, -25)]
     )
@@ -58,7 +65,8 @@ def gap(sampler: ArmSampler) -> Problem:
     r = log(D @ C @ G @ inverse(A @ B))
     listed = ", ".join(f"${name} = {angle}°$" for name, angle in zip("ABDC", degrees, strict=True))
     return Problem(
-        statement=f"{told(bars)} {ANGLES} It is not closed yet: {listed}. Walk round, from the ground over D and C to the coupler and "
+        statement=f"{describe_lengths(four_bar)} {ANGLES_NOTE} It is not closed yet: {listed}. Walk round, from the "
+        "ground over D and C to the coupler and "
         "back over B and A. What twist is left over, $r = \\log(e^{[S_D]D}\\, e^{[S_C]C}\\, G\\, e^{-[S_B]B}\\, e^{-[S_A]A})$?",
         figure=partial(draw_linkage, linkage, np.radians(degrees)),
         given={"S": S, "G": G, "degrees": dict(zip("ABDC", degrees.tolist(), strict=True))},
@@ -96,16 +104,17 @@ def gap(sampler: ArmSampler) -> Problem:
 
 @problem("08.2", "Both ways to put it together", points=3, lecture="08_closed_chains#The smallest loop")
 def both_modes(sampler: ArmSampler) -> Problem:
-    bars, degrees = crank_rocker(sampler), sampler.degrees(25, 155)
+    four_bar, degrees = crank_rocker(sampler), sampler.degrees(25, 155)
     A = np.radians(degrees)
-    left, right = bars.modes(A)
+    left, right = four_bar.assembly_modes(A)
     D = np.array([left[2], right[2]])
-    swapped = Bars(bars.ground, bars.crank, bars.rocker, bars.coupler).modes(A)[:, 2]
+    swapped = FourBar(four_bar.ground, four_bar.crank, four_bar.rocker, four_bar.coupler).assembly_modes(A)[:, 2]
     return Problem(
-        statement=f"{told(bars)} Its crank stands at {degrees} degrees from the $x$ axis. Give the rocker's angle $D$, from the $x$ axis "
+        statement=f"{describe_lengths(four_bar)} Its crank stands at {degrees} degrees from the $x$ axis. Give the "
+        "rocker's angle $D$, from the $x$ axis "
         "too and in radians, in both assembly modes, in any order. (Drawn before C is pinned.)",
-        figure=partial(draw_linkage, linkages.four_bar(*bars), open_posture(A)),
-        given={"bars": tuple(bars), "degrees": degrees},
+        figure=partial(draw_linkage, linkages.four_bar(*four_bar), open_configuration(A)),
+        given={"bars": tuple(four_bar), "degrees": degrees},
         answer=Angles(D, any_order=True),
         mistakes=[
             mistake(
@@ -120,7 +129,7 @@ def both_modes(sampler: ArmSampler) -> Problem:
             ),
             mistake(
                 "crank from y",
-                bars.modes(np.pi / 2 - A)[:, 2],
+                four_bar.assembly_modes(np.pi / 2 - A)[:, 2],
                 "You measured the crank from the $y$ axis. At 0 degrees it lies along $x$.",
             ),
             mistake(
@@ -140,23 +149,24 @@ def both_modes(sampler: ArmSampler) -> Problem:
 
 @problem("08.3", "A point of the coupler", points=3, lecture="08_closed_chains#The smallest loop")
 def coupler_point(sampler: ArmSampler) -> Problem:
-    bars, degrees = crank_rocker(sampler), sampler.degrees(25, 155)
+    four_bar, degrees = crank_rocker(sampler), sampler.degrees(25, 155)
     A, point = np.radians(degrees), np.array([sampler.length(0.1, 0.25), sampler.length(0.1, 0.25)])
-    linkage, (q, other) = linkages.four_bar(*bars), bars.modes(A)
-    B = bars.joints(A)[0]
+    linkage, (q, other) = linkages.four_bar(*four_bar), four_bar.assembly_modes(A)
+    B = four_bar.pin_positions(A)[0]
 
     def carried(angle: float, where: Array = point) -> Array:
         turned: Array = B + exp(np.array([0.0, 0.0, angle]))[:2, :2] @ where
         return turned
 
     angle = q[0] + q[1]
-    drawn = {"P": ("coupler", (bars.crank + point[0], point[1], 0.0))}
+    drawn = {"P": ("coupler", (four_bar.crank + point[0], point[1], 0.0))}
     return Problem(
-        statement=f"{told(bars)} Its crank stands at {degrees} degrees, and C lies to the left of the arrow from B to D. A point P of the "
+        statement=f"{describe_lengths(four_bar)} Its crank stands at {degrees} degrees, and C lies to the left of the "
+        "arrow from B to D. A point P of the "
         f"coupler lies {number(point[0])} m from B along the coupler, towards C, and {number(point[1])} m to the left of it. Where is P, "
         "as $[x, y]$ from A?",
         figure=partial(draw_linkage, linkage, q, points=drawn),
-        given={"bars": tuple(bars), "degrees": degrees, "along": point[0], "left": point[1]},
+        given={"bars": tuple(four_bar), "degrees": degrees, "along": point[0], "left": point[1]},
         answer=Numbers(carried(angle), unit="m"),
         mistakes=[
             mistake(
@@ -179,7 +189,7 @@ def coupler_point(sampler: ArmSampler) -> Problem:
             ),
             mistake(
                 "from C",
-                carried(angle, point * (-1, 1) + (bars.coupler, 0)),
+                carried(angle, point * (-1, 1) + (four_bar.coupler, 0)),
                 "You measured from C. P's distance along the coupler counts from B.",
             ),
         ],
@@ -195,7 +205,7 @@ def slider(sampler: ArmSampler) -> Problem:
     )
     degrees = sampler.degrees(20, 160)
     A = np.radians(degrees)
-    x = slider_place(crank, rod, offset, A)
+    x = slider_position(crank, rod, offset, A)
     linkage = linkages.slider_crank(crank, rod, offset)
     side = "above" if offset > 0 else "below"
     return Problem(
@@ -208,13 +218,13 @@ def slider(sampler: ArmSampler) -> Problem:
         mistakes=[
             mistake(
                 "other mode",
-                slider_place(crank, rod, offset, A, side=-1),
+                slider_position(crank, rod, offset, A, side=-1),
                 "This is the other mode, the slider on the near side of B.",
             ),
-            mistake("no offset", slider_place(crank, rod, 0.0, A), "You let the slide run through A."),
+            mistake("no offset", slider_position(crank, rod, 0.0, A), "You let the slide run through A."),
             mistake(
                 "sign of the offset",
-                slider_place(crank, rod, -offset, A),
+                slider_position(crank, rod, -offset, A),
                 f"The slide runs {side} A; you took the other side.",
             ),
             mistake(
@@ -224,12 +234,12 @@ def slider(sampler: ArmSampler) -> Problem:
             ),
             mistake(
                 "crank from y",
-                slider_place(crank, rod, offset, np.pi / 2 - A),
+                slider_position(crank, rod, offset, np.pi / 2 - A),
                 "You measured the crank from the $y$ axis, or swapped sine and cosine.",
             ),
             mistake(
                 "degrees",
-                slider_place(crank, rod, offset, float(degrees)),
+                slider_position(crank, rod, offset, float(degrees)),
                 "You gave degrees to a cosine that wants radians.",
             ),
         ],
@@ -238,8 +248,8 @@ def slider(sampler: ArmSampler) -> Problem:
 
 @problem("08.5", "Which posture is drawn?", points=2, lecture="08_closed_chains#The smallest loop")
 def which_mode(sampler: ArmSampler) -> Problem:
-    bars, degrees, drawn, named = _told_apart(sampler)
-    q = bars.modes(np.radians(degrees))[drawn]
+    four_bar, degrees, drawn, named = _distinct_modes(sampler)
+    q = four_bar.assembly_modes(np.radians(degrees))[drawn]
     letters = dict(zip("abcd", sampler.shuffled(list(named)), strict=True))
     listed = {letter: np.degrees(wrap_angle(named[name])).round(1) for letter, name in letters.items()}
     shown = "\n".join(f"- {letter}) $D = {number(D)}°$, $C = {number(C)}°$" for letter, (D, C) in listed.items())
@@ -248,13 +258,14 @@ def which_mode(sampler: ArmSampler) -> Problem:
         "inner angle": "This $D$ is the inner angle of the quadrilateral. The rocker's angle counts from the direction of $x$.",
         "sign of C": "$D$ is right. $C$ counts from the rocker to the coupler, anticlockwise, and yours has the other sign.",
     }
-    C = bars.joints(np.radians(degrees))[2][drawn]
+    C = four_bar.pin_positions(np.radians(degrees))[2][drawn]
     return Problem(
-        statement=f"{told(bars)} {ANGLES} Somebody assembled it with the crank at {degrees} degrees, and read off that C is at "
+        statement=f"{describe_lengths(four_bar)} {ANGLES_NOTE} Somebody assembled it with the crank at {degrees} "
+        "degrees, and read off that C is at "
         f"${vector(C.round(2))}$, to a centimetre. Which joint values are these?\n\n{shown}\n\nAnswer with a letter, such as `'a'`.",
-        figure=partial(draw_linkage, linkages.four_bar(*bars), q),
+        figure=partial(draw_linkage, linkages.four_bar(*four_bar), q),
         given={
-            "bars": tuple(bars),
+            "bars": tuple(four_bar),
             "C": C.round(2),
             "options": {letter: values.tolist() for letter, values in listed.items()},
         },
@@ -265,11 +276,11 @@ def which_mode(sampler: ArmSampler) -> Problem:
     )
 
 
-def _told_apart(sampler: ArmSampler) -> tuple[Bars, int, int, dict[str, Array]]:
+def _distinct_modes(sampler: ArmSampler) -> tuple[FourBar, int, int, dict[str, Array]]:
     """A four-bar, its crank angle, one of its modes, and four pairs (D, C) that differ by more than a reading error."""
     while True:
-        bars, degrees, drawn = crank_rocker(sampler), sampler.degrees(25, 155), sampler.integer(0, 1)
-        q, other = bars.modes(np.radians(degrees))[[drawn, 1 - drawn]]
+        four_bar, degrees, drawn = crank_rocker(sampler), sampler.degrees(25, 155), sampler.integer(0, 1)
+        q, other = four_bar.assembly_modes(np.radians(degrees))[[drawn, 1 - drawn]]
         named = {
             "right": np.array([q[2], q[3]]),
             "other mode": np.array([other[2], other[3]]),
@@ -279,7 +290,7 @@ def _told_apart(sampler: ArmSampler) -> tuple[Bars, int, int, dict[str, Array]]:
         pairs = np.array(list(named.values()))
         apart = np.abs(wrap_angle(pairs[:, None] - pairs[None])).max(axis=-1) + 2 * np.eye(4)
         if apart.min() > 0.2:
-            return bars, degrees, drawn, named
+            return four_bar, degrees, drawn, named
 
 
 KINDS = {
@@ -292,19 +303,19 @@ KINDS = {
 
 
 @problem("08.6", "What kind of four-bar is it?", points=2, lecture="08_closed_chains#Grashof's condition")
-def kind_of(sampler: ArmSampler) -> Problem:
+def which_kind(sampler: ArmSampler) -> Problem:
     right = sampler.choice(list(KINDS))
-    bars = of_kind(sampler, right)
+    four_bar = four_bar_of_kind(sampler, right)
     listed = "\n".join(f"- {letter}) {kind}" for letter, kind in KINDS.items())
     return Problem(
-        statement=f"{told(bars)} What holds?\n\n{listed}\n\nAnswer with a letter, such as `'a'`.",
-        given={"bars": tuple(bars)},
+        statement=f"{describe_lengths(four_bar)} What holds?\n\n{listed}\n\nAnswer with a letter, such as `'a'`.",
+        given={"bars": tuple(four_bar)},
         answer=Choice(right, KINDS),
-        mistakes=[mistake(f"kind {wrong}", wrong, _not_of_kind(wrong, right)) for wrong in KINDS if wrong != right],
+        mistakes=[mistake(f"kind {wrong}", wrong, _kind_message(wrong, right)) for wrong in KINDS if wrong != right],
     )
 
 
-def _not_of_kind(wrong: str, right: str) -> str:
+def _kind_message(wrong: str, right: str) -> str:
     if right == "e":
         return "Add up shortest and longest, and the other two: the sums are equal, and that is the limit."
     if right == "d":
@@ -319,15 +330,16 @@ def _not_of_kind(wrong: str, right: str) -> str:
 
 @problem("08.7", "How far the crank can go", points=3, lecture="08_closed_chains#The configuration-space curve")
 def dead_point(sampler: ArmSampler) -> Problem:
-    bars = held_back(sampler)
-    ground, crank, coupler, rocker = bars
+    four_bar = limited_crank(sampler)
+    ground, crank, coupler, rocker = four_bar
     far = coupler + rocker
-    A = bars.dead_point()
+    A = four_bar.dead_point()
     return Problem(
-        statement=f"{told(bars)} Its crank cannot turn right round. What is the greatest angle $A$ from the $x$ axis, in radians, at which "
+        statement=f"{describe_lengths(four_bar)} Its crank cannot turn right round. What is the greatest angle $A$ "
+        "from the $x$ axis, in radians, at which "
         "the loop still closes?",
-        figure=partial(draw_linkage, linkages.four_bar(*bars), bars.modes(0.6 * A)[0]),
-        given={"bars": tuple(bars)},
+        figure=partial(draw_linkage, linkages.four_bar(*four_bar), four_bar.assembly_modes(0.6 * A)[0]),
+        given={"bars": tuple(four_bar)},
         answer=Angles(np.array(A)),
         mistakes=[
             mistake(
@@ -337,17 +349,17 @@ def dead_point(sampler: ArmSampler) -> Problem:
             ),
             mistake(
                 "angle at B",
-                _corner(crank, far, ground),
+                _triangle_angle(crank, far, ground),
                 "This is the angle at B of the triangle A, B, D. The crank's angle is the one at A, opposite the stretched bars.",
             ),
             mistake(
                 "angle at D",
-                _corner(ground, far, crank),
+                _triangle_angle(ground, far, crank),
                 "This is the angle at D of the triangle A, B, D. The crank's angle is the one at A.",
             ),
             mistake(
                 "one bar only",
-                np.arccos(np.clip(bars.cosine(max(coupler, rocker)), -1, 1)),
+                np.arccos(np.clip(four_bar.cos_crank_angle(max(coupler, rocker)), -1, 1)),
                 "You let one bar reach from B to D. At the dead point coupler and rocker lie in one line, end to end.",
             ),
             mistake("degrees", np.degrees(A), "Right, but in degrees. Joint values are in radians."),
@@ -355,23 +367,23 @@ def dead_point(sampler: ArmSampler) -> Problem:
     )
 
 
-def _corner(one: float, two: float, opposite: float) -> float:
+def _triangle_angle(one: float, two: float, opposite: float) -> float:
     """The angle of a triangle between two sides."""
     return float(np.arccos((one**2 + two**2 - opposite**2) / (2 * one * two)))
 
 
-JOINTS = "A pin and a slide have one freedom, a universal joint two, a ball joint three."
+JOINT_FREEDOMS_NOTE = "A pin and a slide have one freedom, a universal joint two, a ball joint three."
 
 
 @problem("08.8", "Freedoms by counting", points=3, lecture="08_closed_chains#Counting freedoms")
 def counting(sampler: ArmSampler) -> Problem:
-    d, kinds = sampler.choice([(3, PLANAR), (6, SPATIAL), (6, SPATIAL)])
+    d, kinds = sampler.choice([(3, PLANAR_LEGS), (6, SPATIAL_LEGS), (6, SPATIAL_LEGS)])
     one, other = sampler.shuffled(kinds)[:2]
     legs = [one] * sampler.integer(1, 3) + [other] * sampler.integer(1, 3)
-    f = [freedoms for leg in legs for freedoms in leg.freedoms]
-    N, J = 2 + sum(len(leg.freedoms) - 1 for leg in legs), len(f)
+    f = [joint_freedoms for leg in legs for joint_freedoms in leg.joint_freedoms]
+    N, J = 2 + sum(len(leg.joint_freedoms) - 1 for leg in legs), len(f)
     place = "in one plane" if d == 3 else "in space"
-    counts = [f"{legs.count(leg)} with {leg.words}" for leg in (one, other)]
+    counts = [f"{legs.count(leg)} with {leg.description}" for leg in (one, other)]
     right = d * (N - 1 - J) + sum(f)
     mistakes = [
         mistake(
@@ -402,28 +414,30 @@ def counting(sampler: ArmSampler) -> Problem:
         )
     return Problem(
         statement=f"A platform moves {place}. It stands on {len(legs)} legs, {' and '.join(counts)}, each named from the ground to the "
-        f"platform, with a body of its own between every two joints. {JOINTS} How many freedoms does Kutzbach's formula give?",
-        given={"d": d, "legs": [leg.freedoms for leg in legs]},
+        f"platform, with a body of its own between every two joints. {JOINT_FREEDOMS_NOTE} How many freedoms does Kutzbach's formula give?",
+        given={"d": d, "legs": [leg.joint_freedoms for leg in legs]},
         answer=Numbers(np.array(float(right))),
         mistakes=mistakes,
     )
 
 
 @problem("08.9", "Counted, felt, had", points=3, lecture="08_closed_chains#Where counting fails")
-def three_numbers(sampler: ArmSampler) -> Problem:
-    case = over_constrained(sampler)
+def three_mobilities(sampler: ArmSampler) -> Problem:
+    case = overconstrained_case(sampler)
     linkage, loops = case.linkage, len(case.linkage.loops)
     found = linkage.mobility(case.q)
     counted, felt, rank = found.kutzbach, found.instantaneous, linkage.n - found.instantaneous
     d = (linkage.n - counted) // loops
     shown = ", ".join(f"{value:.3f}" if value > 1e-6 else "0" for value in found.singular_values)
     return Problem(
-        statement=f"The drawing shows {case.words}: {linkage.n} joint values in {loops} loop{'s' * (loops > 1)}. In this posture "
+        statement=f"The drawing shows {case.description}: {linkage.n} joint values in {loops} loop{'s' * (loops > 1)}. In this posture "
         f"the Jacobian of its closure has the singular values {shown}. How many freedoms are *counted* by Kutzbach's formula, how "
         "many are *felt* in this posture, and how many are *had*, so that they lead to other postures?",
         figure=partial(draw_linkage, linkage, case.q, names=False),
         given={"joint_values": linkage.n, "loops": loops, "singular_values": found.singular_values.round(3)},
-        answer=Counts(np.array([counted, felt, case.had], dtype=float), names=["counted", "felt", "had"]),
+        answer=CountsAnswer(
+            np.array([counted, felt, case.finite_mobility], dtype=float), names=["counted", "felt", "had"]
+        ),
         mistakes=[
             mistake(
                 "believed the count",
@@ -432,21 +446,21 @@ def three_numbers(sampler: ArmSampler) -> Problem:
             ),
             mistake(
                 "rank",
-                [counted, rank, case.had],
+                [counted, rank, case.finite_mobility],
                 f"You gave the rank of $J$, {rank}: how many of its equations are new. Felt is what they leave over.",
             ),
             mistake(
                 "the wrong d",
-                [linkage.n - (9 - d) * loops, felt, case.had],
+                [linkage.n - (9 - d) * loops, felt, case.finite_mobility],
                 f"You counted with $d = {9 - d}$. This linkage moves {'in one plane' if d == 3 else 'in space'}: $d = {d}$.",
             ),
-            mistake("had", [counted, felt, 1 - case.had], case.why),
+            mistake("had", [counted, felt, 1 - case.finite_mobility], case.explanation),
         ],
     )
 
 
 @dataclass(frozen=True, eq=False)
-class Counts(Numbers):
+class CountsAnswer(Numbers):
     """Whole numbers with names, each a part."""
 
     names: Sequence[str] = ()
@@ -466,5 +480,5 @@ class Counts(Numbers):
 SHEET = Sheet(
     "08_closed_chains",
     "Closed chains",
-    [gap, both_modes, coupler_point, slider, which_mode, kind_of, dead_point, counting, three_numbers],
+    [gap, both_modes, coupler_point, slider, which_mode, which_kind, dead_point, counting, three_mobilities],
 )

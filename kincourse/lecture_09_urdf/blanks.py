@@ -2,9 +2,9 @@
 
 import numpy as np
 
-from kincourse.answers.pose import Pose
-from kincourse.answers.screws import Screws
-from kincourse.mistakes.space_form import of_screws
+from kincourse.answers.pose import PoseAnswer
+from kincourse.answers.screws import ScrewsAnswer
+from kincourse.mistakes.space_form import screw_mistakes
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kinlib.chains.robots import X, Y, Z, pose
@@ -53,9 +53,9 @@ def screw_of_tilt(_draw: ArmSampler) -> Problem:
     S = screw(Y, p)
     return Problem(
         statement="Give the screw axis of the lamp's joint `tilt` in {s}.",
-        answer=Screws(S),
+        answer=ScrewsAnswer(S),
         mistakes=[
-            *of_screws(S),
+            *screw_mistakes(S),
             mistake(
                 "axis read in the base",
                 screw(Z, p),
@@ -81,7 +81,7 @@ def home_of_the_lamp(_draw: ArmSampler) -> Problem:
     rolled = origin((0, 0, 0.8), (-RIGHT, 0, 0))
     return Problem(
         statement="Give the home pose $M$ of the lamp's bulb.",
-        answer=Pose(pose((X, Y, Z), (0.1, 0, 0.8))),
+        answer=PoseAnswer(pose((X, Y, Z), (0.1, 0, 0.8))),
         mistakes=[
             mistake(
                 "weld forgotten",

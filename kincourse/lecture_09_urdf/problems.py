@@ -5,12 +5,12 @@ from typing import Any
 
 import numpy as np
 
-from kincourse.answers.pose import Pose
-from kincourse.answers.screws import Screws
-from kincourse.mistakes.space_form import of_screws
+from kincourse.answers.pose import PoseAnswer
+from kincourse.answers.screws import ScrewsAnswer
+from kincourse.mistakes.space_form import screw_mistakes
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
-from kincourse.text.urdf_text import Placed, fenced, in_robot, right_angles, serial_file, spaced
+from kincourse.text.urdf_text import UrdfJoint, fence_urdf, format_values, random_right_angles, robot_urdf, serial_urdf
 from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z, pose
 from kinlib.rigid.rpy import origin
@@ -23,35 +23,36 @@ from misstep.sheet import Sheet
 from misstep.text import number
 
 LINKS = ("base", "boom", "forearm", "hand")
-ROUNDED = "Take `1.5708` for a right angle."
+ROUNDING_NOTE = "Take `1.5708` for a right angle."
 
 
 @problem("09.1", "The pose of a joint", points=3, lecture="09_urdf#Roll, pitch and yaw")
 def pose_of_a_joint(sampler: ArmSampler) -> Problem:
-    xyz, rpy = sampler.point(3), right_angles(sampler, sampler.choice([2, 3]))
+    xyz, rpy = sampler.point(3), random_right_angles(sampler, sampler.choice([2, 3]))
     right = origin(xyz, rpy)
     roll, pitch, yaw = rpy
     own = origin(rpy=(roll, 0, 0)) @ origin(rpy=(0, pitch, 0)) @ origin(rpy=(0, 0, yaw))
-    element = f'<origin xyz="{spaced(xyz)}" rpy="{spaced(rpy)}"/>'
+    element = f'<origin xyz="{format_values(xyz)}" rpy="{format_values(rpy)}"/>'
     return Problem(
-        statement=f"A joint of a URDF says\n\n{fenced(element)}\n\nGive its pose in the frame of the parent link, at $q = 0$. {ROUNDED}",
+        statement=f"A joint of a URDF says\n\n{fence_urdf(element)}\n\nGive its pose in the frame of the parent link, "
+        f"at $q = 0$. {ROUNDING_NOTE}",
         given={"xyz": xyz, "rpy": rpy},
-        answer=Pose(right),
+        answer=PoseAnswer(right),
         mistakes=[
             mistake(
                 "about its own axes",
-                _at(xyz, own),
+                _with_position(xyz, own),
                 "You turned about the frame's own axes, in the order roll, pitch, yaw: $R_x R_y R_z$. These axes are fixed: "
                 "what comes later stands further left, $R_z R_y R_x$.",
             ),
             mistake(
                 "yaw first",
-                _at(xyz, origin(rpy=rpy[::-1])),
+                _with_position(xyz, origin(rpy=rpy[::-1])),
                 "You read the angles as yaw, pitch, roll. The first is the roll, about $x$.",
             ),
             mistake(
                 "transposed",
-                _at(xyz, right.T),
+                _with_position(xyz, right.T),
                 "This is $R^T$, the parent seen from the joint. The columns of $R$ are the joint's axes, seen from the parent.",
             ),
             mistake(
@@ -70,15 +71,15 @@ def pose_of_a_joint(sampler: ArmSampler) -> Problem:
 
 @problem("09.2", "Which way does it point?", points=2, lecture="09_urdf#What a joint says")
 def way_it_points(sampler: ArmSampler) -> Problem:
-    rpy, signs = right_angles(sampler, 2), np.array([sampler.choice((-1, 1)) for _ in range(3)])
+    rpy, signs = random_right_angles(sampler, 2), np.array([sampler.choice((-1, 1)) for _ in range(3)])
     axis = np.array(sampler.shuffled([0.0, 0.6, 0.8])) * signs
     roll, pitch, yaw = rpy
     R = origin(rpy=rpy)[:3, :3]
     own = (origin(rpy=(roll, 0, 0)) @ origin(rpy=(0, pitch, 0)) @ origin(rpy=(0, 0, yaw)))[:3, :3]
-    element = f'<origin xyz="0 0 1" rpy="{spaced(rpy)}"/>\n<axis xyz="{spaced(axis)}"/>'
+    element = f'<origin xyz="0 0 1" rpy="{format_values(rpy)}"/>\n<axis xyz="{format_values(axis)}"/>'
     return Problem(
-        statement=f"A joint of a URDF says\n\n{fenced(element)}\n\nWhich way does its axis point in the frame of the parent link? "
-        f"Give three numbers. {ROUNDED}",
+        statement=f"A joint of a URDF says\n\n{fence_urdf(element)}\n\nWhich way does its axis point in the frame of the parent link? "
+        f"Give three numbers. {ROUNDING_NOTE}",
         given={"rpy": rpy, "axis": axis},
         answer=Numbers(R @ axis),
         mistakes=[
@@ -104,14 +105,15 @@ def way_it_points(sampler: ArmSampler) -> Problem:
     )
 
 
-def _at(xyz: Array, T: Array) -> Array:
+def _with_position(xyz: Array, T: Array) -> Array:
     return pose(T[:3, :3].T, xyz)
 
 
-def _three_joints(sampler: ArmSampler) -> tuple[list[Placed], list[Array]]:
+def _three_joints(sampler: ArmSampler) -> tuple[list[UrdfJoint], list[Array]]:
     """Three joints of an arm, each turned against the one before, and where they stand in the base."""
     joints = [
-        Placed(f"joint_{k + 1}", sampler.point(3), right_angles(sampler, sampler.choice([1, 2]))) for k in range(3)
+        UrdfJoint(f"joint_{k + 1}", sampler.point(3), random_right_angles(sampler, sampler.choice([1, 2])))
+        for k in range(3)
     ]
     return joints, list(accumulate((joint.pose for joint in joints), np.matmul))
 
@@ -121,10 +123,10 @@ def joint_deep_in_the_file(sampler: ArmSampler) -> Problem:
     joints, at = _three_joints(sampler)
     first, second, third = (joint.pose for joint in joints)
     step, start = third[:3, 3], at[1][:3, 3]
-    text = serial_file(joints, LINKS)
+    text = serial_urdf(joints, LINKS)
     return Problem(
         statement="Where does `joint_3` of this file stand in the frame of the base, when all joints are at 0? "
-        f"{ROUNDED}\n\n{fenced(text)}",
+        f"{ROUNDING_NOTE}\n\n{fence_urdf(text)}",
         given={"urdf": text},
         answer=Numbers(at[2][:3, 3], unit="m"),
         mistakes=[
@@ -164,15 +166,15 @@ def joint_deep_in_the_file(sampler: ArmSampler) -> Problem:
 def screw_from_a_file(sampler: ArmSampler) -> Problem:
     joints, at = _three_joints(sampler)
     axis, point = sampler.choice([X, Y, Z, -X, -Y, -Z]), at[2][:3, 3]
-    joints[2] = Placed("joint_3", joints[2].xyz, joints[2].rpy, axis)
+    joints[2] = UrdfJoint("joint_3", joints[2].xyz, joints[2].rpy, axis)
     S = screw(at[2][:3, :3] @ axis, point)
-    text = serial_file(joints, LINKS)
+    text = serial_urdf(joints, LINKS)
     return Problem(
-        statement=f"Give the screw axis of `joint_3` in the frame of the base. {ROUNDED}\n\n{fenced(text)}",
+        statement=f"Give the screw axis of `joint_3` in the frame of the base. {ROUNDING_NOTE}\n\n{fence_urdf(text)}",
         given={"urdf": text},
-        answer=Screws(S),
+        answer=ScrewsAnswer(S),
         mistakes=[
-            *of_screws(S),
+            *screw_mistakes(S),
             mistake(
                 "axis read in the base",
                 screw(axis, point),
@@ -197,18 +199,16 @@ def screw_from_a_file(sampler: ArmSampler) -> Problem:
 @problem("09.5", "The home pose from a file", points=3, lecture="09_urdf#From the file to screws")
 def home_from_a_file(sampler: ArmSampler) -> Problem:
     joints, at = _three_joints(sampler)
-    weld = Placed("weld", sampler.point(3), right_angles(sampler, 1), kind="fixed")
+    weld = UrdfJoint("weld", sampler.point(3), random_right_angles(sampler, 1), kind="fixed")
     drawn = sampler.point(3)
-    text = serial_file([*joints[:2], weld], LINKS)
-    box = (
-        f'  <visual>\n    <origin xyz="{spaced(drawn)}"/>\n    <geometry> <box size="1 1 1"/> </geometry>\n  </visual>'
-    )
+    text = serial_urdf([*joints[:2], weld], LINKS)
+    box = f'  <visual>\n    <origin xyz="{format_values(drawn)}"/>\n    <geometry> <box size="1 1 1"/> </geometry>\n  </visual>'
     visual = f'<link name="hand">\n{box}\n</link>'
     text = text.replace('<link name="hand"/>', visual)
     return Problem(
-        statement=f"Give the home pose $M$ of the link `hand` in the frame of the base. {ROUNDED}\n\n{fenced(text)}",
+        statement=f"Give the home pose $M$ of the link `hand` in the frame of the base. {ROUNDING_NOTE}\n\n{fence_urdf(text)}",
         given={"urdf": text},
-        answer=Pose(at[1] @ weld.pose),
+        answer=PoseAnswer(at[1] @ weld.pose),
         mistakes=[
             mistake(
                 "weld forgotten",
@@ -240,7 +240,7 @@ def home_from_a_file(sampler: ArmSampler) -> Problem:
     )
 
 
-FAULTS = {
+FAULTY_ELEMENTS = {
     "no such link": "<child",
     "exchanged": "<limit",
     "zero": "<axis",
@@ -252,7 +252,7 @@ FAULTS = {
 
 @problem("09.6", "Which line is wrong?", points=2, lecture="09_urdf#Bug hunt")
 def which_line(sampler: ArmSampler) -> Problem:
-    fault = sampler.choice(list(FAULTS))
+    fault = sampler.choice(list(FAULTY_ELEMENTS))
     where = 2 if fault == "second parent" else sampler.choice([1, 2])
     links, names = (
         sampler.shuffled(["post", "boom", "rod", "hand"]),
@@ -261,18 +261,18 @@ def which_line(sampler: ArmSampler) -> Problem:
     links = ["base", *links]
     elements = [
         f'<joint name="{names[0]}" type="continuous">\n  <parent link="base"/>\n  <child link="{links[1]}"/>\n</joint>',
-        *(_limited(sampler, names[k], links[k : k + 2], "" if k != where else fault, links[1]) for k in (1, 2)),
+        *(_limited_joint(sampler, names[k], links[k : k + 2], "" if k != where else fault, links[1]) for k in (1, 2)),
     ]
     ends = f'  <parent link="{links[3]}"/>\n  <child link="{links[4]}"/>\n'
     weld = f'<joint name="{names[3]}" type="fixed">\n{ends}  <axis xyz="0 0 0"/>\n</joint>'
-    text = in_robot(links, [*elements, weld])
+    text = robot_urdf(links, [*elements, weld])
     lines = text.splitlines()
     begins = [next(i for i, line in enumerate(lines, 1) if f'<joint name="{name}"' in line) for name in names]
 
     def line_of(k: int, mark: str) -> float:
         return float(next(i for i, line in enumerate(lines, 1) if i >= begins[k] and mark in line))
 
-    wrong = line_of(where, FAULTS[fault])
+    wrong = line_of(where, FAULTY_ELEMENTS[fault])
     first_parent = mistake(
         "the first parent",
         line_of(0, "<child"),
@@ -280,7 +280,7 @@ def which_line(sampler: ArmSampler) -> Problem:
     )
     return Problem(
         statement="A reader refuses this file, for one fault. In which line does the faulty element stand? Lines count from 1."
-        f"\n\n{fenced(_numbered(lines))}",
+        f"\n\n{fence_urdf(_number_lines(lines))}",
         given={"urdf": text},
         answer=Numbers(np.array(wrong)),
         mistakes=[
@@ -315,7 +315,7 @@ def which_line(sampler: ArmSampler) -> Problem:
     )
 
 
-def _limited(sampler: ArmSampler, name: str, links: list[str], fault: str, taken: str) -> str:
+def _limited_joint(sampler: ArmSampler, name: str, links: list[str], fault: str, taken: str) -> str:
     """A joint with limits that may hold a fault; if it holds none, its axis looks like one."""
     bound, xyz = sampler.length(0.5, 2.0), sampler.point(3)
     lower, upper = (bound, -bound) if fault == "exchanged" else (-bound, bound)
@@ -323,12 +323,12 @@ def _limited(sampler: ArmSampler, name: str, links: list[str], fault: str, taken
     axis = {"zero": "0 0 0", "": "0 0 2"}.get(fault, "0 0 1")
     return (
         f'<joint name="{name}" type="revolute">\n  <parent link="{links[0]}"/>\n  <child link="{child}"/>\n'
-        f'  <origin xyz="{spaced(xyz)}" rpy="0 {"90" if fault == "degrees" else "1.5708"} 0"/>\n  <axis xyz="{axis}"/>\n'
+        f'  <origin xyz="{format_values(xyz)}" rpy="0 {"90" if fault == "degrees" else "1.5708"} 0"/>\n  <axis xyz="{axis}"/>\n'
         f'  <limit lower="{number(lower)}" upper="{number(upper)}"/>\n</joint>'
     )
 
 
-def _numbered(lines: list[str]) -> str:
+def _number_lines(lines: list[str]) -> str:
     return "\n".join(f"{i:2}  {line}" for i, line in enumerate(lines, start=1))
 
 
@@ -347,7 +347,7 @@ def way_through_a_tree(sampler: ArmSampler) -> Problem:
     ]
     shown = sampler.shuffled(joints)
     links = ["torso", *sorted(child for _, _, child, _ in joints)]
-    text = in_robot(
+    text = robot_urdf(
         links,
         (
             f'<joint name="{name}" type="{kind}">\n  <parent link="{parent}"/> <child link="{child}"/>\n</joint>'
@@ -373,7 +373,7 @@ def way_through_a_tree(sampler: ArmSampler) -> Problem:
     listed = "\n".join(f"- {letter}) {', '.join(f'`{name}`' for name in way)}" for letter, way in options.items())
     return Problem(
         statement=f"An arm is made of this file with the base `{near}_hand` and the tip `{far}_hand`. Which joints does $q$ count, in "
-        f"which order?\n\n{fenced(text)}\n\n{listed}\n\nAnswer with a letter, such as `'a'`.",
+        f"which order?\n\n{fence_urdf(text)}\n\n{listed}\n\nAnswer with a letter, such as `'a'`.",
         given={"urdf": text, "base": f"{near}_hand", "tip": f"{far}_hand", "options": options},
         answer=Choice(
             next(letter for letter, name in letters.items() if name == "right"),

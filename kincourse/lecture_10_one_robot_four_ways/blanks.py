@@ -2,8 +2,8 @@
 
 import numpy as np
 
-from kincourse.answers.screws import Screws
-from kincourse.mistakes.space_form import crossed_backwards, halves_swapped
+from kincourse.answers.screws import ScrewsAnswer
+from kincourse.mistakes.space_form import negate_moment, swap_halves
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kinlib.chains.robots import rpr
@@ -21,7 +21,7 @@ def body_screw(_draw: ArmSampler) -> Problem:
     S, M, B = ARM.screws[2], ARM.home, ARM.body_screws[2]
     return Problem(
         statement="Give the body screw $B_3$ of the UIUC deck's first arm.",
-        answer=Screws(B),
+        answer=ScrewsAnswer(B),
         mistakes=[
             mistake(
                 "adjoint of M",
@@ -37,10 +37,10 @@ def body_screw(_draw: ArmSampler) -> Problem:
             ),
             mistake(
                 "omega x q",
-                crossed_backwards(B),
+                negate_moment(B),
                 "Your $v$ has the wrong sign: seen from {b} too, it is $-\\omega \\times p$.",
             ),
-            mistake("halves swapped", halves_swapped(B), "You wrote $(v, \\omega)$. Here a screw is $(\\omega, v)$."),
+            mistake("halves swapped", swap_halves(B), "You wrote $(v, \\omega)$. Here a screw is $(\\omega, v)$."),
         ],
     )
 

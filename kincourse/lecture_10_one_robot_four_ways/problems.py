@@ -5,10 +5,10 @@ from functools import partial
 import numpy as np
 import sympy as sp
 
-from kincourse.answers.pose import Pose
-from kincourse.answers.screws import Screws
+from kincourse.answers.pose import PoseAnswer
+from kincourse.answers.screws import ScrewsAnswer
 from kincourse.mistakes.dh import other_convention
-from kincourse.mistakes.space_form import crossed_backwards, halves_swapped, product, without_moment
+from kincourse.mistakes.space_form import negate_moment, product, remove_moment, swap_halves
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kincourse.text.joint_table import joint_table
@@ -28,9 +28,9 @@ from misstep.problem import Problem
 from misstep.sheet import Sheet
 from misstep.text import degrees, matrix, number, vector
 
-QUARTER = np.pi / 2
+RIGHT_ANGLE_RAD = np.pi / 2
 
-PLAIN = 0.3
+MIN_ENTRY_DIFFERENCE = 0.3
 """By how much the wrong pose differs in some entry: nobody should have to wonder whether it is rounding."""
 
 REPORTS = {
@@ -47,8 +47,13 @@ def from_a_table(sampler: ArmSampler) -> Problem:
     length = partial(sampler.length, 0.1, 0.9)
     rows = np.array(
         [
-            (length(), sampler.choice((-QUARTER, QUARTER)), length(), sampler.choice((-QUARTER, QUARTER))),
-            (length(), sampler.choice((-QUARTER, QUARTER)), length(), 0.0),
+            (
+                length(),
+                sampler.choice((-RIGHT_ANGLE_RAD, RIGHT_ANGLE_RAD)),
+                length(),
+                sampler.choice((-RIGHT_ANGLE_RAD, RIGHT_ANGLE_RAD)),
+            ),
+            (length(), sampler.choice((-RIGHT_ANGLE_RAD, RIGHT_ANGLE_RAD)), length(), 0.0),
             (length(), 0.0, 0.0, 0.0),
         ]
     )
@@ -57,9 +62,9 @@ def from_a_table(sampler: ArmSampler) -> Problem:
     S = screws[2]
     return Problem(
         statement="A table in the standard convention, with frame 0 in {s} and three turning joints. Give the screw axis "
-        f"$S_3$ of joint 3 in {{s}}, at home.\n\n{_printed(table)}",
+        f"$S_3$ of joint 3 in {{s}}, at home.\n\n{_format_table(table)}",
         given={"rows": rows},
-        answer=Screws(S),
+        answer=ScrewsAnswer(S),
         mistakes=[
             mistake(
                 "axis of frame 3",
@@ -72,15 +77,11 @@ def from_a_table(sampler: ArmSampler) -> Problem:
                 other_convention(table).to_chain().screws[2],
                 "You multiplied the rows in the modified convention. Standard is $R_z T_z T_x R_x$, joint first.",
             ),
+            mistake("omega x q", negate_moment(S), "A moment is $v = -\\omega \\times p$. Yours has the other sign."),
             mistake(
-                "omega x q", crossed_backwards(S), "A moment is $v = -\\omega \\times p$. Yours has the other sign."
+                "no moment", remove_moment(S), "You left $v = 0$. This axis does not pass through the origin of {s}."
             ),
-            mistake(
-                "no moment", without_moment(S), "You left $v = 0$. This axis does not pass through the origin of {s}."
-            ),
-            mistake(
-                "halves swapped", halves_swapped(S), "You wrote $(v, \\omega)$. Here a screw axis is $(\\omega, v)$."
-            ),
+            mistake("halves swapped", swap_halves(S), "You wrote $(v, \\omega)$. Here a screw axis is $(\\omega, v)$."),
         ],
     )
 
@@ -100,7 +101,7 @@ def another_tool(sampler: ArmSampler) -> Problem:
         f"$$B = {matrix(B)},$$\n\none row a joint. A gripper is mounted; its frame {{c}} stands in the old tool frame at\n\n"
         f"$$T_{{bc}} = {matrix(step)}.$$\n\nGive the body screws for {{c}}, as rows.",
         given={"body_screws": B, "T_bc": step},
-        answer=Screws(seen_from(home @ step)),
+        answer=ScrewsAnswer(seen_from(home @ step)),
         mistakes=[
             mistake(
                 "the old tool", B, "These are the screws as {b} sees them. From {c} the same axes have other numbers."
@@ -123,7 +124,7 @@ def another_tool(sampler: ArmSampler) -> Problem:
             ),
             mistake(
                 "halves swapped",
-                halves_swapped(seen_from(home @ step)),
+                swap_halves(seen_from(home @ step)),
                 "You wrote $(v, \\omega)$. Here a twist is $(\\omega, v)$.",
             ),
         ],
@@ -135,7 +136,7 @@ def one_of_four(sampler: ArmSampler) -> Problem:
     names = {"a": "space screws", "b": "body screws", "c": "table", "d": "file"}
     wrong = sampler.choice("abcd")
     right = fault = np.eye(4)
-    while np.abs(right - fault).max() < PLAIN:
+    while np.abs(right - fault).max() < MIN_ENTRY_DIFFERENCE:
         robot = sampler.arm(sampler.choice(("RRR", "RPR", "RRP")), reach=3)
         q = np.array([sampler.choice((0.3, 0.5, 0.7, 0.9)) for _ in range(3)])
         right, fault = robot.fk(q), product(robot.screws, q, robot.home, "reversed")
@@ -315,7 +316,7 @@ def where_is_the_tool(sampler: ArmSampler) -> Problem:
             "home": robot.home,
             "q": q,
         },
-        answer=Pose(right),
+        answer=PoseAnswer(right),
         mistakes=[
             mistake(
                 "body screws, M on the right",
@@ -346,7 +347,7 @@ def where_is_the_tool(sampler: ArmSampler) -> Problem:
     )
 
 
-def _printed(table: DHTable) -> str:
+def _format_table(table: DHTable) -> str:
     """A table of revolute joints, as a slide prints it."""
     rows = format_rows(table, length=number, angle=degrees, variable="$q_{}$".format)
     return markdown_table(rows, ["row", "$a$ (m)", "$\\alpha$", "$d$ (m)", "$\\theta$"])

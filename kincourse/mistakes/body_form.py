@@ -6,125 +6,125 @@
 
 import numpy as np
 
-from kincourse.mistakes.space_form import crossed_backwards, halves_swapped, product
+from kincourse.mistakes.space_form import negate_moment, product, swap_halves
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import adjoint, exp, inverse
 from misstep.mistakes import Mistake, mistake
 
 
-def carried(T: Array, S: Array) -> Array:
+def transform_screws(T: Array, S: Array) -> Array:
     """Screws (..., 6) as another frame reads them: Ad_T S.
 
-    >>> carried(np.eye(4), np.array([[0, 0, 1, 0, -2, 0]]))
+    >>> transform_screws(np.eye(4), np.array([[0, 0, 1, 0, -2, 0]]))
     array([[ 0.,  0.,  1.,  0., -2.,  0.]])
     """
     read: Array = S @ adjoint(T).T
     return read
 
 
-def only_turned(T: Array, S: Array) -> Array:
+def rotate_only(T: Array, S: Array) -> Array:
     """Both halves turned, and the origin left where it was: the rotation of Ad_T alone.
 
-    >>> only_turned(exp([0, 0, 0, 2, 0, 0]), np.array([0, 0, 1, 0, 0, 0]))
+    >>> rotate_only(exp([0, 0, 0, 2, 0, 0]), np.array([0, 0, 1, 0, 0, 0]))
     array([0., 0., 1., 0., 0., 0.])
     """
     R = T[:3, :3]
     return np.concatenate([S[..., :3] @ R.T, S[..., 3:] @ R.T], axis=-1)
 
 
-def only_moved(T: Array, S: Array) -> Array:
+def translate_only(T: Array, S: Array) -> Array:
     """The moment about the origin from which T_ab is seen, along the axes of {b}: Ad_T without its turn.
 
-    >>> only_moved(exp([0, 0, 0, 2, 0, 0]), np.array([0, 0, 1, 0, 0, 0])) + 0.0
+    >>> translate_only(exp([0, 0, 0, 2, 0, 0]), np.array([0, 0, 1, 0, 0, 0])) + 0.0
     array([ 0.,  0.,  1.,  0., -2.,  0.])
     """
     back = np.eye(4)
     back[:3, 3] = T[:3, :3].T @ T[:3, 3]
-    return carried(back, S)
+    return transform_screws(back, S)
 
 
-def of_body_screws(S: Array, home: Array) -> list[Mistake]:
+def body_screw_mistakes(S: Array, home: Array) -> list[Mistake]:
     """For a problem that asks for B = Ad(M^-1) S; S holds all screws, (n, 6), or one, (6,).
 
-    >>> [wrong.name for wrong in of_body_screws(np.array([0, 0, 1, 0, -2, 0]), np.eye(4))][:3]
+    >>> [wrong.name for wrong in body_screw_mistakes(np.array([0, 0, 1, 0, -2, 0]), np.eye(4))][:3]
     ['Ad_M', 'only rotated', 'moved, not turned']
     """
     to_body = inverse(home)
-    B = carried(to_body, S)
+    B = transform_screws(to_body, S)
     return [
         mistake(
             "Ad_M",
-            carried(home, S),
+            transform_screws(home, S),
             "You carried the screws with $\\mathrm{Ad}_M$. That takes what {b} reads to what {s} reads; here we go the other way, with "
             "$\\mathrm{Ad}_{M^{-1}}$.",
         ),
         mistake(
             "only rotated",
-            only_turned(to_body, S),
+            rotate_only(to_body, S),
             "You turned $\\omega$ and $v$, but the origin moved too: $v$ is the velocity at the new origin $p$, "
             "$R^T (v + \\omega \\times p)$.",
         ),
         mistake(
             "moved, not turned",
-            only_moved(to_body, S),
+            translate_only(to_body, S),
             "You moved the origin, and kept the axes of {s}. {b} reads along axes of its own: both halves take on $R^T$.",
         ),
         mistake("space screws", S, "This is read in {s}. The tool stands elsewhere, and reads other numbers."),
-        *_of_order(
+        *_reversed_order_mistake(
             B,
             "These are the right screws in reverse. The tool does not count joints from its own end: joint 1 stays the first.",
         ),
         mistake(
             "halves swapped",
-            halves_swapped(B),
+            swap_halves(B),
             "You wrote $(v, \\omega)$. Here a screw axis is $(\\omega, v)$, in {b} as in {s}.",
         ),
         mistake(
             "omega x q",
-            crossed_backwards(B),
+            negate_moment(B),
             "Your moments have the wrong sign. In {b} as in {s} it is $v = -\\omega \\times p$, with $p$ from the origin of the reader to "
             "the axis.",
         ),
     ]
 
 
-def of_space_screws(B: Array, home: Array) -> list[Mistake]:
+def space_screw_mistakes(B: Array, home: Array) -> list[Mistake]:
     """For a problem that leads back from body screws: S = Ad(M) B.
 
-    >>> len(of_space_screws(np.eye(2, 6), np.eye(4)))
+    >>> len(space_screw_mistakes(np.eye(2, 6), np.eye(4)))
     6
     """
-    S = carried(home, B)
+    S = transform_screws(home, B)
     return [
         mistake(
             "Ad_M^-1",
-            carried(inverse(home), B),
+            transform_screws(inverse(home), B),
             "You carried the screws with $\\mathrm{Ad}_{M^{-1}}$. That takes what {s} reads to what {b} reads; here we go back.",
         ),
         mistake(
             "only rotated",
-            only_turned(home, B),
+            rotate_only(home, B),
             "You turned $\\omega$ and $v$, but the origin moved too: $[\\mathrm{Ad}_M]$ has $[p] R$ in its lower left.",
         ),
         mistake(
             "moved, not turned",
-            only_moved(home, B),
+            translate_only(home, B),
             "You moved the origin, and kept the axes of {b}. {s} reads along its own: both halves take on $R$.",
         ),
         mistake("body screws", B, "These are the body screws, as the tool reads them."),
-        *_of_order(
+        *_reversed_order_mistake(
             S, "These are the right screws in reverse. Whoever reads them, joint 1 is the one next to the base."
         ),
-        mistake("halves swapped", halves_swapped(S), "You wrote $(v, \\omega)$. Here a screw axis is $(\\omega, v)$."),
+        mistake("halves swapped", swap_halves(S), "You wrote $(v, \\omega)$. Here a screw axis is $(\\omega, v)$."),
     ]
 
 
-def of_body_product(arm: Chain, q: Array) -> list[Mistake]:
+def body_product_mistakes(arm: Chain, q: Array) -> list[Mistake]:
     """The wrong ways to multiply the factors of the body form.
 
     >>> from kinlib.chains.robots import rpr
-    >>> [wrong.name for wrong in of_body_product(rpr(), np.ones(3))]
+    >>> [wrong.name for wrong in body_product_mistakes(rpr(), np.ones(3))]
     ['home last', 'reversed', 'space screws', 'no home', 'one exponential', 'degrees']
     """
     B, home = arm.body_screws, arm.home
@@ -163,5 +163,5 @@ def of_body_product(arm: Chain, q: Array) -> list[Mistake]:
     ]
 
 
-def _of_order(right: Array, message: str) -> list[Mistake]:
+def _reversed_order_mistake(right: Array, message: str) -> list[Mistake]:
     return [mistake("reversed", right[::-1], message)] if right.ndim > 1 and len(right) > 1 else []

@@ -135,61 +135,61 @@ def product_reversed(table: DHTable, q: ArrayLike) -> Array:
     return T
 
 
-class Way(NamedTuple):
+class TableMistake(NamedTuple):
     """A wrong way, and what to say to the person who took it."""
 
     change: Callable[[DHTable], DHTable]
     message: str
 
 
-WAYS: Mapping[str, Way] = {
-    "the other convention": Way(
+TABLE_MISTAKES: Mapping[str, TableMistake] = {
+    "the other convention": TableMistake(
         other_convention,
         "You multiplied the rows in the other convention. Standard is $R_z T_z T_x R_x$, joint first; "
         "modified is $R_x T_x R_z T_z$, common normal first. The same numbers give another arm.",
     ),
-    "z on the wrong joint": Way(
+    "z on the wrong joint": TableMistake(
         z_on_the_wrong_joint,
         "You put $z_i$ on the wrong joint. In the standard convention $z_i$ lies on the axis of joint $i + 1$, in the "
         "modified on that of joint $i$; your rows are those of the other one.",
     ),
-    "alpha one row off": Way(
+    "alpha one row off": TableMistake(
         alpha_shifted,
         "Your column $\\alpha$ is one row off. In a standard table row $i$ holds $\\alpha_i$, from $z_{i-1}$ to $z_i$; "
         "in a modified one it holds $\\alpha_{i-1}$.",
     ),
-    "a and d swapped": Way(
+    "a and d swapped": TableMistake(
         lengths_swapped,
         "You exchanged $a$ and $d$. $d$ is measured along $z$, the joint's axis; $a$ along $x$, the common normal.",
     ),
-    "sign of alpha": Way(
+    "sign of alpha": TableMistake(
         alpha_negated,
         "Your $\\alpha$ has the wrong sign. Point the right thumb along $x$, the common normal: the fingers curl from the "
         "first $z$ to the next where $\\alpha$ is positive.",
     ),
-    "degrees": Way(
+    "degrees": TableMistake(
         in_degrees,
         "You gave degrees where radians are read. 90 stands for 90 radians, which is fourteen turns and a bit.",
     ),
-    "no offset": Way(
+    "no offset": TableMistake(
         without_offset,
         "You wrote $\\theta = q$ and left out the offset. $\\theta$ is the angle between two $x$ axes; where it is not 0 in "
         "the drawn zero posture, the difference is added to $q$.",
     ),
-    "slide in theta": Way(
+    "slide in theta": TableMistake(
         slide_in_theta,
         "You put the variable of a prismatic joint into $\\theta$. What slides changes $d$; its $\\theta$ is a constant.",
     ),
-    "base in a row": Way(
+    "base in a row": TableMistake(
         base_in_a_row,
         "You wrote the base into the first row. That row moves along $z_0$ and along the normal behind it, which turns with "
         "joint 1. A base does not turn: it stands in front of the table.",
     ),
-    "tool in a row": Way(
+    "tool in a row": TableMistake(
         tool_in_a_row,
         "You wrote the tool into the last row. It stands behind the table, as a pose of its own.",
     ),
-    "off the normal": Way(
+    "off the normal": TableMistake(
         off_the_normal,
         "You measured $a$ from joint to joint. $x_i$ runs along the common normal, square to both axes; what is left over "
         "along the axis is $d$.",
@@ -197,12 +197,12 @@ WAYS: Mapping[str, Way] = {
 }
 
 
-def of_table(table: DHTable, *names: str) -> list[Mistake]:
+def table_mistakes(table: DHTable, *names: str) -> list[Mistake]:
     """Mistakes for a problem whose answer is a table."""
-    return [mistake(name, WAYS[name].change(table), WAYS[name].message) for name in names]
+    return [mistake(name, TABLE_MISTAKES[name].change(table), TABLE_MISTAKES[name].message) for name in names]
 
 
-def of_pose(table: DHTable, q: ArrayLike, *names: str) -> list[Mistake]:
+def pose_mistakes(table: DHTable, q: ArrayLike, *names: str) -> list[Mistake]:
     """Mistakes for a problem whose answer is where a table puts the tool; "reversed" is one of them too."""
     reversed_ = mistake(
         "reversed",
@@ -210,7 +210,9 @@ def of_pose(table: DHTable, q: ArrayLike, *names: str) -> list[Mistake]:
         "You multiplied from the last row to the first. $A_1$ stands leftmost: it moves all that follows.",
     )
     return [
-        reversed_ if name == "reversed" else mistake(name, WAYS[name].change(table).fk(q), WAYS[name].message)
+        reversed_
+        if name == "reversed"
+        else mistake(name, TABLE_MISTAKES[name].change(table).fk(q), TABLE_MISTAKES[name].message)
         for name in names
     ]
 

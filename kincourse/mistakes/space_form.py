@@ -11,10 +11,10 @@ from kinlib.rigid.lie import exp
 from misstep.mistakes import Mistake, mistake
 
 
-def crossed_backwards(S: Array) -> Array:
+def negate_moment(S: Array) -> Array:
     """v = omega x q where -omega x q belongs: the moment changes sign, what the pitch adds does not.
 
-    >>> crossed_backwards(np.array([0, 0, 1, 0, -2, 0.1]))
+    >>> negate_moment(np.array([0, 0, 1, 0, -2, 0.1]))
     array([0. , 0. , 1. , 0. , 2. , 0.1])
     """
     omega, v = S[..., :3], S[..., 3:]
@@ -23,19 +23,19 @@ def crossed_backwards(S: Array) -> Array:
     return np.concatenate([omega, np.where(turns, 2 * along - v, v)], axis=-1)
 
 
-def halves_swapped(S: Array) -> Array:
+def swap_halves(S: Array) -> Array:
     """(v, omega) where (omega, v) belongs: the order of another book.
 
-    >>> halves_swapped(np.array([0, 0, 1, 0, -2, 0]))
+    >>> swap_halves(np.array([0, 0, 1, 0, -2, 0]))
     array([ 0, -2,  0,  0,  0,  1])
     """
     return np.roll(S, 3, axis=-1)
 
 
-def without_moment(S: Array) -> Array:
+def remove_moment(S: Array) -> Array:
     """v = 0 for a joint that turns: right only for an axis through the origin.
 
-    >>> without_moment(np.array([[0, 0, 1, 0, -2, 0], [0, 0, 0, 1, 0, 0]]))
+    >>> remove_moment(np.array([[0, 0, 1, 0, -2, 0], [0, 0, 0, 1, 0, 0]]))
     array([[0., 0., 1., 0., 0., 0.],
            [0., 0., 0., 1., 0., 0.]])
     """
@@ -62,11 +62,11 @@ def product(screws: Array, q: Array, home: Array, order: str = "screws then home
     return T
 
 
-def slides_as_turns(arm: Chain) -> Array:
+def prismatic_as_revolute(arm: Chain) -> Array:
     """(d, -d x q) for a slide along d, as if it turned about d.
 
     >>> from kinlib.chains.robots import rpr
-    >>> slides_as_turns(rpr())[1] + 0.0
+    >>> prismatic_as_revolute(rpr())[1] + 0.0
     array([ 0.,  0.,  1., -2.,  4.,  0.])
     """
     d = arm.screws[:, 3:]
@@ -74,39 +74,39 @@ def slides_as_turns(arm: Chain) -> Array:
     return np.where(slides, np.concatenate([d, np.cross(arm.joint_points, d)], axis=-1), arm.screws)
 
 
-def of_screws(S: Array) -> list[Mistake]:
+def screw_mistakes(S: Array) -> list[Mistake]:
     """The three that every screw axis of a turning joint invites.
 
-    >>> [wrong.name for wrong in of_screws(np.array([0, 0, 1, 0, -2, 0]))]
+    >>> [wrong.name for wrong in screw_mistakes(np.array([0, 0, 1, 0, -2, 0]))]
     ['omega x q', 'halves swapped', 'no moment']
     """
     return [
         mistake(
             "omega x q",
-            crossed_backwards(S),
+            negate_moment(S),
             "You took $v = \\omega \\times p$. The point of the body that sits at the origin moves with "
             "$v = -\\omega \\times p$: the arrow from the axis to the origin is $-p$.",
         ),
         mistake(
             "halves swapped",
-            halves_swapped(S),
+            swap_halves(S),
             "You wrote $(v, \\omega)$. Here a screw axis is $(\\omega, v)$, turn first, as in Modern Robotics; "
             "some books and libraries use the other order.",
         ),
         mistake(
             "no moment",
-            without_moment(S),
+            remove_moment(S),
             "You left $v = 0$. That holds for a turn about an axis through the origin of {s}; about any other, turning also "
             "moves the point at the origin, by $v = -\\omega \\times p$.",
         ),
     ]
 
 
-def of_product(arm: Chain, q: Array) -> list[Mistake]:
+def product_mistakes(arm: Chain, q: Array) -> list[Mistake]:
     """The wrong ways to multiply the factors of the space form.
 
     >>> from kinlib.chains.robots import rpr
-    >>> [wrong.name for wrong in of_product(rpr(), np.ones(3))]
+    >>> [wrong.name for wrong in product_mistakes(rpr(), np.ones(3))]
     ['reversed', 'home first', 'no home', 'one exponential', 'degrees']
     """
     screws, home = arm.screws, arm.home

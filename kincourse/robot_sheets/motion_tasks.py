@@ -4,11 +4,17 @@ from functools import partial
 
 import numpy as np
 
-from kincourse.answers.pose import Pose
-from kincourse.mistakes.body_form import of_body_product
-from kincourse.mistakes.space_form import of_product, product
-from kincourse.robot_sheets.sampling import hand, leaning_base, moved, plain_base, posture
-from kincourse.robot_sheets.task import Task
+from kincourse.answers.pose import PoseAnswer
+from kincourse.mistakes.body_form import body_product_mistakes
+from kincourse.mistakes.space_form import product, product_mistakes
+from kincourse.robot_sheets.sampling import (
+    random_aligned_base,
+    random_configuration,
+    random_tilted_base,
+    random_tool,
+    rebased,
+)
+from kincourse.robot_sheets.task import RobotTask
 from kincourse.sampling.arms import ArmSampler
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
@@ -21,7 +27,7 @@ from misstep.problem import Problem
 from misstep.release.instructor_notebook import Entry
 from misstep.text import matrix, number, vector
 
-DONE = {
+MISTAKE_DESCRIPTIONS = {
     "reversed": "multiplied the exponentials from the last joint to the first",
     "home first": "put $M$ in front",
     "no home": "left out $M$",
@@ -33,12 +39,12 @@ DONE = {
 """What somebody did who made a mistake, in the words of an option."""
 
 
-NOTHING = "nothing wrong"
+NO_MISTAKE = "nothing wrong"
 
 
 def home_pose(robot: Chain, sampler: ArmSampler) -> Problem:
     """The home pose with the robot bolted down elsewhere and a tool on its flange."""
-    T_sr, T_rf, T_fb = leaning_base(sampler, robot), robot.home, hand(sampler, robot)
+    T_sr, T_rf, T_fb = random_tilted_base(sampler, robot), robot.home, random_tool(sampler, robot)
     right = T_sr @ T_rf @ T_fb
     return Problem(
         statement=f"In its file, {robot.name} stands at {{r}} and ends in a flange {{f}}; at $q = 0$ the flange is at $T_{{rf}}$. In your "
@@ -46,7 +52,7 @@ def home_pose(robot: Chain, sampler: ArmSampler) -> Problem:
         f"$$T_{{sr}} = {matrix(T_sr)}$$\n\n$$T_{{rf}} = {matrix(T_rf)}$$\n\n$$T_{{fb}} = {matrix(T_fb)}$$",
         figure=partial(draw_frames, {"s": np.eye(4), "r": T_sr, "f": T_sr @ T_rf}),
         given={"T_sr": T_sr, "T_rf": T_rf, "T_fb": T_fb},
-        answer=Pose(right),
+        answer=PoseAnswer(right),
         mistakes=[
             mistake("no base", T_rf @ T_fb, "This is the tool as {r} sees it. Put $T_{sr}$ in front."),
             mistake("no tool", T_sr @ T_rf, "This is the flange. The tool stands away from it: put $T_{fb}$ behind."),
@@ -76,68 +82,70 @@ def home_pose(robot: Chain, sampler: ArmSampler) -> Problem:
 
 def where_is_the_tool(robot: Chain, sampler: ArmSampler) -> Problem:
     """Forward kinematics by the space form, at joint values within the limits."""
-    arm = moved(robot, plain_base(sampler, robot), hand(sampler, robot))
-    at = posture(sampler, arm)
+    arm = rebased(robot, random_aligned_base(sampler, robot), random_tool(sampler, robot))
+    at = random_configuration(sampler, arm)
     return Problem(
         statement=f"The joints of {robot.name} stand at {at.words}. Its screws in {{s}} and the home pose of its tool are below. Give "
         f"$T(q)$.\n\n$$S = {matrix(arm.screws)}$$\n\n$$M = {matrix(arm.home)}$$",
         figure=partial(draw_arm, arm),
         given={"screws": arm.screws, "home": arm.home, "values": at.typed},
-        answer=Pose(arm.fk(at.q)),
-        mistakes=_of_motion(arm, at.q),
+        answer=PoseAnswer(arm.fk(at.q)),
+        mistakes=_motion_mistakes(arm, at.q),
     ).sifted()
 
 
 def which_mistake(robot: Chain, sampler: ArmSampler) -> Problem:
     """A pose that somebody computed: what did they do?"""
-    arm = moved(robot, plain_base(sampler, robot), hand(sampler, robot))
-    at = posture(sampler, arm)
-    asked = Problem("", Pose(arm.fk(at.q)), _of_motion(arm, at.q)).sifted()
-    if not asked.telling():
-        return asked
-    drawn = sampler.shuffled(range(len(asked.mistakes)))[:4]
-    wrong = [asked.mistakes[i] for i in sorted(drawn)]
+    arm = rebased(robot, random_aligned_base(sampler, robot), random_tool(sampler, robot))
+    at = random_configuration(sampler, arm)
+    motion_problem = Problem("", PoseAnswer(arm.fk(at.q)), _motion_mistakes(arm, at.q)).sifted()
+    if not motion_problem.telling():
+        return motion_problem
+    drawn = sampler.shuffled(range(len(motion_problem.mistakes)))[:4]
+    wrong = [motion_problem.mistakes[i] for i in sorted(drawn)]
     letters = "abcdef"[: len(wrong) + 1]
-    told = {letter: DONE[one.name] for letter, one in zip(letters, wrong, strict=False)} | {
+    descriptions = {letter: MISTAKE_DESCRIPTIONS[one.name] for letter, one in zip(letters, wrong, strict=False)} | {
         letters[-1]: "nothing wrong"
     }
-    poses = dict(zip(letters, [*(one.value for one in wrong), asked.answer.value], strict=True))
+    poses = dict(zip(letters, [*(one.value for one in wrong), motion_problem.answer.value], strict=True))
     right = sampler.choice(letters)
-    listed = "\n".join(f"- `'{letter}'`: {text}" for letter, text in told.items())
+    listed = "\n".join(f"- `'{letter}'`: {text}" for letter, text in descriptions.items())
     return Problem(
         statement=f"The joints of {robot.name} stand at {at.words}. Somebody computed the pose $X$ of its tool by the space form. Check "
         f"it: what did they do?\n\n$$S = {matrix(arm.screws)}$$\n\n$$M = {matrix(arm.home)}$$\n\n$$X = {matrix(poses[right])}$$"
         f"\n\n{listed}",
         figure=partial(draw_arm, arm),
-        given={"screws": arm.screws, "home": arm.home, "values": at.typed, "X": poses[right], "options": told},
-        answer=Choice(right, told),
+        given={"screws": arm.screws, "home": arm.home, "values": at.typed, "X": poses[right], "options": descriptions},
+        answer=Choice(right, descriptions),
         mistakes=[
-            mistake(told[letter], letter, _not_so(poses[letter], poses[right])) for letter in letters if letter != right
+            mistake(descriptions[letter], letter, _difference_message(poses[letter], poses[right]))
+            for letter in letters
+            if letter != right
         ],
     )
 
 
 def body_form(robot: Chain, sampler: ArmSampler) -> Problem:
     """Forward kinematics by the body form."""
-    arm = moved(robot, plain_base(sampler, robot), hand(sampler, robot))
-    at = posture(sampler, arm)
+    arm = rebased(robot, random_aligned_base(sampler, robot), random_tool(sampler, robot))
+    at = random_configuration(sampler, arm)
     return Problem(
         statement=f"{robot.name} is given by its body screws and its home pose. Its joints stand at {at.words}. Give $T(q)$.\n\n"
         f"$$B = {matrix(arm.body_screws)}$$\n\n$$M = {matrix(arm.home)}$$",
         figure=partial(draw_arm, arm),
         given={"body_screws": arm.body_screws, "home": arm.home, "values": at.typed},
-        answer=Pose(arm.fk(at.q)),
-        mistakes=[*of_body_product(arm, at.q), *_of_standing_still(arm, at.q)],
+        answer=PoseAnswer(arm.fk(at.q)),
+        mistakes=[*body_product_mistakes(arm, at.q), *_standing_still_mistakes(arm, at.q)],
     ).sifted()
 
 
 def point_of_the_tool(robot: Chain, sampler: ArmSampler) -> Problem:
     """Where a point of the tool goes."""
-    arm = moved(robot, plain_base(sampler, robot), hand(sampler, robot))
-    at, tip = posture(sampler, arm), hand(sampler, robot)[:3, 3]
+    arm = rebased(robot, random_aligned_base(sampler, robot), random_tool(sampler, robot))
+    at, tip = random_configuration(sampler, arm), random_tool(sampler, robot)[:3, 3]
     T, M = arm.fk(at.q), arm.home
 
-    def seen(pose: Array, point: Array = tip) -> Array:
+    def position_of(pose: Array, point: Array = tip) -> Array:
         place: Array = pose[:3, :3] @ point + pose[:3, 3]
         return place
 
@@ -146,9 +154,9 @@ def point_of_the_tool(robot: Chain, sampler: ArmSampler) -> Problem:
         f"Where does {{s}} see the tip?\n\n$$S = {matrix(arm.screws)}$$\n\n$$M = {matrix(M)}$$",
         figure=partial(draw_arm, arm),
         given={"screws": arm.screws, "home": M, "values": at.typed, "tip": tip},
-        answer=Numbers(seen(T), unit="m"),
+        answer=Numbers(position_of(T), unit="m"),
         mistakes=[
-            mistake("at home", seen(M), "This is where the tip is at home. The joints have moved since."),
+            mistake("at home", position_of(M), "This is where the tip is at home. The joints have moved since."),
             mistake(
                 "origin of the tool",
                 T[:3, 3],
@@ -161,20 +169,20 @@ def point_of_the_tool(robot: Chain, sampler: ArmSampler) -> Problem:
             ),
             mistake(
                 "as a direction",
-                seen(T) - T[:3, 3],
+                position_of(T) - T[:3, 3],
                 "You gave the tip a 0. A point has a 1, which adds the position of {b}.",
             ),
-            mistake("the way back", seen(inverse(T)), "You took $T^{-1}$, which goes from {s} to {b}."),
-            *(mistake(wrong.name, seen(wrong.value), wrong.message) for wrong in _of_motion(arm, at.q)),
+            mistake("the way back", position_of(inverse(T)), "You took $T^{-1}$, which goes from {s} to {b}."),
+            *(mistake(wrong.name, position_of(wrong.value), wrong.message) for wrong in _motion_mistakes(arm, at.q)),
         ],
     ).sifted()
 
 
-def _of_motion(arm: Chain, q: Array) -> list[Mistake]:
-    return [*of_product(arm, q), *_of_standing_still(arm, q)]
+def _motion_mistakes(arm: Chain, q: Array) -> list[Mistake]:
+    return [*product_mistakes(arm, q), *_standing_still_mistakes(arm, q)]
 
 
-def _of_standing_still(arm: Chain, q: Array) -> list[Mistake]:
+def _standing_still_mistakes(arm: Chain, q: Array) -> list[Mistake]:
     return [
         mistake("at home", arm.home, "This is $M$, the pose at home. The joints have moved since."),
         mistake(
@@ -185,7 +193,7 @@ def _of_standing_still(arm: Chain, q: Array) -> list[Mistake]:
     ]
 
 
-def _not_so(theirs: Array, right: Array) -> str:
+def _difference_message(theirs: Array, right: Array) -> str:
     """How far the pose that an option gives is from the one that was computed."""
     far = float(np.linalg.norm(theirs[:3, 3] - right[:3, 3]))
     turned = not np.allclose(theirs[:3, :3], right[:3, :3], atol=1e-6)
@@ -194,80 +202,82 @@ def _not_so(theirs: Array, right: Array) -> str:
     return f"That would put the tool {number(far)} m from there" + (", and turn it otherwise." if turned else ".")
 
 
-READ_VALUES = """\
+READ_VALUES_SOLUTION = """\
 turns = given.{screws}[:, :3].any(axis=1)
 q = np.where(turns, np.radians(given.values), given.values)
 """
 
-SPACE = READ_VALUES.format(screws="screws") + "T = kl.Chain(given.screws, given.home).fk(q)\n"
+SPACE_FORM_SOLUTION = READ_VALUES_SOLUTION.format(screws="screws") + "T = kl.Chain(given.screws, given.home).fk(q)\n"
 
-TRIED = f"""\
+WHICH_MISTAKE_SOLUTION = f"""\
 from functools import reduce
 
 e, typed, back = (kl.exp(given.screws * values[:, None]) for values in (q, given.values, -q))
 M = given.home
 ways = {{
-    "{DONE["reversed"]}": [*e[::-1], M],
-    "{DONE["home first"]}": [M, *e],
-    "{DONE["no home"]}": [*e],
-    "{DONE["one exponential"]}": [kl.exp(q @ given.screws), M],
-    "{DONE["degrees"]}": [*typed, M],
-    "{DONE["at home"]}": [M],
-    "{DONE["backwards"]}": [*back, M],
-    "{NOTHING}": [*e, M],
+    "{MISTAKE_DESCRIPTIONS["reversed"]}": [*e[::-1], M],
+    "{MISTAKE_DESCRIPTIONS["home first"]}": [M, *e],
+    "{MISTAKE_DESCRIPTIONS["no home"]}": [*e],
+    "{MISTAKE_DESCRIPTIONS["one exponential"]}": [kl.exp(q @ given.screws), M],
+    "{MISTAKE_DESCRIPTIONS["degrees"]}": [*typed, M],
+    "{MISTAKE_DESCRIPTIONS["at home"]}": [M],
+    "{MISTAKE_DESCRIPTIONS["backwards"]}": [*back, M],
+    "{NO_MISTAKE}": [*e, M],
 }}
 poses = {{letter: reduce(np.matmul, ways[text]) for letter, text in given.options.items()}}
 letter_{{k}} = next(letter for letter, pose in poses.items() if np.allclose(pose, given.X))
 """
 
-VALUES = "`given.values` are in degrees and metres."
-POSE = "Answer with a pose, an array of shape (4, 4)."
+VALUES_NOTE = "`given.values` are in degrees and metres."
+POSE_NOTE = "Answer with a pose, an array of shape (4, 4)."
 
-MOTION_TASKS: dict[str, Task] = {
-    "home_pose": Task(
+MOTION_TASKS: dict[str, RobotTask] = {
+    "home_pose": RobotTask(
         "The home pose in your lab",
         2,
         "03_poe_space#The home pose",
         home_pose,
-        Entry("pose", POSE, "pose_{k} = given.T_sr @ given.T_rf @ given.T_fb"),
+        Entry("pose", POSE_NOTE, "pose_{k} = given.T_sr @ given.T_rf @ given.T_fb"),
     ),
-    "where_is_the_tool": Task(
+    "where_is_the_tool": RobotTask(
         "Where is the tool?",
         3,
         "03_poe_space#The product",
         where_is_the_tool,
-        Entry("pose", f"{POSE} {VALUES}", f"{SPACE}pose_{{k}} = T"),
+        Entry("pose", f"{POSE_NOTE} {VALUES_NOTE}", f"{SPACE_FORM_SOLUTION}pose_{{k}} = T"),
     ),
-    "which_mistake": Task(
+    "which_mistake": RobotTask(
         "Which mistake is this?",
         2,
         "03_poe_space#The order of the factors",
         which_mistake,
         Entry(
             "letter",
-            f"Answer with a letter, in quotes. {VALUES}",
-            READ_VALUES.format(screws="screws") + TRIED,
+            f"Answer with a letter, in quotes. {VALUES_NOTE}",
+            READ_VALUES_SOLUTION.format(screws="screws") + WHICH_MISTAKE_SOLUTION,
         ),
     ),
-    "body_form": Task(
+    "body_form": RobotTask(
         "The body form",
         3,
         "04_poe_body#The body form",
         body_form,
         Entry(
             "pose",
-            f"{POSE} {VALUES}",
-            READ_VALUES.format(screws="body_screws")
+            f"{POSE_NOTE} {VALUES_NOTE}",
+            READ_VALUES_SOLUTION.format(screws="body_screws")
             + "screws = given.body_screws @ kl.adjoint(given.home).T\npose_{k} = kl.Chain(screws, given.home).fk_body(q)",
         ),
     ),
-    "point_of_the_tool": Task(
+    "point_of_the_tool": RobotTask(
         "The tip of a pencil",
         2,
         "01_frames#An affine map in one matrix",
         point_of_the_tool,
         Entry(
-            "tip", f"Answer with three numbers, in metres. {VALUES}", f"{SPACE}tip_{{k}} = (T @ [*given.tip, 1])[:3]"
+            "tip",
+            f"Answer with three numbers, in metres. {VALUES_NOTE}",
+            f"{SPACE_FORM_SOLUTION}tip_{{k}} = (T @ [*given.tip, 1])[:3]",
         ),
     ),
 }

@@ -14,23 +14,27 @@ from kincourse.robot_sheets.robot_sheet import robot_sheet
 from kinlib.chains.chain import Chain
 from misstep.sheet import Sheet
 
-FORM = 1
+FORMAT_VERSION = 1
 """The version of the file."""
 
-NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,39}")
+SHEET_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,39}")
 """What a sheet may be called: a word that is a file's name on every system, and no path."""
 
 
-def written(robot: Chain, tasks: Sequence[str]) -> str:
+def dumps(robot: Chain, tasks: Sequence[str]) -> str:
     """A robot and its tasks as the text of a file: numbers to the last digit, so that every machine draws the same.
 
     >>> from kinlib.chains.robots import rpr
-    >>> read(written(rpr(), ["home_pose"]), "a test")[1]
+    >>> loads(dumps(rpr(), ["home_pose"]), "a test")[1]
     ['home_pose']
     """
-    limits = None if robot.limits is None else [[_told(low), _told(high)] for low, high in robot.limits.tolist()]
+    limits = (
+        None
+        if robot.limits is None
+        else [[_limit_to_json(low), _limit_to_json(high)] for low, high in robot.limits.tolist()]
+    )
     data = {
-        "kinlib sheet": FORM,
+        "kinlib sheet": FORMAT_VERSION,
         "tasks": list(tasks),
         "name": robot.name,
         "source": robot.source,
@@ -43,16 +47,16 @@ def written(robot: Chain, tasks: Sequence[str]) -> str:
     return json.dumps(data, ensure_ascii=False) + "\n"
 
 
-def read(text: str, where: str) -> tuple[Chain, list[str]]:
+def loads(text: str, where: str) -> tuple[Chain, list[str]]:
     """Read a robot and its tasks back.
 
     Raises ValueError for a text that is none of ours, and says where it stood.
     """
     try:
         data = json.loads(text)
-        if data["kinlib sheet"] != FORM:
-            raise ValueError(f"it has form {data['kinlib sheet']!r}, and this kinlib reads form {FORM}")
-        limits = None if data["limits"] is None else np.array([_ends(*ends) for ends in data["limits"]])
+        if data["kinlib sheet"] != FORMAT_VERSION:
+            raise ValueError(f"it has form {data['kinlib sheet']!r}, and this kinlib reads form {FORMAT_VERSION}")
+        limits = None if data["limits"] is None else np.array([_limits_from_json(*ends) for ends in data["limits"]])
         robot = Chain(
             data["screws"],
             data["home"],
@@ -69,24 +73,24 @@ def read(text: str, where: str) -> tuple[Chain, list[str]]:
         ) from error
 
 
-def _told(end: float) -> float | None:
+def _limit_to_json(end: float) -> float | None:
     """A limit as JSON has it, which knows no infinity."""
     return end if np.isfinite(end) else None
 
 
-def _ends(low: float | None, high: float | None) -> tuple[float, float]:
+def _limits_from_json(low: float | None, high: float | None) -> tuple[float, float]:
     return -np.inf if low is None else low, np.inf if high is None else high
 
 
-def proper(name: str) -> str:
+def validate_name(name: str) -> str:
     """Pass a name on under which a sheet can go.
 
     Raises ValueError for any other.
 
-    >>> proper("my_robot")
+    >>> validate_name("my_robot")
     'my_robot'
     """
-    if not NAME.fullmatch(name):
+    if not SHEET_NAME.fullmatch(name):
         raise ValueError(
             f"A sheet's name is a letter and then letters, digits and _, at most 40 in all; got {name!r}. It is the name of the folder: "
             "try --out solutions/my_robot."
@@ -94,20 +98,20 @@ def proper(name: str) -> str:
     return name
 
 
-def beside(name: str) -> list[Path]:
+def search_paths(name: str) -> list[Path]:
     """Where the robot of a sheet may lie: beside the notebook, or in the sheet's folder below a project's root."""
     return [Path(f"{name}.json"), *(Path(folder, name, f"{name}.json") for folder in ("", "solutions", "exercises"))]
 
 
-def found(name: str) -> Sheet | None:
+def find(name: str) -> Sheet | None:
     """The sheet of a robot that lies beside the notebook; None if none does.
 
     Raises ValueError for a file that cannot be read as one.
 
-    >>> found("nobodys_robot") is None
+    >>> find("nobodys_robot") is None
     True
     """
-    for path in beside(name) if NAME.fullmatch(str(name)) else ():
+    for path in search_paths(name) if SHEET_NAME.fullmatch(str(name)) else ():
         if path.is_file():
-            return robot_sheet(name, *read(path.read_text(encoding="utf-8"), str(path)))
+            return robot_sheet(name, *loads(path.read_text(encoding="utf-8"), str(path)))
     return None

@@ -10,24 +10,24 @@ from functools import partial
 from kincourse.robot_sheets.motion_tasks import MOTION_TASKS
 from kincourse.robot_sheets.screw_tasks import SCREW_TASKS
 from kincourse.robot_sheets.table_tasks import TABLE_TASKS
-from kincourse.robot_sheets.task import Task
+from kincourse.robot_sheets.task import RobotTask
 from kincourse.sampling.arms import ArmSampler
 from kinlib.chains.chain import Chain
 from misstep.problem import Template
 from misstep.sheet import Sheet
 
-PROBLEMS = 8
+PROBLEMS_PER_SHEET = 8
 """How many problems a sheet has."""
 
-PROBES = ("probe 1", "probe 2", "probe 3", "probe 4")
+PROBE_STUDENTS = ("probe 1", "probe 2", "probe 3", "probe 4")
 """The students for whom a task is tried."""
 
-TRIES = 8
+MAX_DRAWS = 8
 """Within how many draws a task has to be telling for each of them. A student's own draws go on far longer."""
 
-ALL: dict[str, Task] = {**MOTION_TASKS, **SCREW_TASKS, **TABLE_TASKS}
+TASKS: dict[str, RobotTask] = {**MOTION_TASKS, **SCREW_TASKS, **TABLE_TASKS}
 
-WANTED = (
+TASK_ORDER = (
     *("home_pose", "space_screws", "body_screws", "where_is_the_tool"),
     *("standard_table", "modified_table", "faulty_entry", "which_mistake"),
     *("body_form", "point_of_the_tool", "back_to_space", "new_tool"),
@@ -45,12 +45,12 @@ def tasks_for(robot: Chain) -> list[str]:
     ['standard_table', 'modified_table', 'faulty_entry', 'which_mistake']
     """
     fit: list[str] = []
-    for name in WANTED:
-        if len(fit) < PROBLEMS and _fits(robot, name):
+    for name in TASK_ORDER:
+        if len(fit) < PROBLEMS_PER_SHEET and _fits(robot, name):
             fit.append(name)
-    if len(fit) < PROBLEMS:
+    if len(fit) < PROBLEMS_PER_SHEET:
         raise ValueError(
-            f"{robot.name} bears {len(fit)} problems, and a sheet has {PROBLEMS}: {', '.join(fit)}. Do its joints move anything?"
+            f"{robot.name} bears {len(fit)} problems, and a sheet has {PROBLEMS_PER_SHEET}: {', '.join(fit)}. Do its joints move anything?"
         )
     return fit
 
@@ -59,8 +59,8 @@ def _fits(robot: Chain, name: str) -> bool:
     if name in TABLE_TASKS and "H" in robot.joint_types:
         return False  # no row of a table holds a helical joint
     return all(
-        any(ALL[name].write(robot, ArmSampler(student, name, attempt)).telling() for attempt in range(TRIES))
-        for student in PROBES
+        any(TASKS[name].write(robot, ArmSampler(student, name, attempt)).telling() for attempt in range(MAX_DRAWS))
+        for student in PROBE_STUDENTS
     )
 
 
@@ -73,13 +73,13 @@ def robot_sheet(name: str, robot: Chain, tasks: Sequence[str]) -> Sheet:
     >>> robot_sheet("my_robot", rpr(), ["home_pose"]).problems[0].number
     'my_robot.1'
     """
-    if unknown := [task for task in tasks if task not in ALL]:
+    if unknown := [task for task in tasks if task not in TASKS]:
         raise ValueError(
-            f"There is no task {unknown[0]!r}. Was the sheet made by a newer kinlib? The tasks are: {', '.join(ALL)}."
+            f"There is no task {unknown[0]!r}. Was the sheet made by a newer kinlib? The tasks are: {', '.join(TASKS)}."
         )
-    templates = [_template(name, k, robot, ALL[task]) for k, task in enumerate(tasks, start=1)]
+    templates = [_template(name, k, robot, TASKS[task]) for k, task in enumerate(tasks, start=1)]
     return Sheet(name, f"Forward kinematics of {robot.name}", templates)
 
 
-def _template(name: str, k: int, robot: Chain, task: Task) -> Template:
+def _template(name: str, k: int, robot: Chain, task: RobotTask) -> Template:
     return Template(f"{name}.{k}", task.title, task.points, task.lecture, partial(task.write, robot), ArmSampler)

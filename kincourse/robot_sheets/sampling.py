@@ -16,17 +16,17 @@ from kinlib.chains.robots import pose
 from kinlib.rigid.lie import adjoint, exp
 from misstep.text import number
 
-SMALLEST = 0.5
+MIN_ROBOT_SIZE_M = 0.5
 """Metres. A robot that is smaller is moved about like one of this size: three printed decimals have to show it."""
 
 ANGLES = (20, 25, 30, 35, 40, 50, 55, 60, 65, 70)
 """By how many degrees a tool is turned. Not 45, whose sine and cosine are alike."""
 
-FARTHEST = 75
+MAX_JOINT_ANGLE_DEG = 75
 """Degrees. Joints are drawn within this of zero where their limits allow it."""
 
 
-class Posture(NamedTuple):
+class Configuration(NamedTuple):
     """Joint values as people type them, in degrees and metres; in radians and metres, (n,); and in words."""
 
     typed: Array
@@ -34,38 +34,38 @@ class Posture(NamedTuple):
     words: str
 
 
-def grain(chain: Chain) -> float:
+def step_size(chain: Chain) -> float:
     """A power of ten, a tenth to a fifth of what the robot measures or less: the step in which it is moved about.
 
     >>> from kinlib.chains.robots import youbot
-    >>> grain(youbot())
+    >>> step_size(youbot())
     0.1
     """
     points = np.concatenate([np.zeros((1, 3)), chain.joint_points, chain.home[None, :3, 3]])
-    size = max(float(np.ptp(points, axis=0).max()), SMALLEST)
+    size = max(float(np.ptp(points, axis=0).max()), MIN_ROBOT_SIZE_M)
     return float(10.0 ** np.floor(np.log10(size / 5 * (1 + 1e-9))))
 
 
-def plain_base(sampler: ArmSampler, chain: Chain) -> Array:
+def random_aligned_base(sampler: ArmSampler, chain: Chain) -> Array:
     """Where the robot is bolted down: its axes along those of {s}, so that its numbers stay as plain as they are."""
-    return pose(sampler.axes(), (sampler.point(4) * grain(chain)).round(9))
+    return pose(sampler.axes(), (sampler.point(4) * step_size(chain)).round(9))
 
 
-def leaning_base(sampler: ArmSampler, chain: Chain) -> Array:
+def random_tilted_base(sampler: ArmSampler, chain: Chain) -> Array:
     """Where the robot is bolted down: turned about one of its axes by an angle with nothing special."""
-    return plain_base(sampler, chain) @ _turned(sampler)
+    return random_aligned_base(sampler, chain) @ _random_rotation(sampler)
 
 
-def hand(sampler: ArmSampler, chain: Chain) -> Array:
+def random_tool(sampler: ArmSampler, chain: Chain) -> Array:
     """A tool {b} on the flange: turned, and away from it in all three directions."""
-    return pose(np.eye(3), (sampler.point(4) * grain(chain) / 2).round(9)) @ _turned(sampler)
+    return pose(np.eye(3), (sampler.point(4) * step_size(chain) / 2).round(9)) @ _random_rotation(sampler)
 
 
-def moved(chain: Chain, base: Array, tool: Array) -> Chain:
+def rebased(chain: Chain, base: Array, tool: Array) -> Chain:
     """The robot bolted down at `base`, with `tool` on its flange: T'(q) = base T(q) tool.
 
     >>> from kinlib.chains.robots import rpr
-    >>> moved(rpr(), exp([0, 0, 0, 5, 0, 0]), np.eye(4)).joint_points[0]
+    >>> rebased(rpr(), exp([0, 0, 0, 5, 0, 0]), np.eye(4)).joint_points[0]
     array([ 1., -2.,  0.])
     """
     points = chain.joint_points @ base[:3, :3].T + base[:3, 3]
@@ -73,11 +73,11 @@ def moved(chain: Chain, base: Array, tool: Array) -> Chain:
     return replace(chain, screws=screws, home=base @ chain.home @ tool, points=points)
 
 
-def rezeroed(chain: Chain, q: Array) -> Chain:
+def with_zero_at(chain: Chain, q: Array) -> Chain:
     """The robot with its zero where its joints stand at q: T'(x) = T(q + x).
 
     >>> from kinlib.chains.robots import rpr
-    >>> np.allclose(rezeroed(rpr(), np.array([0.1, 0.2, 0.3])).fk([1, 1, 1]), rpr().fk([1.1, 1.2, 1.3]))
+    >>> np.allclose(with_zero_at(rpr(), np.array([0.1, 0.2, 0.3])).fk([1, 1, 1]), rpr().fk([1.1, 1.2, 1.3]))
     True
     """
     points = chain.link_poses(q)[:, :3, 3]
@@ -85,11 +85,11 @@ def rezeroed(chain: Chain, q: Array) -> Chain:
     return replace(chain, screws=chain.jacobian(q).T, home=chain.fk(q), points=points, limits=limits)
 
 
-def first(chain: Chain, joints: int) -> Chain:
+def truncated(chain: Chain, joints: int) -> Chain:
     """The robot cut off behind some joints, its {b} where the next joint stands.
 
     >>> from kinlib.chains.robots import youbot
-    >>> first(youbot(), 2).home[:3, 3]
+    >>> truncated(youbot(), 2).home[:3, 3]
     array([0.188, 0.   , 0.147])
     """
     if joints >= chain.n:
@@ -104,41 +104,41 @@ def first(chain: Chain, joints: int) -> Chain:
     )
 
 
-def posture(sampler: ArmSampler, chain: Chain) -> Posture:
+def random_configuration(sampler: ArmSampler, chain: Chain) -> Configuration:
     """Joint values within the limits, in steps of 5 degrees and half a grain where these leave any."""
-    return _posture(chain, [_value(sampler, chain, i) for i in range(chain.n)])
+    return _configuration(chain, [_random_value(sampler, chain, i) for i in range(chain.n)])
 
 
-def plain_posture(sampler: ArmSampler, chain: Chain) -> Posture:
+def random_quarter_turn_configuration(sampler: ArmSampler, chain: Chain) -> Configuration:
     """Joint values within the limits, in quarter turns where these leave any: axes along x, y, z stay so."""
-    return _posture(chain, [_quarter(sampler, chain, i) for i in range(chain.n)])
+    return _configuration(chain, [_random_quarter_turn(sampler, chain, i) for i in range(chain.n)])
 
 
-def _posture(chain: Chain, typed: list[float]) -> Posture:
+def _configuration(chain: Chain, typed: list[float]) -> Configuration:
     turns = np.array([letter != "P" for letter in chain.joint_types])
     values = np.array(typed)
     words = [f"{number(value)} {'degrees' if turn else 'm'}" for value, turn in zip(typed, turns, strict=True)]
-    return Posture(values, np.where(turns, np.radians(values), values), ", ".join(words))
+    return Configuration(values, np.where(turns, np.radians(values), values), ", ".join(words))
 
 
-def _value(sampler: ArmSampler, chain: Chain, joint: int) -> float:
+def _random_value(sampler: ArmSampler, chain: Chain, joint: int) -> float:
     step, far = _step(chain, joint)
     low, high = _range(chain, joint)
     near = [k * step for k in range(-far, far + 1) if k and low <= k * step <= high]
-    return float(round(sampler.choice(near), 9)) if near else _within(sampler, low, high)
+    return float(round(sampler.choice(near), 9)) if near else _random_within(sampler, low, high)
 
 
-def _quarter(sampler: ArmSampler, chain: Chain, joint: int) -> float:
+def _random_quarter_turn(sampler: ArmSampler, chain: Chain, joint: int) -> float:
     low, high = _range(chain, joint)
     if chain.joint_types[joint] == "P":
-        return _value(sampler, chain, joint)
+        return _random_value(sampler, chain, joint)
     quarters = [angle for angle in (-90.0, 0.0, 90.0, 180.0) if low <= angle <= high]
-    return sampler.choice(quarters) if quarters else _within(sampler, low, high)
+    return sampler.choice(quarters) if quarters else _random_within(sampler, low, high)
 
 
 def _step(chain: Chain, joint: int) -> tuple[float, int]:
     """A step that is short to type, and how many of them a joint may go."""
-    return (grain(chain) / 2, 8) if chain.joint_types[joint] == "P" else (5.0, FARTHEST // 5)
+    return (step_size(chain) / 2, 8) if chain.joint_types[joint] == "P" else (5.0, MAX_JOINT_ANGLE_DEG // 5)
 
 
 def _range(chain: Chain, joint: int) -> tuple[float, float]:
@@ -148,7 +148,7 @@ def _range(chain: Chain, joint: int) -> tuple[float, float]:
     return float(low), float(high)
 
 
-def _within(sampler: ArmSampler, low: float, high: float) -> float:
+def _random_within(sampler: ArmSampler, low: float, high: float) -> float:
     """A value between limits that leave no plain one: some tenths of the way, with three digits where they fit."""
     low, high = max(low, high - 1e3), min(high, low + 1e3)
     value = low + (high - low) * sampler.integer(3, 7) / 10
@@ -156,6 +156,6 @@ def _within(sampler: ArmSampler, low: float, high: float) -> float:
     return plain if low <= plain <= high else value
 
 
-def _turned(sampler: ArmSampler) -> Array:
+def _random_rotation(sampler: ArmSampler) -> Array:
     axis = np.eye(3)[sampler.integer(0, 2)]
     return exp(np.radians(sampler.choice(ANGLES) * sampler.choice((-1, 1))) * np.concatenate([axis, np.zeros(3)]))

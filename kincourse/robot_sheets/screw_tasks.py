@@ -5,11 +5,11 @@ from functools import partial
 
 import numpy as np
 
-from kincourse.answers.screws import Screws
-from kincourse.mistakes.body_form import carried, of_body_screws, of_space_screws, only_turned
-from kincourse.mistakes.space_form import crossed_backwards, halves_swapped, of_screws, slides_as_turns
-from kincourse.robot_sheets.sampling import hand, leaning_base, moved, plain_base
-from kincourse.robot_sheets.task import Task
+from kincourse.answers.screws import ScrewsAnswer
+from kincourse.mistakes.body_form import body_screw_mistakes, rotate_only, space_screw_mistakes, transform_screws
+from kincourse.mistakes.space_form import negate_moment, prismatic_as_revolute, screw_mistakes, swap_halves
+from kincourse.robot_sheets.sampling import random_aligned_base, random_tilted_base, random_tool, rebased
+from kincourse.robot_sheets.task import RobotTask
 from kincourse.sampling.arms import ArmSampler
 from kincourse.text.joint_table import joint_table
 from kinlib.chains.chain import Chain
@@ -20,35 +20,35 @@ from misstep.problem import Problem
 from misstep.release.instructor_notebook import Entry
 from misstep.text import matrix
 
-MOST = 3
+MAX_ASKED_JOINTS = 3
 """How many joints are asked for where the screws of all would only be the same work again."""
 
 
 def space_screws(robot: Chain, sampler: ArmSampler) -> Problem:
     """Space screws from directions and points, in the student's own {s}."""
     # Slides have directions only: along x, y, z there are too few of them for a class.
-    base = leaning_base if set(robot.joint_types) == {"P"} else plain_base
-    arm = moved(robot, base(sampler, robot), np.eye(4))
-    joints = _some(sampler, arm)
+    base = random_tilted_base if set(robot.joint_types) == {"P"} else random_aligned_base
+    arm = rebased(robot, base(sampler, robot), np.eye(4))
+    joints = _choose_joints(sampler, arm)
     S, points, (axes, _, pitches) = arm.screws[joints], arm.joint_points[joints], arm.lines
     slides = np.isinf(pitches[joints])[:, None]
     moments = np.where(slides, np.concatenate([0 * points, np.cross(points, axes[joints])], axis=1), S)
     return Problem(
-        statement=f"In your lab {robot.name} is bolted down where the drawing shows it, at home. Give {_axes_of(joints)} "
+        statement=f"In your lab {robot.name} is bolted down where the drawing shows it, at home. Give {_name_axes(joints)} "
         f"in {{s}}, as rows.\n\n{joint_table(arm, joints)}",
         figure=partial(draw_joints, arm),
         given={"axes": axes[joints], "points": points, "pitches": pitches[joints]},
-        answer=Screws(S, names=[f"screw {i + 1}" for i in joints]),
+        answer=ScrewsAnswer(S, names=[f"screw {i + 1}" for i in joints]),
         mistakes=[
-            *of_screws(S),
+            *screw_mistakes(S),
             mistake(
                 "slide as turn",
-                slides_as_turns(arm)[joints],
+                prismatic_as_revolute(arm)[joints],
                 "You treated a slide as a turn. A prismatic joint has no $\\omega$: $S = (0, d)$, and no point plays a part.",
             ),
             mistake(
                 "slide as turn, and omega x q",
-                crossed_backwards(slides_as_turns(arm))[joints],
+                negate_moment(prismatic_as_revolute(arm))[joints],
                 "Two things: a moment is $-\\omega \\times p$, with the minus; and a slide has none, for it does not turn: $S = (0, d)$.",
             ),
             mistake(
@@ -67,46 +67,46 @@ def space_screws(robot: Chain, sampler: ArmSampler) -> Problem:
 
 def body_screws(robot: Chain, sampler: ArmSampler) -> Problem:
     """Body screws by the adjoint, for a base and a tool of the student's own."""
-    arm = moved(robot, plain_base(sampler, robot), hand(sampler, robot))
-    joints = _some(sampler, arm)
+    arm = rebased(robot, random_aligned_base(sampler, robot), random_tool(sampler, robot))
+    joints = _choose_joints(sampler, arm)
     S = arm.screws[joints]
     return Problem(
-        statement=f"Below stand, for {robot.name}, {_axes_of(joints)} as {{s}} reads them, and the home pose of its tool. Give "
+        statement=f"Below stand, for {robot.name}, {_name_axes(joints)} as {{s}} reads them, and the home pose of its tool. Give "
         f"the same as {{b}} reads it, as rows.\n\n$$S = {matrix(S)}$$\n\n$$M = {matrix(arm.home)}$$",
         figure=partial(draw_arm, arm),
         given={"screws": S, "home": arm.home},
-        answer=Screws(arm.body_screws[joints], names=[f"screw {i + 1}" for i in joints]),
-        mistakes=of_body_screws(S, arm.home),
+        answer=ScrewsAnswer(arm.body_screws[joints], names=[f"screw {i + 1}" for i in joints]),
+        mistakes=body_screw_mistakes(S, arm.home),
     ).sifted()
 
 
 def back_to_space(robot: Chain, sampler: ArmSampler) -> Problem:
     """Space screws from body screws."""
-    arm = moved(robot, plain_base(sampler, robot), hand(sampler, robot))
-    joints = _some(sampler, arm)
+    arm = rebased(robot, random_aligned_base(sampler, robot), random_tool(sampler, robot))
+    joints = _choose_joints(sampler, arm)
     B = arm.body_screws[joints]
     return Problem(
-        statement=f"A colleague wrote {robot.name} down as its tool sees it: {_axes_of(joints)}. Give the same in {{s}}, as rows."
+        statement=f"A colleague wrote {robot.name} down as its tool sees it: {_name_axes(joints)}. Give the same in {{s}}, as rows."
         f"\n\n$$B = {matrix(B)}$$\n\n$$M = {matrix(arm.home)}$$",
         figure=partial(draw_arm, arm),
         given={"body_screws": B, "home": arm.home},
-        answer=Screws(arm.screws[joints], names=[f"screw {i + 1}" for i in joints]),
-        mistakes=of_space_screws(B, arm.home),
+        answer=ScrewsAnswer(arm.screws[joints], names=[f"screw {i + 1}" for i in joints]),
+        mistakes=space_screw_mistakes(B, arm.home),
     ).sifted()
 
 
 def new_tool(robot: Chain, sampler: ArmSampler) -> Problem:
     """Body screws after the tool was replaced."""
-    arm = moved(robot, plain_base(sampler, robot), hand(sampler, robot))
-    joints, H = _some(sampler, arm), hand(sampler, robot)
+    arm = rebased(robot, random_aligned_base(sampler, robot), random_tool(sampler, robot))
+    joints, H = _choose_joints(sampler, arm), random_tool(sampler, robot)
     B, S = arm.body_screws[joints], arm.screws[joints]
     return Problem(
         statement=f"The tool of {robot.name} is replaced. The new one has its frame {{t}} where the old one saw $T_{{bt}}$. Below "
-        f"stands what {{b}} read: {_axes_of(joints)}. Give what {{t}} reads.\n\n$$B = {matrix(B)}$$\n\n"
+        f"stands what {{b}} read: {_name_axes(joints)}. Give what {{t}} reads.\n\n$$B = {matrix(B)}$$\n\n"
         f"$$T_{{bt}} = {matrix(H)}$$",
         figure=partial(draw_arm, arm),
         given={"body_screws": B, "T_bt": H},
-        answer=Screws(carried(inverse(H), B), names=[f"screw {i + 1}" for i in joints]),
+        answer=ScrewsAnswer(transform_screws(inverse(H), B), names=[f"screw {i + 1}" for i in joints]),
         mistakes=[
             mistake(
                 "the old ones",
@@ -115,37 +115,38 @@ def new_tool(robot: Chain, sampler: ArmSampler) -> Problem:
             ),
             mistake(
                 "the other way",
-                carried(H, B),
+                transform_screws(H, B),
                 "You carried the screws with $\\mathrm{Ad}_{T_{bt}}$. That takes what {t} reads to what {b} reads; here it is $T_{tb}$.",
             ),
             mistake(
                 "only rotated",
-                only_turned(inverse(H), B),
+                rotate_only(inverse(H), B),
                 "You turned both halves, but {t} also stands elsewhere: its origin is another, so the moments change.",
             ),
             mistake("space screws", S, "These are the space screws. The tool does not read them."),
             mistake(
                 "halves swapped",
-                halves_swapped(carried(inverse(H), B)),
+                swap_halves(transform_screws(inverse(H), B)),
                 "You wrote $(v, \\omega)$. Here a screw axis is $(\\omega, v)$.",
             ),
         ],
     ).sifted()
 
 
-def _some(sampler: ArmSampler, arm: Chain) -> list[int]:
+def _choose_joints(sampler: ArmSampler, arm: Chain) -> list[int]:
     """A few joints in their order, counted from 0: of each kind one, if there is more than one kind."""
     kinds = [
-        sampler.choice([i for i, other in enumerate(arm.joint_types) if other == kind]) for kind in sorted(set(arm.joint_types))
+        sampler.choice([i for i, other in enumerate(arm.joint_types) if other == kind])
+        for kind in sorted(set(arm.joint_types))
     ]
     others = [i for i in sampler.shuffled(range(arm.n)) if i not in kinds]
-    return sorted([*kinds, *others][: min(MOST, arm.n)])
+    return sorted([*kinds, *others][: min(MAX_ASKED_JOINTS, arm.n)])
 
 
-def _axes_of(joints: Sequence[int]) -> str:
+def _name_axes(joints: Sequence[int]) -> str:
     """Some screw axes in words.
 
-    >>> _axes_of([0]), _axes_of([0, 2, 3])
+    >>> _name_axes([0]), _name_axes([0, 2, 3])
     ('the screw axis of joint 1', 'the screw axes of joints 1, 3 and 4')
     """
     numbers = [str(i + 1) for i in joints]
@@ -154,36 +155,36 @@ def _axes_of(joints: Sequence[int]) -> str:
     return f"the screw axes of joints {', '.join(numbers[:-1])} and {numbers[-1]}"
 
 
-ROWS = "Answer with screw axes $(\\omega, v)$ in rows, in the order of the joints."
+ANSWER_NOTE = "Answer with screw axes $(\\omega, v)$ in rows, in the order of the joints."
 
-SCREW_TASKS: dict[str, Task] = {
-    "space_screws": Task(
+SCREW_TASKS: dict[str, RobotTask] = {
+    "space_screws": RobotTask(
         "Screw axes in your lab",
         3,
         "03_poe_space#Screw axes from a drawing",
         space_screws,
-        Entry("screws", ROWS, "screws_{k} = kl.screw(given.axes, given.points, given.pitches)"),
+        Entry("screws", ANSWER_NOTE, "screws_{k} = kl.screw(given.axes, given.points, given.pitches)"),
     ),
-    "body_screws": Task(
+    "body_screws": RobotTask(
         "The same axes, read by the tool",
         3,
         "04_poe_body#The adjoint",
         body_screws,
-        Entry("screws", ROWS, "screws_{k} = given.screws @ kl.adjoint(kl.inverse(given.home)).T"),
+        Entry("screws", ANSWER_NOTE, "screws_{k} = given.screws @ kl.adjoint(kl.inverse(given.home)).T"),
     ),
-    "back_to_space": Task(
+    "back_to_space": RobotTask(
         "Back to {s}",
         2,
         "04_poe_body#The adjoint",
         back_to_space,
-        Entry("screws", ROWS, "screws_{k} = given.body_screws @ kl.adjoint(given.home).T"),
+        Entry("screws", ANSWER_NOTE, "screws_{k} = given.body_screws @ kl.adjoint(given.home).T"),
     ),
-    "new_tool": Task(
+    "new_tool": RobotTask(
         "A new tool",
         2,
         "04_poe_body#Check yourself",
         new_tool,
-        Entry("screws", ROWS, "screws_{k} = given.body_screws @ kl.adjoint(kl.inverse(given.T_bt)).T"),
+        Entry("screws", ANSWER_NOTE, "screws_{k} = given.body_screws @ kl.adjoint(kl.inverse(given.T_bt)).T"),
     ),
 }
 """What a task is called here, the file of a sheet calls it."""

@@ -8,10 +8,17 @@ from functools import partial
 
 import numpy as np
 
-from kincourse.answers.dh_table import Table
-from kincourse.mistakes.dh import of_table
-from kincourse.robot_sheets.sampling import first, grain, moved, plain_base, plain_posture, rezeroed
-from kincourse.robot_sheets.task import Task
+from kincourse.answers.dh_table import DHTableAnswer
+from kincourse.mistakes.dh import table_mistakes
+from kincourse.robot_sheets.sampling import (
+    random_aligned_base,
+    random_quarter_turn_configuration,
+    rebased,
+    step_size,
+    truncated,
+    with_zero_at,
+)
+from kincourse.robot_sheets.task import RobotTask
 from kincourse.sampling.arms import ArmSampler
 from kincourse.text.joint_table import joint_table
 from kinlib.chains.chain import Chain
@@ -28,10 +35,10 @@ from misstep.problem import Problem
 from misstep.release.instructor_notebook import Entry
 from misstep.text import matrix, number
 
-LONGEST = 7
+MAX_ROWS = 7
 """How many rows a table has at most: those of a robot with more joints end behind the seventh."""
 
-MISTAKES = (
+MISTAKE_NAMES = (
     *("the other convention", "z on the wrong joint", "no offset", "sign of alpha", "alpha one row off"),
     *("a and d swapped", "off the normal", "slide in theta", "degrees"),
 )
@@ -50,13 +57,13 @@ def modified_table(robot: Chain, sampler: ArmSampler) -> Problem:
 def faulty_entry(robot: Chain, sampler: ArmSampler) -> Problem:
     """One entry of a table does not fit the drawn frames."""
     arm, cut, _ = _arm(robot, sampler)
-    table = _assigned(arm, sampler.choice(("standard", "modified")))
+    table = _assigned_table(arm, sampler.choice(("standard", "modified")))
     frames = [table.base]
     for link in table.link_transforms(np.zeros(table.n)):
         frames.append(frames[-1] @ link)
     i, k = sampler.integer(0, table.n - 1), sampler.integer(0, 3)
     wrong = table.rows.copy()
-    wrong[i, k] = _another(sampler, wrong[i, k], COLUMNS[k], grain(robot))
+    wrong[i, k] = _wrong_entry(sampler, wrong[i, k], COLUMNS[k], step_size(robot))
     names = {f"{column}{row + 1}": f"{column} in row {row + 1}" for row in range(table.n) for column in COLUMNS}
     column, row, axis = COLUMNS[k], i + 1, "$z$" if k > 1 else "$x$"
     others = {
@@ -80,7 +87,7 @@ def faulty_entry(robot: Chain, sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"The table below was read off the drawn frames of {robot.name}{cut}, in the {table.convention} convention, with the "
         "joints where they stand in the drawing. One entry is wrong. Which? Answer with its column and its row, such as `'d2'`. The poses "
-        f"of the frames in {{s}} are in `given.frames`.\n\n{_printed(table.changed(rows=wrong))}",
+        f"of the frames in {{s}} are in `given.frames`.\n\n{_format_table(table.changed(rows=wrong))}",
         figure=partial(draw_table, table, numbers=True, path=False),
         given={"frames": np.array(frames), "rows": wrong, "convention": table.convention},
         answer=Choice(f"{column}{row}", names),
@@ -90,7 +97,7 @@ def faulty_entry(robot: Chain, sampler: ArmSampler) -> Problem:
 
 def _table(robot: Chain, sampler: ArmSampler, convention: Convention) -> Problem:
     arm, cut, words = _arm(robot, sampler)
-    table = _assigned(arm, convention)
+    table = _assigned_table(arm, convention)
     n, end = table.n, arm.home @ inverse(table.tool)
     return Problem(
         statement=f"{robot.name}{cut} is drawn with its joints at {words}; this posture is to be $q = 0$. Write its table in the "
@@ -98,26 +105,26 @@ def _table(robot: Chain, sampler: ArmSampler, convention: Convention) -> Problem
         f"table that fits is right.\n\n{joint_table(arm)}\n\n$$T_{{s0}} = {matrix(table.base)}$$\n\n$$T_{{s{n}}}(0) = {matrix(end)}$$",
         figure=partial(draw_joints, arm),
         given={"screws": arm.screws, "points": arm.joint_points, "home": arm.home, "base": table.base, "last": end},
-        answer=Table(table, anchored=True),
-        mistakes=of_table(table, *MISTAKES),
+        answer=DHTableAnswer(table, anchored=True),
+        mistakes=table_mistakes(table, *MISTAKE_NAMES),
     ).sifted()
 
 
 def _arm(robot: Chain, sampler: ArmSampler) -> tuple[Chain, str, str]:
     """The robot in the student's zero posture and place, where it was cut, and the posture in words."""
-    part = first(robot, LONGEST)
-    at = plain_posture(sampler, part)
-    arm = moved(rezeroed(part, at.q), plain_base(sampler, robot), np.eye(4))
-    cut = f", up to joint {LONGEST}," if part.n < robot.n else ""
+    part = truncated(robot, MAX_ROWS)
+    at = random_quarter_turn_configuration(sampler, part)
+    arm = rebased(with_zero_at(part, at.q), random_aligned_base(sampler, robot), np.eye(4))
+    cut = f", up to joint {MAX_ROWS}," if part.n < robot.n else ""
     return arm, cut, at.words
 
 
-def _assigned(arm: Chain, convention: Convention) -> DHTable:
+def _assigned_table(arm: Chain, convention: Convention) -> DHTable:
     """The rows of our own choice of frames."""
     return assign_frames(arm, convention=convention).table.changed(name=arm.name)
 
 
-def _another(sampler: ArmSampler, value: float, column: str, step: float) -> float:
+def _wrong_entry(sampler: ArmSampler, value: float, column: str, step: float) -> float:
     """A wrong number in the place of a right one: plain, and plainly wrong."""
     if column in ANGLES:
         return value + float(np.radians(sampler.choice([90, -90, 180])))
@@ -125,27 +132,27 @@ def _another(sampler: ArmSampler, value: float, column: str, step: float) -> flo
     return sampler.choice([-value, value + off]) if abs(value) > step / 2 else value + off
 
 
-def _printed(table: DHTable) -> str:
+def _format_table(table: DHTable) -> str:
     """The table as a page prints it, angles in degrees."""
-    return markdown_table(format_rows(table, length=number, angle=lambda angle: f"{number(_plain(angle))}°"))
+    return markdown_table(format_rows(table, length=number, angle=lambda angle: f"{number(_wrapped_degrees(angle))}°"))
 
 
-def _plain(angle: float) -> float:
+def _wrapped_degrees(angle: float) -> float:
     """An angle in degrees, between -180 and 180, to the thousandth."""
     return float(180 - (180 - np.degrees(angle).round(3)) % 360)
 
 
-ANSWER = (
+ANSWER_NOTE = (
     "Answer with a table: text with the head `a | alpha | d | theta` and one row a joint, with `q1`, `q2`, ... for what moves; "
     "angles as `90°` or `pi/2`."
 )
 
-SOLUTION = """\
+TABLE_SOLUTION = """\
 arm = kl.Chain(given.screws, given.home, given.points)
 table_{k} = kl.assign_frames(arm, convention="CONVENTION").table
 """
 
-FAULT = """\
+FAULTY_ENTRY_SOLUTION = """\
 link = kl.inverse(given.frames[:-1]) @ given.frames[1:]
 R, p = link[:, :3, :3], link[:, :3, 3]
 if given.convention == "standard":  # the entries of Rz Tz Tx Rx, read backwards
@@ -160,22 +167,22 @@ row, column = np.unravel_index(np.argmax(np.abs(off)), off.shape)
 entry_{k} = f"{('a', 'alpha', 'd', 'theta')[column]}{row + 1}"
 """
 
-TABLE_TASKS: dict[str, Task] = {
-    "standard_table": Task(
+TABLE_TASKS: dict[str, RobotTask] = {
+    "standard_table": RobotTask(
         "A table in the standard convention",
         4,
         "05_dh_standard#Reading a table off a drawing",
         standard_table,
-        Entry("table", ANSWER, SOLUTION.replace("CONVENTION", "standard")),
+        Entry("table", ANSWER_NOTE, TABLE_SOLUTION.replace("CONVENTION", "standard")),
     ),
-    "modified_table": Task(
+    "modified_table": RobotTask(
         "A table in the modified convention",
         4,
         "06_dh_modified#Frame labelling in eight steps",
         modified_table,
-        Entry("table", ANSWER, SOLUTION.replace("CONVENTION", "modified")),
+        Entry("table", ANSWER_NOTE, TABLE_SOLUTION.replace("CONVENTION", "modified")),
     ),
-    "faulty_entry": Task(
+    "faulty_entry": RobotTask(
         "The faulty entry",
         3,
         "05_dh_standard#The four motions",
@@ -183,7 +190,7 @@ TABLE_TASKS: dict[str, Task] = {
         Entry(
             "entry",
             "Answer with a column and a row, in quotes.",
-            FAULT,
+            FAULTY_ENTRY_SOLUTION,
         ),
     ),
 }

@@ -9,7 +9,7 @@ from misstep.problem import Problem
 from misstep.release.instructor_notebook import Entry
 
 
-class Task(NamedTuple):
+class RobotTask(NamedTuple):
     """A problem before it has a robot, and its cells in the notebook. In a solution, {k} is the number of the problem."""
 
     title: str

@@ -14,27 +14,27 @@ from kinlib.chains.robots import SLIDE, X, Y, Z, arm, pose
 from kinlib.view.drawing.canvas import seen_from
 from misstep.sampling import Sampler
 
-APART = 1.2
+MIN_JOINT_DISTANCE_M = 1.2
 """How far apart two joints of a drawn arm stand on the sheet, in metres of the arm."""
 
-BESIDE = 0.4
+MIN_DROP_LINE_DISTANCE_M = 0.4
 """How far apart the lines stand that drop from them to the floor, so that each height is read at its own line."""
 
-IN_SIGHT = 1.0
+MIN_POINT_DISTANCE_M = 1.0
 """How far apart the points of a drawing stand on the sheet, in metres, for marks on both to be told apart."""
 
-DIRECTIONS = (X, Y, Z, -X, -Y, -Z)
+AXIS_DIRECTIONS = (X, Y, Z, -X, -Y, -Z)
 
 
-def in_sight(places: Sequence[Array]) -> bool:
+def are_distinguishable(places: Sequence[Array]) -> bool:
     """Whether a drawing shows these points apart from each other; one point alone is no drawing yet.
 
-    >>> in_sight([np.zeros(3), 3 * X]), in_sight([np.zeros(3), 0.1 * X])
+    >>> are_distinguishable([np.zeros(3), 3 * X]), are_distinguishable([np.zeros(3), 0.1 * X])
     (True, False)
     """
     _, sheet = seen_from("default")
     far = [np.linalg.norm(sheet @ (one - other)) for k, one in enumerate(places) for other in places[:k]]
-    return bool(far and min(far) > IN_SIGHT)
+    return bool(far and min(far) > MIN_POINT_DISTANCE_M)
 
 
 class ArmSampler(Sampler):
@@ -51,8 +51,8 @@ class ArmSampler(Sampler):
 
     def axes(self) -> tuple[Array, Array, Array]:
         """The axes x, y, z of a frame, each along one of {s}."""
-        x = self.choice(DIRECTIONS)
-        z = self.choice([axis for axis in DIRECTIONS if not axis @ x])
+        x = self.choice(AXIS_DIRECTIONS)
+        z = self.choice([axis for axis in AXIS_DIRECTIONS if not axis @ x])
         return x, np.cross(z, x), z
 
     def arm(self, letters: str, reach: int = 4) -> Chain:
@@ -63,7 +63,7 @@ class ArmSampler(Sampler):
         """
         joints: list[tuple[Array, Array, float]] = []
         for letter in letters:
-            free = [axis for axis in DIRECTIONS if not joints or not axis @ joints[-1][0]]
+            free = [axis for axis in AXIS_DIRECTIONS if not joints or not axis @ joints[-1][0]]
             point = self._point_in_sight([place for _, place, _ in joints], reach)
             joints.append((self.choice(free), point, SLIDE if letter == "P" else 0.0))
         home = pose(self.axes(), self.point(reach))
@@ -75,5 +75,8 @@ class ArmSampler(Sampler):
         while True:
             point = self.point(reach)
             apart = [sheet @ (point - other) for other in [np.zeros(3), *others]]
-            if all(np.linalg.norm(step) > APART and abs(step[0]) > BESIDE for step in apart):
+            if all(
+                np.linalg.norm(step) > MIN_JOINT_DISTANCE_M and abs(step[0]) > MIN_DROP_LINE_DISTANCE_M
+                for step in apart
+            ):
                 return point

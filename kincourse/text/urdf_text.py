@@ -10,14 +10,14 @@ from kinlib.arrays.validation import Array
 from kinlib.rigid.rpy import origin
 from misstep.text import number
 
-QUARTER = np.pi / 2
+RIGHT_ANGLE_RAD = np.pi / 2
 
 
 @dataclass(frozen=True, eq=False)
-class Placed:
+class UrdfJoint:
     """A joint of a printed file: its origin as it stands there, and its axis in its own frame.
 
-    >>> Placed("lean", (0, 0, 1), (np.pi / 2, 0, 0)).element("post", "rod").splitlines()[2]
+    >>> UrdfJoint("lean", (0, 0, 1), (np.pi / 2, 0, 0)).element("post", "rod").splitlines()[2]
     '  <origin xyz="0 0 1" rpy="1.5708 0 0"/>'
     """
 
@@ -34,59 +34,59 @@ class Placed:
 
     def element(self, parent: str, child: str) -> str:
         """The joint as it stands in a file."""
-        turned = f' rpy="{spaced(self.rpy)}"' if np.any(self.rpy) else ""
+        rpy_attribute = f' rpy="{format_values(self.rpy)}"' if np.any(self.rpy) else ""
         lines = [
             f'<joint name="{self.name}" type="{self.kind}">',
             f'  <parent link="{parent}"/> <child link="{child}"/>',
-            f'  <origin xyz="{spaced(self.xyz)}"{turned}/>',
-            *([f'  <axis xyz="{spaced(self.axis)}"/>'] if self.kind != "fixed" else []),
+            f'  <origin xyz="{format_values(self.xyz)}"{rpy_attribute}/>',
+            *([f'  <axis xyz="{format_values(self.axis)}"/>'] if self.kind != "fixed" else []),
             "</joint>",
         ]
         return "\n".join(lines)
 
 
-def serial_file(joints: Sequence[Placed], links: Sequence[str]) -> str:
+def serial_urdf(joints: Sequence[UrdfJoint], links: Sequence[str]) -> str:
     """A file of one arm: links from base to tip, and a joint between each two.
 
-    >>> serial_file([Placed("turn", (0, 0, 1))], ["base", "tip"]).count("<link ")
+    >>> serial_urdf([UrdfJoint("turn", (0, 0, 1))], ["base", "tip"]).count("<link ")
     2
     """
     ends = zip(joints, links[:-1], links[1:], strict=True)
-    return in_robot(links, [joint.element(parent, child) for joint, parent, child in ends])
+    return robot_urdf(links, [joint.element(parent, child) for joint, parent, child in ends])
 
 
-def in_robot(links: Iterable[str], elements: Iterable[str], name: str = "yours") -> str:
+def robot_urdf(links: Iterable[str], elements: Iterable[str], name: str = "yours") -> str:
     r"""A file of links and elements.
 
-    >>> in_robot(["a"], [])
+    >>> robot_urdf(["a"], [])
     '<robot name="yours">\n<link name="a"/>\n</robot>'
     """
     return "\n".join([f'<robot name="{name}">', *(f'<link name="{link}"/>' for link in links), *elements, "</robot>"])
 
 
-def fenced(text: str) -> str:
+def fence_urdf(text: str) -> str:
     r"""A file as Markdown shows it.
 
-    >>> fenced("<robot/>")
+    >>> fence_urdf("<robot/>")
     '```xml\n<robot/>\n```'
     """
     return f"```xml\n{text}\n```"
 
 
-def spaced(values: Array | Iterable[float]) -> str:
+def format_values(values: Array | Iterable[float]) -> str:
     """Numbers as a file holds them, with four decimals at most.
 
-    >>> spaced([0, -1, np.pi / 2])
+    >>> format_values([0, -1, np.pi / 2])
     '0 -1 1.5708'
     """
-    return " ".join(number(round(value, 4)) if abs(value) != QUARTER else f"{value:.4f}" for value in values)
+    return " ".join(number(round(value, 4)) if abs(value) != RIGHT_ANGLE_RAD else f"{value:.4f}" for value in values)
 
 
-def right_angles(sampler: ArmSampler, turns: int) -> Array:
+def random_right_angles(sampler: ArmSampler, turns: int) -> Array:
     """Roll, pitch and yaw of so many right angles, either way; the others are 0.
 
-    >>> int(np.count_nonzero(right_angles(ArmSampler("ada", "09.1"), 2)))
+    >>> int(np.count_nonzero(random_right_angles(ArmSampler("ada", "09.1"), 2)))
     2
     """
-    which = sampler.shuffled([0, 1, 2])[:turns]
-    return np.array([sampler.choice((-1, 1)) * QUARTER if k in which else 0.0 for k in range(3)])
+    chosen = sampler.shuffled([0, 1, 2])[:turns]
+    return np.array([sampler.choice((-1, 1)) * RIGHT_ANGLE_RAD if k in chosen else 0.0 for k in range(3)])

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import kinlib as kl
-from kincourse.answers.dh_table import LONGEST, Table
+from kincourse.answers.dh_table import MAX_TEXT_LENGTH, DHTableAnswer
 from kinlib import DHTable
 from misstep.answers.base import Unreadable
 from misstep.judge import judge
@@ -14,11 +14,11 @@ ROWS = [[0.3, 0.7, 0.2, 0], [0.25, -1.1, 0.35, 0.5], [0.4, 0.9, 0.15, 0]]
 RIGHT = DHTable(ROWS, convention="standard")
 
 
-def judged(given, **options):
-    return judge(Problem("Give the table.", Table(RIGHT, **options), []), given)
+def judge_table(given, **options):
+    return judge(Problem("Give the table.", DHTableAnswer(RIGHT, **options), []), given)
 
 
-def changed(*entries):
+def rows_with(*entries):
     rows = np.array(ROWS)
     for row, column, value in entries:
         rows[row, column] = value
@@ -30,17 +30,17 @@ def test_numbers_dictionaries_and_text_are_read():
     named = [dict(zip(("a", "alpha", "d", "theta"), row, strict=True)) for row in ROWS]
     for row, number in zip(named, (1, 2, 3), strict=True):
         row["theta"] = f"q{number} + {row['theta']}"
-    assert [judged(given).state for given in (ROWS, text, named, RIGHT)] == ["right"] * 4
+    assert [judge_table(given).state for given in (ROWS, text, named, RIGHT)] == ["right"] * 4
 
 
 def test_a_flipped_x_and_another_zero_are_right():
-    flipped = changed((0, 0, -0.3), (0, 1, -0.7), (0, 3, np.pi), (1, 3, 0.5 - np.pi))
-    assert judged(flipped).state == "right"
-    assert judged(changed((1, 3, 2.0))).state == "right"
+    flipped = rows_with((0, 0, -0.3), (0, 1, -0.7), (0, 3, np.pi), (1, 3, 0.5 - np.pi))
+    assert judge_table(flipped).state == "right"
+    assert judge_table(rows_with((1, 3, 2.0))).state == "right"
 
 
 def test_where_the_zero_counts_another_zero_is_wrong_and_told():
-    judgement = judged(changed((1, 3, 1.5)), anchored=True)
+    judgement = judge_table(rows_with((1, 3, 1.5)), anchored=True)
     assert judgement.state == "wrong"
     assert judgement.findings[0].message.startswith(
         "Your table moves like the arm, from another start. Joint 2 has its zero"
@@ -51,22 +51,24 @@ def test_three_decimals_are_enough():
     right = DHTable(np.array(ROWS) * np.sqrt(2) / 2, convention="standard")
     printed = right.rows.round(3).tolist()
     for anchored in (False, True):
-        assert judge(Problem("", Table(right, anchored=anchored), []), printed).state == "right"
-    elsewhere = judge(Problem("", Table(right, anchored=True), []), [printed[0], [*printed[1][:3], 1.0], printed[2]])
+        assert judge(Problem("", DHTableAnswer(right, anchored=anchored), []), printed).state == "right"
+    elsewhere = judge(
+        Problem("", DHTableAnswer(right, anchored=True), []), [printed[0], [*printed[1][:3], 1.0], printed[2]]
+    )
     assert elsewhere.findings[0].message.startswith("Your table moves like the arm, from another start.")
 
 
 def test_where_all_counts_the_frames_at_the_ends_are_those_of_the_problem():
     ends = RIGHT.changed(base=kl.exp([0, 0, 1, 1, 0, 0]), tool=kl.exp([0, 1, 0, 0, 0, 2]))
-    assert judge(Problem("", Table(ends, anchored=True), []), ROWS).state == "right"
-    assert judge(Problem("", Table(ends, anchored=True), []), RIGHT).state == "wrong"
+    assert judge(Problem("", DHTableAnswer(ends, anchored=True), []), ROWS).state == "right"
+    assert judge(Problem("", DHTableAnswer(ends, anchored=True), []), RIGHT).state == "wrong"
 
 
 def test_where_all_counts_a_joint_that_counts_the_other_way_is_wrong():
     """At half a turn both signs give the same pose, so that one posture is not enough."""
     text = "a|alpha|d|theta\n0.3|0.7|0.2|-q1\n0.25|-1.1|0.35|q2+0.5\n0.4|0.9|0.15|q3"
-    assert judged(text).state == "right"
-    assert judged(text, anchored=True).state == "wrong"
+    assert judge_table(text).state == "right"
+    assert judge_table(text, anchored=True).state == "wrong"
 
 
 def test_a_slide_is_known_from_the_problem_or_from_what_is_typed():
@@ -77,48 +79,48 @@ def test_a_slide_is_known_from_the_problem_or_from_what_is_typed():
         {"a": 0.4, "alpha": 0.9, "d": 0.15, "theta": "q3"},
     ]
     for given in (ROWS, named, [named[0], named[1], named[2]]):
-        assert judge(Problem("", Table(sliding), []), given).state == "right"
+        assert judge(Problem("", DHTableAnswer(sliding), []), given).state == "right"
     for given in (named, DHTable(named, convention="standard")):
-        message = judged(given).findings[0].message
+        message = judge_table(given).findings[0].message
         assert message == "Its joints are RPR; those of the arm are RRR. Which column holds the variable?"
 
 
 def test_lengths_with_names_are_known():
     text = "a|alpha|d|theta\nl1|0.7|0.2|q1\n0.25|-1.1|0.35|q2+0.5\n0.4|0.9|0.15|q3"
-    assert judged(text, lengths={"l1": 0.3}).state == "right"
-    assert "Give lengths={'l1': ...}" in judged(text).findings[0].message
+    assert judge_table(text, lengths={"l1": 0.3}).state == "right"
+    assert "Give lengths={'l1': ...}" in judge_table(text).findings[0].message
 
 
 def test_a_text_is_read_up_to_a_length():
     text = "a|alpha|d|theta\n0.3|0.7|0.2|q1\n0.25|-1.1|0.35|q2+0.5\n0.4|0.9|0.15|q3"
-    assert judged(text.ljust(LONGEST)).state == "right"
+    assert judge_table(text.ljust(MAX_TEXT_LENGTH)).state == "right"
     with pytest.raises(Unreadable, match="too long"):
-        Table(RIGHT).read(text.ljust(LONGEST + 1))
+        DHTableAnswer(RIGHT).read(text.ljust(MAX_TEXT_LENGTH + 1))
 
 
 def test_an_arm_of_another_number_of_joints_is_another_arm():
-    assert Table(RIGHT).agrees(RIGHT, DHTable(ROWS[:2], convention="standard")) == [False]
+    assert DHTableAnswer(RIGHT).agrees(RIGHT, DHTable(ROWS[:2], convention="standard")) == [False]
 
 
 def test_two_mistakes_in_one_table_are_not_sought():
     """It takes seconds, and a student waits: what differs first is told at once."""
-    message = judged(changed((0, 0, 0.2), (0, 2, 0.3), (1, 1, 1.1))).findings[0].message
+    message = judge_table(rows_with((0, 0, 0.2), (0, 2, 0.3), (1, 1, 1.1))).findings[0].message
     assert message == "Axes 1 and 2 are 0.2 m apart in your table, and 0.3 m in the arm."
 
 
 @pytest.mark.parametrize(
     ("given", "words"),
     [
-        (changed((1, 1, 1.1)), "Row 2: alpha has the wrong sign."),
-        (changed((1, 0, 0.35), (1, 2, 0.25)), "Row 2: a and d are exchanged"),
-        (changed((1, 2, 0.9)), "All but one entry can stand: look again at d in row 2."),
+        (rows_with((1, 1, 1.1)), "Row 2: alpha has the wrong sign."),
+        (rows_with((1, 0, 0.35), (1, 2, 0.25)), "Row 2: a and d are exchanged"),
+        (rows_with((1, 2, 0.9)), "All but one entry can stand: look again at d in row 2."),
         (DHTable(ROWS, convention="modified"), "The table is in the standard convention, and was read as modified."),
         (DHTable(ROWS, convention="standard", joints="RPR"), "Which column holds the variable?"),
-        (changed((0, 1, 0.1), (1, 0, 9.0), (1, 2, 5.0)), "Axes 1 and 2 make an angle"),
+        (rows_with((0, 1, 0.1), (1, 0, 9.0), (1, 2, 5.0)), "Axes 1 and 2 make an angle"),
     ],
 )
 def test_a_wrong_table_is_told_what_is_wrong(given, words):
-    assert words in judged(given).findings[0].message
+    assert words in judge_table(given).findings[0].message
 
 
 UNREADABLE = {
@@ -135,4 +137,4 @@ UNREADABLE = {
 def test_what_is_no_table_of_this_arm_is_unreadable(given, words):
     expected = r"^Expected a DH table in the standard convention with 3 joints \(RRR\): text with .* for what moves"
     with pytest.raises(Unreadable, match=f"(?s){expected}{words}"):
-        Table(RIGHT).read(given)
+        DHTableAnswer(RIGHT).read(given)

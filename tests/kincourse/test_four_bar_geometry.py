@@ -8,7 +8,7 @@ from circles import meeting_points
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
-from kincourse.sampling.four_bar_geometry import Bars, slider_place
+from kincourse.sampling.four_bar_geometry import FourBar, slider_position
 from kinlib import linkages
 from kinlib.rigid.angles import wrap_angle
 
@@ -18,10 +18,10 @@ angles = st.floats(-np.pi, np.pi)
 
 @given(st.tuples(lengths, lengths, lengths, lengths), angles)
 def test_both_modes_close_the_loop_of_the_library(four, A):
-    bars = Bars(*four)
-    assume(np.hypot(*(bars.crank * np.array([np.cos(A), np.sin(A)]) - (bars.ground, 0))) > 1e-2)
+    four_bar = FourBar(*four)
+    assume(np.hypot(*(four_bar.crank * np.array([np.cos(A), np.sin(A)]) - (four_bar.ground, 0))) > 1e-2)
     try:
-        modes = bars.modes(A)
+        modes = four_bar.assembly_modes(A)
     except ValueError:
         return
     np.testing.assert_allclose(linkages.four_bar(*four).residual(modes), 0, atol=1e-7)
@@ -29,14 +29,14 @@ def test_both_modes_close_the_loop_of_the_library(four, A):
 
 @given(st.tuples(lengths, lengths, lengths, lengths), angles)
 def test_coupler_and_rocker_are_as_long_as_they_should_be_on_either_side(four, A):
-    bars = Bars(*four)
-    assume(np.hypot(*(bars.crank * np.array([np.cos(A), np.sin(A)]) - (bars.ground, 0))) > 1e-2)
+    four_bar = FourBar(*four)
+    assume(np.hypot(*(four_bar.crank * np.array([np.cos(A), np.sin(A)]) - (four_bar.ground, 0))) > 1e-2)
     try:
-        B, D, C = bars.joints(A)
+        B, D, C = four_bar.pin_positions(A)
     except ValueError:
         return
-    np.testing.assert_allclose(np.linalg.norm(C - B, axis=1), bars.coupler, atol=1e-9)
-    np.testing.assert_allclose(np.linalg.norm(C - D, axis=1), bars.rocker, atol=1e-7)
+    np.testing.assert_allclose(np.linalg.norm(C - B, axis=1), four_bar.coupler, atol=1e-9)
+    np.testing.assert_allclose(np.linalg.norm(C - D, axis=1), four_bar.rocker, atol=1e-7)
     way, left = D - B, C[0] - B
     assert way[0] * left[1] - way[1] * left[0] >= -1e-12  # flat triangles have no left
 
@@ -44,44 +44,44 @@ def test_coupler_and_rocker_are_as_long_as_they_should_be_on_either_side(four, A
 def test_the_search_of_the_library_finds_the_same_two_modes():
     four = (0.4, 0.1, 0.35, 0.3)
     found = linkages.four_bar(*four).assembly_modes(hold={"A": 1.0})
-    mine = Bars(*four).modes(1.0)
+    mine = FourBar(*four).assembly_modes(1.0)
     np.testing.assert_allclose(found[np.argsort(found[:, 1])], mine[np.argsort(mine[:, 1])], atol=1e-12)
 
 
 def test_the_dead_point_is_where_the_traced_crank_turns_back():
     linkage = linkages.four_bar(0.5, 0.3, 0.3, 0.3)
     curve = linkage.trace(linkage.assembly_modes(hold={"A": 0.5})[0], points=2001)
-    assert curve.q[:, 0].max() == pytest.approx(Bars(0.5, 0.3, 0.3, 0.3).dead_point(), abs=1e-5)
+    assert curve.q[:, 0].max() == pytest.approx(FourBar(0.5, 0.3, 0.3, 0.3).dead_point(), abs=1e-5)
 
 
 @given(lengths, st.floats(0.2, 3), st.floats(-0.5, 0.5), angles, st.sampled_from([1, -1]))
 def test_the_slider_is_a_rod_away_from_the_crank_pin(crank, rod, offset, A, side):
     assume(abs(offset - crank * np.sin(A)) < rod)
     B = crank * np.array([np.cos(A), np.sin(A)])
-    slider = np.array([slider_place(crank, rod, offset, A, side), offset])
+    slider = np.array([slider_position(crank, rod, offset, A, side), offset])
     assert np.linalg.norm(slider - B) == pytest.approx(rod, abs=1e-9)
     assert side * (slider - B)[0] >= 0
 
 
 def test_bars_that_do_not_reach_are_refused_with_the_distance():
     with pytest.raises(ValueError, match="From B to D it is 5 m: circles of 1 and 1 m do not meet"):
-        Bars(4, 1, 1, 1).joints(np.pi)
+        FourBar(4, 1, 1, 1).pin_positions(np.pi)
 
 
 def test_a_crank_that_turns_right_round_has_no_dead_point():
     with pytest.raises(ValueError, match="not held back"):
-        Bars(0.4, 0.1, 0.35, 0.3).dead_point()
+        FourBar(0.4, 0.1, 0.35, 0.3).dead_point()
 
 
 def test_a_crank_pin_on_the_rocker_pin_is_refused():
     with pytest.raises(ValueError, match="B stands on D"):
-        Bars(1, 1, 2, 2).joints(0.0)
+        FourBar(1, 1, 2, 2).pin_positions(0.0)
 
 
 # --- by other hands ---
 
 
-@pytest.mark.oracle("mpmath", Bars.joints, Bars.modes, wrap_angle)
+@pytest.mark.oracle("mpmath", FourBar.pin_positions, FourBar.assembly_modes, wrap_angle)
 @given(st.tuples(lengths, lengths, lengths, lengths), angles)
 def test_the_joints_are_where_two_circles_meet_with_30_digits(four, A):
     ground, crank, coupler, rocker = four
@@ -91,29 +91,29 @@ def test_the_joints_are_where_two_circles_meet_with_30_digits(four, A):
     assume(left_and_right)
     C = np.array(left_and_right)
     assume(np.linalg.norm(C[0] - C[1]) > 1e-2)
-    bars = Bars(*four)
-    for got, expected in zip(bars.joints(A), (B, D, C), strict=True):
+    four_bar = FourBar(*four)
+    for got, expected in zip(four_bar.pin_positions(A), (B, D, C), strict=True):
         np.testing.assert_allclose(got, expected, rtol=0, atol=1e-11)
     directions = [[mpmath.arg(mpmath.mpc(*(c - foot))) for foot in (B, D)] for c in C]
     q = [[A, b - A, d, b - d] for b, d in directions]
     turned = np.array([[float(mpmath.arg(mpmath.expj(angle))) for angle in row] for row in q])
-    np.testing.assert_allclose(np.exp(1j * bars.modes(A)), np.exp(1j * turned), rtol=0, atol=1e-9)
+    np.testing.assert_allclose(np.exp(1j * four_bar.assembly_modes(A)), np.exp(1j * turned), rtol=0, atol=1e-9)
     inside = np.abs(np.abs(turned) - np.pi) > 1e-6
     np.testing.assert_allclose(wrap_angle(np.array(q, dtype=float))[inside], turned[inside], rtol=0, atol=1e-11)
 
 
-@pytest.mark.oracle("sympy", Bars.dead_point, Bars.cosine)
+@pytest.mark.oracle("sympy", FourBar.dead_point, FourBar.cos_crank_angle)
 @pytest.mark.parametrize("four", [(0.5, 0.3, 0.3, 0.3), (0.4, 0.3, 0.2, 0.4), (4, 2, 2.5, 3)])
 def test_the_dead_point_is_an_angle_of_sympy_s_triangle(four):
     """Ground, crank, and coupler and rocker in one line: the angle at A is opposite to the last."""
     ground, crank, coupler, rocker = map(sp.Rational, map(str, four))
     A, D, B = sp.Triangle(sss=(ground, coupler + rocker, crank)).vertices
     angle = sp.Triangle(A, D, B).angles[A]
-    assert Bars(*four).dead_point() == pytest.approx(float(angle), abs=1e-12)
-    assert Bars(*four).cosine(float(coupler + rocker)) == pytest.approx(float(sp.cos(angle)), abs=1e-12)
+    assert FourBar(*four).dead_point() == pytest.approx(float(angle), abs=1e-12)
+    assert FourBar(*four).cos_crank_angle(float(coupler + rocker)) == pytest.approx(float(sp.cos(angle)), abs=1e-12)
 
 
-@pytest.mark.oracle("mpmath", slider_place)
+@pytest.mark.oracle("mpmath", slider_position)
 @given(lengths, st.floats(0.2, 3), st.floats(-0.5, 0.5), angles, st.sampled_from([1, -1]))
 def test_the_slider_is_at_a_root_of_its_quadratic(crank, rod, offset, A, side):
     """(x - B_x)^2 + (e - B_y)^2 = l^2, by mpmath's roots of polynomials."""
@@ -121,11 +121,11 @@ def test_the_slider_is_at_a_root_of_its_quadratic(crank, rod, offset, A, side):
     assume(abs(height) < rod - 1e-3)
     x = crank * np.cos(A)
     roots = sorted(float(root.real) for root in mpmath.polyroots([1, -2 * x, x * x + height**2 - rod**2]))
-    assert slider_place(crank, rod, offset, A, side) == pytest.approx(roots[side > 0], abs=1e-9)
+    assert slider_position(crank, rod, offset, A, side) == pytest.approx(roots[side > 0], abs=1e-9)
 
 
-@pytest.mark.oracle("printed: Grashof (1883)", Bars.surplus)
+@pytest.mark.oracle("printed: Grashof (1883)", FourBar.grashof_excess)
 def test_the_surplus_is_grashof_s_in_hand_written_numbers():
-    assert Bars(5, 1, 4, 3).surplus == -1
-    assert Bars(3, 2, 4, 3).surplus == 0
-    assert Bars(4, 2, 2.5, 3).surplus == 0.5
+    assert FourBar(5, 1, 4, 3).grashof_excess == -1
+    assert FourBar(3, 2, 4, 3).grashof_excess == 0
+    assert FourBar(4, 2, 2.5, 3).grashof_excess == 0.5

@@ -14,29 +14,29 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 from nbclient import NotebookClient
-from odd_robots import ODD
+from odd_robots import ODD_ROBOTS
 from urdf_files import ARMS, text_of
 
 import kinlib as kl
 from kincourse import find_sheet, open_sheet
 from kincourse.cli import main
 from kincourse.new_sheet import new_sheet
-from kincourse.robot_sheets.robot_file import read, written
-from kincourse.robot_sheets.robot_sheet import ALL, PROBLEMS, WANTED, robot_sheet, tasks_for
-from kincourse.robot_sheets.sampling import plain_posture, posture
+from kincourse.robot_sheets.robot_file import dumps, loads
+from kincourse.robot_sheets.robot_sheet import PROBLEMS_PER_SHEET, TASK_ORDER, TASKS, robot_sheet, tasks_for
+from kincourse.robot_sheets.sampling import random_configuration, random_quarter_turn_configuration
 from kincourse.sampling.arms import ArmSampler
 from misstep.cli import main as release
 from misstep.judge import judge
 
 STUDENTS = [f"student {i}" for i in range(12)]
 
-FITTING = {key: tasks_for(robot) for key, robot in ODD.items()}
+TASKS_BY_ROBOT = {key: tasks_for(robot) for key, robot in ODD_ROBOTS.items()}
 
-each_robot = pytest.mark.parametrize("key", ODD)
+each_robot = pytest.mark.parametrize("key", ODD_ROBOTS)
 
 
 def variants(key, task, students=STUDENTS):
-    template = robot_sheet("odd", ODD[key], [task]).problems[0]
+    template = robot_sheet("odd", ODD_ROBOTS[key], [task]).problems[0]
     return [template.variant(student) for student in students]
 
 
@@ -45,8 +45,8 @@ def variants(key, task, students=STUDENTS):
 
 @each_robot
 def test_every_robot_bears_eight_problems_that_tell_their_mistakes_apart(key):
-    assert len(FITTING[key]) == PROBLEMS >= 8
-    for task in FITTING[key]:
+    assert len(TASKS_BY_ROBOT[key]) == PROBLEMS_PER_SHEET >= 8
+    for task in TASKS_BY_ROBOT[key]:
         for problem in variants(key, task, STUDENTS[:5]):
             assert len(problem.mistakes) >= 3
             assert judge(problem, problem.answer.value).fraction == 1.0
@@ -56,21 +56,21 @@ def test_every_robot_bears_eight_problems_that_tell_their_mistakes_apart(key):
 
 @pytest.mark.parametrize("name", [name for name in ARMS if ARMS[name][0] == "airo"] + ["PUMA 560", "KUKA KR16"])
 def test_an_arm_that_another_package_ships_gets_all_that_we_want_to_ask(name):
-    assert tasks_for(kl.load_urdf(text_of(name), tip=ARMS[name][2])) == list(WANTED[:PROBLEMS])
+    assert tasks_for(kl.load_urdf(text_of(name), tip=ARMS[name][2])) == list(TASK_ORDER[:PROBLEMS_PER_SHEET])
 
 
 @each_robot
 def test_what_makes_no_sense_for_a_robot_is_replaced(key):
     """One joint has no neighbour whose axis a modified row could reach, and no table holds a helical joint."""
-    if ODD[key].n == 1:
-        assert not {"modified_table", "faulty_entry"} & set(FITTING[key])
-    if "H" in ODD[key].joint_types:
-        assert not {"standard_table", "modified_table", "faulty_entry"} & set(FITTING[key])
-    if ODD[key].n > 1 and "H" not in ODD[key].joint_types and "axis" not in key:
-        assert FITTING[key] == list(WANTED[:PROBLEMS])
+    if ODD_ROBOTS[key].n == 1:
+        assert not {"modified_table", "faulty_entry"} & set(TASKS_BY_ROBOT[key])
+    if "H" in ODD_ROBOTS[key].joint_types:
+        assert not {"standard_table", "modified_table", "faulty_entry"} & set(TASKS_BY_ROBOT[key])
+    if ODD_ROBOTS[key].n > 1 and "H" not in ODD_ROBOTS[key].joint_types and "axis" not in key:
+        assert TASKS_BY_ROBOT[key] == list(TASK_ORDER[:PROBLEMS_PER_SHEET])
 
 
-def of_values(problem):
+def joint_values(problem):
     slides = ~problem.given["screws" if "screws" in problem.given else "body_screws"][:, :3].any(axis=1)
     typed = problem.given["values"]
     return np.where(slides, typed, np.radians(typed))
@@ -80,10 +80,10 @@ def of_values(problem):
 def test_the_right_poses_are_those_of_the_books_own_code(key):
     """Modern Robotics: FKinSpace and FKinBody from what the problem gives."""
     for problem in variants(key, "where_is_the_tool"):
-        expected = mr.FKinSpace(problem.given["home"], problem.given["screws"].T, of_values(problem))
+        expected = mr.FKinSpace(problem.given["home"], problem.given["screws"].T, joint_values(problem))
         np.testing.assert_allclose(problem.answer.value, expected, atol=1e-6)
     for problem in variants(key, "body_form"):
-        expected = mr.FKinBody(problem.given["home"], problem.given["body_screws"].T, of_values(problem))
+        expected = mr.FKinBody(problem.given["home"], problem.given["body_screws"].T, joint_values(problem))
         np.testing.assert_allclose(problem.answer.value, expected, atol=1e-6)
     for problem in variants(key, "body_screws"):
         expected = (mr.Adjoint(mr.TransInv(problem.given["home"])) @ problem.given["screws"].T).T
@@ -113,7 +113,7 @@ def test_one_entry_of_a_faulty_table_is_wrong_and_it_is_the_one(key):
         assert np.flatnonzero(wrong).tolist() == [int(problem.answer.value[-1]) - 1]
 
 
-@pytest.mark.parametrize("task", WANTED)
+@pytest.mark.parametrize("task", TASK_ORDER)
 def test_students_have_answers_of_their_own(task):
     answers = set()
     for problem in variants("PUMA", task, [f"s{i}" for i in range(30)]):
@@ -130,7 +130,7 @@ limits = st.lists(st.floats(-1e3, 1e3, allow_subnormal=False), min_size=2, max_s
 def test_drawn_joint_values_keep_the_limits(ends, student):
     arm = kl.robots.rpr()
     limited = kl.Chain(arm.screws, arm.home, arm.points, limits=np.array(ends))
-    for draw in (posture, plain_posture):
+    for draw in (random_configuration, random_quarter_turn_configuration):
         q = draw(ArmSampler(str(student), "limits"), limited).q
         slack = 1e-9 * (1 + np.abs(limited.limits).max())
         assert (limited.limits[:, 0] - slack <= q).all()
@@ -139,14 +139,14 @@ def test_drawn_joint_values_keep_the_limits(ends, student):
 
 def test_without_narrow_limits_no_joint_stands_still():
     for student in STUDENTS:
-        assert np.all(posture(ArmSampler(student, "x"), kl.robots.puma560()).q)
+        assert np.all(random_configuration(ArmSampler(student, "x"), kl.robots.puma560()).q)
 
 
 def test_a_quarter_turn_cut_short_in_a_file_is_printed_as_a_quarter_turn():
     """Many files write pi / 2 as 1.5708; a page full of 3.7e-06 would hide the arm."""
-    arm = kl.load_urdf(kl.to_urdf(ODD["PUMA"]).replace('xyz="0 1 0"', 'xyz="0 1 0.0000037"'))
+    arm = kl.load_urdf(kl.to_urdf(ODD_ROBOTS["PUMA"]).replace('xyz="0 1 0"', 'xyz="0 1 0.0000037"'))
     assert np.abs(arm.screws[arm.screws != 0]).min() < 1e-5
-    for task in WANTED:
+    for task in TASK_ORDER:
         assert "e-0" not in robot_sheet("arm", arm, [task]).problems[0].variant("ada").statement
 
 
@@ -172,7 +172,7 @@ def project(tmp_path, monkeypatch):
 
 @each_robot
 def test_the_instructors_copy_scores_full_for_anybody(key, project, monkeypatch):
-    path = new_sheet(ODD[key], project / "solutions" / "odd_robot")
+    path = new_sheet(ODD_ROBOTS[key], project / "solutions" / "odd_robot")
     monkeypatch.chdir(path.parent)
     sheet = solved(path.parent, "ada")
     assert sheet.tally().score == sheet.sheet.points
@@ -192,28 +192,28 @@ def test_the_students_copy_runs_cold_in_its_folder_and_holds_no_solution(project
     text = (folder / "lab_arm.ipynb").read_text("utf-8")
     assert "BEGIN SOLUTION" not in text
     for task in tasks_for(kl.load_urdf("ur5e.urdf")):
-        for line in ALL[task].entry.solution.splitlines():
+        for line in TASKS[task].entry.solution.splitlines():
             assert len(line.strip()) < 13 or line.strip() not in text
     notebook = nbformat.reads(text, as_version=4)
     nbformat.validate(notebook)
     NotebookClient(notebook, timeout=60, resources={"metadata": {"path": folder}}).execute()
     cards = [cell.outputs[-1]["data"]["text/plain"] for cell in notebook.cells if cell.id.startswith("check-")]
-    assert len(cards) == PROBLEMS
+    assert len(cards) == PROBLEMS_PER_SHEET
     assert all("Nothing here yet" in card for card in cards)
 
 
 def test_every_problem_has_its_cells_and_its_points(project):
-    path = new_sheet(ODD["PUMA"], "solutions/lab_arm")
+    path = new_sheet(ODD_ROBOTS["PUMA"], "solutions/lab_arm")
     cells = {cell["id"]: cell for cell in json.loads(path.read_text("utf-8"))["cells"]}
     for k, template in enumerate(find_sheet("lab_arm").problems, start=1):
         assert f"sheet.show({k})" in "".join(cells[f"show-{k}"]["source"])
         assert cells[f"answer-{k}"]["metadata"]["nbgrader"]["solution"]
         assert cells[f"check-{k}"]["metadata"]["nbgrader"]["points"] == template.points
-    assert f"check-{PROBLEMS + 1}" not in cells
+    assert f"check-{PROBLEMS_PER_SHEET + 1}" not in cells
 
 
 def test_a_generated_notebook_is_as_tidy_as_ours(project):
-    path = new_sheet(ODD["SCARA"], "solutions/lab_arm")
+    path = new_sheet(ODD_ROBOTS["SCARA"], "solutions/lab_arm")
     root = Path(__file__).parents[2]
     run = [sys.executable, "-m", "ruff", "check", "--config", str(root / "pyproject.toml")]
     run += ["--config", 'lint.isort.known-first-party = ["kinlib", "misstep", "kincourse"]', str(path)]
@@ -222,19 +222,19 @@ def test_a_generated_notebook_is_as_tidy_as_ours(project):
 
 
 def test_the_sheet_is_found_beside_the_notebook_and_below_a_project(project, monkeypatch):
-    new_sheet(ODD["PUMA"], "solutions/lab_arm")
+    new_sheet(ODD_ROBOTS["PUMA"], "solutions/lab_arm")
     from_root = open_sheet("lab_arm", "ada").problem(1).statement
     monkeypatch.chdir("solutions/lab_arm")
     assert open_sheet("lab_arm", "ada").problem(1).statement == from_root
 
 
 def test_no_file_stands_in_for_a_sheet_of_the_course(project):
-    Path("03_poe_space.json").write_text(written(ODD["PUMA"], WANTED[:PROBLEMS]), "utf-8")
+    Path("03_poe_space.json").write_text(dumps(ODD_ROBOTS["PUMA"], TASK_ORDER[:PROBLEMS_PER_SHEET]), "utf-8")
     assert find_sheet("03_poe_space").title == "The product of exponentials in the space frame"
 
 
 def test_a_name_is_no_path(project):
-    Path("arm.json").write_text(written(ODD["PUMA"], WANTED[:PROBLEMS]), "utf-8")
+    Path("arm.json").write_text(dumps(ODD_ROBOTS["PUMA"], TASK_ORDER[:PROBLEMS_PER_SHEET]), "utf-8")
     assert find_sheet("arm").name == "arm"
     Path("inside").mkdir()
     os.chdir("inside")
@@ -252,13 +252,17 @@ def test_a_missing_file_is_named():
 
 @each_robot
 def test_a_robot_comes_back_from_its_file_to_the_last_digit(key):
-    robot, tasks = read(written(ODD[key], FITTING[key]), "here")
-    assert tasks == FITTING[key]
-    assert (robot.name, robot.source, robot.joint_names) == (ODD[key].name, ODD[key].source, ODD[key].joint_names)
+    robot, tasks = loads(dumps(ODD_ROBOTS[key], TASKS_BY_ROBOT[key]), "here")
+    assert tasks == TASKS_BY_ROBOT[key]
+    assert (robot.name, robot.source, robot.joint_names) == (
+        ODD_ROBOTS[key].name,
+        ODD_ROBOTS[key].source,
+        ODD_ROBOTS[key].joint_names,
+    )
     for name in ("screws", "home", "joint_points"):
-        np.testing.assert_array_equal(getattr(robot, name), getattr(ODD[key], name))
-    if ODD[key].limits is not None:
-        np.testing.assert_array_equal(robot.limits, ODD[key].limits)
+        np.testing.assert_array_equal(getattr(robot, name), getattr(ODD_ROBOTS[key], name))
+    if ODD_ROBOTS[key].limits is not None:
+        np.testing.assert_array_equal(robot.limits, ODD_ROBOTS[key].limits)
 
 
 @pytest.mark.parametrize(
@@ -268,19 +272,19 @@ def test_a_robot_comes_back_from_its_file_to_the_last_digit(key):
         ("[]", "holds no robot"),
         ("{}", "holds no robot"),
         ('{"kinlib sheet": 2}', "form 2"),
-        (written(ODD["PUMA"], []).replace("[0.0, 0.0, 1.0, ", "[0.0, 0.5, 1.0, ", 1), "screw axes"),
-        (written(ODD["PUMA"], []).replace('"screws"', '"axes"'), "screws"),
+        (dumps(ODD_ROBOTS["PUMA"], []).replace("[0.0, 0.0, 1.0, ", "[0.0, 0.5, 1.0, ", 1), "screw axes"),
+        (dumps(ODD_ROBOTS["PUMA"], []).replace('"screws"', '"axes"'), "screws"),
     ],
 )
 def test_a_damaged_file_is_told_so(text, words):
-    with pytest.raises(ValueError, match=words) as told:
-        read(text, "robot.json")
-    assert "robot.json holds no robot of a sheet" in str(told.value)
+    with pytest.raises(ValueError, match=words) as error:
+        loads(text, "robot.json")
+    assert "robot.json holds no robot of a sheet" in str(error.value)
 
 
 def test_a_task_from_elsewhere_is_refused():
     with pytest.raises(ValueError, match=r"no task 'dance'.*newer kinlib"):
-        robot_sheet("x", ODD["PUMA"], ["dance"])
+        robot_sheet("x", ODD_ROBOTS["PUMA"], ["dance"])
 
 
 # --- what cannot be ---
@@ -291,7 +295,7 @@ NOTHING_MOVES = """<robot name="statue"><link name="a"/><link name="b"/>
 
 @pytest.fixture
 def urdf(project):
-    Path("puma.urdf").write_text(kl.to_urdf(ODD["PUMA"]), "utf-8")
+    Path("puma.urdf").write_text(kl.to_urdf(ODD_ROBOTS["PUMA"]), "utf-8")
     Path("statue.urdf").write_text(NOTHING_MOVES, "utf-8")
     Path("torn.urdf").write_text(NOTHING_MOVES[:60], "utf-8")
     Path("full").mkdir()
@@ -314,22 +318,22 @@ def urdf(project):
 )
 def test_what_cannot_be_is_said_in_a_sentence(urdf, capsys, arguments, words):
     assert main(["new-sheet", *arguments]) == 2
-    told = capsys.readouterr().err
-    assert words in told
-    assert told.startswith("kincourse new-sheet: ")
-    assert "Traceback" not in told
+    error = capsys.readouterr().err
+    assert words in error
+    assert error.startswith("kincourse new-sheet: ")
+    assert "Traceback" not in error
     assert not Path("arm").exists()
 
 
 def test_a_name_of_the_course_is_taken(project):
     with pytest.raises(ValueError, match="letters"):
-        new_sheet(ODD["PUMA"], "03_poe_space")
+        new_sheet(ODD_ROBOTS["PUMA"], "03_poe_space")
 
 
 def test_a_file_in_the_place_of_the_folder_is_let_be(project):
     Path("arm").write_text("mine", "utf-8")
     with pytest.raises(FileExistsError, match="is a file"):
-        new_sheet(ODD["PUMA"], "arm")
+        new_sheet(ODD_ROBOTS["PUMA"], "arm")
     assert Path("arm").read_text("utf-8") == "mine"
 
 
@@ -341,8 +345,8 @@ def test_force_writes_the_sheet_anew_and_leaves_the_rest(urdf):
 
 
 def test_a_name_that_markdown_would_read_is_made_plain(project):
-    path = new_sheet(ODD["PUMA"], "arm", name="**arm** $x$ | <b>")
-    assert read(path.with_suffix(".json").read_text("utf-8"), "here")[0].name == "arm x  b"
+    path = new_sheet(ODD_ROBOTS["PUMA"], "arm", name="**arm** $x$ | <b>")
+    assert loads(path.with_suffix(".json").read_text("utf-8"), "here")[0].name == "arm x  b"
 
 
 # --- the command ---

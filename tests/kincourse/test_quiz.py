@@ -3,7 +3,7 @@
 import pytest
 
 from kincourse import quiz
-from kincourse.dh_quiz import EMPTY, question
+from kincourse.dh_quiz import EMPTY_TABLE, draw_problem
 from kinlib import DHTable, assign_frames
 
 
@@ -21,27 +21,27 @@ def as_text(table):
 @pytest.mark.parametrize("convention", ["standard", "modified"])
 def test_a_hundred_arms_each_take_their_own_table_and_its_other_form(convention):
     for number in range(100):
-        right = question(f"seed {number}", convention).answer
+        right = draw_problem(f"seed {number}", convention).answer
         for table in (right.value, right.value.converted("standard").converted(convention)):
             assert all(right.agrees(right.read(as_text(table)), right.value))
 
 
 def test_typing_checking_and_going_on():
     game = quiz("standard", seed="test")
-    first = game._paper.value
+    first = game._statement_box.value
     typed = as_text(game.problem.answer.value)
     assert game.check(typed).state == "right"
     assert game.check(typed).state == "right"
     assert (game.right, game.asked) == (1, 1)
-    assert "1 right of 1" in game._reply.value
+    assert "1 right of 1" in game._feedback_box.value
     game.another()
     assert game.asked == 2
-    assert game._paper.value != first
-    assert game._typed.value == EMPTY
+    assert game._statement_box.value != first
+    assert game._table_box.value == EMPTY_TABLE
 
 
 def test_an_empty_table_is_a_friendly_blank():
-    assert quiz("standard", seed="test").check(EMPTY).state == "blank"
+    assert quiz("standard", seed="test").check(EMPTY_TABLE).state == "blank"
 
 
 def test_the_other_convention_is_recognised():
@@ -50,7 +50,7 @@ def test_the_other_convention_is_recognised():
     other = assign_frames(arm, convention="modified").table
     judgement = game.check(DHTable(other.rows, convention="standard", joints=other.joints))
     assert judgement.mistakes == ["other convention"]
-    assert "in the other convention" in game._reply.value
+    assert "in the other convention" in game._feedback_box.value
 
 
 def test_the_same_seed_draws_the_same_arms():

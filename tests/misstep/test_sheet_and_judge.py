@@ -5,8 +5,8 @@ from array import array
 import numpy as np
 import pytest
 
-from kincourse.answers.pose import Pose
-from kincourse.answers.screws import Screws
+from kincourse.answers.pose import PoseAnswer
+from kincourse.answers.screws import ScrewsAnswer
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kinlib.chains.robots import youbot
@@ -21,7 +21,7 @@ from misstep.verdict import Verdict
 
 
 def two_screws(mistakes):
-    return Problem("Give both.", Screws(np.array([[0, 0, 1, 0, -2, 0], [0, 1, 0, 3, 0, 0.0]])), mistakes)
+    return Problem("Give both.", ScrewsAnswer(np.array([[0, 0, 1, 0, -2, 0], [0, 1, 0, 3, 0, 0.0]])), mistakes)
 
 
 NEGATED = mistake("negated", np.array([[0, 0, -1, 0, 2, 0], [0, -1, 0, -3, 0, 0.0]]), "You turned the axes round.")
@@ -85,7 +85,7 @@ def test_an_answer_rounded_on_the_way_is_told_so():
 
 
 def test_a_pose_that_is_no_pose_is_told_so():
-    p = Problem("Where?", Pose(youbot().home), [])
+    p = Problem("Where?", PoseAnswer(youbot().home), [])
     judgement = judge(p, 2 * youbot().home)
     assert "no rotation at all" in judgement.findings[0].message
 
@@ -116,12 +116,12 @@ def test_a_mistake_of_another_shape_is_refused_when_the_problem_is_written():
 @pytest.mark.parametrize(
     ("answer", "given", "words"),
     [
-        (Screws(np.eye(3, 6)), np.eye(6, 3), "Rows and columns are swapped: try .T"),
-        (Screws(np.eye(1, 6)[0]), [0, 0, 1], "is the other half missing"),
-        (Screws(np.eye(3, 6)), np.zeros(18), "arrangement is not"),
+        (ScrewsAnswer(np.eye(3, 6)), np.eye(6, 3), "Rows and columns are swapped: try .T"),
+        (ScrewsAnswer(np.eye(1, 6)[0]), [0, 0, 1], "is the other half missing"),
+        (ScrewsAnswer(np.eye(3, 6)), np.zeros(18), "arrangement is not"),
         (Numbers(np.array(1.0), "m"), "1.0", "one number in m"),
         (Numbers(np.array(1.0), "m"), 1e308, r"got 1e\+308. Was there a division by almost zero"),
-        (Pose(np.eye(4)), np.eye(4) - 1e13, r"got 1e\+13. Was there"),
+        (PoseAnswer(np.eye(4)), np.eye(4) - 1e13, r"got 1e\+13. Was there"),
         (Ordering(["e_a", "M"]), ["e_a"], "M appears 0 times"),
         (Ordering(["e_a", "M"]), ["e_a", "e_b"], "'e_b' is none of them"),
         (Ordering(["e_a", "M"]), "e_aM", "a list of the 2 names"),
@@ -161,7 +161,7 @@ PAIR = Numbers(np.zeros(2), "m")
             [np.nan, 0],
             "Expected an array of shape (2,) in m. Your answer holds NaN or infinity at index [0]. ",
         ),
-        (Screws(np.eye(1, 6)[0]), 0, "Expected a screw axis (omega, v), an array of shape (6,); got int 0."),
+        (ScrewsAnswer(np.eye(1, 6)[0]), 0, "Expected a screw axis (omega, v), an array of shape (6,); got int 0."),
         (
             Ordering(["e_a", "M"]),
             ["M", "e_a"] * 10,
@@ -182,9 +182,9 @@ def test_what_cannot_be_read_is_told_word_for_word_what_was_expected_and_what_ca
 @pytest.mark.parametrize(
     ("answer", "given", "came"),
     [
-        (Screws(np.eye(3, 6)), np.zeros((2, 6)), "an ndarray of shape (2, 6)"),
-        (Screws(np.eye(1, 6)[0]), 0, "int 0"),
-        (Screws(np.eye(1, 6)[0]), np.zeros(5), "an ndarray of shape (5,)"),
+        (ScrewsAnswer(np.eye(3, 6)), np.zeros((2, 6)), "an ndarray of shape (2, 6)"),
+        (ScrewsAnswer(np.eye(1, 6)[0]), 0, "int 0"),
+        (ScrewsAnswer(np.eye(1, 6)[0]), np.zeros(5), "an ndarray of shape (5,)"),
         (PAIR, (1, 2, 3), "a tuple of shape (3,)"),
         *(
             (PAIR, type(name, (list,), {})([1]), f"{a} {name} of shape (1,)")
@@ -201,7 +201,7 @@ def test_a_remedy_is_told_where_there_is_one_and_nowhere_else(answer, given, cam
 
 def test_what_is_read_may_be_as_large_as_any_and_empty():
     assert PAIR.read([1e12, -1e12]).tolist() == [1e12, -1e12]
-    assert Screws(np.zeros((0, 6))).read(np.zeros((0, 6))).shape == (0, 6)
+    assert ScrewsAnswer(np.zeros((0, 6))).read(np.zeros((0, 6))).shape == (0, 6)
 
 
 @pytest.mark.parametrize(
@@ -248,7 +248,7 @@ def turned(R, p=(1, 2, 3)):
     ],
 )
 def test_a_pose_is_judged_by_rotation_and_position_and_what_is_no_rotation_is_told_so(given, right_parts, hints):
-    judgement = judge(Problem("", Pose(TURN), []), given)
+    judgement = judge(Problem("", PoseAnswer(TURN), []), given)
     assert list(judgement.right_parts) == right_parts
     assert ["no rotation at all" in finding.message for finding in judgement.findings] == hints
 
@@ -263,7 +263,7 @@ def test_a_pose_is_judged_by_rotation_and_position_and_what_is_no_rotation_is_to
     ],
 )
 def test_a_pose_ends_in_a_row_of_its_own(row, right_parts):
-    judgement = judge(Problem("", Pose(TURN), []), [*TURN[:3].tolist(), row])
+    judgement = judge(Problem("", PoseAnswer(TURN), []), [*TURN[:3].tolist(), row])
     assert list(judgement.right_parts) == right_parts
     assert all(finding.message.startswith("The last row of a pose is 0 0 0 1") for finding in judgement.findings)
 
@@ -271,13 +271,13 @@ def test_a_pose_ends_in_a_row_of_its_own(row, right_parts):
 def test_a_pose_that_is_wrong_and_no_more_is_told_nothing_of_its_form():
     given = turned(np.eye(3), (9, 9, 9))
     given[3, 3] = 1.0005
-    for finding in judge(Problem("", Pose(TURN), []), given).findings:
+    for finding in judge(Problem("", PoseAnswer(TURN), []), given).findings:
         assert finding.message.startswith("None of the mistakes")
 
 
 def test_a_screw_is_told_which_half_is_right_if_one_is():
     right = np.array([0, 0, 1, 0, -2, 0.5])
-    problem = Problem("", Screws(right), [])
+    problem = Problem("", ScrewsAnswer(right), [])
     assert problem.answer.parts == ["screw 1"]
     told = {
         (0, 0, 1, 9, -2, 0.5): "Its omega is right, its v is not.",
