@@ -23,9 +23,8 @@ FOUND = [path for folder in FOLDERS for path in sorted((ROOT / folder).rglob("*.
 NOTEBOOKS = [path for path in FOUND if ".ipynb_checkpoints" not in path.parts]
 LECTURES = [path for path in NOTEBOOKS if path.parent.name == "notebooks"]
 
-PROCESSOR_SECONDS = 60
-"""Students wait for a notebook for half a minute at most. Processor time hardly depends on what else runs on the machine; twice
-as much leaves room for slow processors."""
+PROCESSOR_SECONDS = 30
+"""Students wait for a notebook for half a minute at most. Processor time hardly depends on what else the machine does."""
 SHORTEST_ALTERNATIVE = 20
 """Letters. "A figure" tells nobody anything; "an RPR arm at home, seen from above" does."""
 
