@@ -14,7 +14,7 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z, pose
 from kinlib.rigid.lie import exp, inverse
 from kinlib.view import draw_frames
-from kinlib.view.figures.frames import draw_turn
+from kinlib.view.figures.frames import draw_rotation
 from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
 from misstep.answers.order import Ordering
@@ -79,7 +79,7 @@ def rotation_off_a_drawing(sampler: ArmSampler) -> Problem:
     return Problem(
         statement="Frames {a} and {b} share their origin and one axis, along which you look: a dot is an arrow's tip, a cross its "
         "feathers. Give $R_{ab}$.",
-        figure=partial(draw_turn, k, degrees),
+        figure=partial(draw_rotation, k, degrees),
         answer=RotationAnswer(R),
         mistakes=[
             mistake(

@@ -17,7 +17,7 @@ from kinlib.dh.formatting import markdown_table
 from kinlib.dh.parsing import COLUMNS
 from kinlib.dh.table import DHTable, dh_transform
 from kinlib.view import draw_joints
-from kinlib.view.figures.dh_table_figure import draw_table
+from kinlib.view.figures.dh_table import draw_table
 from misstep.answers.choice import Choice
 from misstep.mistakes import mistake
 from misstep.problem import Problem

@@ -20,7 +20,7 @@ from kinlib.dh.formatting import format_rows, markdown_table
 from kinlib.dh.table import DHTable
 from kinlib.view import draw_joints
 from kinlib.view.drawing.picture import Picture
-from kinlib.view.figures.assignment import draw_assignment
+from kinlib.view.figures.frame_assignment import draw_assignment
 from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
 from misstep.mistakes import Mistake, mistake

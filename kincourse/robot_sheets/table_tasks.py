@@ -28,7 +28,7 @@ from kinlib.dh.parsing import ANGLES, COLUMNS
 from kinlib.dh.table import Convention, DHTable
 from kinlib.rigid.lie import inverse
 from kinlib.view import draw_joints
-from kinlib.view.figures.dh_table_figure import draw_table
+from kinlib.view.figures.dh_table import draw_table
 from misstep.answers.choice import Choice
 from misstep.mistakes import mistake
 from misstep.problem import Problem

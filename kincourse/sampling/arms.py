@@ -11,7 +11,7 @@ import numpy as np
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.chains.robots import SLIDE, X, Y, Z, arm, pose
-from kinlib.view.drawing.canvas import seen_from
+from kinlib.view.drawing.canvas import view_axes
 from misstep.sampling import Sampler
 
 MIN_JOINT_DISTANCE_M = 1.2
@@ -32,7 +32,7 @@ def are_distinguishable(places: Sequence[Array]) -> bool:
     >>> are_distinguishable([np.zeros(3), 3 * X]), are_distinguishable([np.zeros(3), 0.1 * X])
     (True, False)
     """
-    _, sheet = seen_from("default")
+    _, sheet = view_axes("default")
     far = [np.linalg.norm(sheet @ (one - other)) for k, one in enumerate(places) for other in places[:k]]
     return bool(far and min(far) > MIN_POINT_DISTANCE_M)
 
@@ -71,7 +71,7 @@ class ArmSampler(Sampler):
 
     def _point_in_sight(self, others: Sequence[Array], reach: int) -> Array:
         """A point that the drawing shows apart from others and from the origin, on a drop line of its own."""
-        _, sheet = seen_from("default")
+        _, sheet = view_axes("default")
         while True:
             point = self.point(reach)
             apart = [sheet @ (point - other) for other in [np.zeros(3), *others]]

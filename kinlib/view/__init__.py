@@ -13,9 +13,9 @@ from kinlib.view.figures.torus import draw_torus
 if TYPE_CHECKING:
     from kinlib.view.viewer.assignment_player import Player, play_assignment
     from kinlib.view.viewer.dh_row_player import RowPlayer, play_row, play_walk
-    from kinlib.view.viewer.frames_by_hand import ByHand, assign
     from kinlib.view.viewer.linkage_driver import Drive, drive
-    from kinlib.view.viewer.sliders import slide
+    from kinlib.view.viewer.picture_slider import slide
+    from kinlib.view.viewer.place_frames import ByHand, assign
     from kinlib.view.viewer.viewer import Viewer, explore
 
 __all__ = [
@@ -41,12 +41,12 @@ __all__ = [
 ]
 
 LATE = {
-    **dict.fromkeys(("ByHand", "assign"), "viewer.frames_by_hand"),
+    **dict.fromkeys(("ByHand", "assign"), "viewer.place_frames"),
     **dict.fromkeys(("Drive", "drive"), "viewer.linkage_driver"),
     **dict.fromkeys(("Player", "play_assignment"), "viewer.assignment_player"),
     **dict.fromkeys(("RowPlayer", "play_row", "play_walk"), "viewer.dh_row_player"),
     **dict.fromkeys(("Viewer", "explore"), "viewer.viewer"),
-    "slide": "viewer.sliders",
+    "slide": "viewer.picture_slider",
 }
 """What needs ipywidgets and anywidget, and its module: loaded when somebody wants a slider, for a figure does without."""
 

@@ -22,7 +22,7 @@ from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError
 from nbformat import NotebookNode
 
-from kinlib.view.drawing.static_export import VARIABLE
+from kinlib.view.drawing.static_export import ENVIRONMENT_VARIABLE
 
 ROOT = Path(__file__).resolve().parents[2]
 KEPT = ROOT / "build" / "executed"
@@ -105,7 +105,7 @@ def run(notebook: NotebookNode, path: Path) -> None:
     client = NotebookClient(notebook, timeout=SECONDS, resources={"metadata": {"path": path.parent}})
     try:
         # What the kernel itself has to say while it starts is not for whoever builds; what cells say is among the outputs.
-        client.execute(env={**os.environ, VARIABLE: "1"}, stderr=subprocess.DEVNULL)
+        client.execute(env={**os.environ, ENVIRONMENT_VARIABLE: "1"}, stderr=subprocess.DEVNULL)
     except CellExecutionError as error:
         raise NotebookRaised(f"{path.relative_to(ROOT)} raises:\n{plain(str(error))}") from None
     for cell in notebook.cells:

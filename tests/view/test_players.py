@@ -12,10 +12,10 @@ from kinlib.chains.robots import pose
 from kinlib.dh.rules import check_frames
 from kinlib.rigid.lie import exp
 from kinlib.view import assign, play_assignment, play_row, play_walk
-from kinlib.view.figures.dh_row_figure import moves, walk
-from kinlib.view.viewer.assignment_player import cells
-from kinlib.view.viewer.candidates import candidates
-from kinlib.view.viewer.frames_by_hand import judged
+from kinlib.view.figures.dh_row_motions import poses_along_arm, poses_along_row
+from kinlib.view.viewer.assignment_player import table_cells
+from kinlib.view.viewer.frame_candidates import frame_candidates
+from kinlib.view.viewer.place_frames import check_placed_frames
 
 ARMS = [kl.robots.rpr(), kl.robots.youbot(), kl.robots.puma560(), kl.robots.angled_arm()]
 CONVENTIONS = ["standard", "modified"]
@@ -73,7 +73,9 @@ def test_the_table_on_the_page_is_the_table(chain, convention):
     """The cells, read back by the library's own reader of printed tables, move as the arm does."""
     found = kl.assign_frames(chain, convention=convention)
     head = "i | a | alpha | d | theta\n"
-    text = head + "\n".join(" | ".join([str(i), *row]) for i, row in enumerate(cells(found.table), 1)).replace("−", "-")
+    text = head + "\n".join(" | ".join([str(i), *row]) for i, row in enumerate(table_cells(found.table), 1)).replace(
+        "−", "-"
+    )
     read = kl.DHTable(text, convention=convention)
     np.testing.assert_allclose(read.rows, found.table.rows, atol=5e-4)
     assert "".join(read.joints) == chain.joint_types
@@ -151,14 +153,14 @@ def test_the_motions_end_where_the_row_does_in_either_convention(row):
         expected = start @ kl.dh_transform(*row, convention=track["title"])
         np.testing.assert_allclose(product(track), expected, rtol=0, atol=1e-14)
         np.testing.assert_allclose(
-            np.reshape(track["stops"], (-1, 4, 4)), start @ moves(row, track["title"]), atol=1e-15
+            np.reshape(track["stops"], (-1, 4, 4)), start @ poses_along_row(row, track["title"]), atol=1e-15
         )
 
 
 def test_a_walk_is_one_screw_motion_a_piece():
     track = play_walk(WALK).mode["tracks"][0]
     assert [motion["symbol"] for motion in track["motions"]] == ["Z_1", "X_1", "Z_2", "X_2"]
-    np.testing.assert_allclose(product(track), walk(WALK)[-1], rtol=0, atol=1e-14)
+    np.testing.assert_allclose(product(track), poses_along_arm(WALK)[-1], rtol=0, atol=1e-14)
     assert [flag["name"] for flag in track["flags"]] == ["0", "1 mod", "1 std", "2 mod", "2 std"]
     half = exp(np.array(track["motions"][1]["screw"]) * track["motions"][1]["value"] / 2)
     there = kl.dh_transform(0.3, -0.45, 0, 0, convention="standard")
@@ -208,7 +210,7 @@ def test_two_rows_are_no_row():
 @each_convention
 def test_a_right_assignment_can_be_picked_from_what_is_offered(chain, convention):
     """Each axis, origin and x of the library's own assignment is among the candidates, or lies on an axis."""
-    offered = candidates(chain)
+    offered = frame_candidates(chain)
     for T in kl.assign_frames(chain, convention=convention).frames:
         near = [np.linalg.norm(np.array(z["along"]) - T[:3, 2]) for z in offered["z"]]
         assert min(near) < 1e-9
@@ -219,7 +221,7 @@ def test_a_right_assignment_can_be_picked_from_what_is_offered(chain, convention
 
 
 def test_each_place_is_offered_once_with_all_its_names():
-    offered = candidates(kl.robots.youbot())
+    offered = frame_candidates(kl.robots.youbot())
     for key, at in (("points", "at"), ("x", "along")):
         places = np.array([one[at] for one in offered[key]])
         apart = np.linalg.norm(places[:, None] - places, axis=-1) + np.eye(len(places))
@@ -281,11 +283,11 @@ def test_frames_that_are_not_finished_are_not_judged_and_spoil_no_other(conventi
     chain = kl.robots.youbot()
     frames = kl.assign_frames(chain, convention=convention).frames.copy()
     frames[missing, :3, 0] = np.nan
-    assert judged(chain, frames, convention) == []
+    assert check_placed_frames(chain, frames, convention) == []
     other = 4 if missing != 4 else 2
     frames[other, :3, :2] *= -1
     frames[other, :3, 1] *= -1
-    assert {breach.frame for breach in judged(chain, frames, convention)} == {other}
+    assert {breach.frame for breach in check_placed_frames(chain, frames, convention)} == {other}
 
 
 def test_frames_go_to_the_page_and_come_back_with_what_is_open():

@@ -8,7 +8,7 @@ from kincourse import COURSE, ask, explain
 from kincourse import find_question as find
 from kinlib.chains.robots import rpr
 from kinlib.view import explore, plot, slide
-from kinlib.view.drawing.static_export import VARIABLE
+from kinlib.view.drawing.static_export import ENVIRONMENT_VARIABLE
 
 ALL = [f"{lecture}/{key}" for lecture, items in COURSE.questions().items() for key in items]
 VOID = {"br", "img", "input"}
@@ -38,7 +38,7 @@ class Tags(HTMLParser):
 
 @pytest.fixture
 def page(monkeypatch):
-    monkeypatch.setenv(VARIABLE, "1")
+    monkeypatch.setenv(ENVIRONMENT_VARIABLE, "1")
 
 
 def still(shown):
@@ -70,7 +70,7 @@ def test_a_prediction_keeps_its_explanations_back(page):
 
 def test_a_notebook_in_a_lab_does_not_hold_the_answers(monkeypatch):
     """A student saves it, and opens it again: the explanations shall not lie in the file beside the question."""
-    monkeypatch.delenv(VARIABLE, raising=False)
+    monkeypatch.delenv(ENVIRONMENT_VARIABLE, raising=False)
     assert still(ask("03/check-1")) == still(explain("03/order")) == still(slide(line, "slope", [1, 2])) == ""
 
 

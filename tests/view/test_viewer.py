@@ -15,7 +15,7 @@ from traitlets import Bool, HasTraits
 
 import kinlib as kl
 from kinlib.view import explore
-from kinlib.view.viewer.scene import LAYERS, branch, extent, link_paths, scene
+from kinlib.view.viewer.scene import LAYERS, arm_data, extent, link_paths, scene
 from kinlib.view.viewer.viewer import STATIC
 
 ROOT = Path(__file__).parents[2]
@@ -41,13 +41,13 @@ def test_the_links_run_from_the_base_over_every_joint_to_the_tool(robot):
         np.testing.assert_allclose(path[-1], end, atol=1e-9)
 
 
-@pytest.mark.oracle("modern_robotics", branch, scene)
+@pytest.mark.oracle("modern_robotics", arm_data, scene)
 @each_robot
 def test_what_the_page_is_told_moves_as_modern_robotics_says(robot):
     """The page turns each body about its screw: from the data alone, the tool goes where the arm's own goes."""
     q = configurations(robot, 3)
     told = scene(robot, np.zeros(robot.n))
-    for arm in (branch(robot, range(robot.n)), told["arms"][0]):
+    for arm in (arm_data(robot, range(robot.n)), told["arms"][0]):
         axes = np.transpose([joint["screw"] for joint in arm["joints"]])
         for row in q:
             found = mr.FKinSpace(np.reshape(arm["home"], (4, 4)), axes, row)

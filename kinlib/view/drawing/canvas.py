@@ -12,33 +12,44 @@ from numpy.typing import ArrayLike
 from kinlib.arrays.formatting import format_number
 from kinlib.arrays.validation import Array
 from kinlib.view.drawing import svg
-from kinlib.view.drawing.labels import AROUND, Label, Offset, placed
+from kinlib.view.drawing.labels import LABEL_OFFSETS, Label, Offset, place_labels
 from kinlib.view.drawing.picture import Picture
 
-INK, GREY, PALE, VIOLET, ORANGE = "#1f2328", "#8c959f", "#d9dee3", "#7d3ac1", "#b35900"
+INK, GREY, PALE_GREY, VIOLET, ORANGE = "#1f2328", "#8c959f", "#d9dee3", "#7d3ac1", "#b35900"
 AXIS_COLOURS = ("#c1121f", "#1a7f37", "#0b5cad")
 """x red, y green, z blue; the letters at the tips say the same without colour."""
 
 VIEWS = {"default": (-60.0, 22.0), "front": (-90.0, 0.0), "side": (0.0, 0.0), "top": (-90.0, 90.0)}
 """Named views as azimuth and elevation of the eye, in degrees."""
 
-MARGIN = 0.33
+MARGIN_SHARE = 0.33
 """Room around what is shown, as a share of its size: axes and frames reach a little beyond the last joint."""
 
-BORDER = 20.0
+BORDER_PX = 20.0
 """Room in pixels for the names at the tips."""
 
-BESIDE = [(20, 0), (-20, 0), (20, 12), (-20, -12)]
-BELOW = [(0, -14), (38, -6), (-38, -6), (0, 14), (0, -28), (46, -18), (-46, -18), (46, 10), (-46, 10), (0, 28)]
+HEIGHT_LABEL_OFFSETS = [(20, 0), (-20, 0), (20, 12), (-20, -12)]
+FOOT_LABEL_OFFSETS = [
+    (0, -14),
+    (38, -6),
+    (-38, -6),
+    (0, 14),
+    (0, -28),
+    (46, -18),
+    (-46, -18),
+    (46, 10),
+    (-46, 10),
+    (0, 28),
+]
 """Where the names of heights and of feet on the floor may stand, in pixels right and up."""
 
 
-def seen_from(view: str) -> tuple[Array, Array]:
+def view_axes(view: str) -> tuple[Array, Array]:
     """The unit vector towards the eye, (3,), and the two that point right and up on the sheet, (2, 3).
 
     Raises ValueError for a view that there is not.
 
-    >>> seen_from("front")[1].round(3) + 0.0
+    >>> view_axes("front")[1].round(3) + 0.0
     array([[1., 0., 0.],
            [0., 0., 1.]])
     """
@@ -66,7 +77,7 @@ class Canvas:
         size: tuple[float, float] = (640, 440),
         sizes: ArrayLike | None = None,
     ) -> None:
-        self.eye, self._plane = seen_from(view)
+        self.eye, self._plane = view_axes(view)
         around = np.reshape(np.asarray(around, dtype=float), (-1, 3))
         self._extent = max(float(np.ptp(around, axis=0).max()), 1e-3)
         measured = 0.0 if sizes is None else float(np.ptp(np.reshape(sizes, (-1, 3)), axis=0).max())
@@ -78,11 +89,11 @@ class Canvas:
         tiles = self.flat(
             np.array([(x, y, 0.0) for x in self._tiles(around, 0, 0.5) for y in self._tiles(around, 1, 0.5)])
         )
-        low = np.minimum(flat.min(axis=0) - MARGIN * self.size, tiles.min(axis=0))
-        high = np.maximum(flat.max(axis=0) + MARGIN * self.size, tiles.max(axis=0))
+        low = np.minimum(flat.min(axis=0) - MARGIN_SHARE * self.size, tiles.min(axis=0))
+        high = np.maximum(flat.max(axis=0) + MARGIN_SHARE * self.size, tiles.max(axis=0))
         # One scale for both directions, or a circle would not look like one.
-        self._scale = float(((self._sheet - 2 * BORDER) / (high - low)).min())
-        self._sheet[1] = (high - low)[1] * self._scale + 2 * BORDER
+        self._scale = float(((self._sheet - 2 * BORDER_PX) / (high - low)).min())
+        self._sheet[1] = (high - low)[1] * self._scale + 2 * BORDER_PX
         self._middle = (low + high) / 2
         self._marks: list[tuple[float, str]] = []
         self._labels: list[Label] = []
@@ -134,7 +145,7 @@ class Canvas:
 
     def body(self, corners: ArrayLike, colour: str, level: float = 3.0, edge: str = INK) -> None:
         """The outline of a convex body, from points on its surface."""
-        hull = _hull(self.pixels(corners))
+        hull = convex_hull(self.pixels(corners))
         self._marks.append((level, svg.outline(hull, colour, edge)))
         self._bodies.append(np.array([hull.min(axis=0), hull.max(axis=0)]))
 
@@ -143,7 +154,12 @@ class Canvas:
         self._marks.append((level, svg.disc(self.pixels(point), size / 2, colour)))
 
     def label(
-        self, point: ArrayLike, text: str, colour: str = INK, places: Sequence[Offset] = AROUND, size: float = 11.0
+        self,
+        point: ArrayLike,
+        text: str,
+        colour: str = INK,
+        places: Sequence[Offset] = LABEL_OFFSETS,
+        size: float = 11.0,
     ) -> None:
         """A name beside a point, in that one of the places where it covers least; an earlier place wins a draw."""
         self._labels.append(Label(self.pixels(point), text, colour, places, 1.25 * size))
@@ -156,8 +172,8 @@ class Canvas:
             self.line([foot, point], colour, 1.5, ":", level=1)
             self.dot(foot, colour, 5, level=6)
             if point[2]:
-                self.label((foot + point) / 2, f"{point[2]:.4g}", colour, BESIDE, 9)
-            self.label(foot, f"({foot[0]:.4g}, {foot[1]:.4g})", colour, BELOW, 9)
+                self.label((foot + point) / 2, f"{point[2]:.4g}", colour, HEIGHT_LABEL_OFFSETS, 9)
+            self.label(foot, f"({foot[0]:.4g}, {foot[1]:.4g})", colour, FOOT_LABEL_OFFSETS, 9)
 
     def floor(self, points: ArrayLike, numbers: bool = False) -> None:
         """A grid at height 0 under the points, in steps of 1, 2 or 5; with numbers along x and y where asked."""
@@ -166,9 +182,9 @@ class Canvas:
         room = 0.5 if numbers else 0.0
         xs, ys = self._tiles(points, 0, room), self._tiles(points, 1, room)
         for x in xs:
-            self.line([(x, ys[0], 0), (x, ys[-1], 0)], PALE, 1.0, level=0)
+            self.line([(x, ys[0], 0), (x, ys[-1], 0)], PALE_GREY, 1.0, level=0)
         for y in ys:
-            self.line([(xs[0], y, 0), (xs[-1], y, 0)], PALE, 1.0, level=0)
+            self.line([(xs[0], y, 0), (xs[-1], y, 0)], PALE_GREY, 1.0, level=0)
         if not numbers:
             self.label(
                 (xs[-1], ys[0], 0), f"grid {xs[1] - xs[0]:.3g} m", GREY, [(0, -12), (36, -8), (-40, -12), (36, 8)], 8
@@ -192,9 +208,9 @@ class Canvas:
             # Beyond the tip, along the rod: a letter beside it might belong to a neighbour.
             away = self.flat(tip) - self.flat(origin)
             away = 9 * away / max(float(np.linalg.norm(away)), 1e-9)
-            self.label(tip, letter, colour, [(away[0], away[1]), *AROUND], 10)
+            self.label(tip, letter, colour, [(away[0], away[1]), *LABEL_OFFSETS], 10)
         if name:
-            self.label(origin, f"{{{name}}}", INK, [(-15, -11), (15, -13), (-28, -15), (28, -17), *AROUND], 11)
+            self.label(origin, f"{{{name}}}", INK, [(-15, -11), (15, -13), (-28, -15), (28, -17), *LABEL_OFFSETS], 11)
 
     def picture(self, alt: str, caption: str = "") -> Picture:
         """Finish the drawing."""
@@ -204,7 +220,7 @@ class Canvas:
             np.concatenate([nothing, *self._strokes]),
             np.array([*nothing, *self._bodies]).reshape(-1, 2, 2),
         )
-        for label, centre in placed(self._labels, strokes, bodies, self._sheet):
+        for label, centre in place_labels(self._labels, strokes, bodies, self._sheet):
             marks.append(svg.words(centre, label.text, label.colour, label.size))
         return Picture(svg.document(marks, *self._sheet), alt, caption)
 
@@ -237,7 +253,7 @@ def _step(rough: float) -> float:
     return next(power * digit for digit in (1, 2, 5, 10) if power * digit >= rough * 0.999)
 
 
-def _hull(points: Array) -> Array:
+def convex_hull(points: Array) -> Array:
     """The convex hull of points in the plane, anticlockwise (Andrew's monotone chain)."""
     order = sorted(points.tolist())
 

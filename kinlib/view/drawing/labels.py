@@ -10,13 +10,19 @@ from kinlib.view.drawing import svg
 
 Offset = tuple[float, float]
 
-AROUND: tuple[Offset, ...] = (
+LABEL_OFFSETS: tuple[Offset, ...] = (
     *((11, 9), (-11, 9), (11, -11), (-11, -11), (0, 16), (0, -18), (19, 0), (-19, 0)),
     *((24, 19), (-24, 19), (24, -21), (-24, -21), (0, 30), (0, -32), (36, 0), (-36, 0)),
 )
 """Where a label may stand, in pixels right and up from what it names; nearer places first."""
 
-OVER_LABEL, OFF_SHEET, OVER_BODY, OVER_LINE, LATER = 100.0, 100.0, 25.0, 8.0, 1.0
+LABEL_OVERLAP_COST, OFF_SHEET_COST, BODY_OVERLAP_COST, LINE_CROSSING_COST, LATER_OFFSET_COST = (
+    100.0,
+    100.0,
+    25.0,
+    8.0,
+    1.0,
+)
 """What a place costs: an unreadable name is worst; crossing a line is worth eight places farther down the list."""
 
 
@@ -30,7 +36,7 @@ class Label(NamedTuple):
     size: float
 
 
-def placed(labels: Sequence[Label], strokes: Array, bodies: Array, sheet: Array) -> Iterator[tuple[Label, Array]]:
+def place_labels(labels: Sequence[Label], strokes: Array, bodies: Array, sheet: Array) -> Iterator[tuple[Label, Array]]:
     """Give each label, in their order, the centre where it costs least; all in pixels.
 
     strokes (m, 2, 2) from point to point; bodies (k, 2, 2) upper left and lower right corners; sheet (2,).
@@ -38,7 +44,7 @@ def placed(labels: Sequence[Label], strokes: Array, bodies: Array, sheet: Array)
 
     >>> name = Label(np.array([50.0, 50.0]), "S", "black", [(9, 0), (-9, 0)], 10)
     >>> wall = np.array([[[59.0, 0.0], [59.0, 99.0]]])
-    >>> [centre.tolist() for _, centre in placed([name, name], wall, np.zeros((0, 2, 2)), np.array([99.0, 99.0]))]
+    >>> [centre.tolist() for _, centre in place_labels([name, name], wall, np.zeros((0, 2, 2)), np.array([99.0, 99.0]))]
     [[41.0, 50.0]]
     """
     taken = np.zeros((0, 2, 2))
@@ -50,9 +56,11 @@ def placed(labels: Sequence[Label], strokes: Array, bodies: Array, sheet: Array)
         half = np.array([0.29 * len(svg.letters(label.text)) + 0.1, 0.5]) * label.size
         centres = label.anchor + np.array(label.places, dtype=float) * (1, -1)
         boxes = np.stack([centres - half, centres + half], axis=1)
-        cost = LATER * np.arange(len(boxes)) + OFF_SHEET * ((boxes[:, 0] < 2) | (boxes[:, 1] > sheet - 2)).any(axis=-1)
-        cost = cost + OVER_LABEL * _overlaps(boxes, taken) + OVER_BODY * _overlaps(boxes, bodies)
-        best = int(np.argmin(cost + OVER_LINE * _crossings(boxes, strokes)))
+        cost = LATER_OFFSET_COST * np.arange(len(boxes)) + OFF_SHEET_COST * (
+            (boxes[:, 0] < 2) | (boxes[:, 1] > sheet - 2)
+        ).any(axis=-1)
+        cost = cost + LABEL_OVERLAP_COST * _overlaps(boxes, taken) + BODY_OVERLAP_COST * _overlaps(boxes, bodies)
+        best = int(np.argmin(cost + LINE_CROSSING_COST * _crossings(boxes, strokes)))
         taken = np.concatenate([taken, boxes[best : best + 1]])
         yield label, centres[best]
 

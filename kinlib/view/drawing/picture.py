@@ -13,7 +13,7 @@ from kinlib.arrays.formatting import SHORT_PI, format_vector
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
-SHORTEST = 20
+MIN_ALT_CHARACTERS = 20
 """Fewer characters than this name a figure and do not say what it shows."""
 
 
@@ -32,9 +32,9 @@ class Picture:
     caption: str = ""
 
     def __post_init__(self) -> None:
-        if len(self.alt) < SHORTEST:
+        if len(self.alt) < MIN_ALT_CHARACTERS:
             raise ValueError(
-                f"alt should say what the figure shows, in at least {SHORTEST} characters; got {self.alt!r}. "
+                f"alt should say what the figure shows, in at least {MIN_ALT_CHARACTERS} characters; got {self.alt!r}. "
                 "What would you say of it on the telephone?"
             )
 
@@ -50,14 +50,14 @@ class Picture:
         return {"text/html": self.html(), "text/plain": self.alt}
 
 
-def picture(figure: "Figure", alt: str, caption: str = "") -> Picture:
+def picture_from_figure(figure: "Figure", alt: str, caption: str = "") -> Picture:
     """Finish a matplotlib figure, made without pyplot so that nothing is left open.
 
     Raises ValueError for a text alternative that says too little.
 
     >>> from matplotlib.figure import Figure
     >>> figure = Figure(figsize=(2, 1))
-    >>> picture(figure, "An empty figure, two inches wide.").alt
+    >>> picture_from_figure(figure, "An empty figure, two inches wide.").alt
     'An empty figure, two inches wide.'
     """
     from matplotlib import rc_context
@@ -69,10 +69,10 @@ def picture(figure: "Figure", alt: str, caption: str = "") -> Picture:
     return Picture(buffer.getvalue(), alt, caption)
 
 
-def spoken(values: ArrayLike) -> str:
+def vector_text(values: ArrayLike) -> str:
     """Say a vector in a text alternative: three digits, and 0 for what rounding left over.
 
-    >>> spoken([0.5, -1e-17, 3])
+    >>> vector_text([0.5, -1e-17, 3])
     '(0.5, 0, 3)'
     """
     return format_vector(values, 3, zero=SHORT_PI)

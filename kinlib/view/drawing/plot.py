@@ -5,9 +5,9 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinlib.view.drawing.picture import Picture, picture
+from kinlib.view.drawing.picture import Picture, picture_from_figure
 
-STYLES = (
+CURVE_STYLES = (
     ("#7d3ac1", "-", "o"),
     ("#b35900", "--", "s"),
     ("#0b5cad", ":", "^"),
@@ -41,13 +41,13 @@ def plot(
     from matplotlib.figure import Figure
 
     x = np.asarray(x, dtype=float)
-    if len(curves) > len(STYLES):
-        raise ValueError(f"plot tells up to {len(STYLES)} curves apart; got {len(curves)}. Draw two figures?")
+    if len(curves) > len(CURVE_STYLES):
+        raise ValueError(f"plot tells up to {len(CURVE_STYLES)} curves apart; got {len(curves)}. Draw two figures?")
     if log not in {"", "x", "y", "xy"}:
         raise ValueError(f"log should be '', 'x', 'y' or 'xy'; got {log!r}.")
     figure = Figure(figsize=(6.4, 3.6), layout="constrained")
     axes = figure.subplots()
-    for (name, y), (colour, dash, marker) in zip(curves.items(), STYLES, strict=False):
+    for (name, y), (colour, dash, marker) in zip(curves.items(), CURVE_STYLES, strict=False):
         if np.shape(y) != x.shape:
             raise ValueError(f"curve {name!r} should have the shape of x, {x.shape}; got {np.shape(y)}.")
         every = max(1, len(x) // 12)
@@ -73,4 +73,4 @@ def plot(
     axes.spines[["top", "right"]].set_visible(False)
     if len(curves) > 1:
         axes.legend(frameon=False)
-    return picture(figure, alt, caption)
+    return picture_from_figure(figure, alt, caption)

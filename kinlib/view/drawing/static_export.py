@@ -2,11 +2,11 @@
 
 import os
 
-VARIABLE = "NOTEBOOK_STATIC_PAGE"
+ENVIRONMENT_VARIABLE = "NOTEBOOK_STATIC_PAGE"
 """Set where notebooks are executed for a page. Then questions carry their explanations with them and sliders their
 pictures; in a lab they do not, for there Python answers, and a saved notebook shall not tell."""
 
 
-def for_a_page() -> bool:
+def is_static_export() -> bool:
     """Whether outputs should stand for themselves."""
-    return bool(os.environ.get(VARIABLE))
+    return bool(os.environ.get(ENVIRONMENT_VARIABLE))

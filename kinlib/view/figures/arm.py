@@ -8,11 +8,11 @@ from numpy.typing import ArrayLike
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.view.drawing.canvas import GREY, ORANGE, VIOLET, Canvas
-from kinlib.view.drawing.picture import Picture, spoken
-from kinlib.view.figures.joints import draw_bodies
+from kinlib.view.drawing.picture import Picture, vector_text
+from kinlib.view.figures.joint_bodies import draw_joint_bodies
 
-SHOWN = {"axes", "body axes", "home axes", "links", "tool", "base"}
-KINDS = {"R": "revolute", "P": "prismatic", "H": "helical"}
+ARM_LAYERS = {"axes", "body axes", "home axes", "links", "tool", "base"}
+JOINT_KINDS = {"R": "revolute", "P": "prismatic", "H": "helical"}
 STEEL = "#5b7083"
 
 
@@ -42,8 +42,8 @@ def draw_arm(
     youBot, 5 joints (RRRRR), at home. Joint 1 revolute along z; joint 2 revolute along -y; joint 3 revolute along -y;
     joint 4 revolute along -y; joint 5 revolute along x. The tool is at (0.54, 0, 0.147) m.
     """
-    if unknown := set(show) - SHOWN:
-        raise ValueError(f"show knows {', '.join(sorted(SHOWN))}; got {', '.join(map(repr, sorted(unknown)))}.")
+    if unknown := set(show) - ARM_LAYERS:
+        raise ValueError(f"show knows {', '.join(sorted(ARM_LAYERS))}; got {', '.join(map(repr, sorted(unknown)))}.")
     home = np.zeros(chain.n)
     q = home if q is None else np.asarray(q, dtype=float)
     path, shadow = _path(chain, q), _path(chain, q if ghost is None else np.asarray(ghost, dtype=float))
@@ -54,7 +54,7 @@ def draw_arm(
         canvas.line(shadow, "#b6bec6", 6.0, level=1)
     canvas.line(path, STEEL, 6.0)
     frames = chain.link_poses(q)
-    draw_bodies(canvas, chain, frames)
+    draw_joint_bodies(canvas, chain, frames)
     if "home axes" in show:
         _draw_axes(canvas, chain, chain.link_poses(home), "S", GREY)
     if "axes" in show or "body axes" in show:
@@ -66,7 +66,7 @@ def draw_arm(
             canvas.triad(T, str(i + 1), 0.13 * canvas.size)
     if "tool" in show:
         canvas.triad(chain.fk(q), "b", 0.2 * canvas.size)
-    return canvas.picture(alt or describe(chain, q), caption)
+    return canvas.picture(alt or describe_arm(chain, q), caption)
 
 
 def draw_joints(chain: Chain, tool: bool = False, caption: str = "", view: str = "default") -> Picture:
@@ -85,38 +85,38 @@ def draw_joints(chain: Chain, tool: bool = False, caption: str = "", view: str =
     canvas = Canvas(seen, view)
     canvas.floor(seen, numbers=True)
     canvas.measure(measured, ORANGE)
-    draw_bodies(canvas, chain, chain.link_poses(home))
+    draw_joint_bodies(canvas, chain, chain.link_poses(home))
     _draw_axes(canvas, chain, chain.link_poses(home), "", VIOLET)
     canvas.triad(np.eye(4), "s", 0.16 * canvas.size)
     if tool:
         canvas.triad(chain.home, "b", 0.16 * canvas.size)
-    points = "; ".join(f"joint {i + 1} at {spoken(p)}" for i, p in enumerate(chain.joint_points))
-    return canvas.picture(f"{describe(chain, home)} Points on the axes: {points}.", caption)
+    points = "; ".join(f"joint {i + 1} at {vector_text(p)}" for i, p in enumerate(chain.joint_points))
+    return canvas.picture(f"{describe_arm(chain, home)} Points on the axes: {points}.", caption)
 
 
-def describe(chain: Chain, q: Array) -> str:
+def describe_arm(chain: Chain, q: Array) -> str:
     """Say in words what a drawing of the arm shows.
 
     >>> from kinlib.chains.robots import hrr
-    >>> describe(hrr(), np.zeros(3))[:24]
+    >>> describe_arm(hrr(), np.zeros(3))[:24]
     'HRR arm, 3 joints (HRR),'
     """
     axis = chain.lines.axis
     joints = "; ".join(
-        f"joint {i + 1} {KINDS[letter]} along {_direction(axis[i])}" for i, letter in enumerate(chain.joint_types)
+        f"joint {i + 1} {JOINT_KINDS[letter]} along {_direction(axis[i])}" for i, letter in enumerate(chain.joint_types)
     )
-    values = "at home" if not np.any(q) else f"at q = {spoken(q)}"
-    tool = spoken(chain.fk(q)[:3, 3])
+    values = "at home" if not np.any(q) else f"at q = {vector_text(q)}"
+    tool = vector_text(chain.fk(q)[:3, 3])
     return (
         f"{chain.name}, {chain.n} joints ({chain.joint_types}), {values}. {joints.capitalize()}. The tool is at {tool} m."
     )
 
 
-def reach(chain: Chain, low: Array, high: Array) -> Array:
+def reachable_points(chain: Chain, low: Array, high: Array) -> Array:
     """Points (m, 3) that the arm may touch between two configurations: what a picture of all of them should hold.
 
     >>> from kinlib.chains.robots import rpr
-    >>> reach(rpr(), np.zeros(3), np.ones(3)).shape[1]
+    >>> reachable_points(rpr(), np.zeros(3), np.ones(3)).shape[1]
     3
     """
     mix = np.random.default_rng(0).random((200, chain.n))
@@ -146,4 +146,4 @@ def _direction(axis: Array) -> str:
     for letter, unit in zip("xyz", np.eye(3), strict=True):
         if np.allclose(np.abs(axis), unit):
             return letter if axis @ unit > 0 else f"-{letter}"
-    return spoken(axis)
+    return vector_text(axis)

@@ -9,8 +9,8 @@ from numpy.typing import ArrayLike
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import exp
-from kinlib.view.drawing.canvas import AXIS_COLOURS, GREY, INK, ORANGE, Canvas, seen_from
-from kinlib.view.drawing.picture import Picture, spoken
+from kinlib.view.drawing.canvas import AXIS_COLOURS, GREY, INK, ORANGE, Canvas, view_axes
+from kinlib.view.drawing.picture import Picture, vector_text
 
 
 def draw_frames(
@@ -59,7 +59,7 @@ def draw_frames(
     return canvas.picture(alt or _in_words(poses, places), caption)
 
 
-def draw_turn(axis: int, degrees: float, names: tuple[str, str] = ("a", "b")) -> Picture:
+def draw_rotation(axis: int, degrees: float, names: tuple[str, str] = ("a", "b")) -> Picture:
     """Draw two frames that share their origin and one axis, as seen along that axis, and the angle between them.
 
     axis     which axis they share: 0 for x, 1 for y, 2 for z; y points away from the eye, x and z towards it
@@ -67,7 +67,7 @@ def draw_turn(axis: int, degrees: float, names: tuple[str, str] = ("a", "b")) ->
 
     Raises ValueError for another axis.
 
-    >>> draw_turn(2, 30).alt
+    >>> draw_rotation(2, 30).alt
     'Frames {a} and {b} share their z axis, which points at you. x_b is x_a turned by 30 degrees towards y_a.'
     """
     if axis not in range(3):
@@ -86,7 +86,7 @@ def draw_turn(axis: int, degrees: float, names: tuple[str, str] = ("a", "b")) ->
     canvas.line(arc[:-1], INK, 1.4, level=3)
     canvas.arrow(arc[-2], arc[-1], INK, 1.4)
     canvas.label(arc[10], f"{abs(degrees):.3g}°", INK, [(24, 0), (-24, 0), (0, 18), (0, -18)])
-    facing = seen_from(view)[0][axis] > 0
+    facing = view_axes(view)[0][axis] > 0
     canvas.arrow(np.zeros(3), 0.5 * np.eye(3)[axis], AXIS_COLOURS[axis], 2.2, level=6)
     shared = "xyz"[axis]
     canvas.label(
@@ -100,12 +100,12 @@ def draw_turn(axis: int, degrees: float, names: tuple[str, str] = ("a", "b")) ->
 
 
 def _in_words(poses: Mapping[str, Array], points: Mapping[str, Array]) -> str:
-    said = [f"Frame {{{name}}} at {spoken(T[:3, 3])}{_turned(T)}." for name, T in poses.items()]
-    said += [f"Point {name} at {spoken(p)}." for name, p in points.items()]
+    said = [f"Frame {{{name}}} at {vector_text(T[:3, 3])}{_turned(T)}." for name, T in poses.items()]
+    said += [f"Point {name} at {vector_text(p)}." for name, p in points.items()]
     return " ".join(said)
 
 
 def _turned(T: Array) -> str:
     if np.allclose(T[:3, :3], np.eye(3)):
         return ""
-    return f", its x along {spoken(T[:3, 0])}, its z along {spoken(T[:3, 2])}"
+    return f", its x along {vector_text(T[:3, 0])}, its z along {vector_text(T[:3, 2])}"

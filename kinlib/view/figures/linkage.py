@@ -15,21 +15,21 @@ from kinlib.arrays.validation import Array
 from kinlib.mechanisms.mechanism import Mechanism
 from kinlib.rigid.lie import exp, inverse
 from kinlib.rigid.screw import line
-from kinlib.view.drawing.canvas import GREY, INK, ORANGE, PALE, Canvas, seen_from
-from kinlib.view.drawing.picture import Picture, spoken
+from kinlib.view.drawing.canvas import GREY, INK, ORANGE, PALE_GREY, Canvas, view_axes
+from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.drawing.svg import GREEK
-from kinlib.view.figures.joints import BESIDE, RADIUS, draw_body
+from kinlib.view.figures.joint_bodies import JOINT_RADIUS, NUMBER_OFFSETS, draw_joint_body
 
 STEEL, GHOST = "#5b7083", "#b6bec6"
 
-OPEN = 1e-6
+GAP_TOL_M = 1e-6
 """A joint whose two halves are farther apart than this, in metres, is drawn with its gap."""
 
 Points = Mapping[str, tuple[str, ArrayLike]]
 
 
 @dataclass(frozen=True, eq=False)
-class Posture:
+class LinkageGeometry:
     """Where a linkage has everything that is drawn of it.
 
     first, second  (j, 3)  each joint as its first and as its second body has it: one place, where the loop is closed
@@ -56,7 +56,7 @@ class Posture:
         return far
 
 
-def posture(mechanism: Mechanism, q: ArrayLike, points: Points | None = None) -> Posture:
+def linkage_geometry(mechanism: Mechanism, q: ArrayLike, points: Points | None = None) -> LinkageGeometry:
     """Carry joints, bodies and named points to where a posture has them; the posture need not close.
 
     q       (n,) joint values
@@ -65,7 +65,7 @@ def posture(mechanism: Mechanism, q: ArrayLike, points: Points | None = None) ->
     Raises ValueError for joint values of another size, for NaN, and for a body that there is not.
 
     >>> from kinlib.mechanisms.linkages import four_bar
-    >>> posture(four_bar(4, 1, 3.5, 3), [np.pi / 2, 0, 0, 0]).gap.round(3)      # at q = 0 it is drawn open
+    >>> linkage_geometry(four_bar(4, 1, 3.5, 3), [np.pi / 2, 0, 0, 0]).gap.round(3)      # at q = 0 it is drawn open
     array([0.   , 0.   , 0.   , 8.322])
     """
     values = np.asarray(q, dtype=float)
@@ -90,7 +90,7 @@ def posture(mechanism: Mechanism, q: ArrayLike, points: Points | None = None) ->
     for name, (body, _) in (points or {}).items():
         corners[body].append(named[name])
     shapes = {body: np.array(places) for body, places in corners.items()}
-    return Posture(np.array(first), np.array(second), np.array(axes), shapes, named)
+    return LinkageGeometry(np.array(first), np.array(second), np.array(axes), shapes, named)
 
 
 def draw_linkage(
@@ -128,12 +128,12 @@ def draw_linkage(
     at (1, 0); slide joins ground and slider at (4, 0); C joins slider and rod at (4, 0). All lengths in metres. It is
     closed.
     """
-    now = posture(mechanism, q, points)
-    shade = None if ghost is None else posture(mechanism, ghost)
+    geometry = linkage_geometry(mechanism, q, points)
+    shade = None if ghost is None else linkage_geometry(mechanism, ghost)
     planar = is_planar(mechanism)
     view = view or ("top" if planar else "default")
     seen = np.concatenate(
-        [now.all, *([] if shade is None else [shade.all]), *([] if curve is None else [np.asarray(curve)])]
+        [geometry.all, *([] if shade is None else [shade.all]), *([] if curve is None else [np.asarray(curve)])]
     )
     seen = seen if around is None else np.reshape(np.asarray(around, dtype=float), (-1, 3))
     # No axes and frames reach out here: some of the margin may go, and more of it where no floor needs it.
@@ -144,41 +144,41 @@ def draw_linkage(
         _draw_bars(canvas, mechanism, shade, GHOST, 1.0)
     if curve is not None:
         canvas.line(curve, ORANGE, 1.8, ":", level=1.5)
-    _draw_bars(canvas, mechanism, now, STEEL, 2.0)
-    _draw_ground(canvas, mechanism, now, view)
-    for joint, here, there, axis in zip(mechanism.joints, now.first, now.second, now.axes, strict=True):
+    _draw_bars(canvas, mechanism, geometry, STEEL, 2.0)
+    _draw_ground(canvas, mechanism, geometry, view)
+    for joint, here, there, axis in zip(mechanism.joints, geometry.first, geometry.second, geometry.axes, strict=True):
         slides = not joint.screws[0, :3].any()
-        if np.linalg.norm(here - there) > OPEN:
+        if np.linalg.norm(here - there) > GAP_TOL_M:
             canvas.line([here, there], ORANGE, 2.2, ":", level=3.6)
             canvas.dot(there, ORANGE, 7)
         # A ball looks like a pin that is seen end-on, from wherever it is seen.
-        draw_body(canvas, "P" if slides else "R", canvas.eye if joint.freedoms == 3 else axis, here)
+        draw_joint_body(canvas, "P" if slides else "R", canvas.eye if joint.freedoms == 3 else axis, here)
         if names:
-            canvas.label(here, _letters(joint.name), INK, BESIDE, 11)
-    for name, point in now.points.items():
+            canvas.label(here, _letters(joint.name), INK, NUMBER_OFFSETS, 11)
+    for name, point in geometry.points.items():
         canvas.dot(point, INK, 8)
         canvas.label(point, name, INK)
-    return canvas.picture(alt or describe(mechanism, now), caption)
+    return canvas.picture(alt or describe_linkage(mechanism, geometry), caption)
 
 
-def describe(mechanism: Mechanism, now: Posture) -> str:
+def describe_linkage(mechanism: Mechanism, geometry: LinkageGeometry) -> str:
     """Say in words what a drawing of a linkage shows: its bodies, where its joints are, and whether it is closed.
 
     >>> from kinlib.mechanisms.linkages import triangle
-    >>> describe(triangle(), posture(triangle(), [0, 0, 0]))[-36:]
+    >>> describe_linkage(triangle(), linkage_geometry(triangle(), [0, 0, 0]))[-36:]
     'All lengths in metres. It is closed.'
     """
     shown = slice(2) if is_planar(mechanism) else slice(3)
     joints = [
-        f"{joint.name} joins {' and '.join(joint.bodies)} at {spoken(place[shown])}"
-        for joint, place in zip(mechanism.joints, now.first, strict=True)
+        f"{joint.name} joins {' and '.join(joint.bodies)} at {vector_text(place[shown])}"
+        for joint, place in zip(mechanism.joints, geometry.first, strict=True)
     ]
-    named = "".join(f" {name} is at {spoken(point[shown])}." for name, point in now.points.items())
-    widest = int(np.argmax(now.gap))
+    named = "".join(f" {name} is at {vector_text(point[shown])}." for name, point in geometry.points.items())
+    widest = int(np.argmax(geometry.gap))
     closed = (
         "It is closed."
-        if now.gap[widest] <= OPEN
-        else f"It is open: at {mechanism.joints[widest].name} a gap of {now.gap[widest]:.2g} is left."
+        if geometry.gap[widest] <= GAP_TOL_M
+        else f"It is open: at {mechanism.joints[widest].name} a gap of {geometry.gap[widest]:.2g} is left."
     )
     bodies = ", ".join(mechanism.bodies)
     return f"{mechanism.name} with the bodies {bodies}. {'; '.join(joints)}.{named} All lengths in metres. {closed}"
@@ -211,29 +211,29 @@ def _letters(name: str) -> str:
     return rf"$\{head}_{{{low}}}$" if low and head in GREEK else name.removeprefix("joint ")
 
 
-def _draw_bars(canvas: Canvas, mechanism: Mechanism, now: Posture, colour: str, level: float) -> None:
+def _draw_bars(canvas: Canvas, mechanism: Mechanism, geometry: LinkageGeometry, colour: str, level: float) -> None:
     """Every moving body: a bar through two joints, a plate through more."""
-    for body, corners in now.corners.items():
+    for body, corners in geometry.corners.items():
         if body == mechanism.ground:
             continue
         shape = np.unique(corners.round(9), axis=0)
         plate = len(shape) > 2 and np.linalg.matrix_rank(shape - shape[0], tol=1e-6 * canvas.size) > 1
         if plate:
-            canvas.body(shape, PALE, level - 0.1, edge=colour)
+            canvas.body(shape, PALE_GREY, level - 0.1, edge=colour)
         if not plate or len(shape) == 3:
             canvas.line(shape[[*range(len(shape)), 0]], colour, 6.0, level=level)
 
 
-def _draw_ground(canvas: Canvas, mechanism: Mechanism, now: Posture, view: str) -> None:
+def _draw_ground(canvas: Canvas, mechanism: Mechanism, geometry: LinkageGeometry, view: str) -> None:
     """What stands still: a hatched foot under each joint of the ground, a hatched rail along each slide."""
-    right, up = sheet = seen_from(view)[1]
+    right, up = sheet = view_axes(view)[1]
     if view != "top":
-        canvas.line(now.corners[mechanism.ground], GREY, 1.3, "--", level=1.8)
-    for joint, foot, axis in zip(mechanism.joints, now.first, now.axes, strict=True):
+        canvas.line(geometry.corners[mechanism.ground], GREY, 1.3, "--", level=1.8)
+    for joint, foot, axis in zip(mechanism.joints, geometry.first, geometry.axes, strict=True):
         if mechanism.ground not in joint.bodies:
             continue
         if joint.screws[0, :3].any():
-            wide, deep = 1.7 * RADIUS * canvas.size * right, -2.4 * RADIUS * canvas.size * up
+            wide, deep = 1.7 * JOINT_RADIUS * canvas.size * right, -2.4 * JOINT_RADIUS * canvas.size * up
             canvas.line([foot + deep - wide, foot, foot + deep + wide], INK, 1.3, level=2.5)
             _hatch(canvas, np.array([foot + deep - 1.3 * wide, foot + deep + 1.3 * wide]), up)
         else:
@@ -245,13 +245,13 @@ def _rail(canvas: Canvas, start: Array, slider: Array, axis: Array, sheet: Array
     across = np.array([-sheet[1] @ axis, sheet[0] @ axis]) @ sheet
     across *= np.sign(across @ sheet[1] or 1.0) / max(np.linalg.norm(across), 1e-9)
     along = np.sort([axis @ (start - slider), 0.0]) + np.array([-0.15, 0.15]) * canvas.size
-    _hatch(canvas, slider + np.outer(along, axis) - RADIUS * canvas.size * across, across)
+    _hatch(canvas, slider + np.outer(along, axis) - JOINT_RADIUS * canvas.size * across, across)
 
 
 def _hatch(canvas: Canvas, ends: Array, up: Array) -> None:
     """A line with short strokes below it: what stands still, in every textbook."""
     canvas.line(ends, INK, 1.6, level=2.5)
-    length, step = np.linalg.norm(ends[1] - ends[0]), 0.6 * RADIUS * canvas.size
+    length, step = np.linalg.norm(ends[1] - ends[0]), 0.6 * JOINT_RADIUS * canvas.size
     along = (ends[1] - ends[0]) / length
     for share in np.linspace(0, 1, max(3, int(length / step))):
         root = ends[0] + share * length * along

@@ -13,16 +13,16 @@ from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.rigid.angles import wrap_angle
 from kinlib.view.drawing import svg
-from kinlib.view.drawing.canvas import GREY, INK, PALE
+from kinlib.view.drawing.canvas import GREY, INK, PALE_GREY
 from kinlib.view.drawing.picture import Picture
 
-LINES = (("#7d3ac1", "-"), ("#b35900", "--"), ("#0b5cad", ":"))
+CURVE_STYLES = (("#7d3ac1", "-"), ("#b35900", "--"), ("#0b5cad", ":"))
 """Colour and dash of each curve: never told apart by colour alone."""
 
-SIDE, LEFT, TOP = 330.0, 62.0, 16.0
+SQUARE_PX, LEFT_PX, TOP_PX = 330.0, 62.0, 16.0
 """The square and the room to its left and above it, in pixels."""
 
-TICKS = (-180, -90, 0, 90, 180)
+TICKS_DEG = (-180, -90, 0, 90, 180)
 
 
 def draw_torus(
@@ -45,35 +45,35 @@ def draw_torus(
     >>> draw_torus({"once round": np.stack([t, 0.5 * np.sin(t)], 1)}, xlabel="A", ylabel="D", alt="A wave, once round the torus.").alt
     'A wave, once round the torus.'
     """
-    if len(curves) > len(LINES):
-        raise ValueError(f"draw_torus tells up to {len(LINES)} curves apart; got {len(curves)}.")
+    if len(curves) > len(CURVE_STYLES):
+        raise ValueError(f"draw_torus tells up to {len(CURVE_STYLES)} curves apart; got {len(curves)}.")
     drawn = [svg.outline(_place(np.array([[-180, -180], [180, -180], [180, 180], [-180, 180]])), "white", GREY)]
-    for tick in TICKS:
+    for tick in TICKS_DEG:
         lines = np.array([[(tick, -180), (tick, 180)], [(-180, tick), (180, tick)]])
-        drawn += [svg.stroke(_place(line), PALE, 1) for line in lines]
+        drawn += [svg.stroke(_place(line), PALE_GREY, 1) for line in lines]
         feet = _place(lines[:, 0]) + np.array([(0, 12), (-20, 0)])
         drawn += [svg.words(foot, f"{tick}°", INK, 11) for foot in feet]
-    drawn.append(svg.words([LEFT + SIDE / 2, TOP + SIDE + 30], xlabel, INK, 12))
-    drawn.append(svg.words([LEFT + 26, TOP - 7], ylabel, INK, 12))
+    drawn.append(svg.words([LEFT_PX + SQUARE_PX / 2, TOP_PX + SQUARE_PX + 30], xlabel, INK, 12))
+    drawn.append(svg.words([LEFT_PX + 26, TOP_PX - 7], ylabel, INK, 12))
     placed = {
         name: _place(np.degrees(wrap_angle(validation.vectors(p, f"mark {name}", 2))))
         for name, p in (marks or {}).items()
     }
-    for (name, points), (colour, dash) in zip(curves.items(), LINES, strict=False):
-        pieces = wrapped(validation.vectors(points, f"curve {name}", 2))
+    for (name, points), (colour, dash) in zip(curves.items(), CURVE_STYLES, strict=False):
+        pieces = split_where_wrapped(validation.vectors(points, f"curve {name}", 2))
         drawn += [svg.stroke(_place(piece), colour, 2.2, dash) for piece in pieces]
         drawn.append(svg.words(_beside(_place(np.concatenate(pieces)), list(placed.values())), name, colour, 12))
     for name, centre in placed.items():
         drawn += [svg.disc(centre, 5, INK), svg.words([centre[0], centre[1] + 14], name, INK, 12)]
-    return Picture(svg.document(drawn, LEFT + SIDE + 24, TOP + SIDE + 46), alt, caption)
+    return Picture(svg.document(drawn, LEFT_PX + SQUARE_PX + 24, TOP_PX + SQUARE_PX + 46), alt, caption)
 
 
-def beside(left: Picture, right: Picture, caption: str = "") -> Picture:
+def side_by_side(left: Picture, right: Picture, caption: str = "") -> Picture:
     """Put two pictures side by side, as one.
 
     >>> from kinlib.view import draw_arm
     >>> from kinlib.chains.robots import rpr
-    >>> beside(draw_arm(rpr()), draw_arm(rpr())).alt.count("RPR, 3 joints")
+    >>> side_by_side(draw_arm(rpr()), draw_arm(rpr())).alt.count("RPR, 3 joints")
     2
     """
     (w, h), (v, g) = _size(left), _size(right)
@@ -81,10 +81,10 @@ def beside(left: Picture, right: Picture, caption: str = "") -> Picture:
     return Picture(svg.document([left.svg, shifted], w + v, max(h, g)), f"{left.alt} Beside it: {right.alt}", caption)
 
 
-def wrapped(points: Array) -> list[Array]:
+def split_where_wrapped(points: Array) -> list[Array]:
     """A curve of angles (m, 2) in radians as it lies in the square: pieces (k, 2) in degrees, cut where it leaves.
 
-    >>> [len(piece) for piece in wrapped(np.radians([[160.0, 0], [170, 0], [190, 0], [200, 0], [210, 0]]))]
+    >>> [len(piece) for piece in split_where_wrapped(np.radians([[160.0, 0], [170, 0], [190, 0], [200, 0], [210, 0]]))]
     [2, 3]
     """
     angles = np.degrees(wrap_angle(points))
@@ -94,17 +94,17 @@ def wrapped(points: Array) -> list[Array]:
 
 def _beside(points: Array, marks: list[Array]) -> Array:
     """Where a curve's name stands, in pixels: above that point of it, within the square, which is farthest from all marks."""
-    inside = points[(np.abs(points[:, 0] - LEFT - SIDE / 2) < 0.36 * SIDE) & (points[:, 1] > TOP + 22)]
-    candidates = inside if len(inside) else points
-    far = np.min([np.linalg.norm(candidates - mark, axis=1) for mark in marks or [np.zeros(2)]], axis=0)
-    place: Array = candidates[int(np.argmax(far))] - (0, 12)
+    inside = points[(np.abs(points[:, 0] - LEFT_PX - SQUARE_PX / 2) < 0.36 * SQUARE_PX) & (points[:, 1] > TOP_PX + 22)]
+    frame_candidates = inside if len(inside) else points
+    far = np.min([np.linalg.norm(frame_candidates - mark, axis=1) for mark in marks or [np.zeros(2)]], axis=0)
+    place: Array = frame_candidates[int(np.argmax(far))] - (0, 12)
     return place
 
 
 def _place(degrees: Array) -> Array:
     """Where angles (..., 2) in degrees stand on the sheet, in pixels."""
     share = (np.asarray(degrees) + 180) / 360
-    place: Array = np.stack([LEFT + SIDE * share[..., 0], TOP + SIDE * (1 - share[..., 1])], axis=-1)
+    place: Array = np.stack([LEFT_PX + SQUARE_PX * share[..., 0], TOP_PX + SQUARE_PX * (1 - share[..., 1])], axis=-1)
     return place
 
 

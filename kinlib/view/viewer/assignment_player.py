@@ -15,14 +15,14 @@ from kinlib.dh.assignment import FrameAssignment, assign_frames
 from kinlib.dh.explanation import Step
 from kinlib.dh.formatting import format_rows
 from kinlib.dh.table import Convention, DHTable, convention_of
-from kinlib.view.figures.assignment import draw_assignment
-from kinlib.view.figures.assignment_state import in_view, legs, stage
+from kinlib.view.figures.assignment_steps import row_segments, state_after, visible_features
+from kinlib.view.figures.frame_assignment import draw_assignment
 from kinlib.view.viewer.scene import extent, scene
 from kinlib.view.viewer.viewer import Viewer
 
 CONVENTIONS: tuple[Convention, ...] = get_args(Convention)
 
-TITLES = {
+STEP_TITLES = {
     "axes": "The joint axes",
     "first": "Frame 0",
     "normal": "Axes {i} and {j}",
@@ -35,10 +35,10 @@ TITLES = {
 }
 """The head above each kind of step."""
 
-SNUG = 0.84
+VIEW_RADIUS_SHARE = 0.84
 """Of the ball around all that is drawn: seen from where the eye begins, no arm fills its ball."""
 
-LIT = {"origin": "O", "x": "x", "y": "y", "first": "Oxyz", "last": "Oxyz"}
+HIGHLIGHTED_PARTS = {"origin": "O", "x": "x", "y": "y", "first": "Oxyz", "last": "Oxyz"}
 """Which parts of its frame a step names."""
 
 
@@ -63,7 +63,7 @@ class Player(Viewer):
             readout=False,
             mode={
                 "kind": "assignment",
-                "conventions": {name: _told(found) for name, found in self.assignments.items()},
+                "conventions": {name: _assignment_data(found) for name, found in self.assignments.items()},
             },
             **traits,
         )
@@ -81,7 +81,7 @@ class Player(Viewer):
     @traitlets.validate("step")
     def _there(self, proposal: Any) -> int:
         step: int = proposal["value"]
-        stage(self.assignment, step)  # refuses a step that there is not, in words
+        state_after(self.assignment, step)  # refuses a step that there is not, in words
         return step
 
     def _drawing(self) -> str:
@@ -107,11 +107,11 @@ def play_assignment(chain: Chain, *, convention: Convention, step: int = 0, afte
     return made
 
 
-def cells(table: DHTable) -> list[list[str]]:
+def table_cells(table: DHTable) -> list[list[str]]:
     """The rows of a table as a page shows them: a, alpha, d, theta, with q_i for what moves, and true minus signs.
 
     >>> from kinlib.chains.robots import youbot
-    >>> cells(assign_frames(youbot(), convention="standard").table)[3]
+    >>> table_cells(assign_frames(youbot(), convention="standard").table)[3]
     ['0', '90°', '0', 'q_4 + 90°']
     """
     return [[cell.replace("-", "−") for cell in row] for row in format_rows(table, variable="q_{}".format)]
@@ -122,7 +122,7 @@ def bare_scene(chain: Chain, points: Array) -> dict[str, Any]:
     data = scene(chain, np.zeros(chain.n), joints=[])
     stations = np.concatenate([points, chain.joint_points, chain.home[None, :3, 3], np.zeros((1, 3))])
     low, high = stations.min(axis=0), stations.max(axis=0)
-    radius = SNUG * float(np.linalg.norm(high - low)) / 2
+    radius = VIEW_RADIUS_SHARE * float(np.linalg.norm(high - low)) / 2
     return {
         **data,
         "size": max(extent(chain), radius),
@@ -137,15 +137,15 @@ def _points(assignments: Iterable[FrameAssignment]) -> Array:
         [
             piece
             for found in assignments
-            for near, feet in [in_view(found)]
+            for near, feet in [visible_features(found)]
             for piece in (found.frames[near, :3, 3], np.reshape([*axis_ends(found.chain, feet)], (-1, 3)))
         ]
     )
 
 
-def _told(found: FrameAssignment) -> dict[str, Any]:
+def _assignment_data(found: FrameAssignment) -> dict[str, Any]:
     """An assignment as data: what does not change from step to step, and what each step shows."""
-    near, feet = in_view(found)
+    near, feet = visible_features(found)
     return {
         "axes": [[end.tolist() for end in ends] for ends in axis_ends(found.chain, feet)],
         "normals": [
@@ -153,7 +153,7 @@ def _told(found: FrameAssignment) -> dict[str, Any]:
             for normal in found.normals
         ],
         "frames": [T.ravel().tolist() if seen else None for T, seen in zip(found.frames + 0.0, near, strict=True)],
-        "table": cells(found.table),
+        "table": table_cells(found.table),
         "steps": [_step(found, k, step) for k, step in enumerate(found.steps)],
     }
 
@@ -168,20 +168,20 @@ def axis_ends(chain: Chain, feet: Array) -> Iterator[tuple[Array, Array]]:
 
 
 def _step(found: FrameAssignment, k: int, step: Step) -> dict[str, Any]:
-    now = stage(found, k)
+    current = state_after(found, k)
     i = step.frame
     return {
-        "title": TITLES[step.kind].format(i=i, j=None if i is None else i + 1),
+        "title": STEP_TITLES[step.kind].format(i=i, j=None if i is None else i + 1),
         "text": step.text,
         "others": step.others,
-        "axes": list(now.axes),
-        "normals": list(now.normals),
-        "letters": [now.letters(frame) for frame in range(len(now.frames))],
-        "strong": list(now.strong),
-        "lit": [LIT.get(step.kind, "") if frame == i else "" for frame in range(len(now.frames))],
-        "row": now.row,
+        "axes": list(current.axes),
+        "normals": list(current.normals),
+        "letters": [current.letters(frame) for frame in range(len(current.frames))],
+        "strong": list(current.strong),
+        "lit": [HIGHLIGHTED_PARTS.get(step.kind, "") if frame == i else "" for frame in range(len(current.frames))],
+        "row": current.row,
         "legs": [
             {"name": name, "from": start.tolist(), "to": end.tolist()}
-            for name, start, end in (legs(found, now.row) if now.row else [])
+            for name, start, end in (row_segments(found, current.row) if current.row else [])
         ],
     }

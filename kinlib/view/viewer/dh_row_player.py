@@ -16,44 +16,44 @@ from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.dh.table import Convention, convention_of
 from kinlib.rigid.lie import adjoint
-from kinlib.view.drawing.canvas import seen_from
+from kinlib.view.drawing.canvas import view_axes
 from kinlib.view.drawing.picture import Picture
-from kinlib.view.figures.dh_row_figure import (
-    ABOUT_X,
-    ABOUT_Z,
-    ALONG_X,
-    ALONG_Z,
-    ORDER,
-    draw_cuts,
-    draw_moves,
-    moves,
-    walk,
+from kinlib.view.figures.dh_row_motions import (
+    MOTION_ORDER,
+    ROTATE_X,
+    ROTATE_Z,
+    TRANSLATE_X,
+    TRANSLATE_Z,
+    draw_row_motions,
+    draw_zx_factors,
+    poses_along_arm,
+    poses_along_row,
 )
-from kinlib.view.figures.dh_table_figure import draw_row
+from kinlib.view.figures.dh_table import draw_row
 from kinlib.view.viewer.viewer import ViewerBase
 
-SYMBOLS = {ABOUT_Z: "R_z(theta)", ALONG_Z: "T_z(d)", ALONG_X: "T_x(a)", ABOUT_X: "R_x(alpha)"}
+SYMBOLS = {ROTATE_Z: "R_z(theta)", TRANSLATE_Z: "T_z(d)", TRANSLATE_X: "T_x(a)", ROTATE_X: "R_x(alpha)"}
 
-SAID: dict[Convention, dict[int, str]] = {
+MOTION_TEXTS: dict[Convention, dict[int, str]] = {
     "standard": {
-        ABOUT_Z: "Turn about z by theta, {value}: x swings into the direction of the common normal.",
-        ALONG_Z: "Slide along z by d, {value}: the origin comes to the foot of the normal.",
-        ALONG_X: "Slide along x by a, {value}: across the link, onto the next axis.",
-        ABOUT_X: "Turn about x by alpha, {value}: z swings onto axis i+1. Here stands frame i.",
+        ROTATE_Z: "Turn about z by theta, {value}: x swings into the direction of the common normal.",
+        TRANSLATE_Z: "Slide along z by d, {value}: the origin comes to the foot of the normal.",
+        TRANSLATE_X: "Slide along x by a, {value}: across the link, onto the next axis.",
+        ROTATE_X: "Turn about x by alpha, {value}: z swings onto axis i+1. Here stands frame i.",
     },
     "modified": {
-        ABOUT_X: "Turn about x by alpha, {value}: z swings into the direction of axis i.",
-        ALONG_X: "Slide along x by a, {value}: across the link, onto axis i.",
-        ABOUT_Z: "Turn about z by theta, {value}: now the joint turns, about its own axis.",
-        ALONG_Z: "Slide along z by d, {value}: to the foot of the next normal. Here stands frame i.",
+        ROTATE_X: "Turn about x by alpha, {value}: z swings into the direction of axis i.",
+        TRANSLATE_X: "Slide along x by a, {value}: across the link, onto axis i.",
+        ROTATE_Z: "Turn about z by theta, {value}: now the joint turns, about its own axis.",
+        TRANSLATE_Z: "Slide along z by d, {value}: to the foot of the next normal. Here stands frame i.",
     },
 }
 """What each motion of a row does, in each convention."""
 
-AXES: dict[Convention, tuple[str, str]] = {"standard": ("axis i", "axis i+1"), "modified": ("axis i−1", "axis i")}
+AXIS_NAMES: dict[Convention, tuple[str, str]] = {"standard": ("axis i", "axis i+1"), "modified": ("axis i−1", "axis i")}
 """The axes on which the z of frame i-1 and of frame i lie."""
 
-SNUG = {1: 0.94, 2: 0.79}
+VIEW_RADIUS_SHARE = {1: 0.94, 2: 0.79}
 """Of the ball around all that is drawn, for one track and for two side by side: from where the eye begins, they do not fill it."""
 
 
@@ -130,13 +130,15 @@ def play_row(row: ArrayLike, *, convention: Convention | None = None, done: floa
         raise ValueError(
             f"row should be one row, of shape (4,); got {values.shape}. For several, play_walk walks along them."
         )
-    asked: list[Convention] = list(ORDER) if convention is None else [convention_of(convention)]
-    size = max(float(np.ptp([moves(values, name)[:, :3, 3] for name in ORDER], axis=(0, 1)).max()), 0.2)
-    apart = 1.9 * size * seen_from("default")[1][0]
+    asked: list[Convention] = list(MOTION_ORDER) if convention is None else [convention_of(convention)]
+    size = max(
+        float(np.ptp([poses_along_row(values, name)[:, :3, 3] for name in MOTION_ORDER], axis=(0, 1)).max()), 0.2
+    )
+    apart = 1.9 * size * view_axes("default")[1][0]
     tracks = [_row_track(values, name, k * apart, size) for k, name in enumerate(asked)]
 
     def still(count: int) -> Picture:
-        return draw_row(values, count) if asked == ["standard"] else draw_moves(values, count, conventions=asked)
+        return draw_row(values, count) if asked == ["standard"] else draw_row_motions(values, count, conventions=asked)
 
     made = RowPlayer(tracks, still, done=done)
     made.wait_for(after)
@@ -154,7 +156,7 @@ def play_walk(rows: ArrayLike, *, done: float = 0, after: Any = None) -> RowPlay
     'The walk Z1 X1. {0} at (0, 0, 0); {1 mod} at (0, 0, 0.1); {1 std} at (0.4, 0, 0.1).'
     """
     values = np.atleast_2d(validation.vectors(rows, "rows", 4))
-    stops = walk(values)
+    stops = poses_along_arm(values)
     size = max(float(np.ptp(stops[:, :3, 3], axis=0).max()), 0.2)
     pieces, axes, flags = [], [], [_flag(0, "0", stops[0])]
     for i, (a, alpha, d, theta) in enumerate(values, start=1):
@@ -166,7 +168,7 @@ def play_walk(rows: ArrayLike, *, done: float = 0, after: Any = None) -> RowPlay
         flags += [_flag(2 * i - 1, f"{i} mod", stops[2 * i - 1]), _flag(2 * i, f"{i} std", stops[2 * i])]
         axes.append(_axis(stops[2 * i - 2], stops[2 * i - 1], f"axis {i}", size))
     track = _track("", np.eye(4), pieces, stops, size, axes=axes, flags=flags)
-    made = RowPlayer([track], lambda count: draw_cuts(values, count), done=done)
+    made = RowPlayer([track], lambda count: draw_zx_factors(values, count), done=done)
     made.wait_for(after)
     return made
 
@@ -174,18 +176,18 @@ def play_walk(rows: ArrayLike, *, done: float = 0, after: Any = None) -> RowPlay
 def _row_track(row: Array, convention: Convention, place: Array, size: float) -> dict[str, Any]:
     start = np.eye(4)
     start[:3, 3] = place
-    stops = start @ moves(row, convention)
+    stops = start @ poses_along_row(row, convention)
     motions = []
-    for kind in ORDER[convention]:
-        turns, value = kind in (ABOUT_X, ABOUT_Z), row[kind]
+    for kind in MOTION_ORDER[convention]:
+        turns, value = kind in (ROTATE_X, ROTATE_Z), row[kind]
         shown = f"{np.degrees(value):.4g}°" if turns else f"{value:.4g} m"
         motions.append(
             Motion(
-                "x" if kind in (ALONG_X, ABOUT_X) else "z",
+                "x" if kind in (TRANSLATE_X, ROTATE_X) else "z",
                 value if turns else 0.0,
                 0.0 if turns else value,
                 SYMBOLS[kind],
-                SAID[convention][kind].format(value=shown.replace("-", "−")),
+                MOTION_TEXTS[convention][kind].format(value=shown.replace("-", "−")),
             )
         )
     # The d of a standard row runs along the axis where it starts, that of a modified one where it ends.
@@ -193,7 +195,8 @@ def _row_track(row: Array, convention: Convention, place: Array, size: float) ->
     if convention == "modified":
         joint = [_axis(stops[0], stops[0], "", size), _axis(stops[2], stops[4], "", size)]
     axes = [
-        {**line, "name": name, "joint": name == "axis i"} for line, name in zip(joint, AXES[convention], strict=True)
+        {**line, "name": name, "joint": name == "axis i"}
+        for line, name in zip(joint, AXIS_NAMES[convention], strict=True)
     ]
     flags = [_flag(0, "i-1", stops[0]), _flag(4, "i", stops[4])]
     return _track(convention, start, motions, stops, size, axes=axes, flags=flags)
@@ -269,7 +272,7 @@ def _scene(tracks: Sequence[dict[str, Any]]) -> dict[str, Any]:
         "limits": [],
         "room": {
             "centre": ((low + high) / 2).tolist(),
-            "radius": SNUG[len(tracks)] * float(np.linalg.norm(high - low)) / 2,
+            "radius": VIEW_RADIUS_SHARE[len(tracks)] * float(np.linalg.norm(high - low)) / 2,
             "snug": True,
         },
         "floor": float(points[:, 2].min()) - 0.1 * tracks[0]["size"],

@@ -18,16 +18,16 @@ from kinlib.mechanisms.mechanism import Mechanism
 from kinlib.rigid.angles import wrap_angle
 from kinlib.rigid.lie import inverse
 from kinlib.rigid.screw import line
-from kinlib.view.figures.linkage import describe, draw_linkage, is_planar, posture
+from kinlib.view.figures.linkage import describe_linkage, draw_linkage, is_planar, linkage_geometry
 from kinlib.view.viewer.viewer import ViewerBase
 
-POINTS = 240
+POINTS_PER_CURVE = 240
 """Postures along a curve: a step of the slider moves a full turn by a degree and a half."""
 
-SAME = 0.2
+ON_CURVE_TOL = 0.2
 """A posture this near to a curve, in radians and metres together, lies on it: its points are closer than that."""
 
-FLAT, STEEP = [-90.0, 52.0], [-60.0, 22.0]
+PLANAR_VIEW_DEG, SPATIAL_VIEW_DEG = [-90.0, 52.0], [-60.0, 22.0]
 """Where the eye begins, as azimuth and elevation in degrees: over a linkage in the plane, before any other."""
 
 
@@ -44,7 +44,7 @@ class Drive(ViewerBase):
     @property
     def alt(self) -> str:
         """What the picture shows, in words."""
-        return describe(self.mechanism, posture(self.mechanism, self.q))
+        return describe_linkage(self.mechanism, linkage_geometry(self.mechanism, self.q))
 
     def _drawing(self) -> str:
         return draw_linkage(self.mechanism, self.q).html()
@@ -113,14 +113,14 @@ def _curves(mechanism: Mechanism, start: Array) -> list[tuple[Array, bool]]:
     """The curve through a posture, and those of the other ways of assembling it with the first joint value held."""
     found = [_traced(mechanism, start)]
     for other in mechanism.assembly_modes(hold={mechanism.names[0]: float(start[0])}):
-        if all(_apart(curve, other, mechanism) > SAME for curve, _ in found):
+        if all(_distance(curve, other, mechanism) > ON_CURVE_TOL for curve, _ in found):
             found.append(_traced(mechanism, other))
     return found
 
 
 def _traced(mechanism: Mechanism, start: Array) -> tuple[Array, bool]:
     """One curve, and whether it closes: then it is cut where its first value passes half a turn, if that goes round."""
-    curve = mechanism.trace(start, points=POINTS)
+    curve = mechanism.trace(start, points=POINTS_PER_CURVE)
     q, angles = curve.q, _angles(mechanism)
     around = np.round((q[-1] - q[0]) / (2 * np.pi)) * angles * 2 * np.pi
     if curve.closed and around[0]:
@@ -131,9 +131,9 @@ def _traced(mechanism: Mechanism, start: Array) -> tuple[Array, bool]:
     return q - turns * angles, curve.closed
 
 
-def _apart(curve: Array, posture: Array, mechanism: Mechanism) -> float:
+def _distance(curve: Array, configuration: Array, mechanism: Mechanism) -> float:
     """How far a posture is from the nearest point of a curve; angles a full turn apart are the same."""
-    gap = curve - posture
+    gap = curve - configuration
     return float(np.linalg.norm(np.where(_angles(mechanism), wrap_angle(gap), gap), axis=1).min())
 
 
@@ -148,10 +148,10 @@ def _scene(mechanism: Mechanism, travelled: Array, begin: Array) -> dict[str, An
     ways = walks(mechanism.joints, mechanism.ground)
     names = [body for body in ways if body != mechanism.ground]
     arms = [as_chain(mechanism.joints, ways[body], body) for body in names]
-    stations = np.concatenate([posture(mechanism, q).all for q in travelled[:: max(1, len(travelled) // 60)]])
+    stations = np.concatenate([linkage_geometry(mechanism, q).all for q in travelled[:: max(1, len(travelled) // 60)]])
     low, high = stations.min(axis=0), stations.max(axis=0)
-    now = posture(mechanism, begin).all
-    size = max(float(np.ptp(now, axis=0).max()), 1e-3)
+    drawn = linkage_geometry(mechanism, begin).all
+    size = max(float(np.ptp(drawn, axis=0).max()), 1e-3)
     planar = is_planar(mechanism)
     return {
         "name": mechanism.name,
@@ -171,7 +171,7 @@ def _scene(mechanism: Mechanism, travelled: Array, begin: Array) -> dict[str, An
         "room": {
             "centre": ((low + high) / 2).tolist(),
             "radius": float(np.linalg.norm(high - low)) / 2 + 0.12 * size,
-            "look": FLAT if planar else STEEP,
+            "look": PLANAR_VIEW_DEG if planar else SPATIAL_VIEW_DEG,
         },
         "floor": float(low[2]) - (0.1 if planar else 0.15) * size,
     }

@@ -13,23 +13,23 @@ from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.common_normal import common_normal
 from kinlib.rigid.lie import perpendicular, pose
-from kinlib.view.figures.arm import describe, reach
-from kinlib.view.figures.joints import shifts
+from kinlib.view.figures.arm import describe_arm, reachable_points
+from kinlib.view.figures.joint_bodies import axial_offsets
 
-DETOUR = 2.5
+MAX_DETOUR_RATIO = 2.5
 """A link follows its axes and their common normal, as the links of real arms do, unless that is so much longer."""
 
-FAR = 4.0
+MAX_DISTANCE_IN_ARM_SIZES = 4.0
 """Frames and normals farther out than this many sizes of the arm are left out: those of nearly parallel axes are."""
 
 CLEARANCE = 3.3
 """From one joint to the next on the same axis, in radii of a joint: they would hide each other."""
 
-MARKS = 0.95
+MIN_SIZE_IN_ROOM_RADII = 0.95
 """Marks are drawn for an arm of at least this size, in radii of the room that is in view."""
 
 Z = np.eye(3)[2]
-NOWHERE = 1e-9
+COINCIDENT_TOL_M = 1e-9
 
 
 LAYERS = (
@@ -39,7 +39,7 @@ LAYERS = (
 )
 """What the viewer can show: screw axes, frames, and what lies between."""
 
-TURN, SLIDE = np.pi, 1.0
+DEFAULT_ANGLE_RAD, DEFAULT_TRAVEL_M = np.pi, 1.0
 """How far a slider goes to either side of 0 where the joint has no limits: half a turn in radians, one metre."""
 
 
@@ -73,13 +73,13 @@ def scene(
         low[slider["column"]], high[slider["column"]] = slider["low"], slider["high"]
     postures = [_stations(chain, np.zeros(chain.n)), _stations(chain, start)]
     postures += [] if ghost is None else [_stations(chain, ghost)]
-    room, floor = _room(np.concatenate(postures), reach(chain, low, high), extent(chain))
+    room, floor = _room(np.concatenate(postures), reachable_points(chain, low, high), extent(chain))
     return {
         "name": chain.name,
-        "words": describe(chain, np.zeros(chain.n)).partition(" The tool is at")[0],
+        "words": describe_arm(chain, np.zeros(chain.n)).partition(" The tool is at")[0],
         # Where an arm is small in its room, its marks stay large enough to tell apart.
-        "size": max(extent(chain), MARKS * room["radius"]),
-        "arms": [branch(chain, range(chain.n))],
+        "size": max(extent(chain), MIN_SIZE_IN_ROOM_RADII * room["radius"]),
+        "arms": [arm_data(chain, range(chain.n))],
         "sliders": sliders,
         "limits": [[_finite(end) for end in pair] for pair in chain.limits] if chain.limits is not None else [],
         "room": room,
@@ -88,13 +88,13 @@ def scene(
     }
 
 
-def branch(chain: Chain, columns: Sequence[int]) -> dict[str, Any]:
+def arm_data(chain: Chain, columns: Sequence[int]) -> dict[str, Any]:
     """Say an arm as data: joints, links, home, frames in each convention, common normals.
 
     columns  which of the viewer's joint values each joint follows: branches of a closed chain may share some
 
     >>> from kinlib.chains.robots import rpr
-    >>> [joint["kind"] for joint in branch(rpr(), [0, 1, 2])["joints"]]
+    >>> [joint["kind"] for joint in arm_data(rpr(), [0, 1, 2])["joints"]]
     ['R', 'P', 'R']
     """
     size = extent(chain)
@@ -119,7 +119,7 @@ def extent(chain: Chain) -> float:
     """
     stations = np.concatenate([np.zeros((1, 3)), chain.joint_points, chain.home[None, :3, 3]])
     side = float(np.ptp(stations, axis=0).max())
-    return side if side > NOWHERE else 1.0
+    return side if side > COINCIDENT_TOL_M else 1.0
 
 
 def link_paths(chain: Chain) -> list[Array]:
@@ -143,7 +143,7 @@ def link_paths(chain: Chain) -> list[Array]:
 
 def _slider(chain: Chain, i: int, value: float, span: tuple[float, float] | None) -> dict[str, Any]:
     slides = chain.joint_types[i] == "P"
-    far = SLIDE if slides else TURN
+    far = DEFAULT_TRAVEL_M if slides else DEFAULT_ANGLE_RAD
     least, most = chain.limits[i] if chain.limits is not None else (-np.inf, np.inf)
     low, high = span or (
         least if np.isfinite(least) else min(-far, value),
@@ -187,12 +187,12 @@ def _path(points: list[Array]) -> Array:
     """A way through points, without steps of no length; straight, where the way is a detour."""
     corners = [points[0]]
     for point in points[1:]:
-        if np.linalg.norm(point - corners[-1]) > NOWHERE:
+        if np.linalg.norm(point - corners[-1]) > COINCIDENT_TOL_M:
             corners.append(point)
     way = np.array(corners)
     straight = float(np.linalg.norm(points[-1] - points[0]))
-    if np.linalg.norm(np.diff(way, axis=0), axis=-1).sum() > DETOUR * straight:
-        way = np.array([points[0], points[-1]] if straight > NOWHERE else [points[0]])
+    if np.linalg.norm(np.diff(way, axis=0), axis=-1).sum() > MAX_DETOUR_RATIO * straight:
+        way = np.array([points[0], points[-1]] if straight > COINCIDENT_TOL_M else [points[0]])
     return way + 0.0
 
 
@@ -214,7 +214,7 @@ def _joints(chain: Chain) -> list[dict[str, Any]]:
             axis,
             chain.joint_points,
             pitch,
-            shifts(axis, chain.joint_points),
+            axial_offsets(axis, chain.joint_points),
             strict=True,
         )
     ]
@@ -259,4 +259,4 @@ def _normals(chain: Chain, size: float) -> list[dict[str, Any]]:
 
 
 def _near(point: Array, size: float) -> bool:
-    return bool(np.abs(point).max() < FAR * size)
+    return bool(np.abs(point).max() < MAX_DISTANCE_IN_ARM_SIZES * size)

@@ -16,7 +16,7 @@ import traitlets
 from numpy.typing import ArrayLike
 
 from kinlib.chains.chain import Chain
-from kinlib.view.figures.arm import SHOWN, describe, draw_arm
+from kinlib.view.figures.arm import ARM_LAYERS, describe_arm, draw_arm
 from kinlib.view.viewer.scene import LAYERS, scene
 
 STATIC = Path(__file__).parents[1] / "static"
@@ -136,13 +136,13 @@ class Viewer(ViewerBase):
     @property
     def alt(self) -> str:
         """What the picture shows, in words."""
-        return describe(self.chain, np.array(self.q))
+        return describe_arm(self.chain, np.array(self.q))
 
     def _check(self, values: list[float]) -> None:
         self.chain.fk(values)
 
     def _drawing(self) -> str:
-        drawn = [name for name in self.shown if name in SHOWN]
+        drawn = [name for name in self.shown if name in ARM_LAYERS]
         return draw_arm(self.chain, self.q, show=drawn, ghost=self.ghost or None).html()
 
 

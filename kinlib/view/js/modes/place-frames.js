@@ -8,7 +8,7 @@ import { add, columnOf, openPart, withPart } from './vectors.js';
 
 const SILENCE_MS = 6000; // without an answer from Python, until the panel says so
 
-/** @param kit.data { convention, axes, z, points, x }, see kinlib/view/viewer/candidates.py */
+/** @param kit.data { convention, axes, z, points, x }, see kinlib/view/viewer/frame_candidates.py */
 export function placeFrames({ model, stage, data }) {
   const { size } = stage.data;
   const frames = () => model.get('frames');

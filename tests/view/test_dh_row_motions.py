@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 import kinlib as kl
-from kinlib.view.figures.dh_row_figure import draw_cuts, draw_moves, moves, walk
+from kinlib.view.figures.dh_row_motions import draw_row_motions, draw_zx_factors, poses_along_arm, poses_along_row
 
 ROWS = np.random.default_rng(6).uniform(-1, 1, (3, 4))
 
@@ -12,13 +12,13 @@ ROWS = np.random.default_rng(6).uniform(-1, 1, (3, 4))
 @pytest.mark.parametrize("convention", ["standard", "modified"])
 def test_all_four_motions_are_the_row(convention):
     for row in ROWS:
-        end = moves(row, convention)[-1]
+        end = poses_along_row(row, convention)[-1]
         np.testing.assert_allclose(end, kl.dh_transform(*row, convention=convention), atol=1e-14)
 
 
 @pytest.mark.parametrize("convention", ["standard", "modified"])
 def test_each_motion_is_about_or_along_the_frame_s_own_x_or_z(convention):
-    stops = moves(ROWS[0], convention)
+    stops = poses_along_row(ROWS[0], convention)
     steps = kl.inverse(stops[:-1]) @ stops[1:]
     used = [np.flatnonzero(np.abs(kl.log(step)) > 1e-12).tolist() for step in steps]
     turn_x, turn_z, slide_x, slide_z = [0], [2], [3], [5]
@@ -32,36 +32,36 @@ def test_the_walk_stops_at_the_frames_of_both_conventions():
     other = table.converted("modified")
     for first, links in ((2, table.link_transforms(np.zeros(3))), (1, other.link_transforms(np.zeros(3)))):
         T = np.eye(4)
-        for link, stop in zip(links, walk(ROWS)[first::2], strict=True):
+        for link, stop in zip(links, poses_along_arm(ROWS)[first::2], strict=True):
             T = T @ link
             np.testing.assert_allclose(stop, T, atol=1e-14)
 
 
 def test_the_words_say_which_frame_stands_where():
-    alt = draw_cuts([[0.4, 0, 0.1, 0], [0.3, 0, 0, 0]], 3).alt
+    alt = draw_zx_factors([[0.4, 0, 0.1, 0], [0.3, 0, 0, 0]], 3).alt
     assert "The walk Z1 X1 Z2." in alt
     assert "{1 mod} at (0, 0, 0.1); {1 std} at (0.4, 0, 0.1); {2 mod} at (0.4, 0, 0.1)." in alt
 
 
 def test_nothing_done_yet_is_a_picture_too():
-    assert "nothing yet" in draw_moves(ROWS[0], 0).alt
-    assert "before its first piece" in draw_cuts(ROWS, 0).alt
+    assert "nothing yet" in draw_row_motions(ROWS[0], 0).alt
+    assert "before its first piece" in draw_zx_factors(ROWS, 0).alt
 
 
 @pytest.mark.parametrize("wrong", [-1, 5, 1.5, None])
 def test_a_count_that_there_is_not_is_refused(wrong):
     with pytest.raises(ValueError, match="done counts the motions of a row, 0 to 4"):
-        draw_moves(ROWS[0], wrong)
+        draw_row_motions(ROWS[0], wrong)
     with pytest.raises(ValueError, match="pieces counts"):
-        draw_cuts(ROWS[:2], wrong)
+        draw_zx_factors(ROWS[:2], wrong)
 
 
 def test_another_convention_is_refused():
     with pytest.raises(ValueError, match="convention should be"):
-        moves(ROWS[0], "craig")
+        poses_along_row(ROWS[0], "craig")
 
 
-@pytest.mark.oracle("spatialmath", moves, walk)
+@pytest.mark.oracle("spatialmath", poses_along_row, poses_along_arm)
 @pytest.mark.parametrize("convention", ["standard", "modified"])
 def test_each_stop_is_where_spatialmath_s_turns_and_shifts_lead(convention):
     SE3 = pytest.importorskip("spatialmath").SE3
@@ -71,9 +71,9 @@ def test_each_stop_is_where_spatialmath_s_turns_and_shifts_lead(convention):
         stops = [np.eye(4)]
         for step in steps:
             stops.append(stops[-1] @ step.A)
-        np.testing.assert_allclose(moves([a, alpha, d, theta], convention), stops, atol=1e-14)
+        np.testing.assert_allclose(poses_along_row([a, alpha, d, theta], convention), stops, atol=1e-14)
     stops = [np.eye(4)]
     for a, alpha, d, theta in ROWS:
         stops += [stops[-1] @ (SE3.Rz(theta) * SE3.Tz(d)).A]
         stops += [stops[-1] @ (SE3.Tx(a) * SE3.Rx(alpha)).A]
-    np.testing.assert_allclose(walk(ROWS), stops, atol=1e-14)
+    np.testing.assert_allclose(poses_along_arm(ROWS), stops, atol=1e-14)

@@ -5,9 +5,9 @@ import numpy as np
 from kinlib.dh.assignment import FrameAssignment
 from kinlib.rigid.screw import line
 from kinlib.view.drawing.canvas import AXIS_COLOURS, INK, ORANGE, VIOLET, Canvas
-from kinlib.view.drawing.picture import Picture, spoken
-from kinlib.view.figures.assignment_state import FAR, in_view, legs, stage
-from kinlib.view.figures.joints import draw_bodies
+from kinlib.view.drawing.picture import Picture, vector_text
+from kinlib.view.figures.assignment_steps import MAX_DISTANCE_IN_ARM_SIZES, row_segments, state_after, visible_features
+from kinlib.view.figures.joint_bodies import draw_joint_bodies
 
 
 def draw_assignment(assignment: FrameAssignment, until: int | None = None, *, caption: str = "") -> Picture:
@@ -43,11 +43,11 @@ class _Drawing:
     """One picture of an assignment."""
 
     def __init__(self, assignment: FrameAssignment, until: int | None) -> None:
-        self.assignment, self.stage = assignment, stage(assignment, until)
+        self.assignment, self.stage = assignment, state_after(assignment, until)
         self.chain = assignment.chain
         self.axes = line(self.chain.screws).axis
         room = np.concatenate([self.chain.joint_points, self.chain.home[None, :3, 3]])
-        self.near, self.feet = in_view(assignment)
+        self.near, self.feet = visible_features(assignment)
         seen = np.concatenate([room, assignment.frames[self.near, :3, 3], self.feet])
         self.middle = room.mean(axis=0)
         self.canvas = Canvas(seen)
@@ -55,7 +55,7 @@ class _Drawing:
 
     def draw(self) -> None:
         self._lines()
-        draw_bodies(self.canvas, self.chain, self.chain.link_poses(np.zeros(self.chain.n)))
+        draw_joint_bodies(self.canvas, self.chain, self.chain.link_poses(np.zeros(self.chain.n)))
         for pair, strong in enumerate(self.stage.normals):
             if strong is not None:
                 self._normal(pair, strong)
@@ -68,12 +68,14 @@ class _Drawing:
                 ("s", np.eye(4), self.assignment.frames[0]),
                 ("b", self.chain.home, self.assignment.frames[-1]),
             ):
-                if np.linalg.norm(T[:3, 3] - self.middle) < FAR * self.canvas.size and not np.allclose(T, there):
+                if np.linalg.norm(
+                    T[:3, 3] - self.middle
+                ) < MAX_DISTANCE_IN_ARM_SIZES * self.canvas.size and not np.allclose(T, there):
                     self.canvas.triad(T, name, 0.12 * self.canvas.size)
 
     def in_words(self) -> str:
         whole = [
-            f"frame {i} at {spoken(T[:3, 3])}, x along {spoken(T[:3, 0])}, z along {spoken(T[:3, 2])}"
+            f"frame {i} at {vector_text(T[:3, 3])}, x along {vector_text(T[:3, 0])}, z along {vector_text(T[:3, 2])}"
             for i, T in enumerate(self.assignment.frames)
             if "y" in self.stage.frames[i]
         ]
@@ -103,8 +105,8 @@ class _Drawing:
 
     def _row(self, row: int) -> None:
         """The way of one row from frame to frame: d along the joint's axis, a along the common normal."""
-        for name, start, end in legs(self.assignment, row):
-            if np.linalg.norm(end - start) < FAR * self.canvas.size:
+        for name, start, end in row_segments(self.assignment, row):
+            if np.linalg.norm(end - start) < MAX_DISTANCE_IN_ARM_SIZES * self.canvas.size:
                 colour = VIOLET if name[0] == "d" else ORANGE
                 self.canvas.line([start, end], colour, 4.5, level=3.4)
                 self.canvas.label((start + end) / 2, f"${name}$", colour, size=12)

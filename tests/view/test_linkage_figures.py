@@ -10,8 +10,15 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kinlib import linkages
-from kinlib.view.figures.linkage import Posture, describe, draw_linkage, is_planar, posture
-from kinlib.view.figures.torus import LEFT, SIDE, TOP, beside, draw_torus, wrapped
+from kinlib.view.figures.linkage import LinkageGeometry, describe_linkage, draw_linkage, is_planar, linkage_geometry
+from kinlib.view.figures.torus import (
+    LEFT_PX,
+    SQUARE_PX,
+    TOP_PX,
+    draw_torus,
+    side_by_side,
+    split_where_wrapped,
+)
 
 ALL = [
     linkages.four_bar(0.4, 0.1, 0.35, 0.3),
@@ -40,23 +47,23 @@ def drawn_names(picture):
 @given(st.lists(angles, min_size=4, max_size=4))
 def test_every_bar_keeps_its_length_in_any_posture_open_or_closed(q):
     """The lengths that the linkage was made of, measured on the drawing."""
-    now = posture(linkages.four_bar(4, 1, 3.5, 3), q)
-    lengths = {body: np.linalg.norm(ends[1] - ends[0]) for body, ends in now.corners.items()}
+    geometry = linkage_geometry(linkages.four_bar(4, 1, 3.5, 3), q)
+    lengths = {body: np.linalg.norm(ends[1] - ends[0]) for body, ends in geometry.corners.items()}
     assert lengths == pytest.approx({"ground": 4, "crank": 1, "coupler": 3.5, "rocker": 3}, abs=1e-9)
 
 
 @given(st.lists(angles, min_size=4, max_size=4))
 def test_a_slide_is_drawn_on_its_rail_at_its_value(q):
-    now = posture(linkages.slider_crank(0.1, 0.3, 0.05), q)
-    np.testing.assert_allclose(now.first[2], [q[2], 0.05, 0], atol=1e-12)
-    np.testing.assert_allclose(now.corners["slider"][1], now.first[2], atol=1e-9)
+    geometry = linkage_geometry(linkages.slider_crank(0.1, 0.3, 0.05), q)
+    np.testing.assert_allclose(geometry.first[2], [q[2], 0.05, 0], atol=1e-12)
+    np.testing.assert_allclose(geometry.corners["slider"][1], geometry.first[2], atol=1e-9)
 
 
 @each
 def test_an_assembled_linkage_has_no_gap(mechanism):
     guesses = (np.random.default_rng(seed).uniform(-0.5, 0.5, mechanism.n) for seed in range(20))
     found = next(found for found in map(mechanism.assemble, guesses) if found.converged)
-    assert posture(mechanism, found.q).gap.max() < 1e-9
+    assert linkage_geometry(mechanism, found.q).gap.max() < 1e-9
     assert draw_linkage(mechanism, found.q).alt.endswith("It is closed.")
 
 
@@ -87,9 +94,9 @@ def test_what_lies_in_a_plane_is_seen_from_above(mechanism):
 
 def test_a_named_point_rides_on_its_body():
     mechanism = linkages.four_bar(4, 1, 3.5, 3)
-    now = posture(mechanism, [np.pi / 2, -np.pi / 2, 0, 0], {"P": ("coupler", (2, 0.5, 0))})
+    geometry = linkage_geometry(mechanism, [np.pi / 2, -np.pi / 2, 0, 0], {"P": ("coupler", (2, 0.5, 0))})
     # B has come to (0, 1), and the coupler is as parallel to x as it was.
-    np.testing.assert_allclose(now.points["P"], [1, 1.5, 0], atol=1e-12)
+    np.testing.assert_allclose(geometry.points["P"], [1, 1.5, 0], atol=1e-12)
 
 
 def test_a_point_of_a_body_that_there_is_not_is_refused():
@@ -116,7 +123,7 @@ LABELS = {"xlabel": "A", "ylabel": "D", "alt": "Two curves of two angles each."}
 
 @given(st.lists(st.tuples(angles, angles), min_size=1, max_size=20))
 def test_a_wrapped_curve_is_the_same_curve_in_the_square(points):
-    pieces = np.concatenate(wrapped(np.array(points)))
+    pieces = np.concatenate(split_where_wrapped(np.array(points)))
     assert np.abs(pieces).max() <= 180
     np.testing.assert_allclose(np.exp(1j * np.radians(pieces)), np.exp(1j * np.array(points)), atol=1e-9)
 
@@ -129,13 +136,13 @@ def test_no_stroke_runs_across_the_square():
     assert len(curves) == 4
     for curve in curves:
         x = [float(pair.split(",")[0]) for pair in curve.split()]
-        assert np.abs(np.diff(x)).max() < 0.05 * SIDE
+        assert np.abs(np.diff(x)).max() < 0.05 * SQUARE_PX
 
 
 def test_a_mark_stands_where_its_angles_say():
     picture = draw_torus({"still": np.zeros((2, 2))}, {"now": [2 * np.pi - np.pi / 2, np.pi / 2]}, **LABELS)
     x, y = map(float, re.search(r'<circle cx="([\d.]+)" cy="([\d.]+)"', picture.svg).groups())
-    assert (x, y) == pytest.approx((LEFT + SIDE / 4, TOP + SIDE / 4), abs=0.1)
+    assert (x, y) == pytest.approx((LEFT_PX + SQUARE_PX / 4, TOP_PX + SQUARE_PX / 4), abs=0.1)
     assert {"now", "still", "A", "D"} <= drawn_names(picture)
 
 
@@ -152,34 +159,34 @@ def test_more_curves_than_can_be_told_apart_are_refused():
 
 def test_two_pictures_side_by_side_say_what_both_show():
     one = draw_torus({"a": np.zeros((2, 2))}, **LABELS)
-    two = beside(one, draw_linkage(linkages.triangle(), [0, 0, 0]), "caption")
+    two = side_by_side(one, draw_linkage(linkages.triangle(), [0, 0, 0]), "caption")
     assert one.alt in two.alt
     assert "triangle with the bodies" in two.alt
     assert two.svg.count("<svg ") == 3
     assert two.caption == "caption"
 
 
-@pytest.mark.oracle("modern_robotics", posture, Posture.all)
+@pytest.mark.oracle("modern_robotics", linkage_geometry, LinkageGeometry.all)
 def test_a_drawn_slider_crank_stands_where_modern_robotics_puts_its_pins():
     """Crank 0.1, rod 0.3: the pin B rides on the crank, and the slider goes along x."""
     q = np.array([0.7, -0.2, 0.35, 0.5])
-    drawn = posture(linkages.slider_crank(0.1, 0.3, 0.05), q).all
+    drawn = linkage_geometry(linkages.slider_crank(0.1, 0.3, 0.05), q).all
     B = mr.MatrixExp6(mr.VecTose3([0, 0, 0.7, 0, 0, 0])) @ [0.1, 0, 0, 1]
     for pin in (B[:3], [0, 0, 0], [0.35, 0.05, 0]):
         assert np.linalg.norm(drawn - pin, axis=1).min() < 1e-12
 
 
-@pytest.mark.oracle("numpy", Posture.gap)
+@pytest.mark.oracle("numpy", LinkageGeometry.gap)
 def test_the_gap_of_an_open_four_bar_is_the_way_between_its_two_ends():
     """All angles 0: the coupler ends at 0.1 + 0.35, the rocker at 0.4 + 0.3."""
-    now = posture(linkages.four_bar(0.4, 0.1, 0.35, 0.3), np.zeros(4))
-    assert now.gap.max() == pytest.approx(np.linalg.norm(np.array([0.45, 0]) - [0.7, 0]), abs=1e-12)
+    geometry = linkage_geometry(linkages.four_bar(0.4, 0.1, 0.35, 0.3), np.zeros(4))
+    assert geometry.gap.max() == pytest.approx(np.linalg.norm(np.array([0.45, 0]) - [0.7, 0]), abs=1e-12)
 
 
-@pytest.mark.oracle("text: written out in the test", describe)
+@pytest.mark.oracle("text: written out in the test", describe_linkage)
 def test_a_linkage_is_told_in_one_breath():
     linkage = linkages.stretched_arch(0.2, 0.9)
-    assert describe(linkage, posture(linkage, np.zeros(3))) == (
+    assert describe_linkage(linkage, linkage_geometry(linkage, np.zeros(3))) == (
         "stretched arch with the bodies ground, left, right. A joins ground and left at (0, 0); B joins left and right at "
         "(0.2, 0); C joins ground and right at (1.1, 0). All lengths in metres. It is closed."
     )

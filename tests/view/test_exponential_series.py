@@ -9,7 +9,8 @@ from hypothesis import strategies as st
 from strategies import points, screws
 
 from kinlib import exp, inverse, log, robots, screw
-from kinlib.view.figures.series_figure import draw_motions, draw_series, series_walk
+from kinlib.view.figures.exponential_series import draw_series, partial_sums
+from kinlib.view.figures.screw_motions import draw_motions
 
 
 @pytest.mark.parametrize("q", [0.0, 1e-9, np.pi / 2, -2.0, 2 * np.pi])
@@ -17,16 +18,16 @@ from kinlib.view.figures.series_figure import draw_motions, draw_series, series_
 def test_the_walk_ends_where_the_exponential_leads(chain, q):
     for S in chain.screws:
         goal = exp(S * q) @ np.append(chain.home[:3, 3], 1.0)
-        np.testing.assert_allclose(series_walk(S, q, chain.home[:3, 3], 60)[-1], goal[:3], atol=1e-12)
+        np.testing.assert_allclose(partial_sums(S, q, chain.home[:3, 3], 60)[-1], goal[:3], atol=1e-12)
 
 
 def test_a_slide_is_there_after_two_terms():
-    walk = series_walk((0, 0, 0, 0, 0, 1), 2.0, (1, 2, 3), 5)
+    walk = partial_sums((0, 0, 0, 0, 0, 1), 2.0, (1, 2, 3), 5)
     np.testing.assert_array_equal(walk[1:], np.broadcast_to((1, 2, 5), (4, 3)))
 
 
 def test_each_term_stands_square_to_the_one_before():
-    steps = np.diff(series_walk(robots.rpr().screws[0], 1.3, (0, 1, 2), 12), axis=0)
+    steps = np.diff(partial_sums(robots.rpr().screws[0], 1.3, (0, 1, 2), 12), axis=0)
     np.testing.assert_allclose(np.sum(steps[1:] * steps[:-1], axis=-1), 0, atol=1e-12)
 
 
@@ -67,7 +68,7 @@ def test_too_few_and_too_many_ways_are_refused(motions):
         draw_motions(np.eye(4), motions)
 
 
-@pytest.mark.oracle("mpmath", series_walk)
+@pytest.mark.oracle("mpmath", partial_sums)
 @given(screws(), st.floats(-3, 3), points())
 def test_each_stop_is_a_sum_of_powers_with_40_digits(S, q, point):
     with mpmath.workdps(mpmath_oracle.DIGITS):
@@ -77,4 +78,4 @@ def test_each_stop_is_a_sum_of_powers_with_40_digits(S, q, point):
         for k in range(6):
             total += X**k / mpmath.factorial(k)
             sums.append(mpmath_oracle.doubles((total * start).T)[0, :3])
-    np.testing.assert_allclose(series_walk(S, q, point, 6), sums, rtol=0, atol=1e-12)
+    np.testing.assert_allclose(partial_sums(S, q, point, 6), sums, rtol=0, atol=1e-12)

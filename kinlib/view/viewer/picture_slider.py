@@ -11,7 +11,7 @@ from typing import Any, TypeVar
 import ipywidgets as widgets
 
 from kinlib.view.drawing.picture import Picture
-from kinlib.view.drawing.static_export import for_a_page
+from kinlib.view.drawing.static_export import is_static_export
 
 NOTE_STYLE = (
     "border-left:5px solid #0b5cad;background:#eef6ff;color:#1f2328;padding:.6em 1em;margin:.4em 0;max-width:46em"
@@ -50,7 +50,7 @@ def slide(
         style={"description_width": "initial"},
     )
     inside = _covered(_live(lambda: draw(values[slider.value]).html(), [slider], []), after)
-    if not for_a_page():
+    if not is_static_export():
         return inside
     pictures = [(text, draw(value).html()) for (text, _), value in zip(options, values, strict=True)]
     return Slides(inside, pictures, label, start, after)

@@ -8,14 +8,14 @@ from numpy.typing import ArrayLike
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.dh.table import DHTable, dh_transform
-from kinlib.view.drawing.canvas import AXIS_COLOURS, GREY, INK, ORANGE, PALE, VIOLET, Canvas
-from kinlib.view.drawing.picture import Picture, spoken
-from kinlib.view.figures.joints import draw_bodies
+from kinlib.view.drawing.canvas import AXIS_COLOURS, GREY, INK, ORANGE, PALE_GREY, VIOLET, Canvas
+from kinlib.view.drawing.picture import Picture, vector_text
+from kinlib.view.figures.joint_bodies import draw_joint_bodies
 
-MOTIONS = ((3,), (3, 2), (3, 2, 0), (3, 2, 0, 1))
+COLUMNS_DONE = ((3,), (3, 2), (3, 2, 0), (3, 2, 0, 1))
 """The columns a, alpha, d, theta of a standard row in the order in which they act: theta, d, a, alpha."""
 
-SAID = ("theta about z", "d along z", "a along x", "alpha about x")
+STANDARD_MOTION_NAMES = ("theta about z", "d along z", "a along x", "alpha about x")
 
 
 def draw_row(row: ArrayLike, done: int = 4, *, caption: str = "") -> Picture:
@@ -63,9 +63,9 @@ def draw_row(row: ArrayLike, done: int = 4, *, caption: str = "") -> Picture:
     canvas.dot(foot[:3, 3], GREY)
     canvas.dot(end[:3, 3], GREY)
     canvas.triad(moving, "", length)
-    told = f"after {', '.join(SAID[:done])}" if done else "before the first motion"
+    told = f"after {', '.join(STANDARD_MOTION_NAMES[:done])}" if done else "before the first motion"
     return canvas.picture(
-        f"One row of a table, {told}. The frame is at {spoken(moving[:3, 3])}, its x along {spoken(moving[:3, 0])}.",
+        f"One row of a table, {told}. The frame is at {vector_text(moving[:3, 3])}, its x along {vector_text(moving[:3, 0])}.",
         caption,
     )
 
@@ -106,15 +106,15 @@ def draw_table(
     canvas.floor(seen if around is None else around, numbers=numbers)
     if numbers:
         canvas.measure(origins, GREY)
-    canvas.line([np.zeros(3), origins[0]], PALE, 5.0, level=1)
-    canvas.line([origins[-1], tip[:3, 3]], PALE, 5.0, level=1)
+    canvas.line([np.zeros(3), origins[0]], PALE_GREY, 5.0, level=1)
+    canvas.line([origins[-1], tip[:3, 3]], PALE_GREY, 5.0, level=1)
     for start, corner, end in zip(origins, corners, origins[1:], strict=False) if path else ():
         first, second = (VIOLET, ORANGE) if table.convention == "standard" else (ORANGE, VIOLET)
         canvas.line([start, corner], first, 4.0, level=2.5)
         canvas.line([corner, end], second, 4.0, level=2.5)
     if path:
         chain = table.to_chain()
-        draw_bodies(canvas, chain, chain.link_poses(q))
+        draw_joint_bodies(canvas, chain, chain.link_poses(q))
     for i, T in enumerate(frames):
         # Frames that share an origin get rods of different length, or one would hide the other.
         rank = sum(bool(np.allclose(T[:3, 3], other[:3, 3], atol=1e-6)) for other in frames[:i])
@@ -132,7 +132,7 @@ def _after(row: Array, done: int) -> Array:
     """Where a frame stands after the first motions of a standard row."""
     carried = np.zeros(4)
     if done:
-        columns = list(MOTIONS[done - 1])
+        columns = list(COLUMNS_DONE[done - 1])
         carried[columns] = row[columns]
     return dh_transform(*carried, convention="standard")
 
@@ -163,7 +163,7 @@ def _corners(table: DHTable, frames: list[Array]) -> Array:
 
 def _words(table: DHTable, frames: list[Array]) -> str:
     said = [
-        f"Frame {i} at {spoken(T[:3, 3])}, x along {spoken(T[:3, 0])}, z along {spoken(T[:3, 2])}."
+        f"Frame {i} at {vector_text(T[:3, 3])}, x along {vector_text(T[:3, 0])}, z along {vector_text(T[:3, 2])}."
         for i, T in enumerate(frames)
     ]
     return " ".join([f"{table.name}.", *said])

@@ -9,34 +9,34 @@ from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import perpendicular
 from kinlib.view.drawing.canvas import INK, Canvas
 
-PAPER = "#f3d9a4"
+JOINT_FILL = "#f3d9a4"
 
-RADIUS = 0.035
+JOINT_RADIUS = 0.035
 """Of a joint, as a share of what is shown."""
 
-APART = 3.3 * RADIUS
+JOINT_SPACING = 3.3 * JOINT_RADIUS
 """How far apart joints on one axis stand: the length of a joint and a little air."""
 
-BESIDE = [(18, 13), (-18, 13), (18, -15), (-18, -15), (32, 0), (-32, 0), (0, 28), (0, -30), (34, 22), (-34, 22)]
+NUMBER_OFFSETS = [(18, 13), (-18, 13), (18, -15), (-18, -15), (32, 0), (-32, 0), (0, 28), (0, -30), (34, 22), (-34, 22)]
 """Where the number of a joint may stand, in pixels right and up."""
 
 
-def draw_bodies(canvas: Canvas, chain: Chain, frames: Array) -> None:
+def draw_joint_bodies(canvas: Canvas, chain: Chain, frames: Array) -> None:
     """Draw each joint as its kind, with its number, where the frames (n, 4, 4) of the links have carried it."""
     axes = _carried_axes(chain, frames)
-    for i, (z, shift) in enumerate(zip(axes, shifts(axes, frames[:, :3, 3]), strict=True)):
-        centre = frames[i, :3, 3] + APART * canvas.size * shift * z
-        draw_body(canvas, chain.joint_types[i], z, centre)
-        canvas.label(centre, str(i + 1), INK, BESIDE, 11)
+    for i, (z, shift) in enumerate(zip(axes, axial_offsets(axes, frames[:, :3, 3]), strict=True)):
+        centre = frames[i, :3, 3] + JOINT_SPACING * canvas.size * shift * z
+        draw_joint_body(canvas, chain.joint_types[i], z, centre)
+        canvas.label(centre, str(i + 1), INK, NUMBER_OFFSETS, 11)
 
 
-def draw_body(canvas: Canvas, letter: str, z: Array, centre: Array) -> None:
+def draw_joint_body(canvas: Canvas, letter: str, z: Array, centre: Array) -> None:
     """Draw one joint R, P or H about its axis z, (3,), where it is."""
-    radius = RADIUS * canvas.size
+    radius = JOINT_RADIUS * canvas.size
     half = 1.5 * radius * z
     level = 3.0 + 0.01 * float(canvas.eye @ centre) / canvas.size  # the nearer one hides the farther one
     rim = centre + _around(z, radius, np.linspace(0, 2 * np.pi, (4 if letter == "P" else 24) + 1) + np.pi / 4)
-    canvas.body(np.concatenate([rim - half, rim + half]), PAPER, level)
+    canvas.body(np.concatenate([rim - half, rim + half]), JOINT_FILL, level)
     canvas.line(rim + (half if canvas.eye @ z > 0 else -half), INK, 1.0, level=level + 1e-5)
     if letter == "H":
         thread = _around(z, radius, np.linspace(0, 6 * np.pi, 60))
@@ -59,14 +59,14 @@ def _around(z: Array, radius: float, turn: Array) -> Array:
     return points
 
 
-def shifts(axes: Array, points: Array) -> Array:
+def axial_offsets(axes: Array, points: Array) -> Array:
     """How far each joint is drawn from its point along its axis, (n,), in lengths of a joint.
 
     Joints that share a point and an axis would hide each other. Along its axis a joint may stand anywhere: the screw is
     the same, and so is the motion.
 
     >>> z = np.array([0.0, 0, 1])
-    >>> shifts(np.array([z, z]), np.zeros((2, 3)))
+    >>> axial_offsets(np.array([z, z]), np.zeros((2, 3)))
     array([-0.5,  0.5])
     """
     shift = np.zeros(len(axes))

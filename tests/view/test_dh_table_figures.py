@@ -4,7 +4,7 @@ import pytest
 
 import kinlib as kl
 from kincourse.lecture_05_dh_standard.blanks import DECK_CONFIGURATION, YOUBOT
-from kinlib.view.figures.dh_table_figure import draw_row, draw_table
+from kinlib.view.figures.dh_table import draw_row, draw_table
 
 ROW = [0.8, 0.6, 0.5, 1.4]
 

@@ -6,15 +6,15 @@ from scipy.spatial.transform import Rotation
 
 from kinlib.chains.robots import X, Y, Z, pose
 from kinlib.view import draw_frames
-from kinlib.view.drawing.canvas import seen_from
-from kinlib.view.figures.frames import draw_turn
+from kinlib.view.drawing.canvas import view_axes
+from kinlib.view.figures.frames import draw_rotation
 
 
 @pytest.mark.parametrize("axis", [0, 1, 2])
 @pytest.mark.parametrize("degrees", [35, -70])
 def test_the_words_of_a_turn_say_what_scipy_turns(axis, degrees):
     """The first axis leans towards the second, or away from it, by the sign of the sine."""
-    words = draw_turn(axis, degrees).alt
+    words = draw_rotation(axis, degrees).alt
     first, second = "xyz"[(axis + 1) % 3], "xyz"[(axis + 2) % 3]
     turned = Rotation.from_rotvec(np.radians(degrees) * np.eye(3)[axis]).as_matrix()
     share = turned["xyz".index(second), "xyz".index(first)]
@@ -24,14 +24,14 @@ def test_the_words_of_a_turn_say_what_scipy_turns(axis, degrees):
 
 @pytest.mark.parametrize(("axis", "view", "facing"), [(0, "side", "at"), (1, "front", "away from"), (2, "top", "at")])
 def test_the_words_of_a_turn_say_where_the_shared_axis_points(axis, view, facing):
-    towards_the_eye = seen_from(view)[0][axis] > 0
+    towards_the_eye = view_axes(view)[0][axis] > 0
     assert (facing == "at") == towards_the_eye
-    assert f"points {facing} you" in draw_turn(axis, 20).alt
+    assert f"points {facing} you" in draw_rotation(axis, 20).alt
 
 
 def test_a_turn_about_no_axis_is_refused():
     with pytest.raises(ValueError, match="0, 1 or 2, for x, y or z; got 3"):
-        draw_turn(3, 20)
+        draw_rotation(3, 20)
 
 
 def test_numbers_bring_the_height_and_the_foot_of_each_frame():

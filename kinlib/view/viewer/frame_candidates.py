@@ -12,14 +12,14 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.common_normal import Normal, common_normal
 from kinlib.rigid.lie import perpendicular
-from kinlib.view.drawing.picture import spoken
+from kinlib.view.drawing.picture import vector_text
 from kinlib.view.viewer.scene import extent
 
-SAME = 1e-9
+COINCIDENT_TOL = 1e-9
 """Points nearer than this, in metres, are one, and unit vectors as near are one direction."""
 
 
-def candidates(chain: Chain) -> dict[str, Any]:
+def frame_candidates(chain: Chain) -> dict[str, Any]:
     """Say what a student may pick: {"axes", "z", "points", "x"}, as data for the page.
 
     axes    the joint axes: a point and a direction, and the ends between which each is drawn
@@ -28,13 +28,13 @@ def candidates(chain: Chain) -> dict[str, Any]:
     x       directions of x: along normals, axes, links and the axes of {s} and {b}: {"along", "text"}
 
     >>> from kinlib.chains.robots import rpr
-    >>> candidates(rpr())["points"][0]["text"]
+    >>> frame_candidates(rpr())["points"][0]["text"]
     'joint 1; joint 2; crossing of axes 1 and 2; foot of normal 2–3 on axis 2'
     """
     size, points = extent(chain), _points(chain)
     lines = []
     for z, point in zip(chain.lines.axis, chain.joint_points, strict=True):
-        along = [(at - point) @ z for at, _ in points if np.linalg.norm(np.cross(at - point, z)) < SAME]
+        along = [(at - point) @ z for at, _ in points if np.linalg.norm(np.cross(at - point, z)) < COINCIDENT_TOL]
         ends = [point + reach * z for reach in (min([0.0, *along]) - 0.3 * size, max([0.0, *along]) + 0.3 * size)]
         lines.append({"point": _list(point), "along": _list(z), "from": _list(ends[0]), "to": _list(ends[1])})
     return {
@@ -96,7 +96,7 @@ def _x(chain: Chain) -> list[tuple[Array, str]]:
     for i, name, there in ((0, "{s}", np.zeros(3)), (chain.n - 1, "{b}", chain.home[:3, 3])):
         z, off = chain.lines.axis[i], there - chain.joint_points[i]
         across = off - z * (z @ off)
-        if (length := float(np.linalg.norm(across))) > SAME:
+        if (length := float(np.linalg.norm(across))) > COINCIDENT_TOL:
             found += _both(
                 across / length, f"from axis {i + 1} straight to {name}", f"from {name} straight to axis {i + 1}"
             )
@@ -104,9 +104,9 @@ def _x(chain: Chain) -> list[tuple[Array, str]]:
     names = [*(f"joint {i + 1}" for i in range(chain.n)), "{b}"]
     for i in range(chain.n):
         link = stations[i + 1] - stations[i]
-        if (length := float(np.linalg.norm(link))) > SAME:
+        if (length := float(np.linalg.norm(link))) > COINCIDENT_TOL:
             found += _both(link / length, f"from {names[i]} to {names[i + 1]}", f"from {names[i + 1]} to {names[i]}")
-    return [(along, f"{spoken(along)}: {text}") for along, text in _merged(found)]
+    return [(along, f"{vector_text(along)}: {text}") for along, text in _merged(found)]
 
 
 def _normals(chain: Chain) -> Iterator[tuple[int, Normal]]:
@@ -128,7 +128,7 @@ def _merged(found: list[tuple[Array, str]]) -> list[tuple[Array, str]]:
     """Each place once, with all its names."""
     places: list[tuple[Array, list[str]]] = []
     for at, text in found:
-        names = next((names for other, names in places if np.linalg.norm(other - at) < SAME), None)
+        names = next((names for other, names in places if np.linalg.norm(other - at) < COINCIDENT_TOL), None)
         if names is None:
             places.append((at, [text]))
         elif text not in names:

@@ -7,15 +7,15 @@ import numpy as np
 from kinlib.arrays.validation import Array
 from kinlib.dh.assignment import FrameAssignment
 
-FAR = 4.0
+MAX_DISTANCE_IN_ARM_SIZES = 4.0
 """What lies farther out than this many sizes of the arm is not kept in view: normals of nearly parallel axes do."""
 
-WHOLE = ("accuracy", None)
+FINISHED = ("accuracy", None)
 """The step at which everything stands side by side, and nothing in particular is the point."""
 
 
 @dataclass(frozen=True)
-class Stage:
+class AssignmentState:
     """An assignment after some of its steps: what is named now is strong, what came before is pale.
 
     kind     of the step of the moment, as in kinlib.dh.explanation
@@ -38,14 +38,14 @@ class Stage:
         return self.frames[i] if self.strong[i] and self.kind != "accuracy" else self.frames[i].replace("y", "")
 
 
-def stage(assignment: FrameAssignment, until: int | None = None) -> Stage:
+def state_after(assignment: FrameAssignment, until: int | None = None) -> AssignmentState:
     """Say what is there after a step of an assignment, counted from 0, or when it is finished.
 
     Raises ValueError for a step that there is not.
 
     >>> from kinlib.dh.assignment import assign_frames
     >>> from kinlib.chains.robots import youbot
-    >>> stage(assign_frames(youbot(), convention="standard"), 3).frames
+    >>> state_after(assign_frames(youbot(), convention="standard"), 3).frames
     ('Ozxy', 'Oz', '', '', '', '')
     """
     steps, n = assignment.steps, assignment.chain.n
@@ -53,26 +53,28 @@ def stage(assignment: FrameAssignment, until: int | None = None) -> Stage:
         raise ValueError(f"until counts the steps of this assignment, 0 to {len(steps) - 1}; got {until!r}.")
     last = len(steps) - 1 if until is None else until
     done = {(step.kind, step.frame) for step in steps[: last + 1]}
-    kind, frame = now = WHOLE if until is None else (steps[last].kind, steps[last].frame)
+    kind, frame = current = FINISHED if until is None else (steps[last].kind, steps[last].frame)
     near_by = () if frame is None else (frame - 1, frame)
-    return Stage(
+    return AssignmentState(
         kind,
         axes=tuple(kind in {"axes", "accuracy"} or (kind == "normal" and i in near_by) for i in range(n)),
-        normals=tuple(now in {("normal", i), ("x", i), WHOLE} if ("normal", i) in done else None for i in range(1, n)),
+        normals=tuple(
+            current in {("normal", i), ("x", i), FINISHED} if ("normal", i) in done else None for i in range(1, n)
+        ),
         frames=tuple(_parts(i, n, done) for i in range(n + 1)),
         strong=tuple(kind == "accuracy" or i == frame or (kind == "row" and i in near_by) for i in range(n + 1)),
         row=frame if kind == "row" else None,
     )
 
 
-def legs(assignment: FrameAssignment, row: int) -> list[tuple[str, Array, Array]]:
+def row_segments(assignment: FrameAssignment, row: int) -> list[tuple[str, Array, Array]]:
     """The way of a row from frame to frame, in the order of its convention: ("d", from, to) along z, ("a", ...) along x.
 
     row  counted from 1; a leg of no length is left out
 
     >>> from kinlib.dh.assignment import assign_frames
     >>> from kinlib.chains.robots import youbot
-    >>> [name for name, *_ in legs(assign_frames(youbot(), convention="standard"), 1)]
+    >>> [name for name, *_ in row_segments(assign_frames(youbot(), convention="standard"), 1)]
     ['d_1', 'a_1']
     """
     before, after = assignment.frames[row - 1 : row + 1]
@@ -84,11 +86,11 @@ def legs(assignment: FrameAssignment, row: int) -> list[tuple[str, Array, Array]
     return [(name, start, end) for name, start, end in ways if np.linalg.norm(end - start) > 1e-9]
 
 
-def in_view(assignment: FrameAssignment) -> tuple[Array, Array]:
+def visible_features(assignment: FrameAssignment) -> tuple[Array, Array]:
     """Which frames are near enough to the arm to be shown, (n + 1,), and the feet of normals that are, (m, 3)."""
     chain = assignment.chain
     room = np.concatenate([chain.joint_points, chain.home[None, :3, 3]])
-    reach = FAR * max(float(np.ptp(room, axis=0).max()), 0.1)
+    reach = MAX_DISTANCE_IN_ARM_SIZES * max(float(np.ptp(room, axis=0).max()), 0.1)
     middle = room.mean(axis=0)
     feet = np.array([foot for normal in assignment.normals for foot in (normal.start, normal.end)]).reshape(-1, 3)
     near: Array = np.linalg.norm(assignment.frames[:, :3, 3] - middle, axis=-1) < reach

@@ -7,7 +7,7 @@ import pytest
 
 import kinlib as kl
 from kinlib import robots
-from kinlib.view.figures.assignment import draw_assignment
+from kinlib.view.figures.frame_assignment import draw_assignment
 
 ARMS = [robots.rpr(), robots.rppr(), robots.rprr(), robots.youbot(), robots.puma560(), robots.angled_arm()]
 CONVENTIONS = ["standard", "modified"]

@@ -17,13 +17,13 @@ from kinlib.dh.explanation import PROBES
 from kinlib.dh.rules import Breach, check_frames
 from kinlib.dh.table import Convention, DHTable, convention_of
 from kinlib.rigid.lie import inverse
-from kinlib.view.drawing.picture import spoken
+from kinlib.view.drawing.picture import vector_text
 from kinlib.view.figures.arm import draw_joints
-from kinlib.view.viewer.assignment_player import bare_scene, cells
-from kinlib.view.viewer.candidates import candidates
+from kinlib.view.viewer.assignment_player import bare_scene, table_cells
+from kinlib.view.viewer.frame_candidates import frame_candidates
 from kinlib.view.viewer.viewer import Viewer
 
-BETWEEN = {"x square to z", "x meets z"}
+TWO_FRAME_RULES = {"x square to z", "x meets z"}
 """The rules about two frames; the others are about one."""
 
 
@@ -64,7 +64,7 @@ class ByHand(Viewer):
     verdict = traitlets.Dict().tag(sync=True)
 
     def __init__(self, chain: Chain, convention: Convention, frames: Array) -> None:
-        found, home = candidates(chain), np.zeros(chain.n)
+        found, home = frame_candidates(chain), np.zeros(chain.n)
         ends = np.array([line[end] for line in found["axes"] for end in ("from", "to")])
         scene = bare_scene(chain, ends)
         arm = scene["arms"][0]
@@ -88,20 +88,20 @@ class ByHand(Viewer):
     @property
     def breaches(self) -> list[Breach]:
         """The rules that the frames break, as far as they are placed."""
-        return judged(self.chain, self.frames, self.convention)
+        return check_placed_frames(self.chain, self.frames, self.convention)
 
     @property
     def table(self) -> DHTable | None:
         """The table of the frames, once all are placed and no rule is broken. Its joints count about the frames' own z."""
         if np.isnan(self.frames).any() or self.breaches:
             return None
-        return table_of(self.chain, self.frames, self.convention)
+        return table_from_frames(self.chain, self.frames, self.convention)
 
     @property
     def alt(self) -> str:
         """What the picture shows, in words."""
         whole = [
-            f"Frame {i} at {spoken(T[:3, 3])}, x along {spoken(T[:3, 0])}, z along {spoken(T[:3, 2])}."
+            f"Frame {i} at {vector_text(T[:3, 3])}, x along {vector_text(T[:3, 0])}, z along {vector_text(T[:3, 2])}."
             for i, T in enumerate(self.frames)
             if not np.isnan(T).any()
         ]
@@ -123,7 +123,7 @@ class ByHand(Viewer):
     def _judge(self, _: Any) -> None:
         table = self.table
         if table is not None:
-            table = table.changed(signs=signs_of(self.chain, self.frames, self.convention))
+            table = table.changed(signs=joint_signs(self.chain, self.frames, self.convention))
         breaches = [
             {"frame": b.frame, "rule": b.rule, "text": b.text, "joint": _joint(b, self.convention, self.chain.n)}
             for b in self.breaches
@@ -131,8 +131,8 @@ class ByHand(Viewer):
         self.verdict = {
             "asked": self.asked,
             "breaches": breaches,
-            "table": [] if table is None else cells(table),
-            "off": 0.0 if table is None else _off(self.chain, table),
+            "table": [] if table is None else table_cells(table),
+            "off": 0.0 if table is None else _largest_difference(self.chain, table),
         }
 
 
@@ -159,11 +159,11 @@ def assign(chain: Chain, convention: Convention, *, frames: ArrayLike | None = N
     return made
 
 
-def judged(chain: Chain, frames: Array, convention: Convention) -> list[Breach]:
+def check_placed_frames(chain: Chain, frames: Array, convention: Convention) -> list[Breach]:
     """Judge frames as far as they are placed: rules about a frame that is not finished wait until it is.
 
     >>> from kinlib.chains.robots import rpr
-    >>> judged(rpr(), np.full((4, 4, 4), np.nan), "standard")
+    >>> check_placed_frames(rpr(), np.full((4, 4, 4), np.nan), "standard")
     []
     """
     whole = np.isfinite(frames.sum(axis=(1, 2)))
@@ -172,11 +172,11 @@ def judged(chain: Chain, frames: Array, convention: Convention) -> list[Breach]:
     return [
         breach
         for breach in check_frames(chain, filled, convention)
-        if whole[breach.frame] and (breach.rule not in BETWEEN or whole[breach.frame + other])
+        if whole[breach.frame] and (breach.rule not in TWO_FRAME_RULES or whole[breach.frame + other])
     ]
 
 
-def table_of(chain: Chain, frames: Array, convention: Convention) -> DHTable:
+def table_from_frames(chain: Chain, frames: Array, convention: Convention) -> DHTable:
     """Read the table off frames that obey the rules, with what stands before and behind them as base and tool."""
     T = inverse(frames[:-1]) @ frames[1:]
     if convention == "standard":
@@ -190,14 +190,14 @@ def table_of(chain: Chain, frames: Array, convention: Convention) -> DHTable:
     return DHTable(rows, convention=convention, joints=chain.joint_types, base=frames[0], tool=tool, name=chain.name)
 
 
-def signs_of(chain: Chain, frames: Array, convention: Convention) -> Array:
+def joint_signs(chain: Chain, frames: Array, convention: Convention) -> Array:
     """Which way each joint counts about the z on its axis, (n,): -1 where z points against the axis."""
     z = frames[:-1, :3, 2] if convention == "standard" else frames[1:, :3, 2]
     signs: Array = np.where((z * chain.lines.axis).sum(axis=1) < 0, -1.0, 1.0)
     return signs
 
 
-def _off(chain: Chain, table: DHTable) -> float:
+def _largest_difference(chain: Chain, table: DHTable) -> float:
     """The largest difference of a pose between the table and the arm, over postures by chance."""
     q = random_configurations(chain.n, PROBES)
     return largest_difference(table.fk(q), chain.fk(q))
@@ -206,6 +206,6 @@ def _off(chain: Chain, table: DHTable) -> float:
 def _joint(breach: Breach, convention: Convention, n: int) -> int:
     """The joint of n, counted from 1, at which a rule is broken: that of the z which the rule is about."""
     i = breach.frame
-    if breach.rule in BETWEEN:
+    if breach.rule in TWO_FRAME_RULES:
         return i if convention == "standard" else i + 1
     return min(i + 1, n) if convention == "standard" else max(i, 1)

@@ -5,11 +5,11 @@ import numpy as np
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.rigid.screw import is_prismatic
-from kinlib.view.drawing.canvas import INK, ORANGE, PALE, VIOLET, Canvas
+from kinlib.view.drawing.canvas import INK, ORANGE, PALE_GREY, VIOLET, Canvas
 from kinlib.view.drawing.picture import Picture
 
 
-def draw_readers(chain: Chain, k: int, caption: str = "") -> Picture:
+def draw_mid_formula(chain: Chain, k: int, caption: str = "") -> Picture:
     """Draw an arm at home, its first k axes read from {s}, the others from {b}: the mid-formula form as a picture.
 
     A dotted thread runs from the reader's origin square to the axis of each joint that turns. Its length, written
@@ -19,16 +19,16 @@ def draw_readers(chain: Chain, k: int, caption: str = "") -> Picture:
     Raises ValueError for a k outside 0 ... n.
 
     >>> from kinlib.chains.robots import mid_formula_arm
-    >>> draw_readers(mid_formula_arm(), 2).alt
+    >>> draw_mid_formula(mid_formula_arm(), 2).alt
     'mid-formula arm at home. Read from {s}: S_1 at 0 m, S_2 at 0.4 m. Read from {b}: B_3 at 0 m, B_4 at 0.2 m.'
     """
     if k not in range(chain.n + 1):
         raise ValueError(f"k counts the joints that are read from {{s}}, 0 to {chain.n}; got {k!r}.")
-    feet = threads(chain, k)
+    feet = axis_perpendiculars(chain, k)
     path = np.concatenate([np.zeros((1, 3)), chain.joint_points, chain.home[None, :3, 3]])
     canvas = Canvas(np.concatenate([path, feet.reshape(-1, 3)]))
     canvas.floor(path)
-    canvas.line(path, PALE, 6.0, level=1)
+    canvas.line(path, PALE_GREY, 6.0, level=1)
     for i, (point, axis) in enumerate(zip(chain.joint_points, chain.lines.axis, strict=True)):
         start, tip = np.array([[-0.16], [0.3]]) * canvas.size * axis + point
         canvas.arrow(start, tip, VIOLET, 1.3, style="--", level=3.5)
@@ -44,13 +44,13 @@ def draw_readers(chain: Chain, k: int, caption: str = "") -> Picture:
     return canvas.picture(_words(chain, k, feet), caption)
 
 
-def threads(chain: Chain, k: int) -> Array:
+def axis_perpendiculars(chain: Chain, k: int) -> Array:
     """The thread of each joint at home, (n, 2, 3): the reader's origin, and the point of the axis nearest to it.
 
     A slide's thread has no length.
 
     >>> from kinlib.chains.robots import puma560
-    >>> ends = threads(puma560(), 3)                       # the wrist, read from the tool
+    >>> ends = axis_perpendiculars(puma560(), 3)                       # the wrist, read from the tool
     >>> np.linalg.norm(ends[3:, 1] - ends[3:, 0], axis=-1).round(6)
     array([0., 0., 0.])
     """

@@ -8,41 +8,41 @@ from numpy.typing import ArrayLike
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.dh.table import Convention, dh_transform
-from kinlib.view.drawing.canvas import GREY, INK, ORANGE, PALE, VIOLET, Canvas, seen_from
-from kinlib.view.drawing.picture import Picture, spoken
+from kinlib.view.drawing.canvas import GREY, INK, ORANGE, PALE_GREY, VIOLET, Canvas, view_axes
+from kinlib.view.drawing.picture import Picture, vector_text
 
-ALONG_X, ABOUT_X, ALONG_Z, ABOUT_Z = range(4)
+TRANSLATE_X, ROTATE_X, TRANSLATE_Z, ROTATE_Z = range(4)
 """The columns of a row, a, alpha, d, theta, as the motions that they are."""
 
-ORDER: dict[Convention, tuple[int, ...]] = {
-    "standard": (ABOUT_Z, ALONG_Z, ALONG_X, ABOUT_X),
-    "modified": (ABOUT_X, ALONG_X, ABOUT_Z, ALONG_Z),
+MOTION_ORDER: dict[Convention, tuple[int, ...]] = {
+    "standard": (ROTATE_Z, TRANSLATE_Z, TRANSLATE_X, ROTATE_X),
+    "modified": (ROTATE_X, TRANSLATE_X, ROTATE_Z, TRANSLATE_Z),
 }
 """The four motions in the order in which the frame makes them, each about or along an axis of its own."""
 
-NAMES = ("along x by a", "about x by alpha", "along z by d", "about z by theta")
+MOTION_NAMES = ("along x by a", "about x by alpha", "along z by d", "about z by theta")
 
 
-def moves(row: ArrayLike, convention: Convention) -> Array:
+def poses_along_row(row: ArrayLike, convention: Convention) -> Array:
     """Where a frame stands after none, one, ... and all four motions of a DH row, (5, 4, 4).
 
     row  (4,) a, alpha, d, theta, in metres and radians
 
     Raises ValueError for another size, and for another convention.
 
-    >>> moves([0.4, 0, 0, np.pi / 2], "standard")[3, :3, 3].round(3) + 0.0
+    >>> poses_along_row([0.4, 0, 0, np.pi / 2], "standard")[3, :3, 3].round(3) + 0.0
     array([0. , 0.4, 0. ])
     """
     values = validation.vectors(row, "row", 4)
     dh_transform(*values, convention=convention)  # refuses what is no convention, in words
     stops = [np.eye(4)]
-    for motion in ORDER[convention]:
+    for motion in MOTION_ORDER[convention]:
         stops.append(stops[-1] @ dh_transform(*np.where(np.arange(4) == motion, values, 0.0), convention=convention))
     return np.array(stops)
 
 
-def draw_moves(
-    row: ArrayLike, done: int, caption: str = "", *, conventions: Sequence[Convention] = tuple(ORDER)
+def draw_row_motions(
+    row: ArrayLike, done: int, caption: str = "", *, conventions: Sequence[Convention] = tuple(MOTION_ORDER)
 ) -> Picture:
     """Draw a frame carried by the motions of one DH row, standard on the left and modified on the right.
 
@@ -56,50 +56,52 @@ def draw_moves(
 
     Raises ValueError for another number of motions than 0 to 4.
 
-    >>> draw_moves([0.5, 1.0, 0.4, 0.5], 1).alt          # doctest: +NORMALIZE_WHITESPACE
+    >>> draw_row_motions([0.5, 1.0, 0.4, 0.5], 1).alt          # doctest: +NORMALIZE_WHITESPACE
     'One DH row, two conventions, motion 1 of 4. Standard: about z by theta; the frame is at (0, 0, 0), its z along
     (0, 0, 1). Modified: about x by alpha; the frame is at (0, 0, 0), its z along (0, -0.841, 0.54).'
     """
     if done not in range(5):
         raise ValueError(f"done counts the motions of a row, 0 to 4; got {done!r}.")
-    walks = {convention: moves(row, convention) for convention in conventions}
+    walks = {convention: poses_along_row(row, convention) for convention in conventions}
     size = max(float(np.ptp(np.concatenate(list(walks.values()))[:, :3, 3], axis=0).max()), 0.2)
-    apart = 2.2 * size * seen_from("default")[1][0]
-    for walk, side in zip(walks.values(), (0, 1), strict=False):
-        walk[:, :3, 3] += side * apart
-    seen = np.concatenate([walk[:, :3, 3] for walk in walks.values()])
+    apart = 2.2 * size * view_axes("default")[1][0]
+    for poses_along_arm, side in zip(walks.values(), (0, 1), strict=False):
+        poses_along_arm[:, :3, 3] += side * apart
+    seen = np.concatenate([poses_along_arm[:, :3, 3] for poses_along_arm in walks.values()])
     middle = (seen.min(axis=0) + seen.max(axis=0)) / 2
     canvas = Canvas(middle + 0.72 * (seen - middle))  # nothing reaches far out here: most of the margin may go
     said = []
-    for (convention, walk), side in zip(walks.items(), (0, 1), strict=False):
-        for k, motion in enumerate(ORDER[convention]):
-            ends = walk[k : k + 2, :3, 3]
-            colour, mark = {ALONG_X: (ORANGE, "a"), ALONG_Z: (VIOLET, "d")}.get(motion, (INK, ""))
+    for (convention, poses_along_arm), side in zip(walks.items(), (0, 1), strict=False):
+        for k, motion in enumerate(MOTION_ORDER[convention]):
+            ends = poses_along_arm[k : k + 2, :3, 3]
+            colour, mark = {TRANSLATE_X: (ORANGE, "a"), TRANSLATE_Z: (VIOLET, "d")}.get(motion, (INK, ""))
             if mark and np.ptp(ends, axis=0).any():
-                canvas.line(ends, colour if k < done else PALE, 3.0, "-" if k < done else ":", level=3)
+                canvas.line(ends, colour if k < done else PALE_GREY, 3.0, "-" if k < done else ":", level=3)
                 canvas.label(ends.mean(axis=0), mark, colour if k < done else GREY)
-        joint = walk[0] if convention == "standard" else walk[4]
+        joint = poses_along_arm[0] if convention == "standard" else poses_along_arm[4]
         ends = joint[:3, 3] + np.outer((-0.55 * size, 0.7 * size), joint[:3, 2])
         canvas.line(ends, VIOLET, 1.2, "--", level=2)
         canvas.label(ends[1], "axis i", VIOLET, size=9)
-        canvas.triad(walk[4], "", 0.3 * size, (PALE, PALE, PALE), level=1)
-        canvas.triad(walk[0], "i-1", 0.3 * size)
+        canvas.triad(poses_along_arm[4], "", 0.3 * size, (PALE_GREY, PALE_GREY, PALE_GREY), level=1)
+        canvas.triad(poses_along_arm[0], "i-1", 0.3 * size)
         if done:
-            canvas.triad(walk[done], "i" if done == 4 else "", 0.4 * size)
-        canvas.label(walk[0, :3, 3], convention, INK, [(36, -44), (36, -54)], 11)
-        last = NAMES[ORDER[convention][done - 1]] if done else "nothing yet"
-        place, z = walk[done, :3, 3] - side * apart, walk[done, :3, 2]
-        said.append(f"{convention.capitalize()}: {last}; the frame is at {spoken(place)}, its z along {spoken(z)}.")
+            canvas.triad(poses_along_arm[done], "i" if done == 4 else "", 0.4 * size)
+        canvas.label(poses_along_arm[0, :3, 3], convention, INK, [(36, -44), (36, -54)], 11)
+        last = MOTION_NAMES[MOTION_ORDER[convention][done - 1]] if done else "nothing yet"
+        place, z = poses_along_arm[done, :3, 3] - side * apart, poses_along_arm[done, :3, 2]
+        said.append(
+            f"{convention.capitalize()}: {last}; the frame is at {vector_text(place)}, its z along {vector_text(z)}."
+        )
     head = "One DH row, two conventions" if len(walks) > 1 else "One DH row"
     return canvas.picture(f"{head}, motion {done} of 4. {' '.join(said)}", caption)
 
 
-def walk(rows: ArrayLike) -> Array:
+def poses_along_arm(rows: ArrayLike) -> Array:
     """The stops of Z_1 X_1 Z_2 X_2 ... along an arm given by standard rows, (2 m + 1, 4, 4).
 
     After Z_i stands the modified convention's frame i, after X_i the standard one's.
 
-    >>> walk([[0.4, 0, 0.1, 0]])[:, :3, 3]
+    >>> poses_along_arm([[0.4, 0, 0.1, 0]])[:, :3, 3]
     array([[0. , 0. , 0. ],
            [0. , 0. , 0.1],
            [0.4, 0. , 0.1]])
@@ -111,7 +113,7 @@ def walk(rows: ArrayLike) -> Array:
     return np.array(stops)
 
 
-def draw_cuts(rows: ArrayLike, pieces: int, caption: str = "") -> Picture:
+def draw_zx_factors(rows: ArrayLike, pieces: int, caption: str = "") -> Picture:
     """Draw the walk Z_1 X_1 Z_2 X_2 ... along an arm up to a piece, with the frames at which each convention stops.
 
     rows    (m, 4) standard rows a, alpha, d, theta
@@ -122,17 +124,17 @@ def draw_cuts(rows: ArrayLike, pieces: int, caption: str = "") -> Picture:
 
     Raises ValueError for more pieces than there are, and for less than none.
 
-    >>> draw_cuts([[0.4, 0, 0.1, 0]], 2).alt
+    >>> draw_zx_factors([[0.4, 0, 0.1, 0]], 2).alt
     'The walk Z1 X1. {0} at (0, 0, 0); {1 mod} at (0, 0, 0.1); {1 std} at (0.4, 0, 0.1).'
     """
-    stops = walk(rows)
+    stops = poses_along_arm(rows)
     if pieces not in range(len(stops)):
         raise ValueError(f"pieces counts Z_1, X_1, Z_2, ..., 0 to {len(stops) - 1}; got {pieces!r}.")
     names = ["0", *(f"{i // 2 + 1} {'std' if i % 2 else 'mod'}" for i in range(len(stops) - 1))]
     origins = stops[:, :3, 3]
     canvas = Canvas(origins)
     canvas.floor(origins)
-    canvas.line(origins, PALE, 4.0, level=1)
+    canvas.line(origins, PALE_GREY, 4.0, level=1)
     _axes(canvas, stops)
     for k in range(pieces):
         if np.ptp(origins[k : k + 2], axis=0).any():
@@ -140,7 +142,7 @@ def draw_cuts(rows: ArrayLike, pieces: int, caption: str = "") -> Picture:
             canvas.label(origins[k : k + 2].mean(axis=0), f"${'XZ'[k % 2 == 0]}_{k // 2 + 1}$", INK)
     for k in range(pieces + 1):
         canvas.triad(stops[k], names[k], (0.2 if k % 2 else 0.15) * canvas.size)
-    said = "; ".join(f"{{{names[k]}}} at {spoken(origins[k])}" for k in range(pieces + 1))
+    said = "; ".join(f"{{{names[k]}}} at {vector_text(origins[k])}" for k in range(pieces + 1))
     return canvas.picture(f"The walk{_pieces(pieces)}. {said}.", caption)
 
 

@@ -16,8 +16,8 @@ from traitlets import Bool, HasTraits
 
 import kinlib as kl
 from kinlib.view import Picture, draw_arm, draw_frames, draw_joints, plot, slide
-from kinlib.view.drawing.canvas import Canvas, _hull
-from kinlib.view.figures.joints import _carried_axes, shifts
+from kinlib.view.drawing.canvas import Canvas, convex_hull
+from kinlib.view.figures.joint_bodies import _carried_axes, axial_offsets
 
 ROOT = Path(__file__).parents[2]
 
@@ -74,7 +74,7 @@ def test_joints_on_one_axis_stand_side_by_side():
     """RPPR's first two joints share point and axis: drawn there, the one would hide the other."""
     robot = kl.robots.rppr()
     frames = robot.link_poses(np.zeros(4))
-    moved = shifts(_carried_axes(robot, frames), frames[:, :3, 3])
+    moved = axial_offsets(_carried_axes(robot, frames), frames[:, :3, 3])
     assert moved.tolist() == [-0.5, 0.5, 0, 0]
 
 
@@ -169,7 +169,7 @@ def test_nothing_is_left_open():
 def test_the_hull_of_a_square_with_points_inside_is_the_square():
     inside = np.random.default_rng(0).uniform(0.1, 0.9, (20, 2))
     corners = [(0, 0), (1, 0), (1, 1), (0, 1)]
-    assert {tuple(p) for p in _hull(np.concatenate([inside, corners]))} == set(corners)
+    assert {tuple(p) for p in convex_hull(np.concatenate([inside, corners]))} == set(corners)
 
 
 def test_an_arm_is_drawn_without_waiting_for_matplotlib():
