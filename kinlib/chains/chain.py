@@ -25,7 +25,7 @@ def _accelerate(equation: Callable[["Chain", ArrayLike], Array]) -> Callable[["C
     """Compute a method of `Chain` by `FastKinematics`; the method's own body remains as the equation that it computes.
 
     For example, `Chain.fk.__wrapped__(chain, q)` multiplies the exponentials as they are written in `fk`, and
-    tests/kinlib/test_fast_kinematics.py compares the two. The fast implementation takes a hundredth of the time for one
+    tests/kinlib/chains/test_fast_kinematics.py compares the two. The fast implementation takes a hundredth of the time for one
     configuration, and a fifth of it for many.
     """
     name = equation.__name__
