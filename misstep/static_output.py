@@ -1,12 +1,15 @@
-"""Whether what is shown goes to a page without a kernel, where nothing can be asked of Python afterwards."""
+"""Whether notebooks are being executed for a static page, on which no Python runs afterwards.
+
+kinlib/view/drawing/static_export.py is the same, because the two packages are installed independently of each other.
+"""
 
 import os
 
-VARIABLE = "NOTEBOOK_STATIC_PAGE"
-"""Set where notebooks are executed for a page. Then questions carry their explanations with them and sliders their
-pictures; in a lab they do not, for there Python answers, and a saved notebook shall not tell."""
+ENVIRONMENT_VARIABLE = "NOTEBOOK_STATIC_PAGE"
+"""Set while notebooks are executed for a static page. Then questions include their explanations; otherwise Python shows them
+after the answer, so that a student's saved notebook does not contain them."""
 
 
-def for_a_page() -> bool:
-    """Whether outputs should stand for themselves."""
-    return bool(os.environ.get(VARIABLE))
+def is_static_export() -> bool:
+    """Whether outputs must work without a kernel."""
+    return bool(os.environ.get(ENVIRONMENT_VARIABLE))

@@ -7,7 +7,7 @@ from traitlets import Bool, HasTraits, Int
 from misstep.card import Card, inline
 from misstep.questions.item import KINDS, LETTERS, Item
 from misstep.questions.page import explanation_html, question_html
-from misstep.static_output import for_a_page
+from misstep.static_output import is_static_export
 
 if TYPE_CHECKING:
     import ipywidgets as widgets
@@ -60,7 +60,7 @@ class Question(HasTraits):
     def _repr_mimebundle_(self, **options: Any) -> Any:
         if self._face is None:
             self._face = _face(self)
-        still = {"text/html": question_html(self.name, self.item)} if for_a_page() else {}
+        still = {"text/html": question_html(self.name, self.item)} if is_static_export() else {}
         return {**self._face._repr_mimebundle_(**options), **still, "text/plain": self.text()}
 
     def text(self) -> str:
@@ -88,7 +88,7 @@ class Explanation:
             self._face = widgets.HTMLMath(self.card.html())
             self.question.observe(self._renew, "committed")
         question = self.question
-        still = {"text/html": explanation_html(question.name, question.item)} if for_a_page() else {}
+        still = {"text/html": explanation_html(question.name, question.item)} if is_static_export() else {}
         return {**self._face._repr_mimebundle_(**options), **still, "text/plain": self.card.text()}
 
     def _renew(self, _: Any) -> None:

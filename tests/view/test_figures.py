@@ -1,4 +1,4 @@
-"""What people look at: every drawing has words, every message is harmless, every slider does what it says."""
+"""Figures, plots and sliders of pictures: each has a true text alternative, labels are legible, and wrong arguments are refused."""
 
 import base64
 import re
@@ -34,7 +34,7 @@ def svg(picture):
 
 @each_robot
 @pytest.mark.parametrize("draw", [draw_arm, draw_joints])
-def test_every_robot_is_drawn_with_words_that_say_what_is_seen(robot, draw):
+def test_every_robot_is_drawn_with_a_text_alternative(robot, draw):
     picture = draw(robot)
     assert robot.name in picture.alt
     assert f"{robot.n} joints ({robot.joint_types})" in picture.alt
@@ -52,7 +52,7 @@ def test_a_drawing_shows_the_configuration_that_it_is_given(robot):
 
 @each_robot
 @pytest.mark.parametrize("draw", [draw_arm, draw_joints])
-def test_no_name_in_a_drawing_covers_another_or_leaves_the_sheet(robot, draw):
+def test_no_label_in_a_drawing_covers_another_or_leaves_the_sheet(robot, draw):
     texts = ET.fromstring(draw(robot).svg).findall(".//{http://www.w3.org/2000/svg}text")
     boxes = []
     for text in texts:
@@ -70,61 +70,61 @@ def test_no_name_in_a_drawing_covers_another_or_leaves_the_sheet(robot, draw):
     assert not [("".join(texts[a].itertext()), "".join(texts[b].itertext())) for a, b in covered]
 
 
-def test_joints_on_one_axis_stand_side_by_side():
-    """RPPR's first two joints share point and axis: drawn there, the one would hide the other."""
+def test_joints_with_the_same_point_and_axis_are_drawn_side_by_side():
+    """The first two joints of RPPR share point and axis, so one would hide the other."""
     robot = kl.robots.rppr()
     frames = robot.link_poses(np.zeros(4))
     moved = axial_offsets(_carried_axes(robot, frames), frames[:, :3, 3])
     assert moved.tolist() == [-0.5, 0.5, 0, 0]
 
 
-def test_a_name_says_its_letters_and_nothing_to_the_browser():
+def test_labels_are_escaped_for_the_browser():
     canvas = Canvas([(0, 0, 0), (1, 1, 1)])
     canvas.label((0, 0, 0), "<script>&", "black")
     canvas.label((1, 1, 1), r"$\theta_{12}$", "black")
-    said = ["".join(text.itertext()) for text in ET.fromstring(canvas.picture("Two names, no more.." * 2).svg).iter()]
+    said = ["".join(text.itertext()) for text in ET.fromstring(canvas.picture("Two labels, no more." * 2).svg).iter()]
     assert "<script>&" in said
     assert "θ12" in said
 
 
 @pytest.mark.parametrize(("end", "marks"), [((0, 0, 1), 2), ((0, 0, -1), 1)])
-def test_an_arrow_seen_end_on_is_a_ring_with_a_dot_or_a_cross(end, marks):
+def test_an_arrow_along_the_viewing_direction_is_a_ring_with_a_dot_or_a_cross(end, marks):
     canvas = Canvas([(-1, -1, -1), (1, 1, 1)], view="top")
     canvas.arrow((0, 0, 0), end)
     assert canvas.picture("An arrow, seen from its tip or its feathers.").svg.count("<circle") == marks
 
 
-def test_a_robot_without_length_is_drawn_all_the_same():
+def test_a_robot_of_zero_length_is_drawn():
     still = kl.Chain(np.array([[0, 0, 1, 0, 0, 0.0]]), np.eye(4), name="pivot")
     assert "nan" not in draw_arm(still).svg + draw_joints(still).svg
 
 
-def test_the_same_drawing_is_the_same_text():
-    """So that a rebuilt page differs where its pictures do, and nowhere else."""
+def test_the_same_drawing_gives_the_same_svg():
+    """Otherwise a page that is built again would differ although its pictures do not."""
     assert draw_arm(kl.robots.rpr()).svg == draw_arm(kl.robots.rpr()).svg
 
 
 @pytest.mark.parametrize("shown", ["axes", "home axes", "body axes", "links", "base", "tool"])
-def test_each_thing_to_show_adds_to_the_drawing(shown):
+def test_each_layer_adds_to_the_drawing(shown):
     q = [0.5, 0.5, 0.5]
     assert len(draw_arm(kl.robots.rpr(), q, show=[shown]).svg) > len(draw_arm(kl.robots.rpr(), q, show=[]).svg)
 
 
-def test_something_to_show_that_there_is_not_is_refused():
+def test_an_unknown_layer_is_refused():
     with pytest.raises(ValueError, match=r"show knows axes, .*; got 'wheels'"):
         draw_arm(kl.robots.rpr(), show=["wheels"])
 
 
-def test_a_view_that_there_is_not_is_refused():
-    with pytest.raises(ValueError, match=r"view should be one of default, front.*'behind'"):
+def test_an_unknown_view_is_refused():
+    with pytest.raises(ValueError, match=r"view must be one of default, front.*'behind'"):
         draw_arm(kl.robots.rpr(), view="behind")
 
 
-def test_a_ghost_is_drawn_too():
+def test_a_ghost_is_drawn():
     assert len(draw_arm(kl.robots.rpr(), ghost=[1, 1, 1]).svg) > len(draw_arm(kl.robots.rpr()).svg)
 
 
-def test_frames_are_named_and_placed_in_words():
+def test_the_text_alternative_gives_name_and_place_of_each_frame():
     T = kl.exp([0, 0, np.pi / 2, 0, 0, 0])
     T[:3, 3] = 1, 2, 3
     alt = draw_frames({"s": np.eye(4), "b": T}, {"p": (1, 0, 0)}).alt
@@ -133,34 +133,34 @@ def test_frames_are_named_and_placed_in_words():
     )
 
 
-def test_frames_that_are_no_poses_are_refused_by_name():
+def test_a_frame_that_is_not_a_pose_is_refused_with_its_name():
     with pytest.raises(ValueError, match="frame b is not rigid"):
         draw_frames({"b": np.diag([2.0, 1, 1, 1])})
     with pytest.raises(ValueError, match="at least one pose"):
         draw_frames({})
 
 
-def test_a_picture_without_words_is_refused():
-    with pytest.raises(ValueError, match=r"at least 20 characters; got 'arm'.*telephone"):
+def test_a_picture_without_a_text_alternative_is_refused():
+    with pytest.raises(ValueError, match=r"at least 20 characters; got 'arm'.*cannot see it"):
         Picture("<svg/>", "arm")
 
 
-def test_words_cannot_break_out_of_the_page():
+def test_a_text_alternative_is_escaped():
     assert '"><script>' not in Picture("<svg/>", 'twenty characters and "><script>alert(1)</script>').html()
 
 
-def test_a_plot_refuses_what_it_cannot_tell_apart():
+def test_a_plot_refuses_more_curves_than_it_has_line_styles():
     curves = {str(k): [0, 1] for k in range(6)}
-    with pytest.raises(ValueError, match="tells up to 5 curves apart; got 6"):
+    with pytest.raises(ValueError, match="at most 5 entries, one per line style; got 6"):
         plot([0, 1], curves, xlabel="x", ylabel="y", alt="Six curves, too many to tell apart.")
 
 
 def test_a_plot_refuses_a_curve_of_another_length():
-    with pytest.raises(ValueError, match=r"curve 'a' should have the shape of x, \(2,\); got \(3,\)"):
+    with pytest.raises(ValueError, match=r"curve 'a' must have the shape of x, \(2,\); got \(3,\)"):
         plot([0, 1], {"a": [0, 1, 2]}, xlabel="x", ylabel="y", alt="A curve of another length.")
 
 
-def test_nothing_is_left_open():
+def test_no_matplotlib_figure_is_left_open():
     draw_arm(kl.robots.rpr())
     plot([0, 1], {"a": [0, 1]}, xlabel="x", ylabel="y", alt="A line from 0 to 1, and no more.")
     assert plt.get_fignums() == []
@@ -172,8 +172,8 @@ def test_the_hull_of_a_square_with_points_inside_is_the_square():
     assert {tuple(p) for p in convex_hull(np.concatenate([inside, corners]))} == set(corners)
 
 
-def test_an_arm_is_drawn_without_waiting_for_matplotlib():
-    """Loading it takes a second in the lab and three in the browser; only curves need it."""
+def test_an_arm_is_drawn_without_importing_matplotlib():
+    """The import takes a second in the lab and three in the browser, and only plots need it."""
     script = "import sys; from kinlib.view import draw_arm; from kinlib.chains.robots import rpr; draw_arm(rpr()); print(*sys.modules)"
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=True, cwd=ROOT)
     assert not {"matplotlib", "ipywidgets"} & set(done.stdout.split())
@@ -183,7 +183,7 @@ def test_an_arm_is_drawn_without_waiting_for_matplotlib():
 
 
 class Answered(HasTraits):
-    """Anything with this trait can cover a widget."""
+    """A question as the widgets see it: all that they use is this trait."""
 
     committed = Bool(False)
 
@@ -201,25 +201,25 @@ def test_a_widget_stays_covered_until_the_prediction_is_committed():
     assert "<img" in box.children[0].children[0].value
 
 
-def test_who_insists_may_look_and_nothing_is_recorded():
+def test_the_picture_can_be_shown_without_a_prediction_and_nothing_is_recorded():
     question = Answered()
     box = slide(a_line, "slope", [1, 2], after=question)
     box.children[1].click()
-    told, inside = box.children
-    assert "Nothing was recorded" in told.value
+    note, inside = box.children
+    assert "Nothing was recorded" in note.value
     assert "<img" in inside.children[0].value
     assert not question.committed
     question.committed = True
     assert box.children == (inside,)
 
 
-def test_a_slide_draws_the_value_that_it_stands_on():
+def test_a_slider_draws_its_current_value():
     box = slide(a_line, "slope", [1, 2, 3])
     assert "slope 1." in box.children[0].value
     box.children[1].value = 2
     assert "slope 3." in box.children[0].value
 
 
-def test_a_slide_needs_somewhere_to_go():
+def test_a_slider_without_values_is_refused():
     with pytest.raises(ValueError, match="at least one value"):
         slide(lambda _: None, "nothing", [])

@@ -1,7 +1,8 @@
-"""A canvas for drawings of robots: space seen from far away, on a flat sheet.
+"""A canvas for drawings of robots: an orthographic projection of space onto a sheet.
 
-Seen orthographically, parallel lines stay parallel and lengths along an axis compare, as in a book's drawing. Projecting
-takes two lines; what is drawn is kept with its level, and names are placed last, where they cover least.
+In an orthographic projection parallel lines stay parallel, and lengths along one direction can be compared, as in the
+drawings of a textbook. Each mark has a level, and higher levels are drawn later. Labels are placed last, where they cover
+least.
 """
 
 from collections.abc import Sequence
@@ -12,21 +13,18 @@ from numpy.typing import ArrayLike
 from kinlib.arrays.formatting import format_number
 from kinlib.arrays.validation import Array
 from kinlib.view.drawing import svg
+from kinlib.view.drawing.colours import AXIS_COLOURS, GREY, INK, PALE_GREY
 from kinlib.view.drawing.labels import LABEL_OFFSETS, Label, Offset, place_labels
 from kinlib.view.drawing.picture import Picture
 
-INK, GREY, PALE_GREY, VIOLET, ORANGE = "#1f2328", "#8c959f", "#d9dee3", "#7d3ac1", "#b35900"
-AXIS_COLOURS = ("#c1121f", "#1a7f37", "#0b5cad")
-"""x red, y green, z blue; the letters at the tips say the same without colour."""
-
 VIEWS = {"default": (-60.0, 22.0), "front": (-90.0, 0.0), "side": (0.0, 0.0), "top": (-90.0, 90.0)}
-"""Named views as azimuth and elevation of the eye, in degrees."""
+"""Named views: azimuth and elevation of the viewing direction, in degrees."""
 
 MARGIN_SHARE = 0.33
-"""Room around what is shown, as a share of its size: axes and frames reach a little beyond the last joint."""
+"""Margin around what is shown, as a share of its size, because axes and frames extend a little beyond the last joint."""
 
 BORDER_PX = 20.0
-"""Room in pixels for the names at the tips."""
+"""Border in pixels for the labels at the tips of arrows."""
 
 HEIGHT_LABEL_OFFSETS = [(20, 0), (-20, 0), (20, 12), (-20, -12)]
 FOOT_LABEL_OFFSETS = [
@@ -41,33 +39,33 @@ FOOT_LABEL_OFFSETS = [
     (-46, 10),
     (0, 28),
 ]
-"""Where the names of heights and of feet on the floor may stand, in pixels right and up."""
+"""Where the labels of heights, and of points on the floor, may be placed: offsets in pixels to the right and up."""
 
 
 def view_axes(view: str) -> tuple[Array, Array]:
-    """The unit vector towards the eye, (3,), and the two that point right and up on the sheet, (2, 3).
+    """Return the unit vector towards the viewer, (3,), and those that point right and up on the sheet, (2, 3).
 
-    Raises ValueError for a view that there is not.
+    Raises ValueError if the view is not one of VIEWS.
 
     >>> view_axes("front")[1].round(3) + 0.0
     array([[1., 0., 0.],
            [0., 0., 1.]])
     """
     if view not in VIEWS:
-        raise ValueError(f"view should be one of {', '.join(VIEWS)}; got {view!r}.")
+        raise ValueError(f"view must be one of {', '.join(VIEWS)}; got {view!r}.")
     (ca, ce), (sa, se) = (f(np.radians(VIEWS[view])) for f in (np.cos, np.sin))
     return np.array([ce * ca, ce * sa, se]), np.array([[-sa, ca, 0.0], [-se * ca, -se * sa, ce]])
 
 
 class Canvas:
-    """A sheet that shows the points around which it is made, and keeps labels off each other and off the drawing.
+    """A sheet that shows given points, and places labels so that they do not cover each other or the drawing.
 
-    around  points (..., 3) to show
-    sizes   points (..., 3) whose extent is the measure for marks; those to show, if not given
+    around  points (..., 3) that must be in view
+    sizes   points (..., 3) whose extent sets the size of joints, frames and arrows; by default those of around
     view    one of VIEWS
-    size    width and greatest height in pixels; a flat drawing takes less
+    size    width and largest height in pixels; a flat drawing is less high
 
-    Raises ValueError for a view that there is not.
+    Raises ValueError if the view is not one of VIEWS.
     """
 
     def __init__(
@@ -81,17 +79,17 @@ class Canvas:
         around = np.reshape(np.asarray(around, dtype=float), (-1, 3))
         self._extent = max(float(np.ptp(around, axis=0).max()), 1e-3)
         measured = 0.0 if sizes is None else float(np.ptp(np.reshape(sizes, (-1, 3)), axis=0).max())
-        # Where an arm is small in its room, its marks stay large enough to tell apart.
+        # If an arm is small compared with what is shown, its marks must stay large enough to be distinguished.
         self.size = self._extent if sizes is None else max(measured, 0.6 * self._extent)
-        """The longest side of what is shown, in metres: the measure for everything drawn to look right, not to scale."""
+        """The longest side of what is shown, in metres: the unit of length of everything that is not drawn to scale."""
         self._sheet = np.array(size, dtype=float)
-        flat = self.flat(around)
-        tiles = self.flat(
+        flat = self.project(around)
+        tiles = self.project(
             np.array([(x, y, 0.0) for x in self._tiles(around, 0, 0.5) for y in self._tiles(around, 1, 0.5)])
         )
         low = np.minimum(flat.min(axis=0) - MARGIN_SHARE * self.size, tiles.min(axis=0))
         high = np.maximum(flat.max(axis=0) + MARGIN_SHARE * self.size, tiles.max(axis=0))
-        # One scale for both directions, or a circle would not look like one.
+        # The same scale in both directions, so that a circle stays a circle.
         self._scale = float(((self._sheet - 2 * BORDER_PX) / (high - low)).min())
         self._sheet[1] = (high - low)[1] * self._scale + 2 * BORDER_PX
         self._middle = (low + high) / 2
@@ -100,22 +98,22 @@ class Canvas:
         self._strokes: list[Array] = []
         self._bodies: list[Array] = []
 
-    def flat(self, points: ArrayLike) -> Array:
-        """Where points (..., 3) of space appear to the eye, (..., 2), in metres."""
-        seen: Array = np.asarray(points, dtype=float) @ self._plane.T
-        return seen
+    def project(self, points: ArrayLike) -> Array:
+        """Project points (..., 3) onto the plane of the sheet, (..., 2), in metres."""
+        projected: Array = np.asarray(points, dtype=float) @ self._plane.T
+        return projected
 
-    def pixels(self, points: ArrayLike) -> Array:
-        """Where points (..., 3) of space appear on the sheet, (..., 2), from its upper left corner."""
-        place: Array = self._sheet / 2 + (self.flat(points) - self._middle) * self._scale * (1, -1)
-        return place
+    def to_pixels(self, points: ArrayLike) -> Array:
+        """Project points (..., 3) to pixels (..., 2), measured from the upper left corner of the sheet."""
+        pixels: Array = self._sheet / 2 + (self.project(points) - self._middle) * self._scale * (1, -1)
+        return pixels
 
     def line(
         self, points: ArrayLike, colour: str = INK, width: float = 1.0, style: str = "-", level: float = 2.0
     ) -> None:
-        """A line through points, above what has a lower level. Names keep off it, unless it lies on the floor, level 0."""
-        path = self.pixels(points)
-        self._marks.append((level, svg.stroke(path, colour, width, style)))
+        """Draw a line through points, above all marks of a lower level. Labels avoid it unless its level is 0, the floor."""
+        path = self.to_pixels(points)
+        self._marks.append((level, svg.polyline(path, colour, width, style)))
         if level > 0:
             self._strokes.append(np.stack([path[:-1], path[1:]], axis=1))
 
@@ -129,8 +127,8 @@ class Canvas:
         style: str = "-",
         level: float = 4.0,
     ) -> None:
-        """An arrow from one point to another. Pointing at the eye it is a ring with a dot, away from it one with a cross."""
-        tail, tip = self.pixels(start), self.pixels(end)
+        """Draw an arrow. One that points at the viewer is a ring with a dot, one that points away a ring with a cross."""
+        tail, tip = self.to_pixels(start), self.to_pixels(end)
         true = self._scale * float(np.linalg.norm(np.subtract(end, start)))
         seen = float(np.linalg.norm(tip - tail))
         if seen < 0.03 * true:
@@ -139,34 +137,34 @@ class Canvas:
         along = (tip - tail) / max(seen, 1e-9)
         head = (6 + 1.5 * width) * min(1.0, 2 * seen / max(true, 1e-9))  # foreshortened, but not as soon as its stem
         neck, across = tip - head * along, 0.36 * head * along[::-1] * (-1, 1)
-        self._marks.append((level, svg.stroke(np.array([tail, neck]), colour, width, style)))
-        self._marks.append((level, svg.outline(np.array([tip, neck + across, neck - across]), colour)))
+        self._marks.append((level, svg.polyline(np.array([tail, neck]), colour, width, style)))
+        self._marks.append((level, svg.polygon(np.array([tip, neck + across, neck - across]), colour)))
         self._strokes.append(np.array([[tail, tip]]))
 
     def body(self, corners: ArrayLike, colour: str, level: float = 3.0, edge: str = INK) -> None:
-        """The outline of a convex body, from points on its surface."""
-        hull = convex_hull(self.pixels(corners))
-        self._marks.append((level, svg.outline(hull, colour, edge)))
+        """Draw the outline of a convex body, given points on its surface."""
+        hull = convex_hull(self.to_pixels(corners))
+        self._marks.append((level, svg.polygon(hull, colour, edge)))
         self._bodies.append(np.array([hull.min(axis=0), hull.max(axis=0)]))
 
     def dot(self, point: ArrayLike, colour: str = INK, size: float = 5.0, level: float = 5.0) -> None:
-        """A point, marked."""
-        self._marks.append((level, svg.disc(self.pixels(point), size / 2, colour)))
+        """Mark a point by a dot."""
+        self._marks.append((level, svg.circle(self.to_pixels(point), size / 2, colour)))
 
     def label(
         self,
         point: ArrayLike,
         text: str,
         colour: str = INK,
-        places: Sequence[Offset] = LABEL_OFFSETS,
+        offsets: Sequence[Offset] = LABEL_OFFSETS,
         size: float = 11.0,
     ) -> None:
-        """A name beside a point, in that one of the places where it covers least; an earlier place wins a draw."""
-        self._labels.append(Label(self.pixels(point), text, colour, places, 1.25 * size))
+        """Label a point, at that one of the offsets where the text covers least; of equal ones the first is taken."""
+        self._labels.append(Label(self.to_pixels(point), text, colour, offsets, 1.25 * size))
 
     def measure(self, points: Array, colour: str) -> None:
-        """Drop each point to the floor by a dotted line, with the numbers that a reader needs: its height, and its foot."""
-        # Joints may share a point, and then share its numbers.
+        """Draw a dotted line from each point down to the floor, labelled with its height and with the x and y of its foot."""
+        # Joints that share a point share its labels.
         for point in np.unique(points.round(6), axis=0) + 0.0:
             foot = point * (1, 1, 0)
             self.line([foot, point], colour, 1.5, ":", level=1)
@@ -176,9 +174,9 @@ class Canvas:
             self.label(foot, f"({foot[0]:.4g}, {foot[1]:.4g})", colour, FOOT_LABEL_OFFSETS, 9)
 
     def floor(self, points: ArrayLike, numbers: bool = False) -> None:
-        """A grid at height 0 under the points, in steps of 1, 2 or 5; with numbers along x and y where asked."""
+        """Draw a grid at height 0 under the points, in steps of 1, 2 or 5, with numbers along x and y if numbers is true."""
         points = np.reshape(np.asarray(points, dtype=float), (-1, 3))
-        # Numbers stand at the border: with a little room they stay off joints that stand at the border too.
+        # Numbers are written at the border; half a tile keeps them off joints that are at the border too.
         room = 0.5 if numbers else 0.0
         xs, ys = self._tiles(points, 0, room), self._tiles(points, 1, room)
         for x in xs:
@@ -200,20 +198,20 @@ class Canvas:
     def triad(
         self, T: Array, name: str, length: float, colours: Sequence[str] = AXIS_COLOURS, level: float = 5.0
     ) -> None:
-        """A frame: three rods with x, y, z at their tips and the frame's name at its origin."""
+        """Draw a frame: three arrows with x, y, z at their tips and the frame's name at its origin."""
         origin = T[:3, 3]
         for axis, letter, colour in zip(T[:3, :3].T, "xyz", colours, strict=True):
             tip = origin + length * axis
             self.arrow(origin, tip, colour, 2.2, level=level)
-            # Beyond the tip, along the rod: a letter beside it might belong to a neighbour.
-            away = self.flat(tip) - self.flat(origin)
+            # Beyond the tip, along the arrow, because a letter beside it could be read as that of another arrow.
+            away = self.project(tip) - self.project(origin)
             away = 9 * away / max(float(np.linalg.norm(away)), 1e-9)
             self.label(tip, letter, colour, [(away[0], away[1]), *LABEL_OFFSETS], 10)
         if name:
             self.label(origin, f"{{{name}}}", INK, [(-15, -11), (15, -13), (-28, -15), (28, -17), *LABEL_OFFSETS], 11)
 
     def picture(self, alt: str, caption: str = "") -> Picture:
-        """Finish the drawing."""
+        """Place the labels, and return the drawing with its text alternative."""
         marks = [mark for _, mark in sorted(self._marks, key=lambda mark: mark[0])]
         nothing = np.zeros((0, 2, 2))
         strokes, bodies = (
@@ -221,13 +219,13 @@ class Canvas:
             np.array([*nothing, *self._bodies]).reshape(-1, 2, 2),
         )
         for label, centre in place_labels(self._labels, strokes, bodies, self._sheet):
-            marks.append(svg.words(centre, label.text, label.colour, label.size))
+            marks.append(svg.text(centre, label.text, label.colour, label.size))
         return Picture(svg.document(marks, *self._sheet), alt, caption)
 
     def _tiles(self, points: Array, side: int, room: float) -> Array:
-        """Where the lines of the floor run that cover points along x (side 0) or y (side 1): at least two tiles.
+        """Return the positions of the grid lines along x (side 0) or y (side 1) that enclose points: at least two tiles.
 
-        room  how much farther than the points the floor reaches, in tiles
+        room  how much farther than the points the floor extends, in tiles
         """
         step = _step(self._extent / 6)
         low, high = points[:, side].min() / step - room, points[:, side].max() / step + room
@@ -238,23 +236,23 @@ class Canvas:
         return lines
 
     def _end_on(self, centre: Array, towards: bool, colour: str, level: float) -> None:
-        """An arrow seen from its tip, or from its feathers."""
-        self._marks.append((level, svg.disc(centre, 6, "white", edge=colour)))
+        """Draw an arrow that points towards the viewer or away."""
+        self._marks.append((level, svg.circle(centre, 6, "white", edge=colour)))
         if towards:
-            self._marks.append((level, svg.disc(centre, 2, colour)))
+            self._marks.append((level, svg.circle(centre, 2, colour)))
             return
         for end in ((4, 4), (4, -4)):
-            self._marks.append((level, svg.stroke(np.array([centre - end, centre + end]), colour, 1.3)))
+            self._marks.append((level, svg.polyline(np.array([centre - end, centre + end]), colour, 1.3)))
 
 
 def _step(rough: float) -> float:
-    """The length 1, 2 or 5 times a power of ten that is nearest above a rough one."""
+    """Round a length up to 1, 2 or 5 times a power of ten."""
     power: float = 10.0 ** np.floor(np.log10(rough))
     return next(power * digit for digit in (1, 2, 5, 10) if power * digit >= rough * 0.999)
 
 
 def convex_hull(points: Array) -> Array:
-    """The convex hull of points in the plane, anticlockwise (Andrew's monotone chain)."""
+    """Return the convex hull of points in the plane, anticlockwise (Andrew's monotone chain)."""
     order = sorted(points.tolist())
 
     def chain(row: list[list[float]]) -> list[list[float]]:

@@ -1,4 +1,4 @@
-"""Where names stand in a drawing: beside what they name, off each other, off the lines if there is room."""
+"""Places for labels in a drawing: beside what they name, not over each other, and off the lines if there is room."""
 
 from collections.abc import Iterator, Sequence
 from typing import NamedTuple
@@ -14,7 +14,7 @@ LABEL_OFFSETS: tuple[Offset, ...] = (
     *((11, 9), (-11, 9), (11, -11), (-11, -11), (0, 16), (0, -18), (19, 0), (-19, 0)),
     *((24, 19), (-24, 19), (24, -21), (-24, -21), (0, 30), (0, -32), (36, 0), (-36, 0)),
 )
-"""Where a label may stand, in pixels right and up from what it names; nearer places first."""
+"""Where a label may be placed: offsets in pixels to the right of what it names and above it, nearer ones first."""
 
 LABEL_OVERLAP_COST, OFF_SHEET_COST, BODY_OVERLAP_COST, LINE_CROSSING_COST, LATER_OFFSET_COST = (
     100.0,
@@ -23,24 +23,24 @@ LABEL_OVERLAP_COST, OFF_SHEET_COST, BODY_OVERLAP_COST, LINE_CROSSING_COST, LATER
     8.0,
     1.0,
 )
-"""What a place costs: an unreadable name is worst; crossing a line is worth eight places farther down the list."""
+"""What a place costs. An unreadable label costs most; crossing a line costs as much as eight places down the list."""
 
 
 class Label(NamedTuple):
-    """A name that wants a place."""
+    """A label that is still to be placed, at one of several offsets from its anchor, in pixels."""
 
     anchor: Array
     text: str
     colour: str
-    places: Sequence[Offset]
+    offsets: Sequence[Offset]
     size: float
 
 
 def place_labels(labels: Sequence[Label], strokes: Array, bodies: Array, sheet: Array) -> Iterator[tuple[Label, Array]]:
-    """Give each label, in their order, the centre where it costs least; all in pixels.
+    """Find for each label, in their order, the centre where it costs least; all in pixels.
 
     strokes (m, 2, 2) from point to point; bodies (k, 2, 2) upper left and lower right corners; sheet (2,).
-    A label that says the same at the same point as an earlier one is left out.
+    A label with the same text at the same point as an earlier one is left out.
 
     >>> name = Label(np.array([50.0, 50.0]), "S", "black", [(9, 0), (-9, 0)], 10)
     >>> wall = np.array([[[59.0, 0.0], [59.0, 99.0]]])
@@ -48,13 +48,13 @@ def place_labels(labels: Sequence[Label], strokes: Array, bodies: Array, sheet: 
     [[41.0, 50.0]]
     """
     taken = np.zeros((0, 2, 2))
-    said: list[Label] = []
+    kept: list[Label] = []
     for label in labels:
-        if any(label.text == other.text and np.abs(label.anchor - other.anchor).max() < 4 for other in said):
+        if any(label.text == other.text and np.abs(label.anchor - other.anchor).max() < 4 for other in kept):
             continue
-        said.append(label)
-        half = np.array([0.29 * len(svg.letters(label.text)) + 0.1, 0.5]) * label.size
-        centres = label.anchor + np.array(label.places, dtype=float) * (1, -1)
+        kept.append(label)
+        half = np.array([0.29 * len(svg.plain_text(label.text)) + 0.1, 0.5]) * label.size
+        centres = label.anchor + np.array(label.offsets, dtype=float) * (1, -1)
         boxes = np.stack([centres - half, centres + half], axis=1)
         cost = LATER_OFFSET_COST * np.arange(len(boxes)) + OFF_SHEET_COST * (
             (boxes[:, 0] < 2) | (boxes[:, 1] > sheet - 2)
@@ -66,14 +66,14 @@ def place_labels(labels: Sequence[Label], strokes: Array, bodies: Array, sheet: 
 
 
 def _overlaps(boxes: Array, others: Array) -> Array:
-    """How many of the other boxes each box overlaps."""
+    """Count how many of the other boxes each box overlaps."""
     apart = (boxes[:, None, 0] >= others[None, :, 1]) | (others[None, :, 0] >= boxes[:, None, 1])
     count: Array = (~apart.any(axis=-1)).sum(axis=-1).astype(float)
     return count
 
 
 def _crossings(boxes: Array, strokes: Array) -> Array:
-    """How many strokes pass through each box: those whose part between the box's four borders is not empty."""
+    """Count the strokes that pass through each box: those whose part between the box's four borders is not empty."""
     start, along = strokes[None, :, 0], strokes[None, :, 1] - strokes[None, :, 0]
     along = np.where(np.abs(along) < 1e-9, 1e-9, along)
     one, other = (boxes[:, None, 0] - start) / along, (boxes[:, None, 1] - start) / along

@@ -1,4 +1,4 @@
-"""Pictures: a drawing with its text alternative, never one without the other."""
+"""Pictures: a drawing together with its text alternative."""
 
 import base64
 import html
@@ -14,14 +14,14 @@ if TYPE_CHECKING:
     from matplotlib.figure import Figure
 
 MIN_ALT_CHARACTERS = 20
-"""Fewer characters than this name a figure and do not say what it shows."""
+"""A shorter text alternative can name a figure, but cannot say what it shows."""
 
 
 @dataclass(frozen=True)
 class Picture:
-    """A finished drawing as SVG, with what it shows in words.
+    """A finished drawing as SVG, with a text alternative that says what it shows.
 
-    Raises ValueError for a text alternative that says too little.
+    Raises ValueError if the text alternative is shorter than MIN_ALT_CHARACTERS.
 
     >>> Picture("<svg></svg>", "A drawing with nothing in it.").html()
     '<figure style="margin:0"><img alt="A drawing with nothing in it." ...></figure>'
@@ -34,12 +34,12 @@ class Picture:
     def __post_init__(self) -> None:
         if len(self.alt) < MIN_ALT_CHARACTERS:
             raise ValueError(
-                f"alt should say what the figure shows, in at least {MIN_ALT_CHARACTERS} characters; got {self.alt!r}. "
-                "What would you say of it on the telephone?"
+                f"alt must say what the figure shows, in at least {MIN_ALT_CHARACTERS} characters; got {self.alt!r}. "
+                "Describe the figure as you would to somebody who cannot see it."
             )
 
     def html(self) -> str:
-        """The drawing as an image that carries its alternative."""
+        """Return the drawing as an HTML image with its text alternative."""
         data = base64.b64encode(self.svg.encode()).decode()
         style = "max-width:100%;background:white"
         image = f'<img alt="{html.escape(self.alt)}" style="{style}" src="data:image/svg+xml;base64,{data}">'
@@ -51,9 +51,9 @@ class Picture:
 
 
 def picture_from_figure(figure: "Figure", alt: str, caption: str = "") -> Picture:
-    """Finish a matplotlib figure, made without pyplot so that nothing is left open.
+    """Turn a matplotlib figure into a picture. Make the figure without pyplot, so that none is left open.
 
-    Raises ValueError for a text alternative that says too little.
+    Raises ValueError if the text alternative is shorter than MIN_ALT_CHARACTERS.
 
     >>> from matplotlib.figure import Figure
     >>> figure = Figure(figsize=(2, 1))
@@ -63,14 +63,14 @@ def picture_from_figure(figure: "Figure", alt: str, caption: str = "") -> Pictur
     from matplotlib import rc_context
 
     buffer = io.StringIO()
-    # A fixed salt and no date: the same drawing is the same text, today and tomorrow.
+    # With a fixed salt and no date, the same drawing always gives the same SVG text.
     with rc_context({"svg.hashsalt": "kinlib", "svg.fonttype": "path"}):
         figure.savefig(buffer, format="svg", metadata={"Date": None}, facecolor="white")
     return Picture(buffer.getvalue(), alt, caption)
 
 
 def vector_text(values: ArrayLike) -> str:
-    """Say a vector in a text alternative: three digits, and 0 for what rounding left over.
+    """Write a vector for a text alternative: three significant digits, and 0 for rounding errors.
 
     >>> vector_text([0.5, -1e-17, 3])
     '(0.5, 0, 3)'

@@ -1,4 +1,4 @@
-"""Curves: a plot whose lines differ by dash and marker as well as by colour, and say in words what they show."""
+"""Plots of curves, with matplotlib: lines differ by dash and marker as well as by colour, and each plot has a text alternative."""
 
 from collections.abc import Mapping
 
@@ -30,10 +30,10 @@ def plot(
     """Plot named curves over common values of x.
 
     log    the axes with a logarithmic scale: "", "x", "y" or "xy"
-    mark   a value of x to point out with a vertical line
+    mark   a value of x to mark by a vertical line
 
-    Raises ValueError for a curve of another length than x, for more curves than there are ways to tell them apart, and
-    for a text alternative that says too little.
+    Raises ValueError if a curve does not have as many values as x, if there are more curves than line styles, if log is not
+    one of these, or if the text alternative is too short.
 
     >>> plot([0, 1, 2], {"square": [0, 1, 4]}, xlabel="x", ylabel="y", alt="A parabola through 0, 1 and 4.").alt
     'A parabola through 0, 1 and 4.'
@@ -42,14 +42,16 @@ def plot(
 
     x = np.asarray(x, dtype=float)
     if len(curves) > len(CURVE_STYLES):
-        raise ValueError(f"plot tells up to {len(CURVE_STYLES)} curves apart; got {len(curves)}. Draw two figures?")
+        raise ValueError(
+            f"curves must have at most {len(CURVE_STYLES)} entries, one per line style; got {len(curves)}. Draw two figures."
+        )
     if log not in {"", "x", "y", "xy"}:
-        raise ValueError(f"log should be '', 'x', 'y' or 'xy'; got {log!r}.")
+        raise ValueError(f"log must be '', 'x', 'y' or 'xy'; got {log!r}.")
     figure = Figure(figsize=(6.4, 3.6), layout="constrained")
     axes = figure.subplots()
     for (name, y), (colour, dash, marker) in zip(curves.items(), CURVE_STYLES, strict=False):
         if np.shape(y) != x.shape:
-            raise ValueError(f"curve {name!r} should have the shape of x, {x.shape}; got {np.shape(y)}.")
+            raise ValueError(f"curve {name!r} must have the shape of x, {x.shape}; got {np.shape(y)}.")
         every = max(1, len(x) // 12)
         axes.plot(
             x,

@@ -1,12 +1,15 @@
-"""Whether what is shown goes to a page without a kernel, where nothing can be asked of Python afterwards."""
+"""Whether notebooks are being executed for a static page, on which no Python runs afterwards.
+
+misstep/static_output.py is the same, because the two packages are installed independently of each other.
+"""
 
 import os
 
 ENVIRONMENT_VARIABLE = "NOTEBOOK_STATIC_PAGE"
-"""Set where notebooks are executed for a page. Then questions carry their explanations with them and sliders their
-pictures; in a lab they do not, for there Python answers, and a saved notebook shall not tell."""
+"""Set while notebooks are executed for a static page. Then sliders include a picture for each of their values; otherwise
+Python draws them when the slider moves."""
 
 
 def is_static_export() -> bool:
-    """Whether outputs should stand for themselves."""
+    """Whether outputs must work without a kernel."""
     return bool(os.environ.get(ENVIRONMENT_VARIABLE))

@@ -1,7 +1,7 @@
-"""Drawing marks as SVG text: strokes, outlines, dots, words. What a browser draws sharply at every size.
+"""SVG elements as text: polylines, polygons, circles and labels, which a browser draws sharply at every size.
 
-A drawing of an arm is some hundred strokes. Written out by hand it takes two milliseconds and ten kilobytes, so that a
-slider can make a new one at every step; a plotting library needs fifty times as long.
+A drawing of an arm has about a hundred polylines. Writing them directly takes two milliseconds and ten kilobytes, so a
+slider can draw a new one at every step; a plotting library takes fifty times as long.
 """
 
 import html
@@ -18,7 +18,7 @@ FONT = "font-family:Helvetica,Arial,'DejaVu Sans',sans-serif"
 
 
 def document(marks: Sequence[str], width: float, height: float) -> str:
-    """A whole drawing, width by height pixels, on white paper that stays white in a dark theme."""
+    """Return a complete drawing of width by height pixels, on paper that stays white in a dark theme."""
     head = f'<svg xmlns="http://www.w3.org/2000/svg" width="{width:g}" height="{height:g}" viewBox="0 0 {width:g} {height:g}">'
     paper = f'<rect width="{width:g}" height="{height:g}" fill="white"/>'
     return "\n".join(
@@ -26,51 +26,51 @@ def document(marks: Sequence[str], width: float, height: float) -> str:
     )
 
 
-def stroke(points: Array, colour: str, width: float, style: str = "-") -> str:
-    """A line through points (m, 2); style is "-", "--" or ":".
+def polyline(points: Array, colour: str, width: float, style: str = "-") -> str:
+    """Return a line through points (m, 2); style is "-", "--" or ":".
 
-    Raises ValueError for another style.
+    Raises ValueError if the style is another one.
     """
     if style not in DASHES:
-        raise ValueError(f"style should be one of {', '.join(DASHES)}; got {style!r}.")
+        raise ValueError(f"style must be one of {', '.join(DASHES)}; got {style!r}.")
     dash = f' stroke-dasharray="{DASHES[style]}" stroke-linecap="butt"' if DASHES[style] else ""
     return f'<polyline points="{_pairs(points)}" fill="none" stroke="{colour}" stroke-width="{width:g}"{dash}/>'
 
 
-def outline(points: Array, colour: str, edge: str = "none", width: float = 1.0) -> str:
-    """A filled shape with the corners (m, 2)."""
+def polygon(points: Array, colour: str, edge: str = "none", width: float = 1.0) -> str:
+    """Return a filled polygon with the corners (m, 2)."""
     return f'<polygon points="{_pairs(points)}" fill="{colour}" stroke="{edge}" stroke-width="{width:g}"/>'
 
 
-def disc(centre: Array, radius: float, colour: str, edge: str = "none") -> str:
-    """A round dot."""
+def circle(centre: Array, radius: float, colour: str, edge: str = "none") -> str:
+    """Return a filled circle."""
     return f'<circle cx="{centre[0]:.1f}" cy="{centre[1]:.1f}" r="{radius:g}" fill="{colour}" stroke="{edge}" stroke-width="1.3"/>'
 
 
-def words(centre: Sequence[float] | Array, text: str, colour: str, size: float) -> str:
-    """Words around a centre, with a white rim that keeps them legible on a line. $S_1$ gets an italic S and a low 1.
+def text(centre: Sequence[float] | Array, label: str, colour: str, size: float) -> str:
+    """Return text around a centre, with a white outline that keeps it legible on a line. $S_1$ gets a subscript.
 
-    >>> words([5.0, 5.0], "$S_1$", "black", 10)[-84:]
+    >>> text([5.0, 5.0], "$S_1$", "black", 10)[-84:]
     '<tspan font-style="italic">S</tspan><tspan dy="2.5" font-size="75%">1</tspan></text>'
     """
     place = f'x="{centre[0]:.1f}" y="{centre[1] + 0.35 * size:.1f}" text-anchor="middle" font-size="{size:g}"'
-    return f'<text {place} fill="{colour}" stroke="white" stroke-width="2.6" paint-order="stroke">{_runs(text, size)}</text>'
+    return f'<text {place} fill="{colour}" stroke="white" stroke-width="2.6" paint-order="stroke">{_tspans(label, size)}</text>'
 
 
-def letters(text: str) -> str:
-    r"""The letters of a label without its markup: what counts for its length.
+def plain_text(text: str) -> str:
+    r"""Return the characters of a label without its markup, for example to estimate its width.
 
-    >>> letters(r"$\theta_{12}$"), letters("{s}")
+    >>> plain_text(r"$\theta_{12}$"), plain_text("{s}")
     ('θ12', '{s}')
     """
     return "".join(part for part, _, _ in _parts(text))
 
 
-def _runs(text: str, size: float) -> str:
+def _tspans(label: str, size: float) -> str:
     runs, shift = [], 0.0
-    for part, is_math, level in _parts(text):
-        wanted = -level * 0.25 * size
-        step, shift = wanted - shift, wanted
+    for part, is_math, level in _parts(label):
+        baseline = -level * 0.25 * size
+        step, shift = baseline - shift, baseline
         style = f' dy="{step:g}"' if step else ""
         style += ' font-size="75%"' if level else ""
         style += ' font-style="italic"' if is_math and part.isalpha() else ""
@@ -79,7 +79,7 @@ def _runs(text: str, size: float) -> str:
 
 
 def _parts(text: str) -> list[tuple[str, bool, int]]:
-    """Cut a label into (letters, is it mathematics, -1 low, 0 or 1 high)."""
+    """Cut a label into (characters, whether they are mathematics, -1 for a subscript, 0, or 1 for a superscript)."""
     parts: list[tuple[str, bool, int]] = []
     for index, piece in enumerate(text.split("$")):
         if index % 2 == 0:

@@ -7,13 +7,13 @@ from numpy.typing import ArrayLike
 
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
-from kinlib.view.drawing.canvas import GREY, ORANGE, VIOLET, Canvas
+from kinlib.view.drawing.canvas import Canvas
+from kinlib.view.drawing.colours import GHOST_GREY, GREY, LINK_GREY, ORANGE, VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.joint_bodies import draw_joint_bodies
 
 ARM_LAYERS = {"axes", "body axes", "home axes", "links", "tool", "base"}
 JOINT_KINDS = {"R": "revolute", "P": "prismatic", "H": "helical"}
-STEEL = "#5b7083"
 
 
 def draw_arm(
@@ -51,8 +51,8 @@ def draw_arm(
     canvas = Canvas(seen, view, sizes=_path(chain, home))
     canvas.floor(seen)
     if ghost is not None:
-        canvas.line(shadow, "#b6bec6", 6.0, level=1)
-    canvas.line(path, STEEL, 6.0)
+        canvas.line(shadow, GHOST_GREY, 6.0, level=1)
+    canvas.line(path, LINK_GREY, 6.0)
     frames = chain.link_poses(q)
     draw_joint_bodies(canvas, chain, frames)
     if "home axes" in show:
@@ -107,9 +107,7 @@ def describe_arm(chain: Chain, q: Array) -> str:
     )
     values = "at home" if not np.any(q) else f"at q = {vector_text(q)}"
     tool = vector_text(chain.fk(q)[:3, 3])
-    return (
-        f"{chain.name}, {chain.n} joints ({chain.joint_types}), {values}. {joints.capitalize()}. The tool is at {tool} m."
-    )
+    return f"{chain.name}, {chain.n} joints ({chain.joint_types}), {values}. {joints.capitalize()}. The tool is at {tool} m."
 
 
 def reachable_points(chain: Chain, low: Array, high: Array) -> Array:

@@ -4,7 +4,8 @@ import numpy as np
 
 from kinlib.dh.assignment import FrameAssignment
 from kinlib.rigid.screw import line
-from kinlib.view.drawing.canvas import AXIS_COLOURS, INK, ORANGE, VIOLET, Canvas
+from kinlib.view.drawing.canvas import Canvas
+from kinlib.view.drawing.colours import AXIS_COLOURS, INK, ORANGE, VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.assignment_steps import MAX_DISTANCE_IN_ARM_SIZES, row_segments, state_after, visible_features
 from kinlib.view.figures.joint_bodies import draw_joint_bodies
@@ -122,7 +123,7 @@ class _Drawing:
                 colour = AXIS_COLOURS[k] if strong else _faded(AXIS_COLOURS[k])
                 tip = T[:3, 3] + length * T[:3, k]
                 self.canvas.arrow(T[:3, 3], tip, colour, 2.4 if strong else 1.6, level=4 + strong + 0.01 * k)
-                away = self.canvas.flat(tip) - self.canvas.flat(T[:3, 3])
+                away = self.canvas.project(tip) - self.canvas.project(T[:3, 3])
                 away = 11 * away / max(float(np.linalg.norm(away)), 1e-9)
                 places = [(away[0], away[1]), *((away[0] + dx, away[1] + dy) for dx, dy in _NUDGES)]
                 self.canvas.label(tip, f"${letter}_{i}$", colour, places, 10)

@@ -9,7 +9,8 @@ from numpy.typing import ArrayLike
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import exp
-from kinlib.view.drawing.canvas import AXIS_COLOURS, GREY, INK, ORANGE, Canvas, view_axes
+from kinlib.view.drawing.canvas import Canvas, view_axes
+from kinlib.view.drawing.colours import AXIS_COLOURS, GREY, INK, ORANGE
 from kinlib.view.drawing.picture import Picture, vector_text
 
 

@@ -7,9 +7,8 @@ import numpy as np
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import perpendicular
-from kinlib.view.drawing.canvas import INK, Canvas
-
-JOINT_FILL = "#f3d9a4"
+from kinlib.view.drawing.canvas import Canvas
+from kinlib.view.drawing.colours import INK, JOINT_FILL
 
 JOINT_RADIUS = 0.035
 """Of a joint, as a share of what is shown."""

@@ -15,12 +15,11 @@ from kinlib.arrays.validation import Array
 from kinlib.mechanisms.mechanism import Mechanism
 from kinlib.rigid.lie import exp, inverse
 from kinlib.rigid.screw import line
-from kinlib.view.drawing.canvas import GREY, INK, ORANGE, PALE_GREY, Canvas, view_axes
+from kinlib.view.drawing.canvas import Canvas, view_axes
+from kinlib.view.drawing.colours import GHOST_GREY, GREY, INK, LINK_GREY, ORANGE, PALE_GREY
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.drawing.svg import GREEK
 from kinlib.view.figures.joint_bodies import JOINT_RADIUS, NUMBER_OFFSETS, draw_joint_body
-
-STEEL, GHOST = "#5b7083", "#b6bec6"
 
 GAP_TOL_M = 1e-6
 """A joint whose two halves are farther apart than this, in metres, is drawn with its gap."""
@@ -141,10 +140,10 @@ def draw_linkage(
     canvas = Canvas(middle + (0.72 if planar else 0.9) * (seen - middle), view, size)
     canvas.floor(seen)
     if shade is not None:
-        _draw_bars(canvas, mechanism, shade, GHOST, 1.0)
+        _draw_bars(canvas, mechanism, shade, GHOST_GREY, 1.0)
     if curve is not None:
         canvas.line(curve, ORANGE, 1.8, ":", level=1.5)
-    _draw_bars(canvas, mechanism, geometry, STEEL, 2.0)
+    _draw_bars(canvas, mechanism, geometry, LINK_GREY, 2.0)
     _draw_ground(canvas, mechanism, geometry, view)
     for joint, here, there, axis in zip(mechanism.joints, geometry.first, geometry.second, geometry.axes, strict=True):
         slides = not joint.screws[0, :3].any()

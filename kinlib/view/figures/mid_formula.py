@@ -5,7 +5,8 @@ import numpy as np
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.rigid.screw import is_prismatic
-from kinlib.view.drawing.canvas import INK, ORANGE, PALE_GREY, VIOLET, Canvas
+from kinlib.view.drawing.canvas import Canvas
+from kinlib.view.drawing.colours import INK, ORANGE, PALE_GREY, VIOLET
 from kinlib.view.drawing.picture import Picture
 
 

@@ -9,7 +9,8 @@ from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import exp
 from kinlib.rigid.screw import is_prismatic, line
-from kinlib.view.drawing.canvas import VIOLET, Canvas
+from kinlib.view.drawing.canvas import Canvas
+from kinlib.view.drawing.colours import VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
 
 MOTION_STYLES = (("#0b5cad", "-"), ("#b35900", "--"), ("#1a7f37", ":"), ("#1f2328", "-."))

@@ -13,7 +13,7 @@ from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.rigid.angles import wrap_angle
 from kinlib.view.drawing import svg
-from kinlib.view.drawing.canvas import GREY, INK, PALE_GREY
+from kinlib.view.drawing.colours import GREY, INK, PALE_GREY
 from kinlib.view.drawing.picture import Picture
 
 CURVE_STYLES = (("#7d3ac1", "-"), ("#b35900", "--"), ("#0b5cad", ":"))
@@ -47,24 +47,24 @@ def draw_torus(
     """
     if len(curves) > len(CURVE_STYLES):
         raise ValueError(f"draw_torus tells up to {len(CURVE_STYLES)} curves apart; got {len(curves)}.")
-    drawn = [svg.outline(_place(np.array([[-180, -180], [180, -180], [180, 180], [-180, 180]])), "white", GREY)]
+    drawn = [svg.polygon(_place(np.array([[-180, -180], [180, -180], [180, 180], [-180, 180]])), "white", GREY)]
     for tick in TICKS_DEG:
         lines = np.array([[(tick, -180), (tick, 180)], [(-180, tick), (180, tick)]])
-        drawn += [svg.stroke(_place(line), PALE_GREY, 1) for line in lines]
+        drawn += [svg.polyline(_place(line), PALE_GREY, 1) for line in lines]
         feet = _place(lines[:, 0]) + np.array([(0, 12), (-20, 0)])
-        drawn += [svg.words(foot, f"{tick}°", INK, 11) for foot in feet]
-    drawn.append(svg.words([LEFT_PX + SQUARE_PX / 2, TOP_PX + SQUARE_PX + 30], xlabel, INK, 12))
-    drawn.append(svg.words([LEFT_PX + 26, TOP_PX - 7], ylabel, INK, 12))
+        drawn += [svg.text(foot, f"{tick}°", INK, 11) for foot in feet]
+    drawn.append(svg.text([LEFT_PX + SQUARE_PX / 2, TOP_PX + SQUARE_PX + 30], xlabel, INK, 12))
+    drawn.append(svg.text([LEFT_PX + 26, TOP_PX - 7], ylabel, INK, 12))
     placed = {
         name: _place(np.degrees(wrap_angle(validation.vectors(p, f"mark {name}", 2))))
         for name, p in (marks or {}).items()
     }
     for (name, points), (colour, dash) in zip(curves.items(), CURVE_STYLES, strict=False):
         pieces = split_where_wrapped(validation.vectors(points, f"curve {name}", 2))
-        drawn += [svg.stroke(_place(piece), colour, 2.2, dash) for piece in pieces]
-        drawn.append(svg.words(_beside(_place(np.concatenate(pieces)), list(placed.values())), name, colour, 12))
+        drawn += [svg.polyline(_place(piece), colour, 2.2, dash) for piece in pieces]
+        drawn.append(svg.text(_beside(_place(np.concatenate(pieces)), list(placed.values())), name, colour, 12))
     for name, centre in placed.items():
-        drawn += [svg.disc(centre, 5, INK), svg.words([centre[0], centre[1] + 14], name, INK, 12)]
+        drawn += [svg.circle(centre, 5, INK), svg.text([centre[0], centre[1] + 14], name, INK, 12)]
     return Picture(svg.document(drawn, LEFT_PX + SQUARE_PX + 24, TOP_PX + SQUARE_PX + 46), alt, caption)
 
 
