@@ -44,7 +44,7 @@ class DHEntriesAnswer(Numbers):
             return "The size is right, the sign is not."
         return ""
 
-    def _pieces(self) -> list[int]:
+    def part_indices(self) -> list[int]:
         return list(range(len(self.names)))
 
     def _is_angle(self, part: int) -> bool:

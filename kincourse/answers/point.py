@@ -54,5 +54,5 @@ class VectorsAnswer(Numbers):
             return "Its components have the right sizes; their order or their signs are not right."
         return ""
 
-    def _pieces(self) -> list[int]:
+    def part_indices(self) -> list[int]:
         return list(range(len(self.value)))

@@ -34,5 +34,5 @@ class PoseAnswer(Numbers):
         closed = np.allclose(given[3], (0, 0, 0, 1), atol=TOLERANCE)
         return "" if closed else "The last row of a pose is 0 0 0 1, whatever stands above it."
 
-    def _pieces(self) -> list[Any]:
+    def part_indices(self) -> list[Any]:
         return [np.s_[:, :3], np.s_[:, 3]]

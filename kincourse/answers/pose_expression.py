@@ -22,6 +22,5 @@ class PoseExpressionAnswer(ClosedForm):
     def parts(self) -> Sequence[str]:
         return ["rotation", "position"]
 
-    @property
-    def _pieces(self) -> list[Any]:
+    def part_indices(self) -> list[Any]:
         return [np.s_[:, :3], np.s_[:, 3]]

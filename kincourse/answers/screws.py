@@ -39,5 +39,10 @@ class ScrewsAnswer(Numbers):
             return "Its omega is right, its v is not."
         return "Its v is right, its omega is not." if v else ""
 
-    def _pieces(self) -> list[Any]:
+    def remedy(self, shape: tuple[int, ...]) -> str:
+        if shape == (3,) and np.shape(self.value) == (6,):
+            return " A screw axis is (omega, v), six numbers: is the other half missing?"
+        return super().remedy(shape)
+
+    def part_indices(self) -> list[Any]:
         return [...] if self.value.ndim == 1 else list(range(len(self.value)))

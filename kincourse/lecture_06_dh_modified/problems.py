@@ -76,7 +76,7 @@ class FaultyEntryAnswer(Numbers):
     def parts(self) -> Sequence[str]:
         return ["the row", "the column", "the value"]
 
-    def _pieces(self) -> list[int]:
+    def part_indices(self) -> list[int]:
         return [0, 1, 2]
 
 

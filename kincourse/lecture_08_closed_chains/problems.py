@@ -473,7 +473,7 @@ class CountsAnswer(Numbers):
     def parts(self) -> Sequence[str]:
         return self.names
 
-    def _pieces(self) -> list[int]:
+    def part_indices(self) -> list[int]:
         return list(range(len(self.names)))
 
 

@@ -60,5 +60,5 @@ class Angles(Numbers):
         turned: Array = self.value + np.remainder(angles - self.value + np.pi, 2 * np.pi) - np.pi
         return turned
 
-    def _pieces(self) -> list[Any]:
+    def part_indices(self) -> list[Any]:
         return [...] if self.value.ndim == 0 else list(range(len(self.value)))

@@ -58,10 +58,10 @@ class ClosedForm(Answer):
 
     def agrees(self, one: Any, other: Any, tolerance: float = TOLERANCE) -> list[bool]:
         same = self._same(one, other, tolerance)
-        return [bool(same[piece].all()) for piece in self._pieces]
+        return [bool(same[piece].all()) for piece in self.part_indices()]
 
     def hint(self, given: Formula, part: int) -> str:
-        same = self._same(given, self.value, TOLERANCE)[self._pieces[part]]
+        same = self._same(given, self.value, TOLERANCE)[self.part_indices()[part]]
         if same.ndim:
             place = [int(index) + 1 for index in np.argwhere(~same)[0]]
             where = f"row {place[0]}, column {place[1]}" if same.ndim > 1 else f"entry {place[0]}"
@@ -95,7 +95,6 @@ class ClosedForm(Answer):
     def _shape(self) -> tuple[int, ...]:
         return self._right.values.shape[:-1]
 
-    @property
-    def _pieces(self) -> list[Any]:
-        """An index for each part."""
+    def part_indices(self) -> list[Any]:
+        """Return, for each part, the index of its entries in the array of values."""
         return [...]

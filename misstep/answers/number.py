@@ -41,7 +41,7 @@ class Numbers(Answer):
             raise Unreadable(f"Expected {self.expected}; got {_kind(given)} whose rows differ in length.") from error
         if shape != wanted:
             came = f"{_kind(given)} of shape {shape}" if shape else validation.brief(given)
-            raise Unreadable(f"Expected {self.expected}; got {came}.{_remedy(shape, wanted)}")
+            raise Unreadable(f"Expected {self.expected}; got {came}.{self.remedy(shape)}")
         try:
             values = validation.array(given, "your answer")
         except ValueError as error:
@@ -57,26 +57,25 @@ class Numbers(Answer):
     def agrees(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> list[bool]:
         allowed = tolerance * np.maximum(1.0, np.maximum(np.abs(one), np.abs(other)))
         same = np.abs(one - other) <= allowed
-        return [bool(np.all(same[piece])) for piece in self._pieces()]
+        return [bool(np.all(same[piece])) for piece in self.part_indices()]
 
-    def _pieces(self) -> list[Any]:
-        """An index for each part."""
+    def part_indices(self) -> list[Any]:
+        """Return, for each part, the index of its entries in the array."""
         return [...]
+
+    def remedy(self, shape: tuple[int, ...]) -> str:
+        """Return a sentence on how to repair an answer of this wrong shape, with a leading space; "" if there is none."""
+        expected = np.shape(self.value)
+        if len(shape) == 2 and shape[::-1] == expected:
+            return " Rows and columns are swapped: try .T."
+        if np.prod(shape) == np.prod(expected):
+            return f" The count of numbers is right, the arrangement is not: try np.reshape(..., {expected})."
+        return ""
 
 
 def _kind(given: Any) -> str:
     name = type(given).__name__
     return f"{'an' if name == 'ndarray' or name[:1] in 'aeiouAEIOU' else 'a'} {name}"
-
-
-def _remedy(shape: tuple[int, ...], wanted: tuple[int, ...]) -> str:
-    if len(shape) == 2 and shape[::-1] == wanted:
-        return " Rows and columns are swapped: try .T."
-    if shape == (3,) and wanted == (6,):
-        return " A screw axis is (omega, v), six numbers: is the other half missing?"
-    if np.prod(shape) == np.prod(wanted):
-        return f" The count of numbers is right, the arrangement is not: try np.reshape(..., {wanted})."
-    return ""
 
 
 def _sentence(text: str) -> str:

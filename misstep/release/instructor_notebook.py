@@ -31,10 +31,9 @@ def notebook(sheet: Sheet, entries: Sequence[Entry], intro: str, imports: str, a
 
     Raises ValueError when there is not one entry for each problem.
 
-    >>> from kincourse import find_sheet
-    >>> notebook(find_sheet("03_poe_space"), [], "", "")
+    >>> notebook(Sheet("01_ohm", "Ohm's law", []), [Entry("U", "In volts.", "U_1 = 5")], "", "")
     Traceback (most recent call last):
-    ValueError: 03_poe_space has 8 problems; got 0 entries.
+    ValueError: 01_ohm has 0 problems; got 1 entries.
     """
     if len(entries) != len(sheet.problems):
         raise ValueError(f"{sheet.name} has {len(sheet.problems)} problems; got {len(entries)} entries.")

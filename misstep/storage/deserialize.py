@@ -148,7 +148,9 @@ def _object(data: dict[str, Any], depth: int) -> Any:
         return Opaque(name)
     try:
         return read(fields)
-    except (ValueError, TypeError, KeyError) as error:
+    except KeyError as error:
+        raise Malformed(f"This is not a {name}: the field {error} is missing.") from error
+    except (ValueError, TypeError) as error:
         raise Malformed(f"This is not a {name}: {str(error)[:1000]}") from error
 
 

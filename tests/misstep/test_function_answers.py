@@ -3,7 +3,6 @@
 import numpy as np
 import pytest
 
-from kincourse import find_sheet
 from misstep.answers.base import Unreadable
 from misstep.answers.function import CALLS, Function, wherever
 from misstep.answers.number import Numbers
@@ -102,11 +101,3 @@ def test_a_function_cannot_change_the_inputs_of_others():
 def test_what_is_no_such_function_is_told_why(given, told):
     with pytest.raises(Unreadable, match=told):
         squares().read(given)
-
-
-def test_problem_7_of_sheet_03_takes_the_function_of_the_lecture():
-    problem = find_sheet("03_poe_space").problems[6].variant("ada")
-    from kinlib.chains.chain import Chain
-
-    assert judge(problem, Chain(problem.given["screws"], problem.given["home"]).fk).state == "right"
-    assert judge(problem.again(5), lambda _: problem.given["home"]).mistakes == ["stays at home"]

@@ -1,27 +1,40 @@
 """The engine of the sheets: drawing, reading, judging, on problems small enough to see through."""
 
 from array import array
+from dataclasses import dataclass
 
 import numpy as np
 import pytest
 
-from kincourse.answers.pose import PoseAnswer
-from kincourse.answers.screws import ScrewsAnswer
-from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler
-from kinlib.chains.robots import youbot
 from misstep.answers.base import Unreadable
 from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
 from misstep.answers.order import Ordering
 from misstep.judge import Finding, Judgement, judge
 from misstep.mistakes import mistake
-from misstep.problem import Problem
+from misstep.problem import Problem, problem
+from misstep.sampling import Sampler
 from misstep.verdict import Verdict
 
 
-def two_screws(mistakes):
-    return Problem("Give both.", ScrewsAnswer(np.array([[0, 0, 1, 0, -2, 0], [0, 1, 0, 3, 0, 0.0]])), mistakes)
+@dataclass(frozen=True, eq=False)
+class Rows(Numbers):
+    """Rows of numbers; each row is a part."""
+
+    @property
+    def parts(self):
+        return [f"row {i + 1}" for i in range(len(self.value))]
+
+    def hint(self, given, part):
+        first, second = np.isclose(given[part], self.value[part]).reshape(2, 3).all(axis=1)
+        return "Its first half is right." if first else "Its second half is right." if second else ""
+
+    def part_indices(self):
+        return list(range(len(self.value)))
+
+
+def two_rows(mistakes):
+    return Problem("Give both.", Rows(np.array([[0, 0, 1, 0, -2, 0], [0, 1, 0, 3, 0, 0.0]])), mistakes)
 
 
 NEGATED = mistake("negated", np.array([[0, 0, -1, 0, 2, 0], [0, -1, 0, -3, 0, 0.0]]), "You turned the axes round.")
@@ -30,14 +43,14 @@ SHIFTED = mistake("shifted", np.array([[0, 0, 1, 0, -1, 0], [0, 1, 0, 4, 0, 0.0]
 
 def test_draws_are_the_same_for_ever():
     """These numbers were written down once. If they change, every student in the middle of a sheet gets another one."""
-    draw = ArmSampler("ada", "03.1")
+    draw = Sampler("ada", "03.1")
     assert [draw.integer(1, 100) for _ in range(6)] == [96, 41, 10, 90, 95, 7]
 
 
 def test_right_blank_and_unreadable_are_told_for_every_part():
-    p = two_screws([NEGATED])
-    parts = ["screw 1", "screw 2"]
-    expected = "Expected screw axes (omega, v), an array of shape (2, 6)"
+    p = two_rows([NEGATED])
+    parts = ["row 1", "row 2"]
+    expected = "Expected an array of shape (2, 6)"
     assert judge(p, p.answer.value) == Judgement("right", 1.0, parts, ())
     blank = Finding(parts, f"{expected.replace('ted', 'ted:', 1)}.")
     assert judge(p, ...) == judge(p, None) == Judgement("blank", 0.0, (), [blank])
@@ -46,48 +59,42 @@ def test_right_blank_and_unreadable_are_told_for_every_part():
 
 
 def test_a_mistake_in_the_whole_is_one_finding_and_what_nobody_foresaw_is_one_a_part():
-    p = two_screws([SHIFTED, NEGATED])
-    whole = Finding(["screw 1", "screw 2"], "You turned the axes round.", "negated")
+    p = two_rows([SHIFTED, NEGATED])
+    whole = Finding(["row 1", "row 2"], "You turned the axes round.", "negated")
     assert judge(p, NEGATED.value) == Judgement("wrong", 0.0, [], [whole])
     unforeseen = judge(p, [[0, 1, 0, 0, -2, 0], [1, 0, 0, 3, 0, 0]])
-    hint = "Its v is right, its omega is not."
-    assert unforeseen == Judgement("wrong", 0.0, [], [Finding(["screw 1"], hint), Finding(["screw 2"], hint)])
+    hint = "Its second half is right."
+    assert unforeseen == Judgement("wrong", 0.0, [], [Finding(["row 1"], hint), Finding(["row 2"], hint)])
     nowhere = judge(p, np.full((2, 6), 9.0)).findings[0].message
     assert nowhere.startswith("None of the mistakes that we know gives this.")
 
 
 def test_a_mistake_in_one_part_is_named_for_that_part():
-    p = two_screws([NEGATED, SHIFTED])
+    p = two_rows([NEGATED, SHIFTED])
     judgement = judge(p, [p.answer.value[0], NEGATED.value[1]])
     assert (judgement.state, judgement.fraction) == ("partly", 0.5)
-    assert judgement.right_parts == ["screw 1"]
-    assert [(list(f.parts), f.mistake) for f in judgement.findings] == [(["screw 2"], "negated")]
+    assert judgement.right_parts == ["row 1"]
+    assert [(list(f.parts), f.mistake) for f in judgement.findings] == [(["row 2"], "negated")]
 
 
 def test_two_mistakes_in_two_parts_are_both_named():
-    p = two_screws([NEGATED, SHIFTED])
+    p = two_rows([NEGATED, SHIFTED])
     assert judge(p, [SHIFTED.value[0], NEGATED.value[1]]).mistakes == ["shifted", "negated"]
     half = judge(p, [SHIFTED.value[0], [0, 1, 0, 9, 9, 9]])
     assert [finding.mistake for finding in half.findings] == ["shifted", None]
 
 
 def test_an_unforeseen_answer_still_gets_a_foothold():
-    p = two_screws([NEGATED])
+    p = two_rows([NEGATED])
     judgement = judge(p, [p.answer.value[0], [0, 1, 0, 9, 9, 9]])
     assert judgement.mistakes == []
-    assert judgement.findings[0].message == "Its omega is right, its v is not."
+    assert judgement.findings[0].message == "Its first half is right."
 
 
 def test_an_answer_rounded_on_the_way_is_told_so():
     p = Problem("How far?", Numbers(np.array(0.7071), "m"), [mistake("sign", np.array(-0.7071), "Wrong way.")])
     assert "looks rounded" in judge(p, 0.7).findings[0].message
     assert judge(p, 0.707).state == "right"
-
-
-def test_a_pose_that_is_no_pose_is_told_so():
-    p = Problem("Where?", PoseAnswer(youbot().home), [])
-    judgement = judge(p, 2 * youbot().home)
-    assert "no rotation at all" in judgement.findings[0].message
 
 
 def test_a_variant_in_which_a_mistake_is_right_is_drawn_again():
@@ -110,18 +117,17 @@ def test_a_problem_that_is_always_degenerate_is_refused():
 
 def test_a_mistake_of_another_shape_is_refused_when_the_problem_is_written():
     with pytest.raises(ValueError, match=r"shape \(2, 6\).*shape \(6,\)"):
-        two_screws([mistake("one row", np.zeros(6), "?")])
+        two_rows([mistake("one row", np.zeros(6), "?")])
 
 
 @pytest.mark.parametrize(
     ("answer", "given", "words"),
     [
-        (ScrewsAnswer(np.eye(3, 6)), np.eye(6, 3), "Rows and columns are swapped: try .T"),
-        (ScrewsAnswer(np.eye(1, 6)[0]), [0, 0, 1], "is the other half missing"),
-        (ScrewsAnswer(np.eye(3, 6)), np.zeros(18), "arrangement is not"),
+        (Numbers(np.eye(3, 6)), np.eye(6, 3), "Rows and columns are swapped: try .T"),
+        (Numbers(np.eye(3, 6)), np.zeros(18), "arrangement is not"),
         (Numbers(np.array(1.0), "m"), "1.0", "one number in m"),
         (Numbers(np.array(1.0), "m"), 1e308, r"got 1e\+308. Was there a division by almost zero"),
-        (PoseAnswer(np.eye(4)), np.eye(4) - 1e13, r"got 1e\+13. Was there"),
+        (Numbers(np.eye(4)), np.eye(4) - 1e13, r"got 1e\+13. Was there"),
         (Ordering(["e_a", "M"]), ["e_a"], "M appears 0 times"),
         (Ordering(["e_a", "M"]), ["e_a", "e_b"], "'e_b' is none of them"),
         (Ordering(["e_a", "M"]), "e_aM", "a list of the 2 names"),
@@ -161,7 +167,6 @@ PAIR = Numbers(np.zeros(2), "m")
             [np.nan, 0],
             "Expected an array of shape (2,) in m. Your answer holds NaN or infinity at index [0]. ",
         ),
-        (ScrewsAnswer(np.eye(1, 6)[0]), 0, "Expected a screw axis (omega, v), an array of shape (6,); got int 0."),
         (
             Ordering(["e_a", "M"]),
             ["M", "e_a"] * 10,
@@ -182,9 +187,9 @@ def test_what_cannot_be_read_is_told_word_for_word_what_was_expected_and_what_ca
 @pytest.mark.parametrize(
     ("answer", "given", "came"),
     [
-        (ScrewsAnswer(np.eye(3, 6)), np.zeros((2, 6)), "an ndarray of shape (2, 6)"),
-        (ScrewsAnswer(np.eye(1, 6)[0]), 0, "int 0"),
-        (ScrewsAnswer(np.eye(1, 6)[0]), np.zeros(5), "an ndarray of shape (5,)"),
+        (Numbers(np.eye(3, 6)), np.zeros((2, 6)), "an ndarray of shape (2, 6)"),
+        (Numbers(np.zeros(6)), 0, "int 0"),
+        (Numbers(np.zeros(6)), np.zeros(5), "an ndarray of shape (5,)"),
         (PAIR, (1, 2, 3), "a tuple of shape (3,)"),
         *(
             (PAIR, type(name, (list,), {})([1]), f"{a} {name} of shape (1,)")
@@ -201,7 +206,7 @@ def test_a_remedy_is_told_where_there_is_one_and_nowhere_else(answer, given, cam
 
 def test_what_is_read_may_be_as_large_as_any_and_empty():
     assert PAIR.read([1e12, -1e12]).tolist() == [1e12, -1e12]
-    assert ScrewsAnswer(np.zeros((0, 6))).read(np.zeros((0, 6))).shape == (0, 6)
+    assert Numbers(np.zeros((0, 6))).read(np.zeros((0, 6))).shape == (0, 6)
 
 
 @pytest.mark.parametrize(
@@ -226,81 +231,18 @@ def test_names_are_put_in_order_and_options_are_chosen():
     ]
 
 
-TURN = np.array([[0.0, -1, 0, 1], [1, 0, 0, 2], [0, 0, 1, 3], [0, 0, 0, 1]])
-
-
-def turned(R, p=(1, 2, 3)):
-    T = TURN.copy()
-    T[:3, :3], T[:3, 3] = R, p
-    return T
-
-
-@pytest.mark.parametrize(
-    ("given", "right_parts", "hints"),
-    [
-        (TURN, ["rotation", "position"], []),
-        (turned(TURN[:3, :3], (9, 9, 9)), ["rotation"], [False]),
-        (turned(np.eye(3)), ["position"], [False]),
-        (turned(2 * np.eye(3)), ["position"], [True]),
-        (turned([[0.87, -0.5, 0], [0.5, 0.87, 0], [0, 0, 1]]), ["position"], [False]),
-        (turned(np.diag([1, 1, -1])), ["position"], [True]),
-        (turned(2 * np.eye(3), (9, 9, 9)), [], [True, False]),
-    ],
-)
-def test_a_pose_is_judged_by_rotation_and_position_and_what_is_no_rotation_is_told_so(given, right_parts, hints):
-    judgement = judge(Problem("", PoseAnswer(TURN), []), given)
-    assert list(judgement.right_parts) == right_parts
-    assert ["no rotation at all" in finding.message for finding in judgement.findings] == hints
-
-
-@pytest.mark.parametrize(
-    ("row", "right_parts"),
-    [
-        ((0, 0, 0, 0), ["rotation"]),
-        ((0, 0.5, 0, 1), ["position"]),
-        ((1, 2, 3, 4), []),
-        ((0, 0, 0, 1.0005), ["rotation", "position"]),
-    ],
-)
-def test_a_pose_ends_in_a_row_of_its_own(row, right_parts):
-    judgement = judge(Problem("", PoseAnswer(TURN), []), [*TURN[:3].tolist(), row])
-    assert list(judgement.right_parts) == right_parts
-    assert all(finding.message.startswith("The last row of a pose is 0 0 0 1") for finding in judgement.findings)
-
-
-def test_a_pose_that_is_wrong_and_no_more_is_told_nothing_of_its_form():
-    given = turned(np.eye(3), (9, 9, 9))
-    given[3, 3] = 1.0005
-    for finding in judge(Problem("", PoseAnswer(TURN), []), given).findings:
-        assert finding.message.startswith("None of the mistakes")
-
-
-def test_a_screw_is_told_which_half_is_right_if_one_is():
-    right = np.array([0, 0, 1, 0, -2, 0.5])
-    problem = Problem("", ScrewsAnswer(right), [])
-    assert problem.answer.parts == ["screw 1"]
-    told = {
-        (0, 0, 1, 9, -2, 0.5): "Its omega is right, its v is not.",
-        (0, 0.0005, 1, 9, -2, 0.5): "Its omega is right, its v is not.",
-        (0, 1, 0, 0, -2, 0.5): "Its v is right, its omega is not.",
-        (0, 1, 0, 9, -2, 0.5): "None of the mistakes",
-    }
-    for given, words in told.items():
-        assert judge(problem, given).findings[0].message.startswith(words)
-
-
 def test_a_list_of_lists_of_the_right_shape_is_as_good_as_an_array():
-    assert judge(two_screws([]), [[0, 0, 1, 0, -2, 0], [0, 1, 0, 3, 0, 0]]).state == "right"
+    assert judge(two_rows([]), [[0, 0, 1, 0, -2, 0], [0, 1, 0, 3, 0, 0]]).state == "right"
 
 
 def test_a_card_names_score_mistake_and_section():
-    @problem("99.3", "Two screws", points=4, lecture="03_poe_space#Revolute joints")
+    @problem("99.3", "Two rows", points=4, lecture="01_ohm#Currents")
     def template(draw):
-        return two_screws([NEGATED])
+        return two_rows([NEGATED])
 
     p = template.variant("ada")
     text = Verdict(template, judge(p, [p.answer.value[0], NEGATED.value[1]]))._repr_mimebundle_()["text/plain"]
     assert "Partly right" in text
     assert "2 of 4 points" in text
-    assert "Screw 2: You turned the axes round." in text
-    assert "lecture 03_poe_space, section “Revolute joints”" in text
+    assert "Row 2: You turned the axes round." in text
+    assert "lecture 01_ohm, section “Currents”" in text

@@ -1,0 +1,51 @@
+"""exercises/ is what `misstep release` makes of solutions/, and contains no line of a solution."""
+
+import json
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from kincourse import find_sheet
+from misstep.cli import main
+
+pytest.importorskip("nbgrader", reason="exercises/ is made with nbgrader")
+
+ROOT = Path(__file__).parents[2]
+SOURCES = sorted((ROOT / "solutions").glob("*/*.ipynb"))
+
+
+@pytest.fixture
+def committed(tmp_path):
+    """The sheets as git holds them: a student may have worked in exercises/ and saved it."""
+    exported = ["git", "checkout-index", "--all", f"--prefix={tmp_path.as_posix()}/"]
+    done = subprocess.run(exported, cwd=ROOT, capture_output=True, check=False)
+    return tmp_path if done.returncode == 0 else ROOT
+
+
+def test_every_sheet_in_exercises_is_fresh(committed):
+    assert main(["release", "--check", "--root", str(committed)]) == 0, "run misstep release"
+
+
+@pytest.mark.parametrize("source", SOURCES, ids=lambda path: path.stem)
+def test_every_problem_has_its_cells_and_its_points_in_the_sheet(source):
+    cells = {cell["id"]: cell for cell in json.loads(source.read_text(encoding="utf-8"))["cells"]}
+    for k, template in enumerate(find_sheet(source.stem).problems, start=1):
+        assert f"sheet.show({k})" in "".join(cells[f"show-{k}"]["source"])
+        assert cells[f"answer-{k}"]["metadata"]["nbgrader"]["solution"]
+        check = cells[f"check-{k}"]
+        assert f"sheet.check({k}, " in "".join(check["source"])
+        assert check["metadata"]["nbgrader"]["points"] == template.points
+    assert f"check-{len(find_sheet(source.stem).problems) + 1}" not in cells
+
+
+@pytest.mark.parametrize("source", SOURCES, ids=lambda path: path.stem)
+def test_no_line_of_a_solution_is_released(source):
+    released = (ROOT / "exercises" / source.relative_to(ROOT / "solutions")).read_text(encoding="utf-8")
+    hidden = []
+    for cell in json.loads(source.read_text(encoding="utf-8"))["cells"]:
+        text = "".join(cell["source"])
+        if "### BEGIN SOLUTION" in text:
+            hidden += text.split("### BEGIN SOLUTION")[1].split("### END SOLUTION")[0].strip().splitlines()
+    assert len(hidden) >= 6
+    assert not [line for line in hidden if len(line.strip()) > 12 and line.strip() in released]
