@@ -54,7 +54,7 @@ def gap(sampler: ArmSampler) -> Problem:
         [sampler.degrees(20, 80), sampler.degrees(-60, -20), sampler.degrees(85, 130), sampler.degrees(-75, -25)]
     )
     S = {joint.name: joint.screws[0] for joint in linkage.joints}
-    G = linkage.joints[3].gap
+    G = linkage.joints[3].closing_offset
 
     def factors(angles: Array) -> tuple[Array, Array, Array, Array]:
         A, B, D, C = (exp(S[name] * angle) for name, angle in zip("ABDC", angles, strict=True))
@@ -426,7 +426,7 @@ def three_mobilities(sampler: ArmSampler) -> Problem:
     case = overconstrained_case(sampler)
     linkage, loops = case.linkage, len(case.linkage.loops)
     found = linkage.mobility(case.q)
-    counted, felt, rank = found.kutzbach, found.instantaneous, linkage.n - found.instantaneous
+    counted, felt, rank = found.kutzbach, found.infinitesimal, linkage.n - found.infinitesimal
     d = (linkage.n - counted) // loops
     shown = ", ".join(f"{value:.3f}" if value > 1e-6 else "0" for value in found.singular_values)
     return Problem(

@@ -1,7 +1,7 @@
-"""Closing a linkage: from a guess, in every way there is, and all along its motion.
+"""Close a linkage: from a guess, in all its assembly modes, and along its motion.
 
-Some joint values may be held where they should be, a driver's angle for instance; the equations are then solved for the
-others. What comes back are whole postures again, held values and all.
+Some joint values may be held, for example the angle of a driver; the equations are then solved for the other values. The
+results are configurations with all joint values, also those that are held.
 """
 
 from collections.abc import Callable, Sequence
@@ -12,36 +12,36 @@ import numpy as np
 from numpy.typing import NDArray
 
 from kinlib.arrays.validation import Array
-from kinlib.mechanisms.continuation import Curve, Path
+from kinlib.mechanisms.continuation import Curve, CurveTracer
 from kinlib.mechanisms.levenberg_marquardt import Equations, null_space, solve
-from kinlib.mechanisms.mobility import finite_freedoms
+from kinlib.mechanisms.mobility import finite_mobility
 
-GUESSES = 64
-"""Random postures from which assembly modes are sought at a time."""
+GUESSES_PER_ROUND = 64
+"""The number of random configurations from which each round of the search for assembly modes starts."""
 
-STEPS = 40
-"""A guess that has not closed by then is given up: others lead to the same mode sooner."""
+MAX_STEPS_PER_GUESS = 40
+"""A guess that has not closed after so many steps is given up, because others lead to the same mode sooner."""
 
-ROUNDS = 3
-"""The search for assembly modes is over when so many rounds in a row bring no new one."""
+MAX_ROUNDS_WITHOUT_NEW_MODE = 3
+"""The search for assembly modes ends when so many rounds in a row find no new one."""
 
-APART = 1e-5
-"""Two assembly modes differ where some body stands elsewhere by this, in an entry of its pose. At a dead point two of them
-become one, and there the search knows it to the square root of the residual, 1e-6 or so."""
+MODE_TOL = 1e-5
+"""Two configurations are different assembly modes if an entry of the pose of some body differs by more than this. At a dead
+point two modes become one, and there the search finds it only to the square root of the residual, about 1e-6."""
 
-SLACK = 1e-6
-"""A value is beyond its limits if it is so by more than this: limits are printed with few digits."""
+LIMIT_TOL = 1e-6
+"""A value violates its limits only if it is beyond them by more than this, because limits are printed with few digits."""
 
 
 @dataclass(frozen=True, eq=False)
 class Assembly:
-    """What became of an attempt to close a linkage.
+    """The result of an attempt to close a linkage.
 
-    q           (n,)  the posture reached
-    residual    the norm of what is left over in it
-    iterations  steps taken
-    converged   whether it is closed
-    message     the same in words, or why not
+    q           (n,)  the configuration reached
+    residual    the norm of its residual, radians and metres together
+    iterations  the number of steps taken
+    converged   whether the linkage is closed in it
+    message     the same in words, or why it is not closed
     """
 
     q: Array
@@ -53,16 +53,16 @@ class Assembly:
 
 @dataclass(frozen=True, eq=False)
 class Closure:
-    """The closure equations of a linkage, in the joint values that are left free.
+    """The closure equations of a linkage, to be solved for the joint values that are not held.
 
-    equations        of all n joint values
-    posture  (n,)    the held values, and a guess or a start for the others
-    free     (k,)    which values are free
-    names            what each value is called
-    turns    (n,)    which values are angles, the same again after 2 pi
-    limits   (n, 2)  least and greatest value, infinite where there is none
-    reach    (n,)    how far from 0 the values are sought, where no limits are nearer
-    closed           the norm of the residual below which it is closed
+    equations             of all n joint values
+    configuration  (n,)   the held values, and a guess or a start for the others
+    free           (k,)   the indices of the values that are not held
+    names                 of the joint values
+    is_angle       (n,)   which values are angles, and so the same again after 2 pi
+    limits         (n, 2) the lower and the upper limit of each value, infinite where there is none
+    search_range   (n,)   the values are sought in [-search_range, search_range], or within the limits where these are narrower
+    tolerance             the linkage is closed if the norm of the residual is at most this
 
     >>> def circle(x):  # x^2 + y^2 = 1, and its derivative
     ...     return (x**2).sum(-1, keepdims=True) - 1, 2 * x[:, None]
@@ -70,113 +70,126 @@ class Closure:
     >>> held = Closure(circle, np.array([0.5, 0.0]), np.array([0]), "xy", np.zeros(2, bool), square, np.ones(2), 1e-9)
     >>> held.assemble().q.round(9)
     array([1., 0.])
-    >>> held.modes(stand=lambda q: q).round(9)
+    >>> held.modes(poses=lambda q: q).round(9)
     array([[-1.,  0.],
            [ 1.,  0.]])
-    >>> free = replace(held, posture=np.array([1.0, 0.0]), free=np.array([0, 1]))
-    >>> free.trace(0.1, points=8, most=100).ends
+    >>> free = replace(held, configuration=np.array([1.0, 0.0]), free=np.array([0, 1]))
+    >>> free.trace(0.1, points=8, max_steps=100).ends
     ('closed', 'closed')
     """
 
     equations: Equations
-    posture: Array
+    configuration: Array
     free: NDArray[np.intp]
     names: Sequence[str]
-    turns: NDArray[np.bool_]
+    is_angle: NDArray[np.bool_]
     limits: Array
-    reach: Array
-    closed: float
+    search_range: Array
+    tolerance: float
 
     def assemble(self) -> Assembly:
-        """Close the linkage near the posture, or come as near as it goes."""
-        found = solve(self._reduced, self.posture[None, self.free], self.closed)
-        q, residual = self._whole(found.x)[0], float(found.residual[0])
-        if self._beyond(q):
-            q = self._counted(q[None])[0]
+        """Close the linkage near the configuration, or come as near to a closed one as possible."""
+        found = solve(self._free_equations, self.configuration[None, self.free], self.tolerance)
+        q, residual = self._with_held_values(found.x)[0], float(found.residual[0])
+        if self._names_beyond_limits(q):
+            q = self._wrapped(q[None])[0]
         steps = f"after {found.iterations} step{'s' * (found.iterations != 1)}"
-        if residual > self.closed:
+        if residual > self.tolerance:
             message = (
-                f"Not closed {steps}: a gap of {residual:.2g}, in metres and radians together, is left, and no small change "
-                "makes it smaller. Are the links too short to meet? Or does another guess lead further?"
+                f"Not closed {steps}: the residual is {residual:.2g}, in metres and radians together, and no small change "
+                "of the joint values decreases it. Check that the links are long enough to meet, or try another guess."
             )
-        elif beyond := self._beyond(q):
-            message = f"Closed to {residual:.1g} {steps}, but beyond the limits of {', '.join(beyond)}."
+        elif names := self._names_beyond_limits(q):
+            message = f"Closed to {residual:.1g} {steps}, but beyond the limits of {', '.join(names)}."
         else:
             message = f"Closed to {residual:.1g} {steps}."
-        return Assembly(q, residual, found.iterations, residual <= self.closed, message)
+        return Assembly(q, residual, found.iterations, residual <= self.tolerance, message)
 
-    def modes(self, stand: Callable[[Array], Array]) -> Array:
-        """Every posture (m, n) that closes: a search from random guesses, until it brings nothing new.
+    def modes(self, poses: Callable[[Array], Array]) -> Array:
+        """Find every configuration (m, n) that closes, by a search from random guesses that ends when it finds nothing new.
 
-        stand  says where the bodies stand in postures (m, n), first dimension m: what two must have alike to be one mode
+        poses  the poses of the bodies in configurations (m, n), first dimension m: equal in two configurations of one mode
 
-        Raises ValueError where a posture that closes is free to move.
+        Raises ValueError if a configuration that closes can still move.
         """
-        # The guesses are random, and the answer must not be: every call draws the same ones.
+        # The guesses are random but the result must not be: every call draws the same ones.
         rng = np.random.default_rng(0)
-        least, most = self._window[:, self.free]
+        lower, upper = self._search_interval[:, self.free]
         modes: list[Array] = []
-        poses: list[Array] = []
-        barren = 0
-        while barren < ROUNDS:
-            found = solve(self._reduced, rng.uniform(least, most, (GUESSES, len(self.free))), self.closed, STEPS)
-            barren += 1
-            # Near a solution a step squares the error: one more leaves rounding alone.
-            exact = solve(self._reduced, found.x[found.residual <= self.closed], closed=0.0, iterations=1)
-            postures = self._counted(self._whole(exact.x))
-            for q, stands, J in zip(postures, stand(postures), exact.jacobian, strict=True):
-                if self._beyond(q) or any(np.abs(stands - others).max() <= APART for others in poses):
+        poses_of_modes: list[Array] = []
+        rounds_without_new = 0
+        while rounds_without_new < MAX_ROUNDS_WITHOUT_NEW_MODE:
+            guesses = rng.uniform(lower, upper, (GUESSES_PER_ROUND, len(self.free)))
+            found = solve(self._free_equations, guesses, self.tolerance, MAX_STEPS_PER_GUESS)
+            rounds_without_new += 1
+            # Near a solution a step squares the error, so one more step leaves only rounding errors.
+            closed = found.x[found.residual <= self.tolerance]
+            exact = solve(self._free_equations, closed, tolerance=0.0, iterations=1)
+            candidates = self._wrapped(self._with_held_values(exact.x))
+            for q, pose, J in zip(candidates, poses(candidates), exact.jacobian, strict=True):
+                if self._names_beyond_limits(q):
+                    continue
+                if any(np.abs(pose - other).max() <= MODE_TOL for other in poses_of_modes):
                     continue
                 directions, _ = null_space(J)
-                if directions.shape[1] and finite_freedoms(self._reduced, q[self.free], directions, self.closed):
+                if directions.shape[1] and finite_mobility(
+                    self._free_equations, q[self.free], directions, self.tolerance
+                ):
                     raise ValueError(
-                        f"{directions.shape[1]} freedoms are left, so the modes are curves and not postures. "
-                        "Hold as many joint values as the linkage has freedoms."
+                        "Assembly modes are single configurations, so no degree of freedom may be left; "
+                        f"{directions.shape[1]} left. Hold as many joint values as the linkage has degrees of freedom."
                     )
                 modes.append(q)
-                poses.append(stands)
-                barren = 0
-        return np.array(sorted(modes, key=list)).reshape(-1, len(self.posture))
+                poses_of_modes.append(pose)
+                rounds_without_new = 0
+        return np.array(sorted(modes, key=list)).reshape(-1, len(self.configuration))
 
-    def trace(self, step: float, points: int | None, most: int) -> Curve:
-        """Follow the motion from the posture both ways, and lay points at equal steps along it where so many are asked for.
+    def trace(self, step: float, points: int | None, max_steps: int) -> Curve:
+        """Follow the motion from the configuration in both directions; points: at equal steps, if a number is given.
 
-        Raises ValueError for a posture that does not close, or is beyond a limit, or from which not one motion leads away.
+        Raises ValueError if the configuration does not close or is beyond a limit, and if not exactly one motion leads away
+        from it.
         """
-        if beyond := self._beyond(self.posture):
-            raise ValueError(f"The start is beyond the limits of {', '.join(beyond)}.")
-        names = [self.names[i] for i in self.free]
-        path = Path(self._reduced, self.closed, names, self.turns[self.free], self.limits[self.free])
-        curve = path.follow(self.posture[self.free], step, most)
+        if names := self._names_beyond_limits(self.configuration):
+            raise ValueError(
+                f"The start must be within the limits; it is beyond those of {', '.join(names)}. Start from another q."
+            )
+        free_names = [self.names[i] for i in self.free]
+        tracer = CurveTracer(
+            self._free_equations, self.tolerance, free_names, self.is_angle[self.free], self.limits[self.free]
+        )
+        curve = tracer.follow(self.configuration[self.free], step, max_steps)
         if points is not None:
-            curve = path.laid_out(curve, points)
-        tangents = np.zeros((len(curve.q), len(self.posture)))
+            curve = tracer.resample(curve, points)
+        tangents = np.zeros((len(curve.q), len(self.configuration)))
         tangents[:, self.free] = curve.tangents
-        return replace(curve, q=self._whole(curve.q), tangents=tangents)
+        return replace(curve, q=self._with_held_values(curve.q), tangents=tangents)
 
-    def _reduced(self, x: Array) -> tuple[Array, Array]:
-        r, J = self.equations(self._whole(x))
+    def _free_equations(self, x: Array) -> tuple[Array, Array]:
+        """The equations as functions of the free values (m, k) alone."""
+        r, J = self.equations(self._with_held_values(x))
         return r, J[..., self.free]
 
-    def _whole(self, x: Array) -> Array:
-        q = np.tile(self.posture, (len(x), 1))
+    def _with_held_values(self, x: Array) -> Array:
+        """Configurations (m, n) from free values (m, k)."""
+        q = np.tile(self.configuration, (len(x), 1))
         q[:, self.free] = x
         return q
 
     @cached_property
-    def _window(self) -> Array:
-        """The least and the greatest values (2, n) among which a search makes sense: within limits, one turn of an angle."""
-        least, most = self.limits.T
-        least = np.maximum(least, np.minimum(-self.reach, most - 2 * self.reach))
-        return np.stack([least, np.minimum(most, least + 2 * self.reach)])
+    def _search_interval(self) -> Array:
+        """The lower and upper ends (2, n) of the intervals that are searched: within the limits, and one turn of an angle."""
+        lower, upper = self.limits.T
+        lower = np.maximum(lower, np.minimum(-self.search_range, upper - 2 * self.search_range))
+        return np.stack([lower, np.minimum(upper, lower + 2 * self.search_range)])
 
-    def _counted(self, q: Array) -> Array:
-        """The same postures (m, n), with every free angle counted from the least value that its limits allow, or from -pi."""
-        least = self._window[0] - SLACK
-        free = np.isin(np.arange(len(self.posture)), self.free)
-        return np.where(free & self.turns, (q - least) % (2 * np.pi) + least, q)
+    def _wrapped(self, q: Array) -> Array:
+        """The same configurations (m, n), every free angle wrapped to the turn that begins at its lower limit, or at -pi."""
+        lower = self._search_interval[0] - LIMIT_TOL
+        is_free = np.isin(np.arange(len(self.configuration)), self.free)
+        return np.where(is_free & self.is_angle, (q - lower) % (2 * np.pi) + lower, q)
 
-    def _beyond(self, q: Array) -> list[str]:
-        """The names of the values that are beyond their limits."""
-        beyond = (q < self.limits[:, 0] - SLACK) | (q > self.limits[:, 1] + SLACK)
-        return [name for name, outside in zip(self.names, beyond, strict=True) if outside]
+    def _names_beyond_limits(self, q: Array) -> list[str]:
+        """The names of the values of a configuration (n,) that are beyond their limits."""
+        is_beyond = (q < self.limits[:, 0] - LIMIT_TOL) | (q > self.limits[:, 1] + LIMIT_TOL)
+        return [name for name, beyond in zip(self.names, is_beyond, strict=True) if beyond]

@@ -1,49 +1,51 @@
-"""Follow a curve of solutions: where a linkage can go, one posture after the other.
+"""Follow a curve of solutions: the configurations that a linkage can reach by a motion with one degree of freedom.
 
-A driver's angle is no good parameter for the curve: at a dead point the driver turns back and the linkage goes on. The
-length along the curve is one, for it never turns back. So each step goes ahead along the tangent, and then back to the
-curve within the plane across it: pseudo-arclength continuation.
+The angle of a driver cannot be the parameter of the curve, because at a dead point the driver reverses while the linkage
+goes on. The length along the curve can, because it always increases. So each step predicts a point ahead along the tangent,
+and then corrects it within the hyperplane perpendicular to the tangent: pseudo-arclength continuation.
 """
 
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
+from numpy.polynomial import Polynomial
 from numpy.typing import NDArray
 
 from kinlib.arrays.validation import Array
-from kinlib.mechanisms.levenberg_marquardt import ROUGH, Equations, null_space, seen, solve
+from kinlib.mechanisms.levenberg_marquardt import START_TOL_FACTOR, Equations, is_nonzero, null_space, solve
 from kinlib.rigid.angles import wrap_angle
 
-BEND = 0.25
-"""A step may turn the tangent by this, in radians; a sharper bend is taken in smaller steps."""
+MAX_BEND_RAD = 0.25
+"""The largest angle between the tangents before and after a step; where the curve bends more, the step is halved."""
 
-STRAY = 0.3
-"""How far the curve may lie from where the tangent led, in parts of the step."""
+MAX_CORRECTION = 0.3
+"""The largest distance between the predicted and the corrected point of a step, as a fraction of the step."""
 
-SHORTEST = 1e-5
-"""In parts of the step asked for: where even this one leads nowhere, the curve is said to end."""
+MIN_STEP = 1e-5
+"""The smallest step, as a fraction of the step asked for: if even this one finds no solution, the curve ends there."""
 
-CROSSING = 1e-3
-"""In parts of the step asked for: two branches that pass each other nearer than this are taken to cross."""
+CROSSING_STEP = 1e-3
+"""Two branches that pass each other within this fraction of the step asked for are taken to cross."""
 
-SAME = 1e-9
-"""Points of a curve nearer than this are one point."""
+POINT_TOL = 1e-9
+"""Points of a curve nearer to each other than this are the same point."""
 
-STRAND = 1e-6
-"""A curve that passes its start nearer than this has come back to it, and does not run beside itself."""
+RETURN_TOL = 1e-6
+"""If a curve passes its start nearer than this, it has returned to it; if not, it is another part of the curve."""
 
 
 @dataclass(frozen=True, eq=False)
 class Curve:
     """A curve of solutions, point by point.
 
-    q         (m, n)  the points; where a turn goes round more than once, its angle goes on counting
-    tangents  (m, n)  unit directions along the curve
-    closed            whether the last point is the first one again (turns modulo 2 pi)
-    ends              why it ends where it does: (at its first point, at its last); twice "closed" for a closed one
-    residual          the largest norm of what is left over at any point
+    q         (m, n)  the points; an angle that makes more than one full turn is not wrapped
+    tangents  (m, n)  unit vectors along the curve
+    closed            whether the last point is the first one again (angles modulo 2 pi)
+    ends              why the curve ends: (at its first point, at its last); "closed" twice for a closed curve
+    residual          the largest norm of the residual at any point
     """
 
     q: Array
@@ -54,21 +56,22 @@ class Curve:
 
     @cached_property
     def length(self) -> Array:
-        """The length of the curve up to each point, (m,), from 0 at the first; radians and metres count alike."""
+        """The length of the curve up to each point, (m,), from 0 at the first; radians and metres have equal weight."""
         steps = np.linalg.norm(np.diff(self.q, axis=0), axis=1)
         return np.concatenate([[0.0], np.cumsum(steps)])
 
     def turning_points(self, i: int) -> NDArray[np.intp]:
-        """The points before which coordinate i went one way and after which it goes the other: dead points of a driver.
+        """Find the points at which coordinate i changes from increasing to decreasing or back: the dead points of a driver.
 
-        A closed curve may turn at its first point too, which is its last one.
+        Returns the index of the first point after each change. A closed curve may have a turning point at its first point
+        too, which is also its last one and is counted once.
         """
         ahead = self.tangents[:, i] > 0
         before = np.concatenate([ahead[-2:-1] if self.closed else ahead[:1], ahead[:-1]])
         return np.flatnonzero((ahead != before)[: len(ahead) - self.closed])
 
-    def between(self, count: int) -> Array:
-        """Points (count, n) at equal steps of length, by cubics between the points: near the curve, not yet on it."""
+    def interpolate(self, count: int) -> Array:
+        """Interpolate points (count, n) at equal steps of length by cubic Hermite splines: near the curve, not exactly on it."""
         s = np.linspace(0, self.length[-1], count)
         k = np.clip(np.searchsorted(self.length, s, side="right") - 1, 0, len(self.q) - 2)
         h = (self.length[k + 1] - self.length[k])[:, None]
@@ -80,185 +83,246 @@ class Curve:
 
 
 @dataclass(frozen=True, eq=False)
-class Path:
-    """What a curve is followed by: the equations, when they count as solved, and what is known of the coordinates.
+class CurveTracer:
+    """Follows a curve of solutions of a system of equations.
 
-    names   what each coordinate is called, for the words about where a curve ends
-    turns   (n,)    which coordinates are angles, the same again after 2 pi
-    limits  (n, 2)  least and greatest value of each, infinite where there is none
+    equations  whose solutions form the curve
+    tolerance  a point is a solution if the norm of its residual is at most this
+    names      of the coordinates, for the reasons why a curve ends
+    is_angle   (n,)    which coordinates are angles, and so the same again after 2 pi
+    limits     (n, 2)  the lower and the upper limit of each coordinate, infinite where there is none
     """
 
     equations: Equations
-    closed: float
+    tolerance: float
     names: Sequence[str]
-    turns: NDArray[np.bool_]
+    is_angle: NDArray[np.bool_]
     limits: Array
 
-    def follow(self, start: Array, step: float, most: int) -> Curve:
-        """Follow the curve through start both ways, until it closes, or meets a limit at either end.
+    def follow(self, start: Array, step: float, max_steps: int) -> Curve:
+        """Follow the curve through start (n,) in both directions, until it closes or meets a limit at either end.
 
-        Raises ValueError where start is no solution, or where not exactly one direction leads away from it.
+        step       the longest step along the curve
+        max_steps  in either direction; after them the curve is left unfinished, which its `ends` then say
+
+        Raises ValueError if start is not a solution, and if the number of directions that lead away from it is not one.
         """
-        left = np.linalg.norm(self.equations(start[None])[0])
-        if left > ROUGH * self.closed:
-            raise ValueError(f"A curve starts at a solution; here {left:.2g} is left over. Assemble first.")
-        found = solve(self.equations, start[None], self.closed)
+        residual = np.linalg.norm(self.equations(start[None])[0])
+        if residual > START_TOL_FACTOR * self.tolerance:
+            raise ValueError(
+                f"A curve must start at a solution; the residual of this start is {residual:.2g}. "
+                "Assemble the linkage first, and pass the q that you get."
+            )
+        found = solve(self.equations, start[None], self.tolerance)
         directions, _ = null_space(found.jacobian[0])
         if directions.shape[1] != 1:
-            cause = (
-                "Nothing moves: it is a structure"
+            remedy = (
+                "Nothing can move: the linkage is a structure"
                 if directions.shape[1] == 0
-                else "Hold all but one of the freedoms, or, where two curves cross, start beside the crossing"
+                else "Hold all degrees of freedom but one, or, if two curves cross here, start beside the crossing"
             )
-            raise ValueError(f"{directions.shape[1]} directions lead away from here, and a curve has one. {cause}.")
+            raise ValueError(
+                f"Exactly one direction must lead away from the start of a curve; got {directions.shape[1]}. {remedy}."
+            )
         x, tangent = found.x[0], directions[:, 0]
-        # A tangent has two signs, and either would do: the same start should give the same curve on every machine.
+        # Both signs of the tangent are right. Fix one, so that the same start gives the same curve on every machine.
         tangent *= np.sign(tangent[np.argmax(np.abs(tangent))])
-        points, tangents, end = self._half(x, tangent, step, most)
+        points, tangents, end = self._follow_one_way(x, tangent, step, max_steps)
         beginning = end
         if end != "closed":
-            before, reverse, beginning = self._half(x, -tangent, step, most)
+            before, reverse, beginning = self._follow_one_way(x, -tangent, step, max_steps)
             points = np.concatenate([before[:0:-1], points])
             tangents = np.concatenate([-reverse[:0:-1], tangents])
-        # Near a solution a step squares the error: one more for all points at once leaves rounding alone.
-        exact = solve(self.equations, points, closed=0.0, iterations=1)
+        # Near a solution a step squares the error, so one more step for all points at once leaves only rounding errors.
+        exact = solve(self.equations, points, tolerance=0.0, iterations=1)
         return Curve(exact.x, tangents, end == "closed", (beginning, end), float(exact.residual.max()))
 
-    def laid_out(self, curve: Curve, count: int) -> Curve:
-        """The same curve in count points, at about equal steps of its length, all found at once; one point stays one."""
+    def resample(self, curve: Curve, count: int) -> Curve:
+        """Return the same curve in `count` points at about equal steps of its length. A curve of one point stays as it is."""
         if len(curve.q) == 1:
             return curve
-        near = solve(self.equations, curve.between(count), self.closed)
-        found = solve(self.equations, near.x, closed=0.0, iterations=1)
+        near = solve(self.equations, curve.interpolate(count), self.tolerance)
+        found = solve(self.equations, near.x, tolerance=0.0, iterations=1)
         _, values, Vt = np.linalg.svd(found.jacobian)
-        missed = np.ones(Vt.shape[:2])
-        missed[:, : values.shape[1]] = ~seen(values)
-        # Of the directions that are open, the one in which the curve went by: its tangents turn little from point to point.
+        in_null_space = np.ones(Vt.shape[:2])
+        in_null_space[:, : values.shape[1]] = ~is_nonzero(values)
+        # At a crossing the null space has several directions. Project the tangent of the given curve on it, which changes
+        # little from point to point.
         s = np.linspace(0, curve.length[-1], count)
         nearby = np.stack([np.interp(s, curve.length, component) for component in curve.tangents.T], axis=1)
-        onward = (Vt @ nearby[..., None])[..., 0] * missed
-        tangents = (np.swapaxes(Vt, 1, 2) @ onward[..., None])[..., 0]
+        components = (Vt @ nearby[..., None])[..., 0] * in_null_space
+        tangents = (np.swapaxes(Vt, 1, 2) @ components[..., None])[..., 0]
         tangents /= np.linalg.norm(tangents, axis=1, keepdims=True)
         return Curve(found.x, tangents, curve.closed, curve.ends, float(found.residual.max()))
 
-    def _half(self, x: Array, tangent: Array, step: float, most: int) -> tuple[Array, Array, str]:
-        """The curve from x, one way only: points, tangents, and why it ends."""
+    def _follow_one_way(self, x: Array, tangent: Array, step: float, max_steps: int) -> tuple[Array, Array, str]:
+        """Follow the curve from x in the direction of the tangent: points (m, n), tangents (m, n), and why it ends."""
         points, tangents, h = [x], [tangent], step
-        bend = np.zeros_like(x)
+        curvature = np.zeros_like(x)
         basis, side = _side(self.equations(x[None])[1][0], tangent, (np.empty(0), 0.0))
-        end = f"{most} point{'s' * (most != 1)}"
-        while len(points) <= most:
+        end = f"{max_steps} point{'s' * (max_steps != 1)}"
+        while len(points) <= max_steps:
             x, tangent = points[-1], tangents[-1]
-            guess = x + h * tangent + h * h / 2 * bend
-            new, ahead, J = self._back_to_the_curve(guess, tangent, tangent)
-            lost = ahead @ tangent < np.cos(BEND) or np.linalg.norm(new - guess) > STRAY * h
-            # Straight on may be another branch, that passes close by: there the equations lie on the tangent's other side.
-            other = not lost and _orientation(basis, J, ahead) * side < 0
-            if (lost and h > SHORTEST * step) or (other and h > CROSSING * step):
+            guess = x + h * tangent + h * h / 2 * curvature
+            new, new_tangent, J = self._correct(guess, tangent, tangent)
+            is_lost = new_tangent @ tangent < np.cos(MAX_BEND_RAD) or np.linalg.norm(new - guess) > MAX_CORRECTION * h
+            # The point may lie on another branch that passes close by, where the side of the tangent is the opposite one.
+            is_other_branch = not is_lost and _orientation(basis, J, new_tangent) * side < 0
+            if (is_lost and h > MIN_STEP * step) or (is_other_branch and h > CROSSING_STEP * step):
                 h /= 2
                 continue
-            if lost:
-                end = "lost: no posture closes further on"
+            if is_lost:
+                end = "lost: no configuration closes further on"
                 break
-            if (back := self._home(points[0], tangents[0], x, tangent, new)) is not None:
-                return np.array([*points, back]), np.array([*tangents, tangents[0]]), "closed"
-            if (met := self._limit(x, tangent, new, ahead)) is not None:
-                stop, ahead, i = met
-                if np.linalg.norm(stop - x) > SAME:
-                    points.append(stop)
-                    tangents.append(ahead)
-                end = f"limit of {self.names[i]}"
+            if (start := self._return_to_start(points[0], tangents[0], x, tangent, new)) is not None:
+                return np.array([*points, start]), np.array([*tangents, tangents[0]]), "closed"
+            if (limit := self._first_limit(_Arc(x, tangent, new, new_tangent))) is not None:
+                if np.linalg.norm(limit.point - x) > POINT_TOL:
+                    points.append(limit.point)
+                    tangents.append(limit.tangent)
+                end = f"limit of {self.names[limit.coordinate]}"
                 break
-            bend = (ahead - tangent) / np.linalg.norm(new - x)
-            basis, side = _side(J, ahead, (basis, side))
+            curvature = (new_tangent - tangent) / np.linalg.norm(new - x)
+            basis, side = _side(J, new_tangent, (basis, side))
             points.append(new)
-            tangents.append(ahead)
+            tangents.append(new_tangent)
             h = min(1.5 * h, step)
         return np.array(points), np.array(tangents), end
 
-    def _back_to_the_curve(self, guess: Array, across: Array, tangent: Array) -> tuple[Array, Array, Array]:
-        """The point where the curve meets the plane through guess across a direction, the tangent there, the Jacobian.
+    def _correct(self, guess: Array, normal: Array, tangent: Array) -> tuple[Array, Array, Array]:
+        """Find where the curve meets the hyperplane through guess with a normal: the point, its tangent, the Jacobian there.
 
-        Where none is found, the tangent is 0.
+        tangent  of the point before; the new one points to the same side. If no point is found, the new tangent is 0.
         """
 
         def equations(x: Array) -> tuple[Array, Array]:
             r, J = self.equations(x)
-            slices = np.broadcast_to(across, (len(x), 1, len(across)))
-            return np.concatenate([r, (x - guess) @ across[:, None]], axis=1), np.concatenate([J, slices], axis=1)
+            normals = np.broadcast_to(normal, (len(x), 1, len(normal)))
+            return np.concatenate([r, (x - guess) @ normal[:, None]], axis=1), np.concatenate([J, normals], axis=1)
 
-        found = solve(equations, guess[None], self.closed, iterations=10)
+        found = solve(equations, guess[None], self.tolerance, iterations=10)
         J = found.jacobian[0, :-1]
-        if found.residual[0] > self.closed:
+        if found.residual[0] > self.tolerance:
             return guess, np.zeros_like(guess), J
-        # Of the directions that are open, at a crossing more than one, the one that goes straight on.
+        # At a crossing the null space has several directions: take the one that continues the tangent.
         directions, _ = null_space(J)
-        ahead = directions @ (directions.T @ tangent)
-        length = np.linalg.norm(ahead)
-        return found.x[0], ahead / length if length else ahead, J
+        new_tangent = directions @ (directions.T @ tangent)
+        length = np.linalg.norm(new_tangent)
+        return found.x[0], new_tangent / length if length else new_tangent, J
 
-    def _home(self, start: Array, direction: Array, x: Array, tangent: Array, new: Array) -> Array | None:
-        """The start of the curve, counted on from x, if the step from x to new goes through it in its direction."""
-        way = new - x
-        length = np.linalg.norm(way)
+    def _return_to_start(self, start: Array, direction: Array, x: Array, tangent: Array, new: Array) -> Array | None:
+        """The start of the curve, its angles counted on from x, if the step from x to new passes through it in its direction."""
+        step = new - x
+        length = np.linalg.norm(step)
         to_start = start - x
-        to_start = np.where(self.turns, wrap_angle(to_start), to_start)
-        along = to_start @ way / length
-        aside = np.linalg.norm(to_start - along * way / length)
+        to_start = np.where(self.is_angle, wrap_angle(to_start), to_start)
+        along = to_start @ step / length
+        across = np.linalg.norm(to_start - along * step / length)
         passes = (
-            SAME < along <= length + SAME and aside <= BEND * length / 2 and direction @ way > np.cos(BEND) * length
+            POINT_TOL < along <= length + POINT_TOL
+            and across <= MAX_BEND_RAD * length / 2
+            and direction @ step > np.cos(MAX_BEND_RAD) * length
         )
         if not passes:
             return None
-        # Another strand of the curve may pass as near: where does this one cut the plane in which the start lies?
-        back: Array = x + to_start
+        # Another part of the curve may pass as near. So find where this part meets the hyperplane through the start.
+        unwrapped: Array = x + to_start
         guess = x + along * tangent
-        guess += direction * (direction @ (back - guess))
-        here, ahead, _ = self._back_to_the_curve(guess, direction, tangent)
-        return back if ahead.any() and np.linalg.norm(here - back) < STRAND else None
+        guess += direction * (direction @ (unwrapped - guess))
+        point, new_tangent, _ = self._correct(guess, direction, tangent)
+        return unwrapped if new_tangent.any() and np.linalg.norm(point - unwrapped) < RETURN_TOL else None
 
-    def _limit(self, x: Array, tangent: Array, new: Array, ahead: Array) -> tuple[Array, Array, int] | None:
-        """Where the curve from x to new meets its first limit, the tangent there, and the coordinate that meets it.
+    def _first_limit(self, arc: "_Arc") -> "_Limit | None":
+        """Find where the curve first goes beyond a limit within one step, or None.
 
-        Within one step a curve may pass a limit and be back. Nearly it is a cubic, and a cubic never leaves the hull of its
-        four control points: for most steps that is all that has to be known.
+        Within one step the curve may cross a limit and come back, so it is not enough to look at the end of the step. The arc
+        stands for the curve: where its cubic polynomial crosses a limit is a first guess, which is then corrected.
         """
         if np.isinf(self.limits).all():
             return None
-        way = new - x
-        length = np.linalg.norm(way)
-        start, end = length * tangent, length * ahead
-        cubic = np.array([x, start, 3 * way - 2 * start - end, start + end - 2 * way])
-        hull = np.array([x + start / 3, new - end / 3, new])
-        beyond = np.stack([hull < self.limits[:, 0] - SAME, hull > self.limits[:, 1] + SAME], axis=-1)
-        met = []
-        for i, side in np.argwhere(beyond.any(axis=0)):
-            # A coefficient that moves nothing by SAME would, in front, make the roots of the others run away.
-            over = ((2 * side - 1) * (np.polynomial.Polynomial(cubic[:, i]) - self.limits[i, side]) - SAME).trim(SAME)
-            roots = over.roots()
-            inside = roots.real[(np.abs(roots.imag) < SAME) & (roots.real > 0) & (roots.real <= 1)]
-            out = [u for u in [0.0, *inside] if over.deriv()(u) > 0 and (u > 0 or over(u) > 0)]
-            if not out and beyond[-1, i, side]:
-                out = [1.0]
-            met += [(u, i, side) for u in out]
-        for u, i, side in sorted(met):
-            guess = u ** np.arange(4) @ cubic
+        lower, upper = self.limits.T
+        # An arc never leaves the convex hull of its control points. In most steps they are all within the limits.
+        control = arc.control_points()
+        is_beyond = np.stack([control < lower - POINT_TOL, control > upper + POINT_TOL], axis=-1)
+        coefficients = arc.coefficients()
+        crossings = []
+        for i, side in np.argwhere(is_beyond.any(axis=0)):
+            outward = 2 * side - 1
+            excess = outward * (Polynomial(coefficients[:, i]) - self.limits[i, side]) - POINT_TOL
+            crossings += [(u, i, side) for u in _upward_crossings(excess, is_beyond[-1, i, side])]
+        for u, i, side in sorted(crossings):
+            guess = u ** np.arange(4) @ coefficients
             guess[i] = self.limits[i, side]
-            stop, onward, _ = self._back_to_the_curve(guess, np.eye(len(x))[i], tangent)
-            if onward.any() and np.linalg.norm(stop - x) <= length:
-                return stop, onward, int(i)
-        return (x, tangent, int(min(met)[1])) if beyond[-1].any() else None
+            point, tangent, _ = self._correct(guess, np.eye(len(guess))[i], arc.start_tangent)
+            if tangent.any() and np.linalg.norm(point - arc.start) <= arc.length:
+                return _Limit(point, tangent, int(i))
+        if is_beyond[-1].any():
+            # The step ends beyond a limit and no crossing could be corrected: the curve ends where the step began.
+            return _Limit(arc.start, arc.start_tangent, int(min(crossings)[1]))
+        return None
+
+
+class _Limit(NamedTuple):
+    """A point (n,) at which a curve meets a limit, the tangent (n,) there, and which coordinate is at its limit."""
+
+    point: Array
+    tangent: Array
+    coordinate: int
+
+
+class _Arc(NamedTuple):
+    """The cubic polynomial through the two ends of a step with the tangents there (Hermite), u from 0 to 1."""
+
+    start: Array
+    start_tangent: Array
+    end: Array
+    end_tangent: Array
+
+    @property
+    def length(self) -> float:
+        """The distance between its ends."""
+        return float(np.linalg.norm(self.end - self.start))
+
+    def coefficients(self) -> Array:
+        """Those (4, n) of 1, u, u^2 and u^3."""
+        chord, (start, end) = self.end - self.start, self._derivatives()
+        return np.array([self.start, start, 3 * chord - 2 * start - end, start + end - 2 * chord])
+
+    def control_points(self) -> Array:
+        """Those (3, n) of its Bezier form, without the first, which is the start."""
+        start, end = self._derivatives()
+        return np.array([self.start + start / 3, self.end - end / 3, self.end])
+
+    def _derivatives(self) -> tuple[Array, Array]:
+        return self.length * self.start_tangent, self.length * self.end_tangent
+
+
+def _upward_crossings(excess: Polynomial, ends_above: bool) -> list[float]:
+    """Find where in [0, 1] a polynomial changes from negative to positive.
+
+    0 is included if the polynomial is already positive there and grows. ends_above: whether it is known to be positive at 1;
+    then, if rounding errors hide every crossing, 1 is returned.
+    """
+    # A leading coefficient that is almost 0 would make the other roots inaccurate.
+    excess = excess.trim(POINT_TOL)
+    slope = excess.deriv()
+    roots = excess.roots()
+    real = roots.real[(np.abs(roots.imag) < POINT_TOL) & (roots.real > 0) & (roots.real <= 1)]
+    candidates = [0.0, *real] if excess(0.0) > 0 else [*real]
+    crossings = [u for u in candidates if slope(u) > 0]
+    return crossings or [1.0] * bool(ends_above)
 
 
 def _side(J: Array, tangent: Array, before: tuple[Array, float]) -> tuple[Array, float]:
-    """What the equations say at a point of a curve, as a basis (e, n - 1), and on which side of it the tangent points.
+    """A basis (e, n - 1) of the column space of J at a point of a curve, and on which side of it the tangent points, +1 or -1.
 
-    On one branch the side stays. At a crossing, where the basis is smaller, it is that of the point before.
+    Along one branch the side does not change. At a crossing, where J has a lower rank, the result is that of the point before.
     """
     U, s, _ = np.linalg.svd(J, full_matrices=False)
-    basis = U[:, seen(s)]
+    basis = U[:, is_nonzero(s)]
     return (basis, _orientation(basis, J, tangent)) if basis.shape[1] == len(tangent) - 1 else before
 
 
 def _orientation(basis: Array, J: Array, tangent: Array) -> float:
+    """The sign of the determinant of the equations in the basis, with the tangent as last row."""
     return float(np.sign(np.linalg.det(np.vstack([basis.T @ J, tangent]))))

@@ -1,8 +1,9 @@
-"""Bodies and the joints between them: any walk over joints, forwards or back, is an open chain.
+"""Bodies and the joints between them: any path over joints, in either direction, is an open chain.
 
-A joint passed forwards is a factor e^[S]q. Passed backwards it is e^[-S]q, the same joint with its axis turned round. The
-drawing of a body may have to be moved before it meets its neighbour, by a constant pose; constants move to the right end
-of the product, G e^[S]q = e^[Ad(G) S]q G, and become the home pose of the chain.
+A joint that is traversed forwards, from its first body to its second, contributes the factor e^[S]q. Traversed backwards it
+contributes e^[-S]q: the same joint with its axis negated. If the linkage is drawn open, the drawing of a body must first be
+moved by a constant pose G before it meets its neighbour. Constants move to the right end of the product, because
+G e^[S]q = e^[Ad(G) S]q G, and become the home pose of the chain.
 """
 
 from collections import deque
@@ -20,33 +21,34 @@ from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import adjoint, exp, inverse
 from kinlib.rigid.screw import axes, is_prismatic, line, screw
 
-PARALLEL = 1e-2
-"""Axes that lie closer to parallel than the root of this, in radians, have no middle along them, only across."""
+PARALLEL_RCOND = 1e-2
+"""If all axes of a path are parallel to within the square root of this, in radians, then its centre is determined only across
+them, and no centre is sought along them."""
 
 
 @dataclass(frozen=True, eq=False)
 class Joint:
-    """A joint between two bodies, read off a drawing of the linkage like the joints of an open chain.
+    """A joint between two bodies, read from a drawing of the linkage like the joints of an open chain.
 
-    name     what it is called; the freedoms of a composite joint are called name.1, name.2, ...
-    bodies   the two that it joins: the second moves by e^[S]q relative to the first
-    screws   (6,) or (k, 6)  one screw axis, or the k of a composite joint in turn, the one at the first body first
-    gap      (4, 4)  where the drawing of the second body must go before the two meet in this joint: the identity, unless
-             the linkage is drawn open
-    limits   (2,) or (k, 2)  the least and the greatest value, infinite by default
-    point    (3,)  where it is drawn, on the first body; `place` fills in what is not given
+    name            of the joint; the values of a joint with k > 1 degrees of freedom are called name.1, ..., name.k
+    bodies          the two bodies that it joins: the second one moves by e^[S]q relative to the first one
+    screws          (6,) or (k, 6)  one screw axis, or the k of a composite joint in order, from the first body on
+    closing_offset  (4, 4)  the pose by which the drawing of the second body must be moved for the two bodies to meet in this
+                    joint: the identity (the default), unless the linkage is drawn open
+    limits          (2,) or (k, 2)  the lower and the upper limit, infinite by default
+    point           (3,)  where the joint is drawn, on the first body; `position` has a default for it
 
-    Raises ValueError for a joint of a body with itself, and for what is no screw axis, no pose, no limits.
+    Raises ValueError if a joint joins a body to itself, and if screws, closing_offset, limits or point are not valid.
 
     >>> from kinlib.rigid.screw import screw
-    >>> Joint("elbow", ("upper arm", "forearm"), screw((0, 0, 1), (1, 0, 0))).freedoms
+    >>> Joint("elbow", ("upper arm", "forearm"), screw((0, 0, 1), (1, 0, 0))).dof
     1
     """
 
     name: str
     bodies: tuple[str, str]
     screws: Array = field(repr=False)
-    gap: Array = field(default_factory=lambda: np.eye(4), repr=False)
+    closing_offset: Array = field(default_factory=lambda: np.eye(4), repr=False)
     limits: Array | None = field(default=None, repr=False)
     point: Array | None = field(default=None, repr=False)
 
@@ -54,37 +56,40 @@ class Joint:
         bodies = list(self.bodies)
         if len(bodies) != 2 or bodies[0] == bodies[1]:
             raise ValueError(
-                f"Joint {self.name} should join two different bodies; got {validation.brief(self.bodies)}."
+                f"Joint {self.name} must join two different bodies; got {validation.brief(self.bodies)}. "
+                "Pass the names of both bodies."
             )
         screws = np.atleast_2d(axes(self.screws, f"screws of {self.name}"))
-        # A chain refuses whatever is wrong with gap or limits, in words that fit here as well.
-        chain = Chain(screws, self.gap, limits=None if self.limits is None else np.atleast_2d(self.limits))
-        keep = {"screws": screws, "gap": chain.home}
+        # Chain validates the offset and the limits, and its messages are right for a joint as well.
+        chain = Chain(screws, self.closing_offset, limits=None if self.limits is None else np.atleast_2d(self.limits))
+        validated = {"screws": screws, "closing_offset": chain.home}
         if chain.limits is not None:
-            keep["limits"] = chain.limits
+            validated["limits"] = chain.limits
         if self.point is not None:
-            keep["point"] = validation.vectors(self.point, f"point of {self.name}", 3)
-        for name, values in keep.items():
+            validated["point"] = validation.vectors(self.point, f"point of {self.name}", 3)
+        for name, values in validated.items():
             object.__setattr__(self, name, validation.frozen(values))
 
     @property
-    def place(self) -> Array:
-        """Where it is drawn, (3,): the point given, or that of its first axis nearest the origin."""
+    def position(self) -> Array:
+        """Where the joint is drawn, (3,): the given point, or the point of its first axis that is nearest to the origin."""
         return line(self.screws[0]).point if self.point is None else self.point
 
     @property
     def range(self) -> Array:
-        """The least and the greatest of its values, (k, 2), infinite where none was given."""
-        return np.tile([-np.inf, np.inf], (self.freedoms, 1)) if self.limits is None else self.limits
+        """The lower and the upper limit of each of its values, (k, 2), infinite where none was given."""
+        return np.tile([-np.inf, np.inf], (self.dof, 1)) if self.limits is None else self.limits
 
     @property
-    def freedoms(self) -> int:
-        """The number of its joint values."""
+    def dof(self) -> int:
+        """The number k of its degrees of freedom, which is the number of its joint values."""
         return len(self.screws)
 
 
 def universal(first: ArrayLike, second: ArrayLike, point: ArrayLike) -> Array:
-    """The two screw axes (2, 6) of a universal joint: two turns about axes that meet in a point.
+    """Return the two screw axes (2, 6) of a universal joint: rotations about two axes that intersect in a point.
+
+    first, second (3,) the unit directions of the axes, point (3,) in metres.
 
     >>> universal((1, 0, 0), (0, 1, 0), (0, 0, 0)).shape
     (2, 6)
@@ -93,10 +98,10 @@ def universal(first: ArrayLike, second: ArrayLike, point: ArrayLike) -> Array:
 
 
 def spherical(point: ArrayLike) -> Array:
-    """The three screw axes (3, 6) of a spherical joint: turns about x, then y, then z through its centre.
+    """Return the three screw axes (3, 6) of a spherical joint: rotations about x, then y, then z through its centre.
 
-    Three angles cannot name all rotations without a flaw: where the second is a right angle, the first and the third
-    turn alike, and the Jacobian loses a rank that the joint itself does not lose.
+    Three angles cannot parametrize all rotations without a singularity: if the second angle is a right angle, then the first
+    and the third rotate about the same line, and the Jacobian loses a rank that the joint itself does not lose.
 
     >>> spherical((0, 0, 1)).shape
     (3, 6)
@@ -105,7 +110,7 @@ def spherical(point: ArrayLike) -> Array:
 
 
 def cylindrical(axis: ArrayLike, point: ArrayLike) -> Array:
-    """The two screw axes (2, 6) of a cylindrical joint: a slide along a line, then a turn about it.
+    """Return the two screw axes (2, 6) of a cylindrical joint: a translation along a line, then a rotation about it.
 
     >>> cylindrical((0, 0, 1), (0, 0, 0))
     array([[0., 0., 0., 0., 0., 1.],
@@ -114,119 +119,126 @@ def cylindrical(axis: ArrayLike, point: ArrayLike) -> Array:
     return screw(axis, point, [np.inf, 0.0])
 
 
-def in_series(chain: Chain, bodies: Sequence[str], names: Sequence[str], gap: Array) -> list[Joint]:
-    """Write the joints of an open chain one by one, between n + 1 bodies; the last one may leave a gap.
+def joints_of_chain(chain: Chain, bodies: Sequence[str], names: Sequence[str], closing_offset: Array) -> list[Joint]:
+    """Write the n joints of an open chain one by one, between n + 1 bodies.
 
-    names  of the joints, unless the chain knows its own
+    names           of the joints, used if the chain has no joint names of its own
+    closing_offset  (4, 4)  that of the last joint; the other joints have the identity
 
     >>> from kinlib.chains.robots import rpr
-    >>> [joint.name for joint in in_series(rpr(), ["ground", "a", "b", "c"], ["1", "2", "3"], np.eye(4))]
+    >>> [joint.name for joint in joints_of_chain(rpr(), ["ground", "a", "b", "c"], ["1", "2", "3"], np.eye(4))]
     ['1', '2', '3']
     """
     names = chain.joint_names or names
     limits = [None] * chain.n if chain.limits is None else chain.limits
-    gaps = [np.eye(4)] * (chain.n - 1) + [gap]
-    parts = zip(names, pairwise(bodies), chain.screws, gaps, limits, chain.joint_points, strict=True)
-    return [Joint(*of_joint) for of_joint in parts]
+    offsets = [np.eye(4)] * (chain.n - 1) + [closing_offset]
+    columns = zip(names, pairwise(bodies), chain.screws, offsets, limits, chain.joint_points, strict=True)
+    return [Joint(*arguments) for arguments in columns]
 
 
-Passage = tuple[int, bool]
-"""A joint, by its place in the list, and whether it is passed forwards, from its first body to its second."""
+Traversal = tuple[int, bool]
+"""The index of a joint, and whether it is traversed forwards, from its first body to its second."""
 
 
-def walks(joints: Sequence[Joint], ground: str) -> dict[str, list[Passage]]:
-    """The shortest walk from the ground to every body that can be reached, as passages.
+def spanning_tree(joints: Sequence[Joint], ground: str) -> dict[str, list[Traversal]]:
+    """Find the shortest path from the ground to every body that can be reached: breadth-first search over the joints.
+
+    The result has an entry for each body, in the order in which they are reached: the joints of the path to it.
 
     >>> from kinlib.mechanisms.linkages import four_bar
-    >>> walks(four_bar(4, 1, 3.5, 3).joints, "ground")["coupler"]       # over A to the crank, then over B
+    >>> spanning_tree(four_bar(4, 1, 3.5, 3).joints, "ground")["coupler"]      # over A to the crank, then over B
     [(0, True), (1, True)]
     """
-    reached: dict[str, list[Passage]] = {ground: []}
-    waiting = deque([ground])
-    while waiting:
-        here = waiting.popleft()
+    tree: dict[str, list[Traversal]] = {ground: []}
+    queue = deque([ground])
+    while queue:
+        body = queue.popleft()
         for i, joint in enumerate(joints):
             for forwards, (a, b) in ((True, joint.bodies), (False, joint.bodies[::-1])):
-                if a == here and b not in reached:
-                    reached[b] = [*reached[a], (i, forwards)]
-                    waiting.append(b)
-    return reached
+                if a == body and b not in tree:
+                    tree[b] = [*tree[a], (i, forwards)]
+                    queue.append(b)
+    return tree
 
 
-def cycles(joints: Sequence[Joint], reached: dict[str, list[Passage]]) -> list[list[Passage]]:
-    """One loop for each joint that no walk needs: out to it, over it, and back another way.
+def fundamental_cycles(joints: Sequence[Joint], tree: dict[str, list[Traversal]]) -> list[list[Traversal]]:
+    """Find one loop for each joint outside the spanning tree: out to that joint, over it, and back through the tree.
 
     >>> from kinlib.mechanisms.linkages import four_bar
     >>> joints = four_bar(4, 1, 3.5, 3).joints                          # A, B, then D, C on the other side
-    >>> cycles(joints, walks(joints, "ground"))
+    >>> fundamental_cycles(joints, spanning_tree(joints, "ground"))
     [[(2, True), (3, True), (1, False), (0, False)]]
     """
-    used = {i for walk in reached.values() for i, _ in walk}
-    loops = []
-    for i in sorted(set(range(len(joints))) - used):
-        out, back = (reached[body] for body in joints[i].bodies)
-        # What both ways share would be walked there and back again.
+    in_tree = {i for path in tree.values() for i, _ in path}
+    cycles = []
+    for i in sorted(set(range(len(joints))) - in_tree):
+        out, back = (tree[body] for body in joints[i].bodies)
+        # The part that both paths share would be traversed out and back again, so it is left out.
         shared = next((k for k, (p, q) in enumerate(zip(out, back, strict=False)) if p != q), min(len(out), len(back)))
-        home = [(k, not forwards) for k, forwards in reversed(back[shared:])]
-        loops.append([*out[shared:], (i, True), *home])
-    return loops
+        way_home = [(k, not forwards) for k, forwards in reversed(back[shared:])]
+        cycles.append([*out[shared:], (i, True), *way_home])
+    return cycles
 
 
 @dataclass(frozen=True, eq=False)
-class Walk:
-    """A walk over joints, as the open chain that it is: chain.fk(q[..., columns]) is where it leads."""
+class JointPath:
+    """A path over joints, written as an open chain.
+
+    chain    its joints are those of the path, each with the sign of its direction
+    columns  (k,)  which joint values of the linkage they are: chain.fk(q[..., columns]) is the pose at the end of the path
+    """
 
     chain: Chain
     columns: NDArray[np.intp]
 
     @cached_property
-    def middle(self) -> Array:
-        """The point (3,) nearest to all axes that turn: the least squares of the distances, and nearest the origin.
+    def centre(self) -> Array:
+        """The point (3,) nearest to all axes of rotation: least squares of the distances, and nearest to the origin.
 
-        Seen from far away all axes look alike, and a Jacobian's small singular values drown in its large ones; seen from
-        here they differ as much as they can.
+        Seen from a point far away all axes look alike, and the small singular values of a Jacobian are lost beside the large
+        ones. Seen from the centre, the axes differ as much as possible.
 
         >>> from kinlib.mechanisms.linkages import four_bar
-        >>> four_bar(4, 1, 3.5, 3).loops[0].middle      # drawn open: D, C, B and A at x = 4, 7, 3.5 and 2.5
+        >>> four_bar(4, 1, 3.5, 3).loops[0].centre      # drawn open: D, C, B and A at x = 4, 7, 3.5 and 2.5
         array([4.25, 0.  , 0.  ])
         """
         axis, point, _ = (part[~is_prismatic(self.chain.screws)] for part in self.chain.lines)
-        # Across an axis a distance counts, along it it does not: I - a a^T leaves what lies across.
+        # Only the distance across an axis counts, and not that along it: I - a a^T projects onto the plane across a.
         across = np.eye(3) - axis[:, :, None] * axis[:, None, :]
-        # Axes that are nearly parallel meet far away, and nothing is gained by going there.
-        near: Array = np.linalg.pinv(across.sum(axis=0), rcond=PARALLEL, hermitian=True) @ point.sum(axis=0)
-        return near
+        # Axes that are nearly parallel intersect far away, and a centre there would be of no use.
+        nearest: Array = np.linalg.pinv(across.sum(axis=0), rcond=PARALLEL_RCOND, hermitian=True) @ point.sum(axis=0)
+        return nearest
 
     @cached_property
-    def to_middle(self) -> Array:
-        """The matrix (6, 6) that reads twists about the middle."""
-        return adjoint(exp([0, 0, 0, *-self.middle]))
+    def to_centre(self) -> Array:
+        """The matrix (6, 6) that expresses twists about the centre instead of about the origin."""
+        return adjoint(exp([0, 0, 0, *-self.centre]))
 
     @cached_property
     def size(self) -> float:
-        """How far its axes are from its middle, and its end from its beginning, in metres: the longest of these ways."""
-        there, back = exp([0, 0, 0, *-self.middle]), exp([0, 0, 0, *self.middle])
-        centred = Chain(self.chain.screws @ self.to_middle.T, there @ self.chain.home @ back)
+        """The largest distance, in metres, from the centre to one of its axes, or from its start to its end."""
+        to, back = exp([0, 0, 0, *-self.centre]), exp([0, 0, 0, *self.centre])
+        centred = Chain(self.chain.screws @ self.to_centre.T, to @ self.chain.home @ back)
         return float(np.linalg.norm(np.vstack([centred.lines.point, centred.home[:3, 3]]), axis=1).max())
 
 
-def as_chain(joints: Sequence[Joint], passages: Iterable[Passage], name: str) -> Walk:
-    """Write a walk as an open chain, with the columns of q that its joints read.
+def chain_along(joints: Sequence[Joint], path: Iterable[Traversal], name: str) -> JointPath:
+    """Write a path over joints as an open chain, with the columns of q that its joints read.
 
     >>> from kinlib.mechanisms.linkages import four_bar
-    >>> as_chain(four_bar(4, 1, 3.5, 3).joints, [(0, True), (1, True)], "coupler").chain.joint_types
-    'RR'
+    >>> chain_along(four_bar(4, 1, 3.5, 3).joints, [(0, True), (1, True)], "coupler").columns
+    array([0, 1])
     """
-    first = np.cumsum([0, *(joint.freedoms for joint in joints)])
-    screws, columns, so_far = [], [], np.eye(4)
-    for i, forwards in passages:
-        joint, at = joints[i], np.arange(first[i], first[i + 1])
+    first_columns = np.cumsum([0, *(joint.dof for joint in joints)])
+    screws, columns, offset = [], [], np.eye(4)
+    for i, forwards in path:
+        joint, own_columns = joints[i], np.arange(first_columns[i], first_columns[i + 1])
         if forwards:
-            screws.append(joint.screws @ adjoint(so_far).T)
-            columns.append(at)
-            so_far = so_far @ joint.gap
+            screws.append(joint.screws @ adjoint(offset).T)
+            columns.append(own_columns)
+            offset = offset @ joint.closing_offset
         else:
-            so_far = so_far @ inverse(joint.gap)
-            screws.append(-joint.screws[::-1] @ adjoint(so_far).T)
-            columns.append(at[::-1])
-    return Walk(Chain(np.concatenate(screws), so_far, name=name), np.concatenate(columns))
+            offset = offset @ inverse(joint.closing_offset)
+            screws.append(-joint.screws[::-1] @ adjoint(offset).T)
+            columns.append(own_columns[::-1])
+    return JointPath(Chain(np.concatenate(screws), offset, name=name), np.concatenate(columns))

@@ -1,13 +1,13 @@
 """Closed chains: bodies and joints in loops, where no joint moves without the others.
 
-Cut a loop open at one joint and it is an open chain. What closes it is one sentence: its tool must come back to where the
-chain began. So a loop is written as a `Chain`, and its equation as fk(q) = I:
+If a loop is cut open at one joint, it is an open chain. The loop is closed if the end of this chain comes back to its
+beginning. So a loop is written as a `Chain`, and its closure equation as fk(q) = I:
 
     e^[S1]q1 ... e^[Sk]qk  =  e^[S1']q1' ... e^[Sm']qm'           two branches that meet
-    e^[S1]q1 ... e^[Sk]qk  e^[-Sm']qm' ... e^[-S1']q1'  =  I      the same, walked all the way round
+    e^[S1]q1 ... e^[Sk]qk  e^[-Sm']qm' ... e^[-S1']q1'  =  I      the same equation, once around the loop
 
-Six equations for each loop, in as many unknowns as its joints have freedoms: the "mess of nonlinear, trigonometric
-equations" of the UIUC deck. The Jacobian of the left side is the one that open chains have had all along.
+These are six equations for each loop, in as many unknowns as its joints have degrees of freedom: the "mess of nonlinear,
+trigonometric equations" of the UIUC deck. The Jacobian of the left side is the space Jacobian of the open chain.
 """
 
 from collections.abc import Mapping, Sequence
@@ -23,33 +23,41 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.mechanisms.closure import Assembly, Closure
 from kinlib.mechanisms.continuation import Curve
-from kinlib.mechanisms.joints import Joint, Passage, Walk, as_chain, cycles, in_series, walks
-from kinlib.mechanisms.levenberg_marquardt import ROUGH, null_space
-from kinlib.mechanisms.mobility import Mobility, finite_freedoms, group_dimension
+from kinlib.mechanisms.joints import (
+    Joint,
+    JointPath,
+    Traversal,
+    chain_along,
+    fundamental_cycles,
+    joints_of_chain,
+    spanning_tree,
+)
+from kinlib.mechanisms.levenberg_marquardt import START_TOL_FACTOR, null_space
+from kinlib.mechanisms.mobility import Mobility, finite_mobility, group_dimension
 from kinlib.rigid.lie import inverse, log
 from kinlib.rigid.screw import line
-from kinlib.rigid.se3_jacobians import log_jacobian
+from kinlib.rigid.se3_jacobians import left_jacobian_inverse
 
-CLOSED = 1e-13
-"""A linkage is closed where the logarithms of its closure poses, each read about the middle of its loop, are shorter than
-this, all together; with d metres from the origin to its farthest joint, than 1 + d times this: so much more is rounded off."""
+CLOSURE_TOL = 1e-13
+"""A linkage is closed if the norm of all its residuals, each expressed about the centre of its loop, is at most (1 + d) times
+this, where d is the distance in metres from the origin to its farthest joint: rounding errors grow with d."""
 
 
 @dataclass(frozen=True, eq=False)
 class Mechanism:
     """A linkage: bodies joined so that there is at least one loop.
 
-    joints        in the order of their values in q; the drawing from which they are read has q = 0
-    ground        the body that stands still; by default the first body of the first joint
-    name, source  what it is called, and which document it comes from
+    joints        in the order of their values in q; q = 0 is the drawing from which they are read
+    ground        the body that does not move; by default the first body of the first joint
+    name, source  the name of the linkage, and the document that it is taken from
 
-    Raises ValueError for joints that leave a body unattached, for two of one name, and where there is no loop.
+    Raises ValueError if a body is not connected to the ground, if two joints have the same name, and if there is no loop.
     Source: Modern Robotics, chapters 2 and 7; the UIUC deck's (3.81).
 
     >>> from kinlib.mechanisms.linkages import four_bar
     >>> linkage = four_bar(ground=0.4, crank=0.1, coupler=0.35, rocker=0.3)
-    >>> posture = linkage.assemble([0, 0.5, 1, 0.5], hold={"A": np.pi / 2})
-    >>> posture.converged, linkage.mobility(posture.q).finite
+    >>> assembly = linkage.assemble([0, 0.5, 1, 0.5], hold={"A": np.pi / 2})
+    >>> assembly.converged, linkage.mobility(assembly.q).finite
     (True, 1)
     """
 
@@ -60,41 +68,41 @@ class Mechanism:
 
     def __post_init__(self) -> None:
         if not self.joints:
-            raise ValueError("A mechanism has at least one joint; got none.")
+            raise ValueError("A mechanism must have at least one joint; got none. Pass a sequence of kl.Joint.")
         object.__setattr__(self, "joints", tuple(self.joints))
         object.__setattr__(self, "ground", self.ground or self.joints[0].bodies[0])
         names = [joint.name for joint in self.joints]
-        if twice := sorted({name for name in names if names.count(name) > 1}):
-            raise ValueError(f"Every joint has a name of its own; {', '.join(twice)} came more than once.")
+        if duplicates := sorted({name for name in names if names.count(name) > 1}):
+            raise ValueError(f"The names of the joints must be different; got {', '.join(duplicates)} more than once.")
         bodies = {body for joint in self.joints for body in joint.bodies}
         if self.ground not in bodies:
+            raise ValueError(f"The ground must be one of the bodies {', '.join(sorted(bodies))}; got {self.ground!r}.")
+        if unconnected := sorted(bodies - set(self._tree)):
             raise ValueError(
-                f"The ground should be one of the bodies {', '.join(sorted(bodies))}; got {self.ground!r}."
+                f"Joints must connect every body with {self.ground}; got none to {', '.join(unconnected)}. Is a joint missing?"
             )
-        if lost := sorted(bodies - set(self._walks)):
-            raise ValueError(f"No joints lead from {self.ground} to {', '.join(lost)}. Is a joint missing?")
         if not self.loops:
             raise ValueError(
-                f"{self.name} has no loop: its {len(names)} joints form a tree. Use kl.Chain for an open chain."
+                f"A mechanism must have a loop; the {len(names)} joints of {self.name} form a tree. Use kl.Chain for an open chain."
             )
 
     @classmethod
     def from_chain(cls, chain: Chain) -> Self:
-        """Bend an open chain round until its tool meets its base: the loop e^[S1]q1 ... e^[Sn]qn M = I.
+        """Close an open chain by fixing its end-effector to its base: the loop e^[S1]q1 ... e^[Sn]qn M = I.
 
-        Raises ValueError for a chain of one joint, which has no body to move.
+        Raises ValueError for a chain of one joint, because both its bodies would be the ground.
 
         >>> from kinlib.chains.robots import puma560
         >>> Mechanism.from_chain(puma560()).kutzbach()
         0
         """
         bodies = ["ground", *(f"link {i}" for i in range(1, chain.n)), "ground"]
-        joints = in_series(chain, bodies, [f"joint {i}" for i in range(1, chain.n + 1)], chain.home)
+        joints = joints_of_chain(chain, bodies, [f"joint {i}" for i in range(1, chain.n + 1)], chain.home)
         return cls(joints, "ground", chain.name, chain.source)
 
     @classmethod
     def from_branches(cls, *branches: Chain, name: str = "linkage", source: str = "") -> Self:
-        """Join open chains from one ground by their tools: T_1(q_1) = T_2(q_2) = ..., the form of (3.81).
+        """Join the end-effectors of open chains that begin at one ground: T_1(q_1) = T_2(q_2) = ..., the form of (3.81).
 
         The values of q are those of the first branch, then those of the second, and so on.
 
@@ -106,46 +114,46 @@ class Mechanism:
         6
         """
         if len(branches) < 2:
-            raise ValueError(f"Branches meet, so there are at least two; got {len(branches)}.")
+            raise ValueError(
+                f"There must be at least two branches to join; got {len(branches)}. To close one chain, use from_chain."
+            )
         joints = []
         for b, branch in enumerate(branches, start=1):
             bodies = ["ground", *(f"link {b}.{i}" for i in range(1, branch.n)), "end"]
-            # The last body of every branch is that of the first, drawn where this branch's home would have it.
-            gap = branch.home @ inverse(branches[0].home)
-            joints += in_series(branch, bodies, [f"joint {b}.{i}" for i in range(1, branch.n + 1)], gap)
+            # All branches end in one body, which is drawn as in the home configuration of the first branch.
+            offset = branch.home @ inverse(branches[0].home)
+            joints += joints_of_chain(branch, bodies, [f"joint {b}.{i}" for i in range(1, branch.n + 1)], offset)
         return cls(joints, "ground", name, source)
 
     @property
     def n(self) -> int:
-        """The number of joint values: the freedoms of all joints together."""
-        return sum(joint.freedoms for joint in self.joints)
+        """The number of joint values: the sum of the degrees of freedom of all joints."""
+        return sum(joint.dof for joint in self.joints)
 
     @cached_property
     def names(self) -> tuple[str, ...]:
-        """What each joint value is called: as its joint, or name.1, name.2, ... for a joint of several freedoms."""
+        """The name of each joint value: that of its joint, or name.1, name.2, ... if the joint has several degrees of freedom."""
         return tuple(
-            joint.name if joint.freedoms == 1 else f"{joint.name}.{k + 1}"
-            for joint in self.joints
-            for k in range(joint.freedoms)
+            joint.name if joint.dof == 1 else f"{joint.name}.{k + 1}" for joint in self.joints for k in range(joint.dof)
         )
 
     @property
     def bodies(self) -> tuple[str, ...]:
-        """Every body, the ground first, then as the joints lead away from it."""
-        return tuple(self._walks)
+        """Every body, the ground first, then by the number of joints between it and the ground."""
+        return tuple(self._tree)
 
     @cached_property
-    def loops(self) -> tuple[Walk, ...]:
-        """The independent loops, each as the open chain that must come back: chain.fk(q[..., columns]) = I."""
-        rounds = cycles(self.joints, self._walks)
-        return tuple(as_chain(self.joints, walk, f"loop {i}") for i, walk in enumerate(rounds, start=1))
+    def loops(self) -> tuple[JointPath, ...]:
+        """The independent loops, each as the open chain that must come back to its beginning: chain.fk(q[..., columns]) = I."""
+        cycles = fundamental_cycles(self.joints, self._tree)
+        return tuple(chain_along(self.joints, cycle, f"loop {i}") for i, cycle in enumerate(cycles, start=1))
 
     def residual(self, q: ArrayLike) -> Array:
-        """What is left over in each loop: the logarithm of its closure pose, 0 where it closes.
+        """Compute the closure error of each loop: the logarithm of the pose at its end, 0 if the loop is closed.
 
         q (..., n) -> (..., 6 l) for l loops, one twist (omega, v) after the other.
 
-        Raises ValueError for joint values of another size, and for NaN.
+        Raises ValueError if q has another size or contains NaN.
 
         >>> from kinlib.mechanisms.linkages import bennett
         >>> linkage = bennett()
@@ -156,11 +164,11 @@ class Mechanism:
         return np.concatenate([log(loop.chain.fk(q[..., loop.columns])) for loop in self.loops], axis=-1)
 
     def jacobian(self, q: ArrayLike) -> Array:
-        """How the residual changes with each joint value: for each loop, log_jacobian(r) J_s, J_s that of its chain.
+        """Compute the derivative of the residual r: for each loop left_jacobian_inverse(r) J_s, with J_s that of its chain.
 
-        q (..., n) -> (..., 6 l, n). Where a loop is closed, r = 0, and its part is the space Jacobian itself.
+        q (..., n) -> (..., 6 l, n). If a loop is closed, then r = 0 and its rows are the space Jacobian J_s itself.
 
-        Raises ValueError for joint values of another size, and for NaN.
+        Raises ValueError if q has another size or contains NaN.
 
         >>> from kinlib.mechanisms.linkages import bennett
         >>> bennett().jacobian([1, 2, 1, 2]).shape
@@ -170,9 +178,11 @@ class Mechanism:
         return self._linearized(q.reshape(-1, self.n))[1].reshape(*q.shape[:-1], -1, self.n)
 
     def poses(self, q: ArrayLike) -> dict[str, Array]:
-        """How far every body has moved from where it is drawn, (..., 4, 4) each: along the shortest walk to it.
+        """Compute the displacement of every body from where it is drawn, along the shortest path over joints to it.
 
-        Raises ValueError for joint values of another size, and for NaN.
+        q (..., n) -> (..., 4, 4) for each body. If a loop is not closed, another path would give another displacement.
+
+        Raises ValueError if q has another size or contains NaN.
 
         >>> from kinlib.mechanisms.linkages import four_bar
         >>> four_bar(4, 1, 3.5, 3).poses([np.pi, 0, 0, 0])["crank"][:2, :2].round(6) + 0.0
@@ -180,15 +190,19 @@ class Mechanism:
                [ 0., -1.]])
         """
         q = self._values(q)
-        still = np.broadcast_to(np.eye(4), (*q.shape[:-1], 4, 4))
-        return {self.ground: still} | {body: walk.chain.fk(q[..., walk.columns]) for body, walk in self._ways.items()}
+        identity = np.broadcast_to(np.eye(4), (*q.shape[:-1], 4, 4))
+        moved = {body: path.chain.fk(q[..., path.columns]) for body, path in self._paths.items()}
+        return {self.ground: identity} | moved
 
     def assemble(self, guess: ArrayLike, hold: Mapping[str, float] | None = None) -> Assembly:
-        """Close the linkage near a guess (n,), some joint values held where they should be.
+        """Close the linkage near a guess (n,), while some joint values are held.
 
-        It never comes back without a word: where no posture near the guess closes, it says so, and how large a gap is left.
+        hold  the names of joint values (see `names`), and the values at which they are held
 
-        Raises ValueError for a guess of another size, for NaN, and for a held value that no joint has.
+        If no configuration near the guess closes, then `converged` of the result is False, `residual` says by how much, and
+        `message` says so in words.
+
+        Raises ValueError if the guess has another size or contains NaN, and if a held name is not that of a joint value.
 
         >>> from kinlib.mechanisms.linkages import four_bar
         >>> four_bar(4, 1, 1, 1).assemble([0.5, 0.5, 2, 0]).converged        # the three short links do not reach
@@ -197,18 +211,18 @@ class Mechanism:
         return self._closure(guess, hold).assemble()
 
     def assembly_modes(self, hold: Mapping[str, float] | None = None) -> Array:
-        """Find every way of assembling the linkage with some joint values held: postures (m, n), each once.
+        """Find every way of assembling the linkage while some joint values are held: configurations (m, n), each once.
 
-        A search from random guesses, the same ones at every call, until it brings nothing new: it may miss a mode that
-        few guesses lead to. Two postures are one mode if all bodies stand alike.
+        The search starts from random guesses, the same ones at every call, and ends when it finds nothing new, so it may miss
+        a mode to which few guesses lead. Two configurations are the same mode if all bodies have the same poses.
 
-        Raises ValueError where what is held leaves the linkage free to move: then the modes are curves.
+        Raises ValueError if the linkage can still move with these values held, because then the modes form curves.
 
         >>> from kinlib.mechanisms.linkages import four_bar
         >>> len(four_bar(4, 1, 3.5, 3).assembly_modes(hold={"A": 1.0}))
         2
         """
-        return self._closure(np.zeros(self.n), hold).modes(lambda q: np.stack(list(self.poses(q).values()), axis=1))
+        return self._closure(np.zeros(self.n), hold).modes(lambda q: np.stack([*self.poses(q).values()], axis=1))
 
     def trace(
         self,
@@ -216,16 +230,18 @@ class Mechanism:
         hold: Mapping[str, float] | None = None,
         step: float = 0.2,
         points: int | None = None,
-        most: int = 5000,
+        max_steps: int = 5000,
     ) -> Curve:
-        """Follow the motion from a posture (n,) both ways, through dead points, until it comes round or meets a limit.
+        """Follow the motion from a configuration (n,) in both directions, through dead points, until it closes or ends.
 
-        step    the longest step along the curve, radians and metres together
-        points  how many postures come back, at about equal steps; None: as many as were needed
-        most    after so many steps either way the curve is left unfinished, and says so
+        step       the longest step along the curve, radians and metres together
+        points     the number of configurations to return, at about equal steps; None: as many as the tracing needed
+        max_steps  in either direction; after them the curve is left unfinished, which its `ends` then say
 
-        Raises ValueError for a start that does not close, where the linkage has not exactly one freedom there, and for a
-        step or a number of points that makes no curve.
+        A curve ends at a limit, or where no configuration closes further on.
+
+        Raises ValueError if the start does not close or is beyond a limit, if the linkage does not have exactly one degree of
+        freedom there, and if step, points or max_steps is too small for a curve.
         Source: pseudo-arclength continuation, as in Allgower and Georg, Numerical Continuation Methods (1990).
 
         >>> from kinlib.mechanisms.linkages import four_bar
@@ -235,15 +251,17 @@ class Mechanism:
         (True, True)
         """
         if not (np.isfinite(step) and step > 0):
-            raise ValueError(f"step should be a length along the curve, above 0; got {step!r}.")
-        if most < 1 or (points is not None and points < 2):
-            raise ValueError(f"A curve has two points at least, and one step; got points={points!r}, most={most!r}.")
-        return self._closure(start, hold).trace(step, points, most)
+            raise ValueError(f"step must be a positive length along the curve; got {step!r}. Try 0.2.")
+        if max_steps < 1 or (points is not None and points < 2):
+            raise ValueError(
+                f"A curve must have at least two points and one step; got points={points!r}, max_steps={max_steps!r}."
+            )
+        return self._closure(start, hold).trace(step, points, max_steps)
 
     def mobility(self, q: ArrayLike) -> Mobility:
-        """Say how many freedoms the linkage has in a posture (n,): counted, felt there, and had.
+        """Find the mobility at a configuration (n,): by counting, to first order there, and by finite motions.
 
-        Raises ValueError for a posture that does not close.
+        Raises ValueError if the configuration does not close.
 
         >>> from kinlib.mechanisms.linkages import bennett
         >>> linkage = bennett()
@@ -252,21 +270,22 @@ class Mechanism:
         (-2, 1)
         """
         closure = self._closure(q, None)
-        r, J = closure.equations(closure.posture[None])
-        if (left := np.linalg.norm(r)) > ROUGH * closure.closed:
+        r, J = closure.equations(closure.configuration[None])
+        if (residual := np.linalg.norm(r)) > START_TOL_FACTOR * closure.tolerance:
             raise ValueError(
-                f"This posture does not close: {left:.2g} is left over. Assemble it first, and pass on its q."
+                f"The linkage must be closed at q; the residual is {residual:.2g}. "
+                "Assemble the linkage first, and pass the q that you get."
             )
         directions, singular_values = null_space(J[0])
-        finite = finite_freedoms(closure.equations, closure.posture, directions, closure.closed)
+        finite = finite_mobility(closure.equations, closure.configuration, directions, closure.tolerance)
         return Mobility(self.kutzbach(), directions.shape[1], finite, singular_values, directions)
 
     def kutzbach(self, dimension: int | None = None) -> int:
-        """Count the freedoms: those of all joints, less d for each loop, if all equations are independent.
+        """Count degrees of freedom by the Gruebler-Kutzbach formula: those of all joints, minus d equations for each loop.
 
-        d = `dimension`, the same for all loops: 6 in space, 3 in a plane or about a point. By default each loop is given
-        the dimension of the group that its joints generate. With N bodies, J joints and f_i freedoms there are
-        J - N + 1 loops, and d(N - 1 - J) + sum f_i is the same number.
+        d = `dimension`, the same for all loops: 6 in space, 3 in a plane or about a point. By default d is, for each loop,
+        the dimension of the group that its joints generate. With N bodies and J joints with f_i degrees of freedom there are
+        J - N + 1 loops, and d(N - 1 - J) + sum f_i is the same number. It is the mobility if all equations are independent.
 
         Source: Modern Robotics, (2.4), Gruebler's formula.
 
@@ -274,82 +293,86 @@ class Mechanism:
         >>> four_bar(4, 1, 3.5, 3).kutzbach(), bennett().kutzbach()
         (1, -2)
         """
-        return self.n - sum(dimension or group_dimension(loop.chain.screws @ loop.to_middle.T) for loop in self.loops)
+        return self.n - sum(dimension or group_dimension(loop.chain.screws @ loop.to_centre.T) for loop in self.loops)
 
     def joint_points(self, q: ArrayLike) -> Array:
-        """Where every joint is, (..., j, 3), as its first body carries it.
+        """Compute the position of every joint, which its first body carries: q (..., n) -> (..., j, 3) for j joints.
 
-        Raises ValueError for joint values of another size, and for NaN.
+        Raises ValueError if q has another size or contains NaN.
 
         >>> from kinlib.mechanisms.linkages import four_bar
         >>> four_bar(4, 1, 3.5, 3).joint_points([np.pi / 2, 0, 0, 0])[1].round(6) + 0.0      # B, at the end of the crank
         array([0., 1., 0.])
         """
         poses = self.poses(q)
-        points = [(poses[joint.bodies[0]] @ np.append(joint.place, 1.0))[..., :3] for joint in self.joints]
+        points = [(poses[joint.bodies[0]] @ np.append(joint.position, 1.0))[..., :3] for joint in self.joints]
         return np.stack(points, axis=-2)
 
     @cached_property
     def limits(self) -> Array:
-        """The least and the greatest of every joint value, (n, 2), infinite where there is none."""
+        """The lower and the upper limit of every joint value, (n, 2), infinite where there is none."""
         return validation.frozen(np.concatenate([joint.range for joint in self.joints]))
 
     @cached_property
-    def _walks(self) -> dict[str, list[Passage]]:
-        return walks(self.joints, self.ground)
+    def _tree(self) -> dict[str, list[Traversal]]:
+        """The path over joints from the ground to every body."""
+        return spanning_tree(self.joints, self.ground)
 
     @cached_property
-    def _ways(self) -> dict[str, Walk]:
-        """The walk from the ground to every body that moves, as an open chain."""
-        return {body: as_chain(self.joints, walk, body) for body, walk in self._walks.items() if walk}
+    def _paths(self) -> dict[str, JointPath]:
+        """The path from the ground to every body but the ground, as an open chain."""
+        return {body: chain_along(self.joints, path, body) for body, path in self._tree.items() if path}
 
     def _values(self, q: ArrayLike) -> Array:
         q = validation.array(q, "q")
         if q.shape[-1:] != (self.n,):
             raise ValueError(
-                f"{self.name} has {self.n} joint values ({', '.join(self.names)}), so q should have shape (..., {self.n}); "
-                f"got {q.shape}."
+                f"q must have shape (..., {self.n}); got {q.shape}. "
+                f"Pass one number for each joint value of {self.name}: {', '.join(self.names)}."
             )
         return q
 
     def _linearized(self, q: Array) -> tuple[Array, Array]:
-        """The residual (m, 6 l) and its Jacobian (m, 6 l, n) for m postures (m, n)."""
+        """The residual (m, 6 l) and its Jacobian (m, 6 l, n) at m configurations (m, n)."""
         r = np.empty((len(q), 6 * len(self.loops)))
         J = np.zeros((*r.shape, self.n))
         for i, loop in enumerate(self.loops):
-            rows, angles = slice(6 * i, 6 * i + 6), q[:, loop.columns]
-            r[:, rows] = log(loop.chain.fk(angles))
-            J[:, rows, loop.columns] = log_jacobian(r[:, rows]) @ loop.chain.jacobian(angles)
+            rows, q_loop = slice(6 * i, 6 * i + 6), q[:, loop.columns]
+            r[:, rows] = log(loop.chain.fk(q_loop))
+            J[:, rows, loop.columns] = left_jacobian_inverse(r[:, rows]) @ loop.chain.jacobian(q_loop)
         return r, J
 
-    def _about_the_middle(self, q: Array) -> tuple[Array, Array]:
-        """The same, with every loop read about the point in its middle: as good near the origin as a mile away."""
+    def _centred_equations(self, q: Array) -> tuple[Array, Array]:
+        """The same, expressed about the centre of each loop, so that the accuracy does not depend on where the origin is."""
         r, J = self._linearized(q)
         for i, loop in enumerate(self.loops):
             rows = slice(6 * i, 6 * i + 6)
-            r[:, rows] = r[:, rows] @ loop.to_middle.T
-            J[:, rows] = loop.to_middle @ J[:, rows]
+            r[:, rows] = r[:, rows] @ loop.to_centre.T
+            J[:, rows] = loop.to_centre @ J[:, rows]
         return r, J
 
-    def _closure(self, posture: ArrayLike, hold: Mapping[str, float] | None) -> Closure:
-        """The closure equations from a posture, without the joint values that are held."""
-        posture = self._values(posture).copy()
-        if posture.ndim != 1:
-            raise ValueError(f"One posture, please, of shape ({self.n},); got {posture.shape}.")
+    def _closure(self, configuration: ArrayLike, hold: Mapping[str, float] | None) -> Closure:
+        """The closure equations in the joint values that are not held, with a configuration (n,) as start."""
+        q = self._values(configuration).copy()
+        if q.ndim != 1:
+            raise ValueError(f"q must have shape ({self.n},); got {q.shape}. Pass one configuration at a time.")
         for name, value in (hold or {}).items():
             if name not in self.names:
-                raise ValueError(f"{self.name} has no joint value {name!r} to hold; it has {', '.join(self.names)}.")
+                raise ValueError(
+                    f"A held name must be that of a joint value; {self.name} has no {name!r}. "
+                    f"Its joint values are {', '.join(self.names)}."
+                )
             if np.ndim(value):
-                raise ValueError(f"{name} is held at one value; got {validation.brief(value)}.")
-            posture[self.names.index(name)] = validation.array(value, name)
+                raise ValueError(f"{name} must be held at one number; got {validation.brief(value)}.")
+            q[self.names.index(name)] = validation.array(value, name)
         free = np.array([i for i, name in enumerate(self.names) if name not in (hold or {})], dtype=np.intp)
         if not len(free):
-            raise ValueError("Every joint value is held, and nothing is left to be found.")
+            raise ValueError("At least one joint value must not be held; all are held. Leave one out of hold.")
         pitch = np.abs(np.concatenate([line(joint.screws).pitch for joint in self.joints]))
-        turns = pitch <= validation.UNIT
+        is_angle = pitch <= validation.UNIT
         size = max(loop.size for loop in self.loops)
-        farthest = max(float(np.linalg.norm(loop.middle)) for loop in self.loops) + size
-        # A slide may have to go twice as far as the linkage is long, and a thread as many turns as this takes.
-        reach = np.where(turns, np.pi, 2 * size / np.clip(pitch, validation.UNIT, 1))
-        closed = CLOSED * (1 + farthest)
-        return Closure(self._about_the_middle, posture, free, self.names, turns, self.limits, reach, closed)
+        farthest = max(float(np.linalg.norm(loop.centre)) for loop in self.loops) + size
+        # A prismatic joint may have to travel twice the size of the linkage, and a helical joint as many turns as this takes.
+        search_range = np.where(is_angle, np.pi, 2 * size / np.clip(pitch, validation.UNIT, 1))
+        tolerance = CLOSURE_TOL * (1 + farthest)
+        return Closure(self._centred_equations, q, free, self.names, is_angle, self.limits, search_range, tolerance)

@@ -1,8 +1,9 @@
-"""How many freedoms a linkage has: counted, felt, and had.
+"""The mobility of a linkage, which has three meanings: Gruebler-Kutzbach count, infinitesimal mobility and finite mobility.
 
-Counting bodies and joints is one answer, and it errs as soon as constraints repeat each other. The rank of the Jacobian is
-another: it tells the freedoms that a hand would feel, and some of them lead nowhere. The third goes and looks: from this
-posture, is there another one nearby, in that direction, that closes too?
+The Gruebler-Kutzbach formula counts bodies and joints. It is wrong as soon as constraints are redundant. The rank of the
+Jacobian gives the infinitesimal (first-order) mobility: the number of independent joint velocities that the loops allow at
+this configuration. But some of them cannot be continued to a motion. The finite mobility is the dimension of the set of
+configurations nearby that close as well, and is found by searching for them.
 """
 
 from dataclasses import dataclass
@@ -10,114 +11,120 @@ from dataclasses import dataclass
 import numpy as np
 
 from kinlib.arrays.validation import Array
-from kinlib.mechanisms.levenberg_marquardt import Equations, seen, solve
+from kinlib.mechanisms.levenberg_marquardt import Equations, is_nonzero, solve
 from kinlib.rigid.se3_jacobians import ad
 
-REACH = 0.02
-"""How far away the next posture is sought, in radians and metres. A freedom that is only infinitesimal leaves a gap of the
-size REACH^2 or, for the rarest linkages, REACH^4 = 2e-7 there: far more than the 1e-12 to which a posture closes."""
+PROBE_DISTANCE = 0.02
+"""How far away another closed configuration is sought, in radians and metres. If a degree of freedom is only infinitesimal, the
+residual there is about PROBE_DISTANCE^2 or, in the rarest linkages, PROBE_DISTANCE^4 = 2e-7: far more than the tolerance of
+about 1e-12 to which a configuration closes."""
 
-NEAR = 10
-"""A posture farther away than this many times REACH is another one, and proves nothing about this one."""
+MAX_PROBE_DISTANCES = 10
+"""A closed configuration farther away than this many times PROBE_DISTANCE says nothing about the mobility at this one."""
 
-TRIALS = 12
-"""Directions tried for each number of freedoms: at a crossing of branches some lie so that they miss them all."""
+TRIALS_PER_DIMENSION = 12
+"""The number of random sets of planes for each dimension: at a crossing of branches some of them miss all branches."""
 
 
 @dataclass(frozen=True, eq=False)
 class Mobility:
-    """The freedoms of a linkage in one posture.
+    """The mobility of a linkage at one configuration.
 
-    kutzbach              freedoms of the joints, less those that the loops take if all their equations are independent
-    instantaneous         freedoms of the joints, less the rank of the Jacobian: what a hand would feel here
-    finite                freedoms that really lead somewhere, to postures that close
-    singular_values (n,)  of the Jacobian about the middle of each loop, so that they are the same wherever the linkage is
-                          drawn, the largest first; instantaneous counts those that are 0
-    directions (n, k)     joint speeds that the loops let through here, one a column
+    kutzbach              the Gruebler-Kutzbach count: the degrees of freedom of all joints, minus the equations of the loops,
+                          as if these were all independent
+    infinitesimal         the first-order mobility: the degrees of freedom of all joints, minus the rank of the Jacobian
+    finite                the dimension of the motions that lead to other closed configurations
+    singular_values (n,)  of the Jacobian about the centre of each loop, the largest first; they do not depend on where the
+                          linkage is drawn, and infinitesimal is the number of those that are 0
+    directions (n, k)     an orthonormal basis of the joint velocities that the loops allow here, one in each column
     """
 
     kutzbach: int
-    instantaneous: int
+    infinitesimal: int
     finite: int
     singular_values: Array
     directions: Array
 
     def __str__(self) -> str:
-        """Say it in words.
+        """Describe the three numbers in words.
 
         >>> from kinlib.mechanisms.linkages import stretched_arch
         >>> print(stretched_arch().mobility([0, 0, 0]))
-        Counting gives 0. Here the loops let 1 through, but none leads anywhere: ...
+        The Gruebler-Kutzbach count is 0. The infinitesimal mobility is 1, but the finite mobility is 0: ...
         """
-        counted = f"Counting gives {self.kutzbach}."
-        felt = f"Here the loops let {self.instantaneous} through"
-        if self.finite == self.instantaneous:
-            had = "and as many lead on." if self.finite else "so nothing moves."
-        elif self.finite:
-            had = (
-                f"but only {self.finite} at a time leads on: this posture is singular, a crossing of branches perhaps."
-            )
+        if self.finite == self.infinitesimal:
+            comparison = "and so is the finite mobility." if self.finite else "so nothing can move."
         else:
-            had = "but none leads anywhere: it is infinitesimal, and this posture is singular."
-        return f"{counted} {felt}, {had}"
+            cause = (
+                "perhaps branches of the motion cross here"
+                if self.finite
+                else "no infinitesimal motion continues to a finite one"
+            )
+            comparison = f"but the finite mobility is {self.finite}: this configuration is singular, {cause}."
+        count = f"The Gruebler-Kutzbach count is {self.kutzbach}."
+        return f"{count} The infinitesimal mobility is {self.infinitesimal}, {comparison}"
 
 
 def group_dimension(screws: Array) -> int:
-    """The dimension of the smallest group of motions that holds these joints: how many equations a loop of them can pose.
+    """Find the dimension of the smallest group of rigid motions that contains these joints: the number of equations of a loop.
 
-    screws (k, 6) -> 3 for a planar or a spherical linkage, 6 for most others: brackets of twists are twists of the group
-    too, and they are added until no new one comes.
+    screws (k, 6) -> for example 3 for a planar or a spherical linkage, 6 for most others. The Lie brackets of twists in the
+    Lie algebra of a group are in it too, so they are added until no new twist appears.
 
     Source: Modern Robotics, 2.2.1, where m is 3 or 6; Herve, Analyse structurelle des mecanismes par groupe des
     deplacements (1978).
 
     >>> parallel = np.array([[0, 0, 1, 0, 0, 0], [0, 0, 1, 0, -1, 0], [0, 0, 1, 1, 0, 0]])
-    >>> group_dimension(parallel)                                   # turns about z: a planar linkage
+    >>> group_dimension(parallel)                                   # rotations about parallels of z: a planar linkage
     3
     """
     basis = _basis(screws)
-    while len(basis) < len(
-        wider := _basis(np.concatenate([basis, (ad(basis) @ basis.T[None]).swapaxes(1, 2).reshape(-1, 6)]))
-    ):
-        basis = wider
+    while len(basis) < len(larger := _basis(np.concatenate([basis, _brackets(basis)]))):
+        basis = larger
     return len(basis)
 
 
 def _basis(twists: Array) -> Array:
-    """Orthonormal twists (k, 6) that span the same space."""
+    """An orthonormal basis (k, 6) of the span of some twists (m, 6)."""
     _, s, Vt = np.linalg.svd(twists)
-    return Vt[: np.count_nonzero(seen(s))]
+    return Vt[: np.count_nonzero(is_nonzero(s))]
 
 
-def finite_freedoms(equations: Equations, x: Array, directions: Array, closed: float) -> int:
-    """The dimension of the set of solutions around x: how many freedoms (n, k) at x lead to other solutions.
+def _brackets(twists: Array) -> Array:
+    """The Lie brackets (k^2, 6) of all pairs of twists (k, 6)."""
+    return (ad(twists) @ twists.T[None]).swapaxes(1, 2).reshape(-1, 6)
 
-    A set of d dimensions is met by d planes put across it at random, a little away from x, and missed by d + 1. So from
-    the number of directions downwards: is there, near x, a solution on that many planes?
 
-    >>> shaky = lambda x: (x * x, 2 * x[:, :, None])       # x^2 = 0: the Jacobian at 0 is 0, and yet nothing moves
-    >>> finite_freedoms(shaky, np.zeros(1), np.eye(1), closed=1e-12)
+def finite_mobility(equations: Equations, x: Array, directions: Array, tolerance: float) -> int:
+    """Find the dimension of the set of solutions around x: how many of the directions (n, k) at x lead to other solutions.
+
+    A set of dimension d intersects d random hyperplanes near x, but not d + 1. So d is counted down from the number of
+    directions until a solution near x is found that lies on d hyperplanes.
+
+    >>> double_root = lambda x: (x * x, 2 * x[:, :, None])       # x^2 = 0: the Jacobian at 0 is 0, but 0 is the only solution
+    >>> finite_mobility(double_root, np.zeros(1), np.eye(1), tolerance=1e-12)
     0
     """
-    # The planes are drawn at random, and the answer must not be: every call draws the same ones.
+    # The planes are random but the result must not be: every call draws the same ones.
     rng = np.random.default_rng(0)
     for d in range(directions.shape[1], 0, -1):
-        for _ in range(TRIALS):
+        for _ in range(TRIALS_PER_DIMENSION):
             mix, _ = np.linalg.qr(rng.normal(size=(directions.shape[1], d)))
-            away = rng.normal(size=d)
-            away *= REACH / np.linalg.norm(away)
-            if _meets(equations, x, directions @ mix, away, closed):
+            offsets = rng.normal(size=d)
+            offsets *= PROBE_DISTANCE / np.linalg.norm(offsets)
+            if _has_solution_on_planes(equations, x, directions @ mix, offsets, tolerance):
                 return d
     return 0
 
 
-def _meets(equations: Equations, x: Array, across: Array, away: Array, closed: float) -> bool:
-    """Whether the solutions near x meet the planes across.T (y - x) = away."""
+def _has_solution_on_planes(equations: Equations, x: Array, normals: Array, offsets: Array, tolerance: float) -> bool:
+    """Whether a solution y near x lies on the hyperplanes normals.T (y - x) = offsets."""
 
-    def on_the_planes(y: Array) -> tuple[Array, Array]:
+    def with_planes(y: Array) -> tuple[Array, Array]:
         r, J = equations(y)
-        planes = np.broadcast_to(across.T, (len(y), *across.T.shape))
-        return np.concatenate([r, (y - x) @ across - away], axis=1), np.concatenate([J, planes], axis=1)
+        planes = np.broadcast_to(normals.T, (len(y), *normals.T.shape))
+        return np.concatenate([r, (y - x) @ normals - offsets], axis=1), np.concatenate([J, planes], axis=1)
 
-    found = solve(on_the_planes, (x + across @ away)[None], closed)
-    return bool(found.residual[0] <= closed and np.linalg.norm(found.x[0] - x) < NEAR * REACH)
+    found = solve(with_planes, (x + normals @ offsets)[None], tolerance)
+    is_near = np.linalg.norm(found.x[0] - x) < MAX_PROBE_DISTANCES * PROBE_DISTANCE
+    return bool(found.residual[0] <= tolerance and is_near)

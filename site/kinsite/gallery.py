@@ -239,7 +239,7 @@ def loop_tables(function: str, made: Mechanism) -> str:
             f"| joint values | {made.n} |",
             f"| loops | {loops} |",
             f"| counted, by Kutzbach | {mobility.kutzbach} |",
-            f"| instantaneous, in this posture | {mobility.instantaneous} |",
+            f"| infinitesimal (first-order), in this configuration | {mobility.infinitesimal} |",
             f"| finite | {mobility.finite} |",
         ]
     )

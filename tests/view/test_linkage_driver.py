@@ -75,12 +75,14 @@ def test_a_name_that_the_linkage_does_not_have_is_refused():
 
 
 def test_a_start_that_does_not_close_is_refused():
-    with pytest.raises(ValueError, match="Assemble first"):
+    with pytest.raises(ValueError, match="Assemble the linkage first"):
         drive(GRASHOF, [1.0, 0, 0, 0])
 
 
 def test_values_of_another_size_are_refused(crank_rocker):
-    with pytest.raises(ValueError, match="four-bar has 4 joint values"):
+    with pytest.raises(
+        ValueError, match=r"shape \(\.\.\., 4\); got \(3,\)\. Pass one number for each joint value of four-bar"
+    ):
         crank_rocker.q = [0.0, 0, 0]
 
 

@@ -81,10 +81,10 @@ def linkage_geometry(mechanism: Mechanism, q: ArrayLike, points: Points | None =
         here, there = (poses[body] for body in joint.bodies)
         moved = reduce(np.matmul, exp(joint.screws * own[:, None]), here)
         # A slide carries its second body along; every other joint has both bodies at one place.
-        first.append(_carried(moved, joint.place))
-        second.append(_carried(there @ inverse(joint.gap), joint.place))
+        first.append(_carried(moved, joint.position))
+        second.append(_carried(there @ inverse(joint.closing_offset), joint.position))
         axes.append(here[:3, :3] @ line(joint.screws[0]).axis)
-        corners[joint.bodies[0]].append(_carried(here, joint.place))
+        corners[joint.bodies[0]].append(_carried(here, joint.position))
         corners[joint.bodies[1]].append(second[-1])
     for name, (body, _) in (points or {}).items():
         corners[body].append(named[name])
@@ -151,7 +151,7 @@ def draw_linkage(
             canvas.line([here, there], ORANGE, 2.2, ":", level=3.6)
             canvas.dot(there, ORANGE, 7)
         # A ball looks like a pin that is seen end-on, from wherever it is seen.
-        draw_joint_body(canvas, "P" if slides else "R", canvas.eye if joint.freedoms == 3 else axis, here)
+        draw_joint_body(canvas, "P" if slides else "R", canvas.eye if joint.dof == 3 else axis, here)
         if names:
             canvas.label(here, _letters(joint.name), INK, NUMBER_OFFSETS, 11)
     for name, point in geometry.points.items():
@@ -201,7 +201,7 @@ def _carried(T: Array, point: Array) -> Array:
 
 def _split(mechanism: Mechanism, q: Array) -> list[Array]:
     """The joint values of each joint."""
-    return np.split(q, np.cumsum([joint.freedoms for joint in mechanism.joints])[:-1])
+    return np.split(q, np.cumsum([joint.dof for joint in mechanism.joints])[:-1])
 
 
 def _letters(name: str) -> str:
@@ -236,7 +236,7 @@ def _draw_ground(canvas: Canvas, mechanism: Mechanism, geometry: LinkageGeometry
             canvas.line([foot + deep - wide, foot, foot + deep + wide], INK, 1.3, level=2.5)
             _hatch(canvas, np.array([foot + deep - 1.3 * wide, foot + deep + 1.3 * wide]), up)
         else:
-            _rail(canvas, joint.place, foot, axis, sheet)
+            _rail(canvas, joint.position, foot, axis, sheet)
 
 
 def _rail(canvas: Canvas, start: Array, slider: Array, axis: Array, sheet: Array) -> None:

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
-from kinlib.mechanisms.joints import as_chain, walks
+from kinlib.mechanisms.joints import chain_along, spanning_tree
 from kinlib.mechanisms.mechanism import Mechanism
 from kinlib.rigid.angles import wrap_angle
 from kinlib.rigid.lie import inverse
@@ -145,9 +145,9 @@ def _angles(mechanism: Mechanism) -> Array:
 
 def _scene(mechanism: Mechanism, travelled: Array, begin: Array) -> dict[str, Any]:
     """Say a linkage as data: each moving body as an arm that leads to it, and what is drawn of it at its end."""
-    ways = walks(mechanism.joints, mechanism.ground)
+    ways = spanning_tree(mechanism.joints, mechanism.ground)
     names = [body for body in ways if body != mechanism.ground]
-    arms = [as_chain(mechanism.joints, ways[body], body) for body in names]
+    arms = [chain_along(mechanism.joints, ways[body], body) for body in names]
     stations = np.concatenate([linkage_geometry(mechanism, q).all for q in travelled[:: max(1, len(travelled) // 60)]])
     low, high = stations.min(axis=0), stations.max(axis=0)
     drawn = linkage_geometry(mechanism, begin).all
@@ -183,12 +183,12 @@ def _pieces(mechanism: Mechanism, names: list[str]) -> list[dict[str, Any]]:
     pieces = []
     for joint in mechanism.joints:
         first, second = joint.bodies
-        there = inverse(joint.gap)
-        corners[first].append(joint.place)
-        corners[second].append(there[:3, :3] @ joint.place + there[:3, 3])
+        there = inverse(joint.closing_offset)
+        corners[first].append(joint.position)
+        corners[second].append(there[:3, :3] @ joint.position + there[:3, 3])
         axis = line(joint.screws[0]).axis
-        kind = "ball" if joint.freedoms > 1 else "box" if not joint.screws[0, :3].any() else "cylinder"
-        pieces.append(_piece(names, first, kind, joint.place, axis, name=joint.name, foot=first == mechanism.ground))
+        kind = "ball" if joint.dof > 1 else "box" if not joint.screws[0, :3].any() else "cylinder"
+        pieces.append(_piece(names, first, kind, joint.position, axis, name=joint.name, foot=first == mechanism.ground))
         if kind == "box":  # what slides is as wide as its sleeve, so that its way is seen
             pieces.append(_piece(names, second, "slider", corners[second][-1], axis))
     for body, points in corners.items():

@@ -7,7 +7,7 @@ from scipy.interpolate import CubicHermiteSpline
 from scipy.signal import find_peaks
 from scipy.spatial import distance
 
-from kinlib.mechanisms.continuation import Curve, Path
+from kinlib.mechanisms.continuation import Curve, CurveTracer
 
 EXACT = 1e-12
 ROUNDED = 1e-15
@@ -25,7 +25,7 @@ def plane_curve(value, slopes, turns=(False, False), limits=((-np.inf, np.inf),)
         x, y = points.T
         return value(x, y)[:, None], np.stack(slopes(x, y), axis=-1)[:, None, :]
 
-    return Path(equations, 1e-13, ["x", "y"], np.array(turns), np.array(limits))
+    return CurveTracer(equations, 1e-13, ["x", "y"], np.array(turns), np.array(limits))
 
 
 def circle(limits=((-np.inf, np.inf),) * 2):
@@ -59,13 +59,13 @@ def start_of(b):
 
 def straightened(path, curve):
     """Its length by 4001 chords: to 1e-5."""
-    return path.laid_out(curve, 4001).length[-1]
+    return path.resample(curve, 4001).length[-1]
 
 
 # --- closed curves ---
 
 
-@pytest.mark.oracle("axiom: the points of a unit circle", Path.follow)
+@pytest.mark.oracle("axiom: the points of a unit circle", CurveTracer.follow)
 @pytest.mark.parametrize("step", STEPS)
 def test_a_circle_is_gone_round_once(step):
     curve = circle().follow(np.array([0.6, 0.8]), step, 1000)
@@ -93,7 +93,7 @@ def test_turning_points_stand_where_the_coordinate_turns_back():
 def test_a_closed_curve_may_turn_where_it_starts():
     for start in ([1.0, 0.0], [0.0, -1.0]):
         curve = circle().follow(np.array(start), 0.05, 1000)
-        for lines in (curve, circle().laid_out(curve, 200)):
+        for lines in (curve, circle().resample(curve, 200)):
             assert [len(lines.turning_points(i)) for i in range(2)] == [2, 2]
 
 
@@ -145,11 +145,11 @@ def test_viviani_s_curve_goes_through_itself_and_closes(step):
             2, 0, 1
         )
 
-    path = Path(equations, 1e-13, ["x", "y", "z"], np.zeros(3, dtype=bool), np.array([[-np.inf, np.inf]] * 3))
+    path = CurveTracer(equations, 1e-13, ["x", "y", "z"], np.zeros(3, dtype=bool), np.array([[-np.inf, np.inf]] * 3))
     curve = path.follow(np.array([1, 1, np.sqrt(2)]), step, 1000)
     assert curve.closed
     assert [len(curve.turning_points(i)) for i in range(3)] == [4, 4, 2]
-    laid = path.laid_out(curve, 4001)
+    laid = path.resample(curve, 4001)
     half = mpmath.quad(lambda t: mpmath.sqrt(1 + mpmath.cos(t / 2) ** 2), [0, mpmath.pi, 2 * mpmath.pi])
     close(laid.length[-1], float(2 * half), atol=1e-4)
 
@@ -163,7 +163,7 @@ def test_a_guess_that_bends_with_the_curve_is_put_right_in_two_steps():
         asked.append(len(x))
         return once.equations(x)
 
-    curve = Path(counted, 1e-13, once.names, once.turns, once.limits).follow(np.array([1.0, 0.0]), 0.2, 1000)
+    curve = CurveTracer(counted, 1e-13, once.names, once.is_angle, once.limits).follow(np.array([1.0, 0.0]), 0.2, 1000)
     assert np.count_nonzero(np.array(asked) == 1) <= 3 * len(curve.q) + 5
     close(np.diff(curve.length)[:-1], 0.2, atol=4e-3)
 
@@ -188,7 +188,7 @@ def test_equations_that_repeat_each_other_are_no_obstacle():
         r, J = once.equations(x)
         return np.concatenate([r, -2 * r, r], axis=1), np.concatenate([J, -2 * J, J], axis=1)
 
-    path = Path(thrice, 1e-13, ["x", "y"], once.turns, once.limits)
+    path = CurveTracer(thrice, 1e-13, ["x", "y"], once.is_angle, once.limits)
     close(path.follow(np.array([1.0, 0.0]), 0.1, 1000).q, once.follow(np.array([1.0, 0.0]), 0.1, 1000).q)
 
 
@@ -229,7 +229,9 @@ def test_started_at_a_waist_it_does_not_take_the_far_side_for_home(near):
 
 
 def test_at_a_crossing_itself_there_is_no_telling_where_to_go():
-    with pytest.raises(ValueError, match=r"2 directions lead away from here.*start beside the crossing\."):
+    with pytest.raises(
+        ValueError, match=r"Exactly one direction must lead away.*; got 2\. .*start beside the crossing\."
+    ):
         cassini(1.0).follow(np.zeros(2), 0.1, 1000)
 
 
@@ -249,7 +251,7 @@ def test_a_cubic_turns_twice_between_its_limits(step):
     turned = curve.turning_points(0)
     close(np.abs(curve.q[turned, 1]), 1 / np.sqrt(3), atol=step)
     close(np.abs(curve.q[turned, 0]), 2 / np.sqrt(27), atol=step**2 * 2)
-    laid = path.laid_out(curve, 101)
+    laid = path.resample(curve, 101)
     close(laid.q[[0, -1]], curve.q[[0, -1]])
     assert laid.ends == curve.ends
 
@@ -312,11 +314,11 @@ def test_of_two_limits_within_one_step_the_first_one_counts(limit, first):
         lambda x, y: y - 2 * x, lambda x, y: (-2 + 0 * x, 1 + 0 * y), limits=((-0.5, 0.5), (-limit, limit))
     )
     for names, columns in (("xy", [0, 1]), ("yx", [1, 0])):
-        swapped = Path(
+        swapped = CurveTracer(
             lambda q, columns=columns: tuple(
                 part[..., columns] if part.ndim == 3 else part for part in path.equations(q[:, columns])
             ),
-            *(1e-13, names, path.turns, path.limits[columns]),
+            *(1e-13, names, path.is_angle, path.limits[columns]),
         )
         curve = swapped.follow(np.zeros(2), 2.0, 1000)
         assert curve.ends == (f"limit of {first}",) * 2
@@ -367,7 +369,7 @@ def test_between_limits_that_leave_no_room_a_curve_is_one_point():
     curve = path.follow(np.array([0.6, 0.8]), 0.1, 1000)
     assert curve.ends == ("limit of x", "limit of x")
     close(curve.q, [[0.6, 0.8]])
-    assert len(path.laid_out(curve, 10).q) == 1
+    assert len(path.resample(curve, 10).q) == 1
 
 
 @pytest.mark.parametrize("step", [0.1, 0.01])
@@ -375,7 +377,7 @@ def test_at_a_cusp_it_ends_for_no_tangent_leads_on(step):
     """y^2 = x^3 comes to the origin along x, and goes back the way it came."""
     path = plane_curve(lambda x, y: y**2 - x**3, lambda x, y: (-3 * x * x, 2 * y), limits=((-1, 1), (-2, 2)))
     curve = path.follow(np.array([0.25, 0.125]), step, 1000)
-    assert set(curve.ends) == {"limit of x", "lost: no posture closes further on"}
+    assert set(curve.ends) == {"limit of x", "lost: no configuration closes further on"}
     assert np.linalg.norm(curve.q, axis=1).min() < 1e-4
 
 
@@ -399,7 +401,7 @@ def test_a_curve_laid_out_is_on_the_curve_at_equal_steps_and_closes():
     ):
         curve = path.follow(np.array(start), step, 1000)
         for count in (2, 10, 361):
-            laid = path.laid_out(curve, count)
+            laid = path.resample(curve, count)
             assert len(laid.q) == count
             assert laid.residual < 10 * ROUNDED
             close(laid.q[-1], laid.q[0])
@@ -417,14 +419,14 @@ def drawn(count=40, far=7.0):
     return s, Curve(q, rates / np.linalg.norm(rates, axis=1, keepdims=True), False, ("limit", "limit"), 0.0)
 
 
-@pytest.mark.oracle("scipy", Curve.between, Curve.length)
+@pytest.mark.oracle("scipy", Curve.interpolate, Curve.length)
 @pytest.mark.parametrize("count", [2, 7, 101])
 def test_between_its_points_a_curve_is_scipy_s_hermite_spline(count):
     _, curve = drawn()
     s = np.cumsum([0.0, *map(distance.euclidean, curve.q, curve.q[1:])])
     close(curve.length, s)
     spline = CubicHermiteSpline(s, curve.q, curve.tangents)
-    close(curve.between(count), spline(np.linspace(0, s[-1], count)))
+    close(curve.interpolate(count), spline(np.linspace(0, s[-1], count)))
 
 
 @pytest.mark.oracle("scipy", Curve.turning_points)
@@ -441,7 +443,10 @@ def test_a_coordinate_turns_at_the_peaks_that_scipy_finds():
 
 
 def test_a_start_that_is_no_solution_is_refused():
-    with pytest.raises(ValueError, match=r"A curve starts at a solution; here 3 is left over\. Assemble first\."):
+    with pytest.raises(
+        ValueError,
+        match=r"A curve must start at a solution; the residual of this start is 3\. Assemble the linkage first",
+    ):
         circle().follow(np.array([2.0, 0.0]), 0.1, 1000)
 
 
@@ -452,9 +457,16 @@ def test_a_start_typed_with_fewer_digits_is_put_right():
 
 def test_a_point_and_a_surface_are_no_curves():
     free = circle()
-    both = Path(lambda x: (x, np.broadcast_to(np.eye(2), (len(x), 2, 2))), 1e-13, ["x", "y"], free.turns, free.limits)
-    with pytest.raises(ValueError, match=r"0 directions lead away.*Nothing moves: it is a structure\."):
+    both = CurveTracer(
+        lambda x: (x, np.broadcast_to(np.eye(2), (len(x), 2, 2))), 1e-13, ["x", "y"], free.is_angle, free.limits
+    )
+    with pytest.raises(
+        ValueError,
+        match=r"Exactly one direction must lead away.*; got 0\. Nothing can move: the linkage is a structure\.",
+    ):
         both.follow(np.zeros(2), 0.1, 1000)
     nothing = plane_curve(lambda x, y: 0 * (x + y), lambda x, y: (0 * x, 0 * y))
-    with pytest.raises(ValueError, match=r"2 directions lead away.*Hold all but one of the freedoms"):
+    with pytest.raises(
+        ValueError, match=r"Exactly one direction must lead away.*; got 2\. Hold all degrees of freedom but one"
+    ):
         nothing.follow(np.zeros(2), 0.1, 1000)

@@ -13,7 +13,7 @@ from scipy.spatial import distance
 
 from kinlib import Mechanism, exp, linkages, screw
 from kinlib.mechanisms.closure import Closure
-from kinlib.mechanisms.continuation import Path as CurvePath
+from kinlib.mechanisms.continuation import CurveTracer
 from kinlib.mechanisms.joints import Joint
 
 EXACT = 1e-12
@@ -69,7 +69,7 @@ def test_a_four_bar_has_the_two_modes_that_two_circles_have(name):
         assert apart(mode, np.array(expected)) < EXACT
 
 
-@pytest.mark.oracle("mpmath", Mechanism.trace, Closure.trace, CurvePath.laid_out, linkages.four_bar)
+@pytest.mark.oracle("mpmath", Mechanism.trace, Closure.trace, CurveTracer.resample, linkages.four_bar)
 def test_every_posture_of_the_traced_crank_rocker_is_on_both_circles():
     linkage = linkages.four_bar(*FOUR_BARS["crank-rocker"])
     curve = linkage.trace(linkage.assembly_modes(hold={"A": 1.0})[0], points=73)
@@ -140,7 +140,7 @@ def test_grashof_s_condition_tells_curves_and_cranks_of_any_four_bar(links, A, m
     curve = linkages.four_bar(*links).trace(postures[mode], step=0.2)
     assert curve.closed
     assert curve.residual < 1e-12
-    assert (apart(-postures[mode], curve.between(5000)) < 0.02) == (margin < 0)
+    assert (apart(-postures[mode], curve.interpolate(5000)) < 0.02) == (margin < 0)
     goes_round = margin > 0 and min(crank, ground) == sides[0]
     assert (abs(curve.q[-1, 0] - curve.q[0, 0]) > 1) == goes_round
 
@@ -167,7 +167,7 @@ def test_beside_a_change_point_the_two_curves_are_not_mixed_up(near):
         start = next(four_bar_postures(3, 2, coupler, 3, 1.0))
         curve = linkages.four_bar(3, 2, coupler, 3).trace(start, step=0.2)
         assert curve.closed
-        assert (apart(-start, curve.between(5000)) < 0.02) == mixed
+        assert (apart(-start, curve.interpolate(5000)) < 0.02) == mixed
 
 
 # --- slider-crank and five-bar ---
@@ -206,7 +206,7 @@ def test_a_five_bar_has_two_freedoms_and_its_tip_lies_on_two_circles():
     found = np.array([(linkage.poses(q)["end"] @ [*(sum(left) * X), 1])[:2] for q in modes])
     close(found[np.argsort(found[:, 1])], tips[np.argsort(tips[:, 1])])
     mobility = linkage.mobility(modes[0])
-    assert (mobility.instantaneous, mobility.finite) == (2, 2)
+    assert (mobility.infinitesimal, mobility.finite) == (2, 2)
 
 
 # --- platforms ---
@@ -260,7 +260,7 @@ def test_the_3_rrr_carries_its_platform_where_inverse_kinematics_wants_it(pose):
     away = [np.abs(linkage.poses(q)["end"] @ drawn - wanted).max() for q in modes]
     assert min(away, default=np.inf) < EXACT
     mobility = linkage.mobility(modes[int(np.argmin(away))])
-    assert (mobility.kutzbach, mobility.instantaneous, mobility.finite) == (3, 3, 3)
+    assert (mobility.kutzbach, mobility.infinitesimal, mobility.finite) == (3, 3, 3)
 
 
 THREE_RRR = {
@@ -286,9 +286,9 @@ def test_the_stewart_gough_platform_goes_where_the_lengths_of_its_legs_send_it()
     assert linkage.kutzbach() == 6
     zero = np.zeros(linkage.n)
     mobility = linkage.mobility(zero)
-    assert (mobility.instantaneous, mobility.finite) == (6, 6)
-    feet = np.array([joint.place for joint in linkage.joints if joint.name[0] == "U"])
-    heads = np.array([joint.place for joint in linkage.joints if joint.name[0] == "S"])
+    assert (mobility.infinitesimal, mobility.finite) == (6, 6)
+    feet = np.array([joint.position for joint in linkage.joints if joint.name[0] == "U"])
+    heads = np.array([joint.position for joint in linkage.joints if joint.name[0] == "S"])
     T = exp([0.1, -0.15, 0.2, 0.05, -0.03, 0.04])
     moved = heads @ T[:3, :3].T + T[:3, 3]
     stretch = np.linalg.norm(moved - feet, axis=1) - np.linalg.norm(heads - feet, axis=1)
@@ -316,7 +316,7 @@ def test_bennett_s_linkage_obeys_bennett_s_relation(a, alpha, b):
     close_angles(t2, -t4)
     for q in curve.q[::20]:
         mobility = linkage.mobility(q)
-        assert (mobility.kutzbach, mobility.instantaneous, mobility.finite) == (-2, 1, 1)
+        assert (mobility.kutzbach, mobility.infinitesimal, mobility.finite) == (-2, 1, 1)
 
 
 @pytest.mark.oracle("printed: Bennett (1903)", linkages.bennett)
@@ -359,7 +359,7 @@ def test_bricard_s_hinges_turn_as_chen_you_and_tarnai_say():
     close_angles(curve.q[:, ::2], curve.q[:, :1])
     close_angles(curve.q[:, 1::2], curve.q[:, 1:2])
     mobility = linkage.mobility(curve.q[10])
-    assert (mobility.instantaneous, mobility.finite) == (1, 1)
+    assert (mobility.infinitesimal, mobility.finite) == (1, 1)
 
 
 @pytest.mark.oracle("printed: Sarrus (1853)", linkages.sarrus)
@@ -367,7 +367,7 @@ def test_sarrus_s_top_moves_along_a_straight_line_and_does_not_turn():
     """From as high as the plates are long above the ground to as far below it; it passes through its floor unhindered."""
     linkage = linkages.sarrus(side=0.3, rise=0.2)
     mobility = linkage.mobility(np.zeros(6))
-    assert (mobility.kutzbach, mobility.instantaneous, mobility.finite) == (0, 1, 1)
+    assert (mobility.kutzbach, mobility.infinitesimal, mobility.finite) == (0, 1, 1)
     curve = linkage.trace(np.zeros(6), points=400)
     assert curve.closed
     T = linkage.poses(curve.q)["top"]
@@ -382,7 +382,7 @@ def test_sarrus_s_top_moves_along_a_straight_line_and_does_not_turn():
 def test_three_equal_cranks_move_one_coupler_without_turning_it():
     linkage = linkages.parallelogram()
     mobility = linkage.mobility(np.zeros(6))
-    assert (mobility.kutzbach, mobility.instantaneous, mobility.finite) == (0, 1, 1)
+    assert (mobility.kutzbach, mobility.infinitesimal, mobility.finite) == (0, 1, 1)
     curve = linkage.trace(np.zeros(6))
     assert curve.closed
     close_angles(curve.q[:, [2, 4]], curve.q[:, :1], atol=1e-8)
@@ -392,7 +392,7 @@ def test_three_equal_cranks_move_one_coupler_without_turning_it():
 
 def test_flat_the_three_cranks_let_more_through_than_leads_on():
     flat = linkages.parallelogram().mobility([-np.pi / 2, np.pi / 2] * 3)
-    assert flat.instantaneous > flat.finite == 1
+    assert flat.infinitesimal > flat.finite == 1
 
 
 # --- structures, and one that gives a little ---
@@ -405,7 +405,7 @@ def test_flat_the_three_cranks_let_more_through_than_leads_on():
 )
 def test_a_triangle_is_a_structure_and_without_height_it_gives_a_little(linkage, felt, had):
     mobility = linkage.mobility([0, 0, 0])
-    assert (mobility.kutzbach, mobility.instantaneous, mobility.finite) == (0, felt, had)
+    assert (mobility.kutzbach, mobility.infinitesimal, mobility.finite) == (0, felt, had)
     assert mobility.directions.shape == (3, felt)
 
 
@@ -419,7 +419,7 @@ def test_the_ring_of_ten_links_has_eight_freedoms_however_it_lies():
         found = linkage.assemble(rng.uniform(-2, 2, 11))
         assert found.converged
         mobility = linkage.mobility(found.q)
-        assert (mobility.kutzbach, mobility.instantaneous, mobility.finite) == (8, 8, 8)
+        assert (mobility.kutzbach, mobility.infinitesimal, mobility.finite) == (8, 8, 8)
         # The deck's equation: the tips of both branches are one point.
         tips = [sum(np.exp(1j * np.cumsum(branch))) for branch in (found.q[:5], found.q[5:10])]
         close(tips[0], tips[1])
@@ -487,13 +487,19 @@ def test_the_loop_of_a_gripper_turns_its_joints_as_its_file_says_they_copy_each_
 @pytest.mark.parametrize(
     ("build", "message"),
     [
-        (lambda: linkages.four_bar(4, -1, 3, 3), r"crank should be a length in metres, above 0; got -1\."),
-        (lambda: linkages.four_bar(4, 1, np.nan, 3), r"coupler should be a length in metres, above 0; got nan"),
-        (lambda: linkages.slider_crank(1, 0), r"rod should be a length"),
-        (lambda: linkages.five_bar(1, (1, 1), (1, 0)), r"length 2 should be a length"),
-        (lambda: linkages.three_rrr(base=0), r"base should be a length"),
-        (lambda: linkages.stewart_gough(height=np.inf), r"height should be a length"),
-        (lambda: linkages.bennett(0.5, 1.5, 0.6), r"No twist has the sine 1\.2 = b sin\(alpha\) / a\. Is b too long\?"),
+        (
+            lambda: linkages.four_bar(4, -1, 3, 3),
+            r"crank must be a positive length in metres; got -1\. Lengths have no sign",
+        ),
+        (lambda: linkages.four_bar(4, 1, np.nan, 3), r"coupler must be a positive length in metres; got nan"),
+        (lambda: linkages.slider_crank(1, 0), r"rod must be a positive length"),
+        (lambda: linkages.five_bar(1, (1, 1), (1, 0)), r"length 2 must be a positive length"),
+        (lambda: linkages.three_rrr(base=0), r"base must be a positive length"),
+        (lambda: linkages.stewart_gough(height=np.inf), r"height must be a positive length"),
+        (
+            lambda: linkages.bennett(0.5, 1.5, 0.6),
+            r"b sin\(alpha\) / a, must be at most 1; got 1\.2\. Try a smaller b\.",
+        ),
     ],
 )
 def test_what_is_no_linkage_is_refused(build, message):

@@ -21,7 +21,17 @@ from strategies import screws as drawn_screws
 
 from kinlib import Chain, Mechanism, adjoint, exp, inverse, linkages, log, robots, screw
 from kinlib.mechanisms.closure import Closure
-from kinlib.mechanisms.joints import Joint, Walk, as_chain, cycles, cylindrical, in_series, spherical, universal, walks
+from kinlib.mechanisms.joints import (
+    Joint,
+    JointPath,
+    chain_along,
+    cylindrical,
+    fundamental_cycles,
+    joints_of_chain,
+    spanning_tree,
+    spherical,
+    universal,
+)
 
 EXACT = 1e-12
 X, Y, Z = np.eye(3)
@@ -145,10 +155,10 @@ def test_a_closed_linkage_holds_together_at_every_joint(linkage):
     for joint in linkage.joints:
         a, b = (stands[body] for body in joint.bodies)
         relative = np.eye(4)
-        for S, value in zip(joint.screws, found.q[first : first + joint.freedoms], strict=True):
+        for S, value in zip(joint.screws, found.q[first : first + joint.dof], strict=True):
             relative = relative @ exp(S * value)
-        close(inverse(a) @ b, relative @ joint.gap)
-        first += joint.freedoms
+        close(inverse(a) @ b, relative @ joint.closing_offset)
+        first += joint.dof
 
 
 def graph_of(linkage):
@@ -164,7 +174,7 @@ def graph_of(linkage):
 def passed(joint, q, backwards=False):
     """How a joint moves its second body against its first, by the exponentials of Modern Robotics."""
     factors = [mr.MatrixExp6(mr.VecTose3(S * value)) for S, value in zip(joint.screws, q, strict=True)]
-    T = reduce(np.matmul, [*factors, joint.gap])
+    T = reduce(np.matmul, [*factors, joint.closing_offset])
     return mr.TransInv(T) if backwards else T
 
 
@@ -173,14 +183,14 @@ def unmade(linkage):
     return Mechanism(linkage.joints, linkage.ground, linkage.name)
 
 
-@pytest.mark.oracle("modern_robotics", Mechanism.poses, Mechanism.joint_points, as_chain, Joint.place)
+@pytest.mark.oracle("modern_robotics", Mechanism.poses, Mechanism.joint_points, chain_along, Joint.position)
 @pytest.mark.oracle("modern_robotics", Mechanism.loops)
 @each_linkage
 def test_a_closed_linkage_stands_where_modern_robotics_leads_along_any_walk(linkage):
     """Along SciPy's walks through the graph of bodies, which need not be ours: what is closed is the same by every way."""
     linkage = unmade(linkage)
     q = linkage.assemble(0.3 * postures(linkage, 1)[0]).q
-    values = np.split(q, np.cumsum([joint.freedoms for joint in linkage.joints])[:-1])
+    values = np.split(q, np.cumsum([joint.dof for joint in linkage.joints])[:-1])
     bodies, edges = graph_of(linkage)
     order, before = breadth_first_order(edges != 0, 0, directed=False)
     stands = {0: np.eye(4)}
@@ -198,34 +208,34 @@ def test_a_closed_linkage_stands_where_modern_robotics_leads_along_any_walk(link
         close(point, (stands[bodies.index(joint.bodies[0])] @ [*drawn, 1])[:3], atol=1e-10)
 
 
-@pytest.mark.oracle("modern_robotics", cycles)
+@pytest.mark.oracle("modern_robotics", fundamental_cycles)
 @each_linkage
 def test_round_a_cycle_modern_robotics_comes_back(linkage):
     q = linkage.assemble(0.3 * postures(linkage, 1)[0]).q
-    values = np.split(q, np.cumsum([joint.freedoms for joint in linkage.joints])[:-1])
-    for cycle in cycles(linkage.joints, walks(linkage.joints, linkage.ground)):
+    values = np.split(q, np.cumsum([joint.dof for joint in linkage.joints])[:-1])
+    for cycle in fundamental_cycles(linkage.joints, spanning_tree(linkage.joints, linkage.ground)):
         around = [passed(linkage.joints[i], values[i], not forwards) for i, forwards in cycle]
         close(reduce(np.matmul, around), np.eye(4), atol=1e-10)
 
 
-@pytest.mark.oracle("scipy", walks, Mechanism.bodies)
+@pytest.mark.oracle("scipy", spanning_tree, Mechanism.bodies)
 @each_linkage
 def test_walks_are_as_short_as_scipy_s_and_loops_as_many_as_its_graph_has(linkage):
     bodies, edges = graph_of(linkage)
     shortest = shortest_path(edges != 0, directed=False, unweighted=True, indices=0)
-    ways = walks(linkage.joints, linkage.ground)
+    ways = spanning_tree(linkage.joints, linkage.ground)
     assert {body: len(way) for body, way in ways.items()} == dict(zip(bodies, shortest, strict=True))
     fresh = unmade(linkage)
     assert sorted(fresh.bodies) == sorted(bodies)
     parts, _ = connected_components(edges != 0, directed=False)
     count = len(linkage.joints) - len(bodies) + parts
-    assert len(fresh.loops) == len(cycles(linkage.joints, ways)) == count
+    assert len(fresh.loops) == len(fundamental_cycles(linkage.joints, ways)) == count
     # No loop is made of the others: over bodies and joints, they are a basis of the null space of the incidence matrix.
     incidence = np.zeros((len(bodies), len(linkage.joints)))
     for i, joint in enumerate(linkage.joints):
         incidence[[bodies.index(body) for body in joint.bodies], i] = -1, 1
     around = np.zeros((count, len(linkage.joints)))
-    for row, cycle in zip(around, cycles(linkage.joints, ways), strict=True):
+    for row, cycle in zip(around, fundamental_cycles(linkage.joints, ways), strict=True):
         for i, forwards in cycle:
             row[i] += 1 if forwards else -1
     oracle = null_space(incidence)
@@ -241,14 +251,14 @@ def test_a_loop_at_the_end_of_an_arm_leaves_the_arm_out():
         ([("b", "c"), ("d", "b"), ("c", "d")], [(2, True), (4, True), (3, True)]),
     ):
         linkage = Mechanism(bars(("ground", "a"), ("a", "b"), *ends))
-        assert cycles(linkage.joints, walks(linkage.joints, "ground")) == [expected]
+        assert fundamental_cycles(linkage.joints, spanning_tree(linkage.joints, "ground")) == [expected]
         assert [loop.columns.tolist() for loop in linkage.loops] == [[i for i, _ in expected]]
 
 
 def test_a_joint_of_several_values_passed_backwards_undoes_itself():
     q = np.array([0.3, -0.8, 1.1])
-    ball = Joint("ball", ("a", "b"), spherical([1.0, 2.0, 3.0]), gap=exp([0.1, 0.2, 0.3, 4.0, 5.0, 6.0]))
-    there, back = (as_chain([ball], [(0, forwards)], "ball") for forwards in (True, False))
+    ball = Joint("ball", ("a", "b"), spherical([1.0, 2.0, 3.0]), closing_offset=exp([0.1, 0.2, 0.3, 4.0, 5.0, 6.0]))
+    there, back = (chain_along([ball], [(0, forwards)], "ball") for forwards in (True, False))
     close(there.chain.fk(q[there.columns]) @ back.chain.fk(q[back.columns]), np.eye(4))
     assert (there.columns.tolist(), back.columns.tolist()) == ([0, 1, 2], [2, 1, 0])
 
@@ -263,10 +273,10 @@ def test_the_middle_does_not_run_away_to_where_nearly_parallel_axes_would_meet(l
     aside = 5 * np.tan(lean) * X
     up, across = np.cos(lean) * Z, np.sin(lean) * X
     chain = Chain(np.stack([screw(up + across, -aside), screw(up - across, aside)]), np.eye(4))
-    close(Walk(chain, np.arange(2)).middle, height * Z)
+    close(JointPath(chain, np.arange(2)).centre, height * Z)
 
 
-@pytest.mark.oracle("scipy", Walk.middle, Walk.size, Walk.to_middle)
+@pytest.mark.oracle("scipy", JointPath.centre, JointPath.size, JointPath.to_centre)
 @each_linkage
 def test_the_middle_of_a_loop_is_where_scipy_finds_the_sum_of_squares_least(linkage):
     for loop in unmade(linkage).loops:
@@ -278,9 +288,9 @@ def test_the_middle_of_a_loop_is_where_scipy_finds_the_sum_of_squares_least(link
 
         if len(turning):
             least = least_squares(off, np.zeros(3), xtol=1e-15, ftol=1e-15, gtol=1e-15)
-            close(np.linalg.norm(off(loop.middle)), np.linalg.norm(least.fun), atol=1e-9)
-        shift = mr.RpToTrans(np.eye(3), -loop.middle)
-        close(loop.to_middle, mr.Adjoint(shift))
+            close(np.linalg.norm(off(loop.centre)), np.linalg.norm(least.fun), atol=1e-9)
+        shift = mr.RpToTrans(np.eye(3), -loop.centre)
+        close(loop.to_centre, mr.Adjoint(shift))
         axes = loop.chain.screws @ mr.Adjoint(shift).T
         ways = [np.cross(S[:3], S[3:]) for S in axes] + [(shift @ loop.chain.home @ mr.TransInv(shift))[:3, 3]]
         close(loop.size, max(distance.cdist(np.array(ways), np.zeros((1, 3))).ravel()))
@@ -306,7 +316,7 @@ def test_a_cylinder_slides_and_turns_about_one_line_of_modern_robotics(point, ax
     close(cylindrical(axis, point), [[0, 0, 0, *axis], mr.ScrewToAxis(point, axis, 0)])
 
 
-@pytest.mark.oracle("pinocchio", Mechanism.from_chain, Mechanism.from_branches, in_series)
+@pytest.mark.oracle("pinocchio", Mechanism.from_chain, Mechanism.from_branches, joints_of_chain)
 @given(moved_chains(3), moved_chains(3))
 def test_chains_bent_round_and_joined_close_where_pinocchio_says(one, two):
     """For a ring, log of its pose; for two branches, T_1 = T_2: what moves the end of one must move that of the other."""
@@ -325,7 +335,7 @@ def test_chains_bent_round_and_joined_close_where_pinocchio_says(one, two):
     ways = (there @ mr.TransInv(here), here @ mr.TransInv(there))
     apart = [np.abs(left - np.roll(pin.log6(T).vector, 3)).max() for T in ways]
     assert min(apart) < 1e-12 * size
-    straight = in_series(
+    straight = joints_of_chain(
         first, [str(i) for i in range(first.n + 1)], [f"joint {i}" for i in range(first.n)], first.home
     )
     values = np.reshape(q, (-1, 1))
@@ -333,7 +343,7 @@ def test_chains_bent_round_and_joined_close_where_pinocchio_says(one, two):
 
 
 @pytest.mark.oracle("text: written out in the test", Mechanism, Mechanism.n, Mechanism.names, Mechanism.limits)
-@pytest.mark.oracle("text: written out in the test", Joint, Joint.range, Joint.freedoms)
+@pytest.mark.oracle("text: written out in the test", Joint, Joint.range, Joint.dof)
 def test_a_linkage_of_two_joints_is_what_was_written_down():
     turn = Joint("turn", ("a", "b"), screw(Z), limits=(-1, 2))
     ball = Joint("ball", ("b", "a"), spherical(X))
@@ -341,7 +351,7 @@ def test_a_linkage_of_two_joints_is_what_was_written_down():
     assert linkage.joints == (turn, ball)
     assert (linkage.ground, linkage.bodies, linkage.name, linkage.source) == ("a", ("a", "b"), "linkage", "")
     assert Mechanism([turn, ball], "b").bodies == ("b", "a")
-    assert (linkage.n, turn.freedoms, ball.freedoms) == (4, 1, 3)
+    assert (linkage.n, turn.dof, ball.dof) == (4, 1, 3)
     assert linkage.names == ("turn", "ball.1", "ball.2", "ball.3")
     assert linkage.limits.tolist() == [[-1, 2], *[[-np.inf, np.inf]] * 3]
     assert turn.range.tolist() == [[-1, 2]]
@@ -358,17 +368,17 @@ def backwards(joint):
     return replace(
         joint,
         bodies=joint.bodies[::-1],
-        screws=-joint.screws @ adjoint(inverse(joint.gap)).T,
-        gap=inverse(joint.gap),
+        screws=-joint.screws @ adjoint(inverse(joint.closing_offset)).T,
+        closing_offset=inverse(joint.closing_offset),
         point=None,
     )
 
 
 def moved(joint, T, scale):
-    screws, gap = joint.screws.copy(), joint.gap.copy()
+    screws, gap = joint.screws.copy(), joint.closing_offset.copy()
     screws[screws[:, :3].any(axis=1), 3:] *= scale
     gap[:3, 3] *= scale
-    return replace(joint, screws=screws @ adjoint(T).T, gap=T @ gap @ inverse(T), point=None)
+    return replace(joint, screws=screws @ adjoint(T).T, closing_offset=T @ gap @ inverse(T), point=None)
 
 
 DESCRIBED = {
@@ -397,7 +407,7 @@ def test_the_same_linkage_described_otherwise_moves_the_same(name, data):
     # Its values are the same too, in their new order.
     assert sorted(np.round(mode[order], 6).tolist() for mode in modes) == sorted(np.round(found, 6).tolist())
     one, two = linkage.mobility(modes[0]), other.mobility(modes[0][order])
-    assert (one.kutzbach, one.instantaneous, one.finite) == (two.kutzbach, two.instantaneous, two.finite)
+    assert (one.kutzbach, one.infinitesimal, one.finite) == (two.kutzbach, two.infinitesimal, two.finite)
 
 
 @pytest.mark.parametrize(("scale", "far"), [(1e-3, 0), (1e-3, 10), (1, 1e4), (100, 1e4)])
@@ -412,7 +422,7 @@ def test_neither_the_origin_nor_the_unit_of_length_makes_a_difference(scale, far
         assert len(modes) == count
         assert other.kutzbach() == linkage.kutzbach()
         mobility = other.mobility(modes[0])
-        assert mobility.instantaneous == mobility.finite == 1
+        assert mobility.infinitesimal == mobility.finite == 1
         # A curve of metres is as long as the linkage is large.
         assert other.trace(modes[0], step=0.3 * max(1, scale) if name == "slider-crank" else 0.3).closed
 
@@ -430,7 +440,7 @@ def test_with_every_crank_more_counting_goes_down_and_the_parallelogram_moves_al
         linkage = Mechanism(joints)
         assert len(linkage.loops) == cranks - 1
         mobility = linkage.mobility(np.zeros(2 * cranks))
-        assert (mobility.kutzbach, mobility.instantaneous, mobility.finite) == (3 - cranks, 1, 1)
+        assert (mobility.kutzbach, mobility.infinitesimal, mobility.finite) == (3 - cranks, 1, 1)
         turned = linkage.assemble(np.zeros(2 * cranks), hold={"A0": 0.3})
         close(turned.q, 0.3 * np.resize([1, -1], 2 * cranks))
 
@@ -470,7 +480,7 @@ def test_a_jack_climbs_by_its_pitch():
     raised = linkage.assemble(np.zeros(3), hold={"rise": 0.05})
     close(raised.q, [-5, 5, 0.05])
     assert len(linkage.assembly_modes(hold={"rise": 0.05})) == 1
-    curve = linkage.trace(np.zeros(3), most=30)
+    curve = linkage.trace(np.zeros(3), max_steps=30)
     assert curve.ends == ("30 points", "30 points")
 
 
@@ -519,12 +529,12 @@ def test_cylinders_and_balls_count_as_the_books_say():
         [Joint("R", bodies[0], skew[0])] + [Joint(f"C{i}", bodies[i], cylindrical(*lines[i])) for i in range(1, 4)]
     )
     mobility = rccc.mobility(np.zeros(7))
-    assert (mobility.kutzbach, mobility.instantaneous, mobility.finite) == (1, 1, 1)
+    assert (mobility.kutzbach, mobility.infinitesimal, mobility.finite) == (1, 1, 1)
     balls = [Joint("S1", bodies[1], spherical(X + Y)), Joint("S2", bodies[2], spherical(2 * Y + Z))]
     rssr = Mechanism([Joint("R1", bodies[0], skew[0]), *balls, Joint("R2", bodies[3], skew[3])])
     assert rssr.names == ("R1", "S1.1", "S1.2", "S1.3", "S2.1", "S2.2", "S2.3", "R2")
     mobility = rssr.mobility(np.zeros(8))
-    assert (mobility.kutzbach, mobility.instantaneous, mobility.finite) == (2, 2, 2)
+    assert (mobility.kutzbach, mobility.infinitesimal, mobility.finite) == (2, 2, 2)
 
 
 @settings(max_examples=15)
@@ -538,7 +548,7 @@ def test_a_loop_of_any_joints_closes_where_it_is_drawn_and_counts_its_rank(axes)
     # Between 1e-9 and 1e-5 rank is a matter of opinion, and neither count is right or wrong.
     mobility = linkage.mobility(zero)
     if not ((mobility.singular_values > 1e-9) & (mobility.singular_values < 1e-5)).any():
-        assert mobility.instantaneous == linkage.n - np.linalg.matrix_rank(np.array(axes), tol=1e-7)
+        assert mobility.infinitesimal == linkage.n - np.linalg.matrix_rank(np.array(axes), tol=1e-7)
 
 
 # --- closing ---
@@ -572,9 +582,9 @@ def test_links_that_cannot_meet_are_told_with_the_gap():
     assert not found.converged
     close(found.residual, 1.0, atol=0.3)
     assert found.message.startswith(
-        f"Not closed after {found.iterations} steps: a gap of {found.residual:.2g}, in metres"
+        f"Not closed after {found.iterations} steps: the residual is {found.residual:.2g}, in metres"
     )
-    assert "Are the links too short to meet?" in found.message
+    assert "Check that the links are long enough to meet, or try another guess." in found.message
     assert len(linkages.four_bar(4, 1, 1, 1).assembly_modes(hold={"A": 0.0})) == 0
 
 
@@ -656,7 +666,7 @@ def test_a_posture_beyond_its_limits_is_told_and_one_a_turn_away_is_brought_home
     found = narrow.assemble(q)
     assert found.converged
     assert found.message.endswith("but beyond the limits of D.")
-    with pytest.raises(ValueError, match=r"The start is beyond the limits of D\."):
+    with pytest.raises(ValueError, match=r"The start must be within the limits; it is beyond those of D\."):
         narrow.trace(q)
     turn_on = limited(linkage, D=(q[2] + 2 * np.pi - 0.5, q[2] + 2 * np.pi + 0.5)).assemble(q)
     assert "beyond" not in turn_on.message
@@ -675,15 +685,15 @@ def test_a_trace_ends_exactly_at_its_limits(points):
 
 
 def test_a_curve_of_two_points_is_one_and_so_is_one_step():
-    ends = jack().trace(np.zeros(3), most=1)
+    ends = jack().trace(np.zeros(3), max_steps=1)
     assert (len(ends.q), ends.ends) == (3, ("1 point", "1 point"))
-    ways = jack().trace(np.zeros(3), points=2, most=3)
+    ways = jack().trace(np.zeros(3), points=2, max_steps=3)
     close(ways.q, ends.q[[0, -1]] * 3)
 
 
 def test_a_step_is_a_fifth_of_a_radian_unless_another_is_asked_for():
     for steps, length in (({}, 0.2), ({"step": 0.5}, 0.5)):
-        close(np.diff(jack(1e-4).trace(np.zeros(3), most=5, **steps).length), length)
+        close(np.diff(jack(1e-4).trace(np.zeros(3), max_steps=5, **steps).length), length)
 
 
 def test_a_held_value_stays_put_along_a_trace():
@@ -701,12 +711,12 @@ def test_a_held_value_stays_put_along_a_trace():
 # --- closing equations whose answers are known ---
 
 
-def closing(equations, start=(0.0,), *, turns=False, limits=(-np.inf, np.inf), reach=2.0, closed=1e-13):
+def closing(equations, start=(0.0,), *, is_angle=False, limits=(-np.inf, np.inf), search_range=2.0, tolerance=1e-13):
     n = len(start)
     names = [f"q{i}" for i in range(1, n + 1)]
     return Closure(
-        *(equations, np.array(start, dtype=float), np.arange(n), names, np.full(n, turns)),
-        *(np.tile(limits, (n, 1)).astype(float), np.full(n, reach), closed),
+        *(equations, np.array(start, dtype=float), np.arange(n), names, np.full(n, is_angle)),
+        *(np.tile(limits, (n, 1)).astype(float), np.full(n, search_range), tolerance),
     )
 
 
@@ -752,7 +762,7 @@ def asked_by(modes_of, **options):
         asked.append(x.copy())
         return modes_of(x)
 
-    closing(equations, **options).modes(stand=lambda q: q)
+    closing(equations, **options).modes(poses=lambda q: q)
     return np.concatenate(asked)
 
 
@@ -779,8 +789,8 @@ def test_modes_are_sought_among_all_values_within_reach_of_0_or_of_the_limit_nea
 
 def test_what_closes_too_slowly_is_no_mode_that_is_sought_and_can_be_assembled_all_the_same():
     """Newton's steps to a root of fourth order shorten the way by a quarter each."""
-    slow = closing(lambda x: (x**4, 4 * x[:, None] ** 3), [1.0], closed=1e-45)
-    assert slow.modes(stand=lambda q: q).shape == (0, 1)
+    slow = closing(lambda x: (x**4, 4 * x[:, None] ** 3), [1.0], tolerance=1e-45)
+    assert slow.modes(poses=lambda q: q).shape == (0, 1)
     found = slow.assemble()
     assert found.converged
     assert found.iterations > 40
@@ -789,16 +799,16 @@ def test_what_closes_too_slowly_is_no_mode_that_is_sought_and_can_be_assembled_a
 def test_a_posture_that_gives_a_little_and_goes_nowhere_is_a_mode():
     """x^2 + y^2 = 0 at 0 alone: one equation, and one direction in which it does not resist."""
     shaky = closing(lambda x: ((x * x).sum(1, keepdims=True), 2 * x[:, None]), [0.0, 0.0])
-    close(shaky.modes(stand=lambda q: q), [[0, 0]], atol=1e-6)
+    close(shaky.modes(poses=lambda q: q), [[0, 0]], atol=1e-6)
 
 
 @pytest.mark.parametrize(("beyond", "count"), [(2e-6, 0), (5e-7, 1), (-5e-7, 1)])
 def test_a_mode_beyond_a_limit_by_what_its_print_leaves_out_is_one(beyond, count):
     """The cosine is 0 at a right angle either way; limits stand beside one of them, below it or above."""
     for limits in ((np.pi / 2 + beyond, 2), (1, np.pi / 2 - beyond)):
-        within = closing(cosine, turns=True, limits=limits, reach=np.pi)
-        close(within.modes(stand=lambda q: q), np.full((count, 1), np.pi / 2))
-        found = replace(within, posture=np.array([1.5])).assemble()
+        within = closing(cosine, is_angle=True, limits=limits, search_range=np.pi)
+        close(within.modes(poses=lambda q: q), np.full((count, 1), np.pi / 2))
+        found = replace(within, configuration=np.array([1.5])).assemble()
         close(np.sin(found.q), [1])
         assert ("beyond the limits of q1" in found.message) == (count == 0)
 
@@ -815,8 +825,8 @@ def test_a_mode_beyond_a_limit_by_what_its_print_leaves_out_is_one(beyond, count
     ],
 )
 def test_an_angle_is_counted_from_its_least_value_or_within_the_last_turn_below_its_greatest(limits, angles):
-    free = closing(cosine, turns=True, limits=limits, reach=np.pi)
-    close(free.modes(stand=np.sin), np.pi * np.array(angles)[:, None])
+    free = closing(cosine, is_angle=True, limits=limits, search_range=np.pi)
+    close(free.modes(poses=np.sin), np.pi * np.array(angles)[:, None])
 
 
 # --- from chains ---
@@ -836,7 +846,7 @@ def test_a_chain_bent_round_keeps_its_limits_and_where_its_joints_are_drawn():
     assert np.isinf(Mechanism.from_chain(arm).limits).all()
     limits = np.arange(12.0).reshape(6, 2)
     ring = Mechanism.from_chain(replace(arm, limits=limits))
-    close([joint.place for joint in ring.joints], arm.joint_points)
+    close([joint.position for joint in ring.joints], arm.joint_points)
     close([joint.limits for joint in ring.joints], limits[:, None])
     assert (ring.ground, ring.name, ring.source) == ("ground", arm.name, arm.source)
 
@@ -883,25 +893,28 @@ def bars(*bodies):
     ("build", "message"),
     [
         (lambda: Mechanism([]), r"at least one joint; got none"),
-        (lambda: Mechanism(bars("ab", "bc")), r"has no loop: its 2 joints form a tree\. Use kl\.Chain"),
-        (lambda: Mechanism(bars("ab", "ab", "cd")), r"No joints lead from a to c, d\. Is a joint missing\?"),
+        (lambda: Mechanism(bars("ab", "bc")), r"must have a loop; the 2 joints of linkage form a tree\. Use kl\.Chain"),
+        (
+            lambda: Mechanism(bars("ab", "ab", "cd")),
+            r"must connect every body with a; got none to c, d\. Is a joint missing\?",
+        ),
         (lambda: Mechanism(bars("ab", "ab"), ground="c"), r"one of the bodies a, b; got 'c'"),
-        (lambda: Mechanism(bars("ab", "ab")[:1] * 2), r"a name of its own; J0 came more than once"),
-        (lambda: Joint("J", ("a", "a"), screw(Z)), r"Joint J should join two different bodies; got tuple \('a', 'a'\)"),
+        (lambda: Mechanism(bars("ab", "ab")[:1] * 2), r"names of the joints must be different; got J0 more than once"),
+        (lambda: Joint("J", ("a", "a"), screw(Z)), r"Joint J must join two different bodies; got tuple \('a', 'a'\)"),
         (
             lambda: Joint("J", ("a", "b"), [0, 0, 2, 0, 0, 0]),
             r"screws of J should hold screw axes.*length of omega is 2",
         ),
-        (lambda: Joint("J", ("a", "b"), screw(Z), gap=2 * np.eye(4)), r"home is not a pose"),
+        (lambda: Joint("J", ("a", "b"), screw(Z), closing_offset=2 * np.eye(4)), r"home is not a pose"),
         (lambda: Joint("J", ("a", "b"), screw(Z), limits=(1, 0)), r"limits of joint 1 should be \(least, greatest\)"),
         (lambda: Joint("J", ("a", "b"), screw(Z), limits=(np.nan, 0)), r"limits of joint 1"),
         (lambda: Joint("J", ("a", "b"), universal(X, Y, Z), limits=(0, 1)), r"limits should have one row"),
         (lambda: Joint("J", ("a", "b"), screw(Z), point=(0, 0)), r"point of J should have shape"),
-        (lambda: Mechanism.from_branches(robots.rpr()), r"at least two; got 1"),
+        (lambda: Mechanism.from_branches(robots.rpr()), r"at least two branches to join; got 1"),
         (lambda: Mechanism.from_chain(Chain([screw(Z)], np.eye(4))), r"two different bodies"),
         (
             lambda: Mechanism.from_branches(*[replace(robots.rpr(), joint_names=("a", "b", "c"))] * 2),
-            r"a, b, c came more",
+            r"got a, b, c more than once",
         ),
     ],
 )
@@ -913,22 +926,34 @@ def test_what_is_no_mechanism_is_refused(build, message):
 @pytest.mark.parametrize(
     ("ask", "message"),
     [
-        (lambda m: m.residual([1, 2, 3]), r"four-bar has 4 joint values \(A, B, D, C\).*got \(3,\)"),
+        (
+            lambda m: m.residual([1, 2, 3]),
+            r"shape \(\.\.\., 4\); got \(3,\)\. Pass one number for each joint value of four-bar: A, B, D, C\.",
+        ),
         (lambda m: m.jacobian(np.zeros((4, 3))), r"shape \(\.\.\., 4\); got \(4, 3\)"),
         (lambda m: m.poses([0, 0, 0, np.nan]), r"q holds NaN or infinity at index \[3\]"),
-        (lambda m: m.assemble(np.zeros((2, 4))), r"One posture, please, of shape \(4,\); got \(2, 4\)"),
-        (lambda m: m.assemble(np.zeros(4), hold={"E": 1}), r"no joint value 'E' to hold; it has A, B, D, C"),
+        (
+            lambda m: m.assemble(np.zeros((2, 4))),
+            r"q must have shape \(4,\); got \(2, 4\)\. Pass one configuration at a time\.",
+        ),
+        (lambda m: m.assemble(np.zeros(4), hold={"E": 1}), r"four-bar has no 'E'\. Its joint values are A, B, D, C\."),
         (lambda m: m.assemble(np.zeros(4), hold={"A": np.nan}), r"A holds NaN"),
-        (lambda m: m.assemble(np.zeros(4), hold={"A": [1, 2]}), r"A is held at one value; got list \[1, 2\]"),
-        (lambda m: m.assemble(np.zeros(4), hold=dict.fromkeys("ABCD", 0)), r"Every joint value is held"),
-        (lambda m: m.assembly_modes(), r"1 freedoms are left, so the modes are curves and not postures\. Hold as many"),
-        (lambda m: m.mobility(np.zeros(4)), r"does not close: 2\.5 is left over\. Assemble it first"),
-        (lambda m: m.trace([0.5, 0.5, 2, 0]), r"A curve starts at a solution; here .* is left over\. Assemble first"),
-        (lambda m: m.trace(np.zeros(4), step=0), r"step should be a length along the curve, above 0; got 0"),
-        (lambda m: m.trace(np.zeros(4), step=np.nan), r"step should be"),
-        (lambda m: m.trace(np.zeros(4), points=1), r"two points at least, and one step; got points=1"),
-        (lambda m: m.trace(np.zeros(4), most=0), r"got points=None, most=0"),
-        (lambda m: m.trace(m.assembly_modes({"A": 1.0})[0], hold={"A": 1.0}), r"Nothing moves: it is a structure"),
+        (lambda m: m.assemble(np.zeros(4), hold={"A": [1, 2]}), r"A must be held at one number; got list \[1, 2\]"),
+        (lambda m: m.assemble(np.zeros(4), hold=dict.fromkeys("ABCD", 0)), r"must not be held; all are held\."),
+        (lambda m: m.assembly_modes(), r"no degree of freedom may be left; 1 left\. Hold as many"),
+        (lambda m: m.mobility(np.zeros(4)), r"must be closed at q; the residual is 2\.5\. Assemble the linkage first"),
+        (
+            lambda m: m.trace([0.5, 0.5, 2, 0]),
+            r"A curve must start at a solution; the residual .* is .*\. Assemble the linkage first",
+        ),
+        (lambda m: m.trace(np.zeros(4), step=0), r"step must be a positive length along the curve; got 0"),
+        (lambda m: m.trace(np.zeros(4), step=np.nan), r"step must be"),
+        (lambda m: m.trace(np.zeros(4), points=1), r"at least two points and one step; got points=1"),
+        (lambda m: m.trace(np.zeros(4), max_steps=0), r"got points=None, max_steps=0"),
+        (
+            lambda m: m.trace(m.assembly_modes({"A": 1.0})[0], hold={"A": 1.0}),
+            r"Nothing can move: the linkage is a structure",
+        ),
     ],
 )
 def test_what_makes_no_sense_is_refused(ask, message):
@@ -938,6 +963,6 @@ def test_what_makes_no_sense_is_refused(ask, message):
 
 def test_a_mechanism_cannot_be_written_to_whatever_it_was_written_in():
     listed = Joint("J", ("a", "b"), [0, 0, 1, 0, 0, 0], np.eye(4).tolist(), [-1, 2], [3, 0, 0])
-    for array in (FOUR_BAR.limits, listed.screws, listed.gap, listed.limits, listed.point):
+    for array in (FOUR_BAR.limits, listed.screws, listed.closing_offset, listed.limits, listed.point):
         with pytest.raises(ValueError, match="read-only"):
             array[...] = 0

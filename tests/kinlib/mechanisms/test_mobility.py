@@ -8,7 +8,7 @@ from strategies import poses
 from kinlib import adjoint, linkages, screw
 from kinlib.mechanisms.joints import cylindrical, spherical, universal
 from kinlib.mechanisms.levenberg_marquardt import null_space
-from kinlib.mechanisms.mobility import Mobility, finite_freedoms, group_dimension
+from kinlib.mechanisms.mobility import Mobility, finite_mobility, group_dimension
 
 X, Y, Z = np.eye(3)
 SLIDE = np.inf
@@ -98,7 +98,7 @@ SETS = {
 """Directions that the Jacobian lets through, dimension of the set, and the point, by plane geometry."""
 
 
-@pytest.mark.oracle("axiom: the dimension of a set that plane geometry knows", finite_freedoms)
+@pytest.mark.oracle("axiom: the dimension of a set that plane geometry knows", finite_mobility)
 @pytest.mark.parametrize("name", SETS)
 def test_the_freedoms_that_lead_on_are_the_dimension_of_the_set(name):
     felt, had, point, *functions = SETS[name]
@@ -106,13 +106,13 @@ def test_the_freedoms_that_lead_on_are_the_dimension_of_the_set(name):
     point = np.array(point, dtype=float)
     directions, _ = null_space(equations(point[None])[1][0])
     assert directions.shape[1] == felt
-    assert finite_freedoms(equations, point, directions, closed=1e-13) == had
+    assert finite_mobility(equations, point, directions, tolerance=1e-13) == had
 
 
 def test_another_solution_nearby_proves_nothing():
     """x^2 (x - 0.3) = 0: from the double root at 0 the search slides to the other one, which is another posture."""
     equations = polynomial(lambda x: x * x * (x - 0.3), lambda x: [3 * x * x - 0.6 * x])
-    assert finite_freedoms(equations, np.zeros(1), np.eye(1), closed=1e-13) == 0
+    assert finite_mobility(equations, np.zeros(1), np.eye(1), tolerance=1e-13) == 0
 
 
 def test_a_branch_that_passes_by_proves_nothing():
@@ -121,8 +121,8 @@ def test_a_branch_that_passes_by_proves_nothing():
         lambda x, y: [x * x * (1 - y), 1e-4 * y * (1 - y)],
         lambda x, y: [[2 * x * (1 - y), -x * x], [0, 1e-4 * (1 - 2 * y)]],
     )
-    assert finite_freedoms(equations, np.zeros(2), np.eye(2)[:, :1], closed=1e-13) == 0
-    assert finite_freedoms(equations, np.array([0.0, 1.0]), np.eye(2)[:, :1], closed=1e-13) == 1
+    assert finite_mobility(equations, np.zeros(2), np.eye(2)[:, :1], tolerance=1e-13) == 0
+    assert finite_mobility(equations, np.array([0.0, 1.0]), np.eye(2)[:, :1], tolerance=1e-13) == 1
 
 
 def test_the_planes_are_the_same_ones_in_every_call():
@@ -135,7 +135,7 @@ def test_the_planes_are_the_same_ones_in_every_call():
             places.append(x.tolist())
             return equations(x)
 
-        finite_freedoms(recording, np.array(point, dtype=float), np.eye(2), closed=1e-13)
+        finite_mobility(recording, np.array(point, dtype=float), np.eye(2), tolerance=1e-13)
         return places
 
     assert asked() == asked()
@@ -148,12 +148,20 @@ def test_the_planes_are_the_same_ones_in_every_call():
 def test_mobility_says_in_words_what_counting_missed():
     arch = linkages.stretched_arch().mobility([0, 0, 0])
     assert str(arch) == (
-        "Counting gives 0. Here the loops let 1 through, but none leads anywhere: "
-        "it is infinitesimal, and this posture is singular."
+        "The Gruebler-Kutzbach count is 0. The infinitesimal mobility is 1, but the finite mobility is 0: "
+        "this configuration is singular, no infinitesimal motion continues to a finite one."
     )
     crossing = linkages.four_bar(4, 1, 4, 1).mobility([0, 0, 0, 0])
-    assert "let 2 through, but only 1 at a time leads on: this posture is singular, a crossing" in str(crossing)
-    assert str(linkages.triangle().mobility([0, 0, 0])).endswith("let 0 through, so nothing moves.")
+    assert (
+        "is 2, but the finite mobility is 1: this configuration is singular, perhaps branches of the motion cross"
+        in str(crossing)
+    )
+    assert str(linkages.triangle().mobility([0, 0, 0])).endswith(
+        "The infinitesimal mobility is 0, so nothing can move."
+    )
     bennett = linkages.bennett()
     moving = bennett.mobility(bennett.assemble([1, 2, 1, 2]).q)
-    assert str(moving) == "Counting gives -2. Here the loops let 1 through, and as many lead on."
+    assert (
+        str(moving)
+        == "The Gruebler-Kutzbach count is -2. The infinitesimal mobility is 1, and so is the finite mobility."
+    )
