@@ -1,6 +1,7 @@
 """kinlib: robot forward kinematics, small enough to read and strict enough to trust.
 
-Read the modules in the order of the lectures: lie, screw, chain, dh, frames, loops, urdf. `NOTATION.md` says the conventions once.
+The folders are in the order of the lectures: rigid, chains, dh, mechanisms, urdf; symbolic and view are used in all of them.
+`NOTATION.md` lists the conventions.
 """
 
 from typing import TYPE_CHECKING, Any
@@ -24,7 +25,7 @@ if TYPE_CHECKING:
 else:
 
     def __getattr__(name: str) -> Any:
-        """Load kl.symbolic, and SymPy with it, when it is first used: most of the course never asks for it."""
+        """Import kl.symbolic, and with it SymPy, when it is first used, because most of the course does not need it."""
         if name != "symbolic":
             raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
         from importlib import import_module

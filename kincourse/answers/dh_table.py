@@ -65,7 +65,7 @@ class DHTableAnswer(Answer):
             except Unreadable:
                 raise
             except Exception as error:  # a student's object may raise anything while it is read
-                reason = str(error) if isinstance(error, ValueError) else f"Got {validation.brief(given)}."
+                reason = str(error) if isinstance(error, ValueError) else f"Got {validation.describe(given)}."
                 raise Unreadable(f"Expected {self.expected}. {reason}") from error
         if table.n != self.value.n:
             raise Unreadable(f"Expected {self.expected}; your table has {table.n} joints ({table.joints}).")
@@ -73,7 +73,7 @@ class DHTableAnswer(Answer):
 
     def _typed(self, given: Any) -> DHTable:
         if len(given) > (MAX_TEXT_LENGTH if isinstance(given, str) else 4 * len(self.value.rows)):
-            raise Unreadable(f"Expected {self.expected}; got {validation.brief(given)}, which is too long.")
+            raise Unreadable(f"Expected {self.expected}; got {validation.describe(given)}, which is too long.")
         named = isinstance(given, str) or any(isinstance(row, Mapping) for row in given)
         joints = "" if named else self.value.joints
         base, tool = self.value.base, self.value.tool

@@ -8,7 +8,7 @@ from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kinlib.arrays.validation import Array
 from kinlib.chains.robots import angled_arm, hrr, youbot
-from kinlib.rigid.lie import exp, hat, inverse, log, pose
+from kinlib.rigid.lie import exp, hat, homogeneous, inverse, log
 from misstep.answers.number import Numbers
 from misstep.mistakes import mistake
 from misstep.problem import Problem
@@ -131,23 +131,23 @@ def leaning_pose(_draw: ArmSampler) -> Problem:
         mistakes=[
             mistake(
                 "straight on",
-                pose(R, v * theta),
+                homogeneous(R, v * theta),
                 "You wrote $v\\,\\theta$ in the p-column. That is a slide's; a turn bends the way: $G(\\theta)\\,v$.",
             ),
-            mistake("R v", pose(R, R @ v), "You wrote $R\\,v$ in the p-column. It is $G(\\theta)\\,v$."),
+            mistake("R v", homogeneous(R, R @ v), "You wrote $R\\,v$ in the p-column. It is $G(\\theta)\\,v$."),
             mistake(
                 "v itself",
-                pose(R, v),
+                homogeneous(R, v),
                 "You put $v$ in the p-column. $v$ is a velocity, in metres per radian; $G(\\theta)\\,v$ is a place.",
             ),
             mistake(
                 "point on the axis",
-                pose(R, angled_arm().joint_points[1]),
+                homogeneous(R, angled_arm().joint_points[1]),
                 "You put the joint's point in the p-column. The column says where the origin of {s} goes, not where the joint is.",
             ),
             mistake(
                 "coefficients swapped",
-                pose(R, v * theta + (theta - s) * W @ v + (1 - c) * W @ W @ v),
+                homogeneous(R, v * theta + (theta - s) * W @ v + (1 - c) * W @ W @ v),
                 "You swapped two coefficients of $G$: $1 - \\cos\\theta$ stands with $[\\omega]$, "
                 "$\\theta - \\sin\\theta$ with $[\\omega]^2$.",
             ),
@@ -166,12 +166,12 @@ def long_axis(_draw: ArmSampler) -> Problem:
         mistakes=[
             mistake(
                 "as printed",
-                pose(printed, column(W, theta) @ v),
+                homogeneous(printed, column(W, theta) @ v),
                 "This is (3.88) as printed. It folds the powers with $[\\omega]^3 = -[\\omega]$, which needs $|\\omega| = 1$.",
             ),
             mistake(
                 "column as printed",
-                pose(right[:3, :3], column(W, theta) @ v),
+                homogeneous(right[:3, :3], column(W, theta) @ v),
                 "The rotation is right, the p-column is still (3.88) as printed. It needs $|\\omega| = 1$ too.",
             ),
             mistake(

@@ -15,7 +15,7 @@ from kincourse.sampling.arms import AXIS_DIRECTIONS, ArmSampler
 from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z, arm
 from kinlib.chains.robots import pose as frame
-from kinlib.rigid.lie import exp, hat, pose
+from kinlib.rigid.lie import exp, hat, homogeneous
 from kinlib.symbolic.merge_rotations import pose as symbolic_pose
 from kinlib.symbolic.merge_rotations import rotation as turn
 from kinlib.symbolic.merge_rotations import skew
@@ -292,13 +292,13 @@ def gyroscope(sampler: ArmSampler) -> Problem:
         mistakes=[
             mistake(
                 "as printed",
-                pose(printed, column(W, seconds) @ v),
+                homogeneous(printed, column(W, seconds) @ v),
                 "This is (3.88) with $\\theta$ = the seconds. It folds the powers with "
                 "$[\\omega]^3 = -[\\omega]$, which needs $|\\omega| = 1$.",
             ),
             mistake(
                 "column as printed",
-                pose(right[:3, :3], column(W, seconds) @ v),
+                homogeneous(right[:3, :3], column(W, seconds) @ v),
                 "The rotation is right, the column is (3.88) as it stands. It needs $|\\omega| = 1$ as well.",
             ),
             mistake(
@@ -314,7 +314,7 @@ def gyroscope(sampler: ArmSampler) -> Problem:
             ),
             mistake(
                 "straight on",
-                pose(right[:3, :3], v * seconds),
+                homogeneous(right[:3, :3], v * seconds),
                 "You moved the origin straight on, by $v\\,t$. While the body turns, $v$ is the velocity of whichever point is there.",
             ),
             mistake(

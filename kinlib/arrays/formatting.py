@@ -1,17 +1,13 @@
-"""Numbers, vectors and angles as text for people: few digits, and 0 for what rounding left over."""
+"""Write numbers, vectors and angles as text for people: few digits, and 0 for rounding errors."""
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-ROUNDING = 1e-9
-"""A number smaller than this is taken for a rounding error of one computation, and written as 0."""
-
-SHORT_PI = 1e-5
-"""The same where numbers come from files or from people: pi / 2 typed with six digits is off by 4e-6."""
+from kinlib.arrays.tolerances import ROUNDING_ERROR
 
 
-def format_number(value: float, digits: int = 4, *, zero: float = ROUNDING) -> str:
-    """Write a number with at most so many significant digits, and never as -0.
+def format_number(value: float, digits: int = 4, *, zero: float = ROUNDING_ERROR) -> str:
+    """Write a number with at most this many significant digits, and never as -0.
 
     zero  a number up to this size is written as 0
 
@@ -21,8 +17,8 @@ def format_number(value: float, digits: int = 4, *, zero: float = ROUNDING) -> s
     return f"{float(value):.{digits}g}" if abs(value) > zero else "0"
 
 
-def format_vector(values: ArrayLike, digits: int = 4, *, zero: float = ROUNDING) -> str:
-    """Write a vector as its components in brackets.
+def format_vector(values: ArrayLike, digits: int = 4, *, zero: float = ROUNDING_ERROR) -> str:
+    """Write a vector as its components in parentheses.
 
     >>> format_vector([0.5, -1e-17, 3])
     '(0.5, 0, 3)'
@@ -31,8 +27,8 @@ def format_vector(values: ArrayLike, digits: int = 4, *, zero: float = ROUNDING)
     return "(" + ", ".join(format_number(value, digits, zero=zero) for value in components) + ")"
 
 
-def format_degrees(angle: float, digits: int = 4, *, zero: float = ROUNDING) -> str:
-    """Write an angle, given in radians, in degrees; nothing is 0 without a degree sign.
+def format_degrees(angle: float, digits: int = 4, *, zero: float = ROUNDING_ERROR) -> str:
+    """Write an angle, given in radians, in degrees; zero is written without a degree sign.
 
     >>> format_degrees(np.pi / 2), format_degrees(-1e-17)
     ('90°', '0')

@@ -1,6 +1,6 @@
-"""Open chains: n screw axes and a home pose say everything about where the tool goes.
+"""Open chains: n screw axes and a home pose determine the pose of the tool at every configuration.
 
-The same motion is written in three forms, which differ in where the home pose M stands:
+The same motion can be written in three forms, which differ in the position of the home pose M:
 
     space form   T(q) = e^[S1]q1 ... e^[Sn]qn M
     body form    T(q) = M e^[B1]q1 ... e^[Bn]qn,        B_i = Ad(M^-1) S_i
@@ -14,19 +14,19 @@ from functools import cached_property, reduce, wraps
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinlib.arrays import validation
+from kinlib.arrays import tolerances, validation
 from kinlib.arrays.validation import Array
 from kinlib.chains.fast_kinematics import FastKinematics
-from kinlib.rigid.lie import adjoint, exp, inverse, pose
+from kinlib.rigid.lie import adjoint, exp, homogeneous, inverse
 from kinlib.rigid.screw import Line, axes, is_prismatic, line
 
 
 def _accelerate(equation: Callable[["Chain", ArrayLike], Array]) -> Callable[["Chain", ArrayLike], Array]:
-    """Compute a method of `Chain` by `FastKinematics`; the method's own body remains as the equation that it computes.
+    """Compute a method of `Chain` with `FastKinematics`; the body of the method remains as the equation that is computed.
 
     For example, `Chain.fk.__wrapped__(chain, q)` multiplies the exponentials as they are written in `fk`, and
-    tests/kinlib/chains/test_fast_kinematics.py compares the two. The fast implementation takes a hundredth of the time for one
-    configuration, and a fifth of it for many.
+    tests/kinlib/chains/test_fast_kinematics.py compares the two. The fast implementation needs a hundredth of the time for one
+    configuration, and a fifth of the time for many.
     """
     name = equation.__name__
 
@@ -44,20 +44,20 @@ def _accelerate(equation: Callable[["Chain", ArrayLike], Array]) -> Callable[["C
 class Chain:
     """An open chain of revolute, prismatic and helical joints.
 
-    screws   (n, 6)  screw axes S_1 ... S_n in the fixed frame {s}, read at home
+    screws   (n, 6)  screw axes S_1 ... S_n in the fixed frame {s}, at home
     home     (4, 4)  M = T_sb at q = 0
-    points   (n, 3)  where on its axis each joint is drawn, at home; `joint_points` fills in what is not given
-    name, source     what it is called, and which document it comes from
-    limits   (n, 2)  the least and the greatest value of each joint, infinite where it has none; None: no joint has any
-    joint_names      what its document calls each joint, n words, or none at all
+    points   (n, 3)  the point on its axis where each joint is drawn, at home; optional, see `joint_points`
+    name, source     the name of the robot, and the document it is taken from
+    limits   (n, 2)  the lower and the upper limit of each joint, infinite where it has none; None: no joint has limits
+    joint_names      the n names of the joints in that document; optional
 
-    Raises ValueError for anything that is not a chain: no joints, screws in columns, axes that are not of unit size, a
-    home that is not rigid, a point off its axis, a lower limit above the upper one.
+    Raises ValueError if there are no joints, if the screws are in columns or not normalized, if home is not rigid, if a point
+    is not on its axis, or if a lower limit is above the upper one.
     Source: Modern Robotics, 4.1; Chapter 4 review deck.
 
     >>> from kinlib.rigid.screw import screw
     >>> arm = Chain(np.array([screw((0, 0, 1)), screw((0, 0, 1), point=(1, 0, 0))]), home=exp([0, 0, 0, 2, 0, 0]))
-    >>> arm.fk([np.pi / 2, 0])[:3, 3].round(6) + 0.0      # an outstretched arm of two metres, turned left
+    >>> arm.fk([np.pi / 2, 0])[:3, 3].round(6) + 0.0      # an outstretched arm of two metres, rotated to the left
     array([0., 2., 0.])
     """
 
@@ -72,21 +72,21 @@ class Chain:
     def __post_init__(self) -> None:
         screws = validation.array(self.screws, "screws")
         if screws.ndim != 2 or len(screws) == 0:
-            raise ValueError(f"screws should have shape (n, 6), one row a joint; got {screws.shape}.")
+            raise ValueError(f"screws must have shape (n, 6), one row per joint; got {screws.shape}.")
         home = validation.poses(self.home, "home")
         if home.ndim != 2:
-            raise ValueError(f"home should be one pose, (4, 4); got {home.shape}. A chain has one home.")
-        self._keep("screws", axes(screws, "screws"))
-        self._keep("home", home)
+            raise ValueError(f"home must be a single pose, (4, 4); got {home.shape}.")
+        self._set("screws", axes(screws, "screws"))
+        self._set("home", home)
         if self.points is not None:
-            self._keep("points", _points_on(self.screws, self.points))
+            self._set("points", _validate_points(self.screws, self.points))
         if self.limits is not None:
-            self._keep("limits", _limits(self.limits, len(screws)))
+            self._set("limits", _validate_limits(self.limits, len(screws)))
         if self.joint_names and len(self.joint_names) != len(screws):
-            raise ValueError(f"joint_names should hold {len(screws)} names, one a joint; got {len(self.joint_names)}.")
+            raise ValueError(f"joint_names must have {len(screws)} names, one per joint; got {len(self.joint_names)}.")
 
-    def _keep(self, name: str, values: Array) -> None:
-        object.__setattr__(self, name, validation.frozen(values))
+    def _set(self, name: str, values: Array) -> None:
+        object.__setattr__(self, name, validation.read_only_copy(values))
 
     @property
     def n(self) -> int:
@@ -105,29 +105,29 @@ class Chain:
 
     @cached_property
     def joint_types(self) -> str:
-        """The joints from base to tool, one letter each: R revolute, P prismatic, H helical.
+        """The types of the joints from base to tool, one letter each: R revolute, P prismatic, H helical.
 
         >>> from kinlib.chains.robots import rpr
         >>> rpr().joint_types
         'RPR'
         """
         pitch = self.lines.pitch
-        return "".join("P" if h == np.inf else "H" if abs(h) > validation.UNIT else "R" for h in pitch)
+        return "".join("P" if h == np.inf else "H" if abs(h) > tolerances.UNIT_LENGTH_TOL else "R" for h in pitch)
 
     @cached_property
     def joint_points(self) -> Array:
-        """A point (n, 3) on every joint axis at home: as given, or else the one nearest the joint before it."""
+        """A point (n, 3) on every joint axis at home: the given one, or else the one nearest to the previous joint's point."""
         if self.points is not None:
             return self.points
         chosen = [np.zeros(3)]
         for axis, foot, pitch in zip(*self.lines, strict=True):
-            # A prismatic axis is a free vector: any point serves, so the joint stays where the last one was.
+            # The axis of a prismatic joint is a free vector, so it can be drawn at the previous joint's point.
             chosen.append(chosen[-1] if pitch == np.inf else foot + axis * (axis @ chosen[-1]))
-        return validation.frozen(chosen[1:])
+        return validation.read_only_copy(chosen[1:])
 
     @cached_property
     def body_screws(self) -> Array:
-        """The same axes read in the tool frame {b} at home, (n, 6):  B_i = Ad(M^-1) S_i.
+        """The same axes in the tool frame {b} at home, (n, 6):  B_i = Ad(M^-1) S_i.
 
         Source: Modern Robotics, 4.1.3; Chapter 4 review deck, the last line of its derivation.
 
@@ -135,13 +135,13 @@ class Chain:
         >>> rppr().body_screws[0].round(6) + 0.0          # B_1 as the UIUC deck prints it
         array([ 0.,  1.,  0.,  0.,  0., -2.])
         """
-        return validation.frozen(self.screws @ adjoint(inverse(self.home)).T)
+        return validation.read_only_copy(self.screws @ adjoint(inverse(self.home)).T)
 
     @_accelerate
     def fk(self, q: ArrayLike) -> Array:
-        """Where the tool is: T(q) = e^[S1]q1 ... e^[Sn]qn M, the space form.
+        """Compute the pose of the tool by the space form: T(q) = e^[S1]q1 ... e^[Sn]qn M.
 
-        q (..., n) in radians and metres -> T_sb (..., 4, 4). Any number of configurations is one computation.
+        q (..., n) in radians and metres -> T_sb (..., 4, 4), for any number of configurations at once.
 
         Raises ValueError for joint values of another size, and for NaN.
         Source: Modern Robotics, (4.14).
@@ -156,7 +156,7 @@ class Chain:
         return T @ self.home
 
     def fk_body(self, q: ArrayLike) -> Array:
-        """Where the tool is, by the body form: T(q) = M e^[B1]q1 ... e^[Bn]qn.
+        """Compute the pose of the tool by the body form: T(q) = M e^[B1]q1 ... e^[Bn]qn.
 
         q (..., n) -> (..., 4, 4), equal to fk(q).
 
@@ -170,7 +170,7 @@ class Chain:
         return self.fk_mid(q, 0)
 
     def fk_mid(self, q: ArrayLike, k: int) -> Array:
-        """Where the tool is, with M after the first k joints: e^[S1]q1 ... e^[Sk]qk M e^[Bk+1]qk+1 ... e^[Bn]qn.
+        """Compute the pose of the tool with M after the first k joints: e^[S1]q1 ... e^[Sk]qk M e^[Bk+1]qk+1 ... e^[Bn]qn.
 
         q (..., n) -> (..., 4, 4), equal to fk(q) for every k from 0, the body form, to n, the space form.
 
@@ -183,7 +183,7 @@ class Chain:
         """
         q = self._joint_values(q)
         if k not in range(self.n + 1):
-            raise ValueError(f"k counts the joints to the left of M, 0 to {self.n}; got {k!r}.")
+            raise ValueError(f"k must be the number of joints to the left of M, 0 to {self.n}; got {k!r}.")
         before = exp(self.screws[:k] * q[..., :k, None])
         after = exp(self.body_screws[k:] * q[..., k:, None])
         factors = [*np.moveaxis(before, -3, 0), self.home, *np.moveaxis(after, -3, 0)]
@@ -191,9 +191,9 @@ class Chain:
 
     @_accelerate
     def link_poses(self, q: ArrayLike) -> Array:
-        """Where every link is: frame i rides on link i, and stands at joint i parallel to {s} when q = 0.
+        """Compute the pose of every link: frame i is attached to link i; at q = 0 it is at joint i and parallel to {s}.
 
-        q (..., n) -> (..., n, 4, 4):  T_i(q) = e^[S1]q1 ... e^[Si]qi M_i, with M_i the shift to joint_points[i].
+        q (..., n) -> (..., n, 4, 4):  T_i(q) = e^[S1]q1 ... e^[Si]qi M_i, with M_i the translation to joint_points[i].
 
         Raises ValueError for joint values of another size, and for NaN.
         Source: Modern Robotics, 4.1.2 (the links of figure 4.2), with frames of our choice.
@@ -205,21 +205,21 @@ class Chain:
         links, T = [], np.eye(4)
         for S_i, q_i, point in zip(self.screws, self._by_joint(q), self.joint_points, strict=True):
             T = T @ exp(S_i * q_i)
-            links.append(T @ pose(np.eye(3), point))
+            links.append(T @ homogeneous(np.eye(3), point))
         return np.stack(links, axis=-3)
 
     @_accelerate
     def jacobian(self, q: ArrayLike) -> Array:
-        """How the tool moves for each joint's unit of speed, as twists in {s}: the space Jacobian.
+        """Compute the space Jacobian: column i is the twist of the tool, in {s}, at unit speed of joint i.
 
-        q (..., n) -> (..., 6, n). Column i is joint i's screw axis where the joints before it have carried it:
+        q (..., n) -> (..., 6, n). Column i is the screw axis of joint i, moved by the joints before it:
         J_i = Ad(e^[S1]q1 ... e^[Si-1]qi-1) S_i.
 
         Raises ValueError for joint values of another size, and for NaN.
         Source: Modern Robotics, (5.11).
 
         >>> from kinlib.chains.robots import rpr
-        >>> bool((rpr().jacobian([0, 0, 0]) == rpr().screws.T).all())      # at home nothing has been carried yet
+        >>> bool((rpr().jacobian([0, 0, 0]) == rpr().screws.T).all())      # at home no axis has moved yet
         True
         """
         columns, T = [], np.broadcast_to(np.eye(4), (*np.shape(q)[:-1], 4, 4))
@@ -229,7 +229,7 @@ class Chain:
         return np.stack(columns, axis=-1)
 
     def body_jacobian(self, q: ArrayLike) -> Array:
-        """The same as twists in {b}: the body Jacobian, J_b = Ad(T^-1) J_s.
+        """Compute the body Jacobian, the same twists in {b}: J_b = Ad(T^-1) J_s.
 
         q (..., n) -> (..., 6, n).
 
@@ -247,26 +247,26 @@ class Chain:
         q = validation.array(q, "q")
         if q.shape[-1:] != (self.n,):
             fits = q.ndim > 1 and q.shape[-2] == self.n
-            cause = "Joints stand in the last dimension: try q.T" if fits else "Each joint has a value of its own"
+            advice = "Joints go in the last dimension: try q.T" if fits else "Pass one value per joint"
             raise ValueError(
-                f"{self.name} has {self.n} joints ({self.joint_types}), so q should have shape (..., {self.n}); "
-                f"got {q.shape}. {cause}."
+                f"{self.name} has {self.n} joints ({self.joint_types}), so q must have shape (..., {self.n}); "
+                f"got {q.shape}. {advice}."
             )
-        validation.turn(np.abs(q * self._fast.rotations))
+        validation.rotation_angles(np.abs(q * self._fast.rotations))
         return q
 
     def _by_joint(self, q: ArrayLike) -> Array:
-        """The values of each joint, (n, ..., 1), ready to be multiplied by its screw axis."""
+        """The values of each joint, (n, ..., 1), in a shape that multiplies its screw axis."""
         return np.moveaxis(self._joint_values(q), -1, 0)[..., None]
 
     @cached_property
     def _fast(self) -> FastKinematics:
-        """The fast implementation of `fk`, `link_poses` and `jacobian`, made when it is first needed."""
+        """The fast implementation of `fk`, `link_poses` and `jacobian`, constructed at first use."""
         return FastKinematics(self.screws, self.home, self.joint_points)
 
 
 def random_configurations(n: int, count: int) -> Array:
-    """Draw configurations at which two descriptions of an arm are compared, the same ones every time.
+    """Draw configurations for comparing two descriptions of an arm, the same ones every time.
 
     n joints -> (count, n): each value between -pi and pi, in radians or metres.
 
@@ -277,7 +277,7 @@ def random_configurations(n: int, count: int) -> Array:
 
 
 def largest_difference(poses: Array, others: Array) -> float:
-    """Find the largest difference between two entries of poses (..., 4, 4) that should be the same.
+    """Compute the largest difference between corresponding entries of two arrays of poses (..., 4, 4).
 
     >>> largest_difference(np.eye(4), exp([0, 0, 0, 0.5, 0, -2]))
     2.0
@@ -285,30 +285,31 @@ def largest_difference(poses: Array, others: Array) -> float:
     return float(np.abs(poses - others).max())
 
 
-def _limits(limits: ArrayLike, n: int) -> Array:
-    limits = validation.real(limits, "limits")
+def _validate_limits(limits: ArrayLike, n: int) -> Array:
+    limits = validation.real_array(limits, "limits")
     if limits.shape != (n, 2):
-        raise ValueError(f"limits should have one row (least, greatest) a joint, ({n}, 2); got {limits.shape}.")
-    # Written so that NaN, which is neither above nor below, is refused too.
+        raise ValueError(f"limits must have one row (lower, upper) per joint, shape ({n}, 2); got {limits.shape}.")
+    # This comparison also refuses NaN, for which it is false.
     ordered = limits[:, 0] <= limits[:, 1]
     if not ordered.all():
         joint = int(np.argmin(ordered))
         raise ValueError(
-            f"The limits of joint {joint + 1} should be (least, greatest); got {limits[joint].tolist()}. Are they exchanged?"
+            f"The limits of joint {joint + 1} must be (lower, upper); got {limits[joint].tolist()}. Are they swapped?"
         )
     return limits
 
 
-def _points_on(screws: Array, points: ArrayLike) -> Array:
+def _validate_points(screws: Array, points: ArrayLike) -> Array:
     points = validation.vectors(points, "points", 3)
     if points.shape != (len(screws), 3):
-        raise ValueError(f"points should have one row a joint, ({len(screws)}, 3); got {points.shape}.")
+        raise ValueError(f"points must have one row per joint, shape ({len(screws)}, 3); got {points.shape}.")
     axis, foot, _ = line(screws)
-    off = np.linalg.norm(np.cross(points - foot, axis), axis=-1)
-    off[is_prismatic(screws)] = 0.0
-    worst = int(np.argmax(off))
-    if off[worst] > validation.UNIT * (1 + np.abs(points).max()):
+    distance = np.linalg.norm(np.cross(points - foot, axis), axis=-1)
+    distance[is_prismatic(screws)] = 0.0
+    worst = int(np.argmax(distance))
+    if distance[worst] > tolerances.UNIT_LENGTH_TOL * (1 + np.abs(points).max()):
         raise ValueError(
-            f"The point of joint {worst + 1} lies {off[worst]:.3g} m off its axis. Is it the point of another joint, or is v = w x q?"
+            f"The point of joint {worst + 1} must lie on its axis; it is {distance[worst]:.3g} m away. "
+            "Is it the point of another joint, or did you write v = w x q instead of v = -w x q?"
         )
     return points

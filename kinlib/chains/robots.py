@@ -1,7 +1,7 @@
-"""The robots of the course, as data: each one's joints, its home pose, and the document it comes from.
+"""The robots of the course, as data: the joints of each robot, its home pose, and the document it is taken from.
 
-An arm is written as its drawing is read: joint by joint, a direction, a point on the axis, a pitch. Lengths are metres.
-Where a document gives symbols and no numbers, the lengths are arguments, with defaults that make a shapely arm.
+An arm is written in the way its drawing is read: for each joint a direction, a point on the axis and a pitch. Lengths are in
+metres. Where a document gives symbols instead of numbers, the lengths are arguments with defaults of realistic proportions.
 """
 
 from collections.abc import Sequence
@@ -20,7 +20,7 @@ SLIDE = np.inf
 
 
 def arm(joints: Sequence[tuple[Any, ...]], home: Array, name: str, source: str) -> Chain:
-    """Make a chain from joints (axis, point) or (axis, point, pitch), read off a drawing at home.
+    """Construct a chain from joints (axis, point) or (axis, point, pitch), as read from a drawing of the home configuration.
 
     >>> arm([(Z, (0, 0, 0)), (X, (0, 0, 1), SLIDE)], pose(np.eye(3), (1, 0, 1)), "crane", "an example").joint_types
     'RP'
@@ -31,9 +31,10 @@ def arm(joints: Sequence[tuple[Any, ...]], home: Array, name: str, source: str) 
 
 
 def pose(axes: ArrayLike, origin: ArrayLike) -> Array:
-    """Write the pose of a frame from its axes x, y, z, given one after the other, and its origin.
+    """Construct the pose of a frame from its axes x, y, z and its origin.
 
-    axes (3, 3) with x, y, z in its rows, origin (3,) in metres -> (4, 4), with the axes as the columns of its rotation.
+    axes (3, 3) with x, y, z as rows, origin (3,) in metres -> (4, 4), with the axes as the columns of its rotation. If you have
+    the rotation matrix instead, use `kinlib.rigid.lie.homogeneous`.
 
     >>> pose((X, Z, -Y), (1, 2, 3))
     array([[ 1.,  0., -0.,  1.],
@@ -41,15 +42,15 @@ def pose(axes: ArrayLike, origin: ArrayLike) -> Array:
            [ 0.,  1., -0.,  3.],
            [ 0.,  0.,  0.,  1.]])
     """
-    return lie.pose(np.transpose(axes), origin)
+    return lie.homogeneous(np.transpose(axes), origin)
 
 
 def rpr() -> Chain:
-    """The first example of the UIUC deck: turn, slide, turn, in one vertical plane.
+    """The first example of the UIUC deck: a revolute, a prismatic and a revolute joint in one vertical plane.
 
-    The joints are as printed. The printed M is no pose: its third row reads 0 0 0 1, its last 0 0 0 0. The two rows
-    above leave one rotation, with third row 1 0 0; the origin and the last row follow. So M is reconstructed, by
-    the change of two entries.
+    The joints are as printed. The printed M is not a pose: its third row is 0 0 0 1, and its last row 0 0 0 0. The first two
+    rows determine one rotation, with the third row 1 0 0; the origin and the last row follow. So M is reconstructed by
+    changing two entries.
 
     >>> rpr().screws[0] + 0.0
     array([ 0., -1.,  0.,  0.,  0.,  4.])
@@ -59,10 +60,10 @@ def rpr() -> Chain:
 
 
 def rppr() -> Chain:
-    """The body-form example of the UIUC deck: turn, slide, slide, turn.
+    """The body-form example of the UIUC deck: a revolute, two prismatic and a revolute joint.
 
-    M, joint 1 and joint 4 are as printed, there in the body frame. The directions of the two slides are lost (the deck
-    shows zeros); they are reconstructed along the body's y, towards joint 4, and along its z.
+    M, joint 1 and joint 4 are as printed, there in the body frame. The directions of the two prismatic joints are missing (the
+    deck shows zeros); they are reconstructed along the body's y, towards joint 4, and along its z.
 
     >>> rppr().body_screws[3].round(6) + 0.0
     array([ 0.,  1.,  0.,  0.,  0., -2.])
@@ -74,9 +75,9 @@ def rppr() -> Chain:
 
 
 def rprr(l2: float = 0.5, l4: float = 0.2, l5: float = 0.3) -> Chain:
-    """The arm of the deck "Example with n = 5": turn, slide, turn, turn, and a fixed tool as its fifth frame.
+    """The RPRR arm of the deck "Example with n = 5", with a fixed tool as its fifth frame.
 
-    The deck gives letters only; its table puts joint 3 at height l2 and the tool l5 out and l4 down from there.
+    The deck gives symbols only. Its table has joint 3 at height l2, and the tool l5 further out and l4 further down.
 
     >>> rprr(l2=0.5, l4=0.2, l5=0.3).home[:3, 3]
     array([0. , 0.3, 0.3])
@@ -104,7 +105,7 @@ def youbot() -> Chain:
 def puma560(a2: float = 0.4318, a3: float = 0.0203, d3: float = 0.15005, d4: float = 0.4318) -> Chain:
     """The PUMA 560 of Lecture 7, in its zero configuration, with {s} where the first two axes meet.
 
-    The deck gives letters only; the default lengths are those of Corke and Armstrong-Helouvry (1994).
+    The deck gives symbols only; the default lengths are those of Corke and Armstrong-Helouvry (1994).
 
     >>> puma560().joint_types
     'RRRRRR'
@@ -117,7 +118,7 @@ def puma560(a2: float = 0.4318, a3: float = 0.0203, d3: float = 0.15005, d4: flo
 
 
 def rpr_lecture7(a1: float = 0.4) -> Chain:
-    """The planar RPR arm that closes Lecture 7: turn, slide, turn, all in the plane of x and y.
+    """The RPR arm at the end of Lecture 7, which moves in the plane of x and y.
 
     >>> rpr_lecture7(a1=0.4).fk([0, 0.1, 0])[:3, 3] + 0.0
     array([ 0.4, -0.1,  0. ])
@@ -127,7 +128,7 @@ def rpr_lecture7(a1: float = 0.4) -> Chain:
 
 
 def plain_arm(column: float = 0.4, upper: float = 0.5, fore: float = 0.3) -> Chain:
-    """A family for plain exercises: every axis along x, y or z. A turret, a shoulder, a telescope and a wrist.
+    """A family for plain exercises, with every axis along x, y or z: a turret, a shoulder, a telescope and a wrist.
 
     >>> plain_arm().joint_types
     'RRPR'
@@ -143,7 +144,7 @@ def plain_arm(column: float = 0.4, upper: float = 0.5, fore: float = 0.3) -> Cha
 
 
 def angled_arm(tilt: float = np.pi / 4, column: float = 0.4, upper: float = 0.5, fore: float = 0.3) -> Chain:
-    """A family with angled joints: the second joint leans from z towards x by tilt radians, the third slides along it.
+    """A family with angled joints: the second joint leans from z towards x by tilt radians, the third translates along it.
 
     >>> angled_arm().joint_types
     'RRPR'
@@ -169,7 +170,7 @@ def mid_formula_arm(reach: float = 0.6, lift: float = 0.4, tool: float = 0.2) ->
 
 
 def hrr(pitch: float = 0.1, first: float = 0.5, second: float = 0.3) -> Chain:
-    """A family with a helical joint: a spindle that climbs by pitch metres a radian, then two turns about parallel axes.
+    """A family with a helical joint of the given pitch, in metres per radian, before two revolute joints with parallel axes.
 
     >>> hrr().joint_types
     'HRR'

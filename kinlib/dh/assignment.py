@@ -21,7 +21,7 @@ from kinlib.chains.chain import Chain, largest_difference, random_configurations
 from kinlib.dh.common_normal import MEETS, Normal, common_normal
 from kinlib.dh.explanation import PROBES, Step, told
 from kinlib.dh.table import Convention, DHTable, convention_of, joint_step, normal_step
-from kinlib.rigid.lie import pose
+from kinlib.rigid.lie import homogeneous
 
 SPARED = 1e-3
 """A slide less apart than this from its neighbour, in radians, is laid across it: then their normal cannot run away."""
@@ -187,7 +187,7 @@ def _axis(frame: Array) -> tuple[Array, Array]:
 
 
 def _frame(x: Array, z: Array, origin: Array) -> Array:
-    return pose(np.transpose([x, cross(z, x), z]), origin)
+    return homogeneous(np.transpose([x, cross(z, x), z]), origin)
 
 
 def _square(candidates: Array, z: Array) -> Array:

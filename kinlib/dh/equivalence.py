@@ -20,7 +20,7 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
 from kinlib.dh.common_normal import NEARLY
 from kinlib.dh.table import DHTable
-from kinlib.rigid.lie import exp, hat, inverse, perpendicular, pose
+from kinlib.rigid.lie import exp, hat, homogeneous, inverse, perpendicular
 from kinlib.rigid.screw import line
 
 SAME = 1e-8
@@ -79,7 +79,9 @@ def equivalent(
         raise ValueError(f"tolerance should be a positive number of metres and radians; got {tolerance!r}.")
     one, other = (thing.to_chain() if isinstance(thing, DHTable) else thing for thing in (a, b))
     if one.joint_types != other.joint_types:
-        return Equivalence(False, reason=f"The joints differ in kind: {one.joint_types} here, {other.joint_types} there.")
+        return Equivalence(
+            False, reason=f"The joints differ in kind: {one.joint_types} here, {other.joint_types} there."
+        )
     if _plainly_apart(one, other, LOOSE * tolerance):
         return Equivalence(False, reason=_first_difference(one, other))
     right, closest = [], np.inf
@@ -188,7 +190,7 @@ def _placed_alike(one: Chain, other: Chain, match: _Match, loose: float) -> Equi
     missed = float(np.abs(equations @ solved - sides).max(initial=0))
     if missed > loose:
         return Equivalence(False, difference=missed)
-    X = pose(match.base, solved[:3])
+    X = homogeneous(match.base, solved[:3])
     signs, offsets = np.array(match.signs), match.offsets.copy()
     offsets[slides] = solved[3:]
     # The first joint may take over a turn of the base, and the last one of the tool: leave as little in both as can be.

@@ -91,7 +91,9 @@ def told(chain: Chain, table: DHTable, frames: Array, normals: Sequence[Normal],
 
 def _axes(chain: Chain, standard: bool) -> Step:
     found = []
-    for i, (letter, axis, point) in enumerate(zip(chain.joint_types, chain.lines.axis, chain.joint_points, strict=True)):
+    for i, (letter, axis, point) in enumerate(
+        zip(chain.joint_types, chain.lines.axis, chain.joint_points, strict=True)
+    ):
         where = "anywhere (a slide has a direction, not a line)" if letter == "P" else f"through {format_vector(point)}"
         found.append(f"joint {i + 1}, {'sliding' if letter == 'P' else 'turning'}, along {format_vector(axis)} {where}")
     rule = "z_{i-1} lies on the axis of joint i" if standard else "z_i lies on the axis of joint i"

@@ -71,7 +71,7 @@ def read_rows(rows: Any, joints: str | None = None, lengths: Mapping[str, float]
            [ 0.5  , -1.571,  0.   , -1.571]])
     """
     if joints is not None and not isinstance(joints, str):
-        raise ValueError(f"joints should be text, a letter for each row; got {validation.brief(joints)}.")
+        raise ValueError(f"joints should be text, a letter for each row; got {validation.describe(joints)}.")
     lengths, degrees = _lengths(lengths), set[str]()
     if isinstance(rows, str):
         rows, degrees = _table(rows)
@@ -121,7 +121,7 @@ def _finished(numbers: Array, joints: str, signs: Array | None) -> Rows:
 def _lengths(lengths: Mapping[str, float] | None) -> dict[str, float]:
     """The values of names, each of them one number."""
     if not isinstance(lengths or {}, Mapping):
-        raise ValueError(f"lengths should be a dictionary such as {{'l2': 0.5}}; got {validation.brief(lengths)}.")
+        raise ValueError(f"lengths should be a dictionary such as {{'l2': 0.5}}; got {validation.describe(lengths)}.")
     found = {name: _one(value, f"lengths[{name!r:.60}]") for name, value in (lengths or {}).items()}
     if "pi" in found:
         raise ValueError("lengths gives pi a value, and pi has one. Choose another name.")
@@ -131,7 +131,7 @@ def _lengths(lengths: Mapping[str, float] | None) -> dict[str, float]:
 def _one(value: Any, name: str) -> float:
     number = validation.array(value, name)
     if number.ndim:
-        raise ValueError(f"{name} should be one number; got {validation.brief(value)}.")
+        raise ValueError(f"{name} should be one number; got {validation.describe(value)}.")
     return float(number)
 
 
@@ -198,7 +198,7 @@ def _column(head: str) -> tuple[str, bool]:
 def _cell(row: Any, column: str, number: int, lengths: Mapping[str, float], in_degrees: bool) -> tuple[float, float]:
     """An entry as (constant, factor of the joint variable)."""
     if not isinstance(row, Mapping) or column not in row:
-        came = "" if isinstance(row, Mapping) else f"; it is {validation.brief(row)}"
+        came = "" if isinstance(row, Mapping) else f"; it is {validation.describe(row)}"
         raise ValueError(
             f"Row {number} has no {column}{came}. Each row names all of {', '.join(COLUMNS)}; write 0 for nothing."
         )

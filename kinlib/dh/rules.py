@@ -80,7 +80,9 @@ def _on_axes(chain: Chain, T: Array, standard: bool, tolerance: float) -> Iterat
             swapped = other is not None and np.linalg.norm(np.cross(z, axes[other - 1])) <= tolerance
             hint = f" It lies along the axis of joint {other}, as in the other convention." if swapped else ""
             yield Breach(i, "z along axis", f"z_{i} should lie along the axis of joint {joint}; it does not.{hint}")
-        elif chain.joint_types[joint - 1] != "P" and (off := np.linalg.norm(np.cross(origin - point, axis))) > tolerance:
+        elif (
+            chain.joint_types[joint - 1] != "P" and (off := np.linalg.norm(np.cross(origin - point, axis))) > tolerance
+        ):
             yield Breach(
                 i,
                 "origin on axis",

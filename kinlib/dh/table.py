@@ -95,7 +95,7 @@ class DHTable:
             if arrays[name].ndim != 2:
                 raise ValueError(f"{name} should be one pose, (4, 4); got {np.shape(value)}.")
         for name, array in arrays.items():
-            object.__setattr__(self, name, validation.frozen(array))
+            object.__setattr__(self, name, validation.read_only_copy(array))
         object.__setattr__(self, "convention", convention_of(self.convention))
         object.__setattr__(self, "joints", read.joints)
 
@@ -236,20 +236,20 @@ class DHTable:
         True
         """
         if not isinstance(data, dict) or set(data) != set(KEYS):
-            given = sorted(map(repr, data)) if isinstance(data, dict) else validation.brief(data)
+            given = sorted(map(repr, data)) if isinstance(data, dict) else validation.describe(data)
             raise ValueError(
                 f"A table as data must be a dictionary with the keys {', '.join(KEYS)}; got {given!s:.200}."
             )
         if not isinstance(data["joints"], str):
-            raise ValueError(f"joints must be text, a letter for each row; got {validation.brief(data['joints'])}.")
+            raise ValueError(f"joints must be text, a letter for each row; got {validation.describe(data['joints'])}.")
         if not isinstance(data["signs"], list) or not _all_numbers(data["signs"]) or not data["signs"]:
             raise ValueError(
-                f"signs must be a list of 1 and -1, one for each row; got {validation.brief(data['signs'])}."
+                f"signs must be a list of 1 and -1, one for each row; got {validation.describe(data['signs'])}."
             )
         for name in ("rows", "base", "tool"):
             matrix = data[name]
             if not isinstance(matrix, list) or not all(isinstance(row, list) and _all_numbers(row) for row in matrix):
-                raise ValueError(f"{name} must be a list of rows of numbers; got {validation.brief(matrix)}.")
+                raise ValueError(f"{name} must be a list of rows of numbers; got {validation.describe(matrix)}.")
         return cls(**data)
 
     @property
@@ -264,7 +264,9 @@ def _signs(given: Array, read: Rows) -> Array:
         return np.ones(m) if read.signs is None else read.signs
     signs = validation.array(given, "signs")
     if signs.shape != (m,) or (np.abs(signs) != 1).any():
-        raise ValueError(f"signs must have an entry 1 or -1 for each of the {m} rows; got {validation.brief(given)}.")
+        raise ValueError(
+            f"signs must have an entry 1 or -1 for each of the {m} rows; got {validation.describe(given)}."
+        )
     if read.signs is not None and (signs != read.signs).any():
         raise ValueError(
             f"signs says {signs.astype(int).tolist()}, and the variables in the table say "

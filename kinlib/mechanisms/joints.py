@@ -56,7 +56,7 @@ class Joint:
         bodies = list(self.bodies)
         if len(bodies) != 2 or bodies[0] == bodies[1]:
             raise ValueError(
-                f"Joint {self.name} must join two different bodies; got {validation.brief(self.bodies)}. "
+                f"Joint {self.name} must join two different bodies; got {validation.describe(self.bodies)}. "
                 "Pass the names of both bodies."
             )
         screws = np.atleast_2d(axes(self.screws, f"screws of {self.name}"))
@@ -68,7 +68,7 @@ class Joint:
         if self.point is not None:
             validated["point"] = validation.vectors(self.point, f"point of {self.name}", 3)
         for name, values in validated.items():
-            object.__setattr__(self, name, validation.frozen(values))
+            object.__setattr__(self, name, validation.read_only_copy(values))
 
     @property
     def position(self) -> Array:

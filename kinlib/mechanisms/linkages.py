@@ -14,7 +14,7 @@ from kinlib.chains.chain import Chain
 from kinlib.dh.table import DHTable
 from kinlib.mechanisms.joints import Joint, spherical, universal
 from kinlib.mechanisms.mechanism import Mechanism
-from kinlib.rigid.lie import exp, pose
+from kinlib.rigid.lie import exp, homogeneous
 from kinlib.rigid.screw import screw
 
 X, Y, Z = np.eye(3)
@@ -309,7 +309,7 @@ def _ring(links: Sequence[tuple[float, float]], name: str, source: str) -> Mecha
 
 
 def _translation(p: Array) -> Array:
-    return pose(np.eye(3), p)
+    return homogeneous(np.eye(3), p)
 
 
 def _rotated_about_z(direction: Array, angle: float) -> Array:

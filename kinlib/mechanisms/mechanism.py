@@ -18,7 +18,7 @@ from typing import Self
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinlib.arrays import validation
+from kinlib.arrays import tolerances, validation
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.mechanisms.closure import Assembly, Closure
@@ -311,7 +311,7 @@ class Mechanism:
     @cached_property
     def limits(self) -> Array:
         """The lower and the upper limit of every joint value, (n, 2), infinite where there is none."""
-        return validation.frozen(np.concatenate([joint.range for joint in self.joints]))
+        return validation.read_only_copy(np.concatenate([joint.range for joint in self.joints]))
 
     @cached_property
     def _tree(self) -> dict[str, list[Traversal]]:
@@ -363,16 +363,16 @@ class Mechanism:
                     f"Its joint values are {', '.join(self.names)}."
                 )
             if np.ndim(value):
-                raise ValueError(f"{name} must be held at one number; got {validation.brief(value)}.")
+                raise ValueError(f"{name} must be held at one number; got {validation.describe(value)}.")
             q[self.names.index(name)] = validation.array(value, name)
         free = np.array([i for i, name in enumerate(self.names) if name not in (hold or {})], dtype=np.intp)
         if not len(free):
             raise ValueError("At least one joint value must not be held; all are held. Leave one out of hold.")
         pitch = np.abs(np.concatenate([line(joint.screws).pitch for joint in self.joints]))
-        is_angle = pitch <= validation.UNIT
+        is_angle = pitch <= tolerances.UNIT_LENGTH_TOL
         size = max(loop.size for loop in self.loops)
         farthest = max(float(np.linalg.norm(loop.centre)) for loop in self.loops) + size
         # A prismatic joint may have to travel twice the size of the linkage, and a helical joint as many turns as this takes.
-        search_range = np.where(is_angle, np.pi, 2 * size / np.clip(pitch, validation.UNIT, 1))
+        search_range = np.where(is_angle, np.pi, 2 * size / np.clip(pitch, tolerances.UNIT_LENGTH_TOL, 1))
         tolerance = CLOSURE_TOL * (1 + farthest)
         return Closure(self._centred_equations, q, free, self.names, is_angle, self.limits, search_range, tolerance)

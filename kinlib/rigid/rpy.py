@@ -5,7 +5,7 @@ from numpy.typing import ArrayLike
 
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
-from kinlib.rigid.lie import exp, pose
+from kinlib.rigid.lie import exp, homogeneous
 
 
 def origin(xyz: ArrayLike = (0.0, 0.0, 0.0), rpy: ArrayLike = (0.0, 0.0, 0.0)) -> Array:
@@ -21,7 +21,7 @@ def origin(xyz: ArrayLike = (0.0, 0.0, 0.0), rpy: ArrayLike = (0.0, 0.0, 0.0)) -
     array([1., 0., 0.])
     """
     roll, pitch, yaw = _three(rpy, "rpy")
-    return pose(exp([0, 0, yaw]) @ exp([0, pitch, 0]) @ exp([roll, 0, 0]), _three(xyz, "xyz"))
+    return homogeneous(exp([0, 0, yaw]) @ exp([0, pitch, 0]) @ exp([roll, 0, 0]), _three(xyz, "xyz"))
 
 
 def roll_pitch_yaw(R: ArrayLike) -> Array:
@@ -36,7 +36,7 @@ def roll_pitch_yaw(R: ArrayLike) -> Array:
     >>> roll_pitch_yaw(origin(rpy=(0.1, 0.2, 0.3))[:3, :3]).round(12)
     array([0.1, 0.2, 0.3])
     """
-    R = validation.rigid(R, "R")
+    R = validation.rotations_or_poses(R, "R")
     if R.shape != (3, 3):
         raise ValueError(f"R should be one rotation, (3, 3); got {R.shape}.")
     yaw = np.arctan2(R[1, 0], R[0, 0])

@@ -13,7 +13,7 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from kinlib.arrays import validation
+from kinlib.arrays import tolerances, validation
 from kinlib.chains.chain import Chain
 from kinlib.dh.table import Convention, DHTable, convention_of
 from kinlib.symbolic.merge_rotations import Turn, Word, pose, product, rotation, skew
@@ -136,7 +136,7 @@ def screw(axis: Any, point: Any = (0, 0, 0), pitch: Any = 0) -> sp.Matrix:
     """
     axis, point = _sized(axis, "axis", (3, 1)), _sized(point, "point", (3, 1))
     length = _length(axis)
-    if length.is_number and abs(float(length) - 1) > validation.UNIT:
+    if length.is_number and abs(float(length) - 1) > tolerances.UNIT_LENGTH_TOL:
         raise ValueError(f"axis should be a unit vector; its length is {length}. Divide it by its norm.")
     if pitch in (np.inf, sp.oo):
         return sp.zeros(3, 1).col_join(axis)
@@ -264,7 +264,7 @@ def _arm(arm: Chain | Iterable[Any], home: Any) -> tuple[list[sp.Matrix], sp.Mat
 def _screw_axis(S: Any, name: str) -> sp.Matrix:
     S = _sized(S, name, (6, 1))
     size = _length(S[3:, 0] if S[:3, 0].is_zero_matrix else S[:3, 0])
-    if size.is_number and abs(float(size) - 1) > validation.UNIT:
+    if size.is_number and abs(float(size) - 1) > tolerances.UNIT_LENGTH_TOL:
         raise ValueError(f"{name} should have |omega| = 1, or omega = 0 and |v| = 1; its size is {size}.")
     return S
 
@@ -300,5 +300,5 @@ def _motion(x: Any, name: str) -> sp.Matrix:
     if motion.rows == 4 and list(motion[3, :]) != [0, 0, 0, 1]:
         raise ValueError(f"{name} is not a pose: its last row should be 0 0 0 1; got {list(motion[3, :])}.")
     if not motion.free_symbols:
-        validation.rigid(np.array(motion.evalf(), dtype=float), name)
+        validation.rotations_or_poses(np.array(motion.evalf(), dtype=float), name)
     return motion

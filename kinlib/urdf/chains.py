@@ -156,5 +156,5 @@ def _quoted(name: str) -> str:
     from xml.sax.saxutils import quoteattr
 
     if not name.isprintable() or not name:
-        raise ValueError(f"A name in a URDF should be letters that print; got {validation.brief(name)}.")
+        raise ValueError(f"A name in a URDF should be letters that print; got {validation.describe(name)}.")
     return quoteattr(name)

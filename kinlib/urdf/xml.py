@@ -143,7 +143,7 @@ def read_robot(path_or_text: str | os.PathLike[str]) -> Element:
 def _text(path_or_text: str | os.PathLike[str]) -> Any:
     """The text itself, or the bytes of the file that a path names."""
     if not isinstance(path_or_text, str | os.PathLike):
-        raise ValueError(f"A URDF is a path or a text; got {validation.brief(path_or_text)}.")
+        raise ValueError(f"A URDF is a path or a text; got {validation.describe(path_or_text)}.")
     if isinstance(path_or_text, str):
         text = path_or_text.removeprefix("\ufeff")
         if not text.strip():

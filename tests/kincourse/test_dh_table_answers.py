@@ -126,7 +126,7 @@ def test_a_wrong_table_is_told_what_is_wrong(given, words):
 UNREADABLE = {
     "another number of joints": ("a|alpha|d|theta\n0|0|0|q1", r"; your table has 1 joints \(R\)\.$"),
     "no head": ("nonsense", r"\. A table as text needs a head and at least one row"),
-    "two columns": ([[1, 2]], r"\. rows should have shape \(\.\.\., 4\); got \(1, 2\)"),
+    "two columns": ([[1, 2]], r"\. rows must have shape \(\.\.\., 4\); got \(1, 2\)"),
     "a long text": ("x" * 100_000, r"; got str 'x+\.\.\.x+', which is too long\.$"),
     "many rows": ([[0.1, 0.2, 0.3, 0.4]] * 13, r"; got list \[.*\], which is too long\.$"),
     "a number": (7, r"\. Got int 7\.$"),

@@ -8,7 +8,8 @@ from typing import TYPE_CHECKING, Any
 
 from numpy.typing import ArrayLike
 
-from kinlib.arrays.formatting import SHORT_PI, format_vector
+from kinlib.arrays.formatting import format_vector
+from kinlib.arrays.tolerances import TYPED_PI_ERROR
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -75,4 +76,4 @@ def vector_text(values: ArrayLike) -> str:
     >>> vector_text([0.5, -1e-17, 3])
     '(0.5, 0, 3)'
     """
-    return format_vector(values, 3, zero=SHORT_PI)
+    return format_vector(values, 3, zero=TYPED_PI_ERROR)

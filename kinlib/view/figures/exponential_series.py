@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinlib.arrays import validation
+from kinlib.arrays import tolerances, validation
 from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import hat
 from kinlib.rigid.screw import axes, line
@@ -53,7 +53,7 @@ def draw_series(
     """
     S = axes(S, "S")
     axis, foot, pitch = line(S)
-    if abs(pitch) > validation.UNIT:
+    if abs(pitch) > tolerances.UNIT_LENGTH_TOL:
         raise ValueError(f"draw_series draws turns, in a plane; got a screw axis of pitch {pitch:g}.")
     walk = partial_sums(S, q, point, max(terms, most or terms))
     circle = motion_path(S * 2 * np.pi, walk[0])

@@ -5,7 +5,7 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinlib.arrays import validation
+from kinlib.arrays import tolerances, validation
 from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import exp
 from kinlib.rigid.screw import is_prismatic, line
@@ -83,5 +83,5 @@ def _said(x: Array) -> str:
         return f"a slide by {np.linalg.norm(x[3:]):.3g} m"
     axis, _, pitch = _axis(x)
     angle = float(np.linalg.norm(x[:3]))
-    along = f", {pitch * angle:.3g} m along it" if abs(pitch) > validation.UNIT else ""
+    along = f", {pitch * angle:.3g} m along it" if abs(pitch) > tolerances.UNIT_LENGTH_TOL else ""
     return f"a turn by {np.degrees(angle):.3g} degrees about {vector_text(axis)}{along}"

@@ -12,7 +12,7 @@ import numpy as np
 import traitlets
 from numpy.typing import ArrayLike
 
-from kinlib.arrays import validation
+from kinlib.arrays import tolerances, validation
 from kinlib.arrays.validation import Array
 from kinlib.dh.table import Convention, convention_of
 from kinlib.rigid.lie import adjoint
@@ -224,7 +224,7 @@ def _track(
 
 def _spoken_motion(motion: Motion, start: Array) -> dict[str, Any]:
     """A motion as a joint: its screw where the frame starts, and how far the joint goes."""
-    unit, turned = motion.twist, abs(motion.angle) > validation.UNIT
+    unit, turned = motion.twist, abs(motion.angle) > tolerances.UNIT_LENGTH_TOL
     value = motion.angle if turned else motion.way
     screw = unit / value if value else np.concatenate([np.zeros(3), np.eye(3)["xz".index(motion.axis) * 2]])
     return {

@@ -11,7 +11,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike
 
-from kinlib.arrays import validation
+from kinlib.arrays import tolerances, validation
 from kinlib.arrays.validation import Array
 from kinlib.mechanisms.joints import chain_along, spanning_tree
 from kinlib.mechanisms.mechanism import Mechanism
@@ -139,7 +139,7 @@ def _distance(curve: Array, configuration: Array, mechanism: Mechanism) -> float
 
 def _angles(mechanism: Mechanism) -> Array:
     screws = np.concatenate([joint.screws for joint in mechanism.joints])
-    turning: Array = (screws[:, :3] != 0).any(axis=1) & (np.abs(line(screws).pitch) <= validation.UNIT)
+    turning: Array = (screws[:, :3] != 0).any(axis=1) & (np.abs(line(screws).pitch) <= tolerances.UNIT_LENGTH_TOL)
     return turning
 
 

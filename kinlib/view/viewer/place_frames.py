@@ -47,7 +47,7 @@ def _from_page(poses: Any, _: Any = None) -> Array:
         return np.array(poses, dtype=float)  # None becomes NaN
     except (TypeError, ValueError) as error:
         raise ValueError(
-            f"frames should be numbers, poses of shape (4, 4) one after the other; got {validation.brief(poses)}."
+            f"frames should be numbers, poses of shape (4, 4) one after the other; got {validation.describe(poses)}."
         ) from error
 
 

@@ -12,7 +12,7 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.common_normal import common_normal
-from kinlib.rigid.lie import perpendicular, pose
+from kinlib.rigid.lie import homogeneous, perpendicular
 from kinlib.view.figures.arm import describe_arm, reachable_points
 from kinlib.view.figures.joint_bodies import axial_offsets
 
@@ -224,7 +224,7 @@ def _frames(chain: Chain, size: float) -> dict[str, Any]:
     """The frames that can be shown, each with its name, its body and its pose at home."""
     n = chain.n
     ends = {"s": _frame("s", 0, np.eye(4)), "b": _frame("b", n, chain.home)}
-    on_links = pose(np.eye(3), chain.joint_points)
+    on_links = homogeneous(np.eye(3), chain.joint_points)
     shown: dict[str, Any] = {
         "base": [ends["s"]],
         "tool": [ends["b"]],

@@ -3,27 +3,27 @@
 import numpy as np
 import pytest
 
-from kinlib.arrays.batching import CHUNK, cross, dot, pieces, sweep
+from kinlib.arrays.batching import CHUNK_COLUMNS, apply_columnwise, cross, dot, split_into_chunks
 
 
-@pytest.mark.parametrize("shape", [(), (0,), (1,), (5,), (2, 3), (2, 0, 3), (CHUNK,), (2 * CHUNK + 1,)])
+@pytest.mark.parametrize("shape", [(), (0,), (1,), (5,), (2, 3), (2, 0, 3), (CHUNK_COLUMNS,), (2 * CHUNK_COLUMNS + 1,)])
 def test_a_transposed_matrix_comes_back_transposed(shape):
     X = np.random.default_rng(0).normal(size=(*shape, 2, 3))
-    transposed = sweep(lambda columns: columns.swapaxes(0, 1), X, (2, 3), (3, 2))
+    transposed = apply_columnwise(lambda columns: columns.swapaxes(0, 1), X, (2, 3), (3, 2))
     np.testing.assert_array_equal(transposed, X.swapaxes(-1, -2))
 
 
 def test_a_formula_sees_the_columns_of_each_matrix_each_entry_in_one_run_of_memory():
     X = np.random.default_rng(0).normal(size=(7, 3, 3))
-    ((piece, columns),) = pieces(X[::-1], (3, 3))
+    ((piece, columns),) = split_into_chunks(X[::-1], (3, 3))
     assert columns.flags.c_contiguous
     np.testing.assert_array_equal(columns[0, 2], X[::-1][piece, 2, 0])
 
 
 def test_every_element_is_in_one_piece_and_no_piece_is_longer_than_a_chunk():
-    found = [columns for _, columns in pieces(np.arange(2.0 * CHUNK + 3)[:, None], (1,))]
-    assert [part.shape[-1] for part in found] == [CHUNK, CHUNK, 3]
-    np.testing.assert_array_equal(np.concatenate(found, axis=-1)[0], np.arange(2.0 * CHUNK + 3))
+    found = [columns for _, columns in split_into_chunks(np.arange(2.0 * CHUNK_COLUMNS + 3)[:, None], (1,))]
+    assert [part.shape[-1] for part in found] == [CHUNK_COLUMNS, CHUNK_COLUMNS, 3]
+    np.testing.assert_array_equal(np.concatenate(found, axis=-1)[0], np.arange(2.0 * CHUNK_COLUMNS + 3))
 
 
 @pytest.mark.oracle("numpy", dot, cross)
@@ -33,13 +33,13 @@ def test_dot_and_cross_are_those_of_numpy():
     np.testing.assert_allclose(cross(u.T, v.T).T, np.cross(u, v), rtol=0, atol=1e-14)
 
 
-@pytest.mark.oracle("numpy", sweep, pieces)
-@pytest.mark.parametrize("shape", [(), (5,), (2, 3), (CHUNK + 1,)])
+@pytest.mark.oracle("numpy", apply_columnwise, split_into_chunks)
+@pytest.mark.parametrize("shape", [(), (5,), (2, 3), (CHUNK_COLUMNS + 1,)])
 def test_a_sweep_of_determinants_is_numpy_s(shape):
     X = np.random.default_rng(1).normal(size=(*shape, 3, 3))
-    found = sweep(lambda columns: dot(columns[0], cross(columns[1], columns[2])), X, (3, 3), ())
+    found = apply_columnwise(lambda columns: dot(columns[0], cross(columns[1], columns[2])), X, (3, 3), ())
     np.testing.assert_allclose(found, np.linalg.det(X), rtol=0, atol=1e-13)
-    cut = [np.linalg.det(columns.T) for _, columns in pieces(X, (3, 3))]
+    cut = [np.linalg.det(columns.T) for _, columns in split_into_chunks(X, (3, 3))]
     np.testing.assert_allclose(np.concatenate(cut), np.linalg.det(X).ravel(), rtol=0, atol=1e-13)
 
 

@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from strategies import ROBOTS, configurations, moved_chains, points, poses, screws
 
 from kinlib import Chain, adjoint, exp, inverse, robots, screw
-from kinlib.arrays.batching import CHUNK
+from kinlib.arrays.batching import CHUNK_COLUMNS
 from kinlib.chains.chain import largest_difference, random_configurations
 from kinlib.rigid.screw import is_prismatic
 
@@ -286,9 +286,9 @@ def test_a_batch_is_its_configurations_one_at_a_time(method, shape):
 def test_long_batches_are_whole_where_the_chunks_meet():
     """More rows than one chunk, and not a multiple of it; fk_body and the 'one row' of the others know no chunks."""
     robot = robots.puma560()
-    q = configurations(robot, 2 * CHUNK + 3)
+    q = configurations(robot, 2 * CHUNK_COLUMNS + 3)
     close(robot.fk(q), robot.fk_body(q))
-    for i in (0, CHUNK - 1, CHUNK, 2 * CHUNK, -1):
+    for i in (0, CHUNK_COLUMNS - 1, CHUNK_COLUMNS, 2 * CHUNK_COLUMNS, -1):
         close(robot.link_poses(q)[i], robot.link_poses(q[i]), atol=1e-14)
         close(robot.jacobian(q)[i], robot.jacobian(q[i]), atol=1e-14)
 
@@ -364,17 +364,17 @@ SCREWS = robots.youbot().screws
 @pytest.mark.parametrize(
     ("screws", "message"),
     [
-        (SCREWS.T, r"screws should have shape \(\.\.\., 6\); got \(6, 5\).*try screws\.T"),
-        (robots.puma560().screws.T, r"Screws stand in rows, and yours stand in columns: try screws\.T"),
-        (SCREWS[0], r"screws should have shape \(n, 6\), one row a joint; got \(6,\)"),
-        (np.zeros((0, 6)), r"screws should have shape \(n, 6\), one row a joint; got \(0, 6\)"),
-        (SCREWS[None], r"screws should have shape \(n, 6\), one row a joint; got \(1, 5, 6\)"),
+        (SCREWS.T, r"screws must have shape \(\.\.\., 6\); got \(6, 5\).*try screws\.T"),
+        (robots.puma560().screws.T, r"Screw axes go in rows, but yours are in columns: try screws\.T"),
+        (SCREWS[0], r"screws must have shape \(n, 6\), one row per joint; got \(6,\)"),
+        (np.zeros((0, 6)), r"screws must have shape \(n, 6\), one row per joint; got \(0, 6\)"),
+        (SCREWS[None], r"screws must have shape \(n, 6\), one row per joint; got \(1, 5, 6\)"),
         (SCREWS * 2, r"In screws\[0\] the length of omega is 2\. Divide the direction by its norm"),
-        ([[0] * 6], r"In screws\[0\] the length of v .* is 0\. A slide needs a direction"),
-        ([[0, 0, 1, 0, np.nan, 0]], r"screws holds NaN or infinity at index \[0, 4\]"),
-        ([[0, 0, sympy.Symbol("w"), 0, 0, 0]], r"screws should be an array of real numbers; got list \[\[0, 0, w"),
-        (None, "screws should be an array of real numbers; got NoneType None"),
-        (["S1", "S2"], "screws should be an array of real numbers; got list"),
+        ([[0] * 6], r"In screws\[0\] the length of v .* is 0\. A revolute joint needs an axis"),
+        ([[0, 0, 1, 0, np.nan, 0]], r"screws contains NaN or infinity at index \[0, 4\]"),
+        ([[0, 0, sympy.Symbol("w"), 0, 0, 0]], r"screws must be an array of real numbers; got list \[\[0, 0, w"),
+        (None, "screws must be an array of real numbers; got NoneType None"),
+        (["S1", "S2"], "screws must be an array of real numbers; got list"),
         ([SCREWS[0], SCREWS[1][:3]], "a row of another length"),
     ],
 )
@@ -386,13 +386,13 @@ def test_screws_that_are_none_are_refused(screws, message):
 @pytest.mark.parametrize(
     ("home", "message"),
     [
-        (np.eye(3), r"home should be a pose \(\.\.\., 4, 4\); got a rotation"),
+        (np.eye(3), r"home must be a pose \(\.\.\., 4, 4\); got a rotation"),
         (np.diag([1, 1, -1, 1]), "home is a reflection"),
         (robots.youbot().home.T, r"home is not a pose: its last row .*got \[0\.5405 0\. .*Try the transpose"),
         (np.diag([2, 2, 2, 1]), r"home is not rigid: R\^T R differs from the identity by 3"),
-        (np.stack([np.eye(4)] * 5), r"home should be one pose, \(4, 4\); got \(5, 4, 4\)"),
-        (np.full((4, 4), np.nan), r"home holds NaN or infinity at index \[0, 0\]"),
-        (None, "home should be an array of real numbers; got NoneType"),
+        (np.stack([np.eye(4)] * 5), r"home must be a single pose, \(4, 4\); got \(5, 4, 4\)"),
+        (np.full((4, 4), np.nan), r"home contains NaN or infinity at index \[0, 0\]"),
+        (None, "home must be an array of real numbers; got NoneType"),
     ],
 )
 def test_a_home_that_is_no_pose_is_refused(home, message):
@@ -404,18 +404,18 @@ def test_a_home_that_is_no_pose_is_refused(home, message):
 @pytest.mark.parametrize(
     ("q", "message"),
     [
-        ([1, 2, 3, 4], r"youBot has 5 joints \(RRRRR\), so q should have shape \(\.\.\., 5\); got \(4,\)"),
-        ([1, 2, 3, 4, 5, 6], r"got \(6,\)\. Each joint has a value of its own"),
-        (0.5, r"so q should have shape \(\.\.\., 5\); got \(\)"),
-        (np.zeros((5, 100)), r"got \(5, 100\)\. Joints stand in the last dimension: try q\.T"),
-        ([0, 0, np.nan, 0, 0], r"q holds NaN or infinity at index \[2\]"),
-        ([0, 0, np.inf, 0, 0], r"q holds NaN or infinity at index \[2\]"),
-        ([0, 0, 1j, 0, 0], "q should be an array of real numbers; got list"),
-        (["0"] * 5, "q should be an array of real numbers; got list"),
-        (sympy.symbols("q1:6"), r"q should be an array of real numbers; got tuple \(q1, q2, q3, q4, q5\).*symbol"),
-        (None, "q should be an array of real numbers; got NoneType None"),
+        ([1, 2, 3, 4], r"youBot has 5 joints \(RRRRR\), so q must have shape \(\.\.\., 5\); got \(4,\)"),
+        ([1, 2, 3, 4, 5, 6], r"got \(6,\)\. Pass one value per joint"),
+        (0.5, r"so q must have shape \(\.\.\., 5\); got \(\)"),
+        (np.zeros((5, 100)), r"got \(5, 100\)\. Joints go in the last dimension: try q\.T"),
+        ([0, 0, np.nan, 0, 0], r"q contains NaN or infinity at index \[2\]"),
+        ([0, 0, np.inf, 0, 0], r"q contains NaN or infinity at index \[2\]"),
+        ([0, 0, 1j, 0, 0], "q must be an array of real numbers; got list"),
+        (["0"] * 5, "q must be an array of real numbers; got list"),
+        (sympy.symbols("q1:6"), r"q must be an array of real numbers; got tuple \(q1, q2, q3, q4, q5\).*symbol"),
+        (None, "q must be an array of real numbers; got NoneType None"),
         ([[0] * 5, [0] * 4], "a row of another length"),
-        ([0, 0, 1e9, 0, 0], r"A turn of 1e\+09 rad has no direction left"),
+        ([0, 0, 1e9, 0, 0], r"A rotation angle must be at most 1e\+08 rad.*got 1e\+09 rad"),
     ],
 )
 def test_joint_values_that_are_none_are_refused_by_every_method(method, q, message):
@@ -429,17 +429,20 @@ def test_a_long_slide_is_no_long_turn():
 
 @pytest.mark.parametrize("k", [-1, 6, 1.5, "2", None])
 def test_a_k_outside_0_to_n_is_refused(k):
-    with pytest.raises(ValueError, match=r"k counts the joints to the left of M, 0 to 5; got "):
+    with pytest.raises(ValueError, match=r"k must be the number of joints to the left of M, 0 to 5; got "):
         robots.youbot().fk_mid(np.zeros(5), k)
 
 
 @pytest.mark.parametrize(
     ("at", "message"),
     [
-        ([[0, 0, 0], [0, 0, 0]], r"The point of joint 2 lies 1 m off its axis\. .*another joint, or is v = w x q\?"),
-        ([[0, 0, 0]], r"points should have one row a joint, \(2, 3\); got \(1, 3\)"),
-        (np.zeros((3, 2)), r"points should have shape \(\.\.\., 3\); got \(3, 2\).*try points\.T"),
-        ([[0, 0, 0], [np.nan, 0, 0]], "points holds NaN"),
+        (
+            [[0, 0, 0], [0, 0, 0]],
+            r"The point of joint 2 must lie on its axis; it is 1 m away\. Is it .*another joint, or .* v = w x q instead of",
+        ),
+        ([[0, 0, 0]], r"points must have one row per joint, shape \(2, 3\); got \(1, 3\)"),
+        (np.zeros((3, 2)), r"points must have shape \(\.\.\., 3\); got \(3, 2\).*try points\.T"),
+        ([[0, 0, 0], [np.nan, 0, 0]], "points contains NaN"),
     ],
 )
 def test_points_off_their_axes_are_refused(at, message):
@@ -450,7 +453,7 @@ def test_points_off_their_axes_are_refused(at, message):
 def test_a_joint_that_slides_may_be_drawn_anywhere_and_excuses_no_other_joint():
     screws = [screw((0, 0, 1), pitch=np.inf), screw((0, 0, 1))]
     assert Chain(screws, np.eye(4), points=[[7, 8, 9], [0, 0, 1]]).joint_points.tolist() == [[7, 8, 9], [0, 0, 1]]
-    with pytest.raises(ValueError, match=r"The point of joint 2 lies 1 m off its axis"):
+    with pytest.raises(ValueError, match=r"The point of joint 2 must lie on its axis; it is 1 m away"):
         Chain(screws, np.eye(4), points=[[7, 8, 9], [1, 0, 0]])
 
 
@@ -458,7 +461,7 @@ def test_a_joint_that_slides_may_be_drawn_anywhere_and_excuses_no_other_joint():
 def test_a_point_may_be_off_its_axis_by_a_nanometre_and_by_one_more_for_each_metre_that_it_is_away(height, most):
     near, far = [[0.5 * most, 0, height]], [[1.5 * most, 0, height]]
     assert Chain([screw((0, 0, 1))], np.eye(4), points=near).points.tolist() == near
-    with pytest.raises(ValueError, match=rf"The point of joint 1 lies {far[0][0]:.3g} m off its axis"):
+    with pytest.raises(ValueError, match=rf"The point of joint 1 must lie on its axis; it is {far[0][0]:.3g} m away"):
         Chain([screw((0, 0, 1))], np.eye(4), points=far)
 
 
@@ -472,18 +475,18 @@ def test_any_point_of_the_axis_serves(point):
 def test_v_with_the_wrong_sign_is_found_by_its_point():
     """v = w x q instead of -w x q, the commonest slip: the axis is mirrored, and the point is not on it."""
     q, w = np.array([1.0, 0, 0]), np.array([0, 0, 1.0])
-    with pytest.raises(ValueError, match=r"lies 2 m off its axis.*is v = w x q\?"):
+    with pytest.raises(ValueError, match=r"it is 2 m away\. .*v = w x q instead of"):
         Chain([[*w, *np.cross(w, q)]], np.eye(4), points=[q])
 
 
 @pytest.mark.parametrize(
     ("told", "message"),
     [
-        ({"limits": np.zeros((2, 3))}, r"one row \(least, greatest\) a joint, \(3, 2\); got \(2, 3\)"),
-        ({"limits": [[-1, 1], [1, -1], [0, 1]]}, r"limits of joint 2 .*got \[1.0, -1.0\]. Are they exchanged\?"),
+        ({"limits": np.zeros((2, 3))}, r"one row \(lower, upper\) per joint, shape \(3, 2\); got \(2, 3\)"),
+        ({"limits": [[-1, 1], [1, -1], [0, 1]]}, r"limits of joint 2 .*got \[1.0, -1.0\]. Are they swapped\?"),
         ({"limits": [[-1, 1], [0, 1], [np.nan, 1]]}, "limits of joint 3"),
-        ({"limits": [["low", "high"]] * 3}, "^limits should be an array of real numbers; got list"),
-        ({"joint_names": ("shoulder", "elbow")}, "3 names, one a joint; got 2"),
+        ({"limits": [["low", "high"]] * 3}, "^limits must be an array of real numbers; got list"),
+        ({"joint_names": ("shoulder", "elbow")}, "3 names, one per joint; got 2"),
     ],
 )
 def test_limits_and_names_are_checked(told, message):

@@ -223,9 +223,9 @@ def test_the_link_transforms_of_the_rprr_multiply_to_its_pose_once_a_third_row_i
         [[1, 0, 0, -L4], [0, 1, 0, 0], [0, 0, 1, L5], [0, 0, 0, 1]],
     ]
     with pytest.raises(ValueError, match="not rigid"):
-        validation.rigid(printed[1], "1T2")
+        validation.rotations_or_poses(printed[1], "1T2")
     printed[1][2] = [1, 0, 0, 0]
-    close(reduce(np.matmul, validation.rigid(printed, "T")), robots.rprr(L2, L4, L5).fk(q))
+    close(reduce(np.matmul, validation.rotations_or_poses(printed, "T")), robots.rprr(L2, L4, L5).fk(q))
 
 
 # --- EduFill: the youBot ---
@@ -254,13 +254,13 @@ PRINTED_M1 = np.array([[0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1], [0, 0, 0, 0]])
 
 
 def test_the_printed_M_of_example_1_is_no_pose():
-    with pytest.raises(ValueError, match="last row should be 0 0 0 1"):
-        validation.rigid(PRINTED_M1, "M")
+    with pytest.raises(ValueError, match="last row must be 0 0 0 1"):
+        validation.rotations_or_poses(PRINTED_M1, "M")
     assert np.linalg.matrix_rank(PRINTED_M1[:3, :3]) == 2
     mended = PRINTED_M1.copy()
     mended[3, 3] = 1  # the last row alone does not save it
     with pytest.raises(ValueError, match="not rigid"):
-        validation.rigid(mended, "M")
+        validation.rotations_or_poses(mended, "M")
 
 
 def test_only_one_rotation_has_the_first_two_rows_that_are_printed():

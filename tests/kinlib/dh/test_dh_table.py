@@ -455,7 +455,7 @@ REFUSED = {
         [{"a": 0, "d": 0, "theta": "q1"}],
         r"Row 1 has no alpha\. Each row names all of a, alpha, d, theta",
     ),
-    "NaN": ([[0, 0, np.nan, 0]], r"rows holds NaN or infinity at index \[0, 2\]"),
+    "NaN": ([[0, 0, np.nan, 0]], r"rows contains NaN or infinity at index \[0, 2\]"),
     "a transposed table": (np.zeros((4, 6)), r"rows should have shape \(..., 4\); got \(4, 6\).*rows.T"),
     "one row": (np.zeros(4), r"should have shape \(m, 4\)"),
     # What fuzzing found: these came as another error, as infinity, or as a number that nobody had typed
@@ -528,8 +528,8 @@ def test_letters_that_contradict_the_variables_are_refused():
 @pytest.mark.parametrize(
     ("lengths", "words"),
     [
-        ({"l": np.nan}, r"lengths\['l'\] holds NaN"),
-        ({"l": "0.4"}, r"lengths\['l'\] should be an array of real numbers; got str '0.4'"),
+        ({"l": np.nan}, r"lengths\['l'\] contains NaN"),
+        ({"l": "0.4"}, r"lengths\['l'\] must be an array of real numbers; got str '0.4'"),
         ({"l": 10**400}, r"lengths\['l'\] should be"),
         ({"l": [0.4]}, r"lengths\['l'\] should be one number; got list \[0.4\]"),
         ({"pi": 3}, "gives pi a value, and pi has one"),
@@ -552,7 +552,7 @@ def test_a_base_or_a_tool_that_is_no_pose_is_refused(end):
 @pytest.mark.parametrize("name", ["a", "alpha", "d", "theta"])
 def test_a_row_s_number_that_is_none_is_refused_by_its_name(name):
     row = {"a": 0, "alpha": 0, "d": 0, "theta": 0, name: np.nan}
-    with pytest.raises(ValueError, match=f"^{name} holds NaN"):
+    with pytest.raises(ValueError, match=f"^{name} contains NaN"):
         dh_transform(**row, convention="standard")
 
 
@@ -600,8 +600,8 @@ def test_a_changed_table_keeps_its_signs_unless_they_are_changed(change):
         ([[0, 0, 0, 0]], [1, 1], r"signs must have an entry 1 or -1 for each of the 1 rows; got list \[1, 1\]"),
         ([[0, 0, 0, 0]], [0.5], r"signs must have an entry 1 or -1 for each of the 1 rows; got list \[0\.5\]"),
         ([[0, 0, 0, 0]], [[1]], r"signs must have an entry 1 or -1"),
-        ([[0, 0, 0, 0]], ["+"], "signs should be an array of real numbers"),
-        ([[0, 0, 0, 0]], [np.nan], "signs holds NaN"),
+        ([[0, 0, 0, 0]], ["+"], "signs must be an array of real numbers"),
+        ([[0, 0, 0, 0]], [np.nan], "signs contains NaN"),
         ("a|alpha|d|theta\n0|0|0|-q1", [1], r"signs says \[1\], and the variables in the table say \[-1\]\. Leave"),
     ],
 )
@@ -656,8 +656,8 @@ DATA = DHTable([[0.5, 0, 0, 0]], convention="standard").to_dict()
         ({**DATA, "rows": [["0.5", 0, 0, 0]]}, "rows must be a list of rows of numbers; got list"),
         ({**DATA, "rows": [[True, 0, 0, 0]]}, "rows must be a list of rows of numbers"),
         ({**DATA, "rows": [{"a": 1}]}, "rows must be a list of rows of numbers"),
-        ({**DATA, "rows": [[0.5, 0, 0]]}, r"rows should have shape \(\.\.\., 4\); got \(1, 3\)"),
-        ({**DATA, "rows": [[np.nan, 0, 0, 0]]}, "rows holds NaN"),
+        ({**DATA, "rows": [[0.5, 0, 0]]}, r"rows must have shape \(\.\.\., 4\); got \(1, 3\)"),
+        ({**DATA, "rows": [[np.nan, 0, 0, 0]]}, "rows contains NaN"),
         ({**DATA, "rows": [[10**400, 0, 0, 0]]}, "rows"),
         ({**DATA, "convention": "other"}, "convention should be 'standard' or 'modified'"),
         ({**DATA, "joints": ["R"]}, "joints must be text, a letter for each row; got list"),

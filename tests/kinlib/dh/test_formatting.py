@@ -6,7 +6,8 @@ from hypothesis import given
 from test_dh_table import tables
 
 from kinlib import DHTable
-from kinlib.arrays.formatting import SHORT_PI, format_degrees, format_number, format_vector
+from kinlib.arrays.formatting import format_degrees, format_number, format_vector
+from kinlib.arrays.tolerances import TYPED_PI_ERROR
 from kinlib.dh.formatting import add_variable, format_rows, markdown_table
 
 
@@ -30,8 +31,8 @@ def test_a_number_has_four_digits_and_no_rounding_error(value, text):
 
 def test_digits_and_the_size_of_nothing_can_be_chosen():
     assert format_number(1.23456, 3) == "1.23"
-    assert format_number(4e-6, zero=SHORT_PI) == "0"
-    assert format_number(4e-5, zero=SHORT_PI) == "4e-05"
+    assert format_number(4e-6, zero=TYPED_PI_ERROR) == "0"
+    assert format_number(4e-5, zero=TYPED_PI_ERROR) == "4e-05"
 
 
 @pytest.mark.oracle("text: written out in the test", format_vector, format_degrees)

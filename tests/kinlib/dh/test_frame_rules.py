@@ -136,5 +136,5 @@ def test_a_frame_too_few_is_refused():
         check_frames(ARM, RIGHT[1:], "standard")
     with pytest.raises(ValueError, match="convention should be"):
         check_frames(ARM, RIGHT, "paul")
-    with pytest.raises(ValueError, match="frames holds NaN"):
+    with pytest.raises(ValueError, match="frames contains NaN"):
         check_frames(ARM, np.full_like(RIGHT, np.nan), "standard")

@@ -13,7 +13,7 @@ from scipy.spatial.transform import Rotation
 from strategies import directions, points, poses, rotation_vectors, rotations, twists
 
 from kinlib import adjoint, exp, hat, inverse, log, vee
-from kinlib.rigid.lie import perpendicular, pose
+from kinlib.rigid.lie import homogeneous, perpendicular
 
 EXACT = 1e-13
 """The promise of the library. Entries are of size 1 to 4, so this is some hundred roundings; the worst seen is ten."""
@@ -304,13 +304,13 @@ def test_integers_and_lists_are_welcome():
 
 @pytest.mark.parametrize("f", [hat, exp])
 def test_a_column_of_twists_is_refused_with_the_remedy(f):
-    with pytest.raises(ValueError, match=r"\(\.\.\., 3\) and a twist \(\.\.\., 6\); got shape \(6, 2\).*Try x\.T"):
+    with pytest.raises(ValueError, match=r"\(\.\.\., 3\) or a twist \(\.\.\., 6\); got shape \(6, 2\).*Try x\.T"):
         f(np.zeros((6, 2)))
 
 
 @pytest.mark.parametrize(("f", "name", "shape"), [(hat, "x", 3), (exp, "x", 6), (vee, "X", (3, 3)), (log, "X", (3, 3))])
 def test_what_is_no_number_is_refused_by_its_name(f, name, shape):
-    with pytest.raises(ValueError, match=f"^{name} holds NaN or infinity at index"):
+    with pytest.raises(ValueError, match=f"^{name} contains NaN or infinity at index"):
         f(np.full(shape, np.nan))
 
 
@@ -330,16 +330,16 @@ def test_a_column_of_rotation_vectors_is_refused_with_the_remedy(f):
 @pytest.mark.parametrize("f", [hat, exp])
 @pytest.mark.parametrize("x", [1.0, [], [1, 2], np.zeros((3, 4))[0], np.zeros((2, 7))])
 def test_a_vector_of_another_size_is_refused(f, x):
-    with pytest.raises(ValueError, match=r"A rotation vector is .* got shape .*six numbers"):
+    with pytest.raises(ValueError, match=r"x must be a rotation vector .* got shape .*six numbers"):
         f(x)
 
 
 def test_vee_refuses_a_rotation_and_a_pose_and_says_log():
-    with pytest.raises(ValueError, match=r"skew matrix.*Is it a rotation\? Then take its log first"):
+    with pytest.raises(ValueError, match=r"skew-symmetric.*Is X a rotation\? Then take its log first"):
         vee(np.eye(3))
-    with pytest.raises(ValueError, match=r"last row of an se\(3\) matrix is zero.*Is it a pose\? Then take"):
+    with pytest.raises(ValueError, match=r"last row of an se\(3\) matrix must be zero.*Is X a pose\? Then take"):
         vee(exp([0, 0, 0, 1, 2, 3]) - np.diag([1, 1, 1, 0]))
-    with pytest.raises(ValueError, match=r"\(\.\.\., 3, 3\) or \(\.\.\., 4, 4\); got shape \(6,\)"):
+    with pytest.raises(ValueError, match=r"\(\.\.\., 3, 3\) or \(\.\.\., 4, 4\); got \(6,\)"):
         vee(np.zeros(6))
 
 
@@ -366,7 +366,7 @@ def test_vee_judges_each_matrix_of_a_batch_by_its_own_size():
 
 @pytest.mark.parametrize("size", [2e8, 1e200])
 def test_a_turn_without_a_direction_is_refused(size):
-    with pytest.raises(ValueError, match=r"turn of .*rad has no direction left.*Did a computation diverge"):
+    with pytest.raises(ValueError, match=r"rotation angle must be at most 1e\+08 rad.*Did a computation diverge"):
         exp([size, 0, 0])
 
 
@@ -376,7 +376,7 @@ def test_what_is_not_a_motion_is_refused(f):
         f(2 * np.eye(3))
     with pytest.raises(ValueError, match="reflection"):
         f(np.diag([1, 1, -1, 1]))
-    with pytest.raises(ValueError, match=r"^X should be a rotation \(\.\.\., 3, 3\) or a pose .*; got shape \(6,\)"):
+    with pytest.raises(ValueError, match=r"^X must be a rotation \(\.\.\., 3, 3\) or a pose .*; got shape \(6,\)"):
         f(np.zeros(6))
 
 
@@ -394,17 +394,17 @@ def test_what_comes_back_is_the_callers_own(function, size):
 # --- helpers: poses from their parts, and perpendicular directions ---
 
 
-@pytest.mark.oracle("pytransform3d", pose)
+@pytest.mark.oracle("pytransform3d", homogeneous)
 @given(rotations(), points())
 def test_a_pose_is_its_rotation_and_its_position(R, p):
-    close(pose(R, p), pt.transform_from(R, p), atol=0)
+    close(homogeneous(R, p), pt.transform_from(R, p), atol=0)
 
 
 def test_poses_broadcast():
     R, p = np.stack([np.eye(3), exp([0, 0, 1.0])]), np.arange(12.0).reshape(2, 2, 3)
-    T = pose(R, p[:, :1])
+    T = homogeneous(R, p[:, :1])
     assert T.shape == (2, 2, 4, 4)
-    close(T[1, 0], pose(R[0], p[1, 0]), atol=0)
+    close(T[1, 0], homogeneous(R[0], p[1, 0]), atol=0)
 
 
 @pytest.mark.oracle("axiom: a unit vector of which the scalar product with the axis is 0", perpendicular)

@@ -137,24 +137,24 @@ def test_an_axis_that_strays_by_a_rounding_is_made_unit():
 @pytest.mark.parametrize("pitch", [np.nan, -np.inf, [0.0, np.nan]])
 def test_a_pitch_that_is_no_pitch_is_refused(pitch):
     with pytest.raises(
-        ValueError, match=r"pitch should be a finite number, or inf .*; got (nan|-inf)\. .*turn the axis"
+        ValueError, match=r"pitch must be a finite number, or inf .*; got (nan|-inf)\. .*negate the axis"
     ):
         screw(Z, pitch=pitch)
 
 
 @pytest.mark.parametrize("pitch", ["inf", None, 1j])
 def test_a_pitch_that_is_no_number_is_refused(pitch):
-    with pytest.raises(ValueError, match=r"pitch should be an array of real numbers; got (str|NoneType|complex)"):
+    with pytest.raises(ValueError, match=r"pitch must be an array of real numbers; got (str|NoneType|complex)"):
         screw(Z, pitch=pitch)
 
 
 def test_an_axis_of_another_length_is_refused():
-    with pytest.raises(ValueError, match=r"axis should be a unit vector; its length is 2\. .*divide it by its norm"):
+    with pytest.raises(ValueError, match=r"axis must be a unit vector; its length is 2\. .*Divide it by its norm"):
         screw((0, 0, 2))
 
 
 def test_a_point_in_the_plane_is_refused():
-    with pytest.raises(ValueError, match=r"point should have shape \(\.\.\., 3\); got \(2,\)"):
+    with pytest.raises(ValueError, match=r"point must have shape \(\.\.\., 3\); got \(2,\)"):
         screw(Z, (1, 2))
 
 
@@ -164,11 +164,14 @@ def test_a_point_in_the_plane_is_refused():
         ([0, 0, 2, 0, 0, 0], r"In S the length of omega is 2\. Divide the direction by its norm"),
         ([[0, 0, 1, 0, 0, 0], [0, 0, 0, 0, 3, 4]], r"In S\[1\] the length of v \(omega is zero.*\) is 5\. Divide"),
         ([0, 0, 0, 2, 0, 0], r"In S the length of v \(omega is zero: a prismatic joint\) is 2\. Divide"),
-        (np.zeros(6), r"In S the length of v .* is 0\. A slide needs a direction, and a turn needs an axis"),
+        (
+            np.zeros(6),
+            r"In S the length of v .* is 0\. A revolute joint needs an axis, and a prismatic joint needs a dir",
+        ),
         ([1e-17, 0, 0, 0, 0, 1], r"length of omega is 1e-17\. Is it a prismatic joint with a rounding error in omega"),
-        (np.zeros((6, 2)), r"S should have shape \(\.\.\., 6\); got \(6, 2\).*try S\.T"),
-        ([0, 0, 1, 0, 0], r"S should have shape \(\.\.\., 6\); got \(5,\)\. One vector has 6 components"),
-        ([0, 0, 1, np.nan, 0, 0], r"S holds NaN or infinity at index \[3\]"),
+        (np.zeros((6, 2)), r"S must have shape \(\.\.\., 6\); got \(6, 2\).*try S\.T"),
+        ([0, 0, 1, 0, 0], r"S must have shape \(\.\.\., 6\); got \(5,\)\. One vector has 6 components"),
+        ([0, 0, 1, np.nan, 0, 0], r"S contains NaN or infinity at index \[3\]"),
     ],
 )
 def test_a_twist_that_is_no_screw_axis_is_refused(S, message):
@@ -178,5 +181,5 @@ def test_a_twist_that_is_no_screw_axis_is_refused(S, message):
 
 def test_six_screws_in_columns_are_refused_with_the_remedy():
     rows = screw(np.eye(3)[[2, 1, 1, 2, 1, 2]], np.arange(18.0).reshape(6, 3) ** 2)
-    with pytest.raises(ValueError, match=r"Screws stand in rows, and yours stand in columns: try S\.T"):
+    with pytest.raises(ValueError, match=r"Screw axes go in rows, but yours are in columns: try S\.T"):
         line(rows.T)

@@ -136,7 +136,7 @@ def test_numbers_of_another_kind_are_computed_in_doubles(function):
 
 @pytest.mark.parametrize("function", [ad, left_jacobian_inverse])
 def test_what_is_no_twist_is_refused(function):
-    with pytest.raises(ValueError, match=r"should have shape \(\.\.\., 6\); got \(6, 2\)\. .*try x\.T"):
+    with pytest.raises(ValueError, match=r"must have shape \(\.\.\., 6\); got \(6, 2\)\. .*try x\.T"):
         function(np.zeros((6, 2)))
-    with pytest.raises(ValueError, match=r"x holds NaN or infinity at index \[4\]"):
+    with pytest.raises(ValueError, match=r"x contains NaN or infinity at index \[4\]"):
         function([0, 0, 0, 0, np.nan, 0])
