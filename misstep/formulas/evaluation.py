@@ -1,13 +1,14 @@
-"""What a formula means: its values at a few points, to thirty digits.
+"""Values of formulas: numbers with thirty digits at a few points, by which formulas are compared.
 
-Two formulas are one function if they have the same values; sin(2q) is 2 sin(q) cos(q), and no rule of algebra is asked.
-Formulas come as SymPy made them, or as a text that `formula_text` reads, and both are worked out in the same steps. Each
-step is bounded in size, and their number is bounded: a tower of powers costs a sentence, not an hour.
+Two formulas are the same function if they have the same values: sin(2q) is 2 sin(q) cos(q), and no rule of algebra is needed.
+SymPy expressions and typed text are computed by the same walk. The values, the exponents and the number of steps are bounded,
+so a tower of powers is refused at once instead of taking an hour.
 """
 
 import ast
+import operator
 import re
-from collections.abc import Callable, Iterable, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 from random import Random
 from typing import Any
@@ -17,24 +18,24 @@ import numpy as np
 import sympy as sp
 
 from misstep.formulas.parsing import FUNCTIONS, parse
+from misstep.formulas.walker import MAX_EXPONENT, MAX_PARTS, Operation, Walker
 from misstep.validation import Array
 
 POINTS = 5
-"""At so many points formulas are compared. One alone would tell nearly all apart."""
-
-MOST = 5000
-"""No formula that a person finds has more parts."""
+"""The number of points at which formulas are compared. A single one would already distinguish nearly all of them."""
 
 DIGITS = mpmath.MPContext()
 DIGITS.dps = 30
 
-LARGEST, LEAST, HIGHEST = DIGITS.mpf(10**12), DIGITS.mpf(10) ** -60, 64
-"""No value on the way is larger, nor any exponent; what is smaller than the least is zero."""
+MAX_VALUE = DIGITS.mpf(10**12)
+"""The largest absolute value, also of intermediate results."""
+
+MIN_VALUE = DIGITS.mpf(10) ** -60
+"""Smaller absolute values are set to zero."""
 
 CONSTANTS = {"pi": DIGITS.mpf(DIGITS.pi), "E": DIGITS.mpf(DIGITS.e), "I": DIGITS.mpc(0, 1)}
-OTHERWISE = {"Abs": "fabs", "abs": "fabs", "ln": "log"}
-CALLED = {name: getattr(DIGITS, OTHERWISE.get(name, name)) for name in FUNCTIONS if name != "Matrix"}
-SPELT = {sp.pi: "pi", sp.E: "E", sp.I: "I"}
+MPMATH_NAMES = {"Abs": "fabs", "abs": "fabs", "ln": "log"}
+MPMATH_FUNCTIONS = {name: getattr(DIGITS, MPMATH_NAMES.get(name, name)) for name in FUNCTIONS if name != "Matrix"}
 
 Values = tuple[Any, ...]
 """A number of thirty digits for each point."""
@@ -42,7 +43,7 @@ Values = tuple[Any, ...]
 
 @dataclass(frozen=True)
 class Formula:
-    """A formula, or a matrix of them, that was read: what came, its values (..., POINTS), and whether it holds decimals."""
+    """A formula or a matrix of formulas: as it was given, its values (..., POINTS), and whether it has rounded decimals."""
 
     given: Any
     values: Array
@@ -50,136 +51,105 @@ class Formula:
 
 
 class Reader:
-    """Reads formulas in some symbols, each of which has a value at each point; a positive symbol has positive ones.
+    """Reads formulas in some symbols, each of which has a value at each point; a positive symbol has positive values.
 
-    Symbols are known by their names: theta_1, theta1 and θ₁ are one, and so is q_1 unless it is a symbol of its own. With
-    them the shorthand is known: c_23 is the cosine of the sum of angles 2 and 3.
+    Symbols are identified by their names: theta_1, theta1 and θ₁ are the same symbol, and so is q_1 unless it is declared as a
+    symbol of its own. The usual shorthand works, too: c_23 is the cosine of the sum of angles 2 and 3.
 
     >>> Reader(sp.symbols("q_1 q_2")).read("c1*s12").values.shape
     (5,)
     """
 
     def __init__(self, symbols: Sequence[sp.Symbol]) -> None:
-        self._points = {_key(symbol.name): _drawn(symbol) for symbol in symbols}
+        self._points = {_key(symbol.name): _random_values(symbol) for symbol in symbols}
         self._names = ", ".join(symbol.name for symbol in symbols) or "there are none"
-        self._left = MOST
-        self._rounded = False
-        self._known: dict[sp.Expr, Values] = {}
 
     @property
     def first_point(self) -> dict[str, float]:
-        """What the symbols are at the first of the points, to be told to a person."""
+        """The values of the symbols at the first of the points, for feedback."""
         return {name: float(values[0]) for name, values in self._points.items()}
 
     def read(self, given: Any, shape: tuple[int, ...] | None = None) -> Formula:
-        """Work out a text, a SymPy expression or matrix, a number, or a list or an array of these.
+        """Evaluate text, a SymPy expression or matrix, a number, or a list or an array of these.
 
-        shape   what it should have, without dimensions of one
+        shape   the shape that it must have, without dimensions of size 1
 
-        Raises ValueError for what is no formula, for another shape, for symbols that are not declared, and where there is
-        no finite real value.
+        Raises ValueError for what is not a formula, for another shape, for symbols that are not declared, and if there is no
+        finite real value.
         """
-        self._left, self._rounded, self._known = MOST, False, {}
+        algebra = NumericAlgebra(self._points, self._names)
+        walker = Walker(algebra)
         try:
-            came, entries = _unpacked(given)
-            came = tuple(size for size in came if size != 1)
-            if shape is not None and came != shape:
-                raise ValueError(f"Yours is {shaped(came)}.")
-            values = [[_real(value) for value in self._value(entry)] for entry in entries]
+            given_shape, entries = _unpacked(given)
+            given_shape = tuple(size for size in given_shape if size != 1)
+            if shape is not None and given_shape != shape:
+                raise ValueError(f"Yours is {shaped(given_shape)}.")
+            values = [[_real(value) for value in walker.value(entry)] for entry in entries]
         except RecursionError as error:
             raise ValueError("This is nested too deeply to be a closed form.") from error
-        return Formula(given, np.array(values, dtype=float).reshape(*came, POINTS), self._rounded)
+        return Formula(given, np.array(values, dtype=float).reshape(*given_shape, POINTS), algebra.has_rounded)
 
-    def _value(self, part: Any) -> Values:
-        self._left -= 1
-        if self._left < 0:
-            raise ValueError(f"It has more than {MOST} parts. Is there a shorter way to write it?")
-        if isinstance(part, ast.expr):
-            return self._typed(part)
-        if isinstance(part, sp.Expr):
-            # SymPy's expressions share their parts: what is met a thousand times is worked out once.
-            if part not in self._known:
-                self._known[part] = self._made(part)
-            return self._known[part]
-        if isinstance(part, int | float | np.integer | np.floating):
-            return self._number(part)
-        raise ValueError(f"What came is of type {type(part).__name__}, no formula.")
 
-    def _typed(self, node: ast.expr) -> Values:
-        match node:
-            case ast.Constant(value=int() | float() as number):
-                return self._number(number)
-            case ast.Name(id=name):
-                return self._named(name)
-            case ast.UnaryOp(op=op, operand=operand) if type(op) in SIGNS:
-                return _each(SIGNS[type(op)], self._value(operand))
-            case ast.BinOp(left=left, op=op, right=right) if type(op) in OPERATIONS:
-                return _each(OPERATIONS[type(op)], self._value(left), self._value(right))
-            case ast.Call(func=ast.Name(id=name), args=arguments, keywords=[]):
-                return self._called(name, arguments)
-        raise ValueError("Only numbers, names, + - * / ^ and functions such as sin(q) make a formula.")
+class NumericAlgebra:
+    """The algebra whose values are numbers at the points.
 
-    def _made(self, expression: sp.Expr) -> Values:
-        match expression:
-            case sp.Symbol():
-                return self._named(expression.name)
-            case sp.Integer() | sp.Rational() | sp.Float():
-                return self._number(expression)
-            case sp.Add() | sp.Mul() | sp.Pow():
-                operation = OPERATIONS[{sp.Add: ast.Add, sp.Mul: ast.Mult, sp.Pow: ast.Pow}[expression.func]]
-                value, *others = map(self._value, expression.args)
-                for other in others:
-                    value = _each(operation, value, other)
-                return value
-        if expression in (sp.nan, sp.zoo, sp.oo, -sp.oo):
-            raise ValueError("It holds NaN or infinity. Was there a division by zero?")
-        if expression in SPELT:
-            return self._named(SPELT[expression])
-        return self._called(expression.func.__name__, expression.args)
+    points       the values of each symbol, by its name without underscores and braces
+    names        the names of the symbols, for messages
+    has_rounded  whether a number with decimals has occurred
+    """
 
-    def _number(self, number: Any) -> Values:
+    functions = MPMATH_FUNCTIONS
+
+    def __init__(self, points: Mapping[str, Values], names: str) -> None:
+        self._points = points
+        self._names = names
+        self.has_rounded = False
+
+    def number(self, number: Any) -> Values:
+        """Return the number, the same at every point."""
         plain = number.item() if isinstance(number, np.generic) else number
-        values = _each(lambda: DIGITS.convert(plain)) * POINTS
-        # 2.0 was not rounded by anybody: an array of 0 and 1 may have become one of floats on the way.
-        self._rounded |= isinstance(plain, float | sp.Float) and not float(plain).is_integer()
+        values = _at_each_point(lambda: DIGITS.convert(plain)) * POINTS
+        # 2.0 is not rounded: an array of 0 and 1 becomes an array of floats without anybody rounding it.
+        self.has_rounded |= isinstance(plain, float | sp.Float) and not float(plain).is_integer()
         return values
 
-    def _called(self, name: str, arguments: Iterable[Any]) -> Values:
-        if name not in CALLED:
-            raise ValueError(f"{_cut(name)} is no function here. There are {', '.join(CALLED)}.")
-        values = [self._value(argument) for argument in arguments]
-        if len(values) != (2 if name == "atan2" else 1):
-            raise ValueError(f"{name} takes another number of arguments than {len(values)}.")
-        return _each(CALLED[name], *values)
-
-    def _named(self, name: str) -> Values:
-        found = self._symbol(_key(name)) or self._short(_key(name))
-        if found:
-            return found
+    def symbol(self, name: str) -> Values:
+        """Return the values of a symbol, of a shorthand such as c_23, or of pi, E or I."""
+        values = self._symbol(_key(name)) or self._shorthand(_key(name))
+        if values:
+            return values
         if name in CONSTANTS:
             return (CONSTANTS[name],) * POINTS
         if name in FUNCTIONS:
-            raise ValueError(f"{name} wants its brackets at once: {name}(q)**2, not {name}^2(q).")
+            raise ValueError(f"{name} must be followed by brackets: {name}(q)**2, not {name}^2(q).")
         raise ValueError(f"{_cut(name)} is none of the symbols here: {self._names}.")
+
+    def apply(self, operation: Operation, *values: Values) -> Values:
+        """Apply an operation at each point."""
+        return _at_each_point(_power if operation is operator.pow else operation, *values)
+
+    def call(self, function: str, arguments: Sequence[Values]) -> Values:
+        """Evaluate a function at each point."""
+        return _at_each_point(MPMATH_FUNCTIONS[function], *arguments)
 
     def _symbol(self, key: str) -> Values | None:
         other = re.sub(r"^(q|theta)(?=\d)", lambda letter: "theta" if letter[0] == "q" else "q", key)
         return self._points.get(key) or self._points.get(other)
 
-    def _short(self, key: str) -> Values | None:
-        """The values of c_23, s_1 or s_theta, if there are such angles."""
+    def _shorthand(self, key: str) -> Values | None:
+        """Return the values of c_23, s_1 or s_theta, or None if there are no such angles."""
         short = re.fullmatch(r"([cs])(\d+)|([cs])(\D\w*)", key)
         if short is None:
             return None
         angles = [self._symbol(f"q{digit}") for digit in short[2]] if short[2] else [self._symbol(short[4])]
         if not all(angles):
             return None
-        total = _each(lambda *parts: DIGITS.fsum(parts), *angles)
-        return _each(CALLED["cos" if key[0] == "c" else "sin"], total)
+        total = _at_each_point(lambda *parts: DIGITS.fsum(parts), *angles)
+        return self.call("cos" if key[0] == "c" else "sin", [total])
 
 
 def shaped(shape: tuple[int, ...]) -> str:
-    """Say a shape in words.
+    """Describe a shape in words.
 
     >>> shaped(()), shaped((3,)), shaped((3, 3))
     ('one formula', 'a vector of 3 formulas', 'a 3x3 matrix of formulas')
@@ -190,22 +160,12 @@ def shaped(shape: tuple[int, ...]) -> str:
 
 
 def _power(base: Any, exponent: Any) -> Any:
-    if abs(exponent) > HIGHEST:
-        raise ValueError(f"Exponents go up to {HIGHEST} here.")
+    if abs(exponent) > MAX_EXPONENT:
+        raise ValueError(f"Exponents go up to {MAX_EXPONENT} here.")
     return DIGITS.power(base, exponent)
 
 
-SIGNS: dict[type[ast.unaryop], Callable[..., Any]] = {ast.USub: lambda x: -x, ast.UAdd: lambda x: x}
-OPERATIONS: dict[type[ast.operator], Callable[..., Any]] = {
-    ast.Add: lambda x, y: x + y,
-    ast.Sub: lambda x, y: x - y,
-    ast.Mult: lambda x, y: x * y,
-    ast.Div: lambda x, y: x / y,
-    ast.Pow: _power,
-}
-
-
-def _each(operation: Callable[..., Any], *values: Any) -> Values:
+def _at_each_point(operation: Callable[..., Any], *values: Any) -> Values:
     """Apply an operation at each point; to no values at all, once."""
     try:
         results = [operation(*point) for point in zip(*values, strict=True)] if values else [operation()]
@@ -213,12 +173,12 @@ def _each(operation: Callable[..., Any], *values: Any) -> Values:
         raise ValueError("It divides by zero.") from error
     except ValueError:
         raise
-    except Exception as error:  # mpmath raises what it likes where a function has no value
+    except Exception as error:  # mpmath raises various errors if a function has no value
         raise ValueError("It has no value at some points.") from error
-    # Written so that NaN, which is neither above nor below, is refused too.
-    if not all(abs(result) <= LARGEST for result in results):
-        raise ValueError(f"On the way a value grows beyond {float(LARGEST):.0e}. Is there a division by zero?")
-    return tuple(result if abs(result) >= LEAST else DIGITS.zero for result in results)
+    # Written in this form, the comparison also refuses NaN, which is neither above nor below.
+    if not all(abs(result) <= MAX_VALUE for result in results):
+        raise ValueError(f"An intermediate value grows beyond {float(MAX_VALUE):.0e}. Is there a division by zero?")
+    return tuple(result if abs(result) >= MIN_VALUE else DIGITS.zero for result in results)
 
 
 def _real(value: Any) -> float:
@@ -229,15 +189,15 @@ def _real(value: Any) -> float:
     return float(value)
 
 
-def _drawn(symbol: sp.Symbol) -> Values:
-    """Values for a symbol, by its name: the same ones whenever and wherever it is asked for."""
+def _random_values(symbol: sp.Symbol) -> Values:
+    """Return random values for a symbol. They depend on its name only, so they are the same in every process."""
     chance = Random(_key(symbol.name))
     least, most = (0.2, 2.0) if symbol.is_positive else (-3.0, 3.0)
     return tuple(DIGITS.mpf(least + (most - least) * chance.random()) for _ in range(POINTS))
 
 
 def _unpacked(given: Any, depth: int = 0) -> tuple[tuple[int, ...], list[Any]]:
-    """The shape of a formula or of a matrix of them, and its entries row by row."""
+    """Return the shape of a formula or of a matrix of formulas, and its entries row by row."""
     if isinstance(given, str):
         return _unpacked(parse(given), depth)
     if (
@@ -255,7 +215,7 @@ def _unpacked(given: Any, depth: int = 0) -> tuple[tuple[int, ...], list[Any]]:
         return _unpacked(given.item(), depth)
     if not isinstance(given, list | tuple | np.ndarray):
         return (), [given]
-    if depth > 2 or (given.size if isinstance(given, np.ndarray) else len(given)) > MOST:
+    if depth > 2 or (given.size if isinstance(given, np.ndarray) else len(given)) > MAX_PARTS:
         raise ValueError("It has more entries than any matrix here.")
     rows = [_unpacked(row, depth + 1) for row in given]
     if len({shape for shape, _ in rows}) != 1:
@@ -264,7 +224,7 @@ def _unpacked(given: Any, depth: int = 0) -> tuple[tuple[int, ...], list[Any]]:
 
 
 def _key(name: str) -> str:
-    """A name without what spells it differently: theta_{1} and theta1 are one."""
+    """Return a name without the marks in which spellings differ: theta_{1} and theta1 are the same."""
     return re.sub(r"[\\_{}\s]", "", name)
 
 

@@ -1,8 +1,8 @@
-r"""Formulas as people type them, read as trees: nothing is run, for nothing in the language can.
+r"""Formulas as people type them, parsed into syntax trees without running anything.
 
-The language: numbers, names, + - * / and powers, functions called by name, brackets, and lists for matrices. A blank or
-nothing between two factors multiplies, as on paper: 2 sin(q) c_1. Greek letters, LaTeX's \frac, \theta and s_{12}, and
-the superscripts of a keyboard are read as what they mean.
+The language has numbers, names, + - * / and powers, functions called by name, brackets, and lists for matrices. Two factors
+side by side are multiplied, as on paper: 2 sin(q) c_1. Greek letters, LaTeX's \frac, \theta and s_{12}, and superscripts
+are read as what they mean.
 """
 
 import ast
@@ -10,16 +10,16 @@ import re
 import unicodedata
 from collections.abc import Iterator
 
-LONGEST = 2000
-"""No formula that a person types has more characters."""
+MAX_CHARACTERS = 2000
+"""The most characters of a formula that a person types."""
 
 FUNCTIONS = (
     *("sin", "cos", "tan", "cot", "sec", "csc", "asin", "acos", "atan", "atan2", "sinh", "cosh", "tanh"),
     *("sqrt", "exp", "log", "ln", "abs", "Abs", "sign", "sinc", "Matrix"),
 )
-"""What may be called. A matrix is no function, but written like one."""
+"""The functions of the language. A matrix is not a function, but it is written like one."""
 
-WRITTEN = {
+KEYBOARD_SPELLINGS = {
     **{letter: unicodedata.name(letter).split()[-1].lower() for letter in "αβγδθλμξπρστφψω"},
     **{subscript: str(digit) for digit, subscript in enumerate("₀₁₂₃₄₅₆₇₈₉")},
     **dict.fromkeys("·×⋅", "*"),
@@ -29,7 +29,7 @@ WRITTEN = {
     "^": "**",
     "°": "*pi/180",
 }
-"""What stands on paper and on no keyboard."""
+"""How to type the signs that are written on paper but are missing on a keyboard."""
 
 TOKEN = re.compile(
     r"\s*(?:(?P<number>(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?)|(?P<name>[A-Za-z]\w*)|(?P<sign>\*\*|[-+*/(),\[\]]))",
@@ -37,20 +37,21 @@ TOKEN = re.compile(
 )
 
 
-def parse(text: str, longest: int = LONGEST, *, on_paper: bool = True) -> ast.expr:
+def parse(text: str, max_characters: int = MAX_CHARACTERS, *, implicit_products: bool = True) -> ast.expr:
     r"""Read a text as a syntax tree of the language.
 
-    longest   the most characters
-    on_paper  whether two factors side by side are multiplied; what a program wrote has its signs
+    max_characters     the most characters that the text may have
+    implicit_products  whether two factors side by side are multiplied, as on paper; a program always writes the sign
 
-    Raises ValueError for what the language does not have, with the place, and for a text that is too long.
+    Raises ValueError for a character or a construct that the language does not have, with the place, and for a text that is
+    too long.
 
     >>> ast.unparse(parse(r"2 a_2 cos(θ_1)^2 - \frac{1}{2} s_{12}"))
     '2 * a_2 * cos(theta_1) ** 2 - 1 / 2 * s_12'
     """
-    if len(text) > longest:
-        raise ValueError(f"A formula has at most {longest} characters here, and this has {len(text)}.")
-    clean = " ".join(_tokens(_plain(text), on_paper))
+    if len(text) > max_characters:
+        raise ValueError(f"A formula has at most {max_characters} characters here, and this has {len(text)}.")
+    clean = " ".join(_tokens(_plain(text), implicit_products))
     try:
         return ast.parse(clean, mode="eval").body
     except (SyntaxError, ValueError, RecursionError, MemoryError) as error:
@@ -58,29 +59,29 @@ def parse(text: str, longest: int = LONGEST, *, on_paper: bool = True) -> ast.ex
 
 
 def _plain(text: str) -> str:
-    """Turn what stands on paper into what stands on a keyboard."""
+    """Replace LaTeX and signs that are not on a keyboard by what a keyboard has."""
     text = re.sub(r"\\d?frac\{([^{}]*)\}\{([^{}]*)\}", r"((\1)/(\2))", text.strip().strip("$"))
     text = re.sub(r"√\s*(\w+)", r"sqrt(\1)", text).replace("√", "sqrt")
     text = re.sub(r"\\(cdot|times)\b", "*", text)
     text = re.sub(r"\\(left|right|,|;|!)", " ", text)
     text = re.sub(r"\b(sp|sympy|np|math)\.", "", text)
-    # The bar of s_{12} falls; any other brace groups.
+    # The braces of an index such as s_{12} are dropped; all other braces are brackets.
     text = re.sub(r"_\{(\w+)\}", r"_\1", text).replace("{", "(").replace("}", ")").replace("\\", " ")
-    return "".join(WRITTEN.get(letter, letter) for letter in text)
+    return "".join(KEYBOARD_SPELLINGS.get(letter, letter) for letter in text)
 
 
-def _tokens(text: str, on_paper: bool) -> Iterator[str]:
-    """Cut a text into numbers, names and signs, on paper with a * where two factors stand side by side."""
+def _tokens(text: str, implicit_products: bool) -> Iterator[str]:
+    """Cut a text into numbers, names and signs; with implicit products, with a * between two factors side by side."""
     before, kind, place = "", "", 0
     while text[place:].strip():
         found = TOKEN.match(text, place)
         if found is None:
             letter = text[place:].strip()[0]
-            raise ValueError(f"{letter!r} is not part of a formula; it stands in {_cut(text[max(0, place - 10) :])!r}.")
+            raise ValueError(f"{letter!r} is not part of a formula; see {_cut(text[max(0, place - 10) :])!r}.")
         place, word = found.end(), found[found.lastgroup or 0]
         ends = before in (")", "]") or (kind in ("number", "name") and before not in FUNCTIONS)
         begins = word == "(" or found.lastgroup == "name" or (found.lastgroup == "number" and kind != "number")
-        if on_paper and ends and begins:
+        if implicit_products and ends and begins:
             yield "*"
         yield word
         before, kind = word, found.lastgroup or ""

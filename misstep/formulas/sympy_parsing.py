@@ -1,24 +1,22 @@
-"""Symbolic expressions as text: what `str` makes of them, read back as SymPy, with nothing run.
+"""SymPy expressions as text: what `str` writes of them, read back without running it.
 
-SymPy's own reader is `eval`. A judge that reads what a stranger wrote needs less: `formula_text` reads it as it reads what
-people type, and here the tree becomes SymPy's.
+SymPy's own reader is `eval`, which a judge must not apply to text that others wrote.
 """
 
-import ast
+import operator
+from collections.abc import Sequence
 from typing import Any
 
 from misstep.formulas import parsing
+from misstep.formulas.walker import MAX_EXPONENT, Operation, Walker
 
-LONGEST = 10_000
-"""No formula that SymPy makes for a person has more characters."""
-
-HIGHEST = 64
-"""The highest power of a number that is worked out: towers of powers would fill any memory."""
+MAX_CHARACTERS = 10_000
+"""The most characters of a formula that SymPy writes. Each part has at least one, so there are no more parts either."""
 
 FUNCTIONS = tuple(name for name in parsing.FUNCTIONS if name not in {"abs", "Matrix"})
-"""What SymPy knows by the same name. A matrix comes entry by entry."""
+"""The functions that have the same name in SymPy. A matrix is stored entry by entry."""
 
-NUMBERS = ("pi", "E", "I")
+CONSTANTS = ("pi", "E", "I")
 
 
 def expression(text: str) -> Any:
@@ -30,51 +28,39 @@ def expression(text: str) -> Any:
     a*cos(q1) + b**2/3
     """
     try:
-        return _value(parsing.parse(text, LONGEST, on_paper=False))
+        tree = parsing.parse(text, MAX_CHARACTERS, implicit_products=False)
+        return Walker(SymbolicAlgebra(), MAX_CHARACTERS).value(tree)
     except RecursionError as error:
         raise ValueError(f"{text[:60]!r} is nested too deeply for a formula.") from error
 
 
-def _value(node: ast.expr) -> Any:
-    import sympy as sp
+class SymbolicAlgebra:
+    """The algebra whose values are SymPy expressions."""
 
-    match node:
-        case ast.Constant(value=int() | float() as number) if not isinstance(number, bool):
-            return sp.sympify(number)
-        case ast.Name(id=name):
-            return getattr(sp, name) if name in NUMBERS else sp.Symbol(name)
-        case ast.UnaryOp(op=ast.USub() | ast.UAdd() as sign, operand=operand):
-            return -_value(operand) if isinstance(sign, ast.USub) else _value(operand)
-        case ast.BinOp(left=left, op=op, right=right):
-            return _combined(op, _value(left), _value(right))
-        case ast.Call(func=ast.Name(id=name), args=arguments, keywords=[]) if name in FUNCTIONS and arguments:
-            return _called(getattr(sp, name), [_value(argument) for argument in arguments])
-    raise ValueError(f"{ast.unparse(node)[:60]!r} is not part of a formula here; functions are {', '.join(FUNCTIONS)}.")
+    functions = FUNCTIONS
 
+    def number(self, number: Any) -> Any:
+        """Return the number as SymPy has it."""
+        import sympy as sp
 
-def _called(function: Any, arguments: list[Any]) -> Any:
-    try:
-        return function(*arguments)
-    except TypeError as error:
-        raise ValueError(f"{function} takes another number of arguments than {len(arguments)}.") from error
+        return sp.sympify(number)
 
+    def symbol(self, name: str) -> Any:
+        """Return pi, E or I, or else a symbol without assumptions."""
+        import sympy as sp
 
-def _power(base: Any, exponent: Any) -> Any:
-    if base.is_number and exponent.is_number and not (abs(exponent) <= HIGHEST and abs(base) <= 10**12):
-        raise ValueError(f"A power of numbers goes up to {HIGHEST} here.")
-    return base**exponent
+        return getattr(sp, name) if name in CONSTANTS else sp.Symbol(name)
 
+    def apply(self, operation: Operation, *values: Any) -> Any:
+        """Apply an operation. Raises ValueError for a power of numbers that is too large to compute."""
+        if operation is operator.pow:
+            base, exponent = values
+            if base.is_number and exponent.is_number and not (abs(exponent) <= MAX_EXPONENT and abs(base) <= 10**12):
+                raise ValueError(f"A power of numbers goes up to {MAX_EXPONENT} here.")
+        return operation(*values)
 
-def _combined(op: ast.operator, one: Any, other: Any) -> Any:
-    match op:
-        case ast.Add():
-            return one + other
-        case ast.Sub():
-            return one - other
-        case ast.Mult():
-            return one * other
-        case ast.Div():
-            return one / other
-        case ast.Pow():
-            return _power(one, other)
-    raise ValueError(f"{type(op).__name__} is not part of a formula here: write +, -, *, / and **.")
+    def call(self, function: str, arguments: Sequence[Any]) -> Any:
+        """Call SymPy's function of this name."""
+        import sympy as sp
+
+        return getattr(sp, function)(*arguments)

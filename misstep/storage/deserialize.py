@@ -20,7 +20,7 @@ from typing import Any
 
 import numpy as np
 
-from misstep.formulas.sympy_parsing import LONGEST, expression
+from misstep.formulas.sympy_parsing import MAX_CHARACTERS, expression
 from misstep.validation import Array
 
 MIME = "application/vnd.misstep.answer+json"
@@ -77,8 +77,8 @@ def _read(data: Any, depth: int) -> Any:
 
 
 def _string(text: Any, _: int) -> str:
-    if not isinstance(text, str) or len(text) > LONGEST:
-        raise Malformed(f"A text is a text, of at most {LONGEST} characters.")
+    if not isinstance(text, str) or len(text) > MAX_CHARACTERS:
+        raise Malformed(f"A text is a text, of at most {MAX_CHARACTERS} characters.")
     return text
 
 

@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from misstep.formulas.sympy_parsing import LONGEST
+from misstep.formulas.sympy_parsing import MAX_CHARACTERS
 from misstep.storage.deserialize import DEEPEST, MOST_NUMBERS
 from misstep.validation import Array, is_blank
 
@@ -100,7 +100,7 @@ def _kind(value: Any) -> str:
 
 
 def _text(value: str, _: _Place) -> Data:
-    return {"text": str(value)} if len(value) <= LONGEST else {"other": f"text of {len(value)} characters"}
+    return {"text": str(value)} if len(value) <= MAX_CHARACTERS else {"other": f"text of {len(value)} characters"}
 
 
 def _number(x: float) -> float | None:
@@ -158,5 +158,5 @@ def _symbolic(value: Any, place: _Place) -> Data:
         if sum(1 for _ in islice(sympy.preorder_traversal(value), MOST_NUMBERS + 1)) > MOST_NUMBERS:
             return {"other": f"formula of more than {MOST_NUMBERS} parts"}
         text = str(value)
-        return {"symbolic": text} if len(text) <= LONGEST else {"other": f"formula of {len(text)} characters"}
+        return {"symbolic": text} if len(text) <= MAX_CHARACTERS else {"other": f"formula of {len(text)} characters"}
     return None

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from misstep.answers.base import Unreadable
 from misstep.answers.expression import ClosedForm
-from misstep.formulas.evaluation import LARGEST
+from misstep.formulas.evaluation import MAX_VALUE
 
 q_1, q_2, a = sp.symbols("q_1 q_2 a")
 ASKED = {
@@ -89,7 +89,7 @@ def test_a_formula_is_refused_with_a_sentence_or_has_the_values_that_numpy_compu
         formula = answer.read(text)
     except Unreadable as error:
         assert_explained(error, Unreadable)
-        if meaning and max(np.abs(value).max() for value in way) <= LARGEST:
+        if meaning and max(np.abs(value).max() for value in way) <= MAX_VALUE:
             raise AssertionError(f"{text!r} is a formula") from error
         return
     assert np.isfinite(formula.values).all()

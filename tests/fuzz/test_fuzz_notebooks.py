@@ -34,7 +34,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from submissions import SHEET, as_bytes, handed_in, released, right
 
-from kincourse import find_sheet
+from kincourse import COURSE, find_sheet
 from misstep.grading.collect.files import Refused
 from misstep.grading.collect.gather import gather
 from misstep.grading.collect.roster import read_roster
@@ -107,7 +107,7 @@ class Rehearsal(Grader):
 
     def _ask(self, message):
         told = receive(io.BytesIO(pack(message)))
-        answer = judging._answer({**told, "sheet": self.sheet.name})
+        answer = judging._answer(COURSE, {**told, "sheet": self.sheet.name})
         assert "error" not in answer, answer
         return receive(io.BytesIO(pack(answer)))
 

@@ -11,8 +11,9 @@ from hypothesis import strategies as st
 
 from misstep.answers.base import Unreadable
 from misstep.answers.expression import ClosedForm
-from misstep.formulas.evaluation import MOST, Reader, shaped
+from misstep.formulas.evaluation import Reader, shaped
 from misstep.formulas.parsing import FUNCTIONS
+from misstep.formulas.walker import MAX_PARTS
 from misstep.judge import judge
 from misstep.mistakes import mistake
 from misstep.problem import Problem
@@ -162,7 +163,7 @@ def test_a_formula_may_stand_in_three_brackets_and_in_no_more(given):
 
 def test_a_formula_is_read_up_to_its_bounds_and_what_came_is_kept():
     reader = Reader([q_1])
-    assert reader.read([0] * MOST).values.shape == (MOST, 5)
+    assert reader.read([0] * MAX_PARTS).values.shape == (MAX_PARTS, 5)
     assert reader.read(["2 q1", "1"]).given == ["2 q1", "1"]
     np.testing.assert_array_equal(reader.read(["1^64", "10^12", "10^-61"]).values[:, 0], [1, 1e12, 0])
     np.testing.assert_allclose(reader.read("10^-59").values, 1e-59, rtol=1e-15)
@@ -286,15 +287,15 @@ UNREADABLE = {
     "a comprehension": ("[q1 for q1 in q2]", "is not finished"),
     "a condition": ("q1 if q1 else q2", "is not finished"),
     "an index": ("[q1, q2][0]", "Only numbers, names"),
-    "a call of a symbol": ("(sin)(q1)", "sin wants its brackets at once"),
+    "a call of a symbol": ("(sin)(q1)", "sin must be followed by brackets"),
     "a call of what is no function": ("eval(q1)", "eval is none of the symbols"),
     "a starred argument": ("sin(*q1)", "Only numbers, names"),
     "an unknown symbol": ("a3 c12", "a3 is none of the symbols here: a_2, q_1, q_2"),
     "a shorthand of an unknown angle": ("c13", "c13 is none of the symbols"),
-    "an unknown function of SymPy": (sp.Function("f")(q_1), "f is no function here"),
-    "an integral": (sp.Integral(sp.sin(q_1), q_1), "Integral is no function"),
+    "an unknown function of SymPy": (sp.Function("f")(q_1), "f is not a function"),
+    "an integral": (sp.Integral(sp.sin(q_1), q_1), "Integral is not a function"),
     "a function without brackets": ("sin q1", "Write sin with brackets"),
-    "a power of a function": ("sin^2(q1)", "wants its brackets at once"),
+    "a power of a function": ("sin^2(q1)", "must be followed by brackets"),
     "two arguments": ("cos(q1, q2)", "takes another number of arguments"),
     "a bracket that is missing": ("sin(q1", "a bracket is missing"),
     "nothing": (" ", "is not finished"),
@@ -318,7 +319,7 @@ UNREADABLE = {
     "a long text": ("q1+" * 10_000 + "q1", "at most 2000 characters"),
     "a thousand minus signs": ("-" * 1900 + "q1", "nested too deeply|is not finished"),
     "a thousand brackets": ("(" * 900 + "q1" + ")" * 900, "is not finished"),
-    "a long sum of SymPy": (sp.Add(*(sp.sin(k * q_1) for k in range(MOST))), f"more than {MOST} parts"),
+    "a long sum of SymPy": (sp.Add(*(sp.sin(k * q_1) for k in range(MAX_PARTS))), f"more than {MAX_PARTS} parts"),
     "a function": (np.sin, "no formula"),
     "an object": (object(), "of type object, no formula"),
     "bytes": (b"q1", "no formula"),

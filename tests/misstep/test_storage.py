@@ -11,7 +11,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from misstep.answers.number import Numbers
-from misstep.formulas.sympy_parsing import FUNCTIONS, LONGEST, expression
+from misstep.formulas.sympy_parsing import FUNCTIONS, MAX_CHARACTERS, expression
 from misstep.problem import Problem, problem
 from misstep.sheet import OpenSheet, Sheet
 from misstep.storage.deserialize import (
@@ -161,7 +161,7 @@ def test_a_list_that_holds_itself_comes_to_an_end():
         {"number": 10**400},
         {"number": 1, "score": 3},
         {"text": 7},
-        {"text": "x" * (LONGEST + 1)},
+        {"text": "x" * (MAX_CHARACTERS + 1)},
         {"array": [1, 2], "shape": [3]},
         {"array": [1, 2], "shape": [-1]},
         {"array": [1, 2], "shape": [2.0]},
@@ -226,7 +226,7 @@ def test_a_refusal_says_why(data, said):
 
 
 def test_what_is_read_may_be_as_long_as_any_and_no_longer_name_is_told():
-    assert from_data({"text": "x" * LONGEST}) == "x" * LONGEST
+    assert from_data({"text": "x" * MAX_CHARACTERS}) == "x" * MAX_CHARACTERS
     assert len(from_data({"list": [None] * MOST_NUMBERS})) == MOST_NUMBERS
     assert from_data({"array": [1] * MOST_NUMBERS, "shape": [MOST_NUMBERS]}).sum() == MOST_NUMBERS
     assert from_data({"array": [1], "shape": [1] * (DEEPEST + 1)}).ndim == DEEPEST + 1
