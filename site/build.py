@@ -1,15 +1,14 @@
-"""Build the site: `python course.py site`. A second run does only what has changed.
+"""Build the site: `python course.py site`. A second run rebuilds only what has changed.
 
-The pages are written to build/site/html, or with a folder as the only argument, to html in there.
+The pages are written to build/site/html, or to the folder html in the folder that is given as the only argument.
 """
 
 import sys
 from pathlib import Path
 
-from kinsite import STRICT, lab
-from kinsite.execute import ROOT, NotebookRaised
-from kinsite.fonts import fetch
-from kinsite.sources import prepare
+from kinsite import STRICT, lab, npm_packages
+from kinsite.execute import ROOT, NotebookError
+from kinsite.sphinx_source import write_source
 from kinsite.wheels import Unreachable
 from sphinx.cmd.build import main as sphinx
 
@@ -17,11 +16,11 @@ HERE = Path(__file__).resolve().parent
 
 
 def build(folder: Path = ROOT / "build" / "site") -> int:
-    """Build everything into a folder. Gives Sphinx's exit code: any warning is an error."""
-    fetch()
-    prepare(folder / "source")
-    browser_lab = lab.build()
-    words = (
+    """Build the pages and the lab into a folder. Returns Sphinx's exit code: every warning counts as an error."""
+    npm_packages.install()
+    write_source(folder / "source")
+    built_lab = lab.build()
+    arguments = (
         *STRICT,
         "-q",
         "-c",
@@ -29,18 +28,18 @@ def build(folder: Path = ROOT / "build" / "site") -> int:
         "-d",
         folder / "doctrees",
         "-D",
-        f"kinlib_lab={'lab' if browser_lab else ''}",
+        f"kinlib_lab={'lab' if built_lab else ''}",
         folder / "source",
         folder / "html",
     )
-    failed = int(sphinx(["-b", "html", *map(str, words)]))
-    lab.bring(browser_lab, folder / "html" / "lab")
+    failed = int(sphinx(["-b", "html", *map(str, arguments)]))
+    lab.copy_to_site(built_lab, folder / "html" / "lab")
     return failed
 
 
 if __name__ == "__main__":
     try:
         failed = build(*map(Path, sys.argv[1:2]))
-    except (NotebookRaised, Unreachable, ValueError) as error:
+    except (NotebookError, Unreachable, ValueError) as error:
         sys.exit(f"The site was not built. {error}")
     sys.exit(failed)

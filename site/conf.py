@@ -1,4 +1,4 @@
-"""Sphinx's settings of the course site. `python course.py site` calls Sphinx with what kinsite has prepared."""
+"""The settings of Sphinx for the course site. site/build.py calls Sphinx after kinsite has written the source of the pages."""
 
 import os
 import sys
@@ -25,22 +25,22 @@ extensions = [
     "sphinx_sitemap",
     "sphinxcontrib.katex",
     "sphinxext.opengraph",
-    "kinsite.outputs",
-    "kinsite.pages",
+    "kinsite.cell_outputs",
+    "kinsite.page_template",
 ]
 
-# --- what is read ---
+# --- reading the source ---
 
 myst_enable_extensions = ["amsmath", "attrs_block", "attrs_inline", "colon_fence", "deflist", "dollarmath"]
 myst_heading_anchors = 3
 myst_links_external_new_tab = False
 exclude_patterns = ["files/**"]
-nb_execution_mode = "off"  # kinsite.execute has done it
+nb_execution_mode = "off"  # kinsite.execute has executed the notebooks
 nb_execution_show_tb = True
 nb_merge_streams = True
-nb_render_markdown_format = "myst"  # problems are stated in formulas and tables
+nb_render_markdown_format = "myst"  # statements of problems contain formulas and tables
 nb_ipywidgets_js: dict[str, str] = {}
-# HTML before widgets: there is no kernel, and what is shown brings a form of its own for pages
+# HTML before widgets: there is no kernel, and each of our widgets has a static form for pages
 nb_mime_priority_overrides = [
     ("html", "text/html", 10),
     ("html", "application/vnd.jupyter.widget-view+json", None),
@@ -48,12 +48,12 @@ nb_mime_priority_overrides = [
     ("html", "application/vnd.misstep.solved+json", None),
 ]
 nitpicky = True
-# Types of other libraries have no page here, and their sites cannot be asked while this one is built.
-nitpick_ignore_regex = [("py:.*", r"(?!kinlib\.).*")]
+# Types of other libraries have no page here, and the build must not depend on their sites.
+nitpick_ignore_regex = [("py:.*", r"(?!kinlib\.|misstep\.|kincourse\.).*")]
 python_use_unqualified_type_names = True
 add_module_names = False
 
-# --- what is written ---
+# --- writing the pages ---
 
 html_theme = "furo"
 html_title = "Forward kinematics"
@@ -63,7 +63,9 @@ templates_path = ["templates"]
 html_css_files = ["course.css"]
 html_js_files = [("course.js", {"defer": "defer"}), ("loader.js", {"defer": "defer"})]
 html_baseurl = os.environ.get("KINLIB_SITE_URL", "http://127.0.0.1:8000/").rstrip("/") + "/"
-notfound_urls_prefix = urlsplit(html_baseurl).path  # a page for addresses that do not exist knows no "up"
+notfound_urls_prefix = urlsplit(
+    html_baseurl
+).path  # the page for missing addresses is shown at any depth, so its links must be absolute
 html_copy_source = False
 html_show_sourcelink = False
 html_use_index = False
@@ -78,8 +80,8 @@ html_theme_options = {
 
 katex_prerender = True
 katex_css_path = "katex/katex.min.css"
-# A busy machine refuses a connection between the birth of a Unix socket and its first listener, and the extension gives up.
-# By way of the loopback network, which is its other way, it asks again.
+# On a busy machine, a connection to a new Unix socket is refused until something listens, and then the extension gives up.
+# Over the loopback network it tries again.
 KaTeXServer.start_server_process = KaTeXServer.start_network_socket
 sphinxcontrib.katex.STARTUP_TIMEOUT = 60.0
 

@@ -1,10 +1,10 @@
-"""The course site: executes the notebooks, writes the pages that are made from kinlib, and shows outputs without a kernel."""
+"""The course site: executes the notebooks, generates the pages about the packages, and shows outputs without a kernel."""
 
 import sys
 
-# jsonschema, which nbformat imports, would build 38 grammars to tell whether an IRI is one. No notebook holds any, and
-# every build, also of nothing, would wait a second for them. None says that there is no such module.
+# nbformat imports jsonschema, which would compile 38 grammars to recognise IRIs, for a second of every build. Notebooks
+# contain no IRIs. None makes Python treat the module as missing, and then jsonschema leaves this check out.
 sys.modules.setdefault("rfc3987_syntax", None)  # type: ignore[arg-type]
 
 STRICT = ("-n", "-W", "--keep-going")
-"""How Sphinx is called: whatever it warns of fails the build, and all of it is told before."""
+"""Options of Sphinx: every warning fails the build, after all of them have been reported."""

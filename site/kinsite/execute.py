@@ -1,6 +1,6 @@
-"""Notebooks as they come out of a cold kernel, kept until the notebook, kinlib or what kinlib stands on changes.
+"""Execute the notebooks in new kernels, and cache their outputs until the code in their cells or a package changes.
 
-Only outputs are kept: words between the cells may change, and nothing runs again.
+Only outputs are cached: a change of the text between the cells does not execute a notebook again.
 """
 
 import hashlib
@@ -25,9 +25,7 @@ from nbformat import NotebookNode
 from kinlib.view.drawing.static_export import ENVIRONMENT_VARIABLE
 
 ROOT = Path(__file__).resolve().parents[2]
-KEPT = ROOT / "build" / "executed"
-UNDER = ("anywidget", "ipykernel", "ipywidgets", "matplotlib", "mpmath", "numpy", "sympy", "traitlets")
-"""What can change an output although no line of ours has changed."""
+CACHE = ROOT / "build" / "executed"
 
 PACKAGES = ("kinlib", "misstep", "kincourse")
 """The packages of this repository, each with a pyproject.toml of its own."""
@@ -35,95 +33,99 @@ PACKAGES = ("kinlib", "misstep", "kincourse")
 NOT_IN_NOTEBOOKS = ("misstep/grading/", "misstep/release/", "kinlib/view/js/")
 """Folders of the packages that no notebook loads."""
 
-KEY = 16
-"""Letters of the names by which outputs are kept."""
+DEPENDENCIES = ("anywidget", "ipykernel", "ipywidgets", "matplotlib", "mpmath", "numpy", "sympy", "traitlets")
+"""Packages of others whose version can change an output."""
 
-SECONDS = 120
-"""How long a cell may take. Students wait for less, and another test sees to that; builds run on busy machines."""
+HASH_LENGTH = 16
+"""Characters of the hash in the name of a cached file."""
+
+TIMEOUT_S = 120
+"""How long a cell may run. It is more than a student waits, because builds run on busy machines."""
 
 
-class NotebookRaised(Exception):
-    """A notebook of the course that does not run without a complaint."""
+class NotebookError(Exception):
+    """A cell of a notebook raises, or writes to stderr."""
 
 
-def execute_all(paths: Iterable[Path], kept: Path = KEPT) -> dict[Path, NotebookNode]:
-    """Execute notebooks two at a time, those that are kept not at all.
+def execute_all(paths: Iterable[Path], folder: Path = CACHE) -> dict[Path, NotebookNode]:
+    """Execute notebooks, as many at a time as there are processors. Those whose outputs are cached are not executed.
 
-    Raises NotebookRaised that names the notebook and the cell, for the first one that raises or complains.
+    Raises NotebookError with the name of the notebook and the cell, for the first cell that raises or writes to stderr.
     """
     with ThreadPoolExecutor(max_workers=os.cpu_count() or 1) as pool:
         paths = list(paths)
-        return dict(zip(paths, pool.map(lambda path: execute(path, kept), paths), strict=True))
+        return dict(zip(paths, pool.map(lambda path: execute(path, folder), paths), strict=True))
 
 
-def execute(path: Path, kept: Path = KEPT) -> NotebookNode:
-    """Execute one notebook, or take the outputs that its cells gave last time.
+def execute(path: Path, folder: Path = CACHE) -> NotebookNode:
+    """Execute one notebook, or read its outputs from the folder of cached outputs.
 
-    Raises NotebookRaised that names the notebook and the cell.
+    Raises NotebookError with the name of the notebook and the cell.
     """
     notebook: NotebookNode = nbformat.read(path, as_version=4)
     code = [cell for cell in notebook.cells if cell.cell_type == "code"]
-    name = f"{path.relative_to(ROOT).parts[0]}-{path.stem}"  # a lecture and its sheet are called alike
-    found = kept / f"{name}-{key(cell.source for cell in code)}.json"
-    if not found.exists():
-        # a copy runs: what a kernel writes beside the outputs would make the page another one than the next time
-        ran = deepcopy(notebook)
-        run(ran, path)
-        keep(found, [cell.outputs for cell in ran.cells if cell.cell_type == "code"], name)
-    kept_outputs = json.loads(found.read_text("utf-8"))
-    for number, (cell, outputs) in enumerate(zip(code, kept_outputs, strict=True), start=1):
+    name = f"{path.relative_to(ROOT).parts[0]}-{path.stem}"  # a lecture and its sheet have the same file name
+    cached = folder / f"{name}-{input_hash(cell.source for cell in code)}.json"
+    if not cached.exists():
+        # execute a copy: a kernel writes more than outputs into a notebook, so the page would differ from the next build's
+        executed = deepcopy(notebook)
+        run(executed, path)
+        write_cache(cached, [cell.outputs for cell in executed.cells if cell.cell_type == "code"], name)
+    cached_outputs = json.loads(cached.read_text("utf-8"))
+    for number, (cell, outputs) in enumerate(zip(code, cached_outputs, strict=True), start=1):
         cell.outputs = [nbformat.from_dict(output) for output in outputs]
         cell.execution_count = number
     return notebook
 
 
-def made(name: str, make: Callable[[], Iterable[tuple[str, str]]], *sources: str) -> dict[str, str]:
-    """Pages that are made from kinlib, or those that were made last time from the same.
+def cached_pages(name: str, generate: Callable[[], Iterable[tuple[str, str]]], *sources: str) -> dict[str, str]:
+    """Generate pages about the packages, or read those that were generated from the same packages and sources.
 
-    sources  what else they depend on
+    sources  texts that the pages depend on besides the packages
     """
-    found = KEPT / f"{name}-{key(sources)}.json"
-    if not found.exists():
-        keep(found, dict(make()), name)
-    pages: dict[str, str] = json.loads(found.read_text("utf-8"))
+    cached = CACHE / f"{name}-{input_hash(sources)}.json"
+    if not cached.exists():
+        write_cache(cached, dict(generate()), name)
+    pages: dict[str, str] = json.loads(cached.read_text("utf-8"))
     return pages
 
 
-def keep(path: Path, data: Any, name: str) -> None:
-    """Write what was made, at once, so that nobody reads half of it; what was kept of the same name goes."""
+def write_cache(path: Path, data: Any, name: str) -> None:
+    """Write a cached file in one step, so that nothing reads half of it, and delete older files of the same name."""
     path.parent.mkdir(parents=True, exist_ok=True)
     part = path.with_suffix(f".{os.getpid()}")
     part.write_text(json.dumps(data), "utf-8")
     part.replace(path)
-    for old in path.parent.glob(f"{name}-{'?' * KEY}.json"):
+    for old in path.parent.glob(f"{name}-{'?' * HASH_LENGTH}.json"):
         if old != path:
             old.unlink(missing_ok=True)
 
 
 def run(notebook: NotebookNode, path: Path) -> None:
-    """Run a notebook in a cold kernel that knows that its outputs are for a page."""
-    client = NotebookClient(notebook, timeout=SECONDS, resources={"metadata": {"path": path.parent}})
+    """Run a notebook in a new kernel, in which figures and viewers write their static form."""
+    client = NotebookClient(notebook, timeout=TIMEOUT_S, resources={"metadata": {"path": path.parent}})
     try:
-        # What the kernel itself has to say while it starts is not for whoever builds; what cells say is among the outputs.
+        # only what cells write to stderr matters, and that is among their outputs: hide what the kernel writes at its start
         client.execute(env={**os.environ, ENVIRONMENT_VARIABLE: "1"}, stderr=subprocess.DEVNULL)
     except CellExecutionError as error:
-        raise NotebookRaised(f"{path.relative_to(ROOT)} raises:\n{plain(str(error))}") from None
+        raise NotebookError(f"{path.relative_to(ROOT)} raises:\n{without_colours(str(error))}") from None
     for cell in notebook.cells:
         for output in cell.get("outputs", []):
             if output.get("name") == "stderr":
-                raise NotebookRaised(f"{path.relative_to(ROOT)}, cell {cell.id!r}, complains:\n{plain(output.text)}")
+                text = without_colours(output.text)
+                raise NotebookError(f"{path.relative_to(ROOT)}, cell {cell.id!r}, writes to stderr:\n{text}")
 
 
-def key(sources: Iterable[str]) -> str:
-    """What the outputs of these cells depend on, as one short name."""
-    return hashlib.sha256("\0".join([library(), *sources]).encode()).hexdigest()[:KEY]
+def input_hash(sources: Iterable[str]) -> str:
+    """Hash the sources of cells together with the packages."""
+    return hashlib.sha256("\0".join([package_hash(), *sources]).encode()).hexdigest()[:HASH_LENGTH]
 
 
 @cache
-def library() -> str:
+def package_hash() -> str:
     """Hash the packages of the course and the versions of what they depend on: any change of a file changes the hash."""
     digest = hashlib.sha256(python_version().encode() + Path(__file__).read_bytes())
-    for name in UNDER:
+    for name in DEPENDENCIES:
         digest.update(f"{name} {version(name)}\0".encode())
     for path in sorted(path for package in PACKAGES for path in (ROOT / package).rglob("*")):
         inside = path.relative_to(ROOT).as_posix()
@@ -132,6 +134,6 @@ def library() -> str:
     return digest.hexdigest()
 
 
-def plain(text: str) -> str:
-    """A traceback without the colours of a terminal."""
+def without_colours(text: str) -> str:
+    """Remove a terminal's colour codes from a traceback."""
     return re.sub(r"\x1b\[[\d;]*m", "", text)

@@ -1,4 +1,4 @@
-"""The gallery: each robot and linkage of the course to turn, with its axes, its screws, its tables and its source."""
+"""The gallery: each robot and linkage of the course as an interactive figure, with axes, screws, DH tables and source."""
 
 import inspect
 from collections.abc import Callable, Iterator
@@ -22,105 +22,112 @@ from kinlib.view.figures.linkage import draw_linkage
 from kinsite.reference import escape, prose
 from misstep.text import matrix, number
 
-NO_ROBOTS = {"arm", "pose"}
-"""What kl.robots offers that is no robot."""
+NOT_ROBOTS = {"arm", "pose"}
+"""Public functions of kl.robots that do not make a robot of the course."""
 
 LENGTHS: dict[str, dict[str, Any]] = {
     "four_bar": {"ground": 0.4, "crank": 0.1, "coupler": 0.35, "rocker": 0.3},
     "slider_crank": {"crank": 0.2, "rod": 0.5},
     "five_bar": {"ground": 0.4, "left": (0.3, 0.4), "right": (0.3, 0.4)},
 }
-"""Lengths for the linkages that have none of their own."""
+"""Arguments for the linkages whose lengths have no default."""
 
-POSTURES: dict[str, ArrayLike] = {
+START_CONFIGURATIONS: dict[str, ArrayLike] = {
     "bricard": [1, -2, 1, -2, 1, -2],
     "four_bar": [1, 0, 2, 0],
     "five_bar": [1.8, -1, 1.3, 1, 0],
     "bennett": [1, 2, 1, 2],
     "ten_links": [1.9, -0.5, -0.4, -0.4, -0.3, 1.2, 0.5, 0.4, 0.4, 0.3, 0],
 }
-"""From where the linkages are assembled that are drawn open, or that their drawing does not show well."""
+"""The guesses from which linkages are assembled that do not close at 0, or that look flat there."""
 
-BETWEEN = "\n\n"
-"""What stands between paragraphs."""
+PARAGRAPH_BREAK = "\n\n"
 
-POINTS = 160
-"""Postures along the curve of a linkage that is driven."""
+CURVE_POINTS = 160
+"""Configurations along the curve of a linkage with one degree of freedom."""
 
 
 @dataclass(frozen=True, eq=False)
 class Entry:
-    """One page of the gallery: the function's name, what it makes, and its picture."""
+    """One page of the gallery: the name of the function, the robot that it makes, its docstring and a picture."""
 
     function: str
-    made: Chain | Mechanism
-    words: str
+    robot: Chain | Mechanism
+    docstring: str
     picture: Picture
 
     @property
     def kind(self) -> str:
-        """What stands below its name in the gallery."""
-        if isinstance(self.made, Chain):
-            return self.made.joint_types
-        return f"{len(self.made.joints)} joints"
+        """The line below the name in the gallery."""
+        if isinstance(self.robot, Chain):
+            return self.robot.joint_types
+        return f"{len(self.robot.joints)} joints"
+
+    @property
+    def module(self) -> Any:
+        """The module of the function."""
+        return robots if isinstance(self.robot, Chain) else linkages
 
 
 def pages() -> Iterator[tuple[str, str]]:
-    """One page a robot or linkage, its picture, and one page that leads to them.
+    """Yield one page and one picture for each robot and linkage, and an overview.
 
     Raises ValueError for a robot without a source.
     """
-    arms = [arm(name, make) for name, make in offered(robots) if name not in NO_ROBOTS]
-    loops = [loop(name, make) for name, make in offered(linkages)]
-    for entry in arms + loops:
-        if not entry.made.source.strip():
-            raise ValueError(f"{entry.function} names no source: say which document it comes from.")
+    arms = [arm_entry(name, make) for name, make in public_functions(robots) if name not in NOT_ROBOTS]
+    mechanisms = [linkage_entry(name, make) for name, make in public_functions(linkages)]
+    for entry in arms + mechanisms:
+        if not entry.robot.source.strip():
+            raise ValueError(f"{entry.function} must have a source; got none. Name the document that it comes from.")
         yield f"robots/{entry.function}.svg", entry.picture.svg
         yield f"robots/{entry.function}.md", page(entry)
-    yield "robots/index.md", overview(arms, loops)
+    yield "robots/index.md", overview(arms, mechanisms)
 
 
-def offered(module: Any) -> list[tuple[str, Callable[..., Any]]]:
-    """The public functions of a module, in the order in which they stand there."""
-    found = inspect.getmembers(module, inspect.isfunction)
-    own = [(name, made) for name, made in found if made.__module__ == module.__name__ and not name.startswith("_")]
+def public_functions(module: Any) -> list[tuple[str, Callable[..., Any]]]:
+    """List the public functions of a module, in the order of the file."""
+    functions = inspect.getmembers(module, inspect.isfunction)
+    own = [(name, make) for name, make in functions if make.__module__ == module.__name__ and not name.startswith("_")]
     return sorted(own, key=lambda pair: pair[1].__code__.co_firstlineno)
 
 
-def arm(name: str, make: Callable[..., Chain]) -> Entry:
-    """The entry of an arm, drawn at home."""
-    made = make()
-    return Entry(name, made, inspect.getdoc(make) or "", draw_arm(made))
+def arm_entry(name: str, make: Callable[..., Chain]) -> Entry:
+    """Make the entry of an arm, drawn at home."""
+    chain = make()
+    return Entry(name, chain, inspect.getdoc(make) or "", draw_arm(chain))
 
 
-def loop(name: str, make: Callable[..., Mechanism]) -> Entry:
-    """The entry of a linkage, drawn in a posture in which it closes.
+def linkage_entry(name: str, make: Callable[..., Mechanism]) -> Entry:
+    """Make the entry of a linkage, drawn in a configuration in which it closes.
 
-    Raises ValueError where none is found from the guess in POSTURES.
+    Raises ValueError if none is found.
     """
-    made = make(**LENGTHS.get(name, {}))
-    return Entry(name, made, inspect.getdoc(make) or "", draw_linkage(made, posture(name, made)))
+    mechanism = make(**LENGTHS.get(name, {}))
+    picture = draw_linkage(mechanism, closed_configuration(name, mechanism))
+    return Entry(name, mechanism, inspect.getdoc(make) or "", picture)
 
 
-def posture(name: str, made: Mechanism) -> Any:
-    """A posture in which a linkage closes.
+def closed_configuration(name: str, mechanism: Mechanism) -> Any:
+    """Find a configuration in which a linkage closes.
 
-    Raises ValueError where none is found.
+    Raises ValueError if none is found from the guess in START_CONFIGURATIONS.
     """
-    found = made.assemble(POSTURES.get(name, np.zeros(made.n)))
-    if not found.converged:
-        raise ValueError(f"{name} does not close from the guess in POSTURES: give it another one.")
-    return found.q
+    assembly = mechanism.assemble(START_CONFIGURATIONS.get(name, np.zeros(mechanism.n)))
+    if not assembly.converged:
+        raise ValueError(
+            f"{name} must close from its guess in START_CONFIGURATIONS, but it does not. Try another guess."
+        )
+    return assembly.q
 
 
-def overview(arms: list[Entry], loops: list[Entry]) -> str:
-    """The page that leads to all others."""
-    names = "\n".join(entry.function for entry in arms + loops)
+def overview(arms: list[Entry], mechanisms: list[Entry]) -> str:
+    """Write the page that lists all others."""
+    names = "\n".join(entry.function for entry in arms + mechanisms)
     return f"""\
 # Gallery of robots
 
-Every robot of the course, with the document that it comes from. Open one to turn its joints, to switch its screw axes
-on, and to read its screws and both of its tables.
+Every robot of the course, with the document that it comes from. Open one to move its joints, to show its screw axes,
+and to read its screws and both of its DH tables.
 
 ## Arms
 
@@ -128,7 +135,7 @@ on, and to read its screws and both of its tables.
 
 ## Linkages
 
-{cards(loops)}
+{cards(mechanisms)}
 
 ```{{toctree}}
 :hidden:
@@ -139,112 +146,111 @@ on, and to read its screws and both of its tables.
 
 
 def cards(entries: list[Entry]) -> str:
-    """A list of entries, each with its picture."""
-    listed = (
-        f"- [![{escape(entry.picture.alt)}]({entry.function}.svg) **{escape(entry.made.name)}** {entry.kind}]({entry.function}.md)"
+    """Write a list of entries, each with its picture."""
+    items = (
+        f"- [![{escape(entry.picture.alt)}]({entry.function}.svg) **{escape(entry.robot.name)}** {entry.kind}]({entry.function}.md)"
         for entry in entries
     )
-    return "{.cards}\n" + "\n".join(listed)
+    return "{.cards}\n" + "\n".join(items)
 
 
 def page(entry: Entry) -> str:
-    """One robot: to turn, to read, and to call."""
-    call = f"kl.{'robots' if isinstance(entry.made, Chain) else 'linkages'}.{entry.function}"
-    # what it raises is for who calls it, and its source stands below
-    said = [part for part in entry.words.split(BETWEEN) if not part.startswith(("Raises", "Source:"))]
-    head = f"# {escape(entry.made.name)}\n\n{prose(BETWEEN.join(said))}\n"
-    source = f"**Source.** {escape(entry.made.source)}. In Python it is {{py:func}}`{call} <kinlib.{call[3:]}>`."
-    tables = arm_tables(entry.made) if isinstance(entry.made, Chain) else loop_tables(entry.function, entry.made)
-    return "\n\n".join([head, raw(shown(entry)), source, tables]) + "\n"
+    """Write the page of one robot: the figure, the source and the tables."""
+    function = f"{entry.module.__name__}.{entry.function}"
+    call = f"kl.{'.'.join(function.split('.')[-2:])}"
+    # the reference says what the function raises, and the source follows below
+    paragraphs = [text for text in entry.docstring.split(PARAGRAPH_BREAK) if not text.startswith(("Raises", "Source:"))]
+    head = f"# {escape(entry.robot.name)}\n\n{prose(PARAGRAPH_BREAK.join(paragraphs))}\n"
+    source = f"**Source.** {escape(entry.robot.source)}. In Python it is {{py:func}}`{call} <{function}>`."
+    tables = arm_tables(entry.robot) if isinstance(entry.robot, Chain) else linkage_table(entry.function, entry.robot)
+    return "\n\n".join([head, raw_html(figure(entry)), source, tables]) + "\n"
 
 
-def shown(entry: Entry) -> str:
-    """The viewer, or where a linkage has more freedoms than a slider, its drawing."""
-    if isinstance(entry.made, Chain):
-        return explore(entry.made).html()
-    q = posture(entry.function, entry.made)
-    if entry.made.mobility(q).finite == 1:
-        curve = entry.made.trace(q, points=POINTS).q
-        return drive(entry.made, q, curves=[curve], labels=["as it is assembled"]).html()
+def figure(entry: Entry) -> str:
+    """Show a robot in the viewer or, if a linkage has more than one degree of freedom, as a drawing."""
+    if isinstance(entry.robot, Chain):
+        return explore(entry.robot).html()
+    q = closed_configuration(entry.function, entry.robot)
+    if entry.robot.mobility(q).finite == 1:
+        curve = entry.robot.trace(q, points=CURVE_POINTS).q
+        return drive(entry.robot, q, curves=[curve], labels=["as it is assembled"]).html()
     return entry.picture.html()
 
 
-def arm_tables(made: Chain) -> str:
-    """Axes, screws, home pose and both tables of an arm."""
-    parts = ["## Axes at home", joint_table(made), "## Screw axes", screw_table(made)]
-    parts += [f"The home pose is\n\n$$M = {matrix(made.home)}.$$"]
-    if "H" in made.joint_types:
-        return "\n\n".join(
-            [*parts, "## DH tables", "A helical joint has no row in a table: nothing in it can both turn and climb."]
-        )
+def arm_tables(chain: Chain) -> str:
+    """Write the axes, the screws, the home pose and both DH tables of an arm."""
+    parts = ["## Axes at home", joint_table(chain), "## Screw axes", screw_table(chain)]
+    parts += [f"The home pose is\n\n$$M = {matrix(chain.home)}.$$"]
+    if "H" in chain.joint_types:
+        note = "A helical joint has no row in a DH table, because a row cannot couple a rotation with a translation."
+        return "\n\n".join([*parts, "## DH tables", note])
     conventions: tuple[Convention, Convention] = ("standard", "modified")
     for convention in conventions:
-        parts += [f"## A {convention} DH table", dh_table(assign_frames(made, convention=convention))]
+        parts += [f"## A {convention} DH table", dh_table(assign_frames(chain, convention=convention))]
     return "\n\n".join(parts)
 
 
-def screw_table(made: Chain) -> str:
-    """Space and body screws, one row a joint."""
+def screw_table(chain: Chain) -> str:
+    """Write the space and body screws, one row for each joint."""
     rows = [
-        f"| {i} | ${sixfold(S)}$ | ${sixfold(B)}$ |"
-        for i, (S, B) in enumerate(zip(made.screws, made.body_screws, strict=True), start=1)
+        f"| {i} | ${screw_text(S)}$ | ${screw_text(B)}$ |"
+        for i, (S, B) in enumerate(zip(chain.screws, chain.body_screws, strict=True), start=1)
     ]
     head = "| joint | in {s}: $S_i = (\\omega, v)$ | in {b}: $B_i = (\\omega, v)$ |\n| --- | --- | --- |"
     return "\n".join([head, *rows])
 
 
-def sixfold(S: ArrayLike) -> str:
-    """A screw in a row, its halves told apart."""
-    words = [number(value) for value in np.asarray(S, dtype=float)]
-    return f"({', '.join(words[:3])},\\; {', '.join(words[3:])})"
+def screw_text(S: ArrayLike) -> str:
+    """Write a screw in one line, with a space between omega and v."""
+    numbers = [number(value) for value in np.asarray(S, dtype=float)]
+    return f"({', '.join(numbers[:3])},\\; {', '.join(numbers[3:])})"
 
 
-def dh_table(found: FrameAssignment) -> str:
-    """A table as kl.assign_frames finds it, with its base and its tool."""
-    table = found.table
+def dh_table(assignment: FrameAssignment) -> str:
+    """Write the table of a frame assignment, with its base and its tool."""
+    table = assignment.table
     link = "i-1" if table.convention == "modified" else "i"
     names = (f"length $a_{{{link}}}$", f"twist $\\alpha_{{{link}}}$", "offset $d_i$", "angle $\\theta_i$")
     rows = format_rows(table, length=number, angle=angle, variable="q_{{{}}}".format)
     printed = markdown_table([[f"${cell}$" for cell in row] for row in rows], ["row", *names])
     ends = f"The base and the tool are\n\n$${matrix(table.base)} \\qquad \\text{{and}} \\qquad {matrix(table.tool)}.$$"
-    remark = "Any other right table is as good: this is the one that `kl.assign_frames` finds."
+    remark = "This is the table that `kl.assign_frames` finds. Other tables can be right, too."
     return f"{printed}\n\n{remark}\n\n{ends}"
 
 
 def angle(x: float) -> str:
-    r"""An angle in radians, as a share of pi where it is one.
+    r"""Write an angle in radians, as a fraction of pi if it is one with a small denominator.
 
     >>> angle(-np.pi / 2), angle(0.3)
     ('-\\pi/2', '0.3')
     """
-    share = Fraction(x / np.pi).limit_denominator(12)
-    if share == 0 or abs(float(share) * np.pi - x) > 1e-9:
+    fraction = Fraction(x / np.pi).limit_denominator(12)
+    if fraction == 0 or abs(float(fraction) * np.pi - x) > 1e-9:
         return number(x)
-    top = {1: "", -1: "-"}.get(share.numerator, str(share.numerator))
-    return f"{top}\\pi" + (f"/{share.denominator}" if share.denominator > 1 else "")
+    factor = {1: "", -1: "-"}.get(fraction.numerator, str(fraction.numerator))
+    return f"{factor}\\pi" + (f"/{fraction.denominator}" if fraction.denominator > 1 else "")
 
 
-def loop_tables(function: str, made: Mechanism) -> str:
-    """What can be counted of a linkage, and its joints at the drawing."""
-    mobility = made.mobility(posture(function, made))
-    loops = len(made.loops)
+def linkage_table(function: str, mechanism: Mechanism) -> str:
+    """Count the bodies, joints, loops and degrees of freedom of a linkage."""
+    mobility = mechanism.mobility(closed_configuration(function, mechanism))
     return "\n".join(
         [
             "## Mobility",
             "",
             "| what | how many |",
             "| --- | --- |",
-            f"| bodies, with the ground | {len(made.bodies)} |",
-            f"| joints | {len(made.joints)} |",
-            f"| joint values | {made.n} |",
-            f"| loops | {loops} |",
-            f"| counted, by Kutzbach | {mobility.kutzbach} |",
-            f"| infinitesimal (first-order), in this configuration | {mobility.infinitesimal} |",
-            f"| finite | {mobility.finite} |",
+            f"| bodies, including the ground | {len(mechanism.bodies)} |",
+            f"| joints | {len(mechanism.joints)} |",
+            f"| joint values | {mechanism.n} |",
+            f"| loops | {len(mechanism.loops)} |",
+            f"| degrees of freedom by the Grübler-Kutzbach formula | {mobility.kutzbach} |",
+            f"| infinitesimal (first-order) mobility in this configuration | {mobility.infinitesimal} |",
+            f"| finite mobility | {mobility.finite} |",
         ]
     )
 
 
-def raw(html: str) -> str:
-    """HTML as it stands."""
+def raw_html(html: str) -> str:
+    """Put HTML into a page without change."""
     return f"````{{raw}} html\n{html}\n````"

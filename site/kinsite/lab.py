@@ -1,10 +1,10 @@
-"""The course in the browser: JupyterLite with the notebooks, kinlib and Python itself, on the same site as the pages.
+"""The course in the browser: JupyterLite with the notebooks, our packages and Python, on the same site as the pages.
 
-KINLIB_LAB says which Python it gets:
-    official   Pyodide's newest release, which is what the published site serves; it needs the open network
-    offline    the older release that tests take, which package registries are enough for
-    none       no lab, and no buttons that lead to it
-Unless it says so, the official one is tried, and where it cannot be had the site is built without a lab.
+The environment variable KINLIB_LAB chooses the release of Python for the browser:
+    official   Pyodide's newest release, as on the published site; the build needs access to the Internet
+    offline    the older release that tests use; the build needs package registries only
+    none       no lab, and no buttons that open it
+If the variable is not set, the official release is tried, and if it cannot be downloaded the site is built without a lab.
 """
 
 import hashlib
@@ -17,14 +17,14 @@ from collections.abc import Iterable
 from pathlib import Path
 
 from kinsite import pyodide, wheels
-from kinsite.execute import ROOT, library
+from kinsite.execute import ROOT, package_hash
 from kinsite.wheels import Unreachable
 
 VARIABLE = "KINLIB_LAB"
-SOURCES = {"official": pyodide.official, "offline": pyodide.offline}
+DISTRIBUTIONS = {"official": pyodide.official, "offline": pyodide.offline}
 
 SITE = ROOT / "site"
-BUILT = ROOT / "build" / "lab"
+LABS = ROOT / "build" / "lab"
 LABEXTENSIONS = Path(sys.prefix) / "share" / "jupyter" / "labextensions"
 EXTENSIONS = (
     LABEXTENSIONS / "@jupyterlite" / "pyodide-kernel-extension",
@@ -32,44 +32,49 @@ EXTENSIONS = (
     LABEXTENSIONS / "anywidget",
     SITE / "lab" / "extension",
 )
-"""The kernel, widgets, the viewer's frame, and what the course adds: messages, and what was solved."""
+"""The kernel, the widgets, and the extension of the course, which adds messages and records solved problems."""
 
-PAGES = ("tree", "notebooks")
-"""Of JupyterLite's pages, a notebook on its own, and the folder that it lies in."""
+APPS = ("tree", "notebooks")
+"""The applications of JupyterLite that the lab has: the list of files, and the notebook."""
 
 
 def build() -> Path | None:
-    """Build the lab, unless nothing that it is made of has changed. Gives its folder, or None where there is none.
+    """Build the lab unless it is up to date. Returns its folder, or None if the site has no lab.
 
-    Raises ValueError for a word in KINLIB_LAB that it does not know, Unreachable where what it asks for cannot be had.
+    Raises ValueError for an unknown value of KINLIB_LAB, Unreachable if the release that it names cannot be downloaded.
     """
-    asked = os.environ.get(VARIABLE, "")
-    if asked == "none":
+    choice = os.environ.get(VARIABLE, "")
+    if choice == "none":
         return None
-    if asked not in ("", *SOURCES):
-        raise ValueError(f"{VARIABLE} should be one of {', '.join([*SOURCES, 'none'])}; got {asked!r}.")
-    kind = asked or "official"
-    folder = BUILT / kind
-    if stamp(folder).exists() and stamp(folder).read_text("utf-8") == made_of():
+    if choice not in ("", *DISTRIBUTIONS):
+        raise ValueError(f"{VARIABLE} must be one of {', '.join([*DISTRIBUTIONS, 'none'])}; got {choice!r}.")
+    kind = choice or "official"
+    folder = LABS / kind
+    if hash_file(folder).exists() and hash_file(folder).read_text("utf-8") == input_hash():
         return folder / "html"
     try:
-        make(kind, folder)
+        build_with_jupyterlite(kind, folder)
     except Unreachable as error:
-        if asked:
+        if choice:
             raise
-        print(f"The site has no lab: {error}\nTo build without asking, set {VARIABLE}=none.", file=sys.stderr)
+        print(
+            f"The site has no lab: {error}\nTo skip the lab without this attempt, set {VARIABLE}=none.", file=sys.stderr
+        )
         return None
-    stamp(folder).write_text(made_of(), "utf-8")
+    hash_file(folder).write_text(input_hash(), "utf-8")
     return folder / "html"
 
 
-def make(kind: str, folder: Path) -> None:
-    """Build the lab anew."""
+def build_with_jupyterlite(kind: str, folder: Path) -> None:
+    """Build the lab into an empty folder.
+
+    Raises ValueError if JupyterLite fails, Unreachable if a file cannot be downloaded.
+    """
     shutil.rmtree(folder, ignore_errors=True)
     kernel = sorted((EXTENSIONS[0] / "static" / "pypi").glob("*.whl"))
-    source = SOURCES[kind]()
-    packages = pyodide.lay_out(source, [*wheels.build(folder / "wheel"), *kernel], folder / "static" / "pyodide")
-    for path in sources():
+    distribution = DISTRIBUTIONS[kind]()
+    packages = pyodide.install(distribution, [*wheels.build(folder / "wheel"), *kernel], folder / "static" / "pyodide")
+    for path in contents():
         target = folder / "contents" / path.relative_to(ROOT)
         target.parent.mkdir(parents=True, exist_ok=True)
         shutil.copy(path, target)
@@ -89,7 +94,7 @@ def make(kind: str, folder: Path) -> None:
     (folder / "jupyter-lite.json").write_text(json.dumps(settings), "utf-8")
     config = {
         "LiteBuildConfig": {
-            "apps": PAGES,
+            "apps": APPS,
             "cache_dir": str(folder / "cache"),
             "contents": [str(folder / "contents")],
             "federated_extensions": [str(path) for path in EXTENSIONS],
@@ -105,45 +110,45 @@ def make(kind: str, folder: Path) -> None:
         cwd=folder, capture_output=True, text=True, check=False,
     )  # fmt: skip
     if done.returncode:
-        raise ValueError(f"JupyterLite did not build:\n{done.stdout[-2000:]}\n{done.stderr[-2000:]}")
-    for page in PAGES:
-        dress(folder / "html" / page / "index.html")
+        raise ValueError(f"JupyterLite failed:\n{done.stdout[-2000:]}\n{done.stderr[-2000:]}")
+    for app in APPS:
+        add_language_and_icon(folder / "html" / app / "index.html")
 
 
-def dress(page: Path) -> None:
-    """Give a page of JupyterLite what all of ours have: a language and an icon. Without one, browsers ask for a file."""
+def add_language_and_icon(page: Path) -> None:
+    """Add a language and an icon to a page of JupyterLite. Without an icon, browsers request a file that does not exist."""
     text = page.read_text("utf-8")
     icon = '<link rel="icon" type="image/svg+xml" href="../../_static/favicon.svg">'
     page.write_text(text.replace("<html>", '<html lang="en">').replace("<head>", f"<head>\n    {icon}", 1), "utf-8")
 
 
-def bring(built: Path | None, target: Path) -> None:
-    """Put the lab among the pages, unless it is there; or take it away where there is none."""
-    if built and stamp(target).exists() and stamp(target).read_bytes() == stamp(built.parent).read_bytes():
+def copy_to_site(built: Path | None, target: Path) -> None:
+    """Copy the lab into the site unless it is up to date there; if there is no lab, delete the old one."""
+    if built and hash_file(target).exists() and hash_file(target).read_bytes() == hash_file(built.parent).read_bytes():
         return
     shutil.rmtree(target, ignore_errors=True)
     if built:
         shutil.copytree(built, target)
-        shutil.copy(stamp(built.parent), target)
+        shutil.copy(hash_file(built.parent), target)
 
 
-def sources() -> Iterable[Path]:
-    """What the lab shows: lectures, sheets as students get them, and what they link to, each where it lies here."""
+def contents() -> Iterable[Path]:
+    """List the files in the lab: lectures, released sheets and what they link to, each with its path in the repository."""
     yield from sorted((ROOT / "notebooks").glob("*.ipynb"))
     yield from sorted(path for path in (ROOT / "exercises").glob("*/*") if path.suffix in (".ipynb", ".json"))
     yield ROOT / "NOTATION.md"
 
 
-def made_of() -> str:
-    """What the lab depends on, as one name."""
-    digest = hashlib.sha256(library().encode())
-    ours = [path for path in (SITE / "lab").rglob("*") if path.is_file()]
+def input_hash() -> str:
+    """Hash everything that the lab is built from."""
+    digest = hashlib.sha256(package_hash().encode())
+    extension = [path for path in (SITE / "lab").rglob("*") if path.is_file()]
     modules = [Path(module.__file__ or "") for module in (wheels, pyodide, sys.modules[__name__])]
-    for path in (*sources(), *sorted(ours), *modules, SITE / "package-lock.json"):
+    for path in (*contents(), *sorted(extension), *modules, SITE / "package-lock.json"):
         digest.update(path.read_bytes())
     return digest.hexdigest()
 
 
-def stamp(folder: Path) -> Path:
-    """Where it is written what a lab was made of; absent while it is being made."""
-    return folder / "made_of.txt"
+def hash_file(folder: Path) -> Path:
+    """The file that contains the input hash of a finished lab; while the lab is being built it does not exist."""
+    return folder / "input_hash.txt"

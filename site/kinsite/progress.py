@@ -1,4 +1,4 @@
-"""The page on which a reader sees how far they have come. What it shows lives in their browser, and nowhere else."""
+"""The page that shows a reader's progress. The record is stored in the reader's browser only."""
 
 import re
 from collections.abc import Iterator, Mapping
@@ -7,32 +7,32 @@ from pathlib import Path
 
 from nbformat import NotebookNode
 
-ASKED = re.compile(r'data-misstep-question="([^"]+)"[^>]*data-right="(\d)"')
+QUESTION = re.compile(r'data-misstep-question="([^"]+)"[^>]*data-right="(\d)"')
 
 HEAD = """\
 # Your progress
 
-What you have read, answered and solved is kept in this browser, and sent to nobody. Clearing the browser's data clears it
-too; so take a copy if it matters to you. A problem counts as solved once you have run its sheet in the browser, and the
-check gave full marks. Nobody grades by this page.
+What you have read, answered and solved is stored in this browser only, and is never sent anywhere. If you clear the
+browser's data, the record is lost, so save a copy if it matters to you. A problem counts as solved once you have run its
+sheet in the browser and the check gave full marks. This page has no influence on your grade.
 """
 
 
 def pages(lectures: Mapping[Path, NotebookNode], sheets: Mapping[Path, NotebookNode]) -> Iterator[tuple[str, str]]:
-    """The one page: a table that a script fills in, which reads well without one.
+    """Yield the page: a table that a script fills in, and that can be read without the script.
 
-    lectures, sheets  the executed notebooks by their paths; a sheet is called like its lecture
+    lectures, sheets  the executed notebooks by their paths; a sheet has the same file name as its lecture
     """
     rows = []
     problems = {path.stem: sum(cell.id.startswith("check-") for cell in sheet.cells) for path, sheet in sheets.items()}
     for path, notebook in sorted(lectures.items()):
-        if not (questions := asked(notebook)):
+        if not (found := questions(notebook)):
             continue
-        names, keys = zip(*questions, strict=True)
+        names, right = zip(*found, strict=True)
         title = notebook.cells[0].source.split("\n", 1)[0].removeprefix("# ")
         rows.append(
             f'<tr data-lecture="lectures/{path.stem}" data-questions="{escape(" ".join(names))}" '
-            f'data-keys="{" ".join(keys)}" data-problems="{problems.get(path.stem, 0)}">'
+            f'data-keys="{" ".join(right)}" data-problems="{problems.get(path.stem, 0)}">'
             f'<th scope="row"><a href="lectures/{path.stem}.html">{path.stem[:2]} {escape(title)}</a></th>'
             f"<td data-read>not yet</td><td data-answered>0 of {len(names)}</td><td data-right>0</td>"
             f"<td data-solved>{f'0 of {problems[path.stem]}' if path.stem in problems else ''}</td></tr>"
@@ -46,9 +46,9 @@ def pages(lectures: Mapping[Path, NotebookNode], sheets: Mapping[Path, NotebookN
     yield "progress.md", f"{HEAD}\n````{{raw}} html\n{table}\n````\n"
 
 
-def asked(notebook: NotebookNode) -> list[tuple[str, str]]:
-    """The questions that a lecture asks, in order: name, and index of the right option."""
-    shown = (
+def questions(notebook: NotebookNode) -> list[tuple[str, str]]:
+    """List the questions of a lecture, in order: the name of each, and the index of the right option."""
+    html = (
         output.get("data", {}).get("text/html", "") for cell in notebook.cells for output in cell.get("outputs", [])
     )
-    return [pair for text in shown for pair in ASKED.findall("".join(text))]
+    return [pair for text in html for pair in QUESTION.findall("".join(text))]

@@ -1,6 +1,7 @@
-"""The reference: what kinlib's docstrings say, module by module, in the order in which the library is read.
+"""The reference: the docstrings of the three packages, module by module, in reading order.
 
-The docstrings are plain text, made to be read where they stand; so they are laid out here and not parsed as markup.
+The docstrings are plain text with aligned lists, to be read in the source. No standard docstring parser understands these
+lists, so this module turns them into Markdown itself.
 """
 
 import importlib
@@ -28,23 +29,23 @@ MODULES = {
         *("kinlib.mechanisms.mobility", "kinlib.mechanisms.linkages"),
     ],
     "Files and symbols": ["kinlib.urdf.chains", "kinlib.symbolic"],
-    "What people look at": ["kinlib.view", "kinlib.view.drawing.picture", "kinlib.view.viewer.viewer"],
+    "Figures": ["kinlib.view", "kinlib.view.drawing.picture", "kinlib.view.viewer.viewer"],
     "The course": ["kincourse"],
     "The engine": ["misstep", "misstep.sheet", "misstep.questions.widget", "misstep.problem", "misstep.verdict"],
 }
-"""The modules that others may rely on, in reading order. Packages show what they export, and their modules the rest."""
+"""The modules with a public interface, in reading order. A package lists what it exports, its modules list the rest."""
 
 SPECIAL = re.compile(r"([\\`*_{}\[\]<>$|~^#])")
 ALIASES = {name: stringify_annotation(kind, "smart") for name, kind in {"ArrayLike": ArrayLike, "Array": Array}.items()}
-"""Types whose names say more than what they stand for."""
+"""Types that a signature shows by their short names."""
 
-OURS = re.compile(r"~?(?:kinlib|misstep|kincourse)(?:\.\w+)+")
-DEFINED = re.compile(r"^(\S.{,40}?)(?:  +|(?<=\)) +(?=->))(\S.*)$")
-"""A line in two columns, or one that says which shapes become which."""
+OWN_NAME = re.compile(r"~?(?:kinlib|misstep|kincourse)(?:\.\w+)+")
+DEFINITION = re.compile(r"^(\S.{,40}?)(?:  +|(?<=\)) +(?=->))(\S.*)$")
+"""A line in two columns, or a line such as "(..., 3) -> (..., 3, 3)"."""
 
 
 def pages() -> Iterator[tuple[str, str]]:
-    """One page a module, and one that leads to them."""
+    """Yield one page for each module, and an overview."""
     lists = []
     for title, names in MODULES.items():
         lists.append(f"## {title}\n")
@@ -60,9 +61,9 @@ def pages() -> Iterator[tuple[str, str]]:
 OVERVIEW = """\
 # Reference
 
-`import kinlib as kl` gives you what most lectures need: `kl.exp`, `kl.screw`, `kl.Chain`, `kl.DHTable`,
-`kl.assign_frames`, `kl.Mechanism`, `kl.load_urdf`, `kl.robots` and their neighbours. Here is everything, module by
-module, in the order in which the library is best read.
+`import kinlib as kl` provides what most lectures need: `kl.exp`, `kl.screw`, `kl.Chain`, `kl.DHTable`,
+`kl.assign_frames`, `kl.Mechanism`, `kl.load_urdf`, `kl.robots` and related functions. These pages describe everything,
+module by module, in reading order.
 
 {lists}
 
@@ -75,15 +76,14 @@ module, in the order in which the library is best read.
 
 
 def page(module: ModuleType) -> str:
-    """What a module offers, in the order in which it stands there."""
+    """Write the page of a module, in the order of its source."""
     parts = [f"# `{module.__name__}`", prose(inspect.getdoc(module) or "")]
-    for name, member in members(module):
-        parts.append(described(module, name, member))
+    parts += [describe(module, name, member) for name, member in members(module)]
     return "\n\n".join(parts) + "\n"
 
 
 def members(module: ModuleType) -> list[tuple[str, Any]]:
-    """The public classes and functions that a module defines; of a package, those that it exports."""
+    """List the public classes and functions that a module defines; of a package, those that it exports."""
     if hasattr(module, "__path__"):
         found = [(name, getattr(module, name)) for name in module.__all__]
         return [(name, member) for name, member in found if inspect.isclass(member) or inspect.isfunction(member)]
@@ -100,22 +100,20 @@ def members(module: ModuleType) -> list[tuple[str, Any]]:
     return sorted(own, key=lambda pair: inspect.getsourcelines(pair[1])[1])
 
 
-def described(module: ModuleType, name: str, member: Any) -> str:
-    """A class with what it has and does, or a function: as a directive, so that pages can refer to it."""
+def describe(module: ModuleType, name: str, member: Any) -> str:
+    """Write a function, or a class with its methods and properties, as a directive to which other pages can refer."""
+    parts = [prose(inspect.getdoc(member) or "", doctest=True)]
     if inspect.isclass(member):
-        inside = [prose(inspect.getdoc(member) or "", doctest=True)]
-        inside += [
+        parts += [
             directive(kind, f"{part}{signature(value)}", prose(inspect.getdoc(value) or "", doctest=True))
             for part, kind, value in attributes(member)
         ]
-        return directive("py:class", f"{name}{signature(member)}", "\n\n".join(inside), module.__name__)
-    return directive(
-        "py:function", f"{name}{signature(member)}", prose(inspect.getdoc(member) or "", doctest=True), module.__name__
-    )
+    kind = "py:class" if inspect.isclass(member) else "py:function"
+    return directive(kind, f"{name}{signature(member)}", "\n\n".join(parts), module.__name__)
 
 
 def attributes(kind: type) -> Iterator[tuple[str, str, Any]]:
-    """The public methods and properties that a class itself defines and explains."""
+    """Yield the public methods and properties that a class itself defines and documents, each with its directive."""
     for name, value in vars(kind).items():
         if name.startswith("_"):
             continue
@@ -128,46 +126,46 @@ def attributes(kind: type) -> Iterator[tuple[str, str, Any]]:
 
 
 def signature(member: Any) -> str:
-    """How something is called, with its types; nothing for a property."""
+    """Write the signature of a function, method or class, with its types. A property has none."""
     if not callable(member):
         return ""
     try:
-        found = inspect.signature(member)
+        parsed = inspect.signature(member)
     except ValueError:
         return ""
-    inner = list(found.parameters.values())
-    if inner and inner[0].name in ("self", "cls"):
-        found = found.replace(parameters=inner[1:])
+    parameters = list(parsed.parameters.values())
+    if parameters and parameters[0].name in ("self", "cls"):
+        parsed = parsed.replace(parameters=parameters[1:])
     if inspect.isclass(member):
-        found = found.replace(return_annotation=inspect.Signature.empty)
-    written = stringify_signature(found, unqualified_typehints=True).replace("\n", " ")
-    for name, spelled in ALIASES.items():
-        written = written.replace(spelled, name)
-    return OURS.sub(lambda name: places().get(name[0].lstrip("~"), name[0].rpartition(".")[2]), written)
+        parsed = parsed.replace(return_annotation=inspect.Signature.empty)
+    text = stringify_signature(parsed, unqualified_typehints=True).replace("\n", " ")
+    for name, full_type in ALIASES.items():
+        text = text.replace(full_type, name)
+    return OWN_NAME.sub(lambda name: link_targets().get(name[0].lstrip("~"), name[0].rpartition(".")[2]), text)
 
 
 @cache
-def places() -> dict[str, str]:
-    """Where each documented class stands: by the name of the module that defines it, the name that refers to its page."""
-    found = {}
-    for name in (name for names in MODULES.values() for name in names):
-        module = importlib.import_module(name)
-        for part, member in members(module):
-            found[f"{member.__module__}.{part}"] = f"~{module.__name__}.{part}"
-    return found
+def link_targets() -> dict[str, str]:
+    """Map each documented name, in the module that defines it, to the name under which its page is found."""
+    modules = [importlib.import_module(name) for names in MODULES.values() for name in names]
+    return {
+        f"{member.__module__}.{part}": f"~{module.__name__}.{part}"
+        for module in modules
+        for part, member in members(module)
+    }
 
 
-def directive(kind: str, head: str, inside: str, module: str = "") -> str:
-    """A directive of the Python domain, fenced by more colons than what is inside."""
-    fence = ":" * (max([2, *(len(found) for found in re.findall(r"^:{3,}", inside, re.MULTILINE))]) + 1)
+def directive(kind: str, head: str, content: str, module: str = "") -> str:
+    """Write a directive of the Python domain, fenced by more colons than any directive in its content."""
+    fence = ":" * (max([2, *(len(colons) for colons in re.findall(r"^:{3,}", content, re.MULTILINE))]) + 1)
     options = f"\n:module: {module}" if module else ""
-    return f"{fence}{{{kind}}} {head}{options}\n\n{inside}\n{fence}"
+    return f"{fence}{{{kind}}} {head}{options}\n\n{content}\n{fence}"
 
 
 def prose(text: str, doctest: bool = False) -> str:
-    """A docstring as Markdown: paragraphs, aligned lists as definitions, examples as code.
+    """Write a docstring as Markdown: paragraphs, aligned lists as definitions, examples as code.
 
-    doctest  whether examples are shown; elsewhere they are left out
+    doctest  whether to include the examples
     """
     parts = []
     for block in re.split(r"\n\s*\n", text.strip()):
@@ -181,7 +179,7 @@ def prose(text: str, doctest: bool = False) -> str:
 
 
 def paragraph(block: str) -> str:
-    r"""Running text, and what is listed in two columns as definitions, in the order in which they stand.
+    r"""Write one paragraph as Markdown, in which lines in two columns become definitions.
 
     >>> print(paragraph("(..., 3) -> (..., 3, 3), the matrix.\nIt is skew."))
     `(..., 3)`
@@ -189,28 +187,28 @@ def paragraph(block: str) -> str:
     <BLANKLINE>
     It is skew.
     """
-    said: list[str] = []
-    listed = False
+    lines: list[str] = []
+    in_list = False
     for line in block.split("\n"):
         word, _, rest = line.partition(" ")
-        if listed and line.startswith("  "):
-            said.append(f"  {escape(line.strip())}")
-        elif found := DEFINED.match(line):
-            said.append(f"\n`{found[1].strip()}`\n: {escape(found[2])}")
-            listed = True
+        if in_list and line.startswith("  "):
+            lines.append(f"  {escape(line.strip())}")
+        elif found := DEFINITION.match(line):
+            lines.append(f"\n`{found[1].strip()}`\n: {escape(found[2])}")
+            in_list = True
         else:
-            apart = "\n" if listed or word in ("Raises", "Source:") else ""
-            said.append(apart + (f"**{word}** {escape(rest)}" if word in ("Raises", "Source:") else escape(line)))
-            listed = False
-    return "\n".join(said).strip("\n")
+            blank_line = "\n" if in_list or word in ("Raises", "Source:") else ""
+            lines.append(blank_line + (f"**{word}** {escape(rest)}" if word in ("Raises", "Source:") else escape(line)))
+            in_list = False
+    return "\n".join(lines).strip("\n")
 
 
 def escape(text: str) -> str:
-    """Plain text, safe within Markdown; `code` stays code."""
+    """Escape the special characters of Markdown in a text, except in `code`."""
     parts = re.split(r"(`[^`]+`)", text)
     return "".join(part if part[:1] == "`" and len(part) > 1 else SPECIAL.sub(r"\\\1", part) for part in parts)
 
 
 def first_line(module: ModuleType) -> str:
-    """The line that says what a module is."""
+    """The first line of a module's docstring."""
     return (inspect.getdoc(module) or "").split("\n", 1)[0]

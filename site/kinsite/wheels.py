@@ -1,4 +1,4 @@
-"""Wheels for Python in the browser: fetched as files, and written down as Pyodide's lock file wants to know them."""
+"""Wheels for Python in the browser: download or build them, and describe them as Pyodide's lock file does."""
 
 import hashlib
 import re
@@ -15,53 +15,57 @@ from packaging.utils import canonicalize_name
 
 from kinsite.execute import PACKAGES, ROOT
 
-FETCHED = ROOT / "build" / "lab" / "fetched"
-"""What was fetched once is fetched."""
+DOWNLOADS = ROOT / "build" / "lab" / "downloads"
+"""Downloaded files are kept here, and each is downloaded once."""
 
-ANY = "--only-binary=:all: --platform=any --abi=none --implementation=py"
-"""A wheel of Python alone, which runs wherever Python does."""
+PURE_PYTHON = "--only-binary=:all: --platform=any --abi=none --implementation=py"
+"""Options of pip for a wheel that contains no compiled code."""
 
 
 class Unreachable(Exception):
-    """What the lab is made of cannot be had: there is no network, or it does not reach that far."""
+    """A file of the lab cannot be downloaded, because there is no network or the network does not allow it."""
 
 
-def fetch(name: str, exactly: str = "", python: str = "3.12", sha256: str = "") -> Path:
-    """Fetch the wheel of a package that is Python alone.
+def download(name: str, release: str = "", python: str = "3.12", sha256: str = "") -> Path:
+    """Download the pure Python wheel of a package.
 
-    exactly  the version; without it, the one that is installed here, whose other half the lab shows
-    sha256   what the file must be
+    release  the version; by default the installed one, because the lab contains the scripts that belong to it
+    sha256   the required hash of the file
 
-    Raises Unreachable where pip does not get it, ValueError where it is another file.
+    Raises Unreachable if pip cannot download it, ValueError if the hash is different.
     """
-    exactly = exactly or installed(name)
-    folder = FETCHED / f"{canonicalize_name(name)}-{exactly}"
+    release = release or installed_version(name)
+    folder = DOWNLOADS / f"{canonicalize_name(name)}-{release}"
     if not list(folder.glob("*.whl")):
-        pip = f"-m pip download --quiet --disable-pip-version-check --no-deps {ANY} --python-version={python}".split()
-        asked = [sys.executable, *pip, f"--dest={folder}", f"{name}=={exactly}"]
-        said = subprocess.run(asked, capture_output=True, text=True, check=False)
-        if said.returncode:
-            raise Unreachable(f"pip could not fetch {name} {exactly}: {said.stderr.strip().splitlines()[-1]}")
+        pip = f"-m pip download --quiet --disable-pip-version-check --no-deps {PURE_PYTHON} --python-version={python}"
+        command = [sys.executable, *pip.split(), f"--dest={folder}", f"{name}=={release}"]
+        done = subprocess.run(command, capture_output=True, text=True, check=False)
+        if done.returncode:
+            raise Unreachable(f"pip could not download {name} {release}: {done.stderr.strip().splitlines()[-1]}")
     (wheel,) = folder.glob("*.whl")
     if sha256 and (found := sha256_of(wheel)) != sha256:
         wheel.unlink()
-        raise ValueError(f"{wheel.name} should have the sha256 {sha256}; got {found}. It is not the file that we know.")
+        raise ValueError(
+            f"{wheel.name} must have the sha256 {sha256}; got {found}. Build again: the file has been deleted."
+        )
     return wheel
 
 
-def installed(name: str) -> str:
-    """The version of a package that is installed here."""
+def installed_version(name: str) -> str:
+    """Look up the installed version of a package.
+
+    Raises ValueError if the package is not installed.
+    """
     try:
         return version(name)
     except PackageNotFoundError:
-        raise ValueError(f"The lab needs {name}, which is not installed here. Does pyproject.toml name it?") from None
+        raise ValueError(f"The lab needs {name}, which is not installed. Add it to pyproject.toml.") from None
 
 
 def build(folder: Path) -> list[Path]:
     """Build the wheels of the three packages from this checkout.
 
-    The name of each wheel depends on its content: a browser that keeps files by their names never takes an old one for the
-    new one.
+    The name of each wheel contains a hash of its content. So a browser that caches files by name never uses an old wheel.
     """
     folder.mkdir(parents=True, exist_ok=True)
     return [_build(package, folder) for package in PACKAGES]
@@ -78,17 +82,19 @@ def _build(package: str, folder: Path) -> Path:
 
 
 def entry(wheel: Path, python: str = "3.12") -> dict[str, Any]:
-    """What Pyodide's lock file says of a package: then a cell's `import` loads it, and what it needs.
+    """Write the entry of a wheel in Pyodide's lock file, so that an `import` in a cell loads it and what it depends on.
 
-    python  the version of the browser's Python, for which requirements are read
+    python  the version of Python in the browser, for which the requirements are evaluated
+
+    Requirements of extras are left out: the three packages need nothing for them that kinlib does not require itself.
     """
     with ZipFile(wheel) as archive:
         names = archive.namelist()
-        about = next(name for name in names if re.fullmatch(r"[^/]+\.dist-info/METADATA", name))
-        metadata = Parser().parsestr(archive.read(about).decode())
+        path = next(name for name in names if re.fullmatch(r"[^/]+\.dist-info/METADATA", name))
+        metadata = Parser().parsestr(archive.read(path).decode())
     tops = {match[1] for name in names if (match := re.match(r"(\w+)(?:\.py$|/__init__\.py$)", name))}
-    where = {"extra": "", "python_version": python, "sys_platform": "emscripten", "platform_system": "Emscripten"}
-    needs = [Requirement(text) for text in metadata.get_all("Requires-Dist", [])]
+    environment = {"extra": "", "python_version": python, "sys_platform": "emscripten", "platform_system": "Emscripten"}
+    requirements = [Requirement(text) for text in metadata.get_all("Requires-Dist", [])]
     return {
         "name": canonicalize_name(metadata["Name"]),
         "version": metadata["Version"],
@@ -98,12 +104,12 @@ def entry(wheel: Path, python: str = "3.12") -> dict[str, Any]:
         "package_type": "package",
         "imports": sorted(tops),
         "depends": sorted(
-            canonicalize_name(need.name) for need in needs if not need.marker or need.marker.evaluate(where)
+            canonicalize_name(one.name) for one in requirements if not one.marker or one.marker.evaluate(environment)
         ),
         "unvendored_tests": False,
     }
 
 
 def sha256_of(path: Path) -> str:
-    """The sum by which a file is known."""
+    """Hash a file with SHA-256."""
     return hashlib.sha256(path.read_bytes()).hexdigest()

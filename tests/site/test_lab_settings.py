@@ -59,20 +59,20 @@ def test_kinlib_s_wheel_is_named_by_what_it_holds(tmp_path):
 
 
 def test_a_wheel_that_is_another_one_is_refused(tmp_path, monkeypatch):
-    monkeypatch.setattr(wheels, "FETCHED", tmp_path)
+    monkeypatch.setattr(wheels, "DOWNLOADS", tmp_path)
     (tmp_path / "arm-1.0").mkdir()
     path = wheel(tmp_path / "arm-1.0")
-    assert wheels.fetch("arm", "1.0", sha256=wheels.sha256_of(path)) == path
-    with pytest.raises(ValueError, match=r"arm-1\.0-py3-none-any\.whl should have the sha256 beef; got [0-9a-f]{64}"):
-        wheels.fetch("arm", "1.0", sha256="beef")
+    assert wheels.download("arm", "1.0", sha256=wheels.sha256_of(path)) == path
+    with pytest.raises(ValueError, match=r"arm-1\.0-py3-none-any\.whl must have the sha256 beef; got [0-9a-f]{64}"):
+        wheels.download("arm", "1.0", sha256="beef")
     assert not path.exists(), "the next build fetches it anew"
 
 
 def test_what_pip_cannot_fetch_is_named(tmp_path, monkeypatch):
-    monkeypatch.setattr(wheels, "FETCHED", tmp_path)
+    monkeypatch.setattr(wheels, "DOWNLOADS", tmp_path)
     monkeypatch.setenv("PIP_NO_INDEX", "1")
-    with pytest.raises(wheels.Unreachable, match=r"pip could not fetch arm 1\.0: .*No matching distribution"):
-        wheels.fetch("arm", "1.0")
+    with pytest.raises(wheels.Unreachable, match=r"pip could not download arm 1\.0: .*No matching distribution"):
+        wheels.download("arm", "1.0")
 
 
 # --- Pyodide ---
@@ -84,7 +84,7 @@ def test_what_is_asked_for_comes_with_all_that_it_needs_and_nothing_else(tmp_pat
     source = distribution(tmp_path, packages, {f"{name}.whl": name.encode() for name in packages})
     (tmp_path / "kinlib").mkdir()
     own = wheel(tmp_path / "kinlib", "kinlib", ["kinlib/__init__.py"], ["numpy"])
-    names = pyodide.lay_out(source, [own], tmp_path / "out")
+    names = pyodide.install(source, [own], tmp_path / "out")
     assert names == ["blas", "kinlib", "micropip", "numpy"]
     assert sorted(path.name for path in (tmp_path / "out").iterdir()) == sorted(
         ["blas.whl", own.name, "micropip.whl", "numpy.whl", "pyodide.mjs", "pyodide-lock.json"]
@@ -97,8 +97,8 @@ def test_a_package_that_is_not_the_locked_one_is_refused(tmp_path):
     source = distribution(tmp_path, {"numpy": locked("numpy", b"right")}, {"numpy.whl": b"cut off"})
     (tmp_path / "kinlib").mkdir()
     own = wheel(tmp_path / "kinlib", "kinlib", ["kinlib/__init__.py"], ["numpy"])
-    with pytest.raises(ValueError, match=r"numpy\.whl should have the sha256 [0-9a-f]{64}; got .*cut off"):
-        pyodide.lay_out(source, [own], tmp_path / "out")
+    with pytest.raises(ValueError, match=r"numpy\.whl must have the sha256 [0-9a-f]{64}; got .*incomplete"):
+        pyodide.install(source, [own], tmp_path / "out")
 
 
 # --- the lab ---
@@ -106,7 +106,7 @@ def test_a_package_that_is_not_the_locked_one_is_refused(tmp_path):
 
 def test_a_word_that_says_no_python_is_refused(monkeypatch):
     monkeypatch.setenv(lab.VARIABLE, "offical")
-    with pytest.raises(ValueError, match=r"KINLIB_LAB should be one of official, offline, none; got 'offical'"):
+    with pytest.raises(ValueError, match=r"KINLIB_LAB must be one of official, offline, none; got 'offical'"):
         lab.build()
 
 
@@ -116,10 +116,10 @@ def test_without_a_network_there_is_no_lab_or_no_site(tmp_path, monkeypatch, cap
         raise URLError("no route")
 
     monkeypatch.setenv(lab.VARIABLE, asked)
-    monkeypatch.setattr(lab, "BUILT", tmp_path / "built")
+    monkeypatch.setattr(lab, "LABS", tmp_path / "built")
     monkeypatch.setattr(lab, "EXTENSIONS", (tmp_path / "no kernel",))
-    monkeypatch.setattr(wheels, "FETCHED", tmp_path)
-    monkeypatch.setattr(pyodide, "FETCHED", tmp_path)
+    monkeypatch.setattr(wheels, "DOWNLOADS", tmp_path)
+    monkeypatch.setattr(pyodide, "DOWNLOADS", tmp_path)
     monkeypatch.setattr(wheels, "build", lambda _: [wheel(tmp_path, "kinlib", ["kinlib/__init__.py"], ["numpy"])])
     monkeypatch.setattr(pyodide.urllib.request, "urlopen", unplugged)
     core = tmp_path / "pyodide"
@@ -129,7 +129,7 @@ def test_without_a_network_there_is_no_lab_or_no_site(tmp_path, monkeypatch, cap
     (core / "pyodide-lock.json").write_text(json.dumps(locks))
     monkeypatch.setattr(pyodide, "MODULES", tmp_path)
     if fails:
-        with pytest.raises(wheels.Unreachable, match=r"v9\.9\.9/full/\S+ could not be fetched: .*no route"):
+        with pytest.raises(wheels.Unreachable, match=r"v9\.9\.9/full/\S+ could not be downloaded: .*no route"):
             lab.build()
     else:
         assert lab.build() is None
@@ -140,13 +140,13 @@ def test_a_lab_is_put_among_the_pages_once_and_taken_away_with_its_button(tmp_pa
     built, target = tmp_path / "offline" / "html", tmp_path / "site" / "lab"
     built.mkdir(parents=True)
     (built / "index.html").write_text("a lab")
-    lab.stamp(built.parent).write_text("of this")
-    lab.bring(built, target)
+    lab.hash_file(built.parent).write_text("of this")
+    lab.copy_to_site(built, target)
     (target / "index.html").write_text("as it was")
-    lab.bring(built, target)
+    lab.copy_to_site(built, target)
     assert (target / "index.html").read_text() == "as it was"
-    lab.stamp(built.parent).write_text("of that")
-    lab.bring(built, target)
+    lab.hash_file(built.parent).write_text("of that")
+    lab.copy_to_site(built, target)
     assert (target / "index.html").read_text() == "a lab"
-    lab.bring(None, target)
+    lab.copy_to_site(None, target)
     assert not target.exists()

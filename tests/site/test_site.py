@@ -14,7 +14,7 @@ from urllib.parse import unquote, urlsplit
 import pytest
 from browser import browsers, watched
 from built_site import ROOT, SITE, build_site, served
-from kinsite import STRICT, execute, gallery, mistakes, outputs, reference, sources
+from kinsite import STRICT, cell_outputs, execute, gallery, mistakes, reference, sphinx_source
 
 KB = 1000
 TEXT, LECTURE = 200 * KB, 450 * KB
@@ -350,10 +350,12 @@ def test_no_page_tells_what_a_problem_s_answer_is(built):
     ],
 )
 def test_what_is_only_one_student_s_is_left_out_of_a_message(heard, common):
-    assert mistakes.common(heard) == common
+    assert mistakes.common_text(heard) == common
 
 
-@pytest.mark.parametrize("module", [execute, gallery, mistakes, outputs, reference, sources], ids=lambda m: m.__name__)
+@pytest.mark.parametrize(
+    "module", [cell_outputs, execute, gallery, mistakes, reference, sphinx_source], ids=lambda m: m.__name__
+)
 def test_the_examples_of_the_site_s_own_modules_run(module):
     assert not doctest.testmod(module, optionflags=doctest.NORMALIZE_WHITESPACE).failed
 
@@ -402,10 +404,10 @@ def test_the_number_of_a_formula_stands_behind_its_end(page, address, size):
 def test_a_formula_that_does_not_set_is_no_formula():
     from sphinxcontrib.katex import KaTeXError
 
-    assert 'class="katex"' in outputs.formulas("<p>a $x^2$ b</p>")
-    assert outputs.formulas("<pre>$5</pre><code>$a$</code>") == "<pre>$5</pre><code>$a$</code>"
+    assert 'class="katex"' in cell_outputs.typeset_formulas("<p>a $x^2$ b</p>")
+    assert cell_outputs.typeset_formulas("<pre>$5</pre><code>$a$</code>") == "<pre>$5</pre><code>$a$</code>"
     with pytest.raises(KaTeXError, match=r"[Uu]ndefined"):
-        outputs.formulas(r"<p>$\nosuchthing$</p>")
+        cell_outputs.typeset_formulas(r"<p>$\nosuchthing$</p>")
 
 
 def test_outputs_are_kept_until_the_cells_or_kinlib_change(tmp_path, monkeypatch):
@@ -415,7 +417,7 @@ def test_outputs_are_kept_until_the_cells_or_kinlib_change(tmp_path, monkeypatch
     for _ in range(2):
         execute.execute(path, tmp_path)
     assert len(ran) == 1
-    monkeypatch.setattr(execute, "library", lambda: "another kinlib")
+    monkeypatch.setattr(execute, "package_hash", lambda: "another kinlib")
     execute.execute(path, tmp_path)
     assert len(ran) == 2
     assert len(list(tmp_path.iterdir())) == 1, "what nobody needs any more is not kept"
@@ -443,7 +445,7 @@ def test_a_notebook_that_raises_or_complains_fails_the_build_by_name(tmp_path, m
     path = tmp_path / "notebooks" / "broken.ipynb"
     path.parent.mkdir()
     nbformat.write(nbformat.v4.new_notebook(cells=[nbformat.v4.new_code_cell(source)]), path)
-    with pytest.raises(execute.NotebookRaised, match=rf"(?s)broken\.ipynb.*{told}"):
+    with pytest.raises(execute.NotebookError, match=rf"(?s)broken\.ipynb.*{told}"):
         execute.execute(path, tmp_path)
 
 
@@ -477,6 +479,8 @@ def test_a_robot_without_a_source_fails_the_build_by_name(monkeypatch):
     from kinlib import robots
 
     nameless = replace(robots.rpr(), source="")
-    monkeypatch.setattr(gallery, "offered", lambda module: [("rpr", lambda: nameless)] if module is robots else [])
-    with pytest.raises(ValueError, match="rpr names no source"):
+    monkeypatch.setattr(
+        gallery, "public_functions", lambda module: [("rpr", lambda: nameless)] if module is robots else []
+    )
+    with pytest.raises(ValueError, match="rpr must have a source"):
         dict(gallery.pages())

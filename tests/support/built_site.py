@@ -42,7 +42,7 @@ def build_site() -> Path:
             return FOLDER
         BUILT_BY.unlink(missing_ok=True)
         done = run("offline" if CHROMIUM else "none")
-        if done.returncode and "could not fetch" in done.stderr and not os.environ.get("CI"):
+        if done.returncode and "could not download" in done.stderr and not os.environ.get("CI"):
             done = run("none")
         if done.returncode == 0:
             BUILT_BY.write_text(test_run, "utf-8")

@@ -10,7 +10,7 @@ from browser import CHROMIUM, NONE
 SITE = Path(__file__).parents[2] / "site"
 sys.path.insert(0, str(SITE))
 
-from kinsite.book import book  # noqa: E402
+from kinsite.pdf_document import compose_document  # noqa: E402
 from pdf import write_pdf  # noqa: E402
 
 PAGE = """<html><body><nav>elsewhere</nav><article role="main" id="furo-main-content">
@@ -32,7 +32,7 @@ def built(tmp_path):
 
 
 def made(built):
-    return book(built, "html", "https://course.example/", ["lectures/one.html", "lectures/two.html"])
+    return compose_document(built, "html", "https://course.example/", ["lectures/one.html", "lectures/two.html"])
 
 
 @pytest.mark.parametrize(
@@ -46,7 +46,7 @@ def made(built):
         '<li><a href="#lectures-two">Two</a></li>',
         '<div data-misstep-explain="01/b"><details open>',
         'data-right="2"><details><summary>A',
-        "in their order: 1 C.",
+        "in order: 1 C.",
     ],
 )
 def test_links_lead_within_the_document_or_to_the_site_and_answers_stand_at_the_end(built, part):

@@ -1,4 +1,4 @@
-"""What stands around the text of each page: the bar above a lecture or a sheet, the script and style that it needs."""
+"""What surrounds the text of each page: the bar above a lecture or a sheet, the static files, the values of the templates."""
 
 import hashlib
 import shutil
@@ -12,42 +12,42 @@ from sphinx.util.docutils import SphinxDirective
 from kinlib import robots
 from kinlib.view import explore
 from kinlib.view.viewer.viewer import STATIC
-from kinsite.execute import library
-from kinsite.fonts import FONTS
+from kinsite.execute import package_hash
+from kinsite.npm_packages import FONTS
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
-    """Tell Sphinx what to call, and when."""
-    # whatever of ours changes, pages are read anew: what they show is made by it
-    app.add_config_value("kinlib_made_by", made_by(), "env")
-    app.add_config_value("kinlib_lab", "", "html")  # the folder of the lab, where there is one
+    """Register the functions of this module with Sphinx."""
+    # Sphinx reads all pages again if this value changes, because the packages and these modules generate what they show
+    app.add_config_value("kinlib_generator_hash", generator_hash(), "env")
+    app.add_config_value("kinlib_lab", "", "html")  # the folder of the lab, or nothing if there is no lab
     app.add_directive("kinlib-arm", ArmDirective)
-    app.connect("builder-inited", bring_files)
-    app.connect("html-page-context", around, priority=800)
-    app.connect("build-finished", clear)
+    app.connect("builder-inited", copy_files)
+    app.connect("html-page-context", set_context, priority=800)
+    app.connect("build-finished", remove_old_pages)
     return {"parallel_read_safe": True, "parallel_write_safe": True}
 
 
-def made_by() -> str:
-    """What kinlib and the site's own modules are now, as one name."""
+def generator_hash() -> str:
+    """Hash the packages and the site's own modules."""
     own = sorted(Path(__file__).parent.glob("*.py"))
-    return hashlib.sha256(b"".join([library().encode(), *(path.read_bytes() for path in own)])).hexdigest()
+    return hashlib.sha256(b"".join([package_hash().encode(), *(path.read_bytes() for path in own)])).hexdigest()
 
 
 class ArmDirective(SphinxDirective):
-    """An arm of kl.robots, to turn; `at` says the joint values to begin with."""
+    """An interactive arm of kl.robots; the option `at` sets the joint values at the start."""
 
     required_arguments = 1
     option_spec: ClassVar = {"at": lambda text: [float(value) for value in text.split()]}
 
     def run(self) -> list[nodes.Node]:
-        """Show it."""
-        made = getattr(robots, self.arguments[0])()
-        return [nodes.raw("", explore(made, start=self.options.get("at")).html(), format="html")]
+        """Insert the viewer of the arm."""
+        chain = getattr(robots, self.arguments[0])()
+        return [nodes.raw("", explore(chain, start=self.options.get("at")).html(), format="html")]
 
 
-def bring_files(app: Sphinx) -> None:
-    """Bring the viewer and KaTeX's style and fonts; every browser that we serve reads woff2."""
+def copy_files(app: Sphinx) -> None:
+    """Copy the viewer, KaTeX's style and its fonts as woff2, which every supported browser reads, and the downloads."""
     target = Path(app.outdir) / "_static"
     (target / "katex" / "fonts").mkdir(parents=True, exist_ok=True)
     shutil.copy(FONTS / "katex.min.css", target / "katex")
@@ -60,8 +60,8 @@ def bring_files(app: Sphinx) -> None:
         shutil.copytree(files, Path(app.outdir) / "files", dirs_exist_ok=True)
 
 
-def clear(app: Sphinx, failed: Exception | None) -> None:
-    """Remove pages whose source is gone: Sphinx leaves them, and search engines find them."""
+def remove_old_pages(app: Sphinx, failed: Exception | None) -> None:
+    """Remove pages whose source is gone: Sphinx leaves them, and search engines would find them."""
     known = {*app.env.found_docs, "search"}
     for path in [] if failed else Path(app.outdir).rglob("*.html"):
         name = path.relative_to(app.outdir).with_suffix("").as_posix()
@@ -69,16 +69,16 @@ def clear(app: Sphinx, failed: Exception | None) -> None:
             path.unlink()
 
 
-def around(app: Sphinx, page: str, _: str, context: dict[str, Any], doctree: Any) -> None:
-    """Say what the templates need to know of a page."""
-    # furo calls its captions headings and leaves out of which level; captions they are
+def set_context(app: Sphinx, page: str, _: str, context: dict[str, Any], doctree: Any) -> None:
+    """Set the values that the templates need for a page."""
+    # furo gives its captions the role of headings without a level, which is not valid; they are captions
     context["furo_navigation_tree"] = context["furo_navigation_tree"].replace(' role="heading"', "")
     folder, _, name = page.partition("/")
     is_notebook = folder in ("lectures", "sheets") and name != "index" and doctree is not None
     context["kinlib_notebook"] = f"files/{page}.ipynb" if is_notebook else ""
-    inside = f"notebooks/{name}.ipynb" if folder == "lectures" else f"exercises/{name}/{name}.ipynb"
-    where = app.config.kinlib_lab
-    context["kinlib_run"] = f"{where}/notebooks/index.html?path={inside}" if where and is_notebook else ""
+    path = f"notebooks/{name}.ipynb" if folder == "lectures" else f"exercises/{name}/{name}.ipynb"
+    lab = app.config.kinlib_lab
+    context["kinlib_run"] = f"{lab}/notebooks/index.html?path={path}" if lab and is_notebook else ""
     context["kinlib_kind"] = folder.rstrip("s") if is_notebook else ""
     context["kinlib_sheet"] = name if folder == "lectures" and f"sheets/{name}" in app.env.found_docs else ""
     context["kinlib_lecture"] = name if folder == "sheets" and f"lectures/{name}" in app.env.found_docs else ""

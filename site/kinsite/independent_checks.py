@@ -1,4 +1,4 @@
-"""The page of oracles: which implementation each public function is compared with, read from the tests."""
+"""The page of independent checks: which implementation each public function is compared with, read from the tests."""
 
 import sys
 from collections import Counter
@@ -29,4 +29,4 @@ def pages() -> Iterator[tuple[str, str]]:
         counts = Counter(comparison.oracle for comparison in comparisons)
         oracles = "; ".join(oracle + (f" ({count} tests)" if count > 1 else "") for oracle, count in counts.items())
         rows.append(f"| `{name.removeprefix('kinlib.')}` | {oracles} |")
-    yield "witnesses.md", HEAD + "\n".join(rows) + "\n"
+    yield "independent_checks.md", HEAD + "\n".join(rows) + "\n"

@@ -1,0 +1,119 @@
+"""Prepare the outputs of cells for a page: typeset formulas, write images to files, leave out the state of widgets.
+
+In JupyterLab, formulas in HTML are typeset by JupyterLab. Here they are typeset during the build, as in the text.
+"""
+
+import base64
+import hashlib
+import re
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from docutils import nodes
+from sphinx.application import Sphinx
+from sphinxcontrib import katex
+
+katex.KATEX_DEFAULT_OPTIONS.update(throwOnError=True, strict="error")  # a formula with an error fails the build
+
+IMAGE = re.compile(r'<img ([^>]*?)src="data:image/(svg\+xml|png);base64,([^"]+)"')
+NOT_TEXT = re.compile(r"(<(script|style|pre|code|textarea|svg)\b.*?</\2>|<[^>]+>)", re.DOTALL)
+"""The parts of HTML that are not running text."""
+PUNCTUATION = re.compile(r"[.,;:?!)\]’”]+")
+MAX_UNBROKEN_LENGTH = 24
+"""Characters of LaTeX that fit on one line of any phone. A longer formula may be broken."""
+FORMULA = re.compile(r"\$\$(.+?)\$\$|(?<!\\)\$([^$\n]+?)\$")
+
+
+def setup(app: Sphinx) -> dict[str, Any]:
+    """Register the functions of this module with Sphinx."""
+    katex.render_latex = cached(katex.render_latex)
+    app.connect("doctree-resolved", prepare_page)
+    app.connect("html-page-context", remove_widget_state, priority=900)
+    return {"parallel_read_safe": True, "parallel_write_safe": False}
+
+
+def prepare_page(app: Sphinx, doctree: nodes.document, page: str) -> None:
+    """Typeset the formulas in the HTML of a page, write its images to files, and keep punctuation with its formula."""
+    for formula in list(doctree.findall(nodes.math)):
+        keep_punctuation(formula)
+    up = "../" * page.count("/")
+    folder = Path(app.outdir) / "_images"
+    for node in doctree.findall(nodes.raw):
+        if node.get("format") == "html":
+            text = extract_images(typeset_formulas(node.astext()), folder, f"{up}_images")
+            node.children = [nodes.Text(text)]
+            node.rawsource = text
+
+
+def keep_punctuation(formula: nodes.math) -> None:
+    """Keep a short formula and the punctuation after it on one line: a browser may break a line after any formula."""
+    following = formula.next_node(descend=False, siblings=True)
+    mark = PUNCTUATION.match(following.astext()) if isinstance(following, nodes.Text) else None
+    if mark is None or len(formula.astext()) > MAX_UNBROKEN_LENGTH:
+        return
+    rest = nodes.Text(following.astext()[mark.end() :])
+    following.parent.replace(following, rest)
+    formula.parent.replace(formula, together := nodes.inline(classes=["together"]))
+    together += [formula, nodes.Text(mark[0])]
+
+
+def typeset_formulas(html: str) -> str:
+    """Typeset the formulas in HTML: $...$ within the line, $$...$$ on a line of their own.
+
+    >>> typeset_formulas('<pre>$5</pre><code>$a$</code>')
+    '<pre>$5</pre><code>$a$</code>'
+    """
+    pieces = NOT_TEXT.split(html)
+    # split returns text, a part that is not text, the name of its element, text, ...
+    return "".join(
+        FORMULA.sub(typeset, piece) if index % 3 == 0 else piece for index, piece in enumerate(pieces) if index % 3 != 2
+    )
+
+
+def typeset(found: re.Match[str]) -> str:
+    """Typeset one formula with KaTeX."""
+    from html import unescape
+
+    latex = unescape(found[1] or found[2])
+    options = {"displayMode": True} if found[1] else None
+    return f'<span class="math">{katex.render_latex(latex, options)}</span>'
+
+
+def extract_images(html: str, folder: Path, address: str) -> str:
+    """Write the images of HTML to files, which a browser fetches only when they are scrolled into view."""
+
+    def extract(found: re.Match[str]) -> str:
+        data = base64.b64decode(found[3])
+        name = f"{hashlib.sha256(data).hexdigest()[:20]}.{'svg' if found[2] != 'png' else 'png'}"
+        folder.mkdir(parents=True, exist_ok=True)
+        if not (folder / name).exists():
+            (folder / name).write_bytes(data)
+        return f'<img loading="lazy" {found[1]}{size_attributes(data)}src="{address}/{name}"'
+
+    return IMAGE.sub(extract, html)
+
+
+def size_attributes(svg: bytes) -> str:
+    """Write the width and height of a drawing as attributes, so that the page does not jump when it is loaded."""
+    head = svg[: svg.find(b">", svg.find(b"<svg"))] if b"<svg" in svg else b""
+    found = {side: re.search(rb'\b%s="([\d.]+)(?:pt|px)?"' % side, head) for side in (b"width", b"height")}
+    if not all(found.values()):
+        return ""
+    return "".join(f'{side.decode()}="{round(float(value[1]))}" ' for side, value in found.items() if value)
+
+
+def remove_widget_state(_: Sphinx, *arguments: Any) -> None:
+    """Remove the state of widgets from a page: nothing uses it where there is no kernel."""
+    files = arguments[2].get("script_files", [])
+    files[:] = [file for file in files if "widget-state" not in str(getattr(file, "attributes", {}).get("type", ""))]
+
+
+def cached(render: Any) -> Any:
+    """Cache the typeset formulas, because the same formula occurs in many places."""
+
+    @cache
+    def render_once(latex: str, options: tuple[tuple[str, Any], ...]) -> str:
+        return str(render(latex, dict(options) or None))
+
+    return lambda latex, options=None: render_once(latex, tuple(sorted((options or {}).items())))

@@ -1,0 +1,125 @@
+"""Write what Sphinx reads: the pages of site/pages, the executed notebooks, and the pages generated from the packages.
+
+A file is written only if its text changes, so that Sphinx reads only what has changed.
+"""
+
+import re
+from collections.abc import Iterator, Mapping
+from pathlib import Path
+
+import nbformat
+from nbformat import NotebookNode
+
+from kinsite import gallery, independent_checks, mistakes, performance, progress, reference
+from kinsite.execute import ROOT, cached_pages, execute_all
+
+SITE = ROOT / "site"
+LECTURES = sorted((ROOT / "notebooks").glob("*.ipynb"))
+SHEETS = sorted(path for path in (ROOT / "exercises").glob("*/*.ipynb"))
+
+LINK_TARGETS = {
+    r"\.\./exercises/(\w+)/\1\.ipynb": r"../sheets/\1.ipynb",
+    r"\.\./NOTATION\.md": "../notation.md",
+    r"\.\./CONTRIBUTING\.md": "../contributing.md",
+}
+"""Where the links of a notebook lead on the site."""
+
+NBVAL_MARK = "# NBVAL_CHECK_OUTPUT"
+"""A comment for the tests, which compare the output of its cell. Readers do not need it."""
+
+SAMPLE_NOTE = """\
+:::{{note}}
+The numbers below are those of the id "your id". Your own numbers are different, because they are computed from your id:
+run this sheet in the browser, or {{download}}`download it </{path}>` and open it in Jupyter, and write your id in its first cell.
+:::
+"""
+
+
+def write_source(folder: Path) -> None:
+    """Write everything that Sphinx reads into a folder, and delete the files of earlier builds that are not needed any more.
+
+    Raises NotebookError for a notebook that fails, ValueError for a robot without a source.
+    """
+    current = set()
+    for name, text in all_pages():
+        write_if_changed(folder / name, text)
+        current.add(folder / name)
+    for old in folder.rglob("*"):
+        if old.is_file() and old not in current:
+            old.unlink()
+
+
+def all_pages() -> Iterator[tuple[str, str]]:
+    """Yield the path and the text of every page of the site."""
+    executed = execute_all([*reversed(LECTURES), *SHEETS])
+    yield from handwritten_pages()
+    yield from performance.pages()
+    yield from notebook_pages(executed)
+    yield from independent_checks.pages()
+    yield from progress.pages(*({path: executed[path] for path in paths} for paths in (LECTURES, SHEETS)))
+    for module in (gallery, mistakes, reference):
+        source = Path(module.__file__ or "").read_text("utf-8")
+        yield from cached_pages(module.__name__.rpartition(".")[2], module.pages, source).items()
+
+
+def handwritten_pages() -> Iterator[tuple[str, str]]:
+    """Yield the pages that are written by hand, in site/pages and at the top of the repository."""
+    for path in sorted((SITE / "pages").rglob("*.md")):
+        text = path.read_text("utf-8")
+        yield path.relative_to(SITE / "pages").as_posix(), link_lectures(text) if path.stem == "glossary" else text
+    yield "notation.md", (ROOT / "NOTATION.md").read_text("utf-8")
+    yield "contributing.md", (ROOT / "CONTRIBUTING.md").read_text("utf-8")
+    yield "instructors.md", (SITE / "instructors.md").read_text("utf-8")
+
+
+def link_lectures(text: str) -> str:
+    r"""Turn each mention of a lecture, such as "Lecture 04", into a link to it.
+
+    >>> link_lectures("Lecture 00.")
+    '[Lecture\xa000](lectures/00_start_here.ipynb).'
+    """
+    names = {path.stem[:2]: path.name for path in LECTURES}
+    return re.sub(
+        r"([Ll]ecture)\s(\d\d)\b",
+        lambda found: f"[{found[1]}\N{NO-BREAK SPACE}{found[2]}](lectures/{names[found[2]]})",
+        text,
+    )
+
+
+def notebook_pages(executed: Mapping[Path, NotebookNode]) -> Iterator[tuple[str, str]]:
+    """Yield the executed lectures, the sheets without answers, and the file of each notebook for download."""
+    for path in LECTURES:
+        yield f"lectures/{path.name}", nbformat.writes(adapt(executed[path]))
+        yield f"files/lectures/{path.name}", path.read_text("utf-8")
+    for path in SHEETS:
+        yield f"sheets/{path.name}", nbformat.writes(without_cards(adapt(executed[path]), path))
+        yield f"files/sheets/{path.name}", path.read_text("utf-8")
+
+
+def adapt(notebook: NotebookNode) -> NotebookNode:
+    """Make the links of a notebook lead to the pages of the site, and remove the marks that only tests need."""
+    for cell in notebook.cells:
+        if cell.cell_type == "markdown":
+            for old, new in LINK_TARGETS.items():
+                cell.source = re.sub(rf"\]\({old}", f"]({new}", cell.source)
+        else:
+            cell.source = cell.source.removeprefix(f"{NBVAL_MARK}\n")
+    notebook.metadata.pop("widgets", None)
+    return notebook
+
+
+def without_cards(notebook: NotebookNode, path: Path) -> NotebookNode:
+    """Remove the cards of a sheet, which only say that no problem has been answered yet, and add a note on the numbers."""
+    for cell in notebook.cells:
+        if cell.get("id", "").startswith(("check-", "tally", "open")):
+            cell.outputs = []
+    note = SAMPLE_NOTE.format(path=f"files/sheets/{path.name}")
+    notebook.cells.insert(1, nbformat.v4.new_markdown_cell(note, id="sample"))
+    return notebook
+
+
+def write_if_changed(path: Path, text: str) -> None:
+    """Write a file unless it has this text already."""
+    path.parent.mkdir(parents=True, exist_ok=True)
+    if not path.exists() or path.read_text("utf-8") != text:
+        path.write_text(text, "utf-8")
