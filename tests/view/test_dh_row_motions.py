@@ -1,4 +1,4 @@
-"""The motions of lecture 06: both conventions end where their matrices say, and cut one walk at different places."""
+"""Drawings of DH rows as motions: both conventions end at their matrices, and share the product Z_1 X_1 Z_2 X_2 ..."""
 
 import numpy as np
 import pytest
@@ -26,8 +26,8 @@ def test_each_motion_is_about_or_along_the_frame_s_own_x_or_z(convention):
     assert used == (standard if convention == "standard" else [turn_x, slide_x, turn_z, slide_z])
 
 
-def test_the_walk_stops_at_the_frames_of_both_conventions():
-    """After Z_i it stands at the modified frame i, after X_i at the standard one."""
+def test_the_product_passes_the_frames_of_both_conventions():
+    """After Z_i the pose is the modified frame i, after X_i the standard one."""
     table = kl.DHTable(ROWS, convention="standard")
     other = table.converted("modified")
     for first, links in ((2, table.link_transforms(np.zeros(3))), (1, other.link_transforms(np.zeros(3)))):
@@ -37,33 +37,33 @@ def test_the_walk_stops_at_the_frames_of_both_conventions():
             np.testing.assert_allclose(stop, T, atol=1e-14)
 
 
-def test_the_words_say_which_frame_stands_where():
+def test_the_text_alternative_gives_the_origin_of_each_frame():
     alt = draw_zx_factors([[0.4, 0, 0.1, 0], [0.3, 0, 0, 0]], 3).alt
-    assert "The walk Z1 X1 Z2." in alt
+    assert "The path Z1 X1 Z2." in alt
     assert "{1 mod} at (0, 0, 0.1); {1 std} at (0.4, 0, 0.1); {2 mod} at (0.4, 0, 0.1)." in alt
 
 
-def test_nothing_done_yet_is_a_picture_too():
-    assert "nothing yet" in draw_row_motions(ROWS[0], 0).alt
-    assert "before its first piece" in draw_zx_factors(ROWS, 0).alt
+def test_the_start_is_drawn_before_any_motion():
+    assert "no motion yet" in draw_row_motions(ROWS[0], 0).alt
+    assert "before its first factor" in draw_zx_factors(ROWS, 0).alt
 
 
 @pytest.mark.parametrize("wrong", [-1, 5, 1.5, None])
-def test_a_count_that_there_is_not_is_refused(wrong):
-    with pytest.raises(ValueError, match="done counts the motions of a row, 0 to 4"):
+def test_another_number_of_motions_is_refused(wrong):
+    with pytest.raises(ValueError, match="done must be the number of motions carried out, 0 to 4"):
         draw_row_motions(ROWS[0], wrong)
-    with pytest.raises(ValueError, match="pieces counts"):
+    with pytest.raises(ValueError, match="factors must be the number of factors"):
         draw_zx_factors(ROWS[:2], wrong)
 
 
-def test_another_convention_is_refused():
+def test_an_unknown_convention_is_refused():
     with pytest.raises(ValueError, match="convention should be"):
         poses_along_row(ROWS[0], "craig")
 
 
 @pytest.mark.oracle("spatialmath", poses_along_row, poses_along_arm)
 @pytest.mark.parametrize("convention", ["standard", "modified"])
-def test_each_stop_is_where_spatialmath_s_turns_and_shifts_lead(convention):
+def test_each_pose_is_the_product_of_spatialmath_s_rotations_and_translations(convention):
     SE3 = pytest.importorskip("spatialmath").SE3
     for a, alpha, d, theta in ROWS:
         about_x, about_z = [SE3.Rx(alpha), SE3.Tx(a)], [SE3.Rz(theta), SE3.Tz(d)]

@@ -1,4 +1,4 @@
-"""The drawings of lecture 05: one row with its four numbers, and a table as its frames."""
+"""Drawings of DH tables: one row with its four numbers, and a whole table with its frames."""
 
 import pytest
 
@@ -10,7 +10,7 @@ ROW = [0.8, 0.6, 0.5, 1.4]
 
 
 @pytest.mark.parametrize("done", range(5))
-def test_a_row_says_how_far_its_frame_has_come(done):
+def test_the_text_alternative_of_a_row_says_where_the_frame_is(done):
     alt = draw_row(ROW, done).alt
     expected = [(0, 0, 0), (0, 0, 0), (0, 0, 0.5), (0.136, 0.788, 0.5), (0.136, 0.788, 0.5)][done]
     assert f"The frame is at ({', '.join(f'{x:g}' for x in expected)})" in alt
@@ -18,8 +18,8 @@ def test_a_row_says_how_far_its_frame_has_come(done):
 
 
 @pytest.mark.parametrize("done", [-1, 5, None])
-def test_a_row_has_four_motions(done):
-    with pytest.raises(ValueError, match="done counts the motions of a row, 0 to 4"):
+def test_another_number_of_motions_is_refused(done):
+    with pytest.raises(ValueError, match="done must be the number of motions carried out, 0 to 4"):
         draw_row(ROW, done)
 
 
@@ -28,7 +28,7 @@ def test_a_row_of_another_size_is_refused():
         draw_row([1, 2, 3])
 
 
-def test_the_words_of_a_table_say_where_each_frame_is():
+def test_the_text_alternative_of_a_table_says_where_each_frame_is():
     alt = draw_table(YOUBOT, DECK_CONFIGURATION).alt
     hand = YOUBOT.fk(DECK_CONFIGURATION)[:3, 3]
     assert alt.count("Frame") == 6
@@ -48,5 +48,5 @@ def test_any_table_can_be_drawn(convention, options):
     assert "{b}" in svg
 
 
-def test_a_table_that_starts_in_s_has_no_second_frame_there():
+def test_frame_s_is_not_drawn_twice_if_frame_0_is_equal_to_it():
     assert "{s}" not in draw_table(YOUBOT).svg

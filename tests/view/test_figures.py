@@ -111,7 +111,7 @@ def test_each_layer_adds_to_the_drawing(shown):
 
 
 def test_an_unknown_layer_is_refused():
-    with pytest.raises(ValueError, match=r"show knows axes, .*; got 'wheels'"):
+    with pytest.raises(ValueError, match=r"show may contain axes, .*; got 'wheels'"):
         draw_arm(kl.robots.rpr(), show=["wheels"])
 
 

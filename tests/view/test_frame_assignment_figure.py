@@ -1,4 +1,4 @@
-"""The picture of a frame assignment: it grows with the steps, says in words what it shows, and keeps the arm in view."""
+"""Drawings of a frame assignment: each step adds to them, the text alternative contains the step, and the arm stays in view."""
 
 import re
 
@@ -16,15 +16,15 @@ each_arm = pytest.mark.parametrize("chain", ARMS, ids=lambda chain: chain.name)
 each_convention = pytest.mark.parametrize("convention", CONVENTIONS)
 
 
-def letters(picture):
-    """The names in a drawing, such as x1: subscripts stand in elements of their own."""
+def labels(picture):
+    """Return the labels in a drawing, such as x1. A subscript is an element of its own."""
     words = re.findall(r"<text[^>]*>(.*?)</text>", picture.svg, flags=re.DOTALL)
     return {re.sub(r"<[^>]*>", "", word).strip() for word in words}
 
 
 @each_arm
 @each_convention
-def test_every_step_has_a_picture_that_says_its_sentence(chain, convention):
+def test_the_text_alternative_of_every_step_contains_its_sentence(chain, convention):
     found = kl.assign_frames(chain, convention=convention)
     for k, step in enumerate(found.steps):
         picture = draw_assignment(found, k)
@@ -39,7 +39,7 @@ def test_a_frame_appears_axis_by_axis(convention):
     seen = {}
     for k, step in enumerate(found.steps):
         if step.frame == 1 and step.kind in {"normal", "origin", "x", "y"}:
-            seen[step.kind] = letters(draw_assignment(found, k))
+            seen[step.kind] = labels(draw_assignment(found, k))
     assert not {"z1", "x1", "y1"} & seen["normal"]
     assert {"O1", "z1"} <= seen["origin"]
     assert "x1" not in seen["origin"]
@@ -49,10 +49,10 @@ def test_a_frame_appears_axis_by_axis(convention):
 
 @each_arm
 @each_convention
-def test_the_finished_picture_holds_every_frame(chain, convention):
+def test_the_finished_drawing_shows_every_frame(chain, convention):
     picture = draw_assignment(kl.assign_frames(chain, convention=convention))
-    drawn = letters(picture)
-    # Frames that match share their letters where they share their tips.
+    drawn = labels(picture)
+    # Equal frames have the same tips, and share the labels there.
     assert {f"z{chain.n}", f"x{chain.n}"} <= drawn
     assert all(f"frame {i} at" in picture.alt for i in range(chain.n + 1))
 
@@ -60,13 +60,13 @@ def test_the_finished_picture_holds_every_frame(chain, convention):
 def test_a_row_shows_its_a_and_its_d():
     found = kl.assign_frames(robots.youbot(), convention="standard")
     rows = [k for k, step in enumerate(found.steps) if step.kind == "row"]
-    assert {"a1", "d1"} <= letters(draw_assignment(found, rows[0]))
-    assert "d2" not in letters(draw_assignment(found, rows[1]))
+    assert {"a1", "d1"} <= labels(draw_assignment(found, rows[0]))
+    assert "d2" not in labels(draw_assignment(found, rows[1]))
 
 
 @pytest.mark.parametrize("angle", [1e-4, 1e-6, 1e-8])
 @each_convention
-def test_a_normal_that_has_run_away_leaves_the_arm_in_view(angle, convention):
+def test_the_arm_stays_in_view_if_a_common_normal_is_far_away(angle, convention):
     joints = [((0, 0, 1), (0, 0, 0)), ((0, np.sin(angle), np.cos(angle)), (0.5, 0, 0.1)), ((1, 0, 0), (0.9, 0, 0.3))]
     chain = robots.arm(joints, robots.pose(np.eye(3), (1, 0, 0.3)), "leaning arm", "a test")
     found = kl.assign_frames(chain, convention=convention)
@@ -75,20 +75,20 @@ def test_a_normal_that_has_run_away_leaves_the_arm_in_view(angle, convention):
         assert max(numbers) < 1000
 
 
-def test_a_single_joint_has_a_picture_too():
+def test_an_arm_with_one_joint_is_drawn():
     joints = [((0, 0, 1), (0, 0, 0))]
     chain = robots.arm(joints, robots.pose(np.eye(3), (1, 0, 0)), "turntable", "a test")
     for convention in CONVENTIONS:
         assert "all" in draw_assignment(kl.assign_frames(chain, convention=convention)).alt
 
 
-def test_a_caption_of_ones_own_takes_the_place_of_the_step():
+def test_a_given_caption_replaces_that_of_the_step():
     found = kl.assign_frames(robots.rpr(), convention="standard")
     assert draw_assignment(found, 2, caption="Look at the orange line.").caption == "Look at the orange line."
 
 
 @pytest.mark.parametrize("until", [-1, 99, 1.5, "x"])
-def test_a_step_that_there_is_not_is_refused(until):
+def test_a_step_that_does_not_exist_is_refused(until):
     found = kl.assign_frames(robots.rpr(), convention="standard")
-    with pytest.raises(ValueError, match="until counts the steps of this assignment, 0 to"):
+    with pytest.raises(ValueError, match="until must be the index of a step of this assignment, 0 to"):
         draw_assignment(found, until)

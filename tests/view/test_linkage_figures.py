@@ -1,4 +1,4 @@
-"""Linkages and the curves of their angles, drawn: bars as long as their links, gaps where a loop is open, no curve lost."""
+"""Drawings of linkages and of their configuration spaces: bars as long as their links, gaps where a loop is open, no curve lost."""
 
 import re
 import time
@@ -45,15 +45,15 @@ def drawn_names(picture):
 
 
 @given(st.lists(angles, min_size=4, max_size=4))
-def test_every_bar_keeps_its_length_in_any_posture_open_or_closed(q):
-    """The lengths that the linkage was made of, measured on the drawing."""
+def test_every_bar_keeps_its_length_in_any_configuration_open_or_closed(q):
+    """The lengths in the drawing are those with which the linkage was made."""
     geometry = linkage_geometry(linkages.four_bar(4, 1, 3.5, 3), q)
     lengths = {body: np.linalg.norm(ends[1] - ends[0]) for body, ends in geometry.corners.items()}
     assert lengths == pytest.approx({"ground": 4, "crank": 1, "coupler": 3.5, "rocker": 3}, abs=1e-9)
 
 
 @given(st.lists(angles, min_size=4, max_size=4))
-def test_a_slide_is_drawn_on_its_rail_at_its_value(q):
+def test_a_prismatic_joint_is_drawn_on_its_rail_at_its_value(q):
     geometry = linkage_geometry(linkages.slider_crank(0.1, 0.3, 0.05), q)
     np.testing.assert_allclose(geometry.first[2], [q[2], 0.05, 0], atol=1e-12)
     np.testing.assert_allclose(geometry.corners["slider"][1], geometry.first[2], atol=1e-9)
@@ -67,7 +67,7 @@ def test_an_assembled_linkage_has_no_gap(mechanism):
     assert draw_linkage(mechanism, found.q).alt.endswith("It is closed.")
 
 
-def test_an_open_linkage_shows_its_gap_and_says_how_wide_it_is():
+def test_an_open_linkage_shows_its_gap_and_gives_its_width():
     mechanism = linkages.four_bar(4, 1, 3.5, 3)
     picture = draw_linkage(mechanism, [0, 0, 0, 0])
     # Stretched out along x the coupler ends at 1 + 3.5, the rocker at 4 + 3.
@@ -77,7 +77,7 @@ def test_an_open_linkage_shows_its_gap_and_says_how_wide_it_is():
 
 
 @each
-def test_every_joint_is_named_and_told(mechanism):
+def test_every_joint_is_labelled_and_described(mechanism):
     picture = draw_linkage(mechanism, np.zeros(mechanism.n))
     for joint in mechanism.joints:
         assert f"{joint.name} joins {joint.bodies[0]} and {joint.bodies[1]} at" in picture.alt
@@ -87,19 +87,19 @@ def test_every_joint_is_named_and_told(mechanism):
 
 
 @each
-def test_what_lies_in_a_plane_is_seen_from_above(mechanism):
+def test_planar_linkages_are_recognised(mechanism):
     spatial = {"Bennett's linkage", "Bricard's linkage", "Sarrus's linkage", "Stewart-Gough platform"}
     assert is_planar(mechanism) == (mechanism.name not in spatial)
 
 
-def test_a_named_point_rides_on_its_body():
+def test_a_named_point_moves_with_its_body():
     mechanism = linkages.four_bar(4, 1, 3.5, 3)
     geometry = linkage_geometry(mechanism, [np.pi / 2, -np.pi / 2, 0, 0], {"P": ("coupler", (2, 0.5, 0))})
-    # B has come to (0, 1), and the coupler is as parallel to x as it was.
+    # B has moved to (0, 1), and the coupler is still parallel to x.
     np.testing.assert_allclose(geometry.points["P"], [1, 1.5, 0], atol=1e-12)
 
 
-def test_a_point_of_a_body_that_there_is_not_is_refused():
+def test_a_point_of_an_unknown_body_is_refused():
     with pytest.raises(ValueError, match="has the bodies ground, crank, rocker, coupler; got 'rod'"):
         draw_linkage(linkages.four_bar(4, 1, 3.5, 3), np.zeros(4), points={"P": ("rod", (0, 0, 0))})
 
@@ -122,14 +122,14 @@ LABELS = {"xlabel": "A", "ylabel": "D", "alt": "Two curves of two angles each."}
 
 
 @given(st.lists(st.tuples(angles, angles), min_size=1, max_size=20))
-def test_a_wrapped_curve_is_the_same_curve_in_the_square(points):
+def test_a_curve_that_is_split_stays_the_same_curve(points):
     pieces = np.concatenate(split_where_wrapped(np.array(points)))
     assert np.abs(pieces).max() <= 180
     np.testing.assert_allclose(np.exp(1j * np.radians(pieces)), np.exp(1j * np.array(points)), atol=1e-9)
 
 
-def test_no_stroke_runs_across_the_square():
-    """A curve that goes round three times is cut where it leaves, and not joined by a line from edge to edge."""
+def test_no_line_runs_across_the_square():
+    """A curve of three full turns is cut where it leaves the square, not connected by a line from edge to edge."""
     turn = np.linspace(0, 6 * np.pi, 400)
     picture = draw_torus({"round": np.stack([turn, turn / 3], axis=1)}, **LABELS)
     curves = re.findall(r'points="([^"]*)" fill="none" stroke="#7d3ac1"', picture.svg)
@@ -139,7 +139,7 @@ def test_no_stroke_runs_across_the_square():
         assert np.abs(np.diff(x)).max() < 0.05 * SQUARE_PX
 
 
-def test_a_mark_stands_where_its_angles_say():
+def test_a_mark_is_drawn_at_its_angles():
     picture = draw_torus({"still": np.zeros((2, 2))}, {"now": [2 * np.pi - np.pi / 2, np.pi / 2]}, **LABELS)
     x, y = map(float, re.search(r'<circle cx="([\d.]+)" cy="([\d.]+)"', picture.svg).groups())
     assert (x, y) == pytest.approx((LEFT_PX + SQUARE_PX / 4, TOP_PX + SQUARE_PX / 4), abs=0.1)
@@ -152,12 +152,12 @@ def test_curves_differ_by_dash_as_well_as_by_colour():
     assert len({colour for colour, _ in kinds}) == len({dash for _, dash in kinds}) == 3
 
 
-def test_more_curves_than_can_be_told_apart_are_refused():
-    with pytest.raises(ValueError, match="tells up to 3 curves apart; got 4"):
+def test_more_curves_than_line_styles_are_refused():
+    with pytest.raises(ValueError, match="at most 3 entries, one per line style; got 4"):
         draw_torus({name: np.zeros((2, 2)) for name in "abcd"}, **LABELS)
 
 
-def test_two_pictures_side_by_side_say_what_both_show():
+def test_two_pictures_side_by_side_have_both_text_alternatives():
     one = draw_torus({"a": np.zeros((2, 2))}, **LABELS)
     two = side_by_side(one, draw_linkage(linkages.triangle(), [0, 0, 0]), "caption")
     assert one.alt in two.alt
@@ -167,8 +167,8 @@ def test_two_pictures_side_by_side_say_what_both_show():
 
 
 @pytest.mark.oracle("modern_robotics", linkage_geometry, LinkageGeometry.all)
-def test_a_drawn_slider_crank_stands_where_modern_robotics_puts_its_pins():
-    """Crank 0.1, rod 0.3: the pin B rides on the crank, and the slider goes along x."""
+def test_the_pins_of_a_slider_crank_are_where_modern_robotics_computes_them():
+    """Crank 0.1, rod 0.3: the pin B moves with the crank, and the slider translates along x."""
     q = np.array([0.7, -0.2, 0.35, 0.5])
     drawn = linkage_geometry(linkages.slider_crank(0.1, 0.3, 0.05), q).all
     B = mr.MatrixExp6(mr.VecTose3([0, 0, 0.7, 0, 0, 0])) @ [0.1, 0, 0, 1]
@@ -177,14 +177,14 @@ def test_a_drawn_slider_crank_stands_where_modern_robotics_puts_its_pins():
 
 
 @pytest.mark.oracle("numpy", LinkageGeometry.gap)
-def test_the_gap_of_an_open_four_bar_is_the_way_between_its_two_ends():
+def test_the_gap_of_an_open_four_bar_is_the_distance_between_its_two_ends():
     """All angles 0: the coupler ends at 0.1 + 0.35, the rocker at 0.4 + 0.3."""
     geometry = linkage_geometry(linkages.four_bar(0.4, 0.1, 0.35, 0.3), np.zeros(4))
     assert geometry.gap.max() == pytest.approx(np.linalg.norm(np.array([0.45, 0]) - [0.7, 0]), abs=1e-12)
 
 
 @pytest.mark.oracle("text: written out in the test", describe_linkage)
-def test_a_linkage_is_told_in_one_breath():
+def test_the_text_alternative_of_a_linkage():
     linkage = linkages.stretched_arch(0.2, 0.9)
     assert describe_linkage(linkage, linkage_geometry(linkage, np.zeros(3))) == (
         "stretched arch with the bodies ground, left, right. A joins ground and left at (0, 0); B joins left and right at "
@@ -194,8 +194,8 @@ def test_a_linkage_is_told_in_one_breath():
 
 @pytest.mark.oracle("modern_robotics", is_planar)
 @each
-def test_planar_is_what_keeps_the_plane_of_modern_robotics_still(mechanism):
-    """Each joint by itself: z stays upright, and nothing rises."""
+def test_a_linkage_is_planar_if_the_exponentials_of_modern_robotics_keep_z(mechanism):
+    """For each joint by itself, the row of z stays (0, 0, 1, 0)."""
     screws = np.concatenate([joint.screws for joint in mechanism.joints])
     moved = [mr.MatrixExp6(mr.VecTose3(0.7 * S)) for S in screws]
     assert is_planar(mechanism) == all(np.allclose(T[2], [0, 0, 1, 0]) for T in moved)

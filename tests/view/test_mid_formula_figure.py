@@ -1,4 +1,4 @@
-"""The threads of lecture 04: as long as the moments that they stand for, and refused where there is no such form."""
+"""The drawing of the mid-formula form: each perpendicular is as long as the moment of its screw."""
 
 import numpy as np
 import pytest
@@ -10,8 +10,8 @@ ARMS = [robots.rpr(), robots.rppr(), robots.youbot(), robots.puma560(), robots.m
 
 
 @pytest.mark.parametrize("chain", ARMS, ids=lambda chain: chain.name)
-def test_a_thread_is_as_long_as_the_moment_of_its_screw(chain):
-    """|v| of a joint that turns without pitch is the distance of its axis from the origin of whoever reads it."""
+def test_a_perpendicular_is_as_long_as_the_moment_of_its_screw(chain):
+    """|v| of a revolute joint is the distance of its axis from the origin of the frame in which the screw is given."""
     turns = chain.screws[:, :3].any(axis=-1)
     for k in range(chain.n + 1):
         ends = axis_perpendiculars(chain, k)
@@ -21,24 +21,24 @@ def test_a_thread_is_as_long_as_the_moment_of_its_screw(chain):
         assert not far[~turns].any()
 
 
-def test_a_thread_meets_the_axis_square():
+def test_a_perpendicular_is_orthogonal_to_its_axis():
     chain = robots.angled_arm()
     ends = axis_perpendiculars(chain, 2)
     np.testing.assert_allclose(np.sum((ends[:2, 1] - ends[:2, 0]) * chain.screws[:2, :3], axis=-1), 0, atol=1e-12)
 
 
-def test_the_words_name_the_reader_of_each_axis():
+def test_the_text_alternative_gives_the_frame_of_each_axis():
     alt = draw_mid_formula(robots.rppr(), 1).alt
     assert "Read from {s}: S_1 at 2 m." in alt
-    assert "Read from {b}: B_2 a slide, B_3 a slide, B_4 at 2 m." in alt
+    assert "Read from {b}: B_2 prismatic, B_3 prismatic, B_4 at 2 m." in alt
 
 
-def test_all_may_be_read_from_one_side():
+def test_all_screws_can_be_given_in_one_frame():
     assert "{b}" not in draw_mid_formula(robots.rppr(), 4).alt
     assert "{s}" not in draw_mid_formula(robots.rppr(), 0).alt
 
 
 @pytest.mark.parametrize("k", [-1, 5, 1.5, None])
-def test_a_form_that_there_is_not_is_refused(k):
-    with pytest.raises(ValueError, match="k counts the joints that are read from"):
+def test_another_number_of_joints_is_refused(k):
+    with pytest.raises(ValueError, match="k must be the number of joints whose screws are given in"):
         draw_mid_formula(robots.rppr(), k)

@@ -183,7 +183,7 @@ def test_each_motion_says_what_it_does_with_its_number():
         (play_row(ROW, convention="standard", done=2), "after theta about z, d along z"),
         (play_row(ROW, convention="modified", done=1), "One DH row, motion 1 of 4. Modified: about x by alpha"),
         (play_row(ROW, done=4), "two conventions, motion 4 of 4"),
-        (play_walk(WALK, done=3), "The walk Z1 X1 Z2."),
+        (play_walk(WALK, done=3), "The path Z1 X1 Z2."),
     ],
     ids=["standard", "modified", "both", "walk"],
 )

@@ -1,4 +1,4 @@
-"""Arms, drawn: links, joints, screw axes and frames, in any configuration, with words that say the same."""
+"""Drawings of arms in any configuration: links, joints, screw axes and frames, and the text alternative of such a drawing."""
 
 from collections.abc import Collection
 
@@ -30,12 +30,12 @@ def draw_arm(
     """Draw an arm in a configuration.
 
     q       (n,) joint values, home by default
-    show    any of "axes" S_i where the joints have carried them, "home axes" where they were read, "body axes" the same
-            lines named B_i, "links" frames on the links, "base" {s}, "tool" {b}
-    ghost   (n,) another configuration, in grey
-    around  points (..., 3) to keep in view, so that pictures of several configurations share one scale
+    show    any of "axes" (the screw axes S_i as the joints have moved them), "home axes" (the same axes at home), "body axes"
+            (as "axes", but named B_i), "links" (a frame on each link), "base" ({s}) and "tool" ({b})
+    ghost   (n,) another configuration, drawn in grey
+    around  points (..., 3) to keep in view, so that pictures of several configurations have the same scale
 
-    Raises ValueError for joint values of another size and for something to show that there is not.
+    Raises ValueError if q or ghost does not have n values, or if show has another entry.
 
     >>> from kinlib.chains.robots import youbot
     >>> print(draw_arm(youbot()).alt)                     # doctest: +NORMALIZE_WHITESPACE
@@ -43,7 +43,9 @@ def draw_arm(
     joint 4 revolute along -y; joint 5 revolute along x. The tool is at (0.54, 0, 0.147) m.
     """
     if unknown := set(show) - ARM_LAYERS:
-        raise ValueError(f"show knows {', '.join(sorted(ARM_LAYERS))}; got {', '.join(map(repr, sorted(unknown)))}.")
+        raise ValueError(
+            f"show may contain {', '.join(sorted(ARM_LAYERS))}; got {', '.join(map(repr, sorted(unknown)))}."
+        )
     home = np.zeros(chain.n)
     q = home if q is None else np.asarray(q, dtype=float)
     path, shadow = _path(chain, q), _path(chain, q if ghost is None else np.asarray(ghost, dtype=float))
@@ -70,10 +72,10 @@ def draw_arm(
 
 
 def draw_joints(chain: Chain, tool: bool = False, caption: str = "", view: str = "default") -> Picture:
-    """Draw an arm at home for reading: each joint with its number and its positive direction, on a numbered grid.
+    """Draw an arm at home so that its screw axes can be read off: each joint with its number and its positive direction.
 
-    A dotted line drops from each joint's point to the floor. There stand its x and y, and beside the line its height, so
-    that the point can be read off. With tool, the frame {b} is drawn and its origin measured in the same way.
+    The grid has numbers. A dotted line runs from each joint's point down to the floor; its foot is labelled with x and y, and
+    the line with the height. If tool is true, the frame {b} is drawn and its origin is labelled in the same way.
 
     >>> from kinlib.chains.robots import rpr
     >>> "joint 2 prismatic along z" in draw_joints(rpr()).alt
@@ -95,7 +97,7 @@ def draw_joints(chain: Chain, tool: bool = False, caption: str = "", view: str =
 
 
 def describe_arm(chain: Chain, q: Array) -> str:
-    """Say in words what a drawing of the arm shows.
+    """Return the text alternative of a drawing of an arm: its joints, its configuration, and where its tool is.
 
     >>> from kinlib.chains.robots import hrr
     >>> describe_arm(hrr(), np.zeros(3))[:24]
@@ -111,7 +113,7 @@ def describe_arm(chain: Chain, q: Array) -> str:
 
 
 def reachable_points(chain: Chain, low: Array, high: Array) -> Array:
-    """Points (m, 3) that the arm may touch between two configurations: what a picture of all of them should hold.
+    """Return points (m, 3) that the arm reaches between two configurations, so that a picture can keep all of them in view.
 
     >>> from kinlib.chains.robots import rpr
     >>> reachable_points(rpr(), np.zeros(3), np.ones(3)).shape[1]
@@ -124,13 +126,13 @@ def reachable_points(chain: Chain, low: Array, high: Array) -> Array:
 
 
 def _path(chain: Chain, q: Array) -> Array:
-    """The points through which the links run: the base, every joint, the tool."""
+    """Return the points through which the links run: the base, every joint, the tool."""
     joints = chain.link_poses(q)[:, :3, 3]
     return np.concatenate([np.zeros((1, 3)), joints, chain.fk(q)[None, :3, 3]])
 
 
 def _draw_axes(canvas: Canvas, chain: Chain, frames: Array, name: str, colour: str) -> None:
-    """Each axis as a dashed arrow through its joint, in the positive direction, named at its tip."""
+    """Draw each axis as a dashed arrow through its joint, in the positive direction, labelled at its tip."""
     for i, T in enumerate(frames):
         direction = T[:3, :3] @ chain.lines.axis[i]
         before, after = T[:3, 3] - 0.16 * canvas.size * direction, T[:3, 3] + 0.3 * canvas.size * direction
@@ -140,7 +142,7 @@ def _draw_axes(canvas: Canvas, chain: Chain, frames: Array, name: str, colour: s
 
 
 def _direction(axis: Array) -> str:
-    """Name a direction: "x", "-z", or its components."""
+    """Write a direction as "x", "-z", or by its components."""
     for letter, unit in zip("xyz", np.eye(3), strict=True):
         if np.allclose(np.abs(axis), unit):
             return letter if axis @ unit > 0 else f"-{letter}"

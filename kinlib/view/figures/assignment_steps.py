@@ -1,4 +1,4 @@
-"""What of a frame assignment is there after each of its steps, and what the step names: for drawings on paper and page."""
+"""What a drawing of a frame assignment shows after each step, and what that step names. Figures and the player use it."""
 
 from dataclasses import dataclass
 
@@ -8,22 +8,22 @@ from kinlib.arrays.validation import Array
 from kinlib.dh.assignment import FrameAssignment
 
 MAX_DISTANCE_IN_ARM_SIZES = 4.0
-"""What lies farther out than this many sizes of the arm is not kept in view: normals of nearly parallel axes do."""
+"""Frames and normals farther from the arm than this are left out, as those of nearly parallel axes can be."""
 
 FINISHED = ("accuracy", None)
-"""The step at which everything stands side by side, and nothing in particular is the point."""
+"""The kind and frame of the finished assignment, in which nothing is highlighted."""
 
 
 @dataclass(frozen=True)
 class AssignmentState:
-    """An assignment after some of its steps: what is named now is strong, what came before is pale.
+    """An assignment after some of its steps: what the current step names is strong, what came before is pale.
 
-    kind     of the step of the moment, as in kinlib.dh.explanation
+    kind     the kind of the current step, as in kinlib.dh.explanation
     axes     (n,) whether the axis of each joint is strong
-    normals  (n - 1,) whether each common normal is strong; None where it is not there yet
-    frames   (n + 1,) which of O, z, x, y of each frame are there
-    strong   (n + 1,) whether each frame belongs to the step of the moment
-    row      the row that is read off, counted from 1; None while none is
+    normals  (n - 1,) whether each common normal is strong; None if it is not drawn yet
+    frames   (n + 1,) which of O, z, x, y of each frame have been assigned
+    strong   (n + 1,) whether the current step is about each frame
+    row      the row that is read off, counted from 1; None if the step reads no row
     """
 
     kind: str
@@ -33,15 +33,15 @@ class AssignmentState:
     strong: tuple[bool, ...]
     row: int | None
 
-    def letters(self, i: int) -> str:
-        """Which parts of frame i are drawn: y only while its frame is strong, for y always follows from z and x."""
+    def visible_parts(self, i: int) -> str:
+        """Return the parts of frame i that are drawn: y only while its frame is strong, because y follows from z and x."""
         return self.frames[i] if self.strong[i] and self.kind != "accuracy" else self.frames[i].replace("y", "")
 
 
 def state_after(assignment: FrameAssignment, until: int | None = None) -> AssignmentState:
-    """Say what is there after a step of an assignment, counted from 0, or when it is finished.
+    """Return what is drawn after a step of an assignment, counted from 0, or after all steps if until is None.
 
-    Raises ValueError for a step that there is not.
+    Raises ValueError if until is not the index of a step.
 
     >>> from kinlib.dh.assignment import assign_frames
     >>> from kinlib.chains.robots import youbot
@@ -50,7 +50,7 @@ def state_after(assignment: FrameAssignment, until: int | None = None) -> Assign
     """
     steps, n = assignment.steps, assignment.chain.n
     if until is not None and until not in range(len(steps)):
-        raise ValueError(f"until counts the steps of this assignment, 0 to {len(steps) - 1}; got {until!r}.")
+        raise ValueError(f"until must be the index of a step of this assignment, 0 to {len(steps) - 1}; got {until!r}.")
     last = len(steps) - 1 if until is None else until
     done = {(step.kind, step.frame) for step in steps[: last + 1]}
     kind, frame = current = FINISHED if until is None else (steps[last].kind, steps[last].frame)
@@ -68,9 +68,11 @@ def state_after(assignment: FrameAssignment, until: int | None = None) -> Assign
 
 
 def row_segments(assignment: FrameAssignment, row: int) -> list[tuple[str, Array, Array]]:
-    """The way of a row from frame to frame, in the order of its convention: ("d", from, to) along z, ("a", ...) along x.
+    """Return the translations of a row as segments (name, start, end), in the order of its convention.
 
-    row  counted from 1; a leg of no length is left out
+    row  counted from 1
+
+    The segment of d is along z, that of a along x. A segment of length zero is left out.
 
     >>> from kinlib.dh.assignment import assign_frames
     >>> from kinlib.chains.robots import youbot
@@ -82,23 +84,23 @@ def row_segments(assignment: FrameAssignment, row: int) -> list[tuple[str, Array
     standard = assignment.table.convention == "standard"
     corner = before[:3, 3] + (d * before[:3, 2] if standard else a * before[:3, 0])
     names = (f"d_{row}", f"a_{row}") if standard else (f"a_{row - 1}", f"d_{row}")
-    ways = zip(names, (before[:3, 3], corner), (corner, after[:3, 3]), strict=True)
-    return [(name, start, end) for name, start, end in ways if np.linalg.norm(end - start) > 1e-9]
+    segments = zip(names, (before[:3, 3], corner), (corner, after[:3, 3]), strict=True)
+    return [(name, start, end) for name, start, end in segments if np.linalg.norm(end - start) > 1e-9]
 
 
 def visible_features(assignment: FrameAssignment) -> tuple[Array, Array]:
-    """Which frames are near enough to the arm to be shown, (n + 1,), and the feet of normals that are, (m, 3)."""
+    """Return which frames are near enough to the arm to be shown, (n + 1,), and the feet of normals that are, (m, 3)."""
     chain = assignment.chain
     room = np.concatenate([chain.joint_points, chain.home[None, :3, 3]])
-    reach = MAX_DISTANCE_IN_ARM_SIZES * max(float(np.ptp(room, axis=0).max()), 0.1)
+    radius = MAX_DISTANCE_IN_ARM_SIZES * max(float(np.ptp(room, axis=0).max()), 0.1)
     middle = room.mean(axis=0)
     feet = np.array([foot for normal in assignment.normals for foot in (normal.start, normal.end)]).reshape(-1, 3)
-    near: Array = np.linalg.norm(assignment.frames[:, :3, 3] - middle, axis=-1) < reach
-    return near, feet[np.linalg.norm(feet - middle, axis=-1) < reach]
+    near: Array = np.linalg.norm(assignment.frames[:, :3, 3] - middle, axis=-1) < radius
+    return near, feet[np.linalg.norm(feet - middle, axis=-1) < radius]
 
 
 def _parts(i: int, n: int, done: set[tuple[str, int | None]]) -> str:
-    """Which of O, z, x, y of frame i are there by now: the first and the last frame come whole."""
+    """Return which of O, z, x, y of frame i are assigned. The first and the last frame are assigned in one step."""
     if i in (0, n):
         return "Ozxy" if ("first" if i == 0 else "last", i) in done else ""
     return "".join(letters for kind, letters in {"origin": "Oz", "x": "x", "y": "y"}.items() if (kind, i) in done)

@@ -1,4 +1,4 @@
-"""DH tables, drawn: one row as the four numbers between two axes, and a whole table as the frames that it stands for."""
+"""Drawings of DH tables: one row as the four numbers between two axes, and a whole table as its arm with its frames."""
 
 from itertools import pairwise
 
@@ -14,27 +14,27 @@ from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.joint_bodies import draw_joint_bodies
 
 COLUMNS_DONE = ((3,), (3, 2), (3, 2, 0), (3, 2, 0, 1))
-"""The columns a, alpha, d, theta of a standard row in the order in which they act: theta, d, a, alpha."""
+"""The columns of a, alpha, d, theta that are carried out after 1, ..., 4 motions of a standard row: theta, d, a, alpha."""
 
 STANDARD_MOTION_NAMES = ("theta about z", "d along z", "a along x", "alpha about x")
 
 
 def draw_row(row: ArrayLike, done: int = 4, *, caption: str = "") -> Picture:
-    """Draw what the four numbers of a standard row measure, and a frame that is carried by the first of them.
+    """Draw what the four numbers of a standard row measure, and a frame that is moved by the first of them.
 
     row   (4,) a, alpha, d, theta in metres and radians
     done  how many of the motions Rz(theta), Tz(d), Tx(a), Rx(alpha) are carried out
 
-    Frame i-1 stands in ink, the axis z_{i-1} below it and the axis z_i are violet, their common normal is orange.
+    The axes z_{i-1} and z_i are violet, their common normal is orange, and x_{i-1} is red.
 
-    Raises ValueError for a row of another size, and for another number of motions than 0 to 4.
+    Raises ValueError if row does not have shape (4,), or done is not one of 0, 1, ..., 4.
 
     >>> draw_row([0.8, 1.0, 0.6, 0.9], 2).alt
     'One row of a table, after theta about z, d along z. The frame is at (0, 0, 0.6), its x along (0.622, 0.783, 0).'
     """
     row = validation.vectors(row, "row", 4)
     if done not in range(5):
-        raise ValueError(f"done counts the motions of a row, 0 to 4; got {done!r}.")
+        raise ValueError(f"done must be the number of motions carried out, 0 to 4; got {done!r}.")
     alpha, d, theta = row[1:]
     foot, end = _after(row, 2), _after(row, 4)  # on z_{i-1}, and on z_i
     moving = _after(row, done)
@@ -64,9 +64,9 @@ def draw_row(row: ArrayLike, done: int = 4, *, caption: str = "") -> Picture:
     canvas.dot(foot[:3, 3], GREY)
     canvas.dot(end[:3, 3], GREY)
     canvas.triad(moving, "", length)
-    told = f"after {', '.join(STANDARD_MOTION_NAMES[:done])}" if done else "before the first motion"
+    progress = f"after {', '.join(STANDARD_MOTION_NAMES[:done])}" if done else "before the first motion"
     return canvas.picture(
-        f"One row of a table, {told}. The frame is at {vector_text(moving[:3, 3])}, its x along {vector_text(moving[:3, 0])}.",
+        f"One row of a table, {progress}. The frame is at {vector_text(moving[:3, 3])}, its x along {vector_text(moving[:3, 0])}.",
         caption,
     )
 
@@ -81,14 +81,14 @@ def draw_table(
     around: ArrayLike | None = None,
     view: str = "default",
 ) -> Picture:
-    """Draw the arm that a table describes, with the frames that the table stands for: x_i and z_i, without y_i.
+    """Draw the arm that a table describes, with the frames of the table: x_i and z_i, without y_i.
 
     q        (n,) joint values, zero by default
-    numbers  whether the grid has numbers, and each origin a dotted line down to it, so that it can be read off
-    path     whether the arm runs from frame to frame as its rows say it: d along z in violet, a along x in orange
-    around   points (..., 3) to keep in view, so that pictures of several configurations share one scale
+    numbers  whether the grid has numbers and each origin a dotted line down to it, so that its coordinates can be read off
+    path     whether the translations of the rows are drawn from frame to frame: d along z in violet, a along x in orange
+    around   points (..., 3) to keep in view, so that pictures of several configurations have the same scale
 
-    Raises ValueError for joint values of another size.
+    Raises ValueError if q does not have n values.
 
     >>> draw_table(DHTable([[1, 0, 0, 0]], convention="standard")).alt
     'table. Frame 0 at (0, 0, 0), x along (1, 0, 0), z along (0, 0, 1). Frame 1 at (1, 0, 0), x along (1, 0, 0), z along (0, 0, 1).'
@@ -117,7 +117,7 @@ def draw_table(
         chain = table.to_chain()
         draw_joint_bodies(canvas, chain, chain.link_poses(q))
     for i, T in enumerate(frames):
-        # Frames that share an origin get rods of different length, or one would hide the other.
+        # Frames with the same origin have arrows of different length, so that none hides another.
         rank = sum(bool(np.allclose(T[:3, 3], other[:3, 3], atol=1e-6)) for other in frames[:i])
         length = (0.2 + 0.09 * rank) * canvas.size
         for k, letter in ((0, "x"), (2, "z")):
@@ -126,11 +126,11 @@ def draw_table(
     for name, T in {"s": np.eye(4), "b": tip}.items():
         if not np.allclose(T, frames[0 if name == "s" else -1]):
             canvas.triad(T, name, 0.16 * canvas.size)
-    return canvas.picture(_words(table, frames), caption)
+    return canvas.picture(_describe(table, frames), caption)
 
 
 def _after(row: Array, done: int) -> Array:
-    """Where a frame stands after the first motions of a standard row."""
+    """Return the pose of a frame after the first motions of a standard row."""
     carried = np.zeros(4)
     if done:
         columns = list(COLUMNS_DONE[done - 1])
@@ -139,7 +139,7 @@ def _after(row: Array, done: int) -> Array:
 
 
 def _arc(canvas: Canvas, centre: ArrayLike, plane: Array, angle: float, name: str) -> None:
-    """An angle, from the plane's first direction towards its second; their length is the radius."""
+    """Draw an angle, from the plane's first direction towards its second; their length is the radius."""
     turn = np.linspace(0, angle, 24)
     points = np.asarray(centre) + np.stack([np.cos(turn), np.sin(turn)], axis=1) @ plane.T
     for start, end in pairwise(points[:-1]):
@@ -150,7 +150,7 @@ def _arc(canvas: Canvas, centre: ArrayLike, plane: Array, angle: float, name: st
 
 
 def _corners(table: DHTable, frames: list[Array]) -> Array:
-    """Between two frames, where the step along one axis ends and that along the other begins, (m, 3)."""
+    """Return the point between two frames at which the translation along one axis ends and the other begins, (m, 3)."""
     corners = []
     for start, end in pairwise(frames):
         if table.convention == "standard":
@@ -162,9 +162,9 @@ def _corners(table: DHTable, frames: list[Array]) -> Array:
     return np.array(corners)
 
 
-def _words(table: DHTable, frames: list[Array]) -> str:
-    said = [
+def _describe(table: DHTable, frames: list[Array]) -> str:
+    sentences = [
         f"Frame {i} at {vector_text(T[:3, 3])}, x along {vector_text(T[:3, 0])}, z along {vector_text(T[:3, 2])}."
         for i, T in enumerate(frames)
     ]
-    return " ".join([f"{table.name}.", *said])
+    return " ".join([f"{table.name}.", *sentences])

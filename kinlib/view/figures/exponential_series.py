@@ -1,4 +1,4 @@
-"""Motions along screws, drawn: the exponential series as a walk to its goal, and the way that a frame goes."""
+"""Drawings of the exponential series: its terms as arrows, head to tail, from a point to where the motion takes it."""
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -14,9 +14,9 @@ from kinlib.view.figures.screw_motions import motion_path
 
 
 def partial_sums(S: ArrayLike, q: float, point: ArrayLike, terms: int) -> Array:
-    """Where the first 1, 2, ... terms of e^[S]q = I + [S]q + [S]^2 q^2 / 2! + ... take a point, (terms, 3).
+    """Return where the first 1, 2, ... terms of e^[S]q = I + [S]q + [S]^2 q^2 / 2! + ... take a point, (terms, 3).
 
-    Raises ValueError for what is no screw axis, for no term at all, and for a point of another size.
+    Raises ValueError if S is not a screw axis, terms is less than 1, or point does not have shape (3,).
 
     >>> partial_sums([0, 0, 1, 0, 0, 0], 1.0, [1, 0, 0], 3)
     array([[1. , 0. , 0. ],
@@ -24,14 +24,14 @@ def partial_sums(S: ArrayLike, q: float, point: ArrayLike, terms: int) -> Array:
            [0.5, 1. , 0. ]])
     """
     if terms < 1:
-        raise ValueError(f"terms counts from 1, the identity; got {terms!r}.")
+        raise ValueError(f"terms must be at least 1, the identity; got {terms!r}.")
     step = hat(axes(S, "S") * q)
     term = np.append(validation.vectors(point, "point", 3), 1.0)
-    walk = [term]
+    sums = [term]
     for k in range(1, terms):
         term = step @ term / k
-        walk.append(walk[-1] + term)
-    return np.array(walk)[:, :3]
+        sums.append(sums[-1] + term)
+    return np.array(sums)[:, :3]
 
 
 def draw_series(
@@ -40,57 +40,57 @@ def draw_series(
     """Draw the first terms of e^[S]q as arrows, head to tail, from a point towards where the motion takes it.
 
     S     (6,) the axis of a revolute joint
-    most  how many terms the picture leaves room for, so that pictures of different sums share one scale
+    most  how many terms fit into the picture, so that pictures of different sums have the same scale
 
-    The pale circle is where every turn about S would put the point: a sum that ends off it is no rotation.
+    The pale circle is where rotations about S take the point. If a sum ends off the circle, it is not a rotation.
 
-    Raises ValueError for a screw axis that is not that of a turn, and for no term at all.
+    Raises ValueError if S is not the screw axis of a revolute joint, or terms is less than 1.
 
     >>> from kinlib.chains.robots import rpr
     >>> draw_series(rpr().screws[0], np.pi / 2, (0, 0, 1), 2).alt        # doctest: +NORMALIZE_WHITESPACE
-    'Terms of the exponential as arrows, head to tail, for a turn of 90 degrees. The first 2 take the point from
+    'Terms of the exponential as arrows, head to tail, for a rotation by 90 degrees. The first 2 take the point from
     (0, 0, 1) to (-1.57, 0, 7.28). That is 4.75 m from its goal (-5, 0, 4), and 3.55 m off the circle.'
     """
     S = axes(S, "S")
     axis, foot, pitch = line(S)
     if abs(pitch) > tolerances.UNIT_LENGTH_TOL:
-        raise ValueError(f"draw_series draws turns, in a plane; got a screw axis of pitch {pitch:g}.")
-    walk = partial_sums(S, q, point, max(terms, most or terms))
-    circle = motion_path(S * 2 * np.pi, walk[0])
-    goal, reached = motion_path(S * q, walk[0])[-1], walk[terms - 1]
-    seen = np.concatenate([walk, circle])
+        raise ValueError(f"S must be the screw axis of a revolute joint, of pitch 0; got pitch {pitch:g}.")
+    sums = partial_sums(S, q, point, max(terms, most or terms))
+    circle = motion_path(S * 2 * np.pi, sums[0])
+    goal, reached = motion_path(S * q, sums[0])[-1], sums[terms - 1]
+    seen = np.concatenate([sums, circle])
     middle = (seen.min(axis=0) + seen.max(axis=0)) / 2
     canvas = Canvas(
         middle + 0.7 * (seen - middle), view
-    )  # no axes and frames reach out here: most of the margin may go
+    )  # no axis or frame extends beyond the points, so a smaller margin is enough
     canvas.line(circle, PALE_GREY, 2.0, level=1)
-    canvas.line(motion_path(S * q, walk[0]), GREY, 3.0, level=1.5)
-    centre = foot + axis * (axis @ (walk[0] - foot))
+    canvas.line(motion_path(S * q, sums[0]), GREY, 3.0, level=1.5)
+    centre = foot + axis * (axis @ (sums[0] - foot))
     canvas.dot(centre, VIOLET, 6)
     canvas.label(centre, "$S$", VIOLET)
     for k in range(1, terms):
         colour = (VIOLET, ORANGE)[k % 2]
-        canvas.arrow(walk[k - 1], walk[k], colour, 1.6)
-        if np.linalg.norm(walk[k] - walk[k - 1]) > 0.06 * canvas.size:
-            canvas.label((walk[k - 1] + walk[k]) / 2, str(k), colour, size=9)
+        canvas.arrow(sums[k - 1], sums[k], colour, 1.6)
+        if np.linalg.norm(sums[k] - sums[k - 1]) > 0.06 * canvas.size:
+            canvas.label((sums[k - 1] + sums[k]) / 2, str(k), colour, size=9)
     canvas.dot(goal, GREY, 9, level=4)
     canvas.label(goal, "goal", GREY)
-    canvas.dot(walk[0], INK, 4)
+    canvas.dot(sums[0], INK, 4)
     canvas.dot(reached, INK, 6)
     canvas.label(reached, "sum", INK)
     far = float(np.linalg.norm(reached - goal))
-    off = float(np.linalg.norm(reached - centre) - np.linalg.norm(walk[0] - centre))
-    told = f"{_metres(far)} from its goal"
+    off = float(np.linalg.norm(reached - centre) - np.linalg.norm(sums[0] - centre))
+    distance = f"{_metres(far)} from its goal"
     alt = (
-        f"Terms of the exponential as arrows, head to tail, for a turn of {np.degrees(q):.4g} degrees. "
-        f"The first {terms} take the point from {vector_text(walk[0])} to {vector_text(reached)}. "
-        f"That is {told} {vector_text(goal)}, and {_metres(abs(off))} off the circle."
+        f"Terms of the exponential as arrows, head to tail, for a rotation by {np.degrees(q):.4g} degrees. "
+        f"The first {terms} take the point from {vector_text(sums[0])} to {vector_text(reached)}. "
+        f"That is {distance} {vector_text(goal)}, and {_metres(abs(off))} off the circle."
     )
-    caption = f"{terms} term{'s' * (terms > 1)}: the sum is {told}, {_metres(abs(off))} off the circle"
+    caption = f"{terms} term{'s' * (terms > 1)}: the sum is {distance}, {_metres(abs(off))} off the circle"
     return canvas.picture(alt, caption)
 
 
 def _metres(x: float) -> str:
     if x < 1e-12:
-        return "less than 1e-12 m"  # from there on, the digits are those of the machine and not of the series
+        return "less than 1e-12 m"  # below this the digits are rounding errors
     return f"{x:.1e} m" if x < 1e-3 else f"{x:.3g} m"

@@ -1,4 +1,4 @@
-"""A frame assignment, drawn: axes, common normals, origins and frames, as far as its steps have come."""
+"""Drawings of a frame assignment after each of its steps: joint axes, common normals, origins and frames."""
 
 import numpy as np
 
@@ -12,15 +12,15 @@ from kinlib.view.figures.joint_bodies import draw_joint_bodies
 
 
 def draw_assignment(assignment: FrameAssignment, until: int | None = None, *, caption: str = "") -> Picture:
-    """Draw a frame assignment after some of its steps: what the last of them names is strong, what came before is pale.
+    """Draw a frame assignment after some of its steps: what the last step names is strong, what came before is pale.
 
     until  the index in assignment.steps of the last step drawn; None for the finished assignment
 
-    Axes are violet and dashed, common normals orange: a normal without length is a short dashed line along its direction.
-    Frame i has x_i, y_i, z_i at its tips; y is drawn only while its frame is strong. Frames that share an origin get rods
+    Joint axes are violet and dashed, common normals orange; a normal of length zero is a short dashed line along its direction.
+    Frame i has x_i, y_i, z_i at its tips; y is drawn only while its frame is strong. Frames with the same origin have arrows
     of different length. While a row is read off, its a is a thick orange line and its d a thick violet one.
 
-    Raises ValueError for a step that there is not.
+    Raises ValueError if until is not the index of a step.
 
     >>> from kinlib.dh.assignment import assign_frames
     >>> from kinlib.chains.robots import youbot
@@ -33,18 +33,20 @@ def draw_assignment(assignment: FrameAssignment, until: int | None = None, *, ca
     drawing.draw()
     head = f"{assignment.chain.name}, {assignment.table.convention} convention"
     if until is None:
-        return drawing.canvas.picture(f"{head}, all {len(steps)} steps. {drawing.in_words()}", caption)
+        return drawing.canvas.picture(f"{head}, all {len(steps)} steps. {drawing.describe()}", caption)
     step = steps[until]
-    told = f"Step {until + 1} of {len(steps)}. {step.text}" + (f" Also legal: {step.others}" if step.others else "")
-    alt = f"{head}, step {until + 1} of {len(steps)}. {step.text} {drawing.in_words()}"
-    return drawing.canvas.picture(alt, caption or told)
+    step_caption = f"Step {until + 1} of {len(steps)}. {step.text}" + (
+        f" Also legal: {step.others}" if step.others else ""
+    )
+    alt = f"{head}, step {until + 1} of {len(steps)}. {step.text} {drawing.describe()}"
+    return drawing.canvas.picture(alt, caption or step_caption)
 
 
 class _Drawing:
     """One picture of an assignment."""
 
     def __init__(self, assignment: FrameAssignment, until: int | None) -> None:
-        self.assignment, self.stage = assignment, state_after(assignment, until)
+        self.assignment, self.state = assignment, state_after(assignment, until)
         self.chain = assignment.chain
         self.axes = line(self.chain.screws).axis
         room = np.concatenate([self.chain.joint_points, self.chain.home[None, :3, 3]])
@@ -57,14 +59,14 @@ class _Drawing:
     def draw(self) -> None:
         self._lines()
         draw_joint_bodies(self.canvas, self.chain, self.chain.link_poses(np.zeros(self.chain.n)))
-        for pair, strong in enumerate(self.stage.normals):
+        for pair, strong in enumerate(self.state.normals):
             if strong is not None:
                 self._normal(pair, strong)
-        if self.stage.row is not None:
-            self._row(self.stage.row)
+        if self.state.row is not None:
+            self._row(self.state.row)
         for i in np.flatnonzero(self.near):
             self._frame(int(i))
-        if self.stage.kind == "accuracy":
+        if self.state.kind == "accuracy":
             for name, T, there in (
                 ("s", np.eye(4), self.assignment.frames[0]),
                 ("b", self.chain.home, self.assignment.frames[-1]),
@@ -74,21 +76,21 @@ class _Drawing:
                 ) < MAX_DISTANCE_IN_ARM_SIZES * self.canvas.size and not np.allclose(T, there):
                     self.canvas.triad(T, name, 0.12 * self.canvas.size)
 
-    def in_words(self) -> str:
+    def describe(self) -> str:
         whole = [
             f"frame {i} at {vector_text(T[:3, 3])}, x along {vector_text(T[:3, 0])}, z along {vector_text(T[:3, 2])}"
             for i, T in enumerate(self.assignment.frames)
-            if "y" in self.stage.frames[i]
+            if "y" in self.state.frames[i]
         ]
         return f"Drawn so far: {'; '.join(whole) or 'the joints and their axes'}."
 
     def _lines(self) -> None:
-        """The joint axes, long enough to reach the feet of the normals on them."""
+        """Draw the joint axes, long enough to reach the feet of the normals on them."""
         for i, (z, point) in enumerate(zip(self.axes, self.chain.joint_points, strict=True)):
             on_it = [foot for foot in self.feet if np.linalg.norm(np.cross(z, foot - point)) < 1e-9]
             along = [0.0, *((foot - point) @ z for foot in on_it)]
             low, high = min(along) - 0.18 * self.canvas.size, max(along) + 0.3 * self.canvas.size
-            strong = self.stage.axes[i]
+            strong = self.state.axes[i]
             colour = VIOLET if strong else _faded(VIOLET)
             self.canvas.arrow(
                 point + low * z, point + high * z, colour, 1.8 if strong else 1.2, style="--", level=1.5 + strong
@@ -105,7 +107,7 @@ class _Drawing:
         self.canvas.line([ends[0] - half, ends[0] + half], colour, width, "--", level=3.2)
 
     def _row(self, row: int) -> None:
-        """The way of one row from frame to frame: d along the joint's axis, a along the common normal."""
+        """Draw a row's translations from frame to frame: d along the joint axis, a along the common normal."""
         for name, start, end in row_segments(self.assignment, row):
             if np.linalg.norm(end - start) < MAX_DISTANCE_IN_ARM_SIZES * self.canvas.size:
                 colour = VIOLET if name[0] == "d" else ORANGE
@@ -113,7 +115,7 @@ class _Drawing:
                 self.canvas.label((start + end) / 2, f"${name}$", colour, size=12)
 
     def _frame(self, i: int) -> None:
-        parts, T, strong = self.stage.letters(i), self.assignment.frames[i], self.stage.strong[i]
+        parts, T, strong = self.state.visible_parts(i), self.assignment.frames[i], self.state.strong[i]
         if not parts:
             return
         length = (0.17 + 0.08 * self._rank(i)) * self.canvas.size
@@ -125,25 +127,25 @@ class _Drawing:
                 self.canvas.arrow(T[:3, 3], tip, colour, 2.4 if strong else 1.6, level=4 + strong + 0.01 * k)
                 away = self.canvas.project(tip) - self.canvas.project(T[:3, 3])
                 away = 11 * away / max(float(np.linalg.norm(away)), 1e-9)
-                places = [(away[0], away[1]), *((away[0] + dx, away[1] + dy) for dx, dy in _NUDGES)]
+                places = [(away[0], away[1]), *((away[0] + dx, away[1] + dy) for dx, dy in _LABEL_NUDGES)]
                 self.canvas.label(tip, f"${letter}_{i}$", colour, places, 10)
         self.canvas.dot(T[:3, 3], INK if strong else _faded(INK), 6 if strong else 4, level=6)
-        if self.stage.kind == "origin" and strong:
+        if self.state.kind == "origin" and strong:
             self.canvas.label(T[:3, 3], f"$O_{i}$", INK)
 
     def _rank(self, i: int) -> int:
-        """How many frames drawn before this one stand at the same place."""
+        """Count the frames that are drawn before this one and have the same origin."""
         frames = self.assignment.frames
         return sum(
-            bool(self.stage.frames[j] and np.linalg.norm(frames[j, :3, 3] - frames[i, :3, 3]) < 1e-6) for j in range(i)
+            bool(self.state.frames[j] and np.linalg.norm(frames[j, :3, 3] - frames[i, :3, 3]) < 1e-6) for j in range(i)
         )
 
 
-_NUDGES = ((9, 0), (-9, 0), (0, 10), (0, -10), (14, 10), (-14, 10), (14, -10), (-14, -10))
+_LABEL_NUDGES = ((9, 0), (-9, 0), (0, 10), (0, -10), (14, 10), (-14, 10), (14, -10), (-14, -10))
 
 
 def _faded(colour: str, share: float = 0.55) -> str:
-    """A colour mixed with white, for what is there and not the point of the moment.
+    """Mix a colour with white, for what the current step does not name.
 
     >>> _faded("#000000", 0.2)
     '#cccccc'

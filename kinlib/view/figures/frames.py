@@ -1,4 +1,4 @@
-"""Frames and points, drawn: which frame is which, and where each one stands in another."""
+"""Drawings of frames and points, and of a rotation about a coordinate axis."""
 
 from collections.abc import Mapping
 from itertools import pairwise
@@ -29,15 +29,15 @@ def draw_frames(
 
     frames   {"s": T_ss, "b": T_sb, ...}, poses (4, 4) in one common frame
     points   {"p": (x, y, z), ...} in that frame
-    numbers  whether the grid has numbers, and each origin a dotted line down to it, so that it can be read off
+    numbers  whether the grid has numbers and each origin a dotted line down to it, so that its coordinates can be read off
 
-    Raises ValueError for what is no pose, and for nothing to draw.
+    Raises ValueError if a frame is not a pose, a point does not have three coordinates, or there is no frame.
 
     >>> draw_frames({"s": np.eye(4)}, {"p": (1, 0, 2)}).alt
     'Frame {s} at (0, 0, 0). Point p at (1, 0, 2).'
     """
     if not frames:
-        raise ValueError("frames should name at least one pose, such as {'s': np.eye(4)}; got none.")
+        raise ValueError("frames must contain at least one pose, such as {'s': np.eye(4)}; got none.")
     poses = {name: validation.poses(T, f"frame {name}") for name, T in frames.items()}
     places = {name: validation.vectors(p, f"point {name}", 3) for name, p in (points or {}).items()}
     origins = [T[:3, 3] for T in poses.values()]
@@ -57,28 +57,28 @@ def draw_frames(
     for name, p in places.items():
         canvas.dot(p)
         canvas.label(p, name, INK)
-    return canvas.picture(alt or _in_words(poses, places), caption)
+    return canvas.picture(alt or _describe(poses, places), caption)
 
 
 def draw_rotation(axis: int, degrees: float, names: tuple[str, str] = ("a", "b")) -> Picture:
-    """Draw two frames that share their origin and one axis, as seen along that axis, and the angle between them.
+    """Draw two frames with a common origin and one common axis, seen along that axis, and the angle between them.
 
-    axis     which axis they share: 0 for x, 1 for y, 2 for z; y points away from the eye, x and z towards it
-    degrees  how far the second frame is turned against the first about that axis, right-handed
+    axis     the common axis: 0 for x, 1 for y, 2 for z; y points away from the viewer, x and z towards the viewer
+    degrees  the angle of the rotation about that axis that takes the first frame to the second, by the right-hand rule
 
-    Raises ValueError for another axis.
+    Raises ValueError if axis is not 0, 1 or 2.
 
     >>> draw_rotation(2, 30).alt
-    'Frames {a} and {b} share their z axis, which points at you. x_b is x_a turned by 30 degrees towards y_a.'
+    'Frames {a} and {b} share their z axis, which points at you. x_b is x_a rotated by 30 degrees towards y_a.'
     """
     if axis not in range(3):
-        raise ValueError(f"axis should be 0, 1 or 2, for x, y or z; got {axis!r}.")
+        raise ValueError(f"axis must be 0, 1 or 2, for x, y or z; got {axis!r}.")
     view = ("side", "front", "top")[axis]
     first, second = (axis + 1) % 3, (axis + 2) % 3
-    turn = exp(np.radians(degrees) * np.eye(3)[axis])
+    R_ab = exp(np.radians(degrees) * np.eye(3)[axis])
     corners = [np.eye(3)[k] * sign for k in (first, second) for sign in (-1.1, 1.1)]
     canvas = Canvas(np.array(corners), view, size=(640, 360))
-    for R, name, width in ((np.eye(3), names[0], 1.4), (turn, names[1], 2.6)):
+    for R, name, width in ((np.eye(3), names[0], 1.4), (R_ab, names[1], 2.6)):
         for k in (first, second):
             canvas.arrow(np.zeros(3), R[:, k], AXIS_COLOURS[k], width)
             canvas.label(1.12 * R[:, k], f"${'xyz'[k]}_{name}$", AXIS_COLOURS[k], [(0, 0)], 13)
@@ -96,17 +96,17 @@ def draw_rotation(axis: int, degrees: float, names: tuple[str, str] = ("a", "b")
     towards = f"{'' if degrees > 0 else '-'}{'xyz'[second]}_{names[0]}"
     return canvas.picture(
         f"Frames {{{names[0]}}} and {{{names[1]}}} share their {shared} axis, which points {'at' if facing else 'away from'} you. "
-        f"{'xyz'[first]}_{names[1]} is {'xyz'[first]}_{names[0]} turned by {abs(degrees):.3g} degrees towards {towards}."
+        f"{'xyz'[first]}_{names[1]} is {'xyz'[first]}_{names[0]} rotated by {abs(degrees):.3g} degrees towards {towards}."
     )
 
 
-def _in_words(poses: Mapping[str, Array], points: Mapping[str, Array]) -> str:
-    said = [f"Frame {{{name}}} at {vector_text(T[:3, 3])}{_turned(T)}." for name, T in poses.items()]
-    said += [f"Point {name} at {vector_text(p)}." for name, p in points.items()]
-    return " ".join(said)
+def _describe(poses: Mapping[str, Array], points: Mapping[str, Array]) -> str:
+    sentences = [f"Frame {{{name}}} at {vector_text(T[:3, 3])}{_directions(T)}." for name, T in poses.items()]
+    sentences += [f"Point {name} at {vector_text(p)}." for name, p in points.items()]
+    return " ".join(sentences)
 
 
-def _turned(T: Array) -> str:
+def _directions(T: Array) -> str:
     if np.allclose(T[:3, :3], np.eye(3)):
         return ""
     return f", its x along {vector_text(T[:3, 0])}, its z along {vector_text(T[:3, 2])}"

@@ -1,4 +1,4 @@
-"""The bodies of joints: a cylinder that turns about its axis, a box that slides along it, a screw with its thread."""
+"""Drawings of joints: a cylinder for a revolute joint, a box for a prismatic one, a threaded cylinder for a helical one."""
 
 from itertools import pairwise
 
@@ -11,17 +11,17 @@ from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.colours import INK, JOINT_FILL
 
 JOINT_RADIUS = 0.035
-"""Of a joint, as a share of what is shown."""
+"""The radius of a joint, as a share of the size of what is shown."""
 
 JOINT_SPACING = 3.3 * JOINT_RADIUS
-"""How far apart joints on one axis stand: the length of a joint and a little air."""
+"""The distance of joints that are drawn side by side on one axis, as a share of the same size."""
 
 NUMBER_OFFSETS = [(18, 13), (-18, 13), (18, -15), (-18, -15), (32, 0), (-32, 0), (0, 28), (0, -30), (34, 22), (-34, 22)]
-"""Where the number of a joint may stand, in pixels right and up."""
+"""Where the number of a joint may be placed: offsets in pixels to the right and up."""
 
 
 def draw_joint_bodies(canvas: Canvas, chain: Chain, frames: Array) -> None:
-    """Draw each joint as its kind, with its number, where the frames (n, 4, 4) of the links have carried it."""
+    """Draw the joints of a chain with their numbers, where the frames (n, 4, 4) of its links are."""
     axes = _carried_axes(chain, frames)
     for i, (z, shift) in enumerate(zip(axes, axial_offsets(axes, frames[:, :3, 3]), strict=True)):
         centre = frames[i, :3, 3] + JOINT_SPACING * canvas.size * shift * z
@@ -30,10 +30,10 @@ def draw_joint_bodies(canvas: Canvas, chain: Chain, frames: Array) -> None:
 
 
 def draw_joint_body(canvas: Canvas, letter: str, z: Array, centre: Array) -> None:
-    """Draw one joint R, P or H about its axis z, (3,), where it is."""
+    """Draw one joint R, P or H with its axis along z, (3,)."""
     radius = JOINT_RADIUS * canvas.size
     half = 1.5 * radius * z
-    level = 3.0 + 0.01 * float(canvas.eye @ centre) / canvas.size  # the nearer one hides the farther one
+    level = 3.0 + 0.01 * float(canvas.eye @ centre) / canvas.size  # a nearer joint hides a farther one
     rim = centre + _around(z, radius, np.linspace(0, 2 * np.pi, (4 if letter == "P" else 24) + 1) + np.pi / 4)
     canvas.body(np.concatenate([rim - half, rim + half]), JOINT_FILL, level)
     canvas.line(rim + (half if canvas.eye @ z > 0 else -half), INK, 1.0, level=level + 1e-5)
@@ -41,28 +41,28 @@ def draw_joint_body(canvas: Canvas, letter: str, z: Array, centre: Array) -> Non
         thread = _around(z, radius, np.linspace(0, 6 * np.pi, 60))
         climb = np.linspace(-1, 1, 60)[:, None] * half
         for (here, there), (low, high) in zip(pairwise(thread), pairwise(climb), strict=True):
-            if canvas.eye @ (here + there) > 0:  # the windings on the far side are hidden
+            if canvas.eye @ (here + there) > 0:  # the far side of the thread is hidden
                 canvas.line([centre + here + low, centre + there + high], INK, 1.3, level=level + 2e-5)
 
 
 def _carried_axes(chain: Chain, frames: Array) -> Array:
-    """The direction (n, 3) of each joint's axis where the arm has carried it."""
+    """Return the direction of each joint's axis in the current configuration, (n, 3)."""
     carried: Array = (frames[:, :3, :3] @ chain.lines.axis[:, :, None])[..., 0]
     return carried
 
 
 def _around(z: Array, radius: float, turn: Array) -> Array:
-    """Points (m, 3) on a circle about the origin, perpendicular to z."""
+    """Return points (m, 3) on a circle about the origin, perpendicular to z."""
     x = perpendicular(z)
     points: Array = radius * (np.cos(turn)[:, None] * x + np.sin(turn)[:, None] * np.cross(z, x))
     return points
 
 
 def axial_offsets(axes: Array, points: Array) -> Array:
-    """How far each joint is drawn from its point along its axis, (n,), in lengths of a joint.
+    """Return how far each joint is drawn from its point along its axis, (n,), in units of JOINT_SPACING.
 
-    Joints that share a point and an axis would hide each other. Along its axis a joint may stand anywhere: the screw is
-    the same, and so is the motion.
+    Joints with the same point and axis would hide each other. A joint may be drawn anywhere on its axis, because its screw and
+    therefore its motion stay the same.
 
     >>> z = np.array([0.0, 0, 1])
     >>> axial_offsets(np.array([z, z]), np.zeros((2, 3)))
@@ -73,6 +73,6 @@ def axial_offsets(axes: Array, points: Array) -> Array:
         here = np.linalg.norm(points - points[i], axis=-1) < 1e-6
         peers = np.flatnonzero(here & (np.abs(axes @ axes[i]) > 1 - 1e-6))
         rank = float(np.searchsorted(peers, i)) - (len(peers) - 1) / 2
-        # Counted along the first one's direction, whichever way the others point.
+        # Along the direction of the first one, even if others point in the opposite direction.
         shift[i] = rank * np.sign(axes[peers[0]] @ axes[i])
     return shift

@@ -1,6 +1,6 @@
-"""Linkages, drawn: bodies as bars and plates, joints with their names, the ground hatched, gaps where a loop is open.
+"""Drawings of linkages: bodies as bars and plates, joints with their names, the ground hatched, and gaps where a loop is open.
 
-A linkage in a plane is seen from above, any other in the projection of draw_arm.
+A planar linkage is seen from above, any other in the projection of draw_arm.
 """
 
 from collections.abc import Mapping
@@ -22,16 +22,16 @@ from kinlib.view.drawing.svg import GREEK
 from kinlib.view.figures.joint_bodies import JOINT_RADIUS, NUMBER_OFFSETS, draw_joint_body
 
 GAP_TOL_M = 1e-6
-"""A joint whose two halves are farther apart than this, in metres, is drawn with its gap."""
+"""If the two halves of a joint are farther apart than this, the gap is drawn."""
 
 Points = Mapping[str, tuple[str, ArrayLike]]
 
 
 @dataclass(frozen=True, eq=False)
 class LinkageGeometry:
-    """Where a linkage has everything that is drawn of it.
+    """The positions of everything that is drawn of a linkage.
 
-    first, second  (j, 3)  each joint as its first and as its second body has it: one place, where the loop is closed
+    first, second  (j, 3)  the point of each joint on its first and on its second body; equal if the loop is closed
     axes           (j, 3)  the direction of each joint's first axis
     corners                the points of each body, (k, 3)
     points                 named points of bodies
@@ -45,23 +45,23 @@ class LinkageGeometry:
 
     @property
     def all(self) -> Array:
-        """Every point that is drawn, (m, 3)."""
+        """All points that are drawn, (m, 3)."""
         return np.concatenate([self.first, self.second, *(point[None] for point in self.points.values())])
 
     @property
     def gap(self) -> Array:
-        """How far apart the two halves of each joint are, (j,)."""
-        far: Array = np.linalg.norm(self.first - self.second, axis=1)
-        return far
+        """The distance between the two halves of each joint, (j,)."""
+        distance: Array = np.linalg.norm(self.first - self.second, axis=1)
+        return distance
 
 
 def linkage_geometry(mechanism: Mechanism, q: ArrayLike, points: Points | None = None) -> LinkageGeometry:
-    """Carry joints, bodies and named points to where a posture has them; the posture need not close.
+    """Compute where joints, bodies and named points are in a configuration, in which the loops need not be closed.
 
     q       (n,) joint values
-    points  {"P": ("coupler", (x, y, z))}: points of bodies, read off the drawing like the joints
+    points  {"P": ("coupler", (x, y, z))}: points of bodies, in the coordinates in which the joints are given
 
-    Raises ValueError for joint values of another size, for NaN, and for a body that there is not.
+    Raises ValueError if q does not have n values or contains NaN, or if the linkage has no body of a given name.
 
     >>> from kinlib.mechanisms.linkages import four_bar
     >>> linkage_geometry(four_bar(4, 1, 3.5, 3), [np.pi / 2, 0, 0, 0]).gap.round(3)      # at q = 0 it is drawn open
@@ -80,7 +80,7 @@ def linkage_geometry(mechanism: Mechanism, q: ArrayLike, points: Points | None =
     for joint, own in zip(mechanism.joints, _split(mechanism, values), strict=True):
         here, there = (poses[body] for body in joint.bodies)
         moved = reduce(np.matmul, exp(joint.screws * own[:, None]), here)
-        # A slide carries its second body along; every other joint has both bodies at one place.
+        # A prismatic joint moves its second body along; the other joints keep both bodies at one point.
         first.append(_carried(moved, joint.position))
         second.append(_carried(there @ inverse(joint.closing_offset), joint.position))
         axes.append(here[:3, :3] @ line(joint.screws[0]).axis)
@@ -106,20 +106,21 @@ def draw_linkage(
     alt: str | None = None,
     caption: str = "",
 ) -> Picture:
-    """Draw a linkage in a posture, closed or not.
+    """Draw a linkage in a configuration, in which its loops need not be closed.
 
     q       (n,) joint values
-    ghost   (n,) another posture, in grey
-    points  {"P": ("coupler", (x, y, z))}: points of bodies to name, read off the drawing like the joints
-    curve   (m, 3) points of a curve to draw dotted, such as the way of a point
-    around  points (..., 3) to keep in view, so that pictures of several postures share one scale
-    view    one of kinlib.view.drawing.canvas.VIEWS; by default from above for a linkage in the plane of x and y
-    size    width and greatest height in pixels
-    names   whether joints bear their names
+    ghost   (n,) another configuration, drawn in grey
+    points  {"P": ("coupler", (x, y, z))}: points of bodies to label, in the coordinates in which the joints are given
+    curve   (m, 3) points of a curve to draw dotted, such as the path of a point
+    around  points (..., 3) to keep in view, so that pictures of several configurations have the same scale
+    view    one of kinlib.view.drawing.canvas.VIEWS; by default "top" for a planar linkage
+    size    width and largest height in pixels
+    names   whether joints are labelled
 
-    An orange dotted line joins the two halves of a joint that does not close.
+    An orange dotted line connects the two halves of a joint that is not closed.
 
-    Raises ValueError for joint values of another size, for NaN, for a body or a view that there is not.
+    Raises ValueError if q or ghost does not have n values or contains NaN, if the linkage has no body of a given name, or if
+    the view is unknown.
 
     >>> from kinlib.mechanisms.linkages import slider_crank
     >>> print(draw_linkage(slider_crank(1, 3), [0, 0, 4, 0]).alt)       # doctest: +NORMALIZE_WHITESPACE
@@ -135,7 +136,7 @@ def draw_linkage(
         [geometry.all, *([] if shade is None else [shade.all]), *([] if curve is None else [np.asarray(curve)])]
     )
     seen = seen if around is None else np.reshape(np.asarray(around, dtype=float), (-1, 3))
-    # No axes and frames reach out here: some of the margin may go, and more of it where no floor needs it.
+    # No axis or frame extends beyond the joints, so the margin can be smaller, most of all for a planar linkage.
     middle = (seen.min(axis=0) + seen.max(axis=0)) / 2
     canvas = Canvas(middle + (0.72 if planar else 0.9) * (seen - middle), view, size)
     canvas.floor(seen)
@@ -150,10 +151,10 @@ def draw_linkage(
         if np.linalg.norm(here - there) > GAP_TOL_M:
             canvas.line([here, there], ORANGE, 2.2, ":", level=3.6)
             canvas.dot(there, ORANGE, 7)
-        # A ball looks like a pin that is seen end-on, from wherever it is seen.
+        # A spherical joint looks the same from everywhere: like a revolute joint that is seen along its axis.
         draw_joint_body(canvas, "P" if slides else "R", canvas.eye if joint.dof == 3 else axis, here)
         if names:
-            canvas.label(here, _letters(joint.name), INK, NUMBER_OFFSETS, 11)
+            canvas.label(here, _joint_label(joint.name), INK, NUMBER_OFFSETS, 11)
     for name, point in geometry.points.items():
         canvas.dot(point, INK, 8)
         canvas.label(point, name, INK)
@@ -161,7 +162,7 @@ def draw_linkage(
 
 
 def describe_linkage(mechanism: Mechanism, geometry: LinkageGeometry) -> str:
-    """Say in words what a drawing of a linkage shows: its bodies, where its joints are, and whether it is closed.
+    """Return the text alternative of a drawing of a linkage: its bodies, where its joints are, and whether it is closed.
 
     >>> from kinlib.mechanisms.linkages import triangle
     >>> describe_linkage(triangle(), linkage_geometry(triangle(), [0, 0, 0]))[-36:]
@@ -184,7 +185,7 @@ def describe_linkage(mechanism: Mechanism, geometry: LinkageGeometry) -> str:
 
 
 def is_planar(mechanism: Mechanism) -> bool:
-    """Whether a linkage moves in the plane of x and y: it turns about z, and slides across it.
+    """Whether a linkage moves in the x-y plane only: all rotations are about z, and all translations perpendicular to z.
 
     >>> from kinlib.mechanisms.linkages import sarrus, slider_crank
     >>> is_planar(slider_crank(1, 3)), is_planar(sarrus())
@@ -200,18 +201,18 @@ def _carried(T: Array, point: Array) -> Array:
 
 
 def _split(mechanism: Mechanism, q: Array) -> list[Array]:
-    """The joint values of each joint."""
+    """Split joint values by joint."""
     return np.split(q, np.cumsum([joint.dof for joint in mechanism.joints])[:-1])
 
 
-def _letters(name: str) -> str:
-    """A joint's name as a label: theta_1 in Greek, and of "joint 3" the number."""
+def _joint_label(name: str) -> str:
+    """Return the label of a joint: for theta_1 the Greek letter with its subscript, for "joint 3" the number."""
     head, _, low = name.removeprefix("joint ").partition("_")
     return rf"$\{head}_{{{low}}}$" if low and head in GREEK else name.removeprefix("joint ")
 
 
 def _draw_bars(canvas: Canvas, mechanism: Mechanism, geometry: LinkageGeometry, colour: str, level: float) -> None:
-    """Every moving body: a bar through two joints, a plate through more."""
+    """Draw each moving body: a bar through two joints, a plate through more."""
     for body, corners in geometry.corners.items():
         if body == mechanism.ground:
             continue
@@ -224,7 +225,7 @@ def _draw_bars(canvas: Canvas, mechanism: Mechanism, geometry: LinkageGeometry, 
 
 
 def _draw_ground(canvas: Canvas, mechanism: Mechanism, geometry: LinkageGeometry, view: str) -> None:
-    """What stands still: a hatched foot under each joint of the ground, a hatched rail along each slide."""
+    """Draw the ground: a hatched base under each of its joints, a hatched rail along each prismatic one."""
     right, up = sheet = view_axes(view)[1]
     if view != "top":
         canvas.line(geometry.corners[mechanism.ground], GREY, 1.3, "--", level=1.8)
@@ -240,7 +241,7 @@ def _draw_ground(canvas: Canvas, mechanism: Mechanism, geometry: LinkageGeometry
 
 
 def _rail(canvas: Canvas, start: Array, slider: Array, axis: Array, sheet: Array) -> None:
-    """The line along which a slide runs, below its box: from a little before where it is drawn to a little beyond."""
+    """Draw the rail of a prismatic joint, below its box: a little longer than the box has moved."""
     across = np.array([-sheet[1] @ axis, sheet[0] @ axis]) @ sheet
     across *= np.sign(across @ sheet[1] or 1.0) / max(np.linalg.norm(across), 1e-9)
     along = np.sort([axis @ (start - slider), 0.0]) + np.array([-0.15, 0.15]) * canvas.size
@@ -248,7 +249,7 @@ def _rail(canvas: Canvas, start: Array, slider: Array, axis: Array, sheet: Array
 
 
 def _hatch(canvas: Canvas, ends: Array, up: Array) -> None:
-    """A line with short strokes below it: what stands still, in every textbook."""
+    """Draw a line with short strokes below it, the usual symbol of the ground."""
     canvas.line(ends, INK, 1.6, level=2.5)
     length, step = np.linalg.norm(ends[1] - ends[0]), 0.6 * JOINT_RADIUS * canvas.size
     along = (ends[1] - ends[0]) / length

@@ -1,4 +1,4 @@
-"""Who reads which axis: an arm at home, each screw axis tied by a thread to the frame in which its numbers are written."""
+"""The mid-formula form, drawn: an arm at home, and the distance of each screw axis from the frame, {s} or {b}, in which it is given."""
 
 import numpy as np
 
@@ -11,20 +11,20 @@ from kinlib.view.drawing.picture import Picture
 
 
 def draw_mid_formula(chain: Chain, k: int, caption: str = "") -> Picture:
-    """Draw an arm at home, its first k axes read from {s}, the others from {b}: the mid-formula form as a picture.
+    """Draw an arm at home, with its first k screw axes given in {s} and the others in {b}, as in the mid-formula form.
 
-    A dotted thread runs from the reader's origin square to the axis of each joint that turns. Its length, written
-    beside it, is how far the axis passes the reader by; where the pitch is 0 that is the length of v. A slide has no
-    thread: it has no line, and nobody asks where it is.
+    A dotted line runs from the origin of that frame perpendicularly to the axis of each revolute or helical joint. Its length,
+    written beside it, is the distance of the axis from the origin; if the pitch is 0, it is the length of v. A prismatic joint
+    has no such line, because its screw has a direction but no position.
 
-    Raises ValueError for a k outside 0 ... n.
+    Raises ValueError if k is not one of 0, 1, ..., n.
 
     >>> from kinlib.chains.robots import mid_formula_arm
     >>> draw_mid_formula(mid_formula_arm(), 2).alt
     'mid-formula arm at home. Read from {s}: S_1 at 0 m, S_2 at 0.4 m. Read from {b}: B_3 at 0 m, B_4 at 0.2 m.'
     """
     if k not in range(chain.n + 1):
-        raise ValueError(f"k counts the joints that are read from {{s}}, 0 to {chain.n}; got {k!r}.")
+        raise ValueError(f"k must be the number of joints whose screws are given in {{s}}, 0 to {chain.n}; got {k!r}.")
     feet = axis_perpendiculars(chain, k)
     path = np.concatenate([np.zeros((1, 3)), chain.joint_points, chain.home[None, :3, 3]])
     canvas = Canvas(np.concatenate([path, feet.reshape(-1, 3)]))
@@ -36,42 +36,43 @@ def draw_mid_formula(chain: Chain, k: int, caption: str = "") -> Picture:
         canvas.label(tip, f"${_name(i, k)}$", VIOLET)
         canvas.dot(point, INK, 4)
         canvas.line(feet[i], ORANGE, 2.6, ":", level=4.5)
-        if np.ptp(feet[i], axis=0).any():  # a thread may end far from the joint, and still on its axis
+        if np.ptp(feet[i], axis=0).any():  # the perpendicular can meet the axis far from the joint
             canvas.line([point, feet[i, 1]], VIOLET, 1.0, "--", level=1.5)
             far = np.linalg.norm(feet[i, 1] - feet[i, 0])
             canvas.label(feet[i].mean(axis=0), f"{far:.3g} m", ORANGE, [(-20, 0), (0, 12), (20, 0), (0, -12)], 9)
     canvas.triad(np.eye(4), "s", 0.18 * canvas.size)
     canvas.triad(chain.home, "b", 0.18 * canvas.size)
-    return canvas.picture(_words(chain, k, feet), caption)
+    return canvas.picture(_describe(chain, k, feet), caption)
 
 
 def axis_perpendiculars(chain: Chain, k: int) -> Array:
-    """The thread of each joint at home, (n, 2, 3): the reader's origin, and the point of the axis nearest to it.
+    """Return the perpendicular from the origin of {s} or {b} to the axis of each joint at home, (n, 2, 3).
 
-    A slide's thread has no length.
+    The first k joints are given in {s}, the others in {b}. The end points are the origin and the point of the axis nearest to
+    it; for a prismatic joint both are the origin.
 
     >>> from kinlib.chains.robots import puma560
-    >>> ends = axis_perpendiculars(puma560(), 3)                       # the wrist, read from the tool
+    >>> ends = axis_perpendiculars(puma560(), 3)                       # the wrist, given in the tool frame
     >>> np.linalg.norm(ends[3:, 1] - ends[3:, 0], axis=-1).round(6)
     array([0., 0., 0.])
     """
     axis = chain.lines.axis
-    reader = np.where(np.arange(chain.n)[:, None] < k, 0.0, chain.home[:3, 3])
-    across = chain.joint_points - reader
+    origin = np.where(np.arange(chain.n)[:, None] < k, 0.0, chain.home[:3, 3])
+    across = chain.joint_points - origin
     across = across - np.sum(across * axis, axis=-1, keepdims=True) * axis
     across[is_prismatic(chain.screws)] = 0.0
-    return np.stack([reader, reader + across], axis=1)
+    return np.stack([origin, origin + across], axis=1)
 
 
 def _name(i: int, k: int) -> str:
     return f"{'S' if i < k else 'B'}_{i + 1}"
 
 
-def _words(chain: Chain, k: int, feet: Array) -> str:
+def _describe(chain: Chain, k: int, feet: Array) -> str:
     slides = is_prismatic(chain.screws)
     far = np.linalg.norm(feet[:, 1] - feet[:, 0], axis=-1)
-    read = [f"{_name(i, k)} {'a slide' if slides[i] else f'at {far[i]:.3g} m'}" for i in range(chain.n)]
-    sides = [("s", read[:k]), ("b", read[k:])]
+    axes = [f"{_name(i, k)} {'prismatic' if slides[i] else f'at {far[i]:.3g} m'}" for i in range(chain.n)]
+    sides = [("s", axes[:k]), ("b", axes[k:])]
     return " ".join(
-        [f"{chain.name} at home.", *(f"Read from {{{frame}}}: {', '.join(said)}." for frame, said in sides if said)]
+        [f"{chain.name} at home.", *(f"Read from {{{frame}}}: {', '.join(names)}." for frame, names in sides if names)]
     )

@@ -1,4 +1,4 @@
-"""Screw motions, drawn: the way that a frame goes along one or several twists."""
+"""Drawings of screw motions: the paths of a frame along one or several twists."""
 
 from collections.abc import Mapping
 
@@ -14,50 +14,53 @@ from kinlib.view.drawing.colours import VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
 
 MOTION_STYLES = (("#0b5cad", "-"), ("#b35900", "--"), ("#1a7f37", ":"), ("#1f2328", "-."))
-"""Colour and dash of each way: never told apart by colour alone."""
+"""Colour and dash of each path, so that paths do not differ by colour alone."""
 
 
 def draw_motions(
     start: ArrayLike, motions: Mapping[str, ArrayLike], caption: str = "", view: str = "default"
 ) -> Picture:
-    """Draw how a frame goes from its start along twists, one way for each name.
+    """Draw the paths of a frame along twists.
 
-    start    (4, 4) the pose {a} from which all ways begin
-    motions  {"name": x, ...}, twists (6,) in {s}; each way runs through exp(x t) start for t from 0 to 1
+    start    (4, 4) the pose {a} at which all motions start
+    motions  {"name": x, ...}, twists (6,) in {s}; the pose at time t, from 0 to 1, is exp(x t) start
 
-    Raises ValueError for what is no pose or no twist, for no motion, and for more than there are ways to tell apart.
+    Raises ValueError if start is not a pose, a twist does not have six components, or there is no motion or more motions than
+    line styles.
 
     >>> from kinlib.chains.robots import hrr
     >>> draw_motions(hrr().home, {"spindle": hrr().screws[0] * 10}).alt  # doctest: +NORMALIZE_WHITESPACE
-    'A frame starts at (0.8, 0, 0) m. Way "spindle": a turn by 573 degrees about (0, 0, 1), 1 m along it, to
+    'A frame starts at (0.8, 0, 0) m. Motion "spindle": a rotation by 573 degrees about (0, 0, 1), 1 m along it, to
     (-0.671, -0.435, 1).'
     """
     T = validation.poses(start, "start")
     if not 0 < len(motions) <= len(MOTION_STYLES):
-        raise ValueError(f"motions should name 1 to {len(MOTION_STYLES)} twists; got {len(motions)}.")
+        raise ValueError(f"motions must contain 1 to {len(MOTION_STYLES)} twists; got {len(motions)}.")
     twists = {name: validation.vectors(x, f"motion {name}", 6) for name, x in motions.items()}
-    ways = {name: motion_path(x, T[:3, 3]) for name, x in twists.items()}
+    paths = {name: motion_path(x, T[:3, 3]) for name, x in twists.items()}
     feet = [_axis(x)[1] for x in twists.values() if x[:3].any()]
-    canvas = Canvas(np.concatenate([*ways.values(), *(np.atleast_2d(foot) for foot in feet)]), view)
-    canvas.floor(np.concatenate(list(ways.values())))
+    canvas = Canvas(np.concatenate([*paths.values(), *(np.atleast_2d(foot) for foot in feet)]), view)
+    canvas.floor(np.concatenate(list(paths.values())))
     drawn: list[Array] = []
-    for (name, way), (colour, dash) in zip(ways.items(), MOTION_STYLES, strict=False):
+    for (name, path), (colour, dash) in zip(paths.items(), MOTION_STYLES, strict=False):
         x = twists[name]
         if x[:3].any():
-            _draw_axis(canvas, x, way)
-        canvas.line(way, colour, 2.2, dash, level=3)
-        canvas.label(way[len(way) // 3], name, colour, size=10)
+            _draw_axis(canvas, x, path)
+        canvas.line(path, colour, 2.2, dash, level=3)
+        canvas.label(path[len(path) // 3], name, colour, size=10)
         end = exp(x) @ T
         if not any(np.allclose(end, other) for other in drawn):
             drawn.append(end)
-            canvas.triad(end, "b" if len(ways) == 1 else "", 0.16 * canvas.size)
+            canvas.triad(end, "b" if len(paths) == 1 else "", 0.16 * canvas.size)
     canvas.triad(T, "a", 0.16 * canvas.size)
-    said = " ".join(f'Way "{name}": {_said(x)}, to {vector_text((exp(x) @ T)[:3, 3])}.' for name, x in twists.items())
-    return canvas.picture(f"A frame starts at {vector_text(T[:3, 3])} m. {said}", caption)
+    sentences = " ".join(
+        f'Motion "{name}": {_describe(x)}, to {vector_text((exp(x) @ T)[:3, 3])}.' for name, x in twists.items()
+    )
+    return canvas.picture(f"A frame starts at {vector_text(T[:3, 3])} m. {sentences}", caption)
 
 
 def motion_path(x: Array, point: Array) -> Array:
-    """Points of a motion (m, 3): where exp(x t) takes a point, t from 0 to 1."""
+    """Return points (m, 3) of the path of a point under exp(x t), for t from 0 to 1."""
     turns = float(np.linalg.norm(x[:3])) / (2 * np.pi)
     t = np.linspace(0, 1, 3 + int(48 * turns))
     T = exp(t[:, None] * x)
@@ -65,23 +68,23 @@ def motion_path(x: Array, point: Array) -> Array:
 
 
 def _axis(x: Array) -> tuple[Array, Array, float]:
-    """Direction, nearest point and pitch of a twist that turns."""
+    """Return direction, nearest point and pitch of a twist with a rotation."""
     axis, foot, pitch = line(x / np.linalg.norm(x[:3]))
     return axis, foot, float(pitch)
 
 
-def _draw_axis(canvas: Canvas, x: Array, way: Array) -> None:
+def _draw_axis(canvas: Canvas, x: Array, path: Array) -> None:
     axis, foot, _ = _axis(x)
-    along = (way - foot) @ axis
+    along = (path - foot) @ axis
     low, high = along.min() - 0.15 * canvas.size, along.max() + 0.25 * canvas.size
     canvas.line([foot + low * axis, foot + high * axis], VIOLET, 1.3, "--", level=1)
     canvas.arrow(foot + (high - 0.01 * canvas.size) * axis, foot + high * axis, VIOLET, 1.3)
 
 
-def _said(x: Array) -> str:
+def _describe(x: Array) -> str:
     if is_prismatic(x):
-        return f"a slide by {np.linalg.norm(x[3:]):.3g} m"
+        return f"a translation by {np.linalg.norm(x[3:]):.3g} m"
     axis, _, pitch = _axis(x)
     angle = float(np.linalg.norm(x[:3]))
     along = f", {pitch * angle:.3g} m along it" if abs(pitch) > tolerances.UNIT_LENGTH_TOL else ""
-    return f"a turn by {np.degrees(angle):.3g} degrees about {vector_text(axis)}{along}"
+    return f"a rotation by {np.degrees(angle):.3g} degrees about {vector_text(axis)}{along}"

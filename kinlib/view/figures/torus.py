@@ -1,6 +1,6 @@
-"""What two angles of a linkage can be together: curves on a torus, cut open into a square, and beside it the linkage.
+"""Drawings of the configuration space of two angles: curves on a torus that is cut open into a square.
 
-Both angles come round after a full turn, so the left edge of the square is its right edge and its lower edge the upper one.
+Both angles repeat after a full turn, so the left edge of the square is also its right edge, and the lower edge the upper one.
 """
 
 import re
@@ -17,10 +17,10 @@ from kinlib.view.drawing.colours import GREY, INK, PALE_GREY
 from kinlib.view.drawing.picture import Picture
 
 CURVE_STYLES = (("#7d3ac1", "-"), ("#b35900", "--"), ("#0b5cad", ":"))
-"""Colour and dash of each curve: never told apart by colour alone."""
+"""Colour and dash of each curve, so that curves do not differ by colour alone."""
 
 SQUARE_PX, LEFT_PX, TOP_PX = 330.0, 62.0, 16.0
-"""The square and the room to its left and above it, in pixels."""
+"""The side of the square, and the margins to its left and above it, in pixels."""
 
 TICKS_DEG = (-180, -90, 0, 90, 180)
 
@@ -36,17 +36,19 @@ def draw_torus(
 ) -> Picture:
     """Draw curves of two angles on the square from -180 to 180 degrees.
 
-    curves  {"name": (m, 2)} angles in radians; each has a colour and a dash of its own, and its name beside it
-    marks   {"name": (2,)} points to mark and name, in radians
+    curves  {"name": (m, 2)} angles in radians; each has its own colour and dash, and its name beside it
+    marks   {"name": (2,)} points to mark and label, in radians
 
-    Raises ValueError for more curves than can be told apart, for other shapes, and for NaN.
+    Raises ValueError if there are more curves than line styles, or a curve or mark has another shape or contains NaN.
 
     >>> t = np.linspace(0, 2 * np.pi, 50)
     >>> draw_torus({"once round": np.stack([t, 0.5 * np.sin(t)], 1)}, xlabel="A", ylabel="D", alt="A wave, once round the torus.").alt
     'A wave, once round the torus.'
     """
     if len(curves) > len(CURVE_STYLES):
-        raise ValueError(f"draw_torus tells up to {len(CURVE_STYLES)} curves apart; got {len(curves)}.")
+        raise ValueError(
+            f"curves must have at most {len(CURVE_STYLES)} entries, one per line style; got {len(curves)}."
+        )
     drawn = [svg.polygon(_place(np.array([[-180, -180], [180, -180], [180, 180], [-180, 180]])), "white", GREY)]
     for tick in TICKS_DEG:
         lines = np.array([[(tick, -180), (tick, 180)], [(-180, tick), (180, tick)]])
@@ -62,14 +64,14 @@ def draw_torus(
     for (name, points), (colour, dash) in zip(curves.items(), CURVE_STYLES, strict=False):
         pieces = split_where_wrapped(validation.vectors(points, f"curve {name}", 2))
         drawn += [svg.polyline(_place(piece), colour, 2.2, dash) for piece in pieces]
-        drawn.append(svg.text(_beside(_place(np.concatenate(pieces)), list(placed.values())), name, colour, 12))
+        drawn.append(svg.text(_label_place(_place(np.concatenate(pieces)), list(placed.values())), name, colour, 12))
     for name, centre in placed.items():
         drawn += [svg.circle(centre, 5, INK), svg.text([centre[0], centre[1] + 14], name, INK, 12)]
     return Picture(svg.document(drawn, LEFT_PX + SQUARE_PX + 24, TOP_PX + SQUARE_PX + 46), alt, caption)
 
 
 def side_by_side(left: Picture, right: Picture, caption: str = "") -> Picture:
-    """Put two pictures side by side, as one.
+    """Combine two pictures side by side into one.
 
     >>> from kinlib.view import draw_arm
     >>> from kinlib.chains.robots import rpr
@@ -82,7 +84,7 @@ def side_by_side(left: Picture, right: Picture, caption: str = "") -> Picture:
 
 
 def split_where_wrapped(points: Array) -> list[Array]:
-    """A curve of angles (m, 2) in radians as it lies in the square: pieces (k, 2) in degrees, cut where it leaves.
+    """Split a curve of angles (m, 2) in radians where it leaves the square, into pieces (k, 2) in degrees.
 
     >>> [len(piece) for piece in split_where_wrapped(np.radians([[160.0, 0], [170, 0], [190, 0], [200, 0], [210, 0]]))]
     [2, 3]
@@ -92,8 +94,8 @@ def split_where_wrapped(points: Array) -> list[Array]:
     return np.split(angles, np.flatnonzero(leaves) + 1)
 
 
-def _beside(points: Array, marks: list[Array]) -> Array:
-    """Where a curve's name stands, in pixels: above that point of it, within the square, which is farthest from all marks."""
+def _label_place(points: Array, marks: list[Array]) -> Array:
+    """Return the place of a curve's label in pixels: above the point of the curve that is farthest from all marks."""
     inside = points[(np.abs(points[:, 0] - LEFT_PX - SQUARE_PX / 2) < 0.36 * SQUARE_PX) & (points[:, 1] > TOP_PX + 22)]
     frame_candidates = inside if len(inside) else points
     far = np.min([np.linalg.norm(frame_candidates - mark, axis=1) for mark in marks or [np.zeros(2)]], axis=0)
@@ -102,7 +104,7 @@ def _beside(points: Array, marks: list[Array]) -> Array:
 
 
 def _place(degrees: Array) -> Array:
-    """Where angles (..., 2) in degrees stand on the sheet, in pixels."""
+    """Convert angles (..., 2) in degrees to pixels on the sheet."""
     share = (np.asarray(degrees) + 180) / 360
     place: Array = np.stack([LEFT_PX + SQUARE_PX * share[..., 0], TOP_PX + SQUARE_PX * (1 - share[..., 1])], axis=-1)
     return place
@@ -111,5 +113,7 @@ def _place(degrees: Array) -> Array:
 def _size(picture: Picture) -> tuple[float, float]:
     found = re.match(r'<svg [^>]*?width="([\d.]+)" height="([\d.]+)"', picture.svg)
     if found is None:
-        raise ValueError("beside takes drawings made by kinlib.view, which say their size in pixels.")
+        raise ValueError(
+            "side_by_side takes drawings made by kinlib.view, whose svg begins with width and height in pixels."
+        )
     return float(found[1]), float(found[2])

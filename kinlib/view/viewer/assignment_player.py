@@ -176,7 +176,7 @@ def _step(found: FrameAssignment, k: int, step: Step) -> dict[str, Any]:
         "others": step.others,
         "axes": list(current.axes),
         "normals": list(current.normals),
-        "letters": [current.letters(frame) for frame in range(len(current.frames))],
+        "letters": [current.visible_parts(frame) for frame in range(len(current.frames))],
         "strong": list(current.strong),
         "lit": [HIGHLIGHTED_PARTS.get(step.kind, "") if frame == i else "" for frame in range(len(current.frames))],
         "row": current.row,

@@ -153,7 +153,7 @@ def play_walk(rows: ArrayLike, *, done: float = 0, after: Any = None) -> RowPlay
     Raises ValueError for rows of another size, and for more pieces than there are.
 
     >>> play_walk([[0.4, 0, 0.1, 0]], done=2).alt
-    'The walk Z1 X1. {0} at (0, 0, 0); {1 mod} at (0, 0, 0.1); {1 std} at (0.4, 0, 0.1).'
+    'The path Z1 X1. {0} at (0, 0, 0); {1 mod} at (0, 0, 0.1); {1 std} at (0.4, 0, 0.1).'
     """
     values = np.atleast_2d(validation.vectors(rows, "rows", 4))
     stops = poses_along_arm(values)
