@@ -1,4 +1,4 @@
-"""Quiz time: a drawn arm at each click, as many as anybody wants, and a table judged by whether it is the same mechanism."""
+"""A quiz on DH tables: a random arm at each click, and a table that is judged by equivalence of mechanisms."""
 
 import secrets
 from functools import partial
@@ -16,14 +16,16 @@ from misstep.problem import Problem
 from misstep.verdict import TITLES
 
 JOINT_TYPES = ("RR", "RRR", "RPR", "RRP", "PRR", "RRRR")
+"""The types of the joints of the arms, from base to tool."""
 
 EMPTY_TABLE = "a | alpha | d | theta\n"
+"""What the text box holds before anything is typed."""
 
 
 def draw_problem(seed: str, convention: Convention) -> Problem:
-    """A drawn arm whose DH table is asked for, the same for the same seed.
+    """Draw an arm whose DH table is asked for, the same one for the same seed.
 
-    Raises ValueError for another convention.
+    Raises ValueError if the convention is neither "standard" nor "modified".
 
     >>> draw_problem("one", "standard").answer.value.convention
     'standard'
@@ -48,13 +50,13 @@ def draw_problem(seed: str, convention: Convention) -> Problem:
 
 
 class Quiz:
-    """One arm after the other, with a place to type a table. Displays itself.
+    """One arm after the other, with a text box for its table. Jupyter displays it as a widget.
 
-    right, asked   how many tables were right, and how many arms were drawn
+    right, asked   the number of arms with a right table, and the number of arms drawn so far
     """
 
     def __init__(self, convention: Convention, seed: str | None = None) -> None:
-        import ipywidgets as widgets  # where sheets are graded, nobody starts a quiz
+        import ipywidgets as widgets  # not installed where sheets are graded
 
         self.convention = convention_of(convention)
         self.seed = seed if seed is not None else secrets.token_hex(8)
@@ -77,7 +79,7 @@ class Quiz:
 
     @property
     def problem(self) -> Problem:
-        """The arm that is on the page."""
+        """The problem of the arm that is displayed."""
         return draw_problem(f"{self.seed}/{self.asked}", self.convention)
 
     def another(self) -> None:
@@ -96,7 +98,7 @@ class Quiz:
         self._feedback_box.value = ""
 
     def check(self, typed: object) -> Judgement:
-        """Judge a table, and say what is right or wrong about it. The arm stays until another is asked for."""
+        """Judge a table and display the feedback. The same arm stays until `another` draws the next one."""
         judgement = judge(self.problem, ... if typed == EMPTY_TABLE else typed)
         if judgement.state == "right" and not self._solved:
             self._solved = True
@@ -114,11 +116,11 @@ class Quiz:
 
 
 def quiz(convention: Convention, seed: str | None = None) -> Quiz:
-    """Start a quiz on DH tables: a drawn arm at each click, a table to type, judged by equivalence.
+    """Start a quiz on DH tables: a random arm at each click, and a table to type, judged by equivalence of mechanisms.
 
-    seed  draws the same arms again; by default everybody gets others
+    seed  the same seed draws the same arms; by default each quiz draws different ones
 
-    Raises ValueError for another convention.
+    Raises ValueError if the convention is neither "standard" nor "modified".
 
     >>> quiz("modified", seed="class of 2026").check("a | alpha | d | theta").state
     'unreadable'

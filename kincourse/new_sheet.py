@@ -1,8 +1,8 @@
-"""A new sheet: from a robot's URDF to an instructor's notebook, in one command.
+"""A new sheet: from the URDF of a robot to the instructor's notebook, in one command.
 
     kincourse new-sheet robot.urdf --out solutions/my_robot
 
-The folder holds the notebook with its solutions, and the robot as data, which travels with the students' copies.
+The folder then holds the notebook with its solutions and the robot as a JSON file, which the students' copies need too.
 """
 
 import argparse
@@ -39,16 +39,16 @@ def new_sheet(
     name: str | None = None,
     force: bool = False,
 ) -> Path:
-    """Write the sheet of a robot into a folder, and give the path of its notebook.
+    """Write the sheet of a robot into a folder, and return the path of its notebook.
 
     robot      a chain, or the path or the text of a URDF
-    out        the folder; its name is that of the sheet, which students give to open_sheet
-    base, tip  from which link to which, as load_urdf takes them
-    name       what the robot is called on the page; as in its file by default
-    force      whether a sheet that is already in the folder may be written anew
+    out        the folder; its name is the name of the sheet, which students pass to open_sheet
+    base, tip  the first and the last link of the arm, as for load_urdf
+    name       the name of the robot in statements; by default that in its file
+    force      whether to overwrite a sheet that is already in the folder
 
-    Raises ValueError for a robot that cannot be read, moves nothing or bears too few problems, and for a name that is none
-    or is taken; FileExistsError for a folder that holds something already.
+    Raises ValueError if the robot cannot be read or too few tasks make sense for it, or if the name is invalid or taken.
+    Raises FileExistsError if `out` is a file, or a folder that is not empty and `force` is false.
 
     >>> import tempfile
     >>> from kinlib.chains.robots import rpr
@@ -58,11 +58,13 @@ def new_sheet(
     folder = Path(out)
     sheet_name = validate_name(folder.name)
     if sheet_name in sheets():
-        raise ValueError(f"The course has a sheet {sheet_name!r} already. Call the folder by another name.")
+        raise ValueError(f"The course already has a sheet {sheet_name!r}. Choose another name for the folder.")
     if folder.is_file():
-        raise FileExistsError(f"{folder} is a file. The sheet wants a folder of its own.")
+        raise FileExistsError(f"--out must be a folder; {folder} is a file. Choose another folder.")
     if folder.is_dir() and any(folder.iterdir()) and not force:
-        raise FileExistsError(f"{folder} holds something already. Take another folder, or write it anew with --force.")
+        raise FileExistsError(
+            f"The folder must be empty; {folder} is not. Choose another folder, or overwrite the sheet with --force."
+        )
     chain = _load_robot(robot, base, tip)
     robot_name = _plain_name(name or chain.name)
     chain = replace(chain, name=robot_name)
@@ -97,7 +99,7 @@ def _load_robot(robot: Chain | str | os.PathLike[str], base: str | None, tip: st
 
 
 def _plain_name(name: str) -> str:
-    """A robot's name as a page can show it: nothing in it that Markdown or mathematics would read.
+    """The name of a robot without the characters that Markdown or LaTeX would interpret.
 
     >>> _plain_name("ur5_robot *left*")
     'ur5_robot left'
@@ -106,17 +108,17 @@ def _plain_name(name: str) -> str:
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Say what the command takes."""
+    """Declare the arguments of the command."""
     parser.add_argument("robot", metavar="robot.urdf", help="the URDF of the robot")
-    parser.add_argument("--out", required=True, metavar="FOLDER", help="where the sheet goes: solutions/my_robot")
+    parser.add_argument("--out", required=True, metavar="FOLDER", help="the folder of the sheet: solutions/my_robot")
     parser.add_argument("--base", metavar="LINK", help="the link whose frame is the robot's base (default: the root)")
     parser.add_argument("--tip", metavar="LINK", help="the link whose frame is its flange (default: the only tip)")
-    parser.add_argument("--name", help="what the robot is called on the page (default: as in its file)")
-    parser.add_argument("--force", action="store_true", help="write a sheet anew that is already there")
+    parser.add_argument("--name", help="the name of the robot in statements (default: as in its file)")
+    parser.add_argument("--force", action="store_true", help="overwrite a sheet that is already there")
 
 
 def run(options: argparse.Namespace) -> int:
-    """Write the sheet, or say in a sentence why not."""
+    """Write the sheet, and return the exit code: 0 done, 2 if it cannot be written, with the reason in one sentence."""
     try:
         path = new_sheet(
             options.robot, options.out, base=options.base, tip=options.tip, name=options.name, force=options.force

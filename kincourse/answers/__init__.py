@@ -1,1 +1,1 @@
-"""Kinds of answers that belong to kinematics: screws, poses, DH rows and tables, frames."""
+"""The kinds of answers that belong to kinematics: points, poses, screw axes, DH rows, DH tables and DH frames."""

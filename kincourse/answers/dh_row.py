@@ -1,4 +1,4 @@
-"""Entries of a DH table as an answer: numbers with names, judged one by one, angles up to whole turns."""
+"""Entries or one row of a DH table as an answer: each entry is judged by itself, and angles modulo a full turn."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -14,7 +14,9 @@ from misstep.answers.number import Numbers
 
 @dataclass(frozen=True, eq=False)
 class DHEntriesAnswer(Numbers):
-    """Some entries of a table, (k,): lengths in metres, angles in radians. Names that hold alpha or theta are angles.
+    """Named entries of a DH table, shape (k,): lengths in metres, angles in radians.
+
+    An entry is an angle if its name contains alpha or theta. Each entry is a part.
 
     >>> DHEntriesAnswer(np.array([0.4, np.pi]), names=["a_1", "theta_1"]).agrees(np.array([0.4, -np.pi]), np.array([0.4, np.pi]))
     [True, True]
@@ -28,12 +30,12 @@ class DHEntriesAnswer(Numbers):
 
     @property
     def parts(self) -> Sequence[str]:
-        # A card may begin a sentence with a part, and "A_1" would be another thing than a_1.
+        # A card capitalizes the first word of a sentence, and "A_1" (a link transform) is not a_1 (a length).
         return [name if " " in name else f"entry {name}" for name in self.names]
 
     def agrees(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> list[bool]:
         same = super().agrees(one, other, tolerance)
-        # An angle is compared by the chord 2 sin(x / 2), which knows no whole turns.
+        # The chord 2 sin(x / 2) of an angular difference x does not change when x changes by a full turn.
         chord = np.abs(2 * np.sin((one - other) / 2)) <= tolerance
         return [bool(chord[k]) if self._is_angle(k) else same[k] for k in range(len(self.names))]
 
@@ -53,7 +55,7 @@ class DHEntriesAnswer(Numbers):
 
 @dataclass(frozen=True, eq=False)
 class DHRowAnswer(DHEntriesAnswer):
-    """The numbers of one row, (4,), in the order a, alpha, d, theta.
+    """One row of a DH table, shape (4,): a, alpha, d, theta, in metres and radians. Each entry is a part.
 
     >>> DHRowAnswer(np.array([0.4, 0, 0, np.pi])).agrees(np.array([0.4, 0, 0, -np.pi]), np.array([0.4, 0, 0.1, np.pi]))
     [True, True, False, True]

@@ -1,8 +1,8 @@
-"""DH tables as answers: typed as text, dictionaries or numbers, and right if they are the same mechanism.
+"""DH tables as answers: typed as text, dictionaries or numbers, and right if they describe the same mechanism.
 
-A table is not unique, so it is never compared with *the* table. A student's table and a mistake's table are both asked
-one question: is it equivalent? With `anchored` the zero posture, the joint signs, the base and the tool count too: then
-the poses themselves must agree.
+The DH table of an arm is not unique, so tables are not compared entry by entry. Two tables agree if they are equivalent,
+that is, if they describe the same mechanism up to the choice of zero configuration, joint signs, base and tool. With
+`anchored`, these choices are given by the problem, and two tables agree only if their poses are the same for the same q.
 """
 
 from collections.abc import Mapping, Sequence
@@ -20,10 +20,10 @@ from misstep.storage.deserialize import register_object
 register_object(DHTable, DHTable.from_dict)
 
 MAX_TEXT_LENGTH = 10_000
-"""No table that a person types has more characters; a longer text is no answer, and reading it would take its time."""
+"""Maximum number of characters of a typed table. A longer text is refused, because parsing it would take too long."""
 
 POSE_TOLERANCE_FACTOR = 3
-"""How many tolerances a pose may be off: each row brings its own rounding, and they add up towards the tool."""
+"""How many times the tolerance of one entry a pose may be off: the rounding errors of the rows add up along the arm."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -31,8 +31,8 @@ class DHTableAnswer(Answer):
     """A DH table of an arm, in a given convention.
 
     value     the right table; its convention, base and tool are those of the problem
-    anchored  whether poses must agree as they are, zero posture and all; otherwise any equivalent table is right
-    lengths   names that a typed table may use
+    anchored  whether the poses must be equal for the same q; otherwise every equivalent table is right
+    lengths   values in metres for the names of lengths that a typed table may use
 
     >>> import numpy as np
     >>> right = DHTable([[0.4, 0, 0, 0], [0.3, 0, 0, 0]], convention="standard")
@@ -64,7 +64,7 @@ class DHTableAnswer(Answer):
                 table = self._typed(given)
             except Unreadable:
                 raise
-            except Exception as error:  # a student's object may raise anything while it is read
+            except Exception as error:  # a student's object may raise any exception when it is read
                 reason = str(error) if isinstance(error, ValueError) else f"Got {validation.describe(given)}."
                 raise Unreadable(f"Expected {self.expected}. {reason}") from error
         if table.n != self.value.n:
@@ -96,7 +96,7 @@ class DHTableAnswer(Answer):
         if diagnosis.right:
             return "Your table moves like the arm, from another start. " + " ".join(str(diagnosis).splitlines()[1:])
         if [fault.name for fault in diagnosis.faults] == ["wrong number"]:
-            # Naming the right number would end the problem; naming the place begins it.
+            # The right number would give the answer away, so the hint names only the place.
             return f"All but one entry can stand: look again at {diagnosis.faults[0].column} in row {diagnosis.faults[0].row}."
         if diagnosis.faults:
             return str(diagnosis)

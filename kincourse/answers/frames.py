@@ -1,4 +1,4 @@
-"""Frames as answers: any that obey the rules are right, for nobody's choice is the only one."""
+"""DH frames as answers: every choice of frames that obeys the rules of the convention is right."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
@@ -16,14 +16,15 @@ from misstep.answers.number import Numbers
 
 @dataclass(frozen=True, eq=False)
 class DHFramesAnswer(Numbers):
-    """DH frames 0 to n of an arm at home, (n + 1, 4, 4), seen from {s}; each frame is a part.
+    """DH frames 0 to n of an arm at home, shape (n + 1, 4, 4), as poses in {s}; each frame is a part.
 
-    They are judged by the rules of the convention. Only the frames of a mistake are compared as they are.
+    A student's frames are judged by the rules of the convention, because the choice of frames is not unique. Frames are
+    compared entry by entry only with the frames of a mistake, which break a rule.
 
     >>> from kinlib.dh.assignment import assign_frames
     >>> from kinlib.chains.robots import pose, rpr, X, Y, Z
     >>> frames = assign_frames(rpr(), convention="standard").frames
-    >>> other = frames @ pose((-X, -Y, Z), (0, 0, 0))                      # every x and y turned round
+    >>> other = frames @ pose((-X, -Y, Z), (0, 0, 0))                      # every x and y reversed
     >>> DHFramesAnswer(frames, chain=rpr(), convention="standard").agrees(other, frames)
     [True, True, True, True]
     """
@@ -56,13 +57,13 @@ class DHFramesAnswer(Numbers):
         return next((breach.text for breach in self._breaches(given) if breach.frame == part), "")
 
     def _breaches(self, frames: Array) -> list[Breach]:
-        # Entries typed with three decimals, at the end of a link of some metres.
+        # Entries may be typed with three decimals, and a link of several metres multiplies the error of a direction.
         return check_frames(self.chain, frames, self.convention, tolerance=10 * TOLERANCE)
 
 
 def _unplaced_frames(given: Any) -> list[int]:
-    """Which frames of an answer have entries that are not there yet: NaN, as frames by hand have, or `...`."""
+    """The numbers of the frames that are not placed yet: `...`, or with NaN entries, as in frames placed by hand."""
     try:
         return [i for i, T in enumerate(given) if T is ... or np.isnan(np.asarray(T, dtype=float)).any()]
-    except Exception:  # whatever else came is for the reader of numbers to name
+    except Exception:  # any other malformed answer is reported by Numbers.read
         return []

@@ -1,8 +1,7 @@
-"""Rotations, points and directions as answers."""
+"""Points and directions as answers."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import ClassVar
 
 import numpy as np
 
@@ -12,28 +11,8 @@ from misstep.answers.number import Numbers
 
 
 @dataclass(frozen=True, eq=False)
-class RotationAnswer(Numbers):
-    """One rotation, (3, 3).
-
-    >>> RotationAnswer(np.eye(3)).expected
-    'a rotation, an array of shape (3, 3)'
-    """
-
-    noun: ClassVar[str] = "a rotation, an array"
-
-    @property
-    def parts(self) -> Sequence[str]:
-        return ["the rotation"]
-
-    def hint(self, given: Array, part: int) -> str:
-        if np.allclose(given.T @ given, np.eye(3), atol=NEAR) and np.linalg.det(given) > 0:
-            return ""
-        return "It is no rotation at all: its columns should be unit, square and right-handed."
-
-
-@dataclass(frozen=True, eq=False)
 class VectorsAnswer(Numbers):
-    """Vectors in rows, (k, 3); each is a part with a name of its own.
+    """Named vectors in rows, shape (k, 3); each vector is a part.
 
     >>> VectorsAnswer(np.eye(2, 3), names=["the point", "the direction"]).agrees(np.zeros((2, 3)), np.eye(2, 3))
     [False, False]

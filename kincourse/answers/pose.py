@@ -1,4 +1,4 @@
-"""Poses as answers."""
+"""Rotations and poses as answers."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -10,10 +10,30 @@ from misstep.answers.base import NEAR, TOLERANCE
 from misstep.answers.number import Numbers
 from misstep.validation import Array
 
+NOT_A_ROTATION = "It is no rotation at all: its columns should be unit, square and right-handed."
+
+
+@dataclass(frozen=True, eq=False)
+class RotationAnswer(Numbers):
+    """One rotation matrix, shape (3, 3), in one part.
+
+    >>> RotationAnswer(np.eye(3)).expected
+    'a rotation, an array of shape (3, 3)'
+    """
+
+    noun: ClassVar[str] = "a rotation, an array"
+
+    @property
+    def parts(self) -> Sequence[str]:
+        return ["the rotation"]
+
+    def hint(self, given: Array, part: int) -> str:
+        return "" if _is_rotation(given) else NOT_A_ROTATION
+
 
 @dataclass(frozen=True, eq=False)
 class PoseAnswer(Numbers):
-    """One pose, (4, 4); its rotation and its position are the parts, each with its share of the last row.
+    """One pose, shape (4, 4), in two parts: the rotation and the position, each with its entries of the last row.
 
     >>> PoseAnswer(np.eye(4)).agrees(np.eye(4), np.diag([1, -1, -1, 1.0]))
     [False, True]
@@ -26,13 +46,15 @@ class PoseAnswer(Numbers):
         return ["rotation", "position"]
 
     def hint(self, given: Array, part: int) -> str:
-        R = given[:3, :3]
-        # Entries typed with three decimals make R^T R stray by a few thousandths; a real fault makes it stray by more.
-        rigid = np.allclose(R.T @ R, np.eye(3), atol=NEAR) and np.linalg.det(R) > 0
-        if part == 0 and not rigid:
-            return "It is no rotation at all: its columns should be unit, square and right-handed."
+        if part == 0 and not _is_rotation(given[:3, :3]):
+            return NOT_A_ROTATION
         closed = np.allclose(given[3], (0, 0, 0, 1), atol=TOLERANCE)
         return "" if closed else "The last row of a pose is 0 0 0 1, whatever stands above it."
 
     def part_indices(self) -> list[Any]:
         return [np.s_[:, :3], np.s_[:, 3]]
+
+
+def _is_rotation(R: Array) -> bool:
+    # Entries typed with three decimals change R^T R by a few thousandths, and a real mistake changes it by more.
+    return bool(np.allclose(R.T @ R, np.eye(3), atol=NEAR) and np.linalg.det(R) > 0)

@@ -1,4 +1,4 @@
-"""Poses in closed form as answers."""
+"""Poses in closed form, that is, as matrices of formulas, as answers."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -11,7 +11,7 @@ from misstep.answers.expression import ClosedForm
 
 @dataclass(frozen=True, eq=False)
 class PoseExpressionAnswer(ClosedForm):
-    """A pose as a 4x4 matrix of formulas; its rotation and its position are the parts, each with its share of the last row.
+    """A pose as a 4x4 matrix of formulas, in two parts: the rotation and the position, each with its entries of the last row.
 
     >>> import sympy as sp
     >>> PoseExpressionAnswer(sp.eye(4)).parts

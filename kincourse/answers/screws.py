@@ -1,4 +1,4 @@
-"""Screw axes as answers."""
+"""Screw axes (omega, v) as answers."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -13,7 +13,7 @@ from misstep.validation import Array
 
 @dataclass(frozen=True, eq=False)
 class ScrewsAnswer(Numbers):
-    """Screw axes in rows, (n, 6), or a single one, (6,); each is a part.
+    """Screw axes (omega, v) in rows, shape (n, 6), or a single one, shape (6,); each screw axis is a part.
 
     >>> ScrewsAnswer(np.eye(2, 6)).parts
     ['screw 1', 'screw 2']

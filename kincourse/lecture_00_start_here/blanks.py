@@ -1,4 +1,4 @@
-"""The steps that lecture 00 leaves blank: the first answers that a reader types."""
+"""The blank steps of lecture 00: the position of the end-effector at home, and a configuration in radians."""
 
 import numpy as np
 

@@ -1,4 +1,4 @@
-"""The steps that lecture 01 leaves blank: chaining, undoing and repairing poses of the arm of the deck "n = 5"."""
+"""The blank steps of lecture 01: products, inverses and a misprinted row of poses of the arm of the deck "n = 5"."""
 
 import numpy as np
 
@@ -17,7 +17,7 @@ CONFIGURATION = (np.pi / 2, 0.2, np.pi / 6, np.pi / 3)
 
 
 def rotation_about_z(q: float) -> Array:
-    """Turn about z by q radians.
+    """The pose (4, 4) of a rotation about z by q radians.
 
     >>> rotation_about_z(np.pi / 2)[:3, 0].round(6) + 0.0
     array([0., 1., 0.])
@@ -26,7 +26,7 @@ def rotation_about_z(q: float) -> Array:
 
 
 def links() -> tuple[Array, Array, Array]:
-    """The poses T_01, T_12 and T_23 at the lecture's posture, with the sizes of robots.rprr.
+    """The poses T_01, T_12 and T_23 at the lecture's configuration, with the lengths of robots.rprr.
 
     >>> links()[2][:3, 3]
     array([0.5, 0. , 0. ])
@@ -36,7 +36,7 @@ def links() -> tuple[Array, Array, Array]:
 
 
 def with_position(T: Array, p: Array) -> Array:
-    """Put a frame elsewhere without turning it: the rotation of T, the position p.
+    """Replace the position of a pose T (4, 4) by p (3,), and keep its rotation.
 
     >>> with_position(np.eye(4), np.array([1, 2, 3]))[:3, 3]
     array([1., 2., 3.])

@@ -1,15 +1,15 @@
-"""Sheet 01: poses and rotations off drawings, points and arrows, undoing, chaining, left and right, rigid or not."""
+"""Sheet 01: poses and rotations from drawings, points and directions, inverses, products, fixed and moving axes."""
 
 from collections import deque
 from functools import partial
 
 import numpy as np
 
-from kincourse.answers.point import RotationAnswer, VectorsAnswer
-from kincourse.answers.pose import PoseAnswer
+from kincourse.answers.point import VectorsAnswer
+from kincourse.answers.pose import PoseAnswer, RotationAnswer
 from kincourse.lecture_01_frames.blanks import with_position
 from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler, are_distinguishable
+from kincourse.sampling.arms import PLAIN_ANGLES_DEG, ArmSampler, are_distinguishable
 from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z, pose
 from kinlib.rigid.lie import exp, inverse
@@ -22,9 +22,6 @@ from misstep.mistakes import Mistake, mistake
 from misstep.problem import Problem
 from misstep.sheet import Sheet
 from misstep.text import matrix, vector
-
-ANGLES_DEG = (20, 25, 30, 35, 40, 50, 55, 60, 65, 70)
-"""Angles for people, in degrees. Not 45, whose sine and cosine are alike."""
 
 
 @problem("01.1", "A pose off a drawing", points=2, lecture="01_frames#Columns and rows")
@@ -71,7 +68,7 @@ def pose_off_a_drawing(sampler: ArmSampler) -> Problem:
 
 @problem("01.2", "A rotation off a drawing", points=2, lecture="01_frames#Columns and rows")
 def rotation_off_a_drawing(sampler: ArmSampler) -> Problem:
-    k, degrees = sampler.integer(0, 2), sampler.choice(ANGLES_DEG) * sampler.choice((-1, 1))
+    k, degrees = sampler.integer(0, 2), sampler.choice(PLAIN_ANGLES_DEG) * sampler.choice((-1, 1))
     R = _rotation(k, degrees)
     first, after = "yzx"[k], "zxy"[k]
     c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
@@ -115,7 +112,7 @@ def rotation_off_a_drawing(sampler: ArmSampler) -> Problem:
 @problem("01.3", "An affine map in one matrix", points=2, lecture="01_frames#An affine map in one matrix")
 def augmented_matrix(sampler: ArmSampler) -> Problem:
     shift_first = sampler.choice([True, False])
-    degrees, p = sampler.choice(ANGLES_DEG) * sampler.choice((-1, 1)), sampler.point(4)[:2]
+    degrees, p = sampler.choice(PLAIN_ANGLES_DEG) * sampler.choice((-1, 1)), sampler.point(4)[:2]
     R = _rotation(2, degrees)[:2, :2]
     right, other = (R @ p, p) if shift_first else (p, R @ p)
     way = "anticlockwise" if degrees > 0 else "clockwise"
@@ -302,7 +299,11 @@ def letters_that_cancel(sampler: ArmSampler) -> Problem:
 
 @problem("01.7", "Its own axis, or one of the room", points=3, lecture="01_frames#Left or right")
 def own_or_fixed(sampler: ArmSampler) -> Problem:
-    T, k, degrees = _random_pose(sampler), sampler.integer(0, 2), sampler.choice(ANGLES_DEG) * sampler.choice((-1, 1))
+    T, k, degrees = (
+        _random_pose(sampler),
+        sampler.integer(0, 2),
+        sampler.choice(PLAIN_ANGLES_DEG) * sampler.choice((-1, 1)),
+    )
     along, far = sampler.integer(0, 2), sampler.length(0.2, 0.9)
     turns_first, turn_is_own = sampler.choice([True, False]), sampler.choice([True, False])
     turn, shift = pose(_rotation(k, degrees).T, (0, 0, 0)), pose((X, Y, Z), far * np.eye(3)[along])
@@ -423,7 +424,7 @@ FLAW_EXPLANATIONS = {
 def rigid_or_not(sampler: ArmSampler) -> Problem:
     right = sampler.choice(list(FLAWS))
     T = np.eye(4)
-    for _ in range(2):  # sides of 3, 4 and 5: every entry has two decimals, and can be squared on paper
+    for _ in range(2):  # with sides 3, 4 and 5 every entry has two decimals, so it can be squared on paper
         axis, (c, s) = sampler.choice((X, Y, Z)), np.array(sampler.shuffled([0.6, 0.8])) * (1, sampler.choice((-1, 1)))
         T = T @ pose(exp(np.arctan2(s, c) * axis).T, (0, 0, 0))
     T[:3, :3], T[:3, 3] = (T[:3, :3] @ pose(sampler.axes(), (0, 0, 0))[:3, :3]).round(2), sampler.point(5)
@@ -453,15 +454,15 @@ def _flaw_mistake(wrong: str, right: str) -> Mistake:
 
 
 def _rotation(k: int, degrees: float) -> Array:
-    """A turn about x, y or z: k is 0, 1 or 2."""
+    """The rotation (3, 3) about x, y or z for k = 0, 1 or 2."""
     R: Array = exp(np.radians(degrees) * np.eye(3)[k])
     return R
 
 
 def _random_pose(sampler: ArmSampler) -> Array:
-    """A pose with nothing special: turned in two steps, shifted by three lengths, no two alike."""
+    """Draw a general pose: a product of two rotations, and a position with three coordinates of different size."""
     R, place = (
-        _rotation(sampler.integer(0, 2), sampler.choice(ANGLES_DEG)) @ pose(sampler.axes(), (0, 0, 0))[:3, :3],
+        _rotation(sampler.integer(0, 2), sampler.choice(PLAIN_ANGLES_DEG)) @ pose(sampler.axes(), (0, 0, 0))[:3, :3],
         np.zeros(3),
     )
     while not are_distinguishable([np.zeros(3), 3 * place]):
@@ -470,7 +471,7 @@ def _random_pose(sampler: ArmSampler) -> Array:
 
 
 def _augmented_matrix(R: Array, p: Array) -> Array:
-    """An affine map of the plane as one matrix, (3, 3)."""
+    """The affine map x -> R x + p of the plane in homogeneous coordinates, (3, 3)."""
     A = np.eye(3)
     A[:2, :2], A[:2, 2] = R, p
     return A

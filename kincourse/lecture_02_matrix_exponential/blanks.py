@@ -1,4 +1,4 @@
-"""The blanks of lecture 02: a p-column, a rotation, a pose, an axis that is not of unit length, and a logarithm."""
+"""The blank steps of lecture 02: a p-column, a rotation, a pose, an axis that is not of unit length, and a logarithm."""
 
 import numpy as np
 
@@ -14,16 +14,16 @@ from misstep.mistakes import mistake
 from misstep.problem import Problem
 from misstep.text import vector
 
-THIRD = 2 * np.pi / 3
-"""A third of a turn. At a quarter turn sin and 1 - cos are both 1, and whoever confuses them is right by luck."""
+THIRD_OF_A_TURN_RAD = 2 * np.pi / 3
+"""At a quarter turn sin and 1 - cos are both 1, so a student who swaps them would be right by chance."""
 
 SQUARED_ENTRIES = "You squared entry by entry: in NumPy, `W * W` and `W**2` do. The square of a matrix is `W @ W`."
 
 
-def rotation(W: Array, first: float, second: float) -> Array:
-    """I + first W + second W^2, whatever stands for sin and 1 - cos.
+def rodrigues_sum(W: Array, first: float, second: float) -> Array:
+    """I + first W + second W^2, which is Rodrigues' formula for first = sin(theta) and second = 1 - cos(theta), (3, 3).
 
-    >>> rotation(hat([0, 0, 1]), 0.0, 2.0)
+    >>> rodrigues_sum(hat([0, 0, 1]), 0.0, 2.0)
     array([[-1.,  0.,  0.],
            [ 0., -1.,  0.],
            [ 0.,  0.,  1.]])
@@ -32,10 +32,10 @@ def rotation(W: Array, first: float, second: float) -> Array:
     return turned
 
 
-def column(W: Array, theta: float) -> Array:
-    """G(theta) = I theta + (1 - cos theta) W + (theta - sin theta) W^2.
+def translation_matrix(W: Array, theta: float) -> Array:
+    """G(theta) = I theta + (1 - cos theta) W + (theta - sin theta) W^2, (3, 3): the position column is G(theta) v.
 
-    >>> column(hat([0, 0, 1]), 0.0) + 0.0
+    >>> translation_matrix(hat([0, 0, 1]), 0.0) + 0.0
     array([[0., 0., 0.],
            [0., 0., 0.],
            [0., 0., 0.]])
@@ -46,7 +46,7 @@ def column(W: Array, theta: float) -> Array:
 
 @problem("02.a", "The p-column of a turn", points=1, lecture="02_matrix_exponential#From turns to screws")
 def p_column(_draw: ArmSampler) -> Problem:
-    S, theta = hrr().screws[1], THIRD
+    S, theta = hrr().screws[1], THIRD_OF_A_TURN_RAD
     W, v, s, c = hat(S[:3]), S[3:], np.sin(theta), np.cos(theta)
     return Problem(
         statement=f"Give the p-column of $e^{{[S]q}}$ for $S = {vector(S)}$ and $q = 2\\pi/3$.",
@@ -71,12 +71,14 @@ def p_column(_draw: ArmSampler) -> Problem:
             ),
             mistake(
                 "no theta in front",
-                column(W, theta) @ v + (1 - theta) * v,
+                translation_matrix(W, theta) @ v + (1 - theta) * v,
                 "The first term is $I\\theta$, not $I$: it is the integral of $I$.",
             ),
             mistake("entry by entry", v * theta + (1 - c) * W @ v + (theta - s) * (W * W) @ v, SQUARED_ENTRIES),
             mistake(
-                "degrees", column(W, np.degrees(theta)) @ v, "You used degrees. The formula wants radians: $2\\pi/3$."
+                "degrees",
+                translation_matrix(W, np.degrees(theta)) @ v,
+                "You used degrees. The formula wants radians: $2\\pi/3$.",
             ),
         ],
     )
@@ -84,7 +86,7 @@ def p_column(_draw: ArmSampler) -> Problem:
 
 @problem("02.b", "A rotation about a leaning axis", points=1, lecture="02_matrix_exponential#The key identity")
 def leaning_rotation(_draw: ArmSampler) -> Problem:
-    omega, theta = angled_arm().screws[1, :3], THIRD
+    omega, theta = angled_arm().screws[1, :3], THIRD_OF_A_TURN_RAD
     W, s, c = hat(omega), np.sin(theta), np.cos(theta)
     return Problem(
         statement="Give $R = e^{[\\omega]q}$ for joint 2 of the angled arm, $q = 2\\pi/3$.",
@@ -92,7 +94,7 @@ def leaning_rotation(_draw: ArmSampler) -> Problem:
         mistakes=[
             mistake(
                 "coefficients swapped",
-                rotation(W, 1 - c, s),
+                rodrigues_sum(W, 1 - c, s),
                 "You swapped $\\sin\\theta$ and $1 - \\cos\\theta$. The odd powers of $[\\omega]$ fold into $[\\omega]$, "
                 "and odd is the sine.",
             ),
@@ -105,12 +107,12 @@ def leaning_rotation(_draw: ArmSampler) -> Problem:
             mistake("entry by entry", np.eye(3) + s * W + (1 - c) * W * W, SQUARED_ENTRIES),
             mistake(
                 "cos for 1 - cos",
-                rotation(W, s, c),
+                rodrigues_sum(W, s, c),
                 "You wrote $\\cos\\theta$ where $1 - \\cos\\theta$ belongs. At $\\theta = 0$ nothing may turn; yours does.",
             ),
             mistake(
                 "two terms",
-                rotation(W, theta, 0.0),
+                rodrigues_sum(W, theta, 0.0),
                 "You stopped after $I + [\\omega]\\theta$. That is the first small step, and no rotation: it stretches.",
             ),
             mistake(
@@ -122,7 +124,7 @@ def leaning_rotation(_draw: ArmSampler) -> Problem:
 
 @problem("02.c", "The whole pose", points=1, lecture="02_matrix_exponential#From turns to screws")
 def leaning_pose(_draw: ArmSampler) -> Problem:
-    S, theta = angled_arm().screws[1], THIRD
+    S, theta = angled_arm().screws[1], THIRD_OF_A_TURN_RAD
     W, v, s, c = hat(S[:3]), S[3:], np.sin(theta), np.cos(theta)
     R = exp(S[:3] * theta)
     return Problem(
@@ -159,19 +161,19 @@ def leaning_pose(_draw: ArmSampler) -> Problem:
 def long_axis(_draw: ArmSampler) -> Problem:
     omega, v, theta = np.array([0.0, 0.0, 2.0]), np.array([1.0, 0.0, 0.0]), np.pi / 4
     W, right = hat(omega), exp(np.concatenate([omega, v]) * theta)
-    printed = rotation(W, np.sin(theta), 1 - np.cos(theta))
+    printed = rodrigues_sum(W, np.sin(theta), 1 - np.cos(theta))
     return Problem(
         statement="Give $e^{[S]\\theta}$ for $\\omega = (0, 0, 2)$, $v = (1, 0, 0)$, $\\theta = \\pi/4$.",
         answer=PoseAnswer(right),
         mistakes=[
             mistake(
                 "as printed",
-                homogeneous(printed, column(W, theta) @ v),
+                homogeneous(printed, translation_matrix(W, theta) @ v),
                 "This is (3.88) as printed. It folds the powers with $[\\omega]^3 = -[\\omega]$, which needs $|\\omega| = 1$.",
             ),
             mistake(
                 "column as printed",
-                homogeneous(right[:3, :3], column(W, theta) @ v),
+                homogeneous(right[:3, :3], translation_matrix(W, theta) @ v),
                 "The rotation is right, the p-column is still (3.88) as printed. It needs $|\\omega| = 1$ too.",
             ),
             mistake(

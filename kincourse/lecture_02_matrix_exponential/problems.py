@@ -1,14 +1,13 @@
-"""Sheet 02: hat, Rodrigues' formula, closed forms of motions, the series cut short, an axis of any length, a logarithm."""
+"""Sheet 02: hat, Rodrigues' formula, motions in closed form, a truncated series, a non-unit axis, a logarithm."""
 
 from functools import partial
 
 import numpy as np
 import sympy as sp
 
-from kincourse.answers.point import RotationAnswer
-from kincourse.answers.pose import PoseAnswer
+from kincourse.answers.pose import PoseAnswer, RotationAnswer
 from kincourse.answers.pose_expression import PoseExpressionAnswer
-from kincourse.lecture_02_matrix_exponential.blanks import SQUARED_ENTRIES, column, rotation
+from kincourse.lecture_02_matrix_exponential.blanks import SQUARED_ENTRIES, rodrigues_sum, translation_matrix
 from kincourse.mistakes.space_form import swap_halves
 from kincourse.problem import problem
 from kincourse.sampling.arms import AXIS_DIRECTIONS, ArmSampler
@@ -29,7 +28,7 @@ from misstep.sheet import Sheet
 from misstep.text import matrix, number, vector
 
 PYTHAGOREAN_QUADRUPLES = ((1, 2, 2, 3), (2, 3, 6, 7), (1, 4, 8, 9), (4, 4, 7, 9))
-"""Three whole numbers and the length of their vector, whole too: directions that a person can make unit."""
+"""The entries and the length of vectors for which all are integers, so that unit vectors can be computed on paper."""
 
 PYTHAGOREAN_TRIPLES = ((3, 4, 5), (5, 12, 13), (8, 15, 17))
 
@@ -91,7 +90,7 @@ def turn_about_a_line(sampler: ArmSampler) -> Problem:
         mistakes=[
             mistake(
                 "not a unit vector",
-                rotation(hat(direction), s, 1 - c),
+                rodrigues_sum(hat(direction), s, 1 - c),
                 f"You used the direction as it is given. Rodrigues' formula wants $|\\omega| = 1$, and its length is {length}: divide.",
             ),
             mistake(
@@ -109,18 +108,18 @@ def turn_about_a_line(sampler: ArmSampler) -> Problem:
             ),
             mistake(
                 "coefficients swapped",
-                rotation(W, 1 - c, s),
+                rodrigues_sum(W, 1 - c, s),
                 "You swapped $\\sin\\theta$ and $1 - \\cos\\theta$. The odd powers of $[\\omega]$ fold into $[\\omega]$: "
                 "odd is the sine.",
             ),
             mistake(
                 "cos for 1 - cos",
-                rotation(W, s, c),
+                rodrigues_sum(W, s, c),
                 "You wrote $\\cos\\theta$ where $1 - \\cos\\theta$ belongs. At $\\theta = 0$ nothing may turn; yours does.",
             ),
             mistake(
                 "no identity",
-                rotation(W, s, 1 - c) - np.eye(3),
+                rodrigues_sum(W, s, 1 - c) - np.eye(3),
                 "You left out $I$, the first term of the series. At $\\theta = 0$ yours is zero: everything has gone to the origin.",
             ),
             mistake("entry by entry", np.eye(3) + s * W + (1 - c) * W * W, SQUARED_ENTRIES),
@@ -236,7 +235,7 @@ def three_terms(sampler: ArmSampler) -> Problem:
     angle, radius = sampler.choice([1.0, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.7, 1.8]), sampler.length(0.3, 2.5)
 
     def error(terms: int) -> float:
-        """In the plane square to the axis, [w] acts as the number i does."""
+        """The error of the truncated series, in millimetres. In the plane perpendicular to the axis, [w] acts as i does."""
         series = sum((1j * angle) ** k / float(sp.factorial(k)) for k in range(terms))
         return 1000 * radius * float(abs(np.exp(1j * angle) - series))
 
@@ -281,7 +280,7 @@ def gyroscope(sampler: ArmSampler) -> Problem:
     omega, v = size * sampler.choice(AXIS_DIRECTIONS), sampler.point(3)
     S, W = np.concatenate([omega, v]), hat(omega)
     right = exp(S * seconds)
-    printed = rotation(W, np.sin(seconds), 1 - np.cos(seconds))
+    printed = rodrigues_sum(W, np.sin(seconds), 1 - np.cos(seconds))
     unit = np.concatenate([omega / size, v])
     return Problem(
         statement=f"A body turns with $\\omega = {vector(omega)}$ radians in a second, while its point at the origin moves with "
@@ -292,13 +291,13 @@ def gyroscope(sampler: ArmSampler) -> Problem:
         mistakes=[
             mistake(
                 "as printed",
-                homogeneous(printed, column(W, seconds) @ v),
+                homogeneous(printed, translation_matrix(W, seconds) @ v),
                 "This is (3.88) with $\\theta$ = the seconds. It folds the powers with "
                 "$[\\omega]^3 = -[\\omega]$, which needs $|\\omega| = 1$.",
             ),
             mistake(
                 "column as printed",
-                homogeneous(right[:3, :3], column(W, seconds) @ v),
+                homogeneous(right[:3, :3], translation_matrix(W, seconds) @ v),
                 "The rotation is right, the column is (3.88) as it stands. It needs $|\\omega| = 1$ as well.",
             ),
             mistake(
@@ -421,7 +420,7 @@ def spindle_as_a_formula(sampler: ArmSampler) -> Problem:
 
 
 def _direction(sampler: ArmSampler) -> tuple[Array, int]:
-    """A direction in whole numbers, none of them zero, and its length, whole too."""
+    """Draw a vector (3,) with integer entries, none of them zero, and its length, an integer too."""
     *sizes, length = sampler.choice(PYTHAGOREAN_QUADRUPLES)
     return np.array([sampler.choice((-1, 1)) * size for size in sampler.shuffled(sizes)], dtype=float), length
 

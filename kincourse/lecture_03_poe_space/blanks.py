@@ -1,4 +1,4 @@
-"""The steps that lecture 03 leaves blank: a leaning joint, a spindle, and a joint and the home pose of the youBot."""
+"""The blank steps of lecture 03: a leaning joint, a helical joint, and a joint and the home pose of the youBot."""
 
 import numpy as np
 
@@ -13,7 +13,7 @@ from misstep.mistakes import mistake
 from misstep.problem import Problem
 
 TILT_RAD = np.radians(30)
-"""How far joint 2 of the lecture's angled arm leans. At 45 degrees sine and cosine agree, and no swap would show."""
+"""The tilt of joint 2 of the lecture's angled arm. At 45 degrees sine and cosine are equal, and a swap would not show."""
 
 
 @problem("03.a", "A joint that leans by 30 degrees", points=1, lecture="03_poe_space#Angled joints")

@@ -1,4 +1,4 @@
-"""Sheet 03: screw axes of every kind of joint, read in the space frame, and their product."""
+"""Sheet 03: screw axes of all types of joints in the space frame, and their product of exponentials."""
 
 from dataclasses import replace
 from functools import partial
@@ -276,7 +276,7 @@ def longer_tool(sampler: ArmSampler) -> Problem:
         sampler.length(0.4, 0.9),
         sampler.length(0.2, 0.5),
     )
-    # A hand turned away from {s}: parallel to it, the extension could stand on either side of M.
+    # The tool is rotated against {s}, because otherwise an extension on the left of M would give the same home pose.
     robot = replace(straight, home=pose((-Z, Y, X), straight.home[:3, 3]))
     longer = sampler.length(0.15, 0.4)
     q = np.array(

@@ -1,4 +1,4 @@
-"""The blanks of lecture 04: a body screw by the adjoint, one read in the tool's frame, and a pose with M in the middle."""
+"""The blank steps of lecture 04: a body screw by the adjoint, one read in the tool's frame, and a pose with M in the middle."""
 
 import numpy as np
 
@@ -16,7 +16,7 @@ from misstep.problem import Problem
 from misstep.text import matrix, vector
 
 CONFIGURATION_RAD = np.radians([90, -90, 90, 90])
-"""Joint values of step 04.c: right angles, so that every entry of the pose can be checked on paper."""
+"""The joint values of step 04.c: right angles, so that every entry of the pose can be checked on paper."""
 
 
 @problem("04.a", "A body screw by the adjoint", points=1, lecture="04_poe_body#The adjoint")
@@ -133,7 +133,7 @@ def pose_with_home_in_the_middle(_draw: ArmSampler) -> Problem:
 
 
 def _product_with_home_in_middle(robot: Chain, before: Array, after: Array) -> Array:
-    """The product with M after joint 2, with screws of either kind on either side."""
+    """The product with M after joint 2, with the screws `before` to its left and `after` to its right."""
     e = [exp(twist * value) for twist, value in zip([*before[:2], *after[2:]], CONFIGURATION_RAD, strict=True)]
     T: Array = e[0] @ e[1] @ robot.home @ e[2] @ e[3]
     return T

@@ -1,4 +1,4 @@
-"""Sheet 04: body screws off a drawing and by the adjoint, M in front and in the middle, a new tool, a Jacobian's column."""
+"""Sheet 04: body screws from a drawing and by the adjoint, M on the left and in the middle, a new tool, a Jacobian column."""
 
 from dataclasses import replace
 from functools import partial
@@ -282,7 +282,7 @@ def jacobian_column(sampler: ArmSampler) -> Problem:
 
 
 def _random_arm(sampler: ArmSampler, letters: str) -> Chain:
-    """A drawn arm whose hand is turned by an angle of its own, so that no rotation is its own inverse."""
+    """Draw an arm whose tool is rotated by an angle of the student's own, so that no rotation is its own inverse."""
     robot = sampler.arm(letters)
     home = robot.home @ _rotation(sampler.choice([X, Y, Z]), sampler.choice([20, 30, -40, 50, -60, 70]))
     return replace(robot, home=home)
@@ -293,7 +293,7 @@ def _rotation(axis: Array, degrees: float) -> Array:
 
 
 def _random_configuration(sampler: ArmSampler, robot: Chain) -> tuple[Array, Array, str]:
-    """Joint values as typed, in degrees and metres, as the formulas want them, and in words."""
+    """Draw joint values (n,): in degrees and metres, in radians and metres, and in words."""
     turns = np.array([letter == "R" for letter in robot.joint_types])
     typed = np.array([sampler.degrees(-75, 75) if turn else sampler.length(0.2, 1.0) for turn in turns])
     words = [f"{number(value)} {'degrees' if turn else 'm'}" for value, turn in zip(typed, turns, strict=True)]

@@ -1,4 +1,4 @@
-"""The steps that lecture 05 leaves blank: row 4 of the youBot, its matrix, and the product in the deck's posture."""
+"""The blank steps of lecture 05: row 4 of the youBot, its matrix, and the product at the deck's configuration."""
 
 import numpy as np
 
@@ -24,10 +24,10 @@ YOUBOT = DHTable(
     convention="standard",
     name="youBot",
 )
-"""The EduFill module's table, with its columns in our order: a, alpha, d, theta."""
+"""The DH table of the EduFill module, with its columns in the order of kinlib: a, alpha, d, theta."""
 
 DECK_CONFIGURATION = np.array([0, 0, RIGHT_ANGLE_RAD, -RIGHT_ANGLE_RAD, -np.pi / 4])
-"""The joint values in which the EduFill module draws the arm."""
+"""The joint values, in radians, at which the EduFill module draws the arm."""
 
 
 @problem(

@@ -1,4 +1,4 @@
-"""Sheet 05: DH tables in the standard convention, read off drawings, multiplied, mended."""
+"""Sheet 05: DH tables in the standard convention: reading them off drawings, multiplying rows, finding a faulty entry."""
 
 from functools import partial
 
@@ -188,7 +188,9 @@ def chain_of_matrices(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"Where is frame 3 of this arm, seen from frame 0, at $q = {vector(q)}$ (radians and metres)? The convention is "
         f"standard.\n\n{printed}",
-        figure=partial(draw_table, table),  # at zero: at q, its words would tell the answer
+        figure=partial(
+            draw_table, table
+        ),  # drawn at zero, because the text alternative at q would give the answer away
         given={"text": text, "q": q},
         answer=PoseAnswer(table.fk(q)),
         mistakes=[
@@ -272,7 +274,7 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
 @problem("05.7", "Parallel axes", points=4, lecture="05_dh_standard#Special cases")
 def parallel_axes(sampler: ArmSampler) -> Problem:
     sides = np.zeros((2, 2))
-    while np.abs(sides.sum(axis=0)).max() < 1:  # axis 3 shall not lie on axis 1
+    while np.abs(sides.sum(axis=0)).max() < 1:  # axis 3 must not coincide with axis 1
         pairs = sampler.choice([(3, 4), (6, 8)]), sampler.choice([(3, 4), (6, 8), (5, 12)])
         sides = np.array(
             [np.array(sampler.shuffled(pair)) * (sampler.choice((-1, 1)), sampler.choice((-1, 1))) for pair in pairs]
@@ -348,7 +350,9 @@ def base_and_tool(sampler: ArmSampler) -> Problem:
         f"${_format_row(rows[1], 2)}$, in the standard "
         f"convention. It is mounted at $T_{{s0}}$, and a camera {{b}} sits on frame 2 at $T_{{2b}}$:\n\n"
         f"$$T_{{s0}} = {matrix(base)}, \\qquad T_{{2b}} = {matrix(tool)}.$$\n\nWhere is the camera, $T_{{sb}}(q)$, at $q = {vector(q)}$?",
-        figure=partial(draw_table, table),  # at zero: at q, its words would tell the answer
+        figure=partial(
+            draw_table, table
+        ),  # drawn at zero, because the text alternative at q would give the answer away
         given={"rows": np.array(rows), "base": base, "tool": tool, "q": q},
         answer=PoseAnswer(table.fk(q)),
         mistakes=[

@@ -1,4 +1,4 @@
-"""Sheet 06: rows as two screws, link transforms, both conventions of one arm, a faulty entry, the wrist, a chain."""
+"""Sheet 06: rows as two screw motions, link transforms, both conventions of one arm, a faulty entry, a wrist, a chain."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -8,8 +8,7 @@ from typing import ClassVar
 import numpy as np
 
 from kincourse.answers.dh_row import DHRowAnswer
-from kincourse.answers.point import RotationAnswer
-from kincourse.answers.pose import PoseAnswer
+from kincourse.answers.pose import PoseAnswer, RotationAnswer
 from kincourse.answers.screws import ScrewsAnswer
 from kincourse.mistakes.dh import pose_mistakes
 from kincourse.mistakes.space_form import swap_halves
@@ -30,7 +29,7 @@ from misstep.sheet import Sheet
 from misstep.text import degrees, matrix, number, vector
 
 ALPHAS_DEG = (-90, 90, -60, 60, -45, 45, -30, 30)
-"""Angles alpha for people, in degrees: none is 0, for a joint parallel to the one before hides half of the mistakes."""
+"""Values of alpha that are easy to type. None is 0, because parallel joint axes would hide half of the mistakes."""
 
 TABLE_HEADS = {
     "standard": "| $i$ | $a_i$ | $\\alpha_i$ | $d_i$ | $\\theta_i$ |",
@@ -41,7 +40,7 @@ TABLE_HEADS = {
 
 @dataclass(frozen=True, eq=False)
 class DHRowsAnswer(Numbers):
-    """The numbers of a table, (m, 4), in the order a, alpha, d, theta; each row is a part, angles count up to whole turns.
+    """The rows of a DH table, shape (m, 4): a, alpha, d, theta. Each row is a part, and angles are compared modulo a full turn.
 
     >>> DHRowsAnswer(np.zeros((2, 4))).agrees(np.zeros((2, 4)), np.array([[0, 0, 0, 2 * np.pi], [0, 0, 0.1, 0]]))
     [True, False]
@@ -64,7 +63,7 @@ class DHRowsAnswer(Numbers):
 
 @dataclass(frozen=True, eq=False)
 class FaultyEntryAnswer(Numbers):
-    """Where a printed table is wrong, and what belongs there: row and column, counted from 1, and the right value.
+    """The place of a faulty entry of a printed table, row and column counted from 1, and its right value, shape (3,).
 
     >>> FaultyEntryAnswer(np.array([2, 1, 0.5])).agrees(np.array([2, 1, 0.5]), np.array([2, 3, 0.5]))
     [True, False, True]
@@ -212,7 +211,7 @@ def which_convention(sampler: ArmSampler) -> Problem:
     rows = np.array([_random_row(sampler), _random_row(sampler)])
     rows[:, 3] = 0.0
     q = np.radians([sampler.degrees(20, 80), sampler.degrees(-80, -20)])
-    if truth == "c":  # without d and theta only screws along one x are left, and they commute
+    if truth == "c":  # without d and theta all motions are screws along the same x axis, and they commute
         rows[:, 2], q = 0.0, np.zeros(2)
     poses = {name: DHTable(rows, convention=name).fk(q) for name in ("standard", "modified")}
     faulty = DHTable(rows * (1, -1, 1, 1), convention=sampler.choice(["standard", "modified"])).fk(q)
@@ -397,14 +396,14 @@ def chain(sampler: ArmSampler) -> Problem:
 
 
 def _random_row(sampler: ArmSampler) -> tuple[float, float, float, float]:
-    """A row without a zero, a and d apart: no swap can hide."""
+    """Draw a row without zeros, with a and d different, so that a swap changes it."""
     a, d = sampler.shuffled([sampler.length(0.2, 0.5), sampler.length(0.6, 0.9)])
     alpha, theta = sampler.choice(ALPHAS_DEG), sampler.degrees(-80, 80)
     return a, float(np.radians(alpha)), d, float(np.radians(theta))
 
 
 def _random_table(sampler: ArmSampler, convention: Convention) -> DHTable:
-    """Four rows of their own lengths and angles, one of them a slide."""
+    """Draw a table of four rows, one of them with a prismatic joint."""
     rows = np.array([_random_row(sampler) for _ in range(4)])
     rows[:, 0] = np.array(sampler.shuffled([0.2, 0.3, 0.4, 0.5, 0.6]))[:4]
     return DHTable(rows, convention=convention, joints=sampler.choice(["RRPR", "RPRR", "RRRP"]))
@@ -421,7 +420,7 @@ def _rotation(axis: str, angle: float) -> Array:
 
 
 def _conversion_mistakes(rows: Array, down: bool, folded: str) -> list[Mistake]:
-    """The wrong ways to hand a and alpha on by one row, down to modified or up to standard."""
+    """The mistakes in moving a and alpha by one row, down to the modified convention or up to the standard one."""
     step, empty = (1, 0) if down else (-1, -1)
 
     def handed(by: int, columns: slice, lost: int | None) -> Array:
@@ -465,7 +464,7 @@ def _conversion_mistakes(rows: Array, down: bool, folded: str) -> list[Mistake]:
 def _format_table(
     rows: Array | Sequence[tuple[float, float, float, float]], convention: str, joints: str = "", first: int = 1
 ) -> str:
-    """A table as a slide prints it, angles in degrees, with the variable of each joint where it belongs."""
+    """Write a table in Markdown, with angles in degrees and the variable of each joint in its column."""
     lines = [TABLE_HEADS[convention], "|" + " --- |" * 5]
     for k, (a, alpha, d, theta) in enumerate(rows):
         kind, name = joints[k : k + 1], f"q_{k + first}"

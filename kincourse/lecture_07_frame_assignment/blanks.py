@@ -1,4 +1,4 @@
-"""The blanks of lecture 07: a row between anti-parallel axes, an origin, and the whole table of an arm nobody has seen."""
+"""The blank steps of lecture 07: a row between antiparallel axes, an origin, and the whole table of a new arm."""
 
 from dataclasses import replace
 
@@ -15,7 +15,7 @@ from misstep.answers.number import Numbers
 from misstep.mistakes import mistake
 from misstep.problem import Problem
 
-STRANGER = arm(
+NEW_ARM = arm(
     [
         (Z, (0, 0, 0)),
         (-Y, (0, 0, 0.5)),
@@ -28,11 +28,11 @@ STRANGER = arm(
     "stranger",
     "made for lecture 07",
 )
-"""The arm that the lecture builds: five pairs of axes, five different cases."""
+"""The arm of the lecture: its five pairs of neighbouring axes are five different cases."""
 
 
 @problem("07.a", "A row between anti-parallel axes", points=1, lecture="07_frame_assignment#The algorithm")
-def anti_parallel_row(_draw: ArmSampler) -> Problem:
+def antiparallel_row(_draw: ArmSampler) -> Problem:
     return Problem(
         statement="Give row 3 of the stranger, standard convention, as $[a, \\alpha, d, \\theta]$ at home.",
         answer=DHRowAnswer(np.array([0.3, np.pi, -0.2, 0.0])),
@@ -93,8 +93,8 @@ def origin_4(_draw: ArmSampler) -> Problem:
 
 
 @problem("07.c", "The table of the stranger", points=1, lecture="07_frame_assignment#What is free")
-def table_of_the_stranger(_draw: ArmSampler) -> Problem:
-    table = assign_frames(STRANGER, convention="standard").table
+def table_of_the_new_arm(_draw: ArmSampler) -> Problem:
+    table = assign_frames(NEW_ARM, convention="standard").table
     rows = table.rows.copy()
     rows[2, 1] = 0.0
     return Problem(
@@ -121,4 +121,4 @@ def table_of_the_stranger(_draw: ArmSampler) -> Problem:
     )
 
 
-BLANKS = [anti_parallel_row, origin_4, table_of_the_stranger]
+BLANKS = [antiparallel_row, origin_4, table_of_the_new_arm]

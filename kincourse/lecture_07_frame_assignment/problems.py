@@ -1,4 +1,4 @@
-"""Sheet 07: the case of two axes, frames and tables of drawn arms, broken rules, and which tables are one arm."""
+"""Sheet 07: the relative position of two axes, frames and tables of drawn arms, broken rules, and equivalent tables."""
 
 from dataclasses import replace
 from functools import partial
@@ -62,7 +62,7 @@ def the_case(sampler: ArmSampler) -> Problem:
 
 
 def _case_message(wrong: str, right: str) -> str:
-    """The first feature of two axes in which two cases differ."""
+    """The message on the first feature in which the chosen case of two axes differs from the right one."""
     lean = {"a": "neither", "b": "neither", "c": "same", "d": "opposite", "e": "same", "f": "opposite"}
     if lean[wrong] != lean[right]:
         return {
@@ -114,7 +114,7 @@ def frames_by_the_rules(sampler: ArmSampler) -> Problem:
 
 
 def _columns(x: float, y: float, z: float) -> Array:
-    """A factor for each column of a pose."""
+    """Factors for the axes x, y, z of a pose, as a row (1, 4) that multiplies its columns."""
     factors: Array = np.array([[x, y, z, 1.0]])
     return factors
 
@@ -172,7 +172,7 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
         "drawn for you",
     )
     table = assign_frames(robot, convention="modified").table
-    # With O_3 at the height of joint 4, as most people would: along anti-parallel axes both d change alike.
+    # With O_3 at the height of joint 4, the usual choice: along antiparallel axes both d change by the same amount.
     same_way, level = table.rows.copy(), table.rows.copy()
     same_way[2:4, 2] += aside * back
     same_way[3, 1] = 0.0
@@ -384,7 +384,7 @@ def same_arm(sampler: ArmSampler) -> Problem:
 
 
 def _tables_to_compare(sampler: ArmSampler) -> tuple[DHTable, dict[str, DHTable]]:
-    """A table with parallel axes 2 and 3, a legal re-choice of it, and three that changed by half."""
+    """Draw a table with parallel axes 2 and 3, an equivalent one, and three with an incomplete change of frames."""
     while True:
         rows = np.zeros((5, 4))
         for i in range(5):

@@ -1,4 +1,4 @@
-"""The blanks of lecture 08: a slider's place, a rocker's angle in the right mode, and a count of freedoms."""
+"""The blank steps of lecture 08: the position of a slider, a rocker angle in one mode, and a number of degrees of freedom."""
 
 import numpy as np
 

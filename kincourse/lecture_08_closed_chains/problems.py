@@ -1,4 +1,4 @@
-"""Sheet 08: loops to be closed by hand and by formula, modes told apart, freedoms counted where counting holds and fails."""
+"""Sheet 08: loop closure, assembly modes, Grashof's condition, dead points, and degrees of freedom by formula and in fact."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -34,13 +34,13 @@ ANGLES_NOTE = "$A$ and $D$ count from the $x$ axis, $B$ is the coupler's angle a
 
 
 def describe_lengths(four_bar: FourBar) -> str:
-    """The lengths, in a sentence."""
+    """State the lengths in a sentence."""
     ground, crank, coupler, rocker = (number(length) for length in four_bar)
     return f"A four-bar has a ground of {ground} m, a crank of {crank} m, a coupler of {coupler} m and a rocker of {rocker} m."
 
 
 def open_configuration(A: float) -> Array:
-    """A posture to draw where C must not be given away: the coupler along x, the rocker upright."""
+    """A configuration for drawings that must not show where C is: the coupler along x, the rocker upright."""
     return np.array([A, -A, np.pi / 2, 0.0])
 
 
@@ -277,7 +277,7 @@ def which_mode(sampler: ArmSampler) -> Problem:
 
 
 def _distinct_modes(sampler: ArmSampler) -> tuple[FourBar, int, int, dict[str, Array]]:
-    """A four-bar, its crank angle, one of its modes, and four pairs (D, C) that differ by more than a reading error."""
+    """Draw a four-bar, its crank angle in degrees, a mode, and four pairs (D, C) that differ by more than a reading error."""
     while True:
         four_bar, degrees, drawn = crank_rocker(sampler), sampler.degrees(25, 155), sampler.integer(0, 1)
         q, other = four_bar.assembly_modes(np.radians(degrees))[[drawn, 1 - drawn]]
@@ -368,7 +368,7 @@ def dead_point(sampler: ArmSampler) -> Problem:
 
 
 def _triangle_angle(one: float, two: float, opposite: float) -> float:
-    """The angle of a triangle between two sides."""
+    """The angle, in radians, between two sides of a triangle, by the law of cosines."""
     return float(np.arccos((one**2 + two**2 - opposite**2) / (2 * one * two)))
 
 
@@ -461,7 +461,7 @@ def three_mobilities(sampler: ArmSampler) -> Problem:
 
 @dataclass(frozen=True, eq=False)
 class CountsAnswer(Numbers):
-    """Whole numbers with names, each a part."""
+    """Named integers, shape (k,); each is a part."""
 
     names: Sequence[str] = ()
 

@@ -1,4 +1,4 @@
-"""The blanks of lecture 09: a joint of the lamp in the base frame, its screw axis, the home pose, and one rotation."""
+"""The blank steps of lecture 09: a joint of the lamp in the base frame, its screw axis, the home pose, and one rotation."""
 
 import numpy as np
 
@@ -14,7 +14,7 @@ from misstep.answers.number import Numbers
 from misstep.mistakes import mistake
 from misstep.problem import Problem
 
-RIGHT = np.pi / 2
+RIGHT_ANGLE_RAD = np.pi / 2
 
 
 @problem("09.a", "A joint in the base frame", points=1, lecture="09_urdf#A worked example")
@@ -78,7 +78,7 @@ def screw_of_tilt(_draw: ArmSampler) -> Problem:
 
 @problem("09.c", "The home pose from a file", points=1, lecture="09_urdf#From the file to screws")
 def home_of_the_lamp(_draw: ArmSampler) -> Problem:
-    rolled = origin((0, 0, 0.8), (-RIGHT, 0, 0))
+    rolled = origin((0, 0, 0.8), (-RIGHT_ANGLE_RAD, 0, 0))
     return Problem(
         statement="Give the home pose $M$ of the lamp's bulb.",
         answer=PoseAnswer(pose((X, Y, Z), (0.1, 0, 0.8))),
@@ -96,7 +96,7 @@ def home_of_the_lamp(_draw: ArmSampler) -> Problem:
             ),
             mistake(
                 "weld on the left",
-                origin((0.1, 0, 0), (RIGHT, 0, 0)) @ rolled,
+                origin((0.1, 0, 0), (RIGHT_ANGLE_RAD, 0, 0)) @ rolled,
                 "You multiplied the socket from the left. It is read in the shade's frame, so it stands on the right.",
             ),
         ],
@@ -105,9 +105,9 @@ def home_of_the_lamp(_draw: ArmSampler) -> Problem:
 
 @problem("09.d", "A rotation from three angles", points=1, lecture="09_urdf#Roll, pitch and yaw")
 def rotation_of_rpy(_draw: ArmSampler) -> Problem:
-    rpy = (0, RIGHT, RIGHT)
+    rpy = (0, RIGHT_ANGLE_RAD, RIGHT_ANGLE_RAD)
     right = origin(rpy=rpy)[:3, :3].round()
-    own = (origin(rpy=(0, RIGHT, 0)) @ origin(rpy=(0, 0, RIGHT)))[:3, :3].round()
+    own = (origin(rpy=(0, RIGHT_ANGLE_RAD, 0)) @ origin(rpy=(0, 0, RIGHT_ANGLE_RAD)))[:3, :3].round()
     return Problem(
         statement='Write `rpy="0 1.5708 1.5708"` as a rotation, (3, 3).',
         answer=Numbers(right),
@@ -124,7 +124,7 @@ def rotation_of_rpy(_draw: ArmSampler) -> Problem:
             ),
             mistake(
                 "the other way",
-                origin(rpy=(0, -RIGHT, -RIGHT))[:3, :3].round(),
+                origin(rpy=(0, -RIGHT_ANGLE_RAD, -RIGHT_ANGLE_RAD))[:3, :3].round(),
                 "You turned against the right hand: a positive pitch takes $z$ to $x$, a positive yaw takes $x$ to $y$.",
             ),
         ],

@@ -1,4 +1,4 @@
-"""Sheet 09: URDF files, read by hand: poses, axes, screws, the home pose, trees, and the line that is wrong."""
+"""Sheet 09: reading URDF files by hand: poses, axes, screws, the home pose, trees, and a faulty line."""
 
 from itertools import accumulate
 from typing import Any
@@ -110,7 +110,7 @@ def _with_position(xyz: Array, T: Array) -> Array:
 
 
 def _three_joints(sampler: ArmSampler) -> tuple[list[UrdfJoint], list[Array]]:
-    """Three joints of an arm, each turned against the one before, and where they stand in the base."""
+    """Draw three joints of an arm, each rotated against the one before, and their poses in the base frame."""
     joints = [
         UrdfJoint(f"joint_{k + 1}", sampler.point(3), random_right_angles(sampler, sampler.choice([1, 2])))
         for k in range(3)
@@ -247,7 +247,7 @@ FAULTY_ELEMENTS = {
     "degrees": "<origin",
     "second parent": "<child",
 }
-"""What a reader refuses, and the element in which it stands."""
+"""The faults that a URDF reader refuses, and the element in which each of them is."""
 
 
 @problem("09.6", "Which line is wrong?", points=2, lecture="09_urdf#Bug hunt")
@@ -316,7 +316,7 @@ def which_line(sampler: ArmSampler) -> Problem:
 
 
 def _limited_joint(sampler: ArmSampler, name: str, links: list[str], fault: str, taken: str) -> str:
-    """A joint with limits that may hold a fault; if it holds none, its axis looks like one."""
+    """Write a joint with limits and possibly a fault. Without a fault its axis is not of unit length, as a decoy."""
     bound, xyz = sampler.length(0.5, 2.0), sampler.point(3)
     lower, upper = (bound, -bound) if fault == "exchanged" else (-bound, bound)
     child = {"no such link": f"{links[1]}_link", "second parent": taken}.get(fault, links[1])

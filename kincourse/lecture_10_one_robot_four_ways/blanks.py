@@ -1,4 +1,4 @@
-"""The blanks of lecture 10: one joint of the UIUC deck's first arm in the body frame, and two origins of its URDF."""
+"""The blank steps of lecture 10: a body screw of the first arm of the UIUC deck, and two origins of its URDF."""
 
 import numpy as np
 

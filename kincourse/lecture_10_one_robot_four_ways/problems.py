@@ -1,4 +1,4 @@
-"""Sheet 10: the whole course mixed. Each problem leads from one description of an arm to another."""
+"""Sheet 10: problems on the whole course. Each leads from one description of an arm to another."""
 
 from functools import partial
 
@@ -31,7 +31,7 @@ from misstep.text import degrees, matrix, number, vector
 RIGHT_ANGLE_RAD = np.pi / 2
 
 MIN_ENTRY_DIFFERENCE = 0.3
-"""By how much the wrong pose differs in some entry: nobody should have to wonder whether it is rounding."""
+"""The minimum difference of the wrong pose from the right ones in some entry, so that it cannot be taken for rounding."""
 
 REPORTS = {
     "a": "It is one already.",
@@ -39,7 +39,7 @@ REPORTS = {
     "c": "$R = R_z(\\text{yaw}) R_y(\\text{pitch}) R_x(\\text{roll})$.",
     "d": "Take its exponential.",
 }
-"""How each report of problem 3 becomes a pose."""
+"""For each kind of report in problem 3 how it becomes a pose."""
 
 
 @problem("10.1", "From a table to a screw", points=3, lecture="10_one_robot_four_ways#A table")
@@ -348,7 +348,7 @@ def where_is_the_tool(sampler: ArmSampler) -> Problem:
 
 
 def _format_table(table: DHTable) -> str:
-    """A table of revolute joints, as a slide prints it."""
+    """Write a table of revolute joints in Markdown, with its lengths in metres and angles in degrees."""
     rows = format_rows(table, length=number, angle=degrees, variable="$q_{}$".format)
     return markdown_table(rows, ["row", "$a$ (m)", "$\\alpha$", "$d$ (m)", "$\\theta$"])
 

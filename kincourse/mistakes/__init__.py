@@ -1,1 +1,1 @@
-"""Mistakes that many problems share, each computed from the right answer."""
+"""Common mistakes of kinematics: each takes the right value and returns the value that the mistake leads to."""

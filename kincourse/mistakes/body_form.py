@@ -1,7 +1,8 @@
-"""Wrong ways to write body screws, and to multiply them: what people write instead of B_i = Ad(M^-1) S_i.
+"""Common mistakes with body screws B_i = Ad(M^-1) S_i and with the body form T(q) = M exp([B_1] q_1) ... exp([B_n] q_n).
 
-`of_body_screws` serves problems whose answer is body screws, one or all, `of_space_screws` those that lead back, and
-`of_body_product` those whose answer is a pose by the body form.
+`body_screw_mistakes` gives the mistakes of a problem whose answer is body screws, one or all; `space_screw_mistakes`
+those of a problem that asks for space screws from body screws; and `body_product_mistakes` those of a problem whose
+answer is a pose by the body form.
 """
 
 import numpy as np
@@ -14,7 +15,7 @@ from misstep.mistakes import Mistake, mistake
 
 
 def transform_screws(T: Array, S: Array) -> Array:
-    """Screws (..., 6) as another frame reads them: Ad_T S.
+    """Change the frame of screws S (..., 6) by a pose T (4, 4): Ad_T S.
 
     >>> transform_screws(np.eye(4), np.array([[0, 0, 1, 0, -2, 0]]))
     array([[ 0.,  0.,  1.,  0., -2.,  0.]])
@@ -24,7 +25,7 @@ def transform_screws(T: Array, S: Array) -> Array:
 
 
 def rotate_only(T: Array, S: Array) -> Array:
-    """Both halves turned, and the origin left where it was: the rotation of Ad_T alone.
+    """Rotate both halves of screws S (..., 6) and leave out the change of origin: only the rotation of Ad_T.
 
     >>> rotate_only(exp([0, 0, 0, 2, 0, 0]), np.array([0, 0, 1, 0, 0, 0]))
     array([0., 0., 1., 0., 0., 0.])
@@ -34,7 +35,7 @@ def rotate_only(T: Array, S: Array) -> Array:
 
 
 def translate_only(T: Array, S: Array) -> Array:
-    """The moment about the origin from which T_ab is seen, along the axes of {b}: Ad_T without its turn.
+    """Change the origin of screws S (..., 6) and leave out the rotation: the moments about the new origin, in the old axes.
 
     >>> translate_only(exp([0, 0, 0, 2, 0, 0]), np.array([0, 0, 1, 0, 0, 0])) + 0.0
     array([ 0.,  0.,  1.,  0., -2.,  0.])
@@ -45,7 +46,7 @@ def translate_only(T: Array, S: Array) -> Array:
 
 
 def body_screw_mistakes(S: Array, home: Array) -> list[Mistake]:
-    """For a problem that asks for B = Ad(M^-1) S; S holds all screws, (n, 6), or one, (6,).
+    """The mistakes for B = Ad(M^-1) S, with all space screws of an arm, S (n, 6), or one, S (6,); home is M, (4, 4).
 
     >>> [wrong.name for wrong in body_screw_mistakes(np.array([0, 0, 1, 0, -2, 0]), np.eye(4))][:3]
     ['Ad_M', 'only rotated', 'moved, not turned']
@@ -90,7 +91,7 @@ def body_screw_mistakes(S: Array, home: Array) -> list[Mistake]:
 
 
 def space_screw_mistakes(B: Array, home: Array) -> list[Mistake]:
-    """For a problem that leads back from body screws: S = Ad(M) B.
+    """The mistakes for S = Ad(M) B, with all body screws of an arm, B (n, 6), or one, B (6,); home is M, (4, 4).
 
     >>> len(space_screw_mistakes(np.eye(2, 6), np.eye(4)))
     6
@@ -121,7 +122,7 @@ def space_screw_mistakes(B: Array, home: Array) -> list[Mistake]:
 
 
 def body_product_mistakes(arm: Chain, q: Array) -> list[Mistake]:
-    """The wrong ways to multiply the factors of the body form.
+    """The mistakes for a pose by the body form, T(q) = M exp([B_1] q_1) ... exp([B_n] q_n), with q (n,).
 
     >>> from kinlib.chains.robots import rpr
     >>> [wrong.name for wrong in body_product_mistakes(rpr(), np.ones(3))]

@@ -1,7 +1,7 @@
-"""Wrong ways to write a DH table: each takes the right table and returns what people write instead.
+"""Common mistakes in DH tables: each function takes the right table and returns the wrong one that the mistake leads to.
 
-`of_table` gives a problem whose answer is a table its mistakes with their sentences, `of_pose` one whose answer is the
-product of the rows. Both take the names of WAYS that fit the problem.
+`table_mistakes` gives the mistakes of a problem whose answer is a table, `pose_mistakes` those of a problem whose answer
+is the product of the link transforms. Both take the names in TABLE_MISTAKES that fit the problem.
 """
 
 from collections.abc import Callable, Mapping
@@ -19,17 +19,8 @@ from misstep.mistakes import Mistake, mistake
 A, ALPHA, D, THETA = range(4)
 
 
-def with_rows(table: DHTable, rows: ArrayLike) -> DHTable:
-    r"""The same joints, base and tool with other numbers.
-
-    >>> with_rows(DHTable("a | alpha | d | theta\n 1 | 0 | 0 | -q1", convention="standard"), [[2, 0, 0, 0]]).signs
-    array([-1.])
-    """
-    return table.changed(rows=np.asarray(rows, dtype=float))
-
-
 def other_convention(table: DHTable) -> DHTable:
-    """The same rows, read in the convention that they were not written in.
+    """The same rows, read in the other convention.
 
     >>> other_convention(DHTable([[1, 0, 0, 0]], convention="standard")).convention
     'modified'
@@ -38,18 +29,19 @@ def other_convention(table: DHTable) -> DHTable:
 
 
 def z_on_the_wrong_joint(table: DHTable) -> DHTable:
-    """Frames placed as the other convention asks, and their rows multiplied as this one does.
+    """Frames placed by the rule of the other convention, with their rows multiplied by the rule of this one.
 
-    In the standard convention that is z_i on the axis of joint i, in the modified z_i on that of joint i+1.
+    For a standard table z_i lies on the axis of joint i, which is the rule of the modified convention; for a modified
+    table z_i lies on the axis of joint i+1.
 
     >>> z_on_the_wrong_joint(DHTable([[1, 0, 0, 0], [2, 0, 0, 0]], convention="standard")).columns["a"]
     array([0., 1.])
     """
-    return with_rows(table, table.converted(_other(table.convention)).rows)
+    return table.changed(rows=table.converted(_other(table.convention)).rows)
 
 
 def alpha_shifted(table: DHTable) -> DHTable:
-    """The column alpha one row off: alpha_{i-1} in row i of a standard table, alpha_i in row i of a modified one.
+    """The column alpha shifted by one row: alpha_{i-1} in row i of a standard table, alpha_i in row i of a modified one.
 
     >>> alpha_shifted(DHTable([[0, 1, 0, 0], [0, 2, 0, 0]], convention="standard")).columns["alpha"]
     array([0., 1.])
@@ -58,21 +50,21 @@ def alpha_shifted(table: DHTable) -> DHTable:
     step = 1 if table.convention == "standard" else -1
     rows[:, ALPHA] = np.roll(rows[:, ALPHA], step)
     rows[0 if step == 1 else -1, ALPHA] = 0.0
-    return with_rows(table, rows)
+    return table.changed(rows=rows)
 
 
 def lengths_swapped(table: DHTable) -> DHTable:
-    """a in the place of d, and d in the place of a."""
-    return with_rows(table, table.rows[:, [D, ALPHA, A, THETA]])
+    """a and d swapped in every row."""
+    return table.changed(rows=table.rows[:, [D, ALPHA, A, THETA]])
 
 
 def alpha_negated(table: DHTable) -> DHTable:
-    """Every alpha with the other sign."""
-    return with_rows(table, table.rows * (1, -1, 1, 1))
+    """Every alpha with its sign flipped."""
+    return table.changed(rows=table.rows * (1, -1, 1, 1))
 
 
 def in_degrees(table: DHTable) -> DHTable:
-    """Angles typed in degrees where radians are read, less whole turns.
+    """Angles given in degrees but read as radians, less full turns.
 
     >>> in_degrees(DHTable([[0, np.pi / 2, 0, 0]], convention="standard")).columns["alpha"].round(4)
     array([2.0354])
@@ -81,19 +73,19 @@ def in_degrees(table: DHTable) -> DHTable:
     for column in ANGLES:
         k = COLUMNS.index(column)
         rows[:, k] = np.degrees(rows[:, k]) % (2 * np.pi)
-    return with_rows(table, rows)
+    return table.changed(rows=rows)
 
 
 def without_offset(table: DHTable) -> DHTable:
-    """theta = q in the row of every joint that turns."""
+    """theta = q without an offset, in the row of every revolute joint."""
     turns = np.array([letter == "R" for letter in table.joints])
     rows = table.rows.copy()
     rows[turns, THETA] = 0.0
-    return with_rows(table, rows)
+    return table.changed(rows=rows)
 
 
 def slide_in_theta(table: DHTable) -> DHTable:
-    r"""The variable of every prismatic joint put into theta, as if it turned.
+    r"""The variable of every prismatic joint put into theta, as if the joint were revolute.
 
     >>> slide_in_theta(DHTable("a|alpha|d|theta\n 0|0|q1|0", convention="standard")).joints
     'R'
@@ -102,21 +94,21 @@ def slide_in_theta(table: DHTable) -> DHTable:
 
 
 def base_in_a_row(table: DHTable) -> DHTable:
-    """The base's shift written into the first row, its x into a and its z into d, and no base."""
+    """The translation of the base written into the first row, its x into a and its z into d, and no base."""
     rows = table.rows.copy()
     rows[0, [A, D]] += table.base[[0, 2], 3]
     return table.changed(rows=rows, base=np.eye(4))
 
 
 def tool_in_a_row(table: DHTable) -> DHTable:
-    """The tool's shift written into the last row, its x into a and its z into d, and no tool."""
+    """The translation of the tool written into the last row, its x into a and its z into d, and no tool."""
     rows = table.rows.copy()
     rows[-1, [A, D]] += table.tool[[0, 2], 3]
     return table.changed(rows=rows, tool=np.eye(4))
 
 
 def off_the_normal(table: DHTable) -> DHTable:
-    """a measured from joint to joint, and no d: x_i runs along the link and not along the common normal.
+    """a measured from joint to joint, and no d, so that x_i lies along the link and not along the common normal.
 
     >>> off_the_normal(DHTable([[3, 0, 4, 0]], convention="standard")).columns["a"]
     array([5.])
@@ -125,18 +117,18 @@ def off_the_normal(table: DHTable) -> DHTable:
     slanted = np.array([letter != "P" for letter in table.joints]) & (rows[:, A] != 0)
     rows[slanted, A] = np.hypot(rows[slanted, A], rows[slanted, D])
     rows[slanted, D] = 0.0
-    return with_rows(table, rows)
+    return table.changed(rows=rows)
 
 
 def product_reversed(table: DHTable, q: ArrayLike) -> Array:
-    """The rows multiplied from the last to the first."""
+    """The link transforms at q (n,) multiplied from the last row to the first, between base and tool, shape (4, 4)."""
     links = table.link_transforms(q)[::-1]
     T: Array = reduce(np.matmul, [*links, table.tool], table.base)
     return T
 
 
 class TableMistake(NamedTuple):
-    """A wrong way, and what to say to the person who took it."""
+    """A function that makes the mistake in a right table, and the message for a student who made it."""
 
     change: Callable[[DHTable], DHTable]
     message: str
@@ -198,12 +190,15 @@ TABLE_MISTAKES: Mapping[str, TableMistake] = {
 
 
 def table_mistakes(table: DHTable, *names: str) -> list[Mistake]:
-    """Mistakes for a problem whose answer is a table."""
+    """The mistakes of these names for a problem whose answer is the table."""
     return [mistake(name, TABLE_MISTAKES[name].change(table), TABLE_MISTAKES[name].message) for name in names]
 
 
 def pose_mistakes(table: DHTable, q: ArrayLike, *names: str) -> list[Mistake]:
-    """Mistakes for a problem whose answer is where a table puts the tool; "reversed" is one of them too."""
+    """The mistakes of these names for a problem whose answer is the pose of the tool at q (n,).
+
+    Besides the names in TABLE_MISTAKES there is "reversed", the product in the wrong order.
+    """
     reversed_ = mistake(
         "reversed",
         product_reversed(table, q),

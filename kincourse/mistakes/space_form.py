@@ -1,6 +1,7 @@
-"""Wrong ways that many problems share: each takes what is right and returns what people write instead.
+"""Common mistakes with space screws and the product of exponentials: each takes the right value and returns a wrong one.
 
-A problem picks the ones that fit and adds its own; `problem.Mistake` gives them a sentence.
+`screw_mistakes` gives the mistakes of a problem whose answer is screw axes, `product_mistakes` those of a problem whose
+answer is a pose by the space form. A problem adds those that belong to it alone.
 """
 
 import numpy as np
@@ -12,7 +13,9 @@ from misstep.mistakes import Mistake, mistake
 
 
 def negate_moment(S: Array) -> Array:
-    """v = omega x q where -omega x q belongs: the moment changes sign, what the pitch adds does not.
+    """Negate the moment: v = omega x p instead of -omega x p. The term of the pitch, parallel to omega, keeps its sign.
+
+    S (..., 6) -> (..., 6).
 
     >>> negate_moment(np.array([0, 0, 1, 0, -2, 0.1]))
     array([0. , 0. , 1. , 0. , 2. , 0.1])
@@ -24,7 +27,7 @@ def negate_moment(S: Array) -> Array:
 
 
 def swap_halves(S: Array) -> Array:
-    """(v, omega) where (omega, v) belongs: the order of another book.
+    """Write (v, omega) instead of (omega, v), as some books do. S (..., 6) -> (..., 6).
 
     >>> swap_halves(np.array([0, 0, 1, 0, -2, 0]))
     array([ 0, -2,  0,  0,  0,  1])
@@ -33,7 +36,9 @@ def swap_halves(S: Array) -> Array:
 
 
 def remove_moment(S: Array) -> Array:
-    """v = 0 for a joint that turns: right only for an axis through the origin.
+    """Set v = 0 for revolute and helical joints, which is right only for revolute joints whose axes pass through the origin.
+
+    S (..., 6) -> (..., 6). Prismatic joints keep their v.
 
     >>> remove_moment(np.array([[0, 0, 1, 0, -2, 0], [0, 0, 0, 1, 0, 0]]))
     array([[0., 0., 1., 0., 0., 0.],
@@ -44,7 +49,10 @@ def remove_moment(S: Array) -> Array:
 
 
 def product(screws: Array, q: Array, home: Array, order: str = "screws then home") -> Array:
-    """Multiply the exponentials in one of the orders in which people write them.
+    """Multiply exponentials and home pose in the right order or in a wrong one that is common.
+
+    screws (n, 6), q (n,) in radians and metres, home (4, 4) -> (4, 4)
+    order  "screws then home" (space form), "reversed", "home first" or "no home"
 
     >>> from kinlib.chains.robots import rpr
     >>> product(rpr().screws, np.array([0.0, 2.0, 0.0]), rpr().home, "no home")[:3, 3]
@@ -63,7 +71,7 @@ def product(screws: Array, q: Array, home: Array, order: str = "screws then home
 
 
 def prismatic_as_revolute(arm: Chain) -> Array:
-    """(d, -d x q) for a slide along d, as if it turned about d.
+    """The screws of an arm with each prismatic joint treated as revolute: (d, -d x p) instead of (0, d), shape (n, 6).
 
     >>> from kinlib.chains.robots import rpr
     >>> prismatic_as_revolute(rpr())[1] + 0.0
@@ -75,7 +83,7 @@ def prismatic_as_revolute(arm: Chain) -> Array:
 
 
 def screw_mistakes(S: Array) -> list[Mistake]:
-    """The three that every screw axis of a turning joint invites.
+    """The three common mistakes for screw axes S (..., 6) of revolute joints.
 
     >>> [wrong.name for wrong in screw_mistakes(np.array([0, 0, 1, 0, -2, 0]))]
     ['omega x q', 'halves swapped', 'no moment']
@@ -103,7 +111,7 @@ def screw_mistakes(S: Array) -> list[Mistake]:
 
 
 def product_mistakes(arm: Chain, q: Array) -> list[Mistake]:
-    """The wrong ways to multiply the factors of the space form.
+    """The mistakes for a pose by the space form, T(q) = exp([S_1] q_1) ... exp([S_n] q_n) M, with q (n,).
 
     >>> from kinlib.chains.robots import rpr
     >>> [wrong.name for wrong in product_mistakes(rpr(), np.ones(3))]

@@ -1,1 +1,1 @@
-"""Sheets for any robot: the tasks, and the file in which the robot travels."""
+"""Sheets for any robot: the tasks, the choice of those that fit a robot, and the JSON file that stores the robot."""

@@ -1,4 +1,4 @@
-"""Where a robot that somebody brought has its tool: at home, at drawn joint values, and by somebody's wrong computation."""
+"""Tasks on the pose of the tool of any robot: at home, at given joint values, and as somebody computed it wrongly."""
 
 from functools import partial
 
@@ -36,14 +36,14 @@ MISTAKE_DESCRIPTIONS = {
     "at home": "left the joints where they were",
     "backwards": "moved every joint the other way",
 }
-"""What somebody did who made a mistake, in the words of an option."""
+"""For each mistake what was done, in the words of an option of `which_mistake`."""
 
 
 NO_MISTAKE = "nothing wrong"
 
 
 def home_pose(robot: Chain, sampler: ArmSampler) -> Problem:
-    """The home pose with the robot bolted down elsewhere and a tool on its flange."""
+    """The home pose of the robot with another base and a tool on its flange."""
     T_sr, T_rf, T_fb = random_tilted_base(sampler, robot), robot.home, random_tool(sampler, robot)
     right = T_sr @ T_rf @ T_fb
     return Problem(
@@ -81,7 +81,7 @@ def home_pose(robot: Chain, sampler: ArmSampler) -> Problem:
 
 
 def where_is_the_tool(robot: Chain, sampler: ArmSampler) -> Problem:
-    """Forward kinematics by the space form, at joint values within the limits."""
+    """Forward kinematics by the space form, at a configuration within the joint limits."""
     arm = rebased(robot, random_aligned_base(sampler, robot), random_tool(sampler, robot))
     at = random_configuration(sampler, arm)
     return Problem(
@@ -95,7 +95,7 @@ def where_is_the_tool(robot: Chain, sampler: ArmSampler) -> Problem:
 
 
 def which_mistake(robot: Chain, sampler: ArmSampler) -> Problem:
-    """A pose that somebody computed: what did they do?"""
+    """The mistake that leads to a given wrong pose, or none if the pose is right."""
     arm = rebased(robot, random_aligned_base(sampler, robot), random_tool(sampler, robot))
     at = random_configuration(sampler, arm)
     motion_problem = Problem("", PoseAnswer(arm.fk(at.q)), _motion_mistakes(arm, at.q)).sifted()
@@ -140,7 +140,7 @@ def body_form(robot: Chain, sampler: ArmSampler) -> Problem:
 
 
 def point_of_the_tool(robot: Chain, sampler: ArmSampler) -> Problem:
-    """Where a point of the tool goes."""
+    """The position in {s} of a point that is given in {b}."""
     arm = rebased(robot, random_aligned_base(sampler, robot), random_tool(sampler, robot))
     at, tip = random_configuration(sampler, arm), random_tool(sampler, robot)[:3, 3]
     T, M = arm.fk(at.q), arm.home
@@ -194,7 +194,7 @@ def _standing_still_mistakes(arm: Chain, q: Array) -> list[Mistake]:
 
 
 def _difference_message(theirs: Array, right: Array) -> str:
-    """How far the pose that an option gives is from the one that was computed."""
+    """How the pose of an option differs from the pose that was computed, as a message."""
     far = float(np.linalg.norm(theirs[:3, 3] - right[:3, 3]))
     turned = not np.allclose(theirs[:3, :3], right[:3, :3], atol=1e-6)
     if far < 1e-6:
@@ -281,4 +281,4 @@ MOTION_TASKS: dict[str, RobotTask] = {
         ),
     ),
 }
-"""What a task is called here, the file of a sheet calls it."""
+"""The tasks by name. The file of a robot sheet stores these names, so a name must not change."""

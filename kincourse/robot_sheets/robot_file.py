@@ -1,6 +1,6 @@
-"""The file in which a robot travels beside the notebook of its sheet, and where it is looked for.
+"""The JSON file of a robot, which lies beside the notebook of its sheet: how it is written, read and found.
 
-It holds the robot and the names of its problems, and no answer: every student's are computed from their own numbers.
+The file holds the robot and the names of the tasks. It holds no answers, because they depend on the student's numbers.
 """
 
 import json
@@ -15,14 +15,14 @@ from kinlib.chains.chain import Chain
 from misstep.sheet import Sheet
 
 FORMAT_VERSION = 1
-"""The version of the file."""
+"""The version of the file format."""
 
 SHEET_NAME = re.compile(r"[A-Za-z][A-Za-z0-9_]{0,39}")
-"""What a sheet may be called: a word that is a file's name on every system, and no path."""
+"""The names that a sheet may have: they are valid file names on every system, and contain no path."""
 
 
 def dumps(robot: Chain, tasks: Sequence[str]) -> str:
-    """A robot and its tasks as the text of a file: numbers to the last digit, so that every machine draws the same.
+    """Write a robot and its tasks as the text of a JSON file. Numbers keep all their digits, so that variants are reproducible.
 
     >>> from kinlib.chains.robots import rpr
     >>> loads(dumps(rpr(), ["home_pose"]), "a test")[1]
@@ -47,15 +47,19 @@ def dumps(robot: Chain, tasks: Sequence[str]) -> str:
     return json.dumps(data, ensure_ascii=False) + "\n"
 
 
-def loads(text: str, where: str) -> tuple[Chain, list[str]]:
-    """Read a robot and its tasks back.
+def loads(text: str, source: str) -> tuple[Chain, list[str]]:
+    """Read a robot and its tasks from the text of a file that `dumps` wrote.
 
-    Raises ValueError for a text that is none of ours, and says where it stood.
+    source  the path of the file, for error messages
+
+    Raises ValueError if the text is not such a file.
     """
     try:
         data = json.loads(text)
         if data["kinlib sheet"] != FORMAT_VERSION:
-            raise ValueError(f"it has form {data['kinlib sheet']!r}, and this kinlib reads form {FORMAT_VERSION}")
+            raise ValueError(
+                f"its format is {data['kinlib sheet']!r}, and this kincourse reads format {FORMAT_VERSION}"
+            )
         limits = None if data["limits"] is None else np.array([_limits_from_json(*ends) for ends in data["limits"]])
         robot = Chain(
             data["screws"],
@@ -69,12 +73,12 @@ def loads(text: str, where: str) -> tuple[Chain, list[str]]:
         return robot, [str(task) for task in data["tasks"]]
     except (KeyError, TypeError, ValueError) as error:
         raise ValueError(
-            f"{where} holds no robot of a sheet: {error}. Was it changed by hand? Take a fresh copy."
+            f"{source} is not a valid file of a robot sheet: {error}. If it was edited by hand, take a fresh copy."
         ) from error
 
 
 def _limit_to_json(end: float) -> float | None:
-    """A limit as JSON has it, which knows no infinity."""
+    """A joint limit as a JSON value: null where it is infinite, because JSON has no infinity."""
     return end if np.isfinite(end) else None
 
 
@@ -83,30 +87,30 @@ def _limits_from_json(low: float | None, high: float | None) -> tuple[float, flo
 
 
 def validate_name(name: str) -> str:
-    """Pass a name on under which a sheet can go.
+    """Return the name of a sheet if it is a valid one.
 
-    Raises ValueError for any other.
+    Raises ValueError if it is not: a letter, then letters, digits and underscores, at most 40 characters.
 
     >>> validate_name("my_robot")
     'my_robot'
     """
     if not SHEET_NAME.fullmatch(name):
         raise ValueError(
-            f"A sheet's name is a letter and then letters, digits and _, at most 40 in all; got {name!r}. It is the name of the folder: "
-            "try --out solutions/my_robot."
+            "The name of a sheet must be a letter followed by letters, digits and _, at most 40 characters in all; "
+            f"got {name!r}. It is the name of the folder: try --out solutions/my_robot."
         )
     return name
 
 
 def search_paths(name: str) -> list[Path]:
-    """Where the robot of a sheet may lie: beside the notebook, or in the sheet's folder below a project's root."""
+    """Where the file of a robot is searched for: beside the notebook, then in the folder of its sheet below the project's root."""
     return [Path(f"{name}.json"), *(Path(folder, name, f"{name}.json") for folder in ("", "solutions", "exercises"))]
 
 
 def find(name: str) -> Sheet | None:
-    """The sheet of a robot that lies beside the notebook; None if none does.
+    """Find the sheet of a robot by its name, through the robot's file in one of `search_paths`; None if there is no file.
 
-    Raises ValueError for a file that cannot be read as one.
+    Raises ValueError if the file is not a valid file of a robot sheet.
 
     >>> find("nobodys_robot") is None
     True

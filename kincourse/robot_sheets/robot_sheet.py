@@ -1,7 +1,8 @@
-"""A sheet for any robot: which problems it bears.
+"""A sheet for any robot, made of the tasks that make sense for the robot.
 
-A robot with one joint has no table worth asking for, and where all joints slide nobody confuses degrees with radians. So
-each task is tried on the robot first; one that has too few mistakes to tell apart makes room for another.
+For example, a robot with one joint has no DH table worth asking for, and if all joints are prismatic, degrees cannot be
+confused with radians. So each task is tried on the robot first, and a task in which too few mistakes can be told apart is
+replaced by another one.
 """
 
 from collections.abc import Sequence
@@ -17,13 +18,13 @@ from misstep.problem import Template
 from misstep.sheet import Sheet
 
 PROBLEMS_PER_SHEET = 8
-"""How many problems a sheet has."""
+"""The number of problems of a sheet."""
 
 PROBE_STUDENTS = ("probe 1", "probe 2", "probe 3", "probe 4")
-"""The students for whom a task is tried."""
+"""The students whose numbers are drawn to try a task on a robot."""
 
 MAX_DRAWS = 8
-"""Within how many draws a task has to be telling for each of them. A student's own draws go on far longer."""
+"""The number of draws within which a task must be discriminating for each of them. A student's own variant has more."""
 
 TASKS: dict[str, RobotTask] = {**MOTION_TASKS, **SCREW_TASKS, **TABLE_TASKS}
 
@@ -32,13 +33,13 @@ TASK_ORDER = (
     *("standard_table", "modified_table", "faulty_entry", "which_mistake"),
     *("body_form", "point_of_the_tool", "back_to_space", "new_tool"),
 )
-"""The tasks in the order in which a robot gets them: the last ones stand in for those before that make no sense for it."""
+"""The tasks in order of preference: the last ones replace those before them that make no sense for a robot."""
 
 
 def tasks_for(robot: Chain) -> list[str]:
-    """The names of the eight tasks that make sense for a robot, in the order of the sheet.
+    """Choose the eight tasks of the sheet for a robot: the first ones in TASK_ORDER that make sense for it.
 
-    Raises ValueError when there are not enough of them.
+    Raises ValueError if fewer than eight make sense.
 
     >>> from kinlib.chains.robots import rpr
     >>> tasks_for(rpr())[4:]
@@ -50,14 +51,15 @@ def tasks_for(robot: Chain) -> list[str]:
             fit.append(name)
     if len(fit) < PROBLEMS_PER_SHEET:
         raise ValueError(
-            f"{robot.name} bears {len(fit)} problems, and a sheet has {PROBLEMS_PER_SHEET}: {', '.join(fit)}. Do its joints move anything?"
+            f"A sheet needs {PROBLEMS_PER_SHEET} problems; only {len(fit)} of the {len(TASKS)} tasks make sense for {robot.name}: "
+            f"{', '.join(fit)}. Check that its joints move its tool."
         )
     return fit
 
 
 def _fits(robot: Chain, name: str) -> bool:
     if name in TABLE_TASKS and "H" in robot.joint_types:
-        return False  # no row of a table holds a helical joint
+        return False  # a DH row cannot describe a helical joint
     return all(
         any(TASKS[name].write(robot, ArmSampler(student, name, attempt)).telling() for attempt in range(MAX_DRAWS))
         for student in PROBE_STUDENTS
@@ -65,9 +67,9 @@ def _fits(robot: Chain, name: str) -> bool:
 
 
 def robot_sheet(name: str, robot: Chain, tasks: Sequence[str]) -> Sheet:
-    """The sheet of a robot, with the tasks in this order.
+    """Make the sheet of a robot, with the tasks in this order.
 
-    Raises ValueError for a task that there is not.
+    Raises ValueError if a task is unknown.
 
     >>> from kinlib.chains.robots import rpr
     >>> robot_sheet("my_robot", rpr(), ["home_pose"]).problems[0].number
@@ -75,7 +77,7 @@ def robot_sheet(name: str, robot: Chain, tasks: Sequence[str]) -> Sheet:
     """
     if unknown := [task for task in tasks if task not in TASKS]:
         raise ValueError(
-            f"There is no task {unknown[0]!r}. Was the sheet made by a newer kinlib? The tasks are: {', '.join(TASKS)}."
+            f"There is no task {unknown[0]!r}. The tasks are: {', '.join(TASKS)}. If the sheet was made by a newer kincourse, update it."
         )
     templates = [_template(name, k, robot, TASKS[task]) for k, task in enumerate(tasks, start=1)]
     return Sheet(name, f"Forward kinematics of {robot.name}", templates)

@@ -1,7 +1,7 @@
-"""A robot that somebody brought, for one student: bolted down elsewhere, with a tool of its own, in a posture of its own.
+"""Numbers of a student's own for a given robot: its base, its tool and its configuration.
 
-Base and tool change every screw and every pose; another zero posture changes the angles of a DH table. So each student
-has numbers of their own, and the robot stays the robot.
+Another base and another tool change every screw axis and every pose, and another zero configuration changes the angles of
+a DH table. So each student has different numbers for the same robot.
 """
 
 from dataclasses import replace
@@ -9,7 +9,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from kincourse.sampling.arms import ArmSampler
+from kincourse.sampling.arms import PLAIN_ANGLES_DEG, ArmSampler
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.chains.robots import pose
@@ -17,17 +17,14 @@ from kinlib.rigid.lie import adjoint, exp
 from misstep.text import number
 
 MIN_ROBOT_SIZE_M = 0.5
-"""Metres. A robot that is smaller is moved about like one of this size: three printed decimals have to show it."""
-
-ANGLES = (20, 25, 30, 35, 40, 50, 55, 60, 65, 70)
-"""By how many degrees a tool is turned. Not 45, whose sine and cosine are alike."""
+"""In metres. A smaller robot is placed in steps that suit this size, so that three printed decimals show the difference."""
 
 MAX_JOINT_ANGLE_DEG = 75
-"""Degrees. Joints are drawn within this of zero where their limits allow it."""
+"""In degrees. Revolute joints are drawn within this distance from zero if their limits allow it."""
 
 
 class Configuration(NamedTuple):
-    """Joint values as people type them, in degrees and metres; in radians and metres, (n,); and in words."""
+    """A joint configuration: typed (n,) in degrees and metres, q (n,) in radians and metres, and both in words."""
 
     typed: Array
     q: Array
@@ -35,7 +32,9 @@ class Configuration(NamedTuple):
 
 
 def step_size(chain: Chain) -> float:
-    """A power of ten, a tenth to a fifth of what the robot measures or less: the step in which it is moved about.
+    """The step in metres in which bases, tools and prismatic joints of a robot are drawn.
+
+    It is the largest power of ten that is at most a fifth of the size of the robot at home.
 
     >>> from kinlib.chains.robots import youbot
     >>> step_size(youbot())
@@ -47,22 +46,22 @@ def step_size(chain: Chain) -> float:
 
 
 def random_aligned_base(sampler: ArmSampler, chain: Chain) -> Array:
-    """Where the robot is bolted down: its axes along those of {s}, so that its numbers stay as plain as they are."""
+    """Draw a pose of the base in {s}, (4, 4), with axes parallel to those of {s}, so that the robot's numbers stay simple."""
     return pose(sampler.axes(), (sampler.point(4) * step_size(chain)).round(9))
 
 
 def random_tilted_base(sampler: ArmSampler, chain: Chain) -> Array:
-    """Where the robot is bolted down: turned about one of its axes by an angle with nothing special."""
+    """Draw a pose of the base in {s}, (4, 4), rotated about one of its axes by an angle in PLAIN_ANGLES_DEG."""
     return random_aligned_base(sampler, chain) @ _random_rotation(sampler)
 
 
 def random_tool(sampler: ArmSampler, chain: Chain) -> Array:
-    """A tool {b} on the flange: turned, and away from it in all three directions."""
+    """Draw a pose of the tool {b} in the flange frame, (4, 4): rotated, and translated along all three axes."""
     return pose(np.eye(3), (sampler.point(4) * step_size(chain) / 2).round(9)) @ _random_rotation(sampler)
 
 
 def rebased(chain: Chain, base: Array, tool: Array) -> Chain:
-    """The robot bolted down at `base`, with `tool` on its flange: T'(q) = base T(q) tool.
+    """The robot with its base at the pose `base` in {s} and the pose `tool` on its flange: T'(q) = base T(q) tool.
 
     >>> from kinlib.chains.robots import rpr
     >>> rebased(rpr(), exp([0, 0, 0, 5, 0, 0]), np.eye(4)).joint_points[0]
@@ -74,7 +73,7 @@ def rebased(chain: Chain, base: Array, tool: Array) -> Chain:
 
 
 def with_zero_at(chain: Chain, q: Array) -> Chain:
-    """The robot with its zero where its joints stand at q: T'(x) = T(q + x).
+    """The robot with q (n,) as its zero configuration: T'(x) = T(q + x).
 
     >>> from kinlib.chains.robots import rpr
     >>> np.allclose(with_zero_at(rpr(), np.array([0.1, 0.2, 0.3])).fk([1, 1, 1]), rpr().fk([1.1, 1.2, 1.3]))
@@ -86,7 +85,7 @@ def with_zero_at(chain: Chain, q: Array) -> Chain:
 
 
 def truncated(chain: Chain, joints: int) -> Chain:
-    """The robot cut off behind some joints, its {b} where the next joint stands.
+    """The robot with its first joints only, and {b} at the point of the next joint, parallel to {s}.
 
     >>> from kinlib.chains.robots import youbot
     >>> truncated(youbot(), 2).home[:3, 3]
@@ -105,12 +104,15 @@ def truncated(chain: Chain, joints: int) -> Chain:
 
 
 def random_configuration(sampler: ArmSampler, chain: Chain) -> Configuration:
-    """Joint values within the limits, in steps of 5 degrees and half a grain where these leave any."""
+    """Draw a configuration within the joint limits, in steps of 5 degrees and of half a `step_size` where the limits allow it."""
     return _configuration(chain, [_random_value(sampler, chain, i) for i in range(chain.n)])
 
 
 def random_quarter_turn_configuration(sampler: ArmSampler, chain: Chain) -> Configuration:
-    """Joint values within the limits, in quarter turns where these leave any: axes along x, y, z stay so."""
+    """Draw a configuration within the joint limits, with quarter turns where the limits allow it.
+
+    After quarter turns, axes along x, y and z still lie along x, y and z.
+    """
     return _configuration(chain, [_random_quarter_turn(sampler, chain, i) for i in range(chain.n)])
 
 
@@ -137,19 +139,19 @@ def _random_quarter_turn(sampler: ArmSampler, chain: Chain, joint: int) -> float
 
 
 def _step(chain: Chain, joint: int) -> tuple[float, int]:
-    """A step that is short to type, and how many of them a joint may go."""
+    """The step of a joint, in degrees or metres, and the number of steps that it may be away from zero."""
     return (step_size(chain) / 2, 8) if chain.joint_types[joint] == "P" else (5.0, MAX_JOINT_ANGLE_DEG // 5)
 
 
 def _range(chain: Chain, joint: int) -> tuple[float, float]:
-    """The limits of a joint as people type them."""
+    """The limits of a joint in degrees or metres."""
     low, high = (-np.inf, np.inf) if chain.limits is None else chain.limits[joint]
     low, high = (low, high) if chain.joint_types[joint] == "P" else (np.degrees(low), np.degrees(high))
     return float(low), float(high)
 
 
 def _random_within(sampler: ArmSampler, low: float, high: float) -> float:
-    """A value between limits that leave no plain one: some tenths of the way, with three digits where they fit."""
+    """Draw a value between limits that contain no simple one: some tenths of the way, with three digits if that is inside."""
     low, high = max(low, high - 1e3), min(high, low + 1e3)
     value = low + (high - low) * sampler.integer(3, 7) / 10
     plain = float(f"{value:.3g}")
@@ -158,4 +160,6 @@ def _random_within(sampler: ArmSampler, low: float, high: float) -> float:
 
 def _random_rotation(sampler: ArmSampler) -> Array:
     axis = np.eye(3)[sampler.integer(0, 2)]
-    return exp(np.radians(sampler.choice(ANGLES) * sampler.choice((-1, 1))) * np.concatenate([axis, np.zeros(3)]))
+    return exp(
+        np.radians(sampler.choice(PLAIN_ANGLES_DEG) * sampler.choice((-1, 1))) * np.concatenate([axis, np.zeros(3)])
+    )

@@ -1,4 +1,4 @@
-"""Screw axes of a robot that somebody brought: read in the lab, by the tool, by a new tool, and back."""
+"""Tasks on the screw axes of any robot: in {s}, in {b}, in the frame of a new tool, and from {b} back to {s}."""
 
 from collections.abc import Sequence
 from functools import partial
@@ -21,12 +21,12 @@ from misstep.release.instructor_notebook import Entry
 from misstep.text import matrix
 
 MAX_ASKED_JOINTS = 3
-"""How many joints are asked for where the screws of all would only be the same work again."""
+"""The maximum number of joints whose screw axes are asked for, because more joints would only repeat the same work."""
 
 
 def space_screws(robot: Chain, sampler: ArmSampler) -> Problem:
-    """Space screws from directions and points, in the student's own {s}."""
-    # Slides have directions only: along x, y, z there are too few of them for a class.
+    """Space screws from directions and points, for a base of the student's own."""
+    # The screw of a prismatic joint depends on its direction only, and x, y, z are too few directions for a class.
     base = random_tilted_base if set(robot.joint_types) == {"P"} else random_aligned_base
     arm = rebased(robot, base(sampler, robot), np.eye(4))
     joints = _choose_joints(sampler, arm)
@@ -134,7 +134,7 @@ def new_tool(robot: Chain, sampler: ArmSampler) -> Problem:
 
 
 def _choose_joints(sampler: ArmSampler, arm: Chain) -> list[int]:
-    """A few joints in their order, counted from 0: of each kind one, if there is more than one kind."""
+    """Choose a few joints, counted from 0 and in ascending order: at least one of each type."""
     kinds = [
         sampler.choice([i for i, other in enumerate(arm.joint_types) if other == kind])
         for kind in sorted(set(arm.joint_types))
@@ -144,7 +144,7 @@ def _choose_joints(sampler: ArmSampler, arm: Chain) -> list[int]:
 
 
 def _name_axes(joints: Sequence[int]) -> str:
-    """Some screw axes in words.
+    """Name the screw axes of some joints, counted from 0, in words.
 
     >>> _name_axes([0]), _name_axes([0, 2, 3])
     ('the screw axis of joint 1', 'the screw axes of joints 1, 3 and 4')
@@ -187,4 +187,4 @@ SCREW_TASKS: dict[str, RobotTask] = {
         Entry("screws", ANSWER_NOTE, "screws_{k} = given.body_screws @ kl.adjoint(kl.inverse(given.T_bt)).T"),
     ),
 }
-"""What a task is called here, the file of a sheet calls it."""
+"""The tasks by name. The file of a robot sheet stores these names, so a name must not change."""

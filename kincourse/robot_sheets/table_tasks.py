@@ -1,7 +1,7 @@
-"""Problems on the DH tables of a robot that somebody brought: a standard one, a modified one, one with a faulty entry.
+"""Tasks on the DH tables of any robot: a standard table, a modified table, and a table with a faulty entry.
 
-The robot stands in a zero posture of the student's own, so that the offsets of the table are their own too. Its first and
-its last frame are given; what the rules leave open between them is free.
+The zero configuration is the student's own, so that the offsets of the table are their own too. The first and the last
+frame are given, and every choice that the rules leave open between them is right.
 """
 
 from functools import partial
@@ -36,7 +36,7 @@ from misstep.release.instructor_notebook import Entry
 from misstep.text import matrix, number
 
 MAX_ROWS = 7
-"""How many rows a table has at most: those of a robot with more joints end behind the seventh."""
+"""The maximum number of rows of a table. A robot with more joints is cut off after this joint."""
 
 MISTAKE_NAMES = (
     *("the other convention", "z on the wrong joint", "no offset", "sign of alpha", "alpha one row off"),
@@ -45,17 +45,17 @@ MISTAKE_NAMES = (
 
 
 def standard_table(robot: Chain, sampler: ArmSampler) -> Problem:
-    """A table in the standard convention between two given frames."""
+    """The table in the standard convention between two given frames."""
     return _table(robot, sampler, "standard")
 
 
 def modified_table(robot: Chain, sampler: ArmSampler) -> Problem:
-    """A table in the modified convention between two given frames."""
+    """The table in the modified convention between two given frames."""
     return _table(robot, sampler, "modified")
 
 
 def faulty_entry(robot: Chain, sampler: ArmSampler) -> Problem:
-    """One entry of a table does not fit the drawn frames."""
+    """The one entry of a table that does not fit the drawn frames."""
     arm, cut, _ = _arm(robot, sampler)
     table = _assigned_table(arm, sampler.choice(("standard", "modified")))
     frames = [table.base]
@@ -111,7 +111,7 @@ def _table(robot: Chain, sampler: ArmSampler, convention: Convention) -> Problem
 
 
 def _arm(robot: Chain, sampler: ArmSampler) -> tuple[Chain, str, str]:
-    """The robot in the student's zero posture and place, where it was cut, and the posture in words."""
+    """The robot with the student's base and zero configuration, where it is cut off, and the configuration in words."""
     part = truncated(robot, MAX_ROWS)
     at = random_quarter_turn_configuration(sampler, part)
     arm = rebased(with_zero_at(part, at.q), random_aligned_base(sampler, robot), np.eye(4))
@@ -120,12 +120,12 @@ def _arm(robot: Chain, sampler: ArmSampler) -> tuple[Chain, str, str]:
 
 
 def _assigned_table(arm: Chain, convention: Convention) -> DHTable:
-    """The rows of our own choice of frames."""
+    """The table of the frames that `assign_frames` chooses."""
     return assign_frames(arm, convention=convention).table.changed(name=arm.name)
 
 
 def _wrong_entry(sampler: ArmSampler, value: float, column: str, step: float) -> float:
-    """A wrong number in the place of a right one: plain, and plainly wrong."""
+    """Draw a wrong number in place of a right one: simple, and far enough from it."""
     if column in ANGLES:
         return value + float(np.radians(sampler.choice([90, -90, 180])))
     off = sampler.choice((-1, 1)) * sampler.integer(1, 3) * step
@@ -133,12 +133,12 @@ def _wrong_entry(sampler: ArmSampler, value: float, column: str, step: float) ->
 
 
 def _format_table(table: DHTable) -> str:
-    """The table as a page prints it, angles in degrees."""
+    """Write a table in Markdown, with angles in degrees."""
     return markdown_table(format_rows(table, length=number, angle=lambda angle: f"{number(_wrapped_degrees(angle))}°"))
 
 
 def _wrapped_degrees(angle: float) -> float:
-    """An angle in degrees, between -180 and 180, to the thousandth."""
+    """An angle, given in radians, in degrees within (-180, 180], rounded to three decimals."""
     return float(180 - (180 - np.degrees(angle).round(3)) % 360)
 
 
@@ -194,4 +194,4 @@ TABLE_TASKS: dict[str, RobotTask] = {
         ),
     ),
 }
-"""What a task is called here, the file of a sheet calls it."""
+"""The tasks by name. The file of a robot sheet stores these names, so a name must not change."""

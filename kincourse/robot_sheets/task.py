@@ -1,4 +1,4 @@
-"""What can be asked of a robot that somebody brought: a task is a problem that waits for its robot."""
+"""A task of a sheet for any robot: a problem whose robot is not chosen yet."""
 
 from collections.abc import Callable
 from typing import NamedTuple
@@ -10,7 +10,12 @@ from misstep.release.instructor_notebook import Entry
 
 
 class RobotTask(NamedTuple):
-    """A problem before it has a robot, and its cells in the notebook. In a solution, {k} is the number of the problem."""
+    """A problem without its robot, and its cells in the instructor's notebook.
+
+    lecture  where to re-read, notebook and heading: "03_poe_space#The product"
+    write    the function that writes the problem of a robot with a student's numbers
+    entry    the cells; {k} in its solution stands for the number of the problem
+    """
 
     title: str
     points: int

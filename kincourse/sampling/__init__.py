@@ -1,1 +1,1 @@
-"""Arms and linkages drawn for one student."""
+"""Random points, frames, arms and linkages for the variants of problems."""

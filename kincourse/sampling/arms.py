@@ -1,7 +1,6 @@
-"""Numbers of a student's own: the same ones every time, others for the neighbour.
+"""Random points, frames and arms: the same ones every time for a student and a problem, and different ones for others.
 
-A variant is drawn from the student, the problem and nothing else, on every machine and for years to come. Of Python's
-generator only `random()` promises that, so everything here is built on it.
+They are drawn with `misstep.sampling.Sampler`, which depends on the student and the problem only, on every machine.
 """
 
 from collections.abc import Sequence
@@ -15,19 +14,22 @@ from kinlib.view.drawing.canvas import view_axes
 from misstep.sampling import Sampler
 
 MIN_JOINT_DISTANCE_M = 1.2
-"""How far apart two joints of a drawn arm stand on the sheet, in metres of the arm."""
+"""The minimum distance of two joints of an arm in its drawing, in metres at the scale of the arm."""
 
 MIN_DROP_LINE_DISTANCE_M = 0.4
-"""How far apart the lines stand that drop from them to the floor, so that each height is read at its own line."""
+"""The minimum distance of the lines that drop from the joints to the floor, so that each height is read at its own line."""
 
 MIN_POINT_DISTANCE_M = 1.0
-"""How far apart the points of a drawing stand on the sheet, in metres, for marks on both to be told apart."""
+"""The minimum distance of two points in a drawing, in metres at its scale, at which their labels can be told apart."""
 
 AXIS_DIRECTIONS = (X, Y, Z, -X, -Y, -Z)
 
+PLAIN_ANGLES_DEG = (20, 25, 30, 35, 40, 50, 55, 60, 65, 70)
+"""Angles that are easy to read and to type, without 45 degrees, at which sine and cosine are equal."""
+
 
 def are_distinguishable(places: Sequence[Array]) -> bool:
-    """Whether a drawing shows these points apart from each other; one point alone is no drawing yet.
+    """Whether a drawing shows points (k, 3) apart from each other; False for fewer than two points.
 
     >>> are_distinguishable([np.zeros(3), 3 * X]), are_distinguishable([np.zeros(3), 0.1 * X])
     (True, False)
@@ -45,24 +47,29 @@ class ArmSampler(Sampler):
     """
 
     def point(self, reach: int) -> Array:
-        """A point with whole coordinates, none of them zero and no two of equal size: no sign or swap can hide."""
+        """Draw a point (3,) with integer coordinates up to `reach` in size, none of them zero and no two of equal size.
+
+        So every flipped sign and every swap changes the point.
+        """
         sizes = self.shuffled(range(1, reach + 1))[:3]
         return np.array([self.choice((-1, 1)) * size for size in sizes], dtype=float)
 
     def axes(self) -> tuple[Array, Array, Array]:
-        """The axes x, y, z of a frame, each along one of {s}."""
+        """Draw the axes x, y, z of a right-handed frame, each parallel to an axis of {s}."""
         x = self.choice(AXIS_DIRECTIONS)
         z = self.choice([axis for axis in AXIS_DIRECTIONS if not axis @ x])
         return x, np.cross(z, x), z
 
-    def arm(self, letters: str, reach: int = 4) -> Chain:
-        """An arm with axes along x, y, z and joints at whole coordinates, as one draws it on squared paper.
+    def arm(self, joint_types: str, reach: int = 4) -> Chain:
+        """Draw an arm with joint axes along x, y or z and joints at points with integer coordinates.
 
-        letters such as "RPR" name the joints from base to tool. Neighbouring axes are never parallel, and no joint hides
-        another in the drawing.
+        joint_types  one letter per joint from base to tool, R or P: "RPR"
+        reach        the largest coordinate of a joint, in metres
+
+        Neighbouring axes are never parallel, and no joint covers another one in the drawing.
         """
         joints: list[tuple[Array, Array, float]] = []
-        for letter in letters:
+        for letter in joint_types:
             free = [axis for axis in AXIS_DIRECTIONS if not joints or not axis @ joints[-1][0]]
             point = self._point_in_sight([place for _, place, _ in joints], reach)
             joints.append((self.choice(free), point, SLIDE if letter == "P" else 0.0))
@@ -70,7 +77,7 @@ class ArmSampler(Sampler):
         return arm(joints, home, "your arm", "drawn for you")
 
     def _point_in_sight(self, others: Sequence[Array], reach: int) -> Array:
-        """A point that the drawing shows apart from others and from the origin, on a drop line of its own."""
+        """Draw a point that the drawing shows apart from others and from the origin, with a drop line of its own."""
         _, sheet = view_axes("default")
         while True:
             point = self.point(reach)

@@ -1,6 +1,6 @@
-"""Linkages of four bars by compass and ruler: where two circles meet, and nothing that is solved step by step.
+"""Four-bar linkages and slider-cranks in closed form, by the intersection of circles.
 
-A method of its own beside kinlib.mechanisms.mechanism: what a sheet calls right does not come from the solver that a student may use.
+This is a second method, independent of the iterative solver in `kinlib.mechanisms`, because a student may use that solver.
 """
 
 from typing import NamedTuple
@@ -11,11 +11,11 @@ from kinlib.arrays.validation import Array
 from kinlib.rigid.angles import wrap_angle
 
 COINCIDENCE_TOL_M = 1e-6
-"""Two pins nearer than this, in metres, stand on each other."""
+"""Two pins at a smaller distance, in metres, coincide."""
 
 
 class FourBar(NamedTuple):
-    """The lengths of a four-bar linkage, in metres. A stands at the origin and D on the x axis, at the ground's length."""
+    """The lengths of a four-bar linkage, in metres. Pin A is at the origin, and pin D on the x axis at x = ground."""
 
     ground: float
     crank: float
@@ -24,7 +24,7 @@ class FourBar(NamedTuple):
 
     @property
     def grashof_excess(self) -> float:
-        """Shortest and longest less the other two: below 0 by Grashof's condition, 0 at a change point.
+        """Shortest plus longest length less the other two: negative if Grashof's condition holds, 0 at a change point.
 
         >>> round(FourBar(0.4, 0.1, 0.35, 0.3).grashof_excess, 2)
         -0.15
@@ -33,9 +33,11 @@ class FourBar(NamedTuple):
         return ordered[0] + ordered[3] - ordered[1] - ordered[2]
 
     def pin_positions(self, A: float) -> tuple[Array, Array, Array]:
-        """Where B and D are, (2,), and the two places (2, 2) where C can be: left of the arrow from B to D, and right of it.
+        """The positions of B and D, each (2,), and the two possible positions of C, (2, 2), at the crank angle A in radians.
 
-        Raises ValueError where the coupler and the rocker do not reach each other.
+        The first C lies to the left of the arrow from B to D, the second one to its right.
+
+        Raises ValueError if coupler and rocker do not reach each other, or if B coincides with D.
 
         >>> B, D, C = FourBar(4, 3, 4, 3).pin_positions(np.pi / 2)
         >>> B.round(3) + 0.0, C.round(3) + 0.0
@@ -46,20 +48,25 @@ class FourBar(NamedTuple):
         line = D - B
         distance = float(np.linalg.norm(line))
         if distance < COINCIDENCE_TOL_M:
-            raise ValueError(f"B stands on D, and the circles about them have no two places in common: {self}.")
+            raise ValueError(
+                f"B must not coincide with D, because the circles about them then have the same centre; got {self}, "
+                f"A = {A:.4g}."
+            )
         along = (distance**2 + self.coupler**2 - self.rocker**2) / (2 * distance)
         if self.coupler < abs(along):
             raise ValueError(
-                f"From B to D it is {distance:.4g} m: circles of {self.coupler} and {self.rocker} m do not meet."
+                f"B and D are {distance:.4g} m apart: circles with radii {self.coupler} and {self.rocker} m do not meet."
             )
         along_line, left = line / distance, np.array([-line[1], line[0]]) / distance
         height = np.sqrt(self.coupler**2 - along**2)
         return B, D, np.array([B + along * along_line + height * left, B + along * along_line - height * left])
 
     def assembly_modes(self, A: float) -> Array:
-        """Both assembly modes at a crank angle as joint values A, B, D, C of kinlib.mechanisms.linkages.four_bar, (2, 4).
+        """Both assembly modes at a crank angle, as joint values A, B, D, C of `kinlib.linkages.four_bar`, (2, 4) in radians.
 
-        The angles lie between -pi and pi; the first mode has C left of the arrow from B to D.
+        The angles lie in (-pi, pi]; in the first mode C lies to the left of the arrow from B to D.
+
+        Raises ValueError as `pin_positions` does.
 
         >>> FourBar(4, 3, 4, 3).assembly_modes(np.pi / 2)[0].round(4)
         array([ 1.5708, -1.5708,  1.5708, -1.5708])
@@ -70,20 +77,22 @@ class FourBar(NamedTuple):
         return wrap_angle(q)
 
     def dead_point(self) -> float:
-        """The greatest crank angle, in radians, at which coupler and rocker still reach: they lie in one line there.
+        """The largest crank angle, in radians, at which the loop closes: coupler and rocker are stretched into one line there.
 
-        Raises ValueError for a crank that turns right round, or that is held back by a folded coupler instead.
+        Raises ValueError if the crank makes full turns, or if it is limited by a folded coupler and rocker instead.
 
         >>> round(float(np.degrees(FourBar(0.5, 0.3, 0.3, 0.3).dead_point())), 2)
         93.82
         """
         cos_crank_angle = self.cos_crank_angle(self.coupler + self.rocker)
         if not -1 < cos_crank_angle < 1:
-            raise ValueError(f"This crank is not held back by a stretched coupler and rocker: {self}.")
+            raise ValueError(
+                f"The crank must be limited by a stretched coupler and rocker; got {self}, which has no such dead point."
+            )
         return float(np.arccos(cos_crank_angle))
 
     def cos_crank_angle(self, distance: float) -> float:
-        """The cosine of the crank's angle where D is far from B, by the law of cosines.
+        """The cosine of the crank angle at which B and D are `distance` metres apart, by the law of cosines.
 
         >>> FourBar(3, 4, 1, 1).cos_crank_angle(5)
         0.0
@@ -92,7 +101,10 @@ class FourBar(NamedTuple):
 
 
 def slider_position(crank: float, rod: float, offset: float, A: float, side: int = 1) -> float:
-    """Where the slider of a slider-crank is along x, on the far side of B (side 1) or on the near one (side -1).
+    """The position x of the slider of a slider-crank, in metres, at the crank angle A in radians.
+
+    offset  the y coordinate of the line of the slider, in metres
+    side    1 for the slider on the far side of B, -1 for the near side
 
     >>> slider_position(3, 5, 0, np.pi / 2)
     4.0

@@ -1,4 +1,4 @@
-"""Linkages drawn for a student: lengths of a kind, legs under a platform, and postures that counting misjudges."""
+"""Random linkages: four-bars of a given kind, legs of a platform, and linkages for which the mobility formula fails."""
 
 from typing import NamedTuple
 
@@ -12,7 +12,7 @@ from kinlib.mechanisms.mechanism import Mechanism
 
 
 def crank_rocker(sampler: ArmSampler) -> FourBar:
-    """A four-bar whose crank turns right round, with room to spare."""
+    """Draw a four-bar whose crank makes full turns while its rocker swings, well away from a change point."""
     while True:
         ground, coupler, rocker = (sampler.length(0.3, 0.7) for _ in range(3))
         four_bar = FourBar(ground, sampler.length(0.1, 0.2), coupler, rocker)
@@ -21,7 +21,7 @@ def crank_rocker(sampler: ArmSampler) -> FourBar:
 
 
 def limited_crank(sampler: ArmSampler) -> FourBar:
-    """A four-bar whose crank passes through 0 and is held back by the stretched coupler and rocker."""
+    """Draw a four-bar whose crank passes through 0 and is limited by the stretched coupler and rocker."""
     while True:
         four_bar = FourBar(*(sampler.length(0.2, 0.7) for _ in range(4)))
         folded = abs(four_bar.ground - four_bar.crank) > abs(four_bar.coupler - four_bar.rocker) + 0.05
@@ -30,7 +30,10 @@ def limited_crank(sampler: ArmSampler) -> FourBar:
 
 
 def four_bar_of_kind(sampler: ArmSampler, kind: str) -> FourBar:
-    """Lengths of a kind: the shortest bar is one of its own, and shortest plus longest say which side of the limit."""
+    """Draw a four-bar of a kind by Grashof's condition.
+
+    kind  "a" crank-rocker, "b" double crank, "c" double rocker, "d" no bar makes full turns, "e" change point
+    """
     shortest = {"a": "crank", "b": "ground", "c": "coupler"}.get(kind, sampler.choice(["crank", "ground", "coupler"]))
     while True:
         lengths = sorted({sampler.length(0.1, 0.8) for _ in range(4)})
@@ -44,7 +47,7 @@ def four_bar_of_kind(sampler: ArmSampler, kind: str) -> FourBar:
 
 
 class Leg(NamedTuple):
-    """A leg between the ground and a platform: its joints in words, and how many freedoms each has."""
+    """A leg between the ground and a platform: its joints in words, and the degrees of freedom of each joint."""
 
     description: str
     joint_freedoms: tuple[int, ...]
@@ -63,7 +66,7 @@ PLANAR_LEGS = (Leg("three pins", (1, 1, 1)), Leg("two pins", (1, 1)), Leg("a pin
 
 
 class OverconstrainedCase(NamedTuple):
-    """A linkage that counting misjudges, a posture, the freedoms that it has, and what to say to who errs about them."""
+    """A linkage for which the mobility formula fails, with a configuration q (n,), its finite mobility, and an explanation."""
 
     linkage: Mechanism
     description: str
@@ -73,7 +76,7 @@ class OverconstrainedCase(NamedTuple):
 
 
 def overconstrained_case(sampler: ArmSampler) -> OverconstrainedCase:
-    """One of four linkages whose count is wrong, with lengths of the student's own."""
+    """Draw one of four linkages for which Kutzbach's formula fails, with lengths of the student's own."""
     one, two = sampler.length(0.3, 0.9), sampler.length(0.2, 0.6)
     moves = "It does move: the equations that are too many say what the others say, in every posture and not only in this one."
     stuck = "A speed is felt and leads nowhere: off the line the two bars are too short."

@@ -1,1 +1,1 @@
-"""What statements show: tables of joints, pieces of URDF files."""
+"""Parts of statements as text: tables of joints, and URDF files."""

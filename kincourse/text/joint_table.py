@@ -21,7 +21,7 @@ def joint_table(chain: Chain, joints: Iterable[int] | None = None) -> str:
     for i in range(chain.n) if joints is None else joints:
         letter = chain.joint_types[i]
         kind = kinds[letter] if letter != "H" else f"helical, ${number(pitch[i])}$ m/rad"
-        # A slide has no point, and a number that plays no part would only mislead.
+        # The screw of a prismatic joint does not depend on a point, so a point would only mislead.
         point = f"${vector(chain.joint_points[i])}$" if letter != "P" else "any"
         rows.append(f"| {i + 1} | {kind} | ${vector(axis[i])}$ | {point} |")
     return _table(["joint", "kind", "direction", "point on the axis (m)"], rows)

@@ -1,4 +1,4 @@
-"""URDF files as sheets print them: short, one element a line, right angles as people write them."""
+"""URDF files as sheets print them: short, with one element per line, and right angles written as 1.5708."""
 
 from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
@@ -15,7 +15,7 @@ RIGHT_ANGLE_RAD = np.pi / 2
 
 @dataclass(frozen=True, eq=False)
 class UrdfJoint:
-    """A joint of a printed file: its origin as it stands there, and its axis in its own frame.
+    """A joint of a URDF file: its origin in the frame of the parent link, in metres and radians, and its axis in its own frame.
 
     >>> UrdfJoint("lean", (0, 0, 1), (np.pi / 2, 0, 0)).element("post", "rod").splitlines()[2]
     '  <origin xyz="0 0 1" rpy="1.5708 0 0"/>'
@@ -29,11 +29,11 @@ class UrdfJoint:
 
     @property
     def pose(self) -> Array:
-        """Where the file puts it, in the frame of its parent."""
+        """The pose (4, 4) of the joint frame in the frame of the parent link, at q = 0."""
         return origin(self.xyz, self.rpy)
 
     def element(self, parent: str, child: str) -> str:
-        """The joint as it stands in a file."""
+        """The joint as a URDF element between two links."""
         rpy_attribute = f' rpy="{format_values(self.rpy)}"' if np.any(self.rpy) else ""
         lines = [
             f'<joint name="{self.name}" type="{self.kind}">',
@@ -46,7 +46,7 @@ class UrdfJoint:
 
 
 def serial_urdf(joints: Sequence[UrdfJoint], links: Sequence[str]) -> str:
-    """A file of one arm: links from base to tip, and a joint between each two.
+    """Write the URDF of an open chain: links from base to tip, and a joint between each two.
 
     >>> serial_urdf([UrdfJoint("turn", (0, 0, 1))], ["base", "tip"]).count("<link ")
     2
@@ -56,7 +56,7 @@ def serial_urdf(joints: Sequence[UrdfJoint], links: Sequence[str]) -> str:
 
 
 def robot_urdf(links: Iterable[str], elements: Iterable[str], name: str = "yours") -> str:
-    r"""A file of links and elements.
+    r"""Write a URDF of links and further elements.
 
     >>> robot_urdf(["a"], [])
     '<robot name="yours">\n<link name="a"/>\n</robot>'
@@ -65,7 +65,7 @@ def robot_urdf(links: Iterable[str], elements: Iterable[str], name: str = "yours
 
 
 def fence_urdf(text: str) -> str:
-    r"""A file as Markdown shows it.
+    r"""Put a URDF into a fenced code block of Markdown.
 
     >>> fence_urdf("<robot/>")
     '```xml\n<robot/>\n```'
@@ -74,7 +74,7 @@ def fence_urdf(text: str) -> str:
 
 
 def format_values(values: Array | Iterable[float]) -> str:
-    """Numbers as a file holds them, with four decimals at most.
+    """Write numbers as a URDF attribute does, separated by spaces, with at most four decimals.
 
     >>> format_values([0, -1, np.pi / 2])
     '0 -1 1.5708'
@@ -83,7 +83,7 @@ def format_values(values: Array | Iterable[float]) -> str:
 
 
 def random_right_angles(sampler: ArmSampler, turns: int) -> Array:
-    """Roll, pitch and yaw of so many right angles, either way; the others are 0.
+    """Draw roll, pitch and yaw in radians, (3,): `turns` of them are right angles of either sign, the others 0.
 
     >>> int(np.count_nonzero(random_right_angles(ArmSampler("ada", "09.1"), 2)))
     2

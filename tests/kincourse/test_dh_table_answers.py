@@ -1,4 +1,4 @@
-"""DH tables as answers: every legal table is right, and a wrong one is told what is wrong with it."""
+"""DH tables as answers: every equivalent table is right, and the feedback on a wrong one says what is wrong."""
 
 import numpy as np
 import pytest
@@ -33,13 +33,13 @@ def test_numbers_dictionaries_and_text_are_read():
     assert [judge_table(given).state for given in (ROWS, text, named, RIGHT)] == ["right"] * 4
 
 
-def test_a_flipped_x_and_another_zero_are_right():
+def test_a_reversed_x_axis_and_another_zero_configuration_are_right():
     flipped = rows_with((0, 0, -0.3), (0, 1, -0.7), (0, 3, np.pi), (1, 3, 0.5 - np.pi))
     assert judge_table(flipped).state == "right"
     assert judge_table(rows_with((1, 3, 2.0))).state == "right"
 
 
-def test_where_the_zero_counts_another_zero_is_wrong_and_told():
+def test_another_zero_configuration_is_wrong_if_the_table_is_anchored():
     judgement = judge_table(rows_with((1, 3, 1.5)), anchored=True)
     assert judgement.state == "wrong"
     assert judgement.findings[0].message.startswith(
@@ -58,20 +58,20 @@ def test_three_decimals_are_enough():
     assert elsewhere.findings[0].message.startswith("Your table moves like the arm, from another start.")
 
 
-def test_where_all_counts_the_frames_at_the_ends_are_those_of_the_problem():
+def test_an_anchored_table_takes_base_and_tool_from_the_problem():
     ends = RIGHT.changed(base=kl.exp([0, 0, 1, 1, 0, 0]), tool=kl.exp([0, 1, 0, 0, 0, 2]))
     assert judge(Problem("", DHTableAnswer(ends, anchored=True), []), ROWS).state == "right"
     assert judge(Problem("", DHTableAnswer(ends, anchored=True), []), RIGHT).state == "wrong"
 
 
-def test_where_all_counts_a_joint_that_counts_the_other_way_is_wrong():
-    """At half a turn both signs give the same pose, so that one posture is not enough."""
+def test_a_flipped_joint_sign_is_wrong_if_the_table_is_anchored():
+    """At half a turn both signs give the same pose, so several configurations must be compared."""
     text = "a|alpha|d|theta\n0.3|0.7|0.2|-q1\n0.25|-1.1|0.35|q2+0.5\n0.4|0.9|0.15|q3"
     assert judge_table(text).state == "right"
     assert judge_table(text, anchored=True).state == "wrong"
 
 
-def test_a_slide_is_known_from_the_problem_or_from_what_is_typed():
+def test_a_prismatic_joint_follows_from_the_problem_or_from_the_typed_table():
     sliding = DHTable(ROWS, convention="standard", joints="RPR")
     named = [
         {"a": 0.3, "alpha": 0.7, "d": 0.2, "theta": "q1"},
@@ -85,25 +85,25 @@ def test_a_slide_is_known_from_the_problem_or_from_what_is_typed():
         assert message == "Its joints are RPR; those of the arm are RRR. Which column holds the variable?"
 
 
-def test_lengths_with_names_are_known():
+def test_named_lengths_are_read():
     text = "a|alpha|d|theta\nl1|0.7|0.2|q1\n0.25|-1.1|0.35|q2+0.5\n0.4|0.9|0.15|q3"
     assert judge_table(text, lengths={"l1": 0.3}).state == "right"
     assert "Give lengths={'l1': ...}" in judge_table(text).findings[0].message
 
 
-def test_a_text_is_read_up_to_a_length():
+def test_a_text_is_read_up_to_the_maximum_length():
     text = "a|alpha|d|theta\n0.3|0.7|0.2|q1\n0.25|-1.1|0.35|q2+0.5\n0.4|0.9|0.15|q3"
     assert judge_table(text.ljust(MAX_TEXT_LENGTH)).state == "right"
     with pytest.raises(Unreadable, match="too long"):
         DHTableAnswer(RIGHT).read(text.ljust(MAX_TEXT_LENGTH + 1))
 
 
-def test_an_arm_of_another_number_of_joints_is_another_arm():
+def test_tables_with_different_numbers_of_joints_differ():
     assert DHTableAnswer(RIGHT).agrees(RIGHT, DHTable(ROWS[:2], convention="standard")) == [False]
 
 
-def test_two_mistakes_in_one_table_are_not_sought():
-    """It takes seconds, and a student waits: what differs first is told at once."""
+def test_pairs_of_mistakes_are_not_searched():
+    """The search would take seconds while a student waits, so the first difference is reported at once."""
     message = judge_table(rows_with((0, 0, 0.2), (0, 2, 0.3), (1, 1, 1.1))).findings[0].message
     assert message == "Axes 1 and 2 are 0.2 m apart in your table, and 0.3 m in the arm."
 
@@ -119,7 +119,7 @@ def test_two_mistakes_in_one_table_are_not_sought():
         (rows_with((0, 1, 0.1), (1, 0, 9.0), (1, 2, 5.0)), "Axes 1 and 2 make an angle"),
     ],
 )
-def test_a_wrong_table_is_told_what_is_wrong(given, words):
+def test_feedback_on_a_wrong_table_names_the_mistake(given, words):
     assert words in judge_table(given).findings[0].message
 
 
@@ -134,7 +134,7 @@ UNREADABLE = {
 
 
 @pytest.mark.parametrize(("given", "words"), UNREADABLE.values(), ids=UNREADABLE)
-def test_what_is_no_table_of_this_arm_is_unreadable(given, words):
+def test_an_answer_that_is_no_table_of_this_arm_is_unreadable(given, words):
     expected = r"^Expected a DH table in the standard convention with 3 joints \(RRR\): text with .* for what moves"
     with pytest.raises(Unreadable, match=f"(?s){expected}{words}"):
         DHTableAnswer(RIGHT).read(given)

@@ -1,4 +1,4 @@
-"""Four bars by compass and ruler, against the solver that closes any linkage, and against what the lengths must be."""
+"""Four-bars and slider-cranks in closed form, against the iterative solver of kinlib and against the given lengths."""
 
 import mpmath
 import numpy as np
@@ -17,7 +17,7 @@ angles = st.floats(-np.pi, np.pi)
 
 
 @given(st.tuples(lengths, lengths, lengths, lengths), angles)
-def test_both_modes_close_the_loop_of_the_library(four, A):
+def test_both_assembly_modes_close_the_loop(four, A):
     four_bar = FourBar(*four)
     assume(np.hypot(*(four_bar.crank * np.array([np.cos(A), np.sin(A)]) - (four_bar.ground, 0))) > 1e-2)
     try:
@@ -28,7 +28,7 @@ def test_both_modes_close_the_loop_of_the_library(four, A):
 
 
 @given(st.tuples(lengths, lengths, lengths, lengths), angles)
-def test_coupler_and_rocker_are_as_long_as_they_should_be_on_either_side(four, A):
+def test_coupler_and_rocker_have_their_lengths_in_both_modes(four, A):
     four_bar = FourBar(*four)
     assume(np.hypot(*(four_bar.crank * np.array([np.cos(A), np.sin(A)]) - (four_bar.ground, 0))) > 1e-2)
     try:
@@ -38,24 +38,24 @@ def test_coupler_and_rocker_are_as_long_as_they_should_be_on_either_side(four, A
     np.testing.assert_allclose(np.linalg.norm(C - B, axis=1), four_bar.coupler, atol=1e-9)
     np.testing.assert_allclose(np.linalg.norm(C - D, axis=1), four_bar.rocker, atol=1e-7)
     way, left = D - B, C[0] - B
-    assert way[0] * left[1] - way[1] * left[0] >= -1e-12  # flat triangles have no left
+    assert way[0] * left[1] - way[1] * left[0] >= -1e-12  # a degenerate triangle has no left side
 
 
-def test_the_search_of_the_library_finds_the_same_two_modes():
+def test_the_solver_of_kinlib_finds_the_same_two_modes():
     four = (0.4, 0.1, 0.35, 0.3)
     found = linkages.four_bar(*four).assembly_modes(hold={"A": 1.0})
     mine = FourBar(*four).assembly_modes(1.0)
     np.testing.assert_allclose(found[np.argsort(found[:, 1])], mine[np.argsort(mine[:, 1])], atol=1e-12)
 
 
-def test_the_dead_point_is_where_the_traced_crank_turns_back():
+def test_the_traced_curve_turns_back_at_the_dead_point():
     linkage = linkages.four_bar(0.5, 0.3, 0.3, 0.3)
     curve = linkage.trace(linkage.assembly_modes(hold={"A": 0.5})[0], points=2001)
     assert curve.q[:, 0].max() == pytest.approx(FourBar(0.5, 0.3, 0.3, 0.3).dead_point(), abs=1e-5)
 
 
 @given(lengths, st.floats(0.2, 3), st.floats(-0.5, 0.5), angles, st.sampled_from([1, -1]))
-def test_the_slider_is_a_rod_away_from_the_crank_pin(crank, rod, offset, A, side):
+def test_the_distance_of_slider_and_crank_pin_is_the_length_of_the_rod(crank, rod, offset, A, side):
     assume(abs(offset - crank * np.sin(A)) < rod)
     B = crank * np.array([np.cos(A), np.sin(A)])
     slider = np.array([slider_position(crank, rod, offset, A, side), offset])
@@ -63,27 +63,27 @@ def test_the_slider_is_a_rod_away_from_the_crank_pin(crank, rod, offset, A, side
     assert side * (slider - B)[0] >= 0
 
 
-def test_bars_that_do_not_reach_are_refused_with_the_distance():
-    with pytest.raises(ValueError, match="From B to D it is 5 m: circles of 1 and 1 m do not meet"):
+def test_a_loop_that_cannot_be_closed_is_refused_with_the_distance():
+    with pytest.raises(ValueError, match="B and D are 5 m apart: circles with radii 1 and 1 m do not meet"):
         FourBar(4, 1, 1, 1).pin_positions(np.pi)
 
 
-def test_a_crank_that_turns_right_round_has_no_dead_point():
-    with pytest.raises(ValueError, match="not held back"):
+def test_a_crank_that_makes_full_turns_has_no_dead_point():
+    with pytest.raises(ValueError, match="must be limited by a stretched coupler"):
         FourBar(0.4, 0.1, 0.35, 0.3).dead_point()
 
 
-def test_a_crank_pin_on_the_rocker_pin_is_refused():
-    with pytest.raises(ValueError, match="B stands on D"):
+def test_coincident_pins_B_and_D_are_refused():
+    with pytest.raises(ValueError, match="B must not coincide with D"):
         FourBar(1, 1, 2, 2).pin_positions(0.0)
 
 
-# --- by other hands ---
+# --- against libraries and printed values ---
 
 
 @pytest.mark.oracle("mpmath", FourBar.pin_positions, FourBar.assembly_modes, wrap_angle)
 @given(st.tuples(lengths, lengths, lengths, lengths), angles)
-def test_the_joints_are_where_two_circles_meet_with_30_digits(four, A):
+def test_the_pins_are_at_the_intersections_of_circles_with_30_digits(four, A):
     ground, crank, coupler, rocker = four
     B, D = crank * np.array([np.cos(A), np.sin(A)]), np.array([ground, 0.0])
     assume(np.linalg.norm(B - D) > 1e-2)
@@ -104,8 +104,8 @@ def test_the_joints_are_where_two_circles_meet_with_30_digits(four, A):
 
 @pytest.mark.oracle("sympy", FourBar.dead_point, FourBar.cos_crank_angle)
 @pytest.mark.parametrize("four", [(0.5, 0.3, 0.3, 0.3), (0.4, 0.3, 0.2, 0.4), (4, 2, 2.5, 3)])
-def test_the_dead_point_is_an_angle_of_sympy_s_triangle(four):
-    """Ground, crank, and coupler and rocker in one line: the angle at A is opposite to the last."""
+def test_the_dead_point_is_an_angle_of_sympys_triangle(four):
+    """The sides are ground, crank, and coupler plus rocker in one line; the angle at A is opposite to the last side."""
     ground, crank, coupler, rocker = map(sp.Rational, map(str, four))
     A, D, B = sp.Triangle(sss=(ground, coupler + rocker, crank)).vertices
     angle = sp.Triangle(A, D, B).angles[A]
@@ -115,8 +115,8 @@ def test_the_dead_point_is_an_angle_of_sympy_s_triangle(four):
 
 @pytest.mark.oracle("mpmath", slider_position)
 @given(lengths, st.floats(0.2, 3), st.floats(-0.5, 0.5), angles, st.sampled_from([1, -1]))
-def test_the_slider_is_at_a_root_of_its_quadratic(crank, rod, offset, A, side):
-    """(x - B_x)^2 + (e - B_y)^2 = l^2, by mpmath's roots of polynomials."""
+def test_the_position_of_the_slider_is_a_root_of_its_quadratic(crank, rod, offset, A, side):
+    """The roots of (x - B_x)^2 + (e - B_y)^2 = l^2, from mpmath."""
     height = offset - crank * np.sin(A)
     assume(abs(height) < rod - 1e-3)
     x = crank * np.cos(A)
@@ -125,7 +125,7 @@ def test_the_slider_is_at_a_root_of_its_quadratic(crank, rod, offset, A, side):
 
 
 @pytest.mark.oracle("printed: Grashof (1883)", FourBar.grashof_excess)
-def test_the_surplus_is_grashof_s_in_hand_written_numbers():
+def test_the_grashof_excess_of_three_printed_examples():
     assert FourBar(5, 1, 4, 3).grashof_excess == -1
     assert FourBar(3, 2, 4, 3).grashof_excess == 0
     assert FourBar(4, 2, 2.5, 3).grashof_excess == 0.5

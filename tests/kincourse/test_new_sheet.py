@@ -1,4 +1,4 @@
-"""A sheet for any robot: complete, solvable, each student's own, and friendly to whoever brings something odd."""
+"""Sheets for any robot: complete, solvable, different for each student, and with clear errors for unusual robots."""
 
 import json
 import os
@@ -40,11 +40,11 @@ def variants(key, task, students=STUDENTS):
     return [template.variant(student) for student in students]
 
 
-# --- the problems ---
+# --- the tasks ---
 
 
 @each_robot
-def test_every_robot_bears_eight_problems_that_tell_their_mistakes_apart(key):
+def test_every_robot_gets_eight_problems_whose_mistakes_can_be_told_apart(key):
     assert len(TASKS_BY_ROBOT[key]) == PROBLEMS_PER_SHEET >= 8
     for task in TASKS_BY_ROBOT[key]:
         for problem in variants(key, task, STUDENTS[:5]):
@@ -55,13 +55,13 @@ def test_every_robot_bears_eight_problems_that_tell_their_mistakes_apart(key):
 
 
 @pytest.mark.parametrize("name", [name for name in ARMS if ARMS[name][0] == "airo"] + ["PUMA 560", "KUKA KR16"])
-def test_an_arm_that_another_package_ships_gets_all_that_we_want_to_ask(name):
+def test_an_arm_of_another_package_gets_the_first_eight_tasks(name):
     assert tasks_for(kl.load_urdf(text_of(name), tip=ARMS[name][2])) == list(TASK_ORDER[:PROBLEMS_PER_SHEET])
 
 
 @each_robot
-def test_what_makes_no_sense_for_a_robot_is_replaced(key):
-    """One joint has no neighbour whose axis a modified row could reach, and no table holds a helical joint."""
+def test_tasks_that_make_no_sense_for_a_robot_are_replaced(key):
+    """A modified row needs two joints, and no DH row can describe a helical joint."""
     if ODD_ROBOTS[key].n == 1:
         assert not {"modified_table", "faulty_entry"} & set(TASKS_BY_ROBOT[key])
     if "H" in ODD_ROBOTS[key].joint_types:
@@ -77,8 +77,8 @@ def joint_values(problem):
 
 
 @pytest.mark.parametrize("key", ["PUMA", "ten", "SCARA", "gantry", "helical", "one slide"])
-def test_the_right_poses_are_those_of_the_books_own_code(key):
-    """Modern Robotics: FKinSpace and FKinBody from what the problem gives."""
+def test_poses_agree_with_modern_robotics(key):
+    """FKinSpace, FKinBody and Adjoint of the book's own code, computed from the given values."""
     for problem in variants(key, "where_is_the_tool"):
         expected = mr.FKinSpace(problem.given["home"], problem.given["screws"].T, joint_values(problem))
         np.testing.assert_allclose(problem.answer.value, expected, atol=1e-6)
@@ -92,7 +92,7 @@ def test_the_right_poses_are_those_of_the_books_own_code(key):
 
 @pytest.mark.parametrize("key", ["PUMA", "seven", "ten", "SCARA", "gantry"])
 @pytest.mark.parametrize("task", ["standard_table", "modified_table"])
-def test_a_right_table_leads_from_its_given_frames_through_the_drawn_zero(key, task):
+def test_a_right_table_has_the_given_end_frames_and_the_drawn_zero_configuration(key, task):
     for problem in variants(key, task, STUDENTS[:4]):
         table, given = problem.answer.value, problem.given
         q = np.random.default_rng(1).uniform(-1, 1, table.n)
@@ -102,7 +102,7 @@ def test_a_right_table_leads_from_its_given_frames_through_the_drawn_zero(key, t
 
 
 @pytest.mark.parametrize("key", ["PUMA", "SCARA", "ten", "two on one axis"])
-def test_one_entry_of_a_faulty_table_is_wrong_and_it_is_the_one(key):
+def test_a_faulty_table_has_one_wrong_row_and_it_is_that_of_the_answer(key):
     for problem in variants(key, "faulty_entry"):
         frames, rows, convention = (problem.given[name] for name in ("frames", "rows", "convention"))
         links = kl.inverse(frames[:-1]) @ frames[1:]
@@ -114,7 +114,7 @@ def test_one_entry_of_a_faulty_table_is_wrong_and_it_is_the_one(key):
 
 
 @pytest.mark.parametrize("task", TASK_ORDER)
-def test_students_have_answers_of_their_own(task):
+def test_students_have_different_answers(task):
     answers = set()
     for problem in variants("PUMA", task, [f"s{i}" for i in range(30)]):
         value = problem.answer.value
@@ -127,7 +127,7 @@ limits = st.lists(st.floats(-1e3, 1e3, allow_subnormal=False), min_size=2, max_s
 
 
 @given(st.tuples(limits, limits, limits), st.integers(0, 99))
-def test_drawn_joint_values_keep_the_limits(ends, student):
+def test_random_configurations_keep_the_joint_limits(ends, student):
     arm = kl.robots.rpr()
     limited = kl.Chain(arm.screws, arm.home, arm.points, limits=np.array(ends))
     for draw in (random_configuration, random_quarter_turn_configuration):
@@ -137,24 +137,24 @@ def test_drawn_joint_values_keep_the_limits(ends, student):
         assert (q <= limited.limits[:, 1] + slack).all()
 
 
-def test_without_narrow_limits_no_joint_stands_still():
+def test_no_joint_value_is_zero_unless_the_limits_are_narrow():
     for student in STUDENTS:
         assert np.all(random_configuration(ArmSampler(student, "x"), kl.robots.puma560()).q)
 
 
-def test_a_quarter_turn_cut_short_in_a_file_is_printed_as_a_quarter_turn():
-    """Many files write pi / 2 as 1.5708; a page full of 3.7e-06 would hide the arm."""
+def test_a_rounded_quarter_turn_of_a_urdf_leaves_no_tiny_numbers_in_statements():
+    """Many files write pi / 2 as 1.5708, which leaves entries such as 3.7e-06 in screws and poses."""
     arm = kl.load_urdf(kl.to_urdf(ODD_ROBOTS["PUMA"]).replace('xyz="0 1 0"', 'xyz="0 1 0.0000037"'))
     assert np.abs(arm.screws[arm.screws != 0]).min() < 1e-5
     for task in TASK_ORDER:
         assert "e-0" not in robot_sheet("arm", arm, [task]).problems[0].variant("ada").statement
 
 
-# --- the folder ---
+# --- the folder of a sheet ---
 
 
 def solved(folder, student):
-    """Run a sheet's code cells in a fresh namespace, as a kernel in its folder would, and give the open sheet."""
+    """Run the code cells of a sheet in an empty namespace, as a kernel in its folder would, and return the open sheet."""
     namespace = {"display": lambda *_: None}
     notebook = json.loads((folder / f"{folder.name}.ipynb").read_text("utf-8"))
     for cell in notebook["cells"]:
@@ -171,15 +171,15 @@ def project(tmp_path, monkeypatch):
 
 
 @each_robot
-def test_the_instructors_copy_scores_full_for_anybody(key, project, monkeypatch):
+def test_the_instructors_copy_scores_full_points(key, project, monkeypatch):
     path = new_sheet(ODD_ROBOTS[key], project / "solutions" / "odd_robot")
     monkeypatch.chdir(path.parent)
     sheet = solved(path.parent, "ada")
     assert sheet.tally().score == sheet.sheet.points
 
 
-def test_the_students_copy_runs_cold_in_its_folder_and_holds_no_solution(project, monkeypatch):
-    """As a student gets it: the notebook and the robot, in an environment where the course is installed."""
+def test_the_students_copy_runs_in_its_folder_and_contains_no_solution(project, monkeypatch):
+    """A student gets the notebook and the file of the robot, and has the course installed."""
     pytest.importorskip("nbgrader", reason="exercises/ is made with nbgrader")
     from misstep.release import student_notebook
 
@@ -202,7 +202,7 @@ def test_the_students_copy_runs_cold_in_its_folder_and_holds_no_solution(project
     assert all("Nothing here yet" in card for card in cards)
 
 
-def test_every_problem_has_its_cells_and_its_points(project):
+def test_every_problem_has_its_cells_and_points(project):
     path = new_sheet(ODD_ROBOTS["PUMA"], "solutions/lab_arm")
     cells = {cell["id"]: cell for cell in json.loads(path.read_text("utf-8"))["cells"]}
     for k, template in enumerate(find_sheet("lab_arm").problems, start=1):
@@ -212,7 +212,7 @@ def test_every_problem_has_its_cells_and_its_points(project):
     assert f"check-{PROBLEMS_PER_SHEET + 1}" not in cells
 
 
-def test_a_generated_notebook_is_as_tidy_as_ours(project):
+def test_ruff_accepts_a_generated_notebook(project):
     path = new_sheet(ODD_ROBOTS["SCARA"], "solutions/lab_arm")
     root = Path(__file__).parents[2]
     run = [sys.executable, "-m", "ruff", "check", "--config", str(root / "pyproject.toml")]
@@ -221,19 +221,19 @@ def test_a_generated_notebook_is_as_tidy_as_ours(project):
     assert done.returncode == 0, done.stdout
 
 
-def test_the_sheet_is_found_beside_the_notebook_and_below_a_project(project, monkeypatch):
+def test_a_sheet_is_found_beside_the_notebook_and_below_the_root_of_a_project(project, monkeypatch):
     new_sheet(ODD_ROBOTS["PUMA"], "solutions/lab_arm")
     from_root = open_sheet("lab_arm", "ada").problem(1).statement
     monkeypatch.chdir("solutions/lab_arm")
     assert open_sheet("lab_arm", "ada").problem(1).statement == from_root
 
 
-def test_no_file_stands_in_for_a_sheet_of_the_course(project):
+def test_a_file_cannot_replace_a_sheet_of_the_course(project):
     Path("03_poe_space.json").write_text(dumps(ODD_ROBOTS["PUMA"], TASK_ORDER[:PROBLEMS_PER_SHEET]), "utf-8")
     assert find_sheet("03_poe_space").title == "The product of exponentials in the space frame"
 
 
-def test_a_name_is_no_path(project):
+def test_a_sheet_name_that_is_a_path_is_not_found(project):
     Path("arm.json").write_text(dumps(ODD_ROBOTS["PUMA"], TASK_ORDER[:PROBLEMS_PER_SHEET]), "utf-8")
     assert find_sheet("arm").name == "arm"
     Path("inside").mkdir()
@@ -242,16 +242,16 @@ def test_a_name_is_no_path(project):
         find_sheet("../arm")
 
 
-def test_a_missing_file_is_named():
+def test_the_error_names_a_missing_file():
     with pytest.raises(ValueError, match=r"no sheet 'lab_arm'.*needs its file lab_arm.json beside the notebook"):
         open_sheet("lab_arm", "ada")
 
 
-# --- the file ---
+# --- the file of the robot ---
 
 
 @each_robot
-def test_a_robot_comes_back_from_its_file_to_the_last_digit(key):
+def test_a_robot_is_read_back_from_its_file_to_the_last_digit(key):
     robot, tasks = loads(dumps(ODD_ROBOTS[key], TASKS_BY_ROBOT[key]), "here")
     assert tasks == TASKS_BY_ROBOT[key]
     assert (robot.name, robot.source, robot.joint_names) == (
@@ -268,26 +268,26 @@ def test_a_robot_comes_back_from_its_file_to_the_last_digit(key):
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        ("", "holds no robot"),
-        ("[]", "holds no robot"),
-        ("{}", "holds no robot"),
-        ('{"kinlib sheet": 2}', "form 2"),
+        ("", "not a valid file"),
+        ("[]", "not a valid file"),
+        ("{}", "not a valid file"),
+        ('{"kinlib sheet": 2}', "format is 2"),
         (dumps(ODD_ROBOTS["PUMA"], []).replace("[0.0, 0.0, 1.0, ", "[0.0, 0.5, 1.0, ", 1), "screw axes"),
         (dumps(ODD_ROBOTS["PUMA"], []).replace('"screws"', '"axes"'), "screws"),
     ],
 )
-def test_a_damaged_file_is_told_so(text, words):
+def test_a_damaged_file_is_refused(text, words):
     with pytest.raises(ValueError, match=words) as error:
         loads(text, "robot.json")
-    assert "robot.json holds no robot of a sheet" in str(error.value)
+    assert "robot.json is not a valid file of a robot sheet" in str(error.value)
 
 
-def test_a_task_from_elsewhere_is_refused():
-    with pytest.raises(ValueError, match=r"no task 'dance'.*newer kinlib"):
+def test_an_unknown_task_is_refused():
+    with pytest.raises(ValueError, match=r"no task 'dance'.*newer kincourse"):
         robot_sheet("x", ODD_ROBOTS["PUMA"], ["dance"])
 
 
-# --- what cannot be ---
+# --- invalid requests ---
 
 NOTHING_MOVES = """<robot name="statue"><link name="a"/><link name="b"/>
 <joint name="weld" type="fixed"><parent link="a"/><child link="b"/></joint></robot>"""
@@ -310,13 +310,13 @@ def urdf(project):
         (["torn.urdf", "--out", "arm"], "torn.urdf"),
         (["statue.urdf", "--out", "arm"], "statue.urdf"),
         (["puma.urdf", "--out", "arm", "--tip", "nose"], "nose"),
-        (["puma.urdf", "--out", "full"], "holds something already"),
+        (["puma.urdf", "--out", "full"], "must be empty"),
         (["puma.urdf", "--out", "puma.urdf"], "letters, digits and _"),
         (["puma.urdf", "--out", "my robot"], "letters, digits and _"),
         (["puma.urdf", "--out", "1st"], "letters, digits and _"),
     ],
 )
-def test_what_cannot_be_is_said_in_a_sentence(urdf, capsys, arguments, words):
+def test_an_invalid_request_is_refused_in_one_sentence(urdf, capsys, arguments, words):
     assert main(["new-sheet", *arguments]) == 2
     error = capsys.readouterr().err
     assert words in error
@@ -325,34 +325,34 @@ def test_what_cannot_be_is_said_in_a_sentence(urdf, capsys, arguments, words):
     assert not Path("arm").exists()
 
 
-def test_a_name_of_the_course_is_taken(project):
+def test_the_name_of_a_sheet_of_the_course_is_refused(project):
     with pytest.raises(ValueError, match="letters"):
         new_sheet(ODD_ROBOTS["PUMA"], "03_poe_space")
 
 
-def test_a_file_in_the_place_of_the_folder_is_let_be(project):
+def test_a_file_in_place_of_the_folder_is_kept(project):
     Path("arm").write_text("mine", "utf-8")
     with pytest.raises(FileExistsError, match="is a file"):
         new_sheet(ODD_ROBOTS["PUMA"], "arm")
     assert Path("arm").read_text("utf-8") == "mine"
 
 
-def test_force_writes_the_sheet_anew_and_leaves_the_rest(urdf):
+def test_force_overwrites_the_sheet_and_keeps_other_files(urdf):
     assert main(["new-sheet", "puma.urdf", "--out", "full", "--force"]) == 0
     assert Path("full", "notes.txt").read_text("utf-8") == "mine"
     assert Path("full", "full.ipynb").exists()
     assert main(["new-sheet", "puma.urdf", "--out", "full"]) == 2
 
 
-def test_a_name_that_markdown_would_read_is_made_plain(project):
+def test_characters_of_markdown_are_removed_from_the_name(project):
     path = new_sheet(ODD_ROBOTS["PUMA"], "arm", name="**arm** $x$ | <b>")
     assert loads(path.with_suffix(".json").read_text("utf-8"), "here")[0].name == "arm x  b"
 
 
-# --- the command ---
+# --- the command line ---
 
 
-def test_the_command_lists_what_it_can():
+def test_help_lists_the_commands():
     done = subprocess.run([sys.executable, "-m", "kincourse", "--help"], capture_output=True, text=True, check=True)
     assert "new-sheet" in done.stdout
     alone = subprocess.run([sys.executable, "-m", "kincourse"], capture_output=True, text=True, check=False)
@@ -361,7 +361,7 @@ def test_the_command_lists_what_it_can():
 
 
 @pytest.mark.parametrize("arguments", [["dance"], ["new-sheet"], ["new-sheet", "arm.urdf"]])
-def test_a_command_that_is_none_or_half_gets_its_usage(arguments, capsys):
+def test_an_unknown_or_incomplete_command_prints_the_usage(arguments, capsys):
     with pytest.raises(SystemExit) as ended:
         main(arguments)
     assert ended.value.code == 2

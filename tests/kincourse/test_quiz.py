@@ -1,4 +1,4 @@
-"""Quiz time: arms without end, every right table accepted, every wrong one told why."""
+"""The quiz on DH tables: any number of arms, every right table accepted, and feedback on wrong ones."""
 
 import pytest
 
@@ -8,7 +8,7 @@ from kinlib import DHTable, assign_frames
 
 
 def as_text(table):
-    """A table as a person would type it."""
+    """Write a table as a student would type it."""
     lines = ["a | alpha | d | theta"]
     for number, (letter, (a, alpha, d, theta)) in enumerate(zip(table.joints, table.rows, strict=True), start=1):
         moves = (
@@ -19,14 +19,14 @@ def as_text(table):
 
 
 @pytest.mark.parametrize("convention", ["standard", "modified"])
-def test_a_hundred_arms_each_take_their_own_table_and_its_other_form(convention):
+def test_a_hundred_arms_accept_their_own_table_and_its_conversion(convention):
     for number in range(100):
         right = draw_problem(f"seed {number}", convention).answer
         for table in (right.value, right.value.converted("standard").converted(convention)):
             assert all(right.agrees(right.read(as_text(table)), right.value))
 
 
-def test_typing_checking_and_going_on():
+def test_checking_a_table_counts_it_once_and_another_arm_follows():
     game = quiz("standard", seed="test")
     first = game._statement_box.value
     typed = as_text(game.problem.answer.value)
@@ -40,7 +40,7 @@ def test_typing_checking_and_going_on():
     assert game._table_box.value == EMPTY_TABLE
 
 
-def test_an_empty_table_is_a_friendly_blank():
+def test_an_empty_table_is_blank():
     assert quiz("standard", seed="test").check(EMPTY_TABLE).state == "blank"
 
 
@@ -58,7 +58,7 @@ def test_the_same_seed_draws_the_same_arms():
     assert quiz("standard").problem.statement != quiz("standard").problem.statement
 
 
-def test_it_shows_itself_in_a_terminal_too():
+def test_the_quiz_has_a_plain_text_representation():
     bundle = quiz("modified", seed="x")._repr_mimebundle_()
     assert bundle["text/plain"].startswith("A quiz on DH tables in the modified convention.")
 

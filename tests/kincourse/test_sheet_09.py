@@ -1,4 +1,4 @@
-"""Sheet 09: its answers are worked out from the origins; the reader of files, which the sheet never asks, must agree."""
+"""Sheet 09 computes its answers from the origins of joints, so the URDF reader, which it does not use, must agree."""
 
 import re
 
@@ -11,18 +11,18 @@ from kinlib import dh_transform, load_urdf
 from kinlib.rigid.rpy import origin
 
 STUDENTS = [f"student {i}" for i in range(60)]
-CLOSE = 1e-4
-"""The sheet prints a right angle as 1.5708, which is 4e-6 off, and its arms are some ten metres long."""
+POSITION_ATOL_M = 1e-4
+"""The sheet prints a right angle as 1.5708, with an error of 4e-6 rad, and its arms are about ten metres long."""
 
 
 @pytest.mark.parametrize("student", STUDENTS)
-def test_the_reader_of_files_gives_the_sheet_s_answers(student):
+def test_the_urdf_reader_gives_the_answers_of_the_sheet(student):
     sheet = open_sheet("09_urdf", student)
     answer = {k: sheet.problem(k).answer.value for k in range(1, 9)}
     chain = {k: load_urdf(sheet.given(k).urdf) for k in (3, 4, 5)}
-    np.testing.assert_allclose(chain[3].points[2], answer[3], rtol=0, atol=CLOSE)
-    np.testing.assert_allclose(chain[4].screws[2], answer[4], rtol=0, atol=CLOSE)
-    np.testing.assert_allclose(chain[5].home, answer[5], rtol=0, atol=CLOSE)
+    np.testing.assert_allclose(chain[3].points[2], answer[3], rtol=0, atol=POSITION_ATOL_M)
+    np.testing.assert_allclose(chain[4].screws[2], answer[4], rtol=0, atol=POSITION_ATOL_M)
+    np.testing.assert_allclose(chain[5].home, answer[5], rtol=0, atol=POSITION_ATOL_M)
     with pytest.raises(ValueError, match=r"^Line \d") as refused:
         load_urdf(sheet.given(6).urdf)
     assert int(re.match(r"Line (\d+)", str(refused.value))[1]) == answer[6]
@@ -34,8 +34,8 @@ def test_the_reader_of_files_gives_the_sheet_s_answers(student):
     np.testing.assert_allclose(origin(*answer[8]), expected, rtol=0, atol=1e-12)
 
 
-def test_every_fault_is_drawn_and_mending_its_line_alone_mends_the_file():
-    """The decoys are no faults: with the faulty element put right, the reader takes the file, long axis and all."""
+def test_every_fault_occurs_and_correcting_its_line_makes_the_file_valid():
+    """The decoys, such as an axis that is not of unit length, are no faults: the reader accepts the corrected file."""
     seen = set()
     for student in STUDENTS:
         sheet = open_sheet("09_urdf", student)
@@ -53,10 +53,10 @@ def test_every_fault_is_drawn_and_mending_its_line_alone_mends_the_file():
     assert seen == {"child", "limit", "axis", "origin"}
 
 
-def test_the_axis_of_problem_2_is_the_chain_s():
+def test_the_axis_of_problem_2_is_that_of_the_chain():
     for student in STUDENTS[:20]:
         problem = open_sheet("09_urdf", student).problem(2)
         element = re.search("```xml\n(.*?)\n```", problem.statement, re.DOTALL)[1]
         joint = f'<joint name="j" type="continuous"><parent link="a"/><child link="b"/>{element}</joint>'
         chain = kl.load_urdf(f'<robot name="r"><link name="a"/><link name="b"/>{joint}</robot>')
-        np.testing.assert_allclose(chain.lines.axis[0], problem.answer.value, rtol=0, atol=CLOSE)
+        np.testing.assert_allclose(chain.lines.axis[0], problem.answer.value, rtol=0, atol=POSITION_ATOL_M)
