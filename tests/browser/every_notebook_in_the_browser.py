@@ -1,6 +1,6 @@
-"""Every lecture and every sheet in the lab of the site, from the first cell to the last, in one browser.
+"""Run every lecture and every sheet in the lab of the site, from the first cell to the last, in one browser.
 
-It takes its time, and is therefore no part of the tests that always run:
+This takes long, so pytest does not collect this file by itself. Run it with:
 
     python course.py test tests/browser/every_notebook_in_the_browser.py --numprocesses=1
 """

@@ -4,16 +4,16 @@ import nbformat
 import numpy as np
 import pytest
 from browser import (
-    SECONDS,
-    awake,
+    TIMEOUT_MS,
     browsers,
     contrast,
-    cut_off,
     jupyterlab,
     open_notebook,
+    overflowing,
     run_cell,
     static_page,
-    texts,
+    text_colours,
+    wait_until_drawn,
     watched,
 )
 
@@ -50,7 +50,7 @@ def show(browser, tmp_path):
         opened.append(watched(browser, **{"viewport": {"width": 1000, "height": 620}, **settings}))
         page = opened[-1].__enter__()
         page.goto(static_page(tmp_path, *viewers, style=style).as_uri())
-        awake(page)
+        wait_until_drawn(page)
         return page
 
     yield open_page
@@ -63,7 +63,7 @@ def get(page, trait):
 
 
 def wait_for(page, trait, value):
-    page.wait_for_function(f"{MODEL}.get('{trait}') === {value}", timeout=SECONDS)
+    page.wait_for_function(f"{MODEL}.get('{trait}') === {value}", timeout=TIMEOUT_MS)
 
 
 def drawn(page):
@@ -382,11 +382,11 @@ ALL = {
 @pytest.mark.parametrize("style", ["background:white", "background:#111418"])
 def test_it_can_be_read_fits_a_narrow_page_and_has_a_name_and_keys_for_each_control(show, kind, style):
     page = show(ALL[kind](), style=style, viewport={"width": 400, "height": 900})
-    faint = {text: contrast(ink, paper) for text, ink, paper in texts(page) if contrast(ink, paper) < 4.5}
+    faint = {text: contrast(ink, paper) for text, ink, paper in text_colours(page) if contrast(ink, paper) < 4.5}
     # what cannot be pressed now may be faint: WCAG 1.4.3 says so
     off = page.locator(".kv :is([aria-disabled=true], :disabled)").all_inner_texts()
     assert not set(faint) - set(off)
-    assert not cut_off(page)
+    assert not overflowing(page)
     controls = page.locator(".kv :is(button, input, select, canvas)")
     told = controls.evaluate_all(
         """all => all.map((node) => [node.getAttribute('data-lm-suppress-shortcuts'),

@@ -4,18 +4,18 @@ import nbformat
 import numpy as np
 import pytest
 from browser import (
-    SECONDS,
-    awake,
+    TIMEOUT_MS,
     browsers,
     contrast,
-    cut_off,
+    drawn_count,
     jupyterlab,
     open_notebook,
-    pictures,
+    overflowing,
     pose,
     run_cell,
     static_page,
-    texts,
+    text_colours,
+    wait_until_drawn,
     watched,
 )
 from strategies import ROBOTS
@@ -44,7 +44,7 @@ def browser(start):
 
 @pytest.fixture
 def show(browser, tmp_path):
-    """Show viewers on a static page, wide awake."""
+    """Show viewers on a static page, wide wait_until_drawn."""
     opened = []
 
     def open_page(*viewers, count=None, style="background:white", before=None, **settings):
@@ -53,7 +53,7 @@ def show(browser, tmp_path):
         if before:
             page.add_init_script(before)
         page.goto(static_page(tmp_path, *viewers, style=style).as_uri())
-        awake(page, len(viewers) if count is None else count)
+        wait_until_drawn(page, len(viewers) if count is None else count)
         return page
 
     yield open_page
@@ -67,9 +67,11 @@ def sliders(page):
 
 def settled(page, change):
     """Do something, and wait for the picture that follows."""
-    before = pictures(page)
+    before = drawn_count(page)
     change()
-    page.wait_for_function(f"Number(document.querySelector('.kv-canvas').dataset.pictures) > {before}", timeout=SECONDS)
+    page.wait_for_function(
+        f"Number(document.querySelector('.kv-canvas').dataset.pictures) > {before}", timeout=TIMEOUT_MS
+    )
 
 
 def set_q(page, q):
@@ -169,7 +171,7 @@ def test_reset_goes_back_to_the_start_and_play_moves_every_joint(show):
     page = show(explore(kl.robots.youbot(), joints=[2], start=[0, 0.5, 0, 0, 0]))
     play = page.get_by_role("button", name="Play")
     settled(page, play.click)
-    page.wait_for_function("document.querySelector('.kv').viewer.model.get('q')[1] > 0.6", timeout=SECONDS)
+    page.wait_for_function("document.querySelector('.kv').viewer.model.get('q')[1] > 0.6", timeout=TIMEOUT_MS)
     page.get_by_role("button", name="Pause").click()
     stopped = q_of(page)
     page.wait_for_timeout(150)
@@ -208,7 +210,7 @@ def test_a_wheel_scrolls_the_page_until_the_picture_has_the_focus(show):
     page = show(explore(kl.robots.youbot()), style="height:3000px")
     page.mouse.move(200, 200)
     page.mouse.wheel(0, 200)
-    page.wait_for_function("window.scrollY > 100", timeout=SECONDS)
+    page.wait_for_function("window.scrollY > 100", timeout=TIMEOUT_MS)
 
 
 @pytest.mark.parametrize(("name", "right", "up"), [("front", (1, 0, 0), (0, 0, 1)), ("top", (1, 0, 0), (0, 1, 0))])
@@ -363,7 +365,7 @@ def test_the_picture_stays_covered_until_a_prediction_is_committed(show):
     assert commit.is_disabled()
     page.get_by_label("down").check()
     commit.click()
-    awake(page)
+    wait_until_drawn(page)
     assert page.get_by_text("It goes down.").is_visible()
     assert page.evaluate("document.querySelector('.kv').viewer.model.get('choice')") == 1
 
@@ -371,7 +373,7 @@ def test_the_picture_stays_covered_until_a_prediction_is_committed(show):
 def test_who_insists_may_look_and_nothing_is_recorded(show):
     page = show(explore(kl.robots.rpr(), predict=("Which way?", ["up", "down"])), count=0)
     page.get_by_role("button", name="Show anyway").click()
-    awake(page)
+    wait_until_drawn(page)
     assert page.evaluate("document.querySelector('.kv').viewer.model.get('choice')") == -1
 
 
@@ -379,7 +381,7 @@ def test_a_question_elsewhere_on_the_page_lifts_the_cover(show):
     page = show(explore(kl.robots.rpr(), after=Answered()), count=0)
     page.get_by_text("Commit to your prediction above first").wait_for()
     page.evaluate("document.querySelector('[data-kinlib-viewer]').dataset.uncovered = ''")
-    awake(page)
+    wait_until_drawn(page)
 
 
 class Answered(HasTraits):
@@ -421,7 +423,7 @@ def test_what_cannot_be_shown_says_so_on_the_page(show):
 def test_without_webgl_it_says_so_and_everything_still_moves(start, tmp_path):
     with watched(start(webgl=False)) as page:
         page.goto(static_page(tmp_path, explore(kl.robots.puma560(), start=Q, ghost=np.zeros(6))).as_uri())
-        awake(page)
+        wait_until_drawn(page)
         assert "WebGL is not available" in page.locator(".kv-message").inner_text()
         before = shown_pixels(page)
         sliders(page).first.focus()
@@ -437,7 +439,7 @@ def test_eighteen_viewers_share_what_a_browser_can_give(show):
     page = show(*[explore(kl.robots.rpr()) for _ in range(18)], count=1)
     for which in range(18):
         page.locator("[data-kinlib-viewer]").nth(which).scroll_into_view_if_needed()
-        awake(page, which + 1)
+        wait_until_drawn(page, which + 1)
     contexts = page.evaluate("globalThis[Symbol.for('kinlib.renderers')].length")
     assert contexts == 1
     colours = page.evaluate(
@@ -470,7 +472,7 @@ def test_all_text_stands_out_from_its_paper(show, style):
     """Contrast by WCAG 2, at least 4.5, for text on the page and names in the picture, light and dark."""
     page = show(explore(kl.robots.puma560(), show=["axes", "base", "tool", "normals"]), style=style)
     page.evaluate("document.querySelector('.kv').viewer.model.set('message', 'A word of warning.')")
-    pairs = texts(page)
+    pairs = text_colours(page)
     theme = page.evaluate("document.querySelector('.kv').viewer.stage.theme")
     named = ["ink", "quiet", "axis", "normal", "x", "y", "z", "trail"]
     pairs += [[name, theme[name], theme["paper"]] for name in named]
@@ -487,7 +489,7 @@ def test_it_follows_the_page_from_light_to_dark(show):
 
 def test_nothing_is_cut_off_on_a_narrow_page(show):
     page = show(explore(kl.robots.puma560(), start=Q), viewport={"width": 400, "height": 900})
-    assert not cut_off(page)
+    assert not overflowing(page)
     assert page.evaluate("document.documentElement.scrollWidth") <= 400
 
 
@@ -615,7 +617,7 @@ def test_in_the_lab_the_viewer_follows_its_theme(lab):
     page.get_by_text("Theme", exact=True).hover()
     settled(page, lambda: page.get_by_text("JupyterLab Dark", exact=True).click())
     dark = "document.querySelectorAll('.kv[data-theme=dark]').length === 1"
-    page.wait_for_function(dark, timeout=SECONDS)
+    page.wait_for_function(dark, timeout=TIMEOUT_MS)
     page.evaluate("document.querySelector('.kv').dataset.theme = 'old'")
     run_cell(page, 0)  # a viewer that is made while the lab is dark
-    page.wait_for_function(dark, timeout=SECONDS)
+    page.wait_for_function(dark, timeout=TIMEOUT_MS)

@@ -5,7 +5,7 @@ import sys
 from pathlib import Path
 
 import pytest
-from browser import CHROMIUM, NONE
+from browser import CHROMIUM, NO_CHROMIUM
 
 SITE = Path(__file__).parents[2] / "site"
 sys.path.insert(0, str(SITE))
@@ -58,7 +58,7 @@ def test_what_is_for_screens_is_left_out(built, part):
     assert part not in made(built)
 
 
-@pytest.mark.skipif(CHROMIUM is None, reason=NONE)
+@pytest.mark.skipif(CHROMIUM is None, reason=NO_CHROMIUM)
 def test_chromium_prints_it(built, tmp_path):
     (tmp_path / "book.html").write_text(made(built), "utf-8")
     write_pdf(tmp_path / "book.html", tmp_path / "course.pdf")

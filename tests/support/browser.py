@@ -1,6 +1,6 @@
-"""A real browser for tests: Chromium, drawing without a graphics card, that reaches nothing but this machine.
+"""A real browser for tests: Chromium without a graphics card, with no access to any host but this machine.
 
-Every page is watched: an error on its console or a request to another host fails the test that used it.
+An error on the console of a page, or a request to another host, fails the test that used the page.
 """
 
 import contextlib
@@ -19,33 +19,35 @@ import pytest
 
 ROOT = Path(__file__).parents[2]
 
-NAMES = ("chromium", "chromium-browser", "google-chrome", "chrome", "msedge")
-CHROMIUM = os.environ.get("KINLIB_CHROMIUM") or next(filter(None, map(shutil.which, NAMES)), None)
-NONE = "NOT RUN IN A BROWSER: there is no Chromium on the path. Install one (apt install chromium), or name it in KINLIB_CHROMIUM."
+CHROMIUM_NAMES = ("chromium", "chromium-browser", "google-chrome", "chrome", "msedge")
+CHROMIUM = os.environ.get("KINLIB_CHROMIUM") or next(filter(None, map(shutil.which, CHROMIUM_NAMES)), None)
+NO_CHROMIUM = (
+    "NOT RUN IN A BROWSER: there is no Chromium on the path. Install it (apt install chromium), or set KINLIB_CHROMIUM."
+)
 
 LOCAL = [
     "--host-resolver-rules=MAP * ~NOTFOUND, EXCLUDE 127.0.0.1",
     "--disable-background-networking",
     "--no-first-run",
 ]
-DRAWN = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
-NOT_DRAWN = ["--disable-3d-apis"]
-SECONDS = 20_000
-"""How long to wait for anything, in milliseconds: every wait ends."""
+WEBGL = ["--use-gl=angle", "--use-angle=swiftshader", "--enable-unsafe-swiftshader"]
+NO_WEBGL = ["--disable-3d-apis"]
+TIMEOUT_MS = 20_000
+"""How long to wait for anything: every wait ends."""
 
 
 @contextmanager
 def browsers():
-    """Give a function that starts browsers, with WebGL or without; or skip, loudly, where there is none."""
+    """Yield a function that starts a browser, with WebGL or without. Skip the test if there is no browser."""
     if CHROMIUM is None:
-        pytest.skip(NONE)
+        pytest.skip(NO_CHROMIUM)
     from playwright.sync_api import sync_playwright
 
     with sync_playwright() as playwright:
         started = []
 
         def start(webgl=True):
-            arguments = ["--no-sandbox", *LOCAL, *(DRAWN if webgl else NOT_DRAWN)]
+            arguments = ["--no-sandbox", *LOCAL, *(WEBGL if webgl else NO_WEBGL)]
             started.append(playwright.chromium.launch(executable_path=CHROMIUM, args=arguments))
             return started[-1]
 
@@ -54,30 +56,30 @@ def browsers():
             browser.close()
 
 
-NOT_AT_HOME = "Shared module @jupyterlite/services doesn't exist"
-"""What the kernel of the browser lab says in JupyterLab, which loads every extension of the environment."""
+KNOWN_ERROR = "Shared module @jupyterlite/services doesn't exist"
+"""An error of the browser lab's kernel in JupyterLab, which loads every extension of the environment."""
 
 
 @contextmanager
 def watched(browser, **settings):
-    """Open a page, and fail if it complains or asks anybody but this machine."""
+    """Open a page, and fail if it writes an error to its console or sends a request to another host."""
     context = browser.new_context(**{"viewport": {"width": 720, "height": 560}, **settings})
-    context.set_default_timeout(SECONDS)
+    context.set_default_timeout(TIMEOUT_MS)
     page = context.new_page()
-    complaints, strangers = [], []
-    page.on("console", lambda message: complaints.append(message.text) if message.type == "error" else None)
-    page.on("pageerror", lambda error: complaints.append(str(error)))
+    errors, other_hosts = [], []
+    page.on("console", lambda message: errors.append(message.text) if message.type == "error" else None)
+    page.on("pageerror", lambda error: errors.append(str(error)))
     local = ("file:", "data:", "blob:", "http://127.0.0.1", "ws://127.0.0.1")
-    page.on("request", lambda request: None if request.url.startswith(local) else strangers.append(request.url))
+    page.on("request", lambda request: None if request.url.startswith(local) else other_hosts.append(request.url))
     yield page
     context.close()
-    complaints = [complaint for complaint in complaints if NOT_AT_HOME not in complaint]
-    assert not complaints, f"the page complains: {complaints[:3]}"
-    assert not strangers, f"the page asks other hosts: {strangers[:3]}"
+    errors = [error for error in errors if KNOWN_ERROR not in error]
+    assert not errors, f"errors on the console of the page: {errors[:3]}"
+    assert not other_hosts, f"the page sent requests to other hosts: {other_hosts[:3]}"
 
 
 def static_page(folder: Path, *viewers, style="background:white") -> Path:
-    """Write a page without a kernel that holds viewers, with the files that it needs beside it."""
+    """Write a page with viewers and without a kernel, and the files that it loads."""
     from kinlib.view.viewer.viewer import STATIC
 
     shutil.copytree(STATIC, folder / "static", dirs_exist_ok=True)
@@ -89,35 +91,37 @@ def static_page(folder: Path, *viewers, style="background:white") -> Path:
     return page
 
 
-def pictures(page, which=0):
-    """How many pictures a viewer has painted."""
+def drawn_count(page, which=0):
+    """Count how often a viewer has drawn."""
     return int(page.locator(".kv-canvas").nth(which).get_attribute("data-pictures") or 0)
 
 
-def awake(page, count=1):
-    """Wait until so many viewers have drawn a picture."""
-    page.wait_for_function(f"document.querySelectorAll('.kv-canvas[data-pictures]').length >= {count}", timeout=SECONDS)
-
-
-def pose(page, which=0):
-    """The tool's pose of a viewer, every digit of it."""
-    return page.evaluate(f"document.querySelectorAll('.kv')[{which}].viewer.stage.tree.pose()")
-
-
-def texts(page):
-    """Every text of the viewers on a page, with its colour and that of the paper behind it."""
-    return page.evaluate(
-        """(() => {
-            const paper = (node) => { for (; node; node = node.parentElement) {
-                const colour = getComputedStyle(node).backgroundColor; if (!/, 0\\)$|transparent/.test(colour)) return colour; } };
-            const texts = [...document.querySelectorAll('.kv *')].filter((node) => node.offsetParent
-                && [...node.childNodes].some((child) => child.nodeType === 3 && child.data.trim()));
-            return texts.map((node) => [node.textContent, getComputedStyle(node).color, paper(node)]); })()"""
+def wait_until_drawn(page, count=1):
+    """Wait until so many viewers have drawn."""
+    page.wait_for_function(
+        f"document.querySelectorAll('.kv-canvas[data-pictures]').length >= {count}", timeout=TIMEOUT_MS
     )
 
 
-def contrast(ink, paper):
-    """Of two colours, by WCAG 2: from 1 to 21."""
+def pose(page, which=0):
+    """Read the pose of the tool from a viewer, with all digits."""
+    return page.evaluate(f"document.querySelectorAll('.kv')[{which}].viewer.stage.tree.pose()")
+
+
+def text_colours(page):
+    """List every text of the viewers on a page, with its colour and that of its background."""
+    return page.evaluate(
+        """(() => {
+            const background = (node) => { for (; node; node = node.parentElement) {
+                const colour = getComputedStyle(node).backgroundColor; if (!/, 0\\)$|transparent/.test(colour)) return colour; } };
+            const texts = [...document.querySelectorAll('.kv *')].filter((node) => node.offsetParent
+                && [...node.childNodes].some((child) => child.nodeType === 3 && child.data.trim()));
+            return texts.map((node) => [node.textContent, getComputedStyle(node).color, background(node)]); })()"""
+    )
+
+
+def contrast(text, background):
+    """Compute the contrast of two colours by WCAG 2, from 1 to 21."""
 
     def luminance(colour):
         if colour.startswith("#"):
@@ -127,12 +131,12 @@ def contrast(ink, paper):
         shares = np.array(values) / 255
         return np.where(shares <= 0.04045, shares / 12.92, ((shares + 0.055) / 1.055) ** 2.4) @ (0.2126, 0.7152, 0.0722)
 
-    light, dark = sorted((luminance(ink), luminance(paper)), reverse=True)
+    light, dark = sorted((luminance(text), luminance(background)), reverse=True)
     return (light + 0.05) / (dark + 0.05)
 
 
-def cut_off(page):
-    """What of the viewers reaches beyond the right border of a page."""
+def overflowing(page):
+    """List the parts of viewers that extend beyond the right edge of a page."""
     return page.evaluate(
         """[...document.querySelectorAll('.kv *')].filter((node) => node.getBoundingClientRect().right > innerWidth
             && !node.closest('.kv-spoken')).map((node) => node.className)"""
@@ -141,7 +145,7 @@ def cut_off(page):
 
 @contextmanager
 def jupyterlab(folder: Path):
-    """Serve a folder in JupyterLab on a port of its own. Gives the address."""
+    """Serve a folder in JupyterLab on a free port. Yields the address."""
     with socket.socket() as free:
         free.bind(("127.0.0.1", 0))
         port = free.getsockname()[1]
@@ -168,7 +172,7 @@ def jupyterlab(folder: Path):
 
 
 def open_notebook(page, address: str, folder: Path, cells):
-    """Write a notebook, open it in a lab that has just been started, and wait for its kernel."""
+    """Write a notebook, open it in a JupyterLab that has just been started, and wait for its kernel."""
     import nbformat
 
     kernel = {"kernelspec": {"name": "python3", "display_name": "Python 3", "language": "python"}}

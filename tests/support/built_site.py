@@ -1,4 +1,4 @@
-"""The site for tests: built once in a test run, by the worker that needs it first, and served to this machine only."""
+"""The site for tests: built once in each test run, by the first worker that needs it, and served to this machine only."""
 
 import os
 import sqlite3
@@ -20,32 +20,32 @@ from kinsite import lab  # noqa: E402
 from serve import serve  # noqa: E402
 
 FOLDER = ROOT / "build" / "site" / "html"
-BUILT_BY = FOLDER.parent / "test_run.txt"
-"""Which test run has built the site: the other workers of the same run need not build it again."""
-PATIENCE = 3600
-"""How long to wait, in seconds, for a build, by this worker or by another: a build that never ends must not hold up CI."""
+TEST_RUN_FILE = FOLDER.parent / "test_run.txt"
+"""Contains the id of the test run that has built the site, so that the other workers of the same run do not build it again."""
+TIMEOUT_S = 3600
+"""How long to wait for a build, by this worker or another: a build that never ends must not block CI."""
 
 
 @cache
 def build_site() -> Path:
-    """Build the pages and, where a browser could open it, the lab that needs package registries only.
+    """Build the pages and, if there is a browser to open it, the lab that needs package registries only.
 
-    The first caller in a test run builds; the others wait for it, and take what it has built.
+    The first caller in a test run builds the site; the others wait for it, and use the same folder.
     """
     FOLDER.parent.mkdir(parents=True, exist_ok=True)
     test_run = os.environ.get("PYTEST_XDIST_TESTRUNUID", "")
-    # a lock that every system knows, and that goes when its owner goes
-    lock = sqlite3.connect(FOLDER.parent / "lock", timeout=PATIENCE, isolation_level=None)
+    # a lock that works on every system, and that is released when its owner ends
+    lock = sqlite3.connect(FOLDER.parent / "lock", timeout=TIMEOUT_S, isolation_level=None)
     lock.execute("BEGIN EXCLUSIVE")
     try:
-        if test_run and BUILT_BY.exists() and BUILT_BY.read_text("utf-8") == test_run:
+        if test_run and TEST_RUN_FILE.exists() and TEST_RUN_FILE.read_text("utf-8") == test_run:
             return FOLDER
-        BUILT_BY.unlink(missing_ok=True)
-        done = run("offline" if CHROMIUM else "none")
+        TEST_RUN_FILE.unlink(missing_ok=True)
+        done = build("offline" if CHROMIUM else "none")
         if done.returncode and "could not download" in done.stderr and not os.environ.get("CI"):
-            done = run("none")
+            done = build("none")
         if done.returncode == 0:
-            BUILT_BY.write_text(test_run, "utf-8")
+            TEST_RUN_FILE.write_text(test_run, "utf-8")
     finally:
         lock.close()
     if "none on the path" in done.stderr:
@@ -54,17 +54,17 @@ def build_site() -> Path:
     return FOLDER
 
 
-def run(kind):
+def build(kind):
     settings = {"PYTHONPATH": str(ROOT), lab.VARIABLE: os.environ.get(lab.VARIABLE, kind)}
     return subprocess.run(
         [sys.executable, SITE / "build.py"], cwd=ROOT, env={**os.environ, **settings},
-        capture_output=True, text=True, check=False, timeout=PATIENCE,
+        capture_output=True, text=True, check=False, timeout=TIMEOUT_S,
     )  # fmt: skip
 
 
 @contextmanager
 def served(folder: Path):
-    """Serve a folder on a port of its own. Gives the address."""
+    """Serve a folder on a free port. Yields the address."""
     server = serve(folder, 0)
     thread = threading.Thread(target=server.serve_forever, daemon=True)
     thread.start()

@@ -1,22 +1,22 @@
-"""A notebook of the browser lab, as a person handles it: found on its page, run, typed into, read."""
+"""Use a notebook of the browser lab as a student does: open it, run cells, type, read the outputs."""
 
 import re
 
-BOOT = 240_000
-"""How long Python may take to come, in milliseconds: a cold start is slow where cores are shared."""
+PYTHON_TIMEOUT_MS = 240_000
+"""How long Python may take to start: the first start is slow on a busy machine."""
 
-LOOK = 60_000
-"""How long JupyterLab may take to draw itself."""
+PAGE_TIMEOUT_MS = 60_000
+"""How long JupyterLab may take to draw its page."""
 
 
 def visit(page, address, notebook):
-    page.set_default_timeout(LOOK)
+    page.set_default_timeout(PAGE_TIMEOUT_MS)
     page.goto(f"{address}/lab/notebooks/index.html?path={notebook}")
-    page.locator(".jp-Notebook .jp-CodeCell").first.wait_for(timeout=LOOK)
+    page.locator(".jp-Notebook .jp-CodeCell").first.wait_for(timeout=PAGE_TIMEOUT_MS)
 
 
 def cell(page, text):
-    """The one code cell that holds a text."""
+    """Find the first code cell that contains a text."""
     return page.locator(".jp-CodeCell").filter(has=page.locator(".cm-content", has_text=text)).first
 
 
@@ -26,7 +26,7 @@ def run(page, which, done=True):
     which.locator(".cm-content").click()
     page.keyboard.press("Control+Enter")
     if done:
-        wait_for(page, lambda: re.fullmatch(r"\[\d+\]:", prompt(which)) and prompt(which) != before, BOOT)
+        wait_for(page, lambda: re.fullmatch(r"\[\d+\]:", prompt(which)) and prompt(which) != before, PYTHON_TIMEOUT_MS)
 
 
 def prompt(which):
@@ -34,30 +34,34 @@ def prompt(which):
 
 
 def write(page, which, text):
-    """Replace what a cell says."""
+    """Replace the text of a cell."""
     which.locator(".cm-content").click()
     page.keyboard.press("Control+a")
     page.keyboard.insert_text(text)
 
 
 def run_all(page):
-    """Run every cell, and wait for the last. Gives what went wrong: tracebacks, and what was said on stderr."""
+    """Run every cell, and wait for the last. Returns the tracebacks, and what was written to stderr."""
     page.get_by_role("menuitem", name="Run", exact=True).click()
     page.get_by_role("menuitem", name="Run All Cells", exact=True).click()
     prompts = page.locator(".jp-CodeCell .jp-InputPrompt")
-    wait_for(page, lambda: all(re.fullmatch(r"\[\d+\]:", text.strip()) for text in prompts.all_inner_texts()), BOOT)
-    return faults(page)
+    wait_for(
+        page,
+        lambda: all(re.fullmatch(r"\[\d+\]:", text.strip()) for text in prompts.all_inner_texts()),
+        PYTHON_TIMEOUT_MS,
+    )
+    return failures(page)
 
 
-def faults(page):
+def failures(page):
     wrong = page.locator(".jp-OutputArea-output[data-mime-type$=error], .jp-OutputArea-output[data-mime-type$=stderr]")
     return [text for text in wrong.all_inner_texts() if "building the font cache" not in text]
 
 
 def wait_for(page, holds, milliseconds):
-    """Wait until something holds; polled, since it may be asked of Python."""
+    """Wait until a condition holds. It is polled from Python, because it may depend on more than the page."""
     for _ in range(milliseconds // 100):
         if holds():
             return
         page.wait_for_timeout(100)
-    raise TimeoutError(f"waited {milliseconds / 1000:.0f} s in vain; on the page: {faults(page)}")
+    raise TimeoutError(f"waited {milliseconds / 1000:.0f} s without success; on the page: {failures(page)}")
