@@ -1,6 +1,6 @@
 // The theme is light or dark like the page behind the viewer. JupyterLab, VS Code, Sphinx and plain pages each declare
 // their theme in another way, but all of them paint a background, so its luminance decides.
-import { COLOURS } from './parts.js';
+import { COLOURS } from './scene/parts.js';
 
 const LIGHT = {
   ...COLOURS,

@@ -1,17 +1,17 @@
 // The viewer combines the stage, the controls and the readout. Every change takes the same path: the page or Python
 // sets a trait of the model, and the page is drawn when the model reports the change.
 import { Vector3 } from 'three';
-import { orbitControls } from './camera.js';
+import { jointSliders } from './controls/joint-sliders.js';
+import { layerToggles, viewButtons } from './controls/layer-toggles.js';
+import { poseReadout } from './controls/pose-readout.js';
+import { predictionCover } from './controls/prediction-cover.js';
 import { formatNumber, h, NO_SHORTCUTS } from './dom.js';
-import { jointSliders } from './joint-sliders.js';
-import { layerToggles, viewButtons } from './layer-toggles.js';
-import { availableLayers, buildLayers, showGhost, showLayers } from './layers.js';
 import { MODES } from './modes/index.js';
-import { poseReadout } from './pose-readout.js';
-import { predictionCover } from './prediction-cover.js';
-import { Stage } from './stage.js';
+import { orbitControls } from './render/camera.js';
+import { Stage } from './render/stage.js';
+import { availableLayers, buildLayers, showGhost, showLayers } from './scene/layers.js';
+import { Trail } from './scene/trail.js';
 import { isDark, onThemeChange, themeOf } from './theme.js';
-import { Trail } from './trail.js';
 import css from './viewer.css';
 
 const HEIGHT_PER_WIDTH = 0.78; // of the picture

@@ -1,7 +1,8 @@
 // The steps of a frame assignment, forwards and backwards, each with its explanation and with its objects highlighted.
+
+import { renderMathText } from '../controls/math-text.js';
 import { h, NO_SHORTCUTS } from '../dom.js';
-import { renderMathText } from '../math-text.js';
-import { dashedLine } from '../shapes.js';
+import { dashedLine } from '../scene/shapes.js';
 import { dhTable } from './dh-table.js';
 import { axis, column, createHighlighter, drawPaleArm, frame, lengths, originOf } from './frame-drawing.js';
 import { add } from './vectors.js';

@@ -1,6 +1,7 @@
 // A closed chain on the curves of its configuration space: a slider moves it along one, a click on the map to another.
+
+import { playButton } from '../controls/play-button.js';
 import { formatNumber, h, NO_SHORTCUTS, renderSymbol, uniqueId } from '../dom.js';
-import { playButton } from '../play-button.js';
 
 const MAP_SIZE_PX = 260;
 const MAP_MARGIN_PX = 30;

@@ -1,8 +1,9 @@
 // The motions of a DH row, one after the other. Each track is an arm whose joints are the motions, so that the scene
 // graph moves the frame. `done` counts the completed motions; during a motion it is a fraction.
+
+import { renderMathText } from '../controls/math-text.js';
 import { formatNumber, h, NO_SHORTCUTS } from '../dom.js';
-import { renderMathText } from '../math-text.js';
-import { dashedLine } from '../shapes.js';
+import { dashedLine } from '../scene/shapes.js';
 import { angleSectors } from './angle-sectors.js';
 import { frame, mixColours, originOf } from './frame-drawing.js';
 import { add } from './vectors.js';

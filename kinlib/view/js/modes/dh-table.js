@@ -1,6 +1,7 @@
 // A DH table on the page, with the column names of its convention.
+
+import { renderMathText } from '../controls/math-text.js';
 import { h } from '../dom.js';
-import { renderMathText } from '../math-text.js';
 
 const HEADS = {
   standard: ['a_i', 'alpha_i', 'd_i', 'theta_i'],

@@ -1,7 +1,7 @@
 // Drawing functions for the modes about frames: a pale arm, joint axes, frames axis by axis, and a highlighter.
 import { Color, Vector3 } from 'three';
-import * as parts from '../parts.js';
-import { dashedLine } from '../shapes.js';
+import * as parts from '../scene/parts.js';
+import { dashedLine } from '../scene/shapes.js';
 import { add } from './vectors.js';
 
 const HIGHLIGHT_WIDTH_PX = 17;

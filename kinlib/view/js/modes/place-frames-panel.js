@@ -1,9 +1,10 @@
 // The panel for placing frames: the choice of frame, its three parts as lists for keyboards and screen readers, the
 // verdict on the rules, and the DH table.
+
+import { renderMathText } from '../controls/math-text.js';
 import { h, NO_SHORTCUTS } from '../dom.js';
-import { renderMathText } from '../math-text.js';
-import { perpendicularTo } from '../parts.js';
-import { roundStep } from '../stage.js';
+import { roundStep } from '../render/stage.js';
+import { perpendicularTo } from '../scene/parts.js';
 import { dhTable } from './dh-table.js';
 import { add, columnOf, near, openPart, PARTS, rotatePerpendicular } from './vectors.js';
 

@@ -1,8 +1,8 @@
 // Picking in the picture: the handle under the pointer, and drags along an axis or around a dial.
 // The camera is orthographic, so lines in space are lines in the picture, and ratios along a line are preserved.
 import { Vector3 } from 'three';
-import { perpendicularTo } from '../parts.js';
-import { roundStep } from '../stage.js';
+import { roundStep } from '../render/stage.js';
+import { perpendicularTo } from '../scene/parts.js';
 import { add, cross, dot, minus, norm, rotatePerpendicular } from './vectors.js';
 
 const HANDLE_RADIUS_PX = 18; // around a handle

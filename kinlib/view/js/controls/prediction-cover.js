@@ -1,6 +1,6 @@
 // Covers a viewer whose motion is to be predicted, until the reader commits to a prediction, here or in a question
 // above. The reader may also uncover it without an answer; then nothing is recorded.
-import { h, NO_SHORTCUTS, uniqueId } from './dom.js';
+import { h, NO_SHORTCUTS, uniqueId } from '../dom.js';
 
 /** @param model with covered, prediction { text, options } and choice @returns { element, update() } */
 export function predictionCover(model) {

@@ -1,6 +1,6 @@
 // One slider and one number field per joint, a play button and a reset button. A handler only sets q. Everything is
 // drawn when q changes, so that it makes no difference whether the page or Python changed it.
-import { formatNumber, h, NO_SHORTCUTS, renderSymbol, uniqueId } from './dom.js';
+import { formatNumber, h, NO_SHORTCUTS, renderSymbol, uniqueId } from '../dom.js';
 import { playButton, ROUND_MS } from './play-button.js';
 
 const DEGREE = Math.PI / 180;

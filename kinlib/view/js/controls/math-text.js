@@ -1,5 +1,5 @@
 // Sentences that contain symbols as Python writes them: z_{i-1}, O_1, alpha_3. On the page they are set as symbols.
-import { h } from './dom.js';
+import { h } from '../dom.js';
 
 const NAME = /\b(alpha|theta|[A-Za-z])_(\{[^}]+\}|[0-9inxz]+)|\b(alpha|theta|pi)\b/g;
 const GREEK = { alpha: 'α', theta: 'θ', pi: 'π' };

@@ -1,8 +1,8 @@
 // Toggle buttons for the layers, a list of frame choices, and buttons for the named views.
 
-import { VIEWS } from './camera.js';
-import { h, NO_SHORTCUTS } from './dom.js';
-import { FRAME_LAYERS, FRAMES, frameChoiceOf, TOGGLES, without } from './layers.js';
+import { h, NO_SHORTCUTS } from '../dom.js';
+import { VIEWS } from '../render/camera.js';
+import { FRAME_LAYERS, FRAMES, frameChoiceOf, TOGGLES, without } from '../scene/layers.js';
 
 /** @param state { available, shown(), setShown(names) } @returns { element, update() } */
 export function layerToggles({ available, shown, setShown }) {

@@ -1,5 +1,5 @@
 // A button that starts a periodic motion and stops it when it is pressed again.
-import { h, NO_SHORTCUTS } from './dom.js';
+import { h, NO_SHORTCUTS } from '../dom.js';
 
 /** Period of the motion. */
 export const ROUND_MS = 4000;

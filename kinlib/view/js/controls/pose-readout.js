@@ -1,5 +1,5 @@
 // The pose of the tool as a matrix, with its columns in the colours of the axes, and a button that copies it as Python.
-import { formatNumber, h, NO_SHORTCUTS, uniqueId } from './dom.js';
+import { formatNumber, h, NO_SHORTCUTS, uniqueId } from '../dom.js';
 
 const COLUMNS = [
   ['x̂', 'x'],

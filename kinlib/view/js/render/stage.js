@@ -20,11 +20,11 @@ import {
   Scene,
   Vector3,
 } from 'three';
+import { KinematicTree } from '../scene/kinematic-tree.js';
+import { drawDimensions, drawLabels, fontOf } from '../scene/labels.js';
+import { mergeParts } from '../scene/shapes.js';
 import { Camera } from './camera.js';
 import { drawWithoutWebGL } from './canvas-fallback.js';
-import { KinematicTree } from './kinematic-tree.js';
-import { drawDimensions, drawLabels, fontOf } from './labels.js';
-import { mergeParts } from './shapes.js';
 import { hasWebGL, renderScene } from './webgl.js';
 
 export class Stage {
