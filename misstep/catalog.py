@@ -26,17 +26,17 @@ from typing import TYPE_CHECKING, Any
 
 from misstep.judge import judge
 from misstep.problem import Template
-from misstep.questions.item import Item, read
-from misstep.sheet import SAMPLE, OpenSheet, Sheet
+from misstep.questions.item import Item, read_questions
+from misstep.sheet import SAMPLE_ID, OpenSheet, Sheet
 from misstep.verdict import Verdict
 
 if TYPE_CHECKING:
     from misstep.questions.widget import Explanation, Question
 
-GROUP = "misstep.courses"
+ENTRY_POINT_GROUP = "misstep.courses"
 """The group of entry points by which installed courses are found."""
 
-PREFIX = "lecture_"
+FOLDER_PREFIX = "lecture_"
 """How the name of each lecture's folder begins."""
 
 
@@ -112,17 +112,21 @@ class Course:
     @property
     def reference(self) -> str:
         """What find_course takes to find this course in another process: the package if it is installed, or its folder."""
-        return self.package if self.package in {entry.name for entry in entry_points(group=GROUP)} else str(self.folder)
+        return (
+            self.package
+            if self.package in {entry.name for entry in entry_points(group=ENTRY_POINT_GROUP)}
+            else str(self.folder)
+        )
 
     @cached_property
     def lectures(self) -> list[str]:
         """The names of the lectures, in order: "01_frames" is the one in the folder lecture_01_frames."""
         names = (entry.name for entry in files(self.package).iterdir() if entry.is_dir())
-        return sorted(name.removeprefix(PREFIX) for name in names if name.startswith(PREFIX))
+        return sorted(name.removeprefix(FOLDER_PREFIX) for name in names if name.startswith(FOLDER_PREFIX))
 
     def _having(self, file: str) -> list[str]:
         package = files(self.package)
-        return [name for name in self.lectures if (package / f"{PREFIX}{name}" / file).is_file()]
+        return [name for name in self.lectures if (package / f"{FOLDER_PREFIX}{name}" / file).is_file()]
 
     def sheets(self) -> list[str]:
         """The names of all sheets, in the order of the lectures."""
@@ -160,7 +164,7 @@ class Course:
         blanks = self.blanks()
         if number not in blanks:
             raise ValueError(f"There is no blank step {number!r}. The blank steps are: {', '.join(blanks)}.")
-        return Verdict(blanks[number], judge(blanks[number].variant(SAMPLE), answer))
+        return Verdict(blanks[number], judge(blanks[number].variant(SAMPLE_ID), answer))
 
     def questions(self) -> dict[str, dict[str, Item]]:
         """The questions of each lecture, by the number of the lecture and the name of the question.
@@ -168,7 +172,7 @@ class Course:
         Raises ValueError for a file that is not as it should be; the message names the file and the key.
         """
         package = files(self.package)
-        found = {name: package / f"{PREFIX}{name}" / "questions.toml" for name in self._having("questions.toml")}
+        found = {name: package / f"{FOLDER_PREFIX}{name}" / "questions.toml" for name in self._having("questions.toml")}
         return {name.partition("_")[0]: _questions(str(file)) for name, file in found.items()}
 
     def find_question(self, name: str) -> Item:
@@ -208,18 +212,18 @@ class Course:
         return Explanation(self._asked.get(name) or Question(self.find_question(name), name))
 
     def _module(self, lecture: str, name: str) -> Any:
-        return importlib.import_module(f"{self.package}.{PREFIX}{lecture}.{name}")
+        return importlib.import_module(f"{self.package}.{FOLDER_PREFIX}{lecture}.{name}")
 
 
 @cache
 def _questions(path: str) -> dict[str, Item]:
     file = Path(path)
-    return read(file.read_text(encoding="utf-8"), f"{file.parent.name}/{file.name}")
+    return read_questions(file.read_text(encoding="utf-8"), f"{file.parent.name}/{file.name}")
 
 
 def installed_courses() -> list[Course]:
     """The courses that are installed, by their entry points in the group "misstep.courses"."""
-    return [entry.load() for entry in entry_points(group=GROUP)]
+    return [entry.load() for entry in entry_points(group=ENTRY_POINT_GROUP)]
 
 
 def load_course(folder: str | Path) -> Course:
@@ -264,7 +268,7 @@ def find_course(reference: str | Path) -> Course:
         ...
     ValueError: no_such_course should be the folder of a course, ... Is the path right?
     """
-    for entry in entry_points(group=GROUP):
+    for entry in entry_points(group=ENTRY_POINT_GROUP):
         if entry.name == str(reference):
             return entry.load()  # type: ignore[no-any-return]
     return load_course(reference)

@@ -7,7 +7,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
-from misstep.answers.base import NEAR, Answer, Unreadable
+from misstep.answers.base import ROUNDING_TOLERANCE, Answer, Unreadable
 from misstep.mistakes import Mistake
 from misstep.problem import Problem
 from misstep.validation import is_blank
@@ -85,7 +85,7 @@ def _explained(problem: Problem, value: Any, wrong: list[int]) -> list[Finding]:
 
 def _foothold(answer: Answer, value: Any, part: int) -> str:
     """Something true and useful about a wrong part that no mistake explains."""
-    if answer.agrees(value, answer.value, NEAR)[part]:
+    if answer.agrees(value, answer.value, ROUNDING_TOLERANCE)[part]:
         return "This is close, but off in the second or third digit: it looks rounded on the way. Keep all digits until the end."
     return (
         answer.hint(value, part)

@@ -1,7 +1,7 @@
-"""Problems: written once, with numbers of each student's own, the right answer and the mistakes that people make.
+"""Problems: written once, with individual numbers for each student, the right answer and the common mistakes.
 
-A mistake is a named transformation of the right answer. If a student's answer is what the mistake would give, the
-mistake explains it, and the sheet says so in words.
+A mistake has a name and the wrong answer to which it leads. If a student gives this answer, the mistake explains it, and the
+feedback says so in words.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -15,25 +15,25 @@ from misstep.sampling import Sampler
 
 S = TypeVar("S", bound=Sampler)
 
-ATTEMPTS = 100
-"""How many variants are drawn before a problem is called degenerate."""
+MAX_DRAWS = 100
+"""How many variants are drawn before a problem is refused as degenerate."""
 
-LEAST = 3
-"""How many mistakes a problem names at least."""
+MIN_MISTAKES = 3
+"""The least number of mistakes that a problem must have."""
 
-APART = 10
-"""How many tolerances must lie between the right answer and each mistake, and between any two mistakes."""
+SEPARATION_TOLERANCES = 10
+"""The least distance, in tolerances, between the right answer and a mistake, and between any two mistakes."""
 
 
 @dataclass(frozen=True, eq=False)
 class Problem:
-    """One student's problem: the statement, what is given, the right answer and the mistakes, all with their numbers.
+    """One student's problem, with its numbers: the statement, the given values, the right answer and the mistakes.
 
     statement  Markdown with $...$ for mathematics
-    given      the same data as values, so that nobody has to type them: sheet.given(k).home
-    figure     a function that draws, called only when somebody looks
+    given      the given values by name, so that nobody has to type them: sheet.given(k).home
+    figure     a function that draws the figure; it is called only when the problem is shown
 
-    Raises ValueError for a mistake whose value is no answer of this kind: nobody could ever make it.
+    Raises ValueError for a mistake whose value is not an answer of this kind, because no student could give it.
 
     >>> import numpy as np
     >>> from misstep.answers.number import Numbers
@@ -41,11 +41,11 @@ class Problem:
     >>> values = {"twice": 6, "half": 1.5, "half again": 1.5, "sign": -3}
     >>> wrong = [mistake(name, np.array(value), "A sentence.") for name, value in values.items()]
     >>> drawn = Problem("How many?", Numbers(np.array(3.0)), wrong)
-    >>> drawn.telling()
+    >>> drawn.is_discriminating()
     False
-    >>> [kept.name for kept in drawn.sifted().mistakes]
+    >>> [kept.name for kept in drawn.without_duplicates().mistakes]
     ['twice', 'half', 'sign']
-    >>> drawn.again(seed=1) is drawn  # it asks for no function
+    >>> drawn.with_inputs(seed=1) is drawn  # because the answer is not a function
     True
     """
 
@@ -59,48 +59,48 @@ class Problem:
         read = [replace(wrong, value=self.answer.read(wrong.value)) for wrong in self.mistakes]
         object.__setattr__(self, "mistakes", read)
 
-    def again(self, seed: int) -> "Problem":
-        """The same problem; where it asks for a function, with other inputs to call it at."""
-        answer = self.answer.at(seed)
+    def with_inputs(self, seed: int) -> "Problem":
+        """Return the same problem; if the answer is a function, with other inputs at which it is compared."""
+        answer = self.answer.with_inputs(seed)
         return self if answer is self.answer else replace(self, answer=answer)
 
-    def telling(self) -> bool:
-        """Whether every mistake leads away from the right answer, and each to a place of its own."""
+    def is_discriminating(self) -> bool:
+        """Return whether the right answer and the answers of all mistakes differ from each other."""
         reached = [self.answer.value, *(wrong.value for wrong in self.mistakes)]
         return not any(self._same(one, other) for one, other in combinations(reached, 2))
 
-    def sifted(self) -> "Problem":
-        """The same problem with those mistakes only that tell something, each where no earlier one leads already.
+    def without_duplicates(self) -> "Problem":
+        """Return the same problem without the mistakes whose answer is the right one or that of an earlier mistake.
 
-        What an arm is may spoil a mistake for good: where all joints slide, nobody can confuse degrees with radians. If
-        fewer than LEAST are left, nothing is sifted, and so the problem does not count as telling.
+        Some mistakes are impossible for some variants: with prismatic joints only, nobody can confuse degrees and radians. If
+        fewer than MIN_MISTAKES would be left, all are kept, so that the problem does not count as discriminating.
         """
         kept: list[Mistake] = []
         for wrong in self.mistakes:
             if not any(self._same(wrong.value, value) for value in [self.answer.value, *(one.value for one in kept)]):
                 kept.append(wrong)
-        return replace(self, mistakes=kept) if len(kept) >= LEAST else self
+        return replace(self, mistakes=kept) if len(kept) >= MIN_MISTAKES else self
 
     def _same(self, one: Any, other: Any) -> bool:
-        return all(self.answer.agrees(one, other, APART * TOLERANCE))
+        return all(self.answer.agrees(one, other, SEPARATION_TOLERANCES * TOLERANCE))
 
 
 @dataclass(frozen=True)
 class Template:
-    """A problem before anybody's numbers are drawn; `problem` makes one of a function.
+    """A problem before the numbers of a student are drawn; the decorator `problem` makes one from a function.
 
-    number   its place, "03.2"; the student's numbers depend on it
-    points   full score, shared equally among the parts of the answer
-    lecture  where to re-read, "03_poe_space#Prismatic joints": notebook and heading
-    write    the function from a sampler to a Problem
-    sampler  the class of the sampler that the function is given
+    number        sheet and position, "03.2"; the student's numbers depend on it
+    points        the full score, shared equally among the parts of the answer
+    lecture       where to re-read, "01_ohm#Parallel circuits": notebook and heading
+    make_problem  the function from a sampler to a Problem
+    sampler       the class of the sampler that the function gets
 
     >>> import numpy as np
     >>> from misstep.answers.number import Numbers
-    >>> def write(sampler):
+    >>> def make_problem(sampler):
     ...     x = sampler.integer(1, 9)
     ...     return Problem(f"What is half of {x}?", Numbers(np.array(x / 2)), [])
-    >>> half = Template("01.1", "A half", points=1, lecture="01_fractions#Halves", write=write)
+    >>> half = Template("01.1", "A half", points=1, lecture="01_fractions#Halves", make_problem=make_problem)
     >>> half.variant("ada").statement == half.variant("Ada ").statement
     True
     """
@@ -109,21 +109,21 @@ class Template:
     title: str
     points: int
     lecture: str
-    write: Callable[[Any], Problem]
+    make_problem: Callable[[Any], Problem]
     sampler: type[Sampler] = Sampler
 
     def variant(self, student: str) -> Problem:
-        """Draw one student's problem: the first one in which no mistake happens to give the right answer.
+        """Draw one student's problem: the first variant in which the mistakes and the right answer all differ.
 
-        Raises ValueError when none is found: then the problem itself is degenerate.
+        Raises ValueError if there is no such variant in MAX_DRAWS draws, because then the problem itself is degenerate.
         """
-        for attempt in range(ATTEMPTS):
-            problem = self.write(self.sampler(student, self.number, attempt))
-            if problem.telling():
+        for attempt in range(MAX_DRAWS):
+            problem = self.make_problem(self.sampler(student, self.number, attempt))
+            if problem.is_discriminating():
                 return problem
         raise ValueError(
-            f"Problem {self.number}: in {ATTEMPTS} draws, two mistakes always gave the same answer, or one the right one. "
-            "Draw from a wider range, or drop a mistake that is none."
+            f"Problem {self.number}: in each of {MAX_DRAWS} draws, two mistakes gave the same answer, or a mistake gave the right "
+            "one. Draw from a wider range, or remove a mistake that does not change the answer."
         )
 
 
@@ -134,12 +134,12 @@ def problem(
     lecture: str,
     sampler: type[S] = Sampler,  # type: ignore[assignment]
 ) -> Callable[[Callable[[S], Problem]], Template]:
-    """Make a template of a function from a sampler to a Problem.
+    """Decorate a function from a sampler to a Problem, and so make it a Template.
 
-    number   its place, "03.2"; the student's numbers depend on it
-    points   full score, shared equally among the parts of the answer
-    lecture  where to re-read, "03_poe_space#Prismatic joints": notebook and heading
-    sampler  the class of the sampler that the function is given
+    number   sheet and position, "03.2"; the student's numbers depend on it
+    points   the full score, shared equally among the parts of the answer
+    lecture  where to re-read, "01_ohm#Parallel circuits": notebook and heading
+    sampler  the class of the sampler that the function gets
 
     >>> import numpy as np
     >>> from misstep.answers.number import Numbers
@@ -154,7 +154,7 @@ def problem(
     ('A half', 3)
     """
 
-    def wrap(write: Callable[[S], Problem]) -> Template:
-        return Template(number, title, points, lecture, write, sampler)
+    def decorate(make_problem: Callable[[S], Problem]) -> Template:
+        return Template(number, title, points, lecture, make_problem, sampler)
 
-    return wrap
+    return decorate

@@ -10,7 +10,7 @@ from misstep.problem import Problem, Template
 from misstep.storage.serialize import to_data
 from misstep.verdict import Tally, Verdict
 
-SAMPLE = "your id"
+SAMPLE_ID = "your id"
 """The id in a fresh sheet. Its numbers are as good as any, but they are everybody's."""
 
 
@@ -113,8 +113,8 @@ class OpenSheet:
     @property
     def _note(self) -> str:
         """A word to whoever works on the sample without knowing it."""
-        sample = self.student.casefold() == SAMPLE
-        return f"these are the numbers of {SAMPLE!r}: type your own id at the top" if sample else ""
+        sample = self.student.casefold() == SAMPLE_ID
+        return f"these are the numbers of {SAMPLE_ID!r}: type your own id at the top" if sample else ""
 
     def __repr__(self) -> str:
         told = (

@@ -3,7 +3,7 @@
 import numpy as np
 from numpy.typing import ArrayLike
 
-NOTHING = 1e-5
+ZERO_TOLERANCE = 1e-5
 """What is smaller is written as 0. It is a hundredth of what an answer may be off, and in files it is pi / 2 cut short."""
 
 
@@ -13,7 +13,7 @@ def number(x: float) -> str:
     >>> number(-0.0), number(0.25), number(np.pi), number(-3.7e-6)
     ('0', '0.25', '3.142', '0')
     """
-    return f"{float(x):.4g}" if abs(x) > NOTHING else "0"
+    return f"{float(x):.4g}" if abs(x) > ZERO_TOLERANCE else "0"
 
 
 def degrees(angle: float) -> str:

@@ -19,7 +19,7 @@ TITLES = {
 }
 
 
-SOLVED = "application/vnd.misstep.solved+json"
+SOLVED_MIME = "application/vnd.misstep.solved+json"
 """Under this name a check says that its problem has full marks, to a page that counts them. Nobody grades by it."""
 
 
@@ -57,7 +57,7 @@ class Verdict:
     def _repr_mimebundle_(self, **options: Any) -> dict[str, Any]:
         data = {MIME: self.emission} if self.emission else {}
         if self.emission and self.judgement.state == "right":
-            data[SOLVED] = {name: self.emission[name] for name in ("sheet", "problem")}
+            data[SOLVED_MIME] = {name: self.emission[name] for name in ("sheet", "problem")}
         return {**self.card._repr_mimebundle_(**options), **data}
 
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 import numpy as np
 
 from kinlib.arrays.validation import Array
-from misstep.answers.base import NEAR
+from misstep.answers.base import ROUNDING_TOLERANCE
 from misstep.answers.number import Numbers
 
 
@@ -29,7 +29,7 @@ class VectorsAnswer(Numbers):
         return self.names
 
     def hint(self, given: Array, part: int) -> str:
-        if np.allclose(np.sort(np.abs(given[part])), np.sort(np.abs(self.value[part])), atol=NEAR):
+        if np.allclose(np.sort(np.abs(given[part])), np.sort(np.abs(self.value[part])), atol=ROUNDING_TOLERANCE):
             return "Its components have the right sizes; their order or their signs are not right."
         return ""
 

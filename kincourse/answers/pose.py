@@ -6,7 +6,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from misstep.answers.base import NEAR, TOLERANCE
+from misstep.answers.base import ROUNDING_TOLERANCE, TOLERANCE
 from misstep.answers.number import Numbers
 from misstep.validation import Array
 
@@ -57,4 +57,4 @@ class PoseAnswer(Numbers):
 
 def _is_rotation(R: Array) -> bool:
     # Entries typed with three decimals change R^T R by a few thousandths, and a real mistake changes it by more.
-    return bool(np.allclose(R.T @ R, np.eye(3), atol=NEAR) and np.linalg.det(R) > 0)
+    return bool(np.allclose(R.T @ R, np.eye(3), atol=ROUNDING_TOLERANCE) and np.linalg.det(R) > 0)

@@ -20,7 +20,7 @@ from kincourse.text.joint_table import joint_table
 from kinlib.chains.robots import SLIDE, X, Y, Z, angled_arm, arm, pose
 from kinlib.rigid.screw import screw
 from kinlib.view import draw_arm, draw_joints
-from misstep.answers.function import Function, wherever
+from misstep.answers.function import Function, function_mistakes
 from misstep.answers.order import Ordering
 from misstep.mistakes import Mistake, mistake
 from misstep.problem import Problem
@@ -258,7 +258,7 @@ def where_is_the_tool(sampler: ArmSampler) -> Problem:
         given={"screws": robot.screws, "home": robot.home},
         answer=Function(robot.fk, PoseAnswer(robot.home), joint_values),
         mistakes=[
-            *wherever(partial(product_mistakes, robot), np.ones(3)),
+            *function_mistakes(partial(product_mistakes, robot), np.ones(3)),
             Mistake(
                 "stays at home",
                 lambda _: robot.home,

@@ -77,7 +77,7 @@ def home_pose(robot: Chain, sampler: ArmSampler) -> Problem:
                 "This is $T_{bs}$, {s} seen from the tool. The first letter says who looks.",
             ),
         ],
-    ).sifted()
+    ).without_duplicates()
 
 
 def where_is_the_tool(robot: Chain, sampler: ArmSampler) -> Problem:
@@ -91,15 +91,15 @@ def where_is_the_tool(robot: Chain, sampler: ArmSampler) -> Problem:
         given={"screws": arm.screws, "home": arm.home, "values": at.typed},
         answer=PoseAnswer(arm.fk(at.q)),
         mistakes=_motion_mistakes(arm, at.q),
-    ).sifted()
+    ).without_duplicates()
 
 
 def which_mistake(robot: Chain, sampler: ArmSampler) -> Problem:
     """The mistake that leads to a given wrong pose, or none if the pose is right."""
     arm = rebased(robot, random_aligned_base(sampler, robot), random_tool(sampler, robot))
     at = random_configuration(sampler, arm)
-    motion_problem = Problem("", PoseAnswer(arm.fk(at.q)), _motion_mistakes(arm, at.q)).sifted()
-    if not motion_problem.telling():
+    motion_problem = Problem("", PoseAnswer(arm.fk(at.q)), _motion_mistakes(arm, at.q)).without_duplicates()
+    if not motion_problem.is_discriminating():
         return motion_problem
     drawn = sampler.shuffled(range(len(motion_problem.mistakes)))[:4]
     wrong = [motion_problem.mistakes[i] for i in sorted(drawn)]
@@ -136,7 +136,7 @@ def body_form(robot: Chain, sampler: ArmSampler) -> Problem:
         given={"body_screws": arm.body_screws, "home": arm.home, "values": at.typed},
         answer=PoseAnswer(arm.fk(at.q)),
         mistakes=[*body_product_mistakes(arm, at.q), *_standing_still_mistakes(arm, at.q)],
-    ).sifted()
+    ).without_duplicates()
 
 
 def point_of_the_tool(robot: Chain, sampler: ArmSampler) -> Problem:
@@ -175,7 +175,7 @@ def point_of_the_tool(robot: Chain, sampler: ArmSampler) -> Problem:
             mistake("the way back", position_of(inverse(T)), "You took $T^{-1}$, which goes from {s} to {b}."),
             *(mistake(wrong.name, position_of(wrong.value), wrong.message) for wrong in _motion_mistakes(arm, at.q)),
         ],
-    ).sifted()
+    ).without_duplicates()
 
 
 def _motion_mistakes(arm: Chain, q: Array) -> list[Mistake]:

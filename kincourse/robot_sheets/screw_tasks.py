@@ -62,7 +62,7 @@ def space_screws(robot: Chain, sampler: ArmSampler) -> Problem:
                 "Your axes point the other way, so your joints move the other way. The arrows show the positive direction.",
             ),
         ],
-    ).sifted()
+    ).without_duplicates()
 
 
 def body_screws(robot: Chain, sampler: ArmSampler) -> Problem:
@@ -77,7 +77,7 @@ def body_screws(robot: Chain, sampler: ArmSampler) -> Problem:
         given={"screws": S, "home": arm.home},
         answer=ScrewsAnswer(arm.body_screws[joints], names=[f"screw {i + 1}" for i in joints]),
         mistakes=body_screw_mistakes(S, arm.home),
-    ).sifted()
+    ).without_duplicates()
 
 
 def back_to_space(robot: Chain, sampler: ArmSampler) -> Problem:
@@ -92,7 +92,7 @@ def back_to_space(robot: Chain, sampler: ArmSampler) -> Problem:
         given={"body_screws": B, "home": arm.home},
         answer=ScrewsAnswer(arm.screws[joints], names=[f"screw {i + 1}" for i in joints]),
         mistakes=space_screw_mistakes(B, arm.home),
-    ).sifted()
+    ).without_duplicates()
 
 
 def new_tool(robot: Chain, sampler: ArmSampler) -> Problem:
@@ -130,7 +130,7 @@ def new_tool(robot: Chain, sampler: ArmSampler) -> Problem:
                 "You wrote $(v, \\omega)$. Here a screw axis is $(\\omega, v)$.",
             ),
         ],
-    ).sifted()
+    ).without_duplicates()
 
 
 def _choose_joints(sampler: ArmSampler, arm: Chain) -> list[int]:

@@ -92,7 +92,7 @@ def faulty_entry(robot: Chain, sampler: ArmSampler) -> Problem:
         given={"frames": np.array(frames), "rows": wrong, "convention": table.convention},
         answer=Choice(f"{column}{row}", names),
         mistakes=[mistake(name, value, message) for name, (value, message) in others.items()],
-    ).sifted()
+    ).without_duplicates()
 
 
 def _table(robot: Chain, sampler: ArmSampler, convention: Convention) -> Problem:
@@ -107,7 +107,7 @@ def _table(robot: Chain, sampler: ArmSampler, convention: Convention) -> Problem
         given={"screws": arm.screws, "points": arm.joint_points, "home": arm.home, "base": table.base, "last": end},
         answer=DHTableAnswer(table, anchored=True),
         mistakes=table_mistakes(table, *MISTAKE_NAMES),
-    ).sifted()
+    ).without_duplicates()
 
 
 def _arm(robot: Chain, sampler: ArmSampler) -> tuple[Chain, str, str]:

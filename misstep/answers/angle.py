@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from misstep.answers.base import NEAR
+from misstep.answers.base import ROUNDING_TOLERANCE
 from misstep.answers.number import Numbers
 from misstep.validation import Array
 
@@ -54,7 +54,7 @@ class Angles(Numbers):
 
     def _misfit(self, angles: Array) -> tuple[int, float]:
         off = np.abs(angles - self.value)
-        return int(np.count_nonzero(off > NEAR)), float((off * off).sum())
+        return int(np.count_nonzero(off > ROUNDING_TOLERANCE)), float((off * off).sum())
 
     def _near(self, angles: Array) -> Array:
         turned: Array = self.value + np.remainder(angles - self.value + np.pi, 2 * np.pi) - np.pi

@@ -12,10 +12,10 @@ from typing import Any
 TOLERANCE = 1e-3
 """How far a number may be off, relative to its size where that is above 1: three printed decimals are enough."""
 
-LARGEST = 1e12
+MAX_NUMBER = 1e12
 """No answer of the course is larger; what is has lost its way, and its square would not fit into a number."""
 
-NEAR = 3e-2
+ROUNDING_TOLERANCE = 3e-2
 """Within this an answer was rounded on the way rather than misunderstood, and feedback says so."""
 
 
@@ -48,7 +48,7 @@ class Answer(ABC):
     def agrees(self, one: Any, other: Any, tolerance: float = TOLERANCE) -> list[bool]:
         """Compare two values that were read, part by part."""
 
-    def at(self, seed: int) -> "Answer":
+    def with_inputs(self, seed: int) -> "Answer":
         """The same answer, asked for at inputs drawn anew. Only a function has inputs."""
         return self
 

@@ -15,20 +15,20 @@ from misstep.mistakes import Mistake
 from misstep.storage.deserialize import Outputs
 from misstep.validation import Array
 
-CALLS = 4
+CALL_COUNT = 4
 """At how many inputs a function is asked."""
 
 Sample = Callable[[np.random.Generator], tuple[Any, ...]]
 
 
-def wherever(mistakes_at: Callable[..., Sequence[Mistake]], *somewhere: Any) -> list[Mistake]:
+def function_mistakes(mistakes_at: Callable[..., Sequence[Mistake]], *somewhere: Any) -> list[Mistake]:
     """The mistakes of one call as mistakes of a function: at every input, what the mistake gives there.
 
     mistakes_at  the mistakes for given arguments, always the same ones in the same order
     somewhere    arguments of one call
 
     >>> at = lambda x: [Mistake("sign", -x, "You turned the wrong way.")]
-    >>> wherever(at, 1.0)[0].value(2.0)
+    >>> function_mistakes(at, 1.0)[0].value(2.0)
     -2.0
     """
     found: dict[bytes, Sequence[Mistake]] = {}
@@ -46,7 +46,7 @@ def wherever(mistakes_at: Callable[..., Sequence[Mistake]], *somewhere: Any) -> 
 
 
 @dataclass(frozen=True)
-class Called:
+class FunctionCalls:
     """A function, and what it gave at the inputs of the problem."""
 
     function: Callable[..., Any] | None
@@ -73,12 +73,12 @@ class Function(Answer):
 
     def __post_init__(self) -> None:
         if not self.inputs:
-            object.__setattr__(self, "inputs", self.at(0).inputs)
+            object.__setattr__(self, "inputs", self.with_inputs(0).inputs)
 
-    def at(self, seed: int) -> "Function":
+    def with_inputs(self, seed: int) -> "Function":
         """The same answer, asked for at other inputs."""
         chance = np.random.default_rng(seed)
-        return replace(self, inputs=[self.sample(chance) for _ in range(CALLS)])
+        return replace(self, inputs=[self.sample(chance) for _ in range(CALL_COUNT)])
 
     @property
     def expected(self) -> str:
@@ -88,20 +88,20 @@ class Function(Answer):
     def parts(self) -> Sequence[str]:
         return ["the function"]
 
-    def read(self, given: Any) -> Called:
-        if isinstance(given, Called):
+    def read(self, given: Any) -> FunctionCalls:
+        if isinstance(given, FunctionCalls):
             given = given.function
         if isinstance(given, Outputs):
             if len(given.values) != len(self.inputs):
                 raise Unreadable(
                     f"Expected {self.expected}; it gave {len(given.values)} outputs for {len(self.inputs)} calls."
                 )
-            return Called(None, [self._output(value) for value in given.values])
+            return FunctionCalls(None, [self._output(value) for value in given.values])
         if not callable(given) or isinstance(given, type):
             raise Unreadable(
                 f"Expected {self.expected}; got {validation.brief(given)}. Leave the brackets off: fk, not fk(q)."
             )
-        return Called(given, [self._output(self._call(given, arguments)) for arguments in self.inputs])
+        return FunctionCalls(given, [self._output(self._call(given, arguments)) for arguments in self.inputs])
 
     def _call(self, function: Callable[..., Any], arguments: Sequence[Any]) -> Any:
         try:
@@ -121,16 +121,16 @@ class Function(Answer):
         pairs = zip(self._called(one).outputs, self._called(other).outputs, strict=True)
         return [all(all(self.output.agrees(mine, yours, tolerance)) for mine, yours in pairs)]
 
-    def hint(self, given: Called, part: int) -> str:
+    def hint(self, given: FunctionCalls, part: int) -> str:
         right = self._right.outputs
         count = sum(all(self.output.agrees(mine, yours)) for mine, yours in zip(given.outputs, right, strict=True))
         return f"It is right at {count} of {len(right)} inputs that were tried." if count else ""
 
     @cached_property
-    def _right(self) -> Called:
+    def _right(self) -> FunctionCalls:
         return self.read(self.value)
 
-    def _called(self, given: Any) -> Called:
+    def _called(self, given: Any) -> FunctionCalls:
         if given is self.value:
             return self._right
-        return given if isinstance(given, Called) else self.read(given)
+        return given if isinstance(given, FunctionCalls) else self.read(given)

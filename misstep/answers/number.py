@@ -7,7 +7,7 @@ from typing import Any, ClassVar
 import numpy as np
 
 from misstep import validation
-from misstep.answers.base import LARGEST, TOLERANCE, Answer, Unreadable
+from misstep.answers.base import MAX_NUMBER, TOLERANCE, Answer, Unreadable
 from misstep.validation import Array
 
 
@@ -50,7 +50,7 @@ class Numbers(Answer):
             raise Unreadable(
                 f"Expected {self.expected}; got {_kind(given)} that does not turn into numbers."
             ) from error
-        if (largest := np.abs(values).max(initial=0.0)) > LARGEST:
+        if (largest := np.abs(values).max(initial=0.0)) > MAX_NUMBER:
             raise Unreadable(f"Expected {self.expected}; got {largest:.3g}. Was there a division by almost zero?")
         return values
 

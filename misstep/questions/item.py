@@ -55,14 +55,14 @@ class Item:
         return next(index for index, option in enumerate(self.options) if option.right)
 
 
-def read(text: str, file: str) -> dict[str, Item]:
+def read_questions(text: str, file: str) -> dict[str, Item]:
     r"""Read the questions of one file.
 
     Raises ValueError that names the file, the question and what is wrong with it.
 
     >>> order = "[order]\nkind = 'check'\ntext = '?'"
     >>> options = [f"[[order.options]]\ntext = '{n}'\nwhy = '!'\nright = {n}" for n in ("true", "false")]
-    >>> read("\n".join([order, *options]), "03_poe_space.toml")["order"].right
+    >>> read_questions("\n".join([order, *options]), "03_poe_space.toml")["order"].right
     0
     """
     try:

@@ -7,7 +7,7 @@ import json
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
-from misstep.sheet import SAMPLE, Sheet
+from misstep.sheet import SAMPLE_ID, Sheet
 
 SCHEMA = 3
 """The version of nbgrader's marks."""
@@ -38,7 +38,7 @@ def notebook(sheet: Sheet, entries: Sequence[Entry], intro: str, imports: str, a
     if len(entries) != len(sheet.problems):
         raise ValueError(f"{sheet.name} has {len(sheet.problems)} problems; got {len(entries)} entries.")
     number = sheet.problems[0].number.partition(".")[0]
-    opened = [imports, "", f'student = "{SAMPLE}"', f'sheet = open_sheet("{sheet.name}", student)', "sheet"]
+    opened = [imports, "", f'student = "{SAMPLE_ID}"', f'sheet = open_sheet("{sheet.name}", student)', "sheet"]
     title = f"# Sheet {number}: {sheet.title[0].lower()}{sheet.title[1:]}"
     cells = [_markdown("title", f"{title}\n\n{intro}"), _code("open", "\n".join(opened))]
     for k, (template, entry) in enumerate(zip(sheet.problems, entries, strict=True), start=1):

@@ -21,7 +21,7 @@ STUB = Config({"ClearSolutions": {"code_stub": {"python": "# your lines here"}}}
 """What a student finds where the solution stood. The line above it, `screws_1 = ...`, names what to fill."""
 
 
-def released(source: Path) -> str:
+def student_version(source: Path) -> str:
     """The student's version of an instructor's notebook, as the text of a file. The file of a robot stays as it is."""
     if source.suffix != ".ipynb":
         return source.read_text(encoding="utf-8")
@@ -31,18 +31,18 @@ def released(source: Path) -> str:
     return str(nbformat.writes(notebook)) + "\n"
 
 
-def sheets(root: Path) -> Iterator[tuple[Path, Path]]:
+def sheet_files(root: Path) -> Iterator[tuple[Path, Path]]:
     """Every file of a sheet below a project's root: the instructor's notebook or a robot, and where the student's belongs."""
     for source in sorted([*(root / "solutions").glob("*/*.ipynb"), *(root / "solutions").glob("*/*.json")]):
         yield source, root / "exercises" / source.relative_to(root / "solutions")
 
 
-def stale(root: Path) -> list[Path]:
+def find_stale(root: Path) -> list[Path]:
     """The student's files that are missing, or differ from what their source releases."""
     return [
         target
-        for source, target in sheets(root)
-        if not target.exists() or target.read_text(encoding="utf-8") != released(source)
+        for source, target in sheet_files(root)
+        if not target.exists() or target.read_text(encoding="utf-8") != student_version(source)
     ]
 
 
@@ -54,16 +54,16 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 def run(options: argparse.Namespace) -> int:
     """Write the notebooks that are stale, or name them. The exit code is 1 for --check with stale notebooks."""
-    if not any(sheets(options.root)):
+    if not any(sheet_files(options.root)):
         print(
             f"misstep release: {options.root.resolve()} has no solutions/*/*.ipynb. Are you at the top of the project?",
             file=sys.stderr,
         )
         return 2
-    for target in (late := stale(options.root)):
+    for target in (late := find_stale(options.root)):
         print(f"{'stale' if options.check else 'written'}: {target.relative_to(options.root)}")
         if not options.check:
             target.parent.mkdir(parents=True, exist_ok=True)
             source = options.root / "solutions" / target.relative_to(options.root / "exercises")
-            target.write_text(released(source), encoding="utf-8", newline="\n")
+            target.write_text(student_version(source), encoding="utf-8", newline="\n")
     return 1 if late and options.check else 0

@@ -26,10 +26,10 @@ from misstep.validation import Array
 MIME = "application/vnd.misstep.answer+json"
 """Under this name a check cell's output holds the answer."""
 
-MOST_NUMBERS = 4096
+MAX_ENTRIES = 4096
 """No answer of the course has more numbers, nor a list more entries."""
 
-DEEPEST = 5
+MAX_DEPTH = 5
 """How deep lists may nest: a table of matrices, and some."""
 
 
@@ -68,7 +68,7 @@ def from_data(data: Any) -> Any:
 def _read(data: Any, depth: int) -> Any:
     if data is None:
         return None
-    if not isinstance(data, dict) or depth > DEEPEST + 1:
+    if not isinstance(data, dict) or depth > MAX_DEPTH + 1:
         raise Malformed("An answer is null or an object of a known form, and not nested without end.")
     read = READERS.get(frozenset(data))
     if read is None:
@@ -83,13 +83,13 @@ def _string(text: Any, _: int) -> str:
 
 
 def _items(items: Any, depth: int) -> list[Any]:
-    if not isinstance(items, list) or len(items) > MOST_NUMBERS:
-        raise Malformed(f"A list is a list, of at most {MOST_NUMBERS} entries.")
+    if not isinstance(items, list) or len(items) > MAX_ENTRIES:
+        raise Malformed(f"A list is a list, of at most {MAX_ENTRIES} entries.")
     return [_read(item, depth + 1) for item in items]
 
 
 def _entries(entries: Any, depth: int) -> dict[str, Any]:
-    if not isinstance(entries, list) or len(entries) > MOST_NUMBERS:
+    if not isinstance(entries, list) or len(entries) > MAX_ENTRIES:
         raise Malformed("A map is a list of pairs, a name and a value.")
     return dict(_entry(entry, depth) for entry in entries)
 
@@ -98,7 +98,7 @@ def _numbers(flat: Any, shape: Any) -> Array:
     if not isinstance(flat, list) or not isinstance(shape, list):
         raise Malformed("An array is a list of numbers, and the list of its sizes.")
     sizes = [size for size in shape if isinstance(size, int) and not isinstance(size, bool) and size >= 0]
-    if len(flat) > MOST_NUMBERS or len(sizes) != len(shape) or len(shape) > DEEPEST + 1:
+    if len(flat) > MAX_ENTRIES or len(sizes) != len(shape) or len(shape) > MAX_DEPTH + 1:
         raise Malformed("An array has a shape of whole numbers, and not more numbers than an answer needs.")
     if any(x is not None and (isinstance(x, bool) or not isinstance(x, int | float)) for x in flat):
         raise Malformed("An array holds numbers and nothing else.")
@@ -129,7 +129,7 @@ def _matrix(rows: Any, depth: int) -> Any:
     import sympy as sp
 
     sizes = {len(row) if isinstance(row, list) else -1 for row in rows} if isinstance(rows, list) else {-1}
-    if -1 in sizes or len(sizes) > 1 or len(rows) > MOST_NUMBERS:
+    if -1 in sizes or len(sizes) > 1 or len(rows) > MAX_ENTRIES:
         raise Malformed("A matrix is a list of rows of one length.")
     entries = [_items(row, depth) for row in rows]
     if not all(isinstance(entry, sp.Expr | float) for row in entries for entry in row):

@@ -14,13 +14,13 @@ from typing import Any
 import numpy as np
 
 from misstep.formulas.sympy_parsing import MAX_CHARACTERS
-from misstep.storage.deserialize import DEEPEST, MOST_NUMBERS
+from misstep.storage.deserialize import MAX_DEPTH, MAX_ENTRIES
 from misstep.validation import Array, is_blank
 
-MOST_PARTS = 4 * MOST_NUMBERS
+MAX_PARTS = 4 * MAX_ENTRIES
 """So many entries are looked at, of all lists together: a list of long lists of lists would take for ever."""
 
-MOST_CHARACTERS = 100_000
+MAX_OBJECT_CHARACTERS = 100_000
 """The most characters that the fields of an object may take as JSON."""
 
 Data = dict[str, Any] | None
@@ -39,7 +39,7 @@ class _Place:
 
     def inside(self) -> "_Place":
         self.seen[0] += 1
-        if self.seen[0] > MOST_PARTS:
+        if self.seen[0] > MAX_PARTS:
             raise _TooMuch
         return _Place(self.depth + 1, self.seen)
 
@@ -61,7 +61,7 @@ def to_data(value: Any, inputs: Sequence[Any] = ()) -> Data:
             return {"function": str(getattr(value, "__name__", "function"))[:80], "outputs": called}
         return _written(value, place)
     except _TooMuch:
-        return {"other": f"{_kind(value)} of more than {MOST_PARTS} parts"}
+        return {"other": f"{_kind(value)} of more than {MAX_PARTS} parts"}
     except Exception as error:  # a student's object may raise anything when it is looked at
         return {"other": f"{type(value).__name__} that raises {type(error).__name__} when it is read"}
 
@@ -69,8 +69,8 @@ def to_data(value: Any, inputs: Sequence[Any] = ()) -> Data:
 def _written(value: Any, place: _Place) -> Data:
     if is_blank(value):
         return None
-    if place.depth > DEEPEST:
-        return {"other": f"{_kind(value)}, nested deeper than {DEEPEST}"}
+    if place.depth > MAX_DEPTH:
+        return {"other": f"{_kind(value)}, nested deeper than {MAX_DEPTH}"}
     for kinds, write in WRITERS:
         if isinstance(value, kinds):
             return write(value, place)
@@ -90,7 +90,7 @@ def _object(value: Any) -> Data:
     """The fields of an object that writes itself down. Whether its kind is an answer is for the reader to say."""
     fields = value.to_dict()
     text = json.dumps(fields, allow_nan=False) if isinstance(fields, dict) else ""
-    if not text or len(text) > MOST_CHARACTERS:
+    if not text or len(text) > MAX_OBJECT_CHARACTERS:
         return {"other": _kind(value)}
     return {"object": _kind(value), "fields": json.loads(text)}
 
@@ -108,7 +108,7 @@ def _number(x: float) -> float | None:
 
 
 def _array(values: Array, place: _Place) -> Data:
-    if values.size > MOST_NUMBERS or values.ndim > DEEPEST:
+    if values.size > MAX_ENTRIES or values.ndim > MAX_DEPTH:
         return {"other": f"array of shape {values.shape}"}
     if values.dtype.kind in "biuf":
         flat = [_number(x) for x in values.astype(float).ravel().tolist()]
@@ -119,20 +119,20 @@ def _array(values: Array, place: _Place) -> Data:
 
 
 def _list(values: Sequence[Any], place: _Place) -> Data:
-    if len(values) > MOST_NUMBERS:
+    if len(values) > MAX_ENTRIES:
         return {"other": f"list of {len(values)} entries"}
     items = [_written(item, place.inside()) for item in values]
     rows = [item for item in items if item and ("number" in item or "array" in item)]
     shapes = {tuple(row.get("shape", ())) for row in rows}
     flat = [x for row in rows for x in row.get("array", [row.get("number")])]
-    if len(rows) == len(items) and len(shapes) == 1 and len(flat) <= MOST_NUMBERS:
+    if len(rows) == len(items) and len(shapes) == 1 and len(flat) <= MAX_ENTRIES:
         # Rows of one length are an array, however they were typed.
         return {"array": flat, "shape": [len(items), *min(shapes)]}
     return {"list": items}
 
 
 def _map(value: Mapping[Any, Any], place: _Place) -> Data:
-    if len(value) > MOST_NUMBERS:
+    if len(value) > MAX_ENTRIES:
         return {"other": f"dictionary of {len(value)} entries"}
     return {"map": [[str(key)[:80], _written(item, place.inside())] for key, item in value.items()]}
 
@@ -155,8 +155,8 @@ def _symbolic(value: Any, place: _Place) -> Data:
         return {"matrix": [[_written(entry, place.inside()) for entry in row] for row in value.tolist()]}
     if isinstance(value, sympy.Expr):
         # Parts that an expression shares are written out each time, and a small one may have millions: count before.
-        if sum(1 for _ in islice(sympy.preorder_traversal(value), MOST_NUMBERS + 1)) > MOST_NUMBERS:
-            return {"other": f"formula of more than {MOST_NUMBERS} parts"}
+        if sum(1 for _ in islice(sympy.preorder_traversal(value), MAX_ENTRIES + 1)) > MAX_ENTRIES:
+            return {"other": f"formula of more than {MAX_ENTRIES} parts"}
         text = str(value)
         return {"symbolic": text} if len(text) <= MAX_CHARACTERS else {"other": f"formula of {len(text)} characters"}
     return None

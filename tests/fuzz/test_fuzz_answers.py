@@ -12,7 +12,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from kincourse import find_sheet, sheets
-from misstep.answers.function import Called
+from misstep.answers.function import FunctionCalls
 from misstep.formulas.evaluation import Formula
 from misstep.grading.judging import judge_process as judging
 from misstep.grading.judging.result import ProblemResult, Result
@@ -58,7 +58,7 @@ def answers(place):
 
 def _typed(value):
     value = value.given if isinstance(value, Formula) else value
-    return value.function if isinstance(value, Called) else value
+    return value.function if isinstance(value, FunctionCalls) else value
 
 
 def cases():

@@ -13,7 +13,7 @@ from odd_robots import generated_sheets
 from kincourse import attempt, blanks, find_sheet, open_sheet, sheets
 from misstep.answers.number import Numbers
 from misstep.judge import judge
-from misstep.sheet import SAMPLE
+from misstep.sheet import SAMPLE_ID
 from misstep.verdict import Verdict
 
 OF_THE_COURSE = [template for name in sheets() for template in find_sheet(name).problems]
@@ -42,7 +42,7 @@ def variant(template, student):
 
 def plain(template, answer):
     """What a student reads in a terminal: the card's plain text."""
-    return Verdict(template, judge(variant(template, SAMPLE), answer))._repr_mimebundle_()["text/plain"]
+    return Verdict(template, judge(variant(template, SAMPLE_ID), answer))._repr_mimebundle_()["text/plain"]
 
 
 @each_problem
@@ -81,16 +81,16 @@ def test_a_problem_names_at_least_three_mistakes(template):
 @each_problem_and_step
 @pytest.mark.parametrize("blank", [..., None])
 def test_a_blank_stub_earns_a_friendly_zero(template, blank):
-    judgement = judge(variant(template, SAMPLE), blank)
+    judgement = judge(variant(template, SAMPLE_ID), blank)
     assert (judgement.state, judgement.fraction) == ("blank", 0)
     assert "Nothing here yet" in plain(template, blank)
-    assert variant(template, SAMPLE).answer.expected in plain(template, blank)
+    assert variant(template, SAMPLE_ID).answer.expected in plain(template, blank)
 
 
 @each_problem_and_step
 @pytest.mark.parametrize("hostile", [*HOSTILE.values(), Rude()], ids=[*HOSTILE, "a rude object"])
 def test_a_hostile_value_gets_a_card_that_says_what_was_expected(template, hostile):
-    judgement = judge(variant(template, SAMPLE), hostile)
+    judgement = judge(variant(template, SAMPLE_ID), hostile)
     assert (judgement.state, judgement.fraction) == ("unreadable", 0)
     text = plain(template, hostile)
     assert "Expected" in text
@@ -129,7 +129,7 @@ def test_the_last_answer_counts():
 
 
 def test_the_sample_id_is_pointed_out():
-    assert "type your own id" in open_sheet("03_poe_space", SAMPLE).tally()._repr_markdown_()
+    assert "type your own id" in open_sheet("03_poe_space", SAMPLE_ID).tally()._repr_markdown_()
     assert "type your own id" in repr(open_sheet("03_poe_space", "Your ID"))
     assert "type your own id" not in open_sheet("03_poe_space", "ada").tally()._repr_markdown_()
 

@@ -6,7 +6,7 @@ import pytest
 from circuits import write_course
 
 from misstep.catalog import load_course
-from misstep.questions.item import read
+from misstep.questions.item import read_questions
 from misstep.questions.widget import Question
 
 WRITTEN = """
@@ -33,7 +33,7 @@ def course(tmp_path):
 
 @pytest.fixture
 def question():
-    return Question(read(WRITTEN, "03.toml")["order"])
+    return Question(read_questions(WRITTEN, "03.toml")["order"])
 
 
 def test_a_prediction_is_recorded_and_not_judged(question):
@@ -47,7 +47,7 @@ def test_a_prediction_is_recorded_and_not_judged(question):
 
 
 def test_a_self_check_explains_the_choice_and_names_the_right_one():
-    question = Question(read(WRITTEN.replace("predict", "check"), "03.toml")["order"])
+    question = Question(read_questions(WRITTEN.replace("predict", "check"), "03.toml")["order"])
     question._repr_mimebundle_()
     question.commit(0)
     said = question._face.children[-1].value
@@ -123,7 +123,7 @@ def test_an_explanation_on_the_page_changes_when_the_reader_commits(course):
 )
 def test_a_slip_in_a_file_is_named(text, words):
     with pytest.raises(ValueError, match=words):
-        read(text, "03.toml")
+        read_questions(text, "03.toml")
 
 
 def test_names_that_there_are_not_are_refused(course):

@@ -15,16 +15,16 @@ from misstep.formulas.sympy_parsing import FUNCTIONS, MAX_CHARACTERS, expression
 from misstep.problem import Problem, problem
 from misstep.sheet import OpenSheet, Sheet
 from misstep.storage.deserialize import (
-    DEEPEST,
+    MAX_DEPTH,
     MIME,
-    MOST_NUMBERS,
+    MAX_ENTRIES,
     Malformed,
     Opaque,
     Outputs,
     from_data,
     register_object,
 )
-from misstep.storage.serialize import MOST_PARTS, to_data
+from misstep.storage.serialize import MAX_PARTS, to_data
 
 
 def sent(value, inputs=()):
@@ -135,12 +135,12 @@ def test_a_formula_that_shares_its_parts_is_not_written_out():
     x = sp.Symbol("x")
     for _ in range(60):
         x = sp.sin(x) + sp.cos(x)
-    assert sent(x) == Opaque(f"formula of more than {MOST_NUMBERS} parts")
+    assert sent(x) == Opaque(f"formula of more than {MAX_ENTRIES} parts")
 
 
 def test_lists_in_lists_are_looked_at_up_to_a_number_of_parts():
     row = [[0.5] * 1000] * 1000
-    assert sent([row] * 1000) == Opaque(f"list of more than {MOST_PARTS} parts")
+    assert sent([row] * 1000) == Opaque(f"list of more than {MAX_PARTS} parts")
 
 
 def test_a_list_that_holds_itself_comes_to_an_end():
@@ -171,16 +171,16 @@ def test_a_list_that_holds_itself_comes_to_an_end():
         {"array": [1], "shape": 1},
         {"array": [1], "shape": [True]},
         {"array": [1], "shape": [1.0]},
-        {"array": [1], "shape": [1] * (DEEPEST + 2)},
-        {"array": [0] * (MOST_NUMBERS + 1), "shape": [MOST_NUMBERS + 1]},
+        {"array": [1], "shape": [1] * (MAX_DEPTH + 2)},
+        {"array": [0] * (MAX_ENTRIES + 1), "shape": [MAX_ENTRIES + 1]},
         {"array": [], "shape": [0] * 40},
         {"array": [], "shape": [0, 10**30]},
         {"list": 7},
-        {"list": [None] * (MOST_NUMBERS + 1)},
+        {"list": [None] * (MAX_ENTRIES + 1)},
         {"list": [7]},
         {"map": {}},
         {"map": 7},
-        {"map": [["a", None]] * (MOST_NUMBERS + 1)},
+        {"map": [["a", None]] * (MAX_ENTRIES + 1)},
         {"map": [["a"]]},
         {"map": [[7, None]]},
         {"symbolic": 7},
@@ -193,7 +193,7 @@ def test_a_list_that_holds_itself_comes_to_an_end():
         {"object": "Resistor", "fields": {7: 7}},
         resistor({}),
         resistor({"ohm": "4.7"}),
-        {"matrix": [[]] * (MOST_NUMBERS + 1)},
+        {"matrix": [[]] * (MAX_ENTRIES + 1)},
         {"matrix": [[{"number": 1}], 7]},
         {"\ud800": 1},
         {"function": "f", "outputs": 7},
@@ -227,12 +227,12 @@ def test_a_refusal_says_why(data, said):
 
 def test_what_is_read_may_be_as_long_as_any_and_no_longer_name_is_told():
     assert from_data({"text": "x" * MAX_CHARACTERS}) == "x" * MAX_CHARACTERS
-    assert len(from_data({"list": [None] * MOST_NUMBERS})) == MOST_NUMBERS
-    assert from_data({"array": [1] * MOST_NUMBERS, "shape": [MOST_NUMBERS]}).sum() == MOST_NUMBERS
-    assert from_data({"array": [1], "shape": [1] * (DEEPEST + 1)}).ndim == DEEPEST + 1
+    assert len(from_data({"list": [None] * MAX_ENTRIES})) == MAX_ENTRIES
+    assert from_data({"array": [1] * MAX_ENTRIES, "shape": [MAX_ENTRIES]}).sum() == MAX_ENTRIES
+    assert from_data({"array": [1], "shape": [1] * (MAX_DEPTH + 1)}).ndim == MAX_DEPTH + 1
     assert from_data({"array": [], "shape": [0, 3]}).shape == (0, 3)
-    assert from_data({"matrix": [[]] * MOST_NUMBERS}).shape == (MOST_NUMBERS, 0)
-    assert from_data({"map": [["a" * 100, {"number": 1}]] * MOST_NUMBERS}) == {"a" * 80: 1}
+    assert from_data({"matrix": [[]] * MAX_ENTRIES}).shape == (MAX_ENTRIES, 0)
+    assert from_data({"map": [["a" * 100, {"number": 1}]] * MAX_ENTRIES}) == {"a" * 80: 1}
 
 
 @pytest.mark.parametrize("entry", [None, {"text": "x"}, {"list": []}, {"function": "f", "outputs": []}, {"matrix": []}])
@@ -250,7 +250,7 @@ NESTS = {
 @pytest.mark.parametrize("nest", NESTS.values(), ids=NESTS)
 def test_a_nest_is_read_to_a_depth_and_refused_beyond(nest):
     data = None
-    for _ in range(DEEPEST + 2):
+    for _ in range(MAX_DEPTH + 2):
         data = nest(data)
     assert from_data(data) is not None
     with pytest.raises(Malformed, match="without end"):

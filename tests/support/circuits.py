@@ -17,7 +17,7 @@ import numpy as np
 
 from misstep import Mistake, Problem, Sheet, mistake, problem
 from misstep.answers.choice import Choice
-from misstep.answers.function import Function, wherever
+from misstep.answers.function import Function, function_mistakes
 from misstep.answers.number import Numbers
 
 
@@ -72,7 +72,7 @@ def discharge(sampler):
             Numbers(np.array(0.0), unit="V"),
             lambda chance: (chance.uniform(0.2, 0.4) * time,),
         ),
-        mistakes=wherever(mistakes, 0.3),
+        mistakes=function_mistakes(mistakes, 0.3),
     )
 
 

@@ -51,7 +51,7 @@ def verdicts(course: Course, sheet: Sheet, student: str, seed: int, answers: Map
 
 
 def _problems(course: Course, sheet: Sheet, student: str, seed: int) -> list[Problem]:
-    return [problem.again(seed) for problem in _drawn(course, sheet.name, student)]
+    return [problem.with_inputs(seed) for problem in _drawn(course, sheet.name, student)]
 
 
 @lru_cache(maxsize=16)

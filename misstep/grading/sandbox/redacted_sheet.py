@@ -46,7 +46,7 @@ class Withheld(Answer):
 class Side(Problem):
     """A problem on a paper. Whoever drew it has seen that its mistakes lead somewhere."""
 
-    def telling(self) -> bool:
+    def is_discriminating(self) -> bool:
         return True
 
 

@@ -64,7 +64,7 @@ def test_a_paper_holds_what_is_given_and_no_answer(name, laid_out):
 def test_the_judge_gives_full_points_for_right_answers_and_names_mistakes(name):
     made = find_sheet(name)
     seed = judge_process.paper(COURSE, made, "ada")["seed"]
-    problems = [template.variant("ada").again(seed) for template in made.problems]
+    problems = [template.variant("ada").with_inputs(seed) for template in made.problems]
     for wanted, values in {
         "right": [problem.answer.value for problem in problems],
         "mistaken": [problem.mistakes[0].value for problem in problems],
@@ -83,7 +83,7 @@ def test_a_paper_has_other_inputs_each_time_and_the_judge_knows_them_by_the_seed
     made = find_sheet("03_poe_space")
     seeds = [judge_process.paper(COURSE, made, "ada")["seed"] for _ in range(2)]
     assert seeds[0] != seeds[1]
-    inputs = [made.problems[6].variant("ada").again(seed).answer.inputs for seed in seeds]
+    inputs = [made.problems[6].variant("ada").with_inputs(seed).answer.inputs for seed in seeds]
     assert not np.isclose(inputs[0], inputs[1]).any()
 
 
