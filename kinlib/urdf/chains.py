@@ -1,12 +1,12 @@
 """URDF files as chains, and chains as URDF files.
 
-A URDF says where each joint stands in the frame of the link before it, and which way its axis points in its own frame.
-At q = 0 the frames on the way from base to tip are products, and with them the screws, read in the base:
+A URDF gives the pose of each joint in the frame of its parent link, and the direction of its axis in its own frame. At q = 0
+the frames on the path from base to tip are products of these poses, and give the screws in the base frame:
 
     T_i = Trans(xyz) Rz(yaw) Ry(pitch) Rx(roll),    J_i = T_1 T_2 ... T_i = (R_i, p_i)
     S_i = screw(R_i axis_i, p_i),    M = J_tip
 
-Fixed joints add a T_i and no screw. Meshes, masses and colours say nothing about motion, and are passed over.
+A fixed joint contributes a T_i and no screw. Meshes, masses and colours do not affect the kinematics and are ignored.
 """
 
 import os
@@ -18,24 +18,24 @@ from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import inverse
 from kinlib.rigid.rpy import roll_pitch_yaw
 from kinlib.rigid.screw import screw
-from kinlib.urdf.tree import ENDLESS, Joint, Tree, read_tree
+from kinlib.urdf.tree import MAX_NUMBER, Tree, UrdfJoint, read_tree
 from kinlib.urdf.xml import read_robot
 
 
 def load_urdf(path_or_text: str | os.PathLike[str], base: str | None = None, tip: str | None = None) -> Chain:
-    """Read a URDF, and make a chain of the joints on the way from one link to another.
+    """Read a URDF, and build a chain from the joints on the path from one link to another.
 
-    path_or_text  the path of a file, or the text itself, which begins with <
-    base          the link whose frame is {s}; the root of the tree by default
-    tip           the link whose frame is {b}; by default the only end of the tree that moves against the base
+    path_or_text  the path of a file, or its text, which begins with <
+    base          the link whose frame is {s}; by default the root of the tree
+    tip           the link whose frame is {b}; by default the only end of the tree that moves relative to the base
 
-    Revolute, continuous and prismatic joints become screws in the base frame, fixed ones are merged. The chain keeps
-    joint names and limits, and its points are the joint origins. An axis is brought to unit length. The way may go up the
-    tree and down again: the base need not stand above the tip.
+    Revolute, continuous and prismatic joints become screws in the base frame, and fixed joints are merged. The chain keeps
+    the names and the limits of the joints, and its points are the joint origins. Axes are normalized. The path may go up the
+    tree and down again: the base need not be an ancestor of the tip.
 
-    Raises ValueError, with the element and its line, for a file that is not XML, not a URDF or not a tree, for numbers
-    that are none, where the tip has to be chosen, and for joints on the way that a chain cannot hold: planar, floating
-    and mimic ones. Nothing is fetched, and no other file is opened.
+    Raises ValueError, with the element and its line, if the file is not XML, not a URDF or not a tree, if a number is not
+    valid, if several links could be the tip, and if a joint on the path is planar, floating or a mimic joint, which a chain
+    cannot represent. No other file is opened, and nothing is downloaded.
     Source: the URDF specification, "link" and "joint"; conventions as in urdfdom, the parser of ROS.
 
     >>> text = '''<robot name="crane">
@@ -48,27 +48,29 @@ def load_urdf(path_or_text: str | os.PathLike[str], base: str | None = None, tip
     """
     robot = read_robot(path_or_text)
     tree = read_tree(robot)
-    base = tree.root if base is None else tree.known(base, "base")
-    tip = _only_tip(tree, base) if tip is None else tree.known(tip, "tip")
+    base = tree.root if base is None else tree.check_link(base, "base")
+    tip = _only_tip(tree, base) if tip is None else tree.check_link(tip, "tip")
     T, screws, points, moving = np.eye(4), [], [], []
     for joint, sign in tree.path(base, tip):
-        # The axis stands in the frame of the child link: where the way down arrives, and where the way up sets out.
+        # The axis is given in the joint frame: the frame after this joint on the way down, and before it on the way up.
         before, T = T, T @ (joint.origin if sign > 0 else inverse(joint.origin))
         if joint.moves:
-            _refuse_what_no_chain_holds(joint)
+            _check_chain_can_represent(joint)
             frame = T if sign > 0 else before
             axis, point = sign * frame[:3, :3] @ joint.axis, frame[:3, 3]
             screws.append(screw(axis, point, np.inf if joint.type == "prismatic" else 0.0))
             points.append(point)
             moving.append(joint)
     if not moving:
-        raise tree.links[tip].refusal(f"no joint moves between {base} and {tip}. Which links does the arm join?")
+        raise tree.links[tip].error(
+            f"a joint must move between base and tip; none does between {base} and {tip}. Pass other links as base or tip."
+        )
     limits = np.array([joint.limits for joint in moving])
     return Chain(
         np.array(screws),
         T,
         points=np.array(points),
-        name=robot.word("name"),
+        name=robot.text("name"),
         source=f"URDF, from {base} to {tip}",
         limits=limits if np.isfinite(limits).any() else None,
         joint_names=tuple(joint.name for joint in moving),
@@ -76,13 +78,13 @@ def load_urdf(path_or_text: str | os.PathLike[str], base: str | None = None, tip
 
 
 def to_urdf(chain: Chain) -> str:
-    """Write a chain as a URDF that loads back into the same chain.
+    """Write a chain as the text of a URDF that load_urdf reads back as the same chain.
 
-    At home every frame is parallel to {s}, so that an axis reads as in the base, and an origin is the step from one
-    joint's point to the next. A fixed joint carries what is left to the home pose. Joints without names are joint_1 and
-    so on. Effort and velocity, which URDF asks for and kinematics does not know, are 1.
+    At home every frame is parallel to {s}, so an axis has the same components as in the base, and an origin is the vector
+    from one joint's point to the next. A fixed joint at the end completes the home pose. Joints without names are called
+    joint_1, joint_2, ... The limits of effort and velocity, which URDF requires and a chain does not have, are 1.
 
-    Raises ValueError for a helical joint, which no URDF holds, and for names that none can tell apart or print.
+    Raises ValueError if a joint is helical, because URDF has no such joint, and if names of joints are equal or not printable.
     Source: the URDF specification, "joint".
 
     >>> from kinlib.chains.robots import youbot
@@ -91,28 +93,30 @@ def to_urdf(chain: Chain) -> str:
     """
     if "H" in chain.joint_types:
         raise ValueError(
-            f"Joint {chain.joint_types.index('H') + 1} of {chain.name} is helical: it turns and climbs at once. URDF has "
-            "joints that turn and joints that slide, and none that couples the two."
+            f"The joints must be revolute or prismatic, because URDF has no helical joint; "
+            f"joint {chain.joint_types.index('H') + 1} of {chain.name} is helical."
         )
     names = chain.joint_names or tuple(f"joint_{i + 1}" for i in range(chain.n))
     if len(set(names)) < chain.n:
-        raise ValueError(f"A URDF tells joints apart by their names; got {', '.join(names)}.")
+        raise ValueError(
+            f"The names of the joints must be different; got {', '.join(names)}. Pass other joint_names to the chain."
+        )
     weld = next(name for name in ("weld", *(f"weld_{i}" for i in range(chain.n))) if name not in names)
     links = ["base_link", *(f"link_{i + 1}" for i in range(chain.n)), "tool"]
     limits = np.full((chain.n, 2), (-np.inf, np.inf)) if chain.limits is None else chain.limits
     steps = np.diff([np.zeros(3), *chain.joint_points, chain.home[:3, 3]], axis=0)
     parts = [f"<robot name={_quoted(chain.name)}>", *(f'  <link name="{link}"/>' for link in links)]
     for i, axis in enumerate(chain.lines.axis):
-        endless = chain.joint_types[i] == "R" and np.isinf(limits[i]).all()
-        kind = "continuous" if endless else "revolute" if chain.joint_types[i] == "R" else "prismatic"
-        lower, upper = np.clip(limits[i], -ENDLESS, ENDLESS)
+        is_unlimited = chain.joint_types[i] == "R" and np.isinf(limits[i]).all()
+        kind = "continuous" if is_unlimited else "revolute" if chain.joint_types[i] == "R" else "prismatic"
+        lower, upper = np.clip(limits[i], -MAX_NUMBER, MAX_NUMBER)
         parts += [
             f'  <joint name={_quoted(names[i])} type="{kind}">',
             f'    <parent link="{links[i]}"/> <child link="{links[i + 1]}"/>',
             f'    <origin xyz="{_numbers(*steps[i])}"/>',
             f'    <axis xyz="{_numbers(*axis)}"/>',
         ]
-        if not endless:
+        if not is_unlimited:
             parts += [f'    <limit lower="{_numbers(lower)}" upper="{_numbers(upper)}" effort="1" velocity="1"/>']
         parts += ["  </joint>"]
     parts += [
@@ -128,27 +132,29 @@ def to_urdf(chain: Chain) -> str:
 def _only_tip(tree: Tree, base: str) -> str:
     tips = tree.tips(base)
     if len(tips) != 1:
-        choices = f"It may be {', '.join(tips)}." if tips else "Below the base nothing moves."
-        raise tree.links[base].refusal(f"which link is the tip of the arm that stands here? Say tip=... {choices}")
+        choices = f"Pass tip=..., one of {', '.join(tips)}." if tips else "Pass a base with a moving joint below it."
+        raise tree.links[base].error(
+            f"exactly one end of the tree must move relative to this base; got {len(tips)}. {choices}"
+        )
     return tips[0]
 
 
-def _refuse_what_no_chain_holds(joint: Joint) -> None:
-    freedoms = {"planar": 3, "floating": 6}
-    if joint.type in freedoms:
-        raise joint.element.refusal(
-            f"a {joint.type} joint moves in {freedoms[joint.type]} ways at once, and a joint of a chain in one. Take a "
-            f"base behind it, such as {joint.child}."
+def _check_chain_can_represent(joint: UrdfJoint) -> None:
+    dof = {"planar": 3, "floating": 6}
+    if joint.type in dof:
+        raise joint.element.error(
+            f"a joint of a chain must have one degree of freedom; a {joint.type} joint has {dof[joint.type]}. "
+            f"Choose a base beyond it, such as {joint.child}."
         )
-    if (mimic := joint.element.only("mimic")) is not None:
-        raise mimic.refusal(
-            f"joint {joint.name} copies another joint, and the joints of a chain move on their own. Take a tip before it, "
-            f"such as {joint.parent}."
+    if (mimic := joint.element.child("mimic")) is not None:
+        raise mimic.error(
+            f"the joints of a chain must move independently; joint {joint.name} mimics another joint. "
+            f"Choose a tip before it, such as {joint.parent}."
         )
 
 
 def _numbers(*values: float) -> str:
-    """Numbers with all the digits that they need to come back the same, and no more."""
+    """Numbers with as many digits as are needed to read the same numbers back."""
     return " ".join(repr(float(value) + 0.0).removesuffix(".0") for value in values)
 
 
@@ -156,5 +162,5 @@ def _quoted(name: str) -> str:
     from xml.sax.saxutils import quoteattr
 
     if not name.isprintable() or not name:
-        raise ValueError(f"A name in a URDF should be letters that print; got {validation.describe(name)}.")
+        raise ValueError(f"A name in a URDF must consist of printable characters; got {validation.describe(name)}.")
     return quoteattr(name)

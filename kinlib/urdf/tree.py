@@ -1,7 +1,7 @@
-"""What a URDF says of motion: links, joints between them, and the tree that they make.
+"""The kinematic part of a URDF: links, the joints between them, and the tree that they form.
 
-Every joint is read and checked, also where nobody will look: a file with a fault is a faulty file. Each refusal names
-the element and its line.
+Every joint of the file is read and checked, also those that are not between base and tip. Each error message gives the
+element and its line.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
@@ -14,30 +14,32 @@ from kinlib.arrays.validation import Array
 from kinlib.rigid.rpy import origin
 from kinlib.urdf.xml import Element
 
-MOVING = ("revolute", "continuous", "prismatic")
-TYPES = (*MOVING, "fixed", "planar", "floating")
+MOVING_TYPES = ("revolute", "continuous", "prismatic")
+JOINT_TYPES = (*MOVING_TYPES, "fixed", "planar", "floating")
 
-SHORTEST = 1e-6
-"""An axis shorter than this is zero with rounding errors, not a direction."""
+MIN_AXIS = 1e-6
+"""An axis whose largest component is less than this is zero up to rounding errors, and has no direction."""
 
-FARTHEST = 1e6
-"""The farthest origin, in metres: beyond it a pose keeps no tenth of a nanometre, and a file has slipped its units."""
+MAX_ORIGIN_M = 1e6
+"""The largest coordinate of an origin, in metres. Beyond it rounding errors exceed 0.1 nm, and the file probably uses another unit."""
 
-STEEPEST = 4 * np.pi
-"""The largest angle of an origin, in radians, as for DH tables: 90 is a right angle in degrees, and not in radians."""
+MAX_ORIGIN_RAD = 4 * np.pi
+"""The largest angle of an origin, in radians, as for DH tables: larger ones, such as 90, are probably in degrees."""
 
-ENDLESS = float(np.finfo(float).max)
-"""URDF has no word for a slide without an end: its largest number stands for it."""
+MAX_NUMBER = float(np.finfo(float).max)
+"""URDF has no prismatic joint without limits, so this largest number is written for an infinite limit, and read as one."""
 
 
 @dataclass(frozen=True, eq=False)
-class Joint:
-    """A joint of the file: what moves, between which links, where and how far.
+class UrdfJoint:
+    """A joint of the file.
 
-    origin   (4, 4)  its frame in the frame of the parent link; the child link rides on it, and stands there at q = 0
-    axis     (3,)    in its own frame, of unit length; zero where the type has none
-    limits           least and greatest value
-    element          where the file says so
+    element        of the file that describes it
+    name, type     as in the file
+    parent, child  the names of the links that it joins
+    origin (4, 4)  its frame relative to the frame of the parent link, and the frame of the child link at q = 0
+    axis   (3,)    in its own frame, of unit length; zero if a joint of this type has no axis
+    limits         the lower and the upper limit, infinite if the type has none
     """
 
     element: Element
@@ -51,20 +53,23 @@ class Joint:
 
     @property
     def moves(self) -> bool:
-        """Whether it is more than a weld."""
+        """Whether it is of any other type than fixed."""
         return self.type != "fixed"
 
 
-class Step(NamedTuple):
-    """A joint of a path: sign 1 from parent to child, -1 from child to parent."""
+class PathStep(NamedTuple):
+    """A joint of a path, and its direction: sign +1 from parent to child, -1 from child to parent."""
 
-    joint: Joint
+    joint: UrdfJoint
     sign: int
 
 
 @dataclass(frozen=True, eq=False)
 class Tree:
-    """The links by name, and for each link but the root the joint above it. As text it is the tree, drawn.
+    """The kinematic tree of a URDF. Its text, str(tree), is a drawing of the tree.
+
+    links          the elements of the links, by name
+    parent_joints  for the name of each link but the root, the joint whose child it is
 
     >>> from kinlib.urdf.xml import read_robot
     >>> text = '''<robot name="crane"><link name="ground"/><link name="mast"/>
@@ -75,97 +80,105 @@ class Tree:
     """
 
     links: Mapping[str, Element]
-    above: Mapping[str, Joint]
+    parent_joints: Mapping[str, UrdfJoint]
 
     @property
     def root(self) -> str:
-        """The link that hangs on no joint."""
-        return next(link for link in self.links if link not in self.above)
+        """The link that is not the child of a joint."""
+        return next(link for link in self.links if link not in self.parent_joints)
 
-    def path(self, base: str, tip: str) -> Sequence[Step]:
-        """The joints from one link to another: up to where their ways meet, and down."""
+    def path(self, base: str, tip: str) -> Sequence[PathStep]:
+        """Find the joints from one link to another: up to their nearest common ancestor, and down from it."""
         up, down = self._ancestors(base), self._ancestors(tip)
         shared = {joint.name for joint in up} & {joint.name for joint in down}
         return [
-            *(Step(joint, -1) for joint in up if joint.name not in shared),
-            *(Step(joint, +1) for joint in reversed(down) if joint.name not in shared),
+            *(PathStep(joint, -1) for joint in up if joint.name not in shared),
+            *(PathStep(joint, +1) for joint in reversed(down) if joint.name not in shared),
         ]
 
     def tips(self, base: str) -> Sequence[str]:
-        """The ends of the tree that a joint moves against the base: what an arm that stands on it can end in."""
-        parents = {joint.parent for joint in self.above.values()}
-        return [link for _, link, moved in self._walk(base) if moved and link not in parents]
+        """Find the links below a base that have no child and move relative to it: the possible ends of an arm on this base."""
+        parents = {joint.parent for joint in self.parent_joints.values()}
+        return [link for _, link, moves in self._descendants(base) if moves and link not in parents]
 
-    def known(self, link: str, asked_for: str) -> str:
-        """Pass on the name of a link. Raises ValueError for any other, with the nearest one."""
+    def check_link(self, link: str, argument: str) -> str:
+        """Return the name of a link. Raises ValueError if there is no such link, with the most similar name.
+
+        argument  the name of the argument, for the message
+        """
         if link not in self.links:
-            raise ValueError(f"{asked_for} should be a link; there is none called {link!r}.{meant(link, self.links)}")
+            raise ValueError(f"{argument} must be the name of a link; got {link!r}.{suggest_link(link, self.links)}")
         return link
 
-    def _ancestors(self, link: str) -> Sequence[Joint]:
+    def _ancestors(self, link: str) -> Sequence[UrdfJoint]:
         """The joints from a link up to the root."""
-        way = []
-        while link in self.above:
-            way.append(self.above[link])
-            link = self.above[link].parent
-        return way
+        joints = []
+        while link in self.parent_joints:
+            joints.append(self.parent_joints[link])
+            link = self.parent_joints[link].parent
+        return joints
 
-    def _walk(self, base: str) -> Iterator[tuple[int, str, bool]]:
-        """Every link from one on down: how deep it hangs, its name, and whether a joint moves it against the first."""
-        below: dict[str, list[Joint]] = {}
-        for joint in self.above.values():
-            below.setdefault(joint.parent, []).append(joint)
-        waiting = [(0, base, False)]
-        while waiting:
-            depth, link, moved = waiting.pop()
-            yield depth, link, moved
-            waiting += [(depth + 1, joint.child, moved or joint.moves) for joint in reversed(below.get(link, []))]
+    def _descendants(self, base: str) -> Iterator[tuple[int, str, bool]]:
+        """The base and every link below it, depth first: its depth, its name, and whether it moves relative to the base."""
+        child_joints: dict[str, list[UrdfJoint]] = {}
+        for joint in self.parent_joints.values():
+            child_joints.setdefault(joint.parent, []).append(joint)
+        stack = [(0, base, False)]
+        while stack:
+            depth, link, moves = stack.pop()
+            yield depth, link, moves
+            stack += [(depth + 1, joint.child, moves or joint.moves) for joint in reversed(child_joints.get(link, []))]
 
     def __str__(self) -> str:
         lines = [self.root]
-        for depth, link, _ in self._walk(self.root):
+        for depth, link, _ in self._descendants(self.root):
             if depth:
-                joint = self.above[link]
+                joint = self.parent_joints[link]
                 lines.append(f"{'  ' * depth}{joint.name} ({joint.type}): {link}")
         return "\n".join(lines)
 
 
 def read_tree(robot: Element) -> Tree:
-    """Read the links and the joints of a <robot>, and check that they make one tree.
+    """Read the links and the joints of a <robot>, and check that they form one tree.
 
-    Raises ValueError, with element and line: a name twice, a link that is missing, with two parents or without a joint,
-    links in a circle, and whatever a joint says that cannot be.
+    Raises ValueError, with element and line, if a name occurs twice, if a link is missing, has two parents or is not connected,
+    if links form a cycle, and if an attribute of a joint is not valid.
     Source: the URDF specification, "link" and "joint".
     """
     links: dict[str, Element] = {}
     for element in robot.children:
         if element.tag == "link":
-            if (name := element.word("name")) in links:
-                raise element.refusal(f"the link in line {links[name].line} has this name already.")
+            if (name := element.text("name")) in links:
+                raise element.error(
+                    f"the names of links must be different; the link in line {links[name].line} has the same name."
+                )
             links[name] = element
     if not links:
-        raise robot.refusal("it has no <link>: a robot is links, held together by joints.")
+        raise robot.error("it must have at least one <link>; it has none.")
     lines: dict[str, int] = {}
-    above: dict[str, Joint] = {}
+    parent_joints: dict[str, UrdfJoint] = {}
     for element in robot.children:
         if element.tag == "joint":
             joint = _joint(element, links)
             if joint.name in lines:
-                raise element.refusal(f"the joint in line {lines[joint.name]} has this name already.")
-            if (other := above.get(joint.child)) is not None:
-                raise next(end for end in element.children if end.tag == "child").refusal(
-                    f"link {joint.child} hangs on joint {other.name} of line {other.element.line} already. A URDF is a "
-                    "tree: a link with two parents closes a loop, and no URDF holds one."
+                raise element.error(
+                    f"the names of joints must be different; the joint in line {lines[joint.name]} has the same name."
                 )
-            lines[joint.name], above[joint.child] = element.line, joint
-    _check_one_tree(links, above)
-    return Tree(links, above)
+            if (other := parent_joints.get(joint.child)) is not None:
+                child = element.child("child") or element
+                raise child.error(
+                    f"link {joint.child} is already the child of joint {other.name} in line {other.element.line}. A URDF "
+                    "must be a tree: a link with two parents closes a loop, and URDF cannot describe loops."
+                )
+            lines[joint.name], parent_joints[joint.child] = element.line, joint
+    _check_one_tree(links, parent_joints)
+    return Tree(links, parent_joints)
 
 
-def meant(name: str, links: Mapping[str, Element]) -> str:
-    """Say which link a wrong name may stand for.
+def suggest_link(name: str, links: Mapping[str, Element]) -> str:
+    """Return a sentence with the link that a wrong name may mean, or with all names if none is similar.
 
-    >>> meant("bsae", {"base": Element("link", 1, {}), "tool": Element("link", 2, {})})
+    >>> suggest_link("bsae", {"base": Element("link", 1, {}), "tool": Element("link", 2, {})})
     ' Did you mean base?'
     """
     from difflib import get_close_matches
@@ -175,76 +188,90 @@ def meant(name: str, links: Mapping[str, Element]) -> str:
     return f" The links are {', '.join(list(links)[:12])}{', ...' if len(links) > 12 else '.'}"
 
 
-def _joint(element: Element, links: Mapping[str, Element]) -> Joint:
-    name, kind = element.word("name"), element.word("type")
-    if kind not in TYPES:
-        raise element.refusal(f'type="{kind}" is none of {", ".join(TYPES)}.')
+def _joint(element: Element, links: Mapping[str, Element]) -> UrdfJoint:
+    name, kind = element.text("name"), element.text("type")
+    if kind not in JOINT_TYPES:
+        raise element.error(f'type must be one of {", ".join(JOINT_TYPES)}; got "{kind}".')
     parent, child = (_end(element, tag, links) for tag in ("parent", "child"))
-    axis = _axis(element) if kind in MOVING else np.zeros(3)
+    axis = _axis(element) if kind in MOVING_TYPES else np.zeros(3)
     limits = _limits(element, kind) if kind in {"revolute", "prismatic"} else (-np.inf, np.inf)
-    return Joint(element, name, kind, parent, child, _origin(element), axis, limits)
+    return UrdfJoint(element, name, kind, parent, child, _origin(element), axis, limits)
 
 
 def _end(joint: Element, tag: str, links: Mapping[str, Element]) -> str:
-    if (end := joint.only(tag)) is None:
-        raise joint.refusal(f"it has no <{tag} link=...>: a joint joins two links.")
-    if (link := end.word("link")) not in links:
+    if (end := joint.child(tag)) is None:
+        raise joint.error(f"it must have a <{tag} link=...>, because a joint joins two links; it has none.")
+    if (link := end.text("link")) not in links:
         name = joint.attributes["name"]
-        raise end.refusal(f'joint {name} names link "{link}", and there is none.{meant(link, links)}')
+        raise end.error(
+            f'joint {name} must join links of this file; there is no link "{link}".{suggest_link(link, links)}'
+        )
     return link
 
 
 def _origin(joint: Element) -> Array:
-    if (element := joint.only("origin")) is None:
+    if (element := joint.child("origin")) is None:
         return np.eye(4)
-    bounds = {"xyz": (FARTHEST, "m", "metres"), "rpy": (STEEPEST, "rad", "radians, not degrees")}
+    bounds = {
+        "xyz": (MAX_ORIGIN_M, "m", "Is it in another unit than metres?"),
+        "rpy": (MAX_ORIGIN_RAD, "rad", "Is it in degrees? URDF uses radians."),
+    }
     values = {name: element.numbers(name, 3) for name in bounds if name in element.attributes}
     for name, numbers in values.items():
-        most, unit, units = bounds[name]
-        if (worst := max(numbers, key=abs)) and abs(worst) > most:
-            raise element.refusal(f"{name} holds {worst:g} {unit}. URDF writes {units}.")
+        bound, unit, cause = bounds[name]
+        if abs(largest := max(numbers, key=abs)) > bound:
+            raise element.error(
+                f"{name} must be between -{bound:g} and {bound:g} {unit}; got {largest:g} {unit}. {cause}"
+            )
     return origin(**values)
 
 
 def _axis(joint: Element) -> Array:
-    if (element := joint.only("axis")) is None:
-        # So says the specification; who leaves the axis out often expects z.
+    if (element := joint.child("axis")) is None:
+        # This is the default in the specification, although users who leave the axis out often expect z.
         return np.array([1.0, 0.0, 0.0])
     axis = np.array(element.numbers("xyz", 3))
-    if (largest := np.abs(axis).max()) < SHORTEST:
-        raise element.refusal("xyz is zero, and zero points nowhere. A joint that does not move is of type fixed.")
+    if (largest := np.abs(axis).max()) < MIN_AXIS:
+        raise element.error("xyz must be a direction; got zero. A joint that does not move has the type fixed.")
     axis /= largest
     unit: Array = axis / np.linalg.norm(axis)
     return unit
 
 
 def _limits(joint: Element, kind: str) -> tuple[float, float]:
-    if (element := joint.only("limit")) is None:
-        remedy = "One that turns without end is continuous." if kind == "revolute" else "How far does it slide?"
-        raise joint.refusal(f"a {kind} joint needs its <limit lower=... upper=...>. {remedy}")
+    if (element := joint.child("limit")) is None:
+        remedy = (
+            "A revolute joint without limits has the type continuous."
+            if kind == "revolute"
+            else "How far does it move?"
+        )
+        raise joint.error(f"a {kind} joint must have a <limit lower=... upper=...>; it has none. {remedy}")
     lower, upper = (element.numbers(name, 1)[0] if name in element.attributes else 0.0 for name in ("lower", "upper"))
     if lower > upper:
-        raise element.refusal(f"lower is {lower:g} and upper is {upper:g}. Are they exchanged?")
-    return (lower if lower > -ENDLESS else -np.inf), (upper if upper < ENDLESS else np.inf)
+        raise element.error(
+            f"lower must be at most upper; got lower {lower:g} and upper {upper:g}. Are they interchanged?"
+        )
+    return (lower if lower > -MAX_NUMBER else -np.inf), (upper if upper < MAX_NUMBER else np.inf)
 
 
-def _check_one_tree(links: Mapping[str, Element], above: Mapping[str, Joint]) -> None:
-    roots = [link for link in links if link not in above]
+def _check_one_tree(links: Mapping[str, Element], parent_joints: Mapping[str, UrdfJoint]) -> None:
+    roots = [link for link in links if link not in parent_joints]
     if len(roots) > 1:
         others = ", ".join([roots[0], *roots[2:12]])
-        raise links[roots[1]].refusal(
-            f"no joint holds it, and none holds {others}. A tree has one root: which joint is missing?"
+        raise links[roots[1]].error(
+            "a tree must have one root, a link that is not the child of a joint; "
+            f"there are others, such as {others}. Which joint is missing?"
         )
-    # A link is held if the way up from it ends at the root, and not in a circle.
-    held = set(roots)
+    # A link is connected if the path from child to parent ends at the root, and not in a cycle.
+    connected = set(roots)
     for start in links:
-        link, way = start, dict[str, None]()
-        while link not in held and link not in way:
-            way[link] = None
-            link = above[link].parent
-        if link in way:
-            circle = list(way)[list(way).index(link) :]
-            raise above[link].element.refusal(
-                f"from child to parent the links go round in a circle: {', '.join(circle[:12])}."
+        link, path = start, dict[str, None]()
+        while link not in connected and link not in path:
+            path[link] = None
+            link = parent_joints[link].parent
+        if link in path:
+            cycle = list(path)[list(path).index(link) :]
+            raise parent_joints[link].element.error(
+                f"the links must form a tree; from child to parent these form a cycle: {', '.join(cycle[:12])}."
             )
-        held.update(way)
+        connected.update(path)

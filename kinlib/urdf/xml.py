@@ -1,8 +1,8 @@
-"""The XML of a URDF, read without trust: elements that know the line where they stand.
+"""Read the XML of an untrusted URDF into elements with line numbers.
 
-A URDF comes from anywhere. It is read whole or refused, within bounds on its size and depth, and nothing that it names is
-opened or fetched: a document type, which is how entities grow or reach for other files, is refused before its first
-entity. Each refusal is a ValueError with the line.
+A URDF may come from anywhere, so its size and depth are limited, and nothing that it refers to is opened or downloaded. A
+document type declaration is refused before its first entity, because entities can expand without limit or refer to other
+files. Each error is a ValueError with the line.
 """
 
 import math
@@ -15,87 +15,91 @@ from typing import Any
 
 from kinlib.arrays import validation
 
-LARGEST = 4_000_000
-"""The largest file that is read, in bytes: ten times what a humanoid takes, and read in two seconds at most."""
+MAX_BYTES = 4_000_000
+"""The largest file that is read: ten times the size of a humanoid robot's, and read in at most two seconds."""
 
-DEEPEST = 100
-"""How deep elements may stand in each other. A mesh of a link stands at the fifth place, simulators go on to the tenth."""
+MAX_DEPTH = 100
+"""How deep elements may be nested. The mesh of a link is at depth five; the extensions of simulators reach about ten."""
 
-LONGEST = 1000
-"""The longest name and the longest list of numbers, in letters: more is no name, and would drown the message about it."""
+MAX_CHARACTERS = 1000
+"""The longest name and the longest list of numbers: longer ones are mistakes, and would make messages unreadable."""
 
-NUMBER = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)
+NUMBER_PATTERN = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)
 
-OTHERS = {"sdf": "an SDF file", "mujoco": "a MuJoCo file", "COLLADA": "a mesh", "html": "a page of the web"}
-"""What files with another first element are; people have them beside their URDF."""
+OTHER_FORMATS = {"sdf": "an SDF file", "mujoco": "a MuJoCo file", "COLLADA": "a mesh", "html": "a web page"}
+"""Kinds of files by their first element, for files that are often passed instead of a URDF."""
 
 
 @dataclass(frozen=True, slots=True, eq=False)
 class Element:
-    """An element of the file: its tag, the line where it begins, what it says, in what it stands, what stands in it."""
+    """An XML element: its tag, the line where it begins, its attributes, its parent element and its child elements."""
 
     tag: str
     line: int
     attributes: dict[str, str]
-    inside: "Element | None" = field(default=None, repr=False)
+    parent: "Element | None" = field(default=None, repr=False)
     children: list["Element"] = field(default_factory=list, repr=False)
 
-    def refusal(self, why: str) -> ValueError:
-        """The error to raise for this element: it names the line, the element, the one that it is part of, and why.
+    def error(self, why: str) -> ValueError:
+        """Build the error to raise for this element: its message has the line, the element, its parent and the reason.
 
         >>> elbow = Element("joint", 7, {"name": "elbow"})
-        >>> Element("axis", 8, {"xyz": "0 0"}, elbow).refusal("it is too short.")
+        >>> Element("axis", 8, {"xyz": "0 0"}, elbow).error("it is too short.")
         ValueError('Line 8, <axis> in <joint name="elbow">: it is too short.')
         """
-        part_of = f" in {self.inside}" if self.inside and "name" not in self.attributes else ""
+        part_of = f" in {self.parent}" if self.parent and "name" not in self.attributes else ""
         return ValueError(f"Line {self.line}, {self}{part_of}: {why}")
 
     def __str__(self) -> str:
         name = f' name="{self.attributes["name"][:60]}"' if "name" in self.attributes else ""
         return f"<{self.tag:.60}{name}>"
 
-    def only(self, tag: str) -> "Element | None":
-        """The child with a tag, or None. Raises ValueError where there are two."""
+    def child(self, tag: str) -> "Element | None":
+        """Return the child with a tag, or None. Raises ValueError if there are several."""
         found = [child for child in self.children if child.tag == tag]
         if len(found) > 1:
-            raise self.refusal(f"it has <{tag}> twice, in lines {found[0].line} and {found[1].line}. Which one holds?")
+            raise self.error(
+                f"it must have at most one <{tag}>; got two, in lines {found[0].line} and {found[1].line}. Remove one."
+            )
         return found[0] if found else None
 
-    def word(self, attribute: str) -> str:
-        """What an attribute says. Raises ValueError where it is missing or empty, and for a macro left in it."""
-        if not (word := self.attributes.get(attribute, "")):
-            came = " ".join(self.attributes) or "nothing"
-            raise self.refusal(f"it should say {attribute}=...; it says {came:.200}.")
-        if len(word) > LONGEST:
-            raise self.refusal(f'{attribute}="{word[:20]}..." runs on for {len(word)} letters.')
-        if "${" in word or "$(" in word:
-            raise self.refusal(f'{attribute}="{word}" is for xacro to work out. {EXPAND}')
-        return word
+    def text(self, attribute: str) -> str:
+        """Return the value of an attribute. Raises ValueError if it is missing, empty or too long, or has a macro of xacro."""
+        if not (value := self.attributes.get(attribute, "")):
+            given = " ".join(self.attributes) or "none"
+            raise self.error(f"it must have the attribute {attribute}=...; its attributes are: {given:.200}.")
+        if len(value) > MAX_CHARACTERS:
+            raise self.error(
+                f'{attribute} must have at most {MAX_CHARACTERS} characters; got {len(value)}, "{value[:20]}...".'
+            )
+        if "${" in value or "$(" in value:
+            raise self.error(f'{attribute}="{value}" must be evaluated by xacro first. {EXPAND_HINT}')
+        return value
 
     def numbers(self, attribute: str, count: int) -> list[float]:
-        """The finite numbers that an attribute holds. Raises ValueError for anything else, and for another count.
+        """Read the finite numbers of an attribute. Raises ValueError for anything else, and for another count.
 
         >>> Element("axis", 7, {"xyz": "0 0 1"}).numbers("xyz", 3)
         [0.0, 0.0, 1.0]
         """
-        words = self.word(attribute).split()
+        words = self.text(attribute).split()
         for word in words:
-            if not NUMBER.fullmatch(word) or not math.isfinite(float(word)):
-                blanks = " Numbers are separated by blanks." if re.search("[,;]", word) else ""
-                raise self.refusal(f'{attribute} should hold finite numbers; got "{word}".{blanks}')
+            if not NUMBER_PATTERN.fullmatch(word) or not math.isfinite(float(word)):
+                hint = " Separate numbers by spaces." if re.search("[,;]", word) else ""
+                raise self.error(f'{attribute} must consist of finite numbers; got "{word}".{hint}')
         if len(words) != count:
-            raise self.refusal(f'{attribute} should hold {count} numbers; got {len(words)}: "{" ".join(words)}".')
+            raise self.error(f'{attribute} must have {count} numbers; got {len(words)}: "{" ".join(words)}".')
         return [float(word) for word in words]
 
 
-EXPAND = "Expand the file first, as in: xacro robot.urdf.xacro > robot.urdf."
+EXPAND_HINT = "Expand the file: xacro robot.urdf.xacro > robot.urdf"
 
 
 def read_robot(path_or_text: str | os.PathLike[str]) -> Element:
     """Read the <robot> element of a URDF, from a path or from its text.
 
-    Raises ValueError, with the line wherever there is one, for what is no such file: missing, a directory, empty, too
-    large, not XML, another root, nested too deep, a document type, macros of xacro left in.
+    Raises ValueError, with the line if there is one, if the file is missing, a directory, empty, too large or not XML, if its
+    root is another element, if it is nested too deeply, and if it has a document type or macros of xacro.
 
     >>> read_robot('<robot name="arm"><link name="base"/></robot>').children
     [Element(tag='link', line=1, attributes={'name': 'base'})]
@@ -107,7 +111,7 @@ def read_robot(path_or_text: str | os.PathLike[str]) -> Element:
     from defusedxml.expatreader import DefusedExpatParser
 
     text = _text(path_or_text)
-    # A text in triple quotes starts with an empty line, and XML wants its declaration first: take it off, and count it.
+    # A text in triple quotes often begins with an empty line, but XML must begin with its declaration: remove and count it.
     blank = len(text) - len(text.lstrip())
     source = InputSource()
     if isinstance(text, str):
@@ -123,75 +127,77 @@ def read_robot(path_or_text: str | os.PathLike[str]) -> Element:
         parser.parse(source)
     except DefusedXmlException as error:
         raise ValueError(
-            f"Line {above + parser.getLineNumber()}, <!DOCTYPE>: a URDF has no document type and no entities, and those "
-            "of others are not trusted. Take the declaration out."
+            f"Line {above + parser.getLineNumber()}, <!DOCTYPE>: a URDF must have no document type and no entities, because "
+            "they are not safe to read. Remove the declaration."
         ) from error
     except SAXParseException as error:
         line, why = above + (error.getLineNumber() or 1), error.getMessage()
-        raise ValueError(f"Line {line}: this is not XML: {why}.{_likely(why)}") from error
+        raise ValueError(f"Line {line}: the file must be XML; {why}.{_likely_cause(why)}") from error
     except (LookupError, UnicodeError) as error:
         raise ValueError(
-            f"Line {above + parser.getLineNumber()}: {error}. Save the file as UTF-8, and say so."
+            f"Line {above + parser.getLineNumber()}: {error}. Save the file as UTF-8, and declare this encoding."
         ) from error
     root: Element = builder.root
     if root.tag != "robot":
-        came = OTHERS.get(root.tag, f"<{root.tag:.60}>")
-        raise root.refusal(f"the first element of a URDF is <robot>; this is {came}.")
+        given = OTHER_FORMATS.get(root.tag, f"<{root.tag:.60}>")
+        raise root.error(f"the first element of a URDF must be <robot>; this is {given}.")
     return root
 
 
 def _text(path_or_text: str | os.PathLike[str]) -> Any:
-    """The text itself, or the bytes of the file that a path names."""
+    """The text itself, or the bytes of the file at a path."""
     if not isinstance(path_or_text, str | os.PathLike):
-        raise ValueError(f"A URDF is a path or a text; got {validation.describe(path_or_text)}.")
+        raise ValueError(f"path_or_text must be the path or the text of a URDF; got {validation.describe(path_or_text)}.")
     if isinstance(path_or_text, str):
         text = path_or_text.removeprefix("\ufeff")
         if not text.strip():
-            raise ValueError("The text is empty: a URDF begins with <robot name=...>.")
+            raise ValueError("A URDF must begin with <robot name=...>; got an empty text.")
         if text.lstrip().startswith("<"):
-            _bounded(len(text), "text")
+            _check_size(len(text), "text")
             return text
     return _bytes(path_or_text)
 
 
 def _bytes(path: str | os.PathLike[str]) -> bytes:
     if isinstance(path, str) and re.match(r"\w{2,}://", path):
-        raise ValueError(f"{path!r:.200} is an address, and nothing is fetched. Save the file, and give its path.")
+        raise ValueError(
+            f"A URDF must be a local file; got the address {path!r:.200}. Download the file, and pass its path."
+        )
     try:
         if not Path(path).is_file():
             found = f"{path!r:.200} is a directory" if Path(path).is_dir() else f"There is no file {path!r:.200}"
-            raise ValueError(f"{found}. Give the path of a URDF, or its text, which begins with <.")
-        _bounded(Path(path).stat().st_size, "file")
+            raise ValueError(f"{found}. Pass the path of a URDF, or its text, which begins with <.")
+        _check_size(Path(path).stat().st_size, "file")
         with Path(path).open("rb") as file:
-            # A file may grow between the look at its size and now.
-            content = file.read(LARGEST + 1)
+            # The file may have grown since its size was read.
+            content = file.read(MAX_BYTES + 1)
     except OSError as error:
         raise ValueError(f"{path!r:.200} cannot be read: {error.strerror}.") from error
-    _bounded(len(content), "file")
+    _check_size(len(content), "file")
     if not content.strip():
-        raise ValueError(f"The file {path!r:.200} is empty: a URDF begins with <robot name=...>.")
+        raise ValueError(f"A URDF must begin with <robot name=...>; the file {path!r:.200} is empty.")
     return content
 
 
-def _bounded(size: int, what: str) -> None:
-    if size > LARGEST:
+def _check_size(size: int, what: str) -> None:
+    if size > MAX_BYTES:
         raise ValueError(
-            f"The {what} holds {size / 1e6:.1f} MB; a URDF of more than {LARGEST / 1e6:.0f} MB is not read."
+            f"A URDF must have at most {MAX_BYTES / 1e6:.0f} MB; this {what} has {size / 1e6:.1f} MB. Remove embedded data."
         )
 
 
-def _likely(why: str) -> str:
+def _likely_cause(why: str) -> str:
     if "invalid token" in why:
         return " Is a quote missing, is there a bare & or <, or is the file not saved as UTF-8?"
     if "mismatched tag" in why:
-        return " An element opened above is not closed, or closed by another name."
+        return " An element opened above is not closed, or closed with another name."
     if "no element found" in why:
         return " Does the file end too early?"
     return ""
 
 
 def _builder(above: int) -> Any:
-    """A listener that builds the elements, in a document with so many lines above it."""
+    """A SAX handler that builds the elements; above: the number of lines before the document."""
     from xml.sax.handler import ContentHandler
 
     class Builder(ContentHandler):
@@ -208,9 +214,11 @@ def _builder(above: int) -> Any:
         def startElement(self, tag: str, attributes: Any) -> None:
             element = Element(tag, above + self.line(), dict(attributes), self.open[-1] if self.open else None)
             if tag.startswith("xacro:"):
-                raise element.refusal(f"a macro is for xacro to work out. {EXPAND}")
-            if len(self.open) == DEEPEST:
-                raise element.refusal(f"it stands {DEEPEST} elements deep. Is one above it never closed?")
+                raise element.error(f"a macro must be evaluated by xacro first. {EXPAND_HINT}")
+            if len(self.open) == MAX_DEPTH:
+                raise element.error(
+                    f"elements must be nested at most {MAX_DEPTH} deep. Is an element above it not closed?"
+                )
             if self.open:
                 self.open[-1].children.append(element)
             else:
