@@ -909,7 +909,7 @@ def bars(*bodies):
         (lambda: Joint("J", ("a", "b"), screw(Z), limits=(1, 0)), r"limits of joint 1 must be \(lower, upper\)"),
         (lambda: Joint("J", ("a", "b"), screw(Z), limits=(np.nan, 0)), r"limits of joint 1"),
         (lambda: Joint("J", ("a", "b"), universal(X, Y, Z), limits=(0, 1)), r"limits must have one row"),
-        (lambda: Joint("J", ("a", "b"), screw(Z), point=(0, 0)), r"point of J should have shape"),
+        (lambda: Joint("J", ("a", "b"), screw(Z), point=(0, 0)), r"point of J must have shape"),
         (lambda: Mechanism.from_branches(robots.rpr()), r"at least two branches to join; got 1"),
         (lambda: Mechanism.from_chain(Chain([screw(Z)], np.eye(4))), r"two different bodies"),
         (
