@@ -5,16 +5,16 @@ This test uses one notebook; `tests/browser/every_notebook_in_the_browser.py` ru
 
 import json
 import re
-from contextlib import contextmanager
 
 import numpy as np
 import pytest
-from browser import browsers, watched
+from browser import browsers, unwatched, watched
 from built_site import ROOT, build_site, served
 from lab_page import PAGE_TIMEOUT_MS, cell, run, visit, wait_for, write
 from playwright.sync_api import expect
 
 SHEET = "exercises/03_poe_space/03_poe_space.ipynb"
+WINDOW = {"width": 1200, "height": 1000}
 
 SHORT_MINUTE = """const original = setTimeout;
 setTimeout = (act, wait, ...more) => original(act, window.shortMinute && wait === 60000 ? 1000 : wait, ...more)"""
@@ -50,7 +50,7 @@ def start():
 
 def test_a_sheet_is_opened_answered_checked_stored_and_handed_in(start, address, tmp_path):
     """The work of one student in one window, because Python takes long to start."""
-    with watched(start(), viewport={"width": 1200, "height": 1000}) as page:
+    with watched(start(), viewport=WINDOW) as page:
         page.set_default_timeout(PAGE_TIMEOUT_MS)
         page.add_init_script(SHORT_MINUTE)
         page.goto(f"{address}/sheets/03_poe_space.html")
@@ -76,7 +76,7 @@ def test_a_sheet_is_opened_answered_checked_stored_and_handed_in(start, address,
 
 @pytest.mark.parametrize("reason", ["full", "private"])
 def test_a_browser_that_cannot_store_work_shows_a_message_and_offers_the_download(start, address, tmp_path, reason):
-    with failing(start(), address) as page:
+    with unwatched(start(), viewport=WINDOW) as page:
         if reason == "private":
             page.add_init_script("IDBFactory.prototype.open = () => { throw new DOMException('no', 'SecurityError'); }")
         visit(page, address, SHEET)
@@ -93,18 +93,10 @@ def test_a_browser_that_cannot_store_work_shows_a_message_and_offers_the_downloa
 
 
 def test_a_browser_without_webassembly_shows_what_to_do(start, address):
-    with failing(start(), address) as page:
+    with unwatched(start(), viewport=WINDOW) as page:
         page.add_init_script("delete globalThis.WebAssembly")
         visit(page, address, SHEET)
         page.get_by_text("this browser has no WebAssembly").wait_for(timeout=PAGE_TIMEOUT_MS)
-
-
-@contextmanager
-def failing(browser, address):
-    """Open a page that may write errors to its console, because the test breaks it on purpose."""
-    context = browser.new_context(viewport={"width": 1200, "height": 1000})
-    yield context.new_page()
-    context.close()
 
 
 def answer_and_check(page):

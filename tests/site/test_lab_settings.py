@@ -1,4 +1,4 @@
-"""What the lab is built of: each file is the one that we know, and what cannot be had is told, not left out in silence."""
+"""The files of the lab: every hash is checked, and a file that cannot be downloaded is reported."""
 
 import hashlib
 import json
@@ -8,26 +8,29 @@ from zipfile import ZipFile
 import pytest
 from built_site import lab
 from kinsite import pyodide, wheels
+from packaging.requirements import Requirement
 
 
 def wheel(folder, name="arm", files=("arm/__init__.py",), requires=()):
-    """A wheel that holds next to nothing."""
+    """Write a wheel with empty files."""
     path = folder / f"{name}-1.0-py3-none-any.whl"
-    told = "".join(f"Requires-Dist: {need}\n" for need in requires)
+    needs = "".join(f"Requires-Dist: {need}\n" for need in requires)
     with ZipFile(path, "w") as archive:
         for file in files:
             archive.writestr(file, "")
-        archive.writestr(f"{name}-1.0.dist-info/METADATA", f"Metadata-Version: 2.1\nName: {name}\nVersion: 1.0\n{told}")
+        archive.writestr(
+            f"{name}-1.0.dist-info/METADATA", f"Metadata-Version: 2.1\nName: {name}\nVersion: 1.0\n{needs}"
+        )
     return path
 
 
-def distribution(folder, packages, brings):
-    """A release of Pyodide with these packages in its lock file, whose source has these files."""
+def distribution(folder, packages, files):
+    """Make a release of Pyodide with these packages in its lock file and these files to download."""
     core = folder / "core"
     core.mkdir()
     (core / "pyodide.mjs").write_text("export {}")
     (core / "pyodide-lock.json").write_text(json.dumps({"info": {"python": "3.12.7"}, "packages": packages}))
-    return pyodide.Distribution(core, brings.get)
+    return pyodide.Distribution(core, files.get)
 
 
 def locked(name, data, depends=()):
@@ -40,7 +43,7 @@ def locked(name, data, depends=()):
 # --- wheels ---
 
 
-def test_an_entry_says_what_an_import_loads_and_what_it_needs(tmp_path):
+def test_an_entry_lists_the_imports_and_the_requirements_of_a_wheel(tmp_path):
     needs = ["NumPy>=2", "typing_extensions; python_version < '3.12'", "watchfiles; extra == 'dev'", "psygnal"]
     path = wheel(tmp_path, files=("arm/__init__.py", "arm/link.py", "_arm.py", "arm-1.0.data/x.js"), requires=needs)
     entry = wheels.entry(path, "3.12")
@@ -50,25 +53,40 @@ def test_an_entry_says_what_an_import_loads_and_what_it_needs(tmp_path):
     assert wheels.entry(path, "3.11")["depends"] == ["numpy", "psygnal", "typing-extensions"]
 
 
-def test_kinlib_s_wheel_is_named_by_what_it_holds(tmp_path):
-    first, again = wheels.build(tmp_path / "one")[0], wheels.build(tmp_path / "two")[0]
-    assert first.name == again.name
-    assert wheels.sha256_of(first)[:12] in first.name
-    assert wheels.entry(first)["imports"] == ["kinlib"]
-    assert {"numpy", "sympy", "matplotlib", "anywidget", "defusedxml"} <= set(wheels.entry(first)["depends"])
+def test_the_three_packages_become_wheels_whose_names_contain_their_hash(tmp_path):
+    built, again = wheels.build(tmp_path / "one"), wheels.build(tmp_path / "two")
+    assert [wheel.name for wheel in built] == [wheel.name for wheel in again]
+    entries = [wheels.entry(wheel) for wheel in built]
+    assert [entry["imports"] for entry in entries] == [["kinlib"], ["misstep"], ["kincourse"]]
+    assert all(entry["sha256"][:12] in entry["file_name"] for entry in entries)
+    assert {"numpy", "sympy", "matplotlib", "anywidget", "defusedxml"} <= set(entries[0]["depends"])
+    assert {"kinlib", "misstep"} <= set(entries[2]["depends"])
 
 
-def test_a_wheel_that_is_another_one_is_refused(tmp_path, monkeypatch):
+def test_what_extras_of_the_engine_require_is_required_by_kinlib_or_the_course_too(tmp_path):
+    """Entries of the lock file have no extras, so an extra that the course uses must not require anything else."""
+    built = wheels.build(tmp_path)
+    depends = {name for wheel in built for name in wheels.entry(wheel)["depends"]} | {"mpmath"}  # SymPy requires mpmath
+    with ZipFile(built[1]) as archive:
+        metadata = next(name for name in archive.namelist() if name.endswith("METADATA"))
+        lines = archive.read(metadata).decode().splitlines()
+    extras = [Requirement(line.partition(": ")[2]) for line in lines if line.startswith("Requires-Dist: ")]
+    used = [one.name for one in extras if any(f"'{extra}'" in str(one.marker) for extra in ("formulas", "notebook"))]
+    assert used
+    assert set(used) <= depends
+
+
+def test_a_wheel_with_another_hash_is_refused(tmp_path, monkeypatch):
     monkeypatch.setattr(wheels, "DOWNLOADS", tmp_path)
     (tmp_path / "arm-1.0").mkdir()
     path = wheel(tmp_path / "arm-1.0")
     assert wheels.download("arm", "1.0", sha256=wheels.sha256_of(path)) == path
     with pytest.raises(ValueError, match=r"arm-1\.0-py3-none-any\.whl must have the sha256 beef; got [0-9a-f]{64}"):
         wheels.download("arm", "1.0", sha256="beef")
-    assert not path.exists(), "the next build fetches it anew"
+    assert not path.exists(), "the next build downloads it again"
 
 
-def test_what_pip_cannot_fetch_is_named(tmp_path, monkeypatch):
+def test_a_wheel_that_pip_cannot_download_is_named(tmp_path, monkeypatch):
     monkeypatch.setattr(wheels, "DOWNLOADS", tmp_path)
     monkeypatch.setenv("PIP_NO_INDEX", "1")
     with pytest.raises(wheels.Unreachable, match=r"pip could not download arm 1\.0: .*No matching distribution"):
@@ -78,7 +96,7 @@ def test_what_pip_cannot_fetch_is_named(tmp_path, monkeypatch):
 # --- Pyodide ---
 
 
-def test_what_is_asked_for_comes_with_all_that_it_needs_and_nothing_else(tmp_path, monkeypatch):
+def test_a_distribution_contains_the_required_packages_and_no_others(tmp_path, monkeypatch):
     packages = {name: locked(name, name.encode(), needs) for name, needs in
                 {"numpy": ["blas"], "blas": [], "pandas": ["numpy"], "micropip": ["jupyterlab-widgets"]}.items()}  # fmt: skip
     source = distribution(tmp_path, packages, {f"{name}.whl": name.encode() for name in packages})
@@ -90,10 +108,10 @@ def test_what_is_asked_for_comes_with_all_that_it_needs_and_nothing_else(tmp_pat
         ["blas.whl", own.name, "micropip.whl", "numpy.whl", "pyodide.mjs", "pyodide-lock.json"]
     )
     lock = json.loads((tmp_path / "out" / "pyodide-lock.json").read_text("utf-8"))["packages"]
-    assert lock["micropip"]["depends"] == [], "what the lab has of its own is not asked for"
+    assert lock["micropip"]["depends"] == [], "the lab has its own scripts for widgets"
 
 
-def test_a_package_that_is_not_the_locked_one_is_refused(tmp_path):
+def test_a_package_whose_hash_is_not_that_of_the_lock_file_is_refused(tmp_path):
     source = distribution(tmp_path, {"numpy": locked("numpy", b"right")}, {"numpy.whl": b"cut off"})
     (tmp_path / "kinlib").mkdir()
     own = wheel(tmp_path / "kinlib", "kinlib", ["kinlib/__init__.py"], ["numpy"])
@@ -104,24 +122,24 @@ def test_a_package_that_is_not_the_locked_one_is_refused(tmp_path):
 # --- the lab ---
 
 
-def test_a_word_that_says_no_python_is_refused(monkeypatch):
+def test_an_unknown_release_is_refused(monkeypatch):
     monkeypatch.setenv(lab.VARIABLE, "offical")
     with pytest.raises(ValueError, match=r"KINLIB_LAB must be one of official, offline, none; got 'offical'"):
         lab.build()
 
 
-@pytest.mark.parametrize(("asked", "fails"), [("", False), ("official", True)])
-def test_without_a_network_there_is_no_lab_or_no_site(tmp_path, monkeypatch, capsys, asked, fails):
-    def unplugged(address, timeout):
+@pytest.mark.parametrize(("choice", "fails"), [("", False), ("official", True)])
+def test_without_a_network_the_lab_is_left_out_unless_it_was_requested(tmp_path, monkeypatch, capsys, choice, fails):
+    def no_network(address, timeout):
         raise URLError("no route")
 
-    monkeypatch.setenv(lab.VARIABLE, asked)
+    monkeypatch.setenv(lab.VARIABLE, choice)
     monkeypatch.setattr(lab, "LABS", tmp_path / "built")
     monkeypatch.setattr(lab, "EXTENSIONS", (tmp_path / "no kernel",))
     monkeypatch.setattr(wheels, "DOWNLOADS", tmp_path)
     monkeypatch.setattr(pyodide, "DOWNLOADS", tmp_path)
     monkeypatch.setattr(wheels, "build", lambda _: [wheel(tmp_path, "kinlib", ["kinlib/__init__.py"], ["numpy"])])
-    monkeypatch.setattr(pyodide.urllib.request, "urlopen", unplugged)
+    monkeypatch.setattr(pyodide.urllib.request, "urlopen", no_network)
     core = tmp_path / "pyodide"
     core.mkdir()
     (core / "package.json").write_text('{"version": "9.9.9"}')
@@ -136,16 +154,16 @@ def test_without_a_network_there_is_no_lab_or_no_site(tmp_path, monkeypatch, cap
         assert "The site has no lab" in capsys.readouterr().err
 
 
-def test_a_lab_is_put_among_the_pages_once_and_taken_away_with_its_button(tmp_path):
+def test_the_lab_is_copied_to_the_site_when_it_changes_and_deleted_when_there_is_none(tmp_path):
     built, target = tmp_path / "offline" / "html", tmp_path / "site" / "lab"
     built.mkdir(parents=True)
     (built / "index.html").write_text("a lab")
-    lab.hash_file(built.parent).write_text("of this")
+    lab.hash_file(built.parent).write_text("first hash")
     lab.copy_to_site(built, target)
-    (target / "index.html").write_text("as it was")
+    (target / "index.html").write_text("not copied again")
     lab.copy_to_site(built, target)
-    assert (target / "index.html").read_text() == "as it was"
-    lab.hash_file(built.parent).write_text("of that")
+    assert (target / "index.html").read_text() == "not copied again"
+    lab.hash_file(built.parent).write_text("second hash")
     lab.copy_to_site(built, target)
     assert (target / "index.html").read_text() == "a lab"
     lab.copy_to_site(None, target)

@@ -1,4 +1,4 @@
-"""The course as one PDF: what pages say to each other, they say within it too."""
+"""The lectures as one PDF: links between printed pages work within the document."""
 
 import shutil
 import sys
@@ -18,7 +18,7 @@ PAGE = """<html><body><nav>elsewhere</nav><article role="main" id="furo-main-con
 ONE = """<p id="here"><a href="#here">here</a> <a href="two.html#there">there</a> <a href="../robots/arm.html#x">arm</a>
 <a href="https://example.org/">out</a><img loading="lazy" src="../_images/a.svg"></p>
 <div data-misstep-question="01/a" data-kind="check" data-right="2"><details><summary>A</summary>why</details></div>
-<div data-misstep-explain="01/b"><details><summary>Compare</summary>told</details></div>"""
+<div data-misstep-explain="01/b"><details><summary>Compare</summary>why</details></div>"""
 
 
 @pytest.fixture
@@ -31,7 +31,7 @@ def built(tmp_path):
     return folder
 
 
-def made(built):
+def document(built):
     return compose_document(built, "html", "https://course.example/", ["lectures/one.html", "lectures/two.html"])
 
 
@@ -49,29 +49,29 @@ def made(built):
         "in order: 1 C.",
     ],
 )
-def test_links_lead_within_the_document_or_to_the_site_and_answers_stand_at_the_end(built, part):
-    assert part in made(built)
+def test_links_are_redirected_and_the_answers_are_at_the_end(built, part):
+    assert part in document(built)
 
 
 @pytest.mark.parametrize("part", ["elsewhere", "Download", "headerlink", "lazy"])
-def test_what_is_for_screens_is_left_out(built, part):
-    assert part not in made(built)
+def test_parts_for_the_screen_are_left_out(built, part):
+    assert part not in document(built)
 
 
 @pytest.mark.skipif(CHROMIUM is None, reason=NO_CHROMIUM)
-def test_chromium_prints_it(built, tmp_path):
-    (tmp_path / "book.html").write_text(made(built), "utf-8")
-    write_pdf(tmp_path / "book.html", tmp_path / "course.pdf")
+def test_chromium_prints_the_document_with_an_outline(built, tmp_path):
+    (tmp_path / "course.html").write_text(document(built), "utf-8")
+    write_pdf(tmp_path / "course.html", tmp_path / "course.pdf")
     printed = (tmp_path / "course.pdf").read_bytes()
     assert printed.startswith(b"%PDF")
-    assert printed.count(b"/Type /Page\n") >= 3, "a title and two lectures"
+    assert printed.count(b"/Type /Page\n") >= 3, "a title page and two lectures"
     assert b"/Outlines" in printed
 
 
-def test_without_a_chromium_it_says_what_to_do(monkeypatch, tmp_path):
+def test_without_chromium_the_error_says_what_to_do(monkeypatch, tmp_path):
     import pdf
 
     monkeypatch.setattr(pdf.shutil, "which", lambda _: None)
     monkeypatch.delenv("KINLIB_CHROMIUM", raising=False)
     with pytest.raises(SystemExit, match="KINLIB_CHROMIUM"):
-        pdf.write_pdf(tmp_path / "book.html", tmp_path / "course.pdf")
+        pdf.write_pdf(tmp_path / "course.html", tmp_path / "course.pdf")

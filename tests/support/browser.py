@@ -78,6 +78,14 @@ def watched(browser, **settings):
     assert not other_hosts, f"the page sent requests to other hosts: {other_hosts[:3]}"
 
 
+@contextmanager
+def unwatched(browser, **settings):
+    """Open a page that may write errors to its console, because the test breaks something on purpose."""
+    context = browser.new_context(**settings)
+    yield context.new_page()
+    context.close()
+
+
 def static_page(folder: Path, *viewers, style="background:white") -> Path:
     """Write a page with viewers and without a kernel, and the files that it loads."""
     from kinlib.view.viewer.viewer import STATIC
