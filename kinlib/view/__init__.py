@@ -1,4 +1,14 @@
-"""What people look at: drawings with a text alternative, and widgets."""
+"""Figures with a text alternative, plots, and widgets that also work on a page without a kernel.
+
+There are three renderers, because no single one does all three of these:
+
+- SVG, written by hand (`drawing.svg`, `drawing.canvas`, all of `figures`), for drawings of robots. It takes milliseconds and is
+  sharp in print; no plotting library places labels beside joints, or draws an arm fast enough for a slider.
+- matplotlib (`drawing.plot`), for curves over a numeric axis: ticks, logarithmic scales and legends are not worth writing anew.
+  It is imported only when a curve is plotted, because that takes one second, and three in the browser.
+- three.js (`js`, bundled into `static/viewer.js`), for what a reader rotates in three dimensions (`viewer`). It runs in the page,
+  so it needs no kernel, and it follows the light and the dark theme. Before it starts, and in print, its SVG drawing is shown.
+"""
 
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
@@ -40,7 +50,7 @@ __all__ = [
     "slide",
 ]
 
-LATE = {
+LAZY_NAMES = {
     **dict.fromkeys(("ByHand", "assign"), "viewer.place_frames"),
     **dict.fromkeys(("Drive", "drive"), "viewer.linkage_driver"),
     **dict.fromkeys(("Player", "play_assignment"), "viewer.assignment_player"),
@@ -48,11 +58,11 @@ LATE = {
     **dict.fromkeys(("Viewer", "explore"), "viewer.viewer"),
     "slide": "viewer.picture_slider",
 }
-"""What needs ipywidgets and anywidget, and its module: loaded when somebody wants a slider, for a figure does without."""
+"""Names that need ipywidgets and anywidget, and their modules, which are imported on first use because figures need neither."""
 
 
 def __getattr__(name: str) -> Any:
-    """Load what comes late."""
-    if name in LATE:
-        return getattr(import_module(f"kinlib.view.{LATE[name]}"), name)
+    """Import a widget's module when its name is first used."""
+    if name in LAZY_NAMES:
+        return getattr(import_module(f"kinlib.view.{LAZY_NAMES[name]}"), name)
     raise AttributeError(f"module {__name__!r} has no attribute {name!r}")

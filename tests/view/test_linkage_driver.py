@@ -1,4 +1,4 @@
-"""Closed chains in the viewer: every posture on the slider closes, and every way of assembling has its curve."""
+"""Closed chains in the viewer: every configuration on the slider is closed, and every assembly mode has its curve."""
 
 import json
 import re
@@ -28,15 +28,15 @@ def crank_rocker():
     ],
     ids=["crank-rocker", "triple rocker", "Bennett", "slider-crank"],
 )
-def test_each_way_of_assembling_has_its_curve_and_every_point_closes(linkage, guess, curves):
+def test_each_assembly_mode_has_its_curve_and_every_point_is_closed(linkage, guess, curves):
     shown = drive(linkage, linkage.assemble(guess).q)
     assert len(shown.mode["curves"]) == curves
     for curve in shown.mode["curves"]:
         assert np.linalg.norm(linkage.residual(curve), axis=-1).max() < 1e-11
 
 
-def test_the_curves_are_those_that_the_cosine_law_gives(crank_rocker):
-    """The rocker's angle by trigonometry, on both sides of the diagonal BD."""
+def test_the_curves_satisfy_the_law_of_cosines(crank_rocker):
+    """The angle of the rocker by trigonometry, on both sides of the diagonal BD."""
     for curve in crank_rocker.mode["curves"]:
         q = np.array(curve)
         B = 0.1 * np.stack([np.cos(q[:, 0]), np.sin(q[:, 0])], axis=-1)
@@ -48,7 +48,7 @@ def test_the_curves_are_those_that_the_cosine_law_gives(crank_rocker):
         assert min(np.max(one) for one in miss) < 1e-12
 
 
-def test_a_crank_that_goes_round_is_cut_at_half_a_turn(crank_rocker):
+def test_the_curve_of_a_full_turn_of_the_crank_is_cut_at_half_a_turn(crank_rocker):
     for curve in crank_rocker.mode["curves"]:
         crank = np.array(curve)[:, 0]
         assert (np.diff(crank) > 0).all()
@@ -56,12 +56,12 @@ def test_a_crank_that_goes_round_is_cut_at_half_a_turn(crank_rocker):
         assert crank[-1] - crank[0] == pytest.approx(2 * np.pi)
 
 
-def test_it_begins_at_the_start(crank_rocker):
+def test_the_first_configuration_is_the_start(crank_rocker):
     assert np.abs(np.exp(1j * np.array(crank_rocker.q)) - np.exp(1j * START)).max() < 0.03
     assert crank_rocker.q in crank_rocker.mode["curves"][0]
 
 
-def test_it_says_what_is_seen_and_takes_its_place_on_a_page_without_a_kernel(crank_rocker):
+def test_it_has_a_text_alternative_and_html_for_a_page_without_a_kernel(crank_rocker):
     page = crank_rocker._repr_mimebundle_()[0]
     assert "C joins rocker and coupler" in page["text/plain"]
     assert re.search(r'<img alt="four-bar with the bodies ground, crank', page["text/html"])
@@ -69,12 +69,12 @@ def test_it_says_what_is_seen_and_takes_its_place_on_a_page_without_a_kernel(cra
     assert state["mode"]["names"] == ["A", "D"]
 
 
-def test_a_name_that_the_linkage_does_not_have_is_refused():
+def test_an_unknown_joint_value_is_refused():
     with pytest.raises(ValueError, match=r"four-bar has joint values A, B, D, C; got 'E'"):
         drive(GRASHOF, START, across=("A", "E"))
 
 
-def test_a_start_that_does_not_close_is_refused():
+def test_a_start_that_is_not_closed_is_refused():
     with pytest.raises(ValueError, match="Assemble the linkage first"):
         drive(GRASHOF, [1.0, 0, 0, 0])
 
@@ -86,7 +86,7 @@ def test_values_of_another_size_are_refused(crank_rocker):
         crank_rocker.q = [0.0, 0, 0]
 
 
-def test_curves_may_be_given_with_their_names():
+def test_curves_can_be_given_with_labels():
     curve = GRASHOF.trace(START, points=30).q
     shown = drive(GRASHOF, START, curves=[curve], labels=["elbow up"])
     assert shown.mode["labels"] == ["elbow up"]

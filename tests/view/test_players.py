@@ -1,4 +1,4 @@
-"""The players and assign mode, as Python sees them: what the page is told, what it may say, and how frames are judged."""
+"""The players and the placing of frames, in Python: the data for the page, its traits, and how frames are checked."""
 
 import json
 import re
@@ -27,13 +27,13 @@ each_convention = pytest.mark.parametrize("convention", CONVENTIONS)
 
 
 class Answered(HasTraits):
-    """Anything with this trait can cover a viewer."""
+    """A question as the viewer sees it: all that it uses is this trait."""
 
     committed = Bool(False)
 
 
 def state_of(viewer):
-    """What a page without a kernel is given."""
+    """Return the state that a page without a kernel receives."""
     found = re.search(r'<script type="application/json">(.*?)</script>', viewer.html(), flags=re.DOTALL)
     return json.loads(found[1])
 
@@ -43,7 +43,7 @@ def state_of(viewer):
 
 @each_arm
 @each_convention
-def test_the_page_is_told_every_step_and_every_frame(chain, convention):
+def test_the_page_receives_every_step_and_every_frame(chain, convention):
     told = play_assignment(chain, convention=convention).mode["conventions"][convention]
     found = kl.assign_frames(chain, convention=convention)
     assert [step["text"] for step in told["steps"]] == [step.text for step in found.steps]
@@ -52,7 +52,7 @@ def test_the_page_is_told_every_step_and_every_frame(chain, convention):
 
 
 @each_convention
-def test_a_step_lights_up_what_its_sentence_names(convention):
+def test_a_step_highlights_what_its_sentence_names(convention):
     told = play_assignment(kl.robots.youbot(), convention=convention).mode["conventions"][convention]
     by_title = {step["title"]: step for step in told["steps"]}
     assert by_title["Axes 2 and 3"]["axes"] == [False, True, True, False, False]
@@ -69,8 +69,8 @@ def test_a_step_lights_up_what_its_sentence_names(convention):
 
 @each_arm
 @each_convention
-def test_the_table_on_the_page_is_the_table(chain, convention):
-    """The cells, read back by the library's own reader of printed tables, move as the arm does."""
+def test_the_cells_on_the_page_give_the_same_table(chain, convention):
+    """The cells, parsed by the library's own reader of printed tables, give the rows and joints of the arm."""
     found = kl.assign_frames(chain, convention=convention)
     head = "i | a | alpha | d | theta\n"
     text = head + "\n".join(" | ".join([str(i), *row]) for i, row in enumerate(table_cells(found.table), 1)).replace(
@@ -81,7 +81,7 @@ def test_the_table_on_the_page_is_the_table(chain, convention):
     assert "".join(read.joints) == chain.joint_types
 
 
-def test_the_step_is_read_and_led_by_python_and_said_in_words():
+def test_python_sets_the_step_and_the_text_alternative_follows():
     player = play_assignment(kl.robots.youbot(), convention="standard", step=3)
     assert "step 4 of 25" in player.alt
     player.step = 24
@@ -93,7 +93,7 @@ def test_the_step_is_read_and_led_by_python_and_said_in_words():
 
 
 @pytest.mark.parametrize("step", [-1, 25])
-def test_a_step_that_there_is_not_is_refused_and_the_old_one_stays(step):
+def test_a_step_that_does_not_exist_is_refused_and_the_old_one_stays(step):
     player = play_assignment(kl.robots.youbot(), convention="standard", step=2)
     with pytest.raises(ValueError, match="0 to 24"):
         player.step = step
@@ -126,7 +126,7 @@ def test_it_stays_covered_until_the_prediction_is_committed(make):
 
 
 @each_convention
-def test_a_normal_that_has_run_away_leaves_the_arm_in_view(convention):
+def test_the_arm_stays_in_view_if_a_common_normal_is_far_away(convention):
     leaning = (0, np.sin(1e-6), np.cos(1e-6))
     joints = [((0, 0, 1), (0, 0, 0)), (leaning, (0.5, 0.1, 0.1)), ((1, 0, 0), (0.9, 0, 0.3))]
     chain = kl.robots.arm(joints, pose(np.eye(3), (1, 0, 0.3)), "leaning arm", "a test")
@@ -138,7 +138,7 @@ def test_a_normal_that_has_run_away_leaves_the_arm_in_view(convention):
 
 
 def product(track, share=1.0):
-    """The motions of a track as the page multiplies them: exponentials of the screws, then where the frame starts."""
+    """Multiply the motions of a track as the page does: exponentials of the screws, then the start pose."""
     T = np.eye(4)
     for motion in track["motions"]:
         T = T @ exp(np.array(motion["screw"]) * motion["value"] * share)
@@ -146,8 +146,8 @@ def product(track, share=1.0):
 
 
 @pytest.mark.parametrize("row", [ROW, [0, 0, 0, 0], [-0.5, -2, 0, 3], [0, 1, -0.4, 0]])
-def test_the_motions_end_where_the_row_does_in_either_convention(row):
-    """The product of exponentials against kl.dh_transform, which multiplies matrices."""
+def test_the_motions_end_at_the_row_s_matrix_in_both_conventions(row):
+    """Compare the product of exponentials with kl.dh_transform, which multiplies matrices."""
     for track in play_row(row).mode["tracks"]:
         start = np.reshape(track["stops"][0], (4, 4))
         expected = start @ kl.dh_transform(*row, convention=track["title"])
@@ -157,7 +157,7 @@ def test_the_motions_end_where_the_row_does_in_either_convention(row):
         )
 
 
-def test_a_walk_is_one_screw_motion_a_piece():
+def test_each_factor_of_a_walk_is_one_screw_motion():
     track = play_walk(WALK).mode["tracks"][0]
     assert [motion["symbol"] for motion in track["motions"]] == ["Z_1", "X_1", "Z_2", "X_2"]
     np.testing.assert_allclose(product(track), poses_along_arm(WALK)[-1], rtol=0, atol=1e-14)
@@ -166,10 +166,10 @@ def test_a_walk_is_one_screw_motion_a_piece():
     there = kl.dh_transform(0.3, -0.45, 0, 0, convention="standard")
     np.testing.assert_allclose(
         half, there, atol=1e-14
-    )  # half a screw motion turns half the angle and climbs half the way
+    )  # half a screw motion has half the angle and half the translation
 
 
-def test_each_motion_says_what_it_does_with_its_number():
+def test_the_text_of_each_motion_contains_its_value():
     standard, modified = play_row(ROW).mode["tracks"]
     assert [motion["symbol"] for motion in standard["motions"]] == ["R_z(theta)", "T_z(d)", "T_x(a)", "R_x(alpha)"]
     assert [motion["symbol"] for motion in modified["motions"]] == ["R_x(alpha)", "T_x(a)", "R_z(theta)", "T_z(d)"]
@@ -187,18 +187,18 @@ def test_each_motion_says_what_it_does_with_its_number():
     ],
     ids=["standard", "modified", "both", "walk"],
 )
-def test_a_row_says_in_words_how_far_it_is(player, said):
+def test_the_text_alternative_says_which_motions_are_carried_out(player, said):
     assert said in player.alt
     assert state_of(player)["done"] == player.done
 
 
 @pytest.mark.parametrize("done", [-0.1, 4.5, np.nan])
-def test_more_motions_than_there_are_are_refused(done):
-    with pytest.raises(ValueError, match="done counts the motions that are done, 0 to 4"):
+def test_another_number_of_motions_is_refused(done):
+    with pytest.raises(ValueError, match="done must be the number of motions carried out, 0 to 4"):
         play_row(ROW, done=done)
 
 
-def test_two_rows_are_no_row():
+def test_two_rows_instead_of_one_are_refused():
     with pytest.raises(ValueError, match=r"one row, of shape \(4,\); got \(2, 4\)"):
         play_row(WALK)
 
@@ -208,7 +208,7 @@ def test_two_rows_are_no_row():
 
 @each_arm
 @each_convention
-def test_a_right_assignment_can_be_picked_from_what_is_offered(chain, convention):
+def test_the_candidates_contain_a_right_assignment(chain, convention):
     """Each axis, origin and x of the library's own assignment is among the candidates, or lies on an axis."""
     offered = frame_candidates(chain)
     for T in kl.assign_frames(chain, convention=convention).frames:
@@ -220,7 +220,7 @@ def test_a_right_assignment_can_be_picked_from_what_is_offered(chain, convention
         assert min(np.linalg.norm(np.array(x["along"]) - T[:3, 0]) for x in offered["x"]) < 1e-9
 
 
-def test_each_place_is_offered_once_with_all_its_names():
+def test_each_candidate_appears_once_with_all_its_descriptions():
     offered = frame_candidates(kl.robots.youbot())
     for key, at in (("points", "at"), ("x", "along")):
         places = np.array([one[at] for one in offered[key]])
@@ -228,16 +228,16 @@ def test_each_place_is_offered_once_with_all_its_names():
         assert apart.min() > 1e-9
 
 
-def test_the_page_is_not_told_the_answer():
+def test_the_page_does_not_receive_the_answer():
     arm = assign(kl.robots.puma560(), "standard").scene["arms"][0]
     assert set(arm["frames"]) == {"base", "tool"}
     assert arm["normals"] == []
-    assert all(len(path) == 2 for path in arm["links"])  # straight: a link that bends would show the normal
+    assert all(len(path) == 2 for path in arm["links"])  # straight, because a link with a bend would show the normal
 
 
 @each_arm
 @each_convention
-def test_a_right_assignment_is_called_right_and_its_table_is_the_arm(chain, convention):
+def test_a_right_assignment_is_accepted_and_its_table_describes_the_arm(chain, convention):
     hand = assign(chain, convention, frames=kl.assign_frames(chain, convention=convention).frames)
     assert hand.breaches == []
     assert kl.equivalent(hand.table, chain)
@@ -249,8 +249,8 @@ def test_a_right_assignment_is_called_right_and_its_table_is_the_arm(chain, conv
 
 
 @each_convention
-def test_a_z_turned_round_is_right_and_its_joint_counts_the_other_way(convention):
-    """Every z and every x turned round, by half a turn about y: the rules hold, and the table moves alike with -q."""
+def test_an_opposite_z_is_right_and_negates_its_joint_variable(convention):
+    """Every z and every x is negated by half a turn about y: the rules hold, and the table describes the arm with -q."""
     chain = kl.robots.puma560()
     frames = kl.assign_frames(chain, convention=convention).frames @ np.diag([-1, 1, -1, 1])
     hand = assign(chain, convention, frames=frames)
@@ -261,16 +261,16 @@ def test_a_z_turned_round_is_right_and_its_joint_counts_the_other_way(convention
 
 
 @each_convention
-def test_a_broken_rule_is_told_at_the_joint_where_it_is_broken(convention):
+def test_a_broken_rule_is_reported_at_its_joint(convention):
     chain = kl.robots.youbot()
     frames = kl.assign_frames(chain, convention=convention).frames.copy()
     i = 2
     frames[i, :3, 3] += 0.1 * frames[i, :3, 1]
     hand = assign(chain, convention, frames=frames)
     hand.asked = 1
-    told = hand.verdict["breaches"]
-    assert [b.text for b in check_frames(chain, frames, convention)] == [one["text"] for one in told]
-    assert {"frame": 2, "rule": "origin on axis", "joint": 3 if convention == "standard" else 2}.items() <= told[
+    reported = hand.verdict["breaches"]
+    assert [b.text for b in check_frames(chain, frames, convention)] == [one["text"] for one in reported]
+    assert {"frame": 2, "rule": "origin on axis", "joint": 3 if convention == "standard" else 2}.items() <= reported[
         0
     ].items()
     assert hand.verdict["table"] == []
@@ -279,7 +279,7 @@ def test_a_broken_rule_is_told_at_the_joint_where_it_is_broken(convention):
 
 @each_convention
 @pytest.mark.parametrize("missing", [0, 1, 3, 5])
-def test_frames_that_are_not_finished_are_not_judged_and_spoil_no_other(convention, missing):
+def test_incomplete_frames_are_not_checked_and_do_not_affect_others(convention, missing):
     chain = kl.robots.youbot()
     frames = kl.assign_frames(chain, convention=convention).frames.copy()
     frames[missing, :3, 0] = np.nan
@@ -290,7 +290,7 @@ def test_frames_that_are_not_finished_are_not_judged_and_spoil_no_other(conventi
     assert {breach.frame for breach in check_placed_frames(chain, frames, convention)} == {other}
 
 
-def test_frames_go_to_the_page_and_come_back_with_what_is_open():
+def test_frames_with_open_entries_are_synchronized_with_the_page():
     hand = assign(kl.robots.rpr(), "standard")
     sent = state_of(hand)["frames"]
     assert sent[0] == [[None] * 4, [None] * 4, [None] * 4, [0, 0, 0, 1]]
@@ -307,11 +307,11 @@ def test_frames_go_to_the_page_and_come_back_with_what_is_open():
     ("frames", "message"),
     [
         (np.eye(4), r"shape \(4, 4, 4\).*got \(4, 4\)"),
-        ("soon", "should be numbers"),
-        ([[1, 2], [3]], "should be numbers"),
+        ("soon", "must be an array of numbers"),
+        ([[1, 2], [3]], "must be an array of numbers"),
     ],
 )
-def test_what_are_no_frames_is_refused(frames, message):
+def test_an_invalid_array_of_frames_is_refused(frames, message):
     with pytest.raises(ValueError, match=message):
         assign(kl.robots.rpr(), "standard", frames=frames)
     with pytest.raises(ValueError, match="convention"):
@@ -319,7 +319,7 @@ def test_what_are_no_frames_is_refused(frames, message):
 
 
 @pytest.mark.parametrize("missing", [[1], [0, 3]], ids=["one", "two"])
-def test_a_sheet_says_which_frames_are_not_placed_and_what_to_do(missing):
+def test_a_sheet_names_the_frames_that_are_not_placed(missing):
     from kincourse import open_sheet
 
     sheet = open_sheet("07_frame_assignment", "ada")

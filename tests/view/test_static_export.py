@@ -1,4 +1,4 @@
-"""Pages without a kernel: questions carry their explanations and sliders their pictures, and nowhere else do they."""
+"""Static pages: questions include their explanations and sliders their pictures, but only on such pages."""
 
 from html.parser import HTMLParser
 
@@ -15,7 +15,7 @@ VOID = {"br", "img", "input"}
 
 
 class Tags(HTMLParser):
-    """Reads HTML strictly: each tag that opens closes, in order."""
+    """A strict HTML parser: every tag must be closed, in order."""
 
     def __init__(self, text):
         super().__init__()
@@ -51,8 +51,8 @@ def line(slope):
 
 
 @pytest.mark.parametrize("name", ALL)
-def test_every_question_stands_for_itself_on_a_page(name, page):
-    """Whoever reads without a script finds each option and why it is right or wrong, and the page stays well formed."""
+def test_every_question_is_complete_on_a_static_page(name, page):
+    """Without a script the page shows each option and why it is right or wrong, and the HTML is well formed."""
     item = find(name)
     asked = Tags(still(ask(name)))
     told = Tags(still(explain(name))) if item.kind == "predict" else asked
@@ -63,26 +63,33 @@ def test_every_question_stands_for_itself_on_a_page(name, page):
     assert (question["data-misstep-question"], int(question["data-right"])) == (name, item.right)
 
 
-def test_a_prediction_keeps_its_explanations_back(page):
+def test_a_prediction_does_not_include_its_explanations(page):
     item = find("03/order")
     assert not any(option.why in Tags(still(ask("03/order"))).words for option in item.options)
 
 
-def test_a_notebook_in_a_lab_does_not_hold_the_answers(monkeypatch):
-    """A student saves it, and opens it again: the explanations shall not lie in the file beside the question."""
+def test_a_notebook_in_a_lab_does_not_contain_the_answers(monkeypatch):
+    """Students save their notebooks, and the explanations must not be in the file beside the question."""
     monkeypatch.delenv(ENVIRONMENT_VARIABLE, raising=False)
     assert still(ask("03/check-1")) == still(explain("03/order")) == still(slide(line, "slope", [1, 2])) == ""
 
 
-def test_a_slider_carries_a_picture_for_each_value(page):
+def test_a_slider_includes_a_picture_for_each_value(page):
     held = Tags(still(slide(line, "slope", [1, 2, 5], start=1)))
     frames = [found for found in held.attributes if "data-value" in found]
     assert [(frame["data-value"], "hidden" in frame) for frame in frames] == [("1", True), ("2", False), ("5", True)]
     assert [found["alt"][-2:] for found in held.attributes if "alt" in found] == ["1.", "2.", "5."]
 
 
-def test_what_waits_for_a_prediction_names_it(page):
+def test_what_is_covered_names_its_question(page):
     question = ask("03/order")
     for waiting in (slide(line, "slope", [1, 2], after=question), explore(rpr(), after=question)):
         assert Tags(still(waiting)).attributes[0]["data-kinlib-after"] == "03/order"
     assert "data-kinlib-after" not in still(explore(rpr()))
+
+
+def test_both_packages_use_the_same_environment_variable():
+    from kinlib.view.drawing import static_export
+    from misstep import static_output
+
+    assert static_export.ENVIRONMENT_VARIABLE == static_output.ENVIRONMENT_VARIABLE

@@ -1,4 +1,4 @@
-"""The viewer, as Python sees it: what it is told of an arm, what it refuses, and what a page without a kernel gets."""
+"""The viewer in Python: the data of an arm, the arguments that are refused, and the HTML for a page without a kernel."""
 
 import gzip
 import json
@@ -24,12 +24,12 @@ each_robot = pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.na
 
 
 class Answered(HasTraits):
-    """Anything with this trait can cover a viewer."""
+    """A question as the viewer sees it: all that it uses is this trait."""
 
     committed = Bool(False)
 
 
-# --- what it is told ---
+# --- the data of an arm ---
 
 
 @each_robot
@@ -43,11 +43,11 @@ def test_the_links_run_from_the_base_over_every_joint_to_the_tool(robot):
 
 @pytest.mark.oracle("modern_robotics", arm_data, scene)
 @each_robot
-def test_what_the_page_is_told_moves_as_modern_robotics_says(robot):
-    """The page turns each body about its screw: from the data alone, the tool goes where the arm's own goes."""
+def test_the_data_of_an_arm_has_the_forward_kinematics_of_modern_robotics(robot):
+    """The page moves each body by its screw, so the data alone must give the pose of the arm's tool."""
     q = configurations(robot, 3)
-    told = scene(robot, np.zeros(robot.n))
-    for arm in (arm_data(robot, range(robot.n)), told["arms"][0]):
+    data = scene(robot, np.zeros(robot.n))
+    for arm in (arm_data(robot, range(robot.n)), data["arms"][0]):
         axes = np.transpose([joint["screw"] for joint in arm["joints"]])
         for row in q:
             found = mr.FKinSpace(np.reshape(arm["home"], (4, 4)), axes, row)
@@ -56,8 +56,8 @@ def test_what_the_page_is_told_moves_as_modern_robotics_says(robot):
 
 @pytest.mark.oracle("scipy", extent, link_paths)
 @each_robot
-def test_an_arm_is_as_long_as_scipy_measures_it_and_its_links_lead_along_the_shortest_way(robot):
-    """The longest side by SciPy's Chebyshev distance; a bend of a link is a foot of the shortest way between two axes."""
+def test_the_extent_is_that_of_scipy_and_links_follow_the_common_normals(robot):
+    """The longest side is SciPy's Chebyshev distance; a bend of a link is a foot of the common normal of two axes."""
     stations = np.array([np.zeros(3), *robot.joint_points, robot.home[:3, 3]])
     assert extent(robot) == pytest.approx(distance.pdist(stations, "chebyshev").max(), rel=1e-12)
     axes = np.array([(0, 0, 1), *robot.lines.axis])
@@ -69,18 +69,18 @@ def test_an_arm_is_as_long_as_scipy_measures_it_and_its_links_lead_along_the_sho
 
 
 def cdist_to_lines(points, feet, axes):
-    """How far points (k, 3) are from two lines, (k, 2): what SciPy's null space leaves of the way there."""
+    """Return the distances of points (k, 3) from two lines, (k, 2), by projection onto SciPy's null space of the direction."""
     across = [null_space(axis[None]) for axis in axes]
     return np.stack([np.linalg.norm((points - foot) @ N, axis=1) for foot, N in zip(feet, across, strict=True)], axis=1)
 
 
 @each_robot
-def test_every_frame_that_can_be_shown_rides_on_a_body_of_the_arm(robot):
+def test_every_frame_is_fixed_to_a_body_of_the_arm(robot):
     arm = explore(robot).scene["arms"][0]
     for frames in arm["frames"].values():
         for frame in frames:
             assert 0 <= frame["body"] <= robot.n
-            kl.inverse(np.reshape(frame["pose"], (4, 4)))  # refuses what is not rigid
+            kl.inverse(np.reshape(frame["pose"], (4, 4)))  # raises ValueError if the pose is not rigid
     assert ("standard" in arm["frames"]) == ("H" not in robot.joint_types)
 
 
@@ -93,7 +93,7 @@ def test_dh_frames_are_those_of_the_assignment(robot):
         np.testing.assert_array_equal(np.reshape(shown[str(i)], (4, 4)), T)
 
 
-def test_sliders_take_the_limits_of_the_arm_and_what_is_common_where_there_are_none():
+def test_sliders_have_the_limits_of_the_joints_or_default_ranges():
     rpr = kl.robots.rpr()
     limited = kl.Chain(rpr.screws, rpr.home, limits=[(-1, 2), (-np.inf, np.inf), (0, np.inf)])
     ends = [(s["low"], s["high"]) for s in explore(limited).scene["sliders"]]
@@ -101,41 +101,41 @@ def test_sliders_take_the_limits_of_the_arm_and_what_is_common_where_there_are_n
     assert explore(limited).scene["limits"] == [[-1, 2], [None, None], [0, None]]
 
 
-def test_only_the_joints_asked_for_get_sliders_with_their_units():
+def test_only_the_chosen_joints_get_sliders_with_their_units():
     sliders = explore(kl.robots.rpr(), joints=[2, 3], span=(0, 1)).scene["sliders"]
     assert [(s["name"], s["unit"], s["low"], s["high"]) for s in sliders] == [("q_2", "m", 0, 1), ("q_3", "rad", 0, 1)]
 
 
-# --- what it refuses ---
+# --- arguments that are refused ---
 
 
 def test_a_start_outside_its_span_or_of_another_size_is_refused():
-    with pytest.raises(ValueError, match=r"hold the start of joint 1, 0; got 10 to 90. Is one in degrees"):
+    with pytest.raises(ValueError, match=r"contain the start of joint 1, 0; got 10 to 90. Is one of them in degrees"):
         explore(kl.robots.rpr(), joints=[1], span=(10, 90))
     with pytest.raises(ValueError, match="RPR has 3 joints"):
         explore(kl.robots.rpr(), start=[0, 0])
 
 
-def test_a_joint_that_the_arm_does_not_have_is_refused():
+def test_a_joint_number_beyond_the_arm_is_refused():
     with pytest.raises(ValueError, match="RPR has joints 1 to 3; got 4"):
         explore(kl.robots.rpr(), joints=[4])
 
 
 @pytest.mark.parametrize("trait", ["q", "ghost", "start"])
 @pytest.mark.parametrize("values", [[1, 2], [1, 2, np.nan]])
-def test_values_that_the_arm_cannot_take_are_refused_and_the_old_ones_stay(trait, values):
+def test_invalid_values_are_refused_and_the_old_ones_stay(trait, values):
     arm = explore(kl.robots.rpr(), start=[0.1, 0.2, 0.3], ghost=[0.1, 0.2, 0.3])
     with pytest.raises(ValueError, match=r"RPR has 3 joints|NaN"):
         setattr(arm, trait, values)
     assert getattr(arm, trait) == [0.1, 0.2, 0.3]
 
 
-def test_a_layer_that_there_is_not_is_refused():
-    with pytest.raises(ValueError, match=r"show knows axes, .*; got 'wheels'"):
+def test_an_unknown_layer_is_refused():
+    with pytest.raises(ValueError, match=r"show may contain axes, .*; got 'wheels'"):
         explore(kl.robots.rpr(), show=["wheels"])
 
 
-# --- what it does ---
+# --- traits ---
 
 
 def test_values_may_be_an_array():
@@ -155,7 +155,7 @@ def test_it_stays_covered_until_the_prediction_is_committed():
     assert "<img" in arm.html()
 
 
-def test_a_question_that_was_committed_before_covers_nothing():
+def test_a_committed_question_covers_nothing():
     assert not explore(kl.robots.rpr(), after=Answered(committed=True)).covered
 
 
@@ -170,7 +170,7 @@ def test_a_prediction_on_the_cover_is_a_trait_that_python_reads():
 
 
 @each_robot
-def test_a_static_page_gets_the_state_and_a_drawing_with_words(robot):
+def test_a_static_page_gets_the_state_and_a_drawing_with_a_text_alternative(robot):
     arm = explore(robot, ghost=np.zeros(robot.n), show=LAYERS)
     page = arm._repr_mimebundle_()[0]
     state = json.loads(re.search(r'<script type="application/json">(.*?)</script>', page["text/html"])[1])
@@ -182,7 +182,7 @@ def test_a_static_page_gets_the_state_and_a_drawing_with_words(robot):
     assert len(page["text/html"]) < 60_000
 
 
-def test_a_name_cannot_end_the_script_that_holds_it():
+def test_a_name_cannot_end_the_script_that_contains_it():
     rpr = kl.robots.rpr()
     arm = explore(kl.Chain(rpr.screws, rpr.home, name="</script><script>alert(1)</script>"))
     assert "<script>alert" not in arm.html()
@@ -190,8 +190,7 @@ def test_a_name_cannot_end_the_script_that_holds_it():
     assert arm.html().count("</script>") == 1
 
 
-def test_the_bundle_is_small_and_asks_no_other_host():
-
+def test_the_bundle_is_small_and_requests_nothing_from_other_hosts():
     bundle = (STATIC / "viewer.js").read_bytes()
     assert len(gzip.compress(bundle, 9)) <= 200_000
     assert not re.search(rb"fetch\(\s*[\"'`]https?:|import\(\s*[\"'`]https?:|\.src\s*=\s*[\"'`]https?:", bundle)

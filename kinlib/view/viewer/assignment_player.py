@@ -1,6 +1,6 @@
-"""The frame-assignment player: the steps of `kl.assign_frames`, one at a time, with what each one names lit up.
+"""The frame-assignment player: the steps of `kl.assign_frames`, one at a time, with what each one names highlighted.
 
-The page is told every step at once, in both conventions, and moves between them without asking Python.
+The page receives all steps at once, in both conventions, so it can move between them without Python.
 """
 
 from collections.abc import Iterable, Iterator
@@ -33,20 +33,20 @@ STEP_TITLES = {
     "row": "Row {i} of the table",
     "accuracy": "The table and the arm",
 }
-"""The head above each kind of step."""
+"""The heading of each kind of step."""
 
 VIEW_RADIUS_SHARE = 0.84
-"""Of the ball around all that is drawn: seen from where the eye begins, no arm fills its ball."""
+"""The radius in view, as a share of the sphere around all that is drawn: in the initial view no arm fills that sphere."""
 
 HIGHLIGHTED_PARTS = {"origin": "O", "x": "x", "y": "y", "first": "Oxyz", "last": "Oxyz"}
-"""Which parts of its frame a step names."""
+"""The parts of its frame that a step highlights: O for the origin, and axes."""
 
 
 class Player(Viewer):
     """A frame assignment on the page. Make one with `play_assignment`.
 
-    step        the step shown, counted from 0; the page and Python both set it
-    convention  which assignment is shown, "standard" or "modified"; the reader may switch
+    step        the step shown, counted from 0; the page and Python can both set it
+    convention  the assignment shown, "standard" or "modified"; the reader can switch it
     """
 
     step = traitlets.Int(0).tag(sync=True)
@@ -63,7 +63,7 @@ class Player(Viewer):
             readout=False,
             mode={
                 "kind": "assignment",
-                "conventions": {name: _assignment_data(found) for name, found in self.assignments.items()},
+                "conventions": {name: _assignment_data(assignment) for name, assignment in self.assignments.items()},
             },
             **traits,
         )
@@ -75,13 +75,13 @@ class Player(Viewer):
 
     @property
     def alt(self) -> str:
-        """What the picture shows, in words."""
+        """The text alternative of the current picture."""
         return draw_assignment(self.assignment, self.step).alt
 
     @traitlets.validate("step")
-    def _there(self, proposal: Any) -> int:
+    def _validate_step(self, proposal: Any) -> int:
         step: int = proposal["value"]
-        state_after(self.assignment, step)  # refuses a step that there is not, in words
+        state_after(self.assignment, step)  # raises ValueError if there is no such step
         return step
 
     def _drawing(self) -> str:
@@ -89,26 +89,26 @@ class Player(Viewer):
 
 
 def play_assignment(chain: Chain, *, convention: Convention, step: int = 0, after: Any = None) -> Player:
-    """Walk through the assignment of DH frames to an arm, step by step, forwards and back.
+    """Show the assignment of DH frames to an arm step by step, forwards and back.
 
-    step   the step to begin with, counted from 0; afterwards the trait `step` follows the page and leads it
-    after  a question; the arm stays covered until it is committed
+    step   the first step shown, counted from 0; afterwards the trait `step` is synchronized with the page
+    after  a question; the arm stays covered until a prediction is committed
 
-    Raises ValueError for another convention, for a helical joint, and for a step that there is not.
+    Raises ValueError if the convention is unknown, a joint is helical, or there is no such step.
 
     >>> from kinlib.chains.robots import youbot
     >>> player = play_assignment(youbot(), convention="standard", step=3)
     >>> player.alt[:62]
     'youBot, standard convention, step 4 of 25. O_1 lies on axis 2,'
     """
-    made = Player(chain, convention=convention_of(convention))
-    made.step = step
-    made.wait_for(after)
-    return made
+    player = Player(chain, convention=convention_of(convention))
+    player.step = step
+    player.wait_for(after)
+    return player
 
 
 def table_cells(table: DHTable) -> list[list[str]]:
-    """The rows of a table as a page shows them: a, alpha, d, theta, with q_i for what moves, and true minus signs.
+    """Return the rows of a table as the page shows them: a, alpha, d, theta, with q_i for the joint variable.
 
     >>> from kinlib.chains.robots import youbot
     >>> table_cells(assign_frames(youbot(), convention="standard").table)[3]
@@ -118,7 +118,7 @@ def table_cells(table: DHTable) -> list[list[str]]:
 
 
 def bare_scene(chain: Chain, points: Array) -> dict[str, Any]:
-    """The arm at home without sliders, in a room that holds points (m, 3) too and is no larger than that."""
+    """Return the scene of the arm at home without sliders, with a view that also contains points (m, 3)."""
     data = scene(chain, np.zeros(chain.n), joints=[])
     stations = np.concatenate([points, chain.joint_points, chain.home[None, :3, 3], np.zeros((1, 3))])
     low, high = stations.min(axis=0), stations.max(axis=0)
@@ -132,34 +132,34 @@ def bare_scene(chain: Chain, points: Array) -> dict[str, Any]:
 
 
 def _points(assignments: Iterable[FrameAssignment]) -> Array:
-    """What should be in view of assignments: origins, the ends of axes."""
+    """Return the points of assignments that must be in view: origins and ends of axes."""
     return np.concatenate(
         [
             piece
-            for found in assignments
-            for near, feet in [visible_features(found)]
-            for piece in (found.frames[near, :3, 3], np.reshape([*axis_ends(found.chain, feet)], (-1, 3)))
+            for assignment in assignments
+            for near, feet in [visible_features(assignment)]
+            for piece in (assignment.frames[near, :3, 3], np.reshape([*axis_ends(assignment.chain, feet)], (-1, 3)))
         ]
     )
 
 
-def _assignment_data(found: FrameAssignment) -> dict[str, Any]:
-    """An assignment as data: what does not change from step to step, and what each step shows."""
-    near, feet = visible_features(found)
+def _assignment_data(assignment: FrameAssignment) -> dict[str, Any]:
+    """Return an assignment as data for the page: what is the same in all steps, and what each step shows."""
+    near, feet = visible_features(assignment)
     return {
-        "axes": [[end.tolist() for end in ends] for ends in axis_ends(found.chain, feet)],
+        "axes": [[end.tolist() for end in ends] for ends in axis_ends(assignment.chain, feet)],
         "normals": [
             {"from": normal.start.tolist(), "to": normal.end.tolist(), "along": normal.x.tolist()}
-            for normal in found.normals
+            for normal in assignment.normals
         ],
-        "frames": [T.ravel().tolist() if seen else None for T, seen in zip(found.frames + 0.0, near, strict=True)],
-        "table": table_cells(found.table),
-        "steps": [_step(found, k, step) for k, step in enumerate(found.steps)],
+        "frames": [T.ravel().tolist() if seen else None for T, seen in zip(assignment.frames + 0.0, near, strict=True)],
+        "table": table_cells(assignment.table),
+        "steps": [_step(assignment, k, step) for k, step in enumerate(assignment.steps)],
     }
 
 
 def axis_ends(chain: Chain, feet: Array) -> Iterator[tuple[Array, Array]]:
-    """Both ends of each joint axis, long enough to reach the tool and the feet of normals that lie on it."""
+    """Yield both ends of each joint axis, long enough to contain the tool and the feet of normals that are on it."""
     size = extent(chain)
     for z, point in zip(chain.lines.axis, chain.joint_points, strict=True):
         on_it = [foot for foot in (*feet, chain.home[:3, 3]) if np.linalg.norm(np.cross(z, foot - point)) < 1e-9]
@@ -167,8 +167,8 @@ def axis_ends(chain: Chain, feet: Array) -> Iterator[tuple[Array, Array]]:
         yield point + (min(along) - 0.24 * size) * z, point + (max(along) + 0.34 * size) * z
 
 
-def _step(found: FrameAssignment, k: int, step: Step) -> dict[str, Any]:
-    current = state_after(found, k)
+def _step(assignment: FrameAssignment, k: int, step: Step) -> dict[str, Any]:
+    current = state_after(assignment, k)
     i = step.frame
     return {
         "title": STEP_TITLES[step.kind].format(i=i, j=None if i is None else i + 1),
@@ -182,6 +182,6 @@ def _step(found: FrameAssignment, k: int, step: Step) -> dict[str, Any]:
         "row": current.row,
         "legs": [
             {"name": name, "from": start.tolist(), "to": end.tolist()}
-            for name, start, end in (row_segments(found, current.row) if current.row else [])
+            for name, start, end in (row_segments(assignment, current.row) if current.row else [])
         ],
     }

@@ -1,7 +1,7 @@
-"""The row player: the motions of a DH row, one after the other, carrying a frame from {i-1} to {i}.
+"""The row player: the motions of a DH row, which move a frame one after the other from {i-1} to {i}.
 
-To the page a row is an arm: its joints are the motions, each about or along an axis that the ones before have carried. So
-the same scene graph that turns a robot plays a row, in the order of its convention.
+The page treats a row as an arm whose joints are the motions, each about or along an axis that the motions before have moved.
+Therefore the scene graph that moves a robot also plays a row, in the order of its convention.
 """
 
 from collections.abc import Sequence
@@ -36,90 +36,90 @@ SYMBOLS = {ROTATE_Z: "R_z(theta)", TRANSLATE_Z: "T_z(d)", TRANSLATE_X: "T_x(a)",
 
 MOTION_TEXTS: dict[Convention, dict[int, str]] = {
     "standard": {
-        ROTATE_Z: "Turn about z by theta, {value}: x swings into the direction of the common normal.",
-        TRANSLATE_Z: "Slide along z by d, {value}: the origin comes to the foot of the normal.",
-        TRANSLATE_X: "Slide along x by a, {value}: across the link, onto the next axis.",
-        ROTATE_X: "Turn about x by alpha, {value}: z swings onto axis i+1. Here stands frame i.",
+        ROTATE_Z: "Rotate about z by theta, {value}: x becomes parallel to the common normal.",
+        TRANSLATE_Z: "Translate along z by d, {value}: the origin moves to the foot of the normal.",
+        TRANSLATE_X: "Translate along x by a, {value}: along the common normal, to the next axis.",
+        ROTATE_X: "Rotate about x by alpha, {value}: z becomes parallel to axis i+1. This is frame i.",
     },
     "modified": {
-        ROTATE_X: "Turn about x by alpha, {value}: z swings into the direction of axis i.",
-        TRANSLATE_X: "Slide along x by a, {value}: across the link, onto axis i.",
-        ROTATE_Z: "Turn about z by theta, {value}: now the joint turns, about its own axis.",
-        TRANSLATE_Z: "Slide along z by d, {value}: to the foot of the next normal. Here stands frame i.",
+        ROTATE_X: "Rotate about x by alpha, {value}: z becomes parallel to axis i.",
+        TRANSLATE_X: "Translate along x by a, {value}: along the common normal, to axis i.",
+        ROTATE_Z: "Rotate about z by theta, {value}: the rotation of joint i about its own axis.",
+        TRANSLATE_Z: "Translate along z by d, {value}: to the foot of the next normal. This is frame i.",
     },
 }
-"""What each motion of a row does, in each convention."""
+"""The text of each motion of a row, in each convention."""
 
 AXIS_NAMES: dict[Convention, tuple[str, str]] = {"standard": ("axis i", "axis i+1"), "modified": ("axis i−1", "axis i")}
 """The axes on which the z of frame i-1 and of frame i lie."""
 
 VIEW_RADIUS_SHARE = {1: 0.94, 2: 0.79}
-"""Of the ball around all that is drawn, for one track and for two side by side: from where the eye begins, they do not fill it."""
+"""The radius in view, as a share of the sphere around all that is drawn, for one track and for two side by side."""
 
 
 @dataclass(frozen=True)
 class Motion:
-    """One motion about and along an axis of the moving frame, "x" or "z"; both at once are a screw motion."""
+    """One motion about and along an axis of the moving frame, "x" or "z". Both together are a screw motion."""
 
     axis: str
     angle: float
-    way: float
+    distance: float
     symbol: str
     text: str
 
     @property
     def twist(self) -> Array:
         unit = np.eye(3)["xz".index(self.axis) * 2]
-        return np.concatenate([self.angle * unit, self.way * unit])
+        return np.concatenate([self.angle * unit, self.distance * unit])
 
 
 class RowPlayer(ViewerBase):
     """Motions on the page. Make one with `play_row` or `play_walk`.
 
-    done  how many of the motions are done; a fraction is on its way
+    done  the number of motions carried out; a fraction is the part of the next motion
     """
 
     done = traitlets.Float(0.0).tag(sync=True)
 
-    def __init__(self, tracks: Sequence[dict[str, Any]], still: Any, **traits: Any) -> None:
-        self.still, self.motions = still, len(tracks[0]["motions"])
+    def __init__(self, tracks: Sequence[dict[str, Any]], draw: Any, **traits: Any) -> None:
+        self.draw, self.motions = draw, len(tracks[0]["motions"])
         rest = np.zeros(len(tracks) * self.motions)
         scene = _scene(tracks)
         mode = {"kind": "row", "tracks": list(tracks)}
         super().__init__(scene=scene, q=rest, start=rest, shown=[], readout=False, mode=mode, **traits)
 
     @traitlets.validate("done")
-    def _there(self, proposal: Any) -> float:
+    def _validate_done(self, proposal: Any) -> float:
         done: float = proposal["value"]
         if not 0 <= done <= self.motions:
-            raise ValueError(f"done counts the motions that are done, 0 to {self.motions}; got {done!r}.")
+            raise ValueError(f"done must be the number of motions carried out, 0 to {self.motions}; got {done!r}.")
         return done
 
     @property
     def alt(self) -> str:
-        """What the picture shows, in words."""
-        return self._still().alt
+        """The text alternative of the current picture."""
+        return self._picture().alt
 
     def _check(self, values: list[float]) -> None:
         validation.array(values, "q")
 
     def _drawing(self) -> str:
-        return self._still().html()
+        return self._picture().html()
 
-    def _still(self) -> Picture:
-        picture: Picture = self.still(round(self.done))
+    def _picture(self) -> Picture:
+        picture: Picture = self.draw(round(self.done))
         return picture
 
 
 def play_row(row: ArrayLike, *, convention: Convention | None = None, done: float = 0, after: Any = None) -> RowPlayer:
-    """Play the four motions of a DH row in the order of a convention, or of both, side by side.
+    """Play the four motions of a DH row in the order of one convention, or of both side by side.
 
     row         (4,) a, alpha, d, theta, in metres and radians
     convention  None shows both conventions, with the same four numbers
-    done        how many motions are done at first; afterwards the trait `done` follows the page and leads it
-    after       a question; the picture stays covered until it is committed
+    done        the number of motions carried out at first; afterwards the trait `done` is synchronized with the page
+    after       a question; the picture stays covered until a prediction is committed
 
-    Raises ValueError for a row of another size, another convention, and another number of motions than 0 to 4.
+    Raises ValueError if row does not have shape (4,), the convention is unknown, or done is not between 0 and 4.
 
     >>> player = play_row([0.8, 0.6, 0.6, 1.4], convention="standard", done=2)
     >>> player.alt
@@ -127,30 +127,30 @@ def play_row(row: ArrayLike, *, convention: Convention | None = None, done: floa
     """
     values = validation.vectors(row, "row", 4)
     if values.ndim != 1:
-        raise ValueError(
-            f"row should be one row, of shape (4,); got {values.shape}. For several, play_walk walks along them."
-        )
-    asked: list[Convention] = list(MOTION_ORDER) if convention is None else [convention_of(convention)]
+        raise ValueError(f"row must be one row, of shape (4,); got {values.shape}. For several rows, use play_walk.")
+    shown: list[Convention] = list(MOTION_ORDER) if convention is None else [convention_of(convention)]
     size = max(
         float(np.ptp([poses_along_row(values, name)[:, :3, 3] for name in MOTION_ORDER], axis=(0, 1)).max()), 0.2
     )
     apart = 1.9 * size * view_axes("default")[1][0]
-    tracks = [_row_track(values, name, k * apart, size) for k, name in enumerate(asked)]
+    tracks = [_row_track(values, name, k * apart, size) for k, name in enumerate(shown)]
 
-    def still(count: int) -> Picture:
-        return draw_row(values, count) if asked == ["standard"] else draw_row_motions(values, count, conventions=asked)
+    def draw(count: int) -> Picture:
+        return draw_row(values, count) if shown == ["standard"] else draw_row_motions(values, count, conventions=shown)
 
-    made = RowPlayer(tracks, still, done=done)
-    made.wait_for(after)
-    return made
+    player = RowPlayer(tracks, draw, done=done)
+    player.wait_for(after)
+    return player
 
 
 def play_walk(rows: ArrayLike, *, done: float = 0, after: Any = None) -> RowPlayer:
-    """Walk along an arm, Z_1 X_1 Z_2 X_2 ..., and see where each convention plants its frames.
+    """Play the product Z_1 X_1 Z_2 X_2 ... along an arm, with the frames of both conventions.
 
-    rows  (m, 4) standard rows a, alpha, d, theta; each is two pieces, and each piece is one screw motion
+    rows   (m, 4) standard rows a, alpha, d, theta; each is two factors, and each factor is one screw motion
+    done   the number of factors carried out at first; afterwards the trait `done` is synchronized with the page
+    after  a question; the picture stays covered until a prediction is committed
 
-    Raises ValueError for rows of another size, and for more pieces than there are.
+    Raises ValueError if rows does not have shape (m, 4), or done is not between 0 and 2 m.
 
     >>> play_walk([[0.4, 0, 0.1, 0]], done=2).alt
     'The path Z1 X1. {0} at (0, 0, 0); {1 mod} at (0, 0, 0.1); {1 std} at (0.4, 0, 0.1).'
@@ -158,19 +158,19 @@ def play_walk(rows: ArrayLike, *, done: float = 0, after: Any = None) -> RowPlay
     values = np.atleast_2d(validation.vectors(rows, "rows", 4))
     stops = poses_along_arm(values)
     size = max(float(np.ptp(stops[:, :3, 3], axis=0).max()), 0.2)
-    pieces, axes, flags = [], [], [_flag(0, "0", stops[0])]
+    factors, axes, flags = [], [], [_flag(0, "0", stops[0])]
     for i, (a, alpha, d, theta) in enumerate(values, start=1):
         along, across = f"Z_{i}: along and about the axis of joint {i}.", f"X_{i}: along and about the common normal."
-        pieces += [
-            Motion("z", theta, d, f"Z_{i}", f"{along} Here the modified convention plants its frame {i}."),
-            Motion("x", alpha, a, f"X_{i}", f"{across} Here the standard convention plants its frame {i}."),
+        factors += [
+            Motion("z", theta, d, f"Z_{i}", f"{along} Frame {i} of the modified convention is here."),
+            Motion("x", alpha, a, f"X_{i}", f"{across} Frame {i} of the standard convention is here."),
         ]
         flags += [_flag(2 * i - 1, f"{i} mod", stops[2 * i - 1]), _flag(2 * i, f"{i} std", stops[2 * i])]
         axes.append(_axis(stops[2 * i - 2], stops[2 * i - 1], f"axis {i}", size))
-    track = _track("", np.eye(4), pieces, stops, size, axes=axes, flags=flags)
-    made = RowPlayer([track], lambda count: draw_zx_factors(values, count), done=done)
-    made.wait_for(after)
-    return made
+    track = _track("", np.eye(4), factors, stops, size, axes=axes, flags=flags)
+    player = RowPlayer([track], lambda count: draw_zx_factors(values, count), done=done)
+    player.wait_for(after)
+    return player
 
 
 def _row_track(row: Array, convention: Convention, place: Array, size: float) -> dict[str, Any]:
@@ -216,32 +216,32 @@ def _track(
         "title": title,
         "size": size,
         "stops": [(T + 0.0).ravel().tolist() for T in stops],
-        "motions": [_spoken_motion(motion, start) for motion in motions],
+        "motions": [_motion_data(motion, start) for motion in motions],
         "axes": axes,
         "flags": flags,
     }
 
 
-def _spoken_motion(motion: Motion, start: Array) -> dict[str, Any]:
-    """A motion as a joint: its screw where the frame starts, and how far the joint goes."""
+def _motion_data(motion: Motion, start: Array) -> dict[str, Any]:
+    """Return a motion as a joint: its screw in the start pose, and its joint value."""
     unit, turned = motion.twist, abs(motion.angle) > tolerances.UNIT_LENGTH_TOL
-    value = motion.angle if turned else motion.way
+    value = motion.angle if turned else motion.distance
     screw = unit / value if value else np.concatenate([np.zeros(3), np.eye(3)["xz".index(motion.axis) * 2]])
     return {
         "screw": (adjoint(start) @ screw).tolist(),
         "value": value,
         "axis": motion.axis,
         "angle": motion.angle,
-        "travel": motion.way / value if value else 0.0,
+        "travel": motion.distance / value if value else 0.0,
         "symbol": motion.symbol,
         "text": motion.text,
     }
 
 
 def _axis(one: Array, other: Array, name: str, size: float) -> dict[str, Any]:
-    """The line along the z of a frame, long enough to hold two origins."""
-    z, far = one[:3, 2], float((other - one)[:3, 3] @ one[:3, 2])
-    ends = [one[:3, 3] + along * z for along in (min(0.0, far) - 0.3 * size, max(0.0, far) + 0.6 * size)]
+    """Return the line along the z of a frame, long enough to contain two origins."""
+    z, distance = one[:3, 2], float((other - one)[:3, 3] @ one[:3, 2])
+    ends = [one[:3, 3] + along * z for along in (min(0.0, distance) - 0.3 * size, max(0.0, distance) + 0.6 * size)]
     return {"from": ends[0].tolist(), "to": ends[1].tolist(), "name": name, "joint": True}
 
 
@@ -250,7 +250,7 @@ def _flag(after: int, name: str, pose: Array) -> dict[str, Any]:
 
 
 def _scene(tracks: Sequence[dict[str, Any]]) -> dict[str, Any]:
-    """The motions as arms, in a room that holds every stop and every axis."""
+    """Return the scene of the motions as arms, with a view that contains all poses and axes."""
     ends = [end for track in tracks for line in track["axes"] for end in (line["from"], line["to"])]
     stops = [np.reshape(stop, (4, 4))[:3, 3] for track in tracks for stop in track["stops"]]
     points = np.array([*ends, *stops])

@@ -1,6 +1,6 @@
-"""Where a frame may be put by hand: directions for z and x, points for the origin, each with its name.
+"""Candidates for frames placed by hand: directions for z and x, and points for the origin, each with a description.
 
-Right and wrong ones stand side by side. What is offered are the features of the drawing, not the answer.
+They are taken from all features of the drawing, so they include right and wrong ones and do not reveal the answer.
 """
 
 from collections.abc import Iterator
@@ -16,26 +16,26 @@ from kinlib.view.drawing.picture import vector_text
 from kinlib.view.viewer.scene import extent
 
 COINCIDENT_TOL = 1e-9
-"""Points nearer than this, in metres, are one, and unit vectors as near are one direction."""
+"""Points nearer to each other than this, in metres, count as equal, and so do unit vectors."""
 
 
 def frame_candidates(chain: Chain) -> dict[str, Any]:
-    """Say what a student may pick: {"axes", "z", "points", "x"}, as data for the page.
+    """Return what a student can choose, {"axes", "z", "points", "x"}, as data for the page.
 
     axes    the joint axes: a point and a direction, and the ends between which each is drawn
-    z       directions of z, both ways along each axis and along z of {b}, each with the place of its handle
-    points  crossings, feet of common normals, joints, the origins of {s} and {b}: {"at", "text"}
+    z       directions of z, both directions along each axis and along z of {b}, each with the position of its handle
+    points  intersections, feet of common normals, joints, the origins of {s} and {b}: {"at", "text"}
     x       directions of x: along normals, axes, links and the axes of {s} and {b}: {"along", "text"}
 
     >>> from kinlib.chains.robots import rpr
     >>> frame_candidates(rpr())["points"][0]["text"]
-    'joint 1; joint 2; crossing of axes 1 and 2; foot of normal 2–3 on axis 2'
+    'joint 1; joint 2; intersection of axes 1 and 2; foot of normal 2–3 on axis 2'
     """
     size, points = extent(chain), _points(chain)
     lines = []
     for z, point in zip(chain.lines.axis, chain.joint_points, strict=True):
         along = [(at - point) @ z for at, _ in points if np.linalg.norm(np.cross(at - point, z)) < COINCIDENT_TOL]
-        ends = [point + reach * z for reach in (min([0.0, *along]) - 0.3 * size, max([0.0, *along]) + 0.3 * size)]
+        ends = [point + distance * z for distance in (min([0.0, *along]) - 0.3 * size, max([0.0, *along]) + 0.3 * size)]
         lines.append({"point": _list(point), "along": _list(z), "from": _list(ends[0]), "to": _list(ends[1])})
     return {
         "axes": lines,
@@ -65,7 +65,7 @@ def _points(chain: Chain) -> list[tuple[Array, str]]:
     for i, normal in _normals(chain):
         pair = f"{i + 1}–{i + 2}"
         if normal.case == "intersecting":
-            found.append((normal.start, f"crossing of axes {i + 1} and {i + 2}"))
+            found.append((normal.start, f"intersection of axes {i + 1} and {i + 2}"))
         elif normal.case in {"skew", "parallel", "anti-parallel"}:
             found.append((normal.start, f"foot of normal {pair} on axis {i + 1}"))
             found.append((normal.end, f"foot of normal {pair} on axis {i + 2}"))
@@ -84,7 +84,9 @@ def _x(chain: Chain) -> list[tuple[Array, str]]:
         pair = f"{i + 1}–{i + 2}"
         if normal.case == "intersecting":
             found += _both(
-                normal.x, f"square to axes {i + 1} and {i + 2}", f"square to axes {i + 1} and {i + 2}, opposite"
+                normal.x,
+                f"perpendicular to axes {i + 1} and {i + 2}",
+                f"perpendicular to axes {i + 1} and {i + 2}, opposite",
             )
         elif normal.case in {"skew", "parallel", "anti-parallel"}:
             found += _both(normal.x, f"normal {pair}, to axis {i + 2}", f"normal {pair}, to axis {i + 1}")
@@ -98,7 +100,9 @@ def _x(chain: Chain) -> list[tuple[Array, str]]:
         across = off - z * (z @ off)
         if (length := float(np.linalg.norm(across))) > COINCIDENT_TOL:
             found += _both(
-                across / length, f"from axis {i + 1} straight to {name}", f"from {name} straight to axis {i + 1}"
+                across / length,
+                f"from axis {i + 1} perpendicularly to {name}",
+                f"from {name} perpendicularly to axis {i + 1}",
             )
     stations = [*chain.joint_points, chain.home[:3, 3]]
     names = [*(f"joint {i + 1}" for i in range(chain.n)), "{b}"]
@@ -110,7 +114,7 @@ def _x(chain: Chain) -> list[tuple[Array, str]]:
 
 
 def _normals(chain: Chain) -> Iterator[tuple[int, Normal]]:
-    """The normals of neighbouring axes. One that may slide is drawn at either joint."""
+    """Yield the common normals of consecutive axes. If the axes are parallel, the normals at both joints are candidates."""
     axes = [*zip(chain.lines.axis, chain.joint_points, strict=True)]
     for i in range(chain.n - 1):
         across = perpendicular(axes[i][0])
@@ -125,7 +129,7 @@ def _both(along: Array, text: str, opposite: str) -> list[tuple[Array, str]]:
 
 
 def _merged(found: list[tuple[Array, str]]) -> list[tuple[Array, str]]:
-    """Each place once, with all its names."""
+    """Merge equal points or directions, and join their descriptions."""
     places: list[tuple[Array, list[str]]] = []
     for at, text in found:
         names = next((names for other, names in places if np.linalg.norm(other - at) < COINCIDENT_TOL), None)

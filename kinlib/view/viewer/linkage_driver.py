@@ -1,7 +1,7 @@
-"""A closed chain in the viewer: one slider runs along its curve, for no joint moves without the others.
+"""A closed chain in the viewer: one slider moves along its configuration curve, because all joints move together.
 
-The curve is what the linkage can do, traced once by kinlib.mechanisms.mechanism. Each way of assembling it that the curve does not reach
-has a curve of its own. Beside the picture stands the configuration space: two joint values against each other.
+The curve of all configurations that can be reached is traced once by kinlib.mechanisms. An assembly mode that it does not
+reach has its own curve. Beside the picture the configuration space is drawn: two joint values against each other.
 """
 
 from collections.abc import Sequence
@@ -22,17 +22,17 @@ from kinlib.view.figures.linkage import describe_linkage, draw_linkage, is_plana
 from kinlib.view.viewer.viewer import ViewerBase
 
 POINTS_PER_CURVE = 240
-"""Postures along a curve: a step of the slider moves a full turn by a degree and a half."""
+"""The number of configurations of a curve; a full turn has steps of one and a half degrees."""
 
 ON_CURVE_TOL = 0.2
-"""A posture this near to a curve, in radians and metres together, lies on it: its points are closer than that."""
+"""A configuration nearer to a curve than this, in radians and metres, is on it; the points of a curve are closer together."""
 
 PLANAR_VIEW_DEG, SPATIAL_VIEW_DEG = [-90.0, 52.0], [-60.0, 22.0]
-"""Where the eye begins, as azimuth and elevation in degrees: over a linkage in the plane, before any other."""
+"""The initial viewing direction, as azimuth and elevation: from above for a planar linkage, from the front for any other."""
 
 
 class Drive(ViewerBase):
-    """A linkage on the page. Make one with `drive`; q is one posture of its curves after the other."""
+    """A linkage on the page. Make one with `drive`; q is a configuration on one of its curves."""
 
     def __init__(self, mechanism: Mechanism, **traits: Any) -> None:
         self.mechanism = mechanism
@@ -43,7 +43,7 @@ class Drive(ViewerBase):
 
     @property
     def alt(self) -> str:
-        """What the picture shows, in words."""
+        """The text alternative of the current picture."""
         return describe_linkage(self.mechanism, linkage_geometry(self.mechanism, self.q))
 
     def _drawing(self) -> str:
@@ -59,17 +59,17 @@ def drive(
     labels: Sequence[str] = (),
     after: Any = None,
 ) -> Drive:
-    """Drive a closed chain of one freedom along its curves, and see them in its configuration space.
+    """Move a closed chain of one degree of freedom along its curves, and show them in its configuration space.
 
-    start   (n,) a closed posture to begin with
-    across  the names of two joint values, drawn against each other; the first two by default
-    curves  arrays (m, n) of closed postures; by default the curve through the start, and one for each way of assembling
-            the linkage that it does not reach while the first joint value is as it was
-    labels  what each curve is called
-    after   a question; the linkage stays covered until it is committed
+    start   (n,) the first configuration, in which the loops are closed
+    across  the names of two joint values, drawn against each other; by default the first two
+    curves  arrays (m, n) of closed configurations; by default the curve through start, and one for each assembly mode with
+            the same first joint value that this curve does not reach
+    labels  the name of each curve
+    after   a question; the linkage stays covered until a prediction is committed
 
-    Raises ValueError for a start that does not close, a linkage that has not one freedom there, a name that there is not,
-    and curves of another size.
+    Raises ValueError if the loops are not closed at start, if the linkage does not have one degree of freedom there, if it
+    has no joint value of a given name, or if a curve does not have shape (m, n).
 
     >>> from kinlib.mechanisms.linkages import four_bar
     >>> linkage = four_bar(0.4, 0.1, 0.35, 0.3)
@@ -88,7 +88,7 @@ def drive(
         closed = tuple(np.allclose(np.exp(1j * curve[0]), np.exp(1j * curve[-1])) for curve in traced)
     nearest = min(traced, key=lambda curve: float(np.linalg.norm(curve - first, axis=1).min()))
     begin = nearest[np.argmin(np.linalg.norm(nearest - first, axis=1))]
-    made = Drive(
+    widget = Drive(
         mechanism,
         scene=_scene(mechanism, np.concatenate(traced), begin),
         q=begin,
@@ -105,21 +105,21 @@ def drive(
             "labels": list(labels) or [f"assembly mode {k + 1}" for k in range(len(traced))],
         },
     )
-    made.wait_for(after)
-    return made
+    widget.wait_for(after)
+    return widget
 
 
 def _curves(mechanism: Mechanism, start: Array) -> list[tuple[Array, bool]]:
-    """The curve through a posture, and those of the other ways of assembling it with the first joint value held."""
-    found = [_traced(mechanism, start)]
+    """Return the curve through a configuration, and those of the other assembly modes with the same first joint value."""
+    curves = [_traced(mechanism, start)]
     for other in mechanism.assembly_modes(hold={mechanism.names[0]: float(start[0])}):
-        if all(_distance(curve, other, mechanism) > ON_CURVE_TOL for curve, _ in found):
-            found.append(_traced(mechanism, other))
-    return found
+        if all(_distance(curve, other, mechanism) > ON_CURVE_TOL for curve, _ in curves):
+            curves.append(_traced(mechanism, other))
+    return curves
 
 
 def _traced(mechanism: Mechanism, start: Array) -> tuple[Array, bool]:
-    """One curve, and whether it closes: then it is cut where its first value passes half a turn, if that goes round."""
+    """Return a curve and whether it is closed. If its first value makes full turns, it is cut where that passes half a turn."""
     curve = mechanism.trace(start, points=POINTS_PER_CURVE)
     q, angles = curve.q, _angles(mechanism)
     around = np.round((q[-1] - q[0]) / (2 * np.pi)) * angles * 2 * np.pi
@@ -132,7 +132,7 @@ def _traced(mechanism: Mechanism, start: Array) -> tuple[Array, bool]:
 
 
 def _distance(curve: Array, configuration: Array, mechanism: Mechanism) -> float:
-    """How far a posture is from the nearest point of a curve; angles a full turn apart are the same."""
+    """Return the distance of a configuration to the nearest point of a curve, with angles modulo a full turn."""
     gap = curve - configuration
     return float(np.linalg.norm(np.where(_angles(mechanism), wrap_angle(gap), gap), axis=1).min())
 
@@ -143,12 +143,14 @@ def _angles(mechanism: Mechanism) -> Array:
     return turning
 
 
-def _scene(mechanism: Mechanism, travelled: Array, begin: Array) -> dict[str, Any]:
-    """Say a linkage as data: each moving body as an arm that leads to it, and what is drawn of it at its end."""
-    ways = spanning_tree(mechanism.joints, mechanism.ground)
-    names = [body for body in ways if body != mechanism.ground]
-    arms = [chain_along(mechanism.joints, ways[body], body) for body in names]
-    stations = np.concatenate([linkage_geometry(mechanism, q).all for q in travelled[:: max(1, len(travelled) // 60)]])
+def _scene(mechanism: Mechanism, configurations: Array, begin: Array) -> dict[str, Any]:
+    """Return a linkage as data: for each moving body an arm that leads to it, and what is drawn at its end."""
+    paths = spanning_tree(mechanism.joints, mechanism.ground)
+    names = [body for body in paths if body != mechanism.ground]
+    arms = [chain_along(mechanism.joints, paths[body], body) for body in names]
+    stations = np.concatenate(
+        [linkage_geometry(mechanism, q).all for q in configurations[:: max(1, len(configurations) // 60)]]
+    )
     low, high = stations.min(axis=0), stations.max(axis=0)
     drawn = linkage_geometry(mechanism, begin).all
     size = max(float(np.ptp(drawn, axis=0).max()), 1e-3)
@@ -178,7 +180,7 @@ def _scene(mechanism: Mechanism, travelled: Array, begin: Array) -> dict[str, An
 
 
 def _pieces(mechanism: Mechanism, names: list[str]) -> list[dict[str, Any]]:
-    """Bars between the joints of each body, and the joints on the first of their two bodies, as each is drawn."""
+    """Return what is drawn: bars between the joints of each body, and each joint on the first of its two bodies."""
     corners: dict[str, list[Array]] = {body: [] for body in [mechanism.ground, *names]}
     pieces = []
     for joint in mechanism.joints:
@@ -189,7 +191,7 @@ def _pieces(mechanism: Mechanism, names: list[str]) -> list[dict[str, Any]]:
         axis = line(joint.screws[0]).axis
         kind = "ball" if joint.dof > 1 else "box" if not joint.screws[0, :3].any() else "cylinder"
         pieces.append(_piece(names, first, kind, joint.position, axis, name=joint.name, foot=first == mechanism.ground))
-        if kind == "box":  # what slides is as wide as its sleeve, so that its way is seen
+        if kind == "box":  # the slider is as wide as its sleeve, so that its translation is visible
             pieces.append(_piece(names, second, "slider", corners[second][-1], axis))
     for body, points in corners.items():
         if body != mechanism.ground:
@@ -199,6 +201,6 @@ def _pieces(mechanism: Mechanism, names: list[str]) -> list[dict[str, Any]]:
 
 
 def _piece(names: list[str], body: str, kind: str, at: Array, along: Array, **more: Any) -> dict[str, Any]:
-    """A piece rides on the tool of the arm that leads to its body; what stands on the ground, on the base of any."""
+    """Return a piece, fixed to the tool of the arm that leads to its body; on the ground, to the base of any arm."""
     on = {"arm": names.index(body), "body": "tool"} if body in names else {"arm": 0, "body": 0}
     return {**on, "kind": kind, "at": at.tolist(), "along": np.asarray(along).tolist(), **more}

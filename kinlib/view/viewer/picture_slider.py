@@ -1,7 +1,7 @@
-"""A picture and the one slider that answers a question, covered until a prediction is made.
+"""A slider through the pictures of several values, covered until a prediction is committed.
 
-`slide` moves along any list of values. It stays covered while the question given as `after` is not committed: who has not
-predicted cannot be surprised. The joints of an arm are turned in the viewer.
+`slide` takes any list of values. It stays covered until the question given as `after` is committed, because students learn
+more from an observation if they have predicted it. For the joints of an arm, use the viewer (`explore`).
 """
 
 from collections.abc import Callable, Sequence
@@ -23,13 +23,15 @@ V = TypeVar("V")
 def slide(
     draw: Callable[[V], Picture], label: str, values: Sequence[V], after: Any = None, start: int = 0
 ) -> widgets.Widget:
-    """Move along values and see what each one draws.
+    """Show a slider that draws a picture of the selected value.
 
     draw    a function from a value to a Picture
     label   what the values are
-    start   the index of the value to begin with
+    values  the values of the slider, in order
+    after   a question; the picture stays covered until a prediction is committed
+    start   the index of the value that is selected first
 
-    Raises ValueError for nothing to slide along.
+    Raises ValueError if there are no values.
 
     >>> from kinlib.view import plot
     >>> def line(slope):
@@ -38,7 +40,7 @@ def slide(
     'VBox'
     """
     if len(values) == 0:
-        raise ValueError("values should hold at least one value to slide to; got none.")
+        raise ValueError("values must contain at least one value; got none.")
     options = [
         (f"{value:.4g}" if isinstance(value, float) else str(value), index) for index, value in enumerate(values)
     ]
@@ -57,7 +59,7 @@ def slide(
 
 
 class Slides(widgets.VBox):  # type: ignore[misc]  # ipywidgets ships no types
-    """A slider that carries its pictures, for a page on which nobody is left to draw them."""
+    """A slider that contains all its pictures, for a page on which no Python can draw them."""
 
     def __init__(
         self, inside: widgets.Widget, pictures: Sequence[tuple[str, str]], label: str, start: int, after: Any
@@ -66,7 +68,7 @@ class Slides(widgets.VBox):  # type: ignore[misc]  # ipywidgets ships no types
         self._pictures, self._label, self._start, self._after = pictures, label, start, getattr(after, "name", "")
 
     def html(self) -> str:
-        """Every picture, all but the first one hidden; a script may put a slider below them."""
+        """Return all pictures as HTML, hidden except for the selected one; the script of the page adds a slider."""
         after = f' data-kinlib-after="{escape(self._after)}"' if self._after else ""
         shown = "".join(
             f'<div data-value="{escape(text)}"{"" if index == self._start else " hidden"}>{picture}</div>'
@@ -81,7 +83,7 @@ class Slides(widgets.VBox):  # type: ignore[misc]  # ipywidgets ships no types
 def _live(
     draw: Callable[[], str], sliders: Sequence[widgets.Widget], buttons: Sequence[widgets.Widget]
 ) -> widgets.VBox:
-    """A picture above its sliders, drawn anew when one of them moves."""
+    """Return a picture above its sliders, which is drawn again when one of them moves."""
     screen = widgets.HTML(draw())
 
     def redraw(_: Any) -> None:
@@ -93,10 +95,10 @@ def _live(
 
 
 def _covered(inside: widgets.VBox, after: Any) -> widgets.VBox:
-    """Hide a widget until a question is committed; whoever insists may look, and nothing is recorded for it."""
+    """Cover a widget until a question is committed. A button uncovers it without a prediction, and records nothing."""
     if after is None or after.committed:
         return inside
-    note = _note("Commit to your prediction above first", "The picture appears here as soon as you have.")
+    note = _note("Commit to your prediction above first", "The picture appears here afterwards.")
     anyway = widgets.Button(description="Show anyway", tooltip="Uncover the picture without a prediction")
     box = widgets.VBox([widgets.HTML(note), anyway])
 
@@ -113,6 +115,6 @@ def _covered(inside: widgets.VBox, after: Any) -> widgets.VBox:
 
 
 def _note(title: str, text: str) -> str:
-    """A framed note in HTML, with an icon, in the colours of the notes that the course's feedback uses."""
+    """Return a framed note as HTML, with an icon, in the colours of the notes in the course's feedback."""
     head = f'<p style="margin:0;font-weight:600;color:#0b5cad"><span aria-hidden="true">i</span> {escape(title)}</p>'
     return f'<div role="status" style="{NOTE_STYLE}">{head}<p style="margin:.4em 0 0">{escape(text)}</p></div>'

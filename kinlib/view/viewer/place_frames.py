@@ -1,6 +1,6 @@
-"""Frames assigned by hand: the axes of an arm are drawn bare, and the reader gives each frame a z, an origin and an x.
+"""Frames placed by hand: only the joint axes of an arm are drawn, and the reader chooses z, origin and x of each frame.
 
-The page keeps the frames in a trait, so they work without a kernel too. Judging them by the rules is for Python.
+The page keeps the frames in a trait, so placing them also works without a kernel. Checking them by the rules needs Python.
 """
 
 from itertools import pairwise
@@ -24,11 +24,11 @@ from kinlib.view.viewer.frame_candidates import frame_candidates
 from kinlib.view.viewer.viewer import Viewer
 
 TWO_FRAME_RULES = {"x square to z", "x meets z"}
-"""The rules about two frames; the others are about one."""
+"""The rules about two consecutive frames; all others are about one frame."""
 
 
 class Poses(traitlets.TraitType[Any, Any]):
-    """Poses (m, 4, 4); NaN, to the page null, for an entry that is not there yet."""
+    """Poses (m, 4, 4). An entry that is not placed yet is NaN in Python and null on the page."""
 
     def __init__(self) -> None:
         super().__init__(np.zeros((0, 4, 4)))
@@ -47,16 +47,16 @@ def _from_page(poses: Any, _: Any = None) -> Array:
         return np.array(poses, dtype=float)  # None becomes NaN
     except (TypeError, ValueError) as error:
         raise ValueError(
-            f"frames should be numbers, poses of shape (4, 4) one after the other; got {validation.describe(poses)}."
+            f"frames must be an array of numbers, one pose of shape (4, 4) per frame; got {validation.describe(poses)}."
         ) from error
 
 
 class ByHand(Viewer):
     """Frames that are placed on the page. Make one with `assign`.
 
-    frames   (n + 1, 4, 4) frames 0 to n in {s} at home; NaN for what is not placed yet. The page and Python both set it
-    asked    how often the reader asked for the rules
-    verdict  the last answer to that, for the page
+    frames   (n + 1, 4, 4) frames 0 to n in {s} at home; NaN for what is not placed yet. The page and Python can both set it
+    asked    how often the reader has asked for a check
+    verdict  the result of the last check, for the page
     """
 
     frames = Poses()
@@ -64,14 +64,16 @@ class ByHand(Viewer):
     verdict = traitlets.Dict().tag(sync=True)
 
     def __init__(self, chain: Chain, convention: Convention, frames: Array) -> None:
-        found, home = frame_candidates(chain), np.zeros(chain.n)
-        ends = np.array([line[end] for line in found["axes"] for end in ("from", "to")])
+        features, home = frame_candidates(chain), np.zeros(chain.n)
+        ends = np.array([line[end] for line in features["axes"] for end in ("from", "to")])
         scene = bare_scene(chain, ends)
         arm = scene["arms"][0]
-        arm["frames"] = {name: arm["frames"][name] for name in ("base", "tool")}  # the others would be the answer
+        arm["frames"] = {name: arm["frames"][name] for name in ("base", "tool")}  # the others would reveal the answer
         arm["normals"] = []
         stations = [np.zeros(3), *chain.joint_points, chain.home[:3, 3]]
-        arm["links"] = [np.array(pair).tolist() for pair in pairwise(stations)]  # those that bend follow the normals
+        arm["links"] = [
+            np.array(pair).tolist() for pair in pairwise(stations)
+        ]  # link paths with bends would show the normals
         self.convention = convention
         super().__init__(
             chain,
@@ -80,26 +82,26 @@ class ByHand(Viewer):
             start=home,
             shown=["base", "tool"],
             readout=False,
-            mode={"kind": "assign", "convention": convention, **found},
+            mode={"kind": "assign", "convention": convention, **features},
             frames=frames,
         )
         self.observe(self._judge, "asked")
 
     @property
     def breaches(self) -> list[Breach]:
-        """The rules that the frames break, as far as they are placed."""
+        """The rules that are broken by the frames placed so far."""
         return check_placed_frames(self.chain, self.frames, self.convention)
 
     @property
     def table(self) -> DHTable | None:
-        """The table of the frames, once all are placed and no rule is broken. Its joints count about the frames' own z."""
+        """The table of the frames, or None until all are placed and no rule is broken. Its joint variables are about the frames' own z."""
         if np.isnan(self.frames).any() or self.breaches:
             return None
         return table_from_frames(self.chain, self.frames, self.convention)
 
     @property
     def alt(self) -> str:
-        """What the picture shows, in words."""
+        """The text alternative of the current picture."""
         whole = [
             f"Frame {i} at {vector_text(T[:3, 3])}, x along {vector_text(T[:3, 0])}, z along {vector_text(T[:3, 2])}."
             for i, T in enumerate(self.frames)
@@ -108,11 +110,11 @@ class ByHand(Viewer):
         return f"{draw_joints(self.chain).alt} {' '.join(whole) or 'No frame is placed yet.'}"
 
     @traitlets.validate("frames")
-    def _fitting(self, proposal: Any) -> Array:
+    def _validate_frames(self, proposal: Any) -> Array:
         frames: Array = proposal["value"]
         if frames.shape != (self.chain.n + 1, 4, 4):
             raise ValueError(
-                f"frames should have shape ({self.chain.n + 1}, 4, 4), frames 0 to {self.chain.n} of {self.chain.name}; "
+                f"frames must have shape ({self.chain.n + 1}, 4, 4), frames 0 to {self.chain.n} of {self.chain.name}; "
                 f"got {frames.shape}."
             )
         return frames
@@ -137,14 +139,14 @@ class ByHand(Viewer):
 
 
 def assign(chain: Chain, convention: Convention, *, frames: ArrayLike | None = None, after: Any = None) -> ByHand:
-    """Place DH frames 0 to n on an arm by hand, and have them judged by the rules.
+    """Place DH frames 0 to n on an arm by hand, and check them by the rules of the convention.
 
-    frames  (n + 1, 4, 4) to begin with, in {s} at home, NaN for what is open; none are placed by default
-    after   a question; the arm stays covered until it is committed
+    frames  (n + 1, 4, 4) the initial frames, in {s} at home, NaN for what is not placed; by default none are placed
+    after   a question; the arm stays covered until a prediction is committed
 
-    What is placed is in `.frames`, the rules that it breaks in `.breaches`, and its table, once it is right, in `.table`.
+    The frames are in `.frames`, the rules that they break in `.breaches`, and their table, once it is right, in `.table`.
 
-    Raises ValueError for another convention, and for frames of another shape.
+    Raises ValueError if the convention is unknown or frames has another shape.
 
     >>> from kinlib.dh.assignment import assign_frames
     >>> from kinlib.chains.robots import rpr
@@ -154,13 +156,13 @@ def assign(chain: Chain, convention: Convention, *, frames: ArrayLike | None = N
     """
     bare = np.full((chain.n + 1, 4, 4), np.nan)
     bare[:, 3] = 0.0, 0.0, 0.0, 1.0
-    made = ByHand(chain, convention_of(convention), bare if frames is None else _from_page(frames))
-    made.wait_for(after)
-    return made
+    widget = ByHand(chain, convention_of(convention), bare if frames is None else _from_page(frames))
+    widget.wait_for(after)
+    return widget
 
 
 def check_placed_frames(chain: Chain, frames: Array, convention: Convention) -> list[Breach]:
-    """Judge frames as far as they are placed: rules about a frame that is not finished wait until it is.
+    """Check the frames that are completely placed; rules about an incomplete frame are not checked yet.
 
     >>> from kinlib.chains.robots import rpr
     >>> check_placed_frames(rpr(), np.full((4, 4, 4), np.nan), "standard")
@@ -177,7 +179,7 @@ def check_placed_frames(chain: Chain, frames: Array, convention: Convention) -> 
 
 
 def table_from_frames(chain: Chain, frames: Array, convention: Convention) -> DHTable:
-    """Read the table off frames that obey the rules, with what stands before and behind them as base and tool."""
+    """Compute the table of frames that satisfy the rules. Frame 0 is its base, and what follows frame n its tool."""
     T = inverse(frames[:-1]) @ frames[1:]
     if convention == "standard":
         a, d = (T[:, :3, 0] * T[:, :3, 3]).sum(axis=1), T[:, 2, 3]
@@ -191,20 +193,20 @@ def table_from_frames(chain: Chain, frames: Array, convention: Convention) -> DH
 
 
 def joint_signs(chain: Chain, frames: Array, convention: Convention) -> Array:
-    """Which way each joint counts about the z on its axis, (n,): -1 where z points against the axis."""
+    """Return the sign of each joint variable, (n,): -1 if z points opposite to the joint axis, 1 otherwise."""
     z = frames[:-1, :3, 2] if convention == "standard" else frames[1:, :3, 2]
     signs: Array = np.where((z * chain.lines.axis).sum(axis=1) < 0, -1.0, 1.0)
     return signs
 
 
 def _largest_difference(chain: Chain, table: DHTable) -> float:
-    """The largest difference of a pose between the table and the arm, over postures by chance."""
+    """Return the largest difference of the poses of table and arm over random configurations."""
     q = random_configurations(chain.n, PROBES)
     return largest_difference(table.fk(q), chain.fk(q))
 
 
 def _joint(breach: Breach, convention: Convention, n: int) -> int:
-    """The joint of n, counted from 1, at which a rule is broken: that of the z which the rule is about."""
+    """Return the joint, counted from 1, at which a rule is broken: the one whose z the rule is about."""
     i = breach.frame
     if breach.rule in TWO_FRAME_RULES:
         return i if convention == "standard" else i + 1

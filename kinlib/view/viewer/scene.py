@@ -1,6 +1,6 @@
-"""What the viewer is told of an arm: geometry at home, as plain data. The page moves it, by the screws.
+"""An arm as data for the viewer: its geometry at home, which the page moves by the exponentials of the screws.
 
-Every part rides on a body: body 0 is the base, body i what joint i carries. Parts are given where they are at home, in {s}.
+Every part is fixed to a body: body 0 is the base, body i is what joint i moves. Parts are given at home, in {s}.
 """
 
 from collections.abc import Sequence
@@ -17,16 +17,13 @@ from kinlib.view.figures.arm import describe_arm, reachable_points
 from kinlib.view.figures.joint_bodies import axial_offsets
 
 MAX_DETOUR_RATIO = 2.5
-"""A link follows its axes and their common normal, as the links of real arms do, unless that is so much longer."""
+"""A link is drawn along its axes and their common normal, unless that is longer than the straight line by this factor."""
 
 MAX_DISTANCE_IN_ARM_SIZES = 4.0
-"""Frames and normals farther out than this many sizes of the arm are left out: those of nearly parallel axes are."""
-
-CLEARANCE = 3.3
-"""From one joint to the next on the same axis, in radii of a joint: they would hide each other."""
+"""Frames and normals farther away than this are left out, as those of nearly parallel axes can be."""
 
 MIN_SIZE_IN_ROOM_RADII = 0.95
-"""Marks are drawn for an arm of at least this size, in radii of the room that is in view."""
+"""Joints, frames and arrows are drawn as for an arm of at least this size, relative to the radius of what is in view."""
 
 Z = np.eye(3)[2]
 COINCIDENT_TOL_M = 1e-9
@@ -37,10 +34,10 @@ LAYERS = (
     *("base", "tool", "links", "standard", "modified"),
     *("normals", "dimensions", "trail"),
 )
-"""What the viewer can show: screw axes, frames, and what lies between."""
+"""The layers that the viewer can show: screw axes, frames, normals, dimensions and the path of the tool."""
 
 DEFAULT_ANGLE_RAD, DEFAULT_TRAVEL_M = np.pi, 1.0
-"""How far a slider goes to either side of 0 where the joint has no limits: half a turn in radians, one metre."""
+"""The range of a slider to either side of 0 if the joint has no limits: half a turn, or one metre."""
 
 
 def scene(
@@ -51,13 +48,14 @@ def scene(
     span: tuple[float, float] | None = None,
     ghost: Array | None = None,
 ) -> dict[str, Any]:
-    """Say all that the page needs to know of an arm: its geometry, its sliders, the room that it moves in.
+    """Return all that the page needs of an arm: its geometry, its sliders, and the region in view.
 
-    start   (n,) joint values to begin with
-    joints  which ones get a slider, counted from 1
-    span    from where to where they go; the joint's limits, if not given, or what is common for its kind
+    start   (n,) the first joint values
+    joints  the joints that get a slider, counted from 1
+    span    the range of the sliders; by default the limits of each joint, or half a turn or one metre if it has none
+    ghost   (n,) another configuration, which must be in view
 
-    Raises ValueError for a joint that the arm does not have, a start of another size, a span that does not hold it.
+    Raises ValueError if the arm does not have one of the joints, start does not have n values, or span does not contain them.
 
     >>> from kinlib.chains.robots import rpr
     >>> scene(rpr(), np.zeros(3), joints=[2])["sliders"][0]["unit"]
@@ -66,18 +64,18 @@ def scene(
     joints = list(range(1, chain.n + 1)) if joints is None else list(joints)
     if wrong := [joint for joint in joints if joint not in range(1, chain.n + 1)]:
         raise ValueError(f"{chain.name} has joints 1 to {chain.n}; got {wrong[0]!r}.")
-    chain.fk(start)  # refuses a start of another size, in words
+    chain.fk(start)  # raises ValueError if start has another size
     sliders = [_slider(chain, joint - 1, float(start[joint - 1]), span) for joint in joints]
     low, high = start.copy(), start.copy()
     for slider in sliders:
         low[slider["column"]], high[slider["column"]] = slider["low"], slider["high"]
-    postures = [_stations(chain, np.zeros(chain.n)), _stations(chain, start)]
-    postures += [] if ghost is None else [_stations(chain, ghost)]
-    room, floor = _room(np.concatenate(postures), reachable_points(chain, low, high), extent(chain))
+    configurations = [_stations(chain, np.zeros(chain.n)), _stations(chain, start)]
+    configurations += [] if ghost is None else [_stations(chain, ghost)]
+    room, floor = _room(np.concatenate(configurations), reachable_points(chain, low, high), extent(chain))
     return {
         "name": chain.name,
         "words": describe_arm(chain, np.zeros(chain.n)).partition(" The tool is at")[0],
-        # Where an arm is small in its room, its marks stay large enough to tell apart.
+        # If an arm is small compared with what is in view, its marks must stay large enough to be distinguished.
         "size": max(extent(chain), MIN_SIZE_IN_ROOM_RADII * room["radius"]),
         "arms": [arm_data(chain, range(chain.n))],
         "sliders": sliders,
@@ -89,9 +87,9 @@ def scene(
 
 
 def arm_data(chain: Chain, columns: Sequence[int]) -> dict[str, Any]:
-    """Say an arm as data: joints, links, home, frames in each convention, common normals.
+    """Return an arm as data: joints, links, home, frames in each convention, common normals.
 
-    columns  which of the viewer's joint values each joint follows: branches of a closed chain may share some
+    columns  the indices of the viewer's joint values that move each joint; arms of a closed chain can share some
 
     >>> from kinlib.chains.robots import rpr
     >>> [joint["kind"] for joint in arm_data(rpr(), [0, 1, 2])["joints"]]
@@ -109,9 +107,9 @@ def arm_data(chain: Chain, columns: Sequence[int]) -> dict[str, Any]:
 
 
 def extent(chain: Chain) -> float:
-    """The longest side of an arm at home, in metres: the measure for all that is drawn to look right, not to scale.
+    """Return the longest side of an arm at home, in metres: the unit of length of what is not drawn to scale.
 
-    An arm without any length has the extent 1.
+    An arm of zero length has the extent 1.
 
     >>> from kinlib.chains.robots import youbot
     >>> extent(youbot())
@@ -123,7 +121,7 @@ def extent(chain: Chain) -> float:
 
 
 def link_paths(chain: Chain) -> list[Array]:
-    """The lines (k, 3) along which links 0 to n run at home: along an axis, over the common normal, along the next axis.
+    """Return the lines (k, 3) of links 0 to n at home: along an axis, along the common normal, along the next axis.
 
     >>> from kinlib.chains.robots import puma560
     >>> link_paths(puma560())[3].round(4).tolist()            # the elbow: out by a3, then down by d4
@@ -151,7 +149,7 @@ def _slider(chain: Chain, i: int, value: float, span: tuple[float, float] | None
     )
     if span and not low <= value <= high:
         raise ValueError(
-            f"span should hold the start of joint {i + 1}, {value:.3g}; got {low:.3g} to {high:.3g}. Is one in degrees?"
+            f"span must contain the start of joint {i + 1}, {value:.3g}; got {low:.3g} to {high:.3g}. Is one of them in degrees?"
         )
     title = chain.joint_names[i] if chain.joint_names else ""
     unit = "m" if slides else "rad"
@@ -159,22 +157,23 @@ def _slider(chain: Chain, i: int, value: float, span: tuple[float, float] | None
 
 
 def _stations(chain: Chain, q: Array) -> Array:
-    """The points through which an arm runs: the base, every joint, the tool."""
+    """Return the points through which an arm runs: the base, every joint, the tool."""
     return np.concatenate([np.zeros((1, 3)), chain.link_poses(q)[:, :3, 3], chain.fk(q)[None, :3, 3]])
 
 
-def _room(postures: Array, touched: Array, size: float) -> tuple[dict[str, Any], float]:
-    """The ball that should be in view, and the height of the floor.
+def _room(configurations: Array, reachable: Array, size: float) -> tuple[dict[str, Any], float]:
+    """Return the sphere that must be in view, and the height of the floor.
 
-    The postures fill it with room for their frames; where the arm may go much farther, the picture gives some way.
+    The configurations shown fill it, with a margin for their frames. If the arm can move much farther, the sphere is up to
+    15 percent larger.
     """
-    low, high = postures.min(axis=0), postures.max(axis=0)
+    low, high = configurations.min(axis=0), configurations.max(axis=0)
     centre = (low + high) / 2
     near = float(np.linalg.norm(high - low)) / 2 + 0.22 * size
-    far = float(np.linalg.norm(touched - centre, axis=-1).max()) + 0.15 * size
+    far = float(np.linalg.norm(reachable - centre, axis=-1).max()) + 0.15 * size
     radius = min(max(near, far), 1.15 * near)
-    lowest = float(postures[:, 2].min())
-    # The lowest joint stands on the floor, not in it; an arm that hangs from its base gets room below.
+    lowest = float(configurations[:, 2].min())
+    # The lowest joint must be above the floor; an arm that hangs from its base gets more space below it.
     floor = lowest - (0.1 if lowest > -0.05 * size else 0.2) * size
     return {"centre": centre.tolist(), "radius": radius}, floor
 
@@ -184,16 +183,16 @@ def _finite(value: float) -> float | None:
 
 
 def _path(points: list[Array]) -> Array:
-    """A way through points, without steps of no length; straight, where the way is a detour."""
+    """Return the path through points without repeated ones, or the straight line if the path is a detour."""
     corners = [points[0]]
     for point in points[1:]:
         if np.linalg.norm(point - corners[-1]) > COINCIDENT_TOL_M:
             corners.append(point)
-    way = np.array(corners)
+    path = np.array(corners)
     straight = float(np.linalg.norm(points[-1] - points[0]))
-    if np.linalg.norm(np.diff(way, axis=0), axis=-1).sum() > MAX_DETOUR_RATIO * straight:
-        way = np.array([points[0], points[-1]] if straight > COINCIDENT_TOL_M else [points[0]])
-    return way + 0.0
+    if np.linalg.norm(np.diff(path, axis=0), axis=-1).sum() > MAX_DETOUR_RATIO * straight:
+        path = np.array([points[0], points[-1]] if straight > COINCIDENT_TOL_M else [points[0]])
+    return path + 0.0
 
 
 def _joints(chain: Chain) -> list[dict[str, Any]]:
@@ -205,7 +204,7 @@ def _joints(chain: Chain) -> list[dict[str, Any]]:
             "axis": z.tolist(),
             "point": point.tolist(),
             "shift": float(shift),
-            # infinity is no JSON; what a slide travels for each unit of its value is 1
+            # JSON has no infinity; a prismatic joint translates by 1 for each unit of its value
             "travel": 1.0 if letter == "P" else float(h) if letter == "H" else 0.0,
         }
         for letter, screw, z, point, h, shift in zip(
@@ -221,7 +220,7 @@ def _joints(chain: Chain) -> list[dict[str, Any]]:
 
 
 def _frames(chain: Chain, size: float) -> dict[str, Any]:
-    """The frames that can be shown, each with its name, its body and its pose at home."""
+    """Return the frames that can be shown, each with its name, its body and its pose at home."""
     n = chain.n
     ends = {"s": _frame("s", 0, np.eye(4)), "b": _frame("b", n, chain.home)}
     on_links = homogeneous(np.eye(3), chain.joint_points)
@@ -231,7 +230,7 @@ def _frames(chain: Chain, size: float) -> dict[str, Any]:
         "links": [_frame(str(i + 1), i + 1, T) for i, T in enumerate(on_links)],
     }
     if "H" in chain.joint_types:
-        return shown  # a DH row has one variable, and a helical joint turns and climbs
+        return shown  # a DH row has one variable, and a helical joint would need two
     for convention in ("standard", "modified"):
         frames = assign_frames(chain, convention=convention).frames
         found = [_frame(str(i), i, T) for i, T in enumerate(frames) if _near(T[:3, 3], size)]
@@ -246,7 +245,7 @@ def _frame(name: str, body: int, pose: Array) -> dict[str, Any]:
 
 
 def _normals(chain: Chain, size: float) -> list[dict[str, Any]]:
-    """The common normal of each pair of neighbouring axes; body i carries the one from axis i to axis i + 1."""
+    """Return the common normals of consecutive axes; the one from axis i to axis i + 1 is fixed to body i."""
     axes, points = chain.lines.axis, chain.joint_points
     found = []
     for i in range(chain.n - 1):

@@ -1,7 +1,7 @@
-"""The 3-D viewer: an arm that turns in the page, in JupyterLab, in the browser lab and on a page without a kernel.
+"""The 3-D viewer: an arm that moves in the page, in JupyterLab, in the browser lab and on a page without a kernel.
 
-Python says what the arm is, once, as data (kinlib.view.viewer.scene). The page moves it by its screws and reads the pose off the
-scene graph, so a slider answers without asking Python. Both sides share the traits below; whoever sets one, both follow.
+Python describes the arm once, as data (kinlib.view.viewer.scene). The page moves it by its screws and computes the pose from
+its scene graph, so a slider needs no answer from Python. Both sides share the traits below, and either side can set them.
 """
 
 import html
@@ -20,28 +20,28 @@ from kinlib.view.figures.arm import ARM_LAYERS, describe_arm, draw_arm
 from kinlib.view.viewer.scene import LAYERS, scene
 
 STATIC = Path(__file__).parents[1] / "static"
-"""The bundle viewer.js, made from src by `npm run build`, and loader.js, which fetches it where a page holds a viewer."""
+"""The bundle viewer.js, built from kinlib/view/js by `npm run build`, and loader.js, which loads it if a page has a viewer."""
 
 
 class Values(traitlets.List[float]):
-    """Joint values, as anything that NumPy reads as numbers."""
+    """Joint values: anything that NumPy can convert to numbers."""
 
     def validate(self, obj: Any, value: Any) -> list[float] | None:
         return super().validate(obj, np.asarray(value, dtype=float).tolist())
 
 
 class ViewerBase(anywidget.AnyWidget):
-    """What every viewer shares with the page: the traits below, and a form for pages without a kernel.
+    """The base of every viewer: the traits that it shares with the page, and its HTML for pages without a kernel.
 
-    q           (n,) joint values; the page and Python both set them
-    start       (n,) where "Reset" goes
-    ghost       (n,) another configuration in grey, or empty
-    shown       which layers are drawn, any of kinlib.view.viewer.scene.LAYERS
-    covered     whether the picture waits for a prediction
-    prediction  {"text", "options"}: the question on the cover; empty where a question stands elsewhere
-    choice      the option committed to on the cover, counted from 0; -1 before
-    message     a line below the picture, for what Python has to say
-    mode        {"kind", ...}: what a player of src/modes is given; empty for an arm with sliders
+    q           (n,) joint values; the page and Python can both set them
+    start       (n,) the joint values that the button "Reset" restores
+    ghost       (n,) another configuration, drawn in grey, or empty
+    shown       the layers that are drawn, any of kinlib.view.viewer.scene.LAYERS
+    covered     whether the picture is covered until a prediction is committed
+    prediction  {"text", "options"}: the question on the cover; empty if the question is elsewhere
+    choice      the option that was committed on the cover, counted from 0; -1 before
+    message     a line below the picture, set by Python
+    mode        {"kind", ...}: the data of a mode in kinlib/view/js/modes; empty for an arm with sliders
 
     >>> from traitlets import Bool, HasTraits
     >>> class Question(HasTraits):
@@ -56,7 +56,7 @@ class ViewerBase(anywidget.AnyWidget):
     False
     """
 
-    # The bundle names one object, so that a page without modules can run it too; a module exports what it holds.
+    # The bundle defines one global object, so that a page without modules can run it too; a widget needs a default export.
     _esm = (STATIC / "viewer.js").read_text("utf-8") + "\nexport default kinlib.widget;"
 
     scene = traitlets.Dict().tag(sync=True)
@@ -72,49 +72,49 @@ class ViewerBase(anywidget.AnyWidget):
     mode = traitlets.Dict().tag(sync=True)
 
     @traitlets.validate("q", "start", "ghost")
-    def _fits(self, proposal: Any) -> list[float]:
+    def _validate_values(self, proposal: Any) -> list[float]:
         values: list[float] = proposal["value"]
         if values or proposal["trait"].name != "ghost":
             self._check(values)
         return values
 
     @traitlets.validate("shown")
-    def _known(self, proposal: Any) -> list[str]:
+    def _validate_shown(self, proposal: Any) -> list[str]:
         names: list[str] = proposal["value"]
         if unknown := set(names) - set(LAYERS):
-            raise ValueError(f"show knows {', '.join(LAYERS)}; got {', '.join(map(repr, sorted(unknown)))}.")
+            raise ValueError(f"show may contain {', '.join(LAYERS)}; got {', '.join(map(repr, sorted(unknown)))}.")
         return names
 
     @property
     def alt(self) -> str:
-        """What the picture shows, in words."""
+        """The text alternative of the current picture."""
         raise NotImplementedError
 
-    _after = ""  # the name of the question that the picture waits for; a page has questions too
+    _after = ""  # the name of the question that uncovers the picture; the page has that question too
 
     def wait_for(self, question: Any) -> None:
-        """Stay covered until a question is committed; None covers nothing."""
+        """Cover the picture until a question is committed. If the question is None, nothing is covered."""
         if question is not None and not question.committed:
             self.covered = True
             self._after = getattr(question, "name", "")
             question.observe(lambda _: self.set_trait("covered", False), "committed")
 
     def _check(self, values: list[float]) -> None:
-        """Refuse joint values of another size and NaN, in words."""
+        """Raise ValueError if joint values have another size or contain NaN."""
         raise NotImplementedError
 
     def _drawing(self) -> str:
-        """What stands on the page, as HTML, before it wakes, and on paper."""
+        """Return the drawing, as HTML, that is shown before the script starts, and in print."""
         raise NotImplementedError
 
     def html(self) -> str:
-        """The viewer for a page without a kernel: its state as JSON, and a drawing until loader.js wakes it."""
-        # What anywidget and ipywidgets synchronise for themselves is of no use to a page.
+        """Return the viewer for a page without a kernel: its state as JSON, and a drawing that loader.js replaces."""
+        # The page does not need what anywidget and ipywidgets synchronize for themselves.
         own = set(self.trait_names(sync=True)) - set(anywidget.AnyWidget.class_trait_names(sync=True))
         state = self.get_state(sorted(name for name in own if not name.startswith("_")))
-        # A "<" might end the script or begin another; in JSON it may be written so.
+        # A "<" could end the script or begin another one; JSON allows this escape for it.
         data = json.dumps(state, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")
-        covered = f"<p>{html.escape(self.prediction.get('text', 'The picture waits for your prediction.'))}</p>"
+        covered = f"<p>{html.escape(self.prediction.get('text', 'Commit to your prediction first; then the picture appears here.'))}</p>"
         after = f' data-kinlib-after="{html.escape(self._after)}"' if self._after else ""
         return (
             f'<div data-kinlib-viewer{after}><script type="application/json">{data}</script>'
@@ -135,7 +135,7 @@ class Viewer(ViewerBase):
 
     @property
     def alt(self) -> str:
-        """What the picture shows, in words."""
+        """The text alternative of the current picture."""
         return describe_arm(self.chain, np.array(self.q))
 
     def _check(self, values: list[float]) -> None:
@@ -158,19 +158,19 @@ def explore(
     readout: bool = True,
     predict: tuple[str, Sequence[str]] | None = None,
 ) -> Viewer:
-    """Turn the joints of an arm in three dimensions, and read where its tool is.
+    """Show an arm in three dimensions, with sliders for its joints and the pose of its tool.
 
-    joints   which ones get a slider, counted from 1; all by default, but name the one that matters
-    show     what is drawn at first, any of kinlib.view.viewer.scene.LAYERS; the reader may switch
-    after    a question; the arm stays covered until it is committed
-    start    (n,) joint values to begin with, home by default; afterwards `q` follows the page and leads it
-    span     from where to where the sliders go, in radians or metres; by default the limits of the joints
-    ghost    (n,) another configuration, in grey
-    readout  whether the tool's pose stands beside the picture
-    predict  a question (text, options) on the cover itself; `choice` is what was committed to
+    joints   the joints that get a slider, counted from 1; all by default, but better only those that matter
+    show     the layers that are drawn at first, any of kinlib.view.viewer.scene.LAYERS; the reader can switch them
+    after    a question; the arm stays covered until a prediction is committed
+    start    (n,) the first joint values, by default home; afterwards `q` is synchronized with the page
+    span     the range of the sliders, in radians or metres; by default the limits of the joints
+    ghost    (n,) another configuration, drawn in grey
+    readout  whether the tool's pose is shown beside the picture
+    predict  a question (text, options) on the cover itself; `choice` is the option that was committed
 
-    Raises ValueError for a joint that the arm does not have, values of another size, NaN, a span that does not hold the
-    start, and a layer that there is not.
+    Raises ValueError if the arm does not have one of the joints, values do not have shape (n,) or contain NaN, span does not
+    contain the start, or a layer is unknown.
 
     >>> from kinlib.chains.robots import youbot
     >>> arm = explore(youbot(), joints=[3])
@@ -181,7 +181,7 @@ def explore(
     home = np.zeros(chain.n) if start is None else np.array(start, dtype=float)
     shade = None if ghost is None else np.array(ghost, dtype=float)
     text, options = predict or ("", ())
-    made = Viewer(
+    viewer = Viewer(
         chain,
         scene=scene(chain, home, joints=joints, span=span, ghost=shade),
         q=home,
@@ -192,5 +192,5 @@ def explore(
         covered=bool(text),
         prediction={"text": text, "options": list(options)} if text else {},
     )
-    made.wait_for(after)
-    return made
+    viewer.wait_for(after)
+    return viewer
