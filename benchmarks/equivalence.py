@@ -18,7 +18,7 @@ import numpy as np
 import kinlib as kl
 
 sys.path.append(str(Path(__file__).parents[1] / "tests" / "support"))
-from example_arms import arm, rechosen
+from example_arms import arm, with_other_choices
 
 
 def main(count=5_000):
@@ -27,7 +27,7 @@ def main(count=5_000):
     missed, seconds = 0, []
     for _ in range(count):
         chain, _cases = arm(rng, int(rng.integers(2, 10)))
-        other = rechosen(rng, chain)
+        other = with_other_choices(rng, chain)
         start = time.perf_counter()
         missed += not kl.equivalent(chain, other)
         seconds.append(time.perf_counter() - start)

@@ -30,7 +30,7 @@ import kinlib as kl
 from benchmarks.measure import Curve, Row, Way, compared, grown
 
 sys.path.append(str(Path(__file__).parents[1] / "tests" / "support"))
-from example_arms import ANGLES, CASES, arm, configurations
+from example_arms import AXIS_CASES, NEARLY_PARALLEL_ANGLES_RAD, arm, configurations
 
 try:
     import autodh
@@ -141,9 +141,9 @@ def main():
     ours_head = f"{'kinlib':>9}{'> 1e-9':>9}{'claim':>7}{'rows':>6}"
     print(f"{'worst error':<28}" + ours_head + (f"  {'AutoDH':>9}{'> 1e-9':>9}{'rows':>6}" if autodh else ""))
     blocks = {
-        **{case: ((case,), None, count // 10) for case in CASES},
-        "all mixed": (CASES, None, count),
-        **{f"off by {angle:.0e}": (CASES, angle, count // 10) for angle in sorted(ANGLES)},
+        **{case: ((case,), None, count // 10) for case in AXIS_CASES},
+        "all mixed": (AXIS_CASES, None, count),
+        **{f"off by {angle:.0e}": (AXIS_CASES, angle, count // 10) for angle in sorted(NEARLY_PARALLEL_ANGLES_RAD)},
     }
     for label, (cases, angle, arms) in blocks.items():
         for convention in ("standard", "modified"):

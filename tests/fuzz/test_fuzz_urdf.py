@@ -12,7 +12,7 @@ from corruption import LETTERS, PIECE, corrupted_texts, mostly, noise, often, pi
 from fuzz_settings import fuzz_settings
 from hypothesis import given
 from hypothesis import strategies as st
-from strategies import FAMILIES, configurations
+from strategies import ROBOT_FUNCTIONS, configurations
 from urdf_files import as_pinocchio_reads
 
 from kinlib import load_urdf, to_urdf
@@ -83,7 +83,7 @@ def arm(chance):
 
 def cases():
     """The text, the encoding of its file (None for text that is passed directly), base and tip."""
-    ours = [to_urdf(family()) for family in FAMILIES if "H" not in family().joint_types]
+    ours = [to_urdf(family()) for family in ROBOT_FUNCTIONS if "H" not in family().joint_types]
     documents = st.sampled_from([CRANE, CRANE, MIMIC, *ours]) | random_sources().map(arm)
     texts = often(20, corrupted_texts(documents, WORDS, CUTS), noise().map("<{}".format), noise())
     tips = mostly([*[None] * 8, "hook", "trolley", "tool", "l1", "l3", "finger"], ["lamp", "", *LETTERS])

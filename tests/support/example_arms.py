@@ -1,82 +1,84 @@
-"""Arms for frame assignment: neighbouring axes in every case that two lines can be in, mixed with slides."""
+"""Random arms for frame assignment: neighbouring axes in all relative positions of two lines, and prismatic joints."""
 
 import hypothesis
 import numpy as np
 
 import kinlib as kl
 
-CASES = ("skew", "intersecting", "parallel", "anti-parallel", "coincident", "anti-coincident")
-NEARLY = "nearly parallel"
+AXIS_CASES = ("skew", "intersecting", "parallel", "anti-parallel", "coincident", "anti-coincident")
+NEARLY_PARALLEL = "nearly parallel"
 
-ANGLES = (*(10.0**-k for k in range(16, 2, -1)), 3e-9, 3e-8)
-"""How far off parallel, in radians: from less than a double can hold, past the singular range, to a tenth of a degree."""
+NEARLY_PARALLEL_ANGLES_RAD = (*(10.0**-k for k in range(16, 2, -1)), 3e-9, 3e-8)
+"""Angles between nearly parallel axes: from below double precision through the singular range of DH to 0.06 degrees."""
 
 
-def few(count):
+def reduced_count(count):
     """Return the number of arms, or a tenth of it under `nox -s mutation`, which draws them again for each mutant."""
     return count if hypothesis.settings.get_current_profile_name() != "mutation" else max(count // 10, 5)
 
 
-def unit(v):
+def normalized(v):
     return v / np.linalg.norm(v)
 
 
-def arm(rng, n, cases=CASES, angle=None, slides=0.25):
-    """An arm of n joints, and the case of each pair of neighbours, drawn from `cases`.
+def arm(rng, n, cases=AXIS_CASES, angle=None, slides=0.25):
+    """Draw an arm of n joints, and the case of each pair of neighbouring axes from `cases`.
 
-    angle   how far apart axes are that are nearly parallel; given, that case is drawn too
-    slides  the share of prismatic joints
+    angle   the angle between nearly parallel axes in radians; if it is given, that case is drawn too
+    slides  the probability of a prismatic joint
 
-    Links are up to half a metre long, so that the longest arm reaches some four metres: errors in metres grow with it.
+    Links are at most half a metre long, so that the longest arm reaches about four metres, with which errors grow.
     """
-    cases = (*cases, NEARLY) if angle is not None else cases
-    z, point = unit(rng.normal(size=3)), rng.uniform(-1, 1, 3)
-    screws, points, met = [], [], []
+    cases = (*cases, NEARLY_PARALLEL) if angle is not None else cases
+    z, point = normalized(rng.normal(size=3)), rng.uniform(-1, 1, 3)
+    screws, points, pair_cases = [], [], []
     for joint in range(n):
         if joint:
-            met.append(cases[rng.integers(len(cases))])
-            z, point = _next(rng, met[-1], z, point, angle)
+            pair_cases.append(cases[rng.integers(len(cases))])
+            z, point = _next_axis(rng, pair_cases[-1], z, point, angle)
         screws.append(kl.screw(z, point, np.inf if rng.random() < slides else 0.0))
         points.append(point)
     home = kl.exp(np.concatenate([rng.normal(size=3), np.zeros(3)]))
     home[:3, 3] = point + rng.uniform(-0.3, 0.3, 3)
-    return kl.Chain(np.array(screws), home, np.array(points)), met
+    return kl.Chain(np.array(screws), home, np.array(points)), pair_cases
 
 
-def _next(rng, case, z, point, angle):
-    """An axis that lies to the one before as the case says."""
+def _next_axis(rng, case, z, point, angle):
+    """Draw an axis, as direction and point, in a relative position to the one before it."""
     off = rng.uniform(-0.3, 0.3, 3)
     if case == "skew":
-        return unit(rng.normal(size=3)), point + off
+        return normalized(rng.normal(size=3)), point + off
     if case == "intersecting":
-        other = unit(rng.normal(size=3))
+        other = normalized(rng.normal(size=3))
         place = point + z * rng.uniform(-0.3, 0.3)
-        return other, place + other * rng.uniform(-0.3, 0.3) * (rng.random() < 0.5)  # every other joint at the crossing
-    if case == NEARLY:
-        leaning = unit(z + angle * unit(np.cross(z, rng.normal(size=3))))
+        return other, place + other * rng.uniform(-0.3, 0.3) * (
+            rng.random() < 0.5
+        )  # in half of the cases the joint is at the intersection
+    if case == NEARLY_PARALLEL:
+        leaning = normalized(z + angle * normalized(np.cross(z, rng.normal(size=3))))
         return leaning * rng.choice([-1, 1]), point + off
     sign = -1 if case.startswith("anti") else 1
     return sign * z, point + (z * rng.uniform(-0.5, 0.5) if case.endswith("coincident") else off)
 
 
 def configurations(rng, chain, count=50, reach=1.0):
-    """Joint values (count, n): up to half a turn, up to `reach` metres."""
+    """Draw configurations (count, n): joint values up to half a turn, or up to `reach` metres."""
     q = rng.uniform(-1, 1, (count, chain.n))
     return q * np.where(np.array(list(chain.joint_types)) == "P", reach, np.pi)
 
 
-def rechosen(rng, chain):
-    """The same arm with all that a DH table leaves free chosen anew: x and z turned round, origins slid along parallel
-    axes, zeros shifted, slides moved aside, another base and another tool."""
+def with_other_choices(rng, chain):
+    """The same mechanism with other choices of everything that a DH table leaves free: directions of x and z, origins along
+    parallel axes, zero configuration, places of prismatic joints, base and tool."""
     table = kl.assign_frames(chain, convention="modified").table
     a, alpha, d, theta = table.rows.T.copy()
     for i in range(1, table.n):
-        if rng.random() < 0.5:  # x_{i-1} turned round
+        if rng.random() < 0.5:  # x_{i-1} reversed
             a[i], alpha[i] = -a[i], -alpha[i]
             theta[i - 1], theta[i] = theta[i - 1] + np.pi, theta[i] - np.pi
         if alpha[i] == 0:
-            slid = rng.normal()
-            d[i - 1], d[i] = d[i - 1] + slid, d[i] - slid
+            shift = rng.normal()
+            d[i - 1], d[i] = d[i - 1] + shift, d[i] - shift
     turns = np.array(list(table.joints)) == "R"
     theta[turns] += rng.normal(size=turns.sum())
     d[~turns] += rng.normal(size=(~turns).sum())

@@ -1,4 +1,4 @@
-"""Robots that a sheet for any robot has to bear: common ones, and those that spoil a problem or two."""
+"""Robots for the tests of robot sheets: common ones, and unusual ones for which some tasks make no sense."""
 
 from dataclasses import replace
 
@@ -16,7 +16,7 @@ def chain_of(joints, home, name, limits=None):
 
 
 def seven_joints():
-    """The shape of an iiwa: seven joints, neighbours at right angles, shoulder and wrist in a point each."""
+    """A robot like the KUKA iiwa: seven joints, neighbouring axes perpendicular, a spherical shoulder and a spherical wrist."""
     heights = (0.15, 0.34, 0.54, 0.74, 0.94, 1.14, 1.14)
     axes = (Z, Y, Z, -Y, Z, Y, Z)
     joints = [(axis, (0, 0, height)) for axis, height in zip(axes, heights, strict=True)]
@@ -56,11 +56,11 @@ ODD_ROBOTS = {
         [[-3.07, -2.9], [0.01, 0.02], [0.3, 0.3]],
     ),
 }
-"""By what is odd about them."""
+"""The robots by what is unusual about them."""
 
 
 def generated_sheets():
-    """The sheets of two common robots, one of them read from a URDF: all that our own sheets pass, they should pass."""
+    """The sheets of two common robots, one of them read from a URDF. They must pass the same tests as the course's sheets."""
     puma = kl.load_urdf(kl.to_urdf(ODD_ROBOTS["PUMA"]))
     return [
         robot_sheet(name, robot, TASK_ORDER[:PROBLEMS_PER_SHEET])

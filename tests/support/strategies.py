@@ -1,6 +1,6 @@
-"""What the property tests draw: rotation vectors, twists, poses, screws and chains, with the hard angles drawn often.
+"""Hypothesis strategies: rotation vectors, twists, poses, screws and chains, with critical angles drawn often.
 
-Nothing here asks kinlib for a rotation. Poses are made from unit quaternions, so that a fault in exp cannot hide itself.
+No rotation is computed by kinlib. Poses are made from unit quaternions, so that a fault in exp cannot hide itself.
 """
 
 from inspect import get_annotations, getmembers, isfunction
@@ -11,28 +11,33 @@ from hypothesis import strategies as st
 import kinlib as kl
 from kinlib import robots
 
-FAMILIES = [
+ROBOT_FUNCTIONS = [
     f for _, f in getmembers(robots, isfunction) if f is not robots.arm and get_annotations(f)["return"] is kl.Chain
 ]
-"""The functions that make the robots of the course; one that is added is tested from then on."""
+"""The functions of kinlib.robots that return a robot. A new one is tested as soon as it is added."""
 
-ROBOTS = [family() for family in FAMILIES]
-"""Every robot of the course with its default lengths."""
+ROBOTS = [family() for family in ROBOT_FUNCTIONS]
+"""Every robot of kinlib.robots with its default lengths."""
 
-HARD = [0.0, 1e-12, 1e-7, 1e-1, 1.0, np.pi - 1e-7, np.pi - 1e-12, np.pi]
-"""Where the formulas for rotations change their nature: no turn, hardly any, half a turn."""
+CRITICAL_ANGLES_RAD = [0.0, 1e-12, 1e-7, 1e-1, 1.0, np.pi - 1e-7, np.pi - 1e-12, np.pi]
+"""Angles near which formulas for rotations become singular or inaccurate: 0, almost 0, and half a turn."""
 
 
-def angles(most=np.pi):
-    """Angles in [0, most]: one in two a hard one or close beside it, the rest anywhere between."""
-    beside = st.builds(lambda hard, off: min(abs(hard - off), most), st.sampled_from(HARD), st.floats(0, 1e-6))
+def angles(largest=np.pi):
+    """Angles in [0, most]: half of them critical angles or close to one, the rest anywhere between."""
+    beside = st.builds(
+        lambda hard, off: min(abs(hard - off), largest), st.sampled_from(CRITICAL_ANGLES_RAD), st.floats(0, 1e-6)
+    )
     return st.one_of(
-        st.sampled_from([hard for hard in HARD if hard <= most]), beside, st.floats(0, most), st.floats(0, most)
+        st.sampled_from([hard for hard in CRITICAL_ANGLES_RAD if hard <= largest]),
+        beside,
+        st.floats(0, largest),
+        st.floats(0, largest),
     )
 
 
 def directions():
-    """Unit vectors: along the axes, and anywhere."""
+    """Unit vectors: along the coordinate axes, and in any direction."""
     anywhere = st.tuples(*[st.floats(-1, 1)] * 3).map(np.array).filter(lambda u: np.linalg.norm(u) > 0.1)
     axes = st.sampled_from([*np.eye(3), *-np.eye(3)])
     return st.one_of(axes, anywhere.map(lambda u: u / np.linalg.norm(u)))
@@ -42,12 +47,12 @@ def points(reach=1.0):
     return st.tuples(*[st.floats(-reach, reach)] * 3).map(np.array)
 
 
-def rotation_vectors(most=np.pi):
-    return st.builds(lambda angle, u: angle * u, angles(most), directions())
+def rotation_vectors(largest=np.pi):
+    return st.builds(lambda angle, u: angle * u, angles(largest), directions())
 
 
-def twists(most=np.pi):
-    return st.builds(lambda omega, v: np.concatenate([omega, v]), rotation_vectors(most), points())
+def twists(largest=np.pi):
+    return st.builds(lambda omega, v: np.concatenate([omega, v]), rotation_vectors(largest), points())
 
 
 def rotations():
@@ -64,19 +69,19 @@ def screws():
     return st.builds(kl.screw, directions(), points(), pitches)
 
 
-def chains(most=6):
-    return st.builds(kl.Chain, st.lists(screws(), min_size=1, max_size=most).map(np.array), poses())
+def chains(max_joints=6):
+    return st.builds(kl.Chain, st.lists(screws(), min_size=1, max_size=max_joints).map(np.array), poses())
 
 
 @st.composite
-def moved_chains(draw, most=6):
-    """A chain and joint values for it, of a few turns and a few metres."""
-    chain = draw(chains(most))
+def chains_with_values(draw, max_joints=6):
+    """A chain and joint values for it, between -4 and 4 radians or metres."""
+    chain = draw(chains(max_joints))
     return chain, np.array(draw(st.lists(st.floats(-4, 4), min_size=chain.n, max_size=chain.n)))
 
 
 def configurations(chain, count):
-    """Joint values (count, n) from -pi to pi radians and metres, the same each time."""
+    """Configurations (count, n) with values from -pi to pi radians or metres, the same ones every time."""
     return np.random.default_rng(7).uniform(-np.pi, np.pi, (count, chain.n))
 
 

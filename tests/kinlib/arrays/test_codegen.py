@@ -7,7 +7,7 @@ import numpy as np
 import pytest
 import sympy
 from hypothesis import given
-from strategies import ROBOTS, moved_chains
+from strategies import ROBOTS, chains_with_values
 
 from kinlib import robots
 from kinlib.arrays.codegen import Tracer, trace_to_python
@@ -97,7 +97,7 @@ def test_a_program_survives_a_journey_to_another_process():
 # --- the programs of arms ---
 
 
-@given(moved_chains())
+@given(chains_with_values())
 def test_a_single_configuration_is_where_the_batch_has_it(drawn):
     chain, q = drawn
     reach = 1 + np.abs(chain.screws[:, 3:]).max() + np.abs(chain.home[:3, 3]).max() + np.abs(q).max()

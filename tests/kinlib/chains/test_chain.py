@@ -12,7 +12,7 @@ import pytransform3d.transformations as pt
 import sympy
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from strategies import ROBOTS, configurations, moved_chains, points, poses, screws
+from strategies import ROBOTS, chains_with_values, configurations, points, poses, screws
 
 from kinlib import Chain, adjoint, exp, inverse, robots, screw
 from kinlib.arrays.batching import CHUNK_COLUMNS
@@ -46,7 +46,7 @@ def test_all_forms_agree_to_1e_13_on_every_robot(robot):
         close(robot.fk_mid(q, k), T)
 
 
-@given(moved_chains())
+@given(chains_with_values())
 def test_all_forms_agree_on_any_chain(drawn):
     chain, q = drawn
     T = chain.fk(q)
@@ -63,7 +63,7 @@ def test_fk_is_the_product_of_exponentials_to_40_digits(robot):
 
 
 @settings(max_examples=25)
-@given(moved_chains())
+@given(chains_with_values())
 def test_fk_is_the_product_of_exponentials_on_any_chain(drawn):
     chain, q = drawn
     close(chain.fk(q), mpmath_oracle.fk(chain, q), allowed(chain, q))
@@ -98,7 +98,7 @@ def test_fk_and_body_jacobian_agree_with_pinocchio(robot):
 
 
 @pytest.mark.oracle("pinocchio", Chain.fk)
-@given(moved_chains())
+@given(chains_with_values())
 def test_fk_agrees_with_pinocchio_on_any_chain(drawn):
     pytest.importorskip("pinocchio", reason="no pinocchio here (the wheel `pin` does not exist for Windows)")
     chain, q = drawn
@@ -109,7 +109,7 @@ def test_fk_agrees_with_pinocchio_on_any_chain(drawn):
     )
 
 
-@given(moved_chains(), poses())
+@given(chains_with_values(), poses())
 def test_moving_the_base_frame_moves_the_answer(drawn, T):
     """Read from another fixed frame, the same arm has screws Ad_T S and home T M, and everything it does is moved by T."""
     chain, q = drawn
@@ -132,7 +132,7 @@ def test_an_axis_printed_with_nine_digits_does_not_split_the_forms():
 
 @pytest.mark.oracle("mpmath", Chain.fk_mid)
 @settings(max_examples=25)
-@given(moved_chains(), st.data())
+@given(chains_with_values(), st.data())
 def test_the_mid_form_is_the_product_to_40_digits_wherever_the_home_stands(drawn, data):
     chain, q = drawn
     k = data.draw(st.integers(0, chain.n))
@@ -156,7 +156,7 @@ def test_joints_are_counted_and_named_as_pinocchio_does(robot):
 
 
 @pytest.mark.oracle("pytransform3d", Chain.lines)
-@given(moved_chains())
+@given(chains_with_values())
 def test_the_lines_of_the_axes_are_those_of_pytransform3d(drawn):
     chain, _ = drawn
     points, axes, pitches = zip(*map(pt.screw_parameters_from_screw_axis, chain.screws), strict=True)
@@ -167,7 +167,7 @@ def test_the_lines_of_the_axes_are_those_of_pytransform3d(drawn):
 # --- where the links are ---
 
 
-@given(moved_chains())
+@given(chains_with_values())
 def test_link_poses_are_the_partial_products(drawn):
     chain, q = drawn
     links = chain.link_poses(q)
@@ -179,7 +179,7 @@ def test_link_poses_are_the_partial_products(drawn):
 
 
 @pytest.mark.oracle("pinocchio", Chain.link_poses)
-@given(moved_chains())
+@given(chains_with_values())
 def test_links_stand_where_pinocchio_has_its_joints(drawn):
     """Pinocchio's joint frames start at the points nearest the origin, ours at joint_points: both are parallel to {s}."""
     pin = pytest.importorskip("pinocchio", reason="no pinocchio here (the wheel `pin` does not exist for Windows)")
@@ -216,7 +216,7 @@ def test_links_start_at_their_joints_and_the_last_one_carries_the_tool(robot):
     close(robot.link_poses(q)[:, -1] @ inverse(home[-1]) @ robot.home, robot.fk(q))
 
 
-@given(moved_chains())
+@given(chains_with_values())
 def test_joint_points_lie_on_their_axes(drawn):
     chain, _ = drawn
     omega, v = chain.screws[:, :3], chain.screws[:, 3:]
@@ -248,7 +248,7 @@ def test_the_jacobian_is_the_derivative_to_40_digits(robot):
 
 
 @pytest.mark.oracle("modern_robotics", Chain.jacobian, Chain.body_jacobian)
-@given(moved_chains())
+@given(chains_with_values())
 def test_jacobians_agree_with_modern_robotics(drawn):
     chain, q = drawn
     q = np.where(np.abs(q) < 1e-5, 0, q)  # modern_robotics takes turns below 1e-6 for none
@@ -256,7 +256,7 @@ def test_jacobians_agree_with_modern_robotics(drawn):
     close(chain.body_jacobian(q), mr.JacobianBody(chain.body_screws.T, q), allowed(chain, q))
 
 
-@given(moved_chains())
+@given(chains_with_values())
 def test_the_body_jacobian_is_the_space_jacobian_read_in_the_tool_frame(drawn):
     chain, q = drawn
     close(adjoint(chain.fk(q)) @ chain.body_jacobian(q), chain.jacobian(q), allowed(chain, q))

@@ -7,7 +7,7 @@ import modern_robotics as mr
 import numpy as np
 import pytest
 from hypothesis import given
-from strategies import ROBOTS, configurations, moved_chains
+from strategies import ROBOTS, chains_with_values, configurations
 
 from kinlib import Chain, robots
 from kinlib.chains.fast_kinematics import FastKinematics
@@ -27,7 +27,7 @@ def allowed(chain, q):
 
 
 @each_equation
-@given(moved_chains())
+@given(chains_with_values())
 def test_a_single_configuration_is_what_the_equation_says(method, drawn):
     chain, q = drawn
     close(method(chain, q), method.__wrapped__(chain, q), allowed(chain, q))
@@ -35,7 +35,7 @@ def test_a_single_configuration_is_what_the_equation_says(method, drawn):
 
 
 @each_equation
-@given(moved_chains())
+@given(chains_with_values())
 def test_a_batch_is_what_the_equation_says(method, drawn):
     chain, q = drawn
     batch = np.stack([q, -q, q / 3, 0 * q]).reshape(2, 2, chain.n)

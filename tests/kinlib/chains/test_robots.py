@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from strategies import FAMILIES, ROBOTS, configurations, directions, points, rotation_vectors
+from strategies import ROBOT_FUNCTIONS, ROBOTS, configurations, directions, points, rotation_vectors
 
 from kinlib import exp, hat, inverse, line, robots, screw
 from kinlib.arrays import validation
@@ -41,7 +41,7 @@ def test_the_joints_are_of_the_kinds_that_the_documents_say(name):
     assert getattr(robots, name)().joint_types == LETTERS[name]
 
 
-@pytest.mark.parametrize("family", FAMILIES, ids=lambda family: family.__name__)
+@pytest.mark.parametrize("family", ROBOT_FUNCTIONS, ids=lambda family: family.__name__)
 def test_every_robot_knows_its_source_and_has_a_name_of_its_own(family):
     robot = family()
     assert any(word in robot.source for word in ("deck", "Lecture", "lecture"))
@@ -49,7 +49,7 @@ def test_every_robot_knows_its_source_and_has_a_name_of_its_own(family):
 
 
 @settings(max_examples=30)
-@pytest.mark.parametrize("family", FAMILIES, ids=lambda family: family.__name__)
+@pytest.mark.parametrize("family", ROBOT_FUNCTIONS, ids=lambda family: family.__name__)
 @given(data=st.data())
 def test_every_family_keeps_its_joints_apart_over_its_whole_range(family, data):
     """No two joints do the same: somewhere, all n columns of the Jacobian are independent."""

@@ -2,7 +2,7 @@
 
 import numpy as np
 import pytest
-from example_arms import arm, few, rechosen
+from example_arms import arm, reduced_count, with_other_choices
 
 import kinlib as kl
 from kinlib import DHTable, assign_frames, equivalent
@@ -11,16 +11,16 @@ from kinlib import DHTable, assign_frames, equivalent
 @pytest.mark.parametrize("seed", range(8))
 def test_every_legal_rechoice_is_the_same_mechanism(seed):
     rng = np.random.default_rng(seed)
-    for _ in range(few(40)):
+    for _ in range(reduced_count(40)):
         chain, cases = arm(rng, int(rng.integers(1, 9)))
-        assert equivalent(chain, rechosen(rng, chain)), (chain.joint_types, cases)
+        assert equivalent(chain, with_other_choices(rng, chain)), (chain.joint_types, cases)
 
 
 @pytest.mark.parametrize("seed", range(4))
 def test_the_map_that_is_given_is_a_proof(seed):
     rng = np.random.default_rng(seed)
     chain, _ = arm(rng, 6)
-    other = rechosen(rng, chain)
+    other = with_other_choices(rng, chain)
     found = equivalent(chain, other)
     q = rng.uniform(-2, 2, (50, 6))
     mapped = found.base @ chain.fk(found.signs * q + found.offsets) @ found.tool
@@ -45,7 +45,7 @@ def settles(chain, other):
 def test_a_changed_twist_is_never_the_same_mechanism(seed):
     """alpha between two neighbours is what no choice can change, however little it is off."""
     rng = np.random.default_rng(100 + seed)
-    for _ in range(few(30)):
+    for _ in range(reduced_count(30)):
         chain, _ = arm(rng, int(rng.integers(2, 8)))
         table = assign_frames(chain, convention="standard").table
         rows = table.rows.copy()
@@ -60,7 +60,7 @@ def test_a_changed_twist_is_never_the_same_mechanism(seed):
 def test_a_yes_is_always_right(seed):
     """Any entry, changed by any amount: if the answer is yes, the map shows it; if no, the poses differ by more."""
     rng = np.random.default_rng(200 + seed)
-    for _ in range(few(30)):
+    for _ in range(reduced_count(30)):
         chain, _ = arm(rng, int(rng.integers(2, 7)))
         table = assign_frames(chain, convention="modified").table
         rows = table.rows.copy()

@@ -15,7 +15,7 @@ from scipy.optimize import least_squares
 from scipy.sparse.csgraph import breadth_first_order, connected_components, shortest_path
 from scipy.spatial import distance
 from scipy.spatial.transform import Rotation
-from strategies import directions, moved_chains, points
+from strategies import chains_with_values, directions, points
 from strategies import poses as drawn_poses
 from strategies import screws as drawn_screws
 
@@ -317,7 +317,7 @@ def test_a_cylinder_slides_and_turns_about_one_line_of_modern_robotics(point, ax
 
 
 @pytest.mark.oracle("pinocchio", Mechanism.from_chain, Mechanism.from_branches, joints_of_chain)
-@given(moved_chains(3), moved_chains(3))
+@given(chains_with_values(3), chains_with_values(3))
 def test_chains_bent_round_and_joined_close_where_pinocchio_says(one, two):
     """For a ring, log of its pose; for two branches, T_1 = T_2: what moves the end of one must move that of the other."""
     pin = pytest.importorskip("pinocchio", reason="no pinocchio here (the wheel `pin` does not exist for Windows)")

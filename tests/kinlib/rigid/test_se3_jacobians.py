@@ -94,7 +94,7 @@ def test_going_on_along_the_same_twist_adds_it(x):
     close(left_jacobian_inverse(x) @ x, x)
 
 
-@given(twists(most=3.0))
+@given(twists(largest=3.0))
 def test_from_the_other_side_it_is_the_same_up_to_the_adjoint(x):
     """log(exp(V) E) = log(E exp(Ad(E^-1) V)): the right Jacobian is the left one of -x."""
     close(left_jacobian_inverse(x), left_jacobian_inverse(-x) @ adjoint(inverse(exp(x))))

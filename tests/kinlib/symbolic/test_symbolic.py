@@ -73,7 +73,7 @@ def test_lambdify_gives_a_function_as_right_as_the_formula(robot):
 
 
 @settings(max_examples=15, deadline=None)
-@given(chains(most=4))
+@given(chains(max_joints=4))
 def test_any_chain_of_doubles_keeps_its_digits(chain):
     T = symbolic.fk(chain)
     assert not T.atoms(sp.Float)

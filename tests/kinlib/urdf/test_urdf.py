@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from scipy.linalg import norm
 from scipy.sparse.csgraph import shortest_path
 from scipy.spatial.transform import Rotation
-from strategies import FAMILIES, configurations, directions, points, poses, rotations
+from strategies import ROBOT_FUNCTIONS, configurations, directions, points, poses, rotations
 from urdf_files import ARMS, TROSSEN, as_pinocchio_reads, text_of
 
 import kinlib as kl
@@ -29,7 +29,7 @@ CONVENTIONS = ("standard", "modified")
 TABLES = {"Lynxmotion AL5D": 5e-9}
 """Where no DH table is as close: this file writes pi with nine decimals, so that its parallel axes are 6e-10 rad off
 parallel, and no row holds that. The normal of the exact row stands 1e8 m away; the parallel row errs by the angle."""
-ROBOTS = [family() for family in FAMILIES if "H" not in family().joint_types]
+ROBOTS = [family() for family in ROBOT_FUNCTIONS if "H" not in family().joint_types]
 
 each_arm = pytest.mark.parametrize("name", ARMS)
 
