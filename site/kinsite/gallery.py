@@ -192,12 +192,8 @@ def arm_tables(chain: Chain) -> str:
 
 def screw_table(chain: Chain) -> str:
     """Write the space and body screws, one row for each joint."""
-    rows = [
-        f"| {i} | ${screw_text(S)}$ | ${screw_text(B)}$ |"
-        for i, (S, B) in enumerate(zip(chain.screws, chain.body_screws, strict=True), start=1)
-    ]
-    head = "| joint | in {s}: $S_i = (\\omega, v)$ | in {b}: $B_i = (\\omega, v)$ |\n| --- | --- | --- |"
-    return "\n".join([head, *rows])
+    rows = [[f"${screw_text(S)}$", f"${screw_text(B)}$"] for S, B in zip(chain.screws, chain.body_screws, strict=True)]
+    return markdown_table(rows, ["joint", "in {s}: $S_i = (\\omega, v)$", "in {b}: $B_i = (\\omega, v)$"])
 
 
 def screw_text(S: ArrayLike) -> str:
