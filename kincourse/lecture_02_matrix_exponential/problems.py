@@ -15,9 +15,9 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z, arm
 from kinlib.chains.robots import pose as frame
 from kinlib.rigid.lie import exp, hat, homogeneous
-from kinlib.symbolic.merge_rotations import pose as symbolic_pose
+from kinlib.symbolic.merge_rotations import homogeneous as symbolic_pose
 from kinlib.symbolic.merge_rotations import rotation as turn
-from kinlib.symbolic.merge_rotations import skew
+from kinlib.symbolic.merge_rotations import skew_symmetric
 from kinlib.symbolic.numbers import exact
 from kinlib.view import draw_joints
 from misstep.answers.expression import ClosedForm
@@ -132,7 +132,7 @@ def rotation_as_a_formula(sampler: ArmSampler) -> Problem:
     one, two, length = sampler.choice(PYTHAGOREAN_TRIPLES)
     whole = sp.Matrix(sampler.shuffled([0, sampler.choice((-1, 1)) * one, sampler.choice((-1, 1)) * two]))
     omega = whole / length
-    W, s, c = skew(omega), sp.sin(THETA), sp.cos(THETA)
+    W, s, c = skew_symmetric(omega), sp.sin(THETA), sp.cos(THETA)
     R = turn(omega, THETA)
     return Problem(
         statement=f"Give $R(\\theta) = e^{{[\\omega]\\theta}}$ for $\\omega = \\tfrac{{1}}{{{length}}}{vector(list(whole))}$ as a "
@@ -183,7 +183,7 @@ def where_the_origin_goes(sampler: ArmSampler) -> Problem:
     w = exact(d)
     point = A * exact(e) + k * exact(np.abs(np.cross(d, e)))
     v = point.cross(w)
-    W, R, s, c = skew(w), turn(w, THETA), sp.sin(THETA), sp.cos(THETA)
+    W, R, s, c = skew_symmetric(w), turn(w, THETA), sp.sin(THETA), sp.cos(THETA)
     told = ", ".join(str(entry) for entry in point)
     return Problem(
         statement=f"A joint turns about ${vector(d)}$ through the point $({told})$, with a length $a$ that nobody has measured yet. "

@@ -1,19 +1,20 @@
-"""How a long product of turns stays short: parallel axes are merged before anything is multiplied.
+"""Keep long products of rotations short: merge the rotations about parallel axes before multiplying.
 
-Multiplied out, the forward kinematics of an arm is pages of sines and cosines, and simplifying them takes seconds. Most of
-that work undoes what need not be done: two parallel joints give cos(q2) cos(q3) - sin(q2) sin(q3), and simplify finds
-cos(q2 + q3) in it again. So the angles are added first. That is allowed, because the exponents of turns about one direction
-are multiples of one matrix, and multiples of one matrix commute:
+Multiplied out, the forward kinematics of an arm is pages of sines and cosines, and simplifying them takes seconds. Most of this
+work can be avoided. For example, two parallel joints give cos(q2) cos(q3) - sin(q2) sin(q3), in which simplify finds
+cos(q2 + q3) again. So the angles are added first. This is allowed because the exponents of rotations about one direction are
+multiples of one matrix, and multiples of one matrix commute:
 
     e^[w]a e^[w]b = e^[w](a + b)
 
-If the axes are parallel and apart, a shift stands between the turns. Each shift is turned by all that stands before it:
+If the axes are parallel but not equal, there is a translation between the rotations. Each translation is rotated by all the
+rotations before it:
 
-    turn(a) shift(t) turn(b) shift(u)  =  e^[w](a + b), shifted by e^[w]a t + e^[w](a + b) u
+    rotate(a) translate(t) rotate(b) translate(u)  =  e^[w](a + b), translated by e^[w]a t + e^[w](a + b) u
 
-You read a planar arm off its drawing in the same way: a_1 c_1 + a_2 c_12. So an arm is a word of turns and shifts. Each run
-of parallel turns becomes one pose, and the poses are multiplied from the right, beginning at the tool: there a column of the
-product is a few letters long, and each joint to the left multiplies it once.
+This is how you read a planar arm from its drawing: a_1 c_1 + a_2 c_12. So an arm is written as a sequence of rotations and
+translations. Each group of rotations about parallel axes becomes one pose, and the poses are multiplied from the right,
+beginning at the end-effector: there a column of the product has few terms, and each joint to the left multiplies it once.
 """
 
 from collections.abc import Iterable
@@ -23,113 +24,119 @@ from typing import NamedTuple
 import sympy as sp
 
 
-class Turn(NamedTuple):
-    """One letter of a word: a turn about a unit vector. The other letter, a shift, is a column of three lengths."""
+class AxisRotation(NamedTuple):
+    """A factor of a product: the rotation by an angle about a unit vector. The other kind of factor, a translation, is a 3x1."""
 
     axis: sp.Matrix
     angle: sp.Expr
 
 
-Word = list[Turn | sp.Matrix]
+Factors = list[AxisRotation | sp.Matrix]
+"""A product of rotations and translations, from left to right."""
 
 
-def product(word: Iterable[Turn | sp.Matrix], end: sp.Matrix) -> sp.Matrix:
-    """Multiply a word of turns and shifts, from left to right, and a pose behind it: 4x4.
+def multiply(factors: Iterable[AxisRotation | sp.Matrix], end: sp.Matrix) -> sp.Matrix:
+    """Multiply rotations and translations, from left to right, and a pose at the right end: 4x4.
 
     >>> x, z, (a, b, c) = sp.Matrix([1, 0, 0]), sp.Matrix([0, 0, 1]), sp.symbols("a b c")
-    >>> product([Turn(z, a), x, Turn(z, b), c * x], sp.eye(4))[:2, 3].T
+    >>> multiply([AxisRotation(z, a), x, AxisRotation(z, b), c * x], sp.eye(4))[:2, 3].T
     Matrix([[c*cos(a + b) + cos(a), c*sin(a + b) + sin(a)]])
     """
-    runs, renamed = [Run()], sp.eye(3)
-    for letter in word:
-        if not isinstance(letter, Turn):
-            runs[-1].shift(renamed * letter)
-        elif (2 * letter.angle / sp.pi).is_Integer:
-            # A quarter turn that never changes moves nothing: it renames the axes of all that follows.
-            renamed = renamed * rotation(*letter)
+    groups, constant = [RotationGroup()], sp.eye(3)
+    for factor in factors:
+        if not isinstance(factor, AxisRotation):
+            groups[-1].translate(constant * factor)
+        elif (2 * factor.angle / sp.pi).is_Integer:
+            # A constant rotation by a multiple of pi/2 only permutes the coordinate axes of everything to its right.
+            constant = constant * rotation(*factor)
         else:
-            turn = Turn(renamed * letter.axis, letter.angle)
-            if not runs[-1].takes(turn):
-                runs.append(Run())
-            runs[-1].turn(turn)
-    T = pose(renamed, sp.zeros(3, 1)) * end
-    for run in reversed(runs):
-        T = run.carry(T)
-    return T.applyfunc(signs_gathered)
+            turn = AxisRotation(constant * factor.axis, factor.angle)
+            if not groups[-1].accepts(turn):
+                groups.append(RotationGroup())
+            groups[-1].rotate(turn)
+    T = homogeneous(constant, sp.zeros(3, 1)) * end
+    for group in reversed(groups):
+        T = group.multiply(T)
+    return T.applyfunc(collect_signs)
 
 
 @dataclass
-class Run:
-    """Turns about one direction and the shifts between them, each of which is kept by the angle that turns it."""
+class RotationGroup:
+    """Consecutive rotations about one direction, with the translations between them.
+
+    axis          the unit vector 3x1, None before the first rotation
+    angle         the sum of the angles
+    translations  for each angle reached so far, the sum of the translations 3x1 that are rotated by it
+    """
 
     axis: sp.Matrix | None = None
     angle: sp.Expr = sp.S.Zero
-    shifts: dict[sp.Expr, sp.Matrix] = field(default_factory=dict)
+    translations: dict[sp.Expr, sp.Matrix] = field(default_factory=dict)
 
-    def takes(self, turn: Turn) -> bool:
-        """Whether the turn is about this direction, or about its opposite."""
+    def accepts(self, turn: AxisRotation) -> bool:
+        """Whether a rotation is about the direction of this group, or about the opposite direction."""
         return self.axis is None or turn.axis in (self.axis, -self.axis)
 
-    def turn(self, turn: Turn) -> None:
-        """Go on turning: about the opposite direction, by minus the angle."""
+    def rotate(self, turn: AxisRotation) -> None:
+        """Append a rotation that the group accepts: about the opposite direction, its angle is subtracted."""
         if self.axis is None:
             self.axis = turn.axis
         self.angle += turn.angle if turn.axis == self.axis else -turn.angle
 
-    def shift(self, by: sp.Matrix) -> None:
-        """Shift by a vector, in the frame that the turns so far have turned."""
-        self.shifts[self.angle] = self.shifts.get(self.angle, sp.zeros(3, 1)) + by
+    def translate(self, vector: sp.Matrix) -> None:
+        """Append a translation, given in the frame after the rotations so far."""
+        self.translations[self.angle] = self.translations.get(self.angle, sp.zeros(3, 1)) + vector
 
-    def carry(self, T: sp.Matrix) -> sp.Matrix:
-        """Multiply a pose from the left by this run."""
-        none = sp.zeros(3, 1)
+    def multiply(self, T: sp.Matrix) -> sp.Matrix:
+        """Multiply the pose of this group by a pose T at its right: 4x4."""
+        zero = sp.zeros(3, 1)
         if self.axis is None:
-            return pose(sp.eye(3), self.shifts.get(self.angle, none)) * T
-        shifts = {**self.shifts, self.angle: self.shifts.get(self.angle, none) + T[:3, 3]}
-        p = sum((rotation(self.axis, angle) * shift for angle, shift in shifts.items()), none)
-        return pose(rotation(self.axis, self.angle) * T[:3, :3], p)
+            return homogeneous(sp.eye(3), self.translations.get(self.angle, zero)) * T
+        translations = {**self.translations, self.angle: self.translations.get(self.angle, zero) + T[:3, 3]}
+        p = sum((rotation(self.axis, angle) * vector for angle, vector in translations.items()), zero)
+        return homogeneous(rotation(self.axis, self.angle) * T[:3, :3], p)
 
 
 def rotation(axis: sp.Matrix, angle: sp.Expr) -> sp.Matrix:
-    """Turn about a unit vector: R = I + sin(angle) [w] + (1 - cos(angle)) [w]^2, 3x3.
+    """Write the rotation about a unit vector w: R = I + sin(angle) [w] + (1 - cos(angle)) [w]^2, 3x3.
 
     Source: Modern Robotics, (3.51), Rodrigues' formula.
 
     >>> rotation(sp.Matrix([0, 0, 1]), sp.Symbol("q"))[0, :]
     Matrix([[cos(q), -sin(q), 0]])
     """
-    W = skew(axis)
+    W = skew_symmetric(axis)
     return sp.eye(3) + sp.sin(angle) * W + (1 - sp.cos(angle)) * W * W
 
 
-def skew(w: sp.Matrix) -> sp.Matrix:
-    """Write the cross product with w as a matrix, 3x3.
+def skew_symmetric(w: sp.Matrix) -> sp.Matrix:
+    """Write the cross product with w as a skew-symmetric matrix, 3x3.
 
-    >>> (skew(sp.Matrix([0, 0, 1])) * sp.Matrix([1, 0, 0])).T
+    >>> (skew_symmetric(sp.Matrix([0, 0, 1])) * sp.Matrix([1, 0, 0])).T
     Matrix([[0, 1, 0]])
     """
     a, b, c = w
     return sp.Matrix([[0, -c, b], [c, 0, -a], [-b, a, 0]])
 
 
-def pose(R: sp.Matrix, p: sp.Matrix) -> sp.Matrix:
-    """Write a pose from its rotation and its position, 4x4.
+def homogeneous(R: sp.Matrix, p: sp.Matrix) -> sp.Matrix:
+    """Write the homogeneous transformation with a rotation and a position, 4x4.
 
-    >>> pose(sp.eye(3), sp.Matrix([1, 2, 3]))[:, 3].T
+    >>> homogeneous(sp.eye(3), sp.Matrix([1, 2, 3]))[:, 3].T
     Matrix([[1, 2, 3, 1]])
     """
     return R.row_join(p).col_join(sp.Matrix([[0, 0, 0, 1]]))
 
 
-def signs_gathered(expression: sp.Expr) -> sp.Expr:
-    """Move minus signs through brackets, so that a sum inside a product never begins with a minus that could stand outside.
+def collect_signs(expression: sp.Expr) -> sp.Expr:
+    """Move minus signs out of sums, so that no factor of a product is a sum whose minus could be in front of the product.
 
     >>> x, y, z = sp.symbols("x y z")
-    >>> signs_gathered(-(x - y) * z), signs_gathered((-x - y) * z)
+    >>> collect_signs(-(x - y) * z), collect_signs((-x - y) * z)
     (z*(-x + y), -z*(x + y))
     """
 
-    def gathered(product: sp.Expr) -> sp.Expr:
+    def collect(product: sp.Expr) -> sp.Expr:
         number, factors = product.as_coeff_mul()
         for i, factor in enumerate(factors):
             if factor.is_Add:
@@ -138,4 +145,4 @@ def signs_gathered(expression: sp.Expr) -> sp.Expr:
                     number, factors = -number, (*factors[:i], -factor, *factors[i + 1 :])
         return sp.Mul(number, *factors)
 
-    return expression.replace(lambda part: part.is_Mul, gathered)
+    return expression.replace(lambda part: part.is_Mul, collect)

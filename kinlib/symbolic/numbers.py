@@ -1,4 +1,4 @@
-"""Numbers and names in SymPy: what a float stands for, what the joint values are called, how a cosine is written short."""
+"""Numbers and names in SymPy: the exact number that a float means, the symbols of joint values, and the shorthand c_1, s_23."""
 
 import re
 from numbers import Rational
@@ -9,21 +9,22 @@ import sympy as sp
 
 from kinlib.arrays import validation
 
-EQUAL = 1e-14
-"""How far a float may lie from the exact number that it stands for, relative to its size above 1: some fifty roundings."""
+FLOAT_RTOL = 1e-14
+"""The largest difference between a float and the exact number that it means, relative to max(1, |x|): about fifty roundings."""
 
-DECIMALS, DIVISOR, SQUARE = 9, 360, 10_000
-"""What an exact number is: so many decimals; pi times a fraction over so much; the root of a fraction over so much."""
+MAX_DECIMALS, MAX_PI_DENOMINATOR, MAX_SQUARE_DENOMINATOR = 9, 360, 10_000
+"""The simple exact numbers: with so many decimals; pi times a fraction, or the square root of a fraction, with such a denominator."""
 
 
 def exact(x: Any) -> Any:
-    """Read numbers as what they stand for: 0.25 as 1/4, 1.5707963267948966 as pi/2, 0.7071067811865476 as sqrt(2)/2.
+    """Read floats as the exact numbers that they mean: 0.25 as 1/4, 1.5707963267948966 as pi/2, 0.7071067811865476 as sqrt(2)/2.
 
-    A number, an expression, or an array of them -> the same in SymPy, without a float. Vectors stand in columns.
-    A float within some fifty roundings of them is at most 9 decimals, or else pi times a fraction over at most 360, or
-    else the root of a fraction over at most 10000. Any other becomes the simplest fraction that is the same double.
+    A number, an expression, or an array of them -> the same in SymPy, without a float. Vectors become columns.
+    If a float is within about fifty roundings of a number with at most 9 decimals, it becomes this number; if not, then pi times
+    a fraction with a denominator of at most 360; if not, then the square root of a fraction with a denominator of at most 10000.
+    Any other float becomes the simplest fraction that is the same double.
 
-    Raises ValueError for NaN, infinity, and what is no number.
+    Raises ValueError for NaN, infinity, and anything that is not a number.
 
     >>> exact([0.30000000000000004, -np.pi / 3, np.sqrt(3) / 2]).T
     Matrix([[3/10, -pi/3, sqrt(3)/2]])
@@ -32,20 +33,20 @@ def exact(x: Any) -> Any:
         return sp.Matrix(x).applyfunc(exact)
     if isinstance(x, sp.Expr):
         if x.has(sp.nan, sp.zoo, sp.oo):
-            raise ValueError(f"An exact number is finite; got {x}. Was there a division by zero before this step?")
-        return x.xreplace({number: _recognised(float(number)) for number in x.atoms(sp.Float)})
+            raise ValueError(f"An exact number must be finite; got {x}. Was there a division by zero before this step?")
+        return x.xreplace({number: _exact_number(float(number)) for number in x.atoms(sp.Float)})
     if isinstance(x, Rational):
         return sp.Rational(x.numerator, x.denominator)
     if isinstance(x, list | tuple | np.ndarray) and (dimensions := np.ndim(x)):
         if dimensions > 2:
-            raise ValueError(f"SymPy has numbers, vectors and matrices; got an array of shape {np.shape(x)}.")
+            raise ValueError(f"x must be a number, a vector or a matrix; got an array of shape {np.shape(x)}.")
         rows = np.asarray(x, dtype=object).reshape(len(x), -1)
         return sp.Matrix(*rows.shape, [exact(entry) for entry in rows.flat])
-    return _recognised(float(validation.array(x, "x")))
+    return _exact_number(float(validation.array(x, "x")))
 
 
 def joints(n: int) -> tuple[sp.Symbol, ...]:
-    """Name the joint values of an arm: real symbols q_1 ... q_n.
+    """Return symbols for the n joint values of an arm: real symbols q_1 ... q_n.
 
     >>> joints(3)
     (q_1, q_2, q_3)
@@ -54,10 +55,10 @@ def joints(n: int) -> tuple[sp.Symbol, ...]:
 
 
 def shorthand(expression: Any) -> Any:
-    """Write c_1 for cos(q_1) and s_23 for sin(q_2 + q_3), as on a blackboard: symbols that notebooks print as $s_{23}$.
+    """Abbreviate cos(q_1) as c_1 and sin(q_2 + q_3) as s_23, as on a blackboard: symbols that notebooks print as $s_{23}$.
 
-    An expression or a matrix in q_i or theta_i -> the same, to be read; to compute on, keep the original. Angles beyond 9
-    have no shorthand: s_12 would be the sine of one or of two.
+    An expression or a matrix in q_i or theta_i -> the same, for display only: compute with the original. Angles with an index
+    above 9 have no shorthand, because s_12 could then mean the sine of one angle or of the sum of two.
 
     >>> q_1, q_2, a_2 = sp.symbols("q_1 q_2 a_2")
     >>> shorthand(a_2 * sp.cos(q_1 + q_2) - sp.sin(q_1) ** 2)
@@ -65,28 +66,28 @@ def shorthand(expression: Any) -> Any:
     """
     if isinstance(expression, sp.MatrixBase):
         return expression.applyfunc(shorthand)
-    return expression.replace(lambda part: bool(_short(part)), lambda part: sp.Symbol(_short(part)))
+    return expression.replace(lambda part: bool(_abbreviation(part)), lambda part: sp.Symbol(_abbreviation(part)))
 
 
-def _short(part: Any) -> str:
-    """The shorthand of a sine or cosine of numbered angles, or nothing."""
+def _abbreviation(part: Any) -> str:
+    """The shorthand of a sine or cosine of numbered angles, or "" for anything else."""
     if not isinstance(part, sp.cos | sp.sin):
         return ""
-    found = [re.fullmatch(r"(q|theta)_?([1-9])", str(angle)) for angle in sp.Add.make_args(part.args[0])]
-    if not all(found) or len({angle[1] for angle in found if angle}) > 1:
+    matches = [re.fullmatch(r"(q|theta)_?([1-9])", str(angle)) for angle in sp.Add.make_args(part.args[0])]
+    if not all(matches) or len({match[1] for match in matches if match}) > 1:
         return ""
-    digits = "".join(sorted(angle[2] for angle in found if angle))
+    digits = "".join(sorted(match[2] for match in matches if match))
     return f"{'c' if isinstance(part, sp.cos) else 's'}_{digits}"
 
 
-def _recognised(x: float) -> sp.Expr:
+def _exact_number(x: float) -> sp.Expr:
     candidates = (
-        lambda: sp.Rational(repr(round(x, DECIMALS))),
-        lambda: sp.Rational(x / np.pi).limit_denominator(DIVISOR) * sp.pi,
-        lambda: sp.sign(x) * sp.sqrt(sp.Rational(x * x).limit_denominator(SQUARE)),
+        lambda: sp.Rational(repr(round(x, MAX_DECIMALS))),
+        lambda: sp.Rational(x / np.pi).limit_denominator(MAX_PI_DENOMINATOR) * sp.pi,
+        lambda: sp.sign(x) * sp.sqrt(sp.Rational(x * x).limit_denominator(MAX_SQUARE_DENOMINATOR)),
     )
     for candidate in candidates:
-        if abs(float(number := candidate()) - x) <= EQUAL * max(1.0, abs(x)):
+        if abs(float(number := candidate()) - x) <= FLOAT_RTOL * max(1.0, abs(x)):
             return number
     fractions = (sp.Rational(x).limit_denominator(10**size) for size in range(3, 18, 3))
     return next((fraction for fraction in fractions if float(fraction) == x), sp.Rational(x))

@@ -17,7 +17,15 @@ from sympy.physics.vector import Point, ReferenceFrame
 import kinlib as kl
 from kinlib import symbolic
 from kinlib.symbolic.formulas import exact, joints, shorthand
-from kinlib.symbolic.merge_rotations import Run, Turn, pose, product, rotation, signs_gathered, skew
+from kinlib.symbolic.merge_rotations import (
+    AxisRotation,
+    RotationGroup,
+    collect_signs,
+    homogeneous,
+    multiply,
+    rotation,
+    skew_symmetric,
+)
 
 AGREES = 1e-12
 """Both sides carry some hundred roundings: the numeric one its own, the symbolic one those of evaluating it."""
@@ -194,10 +202,10 @@ def letters(*names):
     return sp.symbols(" ".join(names), real=True)
 
 
-@pytest.mark.oracle("sympy", symbolic.hat, symbolic.vee, skew)
+@pytest.mark.oracle("sympy", symbolic.hat, symbolic.vee, skew_symmetric)
 def test_hat_and_vee_are_those_of_sympy_s_matrices():
     w, v = sp.Matrix(letters("x", "y", "z")), sp.Matrix(letters("a", "b", "c"))
-    assert symbolic.hat(w) == skew(w) == w.hat()
+    assert symbolic.hat(w) == skew_symmetric(w) == w.hat()
     assert symbolic.hat(sp.Matrix([w, v])) == w.hat().row_join(v).col_join(sp.zeros(1, 4))
     assert symbolic.vee(w.hat()) == w.hat().vee()
 
@@ -208,10 +216,10 @@ def any_pose():
     return R.row_join(sp.Matrix(letters("x", "y", "z"))).col_join(sp.Matrix([[0, 0, 0, 1]]))
 
 
-@pytest.mark.oracle("sympy", symbolic.inverse, pose)
+@pytest.mark.oracle("sympy", symbolic.inverse, homogeneous)
 def test_the_inverse_of_a_pose_is_that_of_sympy_s_matrices():
     T = any_pose()
-    assert pose(T[:3, :3], T[:3, 3]) == T
+    assert homogeneous(T[:3, :3], T[:3, 3]) == T
     same(symbolic.inverse(T), T.inv())
 
 
@@ -233,21 +241,25 @@ def test_a_rotation_is_that_of_sympy_s_quaternions(axis):
     same(rotation(sp.Matrix(axis), q), sp.Quaternion.from_axis_angle(axis, q).to_rotation_matrix())
 
 
-def spelt_out(word):
-    """A word multiplied letter by letter, by SymPy's quaternions and matrices."""
+def product_by_sympy(factors):
+    """Rotations and translations multiplied one by one, by SymPy's quaternions and matrices."""
     T = sp.eye(4)
-    for letter in word:
-        turns = isinstance(letter, Turn)
-        R = sp.Quaternion.from_axis_angle(tuple(letter.axis), letter.angle).to_rotation_matrix() if turns else sp.eye(3)
-        p = sp.zeros(3, 1) if turns else letter
+    for factor in factors:
+        rotates = isinstance(factor, AxisRotation)
+        R = (
+            sp.Quaternion.from_axis_angle(tuple(factor.axis), factor.angle).to_rotation_matrix()
+            if rotates
+            else sp.eye(3)
+        )
+        p = sp.zeros(3, 1) if rotates else factor
         T = T * R.row_join(p).col_join(sp.Matrix([[0, 0, 0, 1]]))
     return T
 
 
 AXES = [sp.Matrix(axis) for axis in ((0, 0, 1), (0, 0, -1), (1, 0, 0), (0, sp.Rational(3, 5), sp.Rational(4, 5)))]
-words = st.lists(
+factor_lists = st.lists(
     st.one_of(
-        st.builds(Turn, st.sampled_from(AXES), st.sampled_from([q_1, q_2, q_1 + q_2, sp.pi / 2, sp.pi / 3])),
+        st.builds(AxisRotation, st.sampled_from(AXES), st.sampled_from([q_1, q_2, q_1 + q_2, sp.pi / 2, sp.pi / 3])),
         st.sampled_from([sp.Matrix([a_1, 0, 0]), sp.Matrix([0, q_3, -1])]),
     ),
     min_size=1,
@@ -255,24 +267,24 @@ words = st.lists(
 )
 
 
-@pytest.mark.oracle("sympy", product, Run.carry)
+@pytest.mark.oracle("sympy", multiply, RotationGroup.multiply)
 @settings(max_examples=10, deadline=None)
-@given(words)
-def test_a_word_is_the_product_of_its_letters_by_sympy(word):
-    same(product(word, sp.eye(4)), spelt_out(word))
+@given(factor_lists)
+def test_multiply_agrees_with_sympy_s_products(factors):
+    same(multiply(factors, sp.eye(4)), product_by_sympy(factors))
 
 
-@pytest.mark.oracle("sympy", Run.takes, Run.turn, Run.shift)
-def test_a_run_is_turns_about_one_line_as_sympy_multiplies_them():
-    run = Run()
+@pytest.mark.oracle("sympy", RotationGroup.accepts, RotationGroup.rotate, RotationGroup.translate)
+def test_a_rotation_group_agrees_with_sympy_s_products():
+    group = RotationGroup()
     z, x = AXES[0], AXES[2]
-    asked = [run.takes(Turn(z, q_1))]
-    word = [Turn(z, q_1), a_1 * x, Turn(-z, q_2), a_2 * x]
-    for letter in word:
-        (run.turn if isinstance(letter, Turn) else run.shift)(letter)
-    asked += [run.takes(Turn(axis, q_3)) for axis in (z, -z, x)]
-    same(run.carry(sp.eye(4)), spelt_out(word))
-    assert asked == [True, sp.Matrix(z).cross(z).is_zero_matrix, True, x.cross(z).is_zero_matrix]
+    accepted = [group.accepts(AxisRotation(z, q_1))]
+    factors = [AxisRotation(z, q_1), a_1 * x, AxisRotation(-z, q_2), a_2 * x]
+    for factor in factors:
+        (group.rotate if isinstance(factor, AxisRotation) else group.translate)(factor)
+    accepted += [group.accepts(AxisRotation(axis, q_3)) for axis in (z, -z, x)]
+    same(group.multiply(sp.eye(4)), product_by_sympy(factors))
+    assert accepted == [True, sp.Matrix(z).cross(z).is_zero_matrix, True, x.cross(z).is_zero_matrix]
 
 
 @pytest.mark.oracle("sympy", symbolic.dh_transform, symbolic.table_fk, joints)
@@ -360,13 +372,13 @@ def test_a_numeric_joint_value_may_stand_for_a_symbol():
     same(T, symbolic.fk(kl.robots.rpr()).subs(dict(zip(joints(3), (sp.pi / 2, q, 0), strict=True))))
 
 
-@pytest.mark.oracle("sympy", signs_gathered)
+@pytest.mark.oracle("sympy", collect_signs)
 @given(st.lists(st.sampled_from([1, -1, 2]), min_size=2, max_size=4), st.sampled_from([1, -1, 3]))
 def test_gathering_signs_changes_no_value_and_adds_no_operation(signs, factor):
     symbols = sp.symbols("x_1:5")
     total = sp.Add(*(sign * symbol for sign, symbol in zip(signs, symbols, strict=False)))
     before = sp.Mul(factor, total, q, evaluate=False) + q_1
-    after = signs_gathered(before)
+    after = collect_signs(before)
     assert sp.expand(before - after) == 0
     assert sp.count_ops(after) <= sp.count_ops(before)
 
@@ -446,18 +458,18 @@ def test_shorthand_lets_be_what_has_none(angle):
         (lambda: exact(sp.zoo), "division by zero"),
         (lambda: exact("1"), "array of real numbers"),
         (lambda: exact(np.zeros((2, 2, 2))), r"array of shape \(2, 2, 2\)"),
-        (lambda: symbolic.hat([1, 2]), "x should have 3x1 or 6x1 entries; got 2x1"),
+        (lambda: symbolic.hat([1, 2]), "x must have 3x1 or 6x1 entries; got 2x1"),
         (lambda: symbolic.hat(q), "got 1x1"),
         (lambda: symbolic.vee(sp.eye(3)), "skew"),
-        (lambda: symbolic.inverse(sp.diag(1, 1, 1, 2)), "last row should be 0 0 0 1"),
+        (lambda: symbolic.inverse(sp.diag(1, 1, 1, 2)), "must be a pose with last row 0 0 0 1"),
         (lambda: symbolic.inverse(sp.diag(1, 2, 1)), "not rigid"),
-        (lambda: symbolic.screw((1, 1, 0)), r"unit vector; its length is sqrt\(2\)"),
-        (lambda: symbolic.fk([[0, 0, 2, 0, 0, 0]], sp.eye(4)), "screw 1 should have"),
-        (lambda: symbolic.fk([[0, 0, 1, 0, 0, 0]]), "give its home pose"),
-        (lambda: symbolic.fk([[0, 0, 1, 0, 0, 0]], sp.eye(3)), "Where is its origin"),
-        (lambda: symbolic.fk(kl.robots.rpr(), q=[1, 2]), "q should have 3x1 entries; got 2x1"),
-        (lambda: symbolic.table_fk([(0, 0, 0)], "standard"), "row 1 should have 4x1 entries; got 3x1"),
-        (lambda: symbolic.table_fk([(0, 90, 0, q)], "standard"), "Is it in degrees"),
+        (lambda: symbolic.screw((1, 1, 0)), r"axis must be a unit vector; its length is sqrt\(2\)"),
+        (lambda: symbolic.fk([[0, 0, 2, 0, 0, 0]], sp.eye(4)), "screw 1 must have"),
+        (lambda: symbolic.fk([[0, 0, 1, 0, 0, 0]]), "must be given with the home pose"),
+        (lambda: symbolic.fk([[0, 0, 1, 0, 0, 0]], sp.eye(3)), "home must be a pose, 4x4; got a rotation"),
+        (lambda: symbolic.fk(kl.robots.rpr(), q=[1, 2]), "q must have 3x1 entries; got 2x1"),
+        (lambda: symbolic.table_fk([(0, 0, 0)], "standard"), "row 1 must have 4x1 entries; got 3x1"),
+        (lambda: symbolic.table_fk([(0, 90, 0, q)], "standard"), "If it is in degrees, write"),
         (lambda: symbolic.table_fk([(0, 0, 0, q)]), "convention should be 'standard' or 'modified'; got None"),
     ],
 )
