@@ -1,4 +1,4 @@
-"""Cards: feedback in a frame, with an icon and a word, so that nothing hangs on colour alone."""
+"""Cards: feedback in a frame, with an icon and a title, so that no information depends on colour alone."""
 
 import html
 import re
@@ -14,16 +14,18 @@ TONES = {
     "unreadable": ("?", "#6e40c9", "#f6f1ff"),
     "note": ("i", "#0b5cad", "#eef6ff"),
 }
-"""For each tone its icon, the colour of its edge and title, and the paper. Each pair has a contrast of at least 4.5."""
+"""For each tone the icon, the colour of edge and title, and the background. Each pair has a contrast of at least 4.5."""
 
 FRAME = "border-left:5px solid {ink};background:{paper};color:#1f2328;padding:.6em 1em;margin:.4em 0;max-width:46em"
 
 
 @dataclass(frozen=True)
 class Card:
-    """A short message with a title: what a student reads after a check.
+    """A short message with a title: the feedback after a check.
 
-    Paragraphs may hold `code` and $mathematics$; a pair ("pre", text) stands as it is, in columns.
+    Paragraphs may contain `code` and $mathematics$; the text of a pair ("pre", text) is shown unchanged, in a fixed-width font.
+
+    Raises ValueError for an unknown tone.
 
     >>> card = Card("right", "Well done", ["All < 1."])
     >>> print(card.text())
@@ -39,17 +41,17 @@ class Card:
 
     def __post_init__(self) -> None:
         if self.tone not in TONES:
-            raise ValueError(f"tone should be one of {', '.join(TONES)}; got {self.tone!r}.")
+            raise ValueError(f"tone must be one of {', '.join(TONES)}; got {self.tone!r}.")
 
     def html(self) -> str:
-        """The card as HTML, with everything escaped that a message might hold."""
+        """Return the card as HTML, with special characters of messages escaped."""
         icon, ink, paper = TONES[self.tone]
         title = f'<p style="margin:0;font-weight:600;color:{ink}"><span aria-hidden="true">{icon}</span> {inline(self.title)}</p>'
         body = "".join(_paragraph(part) for part in self.body)
         return f'<div role="status" style="{FRAME.format(ink=ink, paper=paper)}">{title}{body}</div>'
 
     def text(self) -> str:
-        """The card for a terminal."""
+        """Return the card as plain text, for a terminal."""
         lines = [part if isinstance(part, str) else part[1] for part in self.body]
         indented = ("  " + line for part in lines for line in part.splitlines())
         return "\n".join([f"{TONES[self.tone][0]} {self.title}", *indented])
@@ -66,7 +68,7 @@ def _paragraph(part: str | tuple[str, str]) -> str:
 
 
 def inline(text: str) -> str:
-    """A line of text as HTML: everything escaped, `code` set as code, formulas left to whoever typesets them.
+    """Return a line of text as HTML: special characters escaped, `code` marked up, formulas left for MathJax or KaTeX.
 
     >>> inline("a < b")
     'a &lt; b'

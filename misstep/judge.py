@@ -1,6 +1,6 @@
-"""Judging: from what a student typed to a score and a reason.
+"""Judging: from a student's answer to a fraction of the points and a reason.
 
-The judge computes; it does not draw and does not print, so that it can run where no student code ever ran.
+The judge only computes. It neither draws nor prints, so it can run in a process in which no student code ever ran.
 """
 
 from collections.abc import Sequence
@@ -17,7 +17,7 @@ State = Literal["right", "partly", "wrong", "blank", "unreadable"]
 
 @dataclass(frozen=True)
 class Finding:
-    """Why some parts of an answer are wrong: the mistake that explains them, or a hint where none does."""
+    """Why some parts of an answer are wrong: the name and the message of a mistake, or a hint if no mistake explains them."""
 
     parts: Sequence[str]
     message: str
@@ -26,7 +26,7 @@ class Finding:
 
 @dataclass(frozen=True)
 class Judgement:
-    """What the judge says of one answer: the state, the fraction of the points, what is right, why the rest is not."""
+    """The result of judging one answer: its state, the fraction of the points, the right parts, and why the others are wrong."""
 
     state: State
     fraction: float = 0.0
@@ -42,49 +42,50 @@ class Judgement:
 def judge(problem: Problem, given: Any) -> Judgement:
     """Compare an answer with the right one, and explain the difference.
 
-    First each mistake is tried on the answer as a whole; then on each wrong part by itself, for people make a mistake
-    in one joint and not in the next.
+    First each mistake is compared with the whole answer, then with each wrong part separately, because a mistake is often made
+    in one part and not in the next.
     """
     answer = problem.answer
     if is_blank(given):
         return Judgement("blank", findings=[Finding(answer.parts, f"Expected: {answer.expected}.")])
     try:
         value = answer.read(given)
-    except Unreadable as fault:
-        return Judgement("unreadable", findings=[Finding(answer.parts, str(fault))])
+    except Unreadable as error:
+        return Judgement("unreadable", findings=[Finding(answer.parts, str(error))])
     right = answer.agrees(value, answer.value)
-    wrong = [part for part, fine in enumerate(right) if not fine]
+    wrong = [part for part, is_right in enumerate(right) if not is_right]
     if not wrong:
         return Judgement("right", 1.0, answer.parts)
     names = answer.parts
     return Judgement(
         "partly" if any(right) else "wrong",
         sum(right) / len(right),
-        [names[part] for part, fine in enumerate(right) if fine],
-        _explained(problem, value, wrong),
+        [names[part] for part, is_right in enumerate(right) if is_right],
+        _findings(problem, value, wrong),
     )
 
 
-def _explained(problem: Problem, value: Any, wrong: list[int]) -> list[Finding]:
+def _findings(problem: Problem, value: Any, wrong: list[int]) -> list[Finding]:
+    """Return a finding for the whole answer if a mistake explains it; otherwise for each mistake, and each unexplained part."""
     answer, names = problem.answer, problem.answer.parts
     for mistake in problem.mistakes:
         if all(answer.agrees(value, mistake.value)):
             return [Finding([names[part] for part in wrong], mistake.message, mistake.name)]
-    explained_by: dict[Mistake | None, list[int]] = {}
+    parts_by_cause: dict[Mistake | None, list[int]] = {}
     for part in wrong:
-        culprit = next((m for m in problem.mistakes if answer.agrees(value, m.value)[part]), None)
-        explained_by.setdefault(culprit, []).append(part)
+        cause = next((m for m in problem.mistakes if answer.agrees(value, m.value)[part]), None)
+        parts_by_cause.setdefault(cause, []).append(part)
     findings = []
-    for culprit, parts in explained_by.items():
-        if culprit:
-            findings.append(Finding([names[part] for part in parts], culprit.message, culprit.name))
+    for cause, parts in parts_by_cause.items():
+        if cause:
+            findings.append(Finding([names[part] for part in parts], cause.message, cause.name))
         else:
-            findings += [Finding([names[part]], _foothold(answer, value, part)) for part in parts]
+            findings += [Finding([names[part]], _hint(answer, value, part)) for part in parts]
     return findings
 
 
-def _foothold(answer: Answer, value: Any, part: int) -> str:
-    """Something true and useful about a wrong part that no mistake explains."""
+def _hint(answer: Answer, value: Any, part: int) -> str:
+    """Return a true statement about a wrong part that no mistake explains, as a first step towards finding the error."""
     if answer.agrees(value, answer.value, ROUNDING_TOLERANCE)[part]:
         return "This is close, but off in the second or third digit: it looks rounded on the way. Keep all digits until the end."
     return (

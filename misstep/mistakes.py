@@ -1,4 +1,4 @@
-"""Mistakes: a wrong way with a name, the answer that it gives, and what to say to a student who gave that answer."""
+"""Mistakes: named errors, the wrong answers to which they lead, and the feedback for them."""
 
 from dataclasses import dataclass
 from typing import Any
@@ -6,7 +6,7 @@ from typing import Any
 
 @dataclass(frozen=True, eq=False)
 class Mistake:
-    """A named wrong way, the answer it leads to, and what to say to the person who took it."""
+    """A named error, the wrong answer to which it leads, and the feedback for a student who gave this answer."""
 
     name: str
     value: Any
@@ -14,7 +14,7 @@ class Mistake:
 
 
 def mistake(name: str, value: Any, message: str) -> Mistake:
-    """Name a wrong way. The value is the answer that it gives, or a function that computes it.
+    """Make a Mistake; the value is the wrong answer, or a function that computes it.
 
     >>> mistake("sign", lambda: -1, "You turned the wrong way.").value
     -1

@@ -1,7 +1,7 @@
-"""Numbers of a student's own: the same numbers every time, and different numbers for every student.
+"""Individual numbers for each student: different for every student, and the same whenever they are drawn again.
 
-A variant depends on the student, the problem and nothing else, on every machine and for years to come. Of Python's
-generator only `random()` promises this, so everything here is built on it.
+A variant depends on the student's id and the number of the problem only, on every machine and in every version of Python.
+Python guarantees this only for `random()` of its generator, so everything here uses nothing else.
 """
 
 import hashlib
@@ -13,7 +13,7 @@ T = TypeVar("T")
 
 
 class Sampler:
-    """A source of chance that belongs to one student and one problem.
+    """A random generator for one student and one problem.
 
     >>> sampler = Sampler("ada", "03.1")
     >>> sampler.integer(1, 6) == Sampler("ada", "03.1").integer(1, 6)
@@ -29,22 +29,22 @@ class Sampler:
         self._random = random.Random(int.from_bytes(hashlib.sha256(key.encode()).digest()))
 
     def choice(self, options: Sequence[T]) -> T:
-        """One of the options, each as likely as the next."""
+        """Draw one of the options, all with the same probability."""
         return options[int(self._random.random() * len(options))]
 
     def integer(self, low: int, high: int) -> int:
-        """A whole number from low to high, both included."""
+        """Draw a whole number from low to high, both included."""
         return self.choice(range(low, high + 1))
 
     def length(self, low: float, high: float) -> float:
-        """A length in metres from low to high, in steps of 5 cm: short enough to type."""
+        """Draw a length in metres from low to high, in steps of 5 cm, so that it is short enough to type."""
         return round(self.integer(round(low * 20), round(high * 20)) / 20, 2)
 
     def degrees(self, low: int, high: int) -> int:
-        """An angle for people, in steps of 5 degrees, never 0: a joint that stands still tests nothing."""
+        """Draw an angle in degrees, in steps of 5, but never 0, because an angle of 0 hides most mistakes."""
         return self.choice([angle for angle in range(low, high + 1, 5) if angle])
 
     def shuffled(self, items: Sequence[T]) -> list[T]:
-        """The items in a drawn order."""
+        """Return the items in a random order."""
         left = list(items)
         return [left.pop(int(self._random.random() * len(left))) for _ in items]

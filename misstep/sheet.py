@@ -1,4 +1,4 @@
-"""Sheets: a handful of problems, shown, checked and counted inside a notebook."""
+"""Sheets: problems that are shown, checked and counted in a notebook or in a plain Python session."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -11,12 +11,12 @@ from misstep.storage.serialize import to_data
 from misstep.verdict import Tally, Verdict
 
 SAMPLE_ID = "your id"
-"""The id in a fresh sheet. Its numbers are as good as any, but they are everybody's."""
+"""The id in a sheet as it is released. Its numbers are valid, but they are the same for everybody."""
 
 
 @dataclass(frozen=True)
 class Sheet:
-    """The problems of one sheet, before they belong to anybody."""
+    """The problems of one sheet, before the numbers of a student are drawn."""
 
     name: str
     title: str
@@ -29,9 +29,11 @@ class Sheet:
 
 
 class OpenSheet:
-    """A sheet in the hands of one student: shows problems, checks answers, remembers the verdicts.
+    """A sheet of one student: it shows problems, checks answers and keeps the verdicts.
 
-    Problems count from 1, as on the page.
+    Problems are numbered from 1, as in the notebook.
+
+    Raises ValueError for an empty id.
 
     >>> import numpy as np
     >>> from misstep import mistake, problem
@@ -42,8 +44,6 @@ class OpenSheet:
     ...     wrong = [mistake("doubled", np.array(2.0 * x), "You multiplied by 2. Divide by 2.")]
     ...     return Problem(f"What is half of {x}?", Numbers(np.array(x / 2)), wrong, given={"x": x})
     >>> sheet = OpenSheet(Sheet("01_fractions", "Fractions", [half]), "ada")
-    >>> sheet.show(1)
-    <IPython.core.display.Markdown object>
     >>> x = sheet.given(1).x
     >>> sheet.check(1, 2 * x).judgement.mistakes
     ['doubled']
@@ -54,11 +54,11 @@ class OpenSheet:
     """
 
     def __init__(self, sheet: Sheet, student: Any) -> None:
-        # A matriculation number is an id as good as any, with or without quotes.
+        # Many ids are numbers, and students type them with or without quotes.
         student = str(student) if isinstance(student, int) and not isinstance(student, bool) else student
         if not isinstance(student, str) or not student.strip():
             raise ValueError(
-                f"student should be your id, a text such as 'ada'; got {student!r}. Your numbers come from it."
+                f"student must be your id, a text such as 'ada'; got {student!r}. Your numbers depend on it."
             )
         self.sheet = sheet
         self.student = student.strip()
@@ -66,7 +66,7 @@ class OpenSheet:
         self._drawn: dict[int, Problem] = {}
 
     def problem(self, k: int) -> Problem:
-        """This student's problem k, with its numbers.
+        """Return problem k with this student's numbers.
 
         Raises ValueError for a number that the sheet does not have.
         """
@@ -75,18 +75,21 @@ class OpenSheet:
         return self._drawn[k]
 
     def given(self, k: int) -> SimpleNamespace:
-        """What problem k gives, as values: sheet.given(1).home and the like, so that nobody has to type them."""
+        """Return the given values of problem k as attributes, for example sheet.given(1).home."""
         return SimpleNamespace(**self.problem(k).given)
 
     def show(self, k: int) -> None:
-        """Display the statement and the figure of problem k; without IPython, print the statement."""
+        """Display the statement and the figure of problem k; outside of IPython, print the statement."""
         template, problem = self._template(k), self.problem(k)
         given = "".join(f"`given.{name}` " for name in problem.given)
         note = f"\n\nFrom `given = sheet.given({k})` you have {given}" if given else ""
         text = f"**{template.title}** ({template.points} points)\n\n{problem.statement}{note}"
         try:
+            from IPython import get_ipython
             from IPython.display import Markdown, display
-        except ModuleNotFoundError:  # IPython is not a dependency: sheets also work in a plain interpreter
+        except ModuleNotFoundError:  # it is not a dependency, because sheets also work in a plain interpreter
+            get_ipython = lambda: None  # noqa: E731
+        if get_ipython() is None:
             print(text)
             return
         display(Markdown(text))
@@ -94,15 +97,15 @@ class OpenSheet:
             display(problem.figure())
 
     def check(self, k: int, answer: Any) -> Verdict:
-        """Judge an answer to problem k, and say why. Check as often as you like: the last answer counts."""
+        """Judge an answer to problem k, and explain the result. You can check as often as you like; the last answer counts."""
         template, problem = self._template(k), self.problem(k)
-        written = to_data(answer, problem.answer.inputs)
-        emission = {"sheet": self.sheet.name, "problem": k, "student": self.student, "answer": written}
+        stored = to_data(answer, problem.answer.inputs)  # for a grader, which judges it again
+        emission = {"sheet": self.sheet.name, "problem": k, "student": self.student, "answer": stored}
         self.verdicts[k] = Verdict(template, judge(problem, answer), emission)
         return self.verdicts[k]
 
     def tally(self) -> Tally:
-        """The points so far, problem by problem."""
+        """Return the points so far, problem by problem."""
         return Tally(self.sheet.problems, dict(self.verdicts), self._note)
 
     def _template(self, k: int) -> Template:
@@ -112,12 +115,12 @@ class OpenSheet:
 
     @property
     def _note(self) -> str:
-        """A word to whoever works on the sample without knowing it."""
-        sample = self.student.casefold() == SAMPLE_ID
-        return f"these are the numbers of {SAMPLE_ID!r}: type your own id at the top" if sample else ""
+        """A reminder for students who have not typed their own id yet."""
+        is_sample = self.student.casefold() == SAMPLE_ID
+        return f"these are the numbers of {SAMPLE_ID!r}: type your own id at the top" if is_sample else ""
 
     def __repr__(self) -> str:
-        told = (
+        text = (
             f"{self.sheet.title}: {len(self.sheet.problems)} problems, {self.sheet.points} points, for {self.student!r}"
         )
-        return f"{told} ({self._note})" if self._note else told
+        return f"{text} ({self._note})" if self._note else text

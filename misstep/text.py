@@ -1,10 +1,10 @@
-"""Numbers and matrices as a statement shows them: LaTeX inside Markdown, without a digit too many."""
+"""Numbers, vectors and matrices in statements: LaTeX in Markdown, with at most four significant digits."""
 
 import numpy as np
 from numpy.typing import ArrayLike
 
 ZERO_TOLERANCE = 1e-5
-"""What is smaller is written as 0. It is a hundredth of what an answer may be off, and in files it is pi / 2 cut short."""
+"""Smaller absolute values are written as 0. This is a hundredth of the tolerance of an answer."""
 
 
 def number(x: float) -> str:
@@ -26,7 +26,7 @@ def degrees(angle: float) -> str:
 
 
 def vector(x: ArrayLike) -> str:
-    """Write a vector in a row, for use between dollar signs.
+    """Write a vector as a row, for use between dollar signs.
 
     >>> vector([0, -1, 0])
     '(0, -1, 0)'

@@ -1,4 +1,4 @@
-"""Read what a student typed as numbers, or say why that is not possible."""
+"""Validation of values that students give: arrays of numbers, blanks, and descriptions for error messages."""
 
 import reprlib
 from typing import Any
@@ -12,7 +12,7 @@ Array = NDArray[np.float64]
 def array(x: ArrayLike, name: str) -> Array:
     """Read x as an array of finite real numbers.
 
-    Raises ValueError for anything else, with the place of the first NaN or infinity.
+    Raises ValueError for anything else, with the index of the first NaN or infinity.
 
     >>> array([1, 2, 3], "your answer")
     array([1., 2., 3.])
@@ -21,16 +21,16 @@ def array(x: ArrayLike, name: str) -> Array:
         values = np.asarray(x)
         if values.dtype.kind not in "biufO":
             raise TypeError(f"{values.dtype} is not a real number")
-        # By itself, astype reads None as NaN and "1" as 1. Adding zero first refuses both.
+        # astype alone would read None as NaN and "1" as 1. Adding zero first refuses both.
         values = np.asarray(values + 0.0).astype(float, copy=False)
     except (TypeError, ValueError, OverflowError) as error:
         raise ValueError(
-            f"{name} should be an array of real numbers; got {brief(x)}. "
-            "Is None, a symbol, a string or a row of another length among them?"
+            f"{name} must be an array of real numbers; got {brief(x)}. "
+            "Is there None, a symbol, a string or a row of another length among them?"
         ) from error
     if not np.isfinite(values).all():
         place = f" at index {np.argwhere(~np.isfinite(values))[0].tolist()}" if values.ndim else ""
-        raise ValueError(f"{name} holds NaN or infinity{place}. Was there a division by zero before this step?")
+        raise ValueError(f"{name} contains NaN or infinity{place}. Was there a division by zero before this step?")
     return values
 
 

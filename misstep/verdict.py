@@ -1,4 +1,4 @@
-"""Verdicts: a judgement in words, as a card that a student reads."""
+"""Verdicts: a judgement as a card for the student, with the points, and the points of a whole sheet."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
@@ -20,14 +20,14 @@ TITLES = {
 
 
 SOLVED_MIME = "application/vnd.misstep.solved+json"
-"""Under this name a check says that its problem has full marks, to a page that counts them. Nobody grades by it."""
+"""The MIME type by which a check tells the page that its problem has full marks. It plays no part in grading."""
 
 
 @dataclass(frozen=True)
 class Verdict:
-    """What one answer earned, and why. Displays itself as a card, and beside it writes down the answer as data.
+    """The points of one answer, and why. It displays itself as a card, and stores the answer as JSON beside the card.
 
-    emission  the answer with its sheet, problem and student; a grader reads it and judges for itself
+    emission  the answer with its sheet, problem and student; a grader reads it and judges it again
     """
 
     template: Template
@@ -41,14 +41,14 @@ class Verdict:
 
     @property
     def card(self) -> Card:
-        """The feedback: title and score, what is right, each mistake in words, where to re-read."""
+        """The feedback: title, points, the right parts, the message of each finding, and the section to re-read."""
         judgement, template = self.judgement, self.template
         title = f"Problem {template.number}: {TITLES[judgement.state]}"
         lines = [f"{number(self.score)} of {_points(template.points)}."]
         if judgement.state == "partly":
-            lines.append(f"Right: {_listed(judgement.right_parts)}.")
-        alone = len(judgement.right_parts) == 0 and len(judgement.findings) == 1
-        lines += [_told(finding, alone) for finding in judgement.findings]
+            lines.append(f"Right: {_enumeration(judgement.right_parts)}.")
+        is_only_finding = len(judgement.right_parts) == 0 and len(judgement.findings) == 1
+        lines += [_finding_text(finding, is_only_finding) for finding in judgement.findings]
         if judgement.findings and judgement.state != "blank":
             notebook, _, section = template.lecture.partition("#")
             lines.append(f"Re-read: lecture {notebook}, section “{section}”.")
@@ -63,7 +63,7 @@ class Verdict:
 
 @dataclass(frozen=True)
 class Tally:
-    """The points of a sheet so far. Displays itself as a table."""
+    """The points of a sheet so far. It displays itself as a table."""
 
     problems: Sequence[Template]
     verdicts: Mapping[int, Verdict]
@@ -87,11 +87,11 @@ class Tally:
         return "\n".join(rows)
 
 
-def _told(finding: Finding, alone: bool) -> str:
-    return finding.message if alone else f"{_listed(finding.parts).capitalize()}: {finding.message}"
+def _finding_text(finding: Finding, is_only_finding: bool) -> str:
+    return finding.message if is_only_finding else f"{_enumeration(finding.parts).capitalize()}: {finding.message}"
 
 
-def _listed(names: Sequence[str]) -> str:
+def _enumeration(names: Sequence[str]) -> str:
     return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
 
 

@@ -7,17 +7,14 @@ that is, if they describe the same mechanism up to the choice of zero configurat
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, ClassVar
 
 from kinlib.arrays import validation
 from kinlib.chains.chain import largest_difference, random_configurations
 from kinlib.dh.diagnosis import diagnose
 from kinlib.dh.equivalence import equivalent
 from kinlib.dh.table import DHTable
-from misstep.answers.base import TOLERANCE, Answer, Unreadable
-from misstep.storage.deserialize import register_object
-
-register_object(DHTable, DHTable.from_dict)
+from misstep.answers.base import TOLERANCE, Answer, StoredObjects, Unreadable
 
 MAX_TEXT_LENGTH = 10_000
 """Maximum number of characters of a typed table. A longer text is refused, because parsing it would take too long."""
@@ -40,6 +37,8 @@ class DHTableAnswer(Answer):
     >>> DHTableAnswer(right).agrees(flipped, right)
     [True]
     """
+
+    stored_objects: ClassVar[StoredObjects] = {DHTable: DHTable.from_dict}
 
     value: DHTable
     anchored: bool = False

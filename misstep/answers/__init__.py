@@ -1,1 +1,1 @@
-"""Kinds of answers: how each is read from what a student typed, and compared with the right one."""
+"""Kinds of answers for any subject. The module `base` says what a new kind of answer must define."""

@@ -1,4 +1,4 @@
-"""Angles as answers: the same after a full turn, and where several are asked for at once, in any order."""
+"""Angles as answers: compared modulo a full turn, and if there are several, in any order if the problem allows it."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -14,9 +14,9 @@ from misstep.validation import Array
 
 @dataclass(frozen=True, eq=False)
 class Angles(Numbers):
-    """Angles in radians, one or a few, (k,): 3 pi / 2 and -pi / 2 are one angle.
+    """One angle or k angles, shape (k,), in radians: 3 pi / 2 and -pi / 2 are the same angle. Each angle is a part.
 
-    any_order  whether the k angles are a set; each is a part
+    any_order  whether the order of the k angles is irrelevant
 
     >>> Angles(np.array([0.5, -0.5]), any_order=True).read([2 * np.pi - 0.5, 0.5]).round(9)
     array([ 0.5, -0.5])
@@ -41,24 +41,24 @@ class Angles(Numbers):
         )
 
     def read(self, given: Any) -> Array:
-        """Read angles, each within half a turn of the one that it is compared with.
+        """Read angles, each shifted by full turns to within half a turn of the one with which it is compared.
 
-        Raises Unreadable with what was expected and what came.
+        Raises Unreadable with what was expected and what was given.
         """
         angles = super().read(given)
         if not self.any_order:
-            return self._near(angles)
-        # The order in which most of them are right, and the others nearest, is the one that was meant.
-        orders = [self._near(angles[list(order)]) for order in permutations(range(len(angles)))]
-        return min(orders, key=self._misfit)
+            return self._modulo_turns(angles)
+        # Take the order in which most angles are right and the others are nearest: the student most likely meant this one.
+        orders = [self._modulo_turns(angles[list(order)]) for order in permutations(range(len(angles)))]
+        return min(orders, key=self._difference)
 
-    def _misfit(self, angles: Array) -> tuple[int, float]:
-        off = np.abs(angles - self.value)
-        return int(np.count_nonzero(off > ROUNDING_TOLERANCE)), float((off * off).sum())
+    def _difference(self, angles: Array) -> tuple[int, float]:
+        error = np.abs(angles - self.value)
+        return int(np.count_nonzero(error > ROUNDING_TOLERANCE)), float((error * error).sum())
 
-    def _near(self, angles: Array) -> Array:
-        turned: Array = self.value + np.remainder(angles - self.value + np.pi, 2 * np.pi) - np.pi
-        return turned
+    def _modulo_turns(self, angles: Array) -> Array:
+        shifted: Array = self.value + np.remainder(angles - self.value + np.pi, 2 * np.pi) - np.pi
+        return shifted
 
     def part_indices(self) -> list[Any]:
         return [...] if self.value.ndim == 0 else list(range(len(self.value)))

@@ -1,34 +1,94 @@
-"""Kinds of answers: how each is read from whatever a student typed, compared, and shown.
+"""The interface of a kind of answer: how an answer is read, compared, stored and withheld.
 
-An answer has parts (the screws of an arm, the rotation and the position of a pose), so that a sheet can say which part
-is right and a mistake in one part does not cost the others. Reading never trusts: what cannot be read is `Unreadable`,
-which says what was expected and what came.
+A new kind of answer is one file with one subclass of Answer, in misstep/answers/ if it fits any subject, or in the folder
+answers/ of a course. It defines:
+
+    expected          what to type, in words, for feedback
+    parts             the names of the parts that are judged and scored one by one
+    read              how a student's value is read, or refused by Unreadable
+    agrees            how two values are compared, part by part
+
+and only where the default is not enough:
+
+    hint              what to say about a wrong part that no mistake explains
+    with_inputs       other inputs, if the answer is a function
+    stored_objects    the classes of objects that are answers, each with the function that makes an object from its fields
+
+Storing: a check cell stores the answer as JSON (`misstep.storage`), so that a grader reads data and never runs what made it.
+Numbers, arrays, text, lists, dictionaries, SymPy expressions and the outputs of functions are stored without further ado.
+An object is stored if it has a method to_dict(); `stored_objects` registers its class when the subclass of Answer is defined.
+`Course.requires` names the package of that class, so that submissions can import it.
+
+Withholding: where submissions run, neither the answer nor its class is available. The only attribute that travels there is
+`inputs`, so `inputs` must not contain anything that helps to find the answer.
 """
 
 from abc import ABC, abstractmethod
-from collections.abc import Sequence
-from typing import Any
+from collections.abc import Callable, Mapping, Sequence
+from typing import Any, ClassVar
+
+from misstep.storage.deserialize import register_object
 
 TOLERANCE = 1e-3
-"""How far a number may be off, relative to its size where that is above 1: three printed decimals are enough."""
+"""The accepted error of a number, relative to its size if that is above 1: three printed decimals are enough."""
 
 MAX_NUMBER = 1e12
-"""No answer of the course is larger; what is has lost its way, and its square would not fit into a number."""
+"""The largest number that an answer may have. A larger one is the result of an error, and its square might overflow."""
 
 ROUNDING_TOLERANCE = 3e-2
-"""Within this an answer was rounded on the way rather than misunderstood, and feedback says so."""
+"""An answer within this tolerance was rounded on the way rather than misunderstood, and feedback says so."""
+
+
+StoredObjects = Mapping[type, Callable[[Mapping[str, Any]], Any]]
+"""For each class of objects, the function that makes an object from its fields by name."""
 
 
 class Unreadable(ValueError):
-    """What came is no answer of the kind that was asked for."""
+    """A value is not an answer of the kind that the problem expects. The message says what was expected and what was given."""
 
 
 class Answer(ABC):
-    """The right answer of a problem, and the way to read and compare others of its kind."""
+    """The right answer of a problem, and the way to read and compare other answers of its kind.
+
+    An answer has parts, for example the rotation and the position of a pose, so that feedback can say which part is right,
+    and a mistake in one part does not cost the points of the others.
+
+    value   the right answer
+    inputs  the arguments of each call, if the answer is a function
+
+    >>> class Gain:
+    ...     def __init__(self, decibel): self.decibel = decibel
+    ...     def to_dict(self): return {"decibel": self.decibel}
+    >>> class GainAnswer(Answer):
+    ...     stored_objects = {Gain: lambda fields: Gain(float(fields["decibel"]))}
+    ...     expected, parts = "a gain", ["the gain"]
+    ...     def __init__(self, value): self.value = value
+    ...     def read(self, given):
+    ...         if not isinstance(given, Gain):
+    ...             raise Unreadable(f"Expected {self.expected}; got {given!r}.")
+    ...         return given
+    ...     def agrees(self, one, other, tolerance=TOLERANCE):
+    ...         return [abs(one.decibel - other.decibel) <= tolerance]
+    >>> from misstep.storage.deserialize import from_data
+    >>> from misstep.storage.serialize import to_data
+    >>> answer = GainAnswer(Gain(20.0))
+    >>> stored = to_data(Gain(20.0))
+    >>> stored
+    {'object': 'Gain', 'fields': {'decibel': 20.0}}
+    >>> answer.agrees(answer.read(from_data(stored)), answer.value)
+    [True]
+    """
 
     value: Any
     inputs: Sequence[Any] = ()
-    """What a function is called with, where the answer is one."""
+    stored_objects: ClassVar[StoredObjects] = {}
+    """Classes of objects that are answers. Each has a method to_dict(), and its function makes an object from these fields."""
+
+    def __init_subclass__(cls, **options: Any) -> None:
+        """Register the objects of a new kind of answer, so that they can be read back from storage."""
+        super().__init_subclass__(**options)
+        for kind, read in cls.stored_objects.items():
+            register_object(kind, read)
 
     @property
     @abstractmethod
@@ -42,16 +102,21 @@ class Answer(ABC):
 
     @abstractmethod
     def read(self, given: Any) -> Any:
-        """Read what a student typed. Raises Unreadable with what was expected and what came."""
+        """Read what a student typed, or what was stored, as a value that `agrees` can compare.
+
+        A value that was read before is returned unchanged. Objects of students may raise any error while they are read.
+
+        Raises Unreadable with what was expected and what was given.
+        """
 
     @abstractmethod
     def agrees(self, one: Any, other: Any, tolerance: float = TOLERANCE) -> list[bool]:
-        """Compare two values that were read, part by part."""
+        """Compare two values that were read: for each part, whether they are the same answer."""
 
     def with_inputs(self, seed: int) -> "Answer":
-        """The same answer, asked for at inputs drawn anew. Only a function has inputs."""
+        """Return the same answer with other inputs, which depend on the seed. Only a function has inputs."""
         return self
 
     def hint(self, given: Any, part: int) -> str:
-        """What is right about a wrong part, if anything is: a first foothold for a mistake that nobody foresaw."""
+        """Return what is right about a wrong part, for an error that no mistake explains; "" if there is nothing to say."""
         return ""

@@ -1,4 +1,4 @@
-"""A choice as an answer: one of several named options."""
+"""Choices as answers: one of several named options."""
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass

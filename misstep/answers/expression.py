@@ -1,4 +1,4 @@
-"""Closed forms as answers: a formula is right if it means the same, however it is written."""
+"""Formulas as answers: a formula is right if it has the same values as the right one, however it is written."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -13,18 +13,19 @@ from misstep.answers.base import TOLERANCE, Answer, Unreadable
 from misstep.formulas.evaluation import Formula, Reader, shaped
 from misstep.text import number
 
-EXACT = 1e-12
-"""How far values of formulas without decimals may lie apart, relative to their size above 1: they were rounded once."""
+EXACT_TOLERANCE = 1e-12
+"""The tolerance for formulas without decimals, relative to their size if that is above 1: only the values were rounded."""
 
 
 @dataclass(frozen=True, eq=False)
 class ClosedForm(Answer):
-    """A formula, or a vector or matrix of formulas, as SymPy or as text, in one part unless a subclass cuts it.
+    """A formula, or a vector or matrix of formulas, given as SymPy or as text.
 
-    value    the right one; the symbols in it are those that may be used
-    symbols  more that may be used, though the right one does without
+    value    the right formula; its symbols may be used
+    symbols  further symbols that may be used
 
-    Formulas are held against each other to twelve digits; where one of them holds decimals, to the three that a person types.
+    Formulas are compared to twelve digits; if one of them contains decimals, to the three that a person types. The formula is
+    one part, unless a subclass overrides `parts` and `part_indices`.
 
     >>> q = sp.Symbol("q")
     >>> right = ClosedForm(sp.sin(2 * q))
@@ -51,9 +52,9 @@ class ClosedForm(Answer):
             return given
         try:
             return self._reader.read(given, self._shape)
-        except ValueError as fault:
-            raise Unreadable(f"Expected {self.expected}. {fault}") from fault
-        except Exception as error:  # a student's object may raise anything while it is read
+        except ValueError as error:
+            raise Unreadable(f"Expected {self.expected}. {error}") from error
+        except Exception as error:  # reading a student's object may raise any error
             raise Unreadable(f"Expected {self.expected}; got {type(given).__name__}.") from error
 
     def agrees(self, one: Any, other: Any, tolerance: float = TOLERANCE) -> list[bool]:
@@ -71,11 +72,11 @@ class ClosedForm(Answer):
         return f"Try numbers: at {point} your formula gives {number(yours)}, and {number(right)} is right."
 
     def _same(self, one: Any, other: Any, tolerance: float) -> NDArray[np.bool_]:
-        """Which entries have the same values at all points."""
+        """Return, for each entry, whether the values agree at all points."""
         first, second = (self._right if formula is self.value else self.read(formula) for formula in (one, other))
         a, b = first.values, second.values
-        # A wider tolerance than the usual asks whether two formulas are anywhere near each other.
-        allowed = tolerance if first.rounded or second.rounded or tolerance > TOLERANCE else EXACT
+        # With a wider tolerance than the usual one, the question is whether two formulas are roughly equal.
+        allowed = tolerance if first.rounded or second.rounded or tolerance > TOLERANCE else EXACT_TOLERANCE
         near = np.abs(a - b) <= allowed * np.maximum(1, np.maximum(np.abs(a), np.abs(b)))
         return np.asarray(near.all(axis=-1))
 

@@ -1,4 +1,4 @@
-"""Functions as answers: called, not read. Two functions agree if they give the same wherever anybody looks."""
+"""Functions as answers: two functions agree if they give the same values at some random inputs."""
 
 from collections.abc import Callable, Sequence
 from copy import deepcopy
@@ -16,38 +16,39 @@ from misstep.storage.deserialize import Outputs
 from misstep.validation import Array
 
 CALL_COUNT = 4
-"""At how many inputs a function is asked."""
+"""The number of inputs at which a function is called."""
 
 Sample = Callable[[np.random.Generator], tuple[Any, ...]]
+"""Draws the arguments of one call."""
 
 
-def function_mistakes(mistakes_at: Callable[..., Sequence[Mistake]], *somewhere: Any) -> list[Mistake]:
-    """The mistakes of one call as mistakes of a function: at every input, what the mistake gives there.
+def function_mistakes(mistakes_at: Callable[..., Sequence[Mistake]], *example: Any) -> list[Mistake]:
+    """Turn the mistakes of a single call into mistakes of a function, which give the wrong answer at any input.
 
-    mistakes_at  the mistakes for given arguments, always the same ones in the same order
-    somewhere    arguments of one call
+    mistakes_at  returns the mistakes for given arguments, always the same ones in the same order
+    example      valid arguments of one call
 
     >>> at = lambda x: [Mistake("sign", -x, "You turned the wrong way.")]
     >>> function_mistakes(at, 1.0)[0].value(2.0)
     -2.0
     """
-    found: dict[bytes, Sequence[Mistake]] = {}
+    known: dict[bytes, Sequence[Mistake]] = {}
 
-    def value(place: int, *arguments: Any) -> Any:
-        # One mistake after the other asks at the same inputs, and all of them come at once.
+    def value(index: int, *arguments: Any) -> Any:
+        # All mistakes are needed at the same inputs, one after the other, so they are computed together.
         key = b"".join(np.asarray(argument).tobytes() for argument in arguments)
-        if key not in found:
-            found[key] = mistakes_at(*arguments)
-        return found[key][place].value
+        if key not in known:
+            known[key] = mistakes_at(*arguments)
+        return known[key][index].value
 
     return [
-        Mistake(wrong.name, partial(value, place), wrong.message) for place, wrong in enumerate(mistakes_at(*somewhere))
+        Mistake(wrong.name, partial(value, index), wrong.message) for index, wrong in enumerate(mistakes_at(*example))
     ]
 
 
 @dataclass(frozen=True)
 class FunctionCalls:
-    """A function, and what it gave at the inputs of the problem."""
+    """A function, and its outputs at the inputs of the problem. The function is None if only the outputs were stored."""
 
     function: Callable[..., Any] | None
     outputs: Sequence[Any]
@@ -55,11 +56,11 @@ class FunctionCalls:
 
 @dataclass(frozen=True, eq=False)
 class Function(Answer):
-    """A function, judged by what it gives at drawn inputs. A grader draws other ones in every run.
+    """A function, judged by its outputs at random inputs. A grader draws other inputs in every run.
 
     value   the right function
     output  the kind of answer that each call gives
-    sample  draws the arguments of one call
+    sample  draws the arguments of one call from a random generator
 
     >>> square = Function(np.square, Numbers(np.array(0.0)), lambda chance: (chance.uniform(1, 2),))
     >>> square.agrees(square.read(lambda x: x * x), square.read(np.square))
@@ -76,9 +77,9 @@ class Function(Answer):
             object.__setattr__(self, "inputs", self.with_inputs(0).inputs)
 
     def with_inputs(self, seed: int) -> "Function":
-        """The same answer, asked for at other inputs."""
-        chance = np.random.default_rng(seed)
-        return replace(self, inputs=[self.sample(chance) for _ in range(CALL_COUNT)])
+        """Return the same answer with other inputs."""
+        generator = np.random.default_rng(seed)
+        return replace(self, inputs=[self.sample(generator) for _ in range(CALL_COUNT)])
 
     @property
     def expected(self) -> str:
@@ -105,7 +106,7 @@ class Function(Answer):
 
     def _call(self, function: Callable[..., Any], arguments: Sequence[Any]) -> Any:
         try:
-            return function(*deepcopy(arguments))  # what a call does to its arguments stays in that call
+            return function(*deepcopy(arguments))  # a function may change its arguments, but not those of later calls
         except Exception as error:
             raise Unreadable(
                 f"Expected {self.expected}; called with {', '.join(map(str, arguments))} it raised "

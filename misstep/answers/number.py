@@ -13,7 +13,11 @@ from misstep.validation import Array
 
 @dataclass(frozen=True, eq=False)
 class Numbers(Answer):
-    """An array of real numbers of one shape, in one part unless a subclass cuts it.
+    """An array of real numbers of a given shape.
+
+    unit  the unit of all numbers, for feedback
+
+    The array is one part, unless a subclass overrides `parts` and `part_indices`.
 
     >>> Numbers(np.array([1.0, 2.0]), unit="m").read([1, 2])
     array([1., 2.])
@@ -34,14 +38,14 @@ class Numbers(Answer):
         return ["the answer"]
 
     def read(self, given: Any) -> Array:
-        wanted = np.shape(self.value)
+        expected_shape = np.shape(self.value)
         try:
             shape = np.shape(given)
-        except Exception as error:  # a student's object may raise anything when it is asked for its shape
+        except Exception as error:  # reading the shape of a student's object may raise any error
             raise Unreadable(f"Expected {self.expected}; got {_kind(given)} whose rows differ in length.") from error
-        if shape != wanted:
-            came = f"{_kind(given)} of shape {shape}" if shape else validation.brief(given)
-            raise Unreadable(f"Expected {self.expected}; got {came}.{self.remedy(shape)}")
+        if shape != expected_shape:
+            description = f"{_kind(given)} of shape {shape}" if shape else validation.brief(given)
+            raise Unreadable(f"Expected {self.expected}; got {description}.{self.remedy(shape)}")
         try:
             values = validation.array(given, "your answer")
         except ValueError as error:

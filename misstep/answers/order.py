@@ -1,4 +1,4 @@
-"""An order as an answer: names in a row, each used once."""
+"""Orders as answers: names in a sequence, each used once."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -10,7 +10,7 @@ from misstep.answers.base import TOLERANCE, Answer, Unreadable
 
 @dataclass(frozen=True, eq=False)
 class Ordering(Answer):
-    """Names to be put in order, each used once.
+    """Names in an order, each used once.
 
     >>> Ordering(["M", "e1"]).read(["e1", "M"])
     ['e1', 'M']
@@ -29,10 +29,10 @@ class Ordering(Answer):
     def read(self, given: Any) -> list[str]:
         if not isinstance(given, (list, tuple)) or len(given) > 10 * len(self.value):
             raise Unreadable(f"Expected {self.expected}; got {validation.brief(given)}.")
-        odd = [name for name in given if not isinstance(name, str) or name not in self.value]
-        if odd:
+        unknown = [name for name in given if not isinstance(name, str) or name not in self.value]
+        if unknown:
             raise Unreadable(
-                f"Expected {self.expected}; {validation.brief(odd[0])} is none of them. Did you leave out the quotes?"
+                f"Expected {self.expected}; {validation.brief(unknown[0])} is none of them. Did you leave out the quotes?"
             )
         missing = [name for name in self.value if given.count(name) != 1]
         if missing:

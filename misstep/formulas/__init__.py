@@ -1,1 +1,1 @@
-"""Formulas as people type them: parsed without being run, and evaluated."""
+"""Formulas: parsed from text without running it, and computed as numbers or as SymPy expressions."""

@@ -1,1 +1,1 @@
-"""Questions of the lectures: how they are written, as widgets, and on a page without a kernel."""
+"""Questions of lectures: their TOML files, their widgets, and their HTML for pages without a kernel."""

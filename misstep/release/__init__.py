@@ -1,1 +1,1 @@
-"""From the instructors' notebooks to the students' notebooks."""
+"""Instructors' notebooks with solutions, and the students' notebooks that are released from them."""

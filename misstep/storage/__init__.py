@@ -1,1 +1,1 @@
-"""Answers as data: written as plain JSON where a submission runs, read back where it is judged."""
+"""Answers as JSON: serialized where a submission runs, deserialized where it is judged."""

@@ -1,16 +1,16 @@
-"""Answers as data: what a student's value is, in plain JSON.
+"""Reading answers from JSON.
 
-A check cell writes the answer beside its card, so that whoever grades reads data and never runs what made it.
-`answer_writing` is lenient: whatever an object does when it is looked at, something comes out. Reading is strict: it takes
-the few forms below and refuses the rest, for anybody can write JSON.
+A check cell stores the answer beside its card, so that a grader reads data and never runs what made it. Serializing is
+lenient: there is a result for every object, whatever errors the object raises. Deserializing is strict: it accepts the
+following forms and refuses all others, because anybody can write JSON.
 
-    null                                  nothing yet
+    null                                  a blank answer
     {"number": 1.5}, {"text": "..."}
     {"array": [flat numbers], "shape": [3, 6]}         null stands for NaN and infinity
     {"list": [...]}, {"map": [["a", ...], ...]}
     {"symbolic": "a*cos(q1)"}, {"matrix": [[...], ...]}
-    {"object": "DHTable", "fields": {...}}             an object of a kind that a course has registered
-    {"function": "name"}, and with "outputs": [...] once somebody called it
+    {"object": "Resistor", "fields": {...}}            an object of a class that a kind of answer has registered
+    {"function": "name"}, and with "outputs": [...] if it was called
     {"other": "what it is"}
 """
 
@@ -24,22 +24,22 @@ from misstep.formulas.sympy_parsing import MAX_CHARACTERS, expression
 from misstep.validation import Array
 
 MIME = "application/vnd.misstep.answer+json"
-"""Under this name a check cell's output holds the answer."""
+"""The MIME type of the stored answer in the output of a check cell."""
 
 MAX_ENTRIES = 4096
-"""No answer of the course has more numbers, nor a list more entries."""
+"""The most numbers of an array, and the most entries of a list."""
 
 MAX_DEPTH = 5
-"""How deep lists may nest: a table of matrices, and some."""
+"""The most levels of nested lists."""
 
 
 class Malformed(ValueError):
-    """This JSON is none of the forms that an answer has."""
+    """JSON that has none of the forms of an answer."""
 
 
 @dataclass(frozen=True)
 class Opaque:
-    """What could not be written down: it stands where the value stood, so that a message can name it."""
+    """A placeholder for a value that cannot be stored, with its description for messages."""
 
     name: str
 
@@ -49,13 +49,13 @@ class Opaque:
 
 @dataclass(frozen=True)
 class Outputs:
-    """What a student's function gave, input by input."""
+    """The outputs of a student's function, one for each input."""
 
     values: Sequence[Any]
 
 
 def from_data(data: Any) -> Any:
-    """Read an answer back. Arrays come as arrays, formulas as SymPy, what could not be written as Opaque.
+    """Read a stored answer: arrays as NumPy arrays, formulas as SymPy, and what could not be stored as Opaque.
 
     Raises Malformed for JSON of any other form.
 
@@ -69,7 +69,7 @@ def _read(data: Any, depth: int) -> Any:
     if data is None:
         return None
     if not isinstance(data, dict) or depth > MAX_DEPTH + 1:
-        raise Malformed("An answer is null or an object of a known form, and not nested without end.")
+        raise Malformed("An answer must be null or a JSON object of a known form, and not nested without end.")
     read = READERS.get(frozenset(data))
     if read is None:
         raise Malformed(f"An answer has none of the forms with the keys {', '.join(sorted(map(str, data)))!r:.80}.")
@@ -78,42 +78,42 @@ def _read(data: Any, depth: int) -> Any:
 
 def _string(text: Any, _: int) -> str:
     if not isinstance(text, str) or len(text) > MAX_CHARACTERS:
-        raise Malformed(f"A text is a text, of at most {MAX_CHARACTERS} characters.")
+        raise Malformed(f"A text must be a string of at most {MAX_CHARACTERS} characters.")
     return text
 
 
 def _items(items: Any, depth: int) -> list[Any]:
     if not isinstance(items, list) or len(items) > MAX_ENTRIES:
-        raise Malformed(f"A list is a list, of at most {MAX_ENTRIES} entries.")
+        raise Malformed(f"A list must be a JSON list of at most {MAX_ENTRIES} entries.")
     return [_read(item, depth + 1) for item in items]
 
 
 def _entries(entries: Any, depth: int) -> dict[str, Any]:
     if not isinstance(entries, list) or len(entries) > MAX_ENTRIES:
-        raise Malformed("A map is a list of pairs, a name and a value.")
+        raise Malformed("A map must be a list of pairs of a name and a value.")
     return dict(_entry(entry, depth) for entry in entries)
 
 
 def _numbers(flat: Any, shape: Any) -> Array:
     if not isinstance(flat, list) or not isinstance(shape, list):
-        raise Malformed("An array is a list of numbers, and the list of its sizes.")
+        raise Malformed("An array must be a list of numbers, with the list of its sizes.")
     sizes = [size for size in shape if isinstance(size, int) and not isinstance(size, bool) and size >= 0]
     if len(flat) > MAX_ENTRIES or len(sizes) != len(shape) or len(shape) > MAX_DEPTH + 1:
-        raise Malformed("An array has a shape of whole numbers, and not more numbers than an answer needs.")
+        raise Malformed(f"An array must have a shape of whole numbers, and at most {MAX_ENTRIES} numbers.")
     if any(x is not None and (isinstance(x, bool) or not isinstance(x, int | float)) for x in flat):
-        raise Malformed("An array holds numbers and nothing else.")
+        raise Malformed("An array must contain numbers only.")
     try:
         values = np.array([np.nan if x is None else float(x) for x in flat])
         return values.reshape(sizes)
     except (OverflowError, ValueError) as error:
-        raise Malformed("The numbers of an array do not fill its shape.") from error
+        raise Malformed("The numbers of an array must fill its shape.") from error
 
 
 def _entry(entry: Any, depth: int) -> tuple[str, Any]:
     match entry:
         case [str() as key, value]:
             return key[:80], _read(value, depth + 1)
-    raise Malformed("A map holds pairs of a name and a value.")
+    raise Malformed("A map must be a list of pairs of a name and a value.")
 
 
 def _formula(text: Any, depth: int) -> Any:
@@ -130,7 +130,7 @@ def _matrix(rows: Any, depth: int) -> Any:
 
     sizes = {len(row) if isinstance(row, list) else -1 for row in rows} if isinstance(rows, list) else {-1}
     if -1 in sizes or len(sizes) > 1 or len(rows) > MAX_ENTRIES:
-        raise Malformed("A matrix is a list of rows of one length.")
+        raise Malformed("A matrix must be a list of rows of the same length.")
     entries = [_items(row, depth) for row in rows]
     if not all(isinstance(entry, sp.Expr | float) for row in entries for entry in row):
         return Opaque("a matrix with entries that cannot be read")
@@ -138,12 +138,12 @@ def _matrix(rows: Any, depth: int) -> Any:
 
 
 def _object(data: dict[str, Any], depth: int) -> Any:
-    """An object of a kind that a course has registered; Opaque for any other."""
+    """Return an object of a registered class, or Opaque for any other class."""
     name = _string(data["object"], depth)[:80]
     read = OBJECTS.get(name)
     fields = data["fields"]
     if not isinstance(fields, dict) or not all(isinstance(key, str) for key in fields):
-        raise Malformed("An object is the name of its kind, and its fields by name.")
+        raise Malformed("An object must have the name of its class, and its fields by name.")
     if read is None:
         return Opaque(name)
     try:
@@ -155,14 +155,16 @@ def _object(data: dict[str, Any], depth: int) -> Any:
 
 
 OBJECTS: dict[str, Callable[[Mapping[str, Any]], Any]] = {}
-"""How objects are read back from their fields, by the name of their class."""
+"""For each registered class, by its name, the function that makes an object from its fields."""
 
 
 def register_object(kind: type, read: Callable[[Mapping[str, Any]], Any]) -> None:
-    """Register a class whose objects are answers: they have a method to_dict(), and `read` undoes it.
+    """Register a class whose objects are answers, so that they can be read back from storage.
 
-    kind  the class; objects are stored under its name, with the fields that to_dict() gives
-    read  makes an object from the fields, and raises ValueError for fields that nobody's to_dict() gives
+    kind  the class; its objects are stored by its name and the fields that their method to_dict() returns
+    read  makes an object from these fields, and raises ValueError for fields that to_dict() never returns
+
+    A kind of answer need not call this: Answer.stored_objects does.
 
     >>> class Resistor:
     ...     def __init__(self, ohm):
@@ -187,4 +189,4 @@ READERS: dict[frozenset[str], Callable[[Any, int], Any]] = {
     frozenset({"function", "outputs"}): lambda data, depth: Outputs(_items(data["outputs"], depth)),
     frozenset({"other"}): lambda name, depth: Opaque(_string(name, depth)[:200]),
 }
-"""How each form is read: by its one value, or where it has several, by all of it. No form has a key too many."""
+"""How each form is read, by its set of keys. A form with a single key gets the value, other forms get the whole object."""

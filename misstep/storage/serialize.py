@@ -1,6 +1,6 @@
-"""Answers written as data: whatever a student's value is, something comes out, and JSON can hold it.
+"""Writing answers as JSON: there is a result for every value that a student may give.
 
-The forms are those of `answer_data`, which reads them back.
+The forms are described in `deserialize`, which reads them back.
 """
 
 import json
@@ -18,21 +18,21 @@ from misstep.storage.deserialize import MAX_DEPTH, MAX_ENTRIES
 from misstep.validation import Array, is_blank
 
 MAX_PARTS = 4 * MAX_ENTRIES
-"""So many entries are looked at, of all lists together: a list of long lists of lists would take for ever."""
+"""The most entries that are read, of all nested lists together. Lists of long lists would take too long otherwise."""
 
 MAX_OBJECT_CHARACTERS = 100_000
-"""The most characters that the fields of an object may take as JSON."""
+"""The most characters of the fields of an object as JSON."""
 
 Data = dict[str, Any] | None
 
 
-class _TooMuch(Exception):
-    """The value has more parts than any answer."""
+class _TooManyParts(Exception):
+    """The value has more than MAX_PARTS parts."""
 
 
 @dataclass
 class _Place:
-    """How deep in the value we are, and how much of it has been looked at."""
+    """The depth in a nested value, and the number of parts that have been read so far."""
 
     depth: int = 0
     seen: list[int] = field(default_factory=lambda: [0])
@@ -40,14 +40,14 @@ class _Place:
     def inside(self) -> "_Place":
         self.seen[0] += 1
         if self.seen[0] > MAX_PARTS:
-            raise _TooMuch
+            raise _TooManyParts
         return _Place(self.depth + 1, self.seen)
 
 
 def to_data(value: Any, inputs: Sequence[Any] = ()) -> Data:
-    """Write an answer as JSON. It never raises: a value that is no answer becomes {"other": ...}.
+    """Write an answer as JSON. It never raises an error: a value that cannot be stored becomes {"other": ...}.
 
-    inputs  where a function is asked for, the arguments of each call: then its outputs are written
+    inputs  if the answer is a function, the arguments of each call, so that the outputs are stored
 
     >>> to_data([[1, 2.5]])
     {'array': [1.0, 2.5], 'shape': [1, 2]}
@@ -57,16 +57,16 @@ def to_data(value: Any, inputs: Sequence[Any] = ()) -> Data:
     place = _Place()
     try:
         if inputs and callable(value):
-            called = [_written(value(*deepcopy(arguments)), place.inside()) for arguments in inputs]
-            return {"function": str(getattr(value, "__name__", "function"))[:80], "outputs": called}
-        return _written(value, place)
-    except _TooMuch:
+            outputs = [_serialized(value(*deepcopy(arguments)), place.inside()) for arguments in inputs]
+            return {"function": str(getattr(value, "__name__", "function"))[:80], "outputs": outputs}
+        return _serialized(value, place)
+    except _TooManyParts:
         return {"other": f"{_kind(value)} of more than {MAX_PARTS} parts"}
-    except Exception as error:  # a student's object may raise anything when it is looked at
+    except Exception as error:  # reading a student's object may raise any error
         return {"other": f"{type(value).__name__} that raises {type(error).__name__} when it is read"}
 
 
-def _written(value: Any, place: _Place) -> Data:
+def _serialized(value: Any, place: _Place) -> Data:
     if is_blank(value):
         return None
     if place.depth > MAX_DEPTH:
@@ -74,11 +74,11 @@ def _written(value: Any, place: _Place) -> Data:
     for kinds, write in WRITERS:
         if isinstance(value, kinds):
             return write(value, place)
-    return _symbolic(value, place) or _unusual(value, place)
+    return _symbolic(value, place) or _other(value, place)
 
 
-def _unusual(value: Any, place: _Place) -> Data:
-    """What has no kind of its own here: functions, and what turns into an array."""
+def _other(value: Any, place: _Place) -> Data:
+    """Write a function, an object that converts to an array, or an object with a method to_dict()."""
     if callable(value):
         return {"function": str(getattr(value, "__name__", _kind(value)))[:80]}
     if hasattr(value, "__array__"):
@@ -87,7 +87,7 @@ def _unusual(value: Any, place: _Place) -> Data:
 
 
 def _object(value: Any) -> Data:
-    """The fields of an object that writes itself down. Whether its kind is an answer is for the reader to say."""
+    """Write the fields of an object. Whether its class is registered is known only where it is read."""
     fields = value.to_dict()
     text = json.dumps(fields, allow_nan=False) if isinstance(fields, dict) else ""
     if not text or len(text) > MAX_OBJECT_CHARACTERS:
@@ -114,19 +114,19 @@ def _array(values: Array, place: _Place) -> Data:
         flat = [_number(x) for x in values.astype(float).ravel().tolist()]
         return {"array": flat, "shape": list(values.shape)}
     if values.dtype.kind in "OU":
-        return _written(values.tolist(), place)
+        return _serialized(values.tolist(), place)
     return {"other": f"array of {values.dtype}"}
 
 
 def _list(values: Sequence[Any], place: _Place) -> Data:
     if len(values) > MAX_ENTRIES:
         return {"other": f"list of {len(values)} entries"}
-    items = [_written(item, place.inside()) for item in values]
+    items = [_serialized(item, place.inside()) for item in values]
     rows = [item for item in items if item and ("number" in item or "array" in item)]
     shapes = {tuple(row.get("shape", ())) for row in rows}
     flat = [x for row in rows for x in row.get("array", [row.get("number")])]
     if len(rows) == len(items) and len(shapes) == 1 and len(flat) <= MAX_ENTRIES:
-        # Rows of one length are an array, however they were typed.
+        # Rows of the same length are an array, whether they were typed as lists or as arrays.
         return {"array": flat, "shape": [len(items), *min(shapes)]}
     return {"list": items}
 
@@ -134,7 +134,7 @@ def _list(values: Sequence[Any], place: _Place) -> Data:
 def _map(value: Mapping[Any, Any], place: _Place) -> Data:
     if len(value) > MAX_ENTRIES:
         return {"other": f"dictionary of {len(value)} entries"}
-    return {"map": [[str(key)[:80], _written(item, place.inside())] for key, item in value.items()]}
+    return {"map": [[str(key)[:80], _serialized(item, place.inside())] for key, item in value.items()]}
 
 
 WRITERS: tuple[tuple[Any, Callable[[Any, _Place], Data]], ...] = (
@@ -147,14 +147,14 @@ WRITERS: tuple[tuple[Any, Callable[[Any, _Place], Data]], ...] = (
 
 
 def _symbolic(value: Any, place: _Place) -> Data:
-    """SymPy's kinds, without loading SymPy for those who never used it."""
+    """Write a SymPy matrix or expression; None for anything else. SymPy is not imported if the student did not import it."""
     sympy = sys.modules.get("sympy")
     if sympy is None:
         return None
     if isinstance(value, sympy.MatrixBase):
-        return {"matrix": [[_written(entry, place.inside()) for entry in row] for row in value.tolist()]}
+        return {"matrix": [[_serialized(entry, place.inside()) for entry in row] for row in value.tolist()]}
     if isinstance(value, sympy.Expr):
-        # Parts that an expression shares are written out each time, and a small one may have millions: count before.
+        # `str` writes shared parts once for each occurrence, so even a small expression may become huge. Count first.
         if sum(1 for _ in islice(sympy.preorder_traversal(value), MAX_ENTRIES + 1)) > MAX_ENTRIES:
             return {"other": f"formula of more than {MAX_ENTRIES} parts"}
         text = str(value)

@@ -143,7 +143,7 @@ def test_a_number_is_an_id_too():
 
 @pytest.mark.parametrize("student", ["", "  ", None, True, [7]])
 def test_a_sheet_needs_a_student(student):
-    with pytest.raises(ValueError, match="student should be your id"):
+    with pytest.raises(ValueError, match="student must be your id"):
         open_sheet("03_poe_space", student)
 
 

@@ -40,5 +40,5 @@ def test_code_and_formulas_reach_the_page():
 
 
 def test_an_unknown_tone_is_refused():
-    with pytest.raises(ValueError, match=r"tone should be one of right.*'green'"):
+    with pytest.raises(ValueError, match=r"tone must be one of right.*'green'"):
         Card("green", "A title")

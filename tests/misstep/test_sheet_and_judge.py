@@ -165,7 +165,7 @@ PAIR = Numbers(np.zeros(2), "m")
         (
             PAIR,
             [np.nan, 0],
-            "Expected an array of shape (2,) in m. Your answer holds NaN or infinity at index [0]. ",
+            "Expected an array of shape (2,) in m. Your answer contains NaN or infinity at index [0]. ",
         ),
         (
             Ordering(["e_a", "M"]),

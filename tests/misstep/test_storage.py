@@ -213,7 +213,7 @@ def test_json_of_any_other_form_is_refused(data):
 @pytest.mark.parametrize(
     ("data", "said"),
     [
-        ({"matrix": [7]}, "A matrix is a list of rows of one length."),
+        ({"matrix": [7]}, "A matrix must be a list of rows of the same length."),
         (resistor({"ohm": "4.7"}), "This is not a Resistor: The resistance must be a number in ohms."),
         ({"b": 1, "a": 2}, "An answer has none of the forms with the keys 'a, b'."),
     ],
