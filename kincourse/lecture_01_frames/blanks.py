@@ -7,7 +7,7 @@ from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z, pose, rprr
-from kinlib.rigid.lie import inverse
+from kinlib.rigid.lie import homogeneous, inverse
 from misstep.answers.number import Numbers
 from misstep.mistakes import mistake
 from misstep.problem import Problem
@@ -41,9 +41,7 @@ def with_position(T: Array, p: Array) -> Array:
     >>> with_position(np.eye(4), np.array([1, 2, 3]))[:3, 3]
     array([1., 2., 3.])
     """
-    moved = T.copy()
-    moved[:3, 3] = p
-    return moved
+    return homogeneous(T[:3, :3], p)
 
 
 @problem("01.a", "One more link", points=1, lecture="01_frames#Chaining along the links")

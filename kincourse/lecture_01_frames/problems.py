@@ -12,7 +12,7 @@ from kincourse.problem import problem
 from kincourse.sampling.arms import PLAIN_ANGLES_DEG, ArmSampler, are_distinguishable
 from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z, pose
-from kinlib.rigid.lie import exp, inverse
+from kinlib.rigid.lie import exp, homogeneous, inverse
 from kinlib.view import draw_frames
 from kinlib.view.figures.frames import draw_rotation
 from misstep.answers.choice import Choice
@@ -253,8 +253,7 @@ def letters_that_cancel(sampler: ArmSampler) -> Problem:
     T_sc, T_co, T_st = (_random_pose(sampler) for _ in range(3))
     T_so = T_sc @ T_co
     right = inverse(T_st) @ T_so
-    bad = np.eye(4)
-    bad[:3, :3], bad[:3, 3] = T_st[:3, :3].T, -T_st[:3, 3]
+    wrong_inverse = homogeneous(T_st[:3, :3].T, -T_st[:3, 3])
     return Problem(
         statement="A camera {c} on the wall sees an object {o}. The base {s} knows where the camera and the tool {t} are. How does the "
         f"tool see the object? Give $T_{{to}}$.\n\n$$T_{{sc}} = {matrix(T_sc)}$$\n\n$$T_{{co}} = {matrix(T_co)}$$\n\n"
@@ -290,7 +289,7 @@ def letters_that_cancel(sampler: ArmSampler) -> Problem:
             ),
             mistake(
                 "inverse with minus p",
-                bad @ T_so,
+                wrong_inverse @ T_so,
                 "The product is right, the inverse is not: its position is $-R^T p$, and you took $-p$.",
             ),
         ],
@@ -306,7 +305,7 @@ def own_or_fixed(sampler: ArmSampler) -> Problem:
     )
     along, far = sampler.integer(0, 2), sampler.length(0.2, 0.9)
     turns_first, turn_is_own = sampler.choice([True, False]), sampler.choice([True, False])
-    turn, shift = pose(_rotation(k, degrees).T, (0, 0, 0)), pose((X, Y, Z), far * np.eye(3)[along])
+    turn, shift = homogeneous(_rotation(k, degrees), np.zeros(3)), homogeneous(np.eye(3), far * np.eye(3)[along])
     own, fixed = (turn, shift) if turn_is_own else (shift, turn)
     first, second = (turn, shift) if turns_first else (shift, turn)
     whose = {True: "its own", False: "the"}
@@ -317,7 +316,7 @@ def own_or_fixed(sampler: ArmSampler) -> Problem:
         f"shifts by {far:.4g} m along {whose[not turn_is_own]} ${'xyz'[along]}$ axis{' of {s}' if turn_is_own else ''}"
     )
     told = f"It {turned}, then it {shifted}." if turns_first else f"It {shifted}, then it {turned}."
-    typed = pose(exp(degrees * np.eye(3)[k]).T, (0, 0, 0))
+    typed = homogeneous(exp(degrees * np.eye(3)[k]), np.zeros(3))
     return Problem(
         statement=f"A frame {{b}} stands at $T_{{sb}}$. {told} Where does it stand now, seen from {{s}}?\n\n$$T_{{sb}} = {matrix(T)}$$",
         figure=partial(draw_frames, {"s": np.eye(4), "b": T}, arrows=False),
@@ -426,7 +425,7 @@ def rigid_or_not(sampler: ArmSampler) -> Problem:
     T = np.eye(4)
     for _ in range(2):  # with sides 3, 4 and 5 every entry has two decimals, so it can be squared on paper
         axis, (c, s) = sampler.choice((X, Y, Z)), np.array(sampler.shuffled([0.6, 0.8])) * (1, sampler.choice((-1, 1)))
-        T = T @ pose(exp(np.arctan2(s, c) * axis).T, (0, 0, 0))
+        T = T @ homogeneous(exp(np.arctan2(s, c) * axis), np.zeros(3))
     T[:3, :3], T[:3, 3] = (T[:3, :3] @ pose(sampler.axes(), (0, 0, 0))[:3, :3]).round(2), sampler.point(5)
     j, k = sampler.shuffled([0, 1, 2])[:2]
     if right == "b":
@@ -467,7 +466,7 @@ def _random_pose(sampler: ArmSampler) -> Array:
     )
     while not are_distinguishable([np.zeros(3), 3 * place]):
         place = sampler.point(9) / 10
-    return pose(R.T, place)
+    return homogeneous(R, place)
 
 
 def _augmented_matrix(R: Array, p: Array) -> Array:

@@ -17,16 +17,17 @@ from kincourse.mistakes.body_form import (
 from kincourse.mistakes.space_form import product
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler, are_distinguishable
+from kincourse.sampling.configurations import Configuration, configuration_from_typed
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.chains.robots import X, Y, Z, pose
-from kinlib.rigid.lie import exp, inverse
+from kinlib.rigid.lie import exp, homogeneous, inverse
 from kinlib.view import draw_arm, draw_joints
 from misstep.answers.order import Ordering
 from misstep.mistakes import mistake
 from misstep.problem import Problem
 from misstep.sheet import Sheet
-from misstep.text import matrix, number
+from misstep.text import matrix
 
 
 @problem("04.1", "A body screw off a drawing", points=3, lecture="04_poe_body#A second method")
@@ -129,9 +130,9 @@ def where_home_stands(sampler: ArmSampler) -> Problem:
 @problem("04.5", "The body form", points=3, lecture="04_poe_body#The body form")
 def body_form(sampler: ArmSampler) -> Problem:
     robot = _random_arm(sampler, sampler.choice(["RRR", "RPR", "RRP"]))
-    typed, q, told = _random_configuration(sampler, robot)
+    typed, q, words = _random_configuration(sampler, robot)
     return Problem(
-        statement=f"This arm is given by its body screws and its home pose. Its joints stand at {told}. Give $T(q)$.\n\n"
+        statement=f"This arm is given by its body screws and its home pose. Its joints stand at {words}. Give $T(q)$.\n\n"
         f"$$B = {matrix(robot.body_screws)}$$\n\n$$M = {matrix(robot.home)}$$",
         figure=partial(draw_arm, robot),
         given={"body_screws": robot.body_screws, "home": robot.home, "values": typed},
@@ -143,14 +144,14 @@ def body_form(sampler: ArmSampler) -> Problem:
 @problem("04.6", "M in the middle", points=3, lecture="04_poe_body#The mid-formula form")
 def home_in_the_middle(sampler: ArmSampler) -> Problem:
     robot, k = _random_arm(sampler, sampler.choice(["RRRR", "RRPR", "RPRR"])), 2
-    typed, q, told = _random_configuration(sampler, robot)
+    typed, q, words = _random_configuration(sampler, robot)
     S, B, M = robot.screws, robot.body_screws, robot.home
     mixed = np.concatenate([S[:k], B[k:]])
     e = exp(mixed * q[:, None])
     in_degrees = exp(mixed * np.where(mixed[:, :3].any(axis=-1), np.degrees(q), q)[:, None])
     return Problem(
         statement=f"The first two joints of this arm are read in {{s}}, the others in {{b}}: below stand $S_1, S_2, B_3, B_4$. The joints "
-        f"are at {told}. Give $T(q)$.\n\n$${matrix(mixed)}$$\n\n$$M = {matrix(M)}$$",
+        f"are at {words}. Give $T(q)$.\n\n$${matrix(mixed)}$$\n\n$$M = {matrix(M)}$$",
         figure=partial(draw_arm, robot),
         given={"screws": mixed, "home": M, "values": typed},
         answer=PoseAnswer(robot.fk(q)),
@@ -236,12 +237,12 @@ def new_tool(sampler: ArmSampler) -> Problem:
 @problem("04.8", "A column of the body Jacobian", points=2, lecture="04_poe_body#Body screws and the body Jacobian")
 def jacobian_column(sampler: ArmSampler) -> Problem:
     robot, i = _random_arm(sampler, sampler.choice(["RRRR", "RRPR", "PRRR"])), 1
-    typed, q, told = _random_configuration(sampler, robot)
+    typed, q, words = _random_configuration(sampler, robot)
     B = robot.body_screws
     e = exp(B * q[:, None])
     in_degrees = exp(B * np.where(B[:, :3].any(axis=-1), np.degrees(q), q)[:, None])
     return Problem(
-        statement=f"The joints of this arm stand at {told}. Give column {i + 1} of the body Jacobian: the axis of joint {i + 1}, as the "
+        statement=f"The joints of this arm stand at {words}. Give column {i + 1} of the body Jacobian: the axis of joint {i + 1}, as the "
         f"tool reads it now.\n\n$$B = {matrix(B)}$$",
         figure=partial(draw_arm, robot),
         given={"body_screws": B, "values": typed},
@@ -289,15 +290,13 @@ def _random_arm(sampler: ArmSampler, letters: str) -> Chain:
 
 
 def _rotation(axis: Array, degrees: float) -> Array:
-    return pose(exp(np.radians(degrees) * axis).T, (0, 0, 0))
+    return homogeneous(exp(np.radians(degrees) * axis), np.zeros(3))
 
 
-def _random_configuration(sampler: ArmSampler, robot: Chain) -> tuple[Array, Array, str]:
-    """Draw joint values (n,): in degrees and metres, in radians and metres, and in words."""
-    turns = np.array([letter == "R" for letter in robot.joint_types])
-    typed = np.array([sampler.degrees(-75, 75) if turn else sampler.length(0.2, 1.0) for turn in turns])
-    words = [f"{number(value)} {'degrees' if turn else 'm'}" for value, turn in zip(typed, turns, strict=True)]
-    return typed, np.where(turns, np.radians(typed), typed), ", ".join(words)
+def _random_configuration(sampler: ArmSampler, robot: Chain) -> Configuration:
+    """Draw a configuration with angles up to 75 degrees and translations up to 1 m."""
+    typed = [sampler.degrees(-75, 75) if kind == "R" else sampler.length(0.2, 1.0) for kind in robot.joint_types]
+    return configuration_from_typed(robot, typed)
 
 
 SHEET = Sheet(

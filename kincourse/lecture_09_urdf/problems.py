@@ -12,7 +12,8 @@ from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kincourse.text.urdf_text import UrdfJoint, fence_urdf, format_values, random_right_angles, robot_urdf, serial_urdf
 from kinlib.arrays.validation import Array
-from kinlib.chains.robots import X, Y, Z, pose
+from kinlib.chains.robots import X, Y, Z
+from kinlib.rigid.lie import homogeneous
 from kinlib.rigid.rpy import origin
 from kinlib.rigid.screw import screw
 from misstep.answers.choice import Choice
@@ -30,8 +31,7 @@ ROUNDING_NOTE = "Take `1.5708` for a right angle."
 def pose_of_a_joint(sampler: ArmSampler) -> Problem:
     xyz, rpy = sampler.point(3), random_right_angles(sampler, sampler.choice([2, 3]))
     right = origin(xyz, rpy)
-    roll, pitch, yaw = rpy
-    own = origin(rpy=(roll, 0, 0)) @ origin(rpy=(0, pitch, 0)) @ origin(rpy=(0, 0, yaw))
+    own = _about_moving_axes(rpy)
     element = f'<origin xyz="{format_values(xyz)}" rpy="{format_values(rpy)}"/>'
     return Problem(
         statement=f"A joint of a URDF says\n\n{fence_urdf(element)}\n\nGive its pose in the frame of the parent link, "
@@ -41,18 +41,18 @@ def pose_of_a_joint(sampler: ArmSampler) -> Problem:
         mistakes=[
             mistake(
                 "about its own axes",
-                _with_position(xyz, own),
+                homogeneous(own[:3, :3], xyz),
                 "You turned about the frame's own axes, in the order roll, pitch, yaw: $R_x R_y R_z$. These axes are fixed: "
                 "what comes later stands further left, $R_z R_y R_x$.",
             ),
             mistake(
                 "yaw first",
-                _with_position(xyz, origin(rpy=rpy[::-1])),
+                homogeneous(origin(rpy=rpy[::-1])[:3, :3], xyz),
                 "You read the angles as yaw, pitch, roll. The first is the roll, about $x$.",
             ),
             mistake(
                 "transposed",
-                _with_position(xyz, right.T),
+                homogeneous(right.T[:3, :3], xyz),
                 "This is $R^T$, the parent seen from the joint. The columns of $R$ are the joint's axes, seen from the parent.",
             ),
             mistake(
@@ -62,7 +62,7 @@ def pose_of_a_joint(sampler: ArmSampler) -> Problem:
             ),
             mistake(
                 "turned before it was shifted",
-                pose(right[:3, :3].T, right[:3, :3] @ xyz),
+                homogeneous(right[:3, :3], right[:3, :3] @ xyz),
                 "You turned the shift as well. `xyz` is already read in the parent's frame: it is the last column as it stands.",
             ),
         ],
@@ -73,9 +73,8 @@ def pose_of_a_joint(sampler: ArmSampler) -> Problem:
 def way_it_points(sampler: ArmSampler) -> Problem:
     rpy, signs = random_right_angles(sampler, 2), np.array([sampler.choice((-1, 1)) for _ in range(3)])
     axis = np.array(sampler.shuffled([0.0, 0.6, 0.8])) * signs
-    roll, pitch, yaw = rpy
     R = origin(rpy=rpy)[:3, :3]
-    own = (origin(rpy=(roll, 0, 0)) @ origin(rpy=(0, pitch, 0)) @ origin(rpy=(0, 0, yaw)))[:3, :3]
+    own = _about_moving_axes(rpy)[:3, :3]
     element = f'<origin xyz="0 0 1" rpy="{format_values(rpy)}"/>\n<axis xyz="{format_values(axis)}"/>'
     return Problem(
         statement=f"A joint of a URDF says\n\n{fence_urdf(element)}\n\nWhich way does its axis point in the frame of the parent link? "
@@ -105,8 +104,11 @@ def way_it_points(sampler: ArmSampler) -> Problem:
     )
 
 
-def _with_position(xyz: Array, T: Array) -> Array:
-    return pose(T[:3, :3].T, xyz)
+def _about_moving_axes(rpy: Array) -> Array:
+    """The pose (4, 4) of rotations by roll, pitch and yaw about the moving axes x, y, z: R = R_x R_y R_z."""
+    roll, pitch, yaw = rpy
+    T: Array = origin(rpy=(roll, 0, 0)) @ origin(rpy=(0, pitch, 0)) @ origin(rpy=(0, 0, yaw))
+    return T
 
 
 def _three_joints(sampler: ArmSampler) -> tuple[list[UrdfJoint], list[Array]]:

@@ -10,7 +10,7 @@ import numpy as np
 from kincourse.mistakes.space_form import negate_moment, product, swap_halves
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
-from kinlib.rigid.lie import adjoint, exp, inverse
+from kinlib.rigid.lie import adjoint, exp, homogeneous, inverse
 from misstep.mistakes import Mistake, mistake
 
 
@@ -40,9 +40,7 @@ def translate_only(T: Array, S: Array) -> Array:
     >>> translate_only(exp([0, 0, 0, 2, 0, 0]), np.array([0, 0, 1, 0, 0, 0])) + 0.0
     array([ 0.,  0.,  1.,  0., -2.,  0.])
     """
-    back = np.eye(4)
-    back[:3, 3] = T[:3, :3].T @ T[:3, 3]
-    return transform_screws(back, S)
+    return transform_screws(homogeneous(np.eye(3), T[:3, :3].T @ T[:3, 3]), S)
 
 
 def body_screw_mistakes(S: Array, home: Array) -> list[Mistake]:

@@ -61,7 +61,10 @@ def _fits(robot: Chain, name: str) -> bool:
     if name in TABLE_TASKS and "H" in robot.joint_types:
         return False  # a DH row cannot describe a helical joint
     return all(
-        any(TASKS[name].write(robot, ArmSampler(student, name, attempt)).is_discriminating() for attempt in range(MAX_DRAWS))
+        any(
+            TASKS[name].write(robot, ArmSampler(student, name, attempt)).is_discriminating()
+            for attempt in range(MAX_DRAWS)
+        )
         for student in PROBE_STUDENTS
     )
 

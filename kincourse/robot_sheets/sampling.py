@@ -5,30 +5,21 @@ a DH table. So each student has different numbers for the same robot.
 """
 
 from dataclasses import replace
-from typing import NamedTuple
 
 import numpy as np
 
 from kincourse.sampling.arms import PLAIN_ANGLES_DEG, ArmSampler
+from kincourse.sampling.configurations import Configuration, configuration_from_typed
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.chains.robots import pose
-from kinlib.rigid.lie import adjoint, exp
-from misstep.text import number
+from kinlib.rigid.lie import adjoint, exp, homogeneous
 
 MIN_ROBOT_SIZE_M = 0.5
 """In metres. A smaller robot is placed in steps that suit this size, so that three printed decimals show the difference."""
 
 MAX_JOINT_ANGLE_DEG = 75
 """In degrees. Revolute joints are drawn within this distance from zero if their limits allow it."""
-
-
-class Configuration(NamedTuple):
-    """A joint configuration: typed (n,) in degrees and metres, q (n,) in radians and metres, and both in words."""
-
-    typed: Array
-    q: Array
-    words: str
 
 
 def step_size(chain: Chain) -> float:
@@ -57,7 +48,7 @@ def random_tilted_base(sampler: ArmSampler, chain: Chain) -> Array:
 
 def random_tool(sampler: ArmSampler, chain: Chain) -> Array:
     """Draw a pose of the tool {b} in the flange frame, (4, 4): rotated, and translated along all three axes."""
-    return pose(np.eye(3), (sampler.point(4) * step_size(chain) / 2).round(9)) @ _random_rotation(sampler)
+    return homogeneous(np.eye(3), (sampler.point(4) * step_size(chain) / 2).round(9)) @ _random_rotation(sampler)
 
 
 def rebased(chain: Chain, base: Array, tool: Array) -> Chain:
@@ -96,7 +87,7 @@ def truncated(chain: Chain, joints: int) -> Chain:
     return replace(
         chain,
         screws=chain.screws[:joints],
-        home=pose(np.eye(3), chain.joint_points[joints]),
+        home=homogeneous(np.eye(3), chain.joint_points[joints]),
         points=chain.joint_points[:joints],
         limits=None if chain.limits is None else chain.limits[:joints],
         joint_names=chain.joint_names[:joints],
@@ -105,7 +96,7 @@ def truncated(chain: Chain, joints: int) -> Chain:
 
 def random_configuration(sampler: ArmSampler, chain: Chain) -> Configuration:
     """Draw a configuration within the joint limits, in steps of 5 degrees and of half a `step_size` where the limits allow it."""
-    return _configuration(chain, [_random_value(sampler, chain, i) for i in range(chain.n)])
+    return configuration_from_typed(chain, [_random_value(sampler, chain, i) for i in range(chain.n)])
 
 
 def random_quarter_turn_configuration(sampler: ArmSampler, chain: Chain) -> Configuration:
@@ -113,14 +104,7 @@ def random_quarter_turn_configuration(sampler: ArmSampler, chain: Chain) -> Conf
 
     After quarter turns, axes along x, y and z still lie along x, y and z.
     """
-    return _configuration(chain, [_random_quarter_turn(sampler, chain, i) for i in range(chain.n)])
-
-
-def _configuration(chain: Chain, typed: list[float]) -> Configuration:
-    turns = np.array([letter != "P" for letter in chain.joint_types])
-    values = np.array(typed)
-    words = [f"{number(value)} {'degrees' if turn else 'm'}" for value, turn in zip(typed, turns, strict=True)]
-    return Configuration(values, np.where(turns, np.radians(values), values), ", ".join(words))
+    return configuration_from_typed(chain, [_random_quarter_turn(sampler, chain, i) for i in range(chain.n)])
 
 
 def _random_value(sampler: ArmSampler, chain: Chain, joint: int) -> float:
