@@ -17,17 +17,14 @@ from importlib import import_module
 from benchmarks.measure import Curve, Row
 from benchmarks.results import amount, machine, save, told
 
-SUITE = (
-    "forward_kinematics",
-    "jacobians",
-    "exponentials",
-    "importing",
-    "symbolic",
-    "frames",
-    "loops",
-    "viewer",
-    "grading",
-)
+SUITE = {
+    **dict.fromkeys(
+        ("forward_kinematics", "jacobians", "exponentials", "importing", "symbolic", "frames", "loops"), "library"
+    ),
+    **dict.fromkeys(("viewer", "grading"), "course"),
+}
+"""The folder of each benchmark, in the order in which they run."""
+
 SLOW = {"grading"}
 WIDTHS = {"what": 50, "kinlib": 9, "peer's": 13, "peer": 37, "ratio": 32, "wanted": 22, "result": 12}
 """Letters for each column."""
@@ -65,7 +62,7 @@ def run(name: str, quick: bool) -> tuple[list[Row], list[Curve]]:
 
     Raises NotHere or ModuleNotFoundError for what it cannot do without.
     """
-    benchmark = import_module(f"benchmarks.{name}")
+    benchmark = import_module(f"benchmarks.{SUITE[name]}.{name}")
     rows, curves = [], []
     for row in benchmark.rows(quick):
         rows.append(row)

@@ -76,7 +76,8 @@ def pages() -> Iterator[tuple[str, str]]:
 
 def section(name: str, runs: tuple[Run, ...]) -> str:
     """Write the section of one benchmark: what it measures, from the docstring of its module, and its table."""
-    text = ast.get_docstring(ast.parse((ROOT / "benchmarks" / f"{name}.py").read_text("utf-8"))) or ""
+    (module,) = (ROOT / "benchmarks").glob(f"*/{name}.py")
+    text = ast.get_docstring(ast.parse(module.read_text("utf-8"))) or ""
     paragraphs = [block for block in re.split(r"\n\s*\n", text) if not block.startswith("    ")][:2]
     before = {(row.what, row.peer): row for run in runs[1:] for row in run.rows}
     table = [cells(row, before.get((row.what, row.peer))) for row in runs[0].rows]

@@ -1,8 +1,8 @@
 """How short and how soon: forward kinematics in symbols, here and by multiplying out and simplifying.
 
     python -m benchmarks symbolic               the PUMA 560 alone: at most 0.1 s and 275 operations
-    python -m benchmarks.symbolic               each robot of the course, beside others
-    python -m benchmarks.symbolic --quick       without simplify
+    python -m benchmarks.library.symbolic               each robot of the course, beside others
+    python -m benchmarks.library.symbolic --quick       without simplify
 
 The PUMA 560 gets a symbol for each joint and numbers for its lengths. SymPy's cache is emptied before each round, and nothing
 is simplified. Operations are counted as SymPy counts them.

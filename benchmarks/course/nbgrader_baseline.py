@@ -12,9 +12,9 @@ import sys
 import time
 from pathlib import Path
 
-ROOT = Path(__file__).parents[1]
-sys.path.append(str(ROOT / "tests"))
-from submissions import SHEET, as_bytes, problem_of  # noqa: E402
+from submissions import SHEET, as_bytes, problem_of
+
+ROOT = Path(__file__).parents[2]
 
 CONFIG = """
 c = get_config()

@@ -1,9 +1,9 @@
 """How often kl.equivalent is right: a yes for every legal re-choice, a no for every change that matters.
 
-    python -m benchmarks.equivalence
-    python -m benchmarks.equivalence 500        fewer arms
+    python -m benchmarks.library.equivalence
+    python -m benchmarks.library.equivalence 500        fewer arms
 
-Arms are those of benchmarks/frames.py. Re-chosen, they keep their motions and change all else: directions of x and z,
+Arms are those of benchmarks/library/frames.py. Re-chosen, they keep their motions and change all else: directions of x and z,
 origins on parallel axes, zeros, signs, places of slides, base, tool. Then one entry of their table is changed, by 1e-6 to
 0.1. Many such changes change nothing (d between parallel axes, a beside a slide): a yes there comes with a map, and its
 difference is printed. A no is sure where neighbouring axes stand to each other at another angle, which is counted too.
@@ -11,14 +11,11 @@ difference is printed. A no is sure where neighbouring axes stand to each other 
 
 import sys
 import time
-from pathlib import Path
 
 import numpy as np
+from example_arms import arm, with_other_choices
 
 import kinlib as kl
-
-sys.path.append(str(Path(__file__).parents[1] / "tests" / "support"))
-from example_arms import arm, with_other_choices
 
 
 def main(count=5_000):

@@ -8,17 +8,13 @@ been told to merge its constants (`ETS.compile`). modern_robotics takes one at a
 One by one: the same configurations in a loop of Python, for us as for the peer. All agree to 1e-12 before any is timed.
 """
 
-import sys
 from collections.abc import Iterator
 from functools import partial
-from pathlib import Path
 
 import numpy as np
 
 import kinlib as kl
 from benchmarks.measure import Curve, Row, Way, compared, grown
-
-sys.path.append(str(Path(__file__).parents[1] / "tests" / "support"))
 
 JOINTS = (1, 2, 4, 8, 16, 32, 64)
 

@@ -1,6 +1,6 @@
 """How right exp and log are: the worst error against 40-digit mpmath at each angle, here and in five other libraries.
 
-    python -m benchmarks.accuracy
+    python -m benchmarks.library.accuracy
 
 SO(3) is measured by rotation vectors, SE(3) by twists with |v| = 1, each in 50 directions. The error of exp is the
 largest entry of exp(x) - X, where X is exp(x) with 40 digits. log is given X rounded to doubles, and its error is that of
@@ -9,11 +9,10 @@ axis from its other end near pi is charged with no more than it costs.
 A dash: the library has no such function. "fails": it raised, or returned NaN.
 """
 
-import sys
 import warnings
-from pathlib import Path
 
 import modern_robotics as mr
+import mpmath_oracle
 import numpy as np
 import pytransform3d.rotations as pr
 import pytransform3d.transformations as pt
@@ -21,9 +20,6 @@ import spatialmath.base as sm
 from scipy.spatial.transform import Rotation
 
 import kinlib as kl
-
-sys.path.append(str(Path(__file__).parents[1] / "tests" / "support"))
-import mpmath_oracle
 
 try:
     import pinocchio as pin

@@ -6,21 +6,17 @@ The twists turn by 0 to pi in all directions. Then the same functions are given 
 lose their digits, and are held against 40-digit mpmath. The error of exp is the largest entry of exp(x) - X. log is given X
 rounded to doubles, and errs by the motion that it names, the largest entry of exp(log(X)) - X: so a log that names the axis
 from its other end at pi, as it may, is charged nothing. The worse one of both is told. Angle by angle, and for more
-libraries: `python -m benchmarks.accuracy`.
+libraries: `python -m benchmarks.library.accuracy`.
 """
 
-import sys
 from collections.abc import Callable, Iterator
 from functools import partial
-from pathlib import Path
 
+import mpmath_oracle
 import numpy as np
 
 import kinlib as kl
 from benchmarks.measure import Row, Way, compared
-
-sys.path.append(str(Path(__file__).parents[1] / "tests" / "support"))
-import mpmath_oracle
 
 NEAR = {
     "near 0": [0.0, *(10.0**-k for k in range(1, 13))],

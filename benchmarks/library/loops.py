@@ -1,7 +1,7 @@
 """How fast a closed chain is traced, beside a plain loop over scipy.optimize.root on the same equations.
 
     python -m benchmarks loops          the times
-    python -m benchmarks.loops          with residuals, and how far the two are apart
+    python -m benchmarks.library.loops          with residuals, and how far the two are apart
 
 Both find the same 361 postures of one turn. kinlib follows the curve by its length and knows the Jacobian; the loop turns
 the driver step by step and starts each search at the posture before, which is what one writes first. It is given six

@@ -6,18 +6,14 @@ Both end as one (N, 6, n) array of twists (omega, v) in the base frame. Pinocchi
 halves the other way round; they are exchanged at the end, for all at once. Both agree to 1e-12 before they are timed.
 """
 
-import sys
 from collections.abc import Iterator
 from functools import partial
-from pathlib import Path
 
 import numpy as np
 
 import kinlib as kl
-from benchmarks.forward_kinematics import puma560
+from benchmarks.library.forward_kinematics import puma560
 from benchmarks.measure import Row, Way, compared
-
-sys.path.append(str(Path(__file__).parents[1] / "tests" / "support"))
 
 
 def rows(quick: bool = False) -> Iterator[Row]:

@@ -1,7 +1,7 @@
 """How fast a class is graded: the same 100 submissions of sheet 03, by kinlib and by nbgrader, in one run; then 1,000.
 
-    python -m benchmarks.grading
-    python -m benchmarks.grading 20 200        by both, and then by kinlib alone
+    python -m benchmarks.course.grading
+    python -m benchmarks.course.grading 20 200        by both, and then by kinlib alone
 
 Each is timed from start to end as an instructor runs it, imports included. misstep grades two at a time, which nbgrader has
 no way to, and fills nbgrader's gradebook, as `nbgrader autograde` does. With it come a page of feedback for each student and
@@ -24,11 +24,10 @@ from contextlib import redirect_stdout, suppress
 from dataclasses import dataclass
 from pathlib import Path
 
-from benchmarks.measure import Curve, NotHere, Row
-
-sys.path += [str(Path(__file__).parent), str(Path(__file__).parents[1] / "tests" / "support")]
-from stock import ROOT, Course
 from submissions import as_bytes, handed_in, mistaken, released, right
+
+from benchmarks.course.nbgrader_baseline import ROOT, Course
+from benchmarks.measure import Curve, NotHere, Row
 
 JOBS = 2
 
@@ -177,7 +176,19 @@ def save(folder, student, notebook):
 def ours(handed, out, *options):
     """Grade a folder as an instructor does."""
     start = time.perf_counter()
-    command = [sys.executable, "-m", "kinlib", "grade", released(), handed, "--out", out, "--jobs", str(JOBS), *options]
+    command = [
+        sys.executable,
+        "-m",
+        "misstep",
+        "grade",
+        released(),
+        handed,
+        "--out",
+        out,
+        "--jobs",
+        str(JOBS),
+        *options,
+    ]
     memory = []
     with subprocess.Popen(command, stdout=subprocess.DEVNULL, env=os.environ | {"PYTHONPATH": str(ROOT)}) as process:
         while process.poll() is None:

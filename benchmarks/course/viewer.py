@@ -1,8 +1,8 @@
 """How fast the viewer answers, beside `interact` with a 3-D plot of matplotlib, and what it costs: one browser, one run.
 
     python -m benchmarks viewer             the slider beside interact
-    python -m benchmarks.viewer             the rest too
-    python -m benchmarks.viewer 10          more presses of a key, or fewer
+    python -m benchmarks.course.viewer             the rest too
+    python -m benchmarks.course.viewer 10          more presses of a key, or fewer
 
 Both stand in one notebook in JupyterLab, drawn in software, and get presses of an arrow key on a slider, in turns. The time
 runs from the key's event in the page to the first change of what it asks for: a number in the pose, a picture painted.
@@ -24,6 +24,17 @@ from pathlib import Path
 
 import nbformat
 import numpy as np
+from browser import (
+    CHROMIUM,
+    NO_CHROMIUM,
+    browsers,
+    jupyterlab,
+    open_notebook,
+    run_cell,
+    static_page,
+    wait_until_drawn,
+    watched,
+)
 
 import kinlib as kl
 from benchmarks.measure import NotHere, Row, row
@@ -31,9 +42,6 @@ from kinlib.rigid.screw import screw
 from kinlib.view import explore
 from kinlib.view.viewer.scene import LAYERS
 from kinlib.view.viewer.viewer import STATIC
-
-sys.path.append(str(Path(__file__).parents[1] / "tests" / "support"))
-from browser import CHROMIUM, NONE, awake, browsers, jupyterlab, open_notebook, run_cell, static_page, watched
 
 VIEWER = "import kinlib as kl\nfrom kinlib.view import explore\nexplore(kl.robots.puma560())"
 INTERACT = """
@@ -131,7 +139,7 @@ def notebook():
     Raises NotHere where there is no Chromium.
     """
     if CHROMIUM is None:
-        raise NotHere(NONE)
+        raise NotHere(NO_CHROMIUM)
     cells = [nbformat.v4.new_code_cell(source.strip()) for source in (VIEWER, INTERACT)]
     with browsers() as start, tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -158,7 +166,7 @@ def page_costs(browser, folder):
     with watched(browser) as page:
         static_page(folder, *map(explore, robots))
         page.goto(address)
-        awake(page)
+        wait_until_drawn(page)
         marks = ["kinlib-viewer-answers", "kinlib-viewer-picture"]
         moments = page.evaluate("marks => marks.map((name) => performance.getEntriesByName(name)[0].startTime)", marks)
         worst = 0.0
@@ -172,7 +180,7 @@ def page_costs(browser, folder):
     with watched(browser) as page:
         static_page(folder, explore(ten_joints(), show=LAYERS))
         page.goto(address)
-        awake(page)
+        wait_until_drawn(page)
         devtools = page.context.new_cdp_session(page)
         update = """() => { const { model, stage } = document.querySelector('.kv').viewer;
             for (let k = 0; k < 1000; k += 1) { model.set('q', Array.from({ length: 10 }, (_, j) => Math.sin(k / 50 + j)));

@@ -1,7 +1,7 @@
 """What hostile submissions get: the attacks of the tests, against kinlib and against stock nbgrader, side by side.
 
-    python -m benchmarks.hostile                 as root, on Linux: it takes some minutes
-    python -m benchmarks.hostile proc heap       only attacks with these words in their names
+    python -m benchmarks.course.hostile                 as root, on Linux: it takes some minutes
+    python -m benchmarks.course.hostile proc heap       only attacks with these words in their names
 
 nbgrader runs each attack in namespaces of processes and mounts made for it, on a disk that can be read and not written,
 but for the course and the folder that is attacked: or this would be no benchmark, but the end of the machine that runs it.
@@ -20,10 +20,10 @@ import tempfile
 from functools import partial
 from pathlib import Path
 
-sys.path += [str(Path(__file__).parent), str(Path(__file__).parents[1] / "tests" / "support")]
 import attacks
-from stock import SHEET, Course
 from submissions import as_bytes, attacking, descendants, released, right
+
+from benchmarks.course.nbgrader_baseline import SHEET, Course
 
 CANARY = "SECRET-CANARY"
 

@@ -1,8 +1,8 @@
 """How fast a frame assignment is, and how right: the worst error of thousands of arms, by case and by angle, beside a peer.
 
     python -m benchmarks frames             1,000 arms of seven joints: seconds beside the peer's, and how many are off
-    python -m benchmarks.frames             how right, case by case
-    python -m benchmarks.frames 500         fewer arms
+    python -m benchmarks.library.frames             how right, case by case
+    python -m benchmarks.library.frames 500         fewer arms
 
 Speed is measured on arms of seven joints, in both conventions; then every table is held against its arm in 20 postures.
 The peer is AutoDH 0.2 (edsterg/autodh), the one automatic assigner that we found. It takes anchors and axes, a base and an
@@ -22,15 +22,12 @@ import warnings
 from collections.abc import Iterator
 from dataclasses import replace
 from functools import partial
-from pathlib import Path
 
 import numpy as np
+from example_arms import AXIS_CASES, NEARLY_PARALLEL_ANGLES_RAD, arm, configurations
 
 import kinlib as kl
 from benchmarks.measure import Curve, Row, Way, compared, grown
-
-sys.path.append(str(Path(__file__).parents[1] / "tests" / "support"))
-from example_arms import AXIS_CASES, NEARLY_PARALLEL_ANGLES_RAD, arm, configurations
 
 try:
     import autodh

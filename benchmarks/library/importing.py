@@ -16,7 +16,7 @@ from pathlib import Path
 
 from benchmarks.measure import Row, Way, compared
 
-ROOT = Path(__file__).parents[1]
+ROOT = Path(__file__).parents[2]
 
 
 def rows(quick: bool = False) -> Iterator[Row]:

@@ -1,0 +1,7 @@
+"""Benchmarks of what the course is built on: grading, its sandbox, and the viewer in the browser."""
+
+import sys
+from pathlib import Path
+
+# The benchmarks use the same submissions, attacks and browser as the tests.
+sys.path.append(str(Path(__file__).parents[2] / "tests" / "support"))
