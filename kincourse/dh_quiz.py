@@ -7,7 +7,7 @@ from kincourse.answers.dh_table import DHTableAnswer
 from kincourse.sampling.arms import ArmSampler
 from kincourse.text.joint_table import joint_table
 from kinlib.dh.assignment import assign_frames
-from kinlib.dh.table import Convention, convention_of
+from kinlib.dh.table import Convention, validate_convention
 from kinlib.view import draw_joints
 from misstep.card import Card
 from misstep.judge import Judgement, judge
@@ -32,7 +32,7 @@ def draw_problem(seed: str, convention: Convention) -> Problem:
     """
     sampler = ArmSampler(seed, "quiz")
     arm = sampler.arm(sampler.choice(JOINT_TYPES))
-    table = assign_frames(arm, convention=convention_of(convention)).table
+    table = assign_frames(arm, convention=validate_convention(convention)).table
     other: Convention = "modified" if convention == "standard" else "standard"
     misread = assign_frames(arm, convention=other).table.changed(convention=convention)
     return Problem(
@@ -58,7 +58,7 @@ class Quiz:
     def __init__(self, convention: Convention, seed: str | None = None) -> None:
         import ipywidgets as widgets  # not installed where sheets are graded
 
-        self.convention = convention_of(convention)
+        self.convention = validate_convention(convention)
         self.seed = seed if seed is not None else secrets.token_hex(8)
         self.asked = 0
         self.right = 0

@@ -7,7 +7,7 @@ from typing import ClassVar
 import numpy as np
 
 from kinlib.arrays.validation import Array
-from kinlib.dh.parsing import ANGLES, COLUMNS
+from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS
 from misstep.answers.base import TOLERANCE
 from misstep.answers.number import Numbers
 
@@ -50,7 +50,7 @@ class DHEntriesAnswer(Numbers):
         return list(range(len(self.names)))
 
     def _is_angle(self, part: int) -> bool:
-        return any(angle in self.names[part] for angle in ANGLES)
+        return any(angle in self.names[part] for angle in ANGLE_COLUMNS)
 
 
 @dataclass(frozen=True, eq=False)

@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlib.arrays.validation import Array
-from kinlib.dh.parsing import ANGLES, COLUMNS
+from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS
 from kinlib.dh.table import Convention, DHTable
 from misstep.mistakes import Mistake, mistake
 
@@ -70,7 +70,7 @@ def in_degrees(table: DHTable) -> DHTable:
     array([2.0354])
     """
     rows = table.rows.copy()
-    for column in ANGLES:
+    for column in ANGLE_COLUMNS:
         k = COLUMNS.index(column)
         rows[:, k] = np.degrees(rows[:, k]) % (2 * np.pi)
     return table.changed(rows=rows)

@@ -24,7 +24,7 @@ from kincourse.text.joint_table import joint_table
 from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.formatting import format_rows, markdown_table
-from kinlib.dh.parsing import ANGLES, COLUMNS
+from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS
 from kinlib.dh.table import Convention, DHTable
 from kinlib.rigid.lie import inverse
 from kinlib.view import draw_joints
@@ -126,7 +126,7 @@ def _assigned_table(arm: Chain, convention: Convention) -> DHTable:
 
 def _wrong_entry(sampler: ArmSampler, value: float, column: str, step: float) -> float:
     """Draw a wrong number in place of a right one: simple, and far enough from it."""
-    if column in ANGLES:
+    if column in ANGLE_COLUMNS:
         return value + float(np.radians(sampler.choice([90, -90, 180])))
     off = sampler.choice((-1, 1)) * sampler.integer(1, 3) * step
     return sampler.choice([-value, value + off]) if abs(value) > step / 2 else value + off

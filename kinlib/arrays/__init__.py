@@ -1,1 +1,1 @@
-"""Arrays: validation at the public edge, batches, and generated code for single configurations."""
+"""Arrays: input validation, named tolerances, batches, and generated code for single configurations."""

@@ -1,1 +1,1 @@
-"""Denavit-Hartenberg tables: reading, assigning, comparing and diagnosing them (lectures 05 to 07)."""
+"""Denavit-Hartenberg tables: parsing, formatting, assigning, comparing and diagnosing them (lectures 05 to 07)."""

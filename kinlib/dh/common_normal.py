@@ -1,7 +1,8 @@
-"""Two joint axes and what lies between them: their common normal, in every case that two lines can be in.
+"""The common normal of two joint axes, in each of the six ways in which two lines in space can be related.
 
-The normal is where a DH frame gets its x. If the axes are skew there is one. If they meet it has no length, and its
-direction is square to both. If they are parallel there are many, all alike; if they are one line, every direction will do.
+The common normal determines the x axis of a DH frame. Skew axes have exactly one. If the axes intersect, its length is zero and
+its direction is perpendicular to both. Parallel axes have infinitely many, with one direction and one length. If the axes are
+the same line, every perpendicular direction is possible.
 """
 
 import math
@@ -10,22 +11,17 @@ from typing import Literal
 
 import numpy as np
 
+from kinlib.arrays.tolerances import INTERSECTION_TOL_M, NEARLY_PARALLEL_RAD, PARALLEL_TOL_RAD
 from kinlib.arrays.validation import Array
 
 Case = Literal["skew", "intersecting", "parallel", "anti-parallel", "coincident", "anti-coincident"]
 
-MEETS = 1e-12
-"""Axes nearer than this, in metres for an arm of some metres, meet; axes that differ by this, in radians, are parallel."""
-
-NEARLY = 1e-5
-"""Axes less apart than this, in radians, are nearly parallel: their normal runs away like 1 / angle."""
-
 
 @dataclass(frozen=True, eq=False)
-class Normal:
-    """A common normal from one axis to the next: its unit direction x, its feet on both axes, and the case met.
+class CommonNormal:
+    """A common normal from one axis to the next: the case, its unit direction x, and its feet on both axes.
 
-    sine   of the angle between the axes; where it is not 0 and the case is parallel, the axes were taken as parallel
+    sine   of the angle between the axes; if it is not 0 and the case is parallel, the axes were treated as parallel
     """
 
     case: Case
@@ -35,60 +31,70 @@ class Normal:
     sine: float
 
     @property
-    def nearly_parallel(self) -> bool:
-        """Whether the axes are so close to parallel that DH is singular here, and yet are not parallel."""
-        return MEETS < self.sine < NEARLY
+    def is_nearly_parallel(self) -> bool:
+        """Whether the axes are so close to parallel that DH is ill-conditioned, without being parallel."""
+        return PARALLEL_TOL_RAD < self.sine < NEARLY_PARALLEL_RAD
 
     @property
-    def free(self) -> bool:
-        """Whether the normal may slide along the axes."""
-        return self.case not in {"skew", "intersecting"}
+    def is_unique(self) -> bool:
+        """Whether the axes determine the position of the normal; parallel axes have a common normal at every point."""
+        return self.case in {"skew", "intersecting"}
 
 
 def common_normal(
-    axis: tuple[Array, Array], other: tuple[Array, Array], before: Array, *, slide: bool, parallel_below: float = MEETS
-) -> Normal:
-    """Find the common normal from one axis to another, each a unit direction and a point on it.
+    axis: tuple[Array, Array],
+    other: tuple[Array, Array],
+    previous_x: Array,
+    *,
+    at_other_point: bool,
+    parallel_below: float = PARALLEL_TOL_RAD,
+) -> CommonNormal:
+    """Compute the common normal from one axis to another, each given by a unit direction and a point on it.
 
-    before          the x of the frame before; where a sign or a direction is free, the normal stays close to it
-    slide           parallel axes: True puts the normal at the other point, as the Chapter 4 review deck does
-    parallel_below  axes less apart than this, in radians, are taken as parallel
+    previous_x      the x of the previous frame; where the sign or the direction is free, the normal is chosen close to it
+    at_other_point  for parallel axes: whether the normal goes through the point of the other axis, as the Chapter 4 review deck
+                    has it, or else through that of the first
+    parallel_below  axes at a smaller angle than this, in radians, are treated as parallel
 
     Source: EduFill module, steps III and IV; Chapter 4 review deck, step 3.
 
     >>> X, Y, Z = np.eye(3)
-    >>> common_normal((Z, 0 * Z), (Y, 2 * X), X, slide=True).case
+    >>> common_normal((Z, 0 * Z), (Y, 2 * X), X, at_other_point=True).case
     'skew'
     """
     (z, origin), (other_z, other_point) = axis, other
-    # The place nearest to the other joint is the best one to measure from: what lies between is short and square to z.
+    # Measuring from the foot nearest the other joint is the most accurate: the vector between is short and perpendicular to z.
     near = origin + z * (z @ (other_point - origin))
     across = other_point - near
     both = _cross(z, other_z)
     sine = math.hypot(*both)
     if sine <= parallel_below:
-        start = near if slide else origin
-        return _parallel(z, before, across, start, opposite=bool(z @ other_z < 0), sine=sine)
+        start = near if at_other_point else origin
+        return _parallel_normal(z, previous_x, across, start, opposite=bool(z @ other_z < 0), sine=sine)
     x = both / sine
-    # How far along each axis to go until the connection is square to both.
+    # The distances along both axes to the points between which the connection is perpendicular to both.
     along = float(_cross(across, other_z) @ both) / sine**2
     other_along = float(_cross(across, z) @ both) / sine**2
     start, end = near + along * z, other_point + other_along * other_z
     length = float(across @ x)
-    if abs(length) <= MEETS:
-        return Normal("intersecting", -x if x @ before < -MEETS else x, start, end, sine)
-    return Normal("skew", x if length > 0 else -x, start, end, sine)
+    if abs(length) <= INTERSECTION_TOL_M:
+        return CommonNormal("intersecting", -x if x @ previous_x < -PARALLEL_TOL_RAD else x, start, end, sine)
+    return CommonNormal("skew", x if length > 0 else -x, start, end, sine)
 
 
-def _parallel(z: Array, before: Array, across: Array, start: Array, *, opposite: bool, sine: float) -> Normal:
+def _parallel_normal(
+    z: Array, previous_x: Array, across: Array, start: Array, *, opposite: bool, sine: float
+) -> CommonNormal:
     distance = math.hypot(*across)
-    if distance > MEETS:
-        return Normal("anti-parallel" if opposite else "parallel", across / distance, start, start + across, sine)
-    x = before - z * (z @ before)
-    return Normal("anti-coincident" if opposite else "coincident", x / np.linalg.norm(x), start, start, sine)
+    if distance > INTERSECTION_TOL_M:
+        case: Case = "anti-parallel" if opposite else "parallel"
+        return CommonNormal(case, across / distance, start, start + across, sine)
+    x = previous_x - z * (z @ previous_x)
+    case = "anti-coincident" if opposite else "coincident"
+    return CommonNormal(case, x / np.linalg.norm(x), start, start, sine)
 
 
 def _cross(u: Array, v: Array) -> Array:
-    """The vector product of two vectors, (3,). np.cross is made for batches, and for two takes thirty times as long."""
+    """Compute the cross product of two vectors, (3,). np.cross is made for batches, and takes thirty times as long."""
     (a, b, c), (x, y, z) = u.tolist(), v.tolist()
     return np.array([b * z - c * y, c * x - a * z, a * y - b * x])

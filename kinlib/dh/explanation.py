@@ -1,7 +1,7 @@
-"""The steps of a frame assignment in words: the case met, the choice taken, what else was legal, and the numbers.
+"""The steps of a frame assignment in words: the case, the choice, the alternatives and the numbers.
 
-The order is that of the decks: locate the axes, then for each link the common normal, the origin, x and y, then the first
-and the last frame, then the four numbers of each row.
+The order is that of the decks: locate the axes; for each link the common normal, the origin, x and y; the first and the last
+frame; and the four numbers of each row.
 """
 
 from collections.abc import Iterator, Sequence
@@ -12,51 +12,53 @@ import numpy as np
 from kinlib.arrays.formatting import format_number, format_vector
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
-from kinlib.dh.common_normal import Normal
+from kinlib.dh.common_normal import CommonNormal
 from kinlib.dh.formatting import format_rows
 from kinlib.dh.table import DHTable
 
-PROBES = 24
-"""In how many postures a table is compared with its chain."""
+ACCURACY_SAMPLES = 24
+"""Number of configurations at which a table is compared with its chain."""
 
-SINGULAR = (
-    "These axes are nearly parallel, {angle:.1e} rad apart, and DH is singular here: a millimetre between them moves their "
-    "normal by {far:.2g} m along them, so the last digits of d are lost. (Hayati's remedy is a fifth parameter: a small turn "
-    "about y instead of the far normal.)"
+NEARLY_PARALLEL = (
+    "These axes are nearly parallel, {angle:.1e} rad apart, where DH is ill-conditioned: if one of them moves by a millimetre, "
+    "their normal moves by {far:.2g} m along them, so the last digits of d are lost. (Hayati's remedy is a fifth parameter: a "
+    "small rotation about y instead of the distant normal.)"
 )
 
-SPARED = (
-    "These axes are nearly parallel, {angle:.1e} rad apart; but a slide has no line of its own, so it is laid across its "
-    "neighbour, and their normal cannot run away."
+PRISMATIC_AXIS_RELOCATED = (
+    "These axes are nearly parallel, {angle:.1e} rad apart. But a prismatic joint has no line of its own, so its axis is placed "
+    "to intersect its neighbour, and their normal stays near."
 )
 
 CASES = {
     "skew": "Axes {i} and {j} are skew: there is one common normal, {a} m long.",
-    "intersecting": "Axes {i} and {j} meet: the common normal has no length, and its direction is square to both.",
-    "parallel": "Axes {i} and {j} are parallel, {a} m apart: every place along them has a common normal, all alike.",
-    "anti-parallel": "Axes {i} and {j} are parallel and point opposite ways, {a} m apart: alpha is pi, not 0.",
-    "coincident": "Axes {i} and {j} are one line: the common normal has no length, and any direction will do.",
-    "anti-coincident": "Axes {i} and {j} are one line and point opposite ways: alpha is pi, and any direction will do.",
+    "intersecting": "Axes {i} and {j} intersect: the common normal has length zero, and its direction is perpendicular to both.",
+    "parallel": "Axes {i} and {j} are parallel, {a} m apart: there is a common normal at every point, always the same vector.",
+    "anti-parallel": "Axes {i} and {j} are parallel with opposite directions, {a} m apart: alpha is pi, not 0.",
+    "coincident": "Axes {i} and {j} are the same line: the common normal has length zero, and any perpendicular direction is possible.",
+    "anti-coincident": (
+        "Axes {i} and {j} are the same line with opposite directions: alpha is pi, and any perpendicular direction is possible."
+    ),
 }
 
-ELSE = {
-    "skew": "The opposite direction, with -a, -alpha, and half a turn more in one theta and less in the next.",
-    "intersecting": "The opposite direction, with -alpha, and half a turn more in one theta and less in the next.",
-    "parallel": "Any other place along the axes: what d loses in one row, it gains in the next.",
-    "anti-parallel": "Any other place along the axes: both d change alike, for the axes point opposite ways.",
-    "coincident": "Any direction square to the axis, and any place on it.",
-    "anti-coincident": "Any direction square to the axis, and any place on it.",
+ALTERNATIVES = {
+    "skew": "The opposite direction, with -a, -alpha, and pi added to one theta and subtracted from the next.",
+    "intersecting": "The opposite direction, with -alpha, and pi added to one theta and subtracted from the next.",
+    "parallel": "Any other point along the axes: d decreases in one row by as much as it increases in the next.",
+    "anti-parallel": "Any other point along the axes: both d change by the same amount, because the axes have opposite directions.",
+    "coincident": "Any direction perpendicular to the axis, and any point on it.",
+    "anti-coincident": "Any direction perpendicular to the axis, and any point on it.",
 }
 
 
 @dataclass(frozen=True)
-class Step:
-    """One step of an assignment.
+class AssignmentStep:
+    """One step of a frame assignment.
 
     kind    "axes", "normal", "origin", "x", "y", "first", "last", "row" or "accuracy"
-    frame   the frame or the row that it is about; None for the whole arm
+    frame   the number of the frame or the row; None for the whole arm
     text    what is found and done, in words with numbers
-    others  what else would have been legal; empty where nothing was free
+    others  the alternatives; empty where nothing is free
     """
 
     kind: str
@@ -65,8 +67,10 @@ class Step:
     others: str = ""
 
 
-def told(chain: Chain, table: DHTable, frames: Array, normals: Sequence[Normal], accuracy: float) -> list[Step]:
-    """Tell an assignment as a person would make it.
+def explain_assignment(
+    chain: Chain, table: DHTable, frames: Array, normals: Sequence[CommonNormal], accuracy: float
+) -> list[AssignmentStep]:
+    """Explain an assignment in the steps in which a person does it.
 
     >>> from kinlib.dh.assignment import assign_frames
     >>> from kinlib.chains.robots import youbot
@@ -74,107 +78,102 @@ def told(chain: Chain, table: DHTable, frames: Array, normals: Sequence[Normal],
     ['axes', 'first', 'normal', 'origin', 'x']
     """
     standard = table.convention == "standard"
-    steps = [_axes(chain, standard), _first(table, frames)]
+    steps = [_explain_axes(chain, standard), _explain_first_frame(table, frames)]
     for pair, normal in enumerate(normals):
-        frame = pair + 1
-        steps += _link(chain, frames[frame], pair, normal, standard)
-    steps.append(_last(chain, table, frames))
-    steps += _rows(table)
-    singular = any(normal.nearly_parallel for normal in normals)
-    exact = "This table is the arm, to rounding" if accuracy < 1e-11 else "This table is the arm only so far"
-    note = " Nearly parallel axes cost it the digits." if singular and accuracy >= 1e-11 else ""
-    steps.append(
-        Step("accuracy", None, f"{exact}: in {PROBES} postures its poses differ by {accuracy:.1e} at most.{note}")
-    )
+        steps += _explain_link(chain, frames[pair + 1], pair, normal, standard)
+    steps.append(_explain_last_frame(chain, table, frames))
+    steps += _explain_rows(table)
+    steps.append(_explain_accuracy(accuracy, any(normal.is_nearly_parallel for normal in normals)))
     return steps
 
 
-def _axes(chain: Chain, standard: bool) -> Step:
-    found = []
-    for i, (letter, axis, point) in enumerate(
-        zip(chain.joint_types, chain.lines.axis, chain.joint_points, strict=True)
+def _explain_axes(chain: Chain, standard: bool) -> AssignmentStep:
+    joints = []
+    for i, (joint_type, axis, point) in enumerate(
+        zip(chain.joint_types, chain.lines.axis, chain.joint_points, strict=True), start=1
     ):
-        where = "anywhere (a slide has a direction, not a line)" if letter == "P" else f"through {format_vector(point)}"
-        found.append(f"joint {i + 1}, {'sliding' if letter == 'P' else 'turning'}, along {format_vector(axis)} {where}")
+        name = "prismatic" if joint_type == "P" else "revolute"
+        where = "anywhere (a prismatic joint has no line)" if joint_type == "P" else f"through {format_vector(point)}"
+        joints.append(f"joint {i}, {name}, along {format_vector(axis)} {where}")
     rule = "z_{i-1} lies on the axis of joint i" if standard else "z_i lies on the axis of joint i"
-    turned = "Each z may point the other way; then that joint counts the other way."
-    return Step("axes", None, f"Locate the joint axes: {'; '.join(found)}. In this convention {rule}.", turned)
+    others = "Each z may have the opposite direction; then the joint variable changes its sign."
+    return AssignmentStep(
+        "axes", None, f"Locate the joint axes: {'; '.join(joints)}. In this convention {rule}.", others
+    )
 
 
-def _first(table: DHTable, frames: Array) -> Step:
+def _explain_first_frame(table: DHTable, frames: Array) -> AssignmentStep:
     place = f"Its origin is at {format_vector(frames[0, :3, 3])}, its x along {format_vector(frames[0, :3, 0])}."
     if table.convention == "standard":
-        text = f"Frame 0 stands on axis 1, at the point nearest {{s}}, with x as near the x of {{s}} as the axis allows. {place}"
-        return Step(
-            "first", 0, text, "Any other origin on the axis and any x square to it; base, d_1 and theta_1 follow."
-        )
-    text = f"Frame 0 matches frame 1 when q_1 = 0, so the first row begins with alpha = 0 and a = 0. {place}"
-    return Step("first", 0, text, "Any frame at all, with other numbers in the base and in the first row.")
+        text = f"Frame 0 is on axis 1, at the point nearest {{s}}, with x as near the x of {{s}} as the axis allows. {place}"
+        others = "Any other origin on the axis and any x perpendicular to it; base, d_1 and theta_1 change accordingly."
+    else:
+        text = f"Frame 0 coincides with frame 1 at q_1 = 0, so the first row begins with alpha = 0 and a = 0. {place}"
+        others = "Any other frame, with other numbers in the base and in the first row."
+    return AssignmentStep("first", 0, text, others)
 
 
-def _link(chain: Chain, T: Array, pair: int, normal: Normal, standard: bool) -> Iterator[Step]:
+def _explain_link(chain: Chain, T: Array, pair: int, normal: CommonNormal, standard: bool) -> Iterator[AssignmentStep]:
     i, j, frame = pair + 1, pair + 2, pair + 1
     length = format_number(float(np.linalg.norm(normal.end - normal.start)))
-    text = CASES[normal.case].format(i=i, j=j, a=length)
+    text, others = CASES[normal.case].format(i=i, j=j, a=length), ALTERNATIVES[normal.case]
     has_length = normal.case in {"skew", "parallel", "anti-parallel"}
-    singular = normal.nearly_parallel and (has_length or "P" not in chain.joint_types[pair : pair + 2])
-    if singular:
-        text += " " + SINGULAR.format(angle=normal.sine, far=1e-3 / normal.sine)
-        text += " Here they are taken as parallel." if normal.free else " Here the far normal is kept."
-    elif normal.nearly_parallel:
-        text += " " + SPARED.format(angle=normal.sine)
-    others = "The far normal." if singular and normal.free else ELSE[normal.case]
-    yield Step("normal", frame, text, others)
-    on = f"axis {j}" if standard else f"axis {i}"
-    why = "where the common normal meets it"
-    if normal.free:
-        why = f"at joint {j}, for the normal may slide" if standard else "where d stays 0, for the normal may slide"
-    yield Step(
-        "origin",
-        frame,
-        f"O_{frame} lies on {on}, {why}: {format_vector(T[:3, 3])}.",
-        ELSE[normal.case] if normal.free else "",
-    )
-    direction = (
-        "along the common normal, from joint to joint"
-        if has_length
-        else (
-            "square to both axes, as near the x before as that allows"
-            if normal.case == "intersecting"
-            else "kept as it was"
-        )
-    )
-    yield Step(
-        "x",
-        frame,
-        f"x_{frame} is {direction}: {format_vector(normal.x)}.",
-        "" if normal.case in {"parallel", "anti-parallel"} else ELSE[normal.case],
-    )
-    yield Step(
-        "y", frame, f"y_{frame} = z_{frame} x x_{frame} completes a right-handed frame: {format_vector(T[:3, 1])}."
-    )
+    if normal.is_nearly_parallel and (has_length or "P" not in chain.joint_types[pair : pair + 2]):
+        text += " " + NEARLY_PARALLEL.format(angle=normal.sine, far=1e-3 / normal.sine)
+        text += " Here the distant normal is kept." if normal.is_unique else " Here they are treated as parallel."
+        others = others if normal.is_unique else "The distant normal."
+    elif normal.is_nearly_parallel:
+        text += " " + PRISMATIC_AXIS_RELOCATED.format(angle=normal.sine)
+    yield AssignmentStep("normal", frame, text, others)
+    reason = "where the common normal meets it"
+    if not normal.is_unique:
+        reason = f"at joint {j}" if standard else "where d is 0"
+        reason += ", because the normal may be at any point of the axes"
+    text = f"O_{frame} lies on axis {j if standard else i}, {reason}: {format_vector(T[:3, 3])}."
+    yield AssignmentStep("origin", frame, text, "" if normal.is_unique else ALTERNATIVES[normal.case])
+    direction = "the same as before"
+    if has_length:
+        direction = "along the common normal, from joint to joint"
+    elif normal.case == "intersecting":
+        direction = "perpendicular to both axes, as near the previous x as possible"
+    others = "" if normal.case in {"parallel", "anti-parallel"} else ALTERNATIVES[normal.case]
+    yield AssignmentStep("x", frame, f"x_{frame} is {direction}: {format_vector(normal.x)}.", others)
+    text = f"y_{frame} = z_{frame} x x_{frame} completes a right-handed frame: {format_vector(T[:3, 1])}."
+    yield AssignmentStep("y", frame, text)
 
 
-def _last(chain: Chain, table: DHTable, frames: Array) -> Step:
+def _explain_last_frame(chain: Chain, table: DHTable, frames: Array) -> AssignmentStep:
     n, T = chain.n, frames[-1]
     place = f"O_{n} is at {format_vector(T[:3, 3])}, x_{n} along {format_vector(T[:3, 0])}."
     if table.convention == "standard":
-        text = f"There is no next axis: z_{n} is parallel to z_{n - 1}, and the frame as near the tool as that allows. {place}"
-        return Step(
-            "last", n, text, "Any frame whose x meets z_{n-1} at a right angle; the tool transform takes up the rest."
+        text = f"There is no next axis: z_{n} is parallel to z_{n - 1}, and the frame is as near the tool as that allows. {place}"
+        others = "Any frame whose x intersects z_{n-1} at a right angle; the tool transform compensates for it."
+    else:
+        d, theta = ("0", f"q_{n}") if table.joints[-1] == "R" else (f"q_{n}", "0")
+        text = (
+            f"Frame {n} is placed such that d_{n} = {d} and theta_{n} = {theta}. {place} "
+            "The tool transform leads from there to {b}."
         )
-    d, theta = ("0", f"q_{n}") if table.joints[-1] == "R" else (f"q_{n}", "0")
-    text = (
-        f"Frame {n} stands where d_{n} = {d} and theta_{n} = {theta}. {place} "
-        "What is left to {b} is the tool transform."
+        others = "Any other origin on the axis and any x perpendicular to it; d, theta and the tool change accordingly."
+    return AssignmentStep("last", n, text, others)
+
+
+def _explain_rows(table: DHTable) -> Iterator[AssignmentStep]:
+    rows = format_rows(table, angle=format_number, variable="q_{}".format)
+    for row, (a, alpha, d, theta) in enumerate(rows, start=1):
+        index = row - 1 if table.convention == "modified" else row
+        text = f"Row {row}: a_{index} = {a}, alpha_{index} = {alpha}, d_{row} = {d}, theta_{row} = {theta}."
+        yield AssignmentStep("row", row, text)
+
+
+def _explain_accuracy(accuracy: float, nearly_parallel: bool) -> AssignmentStep:
+    is_exact = accuracy < 1e-11
+    claim = (
+        "This table describes the arm, up to rounding"
+        if is_exact
+        else "This table describes the arm only approximately"
     )
-    return Step("last", n, text, "Any other origin on the axis and any x square to it; d, theta and the tool follow.")
-
-
-def _rows(table: DHTable) -> Iterator[Step]:
-    for row, (a, alpha, d, theta) in enumerate(
-        format_rows(table, angle=format_number, variable="q_{}".format), start=1
-    ):
-        before = row - 1 if table.convention == "modified" else row
-        text = f"Row {row}: a_{before} = {a}, alpha_{before} = {alpha}, d_{row} = {d}, theta_{row} = {theta}."
-        yield Step("row", row, text)
+    text = f"{claim}: at {ACCURACY_SAMPLES} configurations its poses differ by at most {accuracy:.1e}."
+    if nearly_parallel and not is_exact:
+        text += " The nearly parallel axes limit its accuracy."
+    return AssignmentStep("accuracy", None, text)

@@ -1,4 +1,4 @@
-"""DH tables as text: each entry as a person writes it, with the joint variable where the joint moves."""
+"""Write DH tables as text: headings, and rows with the joint variables in the entries that vary."""
 
 from collections.abc import Callable, Sequence
 
@@ -20,7 +20,7 @@ def format_rows(
 
     length    writes a and d, given in metres
     angle     writes alpha and theta, given in radians
-    variable  writes the variable of joint i, counted from 1
+    variable  writes the variable of joint i, starting from 1
 
     >>> table = DHTable("a | alpha | d | theta\n 0.4 | pi/2 | 0 | 0.5*pi - q1\n 0 | 0 | q2 | 0", convention="standard")
     >>> format_rows(table)
@@ -38,7 +38,7 @@ def format_rows(
 
 
 def add_variable(variable: str, constant: str) -> str:
-    """Write a joint variable and the constant that is added to it, if there is any.
+    """Write the sum of a joint variable and a constant, which is left out if it is 0.
 
     >>> add_variable("q1", "-90°"), add_variable("-q2", "0.3"), add_variable("q3", "0°")
     ('q1 - 90°', '-q2 + 0.3', 'q3')
@@ -51,7 +51,7 @@ def add_variable(variable: str, constant: str) -> str:
 def markdown_table(rows: Sequence[Sequence[str]], heads: Sequence[str] = ("i", *COLUMNS)) -> str:
     """Write rows of entries as a table in Markdown, with the rows numbered from 1.
 
-    heads  of all columns, that of the numbers included
+    heads  the headings of all columns, including the column of row numbers
 
     >>> print(markdown_table([["0.4", "90°", "0", "q1"]]))
     | i | a | alpha | d | theta |

@@ -1,13 +1,13 @@
-"""Denavit-Hartenberg tables: an arm as four numbers a row, in the standard or the modified convention.
+"""Denavit-Hartenberg tables: an arm as four numbers per row, in the standard or the modified convention.
 
-Two frames on neighbouring links need six numbers in general. If each x axis runs along the common normal of two joint
-axes, four do: the twist alpha and the length a of the normal, the offset d and the angle theta about the joint.
+In general, six numbers describe one frame in another. If each x axis is along the common normal of two joint axes, four are
+enough: the length a of the normal, the twist alpha about it, the offset d along the joint axis, and the angle theta about it.
 
     standard   A_i = Rz(theta_i) Tz(d_i) Tx(a_i) Rx(alpha_i)                joint i moves about z_{i-1}
     modified   T_i = Rx(alpha_{i-1}) Tx(a_{i-1}) Rz(theta_i) Tz(d_i)        joint i moves about z_i
 
-Both are the same product Z_1 X_1 Z_2 X_2 ... Z_n, cut at other places. So a table in one convention becomes a table in
-the other by moving alpha and a by one row, and the constants left over at the ends go into the base and the tool.
+Both are the same product Z_1 X_1 Z_2 X_2 ... Z_n, divided into rows at different places. So a table in one convention is
+converted into the other by moving alpha and a by one row, and the constants that remain at the ends go into base and tool.
 """
 
 import math
@@ -27,23 +27,23 @@ from kinlib.rigid.lie import adjoint
 
 Convention = Literal["standard", "modified"]
 
-KEYS = ("rows", "convention", "joints", "signs", "base", "tool")
-"""What a table holds as data: the keys of `DHTable.to_dict`."""
+DICT_KEYS = ("rows", "convention", "joints", "signs", "base", "tool")
+"""The keys of `DHTable.to_dict`."""
 
 
 def dh_transform(a: ArrayLike, alpha: ArrayLike, d: ArrayLike, theta: ArrayLike, *, convention: Convention) -> Array:
-    """Write the transform of one DH row: where frame i stands in frame i-1.
+    """Compute the transform of one DH row: the pose of frame i in frame i-1.
 
     a, d in metres and alpha, theta in radians, any shapes that broadcast -> (..., 4, 4).
     In the modified convention a and alpha are those of the row, a_{i-1} and alpha_{i-1}.
 
-    Raises ValueError for another convention, and for NaN.
+    Raises ValueError for an unknown convention, and for NaN or infinity.
     Source: EduFill module, "Computation with Denavit-Hartenberg table" (standard); deck n = 5 and Lecture 7 (modified).
 
     >>> dh_transform(0, 0, 0.2, 0, convention="standard")[:3, 3]
     array([0. , 0. , 0.2])
     """
-    convention = convention_of(convention)
+    convention = validate_convention(convention)
     values = zip(COLUMNS, (a, alpha, d, theta), strict=True)
     a, alpha, d, theta = np.broadcast_arrays(*(validation.array(value, name) for name, value in values))
     ca, sa, ct, st = np.cos(alpha), np.sin(alpha), np.cos(theta), np.sin(theta)
@@ -60,17 +60,17 @@ def dh_transform(a: ArrayLike, alpha: ArrayLike, d: ArrayLike, theta: ArrayLike,
 
 @dataclass(frozen=True, eq=False)
 class DHTable:
-    r"""An open chain as a DH table, with what no table can hold: the base and the tool.
+    r"""An open chain as a DH table, together with the base and the tool, which the rows cannot describe.
 
     rows        text as on a slide, dictionaries by column name, or numbers (m, 4) in the order a, alpha, d, theta
-    convention  "standard" or "modified"; no default, for a table means nothing without it
-    joints      a letter a row: R (theta moves), P (d moves), F (nothing moves); read from the variables in the rows
-    signs       (m,) 1 or -1 a row: theta or d is the number in the row plus sign times q; read from the variables in the
-                rows, where 0.5 - q1 has the sign -1, and 1 if the rows are numbers and no signs are given
+    convention  "standard" or "modified"; there is no default, because a table has no meaning without its convention
+    joints      a letter per row: R (theta varies), P (d varies), F (fixed); by default read from the variables in the rows
+    signs       (m,) 1 or -1 per row: theta or d is the number in the row plus sign times q. By default they are read from the
+                variables in the rows, where 0.5 - q1 has the sign -1; for rows of numbers they are 1
     base, tool  (4, 4), from {s} to frame 0 and from the last frame to {b}
     lengths     values of the names that the rows use
 
-    Raises ValueError that names the row and the column.
+    Raises ValueError for a table that cannot be read; the message names the row and the column.
     Source: EduFill module (standard), deck n = 5 and Lecture 7 (modified).
 
     >>> table = DHTable("a | alpha | d | theta \n 0.4 | 0 | 0 | q1 \n 0.3 | 0 | 0 | q2", convention="standard")
@@ -93,20 +93,20 @@ class DHTable:
         for name, value in {"base": self.base, "tool": self.tool}.items():
             arrays[name] = validation.poses(value, name)
             if arrays[name].ndim != 2:
-                raise ValueError(f"{name} should be one pose, (4, 4); got {np.shape(value)}.")
+                raise ValueError(f"{name} must be a single pose, (4, 4); got {np.shape(value)}.")
         for name, array in arrays.items():
             object.__setattr__(self, name, validation.read_only_copy(array))
-        object.__setattr__(self, "convention", convention_of(self.convention))
+        object.__setattr__(self, "convention", validate_convention(self.convention))
         object.__setattr__(self, "joints", read.joints)
 
     @property
     def n(self) -> int:
-        """The number of joints: of rows, less those without a joint."""
-        return len(self._moving)
+        """The number of joints, that is, of rows that are not fixed."""
+        return len(self._joint_rows)
 
     @property
     def columns(self) -> dict[str, Array]:
-        """The numbers by name, (m,) each, with every joint at 0.
+        """The numbers by column name, (m,) each, with every joint at 0.
 
         >>> DHTable([[0.4, 0, 0, 0]], convention="standard").columns["a"]
         array([0.4])
@@ -114,7 +114,7 @@ class DHTable:
         return dict(zip(COLUMNS, self.rows.T, strict=True))
 
     def link_transforms(self, q: ArrayLike) -> Array:
-        """Where each frame stands in the one before it: A_i or T_i, one for each row.
+        """Compute the pose of each frame in the one before it: A_i or T_i, one for each row.
 
         q (..., n) in radians and metres -> (..., m, 4, 4).
 
@@ -127,14 +127,14 @@ class DHTable:
         q = validation.vectors(q, "q", self.n)
         values = np.zeros((*q.shape[:-1], *self.rows.shape))
         values += self.rows
-        for k, row in enumerate(self._moving):
+        for k, row in enumerate(self._joint_rows):
             column = COLUMNS.index("theta" if self.joints[row] == "R" else "d")
             values[..., row, column] += self.signs[row] * q[..., k]
         a, alpha, d, theta = np.moveaxis(values, -1, 0)
         return dh_transform(a, alpha, d, theta, convention=self.convention)
 
     def fk(self, q: ArrayLike) -> Array:
-        """Where the tool is: base A_1(q_1) ... A_m tool.
+        """Compute the pose of the tool: base A_1(q_1) ... A_m tool.
 
         q (..., n) -> T_sb (..., 4, 4).
 
@@ -148,7 +148,7 @@ class DHTable:
         return reduce(np.matmul, [*links, self.tool], self.base)
 
     def to_chain(self) -> Chain:
-        """The same arm as screw axes and a home pose: each joint's own z, read in {s} at home.
+        """Convert the table to screw axes and a home pose: the z of each joint, in {s} at home.
 
         >>> DHTable([[0.4, 0, 0, 0], [0.3, 0, 0, 0]], convention="standard").to_chain().screws[1] + 0.0
         array([ 0. ,  0. ,  1. ,  0. , -0.4,  0. ])
@@ -160,46 +160,46 @@ class DHTable:
         before = [self.base]
         for link in self.link_transforms(np.zeros(self.n)):
             before.append(before[-1] @ link)
-        # In the standard convention joint i moves about the z before its row, in the modified about the z behind it.
-        carriers = before[:-1] if self.convention == "standard" else before[1:]
+        # In the standard convention joint i moves about the z before its row, in the modified one about the z after it.
+        joint_frames = before[:-1] if self.convention == "standard" else before[1:]
         screws, points = [], []
-        for row in self._moving:
-            own = np.zeros(6)
-            own[2 if self.joints[row] == "R" else 5] = self.signs[row]
-            screws.append(adjoint(carriers[row]) @ own)
-            points.append(carriers[row][:3, 3])
+        for row in self._joint_rows:
+            along_z = np.zeros(6)
+            along_z[2 if self.joints[row] == "R" else 5] = self.signs[row]
+            screws.append(adjoint(joint_frames[row]) @ along_z)
+            points.append(joint_frames[row][:3, 3])
         return Chain(np.array(screws), before[-1] @ self.tool, np.array(points), self.name)
 
     def converted(self, convention: Convention) -> "DHTable":
-        """The same arm in a convention, without loss: alpha and a move by one row, what is left over to base or tool.
+        """Convert the table to a convention, without loss: alpha and a move by one row, and the remainder to base or tool.
 
         Standard to modified: row i takes a and alpha of row i-1, and those of the last row go to the tool.
         Modified to standard: row i takes a and alpha of row i+1, and those of the first row go to the base.
 
-        Raises ValueError for another convention.
+        Raises ValueError for an unknown convention.
 
         >>> table = DHTable([[0.4, 0.1, 0, 0], [0.3, 0, 0, 0]], convention="standard")
         >>> table.converted("modified").columns["a"]
         array([0. , 0.4])
         """
-        if convention_of(convention) == self.convention:
+        if validate_convention(convention) == self.convention:
             return self
         normals, joints = self.rows[:, :2], self.rows[:, 2:]
-        none = np.zeros((1, 2))
+        zeros = np.zeros((1, 2))
         base, tool = self.base, self.tool
         if convention == "modified":
-            tool = normal_step(*normals[-1]) @ tool
-            normals = np.concatenate([none, normals[:-1]])
+            tool = normal_transform(*normals[-1]) @ tool
+            normals = np.concatenate([zeros, normals[:-1]])
         else:
-            base = base @ normal_step(*normals[0])
-            normals = np.concatenate([normals[1:], none])
+            base = base @ normal_transform(*normals[0])
+            normals = np.concatenate([normals[1:], zeros])
         rows = np.hstack([normals, joints])
         return self.changed(rows=rows, convention=convention, base=base, tool=tool)
 
     def changed(self, **fields: Any) -> "DHTable":
-        """The same table with some of its fields replaced: rows as numbers (m, 4), convention, joints, base, tool, name.
+        """Copy the table with some fields replaced: rows as numbers (m, 4), convention, joints, signs, base, tool, name.
 
-        Raises ValueError as a new table would.
+        Raises ValueError for the same reasons as a new table.
 
         >>> DHTable([[0.4, 0, 0, 0]], convention="standard").changed(convention="modified").convention
         'modified'
@@ -207,7 +207,7 @@ class DHTable:
         return replace(self, **fields)
 
     def to_dict(self) -> dict[str, Any]:
-        """Write the table as plain JSON types: all but its name, with rows as numbers in the order a, alpha, d, theta.
+        """Convert the table to plain JSON types: everything except its name, with rows as numbers in the order a, alpha, d, theta.
 
         >>> data = DHTable([[0.4, 0, 0.1, 0]], convention="standard", signs=[-1]).to_dict()
         >>> data["rows"], data["convention"], data["joints"], data["signs"]
@@ -226,22 +226,24 @@ class DHTable:
 
     @classmethod
     def from_dict(cls, data: Any) -> "DHTable":
-        """Read a table that `to_dict` wrote, for example from a JSON file that others can write to.
+        """Read a table that `to_dict` wrote, for example from a JSON file that other people can edit.
 
-        Raises ValueError for any other form: a key missing or unknown, text where a number must be, a wrong shape, NaN, a sign
-        other than 1 and -1, and whatever a new table would refuse.
+        Raises ValueError for any other form: a missing or unknown key, text in place of a number, a wrong shape, NaN, a sign
+        other than 1 and -1, and for the same reasons as a new table.
 
         >>> table = DHTable([[0.4, 0, 0.1, 0], [0.3, 0, 0, 0]], convention="modified", joints="RP", signs=[1, -1])
         >>> DHTable.from_dict(table.to_dict()).to_dict() == table.to_dict()
         True
         """
-        if not isinstance(data, dict) or set(data) != set(KEYS):
+        if not isinstance(data, dict) or set(data) != set(DICT_KEYS):
             given = sorted(map(repr, data)) if isinstance(data, dict) else validation.describe(data)
             raise ValueError(
-                f"A table as data must be a dictionary with the keys {', '.join(KEYS)}; got {given!s:.200}."
+                f"A table as data must be a dictionary with the keys {', '.join(DICT_KEYS)}; got {given!s:.200}."
             )
         if not isinstance(data["joints"], str):
-            raise ValueError(f"joints must be text, a letter for each row; got {validation.describe(data['joints'])}.")
+            raise ValueError(
+                f"joints must be a string with a letter for each row; got {validation.describe(data['joints'])}."
+            )
         if not isinstance(data["signs"], list) or not _all_numbers(data["signs"]) or not data["signs"]:
             raise ValueError(
                 f"signs must be a list of 1 and -1, one for each row; got {validation.describe(data['signs'])}."
@@ -253,12 +255,13 @@ class DHTable:
         return cls(**data)
 
     @property
-    def _moving(self) -> list[int]:
+    def _joint_rows(self) -> list[int]:
+        """The rows that have a joint."""
         return [row for row, letter in enumerate(self.joints) if letter != "F"]
 
 
 def _signs(given: Array, read: Rows) -> Array:
-    """The signs of the rows: as given, or else as read."""
+    """The signs of the rows: the given ones, or else those of the variables."""
     m = len(read.numbers)
     if np.size(given) == 0:
         return np.ones(m) if read.signs is None else read.signs
@@ -269,8 +272,8 @@ def _signs(given: Array, read: Rows) -> Array:
         )
     if read.signs is not None and (signs != read.signs).any():
         raise ValueError(
-            f"signs says {signs.astype(int).tolist()}, and the variables in the table say "
-            f"{read.signs.astype(int).tolist()}. Leave signs out where the rows have variables."
+            f"signs must agree with the variables in the rows, {read.signs.astype(int).tolist()}; got "
+            f"{signs.astype(int).tolist()}. If the rows have variables, leave signs out."
         )
     return signs
 
@@ -279,39 +282,40 @@ def _all_numbers(values: list[Any]) -> bool:
     return all(isinstance(value, int | float) and not isinstance(value, bool) for value in values)
 
 
-def convention_of(name: Any) -> Convention:
-    """Read the name of a convention.
+def validate_convention(name: Any) -> Convention:
+    """Return the name of a convention, if there is such a convention.
 
     Raises ValueError for any other name.
 
-    >>> convention_of("standard")
+    >>> validate_convention("standard")
     'standard'
     """
     if not isinstance(name, str) or name not in get_args(Convention):
         raise ValueError(
-            f"convention should be 'standard' or 'modified'; got {name!r:.60}. Where does z_i lie: on joint i, or on i+1?"
+            f"convention must be 'standard' or 'modified'; got {name!r:.60}. Is z_i on the axis of joint i+1 (standard) or of joint i "
+            "(modified)?"
         )
     return cast("Convention", name)
 
 
-def joint_step(d: float, theta: float) -> Array:
-    """Move about a joint and along it: Z = Rz(theta) Tz(d), (4, 4). With `normal_step` it makes every row.
+def joint_transform(d: float, theta: float) -> Array:
+    """Compute the motion about and along a joint axis: Z = Rz(theta) Tz(d), (4, 4). With `normal_transform` it forms each row.
 
     Source: deck n = 5, where a row is two axial screws.
 
-    >>> joint_step(0.5, 0)[:3, 3]
+    >>> joint_transform(0.5, 0)[:3, 3]
     array([0. , 0. , 0.5])
     """
     c, s = math.cos(theta), math.sin(theta)
     return np.array([[c, -s, 0, 0], [s, c, 0, 0], [0, 0, 1, d], [0, 0, 0, 1]])
 
 
-def normal_step(a: float, alpha: float) -> Array:
-    """Move along a common normal and about it: X = Tx(a) Rx(alpha), (4, 4), which the conventions put in different rows.
+def normal_transform(a: float, alpha: float) -> Array:
+    """Compute the motion along and about a common normal: X = Tx(a) Rx(alpha), (4, 4); the conventions put it in different rows.
 
     Source: deck n = 5, where a row is two axial screws.
 
-    >>> normal_step(0.5, 0)[:3, 3]
+    >>> normal_transform(0.5, 0)[:3, 3]
     array([0.5, 0. , 0. ])
     """
     c, s = math.cos(alpha), math.sin(alpha)

@@ -15,7 +15,7 @@ import sympy as sp
 
 from kinlib.arrays import tolerances, validation
 from kinlib.chains.chain import Chain
-from kinlib.dh.table import Convention, DHTable, convention_of
+from kinlib.dh.table import Convention, DHTable, validate_convention
 from kinlib.symbolic.merge_rotations import AxisRotation, Factors, homogeneous, multiply, rotation, skew_symmetric
 from kinlib.symbolic.numbers import exact, joints, shorthand
 
@@ -158,7 +158,7 @@ def dh_transform(a: Any, alpha: Any, d: Any, theta: Any, *, convention: Conventi
     """
     a, alpha, d, theta = map(exact, (a, alpha, d, theta))
     about_z, about_x = homogeneous(rotation(Z, theta), d * Z), homogeneous(rotation(X, alpha), a * X)
-    return about_z * about_x if convention_of(convention) == "standard" else about_x * about_z
+    return about_z * about_x if validate_convention(convention) == "standard" else about_x * about_z
 
 
 # --- arms ---
@@ -230,7 +230,7 @@ def table_fk(table: DHTable | Iterable[Any], convention: Convention | None = Non
                 f"alpha must be at most a full turn; got {alpha} rad. If it is in degrees, write {alpha}*pi/180."
             )
         about_x, about_z = [AxisRotation(X, alpha), a * X], [AxisRotation(Z, theta), d * Z]
-        factors += about_z + about_x[::-1] if convention_of(convention) == "standard" else about_x + about_z
+        factors += about_z + about_x[::-1] if validate_convention(convention) == "standard" else about_x + about_z
     return base * multiply(factors, tool)
 
 

@@ -147,7 +147,9 @@ def read_robot(path_or_text: str | os.PathLike[str]) -> Element:
 def _text(path_or_text: str | os.PathLike[str]) -> Any:
     """The text itself, or the bytes of the file at a path."""
     if not isinstance(path_or_text, str | os.PathLike):
-        raise ValueError(f"path_or_text must be the path or the text of a URDF; got {validation.describe(path_or_text)}.")
+        raise ValueError(
+            f"path_or_text must be the path or the text of a URDF; got {validation.describe(path_or_text)}."
+        )
     if isinstance(path_or_text, str):
         text = path_or_text.removeprefix("\ufeff")
         if not text.strip():

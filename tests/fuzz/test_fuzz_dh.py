@@ -9,7 +9,7 @@ from fuzz_settings import fuzz_settings
 from hypothesis import given
 from hypothesis import strategies as st
 
-from kinlib.dh.parsing import COLUMNS, _table
+from kinlib.dh.parsing import COLUMNS, _split_table
 from kinlib.dh.table import DHTable
 from misstep.storage.deserialize import from_data
 from misstep.storage.serialize import to_data
@@ -134,5 +134,5 @@ def _typed(table):
 
 def _texts(rows):
     """The entries of a table that are text, in any form of the table."""
-    rows = _table(rows)[0] if isinstance(rows, str) else [row for row in rows if isinstance(row, dict)]
+    rows = _split_table(rows)[0] if isinstance(rows, str) else [row for row in rows if isinstance(row, dict)]
     return [row[column] for row in rows for column in COLUMNS if isinstance(row[column], str)]

@@ -112,9 +112,9 @@ def test_pairs_of_mistakes_are_not_searched():
     ("given", "words"),
     [
         (rows_with((1, 1, 1.1)), "Row 2: alpha has the wrong sign."),
-        (rows_with((1, 0, 0.35), (1, 2, 0.25)), "Row 2: a and d are exchanged"),
+        (rows_with((1, 0, 0.35), (1, 2, 0.25)), "Row 2: a and d are swapped"),
         (rows_with((1, 2, 0.9)), "All but one entry can stand: look again at d in row 2."),
-        (DHTable(ROWS, convention="modified"), "The table is in the standard convention, and was read as modified."),
+        (DHTable(ROWS, convention="modified"), "The table is in the standard convention, but was read as modified."),
         (DHTable(ROWS, convention="standard", joints="RPR"), "Which column holds the variable?"),
         (rows_with((0, 1, 0.1), (1, 0, 9.0), (1, 2, 5.0)), "Axes 1 and 2 make an angle"),
     ],

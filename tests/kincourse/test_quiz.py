@@ -64,5 +64,5 @@ def test_the_quiz_has_a_plain_text_representation():
 
 
 def test_another_convention_is_refused():
-    with pytest.raises(ValueError, match="convention should be"):
+    with pytest.raises(ValueError, match="convention must be"):
         quiz("craig")

@@ -17,7 +17,9 @@ def squares(**more):
 
 
 def asked():
-    return Problem("Square.", squares(), function_mistakes(lambda x: [Mistake("doubled", 2 * x, "You doubled.")], np.ones(2)))
+    return Problem(
+        "Square.", squares(), function_mistakes(lambda x: [Mistake("doubled", 2 * x, "You doubled.")], np.ones(2))
+    )
 
 
 def test_a_function_is_right_however_it_is_written():

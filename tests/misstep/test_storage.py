@@ -16,8 +16,8 @@ from misstep.problem import Problem, problem
 from misstep.sheet import OpenSheet, Sheet
 from misstep.storage.deserialize import (
     MAX_DEPTH,
-    MIME,
     MAX_ENTRIES,
+    MIME,
     Malformed,
     Opaque,
     Outputs,

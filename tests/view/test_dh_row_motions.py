@@ -57,7 +57,7 @@ def test_another_number_of_motions_is_refused(wrong):
 
 
 def test_an_unknown_convention_is_refused():
-    with pytest.raises(ValueError, match="convention should be"):
+    with pytest.raises(ValueError, match="convention must be"):
         poses_along_row(ROWS[0], "craig")
 
 

@@ -85,7 +85,7 @@ def test_python_sets_the_step_and_the_text_alternative_follows():
     player = play_assignment(kl.robots.youbot(), convention="standard", step=3)
     assert "step 4 of 25" in player.alt
     player.step = 24
-    assert "This table is the arm" in player.alt
+    assert "This table describes the arm" in player.alt
     player.convention = "modified"
     assert "modified convention" in player.alt
     assert state_of(player)["step"] == 24

@@ -12,9 +12,9 @@ import traitlets
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import FrameAssignment, assign_frames
-from kinlib.dh.explanation import Step
+from kinlib.dh.explanation import AssignmentStep
 from kinlib.dh.formatting import format_rows
-from kinlib.dh.table import Convention, DHTable, convention_of
+from kinlib.dh.table import Convention, DHTable, validate_convention
 from kinlib.view.figures.assignment_steps import row_segments, state_after, visible_features
 from kinlib.view.figures.frame_assignment import draw_assignment
 from kinlib.view.viewer.scene import extent, scene
@@ -101,7 +101,7 @@ def play_assignment(chain: Chain, *, convention: Convention, step: int = 0, afte
     >>> player.alt[:62]
     'youBot, standard convention, step 4 of 25. O_1 lies on axis 2,'
     """
-    player = Player(chain, convention=convention_of(convention))
+    player = Player(chain, convention=validate_convention(convention))
     player.step = step
     player.wait_for(after)
     return player
@@ -167,7 +167,7 @@ def axis_ends(chain: Chain, feet: Array) -> Iterator[tuple[Array, Array]]:
         yield point + (min(along) - 0.24 * size) * z, point + (max(along) + 0.34 * size) * z
 
 
-def _step(assignment: FrameAssignment, k: int, step: Step) -> dict[str, Any]:
+def _step(assignment: FrameAssignment, k: int, step: AssignmentStep) -> dict[str, Any]:
     current = state_after(assignment, k)
     i = step.frame
     return {

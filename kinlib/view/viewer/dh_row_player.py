@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike
 
 from kinlib.arrays import tolerances, validation
 from kinlib.arrays.validation import Array
-from kinlib.dh.table import Convention, convention_of
+from kinlib.dh.table import Convention, validate_convention
 from kinlib.rigid.lie import adjoint
 from kinlib.view.drawing.canvas import view_axes
 from kinlib.view.drawing.picture import Picture
@@ -128,7 +128,7 @@ def play_row(row: ArrayLike, *, convention: Convention | None = None, done: floa
     values = validation.vectors(row, "row", 4)
     if values.ndim != 1:
         raise ValueError(f"row must be one row, of shape (4,); got {values.shape}. For several rows, use play_walk.")
-    shown: list[Convention] = list(MOTION_ORDER) if convention is None else [convention_of(convention)]
+    shown: list[Convention] = list(MOTION_ORDER) if convention is None else [validate_convention(convention)]
     size = max(
         float(np.ptp([poses_along_row(values, name)[:, :3, 3] for name in MOTION_ORDER], axis=(0, 1)).max()), 0.2
     )

@@ -10,7 +10,7 @@ import numpy as np
 
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
-from kinlib.dh.common_normal import Normal, common_normal
+from kinlib.dh.common_normal import CommonNormal, common_normal
 from kinlib.rigid.lie import perpendicular
 from kinlib.view.drawing.picture import vector_text
 from kinlib.view.viewer.scene import extent
@@ -113,15 +113,15 @@ def _x(chain: Chain) -> list[tuple[Array, str]]:
     return [(along, f"{vector_text(along)}: {text}") for along, text in _merged(found)]
 
 
-def _normals(chain: Chain) -> Iterator[tuple[int, Normal]]:
+def _normals(chain: Chain) -> Iterator[tuple[int, CommonNormal]]:
     """Yield the common normals of consecutive axes. If the axes are parallel, the normals at both joints are candidates."""
     axes = [*zip(chain.lines.axis, chain.joint_points, strict=True)]
     for i in range(chain.n - 1):
         across = perpendicular(axes[i][0])
-        at_next = common_normal(axes[i], axes[i + 1], across, slide=True)
+        at_next = common_normal(axes[i], axes[i + 1], across, at_other_point=True)
         yield i, at_next
-        if at_next.free:
-            yield i, common_normal(axes[i], axes[i + 1], across, slide=False)
+        if not at_next.is_unique:
+            yield i, common_normal(axes[i], axes[i + 1], across, at_other_point=False)
 
 
 def _both(along: Array, text: str, opposite: str) -> list[tuple[Array, str]]:

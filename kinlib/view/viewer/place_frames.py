@@ -13,9 +13,9 @@ from numpy.typing import ArrayLike
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
-from kinlib.dh.explanation import PROBES
+from kinlib.dh.explanation import ACCURACY_SAMPLES
 from kinlib.dh.rules import Breach, check_frames
-from kinlib.dh.table import Convention, DHTable, convention_of
+from kinlib.dh.table import Convention, DHTable, validate_convention
 from kinlib.rigid.lie import inverse
 from kinlib.view.drawing.picture import vector_text
 from kinlib.view.figures.arm import draw_joints
@@ -23,7 +23,7 @@ from kinlib.view.viewer.assignment_player import bare_scene, table_cells
 from kinlib.view.viewer.frame_candidates import frame_candidates
 from kinlib.view.viewer.viewer import Viewer
 
-TWO_FRAME_RULES = {"x square to z", "x meets z"}
+TWO_FRAME_RULES = {"x perpendicular to z", "x meets z"}
 """The rules about two consecutive frames; all others are about one frame."""
 
 
@@ -156,7 +156,7 @@ def assign(chain: Chain, convention: Convention, *, frames: ArrayLike | None = N
     """
     bare = np.full((chain.n + 1, 4, 4), np.nan)
     bare[:, 3] = 0.0, 0.0, 0.0, 1.0
-    widget = ByHand(chain, convention_of(convention), bare if frames is None else _from_page(frames))
+    widget = ByHand(chain, validate_convention(convention), bare if frames is None else _from_page(frames))
     widget.wait_for(after)
     return widget
 
@@ -201,7 +201,7 @@ def joint_signs(chain: Chain, frames: Array, convention: Convention) -> Array:
 
 def _largest_difference(chain: Chain, table: DHTable) -> float:
     """Return the largest difference of the poses of table and arm over random configurations."""
-    q = random_configurations(chain.n, PROBES)
+    q = random_configurations(chain.n, ACCURACY_SAMPLES)
     return largest_difference(table.fk(q), chain.fk(q))
 
 

@@ -132,7 +132,9 @@ def link_paths(chain: Chain) -> list[Array]:
     points = [np.zeros(3), *chain.joint_points]
     paths = []
     for i in range(chain.n):
-        normal = common_normal((axes[i], points[i]), (axes[i + 1], points[i + 1]), perpendicular(axes[i]), slide=True)
+        normal = common_normal(
+            (axes[i], points[i]), (axes[i + 1], points[i + 1]), perpendicular(axes[i]), at_other_point=True
+        )
         paths.append(_path([points[i], normal.start, normal.end, points[i + 1]]))
     z, last = axes[-1], points[-1]
     paths.append(_path([last, last + z * (z @ (tool - last)), tool]))
@@ -249,7 +251,9 @@ def _normals(chain: Chain, size: float) -> list[dict[str, Any]]:
     axes, points = chain.lines.axis, chain.joint_points
     found = []
     for i in range(chain.n - 1):
-        normal = common_normal((axes[i], points[i]), (axes[i + 1], points[i + 1]), perpendicular(axes[i]), slide=True)
+        normal = common_normal(
+            (axes[i], points[i]), (axes[i + 1], points[i + 1]), perpendicular(axes[i]), at_other_point=True
+        )
         if _near(normal.start, size) and _near(normal.end, size):
             found.append(
                 {"body": i + 1, "from": normal.start.tolist(), "to": normal.end.tolist(), "along": normal.x.tolist()}

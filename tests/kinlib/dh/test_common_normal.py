@@ -6,7 +6,7 @@ from hypothesis import assume, given
 from hypothesis import strategies as st
 from strategies import directions, points
 
-from kinlib.dh.common_normal import Normal, common_normal
+from kinlib.dh.common_normal import CommonNormal, common_normal
 
 X, Y, Z = np.eye(3)
 
@@ -21,9 +21,9 @@ def square(x, z):
 
 
 @given(directions(), points(), directions(), points(), st.booleans())
-def test_the_feet_of_a_normal_are_where_least_squares_puts_them(z, origin, other_z, other_point, slide):
+def test_the_feet_of_a_normal_are_where_least_squares_puts_them(z, origin, other_z, other_point, at_other_point):
     assume(np.linalg.norm(np.cross(z, other_z)) > 0.1)
-    found = common_normal((z, origin), (other_z, other_point), X, slide=slide)
+    found = common_normal((z, origin), (other_z, other_point), X, at_other_point=at_other_point)
     along, other_along = np.linalg.lstsq(np.column_stack([z, -other_z]), other_point - origin, rcond=None)[0]
     close(found.start, origin + along * z)
     close(found.end, other_point + other_along * other_z)
@@ -35,43 +35,43 @@ def test_the_feet_of_a_normal_are_where_least_squares_puts_them(z, origin, other
     )
     if distance > 1e-6:
         close(found.x, (found.end - found.start) / distance, atol=1e-9)
-    assert not found.free
-    assert not found.nearly_parallel
+    assert found.is_unique
+    assert not found.is_nearly_parallel
 
 
 @pytest.mark.parametrize(("before", "x"), [(X, X), (-X, -X), (-X + Z, -X), (Y, X), (Z, X)])
 def test_where_axes_meet_x_stays_close_to_the_one_before(before, x):
     """Square to both Z and Y stand X and -X. Where neither is closer, it is z x z'."""
-    found = common_normal((Z, 5 * Z), (-Y, 2 * Y), before, slide=True)
+    found = common_normal((Z, 5 * Z), (-Y, 2 * Y), before, at_other_point=True)
     assert found.case == "intersecting"
     close(found.x, x)
     close([found.start, found.end], np.zeros((2, 3)))
 
 
 @given(directions(), points(), points(), st.sampled_from([1, -1]), st.booleans())
-def test_parallel_axes_have_the_normal_at_one_joint_or_at_the_other(z, origin, other_point, sign, slide):
+def test_parallel_axes_have_the_normal_at_one_joint_or_at_the_other(z, origin, other_point, sign, at_other_point):
     between = other_point - origin
     across = between - z * (z @ between)
     assume(np.linalg.norm(across) > 1e-3)
-    found = common_normal((z, origin), (sign * z, other_point), X, slide=slide)
+    found = common_normal((z, origin), (sign * z, other_point), X, at_other_point=at_other_point)
     assert found.case == {1: "parallel", -1: "anti-parallel"}[sign]
     close(found.x, across / np.linalg.norm(across))
-    close(found.end if slide else found.start, other_point if slide else origin)
+    close(found.end if at_other_point else found.start, other_point if at_other_point else origin)
     close(found.end - found.start, across)
-    assert found.free
+    assert not found.is_unique
     assert found.sine < 1e-15
 
 
 @given(directions(), points(), st.floats(-1, 1), directions(), st.sampled_from([1, -1]))
 def test_on_one_line_x_is_the_one_before_made_square(z, origin, step, before, sign):
     assume(np.linalg.norm(np.cross(z, before)) > 0.1)
-    for slide in (True, False):
-        found = common_normal((z, origin), (sign * z, origin + step * z), before, slide=slide)
+    for at_other_point in (True, False):
+        found = common_normal((z, origin), (sign * z, origin + step * z), before, at_other_point=at_other_point)
         assert found.case == {1: "coincident", -1: "anti-coincident"}[sign]
         close(found.x, square(before, z))
-        close(found.start, origin + step * z if slide else origin)
+        close(found.start, origin + step * z if at_other_point else origin)
         close(found.end, found.start)
-        assert found.free
+        assert not found.is_unique
         assert found.sine < 1e-15
 
 
@@ -81,13 +81,13 @@ def test_on_one_line_x_is_the_one_before_made_square(z, origin, step, before, si
 )
 def test_what_is_nearly_parallel_is_said_and_may_be_taken_as_parallel(angle, nearly, case):
     leaning = (np.array([0, np.sin(angle), np.cos(angle)]), X)
-    found = common_normal((Z, 0 * Z), leaning, Y, slide=True)
-    assert (found.nearly_parallel, found.case) == (nearly, case)
+    found = common_normal((Z, 0 * Z), leaning, Y, at_other_point=True)
+    assert (found.is_nearly_parallel, found.case) == (nearly, case)
     assert found.sine == pytest.approx(angle)
-    taken = common_normal((Z, 0 * Z), leaning, Y, slide=True, parallel_below=1e-4)
-    assert (taken.nearly_parallel, taken.case) == (nearly, "parallel")
+    taken = common_normal((Z, 0 * Z), leaning, Y, at_other_point=True, parallel_below=1e-4)
+    assert (taken.is_nearly_parallel, taken.case) == (nearly, "parallel")
 
 
-def test_only_what_is_parallel_is_free():
-    cases = {"skew": False, "intersecting": False, "parallel": True, "anti-parallel": True, "coincident": True}
-    assert {case: Normal(case, X, X, X, 0.0).free for case in cases} == cases
+def test_the_normal_is_unique_unless_the_axes_are_parallel():
+    cases = {"skew": True, "intersecting": True, "parallel": False, "anti-parallel": False, "coincident": False}
+    assert {case: CommonNormal(case, X, X, X, 0.0).is_unique for case in cases} == cases

@@ -30,7 +30,7 @@ def test_a_right_table_is_right(table):
     found = diagnose(table, PUMA)
     assert found.right
     assert not [*found.faults]
-    assert str(found).startswith("This table is the arm.")
+    assert str(found).startswith("This table describes the arm.")
 
 
 @pytest.mark.oracle("text: written out in the test", kl.Diagnosis.__str__)
@@ -40,30 +40,30 @@ def test_zeros_signs_base_and_tool_are_told_and_not_held_against_a_table():
     found = diagnose(theirs, ours)
     assert found.right
     assert str(found).splitlines() == [
-        "This table is the arm.",
-        "Joint 1 counts the other way.",
-        "Joint 2 has its zero elsewhere, by -1.571.",
-        "The base frames differ: turned by 0 degrees, shifted by 2.236 m.",
-        "The tool frames differ: turned by 0 degrees, shifted by 3 m.",
+        "This table describes the arm.",
+        "Joint 1 has the opposite sign.",
+        "Joint 2 has another zero, -1.571 away.",
+        "The base frames differ: rotated by 0 degrees, translated by 2.236 m.",
+        "The tool frames differ: rotated by 0 degrees, translated by 3 m.",
     ]
 
 
 def test_of_what_does_not_differ_nothing_is_told():
-    assert str(diagnose(ARM, ARM)) == "This table is the arm."
+    assert str(diagnose(ARM, ARM)) == "This table describes the arm."
 
 
 def test_how_far_the_frames_at_the_ends_differ_is_told():
     table = DHTable([[0.4, 0.7, 0.1, 0], [0.3, 0, 0, 0]], convention="standard")
     moved = table.changed(base=kl.exp([np.pi / 2, 0, 0, 0, 0, 0]), tool=kl.exp([0, 0.5, 0, 0, 0.3, 0]))
     assert str(diagnose(table, moved)).splitlines()[1:] == [
-        "The base frames differ: turned by 90 degrees, shifted by 0 m.",
-        "The tool frames differ: turned by 28.65 degrees, shifted by 0.3 m.",
+        "The base frames differ: rotated by 90 degrees, translated by 0 m.",
+        "The tool frames differ: rotated by 28.65 degrees, translated by 0.3 m.",
     ]
 
 
 WRONG = {
     "other convention": MODIFIED.changed(convention="standard"),
-    "a and d exchanged": exchanged(STANDARD, 2),
+    "a and d swapped": exchanged(STANDARD, 2),
     "wrong number": with_entries(STANDARD, (3, "a", 0.3)),
     "variable in the wrong column": STANDARD.changed(joints="RRPRRR"),
     "column shifted": STANDARD.changed(
@@ -83,8 +83,8 @@ def test_each_mistake_is_named_and_mended(name, table):
 def test_the_row_and_the_entry_are_named():
     (fault,) = diagnose(WRONG["wrong number"], PUMA).faults
     assert (fault.row, fault.column) == (3, "a")
-    assert fault.text == "Row 3: a should be 0.0203; the table says 0.3."
-    (fault,) = diagnose(WRONG["a and d exchanged"], PUMA).faults
+    assert fault.text == "Row 3: a should be 0.0203; the table has 0.3."
+    (fault,) = diagnose(WRONG["a and d swapped"], PUMA).faults
     assert fault.row == 2
 
 
@@ -102,7 +102,7 @@ def test_at_the_end_of_an_arm_an_anti_parallel_axis_may_be_turned_round():
     right = DHTable([[0.4, np.pi, 0.1, 0], [0.3, 0.5, 0.2, 0], [0.2, 0.7, 0.3, 0]], convention="standard")
     found = diagnose(with_entries(right, (1, "alpha", 0.0)), right)
     assert found.right
-    assert "Joint 1 counts the other way." in str(found)
+    assert "Joint 1 has the opposite sign." in str(found)
 
 
 # --- each mistake, at each place where it can be made, word for word ---
@@ -117,15 +117,15 @@ SHALLOW = ARM.changed(rows=ROWS * (1, 0.15, 1, 0.15))
 EVERYWHERE = {
     "standard as modified": (
         *(ARM.changed(convention="modified"), ARM, "other convention", None),
-        "The table is in the standard convention, and was read as modified.",
+        "The table is in the standard convention, but was read as modified.",
     ),
     "modified as standard": (
         *(ARM.converted("modified").changed(convention="standard"), ARM, "other convention", None),
-        "The table is in the modified convention, and was read as standard.",
+        "The table is in the modified convention, but was read as standard.",
     ),
     "a and alpha too high": (
         *(ARM.changed(rows=np.hstack([np.roll(ROWS[:, :2], -1, axis=0), ROWS[:, 2:]])), ARM, "column shifted", None),
-        "The columns a and alpha stand one row too high: a_{i-1} and a_i were taken for each other.",
+        "The columns a and alpha are one row too high: a_{i-1} and a_i were confused.",
     ),
     "a and alpha too low": (
         ARM.converted("modified").changed(
@@ -134,19 +134,19 @@ EVERYWHERE = {
             )
         ),
         *(ARM, "column shifted", None),
-        "The columns a and alpha stand one row too low: a_{i-1} and a_i were taken for each other.",
+        "The columns a and alpha are one row too low: a_{i-1} and a_i were confused.",
     ),
     "degrees": (
         SHALLOW.changed(rows=SHALLOW.rows * (1, np.degrees(1), 1, np.degrees(1))),
-        *(SHALLOW, "degrees", None, "The angles are degrees, read as radians."),
+        *(SHALLOW, "degrees", None, "The angles are in degrees, but were read as radians."),
     ),
     "every alpha": (
         *(ARM.changed(rows=ROWS * (1, -1, 1, 1)), ARM, "sign of alpha", "alpha"),
-        "Every alpha has the wrong sign: it turns from z_{i-1} to z_i about x_i, by the right hand.",
+        "Every alpha has the wrong sign: it is the angle from z_{i-1} to z_i about x_i, by the right-hand rule.",
     ),
     "every a and d": (
-        *(ARM.changed(rows=ROWS[:, [2, 1, 0, 3]]), ARM, "a and d exchanged", "a"),
-        "The columns a and d are exchanged: a is measured along x, d along z.",
+        *(ARM.changed(rows=ROWS[:, [2, 1, 0, 3]]), ARM, "a and d swapped", "a"),
+        "The columns a and d are swapped: a is measured along x, d along z.",
     ),
 }
 
@@ -162,7 +162,7 @@ def test_a_mistake_that_spoils_the_whole_table_is_told(wrong, right, name, colum
 IN_A_ROW = {
     **{f"alpha of row {k}": ("sign of alpha", k, "alpha", "alpha has the wrong sign.") for k in (1, 2, 3, 4)},
     **{
-        f"a and d of row {k}": ("a and d exchanged", k, "a", "a and d are exchanged. a is measured along x, d along z.")
+        f"a and d of row {k}": ("a and d swapped", k, "a", "a and d are swapped. a is measured along x, d along z.")
         for k in (1, 2, 3, 4)
     },
     **{f"d of row {k}": ("sign of d", k, "d", "d has the wrong sign.") for k in (2, 4)},
@@ -170,7 +170,7 @@ IN_A_ROW = {
     **{
         f"slide of row {k}": (
             *("variable in the wrong column", k, "theta"),
-            "the joint variable belongs in theta, for this joint turns.",
+            "the joint variable belongs in theta, because this joint is revolute.",
         )
         for k in (1, 2, 4, 5)
     },
@@ -178,9 +178,9 @@ IN_A_ROW = {
         "variable in the wrong column",
         3,
         "d",
-        "the joint variable belongs in d, for this joint slides.",
+        "the joint variable belongs in d, because this joint is prismatic.",
     ),
-    "angles of row 3": ("theta and alpha exchanged", 3, "theta", "theta and alpha are exchanged."),
+    "angles of row 3": ("theta and alpha swapped", 3, "theta", "theta and alpha are swapped."),
 }
 
 
@@ -193,9 +193,9 @@ def with_a_mistake(name, row):
             return with_entries(ARM, (row, "d", -d))
         case "sign of a":
             return with_entries(ARM, (row, "a", -a))
-        case "a and d exchanged":
+        case "a and d swapped":
             return exchanged(ARM, row)
-        case "theta and alpha exchanged":
+        case "theta and alpha swapped":
             return with_entries(ARM, (row, "alpha", theta), (row, "theta", alpha))
     joints = list(ARM.joints)
     joints[row - 1] = {"R": "P", "P": "R"}[joints[row - 1]]
@@ -223,7 +223,7 @@ def test_a_wrong_number_is_found_whichever_way_the_axes_are_drawn(column, turned
     arm = kl.Chain(screws, SIGNED.to_chain().home)
     right = SIGNED.rows[1, ("a", "alpha", "d").index(column)]
     (fault,) = diagnose(with_entries(SIGNED, (2, column, 0.777)), arm, in_pairs=False).faults
-    told = f"Row 2: {column} should be {right:.4g}; the table says 0.777."
+    told = f"Row 2: {column} should be {right:.4g}; the table has 0.777."
     assert (fault.name, fault.row, fault.column, fault.text) == ("wrong number", 2, column, told)
 
 
@@ -232,14 +232,14 @@ def test_a_wrong_number_is_found_whichever_way_the_axes_are_drawn(column, turned
 def test_a_right_angle_or_none_is_found(table, row, column, angle):
     right = with_entries(table, (row, column, angle))
     (fault,) = diagnose(with_entries(right, (row, column, 0.777)), right, in_pairs=False).faults
-    assert fault.text == f"Row {row}: {column} should be {angle:.4g}; the table says 0.777."
+    assert fault.text == f"Row {row}: {column} should be {angle:.4g}; the table has 0.777."
 
 
 @pytest.mark.parametrize("column", ["a", "d"])
 def test_a_length_that_should_be_nothing_is_found(column):
     right = with_entries(SIGNED, (3, column, 0.0))
     (fault,) = diagnose(with_entries(right, (3, column, 0.777)), right, in_pairs=False).faults
-    assert fault.text == f"Row 3: {column} should be 0; the table says 0.777."
+    assert fault.text == f"Row 3: {column} should be 0; the table has 0.777."
 
 
 def alone(wrong, right, **options):
@@ -259,13 +259,13 @@ def exchanged_angles(table, row):
 @pytest.mark.parametrize(("alpha", "theta"), [(0.9, 0.4), (0.0, 0.4), (0.9, 0.0)])
 def test_the_angles_of_a_slide_that_changed_places_are_found_though_one_is_nothing(alpha, theta):
     right = with_entries(ARM, (3, "alpha", alpha), (3, "theta", theta))
-    told = ("theta and alpha exchanged", 3, "theta", "Row 3: theta and alpha are exchanged.")
+    told = ("theta and alpha swapped", 3, "theta", "Row 3: theta and alpha are swapped.")
     assert alone(exchanged_angles(right, 3), right) == told
 
 
 def test_theta_of_a_joint_that_turns_is_its_zero_and_no_angle_that_changes_places():
     wrong = with_entries(ARM, (2, "alpha", 0.777), (2, "theta", -1.1))
-    told = ("wrong number", 2, "alpha", "Row 2: alpha should be -1.1; the table says 0.777.")
+    told = ("wrong number", 2, "alpha", "Row 2: alpha should be -1.1; the table has 0.777.")
     assert alone(wrong, ARM) == told
 
 
@@ -284,12 +284,12 @@ FIXED = DHTable(
         (with_entries(FIXED, (2, "alpha", -1.3)), "sign of alpha", "alpha", "alpha has the wrong sign."),
         (with_entries(FIXED, (2, "d", -0.37)), "sign of d", "d", "d has the wrong sign."),
         (
-            *(exchanged(FIXED, 2), "a and d exchanged", "a"),
-            "a and d are exchanged. a is measured along x, d along z.",
+            *(exchanged(FIXED, 2), "a and d swapped", "a"),
+            "a and d are swapped. a is measured along x, d along z.",
         ),
         (
-            *(exchanged_angles(FIXED, 2), "theta and alpha exchanged", "theta"),
-            "theta and alpha are exchanged.",
+            *(exchanged_angles(FIXED, 2), "theta and alpha swapped", "theta"),
+            "theta and alpha are swapped.",
         ),
     ],
 )
@@ -308,14 +308,14 @@ def test_a_mistake_in_a_row_without_a_joint_is_told(wrong, name, column, text):
 def test_in_a_row_without_a_joint_the_usual_numbers_are_tried(column, number):
     """They stand nowhere in the arm's own table, where a bracket is part of the rows beside it."""
     right = with_entries(FIXED, (2, column, number))
-    told = ("wrong number", 2, column, f"Row 2: {column} should be {number:.4g}; the table says 0.777.")
+    told = ("wrong number", 2, column, f"Row 2: {column} should be {number:.4g}; the table has 0.777.")
     assert alone(with_entries(right, (2, column, 0.777)), right) == told
 
 
 def test_no_angle_at_all_is_tried_though_the_arm_s_own_table_has_an_angle_everywhere():
     right = with_entries(FIXED, (1, "theta", 0.5), (2, "theta", 0), (3, "theta", 0.6), (4, "theta", 0.7))
     assert np.abs(assign_frames(right.to_chain(), convention="standard").table.rows[:, 3]).min() > 0.1
-    told = ("wrong number", 2, "theta", "Row 2: theta should be 0; the table says 0.777.")
+    told = ("wrong number", 2, "theta", "Row 2: theta should be 0; the table has 0.777.")
     assert alone(with_entries(right, (2, "theta", 0.777)), right) == told
 
 
@@ -326,7 +326,7 @@ def test_no_angle_at_all_is_tried_though_the_arm_s_own_table_has_an_angle_everyw
 def test_of_several_right_numbers_the_smallest_is_told(a, alpha, smallest):
     """Either of two axes may be turned round; and where they meet, nothing says which way their angle is measured."""
     right = DHTable([[a, alpha, 0.1, 0], [0.3, 0, 0, 0]], convention="standard")
-    told = ("wrong number", 1, "alpha", f"Row 1: alpha should be {smallest}; the table says 0.777.")
+    told = ("wrong number", 1, "alpha", f"Row 1: alpha should be {smallest}; the table has 0.777.")
     assert alone(with_entries(right, (1, "alpha", 0.777)), right) == told
 
 
@@ -355,25 +355,24 @@ def test_of_a_nanometre_and_a_millionth_of_a_degree_nothing_is_told():
     moved = SIGNED.changed(base=kl.exp([0, 0, 0, 3e-10, 0, 0]) @ kl.exp([np.pi / 2, 0, 0, 0, 0, 0]))
     moved = moved.changed(tool=kl.exp([0, 5e-9, 0, 0, 0, 0]) @ kl.exp([0, 0, 0, 0.4, 0, 0]))
     assert str(diagnose(SIGNED, moved)).splitlines()[1:] == [
-        "The base frames differ: turned by 90 degrees, shifted by 0 m.",
-        "The tool frames differ: turned by 0 degrees, shifted by 0.4 m.",
+        "The base frames differ: rotated by 90 degrees, translated by 0 m.",
+        "The tool frames differ: rotated by 0 degrees, translated by 0.4 m.",
     ]
 
 
 @pytest.mark.parametrize(("right", "wrong"), [(np.pi, 0.0), (0.0, np.pi)])
 def test_parallel_axes_that_point_the_other_way_are_told_the_angle(right, wrong):
+    directions = "opposite directions" if right else "the same direction"
     arm = with_entries(SIGNED, (2, "alpha", right))
     (fault,) = diagnose(with_entries(arm, (2, "alpha", wrong)), arm).faults
     assert (fault.name, fault.row, fault.column) == ("anti-parallel", 2, "alpha")
-    assert fault.text == (
-        f"Row 2: the axes are parallel and point opposite ways, or the same way: alpha should be {right:.4g}."
-    )
+    assert fault.text == (f"Row 2: the axes are parallel with {directions}: alpha should be {right:.4g}.")
 
 
 def test_a_table_of_a_helical_arm_is_told_that_no_table_has_its_joints():
     helical = kl.Chain([kl.screw((0, 0, 1), (0, 0, 0), 0.1), kl.screw((0, 1, 0), (1, 0, 0))], np.eye(4))
     found = diagnose(DHTable([[1, 0.5, 0, 0], [0.3, 0.2, 0.1, 0]], convention="standard"), helical)
-    assert str(found).endswith("explains this table. The joints differ in kind: RR here, HR there.")
+    assert str(found).endswith("explains this table. The joint types differ: RR in the first, HR in the second.")
 
 
 def test_two_mistakes_together_are_both_named():
@@ -382,9 +381,9 @@ def test_two_mistakes_together_are_both_named():
     )
     wrong = exchanged(with_entries(right, (2, "alpha", 0.9)), 3)
     found = diagnose(wrong, right)
-    assert sorted(fault.name for fault in found.faults) == ["a and d exchanged", "sign of alpha"]
+    assert sorted(fault.name for fault in found.faults) == ["a and d swapped", "sign of alpha"]
     assert str(found).splitlines() == [fault.text for fault in found.faults]
-    assert [fault.row for fault in found.faults if fault.name == "a and d exchanged"] == [3]
+    assert [fault.row for fault in found.faults if fault.name == "a and d swapped"] == [3]
     assert equivalent(found.corrected, right)
 
 
@@ -395,10 +394,12 @@ def test_what_nothing_explains_is_said_with_the_first_difference():
     assert not found.right
     assert not [*found.faults]
     assert found.corrected is None
-    assert "None of the mistakes that we know" in str(found)
+    assert "No known mistake, and no pair of them," in str(found)
     assert "Axes 1 and 2 make an angle of" in str(found)
 
 
 def test_another_number_of_joints_is_refused():
-    with pytest.raises(ValueError, match=r"The table has 6 joints \(RRRRRR\), and the arm 5 \(RRRRR\)"):
+    with pytest.raises(
+        ValueError, match=r"The table must have as many joints as the arm, 5 \(RRRRR\); it has 6 \(RRRRRR\)"
+    ):
         diagnose(STANDARD, YOUBOT)

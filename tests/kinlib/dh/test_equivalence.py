@@ -113,7 +113,7 @@ def test_a_mirrored_arm_is_another_mechanism():
     mirrored = table.changed(rows=table.rows * (1, -1, 1, -1))
     found = equivalent(table, mirrored)
     assert not found
-    assert found.reason.startswith("Neighbouring axes agree two by two, but no turn of the joints")
+    assert found.reason.startswith("Each pair of neighbouring axes agrees, but no rotation of the joints")
     assert 0.01 < found.difference < 10
 
 
@@ -138,11 +138,14 @@ def test_what_differs_first_is_said():
     little = DHTable([[0.3, 0.705, 0.2, 0], [0.25, 1.1, 0.35, 0]], convention="standard")
     for one, other in [(right, angle), (right, length), (later, beyond), (kl.robots.rpr(), kl.robots.rppr())]:
         assert equivalent(one, other).same is False
-    assert equivalent(right, little).reason == "Axes 1 and 2 make an angle of 40.11 degrees here, and of 40.39 there."
-    assert equivalent(later, beyond).reason == "Axes 2 and 3 are 0.25 m apart here, and 0.5 m there."
-    assert equivalent(right, angle).reason == "Axes 1 and 2 make an angle of 40.11 degrees here, and of 28.65 there."
-    assert equivalent(right, length).reason == "Axes 1 and 2 are 0.3 m apart here, and 0.5 m there."
-    assert equivalent(kl.robots.rpr(), kl.robots.rppr()).reason == "The joints differ in kind: RPR here, RPPR there."
+    angles = "Axes 1 and 2 make an angle of {} degrees in the first, and of {} degrees in the second."
+    distances = "Axes {} and {} are {} m apart in the first, and {} m in the second."
+    assert equivalent(right, little).reason == angles.format(40.11, 40.39)
+    assert equivalent(later, beyond).reason == distances.format(2, 3, 0.25, 0.5)
+    assert equivalent(right, angle).reason == angles.format(40.11, 28.65)
+    assert equivalent(right, length).reason == distances.format(1, 2, 0.3, 0.5)
+    types = "The joint types differ: RPR in the first, RPPR in the second."
+    assert equivalent(kl.robots.rpr(), kl.robots.rppr()).reason == types
 
 
 @pytest.mark.parametrize(
@@ -240,7 +243,7 @@ def test_the_simplest_map_is_given(family):
 
 
 def test_a_tolerance_that_is_none_is_refused():
-    with pytest.raises(ValueError, match="tolerance should be a positive number"):
+    with pytest.raises(ValueError, match="tolerance must be a positive number"):
         equivalent(kl.robots.rpr(), kl.robots.rpr(), tolerance=0)
 
 

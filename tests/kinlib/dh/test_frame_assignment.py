@@ -12,9 +12,10 @@ from test_dh_table import PRINTED
 
 import kinlib as kl
 from kinlib import robots
+from kinlib.arrays.tolerances import NEARLY_PARALLEL_RAD
 from kinlib.dh.assignment import assign_frames
-from kinlib.dh.common_normal import NEARLY, Normal, common_normal
-from kinlib.dh.explanation import told
+from kinlib.dh.common_normal import CommonNormal, common_normal
+from kinlib.dh.explanation import explain_assignment
 
 CONVENTIONS = ("standard", "modified")
 COUNT = 300
@@ -60,7 +61,7 @@ def test_deck_n_5_s_fifth_row_is_the_tool():
     np.testing.assert_allclose(assign_frames(chain, convention="modified").tool, tool, rtol=0, atol=1e-12)
 
 
-@pytest.mark.oracle("scipy", common_normal, Normal.free)
+@pytest.mark.oracle("scipy", common_normal, CommonNormal.is_unique)
 @pytest.mark.parametrize("case", AXIS_CASES)
 def test_a_common_normal_runs_between_the_feet_that_scipy_finds_nearest(case):
     """How far to go along both axes so that the way between is shortest: least squares, with rank 1 where it is free."""
@@ -68,20 +69,20 @@ def test_a_common_normal_runs_between_the_feet_that_scipy_finds_nearest(case):
     for _ in range(20):
         chain, _ = arm(rng, 2, cases=(case,), slides=0)
         one, other = zip(chain.lines.axis, chain.joint_points, strict=True)
-        found = common_normal(one, other, kl.exp(rng.normal(size=3))[0], slide=True)
+        found = common_normal(one, other, kl.exp(rng.normal(size=3))[0], at_other_point=True)
         directions, between = np.stack([one[0], -other[0]], axis=1), other[1] - one[1]
         along, _, rank, _ = lstsq(directions, between, cond=1e-9)
         way = between - directions @ along
-        assert found.free == (rank == 1)
+        assert found.is_unique == (rank == 2)
         np.testing.assert_allclose(found.end - found.start, way, rtol=0, atol=1e-9)
-        if not found.free:
+        if found.is_unique:
             np.testing.assert_allclose(found.start, one[1] + along[0] * one[0], rtol=0, atol=1e-9)
             np.testing.assert_allclose(found.end, other[1] + along[1] * other[0], rtol=0, atol=1e-9)
         square = null_space(np.stack([one[0], other[0]]), rcond=1e-9)
         np.testing.assert_allclose(square @ square.T @ found.x, found.x, rtol=0, atol=1e-9)
 
 
-@pytest.mark.oracle("mpmath", Normal.nearly_parallel)
+@pytest.mark.oracle("mpmath", CommonNormal.is_nearly_parallel)
 @pytest.mark.parametrize("power", [3, 4, 6, 7, 9, 11, 13, 14])
 def test_axes_are_nearly_parallel_by_their_angle_with_40_digits(power):
     with mpmath.workdps(40):
@@ -89,8 +90,8 @@ def test_axes_are_nearly_parallel_by_their_angle_with_40_digits(power):
         u = np.array([float(x) for x in leaning])
         angle = mpmath.asin(mpmath.norm([mpmath.mpf(float(x)) for x in u[:2]]))
     Z, X, _ = np.eye(3)[[2, 0, 1]]
-    found = common_normal((Z, np.zeros(3)), (u, X), X, slide=True)
-    assert found.nearly_parallel == (1e-12 < angle < 1e-5)
+    found = common_normal((Z, np.zeros(3)), (u, X), X, at_other_point=True)
+    assert found.is_nearly_parallel == (1e-12 < angle < 1e-5)
 
 
 # --- every case ---
@@ -116,9 +117,9 @@ def test_a_case_is_recognised_and_named(case, convention):
         chain, _ = arm(rng, 2, cases=(case,), slides=0)
         found = assign_frames(chain, convention=convention)
         assert found.normals[0].case == case
-        said = {"skew": "are skew", "intersecting": "meet", "parallel": "are parallel, "}
-        said |= {"anti-parallel": "parallel and point opposite ways", "coincident": "are one line: "}
-        said |= {"anti-coincident": "one line and point opposite ways"}
+        said = {"skew": "are skew", "intersecting": "intersect", "parallel": "are parallel, "}
+        said |= {"anti-parallel": "parallel with opposite directions", "coincident": "are the same line: "}
+        said |= {"anti-coincident": "the same line with opposite directions"}
         assert said[case] in next(step.text for step in found.steps if step.kind == "normal")
         a, alpha, *_ = found.table.rows[0 if convention == "standard" else 1]
         assert (a == 0) == (case in {"intersecting", "coincident", "anti-coincident"}), "to the last bit"
@@ -140,9 +141,9 @@ def test_nearly_parallel_axes_cost_no_more_than_they_must(angle, convention):
         assert found.accuracy < 3 * max(measured, 1e-12)
         normals = [step.text for step in found.steps if step.kind == "normal"]
         for pair, (normal, text) in enumerate(zip(found.normals, normals, strict=True)):
-            assert ("These axes are nearly parallel" in text) == normal.nearly_parallel
-            if normal.nearly_parallel and "P" not in found.chain.joint_types[pair : pair + 2]:
-                assert "DH is singular here" in text
+            assert ("These axes are nearly parallel" in text) == normal.is_nearly_parallel
+            if normal.is_nearly_parallel and "P" not in found.chain.joint_types[pair : pair + 2]:
+                assert "DH is ill-conditioned" in text
 
 
 @each_convention
@@ -150,7 +151,7 @@ def test_a_table_that_is_not_exact_says_so_at_its_end(convention):
     chain, _ = arm(np.random.default_rng(3), 2, cases=(), angle=1e-8, slides=0)
     found = assign_frames(chain, convention=convention)
     assert 1e-11 < found.accuracy < 1e-6
-    assert "only so far" in found.steps[-1].text
+    assert "only approximately" in found.steps[-1].text
     assert f"{found.accuracy:.1e}" in found.steps[-1].text
     assert "Hayati" in next(step.text for step in found.steps if step.kind == "normal")
 
@@ -172,11 +173,11 @@ def test_the_accuracy_is_what_two_others_find_between_the_table_and_the_arm(conv
 
 def test_a_naive_threshold_would_be_silently_wrong():
     """The row for parallel axes, at an angle that most thresholds call parallel: an error of twice the angle, unseen."""
-    from kinlib.dh.assignment import _assigned
+    from kinlib.dh.assignment import _assign
 
     chain, _ = arm(np.random.default_rng(4), 2, cases=(), angle=1e-6, slides=0)
-    naive = _assigned(chain, "standard", parallel_below=1e-5)
-    assert naive.normals[0].free
+    naive = _assign(chain, "standard", parallel_below=1e-5)
+    assert not naive.normals[0].is_unique
     assert 1e-7 < error(naive, configurations(np.random.default_rng(5), chain)) < 1e-5
     assert assign_frames(chain, convention="standard").accuracy < 1e-8
 
@@ -188,12 +189,12 @@ def test_of_two_pairs_only_the_one_that_gains_is_taken_as_parallel(convention):
     axes = [turned @ [0, -np.sin(angle), np.cos(angle)] for angle in lean]
     screws = np.array([kl.screw(axis, point) for axis, point in zip(axes, points, strict=True)])
     found = assign_frames(kl.Chain(screws, np.eye(4), points), convention=convention)
-    assert [normal.free for normal in found.normals] == [True, False]
+    assert [normal.is_unique for normal in found.normals] == [False, True]
     assert found.accuracy < 1e-9
 
 
 def test_axes_from_a_thousandth_of_a_degree_on_are_what_they_are():
-    assert NEARLY <= 1e-5
+    assert NEARLY_PARALLEL_RAD <= 1e-5
 
 
 # --- the rules ---
@@ -285,7 +286,7 @@ def test_z_of_the_standard_convention_lies_on_the_next_joint_and_that_of_the_mod
 # --- the steps ---
 
 
-@pytest.mark.oracle("printed: EduFill module, deck n = 5, Lecture 7", kl.FrameAssignment.steps, told)
+@pytest.mark.oracle("printed: EduFill module, deck n = 5, Lecture 7", kl.FrameAssignment.steps, explain_assignment)
 @each_convention
 def test_the_steps_come_in_the_order_of_the_decks(convention):
     for found, _, _ in fuzzed(convention, count=20, seed=9):
@@ -335,38 +336,41 @@ def test_the_steps_say_where_axes_and_frames_stand(convention):
                 assert float(length) == pytest.approx(np.linalg.norm(normal.end - normal.start), rel=1e-3)
 
 
-ROUND = "The opposite direction, with -a, -alpha, and half a turn more in one theta and less in the next."
+ROUND = "The opposite direction, with -a, -alpha, and pi added to one theta and subtracted from the next."
 ROUND_ABOUT = ROUND.replace("-a, ", "")
 STANDARD = [
     (
         (
-            "Locate the joint axes: joint 1, turning, along (0, 0, 1) through (0, 0, 0); joint 2, sliding, along (0, -1, 0) "
-            "anywhere (a slide has a direction, not a line); joint 3, turning, along (0, 0, 1) through (0.4, 0, 0). "
+            "Locate the joint axes: joint 1, revolute, along (0, 0, 1) through (0, 0, 0); joint 2, prismatic, along (0, -1, 0) "
+            "anywhere (a prismatic joint has no line); joint 3, revolute, along (0, 0, 1) through (0.4, 0, 0). "
             "In this convention z_{i-1} lies on the axis of joint i."
         ),
-        "Each z may point the other way; then that joint counts the other way.",
+        "Each z may have the opposite direction; then the joint variable changes its sign.",
     ),
     (
         (
-            "Frame 0 stands on axis 1, at the point nearest {s}, with x as near the x of {s} as the axis allows. "
+            "Frame 0 is on axis 1, at the point nearest {s}, with x as near the x of {s} as the axis allows. "
             "Its origin is at (0, 0, 0), its x along (1, 0, 0)."
         ),
-        "Any other origin on the axis and any x square to it; base, d_1 and theta_1 follow.",
+        "Any other origin on the axis and any x perpendicular to it; base, d_1 and theta_1 change accordingly.",
     ),
     ("Axes 1 and 2 are skew: there is one common normal, 0.4 m long.", ROUND),
     ("O_1 lies on axis 2, where the common normal meets it: (0.4, 0, 0).", ""),
     ("x_1 is along the common normal, from joint to joint: (1, 0, 0).", ROUND),
     ("y_1 = z_1 x x_1 completes a right-handed frame: (0, 0, 1).", ""),
-    ("Axes 2 and 3 meet: the common normal has no length, and its direction is square to both.", ROUND_ABOUT),
+    (
+        "Axes 2 and 3 intersect: the common normal has length zero, and its direction is perpendicular to both.",
+        ROUND_ABOUT,
+    ),
     ("O_2 lies on axis 3, where the common normal meets it: (0.4, 0, 0).", ""),
-    ("x_2 is square to both axes, as near the x before as that allows: (1, 0, 0).", ROUND_ABOUT),
+    ("x_2 is perpendicular to both axes, as near the previous x as possible: (1, 0, 0).", ROUND_ABOUT),
     ("y_2 = z_2 x x_2 completes a right-handed frame: (0, 1, 0).", ""),
     (
         (
-            "There is no next axis: z_3 is parallel to z_2, and the frame as near the tool as that allows. "
+            "There is no next axis: z_3 is parallel to z_2, and the frame is as near the tool as that allows. "
             "O_3 is at (0.4, 0, 0), x_3 along (1, 0, 0)."
         ),
-        "Any frame whose x meets z_{n-1} at a right angle; the tool transform takes up the rest.",
+        "Any frame whose x intersects z_{n-1} at a right angle; the tool transform compensates for it.",
     ),
     ("Row 1: a_1 = 0.4, alpha_1 = 1.571, d_1 = 0, theta_1 = q_1.", ""),
     ("Row 2: a_2 = 0, alpha_2 = -1.571, d_2 = q_2, theta_2 = 0.", ""),
@@ -376,10 +380,10 @@ MODIFIED = [
     (STANDARD[0][0].replace("z_{i-1}", "z_i"), STANDARD[0][1]),
     (
         (
-            "Frame 0 matches frame 1 when q_1 = 0, so the first row begins with alpha = 0 and a = 0. "
+            "Frame 0 coincides with frame 1 at q_1 = 0, so the first row begins with alpha = 0 and a = 0. "
             "Its origin is at (0, 0, 0), its x along (1, 0, 0)."
         ),
-        "Any frame at all, with other numbers in the base and in the first row.",
+        "Any other frame, with other numbers in the base and in the first row.",
     ),
     STANDARD[2],
     ("O_1 lies on axis 1, where the common normal meets it: (0, 0, 0).", ""),
@@ -391,10 +395,10 @@ MODIFIED = [
     ("y_2 = z_2 x x_2 completes a right-handed frame: (0, 0, 1).", ""),
     (
         (
-            "Frame 3 stands where d_3 = 0 and theta_3 = q_3. O_3 is at (0.4, 0, 0), x_3 along (1, 0, 0). "
-            "What is left to {b} is the tool transform."
+            "Frame 3 is placed such that d_3 = 0 and theta_3 = q_3. O_3 is at (0.4, 0, 0), x_3 along (1, 0, 0). "
+            "The tool transform leads from there to {b}."
         ),
-        "Any other origin on the axis and any x square to it; d, theta and the tool follow.",
+        "Any other origin on the axis and any x perpendicular to it; d, theta and the tool change accordingly.",
     ),
     ("Row 1: a_0 = 0, alpha_0 = 0, d_1 = 0, theta_1 = q_1.", ""),
     ("Row 2: a_1 = 0.4, alpha_1 = 1.571, d_2 = q_2, theta_2 = 0.", ""),
@@ -408,33 +412,33 @@ def test_the_arm_of_lecture_7_is_told_word_for_word(convention, words):
     assert [(step.text, step.others) for step in steps[:-1]] == words
 
 
-ANYWHERE = "Any direction square to the axis, and any place on it."
-ALONG = "Any other place along the axes: "
+ANYWHERE = "Any direction perpendicular to the axis, and any point on it."
+ALONG = "Any other point along the axes: "
 FREE = {
     "parallel": (
         "along the common normal, from joint to joint",
-        ALONG + "what d loses in one row, it gains in the next.",
+        ALONG + "d decreases in one row by as much as it increases in the next.",
         "",
     ),
     "anti-parallel": (
         "along the common normal, from joint to joint",
-        ALONG + "both d change alike, for the axes point opposite ways.",
+        ALONG + "both d change by the same amount, because the axes have opposite directions.",
         "",
     ),
-    "coincident": ("kept as it was", ANYWHERE, ANYWHERE),
-    "anti-coincident": ("kept as it was", ANYWHERE, ANYWHERE),
+    "coincident": ("the same as before", ANYWHERE, ANYWHERE),
+    "anti-coincident": ("the same as before", ANYWHERE, ANYWHERE),
 }
 
 
 @pytest.mark.parametrize(
-    ("convention", "place"), [("standard", "axis 2, at joint 2"), ("modified", "axis 1, where d stays 0")]
+    ("convention", "place"), [("standard", "axis 2, at joint 2"), ("modified", "axis 1, where d is 0")]
 )
 @pytest.mark.parametrize("case", FREE)
 def test_where_a_normal_may_slide_the_steps_say_so(case, convention, place):
     direction, free, free_x = FREE[case]
     chain, _ = arm(np.random.default_rng(1), 2, cases=(case,), slides=0)
     _, _, normal, origin, x, y, *_ = assign_frames(chain, convention=convention).steps
-    assert origin.text.startswith(f"O_1 lies on {place}, for the normal may slide: (")
+    assert origin.text.startswith(f"O_1 lies on {place}, because the normal may be at any point of the axes: (")
     assert x.text.startswith(f"x_1 is {direction}: (")
     assert (normal.others, origin.others, x.others, y.others) == (free, free, free_x, "")
 
@@ -453,8 +457,8 @@ def leaning(angle, letters="RR"):
 @pytest.mark.parametrize(
     ("angle", "far", "taken", "others"),
     [
-        (1e-6, "1e+03", " Here the far normal is kept.", ROUND),
-        (1e-11, "1e+08", " Here they are taken as parallel.", "The far normal."),
+        (1e-6, "1e+03", " Here the distant normal is kept.", ROUND),
+        (1e-11, "1e+08", " Here they are treated as parallel.", "The distant normal."),
     ],
 )
 def test_nearly_parallel_axes_are_said_to_be_singular_and_what_was_done(angle, far, taken, others, convention):
@@ -463,8 +467,8 @@ def test_nearly_parallel_axes_are_said_to_be_singular_and_what_was_done(angle, f
     assert normal.text.startswith("Axes 1 and 2 are ")
     assert found.table.rows[:, 1].any() == (angle == 1e-6)
     assert (
-        f" These axes are nearly parallel, {angle:.1e} rad apart, and DH is singular here: "
-        f"a millimetre between them moves their normal by {far} m along them, so the last digits of d are lost. "
+        f" These axes are nearly parallel, {angle:.1e} rad apart, where DH is ill-conditioned: "
+        f"if one of them moves by a millimetre, their normal moves by {far} m along them, so the last digits of d are lost. "
     ) in normal.text
     assert normal.text.endswith(taken)
     assert normal.others == others
@@ -481,7 +485,7 @@ def test_axes_that_meet_nearly_parallel_are_singular_too(letters, convention):
         for letter, axis, point in lines
     ]
     normal = assign_frames(kl.Chain(np.array(screws), np.eye(4)), convention=convention).steps[2]
-    assert "These axes are nearly parallel, 1.0e-07 rad apart, and DH is singular here" in normal.text
+    assert "These axes are nearly parallel, 1.0e-07 rad apart, where DH is ill-conditioned" in normal.text
 
 
 @each_convention
@@ -490,12 +494,12 @@ def test_a_slide_that_is_nearly_parallel_has_no_normal_that_runs_away(letters, c
     """A slide has no line: laid across its neighbour it meets it, and no digit is lost."""
     found = assign_frames(leaning(1e-8, letters), convention=convention)
     normal, origin = found.steps[2:4]
-    assert normal.text.startswith("Axes 1 and 2 meet: ")
-    assert "1.0e-08 rad apart; but a slide has no line of its own" in normal.text
-    assert "singular" not in normal.text
+    assert normal.text.startswith("Axes 1 and 2 intersect: ")
+    assert "1.0e-08 rad apart. But a prismatic joint has no line of its own" in normal.text
+    assert "ill-conditioned" not in normal.text
     assert np.abs(vectors(origin.text)).max() < 1
     assert found.accuracy < 1e-14
-    assert "to rounding" in found.steps[-1].text
+    assert "up to rounding" in found.steps[-1].text
 
 
 @pytest.mark.parametrize("letter", ["R", "P"])
@@ -503,18 +507,18 @@ def test_the_last_frame_stands_where_its_row_says_that_its_joint_is_at_zero(lett
     chain = kl.Chain([kl.screw((0, 0, 1), (1, 0, 0), 0.0 if letter == "R" else np.inf)], np.eye(4))
     *_, last, row, _ = assign_frames(chain, convention="modified").steps
     d, theta = {"R": ("0", "q_1"), "P": ("q_1", "0")}[letter]
-    assert last.text.startswith(f"Frame 1 stands where d_1 = {d} and theta_1 = {theta}. ")
+    assert last.text.startswith(f"Frame 1 is placed such that d_1 = {d} and theta_1 = {theta}. ")
     assert row.text == f"Row 1: a_0 = 0, alpha_0 = 0, d_1 = {d}, theta_1 = {theta}."
 
 
-@pytest.mark.parametrize(("angle", "note"), [(0.5, ""), (1e-6, " Nearly parallel axes cost it the digits.")])
+@pytest.mark.parametrize(("angle", "note"), [(0.5, ""), (1e-6, " The nearly parallel axes limit its accuracy.")])
 def test_the_last_step_says_how_exact_a_table_is_and_why_it_is_not(angle, note):
     found = assign_frames(leaning(angle), convention="standard")
     parts = found.chain, found.table, found.frames, found.normals
-    exact, inexact = (told(*parts, accuracy)[-1] for accuracy in (0.99e-11, 1.01e-11))
-    measured = "in 24 postures its poses differ by {} at most."
-    assert exact.text == f"This table is the arm, to rounding: {measured.format('9.9e-12')}"
-    assert inexact.text == f"This table is the arm only so far: {measured.format('1.0e-11')}{note}"
+    exact, inexact = (explain_assignment(*parts, accuracy)[-1] for accuracy in (0.99e-11, 1.01e-11))
+    measured = "at 24 configurations its poses differ by at most {}."
+    assert exact.text == f"This table describes the arm, up to rounding: {measured.format('9.9e-12')}"
+    assert inexact.text == f"This table describes the arm only approximately: {measured.format('1.0e-11')}{note}"
 
 
 def test_what_was_free_is_said_and_what_was_not_is_not():
@@ -531,16 +535,16 @@ def test_what_was_free_is_said_and_what_was_not_is_not():
 
 @each_convention
 def test_a_helical_joint_is_refused_by_its_number(convention):
-    with pytest.raises(ValueError, match="Joint 1 of HRR arm is helical"):
+    with pytest.raises(ValueError, match="joint 1 of HRR arm is helical"):
         assign_frames(robots.hrr(), convention=convention)
     screws = [kl.screw((0, 0, 1), (k, 0, 0), pitch) for k, pitch in enumerate([0, 0.1, 0.2])]
-    with pytest.raises(ValueError, match=r"Joint 2 of .* is helical: it turns and climbs at once"):
+    with pytest.raises(ValueError, match=r"joint 2 of .* is helical: it rotates and translates at once"):
         assign_frames(kl.Chain(screws, np.eye(4)), convention=convention)
 
 
 @pytest.mark.parametrize("convention", ["Standard", "classic", None, 1])
 def test_a_convention_that_there_is_not_is_refused(convention):
-    with pytest.raises(ValueError, match="convention should be 'standard' or 'modified'"):
+    with pytest.raises(ValueError, match="convention must be 'standard' or 'modified'"):
         assign_frames(robots.rpr(), convention=convention)
 
 

@@ -38,7 +38,7 @@ def test_another_right_assignment_passes_too():
 
 
 def along(x):
-    """The right frames with another x_1, which need not be square to z_1 nor a unit vector."""
+    """The right frames with another x_1, which need not be perpendicular to z_1 nor a unit vector."""
     frames = RIGHT.copy()
     frames[1, :3, 0] = x
     return frames
@@ -47,37 +47,37 @@ def along(x):
 BROKEN = {
     "a left-handed frame": (
         drawn(3, np.diag([1, -1, 1, 1])),
-        (3, "right-handed", "Frame 3 is left-handed: y_3 should be z_3 x x_3. Turn y_3 round."),
+        (3, "right-handed", "Frame 3 is left-handed: y_3 must be z_3 x x_3. Negate y_3."),
     ),
     "axes that are not unit": (
         drawn(3, np.diag([2, 1, 1, 1])),
-        (3, "right-handed", "The axes of frame 3 are not unit vectors square to each other."),
+        (3, "right-handed", "The axes of frame 3 must be unit vectors perpendicular to each other."),
     ),
     "z off its direction": (
         drawn(2, kl.exp([0.3, 0, 0, 0, 0, 0])),
-        (2, "z along axis", "z_2 should lie along the axis of joint 3; it does not."),
+        (2, "z along axis", "z_2 must be along the axis of joint 3, but is not."),
     ),
     "an origin beside the axis": (
         drawn(2, kl.exp([0, 0, 0, 0, 0.1, 0])),
-        (2, "origin on axis", "The origin of frame 2 should lie on the axis of joint 3; it is 0.1 m off."),
+        (2, "origin on axis", "The origin of frame 2 must lie on the axis of joint 3; it is 0.1 m away."),
     ),
     "x turned about z": (
         drawn(1, kl.exp([0, 0, 0.3, 0, 0, 0])),
-        (1, "x square to z", "x_1 should be perpendicular to z_0; the angle is 72.81 degrees."),
+        (1, "x perpendicular to z", "x_1 must be perpendicular to z_0; the angle is 72.81 degrees."),
     ),
     "x along z": (
         along(2 * RIGHT[0, :3, 2]),
-        (1, "x square to z", "x_1 should be perpendicular to z_0; the angle is 0 degrees."),
+        (1, "x perpendicular to z", "x_1 must be perpendicular to z_0; the angle is 0 degrees."),
     ),
     "x against z": (
         along(-2 * RIGHT[0, :3, 2]),
-        (1, "x square to z", "x_1 should be perpendicular to z_0; the angle is 180 degrees."),
+        (1, "x perpendicular to z", "x_1 must be perpendicular to z_0; the angle is 180 degrees."),
     ),
     "x beside the common normal": (
         drawn(1, kl.exp([0, 0, 0, 0, 0, 0.2])),
         (
             *(1, "x meets z"),
-            "The line of x_1 should meet the axis z_0; it passes 0.2 m beside it. Is x_1 on the common normal?",
+            "The line of x_1 must intersect the axis z_0; it passes at a distance of 0.2 m. Is x_1 on the common normal?",
         ),
     ),
 }
@@ -96,12 +96,12 @@ def off_axis(arm, frames, convention):
 
 def test_frames_of_the_other_convention_are_recognised():
     assert off_axis(ARM, assign_frames(ARM, convention="modified").frames, "standard") == [
-        "z_1 should lie along the axis of joint 2; it does not. It lies along the axis of joint 1, as in the other convention.",
-        "z_4 should lie along the axis of joint 5; it does not. It lies along the axis of joint 4, as in the other convention.",
+        "z_1 must be along the axis of joint 2, but is not. It is along the axis of joint 1, as in the other convention.",
+        "z_4 must be along the axis of joint 5, but is not. It is along the axis of joint 4, as in the other convention.",
     ]
     assert off_axis(ARM, RIGHT, "modified") == [
-        "z_1 should lie along the axis of joint 1; it does not. It lies along the axis of joint 2, as in the other convention.",
-        "z_4 should lie along the axis of joint 4; it does not. It lies along the axis of joint 5, as in the other convention.",
+        "z_1 must be along the axis of joint 1, but is not. It is along the axis of joint 2, as in the other convention.",
+        "z_4 must be along the axis of joint 4, but is not. It is along the axis of joint 5, as in the other convention.",
     ]
 
 
@@ -109,9 +109,9 @@ def test_before_the_first_joint_and_behind_the_last_there_is_no_other_axis():
     """z_0 and z_n along the axis at the other end of the arm are off, and no sign of the other convention."""
     frames = np.tile(np.eye(4), (ARM.n + 1, 1, 1))
     frames[[0, -1], :3, :3] = np.eye(3)[:, [1, 2, 0]]  # z along x, as joint 5
-    assert off_axis(ARM, frames, "standard")[0] == "z_0 should lie along the axis of joint 1; it does not."
+    assert off_axis(ARM, frames, "standard")[0] == "z_0 must be along the axis of joint 1, but is not."
     frames[[0, -1], :3, :3] = np.eye(3)  # z along z, as joint 1
-    assert off_axis(ARM, frames, "modified")[-1] == "z_5 should lie along the axis of joint 5; it does not."
+    assert off_axis(ARM, frames, "modified")[-1] == "z_5 must be along the axis of joint 5, but is not."
 
 
 @given(rotations())
@@ -132,9 +132,9 @@ def test_a_prismatic_axis_may_lie_anywhere():
 
 
 def test_a_frame_too_few_is_refused():
-    with pytest.raises(ValueError, match=r"frames should have shape \(6, 4, 4\).*got \(5, 4, 4\).*missing"):
+    with pytest.raises(ValueError, match=r"frames must have shape \(6, 4, 4\).*got \(5, 4, 4\).*missing"):
         check_frames(ARM, RIGHT[1:], "standard")
-    with pytest.raises(ValueError, match="convention should be"):
+    with pytest.raises(ValueError, match="convention must be"):
         check_frames(ARM, RIGHT, "paul")
     with pytest.raises(ValueError, match="frames contains NaN"):
         check_frames(ARM, np.full_like(RIGHT, np.nan), "standard")

@@ -109,7 +109,7 @@ def test_the_ur5_s_half_turn_is_told():
     """Its URDF has the base turned half round, which is the same as joint 1 having its zero half a turn away."""
     chain, _ = from_pinocchio(UR5_JOINTS)
     said = str(diagnose(UR5, chain)).splitlines()
-    assert said[:2] == ["This table is the arm.", "Joint 1 has its zero elsewhere, by 3.142."]
+    assert said[:2] == ["This table describes the arm.", "Joint 1 has another zero, 3.142 away."]
     assert said[2].startswith("The tool frames differ")
     assert len(said) == 3
 
@@ -119,7 +119,7 @@ def test_the_panda_s_table_read_in_the_wrong_convention_is_recognised():
     """It is printed in the modified convention, without saying so in most copies."""
     chain, _ = from_pinocchio(PANDA_JOINTS)
     (fault,) = diagnose(PANDA.changed(convention="standard"), chain).faults
-    assert fault.text == "The table is in the modified convention, and was read as standard."
+    assert fault.text == "The table is in the modified convention, but was read as standard."
 
 
 @pytest.mark.oracle("pinocchio", kl.assign_frames)

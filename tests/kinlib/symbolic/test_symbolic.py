@@ -470,7 +470,7 @@ def test_shorthand_lets_be_what_has_none(angle):
         (lambda: symbolic.fk(kl.robots.rpr(), q=[1, 2]), "q must have 3x1 entries; got 2x1"),
         (lambda: symbolic.table_fk([(0, 0, 0)], "standard"), "row 1 must have 4x1 entries; got 3x1"),
         (lambda: symbolic.table_fk([(0, 90, 0, q)], "standard"), "If it is in degrees, write"),
-        (lambda: symbolic.table_fk([(0, 0, 0, q)]), "convention should be 'standard' or 'modified'; got None"),
+        (lambda: symbolic.table_fk([(0, 0, 0, q)]), "convention must be 'standard' or 'modified'; got None"),
     ],
 )
 def test_what_cannot_be_is_refused_with_the_remedy(call, words):
