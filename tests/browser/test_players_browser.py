@@ -1,4 +1,4 @@
-"""The players and assign mode in a real browser: stepped, played, picked by mouse and by keys, and read by Python."""
+"""The players and the placing of frames in a real browser: by mouse, touch and keys, and synchronized with Python."""
 
 import nbformat
 import numpy as np
@@ -67,7 +67,7 @@ def wait_for(page, trait, value):
 
 
 def drawn(page):
-    """The names in the picture, once it has been painted anew."""
+    """Paint the picture again, and return the labels in it."""
     page.evaluate(f"{STAGE}.paint()")
     return {box["name"] for box in page.evaluate(f"{STAGE}.names")}
 
@@ -80,7 +80,7 @@ def pixel(page, x, y):
 
 
 def place_of(page, point):
-    """Where a point of space is on the page, in pixels."""
+    """Return where a point of space is on the page, in pixels."""
     return page.evaluate(
         f"""point => {{ const {{ camera, canvas }} = {STAGE}; const {{ left, top }} = canvas.getBoundingClientRect();
             const {{ x, y }} = camera.project(camera.target.clone().set(...point)); return [x + left, y + top]; }}""",
@@ -91,7 +91,7 @@ def place_of(page, point):
 # --- the assignment player ---
 
 
-def test_steps_go_forwards_and_back_by_buttons_and_keys(show):
+def test_buttons_and_keys_go_to_the_next_and_the_previous_step(show):
     player = play_assignment(kl.robots.youbot(), convention="standard")
     steps = player.assignment.steps
     page = show(player)
@@ -110,14 +110,14 @@ def test_steps_go_forwards_and_back_by_buttons_and_keys(show):
     assert said == steps[3].text.replace("O_1", "O1")
     page.keyboard.press("End")
     assert get(page, "step") == len(steps) - 1
-    page.keyboard.press("ArrowRight")  # there is no more
+    page.keyboard.press("ArrowRight")  # this was the last step
     assert get(page, "step") == len(steps) - 1
     assert following.get_attribute("aria-disabled") == "true"
     page.keyboard.press("Home")
     assert get(page, "step") == 0
 
 
-def test_a_frame_appears_part_by_part_and_what_is_named_is_lit(show):
+def test_a_frame_appears_part_by_part_and_the_current_part_is_highlighted(show):
     page = show(play_assignment(kl.robots.youbot(), convention="standard", step=2))
     seen = []
     for _ in range(4):
@@ -127,12 +127,12 @@ def test_a_frame_appears_part_by_part_and_what_is_named_is_lit(show):
     page.evaluate(f"{MODEL}.set('step', 3)")
     page.evaluate(f"{STAGE}.paint()")
     box = page.locator(".kv-canvas").bounding_box()
-    x, y = place_of(page, (0.033, 0, 0.147))  # O_1, under the marker pen
+    x, y = place_of(page, (0.033, 0, 0.147))  # O_1, which is highlighted
     red, green, blue = pixel(page, x - box["x"] + 11, y - box["y"] + 3)
     assert blue < min(red, green) - 20, "yellow"
 
 
-def test_the_other_convention_is_a_choice_away_and_the_table_fills(show):
+def test_the_convention_can_be_switched_and_the_table_is_filled(show):
     player = play_assignment(kl.robots.youbot(), convention="standard", step=18)
     page = show(player)
     rows = page.locator(".kv-dh tr")
@@ -149,12 +149,12 @@ def test_the_other_convention_is_a_choice_away_and_the_table_fills(show):
 
 
 def carried(page, track):
-    """Where the moving frame of a track stands."""
+    """Return the pose of the moving frame of a track."""
     elements = page.evaluate(f"{STAGE}.tree.arms[{track}].tool.matrixWorld.elements")
     return np.reshape(elements, (4, 4)).T
 
 
-def test_the_motions_carry_the_frame_to_the_end_of_its_row_in_both_conventions(show):
+def test_the_motions_move_the_frame_to_the_row_s_matrix_in_both_conventions(show):
     player = play_row(ROW)
     page = show(player, reduced_motion="reduce")
     starts = [np.reshape(track["stops"][0], (4, 4)) for track in player.mode["tracks"]]
@@ -171,7 +171,7 @@ def test_the_motions_carry_the_frame_to_the_end_of_its_row_in_both_conventions(s
     assert "across the link" in page.locator(".kv-said").first.inner_text()
 
 
-def test_half_a_motion_is_half_the_way(show):
+def test_half_a_motion_is_half_of_its_angle_or_distance(show):
     page = show(play_row(ROW, convention="standard"))
     box = page.get_by_label("Motions done").bounding_box()
     page.mouse.click(box["x"] + 0.4 * box["width"], box["y"] + box["height"] / 2)
@@ -179,7 +179,7 @@ def test_half_a_motion_is_half_the_way(show):
     assert 1 < done < 2
     expected = kl.dh_transform(0, 0, 0.6 * (done - 1), 1.4, convention="standard")
     np.testing.assert_allclose(carried(page, 0), expected, atol=1e-12)
-    page.keyboard.press("ArrowRight")  # the slider has the focus: keys go from motion to motion
+    page.keyboard.press("ArrowRight")  # the slider has the focus, so keys go to the next motion
     assert get(page, "done") == 2
     page.keyboard.press("End")
     assert get(page, "done") == 4
@@ -188,7 +188,7 @@ def test_half_a_motion_is_half_the_way(show):
     assert get(page, "done") == 3
 
 
-def test_a_motion_is_seen_on_its_way_unless_less_motion_is_preferred(show):
+def test_a_motion_is_animated_unless_reduced_motion_is_preferred(show):
     page = show(play_row(ROW, convention="standard", done=3))
     seen = f"window.seen = new Set(); {MODEL}.on('change:done', () => window.seen.add({MODEL}.get('done')))"
     page.evaluate(seen)
@@ -201,7 +201,7 @@ def test_a_motion_is_seen_on_its_way_unless_less_motion_is_preferred(show):
     assert calm.evaluate("[...window.seen]") == [4]
 
 
-def test_a_walk_plants_the_frames_of_both_conventions(show):
+def test_a_walk_shows_the_frames_of_both_conventions(show):
     player = play_walk(WALK, done=2)
     page = show(player, reduced_motion="reduce")
     assert {"{1 mod}", "{1 std}"} <= drawn(page)
@@ -220,7 +220,7 @@ def frames_of(page):
 
 
 def handle(hand, T, axis):
-    """The end of an axis along which a frame has its z."""
+    """Return the handle with which a frame gets its z: an end of an axis."""
     fits = [z for z in hand.mode["z"] if np.allclose(z["along"], T[:3, 2])]
     return next((z["at"] for z in fits if z["axis"] == axis), fits[0]["at"])
 
@@ -230,8 +230,8 @@ def click(page, point, off=(0, 0)):
     page.mouse.click(x + off[0], y + off[1])
 
 
-def test_frames_are_placed_by_mouse_and_snap_to_what_is_meant(show):
-    """Every pick is some pixels beside its place, and the frames come out exact."""
+def test_frames_are_placed_by_mouse_and_snap_to_candidates(show):
+    """Every click is some pixels away from its candidate, but the frames are exact."""
     hand = assign(ARM, "standard")
     page = show(hand)
     dial = DIAL * hand.scene["size"]
@@ -243,16 +243,16 @@ def test_frames_are_placed_by_mouse_and_snap_to_what_is_meant(show):
     assert page.get_by_role("button", name="Frame 3, placed").is_visible()
 
 
-def test_a_finger_picks_as_a_mouse_does(show):
+def test_frames_are_placed_by_touch(show):
     hand = assign(ARM, "standard")
     page = show(hand, has_touch=True, viewport={"width": 400, "height": 800})
     for point in (handle(hand, RIGHT[0], 0), RIGHT[0, :3, 3]):
         x, y = place_of(page, point)
-        page.touchscreen.tap(x + 1, y + 1)  # on so small a picture others are near
+        page.touchscreen.tap(x + 1, y + 1)  # in this small picture other candidates are near
     np.testing.assert_allclose(frames_of(page)[0][:3, 2:], RIGHT[0, :3, 2:], atol=1e-12)
 
 
-def test_an_origin_is_dragged_along_its_axis_and_x_round_its_dial(show):
+def test_an_origin_is_dragged_along_its_axis_and_x_around_its_dial(show):
     frames = np.array(assign(ARM, "standard").frames)
     frames[1] = RIGHT[1]
     hand = assign(ARM, "standard", frames=frames)
@@ -273,11 +273,11 @@ def test_an_origin_is_dragged_along_its_axis_and_x_round_its_dial(show):
     moved = frames_of(page)[1]
     along = (moved[:3, 3] - origin) @ z
     assert 0.5 < along < 1.3
-    np.testing.assert_allclose(moved[:3, 3], origin + along * z, atol=1e-12)  # on its axis, to rounding
+    np.testing.assert_allclose(moved[:3, 3], origin + along * z, atol=1e-12)  # on its axis, except for rounding errors
     page.get_by_role("button", name="Place x 1 in the picture").click()
     x, y = moved[:3, 0], moved[:3, 1]
     drag(moved[:3, 3] + dial * x, moved[:3, 3] + dial * (0.08 * x + 0.99 * y))
-    np.testing.assert_allclose(frames_of(page)[1][:3, 0], y, atol=1e-12)  # snapped
+    np.testing.assert_allclose(frames_of(page)[1][:3, 0], y, atol=1e-12)  # it has snapped to y
     turned = frames_of(page)[1][:3, :3]
     np.testing.assert_allclose(turned.T @ turned, np.eye(3), atol=1e-12)
     assert page.evaluate(camera) == before, "the camera must not move during a drag"
@@ -286,7 +286,7 @@ def test_an_origin_is_dragged_along_its_axis_and_x_round_its_dial(show):
 
 
 def choose(page, label, wanted):
-    """Choose from a list by its arrow keys alone."""
+    """Choose from a list with the arrow keys only."""
     select = page.get_by_label(label, exact=True)
     select.focus()
     for _ in range(60):
@@ -296,10 +296,10 @@ def choose(page, label, wanted):
         if here == there:
             return
         page.keyboard.press("ArrowDown" if there > here else "ArrowUp")
-    raise AssertionError(f"{label} does not come to {wanted}")
+    raise AssertionError(f"{label} does not reach {wanted}")
 
 
-def test_frames_are_placed_by_keys_alone(show):
+def test_frames_are_placed_with_keys_only(show):
     page = show(assign(ARM, "standard"))
     page.get_by_role("button", name="Frame 0, not started").focus()
     for i, T in enumerate(RIGHT):
@@ -317,7 +317,7 @@ def test_frames_are_placed_by_keys_alone(show):
     np.testing.assert_allclose(np.cross(changed[:3, 3] - RIGHT[3, :3, 3], RIGHT[3, :3, 2]), 0, atol=1e-12)
 
 
-def test_without_python_the_frames_can_be_copied_and_it_says_who_judges(show):
+def test_without_python_the_frames_can_be_copied_and_a_message_says_how_to_check_them(show):
     page = show(assign(ARM, "standard", frames=RIGHT), permissions=["clipboard-read", "clipboard-write"])
     page.get_by_role("button", name="Check the rules").click()
     assert "Checking needs Python, and this page has no kernel." in page.locator(".kv-verdict").inner_text()
@@ -328,7 +328,7 @@ def test_without_python_the_frames_can_be_copied_and_it_says_who_judges(show):
     assert check_frames(ARM, copied, "standard") == []
 
 
-def test_a_frame_is_cleared_and_brought_back(show):
+def test_a_frame_is_cleared_and_restored(show):
     page = show(assign(ARM, "standard", frames=RIGHT))
     page.get_by_role("button", name="Frame 2, placed").click()
     page.get_by_role("button", name="Clear this frame").click()
@@ -337,7 +337,7 @@ def test_a_frame_is_cleared_and_brought_back(show):
     np.testing.assert_array_equal(frames_of(page), RIGHT)
 
 
-def test_a_breach_goes_out_when_its_frame_changes_and_comes_back_with_it(show):
+def test_a_broken_rule_disappears_when_its_frame_changes_and_is_restored_with_it(show):
     page = show(broken())
     wrong = page.get_by_role("button", name="Frame 1, breaks a rule")
     wrong.click()
@@ -346,11 +346,11 @@ def test_a_breach_goes_out_when_its_frame_changes_and_comes_back_with_it(show):
     assert "Check again." in page.locator(".kv-verdict").inner_text()
     page.get_by_role("button", name="Undo the last change").click()
     assert wrong.is_visible()
-    page.evaluate(f"frames => {MODEL}.set('frames', frames)", RIGHT.tolist())  # as Python does
+    page.evaluate(f"frames => {MODEL}.set('frames', frames)", RIGHT.tolist())  # as if Python had set them
     assert not wrong.is_visible()
 
 
-def test_an_x_that_is_not_square_to_a_new_z_is_taken_back(show):
+def test_an_x_that_is_not_perpendicular_to_a_new_z_is_removed(show):
     page = show(assign(ARM, "standard", frames=RIGHT))
     page.get_by_role("button", name="Frame 3, placed").click()
     z = next(axis for axis in ARM.lines.axis if abs(axis @ RIGHT[3, :3, 0]) > 0.5)
@@ -359,11 +359,11 @@ def test_an_x_that_is_not_square_to_a_new_z_is_taken_back(show):
     np.testing.assert_array_equal(frames_of(page)[3][:3, 2], z)
 
 
-# --- for everybody ---
+# --- accessibility ---
 
 
 def broken():
-    """An arm with frames, of which one breaks a rule."""
+    """Return an arm with frames, one of which breaks a rule."""
     frames = RIGHT.copy()
     frames[1, :3, 3] += RIGHT[1, :3, 0]
     hand = assign(ARM, "standard", frames=frames)
@@ -380,19 +380,19 @@ ALL = {
 
 @pytest.mark.parametrize("kind", ALL)
 @pytest.mark.parametrize("style", ["background:white", "background:#111418"])
-def test_it_can_be_read_fits_a_narrow_page_and_has_a_name_and_keys_for_each_control(show, kind, style):
+def test_contrast_narrow_pages_and_a_name_and_keys_for_each_control(show, kind, style):
     page = show(ALL[kind](), style=style, viewport={"width": 400, "height": 900})
     faint = {text: contrast(ink, paper) for text, ink, paper in text_colours(page) if contrast(ink, paper) < 4.5}
-    # what cannot be pressed now may be faint: WCAG 1.4.3 says so
+    # WCAG 1.4.3 allows a low contrast for buttons that are disabled
     off = page.locator(".kv :is([aria-disabled=true], :disabled)").all_inner_texts()
     assert not set(faint) - set(off)
     assert not overflowing(page)
     controls = page.locator(".kv :is(button, input, select, canvas)")
-    told = controls.evaluate_all(
+    controls = controls.evaluate_all(
         """all => all.map((node) => [node.getAttribute('data-lm-suppress-shortcuts'),
             (node.getAttribute('aria-label') || node.textContent).trim().length > 1, node.outerHTML])"""
     )
-    assert not [html for keys, named, html in told if keys != "true" or not named]
+    assert not [html for keys, named, html in controls if keys != "true" or not named]
 
 
 # --- in JupyterLab ---
@@ -411,18 +411,18 @@ right = kl.assign_frames(robot, convention='standard').frames.copy()
 wrong = right.copy()
 wrong[1, :3, 3] += right[1, :3, 0]
 hand.frames = wrong"""
-MENDED = """
+RIGHT_AGAIN = """
 hand.frames = right
 verdict = sheet.check(2, hand.frames)
 print(verdict.judgement.state, bool(kl.equivalent(hand.table, robot)))"""
 PLAYER = "player = play_assignment(robot, convention='standard')\nplayer"
 BREACHES = "print([(b.frame, b.rule) for b in hand.breaches])"
-CELLS = [FIRST.strip(), WRONG.strip(), BREACHES, MENDED.strip(), PLAYER, "print(player.step)"]
+CELLS = [FIRST.strip(), WRONG.strip(), BREACHES, RIGHT_AGAIN.strip(), PLAYER, "print(player.step)"]
 
 
 @pytest.fixture(scope="module")
 def lab(browser, tmp_path_factory):
-    """A notebook with an arm without frames, open in JupyterLab."""
+    """Open a notebook in JupyterLab with an arm on which no frame is placed."""
     folder = tmp_path_factory.mktemp("lab")
     with jupyterlab(folder) as address, watched(browser, viewport={"width": 1100, "height": 900}) as page:
         open_notebook(page, address, folder, [nbformat.v4.new_code_cell(source) for source in CELLS])
@@ -437,7 +437,7 @@ def printed(page, cell):
     return output.inner_text().strip()
 
 
-def test_in_the_lab_python_reads_the_frames_and_lights_up_the_broken_rule(lab):
+def test_in_the_lab_python_checks_the_frames_and_the_broken_rule_is_highlighted(lab):
     page = lab
     check = page.get_by_role("button", name="Check the rules")
     page.get_by_label("Direction of z 0", exact=True).select_option(index=1)
@@ -454,7 +454,7 @@ def test_in_the_lab_python_reads_the_frames_and_lights_up_the_broken_rule(lab):
     page.evaluate(f"{STAGE}.paint()")
     ratio = page.evaluate("document.querySelector('.kv-canvas').width") / box["width"]
     red, green, blue = pixel(page, ratio * (joint[0] - box["x"] + 8), ratio * (joint[1] - box["y"]))
-    assert red - max(green, blue) > 100, "a red badge stands on joint 2"
+    assert red - max(green, blue) > 100, "a red badge must be on joint 2"
     run_cell(page, 2)
     assert printed(page, 2).startswith("[(1, 'origin on axis')")
     breach.click()
@@ -462,7 +462,7 @@ def test_in_the_lab_python_reads_the_frames_and_lights_up_the_broken_rule(lab):
     page.get_by_text("Check again.").wait_for()
 
 
-def test_in_the_lab_right_frames_are_right_for_page_and_sheet(lab):
+def test_in_the_lab_page_and_sheet_accept_right_frames(lab):
     page = lab
     run_cell(page, 3)
     assert printed(page, 3) == "right True"
@@ -471,7 +471,7 @@ def test_in_the_lab_right_frames_are_right_for_page_and_sheet(lab):
     assert page.locator(".kv-dh tr").count() == 4
 
 
-def test_in_the_lab_the_player_keeps_its_arrow_keys_and_python_reads_the_step(lab):
+def test_in_the_lab_the_player_handles_arrow_keys_and_python_reads_the_step(lab):
     page = lab
     run_cell(page, 4)
     player = page.locator(".kv").nth(1)

@@ -1,4 +1,4 @@
-"""The viewer in a real browser: turned by mouse, keys and Python, in JupyterLab and on a page without a kernel."""
+"""The viewer in a real browser: moved by mouse, keys and Python, in JupyterLab and on a page without a kernel."""
 
 import nbformat
 import numpy as np
@@ -44,7 +44,7 @@ def browser(start):
 
 @pytest.fixture
 def show(browser, tmp_path):
-    """Show viewers on a static page, wide wait_until_drawn."""
+    """Show viewers on a static page, and wait until they are drawn."""
     opened = []
 
     def open_page(*viewers, count=None, style="background:white", before=None, **settings):
@@ -66,7 +66,7 @@ def sliders(page):
 
 
 def settled(page, change):
-    """Do something, and wait for the picture that follows."""
+    """Do something, and wait for the next picture."""
     before = drawn_count(page)
     change()
     page.wait_for_function(
@@ -83,25 +83,25 @@ def q_of(page):
 
 
 def shown_pixels(page):
-    """The picture as a page's own data, to tell whether it has changed."""
+    """Return the pixels of the picture, to compare them with another one."""
     return page.evaluate("document.querySelector('.kv-canvas').toDataURL()")
 
 
 # --- the kinematics of the page ---
 
 
-def test_every_robot_of_the_course_stands_where_the_library_says(show):
-    """The scene graph in JavaScript against Chain.fk: 100 postures each, a difference of 1e-12 at most."""
+def test_the_page_computes_the_pose_of_every_robot_as_chain_fk_does(show):
+    """Compare the scene graph in JavaScript with Chain.fk in 100 configurations: at most 1e-12 apart."""
     page = show(*map(explore, ROBOTS), count=1)
     worst = {}
     for which, robot in enumerate(ROBOTS):
         page.locator("[data-kinlib-viewer]").nth(which).scroll_into_view_if_needed()
-        page.locator(".kv").nth(which).wait_for()  # a viewer wakes when it comes near
+        page.locator(".kv").nth(which).wait_for()  # a viewer starts when it is scrolled near
         q = np.random.default_rng(7).uniform(-np.pi, np.pi, (100, robot.n))
         found = page.evaluate(
-            """([which, postures]) => {
+            """([which, configurations]) => {
                 const { model, stage } = document.querySelectorAll('.kv')[which].viewer;
-                return postures.map((q) => { model.set('q', q); return stage.tree.pose(); });
+                return configurations.map((q) => { model.set('q', q); return stage.tree.pose(); });
             }""",
             [which, q.tolist()],
         )
@@ -109,13 +109,13 @@ def test_every_robot_of_the_course_stands_where_the_library_says(show):
     assert max(worst.values()) < 1e-12, worst
 
 
-def test_the_table_is_the_pose(show):
+def test_the_readout_shows_the_pose(show):
     page = show(explore(kl.robots.puma560(), start=Q))
     cells = [float(text) for text in page.locator(".kv-pose td").all_inner_texts()]
     np.testing.assert_allclose(np.reshape(cells, (4, 4)), kl.robots.puma560().fk(Q), atol=5.1e-5)
 
 
-def test_copy_gives_python_with_every_digit(show):
+def test_copy_gives_python_code_with_all_digits(show):
     page = show(explore(kl.robots.puma560(), start=Q), permissions=["clipboard-read", "clipboard-write"])
     page.get_by_role("button", name="Copy").click()
     page.get_by_text("copied").wait_for()
@@ -125,7 +125,7 @@ def test_copy_gives_python_with_every_digit(show):
     np.testing.assert_allclose(copied["T"], kl.robots.puma560().fk(Q), rtol=0, atol=1e-14)
 
 
-# --- hands and keys ---
+# --- mouse and keys ---
 
 
 def test_a_slider_is_dragged_with_the_mouse(show):
@@ -155,7 +155,7 @@ def test_keys_move_a_joint_by_a_degree_or_a_centimetre_and_to_its_ends(show):
         assert q_of(page)[joint] == pytest.approx(value, abs=1e-12)
 
 
-def test_a_number_may_be_typed_and_letters_change_nothing(show):
+def test_a_number_can_be_typed_and_letters_change_nothing(show):
     page = show(explore(kl.robots.youbot()))
     field = page.get_by_label("Joint 2, radians, as a number")
     field.fill("1.25")
@@ -180,7 +180,7 @@ def test_reset_goes_back_to_the_start_and_play_moves_every_joint(show):
     assert q_of(page) == [0, 0.5, 0, 0, 0]
 
 
-def test_the_picture_is_turned_moved_and_zoomed_by_hand_and_by_keys(show):
+def test_the_view_is_rotated_panned_and_zoomed_by_mouse_and_by_keys(show):
     page = show(explore(kl.robots.youbot()))
     canvas = page.locator(".kv-canvas")
     seen = {shown_pixels(page)}
@@ -223,7 +223,7 @@ def test_a_named_view_looks_along_an_axis(show, name, right, up):
     np.testing.assert_allclose(columns[:2, :3], [right, up], atol=1e-12)
 
 
-def test_who_prefers_less_motion_gets_views_at_once_and_play_in_stations(show):
+def test_with_reduced_motion_views_change_at_once_and_play_goes_in_steps(show):
     page = show(explore(kl.robots.youbot(), joints=[1]), reduced_motion="reduce")
     page.get_by_role("button", name="Play").click()
     seen = set()
@@ -233,7 +233,7 @@ def test_who_prefers_less_motion_gets_views_at_once_and_play_in_stations(show):
     assert len(seen) <= 2
 
 
-# --- what is shown ---
+# --- layers ---
 
 
 @pytest.mark.parametrize("layer", ["screw axes", "common normals", "lengths"])
@@ -269,7 +269,7 @@ def test_a_trail_follows_the_tool(show):
     assert shown_pixels(page) != before
 
 
-def test_a_ghost_stands_where_python_puts_it(show):
+def test_a_ghost_is_drawn_where_python_sets_it(show):
     page = show(explore(kl.robots.youbot(), show=[]))
     before = shown_pixels(page)
     model = "document.querySelector('.kv').viewer.model"
@@ -284,8 +284,8 @@ POSTURES = [np.zeros(6), Q, [0, -0.5, 0.5, 0, 1.2, 0], [2, -1, 2.5, 1, -1, 2]]
 
 @pytest.mark.parametrize("frames", ["standard", "modified"])
 @pytest.mark.parametrize("width", [400, 900])
-def test_no_name_covers_another_or_leaves_the_picture(show, frames, width):
-    """The wrist of the PUMA 560: three frames in one point, each with three letters, six axes, five normals."""
+def test_no_label_covers_another_or_leaves_the_picture(show, frames, width):
+    """The wrist of the PUMA 560 has three frames at one point, each with three letters, and there are six axes and five normals."""
     page = show(
         explore(kl.robots.puma560(), show=["axes", "normals", frames]), viewport={"width": width, "height": 700}
     )
@@ -316,7 +316,7 @@ def four_bar_viewer():
     return drive(LINKAGE, LINKAGE.assembly_modes(hold={"A": 1.0})[0], across=("A", "D"))
 
 
-def test_every_body_of_a_linkage_stands_where_the_library_says(show):
+def test_the_page_computes_the_poses_of_a_linkage_s_bodies_as_the_library_does(show):
     page = show(four_bar_viewer())
     bodies = [body for body in LINKAGE.bodies if body != LINKAGE.ground]
     for curve in page.evaluate("document.querySelector('.kv').viewer.model.get('mode').curves"):
@@ -328,7 +328,7 @@ def test_every_body_of_a_linkage_stands_where_the_library_says(show):
                 np.testing.assert_allclose(found, expected[body], atol=1e-12)
 
 
-def test_the_driver_runs_along_its_curve_and_a_click_goes_to_the_other(show):
+def test_the_slider_moves_along_its_curve_and_a_click_changes_to_the_other_curve(show):
     viewer = four_bar_viewer()
     page = show(viewer)
     curves = viewer.mode["curves"]
@@ -340,7 +340,7 @@ def test_the_driver_runs_along_its_curve_and_a_click_goes_to_the_other(show):
     assert q_of(page) in curves[1]
     place = page.locator(".kv-map").bounding_box()
     rocker = [float(np.mean([q[2] for q in curve])) for curve in curves]
-    share = 0.95 if rocker[0] < rocker[1] else 0.05  # where the first curve lies on the map, from its top
+    share = 0.95 if rocker[0] < rocker[1] else 0.05  # the height of the first curve on the map, from the top
     settled(
         page, lambda: page.mouse.click(place["x"] + place["width"] / 2, place["y"] + share * (place["height"] - 30))
     )
@@ -370,14 +370,14 @@ def test_the_picture_stays_covered_until_a_prediction_is_committed(show):
     assert page.evaluate("document.querySelector('.kv').viewer.model.get('choice')") == 1
 
 
-def test_who_insists_may_look_and_nothing_is_recorded(show):
+def test_the_arm_can_be_shown_without_a_prediction_and_nothing_is_recorded(show):
     page = show(explore(kl.robots.rpr(), predict=("Which way?", ["up", "down"])), count=0)
     page.get_by_role("button", name="Show anyway").click()
     wait_until_drawn(page)
     assert page.evaluate("document.querySelector('.kv').viewer.model.get('choice')") == -1
 
 
-def test_a_question_elsewhere_on_the_page_lifts_the_cover(show):
+def test_a_question_elsewhere_on_the_page_removes_the_cover(show):
     page = show(explore(kl.robots.rpr(), after=Answered()), count=0)
     page.get_by_text("Commit to your prediction above first").wait_for()
     page.evaluate("document.querySelector('[data-kinlib-viewer]').dataset.uncovered = ''")
@@ -385,12 +385,12 @@ def test_a_question_elsewhere_on_the_page_lifts_the_cover(show):
 
 
 class Answered(HasTraits):
-    """Anything with this trait can cover a viewer."""
+    """A question as the viewer sees it: all that it uses is this trait."""
 
     committed = Bool(False)
 
 
-# --- what it says when something is not as it should be ---
+# --- messages and failures ---
 
 
 def test_a_configuration_beyond_its_limits_is_shown_with_a_message(show):
@@ -405,7 +405,7 @@ def test_a_configuration_beyond_its_limits_is_shown_with_a_message(show):
     assert not message.is_visible()
 
 
-def test_an_arm_without_any_length_is_shown(show):
+def test_an_arm_of_zero_length_is_shown(show):
     pivot = kl.Chain(np.array([screw((0, 0, 1)), screw((0, 1, 0)), screw((0, 0, 1))]), np.eye(4), name="wrist")
     page = show(explore(pivot, show=LAYERS))
     set_q(page, [0.5, 0.5, 0.5])
@@ -413,14 +413,14 @@ def test_an_arm_without_any_length_is_shown(show):
     assert np.isfinite(page.evaluate("document.querySelector('.kv').viewer.stage.camera.scale"))
 
 
-def test_what_cannot_be_shown_says_so_on_the_page(show):
+def test_an_arm_that_cannot_be_shown_gives_a_message_on_the_page(show):
     broken = explore(kl.robots.rpr()).html().replace('"scene":', '"scheme":')
     page = show(broken, count=0)
     page.get_by_role("alert").wait_for()
     assert page.get_by_role("alert").inner_text().startswith("The viewer cannot show this arm: ")
 
 
-def test_without_webgl_it_says_so_and_everything_still_moves(start, tmp_path):
+def test_without_webgl_there_is_a_message_and_the_arm_still_moves(start, tmp_path):
     with watched(start(webgl=False)) as page:
         page.goto(static_page(tmp_path, explore(kl.robots.puma560(), start=Q, ghost=np.zeros(6))).as_uri())
         wait_until_drawn(page)
@@ -432,10 +432,10 @@ def test_without_webgl_it_says_so_and_everything_still_moves(start, tmp_path):
         np.testing.assert_allclose(pose(page), kl.robots.puma560().fk(q_of(page)), atol=1e-12)
 
 
-# --- the page around it ---
+# --- the page ---
 
 
-def test_eighteen_viewers_share_what_a_browser_can_give(show):
+def test_eighteen_viewers_share_one_webgl_context(show):
     page = show(*[explore(kl.robots.rpr()) for _ in range(18)], count=1)
     for which in range(18):
         page.locator("[data-kinlib-viewer]").nth(which).scroll_into_view_if_needed()
@@ -450,7 +450,7 @@ def test_eighteen_viewers_share_what_a_browser_can_give(show):
     assert min(colours) > 100  # no picture is blank
 
 
-def test_a_lost_context_is_made_anew(show):
+def test_a_lost_context_is_created_again(show):
     page = show(explore(kl.robots.rpr()))
     before = shown_pixels(page)
     page.evaluate("globalThis[Symbol.for('kinlib.renderers')][0]()")
@@ -458,7 +458,7 @@ def test_a_lost_context_is_made_anew(show):
     assert shown_pixels(page) == before
 
 
-def test_a_page_without_a_viewer_fetches_no_viewer(browser, tmp_path):
+def test_a_page_without_a_viewer_does_not_load_the_bundle(browser, tmp_path):
     with watched(browser) as page:
         asked = []
         page.on("request", lambda request: asked.append(request.url))
@@ -468,8 +468,8 @@ def test_a_page_without_a_viewer_fetches_no_viewer(browser, tmp_path):
 
 
 @pytest.mark.parametrize("style", ["background:white", "background:#111418"])
-def test_all_text_stands_out_from_its_paper(show, style):
-    """Contrast by WCAG 2, at least 4.5, for text on the page and names in the picture, light and dark."""
+def test_all_text_has_sufficient_contrast(show, style):
+    """By WCAG 2 at least 4.5, for text on the page and labels in the picture, in the light and the dark theme."""
     page = show(explore(kl.robots.puma560(), show=["axes", "base", "tool", "normals"]), style=style)
     page.evaluate("document.querySelector('.kv').viewer.model.set('message', 'A word of warning.')")
     pairs = text_colours(page)
@@ -480,7 +480,7 @@ def test_all_text_stands_out_from_its_paper(show, style):
     assert not faint
 
 
-def test_it_follows_the_page_from_light_to_dark(show):
+def test_the_theme_follows_the_page_from_light_to_dark(show):
     page = show(explore(kl.robots.rpr()))
     assert page.locator(".kv").get_attribute("data-theme") == "light"
     settled(page, lambda: page.evaluate("document.body.style.background = '#111'"))
@@ -493,7 +493,7 @@ def test_nothing_is_cut_off_on_a_narrow_page(show):
     assert page.evaluate("document.documentElement.scrollWidth") <= 400
 
 
-def test_every_control_has_a_name_keeps_its_keys_and_shows_the_focus(show):
+def test_every_control_has_a_name_handles_its_keys_and_shows_the_focus(show):
     page = show(explore(kl.robots.youbot()))
     controls = page.locator(".kv :is(button, input, select, canvas)")
     for k in range(controls.count()):
@@ -507,7 +507,7 @@ def test_every_control_has_a_name_keeps_its_keys_and_shows_the_focus(show):
         page.keyboard.press("Tab")
 
 
-def test_a_screen_reader_hears_the_arm_and_where_its_tool_is(show):
+def test_a_screen_reader_gets_the_arm_and_the_position_of_its_tool(show):
     page = show(explore(kl.robots.youbot()))
     sliders(page).nth(2).focus()
     page.keyboard.press("PageUp")
@@ -518,11 +518,11 @@ def test_a_screen_reader_hears_the_arm_and_where_its_tool_is(show):
     assert sliders(page).nth(2).get_attribute("aria-valuetext") == "0.17 radians, 10 degrees"
 
 
-# --- how much it takes ---
+# --- resources ---
 
 
 def ten_joints():
-    """An arm of ten joints of every direction, with links between."""
+    """Return an arm of ten joints with axes in several directions."""
     X, Y, Z = np.eye(3)
     axes = [Z, Y, X, Y, Z, X, Z, Y, X, Y]
     screws = np.array([screw(axis, (0.1 * i, 0, 0.3 + 0.05 * i)) for i, axis in enumerate(axes)])
@@ -537,7 +537,7 @@ def test_ten_joints_with_everything_shown_need_at_most_200_draw_calls(show):
     assert 20 < page.evaluate("document.querySelector('.kv').viewer.stage.calls") <= 200
 
 
-def test_a_thousand_updates_leave_the_heap_flat(show):
+def test_a_thousand_updates_do_not_grow_the_heap(show):
     page = show(explore(kl.robots.puma560(), show=LAYERS))
     devtools = page.context.new_cdp_session(page)
 
@@ -575,7 +575,7 @@ CELLS = [
 
 @pytest.fixture(scope="module")
 def lab(browser, tmp_path_factory):
-    """A notebook with a viewer, open in JupyterLab, its first cell run."""
+    """Open a notebook in JupyterLab with a viewer in its first cell, and run that cell."""
     folder = tmp_path_factory.mktemp("lab")
     cells = [nbformat.v4.new_code_cell(source) for source in CELLS]
     with jupyterlab(folder) as address, watched(browser, viewport={"width": 1000, "height": 900}) as page:
@@ -590,21 +590,21 @@ def printed(page, cell):
     return page.locator(".jp-CodeCell").nth(cell).locator(".jp-OutputArea-output").inner_text().strip()
 
 
-def test_in_the_lab_python_and_the_page_lead_each_other_and_nothing_echoes(lab):
+def test_in_the_lab_python_and_the_page_are_synchronized_without_echoes(lab):
     page = lab
     page.evaluate(
-        """window.heard = 0; document.querySelector('.kv').viewer.model.on('change:q', () => { window.heard += 1; })"""
+        """window.changes = 0; document.querySelector('.kv').viewer.model.on('change:q', () => { window.changes += 1; })"""
     )
     settled(page, lambda: run_cell(page, 1))
     q = [0.1, 0.2, 0.3, 0.4, 0.5]
     np.testing.assert_allclose(pose(page), kl.robots.youbot().fk(q), atol=1e-12)
     sliders(page).nth(1).focus()
-    for _ in range(5):  # the lab takes the arrow keys for itself, unless the slider keeps them
+    for _ in range(5):  # the lab would use the arrow keys itself if the slider did not handle them
         settled(page, lambda: page.keyboard.press("ArrowRight"))
-    page.wait_for_timeout(500)  # whatever would come back has come
-    assert page.evaluate("window.heard") == 6
+    page.wait_for_timeout(500)  # time for an echo to arrive
+    assert page.evaluate("window.changes") == 6
     run_cell(page, 2)
-    # A page sends no value while the kernel still works on the one before: then two steps arrive as one, the last.
+    # While the kernel is busy with a value, the page waits; then it sends only the last of the values since.
     heard, _, last = printed(page, 2).removeprefix("heard ").partition(" last ")
     assert 2 <= int(heard) <= 6
     assert last == str([0.1, round(0.2 + 5 * DEGREE, 3), 0.3, 0.4, 0.5])
@@ -619,5 +619,5 @@ def test_in_the_lab_the_viewer_follows_its_theme(lab):
     dark = "document.querySelectorAll('.kv[data-theme=dark]').length === 1"
     page.wait_for_function(dark, timeout=TIMEOUT_MS)
     page.evaluate("document.querySelector('.kv').dataset.theme = 'old'")
-    run_cell(page, 0)  # a viewer that is made while the lab is dark
+    run_cell(page, 0)  # a viewer that is created in the dark theme
     page.wait_for_function(dark, timeout=TIMEOUT_MS)

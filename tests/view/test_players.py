@@ -44,17 +44,17 @@ def state_of(viewer):
 @each_arm
 @each_convention
 def test_the_page_receives_every_step_and_every_frame(chain, convention):
-    told = play_assignment(chain, convention=convention).mode["conventions"][convention]
+    data = play_assignment(chain, convention=convention).mode["conventions"][convention]
     found = kl.assign_frames(chain, convention=convention)
-    assert [step["text"] for step in told["steps"]] == [step.text for step in found.steps]
-    np.testing.assert_array_equal(np.reshape(told["frames"], (-1, 4, 4)), found.frames)
-    assert set(told["steps"][-1]["letters"]) == {"Ozx"}
+    assert [step["text"] for step in data["steps"]] == [step.text for step in found.steps]
+    np.testing.assert_array_equal(np.reshape(data["frames"], (-1, 4, 4)), found.frames)
+    assert set(data["steps"][-1]["letters"]) == {"Ozx"}
 
 
 @each_convention
 def test_a_step_highlights_what_its_sentence_names(convention):
-    told = play_assignment(kl.robots.youbot(), convention=convention).mode["conventions"][convention]
-    by_title = {step["title"]: step for step in told["steps"]}
+    data = play_assignment(kl.robots.youbot(), convention=convention).mode["conventions"][convention]
+    by_title = {step["title"]: step for step in data["steps"]}
     assert by_title["Axes 2 and 3"]["axes"] == [False, True, True, False, False]
     assert by_title["Axes 2 and 3"]["normals"][1] is True
     assert by_title["Axes 2 and 3"]["normals"][2:] == [None, None]

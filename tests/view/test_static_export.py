@@ -55,9 +55,9 @@ def test_every_question_is_complete_on_a_static_page(name, page):
     """Without a script the page shows each option and why it is right or wrong, and the HTML is well formed."""
     item = find(name)
     asked = Tags(still(ask(name)))
-    told = Tags(still(explain(name))) if item.kind == "predict" else asked
+    explained = Tags(still(explain(name))) if item.kind == "predict" else asked
     plain = [text.replace("`", "") for option in item.options for text in (option.text, option.why)]
-    assert all(text in told.words for text in plain)
+    assert all(text in explained.words for text in plain)
     assert all(option.text.replace("`", "") in asked.words for option in item.options)
     question = next(found for found in asked.attributes if "data-misstep-question" in found)
     assert (question["data-misstep-question"], int(question["data-right"])) == (name, item.right)
