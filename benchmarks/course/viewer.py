@@ -1,14 +1,14 @@
-"""How fast the viewer answers, beside `interact` with a 3-D plot of matplotlib, and what it costs: one browser, one run.
+"""The response time of the viewer, compared with `interact` and a 3-D plot of matplotlib in one browser, and its costs.
 
-    python -m benchmarks viewer             the slider beside interact
-    python -m benchmarks.course.viewer             the rest too
-    python -m benchmarks.course.viewer 10          more presses of a key, or fewer
+    python -m benchmarks viewer              the slider compared with interact
+    python -m benchmarks.course.viewer       all measurements
+    python -m benchmarks.course.viewer 10    with another number of key presses
 
-Both stand in one notebook in JupyterLab, drawn in software, and get presses of an arrow key on a slider, in turns. The time
-runs from the key's event in the page to the first change of what it asks for: a number in the pose, a picture painted.
-`interact` calls a Python function that draws the links as lines and prints the pose, as courses do today.
+Both are in one notebook in JupyterLab, without a graphics card. An arrow key is pressed on a slider of each in turns. The time
+is measured from the key's event in the page to the first change of a number in the pose, or of the picture. `interact` calls a
+Python function that draws the links as lines and prints the pose, as many courses do.
 
-The rest is measured on a page without a kernel, served on this machine.
+The other costs are measured on a page without a kernel, served by this machine.
 """
 
 import gzip
@@ -85,37 +85,37 @@ PROBES = {
 }
 
 
-FASTER = {"readout": 100.0, "picture": 5.0}
-"""So many times faster than interact is wanted, to the number that a reader waits for and to the picture."""
+MIN_SPEEDUP = {"readout": 100.0, "picture": 5.0}
+"""How many times faster than interact the viewer must be, for the number in the pose and for the picture."""
 
-SCROLLED = 300
-"""Milliseconds, for a page to show the slider that gets the focus, which is no part of the answer to a key."""
+SCROLL_PAUSE_MS = 300
+"""Milliseconds that a page gets to scroll to the slider with the focus, which is not part of the response to a key."""
 
-PAUSES = {"viewer": 150, "interact": 1500}
-"""Milliseconds, for all that follows to be over before the next press."""
+PRESS_PAUSE_MS = {"viewer": 150, "interact": 1500}
+"""Milliseconds between two presses, so that the response to the first one is complete."""
 
 
 def rows(quick: bool = False) -> Iterator[Row]:
-    """From the key to the readout, and to the picture.
+    """Compare the times from the key press to the readout and to the picture.
 
     Raises NotHere where there is no Chromium.
     """
     with notebook() as page:
-        times = beside_interact(page, 2 if quick else 10)
-    for what, wanted in FASTER.items():
+        times = response_times(page, 2 if quick else 10)
+    for what, wanted in MIN_SPEEDUP.items():
         ours, theirs = times["viewer", what][1:], times["interact", what][1:]
         yield row(f"slider to {what}", ours, "interact + matplotlib", theirs, wanted=wanted)
 
 
-def timed(page, cell, probe):
-    """Seconds from the press of a key to the first change of what the probe reads in the output of a cell."""
+def response_time(page, cell, probe):
+    """Return the seconds from a key press to the first change of what the probe reads in the output of a cell."""
     page.evaluate(TIMER, [cell, probe])
     page.keyboard.press("ArrowRight")
     return page.evaluate("window.took") / 1000
 
 
-def beside_interact(page, presses):
-    """Seconds to the readout and to the picture, one press after the other, in turns; the first of each is slow."""
+def response_times(page, presses):
+    """Return the seconds to the readout and to the picture of both, for each press, in turns; the first press is slow."""
     sliders = {"viewer": ".kv input[type=range]", "interact": ".noUi-handle"}
     drawn = {"viewer": ".kv-canvas[data-pictures]", "interact": ".jp-OutputArea-output img"}
     for cell, selector in enumerate(drawn.values()):
@@ -124,11 +124,11 @@ def beside_interact(page, presses):
         page.wait_for_timeout(2000)
     times = {probe: [] for probe in PROBES}
     for _ in range(presses):
-        for (who, what), probe in PROBES.items():
-            page.locator(sliders[who]).nth(1).focus()
-            page.wait_for_timeout(SCROLLED)
-            times[who, what].append(timed(page, list(sliders).index(who), probe))
-            page.wait_for_timeout(PAUSES[who])
+        for (widget, what), probe in PROBES.items():
+            page.locator(sliders[widget]).nth(1).focus()
+            page.wait_for_timeout(SCROLL_PAUSE_MS)
+            times[widget, what].append(response_time(page, list(sliders).index(widget), probe))
+            page.wait_for_timeout(PRESS_PAUSE_MS[widget])
     return times
 
 
@@ -158,7 +158,7 @@ def ten_joints():
 
 
 def page_costs(browser, folder):
-    """Milliseconds until the first viewer answers and is drawn, draw calls of ten joints, heap over updates, worst error of the readout."""
+    """Measure a page without a kernel: milliseconds until the first viewer responds and is drawn, readout error, draw calls, heap."""
     server = ThreadingHTTPServer(("127.0.0.1", 0), partial(Quiet, directory=str(folder)))
     threading.Thread(target=server.serve_forever, daemon=True).start()
     robots = [kl.robots.puma560(), kl.robots.youbot(), kl.robots.rpr(), kl.robots.hrr()]
@@ -174,8 +174,8 @@ def page_costs(browser, folder):
             q = np.random.default_rng(1).uniform(-np.pi, np.pi, (100, robot.n))
             page.locator("[data-kinlib-viewer]").nth(which).scroll_into_view_if_needed()
             page.locator(".kv").nth(which).wait_for()
-            move = """([which, postures]) => { const { model, stage } = document.querySelectorAll('.kv')[which].viewer;
-                return postures.map((q) => { model.set('q', q); return stage.tree.pose(); }); }"""
+            move = """([which, configurations]) => { const { model, stage } = document.querySelectorAll('.kv')[which].viewer;
+                return configurations.map((q) => { model.set('q', q); return stage.tree.pose(); }); }"""
             worst = max(worst, float(np.abs(np.array(page.evaluate(move, [which, q.tolist()])) - robot.fk(q)).max()))
     with watched(browser) as page:
         static_page(folder, explore(ten_joints(), show=LAYERS))
@@ -195,19 +195,19 @@ def page_costs(browser, folder):
 
 
 class Quiet(SimpleHTTPRequestHandler):
-    """Serve files without a word."""
+    """Serve files without logging."""
 
     def log_message(self, *_):
-        """Say nothing."""
+        """Log nothing."""
 
 
 def main(presses=12):
-    """Measure all, and print what was wanted beside what came."""
+    """Measure everything, and print the results beside the targets."""
     with browsers() as start, tempfile.TemporaryDirectory() as name:
         (answers, drawn), worst, calls, heap = page_costs(start(), Path(name))
     with notebook() as page:
-        times = {key: np.median(seconds[1:]) for key, seconds in beside_interact(page, presses).items()}
-    ratio = {what: times["interact", what] / times["viewer", what] for what in FASTER}
+        times = {key: np.median(seconds[1:]) for key, seconds in response_times(page, presses).items()}
+    ratio = {what: times["interact", what] / times["viewer", what] for what in MIN_SPEEDUP}
     lines = [
         ("key to readout, viewer", f"{1000 * times['viewer', 'readout']:.2f} ms", "4 ms"),
         (
@@ -218,15 +218,15 @@ def main(presses=12):
         ("key to picture, viewer", f"{1000 * times['viewer', 'picture']:.0f} ms", ""),
         ("key to picture, interact", f"{1000 * times['interact', 'picture']:.0f} ms = {ratio['picture']:.0f} x", "5 x"),
         ("bundle, gzip", f"{len(gzip.compress((STATIC / 'viewer.js').read_bytes(), 9)) / 1000:.0f} kB", "200 kB"),
-        ("first viewer of a page answers", f"{answers / 1000:.2f} s", "1 s"),
+        ("first viewer of a page responds", f"{answers / 1000:.2f} s", "1 s"),
         ("first viewer of a page drawn in 3-D", f"{drawn / 1000:.2f} s", ""),
         ("draw calls, ten joints, all layers", f"{calls}", "200"),
         ("heap, 1000 updates", f"{heap:+.0f} kB", "flat"),
         ("readout against Chain.fk", f"{worst:.1e}", "1e-12"),
     ]
-    print(f"{'':36}{'measured':>22}{'wanted':>10}")
-    for label, measured, wanted in lines:
-        print(f"{label:36}{measured:>22}{wanted:>10}")
+    print(f"{'':36}{'measured':>22}{'target':>10}")
+    for label, measured, target in lines:
+        print(f"{label:36}{measured:>22}{target:>10}")
 
 
 if __name__ == "__main__":

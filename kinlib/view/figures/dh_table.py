@@ -140,8 +140,8 @@ def _after(row: Array, done: int) -> Array:
 
 def _arc(canvas: Canvas, centre: ArrayLike, plane: Array, angle: float, name: str) -> None:
     """Draw an angle, from the plane's first direction towards its second; their length is the radius."""
-    turn = np.linspace(0, angle, 24)
-    points = np.asarray(centre) + np.stack([np.cos(turn), np.sin(turn)], axis=1) @ plane.T
+    angles = np.linspace(0, angle, 24)
+    points = np.asarray(centre) + np.stack([np.cos(angles), np.sin(angles)], axis=1) @ plane.T
     for start, end in pairwise(points[:-1]):
         canvas.line([start, end], INK, 1.6, level=3)
     canvas.arrow(points[-2], points[-1], INK, 1.6, level=3)

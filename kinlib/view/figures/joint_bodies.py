@@ -51,10 +51,10 @@ def _carried_axes(chain: Chain, frames: Array) -> Array:
     return carried
 
 
-def _around(z: Array, radius: float, turn: Array) -> Array:
+def _around(z: Array, radius: float, angles: Array) -> Array:
     """Return points (m, 3) on a circle about the origin, perpendicular to z."""
     x = perpendicular(z)
-    points: Array = radius * (np.cos(turn)[:, None] * x + np.sin(turn)[:, None] * np.cross(z, x))
+    points: Array = radius * (np.cos(angles)[:, None] * x + np.sin(angles)[:, None] * np.cross(z, x))
     return points
 
 

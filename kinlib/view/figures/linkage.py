@@ -147,12 +147,12 @@ def draw_linkage(
     _draw_bars(canvas, mechanism, geometry, LINK_GREY, 2.0)
     _draw_ground(canvas, mechanism, geometry, view)
     for joint, here, there, axis in zip(mechanism.joints, geometry.first, geometry.second, geometry.axes, strict=True):
-        slides = not joint.screws[0, :3].any()
+        prismatic = not joint.screws[0, :3].any()
         if np.linalg.norm(here - there) > GAP_TOL_M:
             canvas.line([here, there], ORANGE, 2.2, ":", level=3.6)
             canvas.dot(there, ORANGE, 7)
         # A spherical joint looks the same from everywhere: like a revolute joint that is seen along its axis.
-        draw_joint_body(canvas, "P" if slides else "R", canvas.eye if joint.dof == 3 else axis, here)
+        draw_joint_body(canvas, "P" if prismatic else "R", canvas.eye if joint.dof == 3 else axis, here)
         if names:
             canvas.label(here, _joint_label(joint.name), INK, NUMBER_OFFSETS, 11)
     for name, point in geometry.points.items():

@@ -69,9 +69,9 @@ def _name(i: int, k: int) -> str:
 
 
 def _describe(chain: Chain, k: int, feet: Array) -> str:
-    slides = is_prismatic(chain.screws)
+    prismatic = is_prismatic(chain.screws)
     far = np.linalg.norm(feet[:, 1] - feet[:, 0], axis=-1)
-    axes = [f"{_name(i, k)} {'prismatic' if slides[i] else f'at {far[i]:.3g} m'}" for i in range(chain.n)]
+    axes = [f"{_name(i, k)} {'prismatic' if prismatic[i] else f'at {far[i]:.3g} m'}" for i in range(chain.n)]
     sides = [("s", axes[:k]), ("b", axes[k:])]
     return " ".join(
         [f"{chain.name} at home.", *(f"Read from {{{frame}}}: {', '.join(names)}." for frame, names in sides if names)]

@@ -179,13 +179,13 @@ def _row_track(row: Array, convention: Convention, place: Array, size: float) ->
     stops = start @ poses_along_row(row, convention)
     motions = []
     for kind in MOTION_ORDER[convention]:
-        turns, value = kind in (ROTATE_X, ROTATE_Z), row[kind]
-        shown = f"{np.degrees(value):.4g}°" if turns else f"{value:.4g} m"
+        rotates, value = kind in (ROTATE_X, ROTATE_Z), row[kind]
+        shown = f"{np.degrees(value):.4g}°" if rotates else f"{value:.4g} m"
         motions.append(
             Motion(
                 "x" if kind in (TRANSLATE_X, ROTATE_X) else "z",
-                value if turns else 0.0,
-                0.0 if turns else value,
+                value if rotates else 0.0,
+                0.0 if rotates else value,
                 SYMBOLS[kind],
                 MOTION_TEXTS[convention][kind].format(value=shown.replace("-", "−")),
             )

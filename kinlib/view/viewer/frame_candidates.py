@@ -31,7 +31,7 @@ def frame_candidates(chain: Chain) -> dict[str, Any]:
     >>> frame_candidates(rpr())["points"][0]["text"]
     'joint 1; joint 2; intersection of axes 1 and 2; foot of normal 2–3 on axis 2'
     """
-    size, points = extent(chain), _points(chain)
+    size, points = extent(chain), _origins(chain)
     lines = []
     for z, point in zip(chain.lines.axis, chain.joint_points, strict=True):
         along = [(at - point) @ z for at, _ in points if np.linalg.norm(np.cross(at - point, z)) < COINCIDENT_TOL]
@@ -39,19 +39,19 @@ def frame_candidates(chain: Chain) -> dict[str, Any]:
         lines.append({"point": _list(point), "along": _list(z), "from": _list(ends[0]), "to": _list(ends[1])})
     return {
         "axes": lines,
-        "z": [*_z(chain, lines, size)],
+        "z": [*_z_directions(chain, lines, size)],
         "points": [{"at": _list(at), "text": text} for at, text in points],
-        "x": [{"along": _list(along), "text": text} for along, text in _x(chain)],
+        "x": [{"along": _list(along), "text": text} for along, text in _x_directions(chain)],
     }
 
 
-def _z(chain: Chain, lines: list[dict[str, Any]], size: float) -> Iterator[dict[str, Any]]:
+def _z_directions(chain: Chain, lines: list[dict[str, Any]], size: float) -> Iterator[dict[str, Any]]:
     for i, line in enumerate(lines):
         z = np.array(line["along"])
         yield {"axis": i, "at": line["to"], "along": _list(z), "text": f"along axis {i + 1}"}
-        yield {"axis": i, "at": line["from"], "along": _list(-z), "text": f"against axis {i + 1}"}
+        yield {"axis": i, "at": line["from"], "along": _list(-z), "text": f"opposite to axis {i + 1}"}
     tool, z = chain.home[:3, 3], chain.home[:3, 2]
-    for sign, word in ((1, "along"), (-1, "against")):
+    for sign, word in ((1, "along"), (-1, "opposite to")):
         yield {
             "axis": None,
             "at": _list(tool + sign * 0.3 * size * z),
@@ -60,46 +60,46 @@ def _z(chain: Chain, lines: list[dict[str, Any]], size: float) -> Iterator[dict[
         }
 
 
-def _points(chain: Chain) -> list[tuple[Array, str]]:
-    found: list[tuple[Array, str]] = [(at, f"joint {i + 1}") for i, at in enumerate(chain.joint_points)]
+def _origins(chain: Chain) -> list[tuple[Array, str]]:
+    candidates: list[tuple[Array, str]] = [(at, f"joint {i + 1}") for i, at in enumerate(chain.joint_points)]
     for i, normal in _normals(chain):
         pair = f"{i + 1}–{i + 2}"
         if normal.case == "intersecting":
-            found.append((normal.start, f"intersection of axes {i + 1} and {i + 2}"))
+            candidates.append((normal.start, f"intersection of axes {i + 1} and {i + 2}"))
         elif normal.case in {"skew", "parallel", "anti-parallel"}:
-            found.append((normal.start, f"foot of normal {pair} on axis {i + 1}"))
-            found.append((normal.end, f"foot of normal {pair} on axis {i + 2}"))
+            candidates.append((normal.start, f"foot of normal {pair} on axis {i + 1}"))
+            candidates.append((normal.end, f"foot of normal {pair} on axis {i + 2}"))
     tool = chain.home[:3, 3]
-    found += [(np.zeros(3), "origin of {s}"), (tool, "origin of {b}")]
+    candidates += [(np.zeros(3), "origin of {s}"), (tool, "origin of {b}")]
     for i, name in ((0, "{s}"), (chain.n - 1, "{b}")):
         z, point = chain.lines.axis[i], chain.joint_points[i]
         there = np.zeros(3) if name == "{s}" else tool
-        found.append((point + z * (z @ (there - point)), f"point of axis {i + 1} nearest to {name}"))
-    return _merged(found)
+        candidates.append((point + z * (z @ (there - point)), f"point of axis {i + 1} nearest to {name}"))
+    return _merge(candidates)
 
 
-def _x(chain: Chain) -> list[tuple[Array, str]]:
-    found: list[tuple[Array, str]] = []
+def _x_directions(chain: Chain) -> list[tuple[Array, str]]:
+    candidates: list[tuple[Array, str]] = []
     for i, normal in _normals(chain):
         pair = f"{i + 1}–{i + 2}"
         if normal.case == "intersecting":
-            found += _both(
+            candidates += _with_opposite(
                 normal.x,
                 f"perpendicular to axes {i + 1} and {i + 2}",
                 f"perpendicular to axes {i + 1} and {i + 2}, opposite",
             )
         elif normal.case in {"skew", "parallel", "anti-parallel"}:
-            found += _both(normal.x, f"normal {pair}, to axis {i + 2}", f"normal {pair}, to axis {i + 1}")
+            candidates += _with_opposite(normal.x, f"normal {pair}, to axis {i + 2}", f"normal {pair}, to axis {i + 1}")
     for name, R in (("{s}", np.eye(3)), ("{b}", chain.home[:3, :3])):
         for letter, along in zip("xyz", R.T, strict=True):
-            found += _both(along, f"{letter} of {name}", f"−{letter} of {name}")
+            candidates += _with_opposite(along, f"{letter} of {name}", f"−{letter} of {name}")
     for i, axis in enumerate(chain.lines.axis):
-        found += _both(axis, f"along axis {i + 1}", f"against axis {i + 1}")
+        candidates += _with_opposite(axis, f"along axis {i + 1}", f"opposite to axis {i + 1}")
     for i, name, there in ((0, "{s}", np.zeros(3)), (chain.n - 1, "{b}", chain.home[:3, 3])):
         z, off = chain.lines.axis[i], there - chain.joint_points[i]
         across = off - z * (z @ off)
         if (length := float(np.linalg.norm(across))) > COINCIDENT_TOL:
-            found += _both(
+            candidates += _with_opposite(
                 across / length,
                 f"from axis {i + 1} perpendicularly to {name}",
                 f"from {name} perpendicularly to axis {i + 1}",
@@ -109,8 +109,10 @@ def _x(chain: Chain) -> list[tuple[Array, str]]:
     for i in range(chain.n):
         link = stations[i + 1] - stations[i]
         if (length := float(np.linalg.norm(link))) > COINCIDENT_TOL:
-            found += _both(link / length, f"from {names[i]} to {names[i + 1]}", f"from {names[i + 1]} to {names[i]}")
-    return [(along, f"{vector_text(along)}: {text}") for along, text in _merged(found)]
+            candidates += _with_opposite(
+                link / length, f"from {names[i]} to {names[i + 1]}", f"from {names[i + 1]} to {names[i]}"
+            )
+    return [(along, f"{vector_text(along)}: {text}") for along, text in _merge(candidates)]
 
 
 def _normals(chain: Chain) -> Iterator[tuple[int, CommonNormal]]:
@@ -124,14 +126,14 @@ def _normals(chain: Chain) -> Iterator[tuple[int, CommonNormal]]:
             yield i, common_normal(axes[i], axes[i + 1], across, at_other_point=False)
 
 
-def _both(along: Array, text: str, opposite: str) -> list[tuple[Array, str]]:
+def _with_opposite(along: Array, text: str, opposite: str) -> list[tuple[Array, str]]:
     return [(along, text), (-along, opposite)]
 
 
-def _merged(found: list[tuple[Array, str]]) -> list[tuple[Array, str]]:
+def _merge(candidates: list[tuple[Array, str]]) -> list[tuple[Array, str]]:
     """Merge equal points or directions, and join their descriptions."""
     places: list[tuple[Array, list[str]]] = []
-    for at, text in found:
+    for at, text in candidates:
         names = next((names for other, names in places if np.linalg.norm(other - at) < COINCIDENT_TOL), None)
         if names is None:
             places.append((at, [text]))

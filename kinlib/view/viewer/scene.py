@@ -142,8 +142,8 @@ def link_paths(chain: Chain) -> list[Array]:
 
 
 def _slider(chain: Chain, i: int, value: float, span: tuple[float, float] | None) -> dict[str, Any]:
-    slides = chain.joint_types[i] == "P"
-    far = DEFAULT_TRAVEL_M if slides else DEFAULT_ANGLE_RAD
+    prismatic = chain.joint_types[i] == "P"
+    far = DEFAULT_TRAVEL_M if prismatic else DEFAULT_ANGLE_RAD
     least, most = chain.limits[i] if chain.limits is not None else (-np.inf, np.inf)
     low, high = span or (
         least if np.isfinite(least) else min(-far, value),
@@ -154,7 +154,7 @@ def _slider(chain: Chain, i: int, value: float, span: tuple[float, float] | None
             f"span must contain the start of joint {i + 1}, {value:.3g}; got {low:.3g} to {high:.3g}. Is one of them in degrees?"
         )
     title = chain.joint_names[i] if chain.joint_names else ""
-    unit = "m" if slides else "rad"
+    unit = "m" if prismatic else "rad"
     return {"column": i, "name": f"q_{i + 1}", "title": title, "unit": unit, "low": float(low), "high": float(high)}
 
 
@@ -235,10 +235,10 @@ def _frames(chain: Chain, size: float) -> dict[str, Any]:
         return shown  # a DH row has one variable, and a helical joint would need two
     for convention in ("standard", "modified"):
         frames = assign_frames(chain, convention=convention).frames
-        found = [_frame(str(i), i, T) for i, T in enumerate(frames) if _near(T[:3, 3], size)]
-        found += [ends["s"]] * (not np.allclose(frames[0], np.eye(4)))
-        found += [ends["b"]] * (not np.allclose(frames[-1], chain.home))
-        shown[convention] = found
+        drawable = [_frame(str(i), i, T) for i, T in enumerate(frames) if _near(T[:3, 3], size)]
+        drawable += [ends["s"]] * (not np.allclose(frames[0], np.eye(4)))
+        drawable += [ends["b"]] * (not np.allclose(frames[-1], chain.home))
+        shown[convention] = drawable
     return shown
 
 
@@ -249,16 +249,16 @@ def _frame(name: str, body: int, pose: Array) -> dict[str, Any]:
 def _normals(chain: Chain, size: float) -> list[dict[str, Any]]:
     """Return the common normals of consecutive axes; the one from axis i to axis i + 1 is fixed to body i."""
     axes, points = chain.lines.axis, chain.joint_points
-    found = []
+    normals = []
     for i in range(chain.n - 1):
         normal = common_normal(
             (axes[i], points[i]), (axes[i + 1], points[i + 1]), perpendicular(axes[i]), at_other_point=True
         )
         if _near(normal.start, size) and _near(normal.end, size):
-            found.append(
+            normals.append(
                 {"body": i + 1, "from": normal.start.tolist(), "to": normal.end.tolist(), "along": normal.x.tolist()}
             )
-    return found
+    return normals
 
 
 def _near(point: Array, size: float) -> bool:
