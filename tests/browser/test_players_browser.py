@@ -168,7 +168,7 @@ def test_the_motions_move_the_frame_to_the_row_s_matrix_in_both_conventions(show
     page.get_by_role("button", name="One motion back").click()
     expected = starts[0] @ kl.dh_transform(0.8, 0, 0.6, 1.4, convention="standard")
     np.testing.assert_allclose(carried(page, 0), expected, atol=1e-12)
-    assert "along the common normal" in page.locator(".kv-said").first.inner_text()
+    assert "along the common normal" in page.locator(".kv-motion-text").first.inner_text()
 
 
 def test_half_a_motion_is_half_of_its_angle_or_distance(show):

@@ -511,7 +511,7 @@ def test_a_screen_reader_gets_the_arm_and_the_position_of_its_tool(show):
     page = show(explore(kl.robots.youbot()))
     sliders(page).nth(2).focus()
     page.keyboard.press("PageUp")
-    page.locator(".kv-spoken", has_text="The tool is at (").wait_for(state="attached")
+    page.locator(".kv-screen-reader", has_text="The tool is at (").wait_for(state="attached")
     label = page.locator(".kv-canvas").get_attribute("aria-label")
     assert "youBot, 5 joints (RRRRR)" in label
     assert "q = (0.00, 0.00, 0.17, 0.00, 0.00)" in label

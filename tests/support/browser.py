@@ -147,7 +147,7 @@ def overflowing(page):
     """List the parts of viewers that extend beyond the right edge of a page."""
     return page.evaluate(
         """[...document.querySelectorAll('.kv *')].filter((node) => node.getBoundingClientRect().right > innerWidth
-            && !node.closest('.kv-spoken')).map((node) => node.className)"""
+            && !node.closest('.kv-screen-reader')).map((node) => node.className)"""
     )
 
 

@@ -48,7 +48,7 @@ def test_the_page_receives_every_step_and_every_frame(chain, convention):
     found = kl.assign_frames(chain, convention=convention)
     assert [step["text"] for step in data["steps"]] == [step.text for step in found.steps]
     np.testing.assert_array_equal(np.reshape(data["frames"], (-1, 4, 4)), found.frames)
-    assert set(data["steps"][-1]["letters"]) == {"Ozx"}
+    assert set(data["steps"][-1]["parts"]) == {"Ozx"}
 
 
 @each_convention
@@ -58,12 +58,12 @@ def test_a_step_highlights_what_its_sentence_names(convention):
     assert by_title["Axes 2 and 3"]["axes"] == [False, True, True, False, False]
     assert by_title["Axes 2 and 3"]["normals"][1] is True
     assert by_title["Axes 2 and 3"]["normals"][2:] == [None, None]
-    assert by_title["Origin O_2"]["lit"] == ["", "", "O", "", "", ""]
-    assert by_title["Axis x_2"]["lit"][2] == "x"
-    assert by_title["Axis y_2"]["lit"][2] == "y"
-    assert by_title["Frame 5, the last"]["lit"][5] == "Oxyz"
+    assert by_title["Origin O_2"]["highlighted"] == ["", "", "O", "", "", ""]
+    assert by_title["Axis x_2"]["highlighted"][2] == "x"
+    assert by_title["Axis y_2"]["highlighted"][2] == "y"
+    assert by_title["Frame 5, the last"]["highlighted"][5] == "Oxyz"
     row = by_title["Row 2 of the table"]
-    assert [leg["name"] for leg in row["legs"]] == {"standard": ["a_2"], "modified": ["a_1"]}[convention]
+    assert [segment["name"] for segment in row["segments"]] == {"standard": ["a_2"], "modified": ["a_1"]}[convention]
     assert row["row"] == 2
 
 

@@ -29,7 +29,7 @@ function render({ model, el }) {
 
   const canvas = h('canvas', { class: 'kv-canvas', tabindex: 0, role: 'img', ...NO_SHORTCUTS });
   const message = h('p', { class: 'kv-message', role: 'status', hidden: true });
-  const spoken = h('p', { class: 'kv-spoken', 'aria-live': 'polite' });
+  const announcement = h('p', { class: 'kv-screen-reader', 'aria-live': 'polite' });
   const frame = h('div', { class: 'kv-picture' }, canvas);
   const root = h('div', { class: 'kv', role: 'group', 'aria-label': `Viewer of ${data.name}` });
   root.viewer = { model }; // for tests and for scripts on the page
@@ -74,7 +74,7 @@ function render({ model, el }) {
     ...(model.get('readout') ? [pose.element] : []),
   );
   const inside = h('div', { class: 'kv-inside' }, h('div', { class: 'kv-left' }, frame, switches.element), side);
-  root.append(cover.element, inside, message, spoken);
+  root.append(cover.element, inside, message, announcement);
 
   let trail = null;
   let hideGhost = null;
@@ -109,11 +109,11 @@ function render({ model, el }) {
     const tool = data.arms[0].links ? ` The tool is at (${place}) metres.` : ''; // a linkage has no tool
     canvas.setAttribute(
       'aria-label',
-      `${data.words} Now q = (${q()
+      `${data.description} Now q = (${q()
         .map((x) => formatNumber(x, 2))
         .join(', ')}).${tool} ${KEYBOARD_HELP}`,
     );
-    if (root.contains(document.activeElement)) spoken.textContent = tool;
+    if (root.contains(document.activeElement)) announcement.textContent = tool;
   }
 
   function updateLayers() {

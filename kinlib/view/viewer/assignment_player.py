@@ -126,7 +126,7 @@ def bare_scene(chain: Chain, points: Array) -> dict[str, Any]:
     return {
         **data,
         "size": max(extent(chain), radius),
-        "room": {"centre": ((low + high) / 2).tolist(), "radius": radius, "snug": True},
+        "room": {"centre": ((low + high) / 2).tolist(), "radius": radius, "constant": True},
         "offered": ["dimensions"],
     }
 
@@ -176,11 +176,13 @@ def _step(assignment: FrameAssignment, k: int, step: AssignmentStep) -> dict[str
         "others": step.others,
         "axes": list(current.axes),
         "normals": list(current.normals),
-        "letters": [current.visible_parts(frame) for frame in range(len(current.frames))],
+        "parts": [current.visible_parts(frame) for frame in range(len(current.frames))],
         "strong": list(current.strong),
-        "lit": [HIGHLIGHTED_PARTS.get(step.kind, "") if frame == i else "" for frame in range(len(current.frames))],
+        "highlighted": [
+            HIGHLIGHTED_PARTS.get(step.kind, "") if frame == i else "" for frame in range(len(current.frames))
+        ],
         "row": current.row,
-        "legs": [
+        "segments": [
             {"name": name, "from": start.tolist(), "to": end.tolist()}
             for name, start, end in (row_segments(assignment, current.row) if current.row else [])
         ],

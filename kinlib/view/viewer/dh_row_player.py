@@ -258,7 +258,7 @@ def _scene(tracks: Sequence[dict[str, Any]]) -> dict[str, Any]:
     count = len(tracks[0]["motions"])
     return {
         "name": "a row of a DH table",
-        "words": "Motions that carry a frame.",
+        "description": "Motions that move a frame.",
         "size": tracks[0]["size"],
         "arms": [
             {
@@ -273,7 +273,7 @@ def _scene(tracks: Sequence[dict[str, Any]]) -> dict[str, Any]:
         "room": {
             "centre": ((low + high) / 2).tolist(),
             "radius": VIEW_RADIUS_SHARE[len(tracks)] * float(np.linalg.norm(high - low)) / 2,
-            "snug": True,
+            "constant": True,
         },
         "floor": float(points[:, 2].min()) - 0.1 * tracks[0]["size"],
         "offered": [],

@@ -157,7 +157,7 @@ def _scene(mechanism: Mechanism, configurations: Array, begin: Array) -> dict[st
     planar = is_planar(mechanism)
     return {
         "name": mechanism.name,
-        "words": f"{mechanism.name} with the bodies {', '.join(mechanism.bodies)}.",
+        "description": f"{mechanism.name} with the bodies {', '.join(mechanism.bodies)}.",
         "size": size,
         "arms": [
             {

@@ -74,7 +74,7 @@ def scene(
     room, floor = _room(np.concatenate(configurations), reachable_points(chain, low, high), extent(chain))
     return {
         "name": chain.name,
-        "words": describe_arm(chain, np.zeros(chain.n)).partition(" The tool is at")[0],
+        "description": describe_arm(chain, np.zeros(chain.n)).partition(" The tool is at")[0],
         # If an arm is small compared with what is in view, its marks must stay large enough to be distinguished.
         "size": max(extent(chain), MIN_SIZE_IN_ROOM_RADII * room["radius"]),
         "arms": [arm_data(chain, range(chain.n))],

@@ -12,7 +12,7 @@ const COLUMNS = [
 export function poseReadout() {
   let now = { q: [], T: [] };
   const cells = Array.from({ length: 16 }, () => h('td'));
-  const told = h('span', { class: 'kv-told', role: 'status' });
+  const copied = h('span', { class: 'kv-small', role: 'status' });
   const copy = h(
     'button',
     {
@@ -21,9 +21,9 @@ export function poseReadout() {
       class: 'kv-copy',
       title: 'Copy q and T(q) as Python',
       onclick: async () => {
-        told.textContent = (await copyToClipboard(formatPython(now))) ? 'copied' : 'no access to the clipboard';
+        copied.textContent = (await copyToClipboard(formatPython(now))) ? 'copied' : 'no access to the clipboard';
         setTimeout(() => {
-          told.textContent = '';
+          copied.textContent = '';
         }, 2000);
       },
     },
@@ -37,7 +37,7 @@ export function poseReadout() {
       'div',
       { class: 'kv-head' },
       h('span', { id, class: 'kv-title' }, 'Tool pose ', h('i', {}, 'T'), '(', h('i', {}, 'q'), ')'),
-      told,
+      copied,
       copy,
     ),
     h(

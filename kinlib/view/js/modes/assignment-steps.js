@@ -57,11 +57,11 @@ export function assignmentSteps({ model, stage, data }) {
     },
     ...Object.keys(data.conventions).map((name) => h('option', { value: name }, `${name} convention`)),
   );
-  const count = h('span', { class: 'kv-told' });
+  const count = h('span', { class: 'kv-small' });
   const title = h('p', { class: 'kv-title' });
   const text = h('p', {});
   const others = h('p', { class: 'kv-note' });
-  const told = h('div', { class: 'kv-step', 'aria-live': 'polite', 'aria-atomic': 'true' }, title, text, others);
+  const explanation = h('div', { class: 'kv-step', 'aria-live': 'polite', 'aria-atomic': 'true' }, title, text, others);
   const table = h('div', {});
   const element = h(
     'section',
@@ -79,7 +79,7 @@ export function assignmentSteps({ model, stage, data }) {
     h('div', { class: 'kv-head' }, select, count),
     h('div', { class: 'kv-buttons' }, first, back, next, end),
     slider,
-    told,
+    explanation,
     table,
   );
 
@@ -113,14 +113,14 @@ export function assignmentSteps({ model, stage, data }) {
     const step = steps[model.get('step')];
     const { theme } = stage;
     const kit = { size, theme };
-    const long = lengths(frames, step.letters, size);
-    const shown = frames.map((pose, i) => ({ pose, letters: pose ? step.letters[i] : '', i }));
+    const long = lengths(frames, step.parts, size);
+    const shown = frames.map((pose, i) => ({ pose, letters: pose ? step.parts[i] : '', i }));
     stage.setLayer(
       'steps',
       [
         ...axes.flatMap(([from, to], i) => axis(i, from, to, { ...kit, strong: step.axes[i] })),
         ...normals.flatMap((normal, i) => (step.normals[i] === null ? [] : common(normal, i, kit, step.normals[i]))),
-        ...step.legs.flatMap(({ name, from, to }) => leg(name, from, to, kit)),
+        ...step.segments.flatMap(({ name, from, to }) => segment(name, from, to, kit)),
         ...shown.flatMap(({ pose, letters, i }) =>
           letters ? frame(i, pose, letters, { ...kit, strong: step.strong[i], length: long[i], body: i }) : [],
         ),
@@ -131,9 +131,9 @@ export function assignmentSteps({ model, stage, data }) {
       ...(step.axes.every(Boolean) ? [] : axes.filter((_, i) => step.axes[i]).map(([from, to]) => ({ from, to }))),
       ...normals.filter((_, i) => step.normals[i] && !step.strong.every(Boolean)).map((normal) => ends(normal, size)),
       ...shown.flatMap(({ pose, i }) =>
-        pose ? [...step.lit[i]].map((letter) => named(pose, letter, long[i] * size)) : [],
+        pose ? [...step.highlighted[i]].map((letter) => named(pose, letter, long[i] * size)) : [],
       ),
-      ...step.legs.map(({ from, to }) => ({ from, to })),
+      ...step.segments.map(({ from, to }) => ({ from, to })),
     ]);
   }
 
@@ -189,7 +189,7 @@ function common(normal, i, { size, theme }, strong) {
 }
 
 /** A length of a DH row: d along an axis or a along a common normal. */
-function leg(name, from, to, { size, theme }) {
+function segment(name, from, to, { size, theme }) {
   const colour = name.startsWith('d') ? theme.axis : theme.normal;
   const [base, sub] = name.split('_');
   const at = from.map((value, k) => (value + to[k]) / 2);

@@ -116,7 +116,7 @@ export function dhRowMotions({ model, stage, data }) {
         ...renderMathText(motion.symbol),
       ),
     );
-    const explanation = h('p', { class: 'kv-said' });
+    const explanation = h('p', { class: 'kv-motion-text' });
     const head = title ? [h('p', { class: 'kv-title' }, `${title} convention`)] : [];
     return {
       factors,

@@ -129,7 +129,7 @@ export function placeFramesPanel({
       'div',
       { class: 'kv-head' },
       h('span', { class: 'kv-title' }, 'Place the frames'),
-      h('span', { class: 'kv-told' }, `${data.convention} convention`),
+      h('span', { class: 'kv-small' }, `${data.convention} convention`),
     ),
     bar,
     instruction,

@@ -14,7 +14,7 @@ const FLIGHT_MS = 350; // duration of the animation from one named view to the n
 const prefersReducedMotion = () => matchMedia('(prefers-reduced-motion: reduce)').matches;
 
 export class Camera {
-  /** @param room { centre, radius, look?, snug? }: the ball that must be in view, see kinlib/view/viewer/scene.py */
+  /** @param room { centre, radius, look?, constant? }: the ball that must be in view, see kinlib/view/viewer/scene.py */
   constructor(room, changed) {
     this.room = room;
     this.changed = changed;
@@ -39,7 +39,7 @@ export class Camera {
 
   /** Zoom out as far as needed to keep points in view, because a moving arm must not leave the picture. */
   keepInView(points, margin) {
-    if (this.room.snug) return; // the arm does not leave its home configuration
+    if (this.room.constant) return; // the arm does not leave its home configuration
     const centre = new Vector3(...this.room.centre);
     const far = Math.max(0, ...points.map((point) => point.distanceTo(centre))) + margin;
     if (far <= this.radius) return;
