@@ -70,9 +70,8 @@ def draw_row_motions(
         poses[:, :3, 3] += side * apart
     seen = np.concatenate([poses[:, :3, 3] for poses in tracks.values()])
     middle = (seen.min(axis=0) + seen.max(axis=0)) / 2
-    canvas = Canvas(
-        middle + 0.72 * (seen - middle)
-    )  # no axis or frame extends far beyond the origins, so a smaller margin is enough
+    # No axis or frame extends far beyond the origins, so a smaller margin is enough.
+    canvas = Canvas(middle + 0.72 * (seen - middle))
     sentences = []
     for (convention, poses), side in zip(tracks.items(), (0, 1), strict=False):
         for k, motion in enumerate(MOTION_ORDER[convention]):

@@ -60,9 +60,8 @@ def draw_series(
     goal, reached = motion_path(S * q, sums[0])[-1], sums[terms - 1]
     seen = np.concatenate([sums, circle])
     middle = (seen.min(axis=0) + seen.max(axis=0)) / 2
-    canvas = Canvas(
-        middle + 0.7 * (seen - middle), view
-    )  # no axis or frame extends beyond the points, so a smaller margin is enough
+    # No axis or frame extends beyond the points, so a smaller margin is enough.
+    canvas = Canvas(middle + 0.7 * (seen - middle), view)
     canvas.line(circle, PALE_GREY, 2.0, level=1)
     canvas.line(motion_path(S * q, sums[0]), GREY, 3.0, level=1.5)
     centre = foot + axis * (axis @ (sums[0] - foot))
