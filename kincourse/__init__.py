@@ -1,7 +1,6 @@
 """kincourse: the course on forward kinematics. Notebooks import what they need from here.
 
-Each lecture has a folder with its problems, its blank steps and its questions. Nothing of a lecture is imported before
-somebody opens it.
+Each lecture has a folder with its problems, its blank steps and its questions. A lecture is imported only when it is used.
 """
 
 from typing import TYPE_CHECKING, Any

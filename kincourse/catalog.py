@@ -1,15 +1,15 @@
-"""The course: which package it is, and what submissions need besides it."""
+"""The course: its package, what submissions may import, and how sheets of other robots are found."""
 
 from misstep.catalog import Course
 from misstep.sheet import Sheet
 
 
 def find_robot_sheet(name: str) -> Sheet | None:
-    """The sheet of a robot whose file lies beside the notebook; None if there is none.
+    """Return the sheet of a robot whose file is beside the notebook; None if there is none.
 
     Raises ValueError for a file that is not the file of a robot sheet.
     """
-    from kincourse.robot_sheets.robot_file import find  # problems of any robot are loaded only if there is one
+    from kincourse.robot_sheets.robot_file import find  # imported only if needed
 
     return find(name)
 

@@ -8,7 +8,7 @@ COMMANDS = {"new-sheet": ("kincourse.new_sheet", "write a sheet of exercises for
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the command that the arguments name, and return its exit code: 0 done, 2 impossible request.
+    """Run the command that the arguments name, and return its exit code: 0 done, 2 invalid request.
 
     >>> main(["new-sheet", "nowhere.urdf", "--out", "solutions/my_robot"])
     2

@@ -1,4 +1,4 @@
-"""Courses: where the sheets, the blank steps and the questions of a course are found.
+"""Courses: how the sheets, the blank steps and the questions of a course are found.
 
 A course is a Python package. Each lecture has a folder in it:
 
@@ -10,7 +10,7 @@ A course is a Python package. Each lecture has a folder in it:
             questions.toml           its questions, as misstep.questions.item describes them
 
 An installed course is found by its entry point in the group "misstep.courses". Any other course is found by the path of
-its folder. Nothing of a lecture is imported before somebody opens it.
+its folder. A lecture is imported only when it is used.
 """
 
 import importlib
@@ -37,7 +37,7 @@ ENTRY_POINT_GROUP = "misstep.courses"
 """The group of entry points by which installed courses are found."""
 
 FOLDER_PREFIX = "lecture_"
-"""How the name of each lecture's folder begins."""
+"""The beginning of the name of each lecture's folder."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -45,10 +45,10 @@ class Course:
     r"""The sheets, blank steps and questions of one course.
 
     package   the name of the Python package, from which students import open_sheet
-    requires  what submissions may import besides the packages of the environment: modules that lie elsewhere on the disk
+    requires  the names of packages outside of site-packages that submissions may import
     warm_up   cells that the grader runs once, before the first submission, because first imports are slow
-    fallback  finds a sheet by a name that no lecture has, for example in a file beside the notebook; None if there is none
-    fallback_hint  what to try where the fallback finds nothing, with {name} for the name of the sheet
+    fallback  returns the sheet of a name that no lecture has, for example from a file beside the notebook; None if there is none
+    fallback_hint  what to try if the fallback finds nothing, with {name} for the name of the sheet
 
     A complete course, with one problem, one blank step and one question:
 
@@ -111,7 +111,7 @@ class Course:
 
     @property
     def reference(self) -> str:
-        """What find_course takes to find this course in another process: the package if it is installed, or its folder."""
+        """The argument of find_course that finds this course in another process: its package if it is installed, or its folder."""
         return (
             self.package
             if self.package in {entry.name for entry in entry_points(group=ENTRY_POINT_GROUP)}
@@ -124,13 +124,13 @@ class Course:
         names = (entry.name for entry in files(self.package).iterdir() if entry.is_dir())
         return sorted(name.removeprefix(FOLDER_PREFIX) for name in names if name.startswith(FOLDER_PREFIX))
 
-    def _having(self, file: str) -> list[str]:
+    def _lectures_with(self, file: str) -> list[str]:
         package = files(self.package)
         return [name for name in self.lectures if (package / f"{FOLDER_PREFIX}{name}" / file).is_file()]
 
     def sheets(self) -> list[str]:
         """The names of all sheets, in the order of the lectures."""
-        return self._having("problems.py")
+        return self._lectures_with("problems.py")
 
     def find_sheet(self, name: str) -> Sheet:
         """Find a sheet by its name.
@@ -153,11 +153,11 @@ class Course:
 
     def blanks(self) -> dict[str, Template]:
         """The steps that the lectures leave blank, by number: "03.a" is the first one of lecture 03."""
-        modules = [self._module(name, "blanks") for name in self._having("blanks.py")]
+        modules = [self._module(name, "blanks") for name in self._lectures_with("blanks.py")]
         return {template.number: template for module in modules for template in module.BLANKS}
 
     def attempt(self, number: str, answer: Any) -> Verdict:
-        """Check a step that a lecture leaves blank: the same numbers for everybody, and feedback as in a sheet.
+        """Check a step that a lecture leaves blank. The numbers are the same for everybody; the feedback is that of a sheet.
 
         Raises ValueError for an unknown number; the message lists those that exist.
         """
@@ -169,10 +169,13 @@ class Course:
     def questions(self) -> dict[str, dict[str, Item]]:
         """The questions of each lecture, by the number of the lecture and the name of the question.
 
-        Raises ValueError for a file that is not as it should be; the message names the file and the key.
+        Raises ValueError for an invalid file; the message names the file and the key.
         """
         package = files(self.package)
-        found = {name: package / f"{FOLDER_PREFIX}{name}" / "questions.toml" for name in self._having("questions.toml")}
+        found = {
+            name: package / f"{FOLDER_PREFIX}{name}" / "questions.toml"
+            for name in self._lectures_with("questions.toml")
+        }
         return {name.partition("_")[0]: _questions(str(file)) for name, file in found.items()}
 
     def find_question(self, name: str) -> Item:
@@ -184,16 +187,17 @@ class Course:
         items = self.questions().get(lecture)
         if items is None:
             raise ValueError(
-                f"Questions are named lecture/question, such as 03/order; there is no lecture {lecture!r} in {name!r}."
+                f"A question must be named lecture/question, for example 03/order; got {name!r}, and there are no "
+                f"questions of a lecture {lecture!r}."
             )
         if key not in items:
             raise ValueError(f"Lecture {lecture} has no question {key!r}. It has: {', '.join(items)}.")
         return items[key]
 
     def ask(self, name: str) -> "Question":
-        """Put a question of a lecture on the page; name is "lecture/question", for example "03/order".
+        """Return a question of a lecture, which displays itself; name is "lecture/question", for example "03/order".
 
-        Pass the result as `after=` to a figure, which stays covered until the reader has answered.
+        Pass the result as `after=` to a figure to cover the figure until the reader has answered.
 
         Raises ValueError for an unknown name.
         """
@@ -203,7 +207,7 @@ class Course:
         return self._asked[name]  # type: ignore[no-any-return]
 
     def explain(self, name: str) -> "Explanation":
-        """Compare the prediction made at ask(name) with the right answer, as soon as the prediction is made.
+        """Return the comparison of the prediction at ask(name) with the right answer; it displays itself.
 
         Raises ValueError for an unknown name.
         """
@@ -222,14 +226,14 @@ def _questions(path: str) -> dict[str, Item]:
 
 
 def installed_courses() -> list[Course]:
-    """The courses that are installed, by their entry points in the group "misstep.courses"."""
+    """Return the installed courses, which are found by their entry points in the group "misstep.courses"."""
     return [entry.load() for entry in entry_points(group=ENTRY_POINT_GROUP)]
 
 
 def load_course(folder: str | Path) -> Course:
-    """Load a course from its folder, wherever that is.
+    """Load a course from its folder, which need not be installed.
 
-    Raises ValueError for a folder that is not a package with a COURSE.
+    Raises ValueError if the folder is not a package that defines COURSE.
 
     >>> from tempfile import TemporaryDirectory
     >>> temporary = TemporaryDirectory()
@@ -243,8 +247,8 @@ def load_course(folder: str | Path) -> Course:
     path = Path(folder).resolve()
     if not (path / "__init__.py").is_file() or not path.name.isidentifier():
         raise ValueError(
-            f"{folder} should be the folder of a course, a Python package with an __init__.py that defines COURSE. "
-            "Is the path right?"
+            f"{folder} must be the folder of a course: a Python package whose __init__.py defines COURSE. "
+            "Check the path; a relative path starts at the current folder."
         )
     known = sys.modules.get(path.name)
     if known is None or Path(str(known.__file__)).parent != path:
@@ -254,7 +258,7 @@ def load_course(folder: str | Path) -> Course:
         spec.loader.exec_module(known)  # type: ignore[union-attr]
     course = getattr(known, "COURSE", None)
     if not isinstance(course, Course):
-        raise ValueError(f"{path / '__init__.py'} should define COURSE = Course({path.name!r}); it defines {course!r}.")
+        raise ValueError(f"{path / '__init__.py'} must define COURSE = Course({path.name!r}); it defines {course!r}.")
     return course
 
 
@@ -266,7 +270,7 @@ def find_course(reference: str | Path) -> Course:
     >>> find_course("no_such_course")
     Traceback (most recent call last):
         ...
-    ValueError: no_such_course should be the folder of a course, ... Is the path right?
+    ValueError: no_such_course must be the folder of a course: ... a relative path starts at the current folder.
     """
     for entry in entry_points(group=ENTRY_POINT_GROUP):
         if entry.name == str(reference):
@@ -275,7 +279,7 @@ def find_course(reference: str | Path) -> Course:
 
 
 def course_of(sheet: str) -> Course:
-    """The installed course that has a sheet of this name.
+    """Return the installed course that has a sheet of this name.
 
     Raises ValueError if no installed course has it.
     """
@@ -289,6 +293,6 @@ def course_of(sheet: str) -> Course:
     names = ", ".join(course.package for course in courses) or "none"
     hints = [course.fallback_hint.format(name=sheet) for course in courses if course.fallback_hint]
     raise ValueError(
-        f"No installed course has a sheet {sheet!r}; installed are: {names}. "
+        f"No installed course has a sheet {sheet!r}; the installed courses are: {names}. "
         + " ".join([*hints, "If the course is a folder, name it: --course path/to/the_course."])
     )

@@ -1,7 +1,7 @@
 """The command line: `misstep COMMAND ...`, or `python -m misstep COMMAND ...`.
 
-Each command is a module with `add_arguments(parser)` and `run(options) -> int`, which gives the exit code. A command is
-imported when it is used, and not before. A course that has commands of its own calls `run_command` with them.
+Each command is a module with `add_arguments(parser)` and `run(options) -> int`, which returns the exit code. It is imported
+only when it is used. A course that has commands of its own calls `run_command` with them.
 """
 
 import argparse
@@ -13,14 +13,14 @@ COMMANDS = {
     "grade": ("misstep.grading.command", "grade the submissions of a sheet, in a sandbox"),
     "release": ("misstep.release.student_notebook", "write the students' notebooks from the instructors' notebooks"),
 }
-"""For each command its module, and what it does, in a few words."""
+"""For each command its module, and what it does."""
 
 EXTRAS = {"grade": "misstep[grading]", "release": "misstep[release]"}
-"""For each command the extra that installs what it needs besides NumPy."""
+"""For each command the extra that installs what it requires besides NumPy."""
 
 
 def main(arguments: Sequence[str] | None = None) -> int:
-    """Run the command that the arguments name, and return its exit code: 0 done, 2 impossible request.
+    """Run the command that the arguments name, and return its exit code: 0 done, 2 invalid request.
 
     >>> main(["release", "--root", "nowhere"])
     2
@@ -46,7 +46,7 @@ def run_command(
                 command = importlib.import_module(module)
             except ModuleNotFoundError as missing:
                 subparser.error(
-                    f"{missing}. Install what this command needs: pip install '{extras.get(name, program)}'"
+                    f"{missing}. Install what this command requires: pip install '{extras.get(name, program)}'"
                 )
             command.add_arguments(subparser)
             subparser.set_defaults(run=command.run)

@@ -1,7 +1,7 @@
-"""Questions of the lectures, as they are written: recall at the start, predictions before a slider, checks at the end.
+"""Questions of the lectures in TOML: recall at the start, predictions before a slider, checks at the end.
 
-The questions of a lecture are in its `questions.toml`, and not in the notebook, where a reader would see the answer beside
-the question. Each question is a table:
+The questions of a lecture are in its `questions.toml` and not in the notebook, because there a reader would see the answer
+beside the question. Each question is a table:
 
     [order]                                     # ask("03/order")
     kind = 'predict'                            # recall, predict or check
@@ -16,10 +16,10 @@ the question. Each question is a table:
     right = true
     why = 'It is next to $M$, so it acts first.'
 
-Single quotes keep the backslashes of formulas. Three single quotes hold text with an apostrophe or a second line.
+Single quotes keep the backslashes of formulas. Use three single quotes for text with an apostrophe or a second line.
 
-Questions of the kinds recall and check explain at once. A prediction is only recorded, because the picture that follows
-gives the answer; explain("03/order") compares afterwards.
+Questions of the kinds recall and check show the explanation at once. A prediction is only recorded, because the figure that
+follows shows the answer; explain("03/order") compares them afterwards.
 """
 
 import tomllib
@@ -58,7 +58,7 @@ class Item:
 def read_questions(text: str, file: str) -> dict[str, Item]:
     r"""Read the questions of one file.
 
-    Raises ValueError that names the file, the question and what is wrong with it.
+    Raises ValueError for an invalid file; the message names the file, the question and the error.
 
     >>> order = "[order]\nkind = 'check'\ntext = '?'"
     >>> options = [f"[[order.options]]\ntext = '{n}'\nwhy = '!'\nright = {n}" for n in ("true", "false")]
@@ -75,13 +75,13 @@ def read_questions(text: str, file: str) -> dict[str, Item]:
 def _item(key: str, table: Any, place: str) -> Item:
     _keys(table, place, required={"kind", "text", "options"}, allowed=set())
     if table["kind"] not in KINDS:
-        raise ValueError(f"{place}: kind should be one of {', '.join(KINDS)}; got {table['kind']!r}.")
+        raise ValueError(f"{place}: kind must be one of {', '.join(KINDS)}; got {table['kind']!r}.")
     options = []
     for number, option in enumerate(table["options"], start=1):
         _keys(option, f"{place}, option {number}", required={"text", "why"}, allowed={"right"})
         options.append(Option(**option))
     if sum(option.right for option in options) != 1 or not 2 <= len(options) <= len(LETTERS):
-        raise ValueError(f"{place}: there should be 2 to {len(LETTERS)} options, one of them right = true.")
+        raise ValueError(f"{place}: there must be 2 to {len(LETTERS)} options, exactly one of them with right = true.")
     return Item(key, table["kind"], table["text"], options)
 
 
@@ -90,4 +90,4 @@ def _keys(table: Any, place: str, required: set[str], allowed: set[str]) -> None
     if missing := sorted(required - keys):
         raise ValueError(f"{place}: {missing[0]} is missing.")
     if unknown := sorted(keys - required - allowed):
-        raise ValueError(f"{place}: {unknown[0]!r} is no key of a question. Is it misspelt?")
+        raise ValueError(f"{place}: {unknown[0]!r} is not a key of a question. Is it misspelt?")

@@ -1,7 +1,7 @@
-"""Questions for a page without a kernel: plain HTML that reads well by itself, and that a script may bring to life.
+"""Questions for a page without a kernel: HTML that is readable by itself, and that a script can make interactive.
 
-What the script goes by are the attributes data-misstep-question and data-misstep-explain. Without it, a reader opens the
-explanation of an option by a click on it, and that of a prediction where the lecture compares.
+The script finds the questions by the attributes data-misstep-question and data-misstep-explain. Without the script, a click
+on an option opens its explanation; that of a prediction opens where the lecture compares.
 """
 
 from html import escape
@@ -11,7 +11,7 @@ from misstep.questions.item import KINDS, Item, Option
 
 
 def question_html(name: str, item: Item) -> str:
-    """A question and its options; those of a prediction keep their explanations back.
+    """Return a question and its options with their explanations; the options of a prediction are without explanations.
 
     >>> options = [Option("3", "One more."), Option("4", "Yes.", right=True)]
     >>> "2 + 2" in question_html("00/sum", Item("sum", "check", "2 + 2?", options))
@@ -27,17 +27,17 @@ def question_html(name: str, item: Item) -> str:
 
 
 def explanation_html(name: str, item: Item) -> str:
-    """What there is to say of each option of a prediction, closed until the reader has made it.
+    """Return the explanations of all options of a prediction, closed until the reader has made it.
 
     >>> options = [Option("3", "One more."), Option("4", "Yes.", right=True)]
     >>> explanation_html("00/sum", Item("sum", "predict", "2 + 2?", options)).count("<li>")
     2
     """
-    told = "".join(f"<li><p>{inline(option.text)}</p>{_why(option)}</li>" for option in item.options)
+    explanations = "".join(f"<li><p>{inline(option.text)}</p>{_why(option)}</li>" for option in item.options)
     return (
         f'<div role="group" class="misstep-explanation" data-misstep-explain="{escape(name)}" aria-label="What came of a prediction">'
         f"<details><summary>Compare with your prediction: {inline(item.text)}</summary>"
-        f'<ol class="misstep-options" type="A">{told}</ol></details></div>'
+        f'<ol class="misstep-options" type="A">{explanations}</ol></details></div>'
     )
 
 

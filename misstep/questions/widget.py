@@ -1,4 +1,4 @@
-"""Questions as widgets: what a reader chose, and the explanation that follows."""
+"""Questions as widgets: buttons for the options, and the explanation of the chosen one."""
 
 from typing import TYPE_CHECKING, Any
 
@@ -14,7 +14,10 @@ if TYPE_CHECKING:
 
 
 class Question(HasTraits):
-    """A question on the page: what was chosen, and whether the reader has committed to it.
+    """A question of a lecture, which displays itself.
+
+    committed  whether the reader has committed to an option
+    choice     the index of this option, or -1
 
     >>> from misstep.questions.item import Option
     >>> question = Question(Item("sum", "check", "2 + 2?", [Option("3", "One more."), Option("4", "Yes.", right=True)]))
@@ -32,12 +35,12 @@ class Question(HasTraits):
         super().__init__()
         self.item = item
         self.name = name
-        self._face: widgets.Widget | None = None
+        self._widget: widgets.Widget | None = None
 
     def commit(self, choice: int) -> None:
-        """Commit to an option, counted from 0. The first commitment stands.
+        """Commit to an option, by its index. Only the first commitment counts.
 
-        Raises ValueError for an option that there is not.
+        Raises ValueError for an index without an option.
         """
         if choice not in range(len(self.item.options)):
             raise ValueError(f"{self.item.name} has options 0 to {len(self.item.options) - 1}; got {choice!r}.")
@@ -46,7 +49,7 @@ class Question(HasTraits):
             self.committed = True
 
     def explanation(self) -> Card:
-        """What there is to say of the choice: why it is right, or why it is not and what is."""
+        """Return a card that explains the chosen option and, if it is wrong, names the right one."""
         item = self.item
         right = item.options[item.right]
         if not self.committed:
@@ -54,50 +57,50 @@ class Question(HasTraits):
         chosen = item.options[self.choice]
         if chosen.right:
             return Card("right", f"{LETTERS[self.choice]} is right", [chosen.why])
-        told = f"Right is {LETTERS[item.right]}: {right.text.rstrip('.')}. {right.why}"
-        return Card("wrong", f"{LETTERS[self.choice]} is not it", [chosen.why, told])
+        correction = f"Right is {LETTERS[item.right]}: {right.text.rstrip('.')}. {right.why}"
+        return Card("wrong", f"{LETTERS[self.choice]} is not it", [chosen.why, correction])
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
-        if self._face is None:
-            self._face = _face(self)
-        still = {"text/html": question_html(self.name, self.item)} if is_static_export() else {}
-        return {**self._face._repr_mimebundle_(**options), **still, "text/plain": self.text()}
+        if self._widget is None:
+            self._widget = _make_widget(self)
+        static_html = {"text/html": question_html(self.name, self.item)} if is_static_export() else {}
+        return {**self._widget._repr_mimebundle_(**options), **static_html, "text/plain": self.text()}
 
     def text(self) -> str:
-        """The question for a terminal."""
+        """Return the question as plain text, for a terminal."""
         lines = [f"{letter}  {option.text}" for letter, option in zip(LETTERS, self.item.options, strict=False)]
         return "\n".join([f"{KINDS[self.item.kind]}: {self.item.text}", *lines])
 
 
 class Explanation:
-    """What there is to say of a prediction: on the page, a card that changes by itself when the reader commits."""
+    """The explanation of a prediction, as a card that is updated when the reader commits to an option."""
 
     def __init__(self, question: Question) -> None:
         self.question = question
-        self._face: widgets.Widget | None = None
+        self._widget: widgets.Widget | None = None
 
     @property
     def card(self) -> Card:
-        """The explanation as it stands now."""
+        """The current explanation."""
         return self.question.explanation()
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
-        import ipywidgets as widgets  # where sheets are graded, nobody looks at questions
+        import ipywidgets as widgets  # questions are not shown where sheets are graded, so it need not be installed there
 
-        if self._face is None:
-            self._face = widgets.HTMLMath(self.card.html())
-            self.question.observe(self._renew, "committed")
+        if self._widget is None:
+            self._widget = widgets.HTMLMath(self.card.html())
+            self.question.observe(self._update, "committed")
         question = self.question
-        still = {"text/html": explanation_html(question.name, question.item)} if is_static_export() else {}
-        return {**self._face._repr_mimebundle_(**options), **still, "text/plain": self.card.text()}
+        static_html = {"text/html": explanation_html(question.name, question.item)} if is_static_export() else {}
+        return {**self._widget._repr_mimebundle_(**options), **static_html, "text/plain": self.card.text()}
 
-    def _renew(self, _: Any) -> None:
-        if self._face is not None:
-            self._face.value = self.card.html()
+    def _update(self, _: Any) -> None:
+        if self._widget is not None:
+            self._widget.value = self.card.html()
 
 
-def _face(question: Question) -> "widgets.Widget":
-    """The question with its options, each a button with its letter beside its text, which may hold formulas."""
+def _make_widget(question: Question) -> "widgets.Widget":
+    """Return the question with its options: for each option a button with its letter, and its text, which may contain formulas."""
     import ipywidgets as widgets
 
     item = question.item
@@ -113,7 +116,7 @@ def _face(question: Question) -> "widgets.Widget":
             widgets.HBox([button, widgets.HTMLMath(inline(option.text), layout=widgets.Layout(flex="1 1 auto"))])
         )
 
-    def settle(_: Any = None) -> None:
+    def show_choice(_: Any = None) -> None:
         if not question.committed:
             return
         for button in buttons:
@@ -126,7 +129,7 @@ def _face(question: Question) -> "widgets.Widget":
         else:
             reply.value = question.explanation().html()
 
-    question.observe(settle, "committed")
-    settle()
+    question.observe(show_choice, "committed")
+    show_choice()
     head = widgets.HTMLMath(f"<b>{KINDS[item.kind]}.</b> {inline(item.text)}")
     return widgets.VBox([head, *rows, reply])

@@ -1,6 +1,6 @@
-"""A sheet as the instructor's notebook: for each problem a heading, what it shows, a cell to fill, a check.
+"""The instructor's notebook of a sheet: for each problem a heading, the statement, an answer cell and a check cell.
 
-The cells carry the marks by which nbgrader knows what to clear, to lock and to score; `handout` makes the student's copy.
+The metadata of the cells tell nbgrader what to clear, to lock and to score. `student_notebook` makes the student's version.
 """
 
 import json
@@ -10,11 +10,11 @@ from typing import Any, NamedTuple
 from misstep.sheet import SAMPLE_ID, Sheet
 
 SCHEMA = 3
-"""The version of nbgrader's marks."""
+"""The version of nbgrader's metadata."""
 
 
 class Entry(NamedTuple):
-    """How one problem stands on the page: the name of the answer, what to answer with, and the lines that solve it."""
+    """One problem in the notebook: the name of the answer, the instruction, and the lines of the solution."""
 
     answer: str
     ask: str
@@ -26,10 +26,10 @@ def notebook(sheet: Sheet, entries: Sequence[Entry], intro: str, imports: str, a
 
     entries  one for each problem
     intro    the paragraph below the title
-    imports  the lines of the first code cell, above those that open the sheet
-    after    remarks by the number of the problem behind which they stand
+    imports  the first lines of the first code cell, before those that open the sheet
+    after    remarks, by the number of the problem that they follow
 
-    Raises ValueError when there is not one entry for each problem.
+    Raises ValueError if there is not one entry for each problem.
 
     >>> notebook(Sheet("01_ohm", "Ohm's law", []), [Entry("U", "In volts.", "U_1 = 5")], "", "")
     Traceback (most recent call last):
@@ -38,9 +38,9 @@ def notebook(sheet: Sheet, entries: Sequence[Entry], intro: str, imports: str, a
     if len(entries) != len(sheet.problems):
         raise ValueError(f"{sheet.name} has {len(sheet.problems)} problems; got {len(entries)} entries.")
     number = sheet.problems[0].number.partition(".")[0]
-    opened = [imports, "", f'student = "{SAMPLE_ID}"', f'sheet = open_sheet("{sheet.name}", student)', "sheet"]
+    opening = [imports, "", f'student = "{SAMPLE_ID}"', f'sheet = open_sheet("{sheet.name}", student)', "sheet"]
     title = f"# Sheet {number}: {sheet.title[0].lower()}{sheet.title[1:]}"
-    cells = [_markdown("title", f"{title}\n\n{intro}"), _code("open", "\n".join(opened))]
+    cells = [_markdown("title", f"{title}\n\n{intro}"), _code("open", "\n".join(opening))]
     for k, (template, entry) in enumerate(zip(sheet.problems, entries, strict=True), start=1):
         name = f"{entry.answer}_{k}"
         given = [f"given = sheet.given({k})"] if "given." in entry.solution else []
@@ -61,21 +61,21 @@ def notebook(sheet: Sheet, entries: Sequence[Entry], intro: str, imports: str, a
     cells.append(_code("tally", "sheet.tally()"))
     kernel = {"display_name": "Python 3 (ipykernel)", "language": "python", "name": "python3"}
     metadata = {"kernelspec": kernel, "language_info": {"name": "python"}}
-    made = {"cells": cells, "metadata": metadata, "nbformat": 4, "nbformat_minor": 5}
-    return json.dumps(made, indent=1, ensure_ascii=False) + "\n"
+    content = {"cells": cells, "metadata": metadata, "nbformat": 4, "nbformat_minor": 5}
+    return json.dumps(content, indent=1, ensure_ascii=False) + "\n"
 
 
 def _markdown(name: str, text: str) -> dict[str, Any]:
     return {"cell_type": "markdown", "id": name, "metadata": {}, "source": text.splitlines(keepends=True)}
 
 
-def _code(name: str, text: str, mark: Mapping[str, Any] | None = None) -> dict[str, Any]:
-    marks = dict(sorted({**mark, "grade_id": name, "schema_version": SCHEMA, "task": False}.items())) if mark else None
+def _code(name: str, text: str, nbgrader: Mapping[str, Any] | None = None) -> dict[str, Any]:
+    fields = {**nbgrader, "grade_id": name, "schema_version": SCHEMA, "task": False} if nbgrader else {}
     return {
         "cell_type": "code",
         "execution_count": None,
         "id": name,
-        "metadata": {"nbgrader": marks} if marks else {},
+        "metadata": {"nbgrader": dict(sorted(fields.items()))} if fields else {},
         "outputs": [],
         "source": text.splitlines(keepends=True),
     }

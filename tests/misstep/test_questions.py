@@ -40,7 +40,7 @@ def test_a_prediction_is_recorded_and_not_judged(question):
     face = question._repr_mimebundle_()
     question.commit(0)
     assert (question.committed, question.choice) == (True, 0)
-    said = question._face.children[-1].value
+    said = question._widget.children[-1].value
     assert "Recorded" in said
     assert "acts last" not in said
     assert "application/vnd.jupyter.widget-view+json" in face
@@ -50,7 +50,7 @@ def test_a_self_check_explains_the_choice_and_names_the_right_one():
     question = Question(read_questions(WRITTEN.replace("predict", "check"), "03.toml")["order"])
     question._repr_mimebundle_()
     question.commit(0)
-    said = question._face.children[-1].value
+    said = question._widget.children[-1].value
     assert "A is not it" in said
     assert "It acts last." in said
     assert "Right is B" in said
@@ -70,7 +70,7 @@ def test_the_first_commitment_stands(question):
 
 def test_pressing_a_letter_commits_and_shuts_the_others(question):
     question._repr_mimebundle_()
-    rows = question._face.children[1:-1]
+    rows = question._widget.children[1:-1]
     rows[1].children[0].click()
     assert question.choice == 1
     assert all(row.children[0].disabled for row in rows)
@@ -104,9 +104,9 @@ def test_an_explanation_on_the_page_changes_when_the_reader_commits(course):
     question = course.ask(NAME)
     explanation = course.explain(NAME)
     explanation._repr_mimebundle_()
-    assert "You have not committed" in explanation._face.value
+    assert "You have not committed" in explanation._widget.value
     question.commit(course.find_question(NAME).right)
-    assert "is right" in explanation._face.value
+    assert "is right" in explanation._widget.value
 
 
 @pytest.mark.parametrize(
@@ -115,10 +115,10 @@ def test_an_explanation_on_the_page_changes_when_the_reader_commits(course):
         ("[order", "03.toml is not TOML"),
         ("[order]\nkind = 'check'\ntext = '?'", "question 'order': options is missing"),
         (WRITTEN.replace("why = 'It acts last.'", ""), "option 1: why is missing"),
-        (WRITTEN.replace("why = 'It acts last.'", "why = ''\nbecause = ''"), "'because' is no key"),
-        (WRITTEN.replace("right = true", ""), "one of them right"),
-        (WRITTEN.replace("why = 'It acts last.'", "why = ''\nright = true"), "one of them right"),
-        (WRITTEN.replace("'predict'", "'guess'"), "kind should be one of recall, predict, check; got 'guess'"),
+        (WRITTEN.replace("why = 'It acts last.'", "why = ''\nbecause = ''"), "'because' is not a key"),
+        (WRITTEN.replace("right = true", ""), "one of them with right"),
+        (WRITTEN.replace("why = 'It acts last.'", "why = ''\nright = true"), "one of them with right"),
+        (WRITTEN.replace("'predict'", "'guess'"), "kind must be one of recall, predict, check; got 'guess'"),
     ],
 )
 def test_a_slip_in_a_file_is_named(text, words):
@@ -127,7 +127,7 @@ def test_a_slip_in_a_file_is_named(text, words):
 
 
 def test_names_that_there_are_not_are_refused(course):
-    with pytest.raises(ValueError, match="named lecture/question"):
+    with pytest.raises(ValueError, match="must be named lecture/question"):
         course.find_question("nothing")
     with pytest.raises(ValueError, match=r"has no question 'nothing'. It has: "):
         course.find_question("01/nothing")
