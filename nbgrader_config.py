@@ -1,6 +1,6 @@
-"""nbgrader's settings for this course: sheets are made from solutions/, and submissions run in kinlib's sandbox."""
+"""nbgrader's settings for this course: sheets are made from solutions/, and submissions run in misstep's sandbox."""
 
-c = get_config()  # noqa: F821 - nbgrader reads this file and brings it
+c = get_config()  # noqa: F821 - nbgrader defines get_config when it reads this file
 
 c.CourseDirectory.source_directory = "solutions"
 c.CourseDirectory.release_directory = "exercises"

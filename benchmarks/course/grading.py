@@ -202,13 +202,13 @@ def ours(handed, out, *options):
 
 def seconds_of_pages(out, where):
     """Write the pages of results once more, and nothing else: the seconds."""
-    from misstep.grading.publish.publish import publish_page
-    from misstep.grading.publish.result_store import Book
+    from misstep.grading.publish.publish import publish_feedback
+    from misstep.grading.publish.result_store import ResultStore
 
-    results = [Book(out).kept(path.stem) for path in (out / "results").glob("*.json")]
+    results = [ResultStore(out).load(path.stem) for path in (out / "results").glob("*.json")]
     start = time.perf_counter()
     for result in results:
-        publish_page(where, result)
+        publish_feedback(where, result)
     return time.perf_counter() - start
 
 

@@ -39,18 +39,18 @@ TOO_MUCH = {
 
 def main(*words):
     """Print a line for each attack, and how many won."""
-    from misstep.grading.collect.submission import master
+    from misstep.grading.collect.run_plan import read_released_sheet
     from misstep.grading.judging.grader import Grader
     from misstep.grading.sandbox.limits import Limits
 
     names = [name for name in attacks.ATTACKS if not words or any(word in name for word in words)]
     os.environ["SECRET_TOKEN"] = CANARY
     won = {"kinlib": 0, "nbgrader": 0}
-    limits = Limits(cell_seconds=2, seconds=4, memory=1024, output=1)
+    limits = Limits(cell_seconds=2, seconds=4, memory_mb=1024, output_mb=1)
     with socket.create_server(("127.0.0.1", 0)) as port, tempfile.TemporaryDirectory() as top:
         port.setblocking(False)
         course = Course(Path(top, "course"), timeout=5)
-        with Grader(master(released()), limits) as grader:
+        with Grader(read_released_sheet(released()), limits) as grader:
             print(f"{'attack':44}  {'kinlib':32}  nbgrader")
             for number, name in enumerate(names):
                 outside = Path(top, f"outside{number}")

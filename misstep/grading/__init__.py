@@ -1,16 +1,25 @@
-"""Grading: submissions run in a sandbox and give answers, a judge that never runs them gives the points.
+"""Grading: submissions run in a sandbox and emit answers; a judge that never runs student code computes the points.
 
-How one submission comes to its grade, in the order of reading:
+How one submission gets its grade, in the order of reading:
 
-    submission   what was handed in: which cells run, with the sheet's own check cells in place of the student's
-    judge        a process that knows the sheet: it writes the paper, and later judges the answers
-    paper        a student's sheet without answers: what the submission sees in place of the sheet
-    server       a process that knows nothing: it imports once and forks a child for each submission
-    runner       talks with the server, and holds the clock
-    child, run   the life of a child: it goes into the cage, and runs cells as a notebook would
-    root, cage   what a child can reach, layer by layer; kernel has the calls, layers the words for what is missing
-    hearing      what the child wrote, read as strictly as its lines deserve
-    grade        all of this for one submission: bytes in, a result out
-
-Around it stand the command, the folders and zips that submissions come in, and what is made of results.
+    command      `misstep grade`: the whole run, from a folder or a zip file to the results
+    collect/     what students submitted
+        files, layouts, roster   the files of a folder or a zip file, and which student each of them belongs to
+        gather                   one Submission for each student
+        notebook, run_plan       its code cells, and what is run of them: with the sheet's own check cells
+    jobs         the submissions that have no result yet, each with a fingerprint of what its result depends on
+    sandbox/     the confined processes in which submissions run
+        runner, server, child    the server imports everything once, and forks a child for each submission
+        rootfs, confine, limits, syscalls   what a child can reach, layer by layer
+        course_stub, redacted_sheet         what a child sees instead of the course: the sheet without answers
+        run_cells                runs the cells as a notebook would
+        rpc                      messages to worker processes, such as the judge
+    judging/     from one submission to its Result
+        grader                   all of this for one submission: bytes in, a Result out
+        parse_output             parses what the child wrote, and trusts none of it
+        judge_process            a process that knows the right answers: writes redacted sheets and judges answers
+        bounded_executor, cluster   many submissions at a time, on this machine or on a Dask cluster
+    result_sink  writes each result to its page and into the gradebook at once
+    publish/     the stored results, feedback pages, the report, tables and files for learning platforms
+    nbgrader/    the plugin for `nbgrader autograde`, and the gradebook of an nbgrader course
 """

@@ -2,14 +2,14 @@
 
     misstep grade solutions/03_poe_space/03_poe_space.ipynb submissions/ --out results/
 
-A run may be stopped at any moment, and goes on where it was when it is started again. Every submission gets a grade and a
-reason. In the folder of results:
+Grading may be stopped at any moment, and continues where it was when it is started again. Every submission gets a grade and
+a reason. The folder of results has:
 
-    grades.csv       a row for each student          report.html   how the class did, for the lecture
-    matches.csv      answers right for others        feedback/     a page for each student
-    canvas.csv, moodle.csv, gradescope.csv           for the platform that the roster came from
-    feedback.zip     all pages, as Moodle and Canvas take them back
-    results/         what the next run goes on from
+    grades.csv       a row for each student           report.html   how the class did, for the lecture
+    matches.csv      answers right for other students  feedback/     a page for each student
+    canvas.csv, moodle.csv, gradescope.csv            points for the platform that exported the roster
+    feedback.zip     all pages, as Moodle and Canvas import them
+    results/         the stored results, from which the next run continues
 """
 
 import argparse
@@ -17,149 +17,169 @@ import sys
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
+from itertools import chain
 from pathlib import Path
 
 from tqdm import tqdm
 
-from misstep.grading.collect.gather import Handed, gather
+from misstep.grading.collect.gather import Submission, gather
 from misstep.grading.collect.roster import read_roster
-from misstep.grading.collect.submission import Master, master
-from misstep.grading.judging.bounded_executor import as_done
-from misstep.grading.judging.cluster import Unreachable, cluster, grade_here
+from misstep.grading.collect.run_plan import ReleasedSheet, read_released_sheet
+from misstep.grading.jobs import GradingJob, make_jobs
+from misstep.grading.judging.bounded_executor import run_bounded
+from misstep.grading.judging.cluster import ClusterUnreachable, connect, grade_on_worker
 from misstep.grading.judging.grader import Grader
 from misstep.grading.judging.result import Result
-from misstep.grading.publish.feedback_zip import give_back
-from misstep.grading.publish.result_store import Book, Busy, opened
-from misstep.grading.result_sink import Desk
-from misstep.grading.sandbox.limits import UNSAFE, Limits, Missing
-from misstep.grading.tasks import Task, tasks
+from misstep.grading.publish.feedback_zip import write_feedback_zip
+from misstep.grading.publish.result_store import FolderInUse, ResultStore, open_results
+from misstep.grading.result_sink import ResultSink
+from misstep.grading.sandbox.limits import UNSAFE_OPTION, Limits, SandboxUnavailable
 
-AHEAD = 3
-"""For each worker, so many submissions are on their way, so that none waits for a disk."""
+PENDING_PER_WORKER = 3
+"""How many submissions are read ahead for each worker, so that no worker waits for the disk."""
 
 
 def add_arguments(parser: argparse.ArgumentParser) -> None:
-    """Say what the command takes."""
-    parser.add_argument("sheet", type=Path, metavar="SHEET", help="the sheet that was handed out: solutions/X/X.ipynb")
-    parser.add_argument("submissions", type=Path, metavar="SUBMISSIONS", help="a folder, or the zip of a platform")
+    """Add the arguments of the command to a parser."""
+    parser.add_argument("sheet", type=Path, metavar="SHEET", help="the notebook of the sheet: solutions/X/X.ipynb")
+    parser.add_argument("submissions", type=Path, metavar="SUBMISSIONS", help="a folder, or the zip file of a platform")
     parser.add_argument(
-        "--course", metavar="COURSE", help="the package or the folder of the course (default: the installed one)"
+        "--course",
+        metavar="COURSE",
+        help="the package or the folder of the course (default: the installed course that has the sheet)",
     )
     parser.add_argument("--out", type=Path, required=True, metavar="RESULTS", help="the folder for the results")
-    parser.add_argument("--roster", type=Path, metavar="CSV", help="who is in the course, as the platform exports it")
+    parser.add_argument("--roster", type=Path, metavar="CSV", help="the list of students, as the platform exports it")
     parser.add_argument("--id-column", metavar="NAME", help="the column of the roster with the ids that students type")
-    parser.add_argument("--column", metavar="NAME", help="what the sheet is called on the platform (default: its name)")
+    parser.add_argument(
+        "--column", metavar="NAME", help="the column of the sheet on the platform (default: the sheet's name)"
+    )
     parser.add_argument("--jobs", type=int, default=2, metavar="N", help="how many at a time (default: 2)")
-    parser.add_argument("--regrade", action="store_true", help="grade everybody anew, whatever is there already")
+    parser.add_argument("--regrade", action="store_true", help="grade every submission again, even if it has a result")
     parser.add_argument(
-        "--only", nargs="+", metavar="ID", help="grade these students, and leave the others as they are"
+        "--only", nargs="+", metavar="ID", help="grade only these students, and leave the other results as they are"
     )
     parser.add_argument(
-        "--cluster", metavar="tcp://HOST:PORT", help="the scheduler of a Dask cluster that does the work"
+        "--cluster", metavar="tcp://HOST:PORT", help="the scheduler of a Dask cluster that runs the submissions"
     )
     parser.add_argument(
-        "--gradebook", type=Path, metavar="COURSE", help="an nbgrader course, whose gradebook is filled too"
+        "--gradebook", type=Path, metavar="FOLDER", help="the folder of an nbgrader course, to fill its gradebook too"
     )
     parser.add_argument(
-        UNSAFE, action="store_true", dest="unsafe", help="run code with your own rights: only if you trust it"
+        UNSAFE_OPTION,
+        action="store_true",
+        dest="unsafe",
+        help="run submissions with your own rights; use it only for code that you trust",
     )
 
 
 def run(options: argparse.Namespace) -> int:
-    """Grade, and say what came of it: 0 done, 1 some could not be graded, 2 asked for what cannot be."""
+    """Grade, and return the exit code: 0 done, 1 some submissions could not be graded, 2 impossible request."""
     if options.jobs < 1:
-        print(f"misstep grade: --jobs should be 1 or more; got {options.jobs}.", file=sys.stderr)
+        print(f"misstep grade: --jobs must be at least 1; got {options.jobs}.", file=sys.stderr)
         return 2
     try:
         return _run(options)
-    except (ValueError, OSError, ModuleNotFoundError, Missing, Busy, Unreachable) as fault:
-        print(f"misstep grade: {fault}", file=sys.stderr)
+    except (ValueError, OSError, ModuleNotFoundError, SandboxUnavailable, FolderInUse, ClusterUnreachable) as error:
+        print(f"misstep grade: {error}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
-        print("misstep grade: stopped. What was graded is kept; the same command goes on from there.", file=sys.stderr)
+        print(
+            "misstep grade: stopped. All results so far are stored; the same command continues from there.",
+            file=sys.stderr,
+        )
         return 130
 
 
 def _run(options: argparse.Namespace) -> int:
-    sheet = master(options.sheet, options.course)
+    sheet = read_released_sheet(options.sheet, options.course)
     roster = read_roster(options.roster, options.id_column) if options.roster else None
     gathered = gather(options.submissions, sheet.name, roster)
-    chosen = _chosen(gathered.handed, options.only)
+    selected = _select(gathered.submissions, options.only)
     for remark in gathered.remarks:
         print(remark)
     with (
-        opened(options.out, sheet.name) as book,
-        Desk(options.out, sheet, options.gradebook, options.regrade) as desk,
+        open_results(options.out, sheet.name) as store,
+        ResultSink(options.out, sheet, options.gradebook, options.regrade) as sink,
     ):
-        lost = _grade(options, sheet, chosen, book, desk)
-        for handed in chosen:
-            if handed.student not in desk.done and (result := book.kept(handed.student)):
-                desk.take(handed, result)
-        from misstep.grading.publish.publish import publish  # by now the desk has imported it
+        failures = _grade(options, sheet, selected, store, sink)
+        for submission in selected:
+            if submission.student not in sink.students and (result := store.load(submission.student)):
+                sink.write(submission, result)
+        from misstep.grading.publish.publish import publish  # the sink has imported it by now
 
-        said = publish(options.out, gathered.handed, book, roster, options.column, done=desk.done)
-        said += desk.remarks()
-        give_back(options.out, gathered, sheet.name)
-    print("\n".join([*said, *([f"{UNSAFE}: the submissions ran with your rights."] if options.unsafe else [])]))
-    for student, why in lost.items():
-        print(f"Not graded: {student}: {why!r}. The same command tries again.", file=sys.stderr)
-    return 1 if lost else 0
+        summary = publish(options.out, gathered.submissions, store, roster, options.column, published=sink.students)
+        summary += sink.remarks()
+        write_feedback_zip(options.out, gathered, sheet.name)
+    if options.unsafe:
+        summary.append(f"{UNSAFE_OPTION}: the submissions ran with your rights.")
+    print("\n".join(summary))
+    for student, error in failures.items():
+        print(f"Not graded: {student}: {error!r}. The same command tries again.", file=sys.stderr)
+    return 1 if failures else 0
 
 
-def _chosen(handed: Sequence[Handed], only: Sequence[str] | None) -> list[Handed]:
+def _select(submissions: Sequence[Submission], only: Sequence[str] | None) -> list[Submission]:
     if not only:
-        return list(handed)
-    wanted = {name.casefold() for name in only}
-    chosen = [each for each in handed if each.student.casefold() in wanted]
-    if unknown := wanted - {each.student.casefold() for each in chosen}:
+        return list(submissions)
+    ids = {student.casefold() for student in only}
+    selected = [submission for submission in submissions if submission.student.casefold() in ids]
+    if unknown := ids - {submission.student.casefold() for submission in selected}:
         raise ValueError(
-            f"There is no submission of {', '.join(sorted(unknown))}. Ids stand in grades.csv as --only wants them."
+            f"There is no submission of {', '.join(sorted(unknown))}. --only takes ids as in the column student of grades.csv."
         )
-    return chosen
+    return selected
 
 
 def _grade(
-    options: argparse.Namespace, sheet: Master, handed: Sequence[Handed], book: Book, desk: Desk
+    options: argparse.Namespace,
+    sheet: ReleasedSheet,
+    submissions: Sequence[Submission],
+    store: ResultStore,
+    sink: ResultSink,
 ) -> dict[str, BaseException]:
-    """Grade what has no result yet, and keep each result as it comes. Who could not be graded, and why."""
-    is_done = (lambda *_: False) if options.regrade else (lambda student, mark: book.kept(student, mark) is not None)
-    lost = {}
-    with tqdm(total=len(handed), unit="sheet", desc=sheet.name, disable=None) as bar:
+    """Grade what has no result yet, and store each result at once. Returns the errors of those that could not be graded."""
 
-        def waiting() -> Iterator[Task]:
-            for task in tasks(handed, sheet, not options.unsafe, is_done):
-                if task is None:
+    def has_result(student: str, fingerprint: str) -> bool:
+        return not options.regrade and store.load(student, fingerprint) is not None
+
+    failures = {}
+    with tqdm(total=len(submissions), unit="sheet", desc=sheet.name, disable=None) as bar:
+
+        def pending_jobs() -> Iterator[GradingJob]:
+            for job in make_jobs(submissions, sheet, not options.unsafe, has_result):
+                if job is None:
                     bar.update()
                 else:
-                    yield task
+                    yield job
 
-        coming = waiting()
-        if (first := next(coming, None)) is None:
-            return {}  # and nothing was started for it
-        with _workers(options, sheet) as (submit, jobs):
-            for task, done in as_done(submit, _chained(first, coming), AHEAD * jobs):
-                if isinstance(done, BaseException):
-                    lost[task.handed.student] = done
+        jobs = pending_jobs()
+        if (first := next(jobs, None)) is None:
+            return {}  # without starting a sandbox
+        with _start_workers(options, sheet) as (submit, worker_count):
+            for job, outcome in run_bounded(submit, chain([first], jobs), PENDING_PER_WORKER * worker_count):
+                if isinstance(outcome, BaseException):
+                    failures[job.submission.student] = outcome
                 else:
-                    result = task.signed(done)
-                    book.keep(result, task.mark)
-                    desk.take(task.handed, result)
+                    result = job.complete(outcome)
+                    store.save(result, job.fingerprint)
+                    sink.write(job.submission, result)
                 bar.update()
-    return lost
-
-
-def _chained(first: Task, rest: Iterator[Task]) -> Iterator[Task]:
-    yield first
-    yield from rest
+    return failures
 
 
 @contextmanager
-def _workers(options: argparse.Namespace, sheet: Master) -> Iterator[tuple[Callable[[Task], Future[Result]], int]]:
-    """What takes a task to be graded, and how many at a time: threads over one grader, or a cluster."""
+def _start_workers(
+    options: argparse.Namespace, sheet: ReleasedSheet
+) -> Iterator[tuple[Callable[[GradingJob], Future[Result]], int]]:
+    """A function that submits a job, and how many jobs run at a time: in threads with one grader, or on a cluster."""
     limits, is_safe = Limits(), not options.unsafe
     if options.cluster:
-        with cluster(options.cluster) as (executor, jobs):
-            yield lambda task: executor.submit(grade_here, sheet, limits, is_safe, task.drawn_for, task.content), jobs
+        with connect(options.cluster) as (executor, worker_count):
+            yield (
+                lambda job: executor.submit(grade_on_worker, sheet, limits, is_safe, job.seed_id, job.content),
+                worker_count,
+            )
     else:
         with Grader(sheet, limits, is_safe) as grader, ThreadPoolExecutor(options.jobs) as pool:
-            yield lambda task: pool.submit(grader.grade, task.drawn_for, task.content), options.jobs
+            yield lambda job: pool.submit(grader.grade, job.seed_id, job.content), options.jobs

@@ -1,6 +1,6 @@
-"""The desk: where a result goes as soon as it is there, to the student's page and into the gradebook, while others run.
+"""The result sink: writes each result to the student's page and into the gradebook, while other submissions still run.
 
-What writes the pages and keeps the gradebook takes a second to import. It is imported while the sandbox starts.
+The modules that write pages and the gradebook take a second to import, so they are imported while the sandbox starts.
 """
 
 from contextlib import ExitStack, suppress
@@ -11,61 +11,66 @@ from threading import Thread
 from types import TracebackType
 from typing import TYPE_CHECKING
 
-from misstep.grading.collect.gather import Handed
-from misstep.grading.collect.submission import Master
+from misstep.grading.collect.gather import Submission
+from misstep.grading.collect.run_plan import ReleasedSheet
 from misstep.grading.judging.result import Result
 
 if TYPE_CHECKING:
-    from misstep.grading.nbgrader.gradebook import Ledger
+    from misstep.grading.nbgrader.gradebook import GradebookWriter
 
-PAGES, GRADEBOOK = "misstep.grading.publish.publish", "misstep.grading.nbgrader.gradebook"
+PUBLISH_MODULE, GRADEBOOK_MODULE = "misstep.grading.publish.publish", "misstep.grading.nbgrader.gradebook"
 
 
-class Desk:
-    """Takes results, one after the other, each for its page and, where there is a course of nbgrader, for its gradebook.
+class ResultSink:
+    """Writes results one after the other, each to its page and, if there is an nbgrader course, to its gradebook.
 
-    done  the students whose results were taken
+    students  the students whose results have been written
     """
 
-    def __init__(self, out: Path, sheet: Master, course: Path | None, is_anew: bool) -> None:
-        self._out, self._sheet, self._course, self._is_anew = out, sheet, course, is_anew
-        self._open = ExitStack()
-        self.done: set[str] = set()
-        Thread(target=_import, args=[PAGES, *([GRADEBOOK] if course else [])]).start()
+    def __init__(self, out: Path, sheet: ReleasedSheet, nbgrader_course: Path | None, overwrite: bool) -> None:
+        self._out, self._sheet, self._nbgrader_course, self._overwrite = out, sheet, nbgrader_course, overwrite
+        self._open_contexts = ExitStack()
+        self.students: set[str] = set()
+        modules = [PUBLISH_MODULE, *([GRADEBOOK_MODULE] if nbgrader_course else [])]
+        Thread(target=_import_modules, args=modules).start()
 
-    def __enter__(self) -> "Desk":
+    def __enter__(self) -> "ResultSink":
         return self
 
     def __exit__(
         self, kind: type[BaseException] | None, error: BaseException | None, trace: TracebackType | None
     ) -> None:
-        self._open.close()
+        self._open_contexts.close()
 
-    def take(self, handed: Handed, result: Result) -> None:
-        """Write down what there is to say of a result. Raises ValueError for a course that is none, or not ready."""
-        from misstep.grading.publish.publish import publish_page
+    def write(self, submission: Submission, result: Result) -> None:
+        """Write a result.
 
-        publish_page(self._out, result)
-        if self._ledger:
-            self._ledger.enter(handed, result)
-        self.done.add(handed.student)
+        Raises ValueError if the folder of the gradebook is no nbgrader course, or if its assignment is not generated.
+        """
+        from misstep.grading.publish.publish import publish_feedback
+
+        publish_feedback(self._out, result)
+        if self._gradebook:
+            self._gradebook.record(submission, result)
+        self.students.add(submission.student)
 
     def remarks(self) -> list[str]:
-        """What could not be written down."""
-        if not self._ledger or not self._ledger.unfit:
+        """What could not be written."""
+        if not self._gradebook or not self._gradebook.invalid_ids:
             return []
-        return [f"Not in the gradebook, for their ids cannot name a folder: {', '.join(self._ledger.unfit)}."]
+        ids = ", ".join(self._gradebook.invalid_ids)
+        return [f"Not in the gradebook, because these ids cannot be names of folders: {ids}."]
 
     @cached_property
-    def _ledger(self) -> "Ledger | None":
-        if self._course is None:
+    def _gradebook(self) -> "GradebookWriter | None":
+        if self._nbgrader_course is None:
             return None
-        from misstep.grading.nbgrader.gradebook import ledger
+        from misstep.grading.nbgrader.gradebook import open_gradebook
 
-        return self._open.enter_context(ledger(self._course, self._sheet, self._is_anew))
+        return self._open_contexts.enter_context(open_gradebook(self._nbgrader_course, self._sheet, self._overwrite))
 
 
-def _import(*modules: str) -> None:
+def _import_modules(*modules: str) -> None:
     for module in modules:
-        with suppress(ImportError):  # whoever needs it next says what is missing
+        with suppress(ImportError):  # the import that needs it reports what is missing
             import_module(module)

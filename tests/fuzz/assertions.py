@@ -37,16 +37,16 @@ def assert_rigid(T):
 
 
 def assert_verdict(verdict):
-    from misstep.grading.publish.pages import STATES  # grading cannot be imported on Windows
-    from misstep.grading.sandbox.rpc import pack
+    from misstep.grading.publish.pages import STATE_LABELS  # grading cannot be imported on Windows
+    from misstep.grading.sandbox.rpc import encode_message
 
     fraction, state = verdict["fraction"], verdict["state"]
     assert math.isfinite(fraction)
     assert 0 <= fraction <= 1
-    assert state in STATES
+    assert state in STATE_LABELS
     assert (state == "right") == (fraction == 1)
     assert (state in {"blank", "unreadable", "wrong", "missing"}) == (fraction == 0)
     assert "could not be judged" not in verdict["text"], verdict["text"][-300:]
     assert state in {"right", "missing"} or len(verdict["text"].splitlines()) > 2, "there is no reason"
     assert len(verdict["text"]) < 5000, verdict["text"][:300]
-    pack(verdict)
+    encode_message(verdict)

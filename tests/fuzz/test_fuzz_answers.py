@@ -16,7 +16,7 @@ from misstep.answers.function import FunctionCalls
 from misstep.formulas.evaluation import Formula
 from misstep.grading.judging import judge_process as judging
 from misstep.grading.judging.result import ProblemResult, Result
-from misstep.grading.publish.shared_answers import matches
+from misstep.grading.publish.shared_answers import find_matches
 from misstep.storage.deserialize import Malformed, from_data
 from misstep.storage.serialize import to_data
 
@@ -78,7 +78,7 @@ def cases():
 @given(st.deferred(cases))
 def test_any_answer_data_gets_a_complete_verdict(case):
     place, data = case
-    signal.signal(signal.SIGPROF, judging._too_long)
+    signal.signal(signal.SIGPROF, judging._raise_timeout)
     assert_read_and_written(data)
     sheet, k = TEMPLATES[place]
     template, verdict = sheet.problems[k], judging._verdict(sheet, k + 1, problem(place), data)
@@ -88,7 +88,7 @@ def test_any_answer_data_gets_a_complete_verdict(case):
     result = ProblemResult(template.number, template.title, points, template.points, verdict["state"], *shown)
     theirs = ProblemResult(**{**vars(result), "answer": data, "right": verdict["right"]})
     other = ProblemResult(**{**vars(result), "answer": answers(place)[0], "right": answers(place)[0], "state": "right"})
-    matches([_result(student, told) for student, told in {"ada": theirs, "bob": other}.items()])
+    find_matches([_result(student, told) for student, told in {"ada": theirs, "bob": other}.items()])
 
 
 def assert_read_and_written(data):

@@ -35,19 +35,19 @@ from hypothesis import strategies as st
 from submissions import SHEET, as_bytes, handed_in, released, right
 
 from kincourse import COURSE, find_sheet
-from misstep.grading.collect.files import Refused
+from misstep.grading.collect.files import UnreadableFile
 from misstep.grading.collect.gather import gather
 from misstep.grading.collect.roster import read_roster
-from misstep.grading.collect.submission import master
+from misstep.grading.collect.run_plan import read_released_sheet
+from misstep.grading.jobs import make_jobs
 from misstep.grading.judging import judge_process as judging
 from misstep.grading.judging.grader import Grader
-from misstep.grading.nbgrader.cells import filled, restored
+from misstep.grading.nbgrader.cells import fill_outputs, restore_metadata
 from misstep.grading.publish.publish import publish
-from misstep.grading.publish.result_store import Book
+from misstep.grading.publish.result_store import ResultStore
 from misstep.grading.sandbox.limits import Limits
-from misstep.grading.sandbox.rpc import pack, receive
-from misstep.grading.sandbox.runner import Ran
-from misstep.grading.tasks import tasks
+from misstep.grading.sandbox.rpc import encode_message, receive_message
+from misstep.grading.sandbox.runner import RunOutcome
 from misstep.storage.deserialize import MIME
 from misstep.storage.serialize import to_data
 
@@ -81,12 +81,12 @@ class Prompter:
 
     asked, changes, slips = 0, (), ()
 
-    def run(self, paper, sources, limits):
+    def run(self, redacted, sources, limits):
         lines = [{"cell": number, "outputs": self._outputs(source)} for number, source in enumerate(sources)]
         for change in self.changes:
             lines = change_json(lines, [change], (*LEAVES, lines[-1:]))
-        said = "\n".join(map(json.dumps, lines if isinstance(lines, list) else [lines]))
-        return Ran(change_text(said, self.slips).encode(errors="surrogatepass"), "", 0.1, 50.0)
+        text = "\n".join(map(json.dumps, lines if isinstance(lines, list) else [lines]))
+        return RunOutcome(change_text(text, self.slips).encode(errors="surrogatepass"), "", 0.1, 50.0)
 
     def _outputs(self, source):
         outputs = [{"output_type": "stream", "name": "stdout", "text": "0.5\n"}]
@@ -105,16 +105,16 @@ class Rehearsal(Grader):
         self.sheet, self.is_safe, self._runner, self._limits = sheet, False, Prompter(), Limits()
         self._templates = [(each.number, each.title, each.points) for each in find_sheet(sheet.name).problems]
 
-    def _ask(self, message):
-        told = receive(io.BytesIO(pack(message)))
-        answer = judging._answer(COURSE, {**told, "sheet": self.sheet.name})
+    def _ask_judge(self, message):
+        request = receive_message(io.BytesIO(encode_message(message)))
+        answer = judging._respond(COURSE, {**request, "sheet": self.sheet.name})
         assert "error" not in answer, answer
-        return receive(io.BytesIO(pack(answer)))
+        return receive_message(io.BytesIO(encode_message(answer)))
 
 
 @cache
 def grader():
-    return Rehearsal(master(released()))
+    return Rehearsal(read_released_sheet(released()))
 
 
 @cache
@@ -158,7 +158,7 @@ def _encoded(text):
 @given(st.deferred(cases))
 def test_every_student_of_any_submission_gets_valid_points_and_a_reason(case):
     kind, files, roster_text, (changes, slips, flips), asked = case
-    signal.signal(signal.SIGPROF, judging._too_long)
+    signal.signal(signal.SIGPROF, judging._raise_timeout)
     prompter = grader()._runner
     prompter.changes, prompter.slips, prompter.asked = changes, slips, asked
     with tempfile.TemporaryDirectory() as root:
@@ -166,19 +166,23 @@ def test_every_student_of_any_submission_gets_valid_points_and_a_reason(case):
             roster = _roster(Path(root), roster_text)
             gathered = gather(_laid(Path(root), kind, files, flips), SHEET, roster)
         except ValueError as error:
-            assert_explained(error, ValueError, Refused)
+            assert_explained(error, ValueError, UnreadableFile)
             return
-        book = Book(Path(root) / "out")
-        for task in tasks(gathered.handed, grader().sheet, False, lambda *_: False):
-            result = task.signed(grader().grade(task.drawn_for, task.content))
+        store = ResultStore(Path(root) / "out")
+        for job in make_jobs(gathered.submissions, grader().sheet, False, lambda *_: False):
+            result = job.complete(grader().grade(job.seed_id, job.content))
             assert_fair(result)
-            book.keep(result, task.mark)
-            kept = book.kept(result.student, task.mark)
-            assert kept is not None
-            assert (kept.points, kept.status, len(kept.cells)) == (result.points, result.status, len(result.cells))
-            assert_fit_for_nbgrader(task.content, result)
+            store.save(result, job.fingerprint)
+            loaded = store.load(result.student, job.fingerprint)
+            assert loaded is not None
+            assert (loaded.points, loaded.status, len(loaded.cells)) == (
+                result.points,
+                result.status,
+                len(result.cells),
+            )
+            assert_fit_for_nbgrader(job.content, result)
         try:
-            publish(Path(root) / "out", gathered.handed, book, roster, None)
+            publish(Path(root) / "out", gathered.submissions, store, roster, None)
         except ValueError as error:
             assert_explained(error)
 
@@ -194,10 +198,10 @@ def assert_fair(result):
 def assert_fit_for_nbgrader(content, result):
     with suppress(Exception), warnings.catch_warnings(action="ignore"):
         # what nbformat cannot read is filled in the sheet that was handed out
-        notebook = filled(restored(content, result, handed_out()), result)
+        notebook = fill_outputs(restore_metadata(content, result, handed_out()), result)
         nbformat.validate(notebook)
         return
-    nbformat.validate(filled(restored(None, result, handed_out()), result))
+    nbformat.validate(fill_outputs(restore_metadata(None, result, handed_out()), result))
 
 
 def _roster(root, text):

@@ -1,1 +1,1 @@
-"""What was handed in: folders, zips, rosters, notebooks."""
+"""What students submitted: folders, zip files, rosters and notebooks, read without trust."""

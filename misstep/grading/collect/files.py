@@ -1,7 +1,7 @@
-"""Files that somebody handed in, in a folder or a zip, read without trust and never unpacked.
+"""Submitted files, in a folder or in a zip file, read without trust and without unpacking the zip file.
 
-A link is not followed, a pipe is not opened, a member of a zip that says it lies outside is not believed, and nothing is
-read beyond what a notebook may have. Each of these is a fault with a sentence, which becomes a student's reason.
+Links are not followed, pipes are not opened, zip members with a path outside of the archive are refused, and no more is
+read of a file than a notebook may have. Each of these faults is a sentence for the student.
 """
 
 import lzma
@@ -16,134 +16,141 @@ from functools import partial
 from pathlib import Path, PurePosixPath
 from typing import Protocol
 
-from misstep.grading.collect.submission import LARGEST
+from misstep.grading.collect.notebook import MAX_NOTEBOOK_BYTES
 
-MOST_FILES = 100_000
-"""A download of more files than that is none of a course."""
+MAX_FILES = 100_000
+"""The most files that the download of a sheet may have."""
 
-DAMAGED = (
+ARCHIVE_ERRORS = (
     *(zipfile.BadZipFile, zlib.error, lzma.LZMAError, struct.error),
     *(NotImplementedError, RuntimeError, ValueError, EOFError, OSError),
 )
-"""What comes of a zip whose bytes were changed, depending on which."""
+"""The errors that zipfile raises for damaged archives, depending on which bytes are wrong."""
 
-SKIPPED = ("__MACOSX", "Thumbs.db", "desktop.ini")
+SKIPPED_NAMES = ("__MACOSX", "Thumbs.db", "desktop.ini")
 
-
-class Refused(ValueError):
-    """This file is not read. The message says why, to the student."""
+MAX_MB = f"{MAX_NOTEBOOK_BYTES / 1e6:.0f} MB"
 
 
-class Read(Protocol):
-    """Gives the bytes of a file, or raises Refused."""
+class UnreadableFile(ValueError):
+    """This file is not read. The message is for the student."""
+
+
+class ReadBytes(Protocol):
+    """Returns the bytes of a file, or raises UnreadableFile."""
 
     def __call__(self) -> bytes: ...
 
 
 @dataclass(frozen=True)
 class File:
-    """A file: its path below the folder or in the archive, when it was changed (any scale), and how to read it.
+    """A file: its path below the folder or in the archive, when it was modified (any scale), and how to read it.
 
-    is_there  False for what stands in an empty folder: somebody is known who handed nothing in
+    exists  False for the placeholder of an empty folder: its student is known, but submitted nothing
     """
 
     path: PurePosixPath
-    changed: float
-    read: Read
-    is_there: bool = True
+    modified: float
+    read: ReadBytes
+    exists: bool = True
 
     @property
     def is_notebook(self) -> bool:
-        """Whether its name ends as that of a notebook."""
+        """Whether its name ends like that of a notebook."""
         return self.path.suffix.lower() == ".ipynb"
 
 
-def files(source: Path) -> list[File]:
-    """Every file of a folder, or of a zip, in the order of paths. Hidden ones, and those of file managers, are left out.
+def list_files(source: Path) -> list[File]:
+    """Every file of a folder or of a zip file, ordered by path. Hidden files and those of file managers are left out.
 
-    Raises ValueError for what is neither, and for a zip that cannot be read at all.
+    Raises ValueError if the source is neither a folder nor a zip file, and for a zip file that cannot be read at all.
     """
     if source.is_dir():
-        found = _of_folder(source)
+        files = _files_of_folder(source)
     elif zipfile.is_zipfile(source):
-        found = _of_zip(source)
+        files = _files_of_zip(source)
     else:
-        raise ValueError(f"{source} is neither a folder nor a zip. Give what holds the submissions.")
-    return sorted((file for file in found if not _is_skipped(file.path)), key=lambda file: file.path)
+        raise ValueError(
+            f"{source} is neither a folder nor a zip file. Give the folder or the zip file of the submissions."
+        )
+    return sorted((file for file in files if not _is_skipped(file.path)), key=lambda file: file.path)
 
 
 def _is_skipped(path: PurePosixPath) -> bool:
-    return any(part.startswith(".") or part in SKIPPED for part in path.parts)
+    return any(part.startswith(".") or part in SKIPPED_NAMES for part in path.parts)
 
 
-def _of_folder(folder: Path) -> Iterator[File]:
+def _files_of_folder(folder: Path) -> Iterator[File]:
     count = 0
-    for place, folders, names in os.walk(folder):
+    for current, folders, names in os.walk(folder):
         folders[:] = [name for name in folders if not name.startswith(".")]
-        below = PurePosixPath(Path(place).relative_to(folder))
+        relative = PurePosixPath(Path(current).relative_to(folder))
         count += len(names)
-        if count > MOST_FILES:
-            raise ValueError(f"{folder} holds more than {MOST_FILES} files. Give the folder of the submissions alone.")
+        if count > MAX_FILES:
+            raise ValueError(
+                f"{folder} has more than {MAX_FILES} files. Give the folder that has only the submissions."
+            )
         for name in names:
-            path = Path(place, name)
-            yield File(below / name, path.lstat().st_mtime, partial(_read, path))
+            path = Path(current, name)
+            yield File(relative / name, path.lstat().st_mtime, partial(_read, path))
         for name in folders:
-            if (path := Path(place, name)).is_symlink():
-                yield File(below / name / name, 0.0, partial(_read, path))
-        if not names and not folders and below.parts:
-            yield File(below / "nothing", 0.0, bytes, is_there=False)
+            if (path := Path(current, name)).is_symlink():
+                yield File(relative / name / name, 0.0, partial(_read, path))
+        if not names and not folders and relative.parts:
+            yield File(relative / "nothing", 0.0, bytes, exists=False)
 
 
 def _read(path: Path) -> bytes:
-    """Read a plain file. What is looked at is what was opened: nobody swaps it in between."""
+    """Read a regular file. The type is checked on the open file, so that it cannot be replaced between check and read."""
     try:
         descriptor = os.open(path, os.O_RDONLY | os.O_NOFOLLOW | os.O_NONBLOCK)
     except OSError as error:
         if path.is_symlink():
-            raise Refused(
+            raise UnreadableFile(
                 f"{path.name} is a link to another place, not a file. Hand in the notebook itself."
             ) from error
-        raise Refused(f"{path.name} could not be opened: {error.strerror}.") from error
+        raise UnreadableFile(f"{path.name} could not be opened: {error.strerror}.") from error
     with os.fdopen(descriptor, "rb") as stream:
         if not stat.S_ISREG(os.fstat(descriptor).st_mode):
-            raise Refused(f"{path.name} is no plain file. Hand in the notebook itself.")
-        return stream.read(LARGEST + 1)
+            raise UnreadableFile(f"{path.name} is not a regular file. Hand in the notebook itself.")
+        return stream.read(MAX_NOTEBOOK_BYTES + 1)
 
 
-def _of_zip(source: Path) -> Iterator[File]:
+def _files_of_zip(source: Path) -> Iterator[File]:
     try:
-        archive = zipfile.ZipFile(source)  # open as long as its files are: each is read when its turn comes
-    except DAMAGED as error:
+        archive = zipfile.ZipFile(
+            source
+        )  # it stays open while its files exist, and each file is read when it is needed
+    except ARCHIVE_ERRORS as error:
         raise ValueError(f"{source} is damaged: {error}. Download it again.") from error
     members = [member for member in archive.infolist() if not member.is_dir()]
-    if len(members) > MOST_FILES:
-        raise ValueError(f"{source} holds more than {MOST_FILES} files. Is it the download of one sheet?")
+    if len(members) > MAX_FILES:
+        raise ValueError(f"{source} has more than {MAX_FILES} files. Is it the download of one sheet?")
     for member in members:
-        steps = member.filename.replace("\\", "/").split("/")
-        inside = [step for step in steps if step not in {"", ".", ".."} and not step.endswith(":")]
-        if inside:
-            when = float("".join(f"{number:04}" for number in member.date_time))
-            yield File(PurePosixPath(*inside), when, partial(_unpacked, archive, member, inside == steps))
+        parts = member.filename.replace("\\", "/").split("/")
+        safe_parts = [part for part in parts if part not in {"", ".", ".."} and not part.endswith(":")]
+        if safe_parts:
+            modified = float("".join(f"{number:04}" for number in member.date_time))
+            read = partial(_read_member, archive, member, safe_parts == parts)
+            yield File(PurePosixPath(*safe_parts), modified, read)
 
 
-def _unpacked(archive: zipfile.ZipFile, member: zipfile.ZipInfo, is_inside: bool) -> bytes:
+def _read_member(archive: zipfile.ZipFile, member: zipfile.ZipInfo, is_inside: bool) -> bytes:
     name = PurePosixPath(member.filename).name
     if not is_inside:
-        raise Refused(f"The path of {name} leads out of its archive. Hand in the notebook itself.")
+        raise UnreadableFile(f"The path of {name} leads out of its archive. Hand in the notebook itself.")
     if stat.S_ISLNK(member.external_attr >> 16):
-        raise Refused(f"{name} is a link to another place, not a file. Hand in the notebook itself.")
-    if member.file_size > LARGEST:
-        raise Refused(
-            f"{name} unpacks to {member.file_size / 1e6:.0f} MB, and more than {LARGEST / 1e6:.0f} is not read."
-        )
+        raise UnreadableFile(f"{name} is a link to another place, not a file. Hand in the notebook itself.")
+    if member.file_size > MAX_NOTEBOOK_BYTES:
+        raise UnreadableFile(f"{name} unpacks to {member.file_size / 1e6:.0f} MB; at most {MAX_MB} are read.")
     try:
         with archive.open(member) as stream:
-            return stream.read(LARGEST + 1)
-    except DAMAGED as error:
-        raise Refused(f"{name} is damaged or locked in its archive: {error}.") from error
+            return stream.read(MAX_NOTEBOOK_BYTES + 1)
+    except ARCHIVE_ERRORS as error:
+        raise UnreadableFile(f"{name} is damaged or encrypted in its archive: {error}.") from error
 
 
-def named(found: Sequence[File]) -> str:
-    """Some files by their names, for a sentence."""
-    names = [file.path.name for file in found]
+def list_names(files: Sequence[File]) -> str:
+    """The names of some files, for a sentence; of many, the first five."""
+    names = [file.path.name for file in files]
     return ", ".join(names[:5]) + (f" and {len(names) - 5} more" if len(names) > 5 else "")

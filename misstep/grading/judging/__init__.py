@@ -1,1 +1,1 @@
-"""From a submission to its result: the redacted sheet, the answers that came out, the judge."""
+"""Judging: from one submission to its result. The judge runs in a process that never runs student code."""

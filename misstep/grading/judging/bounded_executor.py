@@ -1,37 +1,37 @@
-"""Work: submissions handed to an executor, a few at a time, each graded once and given back as soon as it is."""
+"""Run jobs on an executor, a few at a time, and yield each result as soon as it is there."""
 
 from collections.abc import Callable, Iterable, Iterator
 from concurrent.futures import FIRST_COMPLETED, Future, wait
 from typing import TypeVar
 
-Task = TypeVar("Task")
-Done = TypeVar("Done")
+Job = TypeVar("Job")
+Outcome = TypeVar("Outcome")
 
 
-def as_done(
-    submit: Callable[[Task], Future[Done]], tasks: Iterable[Task], ahead: int
-) -> Iterator[tuple[Task, Done | BaseException]]:
-    """Each task with what came of it, or with the error that kept anything from coming, as they are done.
+def run_bounded(
+    submit: Callable[[Job], Future[Outcome]], jobs: Iterable[Job], max_pending: int
+) -> Iterator[tuple[Job, Outcome | BaseException]]:
+    """Each job with its outcome, or with the error that it raised, in the order in which they finish.
 
-    submit  hands a task to an executor
-    ahead   how many may be with the executor: a task is made when its turn comes, so that a thousand notebooks are never in
-            memory together
+    submit       gives a job to an executor
+    max_pending  how many jobs the executor may have at a time. A job is made when there is room for it, so that a thousand
+                 notebooks are never in memory together
 
     >>> from concurrent.futures import ThreadPoolExecutor
     >>> with ThreadPoolExecutor(1) as pool:
-    ...     dict(as_done(lambda x: pool.submit(abs, x), [-1, -2], ahead=1))
+    ...     dict(run_bounded(lambda x: pool.submit(abs, x), [-1, -2], max_pending=1))
     {-1: 1, -2: 2}
     """
-    waiting: dict[Future[Done], Task] = {}
-    coming = iter(tasks)
+    pending: dict[Future[Outcome], Job] = {}
+    remaining = iter(jobs)
     try:
         while True:
-            while len(waiting) < ahead and (task := next(coming, None)) is not None:
-                waiting[submit(task)] = task
-            if not waiting:
+            while len(pending) < max_pending and (job := next(remaining, None)) is not None:
+                pending[submit(job)] = job
+            if not pending:
                 return
-            for future in wait(waiting, return_when=FIRST_COMPLETED).done:
-                yield waiting.pop(future), future.exception() or future.result()
+            for future in wait(pending, return_when=FIRST_COMPLETED).done:
+                yield pending.pop(future), future.exception() or future.result()
     finally:
-        for future in waiting:
+        for future in pending:
             future.cancel()

@@ -1,7 +1,7 @@
-"""More than one machine: the same submissions, graded by the workers of a running Dask cluster.
+"""Grade on more than one machine: the same submissions, graded by the workers of a running Dask cluster.
 
-Each process of a worker keeps one grader for each sheet: a server of forks and a judge of its own. A worker that dies loses
-what it had in hand; the scheduler gives that to another, and each result is written down once, here.
+Each worker process keeps one grader for each sheet, with a server and a judge of its own. If a worker dies, the scheduler
+gives its submissions to another worker. Each result is written once, by the process that started the grading.
 """
 
 import atexit
@@ -12,31 +12,31 @@ from dataclasses import replace
 from pathlib import Path
 from threading import Lock
 
-from misstep.grading.collect.submission import Master
+from misstep.grading.collect.run_plan import ReleasedSheet
 from misstep.grading.judging.grader import Grader
 from misstep.grading.judging.result import Result
 from misstep.grading.sandbox.limits import Limits
 
 GRADERS: dict[str, Grader] = {}
-STARTING = Lock()
+GRADERS_LOCK = Lock()
 
-PATIENCE = "10s"
+CONNECT_TIMEOUT = "10s"
 """How long a scheduler may take to answer."""
 
 
-class Unreachable(RuntimeError):
-    """No cluster answers."""
+class ClusterUnreachable(RuntimeError):
+    """No cluster answers at the address, or it has no workers."""
 
 
-def grade_here(sheet: Master, limits: Limits, is_safe: bool, student: str, content: bytes | None) -> Result:
-    """Grade a submission in this process, whichever it is.
+def grade_on_worker(sheet: ReleasedSheet, limits: Limits, is_safe: bool, student: str, content: bytes | None) -> Result:
+    """Grade a submission in this worker process.
 
-    Raises misstep.grading.sandbox.limits.Missing where this machine cannot give the sandbox.
+    Raises SandboxUnavailable if this machine cannot provide the sandbox.
     """
-    # The folder is one of whoever grades. Only the sheet of a robot needs it, and says so if its file is not here.
+    # The folder may exist only on the instructor's machine. Only a robot's own sheet needs it, and its error says so.
     sheet = sheet if sheet.folder.is_dir() else replace(sheet, folder=Path.cwd())
     key = repr((sheet, limits, is_safe))
-    with STARTING:
+    with GRADERS_LOCK:
         if key not in GRADERS:
             GRADERS[key] = Grader(sheet, limits, is_safe)
             atexit.register(GRADERS[key].close)
@@ -44,21 +44,23 @@ def grade_here(sheet: Master, limits: Limits, is_safe: bool, student: str, conte
 
 
 @contextmanager
-def cluster(address: str) -> Iterator[tuple[Executor, int]]:
-    """The executor of a running cluster, and how many tasks it takes at a time.
+def connect(address: str) -> Iterator[tuple[Executor, int]]:
+    """The executor of a running cluster, and how many jobs it runs at a time.
 
-    Raises Unreachable when nothing answers at the address, or has no workers.
+    Raises ClusterUnreachable if no scheduler answers at the address, or if it has no workers.
     """
     try:
         from distributed import Client
     except ImportError as error:
-        raise Unreachable("--cluster needs the package distributed: pip install distributed.") from error
+        raise ClusterUnreachable("--cluster needs the package distributed: pip install distributed.") from error
     try:
-        client = Client(address, timeout=PATIENCE, set_as_default=False)
+        client = Client(address, timeout=CONNECT_TIMEOUT, set_as_default=False)
     except (OSError, ValueError) as error:
-        raise Unreachable(f"No Dask scheduler answers at {address}: {error}. Is it started, and reachable?") from error
+        raise ClusterUnreachable(
+            f"No Dask scheduler answers at {address}: {error}. Is it started, and reachable from here?"
+        ) from error
     with client:
         threads = sum(client.nthreads().values())
         if not threads:
-            raise Unreachable(f"The scheduler at {address} has no workers. Start some: dask worker {address}.")
+            raise ClusterUnreachable(f"The scheduler at {address} has no workers. Start one: dask worker {address}.")
         yield client.get_executor(), threads

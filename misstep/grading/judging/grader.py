@@ -1,7 +1,7 @@
-"""Grading one submission: bytes in, a Result out, whatever the bytes are.
+"""Grade one submission: bytes in, a Result out, whatever the bytes are.
 
-The submission runs in a sandbox and gives answers as data. The judge, in a process that never runs what a student wrote,
-reads them and gives the points. This module carries messages between the two, and says what happened.
+The submission runs in the sandbox and emits its answers as data. The judge, in a process that never runs student code, reads
+them and computes the points. This module connects the two, and records what happened.
 """
 
 import time
@@ -14,46 +14,47 @@ from types import TracebackType
 from typing import Any
 
 from misstep.catalog import find_course
-from misstep.grading.collect.submission import Broken, Master, Plan, plan
-from misstep.grading.judging.parse_output import Heard, hear
+from misstep.grading.collect.notebook import UnusableNotebook
+from misstep.grading.collect.run_plan import ReleasedSheet, RunPlan, plan_run
+from misstep.grading.judging.parse_output import ParsedOutput, parse_output
 from misstep.grading.judging.result import ProblemResult, Result
 from misstep.grading.sandbox.course_stub import setup_for
-from misstep.grading.sandbox.limits import Limits, Missing
-from misstep.grading.sandbox.rpc import Gone, Peer
-from misstep.grading.sandbox.runner import Ran, Runner
+from misstep.grading.sandbox.limits import Limits, SandboxUnavailable
+from misstep.grading.sandbox.rpc import ProcessEnded, Worker
+from misstep.grading.sandbox.runner import Runner, RunOutcome
 
-JUDGING = 60.0
-"""Seconds that the judge may take for a sheet, and then for each problem by itself."""
+JUDGE_SECONDS = 60.0
+"""How long the judge may take for a sheet, and, if that fails, for each problem alone."""
 
-MOST_RUNS = 4
-"""So often the cells of one submission run: each time without one more that ended the process."""
+MAX_RUNS = 4
+"""How often the cells of one submission are run, each time without one more cell that ended the process."""
 
 ENDED_ITSELF = "the process ended itself"
 
 
 class Grader:
-    """Grades submissions of one sheet. Any number of threads may use one grader; close it when all is done.
+    """Grades submissions of one sheet. Any number of threads may use one grader. Close it after use.
 
-    Raises misstep.grading.sandbox.limits.Missing when the sandbox lacks a layer here, unless is_safe is False; ValueError for a sheet
-    that the judge cannot find.
+    Raises SandboxUnavailable if this machine cannot provide a layer of the sandbox, unless is_safe is False; ValueError
+    for a sheet that the judge cannot open.
     """
 
-    def __init__(self, sheet: Master, limits: Limits | None = None, is_safe: bool = True) -> None:
+    def __init__(self, sheet: ReleasedSheet, limits: Limits | None = None, is_safe: bool = True) -> None:
         self.sheet, self.is_safe = sheet, is_safe
         self._limits = limits or Limits()
-        self._lock, self._judging = Lock(), Lock()
-        self._judge = self._new_judge()  # it imports while the server does
+        self._runner_lock, self._judge_lock = Lock(), Lock()
+        self._judge = self._start_judge()  # first, because it imports while the server does
         try:
-            self._setup = setup_for(find_course(sheet.course))
+            self._setup = setup_for(find_course(sheet.course), sheet.folder)
             self._runner = Runner(self._setup, is_safe)
-        except Missing:
-            self._judge.end()
+        except (SandboxUnavailable, ValueError):
+            self._judge.stop()
             raise
-        told = self._ask({"ask": "problems"})
-        if "error" in told:
+        answer = self._ask_judge({"request": "problems"})
+        if "error" in answer:
             self.close()
-            raise ValueError(f"The judge cannot open sheet {sheet.name}. {told['error']}")
-        self._templates: list[tuple[str, str, int]] = [(n, title, points) for n, title, points in told["problems"]]
+            raise ValueError(f"The judge cannot open sheet {sheet.name}. {answer['error']}")
+        self._templates: list[tuple[str, str, int]] = [(n, title, points) for n, title, points in answer["problems"]]
 
     def __enter__(self) -> "Grader":
         return self
@@ -66,152 +67,161 @@ class Grader:
     def close(self) -> None:
         """End the server and the judge."""
         self._runner.close()
-        self._judge.end()
+        self._judge.stop()
 
     def grade(self, student: str, content: bytes | None) -> Result:
-        """Grade what a student handed in; None where nothing was. It never raises for what is in the submission."""
-        began = time.monotonic()
+        """Grade the notebook of a student; content is None if nothing was submitted.
+
+        No error in the submission makes it raise: each one becomes the reason of a result.
+        """
+        start = time.monotonic()
         digest = sha256(content).hexdigest() if content is not None else ""
         try:
             if content is None:
-                raise Broken("Nothing was handed in.")
-            planned = plan(self.sheet, content)
-            seed, paper = self._paper(student)
-            ran, heard = self._heard(paper, planned)
-        except Broken as fault:
-            problems = self._problems({}, {}, {})
-            return self._result(student, "broken", str(fault), problems, digest=digest, began=began)
-        odd = {k: [*planned.odd.get(k, ()), *heard.faults(k)] for k in self.sheet.checks}
-        verdicts = self._verdicts(student, seed, heard.answers)
-        status, reason = _ending(planned, ran, heard)
+                raise UnusableNotebook("Nothing was handed in.")
+            plan = plan_run(self.sheet, content)
+            seed, redacted = self._redacted_sheet(student)
+            outcome, parsed = self._run_until_complete(redacted, plan)
+        except UnusableNotebook as error:
+            problems = self._problem_results({}, {}, {})
+            return self._result(student, "broken", str(error), problems, digest=digest, start=start)
+        notes = {k: [*plan.remarks.get(k, ()), *parsed.check_errors(k)] for k in self.sheet.checks}
+        verdicts = self._verdicts(student, seed, parsed.answers)
+        status, reason = _status(plan, outcome, parsed)
         return self._result(
             student,
             status,
             reason,
-            self._problems(verdicts, heard.answers, odd),
-            notes=heard.remarks(student),
-            typed_id=heard.typed_id,
+            self._problem_results(verdicts, parsed.answers, notes),
+            notes=parsed.remarks(student),
+            typed_id=parsed.typed_id,
             digest=digest,
-            began=began,
-            cells=heard.cells,
+            start=start,
+            cells=parsed.cells,
         )
 
     def _result(
-        self, student: str, status: str, reason: str, problems: Sequence[ProblemResult], *, began: float, **more: Any
+        self, student: str, status: str, reason: str, problems: Sequence[ProblemResult], *, start: float, **more: Any
     ) -> Result:
-        points, most = sum(problem.points for problem in problems), sum(problem.max for problem in problems)
-        seconds = time.monotonic() - began
         return Result(
             student,
             self.sheet.name,
-            points,
-            most,
+            sum(problem.points for problem in problems),
+            sum(problem.max for problem in problems),
             status,
             reason,
             problems,
             is_safe=self.is_safe,
-            seconds=seconds,
+            seconds=time.monotonic() - start,
             **more,
         )
 
-    def _problems(
-        self, verdicts: Mapping[str, Any], answers: Mapping[str, Any], odd: Mapping[int, Sequence[str]]
+    def _problem_results(
+        self, verdicts: Mapping[str, Any], answers: Mapping[str, Any], notes: Mapping[int, Sequence[str]]
     ) -> list[ProblemResult]:
-        found = []
-        for k, (number, title, most) in enumerate(self._templates, start=1):
-            verdict = verdicts.get(str(k)) or UNHEARD
-            state = verdict["state"] if str(k) in answers else "missing"
-            points = most * float(verdict["fraction"])
-            text, html, mistakes = verdict["text"], verdict["html"], verdict["mistakes"]
-            of_problem = number, title, points, most, state
-            data = answers.get(str(k)), verdict.get("right")
-            found.append(ProblemResult(*of_problem, text, html, mistakes, odd.get(k, ()), *data))
-        return found
+        results = []
+        for k, (number, title, max_points) in enumerate(self._templates, start=1):
+            verdict = verdicts.get(str(k)) or NO_ANSWER
+            results.append(
+                ProblemResult(
+                    number,
+                    title,
+                    max_points * float(verdict["fraction"]),
+                    max_points,
+                    verdict["state"] if str(k) in answers else "missing",
+                    verdict["text"],
+                    verdict["html"],
+                    verdict["mistakes"],
+                    notes.get(k, ()),
+                    answers.get(str(k)),
+                    verdict.get("right"),
+                )
+            )
+        return results
 
-    def _new_judge(self) -> Peer:
-        # On another machine the folder may be missing; then there is no robot's own sheet, and the judge says so.
-        return Peer(
+    def _start_judge(self) -> Worker:
+        # On another machine the folder may not exist; then a robot's own sheet is not found, and the judge says so.
+        return Worker(
             "misstep.grading.judging.judge_process",
             self.sheet.folder if self.sheet.folder.is_dir() else Path(),
             self.sheet.course,
         )
 
-    def _heard(self, paper: str, planned: Plan) -> tuple[Ran, Heard]:
-        """Run the cells, and hear what they gave. If one ends the process, the others run again without it.
+    def _run_until_complete(self, redacted: str, plan: RunPlan) -> tuple[RunOutcome, ParsedOutput]:
+        """Run the cells and parse their output. If a cell ends the process, run the others again without it.
 
-        A crash in one problem costs that problem, and no later one. All runs together have the time of one.
+        So a crash in one problem costs only that problem. All runs together have the time of one. The longest run counts.
         """
-        sources = [step.source for step in planned.steps]
-        told: list[tuple[Ran, Heard]] = []
-        end = time.monotonic() + self._limits.seconds
-        while len(told) < MOST_RUNS and (left := end - time.monotonic()) > 0:
-            ran = self._run(paper, sources, replace(self._limits, seconds=left))
-            heard = hear(self.sheet.name, planned, ran.said)
-            told.append((ran, heard))
-            if len(heard.cells) == len(sources) or not ran.by_itself:
+        sources = [cell.source for cell in plan.cells]
+        runs: list[tuple[RunOutcome, ParsedOutput]] = []
+        deadline = time.monotonic() + self._limits.seconds
+        while len(runs) < MAX_RUNS and (remaining := deadline - time.monotonic()) > 0:
+            outcome = self._run(redacted, sources, replace(self._limits, seconds=remaining))
+            parsed = parse_output(self.sheet.name, plan, outcome.output)
+            runs.append((outcome, parsed))
+            if len(parsed.cells) == len(sources) or not outcome.ended_by_itself:
                 break
-            why = f"This cell was left out, and the others ran without it: {ran.ended or ENDED_ITSELF}."
-            sources[len(heard.cells)] = f"raise RuntimeError({why!r})"
-        return max(told, key=lambda each: len(each[1].cells))
+            reason = outcome.end_reason or ENDED_ITSELF
+            message = f"This cell was left out, and the other cells were run without it: {reason}."
+            sources[len(parsed.cells)] = f"raise RuntimeError({message!r})"
+        return max(runs, key=lambda run: len(run[1].cells))
 
-    def _run(self, paper: str, sources: Sequence[str], limits: Limits) -> Ran:
-        """Run the cells once. A server that has ended is started anew, once."""
+    def _run(self, redacted: str, sources: Sequence[str], limits: Limits) -> RunOutcome:
+        """Run the cells once. If the server has ended, it is restarted once."""
         for _ in range(2):
             runner = self._runner
             try:
-                return runner.run(paper, sources, limits)
-            except Gone:
-                with self._lock:
+                return runner.run(redacted, sources, limits)
+            except ProcessEnded:
+                with self._runner_lock:
                     if self._runner is runner:
                         runner.close()
                         self._runner = Runner(self._setup, self.is_safe)
-        raise Broken("The run took the server of forks down twice. Please tell whoever grades.")
+        raise UnusableNotebook("This submission crashed the grader twice. Please tell your instructor.")
 
-    def _paper(self, student: str) -> tuple[int, str]:
-        """The student's paper and its seed."""
-        told = self._ask({"ask": "paper", "student": student})
-        if "error" in told:
-            raise Broken(f"The sheet could not be drawn for {student!r}: {told['error']}")
-        return told["seed"], told["paper"]
+    def _redacted_sheet(self, student: str) -> tuple[int, str]:
+        """The student's redacted sheet, and the seed of this run."""
+        answer = self._ask_judge({"request": "redacted sheet", "student": student})
+        if "error" in answer:
+            raise UnusableNotebook(f"The numbers of {student!r} could not be drawn: {answer['error']}")
+        return answer["seed"], answer["sheet"]
 
     def _verdicts(self, student: str, seed: int, answers: Mapping[str, Any]) -> dict[str, Any]:
-        """Judge the answers; if that fails for all together, one by one, so that one answer costs one problem."""
-        message = {"ask": "verdicts", "student": student, "seed": seed}
-        told = self._ask({**message, "answers": answers})
-        if "verdicts" in told:
-            return dict(told["verdicts"])
-        found = {}
+        """Judge the answers together; if that fails, one by one, so that a fault in one answer costs one problem."""
+        message = {"request": "verdicts", "student": student, "seed": seed}
+        together = self._ask_judge({**message, "answers": answers})
+        if "verdicts" in together:
+            return dict(together["verdicts"])
+        verdicts = {}
         for k, answer in answers.items():
-            alone = self._ask({**message, "answers": {k: answer}})
-            found[k] = alone.get("verdicts", {}).get(k) or UNJUDGED
-        return found
+            alone = self._ask_judge({**message, "answers": {k: answer}})
+            verdicts[k] = alone.get("verdicts", {}).get(k) or NOT_JUDGED
+        return verdicts
 
-    def _ask(self, message: Mapping[str, Any]) -> dict[str, Any]:
-        """Ask the judge; one that has ended is started anew, and says so by an error."""
-        with self._judging:  # one at a time, so that nobody's seconds run while another is judged
+    def _ask_judge(self, message: Mapping[str, Any]) -> dict[str, Any]:
+        """Send a request to the judge. If the judge has ended, it is restarted, and the answer has the key "error"."""
+        with self._judge_lock:  # one request at a time, so that waiting does not count as judging
             try:
-                return self._judge.ask({**message, "sheet": self.sheet.name}, JUDGING)
-            except Gone as gone:
-                self._judge.end()
-                self._judge = self._new_judge()
-                return {"error": str(gone)}
+                return self._judge.request({**message, "sheet": self.sheet.name}, JUDGE_SECONDS)
+            except ProcessEnded as error:
+                self._judge.stop()
+                self._judge = self._start_judge()
+                return {"error": str(error)}
 
 
-def _zero(state: str, text: str) -> dict[str, Any]:
+def _zero_points(state: str, text: str) -> dict[str, Any]:
     return {"state": state, "fraction": 0.0, "mistakes": [], "text": text, "html": f"<p>{text}</p>"}
 
 
-UNHEARD = _zero("missing", "No answer came from this problem.")
-UNJUDGED = _zero("unreadable", "This answer could not be judged in the time there is for it.")
+NO_ANSWER = _zero_points("missing", "No answer was received for this problem.")
+NOT_JUDGED = _zero_points("unreadable", "This answer could not be judged within its time limit.")
 
 
-def _ending(planned: Plan, ran: Ran, heard: Heard) -> tuple[str, str]:
-    """Whether the run came to its end, and if not, why and where."""
-    count = len(heard.cells)
-    if count == len(planned.steps):
+def _status(plan: RunPlan, outcome: RunOutcome, parsed: ParsedOutput) -> tuple[str, str]:
+    """Whether the run came to its end, and if not, where it stopped and why."""
+    count = len(parsed.cells)
+    if count == len(plan.cells):
         return "graded", ""
-    why = ran.ended or ENDED_ITSELF
-    return (
-        "stopped",
-        f"The run stopped in code cell {count + 1} of {len(planned.steps)}: {why}. What was answered before counts.",
-    )
+    reason = outcome.end_reason or ENDED_ITSELF
+    cell = f"code cell {count + 1} of {len(plan.cells)}"
+    return "stopped", f"The run stopped in {cell}: {reason}. The answers before it count."

@@ -1,14 +1,14 @@
-"""The judge: it draws the variants, reads answers as data, and gives the points. It never runs what a student wrote.
+"""The judge: it draws the variants, reads answers as data, and computes the points. It never runs student code.
 
     python -m misstep.grading.judging.judge_process COURSE
 
 COURSE is the package of an installed course, or the folder of another one.
 
-Three messages on stdin, answered on stdout. "problems" asks for their numbers, titles and points. "paper" asks for a
-student's sheet without answers, and comes with a seed, from which the inputs of function answers are drawn anew in every
-run. "verdicts" hands in answers, with the seed of the paper.
+It answers three kinds of requests from stdin on stdout. "problems" returns the numbers, titles and points of the sheet's
+problems. "redacted sheet" returns a student's sheet without answers, and a seed from which the inputs of function answers
+are drawn anew in every run. "verdicts" judges answers; the request has the seed of the redacted sheet.
 
-It runs in the folder of the sheet: there the file lies of a robot that brings a sheet of its own.
+It runs in the folder of the sheet, because a robot's own sheet is described by a file there.
 """
 
 import os
@@ -20,9 +20,9 @@ from functools import lru_cache
 from typing import Any
 
 from misstep.catalog import Course, find_course
-from misstep.grading.sandbox.confine import set_limits
-from misstep.grading.sandbox.redacted_sheet import written
-from misstep.grading.sandbox.rpc import pack, receive
+from misstep.grading.sandbox.confine import set_resource_limits
+from misstep.grading.sandbox.redacted_sheet import redact
+from misstep.grading.sandbox.rpc import encode_message, receive_message
 from misstep.judge import Finding, Judgement, judge
 from misstep.problem import Problem
 from misstep.sheet import Sheet
@@ -30,38 +30,38 @@ from misstep.storage.deserialize import Malformed, Opaque, from_data
 from misstep.storage.serialize import to_data
 from misstep.verdict import Verdict
 
-SECONDS = 4.0
-"""Of processor time, for one answer: a busy machine changes no verdict. The slowest that people give, a table that no mistake
-explains, takes a tenth of that."""
+ANSWER_SECONDS = 4.0
+"""Processor time for one answer, so that a busy machine changes no verdict. The slowest answers that people give, tables that
+no mistake explains, take a tenth of it."""
 
-MEMORY = 2 << 30
-"""The most memory that the judge may take: an answer may ask for more than it says."""
+MEMORY_BYTES = 2 << 30
+"""The most memory that the judge may use, because a short answer may need a lot of memory to read."""
 
 
-def paper(course: Course, sheet: Sheet, student: str) -> dict[str, Any]:
+def redacted_sheet(course: Course, sheet: Sheet, student: str) -> dict[str, Any]:
     """A student's sheet without answers, and the seed of this run."""
     seed = secrets.randbits(64)
-    return {"seed": seed, "paper": written(sheet, _problems(course, sheet, student, seed))}
+    return {"seed": seed, "sheet": redact(sheet, _problems(course, sheet, student, seed))}
 
 
 def verdicts(course: Course, sheet: Sheet, student: str, seed: int, answers: Mapping[str, Any]) -> dict[str, Any]:
-    """Judge the answers, by problem number as text: "1" is the first. A problem without one is blank."""
+    """Judge the answers, by problem number as text: "1" is the first. A problem without an answer is blank."""
     problems = _problems(course, sheet, student, seed)
     return {str(k): _verdict(sheet, k, problem, answers.get(str(k))) for k, problem in enumerate(problems, start=1)}
 
 
 def _problems(course: Course, sheet: Sheet, student: str, seed: int) -> list[Problem]:
-    return [problem.with_inputs(seed) for problem in _drawn(course, sheet.name, student)]
+    return [problem.with_inputs(seed) for problem in _variants(course, sheet.name, student)]
 
 
 @lru_cache(maxsize=16)
-def _drawn(course: Course, sheet: str, student: str) -> list[Problem]:
-    """A student's variants: drawn for the paper, and soon asked for again."""
+def _variants(course: Course, sheet: str, student: str) -> list[Problem]:
+    """A student's variants, cached because they are needed for the redacted sheet and soon again for the verdicts."""
     return [template.variant(student) for template in course.find_sheet(sheet).problems]
 
 
 def _verdict(sheet: Sheet, k: int, problem: Problem, data: Any) -> dict[str, Any]:
-    verdict = Verdict(sheet.problems[k - 1], _judged(problem, data))
+    verdict = Verdict(sheet.problems[k - 1], _judge_answer(problem, data))
     return {
         "state": verdict.judgement.state,
         "fraction": verdict.judgement.fraction,
@@ -72,18 +72,18 @@ def _verdict(sheet: Sheet, k: int, problem: Problem, data: Any) -> dict[str, Any
     }
 
 
-def _judged(problem: Problem, data: Any) -> Judgement:
-    """Judge one answer, in the time there is for one: whoever asks for more of it has not answered."""
+def _judge_answer(problem: Problem, data: Any) -> Judgement:
+    """Judge one answer within its processor time. An answer that takes longer, or raises an error, is unreadable."""
     answer = problem.answer
     try:
-        value = from_data(data)  # before the clock runs: the first formula of all loads SymPy
+        value = from_data(data)  # before the clock starts, because the first formula imports SymPy
         if isinstance(value, Opaque):
             return _unreadable(problem, f"Expected {answer.expected}; got {value}.")
-        signal.setitimer(signal.ITIMER_PROF, SECONDS)
+        signal.setitimer(signal.ITIMER_PROF, ANSWER_SECONDS)
         return judge(problem, value)
-    except Malformed as fault:
-        return _unreadable(problem, f"The answer came in no known form. {fault}")
-    except Exception as error:  # whatever an answer makes of us, the next one is another problem's
+    except Malformed as error:
+        return _unreadable(problem, f"The data of this answer has no known form. {error}")
+    except Exception as error:  # whatever error an answer causes, the other problems must still be judged
         return _unreadable(
             problem, f"Expected {answer.expected}; the answer could not be judged: {type(error).__name__}."
         )
@@ -95,31 +95,31 @@ def _unreadable(problem: Problem, message: str) -> Judgement:
     return Judgement("unreadable", findings=[Finding(problem.answer.parts, message)])
 
 
-def _too_long(*_: Any) -> None:
-    raise TimeoutError(f"more than {SECONDS:g} s of processor time")
+def _raise_timeout(*_: Any) -> None:
+    raise TimeoutError(f"more than {ANSWER_SECONDS:g} s of processor time")
 
 
-def _answer(course: Course, message: Mapping[str, Any]) -> dict[str, Any]:
+def _respond(course: Course, message: Mapping[str, Any]) -> dict[str, Any]:
     try:
         sheet = course.find_sheet(message["sheet"])
-        if message["ask"] == "problems":
+        if message["request"] == "problems":
             return {"problems": [[template.number, template.title, template.points] for template in sheet.problems]}
-        if message["ask"] == "paper":
-            return paper(course, sheet, message["student"])
+        if message["request"] == "redacted sheet":
+            return redacted_sheet(course, sheet, message["student"])
         return {"verdicts": verdicts(course, sheet, message["student"], message["seed"], message["answers"])}
-    except Exception as error:  # whatever an answer makes of us, the next message is another student's
+    except Exception as error:  # whatever error an answer causes, the next message is about another student
         return {"error": f"{type(error).__name__}: {error}"[:500]}
 
 
-def main(reference: str) -> None:
-    """Answer messages until there are no more."""
-    course = find_course(reference)
-    set_limits({"AS": MEMORY})
+def main(course_reference: str) -> None:
+    """Answer requests until stdin ends."""
+    course = find_course(course_reference)
+    set_resource_limits({"AS": MEMORY_BYTES})
     inbox, outbox = sys.stdin.buffer, os.fdopen(os.dup(1), "wb")
-    os.dup2(2, 1)  # what a library prints is no message
-    signal.signal(signal.SIGPROF, _too_long)
-    while (message := receive(inbox)) is not None:
-        outbox.write(pack({**_answer(course, message), "id": message["id"]}))
+    os.dup2(2, 1)  # what a library prints must not mix with the messages
+    signal.signal(signal.SIGPROF, _raise_timeout)
+    while (message := receive_message(inbox)) is not None:
+        outbox.write(encode_message({**_respond(course, message), "id": message["id"]}))
         outbox.flush()
 
 

@@ -1,69 +1,67 @@
-"""Hearing what a run said: lines that untrusted code wrote, read as strictly as such lines deserve."""
+"""Parse the output of a run: lines that untrusted code may have written, so everything but the expected form is refused."""
 
 import json
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from misstep.grading.collect.submission import Plan
+from misstep.grading.collect.run_plan import RunPlan
 from misstep.grading.judging.result import RanCell
 from misstep.storage.deserialize import MIME
 
-KINDS = {"stream", "display_data", "error"}
-
-LARGEST = 256_000
-"""No answer is longer, as JSON, in characters."""
+MAX_ANSWER_CHARACTERS = 256_000
+"""The longest answer, as JSON, in characters."""
 
 
 @dataclass(frozen=True)
-class Heard:
-    """The cells as they ran, the last answer of each problem (by its number as text), and the id in the sheet."""
+class ParsedOutput:
+    """The cells that ran, the last answer to each problem (by its number as text), and the id typed in the sheet."""
 
     cells: Sequence[RanCell]
     answers: Mapping[str, Any]
     typed_id: str
 
     def remarks(self, student: str) -> list[str]:
-        """What whoever graded by hand would have noticed."""
+        """What an instructor who grades by hand would notice: another id, or cells that failed."""
         notes = []
         if self.typed_id and self.typed_id.strip().casefold() != student.strip().casefold():
             notes.append(f"The sheet was opened for {self.typed_id!r}, and graded with the numbers of {student!r}.")
         errors = [error for cell in self.cells if cell.problem is None for error in _errors(cell)]
         if errors:
-            cells = "One cell" if len(errors) == 1 else f"{len(errors)} cells, one of them"
+            cells = "One cell" if len(errors) == 1 else f"{len(errors)} cells failed. The first of them"
             notes.append(f"{cells} failed with {errors[0]}")
         return notes
 
-    def faults(self, problem: int) -> list[str]:
-        """Why the check cell of a problem gave no answer, if it gave none."""
+    def check_errors(self, problem: int) -> list[str]:
+        """Why the check cell of a problem gave no answer; an empty list if it gave one."""
         if str(problem) in self.answers:
             return []
         errors = [error for cell in self.cells if cell.problem == problem for error in _errors(cell)]
         return [f"Its check cell failed with {error}" for error in errors[-1:]]
 
 
-def hear(sheet: str, planned: Plan, said: bytes) -> Heard:
-    """Read what a run said, up to the first line that is none of ours.
+def parse_output(sheet: str, plan: RunPlan, output: bytes) -> ParsedOutput:
+    """Parse the output of a run, up to the first line that does not have the expected form.
 
-    An answer counts where it comes from the check cell of its problem; the last one counts.
+    An answer counts if it comes from the check cell of its problem. Of several answers, the last one counts.
     """
     cells: list[RanCell] = []
     answers: dict[str, Any] = {}
     typed_id = ""
-    for step, line in zip(planned.steps, said.split(b"\n"), strict=False):
-        outputs = _outputs(line, len(cells))
+    for planned, line in zip(plan.cells, output.split(b"\n"), strict=False):
+        outputs = _parse_line(line, len(cells))
         if outputs is None:
             break
-        shown = [
+        displayed = [
             {**output, "data": _without_answer(output["data"])} if "data" in output else output for output in outputs
         ]
-        cells.append(RanCell(step.source, step.problem, step.place, shown))
-        for output in outputs:
-            emission = output.get("data", {}).get(MIME)
-            if step.problem and _is_ours(emission, sheet, step.problem):
-                answers[str(step.problem)] = emission["answer"]
+        cells.append(RanCell(planned.source, planned.problem, planned.index, displayed))
+        for cell_output in outputs:
+            emission = cell_output.get("data", {}).get(MIME)
+            if planned.problem and _is_emission(emission, sheet, planned.problem):
+                answers[str(planned.problem)] = emission["answer"]
                 typed_id = emission["student"][:200]
-    return Heard(cells, answers, typed_id)
+    return ParsedOutput(cells, answers, typed_id)
 
 
 def _errors(cell: RanCell) -> list[str]:
@@ -72,15 +70,15 @@ def _errors(cell: RanCell) -> list[str]:
     ]
 
 
-def _outputs(line: bytes, number: int) -> list[dict[str, Any]] | None:
-    """The outputs of the cell with this number, or None if the line is not about it."""
+def _parse_line(line: bytes, number: int) -> list[dict[str, Any]] | None:
+    """The outputs of the cell with this number, or None if the line does not have this form."""
     try:
-        told = json.loads(line)
-        # Written again, it shows what nobody should have to pass on: infinities, halves of characters, endless nests.
-        json.dumps(told, allow_nan=False, ensure_ascii=False).encode()
+        record = json.loads(line)
+        # Encoding it again finds what must not be passed on: infinities, lone surrogates, JSON that is nested too deeply.
+        json.dumps(record, allow_nan=False, ensure_ascii=False).encode()
     except (ValueError, RecursionError):
         return None
-    match told:
+    match record:
         case {"cell": int() as cell, "outputs": list() as outputs} if cell == number:
             return [output for output in outputs if _is_output(output)]
     return None
@@ -97,10 +95,11 @@ def _is_output(output: Any) -> bool:
     return False
 
 
-def _is_ours(emission: Any, sheet: str, problem: int) -> bool:
+def _is_emission(emission: Any, sheet: str, problem: int) -> bool:
+    """Whether this is what the check cell of this problem emits."""
     if not isinstance(emission, dict) or set(emission) != {"sheet", "problem", "student", "answer"}:
         return False
-    if not isinstance(emission["student"], str) or len(json.dumps(emission["answer"])) > LARGEST:
+    if not isinstance(emission["student"], str) or len(json.dumps(emission["answer"])) > MAX_ANSWER_CHARACTERS:
         return False
     return bool(emission["sheet"] == sheet and emission["problem"] == problem)
 

@@ -9,14 +9,14 @@ from typing import Any
 class ProblemResult:
     """What one problem earned.
 
-    number, title, max   of the problem, "03.1"
-    points   earned
-    state    right, partly, wrong, blank, unreadable; or missing, where its check cell never gave an answer
-    verdict  what the card says, as text; html is the same card, made by the judge and safe to show
-    mistakes the names of the mistakes that were recognised
-    notes    what was odd about its cells
-    answer   the answer as data, as misstep.storage.deserialize writes it
-    right    the right answer as data, for whoever grades; None where the problem was not judged
+    number, title, max   of the problem; a number is text such as "03.1"
+    points   the points earned
+    state    right, partly, wrong, blank, unreadable; or missing, if its check cell gave no answer
+    verdict  the text of the card; html is the same card as HTML, made by the judge and safe to show
+    mistakes the names of the recognised mistakes
+    notes    remarks on its cells
+    answer   the answer as data, in the form of misstep.storage.deserialize
+    right    the right answer as data, for the instructor; None if the problem was not judged
     """
 
     number: str
@@ -34,14 +34,14 @@ class ProblemResult:
 
 @dataclass(frozen=True)
 class RanCell:
-    """A cell as it ran: its source, the problem it checks, its place in what was handed in, its outputs.
+    """A cell that ran: its source, the problem that it checks, its index in the submission, its outputs.
 
-    Outputs are those of a notebook (nbformat 4). They come from the student's code: escape whatever is shown of them.
+    Outputs are those of a notebook (nbformat 4). They come from the student's code, so escape whatever is shown of them.
     """
 
     source: str
     problem: int | None
-    place: int | None
+    index: int | None
     outputs: Sequence[Mapping[str, Any]]
 
 
@@ -49,11 +49,11 @@ class RanCell:
 class Result:
     """The grade of one submission, with its reasons.
 
-    status    graded; or broken, where nothing could be run; or stopped, where the run ended before its last cell
-    reason    one sentence for the student, "" where all went well
-    notes     what else was odd: another id in the sheet, a cell that failed
-    typed_id  the id that the notebook itself gives, "" if none was seen
-    digest    SHA-256 of what was handed in
+    status    graded; or broken, if nothing could be run; or stopped, if the run ended before its last cell
+    reason    one sentence for the student, "" if there was no fault
+    notes     further remarks: another id in the sheet, a cell that failed
+    typed_id  the id that is typed in the notebook, "" if none was found
+    digest    SHA-256 of the submitted file
     is_safe   whether it ran in the sandbox
     """
 
@@ -71,6 +71,6 @@ class Result:
     seconds: float = 0.0
     cells: Sequence[RanCell] = field(default=(), repr=False)
 
-    def data(self) -> dict[str, Any]:
-        """The result as JSON holds it. Nothing is copied: this is asked for with every output in it."""
+    def to_dict(self) -> dict[str, Any]:
+        """The result as JSON holds it. It is not copied, because its cells have all outputs in them."""
         return {**vars(self), "problems": [*map(vars, self.problems)], "cells": [*map(vars, self.cells)]}

@@ -1,1 +1,1 @@
-"""The bridge to nbgrader: its gradebook, its cells, its autograder."""
+"""nbgrader: the plugin for `nbgrader autograde`, and the gradebook of an nbgrader course."""

@@ -1,7 +1,7 @@
-"""Notebooks as nbgrader keeps them after grading: what each cell gave, and the judge's verdict in place of each check.
+"""Notebooks as nbgrader stores them after grading: the outputs of each cell, and the judge's verdicts in the check cells.
 
-nbgrader reads points off a check cell's output, a number that is its result. What a student's code gave stays as text and
-pictures: formgrader and generate_feedback would put HTML into their pages as it is.
+nbgrader reads the points of a check cell from its last output, a number. Outputs of student code are kept as text and
+pictures only, because formgrader and generate_feedback would copy HTML into their pages unchanged.
 """
 
 import warnings
@@ -14,60 +14,62 @@ from nbformat import NotebookNode
 from nbformat.v4 import new_markdown_cell
 
 from misstep.grading.judging.result import ProblemResult, Result
-from misstep.grading.publish.pages import outputs_of, picture_of, text_of
+from misstep.grading.publish.pages import outputs_of, png_of, text_of
 
 
-def filled(notebook: NotebookNode, result: Result) -> NotebookNode:
-    """The notebook that was graded, with the outputs of its result, and with its reasons on top."""
+def fill_outputs(notebook: NotebookNode, result: Result) -> NotebookNode:
+    """The graded notebook, with the outputs and verdicts of its result, and with the reasons in a cell at the top."""
     problems = {f"check-{k}": problem for k, problem in enumerate(result.problems, start=1)}
-    given = {cell.place: outputs_of(cell) for cell in result.cells}
-    for place, cell in enumerate(notebook.cells):
+    outputs = {cell.index: outputs_of(cell) for cell in result.cells}
+    for index, cell in enumerate(notebook.cells):
         if cell.cell_type == "code":
             problem = problems.get(_name(cell))
-            cell.outputs = _verdict(problem) if problem else [_harmless(output) for output in given.get(place, ())]
+            cell.outputs = (
+                _verdict_outputs(problem) if problem else [_safe_output(output) for output in outputs.get(index, ())]
+            )
             cell.execution_count = None
-    told = [" ".join(line.replace("`", "'").split()) for line in (result.reason, *result.notes) if line]
-    if told:
-        notebook.cells.insert(0, new_markdown_cell("\n\n".join(f"`{line}`" for line in told)))
+    remarks = [" ".join(line.replace("`", "'").split()) for line in (result.reason, *result.notes) if line]
+    if remarks:
+        notebook.cells.insert(0, new_markdown_cell("\n\n".join(f"`{line}`" for line in remarks)))
     return notebook
 
 
-def restored(content: bytes | None, result: Result, released: NotebookNode) -> NotebookNode:
-    """What was handed in, with nbgrader's marks as they were handed out, whatever became of them.
+def restore_metadata(content: bytes | None, result: Result, released: NotebookNode) -> NotebookNode:
+    """The submitted notebook, with nbgrader's metadata as in the released sheet, even if an editor changed or removed it.
 
-    Where nothing was run, this is the sheet as it was handed out. A check cell that was deleted stands at the end.
+    If nothing was run, this is the released sheet. Check cells that were deleted are at the end.
     """
-    made = deepcopy(released)
+    notebook = deepcopy(released)
     if content is None or not result.cells:
-        return made
-    with warnings.catch_warnings(action="ignore"):  # about ids that old editors leave out
+        return notebook
+    with warnings.catch_warnings(action="ignore"):  # about cell ids, which old editors leave out
         submitted = nbformat.reads(content.decode("utf-8-sig", errors="replace"), as_version=4)
-    marked = {name: cell for cell in made.cells if (name := _name(cell))}
-    checks = {cell.place: f"check-{cell.problem}" for cell in result.cells if cell.problem}
-    last = {name: place for place, name in checks.items()}  # where a check is there twice, the last one counts
-    made.cells = []
-    for place, cell in enumerate(submitted.cells):
-        name = checks.get(place) or _name(cell) or cell.get("id", "")
-        is_it = last.get(name) == place if name.startswith("check-") else name in marked
-        metadata = marked.pop(name).metadata if is_it else {}
-        made.cells.append(_bare(cell, metadata, name if is_it else f"cell-{place}"))
-    made.cells += [cell for name, cell in marked.items() if name.startswith("check-")]
-    return made
+    released_cells = {name: cell for cell in notebook.cells if (name := _name(cell))}
+    checks = {cell.index: f"check-{cell.problem}" for cell in result.cells if cell.problem}
+    last = {name: index for index, name in checks.items()}  # if a check cell occurs twice, the last one counts
+    notebook.cells = []
+    for index, cell in enumerate(submitted.cells):
+        name = checks.get(index) or _name(cell) or cell.get("id", "")
+        is_released = last.get(name) == index if name.startswith("check-") else name in released_cells
+        metadata = released_cells.pop(name).metadata if is_released else {}
+        notebook.cells.append(_minimal_cell(cell, metadata, name if is_released else f"cell-{index}"))
+    notebook.cells += [cell for name, cell in released_cells.items() if name.startswith("check-")]
+    return notebook
 
 
-def _bare(cell: Mapping[str, Any], metadata: Mapping[str, Any], name: str) -> NotebookNode:
-    """A cell with nothing but what the format asks for: editors leave much behind."""
-    kept = {key: cell[key] for key in ("cell_type", "source", "attachments") if key in cell}
-    runs: dict[str, Any] = {"outputs": [], "execution_count": None} if cell["cell_type"] == "code" else {}
-    made: NotebookNode = nbformat.from_dict({**kept, **runs, "metadata": metadata, "id": name})
-    return made
+def _minimal_cell(cell: Mapping[str, Any], metadata: Mapping[str, Any], name: str) -> NotebookNode:
+    """A cell with only what the format requires, without what editors add."""
+    required = {key: cell[key] for key in ("cell_type", "source", "attachments") if key in cell}
+    outputs: dict[str, Any] = {"outputs": [], "execution_count": None} if cell["cell_type"] == "code" else {}
+    minimal: NotebookNode = nbformat.from_dict({**required, **outputs, "metadata": metadata, "id": name})
+    return minimal
 
 
 def _name(cell: Mapping[str, Any]) -> str:
     return str(cell.get("metadata", {}).get("nbgrader", {}).get("grade_id", ""))
 
 
-def _verdict(problem: ProblemResult) -> list[NotebookNode]:
+def _verdict_outputs(problem: ProblemResult) -> list[NotebookNode]:
     card = {"text/html": problem.html, "text/plain": problem.verdict}
     points = {"text/plain": repr(float(problem.points))}
     return [
@@ -77,14 +79,14 @@ def _verdict(problem: ProblemResult) -> list[NotebookNode]:
     ]
 
 
-def _harmless(output: Mapping[str, Any]) -> NotebookNode:
-    picture, text = picture_of(output), text_of(output)
+def _safe_output(output: Mapping[str, Any]) -> NotebookNode:
+    picture, text = png_of(output), text_of(output)
     if picture is None:
         return _output("stream", name="stdout", text=text)
     return _output("display_data", data={"image/png": picture, "text/plain": text}, metadata={})
 
 
 def _output(kind: str, **parts: Any) -> NotebookNode:
-    """An output, unchecked: the notebook is checked as a whole when it is written."""
-    made: NotebookNode = nbformat.from_dict({"output_type": kind, **parts})
-    return made
+    """An output, not validated, because the whole notebook is validated when it is written."""
+    output: NotebookNode = nbformat.from_dict({"output_type": kind, **parts})
+    return output

@@ -1,7 +1,7 @@
-"""The gradebook of an nbgrader course, filled with results: one transaction a submission.
+"""Write results into the gradebook of an nbgrader course, in one transaction for each submission.
 
-Formgrader, generate_feedback and export find there what `nbgrader autograde` would have left: the points in gradebook.db,
-and a notebook in autograded/ for each student. A grade that a person gave by hand stays.
+Afterwards formgrader, generate_feedback and export find what `nbgrader autograde` would have written: the points in
+gradebook.db, and a notebook in autograded/ for each student. Grades that were entered by hand stay.
 """
 
 import json
@@ -17,13 +17,13 @@ from typing import Any
 
 from traitlets.config.loader import PyFileConfigLoader
 
-from misstep.grading.collect.gather import Handed
-from misstep.grading.collect.submission import Master
+from misstep.grading.collect.gather import Submission
+from misstep.grading.collect.run_plan import ReleasedSheet
 from misstep.grading.judging.result import Result
-from misstep.grading.nbgrader.lazy_nbgrader import lean
-from misstep.grading.publish.result_store import write
+from misstep.grading.nbgrader.lazy_nbgrader import lazy_nbgrader
+from misstep.grading.publish.result_store import write_if_changed
 
-with lean():
+with lazy_nbgrader():
     import nbformat
     from nbformat import NotebookNode
     from nbgrader.api import (
@@ -38,128 +38,141 @@ with lean():
     )
     from nbgrader.coursedir import CourseDirectory
 
-    from misstep.grading.nbgrader.cells import filled, restored
+    from misstep.grading.nbgrader.cells import fill_outputs, restore_metadata
 
-FOLDER = re.compile(r"[^./\\\0+][^/\\\0+]{0,79}")
-"""An id that can be the name of a student's folder; nbgrader allows no + either."""
+FOLDER_NAME = re.compile(r"[^./\\\0+][^/\\\0+]{0,79}")
+"""An id that can be the name of a student's folder; nbgrader does not allow a + either."""
 
-KEY = "kinlib"
-"""Where an autograded notebook says, in its metadata, from which result it was made."""
+METADATA_KEY = "misstep"
+"""The key in the metadata of an autograded notebook under which the digest of its result is stored."""
 
 
-def course(folder: Path) -> CourseDirectory:
-    """The course in a folder, with the settings of its nbgrader_config.py.
+def read_course(folder: Path) -> CourseDirectory:
+    """The nbgrader course in a folder, with the settings of its nbgrader_config.py.
 
-    Raises ValueError for a folder without one.
+    Raises ValueError for a folder without that file.
     """
     if not (folder / "nbgrader_config.py").is_file():
-        raise ValueError(f"{folder} holds no nbgrader_config.py. Is it the top of the course?")
+        raise ValueError(f"{folder} must have an nbgrader_config.py; is it the top folder of the nbgrader course?")
     config = PyFileConfigLoader("nbgrader_config.py", path=str(folder.resolve())).load_config()
     config.CourseDirectory.root = str(folder.resolve())
     return CourseDirectory(config=config)
 
 
-class Ledger:
-    """The gradebook of a course, open for the results of one sheet.
+class GradebookWriter:
+    """Writes the results of one sheet into the open gradebook of a course.
 
-    unfit  the students whose ids cannot name a folder; nothing is written for them
+    invalid_ids  the students whose ids cannot be names of folders; nothing is written for them
     """
 
     def __init__(
-        self, place: CourseDirectory, book: Gradebook, assignment: Assignment, released: NotebookNode, is_anew: bool
+        self,
+        course: CourseDirectory,
+        gradebook: Gradebook,
+        assignment: Assignment,
+        released: NotebookNode,
+        overwrite: bool,
     ) -> None:
-        self._place, self._book, self._assignment, self._released = place, book, assignment, released
-        self._is_anew = is_anew
-        self.unfit: list[str] = []
+        self._course, self._gradebook, self._assignment, self._released = course, gradebook, assignment, released
+        self._overwrite = overwrite
+        self.invalid_ids: list[str] = []
 
-    def enter(self, handed: Handed, result: Result) -> None:
-        """Write a result down, in one transaction, with the notebook that belongs to it. One that is there is left as it is."""
-        if not FOLDER.fullmatch(result.student):
-            self.unfit.append(result.student)
+    def record(self, submission: Submission, result: Result) -> None:
+        """Write a result, in one transaction, and its notebook. A result that is already there is not written again."""
+        if not FOLDER_NAME.fullmatch(result.student):
+            self.invalid_ids.append(result.student)
             return
-        folder = self._place.format_path(self._place.autograded_directory, result.student, result.sheet)
+        folder = self._course.format_path(self._course.autograded_directory, result.student, result.sheet)
         target = Path(folder, f"{result.sheet}.ipynb")
-        mark = sha256(json.dumps(result.data()).encode()).hexdigest()
-        if self._is_anew or _mark(target) != mark:
-            _record(self._book, self._assignment, result, _handed_in(self._place, result))
-            write(target, _autograded(handed, result, self._released, mark))
+        digest = sha256(json.dumps(result.to_dict()).encode()).hexdigest()
+        if self._overwrite or _stored_digest(target) != digest:
+            _record_points(self._gradebook, self._assignment, result, _submission_time(self._course, result))
+            write_if_changed(target, _autograded_notebook(submission, result, self._released, digest))
 
 
 @contextmanager
-def ledger(folder: Path, sheet: Master, is_anew: bool = False) -> Iterator[Ledger]:
-    """Open the gradebook of a course; is_anew, to write down also what it has already.
+def open_gradebook(folder: Path, sheet: ReleasedSheet, overwrite: bool = False) -> Iterator[GradebookWriter]:
+    """Open the gradebook of an nbgrader course.
 
-    Raises ValueError for a folder that is no course, and for an assignment that was never generated.
+    overwrite  whether results that are already there are written again
+
+    Raises ValueError for a folder that is no nbgrader course, and for an assignment that is not generated.
     """
-    place = course(folder)
-    released = Path(place.format_path(place.release_directory, ".", sheet.name), f"{sheet.name}.ipynb")
-    kept = Path(place.db_url.removeprefix("sqlite:///"))
-    for path in (released, kept) if place.db_url.startswith("sqlite:///") else (released,):
+    course = read_course(folder)
+    released = Path(course.format_path(course.release_directory, ".", sheet.name), f"{sheet.name}.ipynb")
+    database = Path(course.db_url.removeprefix("sqlite:///"))
+    for path in (released, database) if course.db_url.startswith("sqlite:///") else (released,):
         if not path.is_file():
-            raise ValueError(f"{path} is not there. First: nbgrader generate_assignment {sheet.name}")
-    with Gradebook(place.db_url, place.course_id) as book:
-        book.db().expire_on_commit = False  # the assignment stays what it is from one submission to the next
+            raise ValueError(f"{path} does not exist. First run: nbgrader generate_assignment {sheet.name}")
+    with Gradebook(course.db_url, course.course_id) as gradebook:
+        gradebook.db().expire_on_commit = False  # the assignment does not change from one submission to the next
         try:
-            assignment = book.find_assignment(sheet.name)
-            book.find_notebook(sheet.name, sheet.name)
+            assignment = gradebook.find_assignment(sheet.name)
+            gradebook.find_notebook(sheet.name, sheet.name)
         except MissingEntry as error:
             raise ValueError(
-                f"The gradebook knows no {sheet.name}. First: nbgrader generate_assignment {sheet.name}"
+                f"The gradebook has no assignment {sheet.name}. First run: nbgrader generate_assignment {sheet.name}"
             ) from error
-        yield Ledger(place, book, assignment, nbformat.read(released, as_version=4), is_anew)
+        yield GradebookWriter(course, gradebook, assignment, nbformat.read(released, as_version=4), overwrite)
 
 
-def _handed_in(place: CourseDirectory, result: Result) -> datetime | None:
-    """When it was handed in, if a file beside it says so."""
-    collected = place.format_path(place.submitted_directory, result.student, result.sheet)
+def _submission_time(course: CourseDirectory, result: Result) -> datetime | None:
+    """When the notebook was submitted, if there is a timestamp file beside it."""
+    collected = course.format_path(course.submitted_directory, result.student, result.sheet)
     try:
-        when: datetime | None = place.get_existing_timestamp(collected)
-    except (OSError, ValueError, AttributeError):  # a time that is none, and nbgrader's own slip when it says so
-        when = None
-    return when
+        submitted: datetime | None = course.get_existing_timestamp(collected)
+    except (
+        OSError,
+        ValueError,
+        AttributeError,
+    ):  # an invalid time, or an error of nbgrader in its own message about it
+        submitted = None
+    return submitted
 
 
-def _autograded(handed: Handed, result: Result, released: NotebookNode, mark: str) -> str:
-    """The notebook that was graded; where nbformat, which is stricter than we are, cannot read it, the one handed out."""
+def _autograded_notebook(submission: Submission, result: Result, released: NotebookNode, digest: str) -> str:
+    """The graded notebook, or, if nbformat cannot read it, the released one. nbformat is stricter than the grader."""
     try:
-        notebook = filled(restored(handed.content(), result, released), result)
+        notebook = fill_outputs(restore_metadata(submission.read(), result, released), result)
         nbformat.validate(notebook)
-    except Exception:  # there is no end to what may be wrong with it
-        notebook = filled(deepcopy(released), replace(result, cells=()))
-    notebook.metadata[KEY] = {"result": mark}
-    return json.dumps(notebook, ensure_ascii=False) + "\n"  # nbformat's own form, indented, takes five times as long
+    except Exception:  # nbformat raises many kinds of errors for invalid notebooks
+        notebook = fill_outputs(deepcopy(released), replace(result, cells=()))
+    notebook.metadata[METADATA_KEY] = {"result": digest}
+    return (
+        json.dumps(notebook, ensure_ascii=False) + "\n"
+    )  # writing it indented, as nbformat does, takes five times as long
 
 
-def _mark(path: Path) -> str | None:
+def _stored_digest(path: Path) -> str | None:
     try:
-        return str(json.loads(path.read_bytes())["metadata"][KEY]["result"])
+        return str(json.loads(path.read_bytes())["metadata"][METADATA_KEY]["result"])
     except (OSError, ValueError, KeyError, TypeError):
         return None
 
 
-def _record(book: Gradebook, assignment: Assignment, result: Result, when: datetime | None) -> None:
-    """All points and comments of one submission, or none of them."""
+def _record_points(gradebook: Gradebook, assignment: Assignment, result: Result, submitted: datetime | None) -> None:
+    """Write all points and comments of one submission, or none of them."""
     problems = {f"check-{k}": problem for k, problem in enumerate(result.problems, start=1)}
     blank = {
         f"answer-{k}" for k, problem in enumerate(result.problems, start=1) if problem.state in {"blank", "missing"}
     }
     try:
-        notebook = _submitted(book.db, assignment, result)
+        notebook = _submitted_notebook(gradebook.db, assignment, result)
         names = {cell.id: cell.name for cell in [*notebook.notebook.grade_cells, *notebook.notebook.solution_cells]}
-        notebook.assignment.timestamp = when or notebook.assignment.timestamp
+        notebook.assignment.timestamp = submitted or notebook.assignment.timestamp
         for grade in notebook.grades:
             grade.auto_score = problems[names[grade.cell_id]].points
-            grade.needs_manual_grade = grade.manual_score is not None  # somebody should look at it again
+            grade.needs_manual_grade = grade.manual_score is not None  # the instructor should look at it again
         for comment in notebook.comments:
             comment.auto_comment = "No response." if names[comment.cell_id] in blank else None
-        book.db.commit()
+        gradebook.db.commit()
     except BaseException:
-        book.db.rollback()
+        gradebook.db.rollback()
         raise
 
 
-def _submitted(session: Any, assignment: Assignment, result: Result) -> SubmittedNotebook:
-    """The student's notebook in the gradebook; made, with a place for each grade and comment, if it is not there."""
+def _submitted_notebook(session: Any, assignment: Assignment, result: Result) -> SubmittedNotebook:
+    """The student's notebook in the gradebook; if it is not there, it is added, with an entry for each grade and comment."""
     with session.no_autoflush:
         student = session.get(Student, result.student) or Student(id=result.student)
         submission = next((found for found in student.submissions if found.assignment_id == assignment.id), None)

@@ -1,7 +1,7 @@
-"""Importing nbgrader's gradebook without its web server, and notebooks without a grammar of web addresses.
+"""Import nbgrader's gradebook without its web server, and nbformat without the grammars of web addresses.
 
-`import nbgrader` brings up what its extensions of Jupyter need, and `import jsonschema` compiles forty grammars if the package
-rfc3987_syntax is there: together two seconds and 35 MB, for what no gradebook asks.
+`import nbgrader` imports what its Jupyter extensions need, and `import jsonschema` compiles forty grammars if the package
+rfc3987_syntax is installed. Together this takes two seconds and 35 MB, and a gradebook needs none of it.
 """
 
 import sys
@@ -10,22 +10,22 @@ from contextlib import contextmanager
 from importlib.util import find_spec, module_from_spec
 
 PACKAGE = "nbgrader"
-GRAMMARS = "rfc3987_syntax"
+GRAMMARS_PACKAGE = "rfc3987_syntax"
 
 
 @contextmanager
-def lean() -> Iterator[None]:
-    """Inside, modules of nbgrader can be imported without its `__init__`, and jsonschema does without its grammars.
+def lazy_nbgrader() -> Iterator[None]:
+    """Inside, modules of nbgrader are imported without its `__init__`, and jsonschema without its grammars.
 
-    Where one of them was imported before, it stays as it is. Afterwards both can be imported whole.
+    A package that was imported before stays as it is. Afterwards, both can be imported completely.
     """
     spec, added = find_spec(PACKAGE), set[str]()
     if spec and PACKAGE not in sys.modules:
         sys.modules[PACKAGE] = module_from_spec(spec)
         added.add(PACKAGE)
-    if GRAMMARS not in sys.modules:
-        sys.modules[GRAMMARS] = None  # type: ignore[assignment]  # so Python writes down that there is none
-        added.add(GRAMMARS)
+    if GRAMMARS_PACKAGE not in sys.modules:
+        sys.modules[GRAMMARS_PACKAGE] = None  # type: ignore[assignment]  # None makes the import fail
+        added.add(GRAMMARS_PACKAGE)
     try:
         yield
     finally:

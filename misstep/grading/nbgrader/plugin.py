@@ -1,6 +1,6 @@
-"""A step for nbgrader: `nbgrader autograde` runs submissions in our sandbox, and our judge gives the points.
+"""A preprocessor for nbgrader: with it, `nbgrader autograde` runs submissions in the sandbox, and the judge computes the points.
 
-nbgrader_config.py puts Execute in the place of nbgrader's own:
+In nbgrader_config.py, Execute replaces nbgrader's own preprocessor:
 
     c.Autograde.autograde_preprocessors = ["misstep.grading.nbgrader.plugin.Execute", ...]
 """
@@ -16,32 +16,32 @@ from nbgrader.coursedir import CourseDirectory
 from nbgrader.preprocessors import NbGraderPreprocessor
 from traitlets import Bool
 
-from misstep.grading.collect.submission import master
+from misstep.grading.collect.run_plan import read_released_sheet
 from misstep.grading.judging.grader import Grader
-from misstep.grading.nbgrader.cells import filled
+from misstep.grading.nbgrader.cells import fill_outputs
 
 
 class Execute(NbGraderPreprocessor):  # type: ignore[misc]  # nbgrader ships no types
-    """Grade the notebook, and write what came of it into its cells."""
+    """Grades the notebook, and writes its outputs and verdicts into its cells."""
 
-    unsafe_no_sandbox = Bool(False, help="Run submissions with your own rights: only code that you trust.").tag(
-        config=True
-    )
+    unsafe_no_sandbox = Bool(
+        False, help="Run submissions with your own rights; use it only for code that you trust."
+    ).tag(config=True)
 
     def preprocess(self, nb: NotebookNode, resources: dict[str, Any]) -> tuple[NotebookNode, dict[str, Any]]:
-        """Grade one submission. nbgrader says whose it is by the folder, and has put back the cells that it gives points for."""
-        about = resources["nbgrader"]
+        """Grade one submission. nbgrader knows the student from the folder, and has restored the cells that have points."""
+        metadata = resources["nbgrader"]
         course = CourseDirectory(parent=self)
-        source = course.format_path(course.source_directory, ".", about["assignment"])
-        grader = _grader(Path(source, f"{about['notebook']}.ipynb"), not self.unsafe_no_sandbox)
-        result = grader.grade(about["student"], nbformat.writes(nb).encode(errors="replace"))
+        source = course.format_path(course.source_directory, ".", metadata["assignment"])
+        grader = _grader(Path(source, f"{metadata['notebook']}.ipynb"), not self.unsafe_no_sandbox)
+        result = grader.grade(metadata["student"], nbformat.writes(nb).encode(errors="replace"))
         self.log.info("%s: %g of %g points. %s", result.student, result.points, result.max, result.reason)
-        return filled(nb, result), resources
+        return fill_outputs(nb, result), resources
 
 
 @cache
 def _grader(path: Path, is_safe: bool) -> Grader:
     """One grader for all submissions of a sheet."""
-    grader = Grader(master(path), is_safe=is_safe)
+    grader = Grader(read_released_sheet(path), is_safe=is_safe)
     atexit.register(grader.close)
     return grader

@@ -1,1 +1,1 @@
-"""What is made of results: pages, tables, and files for platforms."""
+"""What is published of results: pages, tables, and files for learning platforms."""

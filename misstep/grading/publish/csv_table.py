@@ -1,28 +1,28 @@
-"""Tables that a spreadsheet opens: CSV in which no cell is a formula, whoever wrote it."""
+"""CSV tables for spreadsheets, in which no cell is executed as a formula, whoever typed it."""
 
 import csv
 import io
 import re
 from collections.abc import Iterable, Sequence
 
-STARTS = re.compile(r"[=+\-@\t\r\n＝＋－＠]")
-"""A cell that begins so may be run as a formula by Excel, LibreOffice or Google's sheets."""
+FORMULA_START = re.compile(r"[=+\-@\t\r\n＝＋－＠]")
+"""Excel, LibreOffice and Google Sheets may execute a cell that begins like this as a formula."""
 
-HARMLESS = re.compile(r"-|[+-]?\d+([.,]\d+)?")
+NUMBER_OR_DASH = re.compile(r"-|[+-]?\d+([.,]\d+)?")
 
 
-def harmless(cell: str) -> str:
-    """A cell with an apostrophe before what would be a formula. Numbers, and the dash of an empty cell, stay as they are.
+def escape_formula(cell: str) -> str:
+    """The cell, with an apostrophe in front if it could be a formula. Numbers and the dash of an empty cell stay.
 
-    >>> harmless("=HYPERLINK(1)"), harmless("-2.5"), harmless("Ada")
+    >>> escape_formula("=HYPERLINK(1)"), escape_formula("-2.5"), escape_formula("Ada")
     ("'=HYPERLINK(1)", '-2.5', 'Ada')
     """
-    return f"'{cell}" if STARTS.match(cell) and not HARMLESS.fullmatch(cell) else cell
+    return f"'{cell}" if FORMULA_START.match(cell) and not NUMBER_OR_DASH.fullmatch(cell) else cell
 
 
-def table(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
-    """A table as CSV."""
+def format_csv(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+    """A table as CSV text."""
     text = io.StringIO()
     writer = csv.writer(text, lineterminator="\n")
-    writer.writerows([harmless(cell) for cell in row] for row in [header, *rows])
+    writer.writerows([escape_formula(cell) for cell in row] for row in [header, *rows])
     return text.getvalue()

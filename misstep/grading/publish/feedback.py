@@ -1,18 +1,20 @@
 """Feedback: a page for one student, with the points, each verdict in words, and the sheet as it ran."""
 
 from misstep.grading.judging.result import ProblemResult, Result
-from misstep.grading.publish.pages import page
+from misstep.grading.publish.pages import render_page
 
 
-def feedback(result: Result) -> str:
-    """The page. It holds what the student wrote, what that gave, and the judge's sentences; nobody else's data.
+def feedback_page(result: Result) -> str:
+    """The page of one student: the student's code, its outputs, and the verdicts. It has no data of other students.
 
-    The right answer is not in it: whoever has not found it may try again.
+    The right answers are not on it, so that the student can try again.
     """
-    told = [line for line in (result.reason, *result.notes) if line]
-    return page("feedback.html", result=result, told=told, lines=lines, is_safe=result.is_safe)
+    remarks = [line for line in (result.reason, *result.notes) if line]
+    return render_page(
+        "feedback.html", result=result, remarks=remarks, verdict_lines=verdict_lines, is_safe=result.is_safe
+    )
 
 
-def lines(problem: ProblemResult) -> list[str]:
-    """The lines of a verdict below its title, which the page gives itself."""
+def verdict_lines(problem: ProblemResult) -> list[str]:
+    """The lines of a verdict without its title, which the page has already."""
     return [line.strip() for line in problem.verdict.splitlines()[1:] or [problem.verdict] if line.strip()]

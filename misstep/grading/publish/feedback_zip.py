@@ -1,10 +1,10 @@
-"""Returns: all pages of feedback in one zip, each under the name by which the platform finds whose it is.
+"""All feedback pages in one zip file, each under the name by which the learning platform assigns it to its student.
 
 Moodle  Ada Lovelace_1815_assignfeedback_file_03_poe_space.html
-        Name, participant, kind of plugin and plugin, then the name that the student sees. What Moodle has already in the same
-        words, it leaves alone.
+        Name, participant, kind of plugin and plugin, then the name that the student sees. Moodle skips files whose content it
+        already has.
 Canvas  lovelaceada_1815_99_feedback.html
-        The first two numbers between underscores: whose it is, and the file that was handed in.
+        The first two numbers between underscores are the student and the submitted file.
 
 Source: mod/assign/feedback/file/importziplib.php of Moodle; infer_comment_context_from_filename of Canvas.
 """
@@ -18,39 +18,46 @@ from misstep.grading.collect.layouts import CANVAS, MOODLE
 from misstep.grading.publish.result_store import file_name
 
 
-def give_back(out: Path, gathered: Gathered, sheet: str) -> bool:
-    """Write feedback.zip from the pages of whoever handed something in. False, and none, where no platform takes one."""
+def write_feedback_zip(out: Path, gathered: Gathered, sheet: str) -> bool:
+    """Write feedback.zip with the page of every student who submitted something.
+
+    Returns False, and writes nothing, if the submissions are not a download of Moodle or Canvas.
+    """
     pages = {}
-    for handed in gathered.handed:
-        page = out / "feedback" / f"{file_name(handed.student)}.html"
-        if handed.notebook and page.exists() and (name := returned_name(gathered.kind, handed.notebook.path, sheet)):
+    for submission in gathered.submissions:
+        page = out / "feedback" / f"{file_name(submission.student)}.html"
+        if (
+            submission.notebook
+            and page.exists()
+            and (name := feedback_name(gathered.kind, submission.notebook.path, sheet))
+        ):
             pages[name] = page
     if not pages:
         return False
-    whole = out / "feedback.zip"
-    half = whole.with_name(f".{whole.name}.half")
-    with ZipFile(half, "w") as archive:
+    target = out / "feedback.zip"
+    partial = target.with_name(f".{target.name}.partial")
+    with ZipFile(partial, "w") as archive:
         for name, page in sorted(pages.items()):
-            # Every file is of 1980: a zip of the same pages is the same zip.
+            # Every member has the date 1980-01-01, so that the same pages give the same zip file.
             archive.writestr(ZipInfo(name), page.read_bytes(), ZIP_DEFLATED)
-    if whole.exists() and filecmp.cmp(half, whole, shallow=False):
-        half.unlink()
+    if target.exists() and filecmp.cmp(partial, target, shallow=False):
+        partial.unlink()
     else:
-        half.replace(whole)
+        partial.replace(target)
     return True
 
 
-def returned_name(kind: str, path: PurePosixPath, sheet: str) -> str | None:
-    """The name of a page, from where the submission lay in the platform's download; None where nothing is taken back.
+def feedback_name(kind: str, path: PurePosixPath, sheet: str) -> str | None:
+    """The name of a page, from the path of the submission in the download; None if the platform takes no pages back.
 
-    >>> returned_name("moodle", PurePosixPath("Ada Lovelace_1815_assignsubmission_file_/x.ipynb"), "03_poe_space")
+    >>> feedback_name("moodle", PurePosixPath("Ada Lovelace_1815_assignsubmission_file_/x.ipynb"), "03_poe_space")
     'Ada Lovelace_1815_assignfeedback_file_03_poe_space.html'
-    >>> returned_name("canvas", PurePosixPath("lovelaceada_LATE_1815_99_x-2.ipynb"), "03_poe_space")
+    >>> feedback_name("canvas", PurePosixPath("lovelaceada_LATE_1815_99_x-2.ipynb"), "03_poe_space")
     'lovelaceada_LATE_1815_99_feedback.html'
     """
     top = path.parts[0]
-    if kind == "moodle" and (found := MOODLE.fullmatch(top)):
-        return f"{found['name'].replace('_', ' ')}_{found['key']}_assignfeedback_file_{sheet}.html"
-    if kind == "canvas" and (found := CANVAS.fullmatch(top)):
-        return f"{top[: found.start('file')]}feedback.html"
+    if kind == "moodle" and (match := MOODLE.fullmatch(top)):
+        return f"{match['name'].replace('_', ' ')}_{match['key']}_assignfeedback_file_{sheet}.html"
+    if kind == "canvas" and (match := CANVAS.fullmatch(top)):
+        return f"{top[: match.start('file')]}feedback.html"
     return None

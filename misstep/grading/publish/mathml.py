@@ -1,7 +1,7 @@
-"""Formulas of feedback as MathML, which every browser sets by itself, and a screen reader reads.
+"""Formulas of feedback as MathML, which browsers display without further software and screen readers can read.
 
-A verdict is made of our own sentences, but it may quote what a student typed. So nothing of a formula goes into a page but
-elements and letters of mathematics.
+A verdict consists of the sheet's own sentences, but it may quote what a student typed. So nothing of a formula is put into a
+page but known elements and text.
 """
 
 import re
@@ -14,56 +14,56 @@ from markupsafe import Markup, escape
 
 NAMESPACE = "{http://www.w3.org/1998/Math/MathML}"
 
-ELEMENTS = {
+ALLOWED_ELEMENTS = {
     *("math", "mrow", "mi", "mn", "mo", "mtext", "mspace", "msub", "msup", "msubsup", "mfrac", "msqrt", "mroot"),
     *("mover", "munder", "munderover", "mtable", "mtr", "mtd"),
 }
 
-LONGEST = 500
-"""No formula of a sentence is longer."""
+MAX_FORMULA_CHARACTERS = 500
+"""The longest formula that is converted; a longer one is shown as it was typed."""
 
-PIECES = re.compile(r"\$(?P<formula>[^$\n]+)\$|`(?P<code>[^`\n]+)`")
+FORMULA_OR_CODE = re.compile(r"\$(?P<formula>[^$\n]+)\$|`(?P<code>[^`\n]+)`")
 
 
-def sentence(text: str) -> Markup:
-    """A line of feedback as HTML: $formulas$ set, `code` marked, all else escaped.
+def render_sentence(text: str) -> Markup:
+    """A line of feedback as HTML: $formulas$ as MathML, `code` as code, everything else escaped.
 
-    >>> print(sentence("`a < b` & $x$"))
+    >>> print(render_sentence("`a < b` & $x$"))
     <code>a &lt; b</code> &amp; <math><mrow><mi>x</mi></mrow></math>
     """
-    done, end = Markup(), 0
-    for piece in PIECES.finditer(text):
-        done += escape(text[end : piece.start()])
-        done += formula(piece["formula"]) if piece["formula"] else Markup("<code>{}</code>").format(piece["code"])
-        end = piece.end()
-    return done + escape(text[end:])
+    html, end = Markup(), 0
+    for part in FORMULA_OR_CODE.finditer(text):
+        html += escape(text[end : part.start()])
+        html += render_formula(part["formula"]) if part["formula"] else Markup("<code>{}</code>").format(part["code"])
+        end = part.end()
+    return html + escape(text[end:])
 
 
-def formula(latex: str) -> Markup:
-    r"""A formula as MathML; what cannot be set stands as it was typed.
+def render_formula(latex: str) -> Markup:
+    r"""A formula as MathML; a formula that cannot be converted is shown as it was typed.
 
-    >>> formula(r"\href{javascript:alert(1)}{x}")
+    >>> render_formula(r"\href{javascript:alert(1)}{x}")
     Markup('<math><mrow><mrow><mrow><mi>x</mi></mrow></mrow></mrow></math>')
     """
     as_typed = Markup("<code>{}</code>").format(latex)
-    if len(latex) > LONGEST:
+    if len(latex) > MAX_FORMULA_CHARACTERS:
         return as_typed
     try:
         tree = fromstring(convert(latex))
     except (ParseError, DefusedXmlException, RecursionError, ValueError, LookupError, TypeError, AttributeError):
         return as_typed
-    except Exception as error:  # the package's own errors have no name in common
+    except Exception as error:  # the errors of latex2mathml have no common base class
         if type(error).__module__.startswith("latex2mathml"):
             return as_typed
         raise
-    return _written(tree) or as_typed
+    return _render_element(tree) or as_typed
 
 
-def _written(element: Element) -> Markup | None:
-    """The element with its letters, and whether they stand upright; None where anything is not of mathematics."""
+def _render_element(element: Element) -> Markup | None:
+    """The element with its text, upright or italic; None if it contains an element that is not allowed."""
     name = element.tag.removeprefix(NAMESPACE)
-    inside = [made for child in element if (made := _written(child)) is not None]
-    if name not in ELEMENTS or len(inside) < len(element):
+    children = [child_html for child in element if (child_html := _render_element(child)) is not None]
+    if name not in ALLOWED_ELEMENTS or len(children) < len(element):
         return None
     upright = Markup(' mathvariant="normal"') if element.get("mathvariant") == "normal" else ""
-    return Markup("<{0}{1}>{2}{3}</{0}>").format(name, upright, (element.text or "").strip(), Markup().join(inside))
+    return Markup("<{0}{1}>{2}{3}</{0}>").format(name, upright, (element.text or "").strip(), Markup().join(children))

@@ -1,7 +1,7 @@
-"""Pages: HTML files that stand by themselves, readable on a phone and in the dark, printed and by a screen reader.
+"""HTML pages that need no other file, readable on a phone, in a dark theme, on paper and by a screen reader.
 
-All that a template fills in is escaped, and the page forbids itself scripts and other hosts: should anything of a submission
-slip through, it does nothing.
+Everything that a template fills in is escaped, and the page forbids scripts and requests to other hosts. So even if
+something of a submission reached the page unescaped, it would have no effect.
 """
 
 import base64
@@ -14,56 +14,56 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from misstep.grading.judging.result import RanCell
-from misstep.grading.publish.mathml import sentence
+from misstep.grading.publish.mathml import render_sentence
 
-PNG = b"\x89PNG\r\n\x1a\n"
+PNG_SIGNATURE = b"\x89PNG\r\n\x1a\n"
 
-TALLY = re.compile(r"\s*sheet\.tally\(\)\s*")
-"""The cell of a sheet that counts points."""
+TALLY_CELL = re.compile(r"\s*sheet\.tally\(\)\s*")
+"""The cell of a sheet that shows its points."""
 
-STATES = {
+STATE_LABELS = {
     "right": ("✓", "right"),
     "partly": ("◐", "partly right"),
-    "wrong": ("✗", "not yet"),
-    "blank": ("…", "nothing there"),
+    "wrong": ("✗", "not yet right"),
+    "blank": ("…", "no answer yet"),
     "unreadable": ("?", "unreadable"),
-    "missing": ("–", "no answer"),
+    "missing": ("–", "no answer received"),
 }
-"""For each state of a problem its sign and its words: no meaning rests on colour alone."""
+"""For each state of a problem its sign and its words, so that no meaning depends on colour alone."""
 
 
-def points(value: float) -> str:
-    """Points as people write them.
+def format_points(value: float) -> str:
+    """Points with at most two decimals.
 
-    >>> points(2.0), points(2 / 3)
+    >>> format_points(2.0), format_points(2 / 3)
     ('2', '0.67')
     """
     return f"{value:.2f}".rstrip("0").rstrip(".")
 
 
-def shown(output: Mapping[str, Any]) -> str | Markup:
-    """What a cell gave, as text, or as a picture if it is one. Never as HTML: it comes from the student's code."""
-    picture = picture_of(output)
+def render_output(output: Mapping[str, Any]) -> str | Markup:
+    """An output of a cell as text, or as a picture if it is one; never as HTML, because it comes from student code."""
+    picture = png_of(output)
     if picture is None:
         return text_of(output)
     return Markup('<img alt="{}" src="data:image/png;base64,{}">').format(text_of(output)[:200] or "a picture", picture)
 
 
-def picture_of(output: Mapping[str, Any]) -> str | None:
-    """The picture that a cell gave, as base64, if it gave one."""
+def png_of(output: Mapping[str, Any]) -> str | None:
+    """The PNG picture of an output as base64; None if the output has no picture."""
     picture = output.get("data", {}).get("image/png")
     picture = "".join(picture.split()) if isinstance(picture, str) else ""
     return picture if _is_png(picture) else None
 
 
 def outputs_of(cell: RanCell) -> list[Mapping[str, Any]]:
-    """What a cell gave, but for verdicts: where sheets run, nobody is there who could judge."""
-    is_verdict = cell.problem is not None or TALLY.fullmatch(cell.source)
+    """The outputs of a cell without verdicts, which mean nothing where the judge is not present."""
+    is_verdict = cell.problem is not None or TALLY_CELL.fullmatch(cell.source)
     return [output for output in cell.outputs if not is_verdict or output.get("output_type") == "error"]
 
 
 def text_of(output: Mapping[str, Any]) -> str:
-    """What a cell gave, as text: the text behind a display, a stream, or the error with its last lines."""
+    """The text of an output: of a display, of a stream, or the traceback of an error."""
     if output.get("output_type") == "error":
         return "\n".join(map(str, output.get("traceback", ()))) or f"{output.get('ename')}: {output.get('evalue')}"
     data = output.get("data", {"text/plain": output.get("text", "")})
@@ -72,13 +72,13 @@ def text_of(output: Mapping[str, Any]) -> str:
 
 def _is_png(text: str) -> bool:
     try:
-        return base64.b64decode(text, validate=True).startswith(PNG)
+        return base64.b64decode(text, validate=True).startswith(PNG_SIGNATURE)
     except (binascii.Error, ValueError):
         return False
 
 
-def page(template: str, **values: Any) -> str:
-    """A page from one of the templates."""
+def render_page(template: str, **values: Any) -> str:
+    """The HTML of a page from one of the templates."""
     return ENVIRONMENT.get_template(template).render(**values) + "\n"
 
 
@@ -89,5 +89,10 @@ ENVIRONMENT = Environment(
     trim_blocks=True,
     lstrip_blocks=True,
 )
-ENVIRONMENT.filters |= {"sentence": sentence, "points": points, "shown": shown, "outputs": outputs_of}
-ENVIRONMENT.globals["STATES"] = STATES
+ENVIRONMENT.filters |= {
+    "sentence": render_sentence,
+    "points": format_points,
+    "as_html": render_output,
+    "outputs": outputs_of,
+}
+ENVIRONMENT.globals["STATE_LABELS"] = STATE_LABELS

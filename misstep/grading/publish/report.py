@@ -1,6 +1,6 @@
-"""The report of a class: how the points are spread, and which mistakes were made how often. It names nobody.
+"""The report of a class: how the points are distributed, and how often each mistake was made. It names no student.
 
-So it may be shown in a lecture. Who did what stands in the tables beside it.
+So it can be shown in a lecture. Which student made which mistake is in the tables beside it.
 """
 
 from collections import Counter
@@ -10,28 +10,28 @@ from dataclasses import dataclass
 from markupsafe import Markup
 
 from misstep.grading.judging.result import Result
-from misstep.grading.publish.pages import STATES, page, points
+from misstep.grading.publish.pages import STATE_LABELS, format_points, render_page
 from misstep.grading.publish.shared_answers import Match
 
-WIDTH, HEIGHT, HEAD, FOOT = 420, 116, 20, 22
-"""The size of a histogram, and what of its height is above and below the bars."""
+WIDTH, HEIGHT, TOP_MARGIN, BOTTOM_MARGIN = 420, 116, 20, 22
+"""The size of a histogram in pixels, and its margins above and below the bars."""
 
-BAR = Markup('<rect class="bar" x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}"/>')
+BAR_SVG = Markup('<rect class="bar" x="{:.1f}" y="{:.1f}" width="{:.1f}" height="{:.1f}"/>')
 
-WORDS = Markup('<text x="{:.1f}" y="{:.1f}" text-anchor="middle" font-size="{}">{}</text>')
+LABEL_SVG = Markup('<text x="{:.1f}" y="{:.1f}" text-anchor="middle" font-size="{}">{}</text>')
 
-DRAWING = Markup(
+HISTOGRAM_SVG = Markup(
     '<svg role="img" aria-label="{0}" viewBox="0 0 {1} {2}" width="{1}">'
     '<line class="axis" x1="0" x2="{1}" y1="{3}" y2="{3}"/>{4}</svg>'
 )
 
-BARS = 10
-"""Most bars of a histogram."""
+MAX_BARS = 10
+"""The most bars of a histogram."""
 
 
 @dataclass(frozen=True)
 class Bar:
-    """A bar: the values that it stands for, in words, and how many there are."""
+    """A bar: the values that it counts, as text, and how many there are."""
 
     label: str
     count: int
@@ -50,78 +50,80 @@ class ProblemReport:
     mistakes: Sequence[tuple[str, int]]
 
 
-def report(results: Sequence[Result], found: Sequence[Match]) -> str:
-    """The page. Expects at least one result."""
-    problems = [problem_report(results, place) for place in range(len(results[0].problems))]
+def report_page(results: Sequence[Result], matches: Sequence[Match]) -> str:
+    """The HTML of the report. There must be at least one result."""
+    problems = [problem_report(results, k) for k in range(len(results[0].problems))]
     totals = [result.points for result in results]
-    return page(
+    return render_page(
         "report.html",
         sheet=results[0].sheet,
         count=len(results),
         max=results[0].max,
         mean=sum(totals) / len(totals),
-        bars=spread(totals, results[0].max),
+        bars=histogram_bars(totals, results[0].max),
         statuses=Counter(result.status for result in results),
         noted=sum(bool(result.notes or result.reason) for result in results),
-        matching=len({match.student for match in found if match.together > 1}),
+        matching=len({match.student for match in matches if match.shared_count > 1}),
         problems=problems,
-        longest=max((number for problem in problems for _, number in problem.mistakes), default=1),
+        max_count=max((count for problem in problems for _, count in problem.mistakes), default=1),
         histogram=histogram,
         is_safe=all(result.is_safe for result in results),
     )
 
 
-def problem_report(results: Sequence[Result], place: int) -> ProblemReport:
-    """What became of one problem."""
-    each = [result.problems[place] for result in results]
-    earned = [problem.points for problem in each]
-    states = Counter(problem.state for problem in each)
-    mistakes = Counter(name for problem in each for name in set(problem.mistakes))
+def problem_report(results: Sequence[Result], k: int) -> ProblemReport:
+    """The results of problem k, counted from 0."""
+    problems = [result.problems[k] for result in results]
+    points = [problem.points for problem in problems]
+    states = Counter(problem.state for problem in problems)
+    mistakes = Counter(name for problem in problems for name in set(problem.mistakes))
     return ProblemReport(
-        each[0].number,
-        each[0].title,
-        each[0].max,
-        sum(earned) / len(earned),
-        spread(earned, each[0].max),
-        [(state, states[state]) for state in STATES if states[state]],
+        problems[0].number,
+        problems[0].title,
+        problems[0].max,
+        sum(points) / len(points),
+        histogram_bars(points, problems[0].max),
+        [(state, states[state]) for state in STATE_LABELS if states[state]],
         sorted(mistakes.items(), key=lambda item: (-item[1], item[0])),
     )
 
 
-def spread(values: Sequence[float], most: float) -> list[Bar]:
-    """How often each number of points was earned: by value where there are few, or rounded down and a few together.
+def histogram_bars(values: Sequence[float], max_points: float) -> list[Bar]:
+    """How often each number of points was earned: one bar for each value if there are few, otherwise one for each range.
 
-    >>> spread([0, 1.5, 3, 3], 3)[2:]
+    In a range, points are rounded down.
+
+    >>> histogram_bars([0, 1.5, 3, 3], 3)[2:]
     [Bar(label='1.5', count=1), Bar(label='2', count=0), Bar(label='3', count=2)]
-    >>> spread([0, 23.9, 24], 24)[-2:]
+    >>> histogram_bars([0, 23.9, 24], 24)[-2:]
     [Bar(label='21–23', count=1), Bar(label='24', count=1)]
     """
     counts = Counter(round(value, 2) for value in values)
-    ticks = sorted({*counts, *(float(whole) for whole in range(int(most) + 1))})
-    if len(ticks) <= BARS:
-        return [Bar(points(tick), counts[tick]) for tick in ticks]
-    together = -(-int(most) // (BARS - 2))
-    places = Counter(int(value) // together for value in values)
-    starts = range(0, int(most) + 1, together)
-    ends = (min(start + together - 1, int(most)) for start in starts)
+    ticks = sorted({*counts, *(float(whole) for whole in range(int(max_points) + 1))})
+    if len(ticks) <= MAX_BARS:
+        return [Bar(format_points(tick), counts[tick]) for tick in ticks]
+    bar_width = -(-int(max_points) // (MAX_BARS - 2))
+    counts_by_bar = Counter(int(value) // bar_width for value in values)
+    starts = range(0, int(max_points) + 1, bar_width)
+    ends = (min(start + bar_width - 1, int(max_points)) for start in starts)
     return [
-        Bar(f"{start}–{end}" if end > start else str(start), places[start // together])
+        Bar(f"{start}–{end}" if end > start else str(start), counts_by_bar[start // bar_width])
         for start, end in zip(starts, ends, strict=True)
     ]
 
 
 def histogram(bars: Sequence[Bar], title: str) -> Markup:
-    """Bars as SVG, each with its count on top, and all of it in words for who does not see it."""
-    tallest = max(bar.count for bar in bars) or 1
-    step, ground = WIDTH / len(bars), HEIGHT - FOOT
-    told = "; ".join(f"{bar.label} points: {bar.count}" for bar in bars)
-    marks = []
-    for place, bar in enumerate(bars):
-        height = (ground - HEAD) * bar.count / tallest
-        left, middle = (place + 0.12) * step, (place + 0.5) * step
-        marks += [
-            BAR.format(left, ground - height, 0.76 * step, height),
-            WORDS.format(middle, ground - height - 4, 13, bar.count or ""),
-            WORDS.format(middle, ground + 16, 11, bar.label),
+    """A histogram as SVG, each bar with its count above it, and all counts as text for screen readers."""
+    max_count = max(bar.count for bar in bars) or 1
+    step, baseline = WIDTH / len(bars), HEIGHT - BOTTOM_MARGIN
+    description = "; ".join(f"{bar.label} points: {bar.count}" for bar in bars)
+    shapes = []
+    for k, bar in enumerate(bars):
+        height = (baseline - TOP_MARGIN) * bar.count / max_count
+        left, middle = (k + 0.12) * step, (k + 0.5) * step
+        shapes += [
+            BAR_SVG.format(left, baseline - height, 0.76 * step, height),
+            LABEL_SVG.format(middle, baseline - height - 4, 13, bar.count or ""),
+            LABEL_SVG.format(middle, baseline + 16, 11, bar.label),
         ]
-    return DRAWING.format(f"{title}: {told}", WIDTH, HEIGHT, ground, Markup().join(marks))
+    return HISTOGRAM_SVG.format(f"{title}: {description}", WIDTH, HEIGHT, baseline, Markup().join(shapes))

@@ -1,8 +1,8 @@
-"""Answers that are wrong for who gave them, and right for somebody else.
+"""Answers that are wrong for the student who gave them, and right for another student.
 
-Numbers differ from student to student, so such an answer was hardly computed from the student's own. It is a reason to ask,
-never a proof: where an answer is one of few, two people meet by chance, and the count of those whom it would fit says so.
-Answers are compared as data. Nothing of a submission is run or read as a formula here.
+Numbers differ from student to student, so such an answer was probably not computed from the student's own numbers. It is a
+reason to ask, never a proof: if a problem has few possible answers, two students agree by chance, and the number of students
+for whom the answer would be right shows it. Answers are compared as data. Nothing of a submission is run here.
 """
 
 import json
@@ -14,86 +14,89 @@ from typing import Any
 import numpy as np
 
 from misstep.grading.judging.result import Result
-from misstep.grading.publish.csv_table import table
+from misstep.grading.publish.csv_table import format_csv
 from misstep.validation import Array
 
-SAME = 1e-3
-"""How far numbers may be apart, relative to their size where that is above 1: as far as the judge lets them be."""
+TOLERANCE = 1e-3
+"""The largest difference of equal numbers, relative to their size if that is above 1, as for the judge."""
 
-WRONG = {"wrong", "partly"}
+WRONG_STATES = {"wrong", "partly"}
 
 
 @dataclass(frozen=True)
 class Match:
-    """A wrong answer that is right for others.
+    """A wrong answer that is right for other students.
 
-    others    for whom it is right; where there are many, it says little
-    together  how many of the student's answers are right for one and the same of them; where there are many, it says much
+    others        the students for whom it is right; if there are many, the match means little
+    shared_count  how many of the student's wrong answers are right for one and the same of them; if there are many, the match
+                  means much
     """
 
     student: str
     problem: str
     others: Sequence[str]
-    together: int = 1
+    shared_count: int = 1
 
 
-def matches(results: Sequence[Result]) -> list[Match]:
-    """Every such answer, those first that say most."""
+def find_matches(results: Sequence[Result]) -> list[Match]:
+    """Every such answer, the most significant first."""
     count = len(results[0].problems) if results else 0
-    found = [match for place in range(count) for match in _of_problem(results, place)]
-    pairs = Counter((match.student, other) for match in found for other in match.others)
-    told = [replace(match, together=max(pairs[match.student, other] for other in match.others)) for match in found]
-    return sorted(told, key=lambda match: (-match.together, match.student.casefold(), match.problem))
+    matches = [match for k in range(count) for match in _matches_of_problem(results, k)]
+    pairs = Counter((match.student, other) for match in matches for other in match.others)
+    counted = [
+        replace(match, shared_count=max(pairs[match.student, other] for other in match.others)) for match in matches
+    ]
+    return sorted(counted, key=lambda match: (-match.shared_count, match.student.casefold(), match.problem))
 
 
-def _of_problem(results: Sequence[Result], place: int) -> Iterable[Match]:
-    """Compare answers of one form at a time, each form's numbers as rows of one array."""
+def _matches_of_problem(results: Sequence[Result], k: int) -> Iterable[Match]:
+    """Compare answers of the same form at once: for each form, the numbers of the right answers are rows of an array."""
     owners: dict[str, list[str]] = {}
     rows: dict[str, list[list[float]]] = {}
     for result in results:
-        problem = result.problems[place]
+        problem = result.problems[k]
         for right in [problem.right, problem.answer if problem.state == "right" else None]:
-            form, numbers = _form(right)
+            form, numbers = _split_numbers(right)
             if form:
                 owners.setdefault(form, []).append(result.student)
                 rows.setdefault(form, []).append(numbers)
     arrays = {form: np.array(numbers, dtype=float) for form, numbers in rows.items()}
     for result in results:
-        problem = result.problems[place]
-        # What the judge could not read may be any JSON at all.
-        form, numbers = _form(problem.answer if problem.state in WRONG else None)
+        problem = result.problems[k]
+        # An answer that the judge could not read may be any JSON, so only wrong and partly right ones are compared.
+        form, numbers = _split_numbers(problem.answer if problem.state in WRONG_STATES else None)
         if form in arrays:
-            fits = _near(arrays[form], np.array(numbers, dtype=float))
-            others = {owners[form][row] for row in np.flatnonzero(fits)} - {result.student}
+            is_equal = _rows_close(arrays[form], np.array(numbers, dtype=float))
+            others = {owners[form][row] for row in np.flatnonzero(is_equal)} - {result.student}
             if others:
                 yield Match(result.student, problem.number, sorted(others))
 
 
-def _near(rights: Array, numbers: Array) -> Array:
-    return np.asarray((np.abs(rights - numbers) <= SAME * np.maximum(np.abs(rights), 1.0)).all(axis=-1))
+def _rows_close(rows: Array, numbers: Array) -> Array:
+    return np.asarray((np.abs(rows - numbers) <= TOLERANCE * np.maximum(np.abs(rows), 1.0)).all(axis=-1))
 
 
-def _form(data: Any) -> tuple[str, list[float]]:
-    """What an answer says besides its numbers, and its numbers in order; "" for what nobody can compare."""
+def _split_numbers(data: Any) -> tuple[str, list[float]]:
+    """The form of an answer without its numbers, and the numbers in order; "" for answers that cannot be compared."""
     numbers: list[float] = []
 
-    def bare(part: Any) -> Any:
+    def without_numbers(part: Any) -> Any:
         if isinstance(part, bool) or part is None or isinstance(part, str):
             return part
         if isinstance(part, int | float):
             numbers.append(float(part))
             return 0
         if isinstance(part, list):
-            return [bare(item) for item in part]
-        return {str(key): bare(item) for key, item in sorted(part.items(), key=str)}
+            return [without_numbers(item) for item in part]
+        return {str(key): without_numbers(item) for key, item in sorted(part.items(), key=str)}
 
     if data is None or "other" in data or "function" in data:
         return "", []
-    return json.dumps(bare(data)), numbers
+    return json.dumps(without_numbers(data)), numbers
 
 
-def matches_table(found: Sequence[Match]) -> str:
-    """The list as CSV."""
+def matches_table(matches: Sequence[Match]) -> str:
+    """The matches as CSV."""
     header = ["student", "problem", "right for", "how many others", "answers right for one of them"]
-    rows = ([m.student, m.problem, ", ".join(m.others[:5]), str(len(m.others)), str(m.together)] for m in found)
-    return table(header, rows)
+    rows = ([m.student, m.problem, ", ".join(m.others[:5]), str(len(m.others)), str(m.shared_count)] for m in matches)
+    return format_csv(header, rows)

@@ -1,1 +1,1 @@
-"""Where submissions run: confined processes, limits, and what they can reach."""
+"""The sandbox: the confined processes in which submissions run, their limits, and what they can read."""

@@ -1,53 +1,60 @@
-"""The life of one submission: read what to run, go into the cage, run it, write what it gave.
+"""The process of one submission: it reads what to run, confines itself, runs the cells, and writes their outputs.
 
-A forked child of the server comes here with two pipes and never returns.
+The server forks it with two pipes. The function `run_child` never returns.
 """
 
 import json
 import os
 import tempfile
 
-from misstep.grading.sandbox.confine import Cage, holes, restrict
+from misstep.grading.sandbox.confine import Confinement, find_leaks, limit_resources
 from misstep.grading.sandbox.course_stub import CourseStub
-from misstep.grading.sandbox.limits import Limits, Missing
-from misstep.grading.sandbox.redacted_sheet import laid_out
-from misstep.grading.sandbox.run_cells import Shell, line, run_cells, write
+from misstep.grading.sandbox.limits import Limits, SandboxUnavailable
+from misstep.grading.sandbox.redacted_sheet import load_redacted
+from misstep.grading.sandbox.run_cells import SubmissionShell, encode_line, run_cells, write_all
 
-HIGH = 250
-"""Where the two pipes go: out of the way of what a notebook opens, below the limit of open files."""
+PIPE_DESCRIPTOR = 250
+"""The first descriptor of the two pipes: above those that a notebook opens, below the limit of open files."""
 
 
-def live(cage: Cage | None, shell: Shell, stub: CourseStub, inbox: int, outbox: int) -> None:
-    """Read, be confined, run, write. Without a cage there are still limits, and a session of its own."""
-    os.setsid()  # a group is killed as a whole, across pid namespaces: be in none with whoever grades
-    inbox, outbox = _only(inbox, outbox)
+def run_child(
+    confinement: Confinement | None, shell: SubmissionShell, stub: CourseStub, inbox: int, outbox: int
+) -> None:
+    """Read the message, confine this process, run the cells, write the outputs, and exit.
+
+    confinement  None without a sandbox; then there are still resource limits, and a session of its own
+    inbox        the descriptor of the pipe with the message
+    outbox       the descriptor of the pipe for the outputs
+    """
+    os.setsid()  # signals to a process group cross pid namespaces, so this process must not share the grader's group
+    inbox, outbox = _keep_only(inbox, outbox)
     with os.fdopen(inbox, "rb") as stream:
         message = json.loads(stream.read())
     limits = Limits(**message["limits"])
     try:
-        if cage:
-            cage.enter(limits)
+        if confinement:
+            confinement.apply(limits)
         else:
-            restrict(limits)
+            limit_resources(limits)
             os.chdir(tempfile.mkdtemp())
-    except Missing as missing:
-        write(outbox, line({"missing": str(missing)}))
+    except SandboxUnavailable as error:
+        write_all(outbox, encode_line({"unavailable": str(error)}))
         os._exit(0)
     if "probe" in message:
-        write(outbox, line({"holes": holes(cage.hidden) if cage else []}))
+        write_all(outbox, encode_line({"leaks": find_leaks(confinement.hidden) if confinement else []}))
         os._exit(0)
-    stub.lay_out(laid_out(message.pop("paper")))
-    run_cells(shell, message.pop("cells"), limits.cell_seconds, lambda told: write(outbox, line(told)))
+    stub.set_sheet(load_redacted(message.pop("sheet")))
+    run_cells(shell, message.pop("cells"), limits.cell_seconds, lambda record: write_all(outbox, encode_line(record)))
     os._exit(0)
 
 
-def _only(*descriptors: int) -> list[int]:
-    """Close every open file but these, put nothing at the three standard places, and move these behind them."""
-    kept = [os.dup2(descriptor, HIGH + k, inheritable=False) for k, descriptor in enumerate(descriptors)]
-    os.closerange(3, HIGH)
-    os.closerange(HIGH + len(kept), os.sysconf("SC_OPEN_MAX"))
-    nothing = os.open("/dev/null", os.O_RDWR)
+def _keep_only(*descriptors: int) -> list[int]:
+    """Close every other open file, connect the standard streams to /dev/null, and move these descriptors out of the way."""
+    moved = [os.dup2(descriptor, PIPE_DESCRIPTOR + k, inheritable=False) for k, descriptor in enumerate(descriptors)]
+    os.closerange(3, PIPE_DESCRIPTOR)
+    os.closerange(PIPE_DESCRIPTOR + len(moved), os.sysconf("SC_OPEN_MAX"))
+    null = os.open("/dev/null", os.O_RDWR)
     for standard in range(3):
-        os.dup2(nothing, standard)
-    os.close(nothing)
-    return kept
+        os.dup2(null, standard)
+    os.close(null)
+    return moved

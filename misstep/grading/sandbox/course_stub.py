@@ -1,32 +1,33 @@
-"""The course as a submission sees it: a module of the same name that opens the redacted sheet, and knows no answer.
+"""The course as a submission sees it: a module of the same name that opens the redacted sheet and knows no answer.
 
-Where submissions run, the package of the course is not on the disk, nor is the engine. `from kincourse import open_sheet`
-finds this module instead. What a notebook may import besides, such as a quiz, is there by name and does nothing.
+Where submissions run, neither the package of the course nor the engine is on the disk. `from kincourse import open_sheet`
+finds this module instead. Everything else that a notebook may import from the course, such as a quiz, exists and does
+nothing.
 """
 
-import importlib.util
 import json
 import sys
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import asdict, dataclass
+from importlib.metadata import entry_points
 from pathlib import Path
 from types import ModuleType
 from typing import Any
 
 import misstep
 from misstep import catalog
-from misstep.catalog import Course, installed_courses
+from misstep.catalog import ENTRY_POINT_GROUP, Course
 from misstep.sheet import OpenSheet, Sheet
 
 
 @dataclass(frozen=True)
 class CourseSetup:
-    """What the server of submissions needs of a course.
+    """What the server of submissions needs to know about a course.
 
     package   the name under which notebooks import it
-    readable  folders on the disk that submissions may read: the packages that the course requires
-    hidden    folders that they may not read: the engine and every course
-    warm_up   cells to run once before the first submission
+    readable  folders that submissions may read: the packages that the course requires
+    hidden    folders that they must not read: the engine and every course
+    warm_up   cells to run once before the first submission, because first imports are slow
     """
 
     package: str
@@ -35,60 +36,110 @@ class CourseSetup:
     warm_up: Sequence[str]
 
     def to_json(self) -> str:
-        """The setup as the text of an argument."""
+        """The setup as text, to be passed as a command-line argument."""
         return json.dumps(asdict(self))
 
 
-def setup_for(course: Course) -> CourseSetup:
-    """What the server needs of this course."""
-    courses = [course, *(other for other in installed_courses() if other.package != course.package)]
-    hidden = [str(Path(__file__).parents[2]), *(str(each.folder) for each in courses)]
-    return CourseSetup(course.package, [_folder(name) for name in course.requires], hidden, course.warm_up)
+def setup_for(course: Course, *more_hidden: Path) -> CourseSetup:
+    """What the server needs to know about this course.
+
+    more_hidden  further folders that submissions must not read, such as the folder of the released sheet
+
+    Raises ValueError if the course is not a folder on the disk, or requires a package that is not installed.
+    """
+    if not course.folder.is_dir():
+        raise ValueError(
+            f"The course {course.package} must be a folder on the disk, so that submissions can be kept from reading it; "
+            f"it is in {course.folder}. Install it unpacked, or pass its folder with --course."
+        )
+    readable = [str(folder) for package in course.requires for folder in _required_folders(package)]
+    hidden = {engine_folder(), course.folder, *more_hidden, *_folders(course.package)}
+    for entry in entry_points(group=ENTRY_POINT_GROUP):
+        hidden |= {*_folders(entry.module.partition(".")[0])}
+    return CourseSetup(
+        course.package, readable, sorted({str(folder.resolve()) for folder in hidden}), tuple(course.warm_up)
+    )
 
 
-def _folder(package: str) -> str:
-    spec = importlib.util.find_spec(package)
-    if spec is None or not spec.submodule_search_locations:
+def code_folders(course: Course) -> list[Path]:
+    """The folders whose code a result depends on: the engine, the course, and the packages that the course requires."""
+    required = [folder for package in course.requires for folder in _required_folders(package)]
+    return [engine_folder(), course.folder, *required]
+
+
+def engine_folder() -> Path:
+    """The folder of the package misstep."""
+    return Path(__file__).parents[2]
+
+
+def _required_folders(package: str) -> list[Path]:
+    folders = sorted(_folders(package))
+    if not folders:
         raise ValueError(f"The course requires the package {package!r}, which is not installed here.")
-    return str(Path(next(iter(spec.submodule_search_locations))).resolve())
+    return folders
+
+
+def _folders(package: str) -> Iterator[Path]:
+    """Every folder from which this package can be imported.
+
+    The import system itself would stop at the first one, and at a module that is loaded from another folder.
+    """
+    for finder in sys.meta_path:
+        for path in ([entry] for entry in sys.path):
+            spec = finder.find_spec(package, path)
+            for folder in (spec and spec.submodule_search_locations) or ():
+                yield Path(folder).resolve()
+    for folder in getattr(sys.modules.get(package), "__path__", ()):
+        yield Path(folder).resolve()
 
 
 class CourseStub(ModuleType):
     """A module in place of the course's package."""
 
     def __init__(self, package: str) -> None:
-        super().__init__(package, "The course, while a sheet is graded: open_sheet works, and the rest does nothing.")
+        super().__init__(
+            package, "The course while a sheet is graded: open_sheet works, and everything else does nothing."
+        )
         self.__path__: list[str] = []
         self._sheet: Sheet | None = None
 
-    def lay_out(self, sheet: Sheet) -> None:
-        """Take the redacted sheet, the only one that can be opened from now on."""
+    @property
+    def COURSE(self) -> "CourseStub":
+        """The stub itself, for notebooks that use the course object."""
+        return self
+
+    def set_sheet(self, sheet: Sheet) -> None:
+        """Set the redacted sheet, the only one that can be opened from now on."""
         self._sheet = sheet
 
     def open_sheet(self, name: str, student: Any) -> OpenSheet:
-        """Open the redacted sheet. Raises ValueError for another one."""
+        """Open the redacted sheet.
+
+        Raises ValueError for the name of any other sheet.
+        """
         if self._sheet is None or name != self._sheet.name:
             raise ValueError(
-                f"There is no sheet {name!r} here; the one that is graded is {self._sheet and self._sheet.name!r}."
+                f"While sheet {self._sheet and self._sheet.name!r} is graded, no other sheet can be opened; got {name!r}."
             )
         return OpenSheet(self._sheet, student)
 
     def __getattr__(self, name: str) -> Any:
         if name.startswith("__"):
             raise AttributeError(name)
-        return _nothing
+        return _do_nothing
 
 
-def _nothing(*_: Any, **__: Any) -> None:
-    """Do nothing: a question or a quiz has no reader while a sheet is graded."""
+def _do_nothing(*_: Any, **__: Any) -> None:
+    """Do nothing: questions and quizzes have no reader while a sheet is graded."""
 
 
-def install(package: str) -> CourseStub:
-    """Put the stub in the place of the course, for imports of its package and for courses that are loaded by a path."""
+def install_stub(package: str) -> CourseStub:
+    """Put a stub in the place of the course, for imports of its package and for courses that are loaded by their path."""
     stub = CourseStub(package)
     for name in [name for name in sys.modules if name == package or name.startswith(f"{package}.")]:
         del sys.modules[name]
     sys.modules[package] = stub
     for module in (misstep, catalog):
-        module.load_course = module.find_course = lambda _: stub  # type: ignore[assignment]
+        for function in ("load_course", "find_course"):
+            setattr(module, function, lambda _: stub)
     return stub

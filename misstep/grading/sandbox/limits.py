@@ -1,13 +1,13 @@
-"""What the sandbox is made of, in words: its limits, and the error that names a layer which this machine lacks.
+"""The limits of the sandbox, its layers, and the error that names a layer which this machine cannot provide.
 
-    namespaces    a root folder with the interpreter and kinlib, without sheets and without the rest of the disk;
-                  for each submission its own scratch folder, no network, no other process in sight
-    user          an id of its own, without rights
-    limits        of processor time, memory, threads, open files, file size; a wall clock from outside
-    landlock      reads what the interpreter needs, writes to scratch, nothing else
-    seccomp       no sockets, no new programs, no new processes, no doors back out
+    namespaces    a root folder with the interpreter and the packages of the course, but without any sheet and without the
+                  rest of the disk; for each submission a scratch folder of its own, no network, and no view of other processes
+    user          a user id of its own, without privileges
+    limits        on processor time, memory, threads, open files and file size; the wall-clock time is limited from outside
+    landlock      may read what the interpreter needs, may write to the scratch folder, and nothing else
+    seccomp       no sockets, no new programs, no new processes, and no system call that could undo the confinement
 
-Each holds by itself, so that a hole in one is covered by another. Nothing is skipped in silence.
+Each layer is effective on its own, so that a weakness in one of them is covered by another. No layer is left out silently.
 """
 
 import ctypes
@@ -15,43 +15,43 @@ from collections.abc import Iterator
 from contextlib import contextmanager
 from dataclasses import dataclass
 
-UNSAFE = "--unsafe-no-sandbox"
-"""The option that leaves the sandbox out. Everything that it touches says so."""
+UNSAFE_OPTION = "--unsafe-no-sandbox"
+"""The option that switches the sandbox off. Every result and page that it affects says so."""
 
 
 @dataclass(frozen=True)
 class Limits:
     """What one submission may use.
 
-    cell_seconds       for one cell; then the cell is interrupted, and the next one runs
-    seconds            for all of it, by a clock outside; then everything ends
-    processor_seconds  of computing
-    memory, files, scratch, output   in MB: address space, one file, all files, what is printed and shown
-    threads            at the same time
+    cell_seconds       for one cell; after that the cell is interrupted, and the next cell runs
+    seconds            for the whole submission, measured from outside; after that its process is killed
+    processor_seconds  processor time
+    memory_mb, file_mb, scratch_mb, output_mb   address space, size of one file, all files, all output, in MB
+    threads            threads at the same time
     """
 
     cell_seconds: float = 10.0
     seconds: float = 60.0
     processor_seconds: int = 60
-    memory: int = 2048
-    files: int = 32
-    scratch: int = 64
-    output: int = 4
+    memory_mb: int = 2048
+    file_mb: int = 32
+    scratch_mb: int = 64
+    output_mb: int = 4
     threads: int = 64
 
 
-class Missing(RuntimeError):
-    """A layer that this machine cannot give, and what to do about it."""
+class SandboxUnavailable(RuntimeError):
+    """This machine cannot provide a layer of the sandbox. The message names the layer and the remedy."""
 
 
 @contextmanager
-def layer(name: str, remedy: str) -> Iterator[None]:
-    """Name the layer, and the remedy, in whatever goes wrong inside."""
-    ctypes.set_errno(0)  # the package landlock would take an older error for its own
+def sandbox_layer(name: str, remedy: str) -> Iterator[None]:
+    """Turn any error inside into SandboxUnavailable, with the name of the layer and the remedy."""
+    ctypes.set_errno(0)  # the package landlock would otherwise report an older error as its own
     try:
         yield
     except Exception as error:
-        raise Missing(
-            f"The sandbox cannot have its layer '{name}' here: {error}. {remedy} Nothing was run. "
-            f"({UNSAFE} runs submissions with your own rights: only for code that you trust.)"
+        raise SandboxUnavailable(
+            f"The sandbox cannot provide its layer '{name}' on this machine: {error}. {remedy} Nothing was run. "
+            f"({UNSAFE_OPTION} runs submissions with your own rights; use it only for code that you trust.)"
         ) from error

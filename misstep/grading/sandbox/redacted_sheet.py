@@ -1,7 +1,7 @@
-"""The paper: a student's sheet without its answers, as it travels to the process that runs the submission.
+"""Redacted sheets: a student's sheet without its answers, as it is sent to the process that runs the submission.
 
-The judge writes it, for only the judge draws variants. Where code of students runs, `open_sheet` finds the paper in place
-of the sheet: the same titles, statements and given values, and nothing to find behind them.
+Only the judge draws variants, so only the judge writes redacted sheets. Where student code runs, `open_sheet` returns the
+redacted sheet: the same titles, statements and given values, and no answers and no mistakes.
 """
 
 import base64
@@ -18,15 +18,15 @@ from misstep.sheet import Sheet
 
 
 @dataclass(frozen=True, eq=False)
-class Withheld(Answer):
-    """The place of an answer that is not here."""
+class RedactedAnswer(Answer):
+    """An answer whose right value is not in this process."""
 
     inputs: Sequence[Any] = ()
 
     @property
     def value(self) -> Any:
-        """Raises AttributeError for whoever looks here for it."""
-        raise AttributeError("While a sheet is graded, its answers are somewhere else. Your own is what counts.")
+        """Raises AttributeError, because the right answer is not in this process."""
+        raise AttributeError("The right answers are not available while a sheet is graded. Compute your own.")
 
     @property
     def expected(self) -> str:
@@ -37,22 +37,22 @@ class Withheld(Answer):
         return ["your answer"]
 
     def read(self, given: Any) -> Any:
-        raise Unreadable("It was written down. The points come when all of the sheet is graded.")
+        raise Unreadable("Your answer is recorded. Its points are computed after the whole sheet has run.")
 
     def agrees(self, one: Any, other: Any, tolerance: float = 0.0) -> list[bool]:
         return [False]
 
 
-class Side(Problem):
-    """A problem on a paper. Whoever drew it has seen that its mistakes lead somewhere."""
+class RedactedProblem(Problem):
+    """A problem without its answer and its mistakes. The judge has already checked that its mistakes can be told apart."""
 
     def is_discriminating(self) -> bool:
         return True
 
 
-def written(sheet: Sheet, problems: Sequence[Problem]) -> str:
-    """Write the paper of a student: everything of the problems but answers, mistakes and figures."""
-    sides = [
+def redact(sheet: Sheet, problems: Sequence[Problem]) -> str:
+    """Write a student's redacted sheet: everything of the problems but answers, mistakes and figures."""
+    contents = [
         (
             template.number,
             template.title,
@@ -63,15 +63,18 @@ def written(sheet: Sheet, problems: Sequence[Problem]) -> str:
         )
         for template, problem in zip(sheet.problems, problems, strict=True)
     ]
-    return base64.b64encode(pickle.dumps((sheet.name, sheet.title, sides))).decode()
+    return base64.b64encode(pickle.dumps((sheet.name, sheet.title, contents))).decode()
 
 
-def laid_out(text: str) -> Sheet:
-    """Read a redacted sheet. The judge wrote it: no submission ever has a say in it."""
-    name, title, sides = pickle.loads(base64.b64decode(text))  # noqa: S301
-    templates = [Template(number, title, points, "", partial(_side, *rest)) for number, title, points, *rest in sides]
+def load_redacted(text: str) -> Sheet:
+    """Read a redacted sheet. The text comes from the judge, never from a submission, so it may be unpickled."""
+    name, title, contents = pickle.loads(base64.b64decode(text))  # noqa: S301
+    templates = [
+        Template(number, title, points, "", partial(_redacted_problem, *rest))
+        for number, title, points, *rest in contents
+    ]
     return Sheet(name, title, templates)
 
 
-def _side(statement: str, given: Mapping[str, Any], inputs: Sequence[Any], _: Sampler) -> Problem:
-    return Side(statement, Withheld(inputs), (), given)
+def _redacted_problem(statement: str, given: Mapping[str, Any], inputs: Sequence[Any], _: Sampler) -> Problem:
+    return RedactedProblem(statement, RedactedAnswer(inputs), (), given)

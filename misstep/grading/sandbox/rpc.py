@@ -1,4 +1,4 @@
-"""Messages between processes: JSON with its length in front, and a process to talk to."""
+"""Messages between processes: JSON with its length in front, and a worker process that answers them."""
 
 import itertools
 import json
@@ -9,55 +9,56 @@ import sys
 import threading
 from collections.abc import Mapping
 from concurrent.futures import Future
-from concurrent.futures import TimeoutError as Late
+from concurrent.futures import TimeoutError as FutureTimeout
 from contextlib import suppress
 from pathlib import Path
 from typing import IO, Any, cast
 
-HEAD = struct.Struct(">I")
+LENGTH_HEADER = struct.Struct(">I")
 
-LARGEST = 256 << 20
-"""No message is longer, in bytes: what claims to be has lost its place in the stream."""
+MAX_MESSAGE_BYTES = 256 << 20
+"""The longest message in bytes. A longer length means that the stream is corrupt."""
 
-KEPT = ("PATH", "LANG", "LC_ALL", "HOME", "TMPDIR", "PYTHONPATH", "SYSTEMROOT")
-"""What a process that we start inherits of the environment. Keys and tokens of whoever grades stay behind."""
+INHERITED_VARIABLES = ("PATH", "LANG", "LC_ALL", "HOME", "TMPDIR", "PYTHONPATH", "SYSTEMROOT")
+"""The environment variables that a new process inherits. The instructor's keys and tokens are not among them."""
 
-THREADS = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
+THREAD_VARIABLES = ("OPENBLAS_NUM_THREADS", "OMP_NUM_THREADS", "MKL_NUM_THREADS")
 
 
-class Gone(RuntimeError):
+class ProcessEnded(RuntimeError):
     """The other process ended, or was ended because it took too long."""
 
 
-def environment() -> dict[str, str]:
-    """The environment of a process that we start: one thread for BLAS, no window, no secrets."""
-    kept = {name: os.environ[name] for name in KEPT if name in os.environ}
-    paths = [str(Path(__file__).parents[3]), *filter(None, kept.get("PYTHONPATH", "").split(os.pathsep))]
-    kept["PYTHONPATH"] = os.pathsep.join(str(Path(path).resolve()) for path in paths)  # it may start in another folder
-    return {**kept, **dict.fromkeys(THREADS, "1"), "MPLBACKEND": "agg", "PYTHONDONTWRITEBYTECODE": "1"}
+def child_environment() -> dict[str, str]:
+    """The environment of a new process: one thread for BLAS, no window, no secrets."""
+    variables = {name: os.environ[name] for name in INHERITED_VARIABLES if name in os.environ}
+    paths = [str(Path(__file__).parents[3]), *filter(None, variables.get("PYTHONPATH", "").split(os.pathsep))]
+    # The process may start in another folder, so its paths must be absolute.
+    variables["PYTHONPATH"] = os.pathsep.join(str(Path(path).resolve()) for path in paths)
+    return {**variables, **dict.fromkeys(THREAD_VARIABLES, "1"), "MPLBACKEND": "agg", "PYTHONDONTWRITEBYTECODE": "1"}
 
 
-def pack(message: Mapping[str, Any]) -> bytes:
-    """Write a message as it travels."""
+def encode_message(message: Mapping[str, Any]) -> bytes:
+    """The bytes of a message: its length, then its JSON."""
     body = json.dumps(message, allow_nan=False).encode()
-    return HEAD.pack(len(body)) + body
+    return LENGTH_HEADER.pack(len(body)) + body
 
 
-def receive(stream: IO[bytes]) -> dict[str, Any] | None:
+def receive_message(stream: IO[bytes]) -> dict[str, Any] | None:
     """Read the next message; None at the end of the stream."""
-    head = stream.read(HEAD.size)
-    if len(head) < HEAD.size:
+    header = stream.read(LENGTH_HEADER.size)
+    if len(header) < LENGTH_HEADER.size:
         return None
-    (size,) = HEAD.unpack(head)
-    body = stream.read(size) if size <= LARGEST else b""
+    (size,) = LENGTH_HEADER.unpack(header)
+    body = stream.read(size) if size <= MAX_MESSAGE_BYTES else b""
     return dict(json.loads(body)) if len(body) == size else None
 
 
-class Peer:
-    """A Python module that runs in a process of its own and answers messages. Any thread may ask.
+class Worker:
+    """A Python module that runs in a process of its own and answers messages. Any thread may send requests.
 
-    It is started by exec, so that nothing of this process is in its memory, with one thread for BLAS and an environment
-    without secrets. Each message gets an id; answers come in any order.
+    The process is started by exec, so nothing of this process is in its memory. It has one thread for BLAS and an
+    environment without secrets. Each message gets an id, so answers may arrive in any order.
     """
 
     def __init__(self, module: str, folder: Path, *arguments: str) -> None:
@@ -66,47 +67,50 @@ class Peer:
             cwd=folder,
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
-            env=environment(),
+            env=child_environment(),
         )
         self._outbox, self._inbox = cast("IO[bytes]", self._process.stdin), cast("IO[bytes]", self._process.stdout)
-        self._waiting: dict[int, Future[dict[str, Any]]] = {}
+        self._pending: dict[int, Future[dict[str, Any]]] = {}
         self._ids = itertools.count()
-        self._writing = threading.Lock()
-        threading.Thread(target=self._listen, daemon=True).start()
+        self._send_lock = threading.Lock()
+        threading.Thread(target=self._receive_answers, daemon=True).start()
 
     @property
     def pid(self) -> int:
         """The id of the process."""
         return self._process.pid
 
-    def ask(self, message: Mapping[str, Any], seconds: float) -> dict[str, Any]:
-        """Send a message and wait for its answer. Raises Gone if none comes in time; then the process is ended too."""
-        with self._writing:
+    def request(self, message: Mapping[str, Any], seconds: float) -> dict[str, Any]:
+        """Send a message and wait for its answer.
+
+        Raises ProcessEnded if no answer arrives in time; then the process is ended too.
+        """
+        with self._send_lock:
             number, answer = next(self._ids), Future[dict[str, Any]]()
-            self._waiting[number] = answer
+            self._pending[number] = answer
             try:
-                self._outbox.write(pack({**message, "id": number}))
+                self._outbox.write(encode_message({**message, "id": number}))
                 self._outbox.flush()
             except (OSError, ValueError) as error:  # the pipe is broken, or closed already
-                del self._waiting[number]
-                raise Gone("The process has ended.") from error
+                del self._pending[number]
+                raise ProcessEnded("The process has ended.") from error
         try:
             return answer.result(seconds)
-        except Late as error:
-            self.end()
-            raise Gone(f"No answer within {seconds:g} s.") from error
+        except FutureTimeout as error:
+            self.stop()
+            raise ProcessEnded(f"The process gave no answer within {seconds:g} s.") from error
 
-    def end(self) -> None:
-        """End the process, and everything that waits for it."""
+    def stop(self) -> None:
+        """End the process. Every pending request raises ProcessEnded."""
         self._process.kill()
         self._process.wait()
-        with suppress(OSError), self._writing:  # what is still in the buffer has nobody to go to
+        with suppress(OSError), self._send_lock:  # what is still in the buffer can no longer be sent
             self._outbox.close()
 
-    def _listen(self) -> None:
-        while (message := receive(self._inbox)) is not None:
-            if (answer := self._waiting.pop(message.pop("id", None), None)) is not None:
+    def _receive_answers(self) -> None:
+        while (message := receive_message(self._inbox)) is not None:
+            if (answer := self._pending.pop(message.pop("id", None), None)) is not None:
                 answer.set_result(message)
         self._inbox.close()
-        while self._waiting:
-            self._waiting.popitem()[1].set_exception(Gone("The process has ended."))
+        while self._pending:
+            self._pending.popitem()[1].set_exception(ProcessEnded("The process has ended."))

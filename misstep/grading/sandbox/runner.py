@@ -1,4 +1,4 @@
-"""Running submissions from outside: one server, any number of children at a time, a clock and a limit for each."""
+"""Run submissions from outside the sandbox: one server, any number of children at a time, time and output limits for each."""
 
 import json
 import os
@@ -15,136 +15,150 @@ from dataclasses import asdict, dataclass
 from typing import Any
 
 from misstep.grading.sandbox.course_stub import CourseSetup
-from misstep.grading.sandbox.limits import UNSAFE, Limits, Missing
-from misstep.grading.sandbox.rpc import Gone, environment
+from misstep.grading.sandbox.limits import UNSAFE_OPTION, Limits, SandboxUnavailable
+from misstep.grading.sandbox.rpc import ProcessEnded, child_environment
 
-CHUNK = 1 << 20
+CHUNK_BYTES = BYTES_PER_MB = 1 << 20
 
-BY_LIMIT = {-signal.SIGKILL, -signal.SIGXCPU} if sys.platform == "linux" else set[int]()
-"""The statuses of what had too much memory or time."""
+LIMIT_STATUSES = {-signal.SIGKILL, -signal.SIGXCPU} if sys.platform == "linux" else set[int]()
+"""The exit statuses of a process that exceeded its memory or processor time."""
 
-STARTING = 120.0
-"""Seconds that the server may take to import everything; a first start of matplotlib also looks at every font."""
+START_SECONDS = 120.0
+"""How long the server may take to import everything. The first import of matplotlib also indexes all fonts."""
 
 
 @dataclass(frozen=True)
-class Ran:
-    """What became of a run.
+class RunOutcome:
+    """How a run of a submission ended, and what it wrote.
 
-    said       the bytes that the child wrote; nobody has looked at them yet
-    ended      what ended it; "" where it came to its end, or nobody knows better
-    processor_seconds, memory (MB)   what it used
-    by_itself  whether it ended as its code wanted, and by no limit
+    output      the bytes that the child wrote, not yet parsed
+    end_reason  what ended it; "" if it ran to its end, or if the reason is unknown
+    processor_seconds, memory_mb   what it used
+    ended_by_itself  whether its own code ended it, and no limit
     """
 
-    said: bytes
-    ended: str
+    output: bytes
+    end_reason: str
     processor_seconds: float
-    memory: float
-    by_itself: bool = False
+    memory_mb: float
+    ended_by_itself: bool = False
 
 
 class Runner:
-    """A server of forks, and the talk with it. Any thread may run something.
+    """Starts the server and requests runs from it. Any thread may call it.
 
-    Raises Missing when a layer of the sandbox is not to be had, unless is_safe is False.
+    Raises SandboxUnavailable if this machine lacks a layer of the sandbox, unless is_safe is False.
     """
 
     def __init__(self, setup: CourseSetup, is_safe: bool = True) -> None:
         self._lock = threading.Lock()
         self._scratch = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
-        self._socket, theirs = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
-        with theirs:
+        self._socket, server_socket = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
+        with server_socket:
             self._process = subprocess.Popen(
                 [
                     sys.executable,
                     "-P",
                     "-m",
                     "misstep.grading.sandbox.server",
-                    str(theirs.fileno()),
+                    str(server_socket.fileno()),
                     setup.to_json(),
-                    *([] if is_safe else [UNSAFE]),
+                    *([] if is_safe else [UNSAFE_OPTION]),
                 ],
                 stdin=subprocess.DEVNULL,
                 stdout=subprocess.DEVNULL,
-                pass_fds=[theirs.fileno()],
-                env={**environment(), "TMPDIR": self._scratch.name, "IPYTHONDIR": self._scratch.name},
+                pass_fds=[server_socket.fileno()],
+                env={**child_environment(), "TMPDIR": self._scratch.name, "IPYTHONDIR": self._scratch.name},
                 start_new_session=True,
             )
-        self._socket.settimeout(STARTING)
-        greeting = json.loads(self._socket.recv(CHUNK) or b'{"missing": "The server ended before it was ready."}')
-        if greeting["missing"]:
+        self._socket.settimeout(START_SECONDS)
+        greeting = json.loads(self._socket.recv(CHUNK_BYTES) or b'{"unavailable": "The server ended while starting."}')
+        if greeting["unavailable"]:
             self.close()
-            raise Missing(greeting["missing"])
+            raise SandboxUnavailable(greeting["unavailable"])
         if is_safe:
             self._probe()
 
-    def run(self, paper: str, cells: Sequence[str], limits: Limits) -> Ran:
-        """Run cells in a fresh child. Raises Gone when the server has ended."""
-        return self._run({"paper": paper, "cells": list(cells)}, limits)
+    def run(self, sheet: str, cells: Sequence[str], limits: Limits) -> RunOutcome:
+        """Run cells in a new child process.
+
+        sheet  the redacted sheet, as redacted_sheet.redact writes it
+
+        Raises ProcessEnded if the server has ended.
+        """
+        return self._run({"sheet": sheet, "cells": list(cells)}, limits)
 
     def close(self) -> None:
-        """End the server and all that runs in it."""
+        """End the server and every process in it."""
         self._socket.close()
         self._process.kill()
         self._process.wait()
         self._scratch.cleanup()
 
     def _probe(self) -> None:
-        """Send a child through every layer, and let it try the doors."""
-        ran = self._run({"probe": True}, Limits())
-        told = json.loads(ran.said or b'{"missing": "A first process ended at once."}')
-        if "missing" in told or told["holes"]:
+        """Confine a child process completely, and let it try what must be impossible."""
+        outcome = self._run({"probe": True}, Limits())
+        answer = json.loads(outcome.output or b'{"unavailable": "A first confined process ended without an answer."}')
+        if "unavailable" in answer or answer["leaks"]:
             self.close()
-            raise Missing(told.get("missing") or f"Inside the sandbox one can {', '.join(told['holes'])}.")
+            raise SandboxUnavailable(
+                answer.get("unavailable") or f"Inside the sandbox it is possible to {', '.join(answer['leaks'])}."
+            )
 
-    def _run(self, message: dict[str, Any], limits: Limits) -> Ran:
-        (inbox, paper), (said, outbox) = os.pipe(), os.pipe()
+    def _run(self, message: dict[str, Any], limits: Limits) -> RunOutcome:
+        (child_inbox, inbox), (outbox, child_outbox) = os.pipe(), os.pipe()
         try:
-            child = self._ask(b"fork", [inbox, outbox])
+            child = self._request(b"fork", [child_inbox, child_outbox])
         finally:
-            os.close(inbox)
-            os.close(outbox)
-        with os.fdopen(paper, "wb") as stream, os.fdopen(said, "rb", 0) as voice:
+            os.close(child_inbox)
+            os.close(child_outbox)
+        with os.fdopen(inbox, "wb") as stream, os.fdopen(outbox, "rb", 0) as outputs:
             try:
                 stream.write(json.dumps({**message, "limits": asdict(limits)}).encode())
                 stream.close()
             except BrokenPipeError:
-                pass  # it is gone already: what it said, if anything, says why
-            heard, ended = _listen(voice.fileno(), limits)
-        done = json.loads(self._ask(b"end " + child))
-        by_itself = not ended and done["status"] not in BY_LIMIT
-        return Ran(heard, ended or _end(done["status"]), done["processor_seconds"], done["memory"], by_itself)
+                pass  # the child has ended already; its output, if any, says why
+            output, end_reason = _read_output(outputs.fileno(), limits)
+        usage = json.loads(self._request(b"end " + child))
+        ended_by_itself = not end_reason and usage["status"] not in LIMIT_STATUSES
+        return RunOutcome(
+            output,
+            end_reason or _describe_status(usage["status"]),
+            usage["processor_seconds"],
+            usage["memory_mb"],
+            ended_by_itself,
+        )
 
-    def _ask(self, message: bytes, descriptors: Sequence[int] = ()) -> bytes:
+    def _request(self, message: bytes, descriptors: Sequence[int] = ()) -> bytes:
         with self._lock:
             try:
                 socket.send_fds(self._socket, [message], descriptors)
-                answer = self._socket.recv(CHUNK)
+                answer = self._socket.recv(CHUNK_BYTES)
             except OSError as error:
-                raise Gone("The server of forks has ended.") from error
+                raise ProcessEnded("The server that runs submissions has ended.") from error
         if not answer:
-            raise Gone("The server of forks has ended.")
+            raise ProcessEnded("The server that runs submissions has ended.")
         return answer
 
 
-def _listen(descriptor: int, limits: Limits) -> tuple[bytes, str]:
-    """Hear until it is silent for good, says too much, or its time is over."""
-    heard, most, deadline = bytearray(), limits.output * CHUNK, time.monotonic() + limits.seconds
-    while (left := deadline - time.monotonic()) > 0:
-        if not select.select([descriptor], [], [], left)[0]:
+def _read_output(descriptor: int, limits: Limits) -> tuple[bytes, str]:
+    """Read until the end of the stream, until a limit is reached, or until the time is over; also what ended it."""
+    output, max_bytes = bytearray(), limits.output_mb * BYTES_PER_MB
+    deadline = time.monotonic() + limits.seconds
+    while (remaining := deadline - time.monotonic()) > 0:
+        if not select.select([descriptor], [], [], remaining)[0]:
             break
-        chunk = os.read(descriptor, CHUNK)
+        chunk = os.read(descriptor, CHUNK_BYTES)
         if not chunk:
-            return bytes(heard), ""
-        heard += chunk[: most - len(heard)]
-        if len(heard) >= most:
-            return bytes(heard), f"it gave out more than {limits.output} MB"
-    return bytes(heard), f"it ran longer than {limits.seconds:g} s"
+            return bytes(output), ""
+        output += chunk[: max_bytes - len(output)]
+        if len(output) >= max_bytes:
+            return bytes(output), f"it wrote more than {limits.output_mb} MB of output"
+    return bytes(output), f"it ran longer than {limits.seconds:g} s"
 
 
-def _end(status: int) -> str:
-    """What a status says of the end: 0 is ours; all others are not."""
+def _describe_status(status: int) -> str:
+    """What an exit status says about the end: 0 is the normal end, all others are not."""
     if status < 0:
         return f"the process was ended by {signal.Signals(-status).name}"
     return f"the code ended the process itself, with status {status}" if status else ""

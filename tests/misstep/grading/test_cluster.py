@@ -16,10 +16,10 @@ if sys.platform != "linux":
     pytest.skip("the sandbox is made of Linux", allow_module_level=True)
 
 from misstep.__main__ import main
-from misstep.grading.collect.submission import Master
-from misstep.grading.judging.cluster import Unreachable, cluster, grade_here
-from misstep.grading.publish.grades import grades
-from misstep.grading.publish.result_store import Book
+from misstep.grading.collect.run_plan import ReleasedSheet
+from misstep.grading.judging.cluster import ClusterUnreachable, connect, grade_on_worker
+from misstep.grading.publish.grades import grades_table
+from misstep.grading.publish.result_store import ResultStore
 from misstep.grading.sandbox.limits import Limits
 
 STUDENTS = [f"student{number}" for number in range(10)]
@@ -67,9 +67,9 @@ def test_a_worker_is_killed_in_the_middle_and_everybody_is_graded_once(running, 
         content = as_bytes(handed_in(student, right(student), first=SLOW))
         (tmp_path / "in" / student / f"{SHEET}.ipynb").write_bytes(content)
     kept = []
-    keep = Book.keep
+    keep = ResultStore.save
     monkeypatch.setattr(
-        Book, "keep", lambda self, result, mark: (kept.append(result.student), keep(self, result, mark))
+        ResultStore, "save", lambda self, result, mark: (kept.append(result.student), keep(self, result, mark))
     )
     from distributed import Client
 
@@ -87,9 +87,9 @@ def test_a_worker_is_killed_in_the_middle_and_everybody_is_graded_once(running, 
     assert workers[0].poll() is not None
     assert workers[1].poll() is None
     assert sorted(kept) == STUDENTS
-    results = [Book(out).kept(student) for student in STUDENTS]
+    results = [ResultStore(out).load(student) for student in STUDENTS]
     assert [result.points for result in results] == [24] * len(STUDENTS)
-    assert (out / "grades.csv").read_text("utf-8") == grades(results)
+    assert (out / "grades.csv").read_text("utf-8") == grades_table(results)
 
 
 def test_a_worker_needs_no_folder_of_whoever_grades(monkeypatch, tmp_path):
@@ -106,10 +106,10 @@ def test_a_worker_needs_no_folder_of_whoever_grades(monkeypatch, tmp_path):
     monkeypatch.setattr("misstep.grading.judging.cluster.Grader", Told)
     monkeypatch.setattr("misstep.grading.judging.cluster.GRADERS", {})
     for folder, expected in ((tmp_path, tmp_path), (Path("/nowhere"), Path.cwd())):
-        assert grade_here(Master(SHEET, folder, {}), Limits(), True, "ada", None) == expected
+        assert grade_on_worker(ReleasedSheet(SHEET, folder, {}), Limits(), True, "ada", None) == expected
 
 
 def test_a_scheduler_that_is_not_there_is_told(monkeypatch):
-    monkeypatch.setattr("misstep.grading.judging.cluster.PATIENCE", "0.2s")
-    with pytest.raises(Unreachable, match="No Dask scheduler answers at tcp"), cluster("tcp://127.0.0.1:1"):
+    monkeypatch.setattr("misstep.grading.judging.cluster.CONNECT_TIMEOUT", "0.2s")
+    with pytest.raises(ClusterUnreachable, match="No Dask scheduler answers at tcp"), connect("tcp://127.0.0.1:1"):
         pass

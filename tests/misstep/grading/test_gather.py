@@ -13,10 +13,10 @@ import pytest
 if sys.platform == "win32":
     pytest.skip("grading is made of Linux", allow_module_level=True)
 
-from misstep.grading.collect.files import Refused, files
+from misstep.grading.collect.files import UnreadableFile, list_files
 from misstep.grading.collect.gather import gather, typed_id
+from misstep.grading.collect.notebook import MAX_NOTEBOOK_BYTES
 from misstep.grading.collect.roster import read_roster
-from misstep.grading.collect.submission import LARGEST
 from misstep.grading.publish.result_store import file_name
 
 SHEET = "03_poe_space"
@@ -46,12 +46,12 @@ def zipped(path, members):
 
 
 def by_student(gathered):
-    return {handed.student: handed for handed in gathered.handed}
+    return {handed.student: handed for handed in gathered.submissions}
 
 
 def refusal(handed):
-    with pytest.raises(Refused) as refused:
-        handed.content()
+    with pytest.raises(UnreadableFile) as refused:
+        handed.read()
     return str(refused.value)
 
 
@@ -64,9 +64,11 @@ def test_a_folder_for_each_student(tmp_path, suffix):
     (tmp_path / suffix / "cyn").mkdir()
     gathered = gather(tmp_path / suffix, SHEET)
     assert gathered.kind == "folder"
-    assert [(handed.student, handed.drawn_for) for handed in gathered.handed] == [(s, s) for s in ("ada", "bob", "cyn")]
-    assert by_student(gathered)["ada"].content() == notebook("ada")
-    assert by_student(gathered)["cyn"].content() is None
+    assert [(handed.student, handed.seed_id) for handed in gathered.submissions] == [
+        (s, s) for s in ("ada", "bob", "cyn")
+    ]
+    assert by_student(gathered)["ada"].read() == notebook("ada")
+    assert by_student(gathered)["cyn"].read() is None
 
 
 def test_a_flat_folder_names_students_by_files(tmp_path):
@@ -81,7 +83,7 @@ def test_a_name_is_the_same_however_its_accents_are_written(tmp_path):
     root = folder(tmp_path / "in", **{f"zoe\u0301/{NAME}": "zoé"})
     Path(os.fsdecode(os.fsencode(root) + b"/x\xff.ipynb")).write_bytes(notebook("x"))
     gathered = gather(root, SHEET, read_roster(tmp_path / "r.csv"))
-    assert [(handed.student, bool(handed.notebook)) for handed in gathered.handed] == [("x?", True), ("zoé", True)]
+    assert [(handed.student, bool(handed.notebook)) for handed in gathered.submissions] == [("x?", True), ("zoé", True)]
 
 
 def test_the_submitted_folder_of_nbgrader_holds_other_sheets_too(tmp_path):
@@ -90,8 +92,8 @@ def test_the_submitted_folder_of_nbgrader_holds_other_sheets_too(tmp_path):
     (tmp_path / "ada" / SHEET / "timestamp.txt").write_text("2026-11-01 10:00:00 UTC")
     gathered = gather(tmp_path, SHEET)
     assert gathered.kind == "nbgrader"
-    assert by_student(gathered)["ada"].content() == notebook("ada")
-    assert by_student(gathered)["bob"].content() is None
+    assert by_student(gathered)["ada"].read() == notebook("ada")
+    assert by_student(gathered)["bob"].read() is None
 
 
 CANVAS = {
@@ -144,7 +146,7 @@ Participant 1817;Cyn;cyn;cyn@example.edu;No submission;;100,00;-;
     "gradescope": """First Name,Last Name,SID,Email,Sections,Old,Old - Max Points
 Ada,Lovelace,0007,ada@example.edu,A,1,2
 George,Boole,1816,bob@example.edu,A,1,2
-Cyn,Missing,cyn@example.edu,cyn@example.edu,A,1,2
+Cyn,SandboxUnavailable,cyn@example.edu,cyn@example.edu,A,1,2
 """,
 }
 
@@ -168,8 +170,8 @@ def test_a_download_without_a_roster_goes_by_the_ids_in_the_sheets_and_says_so(t
     gathered = gather(source, SHEET)
     assert gathered.kind == kind
     assert "no --roster" in gathered.remarks[0]
-    assert {handed.drawn_for for handed in gathered.handed} == {""}
-    told = {typed_id(handed.content()) for handed in gathered.handed if handed.content()}
+    assert {handed.seed_id for handed in gathered.submissions} == {""}
+    told = {typed_id(handed.read()) for handed in gathered.submissions if handed.read()}
     assert told == {"ada", "bob"}
     wanted = {
         "canvas": ["boolegeorge_1816", "lovelaceada_1815"],
@@ -185,29 +187,33 @@ def test_a_roster_says_whose_a_submission_is_and_who_has_none(tmp_path, kind):
     assert gathered.remarks == []
     students = by_student(gathered)
     assert list(students) == ["ada", "bob", "cyn"]
-    assert students["ada"].drawn_for == "ada"
-    assert students["bob"].content() == notebook("bob")
-    assert students["cyn"].content() is None
+    assert students["ada"].seed_id == "ada"
+    assert students["bob"].read() == notebook("bob")
+    assert students["cyn"].read() is None
 
 
 def test_an_id_may_stand_in_another_column_and_zeros_in_front_of_it_stay(tmp_path):
     by_email = roster(tmp_path, "gradescope", "Email")
     gathered = gather(zipped(tmp_path / "s.zip", GRADESCOPE), SHEET, by_email)
-    assert [handed.student for handed in gathered.handed] == ["ada@example.edu", "bob@example.edu", "cyn@example.edu"]
+    assert [handed.student for handed in gathered.submissions] == [
+        "ada@example.edu",
+        "bob@example.edu",
+        "cyn@example.edu",
+    ]
 
 
 def test_somebody_whom_the_roster_does_not_know_is_said(tmp_path):
     strange = {**CANVAS, f"stranger_9_9_{NAME}": notebook("eve")}
     gathered = gather(zipped(tmp_path / "s.zip", strange), SHEET, roster(tmp_path, "canvas"))
-    assert gathered.remarks == ["Not in the roster, and so in no file for the platform: stranger_9."]
+    assert gathered.remarks == ["Not in the roster, and so not in the file for the platform: stranger_9."]
 
 
 @pytest.mark.parametrize(
     ("text", "message"),
     [
-        ("a,b\n1,2\n", "has the columns a, b. A roster is what Canvas"),
-        ("id,name\nada,A\nADA,B\n", "'ada' is there 2 times in 'id'"),
-        ("Student,ID,Section\n,,\n", "no id stands in .* --id-column"),
+        ("a,b\n1,2\n", "has the columns a, b. A roster must be an export of Canvas"),
+        ("id,name\nada,A\nADA,B\n", "column 'id' has the id 'ada' 2 times"),
+        ("Student,ID,Section\n,,\n", "ids in the column .* --id-column"),
         ("", "has the columns none"),
         ("a" * 5000, "has the columns a{300}. A roster"),
         (f"id\n{'x' * 200_000}\n", r"cannot be read as a table \(CSV in UTF-8\): field larger"),
@@ -220,7 +226,7 @@ def test_a_roster_that_cannot_be_one_is_told_why(tmp_path, text, message):
 
 
 def test_a_column_that_is_not_there_is_named(tmp_path):
-    with pytest.raises(ValueError, match="no id stands in matriculation"):
+    with pytest.raises(ValueError, match="ids in the column matriculation"):
         roster(tmp_path, "canvas", "Matriculation")
 
 
@@ -238,7 +244,7 @@ def test_a_column_that_is_not_there_is_named(tmp_path):
     ],
 )
 def test_of_several_files_the_one_with_the_name_of_the_sheet_is_graded(tmp_path, names, chosen):
-    (handed,) = gather(folder(tmp_path, **{f"ada/{name}": "ada" for name in names}), SHEET).handed
+    (handed,) = gather(folder(tmp_path, **{f"ada/{name}": "ada" for name in names}), SHEET).submissions
     assert handed.notebook.path.name == chosen
     assert bool(handed.notes) == (len(names) > 1)
     assert not handed.notes or f"{chosen} was graded" in handed.notes[0]
@@ -246,19 +252,19 @@ def test_of_several_files_the_one_with_the_name_of_the_sheet_is_graded(tmp_path,
 
 def test_of_several_with_other_names_the_one_that_opens_the_sheet_is_graded(tmp_path):
     folder(tmp_path, **{"ada/a.ipynb": "ada", "ada/b.ipynb": notebook("ada", "05_dh_standard")})
-    (handed,) = gather(tmp_path, SHEET).handed
+    (handed,) = gather(tmp_path, SHEET).submissions
     assert handed.notebook.path.name == "a.ipynb"
 
 
 def test_a_file_that_is_no_notebook_is_handed_on_so_that_its_reason_is_told(tmp_path):
-    (handed,) = gather(folder(tmp_path, **{"ada/sheet.pdf": b"%PDF-1.7"}), SHEET).handed
-    assert handed.content() == b"%PDF-1.7"
-    assert handed.notes == ["No notebook among what was handed in: sheet.pdf."]
+    (handed,) = gather(folder(tmp_path, **{"ada/sheet.pdf": b"%PDF-1.7"}), SHEET).submissions
+    assert handed.read() == b"%PDF-1.7"
+    assert handed.notes == ["No notebook was handed in, only: sheet.pdf."]
 
 
 def test_one_id_in_two_places_is_graded_once_by_the_newest(tmp_path):
-    (handed,) = gather(folder(tmp_path, **{f"ada/{NAME}": "old", f"ADA/{NAME}": "new"}), SHEET).handed
-    assert typed_id(handed.content()) == "new"
+    (handed,) = gather(folder(tmp_path, **{f"ada/{NAME}": "old", f"ADA/{NAME}": "new"}), SHEET).submissions
+    assert typed_id(handed.read()) == "new"
     assert handed.notes == [f"2 notebooks were handed in; ADA/{NAME} was graded."]
 
 
@@ -271,9 +277,9 @@ def test_two_submissions_of_one_id_on_a_platform_are_graded_once_by_the_newest(t
             archive.writestr(
                 zipfile.ZipInfo(f"e/submission_{number}/{NAME}", (year, 1, 1, 0, 0, 0)), notebook(str(year))
             )
-    (handed,) = gather(source, SHEET).handed
-    assert typed_id(handed.content()) == "2026"
-    assert handed.notes == [f"2 submissions belong to this id; e/submission_2/{NAME} was graded, the newest."]
+    (handed,) = gather(source, SHEET).submissions
+    assert typed_id(handed.read()) == "2026"
+    assert handed.notes == [f"2 submissions have this id; the newest, e/submission_2/{NAME}, was graded."]
 
 
 @pytest.mark.parametrize("content", [b"", b"{", b'{"cells": []}', notebook().replace(b"student = ", b"who = ")])
@@ -308,7 +314,7 @@ def test_links_and_pipes_in_a_folder_are_not_followed(tmp_path):
     assert list(students) == ["ada", "bob", "cyn", "eve"]
     assert "a link to another place" in refusal(students["bob"])
     assert "a link to another place" in refusal(students["cyn"])
-    assert "no plain file" in refusal(students["eve"])
+    assert "not a regular file" in refusal(students["eve"])
 
 
 def linked(name):
@@ -323,7 +329,7 @@ def test_paths_and_links_in_a_zip_lead_nowhere(tmp_path):
         for name in ("../../ada/", "/etc/bob/", "..\\cyn\\", "C:\\dan\\"):
             archive.writestr(f"{name}{NAME}", b"x")
         archive.writestr(linked(f"eve/{NAME}"), b"/etc/passwd")
-    told = {handed.student: refusal(handed) for handed in gather(source, SHEET).handed}
+    told = {handed.student: refusal(handed) for handed in gather(source, SHEET).submissions}
     assert set(told) == {"ada", "etc", "cyn", "dan", "eve"}
     assert all("leads out of its archive" in told[name] for name in ("ada", "etc", "cyn", "dan"))
     assert "a link" in told["eve"]
@@ -331,19 +337,19 @@ def test_paths_and_links_in_a_zip_lead_nowhere(tmp_path):
 
 
 def test_a_zip_bomb_is_not_unpacked(tmp_path):
-    bomb = b"0" * (LARGEST + 1)
+    bomb = b"0" * (MAX_NOTEBOOK_BYTES + 1)
     source = zipped(tmp_path / "s.zip", {f"ada/{NAME}": bomb, f"bob/{NAME}": notebook("bob")})
     assert source.stat().st_size < 100_000
     students = by_student(gather(source, SHEET))
     assert "unpacks to 34 MB" in refusal(students["ada"])
-    assert students["bob"].content() == notebook("bob")
+    assert students["bob"].read() == notebook("bob")
 
 
 def test_a_member_that_lies_about_its_size_gives_no_more_than_it_says(tmp_path):
-    source = zipped(tmp_path / "s.zip", {f"ada/{NAME}": b"0" * (LARGEST + 1)})
+    source = zipped(tmp_path / "s.zip", {f"ada/{NAME}": b"0" * (MAX_NOTEBOOK_BYTES + 1)})
     small = (1000).to_bytes(4, "little")
-    source.write_bytes(source.read_bytes().replace((LARGEST + 1).to_bytes(4, "little"), small))
-    (handed,) = gather(source, SHEET).handed
+    source.write_bytes(source.read_bytes().replace((MAX_NOTEBOOK_BYTES + 1).to_bytes(4, "little"), small))
+    (handed,) = gather(source, SHEET).submissions
     assert "damaged" in refusal(handed)
 
 
@@ -355,8 +361,8 @@ def test_a_zip_of_which_a_byte_was_changed_is_read_or_told_whichever_byte(tmp_pa
         for flip in (0x08, 0xFF):
             source.write_bytes(bytes([*sound[:place], sound[place] ^ flip, *sound[place + 1 :]]))
             try:
-                for file in files(source):
-                    with suppress(Refused):
+                for file in list_files(source):
+                    with suppress(UnreadableFile):
                         file.read()
             except ValueError as error:
                 told.append(str(error))
@@ -371,7 +377,7 @@ def test_a_damaged_member_costs_one_student_and_a_damaged_zip_is_told(tmp_path):
     source.write_bytes(data)
     students = by_student(gather(source, SHEET))
     assert "damaged" in refusal(students["ada"])
-    assert students["bob"].content() == notebook("bob")
+    assert students["bob"].read() == notebook("bob")
     source.write_bytes(data[:-60])
     with pytest.raises(ValueError, match=r"neither a folder nor a zip|damaged"):
         gather(source, SHEET)
@@ -379,7 +385,7 @@ def test_a_damaged_member_costs_one_student_and_a_damaged_zip_is_told(tmp_path):
 
 def test_what_file_managers_leave_is_left_out(tmp_path):
     names = [f"__MACOSX/ada/._{NAME}", f"ada/.ipynb_checkpoints/{NAME}", f"ada/{NAME}", ".DS_Store"]
-    found = files(zipped(tmp_path / "s.zip", dict.fromkeys(names, b"x")))
+    found = list_files(zipped(tmp_path / "s.zip", dict.fromkeys(names, b"x")))
     assert [str(file.path) for file in found] == [f"ada/{NAME}"]
 
 

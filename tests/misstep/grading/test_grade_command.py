@@ -22,8 +22,8 @@ if sys.platform != "linux":
 from misstep.__main__ import main
 from misstep.grading import command
 from misstep.grading.judging.result import ProblemResult, Result
-from misstep.grading.publish.result_store import Book, opened
-from misstep.grading.sandbox.limits import Missing
+from misstep.grading.publish.result_store import ResultStore, open_results
+from misstep.grading.sandbox.limits import SandboxUnavailable
 
 SOLUTION = str(submissions.ROOT / "solutions" / SHEET / f"{SHEET}.ipynb")
 
@@ -78,8 +78,8 @@ def out(handed, tmp_path_factory):
     folder = tmp_path_factory.mktemp("results")
     if grade(handed, folder) != 0:
         try:
-            command.Grader(command.master(Path(SOLUTION))).close()
-        except Missing as missing:
+            command.Grader(command.read_released_sheet(Path(SOLUTION))).close()
+        except SandboxUnavailable as missing:
             pytest.skip(f"NO GRADING IS TESTED: {missing}")
     return folder
 
@@ -92,7 +92,7 @@ def test_everybody_gets_the_points_and_the_reason_they_deserve(out):
         assert reason in told[student]["reason"]
     assert float(told["boris"]["points"]) < 20
     assert told["boris"]["mistakes"].count(";") >= 5
-    assert "The id 'alice' stands in 2 sheets." in told["erika"]["reason"]
+    assert "The id 'alice' is in 2 sheets." in told["erika"]["reason"]
 
 
 def test_whoever_has_the_answers_of_another_is_on_the_list(out):
@@ -147,11 +147,13 @@ def test_killed_at_any_moment_it_goes_on_and_ends_as_if_nothing_had_been(handed,
         os.killpg(process.pid, signal.SIGKILL)
     done = snapshot(results)
     assert 3 <= len(done) < len(CLASS) + 1
-    (results / ".half.json.half").write_text('{"form": 1, "mark"')  # as a write leaves it that was cut off
+    (results / ".partial.json.partial").write_text(
+        '{"version": 2, "fingerprint"'
+    )  # as a write leaves it that was cut off
     assert grade(handed, tmp_path / "out") == 0
     after = snapshot(results)
     assert {path: after[path] for path in done} == done
-    assert not list((tmp_path / "out").rglob("*.half"))
+    assert not list((tmp_path / "out").rglob("*.partial"))
     for pattern in ("*.csv", "feedback/*.html", "report.html"):
         assert contents(tmp_path / "out", pattern) == contents(out, pattern)
 
@@ -214,7 +216,7 @@ def test_what_changed_is_graded_again_and_nothing_else(folder, tmp_path, asked, 
     assert asked() == ["bob"]
     assert grade(folder, out, "--unsafe-no-sandbox") == 0  # another way to run is another result
     assert asked() == ["ada", "bob", "cyn"]
-    monkeypatch.setattr("misstep.grading.publish.result_store._code", lambda _: "a problem was changed")
+    monkeypatch.setattr("misstep.grading.publish.result_store._code_digest", lambda _: "a problem was changed")
     assert grade(folder, out, "--unsafe-no-sandbox") == 0
     assert asked() == ["ada", "bob", "cyn"]
 
@@ -249,7 +251,7 @@ def test_a_result_that_cannot_be_read_is_made_anew(folder, tmp_path, asked):
     out = tmp_path / "out"
     grade(folder, out)
     asked()
-    (out / "results" / "ada.json").write_text('{"form": 0}')
+    (out / "results" / "ada.json").write_text('{"version": 0}')
     (out / "results" / "bob.json").write_bytes(b"\xff")
     told = json.loads((out / "results" / "cyn.json").read_text())
     del told["result"]["problems"][0]["number"]
@@ -260,23 +262,23 @@ def test_a_result_that_cannot_be_read_is_made_anew(folder, tmp_path, asked):
 
 def test_two_runs_do_not_write_into_one_folder_and_two_sheets_neither(folder, tmp_path, asked, capsys):
     out = tmp_path / "out"
-    with opened(out, SHEET):
+    with open_results(out, SHEET):
         assert grade(folder, out) == 2
     assert "Another run writes" in capsys.readouterr().err
-    with opened(out, SHEET):
+    with open_results(out, SHEET):
         pass
     other = str(submissions.released("05_dh_standard"))
     assert main(["grade", other, str(folder), "--out", str(out)]) == 2
-    assert f"holds the results of sheet {SHEET}" in capsys.readouterr().err
+    assert f"has the results of sheet {SHEET}" in capsys.readouterr().err
 
 
 @pytest.mark.usefixtures("asked")
 @pytest.mark.parametrize(
     ("sheet", "options", "message"),
     [
-        (SOLUTION, ["--jobs", "0"], "--jobs should be 1 or more"),
+        (SOLUTION, ["--jobs", "0"], "--jobs must be at least 1"),
         (SOLUTION, ["--roster", "nowhere.csv"], "nowhere.csv cannot be read"),
-        (str(submissions.ROOT / "notebooks" / "03_poe_space.ipynb"), [], "is it a sheet"),
+        (str(submissions.ROOT / "notebooks" / "03_poe_space.ipynb"), [], "is it the notebook of a sheet"),
         ("nowhere.ipynb", [], "nowhere.ipynb"),
     ],
 )
@@ -287,7 +289,7 @@ def test_what_cannot_be_is_told_in_a_sentence(folder, capsys, sheet, options, me
 
 def test_a_layer_that_is_missing_is_told_and_nothing_runs(folder, tmp_path, monkeypatch, capsys):
     def missing(*_):
-        raise Missing("The sandbox cannot have its layer 'landlock' here.")
+        raise SandboxUnavailable("The sandbox cannot have its layer 'landlock' here.")
 
     monkeypatch.setattr(command, "Grader", missing)
     assert grade(folder, tmp_path / "out") == 2
@@ -359,13 +361,13 @@ def test_the_pages_of_a_download_go_back_as_a_zip_in_which_the_platform_finds_ev
 
 
 def test_an_interrupt_ends_it_with_what_is_done(folder, tmp_path, asked, monkeypatch, capsys):
-    kept = Book.keep
+    kept = ResultStore.save
 
     def keep(self, *result):
         kept(self, *result)
         raise KeyboardInterrupt
 
-    monkeypatch.setattr(Book, "keep", keep)
+    monkeypatch.setattr(ResultStore, "save", keep)
     assert grade(folder, tmp_path / "out") == 130
-    assert "goes on from there" in capsys.readouterr().err
+    assert "continues from there" in capsys.readouterr().err
     assert len(list((tmp_path / "out").rglob("*.json"))) == 1

@@ -13,14 +13,15 @@ from submissions import as_bytes, code, handed_in, problem_of, right
 from typed_answers import as_typed
 
 from kincourse import COURSE, find_sheet, sheets
-from misstep.grading.collect.submission import Broken, Plan, Step, master, plan
+from misstep.grading.collect.notebook import UnusableNotebook
+from misstep.grading.collect.run_plan import PlannedCell, RunPlan, plan_run, read_released_sheet
 from misstep.grading.judging import judge_process
 from misstep.grading.judging.grader import Grader
-from misstep.grading.judging.parse_output import hear
+from misstep.grading.judging.parse_output import parse_output
 from misstep.grading.sandbox import redacted_sheet
 from misstep.grading.sandbox.course_stub import setup_for
-from misstep.grading.sandbox.limits import UNSAFE, Limits, Missing, layer
-from misstep.grading.sandbox.rpc import Gone, Peer, environment
+from misstep.grading.sandbox.limits import UNSAFE_OPTION, Limits, SandboxUnavailable, sandbox_layer
+from misstep.grading.sandbox.rpc import ProcessEnded, Worker, child_environment
 from misstep.grading.sandbox.runner import Runner
 from misstep.storage.deserialize import MIME
 from misstep.storage.serialize import to_data
@@ -40,20 +41,20 @@ ROOT = Path(__file__).parents[3]
 
 @pytest.fixture
 def laid_out():
-    return redacted_sheet.laid_out
+    return redacted_sheet.load_redacted
 
 
 @pytest.mark.parametrize("name", sheets())
 def test_a_paper_holds_what_is_given_and_no_answer(name, laid_out):
     problems = [template.variant("ada") for template in find_sheet(name).problems]
-    stand_in = laid_out(redacted_sheet.written(find_sheet(name), problems))
+    stand_in = laid_out(redacted_sheet.redact(find_sheet(name), problems))
     assert stand_in.name == name
     for template, problem in zip(stand_in.problems, problems, strict=True):
         side = template.variant("whoever")
         assert side.statement == problem.statement
         assert set(side.given) == set(problem.given)
         assert not side.mistakes
-        with pytest.raises(AttributeError, match="somewhere else"):
+        with pytest.raises(AttributeError, match="not available while a sheet is graded"):
             _ = side.answer.value
 
 
@@ -63,7 +64,7 @@ def test_a_paper_holds_what_is_given_and_no_answer(name, laid_out):
 @pytest.mark.parametrize("name", sheets())
 def test_the_judge_gives_full_points_for_right_answers_and_names_mistakes(name):
     made = find_sheet(name)
-    seed = judge_process.paper(COURSE, made, "ada")["seed"]
+    seed = judge_process.redacted_sheet(COURSE, made, "ada")["seed"]
     problems = [template.variant("ada").with_inputs(seed) for template in made.problems]
     for wanted, values in {
         "right": [problem.answer.value for problem in problems],
@@ -81,7 +82,7 @@ def test_the_judge_gives_full_points_for_right_answers_and_names_mistakes(name):
 
 def test_a_paper_has_other_inputs_each_time_and_the_judge_knows_them_by_the_seed():
     made = find_sheet("03_poe_space")
-    seeds = [judge_process.paper(COURSE, made, "ada")["seed"] for _ in range(2)]
+    seeds = [judge_process.redacted_sheet(COURSE, made, "ada")["seed"] for _ in range(2)]
     assert seeds[0] != seeds[1]
     inputs = [made.problems[6].variant("ada").with_inputs(seed).answer.inputs for seed in seeds]
     assert not np.isclose(inputs[0], inputs[1]).any()
@@ -113,9 +114,9 @@ def test_what_a_verdict_quotes_is_escaped():
 
 def test_one_answer_may_take_its_time_and_no_more(monkeypatch):
     made = find_sheet("03_poe_space")
-    monkeypatch.setattr(judge_process, "SECONDS", 0.05)
+    monkeypatch.setattr(judge_process, "ANSWER_SECONDS", 0.05)
     monkeypatch.setattr(judge_process, "judge", lambda *_: [None for _ in iter(int, 1)])
-    judge_process.signal.signal(judge_process.signal.SIGPROF, judge_process._too_long)
+    judge_process.signal.signal(judge_process.signal.SIGPROF, judge_process._raise_timeout)
     told = judge_process.verdicts(COURSE, made, "ada", 0, {"1": {"number": 1}})
     assert "could not be judged: TimeoutError" in told["1"]["text"]
 
@@ -125,15 +126,15 @@ def test_a_judge_that_has_to_wait_for_its_turn_gives_the_same_verdict(monkeypatc
     made = find_sheet("03_poe_space")
     right = judge_process.verdicts(COURSE, made, "ada", 0, {"1": {"number": 1}})
     at_once = judge_process.judge
-    monkeypatch.setattr(judge_process, "SECONDS", 0.5)
+    monkeypatch.setattr(judge_process, "ANSWER_SECONDS", 0.5)
     monkeypatch.setattr(judge_process, "judge", lambda *asked: [time.sleep(0.6), at_once(*asked)][1])
-    judge_process.signal.signal(judge_process.signal.SIGPROF, judge_process._too_long)
+    judge_process.signal.signal(judge_process.signal.SIGPROF, judge_process._raise_timeout)
     assert judge_process.verdicts(COURSE, made, "ada", 0, {"1": {"number": 1}}) == right
 
 
 # --- what is heard ---
 
-PLAN = Plan([Step("1"), Step("check", 1), Step("check", 2)])
+PLAN = RunPlan([PlannedCell("1"), PlannedCell("check", 1), PlannedCell("check", 2)])
 EMISSION = {"sheet": "s", "problem": 1, "student": "ada", "answer": {"number": 1.0}}
 
 
@@ -146,14 +147,14 @@ def shown(emission, **more):
 
 
 def test_an_answer_is_heard_from_the_check_cell_of_its_problem():
-    heard = hear("s", PLAN, line(0) + line(1, shown(EMISSION)) + line(2))
+    heard = parse_output("s", PLAN, line(0) + line(1, shown(EMISSION)) + line(2))
     assert heard.answers == {"1": {"number": 1.0}}
     assert heard.typed_id == "ada"
     assert heard.cells[1].outputs[0]["data"] == {"text/plain": "x"}
 
 
 def test_the_last_answer_counts():
-    heard = hear("s", PLAN, line(0) + line(1, shown(EMISSION), shown({**EMISSION, "answer": None})))
+    heard = parse_output("s", PLAN, line(0) + line(1, shown(EMISSION), shown({**EMISSION, "answer": None})))
     assert heard.answers == {"1": None}
 
 
@@ -183,12 +184,12 @@ def test_the_last_answer_counts():
     ],
 )
 def test_what_is_not_an_answer_of_ours_is_not_heard(said):
-    assert not hear("s", PLAN, said).answers
+    assert not parse_output("s", PLAN, said).answers
 
 
 # --- what is planned ---
 
-MASTER = master(submissions.released())
+SHEET_03 = read_released_sheet(submissions.released())
 
 
 def test_the_sheets_own_checks_run_in_place_of_the_students():
@@ -196,30 +197,33 @@ def test_the_sheets_own_checks_run_in_place_of_the_students():
     for cell in notebook["cells"]:
         if problem_of(cell, "check") in (1, 2):
             cell["source"] = "print('mine')"
-    planned = plan(MASTER, as_bytes(notebook))
-    assert [step.source for step in planned.steps if step.problem == 1] == [MASTER.checks[1]]
-    assert set(planned.odd) == {1, 2}
+    planned = plan_run(SHEET_03, as_bytes(notebook))
+    assert [step.source for step in planned.cells if step.problem == 1] == [SHEET_03.checks[1]]
+    assert set(planned.remarks) == {1, 2}
 
 
 def test_every_sheet_can_be_its_own_master():
     for path in sorted(ROOT.glob("solutions/*/*.ipynb")):
-        made, released = master(path), master(ROOT / "exercises" / path.relative_to(ROOT / "solutions"))
+        made, released = (
+            read_released_sheet(path),
+            read_released_sheet(ROOT / "exercises" / path.relative_to(ROOT / "solutions")),
+        )
         assert made.checks == released.checks
         assert len(made.checks) == len(find_sheet(made.name).problems)
 
 
 def test_a_master_that_is_no_sheet_is_refused(tmp_path):
     (tmp_path / "x.ipynb").write_bytes(as_bytes({"cells": [code("1")]}))
-    with pytest.raises(ValueError, match="is it a sheet"):
-        master(tmp_path / "x.ipynb")
+    with pytest.raises(ValueError, match="is it the notebook of a sheet"):
+        read_released_sheet(tmp_path / "x.ipynb")
 
 
 @pytest.mark.parametrize(
     "junk", [b"\x00" * 100, b"null", b'"x"', b"{}", b'{"cells": {}}', b'{"worksheets": [7]}', b"\xff\xfe["]
 )
 def test_junk_is_broken_and_says_so(junk):
-    with pytest.raises(Broken, match=r"\."):
-        plan(MASTER, junk)
+    with pytest.raises(UnusableNotebook, match=r"\."):
+        plan_run(SHEET_03, junk)
 
 
 # --- processes ---
@@ -227,20 +231,20 @@ def test_junk_is_broken_and_says_so(junk):
 
 def test_a_process_that_we_start_sees_no_secrets(monkeypatch):
     monkeypatch.setenv("SECRET_TOKEN", "x")
-    assert "SECRET_TOKEN" not in environment()
+    assert "SECRET_TOKEN" not in child_environment()
 
 
 def test_a_judge_that_takes_too_long_is_ended(tmp_path):
-    peer = Peer("misstep.grading.judging.judge_process", tmp_path, "kincourse")
-    with pytest.raises(Gone, match="within 0 s"):
-        peer.ask({"ask": "problems", "sheet": "03_poe_space"}, 0.0)
-    with pytest.raises(Gone):
-        peer.ask({"ask": "problems", "sheet": "03_poe_space"}, 5.0)
+    worker = Worker("misstep.grading.judging.judge_process", tmp_path, "kincourse")
+    with pytest.raises(ProcessEnded, match="within 0 s"):
+        worker.request({"request": "problems", "sheet": "03_poe_space"}, 0.0)
+    with pytest.raises(ProcessEnded):
+        worker.request({"request": "problems", "sheet": "03_poe_space"}, 5.0)
 
 
 def test_a_layer_that_is_missing_is_named_with_its_remedy():
-    told = f"'landlock'.*no such call.*Get a newer kernel.*Nothing was run.*{UNSAFE}"
-    with pytest.raises(Missing, match=told), layer("landlock", "Get a newer kernel."):
+    told = f"'landlock'.*no such call.*Get a newer kernel.*Nothing was run.*{UNSAFE_OPTION}"
+    with pytest.raises(SandboxUnavailable, match=told), sandbox_layer("landlock", "Get a newer kernel."):
         raise OSError("no such call")
 
 
@@ -252,7 +256,7 @@ def test_a_layer_that_is_missing_is_named_with_its_remedy():
 def test_without_a_layer_the_server_refuses(package, told, monkeypatch, tmp_path):
     (tmp_path / f"{package}.py").write_text("raise ImportError('it is not installed')")
     monkeypatch.setenv("PYTHONPATH", str(tmp_path))
-    with pytest.raises(Missing, match=told):
+    with pytest.raises(SandboxUnavailable, match=told):
         Runner(setup_for(COURSE))
 
 
@@ -263,12 +267,12 @@ def test_without_a_sandbox_the_judge_is_still_somewhere_else():
     source = 'from kincourse import open_sheet\nopen_sheet("03_poe_space", "ada").problem(1).answer.value'
     try:
         ran = runner.run(
-            judge_process.paper(COURSE, made, "ada")["paper"], [source, "import os; os.listdir('/')"], Limits()
+            judge_process.redacted_sheet(COURSE, made, "ada")["sheet"], [source, "import os; os.listdir('/')"], Limits()
         )
     finally:
         runner.close()
-    first, second = map(json.loads, ran.said.splitlines())
-    assert "somewhere else" in first["outputs"][0]["evalue"]
+    first, second = map(json.loads, ran.output.splitlines())
+    assert "not available while a sheet is graded" in first["outputs"][0]["evalue"]
     assert second["outputs"][0]["output_type"] == "display_data"
 
 
@@ -285,7 +289,7 @@ def test_a_robots_own_sheet_is_judged_by_the_file_beside_the_masters_notebook(tm
 
     made = new_sheet(rpr(), tmp_path / "my_robot")
     blank = as_bytes({"cells": [code('from kincourse import open_sheet\nsheet = open_sheet("my_robot", "ada")')]})
-    with Grader(master(made)) as grader:
+    with Grader(read_released_sheet(made)) as grader:
         assert [problem.state for problem in grader.grade("ada", made.read_bytes()).problems].count("right") >= 6
         result = grader.grade("ada", blank)
         assert result.points == 0
@@ -297,10 +301,10 @@ def test_a_robots_sheet_without_its_file_is_refused(tmp_path):
     from kinlib.chains.robots import rpr
 
     made = new_sheet(rpr(), tmp_path / "my_robot")
-    sheet = master(made)
+    sheet = read_released_sheet(made)
     made.with_suffix(".json").unlink()
     with pytest.raises(ValueError, match=r"No installed course has a sheet 'my_robot'.*its file my_robot\.json"):
-        master(made)
+        read_released_sheet(made)
     with pytest.raises(ValueError, match=r"cannot open sheet my_robot.*its file my_robot\.json"):
         Grader(sheet, is_safe=False)
 

@@ -219,7 +219,7 @@ def test_a_folder_that_is_no_course_yet_is_told_what_comes_first(ours, tmp_path,
     (shutil.rmtree if (folder / what).is_dir() else Path.unlink)(folder / what)
     with pytest.raises(AssertionError):
         grade(folder)
-    assert re.search("holds no nbgrader_config|First: nbgrader generate_assignment", capsys.readouterr().err)
+    assert re.search("must have an nbgrader_config|First run: nbgrader generate_assignment", capsys.readouterr().err)
 
 
 WHOLE = """

@@ -13,13 +13,13 @@ from hypothesis import strategies as st
 
 from misstep.grading.collect.roster import Roster
 from misstep.grading.judging.result import ProblemResult, RanCell, Result
-from misstep.grading.publish.csv_table import harmless, table
-from misstep.grading.publish.feedback import feedback
-from misstep.grading.publish.grades import grades
-from misstep.grading.publish.mathml import formula, sentence
+from misstep.grading.publish.csv_table import escape_formula, format_csv
+from misstep.grading.publish.feedback import feedback_page
+from misstep.grading.publish.grades import grades_table
+from misstep.grading.publish.mathml import render_formula, render_sentence
 from misstep.grading.publish.platform_exports import export
-from misstep.grading.publish.report import report, spread
-from misstep.grading.publish.shared_answers import matches, matches_table
+from misstep.grading.publish.report import histogram_bars, report_page
+from misstep.grading.publish.shared_answers import find_matches, matches_table
 
 EVIL = "</code></pre><script>document.title = 'owned'</script><img src=x onerror=\"document.title='owned'\">&amp;"
 
@@ -111,7 +111,7 @@ ALLOWED = {
 
 
 def test_nothing_that_a_student_wrote_is_more_than_letters(hostile):
-    for page in (feedback(hostile), report([hostile], [])):
+    for page in (feedback_page(hostile), report_page([hostile], [])):
         told = Reader(page)
         assert {tag for tag, _ in told.elements} <= ALLOWED
         assert not any(name.startswith("on") for _, attributes in told.elements for name in attributes)
@@ -119,11 +119,11 @@ def test_nothing_that_a_student_wrote_is_more_than_letters(hostile):
             value for _, attributes in told.elements for name, value in attributes.items() if name in {"href", "src"}
         ]
         assert all(link.startswith(("#problem-", "data:image/png;base64,")) for link in links)
-    assert EVIL in Reader(feedback(hostile)).letters
+    assert EVIL in Reader(feedback_page(hostile)).letters
 
 
 def test_a_browser_runs_nothing_of_it_and_asks_nobody(hostile, tmp_path):
-    (tmp_path / "page.html").write_text(feedback(hostile), "utf-8")
+    (tmp_path / "page.html").write_text(feedback_page(hostile), "utf-8")
     with browsers() as start, watched(start(webgl=False)) as page:
         page.goto((tmp_path / "page.html").as_uri())
         page.evaluate("document.querySelectorAll('details').forEach(part => part.open = true)")
@@ -134,7 +134,7 @@ def test_a_browser_runs_nothing_of_it_and_asks_nobody(hostile, tmp_path):
 
 
 def test_a_page_forbids_itself_scripts_and_other_hosts():
-    policies = [a["content"] for t, a in Reader(feedback(result())).elements if a.get("http-equiv")]
+    policies = [a["content"] for t, a in Reader(feedback_page(result())).elements if a.get("http-equiv")]
     assert policies == ["default-src 'none'; style-src 'unsafe-inline'; img-src data:"]
 
 
@@ -143,7 +143,7 @@ def test_feedback_says_points_verdicts_and_why_and_shows_no_right_answer():
         "03.2", 0.0, "wrong", verdict="✗ Problem\n  0 of 3 points.\n  You took $v = \\omega$.", right={"number": 7.25}
     )
     cells = [RanCell("print(1)", None, 0, [output("shown\n"), output(image_png=PNG, text_plain="<Figure>")])]
-    page = feedback(result(problems=[problem(), odd], reason="The run stopped.", notes=["Odd."], cells=cells))
+    page = feedback_page(result(problems=[problem(), odd], reason="The run stopped.", notes=["Odd."], cells=cells))
     letters = Reader(page).letters
     for words in ("3 of 6 points", "The run stopped.", "Odd.", "✗", "not yet", "You took", "print(1)", "shown"):
         assert words in letters
@@ -157,16 +157,16 @@ def test_what_the_sheet_says_of_points_where_nobody_judges_is_left_out():
     failed = RanCell(
         "sheet.check(1, x)", 1, 2, [{"output_type": "error", "ename": "E", "evalue": "e", "traceback": ["TRACE"]}]
     )
-    page = feedback(result(cells=[check, tally, failed]))
+    page = feedback_page(result(cells=[check, tally, failed]))
     assert "SURROGATE" not in page
     assert "TRACE" in page
 
 
 def test_what_was_graded_without_a_sandbox_says_so_everywhere():
     unsafe = result(is_safe=False)
-    for text in (feedback(unsafe), report([unsafe], []), *grades([unsafe, unsafe]).splitlines()[1:]):
+    for text in (feedback_page(unsafe), report_page([unsafe], []), *grades_table([unsafe, unsafe]).splitlines()[1:]):
         assert "--unsafe-no-sandbox" in text
-    assert "--unsafe-no-sandbox" not in feedback(result()) + report([result()], []) + grades([result()])
+    assert "--unsafe-no-sandbox" not in feedback_page(result()) + report_page([result()], []) + grades_table([result()])
 
 
 # --- formulas ---
@@ -185,14 +185,14 @@ def test_what_was_graded_without_a_sandbox_says_so_everywhere():
     ],
 )
 def test_a_formula_becomes_mathematics_or_stays_as_typed(latex):
-    told = Reader(str(formula(latex)))
+    told = Reader(str(render_formula(latex)))
     assert {tag for tag, _ in told.elements} <= {"code", "math", "mrow", "mi", "mo", "mtext", "mn"}
     assert not any(attributes for _, attributes in told.elements)
 
 
 @given(st.text(alphabet="$`\\{}^_&<>abx1 \n'\"", max_size=40))
 def test_any_sentence_is_mathematics_code_and_letters(text):
-    told = Reader(str(sentence(text)))
+    told = Reader(str(render_sentence(text)))
     assert {tag for tag, _ in told.elements} <= {
         *("code", "math", "mrow", "mi", "mo", "mn", "msub", "msup", "msubsup", "mtext", "mspace"),
     }
@@ -212,7 +212,7 @@ def test_the_formulas_of_the_course_are_all_set():
         for piece in re.findall(r"\$([^$]+)\$", wrong.message)
     }
     assert len(told) > 10
-    assert [piece for piece in told if not formula(piece).startswith("<math>")] == []
+    assert [piece for piece in told if not render_formula(piece).startswith("<math>")] == []
 
 
 # --- report ---
@@ -226,7 +226,7 @@ def test_the_report_counts_and_draws_and_names_nobody():
         result("cyn", [mistaken]),
         result("dan", [problem()]),
     ]
-    page = report(class_, matches(class_))
+    page = report_page(class_, find_matches(class_))
     told = Reader(page)
     assert not {"ada", "bob", "cyn", "dan"} & set(re.findall(r"\w+", told.letters))
     drawn = [
@@ -238,13 +238,13 @@ def test_the_report_counts_and_draws_and_names_nobody():
     ]
     assert "omega x q (2)" in told.letters
     assert "1.5 of 3 points" in told.letters
-    assert "2 right, 2 not yet." in told.letters
+    assert "2 right, 2 not yet right." in told.letters
 
 
 @given(st.integers(1, 60), st.data())
 def test_a_histogram_counts_everybody_once(most, data):
     values = data.draw(st.lists(st.floats(0, most), max_size=30))
-    bars = spread(values, most)
+    bars = histogram_bars(values, most)
     assert sum(bar.count for bar in bars) == len(values)
     assert len({bar.label for bar in bars}) == len(bars) <= 10
 
@@ -271,8 +271,8 @@ def test_an_answer_that_is_right_for_another_is_listed_with_how_much_it_says():
         answered("fay", {"text": "M"}, {"text": "M"}, "right"),
         answered("gil", None, array(1, 2), "blank"),
     ]
-    found = matches(class_)
-    assert [(m.student, m.problem, tuple(m.others), m.together) for m in found] == [
+    found = find_matches(class_)
+    assert [(m.student, m.problem, tuple(m.others), m.shared_count) for m in found] == [
         ("bob", "03.1", ("ada", "gil"), 2),
         ("bob", "03.2", ("ada", "gil"), 2),
         ("dan", "03.1", ("eve", "fay"), 2),
@@ -283,13 +283,13 @@ def test_an_answer_that_is_right_for_another_is_listed_with_how_much_it_says():
 
 @pytest.mark.parametrize("data", [{"other": "x"}, {"function": "f", "outputs": [array(1)]}])
 def test_what_cannot_be_compared_matches_nobody(data):
-    assert matches([answered("ada", data, array(1)), answered("bob", array(2), data)]) == []
+    assert find_matches([answered("ada", data, array(1)), answered("bob", array(2), data)]) == []
 
 
 @pytest.mark.parametrize("data", [7, False, "text", [1], {"array": 10**400, "shape": []}, {"map": {"a": 10**400}}])
 def test_what_nobody_could_read_matches_nobody(data):
     """The judge found that it is no answer; it may be any JSON at all."""
-    assert matches([answered("ada", array(1), array(1)), answered("bob", data, array(2), "unreadable")]) == []
+    assert find_matches([answered("ada", array(1), array(1)), answered("bob", data, array(2), "unreadable")]) == []
 
 
 def test_a_formula_that_was_copied_letter_by_letter_is_found():
@@ -298,7 +298,7 @@ def test_a_formula_that_was_copied_letter_by_letter_is_found():
         answered("ada", text, {"symbolic": "a*cos(q_1)"}, "right"),
         answered("bob", text, {"symbolic": "b*cos(q_1)"}),
     ]
-    assert [(m.student, m.others) for m in matches(class_)] == [("bob", ["ada"])] * 2
+    assert [(m.student, m.others) for m in find_matches(class_)] == [("bob", ["ada"])] * 2
 
 
 # --- tables ---
@@ -308,26 +308,26 @@ def test_a_formula_that_was_copied_letter_by_letter_is_found():
     "cell", ["=1+1", "+1 2", "-x", "@SUM(A1)", "\t=1", "\r=1", "=cmd|' /C calc'!A0", "＝1", "-2+3"]
 )
 def test_no_cell_is_a_formula(cell):
-    assert harmless(cell) == f"'{cell}"
+    assert escape_formula(cell) == f"'{cell}"
 
 
 @given(st.text(max_size=20))
 def test_a_cell_begins_as_no_formula_or_is_a_number(cell):
-    told = harmless(cell)
+    told = escape_formula(cell)
     assert told[:1] not in set("=+-@\t\r") or told == "-" or float(told.replace(",", ".")) is not None
 
 
 @given(st.lists(st.lists(st.text(alphabet='a",;\n ', max_size=5), min_size=2, max_size=2), max_size=4))
 def test_a_table_reads_back_as_it_was(rows):
-    assert list(csv.reader(io.StringIO(table(["x", "y"], rows)))) == [
+    assert list(csv.reader(io.StringIO(format_csv(["x", "y"], rows)))) == [
         ["x", "y"],
-        *([harmless(cell) for cell in row] for row in rows),
+        *([escape_formula(cell) for cell in row] for row in rows),
     ]
 
 
 def test_grades_hold_points_reasons_and_mistakes():
     unusual = result("=bob", reason="It stopped.", notes=["Odd."], typed_id="ada")
-    rows = list(csv.DictReader(io.StringIO(grades([result(typed_id="ada"), unusual]))))
+    rows = list(csv.DictReader(io.StringIO(grades_table([result(typed_id="ada"), unusual]))))
     assert rows[0] == {
         "student": "ada",
         "points": "4.5",
@@ -340,7 +340,7 @@ def test_grades_hold_points_reasons_and_mistakes():
         "id in the sheet": "ada",
         "run in": "sandbox",
     }
-    assert (rows[1]["student"], rows[1]["reason"]) == ("'=bob", "It stopped. Odd. The id 'ada' stands in 2 sheets.")
+    assert (rows[1]["student"], rows[1]["reason"]) == ("'=bob", "It stopped. Odd. The id 'ada' is in 2 sheets.")
 
 
 # --- what platforms take ---
@@ -397,7 +397,7 @@ def test_moodle_takes_its_worksheet_back_with_grades_out_of_its_own_maximum():
         'Participant 1,Ada,ada,75,"100,00",-,',
         'Participant 3,Cyn,cyn,,"100,00",-,',
     ]
-    with pytest.raises(ValueError, match="grade the assignment by points, not a scale"):
+    with pytest.raises(ValueError, match="grade the assignment with points, not a scale"):
         moodle("Excellent")
 
 

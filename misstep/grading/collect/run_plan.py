@@ -1,0 +1,112 @@
+"""What is run of a submission: the student's cells in their order, with the sheet's own check cells instead of the student's.
+
+The answers of a submission are in its code, so its code is run again. Check cells may have been deleted, duplicated or
+edited, so the released sheet's own check cells are run in their place.
+"""
+
+import re
+from collections.abc import Mapping, Sequence
+from contextlib import chdir
+from dataclasses import dataclass, field
+from pathlib import Path
+
+from misstep.catalog import course_of, find_course
+from misstep.grading.collect.notebook import CodeCell, UnusableNotebook, code_cells
+
+OPEN_SHEET_CALL = re.compile(r"open_sheet\(\s*[\"']([^\"']+)[\"']")
+
+
+@dataclass(frozen=True)
+class ReleasedSheet:
+    """A sheet as students received it.
+
+    name    the name that open_sheet takes
+    folder  the folder of its notebook
+    checks  the source of the check cell of each problem, by the problem's number, from 1
+    course  the package of an installed course, or the folder of another one
+    """
+
+    name: str
+    folder: Path
+    checks: Mapping[int, str]
+    course: str
+
+
+@dataclass(frozen=True)
+class PlannedCell:
+    """A cell to run: its source, the problem that it checks, if any, and the index of the cell in the submission."""
+
+    source: str
+    problem: int | None = None
+    index: int | None = None
+
+
+@dataclass(frozen=True)
+class RunPlan:
+    """The cells to run, in order, and remarks on the check cells of each problem, such as that one was edited."""
+
+    cells: Sequence[PlannedCell]
+    remarks: Mapping[int, Sequence[str]] = field(default_factory=dict)
+
+
+def read_released_sheet(path: Path, course: str | Path | None = None) -> ReleasedSheet:
+    """Read the notebook of a released sheet, from solutions/ or exercises/.
+
+    course  the course that has the sheet, by its package or its folder; by default the installed course that has it
+
+    Raises ValueError for a notebook that opens no sheet or has no check cells, and if no course has the sheet.
+    """
+    cells = code_cells(path.read_bytes())
+    opened = next((match[1] for cell in cells if (match := OPEN_SHEET_CALL.search(cell.source))), None)
+    checks = {int(cell.name.removeprefix("check-")): cell.source for cell in cells if _is_check(cell.name)}
+    if opened is None or not checks:
+        raise ValueError(
+            f"{path} must call open_sheet and have cells named check-1, check-2, ...; is it the notebook of a sheet?"
+        )
+    if course:
+        return ReleasedSheet(opened, path.parent, checks, find_course(course).reference)
+    with chdir(path.parent):  # a course may find a sheet by a file beside the notebook
+        return ReleasedSheet(opened, path.parent, checks, course_of(opened).reference)
+
+
+def plan_run(sheet: ReleasedSheet, content: bytes) -> RunPlan:
+    """Decide what to run: the submission's cells in their order, with the sheet's own check cells.
+
+    Raises UnusableNotebook if the file has nothing to run, or is another sheet.
+    """
+    cells = code_cells(content)
+    problems = [_problem_of(cell, sheet) for cell in cells]
+    opened = {name for cell in cells for name in OPEN_SHEET_CALL.findall(cell.source)}
+    if sheet.name not in opened and (opened or not any(problems)):
+        reason = f"it opens {', '.join(sorted(opened))}" if opened else "none of its cells belongs to it"
+        raise UnusableNotebook(f"This is not sheet {sheet.name}: {reason}. Was another file handed in by mistake?")
+    planned: list[PlannedCell] = []
+    remarks = {k: list[str]() for k in sheet.checks}
+    for cell, k in zip(cells, problems, strict=True):
+        planned.append(PlannedCell(cell.source if k is None else sheet.checks[k], k, cell.index))
+        if k is not None and _normalize(cell.source) != _normalize(sheet.checks[k]):
+            remarks[k].append("Its check cell was edited; the sheet's own check cell was run instead.")
+    for k, source in sheet.checks.items():
+        count = problems.count(k)
+        if count == 0:
+            planned.append(PlannedCell(source, k))
+            remarks[k].append("Its check cell was deleted; the sheet's own check cell was run at the end.")
+        elif count > 1:
+            remarks[k].append(f"Its check cell occurs {count} times; the last one counts.")
+    return RunPlan(planned, {k: lines for k, lines in remarks.items() if lines})
+
+
+def _problem_of(cell: CodeCell, sheet: ReleasedSheet) -> int | None:
+    """The problem that a cell checks: by its name, or, if an editor lost the name, by its source."""
+    if _is_check(cell.name) and (k := int(cell.name.removeprefix("check-"))) in sheet.checks:
+        return k
+    return next((k for k, source in sheet.checks.items() if _normalize(source) == _normalize(cell.source)), None)
+
+
+def _is_check(name: str) -> bool:
+    return re.fullmatch(r"check-\d{1,3}", name) is not None
+
+
+def _normalize(source: str) -> str:
+    """The source without whitespace and comments, which editors change."""
+    return re.sub(r"#.*|\s", "", source)
