@@ -67,7 +67,7 @@ def straightened(path, curve):
 
 @pytest.mark.oracle("axiom: the points of a unit circle", CurveTracer.follow)
 @pytest.mark.parametrize("step", STEPS)
-def test_a_circle_is_gone_round_once(step):
+def test_a_circle_is_traced_once(step):
     curve = circle().follow(np.array([0.6, 0.8]), step, 1000)
     assert curve.closed
     assert curve.ends == ("closed", "closed")
@@ -82,7 +82,7 @@ def test_a_circle_is_gone_round_once(step):
     assert (np.diff(curve.length) <= step * 1.3).all()
 
 
-def test_turning_points_stand_where_the_coordinate_turns_back():
+def test_turning_points_are_where_a_coordinate_reverses():
     curve = circle().follow(np.array([0.6, 0.8]), 0.05, 1000)
     for i in range(2):
         turned = curve.turning_points(i)
@@ -90,7 +90,7 @@ def test_turning_points_stand_where_the_coordinate_turns_back():
         close(np.abs(curve.q[turned, i]), 1, atol=0.05**2)
 
 
-def test_a_closed_curve_may_turn_where_it_starts():
+def test_a_closed_curve_may_have_a_turning_point_at_its_start():
     for start in ([1.0, 0.0], [0.0, -1.0]):
         curve = circle().follow(np.array(start), 0.05, 1000)
         for lines in (curve, circle().resample(curve, 200)):
@@ -106,7 +106,7 @@ def test_a_curve_on_a_torus_closes_after_all_its_windings():
     close(curve.length[-1], 2 * np.pi * np.sqrt(5))
 
 
-def test_a_curve_that_passes_beside_its_start_is_not_yet_back():
+def test_a_curve_that_passes_near_its_start_is_not_closed():
     """x = 30 y winds round a torus thirty times, a fifth of a radian from winding to winding, and each passes as the first."""
     path = plane_curve(lambda x, y: x - 30 * y, lambda x, y: (1 + 0 * x, -30 + 0 * y), turns=(True, True))
     curve = path.follow(np.zeros(2), 2.0, 1000)
@@ -114,7 +114,7 @@ def test_a_curve_that_passes_beside_its_start_is_not_yet_back():
     close(curve.length[-1], 2 * np.pi * np.sqrt(901))
 
 
-def test_a_wave_round_a_cylinder_closes_after_one_turn():
+def test_a_wave_around_a_cylinder_closes_after_one_turn():
     path = plane_curve(lambda x, y: y - np.sin(x), lambda x, y: (-np.cos(x), 1 + 0 * y), turns=(True, False))
     curve = path.follow(np.array([0.0, 0.0]), 0.1, 1000)
     assert curve.closed
@@ -124,7 +124,7 @@ def test_a_wave_round_a_cylinder_closes_after_one_turn():
 
 
 @pytest.mark.parametrize("count", [20, 77, 100])
-def test_a_curve_closes_where_its_steps_come_out_even(count):
+def test_a_curve_closes_if_a_step_ends_exactly_at_its_start(count):
     """A last step that ends at the start to the last digit, or to all but the last, is the last one."""
     path = plane_curve(lambda x, y: x - 2 * y - 1, lambda x, y: (1 + 0 * x, -2 + 0 * y), turns=(True, True))
     length = 2 * np.pi * np.sqrt(5)
@@ -135,7 +135,7 @@ def test_a_curve_closes_where_its_steps_come_out_even(count):
 
 
 @pytest.mark.parametrize("step", STEPS[:2])
-def test_viviani_s_curve_goes_through_itself_and_closes(step):
+def test_viviani_s_curve_intersects_itself_and_closes(step):
     """A sphere and a cylinder that touches it from within, in (2, 0, 0), have (1 + cos t, sin t, 2 sin(t/2)) in common."""
 
     def equations(points):
@@ -154,7 +154,7 @@ def test_viviani_s_curve_goes_through_itself_and_closes(step):
     close(laid.length[-1], float(2 * half), atol=1e-4)
 
 
-def test_a_guess_that_bends_with_the_curve_is_put_right_in_two_steps():
+def test_a_prediction_with_curvature_is_corrected_in_two_steps():
     """Ahead along the tangent it would take three; a step that overshoots would leave the circle in other places."""
     asked = []
     once = circle()
@@ -168,7 +168,7 @@ def test_a_guess_that_bends_with_the_curve_is_put_right_in_two_steps():
     close(np.diff(curve.length)[:-1], 0.2, atol=4e-3)
 
 
-def test_a_steep_rise_between_level_stretches_is_climbed_and_not_leapt_over():
+def test_a_steep_rise_between_level_parts_is_not_skipped():
     """Before it and behind it the curve goes the same way, so that the tangents of a long step would not tell."""
     path = plane_curve(
         lambda x, y: y - 0.3 * np.tanh(100 * x),
@@ -181,7 +181,7 @@ def test_a_steep_rise_between_level_stretches_is_climbed_and_not_leapt_over():
     assert np.abs(np.diff(curve.q[:, 1])).max() < 0.3
 
 
-def test_equations_that_repeat_each_other_are_no_obstacle():
+def test_redundant_equations_give_the_same_curve():
     once = circle()
 
     def thrice(x):
@@ -196,7 +196,7 @@ def test_equations_that_repeat_each_other_are_no_obstacle():
 
 
 @pytest.mark.parametrize("step", STEPS)
-def test_through_a_crossing_it_goes_straight_on(step):
+def test_tracing_continues_straight_through_a_crossing(step):
     """The lemniscate of Bernoulli, b = 1, through its double point: as long as both leaves, 2 sqrt(2) lemniscate constants."""
     curve = cassini(1.0).follow(start_of(1.0), step, 2000)
     assert curve.closed
@@ -207,7 +207,7 @@ def test_through_a_crossing_it_goes_straight_on(step):
 
 @pytest.mark.parametrize("step", STEPS)
 @pytest.mark.parametrize("near", [0.1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6])
-def test_no_branch_is_jumped_where_two_almost_meet(near, step):
+def test_tracing_stays_on_its_branch_where_two_almost_meet(near, step):
     """Cassini's ovals come as near to each other as sqrt(8 |1 - b|), and are one or two all the same."""
     for b in (1 - near, 1 + near):
         curve = cassini(b).follow(start_of(b), step, 2000)
@@ -218,7 +218,7 @@ def test_no_branch_is_jumped_where_two_almost_meet(near, step):
 
 
 @pytest.mark.parametrize("near", [1e-1, 1e-3, 1e-5])
-def test_started_at_a_waist_it_does_not_take_the_far_side_for_home(near):
+def test_at_a_waist_the_opposite_side_is_not_taken_for_the_start(near):
     """At its waist the oval is sqrt(b^2 - 1) wide on either side, and both sides are parallel."""
     b = 1 + near
     for step in STEPS:
@@ -228,7 +228,7 @@ def test_started_at_a_waist_it_does_not_take_the_far_side_for_home(near):
         assert curve.q[:, 1].min() < 0 < curve.q[:, 1].max()
 
 
-def test_at_a_crossing_itself_there_is_no_telling_where_to_go():
+def test_a_start_at_a_crossing_is_refused():
     with pytest.raises(
         ValueError, match=r"Exactly one direction must lead away.*; got 2\. .*start beside the crossing\."
     ):
@@ -258,7 +258,7 @@ def test_a_cubic_turns_twice_between_its_limits(step):
 
 @pytest.mark.parametrize("beyond", [0.5, 1e-2, 1e-3, 1e-6])
 @pytest.mark.parametrize("step", STEPS)
-def test_a_limit_is_met_even_if_one_step_leads_past_it_and_back(beyond, step):
+def test_a_limit_is_met_even_if_one_step_passes_it_and_returns(beyond, step):
     """A step is a cubic, which errs by its fourth power over 384: with steps of 0.3 an excursion of 1e-6 may pass unseen."""
     if step**4 / 384 > beyond:
         return
@@ -269,7 +269,7 @@ def test_a_limit_is_met_even_if_one_step_leads_past_it_and_back(beyond, step):
 
 
 @pytest.mark.parametrize("start", [-0.02, -0.28, 0.02, 0.28])
-def test_a_top_beyond_a_limit_is_seen_from_the_last_point_before_it_and_from_the_first_behind(start):
+def test_a_maximum_beyond_a_limit_is_found_from_either_side(start):
     """Of the two handles of a step one alone reaches beyond the limit: that of the point beside the top."""
     path = plane_curve(
         lambda x, y: y + 0.3 * x * x, lambda x, y: (0.6 * x, 1 + 0 * y), limits=((-1, 1), (-np.inf, -3e-5))
@@ -281,7 +281,7 @@ def test_a_top_beyond_a_limit_is_seen_from_the_last_point_before_it_and_from_the
 
 
 @pytest.mark.parametrize(("start", "stop"), [(0.0, 0), (0.3, 1)])
-def test_a_low_top_on_the_way_to_a_level_stretch_is_seen(start, stop):
+def test_a_small_maximum_beyond_a_limit_is_found(start, stop):
     """Here the handles reach beyond the limit by little, and the top by less than a thousandth of the step."""
     top = np.polynomial.Polynomial([1, -1]) ** 2 * np.polynomial.Polynomial([-1, 2]) * 0.015 - 3e-4
 
@@ -295,12 +295,12 @@ def test_a_low_top_on_the_way_to_a_level_stretch_is_seen(start, stop):
 
 
 @pytest.mark.parametrize("step", [0.1, 0.02])
-def test_a_limit_that_is_only_touched_stops_nothing(step):
+def test_a_curve_that_touches_a_limit_continues(step):
     """Steps of 0.02 are cubics that err by 4e-10: nearer than what counts as the same."""
     assert circle(limits=((-1, 1), (-1, 1))).follow(np.array([0.6, 0.8]), step, 1000).closed
 
 
-def test_of_two_limits_the_first_one_counts():
+def test_a_curve_ends_at_the_first_of_two_limits():
     path = circle(limits=((-np.inf, 0.8), (-0.9, np.inf)))
     curve = path.follow(np.array([-1.0, 0.0]), 0.5, 1000)
     ends = dict(zip(curve.ends, curve.q[[0, -1]], strict=True))
@@ -309,7 +309,7 @@ def test_of_two_limits_the_first_one_counts():
 
 
 @pytest.mark.parametrize(("limit", "first"), [(0.9, "y"), (1.1, "x")])
-def test_of_two_limits_within_one_step_the_first_one_counts(limit, first):
+def test_a_curve_ends_at_the_first_of_two_limits_within_one_step(limit, first):
     path = plane_curve(
         lambda x, y: y - 2 * x, lambda x, y: (-2 + 0 * x, 1 + 0 * y), limits=((-0.5, 0.5), (-limit, limit))
     )
@@ -326,7 +326,7 @@ def test_of_two_limits_within_one_step_the_first_one_counts(limit, first):
 
 
 @pytest.mark.parametrize("step", STEPS)
-def test_a_start_beyond_a_limit_by_rounding_may_come_back_and_not_go_on(step):
+def test_a_start_beyond_a_limit_by_rounding_may_only_return(step):
     """On its way out it would be back before a thousandth: that is no reason to let it."""
     path = plane_curve(lambda x, y: y + x * x, lambda x, y: (2 * x, 1 + 0 * y), limits=((-1, 1), (-np.inf, -5e-7)))
     for side in (1, -1):
@@ -335,7 +335,7 @@ def test_a_start_beyond_a_limit_by_rounding_may_come_back_and_not_go_on(step):
         close(np.sort(side * curve.q[[0, -1], 0]), [7e-4, 1], atol=3e-4)
 
 
-def test_a_start_beyond_a_limit_that_no_way_leads_back_to_is_all_there_is():
+def test_a_start_beyond_a_limit_without_a_way_back_is_the_whole_curve():
     path = plane_curve(
         lambda x, y: x - y * y, lambda x, y: (1 + 0 * x, -2 * y), limits=((-np.inf, -5e-7), (-np.inf, np.inf))
     )
@@ -344,14 +344,14 @@ def test_a_start_beyond_a_limit_that_no_way_leads_back_to_is_all_there_is():
     close(curve.q, [[1e-8, -1e-4]])
 
 
-def test_from_a_limit_only_the_way_inwards_is_open():
+def test_from_a_limit_a_curve_leads_only_inwards():
     curve = circle(limits=((-np.inf, 0.6), (-np.inf, np.inf))).follow(np.array([0.6, 0.8]), 0.1, 1000)
     assert curve.ends == ("limit of x", "limit of x")
     close(curve.q[[0, -1], 0], 0.6)
     close(straightened(circle(), curve), 2 * np.pi - 2 * np.arccos(0.6), atol=1e-5)
 
 
-def test_a_straight_way_stops_at_the_limit_that_it_starts_from():
+def test_a_straight_curve_ends_at_the_limit_that_it_starts_from():
     """Where a curve is straight its cubic has no cubic part but rounding, and that must not hide where it ends."""
     for rise in (1.0, -1.0, 0.3):
         path = plane_curve(
@@ -364,7 +364,7 @@ def test_a_straight_way_stops_at_the_limit_that_it_starts_from():
         assert curve.ends == ("limit of x", "limit of x")
 
 
-def test_between_limits_that_leave_no_room_a_curve_is_one_point():
+def test_between_equal_limits_a_curve_is_one_point():
     path = circle(limits=((0.6, 0.6), (-np.inf, np.inf)))
     curve = path.follow(np.array([0.6, 0.8]), 0.1, 1000)
     assert curve.ends == ("limit of x", "limit of x")
@@ -373,7 +373,7 @@ def test_between_limits_that_leave_no_room_a_curve_is_one_point():
 
 
 @pytest.mark.parametrize("step", [0.1, 0.01])
-def test_at_a_cusp_it_ends_for_no_tangent_leads_on(step):
+def test_a_curve_ends_at_a_cusp(step):
     """y^2 = x^3 comes to the origin along x, and goes back the way it came."""
     path = plane_curve(lambda x, y: y**2 - x**3, lambda x, y: (-3 * x * x, 2 * y), limits=((-1, 1), (-2, 2)))
     curve = path.follow(np.array([0.25, 0.125]), step, 1000)
@@ -381,7 +381,7 @@ def test_at_a_cusp_it_ends_for_no_tangent_leads_on(step):
     assert np.linalg.norm(curve.q, axis=1).min() < 1e-4
 
 
-def test_a_curve_without_an_end_is_left_unfinished_and_says_so():
+def test_a_curve_is_left_unfinished_after_max_steps():
     path = plane_curve(lambda x, y: y - x, lambda x, y: (-1 + 0 * x, 1 + 0 * y))
     curve = path.follow(np.array([0.0, 0.0]), 0.1, 20)
     assert curve.ends == ("20 points", "20 points")
@@ -392,7 +392,7 @@ def test_a_curve_without_an_end_is_left_unfinished_and_says_so():
 # --- points at equal steps ---
 
 
-def test_a_curve_laid_out_is_on_the_curve_at_equal_steps_and_closes():
+def test_a_resampled_curve_has_equal_steps_and_closes():
     small = plane_curve(lambda x, y: x * x + y * y - 0.04, lambda x, y: (2 * x, 2 * y))
     for path, start, step in (
         (circle(), [1.0, 0.0], 0.2),
@@ -421,7 +421,7 @@ def drawn(count=40, far=7.0):
 
 @pytest.mark.oracle("scipy", Curve.interpolate, Curve.length)
 @pytest.mark.parametrize("count", [2, 7, 101])
-def test_between_its_points_a_curve_is_scipy_s_hermite_spline(count):
+def test_interpolation_agrees_with_scipy_s_hermite_spline(count):
     _, curve = drawn()
     s = np.cumsum([0.0, *map(distance.euclidean, curve.q, curve.q[1:])])
     close(curve.length, s)
@@ -430,7 +430,7 @@ def test_between_its_points_a_curve_is_scipy_s_hermite_spline(count):
 
 
 @pytest.mark.oracle("scipy", Curve.turning_points)
-def test_a_coordinate_turns_at_the_peaks_that_scipy_finds():
+def test_turning_points_agree_with_scipy_s_peaks():
     _, curve = drawn(4001)
     for i in (0, 1):
         peaks = [found for sign in (1, -1) for found in find_peaks(sign * curve.q[:, i])[0]]
@@ -442,7 +442,7 @@ def test_a_coordinate_turns_at_the_peaks_that_scipy_finds():
 # --- where there is no curve ---
 
 
-def test_a_start_that_is_no_solution_is_refused():
+def test_a_start_that_is_not_a_solution_is_refused():
     with pytest.raises(
         ValueError,
         match=r"A curve must start at a solution; the residual of this start is 3\. Assemble the linkage first",
@@ -450,12 +450,12 @@ def test_a_start_that_is_no_solution_is_refused():
         circle().follow(np.array([2.0, 0.0]), 0.1, 1000)
 
 
-def test_a_start_typed_with_fewer_digits_is_put_right():
+def test_a_start_typed_with_fewer_digits_is_corrected():
     start = np.array([0.6, 0.8]) + 1e-11
     close(np.linalg.norm(circle().follow(start, 0.1, 1000).q, axis=1), 1, atol=1e-15)
 
 
-def test_a_point_and_a_surface_are_no_curves():
+def test_an_isolated_point_and_a_surface_are_refused():
     free = circle()
     both = CurveTracer(
         lambda x: (x, np.broadcast_to(np.eye(2), (len(x), 2, 2))), 1e-13, ["x", "y"], free.is_angle, free.limits

@@ -49,7 +49,7 @@ def repeated(x):
 
 
 @pytest.mark.oracle("scipy", solve)
-def test_it_finds_what_scipy_finds():
+def test_solve_finds_the_solution_that_scipy_finds():
     guesses = np.random.default_rng(1).uniform(-3, 3, (20, 2))
     found = solve(rosenbrock, guesses, tolerance=1e-13)
     assert (found.residual <= 1e-13).all()
@@ -72,13 +72,13 @@ def damped(equations, x, steps):
     return x
 
 
-def test_step_by_step_it_is_the_iteration_of_fan_and_yuan():
+def test_each_step_is_that_of_fan_and_yuan():
     guesses = np.random.default_rng(1).uniform(-3, 3, (20, 2))
     for steps in range(1, 9):
         close(solve(rosenbrock, guesses, 0.0, steps).x, [damped(rosenbrock, x, steps) for x in guesses], atol=1e-9)
 
 
-def test_a_step_that_brings_far_less_than_it_promised_is_not_taken():
+def test_a_step_that_achieves_far_less_than_predicted_is_rejected():
     """A slope that is stated 10,000 times too steep: the step that it asks for lessens the residual by 1 in 10,000."""
 
     def steep(x):
@@ -88,7 +88,7 @@ def test_a_step_that_brings_far_less_than_it_promised_is_not_taken():
 
 
 @pytest.mark.parametrize("scale", [2.0**-60, 2.0**60])
-def test_equations_in_other_units_have_the_same_way(scale):
+def test_steps_do_not_depend_on_the_unit_of_the_equations(scale):
     """In powers of two, to the last digit: at the solution, and where nothing solves."""
 
     def scaled(equations):
@@ -104,7 +104,7 @@ def test_equations_in_other_units_have_the_same_way(scale):
         assert (found.x.tolist(), found.iterations) == (same.x.tolist(), same.iterations)
 
 
-def test_short_of_rank_it_still_arrives():
+def test_solve_converges_for_a_rank_deficient_jacobian():
     """Powell's function is 0 at 0 alone. A residual of 1e-12 is the square of a distance, so that is known to 1e-6."""
     found = solve(powell, np.random.default_rng(1).uniform(-3, 3, (20, 4)), tolerance=1e-12)
     assert (found.residual <= 1e-12).all()
@@ -112,7 +112,7 @@ def test_short_of_rank_it_still_arrives():
 
 
 @given(st.floats(-5, 5), st.floats(-5, 5))
-def test_from_anywhere_the_circle_is_reached_radially(a, b):
+def test_the_circle_is_reached_along_its_radius(a, b):
     """By symmetry the nearest point is straight ahead; only the centre itself is a dead end."""
     guess = np.array([[a, b]])
     if np.linalg.norm(guess) < 1e-3:
@@ -122,13 +122,13 @@ def test_from_anywhere_the_circle_is_reached_radially(a, b):
         close(found.x, guess / np.linalg.norm(guess), atol=1e-11)
 
 
-def test_too_many_equations_that_agree_still_converge_quadratically():
+def test_redundant_equations_converge_quadratically():
     sizes = [solve(repeated, np.array([[1.2, 0.0]]), tolerance=0.0, iterations=k).residual[0] for k in range(2, 6)]
     for before, after in pairwise(sizes):
         assert after < max(before**1.7, 1e-15)
 
 
-def test_where_nothing_solves_it_says_what_is_left_and_stops():
+def test_without_a_solution_the_search_ends_at_the_least_residual():
     """Two circles 3 apart: the least that two equations leave over, as SciPy's least squares finds it."""
 
     def apart(x):
@@ -143,7 +143,7 @@ def test_where_nothing_solves_it_says_what_is_left_and_stops():
     assert found.iterations < 100
 
 
-def test_a_dead_end_is_left_at_once():
+def test_the_search_ends_at_once_at_a_stationary_point():
     """At the centre of the circle every direction is as good, and none is better to first order."""
     found = solve(circle, np.zeros((1, 2)), tolerance=1e-12)
     assert (found.x == 0).all()
@@ -151,7 +151,7 @@ def test_a_dead_end_is_left_at_once():
     assert found.iterations == 1
 
 
-def test_guesses_side_by_side_do_not_disturb_each_other():
+def test_several_guesses_give_the_same_as_one_at_a_time():
     guesses = np.random.default_rng(2).uniform(-2, 2, (10, 2))
     together = solve(rosenbrock, guesses, tolerance=1e-12)
     for i, guess in enumerate(guesses):
@@ -160,7 +160,7 @@ def test_guesses_side_by_side_do_not_disturb_each_other():
         assert together.iterations >= alone.iterations
 
 
-def test_each_guess_may_have_its_own_tolerance_and_a_solved_one_stays():
+def test_each_guess_may_have_its_own_tolerance():
     guesses = np.array([[1.1, 0.0], [1.1, 0.0], [1.0, 0.0]])
     found = solve(circle, guesses, tolerance=np.array([1.0, 1e-14, 1e-14]))
     assert found.x[0].tolist() == [1.1, 0.0]
@@ -177,17 +177,17 @@ def test_the_steps_are_counted_and_limited():
     assert solve(powell, np.ones((1, 4)), tolerance=0.0).iterations == 100
 
 
-def test_whoever_stands_on_a_solution_takes_no_step():
+def test_no_step_is_taken_from_a_solution():
     assert solve(circle, np.array([[1.0, 0.0]]), tolerance=0.0).iterations == 0
     assert solve(lambda x: (x - 1, np.ones((len(x), 1, 1))), np.array([[1 + 1e-9]]), tolerance=0.0).iterations == 1
 
 
-def test_the_jacobian_comes_with_the_solution():
+def test_the_jacobian_is_that_at_the_solution():
     found = solve(rosenbrock, np.array([[3, -2], [0, 1]]), tolerance=1e-13)
     close(found.jacobian, rosenbrock(found.x)[1])
 
 
-def test_the_guess_is_not_written_to():
+def test_the_guess_is_not_modified():
     guess = np.array([[3.0, 4.0]])
     solve(circle, guess, tolerance=1e-12)
     assert guess.tolist() == [[3, 4]]
@@ -206,7 +206,7 @@ def test_null_space_is_scipy_s(rows, columns, rank, seed):
     assert np.count_nonzero(is_nonzero(values)) == columns - directions.shape[1]
 
 
-def test_singular_values_count_in_parts_of_the_largest():
+def test_singular_values_count_relative_to_the_largest():
     assert is_nonzero(np.array([1e6, 1.0, 1e-2])).tolist() == [True, True, False]
     assert is_nonzero(np.array([1e-30, 1e-35, 1e-40])).tolist() == [True, True, False]
     assert is_nonzero(np.zeros(3)).tolist() == [False, False, False]

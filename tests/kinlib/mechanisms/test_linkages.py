@@ -40,7 +40,7 @@ def angle(vector):
 # --- four bars ---
 
 
-def four_bar_postures(ground, crank, coupler, rocker, A):
+def four_bar_configurations(ground, crank, coupler, rocker, A):
     """Both postures at a crank angle, by the circles on which C lies."""
     B = crank * np.array([np.cos(A), np.sin(A)])
     D = np.array([ground, 0.0])
@@ -62,7 +62,7 @@ FOUR_BARS = {
 @pytest.mark.parametrize("name", FOUR_BARS)
 def test_a_four_bar_has_the_two_modes_that_two_circles_have(name):
     linkage = linkages.four_bar(*FOUR_BARS[name])
-    expected = list(four_bar_postures(*FOUR_BARS[name], -0.7))
+    expected = list(four_bar_configurations(*FOUR_BARS[name], -0.7))
     modes = linkage.assembly_modes(hold={"A": -0.7})
     assert len(modes) == len(expected) == 2
     for mode in modes:
@@ -70,12 +70,12 @@ def test_a_four_bar_has_the_two_modes_that_two_circles_have(name):
 
 
 @pytest.mark.oracle("mpmath", Mechanism.trace, Closure.trace, CurveTracer.resample, linkages.four_bar)
-def test_every_posture_of_the_traced_crank_rocker_is_on_both_circles():
+def test_every_configuration_of_the_traced_crank_rocker_is_on_both_circles():
     linkage = linkages.four_bar(*FOUR_BARS["crank-rocker"])
     curve = linkage.trace(linkage.assembly_modes(hold={"A": 1.0})[0], points=73)
     assert curve.closed
     for q in curve.q:
-        assert min(apart(q, other) for other in four_bar_postures(*FOUR_BARS["crank-rocker"], q[0])) < EXACT
+        assert min(apart(q, other) for other in four_bar_configurations(*FOUR_BARS["crank-rocker"], q[0])) < EXACT
 
 
 @pytest.mark.oracle("printed: Freudenstein (1954)", Mechanism.trace, linkages.four_bar)
@@ -88,7 +88,7 @@ def test_freudenstein_s_equation_holds_along_the_curve():
     close(g / a * np.cos(D) - g / r * np.cos(A) + (g * g + a * a + r * r - c * c) / (2 * a * r), np.cos(A - D))
 
 
-def test_grashof_s_crank_goes_round_in_both_modes_and_its_rocker_rocks():
+def test_a_grashof_crank_makes_full_turns_in_both_modes_and_its_rocker_does_not():
     linkage = linkages.four_bar(*FOUR_BARS["crank-rocker"])
     g, a, c, r = FOUR_BARS["crank-rocker"]
     one, other = linkage.assembly_modes(hold={"A": 1.0})
@@ -103,7 +103,7 @@ def test_grashof_s_crank_goes_round_in_both_modes_and_its_rocker_rocks():
         close(np.sort(np.pi - np.abs(curve.q[curve.turning_points(2), 2])), np.sort([least, widest]), atol=1e-4)
 
 
-def test_without_grashof_one_curve_holds_both_modes_and_the_crank_turns_back_where_coupler_and_rocker_stretch():
+def test_a_non_grashof_curve_contains_both_modes_and_has_dead_points():
     """There the crank's triangle has the sides 4, 2 and 2.5 + 3: the law of cosines."""
     linkage = linkages.four_bar(*FOUR_BARS["non-Grashof"])
     one, other = linkage.assembly_modes(hold={"A": 0.5})
@@ -125,7 +125,7 @@ def test_at_a_dead_point_two_modes_become_one_and_beyond_it_there_is_none():
 
 @settings(max_examples=6)
 @given(st.tuples(*[st.floats(0.5, 4.0)] * 4), st.floats(0, 2 * np.pi), st.integers(0, 1))
-def test_grashof_s_condition_tells_curves_and_cranks_of_any_four_bar(links, A, mode):
+def test_grashof_s_condition_predicts_the_curves_of_any_four_bar(links, A, mode):
     """If s + l < p + q there are two curves, each the mirror image of the other, and otherwise one that is its own.
 
     The crank goes round if the shortest link is the crank or the ground. Source: Grashof (1883); McCarthy and Soh, 2.2.
@@ -135,7 +135,7 @@ def test_grashof_s_condition_tells_curves_and_cranks_of_any_four_bar(links, A, m
     margin = sides[1] + sides[2] - sides[0] - sides[3]
     assume(abs(margin) > 0.05)
     assume(sides[3] < sum(sides[:3]) - 0.05)
-    postures = list(four_bar_postures(*links, A))
+    postures = list(four_bar_configurations(*links, A))
     assume(len(postures) == 2)
     curve = linkages.four_bar(*links).trace(postures[mode], step=0.2)
     assert curve.closed
@@ -146,7 +146,7 @@ def test_grashof_s_condition_tells_curves_and_cranks_of_any_four_bar(links, A, m
 
 
 @pytest.mark.parametrize("step", [0.3, 0.05])
-def test_a_change_point_is_crossed_straight_on(step):
+def test_tracing_continues_straight_through_a_change_point(step):
     """A parallelogram keeps A = D, an antiparallelogram tan(A/2) = -(g - a)/(g + a) tan(D/2), also where both lie flat."""
     crossed, parallel = linkages.four_bar(4, 1, 4, 1).assembly_modes(hold={"A": 1.0})
     for start in (crossed, parallel):
@@ -161,10 +161,10 @@ def test_a_change_point_is_crossed_straight_on(step):
 
 
 @pytest.mark.parametrize("near", [1e-2, 1e-5, 1e-8])
-def test_beside_a_change_point_the_two_curves_are_not_mixed_up(near):
+def test_near_a_change_point_the_two_curves_are_not_mixed(near):
     """Lengths 3, 2, 4 - near, 3 fulfil Grashof's condition by so little, 3, 2, 4 + near miss it by as much."""
     for coupler, mixed in ((4 - near, False), (4 + near, True)):
-        start = next(four_bar_postures(3, 2, coupler, 3, 1.0))
+        start = next(four_bar_configurations(3, 2, coupler, 3, 1.0))
         curve = linkages.four_bar(3, 2, coupler, 3).trace(start, step=0.2)
         assert curve.closed
         assert (apart(-start, curve.interpolate(5000)) < 0.02) == mixed
@@ -195,7 +195,7 @@ def test_the_slider_s_dead_points_are_crank_and_rod_on_one_line():
 
 
 @pytest.mark.oracle("mpmath", linkages.five_bar, Mechanism.poses)
-def test_a_five_bar_has_two_freedoms_and_its_tip_lies_on_two_circles():
+def test_a_five_bar_has_mobility_2_and_its_tip_lies_on_two_circles():
     left, right = (1.0, 1.2), (0.9, 1.1)
     linkage = linkages.five_bar(1.5, left, right)
     assert linkage.kutzbach() == 2
@@ -249,7 +249,7 @@ def three_rrr_count(base, platform, upper, lower, motors):
 
 @pytest.mark.oracle("mpmath", linkages.three_rrr, Mechanism.poses)
 @pytest.mark.parametrize("pose", [(0.02, -0.03, 0.1), (-0.05, 0.02, -0.4)])
-def test_the_3_rrr_carries_its_platform_where_inverse_kinematics_wants_it(pose):
+def test_the_3_rrr_reaches_the_pose_of_its_inverse_kinematics(pose):
     linkage = linkages.three_rrr()
     motors = dict(zip(("A1", "A2", "A3"), three_rrr_motors(0.5, 0.2, 0.3, 0.3, pose), strict=True))
     modes = linkage.assembly_modes(hold=motors)
@@ -280,7 +280,7 @@ def test_the_3_rrr_has_as_many_modes_as_its_sextic_has_roots(count):
 
 
 @pytest.mark.oracle("axiom: a leg is as long as its ends are apart", linkages.stewart_gough, Mechanism.assemble)
-def test_the_stewart_gough_platform_goes_where_the_lengths_of_its_legs_send_it():
+def test_the_stewart_gough_platform_reaches_the_pose_of_its_leg_lengths():
     """A leg is as long as head and foot are apart: nothing else is asked of the plate's pose."""
     linkage = linkages.stewart_gough()
     assert linkage.kutzbach() == 6
@@ -337,7 +337,7 @@ def test_where_the_equation_of_chen_you_and_tarnai_holds_bricard_s_ring_is_close
     assert min(left) < EXACT * 100
 
 
-def test_skew_hinges_that_miss_bennett_s_condition_do_not_move():
+def test_skew_joints_that_violate_bennett_s_condition_do_not_move():
     """The same ring with a link one percent longer: nowhere does it close and move."""
     ring = linkages.bennett()
     rigid = linkages._ring([(1.0, np.pi / 3), (0.6, np.arcsin(0.6 * np.sin(np.pi / 3)))] * 2, "ring", "")
@@ -348,7 +348,7 @@ def test_skew_hinges_that_miss_bennett_s_condition_do_not_move():
     assert not any(spoiled.assemble(guess).converged for guess in ([1, 2, 1, 2], [0.3, -2, 0, 1], [-1, -2, 2, 2]))
 
 
-def test_bricard_s_hinges_turn_as_chen_you_and_tarnai_say():
+def test_bricard_s_joints_satisfy_the_equation_of_chen_you_and_tarnai():
     """For twists of a right angle, cos(a) + cos(b) + cos(a) cos(b) = 0, every other hinge alike: their (2005) equation."""
     linkage = linkages.bricard()
     assert linkage.kutzbach() == 0
@@ -363,7 +363,7 @@ def test_bricard_s_hinges_turn_as_chen_you_and_tarnai_say():
 
 
 @pytest.mark.oracle("printed: Sarrus (1853)", linkages.sarrus)
-def test_sarrus_s_top_moves_along_a_straight_line_and_does_not_turn():
+def test_sarrus_s_top_translates_along_a_straight_line():
     """From as high as the plates are long above the ground to as far below it; it passes through its floor unhindered."""
     linkage = linkages.sarrus(side=0.3, rise=0.2)
     mobility = linkage.mobility(np.zeros(6))
@@ -379,7 +379,7 @@ def test_sarrus_s_top_moves_along_a_straight_line_and_does_not_turn():
 
 
 @pytest.mark.oracle("printed: Modern Robotics, example 2.6", linkages.parallelogram)
-def test_three_equal_cranks_move_one_coupler_without_turning_it():
+def test_three_equal_cranks_translate_the_coupler():
     linkage = linkages.parallelogram()
     mobility = linkage.mobility(np.zeros(6))
     assert (mobility.kutzbach, mobility.infinitesimal, mobility.finite) == (0, 1, 1)
@@ -390,7 +390,7 @@ def test_three_equal_cranks_move_one_coupler_without_turning_it():
     close(T[:, :2, 3], 0.2 * np.stack([-np.sin(curve.q[:, 0]), np.cos(curve.q[:, 0]) - 1], axis=1), atol=1e-8)
 
 
-def test_flat_the_three_cranks_let_more_through_than_leads_on():
+def test_flat_three_cranks_have_more_infinitesimal_than_finite_mobility():
     flat = linkages.parallelogram().mobility([-np.pi / 2, np.pi / 2] * 3)
     assert flat.infinitesimal > flat.finite == 1
 
@@ -403,14 +403,14 @@ def test_flat_the_three_cranks_let_more_through_than_leads_on():
     [(linkages.triangle(), 0, 0), (linkages.stretched_arch(), 1, 0), (linkages.stretched_arch(0.2, 0.9), 1, 0)],
     ids=["triangle", "arch", "uneven arch"],
 )
-def test_a_triangle_is_a_structure_and_without_height_it_gives_a_little(linkage, felt, had):
+def test_a_triangle_is_a_structure_and_of_height_0_it_has_an_infinitesimal_motion(linkage, felt, had):
     mobility = linkage.mobility([0, 0, 0])
     assert (mobility.kutzbach, mobility.infinitesimal, mobility.finite) == (0, felt, had)
     assert mobility.directions.shape == (3, felt)
 
 
 @pytest.mark.oracle("printed: LaValle, Planning Algorithms, (4.33)", linkages.ten_links)
-def test_the_ring_of_ten_links_has_eight_freedoms_however_it_lies():
+def test_the_ring_of_ten_links_has_mobility_8_in_every_configuration():
     """LaValle's (4.3.3): ten links in a ring, one of them on the ground by a hinge: 11 joint values, 3 equations."""
     linkage = linkages.ten_links()
     assert linkage.names == (*(f"theta_{i}" for i in range(1, 6)), *(f"theta_{i}" for i in range(10, 5, -1)), "pin")
@@ -426,7 +426,7 @@ def test_the_ring_of_ten_links_has_eight_freedoms_however_it_lies():
 
 
 @pytest.mark.oracle("scipy", linkages.triangle, linkages.stretched_arch)
-def test_the_bars_of_a_structure_are_as_long_as_scipy_measures_them():
+def test_the_lengths_of_a_structure_agree_with_scipy():
     for side in (0.5, 2.0):
         close(distance.pdist(linkages.triangle(side).joint_points(np.zeros(3))), [side] * 3)
     close(distance.pdist(linkages.stretched_arch(0.2, 0.9).joint_points(np.zeros(3))), [0.2, 1.1, 0.9])
@@ -460,7 +460,7 @@ def gripper():
     return foot, tip, inner, [1.0, copies("right_inner_finger_joint"), copies("right_inner_knuckle_joint")]
 
 
-def test_the_loop_of_a_gripper_turns_its_joints_as_its_file_says_they_copy_each_other():
+def test_the_loop_of_a_gripper_moves_its_joints_like_the_mimic_joints_of_its_file():
     foot, tip, inner, copied = gripper()
     linkage = Mechanism(
         [
@@ -502,12 +502,12 @@ def test_the_loop_of_a_gripper_turns_its_joints_as_its_file_says_they_copy_each_
         ),
     ],
 )
-def test_what_is_no_linkage_is_refused(build, message):
+def test_invalid_dimensions_are_refused(build, message):
     with pytest.raises(ValueError, match=message):
         build()
 
 
-def test_every_linkage_says_where_it_comes_from():
+def test_every_linkage_has_a_source():
     made = [linkages.four_bar(4, 1, 3, 3), linkages.slider_crank(1, 3), linkages.five_bar(1, (1, 1), (1, 1))]
     made += [linkages.ten_links(), linkages.parallelogram(), linkages.triangle(), linkages.stretched_arch()]
     made += [linkages.three_rrr(), linkages.bennett(), linkages.bricard(), linkages.sarrus(), linkages.stewart_gough()]

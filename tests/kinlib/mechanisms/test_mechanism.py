@@ -78,8 +78,8 @@ FOUR_BAR = linkages.four_bar(4, 1, 3.5, 3)
 each_linkage = pytest.mark.parametrize("linkage", LINKAGES, ids=lambda linkage: linkage.name)
 
 
-def postures(linkage, count=3):
-    """Open ones, far from closing."""
+def open_configurations(linkage, count=3):
+    """Open ones, far from closed."""
     return np.random.default_rng(6).uniform(-1.2, 1.2, (count, linkage.n))
 
 
@@ -93,8 +93,8 @@ def limited(linkage, **limits):
 
 @pytest.mark.oracle("mpmath", Mechanism.residual)
 @each_linkage
-def test_the_residual_is_the_logarithm_of_each_loop_walked_round(linkage):
-    for q in postures(linkage):
+def test_the_residual_is_the_logarithm_of_the_pose_around_each_loop(linkage):
+    for q in open_configurations(linkage):
         twists = np.split(linkage.residual(q), len(linkage.loops))
         for loop, twist in zip(linkage.loops, twists, strict=True):
             close(mpmath_oracle.exp(twist), mpmath_oracle.fk(loop.chain, q[loop.columns]))
@@ -103,7 +103,7 @@ def test_the_residual_is_the_logarithm_of_each_loop_walked_round(linkage):
 @pytest.mark.oracle("mpmath", Mechanism.jacobian)
 @each_linkage
 def test_the_jacobian_is_the_difference_of_residuals_with_40_digits(linkage):
-    for q in postures(linkage, 1):
+    for q in open_configurations(linkage, 1):
         parts = np.split(linkage.jacobian(q), len(linkage.loops))
         for loop, part in zip(linkage.loops, parts, strict=True):
             others = np.setdiff1d(np.arange(linkage.n), loop.columns)
@@ -116,7 +116,7 @@ def test_the_jacobian_is_the_difference_of_residuals_with_40_digits(linkage):
 def test_residual_and_jacobian_agree_with_pinocchio_s_constraints(linkage):
     """Each loop as an open chain whose tool Pinocchio ties to the world by a rigid constraint; it stacks (v, omega)."""
     pin = pytest.importorskip("pinocchio", reason="no pinocchio here (the wheel `pin` does not exist for Windows)")
-    for q in postures(linkage):
+    for q in open_configurations(linkage):
         twists, parts = (np.split(found, len(linkage.loops)) for found in (linkage.residual(q), linkage.jacobian(q)))
         for loop, twist, part in zip(linkage.loops, twists, parts, strict=True):
             model = pinocchio_oracle.pinocchio_model(loop.chain)
@@ -135,7 +135,7 @@ def test_residual_and_jacobian_agree_with_pinocchio_s_constraints(linkage):
 
 @each_linkage
 def test_any_batch_shape_is_one_computation(linkage):
-    q = postures(linkage, 6).reshape(2, 3, -1)
+    q = open_configurations(linkage, 6).reshape(2, 3, -1)
     size = 6 * len(linkage.loops)
     assert linkage.residual(q).shape == (2, 3, size)
     assert linkage.jacobian(q).shape == (2, 3, size, linkage.n)
@@ -148,7 +148,7 @@ def test_any_batch_shape_is_one_computation(linkage):
 @each_linkage
 def test_a_closed_linkage_holds_together_at_every_joint(linkage):
     """Each joint, not only those that the walks use: b stands to a as e^[S]q gap says."""
-    found = linkage.assemble(postures(linkage, 1)[0] * 0.3)
+    found = linkage.assemble(open_configurations(linkage, 1)[0] * 0.3)
     assert found.converged, found.message
     stands = linkage.poses(found.q)
     first = 0
@@ -171,14 +171,14 @@ def graph_of(linkage):
     return bodies, edges
 
 
-def passed(joint, q, backwards=False):
+def displacement(joint, q, backwards=False):
     """How a joint moves its second body against its first, by the exponentials of Modern Robotics."""
     factors = [mr.MatrixExp6(mr.VecTose3(S * value)) for S, value in zip(joint.screws, q, strict=True)]
     T = reduce(np.matmul, [*factors, joint.closing_offset])
     return mr.TransInv(T) if backwards else T
 
 
-def unmade(linkage):
+def without_cache(linkage):
     """The same linkage, from which nothing has been asked yet."""
     return Mechanism(linkage.joints, linkage.ground, linkage.name)
 
@@ -186,10 +186,10 @@ def unmade(linkage):
 @pytest.mark.oracle("modern_robotics", Mechanism.poses, Mechanism.joint_points, chain_along, Joint.position)
 @pytest.mark.oracle("modern_robotics", Mechanism.loops)
 @each_linkage
-def test_a_closed_linkage_stands_where_modern_robotics_leads_along_any_walk(linkage):
+def test_poses_of_a_closed_linkage_agree_with_modern_robotics_along_any_path(linkage):
     """Along SciPy's walks through the graph of bodies, which need not be ours: what is closed is the same by every way."""
-    linkage = unmade(linkage)
-    q = linkage.assemble(0.3 * postures(linkage, 1)[0]).q
+    linkage = without_cache(linkage)
+    q = linkage.assemble(0.3 * open_configurations(linkage, 1)[0]).q
     values = np.split(q, np.cumsum([joint.dof for joint in linkage.joints])[:-1])
     bodies, edges = graph_of(linkage)
     order, before = breadth_first_order(edges != 0, 0, directed=False)
@@ -197,7 +197,7 @@ def test_a_closed_linkage_stands_where_modern_robotics_leads_along_any_walk(link
     for body in order[1:]:
         number = edges[before[body], body]
         i = abs(number) - 1
-        stands[body] = stands[before[body]] @ passed(linkage.joints[i], values[i], backwards=number < 0)
+        stands[body] = stands[before[body]] @ displacement(linkage.joints[i], values[i], backwards=number < 0)
     found = linkage.poses(q)
     for body, pose in stands.items():
         close(found[bodies[body]], pose, atol=1e-10)
@@ -210,22 +210,22 @@ def test_a_closed_linkage_stands_where_modern_robotics_leads_along_any_walk(link
 
 @pytest.mark.oracle("modern_robotics", fundamental_cycles)
 @each_linkage
-def test_round_a_cycle_modern_robotics_comes_back(linkage):
-    q = linkage.assemble(0.3 * postures(linkage, 1)[0]).q
+def test_the_pose_around_a_cycle_is_the_identity_by_modern_robotics(linkage):
+    q = linkage.assemble(0.3 * open_configurations(linkage, 1)[0]).q
     values = np.split(q, np.cumsum([joint.dof for joint in linkage.joints])[:-1])
     for cycle in fundamental_cycles(linkage.joints, spanning_tree(linkage.joints, linkage.ground)):
-        around = [passed(linkage.joints[i], values[i], not forwards) for i, forwards in cycle]
+        around = [displacement(linkage.joints[i], values[i], not forwards) for i, forwards in cycle]
         close(reduce(np.matmul, around), np.eye(4), atol=1e-10)
 
 
 @pytest.mark.oracle("scipy", spanning_tree, Mechanism.bodies)
 @each_linkage
-def test_walks_are_as_short_as_scipy_s_and_loops_as_many_as_its_graph_has(linkage):
+def test_paths_are_as_short_and_loops_as_many_as_those_of_scipy_s_graph(linkage):
     bodies, edges = graph_of(linkage)
     shortest = shortest_path(edges != 0, directed=False, unweighted=True, indices=0)
     ways = spanning_tree(linkage.joints, linkage.ground)
     assert {body: len(way) for body, way in ways.items()} == dict(zip(bodies, shortest, strict=True))
-    fresh = unmade(linkage)
+    fresh = without_cache(linkage)
     assert sorted(fresh.bodies) == sorted(bodies)
     parts, _ = connected_components(edges != 0, directed=False)
     count = len(linkage.joints) - len(bodies) + parts
@@ -243,7 +243,7 @@ def test_walks_are_as_short_as_scipy_s_and_loops_as_many_as_its_graph_has(linkag
     assert np.linalg.matrix_rank(around) == count == oracle.shape[1]
 
 
-def test_a_loop_at_the_end_of_an_arm_leaves_the_arm_out():
+def test_a_loop_at_the_end_of_an_arm_does_not_contain_the_arm():
     """The bodies at its end are joined twice, or in a triangle."""
     for ends, expected in (
         ([("b", "c"), ("b", "c")], [(3, True), (2, False)]),
@@ -255,7 +255,7 @@ def test_a_loop_at_the_end_of_an_arm_leaves_the_arm_out():
         assert [loop.columns.tolist() for loop in linkage.loops] == [[i for i, _ in expected]]
 
 
-def test_a_joint_of_several_values_passed_backwards_undoes_itself():
+def test_a_composite_joint_traversed_backwards_is_the_inverse():
     q = np.array([0.3, -0.8, 1.1])
     ball = Joint("ball", ("a", "b"), spherical([1.0, 2.0, 3.0]), closing_offset=exp([0.1, 0.2, 0.3, 4.0, 5.0, 6.0]))
     there, back = (chain_along([ball], [(0, forwards)], "ball") for forwards in (True, False))
@@ -268,7 +268,7 @@ def test_every_loop_is_a_chain_with_its_own_number():
 
 
 @pytest.mark.parametrize(("lean", "height"), [(0.09, 0), (0.11, 5)])
-def test_the_middle_does_not_run_away_to_where_nearly_parallel_axes_would_meet(lean, height):
+def test_the_centre_is_not_where_nearly_parallel_axes_intersect(lean, height):
     """Two axes lean towards each other and meet 5 m above the origin: to where less than 0.1 rad leads, nobody goes."""
     aside = 5 * np.tan(lean) * X
     up, across = np.cos(lean) * Z, np.sin(lean) * X
@@ -278,8 +278,8 @@ def test_the_middle_does_not_run_away_to_where_nearly_parallel_axes_would_meet(l
 
 @pytest.mark.oracle("scipy", JointPath.centre, JointPath.size, JointPath.to_centre)
 @each_linkage
-def test_the_middle_of_a_loop_is_where_scipy_finds_the_sum_of_squares_least(linkage):
-    for loop in unmade(linkage).loops:
+def test_the_centre_of_a_loop_is_scipy_s_least_squares_point(linkage):
+    for loop in without_cache(linkage).loops:
         turning = loop.chain.screws[loop.chain.screws[:, :3].any(axis=1)]
         omega, feet = turning[:, :3], np.cross(turning[:, :3], turning[:, 3:])
 
@@ -298,7 +298,7 @@ def test_the_middle_of_a_loop_is_where_scipy_finds_the_sum_of_squares_least(link
 
 @pytest.mark.oracle("scipy", spherical, universal)
 @given(st.tuples(*[st.floats(-3, 3)] * 3), points())
-def test_a_ball_and_a_cross_turn_as_scipy_s_angles_do(angles, centre):
+def test_spherical_and_universal_joints_agree_with_scipy_s_angles(angles, centre):
     """Turns about x, y and z, each carried by those before it: intrinsic angles, capital letters to SciPy."""
     for screws, letters in (
         (spherical(centre), "XYZ"),
@@ -312,13 +312,13 @@ def test_a_ball_and_a_cross_turn_as_scipy_s_angles_do(angles, centre):
 
 @pytest.mark.oracle("modern_robotics", cylindrical)
 @given(points(), directions())
-def test_a_cylinder_slides_and_turns_about_one_line_of_modern_robotics(point, axis):
+def test_a_cylindrical_joint_agrees_with_modern_robotics(point, axis):
     close(cylindrical(axis, point), [[0, 0, 0, *axis], mr.ScrewToAxis(point, axis, 0)])
 
 
 @pytest.mark.oracle("pinocchio", Mechanism.from_chain, Mechanism.from_branches, joints_of_chain)
 @given(chains_with_values(3), chains_with_values(3))
-def test_chains_bent_round_and_joined_close_where_pinocchio_says(one, two):
+def test_closed_chains_and_joined_branches_agree_with_pinocchio(one, two):
     """For a ring, log of its pose; for two branches, T_1 = T_2: what moves the end of one must move that of the other."""
     pin = pytest.importorskip("pinocchio", reason="no pinocchio here (the wheel `pin` does not exist for Windows)")
     # modern_robotics takes turns below 1e-6 for none
@@ -344,7 +344,7 @@ def test_chains_bent_round_and_joined_close_where_pinocchio_says(one, two):
 
 @pytest.mark.oracle("text: written out in the test", Mechanism, Mechanism.n, Mechanism.names, Mechanism.limits)
 @pytest.mark.oracle("text: written out in the test", Joint, Joint.range, Joint.dof)
-def test_a_linkage_of_two_joints_is_what_was_written_down():
+def test_the_attributes_of_a_linkage_of_two_joints():
     turn = Joint("turn", ("a", "b"), screw(Z), limits=(-1, 2))
     ball = Joint("ball", ("b", "a"), spherical(X))
     linkage = Mechanism([turn, ball])
@@ -391,7 +391,7 @@ DESCRIBED = {
 
 @settings(max_examples=6)
 @given(st.sampled_from(sorted(DESCRIBED)), st.data())
-def test_the_same_linkage_described_otherwise_moves_the_same(name, data):
+def test_another_description_of_the_same_linkage_gives_the_same_motion(name, data):
     """Another ground, joints in another order and backwards, drawn elsewhere: as many modes, the same mobility."""
     linkage, hold, count = DESCRIBED[name]
     order = data.draw(st.permutations(range(len(linkage.joints))))
@@ -411,7 +411,7 @@ def test_the_same_linkage_described_otherwise_moves_the_same(name, data):
 
 
 @pytest.mark.parametrize(("scale", "far"), [(1e-3, 0), (1e-3, 10), (1, 1e4), (100, 1e4)])
-def test_neither_the_origin_nor_the_unit_of_length_makes_a_difference(scale, far):
+def test_results_do_not_depend_on_the_origin_or_the_unit_of_length(scale, far):
     """From linkages of millimetres to some of 100 m, and as far from the origin as a map may put them."""
     T = exp([0.3, -0.5, 0.7, 0, 0, 0])
     T[:3, 3] = np.array([1.0, -0.5, 0.3]) * far
@@ -427,7 +427,7 @@ def test_neither_the_origin_nor_the_unit_of_length_makes_a_difference(scale, far
         assert other.trace(modes[0], step=0.3 * max(1, scale) if name == "slider-crank" else 0.3).closed
 
 
-def test_with_every_crank_more_counting_goes_down_and_the_parallelogram_moves_all_the_same():
+def test_each_extra_crank_lowers_the_count_but_not_the_mobility_of_a_parallelogram():
     """One loop for each crank after the first, and the equations of every loop below those of the one before."""
     for cranks in (2, 3, 4, 5):
         joints = []
@@ -445,7 +445,7 @@ def test_with_every_crank_more_counting_goes_down_and_the_parallelogram_moves_al
         close(turned.q, 0.3 * np.resize([1, -1], 2 * cranks))
 
 
-def test_the_singular_values_are_those_of_the_linkage_and_not_of_where_it_is_drawn():
+def test_the_singular_values_do_not_depend_on_where_the_linkage_is_drawn():
     linkage, hold, _ = DESCRIBED["Bennett"]
     q = linkage.assembly_modes(hold=hold)[0]
     for T in (exp([0.4, 1, -2, 3, 4, 5]), exp([0, 0, 0, 100, 0, 0])):
@@ -453,7 +453,7 @@ def test_the_singular_values_are_those_of_the_linkage_and_not_of_where_it_is_dra
         close(other.mobility(q).singular_values, linkage.mobility(q).singular_values, atol=1e-11)
 
 
-def test_the_values_of_a_composite_joint_turn_round_with_it():
+def test_the_values_of_a_reversed_composite_joint_are_in_reverse_order():
     """A spherical joint backwards has its axes in reverse, so its first angle is its last; the loop may run the other way."""
     joints = [
         Joint("shaft", ("ground", "a"), screw(Z)),
@@ -470,7 +470,7 @@ def test_the_values_of_a_composite_joint_turn_round_with_it():
 # --- joints of all kinds ---
 
 
-def test_a_jack_climbs_by_its_pitch():
+def test_a_screw_jack_rises_by_its_pitch():
     linkage = jack(0.01)
     assert linkage.kutzbach() == 1
     for turn in (0.5, -3.0):
@@ -484,7 +484,7 @@ def test_a_jack_climbs_by_its_pitch():
     assert curve.ends == ("30 points", "30 points")
 
 
-def test_wedges_lift_by_their_slope():
+def test_wedges_rise_by_their_slope():
     linkage = wedges()
     # Slides along three directions of a plane: two equations, not three.
     assert linkage.kutzbach() == 1
@@ -496,7 +496,7 @@ def test_wedges_lift_by_their_slope():
 
 @pytest.mark.oracle("printed: Hooke (1676)", Mechanism.trace, universal)
 @pytest.mark.parametrize("bend", [0.3, 1.0])
-def test_hooke_s_joint_turns_its_shafts_as_hooke_found(bend):
+def test_hooke_s_joint_satisfies_hooke_s_equation(bend):
     """tan(out) = cos(bend) tan(in): Robert Hooke, A Description of Helioscopes (1676)."""
     out = np.array([np.sin(bend), 0, np.cos(bend)])
     across = np.cross(Z, out) / np.sin(bend)
@@ -520,7 +520,7 @@ def test_hooke_s_joint_turns_its_shafts_as_hooke_found(bend):
 @pytest.mark.oracle(
     "printed: McCarthy and Soh, Geometric Design of Linkages, 1.3", Mechanism.kutzbach, Mechanism.mobility
 )
-def test_cylinders_and_balls_count_as_the_books_say():
+def test_mobility_of_linkages_with_cylindrical_and_spherical_joints():
     """RCCC has one freedom, RSSR has one and the idle spin of its coupler: McCarthy and Soh, 1.3."""
     skew = [screw(Z), screw(X, Y), screw(Y, Z + X), screw(np.array([0.6, 0, 0.8]), 2 * X)]
     lines = [(Z, 0 * X), (X, Y), (Y, Z + X), (np.array([0.6, 0, 0.8]), 2 * X)]
@@ -539,7 +539,7 @@ def test_cylinders_and_balls_count_as_the_books_say():
 
 @settings(max_examples=15)
 @given(st.lists(drawn_screws(), min_size=2, max_size=7))
-def test_a_loop_of_any_joints_closes_where_it_is_drawn_and_counts_its_rank(axes):
+def test_a_loop_of_any_joints_is_closed_as_drawn_and_its_mobility_follows_from_its_rank(axes):
     """At q = 0 the Jacobian is the screws themselves: their rank by NumPy's own count, in parts of the largest."""
     linkage = Mechanism.from_chain(Chain(np.array(axes), np.eye(4)))
     zero = np.zeros(linkage.n)
@@ -555,7 +555,7 @@ def test_a_loop_of_any_joints_closes_where_it_is_drawn_and_counts_its_rank(axes)
 
 
 @pytest.mark.oracle("scipy", Mechanism.assemble, Closure.assemble)
-def test_assemble_finds_the_posture_that_scipy_finds():
+def test_assemble_finds_the_configuration_that_scipy_finds():
     rng = np.random.default_rng(3)
     for linkage, hold, _ in DESCRIBED.values():
         mode = linkage.assembly_modes(hold=hold)[0]
@@ -576,7 +576,7 @@ def test_assemble_finds_the_posture_that_scipy_finds():
         assert f"after {found.iterations} step" in found.message
 
 
-def test_links_that_cannot_meet_are_told_with_the_gap():
+def test_if_links_cannot_meet_the_message_has_the_residual():
     """Three links of 1 m each do not span 4 m: 1 m is missing, once all lie on the line of the ground."""
     found = linkages.four_bar(4, 1, 1, 1).assemble([0.5, 0.5, 2, 0])
     assert not found.converged
@@ -588,14 +588,14 @@ def test_links_that_cannot_meet_are_told_with_the_gap():
     assert len(linkages.four_bar(4, 1, 1, 1).assembly_modes(hold={"A": 0.0})) == 0
 
 
-def test_a_driver_held_where_it_cannot_go_is_told():
+def test_if_a_driver_is_held_out_of_reach_the_message_says_so():
     linkage = linkages.four_bar(0.4, 0.3, 0.35, 0.1)  # a rocker: it does not reach 2.5 rad
     found = linkage.assemble([0, 0, 0, 0], hold={"A": 2.5})
     assert not found.converged
     assert found.q[0] == 2.5
 
 
-def test_a_closed_posture_is_left_as_it_is():
+def test_a_closed_configuration_is_not_changed():
     linkage, hold, _ = DESCRIBED["four-bar"]
     q = linkage.assembly_modes(hold=hold)[0]
     again = linkage.assemble(q)
@@ -604,7 +604,7 @@ def test_a_closed_posture_is_left_as_it_is():
 
 
 @pytest.mark.parametrize("far", [0.0, 3.0])
-def test_what_counts_as_closed_grows_with_the_distance_of_the_farthest_joint(far):
+def test_the_tolerance_grows_with_the_distance_of_the_farthest_joint(far):
     """Two joints 1 m to either side of a middle `far` from the origin, and a slide, which is left open as far as it is out."""
     middle = far * Y
     joints = [
@@ -618,7 +618,7 @@ def test_what_counts_as_closed_grows_with_the_distance_of_the_farthest_joint(far
         assert found.iterations == steps
 
 
-def test_a_thread_finds_its_place_in_every_turn():
+def test_a_helical_joint_has_modes_in_every_turn():
     """A four-bar whose crank climbs a thread: with every turn of the crank it has the same two modes, one pitch higher."""
     A, B, D, C = FOUR_BAR.joints
     linkage = Mechanism(
@@ -649,7 +649,7 @@ def test_angles_limited_to_a_full_turn_from_zero_lose_no_mode():
     close(np.sort(np.cos(modes), axis=0), np.sort(np.cos(free), axis=0))
 
 
-def test_limits_leave_out_the_modes_beyond_them():
+def test_modes_beyond_the_limits_are_left_out():
     linkage, hold, _ = DESCRIBED["four-bar"]
     rocker = linkage.assembly_modes(hold=hold)[:, 2]
     assert len(limited(linkage, D=(0.0, np.pi)).assembly_modes(hold=hold)) == np.count_nonzero(rocker > 0) == 1
@@ -659,7 +659,7 @@ def test_limits_leave_out_the_modes_beyond_them():
     assert len(limited(slider, slide=(-np.inf, -1.0)).assembly_modes(hold=hold)) == 1
 
 
-def test_a_posture_beyond_its_limits_is_told_and_one_a_turn_away_is_brought_home():
+def test_a_configuration_beyond_its_limits_is_reported_or_wrapped():
     linkage, hold, _ = DESCRIBED["four-bar"]
     q = linkage.assembly_modes(hold=hold)[1]
     narrow = limited(linkage, D=(q[2] + 0.5, q[2] + 1.0))
@@ -684,19 +684,19 @@ def test_a_trace_ends_exactly_at_its_limits(points):
     assert points is None or len(curve.q) == points
 
 
-def test_a_curve_of_two_points_is_one_and_so_is_one_step():
+def test_a_curve_may_have_two_points_or_one_step():
     ends = jack().trace(np.zeros(3), max_steps=1)
     assert (len(ends.q), ends.ends) == (3, ("1 point", "1 point"))
     ways = jack().trace(np.zeros(3), points=2, max_steps=3)
     close(ways.q, ends.q[[0, -1]] * 3)
 
 
-def test_a_step_is_a_fifth_of_a_radian_unless_another_is_asked_for():
+def test_the_default_step_is_0_2():
     for steps, length in (({}, 0.2), ({"step": 0.5}, 0.5)):
         close(np.diff(jack(1e-4).trace(np.zeros(3), max_steps=5, **steps).length), length)
 
 
-def test_a_held_value_stays_put_along_a_trace():
+def test_a_held_value_is_constant_along_a_trace():
     linkage, hold, _ = DESCRIBED["five-bar"]
     q = linkage.assembly_modes(hold=hold)[0]
     curve = linkage.trace(q, hold={"A": q[0]})
@@ -711,7 +711,7 @@ def test_a_held_value_stays_put_along_a_trace():
 # --- closing equations whose answers are known ---
 
 
-def closing(equations, start=(0.0,), *, is_angle=False, limits=(-np.inf, np.inf), search_range=2.0, tolerance=1e-13):
+def closure_of(equations, start=(0.0,), *, is_angle=False, limits=(-np.inf, np.inf), search_range=2.0, tolerance=1e-13):
     n = len(start)
     names = [f"q{i}" for i in range(1, n + 1)]
     return Closure(
@@ -724,7 +724,7 @@ def line_at(root):
     return lambda x: (x - root, np.ones((len(x), 1, 1)))
 
 
-def nowhere(x):
+def unsolvable(x):
     """Equations that no x solves, and that lead nowhere."""
     return np.ones((len(x), 1)), np.zeros((len(x), 1, x.shape[1]))
 
@@ -736,25 +736,25 @@ def cosine(x):
 @pytest.mark.parametrize(
     ("start", "words"), [(0.5, "after 0 steps."), (0.5 + 1e-6, "after 1 step."), (0.501, "after 2 steps.")]
 )
-def test_the_steps_are_counted_in_the_words_too(start, words):
-    found = closing(line_at(0.5), [start]).assemble()
+def test_the_message_has_the_number_of_steps(start, words):
+    found = closure_of(line_at(0.5), [start]).assemble()
     assert found.message.endswith(words)
     assert f" {found.iterations} " in words
 
 
-@pytest.mark.parametrize(("equations", "rounds"), [(nowhere, 3), (line_at(0.5), 4)])
-def test_the_search_is_over_when_three_rounds_in_a_row_brought_nothing_new(equations, rounds):
+@pytest.mark.parametrize(("equations", "rounds"), [(unsolvable, 3), (line_at(0.5), 4)])
+def test_the_search_ends_after_three_rounds_without_a_new_mode(equations, rounds):
     brought = []
 
     def stand(q):
         brought.append(len(q))
         return q
 
-    assert len(closing(equations).modes(stand)) == rounds - 3
+    assert len(closure_of(equations).modes(stand)) == rounds - 3
     assert len(brought) == rounds
 
 
-def asked_by(modes_of, **options):
+def points_evaluated_by(modes_of, **options):
     """Where a search for modes asks what is left over."""
     asked = []
 
@@ -762,12 +762,12 @@ def asked_by(modes_of, **options):
         asked.append(x.copy())
         return modes_of(x)
 
-    closing(equations, **options).modes(poses=lambda q: q)
+    closure_of(equations, **options).modes(poses=lambda q: q)
     return np.concatenate(asked)
 
 
-def test_every_call_searches_from_the_same_guesses():
-    assert asked_by(nowhere).tolist() == asked_by(nowhere).tolist()
+def test_every_call_starts_from_the_same_guesses():
+    assert points_evaluated_by(unsolvable).tolist() == points_evaluated_by(unsolvable).tolist()
 
 
 @pytest.mark.parametrize(
@@ -781,32 +781,32 @@ def test_every_call_searches_from_the_same_guesses():
         ((-np.inf, -5), (-9, -5)),
     ],
 )
-def test_modes_are_sought_among_all_values_within_reach_of_0_or_of_the_limit_nearest_to_it(limits, window):
-    guesses = asked_by(nowhere, limits=limits)
+def test_modes_are_sought_in_the_search_range_around_0_or_the_nearest_limit(limits, window):
+    guesses = points_evaluated_by(unsolvable, limits=limits)
     assert window[0] <= guesses.min() < guesses.max() <= window[1]
     close([guesses.min(), guesses.max()], window, atol=0.05 * np.ptp(window))
 
 
-def test_what_closes_too_slowly_is_no_mode_that_is_sought_and_can_be_assembled_all_the_same():
+def test_a_configuration_that_closes_slowly_is_assembled_but_is_not_found_as_a_mode():
     """Newton's steps to a root of fourth order shorten the way by a quarter each."""
-    slow = closing(lambda x: (x**4, 4 * x[:, None] ** 3), [1.0], tolerance=1e-45)
+    slow = closure_of(lambda x: (x**4, 4 * x[:, None] ** 3), [1.0], tolerance=1e-45)
     assert slow.modes(poses=lambda q: q).shape == (0, 1)
     found = slow.assemble()
     assert found.converged
     assert found.iterations > 40
 
 
-def test_a_posture_that_gives_a_little_and_goes_nowhere_is_a_mode():
+def test_a_configuration_with_only_an_infinitesimal_motion_is_a_mode():
     """x^2 + y^2 = 0 at 0 alone: one equation, and one direction in which it does not resist."""
-    shaky = closing(lambda x: ((x * x).sum(1, keepdims=True), 2 * x[:, None]), [0.0, 0.0])
+    shaky = closure_of(lambda x: ((x * x).sum(1, keepdims=True), 2 * x[:, None]), [0.0, 0.0])
     close(shaky.modes(poses=lambda q: q), [[0, 0]], atol=1e-6)
 
 
 @pytest.mark.parametrize(("beyond", "count"), [(2e-6, 0), (5e-7, 1), (-5e-7, 1)])
-def test_a_mode_beyond_a_limit_by_what_its_print_leaves_out_is_one(beyond, count):
+def test_a_mode_may_be_beyond_a_limit_by_its_rounding_in_print(beyond, count):
     """The cosine is 0 at a right angle either way; limits stand beside one of them, below it or above."""
     for limits in ((np.pi / 2 + beyond, 2), (1, np.pi / 2 - beyond)):
-        within = closing(cosine, is_angle=True, limits=limits, search_range=np.pi)
+        within = closure_of(cosine, is_angle=True, limits=limits, search_range=np.pi)
         close(within.modes(poses=lambda q: q), np.full((count, 1), np.pi / 2))
         found = replace(within, configuration=np.array([1.5])).assemble()
         close(np.sin(found.q), [1])
@@ -824,15 +824,15 @@ def test_a_mode_beyond_a_limit_by_what_its_print_leaves_out_is_one(beyond, count
         ((2, np.inf), (1.5, 2.5)),
     ],
 )
-def test_an_angle_is_counted_from_its_least_value_or_within_the_last_turn_below_its_greatest(limits, angles):
-    free = closing(cosine, is_angle=True, limits=limits, search_range=np.pi)
+def test_an_angle_is_wrapped_to_the_turn_above_its_lower_or_below_its_upper_limit(limits, angles):
+    free = closure_of(cosine, is_angle=True, limits=limits, search_range=np.pi)
     close(free.modes(poses=np.sin), np.pi * np.array(angles)[:, None])
 
 
 # --- from chains ---
 
 
-def test_a_chain_bent_round_is_the_loop_of_its_screws():
+def test_from_chain_gives_the_loop_of_the_screws():
     arm = robots.puma560()
     linkage = Mechanism.from_chain(arm)
     assert linkage.kutzbach() == 0
@@ -841,7 +841,7 @@ def test_a_chain_bent_round_is_the_loop_of_its_screws():
     close(linkage.residual(q), log(arm.fk(q)))
 
 
-def test_a_chain_bent_round_keeps_its_limits_and_where_its_joints_are_drawn():
+def test_from_chain_keeps_limits_and_joint_points():
     arm = robots.puma560()
     assert np.isinf(Mechanism.from_chain(arm).limits).all()
     limits = np.arange(12.0).reshape(6, 2)
@@ -851,7 +851,7 @@ def test_a_chain_bent_round_keeps_its_limits_and_where_its_joints_are_drawn():
     assert (ring.ground, ring.name, ring.source) == ("ground", arm.name, arm.source)
 
 
-def test_joints_and_links_without_names_are_numbered_branch_by_branch():
+def test_unnamed_joints_and_links_are_numbered_by_branch():
     ring = Mechanism.from_chain(robots.rprr())
     assert ring.names == ("joint 1", "joint 2", "joint 3", "joint 4")
     assert ring.bodies == ("ground", "link 1", "link 3", "link 2")
@@ -918,7 +918,7 @@ def bars(*bodies):
         ),
     ],
 )
-def test_what_is_no_mechanism_is_refused(build, message):
+def test_invalid_mechanisms_are_refused(build, message):
     with pytest.raises(ValueError, match=message):
         build()
 
@@ -956,12 +956,12 @@ def test_what_is_no_mechanism_is_refused(build, message):
         ),
     ],
 )
-def test_what_makes_no_sense_is_refused(ask, message):
+def test_invalid_arguments_are_refused(ask, message):
     with pytest.raises(ValueError, match=message):
         ask(FOUR_BAR)
 
 
-def test_a_mechanism_cannot_be_written_to_whatever_it_was_written_in():
+def test_the_arrays_of_a_mechanism_are_read_only():
     listed = Joint("J", ("a", "b"), [0, 0, 1, 0, 0, 0], np.eye(4).tolist(), [-1, 2], [3, 0, 0])
     for array in (FOUR_BAR.limits, listed.screws, listed.closing_offset, listed.limits, listed.point):
         with pytest.raises(ValueError, match="read-only"):

@@ -49,7 +49,7 @@ def test_joints_generate_the_group_of_herve_s_list(name):
 
 
 @given(poses())
-def test_the_dimension_does_not_hang_on_where_one_stands(T):
+def test_the_dimension_does_not_depend_on_the_frame(T):
     for dimension, screws in GROUPS.values():
         assert group_dimension(screws @ adjoint(T).T) == dimension
 
@@ -100,7 +100,7 @@ SETS = {
 
 @pytest.mark.oracle("axiom: the dimension of a set that plane geometry knows", finite_mobility)
 @pytest.mark.parametrize("name", SETS)
-def test_the_freedoms_that_lead_on_are_the_dimension_of_the_set(name):
+def test_finite_mobility_is_the_dimension_of_the_solution_set(name):
     felt, had, point, *functions = SETS[name]
     equations = polynomial(*functions)
     point = np.array(point, dtype=float)
@@ -109,13 +109,13 @@ def test_the_freedoms_that_lead_on_are_the_dimension_of_the_set(name):
     assert finite_mobility(equations, point, directions, tolerance=1e-13) == had
 
 
-def test_another_solution_nearby_proves_nothing():
+def test_another_isolated_solution_nearby_does_not_count():
     """x^2 (x - 0.3) = 0: from the double root at 0 the search slides to the other one, which is another posture."""
     equations = polynomial(lambda x: x * x * (x - 0.3), lambda x: [3 * x * x - 0.6 * x])
     assert finite_mobility(equations, np.zeros(1), np.eye(1), tolerance=1e-13) == 0
 
 
-def test_a_branch_that_passes_by_proves_nothing():
+def test_another_branch_nearby_does_not_count():
     """From the lone point at 0 the search slides to the line y = 1, which closes for every x."""
     equations = polynomial(
         lambda x, y: [x * x * (1 - y), 1e-4 * y * (1 - y)],
@@ -125,7 +125,7 @@ def test_a_branch_that_passes_by_proves_nothing():
     assert finite_mobility(equations, np.array([0.0, 1.0]), np.eye(2)[:, :1], tolerance=1e-13) == 1
 
 
-def test_the_planes_are_the_same_ones_in_every_call():
+def test_every_call_draws_the_same_planes():
     def asked():
         places = []
         _, _, point, *functions = SETS["a cusp"]
@@ -145,7 +145,7 @@ def test_the_planes_are_the_same_ones_in_every_call():
 
 
 @pytest.mark.oracle("text: written out in the test", Mobility.__str__)
-def test_mobility_says_in_words_what_counting_missed():
+def test_the_text_of_a_mobility_compares_the_three_numbers():
     arch = linkages.stretched_arch().mobility([0, 0, 0])
     assert str(arch) == (
         "The Gruebler-Kutzbach count is 0. The infinitesimal mobility is 1, but the finite mobility is 0: "

@@ -90,12 +90,12 @@ def test_left_jacobian_inverse_undoes_the_integral_of_the_adjoint(x):
 
 
 @given(twists())
-def test_going_on_along_the_same_twist_adds_it(x):
+def test_a_further_motion_along_the_same_twist_adds_to_the_logarithm(x):
     close(left_jacobian_inverse(x) @ x, x)
 
 
 @given(twists(largest=3.0))
-def test_from_the_other_side_it_is_the_same_up_to_the_adjoint(x):
+def test_the_right_jacobian_follows_by_the_adjoint(x):
     """log(exp(V) E) = log(E exp(Ad(E^-1) V)): the right Jacobian is the left one of -x."""
     close(left_jacobian_inverse(x), left_jacobian_inverse(-x) @ adjoint(inverse(exp(x))))
 
@@ -112,7 +112,7 @@ def test_left_jacobian_inverse_agrees_with_pinocchio(angle):
 
 
 @pytest.mark.parametrize("far", [1e3, 1e6])
-def test_long_shifts_cost_digits_in_proportion(far):
+def test_the_error_is_proportional_to_the_translation(far):
     for angle in (1e-7, SERIES_BELOW_RAD - 1e-4, SERIES_BELOW_RAD, 3.0):
         x = twists_of_angle(angle, 1) * [1, 1, 1, far, far, far]
         close(left_jacobian_inverse(x), [bernoulli_series(row) for row in x], atol=EXACT * far)
@@ -135,7 +135,7 @@ def test_numbers_of_another_kind_are_computed_in_doubles(function):
 
 
 @pytest.mark.parametrize("function", [ad, left_jacobian_inverse])
-def test_what_is_no_twist_is_refused(function):
+def test_anything_but_twists_is_refused(function):
     with pytest.raises(ValueError, match=r"must have shape \(\.\.\., 6\); got \(6, 2\)\. .*try x\.T"):
         function(np.zeros((6, 2)))
     with pytest.raises(ValueError, match=r"x contains NaN or infinity at index \[4\]"):

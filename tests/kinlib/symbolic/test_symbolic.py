@@ -119,7 +119,7 @@ def test_a_table_of_symbols_is_the_product_of_its_links(convention):
     same(symbolic.table_fk(rows, convention), links[0] * links[1] * links[2] * links[3])
 
 
-def test_rows_without_a_joint_and_joints_that_turn_back_are_read_from_a_table():
+def test_fixed_rows_and_negative_signs_are_read_from_a_table():
     text = "a|alpha|d|theta\n0.4|pi/2|0.1|-q1\n0.2|0|0|pi/3\n0|pi/4|q2|0"
     table = kl.DHTable(
         text, convention="standard", base=kl.exp([0.1, 0.2, 0.3, 1, 2, 3]), tool=kl.exp([0, 0, 1, 0, 1, 0])
@@ -146,7 +146,7 @@ def test_a_planar_arm_agrees_with_the_frames_and_points_of_sympy_mechanics():
 
 
 @pytest.mark.oracle("sympy", symbolic.fk)
-def test_puma_with_letters_for_its_lengths_agrees_with_sympy_mechanics():
+def test_puma_with_symbolic_lengths_agrees_with_sympy_mechanics():
     world = frame = ReferenceFrame("s")
     links = []
     for symbol, z, y in zip(joints(6), (1, 0, 0, -1, 0, -1), (0, 1, 1, 0, 1, 0), strict=True):
@@ -355,7 +355,7 @@ def test_puma_takes_a_tenth_of_a_second_and_275_operations_without_simplify():
     assert sp.count_ops(symbolic.fk(*puma())) <= 265
 
 
-def test_parallel_joints_show_sums_of_angles_and_turn_back_where_they_face_away():
+def test_parallel_joints_give_sums_and_antiparallel_joints_differences_of_angles():
     assert {angle.args[0] for angle in symbolic.fk(kl.robots.youbot())[:3, 3].atoms(sp.cos, sp.sin)} == {
         joints(1)[0],
         joints(2)[1],
@@ -374,7 +374,7 @@ def test_a_numeric_joint_value_may_stand_for_a_symbol():
 
 @pytest.mark.oracle("sympy", collect_signs)
 @given(st.lists(st.sampled_from([1, -1, 2]), min_size=2, max_size=4), st.sampled_from([1, -1, 3]))
-def test_gathering_signs_changes_no_value_and_adds_no_operation(signs, factor):
+def test_collect_signs_changes_no_value_and_adds_no_operation(signs, factor):
     symbols = sp.symbols("x_1:5")
     total = sp.Add(*(sign * symbol for sign, symbol in zip(signs, symbols, strict=False)))
     before = sp.Mul(factor, total, q, evaluate=False) + q_1
@@ -403,7 +403,7 @@ def test_gathering_signs_changes_no_value_and_adds_no_operation(signs, factor):
         (2.5 * a_1 + 0.5, sp.Rational(5, 2) * a_1 + sp.Rational(1, 2)),
     ],
 )
-def test_a_float_is_read_as_what_it_stands_for(x, expected):
+def test_a_float_is_read_as_the_exact_number_that_it_means(x, expected):
     assert exact(x) == expected
 
 
@@ -437,14 +437,14 @@ def test_an_array_becomes_a_matrix_of_its_shape(w):
 
 
 @pytest.mark.oracle("text: written out in the test", shorthand)
-def test_shorthand_writes_sums_of_numbered_angles_as_a_blackboard_does():
+def test_shorthand_abbreviates_sums_of_numbered_angles():
     theta = sp.symbols("theta_1:3")
     assert str(shorthand(sp.cos(q_3 + q_2) + sp.sin(q_1))) == "c_23 + s_1"
     assert sp.latex(shorthand(sp.Matrix([sp.sin(theta[0] + theta[1]) ** 2]))[0]) == "s_{12}^{2}"
 
 
 @pytest.mark.parametrize("angle", [q_1 - q_2, 2 * q_1, q_1 + sp.Symbol("theta_2"), q_1 + 1, q, sp.Symbol("q_12")])
-def test_shorthand_lets_be_what_has_none(angle):
+def test_shorthand_leaves_other_expressions_unchanged(angle):
     assert shorthand(sp.cos(angle)) == sp.cos(angle)
 
 
@@ -473,7 +473,7 @@ def test_shorthand_lets_be_what_has_none(angle):
         (lambda: symbolic.table_fk([(0, 0, 0, q)]), "convention must be 'standard' or 'modified'; got None"),
     ],
 )
-def test_what_cannot_be_is_refused_with_the_remedy(call, words):
+def test_invalid_arguments_are_refused_with_a_remedy(call, words):
     with pytest.raises(ValueError, match=words):
         call()
 

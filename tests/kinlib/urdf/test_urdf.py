@@ -66,7 +66,7 @@ def test_a_shipped_arm_gets_a_dh_table(name, convention):
 
 
 @each_arm
-def test_a_shipped_arm_keeps_its_limits_and_comes_back_from_a_file_of_ours(name):
+def test_a_shipped_arm_is_unchanged_by_to_urdf_and_load_urdf(name):
     chain = arm(name)
     assert chain.limits.shape == (chain.n, 2)
     assert_same(load_urdf(to_urdf(chain)), chain)
@@ -88,7 +88,7 @@ def test_three_shipped_arms_move_as_pytransform3d_says():
             np.testing.assert_allclose(chain.fk(q), manager.get_transform(tip, base), rtol=0, atol=CLOSE)
 
 
-def test_a_finger_is_a_tip_too_and_a_finger_that_copies_it_is_not():
+def test_a_finger_may_be_the_tip_but_a_mimicking_finger_may_not():
     text = text_of("Trossen " + TROSSEN[0])
     finger = load_urdf(text, tip="/left_finger_link")
     assert finger.joint_types == "RRRRP"
@@ -102,7 +102,7 @@ def test_a_finger_is_a_tip_too_and_a_finger_that_copies_it_is_not():
         load_urdf(text, tip="/right_finger_link")
 
 
-def test_a_hand_leaves_the_choice_of_tip_to_us_and_names_it():
+def test_if_there_are_several_tips_the_message_lists_them():
     with pytest.raises(ValueError, match=r"tip=\.\.\., one of panda_leftfinger, panda_rightfinger"):
         load_urdf(text_of("Franka Panda with hand"))
 
@@ -191,7 +191,7 @@ def test_origin_turns_about_fixed_axes_as_scipy_says(rpy):
 
 
 @pytest.mark.parametrize("pitch", [np.pi / 2, -np.pi / 2, np.pi / 2 - 1e-7, np.pi / 2 - 1e-12])
-def test_roll_pitch_yaw_has_no_bad_angle(pitch):
+def test_roll_pitch_yaw_is_right_near_a_pitch_of_90_degrees(pitch):
     R = origin(rpy=(0.3, pitch, -1.2))[:3, :3]
     np.testing.assert_allclose(origin(rpy=roll_pitch_yaw(R))[:3, :3], R, rtol=0, atol=1e-15)
 
@@ -236,7 +236,7 @@ def test_the_elements_of_a_shipped_file_are_those_of_lxml(name):
 @pytest.mark.oracle("scipy", Tree.root, Tree.path, Tree.tips, Tree.check_link)
 @settings(max_examples=40)
 @given(trees())
-def test_ways_through_a_tree_are_the_shortest_ones_of_scipy_s_graphs(drawn):
+def test_paths_through_a_tree_are_the_shortest_of_scipy_s_graphs(drawn):
     text, base, tip = drawn
     robot = ET.fromstring(text)
     names = [link.get("name") for link in robot.findall("link")]
@@ -271,7 +271,7 @@ def test_ways_through_a_tree_are_the_shortest_ones_of_scipy_s_graphs(drawn):
 @pytest.mark.oracle("scipy", read_tree, UrdfJoint.moves)
 @settings(max_examples=40)
 @given(trees())
-def test_a_joint_stands_where_its_numbers_say_by_scipy(drawn):
+def test_origins_and_axes_agree_with_scipy(drawn):
     text, *_ = drawn
     above = {joint.name: joint for joint in read_tree(read_robot(text)).parent_joints.values()}
     for told in ET.fromstring(text).findall("joint"):
@@ -303,7 +303,7 @@ def test_roll_pitch_and_yaw_are_scipy_s_angles(R):
 
 
 @pytest.mark.oracle("text: written out in the test", Tree.__str__, suggest_link, Element.error, Element.__str__)
-def test_a_tree_an_element_and_a_slip_of_the_pen_in_words():
+def test_the_texts_of_trees_elements_and_suggestions():
     text = (
         '<robot name="one"><link name="base"/>\n<link name="tool"/>\n<joint name="j" type="fixed"><parent link="base"/>'
     )
@@ -331,7 +331,7 @@ def assert_same(back, chain):
 
 
 @pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
-def test_a_robot_of_the_course_comes_back_from_its_file(robot):
+def test_a_robot_of_the_course_is_read_back_from_its_file(robot):
     assert_same(load_urdf(to_urdf(robot)), robot)
 
 
@@ -357,13 +357,13 @@ def named_chains(draw):
 
 
 @given(named_chains())
-def test_any_chain_comes_back_from_its_file(chain):
+def test_any_chain_is_read_back_from_its_file(chain):
     assert_same(load_urdf(to_urdf(chain)), chain)
 
 
 @pytest.mark.oracle("pinocchio", to_urdf)
 @given(named_chains())
-def test_a_file_of_ours_is_one_that_pinocchio_reads(chain):
+def test_pinocchio_reads_the_files_of_to_urdf(chain):
     q = configurations(chain, 2)
     names = chain.joint_names
     expected = as_pinocchio_reads(to_urdf(chain), "base_link", "tool", names, q)
@@ -405,7 +405,7 @@ FILE = """<robot name="lift">
 """
 
 
-def test_a_file_of_ours_is_written_as_a_person_would():
+def test_to_urdf_writes_a_readable_file():
     """Frames parallel to the base's, whole numbers as such, no -0, limits where there are any, and a line for each thing."""
     lift = kl.Chain(
         np.array([[-0.0, 0, -1, -0.5, 0, 0], [0, 0, 0, -0.0, 1, 0]]),
@@ -420,7 +420,7 @@ def test_a_file_of_ours_is_written_as_a_person_would():
 @pytest.mark.parametrize(
     ("names", "weld"), [("a b c", "weld"), ("weld b c", "weld_0"), ("a weld_0 weld", "weld_1"), ("weld_0 a b", "weld")]
 )
-def test_the_last_joint_of_a_file_of_ours_has_a_name_that_no_other_joint_has(names, weld):
+def test_the_fixed_joint_at_the_end_has_a_unique_name(names, weld):
     arm = robots.rpr()
     text = to_urdf(kl.Chain(arm.screws, arm.home, joint_names=tuple(names.split())))
     assert re.findall('<joint name="(.+)" type', text) == [*names.split(), weld]
@@ -434,7 +434,7 @@ def test_the_last_joint_of_a_file_of_ours_has_a_name_that_no_other_joint_has(nam
         (("a", "b\n", "c"), r"printable characters; got str 'b\\n'\.$"),
     ],
 )
-def test_names_that_no_file_can_hold_are_refused(names, said):
+def test_equal_and_unprintable_names_are_refused(names, said):
     arm = robots.rpr()
     with pytest.raises(ValueError, match=said):
         to_urdf(kl.Chain(arm.screws, arm.home, joint_names=names))
@@ -467,13 +467,13 @@ def test_without_an_axis_it_is_x_and_without_an_origin_it_is_the_parent_s():
 
 
 @pytest.mark.parametrize("xyz", ["0 0 5", "0 0 1e-5", "0 0 1e300"])
-def test_an_axis_is_brought_to_unit_length(xyz):
+def test_an_axis_is_normalized(xyz):
     """As Pinocchio does, and KDL: a slide along 0 0 5 by one metre is one metre."""
     text = one_joint(f'<axis xyz="{xyz}"/><limit lower="0" upper="1"/>', "prismatic")
     assert load_urdf(text).fk([1.0])[:3, 3].tolist() == [0, 0, 1]
 
 
-def test_an_axis_is_a_unit_however_many_turns_stand_before_it():
+def test_an_axis_is_a_unit_vector_after_any_number_of_rotations():
     """A thousand rotations, each rounded, leave it off in the thirteenth digit; it is brought back to 1."""
     n = 1000
     joint = '<joint name="j{0}" type="{2}"><parent link="{0}"/><child link="{1}"/><origin rpy="0.3 0.5 -0.7"/></joint>'
@@ -483,7 +483,7 @@ def test_an_axis_is_a_unit_however_many_turns_stand_before_it():
     assert norm(S[:3]) == pytest.approx(1, rel=0, abs=1e-15)
 
 
-def test_the_axis_of_a_weld_is_passed_over_whatever_it_says():
+def test_the_axis_of_a_fixed_joint_is_ignored():
     """Exporters write 0 0 0 there; Pinocchio and urdfdom do not look at it either."""
     tree = read_tree(read_robot(one_joint('<axis xyz="0 0 0"/>', "fixed")))
     assert tree.parent_joints["b"].axis.tolist() == [0, 0, 0]
@@ -502,13 +502,13 @@ def test_a_limit_that_is_not_given_is_0_and_a_joint_may_be_locked(said, limits):
     assert load_urdf(one_joint(f"<limit {said}/>", "revolute")).limits.tolist() == [limits]
 
 
-def test_an_origin_may_stand_as_far_off_as_any_and_turn_as_far():
+def test_an_origin_may_have_the_largest_values():
     assert load_urdf(one_joint('<origin xyz="0 -1e6 0"/>')).home[1, 3] == -1e6
     twice = load_urdf(one_joint(f'<origin rpy="0 0 {4 * np.pi!r}"/>')).home
     np.testing.assert_allclose(twice, np.eye(4), rtol=0, atol=1e-14)
 
 
-def test_names_may_be_long_and_are_cut_where_they_are_told():
+def test_long_names_are_shortened_in_messages():
     text = one_joint().replace('"one"', f'"{"r" * MAX_CHARACTERS}"')
     assert load_urdf(text).name == "r" * MAX_CHARACTERS
     with pytest.raises(ValueError, match=f"at most {MAX_CHARACTERS} characters; got {MAX_CHARACTERS + 1}"):
@@ -538,7 +538,7 @@ def test_only_the_file_itself_is_opened(tmp_path, monkeypatch):
     assert [os.fspath(file) for file in opened] == [os.fspath(path)]
 
 
-def test_a_document_type_is_refused_though_it_declares_nothing():
+def test_an_empty_document_type_is_refused():
     with pytest.raises(ValueError, match=r"^Line 2, <!DOCTYPE>: a URDF must have no document type and no entities"):
         load_urdf("\n<!DOCTYPE robot>\n" + one_joint())
 
@@ -559,19 +559,19 @@ def test_a_path_may_go_up_the_tree_and_down_again():
     )
 
 
-def test_a_tree_prints_as_it_hangs():
+def test_the_text_of_a_tree_is_indented_by_depth():
     assert str(read_tree(read_robot(one_joint()))) == "a\n  j (continuous): b"
 
 
 @pytest.mark.parametrize(
     "before", ["", "\n\n  ", "\ufeff", "\n<?xml version='1.0' encoding='latin-1'?>\n", "<!-- < -->"]
 )
-def test_a_text_may_begin_as_people_paste_it(before):
+def test_a_text_may_begin_with_blank_lines_a_declaration_or_a_comment(before):
     assert load_urdf(before + one_joint().replace('"one"', '"Ärmchen"')).name == "Ärmchen"
 
 
 @pytest.mark.parametrize("encoding", ["utf-8", "utf-8-sig", "utf-16", "latin-1"])
-def test_a_file_may_be_in_any_encoding_that_it_names(tmp_path, encoding):
+def test_a_file_may_be_in_any_encoding_that_it_declares(tmp_path, encoding):
     path = tmp_path / "arm.urdf"
     says = encoding.removesuffix("-sig")
     path.write_bytes(
@@ -612,7 +612,7 @@ def test_a_file_may_be_in_any_encoding_that_it_names(tmp_path, encoding):
         ('<parent link="b"/>', "at most one <parent>; got two"),
     ],
 )
-def test_a_fault_in_a_joint_is_named_with_its_line(parts, said):
+def test_an_invalid_joint_is_refused_with_its_line(parts, said):
     with pytest.raises(ValueError, match=said):
         load_urdf(one_joint(parts))
 
@@ -632,13 +632,13 @@ def test_a_fault_in_a_joint_is_named_with_its_line(parts, said):
         ("spherical", "", 'type must be one of .*; got "spherical"'),
     ],
 )
-def test_a_joint_of_a_kind_that_it_is_not_is_refused(kind, parts, said):
+def test_invalid_types_and_limits_are_refused(kind, parts, said):
     with pytest.raises(ValueError, match=said):
         load_urdf(one_joint(parts, kind))
 
 
 @pytest.mark.parametrize(("kind", "dof"), [("planar", 3), ("floating", 6)])
-def test_a_joint_that_no_chain_holds_is_refused_with_the_reason_where_it_is_on_the_way(kind, dof):
+def test_planar_and_floating_joints_on_the_path_are_refused(kind, dof):
     text = one_joint("", kind).replace(
         "</robot>", '<link name="c"/>\n<joint name="k" type="continuous"><parent link="b"/>'
     )
@@ -709,12 +709,12 @@ RING = "abcdefghijklm"
         ),
     ],
 )
-def test_links_that_make_no_tree_are_refused(text, said):
+def test_links_that_do_not_form_a_tree_are_refused(text, said):
     with pytest.raises(ValueError, match=said):
         load_urdf(text)
 
 
-def test_links_asked_for_must_exist_and_something_must_move_between_them():
+def test_base_and_tip_must_exist_and_a_joint_must_move_between_them():
     text = linked(["base", "upper arm", "hand"], ["base", "upper arm"], ["upper arm", "hand"])
     with pytest.raises(ValueError, match=r"tip must be the name of a link; got 'uper arm'. Did you mean upper arm"):
         load_urdf(text, tip="uper arm")
@@ -765,7 +765,7 @@ BOMB = "<!DOCTYPE r [<!ENTITY a 'ha'>" + "".join(f"<!ENTITY {chr(ord(a) + 1)} '{
         "\\", "/"
     ),  # a test id with a backslash cannot be typed on a command line
 )
-def test_what_is_no_urdf_is_refused(text, said):
+def test_texts_that_are_not_a_urdf_are_refused(text, said):
     with pytest.raises(ValueError, match=said):
         load_urdf(text)
 
@@ -783,7 +783,7 @@ def test_what_is_no_urdf_is_refused(text, said):
         (b'<?xml version="1.0" encoding="utf-16"?>\n<robot name="r"/>', "Line 1: .*encoding specified"),
     ],
 )
-def test_a_file_that_is_no_urdf_is_refused(tmp_path, content, said):
+def test_files_that_are_not_a_urdf_are_refused(tmp_path, content, said):
     path = tmp_path / "arm.urdf"
     path.write_bytes(content)
     with pytest.raises(ValueError, match=said):
@@ -811,7 +811,7 @@ def test_a_file_of_the_largest_size_is_read_to_its_end(tmp_path):
     assert path.stat().st_size == MAX_BYTES
 
 
-def test_a_file_that_grows_while_it_is_opened_is_read_no_further_than_any(tmp_path, monkeypatch):
+def test_a_file_that_grows_while_it_is_opened_is_not_read_beyond_the_limit(tmp_path, monkeypatch):
     path, before = tmp_path / "arm.urdf", tmp_path / "before.urdf"
     path.write_bytes(b" " * (MAX_BYTES + 2_000_000))
     before.write_text(one_joint())
@@ -824,7 +824,7 @@ def test_a_file_that_grows_while_it_is_opened_is_read_no_further_than_any(tmp_pa
 
 
 @pytest.mark.skipif(not os.path.exists("/dev/zero"), reason="no device that never ends")  # noqa: PTH110
-def test_a_device_is_no_file():
+def test_a_device_is_refused():
     with pytest.raises(ValueError, match="There is no file '/dev/zero'"):
         load_urdf("/dev/zero")
 
@@ -833,7 +833,7 @@ SOUND = linked("abcd", "ab", "bc", "cd").splitlines()
 
 
 @pytest.mark.parametrize("line", range(len(SOUND)))
-def test_a_file_that_lost_a_line_gives_no_arm(line):
+def test_a_file_without_one_of_its_lines_is_refused(line):
     assert load_urdf("\n".join(SOUND)).n == 3
     with pytest.raises(ValueError, match=r"Line \d+, <|Line \d+: the file must be XML"):
         load_urdf("\n".join(SOUND[:line] + SOUND[line + 1 :]))
@@ -841,7 +841,7 @@ def test_a_file_that_lost_a_line_gives_no_arm(line):
 
 @settings(max_examples=200)
 @given(st.data())
-def test_a_mangled_file_is_refused_or_read_and_nothing_else(data):
+def test_a_corrupted_file_is_read_or_refused_with_a_message(data):
     """Letters of a sound file replaced at random: whatever happens is a chain, or a ValueError with words in it."""
     text = list(one_joint('<origin xyz="0 0 1" rpy="0 0 1"/><axis xyz="0 0 1"/>'))
     for _ in range(data.draw(st.integers(1, 5))):
