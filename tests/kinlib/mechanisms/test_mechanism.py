@@ -339,7 +339,7 @@ def test_closed_chains_and_joined_branches_agree_with_pinocchio(one, two):
         first, [str(i) for i in range(first.n + 1)], [f"joint {i}" for i in range(first.n)], first.home
     )
     values = np.reshape(q, (-1, 1))
-    close(reduce(np.matmul, map(passed, straight, values)), there, atol=1e-11 * size)
+    close(reduce(np.matmul, map(displacement, straight, values)), there, atol=1e-11 * size)
 
 
 @pytest.mark.oracle("text: written out in the test", Mechanism, Mechanism.n, Mechanism.names, Mechanism.limits)
