@@ -11,40 +11,40 @@ from misstep.problem import Problem
 
 
 @problem("00.a", "Where the hand is at home", points=1, lecture="00_start_here#A wrong answer, on purpose")
-def hand_at_home(_draw: ArmSampler) -> Problem:
-    shoulder, upper, fore, hand, height = 0.033, 0.155, 0.135, 0.2175, 0.147
+def end_effector_at_home(_draw: ArmSampler) -> Problem:
+    shoulder, upper_arm, forearm, end_effector, height = 0.033, 0.155, 0.135, 0.2175, 0.147
     return Problem(
         statement="Give the hand's position $(x, y, z)$ at home, in {s} and in metres.",
         answer=Numbers(youbot().home[:3, 3], unit="metres"),
         mistakes=[
             mistake(
                 "no shoulder",
-                np.array([upper + fore + hand, 0, height]),
+                np.array([upper_arm + forearm + end_effector, 0, height]),
                 "You left out the shoulder. Joint 2 does not stand above joint 1 but 0.033 m in front of it, and {s} is below joint 1.",
             ),
             mistake(
                 "no hand",
-                np.array([shoulder + upper + fore, 0, height]),
+                np.array([shoulder + upper_arm + forearm, 0, height]),
                 "You stopped at the wrist. The hand is 0.2175 m further: the last length of the deck's table.",
             ),
             mistake(
                 "on the floor",
-                np.array([shoulder + upper + fore + hand, 0, 0]),
+                np.array([shoulder + upper_arm + forearm + end_effector, 0, 0]),
                 "You left out the height. The whole arm lies 0.147 m above the origin of {s}.",
             ),
             mistake(
                 "upright",
-                np.array([shoulder, 0, height + upper + fore + hand]),
+                np.array([shoulder, 0, height + upper_arm + forearm + end_effector]),
                 "You stood the arm up, as many robots stand at home. This one lies stretched out: home is what its makers chose.",
             ),
             mistake(
                 "y is up",
-                np.array([shoulder + upper + fore + hand, height, 0]),
+                np.array([shoulder + upper_arm + forearm + end_effector, height, 0]),
                 "You wrote the height as $y$, as on a screen. Here $z$ points up: look for the letter at the tip of the arrow.",
             ),
             mistake(
                 "millimetres",
-                np.array([1000 * (shoulder + upper + fore + hand), 0, 1000 * height]),
+                np.array([1000 * (shoulder + upper_arm + forearm + end_effector), 0, 1000 * height]),
                 "You answered in millimetres. Lengths are metres here, everywhere.",
             ),
         ],
@@ -83,4 +83,4 @@ def configuration_in_radians(_draw: ArmSampler) -> Problem:
     )
 
 
-BLANKS = [hand_at_home, configuration_in_radians]
+BLANKS = [end_effector_at_home, configuration_in_radians]

@@ -70,9 +70,11 @@ def pose_off_a_drawing(sampler: ArmSampler) -> Problem:
 def rotation_off_a_drawing(sampler: ArmSampler) -> Problem:
     k, degrees = sampler.integer(0, 2), sampler.choice(PLAIN_ANGLES_DEG) * sampler.choice((-1, 1))
     R = _rotation(k, degrees)
-    first, after = "yzx"[k], "zxy"[k]
+    first, next_axis = "yzx"[k], "zxy"[k]
     c, s = np.cos(np.radians(degrees)), np.sin(np.radians(degrees))
-    exchanged = np.where(np.isclose(R, c), s, np.where(np.isclose(R, s), c, np.where(np.isclose(R, -s), -c, R)))
+    sine_and_cosine_swapped = np.where(
+        np.isclose(R, c), s, np.where(np.isclose(R, s), c, np.where(np.isclose(R, -s), -c, R))
+    )
     return Problem(
         statement="Frames {a} and {b} share their origin and one axis, along which you look: a dot is an arrow's tip, a cross its "
         "feathers. Give $R_{ab}$.",
@@ -83,11 +85,11 @@ def rotation_off_a_drawing(sampler: ArmSampler) -> Problem:
                 "turned the other way",
                 R.T,
                 "This is $R_{ba} = R_{ab}^T$: the signs of the sines are exchanged. The columns of $R_{ab}$ are the axes of {b}, read "
-                f"along those of {{a}}. Is the share of ${after}_a$ in ${first}_b$ positive or negative?",
+                f"along those of {{a}}. Is the share of ${next_axis}_a$ in ${first}_b$ positive or negative?",
             ),
             mistake(
                 "sine and cosine swapped",
-                exchanged,
+                sine_and_cosine_swapped,
                 "You swapped sine and cosine. At 0 degrees $R$ is the identity, so the cosines stand on the diagonal.",
             ),
             mistake(
@@ -116,17 +118,17 @@ def augmented_matrix(sampler: ArmSampler) -> Problem:
     R = _rotation(2, degrees)[:2, :2]
     right, other = (R @ p, p) if shift_first else (p, R @ p)
     way = "anticlockwise" if degrees > 0 else "clockwise"
-    turned, shifted = (
+    rotation_text, translation_text = (
         f"turns the plane about the origin by {abs(degrees)} degrees {way}",
         f"shifts it by $p = {vector(p)}$",
     )
-    told = (
-        f"shifts the plane by $p = {vector(p)}$, and then {turned.replace('the plane', 'it')}"
+    description = (
+        f"shifts the plane by $p = {vector(p)}$, and then {rotation_text.replace('the plane', 'it')}"
         if shift_first
-        else f"{turned}, and then {shifted}"
+        else f"{rotation_text}, and then {translation_text}"
     )
     return Problem(
-        statement=f"A map {told}. Write it as one augmented matrix, (3, 3): it takes $(x, y, 1)$ to where the point $(x, y)$ goes.",
+        statement=f"A map {description}. Write it as one augmented matrix, (3, 3): it takes $(x, y, 1)$ to where the point $(x, y)$ goes.",
         given={"first": "shift" if shift_first else "turn", "degrees": degrees, "p": p},
         answer=Numbers(_augmented_matrix(R, right)),
         mistakes=[
@@ -309,16 +311,21 @@ def own_or_fixed(sampler: ArmSampler) -> Problem:
     own, fixed = (turn, shift) if turn_is_own else (shift, turn)
     first, second = (turn, shift) if turns_first else (shift, turn)
     whose = {True: "its own", False: "the"}
-    turned = (
+    rotation_text = (
         f"turns by {degrees} degrees about {whose[turn_is_own]} ${'xyz'[k]}$ axis{'' if turn_is_own else ' of {s}'}"
     )
-    shifted = (
+    translation_text = (
         f"shifts by {far:.4g} m along {whose[not turn_is_own]} ${'xyz'[along]}$ axis{' of {s}' if turn_is_own else ''}"
     )
-    told = f"It {turned}, then it {shifted}." if turns_first else f"It {shifted}, then it {turned}."
-    typed = homogeneous(exp(degrees * np.eye(3)[k]), np.zeros(3))
+    description = (
+        f"It {rotation_text}, then it {translation_text}."
+        if turns_first
+        else f"It {translation_text}, then it {rotation_text}."
+    )
+    turn_in_degrees = homogeneous(exp(degrees * np.eye(3)[k]), np.zeros(3))
     return Problem(
-        statement=f"A frame {{b}} stands at $T_{{sb}}$. {told} Where does it stand now, seen from {{s}}?\n\n$$T_{{sb}} = {matrix(T)}$$",
+        statement=f"A frame {{b}} stands at $T_{{sb}}$. {description} Where does it stand now, seen from {{s}}?\n\n"
+        f"$$T_{{sb}} = {matrix(T)}$$",
         figure=partial(draw_frames, {"s": np.eye(4), "b": T}, arrows=False),
         given={
             "T_sb": T,
@@ -351,7 +358,7 @@ def own_or_fixed(sampler: ArmSampler) -> Problem:
             ),
             mistake(
                 "degrees",
-                (typed if fixed is turn else fixed) @ T @ (typed if own is turn else own),
+                (turn_in_degrees if fixed is turn else fixed) @ T @ (turn_in_degrees if own is turn else own),
                 "You gave degrees to a cosine that reads radians: use np.radians first.",
             ),
         ],
@@ -362,10 +369,10 @@ def own_or_fixed(sampler: ArmSampler) -> Problem:
 def turns_in_order(sampler: ArmSampler) -> Problem:
     names = [f"R_{letter}" for letter in sampler.shuffled("abcd")]
     fixed = [sampler.choice([True, False]) for _ in names]
-    right, exchanged = deque[str](), deque[str]()
+    right, sides_swapped = deque[str](), deque[str]()
     for name, room in zip(names, fixed, strict=True):
         (right.appendleft if room else right.append)(name)
-        (exchanged.append if room else exchanged.appendleft)(name)
+        (sides_swapped.append if room else sides_swapped.appendleft)(name)
     listed = "\n".join(
         f"{i}. ${name}$, about {'an axis of the room' if room else 'an axis of its own'}"
         for i, (name, room) in enumerate(zip(names, fixed, strict=True), start=1)
@@ -390,7 +397,7 @@ def turns_in_order(sampler: ArmSampler) -> Problem:
             ),
             mistake(
                 "sides exchanged",
-                list(exchanged),
+                list(sides_swapped),
                 "You exchanged the sides. About an axis of the room: from the left. About an own axis: from the right.",
             ),
             mistake(

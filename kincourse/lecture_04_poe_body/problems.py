@@ -90,10 +90,10 @@ def where_home_stands(sampler: ArmSampler) -> Problem:
     listed = ", ".join(f"then comes joint {name}" for name in names[1:])
     factors = [f"e_{name}" for name in names]
     before, after = factors[:k], factors[k:]
-    read = f"axis of joint {names[0]} is" if k == 1 else f"axes of joints {names[0]} and {names[1]} are"
+    axes_in_space = f"axis of joint {names[0]} is" if k == 1 else f"axes of joints {names[0]} and {names[1]} are"
     return Problem(
         statement=f"Joint {names[0]} of an arm stands on the floor, {listed}, and the tool is last. "
-        f"The {read} read in {{s}}, all others in {{b}}. So $e_a$ is $e^{{[S_a]q_a}}$ or $e^{{[B_a]q_a}}$, and so on. Put the "
+        f"The {axes_in_space} read in {{s}}, all others in {{b}}. So $e_a$ is $e^{{[S_a]q_a}}$ or $e^{{[B_a]q_a}}$, and so on. Put the "
         "factors of $T(q)$ in order, from left to right: a list of the names `'e_a'`, `'e_b'`, `'e_c'`, `'e_d'`, `'M'`.",
         given={"from_floor_to_tool": names, "read_in_s": names[:k]},
         answer=Ordering([*before, "M", *after]),
@@ -196,7 +196,7 @@ def new_tool(sampler: ArmSampler) -> Problem:
     turn = _rotation(sampler.choice([X, Y]), sampler.choice([30, 40, -50, -60, 70]))
     H = pose((X, Y, Z), (sampler.length(0.1, 0.4), 0, sampler.length(0.5, 0.9))) @ turn
     B, M = robot.body_screws, robot.home
-    in_room = inverse(H @ M)
+    from_space = inverse(H @ M)
     return Problem(
         statement="The tool of this arm is replaced. The new one has its frame {t} where the old one saw $T_{bt}$. Below are the body "
         f"screws as {{b}} read them. Give them as {{t}} reads them.\n\n$$B = {matrix(B)}$$\n\n$$T_{{bt}} = {matrix(H)}$$",
@@ -222,7 +222,7 @@ def new_tool(sampler: ArmSampler) -> Problem:
             ),
             mistake(
                 "moved in {s}",
-                transform_screws(in_room, robot.screws),
+                transform_screws(from_space, robot.screws),
                 "You moved the tool along the axes of {s}: $T_{bt} M$. {t} is seen from {b}, so the new home pose is $M\\,T_{bt}$.",
             ),
             mistake(
@@ -282,9 +282,9 @@ def jacobian_column(sampler: ArmSampler) -> Problem:
     )
 
 
-def _random_arm(sampler: ArmSampler, letters: str) -> Chain:
+def _random_arm(sampler: ArmSampler, joint_types: str) -> Chain:
     """Draw an arm whose tool is rotated by an angle of the student's own, so that no rotation is its own inverse."""
-    robot = sampler.arm(letters)
+    robot = sampler.arm(joint_types)
     home = robot.home @ _rotation(sampler.choice([X, Y, Z]), sampler.choice([20, 30, -40, 50, -60, 70]))
     return replace(robot, home=home)
 

@@ -140,10 +140,10 @@ def offsets(sampler: ArmSampler) -> Problem:
     values = np.radians(np.diff(headings, prepend=0))
     rows = [[a, 0, 0, theta] for a, theta in zip(lengths, values, strict=True)]
     table = DHTable(rows, convention="standard", name="Your planar arm")
-    said = ", ".join(f"link {i} by {angle}°" for i, angle in enumerate(headings, start=1))
+    headings_text = ", ".join(f"link {i} by {angle}°" for i, angle in enumerate(headings, start=1))
     return Problem(
         statement="All axes of this planar arm point towards you, and $x_i$ runs along link $i$. The maker calls the drawn "
-        f"posture zero. In it, the links are turned against $x_0$, anticlockwise where positive: {said}. "
+        f"posture zero. In it, the links are turned against $x_0$, anticlockwise where positive: {headings_text}. "
         "The rows read $\\theta_i = q_i + c_i$. Give the offsets $c_1, c_2, c_3$ in radians.",
         figure=partial(draw_table, table, view="top"),
         given={"headings_degrees": np.array(headings)},
@@ -172,9 +172,9 @@ def offsets(sampler: ArmSampler) -> Problem:
 
 @problem("05.5", "A chain of A matrices", points=2, lecture="05_dh_standard#The product of the A matrices")
 def chain_of_matrices(sampler: ArmSampler) -> Problem:
-    letters = sampler.choice(["RPR", "RRP", "PRR"])
+    joint_types = sampler.choice(["RPR", "RRP", "PRR"])
     cells, values = [], []
-    for i, letter in enumerate(letters, start=1):
+    for i, letter in enumerate(joint_types, start=1):
         a, alpha = sampler.length(0.1, 0.6), sampler.choice([90, -90, 60, -60])
         shift, turn = sampler.length(0.1, 0.6), sampler.choice([90, -90])
         turns = f"q{i} {'+' if turn > 0 else '-'} 90°" if letter == "R" else f"{turn}°"
@@ -183,7 +183,7 @@ def chain_of_matrices(sampler: ArmSampler) -> Problem:
         values.append(np.radians(sampler.degrees(-75, 75)) if letter == "R" else sampler.length(0.2, 0.8))
     text = "\n".join(["a | alpha | d | theta", *cells])
     table, q = DHTable(text, convention="standard", name="your arm"), np.round(values, 3)
-    turned = np.array([letter == "R" for letter in letters])
+    is_revolute = np.array([letter == "R" for letter in joint_types])
     printed = markdown_table([cell.split(" | ") for cell in cells])
     return Problem(
         statement=f"Where is frame 3 of this arm, seen from frame 0, at $q = {vector(q)}$ (radians and metres)? The convention is "
@@ -206,7 +206,7 @@ def chain_of_matrices(sampler: ArmSampler) -> Problem:
             ),
             mistake(
                 "q in degrees",
-                table.fk(np.where(turned, np.degrees(q), q)),
+                table.fk(np.where(is_revolute, np.degrees(q), q)),
                 "You turned radians into degrees. $q$ is in radians already, and sine and cosine want them so.",
             ),
         ],

@@ -423,7 +423,7 @@ def _conversion_mistakes(rows: Array, down: bool, folded: str) -> list[Mistake]:
     """The mistakes in moving a and alpha by one row, down to the modified convention or up to the standard one."""
     step, empty = (1, 0) if down else (-1, -1)
 
-    def handed(by: int, columns: slice, lost: int | None) -> Array:
+    def shifted_rows(by: int, columns: slice, lost: int | None) -> Array:
         moved = rows.copy()
         moved[:, columns] = np.roll(rows[:, columns], by, axis=0)
         if lost is not None:
@@ -439,23 +439,23 @@ def _conversion_mistakes(rows: Array, down: bool, folded: str) -> list[Mistake]:
         ),
         mistake(
             "the other way",
-            handed(-step, np.s_[:2], -1 if down else 0),
+            shifted_rows(-step, np.s_[:2], -1 if down else 0),
             f"You handed $a$ and $\\alpha$ on the wrong way. To {to}, each row gives them to the {onto} one.",
         ),
         mistake(
             "whole rows",
-            handed(step, np.s_[:], empty),
+            shifted_rows(step, np.s_[:], empty),
             "You moved whole rows. $d$ and $\\theta$ belong to the joint and stay in its row; only $a$ and $\\alpha$ move.",
         ),
         mistake(
             "alpha alone",
-            handed(step, np.s_[1:2], empty),
+            shifted_rows(step, np.s_[1:2], empty),
             "You moved $\\alpha$ and left $a$. Both belong to one link, and to one screw: they move together.",
         ),
-        mistake("end folded in", handed(step, np.s_[:2], None), folded),
+        mistake("end folded in", shifted_rows(step, np.s_[:2], None), folded),
         mistake(
             "degrees",
-            handed(step, np.s_[:2], empty) * (1, 180 / np.pi, 1, 180 / np.pi),
+            shifted_rows(step, np.s_[:2], empty) * (1, 180 / np.pi, 1, 180 / np.pi),
             "Your angles are in degrees. The answer is in radians; np.radians converts them.",
         ),
     ]

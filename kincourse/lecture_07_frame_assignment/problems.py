@@ -394,17 +394,17 @@ def _tables_to_compare(sampler: ArmSampler) -> tuple[DHTable, dict[str, DHTable]
                 sampler.length(0.1, 0.6),
                 0.0,
             )
-        rows[1, 1], slid = 0.0, sampler.length(0.1, 0.4)
+        rows[1, 1], shift = 0.0, sampler.length(0.1, 0.4)
         table = DHTable(rows, convention="standard")
         turn_x = rows.copy()
         turn_x[2] = turn_x[2] * (-1, -1, 1, 1) + (0, 0, 0, np.pi)
         turn_x[3, 3] -= np.pi
         half_x = turn_x * np.where(np.outer(np.eye(5)[2], np.eye(4)[1]) == 1, -1, 1)
-        legal = turn_x + slid * np.outer(np.eye(5)[1] - np.eye(5)[2], np.eye(4)[2])
-        half_slide = turn_x + slid * np.outer(np.eye(5)[1], np.eye(4)[2])
+        legal = turn_x + shift * np.outer(np.eye(5)[1] - np.eye(5)[2], np.eye(4)[2])
+        half_slide = turn_x + shift * np.outer(np.eye(5)[1], np.eye(4)[2])
         sign = legal * np.where(np.outer(np.eye(5)[3], np.eye(4)[2]) == 1, -1, 1)
-        made = {"legal": legal, "half an x": half_x, "half a slide": half_slide, "a sign": sign}
-        changed = {name: table.changed(rows=new) for name, new in made.items()}
+        rows_by_name = {"legal": legal, "half an x": half_x, "half a slide": half_slide, "a sign": sign}
+        changed = {name: table.changed(rows=new) for name, new in rows_by_name.items()}
         if [bool(equivalent(table, other)) for other in changed.values()] == [True, False, False, False]:
             return table, changed
 

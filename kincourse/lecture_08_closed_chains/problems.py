@@ -425,16 +425,16 @@ def counting(sampler: ArmSampler) -> Problem:
 def three_mobilities(sampler: ArmSampler) -> Problem:
     case = overconstrained_case(sampler)
     linkage, loops = case.linkage, len(case.linkage.loops)
-    found = linkage.mobility(case.q)
-    counted, felt, rank = found.kutzbach, found.infinitesimal, linkage.n - found.infinitesimal
+    mobility = linkage.mobility(case.q)
+    counted, felt, rank = mobility.kutzbach, mobility.infinitesimal, linkage.n - mobility.infinitesimal
     d = (linkage.n - counted) // loops
-    shown = ", ".join(f"{value:.3f}" if value > 1e-6 else "0" for value in found.singular_values)
+    shown = ", ".join(f"{value:.3f}" if value > 1e-6 else "0" for value in mobility.singular_values)
     return Problem(
         statement=f"The drawing shows {case.description}: {linkage.n} joint values in {loops} loop{'s' * (loops > 1)}. In this posture "
         f"the Jacobian of its closure has the singular values {shown}. How many freedoms are *counted* by Kutzbach's formula, how "
         "many are *felt* in this posture, and how many are *had*, so that they lead to other postures?",
         figure=partial(draw_linkage, linkage, case.q, names=False),
-        given={"joint_values": linkage.n, "loops": loops, "singular_values": found.singular_values.round(3)},
+        given={"joint_values": linkage.n, "loops": loops, "singular_values": mobility.singular_values.round(3)},
         answer=CountsAnswer(
             np.array([counted, felt, case.finite_mobility], dtype=float), names=["counted", "felt", "had"]
         ),

@@ -1,4 +1,4 @@
-"""exercises/ is what `misstep release` makes of solutions/, and contains no line of a solution."""
+"""exercises/ contains what `misstep release` writes from solutions/, and no line of a solution."""
 
 import json
 import subprocess
@@ -23,7 +23,7 @@ def committed(tmp_path):
     return tmp_path if done.returncode == 0 else ROOT
 
 
-def test_every_sheet_in_exercises_is_fresh(committed):
+def test_every_sheet_in_exercises_is_up_to_date(committed):
     assert main(["release", "--check", "--root", str(committed)]) == 0, "run misstep release"
 
 
