@@ -1,4 +1,4 @@
-"""What every test run shares: the profiles of Hypothesis, one BLAS thread per worker, and the time of each notebook."""
+"""What all tests share: the profiles of Hypothesis, one BLAS thread per worker, the browser, the site, times of notebooks."""
 
 import os
 
@@ -8,6 +8,7 @@ if "PYTEST_XDIST_WORKER" in os.environ:
 
 import hypothesis
 import matplotlib as mpl
+import pytest
 from notebook_runs import Recorder
 
 # Not by the variable MPLBACKEND, because kernels would inherit it and draw differently than they do for a student.
@@ -41,3 +42,44 @@ def pytest_terminal_summary(terminalreporter):
         terminalreporter.section("processor seconds per notebook, from a cold kernel")
     for name, value in sorted(seconds.items()):
         terminalreporter.write_line(f"{value:5.1f}  {name}")
+
+
+# --- the browser and the site ---
+# Fixtures of a module, not of a session: while Playwright runs, asyncio.run fails in the tests of other modules.
+
+
+@pytest.fixture(scope="module")
+def start_browser():
+    """A function that starts a browser, with WebGL or without."""
+    from browser import browsers
+
+    with browsers() as start:
+        yield start
+
+
+@pytest.fixture(scope="module")
+def chromium(start_browser):
+    return start_browser()
+
+
+@pytest.fixture(scope="module")
+def chromium_without_webgl(start_browser):
+    """A browser without WebGL, because drawing many arms without a graphics card takes minutes."""
+    return start_browser(webgl=False)
+
+
+@pytest.fixture(scope="module")
+def site_folder():
+    """The folder of the built site."""
+    from built_site import build_site
+
+    return build_site()
+
+
+@pytest.fixture(scope="module")
+def site_address(site_folder):
+    """The address at which the built site is served."""
+    from built_site import served
+
+    with served(site_folder) as address:
+        yield address

@@ -8,8 +8,8 @@ This takes long, so pytest does not collect this file by itself. Run it with:
 import time
 
 import pytest
-from browser import browsers, watched
-from built_site import ROOT, build_site, served
+from browser import watched
+from built_site import ROOT
 from lab_page import run_all, visit
 
 NOTEBOOKS = [
@@ -17,23 +17,11 @@ NOTEBOOKS = [
 ]
 
 
-@pytest.fixture(scope="module")
-def address():
-    with served(build_site()) as address:
-        yield address
-
-
-@pytest.fixture(scope="module")
-def chromium():
-    with browsers() as start:
-        yield start(webgl=False)  # a lecture of ten viewers would take minutes without a graphics card
-
-
 @pytest.mark.parametrize("notebook", sorted(NOTEBOOKS))
-def test_every_cell_runs_without_an_error(chromium, address, notebook):
-    with watched(chromium, viewport={"width": 1200, "height": 1000}) as page:
+def test_every_cell_runs_without_an_error(chromium_without_webgl, site_address, notebook):
+    with watched(chromium_without_webgl, viewport={"width": 1200, "height": 1000}) as page:
         begun = time.perf_counter()
-        visit(page, address, notebook)
+        visit(page, site_address, notebook)
         assert run_all(page) == []
         pictures = page.locator(".jp-OutputArea-output :is(img, canvas, svg)").count()
         print(f"{notebook}: {time.perf_counter() - begun:.0f} s, {pictures} pictures")

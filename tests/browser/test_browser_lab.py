@@ -8,8 +8,8 @@ import re
 
 import numpy as np
 import pytest
-from browser import browsers, unwatched, watched
-from built_site import ROOT, build_site, served
+from browser import unwatched, watched
+from built_site import ROOT
 from lab_page import PAGE_TIMEOUT_MS, cell, run, visit, wait_for, write
 from playwright.sync_api import expect
 
@@ -34,26 +34,19 @@ STORED_NOTEBOOKS = """async () => {
 
 
 @pytest.fixture(scope="module")
-def address():
-    folder = build_site()
-    if not (folder / "lab").exists():
+def lab_address(site_folder, site_address):
+    """The address of the built site, which must contain the lab."""
+    if not (site_folder / "lab").exists():
         pytest.skip("NO LAB WAS BUILT: its files could not be downloaded.")
-    with served(folder) as address:
-        yield address
+    return site_address
 
 
-@pytest.fixture(scope="module")
-def start():
-    with browsers() as start:
-        yield start
-
-
-def test_a_sheet_is_opened_answered_checked_stored_and_handed_in(start, address, tmp_path):
+def test_a_sheet_is_opened_answered_checked_stored_and_handed_in(chromium, lab_address, tmp_path):
     """The work of one student in one window, because Python takes long to start."""
-    with watched(start(), viewport=WINDOW) as page:
+    with watched(chromium, viewport=WINDOW) as page:
         page.set_default_timeout(PAGE_TIMEOUT_MS)
         page.add_init_script(SHORT_MINUTE)
-        page.goto(f"{address}/sheets/03_poe_space.html")
+        page.goto(f"{lab_address}/sheets/03_poe_space.html")
         page.get_by_role("link", name="Run in the browser").click()
         page.locator(".jp-Notebook .jp-CodeCell").first.wait_for(timeout=PAGE_TIMEOUT_MS)
         run(page, cell(page, "open_sheet"))
@@ -67,19 +60,21 @@ def test_a_sheet_is_opened_answered_checked_stored_and_handed_in(start, address,
         # the last change is stored without saving it, and the page of progress counts the solved problem
         write(page, cell(page, "screw_3 ="), "screw_3 = 'typed last'")
         wait_for(page, lambda: "typed last" in page.evaluate(STORED_NOTEBOOKS), PAGE_TIMEOUT_MS)
-        visit(page, address, SHEET)
+        visit(page, lab_address, SHEET)
         expect(cell(page, "typed last")).to_be_visible()
         expect(cell(page, "screws_1 = np.array")).to_be_visible()
-        page.goto(f"{address}/progress.html")
+        page.goto(f"{lab_address}/progress.html")
         expect(page.locator('tr[data-lecture="lectures/03_poe_space"] [data-solved]')).to_have_text("1 of 8")
 
 
 @pytest.mark.parametrize("reason", ["full", "private"])
-def test_a_browser_that_cannot_store_work_shows_a_message_and_offers_the_download(start, address, tmp_path, reason):
-    with unwatched(start(), viewport=WINDOW) as page:
+def test_a_browser_that_cannot_store_work_shows_a_message_and_offers_the_download(
+    chromium, lab_address, tmp_path, reason
+):
+    with unwatched(chromium, viewport=WINDOW) as page:
         if reason == "private":
             page.add_init_script("IDBFactory.prototype.open = () => { throw new DOMException('no', 'SecurityError'); }")
-        visit(page, address, SHEET)
+        visit(page, lab_address, SHEET)
         if reason == "full":
             write(page, cell(page, "screws_1 ="), "screws_1 = 'early words'")
             wait_for(page, lambda: "early words" in page.evaluate(STORED_NOTEBOOKS), PAGE_TIMEOUT_MS)
@@ -92,10 +87,10 @@ def test_a_browser_that_cannot_store_work_shows_a_message_and_offers_the_downloa
         assert "not to be lost" in (tmp_path / "sheet.ipynb").read_text("utf-8")
 
 
-def test_a_browser_without_webassembly_shows_what_to_do(start, address):
-    with unwatched(start(), viewport=WINDOW) as page:
+def test_a_browser_without_webassembly_shows_what_to_do(chromium, lab_address):
+    with unwatched(chromium, viewport=WINDOW) as page:
         page.add_init_script("delete globalThis.WebAssembly")
-        visit(page, address, SHEET)
+        visit(page, lab_address, SHEET)
         page.get_by_text("this browser has no WebAssembly").wait_for(timeout=PAGE_TIMEOUT_MS)
 
 

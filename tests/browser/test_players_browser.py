@@ -5,7 +5,6 @@ import numpy as np
 import pytest
 from browser import (
     TIMEOUT_MS,
-    browsers,
     contrast,
     jupyterlab,
     open_notebook,
@@ -35,19 +34,13 @@ MODEL = "document.querySelector('.kv').viewer.model"
 STAGE = "document.querySelector('.kv').viewer.stage"
 
 
-@pytest.fixture(scope="module")
-def browser():
-    with browsers() as start:
-        yield start()
-
-
 @pytest.fixture
-def show(browser, tmp_path):
+def show(chromium, tmp_path):
     """Show a viewer on a page without a kernel."""
     opened = []
 
     def open_page(*viewers, style="background:white", **settings):
-        opened.append(watched(browser, **{"viewport": {"width": 1000, "height": 620}, **settings}))
+        opened.append(watched(chromium, **{"viewport": {"width": 1000, "height": 620}, **settings}))
         page = opened[-1].__enter__()
         page.goto(static_page(tmp_path, *viewers, style=style).as_uri())
         wait_until_drawn(page)
@@ -421,10 +414,10 @@ CELLS = [FIRST.strip(), WRONG.strip(), BREACHES, RIGHT_AGAIN.strip(), PLAYER, "p
 
 
 @pytest.fixture(scope="module")
-def lab(browser, tmp_path_factory):
+def lab(chromium, tmp_path_factory):
     """Open a notebook in JupyterLab with an arm on which no frame is placed."""
     folder = tmp_path_factory.mktemp("lab")
-    with jupyterlab(folder) as address, watched(browser, viewport={"width": 1100, "height": 900}) as page:
+    with jupyterlab(folder) as address, watched(chromium, viewport={"width": 1100, "height": 900}) as page:
         open_notebook(page, address, folder, [nbformat.v4.new_code_cell(source) for source in CELLS])
         run_cell(page, 0)
         page.wait_for_selector(".kv-canvas[data-pictures]", timeout=60_000)

@@ -5,7 +5,6 @@ import numpy as np
 import pytest
 from browser import (
     TIMEOUT_MS,
-    browsers,
     contrast,
     drawn_count,
     jupyterlab,
@@ -31,24 +30,13 @@ DEGREE = np.pi / 180
 Q = [0.5, -0.6, 0.7, -0.8, 0.9, -1.0]
 
 
-@pytest.fixture(scope="module")
-def start():
-    with browsers() as found:
-        yield found
-
-
-@pytest.fixture(scope="module")
-def browser(start):
-    return start()
-
-
 @pytest.fixture
-def show(browser, tmp_path):
+def show(chromium, tmp_path):
     """Show viewers on a static page, and wait until they are drawn."""
     opened = []
 
     def open_page(*viewers, count=None, style="background:white", before=None, **settings):
-        opened.append(watched(browser, **settings))
+        opened.append(watched(chromium, **settings))
         page = opened[-1].__enter__()
         if before:
             page.add_init_script(before)
@@ -420,8 +408,8 @@ def test_an_arm_that_cannot_be_shown_gives_a_message_on_the_page(show):
     assert page.get_by_role("alert").inner_text().startswith("The viewer cannot show this arm: ")
 
 
-def test_without_webgl_there_is_a_message_and_the_arm_still_moves(start, tmp_path):
-    with watched(start(webgl=False)) as page:
+def test_without_webgl_there_is_a_message_and_the_arm_still_moves(chromium_without_webgl, tmp_path):
+    with watched(chromium_without_webgl) as page:
         page.goto(static_page(tmp_path, explore(kl.robots.puma560(), start=Q, ghost=np.zeros(6))).as_uri())
         wait_until_drawn(page)
         assert "WebGL is not available" in page.locator(".kv-message").inner_text()
@@ -458,8 +446,8 @@ def test_a_lost_context_is_created_again(show):
     assert shown_pixels(page) == before
 
 
-def test_a_page_without_a_viewer_does_not_load_the_bundle(browser, tmp_path):
-    with watched(browser) as page:
+def test_a_page_without_a_viewer_does_not_load_the_bundle(chromium, tmp_path):
+    with watched(chromium) as page:
         asked = []
         page.on("request", lambda request: asked.append(request.url))
         page.goto(static_page(tmp_path, "<p>Nothing moves here.</p>").as_uri())
@@ -574,11 +562,11 @@ CELLS = [
 
 
 @pytest.fixture(scope="module")
-def lab(browser, tmp_path_factory):
+def lab(chromium, tmp_path_factory):
     """Open a notebook in JupyterLab with a viewer in its first cell, and run that cell."""
     folder = tmp_path_factory.mktemp("lab")
     cells = [nbformat.v4.new_code_cell(source) for source in CELLS]
-    with jupyterlab(folder) as address, watched(browser, viewport={"width": 1000, "height": 900}) as page:
+    with jupyterlab(folder) as address, watched(chromium, viewport={"width": 1000, "height": 900}) as page:
         open_notebook(page, address, folder, cells)
         run_cell(page, 0)
         page.wait_for_selector(".kv-canvas[data-pictures]", timeout=60_000)
