@@ -33,12 +33,11 @@ OPERATIONS: dict[type[ast.operator] | type[ast.unaryop], Operation] = {
 
 
 class Algebra(Protocol[Value]):
-    """How the parts of a formula become values. Each method raises ValueError for what has no value in the algebra.
+    """How the parts of a formula become values. Each method raises ValueError for what has no value in the algebra."""
 
-    functions  the names of the functions that `call` takes; all but atan2 have one argument
-    """
-
-    functions: Container[str]
+    @property
+    def functions(self) -> Container[str]:
+        """The names of the functions that `call` evaluates; all but atan2 have one argument."""
 
     def number(self, number: Any) -> Value:
         """Return the value of a number."""

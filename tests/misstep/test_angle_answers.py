@@ -1,4 +1,4 @@
-"""Angles as answers: a full turn more is no other angle, and a set has no order."""
+"""Angles as answers: compared modulo full turns, and in any order if the problem allows it."""
 
 import numpy as np
 import pytest
@@ -21,17 +21,17 @@ def test_full_turns_and_the_order_make_no_difference(angles, data):
 
 
 @given(st.floats(-3, 3), st.floats(0.01, 6.27))
-def test_another_angle_is_another_angle(angle, off):
+def test_a_different_angle_is_wrong(angle, off):
     answer = Angles(np.array(angle))
     assert not any(answer.agrees(answer.read(angle + off), answer.value))
 
 
-def test_where_order_matters_it_matters():
+def test_the_order_counts_unless_any_order_is_set():
     answer = Angles(np.array([0.5, -0.5]))
     assert answer.agrees(answer.read([-0.5, 0.5]), answer.value) == [False, False]
 
 
-def test_one_right_angle_of_two_is_half():
+def test_one_right_angle_of_two_is_recognised():
     answer = Angles(np.array([0.5, -0.5]), any_order=True)
     assert sorted(answer.agrees(answer.read([2.0, 0.5]), answer.value)) == [False, True]
 
@@ -46,12 +46,12 @@ def test_each_angle_is_a_part_with_a_name():
 
 
 def test_an_angle_is_read_within_half_a_turn_of_the_right_one():
-    """So that feedback can say it as it was meant, and how far off it is."""
+    """So feedback can show the angle as the student meant it, and its distance from the right one."""
     assert Angles(np.array(0.5)).read(0.5 + 4 * np.pi - 3) == pytest.approx(-2.5, abs=1e-12)
     assert Angles(np.array(0.5)).read(0.5 - 4 * np.pi + 3) == pytest.approx(3.5, abs=1e-12)
 
 
 @pytest.mark.parametrize("given", [[1.0], [1.0, 2.0, 3.0], "east", [np.nan, 1.0]])
-def test_what_is_no_pair_of_angles_is_unreadable(given):
+def test_anything_but_two_angles_is_unreadable(given):
     with pytest.raises(Unreadable, match=r"Expected angles, an array of shape \(2,\) in rad, in any order"):
         Angles(np.array([0.5, -0.5]), any_order=True).read(given)

@@ -15,7 +15,7 @@ def test_a_card_says_its_tone_without_colour(tone):
 
 
 @pytest.mark.parametrize("tone", TONES)
-def test_a_title_stands_out_from_its_paper(tone):
+def test_a_title_contrasts_with_its_background(tone):
     """Contrast by WCAG 2: at least 4.5."""
 
     def luminance(colour):

@@ -1,4 +1,4 @@
-"""Closed forms as answers: right by what they mean, and no text or expression that breaks the reader or keeps it busy."""
+"""Formulas as answers: compared by their values; no input breaks the reader or keeps it busy."""
 
 import time
 from contextlib import suppress
@@ -30,7 +30,7 @@ def is_right(form, given):
     return all(form.agrees(form.read(given), form.value))
 
 
-# --- by meaning ---
+# --- compared by values ---
 
 
 @pytest.mark.parametrize(
@@ -52,7 +52,7 @@ def is_right(form, given):
     ],
     ids=repr,
 )
-def test_one_formula_is_right_in_every_dress(given):
+def test_a_formula_is_right_in_every_form(given):
     assert is_right(RIGHT, given)
 
 
@@ -60,7 +60,7 @@ def test_one_formula_is_right_in_every_dress(given):
     "given",
     ["a2 c12 + s1", "a2 c12 - s1^2", "a2 c12 + s1^2 + 1/10^9", "a2 cos(q1 - q2) + s1^2", "0.99 a2 c12 + s1^2", 1, "q1"],
 )
-def test_another_formula_is_wrong(given):
+def test_a_different_formula_is_wrong(given):
     assert not is_right(RIGHT, given)
 
 
@@ -76,7 +76,7 @@ def test_forms_agree_where_sympy_proves_it():
 
 
 @pytest.mark.oracle("text: written out in the test", ClosedForm.expected, ClosedForm.parts, ClosedForm.hint, shaped)
-def test_what_is_expected_is_said_in_words():
+def test_the_expected_shape_is_described_in_words():
     matrix = ClosedForm(sp.eye(2) * q_1)
     assert [shaped(shape) for shape in ((), (3,), (2, 2))] == [
         "one formula",
@@ -97,13 +97,13 @@ def test_what_is_expected_is_said_in_words():
         (1000, "1000 + 6/10^10", "1000 + 14/10^10"),
     ],
 )
-def test_how_far_values_may_lie_apart_grows_only_above_one(right, near, far):
+def test_the_tolerance_grows_only_above_one(right, near, far):
     form = ClosedForm(sp.Integer(right))
     assert is_right(form, near)
     assert not is_right(form, far)
 
 
-def test_decimals_count_as_three_and_what_is_exact_counts_exactly():
+def test_decimals_are_compared_to_three_digits_and_exact_formulas_exactly():
     form = ClosedForm(sp.sqrt(2) / 2 * sp.sin(theta))
     assert is_right(form, "0.7071*sin(theta)")
     assert is_right(form, np.sqrt(2) / 2 * sp.sin(theta))
@@ -130,8 +130,8 @@ def test_decimals_count_as_three_and_what_is_exact_counts_exactly():
     )
 )
 @example(sp.sin(q_1**8))
-def test_values_are_those_of_sympy_and_its_text_says_the_same(expression):
-    """The oracle is SymPy's own evaluation; what it prints is read back as the same formula."""
+def test_values_agree_with_sympy_also_when_its_text_is_read_back(expression):
+    """The oracle is SymPy's own evaluation. The text that SymPy prints is read back as the same formula."""
     reader = Reader([q_1, q_2, a_2])
     made, typed = reader.read(expression), reader.read(str(expression))
     at = {symbol: sp.Float(reader.first_point[symbol.name.replace("_", "")], 30) for symbol in (q_1, q_2, a_2)}
@@ -145,8 +145,8 @@ def test_a_matrix_may_be_given_as_sympy_text_or_rows():
     form = ClosedForm(R)
     text = "[[c1, -s1, a2], [s1, c1, 0], [0, 0, 1]]"
     rows = [str(row) for row in R.tolist()]
-    for dress in (R, sp.ImmutableMatrix(R), text, f"Matrix({text})", R.tolist(), np.array(R), rows):
-        assert is_right(form, dress)
+    for matrix in (R, sp.ImmutableMatrix(R), text, f"Matrix({text})", R.tolist(), np.array(R), rows):
+        assert is_right(form, matrix)
     assert not is_right(form, text.replace("a2", "2 a2"))
     assert not is_right(form, sp.eye(3))
 
@@ -154,14 +154,14 @@ def test_a_matrix_may_be_given_as_sympy_text_or_rows():
 @pytest.mark.parametrize(
     "given", [[[["q1"]]], [["[q1]"]], [["Matrix([q1])"]], [[np.array("[q1]")]], np.array("[[[q1]]]")]
 )
-def test_a_formula_may_stand_in_three_brackets_and_in_no_more(given):
+def test_a_formula_may_have_up_to_three_brackets_around_it(given):
     form = ClosedForm(q_1)
     assert is_right(form, given)
     with pytest.raises(Unreadable, match="more entries than any matrix"):
         form.read([given])
 
 
-def test_a_formula_is_read_up_to_its_bounds_and_what_came_is_kept():
+def test_a_formula_is_read_up_to_the_bounds_and_kept_as_it_was_given():
     reader = Reader([q_1])
     assert reader.read([0] * MAX_PARTS).values.shape == (MAX_PARTS, 5)
     assert reader.read(["2 q1", "1"]).given == ["2 q1", "1"]
@@ -169,11 +169,11 @@ def test_a_formula_is_read_up_to_its_bounds_and_what_came_is_kept():
     np.testing.assert_allclose(reader.read("10^-59").values, 1e-59, rtol=1e-15)
 
 
-def test_what_is_complex_on_the_way_may_be_real_in_the_end_at_any_size():
+def test_intermediate_values_may_be_complex_if_the_result_is_real():
     np.testing.assert_allclose(Reader([q_1]).read("10^10 exp(I q1)^2 exp(-2 I q1)").values, 1e10, rtol=1e-15)
 
 
-def test_symbols_are_drawn_all_over_a_range_and_positive_ones_from_a_positive_one():
+def test_values_of_symbols_cover_their_range():
     for options, least, most in [({}, -3, 3), ({"positive": True}, 0.2, 2)]:
         symbols = sp.symbols("x_1:60", **options)
         values = Reader(symbols).read(symbols).values
@@ -182,7 +182,7 @@ def test_symbols_are_drawn_all_over_a_range_and_positive_ones_from_a_positive_on
         assert len(np.unique(values)) == values.size
 
 
-def test_an_angle_may_be_called_q_or_theta_whichever_the_problem_says():
+def test_an_angle_may_be_called_q_or_theta():
     angles = sp.symbols("theta_1 theta_2")
     form = ClosedForm(sp.cos(sum(angles)) + angles[0])
     assert is_right(form, "cos(q1 + q_2) + θ₁")
@@ -191,32 +191,32 @@ def test_an_angle_may_be_called_q_or_theta_whichever_the_problem_says():
 
 
 @pytest.mark.parametrize(("symbols", "there"), [([q_1, a_2], "q_1, a_2"), ([], "there are none")])
-def test_who_writes_an_unknown_symbol_is_told_which_there_are(symbols, there):
+def test_an_unknown_symbol_is_refused_with_the_list_of_symbols(symbols, there):
     with pytest.raises(ValueError, match=f"^x is none of the symbols here: {there}\\.$"):
         Reader(symbols).read("x")
 
 
-def test_a_vector_may_lie_or_stand():
+def test_a_vector_may_be_a_row_or_a_column():
     form = ClosedForm(sp.Matrix([q_1, 0, a_2]))
     assert is_right(form, "[q1, 0, a2]")
     assert is_right(form, [["q1", "0", "a2"]])
     assert is_right(form, sp.Matrix([[q_1, 0, a_2]]))
 
 
-def test_a_symbol_that_the_right_answer_does_without_may_be_declared():
+def test_a_symbol_that_is_not_in_the_right_answer_may_be_declared():
     form = ClosedForm(sp.Integer(1), symbols=[theta])
     assert is_right(form, "sin(theta)**2 + cos(theta)**2")
     assert is_right(form, "s_theta^2 + c_theta^2")
 
 
-def test_a_mistake_is_recognised_by_meaning_too():
+def test_a_mistake_is_recognised_in_any_form():
     problem = Problem("", ClosedForm(sp.cos(2 * theta)), [mistake("half", sp.cos(theta), "The angle is doubled.")])
     judgement = judge(problem, "1 - 2 sin(theta/2)^2")
     assert judgement.mistakes == ["half"]
     assert judge(problem, "1 - 2 sin(theta)^2").state == "right"
 
 
-def test_a_wrong_formula_is_told_numbers_and_a_wrong_matrix_is_told_where():
+def test_the_hint_gives_numbers_for_a_formula_and_the_place_for_a_matrix():
     message = judge(Problem("", RIGHT, []), "a2 c12").findings[0].message
     assert "your formula gives" in message
     rotation = ClosedForm(sp.Matrix([[sp.cos(theta), -sp.sin(theta)], [sp.sin(theta), sp.cos(theta)]]))
@@ -226,7 +226,7 @@ def test_a_wrong_formula_is_told_numbers_and_a_wrong_matrix_is_told_where():
     assert message == "3 of the 4 entries are right. Look at row 1, column 2."
 
 
-def test_what_is_expected_is_said_in_the_problem_s_own_symbols():
+def test_the_expected_form_is_described_with_the_symbols_of_the_problem():
     T = sp.eye(4) * q_1
     expected = {
         RIGHT: "one formula in a_2, q_1, q_2: text such as '2*sin(q_2)', or SymPy",
@@ -238,25 +238,25 @@ def test_what_is_expected_is_said_in_the_problem_s_own_symbols():
     assert [form.parts for form in expected] == [["the formula"]] * 4
 
 
-def test_the_numbers_that_are_told_are_those_of_both_formulas():
+def test_the_hint_gives_the_values_of_both_formulas():
     form = ClosedForm(theta)
     at = Reader([theta]).first_point["theta"]
-    told = f"Try numbers: at theta = {number(at)} your formula gives {number(2 * at)}, and {number(at)} is right."
-    assert form.hint(form.read("2 theta"), 0) == told
+    hint = f"Try numbers: at theta = {number(at)} your formula gives {number(2 * at)}, and {number(at)} is right."
+    assert form.hint(form.read("2 theta"), 0) == hint
     vector = ClosedForm(sp.Matrix([theta, 0, 1]))
     assert vector.hint(vector.read("[theta, 0, 2]"), 0) == "2 of the 3 entries are right. Look at entry 3."
 
 
-def test_a_right_answer_with_decimals_is_met_by_what_is_exact():
+def test_an_exact_formula_agrees_with_a_right_answer_with_decimals():
     assert is_right(ClosedForm(0.7071 * sp.sin(theta)), "sin(theta)/√2")
 
 
-def test_what_is_nearly_right_is_told_so_though_it_is_exact():
+def test_an_exact_formula_that_is_nearly_right_is_called_close():
     assert "This is close" in judge(Problem("", ClosedForm(theta), []), "99/100 theta").findings[0].message
     assert "This is close" not in judge(Problem("", ClosedForm(theta), []), "9/10 theta").findings[0].message
 
 
-# --- what is no formula ---
+# --- refused ---
 
 SHARED = q_1
 for _ in range(60):
@@ -269,7 +269,7 @@ for _ in range(2000):
 
 
 class Rude(list):
-    """A list that raises when it is looked into."""
+    """A list that raises an error when it is read."""
 
     def __iter__(self):
         raise RuntimeError("no")
@@ -332,14 +332,14 @@ UNREADABLE = {
 
 
 @pytest.mark.parametrize(("hostile", "words"), UNREADABLE.values(), ids=UNREADABLE)
-def test_what_is_no_formula_is_refused_in_bounded_time_with_a_reason(hostile, words):
+def test_anything_but_a_formula_is_refused_in_bounded_time_with_a_reason(hostile, words):
     start = time.process_time()
     with pytest.raises(Unreadable, match=f"(?s)^Expected one formula in a_2, q_1, q_2: .*({words})"):
         RIGHT.read(hostile)
     assert time.process_time() - start < 2
 
 
-def test_an_expression_that_shares_its_parts_is_worked_out_once_and_never_printed():
+def test_shared_parts_of_an_expression_are_computed_once_and_never_printed():
     """Written out, it would have 2^60 parts."""
     start = time.process_time()
     assert not is_right(RIGHT, SHARED)
@@ -354,7 +354,7 @@ def test_any_text_is_a_formula_or_unreadable(text):
 
 
 @pytest.mark.parametrize("name", sorted({*FUNCTIONS} - {"Matrix", "atan2"}))
-def test_every_function_of_the_language_is_that_of_sympy(name):
+def test_every_function_has_the_values_of_sympy(name):
     x = sp.Symbol("x", positive=True)
     reader = Reader([x])
     half = sp.Rational(1, 3)

@@ -1,4 +1,4 @@
-"""One reader of formulas for what people type and for what SymPy writes, and what only one of them may leave out."""
+"""Typed text and text of SymPy: parsed in the same way, except for implicit products."""
 
 import numpy as np
 import pytest
@@ -12,13 +12,13 @@ from misstep.formulas.sympy_parsing import expression
 @pytest.mark.parametrize(
     "text", ["a*sin(theta_{1})**2/3 - sign(a)", r"\theta_1*2.5e-1 + Abs(a)", "sqrt(2)*atan2(a, theta_1)"]
 )
-def test_what_sympy_writes_and_what_people_type_goes_one_way(text):
+def test_text_of_sympy_and_typed_text_have_the_same_values(text):
     reader = Reader(sp.symbols("a theta_1"))
     np.testing.assert_allclose(reader.read(expression(text)).values, reader.read(text).values, rtol=1e-14)
 
 
 @pytest.mark.parametrize("text", ["2 a", "a b", "a(b)", "factorial(9)", "2(a)"])
-def test_what_stands_side_by_side_is_a_product_on_paper_only(text):
+def test_only_typed_text_may_have_implicit_products(text):
     assert parse(text)
     with pytest.raises(ValueError, match=r"formula|not finished"):
         expression(text)

@@ -1,4 +1,4 @@
-"""Functions as answers: judged by what they give, wherever anybody looks."""
+"""Functions as answers: judged by their outputs at random inputs."""
 
 import numpy as np
 import pytest
@@ -26,17 +26,17 @@ def test_a_function_is_right_however_it_is_written():
     assert judge(asked(), lambda x: [v**2 for v in x]).state == "right"
 
 
-def test_a_mistake_of_a_function_is_named():
+def test_a_mistake_in_a_function_is_named():
     judgement = judge(asked(), lambda x: x + x)
     assert judgement.mistakes == ["doubled"]
     assert judgement.findings[0].message == "You doubled."
 
 
-def test_a_function_whose_outputs_were_rounded_on_the_way_is_told_so():
+def test_a_function_with_rounded_outputs_is_called_close():
     assert "looks rounded" in judge(asked(), lambda x: np.square(x) + 0.01).findings[0].message
 
 
-def test_the_inputs_are_other_ones_for_each_seed_and_the_same_for_one():
+def test_the_inputs_depend_on_the_seed_only():
     inputs = {seed: np.array(squares().with_inputs(seed).inputs) for seed in (0, 1)}
     assert len(inputs[0]) == CALL_COUNT
     assert not np.isclose(inputs[0], inputs[1]).any()
@@ -44,25 +44,25 @@ def test_the_inputs_are_other_ones_for_each_seed_and_the_same_for_one():
     np.testing.assert_array_equal(inputs[0], squares().inputs)
 
 
-def test_two_functions_may_be_compared_as_they_are():
+def test_two_functions_can_be_compared_without_reading_them_first():
     answer = squares()
     assert answer.agrees(np.square, lambda x: x * x) == [True]
     assert answer.agrees(lambda x: 2 * x, np.square) == [False]
     assert answer.agrees(lambda x: 2 * x, lambda x: x + x) == [True]
 
 
-def test_a_function_that_knows_the_inputs_of_home_is_wrong_elsewhere():
+def test_a_lookup_table_of_the_practice_inputs_is_wrong_at_other_inputs():
     problem = asked()
     known = {tuple(x): x**2 for (x,) in problem.answer.inputs}
     assert judge(problem, lambda x: known[tuple(x)]).state == "right"
     assert judge(problem.with_inputs(1), lambda x: known.get(tuple(x), np.zeros(2))).fraction == 0
 
 
-def test_the_mistakes_follow_to_other_inputs():
+def test_mistakes_are_recognised_at_other_inputs():
     assert judge(asked().with_inputs(7), lambda x: 2 * x).mistakes == ["doubled"]
 
 
-def test_outputs_from_elsewhere_are_judged_like_the_function():
+def test_stored_outputs_are_judged_like_the_function():
     problem = asked().with_inputs(3)
     outputs = Outputs([np.square(x) for (x,) in problem.answer.inputs])
     assert judge(problem, outputs).state == "right"
@@ -72,7 +72,7 @@ def test_outputs_from_elsewhere_are_judged_like_the_function():
     assert judge(problem, Outputs([None] * CALL_COUNT)).state == "unreadable"
 
 
-def test_a_function_that_is_right_at_some_inputs_is_told_so():
+def test_the_hint_counts_the_inputs_at_which_a_function_is_right():
     problem = asked()
     first = problem.answer.inputs[0][0]
     judgement = judge(problem, lambda x: x**2 if np.array_equal(x, first) else 0 * x)
@@ -80,7 +80,7 @@ def test_a_function_that_is_right_at_some_inputs_is_told_so():
     assert judge(problem, lambda x: 0 * x).findings[0].message.startswith("None of the mistakes that we know")
 
 
-def test_a_function_cannot_change_the_inputs_of_others():
+def test_a_function_cannot_change_the_inputs_of_other_calls():
     problem = asked()
     before = np.array(problem.answer.inputs)
     judge(problem, lambda x: x.fill(0))
@@ -88,7 +88,7 @@ def test_a_function_cannot_change_the_inputs_of_others():
 
 
 @pytest.mark.parametrize(
-    ("given", "told"),
+    ("given", "message"),
     [
         (np.ones(2), r"Leave the brackets off"),
         (float, "got type"),
@@ -100,6 +100,6 @@ def test_a_function_cannot_change_the_inputs_of_others():
         (lambda x: x * np.nan, "NaN"),
     ],
 )
-def test_what_is_no_such_function_is_told_why(given, told):
-    with pytest.raises(Unreadable, match=told):
+def test_anything_but_such_a_function_is_refused_with_a_reason(given, message):
+    with pytest.raises(Unreadable, match=message):
         squares().read(given)

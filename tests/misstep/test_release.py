@@ -33,7 +33,7 @@ def source(tmp_path):
     return path
 
 
-def test_a_changed_source_is_noticed_and_written(source, tmp_path, capsys):
+def test_a_stale_notebook_is_listed_and_written(source, tmp_path, capsys):
     root = ["--root", str(tmp_path)]
     target = tmp_path / "exercises" / "01" / "01.ipynb"
     assert main(["release", "--check", *root]) == 1

@@ -1,4 +1,4 @@
-"""The engine of the sheets: drawing, reading, judging, on problems small enough to see through."""
+"""The engine of the sheets: drawing variants, reading and judging answers, on small problems."""
 
 from array import array
 from dataclasses import dataclass
@@ -41,13 +41,13 @@ NEGATED = mistake("negated", np.array([[0, 0, -1, 0, 2, 0], [0, -1, 0, -3, 0, 0.
 SHIFTED = mistake("shifted", np.array([[0, 0, 1, 0, -1, 0], [0, 1, 0, 4, 0, 0.0]]), "You moved the points.")
 
 
-def test_draws_are_the_same_for_ever():
-    """These numbers were written down once. If they change, every student in the middle of a sheet gets another one."""
+def test_the_numbers_of_a_student_never_change():
+    """If these numbers change, every student who is working on a sheet gets other problems."""
     draw = Sampler("ada", "03.1")
     assert [draw.integer(1, 100) for _ in range(6)] == [96, 41, 10, 90, 95, 7]
 
 
-def test_right_blank_and_unreadable_are_told_for_every_part():
+def test_right_blank_and_unreadable_answers_are_judged_in_all_parts():
     p = two_rows([NEGATED])
     parts = ["row 1", "row 2"]
     expected = "Expected an array of shape (2, 6)"
@@ -58,7 +58,7 @@ def test_right_blank_and_unreadable_are_told_for_every_part():
     assert judge(p, [1, 2]) == Judgement("unreadable", 0.0, (), [unreadable])
 
 
-def test_a_mistake_in_the_whole_is_one_finding_and_what_nobody_foresaw_is_one_a_part():
+def test_a_mistake_in_all_parts_is_one_finding_and_each_unexplained_part_is_one():
     p = two_rows([SHIFTED, NEGATED])
     whole = Finding(["row 1", "row 2"], "You turned the axes round.", "negated")
     assert judge(p, NEGATED.value) == Judgement("wrong", 0.0, [], [whole])
@@ -84,14 +84,14 @@ def test_two_mistakes_in_two_parts_are_both_named():
     assert [finding.mistake for finding in half.findings] == ["shifted", None]
 
 
-def test_an_unforeseen_answer_still_gets_a_foothold():
+def test_an_unexplained_part_gets_a_hint():
     p = two_rows([NEGATED])
     judgement = judge(p, [p.answer.value[0], [0, 1, 0, 9, 9, 9]])
     assert judgement.mistakes == []
     assert judgement.findings[0].message == "Its first half is right."
 
 
-def test_an_answer_rounded_on_the_way_is_told_so():
+def test_a_rounded_answer_is_called_close():
     p = Problem("How far?", Numbers(np.array(0.7071), "m"), [mistake("sign", np.array(-0.7071), "Wrong way.")])
     assert "looks rounded" in judge(p, 0.7).findings[0].message
     assert judge(p, 0.707).state == "right"
@@ -115,7 +115,7 @@ def test_a_problem_that_is_always_degenerate_is_refused():
         degenerate.variant("ada")
 
 
-def test_a_mistake_of_another_shape_is_refused_when_the_problem_is_written():
+def test_a_mistake_of_another_shape_is_refused_when_the_problem_is_made():
     with pytest.raises(ValueError, match=r"shape \(2, 6\).*shape \(6,\)"):
         two_rows([mistake("one row", np.zeros(6), "?")])
 
@@ -134,13 +134,13 @@ def test_a_mistake_of_another_shape_is_refused_when_the_problem_is_written():
         (Choice("a", {"a": "left", "b": "right"}), "c", "one of 'a', 'b'"),
     ],
 )
-def test_what_cannot_be_read_is_refused_with_the_remedy(answer, given, words):
+def test_an_unreadable_value_is_refused_with_a_remedy(answer, given, words):
     with pytest.raises(Unreadable, match=words):
         answer.read(given)
 
 
 class Rude:
-    """What raises when it is asked for a number."""
+    """An object that raises an error when it is converted to a number."""
 
     def __add__(self, other):
         raise RuntimeError("no")
@@ -150,7 +150,7 @@ PAIR = Numbers(np.zeros(2), "m")
 
 
 @pytest.mark.parametrize(
-    ("answer", "given", "said"),
+    ("answer", "given", "message"),
     [
         (PAIR, [[1], [2, 3]], "Expected an array of shape (2,) in m; got a list whose rows differ in length."),
         (PAIR, np.zeros(3), "Expected an array of shape (2,) in m; got an ndarray of shape (3,)."),
@@ -178,10 +178,10 @@ PAIR = Numbers(np.zeros(2), "m")
         (Choice("a", {"a": "left", "b": "right"}), " " * 99 + "a", "Expected one of 'a', 'b'; got str '   "),
     ],
 )
-def test_what_cannot_be_read_is_told_word_for_word_what_was_expected_and_what_came(answer, given, said):
+def test_the_message_for_an_unreadable_value_says_what_was_expected_and_given(answer, given, message):
     with pytest.raises(Unreadable) as refusal:
         answer.read(given)
-    assert str(refusal.value).startswith(said)
+    assert str(refusal.value).startswith(message)
 
 
 @pytest.mark.parametrize(
@@ -198,13 +198,13 @@ def test_what_cannot_be_read_is_told_word_for_word_what_was_expected_and_what_ca
         (PAIR, array("d", [1]), "an array of shape (1,)"),
     ],
 )
-def test_a_remedy_is_told_where_there_is_one_and_nowhere_else(answer, given, came):
+def test_a_message_without_a_remedy_ends_after_what_was_given(answer, given, came):
     with pytest.raises(Unreadable) as refusal:
         answer.read(given)
     assert str(refusal.value) == f"Expected {answer.expected}; got {came}."
 
 
-def test_what_is_read_may_be_as_large_as_any_and_empty():
+def test_numbers_are_read_up_to_the_largest_one():
     assert PAIR.read([1e12, -1e12]).tolist() == [1e12, -1e12]
     assert Numbers(np.zeros((0, 6))).read(np.zeros((0, 6))).shape == (0, 6)
 
@@ -219,7 +219,7 @@ def test_a_number_may_be_off_by_a_thousandth_of_itself_or_of_1(right, near, far)
     assert answer.agrees(np.array(float(far)), answer.value) == answer.agrees(answer.value, np.array(far)) == [False]
 
 
-def test_names_are_put_in_order_and_options_are_chosen():
+def test_orders_and_choices_are_judged():
     order = Ordering(["e_a", "M"])
     assert [judge(Problem("", order, []), given).state for given in (["e_a", "M"], ("e_a", "M"), ["M", "e_a"])] == [
         *("right", "right", "wrong")
@@ -231,7 +231,7 @@ def test_names_are_put_in_order_and_options_are_chosen():
     ]
 
 
-def test_a_list_of_lists_of_the_right_shape_is_as_good_as_an_array():
+def test_a_list_of_lists_is_read_as_an_array():
     assert judge(two_rows([]), [[0, 0, 1, 0, -2, 0], [0, 1, 0, 3, 0, 0]]).state == "right"
 
 

@@ -28,7 +28,7 @@ from misstep.storage.serialize import MAX_PARTS, to_data
 
 
 def sent(value, inputs=()):
-    """A value after its journey: to JSON as strict as there is, and back."""
+    """A value that was written as strict JSON and read back."""
     return from_data(json.loads(json.dumps(to_data(value, inputs), allow_nan=False)))
 
 
@@ -49,27 +49,27 @@ q, a = sp.symbols("q_1 a", positive=True)
     ],
     ids=str,
 )
-def test_a_formula_comes_back_as_the_same_formula(value):
+def test_a_formula_is_read_back_as_the_same_formula(value):
     symbols = {symbol: sp.Symbol(symbol.name) for symbol in value.free_symbols}
     assert sp.simplify(sent(value) - value.subs(symbols)) == 0
 
 
 @pytest.mark.parametrize("name", FUNCTIONS)
-def test_every_function_of_the_language_is_read_as_sympys(name):
+def test_every_function_is_read_back_as_that_of_sympy(name):
     arguments = sp.symbols("x y")[: 2 if name == "atan2" else 1]
     assert expression(str(getattr(sp, name)(*arguments))) == getattr(sp, name)(*arguments)
 
 
-def test_a_matrix_of_formulas_comes_back_as_a_matrix():
+def test_a_matrix_of_formulas_is_read_back_as_a_matrix():
     assert sent(sp.Matrix([[sp.Symbol("x"), 1], [0, sp.pi]])) == sp.Matrix([[sp.Symbol("x"), 1], [0, sp.pi]])
 
 
-def test_numbers_that_sympy_made_are_numbers():
+def test_sympy_numbers_are_read_back_as_numbers():
     np.testing.assert_allclose(np.array(sent([sp.pi / 2, sp.Rational(1, 4), 2]), dtype=float), [np.pi / 2, 0.25, 2])
 
 
 @given(st.lists(st.lists(st.floats(allow_nan=True), min_size=3, max_size=3), min_size=1, max_size=4))
-def test_arrays_and_rows_come_back_to_the_last_bit_but_for_what_is_not_finite(rows):
+def test_finite_numbers_of_arrays_and_lists_are_read_back_exactly(rows):
     expected = np.where(np.isfinite(rows), rows, np.nan)
     np.testing.assert_array_equal(sent(np.array(rows)), expected)
     np.testing.assert_array_equal(sent(rows), expected)
@@ -113,7 +113,7 @@ def test_an_object_whose_fields_are_not_json_is_only_named(value):
     assert isinstance(sent(odd), Opaque)
 
 
-def test_a_function_is_called_where_it_is_asked_and_cannot_spoil_the_inputs():
+def test_a_function_is_called_at_the_inputs_and_cannot_change_them():
     inputs = [(np.ones(2),), (np.zeros(2),)]
     outputs = sent(lambda x: np.add(x, 1, out=x), inputs)
     assert isinstance(outputs, Outputs)
@@ -121,7 +121,7 @@ def test_a_function_is_called_where_it_is_asked_and_cannot_spoil_the_inputs():
     assert inputs[0][0].sum() == 2
 
 
-def test_what_is_no_answer_is_named():
+def test_a_value_that_cannot_be_stored_is_described():
     assert sent(object()) == Opaque("object")
     assert sent(np.zeros((4000, 4000))) == Opaque("array of shape (4000, 4000)")
     assert sent([0.5] * 100_000) == Opaque("list of 100000 entries")
@@ -131,19 +131,19 @@ def test_what_is_no_answer_is_named():
     assert sent(np.sin) == Opaque("function sin")
 
 
-def test_a_formula_that_shares_its_parts_is_not_written_out():
+def test_a_formula_with_many_shared_parts_is_not_stored():
     x = sp.Symbol("x")
     for _ in range(60):
         x = sp.sin(x) + sp.cos(x)
     assert sent(x) == Opaque(f"formula of more than {MAX_ENTRIES} parts")
 
 
-def test_lists_in_lists_are_looked_at_up_to_a_number_of_parts():
+def test_nested_lists_are_read_up_to_a_number_of_parts():
     row = [[0.5] * 1000] * 1000
     assert sent([row] * 1000) == Opaque(f"list of more than {MAX_PARTS} parts")
 
 
-def test_a_list_that_holds_itself_comes_to_an_end():
+def test_a_list_that_contains_itself_is_stored():
     endless = []
     endless.append(endless)
     assert len(json.dumps(to_data(endless))) < 1000
@@ -211,7 +211,7 @@ def test_json_of_any_other_form_is_refused(data):
 
 
 @pytest.mark.parametrize(
-    ("data", "said"),
+    ("data", "message"),
     [
         ({"matrix": [7]}, "A matrix must be a list of rows of the same length."),
         (resistor({"ohm": "4.7"}), "This is not a Resistor: The resistance must be a number in ohms."),
@@ -219,13 +219,13 @@ def test_json_of_any_other_form_is_refused(data):
     ],
     ids=lambda value: str(value)[:40],
 )
-def test_a_refusal_says_why(data, said):
+def test_a_refusal_says_why(data, message):
     with pytest.raises(Malformed) as refused:
         from_data(data)
-    assert str(refused.value).startswith(said)
+    assert str(refused.value).startswith(message)
 
 
-def test_what_is_read_may_be_as_long_as_any_and_no_longer_name_is_told():
+def test_data_is_read_up_to_the_bounds():
     assert from_data({"text": "x" * MAX_CHARACTERS}) == "x" * MAX_CHARACTERS
     assert len(from_data({"list": [None] * MAX_ENTRIES})) == MAX_ENTRIES
     assert from_data({"array": [1] * MAX_ENTRIES, "shape": [MAX_ENTRIES]}).sum() == MAX_ENTRIES
@@ -236,7 +236,7 @@ def test_what_is_read_may_be_as_long_as_any_and_no_longer_name_is_told():
 
 
 @pytest.mark.parametrize("entry", [None, {"text": "x"}, {"list": []}, {"function": "f", "outputs": []}, {"matrix": []}])
-def test_a_matrix_of_what_is_no_formula_is_opaque(entry):
+def test_a_matrix_with_an_entry_that_is_not_a_formula_is_opaque(entry):
     assert from_data({"matrix": [[entry]]}) == Opaque("a matrix with entries that cannot be read")
 
 
@@ -248,7 +248,7 @@ NESTS = {
 
 
 @pytest.mark.parametrize("nest", NESTS.values(), ids=NESTS)
-def test_a_nest_is_read_to_a_depth_and_refused_beyond(nest):
+def test_nested_data_is_read_up_to_a_depth_and_refused_beyond(nest):
     data = None
     for _ in range(MAX_DEPTH + 2):
         data = nest(data)
@@ -284,7 +284,7 @@ def test_a_nest_is_read_to_a_depth_and_refused_beyond(nest):
         "sin(x",
     ],
 )
-def test_a_text_that_is_no_formula_is_opaque_and_nothing_runs(text):
+def test_text_that_is_not_a_formula_is_opaque_and_never_run(text):
     assert from_data({"symbolic": text}).name.startswith("a formula that cannot be read: ")
 
 
