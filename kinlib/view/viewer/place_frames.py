@@ -71,9 +71,8 @@ class ByHand(Viewer):
         arm["frames"] = {name: arm["frames"][name] for name in ("base", "tool")}  # the others would reveal the answer
         arm["normals"] = []
         stations = [np.zeros(3), *chain.joint_points, chain.home[:3, 3]]
-        arm["links"] = [
-            np.array(pair).tolist() for pair in pairwise(stations)
-        ]  # link paths with bends would show the normals
+        # Straight links, because link paths with bends would show the normals.
+        arm["links"] = [np.array(pair).tolist() for pair in pairwise(stations)]
         self.convention = convention
         super().__init__(
             chain,
