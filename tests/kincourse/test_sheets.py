@@ -161,6 +161,6 @@ def test_the_error_for_an_unknown_problem_names_the_range():
         sheet.check(last + 1, 0)
 
 
-def test_the_error_for_an_unknown_step():
-    with pytest.raises(ValueError, match="No lecture has a step"):
+def test_the_error_for_an_unknown_step_lists_the_steps():
+    with pytest.raises(ValueError, match=r"no blank step '00.z'.*00.a"):
         attempt("00.z", 0)
