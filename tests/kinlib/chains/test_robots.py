@@ -22,7 +22,7 @@ def close(got, expected, atol=1e-13):
 
 # --- each is what it says ---
 
-LETTERS = {
+JOINT_TYPES = {
     "rpr": "RPR",
     "rppr": "RPPR",
     "rprr": "RPRR",
@@ -36,9 +36,9 @@ LETTERS = {
 }
 
 
-@pytest.mark.parametrize("name", LETTERS)
-def test_the_joints_are_of_the_kinds_that_the_documents_say(name):
-    assert getattr(robots, name)().joint_types == LETTERS[name]
+@pytest.mark.parametrize("name", JOINT_TYPES)
+def test_the_joint_types_are_those_of_the_documents(name):
+    assert getattr(robots, name)().joint_types == JOINT_TYPES[name]
 
 
 @pytest.mark.parametrize("family", ROBOT_FUNCTIONS, ids=lambda family: family.__name__)
@@ -240,7 +240,7 @@ def test_the_youbot_lies_straight_and_horizontal_when_all_values_are_zero():
 
 
 @pytest.mark.oracle("printed: EduFill module, lecture 1", robots.youbot)
-def test_the_youbot_in_the_drawn_posture_steps_up_by_its_third_link():
+def test_the_youbot_in_the_drawn_configuration_steps_up_by_its_third_link():
     """[0, 0, pi/2, -pi/2, -pi/4]: two lengths forward, one up, the last forward again, the gripper turned by 45 degrees."""
     T = robots.youbot().fk([0, 0, PI / 2, -PI / 2, -PI / 4])
     close(T[:3, 3], (0.033 + 0.155 + 0.2175, 0, 0.147 + 0.135))
@@ -300,7 +300,7 @@ def test_the_printed_s1_puts_the_4_where_it_cannot_stand():
 
 @pytest.mark.parametrize("printed", [np.zeros(6), np.zeros(3)], ids=["s_3", "s_2"])
 def test_the_printed_zero_columns_are_no_screw_axes(printed):
-    with pytest.raises(ValueError, match=r"S should"):
+    with pytest.raises(ValueError, match=r"S must"):
         line(printed)
 
 
@@ -325,7 +325,7 @@ def test_B1_and_B4_of_example_2_are_as_printed():
 
 
 def test_the_printed_slides_of_example_2_have_no_direction():
-    with pytest.raises(ValueError, match="A slide needs a direction"):
+    with pytest.raises(ValueError, match="a prismatic joint needs a direction"):
         line([0, 0, 0, *(0, 0, 0)])
 
 
