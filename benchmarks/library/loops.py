@@ -3,9 +3,9 @@
     python -m benchmarks loops          the times
     python -m benchmarks.library.loops          with residuals, and how far the two are apart
 
-Both find the same 361 postures of one turn. kinlib follows the curve by its length and knows the Jacobian; the loop turns
-the driver step by step and starts each search at the posture before, which is what one writes first. It is given six
-equations in the three or so unknowns that are left, so its method is "lm". Both end at the same postures.
+Both find the same 361 configurations of one turn. kinlib follows the curve by its length and knows the Jacobian; the loop turns
+the driver step by step and starts each search at the configuration before, which is what one writes first. It is given six
+equations in the three or so unknowns that are left, so its method is "lm". Both end at the same configurations.
 """
 
 from collections.abc import Iterator
@@ -30,18 +30,18 @@ def rows(quick: bool = False) -> Iterator[Row]:
     for name, (linkage, start) in starts().items():
         peers = {"scipy.optimize.root, a loop": (partial(peer, linkage, linkage.trace(start, points=count).q), WANTED)}
         ours = Way(partial(linkage.trace, start, points=count))
-        yield from compared(f"{name}, {POINTS} postures of one turn", ours, peers, rounds)
+        yield from compared(f"{name}, {POINTS} configurations of one turn", ours, peers, rounds)
 
 
-def peer(linkage: Mechanism, postures: np.ndarray) -> Way:
-    """The loop, once it has found the same postures."""
-    loop = partial(plain_loop, linkage, postures, driver=0)
-    np.testing.assert_allclose(loop(), postures, rtol=0, atol=1e-6)
+def peer(linkage: Mechanism, configurations: np.ndarray) -> Way:
+    """The loop, once it has found the same configurations."""
+    loop = partial(plain_loop, linkage, configurations, driver=0)
+    np.testing.assert_allclose(loop(), configurations, rtol=0, atol=1e-6)
     return Way(loop)
 
 
 def starts() -> dict[str, tuple[Mechanism, np.ndarray]]:
-    """The linkages, each with a posture in which it closes."""
+    """The linkages, each with a configuration in which it closes."""
     bennett = linkages.bennett()
     crank_rocker = linkages.four_bar(0.4, 0.1, 0.35, 0.3)
     return {
@@ -50,12 +50,12 @@ def starts() -> dict[str, tuple[Mechanism, np.ndarray]]:
     }
 
 
-def plain_loop(linkage, postures, driver):
-    """Find the postures once more, one after the other, with the driver's values given."""
+def plain_loop(linkage, configurations, driver):
+    """Find the configurations once more, one after the other, with the driver's values given."""
     free = [i for i in range(linkage.n) if i != driver]
-    q = postures[0].copy()
+    q = configurations[0].copy()
     found = [q.copy()]
-    for value in postures[1:, driver]:
+    for value in configurations[1:, driver]:
         q[driver] = value
 
         def equations(x, q=q):
@@ -70,7 +70,7 @@ def plain_loop(linkage, postures, driver):
 
 def main() -> None:
     """Trace both ways, and print residuals and how far they are apart."""
-    print(f"{POINTS} postures of one turn       residual    of the loop   apart by")
+    print(f"{POINTS} configurations of one turn       residual    of the loop   apart by")
     for name, (linkage, start) in starts().items():
         ours = linkage.trace(start, points=POINTS).q
         theirs = plain_loop(linkage, ours, driver=0)

@@ -11,7 +11,7 @@ The other table: milliseconds and operations for each robot of the course. "mult
 the exponentials of the joints and the home pose, one after the other. "simplified": then sympy.simplify, entry by entry.
 "toolbox": the Robotics Toolbox for Python on the DH table of the same robot, simplified by its own method; its PUMA 560 has
 floats for lengths, and it takes no helical joint. Every column starts with SymPy's cache empty, is timed once, and agrees
-with the numbers of kl.Chain to 1e-9 at one posture.
+with the numbers of kl.Chain to 1e-9 at one configuration.
 """
 
 import sys

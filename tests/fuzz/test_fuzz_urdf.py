@@ -13,7 +13,7 @@ from fuzz_settings import fuzz_settings
 from hypothesis import given
 from hypothesis import strategies as st
 from strategies import ROBOT_FUNCTIONS, configurations
-from urdf_files import as_pinocchio_reads
+from urdf_files import poses_by_pinocchio
 
 from kinlib import load_urdf, to_urdf
 
@@ -134,6 +134,6 @@ def _as_pinocchio(text, chain, q):
     """The poses by Pinocchio's own reader; None if it refuses the file."""
     base, tip = chain.source.removeprefix("URDF, from ").split(" to ")
     try:
-        return as_pinocchio_reads(text, base, tip, chain.joint_names, q)
+        return poses_by_pinocchio(text, base, tip, chain.joint_names, q)
     except (ValueError, RuntimeError, IndexError):
         return None

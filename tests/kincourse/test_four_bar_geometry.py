@@ -4,7 +4,7 @@ import mpmath
 import numpy as np
 import pytest
 import sympy as sp
-from circles import meeting_points
+from circles import intersections
 from hypothesis import assume, given
 from hypothesis import strategies as st
 
@@ -87,7 +87,7 @@ def test_the_pins_are_at_the_intersections_of_circles_with_30_digits(four, A):
     ground, crank, coupler, rocker = four
     B, D = crank * np.array([np.cos(A), np.sin(A)]), np.array([ground, 0.0])
     assume(np.linalg.norm(B - D) > 1e-2)
-    left_and_right = meeting_points(B, coupler, D, rocker)
+    left_and_right = intersections(B, coupler, D, rocker)
     assume(left_and_right)
     C = np.array(left_and_right)
     assume(np.linalg.norm(C[0] - C[1]) > 1e-2)

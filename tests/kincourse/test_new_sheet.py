@@ -15,7 +15,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from nbclient import NotebookClient
 from odd_robots import ODD_ROBOTS
-from urdf_files import ARMS, text_of
+from urdf_files import ARMS, urdf_text
 
 import kinlib as kl
 from kincourse import find_sheet, open_sheet
@@ -56,7 +56,7 @@ def test_every_robot_gets_eight_problems_whose_mistakes_can_be_told_apart(key):
 
 @pytest.mark.parametrize("name", [name for name in ARMS if ARMS[name][0] == "airo"] + ["PUMA 560", "KUKA KR16"])
 def test_an_arm_of_another_package_gets_the_first_eight_tasks(name):
-    assert tasks_for(kl.load_urdf(text_of(name), tip=ARMS[name][2])) == list(TASK_ORDER[:PROBLEMS_PER_SHEET])
+    assert tasks_for(kl.load_urdf(urdf_text(name), tip=ARMS[name][2])) == list(TASK_ORDER[:PROBLEMS_PER_SHEET])
 
 
 @each_robot
@@ -183,7 +183,7 @@ def test_the_students_copy_runs_in_its_folder_and_contains_no_solution(project, 
     pytest.importorskip("nbgrader", reason="exercises/ is made with nbgrader")
     from misstep.release import student_notebook
 
-    (project / "ur5e.urdf").write_text(text_of("UR5e"), "utf-8")
+    (project / "ur5e.urdf").write_text(urdf_text("UR5e"), "utf-8")
     assert main(["new-sheet", "ur5e.urdf", "--out", "solutions/lab_arm", "--name", "UR5e"]) == 0
     assert release(["release"]) == 0
     assert student_notebook.find_stale(project) == []

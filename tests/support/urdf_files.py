@@ -1,4 +1,4 @@
-"""URDF files that other packages ship: every arm of rtb-data and airo-models, its macros expanded, and where to find it."""
+"""URDF files that other packages ship: every arm of rtb-data and airo-models, with macros expanded."""
 
 import warnings
 from contextlib import chdir
@@ -35,12 +35,12 @@ ARMS = {
         for name in TROSSEN
     },
 }
-"""Each arm: the package, the file, and the tip where the file leaves a choice."""
+"""Each arm: the package, the file, and the tip, if the file has several."""
 
 
 @cache
-def text_of(name):
-    """The URDF of an arm, as text: xacro expands the macros, where the package ships them unexpanded."""
+def urdf_text(name):
+    """The URDF of an arm, as text: macros are expanded by xacro, if the package ships the file unexpanded."""
     package, file, _ = ARMS[name]
     if package == "airo":
         return (Path(pytest.importorskip("airo_models").__file__).parent / file).read_text("utf-8")
@@ -58,7 +58,7 @@ def text_of(name):
         return XacroDoc.from_file(path.name, resolve_packages=False).to_urdf_string()
 
 
-def as_pinocchio_reads(text, base, tip, names, q):
+def poses_by_pinocchio(text, base, tip, names, q):
     """The poses of tip in base for values (N, n) of the named joints, by Pinocchio's own reader; other joints stay at 0."""
     pin = pytest.importorskip("pinocchio", reason="no pinocchio here (the wheel `pin` does not exist for Windows)")
     model = pin.buildModelFromXML(text)

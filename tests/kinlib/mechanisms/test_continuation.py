@@ -1,4 +1,4 @@
-"""Curves that everybody knows, followed: their lengths, turning points, crossings and ends."""
+"""Well-known curves, traced: their lengths, turning points, crossings and ends."""
 
 import mpmath
 import numpy as np
@@ -75,7 +75,7 @@ def test_a_circle_is_traced_once(step):
     close(np.linalg.norm(curve.q, axis=1), 1)
     close(curve.q[-1], curve.q[0])
     close(straightened(circle(), curve), 2 * np.pi, atol=1e-5)
-    # A unit tangent stands square to the radius, and always leads the same way round.
+    # A unit tangent is perpendicular to the radius, and its sense of rotation does not change.
     close(np.linalg.norm(curve.tangents, axis=1), 1)
     around = curve.q[:, 0] * curve.tangents[:, 1] - curve.q[:, 1] * curve.tangents[:, 0]
     close(around, np.full(len(around), around[0]))
@@ -169,7 +169,7 @@ def test_a_prediction_with_curvature_is_corrected_in_two_steps():
 
 
 def test_a_steep_rise_between_level_parts_is_not_skipped():
-    """Before it and behind it the curve goes the same way, so that the tangents of a long step would not tell."""
+    """Before and after it the curve has the same direction, so the tangents of a long step would not show it."""
     path = plane_curve(
         lambda x, y: y - 0.3 * np.tanh(100 * x),
         lambda x, y: (-30 / np.cosh(100 * x) ** 2, 1 + 0 * y),
@@ -439,7 +439,7 @@ def test_turning_points_agree_with_scipy_s_peaks():
         assert set(turned - np.sort(peaks)) <= {0, 1}  # it counts the first point beyond the peak
 
 
-# --- where there is no curve ---
+# --- errors ---
 
 
 def test_a_start_that_is_not_a_solution_is_refused():

@@ -1,4 +1,4 @@
-"""Gauss-Newton: against SciPy's least squares, on equations that are too many, too few or dependent, and at dead ends."""
+"""Levenberg-Marquardt: against SciPy's least squares, on systems that are over- or underdetermined or dependent."""
 
 from itertools import pairwise
 
@@ -79,7 +79,7 @@ def test_each_step_is_that_of_fan_and_yuan():
 
 
 def test_a_step_that_achieves_far_less_than_predicted_is_rejected():
-    """A slope that is stated 10,000 times too steep: the step that it asks for lessens the residual by 1 in 10,000."""
+    """A slope that is stated 10,000 times too steep: its step decreases the residual by only 1 in 10,000."""
 
     def steep(x):
         return x, np.full((len(x), 1, 1), 1e4)
@@ -113,7 +113,7 @@ def test_solve_converges_for_a_rank_deficient_jacobian():
 
 @given(st.floats(-5, 5), st.floats(-5, 5))
 def test_the_circle_is_reached_along_its_radius(a, b):
-    """By symmetry the nearest point is straight ahead; only the centre itself is a dead end."""
+    """By symmetry the nearest point is on the same radius; only at the centre itself no step is possible."""
     guess = np.array([[a, b]])
     if np.linalg.norm(guess) < 1e-3:
         return

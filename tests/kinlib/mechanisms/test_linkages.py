@@ -6,7 +6,7 @@ from pathlib import Path
 
 import numpy as np
 import pytest
-from circles import meeting_points
+from circles import intersections
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from scipy.spatial import distance
@@ -29,7 +29,7 @@ def close_angles(got, expected, atol=EXACT):
 
 
 def apart(q, others):
-    """How far a posture of angles is from the nearest of others."""
+    """The distance of a configuration of angles from the nearest of others."""
     return np.abs((others - q + np.pi) % (2 * np.pi) - np.pi).max(axis=-1).min()
 
 
@@ -41,10 +41,10 @@ def angle(vector):
 
 
 def four_bar_configurations(ground, crank, coupler, rocker, A):
-    """Both postures at a crank angle, by the circles on which C lies."""
+    """Both configurations at a crank angle, by the circles on which C lies."""
     B = crank * np.array([np.cos(A), np.sin(A)])
     D = np.array([ground, 0.0])
-    for C in meeting_points(B, coupler, D, rocker):
+    for C in intersections(B, coupler, D, rocker):
         of_coupler, of_rocker = angle(C - B), angle(C - D)
         yield np.array([A, of_coupler - A, of_rocker, of_coupler - of_rocker])
 
@@ -135,12 +135,12 @@ def test_grashof_s_condition_predicts_the_curves_of_any_four_bar(links, A, mode)
     margin = sides[1] + sides[2] - sides[0] - sides[3]
     assume(abs(margin) > 0.05)
     assume(sides[3] < sum(sides[:3]) - 0.05)
-    postures = list(four_bar_configurations(*links, A))
-    assume(len(postures) == 2)
-    curve = linkages.four_bar(*links).trace(postures[mode], step=0.2)
+    configurations = list(four_bar_configurations(*links, A))
+    assume(len(configurations) == 2)
+    curve = linkages.four_bar(*links).trace(configurations[mode], step=0.2)
     assert curve.closed
     assert curve.residual < 1e-12
-    assert (apart(-postures[mode], curve.interpolate(5000)) < 0.02) == (margin < 0)
+    assert (apart(-configurations[mode], curve.interpolate(5000)) < 0.02) == (margin < 0)
     goes_round = margin > 0 and min(crank, ground) == sides[0]
     assert (abs(curve.q[-1, 0] - curve.q[0, 0]) > 1) == goes_round
 
@@ -201,7 +201,7 @@ def test_a_five_bar_has_mobility_2_and_its_tip_lies_on_two_circles():
     assert linkage.kutzbach() == 2
     A, D = 1.5, 1.0
     B, E = left[0] * np.array([np.cos(A), np.sin(A)]), np.array([1.5, 0]) + right[0] * np.array([np.cos(D), np.sin(D)])
-    tips = np.array(meeting_points(B, left[1], E, right[1]))
+    tips = np.array(intersections(B, left[1], E, right[1]))
     modes = linkage.assembly_modes(hold={"A": A, "D": D})
     found = np.array([(linkage.poses(q)["end"] @ [*(sum(left) * X), 1])[:2] for q in modes])
     close(found[np.argsort(found[:, 1])], tips[np.argsort(tips[:, 1])])
@@ -222,7 +222,7 @@ def three_rrr_motors(base, platform, upper, lower, pose):
     turn = np.array([[np.cos(phi), -np.sin(phi)], [np.sin(phi), np.cos(phi)]])
     for out in directions_of_three():
         foot, corner = base * out, np.array([x, y]) + turn @ (platform * out)
-        knee = meeting_points(foot, upper, corner, lower)[0]
+        knee = intersections(foot, upper, corner, lower)[0]
         yield angle(knee - foot) - angle(-out)
 
 
@@ -297,7 +297,7 @@ def test_the_stewart_gough_platform_reaches_the_pose_of_its_leg_lengths():
     close(linkage.poses(found.q)["plate"], T, atol=1e-10)
 
 
-# --- moves against all counting ---
+# --- linkages that move although the count says that they cannot ---
 
 
 @pytest.mark.oracle("printed: Bennett (1903)", Mechanism.kutzbach)
@@ -322,7 +322,7 @@ def test_bennett_s_linkage_obeys_bennett_s_relation(a, alpha, b):
 @pytest.mark.oracle("printed: Bennett (1903)", linkages.bennett)
 @given(st.floats(-3, 3), st.floats(0.3, 1.2), st.floats(0.4, 0.9))
 def test_where_bennett_s_relation_holds_the_ring_is_closed(t1, alpha, b):
-    """Its second angle from the first, with no solver: what is left over is nothing."""
+    """Its second angle from the first, with no solver: the residual is 0."""
     beta = np.arcsin(b * np.sin(alpha))
     t2 = 2 * np.arctan2(np.cos(t1 / 2) * np.sin((beta + alpha) / 2), np.sin(t1 / 2) * np.sin((beta - alpha) / 2))
     close(linkages.bennett(1.0, alpha, b).residual([t1, t2, -t1, -t2]), 0)
@@ -338,7 +338,7 @@ def test_where_the_equation_of_chen_you_and_tarnai_holds_bricard_s_ring_is_close
 
 
 def test_skew_joints_that_violate_bennett_s_condition_do_not_move():
-    """The same ring with a link one percent longer: nowhere does it close and move."""
+    """The same ring with a link one percent longer: it closes in no configuration from which it can move."""
     ring = linkages.bennett()
     rigid = linkages._ring([(1.0, np.pi / 3), (0.6, np.arcsin(0.6 * np.sin(np.pi / 3)))] * 2, "ring", "")
     close(rigid.jacobian([1, 2, 1, 2]), ring.jacobian([1, 2, 1, 2]), atol=0)
@@ -395,18 +395,18 @@ def test_flat_three_cranks_have_more_infinitesimal_than_finite_mobility():
     assert flat.infinitesimal > flat.finite == 1
 
 
-# --- structures, and one that gives a little ---
+# --- structures, and one with an infinitesimal motion ---
 
 
 @pytest.mark.parametrize(
-    ("linkage", "felt", "had"),
+    ("linkage", "infinitesimal", "finite"),
     [(linkages.triangle(), 0, 0), (linkages.stretched_arch(), 1, 0), (linkages.stretched_arch(0.2, 0.9), 1, 0)],
     ids=["triangle", "arch", "uneven arch"],
 )
-def test_a_triangle_is_a_structure_and_of_height_0_it_has_an_infinitesimal_motion(linkage, felt, had):
+def test_a_triangle_is_a_structure_and_of_height_0_it_has_an_infinitesimal_motion(linkage, infinitesimal, finite):
     mobility = linkage.mobility([0, 0, 0])
-    assert (mobility.kutzbach, mobility.infinitesimal, mobility.finite) == (0, felt, had)
-    assert mobility.directions.shape == (3, felt)
+    assert (mobility.kutzbach, mobility.infinitesimal, mobility.finite) == (0, infinitesimal, finite)
+    assert mobility.directions.shape == (3, infinitesimal)
 
 
 @pytest.mark.oracle("printed: LaValle, Planning Algorithms, (4.33)", linkages.ten_links)

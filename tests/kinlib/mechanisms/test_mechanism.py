@@ -43,7 +43,7 @@ def close(got, expected, atol=EXACT):
 
 
 def jack(pitch=0.01):
-    """A screw jack: a spindle turns in the ground, a nut climbs along it and is kept from turning."""
+    """A screw jack: a screw rotates in the ground, and a nut that cannot rotate moves along it."""
     return Mechanism(
         [
             Joint("crank", ("ground", "spindle"), screw(Z)),
@@ -55,7 +55,7 @@ def jack(pitch=0.01):
 
 
 def wedges():
-    """Three slides in a plane, the second up a slope of 4 to 3."""
+    """Three prismatic joints in a plane, the second along a slope of 4 to 3."""
     return Mechanism(
         [
             Joint("push", ("ground", "wedge"), screw(X, pitch=SLIDE)),
@@ -79,7 +79,7 @@ each_linkage = pytest.mark.parametrize("linkage", LINKAGES, ids=lambda linkage: 
 
 
 def open_configurations(linkage, count=3):
-    """Open ones, far from closed."""
+    """Random configurations that are far from closed."""
     return np.random.default_rng(6).uniform(-1.2, 1.2, (count, linkage.n))
 
 
@@ -147,7 +147,7 @@ def test_any_batch_shape_is_one_computation(linkage):
 
 @each_linkage
 def test_a_closed_linkage_holds_together_at_every_joint(linkage):
-    """Each joint, not only those that the walks use: b stands to a as e^[S]q gap says."""
+    """Each joint, not only those of the spanning tree: the pose of b relative to a is e^[S]q times the closing offset."""
     found = linkage.assemble(open_configurations(linkage, 1)[0] * 0.3)
     assert found.converged, found.message
     stands = linkage.poses(found.q)
@@ -172,14 +172,14 @@ def graph_of(linkage):
 
 
 def displacement(joint, q, backwards=False):
-    """How a joint moves its second body against its first, by the exponentials of Modern Robotics."""
+    """The displacement of the second body of a joint relative to its first, by the exponentials of Modern Robotics."""
     factors = [mr.MatrixExp6(mr.VecTose3(S * value)) for S, value in zip(joint.screws, q, strict=True)]
     T = reduce(np.matmul, [*factors, joint.closing_offset])
     return mr.TransInv(T) if backwards else T
 
 
 def without_cache(linkage):
-    """The same linkage, from which nothing has been asked yet."""
+    """The same linkage with nothing cached."""
     return Mechanism(linkage.joints, linkage.ground, linkage.name)
 
 
@@ -187,7 +187,7 @@ def without_cache(linkage):
 @pytest.mark.oracle("modern_robotics", Mechanism.loops)
 @each_linkage
 def test_poses_of_a_closed_linkage_agree_with_modern_robotics_along_any_path(linkage):
-    """Along SciPy's walks through the graph of bodies, which need not be ours: what is closed is the same by every way."""
+    """Along SciPy's paths through the graph of bodies, which may differ from ours: in a closed linkage every path gives the same pose."""
     linkage = without_cache(linkage)
     q = linkage.assemble(0.3 * open_configurations(linkage, 1)[0]).q
     values = np.split(q, np.cumsum([joint.dof for joint in linkage.joints])[:-1])
@@ -269,7 +269,7 @@ def test_every_loop_is_a_chain_with_its_own_number():
 
 @pytest.mark.parametrize(("lean", "height"), [(0.09, 0), (0.11, 5)])
 def test_the_centre_is_not_where_nearly_parallel_axes_intersect(lean, height):
-    """Two axes lean towards each other and meet 5 m above the origin: to where less than 0.1 rad leads, nobody goes."""
+    """Two axes lean towards each other and meet 5 m above the origin: axes within 0.1 rad of parallel do not move the centre there."""
     aside = 5 * np.tan(lean) * X
     up, across = np.cos(lean) * Z, np.sin(lean) * X
     chain = Chain(np.stack([screw(up + across, -aside), screw(up - across, aside)]), np.eye(4))
@@ -486,7 +486,7 @@ def test_a_screw_jack_rises_by_its_pitch():
 
 def test_wedges_rise_by_their_slope():
     linkage = wedges()
-    # Slides along three directions of a plane: two equations, not three.
+    # Translations along three directions of a plane: two equations, not three.
     assert linkage.kutzbach() == 1
     close(linkage.assemble(np.zeros(3), hold={"push": 0.3}).q, [0.3, -0.5, -0.4])
     curve = limited(linkage, rise=(-0.2, 0.6)).trace(np.zeros(3))
@@ -521,7 +521,7 @@ def test_hooke_s_joint_satisfies_hooke_s_equation(bend):
     "printed: McCarthy and Soh, Geometric Design of Linkages, 1.3", Mechanism.kutzbach, Mechanism.mobility
 )
 def test_mobility_of_linkages_with_cylindrical_and_spherical_joints():
-    """RCCC has one freedom, RSSR has one and the idle spin of its coupler: McCarthy and Soh, 1.3."""
+    """RCCC has mobility 1, RSSR has 2 with the idle rotation of its coupler: McCarthy and Soh, 1.3."""
     skew = [screw(Z), screw(X, Y), screw(Y, Z + X), screw(np.array([0.6, 0, 0.8]), 2 * X)]
     lines = [(Z, 0 * X), (X, Y), (Y, Z + X), (np.array([0.6, 0, 0.8]), 2 * X)]
     bodies = [("0", "1"), ("1", "2"), ("2", "3"), ("0", "3")]
@@ -708,7 +708,7 @@ def test_a_held_value_is_constant_along_a_trace():
     assert np.linalg.norm(linkage.residual(curve.q), axis=1).max() < EXACT
 
 
-# --- closing equations whose answers are known ---
+# --- closure equations whose solutions are known ---
 
 
 def closure_of(equations, start=(0.0,), *, is_angle=False, limits=(-np.inf, np.inf), search_range=2.0, tolerance=1e-13):
@@ -725,7 +725,7 @@ def line_at(root):
 
 
 def unsolvable(x):
-    """Equations that no x solves, and that lead nowhere."""
+    """Equations without a solution, whose Jacobian is 0."""
     return np.ones((len(x), 1)), np.zeros((len(x), 1, x.shape[1]))
 
 
@@ -755,7 +755,7 @@ def test_the_search_ends_after_three_rounds_without_a_new_mode(equations, rounds
 
 
 def points_evaluated_by(modes_of, **options):
-    """Where a search for modes asks what is left over."""
+    """The points at which a search for modes evaluates the residual."""
     asked = []
 
     def equations(x):
@@ -882,7 +882,7 @@ def test_branches_meet_where_their_forward_kinematics_agree():
     close(same.residual([0.3, 0.2, -0.5] * 2), 0)
 
 
-# --- what is refused ---
+# --- errors ---
 
 
 def bars(*bodies):

@@ -95,28 +95,28 @@ SETS = {
     ),
     "no equation at all": (2, 2, [0, 0], lambda x, y: 0 * (x + y), lambda x, y: [0 * x, 0 * y]),
 }
-"""Directions that the Jacobian lets through, dimension of the set, and the point, by plane geometry."""
+"""Dimension of the null space of the Jacobian, dimension of the set, and the point, by plane geometry."""
 
 
 @pytest.mark.oracle("axiom: the dimension of a set that plane geometry knows", finite_mobility)
 @pytest.mark.parametrize("name", SETS)
 def test_finite_mobility_is_the_dimension_of_the_solution_set(name):
-    felt, had, point, *functions = SETS[name]
+    infinitesimal, finite, point, *functions = SETS[name]
     equations = polynomial(*functions)
     point = np.array(point, dtype=float)
     directions, _ = null_space(equations(point[None])[1][0])
-    assert directions.shape[1] == felt
-    assert finite_mobility(equations, point, directions, tolerance=1e-13) == had
+    assert directions.shape[1] == infinitesimal
+    assert finite_mobility(equations, point, directions, tolerance=1e-13) == finite
 
 
 def test_another_isolated_solution_nearby_does_not_count():
-    """x^2 (x - 0.3) = 0: from the double root at 0 the search slides to the other one, which is another posture."""
+    """x^2 (x - 0.3) = 0: from the double root at 0 the search goes to the other one, which is another configuration."""
     equations = polynomial(lambda x: x * x * (x - 0.3), lambda x: [3 * x * x - 0.6 * x])
     assert finite_mobility(equations, np.zeros(1), np.eye(1), tolerance=1e-13) == 0
 
 
 def test_another_branch_nearby_does_not_count():
-    """From the lone point at 0 the search slides to the line y = 1, which closes for every x."""
+    """From the lone point at 0 the search goes to the line y = 1, which is a solution for every x."""
     equations = polynomial(
         lambda x, y: [x * x * (1 - y), 1e-4 * y * (1 - y)],
         lambda x, y: [[2 * x * (1 - y), -x * x], [0, 1e-4 * (1 - 2 * y)]],

@@ -1,4 +1,4 @@
-"""The rate of a logarithm: the Bernoulli series with 40 digits, an integral by SciPy, Pinocchio, and what is refused."""
+"""The inverse left Jacobian of SE(3): the Bernoulli series with 40 digits, an integral by SciPy, Pinocchio, and what is refused."""
 
 from fractions import Fraction
 
@@ -128,7 +128,7 @@ def test_any_batch_shape_is_one_computation():
 
 @pytest.mark.parametrize("function", [ad, left_jacobian_inverse])
 def test_numbers_of_another_kind_are_computed_in_doubles(function):
-    """A turn whose length was taken in single precision would be off by 1e-8."""
+    """A rotation angle computed in single precision would be off by 1e-8."""
     x = np.array([0.1, 0.7, -0.3, 1, 2, 3], dtype=np.float32)
     for same in (x, [Fraction(float(value)) for value in x]):
         close(function(same), function(x.tolist()), atol=0)

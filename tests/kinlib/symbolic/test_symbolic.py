@@ -328,7 +328,7 @@ def test_a_screw_of_fractions_is_the_one_of_modern_robotics(pitch):
     close(numbers(symbolic.screw(axis, point, pitch)).ravel(), expected)
 
 
-# --- short, and soon ---
+# --- short results in a short time ---
 
 
 def puma():
@@ -448,7 +448,7 @@ def test_shorthand_leaves_other_expressions_unchanged(angle):
     assert shorthand(sp.cos(angle)) == sp.cos(angle)
 
 
-# --- what comes in wrong ---
+# --- errors ---
 
 
 @pytest.mark.parametrize(
@@ -478,7 +478,7 @@ def test_invalid_arguments_are_refused_with_a_remedy(call, words):
         call()
 
 
-# --- kl.symbolic is there, and SymPy is not, until it is used ---
+# --- SymPy is imported only when kl.symbolic is used ---
 
 
 def test_sympy_loads_when_kl_symbolic_is_first_used():

@@ -16,7 +16,7 @@ from scipy.linalg import norm
 from scipy.sparse.csgraph import shortest_path
 from scipy.spatial.transform import Rotation
 from strategies import ROBOT_FUNCTIONS, configurations, directions, points, poses, rotations
-from urdf_files import ARMS, TROSSEN, as_pinocchio_reads, text_of
+from urdf_files import ARMS, TROSSEN, poses_by_pinocchio, urdf_text
 
 import kinlib as kl
 from kinlib import load_urdf, robots, to_urdf
@@ -35,7 +35,7 @@ each_arm = pytest.mark.parametrize("name", ARMS)
 
 
 def arm(name):
-    return load_urdf(text_of(name), tip=ARMS[name][2])
+    return load_urdf(urdf_text(name), tip=ARMS[name][2])
 
 
 def ends(chain):
@@ -51,7 +51,7 @@ def ends(chain):
 def test_a_shipped_arm_moves_as_pinocchio_says(name):
     chain = arm(name)
     q = configurations(chain, 20)
-    expected = as_pinocchio_reads(text_of(name), *ends(chain), chain.joint_names, q)
+    expected = poses_by_pinocchio(urdf_text(name), *ends(chain), chain.joint_names, q)
     np.testing.assert_allclose(chain.fk(q), expected, rtol=0, atol=CLOSE)
 
 
@@ -74,13 +74,13 @@ def test_a_shipped_arm_is_unchanged_by_to_urdf_and_load_urdf(name):
 
 @pytest.mark.oracle("pytransform3d", load_urdf)
 def test_three_shipped_arms_move_as_pytransform3d_says():
-    """A second witness, by other code: it reads the XML with lxml, and walks a graph of transforms."""
+    """A second oracle with different code: it reads the XML with lxml, and searches a graph of transforms."""
     urdf = pytest.importorskip("pytransform3d.urdf")
     for name in ("KUKA LBR iiwa 14", "UR5e", "PUMA 560"):
         chain = arm(name)
         base, tip = ends(chain)
         manager = urdf.UrdfTransformManager()
-        manager.load_urdf(text_of(name))
+        manager.load_urdf(urdf_text(name))
         low, high = chain.limits.T  # it clips what is beyond
         for q in np.random.default_rng(0).uniform(low, high, (5, chain.n)):
             for joint, value in zip(chain.joint_names, q, strict=True):
@@ -89,11 +89,11 @@ def test_three_shipped_arms_move_as_pytransform3d_says():
 
 
 def test_a_finger_may_be_the_tip_but_a_mimicking_finger_may_not():
-    text = text_of("Trossen " + TROSSEN[0])
+    text = urdf_text("Trossen " + TROSSEN[0])
     finger = load_urdf(text, tip="/left_finger_link")
     assert finger.joint_types == "RRRRP"
     q = configurations(finger, 10)
-    expected = as_pinocchio_reads(text, *ends(finger), finger.joint_names, q)
+    expected = poses_by_pinocchio(text, *ends(finger), finger.joint_names, q)
     np.testing.assert_allclose(finger.fk(q), expected, rtol=0, atol=CLOSE)
     with pytest.raises(
         ValueError,
@@ -104,7 +104,7 @@ def test_a_finger_may_be_the_tip_but_a_mimicking_finger_may_not():
 
 def test_if_there_are_several_tips_the_message_lists_them():
     with pytest.raises(ValueError, match=r"tip=\.\.\., one of panda_leftfinger, panda_rightfinger"):
-        load_urdf(text_of("Franka Panda with hand"))
+        load_urdf(urdf_text("Franka Panda with hand"))
 
 
 def test_limits_and_names_are_those_of_the_file():
@@ -170,11 +170,11 @@ def test_any_path_of_any_tree_moves_as_pinocchio_says(drawn):
     try:
         chain = load_urdf(text, base, tip)
     except ValueError as error:
-        # Two links that nothing moves against each other are no arm, and nothing else may be wrong here.
+        # If no joint moves between the two links, there is no arm. No other error is expected.
         assume("a joint must move between base and tip" not in str(error))
         raise
     q = configurations(chain, 3)
-    expected = as_pinocchio_reads(text, base, tip, chain.joint_names, q)
+    expected = poses_by_pinocchio(text, base, tip, chain.joint_names, q)
     np.testing.assert_allclose(chain.fk(q), expected, rtol=0, atol=CLOSE)
 
 
@@ -196,7 +196,7 @@ def test_roll_pitch_yaw_is_right_near_a_pitch_of_90_degrees(pitch):
     np.testing.assert_allclose(origin(rpy=roll_pitch_yaw(R))[:3, :3], R, rtol=0, atol=1e-15)
 
 
-# --- what stands in a file ---
+# --- the elements of a file ---
 
 
 def plain(name):
@@ -219,7 +219,7 @@ def as_we_read(element):
 @each_arm
 def test_the_elements_of_a_shipped_file_are_those_of_lxml(name):
     etree = pytest.importorskip("lxml.etree")
-    text = text_of(name)
+    text = urdf_text(name)
     theirs, ours = etree.fromstring(text.encode(), etree.XMLParser(recover=True)), read_robot(text)
     assert as_we_read(ours) == as_lxml_reads(theirs)
     assert ours.text("name") == theirs.get("name")
@@ -315,7 +315,7 @@ def test_the_texts_of_trees_elements_and_suggestions():
     assert str(robot.children[2].children[0].error("why.")) == 'Line 3, <parent> in <joint name="j">: why.'
 
 
-# --- there and back ---
+# --- write and read back ---
 
 
 def assert_same(back, chain):
@@ -366,7 +366,7 @@ def test_any_chain_is_read_back_from_its_file(chain):
 def test_pinocchio_reads_the_files_of_to_urdf(chain):
     q = configurations(chain, 2)
     names = chain.joint_names
-    expected = as_pinocchio_reads(to_urdf(chain), "base_link", "tool", names, q)
+    expected = poses_by_pinocchio(to_urdf(chain), "base_link", "tool", names, q)
     np.testing.assert_allclose(chain.fk(q), expected, rtol=0, atol=CLOSE)
 
 
@@ -484,7 +484,7 @@ def test_an_axis_is_a_unit_vector_after_any_number_of_rotations():
 
 
 def test_the_axis_of_a_fixed_joint_is_ignored():
-    """Exporters write 0 0 0 there; Pinocchio and urdfdom do not look at it either."""
+    """Exporters write 0 0 0 there; Pinocchio and urdfdom ignore it too."""
     tree = read_tree(read_robot(one_joint('<axis xyz="0 0 0"/>', "fixed")))
     assert tree.parent_joints["b"].axis.tolist() == [0, 0, 0]
 
@@ -580,7 +580,7 @@ def test_a_file_may_be_in_any_encoding_that_it_declares(tmp_path, encoding):
     assert load_urdf(path).name == load_urdf(str(path)).name == "Ä"
 
 
-# --- files with faults: the element, the line, and why ---
+# --- files with errors: the message has the element, the line and the reason ---
 
 
 @pytest.mark.parametrize(
@@ -657,7 +657,7 @@ def linked(links, *joints):
 
 
 RING = "abcdefghijklm"
-"""One more than a message names."""
+"""One more than a message lists."""
 
 
 @pytest.mark.parametrize(
@@ -740,7 +740,7 @@ BOMB = "<!DOCTYPE r [<!ENTITY a 'ha'>" + "".join(f"<!ENTITY {chr(ord(a) + 1)} '{
         ("<robot name='\ud800'/>", "surrogates not allowed"),
         ("\n<sdf/>", "Line 2, <sdf>: the first element of a URDF must be <robot>; this is an SDF file"),
         ("<table/>", "this is <table>"),
-        # What fuzzing found: a message that hands back all that came
+        # Found by fuzzing: a message that repeated the whole input
         (f"<{'a' * 2000}/>", "^Line 1, <a{60}>: the first element of a URDF must be <robot>; this is <a{60}>.$"),
         (f'<robot name="r"><link {"a" * 2000}="x"/></robot>', r"<link> in .*name=...; its attributes are: a{200}\.$"),
         ("\n" + BOMB + "]>\n<robot name='&j;'/>", "Line 2, <!DOCTYPE>: a URDF must have no document type"),
@@ -842,7 +842,7 @@ def test_a_file_without_one_of_its_lines_is_refused(line):
 @settings(max_examples=200)
 @given(st.data())
 def test_a_corrupted_file_is_read_or_refused_with_a_message(data):
-    """Letters of a sound file replaced at random: whatever happens is a chain, or a ValueError with words in it."""
+    """Characters of a valid file replaced at random: the result is a chain, or a ValueError with a message."""
     text = list(one_joint('<origin xyz="0 0 1" rpy="0 0 1"/><axis xyz="0 0 1"/>'))
     for _ in range(data.draw(st.integers(1, 5))):
         text[data.draw(st.integers(0, len(text) - 1))] = data.draw(st.sampled_from('<>&"/ -.0eaj${\n\0é'))
