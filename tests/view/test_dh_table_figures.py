@@ -24,7 +24,7 @@ def test_another_number_of_motions_is_refused(done):
 
 
 def test_a_row_of_another_size_is_refused():
-    with pytest.raises(ValueError, match=r"row should have shape \(..., 4\)"):
+    with pytest.raises(ValueError, match=r"row must have shape \(..., 4\)"):
         draw_row([1, 2, 3])
 
 

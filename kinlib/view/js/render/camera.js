@@ -14,7 +14,7 @@ const FLIGHT_MS = 350; // duration of the animation from one named view to the n
 const prefersReducedMotion = () => matchMedia('(prefers-reduced-motion: reduce)').matches;
 
 export class Camera {
-  /** @param room { centre, radius, look?, constant? }: the ball that must be in view, see kinlib/view/viewer/scene.py */
+  /** @param room { centre, radius, look?, constant? }: the sphere in view, see kinlib/view/viewer/scene.py */
   constructor(room, changed) {
     this.room = room;
     this.changed = changed;
