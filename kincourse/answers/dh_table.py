@@ -99,4 +99,4 @@ class DHTableAnswer(Answer):
             return f"All but one entry can stand: look again at {diagnosis.faults[0].column} in row {diagnosis.faults[0].row}."
         if diagnosis.faults:
             return str(diagnosis)
-        return diagnosis.equivalence.reason.replace(" here", " in your table").replace(" there", " in the arm")
+        return diagnosis.difference.replace("the table", "your table")

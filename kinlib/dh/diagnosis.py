@@ -51,11 +51,16 @@ class Diagnosis:
         """Whether the table was right without corrections."""
         return not self.faults and self.corrected is not None
 
+    @property
+    def difference(self) -> str:
+        """The first difference between the uncorrected table and the arm, in words; empty if there is none or it is explained."""
+        return self.equivalence.reason.replace("the first", "the table").replace("the second", "the arm")
+
     def __str__(self) -> str:
         if self.faults:
             return "\n".join(fault.text for fault in self.faults)
         if self.corrected is None:
-            return f"No known mistake, and no pair of them, explains this table. {self.equivalence.reason}"
+            return f"No known mistake, and no pair of them, explains this table. {self.difference}"
         return "\n".join(["This table describes the arm.", *_describe_choices(self.equivalence)])
 
 

@@ -43,7 +43,7 @@ def test_another_zero_configuration_is_wrong_if_the_table_is_anchored():
     judgement = judge_table(rows_with((1, 3, 1.5)), anchored=True)
     assert judgement.state == "wrong"
     assert judgement.findings[0].message.startswith(
-        "Your table moves like the arm, from another start. Joint 2 has its zero"
+        "Your table moves like the arm, from another start. Joint 2 has another zero"
     )
 
 
@@ -125,7 +125,7 @@ def test_feedback_on_a_wrong_table_names_the_mistake(given, words):
 
 UNREADABLE = {
     "another number of joints": ("a|alpha|d|theta\n0|0|0|q1", r"; your table has 1 joints \(R\)\.$"),
-    "no head": ("nonsense", r"\. A table as text needs a head and at least one row"),
+    "no head": ("nonsense", r"\. A table as text must have a heading, .* and at least one row"),
     "two columns": ([[1, 2]], r"\. rows must have shape \(\.\.\., 4\); got \(1, 2\)"),
     "a long text": ("x" * 100_000, r"; got str 'x+\.\.\.x+', which is too long\.$"),
     "many rows": ([[0.1, 0.2, 0.3, 0.4]] * 13, r"; got list \[.*\], which is too long\.$"),

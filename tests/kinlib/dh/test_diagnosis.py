@@ -372,7 +372,7 @@ def test_parallel_axes_that_point_the_other_way_are_told_the_angle(right, wrong)
 def test_a_table_of_a_helical_arm_is_told_that_no_table_has_its_joints():
     helical = kl.Chain([kl.screw((0, 0, 1), (0, 0, 0), 0.1), kl.screw((0, 1, 0), (1, 0, 0))], np.eye(4))
     found = diagnose(DHTable([[1, 0.5, 0, 0], [0.3, 0.2, 0.1, 0]], convention="standard"), helical)
-    assert str(found).endswith("explains this table. The joint types differ: RR in the first, HR in the second.")
+    assert str(found).endswith("explains this table. The joint types differ: RR in the table, HR in the arm.")
 
 
 def test_two_mistakes_together_are_both_named():
