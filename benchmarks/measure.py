@@ -1,10 +1,11 @@
-"""How two ways of doing the same are compared: in turns, within one run, by medians.
+"""Compare two or more implementations: time them alternately in one run, and report medians.
 
-A machine is never quiet, and what slows it for a second slows whoever runs in that second. So nobody is timed nine times in
-a row: in each round everybody has a turn, in another order each time. The first round, in which caches fill, does not count.
-Of the rest the medians are told. A ratio is that of one round, in which all have the same machine; its quartiles are told too.
+A computer is never idle, and what slows it for a second slows whatever runs in that second. Therefore no implementation is
+timed several times in a row: each round times every implementation once, in a different order each time. The first round,
+in which caches fill, is dropped. The reported times are medians over the other rounds. Ratios are taken within a round,
+where all implementations share the same conditions; their median and quartiles are reported.
 
-    >>> ours, theirs = in_turns([Way(lambda: sum(range(1000))), Way(lambda: sum(range(9000)))], rounds=5)
+    >>> ours, theirs = time_interleaved([Workload(lambda: sum(range(9)))] * 2, rounds=5)
     >>> len(ours), len(theirs)
     (5, 5)
 """
@@ -19,73 +20,81 @@ from typing import Any
 import numpy as np
 
 ROUNDS = 9
+"""Default number of rounds that count."""
+
+MIN_ERROR = 1e-17
+"""Smaller errors, and 0, count as this one, so that every ratio is finite."""
 
 
-class NotHere(Exception):
-    """What a benchmark needs, besides a peer, is not on this machine."""
+class MissingRequirementError(Exception):
+    """A benchmark needs something, other than a peer, that this machine does not have."""
 
 
 @dataclass(frozen=True)
-class Way:
-    """One way to do something: `run` does so many things, which a slow way may do fewer of."""
+class Workload:
+    """Work to be timed: `run` computes `count` results, of which a slow implementation may compute fewer."""
 
     run: Callable[[], Any]
-    things: int = 1
+    count: int = 1
 
 
-Make = Callable[[], Way]
-"""Makes a way ready and tries it. Raises ModuleNotFoundError where the peer is not installed."""
+WorkloadFactory = Callable[[], Workload]
+"""Prepares a workload and tries it. Raises ModuleNotFoundError if the peer is not installed."""
 
 
 @dataclass(frozen=True)
 class Row:
-    """A line of the table: what kinlib takes, what the peer takes, and what was wanted.
+    """A line of the table: the value of kinlib, the value of a peer, and the target.
 
-    what       what is measured, with its size
-    unit       of both numbers: "s", or what is counted
-    ours       the median of kinlib
-    peer       the other one, and how it is used; empty where a bound stands for it
-    theirs     its median; None where it is not installed
-    wanted     so many times better than the peer; for a row `at_most`, at most so many times the peer, or the bound itself
-    quartiles  of the rounds' ratios: lower, median, upper; None where there are no rounds
+    name        what is measured, with its size
+    unit        of both values: "s", or what is counted
+    value       the median of kinlib
+    target      how many times better than the peer kinlib must be; for a row `at_most`, the largest ratio to the peer, or
+                the largest value if there is no peer
+    peer        the other implementation, and how it is used; empty if there is none
+    peer_value  its median; None if it is not installed
+    at_most     whether the target is an upper bound
+    quartiles   of the ratios of all rounds: lower, median, upper; None if there are no rounds
     """
 
-    what: str
+    name: str
     unit: str
-    ours: float
-    wanted: float
+    value: float
+    target: float
     peer: str = ""
-    theirs: float | None = None
+    peer_value: float | None = None
     at_most: bool = False
     quartiles: tuple[float, float, float] | None = None
 
     @property
-    def figure(self) -> float | None:
-        """The number that `wanted` is held against; None without the peer."""
+    def ratio_or_value(self) -> float | None:
+        """The number that is compared with the target: the ratio to the peer, or the value; None if the peer is missing."""
         if not self.peer:
-            return self.ours
-        if self.theirs is None:
+            return self.value
+        if self.peer_value is None:
             return None
-        return self.quartiles[1] if self.quartiles else ratio(self.ours, self.theirs, self.at_most)
+        return self.quartiles[1] if self.quartiles else ratio(self.value, self.peer_value, self.at_most)
 
     @property
-    def met(self) -> bool | None:
-        """Whether it is what was wanted; None without the peer."""
-        if self.figure is None:
+    def meets_target(self) -> bool | None:
+        """Whether the target is met; None if the peer is missing."""
+        if self.ratio_or_value is None:
             return None
-        return self.figure <= self.wanted if self.at_most else self.figure >= self.wanted
+        return self.ratio_or_value <= self.target if self.at_most else self.ratio_or_value >= self.target
 
 
 @dataclass(frozen=True)
 class Curve:
-    """How the time grows: seconds for each of some sizes.
+    """How the time grows with the size of a task.
 
-    what    what is measured
-    sizes   of what is counted `of`: joints, configurations, submissions
+    name       what is measured
+    size_name  what the size counts: joints, configurations, submissions
+    sizes      the measured sizes
+    seconds    the time for each size
     """
 
-    what: str
-    of: str
+    name: str
+    size_name: str
     sizes: tuple[float, ...]
     seconds: tuple[float, ...]
 
@@ -93,7 +102,7 @@ class Curve:
     def exponent(self) -> float:
         """The slope of log(seconds) over log(size), by least squares over the upper half of that axis.
 
-        Below, what is done once for every call hides how the work grows.
+        At smaller sizes, the constant cost of each call dominates.
 
         >>> Curve("", "", (1, 10, 100, 1000), (1.0, 1.0, 2.0, 20.0)).exponent
         1.0
@@ -103,60 +112,75 @@ class Curve:
         return float(np.polyfit(x[upper], y[upper], 1)[0].round(12))
 
 
-def ratio(ours: float, theirs: float, at_most: bool = False) -> float:
-    """How many times better: theirs over ours; or, for a row `at_most`, ours over theirs. An error of 0 counts as 1e-17."""
-    ours, theirs = max(ours, 1e-17), max(theirs, 1e-17)
-    return ours / theirs if at_most else theirs / ours
+def ratio(value: float, peer_value: float, at_most: bool = False) -> float:
+    """Return how many times better kinlib is: the peer's value over ours, or the inverse for a row `at_most`."""
+    value, peer_value = max(value, MIN_ERROR), max(peer_value, MIN_ERROR)
+    return value / peer_value if at_most else peer_value / value
 
 
-def in_turns(ways: Sequence[Way], rounds: int = ROUNDS) -> list[list[float]]:
-    """Time everybody once a round, each round in another order: for each the seconds a thing, in the order of the rounds."""
-    times: list[list[float]] = [[] for _ in ways]
-    for number in range(rounds + 1):
-        for turn in range(len(ways)):
-            who = (turn + number) % len(ways)
-            seconds = timed(ways[who])
-            if number:
-                times[who].append(seconds)
-    return times
+def time_interleaved(workloads: Sequence[Workload], rounds: int = ROUNDS) -> list[list[float]]:
+    """Time each workload once per round, in a different order each round.
 
-
-def timed(way: Way) -> float:
-    """The seconds a thing, of one run."""
-    start = time.perf_counter()
-    way.run()
-    return (time.perf_counter() - start) / way.things
-
-
-def compared(
-    what: str, ours: Way, peers: Mapping[str, tuple[Make, float]], rounds: int = ROUNDS, at_most: bool = False
-) -> Iterator[Row]:
-    """A row for each peer: kinlib and all peers that are installed, in turns.
-
-    peers  by name: what makes it ready, and what is wanted
+    Returns for each workload the seconds per result, in the order of the rounds.
     """
-    ready: dict[str, Way] = {}
-    for name, (make, _) in peers.items():
+    seconds: list[list[float]] = [[] for _ in workloads]
+    for number in range(rounds + 1):
+        for turn in range(len(workloads)):
+            index = (turn + number) % len(workloads)
+            measured = time_once(workloads[index])
+            if number:
+                seconds[index].append(measured)
+    return seconds
+
+
+def time_once(workload: Workload) -> float:
+    """Run a workload once and return the seconds per result."""
+    start = time.perf_counter()
+    workload.run()
+    return (time.perf_counter() - start) / workload.count
+
+
+def compare(
+    name: str,
+    workload: Workload,
+    peers: Mapping[str, tuple[WorkloadFactory, float]],
+    rounds: int = ROUNDS,
+    at_most: bool = False,
+) -> Iterator[Row]:
+    """Time kinlib and all installed peers in the same rounds, and yield a row for each peer.
+
+    peers  by name: the function that prepares its workload, and the target
+    """
+    prepared: dict[str, Workload] = {}
+    for peer, (prepare, _) in peers.items():
         with suppress(ModuleNotFoundError):
-            ready[name] = make()
-    own, *others = in_turns([ours, *ready.values()], rounds)
-    times = dict(zip(ready, others, strict=True))
-    for name, (_, wanted) in peers.items():
-        yield row(what, own, name, times.get(name), wanted=wanted, at_most=at_most)
+            prepared[peer] = prepare()
+    own, *others = time_interleaved([workload, *prepared.values()], rounds)
+    seconds = dict(zip(prepared, others, strict=True))
+    for peer, (_, target) in peers.items():
+        yield timed_row(name, own, peer, seconds.get(peer), target=target, at_most=at_most)
 
 
-def row(
-    what: str, ours: Sequence[float], peer: str, theirs: Sequence[float] | None, *, wanted: float, at_most: bool = False
+def timed_row(
+    name: str,
+    seconds: Sequence[float],
+    peer: str,
+    peer_seconds: Sequence[float] | None,
+    *,
+    target: float,
+    at_most: bool = False,
 ) -> Row:
-    """A row of two that were timed in the same rounds; theirs None: not installed."""
-    if theirs is None:
-        return Row(what, "s", median(ours), wanted, peer, at_most=at_most)
-    ratios = [ratio(*pair, at_most) for pair in zip(ours, theirs, strict=True)]
+    """Make a row from the times of kinlib and of a peer in the same rounds; None if the peer is not installed."""
+    if peer_seconds is None:
+        return Row(name, "s", median(seconds), target, peer, at_most=at_most)
+    ratios = [ratio(*pair, at_most) for pair in zip(seconds, peer_seconds, strict=True)]
     lower, middle, upper = np.quantile(ratios, [0.25, 0.5, 0.75]).tolist()
-    return Row(what, "s", median(ours), wanted, peer, median(theirs), at_most, (lower, middle, upper))
+    return Row(name, "s", median(seconds), target, peer, median(peer_seconds), at_most, (lower, middle, upper))
 
 
-def grown(what: str, of: str, sizes: Sequence[float], way: Callable[[Any], Way], rounds: int = 5) -> Curve:
-    """Time one way at several sizes, which have their turns like peers."""
-    times = in_turns([way(size) for size in sizes], rounds)
-    return Curve(what, of, tuple(sizes), tuple(map(median, times)))
+def measure_growth(
+    name: str, size_name: str, sizes: Sequence[float], workload: Callable[[Any], Workload], rounds: int = 5
+) -> Curve:
+    """Time a workload of several sizes, all of them in each round."""
+    seconds = time_interleaved([workload(size) for size in sizes], rounds)
+    return Curve(name, size_name, tuple(sizes), tuple(map(median, seconds)))

@@ -1,7 +1,7 @@
-"""What was measured, in words and as a file: benchmarks/results.json, from which the site draws its page on performance.
+"""Format results, save them in benchmarks/results.json and load them; the site's page on performance shows that file.
 
-The file holds what is measured and the kind of machine, and nothing else of the machine. Of each benchmark it keeps the
-last two runs, so that a reader sees how far to trust a number.
+The file describes the kind of machine, and contains nothing else about it. It keeps the last two runs of each benchmark, so
+that a reader can see how much the numbers vary.
 """
 
 import json
@@ -31,15 +31,16 @@ PACKAGES = (
     "scipy",
     "sympy",
 )
-"""Whose versions say what was measured; `pin` is Pinocchio."""
+"""Packages whose versions are saved with the results; `pin` is Pinocchio."""
 
-KEPT = 2
+RUNS_KEPT = 2
 DIGITS = 4
+"""Significant digits of each saved number."""
 
 
 @dataclass(frozen=True)
 class Run:
-    """One run of a benchmark: its day, the rows of its table, its curves."""
+    """One run of a benchmark: its date, the rows of its table, its curves."""
 
     day: str
     rows: tuple[Row, ...]
@@ -48,34 +49,34 @@ class Run:
 
 @dataclass(frozen=True)
 class Results:
-    """All that was measured on one kind of machine.
+    """All results of one kind of machine.
 
-    machine  what is known of it, by name
-    runs     by benchmark, the last one first
+    machine  its processor, system and installed versions, by name
+    runs     by benchmark, the latest one first
     """
 
     machine: Mapping[str, str]
     runs: Mapping[str, tuple[Run, ...]]
 
 
-def machine() -> dict[str, str]:
-    """The kind of machine that this is, and the versions that were measured."""
-    found = {
-        "processor": processor(),
+def describe_machine() -> dict[str, str]:
+    """Return the kind of this machine, and the versions of the packages that are measured on it."""
+    description = {
+        "processor": processor_name(),
         "cores": str(os.cpu_count()),
         "system": platform.system(),
         "Python": platform.python_version(),
     }
     for name in PACKAGES:
         try:
-            found[name] = version(name)
+            description[name] = version(name)
         except PackageNotFoundError:
-            found[name] = "not installed"
-    return found
+            description[name] = "not installed"
+    return description
 
 
-def processor() -> str:
-    """What the processor calls itself."""
+def processor_name() -> str:
+    """Return the model name of the processor."""
     try:
         lines = Path("/proc/cpuinfo").read_text("utf-8").splitlines()
     except OSError:
@@ -84,51 +85,62 @@ def processor() -> str:
 
 
 def load(path: Path = PATH) -> Results:
-    """Read what was saved.
+    """Load saved results.
 
-    Raises FileNotFoundError where nothing was.
+    Raises FileNotFoundError if nothing has been saved.
     """
     data = json.loads(path.read_text("utf-8"))
-    runs = {name: tuple(map(_run, kept)) for name, kept in data["runs"].items()}
+    runs = {name: tuple(map(_parse_run, kept)) for name, kept in data["runs"].items()}
     return Results(data["machine"], runs)
 
 
 def save(measured: Mapping[str, tuple[list[Row], list[Curve]]], path: Path = PATH) -> Results:
-    """Add runs to what was saved. Runs on another kind of machine, or of other versions, are dropped: nobody may compare them."""
-    here, runs = machine(), {}
-    if path.exists() and (before := load(path)).machine == here:
-        runs = dict(before.runs)
+    """Add runs to the saved results, and return all of them.
+
+    Saved runs of another kind of machine, or of other versions, are removed, because they must not be compared with these.
+    """
+    machine, runs = describe_machine(), {}
+    if path.exists() and (saved := load(path)).machine == machine:
+        runs = dict(saved.runs)
     for name, (rows, curves) in measured.items():
         run = Run(date.today().isoformat(), tuple(rows), tuple(curves))
-        runs[name] = (run, *runs.get(name, ()))[:KEPT]
-    data = {"machine": here, "runs": {name: [_rounded(asdict(run)) for run in kept] for name, kept in runs.items()}}
+        runs[name] = (run, *runs.get(name, ()))[:RUNS_KEPT]
+    data = {
+        "machine": machine,
+        "runs": {name: [_round_floats(asdict(run)) for run in kept] for name, kept in runs.items()},
+    }
     path.write_text(json.dumps(data, indent=1) + "\n", "utf-8")
     return load(path)
 
 
-def told(row: Row) -> dict[str, str]:
-    """A row in words, by the heads of the table."""
-    wanted = f"at most {row.wanted:g}" if row.at_most else f"{row.wanted:,g} x"
+def format_row(row: Row) -> dict[str, str]:
+    """Format the cells of a row, by the headings of the table."""
+    target = f"at most {row.target:g}" if row.at_most else f"{row.target:,g} x"
     if row.peer and row.at_most:
-        wanted += " x"
+        target += " x"
     elif not row.peer:
-        wanted = f"at most {amount(row.wanted, row.unit)}"
-    figure = "" if row.figure is None or not row.peer else times(row.figure)
+        target = f"at most {format_quantity(row.target, row.unit)}"
+    peer_value, ratio = "", ""
+    if row.peer:
+        peer_value = "not installed" if row.peer_value is None else format_quantity(row.peer_value, row.unit)
+        ratio = "" if row.ratio_or_value is None else format_ratio(row.ratio_or_value)
+    if row.quartiles:
+        ratio += f" ({format_ratio(row.quartiles[0])} to {format_ratio(row.quartiles[2])})"
     return {
-        "what": row.what,
-        "kinlib": amount(row.ours, row.unit),
-        "peer's": "" if not row.peer else "not installed" if row.theirs is None else amount(row.theirs, row.unit),
+        "measurement": row.name,
+        "kinlib": format_quantity(row.value, row.unit),
+        "peer's value": peer_value,
         "peer": row.peer,
-        "ratio": figure + (f" ({times(row.quartiles[0])} to {times(row.quartiles[2])})" if row.quartiles else ""),
-        "wanted": wanted,
-        "result": {True: "met", False: "missed", None: "not measured"}[row.met],
+        "ratio": ratio,
+        "target": target,
+        "result": {True: "met", False: "missed", None: "not measured"}[row.meets_target],
     }
 
 
-def amount(value: float, unit: str) -> str:
-    """A number with its unit, as people say it.
+def format_quantity(value: float, unit: str) -> str:
+    """Format a number with its unit, where seconds get the prefix that fits.
 
-    >>> amount(0.0000234, "s"), amount(3, "tables"), amount(3.2e-9, "")
+    >>> format_quantity(0.0000234, "s"), format_quantity(3, "tables"), format_quantity(3.2e-9, "")
     ('23.4 µs', '3 tables', '3e-09')
     """
     if unit != "s":
@@ -139,10 +151,10 @@ def amount(value: float, unit: str) -> str:
     return f"{value / 1e-9:.3g} ns"
 
 
-def times(ratio: float) -> str:
-    """A ratio in two or three digits; beyond a million nobody counts.
+def format_ratio(ratio: float) -> str:
+    """Format a ratio with three significant digits, or as "over a million".
 
-    >>> times(1.234), times(56.7), times(1234.5), times(1.4e7)
+    >>> format_ratio(1.234), format_ratio(56.7), format_ratio(1234.5), format_ratio(1.4e7)
     ('1.23', '56.7', '1,230', 'over a million')
     """
     if ratio >= 1e6:
@@ -150,18 +162,21 @@ def times(ratio: float) -> str:
     return f"{float(f'{ratio:.3g}'):,g}"
 
 
-def _run(data: Mapping[str, Any]) -> Run:
-    rows = (Row(**{name: tuple(v) if isinstance(v, list) else v for name, v in row.items()}) for row in data["rows"])
-    curves = (
-        Curve(**{name: tuple(v) if isinstance(v, list) else v for name, v in curve.items()}) for curve in data["curves"]
+def _parse_run(data: Mapping[str, Any]) -> Run:
+    rows, curves = (
+        [
+            {key: tuple(value) if isinstance(value, list) else value for key, value in item.items()}
+            for item in data[part]
+        ]
+        for part in ("rows", "curves")
     )
-    return Run(data["day"], tuple(rows), tuple(curves))
+    return Run(data["day"], tuple(Row(**row) for row in rows), tuple(Curve(**curve) for curve in curves))
 
 
-def _rounded(value: Any) -> Any:
-    """The same with numbers of so many digits as mean something."""
+def _round_floats(value: Any) -> Any:
+    """Round every float inside a value to its significant digits."""
     if isinstance(value, dict):
-        return {name: _rounded(part) for name, part in value.items()}
+        return {name: _round_floats(part) for name, part in value.items()}
     if isinstance(value, list | tuple):
-        return [_rounded(part) for part in value]
+        return [_round_floats(part) for part in value]
     return float(f"{value:.{DIGITS}g}") if isinstance(value, float) else value

@@ -1,14 +1,14 @@
-"""What hostile submissions get: the attacks of the tests, against kinlib and against stock nbgrader, side by side.
+"""Effects of hostile submissions: the attacks of the tests on misstep and on plain nbgrader.
 
-    python -m benchmarks.course.hostile                 as root, on Linux: it takes some minutes
+    python -m benchmarks.course.hostile                 as root, on Linux; takes some minutes
     python -m benchmarks.course.hostile proc heap       only attacks with these words in their names
 
-nbgrader runs each attack in namespaces of processes and mounts made for it, on a disk that can be read and not written,
-but for the course and the folder that is attacked: or this would be no benchmark, but the end of the machine that runs it.
-Attacks that would take all its memory, processes or disk, or turn its mounts, are not tried on nbgrader.
+For nbgrader, each attack runs in its own process and mount namespaces, on a read-only disk except for the course and the
+attacked folder, because otherwise it could destroy the machine that runs this benchmark. Attacks that would use up memory,
+processes or disk, or change mounts, are not run with nbgrader.
 
-An attack *wins points* that no answer earned, *reads* a secret, *changes* a file, *reaches* a port, leaves a process
-*alive*, or leaves the submission without a *grade*. Nothing of this is a dash.
+An attack can win *points* without an answer, *read* a secret, *change* a file, *reach* a port, leave a process *alive*, or
+leave the submission without a *grade*. "-" means that it achieved none of these.
 """
 
 import json
@@ -27,71 +27,75 @@ from benchmarks.course.nbgrader_baseline import SHEET, Course
 
 CANARY = "SECRET-CANARY"
 
-ALONE = 4
-"""So many processes are left when nothing is: the shell, its copy that counts, and what it counts with."""
+MAX_OWN_PROCESSES = 4
+"""The processes that count what an attack has left alive: the shell, its subshell, ps and wc."""
 
-TOO_MUCH = {
+UNLIMITED = {
     *("20 GB are asked for", "a fork bomb", "a thread bomb", "the output floods", "the pipe floods", "the disk fills"),
     "the sandbox is asked to let go",
 }
-"""For a grader without limits."""
+"""Attacks that a grader without limits cannot survive."""
 
 
 def main(*words):
-    """Print a line for each attack, and how many won."""
+    """Print a line for each attack, and how many succeeded."""
     from misstep.grading.collect.run_plan import read_released_sheet
     from misstep.grading.judging.grader import Grader
     from misstep.grading.sandbox.limits import Limits
 
     names = [name for name in attacks.ATTACKS if not words or any(word in name for word in words)]
     os.environ["SECRET_TOKEN"] = CANARY
-    won = {"kinlib": 0, "nbgrader": 0}
+    successes = {"misstep": 0, "nbgrader": 0}
     limits = Limits(cell_seconds=2, seconds=4, memory_mb=1024, output_mb=1)
     with socket.create_server(("127.0.0.1", 0)) as port, tempfile.TemporaryDirectory() as top:
         port.setblocking(False)
         course = Course(Path(top, "course"), timeout=5)
         with Grader(read_released_sheet(released()), limits) as grader:
-            print(f"{'attack':44}  {'kinlib':32}  nbgrader")
+            print(f"{'attack':44}  {'misstep':32}  nbgrader")
             for number, name in enumerate(names):
                 outside = Path(top, f"outside{number}")
-                by_us = effects(outside, port, partial(ours, grader), name)
-                if name in TOO_MUCH:
-                    by_them = "not tried"
+                by_misstep = effects(outside, port, partial(grade_with_misstep, grader), name)
+                if name in UNLIMITED:
+                    by_nbgrader = "not tried"
                 else:
-                    by_them = effects(outside, port, partial(theirs, course, f"student{number}", outside), name)
-                won["kinlib"] += by_us != "-"
-                won["nbgrader"] += by_them not in {"-", "not tried"}
-                print(f"{name:44}  {by_us:32}  {by_them}", flush=True)
-    tried = len(names) - len(TOO_MUCH & set(names))
-    print(f"won: {won['kinlib']} of {len(names)} against kinlib, {won['nbgrader']} of {tried} against nbgrader")
+                    by_nbgrader = effects(
+                        outside, port, partial(grade_with_nbgrader, course, f"student{number}", outside), name
+                    )
+                successes["misstep"] += by_misstep != "-"
+                successes["nbgrader"] += by_nbgrader not in {"-", "not tried"}
+                print(f"{name:44}  {by_misstep:32}  {by_nbgrader}", flush=True)
+    tried = len(names) - len(UNLIMITED & set(names))
+    print(
+        f"successful: {successes['misstep']} of {len(names)} against misstep, {successes['nbgrader']} of {tried} against nbgrader"
+    )
 
 
-def effects(outside, port, graded, name):
-    """What an attack achieved with a grader, in words."""
-    lay_out(outside)
+def effects(outside, port, grade, name):
+    """Run an attack with a grader, and list its effects."""
+    prepare_target(outside)
     before = listing(outside)
     replayed = "{" + ", ".join(f"{k}: {line.partition(' = ')[2]}" for k, line in right("bob").items()) + "}"
     places = {"folder": outside, "port": port.getsockname()[1], "replayed": replayed}
-    points, told, alive = graded(attacking("ada", attacks.source(name, **places)))
-    found = {
+    points, outputs, alive = grade(attacking("ada", attacks.source(name, **places)))
+    achieved = {
         "no grade": points is None,
         f"{points or 0:g} points": bool(points),
-        "reads": CANARY in told,
+        "reads": CANARY in outputs,
         "changes": listing(outside) != before,
         "reaches": was_reached(port),
         "alive": alive,
     }
-    return ", ".join(word for word, is_so in found.items() if is_so) or "-"
+    return ", ".join(effect for effect, is_achieved in achieved.items() if is_achieved) or "-"
 
 
-def ours(grader, notebook):
-    """Points, outputs, and whether a process survived."""
+def grade_with_misstep(grader, notebook):
+    """Grade with misstep; return points, outputs, and whether a process is left alive."""
     result = grader.grade("ada", as_bytes(notebook))
     return result.points, json.dumps([cell.outputs for cell in result.cells]), len(descendants(grader)) > 1
 
 
-def theirs(course, student, outside, notebook):
-    """Points, outputs, and whether a process survived, after stock nbgrader."""
+def grade_with_nbgrader(course, student, outside, notebook):
+    """Grade with nbgrader; return points, outputs, and whether a process is left alive."""
     course.hand_in(student, notebook)
     script = (
         f"mount --make-rprivate / && for d in {course.folder} {outside} /dev/shm; do mount --bind $d $d; done && "
@@ -107,14 +111,14 @@ def theirs(course, student, outside, notebook):
     done = subprocess.run(command, env=os.environ | paths, capture_output=True, text=True, check=False)
     code, count = map(int, done.stdout.split()[-2:])
     graded = course.folder / "autograded" / student / SHEET / f"{SHEET}.ipynb"
-    told = graded.read_text("utf-8") if graded.exists() else ""
-    outputs = json.dumps([cell.get("outputs") for cell in json.loads(told)["cells"]]) if told else ""
+    text = graded.read_text("utf-8") if graded.exists() else ""
+    outputs = json.dumps([cell.get("outputs") for cell in json.loads(text)["cells"]]) if text else ""
     points = course.scores().get(student) if code == 0 else None
-    return points, outputs, count > ALONE
+    return points, outputs, count > MAX_OWN_PROCESSES
 
 
-def lay_out(folder):
-    """A fresh folder with what an attack would like to reach."""
+def prepare_target(folder):
+    """Make a folder with the files that attacks try to read or change."""
     import shutil
     import sqlite3
 
@@ -129,12 +133,12 @@ def lay_out(folder):
 
 
 def listing(folder):
-    """What is in a folder, byte by byte."""
+    """Return the content of every file in a folder."""
     return {path.name: path.read_bytes() for path in folder.iterdir()} if folder.exists() else {}
 
 
 def was_reached(port):
-    """Whether somebody has called since the last time."""
+    """Return whether a connection was opened since the last call."""
     try:
         port.accept()[0].close()
     except BlockingIOError:

@@ -1,7 +1,7 @@
-"""A stock nbgrader course, to measure beside: the same sheet, whose check cells assert that the answer is right.
+"""A plain nbgrader course for comparison: the same sheet, whose check cells assert that the answer is right.
 
-nbgrader gives a cell its points if it runs without an error. So each check says `assert sheet.check(k, ...).score == 3`, as
-an instructor would write it who has kinlib and no grader but nbgrader.
+nbgrader gives a cell its points if it runs without an error. Therefore each check is `assert sheet.check(k, ...).score == 3`,
+as an instructor would write it with this course and no grader but nbgrader.
 """
 
 import json
@@ -27,7 +27,7 @@ c.Application.log_level = 40
 
 
 class Course:
-    """A course in an empty folder, with the sheet generated and submissions in place."""
+    """An nbgrader course in an empty folder, with the released sheet and its submissions."""
 
     def __init__(self, folder, timeout=10, is_asserting=True):
         self.folder = Path(folder)
@@ -36,23 +36,23 @@ class Course:
         source = self.folder / "source" / SHEET
         source.mkdir(parents=True)
         notebook = json.loads((ROOT / "solutions" / SHEET / f"{SHEET}.ipynb").read_text("utf-8"))
-        (source / f"{SHEET}.ipynb").write_bytes(as_bytes(asserting(notebook) if is_asserting else notebook))
+        (source / f"{SHEET}.ipynb").write_bytes(as_bytes(with_assertions(notebook) if is_asserting else notebook))
         self.call("generate_assignment", SHEET, "--create", "--force")
 
     def hand_in(self, student, notebook):
-        """Put a submission where nbgrader looks for it."""
+        """Write a submission into the folder in which nbgrader looks for it."""
         place = self.folder / "submitted" / student / SHEET
         place.mkdir(parents=True)
-        (place / f"{SHEET}.ipynb").write_bytes(as_bytes(asserting(notebook)))
+        (place / f"{SHEET}.ipynb").write_bytes(as_bytes(with_assertions(notebook)))
 
     def autograde(self, *options):
-        """Grade all that was handed in; the seconds that it took."""
+        """Grade all submissions, and return the seconds."""
         start = time.perf_counter()
         self.call("autograde", SHEET, *options, check=False)
         return time.perf_counter() - start
 
     def scores(self):
-        """The points by student, of those who have a grade."""
+        """Return the points of each student with a grade."""
         from nbgrader.api import Gradebook
 
         with Gradebook(f"sqlite:///{self.folder / 'gradebook.db'}") as book:
@@ -67,8 +67,8 @@ class Course:
         )
 
 
-def asserting(notebook):
-    """The notebook with checks that fail where the answer is wrong."""
+def with_assertions(notebook):
+    """Return the notebook with checks that raise an error if the answer is wrong."""
     cells = [dict(cell) for cell in notebook["cells"]]
     for cell in cells:
         if problem_of(cell, "check"):

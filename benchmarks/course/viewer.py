@@ -37,7 +37,7 @@ from browser import (
 )
 
 import kinlib as kl
-from benchmarks.measure import NotHere, Row, row
+from benchmarks.measure import MissingRequirementError, Row, timed_row
 from kinlib.rigid.screw import screw
 from kinlib.view import explore
 from kinlib.view.viewer.scene import LAYERS
@@ -98,13 +98,13 @@ PRESS_PAUSE_MS = {"viewer": 150, "interact": 1500}
 def rows(quick: bool = False) -> Iterator[Row]:
     """Compare the times from the key press to the readout and to the picture.
 
-    Raises NotHere where there is no Chromium.
+    Raises MissingRequirementError if there is no Chromium.
     """
     with notebook() as page:
         times = response_times(page, 2 if quick else 10)
-    for what, wanted in MIN_SPEEDUP.items():
-        ours, theirs = times["viewer", what][1:], times["interact", what][1:]
-        yield row(f"slider to {what}", ours, "interact + matplotlib", theirs, wanted=wanted)
+    for result, target in MIN_SPEEDUP.items():
+        own, peer = times["viewer", result][1:], times["interact", result][1:]
+        yield timed_row(f"slider key press to {result}", own, "interact + matplotlib", peer, target=target)
 
 
 def response_time(page, cell, probe):
@@ -136,10 +136,10 @@ def response_times(page, presses):
 def notebook():
     """Open a page of JupyterLab with the viewer in one cell and interact in the next.
 
-    Raises NotHere where there is no Chromium.
+    Raises MissingRequirementError if there is no Chromium.
     """
     if CHROMIUM is None:
-        raise NotHere(NO_CHROMIUM)
+        raise MissingRequirementError(NO_CHROMIUM)
     cells = [nbformat.v4.new_code_cell(source.strip()) for source in (VIEWER, INTERACT)]
     with browsers() as start, tempfile.TemporaryDirectory() as name:
         folder = Path(name)
@@ -150,7 +150,7 @@ def notebook():
 
 
 def ten_joints():
-    """An arm of ten joints."""
+    """Return an arm with ten joints."""
     X, Y, Z = np.eye(3)
     axes = [Z, Y, X, Y, Z, X, Z, Y, X, Y]
     screws = np.array([screw(axis, (0.1 * i, 0, 0.3 + 0.05 * i)) for i, axis in enumerate(axes)])
@@ -168,15 +168,19 @@ def page_costs(browser, folder):
         page.goto(address)
         wait_until_drawn(page)
         marks = ["kinlib-viewer-answers", "kinlib-viewer-picture"]
-        moments = page.evaluate("marks => marks.map((name) => performance.getEntriesByName(name)[0].startTime)", marks)
-        worst = 0.0
+        milliseconds = page.evaluate(
+            "marks => marks.map((name) => performance.getEntriesByName(name)[0].startTime)", marks
+        )
+        max_error = 0.0
         for which, robot in enumerate(robots):
             q = np.random.default_rng(1).uniform(-np.pi, np.pi, (100, robot.n))
             page.locator("[data-kinlib-viewer]").nth(which).scroll_into_view_if_needed()
             page.locator(".kv").nth(which).wait_for()
             move = """([which, configurations]) => { const { model, stage } = document.querySelectorAll('.kv')[which].viewer;
                 return configurations.map((q) => { model.set('q', q); return stage.tree.pose(); }); }"""
-            worst = max(worst, float(np.abs(np.array(page.evaluate(move, [which, q.tolist()])) - robot.fk(q)).max()))
+            max_error = max(
+                max_error, float(np.abs(np.array(page.evaluate(move, [which, q.tolist()])) - robot.fk(q)).max())
+            )
     with watched(browser) as page:
         static_page(folder, explore(ten_joints(), show=LAYERS))
         page.goto(address)
@@ -191,7 +195,7 @@ def page_costs(browser, folder):
             devtools.send("HeapProfiler.collectGarbage")
             heap.append(devtools.send("Runtime.getHeapUsage")["usedSize"])
     server.shutdown()
-    return moments, worst, calls, (heap[2] - heap[1]) / 1000
+    return milliseconds, max_error, calls, (heap[2] - heap[1]) / 1000
 
 
 class Quiet(SimpleHTTPRequestHandler):
@@ -204,10 +208,10 @@ class Quiet(SimpleHTTPRequestHandler):
 def main(presses=12):
     """Measure everything, and print the results beside the targets."""
     with browsers() as start, tempfile.TemporaryDirectory() as name:
-        (answers, drawn), worst, calls, heap = page_costs(start(), Path(name))
+        (answers, drawn), max_error, calls, heap = page_costs(start(), Path(name))
     with notebook() as page:
         times = {key: np.median(seconds[1:]) for key, seconds in response_times(page, presses).items()}
-    ratio = {what: times["interact", what] / times["viewer", what] for what in MIN_SPEEDUP}
+    ratio = {result: times["interact", result] / times["viewer", result] for result in MIN_SPEEDUP}
     lines = [
         ("key to readout, viewer", f"{1000 * times['viewer', 'readout']:.2f} ms", "4 ms"),
         (
@@ -222,7 +226,7 @@ def main(presses=12):
         ("first viewer of a page drawn in 3-D", f"{drawn / 1000:.2f} s", ""),
         ("draw calls, ten joints, all layers", f"{calls}", "200"),
         ("heap, 1000 updates", f"{heap:+.0f} kB", "flat"),
-        ("readout against Chain.fk", f"{worst:.1e}", "1e-12"),
+        ("readout against Chain.fk", f"{max_error:.1e}", "1e-12"),
     ]
     print(f"{'':36}{'measured':>22}{'target':>10}")
     for label, measured, target in lines:

@@ -1,12 +1,12 @@
-"""How right exp and log are: the worst error against 40-digit mpmath at each angle, here and in five other libraries.
+"""Accuracy of exp and log, compared with five other libraries: the largest error at each angle, by mpmath at 40 digits.
 
     python -m benchmarks.library.accuracy
 
-SO(3) is measured by rotation vectors, SE(3) by twists with |v| = 1, each in 50 directions. The error of exp is the
-largest entry of exp(x) - X, where X is exp(x) with 40 digits. log is given X rounded to doubles, and its error is that of
-the motion it names: the largest entry of exp(log(X)) - X, where this exp has 40 digits too. So a library that names the
-axis from its other end near pi is charged with no more than it costs.
-A dash: the library has no such function. "fails": it raised, or returned NaN.
+SO(3) is measured with rotation vectors and SE(3) with twists with |v| = 1, each in 50 directions. The error of exp is the
+largest entry of exp(x) - X, where X is exp(x) with 40 digits. log is given X rounded to double precision; its error is the
+largest entry of exp(log(X)) - X, where this exp has 40 digits too. Therefore a library that returns the opposite axis near
+pi has only the error that results from it.
+"-" means that the library has no such function; "fails", that it raised an exception or returned NaN.
 """
 
 import warnings
@@ -68,8 +68,8 @@ if pin:
     )
 
 
-def worst(function, arguments, motions):
-    """The largest error over all arguments, as a cell of the table."""
+def max_error(function, arguments, motions):
+    """Format the largest error over all arguments, as a cell of the table."""
     if function is None:
         return "-"
     try:
@@ -78,12 +78,12 @@ def worst(function, arguments, motions):
         return "fails"
     if not np.isfinite(values).all():
         return "fails"
-    reached = [value if value.ndim == 2 else mpmath_oracle.exp(value) for value in values]
-    return f"{np.abs(reached - motions).max():.0e}"
+    results = [value if value.ndim == 2 else mpmath_oracle.exp(value) for value in values]
+    return f"{np.abs(results - motions).max():.0e}"
 
 
 def rows():
-    """Yield an angle's label, a library's name, and its four cells."""
+    """Yield the label of an angle, the name of a library, and its four cells."""
     rng = np.random.default_rng(3)
     units = rng.normal(size=(2, DIRECTIONS, 3))
     units[0, :6] = [*np.eye(3), *-np.eye(3)]
@@ -94,12 +94,16 @@ def rows():
         omega, R = x[:, :3], T[:, :3, :3]
 
         for name, (exp3, log3, exp6, log6) in LIBRARIES.items():
-            yield label, name, (worst(exp3, omega, R), worst(log3, R, R), worst(exp6, x, T), worst(log6, T, T))
+            yield (
+                label,
+                name,
+                (max_error(exp3, omega, R), max_error(log3, R, R), max_error(exp6, x, T), max_error(log6, T, T)),
+            )
 
 
 def main():
-    """Print the table, one block a function."""
-    warnings.simplefilter("ignore")  # some peers divide by zero on their way
+    """Print the table, one block for each function."""
+    warnings.simplefilter("ignore")  # some peers divide by zero
     table = {(label, name): cells for label, name, cells in rows()}
     for column, title in enumerate(["exp, SO(3)", "log, SO(3)", "exp, SE(3)", "log, SE(3)"]):
         print(f"{title:<12}" + "".join(f"{name:>17}" for name in LIBRARIES))

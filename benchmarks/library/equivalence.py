@@ -1,12 +1,13 @@
-"""How often kl.equivalent is right: a yes for every legal re-choice, a no for every change that matters.
+"""Reliability of kl.equivalent: it must recognise every legal choice of frames, and every change of the mechanism.
 
     python -m benchmarks.library.equivalence
     python -m benchmarks.library.equivalence 500        fewer arms
 
-Arms are those of benchmarks/library/frames.py. Re-chosen, they keep their motions and change all else: directions of x and z,
-origins on parallel axes, zeros, signs, places of slides, base, tool. Then one entry of their table is changed, by 1e-6 to
-0.1. Many such changes change nothing (d between parallel axes, a beside a slide): a yes there comes with a map, and its
-difference is printed. A no is sure where neighbouring axes stand to each other at another angle, which is counted too.
+The arms are those of benchmarks/library/frames.py. With other legal choices they keep their motions, but have other
+directions of x and z, origins on parallel axes, zero positions, signs, positions of prismatic axes, base and tool. Then one
+entry of a table is changed by 1e-6 to 0.1. Many such changes have no effect (d between parallel axes, a next to a prismatic
+joint); then the result is a map, and its residual is printed. A change certainly matters if it changes the angle between two
+neighbouring axes; these cases are counted separately.
 """
 
 import sys
@@ -19,7 +20,7 @@ import kinlib as kl
 
 
 def main(count=5_000):
-    """Print how often a yes and a no are right, over `count` arms each."""
+    """Print how often both answers are right, over `count` arms each."""
     rng = np.random.default_rng(0)
     missed, seconds = 0, []
     for _ in range(count):
@@ -30,28 +31,26 @@ def main(count=5_000):
         seconds.append(time.perf_counter() - start)
     milliseconds = 1e3 * np.median(seconds), 1e3 * max(seconds)
     print(
-        f"{count} arms re-chosen: {missed} missed; {milliseconds[0]:.1f} ms in the median, {milliseconds[1]:.0f} at most"
+        f"{count} arms with other choices: {missed} not recognised; {milliseconds[0]:.1f} ms median, {milliseconds[1]:.0f} ms maximum"
     )
 
-    yes, twisted, wrong, worst, nearest = 0, 0, 0, 0.0, np.inf
+    same, twisted, wrong, largest, smallest = 0, 0, 0, 0.0, np.inf
     for _ in range(count):
         chain, _cases = arm(rng, int(rng.integers(2, 10)))
         table = kl.assign_frames(chain, convention="standard").table
         rows = table.rows.copy()
         row, column = rng.integers(table.n), rng.integers(4)
         rows[row, column] += 10 ** rng.uniform(-6, -1)
-        found = kl.equivalent(chain, table.changed(rows=rows))
-        if found:
-            yes, worst = yes + 1, max(worst, found.difference)
+        result = kl.equivalent(chain, table.changed(rows=rows))
+        if result:
+            same, largest = same + 1, max(largest, result.difference)
         else:
-            nearest = min(nearest, found.difference)
+            smallest = min(smallest, result.difference)
         if column == 1 and row < table.n - 1:
-            twisted, wrong = twisted + 1, wrong + bool(found)
-    print(
-        f"{count} entries changed by 1e-6 to 0.1: {yes} change nothing, shown by maps that are off by {worst:.1e} at most;"
-    )
-    print(f"    {count - yes} change the arm, and no map comes nearer than {nearest:.1e}")
-    print(f"    of {twisted} changed twists between two axes, {wrong} were called the same mechanism")
+            twisted, wrong = twisted + 1, wrong + bool(result)
+    print(f"{count} entries changed by 1e-6 to 0.1: {same} have no effect: maps with residuals up to {largest:.1e};")
+    print(f"    {count - same} change the arm: no map has a residual below {smallest:.1e}")
+    print(f"    of {twisted} changed twists between two axes, {wrong} were classified as the same mechanism")
 
 
 if __name__ == "__main__":

@@ -1,12 +1,12 @@
-"""How fast and how right: exp and log of 100,000 twists at once, here and by pytransform3d, which has them for batches too.
+"""Speed and accuracy of exp and log of 100,000 twists at once, compared with pytransform3d, which also computes batches.
 
     python -m benchmarks exponentials
 
-The twists turn by 0 to pi in all directions. Then the same functions are given turns near 0 and near pi, where formulas
-lose their digits, and are held against 40-digit mpmath. The error of exp is the largest entry of exp(x) - X. log is given X
-rounded to doubles, and errs by the motion that it names, the largest entry of exp(log(X)) - X: so a log that names the axis
-from its other end at pi, as it may, is charged nothing. The worse one of both is told. Angle by angle, and for more
-libraries: `python -m benchmarks.library.accuracy`.
+The twists have angles from 0 to pi and random directions. Then the same functions get angles near 0 and near pi, where
+formulas lose digits, and are compared with mpmath at 40 digits. The error of exp is the largest entry of exp(x) - X.
+log is given X rounded to double precision; its error is the largest entry of exp(log(X)) - X, so a log that returns the
+opposite axis at pi, as it may, has no error from that. The larger of the two errors is reported. For each angle, and for
+more libraries: `python -m benchmarks.library.accuracy`.
 """
 
 from collections.abc import Callable, Iterator
@@ -16,51 +16,49 @@ import mpmath_oracle
 import numpy as np
 
 import kinlib as kl
-from benchmarks.measure import Row, Way, compared
+from benchmarks.measure import Row, Workload, compare
 
-NEAR = {
+ANGLES_RAD = {
     "near 0": [0.0, *(10.0**-k for k in range(1, 13))],
     "near pi": [np.pi, *(np.pi - 10.0**-k for k in range(1, 16))],
 }
-"""Angles, in radians."""
+MIN_SPEEDUP, MIN_ERROR_RATIO = 2.0, 10.0
+"""Targets: how many times faster, and more accurate, than the peer kinlib must be."""
 
-FASTER, MORE_ACCURATE = 2.0, 10.0
-"""So many times better than the peer is wanted."""
-
-PEER = "pytransform3d, its batches"
+PEER = "pytransform3d, batches"
 Function = Callable[[np.ndarray], np.ndarray]
 
 
 def rows(quick: bool = False) -> Iterator[Row]:
-    """Speed, then accuracy."""
+    """Yield the rows of speed, then those of accuracy."""
     rng = np.random.default_rng(0)
     count = 100 if quick else 100_000
     x = twists(rng, rng.uniform(0, np.pi, count))
-    for name, function, argument in [("exp", kl.exp, x), ("log", kl.log, kl.exp(x))]:
-        make = partial(peer, name, argument, function)
-        ours = Way(partial(function, argument), count)
-        yield from compared(f"{name} of 100,000 at once, each", ours, {PEER: (make, FASTER)})
+    for name, function, argument, kind in [("exp", kl.exp, x, "twists"), ("log", kl.log, kl.exp(x), "poses")]:
+        prepare = partial(peer, name, argument, function)
+        ours = Workload(partial(function, argument), count)
+        yield from compare(f"{name} of 100,000 {kind} at once, each", ours, {PEER: (prepare, MIN_SPEEDUP)})
 
-    for where, angles in NEAR.items():
+    for where, angles in ANGLES_RAD.items():
         x = np.concatenate([twists(rng, np.full(2 if quick else 30, angle)) for angle in angles])
         T = np.array([mpmath_oracle.exp(row) for row in x])
-        ours = max(worst(kl.exp, "exp", x, T), worst(kl.log, "log", x, T))
+        ours = max(max_error(kl.exp, "exp", x, T), max_error(kl.log, "log", x, T))
         try:
-            theirs = max(worst(theirs_for("exp"), "exp", x, T), worst(theirs_for("log"), "log", x, T))
+            theirs = max(max_error(peer_function("exp"), "exp", x, T), max_error(peer_function("log"), "log", x, T))
         except ModuleNotFoundError:
             theirs = None
-        yield Row(f"worst error of exp and log {where}", "", ours, MORE_ACCURATE, PEER, theirs)
+        yield Row(f"worst error of exp and log {where}", "", ours, MIN_ERROR_RATIO, PEER, theirs)
 
 
 def twists(rng: np.random.Generator, angles: np.ndarray) -> np.ndarray:
-    """A twist in a random direction for each angle, with |v| = 1."""
+    """Return a twist in a random direction for each angle, with |v| = 1."""
     units = rng.normal(size=(2, len(angles), 3))
     units /= np.linalg.norm(units, axis=-1, keepdims=True)
     return np.concatenate([angles[:, None] * units[0], units[1]], axis=1)
 
 
-def theirs_for(name: str) -> Function:
-    """Their exp or log, for twists (omega, v) like ours."""
+def peer_function(name: str) -> Function:
+    """Return the exp or log of pytransform3d, which takes twists (omega, v) as kinlib does."""
     from pytransform3d import trajectories
 
     exp, log = (
@@ -70,15 +68,15 @@ def theirs_for(name: str) -> Function:
     return {"exp": exp, "log": log}[name]
 
 
-def peer(name: str, argument: np.ndarray, ours: Function) -> Way:
-    """Their function on the same argument, once it agrees with ours to 1e-6: how well they agree is not the question here."""
-    theirs = theirs_for(name)
+def peer(name: str, argument: np.ndarray, ours: Function) -> Workload:
+    """Prepare the same call of pytransform3d. Both must agree to 1e-6; the accuracy is measured separately."""
+    theirs = peer_function(name)
     np.testing.assert_allclose(theirs(argument[:1000]), ours(argument[:1000]), rtol=0, atol=1e-6)
-    return Way(partial(theirs, argument), len(argument))
+    return Workload(partial(theirs, argument), len(argument))
 
 
-def worst(function: Function, name: str, x: np.ndarray, T: np.ndarray) -> float:
-    """The largest error of exp on twists x, or of log on poses T = exp(x); infinite where the function fails."""
+def max_error(function: Function, name: str, x: np.ndarray, T: np.ndarray) -> float:
+    """Return the largest error of exp of twists x, or of log of poses T = exp(x); infinity if the function returns NaN."""
     with np.errstate(all="ignore"):
         values = function(x) if name == "exp" else np.array([mpmath_oracle.exp(row) for row in function(T)])
     return float(np.nan_to_num(np.abs(values - T), nan=np.inf).max())

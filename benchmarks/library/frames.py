@@ -1,20 +1,21 @@
-"""How fast a frame assignment is, and how right: the worst error of thousands of arms, by case and by angle, beside a peer.
+"""Speed and accuracy of frame assignment on thousands of random arms, compared with AutoDH.
 
-    python -m benchmarks frames             1,000 arms of seven joints: seconds beside the peer's, and how many are off
-    python -m benchmarks.library.frames             how right, case by case
+    python -m benchmarks frames             1,000 arms of seven joints: time compared with AutoDH, and the number of errors
+    python -m benchmarks.library.frames             accuracy, case by case
     python -m benchmarks.library.frames 500         fewer arms
 
-Speed is measured on arms of seven joints, in both conventions; then every table is held against its arm in 20 postures.
-The peer is AutoDH 0.2 (edsterg/autodh), the one automatic assigner that we found. It takes anchors and axes, a base and an
-end-effector frame, so the same arms go to both.
+Speed is measured on arms of seven joints, in both conventions; then every table is compared with its arm in 20
+configurations. The peer is AutoDH 0.2 (edsterg/autodh), the only automatic frame assignment that we assignment. It takes points
+and axes, a base frame and an end-effector frame, so both get the same arms.
 
-How right: an arm has 2 to 9 joints, one in four a slide, links up to half a metre; its neighbouring axes are drawn in every
-case that two lines can be in (tests/support/example_arms.py). The error is the largest entry of T_table(q) - T_chain(q) over 20 postures.
-The first lines have one case for all pairs of an arm; then all cases are mixed, in 10,000 arms a convention; then pairs
-that are nearly parallel by an angle are mixed in, in 1,000 arms for each angle. Beside the worst error stand how many
-arms are off by more than 1e-9, and by how many times the error was larger than the accuracy that the assignment claims.
-Every tenth arm goes to the peer. Its rows are counted too, for it adds fixed ones: "rows" is the largest surplus over the
-joints. An arm that it refuses, or answers with NaN, counts as off.
+Accuracy: an arm has 2 to 9 joints, one in four prismatic, with links of up to half a metre; its neighbouring axes are drawn
+from every case in which two lines can be related (tests/support/example_arms.py). The error is the largest entry of
+T_table(q) - T_chain(q) over 20 configurations. In the first lines, all pairs of axes of an arm belong to one case; then all
+cases are mixed, in 10,000 arms for each convention; then pairs that are parallel up to a small angle are added, in 1,000
+arms for each angle. Next to the largest error, the table shows how many arms have an error above 1e-9, and the largest
+ratio of the error to the accuracy that the assignment reports.
+Every tenth arm is given to the peer. Its rows are counted too, because it adds fixed ones: "rows" is the largest number of
+additional rows. An arm that it refuses, or for which it returns NaN, counts as an error.
 """
 
 import sys
@@ -27,94 +28,102 @@ import numpy as np
 from example_arms import AXIS_CASES, NEARLY_PARALLEL_ANGLES_RAD, arm, configurations
 
 import kinlib as kl
-from benchmarks.measure import Curve, Row, Way, compared, grown
+from benchmarks.measure import Curve, Row, Workload, compare, measure_growth
 
 try:
     import autodh
 except ModuleNotFoundError:
     autodh = None
 
-WANTED = 1e-9
-"""A table that is off by more is a failure, in metres or as the entry of a rotation."""
+MAX_ERROR = 1e-9
+"""A table with a larger error is a failure; metres, or an entry of a rotation matrix."""
 
-FASTER = 5.0
-"""So many times faster than the peer is wanted."""
+MIN_SPEEDUP = 5.0
+"""Target: how many times faster than the peer kinlib must be."""
 
 JOINTS = (2, 4, 8, 16, 32, 64)
 CONVENTIONS = ("standard", "modified")
 
 
 def rows(quick: bool = False) -> Iterator[Row]:
-    """Speed in both conventions, then the arms that are off."""
+    """Yield the rows of speed in both conventions, then the number of failures."""
     rng = np.random.default_rng(1)
     arms = [arm(rng, 7)[0] for _ in range(5 if quick else 1_000)]
     rounds = 1 if quick else 5
     for convention in CONVENTIONS:
-        peers = {"AutoDH": (partial(peer_assigning, arms, convention), FASTER)}
-        way = assigning(arms, convention, rounds)
-        yield from compared(f"frames of an arm of 7 joints, {convention}", way, peers, rounds)
-    off = sum(ours(chain, c, configurations(rng, chain, 20))[0] > WANTED for chain in arms for c in CONVENTIONS)
-    yield Row("of these 2,000 tables, off by more than 1e-9", "tables", off, 0, at_most=True)
+        peers = {"AutoDH": (partial(peer_workload, arms, convention), MIN_SPEEDUP)}
+        workload = kinlib_workload(arms, convention, rounds)
+        yield from compare(f"frame assignment, arm of 7 joints, {convention}", workload, peers, rounds)
+    failures = sum(
+        kinlib_result(chain, c, configurations(rng, chain, 20))[0] > MAX_ERROR for chain in arms for c in CONVENTIONS
+    )
+    yield Row("of these 2,000 tables, with error above 1e-9", "tables", failures, 0, at_most=True)
 
 
 def curves(quick: bool = False) -> Iterator[Curve]:
-    """How the time grows with the joints."""
+    """Measure how the time grows with the number of joints."""
     rng, rounds = np.random.default_rng(1), 1 if quick else 5
 
-    def assigned(joints: float) -> Way:
-        return assigning([arm(rng, int(joints))[0] for _ in range(2 if quick else 50)], "standard", rounds)
+    def assigned(joints: float) -> Workload:
+        return kinlib_workload([arm(rng, int(joints))[0] for _ in range(2 if quick else 50)], "standard", rounds)
 
-    yield grown("frames of an arm", "joints", JOINTS, assigned, rounds)
-
-
-def assigning(arms: list[kl.Chain], convention: str, rounds: int) -> Way:
-    """Assign frames to all arms. An arm remembers what was asked of it, so each round has new ones, and one is for none."""
-    stock = iter([[replace(chain) for chain in arms] for _ in range(rounds + 1)])
-    return Way(lambda: [kl.assign_frames(chain, convention=convention) for chain in next(stock)], len(arms))
+    yield measure_growth("frame assignment", "joints", JOINTS, assigned, rounds)
 
 
-def peer_assigning(arms: list[kl.Chain], convention: str) -> Way:
-    """The same for AutoDH."""
+def kinlib_workload(arms: list[kl.Chain], convention: str, rounds: int) -> Workload:
+    """Prepare the assignment of frames to all arms. An arm caches its results, so each round, the first included, gets new arms."""
+    arms_of_rounds = iter([[replace(chain) for chain in arms] for _ in range(rounds + 1)])
+    return Workload(
+        lambda: [kl.assign_frames(chain, convention=convention) for chain in next(arms_of_rounds)], len(arms)
+    )
+
+
+def peer_workload(arms: list[kl.Chain], convention: str) -> Workload:
+    """Prepare the same for AutoDH."""
     if autodh is None:
         raise ModuleNotFoundError("AutoDH")
-    ready = [(autodh_joints(chain), np.eye(4), chain.home) for chain in arms]
-    wanted = autodh.DHTable.Convention[convention.capitalize()]
+    arguments_of_arms = [(autodh_joints(chain), np.eye(4), chain.home) for chain in arms]
+    peer_convention = autodh.DHTable.Convention[convention.capitalize()]
 
     def run() -> None:
-        with np.errstate(all="ignore"):  # it divides by zero on its way
-            for arguments in ready:
-                autodh.get_dh_parameters(*arguments, wanted)
+        with np.errstate(all="ignore"):  # it divides by zero
+            for arguments in arguments_of_arms:
+                autodh.get_dh_parameters(*arguments, peer_convention)
 
-    return Way(run, len(arms))
+    return Workload(run, len(arms))
 
 
 def autodh_joints(chain: kl.Chain) -> list:
-    """The arm as AutoDH takes it."""
+    """Return the joints of an arm in the form that AutoDH takes."""
     kinds = {"R": autodh.Joint.Type.Revolute, "P": autodh.Joint.Type.Prismatic}
     axes, points = chain.lines.axis, chain.joint_points
     return [autodh.Joint(*joint, kinds[k]) for *joint, k in zip(axes, points, chain.joint_types, strict=True)]
 
 
-def ours(chain, convention, q):
-    """The error of our assignment, its surplus of rows, and the accuracy that it claims."""
-    found = kl.assign_frames(chain, convention=convention)
-    return float(np.abs(found.table.fk(q) - chain.fk(q)).max()), len(found.table.rows) - chain.n, found.accuracy
+def kinlib_result(chain, convention, q):
+    """Return the error of an assignment by kinlib, its number of additional rows, and the accuracy that it reports."""
+    assignment = kl.assign_frames(chain, convention=convention)
+    return (
+        float(np.abs(assignment.table.fk(q) - chain.fk(q)).max()),
+        len(assignment.table.rows) - chain.n,
+        assignment.accuracy,
+    )
 
 
-def peer(chain, convention, q):
-    """The same for AutoDH, which claims nothing."""
-    wanted = autodh.DHTable.Convention[convention.capitalize()]
+def peer_result(chain, convention, q):
+    """Return the same for AutoDH, which reports no accuracy."""
+    peer_convention = autodh.DHTable.Convention[convention.capitalize()]
     try:
-        columns = autodh.get_dh_parameters(autodh_joints(chain), np.eye(4), chain.home, wanted)
-        reached = np.array([autodh.DHTable(*columns, wanted).forward(row) for row in q])
+        columns = autodh.get_dh_parameters(autodh_joints(chain), np.eye(4), chain.home, peer_convention)
+        poses = np.array([autodh.DHTable(*columns, peer_convention).forward(row) for row in q])
     except (AssertionError, ValueError, np.linalg.LinAlgError):
         return np.inf, 0, np.inf
-    error = float(np.abs(reached - chain.fk(q)).max())
+    error = float(np.abs(poses - chain.fk(q)).max())
     return (error if np.isfinite(error) else np.inf), len(columns[0]) - chain.n, np.inf
 
 
-def line(label, convention, assigners, arms):
-    """Print one line: for each assigner the worst error, the share of arms off, the claim, the surplus of rows."""
+def print_line(label, convention, assigners, arms):
+    """Print one line: for each function the largest error, the share of failures, the ratio of error to accuracy, and the rows."""
     results = {name: [] for name in assigners}
     for number, (chain, q) in enumerate(arms):
         for name, assign in assigners.items():
@@ -122,33 +131,36 @@ def line(label, convention, assigners, arms):
                 results[name].append(assign(chain, convention, q))
     cells = []
     for name, rows in results.items():
-        errors, surplus, claimed = np.array(rows).T
-        share = f"{100 * (errors > WANTED).mean():.1f} %"
-        claim = f"{(errors / np.maximum(claimed, 1e-12)).max():>7.1f}" if name == "kinlib" else ""
-        worst = f"{errors.max():.0e}" if np.isfinite(errors.max()) else "fails"
-        cells.append(f"{worst:>9}{share:>9}{claim}{int(surplus.max()):>6}")
-    print(f"{label:<18}{convention:<10}" + "  ".join(cells), flush=True)
+        errors, additional, accuracies = np.array(rows).T
+        share = f"{100 * (errors > MAX_ERROR).mean():.1f} %"
+        accuracy_ratio = f"{(errors / np.maximum(accuracies, 1e-12)).max():>7.1f}" if name == "kinlib" else ""
+        largest = f"{errors.max():.0e}" if np.isfinite(errors.max()) else "fails"
+        cells.append(f"{largest:>9}{share:>9}{accuracy_ratio}{int(additional.max()):>6}")
+    print(f"{label:<24}{convention:<10}" + "  ".join(cells), flush=True)
 
 
 def main():
-    """Print both blocks."""
-    warnings.simplefilter("ignore")  # the peer divides by zero on its way
+    """Print the table of accuracy."""
+    warnings.simplefilter("ignore")  # the peer divides by zero
     count = int(sys.argv[1]) if len(sys.argv) > 1 else 10_000
-    assigners = {"kinlib": ours, **({"AutoDH": peer} if autodh else {})}
-    ours_head = f"{'kinlib':>9}{'> 1e-9':>9}{'claim':>7}{'rows':>6}"
-    print(f"{'worst error':<28}" + ours_head + (f"  {'AutoDH':>9}{'> 1e-9':>9}{'rows':>6}" if autodh else ""))
+    assigners = {"kinlib": kinlib_result, **({"AutoDH": peer_result} if autodh else {})}
+    heading = f"{'kinlib':>9}{'> 1e-9':>9}{'ratio':>7}{'rows':>6}"
+    print(f"{'largest error':<34}" + heading + (f"  {'AutoDH':>9}{'> 1e-9':>9}{'rows':>6}" if autodh else ""))
     blocks = {
         **{case: ((case,), None, count // 10) for case in AXIS_CASES},
         "all mixed": (AXIS_CASES, None, count),
-        **{f"off by {angle:.0e}": (AXIS_CASES, angle, count // 10) for angle in sorted(NEARLY_PARALLEL_ANGLES_RAD)},
+        **{
+            f"nearly parallel {angle:.0e}": (AXIS_CASES, angle, count // 10)
+            for angle in sorted(NEARLY_PARALLEL_ANGLES_RAD)
+        },
     }
     for label, (cases, angle, arms) in blocks.items():
         for convention in ("standard", "modified"):
-            line(label, convention, assigners, drawn(arms, cases, angle))
+            print_line(label, convention, assigners, draw_arms(arms, cases, angle))
 
 
-def drawn(count, cases, angle):
-    """Yield arms and postures, the same ones for each convention."""
+def draw_arms(count, cases, angle):
+    """Yield arms and configurations, the same ones for each convention."""
     rng = np.random.default_rng(1)
     for _ in range(count):
         chain, _ = arm(rng, int(rng.integers(2, 10)), cases, angle)

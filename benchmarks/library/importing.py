@@ -1,9 +1,9 @@
-"""How soon: `import kinlib` in a fresh interpreter, beside `import numpy` alone, which it cannot do without.
+"""Time of `import kinlib` in a new interpreter, compared with `import numpy` alone, which kinlib needs.
 
     python -m benchmarks importing
 
-Each round starts Python anew for both. Bytecode is kept as it is wherever packages are installed, in a folder of its own;
-the round that fills it does not count. Starting Python is part of both times, for nobody can wait for less.
+Each round starts Python twice, once for each import. Bytecode is cached in a separate folder, as it is where packages are
+installed; the round that fills the cache is dropped. Both times include the start of Python, which nobody can avoid.
 """
 
 import os
@@ -14,20 +14,20 @@ from collections.abc import Iterator
 from functools import partial
 from pathlib import Path
 
-from benchmarks.measure import Row, Way, compared
+from benchmarks.measure import Row, Workload, compare
 
 ROOT = Path(__file__).parents[2]
 
 
 def rows(quick: bool = False) -> Iterator[Row]:
-    """The row of the table."""
+    """Yield the row of the table."""
     with tempfile.TemporaryDirectory() as folder:
-        kept = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
-        environment = {**kept, "PYTHONPYCACHEPREFIX": folder, "PYTHONPATH": str(ROOT)}
+        variables = {name: value for name, value in os.environ.items() if name != "PYTHONDONTWRITEBYTECODE"}
+        environment = {**variables, "PYTHONPYCACHEPREFIX": folder, "PYTHONPATH": str(ROOT)}
 
-        def importing(name: str) -> Way:
+        def importing(name: str) -> Workload:
             command = [sys.executable, "-c", f"import {name}"]
-            return Way(partial(subprocess.run, command, env=environment, check=True))
+            return Workload(partial(subprocess.run, command, env=environment, check=True))
 
         peers = {"import numpy": (partial(importing, "numpy"), 1.3)}
-        yield from compared("import kinlib", importing("kinlib"), peers, rounds=1 if quick else 31, at_most=True)
+        yield from compare("import kinlib", importing("kinlib"), peers, rounds=1 if quick else 31, at_most=True)

@@ -1,11 +1,11 @@
-"""How fast a closed chain is traced, beside a plain loop over scipy.optimize.root on the same equations.
+"""Speed of tracing a closed chain, compared with a plain loop over scipy.optimize.root on the same equations.
 
     python -m benchmarks loops          the times
-    python -m benchmarks.library.loops          with residuals, and how far the two are apart
+    python -m benchmarks.library.loops          residuals, and the difference between the two
 
-Both find the same 361 configurations of one turn. kinlib follows the curve by its length and knows the Jacobian; the loop turns
-the driver step by step and starts each search at the configuration before, which is what one writes first. It is given six
-equations in the three or so unknowns that are left, so its method is "lm". Both end at the same configurations.
+Both compute the same 361 configurations of one revolution. kinlib follows the curve by its arc length and uses the Jacobian.
+The loop changes the driving joint step by step and starts each search at the previous configuration, as in a first attempt.
+It solves six equations for the remaining unknowns, about three, so its method is "lm". Both reach the same configurations.
 """
 
 from collections.abc import Iterator
@@ -14,68 +14,70 @@ from functools import partial
 import numpy as np
 from scipy.optimize import root
 
-from benchmarks.measure import Row, Way, compared
+from benchmarks.measure import Row, Workload, compare
 from kinlib import linkages
 from kinlib.mechanisms.mechanism import Mechanism
 
 POINTS = 361
 
-WANTED = 5.0
-"""So many times faster than the loop."""
+MIN_SPEEDUP = 5.0
+"""Target: how many times faster than the loop kinlib must be."""
 
 
 def rows(quick: bool = False) -> Iterator[Row]:
-    """A row for each linkage."""
+    """Yield a row for each linkage."""
     count, rounds = (19, 1) if quick else (POINTS, 5)
-    for name, (linkage, start) in starts().items():
-        peers = {"scipy.optimize.root, a loop": (partial(peer, linkage, linkage.trace(start, points=count).q), WANTED)}
-        ours = Way(partial(linkage.trace, start, points=count))
-        yield from compared(f"{name}, {POINTS} configurations of one turn", ours, peers, rounds)
+    for name, (linkage, start) in linkages_and_starts().items():
+        peers = {
+            "scipy.optimize.root, a loop": (partial(peer, linkage, linkage.trace(start, points=count).q), MIN_SPEEDUP)
+        }
+        by_kinlib = Workload(partial(linkage.trace, start, points=count))
+        yield from compare(f"{name}, {POINTS} configurations", by_kinlib, peers, rounds)
 
 
-def peer(linkage: Mechanism, configurations: np.ndarray) -> Way:
-    """The loop, once it has found the same configurations."""
+def peer(linkage: Mechanism, configurations: np.ndarray) -> Workload:
+    """Prepare the loop, which must reach the same configurations."""
     loop = partial(plain_loop, linkage, configurations, driver=0)
     np.testing.assert_allclose(loop(), configurations, rtol=0, atol=1e-6)
-    return Way(loop)
+    return Workload(loop)
 
 
-def starts() -> dict[str, tuple[Mechanism, np.ndarray]]:
-    """The linkages, each with a configuration in which it closes."""
+def linkages_and_starts() -> dict[str, tuple[Mechanism, np.ndarray]]:
+    """Return the linkages, each with a configuration in which it closes."""
     bennett = linkages.bennett()
     crank_rocker = linkages.four_bar(0.4, 0.1, 0.35, 0.3)
     return {
-        "four-bar": (crank_rocker, crank_rocker.assembly_modes(hold={"A": 1.0})[0]),
+        "four-bar linkage": (crank_rocker, crank_rocker.assembly_modes(hold={"A": 1.0})[0]),
         "Bennett's linkage": (bennett, bennett.assemble([1, 2, 1, 2]).q),
     }
 
 
 def plain_loop(linkage, configurations, driver):
-    """Find the configurations once more, one after the other, with the driver's values given."""
+    """Compute the configurations again, one after the other, for given values of the driving joint."""
     free = [i for i in range(linkage.n) if i != driver]
     q = configurations[0].copy()
-    found = [q.copy()]
+    solutions = [q.copy()]
     for value in configurations[1:, driver]:
         q[driver] = value
 
         def equations(x, q=q):
-            whole = q.copy()
-            whole[free] = x
-            return linkage.residual(whole)
+            full = q.copy()
+            full[free] = x
+            return linkage.residual(full)
 
         q[free] = root(equations, q[free], method="lm", options={"xtol": 1e-14, "ftol": 1e-14}).x
-        found.append(q.copy())
-    return np.array(found)
+        solutions.append(q.copy())
+    return np.array(solutions)
 
 
 def main() -> None:
-    """Trace both ways, and print residuals and how far they are apart."""
-    print(f"{POINTS} configurations of one turn       residual    of the loop   apart by")
-    for name, (linkage, start) in starts().items():
-        ours = linkage.trace(start, points=POINTS).q
-        theirs = plain_loop(linkage, ours, driver=0)
-        residuals = [np.linalg.norm(linkage.residual(q), axis=1).max() for q in (ours, theirs)]
-        print(f"{name:26} {residuals[0]:12.1e} {residuals[1]:14.1e} {np.abs(ours - theirs).max():10.1e}")
+    """Trace with both, and print the residuals and the largest difference."""
+    print(f"{POINTS} configurations            residual    of the loop difference")
+    for name, (linkage, start) in linkages_and_starts().items():
+        by_kinlib = linkage.trace(start, points=POINTS).q
+        by_loop = plain_loop(linkage, by_kinlib, driver=0)
+        residuals = [np.linalg.norm(linkage.residual(q), axis=1).max() for q in (by_kinlib, by_loop)]
+        print(f"{name:26} {residuals[0]:12.1e} {residuals[1]:14.1e} {np.abs(by_kinlib - by_loop).max():10.1e}")
 
 
 if __name__ == "__main__":

@@ -1,17 +1,17 @@
-"""How short and how soon: forward kinematics in symbols, here and by multiplying out and simplifying.
+"""Length and time of symbolic forward kinematics, compared with multiplying the factors, with simplifying, and with a peer.
 
     python -m benchmarks symbolic               the PUMA 560 alone: at most 0.1 s and 275 operations
-    python -m benchmarks.library.symbolic               each robot of the course, beside others
+    python -m benchmarks.library.symbolic               each robot of the course, compared with others
     python -m benchmarks.library.symbolic --quick       without simplify
 
-The PUMA 560 gets a symbol for each joint and numbers for its lengths. SymPy's cache is emptied before each round, and nothing
-is simplified. Operations are counted as SymPy counts them.
+The PUMA 560 has a symbol for each joint and numbers for its lengths. SymPy's cache is cleared before each round, and no
+result is simplified. Operations are counted by SymPy's count_ops.
 
-The other table: milliseconds and operations for each robot of the course. "multiplied":
-the exponentials of the joints and the home pose, one after the other. "simplified": then sympy.simplify, entry by entry.
-"toolbox": the Robotics Toolbox for Python on the DH table of the same robot, simplified by its own method; its PUMA 560 has
-floats for lengths, and it takes no helical joint. Every column starts with SymPy's cache empty, is timed once, and agrees
-with the numbers of kl.Chain to 1e-9 at one configuration.
+The second table gives milliseconds and operations for each robot of the course. "multiplied": the exponentials of the
+joints and the home pose, multiplied one after the other. "simplified": the same, and then sympy.simplify of each entry.
+"toolbox": the Robotics Toolbox for Python on the DH table of the same robot, simplified by its own method; its PUMA 560
+has floating-point lengths, and it supports no helical joint. Every column starts with an empty cache and is timed once, and
+its result agrees with kl.Chain to 1e-9 at one configuration.
 """
 
 import sys
@@ -26,28 +26,30 @@ import sympy as sp
 from sympy.core.cache import clear_cache
 
 import kinlib as kl
-from benchmarks.measure import ROUNDS, Row, Way, in_turns
+from benchmarks.measure import ROUNDS, Row, Workload, time_interleaved
 
-SECONDS, OPERATIONS = 0.1, 275
-"""At most so many for the PUMA 560."""
+MAX_SECONDS, MAX_OPERATIONS = 0.1, 275
+"""Targets for the PUMA 560."""
 
 
 def rows(quick: bool = False) -> Iterator[Row]:
-    """The rows of the table: there is no peer, a bound stands for it."""
+    """Yield the rows of the table, which have upper bounds instead of a peer."""
     robot = kl.robots.puma560()
 
-    def anew() -> sp.Matrix:
+    def compute() -> sp.Matrix:
         clear_cache()
         return kl.symbolic.fk(robot)
 
-    operations = int(sp.count_ops(anew()))
-    (times,) = in_turns([Way(anew)], rounds=1 if quick else ROUNDS)
-    yield Row("PUMA 560 in symbols", "s", median(times), SECONDS, at_most=True)
-    yield Row("PUMA 560 in symbols, operations", "operations", operations, OPERATIONS, at_most=True)
+    operations = int(sp.count_ops(compute()))
+    (times,) = time_interleaved([Workload(compute)], rounds=1 if quick else ROUNDS)
+    yield Row("symbolic forward kinematics, PUMA 560", "s", median(times), MAX_SECONDS, at_most=True)
+    yield Row(
+        "symbolic forward kinematics, PUMA 560, operations", "operations", operations, MAX_OPERATIONS, at_most=True
+    )
 
 
 def multiplied(robot):
-    """Multiply the factors of the space form as they stand."""
+    """Multiply the factors of the space form without simplifying."""
     values = zip(robot.screws, kl.symbolic.joints(robot.n), strict=True)
     factors = [kl.symbolic.exp(kl.symbolic.exact(S) * value) for S, value in values]
     return reduce(sp.Matrix.multiply, [*factors, kl.symbolic.exact(robot.home)])
@@ -59,14 +61,14 @@ def simplified(robot):
 
 
 def toolbox(robot):
-    """Ask the Robotics Toolbox, on the standard table of the same arm with exact entries."""
+    """Use the Robotics Toolbox on the standard DH table of the same arm, with exact entries."""
     from roboticstoolbox import DHRobot, PrismaticDH, RevoluteDH
 
     table = kl.assign_frames(robot, convention="standard").table
     links = []
-    for numbers, letter in zip(table.rows, table.joints, strict=True):
+    for numbers, joint_type in zip(table.rows, table.joints, strict=True):
         a, alpha, d, theta = kl.symbolic.exact(numbers)
-        if letter == "R":
+        if joint_type == "R":
             links.append(RevoluteDH(a=a, alpha=alpha, d=d, offset=theta))
         else:
             links.append(PrismaticDH(a=a, alpha=alpha, theta=theta, offset=d))
@@ -76,12 +78,12 @@ def toolbox(robot):
 
 
 def cell(make, robot):
-    """One entry of the table: milliseconds and operations."""
+    """Format one entry of the table: milliseconds and operations."""
     clear_cache()
     start = time.perf_counter()
     try:
         T = make(robot)
-    except Exception as error:  # a peer may fail in any way, and then the table says so
+    except Exception as error:  # a peer may fail in any way; the table shows the kind of error
         return f"{type(error).__name__:>22}"
     milliseconds = 1e3 * (time.perf_counter() - start)
     q = np.linspace(0.3, 1.7, robot.n)
@@ -91,8 +93,8 @@ def cell(make, robot):
 
 
 def main(quick=False):
-    """Print the table, one line a robot."""
-    kl.symbolic.fk(kl.robots.rpr())  # what is loaded at first use is no part of the time
+    """Print the table, one line for each robot."""
+    kl.symbolic.fk(kl.robots.rpr())  # modules that are loaded at first use must not count
     makers = [kl.symbolic.fk, multiplied] if quick else [kl.symbolic.fk, multiplied, simplified, toolbox]
     families = [f for _, f in getmembers(kl.robots, isfunction) if get_annotations(f).get("return") is kl.Chain]
     print(f"{'':<18}" + "".join(f"{name:>22}" for name in ["kinlib", *(make.__name__ for make in makers[1:])]))

@@ -18,9 +18,9 @@ from kinsite.reference import escape
 sys.path.insert(0, str(ROOT))  # the benchmarks are not an installed package
 
 from benchmarks.measure import Curve, Row
-from benchmarks.results import Run, amount, load, times, told
+from benchmarks.results import Run, format_quantity, format_ratio, format_row, load
 
-HEADS = ("what", "kinlib", "peer's", "peer", "ratio", "before", "wanted", "result")
+HEADS = ("measurement", "kinlib", "peer's value", "peer", "ratio", "previous run", "target", "result")
 
 TOP = """\
 # Performance
@@ -79,8 +79,8 @@ def section(name: str, runs: tuple[Run, ...]) -> str:
     (module,) = (ROOT / "benchmarks").glob(f"*/{name}.py")
     text = ast.get_docstring(ast.parse(module.read_text("utf-8"))) or ""
     paragraphs = [block for block in re.split(r"\n\s*\n", text) if not block.startswith("    ")][:2]
-    before = {(row.what, row.peer): row for run in runs[1:] for row in run.rows}
-    table = [cells(row, before.get((row.what, row.peer))) for row in runs[0].rows]
+    before = {(row.name, row.peer): row for run in runs[1:] for row in run.rows}
+    table = [cells(row, before.get((row.name, row.peer))) for row in runs[0].rows]
     heads = [head for head in HEADS if any(line[head] for line in table)]
     rows = markdown_table(heads, [[line[head] for head in heads] for line in table])
     return "\n\n".join([f"## {name.replace('_', ' ').capitalize()}", *map(escape, paragraphs), rows])
@@ -88,19 +88,21 @@ def section(name: str, runs: tuple[Run, ...]) -> str:
 
 def cells(row: Row, before: Row | None) -> dict[str, str]:
     """Write the cells of one row, with the ratio of the previous run."""
-    earlier = "" if before is None else times(before.figure) if before.peer and before.figure else ""
+    earlier = ""
     if before and not before.peer:
-        earlier = amount(before.ours, before.unit)
-    return {**told(row), "before": earlier}
+        earlier = format_quantity(before.value, before.unit)
+    elif before and before.ratio_or_value is not None:
+        earlier = format_ratio(before.ratio_or_value)
+    return {**format_row(row), "previous run": earlier}
 
 
 def growth_table(curves: list[Curve]) -> str:
     """Write the table of the curves: what grows, over which sizes, and with which power."""
     rows = []
     for c in curves:
-        first, last = (amount(seconds, "s") for seconds in (c.seconds[0], c.seconds[-1]))
-        rows.append([c.what, c.of, f"{c.sizes[0]:,.0f} to {c.sizes[-1]:,.0f}", first, last, f"{c.exponent:.2f}"])
-    return markdown_table(("what", "grows with", "sizes", "from", "to", "power"), rows)
+        first, last = (format_quantity(seconds, "s") for seconds in (c.seconds[0], c.seconds[-1]))
+        rows.append([c.name, c.size_name, f"{c.sizes[0]:,.0f} to {c.sizes[-1]:,.0f}", first, last, f"{c.exponent:.2f}"])
+    return markdown_table(("measurement", "grows with", "sizes", "from", "to", "power"), rows)
 
 
 def draw(curve: Curve) -> Picture:
@@ -109,10 +111,13 @@ def draw(curve: Curve) -> Picture:
     upper = x >= np.sqrt(x[0] * x[-1])
     middle = np.exp(np.log(y[upper]).mean() - curve.exponent * np.log(x[upper]).mean())
     line = np.where(upper, middle * x**curve.exponent, np.nan)
-    ends = f"from {amount(y[0], 's')} for {x[0]:,.0f} to {amount(y[-1], 's')} for {x[-1]:,.0f} {curve.of}"
-    alt = f"The time of {curve.what} against {curve.of}, both logarithmic: {ends}; in the upper half with the power {curve.exponent:.2f}."
-    named = {"measured": y, f"power {curve.exponent:.2f}": line}
-    return plot(x, named, xlabel=curve.of, ylabel=f"{curve.what}: seconds", log="xy", alt=alt)
+    first, last = (format_quantity(seconds, "s") for seconds in (y[0], y[-1]))
+    ends = f"from {first} for {x[0]:,.0f} to {last} for {x[-1]:,.0f} {curve.size_name}"
+    power = f"power {curve.exponent:.2f}"
+    axes = f"The time of {curve.name} against {curve.size_name}, both logarithmic"
+    alt = f"{axes}: {ends}; in the upper half with the {power}."
+    named = {"measured": y, power: line}
+    return plot(x, named, xlabel=curve.size_name, ylabel=f"{curve.name}: seconds", log="xy", alt=alt)
 
 
 def markdown_table(heads: Sequence[str], rows: list[list[str]]) -> str:
