@@ -1,7 +1,7 @@
 """misstep: sheets of problems that check themselves and name the mistake, for courses on any subject.
 
-Each student has numbers of their own. A problem knows its right answer and the mistakes that lead to wrong ones. Start
-with `problem`, `mistakes` and `answers`, then read `judge`, `sheet` and `catalog`; `grading` is for instructors.
+Each student gets individual numbers. A problem computes its right answer, and the wrong answers to which common mistakes lead.
+Start with `problem`, `mistakes` and `answers/base`, then read `judge`, `sheet` and `catalog`. `grading` is for instructors.
 """
 
 from misstep.catalog import Course, find_course, load_course

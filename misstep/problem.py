@@ -30,7 +30,7 @@ class Problem:
     """One student's problem, with its numbers: the statement, the given values, the right answer and the mistakes.
 
     statement  Markdown with $...$ for mathematics
-    given      the given values by name, so that nobody has to type them: sheet.given(k).home
+    given      the given values by name; students get them by sheet.given(k), so they need not type them
     figure     a function that draws the figure; it is called only when the problem is shown
 
     Raises ValueError for a mistake whose value is not an answer of this kind, because no student could give it.
@@ -72,8 +72,7 @@ class Problem:
     def without_duplicates(self) -> "Problem":
         """Return the same problem without the mistakes whose answer is the right one or that of an earlier mistake.
 
-        Some mistakes are impossible for some variants: with prismatic joints only, nobody can confuse degrees and radians. If
-        fewer than MIN_MISTAKES would be left, all are kept, so that the problem does not count as discriminating.
+        Some mistakes are impossible for some variants: where nothing is an angle, degrees cannot be taken for radians. If fewer than MIN_MISTAKES would be left, all are kept, so that the problem does not count as discriminating.
         """
         kept: list[Mistake] = []
         for wrong in self.mistakes:

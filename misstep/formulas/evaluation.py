@@ -21,7 +21,7 @@ from misstep.formulas.parsing import FUNCTIONS, parse
 from misstep.formulas.walker import MAX_EXPONENT, MAX_PARTS, Operation, Walker
 from misstep.validation import Array
 
-POINTS = 5
+POINT_COUNT = 5
 """The number of points at which formulas are compared. A single one would already distinguish nearly all of them."""
 
 DIGITS = mpmath.MPContext()
@@ -43,7 +43,7 @@ Values = tuple[Any, ...]
 
 @dataclass(frozen=True)
 class Formula:
-    """A formula or a matrix of formulas: as it was given, its values (..., POINTS), and whether it has rounded decimals."""
+    """A formula or a matrix of formulas: as it was given, its values (..., POINT_COUNT), and whether it has rounded decimals."""
 
     given: Any
     values: Array
@@ -87,7 +87,7 @@ class Reader:
             values = [[_real(value) for value in walker.value(entry)] for entry in entries]
         except RecursionError as error:
             raise ValueError("This is nested too deeply to be a closed form.") from error
-        return Formula(given, np.array(values, dtype=float).reshape(*given_shape, POINTS), algebra.has_rounded)
+        return Formula(given, np.array(values, dtype=float).reshape(*given_shape, POINT_COUNT), algebra.has_rounded)
 
 
 class NumericAlgebra:
@@ -108,7 +108,7 @@ class NumericAlgebra:
     def number(self, number: Any) -> Values:
         """Return the number, the same at every point."""
         plain = number.item() if isinstance(number, np.generic) else number
-        values = _at_each_point(lambda: DIGITS.convert(plain)) * POINTS
+        values = _at_each_point(lambda: DIGITS.convert(plain)) * POINT_COUNT
         # 2.0 is not rounded: an array of 0 and 1 becomes an array of floats without anybody rounding it.
         self.has_rounded |= isinstance(plain, float | sp.Float) and not float(plain).is_integer()
         return values
@@ -119,7 +119,7 @@ class NumericAlgebra:
         if values:
             return values
         if name in CONSTANTS:
-            return (CONSTANTS[name],) * POINTS
+            return (CONSTANTS[name],) * POINT_COUNT
         if name in FUNCTIONS:
             raise ValueError(f"{name} must be followed by brackets: {name}(q)**2, not {name}^2(q).")
         raise ValueError(f"{_cut(name)} is none of the symbols here: {self._names}.")
@@ -193,7 +193,7 @@ def _random_values(symbol: sp.Symbol) -> Values:
     """Return random values for a symbol. They depend on its name only, so they are the same in every process."""
     chance = Random(_key(symbol.name))
     least, most = (0.2, 2.0) if symbol.is_positive else (-3.0, 3.0)
-    return tuple(DIGITS.mpf(least + (most - least) * chance.random()) for _ in range(POINTS))
+    return tuple(DIGITS.mpf(least + (most - least) * chance.random()) for _ in range(POINT_COUNT))
 
 
 def _unpacked(given: Any, depth: int = 0) -> tuple[tuple[int, ...], list[Any]]:

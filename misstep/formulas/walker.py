@@ -94,7 +94,7 @@ class Walker(Generic[Value]):
         import sympy as sp
 
         if not isinstance(part, sp.Expr):
-            raise ValueError(f"What came is of type {type(part).__name__}, no formula.")
+            raise ValueError(f"A value of type {type(part).__name__} is not a formula.")
         # SymPy expressions share their parts: a part that occurs a thousand times is computed once.
         if part not in self._known:
             self._known[part] = self._compute(_sympy_node(part))

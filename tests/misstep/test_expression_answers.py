@@ -320,14 +320,14 @@ UNREADABLE = {
     "a thousand minus signs": ("-" * 1900 + "q1", "nested too deeply|is not finished"),
     "a thousand brackets": ("(" * 900 + "q1" + ")" * 900, "is not finished"),
     "a long sum of SymPy": (sp.Add(*(sp.sin(k * q_1) for k in range(MAX_PARTS))), f"more than {MAX_PARTS} parts"),
-    "a function": (np.sin, "no formula"),
-    "an object": (object(), "of type object, no formula"),
-    "bytes": (b"q1", "no formula"),
+    "a function": (np.sin, "is not a formula"),
+    "an object": (object(), "of type object is not a formula"),
+    "bytes": (b"q1", "is not a formula"),
     "a rude list": (Rude([1]), "got Rude"),
     "an angle that is not real": ("atan2(I, q1)", "no value"),
     "an array without dimensions, of text": (np.array("q3"), "q3 is none of the symbols"),
-    "a dictionary": ({"q1": 1}, "no formula"),
-    "a formula of another shape": (Reader([q_1]).read("[q1, q1]"), "no formula"),
+    "a dictionary": ({"q1": 1}, "is not a formula"),
+    "a formula of another shape": (Reader([q_1]).read("[q1, q1]"), "is not a formula"),
 }
 
 
