@@ -72,7 +72,8 @@ class Problem:
     def without_duplicates(self) -> "Problem":
         """Return the same problem without the mistakes whose answer is the right one or that of an earlier mistake.
 
-        Some mistakes are impossible for some variants: where nothing is an angle, degrees cannot be taken for radians. If fewer than MIN_MISTAKES would be left, all are kept, so that the problem does not count as discriminating.
+        Some mistakes are impossible for some variants: where nothing is an angle, degrees cannot be taken for radians. If fewer
+        than MIN_MISTAKES would be left, all are kept, so that the problem does not count as discriminating.
         """
         kept: list[Mistake] = []
         for wrong in self.mistakes:
