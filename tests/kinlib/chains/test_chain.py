@@ -1,4 +1,4 @@
-"""Chains: three forms that agree, 40 digits, Modern Robotics and Pinocchio; batches, Jacobians, and what is refused."""
+"""Chains: agreement of the three forms, and with 40 digits, Modern Robotics and Pinocchio; batches, Jacobians, errors."""
 
 import time
 from functools import reduce
@@ -351,7 +351,7 @@ def test_a_pose_that_was_returned_is_the_callers_own():
     close(robot.fk_body(np.zeros(3)), robot.home, atol=1e-15)
 
 
-def test_letters_name_the_joints():
+def test_joint_types_are_given_from_base_to_tool():
     chain = Chain([screw((0, 0, 1)), screw((0, 0, 1), pitch=np.inf), screw((0, 0, 1), pitch=-0.1)], np.eye(4))
     assert (chain.joint_types, chain.n) == ("RPH", 3)
 
@@ -378,7 +378,7 @@ SCREWS = robots.youbot().screws
         ([SCREWS[0], SCREWS[1][:3]], "a row of another length"),
     ],
 )
-def test_screws_that_are_none_are_refused(screws, message):
+def test_invalid_screws_are_refused(screws, message):
     with pytest.raises(ValueError, match=message):
         Chain(screws, np.eye(4))
 
@@ -395,7 +395,7 @@ def test_screws_that_are_none_are_refused(screws, message):
         (None, "home must be an array of real numbers; got NoneType"),
     ],
 )
-def test_a_home_that_is_no_pose_is_refused(home, message):
+def test_a_home_that_is_not_a_pose_is_refused(home, message):
     with pytest.raises(ValueError, match=message):
         Chain(SCREWS, home)
 
@@ -418,12 +418,12 @@ def test_a_home_that_is_no_pose_is_refused(home, message):
         ([0, 0, 1e9, 0, 0], r"A rotation angle must be at most 1e\+08 rad.*got 1e\+09 rad"),
     ],
 )
-def test_joint_values_that_are_none_are_refused_by_every_method(method, q, message):
+def test_invalid_joint_values_are_refused_by_every_method(method, q, message):
     with pytest.raises(ValueError, match=message):
         getattr(robots.youbot(), method)(q)
 
 
-def test_a_long_slide_is_no_long_turn():
+def test_a_long_translation_is_not_a_large_rotation():
     close(robots.rpr().fk([0, 1e9, 0])[:3, 3], [0, 0, 1e9 + 1], atol=1e-6)
 
 
@@ -450,7 +450,7 @@ def test_points_off_their_axes_are_refused(at, message):
         Chain([screw((0, 0, 1)), screw((0, 0, 1), (1, 0, 0))], np.eye(4), points=at)
 
 
-def test_a_joint_that_slides_may_be_drawn_anywhere_and_excuses_no_other_joint():
+def test_a_prismatic_joint_may_be_drawn_anywhere_but_other_joints_may_not():
     screws = [screw((0, 0, 1), pitch=np.inf), screw((0, 0, 1))]
     assert Chain(screws, np.eye(4), points=[[7, 8, 9], [0, 0, 1]]).joint_points.tolist() == [[7, 8, 9], [0, 0, 1]]
     with pytest.raises(ValueError, match=r"The point of joint 2 must lie on its axis; it is 1 m away"):
@@ -480,7 +480,7 @@ def test_v_with_the_wrong_sign_is_found_by_its_point():
 
 
 @pytest.mark.parametrize(
-    ("told", "message"),
+    ("fields", "message"),
     [
         ({"limits": np.zeros((2, 3))}, r"one row \(lower, upper\) per joint, shape \(3, 2\); got \(2, 3\)"),
         ({"limits": [[-1, 1], [1, -1], [0, 1]]}, r"limits of joint 2 .*got \[1.0, -1.0\]. Are they swapped\?"),
@@ -489,20 +489,15 @@ def test_v_with_the_wrong_sign_is_found_by_its_point():
         ({"joint_names": ("shoulder", "elbow")}, "3 names, one per joint; got 2"),
     ],
 )
-def test_limits_and_names_are_checked(told, message):
+def test_invalid_limits_and_names_are_refused(fields, message):
     robot = robots.rpr()
     with pytest.raises(ValueError, match=message):
-        Chain(robot.screws, robot.home, **told)
+        Chain(robot.screws, robot.home, **fields)
 
 
-def test_a_joint_may_be_limited_to_one_value():
-    limits = [[-1, 1], [0.5, 0.5], [0, 0]]
-    assert Chain(robots.rpr().screws, np.eye(4), limits=limits).limits.tolist() == limits
-
-
-def test_a_joint_may_be_limited_on_one_side_only():
+@pytest.mark.parametrize("limits", [[[-1, 1], [0.5, 0.5], [0, 0]], [[-np.inf, np.inf], [0, np.inf], [-1, 1]]])
+def test_a_joint_may_be_limited_to_one_value_or_on_one_side(limits):
     robot = robots.rpr()
-    limits = [[-np.inf, np.inf], [0, np.inf], [-1, 1]]
     np.testing.assert_array_equal(Chain(robot.screws, robot.home, limits=limits).limits, limits)
 
 

@@ -40,8 +40,8 @@ def test_the_feet_of_a_normal_are_where_least_squares_puts_them(z, origin, other
 
 
 @pytest.mark.parametrize(("before", "x"), [(X, X), (-X, -X), (-X + Z, -X), (Y, X), (Z, X)])
-def test_where_axes_meet_x_stays_close_to_the_one_before(before, x):
-    """Square to both Z and Y stand X and -X. Where neither is closer, it is z x z'."""
+def test_for_intersecting_axes_x_is_close_to_the_previous_x(before, x):
+    """X and -X are perpendicular to both Z and Y. If neither is closer, it is z x z'."""
     found = common_normal((Z, 5 * Z), (-Y, 2 * Y), before, at_other_point=True)
     assert found.case == "intersecting"
     close(found.x, x)
@@ -63,7 +63,7 @@ def test_parallel_axes_have_the_normal_at_one_joint_or_at_the_other(z, origin, o
 
 
 @given(directions(), points(), st.floats(-1, 1), directions(), st.sampled_from([1, -1]))
-def test_on_one_line_x_is_the_one_before_made_square(z, origin, step, before, sign):
+def test_for_coincident_axes_x_is_the_perpendicular_part_of_the_previous_x(z, origin, step, before, sign):
     assume(np.linalg.norm(np.cross(z, before)) > 0.1)
     for at_other_point in (True, False):
         found = common_normal((z, origin), (sign * z, origin + step * z), before, at_other_point=at_other_point)
