@@ -1,4 +1,4 @@
-"""The house: clean code, imports that run downwards, notebooks without output, and files that say what they need and why."""
+"""Style checks, import contracts, notebooks without output, and consistent dependencies and versions."""
 
 import json
 import os
@@ -13,7 +13,7 @@ import pytest
 from tidy_notebooks import MARK, tidied
 
 ROOT = Path(__file__).parents[2]
-MADE = {".venv", ".uv", ".ipynb_checkpoints"}
+GENERATED = {".venv", ".uv", ".ipynb_checkpoints"}
 PROJECT = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))
 
 
@@ -22,18 +22,18 @@ def run(*command):
 
 
 def files(pattern):
-    """What is committed, or would be by the next commit."""
+    """List the files that are committed, or would be by the next commit."""
     listed = run("git", "ls-files", "-z", "--cached", "--others", "--exclude-standard", "--", pattern)
     if listed.returncode == 0:
         paths = [ROOT / name for name in listed.stdout.split("\0") if name]
-    else:  # unpacked from an archive: everything counts but what course.py and Jupyter made
-        paths = [path for path in ROOT.rglob(pattern) if not MADE & set(path.parts)]
+    else:  # unpacked from an archive: all files except those that course.py and Jupyter generated
+        paths = [path for path in ROOT.rglob(pattern) if not GENERATED & set(path.parts)]
     return sorted({path for path in paths if path.is_file()})
 
 
 @pytest.fixture(scope="session")
 def committed(tmp_path_factory):
-    """The files as git holds them: whoever has worked in a notebook and saved it should still see the tests pass."""
+    """The files as git stores them, so that the tests also pass if you have worked in a notebook and saved it."""
     folder = tmp_path_factory.mktemp("committed")
     done = run("git", "checkout-index", "--all", f"--prefix={folder.as_posix()}/")
     return folder if done.returncode == 0 else ROOT
@@ -44,7 +44,7 @@ def committed(tmp_path_factory):
 NO_NOTEBOOKS = ["--config", 'extend-exclude = ["*.ipynb"]']
 
 
-def finds_nothing(command, *options, where=ROOT):
+def assert_no_findings(command, *options, where=ROOT):
     done = subprocess.run(
         [sys.executable, "-m", *command.split(), *options],
         cwd=where,
@@ -54,28 +54,28 @@ def finds_nothing(command, *options, where=ROOT):
         check=False,
     )
     if done.returncode:
-        pytest.fail(f"{command} says:\n{done.stdout}\n{done.stderr}", pytrace=False)
+        pytest.fail(f"{command} reports:\n{done.stdout}\n{done.stderr}", pytrace=False)
 
 
 @pytest.mark.parametrize("command", ["ruff check", "ruff format --diff"])
 def test_ruff_finds_nothing(command, committed):
-    finds_nothing(command, *NO_NOTEBOOKS)
-    finds_nothing(command, "notebooks", "solutions", "exercises", where=committed)
+    assert_no_findings(command, *NO_NOTEBOOKS)
+    assert_no_findings(command, "notebooks", "solutions", "exercises", where=committed)
 
 
 def test_mypy_finds_nothing():
-    finds_nothing("mypy")
+    assert_no_findings("mypy")
 
 
 # --- imports ---
 
 
-def lint_imports(folder, *options):
-    """Check the contracts of the pyproject.toml in a folder, on the packages that lie there."""
+def lint_imports(folder):
+    """Check the import contracts of the pyproject.toml in a folder, for the packages in this folder."""
     script = "import sys; from importlinter.cli import lint_imports; sys.exit(lint_imports(no_cache=True))"
     environment = {**os.environ, "PYTHONPATH": str(folder)}
-    done = [sys.executable, "-P", "-c", script]
-    return subprocess.run(done, cwd=folder, env=environment, capture_output=True, encoding="utf-8", check=False)
+    command = [sys.executable, "-P", "-c", script]
+    return subprocess.run(command, cwd=folder, env=environment, capture_output=True, encoding="utf-8", check=False)
 
 
 def test_the_import_contracts_are_kept():
@@ -109,7 +109,7 @@ def test_an_import_that_breaks_a_contract_is_reported(tmp_path, module, line):
 
 
 def test_importing_kinlib_loads_numpy_dataclasses_and_nothing_else():
-    """Not even the rest of the standard library: a lecture's first cell is waited for."""
+    """Not even other modules of the standard library, because students wait for the first cell of a lecture."""
     script = (
         "import sys, numpy.typing, dataclasses; known = {*sys.modules}; import kinlib; print(*{*sys.modules} - known)"
     )
@@ -123,49 +123,51 @@ def test_importing_kinlib_loads_numpy_dataclasses_and_nothing_else():
 
 
 def test_no_file_names_the_host_of_a_registry():
-    """Where packages come from is the business of each machine: a mirror, a proxy, a disk."""
+    """Each machine configures where its packages come from: a mirror, a proxy or a folder."""
     dots = ["pypi org", "pythonhosted org", "npmjs org", "npmjs com", "yarnpkg com", "anaconda org", "crates io"]
     hosts = re.compile(rb"\b(" + "|".join(dots).replace(" ", r"\.").encode() + rb")\b")
-    named = {path.relative_to(ROOT).as_posix(): hosts.search(path.read_bytes()) for path in files("*")}
-    assert not {name: found[0] for name, found in named.items() if found}
+    matches = {path.relative_to(ROOT).as_posix(): hosts.search(path.read_bytes()) for path in files("*")}
+    assert not {name: match[0] for name, match in matches.items() if match}
 
 
 def test_versions_are_pinned_in_one_place():
-    assert not files("*uv.lock"), "the pins are constraints.txt: uv's lock names the registry that it asked"
+    assert not files("*uv.lock"), (
+        "versions are pinned in constraints.txt; the lock file of uv contains the host of a registry"
+    )
 
 
 def faults_of(notebook, is_lecture=True):
-    """Why this notebook should not be committed as it is."""
+    """Yield the reasons why a notebook must not be committed."""
     if "widgets" in notebook["metadata"]:
-        yield "the state of its widgets is saved in it"
+        yield "it contains the state of its widgets"
     for number, cell in enumerate(notebook["cells"]):
         outputs = cell.get("outputs", [])
         marked = MARK in "".join(cell["source"])
         if not marked and (outputs or cell.get("execution_count")):
-            yield f"cell {number} has output or a count of its runs, and no mark {MARK}"
+            yield f"cell {number} has an output or an execution count, but no mark {MARK}"
         if marked and bool(outputs) != bool(cell["execution_count"]):
-            yield f"cell {number} needs both its output and a count of its runs, or nbval compares nothing"
+            yield f"cell {number} needs both an output and an execution count; otherwise nbval compares nothing"
         if marked and is_lecture and not outputs:
-            yield f"cell {number} is marked {MARK} and keeps no output: run it"
+            yield f"cell {number} has the mark {MARK} but no output: run it"
         for output in outputs:
             shown = output.get("data", {"text/plain": output.get("text", "")})
             text = "".join(shown.get("text/plain", ""))
             if set(shown) != {"text/plain"} or output.get("name") == "stderr":
-                yield f"cell {number} keeps {sorted(shown)}: only printed text is compared"
+                yield f"cell {number} contains {sorted(shown)}, but only printed text is compared"
             if text.count("\n") > 15 or re.search(r"\.\d{11}", text):
-                yield f"cell {number} keeps more than 15 lines or 10 decimals: round it, so that every machine agrees"
+                yield f"cell {number} has more than 15 lines or 10 decimals: round it, so that all machines agree"
 
 
 @pytest.mark.parametrize("path", files("*.ipynb"), ids=lambda path: path.relative_to(ROOT).as_posix())
-def test_a_committed_notebook_holds_no_output_but_short_checked_text(path, committed):
+def test_a_committed_notebook_has_no_output_except_short_checked_text(path, committed):
     in_git = committed / path.relative_to(ROOT)
     path = in_git if in_git.exists() else path
     faults = list(faults_of(json.loads(path.read_text("utf-8")), is_lecture=path.parent.name == "notebooks"))
     assert not faults, f"{faults[:3]}: try nox -s tidy -- notebooks/*.ipynb"
-    assert path.stat().st_size <= 150_000, "at most 150 kB: what makes it large belongs in a file, or in kinlib"
+    assert path.stat().st_size <= 150_000, "at most 150 kB: move large content to a file, or to kinlib"
 
 
-def a_notebook(source="1 / 3", metadata=None, count=None, **output):
+def make_notebook(source="1 / 3", metadata=None, count=None, **output):
     cell = {"cell_type": "code", "metadata": {}, "source": [source], "execution_count": count}
     return {"cells": [{**cell, "outputs": [output] if output else []}], "metadata": metadata or {}}
 
@@ -176,36 +178,36 @@ CHECKED = MARK + "\n1 / 3"
 @pytest.mark.parametrize(
     "notebook",
     [
-        a_notebook(text="0.333"),
-        a_notebook(count=1),
-        a_notebook(metadata={"widgets": {}}),
-        a_notebook(CHECKED),
-        a_notebook(CHECKED, text="0.333"),
-        a_notebook(CHECKED, count=1, data={"text/plain": "<Figure>", "image/png": "..."}),
-        a_notebook(CHECKED, count=1, data={"text/plain": ["0.3333333333333333"]}),
-        a_notebook(CHECKED, count=1, text="0\n" * 20),
-        a_notebook(CHECKED, count=1, text="a warning", name="stderr"),
+        make_notebook(text="0.333"),
+        make_notebook(count=1),
+        make_notebook(metadata={"widgets": {}}),
+        make_notebook(CHECKED),
+        make_notebook(CHECKED, text="0.333"),
+        make_notebook(CHECKED, count=1, data={"text/plain": "<Figure>", "image/png": "..."}),
+        make_notebook(CHECKED, count=1, data={"text/plain": ["0.3333333333333333"]}),
+        make_notebook(CHECKED, count=1, text="0\n" * 20),
+        make_notebook(CHECKED, count=1, text="a warning", name="stderr"),
     ],
 )
-def test_a_notebook_to_tidy_is_noticed(notebook):
+def test_unwanted_output_is_reported(notebook):
     assert list(faults_of(notebook))
 
 
 @pytest.mark.parametrize(
     "notebook",
     [
-        a_notebook(),
-        a_notebook(CHECKED, count=1, text="0.333"),
-        a_notebook(CHECKED, count=1, data={"text/plain": "1"}),
-        tidied(a_notebook(count=7, metadata={"widgets": {}}, data={"image/png": "..."})),
-        tidied(a_notebook(CHECKED, count=7, execution_count=7, data={"text/plain": "1", "image/png": "..."})),
+        make_notebook(),
+        make_notebook(CHECKED, count=1, text="0.333"),
+        make_notebook(CHECKED, count=1, data={"text/plain": "1"}),
+        tidied(make_notebook(count=7, metadata={"widgets": {}}, data={"image/png": "..."})),
+        tidied(make_notebook(CHECKED, count=7, execution_count=7, data={"text/plain": "1", "image/png": "..."})),
     ],
 )
-def test_a_tidy_notebook_is_let_be(notebook):
+def test_clean_and_tidied_notebooks_are_accepted(notebook):
     assert not list(faults_of(notebook))
 
 
-# --- what the project says of itself ---
+# --- dependencies and versions ---
 
 
 def name_of(requirement):
@@ -215,15 +217,15 @@ def name_of(requirement):
 def dependencies():
     project = PROJECT["project"]
     groups = [*PROJECT["dependency-groups"].values(), *project.get("optional-dependencies", {}).values()]
-    named = [
+    requirements = [
         *PROJECT["build-system"]["requires"],
         *project["dependencies"],
         *(item for group in groups for item in group),
     ]
-    return {name_of(requirement) for requirement in named if isinstance(requirement, str)}
+    return {name_of(requirement) for requirement in requirements if isinstance(requirement, str)}
 
 
-def test_contributing_says_why_each_dependency_is_here():
+def test_contributing_explains_each_dependency():
     lines = (ROOT / "CONTRIBUTING.md").read_text("utf-8").partition("## Dependencies")[2].partition("\n## ")[0]
     assert set(re.findall(r"^- `([\w.-]+)`: \w.{9}", lines, re.MULTILINE)) == dependencies()
 
@@ -239,7 +241,7 @@ PACKAGES = {
 }
 
 
-def test_the_workspace_installs_what_the_packages_say():
+def test_the_workspace_has_the_dependencies_and_entry_points_of_its_packages():
     """The three packages are installed together from the root; their wheels are built from their own folders."""
     projects = [package["project"] for package in PACKAGES.values()]
     needed = {name_of(item) for project in projects for item in project["dependencies"]} - set(PACKAGES)
@@ -251,12 +253,12 @@ def test_the_workspace_installs_what_the_packages_say():
     assert [item for item in PACKAGES["misstep"]["project"]["dependencies"] if name_of(item) != "numpy"] == []
 
 
-def test_what_an_extra_needs_is_installed_for_the_tests():
+def test_the_dependencies_of_each_extra_are_installed_for_the_tests():
     extras = PACKAGES["misstep"]["project"]["optional-dependencies"].values()
     assert {name_of(item) for items in extras for item in items} <= dependencies() | {"ipython"}
 
 
-def test_the_version_is_said_once_everywhere():
+def test_all_packages_and_documents_have_the_same_version():
     import kincourse
     import kinlib
     import misstep

@@ -1,4 +1,4 @@
-"""Continuous integration and the tasks of maintainers: commands exist and do what is said, and a skipped test fails in CI."""
+"""Continuous integration and the tasks of maintainers: their commands exist and are complete, and a skipped test fails in CI."""
 
 import os
 import re
@@ -13,28 +13,28 @@ import yaml
 ROOT = Path(__file__).parents[2]
 
 
-def steps(workflow):
-    """The steps of all jobs of a workflow, in order."""
+def workflow_steps(workflow):
+    """Return the steps of all jobs of a workflow, in order."""
     jobs = yaml.safe_load((ROOT / ".github" / "workflows" / workflow).read_text("utf-8"))["jobs"]
     return [step for job in jobs.values() for step in job["steps"]]
 
 
-def step_that_runs(workflow, command):
-    found = [step for step in steps(workflow) if command in step.get("run", "")]
+def find_step(workflow, command):
+    found = [step for step in workflow_steps(workflow) if command in step.get("run", "")]
     assert len(found) == 1, f"{workflow} must run {command!r} once"
     return found[0]
 
 
-def test_the_published_site_needs_the_lab_where_the_site_is_built():
+def test_building_the_published_site_fails_without_the_lab():
     """site/build.py alone reads KINLIB_LAB: set on another step, a failed download would publish a site without a lab."""
-    assert step_that_runs("site.yml", "course.py site")["env"]["KINLIB_LAB"] == "official"
-    assert [step for step in steps("site.yml") if "KINLIB_LAB" in step.get("env", {})] == [
-        step_that_runs("site.yml", "course.py site")
+    assert find_step("site.yml", "course.py site")["env"]["KINLIB_LAB"] == "official"
+    assert [step for step in workflow_steps("site.yml") if "KINLIB_LAB" in step.get("env", {})] == [
+        find_step("site.yml", "course.py site")
     ]
 
 
-def test_the_pdf_is_printed_into_the_site_after_it_is_built():
-    commands = [step.get("run", "") for step in steps("site.yml")]
+def test_the_pdf_is_printed_after_the_site_is_built():
+    commands = [step.get("run", "") for step in workflow_steps("site.yml")]
     assert commands.index("python course.py site") < commands.index(".venv/bin/python site/pdf.py")
 
 
@@ -45,14 +45,14 @@ def test_every_ci_run_prints_the_ten_slowest_tests(file):
     assert all(line.endswith("--durations=10") for line in lines)
 
 
-def test_mutation_testing_names_files_that_exist():
+def test_the_files_of_the_mutation_settings_exist():
     settings = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["tool"]["mutmut"]
     patterns = [*settings["source_paths"], *settings["pytest_add_cli_args_test_selection"], *settings["also_copy"]]
     patterns += [f"**/{pattern.removeprefix('*/')}" for pattern in settings["do_not_mutate"]]
     assert [pattern for pattern in patterns if not any(ROOT.glob(pattern))] == []
 
 
-def test_every_nox_session_that_a_file_names_exists():
+def test_every_nox_session_in_the_documents_exists():
     done = subprocess.run([sys.executable, "-m", "nox", "--list"], cwd=ROOT, capture_output=True, text=True, check=True)
     sessions = set(re.findall(r"^[*-] (\w+) ->", done.stdout, re.MULTILINE))
     files = [*ROOT.glob("*.md"), *ROOT.glob("*.toml"), *ROOT.glob("*.py"), *ROOT.glob("site/*.md")]
@@ -84,8 +84,8 @@ def test_expected_to_fail():
 MODULE = "import pytest\npytest.importorskip('no_such_package')"
 
 
-def outcomes(folder, ci):
-    """Run tests that skip, and a module that does, with the project's conftest.py; return the last line of pytest."""
+def run_skipping_tests(folder, ci):
+    """Run skipped tests and a skipped module with the project's conftest.py; return the last line and all lines of pytest."""
     (folder / "conftest.py").write_text((ROOT / "conftest.py").read_text("utf-8"), "utf-8")
     (folder / "test_skips.py").write_text(TESTS, "utf-8")
     (folder / "test_module.py").write_text(MODULE, "utf-8")
@@ -96,14 +96,14 @@ def outcomes(folder, ci):
     return done.stdout.splitlines()[-1], done.stdout
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="only in CI on Linux does everything have to run")
-def test_in_ci_a_skipped_test_fails_and_says_why(tmp_path):
-    summary, text = outcomes(tmp_path, ci=True)
+@pytest.mark.skipif(sys.platform != "linux", reason="only CI on Linux must run every test")
+def test_in_ci_a_skipped_test_fails_with_its_reason(tmp_path):
+    summary, text = run_skipping_tests(tmp_path, ci=True)
     assert summary.startswith("1 failed, 1 xfailed, 3 errors"), text
     for reason in ("no sandbox", "no browser", "no npm", "no_such_package"):
         assert reason in text
 
 
-def test_elsewhere_a_skipped_test_is_skipped(tmp_path):
-    summary, text = outcomes(tmp_path, ci=False)
+def test_outside_ci_a_skipped_test_is_skipped(tmp_path):
+    summary, text = run_skipping_tests(tmp_path, ci=False)
     assert summary.startswith("4 skipped, 1 xfailed"), text

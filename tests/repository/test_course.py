@@ -1,4 +1,4 @@
-"""course.py installs when something changed, never uses an incomplete environment, and its errors say what to try."""
+"""course.py installs after a change, never uses an incomplete environment, and suggests a remedy in each error."""
 
 import re
 import subprocess
@@ -12,12 +12,12 @@ import course
 
 @pytest.fixture
 def calls(tmp_path, monkeypatch):
-    """A course in a folder of its own, where programs are recorded instead of run."""
-    noted = []
+    """A course in a temporary folder, with its commands recorded instead of run."""
+    commands = []
 
     def call(*command, **_settings):
-        noted.append(" ".join(map(str, command[2:])))
-        if " venv " in noted[-1] + " ":
+        commands.append(" ".join(map(str, command[2:])))
+        if " venv " in commands[-1] + " ":
             course.VENV.mkdir(exist_ok=True)
         return 0
 
@@ -30,11 +30,11 @@ def calls(tmp_path, monkeypatch):
     )
     (tmp_path / "pyproject.toml").write_text("[project]")
     (tmp_path / "constraints.txt").write_text("numpy==2.0")
-    return noted
+    return commands
 
 
 def steps(calls):
-    """The kinds of steps taken since the last question."""
+    """Return the kinds of the commands recorded since the last call."""
     kinds = [re.match(r"(pip|uv venv|uv pip)", line)[0] for line in calls]
     calls.clear()
     return kinds
@@ -96,39 +96,39 @@ def test_without_pip_the_error_says_how_to_install_it(calls, monkeypatch):
 
 
 @pytest.mark.parametrize(
-    ("words", "answer"), [([], "python course.py open"), (["fly"], "one of open, test, site, serve; got 'fly'")]
+    ("arguments", "expected"), [([], "python course.py open"), (["fly"], "one of open, test, site, serve; got 'fly'")]
 )
-def test_a_wrong_command_is_answered_with_the_right_ones(words, answer):
-    done = subprocess.run([sys.executable, course.__file__, *words], capture_output=True, text=True, check=False)
-    assert answer in done.stdout + done.stderr
-    assert done.returncode == bool(words)
+def test_a_wrong_or_missing_command_lists_the_commands(arguments, expected):
+    done = subprocess.run([sys.executable, course.__file__, *arguments], capture_output=True, text=True, check=False)
+    assert expected in done.stdout + done.stderr
+    assert done.returncode == bool(arguments)
 
 
 PROGRAM = """
 import signal, sys, time
-signal.signal(signal.SIGTERM, lambda *_: sys.exit("stopped in good order"))
+signal.signal(signal.SIGTERM, lambda *_: sys.exit("terminated cleanly"))
 print("ready", flush=True)
 time.sleep(60)
 """
-RUN_IT = """
+START_COURSE = """
 import sys, course
-course.VENV = None  # these tests may run in it, and then course.py would start itself again
+course.VENV = None  # otherwise course.py would start itself again if the tests run in .venv
 course.prepare = lambda *_, **__: None
 course.PYTHON, course.PROGRAMS["open"] = sys.executable, ("-c", sys.argv[1])
 course.main("open")
 """
 
 
-@pytest.mark.skipif(sys.platform == "win32", reason="Windows ends a program without a signal")
+@pytest.mark.skipif(sys.platform == "win32", reason="Windows terminates a program without a signal")
 def test_stopping_the_course_stops_the_program_that_it_started():
-    """Otherwise JupyterLab and its kernels would keep running unnoticed."""
-    run_it = [sys.executable, "-c", RUN_IT, PROGRAM]
+    """Otherwise JupyterLab and its kernels would keep running."""
+    command = [sys.executable, "-c", START_COURSE, PROGRAM]
     root = Path(course.__file__).parent
-    with subprocess.Popen(run_it, cwd=root, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as started:
+    with subprocess.Popen(command, cwd=root, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as started:
         assert started.stdout.readline() == "ready\n"
         started.terminate()
-        told = started.communicate(timeout=30)[1]
-    assert told == "stopped in good order\n"
+        output = started.communicate(timeout=30)[1]
+    assert output == "terminated cleanly\n"
     assert started.returncode == 128 + 15
 
 

@@ -1,4 +1,4 @@
-"""The instructors' guide: its example is a sheet, and its commands are what the programs take."""
+"""The instructors' guide: its example is a complete sheet, and its commands have valid options."""
 
 import argparse
 import os
@@ -20,12 +20,12 @@ PROBLEM, NOTEBOOK, MISTAKE = (text for language, text in BLOCKS if language == "
 COMMANDS = [line for language, text in BLOCKS if not language for line in text.splitlines()]
 
 
-@pytest.fixture(params=["as it is", "with one mistake more"])
+@pytest.fixture(params=["original", "with another mistake"])
 def sheet(request, monkeypatch):
-    """The sheet of the guide, found as if its module were among the others."""
+    """The sheet of the guide, which the course finds like its own sheets."""
     names = {}
     more = PROBLEM.replace("    return", f"    {MISTAKE}    return").replace("mistakes=[", "mistakes=[exchanged, ")
-    exec(PROBLEM if request.param == "as it is" else more, names)
+    exec(PROBLEM if request.param == "original" else more, names)
     monkeypatch.setattr(Course, "find_sheet", lambda *_: names["SHEET"])
     return names["SHEET"]
 
@@ -35,16 +35,16 @@ def test_the_example_is_complete_in_less_than_30_lines():
 
 
 @pytest.mark.parametrize("student", [f"student {number}" for number in range(40)])
-def test_the_example_knows_what_is_right_and_names_each_mistake(sheet, student):
+def test_the_example_accepts_the_right_answer_and_identifies_each_mistake(sheet, student):
     problem = sheet.problems[0].variant(student)
     assert judge(problem, problem.answer.value).state == "right"
     assert len(problem.mistakes) in {3, 4}
     for wrong in problem.mistakes:
-        told = judge(problem, wrong.value)
-        assert (told.state, told.mistakes) == ("wrong", [wrong.name])
+        judgement = judge(problem, wrong.value)
+        assert (judgement.state, judgement.mistakes) == ("wrong", [wrong.name])
 
 
-def test_the_notebook_of_the_example_solves_it(sheet, tmp_path, monkeypatch):
+def test_the_notebook_of_the_example_gets_full_marks(sheet, tmp_path, monkeypatch):
     nbformat = pytest.importorskip("nbformat")
     monkeypatch.chdir(tmp_path)
     exec(NOTEBOOK, {})
@@ -56,27 +56,27 @@ def test_the_notebook_of_the_example_solves_it(sheet, tmp_path, monkeypatch):
     assert names["sheet"].tally().score == sheet.points
 
 
-@pytest.mark.skipif(sys.platform != "linux", reason="grading is made of Linux")
-def test_the_guide_gives_kinlib_no_option_that_it_does_not_take():
+@pytest.mark.skipif(sys.platform != "linux", reason="grading needs Linux")
+def test_every_option_in_the_guide_is_an_option_of_misstep_grade():
     from misstep.grading.command import add_arguments
 
     parser = argparse.ArgumentParser(exit_on_error=False)
     add_arguments(parser)
-    graded = [shlex.split(line)[2:] for line in COMMANDS if line.startswith("misstep grade")]
-    assert len(graded) == 2
-    for words in graded:
-        sheet = parser.parse_args(words).sheet
+    commands = [shlex.split(line)[2:] for line in COMMANDS if line.startswith("misstep grade")]
+    assert len(commands) == 2
+    for arguments in commands:
+        sheet = parser.parse_args(arguments).sheet
         assert (ROOT / sheet).is_file()
-    taken = {option for action in parser._actions for option in action.option_strings}
+    known = {option for action in parser._actions for option in action.option_strings}
     named = set(re.findall(r"(?<=`)--[a-z-]+", GUIDE))
-    assert named <= taken
+    assert named <= known
     assert len(named) >= 7
 
 
-def test_the_handout_that_the_guide_names_is_there():
+def test_the_commands_of_the_guide_exist():
     assert "misstep release" in COMMANDS
     environment = {**os.environ, "PYTHONPATH": str(ROOT)}
-    told = subprocess.run(
+    done = subprocess.run(
         [sys.executable, "-m", "misstep", "--help"], env=environment, capture_output=True, text=True, check=True
     )
-    assert "grade" in told.stdout
+    assert all(name in done.stdout for name in ("grade", "release"))

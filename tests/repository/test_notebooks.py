@@ -1,6 +1,6 @@
-"""Notebooks: each runs from a cold kernel without a warning and in little time, and each figure has a text alternative.
+"""Every notebook runs in a new kernel without warnings within a time limit, and every figure has a text alternative.
 
-The numbers in a lecture's prose come from its cells; tools/prose_numbers.py says which numbers, and what counts as coming from a cell.
+The numbers in the text of a lecture come from its cells; tools/prose_numbers.py defines which numbers, and what counts as a source.
 """
 
 import gc
@@ -18,15 +18,15 @@ from kincourse import COURSE, blanks
 
 ROOT = Path(__file__).parents[2]
 FOLDERS = ("notebooks", "exercises", "solutions")
-FOUND = [path for folder in FOLDERS for path in sorted((ROOT / folder).rglob("*.ipynb"))]
-# JupyterLab keeps copies of what it opened, as old as the last save
-NOTEBOOKS = [path for path in FOUND if ".ipynb_checkpoints" not in path.parts]
+ALL_FILES = [path for folder in FOLDERS for path in sorted((ROOT / folder).rglob("*.ipynb"))]
+# JupyterLab keeps copies of notebooks that it has opened
+NOTEBOOKS = [path for path in ALL_FILES if ".ipynb_checkpoints" not in path.parts]
 LECTURES = [path for path in NOTEBOOKS if path.parent.name == "notebooks"]
 
-PROCESSOR_SECONDS = 30
-"""Students wait for a notebook for half a minute at most. Processor time hardly depends on what else the machine does."""
-SHORTEST_ALTERNATIVE = 20
-"""Letters. "A figure" tells nobody anything; "an RPR arm at home, seen from above" does."""
+MAX_PROCESSOR_SECONDS = 30
+"""Students should not wait longer. Unlike elapsed time, processor time hardly depends on the load of the machine."""
+MIN_ALTERNATIVE_LENGTH = 20
+"""Characters: "A figure" does not describe a picture; "an RPR arm at home, seen from above" does."""
 
 
 def each(paths):
@@ -34,20 +34,20 @@ def each(paths):
 
 
 def test_the_notebooks_are_found():
-    """A wrong folder would make every test below vanish, and nothing fail."""
+    """With a wrong folder, the tests below would have no cases and could not fail."""
     assert ROOT / "notebooks" / "00_start_here.ipynb" in LECTURES
     assert {path.relative_to(ROOT).parts[0] for path in NOTEBOOKS} == set(FOLDERS)
 
 
-# --- as they are written ---
+# --- source ---
 
 
 @each(LECTURES)
-def test_a_lecture_is_short_enough_to_take_in(path):
+def test_a_lecture_has_at_most_40_cells_of_at_most_15_lines(path):
     cells = nbformat.read(path, as_version=4).cells
-    assert len(cells) <= 40, f"{len(cells)} cells: the next idea may be the next lecture"
+    assert len(cells) <= 40, f"{len(cells)} cells: split the lecture"
     long = [cell.source for cell in cells if cell.cell_type == "code" and len(cell.source.splitlines()) > 15]
-    assert not long, f"more than 15 lines; what is not the lesson belongs in kinlib:\n\n{long[0]}"
+    assert not long, f"more than 15 lines; move what students need not read to kinlib:\n\n{long[0]}"
 
 
 @each(LECTURES)
@@ -58,29 +58,29 @@ def test_a_lecture_begins_with_its_title(path):
 
 
 @each(LECTURES)
-def test_the_text_of_a_lecture_holds_no_html(path):
-    """Markdown prints, translates and reads aloud; HTML in it does so only by luck."""
+def test_the_text_of_a_lecture_contains_no_html(path):
+    """Markdown can be printed, translated and read aloud reliably; HTML in it cannot."""
     for cell in nbformat.read(path, as_version=4).cells:
         if cell.cell_type == "markdown":
-            assert not html_in(cell.source), f"write {html_in(cell.source)} as Markdown in\n\n{cell.source}"
+            assert not find_html(cell.source), f"write {find_html(cell.source)} as Markdown in\n\n{cell.source}"
 
 
-def html_in(markdown):
+def find_html(markdown):
     text = re.sub(r"```.*?```|`[^`]*`|\$\$.*?\$\$|\$[^$]*\$", "", markdown, flags=re.DOTALL)
     return re.findall(r"</?[a-zA-Z][\w-]*(?:\s[^>]*)?/?>|<!--", text)
 
 
 @pytest.mark.parametrize("text", ["a <b>word</b>", "<br/>", '<img src="x.png">', "<!-- hidden -->"])
-def test_html_is_recognised(text):
-    assert html_in(text)
+def test_html_is_detected(text):
+    assert find_html(text)
 
 
 @pytest.mark.parametrize("text", ["$a<b>c$", "`<b>`", "```\n<b>\n```", "0 < x", "<https://example.org>"])
-def test_what_only_looks_like_html_is_let_be(text):
-    assert not html_in(text)
+def test_formulas_code_and_links_are_not_html(text):
+    assert not find_html(text)
 
 
-# --- as they run ---
+# --- execution ---
 
 
 @each(NOTEBOOKS)
@@ -88,11 +88,11 @@ def test_a_notebook_runs_from_a_cold_kernel(path, record_property):
     run = run_of(path)
     record_property(path.relative_to(ROOT).as_posix(), run.processor_seconds)
     outputs = list(outputs_of(run.notebook))
-    complaints = [output.text for output in outputs if output.get("name") == "stderr"]
-    assert not complaints, f"a student would ask what this means:\n{complaints[0]}"
-    silent = [what for output in outputs for what in without_alternative(output)]
-    assert not silent, f"these figures need a text alternative: {silent}"
-    assert run.processor_seconds < PROCESSOR_SECONDS
+    warnings = [output.text for output in outputs if output.get("name") == "stderr"]
+    assert not warnings, f"students should not see warnings:\n{warnings[0]}"
+    undescribed = [what for output in outputs for what in without_alternative(output)]
+    assert not undescribed, f"these figures need a text alternative: {undescribed}"
+    assert run.processor_seconds < MAX_PROCESSOR_SECONDS
 
 
 @each(LECTURES)
@@ -101,14 +101,14 @@ def test_every_number_in_the_prose_comes_from_a_cell(path):
     cells = run_of(path).notebook.cells
     seen = sources(cells)
     unseen = {cell.id: numbers_without_source(cell.source, seen) for cell in cells if cell.cell_type == "markdown"}
-    for name, assumed, claims in asked_in(path):
+    for name, assumed, claims in claims_in(path):
         unseen[name] = numbers_without_source(claims, seen | set(numbers_of(assumed)))
     unseen = {place: numbers for place, numbers in unseen.items() if numbers}
-    assert not unseen, f"let a cell print these, or word the sentence without them: {unseen}"
+    assert not unseen, f"print these in a cell, or write the sentence without them: {unseen}"
 
 
-def asked_in(path):
-    """What a lecture asks elsewhere than in its text: name, what is assumed there, and what is said to be true."""
+def claims_in(path):
+    """Yield each question and blank of a lecture: its name, what it assumes, and what it claims."""
     lecture = path.stem.partition("_")[0]
     for name, item in COURSE.questions().get(lecture, {}).items():
         assumed = [item.text, *(option.text for option in item.options if not option.right)]
@@ -121,7 +121,7 @@ def asked_in(path):
 
 
 def outputs_of(notebook):
-    """What the cells show, and what the widgets in them show."""
+    """Yield the outputs of the cells and of the widgets in them."""
     for cell in notebook.cells:
         yield from cell.get("outputs", [])
     widgets = notebook.metadata.get("widgets", {}).get("application/vnd.jupyter.widget-state+json", {}).get("state", {})
@@ -134,24 +134,24 @@ def outputs_of(notebook):
 
 
 def without_alternative(output):
-    """The pictures in an output that have no words of their own."""
+    """List the pictures in an output that have no text alternative."""
     data = output.get("data", {})
     if "text/html" not in data:
         return [kind for kind in data if kind.startswith("image/")]
-    pictures = Pictures()
+    pictures = PictureParser()
     pictures.feed(data["text/html"])
-    return pictures.silent
+    return pictures.undescribed
 
 
-class Pictures(HTMLParser):
+class PictureParser(HTMLParser):
     def __init__(self):
         super().__init__()
-        self.silent = []
+        self.undescribed = []
 
     def handle_starttag(self, tag, attributes):
-        words = dict(attributes).get({"img": "alt", "svg": "aria-label"}.get(tag)) or ""
-        if tag in ("img", "svg") and len(words.strip()) < SHORTEST_ALTERNATIVE:
-            self.silent.append(f"<{tag}> with the words {words!r}")
+        text = dict(attributes).get({"img": "alt", "svg": "aria-label"}.get(tag)) or ""
+        if tag in ("img", "svg") and len(text.strip()) < MIN_ALTERNATIVE_LENGTH:
+            self.undescribed.append(f"<{tag}> with the alternative {text!r}")
 
 
 CELLS = ["import sys, matplotlib.pyplot as plt, ipywidgets", "print('Hm.', file=sys.stderr)", "plt.plot([1]);",
@@ -172,8 +172,8 @@ def executed_by_nbval(path, session):
     return run_of(path)
 
 
-@pytest.mark.filterwarnings("ignore:unclosed file:ResourceWarning")  # nbval leaves /dev/null open
-def test_what_nbval_executes_is_recorded_with_widgets_and_complaints(tmp_path, request):
+@pytest.mark.filterwarnings("ignore:unclosed file:ResourceWarning")  # nbval does not close /dev/null
+def test_runs_of_nbval_are_recorded_with_widgets_and_warnings(tmp_path, request):
     cells = [nbformat.v4.new_code_cell(source) for source in CELLS]
     nbformat.write(nbformat.v4.new_notebook(cells=cells), tmp_path / "notebook.ipynb")
     run = executed_by_nbval(tmp_path / "notebook.ipynb", request.session)
@@ -195,7 +195,7 @@ def test_what_nbval_executes_is_recorded_with_widgets_and_complaints(tmp_path, r
         {"text/html": "<div><svg viewBox='0 0 1 1'></svg></div>"},
     ],
 )
-def test_a_silent_picture_is_noticed(data):
+def test_a_picture_without_a_description_is_reported(data):
     assert without_alternative({"data": data})
 
 
@@ -208,5 +208,5 @@ def test_a_silent_picture_is_noticed(data):
         {},
     ],
 )
-def test_a_picture_with_words_is_let_be(data):
+def test_a_described_picture_is_accepted(data):
     assert not without_alternative({"data": data})

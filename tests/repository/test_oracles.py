@@ -23,12 +23,12 @@ def test_every_public_function_has_an_oracle():
     assert not missing, "mark a test of each with @pytest.mark.oracle(...): see tools/oracle_table.py"
 
 
-def test_every_comparison_is_of_a_public_function():
+def test_the_table_lists_exactly_the_public_functions():
     assert set(TABLE) == set(oracle_table.public())
 
 
 @pytest.mark.parametrize("oracle", sorted({comparison.oracle for comparison in COMPARISONS}))
-def test_an_oracle_is_a_package_that_its_tests_import_or_is_described(oracle):
+def test_an_oracle_is_an_imported_package_or_a_description(oracle):
     kind, colon, words = oracle.partition(": ")
     if colon:
         assert kind in KINDS

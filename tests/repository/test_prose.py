@@ -1,4 +1,4 @@
-"""Each formula of a lecture has its assertion nearby; and the rules of tools/prose_numbers.py find what they should."""
+"""Each formula of a lecture has its assertion nearby; and the rules of tools/prose_numbers.py detect missing ones."""
 
 from pathlib import Path
 
@@ -35,7 +35,7 @@ def test_every_number_of_a_formula_has_its_assertion(path):
     assert not unproved, "\n".join(unproved)
 
 
-# --- what the rules find ---
+# --- the rules ---
 
 
 @pytest.mark.parametrize(
@@ -49,7 +49,7 @@ def test_every_number_of_a_formula_has_its_assertion(path):
         "- (1) $ab = c$\n- $ef = g$",
     ],
 )
-def test_a_claim_without_a_number_is_found(markdown):
+def test_a_claim_without_a_number_is_reported(markdown):
     assert list(formulas_without_number([new_markdown_cell(markdown)]))
 
 
@@ -71,7 +71,7 @@ def test_definitions_cases_quotations_and_numbered_claims_are_accepted(markdown)
     assert not list(formulas_without_number([new_markdown_cell(markdown)]))
 
 
-def test_a_number_in_brackets_names_a_formula_but_not_if_it_is_an_equation_of_a_book():
+def test_numbers_of_formulas_are_distinguished_from_other_brackets():
     assert named(
         r"By (1), $\quad(2)$ and $$a = b \tag{c}$$ as in (3.88), $f(4)$, $A_1(5)$, $R^{(6)}$ and 1904 (1954)."
     ) == {*("1", "2", "c")}
@@ -111,7 +111,7 @@ def test_a_formula_and_its_assertion_must_be_near_each_other():
         ("90 radians", 90.0, 9.0),
     ],
 )
-def test_a_source_rounds_to_the_number(text, right, wrong):
+def test_a_number_needs_a_source_that_rounds_to_it(text, right, wrong):
     assert not numbers_without_source(text, [right])
     assert numbers_without_source(text, [wrong])
 
@@ -133,7 +133,7 @@ def test_chosen_and_quoted_numbers_need_no_source(text):
     assert not list(numbers_in(text))
 
 
-def test_pictures_and_questions_are_no_source():
+def test_pictures_and_questions_are_not_sources():
     picture = new_output(
         "display_data", {"text/html": '<svg viewBox="0 0 0.37 1"/>', "text/plain": "An arm, 0.2 m long."}
     )
@@ -142,6 +142,6 @@ def test_pictures_and_questions_are_no_source():
     assert set(numbers_printed([cell])) == {0.2, 0.1}
 
 
-def test_literals_in_the_code_are_a_source():
+def test_literals_in_code_are_sources():
     cell = new_code_cell('length = -0.25  # 0.75\ntable = "1 | 0.147"\nflag = True')
     assert set(numbers_given([cell, new_markdown_cell("0.9")])) == {0.25, 1, 0.147}
