@@ -4,4 +4,5 @@ import sys
 from pathlib import Path
 
 # The benchmarks use the same submissions, attacks and browser as the tests.
-sys.path.append(str(Path(__file__).parents[2] / "tests" / "support"))
+SUPPORT = Path(__file__).parents[2] / "tests" / "support"
+sys.path += [str(SUPPORT), str(SUPPORT / "pages")]

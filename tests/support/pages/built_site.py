@@ -12,7 +12,7 @@ from pathlib import Path
 import pytest
 from browser import CHROMIUM
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 SITE = ROOT / "site"
 sys.path.insert(0, str(SITE))
 
