@@ -369,9 +369,11 @@ def test_parallel_axes_that_point_the_other_way_are_told_the_angle(right, wrong)
     assert fault.text == (f"Row 2: the axes are parallel with {directions}: alpha should be {right:.4g}.")
 
 
+@pytest.mark.oracle("text: written out in the test", kl.Diagnosis.difference)
 def test_a_table_of_a_helical_arm_is_told_that_no_table_has_its_joints():
     helical = kl.Chain([kl.screw((0, 0, 1), (0, 0, 0), 0.1), kl.screw((0, 1, 0), (1, 0, 0))], np.eye(4))
     found = diagnose(DHTable([[1, 0.5, 0, 0], [0.3, 0.2, 0.1, 0]], convention="standard"), helical)
+    assert found.difference == "The joint types differ: RR in the table, HR in the arm."
     assert str(found).endswith("explains this table. The joint types differ: RR in the table, HR in the arm.")
 
 
