@@ -11,7 +11,6 @@ from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
-from numpy.polynomial import Polynomial
 from numpy.typing import NDArray
 
 from kinlib.arrays.validation import Array
@@ -248,7 +247,7 @@ class CurveTracer:
         crossings = []
         for i, side in np.argwhere(is_beyond.any(axis=0)):
             outward = 2 * side - 1
-            excess = outward * (Polynomial(coefficients[:, i]) - self.limits[i, side]) - POINT_TOL
+            excess = outward * (np.polynomial.Polynomial(coefficients[:, i]) - self.limits[i, side]) - POINT_TOL
             crossings += [(u, i, side) for u in _upward_crossings(excess, is_beyond[-1, i, side])]
         for u, i, side in sorted(crossings):
             guess = u ** np.arange(4) @ coefficients
@@ -297,7 +296,7 @@ class _Arc(NamedTuple):
         return self.length * self.start_tangent, self.length * self.end_tangent
 
 
-def _upward_crossings(excess: Polynomial, ends_above: bool) -> list[float]:
+def _upward_crossings(excess: "np.polynomial.Polynomial", ends_above: bool) -> list[float]:
     """Find where in [0, 1] a polynomial changes from negative to positive.
 
     0 is included if the polynomial is already positive there and grows. ends_above: whether it is known to be positive at 1;
