@@ -73,7 +73,7 @@ def engine_folder() -> Path:
 
 
 def _required_folders(package: str) -> list[Path]:
-    folders = sorted(_folders(package))
+    folders = sorted({*_folders(package)})
     if not folders:
         raise ValueError(f"The course requires the package {package!r}, which is not installed here.")
     return folders
@@ -87,8 +87,9 @@ def _folders(package: str) -> Iterator[Path]:
     for finder in sys.meta_path:
         for path in ([entry] for entry in sys.path):
             spec = finder.find_spec(package, path)
-            for folder in (spec and spec.submodule_search_locations) or ():
-                yield Path(folder).resolve()
+            if spec and spec.origin:  # without an origin, it is only a folder that happens to have this name
+                for folder in spec.submodule_search_locations or ():
+                    yield Path(folder).resolve()
     for folder in getattr(sys.modules.get(package), "__path__", ()):
         yield Path(folder).resolve()
 
