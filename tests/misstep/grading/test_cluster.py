@@ -106,7 +106,7 @@ def test_a_worker_needs_no_folder_of_whoever_grades(monkeypatch, tmp_path):
     monkeypatch.setattr("misstep.grading.judging.cluster.Grader", Told)
     monkeypatch.setattr("misstep.grading.judging.cluster.GRADERS", {})
     for folder, expected in ((tmp_path, tmp_path), (Path("/nowhere"), Path.cwd())):
-        assert grade_on_worker(ReleasedSheet(SHEET, folder, {}), Limits(), True, "ada", None) == expected
+        assert grade_on_worker(ReleasedSheet(SHEET, folder, {}, "kincourse"), Limits(), True, "ada", None) == expected
 
 
 def test_a_scheduler_that_is_not_there_is_told(monkeypatch):
