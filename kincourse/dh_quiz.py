@@ -9,7 +9,7 @@ from kincourse.text.joint_table import joint_table
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.table import Convention, validate_convention
 from kinlib.view import draw_joints
-from misstep.card import Card
+from misstep.display.card import Card
 from misstep.judge import Judgement, judge
 from misstep.mistakes import mistake
 from misstep.problem import Problem

@@ -4,11 +4,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from misstep.card import Card
+from misstep.display.card import Card
+from misstep.display.text import number
 from misstep.judge import Finding, Judgement
 from misstep.problem import Template
 from misstep.storage.deserialize import MIME
-from misstep.text import number
 
 TITLES = {
     "right": "Right",

@@ -6,10 +6,11 @@ The pages are written to build/site/html, or to the folder html in the folder th
 import sys
 from pathlib import Path
 
-from kinsite import STRICT, lab, npm_packages
+from kinsite import STRICT, npm_packages
+from kinsite.browser_lab import lab
+from kinsite.browser_lab.wheels import Unreachable
 from kinsite.execute import ROOT, NotebookError
 from kinsite.sphinx_source import write_source
-from kinsite.wheels import Unreachable
 from sphinx.cmd.build import main as sphinx
 
 HERE = Path(__file__).resolve().parent

@@ -37,6 +37,10 @@ SPECIAL_METHODS = {"__str__", "__bool__"}
 """Special methods whose result is compared too."""
 
 
+WITHOUT_RESULT = {"part_indices"}
+"""Methods that only say which entries belong to which part of an answer, and compute nothing."""
+
+
 class Comparison(NamedTuple):
     """One comparison: the function, the oracle, and the test that compares them."""
 
@@ -61,7 +65,9 @@ def public():
                 yield from (
                     f"{name_of(thing)}.{member}"
                     for member, value in members.items()
-                    if (member[0] != "_" or member in SPECIAL_METHODS) and code_of(value)
+                    if (member[0] != "_" or member in SPECIAL_METHODS)
+                    and member not in WITHOUT_RESULT
+                    and code_of(value)
                 )
 
 

@@ -18,10 +18,10 @@ from kinlib.view.figures.frames import draw_rotation
 from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
 from misstep.answers.order import Ordering
+from misstep.display.text import matrix, vector
 from misstep.mistakes import Mistake, mistake
 from misstep.problem import Problem
 from misstep.sheet import Sheet
-from misstep.text import matrix, vector
 
 
 @problem("01.1", "A pose off a drawing", points=2, lecture="01_frames#Columns and rows")

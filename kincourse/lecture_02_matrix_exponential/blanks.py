@@ -10,9 +10,9 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.robots import angled_arm, hrr, youbot
 from kinlib.rigid.lie import exp, hat, homogeneous, inverse, log
 from misstep.answers.number import Numbers
+from misstep.display.text import vector
 from misstep.mistakes import mistake
 from misstep.problem import Problem
-from misstep.text import vector
 
 THIRD_OF_A_TURN_RAD = 2 * np.pi / 3
 """At a quarter turn sin and 1 - cos are both 1, so a student who swaps them would be right by chance."""

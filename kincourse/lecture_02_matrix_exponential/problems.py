@@ -22,10 +22,10 @@ from kinlib.symbolic.numbers import exact
 from kinlib.view import draw_joints
 from misstep.answers.expression import ClosedForm
 from misstep.answers.number import Numbers
+from misstep.display.text import matrix, number, vector
 from misstep.mistakes import mistake
 from misstep.problem import Problem
 from misstep.sheet import Sheet
-from misstep.text import matrix, number, vector
 
 PYTHAGOREAN_QUADRUPLES = ((1, 2, 2, 3), (2, 3, 6, 7), (1, 4, 8, 9), (4, 4, 7, 9))
 """The entries and the length of vectors for which all are integers, so that unit vectors can be computed on paper."""

@@ -22,10 +22,10 @@ from kinlib.rigid.screw import screw
 from kinlib.view import draw_arm, draw_joints
 from misstep.answers.function import Function, function_mistakes
 from misstep.answers.order import Ordering
+from misstep.display.text import matrix, number, vector
 from misstep.mistakes import Mistake, mistake
 from misstep.problem import Problem
 from misstep.sheet import Sheet
-from misstep.text import matrix, number, vector
 
 
 @problem("03.1", "Screw axes of a plain arm", points=3, lecture="03_poe_space#Revolute joints")

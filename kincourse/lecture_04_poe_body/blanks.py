@@ -11,9 +11,9 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.chains.robots import mid_formula_arm, rpr
 from kinlib.rigid.lie import adjoint, exp
+from misstep.display.text import matrix, vector
 from misstep.mistakes import mistake
 from misstep.problem import Problem
-from misstep.text import matrix, vector
 
 CONFIGURATION_RAD = np.radians([90, -90, 90, 90])
 """The joint values of step 04.c: right angles, so that every entry of the pose can be checked on paper."""

@@ -24,10 +24,10 @@ from kinlib.chains.robots import X, Y, Z, pose
 from kinlib.rigid.lie import exp, homogeneous, inverse
 from kinlib.view import draw_arm, draw_joints
 from misstep.answers.order import Ordering
+from misstep.display.text import matrix
 from misstep.mistakes import mistake
 from misstep.problem import Problem
 from misstep.sheet import Sheet
-from misstep.text import matrix
 
 
 @problem("04.1", "A body screw off a drawing", points=3, lecture="04_poe_body#A second method")

@@ -19,10 +19,10 @@ from kinlib.dh.table import DHTable, dh_transform
 from kinlib.view import draw_joints
 from kinlib.view.figures.dh_table import draw_table
 from misstep.answers.choice import Choice
+from misstep.display.text import degrees, matrix, number, vector
 from misstep.mistakes import mistake
 from misstep.problem import Problem
 from misstep.sheet import Sheet
-from misstep.text import degrees, matrix, number, vector
 
 RIGHT_ANGLE_RAD = np.pi / 2
 

@@ -23,10 +23,10 @@ from kinlib.view import draw_arm, draw_frames
 from misstep.answers.base import TOLERANCE
 from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
+from misstep.display.text import degrees, matrix, number, vector
 from misstep.mistakes import Mistake, mistake
 from misstep.problem import Problem
 from misstep.sheet import Sheet
-from misstep.text import degrees, matrix, number, vector
 
 ALPHAS_DEG = (-90, 90, -60, 60, -45, 45, -30, 30)
 """Values of alpha that are easy to type. None is 0, because parallel joint axes would hide half of the mistakes."""

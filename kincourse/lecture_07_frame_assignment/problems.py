@@ -23,10 +23,10 @@ from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.frame_assignment import draw_assignment
 from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
+from misstep.display.text import degrees, number, vector
 from misstep.mistakes import Mistake, mistake
 from misstep.problem import Problem
 from misstep.sheet import Sheet
-from misstep.text import degrees, number, vector
 
 RIGHT_ANGLE_RAD = np.pi / 2
 

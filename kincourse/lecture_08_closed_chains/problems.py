@@ -25,10 +25,10 @@ from kinlib.view.figures.linkage import draw_linkage
 from misstep.answers.angle import Angles
 from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
+from misstep.display.text import number, vector
 from misstep.mistakes import mistake
 from misstep.problem import Problem
 from misstep.sheet import Sheet
-from misstep.text import number, vector
 
 ANGLES_NOTE = "$A$ and $D$ count from the $x$ axis, $B$ is the coupler's angle against the crank, $C$ its angle against the rocker."
 

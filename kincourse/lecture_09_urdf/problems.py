@@ -18,10 +18,10 @@ from kinlib.rigid.rpy import origin
 from kinlib.rigid.screw import screw
 from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
+from misstep.display.text import number
 from misstep.mistakes import Mistake, mistake
 from misstep.problem import Problem
 from misstep.sheet import Sheet
-from misstep.text import number
 
 LINKS = ("base", "boom", "forearm", "hand")
 ROUNDING_NOTE = "Take `1.5708` for a right angle."

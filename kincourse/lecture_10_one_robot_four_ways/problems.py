@@ -23,10 +23,10 @@ from kinlib.view import draw_joints
 from misstep.answers.choice import Choice
 from misstep.answers.expression import ClosedForm
 from misstep.answers.number import Numbers
+from misstep.display.text import degrees, matrix, number, vector
 from misstep.mistakes import mistake
 from misstep.problem import Problem
 from misstep.sheet import Sheet
-from misstep.text import degrees, matrix, number, vector
 
 RIGHT_ANGLE_RAD = np.pi / 2
 

@@ -22,10 +22,10 @@ from kinlib.rigid.lie import inverse
 from kinlib.view import draw_arm, draw_frames
 from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
+from misstep.display.text import matrix, number, vector
 from misstep.mistakes import Mistake, mistake
 from misstep.problem import Problem
 from misstep.release.instructor_notebook import Entry
-from misstep.text import matrix, number, vector
 
 MISTAKE_DESCRIPTIONS = {
     "reversed": "multiplied the exponentials from the last joint to the first",

@@ -15,10 +15,10 @@ from kincourse.text.joint_table import joint_table
 from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import inverse
 from kinlib.view import draw_arm, draw_joints
+from misstep.display.text import matrix
 from misstep.mistakes import mistake
 from misstep.problem import Problem
 from misstep.release.instructor_notebook import Entry
-from misstep.text import matrix
 
 MAX_ASKED_JOINTS = 3
 """The maximum number of joints whose screw axes are asked for, because more joints would only repeat the same work."""

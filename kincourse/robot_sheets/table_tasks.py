@@ -30,10 +30,10 @@ from kinlib.rigid.lie import inverse
 from kinlib.view import draw_joints
 from kinlib.view.figures.dh_table import draw_table
 from misstep.answers.choice import Choice
+from misstep.display.text import matrix, number
 from misstep.mistakes import mistake
 from misstep.problem import Problem
 from misstep.release.instructor_notebook import Entry
-from misstep.text import matrix, number
 
 MAX_ROWS = 7
 """The maximum number of rows of a table. A robot with more joints is cut off after this joint."""

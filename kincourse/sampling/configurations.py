@@ -7,7 +7,7 @@ import numpy as np
 
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
-from misstep.text import number
+from misstep.display.text import number
 
 
 class Configuration(NamedTuple):

@@ -3,7 +3,7 @@
 from collections.abc import Iterable
 
 from kinlib.chains.chain import Chain
-from misstep.text import number, vector
+from misstep.display.text import number, vector
 
 
 def joint_table(chain: Chain, joints: Iterable[int] | None = None) -> str:

@@ -8,7 +8,7 @@ import numpy as np
 from kincourse.sampling.arms import ArmSampler
 from kinlib.arrays.validation import Array
 from kinlib.rigid.rpy import origin
-from misstep.text import number
+from misstep.display.text import number
 
 RIGHT_ANGLE_RAD = np.pi / 2
 

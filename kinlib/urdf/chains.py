@@ -18,8 +18,8 @@ from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import inverse
 from kinlib.rigid.rpy import roll_pitch_yaw
 from kinlib.rigid.screw import screw
-from kinlib.urdf.tree import MAX_NUMBER, Tree, UrdfJoint, read_tree
-from kinlib.urdf.xml import read_robot
+from kinlib.urdf.links_and_joints import MAX_NUMBER, Tree, UrdfJoint, read_tree
+from kinlib.urdf.xml_elements import read_robot
 
 
 def load_urdf(path_or_text: str | os.PathLike[str], base: str | None = None, tip: str | None = None) -> Chain:

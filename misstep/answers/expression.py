@@ -10,8 +10,8 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from misstep.answers.base import TOLERANCE, Answer, Unreadable
+from misstep.display.text import number
 from misstep.formulas.evaluation import Formula, Reader, shaped
-from misstep.text import number
 
 EXACT_TOLERANCE = 1e-12
 """The tolerance for formulas without decimals, relative to their size if that is above 1: only the values were rounded."""

@@ -77,7 +77,7 @@ class Reader:
         Raises ValueError for what is not a formula, for another shape, for symbols that are not declared, and if there is no
         finite real value.
         """
-        algebra = NumericAlgebra(self._points, self._names)
+        algebra = _NumericAlgebra(self._points, self._names)
         walker = Walker(algebra)
         try:
             given_shape, entries = _unpacked(given)
@@ -90,7 +90,7 @@ class Reader:
         return Formula(given, np.array(values, dtype=float).reshape(*given_shape, POINT_COUNT), algebra.has_rounded)
 
 
-class NumericAlgebra:
+class _NumericAlgebra:
     """The algebra whose values are numbers at the points.
 
     points       the values of each symbol, by its name without underscores and braces

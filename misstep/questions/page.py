@@ -6,7 +6,7 @@ on an option opens its explanation; that of a prediction opens where the lecture
 
 from html import escape
 
-from misstep.card import inline
+from misstep.display.card import inline
 from misstep.questions.item import KINDS, Item, Option
 
 

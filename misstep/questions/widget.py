@@ -4,10 +4,10 @@ from typing import TYPE_CHECKING, Any
 
 from traitlets import Bool, HasTraits, Int
 
-from misstep.card import Card, inline
+from misstep.display.card import Card, inline
+from misstep.display.static_output import is_static_export
 from misstep.questions.item import KINDS, LETTERS, Item
 from misstep.questions.page import explanation_html, question_html
-from misstep.static_output import is_static_export
 
 if TYPE_CHECKING:
     import ipywidgets as widgets

@@ -30,7 +30,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
 
 def generator_hash() -> str:
     """Hash the packages and the site's own modules."""
-    own = sorted(Path(__file__).parent.glob("*.py"))
+    own = sorted(Path(__file__).parent.rglob("*.py"))
     return hashlib.sha256(b"".join([package_hash().encode(), *(path.read_bytes() for path in own)])).hexdigest()
 
 

@@ -10,8 +10,8 @@ from pathlib import Path
 import nbformat
 from nbformat import NotebookNode
 
-from kinsite import gallery, independent_checks, mistakes, performance, progress, reference
 from kinsite.execute import ROOT, cached_pages, execute_all
+from kinsite.generated import gallery, independent_checks, mistakes, performance, progress, reference
 
 SITE = ROOT / "site"
 LECTURES = sorted((ROOT / "notebooks").glob("*.ipynb"))

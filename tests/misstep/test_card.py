@@ -3,7 +3,7 @@
 import numpy as np
 import pytest
 
-from misstep.card import TONES, Card
+from misstep.display.card import TONES, Card
 
 
 @pytest.mark.parametrize("tone", TONES)

@@ -11,13 +11,13 @@ from hypothesis import strategies as st
 
 from misstep.answers.base import Unreadable
 from misstep.answers.expression import ClosedForm
+from misstep.display.text import number
 from misstep.formulas.evaluation import Reader, shaped
 from misstep.formulas.parsing import FUNCTIONS
 from misstep.formulas.walker import MAX_PARTS
 from misstep.judge import judge
 from misstep.mistakes import mistake
 from misstep.problem import Problem
-from misstep.text import number
 
 q_1, q_2 = sp.symbols("q_1 q_2", real=True)
 a_2 = sp.Symbol("a_2", positive=True)

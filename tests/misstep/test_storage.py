@@ -106,7 +106,9 @@ def test_an_object_of_an_unregistered_class_is_only_named():
     assert sent(Capacitor(4.7)) == Opaque("Capacitor")
 
 
-@pytest.mark.parametrize("value", [object(), float("nan"), "x" * 200_000, {1j: 2}], ids=repr)
+@pytest.mark.parametrize(
+    "value", [object(), float("nan"), "x" * 200_000, {1j: 2}], ids=["object", "nan", "long", "complex"]
+)
 def test_an_object_whose_fields_are_not_json_is_only_named(value):
     odd = Resistor(4.7)
     odd.ohm = value

@@ -88,8 +88,8 @@ def test_the_import_contracts_are_kept():
     [
         ("kinlib/rigid/screw.py", "from kinlib.chains.chain import Chain"),
         ("kinlib/rigid/screw.py", "def later():\n    import kinlib.view.drawing.picture"),
-        ("kinlib/dh/table.py", "import misstep.text"),
-        ("misstep/text.py", "from kinlib import exp"),
+        ("kinlib/dh/table.py", "import misstep.display.text"),
+        ("misstep/display/text.py", "from kinlib import exp"),
         ("misstep/judge.py", "from kincourse.catalog import COURSE"),
         ("misstep/grading/collect/files.py", "from misstep.grading.publish import pages"),
         ("kincourse/lecture_01_frames/problems.py", "from kincourse.lecture_02_matrix_exponential import problems"),

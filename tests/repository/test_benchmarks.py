@@ -144,7 +144,7 @@ def test_only_the_kind_of_machine_is_saved(tmp_path):
 
 def test_the_page_on_performance_shows_every_saved_row_and_describes_each_picture():
     import built_site  # noqa: F401 - makes kinsite importable
-    from kinsite import performance
+    from kinsite.generated import performance
 
     pictures = dict(performance.pages())
     page = pictures.pop("performance.md")

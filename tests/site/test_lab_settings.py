@@ -7,7 +7,7 @@ from zipfile import ZipFile
 
 import pytest
 from built_site import lab
-from kinsite import pyodide, wheels
+from kinsite.browser_lab import pyodide, wheels
 from packaging.requirements import Requirement
 
 

@@ -11,7 +11,7 @@ import pytest
 
 sys.path.insert(0, str(Path(__file__).parents[2] / "site"))
 
-from kinsite import reference
+from kinsite.generated import reference
 
 MODULES = [importlib.import_module(name) for names in reference.MODULES.values() for name in names]
 SHOWN = [(module, name, member) for module in MODULES for name, member in reference.members(module)]

@@ -13,7 +13,8 @@ from urllib.parse import unquote, urlsplit
 import pytest
 from browser import unwatched, watched
 from built_site import ROOT, SITE
-from kinsite import STRICT, cell_outputs, execute, gallery, mistakes, reference, sphinx_source
+from kinsite import STRICT, cell_outputs, execute, sphinx_source
+from kinsite.generated import gallery, mistakes, reference
 
 MAX_PAGE_BYTES, MAX_LECTURE_BYTES = 200_000, 450_000
 """Limits for a page with all the files that it loads, compressed, without the viewer's bundle."""

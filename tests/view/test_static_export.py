@@ -90,6 +90,6 @@ def test_what_is_covered_names_its_question(page):
 
 def test_both_packages_use_the_same_environment_variable():
     from kinlib.view.drawing import static_export
-    from misstep import static_output
+    from misstep.display import static_output
 
     assert static_export.ENVIRONMENT_VARIABLE == static_output.ENVIRONMENT_VARIABLE

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike
 from kinlib.arrays.formatting import format_number
 from kinlib.arrays.validation import Array
 from kinlib.view.drawing import svg
-from kinlib.view.drawing.colours import AXIS_COLOURS, GREY, INK, PALE_GREY
+from kinlib.view.drawing.figure_colours import AXIS_COLOURS, GREY, INK, PALE_GREY
 from kinlib.view.drawing.labels import LABEL_OFFSETS, Label, Offset, place_labels
 from kinlib.view.drawing.picture import Picture
 

@@ -1,6 +1,6 @@
 """Whether notebooks are being executed for a static page, on which no Python runs afterwards.
 
-misstep/static_output.py is the same, because the two packages are installed independently of each other.
+misstep/display/static_output.py is the same, because the two packages are installed independently of each other.
 """
 
 import os

@@ -8,7 +8,7 @@ from numpy.typing import ArrayLike
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.view.drawing.canvas import Canvas
-from kinlib.view.drawing.colours import GHOST_GREY, GREY, LINK_GREY, ORANGE, VIOLET
+from kinlib.view.drawing.figure_colours import GHOST_GREY, GREY, LINK_GREY, ORANGE, VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.joint_bodies import draw_joint_bodies
 

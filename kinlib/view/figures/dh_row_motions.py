@@ -9,7 +9,7 @@ from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.dh.table import Convention, dh_transform
 from kinlib.view.drawing.canvas import Canvas, view_axes
-from kinlib.view.drawing.colours import GREY, INK, ORANGE, PALE_GREY, VIOLET
+from kinlib.view.drawing.figure_colours import GREY, INK, ORANGE, PALE_GREY, VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
 
 TRANSLATE_X, ROTATE_X, TRANSLATE_Z, ROTATE_Z = range(4)

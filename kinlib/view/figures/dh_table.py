@@ -9,7 +9,7 @@ from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.dh.table import DHTable, dh_transform
 from kinlib.view.drawing.canvas import Canvas
-from kinlib.view.drawing.colours import AXIS_COLOURS, GREY, INK, ORANGE, PALE_GREY, VIOLET
+from kinlib.view.drawing.figure_colours import AXIS_COLOURS, GREY, INK, ORANGE, PALE_GREY, VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.joint_bodies import draw_joint_bodies
 

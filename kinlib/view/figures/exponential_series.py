@@ -8,7 +8,7 @@ from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import hat
 from kinlib.rigid.screw import axes, line
 from kinlib.view.drawing.canvas import Canvas
-from kinlib.view.drawing.colours import GREY, INK, ORANGE, PALE_GREY, VIOLET
+from kinlib.view.drawing.figure_colours import GREY, INK, ORANGE, PALE_GREY, VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.screw_motions import motion_path
 

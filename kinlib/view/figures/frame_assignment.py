@@ -5,7 +5,7 @@ import numpy as np
 from kinlib.dh.assignment import FrameAssignment
 from kinlib.rigid.screw import line
 from kinlib.view.drawing.canvas import Canvas
-from kinlib.view.drawing.colours import AXIS_COLOURS, INK, ORANGE, VIOLET
+from kinlib.view.drawing.figure_colours import AXIS_COLOURS, INK, ORANGE, VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.assignment_steps import MAX_DISTANCE_IN_ARM_SIZES, row_segments, state_after, visible_features
 from kinlib.view.figures.joint_bodies import draw_joint_bodies

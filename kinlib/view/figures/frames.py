@@ -10,7 +10,7 @@ from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import exp
 from kinlib.view.drawing.canvas import Canvas, view_axes
-from kinlib.view.drawing.colours import AXIS_COLOURS, GREY, INK, ORANGE
+from kinlib.view.drawing.figure_colours import AXIS_COLOURS, GREY, INK, ORANGE
 from kinlib.view.drawing.picture import Picture, vector_text
 
 

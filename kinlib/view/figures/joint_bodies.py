@@ -8,7 +8,7 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import perpendicular
 from kinlib.view.drawing.canvas import Canvas
-from kinlib.view.drawing.colours import INK, JOINT_FILL
+from kinlib.view.drawing.figure_colours import INK, JOINT_FILL
 
 JOINT_RADIUS = 0.035
 """The radius of a joint, as a share of the size of what is shown."""

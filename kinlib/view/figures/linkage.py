@@ -16,7 +16,7 @@ from kinlib.mechanisms.mechanism import Mechanism
 from kinlib.rigid.lie import exp, inverse
 from kinlib.rigid.screw import line
 from kinlib.view.drawing.canvas import Canvas, view_axes
-from kinlib.view.drawing.colours import GHOST_GREY, GREY, INK, LINK_GREY, ORANGE, PALE_GREY
+from kinlib.view.drawing.figure_colours import GHOST_GREY, GREY, INK, LINK_GREY, ORANGE, PALE_GREY
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.drawing.svg import GREEK
 from kinlib.view.figures.joint_bodies import JOINT_RADIUS, NUMBER_OFFSETS, draw_joint_body

@@ -6,7 +6,7 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.rigid.screw import is_prismatic
 from kinlib.view.drawing.canvas import Canvas
-from kinlib.view.drawing.colours import INK, ORANGE, PALE_GREY, VIOLET
+from kinlib.view.drawing.figure_colours import INK, ORANGE, PALE_GREY, VIOLET
 from kinlib.view.drawing.picture import Picture
 
 

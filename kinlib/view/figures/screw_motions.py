@@ -10,7 +10,7 @@ from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import exp
 from kinlib.rigid.screw import is_prismatic, line
 from kinlib.view.drawing.canvas import Canvas
-from kinlib.view.drawing.colours import VIOLET
+from kinlib.view.drawing.figure_colours import VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
 
 MOTION_STYLES = (("#0b5cad", "-"), ("#b35900", "--"), ("#1a7f37", ":"), ("#1f2328", "-."))

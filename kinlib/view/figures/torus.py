@@ -13,7 +13,7 @@ from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.rigid.angles import wrap_angle
 from kinlib.view.drawing import svg
-from kinlib.view.drawing.colours import GREY, INK, PALE_GREY
+from kinlib.view.drawing.figure_colours import GREY, INK, PALE_GREY
 from kinlib.view.drawing.picture import Picture
 
 CURVE_STYLES = (("#7d3ac1", "-"), ("#b35900", "--"), ("#0b5cad", ":"))

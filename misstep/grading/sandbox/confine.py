@@ -1,31 +1,15 @@
 """The confinement of one submission: what a process gives up before it runs code that is not trusted."""
 
-import errno
 import os
 from collections.abc import Callable, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
-from misstep.grading.sandbox import syscalls
+from misstep.grading.sandbox import libc_calls
 from misstep.grading.sandbox.course_stub import CourseSetup
+from misstep.grading.sandbox.forbidden_syscalls import syscall_filter
 from misstep.grading.sandbox.limits import Limits, sandbox_layer
 from misstep.grading.sandbox.rootfs import DEVICES, NAMESPACES_REMEDY, SCRATCH, readable_paths
-
-FORBIDDEN_SYSCALLS = (
-    *("socket", "connect", "bind", "listen", "accept", "accept4"),
-    *("execve", "execveat", "fork", "vfork"),
-    *("ptrace", "process_vm_readv", "process_vm_writev", "process_madvise", "kcmp", "pidfd_open", "pidfd_getfd"),
-    *("mount", "umount2", "pivot_root", "chroot", "unshare", "setns", "open_tree", "move_mount", "fsopen", "fsmount"),
-    *("fsconfig", "fspick", "mount_setattr", "name_to_handle_at", "open_by_handle_at", "fanotify_init", "quotactl"),
-    *("bpf", "perf_event_open", "userfaultfd", "io_uring_setup", "io_uring_enter", "io_uring_register"),
-    *("add_key", "request_key", "keyctl", "syslog", "reboot", "kexec_load", "init_module", "finit_module", "acct"),
-    *("delete_module", "swapon", "swapoff", "sethostname", "setdomainname", "settimeofday", "clock_settime"),
-    *("adjtimex", "personality", "iopl", "ioperm", "vhangup", "msgget", "semget", "shmget", "mq_open"),
-)
-"""System calls that no answer needs. They give access to the network, programs, other processes and the kernel itself."""
-
-CLONE_THREAD = 0x10000
-"""The flag with which clone makes a thread. Without it, clone makes a process."""
 
 BYTES_PER_MB = 1 << 20
 
@@ -54,13 +38,13 @@ class Confinement:
         with sandbox_layer(
             "seccomp", "Install it with: pip install 'misstep[grading]', and libseccomp2 (apt install libseccomp2)."
         ):
-            self._filter = _syscall_filter()
+            self._filter = syscall_filter()
 
     def prepare_fork(self) -> None:
         """Let the next fork start a pid namespace of its own."""
         self._fork_count += 1
-        syscalls.call("setns", self._own_pid_namespace, syscalls.NEWPID)
-        syscalls.unshare(syscalls.NEWPID)
+        libc_calls.call("setns", self._own_pid_namespace, libc_calls.NEWPID)
+        libc_calls.unshare(libc_calls.NEWPID)
 
     def apply(self, limits: Limits) -> None:
         """Give up everything that an answer does not need.
@@ -68,9 +52,9 @@ class Confinement:
         Raises SandboxUnavailable for a layer that cannot be applied.
         """
         with sandbox_layer("namespaces", NAMESPACES_REMEDY):
-            syscalls.unshare(syscalls.NEWNS | syscalls.NEWIPC | syscalls.NEWUTS | syscalls.NEWNET)
+            libc_calls.unshare(libc_calls.NEWNS | libc_calls.NEWIPC | libc_calls.NEWUTS | libc_calls.NEWNET)
             options = f"size={limits.scratch_mb}m,nr_inodes=4096,mode=1777"
-            syscalls.mount("none", SCRATCH, "tmpfs", syscalls.NOSUID | syscalls.NODEV, options)
+            libc_calls.mount("none", SCRATCH, "tmpfs", libc_calls.NOSUID | libc_calls.NODEV, options)
             os.chdir(SCRATCH)
         limit_resources(limits)
         with sandbox_layer("user", "This needs the right to change the user id, or a user namespace."):
@@ -79,7 +63,7 @@ class Confinement:
                 os.setgroups([])
                 os.setresgid(user, user, user)
                 os.setresuid(user, user, user)
-            syscalls.drop_capabilities()
+            libc_calls.drop_capabilities()
             set_resource_limits({"NPROC": limits.threads})
         with sandbox_layer("landlock", "The kernel must be 5.13 or newer, with landlock among its security modules."):
             self._restrict_files()
@@ -159,16 +143,3 @@ def _start_process() -> None:
 def _use_capability() -> None:
     """In a namespace of one user, every id is root's; what root may do there depends on its capabilities."""
     os.chroot(SCRATCH)
-
-
-def _syscall_filter() -> Any:
-    import pyseccomp
-
-    rules = pyseccomp.SyscallFilter(pyseccomp.ALLOW)
-    for name in FORBIDDEN_SYSCALLS:
-        if pyseccomp.resolve_syscall(pyseccomp.system_arch(), name) != -1:  # older libraries lack the newest calls
-            rules.add_rule(pyseccomp.ERRNO(errno.EPERM), name)
-    # clone3 passes its flags in memory, which a filter cannot read. libc falls back to clone if there is no clone3.
-    rules.add_rule(pyseccomp.ERRNO(errno.ENOSYS), "clone3")
-    rules.add_rule(pyseccomp.ERRNO(errno.EPERM), "clone", pyseccomp.Arg(0, pyseccomp.MASKED_EQ, CLONE_THREAD, 0))
-    return rules

@@ -8,9 +8,9 @@ import sys
 from collections.abc import Sequence
 from pathlib import Path
 
-from misstep.grading.sandbox import syscalls
+from misstep.grading.sandbox import libc_calls
+from misstep.grading.sandbox.libc_calls import BIND, NODEV, NOSUID, PRIVATE, READ_ONLY, RECURSIVE, REMOUNT
 from misstep.grading.sandbox.limits import sandbox_layer
-from misstep.grading.sandbox.syscalls import BIND, NODEV, NOSUID, PRIVATE, READ_ONLY, RECURSIVE, REMOUNT
 
 PREFIX_FOLDERS = ("bin", "sbin", "lib", "lib32", "lib64", "libexec", "share", "pyvenv.cfg")
 """What is read of a prefix such as /usr or a virtual environment. Its other folders may hold a project, with solutions."""
@@ -42,9 +42,9 @@ def enter_namespaces() -> None:
     ):
         user, group = os.geteuid(), os.getegid()
         try:
-            syscalls.unshare(syscalls.NEWNS | syscalls.NEWPID)
+            libc_calls.unshare(libc_calls.NEWNS | libc_calls.NEWPID)
         except PermissionError:  # not root, or only root of a container: inside a user namespace it is permitted
-            syscalls.unshare(syscalls.NEWUSER | syscalls.NEWNS | syscalls.NEWPID)
+            libc_calls.unshare(libc_calls.NEWUSER | libc_calls.NEWNS | libc_calls.NEWPID)
             for name, text in {"setgroups": "deny", "uid_map": f"0 {user} 1", "gid_map": f"0 {group} 1"}.items():
                 Path(f"/proc/self/{name}").write_text(text)
 
@@ -68,10 +68,10 @@ def enter_root(paths: Sequence[str], hidden: Sequence[str]) -> None:
     with sandbox_layer("namespaces", NAMESPACES_REMEDY):
         links = {path: Path(path).readlink() for path in paths if Path(path).is_symlink()}
         folders = [path for path in paths if path not in links]
-        syscalls.mount("none", "/", flags=RECURSIVE | PRIVATE)
-        syscalls.mount("none", TEMPORARY, "tmpfs", NOSUID, "mode=755,size=1m")
+        libc_calls.mount("none", "/", flags=RECURSIVE | PRIVATE)
+        libc_calls.mount("none", TEMPORARY, "tmpfs", NOSUID, "mode=755,size=1m")
         Path(f"{TEMPORARY}/.old").mkdir()
-        syscalls.pivot_root(TEMPORARY, f"{TEMPORARY}/.old")
+        libc_calls.pivot_root(TEMPORARY, f"{TEMPORARY}/.old")
         os.chdir("/")
         for path, target in links.items():
             Path(path).parent.mkdir(parents=True, exist_ok=True)
@@ -80,13 +80,13 @@ def enter_root(paths: Sequence[str], hidden: Sequence[str]) -> None:
             _bind(Path(path), Path(f"/.old{path}"))
         for folder in hidden:
             if is_inside(folder, folders) and Path(folder).is_dir():
-                syscalls.mount("none", folder, "tmpfs", NOSUID | NODEV | READ_ONLY, "mode=755,size=4k")
+                libc_calls.mount("none", folder, "tmpfs", NOSUID | NODEV | READ_ONLY, "mode=755,size=4k")
         Path(SCRATCH).mkdir()
         if not Path(TEMPORARY).exists():  # an interpreter may be installed there
             Path(TEMPORARY).symlink_to(SCRATCH)
-        syscalls.detach("/.old")
+        libc_calls.detach("/.old")
         Path("/.old").rmdir()
-        syscalls.mount("none", "/", flags=REMOUNT | BIND | READ_ONLY | NOSUID)
+        libc_calls.mount("none", "/", flags=REMOUNT | BIND | READ_ONLY | NOSUID)
 
 
 def is_inside(folder: str, paths: Sequence[str]) -> bool:
@@ -105,8 +105,8 @@ def _bind(target: Path, source: Path) -> None:
         target.mkdir(exist_ok=True)
     else:
         target.touch()
-    syscalls.mount(str(source), str(target), flags=BIND | RECURSIVE)
+    libc_calls.mount(str(source), str(target), flags=BIND | RECURSIVE)
     if str(target) not in DEVICES:
-        syscalls.mount(
-            "none", str(target), flags=REMOUNT | BIND | READ_ONLY | NOSUID | syscalls.locked_flags(str(target))
+        libc_calls.mount(
+            "none", str(target), flags=REMOUNT | BIND | READ_ONLY | NOSUID | libc_calls.locked_flags(str(target))
         )

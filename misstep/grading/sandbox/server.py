@@ -18,7 +18,7 @@ from contextlib import suppress
 from importlib import import_module
 from typing import TYPE_CHECKING
 
-from misstep.grading.sandbox import syscalls
+from misstep.grading.sandbox import libc_calls
 from misstep.grading.sandbox.course_stub import CourseSetup, CourseStub, install_stub
 from misstep.grading.sandbox.limits import UNSAFE_OPTION, SandboxUnavailable
 from misstep.grading.sandbox.rootfs import SCRATCH, enter_namespaces, enter_root, readable_paths
@@ -56,7 +56,7 @@ def _enter_sandbox(setup: CourseSetup) -> "Confinement":
         signal.signal(signal.SIGINT, signal.SIG_IGN)
         # Waiting needs no NumPy: replacing this process by a small one frees two thirds of its memory.
         os.execv(sys.executable, [sys.executable, "-ISc", f"import os; os.waitpid({child}, 0)"])  # noqa: S606
-    syscalls.end_with_parent(signal.SIGKILL)
+    libc_calls.end_with_parent(signal.SIGKILL)
     from misstep.grading.sandbox.confine import Confinement
 
     return Confinement(setup)

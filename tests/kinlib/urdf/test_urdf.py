@@ -21,8 +21,8 @@ from urdf_files import ARMS, TROSSEN, poses_by_pinocchio, urdf_text
 import kinlib as kl
 from kinlib import load_urdf, robots, to_urdf
 from kinlib.rigid.rpy import origin, roll_pitch_yaw
-from kinlib.urdf.tree import Tree, UrdfJoint, read_tree, suggest_link
-from kinlib.urdf.xml import MAX_BYTES, MAX_CHARACTERS, MAX_DEPTH, Element, read_robot
+from kinlib.urdf.links_and_joints import Tree, UrdfJoint, read_tree, suggest_link
+from kinlib.urdf.xml_elements import MAX_BYTES, MAX_CHARACTERS, MAX_DEPTH, Element, read_robot
 
 CLOSE = 1e-9
 CONVENTIONS = ("standard", "modified")

@@ -16,7 +16,7 @@ ROOT = Path(__file__).parents[3]
 SITE = ROOT / "site"
 sys.path.insert(0, str(SITE))
 
-from kinsite import lab  # noqa: E402
+from kinsite.browser_lab import lab  # noqa: E402
 from serve import serve  # noqa: E402
 
 FOLDER = ROOT / "build" / "site" / "html"

@@ -16,9 +16,9 @@ import sys
 from collections.abc import Iterable
 from pathlib import Path
 
-from kinsite import pyodide, wheels
+from kinsite.browser_lab import pyodide, wheels
+from kinsite.browser_lab.wheels import Unreachable
 from kinsite.execute import ROOT, package_hash
-from kinsite.wheels import Unreachable
 
 VARIABLE = "KINLIB_LAB"
 DISTRIBUTIONS = {"official": pyodide.official, "offline": pyodide.offline}

@@ -12,7 +12,7 @@ import numpy as np
 
 from kinlib.arrays.validation import Array
 from kinlib.rigid.rpy import origin
-from kinlib.urdf.xml import Element
+from kinlib.urdf.xml_elements import Element
 
 MOVING_TYPES = ("revolute", "continuous", "prismatic")
 JOINT_TYPES = (*MOVING_TYPES, "fixed", "planar", "floating")
@@ -71,7 +71,7 @@ class Tree:
     links          the elements of the links, by name
     parent_joints  for the name of each link but the root, the joint whose child it is
 
-    >>> from kinlib.urdf.xml import read_robot
+    >>> from kinlib.urdf.xml_elements import read_robot
     >>> text = '''<robot name="crane"><link name="ground"/><link name="mast"/>
     ...   <joint name="slew" type="continuous"><parent link="ground"/><child link="mast"/></joint></robot>'''
     >>> print(read_tree(read_robot(text)))

@@ -17,9 +17,9 @@ from zipfile import ZipFile
 
 from packaging.utils import canonicalize_name
 
-from kinsite import wheels
+from kinsite.browser_lab import wheels
+from kinsite.browser_lab.wheels import DOWNLOADS, Unreachable
 from kinsite.npm_packages import MODULES
-from kinsite.wheels import DOWNLOADS, Unreachable
 
 CORE = ("pyodide.mjs", "pyodide.asm.mjs", "pyodide.asm.js", "pyodide.asm.wasm", "python_stdlib.zip")
 """The files of Python itself. Each of the two distributions has four of them."""

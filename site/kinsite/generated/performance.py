@@ -13,7 +13,7 @@ import numpy as np
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.drawing.plot import plot
 from kinsite.execute import ROOT
-from kinsite.reference import escape
+from kinsite.generated.reference import escape
 
 sys.path.insert(0, str(ROOT))  # the benchmarks are not an installed package
 

@@ -19,8 +19,8 @@ from kinlib.mechanisms.mechanism import Mechanism
 from kinlib.view import draw_arm, drive, explore
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.linkage import draw_linkage
-from kinsite.reference import escape, prose
-from misstep.text import matrix, number
+from kinsite.generated.reference import escape, prose
+from misstep.display.text import matrix, number
 
 NOT_ROBOTS = {"arm", "pose"}
 """Public functions of kl.robots that do not make a robot of the course."""
