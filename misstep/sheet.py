@@ -44,6 +44,12 @@ class OpenSheet:
     ...     wrong = [mistake("doubled", np.array(2.0 * x), "You multiplied by 2. Divide by 2.")]
     ...     return Problem(f"What is half of {x}?", Numbers(np.array(x / 2)), wrong, given={"x": x})
     >>> sheet = OpenSheet(Sheet("01_fractions", "Fractions", [half]), "ada")
+    >>> sheet.show(1)
+    **A half** (2 points)
+    <BLANKLINE>
+    What is half of ...?
+    <BLANKLINE>
+    From `given = sheet.given(1)` you have `given.x`
     >>> x = sheet.given(1).x
     >>> sheet.check(1, 2 * x).judgement.mistakes
     ['doubled']

@@ -14,7 +14,7 @@ def pinocchio_model(chain):
         point = np.cross(omega, v)  # on the axis, nearest the origin; zero for a slide
         if not omega.any():
             joint = pin.JointModelPrismaticUnaligned(v)
-        elif abs(omega @ v) > 1e-12:
+        elif abs(omega @ v) > 1e-15:
             joint = pin.JointModelHelicalUnaligned(omega, omega @ v)
         else:
             joint = pin.JointModelRevoluteUnaligned(omega)
