@@ -102,7 +102,7 @@ class Course:
     warm_up: Sequence[str] = ()
     fallback: Callable[[str], Sheet | None] | None = None
     fallback_hint: str = ""
-    _asked: dict[str, Any] = field(default_factory=dict, repr=False, compare=False)
+    _asked: dict[str, Any] = field(default_factory=dict, init=False, repr=False)
 
     @property
     def folder(self) -> Path:
