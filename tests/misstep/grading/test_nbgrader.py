@@ -136,7 +136,7 @@ def booked(folder):
     return found
 
 
-def test_nbgrader_releases_what_handout_releases(theirs):
+def test_nbgrader_and_misstep_release_the_same_notebooks(theirs):
     released = theirs / "exercises" / SHEET / f"{SHEET}.ipynb"
     assert released.read_bytes() == submissions.released().read_bytes()
 
