@@ -233,7 +233,7 @@ def installed_courses() -> list[Course]:
 def load_course(folder: str | Path) -> Course:
     """Load a course from its folder, which need not be installed.
 
-    Raises ValueError if the folder is not a package that defines COURSE.
+    Raises ValueError if the folder is not a package that defines COURSE, or has the name of another package.
 
     >>> from tempfile import TemporaryDirectory
     >>> temporary = TemporaryDirectory()
@@ -252,14 +252,36 @@ def load_course(folder: str | Path) -> Course:
         )
     known = sys.modules.get(path.name)
     if known is None or Path(str(known.__file__)).parent != path:
+        if known is not None and not isinstance(getattr(known, "COURSE", None), Course):
+            raise ValueError(
+                f"A course must not have the name of another package; {path.name!r} is already imported from "
+                f"{getattr(known, '__file__', 'Python itself')}. Rename the folder."
+            )
+        forget_package(path.name)  # the lectures of a course of the same name in another folder are cached, too
         spec = spec_from_file_location(path.name, path / "__init__.py", submodule_search_locations=[str(path)])
         known = module_from_spec(spec)  # type: ignore[arg-type]
         sys.modules[path.name] = known
-        spec.loader.exec_module(known)  # type: ignore[union-attr]
+        try:
+            spec.loader.exec_module(known)  # type: ignore[union-attr]
+        except BaseException:
+            forget_package(path.name)  # otherwise the next attempt would find the half-made module
+            raise
     course = getattr(known, "COURSE", None)
     if not isinstance(course, Course):
         raise ValueError(f"{path / '__init__.py'} must define COURSE = Course({path.name!r}); it defines {course!r}.")
     return course
+
+
+def forget_package(package: str) -> None:
+    """Remove a package and its modules from those that Python has imported, so that the next import reads them again.
+
+    >>> sys.modules["no_such_course"] = sys.modules["no_such_course.lecture_01_halves"] = sys
+    >>> forget_package("no_such_course")
+    >>> [name for name in sys.modules if name.startswith("no_such_course")]
+    []
+    """
+    for name in [name for name in sys.modules if name == package or name.startswith(f"{package}.")]:
+        del sys.modules[name]
 
 
 def find_course(reference: str | Path) -> Course:

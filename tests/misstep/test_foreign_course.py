@@ -13,7 +13,7 @@ from pathlib import Path
 
 import pytest
 import submissions
-from circuits import write_course
+from circuits_course import write_course
 from packaging.requirements import Requirement
 from packaging.utils import canonicalize_name
 

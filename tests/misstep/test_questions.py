@@ -1,11 +1,9 @@
 """Questions of a lecture: predictions, self-checks, and errors in the file of questions."""
 
-import sys
-
 import pytest
-from circuits import write_course
+from circuits_course import write_course
 
-from misstep.catalog import load_course
+from misstep.catalog import forget_package, load_course
 from misstep.questions.item import read_questions
 from misstep.questions.widget import Question
 
@@ -27,8 +25,7 @@ NAME = "01/brightness"
 @pytest.fixture
 def course(tmp_path):
     yield load_course(write_course(tmp_path))
-    for name in [name for name in sys.modules if name.partition(".")[0] == "circuits"]:
-        del sys.modules[name]
+    forget_package("circuits")
 
 
 @pytest.fixture

@@ -16,7 +16,7 @@ from typing import Any
 
 import misstep
 from misstep import catalog
-from misstep.catalog import ENTRY_POINT_GROUP, Course
+from misstep.catalog import ENTRY_POINT_GROUP, Course, forget_package
 from misstep.sheet import OpenSheet, Sheet
 
 
@@ -137,8 +137,7 @@ def _do_nothing(*_: Any, **__: Any) -> None:
 def install_stub(package: str) -> CourseStub:
     """Put a stub in the place of the course, for imports of its package and for courses that are loaded by their path."""
     stub = CourseStub(package)
-    for name in [name for name in sys.modules if name == package or name.startswith(f"{package}.")]:
-        del sys.modules[name]
+    forget_package(package)
     sys.modules[package] = stub
     for module in (misstep, catalog):
         for function in ("load_course", "find_course"):
