@@ -1,0 +1,1 @@
+"""Answers by hand to sheet 01."""
