@@ -67,6 +67,6 @@ def answers_by_hand(number: str, given: Any, answer: Any) -> list[WrongAnswer]:
     given   the given values, `sheet.given(k)`
     answer  the right answer, `sheet.problem(k).answer.value`
     """
-    sheet = number.split(".")[0]
+    sheet = number.split(".", maxsplit=1)[0]
     import_module(f"{__name__}.{'lecture_' + sheet if sheet.isdigit() else 'robot_sheets'}")
     return list(_MAKERS[number](given, answer)) if number in _MAKERS else []
