@@ -1,14 +1,16 @@
 """Sheets: problems that are shown, checked and counted in a notebook or in a plain Python session."""
 
+from collections import defaultdict
 from collections.abc import Sequence
 from dataclasses import dataclass
 from types import SimpleNamespace
 from typing import Any
 
-from misstep.judge import judge
+from misstep.bugs import recurrences
+from misstep.judge import Judgement, judge
 from misstep.problem import Problem, Template
 from misstep.storage.serialize import to_data
-from misstep.verdict import Tally, Verdict
+from misstep.verdict import Tally, Verdict, observation
 
 SAMPLE_ID = "your id"
 """The id in a sheet as it is released. Its numbers are valid, but they are the same for everybody."""
@@ -69,6 +71,7 @@ class OpenSheet:
         self.sheet = sheet
         self.student = student.strip()
         self.verdicts: dict[int, Verdict] = {}
+        self._judgements: dict[int, list[Judgement]] = defaultdict(list)
         self._drawn: dict[int, Problem] = {}
 
     def problem(self, k: int) -> Problem:
@@ -107,12 +110,15 @@ class OpenSheet:
         template, problem = self._template(k), self.problem(k)
         stored = to_data(answer, problem.answer.inputs)  # for a grader, which judges it again
         emission = {"sheet": self.sheet.name, "problem": k, "student": self.student, "answer": stored}
-        self.verdicts[k] = Verdict(template, judge(problem, answer), emission)
+        judgement = judge(problem, answer)
+        self._judgements[k].append(judgement)
+        self.verdicts[k] = Verdict(template, judgement, emission)
         return self.verdicts[k]
 
     def tally(self) -> Tally:
-        """Return the points so far, problem by problem."""
-        return Tally(self.sheet.problems, dict(self.verdicts), self._note)
+        """Return the points so far, problem by problem, and the mistakes that returned, also those that were corrected."""
+        seen = [observation(self._template(k), self.problem(k), all_of) for k, all_of in self._judgements.items()]
+        return Tally(self.sheet.problems, dict(self.verdicts), self._note, recurrences(seen))
 
     def _template(self, k: int) -> Template:
         if k not in range(1, len(self.sheet.problems) + 1):

@@ -4,10 +4,11 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
+from misstep.bugs import Observation, Recurrence
 from misstep.display.card import Card
 from misstep.display.text import number
 from misstep.judge import Finding, Judgement
-from misstep.problem import Template
+from misstep.problem import Problem, Template
 from misstep.storage.deserialize import MIME
 
 TITLES = {
@@ -63,11 +64,12 @@ class Verdict:
 
 @dataclass(frozen=True)
 class Tally:
-    """The points of a sheet so far. It displays itself as a table."""
+    """The points of a sheet so far, and the mistakes that returned. It displays itself as a table."""
 
     problems: Sequence[Template]
     verdicts: Mapping[int, Verdict]
     note: str = ""
+    recurrences: Sequence[Recurrence] = ()
 
     @property
     def score(self) -> float:
@@ -84,7 +86,16 @@ class Tally:
             )
         total = sum(template.points for template in self.problems)
         rows.append(f"| **together** | **{number(self.score)} / {total}** | {self.note} |")
-        return "\n".join(rows)
+        lines = [f"- {one}" for one in self.recurrences if one.returns or one.is_slip]
+        return "\n".join([*rows, "", *lines] if lines else rows)
+
+
+def observation(template: Template, problem: Problem, judgements: Sequence[Judgement]) -> Observation:
+    """Return what a student's answers to a problem show about mistakes: nothing if none of them could be read."""
+    read = [judgement for judgement in judgements if judgement.state in {"right", "partly", "wrong"}]
+    possible = {wrong.name for wrong in problem.mistakes} if read else set()
+    findings = [finding for judgement in read for finding in judgement.findings if finding.mistake]
+    return Observation(template.number, sorted(possible), [[[finding.mistake]] for finding in findings])
 
 
 def _finding_text(finding: Finding, is_only_finding: bool) -> str:

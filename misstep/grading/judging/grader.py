@@ -135,6 +135,8 @@ class Grader:
                     notes.get(k, ()),
                     answers.get(str(k)),
                     verdict.get("right"),
+                    verdict["possible"],
+                    verdict["explanations"],
                 )
             )
         return results
@@ -210,7 +212,15 @@ class Grader:
 
 
 def _zero_points(state: str, text: str) -> dict[str, Any]:
-    return {"state": state, "fraction": 0.0, "mistakes": [], "text": text, "html": f"<p>{text}</p>"}
+    return {
+        "state": state,
+        "fraction": 0.0,
+        "mistakes": [],
+        "possible": [],
+        "explanations": [],
+        "text": text,
+        "html": f"<p>{text}</p>",
+    }
 
 
 NO_ANSWER = _zero_points("missing", "No answer was received for this problem.")

@@ -28,7 +28,7 @@ from misstep.problem import Problem
 from misstep.sheet import Sheet
 from misstep.storage.deserialize import Malformed, Opaque, from_data
 from misstep.storage.serialize import to_data
-from misstep.verdict import Verdict
+from misstep.verdict import Verdict, observation
 
 ANSWER_SECONDS = 4.0
 """Processor time for one answer, so that a busy machine changes no verdict. The slowest answers that people give, tables that
@@ -62,10 +62,13 @@ def _variants(course: Course, sheet: str, student: str) -> list[Problem]:
 
 def _verdict(sheet: Sheet, k: int, problem: Problem, data: Any) -> dict[str, Any]:
     verdict = Verdict(sheet.problems[k - 1], _judge_answer(problem, data))
+    seen = observation(verdict.template, problem, [verdict.judgement])
     return {
         "state": verdict.judgement.state,
         "fraction": verdict.judgement.fraction,
         "mistakes": verdict.judgement.mistakes,
+        "possible": seen.possible,
+        "explanations": seen.explanations,
         "text": verdict.card.text(),
         "html": verdict.card.html(),
         "right": to_data(problem.answer.value),

@@ -4,6 +4,8 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
+from misstep.bugs import Alternatives, Observation, Recurrence, recurrences
+
 
 @dataclass(frozen=True)
 class ProblemResult:
@@ -17,6 +19,7 @@ class ProblemResult:
     notes    remarks on its cells
     answer   the answer as data, in the form of misstep.storage.deserialize
     right    the right answer as data, for the instructor; None if the problem was not judged
+    possible, explanations   which mistakes can be made and which were, as an Observation of misstep.bugs has them
     """
 
     number: str
@@ -30,6 +33,8 @@ class ProblemResult:
     notes: Sequence[str] = ()
     answer: Any = None
     right: Any = None
+    possible: Sequence[str] = ()
+    explanations: Sequence[Alternatives] = ()
 
 
 @dataclass(frozen=True)
@@ -70,6 +75,11 @@ class Result:
     is_safe: bool = True
     seconds: float = 0.0
     cells: Sequence[RanCell] = field(default=(), repr=False)
+
+    @property
+    def recurrences(self) -> list[Recurrence]:
+        """The mistakes of this student across the problems of the sheet."""
+        return recurrences([Observation(one.number, one.possible, one.explanations) for one in self.problems])
 
     def to_dict(self) -> dict[str, Any]:
         """The result as JSON holds it. It is not copied, because its cells have all outputs in them."""

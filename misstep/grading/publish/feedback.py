@@ -11,7 +11,12 @@ def feedback_page(result: Result) -> str:
     """
     remarks = [line for line in (result.reason, *result.notes) if line]
     return render_page(
-        "feedback.html", result=result, remarks=remarks, verdict_lines=verdict_lines, is_safe=result.is_safe
+        "feedback.html",
+        result=result,
+        remarks=remarks,
+        patterns=[str(one) for one in result.recurrences if one.returns or one.is_slip],
+        verdict_lines=verdict_lines,
+        is_safe=result.is_safe,
     )
 
 

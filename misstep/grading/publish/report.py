@@ -65,6 +65,7 @@ def report_page(results: Sequence[Result], matches: Sequence[Match]) -> str:
         noted=sum(bool(result.notes or result.reason) for result in results),
         matching=len({match.student for match in matches if match.shared_count > 1}),
         problems=problems,
+        patterns=patterns(results),
         max_count=max((count for problem in problems for _, count in problem.mistakes), default=1),
         histogram=histogram,
         is_safe=all(result.is_safe for result in results),
@@ -86,6 +87,15 @@ def problem_report(results: Sequence[Result], k: int) -> ProblemReport:
         [(state, states[state]) for state in STATE_LABELS if states[state]],
         sorted(mistakes.items(), key=lambda item: (-item[1], item[0])),
     )
+
+
+def patterns(results: Sequence[Result]) -> list[tuple[str, int, int]]:
+    """For each mistake, the number of students in whose answers it returns, and of those in which it is probably a slip."""
+    found = [one for result in results for one in result.recurrences]
+    returning = Counter(one.name for one in found if one.returns)
+    slips = Counter(one.name for one in found if one.is_slip)
+    rows = [(name, returning[name], slips[name]) for name in {*returning, *slips}]
+    return sorted(rows, key=lambda row: (-row[1], -row[2], row[0]))
 
 
 def histogram_bars(values: Sequence[float], max_points: float) -> list[Bar]:

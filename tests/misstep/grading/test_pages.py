@@ -215,6 +215,38 @@ def test_the_formulas_of_the_course_are_all_set():
     assert [piece for piece in told if not render_formula(piece).startswith("<math>")] == []
 
 
+# --- mistakes across the problems ---
+
+
+def with_mistakes(student, *made):
+    """A student with the mistake of this name in each problem, or "" for none, where all of them can be made."""
+    possible = sorted({*made, "degrees"} - {""})
+    problems = [
+        problem(f"03.{k}", possible=possible, explanations=[[[name]]] if name else [])
+        for k, name in enumerate(made, start=1)
+    ]
+    return result(student, problems)
+
+
+def test_feedback_names_what_returns_and_what_is_a_slip():
+    letters = Reader(feedback_page(with_mistakes("ada", "omega x q", "omega x q", "", "sign"))).letters
+    assert "Returning mistake: “omega x q” explains answers in 2 of the 4 answered problems" in letters
+    assert "Probably a slip: “sign” explains answers in 1 of the 4 answered problems" in letters
+    assert "degrees" not in letters
+    assert "Across the problems" not in feedback_page(result())
+
+
+def test_the_report_counts_in_how_many_students_a_mistake_returns_and_in_how_many_it_is_a_slip():
+    class_ = [with_mistakes(student, "sign", "sign", "") for student in ("ada", "bob")]
+    class_ += [with_mistakes("cyn", "sign", "", ""), with_mistakes("dan", "degrees", "", "")]
+    rows = re.findall(
+        r'<tr><th scope="row">(.*)</th><td class="number">(\d+)</td><td class="number">(\d+)</td></tr>',
+        report_page(class_, []),
+    )
+    assert rows == [("sign", "2", "1"), ("degrees", "0", "1")]
+    assert "Mistakes across the problems" not in report_page([result()], [])
+
+
 # --- report ---
 
 

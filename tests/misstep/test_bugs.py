@@ -1,0 +1,146 @@
+"""Mistakes across problems: bugs that return, slips, and pairs that no problem tells apart."""
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from misstep.answers.number import Numbers
+from misstep.bugs import Observation, Recurrence, inseparable_pairs, recurrences
+from misstep.mistakes import mistake
+from misstep.problem import Problem, problem
+from misstep.sheet import OpenSheet, Sheet
+
+NAMES = "abcde"
+
+
+@st.composite
+def sheets(draw):
+    """For each problem the possible mistakes, in groups that lead to the same wrong answer."""
+    problems = []
+    for _ in range(draw(st.integers(1, 6))):
+        places = draw(st.fixed_dictionaries({}, optional={name: st.integers(0, 2) for name in NAMES}))
+        groups = [[name for name in sorted(places) if places[name] == place] for place in range(3)]
+        problems.append([group for group in groups if group])
+    return problems
+
+
+def as_alternatives(group):
+    return [[name] for name in group]
+
+
+def work(sheet, bugs):
+    """What a student with these bugs hands in, where each bug shows in a part of its own."""
+    return [
+        Observation(
+            f"01.{k}",
+            {name for group in groups for name in group},
+            [as_alternatives(group) for group in groups for name in group if name in bugs],
+        )
+        for k, groups in enumerate(sheet, start=1)
+    ]
+
+
+def pairs(sheet):
+    return inseparable_pairs([[as_alternatives(group) for group in groups] for groups in sheet])
+
+
+@given(sheets(), st.sampled_from(NAMES))
+def test_a_single_bug_is_named_with_those_alone_that_no_problem_tells_apart_from_it(sheet, bug):
+    where = [f"01.{k}" for k, groups in enumerate(sheet, start=1) if any(bug in group for group in groups)]
+    alike = {name for pair in pairs(sheet) if bug in pair for name in pair} | {bug}
+    expected = [Recurrence(" or ".join(sorted(alike)), where, len(where))] if where else []
+    assert recurrences(work(sheet, {bug})) == expected
+
+
+@given(sheets(), st.sets(st.sampled_from(NAMES)), st.randoms())
+def test_the_order_of_the_problems_does_not_matter_and_no_count_exceeds_the_opportunities(sheet, bugs, random):
+    seen = work(sheet, bugs)
+    found = recurrences(seen)
+    random.shuffle(seen)
+    assert recurrences(seen) == found
+    for one in found:
+        assert 1 <= len(one.problems) <= one.opportunities <= len(sheet)
+        assert not (one.returns and one.is_slip)
+
+
+@given(sheets())
+def test_two_mistakes_are_a_pair_if_each_problem_has_both_in_one_group_or_neither(sheet):
+    def is_pair(one, other):
+        return all((one in group) == (other in group) for groups in sheet for group in groups)
+
+    named = sorted({name for groups in sheet for group in groups for name in group})
+    assert pairs(sheet) == [(one, other) for one in named for other in named if one < other and is_pair(one, other)]
+
+
+@given(sheets(), sheets())
+def test_more_problems_tell_more_mistakes_apart(sheet, more):
+    named = {name for groups in sheet for group in groups for name in group}
+    assert {pair for pair in pairs(sheet + more) if set(pair) <= named} <= set(pairs(sheet))
+
+
+@pytest.mark.parametrize(
+    ("alternatives", "names"),
+    [
+        ([["a", "b"]], ["a", "b"]),
+        ([["a", "b"], ["a", "c"]], ["a", "b or c"]),
+        ([["a", "b"], ["c", "d"]], ["a and b or c and d"]),
+        ([["a"], ["a", "b"]], ["a"]),
+    ],
+)
+def test_of_mistakes_made_together_each_is_counted_that_is_certain(alternatives, names):
+    found = recurrences([Observation("01.1", set(NAMES), [alternatives])])
+    assert [one.name for one in found] == names
+
+
+def test_an_answer_that_two_mistakes_explain_is_counted_for_the_one_that_explains_another_answer_too():
+    seen = [Observation("01.1", {"a", "b"}, [[["a"], ["b"]]]), Observation("01.2", {"a", "b"}, [[["b"]]])]
+    assert recurrences(seen) == [Recurrence("b", ["01.1", "01.2"], 2)]
+
+
+def test_once_is_a_slip_only_where_it_could_have_been_several_times():
+    seen = [Observation("01.1", {"a", "b"}, [[["a"]]]), *(Observation(f"01.{k}", {"a"}) for k in (2, 3))]
+    assert recurrences(seen)[0].is_slip
+    assert not recurrences(seen[:2])[0].is_slip
+
+
+# --- in a sheet ---
+
+
+def half(k):
+    @problem(f"01.{k}", "A half", points=1, lecture="01_fractions#Halves")
+    def drawn(sampler):
+        x = sampler.integer(1, 9)
+        ways = {"doubled": 2 * x, "kept": x, "sign": -x / 2}
+        wrong = [mistake(name, np.array(value), "A sentence.") for name, value in ways.items()]
+        return Problem("Halve it.", Numbers(np.array(x / 2)), wrong, given={"x": x})
+
+    return drawn
+
+
+@pytest.fixture
+def sheet():
+    return OpenSheet(Sheet("01_fractions", "Fractions", [half(k) for k in range(1, 6)]), "ada")
+
+
+def test_the_tally_names_a_mistake_that_returns_and_a_slip(sheet):
+    x = {k: sheet.given(k).x for k in range(1, 6)}
+    for k, answer in {1: 2 * x[1], 2: 2 * x[2], 3: -x[3] / 2, 4: x[4] / 2, 5: ...}.items():
+        sheet.check(k, answer)
+    assert sheet.tally()._repr_markdown_().splitlines()[-2:] == [
+        "- Returning mistake: “doubled” explains answers in 2 of the 4 answered problems in which it can be made (01.1, 01.2).",
+        "- Probably a slip: “sign” explains answers in 1 of the 4 answered problems in which it can be made (01.3).",
+    ]
+
+
+def test_a_mistake_that_was_corrected_is_still_in_the_tally(sheet):
+    for k in (1, 2):
+        sheet.check(k, 2 * sheet.given(k).x)
+        sheet.check(k, sheet.given(k).x / 2)
+    assert sheet.tally().score == 2
+    assert "“doubled” explains answers in 2 of the 2" in sheet.tally()._repr_markdown_()
+
+
+def test_a_tally_without_a_pattern_is_only_the_table(sheet):
+    sheet.check(1, 2 * sheet.given(1).x)
+    assert sheet.tally()._repr_markdown_().splitlines()[-1].startswith("| **together**")
