@@ -7,7 +7,7 @@ from typing import ClassVar
 import numpy as np
 
 from kinlib.arrays.validation import Array
-from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS
+from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS, is_plausible_angle
 from misstep.answers.base import TOLERANCE
 from misstep.answers.number import Numbers
 
@@ -40,8 +40,8 @@ class DHEntriesAnswer(Numbers):
         return [bool(chord[k]) if self._is_angle(k) else same[k] for k in range(len(self.names))]
 
     def hint(self, given: Array, part: int) -> str:
-        if self._is_angle(part) and abs(given[part]) > 4 * np.pi:
-            return "This is more than two full turns. Is it in degrees?"
+        if self._is_angle(part) and not is_plausible_angle(given[part]):
+            return f"This is read as {given[part]:g} rad, more than a full turn. Is it in degrees?"
         if abs(given[part] + self.value[part]) <= TOLERANCE:
             return "The size is right, the sign is not."
         return ""

@@ -1,12 +1,18 @@
 """Parse the rows of DH tables as people type them: lists, dictionaries, or the text of a slide.
 
 In every form, a row becomes four numbers (a, alpha, d, theta), the type of its joint and the joint's sign. An entry may contain
-the joint variable (`q1`, `theta_1`, `d_2`), pi, fractions, and named lengths. Angles are in radians, unless the text says
-degrees, in the heading of the column or after the number.
+the joint variable (`q1`, `theta_1`, `d_2`), pi, fractions, and named lengths, as on a keyboard or as in LaTeX. Angles are in
+radians, unless the text says degrees, in the heading of the column or after the number.
+
+What is written is honoured or refused. The variables must be numbered 1, 2, ... in the order of the rows; a variable without a
+number belongs to the joint of its row. Rows in another order are refused and not sorted, because a row leads from the frame of
+the row before, so their order has a meaning of its own. A heading a_{i-1} or alpha_{i-1} contradicts the standard convention, and a_i
+or alpha_i the modified one.
 """
 
 import ast
 import re
+import unicodedata
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -20,8 +26,6 @@ COLUMNS = ("a", "alpha", "d", "theta")
 ANGLE_COLUMNS = ("alpha", "theta")
 
 COLUMN_SYNONYMS = {
-    "α": "alpha",
-    "θ": "theta",
     "ψ": "alpha",
     "psi": "alpha",
     "twist": "alpha",
@@ -31,10 +35,37 @@ COLUMN_SYNONYMS = {
 }
 """Other names of the columns; the EduFill module writes psi where others write alpha."""
 
-JOINT_VARIABLE = re.compile(r"(q|theta|d)_?\d*", re.ASCII)
+ROW_NUMBER_HEADINGS = ("i", "j", "k", "n", "#", "no", "no.", "nr", "row", "link", "joint", "index", "axis", "frame")
+"""Headings of a column that counts the rows."""
 
-ENTRY_SYNTAX = re.compile(r"(?:(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?(?![\w.])|[A-Za-z_]\w*\b|[-+*/()\s])*", re.ASCII)
-"""The characters of an entry: numbers, names, operators. Python also reads 0x1F and 1_000 as numbers, but people do not."""
+JOINT_VARIABLE = re.compile(r"(q|theta|d)_?(\d*)", re.ASCII)
+
+NUMBER = r"(?>(?:\d+(?:\.\d*)?|\.\d+)(?:[eE][-+]?\d+)?)"
+
+ENTRY_TOKEN = re.compile(
+    rf"({NUMBER}(?![\d_.])|\))\s*(?=[A-Za-z(])|{NUMBER}(?![\w.])|[A-Za-z_]\w*\b|[-+*/()\s]", re.ASCII
+)
+"""A part of an entry: a number, a name, or an operator. The first group is a factor, if the other factor follows without a sign.
+
+Python also reads 0x1F and 1_000 as numbers, but people do not."""
+
+SPELLINGS = {
+    # In a text without r in front of it, Python reads \t, \a and \f as a tab, a bell and a form feed.
+    "\theta": "theta",
+    "\alpha": "alpha",
+    "\frac": "\\frac",
+    **dict.fromkeys("−–—", "-"),
+    **dict.fromkeys("·×⋅", "*"),
+    **dict.fromkeys(("º", "˚", r"^{\circ}", r"^\circ", r"\circ"), "°"),
+    **{subscript: str(digit) for digit, subscript in enumerate("₀₁₂₃₄₅₆₇₈₉")},
+    "₋": "-",
+    "ᵢ": "i",
+    "π": "pi",
+    "θ": "theta",
+    "ϑ": "theta",
+    "α": "alpha",
+}
+"""Signs that are written on paper, as a keyboard has them."""
 
 MAX_TEXT_LENGTH, MAX_ENTRY_LENGTH = 100_000, 200
 """The maximum length of a text and of an entry, in characters; no table that people type is longer."""
@@ -42,6 +73,20 @@ MAX_TEXT_LENGTH, MAX_ENTRY_LENGTH = 100_000, 200
 MAX_LENGTH_M = 1e12
 """The maximum of a and d, in metres: beyond it a pose cannot resolve a millimetre. The normals of nearly parallel axes can be far
 away, but not that far."""
+
+
+FULL_TURN_RAD, MAX_ANGLE_RAD = 2 * np.pi, 20 * np.pi
+
+
+def is_plausible_angle(angle: float) -> bool:
+    """Return whether an angle in radians is likely to be meant: at most a full turn, or up to ten turns in whole degrees.
+
+    >>> is_plausible_angle(-np.pi), is_plausible_angle(5 * np.pi / 2), is_plausible_angle(10), is_plausible_angle(90)
+    (True, True, False, False)
+    """
+    degrees = np.degrees(angle)
+    is_whole = abs(degrees - np.round(degrees)) < 1e-4 and abs(angle) <= MAX_ANGLE_RAD + 1e-3
+    return bool(abs(angle) <= FULL_TURN_RAD + 1e-3 or is_whole)
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,14 +101,18 @@ class Rows:
     signs: Array | None
 
 
-def read_rows(rows: Any, joints: str | None = None, lengths: Mapping[str, float] | None = None) -> Rows:
+def read_rows(
+    rows: Any, joints: str | None = None, lengths: Mapping[str, float] | None = None, convention: str | None = None
+) -> Rows:
     """Read a table in any of its forms.
 
-    rows     text with a heading, a sequence of {"a": ..., "alpha": ..., "d": ..., "theta": ...}, or numbers (m, 4) in that order
-    joints   letters R, P, F, one per row; by default read from the variables. F is a fixed row, without a joint
-    lengths  values of names such as l2 that an entry uses
+    rows        text with a heading, a sequence of {"a": ..., "alpha": ..., "d": ..., "theta": ...}, or numbers (m, 4) in that order
+    joints      letters R, P, F, one per row; by default read from the variables. F is a fixed row, without a joint
+    lengths     values of names such as l2 that an entry uses
+    convention  "standard" or "modified", which the indices in the heading must not contradict; None does not check them
 
-    Raises ValueError for anything else; the message names the row and the column.
+    Raises ValueError for anything else, for variables in another order than 1, 2, ..., and for angles that are not plausible as
+    radians; the message names the row and the column.
 
     >>> read_rows('''i | alpha | a  | d  | theta
     ...             1 | 0     | 0  | 0  | q1
@@ -75,7 +124,7 @@ def read_rows(rows: Any, joints: str | None = None, lengths: Mapping[str, float]
         raise ValueError(f"joints must be a string with a letter for each row; got {validation.describe(joints)}.")
     lengths, degrees = _validate_lengths(lengths), set[str]()
     if isinstance(rows, str):
-        rows, degrees = _split_table(rows)
+        rows, degrees = _split_table(rows, convention)
     if not isinstance(rows, Sequence) or not any(isinstance(row, Mapping) for row in rows):
         numbers = validation.vectors(rows, "rows", 4)
         if numbers.ndim != 2:
@@ -85,13 +134,16 @@ def read_rows(rows: Any, joints: str | None = None, lengths: Mapping[str, float]
         [_parse_entry(row, column, number, lengths, column in degrees) for column in COLUMNS]
         for number, row in enumerate(rows, start=1)
     ]
-    types, signs = zip(*(_joint_type_and_sign(row, number) for number, row in enumerate(cells, start=1)), strict=True)
+    types, signs, variables = zip(
+        *(_joint_of_row(row, number) for number, row in enumerate(cells, start=1)), strict=True
+    )
+    _validate_labels([variable for variable in variables if variable])
     letters = "".join(types)
     if joints is not None and joints != letters:
         raise ValueError(
             f"joints must agree with the variables in the rows, {letters}; got {joints:.60}. Which rows have a joint?"
         )
-    return _validate_rows(np.array([[constant for constant, _ in row] for row in cells]), letters, np.array(signs))
+    return _validate_rows(np.array([[entry.constant for entry in row] for row in cells]), letters, np.array(signs))
 
 
 def _validate_rows(numbers: Array, joints: str, signs: Array | None) -> Rows:
@@ -102,19 +154,47 @@ def _validate_rows(numbers: Array, joints: str, signs: Array | None) -> Rows:
     if set(joints) <= {"F"}:
         raise ValueError("A table must have at least one joint, but every row is fixed. Is q1 missing from an entry?")
     for column in ANGLE_COLUMNS:
-        values = numbers[:, COLUMNS.index(column)]
-        if (far := np.abs(values) > 4 * np.pi).any():
-            row = int(np.argmax(far))
-            raise ValueError(
-                f"Row {row + 1}: {column} must be at most two full turns; got {values[row]:g} rad. Is it in degrees? "
-                f"Then write {values[row]:g}°, or {column} (deg) in the heading of the column."
-            )
+        for row, angle in enumerate(numbers[:, COLUMNS.index(column)], start=1):
+            _validate_angle(float(angle), f"Row {row}, {column}", f"{angle:g} rad")
     for column in ("a", "d"):
         values = numbers[:, COLUMNS.index(column)]
         if (far := np.abs(values) > MAX_LENGTH_M).any():
             row = int(np.argmax(far))
             raise ValueError(f"Row {row + 1}: {column} must be at most {MAX_LENGTH_M:g} m; got {values[row]:g} m.")
     return Rows(numbers, joints, signs)
+
+
+def _validate_angle(angle: float, place: str, given: str) -> None:
+    """Refuse an angle that nobody means; `given` is the angle as it was typed, or the number with its unit."""
+    if is_plausible_angle(angle):
+        return
+    hint = f"Subtract full turns: {round(float(np.degrees(angle)), 6) % 360:.6g}° is the same angle."
+    if given.endswith(" rad"):
+        number = given.removesuffix(" rad")
+        hint = f"{given}? Write {number}° if it is in degrees, or subtract full turns if it is in radians."
+    raise ValueError(
+        f"{place}: an angle must be at most a full turn, 2 pi, or at most ten turns in whole degrees; got {given}. {hint}"
+    )
+
+
+def _validate_labels(variables: Sequence[tuple[str, int | None]]) -> None:
+    """Refuse variables that are not numbered 1, 2, ... in the order of the rows."""
+    numbers = [position if number is None else number for position, (_, number) in enumerate(variables, start=1)]
+    if numbers == list(range(1, len(numbers) + 1)):
+        return
+    names = ", ".join(name for name, _ in variables)
+    if len(set(numbers)) < len(numbers):
+        twice = next(number for number in numbers if numbers.count(number) > 1)
+        hint = f"Two rows have the variable of joint {twice}, but each joint has one row."
+    elif set(numbers) == set(range(1, len(numbers) + 1)):
+        hint = "Give the rows in the order of the joints, because each row begins at the frame of the row before."
+    else:
+        hint = (
+            "Is a row missing? The joints are counted from 1. A variable without a number, q, is the joint of its row."
+        )
+    raise ValueError(
+        f"The joint variables must be numbered 1, 2, ... in the order of the rows; got {names:.100}. {hint}"
+    )
 
 
 def _validate_lengths(lengths: Mapping[str, float] | None) -> dict[str, float]:
@@ -134,31 +214,39 @@ def _single_number(value: Any, name: str) -> float:
     return float(number)
 
 
-def _joint_type_and_sign(row: Sequence[tuple[float, float]], number: int) -> tuple[str, float]:
-    """Return the type and the sign of a row's joint, from the coefficients of its variable."""
-    moving = {column: factor for column, (_, factor) in zip(COLUMNS, row, strict=True) if factor}
+def _joint_of_row(row: Sequence["_Entry"], number: int) -> tuple[str, float, tuple[str, int | None] | None]:
+    """Return the type and the sign of a row's joint, and its variable with its number, from the coefficients in the entries."""
+    moving = {column: entry.factors for column, entry in zip(COLUMNS, row, strict=True) if entry.factors}
     if not moving:
-        return "F", 1.0
+        return "F", 1.0, None
+    for column, factors in moving.items():
+        if len(factors) > 1:
+            raise ValueError(
+                f"Row {number}, {column}: an entry must have one joint variable, that of its own joint; got "
+                f"{' and '.join(factors)}. If the angle depends on two joints, their mechanism is not a chain of rows."
+            )
     if len(moving) > 1 or set(moving) <= {"a", "alpha"}:
         raise ValueError(
             f"Row {number}: the joint variable must be in theta or in d, once; it is in {', '.join(moving)}."
         )
-    ((column, factor),) = moving.items()
+    ((column, factors),) = moving.items()
+    ((name, factor),) = factors.items()
     if abs(factor) != 1:
         raise ValueError(
             f"Row {number}: the joint variable in {column} must be q or -q, without a factor; its factor is {factor:g}."
         )
-    return ("R" if column == "theta" else "P"), factor
+    digits = JOINT_VARIABLE.fullmatch(name)[2]  # type: ignore[index]
+    return ("R" if column == "theta" else "P"), factor, (name, int(digits) if digits else None)
 
 
-def _split_table(text: str) -> tuple[list[dict[str, str]], set[str]]:
+def _split_table(text: str, convention: str | None = None) -> tuple[list[dict[str, str]], set[str]]:
     """Split a text into rows of entries by column name, and find the columns whose numbers are degrees."""
     if len(text) > MAX_TEXT_LENGTH:
         raise ValueError(f"A table as text must have at most {MAX_TEXT_LENGTH} characters; got {len(text)}.")
-    lines = [line for line in text.strip().splitlines() if line.strip(" |-+:\t")]
+    lines = [line for line in _respelled(text).strip().splitlines() if line.strip(" |-+:\t")]
     if len(lines) < 2:
         raise ValueError("A table as text must have a heading, such as 'a | alpha | d | theta', and at least one row.")
-    head = [_parse_heading(cell) for cell in _split_line(lines[0])]
+    head = [_parse_heading(cell, convention) for cell in _split_line(lines[0])]
     names = [name for name, _ in head]
     if sorted(name for name in names if name in COLUMNS) != sorted(COLUMNS):
         raise ValueError(
@@ -174,7 +262,19 @@ def _split_table(text: str) -> tuple[list[dict[str, str]], set[str]]:
                 f"Row {number} must have {len(head)} entries, one per heading; got {len(cells)}: {line.strip()!r:.100}."
             )
         rows.append(dict(zip(names, cells, strict=True)))
+    for name in {*names} & {*ROW_NUMBER_HEADINGS}:
+        _validate_row_numbers([row[name].rstrip(".") for row in rows])
     return rows, {name for name, degrees in head if degrees}
+
+
+def _validate_row_numbers(labels: Sequence[str]) -> None:
+    if all(re.fullmatch(r"\d{1,4}", label, re.ASCII) for label in labels):
+        first = int(labels[0])
+        if list(map(int, labels)) != list(range(first, first + len(labels))):
+            raise ValueError(
+                f"The rows must be in the order of their numbers, none of them missing or twice; got {', '.join(labels):.100}. "
+                "Sort the rows, because each of them begins at the frame of the row before."
+            )
 
 
 def _split_line(line: str) -> list[str]:
@@ -184,24 +284,61 @@ def _split_line(line: str) -> list[str]:
     return re.split(r"\s{2,}|\t", line) if re.search(r"\s{2,}|\t", line) else line.split()
 
 
-def _parse_heading(head: str) -> tuple[str, bool]:
+def _respelled(text: str) -> str:
+    """Replace signs that are written on paper by what a keyboard has: θ₁ by theta1, ½π by (0+1/2)pi."""
+    for sign, plain in SPELLINGS.items():
+        text = text.replace(sign, plain)
+    # A number in front of a fraction of numbers is its whole part: 1½ is 1.5.
+    for fraction in set(re.findall(r"[¼-¾⅐-⅞]", text)):
+        parts = unicodedata.normalize("NFKC", fraction).replace("⁄", "/")
+        text = re.sub(rf"(\d*){fraction}", lambda found, parts=parts: f"({found[1] or 0}+{parts})", text)
+    return text
+
+
+def _parse_heading(head: str, convention: str | None) -> tuple[str, bool]:
     """Return the name of a column, and whether its numbers are degrees: "alpha_{i-1} (deg)" is ("alpha", True).
 
-    Any other name is returned unchanged: a column of row numbers or of joint types is not read.
+    Any other name is returned unchanged: a column of joint types is not read.
     """
     if unit := re.search(r"\b[mc]m\b", head):
         raise ValueError(
             f"Lengths must be in metres, but the heading {head!r:.60} says {unit[0]}. Write 0.4 for 400 mm."
         )
     degrees = bool(re.search(r"deg|°", head))
-    name = re.sub(r"\([^()]*\)|\[[^\[\]]*\]|[\\${}]|_.*|°", "", head).strip().lower()
+    plain = re.sub(r"[\\${}\s°]", "", head).lower()
+    plain = re.sub(r"[(\[](?![ijkn](?:-1)?[)\]])[^()\[\]]*[)\]]", "", plain)
+    found = re.fullmatch(r"(\w+?)_?[(\[]?[ijkn](-1)?[)\]]?", plain)
+    if found and plain not in COLUMN_SYNONYMS:
+        name = COLUMN_SYNONYMS.get(found[1], found[1])
+        if name in ("a", "alpha"):
+            _validate_index(head, name, found[2] is not None, convention)
+        if name in COLUMNS:
+            return name, degrees
+    name = re.sub(r"_.*", "", plain)
     return COLUMN_SYNONYMS.get(name, name), degrees
 
 
-def _parse_entry(
-    row: Any, column: str, number: int, lengths: Mapping[str, float], in_degrees: bool
-) -> tuple[float, float]:
-    """Evaluate an entry as (constant, factor of the joint variable)."""
+def _validate_index(head: str, name: str, is_before: bool, convention: str | None) -> None:
+    """Refuse a heading of a or alpha whose index belongs to the other convention."""
+    said = "modified" if is_before else "standard"
+    if convention in ("standard", "modified") and said != convention:
+        raise ValueError(
+            f"The heading {head!r:.60} is that of a {said} table, but convention is {convention!r}. These two are often confused: row i "
+            f"has a_i and alpha_i in the standard convention, and a_{{i-1}} and alpha_{{i-1}} in the modified one (Craig). Write "
+            f"convention={said!r}, or, if the numbers are those of a {convention} table, write {name} without an index."
+        )
+
+
+@dataclass(frozen=True)
+class _Entry:
+    """An entry: its constant, and the factor of each joint variable that it contains, by name."""
+
+    constant: float
+    factors: Mapping[str, float]
+
+
+def _parse_entry(row: Any, column: str, number: int, lengths: Mapping[str, float], in_degrees: bool) -> _Entry:
+    """Evaluate an entry."""
     if not isinstance(row, Mapping) or column not in row:
         given = "" if isinstance(row, Mapping) else f"; it is {validation.describe(row)}"
         raise ValueError(
@@ -210,73 +347,118 @@ def _parse_entry(
     entry = row[column]
     place = f"Row {number}, {column}"
     if not isinstance(entry, str):
-        return _single_number(entry, place), 0.0
+        return _Entry(_single_number(entry, place), {})
     if len(entry) > MAX_ENTRY_LENGTH:
         raise ValueError(
             f"{place}: an entry must have at most {MAX_ENTRY_LENGTH} characters; {entry[:20]!r}... has {len(entry)}."
         )
-    text = entry.replace("−", "-").replace("π", "pi").replace("θ", "theta").strip()
-    text = re.sub(r"\\?d?frac\{([^{}]*)\}\{([^{}]*)\}", r"(\1)/(\2)", text)
-    text = re.sub(r"[\\{}$]", "", text)
-    has_unit = re.search("°|deg", text) is not None
-    if (has_unit or in_degrees) and column not in ANGLE_COLUMNS:
+    text, has_unit = _plain_entry(entry)
+    is_angle = column in ANGLE_COLUMNS
+    if (has_unit or in_degrees) and not is_angle:
         raise ValueError(f"{place}: {entry!r} is an angle, but {column} is a length. Are two columns swapped?")
-    text = re.sub(r"(\d+\.?\d*|\.\d+)\s*(°|deg\b)", r"(\1*pi/180)", text)
     try:
-        if not ENTRY_SYNTAX.fullmatch(text):
-            raise TypeError("not an entry of a table")
-        constant, factor = _evaluate(ast.parse(text, mode="eval").body, column, lengths)
+        value = _evaluate(ast.parse(_with_products(text), mode="eval").body, column, lengths)
     except (SyntaxError, KeyError, TypeError, ZeroDivisionError) as error:
-        hint = (
-            f"Give lengths={{{error.args[0]!r}: ...}}"
-            if isinstance(error, KeyError)
-            else "Try 0.5, pi/2, q1 + pi/2 or -90°"
-        )
         raise ValueError(
-            f"{place}: an entry must be a number, or a joint variable with a number; got {entry!r}. {hint}."
+            f"{place}: an entry must be a number, or a joint variable with a number; got {entry!r}. {_hint(text, error)}."
         ) from error
-    if not np.isfinite([constant, factor]).all():
+    if not np.isfinite([value.constant, *value.factors.values()]).all():
         raise ValueError(f"{place}: an entry must be a finite number; got {entry!r}.")
-    # A heading in degrees applies to bare numbers; an entry with pi or a degree sign has its own unit.
-    is_bare = in_degrees and not has_unit and not re.search(r"\bpi\b", text)
-    return (constant * np.pi / 180 if is_bare else constant), factor
+    # A heading in degrees applies to bare numbers; an entry with pi or a unit has its own unit.
+    has_unit = has_unit or re.search(r"\bpi\b", text) is not None
+    if in_degrees and not has_unit:
+        value, has_unit = _Entry(np.radians(value.constant), value.factors), True
+    if is_angle:
+        _validate_angle(value.constant, place, repr(entry) if has_unit else f"{value.constant:g} rad")
+    return value
 
 
-def _evaluate(node: ast.expr, column: str, lengths: Mapping[str, float]) -> tuple[float, float]:
+def _plain_entry(entry: str) -> tuple[str, bool]:
+    """Return an entry in Python's spelling, except for products without a sign, and whether it has a unit of angles."""
+    text = _respelled(entry).strip()
+    fraction, argument = r"\\?[dtc]?frac", r"\s*(?:\{([^{}]*)\}|(\d|\\?pi(?![A-Za-z])))"
+    text = re.sub(rf"(?<![\w.])(\d+)\s*{fraction}\{{(\d+)\}}\{{(\d+)\}}", r"(\1+\2/\3)", text)  # 1\frac{1}{2} is 1.5
+    text = re.sub(rf"{fraction}{argument}{argument}", lambda f: f"(({f[1] or f[2]})/({f[3] or f[4]}))", text)
+    text = re.sub(r"[\\{}$]", "", text)
+    text = re.sub(r"\b(?:np|numpy|math|sp|sympy)\.", "", text)
+    text, units = re.subn(rf"({NUMBER})\s*(?:°|deg(?:rees?)?\b)|\b(?:radians|deg2rad)\(([^()]*)\)", _in_radians, text)
+    text, radians = re.subn(rf"({NUMBER}|pi|\))\s*rad(?:ians?)?\b", r"\1", text)
+    # Spong marks the variable with an asterisk: θ_1*.
+    text = re.sub(r"(\b(?:q|theta|d)_?\d*)\^?\*(?=\s*$|\s+[-+]\s|\s*\))", r"\1", text)
+    return text, bool(units or radians) or re.search(r"°|\bdeg", text) is not None
+
+
+def _in_radians(found: re.Match[str]) -> str:
+    return f"(({found[1] or found[2]})*pi/180)"
+
+
+def _with_products(text: str) -> str:
+    """Write the sign of each product: 3pi is 3*pi. Raises TypeError for a character that no entry has."""
+    words, place = [], 0
+    while place < len(text):
+        found = ENTRY_TOKEN.match(text, place)
+        if found is None:
+            raise TypeError("not an entry of a table")
+        words.append(f"{found[1]}*" if found[1] else found[0])
+        place = found.end()
+    return "".join(words)
+
+
+def _hint(text: str, error: Exception) -> str:
+    if comma := re.search(r"(\d*),(\d+)", text):
+        return f"The decimal sign is a point: write {comma[1] or 0}.{comma[2]}"
+    if unit := re.search(r"\d\s*([mc]m)\b", text):
+        return f"Lengths are in metres: write 0.4 for 400 mm, without {unit[1]}"
+    if isinstance(error, KeyError):
+        return f"Give lengths={{{error.args[0]!r}: ...}}"
+    return "Try 0.5, pi/2, q1 + pi/2 or -90°"
+
+
+def _evaluate(node: ast.expr, column: str, lengths: Mapping[str, float]) -> _Entry:
     """Evaluate sums, differences, products and fractions; no other syntax is accepted, so nothing else can be executed."""
     match node:
         case ast.Constant(value=int() | float() as value) if not isinstance(value, bool):
-            return float(value), 0.0
+            return _Entry(float(value), {})
         case ast.Name(id=name):
             return _evaluate_name(name, column, lengths)
         case ast.UnaryOp(op=ast.USub() | ast.UAdd() as sign, operand=operand):
-            constant, factor = _evaluate(operand, column, lengths)
-            return (-constant, -factor) if isinstance(sign, ast.USub) else (constant, factor)
+            value = _evaluate(operand, column, lengths)
+            return _scaled(value, -1.0) if isinstance(sign, ast.USub) else value
         case ast.BinOp(left=left, op=op, right=right):
             return _combine(op, _evaluate(left, column, lengths), _evaluate(right, column, lengths))
     raise TypeError(ast.dump(node))
 
 
-def _evaluate_name(name: str, column: str, lengths: Mapping[str, float]) -> tuple[float, float]:
+def _evaluate_name(name: str, column: str, lengths: Mapping[str, float]) -> _Entry:
     if name in lengths:
-        return lengths[name], 0.0
+        return _Entry(lengths[name], {})
     if name == "pi":
-        return np.pi, 0.0
+        return _Entry(np.pi, {})
     # In another column, d_3 is a length whose value is missing; in the column d it is the joint variable.
     if JOINT_VARIABLE.fullmatch(name) and (column == "d" or name[0] != "d"):
-        return 0.0, 1.0
+        return _Entry(0.0, {name.replace("_", ""): 1.0})
     raise KeyError(name)
 
 
-def _combine(op: ast.operator, one: tuple[float, float], other: tuple[float, float]) -> tuple[float, float]:
-    (x, p), (y, r) = one, other
+def _scaled(value: _Entry, factor: float) -> _Entry:
+    return _Entry(value.constant * factor, {name: scale * factor for name, scale in value.factors.items() if factor})
+
+
+def _combine(op: ast.operator, one: _Entry, other: _Entry) -> _Entry:
     match op:
-        case ast.Add():
-            return x + y, p + r
-        case ast.Sub():
-            return x - y, p - r
-        case ast.Mult() if not (p and r):
-            return x * y, p * y + r * x
-        case ast.Div() if not r:
-            return x / y, p / y
+        case ast.Add() | ast.Sub():
+            added = other if isinstance(op, ast.Add) else _scaled(other, -1.0)
+            names = {**one.factors, **added.factors}
+            factors = {name: one.factors.get(name, 0.0) + added.factors.get(name, 0.0) for name in names}
+            return _Entry(one.constant + added.constant, {name: factor for name, factor in factors.items() if factor})
+        case ast.Mult() if not other.factors:
+            return _scaled(one, other.constant)
+        case ast.Mult() if not one.factors:
+            return _scaled(other, one.constant)
+        case ast.Div() if not other.factors:
+            # Divided and not multiplied by the inverse, which would round twice.
+            return _Entry(
+                one.constant / other.constant,
+                {name: factor / other.constant for name, factor in one.factors.items()},
+            )
     raise TypeError(ast.dump(op))

@@ -88,7 +88,8 @@ class DHTable:
     name: str = field(default="table", kw_only=True)
 
     def __post_init__(self) -> None:
-        read = read_rows(self.rows, self.joints or None, self.lengths)
+        convention = validate_convention(self.convention)
+        read = read_rows(self.rows, self.joints or None, self.lengths, convention)
         arrays = {"rows": read.numbers, "signs": _signs(self.signs, read)}
         for name, value in {"base": self.base, "tool": self.tool}.items():
             arrays[name] = validation.poses(value, name)
@@ -96,7 +97,6 @@ class DHTable:
                 raise ValueError(f"{name} must be a single pose, (4, 4); got {np.shape(value)}.")
         for name, array in arrays.items():
             object.__setattr__(self, name, validation.read_only_copy(array))
-        object.__setattr__(self, "convention", validate_convention(self.convention))
         object.__setattr__(self, "joints", read.joints)
 
     @property

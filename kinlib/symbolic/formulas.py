@@ -15,6 +15,7 @@ import sympy as sp
 
 from kinlib.arrays import tolerances, validation
 from kinlib.chains.chain import Chain
+from kinlib.dh.parsing import is_plausible_angle
 from kinlib.dh.table import Convention, DHTable, validate_convention
 from kinlib.symbolic.merge_rotations import AxisRotation, Factors, homogeneous, multiply, rotation, skew_symmetric
 from kinlib.symbolic.numbers import exact, joints, shorthand
@@ -225,7 +226,7 @@ def table_fk(table: DHTable | Iterable[Any], convention: Convention | None = Non
         rows = [_matrix(row, f"row {number}", (4, 1)) for number, row in enumerate(table, start=1)]
     factors: Factors = []
     for a, alpha, d, theta in rows:
-        if alpha.is_number and abs(alpha) > 2 * sp.pi:
+        if alpha.is_number and not is_plausible_angle(float(alpha)):
             raise ValueError(
                 f"alpha must be at most a full turn; got {alpha} rad. If it is in degrees, write {alpha}*pi/180."
             )

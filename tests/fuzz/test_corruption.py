@@ -29,7 +29,7 @@ def test_an_error_that_the_library_did_not_raise_on_purpose_is_a_fault(fault):
 
 
 def test_an_error_that_the_library_raises_on_purpose_is_explained():
-    with pytest.raises(ValueError, match="two full turns") as raised:
+    with pytest.raises(ValueError, match="at most a full turn") as raised:
         kl.DHTable([[0, 0, 0, 90]], convention="standard")
     assert_explained(raised.value)
 

@@ -28,14 +28,15 @@ SLIDES = (
 WORDS = r"""
 a  alpha  d  theta  q1  q  -q2  θ  theta_1  d3  l1  l2  a_3  pi  π  -pi/2  \frac{1}{2}  |  |  ---  deg  (deg)  °
 -90°  90deg  *2  /0  /3  **  ^2  //  (  )  i  link  row  #  1.  Matrix([  lambda: 0  f'{q}'  [0.5]  q1 + q2
-q1*0  2*q  __import__  +  sin(0)  0.4 # m  0.4\  'a'  if  1if 1else 2  10^-3  1e-3°  5+5  -0.0  °°  0°1
+q1*0  2*q  θ₁*  ½π  np.pi  rad  3pi/2  0,5  q_2*  810°  \\frac\\pi2  α_i  __import__
++  sin(0)  0.4 # m  0.4\  'a'  if  1if 1else 2  10^-3  1e-3°  5+5  -0.0  °°  0°1
 """
 
 CUTS = (r"[^|\t\n]+", r"[^\n]+\n?", r"\w+", PIECE)
 """Entries, rows, words, and any piece."""
 
 PLAIN = re.compile(
-    r"(?>[\s()+\-−*/{}\\$°]|deg|d?frac|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|(?:q|theta|θ|d)_?\{?\d*\}?|pi|π|l1|l2|a_3)*+",
+    r"(?>[\s()+\-−*/{}\\$°^½]|deg|rad|np\.|d?frac|(?:\d+\.?\d*|\.\d+)(?:[eE][+-]?\d+)?|(?:q|theta|θ|d)_?\{?[\d₁₂]*\}?|pi|π|l1|l2|a_3)*+",
     re.ASCII,
 )
 """What a valid entry consists of: no keyword of Python and no digit of another script counts as a number."""

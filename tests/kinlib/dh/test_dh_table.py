@@ -320,6 +320,22 @@ def test_text_dictionaries_and_numbers_are_the_same_table():
         (r"$\frac{\pi}{4}$", np.pi / 4),
         ("0.5", 0.5),
         ("+1e-3", 1e-3),
+        *[
+            (spelling, np.pi / 2)
+            for spelling in ("np.pi/2", "math.pi/2", "π / 2", "½π", "½ pi", "0.5pi", "90º", "90^\\circ", "90 degrees")
+        ],
+        *[
+            (spelling, 3 * np.pi / 2)
+            for spelling in ("3\\pi/2", "\\frac{3\\pi}{2}", "3π/2", "3pi/2", "1½π", "(3/2)pi", "\\tfrac{3}{2}\\pi")
+        ],
+        *[(spelling, 5 * np.pi / 2) for spelling in ("5\\frac{\\pi}{2}", "5\\frac\\pi2", "5 \\frac{\\pi}{2}", "450°")],
+        *[
+            (spelling, -np.pi / 2)
+            for spelling in ("-π/2", "−½π", "-\\frac12\\pi", "-1.5707963267948966 rad", "-np.radians(90)")
+        ],
+        ("\frac{\\pi}{2}", np.pi / 2),  # a text without r in front, in which Python reads \f as a form feed
+        ("-1\\frac{1}{2}\\pi", -3 * np.pi / 2),
+        ("1e-3pi", 1e-3 * np.pi),
     ],
 )
 def test_an_angle_may_be_typed_in_any_of_these_ways(entry, number):
@@ -333,7 +349,24 @@ def test_an_angle_may_be_typed_in_any_of_these_ways(entry, number):
             (entry, 0.0, 1)
             for entry in ("q", "q1", "q_1", "θ1", "θ_1", "theta_1", r"$\theta_{1}$", "+q1", "1*q1", "q1*1", "q1/1")
         ],
-        *[(entry, 0.0, -1) for entry in ("-q1", "−θ_1", "-1*q1", "q1*-1", "q1/-1")],
+        *[
+            (entry, 0.0, 1)
+            for entry in (
+                "θ₁",
+                "ϑ_1",
+                "θ_₁",
+                "θ_1*",
+                "θ1*",
+                "q₁*",
+                r"\theta_1^*",
+                r"$\theta_{1}^{*}$",
+                "\theta_1",
+                "1q1",
+                "(q1*)",
+            )
+        ],
+        *[(entry, 0.0, -1) for entry in ("-q1", "−θ_1", "-1*q1", "q1*-1", "q1/-1", "q1 * -1", "-θ₁*")],
+        *[(entry, np.pi / 2, 1) for entry in ("q_1 + ½π", "q1* + π/2", "θ₁ + ½π", "q1 + np.pi/2", "pi/2 + θ1*")],
         *[(entry, 0.5, 1) for entry in ("q1 + 0.5", "0.5 + q1", "q1 - -0.5", "-(-q1 - 0.5)", "(2*q1 + 1)/2")],
         *[(entry, 0.5, -1) for entry in ("0.5 - q1", "-q1 + 0.5", "-(q1 - 0.5)")],
         *[(entry, -0.5, 1) for entry in ("q1 - 0.5", "-0.5 + q1", "q1 - 1 + 0.5", "q1 + 0.5 - 1")],
@@ -369,9 +402,8 @@ def test_a_length_or_an_angle_may_have_any_name(head, name):
 
 
 def test_the_largest_numbers_and_texts_that_are_read_are_those_that_the_messages_name():
-    close(
-        DHTable([[1e12, 4 * np.pi, -1e12, -4 * np.pi]], convention="standard").rows[0, [1, 3]], [4 * np.pi, -4 * np.pi]
-    )
+    for angle in (6.283, 2 * np.pi, 4 * np.pi, np.radians(397), 20 * np.pi):
+        close(DHTable([[1e12, angle, -1e12, -angle]], convention="standard").rows[0, [1, 3]], [angle, -angle])
     entry = "0.5".ljust(200, "0")
     table = DHTable(f"a|alpha|d|theta\n{entry}|0|0|q1".ljust(100_000), convention="standard")
     assert table.rows.tolist() == [[0.5, 0, 0, 0]]
@@ -394,7 +426,7 @@ TWO_ROWS = {
     "a column of numbers": "i | a | alpha | d | theta\n1 | 0.4 | 0 | 0.1 | q1\n2 | 0.3 | pi/2 | q2 | 0.2",
     "numbers under no head": "a alpha d theta\n1 0.4 0 0.1 q1\n2 0.3 pi/2 q2 0.2",
     "numbers with a dot": "a alpha d theta\n1. 0.4 0 0.1 q1\n2. 0.3 pi/2 q2 0.2",
-    "Greek, shuffled, with indices": "θ_i | d_i | α_{i-1} [rad] | a_{i-1}\nq1 | 0.1 | 0 | 0.4\n0.2 | q2 | pi/2 | 0.3",
+    "Greek, shuffled, with indices": "θ_i | d_i | α_i [rad] | a_{i}\nq1 | 0.1 | 0 | 0.4\n0.2 | q2 | pi/2 | 0.3",
     "other words": "Link | Angle | Offset | Twist | Length\n1 | q1 | 0.1 | 0 | 0.4\n2 | 0.2 | q2 | pi/2 | 0.3",
     "degrees": "a | psi (deg) | d | theta\n0.4 | 0 | 0.1 | q1\n0.3 | +90 | q2 | 0.2",
 }
@@ -418,22 +450,39 @@ def test_degrees_in_the_head_of_a_column_count_for_its_numbers_and_not_for_its_v
     [("1e1", 10), ("5+5", 10), ("q1 + 10", 10), ("45/9", 5), ("10 - q1", 10), ("-.5", -0.5), ("−5", -5), ("5 °", 5)],
 )
 def test_under_a_head_in_degrees_a_number_is_degrees_however_it_is_written(entry, degrees):
-    table = DHTable(f"a | alpha | d | theta (deg)\n 0 | 0 | 0 | {entry}\n 0 | 0 | 0 | q2", convention="standard")
+    table = DHTable(f"a | alpha | d | theta (deg)\n 0 | 0 | 0 | {entry}\n 0 | 0 | 0 | q", convention="standard")
     close(table.rows[0, 3], np.radians(degrees), 1e-15)
 
 
 REFUSED = {
     "degrees": (
         "a|alpha|d|theta\n0|-90|0|q1",
-        r"Row 1: alpha must be at most two full turns; got -90 rad\. Is it in degrees\? Then write -90°, or alpha \(deg\) in",
+        r"^Row 1, alpha: an angle must be .*; got -90 rad\. -90 rad\? Write -90° if it is in degrees, or subtract full turns if",
+    ),
+    "ten degrees without a sign": (
+        "a|alpha|d|theta\n0|10|0|q1",
+        "Row 1, alpha: an angle must be .*; got 10 rad. 10 rad\\? Write 10° if",
+    ),
+    "a turn and a bit": ([[0, 0, 0, 6.3]], "Row 1, theta: an angle must be at most a full turn, 2 pi, .*; got 6.3 rad"),
+    "degrees beside a variable": (
+        "a|alpha|d|theta\n0|0|0|q1 - 90",
+        "Row 1, theta: an angle .*; got -90 rad. -90 rad\\? Write -90° if",
+    ),
+    "a turn in uneven degrees": (
+        "a|alpha|d|theta\n0|370.5°|0|q1",
+        "Row 1, alpha: an angle .*; got '370.5°'. Subtract full turns: 10.5° is the same angle",
+    ),
+    "eleven turns": (
+        "a|alpha|d|theta\n0|0|0|q1 + 22*pi",
+        r"Row 1, theta: an angle .*; got 'q1 \+ 22\*pi'. Subtract full turns: 0° is",
     ),
     "an angle of two turns and a bit": (
         [[0, 0, 0, 0], [0, -12.57, 0, 0]],
-        "Row 2: alpha must be at most two full turns; got -12.57 rad",
+        "Row 2, alpha: an angle must be at most a full turn, .*; got -12.57 rad",
     ),
     "degrees in row 2": (
         "a|alpha|d|theta\n0|0|0|q1\n0|0|q2|90",
-        "Row 2: theta must be at most two full turns; got 90 rad",
+        "Row 2, theta: an angle must be at most a full turn, .*; got 90 rad",
     ),
     "a row too many numbers": (
         "a|alpha|d|theta\n0|0|0|q1\n3|0|0|0|q2",
@@ -474,7 +523,54 @@ REFUSED = {
     ),
     "a number as in Python": ("a|alpha|d|theta\n1_000|0|0|q1", "Row 1, a: an entry must be .*; got '1_000'"),
     "a number in sixteens": ("a|alpha|d|theta\n0x10|0|0|q1", "Row 1, a: an entry must be .*; got '0x10'"),
-    "a decimal comma": ("a|alpha|d|theta\n0,4|0|0|q1", "Row 1, a: an entry must be .*; got '0,4'"),
+    "a decimal comma": (
+        "a|alpha|d|theta\n0,4|0|0|q1",
+        r"Row 1, a: an entry must be .*; got '0,4'\. The decimal sign is a point: write 0\.4\.$",
+    ),
+    "a decimal comma in an angle": (
+        "a|alpha|d|theta\n0|0|0|q1 + 1,57",
+        r"Row 1, theta: .*The decimal sign is a point: write 1\.57\.$",
+    ),
+    "millimetres in an entry": (
+        "a|alpha|d|theta\n400 mm|0|0|q1",
+        "Row 1, a: .*Lengths are in metres: write 0.4 for 400 mm",
+    ),
+    "two joints in an angle": (
+        "a|alpha|d|theta\n1|0|0|q1\n1|0|0|q1+q2",
+        "Row 2, theta: an entry must have one joint variable, that of its own joint; got q1 and q2",
+    ),
+    "swapped labels": (
+        "a|alpha|d|theta\n1|0|0|q2\n1|0|0|q1",
+        r"^The joint variables must be numbered 1, 2, \.\.\. in the order of the rows; got q2, q1\. Give the rows in the order of the",
+    ),
+    "a label twice": (
+        "a|alpha|d|theta\n1|0|0|q1\n1|0|0|q_1\n1|0|0|q2",
+        r"in the order of the rows; got q1, q1, q2\. Two rows have the variable of joint 1, but each joint has one row\.$",
+    ),
+    "a gap between labels": (
+        "a|alpha|d|theta\n1|0|0|θ1\n1|0|d_3|0",
+        r"; got theta1, d3\. Is a row missing\? The joints are counted from 1",
+    ),
+    "labels from 0": (
+        "a|alpha|d|theta\n1|0|0|q0\n1|0|0|q1",
+        r"; got q0, q1\. Is a row missing\? The joints are counted from 1",
+    ),
+    "a label that is not that of its place": (
+        "a|alpha|d|theta\n1|0|0|q\n1|0|0|q1",
+        r"; got q, q1\. Two rows have the variable of joint 1",
+    ),
+    "swapped labels in dictionaries": (
+        [{"a": 1, "alpha": 0, "d": 0, "theta": "q2"}, {"a": 1, "alpha": 0, "d": 0, "theta": "q1"}],
+        r"in the order of the rows; got q2, q1\.",
+    ),
+    "rows in another order": (
+        "i|a|alpha|d|theta\n2|1|0|0|q\n1|1|0|0|q",
+        r"The rows must be in the order of their numbers, none of them missing or twice; got 2, 1\. Sort the rows",
+    ),
+    "a row that is missing": (
+        "Link a alpha d theta\n1 1 0 0 q\n3 1 0 0 q",
+        "in the order of their numbers, .*; got 1, 3",
+    ),
     "a digit of another script": ("a|alpha|d|theta\n٣|0|0|q1", "Row 1, a: an entry must be .*; got '٣'"),
     "a variable of another script": ("a|alpha|d|theta\n0|0|0|q٣", "Row 1, theta: an entry must be .*; got 'q٣'"),
     "a word of Python": ("a|alpha|d|theta\nTrue|0|0|q1", "Row 1, a: an entry must be .*; got 'True'"),
@@ -522,6 +618,51 @@ REFUSED = {
 def test_a_table_that_is_none_is_refused_by_row_and_column(rows, words):
     with pytest.raises(ValueError, match=words):
         DHTable(rows, convention="standard")
+
+
+@pytest.mark.parametrize(
+    "names",
+    [
+        *[("a_{i-1}", "alpha_{i-1}"), ("a_i-1", "α_i-1"), ("a(i-1)", "alpha(i-1)"), ("$a_{i−1}$", "$\\alpha_{i−1}$")],
+        *[
+            ("aᵢ₋₁", "αᵢ₋₁"),
+            ("a[i-1] (m)", "α_{i-1} [deg]"),
+            ("ai-1", "alphai-1"),
+            ("a_{n-1}", "twist_{n-1}"),
+            ("a_{i - 1}", "ψ_{j-1}"),
+        ],
+    ],
+)
+@pytest.mark.parametrize("place", [0, 1])
+def test_a_heading_of_the_other_convention_is_refused(names, place):
+    own, foreign = names[place], names[place].translate(str.maketrans("", "", "-−₋1₁ "))
+    for head, convention, other in ((own, "standard", "modified"), (foreign, "modified", "standard")):
+        text = f"{head} | {('alpha', 'a')[place]} | d_i | theta_i\n0 | 0 | 0 | q1"
+        words = (
+            f"The heading .* is that of a {other} table, but convention is '{convention}'. These two are often confused"
+        )
+        with pytest.raises(ValueError, match=words):
+            DHTable(text, convention=convention)
+        assert DHTable(text, convention=other).joints == "R"
+        assert read_rows(text).joints == "R"
+
+
+@pytest.mark.parametrize("entry", ["q_1 + 90°", "θ1* + 90º", "90 deg + q₁", "q1 + 450°", r"\theta_1^* + 90^{\circ}"])
+def test_degrees_are_added_to_a_joint_variable(entry):
+    table = DHTable(f"a|alpha|d|theta\n0|0|0|{entry}", convention="standard")
+    close(np.exp(1j * table.rows[0, 3]), 1j)
+    assert (table.joints, table.signs.tolist()) == ("R", [1])
+
+
+def test_a_column_that_counts_the_rows_may_begin_anywhere():
+    for first in (0, 1, 4):
+        text = f"i | a | alpha | d | theta\n{first} | 0.4 | 0 | 0 | q\n{first + 1} | 0.3 | 0 | 0 | q"
+        assert DHTable(text, convention="standard").columns["a"].tolist() == [0.4, 0.3]
+
+
+def test_a_fixed_row_has_no_number_of_a_joint():
+    text = "a | alpha | d | theta\n0.4 | 0 | 0 | q1\n0.3 | 0 | 0 | pi/2\n0.2 | 0 | d_2 | 0"
+    assert DHTable(text, convention="standard").joints == "RFP"
 
 
 def test_a_table_means_nothing_without_its_convention():

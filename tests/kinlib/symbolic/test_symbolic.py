@@ -470,6 +470,7 @@ def test_shorthand_leaves_other_expressions_unchanged(angle):
         (lambda: symbolic.fk(kl.robots.rpr(), q=[1, 2]), "q must have 3x1 entries; got 2x1"),
         (lambda: symbolic.table_fk([(0, 0, 0)], "standard"), "row 1 must have 4x1 entries; got 3x1"),
         (lambda: symbolic.table_fk([(0, 90, 0, q)], "standard"), "If it is in degrees, write"),
+        (lambda: symbolic.table_fk([(0, 10, 0, q)], "standard"), "got 10 rad. If it is in degrees, write"),
         (lambda: symbolic.table_fk([(0, 0, 0, q)]), "convention must be 'standard' or 'modified'; got None"),
     ],
 )
