@@ -83,7 +83,9 @@ class Reader:
             given_shape, entries = _unpacked(given)
             given_shape = tuple(size for size in given_shape if size != 1)
             if shape is not None and given_shape != shape:
-                raise ValueError(f"Yours is {shaped(given_shape)}.")
+                comma = isinstance(given, str) and re.search(r"\d,\d", given)
+                hint = " A comma separates entries; the decimal sign is a point, as in 0.5." if comma else ""
+                raise ValueError(f"Yours is {shaped(given_shape)}.{hint}")
             values = [[_real(value) for value in walker.value(entry)] for entry in entries]
         except RecursionError as error:
             raise ValueError("This is nested too deeply to be a closed form.") from error

@@ -27,7 +27,8 @@ KEYBOARD_SPELLINGS = {
     "²": "**2",
     "³": "**3",
     "^": "**",
-    "°": "*pi/180",
+    **dict.fromkeys("°º˚", "*pi/180"),
+    **{fraction: f"({part})" for fraction, part in zip("½¼¾⅓⅔", ("1/2", "1/4", "3/4", "1/3", "2/3"), strict=True)},
 }
 """How to type the signs that are written on paper but are missing on a keyboard."""
 
@@ -60,13 +61,22 @@ def parse(text: str, max_characters: int = MAX_CHARACTERS, *, implicit_products:
 
 def _plain(text: str) -> str:
     """Replace LaTeX and signs that are not on a keyboard by what a keyboard has."""
-    text = re.sub(r"\\d?frac\{([^{}]*)\}\{([^{}]*)\}", r"((\1)/(\2))", text.strip().strip("$"))
+    # In a text without r in front of it, Python reads \t and \f as a tab and a form feed.
+    text = text.replace("\theta", "theta").replace("\frac", "\\frac").strip().strip("$")
+    # The braces of an index such as s_{12} are dropped; all other braces are brackets.
+    text = re.sub(r"_\{(\w+)\}", r"_\1", text)
+    text = re.sub(r"(?<![\w.])(\d+)\s*\\[dtc]?frac\{(\d+)\}\{(\d+)\}", r"(\1+\2/\3)", text)  # 1\frac{1}{2} is 1.5
+    part, before = r"\s*(?:\{([^{}]*)\}|(\d|\\[a-z]+))", ""
+    while before != text:  # from the innermost fraction or root outwards
+        before, text = text, re.sub(r"\\sqrt\s*\{([^{}]*)\}", r"sqrt(\1)", text)
+        text = re.sub(rf"\\[dtc]?frac{part}{part}", lambda f: f"(({f[1] or f[2]})/({f[3] or f[4]}))", text)
+    text = re.sub(r"\^?\{?\\circ\b\}?", "°", text)
+    text = re.sub(r"(\d)\s*([½¼¾⅓⅔])", r"(\1+\2)", text)
     text = re.sub(r"√\s*(\w+)", r"sqrt(\1)", text).replace("√", "sqrt")
     text = re.sub(r"\\(cdot|times)\b", "*", text)
     text = re.sub(r"\\(left|right|,|;|!)", " ", text)
-    text = re.sub(r"\b(sp|sympy|np|math)\.", "", text)
-    # The braces of an index such as s_{12} are dropped; all other braces are brackets.
-    text = re.sub(r"_\{(\w+)\}", r"_\1", text).replace("{", "(").replace("}", ")").replace("\\", " ")
+    text = re.sub(r"\b(sp|sympy|np|numpy|math)\.", "", text)
+    text = text.replace("{", "(").replace("}", ")").replace("\\", " ")
     return "".join(KEYBOARD_SPELLINGS.get(letter, letter) for letter in text)
 
 
