@@ -7,8 +7,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass, field
 from typing import Any, Literal
 
-from misstep.answers.base import ROUNDING_TOLERANCE, Answer, Unreadable
-from misstep.mistakes import Mistake
+from misstep.answers.base import Answer, Unreadable
+from misstep.explanation import explain, message_of, name_of
 from misstep.problem import Problem
 from misstep.validation import is_blank
 
@@ -17,11 +17,16 @@ State = Literal["right", "partly", "wrong", "blank", "unreadable"]
 
 @dataclass(frozen=True)
 class Finding:
-    """Why some parts of an answer are wrong: the name and the message of a mistake, or a hint if no mistake explains them."""
+    """Why some parts of an answer are wrong: the name and the message of a mistake, or a hint if no mistake explains them.
+
+    mistake       the name of the mistake; "a or b" if the answer does not show which one, "a and b" if both were made
+    alternatives  the names as data: for each explanation that fits, the mistakes that were made together
+    """
 
     parts: Sequence[str]
     message: str
     mistake: str | None = None
+    alternatives: tuple[tuple[str, ...], ...] = ()
 
 
 @dataclass(frozen=True)
@@ -40,11 +45,7 @@ class Judgement:
 
 
 def judge(problem: Problem, given: Any) -> Judgement:
-    """Compare an answer with the right one, and explain the difference.
-
-    First each mistake is compared with the whole answer, then with each wrong part separately, because a mistake is often made
-    in one part and not in the next.
-    """
+    """Compare an answer with the right one, and explain the difference."""
     answer = problem.answer
     if is_blank(given):
         return Judgement("blank", findings=[Finding(answer.parts, f"Expected: {answer.expected}.")])
@@ -55,40 +56,44 @@ def judge(problem: Problem, given: Any) -> Judgement:
     right = answer.agrees(value, answer.value)
     wrong = [part for part, is_right in enumerate(right) if not is_right]
     if not wrong:
-        return Judgement("right", 1.0, answer.parts)
-    names = answer.parts
+        remark = answer.remark(value)
+        return Judgement("right", 1.0, answer.parts, [Finding(answer.parts, remark)] if remark else [])
     return Judgement(
         "partly" if any(right) else "wrong",
         sum(right) / len(right),
-        [names[part] for part, is_right in enumerate(right) if is_right],
+        [answer.parts[part] for part, is_right in enumerate(right) if is_right],
         _findings(problem, value, wrong),
     )
 
 
 def _findings(problem: Problem, value: Any, wrong: list[int]) -> list[Finding]:
-    """Return a finding for the whole answer if a mistake explains it; otherwise for each mistake, and each unexplained part."""
-    answer, names = problem.answer, problem.answer.parts
-    for mistake in problem.mistakes:
-        if all(answer.agrees(value, mistake.value)):
-            return [Finding([names[part] for part in wrong], mistake.message, mistake.name)]
-    parts_by_cause: dict[Mistake | None, list[int]] = {}
-    for part in wrong:
-        cause = next((m for m in problem.mistakes if answer.agrees(value, m.value)[part]), None)
-        parts_by_cause.setdefault(cause, []).append(part)
-    findings = []
-    for cause, parts in parts_by_cause.items():
-        if cause:
-            findings.append(Finding([names[part] for part in parts], cause.message, cause.name))
-        else:
-            findings += [Finding([names[part]], _hint(answer, value, part)) for part in parts]
-    return findings
+    """Return the findings on the wrong parts, in the order of the parts."""
+    names = problem.answer.parts
+    found: list[tuple[list[int], Finding]] = []
+    for parts, mistakes in explain(problem, value, wrong):
+        is_whole = parts == wrong and all(problem.answer.agrees(value, mistakes[0].value))
+        alternatives = tuple(dict.fromkeys(mistake.names for mistake in mistakes))
+        text, name = message_of(mistakes, is_whole), name_of(mistakes)
+        found.append((parts, Finding([names[part] for part in parts], text, name, alternatives)))
+    explained = {part for parts, _ in found for part in parts}
+    found += [([part], _unexplained(problem.answer, value, part)) for part in wrong if part not in explained]
+    return [finding for _, finding in sorted(found, key=lambda pair: pair[0])]
 
 
-def _hint(answer: Answer, value: Any, part: int) -> str:
-    """Return a true statement about a wrong part that no mistake explains, as a first step towards finding the error."""
-    if answer.agrees(value, answer.value, ROUNDING_TOLERANCE)[part]:
-        return "This is close, but off in the second or third digit: it looks rounded on the way. Keep all digits until the end."
-    return (
+def _unexplained(answer: Answer, value: Any, part: int) -> Finding:
+    """Return a true statement about a wrong part that no mistake of the problem explains."""
+    parts = [answer.parts[part]]
+    if answer.is_rounded(value, part):
+        return Finding(
+            parts,
+            "These are the right digits, but too few of them. Round at the end, to three decimals or more.",
+            "rounded",
+            (("rounded",),),
+        )
+    if named := answer.explanation(value, part):
+        return Finding(parts, named[1], named[0], ((named[0],),))
+    return Finding(
+        parts,
         answer.hint(value, part)
-        or "None of the mistakes that we know gives this. Go back to what is given, and check one step at a time."
+        or "None of the mistakes that we know gives this. Go back to what is given, and check one step at a time.",
     )

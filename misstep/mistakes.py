@@ -6,17 +6,33 @@ from typing import Any
 
 @dataclass(frozen=True, eq=False)
 class Mistake:
-    """A named error, the wrong answer to which it leads, and the feedback for a student who gave this answer."""
+    """A named error, the wrong answer to which it leads, and the feedback for a student who gave this answer.
+
+    name     the name, the same in every problem in which the error occurs
+    value    the wrong answer
+    message  the feedback if the whole answer is this one
+    part     the feedback if one part of the answer is that of this one; it speaks of this part alone. If it is empty, the
+             mistake explains only whole answers
+    names    the names of the errors, if several of them lead to this answer together
+    key      equal for two mistakes that are the same one, described in two ways
+    """
 
     name: str
     value: Any
     message: str
+    part: str = ""
+    names: tuple[str, ...] = ()
+    key: Any = None
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "names", self.names or (self.name,))
+        object.__setattr__(self, "key", id(self) if self.key is None else self.key)
 
 
-def mistake(name: str, value: Any, message: str) -> Mistake:
+def mistake(name: str, value: Any, message: str, part: str = "") -> Mistake:
     """Make a Mistake; the value is the wrong answer, or a function that computes it.
 
     >>> mistake("sign", lambda: -1, "You turned the wrong way.").value
     -1
     """
-    return Mistake(name, value() if callable(value) else value, message)
+    return Mistake(name, value() if callable(value) else value, message, part)

@@ -1,25 +1,26 @@
 """Problems: written once, with individual numbers for each student, the right answer and the common mistakes.
 
 A mistake has a name and the wrong answer to which it leads. If a student gives this answer, the mistake explains it, and the
-feedback says so in words.
+feedback says so in words. Most mistakes are mutants of the solution: the problem gives its solution as an expression, and the
+changes by which people go wrong are made in it (`misstep.mutants`). A problem adds the mistakes that belong to it alone.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
+from functools import cached_property
 from itertools import combinations
 from typing import Any, TypeVar
 
-from misstep.answers.base import TOLERANCE, Answer
+from misstep.answers.base import TOLERANCE, Answer, Unreadable
 from misstep.mistakes import Mistake
+from misstep.mutants.expression import Expression
+from misstep.mutants.mutants import Mutation, mutant, mutate, mutations, pairs, value_of
 from misstep.sampling import Sampler
 
 S = TypeVar("S", bound=Sampler)
 
 MAX_DRAWS = 100
 """How many variants are drawn before a problem is refused as degenerate."""
-
-MIN_MISTAKES = 3
-"""The least number of mistakes that a problem must have."""
 
 SEPARATION_TOLERANCES = 10
 """The least distance, in tolerances, between the right answer and a mistake, and between any two mistakes."""
@@ -30,28 +31,35 @@ class Problem:
     """One student's problem, with its numbers: the statement, the given values, the right answer and the mistakes.
 
     statement  Markdown with $...$ for mathematics
+    solution   the solution as an expression over the given values (`misstep.mutants`); for an answer that is a function or a
+               formula, a function from its arguments to an expression. Its mutants are mistakes of the problem
+    mistakes   the mistakes that are no mutants of the solution
+    advice     for names of mutants, or the texts of their changes, a sentence on what is right in this problem
+    invisible  the names of mutants that cannot be seen in this problem, because they always lead to the right answer
     given      the given values by name; students get them by sheet.given(k), so they need not type them
     figure     a function that draws the figure; it is called only when the problem is shown
 
-    Raises ValueError for a mistake whose value is not an answer of this kind, because no student could give it.
+    Raises ValueError for a mistake whose value is not an answer of this kind, because no student could give it, and if the
+    solution does not lead to the answer.
 
     >>> import numpy as np
     >>> from misstep.answers.number import Numbers
-    >>> from misstep.mistakes import mistake
-    >>> values = {"twice": 6, "half": 1.5, "half again": 1.5, "sign": -3}
-    >>> wrong = [mistake(name, np.array(value), "A sentence.") for name, value in values.items()]
-    >>> drawn = Problem("How many?", Numbers(np.array(3.0)), wrong)
+    >>> from misstep.mutants.expression import given
+    >>> drawn = Problem("How many?", Numbers(np.array(3.0)), solution=given("n", 6.0) / 2)
+    >>> [(mutant.message, float(mutant.value)) for mutant in drawn.mutants]
+    [('You forgot to divide by $2$.', 6.0), ('You multiplied by $2$ instead of dividing by it.', 12.0)]
     >>> drawn.is_discriminating()
-    False
-    >>> [kept.name for kept in drawn.without_duplicates().mistakes]
-    ['twice', 'half', 'sign']
+    True
     >>> drawn.with_inputs(seed=1) is drawn  # because the answer is not a function
     True
     """
 
     statement: str
     answer: Answer
-    mistakes: Sequence[Mistake]
+    mistakes: Sequence[Mistake] = ()
+    solution: Expression | Callable[..., Expression] | None = None
+    advice: Mapping[str, str] = field(default_factory=dict)
+    invisible: Collection[str] = ()
     given: Mapping[str, Any] = field(default_factory=dict)
     figure: Callable[[], Any] | None = None
 
@@ -64,22 +72,86 @@ class Problem:
         answer = self.answer.with_inputs(seed)
         return self if answer is self.answer else replace(self, answer=answer)
 
+    @cached_property
+    def slips(self) -> Sequence[Mistake]:
+        """The mistakes that people make with any answer of this kind."""
+        return list(self.answer.slips())
+
+    @cached_property
+    def mutants(self) -> Sequence[Mistake]:
+        """The mistakes to which one change of the solution leads."""
+        return list(self._mistakes((mutation,) for mutation in zip(*self._mutations, strict=True)))
+
+    def double_mutants(self, given: Any) -> Iterator[Mistake]:
+        """Yield the mistakes to which two changes of the solution lead, and which may have led to a given answer."""
+        changed = (pairs(root, single) for root, single in zip(self._roots, self._mutations, strict=True))
+        yield from self._mistakes((zip(*changes, strict=True) for changes in zip(*changed, strict=True)), given)
+
     def is_discriminating(self) -> bool:
-        """Return whether the right answer and the answers of all mistakes differ from each other."""
+        """Return whether the right answer and the answers of all mistakes differ from each other.
+
+        Mutants need to differ from the right answer only: where two of them lead to the same answer, feedback names both.
+        """
         reached = [self.answer.value, *(wrong.value for wrong in self.mistakes)]
-        return not any(self._same(one, other) for one, other in combinations(reached, 2))
+        return not self.hidden and not any(self._same(one, other) for one, other in combinations(reached, 2))
+
+    @cached_property
+    def hidden(self) -> Sequence[str]:
+        """The names of the mutants that lead to the right answer, apart from those that are declared to be invisible."""
+        return [
+            mutant.name
+            for mutant in self.mutants
+            if mutant.name not in self.invisible and self._same(mutant.value, self.answer.value)
+        ]
 
     def without_duplicates(self) -> "Problem":
         """Return the same problem without the mistakes whose answer is the right one or that of an earlier mistake.
 
-        Some mistakes are impossible for some variants: where nothing is an angle, degrees cannot be taken for radians. If fewer
-        than MIN_MISTAKES would be left, all are kept, so that the problem does not count as discriminating.
+        Some mistakes are impossible for some variants: where nothing is an angle, degrees cannot be taken for radians.
         """
         kept: list[Mistake] = []
         for wrong in self.mistakes:
             if not any(self._same(wrong.value, value) for value in [self.answer.value, *(one.value for one in kept)]):
                 kept.append(wrong)
-        return replace(self, mistakes=kept) if len(kept) >= MIN_MISTAKES else self
+        return replace(self, mistakes=kept)
+
+    @cached_property
+    def _roots(self) -> Sequence[Expression]:
+        """The solution at each input."""
+        if self.solution is None:
+            return []
+        roots = self.answer.expressions(self.solution)
+        reached = self.answer.collect([root.value for root in roots])
+        if not self._same(reached, self.answer.value):
+            raise ValueError(
+                f"The solution must lead to the answer; it gives {reached}, and the answer is {self.answer.value}."
+            )
+        return roots
+
+    @cached_property
+    def _mutations(self) -> Sequence[Sequence[Mutation]]:
+        """The changes of the solution at each input, in the same order."""
+        return [mutations(root) for root in self._roots]
+
+    def _mistakes(self, changed: Iterable[Iterable[Sequence[Mutation]]], given: Any = None) -> Iterator[Mistake]:
+        """Yield a mistake for each way to change the solution, where it leads to an answer at all.
+
+        changed  for each mistake, its changes, and for each change the mutation at each input
+        given    an answer that was read; mistakes that differ from it at the first input are left out
+        """
+        for changes in map(list, changed):
+            mutated = (
+                mutate(root, *(mutation.replaced for mutation in at))
+                for root, at in zip(self._roots, zip(*changes, strict=True), strict=True)
+            )
+            first = next(mutated)
+            if given is not None and not self.answer.may_be(given, value_of(first)):
+                continue
+            try:
+                value = self.answer.collect([value_of(root) for root in (first, *mutated)])
+            except Unreadable:
+                continue
+            yield mutant([at[0].change for at in changes], value, self.advice, first.key)
 
     def _same(self, one: Any, other: Any) -> bool:
         return all(self.answer.agrees(one, other, SEPARATION_TOLERANCES * TOLERANCE))
@@ -121,9 +193,11 @@ class Template:
             problem = self.make_problem(self.sampler(student, self.number, attempt))
             if problem.is_discriminating():
                 return problem
+        named = f" In the last draw these did: {', '.join(problem.hidden)}." if problem.hidden else ""
         raise ValueError(
             f"Problem {self.number}: in each of {MAX_DRAWS} draws, two mistakes gave the same answer, or a mistake gave the right "
-            "one. Draw from a wider range, or remove a mistake that does not change the answer."
+            f"one.{named} Draw from a wider range, or remove a mistake that does not change the answer; a mutant that never does "
+            "is declared as invisible."
         )
 
 

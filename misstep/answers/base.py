@@ -10,7 +10,15 @@ answers/ of a course. It defines:
 
 and only where the default is not enough:
 
+    slips             wrong answers that need no solution: a sign, two rows swapped
+    explanation       a mistake that is found by looking at the answer itself, as in a table
     hint              what to say about a wrong part that no mistake explains
+    is_rounded        whether a wrong part is the right one, rounded too much
+    remark            what to say about a right answer that differs from ours
+    pins_down         whether a part has enough digits to be explained by two mistakes at once
+    expressions       the solution at each input, if the answer is a function or a formula
+    collect           the answer that has given values at the inputs
+    may_be            whether an answer may have a value at the first input
     with_inputs       other inputs, if the answer is a function
     stored_objects    the classes of objects that are answers, each with the function that makes an object from its fields
 
@@ -24,9 +32,11 @@ Withholding: where submissions run, neither the answer nor its class is availabl
 """
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
 from typing import Any, ClassVar
 
+from misstep.mistakes import Mistake
+from misstep.mutants.expression import Expression
 from misstep.storage.deserialize import register_object
 
 TOLERANCE = 1e-3
@@ -116,6 +126,38 @@ class Answer(ABC):
     def with_inputs(self, seed: int) -> "Answer":
         """Return the same answer with other inputs, which depend on the seed. Only a function has inputs."""
         return self
+
+    def slips(self) -> Iterable[Mistake]:
+        """Return wrong answers that people give to any problem of this kind, as mistakes."""
+        return ()
+
+    def explanation(self, given: Any, part: int) -> tuple[str, str] | None:
+        """Return the name and the message of the mistake in a wrong part, if the answer itself shows it."""
+        return None
+
+    def is_rounded(self, given: Any, part: int) -> bool:
+        """Return whether a wrong part is the right one, rounded to fewer digits than are asked for."""
+        return False
+
+    def remark(self, given: Any) -> str:
+        """Return a sentence on how a right answer differs from ours; "" if there is nothing to say."""
+        return ""
+
+    def pins_down(self, given: Any, part: int) -> bool:
+        """Return whether a part has so many digits that two changes of the solution do not lead to it by chance."""
+        return True
+
+    def expressions(self, solution: Any) -> Sequence[Expression]:
+        """Return the solution, or if it is a function, the expression at each input."""
+        return [solution]
+
+    def collect(self, values: Sequence[Any]) -> Any:
+        """Return the answer that has these values at the inputs, as if it had been read. Raises Unreadable if there is none."""
+        return self.read(values[0])
+
+    def may_be(self, given: Any, value: Any) -> bool:
+        """Return whether an answer may be one that has a value at the first input, to save computing it at all inputs."""
+        return True
 
     def hint(self, given: Any, part: int) -> str:
         """Return what is right about a wrong part, for an error that no mistake explains; "" if there is nothing to say."""

@@ -1,6 +1,6 @@
 """Formulas as answers: a formula is right if it has the same values as the right one, however it is written."""
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
@@ -12,6 +12,7 @@ from numpy.typing import NDArray
 from misstep.answers.base import TOLERANCE, Answer, Unreadable
 from misstep.display.text import number
 from misstep.formulas.evaluation import Formula, Reader, shaped
+from misstep.mutants.expression import Expression
 
 EXACT_TOLERANCE = 1e-12
 """The tolerance for formulas without decimals, relative to their size if that is above 1: only the values were rounded."""
@@ -70,6 +71,20 @@ class ClosedForm(Answer):
         point = ", ".join(f"{name} = {number(value)}" for name, value in self._reader.first_point.items())
         yours, right = given.values[0], self._right.values[0]
         return f"Try numbers: at {point} your formula gives {number(yours)}, and {number(right)} is right."
+
+    def expressions(self, solution: Callable[..., Expression]) -> Sequence[Expression]:
+        return [solution(**point) for point in self._reader.points]
+
+    def collect(self, values: Sequence[Any]) -> Formula:
+        shape = self._right.values.shape[:-1]
+        try:
+            return Formula(None, np.stack([np.reshape(np.asarray(value, dtype=float), shape) for value in values], axis=-1), False)
+        except (TypeError, ValueError) as error:
+            raise Unreadable(f"Expected {self.expected}.") from error
+
+    def may_be(self, given: Formula, value: Any) -> bool:
+        right = given.values[..., 0]
+        return np.size(value) == right.size and bool(np.allclose(np.reshape(value, right.shape), right, rtol=TOLERANCE, atol=TOLERANCE))
 
     def _same(self, one: Any, other: Any, tolerance: float) -> NDArray[np.bool_]:
         """Return, for each entry, whether the values agree at all points."""

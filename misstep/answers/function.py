@@ -12,6 +12,7 @@ from misstep import validation
 from misstep.answers.base import TOLERANCE, Answer, Unreadable
 from misstep.answers.number import Numbers
 from misstep.mistakes import Mistake
+from misstep.mutants.expression import Expression
 from misstep.storage.deserialize import Outputs
 from misstep.validation import Array
 
@@ -121,6 +122,15 @@ class Function(Answer):
     def agrees(self, one: Any, other: Any, tolerance: float = TOLERANCE) -> list[bool]:
         pairs = zip(self._called(one).outputs, self._called(other).outputs, strict=True)
         return [all(all(self.output.agrees(mine, yours, tolerance)) for mine, yours in pairs)]
+
+    def expressions(self, solution: Callable[..., Expression]) -> Sequence[Expression]:
+        return [solution(*deepcopy(arguments)) for arguments in self.inputs]
+
+    def collect(self, values: Sequence[Any]) -> FunctionCalls:
+        return FunctionCalls(None, [self._output(value) for value in values])
+
+    def may_be(self, given: FunctionCalls, value: Any) -> bool:
+        return np.shape(value) == np.shape(given.outputs[0]) and all(self.output.agrees(given.outputs[0], np.asarray(value)))
 
     def hint(self, given: FunctionCalls, part: int) -> str:
         right = self._right.outputs

@@ -67,6 +67,10 @@ class Numbers(Answer):
         """Return, for each part, the index of its entries in the array."""
         return [...]
 
+    def pins_down(self, given: Array, part: int) -> bool:
+        entries = np.abs(given[self.part_indices()[part]])
+        return bool(np.count_nonzero(np.minimum(entries, np.abs(entries - 1)) > TOLERANCE) >= 2)
+
     def remedy(self, shape: tuple[int, ...]) -> str:
         """Return a sentence on how to repair an answer of this wrong shape, with a leading space; "" if there is none."""
         expected = np.shape(self.value)

@@ -67,7 +67,12 @@ class Reader:
     @property
     def first_point(self) -> dict[str, float]:
         """The values of the symbols at the first of the points, for feedback."""
-        return {name: float(values[0]) for name, values in self._points.items()}
+        return self.points[0]
+
+    @property
+    def points(self) -> list[dict[str, float]]:
+        """The values of the symbols at each of the points, by their names without underscores and braces."""
+        return [{name: float(values[k]) for name, values in self._points.items()} for k in range(POINT_COUNT)]
 
     def read(self, given: Any, shape: tuple[int, ...] | None = None) -> Formula:
         """Evaluate text, a SymPy expression or matrix, a number, or a list or an array of these.

@@ -1,0 +1,1 @@
+"""The operations of kinematics as parts of solutions, each with the ways in which people get it wrong."""
