@@ -1,0 +1,361 @@
+"""Expressions: a solution as a tree of operations on given values, which is written as with NumPy and can be changed.
+
+    T_to = inverse(T_st) @ T_sc @ T_co
+
+is an expression if the poses are; its `value` is the pose. An operation also says in which ways people get it wrong, each as
+another expression. Expressions never change: a changed expression shares all unchanged parts with the original one, and with
+them their values, so that hundreds of mutants are evaluated in the time of a few.
+"""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field, replace
+from functools import cached_property, reduce
+from operator import matmul, mul
+from typing import Any
+
+import numpy as np
+
+SUM, PRODUCT, ATOM = 1, 2, 3
+"""How tightly an operation binds: a sum within a product needs brackets, and both need them before an exponent."""
+
+PAST_TENSES = {
+    "forget": "forgot",
+    "give": "gave",
+    "leave": "left",
+    "put": "put",
+    "read": "read",
+    "stop": "stopped",
+    "swap": "swapped",
+    "take": "took",
+    "write": "wrote",
+}
+"""The past tenses that are not formed by -d or -ed."""
+
+
+@dataclass(frozen=True)
+class Change:
+    """One way to get an operation wrong, in words.
+
+    name        the name of the mistake, the same wherever it is made: "inverse left out"
+    text        what was done, from the verb on: "use $T_{st}$, where its inverse belongs"
+    everywhere  the same for a mistake that people make in all places at once; "" if each place is a mistake of its own
+    advice      a sentence on what is right
+
+    >>> Change("degrees", "use degrees as radians").past
+    'used degrees as radians'
+    """
+
+    name: str
+    text: str
+    everywhere: str = ""
+    advice: str = ""
+
+    @property
+    def past(self) -> str:
+        """The text in the past tense."""
+        verb, space, rest = self.text.partition(" ")
+        ending = "d" if verb.endswith("e") else "ied" if verb.endswith("y") else "ed"
+        return PAST_TENSES.get(verb, verb.removesuffix("y" if ending == "ied" else "") + ending) + space + rest
+
+
+Changes = Iterator[tuple[Change, "Expression"]]
+
+
+@dataclass(frozen=True, eq=False)
+class Operation:
+    """A function of arrays, how it is written in LaTeX, and how people get it wrong.
+
+    name         a word for it
+    function     takes the values of the arguments
+    latex        takes the LaTeX of the arguments
+    changes      takes an expression with this operation; yields each change with the expression to which it leads
+    binds        SUM, PRODUCT or ATOM: where brackets are needed
+    involution   whether applying it twice is doing nothing, as with an inverse
+    associative  whether nested applications are one: (A B) C = A B C
+
+    >>> double = Operation("double", lambda x: 2 * x, "2 {0}".format)
+    >>> x = given("x", 3.0)
+    >>> double(x).value, double(x).latex
+    (6.0, '2 x')
+    """
+
+    name: str
+    function: Callable[..., Any]
+    latex: Callable[..., str]
+    changes: Callable[["Expression"], Changes] = lambda _: iter(())
+    binds: int = ATOM
+    involution: bool = False
+    associative: bool = False
+
+    def __call__(self, *arguments: Any) -> "Expression":
+        nodes = [as_expression(argument) for argument in arguments]
+        if self.involution and nodes[0].operation is self:
+            return nodes[0].arguments[0]
+        if self.associative:
+            # A part with a name of its own stays one part, because the author thinks of it as one.
+            merged = [node.operation is self and not node.label and not node.alternatives for node in nodes]
+            nodes = [
+                part
+                for node, is_merged in zip(nodes, merged, strict=True)
+                for part in (node.arguments if is_merged else (node,))
+            ]
+        return nodes[0] if self.associative and len(nodes) == 1 else Expression(self, tuple(nodes))
+
+
+@dataclass(frozen=True, eq=False)
+class Expression:
+    r"""An operation on expressions, or a value that is given. Its `value` is computed once.
+
+    Python's operators @, +, -, *, / and the attribute T make expressions.
+
+    operation     what is done, or for a given value its kind
+    arguments     what it is done to; none for a given value
+    known         the value, if it is given
+    label         its own name in LaTeX
+    alternatives  the changes that belong to this place of this problem alone
+
+    >>> a, b = given("a", 2.0), given("b", 3.0)
+    >>> (a * b - a).value
+    4.0
+    >>> (a * (b - a)).latex
+    'a\\,(b - a)'
+    """
+
+    operation: Operation
+    arguments: tuple["Expression", ...] = ()
+    known: Any = field(default=None, repr=False)
+    label: str = ""
+    alternatives: tuple[tuple[Change, "Expression"], ...] = field(default=(), repr=False)
+
+    __array_ufunc__ = None  # so that an array to the left of an operator leaves the operation to the expression
+
+    @cached_property
+    def value(self) -> Any:
+        """The value. An error of the operation is not caught."""
+        return self.operation.function(*(node.value for node in self.arguments)) if self.arguments else self.known
+
+    @cached_property
+    def key(self) -> Any:
+        """Equal for two expressions that are written alike."""
+        return (self.operation, *(node.key for node in self.arguments)) if self.arguments else id(self.known)
+
+    @cached_property
+    def latex(self) -> str:
+        """The expression in LaTeX."""
+        if self.label or not self.arguments:
+            return self.label
+        return self.operation.latex(*(self._bracketed(node) for node in self.arguments))
+
+    def _bracketed(self, node: "Expression") -> str:
+        is_loose = not node.label and len(node.arguments) > 1 and node.operation.binds < self.operation.binds
+        return f"({node.latex})" if is_loose else node.latex
+
+    def changes(self) -> Changes:
+        """Yield each change of this operation alone, with the expression to which it leads."""
+        yield from self.alternatives
+        yield from self.operation.changes(self)
+
+    def named(self, label: str) -> "Expression":
+        """Return the same expression with a name of its own in LaTeX, by which messages speak of it."""
+        return replace(self, label=label)
+
+    def mistaken_for(self, other: Any, name: str, text: str, advice: str = "") -> "Expression":
+        """Return the same expression with a further change: here, and in this problem, people take another value.
+
+        >>> pitch = given("h", 0.1).mistaken_for(0.6, "lead for pitch", "use the lead as the pitch")
+        >>> [(change.name, wrong.value) for change, wrong in pitch.changes()]
+        [('lead for pitch', 0.6)]
+        """
+        further = (Change(name, text, advice=advice), as_expression(other))
+        return replace(self, alternatives=(*self.alternatives, further))
+
+    @property
+    def T(self) -> "Expression":
+        """The transpose."""
+        return transpose(self)
+
+    def __matmul__(self, other: Any) -> "Expression":
+        return product(self, other)
+
+    def __rmatmul__(self, other: Any) -> "Expression":
+        return product(other, self)
+
+    def __add__(self, other: Any) -> "Expression":
+        return total(self, other)
+
+    def __radd__(self, other: Any) -> "Expression":
+        return total(other, self)
+
+    def __sub__(self, other: Any) -> "Expression":
+        return total(self, negative(other))
+
+    def __rsub__(self, other: Any) -> "Expression":
+        return total(other, negative(self))
+
+    def __mul__(self, other: Any) -> "Expression":
+        return multiple(self, other)
+
+    def __rmul__(self, other: Any) -> "Expression":
+        return multiple(other, self)
+
+    def __truediv__(self, other: Any) -> "Expression":
+        return quotient(self, other)
+
+    def __neg__(self) -> "Expression":
+        return negative(self)
+
+    def __getitem__(self, index: Any) -> "Expression":
+        return _entry(index)(self)
+
+
+GIVEN = Operation("given", lambda: None, str)
+"""The kind of a given value about which people make no mistake of their own."""
+
+
+def given(label: str, value: Any, kind: Operation = GIVEN) -> Expression:
+    """Make an expression of a given value.
+
+    label  its name in LaTeX, without dollar signs
+    kind   an operation without arguments whose changes are those of such a value, such as POSE or ANGLE
+
+    >>> given("q_1", 0.5).latex
+    'q_1'
+    """
+    return Expression(kind, (), value if np.isscalar(value) else np.asarray(value, dtype=float), label)
+
+
+def as_expression(value: Any) -> Expression:
+    """Return an expression unchanged, and anything else as a given value, whose name is the number that it is.
+
+    >>> as_expression(2).latex
+    '2'
+    """
+    if isinstance(value, Expression):
+        return value
+    return given(f"{value:g}" if np.isscalar(value) else "\\ldots", value)
+
+
+def _quoted(*nodes: Expression) -> str:
+    """The names of expressions for a message: "$A$ and $B$"."""
+    return " and ".join(f"${node.latex}$" for node in nodes)
+
+
+def _moved(items: tuple[Expression, ...], start: int, end: int) -> tuple[Expression, ...]:
+    """Return the items with the one at `start` taken out and put in at `end`."""
+    rest = items[:start] + items[start + 1 :]
+    return (*rest[:end], items[start], *rest[end:])
+
+
+def _product_changes(node: Expression) -> Changes:
+    factors, last = node.arguments, len(node.arguments) - 1
+    advice = "A product of matrices depends on the order of its factors."
+    if last > 1:
+        yield Change("reversed", "multiply the factors in the reverse order", advice=advice), product(*factors[::-1])
+        text = f"multiply the factors after {_quoted(factors[0])} in the reverse order"
+        yield Change("reversed", text, advice=advice), product(factors[0], *factors[:0:-1])
+        text = f"multiply the factors before {_quoted(factors[-1])} in the reverse order"
+        yield Change("reversed", text, advice=advice), product(*factors[-2::-1], factors[-1])
+    for i in range(last):
+        swapped = (*factors[:i], factors[i + 1], factors[i], *factors[i + 2 :])
+        yield Change("order", f"swap {_quoted(*factors[i : i + 2])}", advice=advice), product(*swapped)
+    for i, factor in enumerate(factors):
+        yield Change("factor left out", f"leave out {_quoted(factor)}"), product(*factors[:i], *factors[i + 1 :])
+        for end, place in ((0, "first"), (last, "last")):
+            if abs(end - i) > 1:
+                yield (
+                    Change(f"{place} factor", f"put {_quoted(factor)} {place}", advice=advice),
+                    product(*_moved(factors, i, end)),
+                )
+    if all(np.ndim(factor.value) == 2 for factor in factors):
+        by_entry = "multiply entry by entry (`*` instead of `@`)"
+        yield Change("entry by entry", by_entry, everywhere=by_entry), _entrywise(*factors)
+
+
+def _sum_changes(node: Expression) -> Changes:
+    for i, term in enumerate(node.arguments):
+        others = node.arguments[:i], node.arguments[i + 1 :]
+        yield (
+            Change("sign", f"take {_quoted(term)} with the opposite sign"),
+            total(*others[0], negative(term), *others[1]),
+        )
+        yield Change("term left out", f"leave out {_quoted(term)}"), total(*others[0], *others[1])
+
+
+def _multiple_changes(node: Expression) -> Changes:
+    for i, factor in enumerate(node.arguments):
+        yield (
+            Change("factor left out", f"leave out the factor {_quoted(factor)}"),
+            multiple(*node.arguments[:i], *node.arguments[i + 1 :]),
+        )
+        if np.ndim(factor.value) == 0 and len(node.arguments) > 1:
+            text = f"divide by {_quoted(factor)} instead of multiplying by it"
+            yield (
+                Change("division for product", text),
+                quotient(multiple(*node.arguments[:i], *node.arguments[i + 1 :]), factor),
+            )
+
+
+def _quotient_changes(node: Expression) -> Changes:
+    above, below = node.arguments
+    yield Change("divisor left out", f"forget to divide by {_quoted(below)}"), above
+    yield (
+        Change("product for division", f"multiply by {_quoted(below)} instead of dividing by it"),
+        multiple(above, below),
+    )
+
+
+def _negative_changes(node: Expression) -> Changes:
+    yield Change("sign", f"leave out the minus sign of {_quoted(node)}"), node.arguments[0]
+
+
+def _transpose_changes(node: Expression) -> Changes:
+    inner = node.arguments[0]
+    yield (
+        Change("transpose left out", f"use {_quoted(inner)}, where its transpose belongs", "leave out every transpose"),
+        inner,
+    )
+
+
+def _joined_sum(*terms: str) -> str:
+    return " + ".join(terms).replace("+ -", "- ")
+
+
+product = Operation(
+    "product",
+    lambda *factors: reduce(matmul, factors),
+    lambda *factors: "\\,".join(factors),
+    _product_changes,
+    PRODUCT,
+    associative=True,
+)
+"""The product of matrices, A @ B."""
+
+_entrywise = Operation(
+    "entry by entry", lambda *factors: reduce(mul, factors), lambda *factors: " * ".join(factors), binds=PRODUCT
+)
+
+total = Operation("sum", lambda *terms: sum(terms[1:], terms[0]), _joined_sum, _sum_changes, SUM, associative=True)
+"""The sum, A + B; a difference is a sum with `negative`."""
+
+multiple = Operation(
+    "multiple",
+    lambda *factors: reduce(mul, factors),
+    lambda *factors: "\\,".join(factors),
+    _multiple_changes,
+    PRODUCT,
+    associative=True,
+)
+"""The product of numbers, or of a number and an array, a * B."""
+
+quotient = Operation("quotient", lambda a, b: a / b, "{0} / {1}".format, _quotient_changes, PRODUCT)
+"""The quotient, A / b."""
+
+negative = Operation("negative", lambda a: -a, "-{0}".format, _negative_changes, PRODUCT, involution=True)
+"""The opposite, -A."""
+
+transpose = Operation("transpose", np.transpose, "{0}^T".format, _transpose_changes, involution=True)
+"""The transpose, A.T."""
+
+
+def _entry(index: Any) -> Operation:
+    return Operation("entry", lambda array: array[index], "{0}".format)

@@ -1,0 +1,118 @@
+"""Mutants: the expressions to which one change of a solution leads, or two changes.
+
+A change is made where it belongs, at one place, and where people make it everywhere at once, at all places. A value that is used
+twice is changed in both places, because people compute it once.
+"""
+
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+
+from misstep.mistakes import Mistake
+from misstep.mutants.expression import Change, Expression
+
+
+@dataclass(frozen=True, eq=False)
+class Mutation:
+    """A change, and the expressions that it puts in the place of others, by their id."""
+
+    change: Change
+    replaced: Mapping[int, Expression]
+
+
+def mutate(root: Expression, *replacements: Mapping[int, Expression]) -> Expression:
+    """Return the expression with some of its parts replaced; all other parts are shared with the original one."""
+    for replaced in replacements:
+        root = _replace_parts(root, replaced)
+    return root
+
+
+def _replace_parts(root: Expression, replaced: Mapping[int, Expression]) -> Expression:
+    # A replacement is searched for further parts to replace, but not for the part that it replaces: that may stand within it.
+    new = replaced.get(id(root), root)
+    if new is not root:
+        replaced = {key: node for key, node in replaced.items() if key != id(root)}
+    if not replaced:
+        return new
+    arguments = tuple(_replace_parts(node, replaced) for node in new.arguments)
+    if all(one is other for one, other in zip(arguments, new.arguments, strict=True)):
+        return new
+    return new.operation(*arguments)
+
+
+def mutations(root: Expression) -> list[Mutation]:
+    """Return every change of an expression.
+
+    >>> from misstep.mutants.expression import given
+    >>> A, B = given("A", np.eye(2)), given("B", np.ones((2, 2)))
+    >>> [mutation.change.past for mutation in mutations(A @ B)][:2]
+    ['swapped $A$ and $B$', 'left out $A$']
+    """
+    single = [Mutation(change, {id(node): new}) for node in _nodes(root) for change, new in node.changes()]
+    everywhere: dict[str, list[Mutation]] = {}
+    for mutation in single:
+        if mutation.change.everywhere:
+            everywhere.setdefault(mutation.change.name, []).append(mutation)
+    for name, several in everywhere.items():
+        first = several[0].change
+        replaced = {key: node for mutation in reversed(several) for key, node in mutation.replaced.items()}
+        if len(replaced) > 1:
+            single.append(Mutation(Change(name, first.everywhere, advice=first.advice), replaced))
+    return single
+
+
+def pairs(root: Expression, single: Sequence[Mutation]) -> Iterator[tuple[Mutation, Mutation]]:
+    """Yield every two changes: of two parts, or one after the other where the first change has put new parts."""
+    for one, other in combinations(single, 2):
+        if one.replaced.keys().isdisjoint(other.replaced.keys()):
+            yield one, other
+    old = {id(node) for node in _nodes(root)}
+    for mutation in single:
+        if len(mutation.replaced) == 1:
+            [new] = mutation.replaced.values()
+            for node in _nodes(new):
+                if id(node) not in old:
+                    for change, newer in node.changes():
+                        yield mutation, Mutation(change, {id(node): newer})
+
+
+def mutant(changes: Sequence[Change], value: Any, advice: Mapping[str, str], key: Any = None) -> Mistake:
+    """Return the mistake of some changes that lead to a value.
+
+    advice  for names or texts of changes, a sentence on what is right, instead of their own
+    key     equal for mutants that are the same expression
+
+    >>> mutant([Change("degrees", "use degrees as radians")], 3.0, {}).message
+    'You used degrees as radians.'
+    """
+    names = tuple(change.name for change in changes)
+    sentences = [f"You {', and you '.join(change.past for change in changes)}."]
+    sentences += dict.fromkeys(advice.get(change.text, advice.get(change.name, change.advice)) for change in changes)
+    part = f"This is what you get if you {', and you '.join(change.text for change in changes)}."
+    return Mistake(" and ".join(names), value, " ".join(filter(None, sentences)), part, names, key)
+
+
+def value_of(expression: Expression) -> Any:
+    """Return the value of an expression, or None where it has none: a mutant need not be computable."""
+    try:
+        with np.errstate(all="ignore"):
+            return expression.value
+    except (ValueError, TypeError, IndexError, ArithmeticError, np.linalg.LinAlgError):
+        return None
+
+
+def _nodes(root: Expression) -> list[Expression]:
+    """Return the different parts of an expression, each before its own parts."""
+    found: dict[int, Expression] = {}
+
+    def visit(node: Expression) -> None:
+        if id(node) not in found:
+            found[id(node)] = node
+            for argument in node.arguments:
+                visit(argument)
+
+    visit(root)
+    return list(found.values())
