@@ -78,13 +78,17 @@ class ClosedForm(Answer):
     def collect(self, values: Sequence[Any]) -> Formula:
         shape = self._right.values.shape[:-1]
         try:
-            return Formula(None, np.stack([np.reshape(np.asarray(value, dtype=float), shape) for value in values], axis=-1), False)
+            return Formula(
+                None, np.stack([np.reshape(np.asarray(value, dtype=float), shape) for value in values], axis=-1), False
+            )
         except (TypeError, ValueError) as error:
             raise Unreadable(f"Expected {self.expected}.") from error
 
     def may_be(self, given: Formula, value: Any) -> bool:
         right = given.values[..., 0]
-        return np.size(value) == right.size and bool(np.allclose(np.reshape(value, right.shape), right, rtol=TOLERANCE, atol=TOLERANCE))
+        return np.size(value) == right.size and bool(
+            np.allclose(np.reshape(value, right.shape), right, rtol=TOLERANCE, atol=TOLERANCE)
+        )
 
     def _same(self, one: Any, other: Any, tolerance: float) -> NDArray[np.bool_]:
         """Return, for each entry, whether the values agree at all points."""

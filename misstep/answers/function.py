@@ -130,7 +130,9 @@ class Function(Answer):
         return FunctionCalls(None, [self._output(value) for value in values])
 
     def may_be(self, given: FunctionCalls, value: Any) -> bool:
-        return np.shape(value) == np.shape(given.outputs[0]) and all(self.output.agrees(given.outputs[0], np.asarray(value)))
+        return np.shape(value) == np.shape(given.outputs[0]) and all(
+            self.output.agrees(given.outputs[0], np.asarray(value))
+        )
 
     def hint(self, given: FunctionCalls, part: int) -> str:
         right = self._right.outputs

@@ -251,11 +251,6 @@ def test_an_exact_formula_agrees_with_a_right_answer_with_decimals():
     assert is_right(ClosedForm(0.7071 * sp.sin(theta)), "sin(theta)/√2")
 
 
-def test_an_exact_formula_that_is_nearly_right_is_called_close():
-    assert "This is close" in judge(Problem("", ClosedForm(theta), []), "99/100 theta").findings[0].message
-    assert "This is close" not in judge(Problem("", ClosedForm(theta), []), "9/10 theta").findings[0].message
-
-
 # --- refused ---
 
 SHARED = q_1

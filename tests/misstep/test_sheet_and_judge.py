@@ -37,8 +37,18 @@ def two_rows(mistakes):
     return Problem("Give both.", Rows(np.array([[0, 0, 1, 0, -2, 0], [0, 1, 0, 3, 0, 0.0]])), mistakes)
 
 
-NEGATED = mistake("negated", np.array([[0, 0, -1, 0, 2, 0], [0, -1, 0, -3, 0, 0.0]]), "You turned the axes round.")
-SHIFTED = mistake("shifted", np.array([[0, 0, 1, 0, -1, 0], [0, 1, 0, 4, 0, 0.0]]), "You moved the points.")
+NEGATED = mistake(
+    "negated",
+    np.array([[0, 0, -1, 0, 2, 0], [0, -1, 0, -3, 0, 0.0]]),
+    "You reversed the axes.",
+    part="This row has the opposite sign.",
+)
+SHIFTED = mistake(
+    "shifted",
+    np.array([[0, 0, 1, 0, -1, 0], [0, 1, 0, 4, 0, 0.0]]),
+    "You moved the points.",
+    part="This point is moved.",
+)
 
 
 def test_the_numbers_of_a_student_never_change():
@@ -51,7 +61,7 @@ def test_right_blank_and_unreadable_answers_are_judged_in_all_parts():
     p = two_rows([NEGATED])
     parts = ["row 1", "row 2"]
     expected = "Expected an array of shape (2, 6)"
-    assert judge(p, p.answer.value) == Judgement("right", 1.0, parts, ())
+    assert judge(p, p.answer.value) == Judgement("right", 1.0, parts, [])
     blank = Finding(parts, f"{expected.replace('ted', 'ted:', 1)}.")
     assert judge(p, ...) == judge(p, None) == Judgement("blank", 0.0, (), [blank])
     unreadable = Finding(parts, f"{expected}; got a list of shape (2,).")
@@ -60,7 +70,7 @@ def test_right_blank_and_unreadable_answers_are_judged_in_all_parts():
 
 def test_a_mistake_in_all_parts_is_one_finding_and_each_unexplained_part_is_one():
     p = two_rows([SHIFTED, NEGATED])
-    whole = Finding(["row 1", "row 2"], "You turned the axes round.", "negated")
+    whole = Finding(["row 1", "row 2"], "You reversed the axes.", "negated", (("negated",),))
     assert judge(p, NEGATED.value) == Judgement("wrong", 0.0, [], [whole])
     unforeseen = judge(p, [[0, 1, 0, 0, -2, 0], [1, 0, 0, 3, 0, 0]])
     hint = "Its second half is right."
@@ -74,12 +84,21 @@ def test_a_mistake_in_one_part_is_named_for_that_part():
     judgement = judge(p, [p.answer.value[0], NEGATED.value[1]])
     assert (judgement.state, judgement.fraction) == ("partly", 0.5)
     assert judgement.right_parts == ["row 1"]
-    assert [(list(f.parts), f.mistake) for f in judgement.findings] == [(["row 2"], "negated")]
+    [finding] = judgement.findings
+    assert (finding.parts, finding.mistake, finding.message) == (
+        ["row 2"],
+        "negated",
+        "This row has the opposite sign.",
+    )
 
 
 def test_two_mistakes_in_two_parts_are_both_named():
     p = two_rows([NEGATED, SHIFTED])
-    assert judge(p, [SHIFTED.value[0], NEGATED.value[1]]).mistakes == ["shifted", "negated"]
+    both = judge(p, [SHIFTED.value[0], NEGATED.value[1]])
+    assert [(finding.parts, finding.mistake, finding.message) for finding in both.findings] == [
+        (["row 1"], "shifted", "This point is moved."),
+        (["row 2"], "negated", "This row has the opposite sign."),
+    ]
     half = judge(p, [SHIFTED.value[0], [0, 1, 0, 9, 9, 9]])
     assert [finding.mistake for finding in half.findings] == ["shifted", None]
 
@@ -91,10 +110,10 @@ def test_an_unexplained_part_gets_a_hint():
     assert judgement.findings[0].message == "Its first half is right."
 
 
-def test_a_rounded_answer_is_called_close():
-    p = Problem("How far?", Numbers(np.array(0.7071), "m"), [mistake("sign", np.array(-0.7071), "Wrong way.")])
-    assert "looks rounded" in judge(p, 0.7).findings[0].message
-    assert judge(p, 0.707).state == "right"
+def test_a_mistake_without_a_text_for_a_part_explains_only_whole_answers():
+    p = two_rows([mistake("negated", NEGATED.value, "You reversed all axes.")])
+    assert judge(p, NEGATED.value).mistakes == ["negated"]
+    assert judge(p, [p.answer.value[0], NEGATED.value[1]]).mistakes == []
 
 
 def test_a_variant_in_which_a_mistake_is_right_is_drawn_again():
@@ -244,5 +263,5 @@ def test_a_card_names_score_mistake_and_section():
     text = Verdict(template, judge(p, [p.answer.value[0], NEGATED.value[1]]))._repr_mimebundle_()["text/plain"]
     assert "Partly right" in text
     assert "2 of 4 points" in text
-    assert "Row 2: You turned the axes round." in text
+    assert "Row 2: This row has the opposite sign." in text
     assert "lecture 01_ohm, section “Currents”" in text

@@ -1,0 +1,206 @@
+"""Solutions as expressions, and their mutants: what a change leads to, compared with the same change made by hand in NumPy."""
+
+import numpy as np
+import pytest
+import sympy as sp
+from hypothesis import given as hypothesis_given
+from hypothesis import strategies as st
+from hypothesis.extra.numpy import arrays
+
+from misstep.answers.expression import ClosedForm
+from misstep.answers.function import Function
+from misstep.answers.number import Numbers
+from misstep.judge import judge
+from misstep.mistakes import mistake
+from misstep.mutants.expression import PAST_TENSES, Change, given, product
+from misstep.mutants.mutants import mutate, mutations, pairs, value_of
+from misstep.mutants.operations import ANGLE, LENGTH, MATRIX, SLIDE, cos, inverse, radians, sin, stack, unit
+from misstep.problem import Problem, problem
+
+rng = np.random.default_rng(5)
+A, B, C = rng.uniform(1, 2, (3, 3, 3))
+a, b, c = given("A", A, MATRIX), given("B", B, MATRIX), given("C", C, MATRIX)
+SOLUTION = inverse(a) @ b @ c
+RIGHT = np.linalg.inv(A) @ B @ C
+
+BY_HAND = {
+    "reversed": C @ B @ np.linalg.inv(A),
+    "order": np.linalg.inv(A) @ C @ B,
+    "inverse left out": A @ B @ C,
+    "transpose for inverse": A.T @ B @ C,
+    "factor left out": np.linalg.inv(A) @ C,
+    "entry by entry": np.linalg.inv(A) * B * C,
+    "transposed": np.linalg.inv(A) @ B.T @ C,
+    "last factor": B @ C @ np.linalg.inv(A),
+}
+
+
+def matrices(solution=SOLUTION, **options):
+    return Problem("Multiply.", Numbers(solution.value), solution=solution, **options)
+
+
+@pytest.mark.parametrize("name", BY_HAND)
+def test_one_change_is_named_with_its_factor(name):
+    [finding] = judge(matrices(), BY_HAND[name]).findings
+    assert finding.mistake == name
+    assert (name,) in finding.alternatives
+    assert finding.message.startswith("You ")
+
+
+@pytest.mark.parametrize(("one", "other"), [("A", "B"), ("B", "C"), ("A", "C")])
+def test_the_factor_that_was_left_out_is_the_one_that_is_named(one, other):
+    factors = {"A": np.linalg.inv(A), "B": B, "C": C}
+    names = {"A": "A^{-1}", "B": "B", "C": "C"}
+    [left_out] = {"A", "B", "C"} - {one, other}
+    [finding] = judge(matrices(), factors[one] @ factors[other]).findings
+    assert finding.message == f"You left out ${names[left_out]}$."
+
+
+def test_two_changes_are_named_where_no_single_one_leads_to_the_answer():
+    [finding] = judge(matrices(), C @ B @ A).findings
+    assert finding.alternatives == (("reversed", "inverse left out"),)
+    assert "and you used $A$, where its inverse belongs" in finding.message
+
+
+def test_the_fewest_changes_win():
+    """C, B and the inverse of A in this order are one change, although two changes lead there as well."""
+    for finding in judge(matrices(), BY_HAND["reversed"]).findings:
+        assert all(len(names) == 1 for names in finding.alternatives)
+
+
+def test_a_tie_is_said_as_a_tie():
+    x = given("x", 3.0).mistaken_for(2.0, "another x", "use the length of another bar") * given("y", 2.0)
+    asked = Problem("", Numbers(np.array(6.0)), solution=x)
+    [finding] = judge(asked, 4.0).findings
+    assert (finding.mistake, finding.alternatives) == ("another x", (("another x",),))
+    [tie] = judge(Problem("", Numbers(np.array(4.0)), solution=given("a", 2.0) * given("b", 2.0)), 2.0).findings
+    assert tie.mistake == "factor left out"
+    assert tie.message == (
+        "Several mistakes lead to this answer. Either: You left out the factor $a$. Or: You left out the factor $b$."
+    )
+
+
+def test_a_mistake_of_the_author_comes_before_the_mutants():
+    own = mistake("my own name", BY_HAND["reversed"], "My own words.")
+    assert judge(matrices(mistakes=[own]), BY_HAND["reversed"]).mistakes == ["my own name"]
+
+
+def test_advice_replaces_the_general_one_by_name_or_by_text():
+    named = matrices(advice={"inverse left out": "Use the letters."})
+    assert judge(named, BY_HAND["inverse left out"]).findings[0].message.endswith("belongs. Use the letters.")
+    by_text = matrices(advice={"leave out $B$": "B is needed."})
+    assert judge(by_text, BY_HAND["factor left out"]).findings[0].message == "You left out $B$. B is needed."
+    assert judge(by_text, B @ C).findings[0].message == "You left out $A^{-1}$."
+
+
+def test_degrees_in_all_places_are_one_change_and_in_one_place_another():
+    p, q = (radians(given(name, value, ANGLE)) for name, value in (("p", 40.0), ("q", 70.0)))
+    both = Problem("", Numbers(np.zeros(2)), solution=stack(sin(p), cos(q)))
+    both = Problem("", Numbers(both.solution.value), solution=both.solution)
+    assert "You used degrees as radians." in judge(both, [np.sin(40.0), np.cos(70.0)]).findings[0].message
+    assert (
+        "You used the degrees of $q$ as radians."
+        in judge(both, [np.sin(np.radians(40)), np.cos(70.0)]).findings[0].message
+    )
+    swapped = [np.cos(np.radians(40)), np.sin(np.radians(70))]
+    assert judge(both, swapped).mistakes == ["sine and cosine swapped"]
+
+
+def test_a_length_that_was_converted_like_an_angle_is_named():
+    sizes = stack(radians(given("q_1", 40.0, ANGLE)), given("q_2", 0.6, SLIDE))
+    asked = Problem("", Numbers(sizes.value), solution=sizes)
+    assert judge(asked, [np.radians(40), np.radians(0.6)]).mistakes == ["length in radians"]
+
+
+def test_a_value_that_is_used_twice_is_changed_in_both_places():
+    p = given("p", 3.0, LENGTH)
+    asked = Problem("", Numbers(np.array([3.0, 9.0])), solution=stack(p, 3 * p))
+    assert judge(asked, [-3.0, -9.0]).mistakes == ["sign of a length"]
+
+
+def test_the_mutants_of_a_function_are_compared_at_each_input():
+    solution = lambda x: 2 * unit(given("x", x))  # noqa: E731
+    answer = Function(
+        lambda x: 2 * x / np.linalg.norm(x), Numbers(np.zeros(2)), lambda chance: (chance.uniform(1, 2, 2),)
+    )
+    asked = Problem("", answer, solution=solution)
+    assert judge(asked, lambda x: 2 * x).mistakes == ["not a unit vector"]
+    assert judge(asked, lambda x: x).findings[0].alternatives == (("factor left out", "not a unit vector"),)
+
+
+def test_the_mutants_of_a_formula_are_compared_as_functions():
+    q = sp.Symbol("q")
+    asked = Problem("", ClosedForm(3 * sp.sin(q)), solution=lambda q: 3 * sin(given("q", q, ANGLE)))
+    assert judge(asked, "3*cos(q)").mistakes == ["sine and cosine swapped"]
+    assert judge(asked, "-3 sin(q)").mistakes == ["sign of an angle"]
+    assert judge(asked, "3 sin(2q)").mistakes == ["double the angle"]
+
+
+def test_a_draw_in_which_a_mutant_gives_the_right_answer_is_drawn_again():
+    @problem("99.1", "A product", points=1, lecture="none#none")
+    def commuting_or_not(sampler):
+        one, two = np.diag([1.0, 2.0]), np.array([[0, 1], [sampler.integer(0, 1), 0.0]])
+        solution = given("A", one) @ given("B", two + np.eye(2) * 3)
+        return Problem(str(two), Numbers(solution.value), solution=solution)
+
+    @problem("99.2", "Always commuting", points=1, lecture="none#none")
+    def commuting(_):
+        solution = given("A", np.eye(2) * 2) @ given("B", np.eye(2) * 3)
+        return Problem("", Numbers(solution.value), solution=solution)
+
+    for i in range(20):
+        assert not commuting_or_not.variant(f"s{i}").hidden
+    with pytest.raises(ValueError, match=r"Problem 99\.2.*last draw these did: order"):
+        commuting.variant("ada")
+
+
+def test_an_invisible_mutant_may_give_the_right_answer():
+    solution = given("A", np.eye(2) * 2) @ given("B", np.eye(2) * 3)
+    invisible = {"order", "entry by entry"}
+    asked = Problem("", Numbers(solution.value), solution=solution, invisible=invisible)
+    assert asked.hidden == []
+    assert judge(asked, solution.value).state == "right"
+
+
+def test_a_solution_that_does_not_lead_to_the_answer_is_refused():
+    asked = Problem("", Numbers(np.array(5.0)), solution=given("a", 2.0) + 2)
+    with pytest.raises(ValueError, match=r"must lead to the answer; it gives 4\.0, and the answer is 5\.0"):
+        _ = asked.mutants
+
+
+def test_a_mutant_that_has_no_value_is_no_mistake():
+    solution = given("A", np.ones((2, 3))) @ given("x", np.ones(3))
+    names = {wrong.name for wrong in Problem("", Numbers(solution.value), solution=solution).mutants}
+    assert "order" not in names  # x @ A has no value: three numbers times two rows
+
+
+def test_every_past_tense_is_that_of_the_verb():
+    assert Change("", "use x").past == "used x"
+    assert Change("", "apply x").past == "applied x"
+    assert Change("", "invert x").past == "inverted x"
+    assert all(Change("", f"{verb} x").past == f"{past} x" for verb, past in PAST_TENSES.items())
+
+
+@hypothesis_given(arrays(float, (3, 2, 2), elements=st.floats(0.5, 2)))
+def test_every_mutant_is_explained_by_its_own_name(values):
+    """Whatever the numbers are: an answer made by a change is explained by it, or by others that lead to the same answer."""
+    one, two, three = (given(name, value, MATRIX) for name, value in zip("ABC", values, strict=True))
+    asked = Problem("", Numbers((one @ two.T @ three).value), solution=one @ two.T @ three)
+    for wrong in asked.mutants:
+        judgement = judge(asked, wrong.value)
+        if judgement.state != "right":
+            reached = [other for other in asked.mutants if all(asked.answer.agrees(other.value, wrong.value))]
+            assert judgement.findings[0].alternatives[0] in {other.names for other in reached}
+
+
+@hypothesis_given(arrays(float, (3, 2, 2), elements=st.floats(0.5, 2)))
+def test_two_changes_of_different_factors_commute(values):
+    one, two, three = (given(name, value, MATRIX) for name, value in zip("ABC", values, strict=True))
+    root = product(one, two, three)
+    for first, second in list(pairs(root, mutations(root)))[:200]:
+        if len(first.replaced) == len(second.replaced) == 1:
+            nodes = {id(one), id(two), id(three)}
+            if first.replaced.keys() <= nodes and second.replaced.keys() <= nodes:
+                forwards = value_of(mutate(root, first.replaced, second.replaced))
+                backwards = value_of(mutate(root, second.replaced, first.replaced))
+                np.testing.assert_allclose(forwards, backwards)
