@@ -137,7 +137,9 @@ class Expression:
     @cached_property
     def key(self) -> Any:
         """Equal for two expressions that are written alike."""
-        return (self.operation, *(node.key for node in self.arguments)) if self.arguments else id(self.known)
+        return (
+            (self.operation, *(node.key for node in self.arguments)) if self.arguments else (self.label, id(self.known))
+        )
 
     @cached_property
     def latex(self) -> str:
