@@ -4,7 +4,7 @@ They are a second opinion on the feedback. So no module of this folder imports t
 computed from the given values with plain NumPy, SymPy and SciPy. Each lecture has a module, which is imported only if needed.
 """
 
-from collections.abc import Callable, Iterable, Iterator
+from collections.abc import Callable, Iterable, Iterator, Set
 from dataclasses import dataclass
 from importlib import import_module
 from typing import Any
@@ -55,6 +55,12 @@ def wrong(answers: dict[str, tuple[Any, str]]) -> Iterator[WrongAnswer]:
         yield WrongAnswer(label, value, frozenset(word.strip() for word in words.split(",")))
 
 
+def alike(words: Set[str], answers: dict[str, Any]) -> Iterator[WrongAnswer]:
+    """Make wrong answers of one kind, with the same keywords, from a dictionary: label -> value."""
+    for label, value in answers.items():
+        yield WrongAnswer(label, value, frozenset(words))
+
+
 def right(answers: dict[str, Any]) -> Iterator[WrongAnswer]:
     """Make right answers in an unusual form from a dictionary: label -> value."""
     for label, value in answers.items():
@@ -62,7 +68,7 @@ def right(answers: dict[str, Any]) -> Iterator[WrongAnswer]:
 
 
 def answers_by_hand(number: str, given: Any, answer: Any) -> list[WrongAnswer]:
-    """Return all answers made by hand for one student's problem; none if nobody has written any for this number.
+    """Return all answers made by hand for one student's problem; an empty list for a number without any.
 
     given   the given values, `sheet.given(k)`
     answer  the right answer, `sheet.problem(k).answer.value`

@@ -1,365 +1,258 @@
 """Answers by hand to sheet 01."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
 
-from kincourse.census import WrongAnswer, right, wrong, wrong_answers
-from kincourse.census.motions import I3, exp, negated, negated_one, parts, pose, product, rot, swapped
+from kincourse.census import WrongAnswer, alike, right, wrong_answers
+from kincourse.census import words as by
+from kincourse.census.motions import I3, I4, exp, negated, negated_one, parts, pose, rot, swapped
 
 inv = np.linalg.inv
+Answers = Iterator[WrongAnswer]
 
 
 @wrong_answers("01.1")
-def pose_off_a_drawing(given: Any, T: Any) -> Iterator[WrongAnswer]:
+def pose_off_a_drawing(given: Any, T: Any) -> Answers:
     R, p = parts(T)
-    yield from wrong(
-        {
-            "axes in rows": (pose(R.T, p), "row, transpos"),
-            "T_bs": (inv(T), "T_{bs}, inverse"),
-            "R^T and -p": (pose(R.T, -p), "row, transpos, sign, negat, arrow"),
-            "all transposed": (T.T, "transpos, last row"),
-            "x and y columns swapped": (pose(swapped(R, 0, 1, 1), p), "swap, column, left-handed"),
-            "y and z columns swapped": (pose(swapped(R, 1, 2, 1), p), "swap, column, left-handed"),
-            "columns in the order y, z, x": (pose(R[:, [1, 2, 0]], p), "column, order"),
-            "y the other way": (pose(R * (1, -1, 1), p), "left-handed, sign, opposite"),
-            "z the other way": (pose(R * (1, 1, -1), p), "left-handed, sign, opposite"),
-            "x and y the other way": (pose(R * (-1, -1, 1), p), "sign, opposite, negat"),
-            "x and y of p swapped": (pose(R, p[[1, 0, 2]]), "swap"),
-            "y and z of p swapped": (pose(R, p[[0, 2, 1]]), "swap"),
-            "-p": (pose(R, -p), "sign, negat, opposite, leads from"),
-            "one sign of p": (pose(R, negated(p, 1)), "sign"),
-            "p as {b} sees it": (pose(R, R.T @ p), "R^T, {b}, transpos"),
-            "p in the last row": (
-                pose(R, p).T @ np.diag([0, 0, 0, 1]) + pose(R, 0 * p) @ np.diag([1, 1, 1, 0]),
-                "last row",
-            ),
-            "height left out": (pose(R, p * (1, 1, 0)), "height, left out, missing"),
-            "no 1 in the corner": (T * np.array([[1], [1], [1], [0]]), "last row, 1"),
-            "axes in rows, x and y of p swapped": (pose(R.T, p[[1, 0, 2]]), "row, transpos, swap"),
-            "y the other way, x and y of p swapped": (pose(R * (1, -1, 1), p[[1, 0, 2]]), "left-handed, sign, swap"),
-            "axes in rows, one sign of p": (pose(R.T, negated(p, 0)), "row, transpos, sign"),
-        }
+    yx = p[[1, 0, 2]]
+    yield from alike(by.TRANSPOSED, {"axes in rows": pose(R.T, p), "all transposed": T.T})
+    yield from alike(by.INVERTED | {"T_{bs}", "seen from {b}"}, {"T_bs": inv(T)})
+    yield from alike(by.TRANSPOSED | by.SIGN | {"leads from"}, {"R^T and -p": pose(R.T, -p)})
+    yield from alike(by.ORDER, {"x and y axes swapped": pose(swapped(R, 0, 1, 1), p)})
+    yield from alike(by.ORDER, {"y and z axes swapped": pose(swapped(R, 1, 2, 1), p)})
+    yield from alike(by.ORDER, {"axes in the order y, z, x": pose(R[:, [1, 2, 0]], p)})
+    yield from alike(by.SIGN | {"left-handed"}, {"-y": pose(R * (1, -1, 1), p), "-z": pose(R * (1, 1, -1), p)})
+    yield from alike(by.SIGN, {"-x and -y": pose(R * (-1, -1, 1), p), "one sign of p": pose(R, negated(p, 1))})
+    yield from alike(by.SIGN | {"leads from"}, {"-p": pose(R, -p)})
+    yield from alike(by.SWAPPED, {"x and y of p swapped": pose(R, yx), "y and z of p swapped": pose(R, p[[0, 2, 1]])})
+    yield from alike({"{b}", *by.TRANSPOSED}, {"p as {b} sees it": pose(R, R.T @ p)})
+    yield from alike(
+        {"last row"}, {"p in the last row": T + pose(0 * R, p).T - pose(0 * R, p), "0 in the corner": T - I4[3] * I4}
     )
-    yield from right(
-        {"integers": T.round().astype(int), "list of lists": T.tolist(), "tuple": tuple(map(tuple, T.round()))}
-    )
+    yield from alike(by.OMITTED | {"height"}, {"height left out": pose(R, p * (1, 1, 0))})
+    yield from alike(by.TRANSPOSED | by.SWAPPED, {"axes in rows, x and y of p swapped": pose(R.T, yx)})
+    yield from alike(by.SIGN | by.SWAPPED | {"left-handed"}, {"-y, x and y of p swapped": pose(R * (1, -1, 1), yx)})
+    yield from alike(by.TRANSPOSED | by.SIGN, {"axes in rows, one sign of p": pose(R.T, negated(p, 0))})
+    yield from right({"integers": T.astype(int), "list of lists": T.tolist(), "tuple": tuple(map(tuple, T))})
 
 
 @wrong_answers("01.2")
-def rotation_off_a_drawing(given: Any, R: Any) -> Iterator[WrongAnswer]:
+def rotation_off_a_drawing(given: Any, R: Any) -> Answers:
     k = next(i for i in range(3) if R[i, i] > 1 - 1e-9)
     i, j = (k + 1) % 3, (k + 2) % 3
     t = np.arctan2(R[j, i], R[i, i])
-    d = np.degrees(t)
+    d, c, s = np.degrees(t), np.cos(t), np.sin(t)
 
-    def plane(a: float, b: float, c: float, e: float, one: float = 1.0) -> Any:
-        A = np.zeros((3, 3))
-        A[k, k], A[i, i], A[i, j], A[j, i], A[j, j] = one, a, b, c, e
+    def plane(ii: float, ij: float, ji: float, jj: float) -> Any:
+        A = np.diag(I3[k])
+        A[i, i], A[i, j], A[j, i], A[j, j] = ii, ij, ji, jj
         return A
 
-    c, s = np.cos(t), np.sin(t)
-    yield from wrong(
-        {
-            "R_ba": (R.T, "transpos, R_{ba}, other way, sign"),
-            "sine and cosine swapped": (plane(s, -c, c, s), "swap, sine and cosine"),
-            "sizes of sine and cosine swapped": (rot(k, np.sign(d) * (90 - abs(d))), "swap, sine and cosine"),
-            "degrees in np.cos": (exp(d * I3[k]), "degrees, radians"),
-            "about the next axis": (rot(i, d), "about, axis"),
-            "about the axis before": (rot(j, d), "about, axis"),
-            "both sines positive": (plane(c, abs(s), abs(s), c), "sign, minus"),
-            "both sines negative": (plane(c, -abs(s), -abs(s), c), "sign, minus"),
-            "one cosine negative": (plane(c, -s, s, -c), "sign, minus"),
-            "0 for the 1": (plane(c, -s, s, c, 0.0), "1, axis"),
-            "twice the angle": (rot(k, 2 * d), "double, twice"),
-            "half the angle": (rot(k, d / 2), "half"),
-            "supplement of the angle": (rot(k, 180 - d), "180, angle, sign"),
-            "180 degrees more": (rot(k, d + 180), "180, sign, angle"),
-            "minus R": (-R, "sign, negat"),
-            "plane in the upper left corner": (rot(2, d) if k != 2 else rot(0, d), "about, axis"),
-            "transposed, sine and cosine swapped": (plane(s, c, -c, s), "transpos, swap, sign, other way"),
-            "transposed, about the next axis": (rot(i, -d), "transpos, about, other way"),
-            "transposed, degrees": (exp(-d * I3[k]), "transpos, degrees, radians, other way"),
-        }
+    yield from alike(by.OTHER_WAY | {"R_{ba}"}, {"R_ba": R.T})
+    yield from alike(by.SWAPPED, {"sine and cosine swapped": plane(s, -c, c, s)})
+    yield from alike(by.SWAPPED | {"90"}, {"90 degrees less the angle": rot(k, np.sign(d) * (90 - abs(d)))})
+    yield from alike(by.DEGREES, {"degrees in np.cos": exp(d * I3[k])})
+    yield from alike(by.AXIS | {"about"}, {"about the next axis": rot(i, d), "about the axis before": rot(j, d)})
+    yield from alike(
+        by.SIGN, {"both sines positive": plane(c, abs(s), abs(s), c), "one cosine negative": plane(c, -s, s, -c)}
     )
+    yield from alike(by.SIGN, {"both sines negative": plane(c, -abs(s), -abs(s), c), "-R": -R})
+    yield from alike(by.OMITTED | by.AXIS | {"single 1"}, {"0 for the 1": R - np.diag(I3[k])})
+    yield from alike(by.DOUBLE, {"twice the angle": rot(k, 2 * d)})
+    yield from alike(by.HALF, {"half the angle": rot(k, d / 2)})
+    yield from alike(by.SIGN | {"180", "half a turn"}, {"180 - angle": rot(k, 180 - d), "180 + angle": rot(k, d + 180)})
+    yield from alike(by.OTHER_WAY | by.SWAPPED, {"transposed, sine and cosine swapped": plane(s, c, -c, s)})
+    yield from alike(by.OTHER_WAY | by.AXIS, {"transposed, about the next axis": rot(i, -d)})
+    yield from alike(by.OTHER_WAY | by.DEGREES, {"transposed, degrees": exp(-d * I3[k])})
     yield from right(
-        {
-            "three decimals": R.round(3),
-            "list": R.tolist(),
-            "by a quarter of the turn": np.linalg.matrix_power(rot(k, d / 4), 4),
-        }
+        {"three decimals": R.round(3), "list": R.tolist(), "two half turns": rot(k, d / 2) @ rot(k, d / 2)}
     )
 
 
 @wrong_answers("01.3")
-def augmented_matrix(given: Any, answer: Any) -> Iterator[WrongAnswer]:
+def augmented_matrix(given: Any, answer: Any) -> Answers:
     d, p, first = given.degrees, np.asarray(given.p, dtype=float), given.first == "shift"
 
-    def map_of(R: Any, p: Any = p, shift_first: bool = first) -> Any:
-        return np.array([*np.column_stack([R, R @ p if shift_first else p]), [0, 0, 1]])
+    def augmented(R: Any, column: Any) -> Any:
+        return np.array([*np.column_stack([R, column]), [0, 0, 1]])
 
-    def plane(degrees: float) -> Any:
-        return rot(2, degrees)[:2, :2]
+    def mapped(R: Any, p: Any = p, shift_first: bool = first) -> Any:
+        return augmented(R, R @ p if shift_first else p)
 
-    R, A = plane(d), map_of(plane(d))
+    R, in_degrees = rot(2, d)[:2, :2], exp([0, 0, d])[:2, :2]
+    (c, s), A = R[:, 0], mapped(R)
     column = A[:2, 2]
-    yield from wrong(
-        {
-            "the other order": (map_of(R, shift_first=not first), "order, first, after"),
-            "turned the other way": (map_of(R.T), "other way, transpos, clockwise, sign"),
-            "R transposed, column right": (map_of(R.T, column, False), "transpos, other way, clockwise, sign"),
-            "all transposed": (A.T, "transpos, last row"),
-            "translation in the last row": (np.array([[*R[0], 0], [*R[1], 0], [*column, 1]]), "last row"),
-            "no translation": (map_of(R, 0 * p), "missing, left out"),
-            "degrees in np.cos": (map_of(exp([0, 0, d])[:2, :2]), "degrees, radians"),
-            "the inverse map": (inv(A), "inver, back"),
-            "-p": (map_of(R, -p), "sign, negat"),
-            "one sign of p": (map_of(R, negated(p, 0)), "sign"),
-            "x and y of p swapped": (map_of(R, p[::-1]), "swap"),
-            "sine and cosine swapped": (
-                map_of(np.array([[R[1, 0], -R[0, 0]], [R[0, 0], R[1, 0]]])),
-                "swap, sine and cosine",
-            ),
-            "both sines positive": (map_of(np.abs(R)), "sign, minus"),
-            "0 in the corner": (A - np.diag([0, 0, 1]), "last row, 1"),
-            "shifted twice": (map_of(R, R @ p + p, False), "twice, order, first"),
-            "half the angle": (map_of(plane(d / 2)), "half"),
-            "R^T p": (map_of(R, R.T @ p, False), "transpos, other way, inver"),
-            "elementwise": (map_of(R, np.diag(R) * p, False), "elementwise, entry by entry, *"),
-            "the other order and the other way": (
-                map_of(R.T, shift_first=not first),
-                "order, first, after, other way, transpos",
-            ),
-            "the other order and degrees": (
-                map_of(exp([0, 0, d])[:2, :2], shift_first=not first),
-                "order, degrees, radians",
-            ),
-            "turned the other way and transposed": (map_of(R.T).T, "other way, transpos, last row"),
-        }
+    yield from alike(by.ORDER, {"the other order": mapped(R, shift_first=not first)})
+    yield from alike(by.OTHER_WAY, {"turned the other way": mapped(R.T), "R transposed only": augmented(R.T, column)})
+    yield from alike({"last row", *by.TRANSPOSED}, {"all transposed": A.T})
+    yield from alike({"last row"}, {"p in the last row": augmented(R, 0 * p) + A.T - augmented(R.T, 0 * p)})
+    yield from alike({"last row"}, {"0 in the corner": A - np.diag([0, 0, 1])})
+    yield from alike(by.OMITTED, {"no translation": augmented(R, 0 * p), "no rotation": augmented(np.eye(2), p)})
+    yield from alike(
+        by.DEGREES, {"degrees in np.cos": mapped(in_degrees), "degrees in R only": augmented(in_degrees, column)}
     )
-    yield from right(
-        {
-            "three decimals": A.round(3),
-            "list": A.tolist(),
-            "product of two matrices": map_of(R, p, False) if not first else map_of(R, 0 * p) @ map_of(np.eye(2), p),
-        }
+    yield from alike(by.INVERTED, {"the inverse map": inv(A)})
+    yield from alike(
+        by.SIGN, {"-p": mapped(R, -p), "one sign of p": mapped(R, negated(p, 0)), "no minus": mapped(np.abs(R))}
     )
+    yield from alike(
+        by.SWAPPED, {"x and y of p": mapped(R, p[::-1]), "sine, cosine": mapped(np.array([[s, -c], [c, s]]))}
+    )
+    yield from alike(by.DOUBLE | by.ORDER, {"shifted before and after": augmented(R, R @ p + p)})
+    yield from alike(by.HALF, {"half the angle": mapped(rot(2, d / 2)[:2, :2])})
+    yield from alike(by.OTHER_WAY, {"R^T p": augmented(R, R.T @ p)})
+    yield from alike(by.ELEMENTWISE, {"elementwise": augmented(R, np.diag(R) * p)})
+    yield from alike(by.ORDER | by.OTHER_WAY, {"the other order and the other way": mapped(R.T, shift_first=not first)})
+    yield from alike(by.ORDER | by.DEGREES, {"the other order and degrees": mapped(in_degrees, shift_first=not first)})
+    yield from alike(by.OTHER_WAY | {"last row"}, {"the other way and transposed": mapped(R.T).T})
+    product = augmented(R, 0 * p) @ augmented(np.eye(2), p) if first else augmented(np.eye(2), p) @ augmented(R, 0 * p)
+    yield from right({"three decimals": A.round(3), "list": A.tolist(), "product of two matrices": product})
 
 
 @wrong_answers("01.4")
-def point_and_arrow(given: Any, answer: Any) -> Iterator[WrongAnswer]:
+def point_and_arrow(given: Any, answer: Any) -> Answers:
     (R, p), x, d = parts(given.T_sc), np.asarray(given.point_c), np.asarray(given.arrow_c)
     X, D = R @ x + p, R @ d
-    yield from wrong(
-        {
-            "arrow as a point": ([X, D + p], "arrow"),
-            "point as an arrow": ([R @ x, D], "point"),
-            "1 and 0 exchanged": ([R @ x, D + p], "exchang, swap"),
-            "other end of the rod": ([X, X + D], "end, added"),
-            "T_cs": ([R.T @ (x - p), R.T @ d], "T_{cs}, inver, back"),
-            "R transposed": ([R.T @ x + p, R.T @ d], "transpos, R^T"),
-            "R transposed for the arrow only": ([X, R.T @ d], "transpos, R^T"),
-            "not turned": ([x + p, d], "not rotate, R, did not turn"),
-            "arrow left as it is": ([X, d], "not rotate, did not turn, R"),
-            "as given": ([x, d], "given, camera, {c}"),
-            "-p": ([R @ x - p, D], "sign, -p"),
-            "shifted before it is turned": ([R @ (x + p), D], "order, first, before"),
-            "shifted back before it is turned": ([R @ (x - p), D], "order, first, before, sign"),
-            "rows swapped": ([D, X], "swap, exchang"),
-            "arrow the other way": ([X, -D], "sign, opposite, from"),
-            "arrow minus the point": ([X, R @ (d - x)], "differ, arrow"),
-            "one sign of the point": ([negated(X, 0), D], "sign"),
-            "elementwise": ([np.diag(R) * x + p, np.diag(R) * d], "elementwise, entry by entry, *"),
-            "R transposed and arrow as a point": ([R.T @ x + p, R.T @ d + p], "transpos, R^T, arrow"),
-            "R transposed and point as an arrow": ([R.T @ x, R.T @ d], "transpos, R^T, point"),
-            "rows swapped and arrow as a point": ([D + p, X], "swap, exchang, arrow"),
-        }
+    arrow, point = {"arrow", "direction", "extra entry"}, {"point", "extra entry"}
+    yield from alike(arrow, {"arrow as a point": [X, D + p]})
+    yield from alike(point, {"point as an arrow": [R @ x, D]})
+    yield from alike(by.SWAPPED, {"1 and 0 exchanged": [R @ x, D + p], "rows swapped": [D, X]})
+    yield from alike(
+        {"other end", *arrow}, {"other end of the rod": [X, X + D], "arrow minus the point": [X, R @ (d - x)]}
     )
+    yield from alike(by.INVERTED | {"T_{cs}"}, {"T_cs": [R.T @ (x - p), R.T @ d]})
+    yield from alike(by.TRANSPOSED | {"T_{cs}"}, {"R^T": [R.T @ x + p, R.T @ d], "R^T for the arrow": [X, R.T @ d]})
+    yield from alike(
+        by.OMITTED | {"did not turn", "rotat", "multiply by"}, {"not turned": [x + p, d], "arrow not turned": [X, d]}
+    )
+    yield from alike(by.COPIED, {"as given": [x, d]})
+    yield from alike(by.SIGN, {"-p": [R @ x - p, D], "-arrow": [X, -D], "one sign": [negated_one(X), D]})
+    yield from alike(by.ORDER, {"shifted before it is turned": [R @ (x + p), D]})
+    yield from alike(by.ORDER | by.SIGN, {"shifted back before it is turned": [R @ (x - p), D]})
+    yield from alike(by.ELEMENTWISE, {"elementwise": [np.diag(R) * x + p, np.diag(R) * d]})
+    yield from alike(by.TRANSPOSED | arrow, {"R^T and arrow as a point": [R.T @ x + p, R.T @ d + p]})
+    yield from alike(by.TRANSPOSED | point | {"T_{cs}"}, {"R^T and point as an arrow": [R.T @ x, R.T @ d]})
+    yield from alike(by.SWAPPED | arrow, {"rows swapped and arrow as a point": [D + p, X]})
     yield from right(
-        {
-            "three decimals": np.round([X, D], 3),
-            "tuple of arrays": (X, D),
-            "rows of x @ R.T": np.array([x, d]) @ R.T + [p, 0 * p],
-        }
+        {"three decimals": np.round([X, D], 3), "tuple": (X, D), "x @ R.T": np.array([x, d]) @ R.T + [p, 0 * p]}
     )
 
 
 @wrong_answers("01.5")
-def look_back(given: Any, answer: Any) -> Iterator[WrongAnswer]:
+def look_back(given: Any, answer: Any) -> Answers:
     T = np.asarray(given.T_sg)
     R, p = parts(T)
-    yield from wrong(
-        {
-            "as given": (T, "T_{sg}, given, not inverted, undone"),
-            "all transposed": (T.T, "transposed the whole, transpose"),
-            "-p": (pose(R.T, -p), "-p"),
-            "+R^T p": (pose(R.T, R.T @ p), "sign"),
-            "-R p": (pose(R.T, -R @ p), "with $R$, -R, wrong way, transpos, R for"),
-            "p kept": (pose(R.T, p), "kept, p"),
-            "no position": (pose(R.T, 0 * p), "left out, missing, position"),
-            "R kept, -p": (pose(R, -p), "R, not transposed"),
-            "R kept, -R^T p": (pose(R, -R.T @ p), "R, transpos"),
-            "R kept, -R p": (pose(R, -R @ p), "R, transpos"),
-            "R kept, R^T p": (pose(R, R.T @ p), "R, transpos, sign"),
-            "R^T and R p": (pose(R.T, R @ p), "sign, R, transpos"),
-            "-R^T": (pose(-R.T, -R.T @ p), "sign, negat"),
-            "-T": (-T, "sign, negat"),
-            "one sign of the position": (pose(R.T, negated_one(-R.T @ p)), "sign"),
-            "one sign of the rotation": (pose(negated_one(R.T), -R.T @ p), "sign"),
-            "p in the last row too": (T.T + pose(0 * R, -R.T @ p) - np.diag([0, 0, 0, 1]), "last row, transpos"),
-            "elementwise": (pose(R.T, -(R.T * p).diagonal()), "elementwise, entry by entry, *"),
-            "x and y of the position swapped": (pose(R.T, swapped(-R.T @ p, 0, 1)), "swap"),
-        }
+    q = -R.T @ p
+    yield from alike(by.COPIED | by.INVERTED, {"as given": T})
+    yield from alike(
+        by.TRANSPOSED, {"all transposed": T.T, "p in the last row too": pose(R.T, q) + T.T - pose(R.T, 0 * p)}
     )
-    yield from right(
-        {
-            "np.linalg.inv": inv(T),
-            "three decimals": inv(T).round(3),
-            "np.linalg.solve": np.linalg.solve(T, np.eye(4)).tolist(),
-        }
+    yield from alike({"-p", "minus p", *by.INVERTED}, {"-p": pose(R.T, -p)})
+    yield from alike(
+        by.SIGN, {"+R^T p": pose(R.T, -q), "one sign of the position": pose(R.T, negated_one(q)), "-T": -T}
     )
+    yield from alike(by.SIGN, {"-R^T": pose(-R.T, q), "one sign of the rotation": pose(negated_one(R.T), q)})
+    yield from alike(by.TRANSPOSED | {"turned", "rotat"}, {"-R p": pose(R.T, -R @ p), "R kept": pose(R, q)})
+    yield from alike({"kept", *by.COPIED}, {"p kept": pose(R.T, p)})
+    yield from alike(by.OMITTED, {"no position": pose(R.T, 0 * p), "no rotation": pose(I3, q)})
+    yield from alike(by.TRANSPOSED | by.SIGN | {"-p"}, {"R kept, -p": pose(R, -p)})
+    yield from alike(by.SWAPPED, {"x and y of the position swapped": pose(R.T, swapped(q, 0, 1))})
+    yield from alike(by.ELEMENTWISE, {"elementwise": pose(R.T, -np.diag(R) * p)})
+    yield from alike(by.TRANSPOSED | by.SIGN, {"R kept, +R^T p": pose(R, -q), "R p": pose(R.T, R @ p)})
+    yield from alike(by.TRANSPOSED | {"rotat"}, {"R kept, -R p": pose(R, -R @ p)})
+    yield from right({"inv": inv(T), "three decimals": inv(T).round(3), "list": np.linalg.solve(T, I4).tolist()})
 
 
 @wrong_answers("01.6")
-def letters_that_cancel(given: Any, answer: Any) -> Iterator[WrongAnswer]:
+def letters_that_cancel(given: Any, answer: Any) -> Answers:
     A, B, C = np.asarray(given.T_sc), np.asarray(given.T_co), np.asarray(given.T_st)
     (R, p), D = parts(C), inv(C)
-    minus_p, with_plus, only_R = pose(R.T, -p), pose(R.T, R.T @ p), pose(R.T, 0 * p)
-    yield from wrong(
-        {
-            "T_st not inverted": (C @ A @ B, "not inverted, inverse, T_{ts}, T_{st}"),
-            "T_ot": (inv(D @ A @ B), "T_{ot}, object, inver"),
-            "T_so": (A @ B, "T_{so}, base, left out"),
-            "T_ts left out of T_to, T_tc": (D @ A, "left out, T_{tc}, T_{co}"),
-            "T_sc left out": (D @ B, "left out, T_{sc}"),
-            "T_ts behind": (A @ B @ D, "behind, side, last, order, right"),
-            "T_st behind": (A @ B @ C, "inver, behind, side, last"),
-            "T_sc inverted": (D @ inv(A) @ B, "T_{sc}, inver"),
-            "T_co inverted": (D @ A @ inv(B), "T_{co}, inver"),
-            "reversed": (B @ A @ D, "order, revers"),
-            "reversed, not inverted": (B @ A @ C, "order, revers, inver"),
-            "T_sc and T_co swapped": (D @ B @ A, "swap, order"),
-            "T_ts in the middle": (A @ D @ B, "swap, order, place, middle"),
-            "elementwise": (D * A * B, "elementwise, entry by entry, *"),
-            "T_st transposed": (C.T @ A @ B, "transpos"),
-            "inverse with -p": (minus_p @ A @ B, "-p, minus, inverse"),
-            "inverse with +R^T p": (with_plus @ A @ B, "sign, inverse"),
-            "inverse without position": (only_R @ A @ B, "position, inverse, left out"),
-            "inverse with -R p": (pose(R.T, -R @ p) @ A @ B, "inverse, transpos, R"),
-            "positions subtracted": (pose((D @ A @ B)[:3, :3], (A @ B)[:3, 3] - p), "subtract, differ, rotate, p"),
-            "T_ts behind and T_sc inverted": (inv(A) @ B @ D, "behind, inver, order, side"),
-            "T_so by a wrong order": (B @ A, "order, swap, left out"),
-        }
-    )
-    yield from right(
-        {
-            "three decimals": (D @ A @ B).round(3),
-            "np.linalg.solve": np.linalg.solve(C, A @ B),
-            "list": product(D, A, B).tolist(),
-        }
-    )
+    T = D @ A @ B
+    yield from alike(by.INVERTED | {"T_{ts}"}, {"T_st not inverted": C @ A @ B})
+    yield from alike(by.INVERTED | {"T_{ot}"}, {"T_ot": inv(T)})
+    yield from alike(by.OMITTED | {"T_{so}"}, {"T_so": A @ B, "T_co left out": D @ A, "T_sc left out": D @ B})
+    yield from alike(by.ORDER, {"T_ts behind": A @ B @ D, "T_ts in the middle": A @ D @ B, "reversed": B @ A @ D})
+    yield from alike(by.ORDER | by.INVERTED, {"T_st behind": A @ B @ C, "reversed, not inverted": B @ A @ C})
+    yield from alike(by.INVERTED, {"T_sc inverted": D @ inv(A) @ B, "T_co inverted": D @ A @ inv(B)})
+    yield from alike(by.ORDER, {"T_sc and T_co swapped": D @ B @ A})
+    yield from alike(by.ELEMENTWISE, {"elementwise": D * A * B, "elementwise once": D @ (A * B)})
+    yield from alike(by.TRANSPOSED, {"T_st transposed": C.T @ A @ B})
+    yield from alike({"-p", "inverse"}, {"inverse with -p": pose(R.T, -p) @ A @ B})
+    yield from alike(by.SIGN | {"inverse"}, {"inverse with +R^T p": pose(R.T, R.T @ p) @ A @ B})
+    yield from alike(by.TRANSPOSED | {"inverse"}, {"inverse with -R p": pose(R.T, -R @ p) @ A @ B})
+    yield from alike(by.OMITTED | {"inverse"}, {"inverse without position": pose(R.T, 0 * p) @ A @ B})
+    yield from alike({"subtract", "rotat", "turn"}, {"positions subtracted": pose(T[:3, :3], (A @ B)[:3, 3] - p)})
+    yield from alike(by.ORDER | by.INVERTED, {"T_ts behind and T_sc inverted": inv(A) @ B @ D})
+    yield from alike(by.INVERTED | {"T_{so}"}, {"both inverted wrongly": C @ inv(A) @ B})
+    yield from alike(by.OMITTED | by.ORDER, {"T_so in the wrong order": B @ A})
+    yield from right({"three decimals": T.round(3), "np.linalg.solve": np.linalg.solve(C, A @ B), "list": T.tolist()})
 
 
 @wrong_answers("01.7")
-def own_or_fixed(given: Any, answer: Any) -> Iterator[WrongAnswer]:
+def own_or_fixed(given: Any, answer: Any) -> Answers:
     T, own_turn = np.asarray(given.T_sb), given.own == "turn"
+    d, axis, far = given.degrees, np.asarray(given.axis), np.asarray(given.shift)
 
-    def placed(turn: Any, shift: Any, T: Any = T) -> Any:
-        return shift @ T @ turn if own_turn else turn @ T @ shift
-
-    def turned(degrees: float, axis: Any = given.axis) -> Any:
+    def turned(degrees: float, axis: Any = axis) -> Any:
         return pose(rot(axis, degrees), np.zeros(3))
 
-    d, axis, far = given.degrees, np.asarray(given.axis), np.asarray(given.shift)
-    turn, shift = turned(d), pose(I3, far)
-    radians, there = pose(exp(d * axis), np.zeros(3)), placed(turn, shift)
+    turn, shift, radians = turned(d), pose(I3, far), pose(exp(d * axis), np.zeros(3))
+
+    def moved(turn: Any = turn, shift: Any = shift, T: Any = T, own: bool = own_turn) -> Any:
+        return shift @ T @ turn if own else turn @ T @ shift
+
+    there = moved()
     R, p = parts(there)
-    yield from wrong(
-        {
-            "sides exchanged": (turn @ T @ shift if own_turn else shift @ T @ turn, "side, left, right"),
-            "both left, turn last": (turn @ shift @ T, "left"),
-            "both left, shift last": (shift @ turn @ T, "left"),
-            "both right, turn first": (T @ turn @ shift, "right"),
-            "both right, shift first": (T @ shift @ turn, "right"),
-            "turned the other way": (placed(turned(-d), shift), "other way, sign, negat, opposite"),
-            "shifted the other way": (placed(turn, inv(shift)), "shift, sign, opposite, invert"),
-            "degrees in np.cos": (placed(radians, shift), "degrees, radians"),
-            "shift left out": (placed(turn, np.eye(4)), "left out, shift, missing"),
-            "turn left out": (placed(np.eye(4), shift), "left out, turn, rotation, missing"),
-            "not moved": (T, "given, T_{sb}, moved"),
-            "T_sb left out": (placed(turn, shift, np.eye(4)), "left out, T_{sb}"),
-            "T_sb inverted": (placed(turn, shift, inv(T)), "inver"),
-            "T_sb transposed": (placed(turn, shift, T.T), "transpos"),
-            "T_bs of the end": (inv(there), "inver, T_{bs}"),
-            "about the next axis": (placed(turned(d, np.roll(axis, 1)), shift), "axis, about"),
-            "along the next axis": (placed(turn, pose(I3, np.roll(far, 1))), "axis, along"),
-            "half the angle": (placed(turned(d / 2), shift), "half"),
-            "elementwise": (shift * T * turn, "elementwise, entry by entry, *"),
-            "R transposed at the end": (pose(R.T, p), "transpos"),
-            "sides exchanged, turned the other way": (
-                turned(-d) @ T @ shift if own_turn else shift @ T @ turned(-d),
-                "side, other way, sign, opposite",
-            ),
-            "sides exchanged, degrees": (
-                radians @ T @ shift if own_turn else shift @ T @ radians,
-                "side, degrees, radians",
-            ),
-            "turned and shifted the other way": (placed(turned(-d), inv(shift)), "other way, sign, opposite, inver"),
-        }
+    other_axis = {"another axis", "wrong axis", "instead of", "in place of"}
+    yield from alike(by.ORDER, {"sides exchanged": moved(own=not own_turn)})
+    yield from alike(by.ORDER, {"both left, turn last": turn @ shift @ T, "both left, shift last": shift @ turn @ T})
+    yield from alike(
+        by.ORDER, {"both right, turn first": T @ turn @ shift, "both right, shift first": T @ shift @ turn}
     )
+    yield from alike(by.OTHER_WAY, {"turned the other way": moved(turned(-d)), "R transposed at the end": pose(R.T, p)})
+    yield from alike(by.OTHER_WAY, {"shifted the other way": moved(turn, inv(shift))})
+    yield from alike(by.DEGREES, {"degrees in np.cos": moved(radians)})
+    yield from alike(
+        by.OMITTED, {"shift left out": moved(turn, I4), "turn left out": moved(I4), "T left out": moved(T=I4)}
+    )
+    yield from alike(by.COPIED | by.OMITTED, {"not moved": T})
+    yield from alike(by.INVERTED, {"T_sb inverted": moved(T=inv(T)), "T_bs of the end": inv(there)})
+    yield from alike(by.TRANSPOSED, {"T_sb transposed": moved(T=T.T)})
+    yield from alike(other_axis, {"about the next axis": moved(turned(d, np.roll(axis, 1)))})
+    yield from alike(other_axis, {"along the next axis": moved(turn, pose(I3, np.roll(far, 1)))})
+    yield from alike(by.HALF, {"half the angle": moved(turned(d / 2))})
+    yield from alike(by.ELEMENTWISE, {"elementwise": shift * T * turn})
+    yield from alike(by.ORDER | by.OTHER_WAY, {"sides exchanged, the other way": moved(turned(-d), own=not own_turn)})
+    yield from alike(by.ORDER | by.DEGREES, {"sides exchanged, degrees": moved(radians, own=not own_turn)})
+    yield from alike(by.OTHER_WAY, {"turned and shifted the other way": moved(turned(-d), inv(shift))})
     yield from right(
-        {
-            "three decimals": there.round(3),
-            "list": there.tolist(),
-            "in another order of the products": placed(turn, np.eye(4), placed(np.eye(4), shift)),
-        }
+        {"three decimals": there.round(3), "list": there.tolist(), "in two steps": moved(turn, I4, moved(I4))}
     )
 
 
 @wrong_answers("01.8")
-def turns_in_order(given: Any, answer: Any) -> Iterator[WrongAnswer]:
+def turns_in_order(given: Any, answer: Any) -> Answers:
     names, room = list(given.turns), list(given.about_the_room)
     ours = [name for name, about in zip(names, room, strict=True) if about]
     own = [name for name in names if name not in ours]
-    swap: Sequence[str] = [answer[1], answer[0], *answer[2:]]
-    yield from wrong(
-        {
-            "as told": (names, "order in which, happen"),
-            "each from the left": (names[::-1], "left"),
-            "sides exchanged": (list(answer)[::-1], "side, exchang, revers"),
-            "by the alphabet": (sorted(names), "names, alphabet"),
-            "room in the order told": ([*ours, *own], "room, order"),
-            "own axes reversed": ([*ours[::-1], *own[::-1]], "own, order, revers"),
-            "own axes first": ([*own, *ours], "side, own, room"),
-            "own axes first, room reversed": ([*own, *ours[::-1]], "side, own, room"),
-            "first two swapped": (swap, "swap, order"),
-            "last two swapped": ([*answer[:2], answer[3], answer[2]], "swap, order"),
-            "last turn on the other side": (
-                [name for name in answer if name != names[3]] + [names[3]]
-                if room[3]
-                else [names[3]] + [name for name in answer if name != names[3]],
-                "last, side",
-            ),
-        }
-    )
+    others = [name for name in answer if name != names[3]]
+    yield from alike({"order in which"}, {"as told": names})
+    yield from alike({"left", "room only"}, {"each from the left": names[::-1]})
+    yield from alike(by.SWAPPED | {"side"}, {"sides exchanged": list(answer)[::-1]})
+    yield from alike({"alphabet", "names"}, {"by the alphabet": sorted(names)})
+    yield from alike(by.ORDER, {"room in the order told": ours + own, "own axes reversed": ours[::-1] + own[::-1]})
+    yield from alike(by.ORDER, {"own axes first": own + ours, "own axes first, room reversed": own + ours[::-1]})
+    yield from alike(by.ORDER, {"first two swapped": [answer[1], answer[0], *answer[2:]]})
+    yield from alike(by.ORDER, {"last two swapped": [*answer[:2], answer[3], answer[2]]})
+    yield from alike(by.ORDER, {"last turn on the other side": [*others, names[3]] if room[3] else [names[3], *others]})
     yield from right({"tuple": tuple(answer), "list": list(answer)})
 
 
 @wrong_answers("01.9")
-def rigid_or_not(given: Any, answer: Any) -> Iterator[WrongAnswer]:
-    words = {
-        "a": "rigid",
-        "b": "unit, flaw b",
-        "c": "perpendicular, orthogonal, flaw c",
-        "d": "left-handed, reflection, flaw d",
-        "e": "last row, flaw e",
-    }
-    yield from wrong(
-        {
-            f"chose {letter}": (letter, f"{words[letter]}, in order, nothing wrong, no rigid")
-            for letter in words
-            if letter != answer
-        }
-    )
+def rigid_or_not(given: Any, answer: Any) -> Answers:
+    words = {"a": "no rigid", "b": "unit", "c": "orthogonal", "d": "left-handed", "e": "last row"}
+    for letter in set(words) - {answer}:
+        yield from alike({words[letter], f"flaw {letter}", "in order", "nothing wrong"}, {f"chose {letter}": letter})
     yield from right({"capital": answer.upper(), "with blanks": f" {answer} "})

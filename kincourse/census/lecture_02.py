@@ -6,106 +6,83 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from kincourse.census import WrongAnswer, right, wrong, wrong_answers
-from kincourse.census.motions import I3, I4, exp, expm, hat, negated, negated_one, parts, pose, series, swapped, twist
+from kincourse.census import WrongAnswer, alike, right, wrong_answers
+from kincourse.census import words as by
+from kincourse.census.motions import I3, I4, exp, expm, hat, negated, negated_one, pose, series, swapped, twist
 
 theta = sp.Symbol("theta", real=True)
 a = sp.Symbol("a", positive=True)
-sin, cos = sp.sin(theta), sp.cos(theta)
-E3 = sp.eye(3)
+sin, cos, E3 = sp.sin(theta), sp.cos(theta), sp.eye(3)
+Answers = Iterator[WrongAnswer]
 
 
 @wrong_answers("02.1")
-def matrix_of_a_screw(given: Any, answer: Any) -> Iterator[WrongAnswer]:
+def matrix_of_a_screw(given: Any, answer: Any) -> Answers:
     w, v = np.asarray(given.omega), np.asarray(given.v)
+    W, last = hat(w), {"last row"}
 
     def block(A: Any, v: Any = v, last: Any = (0, 0, 0, 0)) -> Any:
         return np.array([*np.column_stack([A, v]), last])
 
-    W = hat(w)
-    upper = np.triu(W) + np.triu(W).T
-    yield from wrong(
-        {
-            "-[omega]": (block(-W), "sign, transpos, -["),
-            "-[omega]^T in the lower triangle": (block(upper), "sign, symmetric, equals its transpose"),
-            "all signs positive": (block(np.abs(W)), "sign, symmetric, minus"),
-            "signs of omega_x": (block(negated(W, (1, 2), (2, 1))), "sign, x"),
-            "signs of omega_y": (block(negated(W, (0, 2), (2, 0))), "sign, y"),
-            "signs of omega_z": (block(negated(W, (0, 1), (1, 0))), "sign, z"),
-            "one sign": (block(negated(W, (0, 1))), "sign"),
-            "x and z exchanged": (block(hat(w[::-1])), "swap, exchang, place"),
-            "x, y, z from left to right": (
-                block(hat([w[2], w[1], w[0]] * np.array([1, -1, 1]))),
-                "sign, swap, place, order",
-            ),
-            "omega on the diagonal": (block(W + np.diag(w)), "diagonal"),
-            "halves swapped": (twist([*v, *w]), "swap, halves, block"),
-            "1 in the corner": (block(W, last=(0, 0, 0, 1)), "corner, 1"),
-            "v in the last row": (block(W, 0 * v, [*v, 0]), "last row"),
-            "v in both": (block(W, v, [*v, 0]), "last row"),
-            "all transposed": (block(W).T, "transpos"),
-            "-v": (block(W, -v), "sign, -v"),
-            "no v": (block(W, 0 * v), "left out, missing"),
-            "v = omega x v": (block(W, W @ v), "v, times, product"),
-            "I + [S]": (block(W) + I4, "identity, I, diagonal"),
-            "omega normalised": (block(W / np.linalg.norm(w)), "norm, unit, length"),
-            "-[omega] and halves swapped": (block(-hat(v), w), "swap, halves, sign"),
-            "-[omega] and 1 in the corner": (block(-W, last=(0, 0, 0, 1)), "sign, corner, 1"),
-            "-[omega] and v in the last row": (block(-W, 0 * v, [*v, 0]), "sign, last row, transpos"),
-        }
+    symmetric = block(np.triu(W) + np.triu(W).T)
+    yield from alike(by.OTHER_WAY, {"-[omega]": block(-W), "all transposed": block(W).T})
+    yield from alike(
+        by.SIGN | {"equals its transpose"}, {"upper signs in both": symmetric, "no minus": block(np.abs(W))}
     )
-    yield from right(
-        {"integers": block(W).astype(int), "list": block(W).tolist(), "SymPy": sp.Matrix(block(W).astype(int))}
+    yield from alike(
+        by.SIGN,
+        {f"signs of {'zyx'[i + j - 1]}": block(negated(W, (i, j), (j, i))) for i, j in [(0, 1), (0, 2), (1, 2)]},
     )
+    yield from alike(by.SIGN, {"one sign": block(negated(W, (0, 1))), "-v": block(W, -v)})
+    yield from alike(
+        by.SWAPPED | by.ORDER, {"x and z exchanged": block(hat(w[::-1])), "y and z": block(hat(w[[0, 2, 1]]))}
+    )
+    yield from alike({"diagonal", "zero"}, {"omega on the diagonal": block(W + np.diag(w)), "I + [S]": block(W) + I4})
+    yield from alike(by.HALVES | {"block"}, {"halves swapped": twist([*v, *w])})
+    yield from alike({"corner", "like a pose", "last row"}, {"1 in the corner": block(W, last=(0, 0, 0, 1))})
+    yield from alike(last, {"v in the last row": block(W, 0 * v, [*v, 0]), "v in both": block(W, v, [*v, 0])})
+    yield from alike(by.OMITTED, {"no v": block(W, 0 * v), "no [omega]": block(0 * W)})
+    yield from alike({"product", "\\times"}, {"omega x v for v": block(W, W @ v)})
+    yield from alike(by.LENGTH, {"omega normalised": block(W / np.linalg.norm(w))})
+    yield from alike(by.HALVES | by.SIGN, {"-[omega] and halves swapped": block(-hat(v), w)})
+    yield from alike(by.SIGN | {"corner"}, {"-[omega] and 1 in the corner": block(-W, last=(0, 0, 0, 1))})
+    yield from alike(by.SIGN | last, {"-[omega] and v in the last row": block(-W, 0 * v, [*v, 0])})
+    yield from right({"integers": answer.astype(int), "list": answer.tolist(), "SymPy": sp.Matrix(answer.astype(int))})
 
 
 @wrong_answers("02.2")
-def turn_about_a_line(given: Any, answer: Any) -> Iterator[WrongAnswer]:
+def turn_about_a_line(given: Any, answer: Any) -> Answers:
     n, d = np.asarray(given.direction, dtype=float), given.degrees
     length, t = np.linalg.norm(n), np.radians(given.degrees)
     u, s, c = n / length, np.sin(t), np.cos(t)
     W = hat(u)
 
-    def sum_of(first: float, second: float, W: Any = W, one: Any = I3) -> Any:
+    def formula(first: float, second: float, W: Any = W, one: Any = I3) -> Any:
         return one + first * W + second * W @ W
 
-    yield from wrong(
-        {
-            "not a unit vector": (sum_of(s, 1 - c, hat(n)), "unit, length, norm"),
-            "length in the angle": (exp(n * t), "length, unit, norm"),
-            "divided by the square of the length": (exp(n / length**2 * t), "length, unit, norm, half"),
-            "degrees": (exp(u * d), "degrees, radians"),
-            "the other way": (exp(-u * t), "transpos, other way, sign, backwards"),
-            "sin and 1 - cos swapped": (sum_of(1 - c, s), "swap, coefficient"),
-            "cos for 1 - cos": (sum_of(s, c), "1 -, cos"),
-            "1 + cos for 1 - cos": (sum_of(s, 1 + c), "1 -, cos, sign"),
-            "no I": (sum_of(s, 1 - c, one=0 * I3), "I, identity, left out"),
-            "squared entry by entry": (I3 + s * W + (1 - c) * W * W, "entry by entry, elementwise"),
-            "u u^T for [u]^2": (I3 + s * W + (1 - c) * np.outer(u, u), "outer, u u, square"),
-            "no [u]^2": (sum_of(s, 0), "left out, missing, term, cut"),
-            "three terms of the series": (series(W * t, 3), "series, term, trunc, stopped"),
-            "four terms of the series": (series(W * t, 4), "series, term, trunc, stopped"),
-            "exp entry by entry": (np.exp(W * t), "entry by entry, elementwise"),
-            "half the angle": (exp(u * t / 2), "half"),
-            "twice the angle": (exp(2 * u * t), "double, twice"),
-            "one sign of the direction": (exp(negated(u, 0) * t), "sign"),
-            "x and z of the direction swapped": (exp(u[::-1] * t), "swap"),
-            "one sign of [u]": (sum_of(s, 1 - c, negated(W, (0, 2), (2, 0))), "sign"),
-            "minus the second term": (sum_of(s, c - 1), "sign"),
-            "not a unit vector, the other way": (sum_of(s, 1 - c, -hat(n)), "unit, length, norm, sign, other way"),
-            "degrees in Rodrigues' formula, not a unit vector": (
-                sum_of(np.sin(d), 1 - np.cos(d), hat(n)),
-                "degrees, unit, length",
-            ),
-            "swapped, the other way": (sum_of(1 - c, s, -W), "swap, coefficient, sign, other way"),
-        }
+    one_minus = {"1 - \\cos", "\\cos"}
+    yield from alike(by.LENGTH, {"not a unit vector": formula(s, 1 - c, hat(n)), "length in the angle": exp(n * t)})
+    yield from alike(by.LENGTH, {"divided by the square of the length": exp(n / length**2 * t)})
+    yield from alike(by.DEGREES, {"degrees": exp(u * d)})
+    yield from alike(by.OTHER_WAY, {"the other way": exp(-u * t)})
+    yield from alike(by.SWAPPED, {"sin and 1 - cos swapped": formula(1 - c, s), "x and z swapped": exp(u[::-1] * t)})
+    yield from alike(one_minus, {"cos for 1 - cos": formula(s, c), "1 + cos": formula(s, 1 + c)})
+    yield from alike(by.OMITTED | {"$I$"}, {"no I": formula(s, 1 - c, one=0 * I3), "no [u]^2": formula(s, 0)})
+    yield from alike(by.ELEMENTWISE, {"square": I3 + s * W + (1 - c) * W * W, "exponential": np.exp(W * t)})
+    yield from alike({"outer", "u u", "square"}, {"u u^T for [u]^2": I3 + s * W + (1 - c) * np.outer(u, u)})
+    yield from alike(by.SERIES, {"three terms": series(W * t, 3), "four terms": series(W * t, 4)})
+    yield from alike(by.HALF, {"half the angle": exp(u * t / 2)})
+    yield from alike(by.DOUBLE, {"twice the angle": exp(2 * u * t)})
+    yield from alike(
+        by.SIGN, {"one sign of u": exp(negated(u, 0) * t), "one sign of [u]": formula(s, 1 - c, negated(W, (0, 2)))}
     )
+    yield from alike(by.SIGN, {"second term subtracted": formula(s, c - 1)})
+    yield from alike(by.LENGTH | by.OTHER_WAY, {"not a unit vector, the other way": formula(s, 1 - c, -hat(n))})
+    yield from alike(by.DEGREES | by.LENGTH, {"degrees, not a unit vector": formula(np.sin(d), 1 - np.cos(d), hat(n))})
+    yield from alike(by.SWAPPED | by.OTHER_WAY, {"sin and 1 - cos swapped, the other way": formula(1 - c, s, -W)})
+    outer = c * I3 + s * W + (1 - c) * np.outer(u, u)
     yield from right(
-        {
-            "three decimals": exp(u * t).round(3),
-            "expm": expm(W * t).tolist(),
-            "c I + s [u] + (1 - c) u u^T": c * I3 + s * W + (1 - c) * np.outer(u, u),
-        }
+        {"three decimals": answer.round(3), "expm": expm(W * t).tolist(), "c I + s [u] + (1 - c) u u^T": outer}
     )
 
 
@@ -118,286 +95,206 @@ def _rodrigues(W: Any, t: Any = theta) -> Any:
 
 
 @wrong_answers("02.3")
-def rotation_as_a_formula(given: Any, answer: Any) -> Iterator[WrongAnswer]:
+def rotation_as_a_formula(given: Any, answer: Any) -> Answers:
     w = sp.Matrix(given.omega)
-    W, size = _skew(w), sp.ilcm(*[sp.fraction(x)[1] for x in w])
-    R, one_sign = _rodrigues(W), W.copy()
-    k = next(k for k in (1, 0) if W[k, 2] != 0)
-    one_sign[k, 2], one_sign[2, k] = -W[k, 2], -W[2, k]
-    square = W.multiply_elementwise(W)
-    yield from wrong(
-        {
-            "R(-theta)": (R.T, "transpos, sign, other way, -\\theta"),
-            "sin and 1 - cos swapped": (E3 + (1 - cos) * W + sin * W * W, "swap, coefficient"),
-            "cos for 1 - cos": (E3 + sin * W + cos * W * W, "cos"),
-            "1 + cos for 1 - cos": (E3 + sin * W + (1 + cos) * W * W, "cos, sign"),
-            "no I": (R - E3, "I, identity, left out"),
-            "three terms": (E3 + theta * W + theta**2 * W * W / 2, "series, term, trunc, stopped"),
-            "two terms": (E3 + theta * W, "series, term, trunc, stopped"),
-            "squared entry by entry": (E3 + sin * W + (1 - cos) * square, "entry by entry, elementwise"),
-            "w w^T for [w]^2": (E3 + sin * W + (1 - cos) * w * w.T, "outer, w w, square"),
-            "no [w]^2": (E3 + sin * W, "left out, missing, term"),
-            "not divided": (_rodrigues(size * W), "unit, length, norm, fraction, divide"),
-            "2 theta": (_rodrigues(W, 2 * theta), "double, twice"),
-            "theta / 2": (_rodrigues(W, theta / 2), "half"),
-            "sin and cos exchanged": (R.subs(theta, sp.pi / 2 - theta), "swap, sine and cosine"),
-            "signs of one component": (_rodrigues(one_sign), "sign"),
-            "x and z of omega swapped": (_rodrigues(_skew([w[2], w[1], w[0]])), "swap"),
-            "degrees": (_rodrigues(W, sp.pi * theta / 180), "degrees, radians"),
-            "[w] not squared": (E3 + sin * W + (1 - cos) * W, "square, [\\omega]^2"),
-            "swapped, the other way": (E3 - (1 - cos) * W + sin * W * W, "swap, sign, other way, transpos"),
-            "no I, cos for 1 - cos": (sin * W + cos * W * W, "I, identity, cos, left out"),
-            "not divided, the other way": (_rodrigues(-size * W), "unit, length, norm, sign, other way"),
-        }
+    W, size = _skew(w), sp.ilcm(*[x.q for x in w])
+    R, square, outer = _rodrigues(W), W.multiply_elementwise(W), w * w.T
+    flipped = _skew([-x if abs(x) == max(map(abs, w)) else x for x in w])
+    yield from alike(by.OTHER_WAY, {"R(-theta)": R.T})
+    yield from alike(by.SWAPPED, {"sin and 1 - cos swapped": E3 + (1 - cos) * W + sin * W * W})
+    yield from alike(by.SWAPPED, {"x and z swapped": _rodrigues(_skew([w[2], w[1], w[0]]))})
+    yield from alike(by.SWAPPED, {"sin and cos exchanged": R.subs(theta, sp.pi / 2 - theta)})
+    yield from alike({"\\cos"}, {"cos": E3 + sin * W + cos * W * W, "1 + cos": E3 + sin * W + (1 + cos) * W * W})
+    yield from alike(by.OMITTED | {"$I$"}, {"no I": R - E3, "no [w]^2": E3 + sin * W})
+    yield from alike(by.SERIES, {"three terms": E3 + theta * W + theta**2 * W * W / 2, "two terms": E3 + theta * W})
+    yield from alike(by.ELEMENTWISE, {"squared entry by entry": E3 + sin * W + (1 - cos) * square})
+    yield from alike({"square", "^2"}, {"w w^T": E3 + sin * W + (1 - cos) * outer, "[w]": E3 + sin * W + (1 - cos) * W})
+    yield from alike(by.LENGTH | {"fraction"}, {"not divided": _rodrigues(size * W)})
+    yield from alike(by.DOUBLE, {"2 theta": _rodrigues(W, 2 * theta)})
+    yield from alike(by.HALF, {"theta / 2": _rodrigues(W, theta / 2)})
+    yield from alike(
+        by.SIGN, {"sign of one component": _rodrigues(flipped), "second term subtracted": R - 2 * (1 - cos) * W * W}
     )
+    yield from alike(by.DEGREES, {"degrees": _rodrigues(W, sp.pi * theta / 180)})
+    yield from alike(by.SWAPPED | by.OTHER_WAY, {"swapped, the other way": E3 - (1 - cos) * W + sin * W * W})
+    yield from alike(by.OMITTED | {"$I$", "\\cos"}, {"no I, cos for 1 - cos": sin * W + cos * W * W})
+    yield from alike(by.LENGTH | by.OTHER_WAY, {"not divided, the other way": _rodrigues(-size * W)})
+    half = E3 + 2 * sp.sin(theta / 2) * sp.cos(theta / 2) * W + 2 * sp.sin(theta / 2) ** 2 * W * W
     yield from right(
-        {
-            "text": str(R.tolist()),
-            "c I + s [w] + (1 - c) w w^T": cos * E3 + sin * W + (1 - cos) * w * w.T,
-            "half angles": E3 + 2 * sp.sin(theta / 2) * sp.cos(theta / 2) * W + 2 * sp.sin(theta / 2) ** 2 * W * W,
-        }
+        {"text": str(R.tolist()), "outer product": cos * E3 + sin * W + (1 - cos) * outer, "half angles": half}
     )
 
 
 @wrong_answers("02.4")
-def where_the_origin_goes(given: Any, answer: Any) -> Iterator[WrongAnswer]:
+def where_the_origin_goes(given: Any, answer: Any) -> Answers:
     w, p = sp.Matrix(given.omega), sp.Matrix(given.point)
     W = _skew(w)
     R, v = _rodrigues(W), -W * p
 
-    def column(v: Any, W: Any = W) -> Any:
-        return v * theta + (1 - cos) * W * v + (theta - sin) * W * W * v
+    def column(v: Any = v, W: Any = W, first: Any = theta, second: Any = 1 - cos, third: Any = theta - sin) -> Any:
+        return first * v + second * W * v + third * W * W * v
 
-    yield from wrong(
-        {
-            "v theta": (v * theta, "v\\,\\theta, straight"),
-            "v = omega x p": (column(-v), "negative, sign, \\times"),
-            "R p": (R * p, "p - R, point"),
-            "p": (p, "point"),
-            "p + R p": (p + R * p, "sign"),
-            "the other way": (p - R.T * p, "transpos, other way, sign, -\\theta"),
-            "R v": (R * v, "R\\,v"),
-            "v": (v, "v"),
-            "G of the wrong order": (v * theta + (theta - sin) * W * v + (1 - cos) * W * W * v, "swap, coefficient"),
-            "no third term": (v * theta + (1 - cos) * W * v, "term, left out, missing"),
-            "no second term": (v * theta + (theta - sin) * W * W * v, "term, left out, missing"),
-            "first term I, not I theta": (v + (1 - cos) * W * v + (theta - sin) * W * W * v, "\\theta, I"),
-            "sin + theta": (v * theta + (1 - cos) * W * v + (theta + sin) * W * W * v, "sign, coefficient, -\\theta"),
-            "sin - theta": (v * theta + (1 - cos) * W * v + (sin - theta) * W * W * v, "sign, coefficient"),
-            "p for v": (column(p), "moment, point"),
-            "2 theta": (answer.subs(theta, 2 * theta), "double, twice"),
-            "theta / 2": (answer.subs(theta, theta / 2), "half"),
-            "degrees": (answer.subs(theta, sp.pi * theta / 180), "degrees, radians"),
-            "a left out": (answer.subs(a, 0), "a, length, left out"),
-            "-a": (answer.subs(a, -a), "sign"),
-            "v = omega x p and v theta": (-v * theta, "sign, \\times, straight"),
-            "v = omega x p, the other way": (column(-v, -W), "sign, \\times, negative, other way, -\\theta"),
-            "v = omega x p and R v": (-R * v, "sign, \\times, R\\,v"),
-        }
+    straight = {"straight", "v\\,\\theta"}
+    yield from alike(straight, {"v theta": v * theta})
+    yield from alike(by.MOMENT, {"v = omega x p": column(-v), "p + R p": p + R * p})
+    yield from alike(
+        by.MOMENT | by.OTHER_WAY, {"sin - theta": column(third=sin - theta), "sin + theta": column(third=sin + theta)}
     )
+    yield from alike({"R\\,p", "point"}, {"R p": R * p, "p": p})
+    yield from alike(by.OTHER_WAY, {"the other way": p - R.T * p})
+    yield from alike({"R\\,v", "velocity", "v\\,"}, {"R v": R * v, "v": v})
+    yield from alike(by.SWAPPED, {"coefficients swapped": column(second=theta - sin, third=1 - cos)})
+    yield from alike(by.OMITTED | by.SERIES, {"no third term": column(third=0), "no second term": column(second=0)})
+    yield from alike({"first term", "I\\,\\theta", "I\\theta"}, {"I for I theta": column(first=1)})
+    yield from alike(by.POINT, {"p for v": column(p)})
+    yield from alike(by.DOUBLE, {"2 theta": answer.subs(theta, 2 * theta)})
+    yield from alike(by.HALF, {"theta / 2": answer.subs(theta, theta / 2)})
+    yield from alike(by.DEGREES, {"degrees": answer.subs(theta, sp.pi * theta / 180)})
+    yield from alike(by.OMITTED, {"a left out": answer.subs(a, 0)})
+    yield from alike(by.SIGN, {"-a": answer.subs(a, -a)})
+    yield from alike(by.MOMENT | straight, {"v = omega x p and v theta": -v * theta})
+    yield from alike(by.MOMENT | by.OTHER_WAY, {"v = omega x p, the other way": column(-v, -W)})
+    yield from alike(by.MOMENT | {"R\\,v"}, {"v = omega x p and R v": -R * v})
     yield from right(
-        {
-            "text": [str(entry) for entry in answer],
-            "by G(theta) v": column(v),
-            "expanded list": [sp.expand(entry) for entry in p - R * p],
-        }
+        {"text": [str(entry) for entry in answer], "G(theta) v": column(), "expanded": list(sp.expand(p - R * p))}
     )
 
 
 @wrong_answers("02.5")
-def three_terms(given: Any, answer: Any) -> Iterator[WrongAnswer]:
-    r, t = given.radius, given.theta
+def three_terms(given: Any, answer: Any) -> Answers:
+    t, mm = given.theta, 1000 * given.radius
     dx, dy = abs(np.cos(t) - 1 + t**2 / 2), abs(np.sin(t) - t)
-    two, four = np.hypot(np.cos(t) - 1, dy), np.hypot(dx, np.sin(t) - t + t**3 / 6)
-    yield from wrong(
-        {
-            label: (value * r * 1000, words)
-            for label, value, words in [
-                ("two terms", two, "two terms"),
-                ("four terms", four, "four terms"),
-                ("the first missing term", t**3 / 6, "next term, first term, missing"),
-                ("the last term taken", t**2 / 2, "last term, term"),
-                ("error of the cosine", dx, "cosine, direction, axis"),
-                ("error of the sine", dy, "sine, direction, axis"),
-                ("errors added", dx + dy, "add"),
-                ("errors squared, no root", dx**2 + dy**2, "root, square"),
-                ("in metres", np.hypot(dx, dy) / 1000, "metre"),
-                ("in centimetres", np.hypot(dx, dy) / 10, "centimetre, unit, factor, 10"),
-                ("radius left out", np.hypot(dx, dy) / r, "radius, distance, left out"),
-                ("radius divided", np.hypot(dx, dy) / r**2, "radius, distance, divide"),
-                ("series for exp(theta)", np.exp(t) - 1 - t - t**2 / 2, "e^, scalar, exp"),
-                ("length of the sum", np.hypot(1 - t**2 / 2, t), "length, sum, differ"),
-                ("error of the length", np.hypot(1 - t**2 / 2, t) - 1, "length, distance from the axis"),
-                (
-                    "theta in degrees",
-                    np.hypot(np.cos(np.radians(t)) - 1 + np.radians(t) ** 2 / 2, np.sin(np.radians(t)) - np.radians(t)),
-                    "degrees",
-                ),
-                ("factorial forgotten", np.hypot(np.cos(t) - 1 + t**2, dy), "factorial, 2!, half, /2"),
-                ("two terms in metres", two / 1000, "two terms, metre"),
-                ("errors added, in metres", (dx + dy) / 1000, "add, metre"),
-                ("error of the cosine, two terms", abs(np.cos(t) - 1), "two terms, cosine, direction"),
-                ("negative", -np.hypot(dx, dy), "sign, negative"),
-            ]
-        }
+    off, two, four = np.hypot(dx, dy), np.hypot(np.cos(t) - 1, dy), np.hypot(dx, np.sin(t) - t + t**3 / 6)
+    r = np.radians(t)
+    yield from alike({"two terms"}, {"two terms": two * mm})
+    yield from alike({"four terms"}, {"four terms": four * mm})
+    yield from alike({"first term", "next term", "last term"}, {"next term": t**3 / 6 * mm, "last term": t**2 / 2 * mm})
+    yield from alike(
+        {"cosine", "sine", "one direction"}, {"error of the cosine": dx * mm, "error of the sine": dy * mm}
     )
+    yield from alike({"add"}, {"errors added": (dx + dy) * mm})
+    yield from alike({"root", "square"}, {"no root": (dx**2 + dy**2) * mm})
+    yield from alike({"metres", "unit"}, {"in metres": off * mm / 1000, "in centimetres": off * mm / 10})
+    yield from alike(
+        {"radius", "distance", *by.OMITTED}, {"radius left out": off * 1000, "divided by it": off * 1e6 / mm}
+    )
+    yield from alike({"scalar", "e^"}, {"series of exp(theta)": (np.exp(t) - 1 - t - t**2 / 2) * mm})
+    yield from alike({"length"}, {"error of the length": (np.hypot(1 - t**2 / 2, t) - 1) * mm})
+    yield from alike({"length", "difference"}, {"length of the sum": np.hypot(1 - t**2 / 2, t) * mm})
+    yield from alike(by.DEGREES, {"theta in degrees": np.hypot(np.cos(r) - 1 + r**2 / 2, np.sin(r) - r) * mm})
+    yield from alike({"2!", "half", "factorial"}, {"no factorial": np.hypot(np.cos(t) - 1 + t**2, dy) * mm})
+    yield from alike(by.SIGN, {"negative": -off * mm})
+    yield from alike({"two terms", "metres"}, {"two terms in metres": two * mm / 1000})
+    yield from alike({"add", "metres"}, {"errors added, in metres": (dx + dy) * mm / 1000})
+    yield from alike({"two terms", "cosine", "one direction"}, {"cosine, two terms": (1 - np.cos(t)) * mm})
     yield from right(
-        {
-            "float": float(1000 * r * np.hypot(dx, dy)),
-            "two decimals": round(1000 * r * np.hypot(dx, dy), 2),
-            "array of no dimension": np.array(answer),
-        }
+        {"float": float(off * mm), "one decimal more than needed": round(off * mm, 2), "array": np.array(answer)}
     )
 
 
 @wrong_answers("02.6")
-def gyroscope(given: Any, answer: Any) -> Iterator[WrongAnswer]:
+def gyroscope(given: Any, answer: Any) -> Answers:
     w, v, t = np.asarray(given.omega), np.asarray(given.v), given.seconds
-    size, W = np.linalg.norm(w), hat(w)
-    there = exp([*w, *v], t)
-    R, p = parts(there)
+    size, S = np.linalg.norm(w), np.array([*w, *v])
 
-    def printed(t: float, W: Any = W) -> tuple[Any, Any]:
+    def printed(t: float, W: Any) -> tuple[Any, Any]:
         s, c = np.sin(t), np.cos(t)
         return I3 + s * W + (1 - c) * W @ W, I3 * t + (1 - c) * W + (t - s) * W @ W
 
-    (R1, G1), (R2, G2) = printed(t), printed(size * t, W / size)
-    yield from wrong(
-        {
-            "(3.88) with the seconds as the angle": (pose(R1, G1 @ v), "3.88, unit, \\omega"),
-            "column by (3.88)": (pose(R, G1 @ v), "3.88, unit, \\omega"),
-            "omega divided, seconds kept": (exp([*w / size, *v / size], t), "second, angle, length"),
-            "only omega divided, seconds kept": (exp([*w / size, *v], t), "divide, v, length"),
-            "v not divided": (exp([*w, *v * size], t), "divide, v, length"),
-            "v t": (pose(R, v * t), "straight, v"),
-            "R v t": (pose(R, R @ v * t), "straight, R, v"),
-            "v alone": (pose(R, v), "v, time, second"),
-            "degrees": (exp([*np.radians(w), *v], t), "degrees, radians"),
-            "degrees in the rotation only": (pose(exp(np.radians(w) * t), p), "degrees, radians"),
-            "after one second": (exp([*w, *v]), "second, time"),
-            "halves swapped": (exp([*v, *w], t), "swap, halves"),
-            "turned the other way": (exp([*-w, *v], t), "other way, sign, transpos"),
-            "the way back": (exp([*w, *v], -t), "inver, sign, back"),
-            "-v": (exp([*w, *-v], t), "sign, v"),
-            "no translation": (pose(R, 0 * v), "left out, missing, translation, position"),
-            "no rotation": (pose(I3, v * t), "left out, missing, rotation, straight"),
-            "exp entry by entry": (np.exp(twist([*w, *v]) * t), "entry by entry, elementwise"),
-            "three terms": (series(twist([*w, *v]) * t, 3), "series, term, trunc"),
-            "I + [S] t": (series(twist([*w, *v]) * t, 2), "series, term, trunc, straight"),
-            "v as a point": (pose(R, v - R @ v), "point, v"),
-            "third coefficient not theta - sin": (
-                pose(R, (I3 * t + (1 - np.cos(size * t)) / size * W / size) @ v),
-                "term, left out, coefficient",
-            ),
-            "turned the other way, v t": (pose(R.T, v * t), "other way, sign, transpos, straight"),
-            "halves swapped, degrees": (exp([*np.radians(v), *w], t), "swap, halves, degrees, radians"),
-            "v t and degrees": (pose(exp(np.radians(w) * t), v * t), "degrees, radians, straight"),
-        }
+    (R1, G1), (R, G) = printed(t, hat(w)), printed(size * t, hat(w / size))
+    p = G @ v / size
+    straight, second = {"straight", "v\\,t"}, {"second", "\\theta =", "time", *by.LENGTH}
+    yield from alike(
+        {"3.88", *by.LENGTH}, {"(3.88), seconds as angle": pose(R1, G1 @ v), "its column only": pose(R, G1 @ v)}
     )
-    yield from right(
-        {
-            "three decimals": there.round(3),
-            "unit axis, angle |omega| t": pose(R2, G2 @ v / size),
-            "list": there.tolist(),
-        }
+    yield from alike(second, {"S divided, seconds kept": exp(S / size * t), "after one second": exp(S)})
+    yield from alike(by.LENGTH, {"v not divided": pose(R, G @ v), "only omega divided": exp([*w / size, *v], t)})
+    yield from alike(straight, {"v t": pose(R, v * t), "R v t": pose(R, R @ v * t)})
+    yield from alike(second | {"velocity"}, {"v alone": pose(R, v)})
+    yield from alike(
+        by.DEGREES, {"degrees": exp([*np.radians(w), *v], t), "degrees in R": pose(exp(np.radians(w) * t), p)}
     )
+    yield from alike(by.HALVES, {"halves swapped": exp([*v, *w], t)})
+    yield from alike(by.OTHER_WAY, {"turned the other way": exp([*-w, *v], t), "the way back": exp(-S, t)})
+    yield from alike(by.SIGN, {"-v": exp([*w, *-v], t)})
+    yield from alike(by.OMITTED, {"no translation": pose(R, 0 * v)})
+    yield from alike(by.OMITTED | straight, {"no rotation": pose(I3, v * t), "no rotation, column right": pose(I3, p)})
+    yield from alike(by.ELEMENTWISE, {"exp entry by entry": np.exp(twist(S) * t)})
+    yield from alike(
+        by.SERIES | straight, {"three terms": series(twist(S) * t, 3), "I + [S] t": series(twist(S) * t, 2)}
+    )
+    yield from alike(by.POINT, {"v as a point": pose(R, v - R @ v)})
+    yield from alike(by.OTHER_WAY | straight, {"turned the other way, v t": pose(R.T, v * t)})
+    yield from alike(by.HALVES | by.DEGREES, {"halves swapped, degrees": exp([*np.radians(v), *w], t)})
+    yield from alike(by.DEGREES | straight, {"v t and degrees": pose(exp(np.radians(w) * t), v * t)})
+    yield from right({"three decimals": answer.round(3), "unit axis": pose(R, p), "list": exp(S, t).tolist()})
 
 
 @wrong_answers("02.7")
-def near_half_a_turn(given: Any, answer: Any) -> Iterator[WrongAnswer]:
+def near_half_a_turn(given: Any, answer: Any) -> Answers:
     R = np.asarray(given.R)
     m = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
-    t = np.arccos((np.trace(R) - 1) / 2)
-    u = m / (2 * np.sin(t))
-    rounded = R.round(4)
-    yield from wrong(
-        {
-            "arcsine": (u * (np.pi - t), "arcsin, sine"),
-            "axis alone": (u, "axis, unit, angle"),
-            "degrees": (u * np.degrees(t), "degrees, radians"),
-            "of R^T": (-u * t, "R^T, transpos, sign, other way"),
-            "the long way": (-u * (2 * np.pi - t), "long, shorter, turn"),
-            "a full turn more": (u * (t + 2 * np.pi), "turn, 2\\pi, long, shorter"),
-            "not halved": (2 * u * t, "twice, half, halved"),
-            "halved once more": (u * t / 2, "half, twice"),
-            "(R - R^T) / 2 alone": (m / 2, "sin, angle, divide"),
-            "R - R^T alone": (m, "sin, angle, divide"),
-            "times the angle, not over the sine": (m / 2 * t, "sin, divide"),
-            "angle from the trace alone": (u * np.arccos(np.trace(R) / 2), "trace, 1"),
-            "trace + 1": (u * np.arccos(np.clip((np.trace(R) + 1) / 2, -1, 1)), "trace, sign, 1"),
-            "one sign": (negated_one(u * t), "sign"),
-            "second sign": (negated_one(u * t, 1), "sign"),
-            "x and z swapped": (swapped(u * t, 0, 2), "swap"),
-            "sizes only": (np.abs(u) * t, "sign"),
-            "from the four printed digits, rounded once more": (np.round(u, 1) * t, "digits, rounded, close"),
-            "arcsine, of R^T": (-u * (np.pi - t), "arcsin, sine, R^T, transpos"),
-            "axis alone, of R^T": (-u, "axis, R^T, transpos, sign"),
-            "degrees, of R^T": (-u * np.degrees(t), "degrees, R^T, transpos, sign"),
-            "entries of log entry by entry": (
-                np.array([rounded[2, 1], rounded[0, 2], rounded[1, 0]]),
-                "entry, R - R^T",
-            ),
-        }
+    t, u = np.arccos((np.trace(R) - 1) / 2), m / np.linalg.norm(m)
+    x = u * t
+    yield from alike({"arcsin"}, {"arcsine": u * (np.pi - t)})
+    yield from alike({"the axis", "unit vector"}, {"axis alone": u})
+    yield from alike(by.DEGREES, {"degrees": np.degrees(x)})
+    yield from alike(by.OTHER_WAY, {"log of R^T": -x})
+    yield from alike(
+        {"long", "shorter"}, {"the long way": -u * (2 * np.pi - t), "a full turn more": u * (t + 2 * np.pi)}
     )
+    yield from alike(by.HALF | by.DOUBLE, {"not halved": 2 * x, "halved once more": x / 2})
+    yield from alike(
+        {"sine", "\\sin"}, {"(R - R^T) / 2": m / 2, "R - R^T": m, "times the angle, not over the sine": m / 2 * t}
+    )
+    yield from alike({"trace", "tr}"}, {"angle from tr R / 2": u * np.arccos(np.trace(R) / 2)})
+    yield from alike(
+        {"trace", "tr}"}, {"angle from (tr R + 1) / 2": u * np.arccos(np.clip((np.trace(R) + 1) / 2, -1, 1))}
+    )
+    yield from alike(by.SIGN, {"one sign": negated_one(x), "second sign": negated_one(x, 1), "sizes only": np.abs(x)})
+    yield from alike(by.SWAPPED, {"x and z swapped": swapped(x, 0, 2), "x and y swapped": swapped(x, 0, 1)})
+    yield from alike({"entries", "R - R^T"}, {"entries of R": np.array([R[2, 1], R[0, 2], R[1, 0]])})
+    yield from alike({"arcsin", *by.OTHER_WAY}, {"arcsine, of R^T": -u * (np.pi - t)})
+    yield from alike({"the axis", *by.OTHER_WAY}, {"axis alone, of R^T": -u})
+    yield from alike(by.DEGREES | by.OTHER_WAY, {"degrees, of R^T": -np.degrees(x)})
     axis = np.linalg.svd(R - I3)[2][2]
     yield from right(
-        {
-            "axis from the null space": axis * np.sign(axis @ m) * t,
-            "three decimals": (u * t).round(3),
-            "list": list(map(float, u * t)),
-        }
+        {"axis from R u = u": axis * np.sign(axis @ m) * t, "three decimals": x.round(3), "list": x.tolist()}
     )
 
 
 @wrong_answers("02.8")
-def spindle_as_a_formula(given: Any, answer: Any) -> Iterator[WrongAnswer]:
+def spindle_as_a_formula(given: Any, answer: Any) -> Answers:
     w, p, h = sp.Matrix(given.axis), sp.Matrix(given.point), given.pitch
     W = _skew(w)
     R, v, climb = _rodrigues(W), -W * p, h * theta * w
 
-    def formula(R: Any, column: Any) -> Any:
-        return sp.Matrix([R.row_join(column).tolist()[i] for i in range(3)] + [[0, 0, 0, 1]])
+    def formula(column: Any, R: Any = R) -> Any:
+        return sp.Matrix([*R.row_join(column).tolist(), [0, 0, 0, 1]])
 
-    yield from wrong(
-        {
-            "no climb": (formula(R, p - R * p), "climb, pitch"),
-            "climb h": (formula(R, p - R * p + h * w), "climb, \\theta"),
-            "climb theta": (formula(R, p - R * p + theta * w), "climb, pitch, h"),
-            "v theta": (formula(R, (v + h * w) * theta), "straight, v"),
-            "R p": (formula(R, R * p + climb), "R\\,p, p - R"),
-            "p": (formula(R, p + climb), "point, p"),
-            "R p - p": (formula(R, R * p - p + climb), "sign, \\times, p - R"),
-            "climb / 2 pi": (formula(R, p - R * p + climb / (2 * sp.pi)), "2\\pi, lead, pitch"),
-            "2 pi climb": (formula(R, p - R * p + climb * 2 * sp.pi), "2\\pi, lead, pitch"),
-            "turned the other way": (
-                formula(R.T, p - R.T * p + climb),
-                "other way, left-handed, transpos, sign, -\\theta",
-            ),
-            "left-handed": (formula(R, p - R * p - climb), "sign, left-handed, other way"),
-            "the way back": (formula(R.T, p - R.T * p - climb), "inver, sign, -\\theta, other way, transpos"),
-            "R transposed, column right": (
-                formula(R.T, p - R * p + climb),
-                "transpos, other way, left-handed, sign, -\\theta",
-            ),
-            "all transposed": (formula(R, p - R * p + climb).T, "transpos"),
-            "no translation": (formula(R, 0 * p), "left out, missing, translation, column"),
-            "no rotation": (formula(E3, climb), "rotation, turn, left out"),
-            "2 theta": (formula(R, p - R * p + climb).subs(theta, 2 * theta), "double, twice"),
-            "last row 0": (formula(R, p - R * p + climb) - sp.diag(0, 0, 0, 1), "last row"),
-            "degrees": (formula(R, p - R * p + climb).subs(theta, sp.pi * theta / 180), "degrees, radians"),
-            "climb turned along the point": (formula(R, p - R * p + h * theta * p), "climb, axis, point"),
-            "R p - p and left-handed": (formula(R, R * p - p - climb), "sign, left-handed, other way, inver"),
-            "no climb, turned the other way": (
-                formula(R.T, p - R.T * p),
-                "climb, other way, transpos, left-handed, sign, -\\theta",
-            ),
-            "R p and no climb": (formula(R, R * p), "climb, R\\,p, p - R"),
-        }
+    turn = p - R * p
+    T, back = formula(turn + climb), p - R.T * p
+    yield from alike(
+        by.PITCH, {"no climb": formula(turn), "climb h": formula(turn + h * w), "theta": formula(turn + theta * w)}
     )
-    yield from right(
-        {
-            "text": str(answer.tolist()),
-            "SymPy": formula(R, p - R * p + climb),
-            "by G(theta) v": formula(R, v * theta + (1 - cos) * W * v + (theta - sin) * W * W * v + climb),
-        }
+    yield from alike(
+        by.PITCH, {"h / 2 pi": formula(turn + climb / (2 * sp.pi)), "2 pi h": formula(turn + 2 * sp.pi * climb)}
     )
+    yield from alike({"straight"}, {"v theta": formula((v + h * w) * theta)})
+    yield from alike({"R\\,p", "point"}, {"R p": formula(R * p + climb), "p": formula(p + climb)})
+    yield from alike(by.MOMENT, {"R p - p": formula(climb - turn)})
+    yield from alike(by.OTHER_WAY | {"left-handed"}, {"turned the other way": formula(back + climb, R.T)})
+    yield from alike(
+        by.OTHER_WAY | {"left-handed"}, {"left-handed": formula(turn - climb), "R^T": formula(turn + climb, R.T)}
+    )
+    yield from alike(by.OTHER_WAY, {"the way back": formula(back - climb, R.T), "all transposed": T.T})
+    yield from alike(by.OMITTED, {"no translation": formula(0 * p), "no rotation": formula(climb, E3)})
+    yield from alike(by.DOUBLE, {"2 theta": T.subs(theta, 2 * theta)})
+    yield from alike({"last row"}, {"last row 0": T - sp.diag(0, 0, 0, 1)})
+    yield from alike(by.DEGREES, {"degrees": T.subs(theta, sp.pi * theta / 180)})
+    yield from alike(by.PITCH | {"axis"}, {"climb along the point": formula(turn + h * theta * p)})
+    yield from alike(by.MOMENT | {"left-handed"}, {"R p - p and left-handed": formula(-turn - climb)})
+    yield from alike(by.PITCH | by.OTHER_WAY, {"no climb, turned the other way": formula(back, R.T)})
+    yield from alike(by.PITCH | {"R\\,p"}, {"R p and no climb": formula(R * p)})
+    column = theta * v + (1 - cos) * W * v + (theta - sin) * W * W * v + climb
+    yield from right({"text": str(answer.tolist()), "SymPy": T, "by G(theta) v": formula(column)})

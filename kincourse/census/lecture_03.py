@@ -5,354 +5,285 @@ from typing import Any
 
 import numpy as np
 
-from kincourse.census import WrongAnswer, right, wrong, wrong_answers
-from kincourse.census.motions import I3, I4, Ad, exp, negated, negated_one, parts, pose, product, series, swapped, twist
+from kincourse.census import WrongAnswer, alike, right, wrong_answers
+from kincourse.census import words as by
+from kincourse.census.motions import (
+    I3,
+    Ad,
+    exp,
+    halves_swapped,
+    negated,
+    negated_one,
+    parts,
+    pose,
+    product,
+    series,
+    swapped,
+    twist,
+)
 
 inv = np.linalg.inv
-
-
-def _halves(S: Any) -> Any:
-    return np.roll(S, 3, axis=-1)
+Answers = Iterator[WrongAnswer]
+MOMENT_SIGN = np.array([1, 1, 1, -1, -1, -1])
 
 
 @wrong_answers("03.1")
-def plain_arm(given: Any, answer: Any) -> Iterator[WrongAnswer]:
+def plain_arm(given: Any, answer: Any) -> Answers:
     d, p, slide = np.asarray(given.axes), np.asarray(given.points), np.array([[kind == "P"] for kind in given.letters])
-    zero, moment = 0 * d, np.cross(p, d)
+    zero, m = 0 * d, np.cross(p, d)
 
-    def rows(w: Any = d, v: Any = moment, sw: Any = zero, sv: Any = d) -> Any:
+    def rows(w: Any = d, v: Any = m, sw: Any = zero, sv: Any = d) -> Any:
         """Screws (w, v) of revolute joints, and (sw, sv) of prismatic ones."""
         return np.where(slide, np.hstack([sw, sv]), np.hstack([w, v]))
 
-    S, k = rows(), int(np.argmin(slide))
-    yield from wrong(
-        {
-            "omega x p": (rows(v=-moment), "\\times, sign, minus"),
-            "halves swapped": (_halves(S), "swap, halves, (v"),
-            "halves swapped in the revolute rows": (rows(moment, d), "swap, halves, (v"),
-            "point as moment": (rows(v=p), "point, moment"),
-            "-p as moment": (rows(v=-p), "point, moment"),
-            "no moment": (rows(v=zero), "moment, left out, missing, origin"),
-            "slide as turn": (rows(sw=d, sv=moment), "slide, prismatic"),
-            "slide's direction in omega": (rows(sw=d, sv=zero), "slide, prismatic, swap, direction, \\omega"),
-            "slide's direction twice": (rows(sw=d, sv=d), "slide, prismatic"),
-            "moment of a slide": (rows(sv=moment), "slide, prismatic"),
-            "point of a slide": (rows(sv=p), "slide, prismatic, point"),
-            "no slide": (rows(sv=zero), "slide, prismatic, zero, left out"),
-            "slide backwards": (rows(sv=-d), "slide, sign, opposite"),
-            "points of the next joint": (rows(v=np.cross(np.roll(p, -1, axis=0), d)), "point, joint, row"),
-            "last joint first": (S[::-1], "order, revers, row"),
-            "rows 1 and 2 swapped": (swapped(S, 0, 1), "order, swap, row"),
-            "one axis the other way": (S * np.where(np.arange(3) == k, -1, 1)[:, None], "sign, opposite"),
-            "one omega the other way, moment kept": (
-                S * np.array([[-1] * 3 + [1] * 3 if i == k else [1] * 6 for i in range(3)]),
-                "sign, opposite, omega, minus",
-            ),
-            "one sign of a moment": (negated(S, (k, 3 + int(np.argmax(np.abs(moment[k]))))), "sign"),
-            "moment entry by entry": (rows(v=d * p), "entry by entry, elementwise"),
-            "middle sign of the cross product": (rows(v=moment * (1, -1, 1)), "sign, cross product"),
-            "omega x p, slide as turn": (rows(v=-moment, sw=d, sv=-moment), "\\times, sign, slide"),
-            "omega x p, halves swapped": (_halves(rows(v=-moment)), "\\times, sign, swap, halves"),
-            "point as moment, slide's direction in omega": (rows(v=p, sw=d, sv=zero), "point, slide, prismatic, swap"),
-        }
-    )
+    S, first = rows(), (np.arange(3) == np.argmin(slide))[:, None]
+    other_points = np.cross(np.roll(p, -1, axis=0), d)
+    yield from alike(by.MOMENT, {"omega x p": rows(v=-m), "middle sign of the product": rows(v=m * (1, -1, 1))})
+    yield from alike(by.HALVES, {"halves swapped": halves_swapped(S), "but for the slide": rows(m, d)})
+    yield from alike(by.POINT, {"point as moment": rows(v=p), "-p": rows(v=-p)})
+    yield from alike(by.OMITTED | {"moment", "origin"}, {"no moment": rows(v=zero)})
+    yield from alike(by.SLIDE, {"slide as turn": rows(sw=d, sv=m), "moment of a slide": rows(sv=m)})
+    yield from alike(by.SLIDE | by.HALVES, {"slide in omega": rows(sw=d, sv=zero), "twice": rows(sw=d)})
+    yield from alike(by.SLIDE, {"point of a slide": rows(sv=p), "no slide": rows(sv=zero)})
+    yield from alike(by.SLIDE | by.SIGN, {"slide backwards": rows(sv=-d)})
+    yield from alike(by.JOINT | by.POINT, {"points of the next joint": rows(v=other_points)})
+    yield from alike(by.ORDER, {"last joint first": S[::-1], "rows 1 and 2 swapped": swapped(S, 0, 1)})
+    yield from alike(by.SIGN, {"one axis the other way": np.where(first, -S, S)})
+    yield from alike(by.MOMENT, {"one omega negated": np.where(first, -S * MOMENT_SIGN, S)})
+    yield from alike(by.MOMENT, {"omega x p in one row": np.where(first, S * MOMENT_SIGN, S)})
+    yield from alike(by.ELEMENTWISE | by.MOMENT, {"moment entry by entry": rows(v=d * p)})
+    yield from alike(by.MOMENT | by.SLIDE, {"omega x p, slide as turn": rows(v=-m, sw=d, sv=-m)})
+    yield from alike(by.MOMENT | by.HALVES, {"omega x p, halves swapped": halves_swapped(rows(v=-m))})
+    yield from alike(by.POINT | by.SLIDE | by.HALVES, {"point as moment, slide in omega": rows(v=p, sw=d, sv=zero)})
     yield from right({"integers": S.astype(int), "list": S.tolist(), "-omega x p": rows(v=-np.cross(d, p))})
 
 
 @wrong_answers("03.2")
-def angled_joint(given: Any, answer: Any) -> Iterator[WrongAnswer]:
+def angled_joint(given: Any, answer: Any) -> Answers:
     u, t, p = np.asarray(given.from_axis), np.asarray(given.towards), np.asarray(given.point)
-    angle = np.radians(given.degrees)
-    other = np.abs(np.cross(u, t))
+    d, other = given.degrees, np.abs(np.cross(u, t))
 
-    def line(c: float, s: float, u: Any = u, t: Any = t) -> tuple[Any, Any]:
-        return c * u + s * t, np.cross(p, c * u + s * t)
+    def line(c: float, s: float, u: Any = u, t: Any = t) -> Any:
+        return np.array([*(c * u + s * t), *np.cross(p, c * u + s * t)])
 
-    c, s = np.cos(angle), np.sin(angle)
-    w, v = line(c, s)
-    yield from wrong(
-        {
-            "sine and cosine swapped": ([*np.ravel(line(s, c))], "swap, sine and cosine"),
-            "away": ([*np.ravel(line(c, -s))], "other way, away, sign, opposite"),
-            "degrees": ([*np.ravel(line(np.cos(given.degrees), np.sin(given.degrees)))], "degrees, radians"),
-            "(1, tan)": ([*np.ravel(line(1, s / c))], "length, unit, norm"),
-            "(1, 1)": ([*np.ravel(line(1, 1))], "length, unit, norm, angle"),
-            "omega x p": ([*w, *-v], "\\times, sign, minus"),
-            "halves swapped": ([*v, *w], "swap, halves, (v"),
-            "point as moment": ([*w, *p], "point, moment"),
-            "no moment": ([*w, 0, 0, 0], "moment, left out, missing, origin"),
-            "not tilted": ([*np.ravel(line(1, 0))], "tilt, angle, lean"),
-            "moment of the axis that is not tilted": ([*w, *np.cross(p, u)], "tilt, angle, moment"),
-            "as a slide": ([0, 0, 0, *w], "slide, prismatic, \\omega"),
-            "-S": ([*-w, *-v], "opposite, sign, other way"),
-            "-omega, moment kept": ([*-w, *v], "sign, opposite, \\times, minus"),
-            "towards the third axis": ([*np.ravel(line(c, s, u, other))], "axis, towards, lean"),
-            "from the third axis": ([*np.ravel(line(c, s, other, t))], "axis, from, lean"),
-            "half the angle": ([*np.ravel(line(np.cos(angle / 2), np.sin(angle / 2)))], "half"),
-            "twice the angle": ([*np.ravel(line(np.cos(2 * angle), np.sin(2 * angle)))], "double, twice"),
-            "one sign of v": ([*w, *negated_one(v)], "sign"),
-            "middle sign of the cross product": ([*w, *v * (1, -1, 1)], "sign, cross product"),
-            "moment entry by entry": ([*w, *w * p], "entry by entry, elementwise"),
-            "swapped and omega x p": (
-                [*np.ravel(line(s, c)) * ([1] * 3 + [-1] * 3)],
-                "swap, sine and cosine, \\times, sign",
-            ),
-            "away and omega x p": ([*np.ravel(line(c, -s)) * ([1] * 3 + [-1] * 3)], "away, other way, sign, \\times"),
-            "degrees and omega x p": (
-                [*np.ravel(line(np.cos(given.degrees), np.sin(given.degrees))) * ([1] * 3 + [-1] * 3)],
-                "degrees, \\times, sign",
-            ),
-        }
-    )
-    yield from right(
-        {
-            "list": [*w, *v],
-            "three decimals": np.round([*w, *v], 3),
-            "another point of the axis": [*w, *np.cross(p + 2 * w, w)],
-        }
-    )
+    def at(angle: float) -> Any:
+        return line(np.cos(angle), np.sin(angle))
+
+    c, s = np.cos(np.radians(d)), np.sin(np.radians(d))
+    S = line(c, s)
+    w, v = S[:3], S[3:]
+    lean = {"lean", "angle", "towards", "degrees", *by.AXIS}
+    yield from alike(by.SWAPPED, {"sine and cosine swapped": line(s, c)})
+    yield from alike(by.SIGN | {"away", "other way"}, {"away": line(c, -s), "-cosine": line(-c, s)})
+    yield from alike(by.DEGREES, {"degrees": at(d)})
+    yield from alike(by.LENGTH, {"(1, tan)": line(1, s / c), "(1, 1)": line(1, 1)})
+    yield from alike(by.MOMENT, {"omega x p": S * MOMENT_SIGN, "-omega, moment kept": -S * MOMENT_SIGN})
+    yield from alike(by.HALVES, {"halves swapped": halves_swapped(S)})
+    yield from alike(by.POINT, {"point as moment": [*w, *p]})
+    yield from alike(by.OMITTED | {"moment", "origin"}, {"no moment": [*w, 0, 0, 0]})
+    yield from alike(lean, {"not tilted": line(1, 0), "moment of the upright axis": [*w, *np.cross(p, u)]})
+    yield from alike(lean, {"towards the third axis": line(c, s, u, other), "from the third": line(c, s, other, t)})
+    yield from alike(by.SLIDE, {"as a slide": [0, 0, 0, *w]})
+    yield from alike(by.SIGN, {"-S": -S, "one sign of v": [*w, *negated_one(v)]})
+    yield from alike(by.HALF, {"half the angle": at(np.radians(d / 2))})
+    yield from alike(by.DOUBLE, {"twice the angle": at(np.radians(2 * d))})
+    yield from alike(by.MOMENT, {"middle sign of the cross product": [*w, *v * (1, -1, 1)]})
+    yield from alike(by.ELEMENTWISE | by.MOMENT, {"moment entry by entry": [*w, *w * p]})
+    yield from alike(by.SWAPPED | by.MOMENT, {"swapped and omega x p": line(s, c) * MOMENT_SIGN})
+    yield from alike({"away"} | by.MOMENT, {"away and omega x p": line(c, -s) * MOMENT_SIGN})
+    yield from alike(by.DEGREES | by.MOMENT, {"degrees and omega x p": at(d) * MOMENT_SIGN})
+    other_point = [*w, *np.cross(p + 2 * w, w)]
+    yield from right({"list": S.tolist(), "three decimals": S.round(3), "another point of the axis": other_point})
 
 
 @wrong_answers("03.3")
-def leaning_slide(given: Any, answer: Any) -> Iterator[WrongAnswer]:
-    n, p = np.asarray(given.direction, dtype=float), np.asarray(given.point)
+def leaning_slide(given: Any, answer: Any) -> Answers:
+    n, p, zero = np.asarray(given.direction, dtype=float), np.asarray(given.point), np.zeros(3)
     size = np.linalg.norm(n)
-    d, zero = n / size, np.zeros(3)
-    yield from wrong(
-        {
-            "direction in omega": ([*d, *zero], "\\omega, turn, swap"),
-            "direction in omega, not divided": ([*n, *zero], "\\omega, turn, swap, length, unit"),
-            "as a turn": ([*d, *np.cross(p, d)], "turn, revolute"),
-            "as a turn, omega x p": ([*d, *np.cross(d, p)], "turn, revolute, sign, \\times"),
-            "as a turn, not divided": ([*n, *np.cross(p, n)], "turn, revolute, length, unit"),
-            "not divided": ([*zero, *n], "length, unit, norm"),
-            "divided by the sum": ([*zero, *n / np.abs(n).sum()], "length, unit, norm, sum"),
-            "divided by the square": ([*zero, *n / size**2], "length, unit, norm, root, square"),
-            "divided by the largest": ([*zero, *n / np.abs(n).max()], "length, unit, norm, largest"),
-            "moment as v": ([*zero, *np.cross(p, d)], "moment, point"),
-            "omega x p as v": ([*zero, *np.cross(d, p)], "moment, point"),
-            "the point as v": ([*zero, *p], "point"),
-            "direction in both": ([*d, *d], "\\omega, turn, both"),
-            "point as moment": ([*d, *p], "\\omega, turn, point"),
-            "-d": ([*zero, *-d], "sign, opposite"),
-            "one sign": ([*zero, *negated_one(d)], "sign"),
-            "sizes only": ([*zero, *np.abs(d)], "sign"),
-            "components rotated": ([*zero, *np.roll(d, 1)], "order, swap, place"),
-            "to the point": ([*zero, *p / np.linalg.norm(p)], "point, direction"),
-            "-d in omega": ([*-d, *zero], "\\omega, turn, swap, sign"),
-        }
-        | ({"zero": (np.zeros(6), "zero, direction")})
+    d = n / size
+    turn = {"\\omega", "rotation", "turn", "revolute"}
+    yield from alike(turn | by.HALVES, {"direction in omega": [*d, *zero], "in both": [*d, *d]})
+    yield from alike(turn, {"as a turn": [*d, *np.cross(p, d)], "as a turn, point as moment": [*d, *p]})
+    yield from alike(turn | by.MOMENT, {"as a turn, omega x p": [*d, *np.cross(d, p)]})
+    yield from alike(turn | by.LENGTH, {"as a turn, not divided": [*n, *np.cross(p, n)]})
+    yield from alike(by.LENGTH, {"not divided": [*zero, *n], "by the sum": [*zero, *n / np.abs(n).sum()]})
+    yield from alike(
+        by.LENGTH, {"by the square": [*zero, *n / size**2], "by the largest": [*zero, *n / np.abs(n).max()]}
     )
+    yield from alike(by.POINT, {"moment as v": [*zero, *np.cross(p, d)], "omega x p as v": [*zero, *np.cross(d, p)]})
+    yield from alike(by.POINT, {"the point as v": [*zero, *p], "to the point": [*zero, *p / np.linalg.norm(p)]})
+    yield from alike(by.SIGN, {"-d": [*zero, *-d], "one sign": [*zero, *negated_one(d)], "sizes": [*zero, *np.abs(d)]})
+    yield from alike(by.ORDER, {"components rotated": [*zero, *np.roll(d, 1)]})
+    yield from alike(turn | by.LENGTH, {"direction in omega, not divided": [*n, *zero]})
+    yield from alike(turn | by.SIGN, {"-d in omega": [*-d, *zero]})
+    yield from alike(by.SIGN | by.LENGTH, {"-d, not divided": [*zero, *-n]})
     yield from right(
-        {"list": [0, 0, 0, *d], "three decimals": np.round([*zero, *d], 3), "array": np.concatenate([zero, n]) / size}
+        {
+            "list": [0, 0, 0, *d],
+            "three decimals": np.round([*zero, *d], 3),
+            "(0, n) / |n|": np.array([*zero, *n]) / size,
+        }
     )
 
 
 @wrong_answers("03.4")
-def helical_joint(given: Any, answer: Any) -> Iterator[WrongAnswer]:
+def helical_joint(given: Any, answer: Any) -> Answers:
     w, p, lead = np.asarray(given.axis), np.asarray(given.point), given.lead
     m, h = np.cross(p, w), lead / (2 * np.pi)
-    zero = 0 * w
-    yield from wrong(
-        {
-            "lead for pitch": ([*w, *m + lead * w], "pitch, lead, 2\\pi"),
-            "lead times 2 pi": ([*w, *m + 2 * np.pi * lead * w], "pitch, lead, 2\\pi, multipl"),
-            "lead / pi": ([*w, *m + lead / np.pi * w], "pi, lead, pitch"),
-            "lead / 360": ([*w, *m + lead / 360 * w], "360, degrees, lead, pitch"),
-            "no climb": ([*w, *m], "climb, pitch"),
-            "no moment": ([*w, *h * w], "moment, left out, missing"),
-            "left-handed": ([*w, *m - h * w], "sign, left-handed, wrong way"),
-            "omega x p": ([*w, *-m + h * w], "\\times, sign, minus"),
-            "-v": ([*w, *-m - h * w], "\\times, sign, minus"),
-            "halves swapped": ([*m + h * w, *w], "swap, halves, (v"),
-            "point as moment": ([*w, *p + h * w], "point, moment"),
-            "pitch along the point": ([*w, *m + h * p], "pitch, point, axis"),
-            "pitch added to each entry": ([*w, *m + h], "pitch, axis, each"),
-            "omega times the pitch": ([*h * w, *m], "pitch, \\omega"),
-            "as a slide": ([*zero, *w], "slide, prismatic, turn"),
-            "as a slide by the pitch": ([*zero, *h * w], "slide, prismatic, turn"),
-            "-S": ([*-w, *-m - h * w], "opposite, sign, other way"),
-            "axis the other way, climb kept": ([*-w, *-m + h * w], "opposite, sign, other way, left-handed"),
-            "one sign of the moment": ([*w, *negated_one(m) + h * w], "sign"),
-            "omega x p, lead for pitch": ([*w, *-m + lead * w], "\\times, sign, lead, pitch"),
-            "omega x p, no climb": ([*w, *-m], "\\times, sign, climb, pitch"),
-            "halves swapped, lead for pitch": ([*m + lead * w, *w], "swap, halves, lead, pitch"),
-        }
+
+    def spindle(m: Any = m, h: float = h, w: Any = w) -> Any:
+        return np.array([*w, *m + h * w])
+
+    S, other_way = spindle(), by.SIGN | {"left-handed", "wrong way", "other way"}
+    yield from alike(by.PITCH, {"lead for pitch": spindle(h=lead), "lead times 2 pi": spindle(h=2 * np.pi * lead)})
+    yield from alike(by.PITCH, {"lead / pi": spindle(h=lead / np.pi), "no climb": spindle(h=0)})
+    yield from alike(by.PITCH | by.DEGREES, {"lead / 360": spindle(h=lead / 360)})
+    yield from alike(by.OMITTED | {"moment"}, {"no moment": spindle(0 * m)})
+    yield from alike(other_way, {"left-handed": spindle(h=-h), "axis negated, climb kept": spindle(-m, -h, -w)})
+    yield from alike(by.MOMENT, {"omega x p": spindle(-m), "-v": spindle(-m, -h), "one sign": spindle(negated_one(m))})
+    yield from alike(by.HALVES, {"halves swapped": halves_swapped(S)})
+    yield from alike(by.POINT, {"point as moment": spindle(p)})
+    yield from alike(
+        by.PITCH | {"axis"}, {"pitch along the point": spindle(m + h * (p - w)), "pitch everywhere": [*w, *m + h]}
     )
-    yield from right(
-        {
-            "list": [*w, *m + h * w],
-            "three decimals": np.round([*w, *m + h * w], 3),
-            "-omega x p + h omega": np.concatenate([w, -np.cross(w, p) + h * w]),
-        }
+    yield from alike(by.PITCH | {"\\omega"}, {"omega times the pitch": [*h * w, *m]})
+    yield from alike(by.SLIDE, {"as a slide": [0, 0, 0, *w], "as a slide by the pitch": [0, 0, 0, *h * w]})
+    yield from alike(by.SIGN, {"-S": -S})
+    yield from alike(
+        by.MOMENT | by.PITCH, {"omega x p, lead": spindle(-m, lead), "omega x p, no climb": spindle(-m, 0)}
     )
+    yield from alike(by.HALVES | by.PITCH, {"halves swapped, lead for pitch": halves_swapped(spindle(h=lead))})
+    yield from right({"list": S.tolist(), "three decimals": S.round(3), "-omega x p": spindle(-np.cross(w, p))})
 
 
 @wrong_answers("03.5")
-def from_a_drawing(given: Any, S: Any) -> Iterator[WrongAnswer]:
-    w, v = np.array(S[:3]), np.array(S[3:])
-    p = np.cross(w, v)
-    k = int(np.argmax(np.abs(w)))
+def from_a_drawing(given: Any, answer: Any) -> Answers:
+    S = np.round(answer, 9)
+    w, v = S[:3], S[3:]
+    p, k = np.cross(w, v), int(np.argmax(np.abs(w)))
     i, j = (k + 1) % 3, (k + 2) % 3
-    yield from wrong(
-        {
-            "-S": (-np.array(S), "opposite, sign, other way"),
-            "omega x p": ([*w, *-v], "\\times, sign, minus"),
-            "-omega, moment kept": ([*-w, *v], "opposite, sign, \\times, minus"),
-            "halves swapped": ([*v, *w], "swap, halves, (v"),
-            "point as moment": ([*w, *p], "point, moment"),
-            "no moment": ([*w, 0, 0, 0], "moment, left out, missing, origin"),
-            "as a slide": ([0, 0, 0, *w], "slide, prismatic, \\omega"),
-            "another axis, moment kept": ([*np.roll(w, 1), *v], "axis, omega"),
-            "another axis": ([*np.roll(w, 1), *np.cross(p, np.roll(w, 1))], "axis"),
-            "two coordinates swapped": ([*w, *np.cross(swapped(p, i, j), w)], "swap"),
-            "one sign of the point": ([*w, *np.cross(negated_one(p), w)], "sign"),
-            "point one metre off": ([*w, *np.cross(p + I3[i], w)], "coordinate, point, metre, close"),
-            "a coordinate read as zero": ([*w, *np.cross(p * (I3[i] + I3[k]), w)], "coordinate, point, zero, left out"),
-            "entries of v swapped": ([*w, *swapped(v, i, j)], "swap, order"),
-            "moment entry by entry": ([*w, *w * p], "entry by entry, elementwise, moment"),
-            "moment along the axis": ([*w, *v + w], "moment, axis, perpendicular"),
-            "-S and halves swapped": ([*-v, *-w], "opposite, sign, swap, halves"),
-            "omega x p and halves swapped": ([*-v, *w], "\\times, sign, swap, halves"),
-            "omega x p, two coordinates swapped": ([*w, *-np.cross(swapped(p, i, j), w)], "\\times, sign, swap"),
-        }
+
+    def line(p: Any = p, w: Any = w) -> Any:
+        return np.array([*w, *np.cross(p, w)])
+
+    next_axis, exchanged = np.roll(w, 1), line(swapped(p, i, j))
+    yield from alike(by.SIGN | {"other way"}, {"-S": -S})
+    yield from alike(by.MOMENT, {"omega x p": S * MOMENT_SIGN, "-omega, moment kept": -S * MOMENT_SIGN})
+    yield from alike(by.HALVES, {"halves swapped": halves_swapped(S)})
+    yield from alike(by.POINT, {"point as moment": [*w, *p], "moment along the axis": [*w, *v + w]})
+    yield from alike(by.OMITTED | {"moment", "origin"}, {"no moment": [*w, 0, 0, 0]})
+    yield from alike(by.SLIDE, {"as a slide": [0, 0, 0, *w]})
+    yield from alike(by.AXIS, {"another axis, moment kept": [*next_axis, *v], "another axis": line(w=next_axis)})
+    yield from alike(
+        by.SWAPPED, {"two coordinates swapped": exchanged, "entries of v swapped": [*w, *swapped(v, i, j)]}
     )
-    yield from right({"integers": np.round(S).astype(int), "list": [float(x) for x in S], "tuple": tuple(np.round(S))})
+    yield from alike(by.SIGN, {"one sign of the point": line(negated_one(p)), "one sign of v": [*w, *negated_one(v)]})
+    yield from alike(
+        by.POINT, {"one metre off": line(p + I3[i]), "a coordinate read as zero": line(p * (I3[i] + I3[k]))}
+    )
+    yield from alike(by.ELEMENTWISE | by.MOMENT, {"moment entry by entry": [*w, *w * p]})
+    yield from alike(by.SIGN | by.HALVES, {"-S and halves swapped": halves_swapped(-S)})
+    yield from alike(by.MOMENT | by.HALVES, {"omega x p and halves swapped": halves_swapped(S * MOMENT_SIGN)})
+    yield from alike(by.MOMENT | by.SWAPPED, {"omega x p, two coordinates swapped": exchanged * MOMENT_SIGN})
+    yield from right({"integers": S.astype(int), "list": S.tolist(), "another point of the axis": line(p + 2 * w)})
 
 
 @wrong_answers("03.6")
-def which_order(given: Any, answer: Any) -> Iterator[WrongAnswer]:
-    e, told = list(answer[:4]), [f"e_{name}" for name in given.rides_on]
-    yield from wrong(
-        {
-            label: (order, words)
-            for label, order, words in [
-                ("reversed", [*e[::-1], "M"], "tool, revers, last"),
-                ("home first", ["M", *e], "M"),
-                ("all reversed", ["M", *e[::-1]], "revers, right, order, act"),
-                ("by the alphabet", [*sorted(e), "M"], "names, alphabet"),
-                ("as listed", [*told, "M"], "listed, told, statement"),
-                ("as listed, reversed", [*told[::-1], "M"], "listed, told, statement, revers"),
-                ("first two swapped", [e[1], e[0], *e[2:], "M"], "swap, e_"),
-                ("last two swapped", [*e[:2], e[3], e[2], "M"], "swap, e_"),
-                ("middle two swapped", [e[0], e[2], e[1], e[3], "M"], "swap, e_"),
-                ("M in the middle", [*e[:2], "M", *e[2:]], "M"),
-                ("M before the last joint", [*e[:3], "M", e[3]], "M, swap"),
-                ("floor joint last", [*e[1:], e[0], "M"], "floor, base, e_, last"),
-                ("tool joint first", [e[3], *e[:3], "M"], "tool, e_, first"),
-                ("alphabet, home first", ["M", *sorted(e)], "names, alphabet, M"),
-            ]
-            if order != answer
-        }
-    )
+def which_order(given: Any, answer: Any) -> Answers:
+    e, listed = list(answer[:4]), [f"e_{name}" for name in given.rides_on]
+    home = by.ORDER | {"$M$"}
+    yield from alike(by.ORDER, {"reversed": [*e[::-1], "M"], "all reversed": ["M", *e[::-1]]})
+    yield from alike(home, {"home first": ["M", *e], "M in the middle": [*e[:2], "M", *e[2:]]})
+    yield from alike(home, {"M before the last joint": [*e[:3], "M", e[3]]})
+    yield from alike({"alphabet", "names"}, {"by the alphabet": [*sorted(e), "M"], "and home first": ["M", *sorted(e)]})
+    if listed != e:  # the statement lists the joints in an order of its own, by chance from the floor to the tool
+        yield from alike({"listed", "statement", "order"}, {"as listed": [*listed, "M"]})
+    if listed[::-1] != e:
+        yield from alike({"listed", "statement", "order"}, {"as listed, reversed": [*listed[::-1], "M"]})
+    for k, which in enumerate(["first", "middle", "last"]):
+        yield from alike(by.ORDER, {f"{which} two swapped": [*e[:k], e[k + 1], e[k], *e[k + 2 :], "M"]})
+    yield from alike(by.ORDER, {"floor last": [*e[1:], e[0], "M"], "tool first": [e[3], *e[:3], "M"]})
     yield from right({"tuple": tuple(answer), "list": list(answer)})
 
 
 @wrong_answers("03.7")
-def where_is_the_tool(given: Any, answer: Any) -> Iterator[WrongAnswer]:
+def where_is_the_tool(given: Any, answer: Any) -> Answers:
     S, M = np.asarray(given.screws), np.asarray(given.home)
     slide = ~S[:, :3].any(axis=1)
-    other_sign = S * np.array([1, 1, 1, -1, -1, -1])
-    moments = np.where(slide[:, None], S, other_sign)
+    R, p = parts(M)
 
     def e(q: Any, S: Any = S) -> Any:
         return [exp(S[i], q[i]) for i in range(3)]
 
-    def all_of(q: Any, S: Any = S, M: Any = M) -> Any:
+    def T(q: Any, S: Any = S, M: Any = M) -> Any:
         return product(*e(q, S), M)
 
-    functions: dict[str, tuple[Any, str]] = {
-        "reversed": (lambda q: product(*e(q)[::-1], M), "revers, last, order"),
-        "home first": (lambda q: product(M, *e(q)), "M, front, first"),
-        "home first, reversed": (lambda q: product(M, *e(q)[::-1]), "M, front, revers, order"),
-        "no M": (lambda q: product(*e(q)), "M, left out"),
-        "stays at home": (lambda _: M, "home"),
-        "entry by entry": (lambda q: e(q)[0] * e(q)[1] * e(q)[2] * M, "entry by entry, elementwise"),
-        "sum of the exponentials": (lambda q: sum(e(q)) @ M, "sum, add"),
-        "exponential of the sum": (lambda q: exp(q @ S) @ M, "sum, add, one exponential"),
-        "-q": (lambda q: all_of(-np.asarray(q)), "sign, other way, opposite"),
-        "np.radians": (lambda q: all_of(np.radians(q)), "degrees, radians"),
-        "np.degrees": (lambda q: all_of(np.degrees(q)), "degrees, radians"),
-        "joint 1 left out": (lambda q: product(*e(q)[1:], M), "left out, joint 1, first"),
-        "joint 3 left out": (lambda q: product(*e(q)[:2], M), "left out, joint 3, last"),
-        "joints 1 and 2 swapped": (lambda q: product(e(q)[1], e(q)[0], e(q)[2], M), "swap, order"),
-        "joints 2 and 3 swapped": (lambda q: product(e(q)[0], e(q)[2], e(q)[1], M), "swap, order"),
-        "M inverted": (lambda q: all_of(q, M=inv(M)), "inver"),
-        "inverse of T": (lambda q: inv(all_of(q)), "inver"),
-        "R^T in M": (lambda q: all_of(q, M=pose(M[:3, :3].T, M[:3, 3])), "transpos"),
-        "halves swapped": (lambda q: all_of(q, _halves(S)), "swap, halves"),
-        "moments negated": (lambda q: all_of(q, moments), "sign, moment"),
-        "I + [S] q": (lambda q: product(*(I4 + twist(S[i]) * q[i] for i in range(3)), M), "series, term, trunc"),
-        "three terms": (
-            lambda q: product(*(series(twist(S[i]) * q[i], 3) for i in range(3)), M),
-            "series, term, trunc",
-        ),
-        "reversed, no M": (lambda q: product(*e(q)[::-1]), "revers, order, M, left out"),
-        "home first, np.radians": (lambda q: product(M, *e(np.radians(q))), "M, degrees, radians"),
-        "reversed, -q": (lambda q: product(*e(-np.asarray(q))[::-1], M), "revers, order, sign, opposite, inver"),
-    }
+    def picked(order: list[int]) -> Any:
+        return lambda q: product(*(e(q)[i] for i in order), M)
+
+    def truncated(terms: int) -> Any:
+        return lambda q: product(*(series(twist(S[i]) * q[i], terms) for i in range(3)), M)
+
+    moments = np.where(slide[:, None], S, S * MOMENT_SIGN)
+    yield from alike(by.ORDER, {"reversed": picked([2, 1, 0]), "home first": lambda q: product(M, *e(q))})
+    yield from alike(by.ORDER, {"home first, reversed": lambda q: product(M, *e(q)[::-1])})
+    yield from alike(by.ORDER, {"joints 1 and 2 swapped": picked([1, 0, 2]), "2 and 3": picked([0, 2, 1])})
+    yield from alike(by.OMITTED, {"joint 1 left out": picked([1, 2]), "joint 3 left out": picked([0, 1])})
+    yield from alike(by.OMITTED | {"$M$"}, {"no M": lambda q: product(*e(q))})
+    yield from alike({"home"}, {"stays at home": lambda _: M})
+    yield from alike(by.ELEMENTWISE, {"entry by entry": lambda q: e(q)[0] * e(q)[1] * e(q)[2] * M})
+    yield from alike({"sum", "add"}, {"sum of e": lambda q: sum(e(q)) @ M, "e of the sum": lambda q: exp(q @ S) @ M})
+    yield from alike(by.OTHER_WAY, {"-q": lambda q: T(-np.asarray(q)), "-q_1": lambda q: T(negated(q, 0))})
+    yield from alike(by.DEGREES, {"np.radians": lambda q: T(np.radians(q)), "np.degrees": lambda q: T(np.degrees(q))})
+    yield from alike(by.INVERTED, {"M inverted": lambda q: T(q, M=inv(M)), "T inverted": lambda q: inv(T(q))})
+    yield from alike(by.TRANSPOSED, {"R^T in M": lambda q: T(q, M=pose(R.T, p))})
+    yield from alike(by.HALVES, {"halves swapped": lambda q: T(q, halves_swapped(S))})
+    yield from alike(by.MOMENT, {"moments negated": lambda q: T(q, moments)})
+    yield from alike(by.SERIES, {"I + [S] q": truncated(2), "three terms": truncated(3)})
+    yield from alike(by.OMITTED | by.ORDER, {"reversed, no M": lambda q: product(*e(q)[::-1])})
+    yield from alike(by.ORDER | by.DEGREES, {"home first, np.radians": lambda q: product(M, *e(np.radians(q)))})
+    yield from alike(by.ORDER | by.OTHER_WAY, {"reversed, -q": lambda q: product(*map(inv, e(q)[::-1]), M)})
     if slide.any():
-        functions["slide's direction in omega"] = (
-            lambda q: all_of(q, np.where(slide[:, None], _halves(S), S)),
-            "slide, prismatic, halves",
-        )
-        functions["np.degrees but for the slide"] = (
-            lambda q: all_of(np.where(slide, q, np.degrees(q))),
-            "degrees, radians",
-        )
-        functions["slide left out"] = (lambda q: all_of(np.where(slide, 0, q)), "slide, prismatic, left out")
-    yield from wrong(functions)
-    yield from right(
-        {
-            "function": all_of,
-            "list of lists": lambda q: all_of(q).tolist(),
-            "body form": lambda q: product(M, *(exp(Ad(inv(M)) @ S[i], q[i]) for i in range(3))),
-        }
-    )
+        turned = np.where(slide[:, None], halves_swapped(S), S)
+        yield from alike(by.SLIDE | by.HALVES, {"slide in omega": lambda q: T(q, turned)})
+        yield from alike(by.DEGREES, {"np.degrees, not of the slide": lambda q: T(np.where(slide, q, np.degrees(q)))})
+        yield from alike(by.SLIDE | by.OMITTED, {"slide left out": lambda q: T(np.where(slide, 0, q))})
+    body = [Ad(inv(M)) @ row for row in S]
+    yield from right({"function": T, "list": lambda q: T(q).tolist(), "body form": lambda q: product(M, *e(q, body))})
 
 
 @wrong_answers("03.8")
-def longer_tool(given: Any, answer: Any) -> Iterator[WrongAnswer]:
+def longer_tool(given: Any, answer: Any) -> Answers:
     S, M, L, q = np.asarray(given.screws), np.asarray(given.home), given.longer, np.asarray(given.q)
-    slide = ~S[:, :3].any(axis=1)
+    slide, X, Y, Z = ~S[:, :3].any(axis=1), *(pose(I3, L * axis) for axis in I3)
 
-    def e(q: Any = q) -> Any:
+    def e(q: Any = q, S: Any = S) -> Any:
         return [exp(S[i], q[i]) for i in range(4)]
 
-    def along(x: float, y: float, z: float) -> Any:
-        return pose(I3, np.array([x, y, z]) * L)
+    def T(q: Any = q, S: Any = S, M: Any = M @ Z) -> Any:
+        return product(*e(q, S), M)
 
-    X = along(0, 0, 1)
-    T = product(*e(), M, X)
-    R, p = parts(T)
-    degrees = np.where(slide, q, np.radians(q))
-    yield from wrong(
-        {
-            "old tool": (product(*e(), M), "old tool, left out, longer"),
-            "extended in {s}, after the motion": (X @ product(*e(), M), "{s}, left, side"),
-            "extended in {s}, at home": (product(*e(), X, M), "{s}, left, side, order"),
-            "tool shortened": (product(*e(), M, inv(X)), "sign, short, inver"),
-            "along x of the tool": (product(*e(), M, along(1, 0, 0)), "axis, x"),
-            "along y of the tool": (product(*e(), M, along(0, 1, 0)), "axis, y"),
-            "extended twice": (product(*e(), M, X, X), "twice"),
-            "length added to p_z": (pose(R, product(*e(), M)[:3, 3] + [0, 0, L]), "{s}, left, added"),
-            "screws moved too": (product(*(exp(Ad(X) @ S[i], q[i]) for i in range(4)), M, X), "screw"),
-            "reversed": (product(*e()[::-1], M, X), "revers, last, order"),
-            "home first": (product(M, X, *e()), "front, M"),
-            "reversed, old tool": (product(*e()[::-1], M), "revers, last, order, old"),
-            "home first, old tool": (product(M, *e()), "front, M, old"),
-            "reversed, extended in {s}": (product(X, *e()[::-1], M), "revers, last, order, {s}"),
-            "np.radians": (product(*e(np.radians(q)), M, X), "degrees, radians"),
-            "np.radians of the angles": (product(*e(degrees), M, X), "degrees, radians"),
-            "np.degrees": (product(*e(np.degrees(q)), M, X), "degrees, radians"),
-            "-q": (product(*e(-q), M, X), "sign, other way, opposite"),
-            "one q negated": (product(*e(negated(q, 1)), M, X), "sign"),
-            "no M": (product(*e(), X), "M, left out"),
-            "slide left out": (product(*e(np.where(slide, 0, q)), M, X), "slide, left out, prismatic, joint 3"),
-            "entry by entry": (e()[0] * e()[1] * e()[2] * e()[3] * M, "entry by entry, elementwise"),
-            "home pose": (M @ X, "home, q"),
-            "inverse": (inv(T), "inver"),
-            "R transposed": (pose(R.T, p), "transpos"),
-        }
+    R, p = parts(T())
+    left = by.ORDER | {"{s}"}
+    old = {"old tool", *by.OMITTED}
+    yield from alike(old, {"old tool": T(M=M)})
+    yield from alike(left, {"extended in {s}, after the motion": Z @ T(M=M), "extended in {s}, at home": T(M=Z @ M)})
+    yield from alike(left, {"length added to p_z": pose(R, T(M=M)[:3, 3] + L * I3[2])})
+    yield from alike(by.SIGN | by.INVERTED | {"short"}, {"tool shortened": T(M=M @ inv(Z))})
+    yield from alike(by.AXIS, {"along x of the tool": T(M=M @ X), "along y of the tool": T(M=M @ Y)})
+    yield from alike(by.DOUBLE, {"extended twice": T(M=M @ Z @ Z)})
+    yield from alike({"screws"}, {"screws moved too": T(S=S @ Ad(Z).T)})
+    yield from alike(by.ORDER, {"reversed": product(*e()[::-1], M, Z), "home first": product(M, Z, *e())})
+    yield from alike(
+        by.ORDER | old, {"reversed, old tool": product(*e()[::-1], M), "home first, old": product(M, *e())}
     )
-    yield from right({"three decimals": T.round(3), "list": T.tolist(), "T M^-1 M'": product(*e(), M, inv(M), M @ X)})
+    yield from alike(left, {"reversed, extended in {s}": product(Z, *e()[::-1], M)})
+    yield from alike(by.DEGREES, {"np.radians": T(np.radians(q)), "np.degrees": T(np.degrees(q))})
+    yield from alike(by.DEGREES, {"np.radians, not of the slide": T(np.where(slide, q, np.radians(q)))})
+    yield from alike(by.OTHER_WAY, {"-q": T(-q), "one q negated": T(negated(q, 1))})
+    yield from alike(by.OMITTED, {"no M": T(M=Z), "slide left out": T(np.where(slide, 0, q))})
+    yield from alike(by.ELEMENTWISE, {"entry by entry": e()[0] * e()[1] * e()[2] * e()[3] * M})
+    yield from alike({"home"}, {"home pose": M @ Z})
+    yield from alike(by.INVERTED, {"inverse": inv(T())})
+    yield from alike(by.TRANSPOSED, {"R transposed": pose(R.T, p)})
+    yield from right({"three decimals": T().round(3), "list": T().tolist(), "old T, extended": T(M=M) @ Z})

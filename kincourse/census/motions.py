@@ -95,3 +95,8 @@ def swapped(x: Any, i: int, j: int, axis: int = 0) -> Array:
     order = list(range(np.shape(x)[axis]))
     order[i], order[j] = j, i
     return np.take(np.array(x, dtype=float), order, axis=axis)
+
+
+def halves_swapped(S: Any) -> Array:
+    """Screws (..., 6) with (v, omega) for (omega, v)."""
+    return np.roll(np.asarray(S, dtype=float), 3, axis=-1)
