@@ -253,6 +253,7 @@ def _product_changes(node: Expression) -> Changes:
     advice = "A product of matrices depends on the order of its factors."
     if last > 1:
         yield Change("reversed", "multiply the factors in the reverse order", advice=advice), product(*factors[::-1])
+    if last > 2:
         text = f"multiply the factors after {_quoted(factors[0])} in the reverse order"
         yield Change("reversed", text, advice=advice), product(factors[0], *factors[:0:-1])
         text = f"multiply the factors before {_quoted(factors[-1])} in the reverse order"
