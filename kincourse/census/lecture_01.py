@@ -28,9 +28,8 @@ def pose_off_a_drawing(given: Any, T: Any) -> Answers:
     yield from alike(by.SIGN | {"leads from"}, {"-p": pose(R, -p)})
     yield from alike(by.SWAPPED, {"x and y of p swapped": pose(R, yx), "y and z of p swapped": pose(R, p[[0, 2, 1]])})
     yield from alike({"{b}", *by.TRANSPOSED}, {"p as {b} sees it": pose(R, R.T @ p)})
-    yield from alike(
-        {"last row"}, {"p in the last row": T + pose(0 * R, p).T - pose(0 * R, p), "0 in the corner": T - I4[3] * I4}
-    )
+    yield from alike({"last row"}, {"p in the last row": T + pose(0 * R, p).T - pose(0 * R, p)})
+    yield from alike({"last row"}, {"0 in the corner": T - I4[3] * I4})
     yield from alike(by.OMITTED | {"height"}, {"height left out": pose(R, p * (1, 1, 0))})
     yield from alike(by.TRANSPOSED | by.SWAPPED, {"axes in rows, x and y of p swapped": pose(R.T, yx)})
     yield from alike(by.SIGN | by.SWAPPED | {"left-handed"}, {"-y, x and y of p swapped": pose(R * (1, -1, 1), yx)})
@@ -55,9 +54,8 @@ def rotation_off_a_drawing(given: Any, R: Any) -> Answers:
     yield from alike(by.SWAPPED | {"90"}, {"90 degrees less the angle": rot(k, np.sign(d) * (90 - abs(d)))})
     yield from alike(by.DEGREES, {"degrees in np.cos": exp(d * I3[k])})
     yield from alike(by.AXIS | {"about"}, {"about the next axis": rot(i, d), "about the axis before": rot(j, d)})
-    yield from alike(
-        by.SIGN, {"both sines positive": plane(c, abs(s), abs(s), c), "one cosine negative": plane(c, -s, s, -c)}
-    )
+    yield from alike(by.SIGN, {"both sines positive": plane(c, abs(s), abs(s), c)})
+    yield from alike(by.SIGN, {"one cosine negative": plane(c, -s, s, -c)})
     yield from alike(by.SIGN, {"both sines negative": plane(c, -abs(s), -abs(s), c), "-R": -R})
     yield from alike(by.OMITTED | by.AXIS | {"single 1"}, {"0 for the 1": R - np.diag(I3[k])})
     yield from alike(by.DOUBLE, {"twice the angle": rot(k, 2 * d)})
@@ -66,9 +64,7 @@ def rotation_off_a_drawing(given: Any, R: Any) -> Answers:
     yield from alike(by.OTHER_WAY | by.SWAPPED, {"transposed, sine and cosine swapped": plane(s, c, -c, s)})
     yield from alike(by.OTHER_WAY | by.AXIS, {"transposed, about the next axis": rot(i, -d)})
     yield from alike(by.OTHER_WAY | by.DEGREES, {"transposed, degrees": exp(-d * I3[k])})
-    yield from right(
-        {"three decimals": R.round(3), "list": R.tolist(), "two half turns": rot(k, d / 2) @ rot(k, d / 2)}
-    )
+    yield from right({"three decimals": R.round(3), "list": R.tolist(), "two steps": rot(k, d / 3) @ rot(k, 2 * d / 3)})
 
 
 @wrong_answers("01.3")
@@ -90,16 +86,13 @@ def augmented_matrix(given: Any, answer: Any) -> Answers:
     yield from alike({"last row"}, {"p in the last row": augmented(R, 0 * p) + A.T - augmented(R.T, 0 * p)})
     yield from alike({"last row"}, {"0 in the corner": A - np.diag([0, 0, 1])})
     yield from alike(by.OMITTED, {"no translation": augmented(R, 0 * p), "no rotation": augmented(np.eye(2), p)})
-    yield from alike(
-        by.DEGREES, {"degrees in np.cos": mapped(in_degrees), "degrees in R only": augmented(in_degrees, column)}
-    )
+    yield from alike(by.DEGREES, {"degrees in np.cos": mapped(in_degrees)})
+    yield from alike(by.DEGREES, {"degrees in R only": augmented(in_degrees, column)})
     yield from alike(by.INVERTED, {"the inverse map": inv(A)})
-    yield from alike(
-        by.SIGN, {"-p": mapped(R, -p), "one sign of p": mapped(R, negated(p, 0)), "no minus": mapped(np.abs(R))}
-    )
-    yield from alike(
-        by.SWAPPED, {"x and y of p": mapped(R, p[::-1]), "sine, cosine": mapped(np.array([[s, -c], [c, s]]))}
-    )
+    yield from alike(by.SIGN, {"-p": mapped(R, -p), "one sign of p": mapped(R, negated(p, 0))})
+    yield from alike(by.SIGN, {"no minus": mapped(np.abs(R))})
+    yield from alike(by.SWAPPED, {"x and y of p": mapped(R, p[::-1])})
+    yield from alike(by.SWAPPED, {"sine, cosine": mapped(np.array([[s, -c], [c, s]]))})
     yield from alike(by.DOUBLE | by.ORDER, {"shifted before and after": augmented(R, R @ p + p)})
     yield from alike(by.HALF, {"half the angle": mapped(rot(2, d / 2)[:2, :2])})
     yield from alike(by.OTHER_WAY, {"R^T p": augmented(R, R.T @ p)})
@@ -119,14 +112,12 @@ def point_and_arrow(given: Any, answer: Any) -> Answers:
     yield from alike(arrow, {"arrow as a point": [X, D + p]})
     yield from alike(point, {"point as an arrow": [R @ x, D]})
     yield from alike(by.SWAPPED, {"1 and 0 exchanged": [R @ x, D + p], "rows swapped": [D, X]})
-    yield from alike(
-        {"other end", *arrow}, {"other end of the rod": [X, X + D], "arrow minus the point": [X, R @ (d - x)]}
-    )
+    yield from alike({"other end", *arrow}, {"other end of the rod": [X, X + D]})
+    yield from alike({"other end", *arrow}, {"arrow minus the point": [X, R @ (d - x)]})
     yield from alike(by.INVERTED | {"T_{cs}"}, {"T_cs": [R.T @ (x - p), R.T @ d]})
     yield from alike(by.TRANSPOSED | {"T_{cs}"}, {"R^T": [R.T @ x + p, R.T @ d], "R^T for the arrow": [X, R.T @ d]})
-    yield from alike(
-        by.OMITTED | {"did not turn", "rotat", "multiply by"}, {"not turned": [x + p, d], "arrow not turned": [X, d]}
-    )
+    yield from alike(by.OMITTED | {"did not turn", "rotat", "multiply by"}, {"not turned": [x + p, d]})
+    yield from alike(by.OMITTED | {"did not turn", "rotat", "multiply by"}, {"arrow not turned": [X, d]})
     yield from alike(by.COPIED, {"as given": [x, d]})
     yield from alike(by.SIGN, {"-p": [R @ x - p, D], "-arrow": [X, -D], "one sign": [negated_one(X), D]})
     yield from alike(by.ORDER, {"shifted before it is turned": [R @ (x + p), D]})
@@ -135,9 +126,7 @@ def point_and_arrow(given: Any, answer: Any) -> Answers:
     yield from alike(by.TRANSPOSED | arrow, {"R^T and arrow as a point": [R.T @ x + p, R.T @ d + p]})
     yield from alike(by.TRANSPOSED | point | {"T_{cs}"}, {"R^T and point as an arrow": [R.T @ x, R.T @ d]})
     yield from alike(by.SWAPPED | arrow, {"rows swapped and arrow as a point": [D + p, X]})
-    yield from right(
-        {"three decimals": np.round([X, D], 3), "tuple": (X, D), "x @ R.T": np.array([x, d]) @ R.T + [p, 0 * p]}
-    )
+    yield from right({"three decimals": np.round([X, D], 3), "tuple": (X, D), "x @ R.T": [x @ R.T + p, d @ R.T]})
 
 
 @wrong_answers("01.5")
@@ -146,13 +135,11 @@ def look_back(given: Any, answer: Any) -> Answers:
     R, p = parts(T)
     q = -R.T @ p
     yield from alike(by.COPIED | by.INVERTED, {"as given": T})
-    yield from alike(
-        by.TRANSPOSED, {"all transposed": T.T, "p in the last row too": pose(R.T, q) + T.T - pose(R.T, 0 * p)}
-    )
+    yield from alike(by.TRANSPOSED, {"all transposed": T.T})
+    yield from alike(by.TRANSPOSED, {"p in the last row too": pose(R.T, q) + T.T - pose(R.T, 0 * p)})
     yield from alike({"-p", "minus p", *by.INVERTED}, {"-p": pose(R.T, -p)})
-    yield from alike(
-        by.SIGN, {"+R^T p": pose(R.T, -q), "one sign of the position": pose(R.T, negated_one(q)), "-T": -T}
-    )
+    yield from alike(by.SIGN, {"+R^T p": pose(R.T, -q), "one sign of the position": pose(R.T, negated_one(q))})
+    yield from alike(by.SIGN, {"-T": -T})
     yield from alike(by.SIGN, {"-R^T": pose(-R.T, q), "one sign of the rotation": pose(negated_one(R.T), q)})
     yield from alike(by.TRANSPOSED | {"turned", "rotat"}, {"-R p": pose(R.T, -R @ p), "R kept": pose(R, q)})
     yield from alike({"kept", *by.COPIED}, {"p kept": pose(R.T, p)})
@@ -208,15 +195,13 @@ def own_or_fixed(given: Any, answer: Any) -> Answers:
     other_axis = {"another axis", "wrong axis", "instead of", "in place of"}
     yield from alike(by.ORDER, {"sides exchanged": moved(own=not own_turn)})
     yield from alike(by.ORDER, {"both left, turn last": turn @ shift @ T, "both left, shift last": shift @ turn @ T})
-    yield from alike(
-        by.ORDER, {"both right, turn first": T @ turn @ shift, "both right, shift first": T @ shift @ turn}
-    )
+    yield from alike(by.ORDER, {"both right, turn first": T @ turn @ shift})
+    yield from alike(by.ORDER, {"both right, shift first": T @ shift @ turn})
     yield from alike(by.OTHER_WAY, {"turned the other way": moved(turned(-d)), "R transposed at the end": pose(R.T, p)})
     yield from alike(by.OTHER_WAY, {"shifted the other way": moved(turn, inv(shift))})
     yield from alike(by.DEGREES, {"degrees in np.cos": moved(radians)})
-    yield from alike(
-        by.OMITTED, {"shift left out": moved(turn, I4), "turn left out": moved(I4), "T left out": moved(T=I4)}
-    )
+    yield from alike(by.OMITTED, {"shift left out": moved(turn, I4), "turn left out": moved(I4)})
+    yield from alike(by.OMITTED, {"T left out": moved(T=I4)})
     yield from alike(by.COPIED | by.OMITTED, {"not moved": T})
     yield from alike(by.INVERTED, {"T_sb inverted": moved(T=inv(T)), "T_bs of the end": inv(there)})
     yield from alike(by.TRANSPOSED, {"T_sb transposed": moved(T=T.T)})
@@ -228,7 +213,7 @@ def own_or_fixed(given: Any, answer: Any) -> Answers:
     yield from alike(by.ORDER | by.DEGREES, {"sides exchanged, degrees": moved(radians, own=not own_turn)})
     yield from alike(by.OTHER_WAY, {"turned and shifted the other way": moved(turned(-d), inv(shift))})
     yield from right(
-        {"three decimals": there.round(3), "list": there.tolist(), "in two steps": moved(turn, I4, moved(I4))}
+        {"three decimals": there.round(3), "list": there.tolist(), "two steps": moved(turn, I4, moved(I4))}
     )
 
 
