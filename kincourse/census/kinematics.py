@@ -78,7 +78,11 @@ def pose_slips(T: Array) -> dict[str, tuple[Any, str]]:
         "position negated": (frame(R, -p), "sign, negat, opposite, minus"),
         "rotation only": (frame(R), "position, translation, shift, origin, left out, p = 0, no length"),
         "position only": (frame(p=p), "rotation, turn, left out, R = I, identity"),
-        "two decimals": (np.round(T, 2), "round, digit, decimal"),
+        **(
+            {}
+            if np.allclose(T, np.round(T, 2), atol=2e-3)
+            else {"two decimals": (np.round(T, 2), "round, digit, decimal")}
+        ),
     }
 
 

@@ -191,18 +191,23 @@ def chain_of_matrices(given: Any, answer: Array) -> Iterator[WrongAnswer]:
     yield from right(ordinary_forms(T))
 
 
+def other_entries(answer: str, n: int) -> Iterator[WrongAnswer]:
+    """Every other entry of a table with n rows as the faulty one."""
+    column, row = answer.rstrip("0123456789"), int(answer.lstrip("adlphtei"))
+    about = {"a": "x", "alpha": "x", "d": "z", "theta": "z"}
+    for one, axis in about.items():
+        for i in range(1, n + 1):
+            words = {"row"} if i == row or one == column else {"right", "fits", "correct", "drawing"}
+            words |= {"axis"} if i == row and axis == about[column] else set()
+            if (one, i) != (column, row):
+                same = f"{'the' if i == row else 'another'} row, {'the' if one == column else 'another'} column"
+                yield WrongAnswer(f"{one}{i}, in {same}", f"{one}{i}", frozenset(words))
+    yield from right({"capitals": answer.upper(), "with a space behind": answer + " "})
+
+
 @wrong_answers("05.6")
 def faulty_entry(given: Any, answer: str) -> Iterator[WrongAnswer]:
-    columns = ("a", "alpha", "d", "theta")
-    column, row = answer[:-1], answer[-1]
-    about = {"a": "x", "alpha": "x", "d": "z", "theta": "z"}
-    for one in columns:
-        for i in "123":
-            words = {"row"} if i == row or one == column else {"right", "fits", "correct", "drawing"}
-            words |= {"axis"} if i == row and about[one] == about[column] else set()
-            if one + i != answer:
-                yield WrongAnswer(f"{one}{i} for {answer}", one + i, frozenset(words))
-    yield from right({"capitals": answer.upper(), "with a space behind": answer + " "})
+    yield from other_entries(answer, len(given.rows))
 
 
 @wrong_answers("05.7")

@@ -54,7 +54,7 @@ def table_slips(table: DHTable) -> dict[str, tuple[Any, str]]:
     reach = np.hypot(rows[:, A], rows[:, D])
     on_links = rows.copy()
     on_links[:, A], on_links[:, D] = reach, 0.0
-    first = int(np.argmax(rows[:, ALPHA] != 0))
+    first, swap = int(np.argmax(rows[:, ALPHA] != 0)), [*reversed(range(min(n, 2))), *range(2, n)]
 
     def flipped(i: int, k: int) -> Array:
         return np.where(np.outer(np.arange(n) == i, np.arange(4) == k), -rows, rows)
@@ -65,7 +65,7 @@ def table_slips(table: DHTable) -> dict[str, tuple[Any, str]]:
         "both pairs of columns swapped": (rows[:, [2, 3, 0, 1]], "swap, exchang, interchang, order of the columns"),
         "rows one place down": (np.roll(rows, 1, axis=0), "row"),
         "rows one place up": (np.roll(rows, -1, axis=0), "row"),
-        "rows 1 and 2 swapped": (rows[[1, 0, *range(2, n)]], "row"),
+        "rows 1 and 2 swapped": (rows[swap], "row"),
         "rows in reverse": (rows[::-1], "row, reverse"),
         "alpha one row off": (rolled[ALPHA], "alpha, row, convention"),
         "a one row off": (rolled[A], "column a, row, convention, $a$"),
@@ -86,7 +86,7 @@ def table_slips(table: DHTable) -> dict[str, tuple[Any, str]]:
         "lengths in centimetres": (np.where(lengths, 100, 1) * rows, "centimet, cm, 100, unit"),
         "a and d swapped, alpha negated": (rows[:, [2, 1, 0, 3]] * (1, -1, 1, 1), "swap, exchang, alpha, " + SIGN),
         "no offsets, alpha one row off": (np.where(turns, 0.0, rolled[ALPHA]), "offset, alpha, row"),
-        "rows 1 and 2 swapped, a negated": (rows[[1, 0, *range(2, n)]] * (-1, 1, 1, 1), "row, " + SIGN),
+        "rows 1 and 2 swapped, a negated": (rows[swap] * (-1, 1, 1, 1), "row, " + SIGN),
         **{
             f"{name}{i + 1} negated": (flipped(i, k), f"{name}, {SIGN}" if k % 2 else SIGN)
             for i in range(n)
@@ -94,7 +94,7 @@ def table_slips(table: DHTable) -> dict[str, tuple[Any, str]]:
         },
         **{
             f"{name}{i + 1} too long": (rows + rows[i, k] / 2 * np.outer(np.arange(n) == i, np.arange(4) == k), "entry, row, length")
-            for i, k, name in ((0, D, "d"), (n - 1, A, "a"), (1, A, "a"))
+            for i, k, name in ((0, D, "d"), (n - 1, A, "a"), (n // 2, A, "a"))
         },
     }  # fmt: skip
     texts = {
@@ -103,12 +103,14 @@ def table_slips(table: DHTable) -> dict[str, tuple[Any, str]]:
         if not _same_numbers(changed, rows)
     }
     head = "a_{i-1} | alpha_{i-1} | d_i | theta_i" if convention == "standard" else "a_i | alpha_i | d_i | theta_i"
-    swapped = [2, 1, *range(3, n + 1)]
+    labels = {"q2, q1": [2, 1, *range(3, n + 1)], "q1, q1": [1, 1, *range(3, n + 1)]} if n > 1 else {}
     if (degrees := as_text(rows, joints, table.signs, unit="")) != as_text(rows, joints, table.signs):
         texts["degrees without a degree sign"] = degrees, "degree, radian"
     return texts | {
-        "labels q2, q1": (as_text(rows, joints, table.signs, labels=swapped), "q1, q2, label, order, twice"),
-        "labels q1, q1": (as_text(rows, joints, table.signs, labels=[1, 1, *range(3, n + 1)]), "q1, label, twice"),
+        **{
+            f"labels {first_two}": (as_text(rows, joints, table.signs, labels=order), "q1, q2, label, order, twice")
+            for first_two, order in labels.items()
+        },
         "variables in the other column": (
             as_text(rows, joints.translate(str.maketrans("RP", "PR")), table.signs), "column, theta, prismatic, revolute, joints"),
         "a joint's variable in d": (as_text(rows, _other_letter(joints, 0), table.signs), "column, theta, prismatic, revolute, joints"),
@@ -121,25 +123,25 @@ def legal_tables(table: DHTable) -> dict[str, Any]:
     """The same table in other forms: an inner x or z flipped, angles plus a turn, origins moved along parallel axes."""
     rows, n, standard = np.array(table.rows), len(table.rows), table.convention == "standard"
     signs, joints = np.array(table.signs, dtype=float), table.joints
-    k = (
-        0 if standard else 1
-    )  # x_1 stands in the first row of a standard table, and its normal in the second of a modified one
-    flip, z_flip = rows.copy(), rows.copy()
-    flip[k, :2] *= -1
-    flip[:2, THETA] += (np.pi, -np.pi)
-    z_flip[1, 2:] *= -1  # z_1 of a standard table moves joint 2, as z_2 of a modified one does
-    if standard:
-        z_flip[:2, ALPHA] += np.pi
-    else:
-        z_flip[1:3, ALPHA] += np.pi
     turned = signs * np.where(np.arange(n) == 1, -1, 1)
+    full_turn = 2 * np.pi * np.outer(np.arange(n) == n - 1, np.arange(4) == THETA)
     forms: dict[str, Any] = {
-        "x_1 flipped": as_text(flip, joints, signs),
-        "alpha plus a full turn": as_text(rows + 2 * np.pi * np.outer(np.arange(n) == 0, np.arange(4) == ALPHA), joints, signs),
-        "theta less a full turn": as_text(rows - 2 * np.pi * np.outer(np.arange(n) == n - 1, np.arange(4) == THETA), joints, signs),
+        "theta less a full turn": as_text(rows - full_turn, joints, signs),
+        "alpha plus a full turn": as_text(rows + full_turn[:, [0, 3, 2, 1]], joints, signs),
         "a DHTable": DHTable(rows, convention=table.convention, joints=joints, signs=signs, base=table.base, tool=table.tool),
     }  # fmt: skip
-    if n > 2 or standard:
+    if n > 1:
+        flip, k = (
+            rows.copy(),
+            0 if standard else 1,
+        )  # the normal along x_1 is in the first row, of a modified table in the second
+        flip[k, :2] *= -1
+        flip[:2, THETA] += (np.pi, -np.pi)
+        forms["x_1 flipped"] = as_text(flip, joints, signs)
+    if n > 2 or (standard and n == 2):
+        z_flip, k = rows.copy(), 0 if standard else 1  # joint 2 moves about z_1, of a modified table about z_2
+        z_flip[1, 2:] *= -1
+        z_flip[k : k + 2, ALPHA] += np.pi
         forms["z of joint 2 flipped, with -q2"] = as_text(z_flip, joints, turned)
     for i in range(1, n):  # axes of joints i and i + 1, counted from 1
         row = i - 1 if standard else i

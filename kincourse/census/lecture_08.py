@@ -1,0 +1,330 @@
+"""Answers by hand to sheet 08: loop closure, assembly modes, Grashof's condition, dead points and degrees of freedom."""
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from kincourse.census import WrongAnswer, right, wrong, wrong_answers
+from kincourse.census.kinematics import logarithm, ordinary_forms, turn
+from kincourse.census.lecture_05 import LEFT_OUT, SWAP
+from kincourse.census.lecture_07 import other_letters
+from kincourse.census.motions import Array, exp, product
+from kincourse.census.tables import SIGN
+
+MODE = "mode, other side, right of, left of, mirror"
+BARS = "coupler, rocker, bar, length, " + SWAP
+
+
+@wrong_answers("08.1")
+def gap(given: Any, answer: Array) -> Iterator[WrongAnswer]:
+    S, G, degrees, inv = given.S, np.array(given.G), given.degrees, np.linalg.inv
+    q = {name: np.radians(angle) for name, angle in degrees.items()}
+
+    def of(order: str, q: dict[str, float] = q) -> Array:
+        """The logarithm of a product: a capital is a joint, a small letter its inverse, G the offset."""
+        factors = {"G": G, "g": inv(G)} | {name: exp(S[name], angle) for name, angle in q.items()}
+        return logarithm(product(*(factors[n] if n in factors else inv(factors[n.upper()]) for n in order)))
+
+    r = of("DCGba")
+    T = product(*(exp(S[n], q[n]) for n in "DC"), G, inv(exp(S["B"], q["B"])), inv(exp(S["A"], q["A"])))
+    added = q["D"] * S["D"] + q["C"] * S["C"] - q["B"] * S["B"] - q["A"] * S["A"]
+    other_way = "other way, other branch, T_2^, order, revers, sign, invers, way round"
+    yield from wrong(
+        {
+            "second branch not inverted": (of("DCGAB"), "invert, invers, back"),
+            "second branch not inverted, B first": (of("DCGBA"), "invert, invers, back"),
+            "inverted, not reversed": (of("DCGab"), "order, revers"),
+            "G left out": (of("DCba"), f"G, {LEFT_OUT}"),
+            "G inverted": (of("DCgba"), "G, invers, invert"),
+            "G in front": (of("GDCba"), "G, order, front, place"),
+            "G between D and C": (of("DGCba"), "G, order, place, between"),
+            "C before D": (of("CDGba"), "order, C, D"),
+            "T_2^-1 T_1": (of("gcdAB"), f"T_2, {other_way}"),
+            "T_1^-1 T_2": (of("baDCG"), f"T_1, {other_way}, behind, front"),
+            "the other way round": (-r, other_way),
+            "the way back, G left out": (of("ABcd"), f"G, {LEFT_OUT}, {other_way}"),
+            "degrees": (of("DCGba", dict(degrees)), "degree, radian"),
+            "halves swapped": (np.roll(r, 3), "(v, half, halves, omega, " + SWAP),
+            "translation for v": (np.concatenate([r[:3], T[:3, 3]]), "log, translation, position, p "),
+            "skew part of T - I": (
+                np.concatenate([[T[2, 1], T[0, 2], T[1, 0]], T[:3, 3]]), "log, first order, small, T - I, entries"),
+            "twists added": (added, "added, sum, one exponential, commut"),
+            "the angle in degrees": (r * np.repeat((180 / np.pi, 1), 3), "degree, radian"),
+            "B forgotten": (of("DCGa"), f"B, {LEFT_OUT}"),
+            "A forgotten": (of("DCGb"), f"A, {LEFT_OUT}"),
+            "C the other way": (of("DcGba"), f"C, {SIGN}, invert, invers"),
+            "v negated": (r * np.repeat((1, -1), 3), SIGN),
+            "not inverted, G left out": (of("DCAB"), f"G, invert, invers, {LEFT_OUT}"),
+            "halves swapped, other way round": (-np.roll(r, 3), f"(v, half, {other_way}, {SWAP}"),
+        }
+    )  # fmt: skip
+    yield from right(ordinary_forms(r))
+
+
+def _modes(bars: Any, A: float) -> list[tuple[float, float]]:
+    """The angles of coupler and rocker from the x axis, (coupler, rocker), with C to the left and to the right of BD."""
+    g, a, b, c = bars
+    x, y = g - a * np.cos(A), -a * np.sin(A)
+    distance, direction = np.hypot(x, y), np.arctan2(y, x)
+    at_B = np.arccos((distance**2 + b**2 - c**2) / (2 * distance * b))
+    at_D = np.arccos((distance**2 + c**2 - b**2) / (2 * distance * c))
+    return [(direction + s * at_B, np.pi + direction - s * at_D) for s in (1, -1)]
+
+
+@wrong_answers("08.2")
+def both_modes(given: Any, answer: Array) -> Iterator[WrongAnswer]:
+    g, a, b, c = given.bars
+    A = np.radians(given.degrees)
+    (k1, D1), (k2, D2) = _modes((g, a, b, c), A)
+    D = np.array([D1, D2])
+
+    def rockers(bars: Any = given.bars, angle: float = A) -> Array:
+        return np.array([rocker for _, rocker in _modes(bars, angle)])
+
+    def maybe(make: Any, instead: Array) -> Array:
+        """The angles of a loop that may not close with wrong lengths."""
+        with np.errstate(invalid="ignore"):
+            values: Array = make()
+        return values if np.isfinite(values).all() else instead
+
+    base = np.array([k1, k2]) - A
+    yield from wrong(
+        {
+            "mirrored in the ground": ([D1, -D1], "mirror, ground line"),
+            "the other one mirrored in the ground": ([-D2, D2], "mirror, ground line"),
+            "both negated": (-D, f"{SIGN}, mirror"),
+            "inner angles": (np.pi - D, "inner, supplement, \\pi"),
+            "half a turn off": (D + np.pi, "half a turn, from D, opposite, C to D, \\pi, direction"),
+            "crank from y": (rockers(angle=np.pi / 2 - A), "crank, y axis, sin, cos"),
+            "crank below": (rockers(angle=-A), f"crank, {SIGN}, mirror"),
+            "coupler and rocker swapped": (rockers((g, a, c, b)), BARS),
+            "ground and crank swapped": (maybe(lambda: rockers((a, g, b, c)), D + 0.3), "ground, crank, " + BARS),
+            "the coupler's angles": ([k1, k2], "coupler"),
+            "B, the coupler against the crank": (base, "coupler, B"),
+            "C, the coupler against the rocker": (np.array([k1 - D1, k2 - D2]), "coupler, C"),
+            "degrees": (np.degrees(D), "degree, radian"),
+            "crank's degrees as radians": (
+                maybe(lambda: rockers(angle=float(given.degrees)), D + 0.5),
+                "degree, radian",
+            ),
+            "one mode twice": ([D1, D1], f"twice, both, {MODE}"),
+            "the other mode twice": ([D2, D2], f"twice, both, {MODE}"),
+            "the second half a turn off": ([D1, D1 + np.pi], f"half a turn, \\pi, {MODE}"),
+            "arcsine's other branch": ([D1, np.pi - D1], f"arcsin, arccos, supplement, \\pi, mirror, {MODE}"),
+            "from the line BD": (D - np.arctan2(-a * np.sin(A), g - a * np.cos(A)), "line, BD, B to D, x axis"),
+            "inner angles in degrees": (180 - np.degrees(D), "inner, degree, radian, supplement"),
+            "coupler and rocker swapped, negated": (-rockers((g, a, c, b)), f"{BARS}, {SIGN}, mirror"),
+            "the coupler's angles in degrees": (np.degrees([k1, k2]), "coupler, degree, radian"),
+        }
+    )
+    yield from right({**ordinary_forms(D), "the other order": D[::-1], "between 0 and a turn": D % (2 * np.pi)})
+
+
+@wrong_answers("08.3")
+def coupler_point(given: Any, answer: Array) -> Iterator[WrongAnswer]:
+    g, a, b, c = given.bars
+    A, p = np.radians(given.degrees), np.array([given.along, given.left])
+    (angle, rocker), (other, _) = _modes((g, a, b, c), A)
+    (swapped, _), _ = _modes((g, a, c, b), A)
+    B = a * np.array([np.cos(A), np.sin(A)])
+
+    def carried(angle: float, point: Any = p, start: Any = B) -> Array:
+        return np.array(start + turn("z", angle)[:2, :2] @ point)
+
+    P, along_y = carried(angle), np.array([p[0], -p[1]])
+    yield from wrong(
+        {
+            "the other mode": (carried(other), MODE),
+            "turned by B alone": (carried(angle - A), "B, crank, relative, A + B"),
+            "turned by A": (carried(A), "crank, A, coupler"),
+            "turned by A twice": (carried(angle + A), "crank, A, coupler, twice"),
+            "turned by the rocker's angle": (carried(rocker), "rocker, coupler"),
+            "not turned": (B + p, "without turning, turn, coupler, along x"),
+            "to the right": (carried(angle, along_y), f"left, right, {SIGN}"),
+            "turned the other way": (carried(-angle), f"other way, {SIGN}, transpos, invers"),
+            "from C": (carried(angle, (b - p[0], p[1])), "from C, measured, C"),
+            "beyond C": (carried(angle, (b + p[0], p[1])), "from C, beyond, C"),
+            "along and left exchanged": (carried(angle, p[::-1]), f"{SWAP}, along, left"),
+            "from A": (carried(angle, start=0 * B), "from A, from B, B, origin"),
+            "from D": (carried(angle, start=(g, 0)), "from D, from B, B"),
+            "seen from D": (P - (g, 0), "from D, from A, origin"),
+            "only along the coupler": (carried(angle, (p[0], 0)), LEFT_OUT),
+            "only B": (B, f"B, {LEFT_OUT}"),
+            "x and y exchanged": (P[::-1], f"{SWAP}, sin, cos"),
+            "below": (P * (1, -1), f"{SIGN}, mirror, below"),
+            "sine and cosine of the crank exchanged": (carried(angle, start=B[::-1]), "sin, cos, y axis, crank"),
+            "coupler and rocker swapped": (carried(swapped), BARS),
+            "degrees": (carried(np.degrees(angle), start=a * np.array([np.cos(given.degrees), np.sin(given.degrees)])), "degree, radian"),
+            "millimetres": (1000 * P, "millimet, mm, 1000, unit"),
+            "other mode, to the right": (carried(other, along_y), f"{MODE}, left, right"),
+            "turned by B alone, to the right": (carried(angle - A, along_y), f"B, crank, relative, {SIGN}, right"),
+            "other mode, not turned": (carried(other - A), f"{MODE}, B, crank, relative, turn"),
+        }
+    )  # fmt: skip
+    yield from right({**ordinary_forms(P), "a tuple": tuple(P)})
+
+
+@wrong_answers("08.4")
+def slider(given: Any, answer: float) -> Iterator[WrongAnswer]:
+    a, rod, e, A = given.crank, given.rod, given.offset, np.radians(given.degrees)
+
+    def of(offset: float = e, angle: float = A, side: int = 1, crank: float = a, rod: float = rod) -> float:
+        return float(crank * np.cos(angle) + side * np.sqrt(max(0.0, rod**2 - (offset - crank * np.sin(angle)) ** 2)))
+
+    x, flat = of(), np.sqrt(rod**2 - (e - a * np.sin(A)) ** 2)
+    yield from wrong(
+        {
+            "near side": (of(side=-1), MODE + ", near"),
+            "no offset": (of(0), "offset, through A"),
+            "offset negated": (of(-e), f"offset, side, {SIGN}"),
+            "rod along x": (a * np.cos(A) + rod, "rod, along x, climb, flat"),
+            "rod and crank along x": (a + rod, "along x, stretched, dead"),
+            "crank from y": (of(angle=np.pi / 2 - A), "y axis, sin, cos"),
+            "degrees": (of(angle=given.degrees), "degree, radian"),
+            "crank's half left out": (flat, f"from B, crank, {LEFT_OUT}"),
+            "crank's half subtracted": (flat - a * np.cos(A), f"{SIGN}, crank"),
+            "height of B left out": (a * np.cos(A) + np.sqrt(rod**2 - e**2), f"height, B, {LEFT_OUT}"),
+            "offset taken off at the end": (of(0) - e, "offset, end"),
+            "Pythagoras with a plus": (a * np.cos(A) + np.hypot(rod, e - a * np.sin(A)), f"Pythag, root, {SIGN}"),
+            "no square root": (a * np.cos(A) + rod**2 - (e - a * np.sin(A)) ** 2, "root, square"),
+            "root not taken of the rod": (a * np.cos(A) + rod - abs(e - a * np.sin(A)), "root, square, Pythag"),
+            "crank and rod exchanged": (of(crank=rod, rod=a), f"{SWAP}, rod"),
+            "the slider's height": (e, "height, offset, along x"),
+            "distance from A": (np.hypot(x, e), "distance, along x"),
+            "negated": (-x, SIGN),
+            "millimetres": (1000 * x, "millimet, mm, 1000, unit"),
+            "near side, no offset": (of(0, side=-1), f"{MODE}, near, offset"),
+            "offset negated, crank from y": (of(-e, np.pi / 2 - A), f"offset, {SIGN}, y axis, sin, cos"),
+            "near side, offset negated": (of(-e, side=-1), f"{MODE}, near, offset, {SIGN}"),
+        }
+    )
+    yield from right({"a float": x, "three decimals": round(x, 3), "an array": np.array(x)})
+
+
+@wrong_answers("08.5")
+def which_mode(given: Any, answer: str) -> Iterator[WrongAnswer]:
+    right_D, right_C = given.options[answer]
+    words = {}
+    for letter, (D, C) in given.options.items():
+        one = abs(D - right_D) < 0.2
+        words[letter] = f"C, {SIGN}" if one else "inner" if abs(C - right_C) < 0.2 else MODE
+    yield from other_letters(words, answer)
+
+
+@wrong_answers("08.6")
+def which_kind(given: Any, answer: str) -> Iterator[WrongAnswer]:
+    yield from other_letters(dict.fromkeys("abcde", "shortest, longest, limit, sums"), answer)
+
+
+@wrong_answers("08.7")
+def dead_point(given: Any, answer: float) -> Iterator[WrongAnswer]:
+    g, a, b, c = given.bars
+
+    def angle(one: float, two: float, opposite: float) -> float:
+        return float(np.arccos(np.clip((one**2 + two**2 - opposite**2) / (2 * one * two), -1, 1)))
+
+    A, place = angle(g, a, b + c), "angle at, triangle"
+    bar = "bar, stretched, coupler, rocker, one line"
+    yield from wrong(
+        {
+            "supplement": (np.pi - A, "supplement, \\pi"),
+            "complement": (np.pi / 2 - A, "complement, sin, cos, right angle"),
+            "angle at B": (angle(a, b + c, g), place),
+            "angle at D": (angle(g, b + c, a), place),
+            "coupler alone": (angle(g, a, b), bar),
+            "rocker alone": (angle(g, a, c), bar),
+            "folded": (angle(g, a, abs(b - c)), "folded, fold, difference"),
+            "crank and coupler stretched": (angle(g, a + b, c), f"crank, {bar}"),
+            "crank and rocker's lengths swapped": (angle(g, c, a + b), f"crank, {bar}, {SWAP}"),
+            "negated": (-A, SIGN),
+            "half": (A / 2, "half"),
+            "degrees": (np.degrees(A), "degree, radian"),
+            "cosine": (np.cos(A), "cos, arccos, angle"),
+            "arcsine": (np.arcsin(np.clip(np.cos(A), -1, 1)), "sin, cos"),
+            "no factor 2": (np.arccos(np.clip(2 * np.cos(A), -1, 1)), "factor, 2, law of cosines"),
+            "right triangle": (np.arctan2(np.sqrt(max(0.0, (b + c) ** 2 - g**2)), g), "right angle, Pythag, law of cosines"),
+            "crank turns right round": (np.pi, "turn right round, full turn, \\pi"),
+            "supplement in degrees": (180 - np.degrees(A), "supplement, degree, radian"),
+            "angle at D in degrees": (np.degrees(angle(g, b + c, a)), f"{place}, degree, radian"),
+            "supplement, folded": (np.pi - angle(g, a, abs(b - c)), "folded, fold, supplement"),
+        }
+    )  # fmt: skip
+    yield from right({"a float": A, "three decimals": round(A, 3), "less a turn": A - 2 * np.pi})
+
+
+@wrong_answers("08.8")
+def counting(given: Any, answer: float) -> Iterator[WrongAnswer]:
+    d, f = given.d, [freedom for leg in given.legs for freedom in leg]
+    L, J, N = len(given.legs), len(f), 2 + sum(len(leg) - 1 for leg in given.legs)
+
+    def of(d: int = d, N: int = N, J: int = J, total: int = sum(f)) -> int:
+        return d * (N - 1 - J) + total
+
+    count = "N, bod, ground, platform, loop, count"
+    wrong_ways = {
+        "ground not counted": (of(N=N - 1), count),
+        "n for n - 1": (of(N=N + 1), count + ", moves, stands still"),
+        "neither ground nor platform": (of(N=N - 2), count),
+        "a loop for each leg": (sum(f) - d * L, count),
+        "one loop only": (sum(f) - d, count),
+        "the other d": (of(9 - d), f"d =, d = {9 - d}, plane, space"),
+        "no loops": (sum(f), "loop, added"),
+        "one freedom for each joint": (of(total=J), "one freedom, universal, ball, freedom"),
+        "one joint not counted": (of(J=J - 1, total=sum(f) - f[-1]), "joint, count"),
+        "joints counted as bodies": (of(N=J), count),
+        "constraints for freedoms": (d * (N - 1) - sum(f), "constraint, freedom"),
+        "one leg forgotten": (
+            d * (N - len(given.legs[-1])) - d * (J - len(given.legs[-1])) + sum(f) - sum(given.legs[-1]),
+            "leg",
+        ),
+        "negated": (-of(), SIGN),
+        "never below zero": (max(of(), 0), "negative, below, sign, zero"),
+        "platform's own d": (d, "d, platform, free"),
+        "bodies only": (d * (N - 1), "joint, constraint, bod"),
+        "ground not counted, other d": (of(9 - d, N=N - 1), f"{count}, d =, plane, space"),
+        "other d, one freedom each": (of(9 - d, total=J), "d =, plane, space, one freedom, universal, ball"),
+        "one too many": (of() + 1, "off by one"),
+    }
+    identities = {
+        "one freedom for each joint",
+        "one loop only",
+        "never below zero",
+        "negated",
+    }  # right for some platforms
+    yield from wrong({name: case for name, case in wrong_ways.items() if name not in identities or case[0] != of()})
+    yield from right({"an integer": of(), "a float": float(of())})
+
+
+@wrong_answers("08.9")
+def three_mobilities(given: Any, answer: Array) -> Iterator[WrongAnswer]:
+    n, loops = given.joint_values, given.loops
+    counted, felt, had = (int(x) for x in answer)
+    rank = int(np.count_nonzero(np.array(given.singular_values) > 0))
+    d = (n - counted) // loops
+    move = "had, move, lead, posture, finite, believed, count"
+    wrong_counts: dict[str, tuple[list[int], str]] = {
+            "the count for all three": ([counted] * 3, "believed, count"),
+            "felt for all three": ([felt] * 3, f"count, {move}"),
+            "had for all three": ([had] * 3, f"felt, count, {move}"),
+            "the rank for felt": ([counted, rank, had], "rank, felt"),
+            "other d": ([n - (9 - d) * loops, felt, had], "d =, plane, space"),
+            "no loops": ([n, felt, had], "loop, count"),
+            "one loop too many": ([n - d * (loops + 1), felt, had], "loop, count"),
+            "had is the other number": ([counted, felt, 1 - had], move),
+            "had is the count": ([counted, felt, counted], move),
+            "felt and had exchanged": ([counted, had, felt], f"{move}, felt, {SWAP}"),
+            "in reverse": ([had, felt, counted], f"order, {SWAP}"),
+            "count negated": ([-counted, felt, had], f"{SIGN}, count"),
+            "count at least 0": ([max(counted, 0), felt, had], "negative, below, count, 0"),
+            "singular values below 1 for felt": (
+                [counted, n - int(np.count_nonzero(np.array(given.singular_values) > 1)), had], "singular, felt, rank"),
+            "felt one too many": ([counted, felt + 1, had], "felt, singular, rank"),
+            "equations less joints": ([d * loops - n, felt, had], f"{SIGN}, count, equation"),
+            "equations less rank for felt": ([counted, d * loops - rank, had], "felt, equation, rank, columns"),
+            "other d, rank for felt": ([n - (9 - d) * loops, rank, had], "d =, plane, space, rank"),
+            "rank for felt, had wrong": ([counted, rank, 1 - had], f"rank, {move}"),
+            "count and had wrong": ([n, felt, 1 - had], f"loop, count, {move}"),
+        }  # fmt: skip
+    yield from wrong({name: case for name, case in wrong_counts.items() if case[0] != [counted, felt, had]})
+    yield from right({"a list of integers": [counted, felt, had], "a tuple": (counted, felt, had)})
