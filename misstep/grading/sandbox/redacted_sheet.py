@@ -77,4 +77,4 @@ def load_redacted(text: str) -> Sheet:
 
 
 def _redacted_problem(statement: str, given: Mapping[str, Any], inputs: Sequence[Any], _: Sampler) -> Problem:
-    return RedactedProblem(statement, RedactedAnswer(inputs), (), given)
+    return RedactedProblem(statement, RedactedAnswer(inputs), given=given)
