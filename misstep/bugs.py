@@ -39,7 +39,7 @@ class Recurrence:
 
     name           of the mistake; "a or b" if no answer decides between them
     problems       the problems in which it was recognised
-    opportunities  the number of answered problems in which it can be made
+    opportunities  the number of answered problems in which it can be made; 0 if that is not known, as for rounding
     """
 
     name: str
@@ -58,9 +58,13 @@ class Recurrence:
 
     def __str__(self) -> str:
         kind = "Returning mistake" if self.returns else "Probably a slip" if self.is_slip else "Mistake"
+        possible = (
+            f"of the {self.opportunities} answered problems in which it can be made"
+            if self.opportunities
+            else "problems"
+        )
         return (
-            f"{kind}: “{self.name}” explains answers in {len(self.problems)} of the {self.opportunities} answered problems in which "
-            f"it can be made ({', '.join(self.problems)})."
+            f"{kind}: “{self.name}” explains answers in {len(self.problems)} {possible} ({', '.join(self.problems)})."
         )
 
 
@@ -102,7 +106,7 @@ def recurrences(observations: Sequence[Observation]) -> list[Recurrence]:
     for cause, where in problems.items():
         name = " or ".join(sorted(" and ".join(sorted(names)) for names in cause))
         possible = {one.problem for one in observations if any(names <= set(one.possible) for names in cause)}
-        found.append(Recurrence(name, sorted(where), len(possible | where)))
+        found.append(Recurrence(name, sorted(where), len(possible | where) if possible else 0))
     return sorted(found, key=lambda one: (-len(one.problems), one.opportunities, one.name))
 
 

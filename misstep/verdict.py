@@ -93,9 +93,12 @@ class Tally:
 def observation(template: Template, problem: Problem, judgements: Sequence[Judgement]) -> Observation:
     """Return what a student's answers to a problem show about mistakes: nothing if none of them could be read."""
     read = [judgement for judgement in judgements if judgement.state in {"right", "partly", "wrong"}]
-    possible = {wrong.name for wrong in problem.mistakes} if read else set()
-    findings = [finding for judgement in read for finding in judgement.findings if finding.mistake]
-    return Observation(template.number, sorted(possible), [[[finding.mistake]] for finding in findings])
+    wrong_answers = [*problem.mistakes, *problem.mutants, *problem.slips] if read else []
+    possible = {name for wrong in wrong_answers for name in wrong.names} - set(problem.invisible)
+    explanations = [
+        finding.alternatives for judgement in read for finding in judgement.findings if finding.alternatives
+    ]
+    return Observation(template.number, sorted(possible), explanations)
 
 
 def _finding_text(finding: Finding, is_only_finding: bool) -> str:

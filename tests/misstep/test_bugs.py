@@ -1,5 +1,7 @@
 """Mistakes across problems: bugs that return, slips, and pairs that no problem tells apart."""
 
+from dataclasses import replace
+
 import numpy as np
 import pytest
 from hypothesis import given
@@ -8,6 +10,7 @@ from hypothesis import strategies as st
 from misstep.answers.number import Numbers
 from misstep.bugs import Observation, Recurrence, inseparable_pairs, recurrences
 from misstep.mistakes import mistake
+from misstep.mutants import expression
 from misstep.problem import Problem, problem
 from misstep.sheet import OpenSheet, Sheet
 
@@ -104,6 +107,15 @@ def test_once_is_a_slip_only_where_it_could_have_been_several_times():
     assert not recurrences(seen[:2])[0].is_slip
 
 
+def test_of_a_mistake_that_no_problem_lists_the_opportunities_are_not_counted():
+    seen = [
+        Observation("01.1", {"a"}, [[["rounded"]]]),
+        Observation("01.2", {"a"}, [[["rounded"]]]),
+        Observation("01.3", {"a"}),
+    ]
+    assert str(recurrences(seen)[0]) == "Returning mistake: “rounded” explains answers in 2 problems (01.1, 01.2)."
+
+
 # --- in a sheet ---
 
 
@@ -139,6 +151,21 @@ def test_a_mistake_that_was_corrected_is_still_in_the_tally(sheet):
         sheet.check(k, sheet.given(k).x / 2)
     assert sheet.tally().score == 2
     assert "“doubled” explains answers in 2 of the 2" in sheet.tally()._repr_markdown_()
+
+
+def test_mutants_of_the_solution_are_counted_like_other_mistakes():
+    @problem("01.1", "A half", points=1, lecture="01_fractions#Halves")
+    def drawn(sampler):
+        n = sampler.integer(3, 9)
+        return Problem("Halve it.", Numbers(np.array(n / 2)), solution=expression.given("n", float(n)) / 2)
+
+    sheet = OpenSheet(
+        Sheet("01_fractions", "Fractions", [drawn, replace(drawn, number="01.2"), replace(drawn, number="01.3")]), "ada"
+    )
+    for k, answer in enumerate([lambda n: 2 * n, lambda n: 2 * n, lambda n: n / 2], start=1):
+        sheet.check(k, answer(2 * sheet.problem(k).answer.value))
+    (found,) = sheet.tally().recurrences
+    assert (found.problems, found.opportunities) == (["01.1", "01.2"], 3)
 
 
 def test_a_tally_without_a_pattern_is_only_the_table(sheet):

@@ -92,6 +92,9 @@ def test_everybody_gets_the_points_and_the_reason_they_deserve(out):
         assert reason in told[student]["reason"]
     assert float(told["boris"]["points"]) < 20
     assert told["boris"]["mistakes"].count(";") >= 5
+    pages = {student: (out / "feedback" / f"{student}.html").read_text("utf-8") for student in ("alice", "boris")}
+    assert "Returning mistake: " in pages["boris"]
+    assert "Returning mistake: " not in pages["alice"]
     assert "The id 'alice' is in 2 sheets." in told["erika"]["reason"]
 
 
