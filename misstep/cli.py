@@ -10,6 +10,7 @@ import sys
 from collections.abc import Mapping, Sequence
 
 COMMANDS = {
+    "census": ("misstep.census", "judge many wrong answers, and count what feedback says to them"),
     "grade": ("misstep.grading.command", "grade the submissions of a sheet, in a sandbox"),
     "release": ("misstep.release.student_notebook", "write the students' notebooks from the instructors' notebooks"),
 }

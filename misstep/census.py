@@ -1,0 +1,268 @@
+"""The census: what feedback says to many wrong answers of many students, and how much of it is true.
+
+For each problem and student it judges
+
+- every mutant of the solution, every mistake of the author, and every slip of the kind of answer, and
+- the answers that the course has by hand, in `answers_by_hand(number, given, answer)` of its module or folder `census`, which
+  shares no code with the engine, so that it may contradict it,
+
+and counts full marks for a wrong answer, right answers that are refused, names that are not what was done, messages whose
+claim is false, and mistakes without a name.
+"""
+
+import json
+from argparse import ArgumentParser, Namespace
+from collections import Counter
+from collections.abc import Callable, Iterable, Iterator, Sequence
+from concurrent.futures import ProcessPoolExecutor
+from dataclasses import asdict, dataclass, field
+from functools import partial
+from importlib import import_module
+from importlib.util import find_spec
+from itertools import chain
+from pathlib import Path
+from types import SimpleNamespace
+from typing import Any
+
+from misstep.bugs import inseparable_pairs
+from misstep.catalog import Course, find_course
+from misstep.judge import Finding, judge
+from misstep.problem import Problem, Template
+
+COUNTS = {
+    "full_marks": "full marks for a wrong answer",
+    "refused": "right answers refused",
+    "misnamed": "a name that is not what was done",
+    "false": "false claims",
+    "unnamed": "without a name",
+}
+"""What is counted, with its heading."""
+
+MAX_EXAMPLES = 5
+"""How many examples of each count are kept for a problem."""
+
+
+@dataclass
+class Row:
+    """The counts of one problem.
+
+    wrong     the number of wrong answers that were judged
+    by_hand   how many of them were made by hand
+    unnamed_by_hand  how many of these have no name
+    examples  for each count, some answers that were counted: the student, what was done, and what feedback said
+    """
+
+    number: str
+    wrong: int = 0
+    by_hand: int = 0
+    unnamed_by_hand: int = 0
+    counts: Counter[str] = field(default_factory=Counter)
+    examples: dict[str, list[str]] = field(default_factory=dict)
+
+    def count(self, what: str, example: str) -> None:
+        """Count an answer, and keep it if it is one of the first."""
+        self.counts[what] += 1
+        if len(self.examples.setdefault(what, [])) < MAX_EXAMPLES:
+            self.examples[what].append(example)
+
+
+@dataclass(frozen=True)
+class Tried:
+    """An answer to be judged.
+
+    fits  whether findings name what was done
+    """
+
+    label: str
+    value: Any
+    is_right: bool
+    is_by_hand: bool
+    fits: Callable[[Sequence[Finding]], bool]
+
+
+def census_of(template: Template, students: Iterable[str], by_hand: Callable[..., Any] | None = None) -> Row:
+    """Judge all answers of some students to one problem.
+
+    by_hand  makes answers from the number of the problem, the given values and the right answer; each has `label`, `value`,
+             `right` and `is_named_by(text)`
+
+    >>> import numpy as np
+    >>> from misstep import problem
+    >>> from misstep.answers.number import Numbers
+    >>> from misstep.mutants.expression import given
+    >>> @problem("01.1", "A half", points=1, lecture="01_halves#Halves")
+    ... def half(sampler):
+    ...     solution = given("x", float(sampler.integer(3, 9))) / 2
+    ...     return Problem("Give half of x.", Numbers(np.array(solution.value)), solution=solution)
+    >>> row = census_of(half, ["ada", "bob"])
+    >>> row.counts["full_marks"], row.counts["misnamed"], row.counts["unnamed"]
+    (0, 0, 0)
+    """
+    row = Row(template.number)
+    for student in students:
+        problem = template.variant(student)
+        for tried in chain(_by_engine(problem), _by_hand(template, problem, by_hand)):
+            _count(row, student, problem, tried)
+    return row
+
+
+def is_true(problem: Problem, value: Any, finding: Finding) -> bool:
+    """Return whether a message that names a mistake is true of an answer that was read.
+
+    Each name and each sentence must be that of a mistake whose answer the student gave, in all parts or in the parts that the
+    finding speaks of. This looks for the sentence, not for the answer, so it does not repeat the search that found it.
+    """
+    if finding.mistake is None or finding.alternatives in ((("rounded",),), ()):
+        return True
+    parts = [list(problem.answer.parts).index(part) for part in finding.parts]
+    known = [*problem.mistakes, *problem.mutants, *problem.slips]
+    if any(len(names) > 1 for names in finding.alternatives):
+        known += problem.double_mutants(value)
+    named = {mistake.names for mistake in known}
+    if not set(finding.alternatives) <= named:
+        return problem.answer.explanation(value, parts[0]) is not None
+    holds = []
+    for mistake in known:
+        agrees = problem.answer.agrees(value, mistake.value)
+        is_said = (all(agrees) and mistake.message in finding.message) or (
+            bool(mistake.part) and mistake.part in finding.message and all(agrees[part] for part in parts)
+        )
+        if mistake.names in finding.alternatives and is_said:
+            holds.append(mistake)
+    return bool(holds)
+
+
+def _by_engine(problem: Problem) -> Iterator[Tried]:
+    for mistake in chain(problem.mistakes, problem.mutants, problem.slips):
+        is_seen = mistake.name not in problem.invisible
+        is_right = all(problem.answer.agrees(mistake.value, problem.answer.value))
+        if is_seen or not is_right:
+            yield Tried(
+                mistake.name, mistake.value, False, False, partial(_names, problem, mistake.value, mistake.names)
+            )
+
+
+def _names(problem: Problem, value: Any, names: tuple[str, ...], findings: Sequence[Finding]) -> bool:
+    """Return whether a finding has these names, or the author's for the same answer."""
+    own = [mistake.names for mistake in problem.mistakes if all(problem.answer.agrees(value, mistake.value))]
+    return any(known in finding.alternatives for finding in findings for known in (names, *own))
+
+
+def _by_hand(template: Template, problem: Problem, by_hand: Callable[..., Any] | None) -> Iterator[Tried]:
+    if by_hand is None:
+        return
+    for made in by_hand(template.number, SimpleNamespace(**problem.given), problem.answer.value):
+        yield Tried(
+            made.label,
+            made.value,
+            made.right,
+            True,
+            lambda findings, made=made: made.is_named_by(
+                " ".join(f"{found.mistake} {found.message}" for found in findings)
+            ),
+        )
+
+
+def _count(row: Row, student: str, problem: Problem, tried: Tried) -> None:
+    judgement = judge(problem, tried.value)
+    said = " | ".join(f"{finding.mistake}: {finding.message}" for finding in judgement.findings)
+    example = f"{student}: {tried.label}: {said}"
+    if tried.is_right:
+        if judgement.state != "right":
+            row.count("refused", example)
+        return
+    row.wrong += 1
+    row.by_hand += tried.is_by_hand
+    if judgement.state == "right":
+        row.count("full_marks", example)
+        return
+    named = [finding for finding in judgement.findings if finding.mistake]
+    if len(named) < len(judgement.findings) and judgement.state != "unreadable":
+        row.count("unnamed", example)
+        row.unnamed_by_hand += tried.is_by_hand
+    if named and not tried.fits(named):
+        row.count("misnamed", example)
+    if named:
+        value = problem.answer.read(tried.value)
+        if not all(is_true(problem, value, finding) for finding in named):
+            row.count("false", example)
+
+
+def wrong_answers(problem: Problem) -> list[list[tuple[str, ...]]]:
+    """Return the wrong answers of a problem, each as the names of the mistakes that lead to it."""
+    reached: list[tuple[Any, list[tuple[str, ...]]]] = []
+    for mistake in chain(problem.mistakes, problem.mutants, problem.slips):
+        for value, names in reached:
+            if all(problem.answer.agrees(mistake.value, value)):
+                names.append(mistake.names)
+                break
+        else:
+            reached.append((mistake.value, [mistake.names]))
+    return [names for _, names in reached]
+
+
+def table(rows: Sequence[Row]) -> str:
+    """Return the counts as a table in Markdown, with a line for all problems together."""
+    names = [*COUNTS.values(), "of those by hand"]
+    lines = ["| problem | wrong answers | " + " | ".join(names) + " |", "| --- " * (len(names) + 2) + "|"]
+    total = Row("**together**")
+    for row in rows:
+        total.wrong += row.wrong
+        total.by_hand += row.by_hand
+        total.unnamed_by_hand += row.unnamed_by_hand
+        total.counts += row.counts
+    for row in (*rows, total):
+        counts = [str(row.counts[what]) for what in COUNTS if what != "unnamed"]
+        counts += [_share(row.counts["unnamed"], row.wrong), _share(row.unnamed_by_hand, row.by_hand)]
+        lines.append(f"| {row.number} | {row.wrong} | {' | '.join(counts)} |")
+    return "\n".join(lines)
+
+
+def _share(part: int, whole: int) -> str:
+    return f"{part / whole:.0%}" if whole else "–"
+
+
+def add_arguments(parser: ArgumentParser) -> None:
+    """Add the options of `misstep census`."""
+    parser.add_argument("--course", default="kincourse", help="the name of an installed course, or its folder")
+    parser.add_argument("--students", type=int, default=60, help="how many students (60)")
+    parser.add_argument("--sheet", action="append", help="only this sheet; may be repeated")
+    parser.add_argument("--examples", action="store_true", help="print examples of what was counted")
+    parser.add_argument(
+        "--save", type=Path, help="write the counts to this JSON file, from which the site makes its page"
+    )
+
+
+def run(options: Namespace) -> int:
+    """Take the census of a course, print it, and return 0 if nothing wrong has full marks, a wrong name or a false claim."""
+    course = find_course(options.course)
+    students = [f"student {k}" for k in range(options.students)]
+    sheets = options.sheet or course.sheets()
+    jobs = [
+        (options.course, sheet, k, students) for sheet in sheets for k in range(len(course.find_sheet(sheet).problems))
+    ]
+    with ProcessPoolExecutor() as pool:
+        rows = list(pool.map(_row, *zip(*jobs, strict=True)))
+    print(table(rows))
+    for sheet in sheets:
+        problems = [template.variant(students[0]) for template in course.find_sheet(sheet).problems]
+        pairs = ", ".join(f"{one} / {other}" for one, other in inseparable_pairs(map(wrong_answers, problems)))
+        print(f"\n{sheet}: no problem tells these mistakes apart: {pairs or 'none'}")
+    if options.examples:
+        for row in rows:
+            for what, examples in row.examples.items():
+                print(f"\n{row.number}, {COUNTS[what]}:", *examples, sep="\n- ")
+    if options.save:
+        options.save.write_text(json.dumps([asdict(row) for row in rows], indent=1) + "\n", encoding="utf-8")
+    return int(any(row.counts[what] for row in rows for what in ("full_marks", "refused", "misnamed", "false")))
+
+
+def _row(course_name: str, sheet: str, position: int, students: Sequence[str]) -> Row:
+    course = find_course(course_name)
+    return census_of(course.find_sheet(sheet).problems[position], students, answers_by_hand(course))
+
+
+def answers_by_hand(course: Course) -> Callable[..., Any] | None:
+    """Return the function of a course that makes answers by hand; None if it has none."""
+    name = f"{course.package}.census"
+    return import_module(name).answers_by_hand if find_spec(name) else None
