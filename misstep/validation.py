@@ -1,12 +1,18 @@
 """Validation of values that students give: arrays of numbers, blanks, and descriptions for error messages."""
 
+import re
 import reprlib
+from functools import partial
+from types import BuiltinFunctionType, FunctionType, MethodType
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 Array = NDArray[np.float64]
+
+FUNCTIONS = (FunctionType, BuiltinFunctionType, MethodType, partial, np.ufunc)
+"""The classes of functions that a student may give. Others can be called too, such as symbols of SymPy."""
 
 
 def array(x: ArrayLike, name: str) -> Array:
@@ -35,12 +41,27 @@ def array(x: ArrayLike, name: str) -> Array:
 
 
 def brief(x: Any) -> str:
-    """Describe a value in a few words, for an error message.
+    """Describe a value in a few words, for an error message, without its address in memory.
 
-    >>> brief([1, 2, 3])
-    'list [1, 2, 3]'
+    >>> brief([1, 2, 3]), brief(brief), brief(object())
+    ('list [1, 2, 3]', 'the function brief', 'an object of class object')
     """
-    return f"{type(x).__name__} {reprlib.repr(x)}"
+    if isinstance(x, FUNCTIONS):
+        return _BRIEF.repr(x)
+    text = _BRIEF.repr(x)
+    return f"an object of class {type(x).__name__}" if text == f"<{type(x).__name__}>" else f"{type(x).__name__} {text}"
+
+
+class _BriefRepr(reprlib.Repr):
+    def repr_instance(self, x: Any, level: int) -> str:
+        if isinstance(x, FUNCTIONS):
+            return f"the function {getattr(x, '__name__', '')[:40]}".rstrip()
+        if type(x).__repr__ is object.__repr__:
+            return f"<{type(x).__name__}>"
+        return re.sub(r" at 0x[0-9a-fA-F]+", "", super().repr_instance(x, level))
+
+
+_BRIEF = _BriefRepr()
 
 
 def is_blank(given: Any) -> bool:

@@ -1,6 +1,6 @@
 """DH frames as answers: every choice of frames that obeys the rules of the convention is right."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
@@ -10,8 +10,10 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.rules import Breach, check_frames
 from kinlib.dh.table import Convention
+from kinlib.rigid.lie import inverse
 from misstep.answers.base import TOLERANCE, Unreadable
-from misstep.answers.number import Numbers
+from misstep.answers.number import Numbers, wrong_slips
+from misstep.mistakes import Mistake
 
 
 @dataclass(frozen=True, eq=False)
@@ -42,8 +44,8 @@ class DHFramesAnswer(Numbers):
             listed = ", ".join(map(str, unplaced))
             raise Unreadable(
                 f"Expected {self.expected}. Not placed yet: {'frames' if len(unplaced) > 1 else 'frame'} {listed}. "
-                "If you placed them by hand, press Copy there and paste the list here: what stands in the picture alone is gone "
-                "when the notebook is run anew."
+                "If you placed them by hand, press Copy there and paste the list here: a frame that is only in the picture is lost "
+                "when the notebook is run again."
             )
         return super().read(given)
 
@@ -55,6 +57,43 @@ class DHFramesAnswer(Numbers):
 
     def hint(self, given: Array, part: int) -> str:
         return next((breach.text for breach in self._breaches(given) if breach.frame == part), "")
+
+    def slips(self) -> Iterator[Mistake]:
+        """Yield our frames with a mistake that breaks the rules: other frames differ in the directions that are free."""
+        T = np.asarray(self.value, dtype=float)
+        transposed = T.copy()
+        transposed[:, :3, :3] = T[:, :3, :3].swapaxes(1, 2)
+        relative = np.concatenate([T[:1], inverse(T[:-1]) @ T[1:]])
+        each = "These are the numbers of this frame"
+        return wrong_slips(
+            self,
+            [
+                (
+                    "R^T",
+                    transposed,
+                    "In every frame, the rotation is the transpose of the right one.",
+                    f"{each} with R^T for R.",
+                ),
+                (
+                    "inverse",
+                    inverse(T),
+                    "Every pose is the inverse of the right one: {s} seen from the frame.",
+                    f"{each} inverted.",
+                ),
+                (
+                    "relative",
+                    relative,
+                    "Each frame is given in the frame before, and not in {s}.",
+                    f"{each} in the frame before.",
+                ),
+                (
+                    "reversed",
+                    T[::-1],
+                    "The frames are right, their order is reversed.",
+                    "This is the frame that belongs as far from the other end.",
+                ),
+            ],
+        )
 
     def _breaches(self, frames: Array) -> list[Breach]:
         # Entries may be typed with three decimals, and a link of several metres multiplies the error of a direction.

@@ -1,37 +1,62 @@
 """Points and directions as answers."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
 from kinlib.arrays.validation import Array
-from misstep.answers.base import ROUNDING_TOLERANCE
-from misstep.answers.number import Numbers
+from misstep.answers.base import TOLERANCE
+from misstep.answers.number import Numbers, Slip, entries_hint, is_nearly_all, scale_of
+
+HOMOGENEOUS = " These are homogeneous coordinates: leave off the last entry (1 for a point, 0 for a direction), so that x, y, z are left."
+ORDER_OR_SIGNS = "Its components have the right sizes; their order or their signs are not right."
 
 
 @dataclass(frozen=True, eq=False)
 class VectorsAnswer(Numbers):
-    """Named vectors in rows, shape (k, 3); each vector is a part.
+    """Named vectors in rows, shape (k, 3); each vector is a part. Without names it is a single vector, shape (3,).
 
     >>> VectorsAnswer(np.eye(2, 3), names=["the point", "the direction"]).agrees(np.zeros((2, 3)), np.eye(2, 3))
     [False, False]
+    >>> VectorsAnswer(np.ones(3), unit="m").hint(np.array([1, 1, 5.0]), 0)
+    '2 of the 3 entries are right. Look at z.'
     """
 
     names: Sequence[str] = ()
 
     @property
     def expected(self) -> str:
-        return f"{super().expected}, in rows: {', '.join(self.names)}"
+        return f"{super().expected}, in rows: {', '.join(self.names)}" if self.names else super().expected
 
     @property
     def parts(self) -> Sequence[str]:
-        return self.names
+        return self.names or ["the answer"]
 
     def hint(self, given: Array, part: int) -> str:
-        if np.allclose(np.sort(np.abs(given[part])), np.sort(np.abs(self.value[part])), atol=ROUNDING_TOLERANCE):
-            return "Its components have the right sizes; their order or their signs are not right."
-        return ""
+        piece = self.part_indices()[part]
+        mine, right = given[piece], self.value[piece]
+        same = self.same_entries(given, self.value)[piece]
+        if is_nearly_all(same):
+            return entries_hint(same, "xyz")
+        off = np.abs(np.sort(np.abs(mine)) - np.sort(np.abs(right)))
+        return ORDER_OR_SIGNS if off.max() <= TOLERANCE * max(scale_of(right), np.abs(right).max()) else ""
 
-    def part_indices(self) -> list[int]:
-        return list(range(len(self.value)))
+    def remedy(self, shape: tuple[int, ...]) -> str:
+        if shape == (*np.shape(self.value)[:-1], 4):
+            return HOMOGENEOUS
+        return super().remedy(shape)
+
+    def whole_slips(self) -> Iterator[Slip]:
+        yield from super().whole_slips()
+        for name, order in (("components shifted", [1, 2, 0]), ("components shifted back", [2, 0, 1])):
+            text = f"The components are right, their order is not: yours is {', '.join('xyz'[i] for i in order)}."
+            yield (name, np.asarray(self.value)[..., order], text, text)
+
+    def place(self, index: Sequence[Any]) -> str:
+        component = "xyz"[int(index[-1])]
+        return f"{component} of {self.names[int(index[0])]}" if self.names else component
+
+    def part_indices(self) -> list[Any]:
+        return list(range(len(self.value))) if self.names else [...]

@@ -1,16 +1,25 @@
 """Rotations and poses as answers."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
 import numpy as np
+from numpy.typing import NDArray
 
-from misstep.answers.base import ROUNDING_TOLERANCE, TOLERANCE
-from misstep.answers.number import Numbers
+from kinlib.rigid.lie import homogeneous, inverse
+from kinlib.rigid.rpy import origin
+from misstep.answers.base import TOLERANCE
+from misstep.answers.equivalent import Equivalent
+from misstep.answers.number import LENGTH, TRANSPOSED_PART, Numbers, Slip, entries_hint
 from misstep.validation import Array
 
-NOT_A_ROTATION = "It is no rotation at all: its columns should be unit, square and right-handed."
+NOT_A_ROTATION = (
+    "It is no rotation at all: the columns of a rotation are perpendicular unit vectors, and right-handed (det R = +1)."
+)
+
+ORTHONORMAL_TOLERANCE = 0.03
+"""Entries typed with three decimals change R^T R by a few thousandths, and a real mistake changes it by more."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -28,7 +37,11 @@ class RotationAnswer(Numbers):
         return ["the rotation"]
 
     def hint(self, given: Array, part: int) -> str:
-        return "" if _is_rotation(given) else NOT_A_ROTATION
+        return _rotation_hint(given, self.same_entries(given, self.value))
+
+    def whole_slips(self) -> Iterator[Slip]:
+        yield ("R^T", self.value.T, "Your rotation is the transpose of the right one.", TRANSPOSED_PART)
+        yield from super().whole_slips()
 
 
 @dataclass(frozen=True, eq=False)
@@ -46,15 +59,106 @@ class PoseAnswer(Numbers):
         return ["rotation", "position"]
 
     def hint(self, given: Array, part: int) -> str:
-        if part == 0 and not _is_rotation(given[:3, :3]):
-            return NOT_A_ROTATION
+        same = self.same_entries(given, self.value)
+        if part == 0 and (text := _rotation_hint(given[:3, :3], same[:3, :3])):
+            return text
+        if part == 1 and np.count_nonzero(~same[:3, 3]) == 1:
+            return entries_hint(same[:3, 3], "xyz")
         closed = np.allclose(given[3], (0, 0, 0, 1), atol=TOLERANCE)
-        return "" if closed else "The last row of a pose is 0 0 0 1, whatever stands above it."
+        return "" if closed else "The last row of a pose is 0 0 0 1, whatever is above it."
+
+    def kinds(self) -> NDArray[np.int_]:
+        return LENGTH * _position_mask()
 
     def part_indices(self) -> list[Any]:
         return [np.s_[:, :3], np.s_[:, 3]]
 
+    def whole_slips(self) -> Iterator[Slip]:
+        T = np.asarray(self.value, dtype=float)
+        R, p = T[:3, :3], T[:3, 3]
+        back = inverse(T)
+        yield (
+            "R^T",
+            homogeneous(R.T, p),
+            "The position is right; the rotation is the transpose of the right one.",
+            "The rotation is the transpose of the right one.",
+        )
+        yield (
+            "inverse",
+            back,
+            "Your pose is the inverse of the right one.",
+            "These are the numbers that the inverse of the right pose has here.",
+        )
+        yield (
+            "not rotated back",
+            homogeneous(R, back[:3, 3]),
+            "The rotation is right; the position is that of the inverse pose.",
+            "This is the position of the inverse pose.",
+        )
+        yield ("transposed", T.T, "Your matrix is the transpose of the right one, last row included.", TRANSPOSED_PART)
+        yield (
+            "position negated",
+            homogeneous(R, -p),
+            "The rotation is right; the position has all signs wrong.",
+            "The position has all signs wrong.",
+        )
+        yield (
+            "R^T and -p",
+            homogeneous(R.T, -p),
+            "Your pose has R^T and -p, where the right one has R and p.",
+            "These are the numbers that R^T and -p have here.",
+        )
+        yield (
+            "millimetres",
+            homogeneous(R, 1000 * p),
+            "The rotation is right; the position is in millimetres. Give it in metres.",
+            "The position is in millimetres. Give it in metres.",
+        )
+        for i, j in ((0, 1), (1, 2), (0, 2)):
+            order = np.arange(4)
+            order[[i, j]] = j, i
+            text = f"Columns {i + 1} and {j + 1} of the rotation are swapped."
+            yield ("columns swapped", T[:, order], text, text)
+
+
+def _origin_pose(rows: Array) -> Array:
+    return origin(*rows)
+
+
+@dataclass(frozen=True, eq=False)
+class OriginAnswer(Equivalent):
+    """The `xyz` and `rpy` of the origin of a joint in a URDF, shape (2, 3), in metres and radians, compared as a pose.
+
+    >>> OriginAnswer(np.zeros((2, 3))).agrees(np.array([[0, 0, 0], np.pi * np.ones(3)]), np.zeros((2, 3)))
+    [True]
+    """
+
+    noun: ClassVar[str] = "xyz and rpy in two rows, an array"
+    meaning: Callable[[Array], Array] = field(default=_origin_pose, kw_only=True)
+
+    @property
+    def parts(self) -> Sequence[str]:
+        return ["the origin"]
+
+    def hint(self, given: Array, part: int) -> str:
+        right = np.asarray(self.value)
+        if self.agrees(np.stack([given[0], right[1]]), right)[0]:
+            return "Its xyz is right, its rpy is another rotation."
+        return "Its rpy is right, its xyz is not." if self.agrees(np.stack([right[0], given[1]]), right)[0] else ""
+
+
+def _position_mask() -> NDArray[np.int_]:
+    mask = np.zeros((4, 4), dtype=int)
+    mask[:3, 3] = 1
+    return mask
+
+
+def _rotation_hint(R: Array, same: NDArray[np.bool_]) -> str:
+    """Say which entry is wrong, if it is one or two; or that it is no rotation; "" otherwise."""
+    if 0 < np.count_nonzero(~same) <= 2:
+        return entries_hint(same)
+    return "" if _is_rotation(R) else NOT_A_ROTATION
+
 
 def _is_rotation(R: Array) -> bool:
-    # Entries typed with three decimals change R^T R by a few thousandths, and a real mistake changes it by more.
-    return bool(np.allclose(R.T @ R, np.eye(3), atol=ROUNDING_TOLERANCE) and np.linalg.det(R) > 0)
+    return bool(np.allclose(R.T @ R, np.eye(3), atol=ORTHONORMAL_TOLERANCE) and np.linalg.det(R) > 0)

@@ -7,6 +7,8 @@ from typing import Any
 import numpy as np
 
 from misstep.answers.expression import ClosedForm
+from misstep.answers.number import entries_hint
+from misstep.formulas.evaluation import Formula
 
 
 @dataclass(frozen=True, eq=False)
@@ -24,3 +26,9 @@ class PoseExpressionAnswer(ClosedForm):
 
     def part_indices(self) -> list[Any]:
         return [np.s_[:, :3], np.s_[:, 3]]
+
+    def hint(self, given: Formula, part: int) -> str:
+        same = self.same_entries(given, self.value)
+        if part == 0:
+            return entries_hint(same[:3, :3])
+        return entries_hint(same[:3, 3], "xyz")

@@ -1,14 +1,16 @@
 """Screw axes (omega, v) as answers."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import numpy as np
+from numpy.typing import NDArray
 
-from misstep.answers.base import TOLERANCE
-from misstep.answers.number import Numbers
+from misstep.answers.number import LENGTH, PURE, ROUND_OFF, Numbers, Slip
 from misstep.validation import Array
+
+ENTRY_NAMES = ("omega_x", "omega_y", "omega_z", "v_x", "v_y", "v_z")
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,11 +35,91 @@ class ScrewsAnswer(Numbers):
         return self.names or [f"screw {i + 1}" for i in range(rows)]
 
     def hint(self, given: Array, part: int) -> str:
-        theirs, right = np.atleast_2d(given)[part], np.atleast_2d(self.value)[part]
-        omega, v = (bool(np.allclose(theirs[half], right[half], atol=TOLERANCE)) for half in (slice(3), slice(3, 6)))
-        if omega:
-            return "Its omega is right, its v is not."
-        return "Its v is right, its omega is not." if v else ""
+        same = np.atleast_2d(self.same_entries(given, self.value))[part]
+        omega, v = same[:3], same[3:]
+        wrong = [name for name, fine in zip(ENTRY_NAMES, same, strict=True) if not fine]
+        place = f" Look at {wrong[0]}: all other entries are right." if len(wrong) == 1 else ""
+        if omega.all():
+            return f"Its omega is right, its v is not.{place}"
+        return f"Its v is right, its omega is not.{place}" if v.all() else ""
+
+    def kinds(self) -> NDArray[np.int_]:
+        # The v of a prismatic joint is a direction, that of any other joint a moment, whose size is that of the lengths.
+        turns = np.abs(self.value[..., :3]).max(axis=-1, keepdims=True, initial=0.0) > ROUND_OFF
+        return np.where(turns & (np.arange(6) >= 3), LENGTH, PURE)
+
+    def whole_slips(self) -> Iterator[Slip]:
+        for name, value, text, part_text in self._changes():
+            yield (name, value, text if self.value.ndim > 1 else part_text, part_text)
+
+    def _changes(self) -> Iterator[Slip]:
+        S = np.asarray(self.value, dtype=float)
+        omega, v, moments = S[..., :3], S[..., 3:], self.kinds() == LENGTH
+        zero = np.zeros_like(v)
+        yield (
+            "halves swapped",
+            np.roll(S, 3, axis=-1),
+            "Every screw axis has v in front of omega. The order is (omega, v).",
+            "It has v in front of omega. The order is (omega, v).",
+        )
+        yield (
+            "turned round",
+            -S,
+            "Every screw axis has the opposite direction: all signs are wrong.",
+            "It has the opposite direction: all signs are wrong.",
+        )
+        yield (
+            "sign of v",
+            np.where(moments, -S, S),
+            "Every omega is right; every moment v has the wrong sign.",
+            "Its omega is right; its moment v has the wrong sign.",
+        )
+        yield (
+            "sign of omega",
+            np.concatenate([-omega, v], axis=-1),
+            "Every v is right; every omega has the wrong sign.",
+            "Its v is right; its omega has the wrong sign.",
+        )
+        yield (
+            "no moment",
+            np.where(moments, 0.0, S),
+            "Every omega is right; every moment v is left at 0.",
+            "Its omega is right; its moment v is left at 0.",
+        )
+        yield (
+            "direction in omega",
+            np.where(moments.any(axis=-1, keepdims=True), S, np.concatenate([v, zero], axis=-1)),
+            "The direction of a translation is in omega. It belongs in v, and omega is 0.",
+            "The direction of the translation is in omega. It belongs in v, and omega is 0.",
+        )
+        yield (
+            "millimetres",
+            np.where(moments, 1000 * S, S),
+            "The moments v are in millimetres. Give them in metres.",
+            "The moment v is in millimetres. Give it in metres.",
+        )
+        if S.ndim > 1:
+            yield (
+                "reversed",
+                S[::-1],
+                "The screw axes are right, their order is reversed.",
+                "This row holds the screw axis that belongs as far from the other end of the list.",
+            )
+            for i in range(len(S) - 1):
+                order = np.arange(len(S))
+                order[[i, i + 1]] = i + 1, i
+                one, other = self.parts[i], self.parts[i + 1]
+                text = f"The rows of {one} and {other} are swapped."
+                yield (
+                    "rows swapped",
+                    S[order],
+                    text,
+                    f"This row holds the screw axis of the other one of {one} and {other}.",
+                )
+
+    def place(self, index: Sequence[Any]) -> str:
+        name = ENTRY_NAMES[int(index[-1])]
+        return f"{name} of {self.parts[int(index[0])]}" if len(index) > 1 else name
 
     def remedy(self, shape: tuple[int, ...]) -> str:
         if shape == (3,) and np.shape(self.value) == (6,):

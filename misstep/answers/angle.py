@@ -7,7 +7,6 @@ from typing import Any, ClassVar
 
 import numpy as np
 
-from misstep.answers.base import ROUNDING_TOLERANCE
 from misstep.answers.number import Numbers
 from misstep.validation import Array
 
@@ -53,12 +52,15 @@ class Angles(Numbers):
         return min(orders, key=self._difference)
 
     def _difference(self, angles: Array) -> tuple[int, float]:
-        error = np.abs(angles - self.value)
-        return int(np.count_nonzero(error > ROUNDING_TOLERANCE)), float((error * error).sum())
+        error = angles - self.value
+        return int(np.count_nonzero(~self.same_entries(angles, self.value))), float((error * error).sum())
 
     def _modulo_turns(self, angles: Array) -> Array:
         shifted: Array = self.value + np.remainder(angles - self.value + np.pi, 2 * np.pi) - np.pi
         return shifted
+
+    def place(self, index: Sequence[Any]) -> str:
+        return self.parts[int(index[0])]
 
     def part_indices(self) -> list[Any]:
         return [...] if self.value.ndim == 0 else list(range(len(self.value)))

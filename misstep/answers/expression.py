@@ -1,7 +1,7 @@
 """Formulas as answers: a formula is right if it has the same values as the right one, however it is written."""
 
-from collections.abc import Callable, Sequence
-from dataclasses import dataclass
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, replace
 from functools import cached_property
 from typing import Any
 
@@ -10,12 +10,15 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from misstep.answers.base import TOLERANCE, Answer, Unreadable
+from misstep.answers.number import TRANSPOSED_PART, Slip, entries_hint, place_of, scale_of, wrong_slips
 from misstep.display.text import number
 from misstep.formulas.evaluation import Formula, Reader, shaped
+from misstep.mistakes import Mistake
 from misstep.mutants.expression import Expression
+from misstep.validation import Array
 
 EXACT_TOLERANCE = 1e-12
-"""The tolerance for formulas without decimals, relative to their size if that is above 1: only the values were rounded."""
+"""The tolerance for formulas without decimals, relative to their values or their scale: only the values were rounded."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -59,15 +62,13 @@ class ClosedForm(Answer):
             raise Unreadable(f"Expected {self.expected}; got {type(given).__name__}.") from error
 
     def agrees(self, one: Any, other: Any, tolerance: float = TOLERANCE) -> list[bool]:
-        same = self._same(one, other, tolerance)
+        same = self.same_entries(one, other, tolerance)
         return [bool(same[piece].all()) for piece in self.part_indices()]
 
     def hint(self, given: Formula, part: int) -> str:
-        same = self._same(given, self.value, TOLERANCE)[self.part_indices()[part]]
+        same = self.same_entries(given, self.value)[self.part_indices()[part]]
         if same.ndim:
-            place = [int(index) + 1 for index in np.argwhere(~same)[0]]
-            where = f"row {place[0]}, column {place[1]}" if same.ndim > 1 else f"entry {place[0]}"
-            return f"{same.sum()} of the {same.size} entries are right. Look at {where}."
+            return entries_hint(same)
         point = ", ".join(f"{name} = {number(value)}" for name, value in self._reader.first_point.items())
         yours, right = given.values[0], self._right.values[0]
         return f"Try numbers: at {point} your formula gives {number(yours)}, and {number(right)} is right."
@@ -90,14 +91,46 @@ class ClosedForm(Answer):
             np.allclose(np.reshape(value, right.shape), right, rtol=TOLERANCE, atol=TOLERANCE)
         )
 
-    def _same(self, one: Any, other: Any, tolerance: float) -> NDArray[np.bool_]:
+    def same_entries(self, one: Any, other: Any, tolerance: float = TOLERANCE) -> NDArray[np.bool_]:
         """Return, for each entry, whether the values agree at all points."""
         first, second = (self._right if formula is self.value else self.read(formula) for formula in (one, other))
         a, b = first.values, second.values
         # With a wider tolerance than the usual one, the question is whether two formulas are roughly equal.
         allowed = tolerance if first.rounded or second.rounded or tolerance > TOLERANCE else EXACT_TOLERANCE
-        near = np.abs(a - b) <= allowed * np.maximum(1, np.maximum(np.abs(a), np.abs(b)))
+        near = np.abs(a - b) <= allowed * np.maximum(self._scales, np.maximum(np.abs(a), np.abs(b)))
         return np.asarray(near.all(axis=-1))
+
+    @cached_property
+    def _scales(self) -> Array:
+        """The scale of the values of each formula, which is that of all formulas in the same part, for each of the points."""
+        values = self._right.values
+        scales = np.ones((*values.shape[:-1], 1))
+        for piece in self.part_indices():
+            scales[piece] = scale_of(values[piece])
+        return scales
+
+    def slips(self) -> Iterator[Mistake]:
+        """Yield the right formulas with a wrong sign or at the wrong place."""
+        return wrong_slips(self, self._changes())
+
+    def _changes(self) -> Iterator[Slip]:
+        right = self._right
+        values, shape = right.values, self._shape
+        if len(shape) == 2 and shape[0] == shape[1]:
+            text = "Your answer is the transpose of the right one."
+            yield ("transposed", replace(right, values=values.swapaxes(0, 1)), text, TRANSPOSED_PART)
+        what = "formulas have" if shape else "formula has"
+        yield (
+            "all signs",
+            replace(right, values=-values),
+            f"Your {what} the wrong sign.",
+            f"Your {what} the wrong sign.",
+        )
+        for index in np.ndindex(shape) if shape else ():
+            signs = np.ones_like(values)
+            signs[index] = -1
+            text = f"Only one formula has the wrong sign: {place_of(index)}."
+            yield ("sign of one entry", replace(right, values=signs * values), text, text)
 
     @cached_property
     def _declared(self) -> list[sp.Symbol]:

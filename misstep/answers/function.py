@@ -1,6 +1,6 @@
 """Functions as answers: two functions agree if they give the same values at some random inputs."""
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from copy import deepcopy
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
@@ -10,7 +10,7 @@ import numpy as np
 
 from misstep import validation
 from misstep.answers.base import TOLERANCE, Answer, Unreadable
-from misstep.answers.number import Numbers
+from misstep.answers.number import Numbers, wrong_slips
 from misstep.mistakes import Mistake
 from misstep.mutants.expression import Expression
 from misstep.storage.deserialize import Outputs
@@ -100,10 +100,18 @@ class Function(Answer):
                 )
             return FunctionCalls(None, [self._output(value) for value in given.values])
         if not callable(given) or isinstance(given, type):
-            raise Unreadable(
-                f"Expected {self.expected}; got {validation.brief(given)}. Leave the brackets off: fk, not fk(q)."
-            )
+            raise Unreadable(f"Expected {self.expected}; got {validation.brief(given)}.{self._remedy(given)}")
         return FunctionCalls(given, [self._output(self._call(given, arguments)) for arguments in self.inputs])
+
+    def _remedy(self, given: Any) -> str:
+        """Return how to give the function instead of this, with a leading space; "" if that is not known."""
+        if isinstance(given, str):
+            return " Give the function itself, without quotes."
+        try:
+            self.output.read(given)
+        except Exception:  # reading a student's object may raise any error
+            return ""
+        return " This is what one call gives. Leave the brackets off: fk, not fk(q)."
 
     def _call(self, function: Callable[..., Any], arguments: Sequence[Any]) -> Any:
         try:
@@ -133,6 +141,31 @@ class Function(Answer):
         return np.shape(value) == np.shape(given.outputs[0]) and all(
             self.output.agrees(given.outputs[0], np.asarray(value))
         )
+
+    def is_rounded(self, given: FunctionCalls, part: int) -> bool:
+        """Return whether every wrong output is the right one, rounded to two or more significant digits."""
+        wrong = [
+            (replace(self.output, value=right), mine)
+            for mine, right in zip(given.outputs, self._right.outputs, strict=True)
+            if not all(self.output.agrees(mine, right))
+        ]
+        return bool(wrong) and all(
+            fine or output.is_rounded(mine, k)
+            for output, mine in wrong
+            for k, fine in enumerate(output.agrees(mine, output.value))
+        )
+
+    def slips(self) -> Iterator[Mistake]:
+        """Yield functions whose every output has one of the slips of a whole array."""
+
+        def slips_at(*arguments: Any) -> list[Mistake]:
+            output = replace(self.output, value=self._call(self.value, arguments))
+            return [Mistake(name, value, "") for name, value, _, _ in output.whole_slips()]
+
+        functions = function_mistakes(slips_at, *self.inputs[0])
+        for wrong, (_, _, text, _) in zip(functions, self.output.whole_slips(), strict=True):
+            said = f"At every input that was tried: {text[0].lower()}{text[1:]}"
+            yield from wrong_slips(self, [(wrong.name, wrong.value, said, said)])
 
     def hint(self, given: FunctionCalls, part: int) -> str:
         right = self._right.outputs

@@ -1,30 +1,62 @@
 """Numbers and arrays of numbers as answers."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterable, Iterator, Sequence
+from dataclasses import dataclass, field
+from functools import cached_property
+from itertools import combinations
+from math import floor, log10
 from typing import Any, ClassVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from misstep import validation
 from misstep.answers.base import MAX_NUMBER, TOLERANCE, Answer, Unreadable
+from misstep.mistakes import Mistake
 from misstep.validation import Array
+
+ROUND_OFF = 1e-12
+"""Smaller absolute values are zeros with an error of the computer's arithmetic."""
+
+LENGTH = 1
+"""The kind of lengths in an answer whose other numbers have none."""
+
+PURE = 0
+"""The kind of numbers of size 1: directions, entries of a rotation, angles beside lengths."""
+
+Slip = tuple[str, Any, str, str]
+"""A mistake that people make by hand: its name, the wrong answer, and what is true of such an answer and of a part of it."""
+
+SMALLER_UNITS = {
+    "m": (1000, "millimetres", "metres"),
+    "metres": (1000, "millimetres", "metres"),
+    "mm": (1e-3, "metres", "millimetres"),
+    "rad": (180 / np.pi, "degrees", "radians"),
+    "radians": (180 / np.pi, "degrees", "radians"),
+}
+"""For each unit: by how much a number grows in the unit that is mistaken for it, and the names of both."""
 
 
 @dataclass(frozen=True, eq=False)
 class Numbers(Answer):
     """An array of real numbers of a given shape.
 
-    unit  the unit of all numbers, for feedback
+    unit   the unit of all numbers, for feedback
+    scale  a size that matters, as one number or one for each entry; by default `scale_of` the numbers of the same kind
 
-    The array is one part, unless a subclass overrides `parts` and `part_indices`.
+    A number may be off by a thousandth of itself, or of its scale: three digits of the largest number of its kind are enough,
+    0 is right for 1e-17, and wrong for 3e-7. The array is one part, unless a subclass overrides `parts` and `part_indices`.
 
     >>> Numbers(np.array([1.0, 2.0]), unit="m").read([1, 2])
     array([1., 2.])
+    >>> small = Numbers(np.array(3e-7))
+    >>> small.agrees(np.array(0.0), small.value), small.agrees(np.array(3e-7), small.value)
+    ([False], [True])
     """
 
     value: Array
     unit: str = ""
+    scale: Any = field(default=None, kw_only=True)
     noun: ClassVar[str] = "an array"
 
     @property
@@ -38,6 +70,8 @@ class Numbers(Answer):
         return ["the answer"]
 
     def read(self, given: Any) -> Array:
+        if isinstance(given, validation.FUNCTIONS):
+            raise Unreadable(f"Expected {self.expected}; got {validation.brief(given)}. Give its value, as in f(x).")
         expected_shape = np.shape(self.value)
         try:
             shape = np.shape(given)
@@ -59,9 +93,13 @@ class Numbers(Answer):
         return values
 
     def agrees(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> list[bool]:
-        allowed = tolerance * np.maximum(1.0, np.maximum(np.abs(one), np.abs(other)))
-        same = np.abs(one - other) <= allowed
-        return [bool(np.all(same[piece])) for piece in self.part_indices()]
+        same = self.same_entries(one, other, tolerance)
+        return [bool(same[piece].all()) for piece in self.part_indices()]
+
+    def same_entries(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> NDArray[np.bool_]:
+        """Return, for each entry, whether two arrays have the same number there."""
+        size = np.maximum(self._scales, np.maximum(np.abs(one), np.abs(other)))
+        return np.asarray(np.abs(one - other) <= tolerance * size)
 
     def part_indices(self) -> list[Any]:
         """Return, for each part, the index of its entries in the array."""
@@ -71,14 +109,212 @@ class Numbers(Answer):
         entries = np.abs(given[self.part_indices()[part]])
         return bool(np.count_nonzero(np.minimum(entries, np.abs(entries - 1)) > TOLERANCE) >= 2)
 
+    def kinds(self) -> NDArray[np.int_]:
+        """Return a label for each entry: numbers with the same label can be compared in size, and PURE ones have the scale 1."""
+        return np.ones(np.shape(self.value), dtype=int)
+
+    @cached_property
+    def _scales(self) -> Array:
+        value = np.asarray(self.value, dtype=float)
+        scales = np.ones(value.shape)
+        if self.scale is not None:
+            return scales * self.scale
+        kinds = self.kinds()
+        for kind in set(kinds.ravel().tolist()) - {PURE}:
+            scales[kinds == kind] = scale_of(value[kinds == kind])
+        return scales
+
+    def is_rounded(self, given: Array, part: int) -> bool:
+        """Return whether a wrong part is the right one, rounded to two or more significant digits."""
+        piece = self.part_indices()[part]
+        mine, right, kinds = (
+            np.atleast_1d(array[piece]) for array in (given, np.asarray(self.value, dtype=float), self.kinds())
+        )
+        groups = [(mine[kinds == kind], right[kinds == kind]) for kind in set(kinds.ravel().tolist())]
+        changed = [group for group in groups if not _equal(*group).all()]
+        return bool(changed) and all(looks_rounded(*group) for group in changed)
+
+    def hint(self, given: Array, part: int) -> str:
+        piece = self.part_indices()[part]
+        same = self.same_entries(given, self.value)[piece]
+        return entries_hint(same) if is_nearly_all(same) else ""
+
     def remedy(self, shape: tuple[int, ...]) -> str:
         """Return a sentence on how to repair an answer of this wrong shape, with a leading space; "" if there is none."""
         expected = np.shape(self.value)
+        if not expected:
+            return " Give the number alone, without brackets." if np.prod(shape) == 1 else ""
         if len(shape) == 2 and shape[::-1] == expected:
             return " Rows and columns are swapped: try .T."
         if np.prod(shape) == np.prod(expected):
             return f" The count of numbers is right, the arrangement is not: try np.reshape(..., {expected})."
         return ""
+
+    def slips(self) -> Iterator[Mistake]:
+        """Yield the right answer with the changes that people make by hand; what is said of each is true of the answer itself."""
+        return wrong_slips(self, [*self.whole_slips(), *self.entry_slips()])
+
+    def whole_slips(self) -> Iterator[Slip]:
+        """Yield the slips in the whole array; for every value of the same shape the same ones in the same order."""
+        X = np.asarray(self.value, dtype=float)
+        if X.ndim == 2:
+            if X.shape[0] == X.shape[1]:
+                yield ("transposed", X.T, "Your answer is the transpose of the right one.", TRANSPOSED_PART)
+            yield from _neighbours_swapped(X)
+        sign = "the wrong sign" if X.ndim == 0 else "all its signs wrong"
+        yield (
+            "all signs",
+            -X,
+            f"Your answer has the right size and {sign}.",
+            "The sizes are right, and all signs are wrong.",
+        )
+        if self.unit in SMALLER_UNITS:
+            factor, wrong, right = SMALLER_UNITS[self.unit]
+            text = f"This is the right answer in {wrong}. Give it in {right}."
+            yield (wrong, X * factor, text, text)
+
+    def entry_slips(self) -> Iterator[Slip]:
+        """Yield the slips in one entry or two of a part."""
+        X = np.asarray(self.value, dtype=float)
+        if X.ndim == 0:
+            return
+        places = np.arange(X.size).reshape(X.shape)
+        for entry in places[np.abs(X) > ROUND_OFF]:
+            signs = np.where(places == entry, -1.0, 1.0)
+            text = f"Only one sign is wrong: {self.place(np.unravel_index(entry, X.shape))}."
+            yield ("sign of one entry", X * signs, text, text)
+        for piece in self.part_indices():
+            for one, other in combinations(np.ravel(places[piece]), 2):
+                order = places.copy()
+                order.flat[[one, other]] = other, one
+                where = " and ".join(self.place(np.unravel_index(entry, X.shape)) for entry in (one, other))
+                yield (
+                    "two entries swapped",
+                    X.ravel()[order],
+                    f"Two entries are swapped: {where}.",
+                    f"Two entries are swapped: {where}.",
+                )
+
+    def place(self, index: Sequence[Any]) -> str:
+        """Name the place of an entry of the whole array."""
+        return place_of(index)
+
+
+TRANSPOSED_PART = "These are the numbers that the transpose of the right answer has here."
+
+
+def scale_of(values: Array) -> float:
+    """Return the scale of numbers of one kind: the power of ten above the largest of them, and at most 1.
+
+    A thousandth of it is one unit in the third digit of the largest number. Three decimals are always enough, so it is at most 1;
+    and it is 1 if all numbers are zero.
+
+    >>> scale_of(np.array([0.32, 0.0])), scale_of(np.array(0.032)), scale_of(np.array([7.0, 90.0])), scale_of(np.array(1e-17))
+    (1.0, 0.1, 1.0, 1.0)
+    """
+    largest = float(np.abs(values).max(initial=0.0))
+    return 10.0 ** (floor(log10(largest)) + 1) if ROUND_OFF < largest < 1 else 1.0
+
+
+def looks_rounded(given: Array, right: Array) -> bool:
+    """Return whether numbers of one kind are the right ones, rounded to two or more significant digits.
+
+    Each number must equal the right one, or the right one rounded to two or more digits; and at least one of them must be
+    rounded. A number with fewer digits, such as 0, counts as rounded only beside such a number, if it is rounded to the same
+    decimal.
+
+    >>> looks_rounded(np.array([0.71, 0.0]), np.array([0.7071, 0.0032]))
+    True
+    >>> looks_rounded(np.array([0.7071, 0.0]), np.array([0.7071, 0.0203]))  # a length is missing
+    False
+    >>> looks_rounded(np.array(0.7), np.array(0.7071)), looks_rounded(np.array(0.72), np.array(0.7071))
+    (False, False)
+    """
+    mine, exact = np.ravel(given), np.ravel(right)
+    changed = ~_equal(mine, exact)
+    units = [_rounding_unit(g, r) for g, r in zip(mine[changed], exact[changed], strict=True)]
+    coarsest = max(filter(None, units), default=None)
+    if coarsest is None:
+        return False
+    return all(
+        unit or _is_rounded_to(g, r, coarsest) for unit, g, r in zip(units, mine[changed], exact[changed], strict=True)
+    )
+
+
+def entries_hint(same: NDArray[np.bool_], names: Sequence[str] | None = None) -> str:
+    """Return how many entries are right, and where others are wrong; "" if all or none is right.
+
+    names  the names of the entries of a vector
+
+    >>> entries_hint(np.array([True, False, True])), entries_hint(np.array([True, False, False]), names="xyz")
+    ('2 of the 3 entries are right. Look at entry 2.', '1 of the 3 entries is right. Look at y and z.')
+    """
+    right = int(np.count_nonzero(same))
+    if right in (0, same.size):
+        return ""
+    wrong = [names[index[0]] if names else place_of(index) for index in np.argwhere(~same)]
+    where = " and ".join(wrong) if len(wrong) < 3 else f"{wrong[0]} first"
+    return f"{right} of the {same.size} entries {'is' if right == 1 else 'are'} right. Look at {where}."
+
+
+def is_nearly_all(same: NDArray[np.bool_]) -> bool:
+    """Return whether so few entries are wrong that their places help: one, or at most a third.
+
+    >>> is_nearly_all(np.array([True, False])), is_nearly_all(np.array([True, True, True, False, False]))
+    (True, False)
+    """
+    return bool(np.count_nonzero(~same) <= max(1, same.size // 3))
+
+
+def place_of(index: Sequence[Any]) -> str:
+    """Name the place of an entry, counted from 1.
+
+    >>> place_of([1]), place_of([0, 1]), place_of([0, 1, 2])
+    ('entry 2', 'row 1, column 2', 'entry (1, 2, 3)')
+    """
+    counted = [int(i) + 1 for i in index]
+    if len(counted) == 2:
+        return f"row {counted[0]}, column {counted[1]}"
+    return f"entry {counted[0]}" if len(counted) == 1 else f"entry {tuple(counted)}"
+
+
+def wrong_slips(answer: Answer, slips: Iterable[Slip]) -> Iterator[Mistake]:
+    """Yield the slips that lead to a wrong answer, each with its answer as it is read."""
+    for name, given, text, part_text in slips:
+        value = answer.read(given)
+        if not all(answer.agrees(value, answer.value)):
+            yield Mistake(name, value, text, part_text)
+
+
+def _neighbours_swapped(X: Array) -> Iterator[Slip]:
+    for axis, name in enumerate(("row", "column")):
+        for i in range(X.shape[axis] - 1):
+            order = np.arange(X.shape[axis])
+            order[[i, i + 1]] = i + 1, i
+            yield (
+                f"{name}s swapped",
+                np.take(X, order, axis=axis),
+                f"{name.capitalize()}s {i + 1} and {i + 2} are swapped.",
+                f"These are the right numbers after {name}s {i + 1} and {i + 2} are swapped.",
+            )
+
+
+def _equal(one: Array, other: Array) -> NDArray[np.bool_]:
+    return np.asarray(np.abs(one - other) <= 1e-9 * np.abs(other) + ROUND_OFF)
+
+
+def _rounding_unit(given: float, right: float) -> float | None:
+    """Return the decimal to which a number was rounded, 0.01 for 0.71 and 0.7071; None if fewer than two digits are left."""
+    if abs(right) <= ROUND_OFF:
+        return None
+    first = floor(log10(abs(right)))
+    units = (10.0 ** (first + 1 - digits) for digits in range(2, 9))
+    return next((unit for unit in units if _is_rounded_to(given, right, unit)), None)
+
+
+def _is_rounded_to(given: float, right: float, unit: float) -> bool:
+    counted = given / unit
+    return bool(abs(given - right) <= 0.5 * unit * (1 + 1e-6) and abs(counted - round(counted)) < 1e-6)
 
 
 def _kind(given: Any) -> str:

@@ -1,11 +1,13 @@
 """Orders as answers: names in a sequence, each used once."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from misstep import validation
 from misstep.answers.base import TOLERANCE, Answer, Unreadable
+from misstep.answers.number import wrong_slips
+from misstep.mistakes import Mistake
 
 
 @dataclass(frozen=True, eq=False)
@@ -41,3 +43,21 @@ class Ordering(Answer):
 
     def agrees(self, one: Sequence[str], other: Sequence[str], tolerance: float = TOLERANCE) -> list[bool]:
         return [list(one) == list(other)]
+
+    def slips(self) -> Iterator[Mistake]:
+        """Yield the right order with the changes that people make by hand."""
+        right = list(self.value)
+        changes = [
+            ("reversed", right[::-1], "Your order is the right one, reversed."),
+            ("first moved last", [*right[1:], *right[:1]], f"Only {right[0]} is in the wrong place: at the end."),
+            (
+                "last moved first",
+                [*right[-1:], *right[:-1]],
+                f"Only {right[-1]} is in the wrong place: at the beginning.",
+            ),
+        ]
+        for i in range(len(right) - 1):
+            one, other = right[i : i + 2]
+            swapped = [*right[:i], other, one, *right[i + 2 :]]
+            changes.append(("neighbours swapped", swapped, f"Only {one} and {other} are swapped."))
+        return wrong_slips(self, ((name, value, text, text) for name, value, text in changes))

@@ -1,0 +1,42 @@
+"""Numbers of which several arrays are the same answer, such as a quaternion and its negative."""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass, field
+
+import numpy as np
+
+from misstep.answers.base import TOLERANCE
+from misstep.answers.number import Numbers, scale_of
+from misstep.mistakes import Mistake
+from misstep.validation import Array
+
+
+@dataclass(frozen=True, eq=False)
+class Equivalent(Numbers):
+    """An array of numbers that is compared by its meaning, in one part: all arrays with the same meaning are the same answer.
+
+    meaning  the function from an answer to an array of any shape that is equal for equal answers, and only for these
+    scale    the size that matters in the meaning; by default `scale_of` its numbers
+
+    >>> right = np.array([0.8, 0.6, 0.0, 0.0])  # a quaternion; its negative is the same rotation
+    >>> answer = Equivalent(right, meaning=lambda q: np.outer(q, q))
+    >>> answer.agrees(-right, right), answer.agrees(right[[1, 0, 2, 3]], right)
+    ([True], [False])
+    """
+
+    meaning: Callable[[Array], Array] = field(kw_only=True)
+
+    def agrees(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> list[bool]:
+        mine, yours, right = (self.meaning(np.asarray(x, dtype=float)) for x in (one, other, self.value))
+        size = scale_of(right) if self.scale is None else self.scale
+        return [
+            bool((np.abs(mine - yours) <= tolerance * np.maximum(size, np.maximum(np.abs(mine), np.abs(yours)))).all())
+        ]
+
+    def hint(self, given: Array, part: int) -> str:
+        """Return "": an entry that differs from ours is not wrong for that."""
+        return ""
+
+    def slips(self) -> Iterator[Mistake]:
+        """Yield nothing: what is said of the entries of one array is not true of another one with the same meaning."""
+        return iter(())
