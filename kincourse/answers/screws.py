@@ -128,3 +128,15 @@ class ScrewsAnswer(Numbers):
 
     def part_indices(self) -> list[Any]:
         return [...] if self.value.ndim == 1 else list(range(len(self.value)))
+
+
+@dataclass(frozen=True, eq=False)
+class TwistAnswer(ScrewsAnswer):
+    """One twist (omega, v), shape (6,), such as a logarithm, in one part.
+
+    >>> TwistAnswer(np.ones(6)).expected
+    'a twist (omega, v), an array of shape (6,)'
+    """
+
+    names: Sequence[str] = ("the twist",)
+    noun: ClassVar[str] = "a twist (omega, v), an array"

@@ -5,6 +5,7 @@ import numpy as np
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kincourse.sampling.four_bar_geometry import FourBar, slider_position
+from misstep.answers.angle import Angles
 from misstep.answers.number import Numbers
 from misstep.mistakes import mistake
 from misstep.problem import Problem
@@ -55,7 +56,7 @@ def rocker(_draw: ArmSampler) -> Problem:
     return Problem(
         statement="The crank of the lecture's four-bar stands at 90 degrees. What is the rocker's angle $D$, in radians, in the mode "
         "that has C above?",
-        answer=Numbers(np.array(above[2]), unit="rad"),
+        answer=Angles(np.array(above[2])),
         mistakes=[
             mistake(
                 "other mode", below[2], "This is the other mode, with C below. Both close the loop; look at where C is."

@@ -6,6 +6,7 @@ from functools import partial
 
 import numpy as np
 
+from kincourse.answers.screws import TwistAnswer
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kincourse.sampling.four_bar_geometry import FourBar, slider_position
@@ -70,7 +71,7 @@ def gap(sampler: ArmSampler) -> Problem:
         "back over B and A. What twist is left over, $r = \\log(e^{[S_D]D}\\, e^{[S_C]C}\\, G\\, e^{-[S_B]B}\\, e^{-[S_A]A})$?",
         figure=partial(draw_linkage, linkage, np.radians(degrees)),
         given={"S": S, "G": G, "degrees": dict(zip("ABDC", degrees.tolist(), strict=True))},
-        answer=Numbers(r),
+        answer=TwistAnswer(r),
         mistakes=[
             mistake(
                 "not inverted",
@@ -92,6 +93,18 @@ def gap(sampler: ArmSampler) -> Problem:
                 "the other way round",
                 -r,
                 "You walked the other way: over A and B, and back over C and D. All signs turn.",
+            ),
+            mistake(
+                "seen from the coupler",
+                log(inverse(A @ B) @ D @ C @ G),
+                "This is $\\log(T_2^{-1}\\, T_1)$, as in equation (2) of the lecture: the same gap in coordinates of the coupler. "
+                "The formula here begins on the ground, with $D$, so its twist is in coordinates of the ground.",
+            ),
+            mistake(
+                "seen from the coupler, and negated",
+                log(inverse(D @ C @ G) @ A @ B),
+                "This is $\\log(T_1^{-1}\\, T_2)$: the gap in coordinates of the coupler, and in the other direction. "
+                "The formula here is $\\log(T_1\\, T_2^{-1})$, with $T_1 = e^{[S_D]D} e^{[S_C]C} G$.",
             ),
             mistake(
                 "degrees",
@@ -121,6 +134,12 @@ def both_modes(sampler: ArmSampler) -> Problem:
                 "mirrored in the ground",
                 [left[2], -left[2]],
                 "One is right. You mirrored it in the ground line, but B does not move: the mirror is the line from B to D.",
+            ),
+            mistake(
+                "mirror image",
+                -D,
+                "These are the right angles with the other sign: those of the mirror image in the ground line, whose crank points "
+                "below the $x$ axis. Here angles are positive anticlockwise, and the crank points above it.",
             ),
             mistake(
                 "inner angles",
@@ -171,6 +190,12 @@ def coupler_point(sampler: ArmSampler) -> Problem:
         mistakes=[
             mistake(
                 "other mode", carried(other[0] + other[1]), "This is P in the other assembly mode, with C to the right."
+            ),
+            mistake(
+                "mirror image",
+                carried(angle) * (1, -1),
+                "This is the mirror image of P in the ground line. Here the crank's angle is positive anticlockwise, so B is above "
+                "the $x$ axis, and C is to the left of the arrow from B to D.",
             ),
             mistake(
                 "relative angle",
@@ -225,7 +250,8 @@ def slider(sampler: ArmSampler) -> Problem:
             mistake(
                 "sign of the offset",
                 slider_position(crank, rod, -offset, A),
-                f"The slide runs {side} A; you took the other side.",
+                f"This is right for the mirror image, with the slide on the other side of A or the crank turned clockwise. Here the "
+                f"slide runs {side} A, and the crank's angle is positive anticlockwise.",
             ),
             mistake(
                 "flat rod",
@@ -336,12 +362,17 @@ def dead_point(sampler: ArmSampler) -> Problem:
     A = four_bar.dead_point()
     return Problem(
         statement=f"{describe_lengths(four_bar)} Its crank cannot turn right round. What is the greatest angle $A$ "
-        "from the $x$ axis, in radians, at which "
-        "the loop still closes?",
+        "from the $x$ axis, between $-\\pi$ and $\\pi$ and in radians, at which the loop still closes?",
         figure=partial(draw_linkage, linkages.four_bar(*four_bar), four_bar.assembly_modes(0.6 * A)[0]),
         given={"bars": tuple(four_bar)},
         answer=Angles(np.array(A)),
         mistakes=[
+            mistake(
+                "least angle",
+                -A,
+                "This is the dead point with the crank below the ground line, the mirror image of the other one. Between $-\\pi$ "
+                "and $\\pi$ it is the least angle, not the greatest.",
+            ),
             mistake(
                 "supplement",
                 np.pi - A,
@@ -403,6 +434,16 @@ def counting(sampler: ArmSampler) -> Problem:
             f"You took $d = {9 - d}$. A body that moves {place} has {d} freedoms when it is free.",
         ),
         mistake("no loops", sum(f), "You added up the freedoms of the joints. Each loop takes $d$ of them away."),
+        mistake(
+            "freedoms taken away",
+            d * (N - 1) - sum(f),
+            f"This is $d\\,(N - 1)$ less the freedoms of the joints. A joint with $f$ freedoms takes $d - f$ away, not $f$: $d = {d}$.",
+        ),
+        mistake(
+            "no freedoms of joints",
+            d * (N - 1 - J),
+            "This is $d\\,(N - 1 - J)$. The freedoms of the joints, $\\sum f$, are still to be added.",
+        ),
     ]
     if d == 6:
         mistakes.append(
@@ -412,6 +453,14 @@ def counting(sampler: ArmSampler) -> Problem:
                 "You gave every joint one freedom. A universal joint has two, a ball joint three.",
             )
         )
+        joints: dict[int, list[str]] = {}
+        for name, freedoms in (("universal", 2), ("ball", 3)):
+            if f.count(freedoms):
+                joints.setdefault(f.count(freedoms), []).append(f"{name} joint, which has {freedoms} freedoms")
+        mistakes += [
+            mistake(f"{count} too low", right - count, f"You are one too low for each {', or for each '.join(names)}.")
+            for count, names in joints.items()
+        ]
     return Problem(
         statement=f"A platform moves {place}. It stands on {len(legs)} legs, {' and '.join(counts)}, each named from the ground to the "
         f"platform, with a body of its own between every two joints. {JOINT_FREEDOMS_NOTE} How many freedoms does Kutzbach's formula give?",

@@ -2,7 +2,8 @@
 
 import numpy as np
 
-from kincourse.answers.pose import PoseAnswer
+from kincourse.answers.point import VectorsAnswer
+from kincourse.answers.pose import PoseAnswer, RotationAnswer
 from kincourse.answers.screws import ScrewsAnswer
 from kincourse.mistakes.space_form import screw_mistakes
 from kincourse.problem import problem
@@ -10,7 +11,6 @@ from kincourse.sampling.arms import ArmSampler
 from kinlib.chains.robots import X, Y, Z, pose
 from kinlib.rigid.rpy import origin
 from kinlib.rigid.screw import screw
-from misstep.answers.number import Numbers
 from misstep.mistakes import mistake
 from misstep.problem import Problem
 
@@ -21,7 +21,7 @@ RIGHT_ANGLE_RAD = np.pi / 2
 def place_of_tilt(_draw: ArmSampler) -> Problem:
     return Problem(
         statement="Where does the lamp's joint `tilt` stand in {s}, at home?",
-        answer=Numbers(np.array([0.0, 0.0, 0.8]), unit="m"),
+        answer=VectorsAnswer(np.array([0.0, 0.0, 0.8]), unit="m"),
         mistakes=[
             mistake(
                 "read in the base",
@@ -110,7 +110,7 @@ def rotation_of_rpy(_draw: ArmSampler) -> Problem:
     own = (origin(rpy=(0, RIGHT_ANGLE_RAD, 0)) @ origin(rpy=(0, 0, RIGHT_ANGLE_RAD)))[:3, :3].round()
     return Problem(
         statement='Write `rpy="0 1.5708 1.5708"` as a rotation, (3, 3).',
-        answer=Numbers(right),
+        answer=RotationAnswer(right),
         mistakes=[
             mistake(
                 "about its own axes",

@@ -5,7 +5,8 @@ from typing import Any
 
 import numpy as np
 
-from kincourse.answers.pose import PoseAnswer
+from kincourse.answers.point import VectorsAnswer
+from kincourse.answers.pose import OriginAnswer, PoseAnswer
 from kincourse.answers.screws import ScrewsAnswer
 from kincourse.mistakes.space_form import screw_mistakes
 from kincourse.problem import problem
@@ -61,6 +62,11 @@ def pose_of_a_joint(sampler: ArmSampler) -> Problem:
                 "You took the angles for degrees. URDF writes radians: 1.5708 is a right angle.",
             ),
             mistake(
+                "no shift",
+                homogeneous(right[:3, :3], 0 * xyz),
+                "The position is left at 0. `xyz` is the position of the joint in the parent's frame: the last column, as it is.",
+            ),
+            mistake(
                 "turned before it was shifted",
                 homogeneous(right[:3, :3], right[:3, :3] @ xyz),
                 "You turned the shift as well. `xyz` is already read in the parent's frame: it is the last column as it stands.",
@@ -80,7 +86,7 @@ def way_it_points(sampler: ArmSampler) -> Problem:
         statement=f"A joint of a URDF says\n\n{fence_urdf(element)}\n\nWhich way does its axis point in the frame of the parent link? "
         f"Give three numbers. {ROUNDING_NOTE}",
         given={"rpy": rpy, "axis": axis},
-        answer=Numbers(R @ axis),
+        answer=VectorsAnswer(R @ axis),
         mistakes=[
             mistake(
                 "read in the parent",
@@ -130,7 +136,7 @@ def joint_deep_in_the_file(sampler: ArmSampler) -> Problem:
         statement="Where does `joint_3` of this file stand in the frame of the base, when all joints are at 0? "
         f"{ROUNDING_NOTE}\n\n{fence_urdf(text)}",
         given={"urdf": text},
-        answer=Numbers(at[2][:3, 3], unit="m"),
+        answer=VectorsAnswer(at[2][:3, 3], unit="m"),
         mistakes=[
             mistake(
                 "read in the base",
@@ -188,6 +194,22 @@ def screw_from_a_file(sampler: ArmSampler) -> Problem:
                 screw(at[1][:3, :3] @ axis, point),
                 "You read the axis in the frame of the parent. The joint's own `rpy` turns it too: the axis stands in the joint's "
                 "own frame.",
+            ),
+            mistake(
+                "in its own frame",
+                screw(axis, 0 * point),
+                "This is the screw axis in the frame of `joint_3`, where the axis is as written and passes through the origin. In the "
+                "frame of the base it has another direction, and another moment.",
+            ),
+            mistake(
+                "axis of joint 2",
+                screw(at[1][:3, 2], at[1][:3, 3]),
+                "This is the screw axis of `joint_2`. The question is about `joint_3`, the last joint of the file.",
+            ),
+            mistake(
+                "axis of joint 1",
+                screw(at[0][:3, 2], at[0][:3, 3]),
+                "This is the screw axis of `joint_1`. The question is about `joint_3`, the last joint of the file.",
             ),
             mistake(
                 "point read in the base",
@@ -400,7 +422,7 @@ def from_a_dh_row(sampler: ArmSampler) -> Problem:
         '$\\theta_i = q_i$. Write it as a joint of a URDF with `<axis xyz="0 0 1"/>`. Which `xyz` and which `rpy` does its `origin` '
         "hold, for the same frames? Give two rows, metres and radians.",
         given={"a": a, "alpha": alpha, "d": d},
-        answer=Numbers(right),
+        answer=OriginAnswer(right),
         mistakes=[
             wrong(
                 "d along the old z",

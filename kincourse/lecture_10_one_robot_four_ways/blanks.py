@@ -2,13 +2,13 @@
 
 import numpy as np
 
+from kincourse.answers.point import VectorsAnswer
 from kincourse.answers.screws import ScrewsAnswer
 from kincourse.mistakes.space_form import negate_moment, swap_halves
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kinlib.chains.robots import rpr
 from kinlib.rigid.lie import adjoint, inverse
-from misstep.answers.number import Numbers
 from misstep.mistakes import mistake
 from misstep.problem import Problem
 
@@ -50,7 +50,7 @@ def origin_of_joint_3(_draw: ArmSampler) -> Problem:
     step = JOINTS[2] - JOINTS[1]
     return Problem(
         statement="With all frames parallel to {s}, give the `xyz` of joint 3.",
-        answer=Numbers(step, unit="m"),
+        answer=VectorsAnswer(step, unit="m"),
         mistakes=[
             mistake(
                 "from the base",
@@ -73,7 +73,7 @@ def origin_of_tool(_draw: ArmSampler) -> Problem:
     step = TOOL - JOINTS[2]
     return Problem(
         statement="With the frame of joint 3 parallel to {s}, give the `xyz` of the fixed joint to the tool.",
-        answer=Numbers(step, unit="m"),
+        answer=VectorsAnswer(step, unit="m"),
         mistakes=[
             mistake(
                 "from the base",

@@ -5,6 +5,7 @@ from functools import partial
 import numpy as np
 import sympy as sp
 
+from kincourse.answers.point import VectorsAnswer
 from kincourse.answers.pose import PoseAnswer
 from kincourse.answers.screws import ScrewsAnswer
 from kincourse.mistakes.dh import other_convention
@@ -70,6 +71,12 @@ def from_a_table(sampler: ArmSampler) -> Problem:
                 "axis of frame 3",
                 screw(last[:3, 2], last[:3, 3]),
                 "You took $z_3$ and $O_3$. In the standard convention joint $i$ turns about $z_{i-1}$: joint 3 about $z_2$.",
+            ),
+            mistake("axis of joint 1", screws[0], "This is $z_0$, the axis of joint 1. Joint 3 turns about $z_2$."),
+            mistake(
+                "body screw",
+                adjoint(inverse(last)) @ S,
+                "This is $B_3$, the screw axis of joint 3 in frame 3. In {s} it is $S_3 = \\mathrm{Ad}_M B_3$.",
             ),
             mistake("axis of joint 2", screws[1], "This is $z_1$, the axis of joint 2. Joint 3 turns about $z_2$."),
             mistake(
@@ -177,7 +184,7 @@ def joint_origin(sampler: ArmSampler) -> Problem:
         f"`rpy` = ${vector(degrees)}$ degrees. At home joint 2 stands at ${vector(there)}$ in {{s}}. "
         "Give the `xyz` that joint 2 has in the file, in metres.",
         given={"xyz_1": here, "rpy_1_in_degrees": np.array(degrees, dtype=float), "place_2": there},
-        answer=Numbers(step, unit="m"),
+        answer=VectorsAnswer(step, unit="m"),
         mistakes=[
             mistake(
                 "from the base", there, "This is where joint 2 stands in {s}. A file writes it as seen from joint 1."

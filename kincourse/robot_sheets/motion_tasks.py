@@ -4,6 +4,7 @@ from functools import partial
 
 import numpy as np
 
+from kincourse.answers.point import VectorsAnswer
 from kincourse.answers.pose import PoseAnswer
 from kincourse.mistakes.body_form import body_product_mistakes
 from kincourse.mistakes.space_form import product, product_mistakes
@@ -21,7 +22,6 @@ from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import inverse
 from kinlib.view import draw_arm, draw_frames
 from misstep.answers.choice import Choice
-from misstep.answers.number import Numbers
 from misstep.display.text import matrix, number, vector
 from misstep.mistakes import Mistake, mistake
 from misstep.problem import Problem
@@ -154,7 +154,7 @@ def point_of_the_tool(robot: Chain, sampler: ArmSampler) -> Problem:
         f"Where does {{s}} see the tip?\n\n$$S = {matrix(arm.screws)}$$\n\n$$M = {matrix(M)}$$",
         figure=partial(draw_arm, arm),
         given={"screws": arm.screws, "home": M, "values": at.typed, "tip": tip},
-        answer=Numbers(position_of(T), unit="m"),
+        answer=VectorsAnswer(position_of(T), unit="m"),
         mistakes=[
             mistake("at home", position_of(M), "This is where the tip is at home. The joints have moved since."),
             mistake(

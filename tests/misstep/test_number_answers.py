@@ -1,0 +1,297 @@
+"""Numbers as answers: how near is near enough, what looks rounded, what a hint says, and slips that are made by hand."""
+
+from functools import partial
+from itertools import pairwise
+
+import numpy as np
+import pytest
+from hypothesis import given
+from hypothesis import strategies as st
+
+from misstep.answers.angle import Angles
+from misstep.answers.base import Unreadable
+from misstep.answers.equivalent import Equivalent
+from misstep.answers.function import Function
+from misstep.answers.number import Numbers, entries_hint, looks_rounded
+from misstep.answers.order import Ordering
+
+
+def is_right(right, given, **more):
+    answer = Numbers(np.array(right, dtype=float), **more)
+    return all(answer.agrees(answer.read(given), answer.value))
+
+
+# --- near enough ---
+
+
+@pytest.mark.parametrize(
+    ("right", "near", "far"),
+    [
+        (3e-7, 3.0009e-7, 0.0),
+        (3e-7, 2.9992e-7, 3.02e-7),
+        (1e-17, 0.0, 2e-3),
+        (0.0512, 0.05128, 0.051),
+        (0.3234, 0.323, 0.322),
+        ([0.5, 3e-7], [0.5, -0.0008], [0.5, 0.0012]),
+        ([0.05, 3e-7], [0.05, 9e-5], [0.05, 2e-4]),
+        ([12.0, 0.5], [12.011, 0.5009], [12.0, 0.5012]),
+    ],
+)
+def test_a_number_is_compared_on_the_scale_of_the_numbers_of_its_kind(right, near, far):
+    assert is_right(right, near)
+    assert not is_right(right, far)
+
+
+def test_the_scale_may_be_given_for_all_numbers_or_for_each():
+    assert is_right([3e-7, 0.5], [3e-7, 0.5], scale=[1e-6, 1])
+    assert not is_right([3e-7, 0.5], [0, 0.5], scale=[1e-6, 1])
+    assert is_right(3e-7, 0.0, scale=1)
+
+
+@given(st.floats(1e-11, 1e9), st.booleans())
+def test_three_decimals_and_three_digits_of_a_number_are_enough_if_it_is_small(size, negative):
+    number = -size if negative else size
+    if size < 1:
+        assert is_right(number, float(f"{number:.2e}"))
+    assert is_right(number, round(number, 3)) or size < 0.1
+
+
+# --- rounded ---
+
+
+@pytest.mark.parametrize(
+    ("right", "rounded"),
+    [
+        (0.7071, 0.71),
+        (0.7041, 0.7),
+        (-0.70711, -0.7071),
+        (12.3456, 12.3),
+        (12345.6, 12000.0),
+        (0.0998, 0.1),
+        (0.125, 0.13),
+        (3.14159e-7, 3.1e-7),
+        ([0.7071, 0.0032], [0.71, 0.0]),
+        ([12.346, 0.3], [12.3, 0.3]),
+        ([12.346, 0.34], [12.3, 0.3]),
+        ([1.0, 0.0, 0.7071], [1.0, 0.0, 0.707]),
+    ],
+)
+def test_the_right_answer_rounded_looks_rounded(right, rounded):
+    assert looks_rounded(np.array(rounded), np.array(right))
+
+
+@pytest.mark.parametrize(
+    ("right", "wrong"),
+    [
+        (0.7071, 0.7),
+        (0.7071, 0.72),
+        (0.7071, -0.71),
+        (0.0203, 0.0),
+        (0.7071, 0.7071),
+        ([0.4, 0.0203], [0.4, 0.0]),
+        ([1.2345, 0.0203], [1.2345, 0.0]),
+        ([1.2345, 0.0203], [1.23, 0.0]),
+        ([0.7071, 0.5], [0.71, 0.51]),
+        ([0.0, 0.7071], [0.01, 0.71]),
+        (np.zeros(2), [0.0, 0.01]),
+    ],
+)
+def test_another_difference_does_not_look_rounded(right, wrong):
+    assert not looks_rounded(np.array(wrong), np.array(right))
+
+
+@given(st.lists(st.floats(-1e3, 1e3).filter(lambda x: abs(x) > 1e-3), min_size=1, max_size=6), st.integers(2, 6))
+def test_every_rounding_to_two_or_more_digits_is_recognised(right, digits):
+    rounded = np.array([float(f"{x:.{digits - 1}e}") for x in right])
+    changed = np.abs(rounded - right) > 1e-9 * np.abs(right) + 1e-12
+    assert looks_rounded(rounded, np.array(right)) == changed.any()
+
+
+def test_a_part_is_rounded_if_its_own_entries_are():
+    answer = Angles(np.array([0.7071, 1.4142]))
+    assert [answer.is_rounded(np.array([0.71, 2.0]), part) for part in (0, 1)] == [True, False]
+
+
+def test_a_function_is_rounded_if_each_of_its_outputs_is():
+    answer = Function(np.square, Numbers(np.zeros(2)), lambda chance: (chance.uniform(1, 2, 2),))
+    rounded = answer.read(lambda x: [float(f"{v * v:.1e}") for v in x])
+    assert answer.is_rounded(rounded, 0)
+    assert not answer.is_rounded(answer.read(lambda x: x * x + 0.0123), 0)
+    assert not answer.is_rounded(answer.read(np.square), 0)
+
+
+# --- hints and messages ---
+
+
+def test_a_hint_says_where_one_entry_is_wrong():
+    answer = Numbers(np.arange(9.0).reshape(3, 3))
+    given = answer.value.copy()
+    given[0, 1] = 7
+    assert answer.hint(given, 0) == "8 of the 9 entries are right. Look at row 1, column 2."
+    given[2] += 1
+    assert answer.hint(given, 0) == ""
+    assert (
+        Numbers(np.array([1.0, 2.0])).hint(np.array([1.0, 3.0]), 0) == "1 of the 2 entries is right. Look at entry 2."
+    )
+    assert Numbers(np.array(1.0)).hint(np.array(2.0), 0) == ""
+
+
+def test_a_hint_counts_in_grammar_and_names_two_places_at_most():
+    hints = [entries_hint(np.array(same, dtype=bool)) for same in ([1, 0, 0], [1, 0, 0, 0], [0, 0], [1, 1])]
+    assert hints == [
+        "1 of the 3 entries is right. Look at entry 2 and entry 3.",
+        "1 of the 4 entries is right. Look at entry 2 first.",
+        "",
+        "",
+    ]
+
+
+class Silent:
+    """An object whose text is an address in memory."""
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        (lambda q: q, "got the function <lambda>. Give its value"),
+        (np.sin, "got the function sin. Give its value"),
+        (partial(max, 0), "got the function. Give its value"),
+        ([Silent()], "got list [<Silent>]"),
+        ([np.sin, len], "got list [the function sin, the function len]"),
+        (Silent(), "got an object of class Silent"),
+        ([1.0], "got a list of shape (1,). Give the number alone, without brackets."),
+        ([1.0, 2.0], "got a list of shape (2,)."),
+    ],
+)
+def test_a_message_for_what_is_not_a_number_says_what_it_is_and_no_address(given, words):
+    right = np.zeros(len(given)) if isinstance(given, list) and not isinstance(given[0], float) else np.array(0.0)
+    with pytest.raises(Unreadable) as refusal:
+        Numbers(right).read(given)
+    assert words in str(refusal.value)
+    assert " at 0x" not in str(refusal.value)
+    assert "0x" not in str(refusal.value)
+
+
+@pytest.mark.parametrize(
+    ("given", "told", "not_told"),
+    [
+        (np.ones(2), "Leave the brackets off", "quotes"),
+        ("fk", "without quotes", "brackets"),
+        (Silent(), "got an object of class Silent.", "brackets"),
+        ({"fk": 1}, "got dict", "brackets"),
+    ],
+)
+def test_brackets_are_blamed_only_where_the_value_of_a_call_is_given(given, told, not_told):
+    answer = Function(np.square, Numbers(np.zeros(2)), lambda chance: (chance.uniform(1, 2, 2),))
+    with pytest.raises(Unreadable) as refusal:
+        answer.read(given)
+    assert told in str(refusal.value)
+    assert not_told not in str(refusal.value)
+
+
+# --- equivalent values ---
+
+QUATERNION = np.array([0.8, 0.6, 0.0, 0.0])
+QUATERNIONS = Equivalent(QUATERNION, meaning=lambda q: np.outer(q, q))
+
+
+def test_all_values_with_the_same_meaning_are_right():
+    assert [QUATERNIONS.agrees(q, QUATERNION)[0] for q in (QUATERNION, -QUATERNION, QUATERNION.round(3))] == [True] * 3
+    assert [QUATERNIONS.agrees(q, QUATERNION)[0] for q in (QUATERNION[::-1], QUATERNION * (1, -1, 1, 1))] == [False] * 2
+
+
+def test_nothing_is_said_of_single_entries_where_several_values_are_right():
+    assert QUATERNIONS.hint(QUATERNION * (1, -1, 1, 1), 0) == ""
+    assert list(QUATERNIONS.slips()) == []
+
+
+def test_a_scale_of_a_meaning_can_be_given():
+    small = np.array([3e-7, 0.0])
+    assert Equivalent(small, meaning=np.abs).agrees(-small, small) == [True]
+    assert Equivalent(small, meaning=np.abs).agrees(0 * small, small) == [False]
+    assert Equivalent(small, meaning=np.abs, scale=1).agrees(0 * small, small) == [True]
+
+
+# --- slips ---
+
+
+def slips(answer):
+    return {(name, text): value for name, value, text, _ in answer.slips()}
+
+
+def test_the_slips_of_a_matrix_are_what_their_texts_say():
+    right = np.array([[1.0, 2.0, 0.0], [4.0, 5.0, 6.0], [7.0, 8.0, 9.0]])
+    found = slips(Numbers(right, unit="m"))
+    expected = {
+        ("transposed", "Your answer is the transpose of the right one."): right.T,
+        ("all signs", "Your answer has the right size and all its signs wrong."): -right,
+        ("millimetres", "This is the right answer in millimetres. Give it in metres."): 1000 * right,
+        ("rows swapped", "Rows 2 and 3 are swapped."): right[[0, 2, 1]],
+        ("columns swapped", "Columns 1 and 2 are swapped."): right[:, [1, 0, 2]],
+        ("sign of one entry", "Only one sign is wrong: row 1, column 2."): right * [[1, -1, 1], [1, 1, 1], [1, 1, 1]],
+        ("two entries swapped", "Two entries are swapped: row 1, column 1 and row 2, column 3."): [
+            [6, 2, 0],
+            [4, 5, 1],
+            [7, 8, 9],
+        ],
+    }
+    for key, value in expected.items():
+        np.testing.assert_array_equal(found[key], value)
+    assert len(found) == 1 + 1 + 1 + 4 + 8 + 9 * 8 // 2
+
+
+@pytest.mark.parametrize(
+    ("answer", "names"),
+    [
+        (Numbers(np.array(2.0)), ["all signs"]),
+        (Numbers(np.array(0.0)), []),
+        (
+            Numbers(np.eye(2)),
+            ["rows swapped", "columns swapped", "all signs", "sign of one entry", "two entries swapped"],
+        ),
+        (Angles(np.array(0.5)), ["all signs", "degrees"]),
+        (Angles(np.array([0.5, -0.5]), any_order=True), ["degrees", "sign of one entry"]),
+    ],
+)
+def test_a_slip_that_gives_the_right_answer_is_none(answer, names):
+    assert list(dict.fromkeys(name for name, *_ in answer.slips())) == names
+
+
+def test_angles_keep_their_order_in_a_slip():
+    assert [text for name, _, text, _ in Angles(np.array([0.5, 0.7])).slips() if name == "sign of one entry"] == [
+        "Only one sign is wrong: one angle.",
+        "Only one sign is wrong: the other angle.",
+    ]
+
+
+def test_the_slips_of_an_order_are_what_their_texts_say():
+    found = slips(Ordering(list("abcd")))
+    assert {text: "".join(value) for (_, text), value in found.items()} == {
+        "Your order is the right one, reversed.": "dcba",
+        "Only a is in the wrong place: at the end.": "bcda",
+        "Only d is in the wrong place: at the beginning.": "dabc",
+        "Only a and b are swapped.": "bacd",
+        "Only b and c are swapped.": "acbd",
+        "Only c and d are swapped.": "abdc",
+    }
+
+
+def test_a_function_has_the_slips_of_its_outputs_at_any_input():
+    matrix = Function(
+        lambda x: np.array([[x, 1.0], [2.0, x]]), Numbers(np.zeros((2, 2))), lambda chance: (chance.uniform(1, 2),)
+    )
+    for answer in (matrix, matrix.with_inputs(5)):
+        found = {name: (value, text) for name, value, text, _ in answer.slips()}
+        transposed, text = found["transposed"]
+        assert text == "At every input that was tried: your answer is the transpose of the right one."
+        assert answer.agrees(answer.read(lambda x: np.array([[x, 2.0], [1.0, x]])), transposed) == [True]
+        assert not any(map(all, (answer.agrees(value, answer.value) for value, _ in found.values())))
+
+
+@given(st.lists(st.floats(-9, 9).map(lambda x: round(x, 2)), min_size=4, max_size=4))
+def test_no_slip_of_any_matrix_is_right(entries):
+    answer = Numbers(np.reshape(entries, (2, 2)), unit="m")
+    found = list(answer.slips())
+    assert not any(answer.agrees(value, answer.value)[0] for _, value, _, _ in found)
+    assert all(text and part_text for _, _, text, part_text in found)
+    assert all(one[1] is not other[1] for one, other in pairwise(found))
