@@ -1,7 +1,6 @@
 """Numbers as answers: how near is near enough, what looks rounded, what a hint says, and slips that are made by hand."""
 
 from functools import partial
-from itertools import pairwise
 
 import numpy as np
 import pytest
@@ -216,7 +215,7 @@ def test_a_scale_of_a_meaning_can_be_given():
 
 
 def slips(answer):
-    return {(name, text): value for name, value, text, _ in answer.slips()}
+    return {(slip.name, slip.message): slip.value for slip in answer.slips()}
 
 
 def test_the_slips_of_a_matrix_are_what_their_texts_say():
@@ -254,11 +253,12 @@ def test_the_slips_of_a_matrix_are_what_their_texts_say():
     ],
 )
 def test_a_slip_that_gives_the_right_answer_is_none(answer, names):
-    assert list(dict.fromkeys(name for name, *_ in answer.slips())) == names
+    assert list(dict.fromkeys(slip.name for slip in answer.slips())) == names
 
 
 def test_angles_keep_their_order_in_a_slip():
-    assert [text for name, _, text, _ in Angles(np.array([0.5, 0.7])).slips() if name == "sign of one entry"] == [
+    found = slips(Angles(np.array([0.5, 0.7])))
+    assert [text for name, text in found if name == "sign of one entry"] == [
         "Only one sign is wrong: one angle.",
         "Only one sign is wrong: the other angle.",
     ]
@@ -281,7 +281,7 @@ def test_a_function_has_the_slips_of_its_outputs_at_any_input():
         lambda x: np.array([[x, 1.0], [2.0, x]]), Numbers(np.zeros((2, 2))), lambda chance: (chance.uniform(1, 2),)
     )
     for answer in (matrix, matrix.with_inputs(5)):
-        found = {name: (value, text) for name, value, text, _ in answer.slips()}
+        found = {slip.name: (slip.value, slip.message) for slip in answer.slips()}
         transposed, text = found["transposed"]
         assert text == "At every input that was tried: your answer is the transpose of the right one."
         assert answer.agrees(answer.read(lambda x: np.array([[x, 2.0], [1.0, x]])), transposed) == [True]
@@ -292,6 +292,5 @@ def test_a_function_has_the_slips_of_its_outputs_at_any_input():
 def test_no_slip_of_any_matrix_is_right(entries):
     answer = Numbers(np.reshape(entries, (2, 2)), unit="m")
     found = list(answer.slips())
-    assert not any(answer.agrees(value, answer.value)[0] for _, value, _, _ in found)
-    assert all(text and part_text for _, _, text, part_text in found)
-    assert all(one[1] is not other[1] for one, other in pairwise(found))
+    assert not any(answer.agrees(slip.value, answer.value)[0] for slip in found)
+    assert all(slip.message and slip.part for slip in found)
