@@ -93,6 +93,7 @@ class DHFramesAnswer(Numbers):
                     "This is the frame that belongs as far from the other end.",
                 ),
             ],
+            pieces=range(len(T)),
         )
 
     def _breaches(self, frames: Array) -> list[Breach]:

@@ -11,7 +11,7 @@ from kinlib.rigid.lie import homogeneous, inverse
 from kinlib.rigid.rpy import origin
 from misstep.answers.base import TOLERANCE
 from misstep.answers.equivalent import Equivalent
-from misstep.answers.number import LENGTH, TRANSPOSED_PART, Numbers, Slip, entries_hint
+from misstep.answers.number import LENGTH, Numbers, Slip, entries_hint
 from misstep.validation import Array
 
 NOT_A_ROTATION = (
@@ -40,7 +40,7 @@ class RotationAnswer(Numbers):
         return _rotation_hint(given, self.same_entries(given, self.value))
 
     def whole_slips(self) -> Iterator[Slip]:
-        yield ("R^T", self.value.T, "Your rotation is the transpose of the right one.", TRANSPOSED_PART)
+        yield ("R^T", self.value.T, "Your rotation is the transpose of the right one.", "")
         yield from super().whole_slips()
 
 
@@ -87,7 +87,7 @@ class PoseAnswer(Numbers):
             "inverse",
             back,
             "Your pose is the inverse of the right one.",
-            "These are the numbers that the inverse of the right pose has here.",
+            "",
         )
         yield (
             "not rotated back",
@@ -95,7 +95,7 @@ class PoseAnswer(Numbers):
             "The rotation is right; the position is that of the inverse pose.",
             "This is the position of the inverse pose.",
         )
-        yield ("transposed", T.T, "Your matrix is the transpose of the right one, last row included.", TRANSPOSED_PART)
+        yield ("transposed", T.T, "Your matrix is the transpose of the right one, last row included.", "")
         yield (
             "position negated",
             homogeneous(R, -p),
@@ -106,7 +106,7 @@ class PoseAnswer(Numbers):
             "R^T and -p",
             homogeneous(R.T, -p),
             "Your pose has R^T and -p, where the right one has R and p.",
-            "These are the numbers that R^T and -p have here.",
+            "",
         )
         yield (
             "millimetres",

@@ -10,7 +10,7 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from misstep.answers.base import TOLERANCE, Answer, Unreadable
-from misstep.answers.number import TRANSPOSED_PART, Slip, entries_hint, place_of, scale_of, wrong_slips
+from misstep.answers.number import Slip, entries_hint, place_of, scale_of, wrong_slips
 from misstep.display.text import number
 from misstep.formulas.evaluation import Formula, Reader, shaped
 from misstep.mistakes import Mistake
@@ -111,14 +111,14 @@ class ClosedForm(Answer):
 
     def slips(self) -> Iterator[Mistake]:
         """Yield the right formulas with a wrong sign or at the wrong place."""
-        return wrong_slips(self, self._changes())
+        return wrong_slips(self, self._changes(), lambda formula: formula.values, self.part_indices())
 
     def _changes(self) -> Iterator[Slip]:
         right = self._right
         values, shape = right.values, self._shape
         if len(shape) == 2 and shape[0] == shape[1]:
             text = "Your answer is the transpose of the right one."
-            yield ("transposed", replace(right, values=values.swapaxes(0, 1)), text, TRANSPOSED_PART)
+            yield ("transposed", replace(right, values=values.swapaxes(0, 1)), text, "")
         what = "formulas have" if shape else "formula has"
         yield (
             "all signs",

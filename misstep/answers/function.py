@@ -163,9 +163,11 @@ class Function(Answer):
             return [Mistake(name, value, "") for name, value, _, _ in output.whole_slips()]
 
         functions = function_mistakes(slips_at, *self.inputs[0])
-        for wrong, (_, _, text, _) in zip(functions, self.output.whole_slips(), strict=True):
-            said = f"At every input that was tried: {text[0].lower()}{text[1:]}"
-            yield from wrong_slips(self, [(wrong.name, wrong.value, said, said)])
+        texts = (
+            f"At every input that was tried: {text[0].lower()}{text[1:]}" for _, _, text, _ in self.output.whole_slips()
+        )
+        slips = ((wrong.name, wrong.value, text, "") for wrong, text in zip(functions, texts, strict=True))
+        return wrong_slips(self, slips, lambda calls: np.array(calls.outputs))
 
     def hint(self, given: FunctionCalls, part: int) -> str:
         right = self._right.outputs

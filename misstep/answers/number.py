@@ -1,6 +1,6 @@
 """Numbers and arrays of numbers as answers."""
 
-from collections.abc import Iterable, Iterator, Sequence
+from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import combinations
@@ -152,14 +152,14 @@ class Numbers(Answer):
 
     def slips(self) -> Iterator[Mistake]:
         """Yield the right answer with the changes that people make by hand; what is said of each is true of the answer itself."""
-        return wrong_slips(self, [*self.whole_slips(), *self.entry_slips()])
+        return wrong_slips(self, [*self.whole_slips(), *self.entry_slips()], pieces=self.part_indices())
 
     def whole_slips(self) -> Iterator[Slip]:
         """Yield the slips in the whole array; for every value of the same shape the same ones in the same order."""
         X = np.asarray(self.value, dtype=float)
         if X.ndim == 2:
             if X.shape[0] == X.shape[1]:
-                yield ("transposed", X.T, "Your answer is the transpose of the right one.", TRANSPOSED_PART)
+                yield ("transposed", X.T, "Your answer is the transpose of the right one.", "")
             yield from _neighbours_swapped(X)
         sign = "the wrong sign" if X.ndim == 0 else "all its signs wrong"
         yield (
@@ -198,9 +198,6 @@ class Numbers(Answer):
     def place(self, index: Sequence[Any]) -> str:
         """Name the place of an entry of the whole array."""
         return place_of(index)
-
-
-TRANSPOSED_PART = "These are the numbers that the transpose of the right answer has here."
 
 
 def scale_of(values: Array) -> float:
@@ -278,12 +275,32 @@ def place_of(index: Sequence[Any]) -> str:
     return f"entry {counted[0]}" if len(counted) == 1 else f"entry {tuple(counted)}"
 
 
-def wrong_slips(answer: Answer, slips: Iterable[Slip]) -> Iterator[Mistake]:
-    """Yield the slips that lead to a wrong answer, each with its answer as it is read."""
+def wrong_slips(
+    answer: Answer, slips: Iterable[Slip], entries: Callable[[Any], Any] = np.asarray, pieces: Sequence[Any] = (...,)
+) -> Iterator[Mistake]:
+    """Yield the slips that lead to a wrong answer, each answer once, and each wrong part with one text only.
+
+    entries  gives the entries of an answer that was read, as an array
+    pieces   for each part, the index of its entries
+    """
+
+    def digests(array: Any) -> list[bytes]:
+        array = array if array.dtype.kind in "OU" else np.round(array / size, 9) + 0.0
+        return [array[piece].tobytes() for piece in pieces]
+
+    right = entries(answer.read(answer.value))
+    size = 1.0 if right.dtype.kind in "OU" else np.abs(right).max(initial=0.0) or 1.0
+    known = set(enumerate(digests(right)))
+    known_wholes = set()
     for name, given, text, part_text in slips:
         value = answer.read(given)
-        if not all(answer.agrees(value, answer.value)):
-            yield Mistake(name, value, text, part_text)
+        whole = digests(entries(value))
+        if tuple(whole) in known_wholes or all(answer.agrees(value, answer.value)):
+            continue
+        known_wholes.add(tuple(whole))
+        is_new = bool(set(enumerate(whole)) - known)
+        known |= set(enumerate(whole)) if part_text else set()
+        yield Mistake(name, value, text, part_text if is_new else "")
 
 
 def _neighbours_swapped(X: Array) -> Iterator[Slip]:
@@ -295,7 +312,7 @@ def _neighbours_swapped(X: Array) -> Iterator[Slip]:
                 f"{name}s swapped",
                 np.take(X, order, axis=axis),
                 f"{name.capitalize()}s {i + 1} and {i + 2} are swapped.",
-                f"These are the right numbers after {name}s {i + 1} and {i + 2} are swapped.",
+                "",
             )
 
 

@@ -73,7 +73,7 @@ def test_a_screw_is_told_which_half_is_right_if_one_is():
     told = {
         (0, 0, 1, 9, -2, 0.5): "Its omega is right, its v is not.",
         (0, 0.0005, 1, 9, -2, 0.5): "Its omega is right, its v is not.",
-        (0, 1, 0, 0, -2, 0.5): "Its v is right, its omega is not.",
+        (0, 2, 0, 0, -2, 0.5): "Its v is right, its omega is not.",
         (0, 1, 0, 9, -2, 0.5): "None of the mistakes",
     }
     for given, words in told.items():

@@ -220,10 +220,14 @@ def test_the_hint_gives_numbers_for_a_formula_and_the_place_for_a_matrix():
     message = judge(Problem("", RIGHT, []), "a2 c12").findings[0].message
     assert "your formula gives" in message
     rotation = ClosedForm(sp.Matrix([[sp.cos(theta), -sp.sin(theta)], [sp.sin(theta), sp.cos(theta)]]))
-    message = (
-        judge(Problem("", rotation, []), "[[cos(theta), sin(theta)], [sin(theta), cos(theta)]]").findings[0].message
-    )
-    assert message == "3 of the 4 entries are right. Look at row 1, column 2."
+    messages = [
+        judge(Problem("", rotation, []), f"[[cos(theta), {entry}], [sin(theta), cos(theta)]]").findings[0].message
+        for entry in ("cos(theta)", "sin(theta)")
+    ]
+    assert messages == [
+        "3 of the 4 entries are right. Look at row 1, column 2.",
+        "Only one formula has the wrong sign: row 1, column 2.",
+    ]
 
 
 def test_the_expected_form_is_described_with_the_symbols_of_the_problem():

@@ -19,11 +19,14 @@ from misstep.verdict import Verdict
 
 @dataclass(frozen=True, eq=False)
 class Rows(Numbers):
-    """Rows of numbers; each row is a part."""
+    """Rows of numbers; each row is a part. They have no slips, so that the mistakes of a problem are the only ones."""
 
     @property
     def parts(self):
         return [f"row {i + 1}" for i in range(len(self.value))]
+
+    def slips(self):
+        return ()
 
     def hint(self, given, part):
         first, second = np.isclose(given[part], self.value[part]).reshape(2, 3).all(axis=1)
@@ -243,7 +246,7 @@ def test_orders_and_choices_are_judged():
     assert [judge(Problem("", order, []), given).state for given in (["e_a", "M"], ("e_a", "M"), ["M", "e_a"])] == [
         *("right", "right", "wrong")
     ]
-    assert judge(Problem("", order, []), ["M", "e_a"]).findings[0].message.startswith("None of the mistakes")
+    assert judge(Problem("", order, []), ["M", "e_a"]).findings[0].message == "Your order is the right one, reversed."
     choice = Choice("b", {"a": "left", "b": "right"})
     assert [judge(Problem("", choice, []), given).state for given in ("b", " B\n", " " * 98 + "b", "a")] == [
         *("right", "right", "right", "wrong")
