@@ -52,15 +52,15 @@ def mutations(root: Expression) -> list[Mutation]:
     ['swapped $A$ and $B$', 'left out $A$']
     """
     single = [Mutation(change, {id(node): new}) for node in _nodes(root) for change, new in node.changes()]
-    everywhere: dict[str, list[Mutation]] = {}
+    everywhere: dict[tuple[str, str], list[Mutation]] = {}
     for mutation in single:
-        if mutation.change.everywhere:
-            everywhere.setdefault(mutation.change.name, []).append(mutation)
-    for name, several in everywhere.items():
+        if text := mutation.change.everywhere:
+            everywhere.setdefault((mutation.change.name, text), []).append(mutation)
+    for (name, text), several in everywhere.items():
         first = several[0].change
         replaced = {key: node for mutation in reversed(several) for key, node in mutation.replaced.items()}
         if len(replaced) > 1:
-            single.append(Mutation(Change(name, first.everywhere, advice=first.advice), replaced))
+            single.append(Mutation(Change(name, text, advice=first.advice), replaced))
     return single
 
 

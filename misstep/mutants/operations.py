@@ -16,8 +16,8 @@ def _angle_changes(node: Expression) -> Changes:
         ),
         negative(node),
     )
-    yield Change("half the angle", f"take half of ${node.latex}$"), node / 2
-    yield Change("double the angle", f"take twice ${node.latex}$"), 2 * node
+    yield Change("half the angle", f"take half of ${node.latex}$", "take half of each angle"), node / 2
+    yield Change("double the angle", f"take twice ${node.latex}$", "take twice each angle"), 2 * node
 
 
 def _slide_changes(node: Expression) -> Changes:
