@@ -75,11 +75,12 @@ def _exp_changes(node: Expression) -> Changes:
     factor = f"${node.latex}$"
     yield Change("joint value left out", f"leave out ${q.latex}$ in {factor}"), exp(S, 1.0)
     if S.value[:3].any():  # for a prismatic joint, the series ends there
-        text = f"stop the series of {factor} after its linear term"
-        yield (
-            Change("series cut short", text, "stop the series of each exponential after its linear term"),
-            _linear(S, q),
-        )
+        for term, series in (("linear", _linear), ("quadratic", _quadratic)):
+            text = "stop the series of {0} after its {1} term"
+            yield (
+                Change("series cut short", text.format(factor, term), text.format("each exponential", term)),
+                series(S, q),
+            )
     text = f"take the exponential of each entry instead of {factor}"
     yield (
         Change(
@@ -102,6 +103,11 @@ exp = Operation("exponential", lambda S, q: exponential(S * q), "e^{{[{0}]{1}}}"
 """The exponential of a screw S (6,) or rotation vector (3,) times a joint value: e^{[S] q}."""
 
 _linear = Operation("series", lambda S, q: np.eye(len(hat(S))) + hat(S) * q, "I + [{0}]{1}".format)
+_quadratic = Operation(
+    "series",
+    lambda S, q: np.eye(len(hat(S))) + hat(S) * q + hat(S) @ hat(S) * q**2 / 2,
+    "I + [{0}]{1} + \\ldots".format,
+)
 _entrywise_exponential = Operation("entrywise exponential", lambda S, q: np.exp(hat(S) * q), "e^{{[{0}]{1}}}".format)
 
 rotation_of = Operation("rotation of a pose", lambda T: T[:3, :3], "R({0})".format)

@@ -1,16 +1,35 @@
 """Screw axes in solutions: axes of joints, the adjoint, and the product of exponentials."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from itertools import combinations
 
 import numpy as np
 
 from kincourse.expressions.poses import exp
 from kinlib.arrays.validation import Array
-from kinlib.rigid.lie import adjoint
-from misstep.mutants.expression import Change, Changes, Expression, Operation, given, negative
-from misstep.mutants.operations import ANGLE, SLIDE, VECTOR, radians
+from kinlib.rigid.lie import adjoint, hat
+from kinlib.rigid.lie import exp as exponential
+from misstep.mutants.expression import (
+    SUM,
+    Change,
+    Changes,
+    Expression,
+    Operation,
+    given,
+    multiple,
+    negative,
+    product,
+    total,
+)
+from misstep.mutants.operations import ANGLE, SLIDE, VECTOR, radians, stack
 
-MOMENT_ADVICE = "The point of the body at the origin moves with $v = -\\omega \\times p$."
+ADJOINT_ADVICE = "The blocks of the adjoint are $R$ and $0$ above $[p]R$ and $R$."
+ORDER_ADVICE = (
+    "Here a screw is $(\\omega, v)$, the rotation first, as in Modern Robotics; some books use the other order."
+)
+MOMENT_ADVICE = (
+    "The moment of an axis through $p$ is $-\\omega \\times p$: so the point of the body at the origin moves."
+)
 
 
 def direction(label: str, x: Array) -> Expression:
@@ -45,6 +64,15 @@ def joint_values(types: str, typed: Sequence[float], letter: str = "q") -> list[
     ]
 
 
+def values_in_radians(q: Sequence[float], letter: str = "q") -> list[Expression]:
+    """The values of joints in radians and metres, as they are needed.
+
+    >>> [change.name for change, _ in values_in_radians([0.5])[0].changes()]
+    ['sign of a joint value', 'radians converted to radians', 'converted to degrees']
+    """
+    return [given(f"{letter}_{i}", float(value), _JOINT_VALUE) for i, value in enumerate(q, start=1)]
+
+
 def exponentials(screws: Array, values: Sequence[Expression], letters: str | Sequence[str] = "S") -> list[Expression]:
     """The exponentials of the joints, e^{[S_i] q_i}.
 
@@ -59,6 +87,109 @@ def exponentials(screws: Array, values: Sequence[Expression], letters: str | Seq
     return [exp(screw_axes(f"{letter}_{i}", S), value) for i, (letter, S, value) in numbered]
 
 
+def forward_kinematics(before: Sequence[Expression], home: Expression, after: Sequence[Expression] = ()) -> Expression:
+    r"""The product of exponentials with the home pose after those of the screws in {s} and before those of the screws in {b}.
+
+    >>> from kincourse.expressions.poses import pose
+    >>> forward_kinematics(exponentials(np.eye(2, 6), joint_values("RR", [10, 20])), pose("M", np.eye(4))).latex
+    'e^{[S_1]q_1}\\,e^{[S_2]q_2}\\,M'
+    """
+    n = len(before)
+    factors = [*before, *after]
+    values = [factor.arguments[1] for factor in factors]
+
+    def with_values(values: Sequence[Expression]) -> Expression:
+        changed = [exp(factor.arguments[0], value) for factor, value in zip(factors, values, strict=True)]
+        return product(*changed[:n], home, *changed[n:])
+
+    sides = [list(side) for side in (before, after)]
+    added = [[total(*side)] if len(side) > 1 else side for side in sides]
+    at_once = [[_once(*(multiple(*e.arguments) for e in side))] if len(side) > 1 else side for side in sides]
+    advice = "You can rely on $e^A e^B = e^{A+B}$ only where $AB = BA$, and the joints of an arm seldom commute."
+    return (
+        product(*before, home, *after)
+        .mistaken_for(
+            product(*at_once[0], home, *at_once[1]),
+            "one exponential",
+            "add the twists and take one exponential",
+            advice,
+        )
+        .mistaken_for(product(*added[0], home, *added[1]), "sum for product", "add the exponentials")
+        .mistaken_for(
+            with_values([negative(value) for value in values]),
+            "sign of the joint values",
+            "take every joint value with the opposite sign",
+        )
+        .mistaken_for(with_values(values[::-1]), "joint values reversed", "use the joint values in the reverse order")
+        .mistaken_for(home, "at home", f"give ${home.latex}$, the pose at home", "The joints have moved since.")
+    )
+
+
+def joint_screws(types: str, axes: Array, points: Array) -> Expression:
+    """The screws of revolute and prismatic joints in rows, (n, 6).
+
+    types   "R" or "P" for each joint
+    axes    (n, 3)
+    points  (n, 3), a point on each axis
+
+    >>> joint_screws("RP", np.eye(2, 3), np.ones((2, 3))).value + 0.0
+    array([[ 1.,  0.,  0.,  0.,  1., -1.],
+           [ 0.,  0.,  0.,  0.,  1.,  0.]])
+    """
+    rows = stack(
+        *(
+            revolute(direction(f"\\omega_{i}", axis), given(f"p_{i}", point))
+            if kind == "R"
+            else prismatic(direction(f"d_{i}", axis), given(f"p_{i}", point))
+            for i, (kind, axis, point) in enumerate(zip(types, axes, points, strict=True), start=1)
+        )
+    )
+    return rows.mistaken_for(_swap_halves(rows), "halves swapped", "write $(v, \\omega)$ in every row", ORDER_ADVICE)
+
+
+def drawn_axis(omega: Array, p: Array) -> tuple[Expression, Expression]:
+    """The direction (3,) of an axis and a point (3,) on it, as they are read off a drawing with whole coordinates.
+
+    >>> omega, p = drawn_axis(np.array([0, 0, 1.0]), np.array([2.0, 3.0, 1.0]))
+    >>> [wrong.value.tolist() for change, wrong in p.changes() if change.name == "coordinates swapped"]
+    [[3.0, 2.0, 1.0], [1.0, 3.0, 2.0], [2.0, 1.0, 3.0]]
+    """
+    axis, point = direction("\\omega", omega), given("p", p)
+    for sign, text in ((1, ""), (-1, "-")):
+        for i, name in enumerate("xyz"):
+            if abs(omega[i]) < 0.5:
+                axis = axis.mistaken_for(sign * np.eye(3)[i], "another axis", f"take the axis along ${text}{name}$")
+    for name, text, wrong in _misread(p):
+        if np.abs(np.cross(omega, wrong - p)).max() > 0.5:  # a coordinate along the axis plays no part
+            point = point.mistaken_for(wrong, name, text)
+    return axis, point
+
+
+def _misread(p: Array) -> Iterator[tuple[str, str, Array]]:
+    """Yield the name, the text and the value of each mistake that people make when they read a point off a drawing."""
+    for i, name in enumerate("xyz"):
+        unit = np.eye(3)[i]
+        yield "sign of a coordinate", f"read the ${name}$ of the point with the opposite sign", p - 2 * p[i] * unit
+        yield "coordinate left out", f"take the ${name}$ of the point as 0", p - p[i] * unit
+        yield "coordinate read wrong", f"read the ${name}$ of the point one metre too large", p + unit
+        yield "coordinate read wrong", f"read the ${name}$ of the point one metre too small", p - unit
+    for i, j in combinations(range(3), 2):
+        order = np.arange(3)
+        order[[i, j]] = j, i
+        yield "coordinates swapped", f"swap ${'xyz'[i]}$ and ${'xyz'[j]}$ of the point", p[order]
+
+
+def _joint_value_changes(node: Expression) -> Changes:
+    q = f"${node.latex}$"
+    yield Change("sign of a joint value", f"take {q} with the opposite sign"), negative(node)
+    advice = "The joint values are in radians and metres, as the exponential needs them."
+    for name, text, factor in (
+        ("radians converted to radians", "use `np.radians` on {0}, as if in degrees", np.pi / 180),
+        ("converted to degrees", "use `np.degrees` on {0}", 180 / np.pi),
+    ):
+        yield Change(name, text.format(q), text.format("the joint values"), advice), factor * node
+
+
 def _screws_changes(node: Expression) -> Changes:
     text = f"swap the halves of ${node.latex}$"
     yield Change("halves swapped", text, "swap the halves of the screws"), _swap_halves(node)
@@ -66,20 +197,43 @@ def _screws_changes(node: Expression) -> Changes:
 
 def _screw_changes(node: Expression) -> Changes:
     omega, v = node.arguments
-    advice = (
-        "Here a screw is $(\\omega, v)$, the rotation first, as in Modern Robotics; some books use the other order."
+    yield (
+        Change("halves swapped", "write $(v, \\omega)$", "write $(v, \\omega)$ for revolute joints", ORDER_ADVICE),
+        screw(v, omega),
     )
-    yield Change("halves swapped", "write $(v, \\omega)$", "write $(v, \\omega)$", advice), screw(v, omega)
+    yield Change("turn as slide", "write the screw of a prismatic joint, $(0, \\omega)$"), screw(0 * omega, omega)
+    yield Change("sign of omega", "take $\\omega$ with the opposite sign, but not $v$"), screw(negative(omega), v)
 
 
 def _moment_changes(node: Expression) -> Changes:
     omega, p = node.arguments
     for name, text, wrong in (
-        ("omega x p", "take $v = \\omega \\times p$, without the minus sign", negative(node)),
-        ("point as moment", "take the point itself as $v$", p),
-        ("no moment", "leave $v$ at zero", 0 * omega),
+        ("omega x p", "take the moment as $\\omega \\times p$, without the minus sign", negative(node)),
+        ("point as moment", "take the point itself as the moment", p),
+        ("point as moment", "take $-p$ as the moment", negative(p)),
+        ("no moment", "leave out the moment", 0 * omega),
+        ("entry by entry", "multiply $\\omega$ and $p$ entry by entry (`*` instead of `np.cross`)", omega * p),
     ):
         yield Change(name, text, text, MOMENT_ADVICE), wrong
+    if abs(node.value[1]) > 1e-9:
+        text = "take the middle entry of a cross product with the wrong sign"
+        yield Change("sign in the cross product", text, text), node * np.array([1, -1, 1])
+
+
+def _tilted_changes(node: Expression) -> Changes:
+    upright, toward, angle = node.arguments
+    u, t, a = upright.latex, toward.latex, angle.latex
+    text = f"swap sine and cosine of ${a}$"
+    advice = f"At 0 degrees the axis is ${u}$, so ${u}$ has the cosine."
+    yield Change("sine and cosine swapped", text, advice=advice), tilted(toward, upright, angle)
+    advice = "Divide the direction by its length before you take the moment."
+    for text, wrong in (
+        (f"take ${u} + \\tan {a}\\,{t}$ as the axis, whose length is not 1", upright + _tan(angle) * toward),
+        (f"add ${u}$ and ${t}$ without the cosine and the sine of the angle", upright + toward),
+    ):
+        yield Change("not a unit vector", text, advice=advice), wrong
+    yield Change("tilt left out", f"take the axis along ${u}$, without its tilt"), upright
+    yield Change("sign of a vector", f"take ${node.latex}$ with the opposite sign"), negative(node)
 
 
 def _slide_changes(node: Expression) -> Changes:
@@ -89,21 +243,46 @@ def _slide_changes(node: Expression) -> Changes:
         ("direction in omega", "put the direction of a slide into $\\omega$", screw(d, 0 * d)),
         ("slide as turn", "treat a prismatic joint as a revolute one", revolute(d, p)),
         ("moment of a slide", "take the moment of a slide, which has none", screw(0 * d, moment(d, p))),
+        ("point of a slide", "take the point as the $v$ of a slide", screw(0 * d, p)),
+        ("direction twice", "put the direction of a slide into both halves", screw(d, d)),
+        ("slide left out", "leave the screw of a slide at zero", screw(0 * d, 0 * d)),
     ):
         yield Change(name, text, text, advice), wrong
+
+
+def _advancing_changes(node: Expression) -> Changes:
+    turning, advance = node.arguments
+    advice = f"A helical joint also translates along its axis: add ${advance.latex}$ to $v$."
+    yield Change("no pitch", f"leave out ${advance.latex}$", advice=advice), turning
+    advice = "A right-handed screw translates along $+\\omega$ when it rotates about $+\\omega$."
+    yield (
+        Change("left-handed", f"take ${advance.latex}$ with the opposite sign", advice=advice),
+        _advancing(turning, negative(advance)),
+    )
 
 
 def _change_of_frame_changes(node: Expression) -> Changes:
     T, S = node.arguments
     Ad = f"$\\mathrm{{Ad}}_{{{T.latex}}}$"
-    text = f"multiply rows by {Ad} from the right, without its transpose"
-    yield (
-        Change("adjoint not transposed", text, advice="The screws are rows: `S @ Ad.T`, not `S @ Ad`."),
-        _rows_by_adjoint(T, S),
-    )
+    if np.ndim(S.value) > 1:
+        text = f"multiply rows by {Ad} from the right, without its transpose"
+        advice = "The screws are rows: `S @ Ad.T`, not `S @ Ad`."
+        yield Change("rows reversed", "list the screws from the last joint to the first"), node[::-1]
+    else:
+        text, advice = f"use the transpose of {Ad}", ""
+    yield Change("adjoint not transposed", text, advice=advice), _by_transposed_adjoint(T, S)
     yield Change("only rotated", "rotate both halves, and leave out the change of origin"), _rotate_only(T, S)
     yield Change("only moved", "change the origin, and keep the directions of the axes"), _translate_only(T, S)
+    yield Change("only omega rotated", "rotate $\\omega$ only, and keep $v$"), _rotate_omega(T, S)
+    yield Change("no moment", "rotate $\\omega$, and leave $v$ at zero"), _rotate_omega(T, _without_v(S))
     yield Change("frame not changed", f"use ${S.latex}$ as it is"), S
+    yield Change("halves swapped", "swap the halves of the result"), _swap_halves(node)
+    for name, text, wrong in (
+        ("block on the wrong side", f"put the block $[p]R$ of {Ad} in the upper right corner", _upper),
+        ("sign in the adjoint", f"take the block $[p]R$ of {Ad} with the opposite sign", _negated),
+        ("order in the adjoint", f"write $R[p]$ instead of $[p]R$ in {Ad}", _r_before_p),
+    ):
+        yield Change(name, text, advice=ADJOINT_ADVICE), wrong(T, S)
 
 
 def revolute(omega: Expression, p: Expression) -> Expression:
@@ -113,27 +292,50 @@ def revolute(omega: Expression, p: Expression) -> Expression:
 
 def helical(omega: Expression, p: Expression, h: Expression) -> Expression:
     """The screw of a helical joint of pitch h: (omega, -omega x p + h omega)."""
-    return screw(omega, moment(omega, p) + h * omega)
+    return screw(omega, _advancing(moment(omega, p), h * omega))
+
+
+def _joined(omega: Array, v: Array) -> Array:
+    return np.concatenate([omega, v], axis=-1)
+
+
+def _by_blocks(T: Array, S: Array, sign: float = 1, upper: bool = False, swapped: bool = False) -> Array:
+    """Screws times a matrix that is the adjoint but for its block [p] R: of the opposite sign, in the upper right, or R [p]."""
+    R, p = T[:3, :3], T[:3, 3]
+    block = sign * (R @ hat(p) if swapped else hat(p) @ R)
+    omega, v = S[..., :3], S[..., 3:]
+    if upper:
+        return _joined(omega @ R.T + v @ block.T, v @ R.T)
+    return _joined(omega @ R.T, omega @ block.T + v @ R.T)
 
 
 def _rotated(T: Array, S: Array) -> Array:
     R = T[:3, :3]
-    return np.concatenate([S[..., :3] @ R.T, S[..., 3:] @ R.T], axis=-1)
+    return _joined(S[..., :3] @ R.T, S[..., 3:] @ R.T)
 
 
 def _moved(T: Array, S: Array) -> Array:
     """The moments about the new origin, in the old axes: with T = (R, p), the new origin stands at -R^T p."""
     R, p = T[:3, :3], T[:3, 3]
-    return np.concatenate([S[..., :3], S[..., 3:] + np.cross(R.T @ p, S[..., :3])], axis=-1)
+    return _joined(S[..., :3], S[..., 3:] + np.cross(R.T @ p, S[..., :3]))
 
 
-screw = Operation("screw", lambda w, v: np.concatenate([w, v]), "({0}, {1})".format, _screw_changes)
+tilted = Operation(
+    "tilted axis",
+    lambda u, t, angle: np.cos(angle) * u + np.sin(angle) * t,
+    "\\cos {2}\\,{0} + \\sin {2}\\,{1}".format,
+    _tilted_changes,
+    SUM,
+)
+"""A unit vector that is tilted from a unit vector u towards a perpendicular one t by an angle in radians."""
+
+screw = Operation("screw", _joined, "({0}, {1})".format, _screw_changes)
 """The screw (omega, v)."""
 
 moment = Operation("moment", lambda w, p: -np.cross(w, p), "-{0} \\times {1}".format, _moment_changes)
 """The moment of an axis omega through p: -omega x p."""
 
-prismatic = Operation("prismatic", lambda d, _: np.concatenate([0 * d, d]), "(0, {0})".format, _slide_changes)
+prismatic = Operation("prismatic", lambda d, _: _joined(0 * d, d), "(0, {0})".format, _slide_changes)
 """The screw (0, d) of a prismatic joint; the point where it is mounted plays no part, but people use it."""
 
 change_frame = Operation(
@@ -141,8 +343,19 @@ change_frame = Operation(
 )
 """Screws S (6,) or (n, 6) in another frame: Ad_T S."""
 
+_tan = Operation("tangent", np.tan, "\\tan {0}".format)
 _swap_halves = Operation("halves swapped", lambda S: np.roll(S, 3, axis=-1), "{0}".format)
-_rows_by_adjoint = Operation("rows by adjoint", lambda T, S: S @ adjoint(T), "{1}".format)
+_by_transposed_adjoint = Operation("transposed adjoint", lambda T, S: S @ adjoint(T), "{1}".format)
+_upper = Operation("upper block", lambda T, S: _by_blocks(T, S, upper=True), "{1}".format)
+_negated = Operation("negated block", lambda T, S: _by_blocks(T, S, sign=-1), "{1}".format)
+_r_before_p = Operation("swapped block", lambda T, S: _by_blocks(T, S, swapped=True), "{1}".format)
+_rotate_omega = Operation("omega rotated", lambda T, S: _joined(S[..., :3] @ T[:3, :3].T, S[..., 3:]), "{1}".format)
+_without_v = Operation("without v", lambda S: _joined(S[..., :3], 0 * S[..., 3:]), "{0}".format)
 _rotate_only = Operation("only rotated", _rotated, "{1}".format)
 _translate_only = Operation("only moved", _moved, "{1}".format)
+_advancing = Operation(
+    "velocity", lambda turning, advance: turning + advance, "{0} + {1}".format, _advancing_changes, SUM
+)
+_once = Operation("one exponential", lambda *twists: exponential(sum(twists)), lambda *_: "")
+_JOINT_VALUE = Operation("joint value", lambda: None, str, _joint_value_changes)
 _SCREWS = Operation("given screws", lambda: None, str, _screws_changes)
