@@ -1,7 +1,8 @@
 """Answers made by hand for the census: wrong ones of the kind that students give, and right ones in an unusual form.
 
-They are a second opinion on the feedback. So no module of this folder imports the engine or the problems: every answer is
-computed from the given values with plain NumPy, SymPy and SciPy. Each lecture has a module, which is imported only if needed.
+They are a second opinion on the feedback. So no module of this folder imports the engine, the problems or kinlib, except for
+the class of tables that students hand in: every answer is computed from the given values with plain NumPy and SymPy. Each
+lecture has a module, which is imported only if needed.
 """
 
 from collections.abc import Callable, Iterable, Iterator, Set
