@@ -1,8 +1,9 @@
 """Sheet 06: rows as two screw motions, link transforms, both conventions of one arm, a faulty entry, a wrist, a chain."""
 
-from collections.abc import Sequence
-from dataclasses import dataclass
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass, field
 from functools import partial, reduce
+from itertools import product
 from typing import ClassVar
 
 import numpy as np
@@ -15,6 +16,7 @@ from kincourse.mistakes.space_form import swap_halves
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kinlib.arrays.validation import Array
+from kinlib.chains.chain import random_configurations
 from kinlib.dh.formatting import add_variable
 from kinlib.dh.parsing import COLUMNS
 from kinlib.dh.table import Convention, DHTable, dh_transform
@@ -40,25 +42,56 @@ TABLE_HEADS = {
 
 @dataclass(frozen=True, eq=False)
 class DHRowsAnswer(Numbers):
-    """The rows of a DH table, shape (m, 4): a, alpha, d, theta. Each row is a part, and angles are compared modulo a full turn.
+    """The rows of a converted table, shape (m, 4): a, alpha, d, theta at q = 0.
 
-    >>> DHRowsAnswer(np.zeros((2, 4))).agrees(np.zeros((2, 4)), np.array([[0, 0, 0, 2 * np.pi], [0, 0, 0.1, 0]]))
-    [True, False]
+    Each row is a part. All are right if they lead from frame 0 to frame m as the right ones do, for every q. If they do not, each is
+    compared with the right one: angles modulo a full turn, and with the directions of x_1 to x_{m-1} for which the most rows agree.
+
+    >>> right, flipped = np.array([[1, 2, 3, 0], [4, 1, 6, 0]]), np.array([[1, 2, 3, np.pi], [-4, -1, 6, -np.pi]])
+    >>> answer = DHRowsAnswer(right, convention="modified", joints="RP")
+    >>> [answer.agrees(right, other) for other in (right + (0, 0, 0, 2 * np.pi), flipped, flipped * (1, 1, 2, 1), right * (1, -1, 1, 1))]
+    [[True, True], [True, True], [False, False], [False, False]]
     """
 
     noun: ClassVar[str] = "rows of a, alpha, d, theta in metres and radians, an array"
+    convention: Convention = field(kw_only=True)
+    joints: str = field(kw_only=True)
 
     @property
     def parts(self) -> Sequence[str]:
         return [f"row {i + 1}" for i in range(len(self.value))]
 
     def agrees(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> list[bool]:
-        return [all(DHRowAnswer(mine).agrees(mine, yours, tolerance)) for mine, yours in zip(one, other, strict=True)]
+        if np.abs(self._poses(one) - self._poses(other)).max() <= tolerance:
+            return [True] * len(other)
+        return [all(entries) for entries in self._right_entries(one, other, tolerance)]
 
     def hint(self, given: Array, part: int) -> str:
-        right = DHRowAnswer(self.value[part]).agrees(given[part], self.value[part])
+        right = self._right_entries(given, self.value, TOLERANCE)[part]
         wrong = [name for name, fine in zip(COLUMNS, right, strict=True) if not fine]
         return f"Look at its {' and '.join(wrong)}." if len(wrong) < 3 else ""
+
+    def _poses(self, rows: Array) -> Array:
+        """The last frame as frame 0 sees it, at some joint values (k, 4, 4)."""
+        moving = np.eye(4)[[COLUMNS.index("d" if letter == "P" else "theta") for letter in self.joints]]
+        values = rows + random_configurations(len(rows), 16)[..., None] * moving
+        links = dh_transform(*np.moveaxis(values, -1, 0), convention=self.convention)
+        return reduce(np.matmul, np.moveaxis(links, 1, 0))
+
+    def _right_entries(self, one: Array, other: Array, tolerance: float) -> list[list[bool]]:
+        compared = [
+            [DHRowAnswer(theirs).agrees(ours, theirs, tolerance) for ours, theirs in zip(one, rows, strict=True)]
+            for rows in self._with_other_x(other)
+        ]
+        return max(compared, key=lambda rows: (sum(map(all, rows)), sum(map(sum, rows))))
+
+    def _with_other_x(self, rows: Array) -> Iterator[Array]:
+        """Yield the rows for each choice of the directions of x_1 to x_{m-1}, first as they are."""
+        for reversed_x in product((0, 1), repeat=len(rows) - 1):
+            ends = np.array([0, *reversed_x, 0])  # x_0 to x_m
+            own = ends[:-1] if self.convention == "modified" else ends[1:]
+            signs = 1 - 2 * own[:, None]
+            yield np.hstack([rows[:, :2] * signs, rows[:, 2:3], rows[:, 3:] + np.pi * np.diff(ends)[:, None]])
 
 
 @dataclass(frozen=True, eq=False)
@@ -172,11 +205,11 @@ def axial_screws(sampler: ArmSampler) -> Problem:
 def to_modified(sampler: ArmSampler) -> Problem:
     table = _random_table(sampler, "standard")
     return Problem(
-        statement="Convert this standard table to the modified convention. The base stays; what is left over becomes the tool, "
-        "and no part of the answer. Give four rows $a_{i-1}, \\alpha_{i-1}, d_i, \\theta_i$ at $q = 0$, angles in radians.\n\n"
-        + _format_table(table.rows, "standard", table.joints),
+        statement="Convert this standard table to the modified convention. The base stays; the $a$ and $\\alpha$ that are left "
+        "over become the tool, and no part of the answer. Give four rows $a_{i-1}, \\alpha_{i-1}, d_i, \\theta_i$ at $q = 0$, angles in "
+        "radians.\n\n" + _format_table(table.rows, "standard", table.joints),
         given={"rows": table.rows, "joints": table.joints},
-        answer=DHRowsAnswer(table.converted("modified").rows),
+        answer=DHRowsAnswer(table.converted("modified").rows, convention="modified", joints=table.joints),
         mistakes=_conversion_mistakes(
             table.rows,
             down=True,
@@ -191,11 +224,11 @@ def to_standard(sampler: ArmSampler) -> Problem:
     table = _random_table(sampler, "modified")
     return Problem(
         statement="The first row of this modified table is not empty: its frame {0} stands on the wall, away from axis 1. "
-        "Convert the table to the standard convention. What is left over becomes the base, and no part of the answer. "
-        "Give four rows $a_i, \\alpha_i, d_i, \\theta_i$ at $q = 0$, angles in radians.\n\n"
+        "Convert the table to the standard convention. The $a$ and $\\alpha$ that are left over become the base, and no part of the "
+        "answer. Give four rows $a_i, \\alpha_i, d_i, \\theta_i$ at $q = 0$, angles in radians.\n\n"
         + _format_table(table.rows, "modified", table.joints),
         given={"rows": table.rows, "joints": table.joints},
-        answer=DHRowsAnswer(table.converted("standard").rows),
+        answer=DHRowsAnswer(table.converted("standard").rows, convention="standard", joints=table.joints),
         mistakes=_conversion_mistakes(
             table.rows,
             down=False,

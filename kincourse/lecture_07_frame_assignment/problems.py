@@ -10,7 +10,7 @@ from kincourse.answers.frames import DHFramesAnswer
 from kincourse.mistakes.dh import table_mistakes
 from kincourse.problem import problem
 from kincourse.sampling.arms import AXIS_DIRECTIONS, ArmSampler
-from kincourse.text.joint_table import joint_table
+from kincourse.text.joint_table import given_frames, joint_table
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.chains.robots import SLIDE, X, Y, Z, arm, pose
@@ -141,14 +141,15 @@ def table_of_an_arm(sampler: ArmSampler) -> Problem:
     table = assign_frames(robot, convention="standard").table
     return Problem(
         statement="Write a table of this arm in the standard convention: text with the head `a | alpha | d | theta`, one row for each "
-        "joint, with `q1`, `q2`, ... for what moves. Every table of the same mechanism is right: base, tool, zeros and joint signs are "
-        f"yours to choose.\n\n{joint_table(robot)}",
+        f"joint, with `q1`, `q2`, ... for what moves. {_given(robot.n)} Every table that leads from one to the other as the arm moves is "
+        f"right: the frames between them are yours to choose.\n\n{joint_table(robot)}\n\n{given_frames(table)}",
         figure=partial(draw_joints, robot),
         given={"screws": robot.screws, "home": robot.home, "points": robot.joint_points},
-        answer=DHTableAnswer(table),
+        answer=DHTableAnswer(table, anchored=True),
         mistakes=table_mistakes(
             table,
-            "the other convention",
+            "no offset",
+            "sign of alpha",
             "z on the wrong joint",
             "alpha one row off",
             "a and d swapped",
@@ -172,17 +173,15 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
         "drawn for you",
     )
     table = assign_frames(robot, convention="modified").table
-    # With O_3 at the height of joint 4, the usual choice: along antiparallel axes both d change by the same amount.
     same_way, level = table.rows.copy(), table.rows.copy()
-    same_way[2:4, 2] += aside * back
-    same_way[3, 1] = 0.0
-    level[:, 2] = 0.0
+    same_way[3, 1], level[:, 2] = 0.0, 0.0
     return Problem(
         statement="Axes 2, 3 and 4 of this arm are parallel lines, and axis 4 points the other way. Write a table in the modified "
-        f"convention. Every table of the same mechanism is right.\n\n{joint_table(robot)}",
+        f"convention. {_given(robot.n)} Every table that leads from one to the other as the arm moves is right."
+        f"\n\n{joint_table(robot)}\n\n{given_frames(table)}",
         figure=partial(draw_joints, robot),
         given={"screws": robot.screws, "home": robot.home, "points": robot.joint_points},
-        answer=DHTableAnswer(table),
+        answer=DHTableAnswer(table, anchored=True),
         mistakes=[
             mistake(
                 "alpha 0",
@@ -195,9 +194,7 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
                 "Your origins may slide along parallel axes, but what lies between the first and the last normal stays: some $d$ "
                 "has to hold the step along $y$.",
             ),
-            *table_mistakes(
-                table, "the other convention", "z on the wrong joint", "alpha one row off", "a and d swapped", "degrees"
-            ),
+            *table_mistakes(table, "z on the wrong joint", "alpha one row off", "a and d swapped", "degrees"),
         ],
     )
 
@@ -285,10 +282,10 @@ def table_to_mend(sampler: ArmSampler) -> Problem:
     text = "\n".join(["| i | a | alpha | d | theta |", "| --- | --- | --- | --- | --- |", *lines])
     return Problem(
         statement="This table claims to be the arm below, in the standard convention. One length is wrong. Find it by the axes, and give "
-        f"the mended table.\n\n{text}\n\n{joint_table(robot)}",
+        f"the mended table. {_given(4)}\n\n{text}\n\n{joint_table(robot)}\n\n{given_frames(table)}",
         figure=partial(draw_joints, robot),
         given={"rows": printed, "screws": robot.screws, "home": robot.home, "points": robot.joint_points},
-        answer=DHTableAnswer(table),
+        answer=DHTableAnswer(table, anchored=True),
         mistakes=[
             mistake(
                 "as printed",
@@ -407,6 +404,13 @@ def _tables_to_compare(sampler: ArmSampler) -> tuple[DHTable, dict[str, DHTable]
         changed = {name: table.changed(rows=new) for name, new in rows_by_name.items()}
         if [bool(equivalent(table, other)) for other in changed.values()] == [True, False, False, False]:
             return table, changed
+
+
+def _given(n: int) -> str:
+    return (
+        "The arm is drawn at $q = 0$, and each $q$ is positive about or along the direction of its joint. Frame 0 and frame "
+        f"{n} are given, as {{s}} sees them."
+    )
 
 
 def _format_table(table: DHTable) -> str:

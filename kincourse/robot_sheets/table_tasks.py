@@ -20,7 +20,7 @@ from kincourse.robot_sheets.sampling import (
 )
 from kincourse.robot_sheets.task import RobotTask
 from kincourse.sampling.arms import ArmSampler
-from kincourse.text.joint_table import joint_table
+from kincourse.text.joint_table import given_frames, joint_table
 from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.formatting import format_rows, markdown_table
@@ -30,7 +30,7 @@ from kinlib.rigid.lie import inverse
 from kinlib.view import draw_joints
 from kinlib.view.figures.dh_table import draw_table
 from misstep.answers.choice import Choice
-from misstep.display.text import matrix, number
+from misstep.display.text import number
 from misstep.mistakes import mistake
 from misstep.problem import Problem
 from misstep.release.instructor_notebook import Entry
@@ -39,7 +39,7 @@ MAX_ROWS = 7
 """The maximum number of rows of a table. A robot with more joints is cut off after this joint."""
 
 MISTAKE_NAMES = (
-    *("the other convention", "z on the wrong joint", "no offset", "sign of alpha", "alpha one row off"),
+    *("z on the wrong joint", "no offset", "sign of alpha", "alpha one row off"),
     *("a and d swapped", "off the normal", "slide in theta", "degrees"),
 )
 
@@ -101,8 +101,9 @@ def _table(robot: Chain, sampler: ArmSampler, convention: Convention) -> Problem
     n, end = table.n, arm.home @ inverse(table.tool)
     return Problem(
         statement=f"{robot.name}{cut} is drawn with its joints at {words}; this posture is to be $q = 0$. Write its table in the "
-        f"{convention} convention. Frame 0 and frame {n} are given, as {{s}} sees them; what the rules leave open is free, and every "
-        f"table that fits is right.\n\n{joint_table(arm)}\n\n$$T_{{s0}} = {matrix(table.base)}$$\n\n$$T_{{s{n}}}(0) = {matrix(end)}$$",
+        f"{convention} convention. $q$ is positive about or along the direction of the joint. Frame 0 and frame {n} are given, as {{s}} "
+        "sees them; what the rules leave open is free, and every table that fits is right."
+        f"\n\n{joint_table(arm)}\n\n{given_frames(table)}",
         figure=partial(draw_joints, arm),
         given={"screws": arm.screws, "points": arm.joint_points, "home": arm.home, "base": table.base, "last": end},
         answer=DHTableAnswer(table, anchored=True),

@@ -1,9 +1,13 @@
-"""The joints of a chain as a Markdown table."""
+"""The joints of a chain as a Markdown table, and the frames between which its DH table is read."""
 
 from collections.abc import Iterable
 
+import numpy as np
+
 from kinlib.chains.chain import Chain
-from misstep.display.text import number, vector
+from kinlib.dh.table import DHTable
+from kinlib.rigid.lie import inverse
+from misstep.display.text import matrix, number, vector
 
 
 def joint_table(chain: Chain, joints: Iterable[int] | None = None) -> str:
@@ -25,6 +29,16 @@ def joint_table(chain: Chain, joints: Iterable[int] | None = None) -> str:
         point = f"${vector(chain.joint_points[i])}$" if letter != "P" else "any"
         rows.append(f"| {i + 1} | {kind} | ${vector(axis[i])}$ | {point} |")
     return _table(["joint", "kind", "direction", "point on the axis (m)"], rows)
+
+
+def given_frames(table: DHTable) -> str:
+    """Write the first and the last frame of a table at q = 0, as {s} sees them: what a table is read off between.
+
+    >>> given_frames(DHTable([[2, 0, 0, 0]], convention="standard")).count("$$T_{s")
+    2
+    """
+    last = table.fk(np.zeros(table.n)) @ inverse(table.tool)
+    return f"$$T_{{s0}} = {matrix(table.base)}$$\n\n$$T_{{s{len(table.rows)}}}(0) = {matrix(last)}$$"
 
 
 def _table(heads: Iterable[str], rows: Iterable[str]) -> str:

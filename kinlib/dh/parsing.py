@@ -75,18 +75,19 @@ MAX_LENGTH_M = 1e12
 away, but not that far."""
 
 
-FULL_TURN_RAD, MAX_ANGLE_RAD = 2 * np.pi, 20 * np.pi
-
-
 def is_plausible_angle(angle: float) -> bool:
-    """Return whether an angle in radians is likely to be meant: at most a full turn, or up to ten turns in whole degrees.
+    """Return whether an angle in radians is likely to be meant as it is, and is not in degrees.
 
-    >>> is_plausible_angle(-np.pi), is_plausible_angle(5 * np.pi / 2), is_plausible_angle(10), is_plausible_angle(90)
-    (True, True, False, False)
+    It is if it is at most a full turn, or at most ten turns in whole degrees. Up to two turns, it is as well if it has more than
+    three decimals: nobody types these in degrees, but they result from a sum such as theta + 2 pi.
+
+    >>> [is_plausible_angle(angle) for angle in (-np.pi, 5 * np.pi / 2, 1.2345 + 2 * np.pi, 10, 22.5, 90)]
+    [True, True, True, False, False, False]
     """
-    degrees = np.degrees(angle)
-    is_whole = abs(degrees - np.round(degrees)) < 1e-4 and abs(angle) <= MAX_ANGLE_RAD + 1e-3
-    return bool(abs(angle) <= FULL_TURN_RAD + 1e-3 or is_whole)
+    size, degrees = abs(angle) - 1e-3, np.degrees(angle)  # 6.283 is a full turn
+    is_whole = abs(degrees - np.round(degrees)) < 1e-4
+    is_typed = abs(angle - np.round(angle, 3)) < 1e-9
+    return bool(size <= 2 * np.pi or (is_whole and size <= 20 * np.pi) or (not is_typed and size <= 4 * np.pi))
 
 
 @dataclass(frozen=True, eq=False)

@@ -60,8 +60,14 @@ def test_three_decimals_are_enough():
 
 def test_an_anchored_table_takes_base_and_tool_from_the_problem():
     ends = RIGHT.changed(base=kl.exp([0, 0, 1, 1, 0, 0]), tool=kl.exp([0, 1, 0, 0, 0, 2]))
-    assert judge(Problem("", DHTableAnswer(ends, anchored=True), []), ROWS).state == "right"
-    assert judge(Problem("", DHTableAnswer(ends, anchored=True), []), RIGHT).state == "wrong"
+    problem = Problem("", DHTableAnswer(ends, anchored=True), [])
+    for rows in (ROWS, RIGHT, ends):  # RIGHT has no base and no tool, as the rows have none
+        assert judge(problem, rows).state == "right"
+    assert judge(problem, RIGHT.changed(base=ends.base)).state == "right"
+    for end in ("base", "tool"):
+        assert judge(problem, ends.changed(**{end: kl.exp([0, 0, 0, 0.1, 0, 0])})).state == "wrong"
+    without_ends = Problem("", DHTableAnswer(RIGHT, anchored=True), [])
+    assert judge(without_ends, ends).state == "wrong"
 
 
 def test_a_flipped_joint_sign_is_wrong_if_the_table_is_anchored():
@@ -114,7 +120,15 @@ def test_pairs_of_mistakes_are_not_searched():
         (rows_with((1, 1, 1.1)), "Row 2: alpha has the wrong sign."),
         (rows_with((1, 0, 0.35), (1, 2, 0.25)), "Row 2: a and d are swapped"),
         (rows_with((1, 2, 0.9)), "All but one entry can stand: look again at d in row 2."),
-        (DHTable(ROWS, convention="modified"), "The table is in the standard convention, but was read as modified."),
+        (
+            DHTable(ROWS, convention="modified"),
+            "Your table is in the modified convention, and the problem asks for the standard one.",
+        ),
+        (
+            RIGHT.converted("modified"),
+            "Your table is in the modified convention, and the problem asks for the standard one.",
+        ),
+        (RIGHT.converted("modified").rows, "The table is in the modified convention, but was read as standard."),
         (DHTable(ROWS, convention="standard", joints="RPR"), "Which column holds the variable?"),
         (rows_with((0, 1, 0.1), (1, 0, 9.0), (1, 2, 5.0)), "Axes 1 and 2 make an angle"),
     ],

@@ -83,7 +83,7 @@ def with_other_choices(rng, chain):
     theta[turns] += rng.normal(size=turns.sum())
     d[~turns] += rng.normal(size=(~turns).sum())
     base, tool = (kl.exp(rng.normal(size=6)) for _ in range(2))
-    rows = np.column_stack([a, alpha, d, np.remainder(theta, 2 * np.pi)])
+    rows = np.column_stack([a, alpha, d, theta])
     moved = kl.DHTable(rows, convention="modified", joints=table.joints, base=base, tool=tool).to_chain()
     signs = rng.choice([-1.0, 1.0], size=(table.n, 1))
     return kl.Chain(signs * moved.screws, moved.home)

@@ -402,7 +402,7 @@ def test_a_length_or_an_angle_may_have_any_name(head, name):
 
 
 def test_the_largest_numbers_and_texts_that_are_read_are_those_that_the_messages_name():
-    for angle in (6.283, 2 * np.pi, 4 * np.pi, np.radians(397), 20 * np.pi):
+    for angle in (6.283, 2 * np.pi, 1.2345 + 2 * np.pi, 4 * np.pi, np.radians(397), 20 * np.pi):
         close(DHTable([[1e12, angle, -1e12, -angle]], convention="standard").rows[0, [1, 3]], [angle, -angle])
     entry = "0.5".ljust(200, "0")
     table = DHTable(f"a|alpha|d|theta\n{entry}|0|0|q1".ljust(100_000), convention="standard")
@@ -464,13 +464,17 @@ REFUSED = {
         "Row 1, alpha: an angle must be .*; got 10 rad. 10 rad\\? Write 10° if",
     ),
     "a turn and a bit": ([[0, 0, 0, 6.3]], "Row 1, theta: an angle must be at most a full turn, 2 pi, .*; got 6.3 rad"),
+    "two turns and a bit, computed": (
+        [[0, 0, 0, 4 * np.pi + 0.12345]],
+        "Row 1, theta: an angle must be .*; got 12.6898 rad",
+    ),
     "degrees beside a variable": (
         "a|alpha|d|theta\n0|0|0|q1 - 90",
         "Row 1, theta: an angle .*; got -90 rad. -90 rad\\? Write -90° if",
     ),
     "a turn in uneven degrees": (
-        "a|alpha|d|theta\n0|370.5°|0|q1",
-        "Row 1, alpha: an angle .*; got '370.5°'. Subtract full turns: 10.5° is the same angle",
+        "a|alpha|d|theta\n0|1000.5°|0|q1",
+        "Row 1, alpha: an angle .*; got '1000.5°'. Subtract full turns: 280.5° is the same angle",
     ),
     "eleven turns": (
         "a|alpha|d|theta\n0|0|0|q1 + 22*pi",

@@ -111,8 +111,8 @@ ROWS = np.array(
     [[0.31, 0.7, 0.12, 0], [0.23, -1.1, 0.37, 0], [0.17, 0.9, 0, 0.4], [0.29, 0.6, 0.19, 0], [0.11, 0.5, 0.13, 0]]
 )
 ARM = DHTable(ROWS, convention="standard", joints="RRPRR")
-SHALLOW = ARM.changed(rows=ROWS * (1, 0.09, 1, 0.09))
-"""The same arm with angles of a few degrees: more than a full turn is refused before anybody diagnoses them."""
+SHALLOW = ARM.changed(rows=ROWS * (1, 0.15, 1, 0.15))
+"""The same arm with angles of a few degrees: more than two full turns are refused before anybody diagnoses them."""
 
 EVERYWHERE = {
     "standard as modified": (

@@ -1,0 +1,162 @@
+"""The DH problems of sheets 05 to 07: every legal answer is right, and no slip of one entry has full marks."""
+
+from itertools import product
+
+import numpy as np
+import pytest
+
+from kincourse import find_sheet
+from kinlib.chains.chain import random_configurations
+from kinlib.dh.table import DHTable
+from misstep.judge import judge
+
+STUDENTS = [f"s{i}" for i in range(8)]
+WHOLE_TABLES = {
+    **{f"05.{k}": ("05_dh_standard", k) for k in (3,)},
+    **{f"07.{k}": ("07_frame_assignment", k) for k in (3, 4, 6)},
+}
+CONVERSIONS = {f"06.{k}": ("06_dh_modified", k) for k in (3, 4)}
+
+each_table = pytest.mark.parametrize("place", WHOLE_TABLES.values(), ids=WHOLE_TABLES)
+each_conversion = pytest.mark.parametrize("place", CONVERSIONS.values(), ids=CONVERSIONS)
+
+
+def variants(place):
+    sheet, k = place
+    return [find_sheet(sheet).problems[k - 1].variant(student) for student in STUDENTS]
+
+
+def reversed_x(rows, convention, frames):
+    """The rows with the x axes of some frames reversed."""
+    rows = np.array(rows)
+    for i in frames:
+        own, before, behind = (i, i - 1, i) if convention == "modified" else (i - 1, i - 1, i)
+        rows[own, :2] *= -1
+        rows[before, 3] += np.pi
+        rows[behind, 3] -= np.pi
+    return rows
+
+
+def reversed_z(table, frame):
+    """The table with the z axis of a frame reversed: half a turn about its x. The variable of the joint about it is negated."""
+    rows, signs = np.array(table.rows), np.array(table.signs)
+    standard = table.convention == "standard"
+    alphas, joint = ((frame - 1, frame), frame) if standard else ((frame - 1, frame), frame - 1)
+    rows[alphas[0], 1] += np.pi
+    rows[alphas[1], 1] += np.pi
+    rows[joint, 2:] *= -1
+    signs[joint] *= -1
+    return table.changed(rows=rows, signs=signs)
+
+
+def moves_alike(one, other):
+    q = random_configurations(one.n, 8)
+    return np.abs(one.fk(q) - other.fk(q)).max() < 1e-9
+
+
+@each_table
+def test_random_signs_of_the_entries_are_right_only_if_the_table_is_the_arm(place):
+    rng = np.random.default_rng(0)
+    for problem in variants(place):
+        ours = problem.answer.value
+        for _ in range(5):
+            rows = np.abs(ours.rows) * rng.choice([-1, 1], size=ours.rows.shape)
+            right = moves_alike(ours.changed(rows=rows), ours)
+            assert judge(problem, rows.tolist()).fraction == (1.0 if right else 0.0)
+
+
+@each_table
+def test_one_flipped_sign_costs_the_points_and_is_named(place):
+    for problem in variants(place):
+        ours = problem.answer.value
+        for row, column in zip(*np.nonzero(np.abs(ours.rows) > 1e-9), strict=True):
+            rows = np.array(ours.rows)
+            rows[row, column] *= -1
+            if moves_alike(ours.changed(rows=rows), ours):
+                assert np.isclose(np.abs(rows[row, column]), np.pi)
+                continue
+            judgement = judge(problem, ours.changed(rows=rows))
+            assert judgement.fraction == 0.0
+
+
+@each_table
+def test_every_legal_table_is_right_and_its_difference_is_said(place):
+    for problem in variants(place):
+        ours = problem.answer.value
+        assert problem.answer.remark(ours) == ""
+        legal = {
+            "x": ours.changed(rows=reversed_x(ours.rows, ours.convention, [1])),
+            "x twice": ours.changed(rows=reversed_x(ours.rows, ours.convention, [1, 2])),
+        }
+        for name, table in legal.items():
+            assert moves_alike(table, ours), name
+            for given in (table, table.rows.tolist() if ours.joints == "R" * ours.n else table):
+                assert judge(problem, given).state == "right"
+        assert (
+            problem.answer.remark(legal["x"]) == "It differs from ours where the rules leave a choice: x_1 is reversed."
+        )
+        assert "x_1 is reversed; x_2 is reversed." in problem.answer.remark(legal["x twice"])
+        turns = np.where(np.arange(4) % 2, 2 * np.pi, 0)
+        assert judge(problem, ours.changed(rows=ours.rows + turns)).state == "right"
+        assert judge(problem, ours.changed(rows=ours.rows - turns)).state == "right"
+
+
+@each_table
+def test_a_table_of_the_other_convention_is_wrong_as_an_object_too(place):
+    for problem in variants(place)[:2]:
+        ours = problem.answer.value
+        other = "modified" if ours.convention == "standard" else "standard"
+        judgement = judge(problem, ours.converted(other))
+        assert judgement.state == "wrong"
+        assert f"Your table is in the {other} convention" in judgement.findings[0].message
+
+
+@each_table
+def test_swapped_labels_are_not_read_in_the_order_of_the_rows(place):
+    problem = variants(place)[0]
+    lines = "\n".join(f"1 | 90° | 2 | q{i}" for i in (2, 1, *range(3, problem.answer.value.n + 1)))
+    judgement = judge(problem, f"a | alpha | d | theta\n{lines}")
+    assert judgement.state == "unreadable"
+    assert "Give the rows in the order of the joints" in judgement.findings[0].message
+
+
+@each_conversion
+def test_rows_with_other_directions_of_x_are_right(place):
+    for problem in variants(place):
+        ours, convention = problem.answer.value, problem.answer.convention
+        for chosen in product((False, True), repeat=3):
+            rows = reversed_x(ours, convention, [i for i, reverse in zip((1, 2, 3), chosen, strict=True) if reverse])
+            assert judge(problem, rows).state == "right"
+
+
+@each_conversion
+def test_a_slip_beside_another_direction_of_x_costs_its_row_only(place):
+    for problem in variants(place):
+        ours, convention = problem.answer.value, problem.answer.convention
+        for row in range(4):
+            rows = reversed_x(ours, convention, [2])
+            rows[row, 2] *= -1
+            judgement = judge(problem, rows)
+            assert judgement.fraction == 0.75
+            assert [list(finding.parts) for finding in judgement.findings] == [[f"row {row + 1}"]]
+        for end in (0, 3):
+            rows = ours + 0.0
+            rows[end, 3] += np.pi  # x_0 or x_4: the first and the last frame are given
+            assert judge(problem, rows).fraction == 0.75
+
+
+@each_conversion
+def test_every_slip_of_one_sign_costs_a_row(place):
+    for problem in variants(place):
+        for row, column in zip(*np.nonzero(problem.answer.value), strict=True):
+            rows = problem.answer.value.copy()
+            rows[row, column] *= -1
+            assert judge(problem, rows).fraction == 0.75
+
+
+def test_a_prismatic_axis_of_a_conversion_may_lie_elsewhere():
+    """Row 2 slides: a common normal at another place gives other rows, and the same poses."""
+    table = DHTable([[0.4, 1, 0.2, 0.3], [0.3, 0.5, 0, 0.2], [0.1, 0.4, 0.5, 0]], convention="modified", joints="RPR")
+    answer = find_sheet("06_dh_modified").problems[2].variant("s0").answer
+    kind = type(answer)(np.array(table.rows), convention="modified", joints="RPR")
+    assert kind.agrees(np.array(table.rows), np.array(table.rows)) == [True] * 3
