@@ -73,6 +73,9 @@ class PoseAnswer(Numbers):
     def part_indices(self) -> list[Any]:
         return [np.s_[:, :3], np.s_[:, 3]]
 
+    def slip_indices(self) -> list[Any]:
+        return [np.s_[:3, :3], np.s_[:3, 3]]
+
     def whole_slips(self) -> Iterator[Slip]:
         T = np.asarray(self.value, dtype=float)
         R, p = T[:3, :3], T[:3, 3]

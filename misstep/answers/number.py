@@ -174,7 +174,7 @@ class Numbers(Answer):
             yield (wrong, X * factor, text, text)
 
     def entry_slips(self) -> Iterator[Slip]:
-        """Yield the slips in one entry or two of a part."""
+        """Yield the slips in one entry, or in two of the same row or column of a part."""
         X = np.asarray(self.value, dtype=float)
         if X.ndim == 0:
             return
@@ -183,17 +183,19 @@ class Numbers(Answer):
             signs = np.where(places == entry, -1.0, 1.0)
             text = f"Only one sign is wrong: {self.place(np.unravel_index(entry, X.shape))}."
             yield ("sign of one entry", X * signs, text, text)
-        for piece in self.part_indices():
+        for piece in self.slip_indices():
             for one, other in combinations(np.ravel(places[piece]), 2):
+                indices = [np.unravel_index(entry, X.shape) for entry in (one, other)]
+                if X.flat[one] == X.flat[other] or np.count_nonzero(np.not_equal(*indices)) > 1:
+                    continue
                 order = places.copy()
                 order.flat[[one, other]] = other, one
-                where = " and ".join(self.place(np.unravel_index(entry, X.shape)) for entry in (one, other))
-                yield (
-                    "two entries swapped",
-                    X.ravel()[order],
-                    f"Two entries are swapped: {where}.",
-                    f"Two entries are swapped: {where}.",
-                )
+                text = f"Two entries are swapped: {' and '.join(map(self.place, indices))}."
+                yield ("two entries swapped", X.ravel()[order], text, text)
+
+    def slip_indices(self) -> list[Any]:
+        """Return the indices of entries among which two in the same row or column may be swapped."""
+        return self.part_indices()
 
     def place(self, index: Sequence[Any]) -> str:
         """Name the place of an entry of the whole array."""

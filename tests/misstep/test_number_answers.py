@@ -228,15 +228,15 @@ def test_the_slips_of_a_matrix_are_what_their_texts_say():
         ("rows swapped", "Rows 2 and 3 are swapped."): right[[0, 2, 1]],
         ("columns swapped", "Columns 1 and 2 are swapped."): right[:, [1, 0, 2]],
         ("sign of one entry", "Only one sign is wrong: row 1, column 2."): right * [[1, -1, 1], [1, 1, 1], [1, 1, 1]],
-        ("two entries swapped", "Two entries are swapped: row 1, column 1 and row 2, column 3."): [
-            [6, 2, 0],
-            [4, 5, 1],
+        ("two entries swapped", "Two entries are swapped: row 1, column 1 and row 2, column 1."): [
+            [4, 2, 0],
+            [1, 5, 6],
             [7, 8, 9],
         ],
     }
     for key, value in expected.items():
         np.testing.assert_array_equal(found[key], value)
-    assert len(found) == 1 + 1 + 1 + 4 + 8 + 9 * 8 // 2
+    assert len(found) == 1 + 1 + 1 + 4 + 8 + 18
 
 
 @pytest.mark.parametrize(
