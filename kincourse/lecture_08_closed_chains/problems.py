@@ -140,28 +140,38 @@ def both_modes(sampler: ArmSampler) -> Problem:
                 -D,
                 "These are the right angles with the other sign: those of the mirror image in the ground line, whose crank points "
                 "below the $x$ axis. Here angles are positive anticlockwise, and the crank points above it.",
+                "This is a right angle with the other sign. Angles are positive anticlockwise, and the crank points above the $x$ axis.",
             ),
             mistake(
                 "inner angles",
                 np.pi - D,
                 "These are the inner angles at D. The joint value counts from the direction of $x$, anticlockwise.",
+                "This is an inner angle at D. The joint value counts from the direction of $x$, anticlockwise.",
             ),
             mistake(
                 "crank from y",
                 four_bar.assembly_modes(np.pi / 2 - A)[:, 2],
                 "You measured the crank from the $y$ axis. At 0 degrees it lies along $x$.",
+                "This is right if the crank's angle is measured from the $y$ axis. At 0 degrees the crank lies along $x$.",
             ),
             mistake(
                 "lengths swapped",
                 swapped,
                 "You swapped coupler and rocker. The circle about B has the coupler's radius, the one about D the rocker's.",
+                "This is right if coupler and rocker are swapped. The circle about B has the coupler's radius.",
             ),
             mistake(
                 "the coupler's angles",
                 [left[0] + left[1], right[0] + right[1]],
                 "These are the coupler's angles from the $x$ axis. The rocker hangs at D.",
+                "This is an angle of the coupler from the $x$ axis. The rocker hangs at D.",
             ),
-            mistake("degrees", np.degrees(D), "Right, but in degrees. Joint values are in radians."),
+            mistake(
+                "degrees",
+                np.degrees(D),
+                "Right, but in degrees. Joint values are in radians.",
+                "Right, but in degrees.",
+            ),
         ],
     )
 
@@ -492,18 +502,21 @@ def three_mobilities(sampler: ArmSampler) -> Problem:
                 "believed the count",
                 [counted, counted, counted],
                 "You believed the count. Felt is the number of joint values less the rank of $J$: look at the singular values that are 0.",
+                "This is the number that is counted. Counting does not see that some of the equations of the closure are not new.",
             ),
             mistake(
                 "rank",
                 [counted, rank, case.finite_mobility],
                 f"You gave the rank of $J$, {rank}: how many of its equations are new. Felt is what they leave over.",
+                f"This is the rank of $J$, {rank}: how many of its equations are new. Felt is what they leave over.",
             ),
             mistake(
                 "the wrong d",
                 [linkage.n - (9 - d) * loops, felt, case.finite_mobility],
                 f"You counted with $d = {9 - d}$. This linkage moves {'in one plane' if d == 3 else 'in space'}: $d = {d}$.",
+                f"This is the count with $d = {9 - d}$. This linkage moves {'in one plane' if d == 3 else 'in space'}: $d = {d}$.",
             ),
-            mistake("had", [counted, felt, 1 - case.finite_mobility], case.explanation),
+            mistake("had", [counted, felt, 1 - case.finite_mobility], case.explanation, case.explanation),
         ],
     )
 
@@ -517,6 +530,9 @@ class CountsAnswer(Numbers):
     @property
     def expected(self) -> str:
         return f"{len(self.names)} whole numbers, {', '.join(self.names)}"
+
+    def place(self, index: Sequence[int]) -> str:
+        return self.names[index[0]]
 
     @property
     def parts(self) -> Sequence[str]:

@@ -45,31 +45,37 @@ def pose_of_a_joint(sampler: ArmSampler) -> Problem:
                 homogeneous(own[:3, :3], xyz),
                 "You turned about the frame's own axes, in the order roll, pitch, yaw: $R_x R_y R_z$. These axes are fixed: "
                 "what comes later stands further left, $R_z R_y R_x$.",
+                "This is $R_x R_y R_z$, the rotation about the frame's own axes. URDF's axes are fixed: $R_z R_y R_x$.",
             ),
             mistake(
                 "yaw first",
                 homogeneous(origin(rpy=rpy[::-1])[:3, :3], xyz),
                 "You read the angles as yaw, pitch, roll. The first is the roll, about $x$.",
+                "This is the rotation with the angles read as yaw, pitch, roll. The first is the roll, about $x$.",
             ),
             mistake(
                 "transposed",
                 homogeneous(right.T[:3, :3], xyz),
                 "This is $R^T$, the parent seen from the joint. The columns of $R$ are the joint's axes, seen from the parent.",
+                "This is $R^T$. The columns of $R$ are the joint's axes, seen from the parent.",
             ),
             mistake(
                 "degrees",
                 origin(xyz, np.radians(rpy)),
                 "You took the angles for degrees. URDF writes radians: 1.5708 is a right angle.",
+                "This is the rotation with the angles read as degrees. URDF writes radians: 1.5708 is a right angle.",
             ),
             mistake(
                 "no shift",
                 homogeneous(right[:3, :3], 0 * xyz),
+                "The rotation is right, the position is left at 0. `xyz` is the position of the joint in the parent's frame.",
                 "The position is left at 0. `xyz` is the position of the joint in the parent's frame: the last column, as it is.",
             ),
             mistake(
                 "turned before it was shifted",
                 homogeneous(right[:3, :3], right[:3, :3] @ xyz),
                 "You turned the shift as well. `xyz` is already read in the parent's frame: it is the last column as it stands.",
+                "This is $R\\,p$. `xyz` is already read in the parent's frame: it is the last column as it is.",
             ),
         ],
     )

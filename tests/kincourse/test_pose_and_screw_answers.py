@@ -3,9 +3,14 @@
 import numpy as np
 import pytest
 
-from kincourse.answers.pose import PoseAnswer
-from kincourse.answers.screws import ScrewsAnswer
-from kinlib.chains.robots import youbot
+from kincourse.answers.frames import DHFramesAnswer
+from kincourse.answers.point import VectorsAnswer
+from kincourse.answers.pose import OriginAnswer, PoseAnswer, RotationAnswer
+from kincourse.answers.screws import ScrewsAnswer, TwistAnswer
+from kinlib.chains.robots import rpr, youbot
+from kinlib.dh.assignment import assign_frames
+from kinlib.rigid.lie import exp, inverse
+from kinlib.rigid.rpy import origin, roll_pitch_yaw
 from misstep.answers.base import Unreadable
 from misstep.judge import judge
 from misstep.problem import Problem
@@ -103,3 +108,178 @@ def test_an_unreadable_value_is_refused_with_a_remedy(answer, given, words):
 
 def test_no_screws_at_all_may_be_an_answer():
     assert ScrewsAnswer(np.zeros((0, 6))).read(np.zeros((0, 6))).shape == (0, 6)
+
+
+# --- the scale of each number ---
+
+SMALL_ARM = ScrewsAnswer(np.array([[0, 0, 1, 0, -0.05, 0], [0, 1, 0, 0.02, 0, 0], [0, 0, 0, 1, 0, 0.0]]))
+
+
+def test_moments_have_the_scale_of_the_lengths_and_directions_that_of_1():
+    off = np.array([[0, 9e-4, 1, 0, -0.05, 9e-5], [0, 1, 0, 0.02, 0, 2e-4], [0, 0, 0, 1, 0, 9e-4]])
+    assert SMALL_ARM.agrees(off, SMALL_ARM.value) == [True, False, True]
+
+
+def test_a_position_has_the_scale_of_its_lengths():
+    T = turned(np.eye(3), (0.05, 0, 3e-7))
+    answer = PoseAnswer(T)
+    assert answer.agrees(turned(np.eye(3), (0.05, 9e-5, 0)), T) == [True, True]
+    assert answer.agrees(turned(np.eye(3), (0.05, 2e-4, 0)), T) == [True, False]
+    assert answer.agrees(turned([[1, 9e-4, 0], [0, 1, 0], [0, 0, 1]], (0.05, 0, 0)), T) == [True, True]
+
+
+def test_a_missing_length_is_not_called_rounded():
+    answer = PoseAnswer(turned(np.eye(3), (0.4251, 0, 0.0203)))
+    assert not answer.is_rounded(turned(np.eye(3), (0.4251, 0, 0)), 1)
+    assert answer.is_rounded(turned(np.eye(3), (0.43, 0, 0.02)), 1)
+    assert not answer.is_rounded(turned(np.eye(3), (0.43, 0, 0.05)), 1)
+
+
+# --- equal in meaning ---
+
+
+@pytest.mark.parametrize("rpy", [(0.3, 0, 0), (-np.pi / 3, 0, 0), (0.1, 0.2, 0.3), (0.4, np.pi / 2, 0.1)])
+def test_all_angles_of_the_same_rotation_are_right(rpy):
+    roll, pitch, yaw = rpy
+    right = np.array([[0.9, 0.4, 0.2], rpy])
+    answer = OriginAnswer(right)
+    for same in (
+        (roll + np.pi, np.pi - pitch, yaw + np.pi),
+        (roll + 2 * np.pi, pitch, yaw),
+        roll_pitch_yaw(origin(rpy=rpy)[:3, :3]),
+    ):
+        assert answer.agrees(answer.read([right[0], same]), right) == [True]
+    assert answer.agrees(answer.read([right[0], (roll + 0.01, pitch, yaw)]), right) == [False]
+    assert (
+        answer.hint(np.array([right[0], (roll + 0.1, pitch, yaw)]), 0)
+        == "Its xyz is right, its rpy is another rotation."
+    )
+    assert answer.hint(np.array([right[1], right[1]]), 0) == "Its rpy is right, its xyz is not."
+    assert answer.hint(np.array([right[1], right[0]]), 0) == ""
+
+
+# --- hints ---
+
+
+def test_hints_name_the_wrong_entries():
+    R = exp(np.array([0.3, 0.4, 0.5]))
+    T = turned(R, (1, 2, 3))
+    wrong = T.copy()
+    wrong[0, 1] += 0.2
+    assert PoseAnswer(T).hint(wrong, 0) == "8 of the 9 entries are right. Look at row 1, column 2."
+    assert RotationAnswer(R).hint(wrong[:3, :3], 0) == "8 of the 9 entries are right. Look at row 1, column 2."
+    assert PoseAnswer(T).hint(turned(R, (1, 2, 9)), 1) == "2 of the 3 entries are right. Look at z."
+    assert PoseAnswer(T).hint(turned(R, (1, 8, 9)), 1) == ""
+    right = np.array([0, 0, 1, 0, -2, 0.5])
+    assert ScrewsAnswer(right).hint(np.array([0, 0, 1, 0, -2, 9]), 0) == (
+        "Its omega is right, its v is not. Look at v_z: all other entries are right."
+    )
+    points = VectorsAnswer(np.array([[1.0, 2, 3], [4, 5, 6]]), names=["the point", "the arrow"])
+    assert points.hint(np.array([[1.0, 2, 9], [6, 4, 5]]), 0) == "2 of the 3 entries are right. Look at z."
+    assert points.hint(np.array([[1.0, 2, 9], [6, 4, 5]]), 1).startswith("Its components have the right sizes")
+    assert points.hint(np.array([[1.0, 2, 9], [6, 4, 7]]), 1) == ""
+
+
+@pytest.mark.parametrize(
+    ("answer", "given"),
+    [
+        (VectorsAnswer(np.zeros((2, 3)), names=["the point", "the arrow"]), np.zeros((2, 4))),
+        (VectorsAnswer(np.zeros(3), unit="m"), np.zeros(4)),
+    ],
+)
+def test_homogeneous_coordinates_are_recognised(answer, given):
+    with pytest.raises(Unreadable, match="homogeneous coordinates: leave off the last entry"):
+        answer.read(given)
+
+
+# --- slips: each text is a claim, and the value shows it ---
+
+
+def slips_of(answer):
+    return {slip.message: slip.value for slip in answer.slips()}
+
+
+def check_slips(answer, expected):
+    found = slips_of(answer)
+    for text, value in expected.items():
+        np.testing.assert_allclose(found[text], value, rtol=0, atol=1e-12, err_msg=text)
+    assert not any(all(answer.agrees(value, answer.value)) for value in found.values())
+
+
+def test_the_slips_of_a_pose_are_what_their_texts_say():
+    R, p = exp(np.array([0.3, 0.4, 0.5])), np.array([1.0, 2, 3])
+    T = turned(R, p)
+    swapped = T[:, [1, 0, 2, 3]]
+    expected = {
+        "The position is right; the rotation is the transpose of the right one.": turned(R.T, p),
+        "Your pose is the inverse of the right one.": np.linalg.inv(T),
+        "The rotation is right; the position is that of the inverse pose.": turned(R, -R.T @ p),
+        "Your matrix is the transpose of the right one, last row included.": T.T,
+        "The rotation is right; the position has all signs wrong.": turned(R, -p),
+        "Your pose has R^T and -p, where the right one has R and p.": turned(R.T, -p),
+        "The rotation is right; the position is in millimetres. Give it in metres.": turned(R, 1000 * p),
+        "Columns 1 and 2 of the rotation are swapped.": swapped,
+        "Only one sign is wrong: row 1, column 4.": turned(R, (-1, 2, 3)),
+        "Two entries are swapped: row 2, column 4 and row 3, column 4.": turned(R, (1, 3, 2)),
+    }
+    check_slips(PoseAnswer(T), expected)
+    check_slips(RotationAnswer(R), {"Your rotation is the transpose of the right one.": R.T})
+
+
+@pytest.mark.parametrize("part", [0, 1])
+def test_the_text_for_a_part_of_a_pose_speaks_of_this_part_alone(part):
+    T = turned(exp(np.array([0.3, 0.4, 0.5])))
+    other = ("position", "rotation")[part]
+    for slip in PoseAnswer(T).slips():
+        if not PoseAnswer(T).agrees(slip.value, T)[part]:
+            assert other not in slip.part
+
+
+def test_the_slips_of_screws_are_what_their_texts_say():
+    S = np.array([[0, 0, 1, 0.3, -2, 0.1], [0, 1, 0, 3, 0, 4], [0, 0, 0, 0.6, 0, 0.8]])
+    expected = {
+        "Every screw axis has v in front of omega. The order is (omega, v).": S[:, [3, 4, 5, 0, 1, 2]],
+        "Every screw axis has the opposite direction: all signs are wrong.": -S,
+        "Every omega is right; every moment v has the wrong sign.": [*(S[:2] * [1, 1, 1, -1, -1, -1]), S[2]],
+        "Every v is right; every omega has the wrong sign.": S * [-1, -1, -1, 1, 1, 1],
+        "Every omega is right; every moment v is left at 0.": [*(S[:2] * [1, 1, 1, 0, 0, 0]), S[2]],
+        "The direction of a translation is in omega. It belongs in v, and omega is 0.": [
+            *S[:2],
+            [0.6, 0, 0.8, 0, 0, 0],
+        ],
+        "The moments v are in millimetres. Give them in metres.": [*(S[:2] * [1, 1, 1, 1e3, 1e3, 1e3]), S[2]],
+        "The screw axes are right, their order is reversed.": S[::-1],
+        "The rows of screw 2 and screw 3 are swapped.": S[[0, 2, 1]],
+        "Only one sign is wrong: v_y of screw 1.": [[0, 0, 1, 0.3, 2, 0.1], *S[1:]],
+        "Two entries are swapped: v_x of screw 2 and v_z of screw 2.": [S[0], [0, 1, 0, 4, 0, 3], S[2]],
+    }
+    check_slips(ScrewsAnswer(S), expected)
+    check_slips(TwistAnswer(S[0]), {"It has v in front of omega. The order is (omega, v).": np.roll(S[0], 3)})
+
+
+def test_a_slip_in_one_screw_is_named_for_this_screw():
+    S = np.array([[0, 0, 1, 0.3, -2, 0], [0, 1, 0, 3, 0, 4.0]])
+    judgement = judge(Problem("", ScrewsAnswer(S), []), [S[0], np.roll(S[1], 3)])
+    assert [(finding.parts, finding.message) for finding in judgement.findings] == [
+        (["screw 2"], "It has v in front of omega. The order is (omega, v).")
+    ]
+
+
+def test_the_slips_of_vectors_are_what_their_texts_say():
+    right = np.array([[1.0, 2, 3], [4, 5, 6]])
+    expected = {
+        "The components are right, their order is not: yours is y, z, x.": right[:, [1, 2, 0]],
+        "The components are right, their order is not: yours is z, x, y.": right[:, [2, 0, 1]],
+        "Only one sign is wrong: z of the arrow.": right * [[1, 1, 1], [1, 1, -1]],
+    }
+    check_slips(VectorsAnswer(right, names=["the point", "the arrow"]), expected)
+    check_slips(VectorsAnswer(right[0], unit="m"), {"Only one sign is wrong: z.": right[0] * [1, 1, -1]})
+
+
+def test_the_slips_of_frames_break_the_rules():
+    frames = assign_frames(rpr(), convention="standard").frames
+    expected = {
+        "Every pose is the inverse of the right one: {s} seen from the frame.": inverse(frames),
+        "The frames are right, their order is reversed.": frames[::-1],
+    }
+    check_slips(DHFramesAnswer(frames, chain=rpr(), convention="standard"), expected)

@@ -60,3 +60,12 @@ def test_the_axis_of_problem_2_is_that_of_the_chain():
         joint = f'<joint name="j" type="continuous"><parent link="a"/><child link="b"/>{element}</joint>'
         chain = kl.load_urdf(f'<robot name="r"><link name="a"/><link name="b"/>{joint}</robot>')
         np.testing.assert_allclose(chain.lines.axis[0], problem.answer.value, rtol=0, atol=POSITION_ATOL_M)
+
+
+def test_every_roll_pitch_and_yaw_of_the_right_rotation_is_right():
+    for student in STUDENTS[:20]:
+        sheet = open_sheet("09_urdf", student)
+        xyz, (alpha, _, _) = sheet.problem(8).answer.value
+        for same in ((alpha + np.pi, np.pi, np.pi), (alpha - np.pi, -np.pi, np.pi), (alpha + 2 * np.pi, 0, 0)):
+            assert sheet.check(8, [xyz, same]).score == 3
+        assert sheet.check(8, [xyz, (0, alpha, 0)]).score == 0
