@@ -82,6 +82,11 @@ class Problem:
         """The mistakes to which one change of the solution leads."""
         return list(self._mistakes((mutation,) for mutation in zip(*self._mutations, strict=True)))
 
+    @property
+    def known_mistakes(self) -> Sequence[Mistake]:
+        """The mistakes of the author, and the mutants."""
+        return [*self.mistakes, *self.mutants]
+
     def double_mutants(self, given: Any) -> Iterator[Mistake]:
         """Yield the mistakes to which two changes of the solution lead, and which may have led to a given answer."""
         changed = (pairs(root, single) for root, single in zip(self._roots, self._mutations, strict=True))

@@ -10,10 +10,9 @@ from corruption import corrupted_json, corrupted_texts, noise, often
 from fuzz_settings import fuzz_settings
 from hypothesis import given
 from hypothesis import strategies as st
+from typed_answers import as_typed, typable
 
 from kincourse import find_sheet, sheets
-from misstep.answers.function import FunctionCalls
-from misstep.formulas.evaluation import Formula
 from misstep.grading.judging import judge_process as judging
 from misstep.grading.judging.result import ProblemResult, Result
 from misstep.grading.publish.shared_answers import find_matches
@@ -52,13 +51,8 @@ def problem(place):
 def answers(place):
     """Answers to a problem as data: the right one, and those of its mistakes."""
     asked = problem(place)
-    values = [asked.answer.value, *(mistake.value for mistake in asked.mistakes)]
-    return [to_data(_typed(value), asked.answer.inputs) for value in values]
-
-
-def _typed(value):
-    value = value.given if isinstance(value, Formula) else value
-    return value.function if isinstance(value, FunctionCalls) else value
+    values = [asked.answer.value, *(mistake.value for mistake in typable(asked)[:12])]
+    return [to_data(as_typed(value), asked.answer.inputs) for value in values]
 
 
 def cases():

@@ -12,6 +12,7 @@ from odd_robots import generated_sheets
 
 from kincourse import attempt, blanks, find_sheet, open_sheet, sheets
 from misstep.answers.number import Numbers
+from misstep.census import is_true
 from misstep.judge import judge
 from misstep.sheet import SAMPLE_ID
 from misstep.verdict import Verdict
@@ -25,6 +26,9 @@ STUDENTS = [f"student {i}" for i in range(200)]
 
 CACHED_STUDENTS = 30
 """The number of students whose variants are kept for all tests here; all 200 of every problem would need too much memory."""
+
+MUTANT_STUDENTS = 5
+"""The number of students to whose problems each mutant of the solution is given as an answer."""
 
 ROBOT_SHEET_VARIANTS = 25
 """The number of variants of a problem of a robot sheet; tests/kincourse/test_new_sheet.py tests more robots."""
@@ -60,6 +64,21 @@ def test_on_200_variants_the_right_answer_scores_full_and_each_mistake_gets_its_
 
 
 @each_problem
+def test_each_mutant_of_the_solution_costs_points_and_is_named(template):
+    for student in STUDENTS[:MUTANT_STUDENTS]:
+        problem = variant(template, student)
+        for wrong in problem.mutants:
+            if wrong.name not in problem.invisible:
+                judgement = judge(problem, wrong.value)
+                assert judgement.fraction < 1
+                own = [one.names for one in problem.mistakes if all(problem.answer.agrees(one.value, wrong.value))]
+                named = {names for finding in judgement.findings for names in finding.alternatives}
+                assert named & {wrong.names, *own}, (wrong.name, judgement)
+                value = problem.answer.read(wrong.value)
+                assert all(is_true(problem, value, finding) for finding in judgement.findings)
+
+
+@each_problem
 def test_a_right_answer_typed_with_three_decimals_is_right(template):
     problem = variant(template, "ada")
     if isinstance(problem.answer, Numbers):
@@ -77,7 +96,7 @@ def test_students_get_different_numbers(template):
 
 @each_problem
 def test_a_problem_names_at_least_three_mistakes(template):
-    assert len(variant(template, "ada").mistakes) >= 3
+    assert len(variant(template, "ada").known_mistakes) >= 3
 
 
 @each_problem_and_step

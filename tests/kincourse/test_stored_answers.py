@@ -5,7 +5,7 @@ import json
 import numpy as np
 import pytest
 from hostile_answers import HOSTILE, Rude
-from typed_answers import as_typed
+from typed_answers import as_typed, typable
 
 from kincourse import find_sheet, sheets
 from kinlib.dh.table import DHTable
@@ -24,7 +24,10 @@ def sent(value, inputs=()):
 @pytest.mark.parametrize("template", TEMPLATES, ids=lambda template: template.number)
 def test_an_answer_is_judged_from_json_as_in_the_notebook(template):
     problem = template.variant("ada")
-    typed = [problem.answer.value, *(wrong.value for wrong in problem.mistakes)]
+    typed = [
+        problem.answer.value,
+        *(wrong.value for wrong in typable(problem)[:12]),
+    ]
     for value in [*map(as_typed, typed), ..., None, *HOSTILE.values(), Rude()]:
         home, away = judge(problem, value), judge(problem, sent(value, problem.answer.inputs))
         assert (away.state, away.fraction, away.mistakes) == (home.state, home.fraction, home.mistakes)

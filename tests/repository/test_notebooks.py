@@ -117,7 +117,7 @@ def claims_in(path):
     for number, step in blanks().items():
         if number.startswith(f"{lecture}."):
             problem = step.variant("anybody")
-            yield number, "", "\n".join([problem.statement, *(wrong.message for wrong in problem.mistakes)])
+            yield number, "", "\n".join([problem.statement, *(wrong.message for wrong in problem.known_mistakes)])
 
 
 def outputs_of(notebook):

@@ -11,6 +11,7 @@ from functools import cache
 from pathlib import Path
 
 import numpy as np
+from typed_answers import typable
 
 from kincourse import find_sheet
 
@@ -75,7 +76,7 @@ def right(student, name=SHEET):
 def mistaken(student, which=0, name=SHEET):
     """Lines with the answers that a mistake leads to, by problem."""
     home_first = "lambda q: {home} @ kl.Chain({screws}, np.eye(4)).fk(q)"
-    return typed(student, lambda problem: problem.mistakes[which % len(problem.mistakes)].value, home_first, name)
+    return typed(student, lambda problem: typable(problem)[which % len(typable(problem))].value, home_first, name)
 
 
 def attacking(student, attack):

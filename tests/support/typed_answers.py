@@ -4,6 +4,11 @@ from misstep.answers.function import FunctionCalls
 from misstep.formulas.evaluation import Formula
 
 
+def typable(problem):
+    """The mistakes of a problem that can be typed: all but the mutants of functions and formulas, which are numbers alone."""
+    return [wrong for wrong in problem.known_mistakes if as_typed(wrong.value) is not None]
+
+
 def as_typed(value):
     """What was read goes back to what was typed."""
     value = value.given if isinstance(value, Formula) else value

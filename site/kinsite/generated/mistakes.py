@@ -74,7 +74,7 @@ def messages(template: Template) -> dict[str, str]:
     """Collect the message of each mistake of a problem, by name, without what belongs to one student only."""
     variants: dict[str, list[str]] = {}
     for student in STUDENTS:
-        for mistake in template.variant(student).mistakes:
+        for mistake in template.variant(student).known_mistakes:
             variants.setdefault(mistake.name, []).append(mistake.message)
     return {name: common_text(messages) for name, messages in variants.items()}
 

@@ -5,18 +5,19 @@ import subprocess
 import sys
 import time
 from pathlib import Path
+from types import SimpleNamespace
 
 import numpy as np
 import pytest
 import submissions
 from submissions import as_bytes, code, handed_in, problem_of, right
-from typed_answers import as_typed
+from typed_answers import as_typed, typable
 
 from kincourse import COURSE, find_sheet, sheets
 from misstep.grading.collect.notebook import UnusableNotebook
 from misstep.grading.collect.run_plan import PlannedCell, RunPlan, plan_run, read_released_sheet
 from misstep.grading.judging import judge_process
-from misstep.grading.judging.grader import Grader
+from misstep.grading.judging.grader import NOT_JUDGED, Grader
 from misstep.grading.judging.parse_output import parse_output
 from misstep.grading.sandbox import redacted_sheet
 from misstep.grading.sandbox.course_stub import setup_for
@@ -66,18 +67,23 @@ def test_the_judge_gives_full_points_for_right_answers_and_names_mistakes(name):
     made = find_sheet(name)
     seed = judge_process.redacted_sheet(COURSE, made, "ada")["seed"]
     problems = [template.variant("ada").with_inputs(seed) for template in made.problems]
+    mistaken = [typable(problem)[0] for problem in problems]
     for wanted, values in {
         "right": [problem.answer.value for problem in problems],
-        "mistaken": [problem.mistakes[0].value for problem in problems],
+        "mistaken": [wrong.value for wrong in mistaken],
     }.items():
         data = [
             to_data(as_typed(value), problem.answer.inputs) for value, problem in zip(values, problems, strict=True)
         ]
         sent = json.loads(json.dumps({str(k): answer for k, answer in enumerate(data, start=1)}))
         told = judge_process.verdicts(COURSE, made, "ada", seed, sent)
-        for k, problem in enumerate(problems, start=1):
+        for k, wrong in enumerate(mistaken, start=1):
             assert (told[str(k)]["fraction"] == 1) == (wanted == "right")
-            assert told[str(k)]["mistakes"] == ([] if wanted == "right" else [problem.mistakes[0].name])
+            assert (
+                (wrong.names in told[str(k)]["explanations"][0])
+                if wanted == "mistaken"
+                else not told[str(k)]["mistakes"]
+            )
 
 
 def test_a_paper_has_other_inputs_each_time_and_the_judge_knows_them_by_the_seed():
@@ -130,6 +136,17 @@ def test_a_judge_that_has_to_wait_for_its_turn_gives_the_same_verdict(monkeypatc
     monkeypatch.setattr(judge_process, "judge", lambda *asked: [time.sleep(0.6), at_once(*asked)][1])
     judge_process.signal.signal(judge_process.signal.SIGPROF, judge_process._raise_timeout)
     assert judge_process.verdicts(COURSE, made, "ada", 0, {"1": {"number": 1}}) == right
+
+
+@pytest.mark.parametrize("told", [{}, {"1": None}])
+def test_a_problem_without_an_answer_earns_nothing(told):
+    course = SimpleNamespace(_templates=[("01.1", "A pose", 2), ("01.2", "A rotation", 3)])
+    results = Grader._problem_results(course, told, {}, {})
+    assert [(one.number, one.points, one.max, one.state) for one in results] == [
+        ("01.1", 0, 2, "missing"),
+        ("01.2", 0, 3, "missing"),
+    ]
+    assert NOT_JUDGED["fraction"] == 0
 
 
 # --- what is heard ---
