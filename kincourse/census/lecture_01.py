@@ -24,7 +24,9 @@ def pose_off_a_drawing(given: Any, T: Any) -> Answers:
     yield from alike(by.ORDER, {"y and z axes swapped": pose(swapped(R, 1, 2, 1), p)})
     yield from alike(by.ORDER, {"axes in the order y, z, x": pose(R[:, [1, 2, 0]], p)})
     yield from alike(by.SIGN | {"left-handed"}, {"-y": pose(R * (1, -1, 1), p), "-z": pose(R * (1, 1, -1), p)})
-    yield from alike(by.SIGN, {"-x and -y": pose(R * (-1, -1, 1), p), "one sign of p": pose(R, negated(p, 1))})
+    yield from alike(
+        by.SIGN | by.SWAPPED, {"-x and -y": pose(R * (-1, -1, 1), p), "one sign of p": pose(R, negated(p, 1))}
+    )
     yield from alike(by.SIGN | {"leads from"}, {"-p": pose(R, -p)})
     yield from alike(by.SWAPPED, {"x and y of p swapped": pose(R, yx), "y and z of p swapped": pose(R, p[[0, 2, 1]])})
     yield from alike({"{b}", *by.TRANSPOSED}, {"p as {b} sees it": pose(R, R.T @ p)})
@@ -81,7 +83,9 @@ def augmented_matrix(given: Any, answer: Any) -> Answers:
     (c, s), A = R[:, 0], mapped(R)
     column = A[:2, 2]
     yield from alike(by.ORDER, {"the other order": mapped(R, shift_first=not first)})
-    yield from alike(by.OTHER_WAY, {"turned the other way": mapped(R.T), "R transposed only": augmented(R.T, column)})
+    yield from alike(
+        by.OTHER_WAY | by.SWAPPED, {"turned the other way": mapped(R.T), "R transposed only": augmented(R.T, column)}
+    )
     yield from alike({"last row", *by.TRANSPOSED}, {"all transposed": A.T})
     yield from alike({"last row"}, {"p in the last row": augmented(R, 0 * p) + A.T - augmented(R.T, 0 * p)})
     yield from alike({"last row"}, {"0 in the corner": A - np.diag([0, 0, 1])})

@@ -29,7 +29,7 @@ def matrix_of_a_screw(given: Any, answer: Any) -> Answers:
     yield from alike(by.SIGN | {"equals its transpose"}, {"upper signs in both": symmetric})
     yield from alike(by.SIGN | {"equals its transpose"}, {"no minus": block(np.abs(W))})
     for i, j in [(0, 1), (0, 2), (1, 2)]:
-        yield from alike(by.SIGN, {f"both signs of {'zyx'[i + j - 1]}": block(negated(W, (i, j), (j, i)))})
+        yield from alike(by.SIGN | by.SWAPPED, {f"both signs of {'zyx'[i + j - 1]}": block(negated(W, (i, j), (j, i)))})
     yield from alike(by.SIGN, {"one sign": block(negated(W, (0, 1))), "-v": block(W, -v)})
     yield from alike(by.SWAPPED | by.ORDER, {"x and z exchanged": block(hat(w[::-1]))})
     yield from alike(by.SWAPPED | by.ORDER, {"y and z": block(hat(w[[0, 2, 1]]))})

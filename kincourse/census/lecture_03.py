@@ -166,7 +166,9 @@ def from_a_drawing(given: Any, answer: Any) -> Answers:
     yield from alike(by.POINT, {"point as moment": [*w, *p], "moment along the axis": [*w, *v + w]})
     yield from alike(by.OMITTED | {"moment", "origin"}, {"no moment": [*w, 0, 0, 0]})
     yield from alike(by.SLIDE, {"as a slide": [0, 0, 0, *w]})
-    yield from alike(by.AXIS, {"another axis, moment kept": [*next_axis, *v], "another axis": line(w=next_axis)})
+    yield from alike(
+        by.AXIS | by.SWAPPED, {"another axis, moment kept": [*next_axis, *v], "another axis": line(w=next_axis)}
+    )
     yield from alike(by.SWAPPED, {"two coordinates swapped": line(swapped(p, i, j))})
     yield from alike(by.SWAPPED | by.MOMENT, {"omega x p, two coordinates swapped": line(swapped(-p, i, j))})
     yield from alike(by.SIGN, {"one sign of the point": line(negated_one(p)), "one sign of v": [*w, *negated_one(v)]})
@@ -186,9 +188,9 @@ def which_order(given: Any, answer: Any) -> Answers:
     yield from alike(home, {"M before the last joint": [*e[:3], "M", e[3]]})
     yield from alike({"alphabet", "names"}, {"by the alphabet": [*sorted(e), "M"], "and home first": ["M", *sorted(e)]})
     if listed != e:  # the statement lists the joints in an order of its own, by chance from the floor to the tool
-        yield from alike({"listed", "statement", "order"}, {"as listed": [*listed, "M"]})
+        yield from alike(by.ORDER | {"listed", "statement"}, {"as listed": [*listed, "M"]})
     if listed[::-1] != e:
-        yield from alike({"listed", "statement", "order"}, {"as listed, reversed": [*listed[::-1], "M"]})
+        yield from alike(by.ORDER | {"listed", "statement"}, {"as listed, reversed": [*listed[::-1], "M"]})
     for k, which in enumerate(["first", "middle", "last"]):
         yield from alike(by.ORDER, {f"{which} two swapped": [*e[:k], e[k + 1], e[k], *e[k + 2 :], "M"]})
     yield from alike(by.ORDER, {"floor last": [*e[1:], e[0], "M"], "tool first": [e[3], *e[:3], "M"]})

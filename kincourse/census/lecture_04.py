@@ -42,7 +42,9 @@ def body_screw_off_a_drawing(given: Any, answer: Any) -> Answers:
     yield from alike(by.POINT, {"point as moment": [*w, *p], "moment along the axis": [*w, *v + w]})
     yield from alike(by.OMITTED | {"moment", "origin"}, {"no moment": [*w, 0, 0, 0]})
     yield from alike(by.SLIDE, {"as a slide": [0, 0, 0, *w]})
-    yield from alike(by.AXIS, {"another axis, moment kept": [*next_axis, *v], "another axis": line(w=next_axis)})
+    yield from alike(
+        by.AXIS | by.SWAPPED, {"another axis, moment kept": [*next_axis, *v], "another axis": line(w=next_axis)}
+    )
     yield from alike(by.SWAPPED, {"two coordinates": line(swapped(p, i, j)), "entries of v": [*w, *swapped(v, i, j)]})
     yield from alike(by.SIGN, {"one sign of the point": line(negated_one(p)), "one sign of v": [*w, *negated_one(v)]})
     yield from alike(by.POINT, {"one metre off": line(p + I3[i])})
@@ -95,7 +97,7 @@ def back_to_space(given: Any, answer: Any) -> Answers:
 def where_home_stands(given: Any, answer: Any) -> Answers:
     e, k = [f"e_{name}" for name in given.from_floor_to_tool], len(given.read_in_s)
     left, rest = e[:k], e[k:]
-    home, names, late, back = by.ORDER | {"$M$"}, {"alphabet", "names"}, k + 1, k - 1
+    home, names, late, back = by.ORDER | {"$M$"}, {"alphabet", "names", *by.ORDER}, k + 1, k - 1
     yield from alike(home, {"home last": [*e, "M"], "home first": ["M", *e]})
     yield from alike(home, {"M one joint late": [*e[:late], "M", *e[late:]], "early": [*e[:back], "M", *e[back:]]})
     yield from alike(by.ORDER, {"body part reversed": [*left, "M", *rest[::-1]]})
