@@ -24,17 +24,19 @@ class Mutation:
 
 
 def mutate(root: Expression, *replacements: Mapping[int, Expression]) -> Expression:
-    """Return the expression with some of its parts replaced; all other parts are shared with the original one."""
-    for replaced in replacements:
-        root = _replace_parts(root, replaced)
-    return root
+    """Return the expression with some of its parts replaced; all other parts are shared with the original one.
+
+    The parts of all replacements are replaced in one pass, because a part that is rebuilt is found by its id no more.
+    """
+    return _replace_parts(root, {key: node for replaced in replacements for key, node in replaced.items()})
 
 
 def _replace_parts(root: Expression, replaced: Mapping[int, Expression]) -> Expression:
     # A replacement is searched for further parts to replace, but not for the part that it replaces: that may stand within it.
-    new = replaced.get(id(root), root)
-    if new is not root:
-        replaced = {key: node for key, node in replaced.items() if key != id(root)}
+    new = root
+    while id(new) in replaced:
+        done, new = id(new), replaced[id(new)]
+        replaced = {key: node for key, node in replaced.items() if key != done}
     if not replaced:
         return new
     arguments = tuple(_replace_parts(node, replaced) for node in new.arguments)
