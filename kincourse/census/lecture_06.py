@@ -48,12 +48,12 @@ def axial_screws(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "axes x and z exchanged": ([[0, 0, alpha, 0, 0, a], [theta, 0, 0, d, 0, 0]], "axis, about, " + SWAP),
             "a along z, d along x": ([[alpha, 0, 0, 0, 0, a], [0, 0, theta, d, 0, 0]], "along, axis, " + SWAP),
             "a along y": ([[alpha, 0, 0, 0, a, 0], [0, 0, theta, 0, d, 0]], "along, axis"),
-            "no lengths": (pair(alpha, 0, theta, 0), "length, shift, translation, slide, v, " + LEFT_OUT),
+            "no lengths": (pair(alpha, 0, theta, 0), "length, shift, translation, slide, " + LEFT_OUT),
             "no angles": (pair(0, a, 0, d), "angle, turn, rotation, omega, " + LEFT_OUT),
             "d left out": (pair(alpha, a, theta, 0), LEFT_OUT),
             "second screw seen from frame i-1": (
                 [x[0], [0, -theta * np.sin(alpha), theta * np.cos(alpha), 0, -d * np.sin(alpha), d * np.cos(alpha)]],
-                "frame, seen, already, turned"),
+                "frame, already, turned"),
             "halves swapped, joint first": (halves[::-1], f"(v, half, order, first, {SWAP}, convention"),
             "degrees, a and d swapped": (pair(deg(alpha), d, deg(theta), a), f"degree, radian, {SWAP}"),
             "halves swapped, alpha negated": (np.roll(pair(-alpha, a, theta, d), 3, axis=1), f"(v, half, alpha, {SIGN}, {SWAP}"),
@@ -77,7 +77,7 @@ def _conversions(given: Any, down: bool) -> Iterator[WrongAnswer]:
     T = moved([0, 1])
     kept = T.copy()
     kept[empty, :2] = rows[empty, :2]
-    shift = "row, way, next, previous, move, belong"
+    shift = "row, next, previous, move, belong"
     inner = np.arange(n) == 2
     yield from wrong(
         {
@@ -164,7 +164,7 @@ def faulty_entry(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "negated": ([row, column, -value], f"{SIGN}, invers, way back"),
             "the difference": ([row, column, value - printed], "differ, value, correction"),
             "corrected the wrong way": ([row, column, 2 * printed - value], f"wrong way, {SIGN}, value"),
-            "0": ([row, column, 0], "value, 0"),
+            "0": ([row, column, 0], "value"),
             "read off the pose in frame 0": ([row, column, whole], "frame 0, {}^0, i-1, value"),
             "from 0, printed value": ([row - 1, column - 1, printed], "from 0, Python, printed, value"),
             "row before, printed value": ([row - 1, column, printed], "row, printed, value"),

@@ -59,22 +59,22 @@ def frames_by_the_rules(given: Any, answer: Array) -> Iterator[WrongAnswer]:
     off_axis = F[:, :3, 3] + F[:, :3, 0] * np.where(np.arange(n + 1) == 2, 1, 0)[:, None]
     feet = np.vstack([F[:1, :3, 3], F[:-1, :3, 3]])
     rule = "perpendicular, normal, meet, axis, rule, lie"
-    hand = "left-handed, handed, y, rotation"
+    hand = "left-handed, handed, rotation"
     yield from wrong(
         {
-            "z_i on joint i": (F[[0, *range(n)]], f"z, joint, convention, {rule}"),
-            "z_i on joint i+2": (F[[*range(1, n + 1), n]], f"z, joint, {rule}"),
+            "z_i on joint i": (F[[0, *range(n)]], f"joint, convention, {rule}"),
+            "z_i on joint i+2": (F[[*range(1, n + 1), n]], f"joint, {rule}"),
             "left-handed": (of(signs=(1, -1, 1)), hand),
             "one left-handed": (of(signs=(1, -1, 1), which=[1]), hand),
             "x and y exchanged": (of((1, 0, 2)), f"{hand}, {SWAP}"),
             "origins at the joints": (of(origins=at_joints), f"origin, {rule}"),
-            "x along the link": (along_link, f"x, link, {rule}"),
+            "x along the link": (along_link, f"link, {rule}"),
             "x along the link, origins at the joints": (
-                np.where(np.arange(4) == 3, of(origins=at_joints), along_link), f"x, link, origin, {rule}"),
-            "x turned by a right angle": (of((1, 0, 2), (1, -1, 1)), f"x, {rule}"),
-            "y and z exchanged": (of((0, 2, 1), (1, 1, -1)), f"z, joint, {rule}"),
-            "x and z exchanged": (of((2, 1, 0), (1, -1, 1)), f"x, z, {rule}"),
-            "all parallel to s": (parallel, f"parallel, x, z, {rule}"),
+                np.where(np.arange(4) == 3, of(origins=at_joints), along_link), f"link, origin, {rule}"),
+            "x turned by a right angle": (of((1, 0, 2), (1, -1, 1)), f"{rule}"),
+            "y and z exchanged": (of((0, 2, 1), (1, 1, -1)), f"joint, {rule}"),
+            "x and z exchanged": (of((2, 1, 0), (1, -1, 1)), f"{rule}"),
+            "all parallel to s": (parallel, f"parallel, {rule}"),
             "axes in rows": (rotated, f"row, column, transpos, {rule}"),
             "each seen from the one before": (links, f"seen from, {{s}}, before, link, {rule}"),
             "s seen from the frames": (np.linalg.inv(F), f"invers, seen from, {rule}"),
@@ -86,7 +86,7 @@ def frames_by_the_rules(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "frames from the tool to the base": (F[::-1], f"order, reverse, {rule}"),
             "frames 1 and 2 exchanged": (F[[0, 2, 1, *range(3, n + 1)]], f"order, {SWAP}, {rule}"),
             "left-handed, origins at the joints": (of(signs=(1, -1, 1), origins=at_joints), f"{hand}, origin, {rule}"),
-            "x turned, origin 1 moved along z": (of((1, 0, 2), (1, -1, 1), slid), f"x, origin, {rule}"),
+            "x turned, origin 1 moved along z": (of((1, 0, 2), (1, -1, 1), slid), f"origin, {rule}"),
         }
     )  # fmt: skip
     inner = range(1, n)
@@ -126,8 +126,8 @@ def parallel_axes(given: Any, answer: DHTable) -> Iterator[WrongAnswer]:
             **table_slips(answer),
             **_random_signs(answer),
             "0 for the half turn between axes 3 and 4": (as_text(straight, answer.joints), words),
-            "step along the parallel axes left out": (as_text(lost, answer.joints), f"d, {LEFT_OUT}, slide, step"),
-            "step along the parallel axes doubled and negated": (as_text(doubled, answer.joints), f"d, {SIGN}, step"),
+            "step along the parallel axes left out": (as_text(lost, answer.joints), f"{LEFT_OUT}, slide"),
+            "step along the parallel axes doubled and negated": (as_text(doubled, answer.joints), f"{SIGN}"),
             "0 for the half turn, step left out": (
                 as_text(np.where((np.arange(4) == 1) & (rows[:, 1:2] > 3), 0.0, lost), answer.joints), f"{words}, {LEFT_OUT}"),
         }
@@ -170,7 +170,7 @@ def table_to_mend(given: Any, answer: DHTable) -> Iterator[WrongAnswer]:
             "the other length of the row": (add(-off, i, 2 - k), f"{place}, other length"),
             "the same column, row before": (add(-off, i - 1, k), place),
             "the same column, next row": (add(-off, i + 1, k), place),
-            "the entry made 0": (add(-printed[i, k], i, k), "value, 0, too far"),
+            "the entry made 0": (add(-printed[i, k], i, k), "value, too far"),
             "the entry negated": (add(-2 * printed[i, k], i, k), SIGN),
             "mended, and another one too": (add(1, 3 - i, 2 - k, fixed), place),
             "printed, every alpha negated": (as_text(printed * (1, -1, 1, 1), answer.joints), f"printed, alpha, {SIGN}"),
@@ -192,7 +192,7 @@ def slide_elsewhere(given: Any, answer: Array) -> Iterator[WrongAnswer]:
         {
             "unchanged": ([a1, a2], f"unchanged, {whole}"),
             "only the first": ([to, a2], "a_1, first, joint 3, gains"),
-            "only the second": ([a1, reach - to], "a_2, second, line"),
+            "only the second": ([a1, reach - to], "a_2, second"),
             "a_2 negated": ([to, to - reach], SIGN),
             "a_2 without its sign": ([to, abs(reach - to)], SIGN),
             "exchanged": ([reach - to, to], SWAP),
@@ -208,7 +208,7 @@ def slide_elsewhere(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "the sum for both": ([reach, reach], "sum"),
             "halved": ([reach / 2, reach / 2], "half, middle"),
             "millimetres": (1000 * new, "millimet, mm, 1000, unit"),
-            "slide at 0": ([0, reach], "free, any, slide, x ="),
+            "slide at 0": ([0, reach], "free, slide, x ="),
             "exchanged, negated": (-new[::-1], f"{SWAP}, {SIGN}"),
             "unchanged and exchanged": ([a2, a1], f"{whole}, {SWAP}"),
         }

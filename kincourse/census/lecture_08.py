@@ -35,27 +35,27 @@ def gap(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "second branch not inverted": (of("DCGAB"), "invert, invers, back"),
             "second branch not inverted, B first": (of("DCGBA"), "invert, invers, back"),
             "inverted, not reversed": (of("DCGab"), "order, revers"),
-            "G left out": (of("DCba"), f"G, {LEFT_OUT}"),
-            "G inverted": (of("DCgba"), "G, invers, invert"),
-            "G in front": (of("GDCba"), "G, order, front, place"),
-            "G between D and C": (of("DGCba"), "G, order, place, between"),
-            "C before D": (of("CDGba"), "order, C, D"),
+            "G left out": (of("DCba"), LEFT_OUT),
+            "G inverted": (of("DCgba"), "invers, invert"),
+            "G in front": (of("GDCba"), "order, front, place"),
+            "G between D and C": (of("DGCba"), "order, place, between"),
+            "C before D": (of("CDGba"), "order"),
             "T_2^-1 T_1": (of("gcdAB"), f"T_2, {other_way}"),
             "T_1^-1 T_2": (of("baDCG"), f"T_1, {other_way}, behind, front"),
             "the other way round": (-r, other_way),
-            "the way back, G left out": (of("ABcd"), f"G, {LEFT_OUT}, {other_way}"),
+            "the way back, G left out": (of("ABcd"), f"{LEFT_OUT}, {other_way}"),
             "degrees": (of("DCGba", dict(degrees)), "degree, radian"),
             "halves swapped": (np.roll(r, 3), "(v, half, halves, omega, " + SWAP),
-            "translation for v": (np.concatenate([r[:3], T[:3, 3]]), "log, translation, position, p "),
+            "translation for v": (np.concatenate([r[:3], T[:3, 3]]), "log, translation, position"),
             "skew part of T - I": (
                 np.concatenate([[T[2, 1], T[0, 2], T[1, 0]], T[:3, 3]]), "log, first order, small, T - I, entries"),
             "twists added": (added, "added, sum, one exponential, commut"),
             "the angle in degrees": (r * np.repeat((180 / np.pi, 1), 3), "degree, radian"),
-            "B forgotten": (of("DCGa"), f"B, {LEFT_OUT}"),
-            "A forgotten": (of("DCGb"), f"A, {LEFT_OUT}"),
-            "C the other way": (of("DcGba"), f"C, {SIGN}, invert, invers"),
+            "B forgotten": (of("DCGa"), LEFT_OUT),
+            "A forgotten": (of("DCGb"), LEFT_OUT),
+            "C the other way": (of("DcGba"), f"{SIGN}, invert, invers"),
             "v negated": (r * np.repeat((1, -1), 3), SIGN),
-            "not inverted, G left out": (of("DCAB"), f"G, invert, invers, {LEFT_OUT}"),
+            "not inverted, G left out": (of("DCAB"), f"invert, invers, {LEFT_OUT}"),
             "halves swapped, other way round": (-np.roll(r, 3), f"(v, half, {other_way}, {SWAP}"),
         }
     )  # fmt: skip
@@ -101,8 +101,8 @@ def both_modes(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "coupler and rocker swapped": (rockers((g, a, c, b)), BARS),
             "ground and crank swapped": (maybe(lambda: rockers((a, g, b, c)), D + 0.3), "ground, crank, " + BARS),
             "the coupler's angles": ([k1, k2], "coupler"),
-            "B, the coupler against the crank": (base, "coupler, B"),
-            "C, the coupler against the rocker": (np.array([k1 - D1, k2 - D2]), "coupler, C"),
+            "B, the coupler against the crank": (base, "coupler"),
+            "C, the coupler against the rocker": (np.array([k1 - D1, k2 - D2]), "coupler"),
             "degrees": (np.degrees(D), "degree, radian"),
             "crank's degrees as radians": (
                 maybe(lambda: rockers(angle=float(given.degrees)), D + 0.5),
@@ -112,7 +112,7 @@ def both_modes(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "the other mode twice": ([D2, D2], f"twice, both, {MODE}"),
             "the second half a turn off": ([D1, D1 + np.pi], f"half a turn, \\pi, {MODE}"),
             "arcsine's other branch": ([D1, np.pi - D1], f"arcsin, arccos, supplement, \\pi, mirror, {MODE}"),
-            "from the line BD": (D - np.arctan2(-a * np.sin(A), g - a * np.cos(A)), "line, BD, B to D, x axis"),
+            "from the line BD": (D - np.arctan2(-a * np.sin(A), g - a * np.cos(A)), "BD, B to D, x axis"),
             "inner angles in degrees": (180 - np.degrees(D), "inner, degree, radian, supplement"),
             "coupler and rocker swapped, negated": (-rockers((g, a, c, b)), f"{BARS}, {SIGN}, mirror"),
             "the coupler's angles in degrees": (np.degrees([k1, k2]), "coupler, degree, radian"),
@@ -136,21 +136,21 @@ def coupler_point(given: Any, answer: Array) -> Iterator[WrongAnswer]:
     yield from wrong(
         {
             "the other mode": (carried(other), MODE),
-            "turned by B alone": (carried(angle - A), "B, crank, relative, A + B"),
-            "turned by A": (carried(A), "crank, A, coupler"),
-            "turned by A twice": (carried(angle + A), "crank, A, coupler, twice"),
+            "turned by B alone": (carried(angle - A), "crank, relative, A + B"),
+            "turned by A": (carried(A), "crank, coupler"),
+            "turned by A twice": (carried(angle + A), "crank, coupler, twice"),
             "turned by the rocker's angle": (carried(rocker), "rocker, coupler"),
             "not turned": (B + p, "without turning, turn, coupler, along x"),
             "to the right": (carried(angle, along_y), f"left, right, {SIGN}"),
             "turned the other way": (carried(-angle), f"other way, {SIGN}, transpos, invers"),
-            "from C": (carried(angle, (b - p[0], p[1])), "from C, measured, C"),
-            "beyond C": (carried(angle, (b + p[0], p[1])), "from C, beyond, C"),
+            "from C": (carried(angle, (b - p[0], p[1])), "from C, measured"),
+            "beyond C": (carried(angle, (b + p[0], p[1])), "from C, beyond"),
             "along and left exchanged": (carried(angle, p[::-1]), f"{SWAP}, along, left"),
-            "from A": (carried(angle, start=0 * B), "from A, from B, B, origin"),
-            "from D": (carried(angle, start=(g, 0)), "from D, from B, B"),
+            "from A": (carried(angle, start=0 * B), "from A, from B, origin"),
+            "from D": (carried(angle, start=(g, 0)), "from D, from B"),
             "seen from D": (P - (g, 0), "from D, from A, origin"),
             "only along the coupler": (carried(angle, (p[0], 0)), LEFT_OUT),
-            "only B": (B, f"B, {LEFT_OUT}"),
+            "only B": (B, LEFT_OUT),
             "x and y exchanged": (P[::-1], f"{SWAP}, sin, cos"),
             "below": (P * (1, -1), f"{SIGN}, mirror, below"),
             "sine and cosine of the crank exchanged": (carried(angle, start=B[::-1]), "sin, cos, y axis, crank"),
@@ -158,8 +158,8 @@ def coupler_point(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "degrees": (carried(np.degrees(angle), start=a * np.array([np.cos(given.degrees), np.sin(given.degrees)])), "degree, radian"),
             "millimetres": (1000 * P, "millimet, mm, 1000, unit"),
             "other mode, to the right": (carried(other, along_y), f"{MODE}, left, right"),
-            "turned by B alone, to the right": (carried(angle - A, along_y), f"B, crank, relative, {SIGN}, right"),
-            "other mode, not turned": (carried(other - A), f"{MODE}, B, crank, relative, turn"),
+            "turned by B alone, to the right": (carried(angle - A, along_y), f"crank, relative, {SIGN}, right"),
+            "other mode, not turned": (carried(other - A), f"{MODE}, crank, relative, turn"),
         }
     )  # fmt: skip
     yield from right({**ordinary_forms(P), "a tuple": tuple(P)})
@@ -184,7 +184,7 @@ def slider(given: Any, answer: float) -> Iterator[WrongAnswer]:
             "degrees": (of(angle=given.degrees), "degree, radian"),
             "crank's half left out": (flat, f"from B, crank, {LEFT_OUT}"),
             "crank's half subtracted": (flat - a * np.cos(A), f"{SIGN}, crank"),
-            "height of B left out": (a * np.cos(A) + np.sqrt(rod**2 - e**2), f"height, B, {LEFT_OUT}"),
+            "height of B left out": (a * np.cos(A) + np.sqrt(rod**2 - e**2), f"height, {LEFT_OUT}"),
             "offset taken off at the end": (of(0) - e, "offset, end"),
             "Pythagoras with a plus": (a * np.cos(A) + np.hypot(rod, e - a * np.sin(A)), f"Pythag, root, {SIGN}"),
             "no square root": (a * np.cos(A) + rod**2 - (e - a * np.sin(A)) ** 2, "root, square"),
@@ -208,7 +208,7 @@ def which_mode(given: Any, answer: str) -> Iterator[WrongAnswer]:
     words = {}
     for letter, (D, C) in given.options.items():
         one = abs(D - right_D) < 0.2
-        words[letter] = f"C, {SIGN}" if one else "inner" if abs(C - right_C) < 0.2 else MODE
+        words[letter] = f"{SIGN}" if one else "inner" if abs(C - right_C) < 0.2 else MODE
     yield from other_letters(words, answer)
 
 
@@ -242,7 +242,7 @@ def dead_point(given: Any, answer: float) -> Iterator[WrongAnswer]:
             "degrees": (np.degrees(A), "degree, radian"),
             "cosine": (np.cos(A), "cos, arccos, angle"),
             "arcsine": (np.arcsin(np.clip(np.cos(A), -1, 1)), "sin, cos"),
-            "no factor 2": (np.arccos(np.clip(2 * np.cos(A), -1, 1)), "factor, 2, law of cosines"),
+            "no factor 2": (np.arccos(np.clip(2 * np.cos(A), -1, 1)), "factor, law of cosines"),
             "right triangle": (np.arctan2(np.sqrt(max(0.0, (b + c) ** 2 - g**2)), g), "right angle, Pythag, law of cosines"),
             "crank turns right round": (np.pi, "turn right round, full turn, \\pi"),
             "supplement in degrees": (180 - np.degrees(A), "supplement, degree, radian"),
@@ -261,7 +261,7 @@ def counting(given: Any, answer: float) -> Iterator[WrongAnswer]:
     def of(d: int = d, N: int = N, J: int = J, total: int = sum(f)) -> int:
         return d * (N - 1 - J) + total
 
-    count = "N, bod, ground, platform, loop, count"
+    count = "ground, platform, loop, count"
     wrong_ways = {
         "ground not counted": (of(N=N - 1), count),
         "n for n - 1": (of(N=N + 1), count + ", moves, stands still"),
@@ -280,8 +280,8 @@ def counting(given: Any, answer: float) -> Iterator[WrongAnswer]:
         ),
         "negated": (-of(), SIGN),
         "never below zero": (max(of(), 0), "negative, below, sign, zero"),
-        "platform's own d": (d, "d, platform, free"),
-        "bodies only": (d * (N - 1), "joint, constraint, bod"),
+        "platform's own d": (d, "platform, free"),
+        "bodies only": (d * (N - 1), "joint, constraint"),
         "ground not counted, other d": (of(9 - d, N=N - 1), f"{count}, d =, plane, space"),
         "other d, one freedom each": (of(9 - d, total=J), "d =, plane, space, one freedom, universal, ball"),
         "one too many": (of() + 1, "off by one"),
@@ -316,7 +316,7 @@ def three_mobilities(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "felt and had exchanged": ([counted, had, felt], f"{move}, felt, {SWAP}"),
             "in reverse": ([had, felt, counted], f"order, {SWAP}"),
             "count negated": ([-counted, felt, had], f"{SIGN}, count"),
-            "count at least 0": ([max(counted, 0), felt, had], "negative, below, count, 0"),
+            "count at least 0": ([max(counted, 0), felt, had], "negative, below, count"),
             "singular values below 1 for felt": (
                 [counted, n - int(np.count_nonzero(np.array(given.singular_values) > 1)), had], "singular, felt, rank"),
             "felt one too many": ([counted, felt + 1, had], "felt, singular, rank"),

@@ -131,9 +131,9 @@ def joint_deep_in_the_file(given: Any, answer: Array) -> Iterator[WrongAnswer]:
         {
             "as it stands": (p3, "as it stands, base, parent"),
             "the origins added": (p1 + p2 + p3, "added, turn"),
-            "turned by its own rpy too": (p1 + R1 @ p2 + R1 @ R2 @ R3 @ p3, "own, turned, rpy"),
+            "turned by its own rpy too": (p1 + R1 @ p2 + R1 @ R2 @ R3 @ p3, "turned, rpy"),
             "each turned by its own rpy": (R1 @ p1 + R2 @ p2 + R3 @ p3, f"own, {turned}"),
-            "each turned by its parent's rpy only": (p1 + R1 @ p2 + R2 @ p3, "pile up, only, parent"),
+            "each turned by its parent's rpy only": (p1 + R1 @ p2 + R2 @ p3, "pile up, parent"),
             "R_2 R_1": (p1 + R1 @ p2 + R2 @ R1 @ p3, "order, wrong way round, left"),
             "all turned back": (p1 + R1.T @ p2 + (R1 @ R2).T @ p3, "transpos, invers, R^T"),
             "R_1^T R_2^T": (p1 + R1.T @ p2 + R1.T @ R2.T @ p3, "transpos, invers, R^T"),
@@ -153,7 +153,7 @@ def joint_deep_in_the_file(given: Any, answer: Array) -> Iterator[WrongAnswer]:
                                 "degree, radian"),
             "the sign of one number": (place * (1, -1, 1), SIGN),
             "R_2 R_1, joint 1's shift left out": (R1 @ p2 + R2 @ R1 @ p3, f"order, wrong way round, first, {LEFT_OUT}"),
-            "turned back, by its own rpy too": (p1 + R1.T @ p2 + (R1 @ R2 @ R3).T @ p3, "transpos, invers, own"),
+            "turned back, by its own rpy too": (p1 + R1.T @ p2 + (R1 @ R2 @ R3).T @ p3, "transpos, invers"),
         }
     )  # fmt: skip
     yield from right({**ordinary_forms(place), "a tuple": tuple(place)})
@@ -174,18 +174,18 @@ def screw_from_a_file(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "omega x p": (np.concatenate([w, np.cross(w, p)]), f"omega x p, \\times p, {SIGN}"),
             "halves swapped": (np.roll(S, 3), f"(v, half, halves, {SWAP}"),
             "no moment": (screw(w, 0 * p), moment),
-            "the point as v": (np.concatenate([w, p]), "point, position, v, moment"),
+            "the point as v": (np.concatenate([w, p]), "point, position, moment"),
             "axis as it stands": (screw(axis, p), f"axis, {base}, rpy"),
-            "its own rpy left out": (screw(R1 @ R2 @ axis, p), "own, rpy, parent"),
-            "only its own rpy": (screw(R3 @ axis, p), "own, rpy, parent, base, joints before"),
+            "its own rpy left out": (screw(R1 @ R2 @ axis, p), "rpy, parent"),
+            "only its own rpy": (screw(R3 @ axis, p), "rpy, parent, base, joints before"),
             "point as it stands": (screw(w, p3), f"point, {base}"),
             "point and axis as they stand": (screw(axis, p3), base),
             "point added without turning": (screw(w, p1 + p2 + p3), "added, turn, point"),
             "axis turned back": (screw(R.T @ axis, p), "transpos, R^T, invers"),
             "axis negated": (-S, f"{SIGN}, other way"),
             "omega negated": (S * np.repeat((-1, 1), 3), SIGN),
-            **({} if axis[2] == 1 else {"the z axis": (screw(R[:, 2], p), "axis, z, <axis")}),
-            **({} if axis[0] == 1 else {"the x axis, the default": (screw(R[:, 0], p), "axis, x, default")}),
+            **({} if axis[2] == 1 else {"the z axis": (screw(R[:, 2], p), "axis, <axis")}),
+            **({} if axis[0] == 1 else {"the x axis, the default": (screw(R[:, 0], p), "axis, default")}),
             "joint 2": (screw(R1 @ R2 @ a2, p1 + R1 @ p2), "joint 2, joint_2, before"),
             "the body screw": (screw(axis, 0 * p), f"body, own frame, joint's, {base}, {moment}"),
             "R_3 R_2 R_1": (screw(R3 @ R2 @ R1 @ axis, p), "order, reverse"),
@@ -259,12 +259,12 @@ def which_line(given: Any, answer: float) -> Iterator[WrongAnswer]:
     cases: dict[str, tuple[Any, str]] = {
         "counted from 0": (fault - 1, "line above, from 0, count"),
         "the line below": (fault + 1, "line below, count, next, in order, ends, element"),
-        "two lines above": (fault - 2, "joint, count, line, in order"),
+        "two lines above": (fault - 2, "joint, count, in order"),
         "its joint": (start + 1, "joint, element"),
         "the end of its joint": (end + 1, "joint, ends, element"),
         "the first line": (1, "first line, robot, in order"),
         "the last line": (len(lines), "last line, end, in order"),
-        "line 0": (0, "line, count, from 1"),
+        "line 0": (0, "count, from 1"),
     }
     joint, seen = 0, {case[0] for case in cases.values()}
     for i, line in enumerate(lines, start=1):
@@ -297,14 +297,14 @@ def from_a_dh_row(given: Any, answer: Array) -> Iterator[WrongAnswer]:
     a, alpha, d = given.a, given.alpha, given.d
     s, c, deg = np.sin(alpha), np.cos(alpha), np.degrees(alpha)
     xyz, rpy = [a, -d * s, d * c], [alpha, 0, 0]
-    along = "z, d, along"
+    along = "along"
     yield from wrong(
         {
             "d along the old z": ([[a, 0, d], rpy], along),
-            "new z leans the other way": ([[a, d * s, d * c], rpy], f"{SIGN}, lean, z, other way"),
+            "new z leans the other way": ([[a, d * s, d * c], rpy], f"{SIGN}, lean, other way"),
             "sine and cosine exchanged": ([[a, -d * c, d * s], rpy], "sin, cos"),
             "d along x too": ([[a + d, 0, 0], rpy], along),
-            "d left out": ([[a, 0, 0], rpy], f"{LEFT_OUT}, d"),
+            "d left out": ([[a, 0, 0], rpy], LEFT_OUT),
             "a left out": ([[0, -d * s, d * c], rpy], LEFT_OUT),
             "degrees": ([xyz, [deg, 0, 0]], "degree, radian"),
             "alpha as yaw": ([xyz, [0, 0, alpha]], "yaw, roll, about x"),
@@ -314,12 +314,12 @@ def from_a_dh_row(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "a and d swapped": ([[d, -a * s, a * c], rpy], SWAP),
             "no roll": ([xyz, [0, 0, 0]], f"roll, alpha, {LEFT_OUT}"),
             "xyz and rpy exchanged": ([rpy, xyz], f"{SWAP}, order"),
-            "standard row": ([[a, 0, d], rpy], "convention, standard, z, along"),
-            "a turned as well": ([[a * c, a * s, d], rpy], "a, turn, along, x"),
+            "standard row": ([[a, 0, d], rpy], "convention, standard, along"),
+            "a turned as well": ([[a * c, a * s, d], rpy], "turn, along"),
             "d downwards": ([[a, d * s, -d * c], rpy], SIGN),
             "x negated": ([[-a, -d * s, d * c], rpy], SIGN),
             "millimetres": ([[1000 * v for v in xyz], rpy], "millimet, mm, 1000, unit"),
-            "right angle for alpha": ([xyz, [np.sign(alpha) * np.pi, 0, 0]], "alpha, roll, pi"),
+            "right angle for alpha": ([xyz, [np.sign(alpha) * np.pi, 0, 0]], "alpha, roll"),
             "d along the old z, degrees": ([[a, 0, d], [deg, 0, 0]], f"{along}, degree, radian"),
             "alpha as yaw, a and d swapped": ([[d, -a * s, a * c], [0, 0, alpha]], f"yaw, {SWAP}"),
             "d along the old z, alpha negated": ([[a, 0, d], [-alpha, 0, 0]], f"{along}, {SIGN}"),

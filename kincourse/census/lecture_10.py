@@ -74,19 +74,19 @@ def frame_change_slips(B: Array, T: Array) -> dict[str, tuple[Any, str]]:
         "rows in reverse": (best[::-1], "reverse, order, row, joint"),
         "the first row only": (
             np.where(first, best, B),
-            "row, old, as {b}, only, read in, space screws, body screws, second",
+            "row, old, as {b}, read in, space screws, body screws, second",
         ),
     }
     turns = w.any()
     about = {
-        "p with the wrong sign": (np.hstack([w @ R, (v + np.cross(p, w)) @ R]), f"{SIGN}, p, shift, origin"),
-        "shift after the turn": (np.hstack([w @ R, v @ R - np.cross(p, w @ R)]), "order, shift, turn, p, block"),
-        "only turned": (np.hstack([w @ R, v @ R]), "turned, shift, moment, only, origin"),
+        "p with the wrong sign": (np.hstack([w @ R, (v + np.cross(p, w)) @ R]), f"{SIGN}, shift, origin"),
+        "shift after the turn": (np.hstack([w @ R, v @ R - np.cross(p, w @ R)]), "order, shift, turn, block"),
+        "only turned": (np.hstack([w @ R, v @ R]), "turned, shift, moment, origin"),
         "only turned, halves swapped": (np.roll(np.hstack([w @ R, v @ R]), 3, axis=1), f"turned, shift, (v, half, origin, {SWAP}"),
-        "only shifted": (B @ Ad(inv(frame(p=p))).T, "shift, turn, only, axes"),
-        "only shifted, the other way": (B @ Ad(frame(p=p)).T, f"shift, turn, only, inverse, axes, {SIGN}"),
-        "only omega turned": (np.hstack([w @ R, v]), "omega, half, turn, only, moment, v"),
-        "only v changed": (np.hstack([w, best[:, 3:]]), "omega, half, turn, only"),
+        "only shifted": (B @ Ad(inv(frame(p=p))).T, "shift, turn, axes"),
+        "only shifted, the other way": (B @ Ad(frame(p=p)).T, f"shift, turn, inverse, axes, {SIGN}"),
+        "only omega turned": (np.hstack([w @ R, v]), "omega, half, turn, moment"),
+        "only v changed": (np.hstack([w, best[:, 3:]]), "omega, half, turn"),
         "no moments": (np.hstack([w @ R, 0 * v]), f"moment, v = 0, {LEFT_OUT}"),
     }  # fmt: skip
     return {
@@ -95,7 +95,7 @@ def frame_change_slips(B: Array, T: Array) -> dict[str, tuple[Any, str]]:
         "Ad without transpose": (B @ Ad(inv(T)), "transpos, .T, row, column"),
         "Ad of the inverse pose without transpose": (B @ Ad(T), f"transpos, .T, row, column, {other}"),
         "Ad transposed for its inverse": (B @ inv(Ad(T)), "transpos, inverse, .T, row"),
-        "only turned, the other way": (np.hstack([w @ R.T, v @ R.T]), "turned, shift, moment, only, R^T, inverse, origin"),
+        "only turned, the other way": (np.hstack([w @ R.T, v @ R.T]), "turned, shift, moment, R^T, inverse, origin"),
         "R for R^T": (np.hstack([w @ R.T, (v - np.cross(p, w)) @ R.T]), "R^T, transpos, R for"),
         "halves swapped": (np.roll(best, 3, axis=1), f"(v, half, halves, {SWAP}"),
         "halves swapped before": (np.roll(B, 3, axis=1) @ Ad(inv(T)).T, f"(v, half, halves, {SWAP}, block"),
@@ -137,11 +137,11 @@ def joint_origin(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "way back, the other way": (-R @ step, f"{back}, {turned}"),
             "turned, not shifted": (R.T @ there, f"forgot, shift, does not stand, {LEFT_OUT}"),
             "turned the other way, not shifted": (R @ there, f"shift, {turned}, forgot"),
-            "only joint 2 turned": (R.T @ there - here, "only, turn, here, step, shift"),
+            "only joint 2 turned": (R.T @ there - here, "turn, shift"),
             "sum": (R.T @ (there + here), f"added, sum, {SIGN}, differ"),
             "sum, not turned": (there + here, f"added, sum, {SIGN}, turn"),
             "joint 1's own place": (here, "joint 1, parent"),
-            "placed as if by joint 1": (here + R @ there, f"{turned}, forward, seen from, T, added"),
+            "placed as if by joint 1": (here + R @ there, f"{turned}, forward, seen from, added"),
             "about its own axes": (own.T @ step, OWN_AXES),
             "yaw first": (rotation(rpy[::-1]).T @ step, "yaw, roll, order"),
             **({"yaw only": (turn("z", rpy[2]).T @ step, f"yaw, roll, {LEFT_OUT}")} if rpy[0] else {}),
@@ -171,7 +171,7 @@ def in_letters(given: Any, answer: Any) -> Iterator[WrongAnswer]:
             "slide backwards": (text(f"{a} - q2", height), f"{SIGN}, slide, q_2, entries"),
             "q_2 without its offset": (text("q2", height), f"offset, {LEFT_OUT}, entries"),
             "slide left out": (text(f"{a}", height), f"slide, q_2, {LEFT_OUT}"),
-            "slide along z": (text(f"{a}", f"{height} + q2"), "along, slide, boom, z"),
+            "slide along z": (text(f"{a}", f"{height} + q2"), "along, slide, boom"),
             "slide turned as an angle": (text(f"{a}*cos(q2)", f"{height} + {a}*sin(q2)"), "slide, turn, prismatic"),
             "a and b exchanged": (text(f"{b} + q2", f"{lift * a}"), SWAP),
             "boom times slide": (text(f"{a}*q2", height), "times, sum, slide"),
@@ -232,11 +232,11 @@ def two_hands(given: Any, answer: float) -> Iterator[WrongAnswer]:
             "one freedom for the object": (n - 2 * d + 1, "object, freedom"),
             "the object's own freedoms": (d, "object, arms, freedom"),
             "freedoms of one arm": (int(given.joints[0]), "one arm, joints"),
-            "the arms left over": (int(sum(max(0, j - d) for j in given.joints)), "own, redundan, each arm, object, three"),
-            "fixed": (0, "move, 0, freedom"),
+            "the arms left over": (int(sum(max(0, j - d) for j in given.joints)), "redundan, each arm, object, three"),
+            "fixed": (0, "move, freedom"),
             "negative": (2 * d - n or -1, SIGN),
             "equations": (2 * d, "equations, freedom, joint"),
-            "n - 1 bodies": (n - 2 * d - 1, "loop, bod, one"),
+            "n - 1 bodies": (n - 2 * d - 1, "loop"),
             "one arm forgotten": (int(sum(given.joints[:2])) - d, "arm, third, two arms"),
         }
         | ({} if planar else {"one loop, in the plane": (n - 3, "plane, space, loop, equations")})
@@ -256,13 +256,13 @@ def product_slips(S: Array, M: Array, q: Array, typed: Array, frames: str = "s")
     backwards = [exp(screw_axis, -value) for screw_axis, value in zip(S, q, strict=True)]
     turns = np.any(S[:, :3], axis=1)
     too_radian = [exp(screw_axis, np.radians(value)) for screw_axis, value in zip(S, typed, strict=True)]
-    reverse, end = "last joint, reverse, order", "M, front, behind, end, right, space screws, body screws"
+    reverse, end = "last joint, reverse, order", "front, behind, end, right, space screws, body screws"
     cases: dict[str, tuple[Any, str]] = {
         **pose_slips(of(e)),
         "M at the other end": (other_end, end),
-        "M left out": (product(*e), f"M, {LEFT_OUT}"),
+        "M left out": (product(*e), LEFT_OUT),
         "at home": (M, "home, moved"),
-        "M inverted": (product(*e, np.linalg.inv(M)) if frames == "s" else product(np.linalg.inv(M), *e), "M, invers, invert"),
+        "M inverted": (product(*e, np.linalg.inv(M)) if frames == "s" else product(np.linalg.inv(M), *e), "invers, invert"),
         "one exponential": (of([exp(q @ S)]), "one exponential, added"),
         "degrees as radians": (of(typed_in), "degree, radian"),
         "every joint backwards": (of(backwards), f"other way, {SIGN}, backward"),
@@ -272,10 +272,10 @@ def product_slips(S: Array, M: Array, q: Array, typed: Array, frames: str = "s")
             of([exp(np.roll(axis, 3), value) for axis, value in zip(S, q, strict=True)]), f"(v, half, halves, {SWAP}, omega"),
         "moments negated": (
             of([exp(axis * np.repeat((1, -1), 3) if turn else axis, value) for axis, value, turn in zip(S, q, turns, strict=True)]),
-            f"moment, {SIGN}, \\times p, v"),
+            f"moment, {SIGN}, \\times p"),
         "the other kind of screws": (
             of([exp((Ad(np.linalg.inv(M)) if frames == "s" else Ad(M)) @ axis, value) for axis, value in zip(S, q, strict=True)]),
-            "body screws, space screws, Ad, read, tool, M"),
+            "body screws, space screws, Ad, read, tool"),
         "M at the other end, degrees": (product(M, *typed_in) if frames == "s" else product(*typed_in, M), f"{end}, degree, radian"),
     }  # fmt: skip
     if n > 1:
@@ -291,7 +291,7 @@ def product_slips(S: Array, M: Array, q: Array, typed: Array, frames: str = "s")
                 product(M, *e[::-1]) if frames == "s" else product(*e[::-1], M),
                 f"{reverse}, {end}",
             ),
-            "one exponential, M left out": (exp(q @ S), f"one exponential, added, M, {LEFT_OUT}"),
+            "one exponential, M left out": (exp(q @ S), f"one exponential, added, {LEFT_OUT}"),
         }
     if not turns.all() and turns.any():
         cases["the slide in radians too"] = (of(too_radian), "degree, radian, slide")
@@ -314,13 +314,13 @@ def where_is_the_tool(given: Any, answer: Array) -> Iterator[WrongAnswer]:
     yield from wrong(
         slips
         | {
-            "body screws, M on the right": (product(*inner, M), "body screws, M, front, behind"),
+            "body screws, M on the right": (product(*inner, M), "body screws, front, behind"),
             "body screws, last joint first": (product(M, *inner[::-1]), "last joint, reverse, order"),
             "body screws by Ad of M": (
                 product(M, *(exp(Ad(M) @ s, value) for s, value in zip(S, q, strict=True))), "Ad, M^{-1}, body screws"),
             "the slide as a turn": (product(*as_turn, M), "slide, prismatic, revolute, turn"),
             "no moments": (product(*no_moment, M), "moment, v = 0, through the origin"),
-            "logarithm of the pose added": (exp(logarithm(M) + q @ S), "added, one exponential, M"),
+            "logarithm of the pose added": (exp(logarithm(M) + q @ S), "added, one exponential"),
         }
     )  # fmt: skip
     yield from right(ordinary_forms(T))
