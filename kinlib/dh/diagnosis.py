@@ -1,77 +1,157 @@
 """Diagnose a DH table: find the mistake, or the two mistakes, that explain why it does not describe a given arm.
 
 Every known mistake is corrected in turn, in every row where it could have been made. If the corrected table has the motions of
-the arm, up to base, tool, joint zero and joint sign, the mistake is found. One mistake is preferred to two, and a mistake in the
-whole table to a mistake in one entry; a wrong number is considered last.
+the arm, up to the choices that are free, the mistake explains the table. One mistake is preferred to two, then the fewest
+edited entries; a wrong number counts as one entry more, because some number explains almost anything. If several explanations
+are equally simple, all of them are returned.
+
+Most corrections are refuted by the invariants of the axes, for all of them at once, and only the rest is compared in full.
 """
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
-from itertools import combinations
+from functools import cached_property, reduce
+from itertools import groupby, pairwise
 
 import numpy as np
 
-from kinlib.arrays.tolerances import EQUIVALENCE_TOL
-from kinlib.chains.chain import Chain
+from kinlib.arrays.tolerances import EQUIVALENCE_TOL, INTERMEDIATE_TOL_FACTOR
+from kinlib.arrays.validation import Array
+from kinlib.chains.chain import Chain, largest_difference, random_configurations
 from kinlib.dh.assignment import assign_frames
-from kinlib.dh.equivalence import Equivalence, equivalent
-from kinlib.dh.parsing import COLUMNS
-from kinlib.dh.table import Convention, DHTable
-from kinlib.rigid.angles import wrap_angle
+from kinlib.dh.equivalence import CHECKED_CONFIGURATIONS, Equivalence, equivalent, validate_choices
+from kinlib.dh.invariants import AxisInvariants, Booleans, joint_axes
+from kinlib.dh.mistakes import (
+    ALPHA,
+    ANGLES,
+    LENGTHS,
+    THETA,
+    Correction,
+    D,
+    Fault,
+    corrected_rows,
+    corrections_of_a_number,
+    corrections_of_a_pair_of_rows,
+    corrections_of_a_row,
+    corrections_of_joint_types,
+    corrections_of_the_table,
+    format_entry,
+    is_variable,
+    other_convention,
+)
+from kinlib.dh.table import DHTable, dh_transform
 from kinlib.rigid.lie import log
 
-A, ALPHA, D, THETA = range(4)
+MAX_TOLD = 3
+"""How many equally simple explanations the text lists."""
+
+MAX_COMPARED = 300
+"""How many corrected tables are compared with the arm in full before the search ends."""
+
+Corrections = tuple[Correction, ...]
 
 
-@dataclass(frozen=True)
-class Fault:
-    """A mistake in a table: its name, a sentence that describes it, and its row (from 1) and column, if it has any."""
+@dataclass(frozen=True, eq=False)
+class Explanation:
+    """Mistakes that together explain a table.
 
-    name: str
-    text: str
-    row: int | None = None
-    column: str | None = None
+    faults       the mistakes
+    corrected    the table without them
+    equivalence  of the corrected table and the arm, with the map between them
+    """
+
+    faults: Sequence[Fault]
+    corrected: DHTable
+    equivalence: Equivalence
 
 
 @dataclass(frozen=True, eq=False)
 class Diagnosis:
-    """The result of a diagnosis: no faults and an equivalence, or faults and the corrected table, or neither.
+    """The result of a diagnosis: the table is right, or it has explanations, or neither.
 
-    faults       the mistakes that together explain the difference; empty if the table is right or nothing explains it
-    corrected    the table without these mistakes, which is equivalent to the reference
-    equivalence  of the corrected table and the reference, with the map between them
+    table         the table that was diagnosed
+    comparison    of this table and the arm, up to the choices that are free
+    explanations  all explanations that are equally simple, the most plausible one first; empty if the table is right
+    tolerance     differences below it are not mentioned
+    unfixed       the comparison up to every choice, if some of them are fixed and the table is not right
     """
 
-    faults: Sequence[Fault]
-    corrected: DHTable | None
-    equivalence: Equivalence
+    table: DHTable
+    comparison: Equivalence
+    explanations: Sequence[Explanation] = ()
+    tolerance: float = EQUIVALENCE_TOL
+    unfixed: Equivalence | None = None
 
     @property
     def right(self) -> bool:
         """Whether the table was right without corrections."""
-        return not self.faults and self.corrected is not None
+        return self.comparison.same
+
+    @property
+    def faults(self) -> Sequence[Fault]:
+        """The mistakes of the first explanation; empty if the table is right or nothing explains it."""
+        return self.explanations[0].faults if self.explanations else ()
+
+    @property
+    def corrected(self) -> DHTable | None:
+        """The table without these mistakes, which is equivalent to the arm; None if nothing explains the table."""
+        if self.explanations:
+            return self.explanations[0].corrected
+        return self.table if self.right else None
+
+    @property
+    def equivalence(self) -> Equivalence:
+        """The equivalence of the corrected table and the arm, or the comparison of the table if there is no correction."""
+        return self.explanations[0].equivalence if self.explanations else self.comparison
 
     @property
     def difference(self) -> str:
         """The first difference between the uncorrected table and the arm, in words; empty if there is none or it is explained."""
-        return self.equivalence.reason.replace("the first", "the table").replace("the second", "the arm")
+        if self.right or self.explanations:
+            return ""
+        if self.unfixed:
+            choices = " ".join(_describe_choices(self.unfixed, self.table, self.tolerance))
+            return f"The table describes the arm only up to choices that are fixed here. {choices}".rstrip()
+        return self.comparison.reason.replace("the first", "the table").replace("the second", "the arm")
 
     def __str__(self) -> str:
-        if self.faults:
-            return "\n".join(fault.text for fault in self.faults)
-        if self.corrected is None:
+        if self.right:
+            choices = list(_describe_choices(self.comparison, self.table, self.tolerance))
+            return "\n".join(
+                ["This table describes the arm" + (", up to these choices:" if choices else "."), *choices]
+            )
+        if not self.explanations:
             return f"No known mistake, and no pair of them, explains this table. {self.difference}"
-        return "\n".join(["This table describes the arm.", *_describe_choices(self.equivalence)])
+        # Another number for the same entry is the same mistake.
+        told = {
+            tuple((fault.name, fault.row, fault.column) for fault in explanation.faults): explanation
+            for explanation in reversed(self.explanations)
+        }
+        texts = [[fault.text for fault in explanation.faults] for explanation in reversed(told.values())]
+        if len(texts) == 1:
+            return "\n".join(texts[0])
+        lines = ["Either: " + " ".join(texts[0]), *("or: " + " ".join(text) for text in texts[1:MAX_TOLD])]
+        if len(texts) > MAX_TOLD:
+            lines.append(f"({len(texts) - MAX_TOLD} more explanations are as simple.)")
+        return "\n".join(lines)
 
 
 def diagnose(
-    table: DHTable, reference: Chain | DHTable, *, tolerance: float = EQUIVALENCE_TOL, in_pairs: bool = True
+    table: DHTable,
+    reference: Chain | DHTable,
+    fixed: Collection[str] = (),
+    *,
+    tolerance: float = EQUIVALENCE_TOL,
+    in_pairs: bool = True,
 ) -> Diagnosis:
     """Find the mistakes in a table, given the arm that it is meant to describe.
 
-    in_pairs  whether pairs of mistakes are tried if no single one explains the table, which may take some seconds
+    fixed     what may not differ: any of "base", "tool", "zeros" and "signs". By default a table is right if it has the motions
+              of the arm up to these four choices; with all four it is right only if its poses are those of the arm
+    in_pairs  whether pairs of mistakes are tried if no single one explains the table
 
-    Raises ValueError if the two have different numbers of joints, because then they cannot be compared.
+    Raises ValueError if the first argument is not a table and the second not an arm, if the two have different numbers of
+    joints, because then they cannot be compared, and for a name in fixed that is none of the four.
 
     >>> from kinlib.chains.robots import puma560
     >>> from kinlib.dh.assignment import assign_frames
@@ -79,136 +159,283 @@ def diagnose(
     >>> print(diagnose(printed.changed(convention="standard"), puma560()))
     The table is in the modified convention, but was read as standard.
     """
+    if not isinstance(table, DHTable) or not isinstance(reference, Chain | DHTable):
+        order = " They seem to be swapped." if isinstance(reference, DHTable) else ""
+        raise ValueError(
+            "diagnose takes a DHTable and the arm that it should describe, diagnose(table, arm); "
+            f"got {type(table).__name__} and {type(reference).__name__}.{order}"
+        )
+    fixed = validate_choices(fixed)
     arm = reference.to_chain() if isinstance(reference, DHTable) else reference
     if table.n != arm.n:
         raise ValueError(
             f"The table must have as many joints as the arm, {arm.n} ({arm.joint_types}); it has {table.n} ({table.joints})."
         )
-    uncorrected = equivalent(table, arm, tolerance=tolerance)
-    if uncorrected:
-        return Diagnosis((), table, uncorrected)
-    single = [*_corrections_of_the_table(table), *_corrections_of_a_row(table)]
-    pairable = [correction for correction in single if correction.fault.name != "column shifted"]
-    pairs = combinations(pairable, 2) if in_pairs else ()
-    numbers = _corrections_of_a_number(table, arm)
-    for corrections in [*zip(single, strict=True), *zip(numbers, strict=True), *pairs]:
-        corrected = table
-        for correction in corrections:
-            corrected = correction.apply(corrected)
-        if equivalent(corrected, arm, tolerance=tolerance, simplest=False):
-            equivalence = equivalent(corrected, arm, tolerance=tolerance)
-            return Diagnosis([correction.fault for correction in corrections], corrected, equivalence)
-    return Diagnosis((), None, uncorrected)
+    comparison = _compare(table, arm, fixed, tolerance)
+    if comparison:
+        return Diagnosis(table, comparison, (), tolerance)
+    explanations = _explain(table, reference, fixed, tolerance, 2 if in_pairs else 1)
+    unfixed = equivalent(table, arm, tolerance=tolerance) if fixed else None
+    return Diagnosis(table, comparison, explanations, tolerance, unfixed)
+
+
+def _compare(
+    table: DHTable, arm: Chain, fixed: frozenset[str], tolerance: float, *, simplest: bool = True
+) -> Equivalence:
+    """Compare a table with the arm: pose by pose first, then up to the choices that are free."""
+    chain = table.to_chain()
+    if chain.joint_types == arm.joint_types:
+        q = random_configurations(arm.n, CHECKED_CONFIGURATIONS)
+        difference = largest_difference(chain.fk(q), arm.fk(q))
+        if difference <= tolerance:
+            return Equivalence(True, signs=np.ones(arm.n), offsets=np.zeros(arm.n), difference=difference)
+    return equivalent(table, arm, fixed=fixed, tolerance=tolerance, simplest=simplest)
+
+
+def _explain(
+    table: DHTable, reference: Chain | DHTable, fixed: frozenset[str], tolerance: float, max_faults: int
+) -> list[Explanation]:
+    """Return all explanations of a table with the smallest number of faults and of edited entries."""
+    arm = reference.to_chain() if isinstance(reference, DHTable) else reference
+    if "H" in arm.joint_types:
+        return []
+    searches = []
+    if table.to_chain().joint_types == arm.joint_types:
+        searches.append(_Search(table, (), reference, arm, fixed, tolerance))
+    else:
+        # Without these corrections no other one can help.
+        starts = [tuple(corrections_of_joint_types(table, arm.joint_types))]
+        starts += [(swapped,) for swapped in corrections_of_a_pair_of_rows(table) if swapped.letters]
+        for start in starts:
+            joints = "".join(
+                reduce(lambda letters, c: letters | c.letters, start, dict(enumerate(table.joints))).values()
+            )
+            if joints.replace("F", "") == arm.joint_types:
+                searches.append(_Search(table.changed(joints=joints), start, reference, arm, fixed, tolerance))
+    for count in range(1, max_faults + 1):
+        if found := [explanation for search in searches for explanation in search.explanations(count)]:
+            return found
+    return []
 
 
 @dataclass(frozen=True, eq=False)
-class _Correction:
-    """A fault and its correction: entries to set by (row, column), or another convention, joints or shift of a and alpha."""
+class _Search:
+    """The search for the simplest corrections of a table, which has the joint types of the arm after those at the start."""
 
-    fault: Fault
-    entries: Sequence[tuple[int, int, float]] = ()
-    convention: Convention | None = None
-    joints: str | None = None
-    shift: int = 0
+    table: DHTable
+    start: Corrections
+    reference: Chain | DHTable
+    arm: Chain
+    fixed: frozenset[str]
+    tolerance: float
 
-    def apply(self, table: DHTable) -> DHTable:
-        rows = np.array(table.rows)
-        for row, column, value in self.entries:
-            rows[row, column] = value
-        rows[:, :2] = np.roll(rows[:, :2], self.shift, axis=0)
-        return table.changed(
-            rows=rows, convention=self.convention or table.convention, joints=self.joints or table.joints
+    def explanations(self, count: int) -> list[Explanation]:
+        """Return the explanations by this number of faults with the fewest edited entries."""
+        more = count - len(self.start)
+        if more < 0:
+            return []
+        added: Iterable[Corrections] = [()] if more == 0 else ((single,) for single in self._singles)
+        candidates = [self.start + corrections for corrections in (self._pairs() if more == 2 else added)]
+        candidates = [c for c in candidates if all(a.combines_with(b) for a, b in pairwise(c))]
+        agree = self._may_agree(candidates)
+        candidates = sorted((c for c, possible in zip(candidates, agree, strict=True) if possible), key=self._price)
+        compared = 0
+        for _, group in groupby(candidates, key=lambda candidate: self._price(candidate)[0]):
+            found = {}
+            for corrections in group:
+                compared += 1
+                if compared > MAX_COMPARED:
+                    return []
+                corrected = self._corrected(corrections)
+                if equivalence := _compare(corrected, self.arm, self.fixed, self.tolerance):
+                    found[corrections] = Explanation([c.fault for c in corrections], corrected, equivalence)
+            if found:
+                return [found[corrections] for corrections in self._without_details(list(found))]
+        return []
+
+    def _corrected(self, corrections: Corrections) -> DHTable:
+        rows = corrected_rows(self.table.rows, corrections)
+        convention = next((c.convention for c in corrections if c.convention), self.table.convention)
+        return self.table.changed(rows=rows, convention=convention)
+
+    def _changes(self, corrections: Corrections) -> dict[tuple[int, int], float]:
+        """The entries that corrections edit, with their new values."""
+        rows = corrected_rows(self.table.rows, corrections)
+        return {(int(i), int(j)): float(rows[i, j]) for i, j in np.argwhere(np.abs(rows - self.table.rows) > 1e-12)}
+
+    def _price(self, corrections: Corrections) -> tuple[float, ...]:
+        """The number of edited entries, where a number counts twice and a label once; then what is less plausible."""
+        numbers = sum(c.is_number for c in corrections)
+        labels = sum(bool(c.convention) + len(c.letters) for c in corrections)
+        # Every entry of a column has to be wrong in the same way: a single entry is the simpler explanation.
+        columns = sum(c.fault.row is None and c.fault.name.startswith("sign of") for c in corrections)
+        changes = self._changes(corrections)
+        # If nothing but zeros moves to where it has an effect, the place from which they come is no evidence.
+        moves_zeros = len(changes) > 1 and not any(changes[entry] for entry in changes if self._counts(entry))
+        # A wrong number is often near the right one. In most tables the lengths of a column have one sign, and the twists cancel.
+        rows = corrected_rows(self.table.rows, corrections)
+        distance = sum(abs(changes[entry] - self.table.rows[entry]) for entry in changes) if numbers else 0.0
+        negative, positive = (rows[:, LENGTHS] < 0).sum(axis=0), (rows[:, LENGTHS] > 0).sum(axis=0)
+        unusual = np.minimum(negative, positive).sum(), negative.sum(), abs(np.sum(rows[:, ALPHA]))
+        # Two rows that change places are two edits, however many entries they have.
+        swapped = any(c.fault.name == "rows swapped" for c in corrections)
+        entries = (min(len(changes), 2) if swapped else len(changes)) + numbers + labels + columns
+        return (
+            entries,
+            moves_zeros and not labels,
+            numbers,
+            *(round(float(x), 9) for x in (len(changes), distance, *unusual)),
         )
 
+    def _counts(self, entry: tuple[int, int]) -> bool:
+        return "zeros" in self.fixed or not is_variable(self.table, *entry)
 
-def _corrections_of_the_table(table: DHTable) -> Iterator[_Correction]:
-    """Yield the corrections of mistakes that affect the whole table."""
-    other: Convention = "modified" if table.convention == "standard" else "standard"
-    text = f"The table is in the {other} convention, but was read as {table.convention}."
-    yield _Correction(Fault("other convention", text), convention=other)
-    for shift, where in ((1, "one row too high"), (-1, "one row too low")):
-        text = f"The columns a and alpha are {where}: a_{{i-1}} and a_i were confused."
-        yield _Correction(Fault("column shifted", text), shift=shift)
-    every, numbers = range(len(table.rows)), table.rows
-    text = "The angles are in degrees, but were read as radians."
-    yield _Correction(
-        Fault("degrees", text),
-        [(row, column, float(np.radians(numbers[row, column]))) for row in every for column in (ALPHA, THETA)],
-    )
-    text = "Every alpha has the wrong sign: it is the angle from z_{i-1} to z_i about x_i, by the right-hand rule."
-    yield _Correction(
-        Fault("sign of alpha", text, None, "alpha"), [(row, ALPHA, -numbers[row, ALPHA]) for row in every]
-    )
-    text = "The columns a and d are swapped: a is measured along x, d along z."
-    yield _Correction(
-        Fault("a and d swapped", text, None, "a"),
-        [entry for row in every for entry in ((row, A, numbers[row, D]), (row, D, numbers[row, A]))],
-    )
+    def _without_details(self, candidates: list[Corrections]) -> list[Corrections]:
+        """Leave out what another explanation says as well: the same table, or a number that was swapped with another one.
 
+        A number such as 0 or 90 degrees may be in the other place by chance, so then both explanations are kept.
+        """
 
-def _corrections_of_a_row(table: DHTable) -> Iterator[_Correction]:
-    """Yield the corrections of mistakes in one row."""
-    for row, (a, alpha, d, theta) in enumerate(table.rows):
-        place = f"Row {row + 1}"
-        if abs(np.sin(alpha)) > EQUIVALENCE_TOL:
-            text = f"{place}: alpha has the wrong sign."
-            yield _Correction(Fault("sign of alpha", text, row + 1, "alpha"), [(row, ALPHA, -alpha)])
-        else:
-            directions = "the same direction" if np.cos(alpha) < 0 else "opposite directions"
-            text = f"{place}: the axes are parallel with {directions}: alpha should be {np.pi - abs(alpha):.4g}."
-            yield _Correction(Fault("anti-parallel", text, row + 1, "alpha"), [(row, ALPHA, np.pi - abs(alpha))])
-        if a != d:
-            text = f"{place}: a and d are swapped. a is measured along x, d along z."
-            yield _Correction(Fault("a and d swapped", text, row + 1, "a"), [(row, A, d), (row, D, a)])
-        if d and table.joints[row] != "P":
-            yield _Correction(Fault("sign of d", f"{place}: d has the wrong sign.", row + 1, "d"), [(row, D, -d)])
-        if a:
-            yield _Correction(Fault("sign of a", f"{place}: a has the wrong sign.", row + 1, "a"), [(row, A, -a)])
-        if table.joints[row] != "F":
-            joint_type, column = ("P", "d") if table.joints[row] == "R" else ("R", "theta")
-            joints = table.joints[:row] + joint_type + table.joints[row + 1 :]
-            kind = "prismatic" if joint_type == "P" else "revolute"
-            text = f"{place}: the joint variable belongs in {column}, because this joint is {kind}."
-            yield _Correction(Fault("variable in the wrong column", text, row + 1, column), joints=joints)
-        if theta != alpha and table.joints[row] != "R":
-            text = f"{place}: theta and alpha are swapped."
-            yield _Correction(
-                Fault("theta and alpha swapped", text, row + 1, "theta"), [(row, ALPHA, theta), (row, THETA, alpha)]
+        def is_usual(changes: dict[tuple[int, int], float]) -> bool:
+            return any(
+                value == 0 or (column in ANGLES and abs(np.sin(2 * value)) < EQUIVALENCE_TOL)
+                for (_, column), value in changes.items()
             )
 
+        kept: list[tuple[Corrections, dict[tuple[int, int], float], int]] = []
+        for candidate in candidates:
+            changes, numbers = self._changes(candidate), sum(part.is_number for part in candidate)
+            if not any(
+                changes == others if numbers <= fewer else changes.items() <= others.items() and not is_usual(changes)
+                for one, others, fewer in kept
+                if [c.convention for c in one] == [c.convention for c in candidate]
+            ):
+                kept.append((candidate, changes, numbers))
+        return [candidate for candidate, _, _ in kept]
 
-def _corrections_of_a_number(table: DHTable, arm: Chain) -> Iterator[_Correction]:
-    """Yield the corrections of one entry to a number from the arm's own table, or to a usual angle."""
-    if "H" in arm.joint_types:
-        return
-    own = assign_frames(arm, convention=table.convention).table.rows
-    lengths = np.concatenate([own[:, A], own[:, D]])
-    usual = {column: {0.0, *lengths, *-lengths} for column in (A, D)}
-    for column in (ALPHA, THETA):
-        # If an axis is drawn in the opposite direction, an angle becomes its supplement.
-        angles = np.concatenate([own[:, column], wrap_angle(np.pi - own[:, column])])
-        usual[column] = {0.0, np.pi / 2, -np.pi / 2, np.pi, *angles, *-angles}
-    for row, joint_type in enumerate(table.joints):
-        for column, name in enumerate(COLUMNS):
-            moves = (joint_type, name) in {("R", "theta"), ("P", "d")}
-            for value in sorted(usual[column], key=lambda value: (abs(value), -value)) if not moves else ():
-                text = f"Row {row + 1}: {name} should be {value:.4g}; the table has {table.rows[row, column]:.4g}."
-                yield _Correction(Fault("wrong number", text, row + 1, name), [(row, column, float(value))])
+    @cached_property
+    def _singles(self) -> list[Correction]:
+        zeros_are_fixed = "zeros" in self.fixed
+        return [
+            *corrections_of_a_row(self.table, zeros_are_fixed=zeros_are_fixed),
+            *(c for c in corrections_of_a_pair_of_rows(self.table) if not c.letters),
+            *corrections_of_the_table(self.table),
+            *corrections_of_a_number(self.table, self._numbers, self._more_d, zeros_are_fixed=zeros_are_fixed),
+        ]
+
+    @cached_property
+    def _numbers(self) -> Array:
+        own = assign_frames(self.arm, convention=self.table.convention).table.rows
+        return np.concatenate([own, self.reference.rows]) if isinstance(self.reference, DHTable) else own
+
+    @cached_property
+    def _more_d(self) -> dict[int, list[float]]:
+        """The values of d, by row, for which the distance of two common normals along an axis is that of the arm."""
+        moving = [row for row, letter in enumerate(self.table.joints) if letter != "F"]
+        invariants, values = self._invariants, self._values([self.start])[0]
+        return {
+            moving[joint]: [
+                self.table.rows[moving[joint], D] + sign * (turned * right - wrong)
+                for sign in (1, -1)
+                for turned in (1, -1)
+            ]
+            for joints, right, wrong in invariants.distances_along(values)
+            for joint in joints
+        }
+
+    @cached_property
+    def _invariants(self) -> AxisInvariants:
+        return AxisInvariants(self.arm, INTERMEDIATE_TOL_FACTOR * self.tolerance, "signs" not in self.fixed)
+
+    def _pairs(self) -> Iterator[Corrections]:
+        """Yield the pairs of which each one changes every invariant that is wrong without it."""
+        values = self._values([(single,) for single in self._singles])
+        violated = self._invariants.violated(values).astype(float)
+        unchanged = np.isclose(values, self._values([()]), rtol=1e-9, atol=1e-10).astype(float)
+        possible = violated @ unchanged.T == 0
+        for one, two in np.argwhere(np.triu(possible & possible.T, 1)):
+            yield self._singles[one], self._singles[two]
+
+    def _values(self, candidates: Sequence[Corrections]) -> Array:
+        """Compute the invariants of the corrected tables, (N, k)."""
+        return self._by_convention(
+            candidates,
+            lambda table, rows: self._invariants.of(
+                *joint_axes(rows, convention=table.convention, joints=table.joints, signs=table.signs)
+            ),
+        )
+
+    def _may_agree(self, candidates: Sequence[Corrections]) -> Booleans:
+        """Return which of the corrected tables can be the arm, as far as their invariants and their free choices show it."""
+        if not candidates:
+            return np.zeros(0, bool)
+        agree = self._invariants.agree(self._values(candidates))
+        if self.fixed >= {"zeros", "signs"}:
+            q = random_configurations(self.arm.n, 4)
+            poses = self._by_convention(candidates, lambda table, rows: _poses(table, rows, q))
+            loose = INTERMEDIATE_TOL_FACTOR * self.tolerance
+            agree &= _same_motion(poses, self.arm.fk(q), self.fixed, loose)
+        return agree
+
+    def _by_convention(self, candidates: Sequence[Corrections], compute: Callable[[DHTable, Array], Array]) -> Array:
+        """Compute something from the rows of all corrected tables (N, m, 4), for the tables of one convention at a time."""
+        other = np.array([any(c.convention for c in candidate) for candidate in candidates])
+        results = []
+        for is_other, convention in ((False, self.table.convention), (True, other_convention(self.table))):
+            rows = [corrected_rows(self.table.rows, c) for c, o in zip(candidates, other, strict=True) if o == is_other]
+            if rows:
+                results.append((other == is_other, compute(self.table.changed(convention=convention), np.array(rows))))
+        values = np.empty((len(candidates), *results[0][1].shape[1:]))
+        for selected, part in results:
+            values[selected] = part
+        return values
 
 
-def _describe_choices(equivalence: Equivalence) -> Iterator[str]:
-    """Describe the choices in which two right descriptions of one arm differ."""
-    for joint, (sign, offset) in enumerate(zip(equivalence.signs, equivalence.offsets, strict=True), start=1):
+def _poses(table: DHTable, rows: Array, q: Array) -> Array:
+    """Compute the poses of tables that differ from a given one in their rows: rows (N, m, 4), q (k, n) -> (N, k, 4, 4)."""
+    moved = np.repeat(rows[:, None], len(q), axis=1)
+    moving = [row for row, letter in enumerate(table.joints) if letter != "F"]
+    for values, row in zip(q.T, moving, strict=True):
+        moved[..., row, THETA if table.joints[row] == "R" else D] += table.signs[row] * values
+    links = np.moveaxis(dh_transform(*np.moveaxis(moved, -1, 0), convention=table.convention), -3, 0)
+    return reduce(np.matmul, [*links, table.tool], table.base)
+
+
+def _same_motion(poses: Array, right: Array, fixed: frozenset[str], loose: float) -> Booleans:
+    """Return which poses (N, k, 4, 4) are the right ones (k, 4, 4) up to the frames at the ends that are free."""
+    motions = []
+    for T in (poses, right):
+        start = T[..., :1, :, :]
+        if fixed >= {"base", "tool"}:
+            motions.append(T)
+        elif "base" in fixed:
+            motions.append(T[..., 1:, :, :] @ np.linalg.inv(start))
+        elif "tool" in fixed:
+            motions.append(np.linalg.inv(start) @ T[..., 1:, :, :])
+        else:
+            motions.append(np.trace(T[..., 1:, :3, :3] @ np.swapaxes(start[..., :3, :3], -1, -2), axis1=-2, axis2=-1))
+    ours, theirs = (motion.reshape(len(motion) if motion is motions[0] else 1, -1) for motion in motions)
+    return np.abs(ours - theirs).max(axis=-1) <= loose
+
+
+def _describe_choices(equivalence: Equivalence, table: DHTable, tolerance: float) -> Iterator[str]:
+    """Describe the choices in which two right descriptions of one arm differ by more than the tolerance."""
+    moving = [row for row, letter in enumerate(table.joints) if letter != "F"]
+    for joint, (row, sign, offset) in enumerate(
+        zip(moving, equivalence.signs, equivalence.offsets, strict=True), start=1
+    ):
+        column = THETA if table.joints[row] == "R" else D
+        distance = offset if column == D else (offset + np.pi) % (2 * np.pi) - np.pi
         if sign < 0:
             yield f"Joint {joint} has the opposite sign."
-        if abs(offset) > EQUIVALENCE_TOL:
-            yield f"Joint {joint} has another zero, {offset:.4g} away."
+        if abs(distance) > tolerance:
+            yield f"Joint {joint} has another zero, {format_entry(offset, column)}{'' if column == THETA else ' m'} away."
     for name, T in (("base", equivalence.base), ("tool", equivalence.tool)):
-        if np.abs(T - np.eye(4)).max() > EQUIVALENCE_TOL:
+        if np.abs(T - np.eye(4)).max() > tolerance:
             yield f"The {name} frames differ: {_describe_pose(T)}."
 
 
-def _describe_pose(T: np.ndarray) -> str:
+def _describe_pose(T: Array) -> str:
     degrees, metres = np.degrees(np.linalg.norm(log(T[:3, :3]))), np.linalg.norm(T[:3, 3])
     # Rounding removes errors such as 1e-17.
     return f"rotated by {round(float(degrees), 6):.4g} degrees, translated by {round(float(metres), 9):.4g} m"

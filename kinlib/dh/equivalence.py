@@ -188,7 +188,9 @@ class _Matcher:
             if sine < NEARLY_PARALLEL_RAD + self.loose:
                 # Parallel: the direction does not determine the rotation before, but the vector from axis to axis does.
                 is_line = self.one.joint_types[joint] == "R"
-                yield from self._seated(self._align_parallel_axis(match, joint, axis) if is_line else match, joint, sign)
+                yield from self._seated(
+                    self._align_parallel_axis(match, joint, axis) if is_line else match, joint, sign
+                )
             if sine > self.loose / 10:
                 yield from self._seated(replace(self._rotated(match, axis, direction, target), free=None), joint, sign)
 

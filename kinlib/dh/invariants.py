@@ -7,6 +7,7 @@ can only be equivalent if there are signs of the joints for which all invariants
 states for each, for many mechanisms at once; no map between the mechanisms is needed.
 """
 
+from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
 
@@ -86,6 +87,12 @@ class AxisInvariants:
         )
         return np.concatenate([pairs, *(np.asarray(value)[..., None] for value in along + turned)], axis=-1)
 
+    def distances_along(self, values: Array) -> Iterator[tuple[range, float, float]]:
+        """Yield the parallel joints between two common normals, and the distance of these in the reference and in values (k,)."""
+        first = self.reference.n - 1 + len(self._skew) + len(self._parallel)
+        for k, (i, j) in enumerate(self._runs, start=first):
+            yield range(i + 1, j + 1), float(self._values[k]), float(values[k])
+
     def violated(self, values: Array) -> Booleans:
         """Return which invariants (..., k) differ from those of the reference for every choice of signs."""
         violated = np.abs(values - self._values) > self._tolerances
@@ -137,7 +144,9 @@ class AxisInvariants:
     @cached_property
     def _runs(self) -> list[tuple[int, int]]:
         """The pairs i < j between which all axes are parallel: the two normals are a fixed distance apart along these axes.
-        A helical joint changes this distance with its zero."""
+
+        A helical joint changes this distance with its zero.
+        """
         between = [(i, j, range(i + 1, j)) for i in self._skew for j in self._skew if i < j]
         return [
             (i, j)

@@ -1,0 +1,258 @@
+"""The mistakes in DH tables that `diagnose` knows: each one with its name, a sentence, and the entries that correct it.
+
+A correction is written for the table as it is, with its own row numbers, so that two of them can be combined.
+"""
+
+from collections.abc import Iterable, Iterator, Mapping, Sequence
+from dataclasses import dataclass, field
+from functools import partial
+from itertools import combinations
+
+import numpy as np
+
+from kinlib.arrays.tolerances import EQUIVALENCE_TOL, ROUNDING_ERROR
+from kinlib.arrays.validation import Array
+from kinlib.dh.parsing import COLUMNS
+from kinlib.dh.table import Convention, DHTable
+from kinlib.rigid.angles import wrap_angle
+
+A, ALPHA, D, THETA = range(4)
+LENGTHS, ANGLES = (A, D), (ALPHA, THETA)
+
+MEANINGS = {A: "a is measured along x", ALPHA: "alpha about x", D: "d along z", THETA: "theta about z"}
+
+UNITS = {
+    1e-3: "The lengths are in millimetres, but were read as metres.",
+    1e-2: "The lengths are in centimetres, but were read as metres.",
+    1e3: "The lengths are a thousandth of those of the arm. Is the arm in millimetres?",
+}
+
+
+@dataclass(frozen=True)
+class Fault:
+    """A mistake in a table: its name, a sentence that describes it, and its row (from 1) and column, if it has any.
+
+    name  "sign of a", "sign of alpha", "sign of d", "sign of theta", "anti-parallel", "a and d swapped",
+          "theta and alpha swapped", "rows swapped", "rows shifted", "column shifted", "entry one row off",
+          "variable in the wrong column", "other convention", "degrees", "unit of length", "offset forgotten" or "wrong number"
+    """
+
+    name: str
+    text: str
+    row: int | None = None
+    column: str | None = None
+
+
+@dataclass(frozen=True, eq=False)
+class Correction:
+    """A fault and its correction: new entries by (row, column), then factors (m, 4), another convention, or letters of joints."""
+
+    fault: Fault
+    entries: Mapping[tuple[int, int], float] = field(default_factory=dict)
+    factors: Array | None = None
+    convention: Convention | None = None
+    letters: Mapping[int, str] = field(default_factory=dict)
+
+    @property
+    def is_number(self) -> bool:
+        """Whether it replaces an entry by a number that the table does not suggest, which could explain anything."""
+        return self.fault.name in {"wrong number", "offset forgotten"}
+
+    def combines_with(self, other: "Correction") -> bool:
+        """Whether the order of the two has no effect."""
+        if self.entries.keys() & other.entries.keys():
+            return False
+        for one, two in ((self, other), (other, self)):
+            if one.is_number and two.factors is not None and any(two.factors[entry] != 1 for entry in one.entries):
+                return False
+        return not (self.convention and other.convention) and not (self.letters.keys() & other.letters.keys())
+
+    @property
+    def place(self) -> tuple[str, int | None, str | None]:
+        """The name of the fault and where it is."""
+        return self.fault.name, self.fault.row, self.fault.column
+
+
+def corrected_rows(rows: Array, corrections: Sequence[Correction]) -> Array:
+    """Apply corrections to the numbers of a table, (m, 4) -> (m, 4).
+
+    >>> sign = Correction(Fault("sign of a", "", 1, "a"), {(0, 0): -0.4})
+    >>> corrected_rows(np.array([[0.4, 0.0, 0.1, 0.0]]), [sign]).tolist()
+    [[-0.4, 0.0, 0.1, 0.0]]
+    """
+    rows = np.array(rows)
+    for correction in corrections:
+        for entry, value in correction.entries.items():
+            rows[entry] = value
+    for correction in corrections:
+        if correction.factors is not None:
+            rows *= correction.factors
+    return rows
+
+
+def other_convention(table: DHTable) -> Convention:
+    """Return the convention that a table is not in."""
+    return "modified" if table.convention == "standard" else "standard"
+
+
+def format_entry(value: float, column: int) -> str:
+    """Format an entry for a sentence: an angle in degrees, a length as the number that it is.
+
+    >>> format_entry(np.pi / 2, ALPHA), format_entry(0.0203, A)
+    ('90 degrees', '0.0203')
+    """
+    if column in ANGLES:
+        return f"{round(float(np.degrees(value)), 6) + 0.0:.4g} degrees"
+    return f"{round(float(value), 9) + 0.0:.4g}"
+
+
+def corrections_of_the_table(table: DHTable) -> Iterator[Correction]:
+    """Yield the corrections of mistakes that affect the whole table."""
+    other = other_convention(table)
+    text = f"The table is in the {other} convention, but was read as {table.convention}."
+    yield Correction(Fault("other convention", text), convention=other)
+    rows = table.rows
+    for shift, where in ((1, "one row too high"), (-1, "one row too low")):
+        text = f"The columns a and alpha are {where}: a_{{i-1}} and a_i were confused."
+        yield _replaced(Fault("column shifted", text), rows, np.roll(rows, shift, axis=0), (A, ALPHA))
+        for column, name in enumerate(COLUMNS):
+            fault = Fault("column shifted", f"The column {name} is {where}.", None, name)
+            yield _replaced(fault, rows, np.roll(rows, shift, axis=0), (column,))
+        yield _replaced(Fault("rows shifted", f"The rows are {where}."), rows, np.roll(rows, shift, axis=0), range(4))
+    factors = np.ones_like(rows)
+    factors[:, ANGLES] = np.radians(1)
+    yield Correction(Fault("degrees", "The angles are in degrees, but were read as radians."), factors=factors)
+    for factor, text in UNITS.items():
+        factors = np.ones_like(rows)
+        factors[:, LENGTHS] = factor
+        yield Correction(Fault("unit of length", text), factors=factors)
+    for column in (ALPHA, D, A):
+        text = f"Every {COLUMNS[column]} has the wrong sign."
+        if column == ALPHA:
+            text = f"{text[:-1]}: it is the angle from z_{{i-1}} to z_i about x_i, by the right-hand rule."
+        factors = np.ones_like(rows)
+        factors[:, column] = -1
+        yield Correction(Fault(f"sign of {COLUMNS[column]}", text, None, COLUMNS[column]), factors=factors)
+    for one, two in ((A, D), (THETA, ALPHA)):
+        swapped = rows.copy()
+        swapped[:, [one, two]] = rows[:, [two, one]]
+        names = f"{COLUMNS[one]} and {COLUMNS[two]}"
+        text = f"The columns {names} are swapped: {MEANINGS[one]}, {MEANINGS[two]}."
+        yield _replaced(Fault(f"{names} swapped", text, None, COLUMNS[one]), rows, swapped, (one, two))
+
+
+def corrections_of_a_pair_of_rows(table: DHTable) -> Iterator[Correction]:
+    """Yield the corrections of mistakes between two rows: swapped rows, and an entry in the row before or after its own."""
+    rows, joints = table.rows, table.joints
+    for one, two in combinations(range(len(rows)), 2):
+        swapped = rows.copy()
+        swapped[[one, two]] = rows[[two, one]]
+        letters = {one: joints[two], two: joints[one]} if joints[one] != joints[two] else {}
+        fault = Fault("rows swapped", f"Rows {one + 1} and {two + 1} are swapped.", one + 1)
+        yield _replaced(fault, rows, swapped, range(4), letters)
+        for column, name in enumerate(COLUMNS) if two == one + 1 else ():
+            here, there = rows[one, column], rows[two, column]
+            text = f"Rows {one + 1} and {two + 1}: the entries of {name} are swapped."
+            row = one
+            if not here or not there:
+                row, right = (two, one) if not here else (one, two)
+                text = f"Row {row + 1}: the entry of {name} belongs in row {right + 1}."
+            fault = Fault("entry one row off", text, row + 1, name)
+            yield _replaced(fault, rows, swapped, (column,))
+
+
+def corrections_of_a_row(table: DHTable, *, zeros_are_fixed: bool) -> Iterator[Correction]:
+    """Yield the corrections of mistakes in one row. The entry that a joint changes is its zero, which may be free."""
+    for row, (a, alpha, d, theta) in enumerate(table.rows):
+        correction = partial(_correction_of_a_row, row)
+        # If two signs explain a table equally well, that of alpha is the more frequent mistake.
+        columns = [k for k in (ALPHA, D, A, THETA) if zeros_are_fixed or not is_variable(table, row, k)]
+        for column in columns:
+            name, value = COLUMNS[column], table.rows[row, column]
+            if column == ALPHA and abs(np.sin(alpha)) < EQUIVALENCE_TOL:
+                directions = "the same direction" if np.cos(alpha) < 0 else "opposite directions"
+                angle = np.pi - abs(alpha)
+                text = f"the axes are parallel with {directions}: alpha should be {format_entry(angle, ALPHA)}."
+                yield correction("anti-parallel", text, ALPHA, {ALPHA: angle})
+            elif abs(value) > ROUNDING_ERROR:
+                yield correction(f"sign of {name}", f"{name} has the wrong sign.", column, {column: -value})
+            if abs(value) > 1 and column in LENGTHS:
+                text = f"{name} is in millimetres, but was read as metres."
+                yield correction("unit of length", text, column, {column: value / 1000})
+            if abs(value) > 1 and column in ANGLES:
+                text = f"{name} is in degrees, but was read as radians."
+                yield correction("degrees", text, column, {column: np.radians(value)})
+        if a != d:
+            text = "a and d are swapped. a is measured along x, d along z."
+            yield correction("a and d swapped", text, A, {A: d, D: a})
+        if theta != alpha:
+            yield correction(
+                "theta and alpha swapped", "theta and alpha are swapped.", THETA, {ALPHA: theta, THETA: alpha}
+            )
+
+
+def corrections_of_joint_types(table: DHTable, joint_types: str) -> list[Correction]:
+    """Return the corrections of the rows whose variable is in the other column than the joint types (n letters) require."""
+    corrections = []
+    moving = [row for row, letter in enumerate(table.joints) if letter != "F"]
+    for row, letter in zip(moving, joint_types, strict=True):
+        if letter != table.joints[row]:
+            kind, column = ("prismatic", "d") if letter == "P" else ("revolute", "theta")
+            text = f"Row {row + 1}: the joint variable belongs in {column}, because this joint is {kind}."
+            fault = Fault("variable in the wrong column", text, row + 1, column)
+            corrections.append(Correction(fault, letters={row: letter}))
+    return corrections
+
+
+def corrections_of_a_number(
+    table: DHTable, numbers: Array, more_d: Mapping[int, Sequence[float]], *, zeros_are_fixed: bool
+) -> Iterator[Correction]:
+    """Yield the corrections of one entry to a number that the arm suggests, or to a usual angle.
+
+    numbers  (k, 4), rows of right tables of the arm
+    more_d   further values of d, by row
+    """
+    lengths = numbers[:, LENGTHS].ravel()
+    usual = {column: [0.0, *lengths, *-lengths] for column in LENGTHS}
+    for column in ANGLES:
+        # If an axis is drawn in the opposite direction, an angle becomes its supplement.
+        angles = np.concatenate([numbers[:, column], wrap_angle(np.pi - numbers[:, column])])
+        usual[column] = [0.0, np.pi / 2, -np.pi / 2, np.pi, *angles, *-angles]
+    for row, column in np.ndindex(table.rows.shape):
+        if is_variable(table, row, column) and not zeros_are_fixed:
+            continue
+        name, typed = COLUMNS[column], table.rows[row, column]
+        values = {round(float(value), 12) + 0.0: float(value) for value in usual[column]}
+        if column == D:
+            values |= {round(float(value), 12) + 0.0: float(value) for value in more_d.get(row, ())}
+        for value in values.values():
+            if abs(value - typed) < ROUNDING_ERROR:
+                continue
+            kind = "wrong number"
+            text = f"{name} should be {format_entry(value, column)}; the table has {format_entry(typed, column)}."
+            if is_variable(table, row, column) and not typed:
+                kind, text = "offset forgotten", f"the offset of {name} is missing."
+            yield _correction_of_a_row(row, kind, text, column, {column: value})
+
+
+def is_variable(table: DHTable, row: int, column: int) -> bool:
+    """Whether the joint of a row changes this entry, so that the number is only its zero."""
+    return (table.joints[row], column) in {("R", THETA), ("P", D)}
+
+
+def _correction_of_a_row(row: int, name: str, text: str, column: int, entries: Mapping[int, float]) -> Correction:
+    fault = Fault(name, f"Row {row + 1}: {text}", row + 1, COLUMNS[column])
+    return Correction(fault, {(row, k): float(value) for k, value in entries.items()})
+
+
+def _replaced(
+    fault: Fault, rows: Array, right: Array, columns: Iterable[int], letters: Mapping[int, str] | None = None
+) -> Correction:
+    """Construct the correction that replaces some columns of a table where they differ."""
+    entries = {
+        (row, column): float(right[row, column])
+        for column in columns
+        for row in range(len(rows))
+        if rows[row, column] != right[row, column]
+    }
+    return Correction(fault, entries, letters=letters or {})
