@@ -1,6 +1,8 @@
 """Poses and rotations in solutions: inverses, exponentials, and the parts of a pose."""
 
 from collections.abc import Callable
+from functools import partial
+from itertools import combinations
 
 import numpy as np
 
@@ -8,7 +10,7 @@ from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import exp as exponential
 from kinlib.rigid.lie import hat, homogeneous
 from kinlib.rigid.lie import inverse as pose_inverse
-from misstep.mutants.expression import Change, Changes, Expression, Operation, given, transpose
+from misstep.mutants.expression import Change, Changes, Expression, Operation, given, negative, transpose
 
 INVERSE_ADVICE = "The inverse of $(R, p)$ is $(R^T, -R^T p)$."
 
@@ -17,7 +19,7 @@ def pose(label: str, T: Array) -> Expression:
     """A given pose, (4, 4).
 
     >>> [change.name for change, _ in pose("T_{ab}", np.eye(4)).changes()]
-    ['inverted', 'rotation transposed']
+    ['inverted', 'transposed', 'rotation transposed']
     """
     return given(label, T, _POSE)
 
@@ -31,6 +33,29 @@ def rotation(label: str, R: Array) -> Expression:
     return given(label, R, _ROTATION)
 
 
+def point(label: str, p: Array) -> Expression:
+    """A given point or vector, (2,) or (3,), whose coordinates are typed one by one.
+
+    >>> [change.text for change, _ in point("p", np.ones(2)).changes()][1:]
+    ['take the $x$ of $p$ with the opposite sign', 'take the $y$ of $p$ with the opposite sign', 'swap the $x$ and the $y$ of $p$']
+    """
+    return given(label, p, _POINT)
+
+
+def rotation_about(axis: int, angle: Expression) -> Expression:
+    """The rotation (3, 3) by an angle in radians about axis 0, 1 or 2: x, y or z.
+
+    >>> rotation_about(2, given("q", np.pi / 2)).value.round(9)[:, 0]
+    array([0., 1., 0.])
+    """
+    return Operation(
+        f"rotation about {'xyz'[axis]}",
+        partial(_plane_rotation, axis),
+        f"R_{'xyz'[axis]}({{0}})".format,
+        _about_changes,
+    )(angle)
+
+
 def with_position(T: Array, p: Array) -> Array:
     """Return a pose (4, 4) with another position p (3,).
 
@@ -42,6 +67,7 @@ def with_position(T: Array, p: Array) -> Array:
 
 def _pose_changes(node: Expression) -> Changes:
     yield Change("inverted", f"use the inverse of ${node.latex}$, which belongs there as it is"), inverse(node)
+    yield Change("transposed", f"use the transpose of ${node.latex}$, which belongs there as it is"), transpose(node)
     transposed = _of_pose("rotation transposed", lambda T: homogeneous(T[:3, :3].T, T[:3, 3]), "{0}")
     yield Change("rotation transposed", f"use ${node.latex}$ with the transpose of its rotation"), transposed(node)
 
@@ -62,12 +88,96 @@ def _inverse_changes(node: Expression) -> Changes:
         Change("transpose for inverse", text, "transpose poses instead of inverting them", INVERSE_ADVICE),
         transpose(inner),
     )
-    for latex, wrong in _WRONG_POSITIONS.items():
-        text = f"write ${latex}$ as the position of the inverse of ${T}$"
-        yield (
-            Change("position of the inverse", text, f"write ${latex}$ as the position of an inverse", INVERSE_ADVICE),
-            wrong(inner),
-        )
+    text = f"take $-{T}$ instead of the inverse of ${T}$"
+    yield Change("negative for inverse", text, "take negatives instead of inverses", INVERSE_ADVICE), negative(inner)
+    for template, wrong in _WRONG_POSITIONS.items():
+        everywhere = template.format("each pose")
+        change = Change("position of the inverse", template.format(f"${T}$"), everywhere, INVERSE_ADVICE)
+        yield change, _of_pose("wrong inverse", wrong, "{0}")(inner)
+
+
+def _point_changes(node: Expression) -> Changes:
+    p, x = node.latex, node.value
+    yield Change("sign of a vector", f"take ${p}$ with the opposite sign"), negative(node)
+    for i in np.flatnonzero(x):
+        signs = np.where(np.arange(len(x)) == i, -1, 1)
+        negate = Operation("sign of a component", partial(np.multiply, signs), "{0}".format)
+        yield Change("sign of a component", f"take the ${'xyz'[i]}$ of ${p}$ with the opposite sign"), negate(node)
+    for i, j in combinations(range(len(x)), 2):
+        order = np.arange(len(x))
+        order[[i, j]] = j, i
+        yield Change("coordinates swapped", f"swap the ${'xyz'[i]}$ and the ${'xyz'[j]}$ of ${p}$"), node[order]
+
+
+def _plane_rotation(axis: int, angle: float, swapped: bool = False) -> Array:
+    c, s = (np.sin(angle), np.cos(angle)) if swapped else (np.cos(angle), np.sin(angle))
+    R, i, j = np.eye(3), (axis + 1) % 3, (axis + 2) % 3
+    R[[i, i, j, j], [i, j, i, j]] = c, -s, s, c
+    return R
+
+
+def _about_changes(node: Expression) -> Changes:
+    [angle] = node.arguments
+    axis = "xyz".index(node.operation.name[-1])
+    for k in (1, 2):
+        about = (axis + k) % 3
+        text = f"rotate about the ${'xyz'[about]}$ axis instead of the ${'xyz'[axis]}$ axis"
+        yield Change("another axis", text), rotation_about(about, angle)
+    mirrored = partial(_plane_rotation, axis, swapped=True)
+    by_complement = lambda q: _plane_rotation(axis, np.copysign(np.pi / 2, q) - q)  # noqa: E731
+    for swap in (mirrored, by_complement):
+        yield Change("sine and cosine swapped", "swap sine and cosine"), Operation("swapped", swap, "{0}".format)(angle)
+
+
+def _columns_changes(node: Expression) -> Changes:
+    axes = node.arguments
+    yield Change("axes in rows", "write the axes into the rows", advice="They are the columns."), transpose(node)
+    for i, j in combinations(range(len(axes)), 2):
+        one, other = f"${axes[i].latex}$", f"${axes[j].latex}$"
+        turned = [negative(axis) if k in (i, j) else axis for k, axis in enumerate(axes)]
+        yield Change("sign of two axes", f"take {one} and {other} with the opposite sign"), columns(*turned)
+        order = list(axes)
+        order[i], order[j] = axes[j], axes[i]
+        yield Change("columns swapped", f"swap the columns {one} and {other}"), columns(*order)
+    for shift in range(1, len(axes)):
+        order = [*axes[shift:], *axes[:shift]]
+        listed = ", ".join(f"${axis.latex}$" for axis in order)
+        yield Change("columns in another order", f"write the columns in the order {listed}"), columns(*order)
+
+
+def _assemble_changes(node: Expression) -> Changes:
+    R, p = node.arguments
+    yield Change("inverted", "write the inverse, $(R^T, -R^T p)$"), _inverted(node)
+    if len(p.value) == 3:
+        yield Change("position in the other frame", "write $R^T p$ as the position"), assemble(R, transpose(R) @ p)
+    yield Change("last row", "write the position into the last row instead of the last column"), _last_row(node)
+    yield Change("position left out", "leave out the position"), assemble(R, 0 * p)
+    yield Change("rotation left out", "leave out the rotation"), assemble(given("I", np.eye(len(R.value))), p)
+    yield Change("corner", "write a 0 at the end of the last row, where a 1 belongs"), _without_corner(node)
+
+
+def _point_map_changes(node: Expression) -> Changes:
+    T, x = node.arguments
+    R, p = rotation_of(T), position_of(T)
+    advice = "A point has a 1 as its last entry, which adds $p$: $R\\,x + p$."
+    yield Change("point as a direction", f"leave out the position of ${T.latex}$ for a point", advice=advice), R @ x
+    yield Change("sign", f"subtract the position of ${T.latex}$ instead of adding it"), R @ x - p
+    yield Change("order", f"add the position of ${T.latex}$ before rotating"), R @ (x + p)
+    yield from _map_changes(T, x, to_point)
+
+
+def _direction_map_changes(node: Expression) -> Changes:
+    T, x = node.arguments
+    advice = "A direction has a 0 as its last entry, because it is a difference of two points: it is rotated only."
+    text = f"add the position of ${T.latex}$ to a direction"
+    yield Change("direction as a point", text, advice=advice), to_point(T, x)
+    yield from _map_changes(T, x, to_direction)
+
+
+def _map_changes(T: Expression, x: Expression, of: Operation) -> Changes:
+    unrotated = assemble(given("I", np.eye(3)), position_of(T))
+    text = f"leave out the rotation of ${T.latex}$"
+    yield Change("not rotated", f"{text} for ${x.latex}$", text), of(unrotated, x)
 
 
 def _exp_changes(node: Expression) -> Changes:
@@ -92,6 +202,22 @@ def _exp_changes(node: Expression) -> Changes:
     )
 
 
+def _assembled(R: Array, p: Array) -> Array:
+    T = np.eye(len(p) + 1)
+    T[:-1, :-1], T[:-1, -1] = R, p
+    return T
+
+
+def _with_last_row(T: Array) -> Array:
+    moved = T.copy()
+    moved[-1, :-1], moved[:-1, -1] = T[:-1, -1], 0
+    return moved
+
+
+def _listed(*axes: str) -> str:
+    return f"({', '.join(axes)})"
+
+
 def _of_pose(name: str, of: Callable[[Array], Array], latex: str) -> Operation:
     return Operation(name, of, latex.format)
 
@@ -112,16 +238,41 @@ _entrywise_exponential = Operation("entrywise exponential", lambda S, q: np.exp(
 
 rotation_of = Operation("rotation of a pose", lambda T: T[:3, :3], "R({0})".format)
 position_of = Operation("position of a pose", lambda T: T[:3, 3], "p({0})".format)
-assemble = Operation("pose", homogeneous, "({0}, {1})".format)
-"""The pose with a rotation R and a position p."""
+assemble = Operation("pose", _assembled, "({0}, {1})".format, _assemble_changes)
+"""The pose with a rotation R and a position p, in the plane (3, 3) or in space (4, 4)."""
+
+rotation_only = Operation("rotation as a pose", lambda R: _assembled(R, np.zeros(len(R))), "({0}, 0)".format)
+translation = Operation("translation", lambda p: _assembled(np.eye(len(p)), p), "(I, {0})".format)
+"""The pose that is a translation by p."""
+
+columns = Operation("columns", lambda *axes: np.column_stack(axes), _listed, _columns_changes)
+"""The rotation whose columns are the axes of a frame."""
+
+to_point = Operation(
+    "point in another frame", lambda T, x: T[:3, :3] @ x + T[:3, 3], "{0}\\,{1}".format, _point_map_changes
+)
+"""The coordinates R x + p of a point x in another frame."""
+
+to_direction = Operation(
+    "direction in another frame", lambda T, x: T[:3, :3] @ x, "{0}\\,{1}".format, _direction_map_changes
+)
+"""The components R x of a direction x in another frame."""
+
+_inverted = Operation("inverted", np.linalg.inv, "{0}".format)
+_last_row = Operation("last row", _with_last_row, "{0}".format)
+_without_corner = Operation("corner", lambda T: T - np.diag([0.0] * (len(T) - 1) + [1.0]), "{0}".format)
 
 _WRONG_POSITIONS = {
-    "-p": _of_pose("inverse with -p", lambda T: homogeneous(T[:3, :3].T, -T[:3, 3]), "{0}"),
-    "p": _of_pose("inverse with p", lambda T: homogeneous(T[:3, :3].T, T[:3, 3]), "{0}"),
-    "-R\\,p": _of_pose("inverse with -R p", lambda T: homogeneous(T[:3, :3].T, -T[:3, :3] @ T[:3, 3]), "{0}"),
-    "R^T p": _of_pose("inverse with R^T p", lambda T: homogeneous(T[:3, :3].T, T[:3, :3].T @ T[:3, 3]), "{0}"),
+    "write $-p$ as the position of the inverse of {}": lambda T: homogeneous(T[:3, :3].T, -T[:3, 3]),
+    "leave the position unchanged in the inverse of {}": lambda T: homogeneous(T[:3, :3].T, T[:3, 3]),
+    "write $-R\\,p$ as the position of the inverse of {}": lambda T: homogeneous(T[:3, :3].T, -T[:3, :3] @ T[:3, 3]),
+    "leave out the minus sign of $-R^T p$ in the inverse of {}": lambda T: homogeneous(
+        T[:3, :3].T, T[:3, :3].T @ T[:3, 3]
+    ),
+    "leave out the position of the inverse of {}": lambda T: homogeneous(T[:3, :3].T, 0 * T[:3, 3]),
 }
-"""Positions that people write into the inverse of a pose, where -R^T p belongs."""
+"""Inverses of a pose with another position than -R^T p, and how they come about."""
 
 _POSE = Operation("given pose", lambda: None, str, _pose_changes)
+_POINT = Operation("given point", lambda: None, str, _point_changes)
 _ROTATION = Operation("given rotation", lambda: None, str, _rotation_changes)

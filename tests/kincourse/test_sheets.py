@@ -72,6 +72,7 @@ def test_each_mutant_of_the_solution_costs_points_and_is_named(template):
                 judgement = judge(problem, wrong.value)
                 assert judgement.fraction < 1
                 own = [one.names for one in problem.mistakes if all(problem.answer.agrees(one.value, wrong.value))]
+                own += [one.names for one in problem.mutants if one.key == wrong.key]  # the same one in other words
                 named = {names for finding in judgement.findings for names in finding.alternatives}
                 assert named & {wrong.names, *own}, (wrong.name, judgement)
                 value = problem.answer.read(wrong.value)
