@@ -39,6 +39,9 @@ class DHFramesAnswer(Numbers):
     def parts(self) -> Sequence[str]:
         return [f"frame {i}" for i in range(self.chain.n + 1)]
 
+    def part_indices(self) -> list[int]:
+        return list(range(len(self.value)))
+
     def read(self, given: Any) -> Array:
         if unplaced := _unplaced_frames(given):
             listed = ", ".join(map(str, unplaced))

@@ -259,7 +259,7 @@ def rpr(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "d_2 negated": (of(rows, q * (1, -1, 1)), SIGN + ", slide, d_2"),
             "theta_1 negated": (of(rows, q * (-1, 1, 1)), SIGN + ", theta"),
             "theta_3 negated": (of(rows, q * (1, 1, -1)), SIGN + ", theta"),
-            "every joint backwards": (of(rows, -q), SIGN + ", backward"),
+            "every joint backwards": (of(rows, -q), SIGN + ", backward, transpos"),
             "theta_1 and theta_3 exchanged": (of(rows, q[::-1]), SWAP + ", order, theta"),
             "a_1 and d_2 exchanged": (of(one_entry(rows, (1, 0), q[1]), (q[0], rows[1, 0], q[2])), SWAP),
             "at zero": (of(rows, 0 * q), "zero, home, joint values, left out, not moved"),

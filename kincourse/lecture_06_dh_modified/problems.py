@@ -61,6 +61,9 @@ class DHRowsAnswer(Numbers):
     def parts(self) -> Sequence[str]:
         return [f"row {i + 1}" for i in range(len(self.value))]
 
+    def part_indices(self) -> list[int]:
+        return list(range(len(self.value)))
+
     def agrees(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> list[bool]:
         if np.abs(self._poses(one) - self._poses(other)).max() <= tolerance:
             return [True] * len(other)
