@@ -1,6 +1,6 @@
 """Screw axes in solutions: axes of joints, the adjoint, and the product of exponentials."""
 
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator, Mapping, Sequence
 from itertools import combinations
 
 import numpy as np
@@ -136,33 +136,48 @@ def joint_screws(types: str, axes: Array, points: Array) -> Expression:
     array([[ 1.,  0.,  0.,  0.,  1., -1.],
            [ 0.,  0.,  0.,  0.,  1.,  0.]])
     """
-    rows = stack(
-        *(
-            revolute(direction(f"\\omega_{i}", axis), given(f"p_{i}", point))
-            if kind == "R"
-            else prismatic(direction(f"d_{i}", axis), given(f"p_{i}", point))
-            for i, (kind, axis, point) in enumerate(zip(types, axes, points, strict=True), start=1)
+    letters = {"R": "\\omega", "P": "d"}
+    directions = [
+        direction(f"{letters[kind]}_{i}", axis) for i, (kind, axis) in enumerate(zip(types, axes, strict=True), start=1)
+    ]
+
+    def rows_with(points: Array) -> Expression:
+        joints = zip(types, directions, points, strict=True)
+        return stack(
+            *(
+                (revolute if kind == "R" else prismatic)(axis, given(f"p_{i}", p))
+                for i, (kind, axis, p) in enumerate(joints, start=1)
+            )
         )
-    )
+
+    rows, text = rows_with(points), "combine each axis with the point of the next joint"
+    rows = rows.mistaken_for(rows_with(np.roll(points, -1, axis=0)), "another point", text)
     return rows.mistaken_for(_swap_halves(rows), "halves swapped", "write $(v, \\omega)$ in every row", ORDER_ADVICE)
 
 
-def drawn_axis(omega: Array, p: Array) -> tuple[Expression, Expression]:
-    """The direction (3,) of an axis and a point (3,) on it, as they are read off a drawing with whole coordinates.
+def drawn_revolute(omega: Array, p: Array, others: Mapping[str, Array]) -> Expression:
+    """The screw of a revolute joint whose axis omega (3,) through p (3,) is read off a drawing with whole coordinates.
 
-    >>> omega, p = drawn_axis(np.array([0, 0, 1.0]), np.array([2.0, 3.0, 1.0]))
-    >>> [wrong.value.tolist() for change, wrong in p.changes() if change.name == "coordinates swapped"]
-    [[3.0, 2.0, 1.0], [1.0, 3.0, 2.0], [2.0, 1.0, 3.0]]
+    others  the points that people take for p, in words
+
+    >>> S = drawn_revolute(np.array([0, 0, 1.0]), np.array([2.0, 3.0, 1.0]), {"the origin": np.zeros(3)})
+    >>> [wrong.value.tolist() for change, wrong in S.arguments[1].arguments[1].changes()][-1]
+    [0.0, 0.0, 0.0]
     """
     axis, point = direction("\\omega", omega), given("p", p)
     for sign, text in ((1, ""), (-1, "-")):
         for i, name in enumerate("xyz"):
             if abs(omega[i]) < 0.5:
                 axis = axis.mistaken_for(sign * np.eye(3)[i], "another axis", f"take the axis along ${text}{name}$")
-    for name, text, wrong in _misread(p):
-        if np.abs(np.cross(omega, wrong - p)).max() > 0.5:  # a coordinate along the axis plays no part
+    misread = [*_misread(p), *(("another point", f"take {text} as the point", other) for text, other in others.items())]
+    for name, text, wrong in misread:
+        if np.abs(np.cross(omega, wrong - p)).max() > 0.1:  # another point of the axis is as good
             point = point.mistaken_for(wrong, name, text)
-    return axis, point
+    foot = p - (omega @ p) * omega
+    v = moment(axis, point).mistaken_for(
+        foot, "point as moment", "take a point of the axis itself as the moment", MOMENT_ADVICE
+    )
+    return screw(axis, v)
 
 
 def _misread(p: Array) -> Iterator[tuple[str, str, Array]]:
@@ -251,14 +266,19 @@ def _slide_changes(node: Expression) -> Changes:
 
 
 def _advancing_changes(node: Expression) -> Changes:
-    turning, advance = node.arguments
-    advice = f"A helical joint also translates along its axis: add ${advance.latex}$ to $v$."
-    yield Change("no pitch", f"leave out ${advance.latex}$", advice=advice), turning
-    advice = "A right-handed screw translates along $+\\omega$ when it rotates about $+\\omega$."
+    turning, omega, p, h = node.arguments
+    advance = f"{h.latex}\\,{omega.latex}"
     yield (
-        Change("left-handed", f"take ${advance.latex}$ with the opposite sign", advice=advice),
-        _advancing(turning, negative(advance)),
+        Change("no pitch", f"leave out ${advance}$", advice="A helical joint also translates along its axis."),
+        turning,
     )
+    advice = f"The nut translates along the axis: add ${advance}$."
+    for name, text, wrong in (
+        ("left-handed", f"take ${advance}$ with the opposite sign", negative(h) * omega),
+        ("direction of the pitch", f"add the pitch ${h.latex}$ to each entry of $v$", h),
+        ("direction of the pitch", f"add ${h.latex}\\,{p.latex}$ instead of ${advance}$", h * p),
+    ):
+        yield Change(name, text, advice=advice), total(turning, wrong)
 
 
 def _change_of_frame_changes(node: Expression) -> Changes:
@@ -292,7 +312,7 @@ def revolute(omega: Expression, p: Expression) -> Expression:
 
 def helical(omega: Expression, p: Expression, h: Expression) -> Expression:
     """The screw of a helical joint of pitch h: (omega, -omega x p + h omega)."""
-    return screw(omega, _advancing(moment(omega, p), h * omega))
+    return screw(omega, _advancing(moment(omega, p), omega, p, h))
 
 
 def _joined(omega: Array, v: Array) -> Array:
@@ -353,9 +373,7 @@ _rotate_omega = Operation("omega rotated", lambda T, S: _joined(S[..., :3] @ T[:
 _without_v = Operation("without v", lambda S: _joined(S[..., :3], 0 * S[..., 3:]), "{0}".format)
 _rotate_only = Operation("only rotated", _rotated, "{1}".format)
 _translate_only = Operation("only moved", _moved, "{1}".format)
-_advancing = Operation(
-    "velocity", lambda turning, advance: turning + advance, "{0} + {1}".format, _advancing_changes, SUM
-)
+_advancing = Operation("velocity", lambda turning, omega, _, h: turning + h * omega, lambda *_: "v", _advancing_changes)
 _once = Operation("one exponential", lambda *twists: exponential(sum(twists)), lambda *_: "")
 _JOINT_VALUE = Operation("joint value", lambda: None, str, _joint_value_changes)
 _SCREWS = Operation("given screws", lambda: None, str, _screws_changes)

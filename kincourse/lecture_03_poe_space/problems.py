@@ -7,25 +7,38 @@ import numpy as np
 
 from kincourse.answers.pose import PoseAnswer
 from kincourse.answers.screws import ScrewsAnswer
-from kincourse.mistakes.space_form import (
-    negate_moment,
-    prismatic_as_revolute,
-    product,
-    product_mistakes,
-    screw_mistakes,
+from kincourse.expressions.poses import pose as given_pose
+from kincourse.expressions.screws import (
+    direction,
+    drawn_revolute,
+    exponentials,
+    forward_kinematics,
+    helical,
+    joint_screws,
+    moment,
+    prismatic,
+    screw,
+    tilted,
+    values_in_radians,
 )
 from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler
+from kincourse.sampling.arms import ArmSampler, shows_transposes
 from kincourse.text.joint_table import joint_table
 from kinlib.chains.robots import SLIDE, X, Y, Z, angled_arm, arm, pose
-from kinlib.rigid.screw import screw
 from kinlib.view import draw_arm, draw_joints
-from misstep.answers.function import Function, function_mistakes
+from misstep.answers.function import Function
 from misstep.answers.order import Ordering
 from misstep.display.text import matrix, number, vector
-from misstep.mistakes import Mistake, mistake
+from misstep.mistakes import mistake
+from misstep.mutants.expression import Expression, given
+from misstep.mutants.operations import ANGLE, radians, unit
 from misstep.problem import Problem
 from misstep.sheet import Sheet
+
+JOINT_ORDER_ADVICE = "The factor of joint 1 is leftmost, because joint 1 moves all that follows."
+TOOL_ADVICE = (
+    "The tool's own $z$ is a column of $M$ and moves with the arm: multiply by $\\mathrm{Trans}_z$ on the right."
+)
 
 
 @problem("03.1", "Screw axes of a plain arm", points=3, lecture="03_poe_space#Revolute joints")
@@ -37,132 +50,77 @@ def plain_arm(sampler: ArmSampler) -> Problem:
         figure=partial(draw_joints, robot),
         given={"letters": robot.joint_types, "axes": axes, "points": robot.joint_points},
         answer=ScrewsAnswer(robot.screws),
-        mistakes=[
-            *screw_mistakes(robot.screws),
-            mistake(
-                "slide as turn",
-                prismatic_as_revolute(robot),
-                "You treated the slide as a turn. A prismatic joint has no $\\omega$: $S = (0, d)$, and no point plays a part.",
-            ),
-            mistake(
-                "slide as turn, and omega x q",
-                negate_moment(prismatic_as_revolute(robot)),
-                "Two things: a moment is $-\\omega \\times p$, with the minus; and a slide has none, for it does not turn: $S = (0, d)$.",
-            ),
-        ],
+        solution=joint_screws(robot.joint_types, axes, robot.joint_points),
     )
 
 
 @problem("03.2", "A joint at an angle", points=3, lecture="03_poe_space#Angled joints")
 def angled_joint(sampler: ArmSampler) -> Problem:
-    degrees, point = sampler.choice([20, 25, 30, 35, 55, 60, 65, 70]), sampler.point(3)
-    tilt = np.radians(degrees)
-    upright, toward, names = sampler.choice([(Z, X, "zx"), (Z, Y, "zy"), (X, Y, "xy"), (Y, X, "yx")])
-
-    def leaning(cosine: float, sine: float) -> np.ndarray:
-        axis = cosine * upright + sine * toward
-        return np.concatenate([axis, np.cross(point, axis)])
-
-    S = screw(np.cos(tilt) * upright + np.sin(tilt) * toward, point)
-    robot = arm([(S[:3], point)], pose((X, Y, Z), point + X), "your joint", "drawn for you")
+    degrees, p = sampler.choice([20, 25, 35, 40, 50, 55, 65, 70]), sampler.point(3)
+    upright, toward, names = sampler.choice([(Z, X, "zxy"), (Z, Y, "zyx"), (X, Y, "xyz"), (Y, X, "yxz")])
+    third = given(names[2], np.cross(upright, toward))
+    u = given(names[0], upright).mistaken_for(third, "another axis", f"tilt the axis from ${names[2]}$")
+    t = given(names[1], toward).mistaken_for(third, "another axis", f"tilt the axis towards ${names[2]}$")
+    point = given("p", p)
+    omega = tilted(u, t, radians(given("\\theta", degrees, ANGLE))).named("\\omega")
+    v = moment(omega, point).mistaken_for(
+        moment(u, point), "tilt left out", f"take the moment of the axis along ${names[0]}$, without its tilt"
+    )
+    S = screw(omega, v)
+    robot = arm([(omega.value, p)], pose((X, Y, Z), p + X), "your joint", "drawn for you")
     return Problem(
         statement=f"A revolute joint leans from ${names[0]}$ towards ${names[1]}$ by {degrees} degrees. Its axis passes "
-        f"through ${vector(point)}$. Give its screw axis.",
+        f"through ${vector(p)}$. Give its screw axis.",
         figure=partial(draw_joints, robot),
-        given={"degrees": degrees, "from_axis": upright, "towards": toward, "point": point},
-        answer=ScrewsAnswer(S),
-        mistakes=[
-            *screw_mistakes(S),
-            mistake(
-                "sine and cosine swapped",
-                leaning(np.sin(tilt), np.cos(tilt)),
-                f"You swapped sine and cosine. At 0 degrees the axis is ${names[0]}$, so ${names[0]}$ gets the cosine.",
-            ),
-            mistake(
-                "leans the other way",
-                leaning(np.cos(tilt), -np.sin(tilt)),
-                f"Your axis leans away from ${names[1]}$. The share of ${names[1]}$ is positive.",
-            ),
-            mistake(
-                "degrees",
-                leaning(np.cos(degrees), np.sin(degrees)),
-                "You gave degrees to a sine that wants radians: use np.radians first.",
-            ),
-            mistake(
-                "not a unit axis",
-                leaning(1.0, np.tan(tilt)),
-                "Your $\\omega$ has the right direction and the wrong length. Divide it by its norm before you take the moment.",
-            ),
-        ],
+        given={"degrees": degrees, "from_axis": upright, "towards": toward, "point": p},
+        answer=ScrewsAnswer(S.value),
+        solution=S,
+        advice={
+            "sign of an angle": f"Your axis leans away from ${names[1]}$: the component along ${names[1]}$ is positive."
+        },
     )
 
 
 @problem("03.3", "A slide at an angle", points=3, lecture="03_poe_space#Prismatic joints")
 def leaning_slide(sampler: ArmSampler) -> Problem:
     sides = np.array(sampler.shuffled([0, *sampler.choice([(3, 4), (5, 12), (8, 15)])]), dtype=float)
-    direction = sides * np.array([sampler.choice((-1, 1)) for _ in range(3)])
-    d, point = direction / np.linalg.norm(direction), sampler.point(3)
-    S = screw(d, pitch=SLIDE)
-    robot = arm([(d, point, SLIDE)], pose((X, Y, Z), point + d), "your slide", "drawn for you")
+    along = sides * np.array([sampler.choice((-1, 1)) for _ in range(3)])
+    point = sampler.point(3)
+    d = direction("d", along).mistaken_for(point, "point for direction", "take the point as the direction")
+    d = d.mistaken_for(np.abs(along), "signs left out", "leave out the signs of the direction")
+    S = prismatic(unit(d), given("p", point))
+    robot = arm([(S.value[3:], point, SLIDE)], pose((X, Y, Z), point + S.value[3:]), "your slide", "drawn for you")
     return Problem(
-        statement=f"A prismatic joint is mounted at ${vector(point)}$ and slides along ${vector(direction)}$. Give its screw axis.",
+        statement=f"A prismatic joint is mounted at ${vector(point)}$ and slides along ${vector(along)}$. Give its screw axis.",
         figure=partial(draw_joints, robot),
-        given={"direction": direction, "point": point},
-        answer=ScrewsAnswer(S),
-        mistakes=[
-            mistake(
-                "direction in omega",
-                np.concatenate([d, np.zeros(3)]),
-                "You put the direction into $\\omega$: that is a turn about a line through the origin. A slide is $(0, d)$.",
-            ),
-            mistake(
-                "as a turn",
-                screw(d, point),
-                "You wrote the screw axis of a turn about this line. A slide does not turn: $\\omega = 0$, and $v$ is the direction.",
-            ),
-            mistake(
-                "not a unit direction",
-                np.concatenate([np.zeros(3), direction]),
-                "Your $v$ has the right direction and the wrong length: so one unit of $q$ would not be one metre. Divide by the norm.",
-            ),
-            mistake(
-                "moment of the point",
-                np.concatenate([np.zeros(3), np.cross(point, d)]),
-                "You took a moment. Every point of the body slides alike, so where the slide is mounted plays no part.",
-            ),
-        ],
+        given={"direction": along, "point": point},
+        answer=ScrewsAnswer(S.value),
+        solution=S,
+        advice={
+            "not a unit vector": "One unit of $q$ must be one metre, so $v$ is a unit vector: divide by the length."
+        },
     )
 
 
 @problem("03.4", "A helical joint", points=3, lecture="03_poe_space#Helical joints")
 def helical_joint(sampler: ArmSampler) -> Problem:
     axis, point, lead = sampler.choice([X, Y, Z, -X, -Y, -Z]), sampler.point(3), sampler.length(0.2, 0.9)
-    S = screw(axis, point, lead / (2 * np.pi))
-    robot = arm([(axis, point, lead / (2 * np.pi))], pose((X, Y, Z), point + axis), "your spindle", "drawn for you")
+    h = (given("l", lead) / given("2\\pi", 2 * np.pi)).named("h")
+    h = h.mistaken_for(lead / 360, "degrees", "divide the lead by 360", "$q$ is in radians: a full turn is $2\\pi$.")
+    h = h.mistaken_for(lead / np.pi, "half a turn", "divide the lead by $\\pi$", "A full turn is $2\\pi$.")
+    S = helical(direction("\\omega", axis), given("p", point), h)
+    robot = arm([(axis, point, h.value)], pose((X, Y, Z), point + axis), "your spindle", "drawn for you")
     return Problem(
         statement=f"A spindle along ${vector(axis)}$ passes through ${vector(point)}$. In one full turn its nut climbs "
         f"{number(lead)} m along the axis, right-handed. Give the screw axis, for $q$ in radians.",
         figure=partial(draw_joints, robot),
         given={"axis": axis, "point": point, "lead": lead},
-        answer=ScrewsAnswer(S),
-        mistakes=[
-            *screw_mistakes(S),
-            mistake(
-                "lead taken as pitch",
-                screw(axis, point, lead),
-                "You used the climb of a full turn as the pitch. The pitch is metres for each radian: divide by $2\\pi$.",
-            ),
-            mistake(
-                "no climb",
-                screw(axis, point),
-                "This joint turns and does not climb. Add the pitch along the axis: $v = -\\omega \\times p + h\\,\\omega$.",
-            ),
-            mistake(
-                "left-handed",
-                screw(axis, point, -lead / (2 * np.pi)),
-                "Your nut climbs the wrong way. A right-handed spindle moves along $+\\omega$ as it turns about $+\\omega$.",
-            ),
-        ],
+        answer=ScrewsAnswer(S.value),
+        solution=S,
+        advice={
+            "divisor left out": "You used the lead as the pitch. The pitch is in metres per radian: $h = l / 2\\pi$.",
+            "product for division": "One radian is less than a full turn, so the pitch is less than the lead.",
+        },
     )
 
 
@@ -170,35 +128,23 @@ def helical_joint(sampler: ArmSampler) -> Problem:
 def from_a_drawing(sampler: ArmSampler) -> Problem:
     robot = sampler.arm("RRR")
     joint = sampler.integer(1, 3)
-    S, axis, point = robot.screws[joint - 1], robot.screws[joint - 1, :3], robot.joint_points[joint - 1]
     neighbour = joint % 3
+    points = {f"the point of joint {i}": p for i, p in enumerate(robot.joint_points, start=1) if i != joint}
+    S = drawn_revolute(robot.screws[joint - 1, :3], robot.joint_points[joint - 1], points).mistaken_for(
+        robot.screws[neighbour],
+        "another joint",
+        f"give the screw axis of joint {neighbour + 1}",
+        "Look for the number beside the joint.",
+    )
     return Problem(
         statement=f"Read the screw axis of joint {joint} off the drawing. All joints are revolute; coordinates are whole metres.",
         figure=partial(draw_joints, robot),
-        answer=ScrewsAnswer(S),
-        mistakes=[
-            *screw_mistakes(S),
-            mistake(
-                "turned round",
-                -S,
-                "Your axis points the other way, so your joint turns the other way. The arrow in the drawing shows the positive turn.",
-            ),
-            mistake(
-                "another joint",
-                robot.screws[neighbour],
-                f"This is the screw axis of joint {neighbour + 1}. Look for the number beside the joint.",
-            ),
-            mistake(
-                "another joint's point",
-                screw(axis, robot.joint_points[neighbour]),
-                f"The direction is right, but you took the point of joint {neighbour + 1}.",
-            ),
-            mistake(
-                "coordinates swapped",
-                screw(axis, point[[1, 0, 2]]),
-                "You swapped the point's $x$ and $y$. Follow the dotted line to the floor, then read along each axis.",
-            ),
-        ],
+        answer=ScrewsAnswer(S.value),
+        solution=S,
+        advice={
+            "sign of a vector": "The arrow in the drawing shows the positive rotation.",
+            "coordinates swapped": "Follow the dotted line to the floor, then read along each axis.",
+        },
     )
 
 
@@ -245,10 +191,16 @@ def which_order(sampler: ArmSampler) -> Problem:
 
 @problem("03.7", "Where is the tool, at any q?", points=3, lecture="03_poe_space#The product")
 def where_is_the_tool(sampler: ArmSampler) -> Problem:
-    robot = sampler.arm(sampler.choice(["RRR", "RPR", "RRP"]))
+    types = sampler.choice(["RRR", "RPR", "RRP"])
+    robot = sampler.arm(types)
+    while not shows_transposes(robot):
+        robot = sampler.arm(types)
 
     def joint_values(chance: np.random.Generator) -> tuple[np.ndarray]:
         return (chance.uniform(0.3, 1.3, 3) * chance.choice([-1, 1], 3),)
+
+    def pose_at(q: np.ndarray) -> Expression:
+        return forward_kinematics(exponentials(robot.screws, values_in_radians(q)), given_pose("M", robot.home))
 
     return Problem(
         statement="This arm has the screws $S_i$ and the home pose $M$ below. Write a function that takes $q$, three numbers in "
@@ -257,14 +209,12 @@ def where_is_the_tool(sampler: ArmSampler) -> Problem:
         figure=partial(draw_arm, robot),
         given={"screws": robot.screws, "home": robot.home},
         answer=Function(robot.fk, PoseAnswer(robot.home), joint_values),
-        mistakes=[
-            *function_mistakes(partial(product_mistakes, robot), np.ones(3)),
-            Mistake(
-                "stays at home",
-                lambda _: robot.home,
-                "Your function gives the home pose, whatever $q$ is. Does the loop over the joints change the product?",
-            ),
-        ],
+        solution=pose_at,
+        advice={
+            "reversed": JOINT_ORDER_ADVICE,
+            "first factor": "With space screws, the factor of joint 1 is leftmost, and $M$ is last.",
+            "at home": "Your function gives the home pose for every $q$. Does the loop over the joints change the product?",
+        },
     )
 
 
@@ -287,40 +237,37 @@ def longer_tool(sampler: ArmSampler) -> Problem:
             sampler.choice([0.7, -0.6, 1.2]),
         ]
     )
-    extension = pose((X, Y, Z), longer * Z)
+    extended = given("\\mathrm{Trans}_z", pose((X, Y, Z), longer * Z))
+    for axis, name in ((X, "x"), (Y, "y")):
+        extended = extended.mistaken_for(
+            pose((X, Y, Z), longer * axis), "another axis", f"extend the tool along its ${name}$"
+        )
+    extended = extended.mistaken_for(
+        pose((X, Y, Z), -longer * Z), "sign of a length", "make the tool shorter, not longer"
+    )
+    extended = extended.mistaken_for(pose((X, Y, Z), 2 * longer * Z), "extended twice", "extend the tool twice")
+    home = (given_pose("M", robot.home) @ extended).named("M'")
+    factors = exponentials(robot.screws, values_in_radians(q))
+    T = forward_kinematics(factors, home).mistaken_for(
+        extended @ forward_kinematics(factors, given_pose("M", robot.home)),
+        "first factor",
+        "extend the tool along the $z$ of {s}, after the motion",
+        TOOL_ADVICE,
+    )
     return Problem(
         statement=f"The tool of this arm is replaced by one that reaches {number(longer)} m further along the tool's own $z$. "
         f"Give the new tool's $T(q)$ at $q = {vector(q)}$.\n\n$$S = {matrix(robot.screws)}, \\qquad M = {matrix(robot.home)}$$",
         figure=partial(draw_arm, robot),
         given={"screws": robot.screws, "home": robot.home, "longer": longer, "q": q},
-        answer=PoseAnswer(robot.fk(q) @ extension),
-        mistakes=[
-            mistake(
-                "the old tool",
-                robot.fk(q),
-                "This is where the old tool ends. The screws stay; the home pose changes to $M' = M\\,\\mathrm{Trans}_z$.",
-            ),
-            mistake(
-                "extended in {s}",
-                extension @ robot.fk(q),
-                "You lengthened the tool along the $z$ of {s}, after the motion. The tool's own $z$ turns with it: multiply on the right.",
-            ),
-            mistake(
-                "extended in {s} at home",
-                replace(robot, home=extension @ robot.home).fk(q),
-                "You lengthened $M$ along the $z$ of {s}: $\\mathrm{Trans}_z\\, M$. Its own $z$ is a column of $M$: multiply on the right.",
-            ),
-            mistake(
-                "reversed",
-                product(robot.screws, q, robot.home @ extension, "reversed"),
-                "The new $M$ is right, but you multiplied from the last joint to the first. Joint 1 stands leftmost.",
-            ),
-            mistake(
-                "home first",
-                product(robot.screws, q, robot.home @ extension, "home first"),
-                "The new $M$ is right, but you put it in front. With space screws it stands on the right.",
-            ),
-        ],
+        answer=PoseAnswer(T.value),
+        solution=T,
+        invisible=["order"],  # joint 3 translates along the axis of joint 2, so their factors commute
+        advice={
+            "leave out $\\mathrm{Trans}_z$": "This is the old tool. The home pose changes to $M' = M\\,\\mathrm{Trans}_z$.",
+            "swap $M$ and $\\mathrm{Trans}_z$": f"This extends the tool along the $z$ of {{s}}. {TOOL_ADVICE}",
+            "reversed": JOINT_ORDER_ADVICE,
+            "first factor": "With space screws, the home pose is the last factor.",
+        },
     )
 
 

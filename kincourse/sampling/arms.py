@@ -22,6 +22,9 @@ MIN_DROP_LINE_DISTANCE_M = 0.4
 MIN_POINT_DISTANCE_M = 1.0
 """The minimum distance of two points in a drawing, in metres at its scale, at which their labels can be told apart."""
 
+MIN_TRANSPOSE_DIFFERENCE = 0.1
+"""The minimum difference of the components of R d and R^T d at which a rotation is not taken for its transpose."""
+
 AXIS_DIRECTIONS = (X, Y, Z, -X, -Y, -Z)
 
 PLAIN_ANGLES_DEG = (20, 25, 30, 35, 40, 50, 55, 60, 65, 70)
@@ -37,6 +40,19 @@ def are_distinguishable(places: Sequence[Array]) -> bool:
     _, sheet = view_axes("default")
     far = [np.linalg.norm(sheet @ (one - other)) for k, one in enumerate(places) for other in places[:k]]
     return bool(far and min(far) > MIN_POINT_DISTANCE_M)
+
+
+def shows_transposes(robot: Chain) -> bool:
+    """Whether the rotation R of the home pose takes every joint axis to a direction far from that to which R^T takes it.
+
+    So a transpose in place of R changes the directions of all axes. No R = R^T does.
+
+    >>> from kinlib.chains.robots import mid_formula_arm, plain_arm
+    >>> shows_transposes(mid_formula_arm()), shows_transposes(plain_arm())
+    (False, False)
+    """
+    R = robot.home[:3, :3]
+    return bool(np.abs(robot.lines.axis @ (R - R.T)).max(axis=-1).min() > MIN_TRANSPOSE_DIFFERENCE)
 
 
 class ArmSampler(Sampler):

@@ -101,6 +101,10 @@ def _square_changes(node: Expression) -> Changes:
 def _unit_changes(node: Expression) -> Changes:
     text = f"use ${node.arguments[0].latex}$ as it is, without dividing it by its length"
     yield Change("not a unit vector", text), node.arguments[0]
+    if np.count_nonzero(node.value) > 1:  # otherwise all of these are the length
+        for what, size in _WRONG_LENGTHS.items():
+            text = f"divide ${node.arguments[0].latex}$ by {what} instead of its length"
+            yield Change("not a unit vector", text), node.arguments[0] / size(node.arguments[0].value)
 
 
 def _cross_changes(node: Expression) -> Changes:
@@ -143,6 +147,14 @@ def _stack_changes(node: Expression) -> Changes:
 def _listed(*entries: str) -> str:
     return f"({', '.join(entries)})"
 
+
+_WRONG_LENGTHS = {
+    "the square of its length": lambda x: x @ x,
+    "the sum of its entries": np.sum,
+    "the sum of the sizes of its entries": lambda x: np.abs(x).sum(),
+    "its largest entry": lambda x: np.abs(x).max(),
+}
+"""Numbers by which people divide a vector where its length belongs."""
 
 radians = Operation("radians", np.radians, "{0}".format, _radians_changes)
 """An angle in degrees as radians."""
