@@ -14,7 +14,7 @@ from typing import Any, TypeVar
 from misstep.answers.base import TOLERANCE, Answer, Unreadable
 from misstep.mistakes import Mistake
 from misstep.mutants.expression import Expression
-from misstep.mutants.mutants import Mutation, mutant, mutate, mutations, pairs, value_of
+from misstep.mutants.mutants import Built, Mutation, mutant, mutate, mutations, pairs, value_of
 from misstep.sampling import Sampler
 
 S = TypeVar("S", bound=Sampler)
@@ -144,9 +144,10 @@ class Problem:
         changed  for each mistake, its changes, and for each change the mutation at each input
         given    an answer that was read; mistakes that differ from it at the first input are left out
         """
+        built: Built = {}
         for changes in map(list, changed):
             mutated = (
-                mutate(root, *(mutation.replaced for mutation in at))
+                mutate(root, *(mutation.replaced for mutation in at), built=built)
                 for root, at in zip(self._roots, zip(*changes, strict=True), strict=True)
             )
             first = next(mutated)

@@ -105,6 +105,11 @@ class Numbers(Answer):
         """Return, for each part, the index of its entries in the array."""
         return [...]
 
+    def may_be(self, given: Array, value: Any) -> bool:
+        if value is None or np.shape(value) != np.shape(given):
+            return False
+        return any(self.agrees(given, np.asarray(value)))
+
     def pins_down(self, given: Array, part: int) -> bool:
         entries = np.abs(given[self.part_indices()[part]])
         return bool(np.count_nonzero(np.minimum(entries, np.abs(entries - 1)) > TOLERANCE) >= 2)

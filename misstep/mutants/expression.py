@@ -142,6 +142,11 @@ class Expression:
         )
 
     @cached_property
+    def part_ids(self) -> frozenset[int]:
+        """The ids of all parts, its own included."""
+        return frozenset([id(self)]).union(*(node.part_ids for node in self.arguments))
+
+    @cached_property
     def latex(self) -> str:
         """The expression in LaTeX."""
         if self.label or not self.arguments:

@@ -7,12 +7,16 @@ twice is changed in both places, because people compute it once.
 from collections.abc import Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from itertools import combinations
+from operator import is_
 from typing import Any
 
 import numpy as np
 
 from misstep.mistakes import Mistake
 from misstep.mutants.expression import Change, Expression
+
+Built = dict[tuple[Any, ...], tuple[tuple[Expression, ...], Expression]]
+"""Parts of mutants by their operation and the ids of their arguments, with these arguments, so that the ids stay theirs."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -23,26 +27,32 @@ class Mutation:
     replaced: Mapping[int, Expression]
 
 
-def mutate(root: Expression, *replacements: Mapping[int, Expression]) -> Expression:
+def mutate(root: Expression, *replacements: Mapping[int, Expression], built: Built | None = None) -> Expression:
     """Return the expression with some of its parts replaced; all other parts are shared with the original one.
+
+    built  the parts that were built for other mutants of the same expression; they are shared too, and new ones are added
 
     The parts of all replacements are replaced in one pass, because a part that is rebuilt is found by its id no more.
     """
-    return _replace_parts(root, {key: node for replaced in replacements for key, node in replaced.items()})
+    replaced = {key: node for one in replacements for key, node in one.items()}
+    return _replace_parts(root, replaced, {} if built is None else built)
 
 
-def _replace_parts(root: Expression, replaced: Mapping[int, Expression]) -> Expression:
+def _replace_parts(root: Expression, replaced: Mapping[int, Expression], built: Built) -> Expression:
     # A replacement is searched for further parts to replace, but not for the part that it replaces: that may stand within it.
     new = root
     while id(new) in replaced:
         done, new = id(new), replaced[id(new)]
         replaced = {key: node for key, node in replaced.items() if key != done}
-    if not replaced:
+    if replaced.keys().isdisjoint(new.part_ids):
         return new
-    arguments = tuple(_replace_parts(node, replaced) for node in new.arguments)
-    if all(one is other for one, other in zip(arguments, new.arguments, strict=True)):
+    arguments = tuple([_replace_parts(node, replaced, built) for node in new.arguments])
+    if all(map(is_, arguments, new.arguments)):
         return new
-    return new.operation(*arguments)
+    key = (new.operation, *map(id, arguments))
+    if key not in built:
+        built[key] = arguments, new.operation(*arguments)
+    return built[key][1]
 
 
 def mutations(root: Expression) -> list[Mutation]:
