@@ -1,6 +1,5 @@
 """Rows and chains of link transforms, and the slips that any pose invites, written by hand."""
 
-from collections.abc import Sequence
 from typing import Any
 
 import numpy as np
@@ -49,7 +48,7 @@ def chain(rows: Any, convention: str) -> Array:
     return product(*(link(row, convention) for row in rows))
 
 
-def at(rows: Any, joints: str, q: Sequence[float]) -> Array:
+def at(rows: Any, joints: str, q: Any) -> Array:
     """The rows (m, 4) with joint values q (m,) added to theta where the letter is R, and to d where it is P.
 
     >>> at([[1, 0, 0, 0]], "P", [0.5])

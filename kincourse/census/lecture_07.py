@@ -127,7 +127,7 @@ def parallel_axes(given: Any, answer: DHTable) -> Iterator[WrongAnswer]:
             **_random_signs(answer),
             "0 for the half turn between axes 3 and 4": (as_text(straight, answer.joints), words),
             "step along the parallel axes left out": (as_text(lost, answer.joints), f"{LEFT_OUT}, slide"),
-            "step along the parallel axes doubled and negated": (as_text(doubled, answer.joints), f"{SIGN}"),
+            "step along the parallel axes doubled and negated": (as_text(doubled, answer.joints), SIGN + ", look again at d"),
             "0 for the half turn, step left out": (
                 as_text(np.where((np.arange(4) == 1) & (rows[:, 1:2] > 3), 0.0, lost), answer.joints), f"{words}, {LEFT_OUT}"),
         }
@@ -170,8 +170,8 @@ def table_to_mend(given: Any, answer: DHTable) -> Iterator[WrongAnswer]:
             "the other length of the row": (add(-off, i, 2 - k), f"{place}, other length"),
             "the same column, row before": (add(-off, i - 1, k), place),
             "the same column, next row": (add(-off, i + 1, k), place),
-            "the entry made 0": (add(-printed[i, k], i, k), "value, too far"),
-            "the entry negated": (add(-2 * printed[i, k], i, k), SIGN),
+            "the entry made 0": (add(-printed[i, k], i, k), "value, too far, all but one"),
+            "the entry negated": (add(-2 * printed[i, k], i, k), SIGN + ", all but one"),
             "mended, and another one too": (add(1, 3 - i, 2 - k, fixed), place),
             "printed, every alpha negated": (as_text(printed * (1, -1, 1, 1), answer.joints), f"printed, alpha, {SIGN}"),
             "the other length of the row, a and d swapped": (

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from kincourse.census.motions import Array
+from kincourse.census.motions import Array, negated
 from kinlib.dh.table import DHTable
 
 A, ALPHA, D, THETA = range(4)
@@ -57,14 +57,14 @@ def table_slips(table: DHTable) -> dict[str, tuple[Any, str]]:
     first, swap = int(np.argmax(rows[:, ALPHA] != 0)), [*reversed(range(min(n, 2))), *range(2, n)]
 
     def flipped(i: int, k: int) -> Array:
-        return np.where(np.outer(np.arange(n) == i, np.arange(4) == k), -rows, rows)
+        return negated(rows, (i, k))
 
     wrong: dict[str, tuple[Array, str]] = {
         "a and d swapped": (rows[:, [2, 1, 0, 3]], "swap, exchang, interchang"),
         "alpha and theta swapped": (rows[:, [0, 3, 2, 1]], "swap, exchang, interchang"),
         "both pairs of columns swapped": (rows[:, [2, 3, 0, 1]], "swap, exchang, interchang, order of the columns"),
-        "rows one place down": (np.roll(rows, 1, axis=0), "row"),
-        "rows one place up": (np.roll(rows, -1, axis=0), "row"),
+        "rows one place down": (np.roll(rows, 1, axis=0), "row, convention"),
+        "rows one place up": (np.roll(rows, -1, axis=0), "row, convention"),
         "rows 1 and 2 swapped": (rows[swap], "row"),
         "rows in reverse": (rows[::-1], "row, reverse"),
         "alpha one row off": (rolled[ALPHA], "alpha, row, convention"),
@@ -74,21 +74,21 @@ def table_slips(table: DHTable) -> dict[str, tuple[Any, str]]:
         "every alpha negated": (rows * (1, -1, 1, 1), "alpha"),
         "every a negated": (rows * (-1, 1, 1, 1), SIGN),
         "every d negated": (rows * (1, 1, -1, 1), SIGN),
-        "every theta negated": (rows * (1, 1, 1, -1), SIGN + ", theta, offset"),
+        "every theta negated": (rows * (1, 1, 1, -1), SIGN + ", theta, offset, zero"),
         "every number negated": (-rows, SIGN),
         "no minus sign anywhere": (np.abs(rows), SIGN + ", absolute"),
-        "no offsets": (np.where(turns, 0.0, rows), "offset, theta"),
+        "no offsets": (np.where(turns, 0.0, rows), "offset, theta, zero"),
         "every alpha 0": (rows * (1, 0, 1, 1), "alpha"),
         "0 for one right angle": (rows * np.where(np.outer(np.arange(n) == first, np.arange(4) == ALPHA), 0, 1), "alpha"),
         "a from joint to joint": (on_links, NORMAL),
-        "d left out": (rows * (1, 1, 0, 1), "left out, forgot, missing, $d$, every d, column d"),
+        "d left out": (rows * (1, 1, 0, 1), "left out, forgot, missing, $d$, every d, column d, look again at d"),
         "lengths in millimetres": (np.where(lengths, 1000, 1) * rows, "millimet, mm, 1000, unit"),
         "lengths in centimetres": (np.where(lengths, 100, 1) * rows, "centimet, cm, 100, unit"),
         "a and d swapped, alpha negated": (rows[:, [2, 1, 0, 3]] * (1, -1, 1, 1), "swap, exchang, alpha, " + SIGN),
         "no offsets, alpha one row off": (np.where(turns, 0.0, rolled[ALPHA]), "offset, alpha, row"),
         "rows 1 and 2 swapped, a negated": (rows[swap] * (-1, 1, 1, 1), "row, " + SIGN),
         **{
-            f"{name}{i + 1} negated": (flipped(i, k), f"{name}, {SIGN}" if k % 2 else SIGN)
+            f"{name}{i + 1} negated": (flipped(i, k), f"{name} in row {i + 1}, {SIGN}" + (", theta, zero" if k == THETA else ""))
             for i in range(n)
             for k, name in enumerate(("a", "alpha", "d", "theta"))
         },
