@@ -1,13 +1,22 @@
-"""A quiz on DH tables: a random arm at each click, and a table that is judged by equivalence of mechanisms."""
+"""A quiz on DH tables: a random arm at each click, and a table that is judged by equivalence of mechanisms.
+
+Of several random arms, the next one is that which best tells the mistakes apart that still explain what the student did, as
+a teacher would choose the next exercise.
+"""
 
 import secrets
+from collections.abc import Callable, Collection, Mapping
 from functools import partial
 
+import numpy as np
+
 from kincourse.answers.dh_table import DHTableAnswer
+from kincourse.mistakes.dh import alpha_negated, lengths_swapped, z_on_the_wrong_joint
 from kincourse.sampling.arms import ArmSampler
 from kincourse.text.joint_table import joint_table
 from kinlib.dh.assignment import assign_frames
-from kinlib.dh.table import Convention, validate_convention
+from kinlib.dh.diagnosis import diagnose
+from kinlib.dh.table import Convention, DHTable, validate_convention
 from kinlib.view import draw_joints
 from misstep.display.card import Card
 from misstep.judge import Judgement, judge
@@ -15,8 +24,31 @@ from misstep.mistakes import mistake
 from misstep.problem import Problem
 from misstep.verdict import TITLES
 
-JOINT_TYPES = ("RR", "RRR", "RPR", "RRP", "PRR", "RRRR")
+JOINT_TYPES = ("RR", "RRR", "RPR", "RRP", "PRR", "RPRR", "RRPR", "RRRR")
 """The types of the joints of the arms, from base to tool."""
+
+CANDIDATES = 8
+"""How many arms are drawn to choose one from."""
+
+WHOLE_TABLE_MISTAKES: Mapping[str, Callable[[DHTable], DHTable]] = {
+    "other convention": z_on_the_wrong_joint,
+    "column shifted": lambda table: table.changed(
+        rows=np.column_stack([np.roll(table.rows[:, :2], 1, axis=0), table.rows[:, 2:]])
+    ),
+}
+ROW_MISTAKES: Mapping[str, Callable[[DHTable], DHTable]] = {
+    "sign of alpha": alpha_negated,
+    "sign of d": lambda table: table.changed(rows=table.rows * (1, 1, -1, 1)),
+    "sign of a": lambda table: table.changed(rows=table.rows * (-1, 1, 1, 1)),
+    "a and d swapped": lengths_swapped,
+    "theta and alpha swapped": lambda table: table.changed(rows=table.rows[:, [0, 3, 2, 1]]),
+    "variable in the wrong column": lambda table: table.changed(
+        joints=table.joints.translate(str.maketrans("RP", "PR"))
+    ),
+}
+"""By the names of kl.diagnose, how a mistake changes a right table: as a whole, or all rows or any one of them."""
+
+MISTAKES = {*WHOLE_TABLE_MISTAKES, *ROW_MISTAKES}
 
 EMPTY_TABLE = "a | alpha | d | theta\n"
 """What the text box holds before anything is typed."""
@@ -49,10 +81,70 @@ def draw_problem(seed: str, convention: Convention) -> Problem:
     )
 
 
+def separation(problem: Problem, names: Collection[str]) -> dict[str, float]:
+    """Return for each mistake how well this arm tells it from the others and from a right table, from 0 to 1.
+
+    A table with the mistake, in all rows or in one, counts 1/k if k of the mistakes lead to tables of the same arm, and 0 if it
+    is right. The result is the mean.
+
+    >>> separation(draw_problem("one", "standard"), ["other convention", "sign of a"])  # this arm has no a
+    {'other convention': 1.0, 'sign of a': 0.0}
+    """
+    answer = problem.answer
+    kinds = [answer.value]  # the first is right; tables of the same arm are one kind
+    found: dict[str, list[int]] = {}
+    for name in sorted(names):
+        found[name] = []
+        for table in _wrong_tables(name, answer.value):
+            kind = next((k for k, other in enumerate(kinds) if all(answer.agrees(table, other))), len(kinds))
+            kinds += [table] * (kind == len(kinds))
+            found[name].append(kind)
+    count = [sum(kind in reached for reached in found.values()) for kind in range(len(kinds))]
+    return {
+        name: sum(1 / count[kind] for kind in reached if kind) / max(len(reached), 1) for name, reached in found.items()
+    }
+
+
+def _wrong_tables(name: str, table: DHTable) -> list[DHTable]:
+    if name in WHOLE_TABLE_MISTAKES:
+        return [WHOLE_TABLE_MISTAKES[name](table)]
+    changed = ROW_MISTAKES[name](table)
+    places = [
+        row
+        for row in range(table.n)
+        if changed.joints[row] != table.joints[row] or (changed.rows[row] != table.rows[row]).any()
+    ]
+    tables = [changed] if len(places) > 1 else []
+    for row in places:
+        rows, joints = table.rows.copy(), table.joints[:row] + changed.joints[row] + table.joints[row + 1 :]
+        rows[row] = changed.rows[row]
+        tables.append(table.changed(rows=rows, joints=joints))
+    return tables
+
+
+def draw_next(seed: str, convention: Convention, suspects: Collection[str]) -> Problem:
+    """Draw several arms, and return the one that tells the suspected mistakes apart best, from right tables too."""
+    drawn = [draw_problem(f"{seed}/{k}", convention) for k in range(CANDIDATES)]
+    return max(drawn, key=lambda problem: sum(separation(problem, suspects).values()))
+
+
+def suspects_after(suspects: Collection[str], problem: Problem, table: DHTable) -> set[str]:
+    """Return the mistakes that still explain what a student did, after the first table of an arm; none if any may.
+
+    A right table excludes the mistakes that would have made it wrong. A wrong one leaves those that explain it.
+    """
+    if all(problem.answer.agrees(table, problem.answer.value)):
+        return {name for name in suspects or MISTAKES if not separation(problem, [name])[name]}
+    found = diagnose(table, problem.answer.value, in_pairs=False)
+    explaining = {fault.name for fault in found.faults} & MISTAKES
+    return explaining & set(suspects) or explaining or set(suspects)
+
+
 class Quiz:
     """One arm after the other, with a text box for its table. Jupyter displays it as a widget.
 
     right, asked   the number of arms with a right table, and the number of arms drawn so far
+    suspects       the mistakes that still explain what the student did; none if any may
     """
 
     def __init__(self, convention: Convention, seed: str | None = None) -> None:
@@ -62,7 +154,8 @@ class Quiz:
         self.seed = seed if seed is not None else secrets.token_hex(8)
         self.asked = 0
         self.right = 0
-        self._solved = False
+        self.suspects: set[str] = set()
+        self._solved = self._read = False
         self._statement_box = widgets.HTML()
         self._table_box = widgets.Textarea(
             value=EMPTY_TABLE, description="Your table", layout=widgets.Layout(width="95%", height="9em")
@@ -77,17 +170,12 @@ class Quiz:
         )
         self.another()
 
-    @property
-    def problem(self) -> Problem:
-        """The problem of the arm that is displayed."""
-        return draw_problem(f"{self.seed}/{self.asked}", self.convention)
-
     def another(self) -> None:
         """Draw the next arm."""
         self.asked += 1
-        self._solved = False
-        problem = self.problem
-        figure = problem.figure() if problem.figure else None
+        self._solved = self._read = False
+        self.problem = draw_next(f"{self.seed}/{self.asked}", self.convention, self.suspects)
+        figure = self.problem.figure() if self.problem.figure else None
         heading = Card(
             "note",
             f"Arm {self.asked}",
@@ -103,6 +191,9 @@ class Quiz:
         if judgement.state == "right" and not self._solved:
             self._solved = True
             self.right += 1
+        if judgement.state in {"right", "partly", "wrong"} and not self._read:
+            self._read = True  # only the first table of an arm: feedback has explained the mistakes of the others
+            self.suspects = suspects_after(self.suspects, self.problem, self.problem.answer.read(typed))
         lines = [finding.message for finding in judgement.findings]
         self._feedback_box.value = Card(
             judgement.state, TITLES[judgement.state], [*lines, f"{self.right} right of {self.asked}."]

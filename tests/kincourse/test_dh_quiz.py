@@ -3,7 +3,17 @@
 import pytest
 
 from kincourse import quiz
-from kincourse.dh_quiz import EMPTY_TABLE, draw_problem
+from kincourse.dh_quiz import (
+    CANDIDATES,
+    EMPTY_TABLE,
+    MISTAKES,
+    ROW_MISTAKES,
+    WHOLE_TABLE_MISTAKES,
+    draw_next,
+    draw_problem,
+    separation,
+    suspects_after,
+)
 from kinlib import DHTable, assign_frames
 
 
@@ -66,3 +76,73 @@ def test_the_quiz_has_a_plain_text_representation():
 def test_another_convention_is_refused():
     with pytest.raises(ValueError, match="convention must be"):
         quiz("craig")
+
+
+# --- which arm comes next ---
+
+TIE = ("column shifted", "other convention")
+"""On some arms the columns a and alpha one row off are a table of the other convention, and on others not."""
+
+
+def total(problem, names=TIE):
+    return sum(separation(problem, names).values())
+
+
+def test_the_next_arm_is_the_one_that_tells_the_suspected_mistakes_apart_best():
+    for number in range(10):
+        totals = [total(draw_problem(f"{number}/{k}", "standard")) for k in range(CANDIDATES)]
+        assert total(draw_next(str(number), "standard", TIE)) == max(totals)
+
+
+def test_mistakes_that_tie_on_some_arms_lead_to_different_tables_of_the_next_one():
+    assert sum(total(draw_problem(f"seed {number}", "standard")) < 2 for number in range(20)) >= 3
+    assert all(total(draw_next(f"seed {number}", "standard", TIE)) == 2 for number in range(20))
+
+
+def test_mistakes_that_lead_to_one_table_count_half_and_to_a_right_one_nothing():
+    problem = draw_problem("seed 1", "standard")
+    assert separation(problem, ["sign of alpha"]) == {"sign of alpha": 0}  # the arm is mirrored, and right
+    tied = next(problem for k in range(99) if total(problem := draw_problem(str(k), "standard")) == 1)
+    assert separation(tied, TIE) == dict.fromkeys(TIE, 0.5)
+    assert [separation(tied, [name])[name] for name in TIE] == [1, 1]
+
+
+@pytest.mark.parametrize("convention", ["standard", "modified"])
+def test_a_right_table_excludes_the_mistakes_that_would_have_shown(convention):
+    problem = draw_problem("seed 1", convention)
+    left = suspects_after((), problem, problem.answer.value)
+    assert left == {name for name in MISTAKES if not separation(problem, [name])[name]}
+    assert total(draw_next("seed 1", convention, left), left) > 0
+
+
+@pytest.mark.parametrize("name", ["other convention", "a and d swapped"])
+def test_a_wrong_table_leaves_the_mistakes_that_explain_it(name):
+    for number in range(5):
+        problem = draw_problem(f"seed {number}", "standard")
+        if separation(problem, [name])[name]:
+            wrong = {**WHOLE_TABLE_MISTAKES, **ROW_MISTAKES}[name](problem.answer.value)
+            left = suspects_after((), problem, wrong)
+            assert name in left
+            assert len(left) < len(MISTAKES) / 2
+            assert suspects_after({name}, problem, wrong) == {name}
+            assert suspects_after({"sign of d"}, problem, wrong) == left
+
+
+def test_a_table_that_nothing_explains_changes_no_suspicion():
+    problem = draw_problem("seed 1", "standard")
+    unexplained = problem.answer.value.changed(rows=problem.answer.value.rows + 0.3)
+    assert suspects_after({"sign of d"}, problem, unexplained) == {"sign of d"}
+
+
+def test_only_the_first_table_of_an_arm_changes_the_suspicion():
+    game = quiz("standard", seed="test 5")
+    game.check("no table")
+    assert game.suspects == set()
+    game.check(WHOLE_TABLE_MISTAKES["other convention"](game.problem.answer.value))
+    suspected = game.suspects
+    assert "other convention" in suspected
+    game.check(game.problem.answer.value)
+    assert game.suspects == suspected
+    game.another()
+    game.check(game.problem.answer.value)
+    assert game.suspects != suspected
