@@ -106,6 +106,18 @@ class PoseAnswer(Numbers):
             "The position has all signs wrong.",
         )
         yield (
+            "not rotated",
+            homogeneous(np.eye(3), p),
+            "The position is right; the rotation is left at the identity.",
+            "The rotation is left at the identity.",
+        )
+        yield (
+            "position left at 0",
+            homogeneous(R, 0 * p),
+            "The rotation is right; the position is left at 0.",
+            "The position is left at 0.",
+        )
+        yield (
             "R^T and -p",
             homogeneous(R.T, -p),
             "Your pose has R^T and -p, where the right one has R and p.",

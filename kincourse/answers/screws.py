@@ -87,6 +87,12 @@ class ScrewsAnswer(Numbers):
             "Its omega is right; its moment v is left at 0.",
         )
         yield (
+            "direction in v",
+            np.where(moments.any(axis=-1, keepdims=True), np.concatenate([zero, omega], axis=-1), S),
+            "Every direction is in v, and omega is 0, as if all joints were prismatic.",
+            "Its direction is in v, and omega is 0, as if the joint were prismatic.",
+        )
+        yield (
             "direction in omega",
             np.where(moments.any(axis=-1, keepdims=True), S, np.concatenate([v, zero], axis=-1)),
             "The direction of a translation is in omega. It belongs in v, and omega is 0.",

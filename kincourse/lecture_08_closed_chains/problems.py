@@ -63,7 +63,8 @@ def gap(sampler: ArmSampler) -> Problem:
 
     A, B, D, C = factors(np.radians(degrees))
     wrong = factors(degrees.astype(float))
-    r = log(D @ C @ G @ inverse(A @ B))
+    gap_pose = D @ C @ G @ inverse(A @ B)
+    r = log(gap_pose)
     listed = ", ".join(f"${name} = {angle}°$" for name, angle in zip("ABDC", degrees, strict=True))
     return Problem(
         statement=f"{describe_lengths(four_bar)} {ANGLES_NOTE} It is not closed yet: {listed}. Walk round, from the "
@@ -93,6 +94,17 @@ def gap(sampler: ArmSampler) -> Problem:
                 "the other way round",
                 -r,
                 "You walked the other way: over A and B, and back over C and D. All signs turn.",
+            ),
+            mistake(
+                "translation for v",
+                [*r[:3], *gap_pose[:3, 3]],
+                "Your $\\omega$ is right. Your $v$ is the translation of the product of the exponentials; the $v$ of its logarithm "
+                "differs from it, because the gap is a rotation too.",
+            ),
+            mistake(
+                "angle in degrees",
+                [*np.degrees(r[:3]), *r[3:]],
+                "Your $v$ is right. Your $\\omega$ is in degrees; a twist is in radians.",
             ),
             mistake(
                 "seen from the coupler",
@@ -238,7 +250,7 @@ def slider(sampler: ArmSampler) -> Problem:
         sampler.length(0.45, 0.8),
         sampler.choice((-1, 1)) * sampler.length(0.05, 0.15),
     )
-    degrees = sampler.degrees(20, 160)
+    degrees = sampler.choice((sampler.degrees(20, 70), sampler.degrees(110, 160)))  # near 90 the crank has no part in x
     A = np.radians(degrees)
     x = slider_position(crank, rod, offset, A)
     linkage = linkages.slider_crank(crank, rod, offset)
@@ -515,6 +527,18 @@ def three_mobilities(sampler: ArmSampler) -> Problem:
                 [linkage.n - (9 - d) * loops, felt, case.finite_mobility],
                 f"You counted with $d = {9 - d}$. This linkage moves {'in one plane' if d == 3 else 'in space'}: $d = {d}$.",
                 f"This is the count with $d = {9 - d}$. This linkage moves {'in one plane' if d == 3 else 'in space'}: $d = {d}$.",
+            ),
+            mistake(
+                "no loops",
+                [linkage.n, felt, case.finite_mobility],
+                f"You counted the joint values alone. Each of the loops takes $d = {d}$ away.",
+                f"This is the number of joint values. Each of the loops takes $d = {d}$ away.",
+            ),
+            mistake(
+                "one loop too many",
+                [counted - d, felt, case.finite_mobility],
+                f"Your count is $d = {d}$ too low, as for one loop more. The number of loops here: {loops}.",
+                f"This is $d = {d}$ too low, as for one loop more. The number of loops here: {loops}.",
             ),
             mistake("had", [counted, felt, 1 - case.finite_mobility], case.explanation, case.explanation),
         ],

@@ -1,5 +1,7 @@
 """Sheet 09: reading URDF files by hand: poses, axes, screws, the home pose, trees, and a faulty line."""
 
+from collections.abc import Iterable, Sequence
+from dataclasses import dataclass, field
 from itertools import accumulate
 from typing import Any
 
@@ -64,12 +66,6 @@ def pose_of_a_joint(sampler: ArmSampler) -> Problem:
                 origin(xyz, np.radians(rpy)),
                 "You took the angles for degrees. URDF writes radians: 1.5708 is a right angle.",
                 "This is the rotation with the angles read as degrees. URDF writes radians: 1.5708 is a right angle.",
-            ),
-            mistake(
-                "no shift",
-                homogeneous(right[:3, :3], 0 * xyz),
-                "The rotation is right, the position is left at 0. `xyz` is the position of the joint in the parent's frame.",
-                "The position is left at 0. `xyz` is the position of the joint in the parent's frame: the last column, as it is.",
             ),
             mistake(
                 "turned before it was shifted",
@@ -312,7 +308,9 @@ def which_line(sampler: ArmSampler) -> Problem:
         statement="A reader refuses this file, for one fault. In which line does the faulty element stand? Lines count from 1."
         f"\n\n{fence_urdf(_number_lines(lines))}",
         given={"urdf": text},
-        answer=Numbers(np.array(wrong)),
+        answer=FaultyLineAnswer(
+            np.array(wrong), lines=lines, joint=range(begins[where], int(line_of(where, "</joint")) + 1)
+        ),
         mistakes=[
             mistake(
                 "joint without limits",
@@ -343,6 +341,37 @@ def which_line(sampler: ArmSampler) -> Problem:
             *([first_parent] if fault == "second parent" else []),
         ],
     )
+
+
+@dataclass(frozen=True, eq=False)
+class FaultyLineAnswer(Numbers):
+    """The number of the line of a file with the faulty element, counted from 1.
+
+    lines  the lines of the file
+    joint  the numbers of the lines of the faulty joint
+
+    >>> answer = FaultyLineAnswer(np.array(2.0), lines=['<joint>', '<axis xyz="0 0 0"/>', '</joint>', '<joint/>'], joint=range(1, 4))
+    >>> answer.explanation(np.array(4.0), 0)
+    ('a line that is in order', 'Line 4 is in order: `<joint/>`.')
+    """
+
+    lines: Sequence[str] = field(kw_only=True)
+    joint: range = field(kw_only=True)
+
+    def slips(self) -> Iterable[Mistake]:
+        return ()
+
+    def explanation(self, given: Array, part: int) -> tuple[str, str]:
+        """Say of the line that was given what it is."""
+        if given not in range(1, len(self.lines) + 1):
+            return "no line", f"The file has the lines 1 to {len(self.lines)}. Give one of these numbers."
+        line = f"`{self.lines[int(given) - 1].strip()}`"
+        if given in self.joint:
+            return (
+                "another line of the joint",
+                f"The fault is in this joint, but this line is in order: {line}. Look at its other elements.",
+            )
+        return "a line that is in order", f"Line {number(float(given))} is in order: {line}."
 
 
 def _limited_joint(sampler: ArmSampler, name: str, links: list[str], fault: str, taken: str) -> str:

@@ -1,13 +1,13 @@
 """Angles as answers: compared modulo a full turn, and if there are several, in any order if the problem allows it."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from itertools import permutations
 from typing import Any, ClassVar
 
 import numpy as np
 
-from misstep.answers.number import Numbers
+from misstep.answers.number import Numbers, Slip
 from misstep.validation import Array
 
 
@@ -61,6 +61,22 @@ class Angles(Numbers):
 
     def place(self, index: Sequence[Any]) -> str:
         return self.parts[int(index[0])]
+
+    def whole_slips(self) -> Iterator[Slip]:
+        yield from super().whole_slips()
+        yield ("half a turn off", self.value + np.pi, "Your answer is half a turn off.", "This is half a turn off.")
+        yield (
+            "supplement",
+            np.pi - self.value,
+            "Your answer is pi minus the right one.",
+            "This is pi minus the right angle.",
+        )
+        yield (
+            "complement",
+            np.pi / 2 - self.value,
+            "Your answer is pi/2 minus the right one.",
+            "This is pi/2 minus the right angle.",
+        )
 
     def part_indices(self) -> list[Any]:
         return [...] if self.value.ndim == 0 else list(range(len(self.value)))

@@ -173,6 +173,14 @@ class Numbers(Answer):
             f"Your answer has the right size and {sign}.",
             "The sizes are right, and all signs are wrong.",
         )
+        for name, factor, text in (
+            ("doubled", 2.0, "is twice the right one"),
+            ("halved", 0.5, "is half the right one"),
+        ):
+            yield (name, factor * X, f"Your answer {text}.", f"This {text}.")
+        if not self.unit and X.ndim == 0 and np.round(X) == X:
+            yield ("one too many", X + 1, "Your answer is 1 too high.", "")
+            yield ("one too few", X - 1, "Your answer is 1 too low.", "")
         if self.unit in SMALLER_UNITS:
             factor, wrong, right = SMALLER_UNITS[self.unit]
             text = f"This is the right answer in {wrong}. Give it in {right}."
@@ -200,7 +208,8 @@ class Numbers(Answer):
 
     def slip_indices(self) -> list[Any]:
         """Return the indices of entries among which two in the same row or column may be swapped."""
-        return self.part_indices()
+        pieces = self.part_indices()
+        return [...] if all(np.ndim(np.asarray(self.value)[piece]) == 0 for piece in pieces) else pieces
 
     def place(self, index: Sequence[Any]) -> str:
         """Name the place of an entry of the whole array."""

@@ -65,7 +65,7 @@ def test_a_pose_ends_in_a_row_of_its_own(row, right_parts):
 
 
 def test_a_pose_that_is_wrong_and_no_more_is_told_nothing_of_its_form():
-    given = turned(np.eye(3), (9, 9, 9))
+    given = turned(exp(np.array([0.3, 0.4, 0.5])), (9, 9, 9))
     given[3, 3] = 1.0005
     for finding in judge(Problem("", PoseAnswer(TURN), []), given).findings:
         assert finding.message.startswith("None of the mistakes")
@@ -218,6 +218,8 @@ def test_the_slips_of_a_pose_are_what_their_texts_say():
         "The rotation is right; the position has all signs wrong.": turned(R, -p),
         "Your pose has R^T and -p, where the right one has R and p.": turned(R.T, -p),
         "The rotation is right; the position is in millimetres. Give it in metres.": turned(R, 1000 * p),
+        "The position is right; the rotation is left at the identity.": turned(np.eye(3), p),
+        "The rotation is right; the position is left at 0.": turned(R, (0, 0, 0)),
         "Columns 1 and 2 of the rotation are swapped.": swapped,
         "Only one sign is wrong: row 1, column 4.": turned(R, (-1, 2, 3)),
         "Two entries are swapped: row 2, column 4 and row 3, column 4.": turned(R, (1, 3, 2)),
@@ -243,6 +245,11 @@ def test_the_slips_of_screws_are_what_their_texts_say():
         "Every omega is right; every moment v has the wrong sign.": [*(S[:2] * [1, 1, 1, -1, -1, -1]), S[2]],
         "Every v is right; every omega has the wrong sign.": S * [-1, -1, -1, 1, 1, 1],
         "Every omega is right; every moment v is left at 0.": [*(S[:2] * [1, 1, 1, 0, 0, 0]), S[2]],
+        "Every direction is in v, and omega is 0, as if all joints were prismatic.": [
+            [0, 0, 0, 0, 0, 1],
+            [0, 0, 0, 0, 1, 0],
+            S[2],
+        ],
         "The direction of a translation is in omega. It belongs in v, and omega is 0.": [
             *S[:2],
             [0.6, 0, 0.8, 0, 0, 0],

@@ -236,20 +236,28 @@ def test_the_slips_of_a_matrix_are_what_their_texts_say():
     }
     for key, value in expected.items():
         np.testing.assert_array_equal(found[key], value)
-    assert len(found) == 1 + 1 + 1 + 4 + 8 + 18
+    np.testing.assert_array_equal(found["doubled", "Your answer is twice the right one."], 2 * right)
+    np.testing.assert_array_equal(found["halved", "Your answer is half the right one."], right / 2)
+    assert len(found) == 1 + 1 + 2 + 1 + 4 + 8 + 18
+
+
+FACTORS = ("doubled", "halved")
+TURNS = ("half a turn off", "supplement", "complement")
 
 
 @pytest.mark.parametrize(
     ("answer", "names"),
     [
-        (Numbers(np.array(2.0)), ["all signs"]),
-        (Numbers(np.array(0.0)), []),
+        (Numbers(np.array(5.0)), ["all signs", *FACTORS, "one too many", "one too few"]),
+        (Numbers(np.array(0.0)), ["one too many", "one too few"]),
+        (Numbers(np.array(5.0), "m"), ["all signs", *FACTORS, "millimetres"]),
+        (Numbers(np.eye(2)), ["rows swapped", "all signs", *FACTORS, "sign of one entry", "two entries swapped"]),
+        (Angles(np.array(0.5)), ["all signs", *FACTORS, "degrees", *TURNS]),
+        (Angles(np.array(np.pi / 4)), ["all signs", *FACTORS, "degrees", "half a turn off", "supplement"]),
         (
-            Numbers(np.eye(2)),
-            ["rows swapped", "all signs", "sign of one entry", "two entries swapped"],
+            Angles(np.array([0.5, -0.5]), any_order=True),
+            [*FACTORS, "degrees", "half a turn off", "complement", "sign of one entry"],
         ),
-        (Angles(np.array(0.5)), ["all signs", "degrees"]),
-        (Angles(np.array([0.5, -0.5]), any_order=True), ["degrees", "sign of one entry"]),
     ],
 )
 def test_a_slip_that_gives_the_right_answer_is_none(answer, names):
@@ -262,6 +270,21 @@ def test_angles_keep_their_order_in_a_slip():
         "Only one sign is wrong: one angle.",
         "Only one sign is wrong: the other angle.",
     ]
+
+
+def test_single_numbers_may_be_swapped_with_each_other():
+    assert slips(Angles(np.array([0.5, 0.7])))[
+        "two entries swapped", "Two entries are swapped: one angle and the other angle."
+    ].tolist() == pytest.approx([0.7, 0.5])
+
+
+def test_the_slips_of_an_angle_are_what_their_texts_say():
+    found = slips(Angles(np.array(0.5)))
+    assert {text: float(value) for (_, text), value in found.items() if "minus" in text or "turn" in text} == {
+        "Your answer is half a turn off.": pytest.approx(0.5 - np.pi),
+        "Your answer is pi minus the right one.": pytest.approx(np.pi - 0.5),
+        "Your answer is pi/2 minus the right one.": pytest.approx(np.pi / 2 - 0.5),
+    }
 
 
 def test_the_slips_of_an_order_are_what_their_texts_say():
