@@ -246,9 +246,9 @@ def coupler_point(sampler: ArmSampler) -> Problem:
 @problem("08.4", "A slider-crank with an offset", points=2, lecture="08_closed_chains#A worked example")
 def slider(sampler: ArmSampler) -> Problem:
     crank, rod, offset = (
-        sampler.length(0.1, 0.25),
-        sampler.length(0.45, 0.8),
-        sampler.choice((-1, 1)) * sampler.length(0.05, 0.15),
+        sampler.length(0.2, 0.35),
+        sampler.length(0.6, 0.8),
+        sampler.choice((-1, 1)) * sampler.length(0.1, 0.2),
     )
     degrees = sampler.choice((sampler.degrees(20, 70), sampler.degrees(110, 160)))  # near 90 the crank has no part in x
     A = np.radians(degrees)
@@ -392,8 +392,8 @@ def dead_point(sampler: ArmSampler) -> Problem:
             mistake(
                 "least angle",
                 -A,
-                "This is the dead point with the crank below the ground line, the mirror image of the other one. Between $-\\pi$ "
-                "and $\\pi$ it is the least angle, not the greatest.",
+                "The sign is wrong: this is the dead point with the crank below the ground line, the mirror image of the other one. "
+                "Between $-\\pi$ and $\\pi$ it is the least angle, not the greatest.",
             ),
             mistake(
                 "supplement",
@@ -456,6 +456,22 @@ def counting(sampler: ArmSampler) -> Problem:
             f"You took $d = {9 - d}$. A body that moves {place} has {d} freedoms when it is free.",
         ),
         mistake("no loops", sum(f), "You added up the freedoms of the joints. Each loop takes $d$ of them away."),
+        mistake(
+            "neither ground nor platform",
+            right - 2 * d,
+            f"You are $2d = {2 * d}$ too low: the ground and the platform are bodies too, $N = {N}$.",
+        ),
+        *(
+            [
+                mistake(
+                    "one loop",
+                    sum(f) - d,
+                    f"This is right for a single loop, in which $N = J$. Here $N = {N}$ bodies and $J = {J}$ joints are counted.",
+                )
+            ]
+            if len(legs) > 2
+            else []
+        ),
         mistake(
             "freedoms taken away",
             d * (N - 1) - sum(f),

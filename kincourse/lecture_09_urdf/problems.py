@@ -106,6 +106,11 @@ def way_it_points(sampler: ArmSampler) -> Problem:
                 "You turned about the frame's own axes. Roll, pitch and yaw are about fixed axes: $R = R_z R_y R_x$.",
             ),
             mistake(
+                "yaw first",
+                origin(rpy=rpy[::-1])[:3, :3] @ axis,
+                "This is right if the angles are yaw, pitch, roll. The first of the three is the roll, about $x$.",
+            ),
+            mistake(
                 "turned round", -R @ axis, "Your axis points the other way. By the right hand, roll takes $y$ to $z$."
             ),
         ],
@@ -133,6 +138,7 @@ def joint_deep_in_the_file(sampler: ArmSampler) -> Problem:
     joints, at = _three_joints(sampler)
     first, second, third = (joint.pose for joint in joints)
     step, start = third[:3, 3], at[1][:3, 3]
+    moving = [homogeneous(_about_moving_axes(joint.rpy)[:3, :3], joint.xyz) for joint in joints]
     text = serial_urdf(joints, LINKS)
     return Problem(
         statement="Where does `joint_3` of this file stand in the frame of the base, when all joints are at 0? "
@@ -164,6 +170,11 @@ def joint_deep_in_the_file(sampler: ArmSampler) -> Problem:
                 "$p_2 = p_1 + R_1\\, xyz_2$.",
             ),
             mistake(
+                "about their own axes",
+                moving[0][:3, 3] + moving[0][:3, :3] @ (second[:3, 3] + moving[1][:3, :3] @ step),
+                "This is right if each joint turns about its own axes, $R_x R_y R_z$. The axes of `rpy` are fixed: $R_z R_y R_x$.",
+            ),
+            mistake(
                 "turns in the wrong order",
                 start + second[:3, :3] @ first[:3, :3] @ step,
                 "You multiplied the turns the wrong way round. From the base outwards, the first joint stands on the left: $R_1 R_2$.",
@@ -190,6 +201,12 @@ def screw_from_a_file(sampler: ArmSampler) -> Problem:
                 screw(axis, point),
                 "The point is right. But you took the axis as it stands: it is written in the joint's own frame, which all three "
                 "`rpy` have turned.",
+            ),
+            mistake(
+                "turned the other way",
+                screw(at[2][:3, :3].T @ axis, point),
+                "The point is right. But you turned the axis by $R^T$, which takes the base's coordinates to those of the joint. "
+                "Here it goes the other way: $\\omega = R\\,a$.",
             ),
             mistake(
                 "its own turn left out",
@@ -236,6 +253,12 @@ def home_from_a_file(sampler: ArmSampler) -> Problem:
         given={"urdf": text},
         answer=PoseAnswer(at[1] @ weld.pose),
         mistakes=[
+            mistake(
+                "transposed",
+                homogeneous((at[1] @ weld.pose)[:3, :3].T, (at[1] @ weld.pose)[:3, 3]),
+                "The position is right, the rotation is $R^T$. The columns of $R$ are the axes of the hand in the frame of the base.",
+                "This is $R^T$. The columns of $R$ are the axes of the hand in the frame of the base.",
+            ),
             mistake(
                 "weld forgotten",
                 at[1],
@@ -445,7 +468,7 @@ def way_through_a_tree(sampler: ArmSampler) -> Problem:
 @problem("09.8", "From a DH row to a URDF", points=3, lecture="09_urdf#The youBot, from a table and from a file")
 def from_a_dh_row(sampler: ArmSampler) -> Problem:
     a, d = sampler.length(0.2, 0.9), sampler.length(0.2, 0.9)
-    degrees = sampler.choice([-90, -60, -45, -30, 30, 45, 60, 90])
+    degrees = sampler.choice([-90, -60, -30, 30, 60, 90])  # not 45, whose sine is its cosine
     alpha = np.radians(degrees)
     right = np.array([[a, -d * np.sin(alpha), d * np.cos(alpha)], [alpha, 0, 0]])
 

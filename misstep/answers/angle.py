@@ -74,8 +74,8 @@ class Angles(Numbers):
         yield (
             "complement",
             np.pi / 2 - self.value,
-            "Your answer is pi/2 minus the right one.",
-            "This is pi/2 minus the right angle.",
+            "Your answer is pi/2 minus the right one: the angle from the other axis, or the arcsine in place of the arccosine.",
+            "This is pi/2 minus the right angle: the angle from the other axis, or the arcsine in place of the arccosine.",
         )
 
     def part_indices(self) -> list[Any]:
