@@ -11,7 +11,7 @@ from kinlib.rigid.lie import homogeneous, inverse
 from kinlib.rigid.rpy import origin
 from misstep.answers.base import TOLERANCE
 from misstep.answers.equivalent import Equivalent
-from misstep.answers.number import LENGTH, Numbers, Slip, entries_hint
+from misstep.answers.number import LENGTH, PURE, Numbers, Slip, entries_hint
 from misstep.validation import Array
 
 NOT_A_ROTATION = (
@@ -35,6 +35,9 @@ class RotationAnswer(Numbers):
     @property
     def parts(self) -> Sequence[str]:
         return ["the rotation"]
+
+    def kinds(self) -> NDArray[np.int_]:
+        return np.full((3, 3), PURE)
 
     def hint(self, given: Array, part: int) -> str:
         return _rotation_hint(given, self.same_entries(given, self.value))

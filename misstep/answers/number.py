@@ -157,7 +157,8 @@ class Numbers(Answer):
 
     def slips(self) -> Iterator[Mistake]:
         """Yield the right answer with the changes that people make by hand; what is said of each is true of the answer itself."""
-        return wrong_slips(self, [*self.whole_slips(), *self.entry_slips()], pieces=self.part_indices())
+        changes = [*self.whole_slips(), *self._factor_slips(), *self.entry_slips()]
+        return wrong_slips(self, changes, pieces=self.part_indices())
 
     def whole_slips(self) -> Iterator[Slip]:
         """Yield the slips in the whole array; for every value of the same shape the same ones in the same order."""
@@ -173,13 +174,17 @@ class Numbers(Answer):
             f"Your answer has the right size and {sign}.",
             "The sizes are right, and all signs are wrong.",
         )
-        if self.unit or (np.round(X) != X).any():  # of small whole numbers, too many are the double of another one
-            yield ("doubled", 2 * X, "Your answer is twice the right one.", "This is twice the right one.")
-            yield ("halved", X / 2, "Your answer is half the right one.", "This is half the right one.")
         if self.unit in SMALLER_UNITS:
             factor, wrong, right = SMALLER_UNITS[self.unit]
             text = f"This is the right answer in {wrong}. Give it in {right}."
             yield (wrong, X * factor, text, text)
+
+    def _factor_slips(self) -> Iterator[Slip]:
+        X = np.asarray(self.value, dtype=float)
+        # A rotation has no double, and a small whole number is too often the double of another one.
+        if (self.kinds() != PURE).all() and (self.unit or (np.round(X) != X).any()):
+            yield ("doubled", 2 * X, "Your answer is twice the right one.", "This is twice the right one.")
+            yield ("halved", X / 2, "Your answer is half the right one.", "This is half the right one.")
 
     def entry_slips(self) -> Iterator[Slip]:
         """Yield the slips in one entry, or in two of the same row or column of a part."""

@@ -251,13 +251,13 @@ TURNS = ("half a turn off", "supplement", "complement")
         (Numbers(np.array(5.0)), ["all signs"]),
         (Numbers(np.array(5.5)), ["all signs", *FACTORS]),
         (Numbers(np.array(0.0)), []),
-        (Numbers(np.array(5.0), "m"), ["all signs", *FACTORS, "millimetres"]),
+        (Numbers(np.array(5.0), "m"), ["all signs", "millimetres", *FACTORS]),
         (Numbers(np.eye(2)), ["rows swapped", "all signs", "sign of one entry", "two entries swapped"]),
-        (Angles(np.array(0.5)), ["all signs", *FACTORS, "degrees", *TURNS]),
-        (Angles(np.array(np.pi / 4)), ["all signs", *FACTORS, "degrees", "half a turn off", "supplement"]),
+        (Angles(np.array(0.5)), ["all signs", "degrees", *TURNS, *FACTORS]),
+        (Angles(np.array(np.pi / 4)), ["all signs", "degrees", "half a turn off", "supplement", *FACTORS]),
         (
             Angles(np.array([0.5, -0.5]), any_order=True),
-            [*FACTORS, "degrees", "half a turn off", "complement", "sign of one entry"],
+            ["degrees", "half a turn off", "complement", *FACTORS, "sign of one entry"],
         ),
     ],
 )
