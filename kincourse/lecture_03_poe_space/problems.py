@@ -21,6 +21,7 @@ from kincourse.expressions.screws import (
     tilted,
     values_in_radians,
 )
+from kincourse.mistakes.factor_order import factor_order_mistakes
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler, shows_transposes
 from kincourse.text.joint_table import joint_table
@@ -29,13 +30,12 @@ from kinlib.view import draw_arm, draw_joints
 from misstep.answers.function import Function
 from misstep.answers.order import Ordering
 from misstep.display.text import matrix, number, vector
-from misstep.mistakes import mistake
 from misstep.mutants.expression import Expression, given
 from misstep.mutants.operations import ANGLE, radians, unit
 from misstep.problem import Problem
 from misstep.sheet import Sheet
 
-JOINT_ORDER_ADVICE = "The factor of joint 1 is leftmost, because joint 1 moves all that follows."
+JOINT_ORDER_ADVICE = "The factor of the joint at the base is leftmost, because this joint moves all that follow it."
 TOOL_ADVICE = (
     "The tool's own $z$ is a column of $M$ and moves with the arm: multiply by $\\mathrm{Trans}_z$ on the right."
 )
@@ -151,7 +151,10 @@ def from_a_drawing(sampler: ArmSampler) -> Problem:
 @problem("03.6", "In which order?", points=3, lecture="03_poe_space#The order of the factors")
 def which_order(sampler: ArmSampler) -> Problem:
     names = sampler.shuffled("abcd")
+    while sum(map(str.__ne__, names, "abcd")) < 3:  # otherwise a slip in the right order would be the alphabet
+        names = sampler.shuffled("abcd")
     rides_on = sampler.shuffled([(names[0], "floor"), *zip(names[1:], names[:-1], strict=True)])
+    told = [name for name, _ in rides_on]
     listed = "\n".join(
         f"- Joint {name} stands on the floor."
         if under == "floor"
@@ -164,28 +167,32 @@ def which_order(sampler: ArmSampler) -> Problem:
         "a list of the names `'e_a'`, `'e_b'`, `'e_c'`, `'e_d'`, `'M'`.",
         given={"rides_on": dict(rides_on)},
         answer=Ordering([*(f"e_{name}" for name in names), "M"]),
-        mistakes=[
-            mistake(
-                "reversed",
-                [*(f"e_{name}" for name in names[::-1]), "M"],
-                "You started at the tool. The joint nearest the base moves everything after it, so its factor stands leftmost.",
-            ),
-            mistake(
-                "home first",
-                ["M", *(f"e_{name}" for name in names)],
-                "You put $M$ in front. It acts on the tool's own coordinates first, so with space screws it stands on the right.",
-            ),
-            mistake(
-                "read from right to left",
-                ["M", *(f"e_{name}" for name in names[::-1])],
-                "You wrote the factors in the order in which they act. In a product the first to act stands on the right.",
-            ),
-            mistake(
-                "by the alphabet",
-                ["e_a", "e_b", "e_c", "e_d", "M"],
-                "You followed the names. Follow the arm instead, from the floor to the tool: names carry no order.",
-            ),
-        ],
+        mistakes=factor_order_mistakes(
+            names,
+            4,
+            {
+                "reversed": (names[::-1], f"You started at the tool. {JOINT_ORDER_ADVICE}"),
+                "by the alphabet": (
+                    sorted(names),
+                    "You took the joints in the order of the alphabet. Their names have no order.",
+                ),
+                "as listed": (
+                    told,
+                    "You took the joints in the order of the list. Follow the arm from the floor to the tool.",
+                ),
+                "as listed, reversed": (
+                    told[::-1],
+                    "You took the joints in the reverse order of the list. Follow the arm from the floor to the tool.",
+                ),
+            },
+            {
+                "home first": (
+                    0,
+                    "You put $M$ in front. With space screws it is last, because it acts on the tool first.",
+                ),
+                "home in the middle": (2, "You put $M$ in the middle. With space screws it is last."),
+            },
+        ),
     )
 
 

@@ -47,17 +47,16 @@ class Ordering(Answer):
     def slips(self) -> Iterator[Mistake]:
         """Yield the right order with the changes that people make by hand."""
         right = list(self.value)
-        changes = [
-            ("reversed", right[::-1], "Your order is the right one, reversed."),
-            ("first moved last", [*right[1:], *right[:1]], f"Only {right[0]} is in the wrong place: at the end."),
-            (
-                "last moved first",
-                [*right[-1:], *right[:-1]],
-                f"Only {right[-1]} is in the wrong place: at the beginning.",
-            ),
-        ]
+        changes = [("reversed", right[::-1], "Your order is the right one, reversed.")]
         for i in range(len(right) - 1):
             one, other = right[i : i + 2]
             swapped = [*right[:i], other, one, *right[i + 2 :]]
             changes.append(("neighbours swapped", swapped, f"Only {one} and {other} are swapped."))
+        for i, one in enumerate(right):
+            rest = right[:i] + right[i + 1 :]
+            for end in range(len(right)):
+                if abs(end - i) > 1:
+                    where = {0: ": at the beginning", len(rest): ": at the end"}.get(end, "")
+                    text = f"Only {one} is in the wrong place{where}."
+                    changes.append(("one in the wrong place", [*rest[:end], one, *rest[end:]], text))
         return wrong_slips(self, ((name, value, text, text) for name, value, text in changes))

@@ -299,6 +299,10 @@ def test_the_slips_of_an_order_are_what_their_texts_say():
         "Only a and b are swapped.": "bacd",
         "Only b and c are swapped.": "acbd",
         "Only c and d are swapped.": "abdc",
+        "Only a is in the wrong place.": "bcad",
+        "Only d is in the wrong place.": "adbc",
+        "Only b is in the wrong place: at the end.": "acdb",
+        "Only c is in the wrong place: at the beginning.": "cabd",
     }
 
 
