@@ -188,7 +188,7 @@ def _exp_changes(node: Expression) -> Changes:
         for term, series in (("linear", _linear), ("quadratic", _quadratic)):
             text = "stop the series of {0} after its {1} term"
             yield (
-                Change("series cut short", text.format(factor, term), text.format("each exponential", term)),
+                Change("series cut short", text.format(factor, term), text.format("each exponential", term), "", False),
                 series(S, q),
             )
     text = f"take the exponential of each entry instead of {factor}"
@@ -197,6 +197,7 @@ def _exp_changes(node: Expression) -> Changes:
             "exponential of each entry",
             text,
             "take the exponential of each entry (`np.exp`) instead of that of the matrix",
+            one_by_one=False,
         ),
         _entrywise_exponential(S, q),
     )

@@ -45,7 +45,7 @@ def screw_axes(label: str, S: Array) -> Expression:
     """Given screw axes, (6,) or (n, 6).
 
     >>> [change.name for change, _ in screw_axes("S", np.eye(6)).changes()]
-    ['halves swapped']
+    ['halves swapped', 'sign of v']
     """
     return given(label, S, _SCREWS)
 
@@ -64,13 +64,17 @@ def joint_values(types: str, typed: Sequence[float], letter: str = "q") -> list[
     ]
 
 
-def values_in_radians(q: Sequence[float], letter: str = "q") -> list[Expression]:
+def values_in_radians(types: str, q: Sequence[float], letter: str = "q") -> list[Expression]:
     """The values of joints in radians and metres, as they are needed.
 
-    >>> [change.name for change, _ in values_in_radians([0.5])[0].changes()]
+    >>> [change.name for change, _ in values_in_radians("P", [0.5])[0].changes()]
     ['sign of a joint value', 'radians converted to radians', 'converted to degrees']
     """
-    return [given(f"{letter}_{i}", float(value), _JOINT_VALUE) for i, value in enumerate(q, start=1)]
+    kinds = {"R": _JOINT_ANGLE, "P": _JOINT_LENGTH}
+    return [
+        given(f"{letter}_{i}", float(value), kinds[kind])
+        for i, (kind, value) in enumerate(zip(types, q, strict=True), start=1)
+    ]
 
 
 def exponentials(screws: Array, values: Sequence[Expression], letters: str | Sequence[str] = "S") -> list[Expression]:
@@ -194,7 +198,7 @@ def _misread(p: Array) -> Iterator[tuple[str, str, Array]]:
         yield "coordinates swapped", f"swap ${'xyz'[i]}$ and ${'xyz'[j]}$ of the point", p[order]
 
 
-def _joint_value_changes(node: Expression) -> Changes:
+def _joint_value_changes(node: Expression, which: Sequence[str] = ("the joint values",)) -> Changes:
     q = f"${node.latex}$"
     yield Change("sign of a joint value", f"take {q} with the opposite sign"), negative(node)
     advice = "The joint values are in radians and metres, as the exponential needs them."
@@ -202,12 +206,23 @@ def _joint_value_changes(node: Expression) -> Changes:
         ("radians converted to radians", "use `np.radians` on {0}, as if in degrees", np.pi / 180),
         ("converted to degrees", "use `np.degrees` on {0}", 180 / np.pi),
     ):
-        yield Change(name, text.format(q), text.format("the joint values"), advice), factor * node
+        for several in which:
+            yield Change(name, text.format(q), text.format(several), advice, False), factor * node
+
+
+def _joint_angle_changes(node: Expression) -> Changes:
+    return _joint_value_changes(node, ("the joint values", "the angles"))
 
 
 def _screws_changes(node: Expression) -> Changes:
     text = f"swap the halves of ${node.latex}$"
     yield Change("halves swapped", text, "swap the halves of the screws"), _swap_halves(node)
+    if node.value[..., :3].any():
+        text = f"take the moments of ${node.latex}$ with the opposite sign"
+        yield (
+            Change("sign of v", text, "take all moments with the opposite sign", one_by_one=False),
+            _negate_moments(node),
+        )
 
 
 def _screw_changes(node: Expression) -> Changes:
@@ -363,6 +378,11 @@ change_frame = Operation(
 )
 """Screws S (6,) or (n, 6) in another frame: Ad_T S."""
 
+_negate_moments = Operation(
+    "moments negated",
+    lambda S: S * np.where(S[..., :3].any(axis=-1, keepdims=True) & (np.arange(6) >= 3), -1, 1),
+    "{0}".format,
+)
 _tan = Operation("tangent", np.tan, "\\tan {0}".format)
 _swap_halves = Operation("halves swapped", lambda S: np.roll(S, 3, axis=-1), "{0}".format)
 _by_transposed_adjoint = Operation("transposed adjoint", lambda T, S: S @ adjoint(T), "{1}".format)
@@ -375,5 +395,6 @@ _rotate_only = Operation("only rotated", _rotated, "{1}".format)
 _translate_only = Operation("only moved", _moved, "{1}".format)
 _advancing = Operation("velocity", lambda turning, omega, _, h: turning + h * omega, lambda *_: "v", _advancing_changes)
 _once = Operation("one exponential", lambda *twists: exponential(sum(twists)), lambda *_: "")
-_JOINT_VALUE = Operation("joint value", lambda: None, str, _joint_value_changes)
+_JOINT_LENGTH = Operation("joint value", lambda: None, str, _joint_value_changes)
+_JOINT_ANGLE = Operation("joint value", lambda: None, str, _joint_angle_changes)
 _SCREWS = Operation("given screws", lambda: None, str, _screws_changes)

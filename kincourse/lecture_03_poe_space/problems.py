@@ -35,7 +35,7 @@ from misstep.mutants.operations import ANGLE, radians, unit
 from misstep.problem import Problem
 from misstep.sheet import Sheet
 
-JOINT_ORDER_ADVICE = "The factor of the joint at the base is leftmost, because this joint moves all that follow it."
+JOINT_ORDER_ADVICE = "The factor of the joint at the base is leftmost, because this joint moves all others."
 TOOL_ADVICE = (
     "The tool's own $z$ is a column of $M$ and moves with the arm: multiply by $\\mathrm{Trans}_z$ on the right."
 )
@@ -168,27 +168,26 @@ def which_order(sampler: ArmSampler) -> Problem:
         given={"rides_on": dict(rides_on)},
         answer=Ordering([*(f"e_{name}" for name in names), "M"]),
         mistakes=factor_order_mistakes(
-            names,
-            4,
+            (names, ()),
             {
-                "reversed": (names[::-1], f"You started at the tool. {JOINT_ORDER_ADVICE}"),
+                "reversed": ((names[::-1], ()), f"The joints are in the reverse order. {JOINT_ORDER_ADVICE}"),
                 "by the alphabet": (
-                    sorted(names),
-                    "You took the joints in the order of the alphabet. Their names have no order.",
+                    (sorted(names), ()),
+                    "The joints are in the order of the alphabet. Order them from the floor to the tool.",
                 ),
                 "as listed": (
-                    told,
-                    "You took the joints in the order of the list. Follow the arm from the floor to the tool.",
+                    (told, ()),
+                    "The joints are in the order in which they are listed. Order them from the floor to the tool.",
                 ),
                 "as listed, reversed": (
-                    told[::-1],
-                    "You took the joints in the reverse order of the list. Follow the arm from the floor to the tool.",
+                    (told[::-1], ()),
+                    "The joints are in the reverse order of the list. Order them from the floor to the tool.",
                 ),
             },
             {
                 "home first": (
                     0,
-                    "You put $M$ in front. With space screws it is last, because it acts on the tool first.",
+                    "You put $M$ first. With space screws it is last, because it acts on the tool first.",
                 ),
                 "home in the middle": (2, "You put $M$ in the middle. With space screws it is last."),
             },
@@ -207,7 +206,9 @@ def where_is_the_tool(sampler: ArmSampler) -> Problem:
         return (chance.uniform(0.3, 1.3, 3) * chance.choice([-1, 1], 3),)
 
     def pose_at(q: np.ndarray) -> Expression:
-        return forward_kinematics(exponentials(robot.screws, values_in_radians(q)), given_pose("M", robot.home))
+        return forward_kinematics(
+            exponentials(robot.screws, values_in_radians(robot.joint_types, q)), given_pose("M", robot.home)
+        )
 
     return Problem(
         statement="This arm has the screws $S_i$ and the home pose $M$ below. Write a function that takes $q$, three numbers in "
@@ -250,14 +251,14 @@ def longer_tool(sampler: ArmSampler) -> Problem:
             pose((X, Y, Z), longer * axis), "another axis", f"extend the tool along its ${name}$"
         )
     extended = extended.mistaken_for(
-        pose((X, Y, Z), -longer * Z), "sign of a length", "make the tool shorter, not longer"
+        pose((X, Y, Z), -longer * Z), "sign of a length", "shorten the tool instead of extending it"
     )
     extended = extended.mistaken_for(pose((X, Y, Z), 2 * longer * Z), "extended twice", "extend the tool twice")
     home = (given_pose("M", robot.home) @ extended).named("M'")
-    factors = exponentials(robot.screws, values_in_radians(q))
+    factors = exponentials(robot.screws, values_in_radians(robot.joint_types, q))
     T = forward_kinematics(factors, home).mistaken_for(
         extended @ forward_kinematics(factors, given_pose("M", robot.home)),
-        "first factor",
+        "order",
         "extend the tool along the $z$ of {s}, after the motion",
         TOOL_ADVICE,
     )

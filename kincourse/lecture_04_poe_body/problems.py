@@ -7,54 +7,77 @@ import numpy as np
 
 from kincourse.answers.pose import PoseAnswer
 from kincourse.answers.screws import ScrewsAnswer
-from kincourse.mistakes.body_form import (
-    body_product_mistakes,
-    body_screw_mistakes,
-    rotate_only,
-    space_screw_mistakes,
-    transform_screws,
+from kincourse.expressions.poses import inverse
+from kincourse.expressions.poses import pose as given_pose
+from kincourse.expressions.screws import (
+    change_frame,
+    drawn_revolute,
+    exponentials,
+    forward_kinematics,
+    joint_values,
+    screw_axes,
 )
-from kincourse.mistakes.space_form import product
+from kincourse.mistakes.factor_order import factor_order_mistakes
 from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler, are_distinguishable
+from kincourse.sampling.arms import ArmSampler, are_distinguishable, shows_transposes
 from kincourse.sampling.configurations import Configuration, configuration_from_typed
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.chains.robots import X, Y, Z, pose
-from kinlib.rigid.lie import exp, homogeneous, inverse
+from kinlib.rigid.lie import exp, homogeneous
+from kinlib.rigid.screw import screw
 from kinlib.view import draw_arm, draw_joints
 from misstep.answers.order import Ordering
 from misstep.display.text import matrix
-from misstep.mistakes import mistake
+from misstep.mutants.expression import product
 from misstep.problem import Problem
 from misstep.sheet import Sheet
+
+HOME_ADVICE = "With body screws $M$ is the first factor, and the joints stand behind it in their order."
+BASE_ADVICE = "The factor of the joint at the base is to the left of all others, in {b} as in {s}."
+MIDDLE_ADVICE = "What {s} reads is to the left of $M$, and what {b} reads is to its right."
+PASSED_ADVICE = "The joints before joint 2 move its axis and the tool alike: only the joints behind it count."
+TO_BODY_ADVICE = "$\\mathrm{Ad}_M$ takes what {b} reads to what {s} reads; here we go the other way."
 
 
 @problem("04.1", "A body screw off a drawing", points=3, lecture="04_poe_body#A second method")
 def body_screw_off_a_drawing(sampler: ArmSampler) -> Problem:
     robot = sampler.arm("RRR")
-    while not are_distinguishable([robot.home[:3, 3], np.zeros(3), *robot.joint_points]):
+    while not (shows_transposes(robot) and are_distinguishable([robot.home[:3, 3], np.zeros(3), *robot.joint_points])):
         robot = sampler.arm("RRR")
     joint = sampler.integer(1, 3)
-    B, neighbour = robot.body_screws[joint - 1], joint % 3
+    R, origin = robot.home[:3, :3], robot.home[:3, 3]
+    axes, points = robot.screws[:, :3] @ R, (robot.joint_points - origin) @ R
+    others = {f"the point of joint {i}": p for i, p in enumerate(points, start=1) if i != joint}
+    others["the point of the joint, seen from {s},"] = robot.joint_points[joint - 1] @ R
+    neighbour = joint % 3
+    B = (
+        drawn_revolute(axes[joint - 1], points[joint - 1], others)
+        .mistaken_for(
+            robot.body_screws[neighbour],
+            "another joint",
+            f"give the body screw of joint {neighbour + 1}",
+            "Look for the number beside the joint.",
+        )
+        .mistaken_for(
+            robot.screws[joint - 1],
+            "frame not changed",
+            "read the axis in {s}",
+            "A body screw has the directions and distances of {b}.",
+        )
+        .mistaken_for(
+            screw(robot.screws[joint - 1, :3], robot.joint_points[joint - 1] - origin),
+            "only moved",
+            "measure from {b}, but along the axes of {s}",
+        )
+    )
     return Problem(
         statement=f"Read the body screw of joint {joint} off the drawing: stand at {{b}}, and write the axis with the directions and the "
         "distances of {b}. All joints are revolute; coordinates are whole metres.",
         figure=partial(draw_joints, robot, tool=True),
-        answer=ScrewsAnswer(B),
-        mistakes=[
-            *body_screw_mistakes(robot.screws[joint - 1], robot.home),
-            mistake(
-                "turned round",
-                -B,
-                "Your axis points the other way. The arrow in the drawing shows the positive turn, whoever reads it.",
-            ),
-            mistake(
-                "another joint",
-                robot.body_screws[neighbour],
-                f"This is the body screw of joint {neighbour + 1}. Look for the number beside the joint.",
-            ),
-        ],
+        answer=ScrewsAnswer(B.value),
+        solution=B,
+        advice={"sign of a vector": "The arrow in the drawing shows the positive rotation, in {b} as in {s}."},
     )
 
 
@@ -67,7 +90,13 @@ def by_the_adjoint(sampler: ArmSampler) -> Problem:
         figure=partial(draw_arm, robot),
         given={"screws": robot.screws, "home": robot.home},
         answer=ScrewsAnswer(robot.body_screws),
-        mistakes=body_screw_mistakes(robot.screws, robot.home),
+        solution=change_frame(inverse(given_pose("M", robot.home)), screw_axes("S", robot.screws)),
+        advice={
+            "inverse left out": TO_BODY_ADVICE,
+            "frame not changed": "{b} stands elsewhere and reads other numbers than {s}.",
+            "only rotated": "The origin moved too: $v$ is the velocity at the new origin $p$, $R^T (v + \\omega \\times p)$.",
+            "only moved": "{b} reads along axes of its own: both halves are rotated by $R^T$.",
+        },
     )
 
 
@@ -80,50 +109,52 @@ def back_to_space(sampler: ArmSampler) -> Problem:
         figure=partial(draw_arm, robot),
         given={"body_screws": robot.body_screws, "home": robot.home},
         answer=ScrewsAnswer(robot.screws),
-        mistakes=space_screw_mistakes(robot.body_screws, robot.home),
+        solution=change_frame(given_pose("M", robot.home), screw_axes("B", robot.body_screws)),
+        advice={
+            "inverted": "$\\mathrm{Ad}_{M^{-1}}$ takes what {s} reads to what {b} reads; here we go back.",
+            "frame not changed": "These are the body screws, as the tool reads them.",
+            "only rotated": "The origin moved too: $[\\mathrm{Ad}_M]$ has $[p] R$ in its lower left corner.",
+            "only moved": "{s} reads along axes of its own: both halves are rotated by $R$.",
+        },
     )
 
 
 @problem("04.4", "Where M stands", points=2, lecture="04_poe_body#The mid-formula form")
 def where_home_stands(sampler: ArmSampler) -> Problem:
     names, k = sampler.shuffled("abcd"), sampler.integer(1, 2)
+    while sum(map(str.__ne__, names, "abcd")) < 3:  # otherwise a slip in the right order would be the alphabet
+        names = sampler.shuffled("abcd")
+    left, right = names[:k], names[k:]
+    orders = {
+        "body part reversed": ((left, right[::-1]), "The joints that {b} reads are in the reverse order."),
+        "reversed": ((names[::-1][:k], names[::-1][k:]), "The joints are in the reverse order."),
+        "by the alphabet": ((sorted(names)[:k], sorted(names)[k:]), "The joints are in the order of the alphabet."),
+        "sides exchanged": ((right, left), "The factors of {s} and {b} are on the wrong sides of $M$."),
+    }
+    if k > 1:  # one joint alone has no order
+        orders |= {
+            "space part reversed": ((left[::-1], right), "The joints that {s} reads are in the reverse order."),
+            "both parts reversed": (
+                (left[::-1], right[::-1]),
+                "The joints on both sides of $M$ are in the reverse order.",
+            ),
+        }
     listed = ", ".join(f"then comes joint {name}" for name in names[1:])
-    factors = [f"e_{name}" for name in names]
-    before, after = factors[:k], factors[k:]
     axes_in_space = f"axis of joint {names[0]} is" if k == 1 else f"axes of joints {names[0]} and {names[1]} are"
     return Problem(
         statement=f"Joint {names[0]} of an arm stands on the floor, {listed}, and the tool is last. "
         f"The {axes_in_space} read in {{s}}, all others in {{b}}. So $e_a$ is $e^{{[S_a]q_a}}$ or $e^{{[B_a]q_a}}$, and so on. Put the "
         "factors of $T(q)$ in order, from left to right: a list of the names `'e_a'`, `'e_b'`, `'e_c'`, `'e_d'`, `'M'`.",
-        given={"from_floor_to_tool": names, "read_in_s": names[:k]},
-        answer=Ordering([*before, "M", *after]),
-        mistakes=[
-            mistake(
-                "home last",
-                [*factors, "M"],
-                "You put $M$ at the end, as in the space form. It stops where the reader changes: right of it stands what {b} reads.",
-            ),
-            mistake(
-                "home first",
-                ["M", *factors],
-                "You put $M$ in front, as in the body form. It stops where the reader changes: left of it stands what {s} reads.",
-            ),
-            mistake(
-                "body part reversed",
-                [*before, "M", *after[::-1]],
-                "You turned the part behind $M$ round. The tool reads the axes, but the joints keep their order.",
-            ),
-            mistake(
-                "all reversed",
-                [*factors[::-1][:k], "M", *factors[::-1][k:]],
-                "You started at the tool. The joint next to the floor moves everything after it, so its factor stands leftmost.",
-            ),
-            mistake(
-                "sides exchanged",
-                [*after, "M", *before],
-                "You exchanged the sides. What {s} reads stands to the left of $M$, and with it the joints next to the floor.",
-            ),
-        ],
+        given={"from_floor_to_tool": names, "read_in_s": left},
+        answer=Ordering([*(f"e_{name}" for name in left), "M", *(f"e_{name}" for name in right)]),
+        mistakes=factor_order_mistakes(
+            (left, right),
+            {name: (sides, f"{text} {BASE_ADVICE}") for name, (sides, text) in orders.items()},
+            {
+                "home last": (4, f"You put $M$ at the end, as in the space form. {MIDDLE_ADVICE}"),
+                "home first": (0, f"You put $M$ in front, as in the body form. {MIDDLE_ADVICE}"),
+            },
+        ),
     )
 
 
@@ -137,56 +168,39 @@ def body_form(sampler: ArmSampler) -> Problem:
         figure=partial(draw_arm, robot),
         given={"body_screws": robot.body_screws, "home": robot.home, "values": typed},
         answer=PoseAnswer(robot.fk(q)),
-        mistakes=body_product_mistakes(robot, q),
+        solution=forward_kinematics(
+            [],
+            given_pose("M", robot.home),
+            exponentials(robot.body_screws, joint_values(robot.joint_types, typed), "B"),
+        ).mistaken_for(
+            robot.home @ np.linalg.multi_dot(list(exp(robot.screws * q[:, None]))),
+            "space screws",
+            "use the space screws $S_i$",
+            "Behind $M$ stand the screws that the tool reads: $B_i$.",
+        ),
+        advice={"last factor": HOME_ADVICE, "reversed": BASE_ADVICE},
     )
 
 
 @problem("04.6", "M in the middle", points=3, lecture="04_poe_body#The mid-formula form")
 def home_in_the_middle(sampler: ArmSampler) -> Problem:
     robot, k = _random_arm(sampler, sampler.choice(["RRRR", "RRPR", "RPRR"])), 2
-    typed, q, words = _random_configuration(sampler, robot)
-    S, B, M = robot.screws, robot.body_screws, robot.home
-    mixed = np.concatenate([S[:k], B[k:]])
-    e = exp(mixed * q[:, None])
-    in_degrees = exp(mixed * np.where(mixed[:, :3].any(axis=-1), np.degrees(q), q)[:, None])
+    typed, _, words = _random_configuration(sampler, robot)
+    mixed = np.concatenate([robot.screws[:k], robot.body_screws[k:]])
+    e = exponentials(mixed, joint_values(robot.joint_types, typed), "SSBB")
+    home = given_pose("M", robot.home)
+    T = forward_kinematics(e[:k], home, e[k:])
+    T = T.mistaken_for(
+        product(*e[k:], home, *e[:k]), "sides exchanged", "put the factors of {b} to the left of $M$", MIDDLE_ADVICE
+    )
     return Problem(
         statement=f"The first two joints of this arm are read in {{s}}, the others in {{b}}: below stand $S_1, S_2, B_3, B_4$. The joints "
-        f"are at {words}. Give $T(q)$.\n\n$${matrix(mixed)}$$\n\n$$M = {matrix(M)}$$",
+        f"are at {words}. Give $T(q)$.\n\n$${matrix(mixed)}$$\n\n$$M = {matrix(robot.home)}$$",
         figure=partial(draw_arm, robot),
-        given={"screws": mixed, "home": M, "values": typed},
-        answer=PoseAnswer(robot.fk(q)),
-        mistakes=[
-            mistake(
-                "home last",
-                product(mixed, q, M),
-                "You put $M$ at the end. It stands between the last screw that {s} reads and the first that {b} reads.",
-            ),
-            mistake(
-                "home first",
-                product(mixed, q, M, "home first"),
-                "You put $M$ in front. It stands between the last screw that {s} reads and the first that {b} reads.",
-            ),
-            mistake(
-                "sides exchanged",
-                e[2] @ e[3] @ M @ e[0] @ e[1],
-                "You exchanged the sides. What {s} reads stands to the left of $M$, and with it the joints next to the base.",
-            ),
-            mistake(
-                "body part reversed",
-                e[0] @ e[1] @ M @ e[3] @ e[2],
-                "You turned the part behind $M$ round. The tool reads the axes, but the joints keep their order.",
-            ),
-            mistake(
-                "one joint late",
-                e[0] @ e[1] @ e[2] @ M @ e[3],
-                "You put $M$ after joint 3. Its screw is read in {b}, so $M$ has passed it: it stands behind joint 2.",
-            ),
-            mistake(
-                "degrees",
-                in_degrees[0] @ in_degrees[1] @ M @ in_degrees[2] @ in_degrees[3],
-                "You used degrees as radians. The exponential wants radians; slides stay in metres.",
-            ),
-        ],
+        given={"screws": mixed, "home": robot.home, "values": typed},
+        answer=PoseAnswer(T.value),
+        solution=T,
+        advice={"first factor": MIDDLE_ADVICE, "last factor": MIDDLE_ADVICE, "reversed": BASE_ADVICE},
     )
 
 
@@ -195,42 +209,34 @@ def new_tool(sampler: ArmSampler) -> Problem:
     robot = _random_arm(sampler, sampler.choice(["RRP", "RPR", "PRR"]))
     turn = _rotation(sampler.choice([X, Y]), sampler.choice([30, 40, -50, -60, 70]))
     H = pose((X, Y, Z), (sampler.length(0.1, 0.4), 0, sampler.length(0.5, 0.9))) @ turn
-    B, M = robot.body_screws, robot.home
-    from_space = inverse(H @ M)
+    B, home, T_bt = robot.body_screws, given_pose("M", robot.home), given_pose("T_{bt}", H)
+    new = change_frame(inverse(T_bt), screw_axes("B", B)).mistaken_for(
+        robot.screws,
+        "space screws",
+        "give the space screws",
+        "They do not change with the tool, but the tool does not read them.",
+    )
+    for T, name, text in (
+        (T_bt @ home, "order", "move the tool along the axes of {s}: $T_{bt}\\,M$ for the new home pose"),
+        (home @ T_bt, "frame changed twice", "change the frame from {s} to {t}, although $B$ is read in {b}"),
+    ):
+        S = robot.screws if name == "order" else B
+        new = new.mistaken_for(
+            change_frame(inverse(T), S), name, text, "The new home pose is $M\\,T_{bt}$, and $B$ is read in {b}."
+        )
     return Problem(
         statement="The tool of this arm is replaced. The new one has its frame {t} where the old one saw $T_{bt}$. Below are the body "
         f"screws as {{b}} read them. Give them as {{t}} reads them.\n\n$$B = {matrix(B)}$$\n\n$$T_{{bt}} = {matrix(H)}$$",
         figure=partial(draw_arm, robot),
-        given={"body_screws": B, "T_bt": H, "home": M},
-        answer=ScrewsAnswer(transform_screws(inverse(H), B)),
-        mistakes=[
-            mistake(
-                "the old ones",
-                B,
-                "These are the old body screws. The axes stay, and the space screws with them; but body screws are read by the tool, and "
-                "another tool reads other numbers.",
-            ),
-            mistake(
-                "the other way",
-                transform_screws(H, B),
-                "You carried the screws with $\\mathrm{Ad}_{T_{bt}}$. That takes what {t} reads to what {b} reads; here it is $T_{tb}$.",
-            ),
-            mistake(
-                "only rotated",
-                rotate_only(inverse(H), B),
-                "You turned both halves, but {t} also stands elsewhere: its origin is another, so the moments change.",
-            ),
-            mistake(
-                "moved in {s}",
-                transform_screws(from_space, robot.screws),
-                "You moved the tool along the axes of {s}: $T_{bt} M$. {t} is seen from {b}, so the new home pose is $M\\,T_{bt}$.",
-            ),
-            mistake(
-                "space screws",
-                robot.screws,
-                "These are the space screws. They do not change with the tool, and the tool does not read them.",
-            ),
-        ],
+        given={"body_screws": B, "T_bt": H, "home": robot.home},
+        answer=ScrewsAnswer(new.value),
+        solution=new,
+        advice={
+            "frame not changed": "The axes stay where they are; but body screws are read by the tool, and another tool reads other "
+            "numbers.",
+            "inverse left out": "$\\mathrm{Ad}_{T_{bt}}$ takes what {t} reads to what {b} reads; here we go the other way.",
+            "only rotated": "The origin of {t} is another one too, so the moments change.",
+        },
     )
 
 
@@ -239,54 +245,48 @@ def jacobian_column(sampler: ArmSampler) -> Problem:
     robot, i = _random_arm(sampler, sampler.choice(["RRRR", "RRPR", "PRRR"])), 1
     typed, q, words = _random_configuration(sampler, robot)
     B = robot.body_screws
-    e = exp(B * q[:, None])
-    in_degrees = exp(B * np.where(B[:, :3].any(axis=-1), np.degrees(q), q)[:, None])
+    e = exponentials(B, joint_values(robot.joint_types, typed), "B")
+    axis = screw_axes(f"B_{i + 1}", B[i])
+    column = change_frame(inverse(e[2] @ e[3]), axis)
+    for passed, text in (
+        (e[0], "joint 1 only"),
+        (e[0] @ e[2] @ e[3], "joints 1, 3 and 4"),
+        (product(*e), "all joints"),
+    ):
+        column = column.mistaken_for(
+            change_frame(inverse(passed), axis), "joints before", f"carry the axis past {text}", PASSED_ADVICE
+        )
+    for k in (0, 2):
+        rest = change_frame(inverse(product(*e[k + 1 :])), screw_axes(f"B_{k + 1}", B[k]))
+        column = column.mistaken_for(rest, "another joint", f"give column {k + 1}")
+    column = column.mistaken_for(
+        robot.jacobian(q)[:, i],
+        "space column",
+        "give the column of the space Jacobian",
+        "It is the axis as {s} reads it now.",
+    )
     return Problem(
         statement=f"The joints of this arm stand at {words}. Give column {i + 1} of the body Jacobian: the axis of joint {i + 1}, as the "
         f"tool reads it now.\n\n$$B = {matrix(B)}$$",
         figure=partial(draw_arm, robot),
         given={"body_screws": B, "values": typed},
-        answer=ScrewsAnswer(robot.body_jacobian(q)[:, i]),
-        mistakes=[
-            mistake(
-                "at home",
-                B[i],
-                f"This is $B_{i + 1}$, read at home. Since then joints {i + 2} and {i + 3} have moved the tool.",
-            ),
-            mistake(
-                "space column",
-                robot.jacobian(q)[:, i],
-                "This is the column of the space Jacobian: the axis as {s} reads it now.",
-            ),
-            mistake(
-                "joints before",
-                transform_screws(inverse(e[0]), B[i]),
-                f"You carried the axis past joint 1. That joint moves axis {i + 1} and the tool alike: only joints between the two count.",
-            ),
-            mistake(
-                "not inverted",
-                transform_screws(e[2] @ e[3], B[i]),
-                "The product is right, its inverse is missing: the tool has moved, so it reads backwards, $\\mathrm{Ad}^{-1}$.",
-            ),
-            mistake(
-                "reversed",
-                transform_screws(inverse(e[3] @ e[2]), B[i]),
-                "You took the joints behind in the other order. Inside the inverse they stand as in the body form, joint 3 first.",
-            ),
-            mistake(
-                "degrees",
-                transform_screws(inverse(in_degrees[2] @ in_degrees[3]), B[i]),
-                "You used degrees as radians. The exponential wants radians; slides stay in metres.",
-            ),
-        ],
+        answer=ScrewsAnswer(column.value),
+        solution=column,
+        advice={
+            "frame not changed": f"$B_{i + 1}$ is read at home. Since then joints 3 and 4 have moved the tool.",
+            "inverse left out": "The tool has moved, so it reads backwards: $\\mathrm{Ad}^{-1}$.",
+            "order": "Inside the inverse the factors stand as in the body form, joint 3 first.",
+        },
     )
 
 
 def _random_arm(sampler: ArmSampler, joint_types: str) -> Chain:
-    """Draw an arm whose tool is rotated by an angle of the student's own, so that no rotation is its own inverse."""
-    robot = sampler.arm(joint_types)
-    home = robot.home @ _rotation(sampler.choice([X, Y, Z]), sampler.choice([20, 30, -40, 50, -60, 70]))
-    return replace(robot, home=home)
+    """Draw an arm whose tool is rotated by an angle of the student's own, so that no rotation is taken for its inverse."""
+    while True:
+        robot = sampler.arm(joint_types)
+        home = robot.home @ _rotation(sampler.choice([X, Y, Z]), sampler.choice([20, 30, -40, 50, -60, 70]))
+        if shows_transposes(robot := replace(robot, home=home)):
+            return robot
 
 
 def _rotation(axis: Array, degrees: float) -> Array:

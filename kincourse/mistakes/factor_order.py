@@ -4,31 +4,29 @@ from collections.abc import Mapping, Sequence
 
 from misstep.mistakes import Mistake
 
+Sides = tuple[Sequence[str], Sequence[str]]
+"""The names of the joints to the left of M, and of those to its right."""
+
 
 def factor_order_mistakes(
-    joints: Sequence[str],
-    place: int,
-    orders: Mapping[str, tuple[Sequence[str], str]],
-    places: Mapping[str, tuple[int, str]],
+    right: Sides, orders: Mapping[str, tuple[Sides, str]], places: Mapping[str, tuple[int, str]]
 ) -> list[Mistake]:
     """The wrong orders of the factors: e_a for joint a, and M.
 
-    joints  the right order of the joints
-    place   how many joints are to the left of M
+    right   the right order
     orders  wrong orders of the joints by the name of the mistake, each with its message
-    places  wrong places of M by the name of the mistake, each with its message
+    places  by the name of the mistake, how many joints are to the left of M, each with its message
 
-    >>> found = factor_order_mistakes("ab", 2, {"reversed": ("ba", "You ...")}, {"home first": (0, "You ...")})
+    >>> found = factor_order_mistakes(("ab", ""), {"reversed": (("ba", ""), "...")}, {"home first": (0, "...")})
     >>> [(wrong.name, wrong.value) for wrong in found][1:]
     [('reversed', ['e_b', 'e_a', 'M']), ('reversed and home first', ['M', 'e_b', 'e_a'])]
     """
     found = []
-    for order, (names, order_text) in {"": (joints, ""), **orders}.items():
-        for home, (before, home_text) in {"": (place, ""), **places}.items():
-            factors = [f"e_{name}" for name in names]
-            made = tuple(filter(None, (order, home)))
-            text = " ".join(filter(None, (order_text, home_text)))
-            value = [*factors[:before], "M", *factors[before:]]
-            if made and value not in [known.value for known in found]:
-                found.append(Mistake(" and ".join(made), value, text, names=made))
+    for order, (sides, order_text) in {"": (right, ""), **orders}.items():
+        factors = [f"e_{name}" for side in sides for name in side]
+        for home, (place, home_text) in {"": (len(sides[0]), ""), **places}.items():
+            names, texts = filter(None, (order, home)), filter(None, (order_text, home_text))
+            if made := tuple(names):
+                value = [*factors[:place], "M", *factors[place:]]
+                found.append(Mistake(" and ".join(made), value, " ".join(texts), names=made))
     return found

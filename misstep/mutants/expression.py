@@ -40,6 +40,7 @@ class Change:
     text        what was done, from the verb on: "use $T_{st}$, where its inverse belongs"
     everywhere  the same for a mistake that people make in all places at once; "" if each place is a mistake of its own
     advice      a sentence on what is right
+    one_by_one  whether people also make it in one of several places alone
 
     >>> Change("degrees", "use degrees as radians").past
     'used degrees as radians'
@@ -49,6 +50,7 @@ class Change:
     text: str
     everywhere: str = ""
     advice: str = ""
+    one_by_one: bool = True
 
     @property
     def past(self) -> str:
