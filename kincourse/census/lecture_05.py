@@ -31,18 +31,18 @@ def four_numbers(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "from frame 1 to frame 0": ([-a, -alpha, -d, -theta], SIGN + ", from frame 1, inverse"),
             "no signs": (np.abs(answer), SIGN),
             "x_1 taken in the opposite direction": ([-a, -alpha, d, theta + np.pi], "x_1, " + SIGN),
-            "theta half a turn off": ([a, alpha, d, theta + np.pi], "theta, half, turn, opposite, \\pi, 180"),
-            "alpha half a turn off": ([a, alpha + np.pi, d, theta], "alpha, half, turn, opposite, \\pi, 180"),
+            "theta half a turn off": ([a, alpha, d, theta + np.pi], f"theta, half, turn, \\pi, 180, {SIGN}"),
+            "alpha half a turn off": ([a, alpha + np.pi, d, theta], f"alpha, half, turn, \\pi, 180, {SIGN}"),
             "d left out": ([a, alpha, 0, theta], LEFT_OUT),
             "a left out": ([0, alpha, d, theta], LEFT_OUT),
             "theta 0, for joint at zero": ([a, alpha, d, 0], "theta, offset, " + LEFT_OUT),
             "alpha 0 for a right angle": ([a, 0, d, theta], "alpha, " + LEFT_OUT),
             "a between the origins": ([np.hypot(a, d), alpha, d, theta], NORMAL + ", origin"),
-            "a along x_0": ([a * np.cos(theta), alpha, d, theta], "x_0, x_{i-1}, along, old x"),
+            "a along x_0": ([a * np.cos(theta), alpha, d, theta], "x_0, x_{i-1}, along, old x, " + SIGN),
             "degrees": ([a, np.degrees(alpha), d, np.degrees(theta)], "degree, radian"),
             "only alpha in degrees": ([a, np.degrees(alpha), d, theta], "degree, radian"),
             "millimetres": ([1000 * a, alpha, 1000 * d, theta], "millimet, mm, 1000, unit"),
-            "a and d swapped, alpha negated": ([d, -alpha, a, theta], f"{SWAP}, alpha"),
+            "a and d swapped, alpha negated": ([d, -alpha, a, theta], f"{SWAP}, alpha, {SIGN}"),
             "both pairs swapped": ([d, theta, a, alpha], SWAP),
             "degrees, theta negated": ([a, np.degrees(alpha), d, -np.degrees(theta)], f"degree, radian, {SIGN}"),
         }
@@ -82,7 +82,7 @@ def row_slips(row: Any, convention: str) -> Iterator[WrongAnswer]:
             "only the motion along x": (of(a, alpha, 0, 0), LEFT_OUT),
             "all turns first, then all shifts": (product(frame(Rz @ Rx), Tz, Tx), "order, turn, along"),
             "alpha about y": (product(frame(Rz), Tz, Tx, frame(turn("y", alpha))), "about x, about y, axis"),
-            "sine and cosine of theta swapped": (of(a, alpha, d, np.pi / 2 - theta), "sin, cos, theta"),
+            "sine and cosine of theta swapped": (of(a, alpha, d, np.pi / 2 - theta), "sin, cos, theta, " + SWAP),
             **{
                 f"sign of entry ({i + 1}, {k + 1})": (one_entry(T, (i, k), -T[i, k]), SIGN + ", entry, alpha, theta")
                 for i, k in ((0, 1), (1, 2), (2, 1))
@@ -94,7 +94,7 @@ def row_slips(row: Any, convention: str) -> Iterator[WrongAnswer]:
                 link((a, np.degrees(alpha), d, np.degrees(theta)), other), "degree, radian, convention"),
             "a and d swapped, alpha negated": (of(d, -alpha, a, theta), SWAP + ", alpha"),
             "other convention, alpha negated": (link((a, -alpha, d, theta), other), "convention, alpha"),
-            "inverse, a and d swapped": (np.linalg.inv(of(d, alpha, a, theta)), "inverse, " + SWAP),
+            "inverse, a and d swapped": (np.linalg.inv(of(d, alpha, a, theta)), "inverse, transpos, " + SWAP),
         }
     )  # fmt: skip
     yield from right(ordinary_forms(T))

@@ -47,10 +47,10 @@ def axial_screws(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "all negated": (-x, SIGN + ", invers"),
             "axes x and z exchanged": ([[0, 0, alpha, 0, 0, a], [theta, 0, 0, d, 0, 0]], "axis, about, " + SWAP),
             "a along z, d along x": ([[alpha, 0, 0, 0, 0, a], [0, 0, theta, d, 0, 0]], "along, axis, " + SWAP),
-            "a along y": ([[alpha, 0, 0, 0, a, 0], [0, 0, theta, 0, d, 0]], "along, axis"),
-            "no lengths": (pair(alpha, 0, theta, 0), "length, shift, translation, slide, " + LEFT_OUT),
+            "a along y": ([[alpha, 0, 0, 0, a, 0], [0, 0, theta, 0, d, 0]], "along, axis, " + SWAP),
+            "no lengths": (pair(alpha, 0, theta, 0), "length, shift, translation, slide, moment, " + LEFT_OUT),
             "no angles": (pair(0, a, 0, d), "angle, turn, rotation, omega, " + LEFT_OUT),
-            "d left out": (pair(alpha, a, theta, 0), LEFT_OUT),
+            "d left out": (pair(alpha, a, theta, 0), "moment, " + LEFT_OUT),
             "second screw seen from frame i-1": (
                 [x[0], [0, -theta * np.sin(alpha), theta * np.cos(alpha), 0, -d * np.sin(alpha), d * np.cos(alpha)]],
                 "frame, already, turned"),

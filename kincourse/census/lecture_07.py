@@ -84,7 +84,7 @@ def frames_by_the_rules(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "origins at the feet on the axes before": (of(origins=feet), f"origin, {rule}"),
             "all origins at s": (of(origins=np.zeros((n + 1, 3))), f"origin, {rule}"),
             "frames from the tool to the base": (F[::-1], f"order, reverse, {rule}"),
-            "frames 1 and 2 exchanged": (F[[0, 2, 1, *range(3, n + 1)]], f"order, {SWAP}, {rule}"),
+            "frames 1 and 2 exchanged": (F[[0, 2, 1, *range(3, n + 1)]], f"order, belongs, {SWAP}, {rule}"),
             "left-handed, origins at the joints": (of(signs=(1, -1, 1), origins=at_joints), f"{hand}, origin, {rule}"),
             "x turned, origin 1 moved along z": (of((1, 0, 2), (1, -1, 1), slid), f"origin, {rule}"),
         }

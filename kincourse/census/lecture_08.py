@@ -237,7 +237,7 @@ def dead_point(given: Any, answer: float) -> Iterator[WrongAnswer]:
             "folded": (angle(g, a, abs(b - c)), "folded, fold, difference"),
             "crank and coupler stretched": (angle(g, a + b, c), f"crank, {bar}"),
             "crank and rocker's lengths swapped": (angle(g, c, a + b), f"crank, {bar}, {SWAP}"),
-            "negated": (-A, SIGN),
+            "negated": (-A, SIGN + ", mirror"),
             "half": (A / 2, "half"),
             "degrees": (np.degrees(A), "degree, radian"),
             "cosine": (np.cos(A), "cos, arccos, angle"),
@@ -314,7 +314,7 @@ def three_mobilities(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "had is the other number": ([counted, felt, 1 - had], move),
             "had is the count": ([counted, felt, counted], move),
             "felt and had exchanged": ([counted, had, felt], f"{move}, felt, {SWAP}"),
-            "in reverse": ([had, felt, counted], f"order, {SWAP}"),
+            "in reverse": ([had, felt, counted], f"order, counted, {SWAP}"),
             "count negated": ([-counted, felt, had], f"{SIGN}, count"),
             "count at least 0": ([max(counted, 0), felt, had], "negative, below, count"),
             "singular values below 1 for felt": (

@@ -46,9 +46,9 @@ def from_a_table(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "point of frame 3": (screw(z, M[:3, 3]), "point, frame 3, O_3, origin"),
             "point of frame 1": (screw(z, chain(rows[:1], "standard")[:3, 3]), "point, frame 1, O_1, origin"),
             "the body screw": (Ad(np.linalg.inv(M)) @ S, "body, tool, {b}"),
-            "as joint 3 has it": (np.array([0, 0, 1, 0, 0, 0]), f"own frame, {moment}, {{s}}, frame 2"),
+            "as joint 3 has it": (np.array([0, 0, 1, 0, 0, 0]), f"own frame, {moment}, {{s}}, frame 2, joint 1"),
             "rows in reverse": (axis_of(2, rows[1::-1]), "order, reverse, row"),
-            "alpha negated": (axis_of(2, rows * (1, -1, 1, 1)), "alpha"),
+            "alpha negated": (axis_of(2, rows * (1, -1, 1, 1)), f"alpha, {SIGN}"),
             "a and d swapped": (axis_of(2, rows[:, [2, 1, 0, 3]]), SWAP),
             "no offset": (axis_of(2, rows * (1, 1, 1, 0)), "offset, theta"),
             "angles in degrees": (axis_of(2, rows * (1, 180 / np.pi, 1, 180 / np.pi)), "degree, radian"),
@@ -58,7 +58,7 @@ def from_a_table(given: Any, answer: Array) -> Iterator[WrongAnswer]:
                 np.roll(axis_of(3, convention="modified"), 3),
                 f"convention, (v, half, {SWAP}",
             ),
-            "alpha negated, no offset": (axis_of(2, rows * (1, -1, 1, 0)), "alpha, offset, theta"),
+            "alpha negated, no offset": (axis_of(2, rows * (1, -1, 1, 0)), f"alpha, offset, theta, {SIGN}, {SWAP}"),
         }
     )
     yield from right(ordinary_forms(S))
