@@ -3,11 +3,12 @@
 import numpy as np
 
 from kincourse.answers.pose import PoseAnswer
+from kincourse.expressions.poses import inverse, pose, with_position
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kinlib.arrays.validation import Array
-from kinlib.chains.robots import X, Y, Z, pose, rprr
-from kinlib.rigid.lie import homogeneous, inverse
+from kinlib.chains.robots import X, Y, Z, rprr
+from kinlib.chains.robots import pose as frame
 from misstep.answers.number import Numbers
 from misstep.mistakes import mistake
 from misstep.problem import Problem
@@ -22,7 +23,7 @@ def rotation_about_z(q: float) -> Array:
     >>> rotation_about_z(np.pi / 2)[:3, 0].round(6) + 0.0
     array([0., 1., 0.])
     """
-    return pose((np.cos(q) * X + np.sin(q) * Y, np.cos(q) * Y - np.sin(q) * X, Z), (0, 0, 0))
+    return frame((np.cos(q) * X + np.sin(q) * Y, np.cos(q) * Y - np.sin(q) * X, Z), (0, 0, 0))
 
 
 def links() -> tuple[Array, Array, Array]:
@@ -32,89 +33,43 @@ def links() -> tuple[Array, Array, Array]:
     array([0.5, 0. , 0. ])
     """
     q1, q2, q3, _ = CONFIGURATION
-    return rotation_about_z(q1), pose((Z, X, Y), (0, q2, 0)), pose((X, -Z, Y), (0.5, 0, 0)) @ rotation_about_z(q3)
-
-
-def with_position(T: Array, p: Array) -> Array:
-    """Replace the position of a pose T (4, 4) by p (3,), and keep its rotation.
-
-    >>> with_position(np.eye(4), np.array([1, 2, 3]))[:3, 3]
-    array([1., 2., 3.])
-    """
-    return homogeneous(T[:3, :3], p)
+    return rotation_about_z(q1), frame((Z, X, Y), (0, q2, 0)), frame((X, -Z, Y), (0.5, 0, 0)) @ rotation_about_z(q3)
 
 
 @problem("01.a", "One more link", points=1, lecture="01_frames#Chaining along the links")
 def one_more_link(_draw: ArmSampler) -> Problem:
     T_01, T_12, T_23 = links()
     T_02 = T_01 @ T_12
-    T_03 = T_02 @ T_23
+    T_03 = pose("T_{02}", T_02) @ pose("T_{23}", T_23)
+    added = with_position(T_03.value, T_02[:3, 3] + T_23[:3, 3])
     return Problem(
         statement="Give $T_{03}$ from $T_{02}$ and $T_{23}$.",
-        answer=PoseAnswer(T_03),
-        mistakes=[
-            mistake(
-                "reversed",
-                T_23 @ T_02,
-                "You multiplied $T_{23} T_{02}$. The inner letters 3 and 0 do not cancel: what the base sees stands leftmost.",
-            ),
-            mistake(
-                "positions added",
-                with_position(T_03, T_02[:3, 3] + T_23[:3, 3]),
-                "You added the two positions. $p_{23}$ is written in frame 2: turn it into frame 0 first, "
-                "$p_{03} = R_{02}\\,p_{23} + p_{02}$.",
-            ),
-            mistake(
-                "entry by entry",
-                T_02 * T_23,
-                "You multiplied entry by entry, with `*`. The product of matrices is `@` in NumPy.",
-            ),
-            mistake(
-                "poses added",
-                T_02 + T_23,
-                "You added the matrices. Motions follow one another by a product; a sum of two poses is no pose.",
-            ),
-        ],
+        answer=PoseAnswer(T_03.value),
+        solution=T_03.mistaken_for(
+            added,
+            "positions added",
+            "add the two positions",
+            "$p_{23}$ is written in frame 2: rotate it into frame 0 first, $p_{03} = R_{02}\\,p_{23} + p_{02}$.",
+        ).mistaken_for(T_02 + T_23, "poses added", "add the matrices", "Motions follow one another by a product."),
+        advice={"order": "The inner letters 3 and 0 do not cancel: what the base sees is leftmost."},
     )
 
 
 @problem("01.b", "Look back", points=1, lecture="01_frames#The inverse")
 def look_back(_draw: ArmSampler) -> Problem:
     T_01, T_12, T_23 = links()
-    T_03 = T_01 @ T_12 @ T_23
-    R, p = T_03[:3, :3], T_03[:3, 3]
-    back = inverse(T_03)
+    T_30 = inverse(pose("T_{03}", T_01 @ T_12 @ T_23))
     return Problem(
         statement="Give $T_{30}$, the base seen from link 3.",
-        answer=PoseAnswer(back),
-        mistakes=[
-            mistake(
-                "minus p",
-                with_position(back, -p),
-                "You wrote $R^T$ and $-p$. The vector $-p$ leads back to the base, but it is written in frame 0: "
-                "link 3 writes it as $-R^T p$.",
-            ),
-            mistake(
-                "plus p turned",
-                with_position(back, R.T @ p),
-                "You turned $p$ into frame 3 and kept its direction. From link 3 the base lies the other way: $-R^T p$.",
-            ),
-            mistake(
-                "turned the wrong way",
-                with_position(back, -R @ p),
-                "You turned $-p$ with $R$. That takes frame 3 to frame 0; you need the other way, $R^T$.",
-            ),
-            mistake(
-                "all transposed",
-                T_03.T,
-                "You transposed the whole matrix. $R^T$ undoes the turn, but the translation went into the last row, where none belongs.",
-            ),
-            mistake(
-                "not undone",
-                T_03,
-                "This is $T_{03}$ itself: link 3 seen from the base.",
-            ),
-        ],
+        answer=PoseAnswer(T_30.value),
+        solution=T_30,
+        advice={
+            "inverse left out": "It is link 3 seen from the base.",
+            "transpose for inverse": "$R^T$ inverts the rotation, but the translation goes into the last row, where none belongs.",
+            "write $-p$ as the position of the inverse of $T_{03}$": "The vector $-p$ leads back to the base, but in frame 0: "
+            "link 3 writes it as $-R^T p$.",
+            "write $-R\\,p$ as the position of the inverse of $T_{03}$": "$R$ takes frame 3 to frame 0; you need the other way, $R^T$.",
+        },
     )
 
 
@@ -122,32 +77,21 @@ def look_back(_draw: ArmSampler) -> Problem:
 def tool_from_link_3(_draw: ArmSampler) -> Problem:
     T_01, T_12, T_23 = links()
     T_03, T_05 = T_01 @ T_12 @ T_23, rprr().fk(CONFIGURATION)
+    T_35 = inverse(pose("T_{03}", T_03)) @ pose("T_{05}", T_05)
+    subtracted = with_position(T_35.value, T_05[:3, 3] - T_03[:3, 3])
     return Problem(
         statement="Give $T_{35}$ from $T_{30}$ and $T_{05}$.",
-        answer=PoseAnswer(inverse(T_03) @ T_05),
-        mistakes=[
-            mistake(
-                "not inverted",
-                T_03 @ T_05,
-                "You multiplied $T_{03} T_{05}$. The inner letters 3 and 0 differ, so nothing cancels: you need $T_{30}$ first.",
-            ),
-            mistake(
-                "wrong side",
-                T_05 @ inverse(T_03),
-                "You multiplied $T_{05} T_{30}$. The inner letters 5 and 3 differ: put $T_{30}$ on the left, so that 0 meets 0.",
-            ),
-            mistake(
-                "turned round",
-                inverse(T_05) @ T_03,
-                "This is $T_{53}$: link 3 seen from the tool. The first letter says who looks.",
-            ),
-            mistake(
-                "positions subtracted",
-                with_position(inverse(T_03) @ T_05, T_05[:3, 3] - T_03[:3, 3]),
-                "The rotation is right. The arrow $p_{05} - p_{03}$ leads from link 3 to the tool, but it is written in frame 0: "
-                "turn it with $R_{30}$.",
-            ),
-        ],
+        answer=PoseAnswer(T_35.value),
+        solution=T_35.mistaken_for(
+            subtracted,
+            "positions subtracted",
+            "subtract the positions",
+            "The arrow $p_{05} - p_{03}$ leads from link 3 to the tool, but it is written in frame 0: rotate it with $R_{30}$.",
+        ),
+        advice={
+            "inverse left out": "The inner letters 3 and 0 differ, so nothing cancels: $T_{30}$ comes first.",
+            "order": "The inner letters 5 and 3 differ: put $T_{30}$ on the left, so that 0 meets 0.",
+        },
     )
 
 
@@ -165,7 +109,7 @@ def misprinted_row(_draw: ArmSampler) -> Problem:
             mistake(
                 "reflection",
                 np.array([-1, 0, 0, 0]),
-                "The columns are now unit and square, but left-handed: the determinant is $-1$, "
+                "The columns are orthonormal now, but left-handed: the determinant is $-1$, "
                 "and no motion makes a glove fit the other hand.",
             ),
             mistake(

@@ -1,6 +1,5 @@
 """Sheet 01: poses and rotations from drawings, points and directions, inverses, products, fixed and moving axes."""
 
-from collections import deque
 from functools import partial
 
 import numpy as np
@@ -261,14 +260,18 @@ def own_or_fixed(sampler: ArmSampler) -> Problem:
     )
 
 
+EACH_AT_ITS_SIDE = (
+    "About an axis of the room, each turn comes to the left of those before it; about an own axis, to the right."
+)
+
+
 @problem("01.8", "Turns in order", points=2, lecture="01_frames#Fixed axes and moving axes")
 def turns_in_order(sampler: ArmSampler) -> Problem:
     names = [f"R_{letter}" for letter in sampler.shuffled("abcd")]
-    fixed = [sampler.choice([True, False]) for _ in names]
-    right, sides_swapped = deque[str](), deque[str]()
-    for name, room in zip(names, fixed, strict=True):
-        (right.appendleft if room else right.append)(name)
-        (sides_swapped.append if room else sides_swapped.appendleft)(name)
+    fixed = sampler.shuffled([True, True, False, False])
+    room = [name for name, is_fixed in zip(names, fixed, strict=True) if is_fixed]
+    own = [name for name in names if name not in room]
+    right = [*room[::-1], *own]
     listed = "\n".join(
         f"{i}. ${name}$, about {'an axis of the room' if room else 'an axis of its own'}"
         for i, (name, room) in enumerate(zip(names, fixed, strict=True), start=1)
@@ -278,28 +281,35 @@ def turns_in_order(sampler: ArmSampler) -> Problem:
         f"{listed}\n\nIts attitude $R_{{sb}}$ is a product of the four. Put them in order, from left to right: a list of the names "
         "`'R_a'`, `'R_b'`, `'R_c'`, `'R_d'`.",
         given={"turns": names, "about_the_room": fixed},
-        answer=Ordering(list(right)),
+        answer=Ordering(right),
         mistakes=[
             mistake(
                 "as told",
                 names,
-                "You wrote them in the order in which they happen. So it is for turns about own axes only: those about the room come from "
-                "the left.",
+                "You wrote them in the order in which they happen. That is right for turns about own axes only: those about the room come "
+                "from the left.",
             ),
             mistake(
                 "each from the left",
                 names[::-1],
-                "You multiplied each from the left. So it is for turns about the room only: those about own axes come from the right.",
-            ),
-            mistake(
-                "sides exchanged",
-                list(sides_swapped),
-                "You exchanged the sides. About an axis of the room: from the left. About an own axis: from the right.",
+                "You multiplied each from the left. That is right for turns about the room only: those about own axes come from the right.",
             ),
             mistake(
                 "by the alphabet",
                 sorted(names),
-                "You followed the names. Follow the turns in time, and put each at the left or at the right of what is there.",
+                f"These are the names in the order of the alphabet. {EACH_AT_ITS_SIDE}",
+            ),
+            mistake(
+                "order about the room", [*room, *own], f"The two turns about the room are swapped. {EACH_AT_ITS_SIDE}"
+            ),
+            mistake(
+                "order about own axes",
+                [*room[::-1], *own[::-1]],
+                f"The two turns about own axes are swapped. {EACH_AT_ITS_SIDE}",
+            ),
+            *(
+                mistake("sides exchanged", order, f"You exchanged the sides. {EACH_AT_ITS_SIDE}")
+                for order in ([*own[::-1], *room], [*own, *room], [*own, *room[::-1]], [*own[::-1], *room[::-1]])
             ),
         ],
     )
@@ -314,7 +324,7 @@ FLAWS = {
 }
 
 FLAW_EXPLANATIONS = {
-    "a": "Go through it once more: three unit columns, square to each other, the third the cross product of the first two, the last row.",
+    "a": "Go through it once more: three perpendicular unit columns, the third the cross product of the first two, and the last row.",
     "b": "Take the sum of squares of each column of the upper left block: one of them is not 1.",
     "c": "Take the scalar product of each two columns of the upper left block: one of them is not 0.",
     "d": "Compare the third column with the cross product of the first two: it is its opposite. The determinant is $-1$.",

@@ -138,10 +138,11 @@ def _concatenation_changes(node: Expression) -> Changes:
 
 
 def _stack_changes(node: Expression) -> Changes:
+    what = "entries" if np.ndim(node.value) == 1 else "rows"
     for i in range(len(node.arguments) - 1):
         rows = list(node.arguments)
         rows[i : i + 2] = rows[i + 1], rows[i]
-        yield Change("rows swapped", f"swap rows {i + 1} and {i + 2}"), stack(*rows)
+        yield Change(f"{what} swapped", f"swap {what} {i + 1} and {i + 2}"), stack(*rows)
 
 
 def _listed(*entries: str) -> str:
