@@ -56,7 +56,7 @@ class _BriefRepr(reprlib.Repr):
     def repr_instance(self, x: Any, level: int) -> str:
         if isinstance(x, FUNCTIONS):
             return f"the function {getattr(x, '__name__', '')[:40]}".rstrip()
-        if type(x).__repr__ is object.__repr__:
+        if getattr(type(x), "__repr__", None) is object.__repr__:
             return f"<{type(x).__name__}>"
         return re.sub(r" at 0x[0-9a-fA-F]+", "", super().repr_instance(x, level))
 

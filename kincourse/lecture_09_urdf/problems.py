@@ -1,6 +1,6 @@
 """Sheet 09: reading URDF files by hand: poses, axes, screws, the home pose, trees, and a faulty line."""
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from itertools import accumulate
 from typing import Any
@@ -138,7 +138,7 @@ def joint_deep_in_the_file(sampler: ArmSampler) -> Problem:
     joints, at = _three_joints(sampler)
     first, second, third = (joint.pose for joint in joints)
     step, start = third[:3, 3], at[1][:3, 3]
-    moving = [homogeneous(_about_moving_axes(joint.rpy)[:3, :3], joint.xyz) for joint in joints]
+    moving = [homogeneous(_about_moving_axes(np.asarray(joint.rpy))[:3, :3], joint.xyz) for joint in joints]
     text = serial_urdf(joints, LINKS)
     return Problem(
         statement="Where does `joint_3` of this file stand in the frame of the base, when all joints are at 0? "
@@ -381,8 +381,8 @@ class FaultyLineAnswer(Numbers):
     lines: Sequence[str] = field(kw_only=True)
     joint: range = field(kw_only=True)
 
-    def slips(self) -> Iterable[Mistake]:
-        return ()
+    def slips(self) -> Iterator[Mistake]:
+        return iter(())
 
     def explanation(self, given: Array, part: int) -> tuple[str, str]:
         """Say of the line that was given what it is."""

@@ -54,7 +54,12 @@ def from_a_table(sampler: ArmSampler) -> Problem:
                 length(),
                 sampler.choice((-RIGHT_ANGLE_RAD, RIGHT_ANGLE_RAD)),
             ),
-            (length(), sampler.choice((-RIGHT_ANGLE_RAD, RIGHT_ANGLE_RAD)), length(), 0.0),
+            (
+                length(),
+                sampler.choice((-RIGHT_ANGLE_RAD, RIGHT_ANGLE_RAD)),
+                length(),
+                sampler.choice((-RIGHT_ANGLE_RAD, RIGHT_ANGLE_RAD)),
+            ),
             (length(), 0.0, 0.0, 0.0),
         ]
     )
@@ -174,7 +179,8 @@ def one_of_four(sampler: ArmSampler) -> Problem:
 
 @problem("10.4", "The origin of a joint", points=3, lecture="10_one_robot_four_ways#A file")
 def joint_origin(sampler: ArmSampler) -> Problem:
-    degrees = [sampler.choice((0, 90, -90)), 0, sampler.choice((90, -90))]
+    roll = sampler.choice((90, -90))
+    degrees = [roll, 0, -roll]  # with equal angles, yaw and roll could be exchanged
     here, there = sampler.point(4) / 10, sampler.point(4) / 10
     parent = origin(here, np.radians(degrees))
     R = parent[:3, :3]
@@ -205,6 +211,17 @@ def joint_origin(sampler: ArmSampler) -> Problem:
                 "This leads from joint 2 to joint 1. An origin is seen from the parent.",
             ),
             mistake(
+                "yaw first",
+                origin(rpy=np.radians(degrees[::-1]))[:3, :3].T @ (there - here),
+                "This is right if the angles are yaw, pitch, roll. The first of the three is the roll, about $x$.",
+            ),
+            mistake(
+                "about its own axes",
+                (origin(rpy=np.radians([roll, 0, 0])) @ origin(rpy=np.radians([0, 0, -roll])))[:3, :3].T
+                @ (there - here),
+                "This is right if joint 1 turns about its own axes, $R_x R_y R_z$. The axes of `rpy` are fixed: $R_z R_y R_x$.",
+            ),
+            mistake(
                 "turned, not shifted",
                 R.T @ there,
                 "You turned the place of joint 2 and forgot that joint 1 does not stand in the base.",
@@ -216,7 +233,7 @@ def joint_origin(sampler: ArmSampler) -> Problem:
 @problem("10.5", "The same in letters", points=3, lecture="05_dh_standard#The product of the A matrices")
 def in_letters(sampler: ArmSampler) -> Problem:
     q1, q2 = sp.symbols("q1 q2")
-    a, b = (sp.Rational(round(100 * sampler.length(0.2, 0.9)), 100) for _ in range(2))
+    a, b = (sp.Rational(round(100 * sampler.length(*limits)), 100) for limits in ((0.2, 0.5), (0.6, 0.9)))
     lift = sampler.choice((-1, 1))
     if slides := sampler.choice((True, False)):
         radius, height, mirrored = a + q2, lift * b, -lift * b
@@ -266,7 +283,7 @@ def in_letters(sampler: ArmSampler) -> Problem:
 @problem("10.6", "Two hands", points=3, lecture="10_one_robot_four_ways#Two arms, one tray")
 def two_hands(sampler: ArmSampler) -> Problem:
     flat = sampler.choice((True, False))
-    low, high = (3, 5) if flat else (6, 8)
+    low, high = (4, 7) if flat else (7, 9)  # an arm of 3 or 6 joints would add no freedom
     arms = [sampler.integer(low, high), sampler.integer(low, high), sampler.integer(low, high)]
     d, held = (3, "plate that stays on a table, all axes upright") if flat else (6, "crate in space")
     n = sum(arms)

@@ -123,7 +123,7 @@ class Numbers(Answer):
         value = np.asarray(self.value, dtype=float)
         scales = np.ones(value.shape)
         if self.scale is not None:
-            return scales * self.scale
+            return np.broadcast_to(np.asarray(self.scale, dtype=float), value.shape)
         kinds = self.kinds()
         for kind in set(kinds.ravel().tolist()) - {PURE}:
             scales[kinds == kind] = scale_of(value[kinds == kind])
@@ -265,7 +265,7 @@ def entries_hint(same: NDArray[np.bool_], names: Sequence[str] | None = None) ->
     right = int(np.count_nonzero(same))
     if right in (0, same.size):
         return ""
-    wrong = [names[index[0]] if names else place_of(index) for index in np.argwhere(~same)]
+    wrong = [names[index[0]] if names else place_of(index) for index in np.argwhere(~same).tolist()]
     where = " and ".join(wrong) if len(wrong) < 3 else f"{wrong[0]} first"
     return f"{right} of the {same.size} entries {'is' if right == 1 else 'are'} right. Look at {where}."
 
