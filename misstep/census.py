@@ -118,18 +118,17 @@ def is_true(problem: Problem, value: Any, finding: Finding) -> bool:
     known = [*problem.mistakes, *problem.mutants, *problem.slips]
     if any(len(names) > 1 for names in finding.alternatives):
         known += problem.double_mutants(value)
-    named = {mistake.names for mistake in known}
-    if not set(finding.alternatives) <= named:
+    if not set(finding.alternatives) <= {mistake.names for mistake in known}:
         return problem.answer.explanation(value, parts[0]) is not None
-    holds = []
+    claims: dict[str, bool] = {}
     for mistake in known:
         agrees = problem.answer.agrees(value, mistake.value)
-        is_said = (all(agrees) and mistake.message in finding.message) or (
-            bool(mistake.part) and mistake.part in finding.message and all(agrees[part] for part in parts)
-        )
-        if mistake.names in finding.alternatives and is_said:
-            holds.append(mistake)
-    return bool(holds)
+        for text, holds in ((mistake.message, all(agrees)), (mistake.part, all(agrees[part] for part in parts))):
+            if text and text in finding.message and mistake.names in finding.alternatives:
+                claims[text] = claims.get(text, False) or holds
+    # A sentence may be the beginning of a longer one, which then is the one that was said.
+    said = [text for text in claims if not any(text != other and text in other for other in claims)]
+    return bool(said) and all(claims[text] for text in said)
 
 
 def _by_engine(problem: Problem) -> Iterator[Tried]:
@@ -180,7 +179,7 @@ def _count(row: Row, student: str, problem: Problem, tried: Tried) -> None:
     if len(named) < len(judgement.findings) and judgement.state != "unreadable":
         row.count("unnamed", example)
         row.unnamed_by_hand += tried.is_by_hand
-    if named and not tried.fits(named):
+    if not tried.fits(named) and any(_claims_a_method(problem, finding) for finding in named):
         row.count("misnamed", example)
     if named:
         value = problem.answer.read(tried.value)
@@ -199,6 +198,12 @@ def wrong_answers(problem: Problem) -> list[list[tuple[str, ...]]]:
         else:
             reached.append((mistake.value, [mistake.names]))
     return [names for _, names in reached]
+
+
+def _claims_a_method(problem: Problem, finding: Finding) -> bool:
+    """Return whether a finding says what was done. A slip only says how the answer differs from the right one."""
+    slips = {slip.names for slip in problem.slips}
+    return not slips.issuperset(finding.alternatives)
 
 
 def table(rows: Sequence[Row]) -> str:
@@ -253,7 +258,8 @@ def run(options: Namespace) -> int:
             for what, examples in row.examples.items():
                 print(f"\n{row.number}, {COUNTS[what]}:", *examples, sep="\n- ")
     if options.save:
-        options.save.write_text(json.dumps([asdict(row) for row in rows], indent=1) + "\n", encoding="utf-8")
+        counted = [{**asdict(row), "examples": {}} for row in rows]  # examples contain answers
+        options.save.write_text(json.dumps(counted, indent=1) + "\n", encoding="utf-8")
     return int(any(row.counts[what] for row in rows for what in ("full_marks", "refused", "misnamed", "false")))
 
 

@@ -31,8 +31,8 @@ def explain(problem: Problem, value: Any, wrong: Sequence[int]) -> list[Explanat
     answer, is_single = problem.answer, len(problem.answer.parts) == 1
     by_part = [] if is_single else _explain_parts(problem, value, set(wrong), groups)
     explained = {part for parts, _ in by_part for part in parts}
-    left = {part for part in wrong if part not in explained and answer.pins_down(value, part)}
-    if left:
+    left = {part for part in wrong if part not in explained}
+    if problem.solution is not None and (left := {part for part in left if answer.pins_down(value, part)}):
         doubles = [
             wrong_twice for wrong_twice in problem.double_mutants(value) if any(answer.agrees(value, wrong_twice.value))
         ]
