@@ -11,11 +11,11 @@ Most corrections are refuted by the invariants of the axes, for all of them at o
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
 from dataclasses import dataclass
 from functools import cached_property, reduce
-from itertools import groupby, pairwise
+from itertools import pairwise
 
 import numpy as np
 
-from kinlib.arrays.tolerances import EQUIVALENCE_TOL, INTERMEDIATE_TOL_FACTOR
+from kinlib.arrays.tolerances import EQUIVALENCE_TOL
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
 from kinlib.dh.assignment import assign_frames
@@ -45,8 +45,14 @@ from kinlib.rigid.lie import log
 MAX_TOLD = 3
 """How many equally simple explanations the text lists."""
 
-MAX_COMPARED = 300
-"""How many corrected tables are compared with the arm in full before the search ends."""
+MAX_COMPARED = 60
+"""How many corrected tables, of those whose invariants agree, are compared with the arm in full."""
+
+MAX_PAIRS = 20_000
+"""How many pairs of mistakes are tried."""
+
+FILTER_TOL_FACTOR = 5
+"""How many times the tolerance an invariant may be off before a correction is refuted by it."""
 
 Corrections = tuple[Correction, ...]
 
@@ -179,9 +185,7 @@ def diagnose(
     return Diagnosis(table, comparison, explanations, tolerance, unfixed)
 
 
-def _compare(
-    table: DHTable, arm: Chain, fixed: frozenset[str], tolerance: float, *, simplest: bool = True
-) -> Equivalence:
+def _compare(table: DHTable, arm: Chain, fixed: frozenset[str], tolerance: float) -> Equivalence:
     """Compare a table with the arm: pose by pose first, then up to the choices that are free."""
     chain = table.to_chain()
     if chain.joint_types == arm.joint_types:
@@ -189,7 +193,7 @@ def _compare(
         difference = largest_difference(chain.fk(q), arm.fk(q))
         if difference <= tolerance:
             return Equivalence(True, signs=np.ones(arm.n), offsets=np.zeros(arm.n), difference=difference)
-    return equivalent(table, arm, fixed=fixed, tolerance=tolerance, simplest=simplest)
+    return equivalent(table, arm, fixed=fixed, tolerance=tolerance)
 
 
 def _explain(
@@ -238,20 +242,22 @@ class _Search:
         candidates = [self.start + corrections for corrections in (self._pairs() if more == 2 else added)]
         candidates = [c for c in candidates if all(a.combines_with(b) for a, b in pairwise(c))]
         agree = self._may_agree(candidates)
-        candidates = sorted((c for c, possible in zip(candidates, agree, strict=True) if possible), key=self._price)
-        compared = 0
-        for _, group in groupby(candidates, key=lambda candidate: self._price(candidate)[0]):
-            found = {}
-            for corrections in group:
-                compared += 1
-                if compared > MAX_COMPARED:
-                    return []
-                corrected = self._corrected(corrections)
-                if equivalence := _compare(corrected, self.arm, self.fixed, self.tolerance):
-                    found[corrections] = Explanation([c.fault for c in corrections], corrected, equivalence)
-            if found:
-                return [found[corrections] for corrections in self._without_details(list(found))]
-        return []
+        priced = [
+            (self._price(c), k, c) for k, (c, possible) in enumerate(zip(candidates, agree, strict=True)) if possible
+        ]
+        found, price = {}, None
+        for (entries, *_), _, corrections in sorted(priced)[:MAX_COMPARED]:
+            if found and entries > price:
+                break
+            corrected = self._corrected(corrections)
+            if equivalent(corrected, self.arm, fixed=self.fixed, tolerance=self.tolerance, simplest=False):
+                found[corrections], price = corrected, entries
+        return [
+            Explanation(
+                [c.fault for c in kept], found[kept], _compare(found[kept], self.arm, self.fixed, self.tolerance)
+            )
+            for kept in self._without_details(list(found))
+        ]
 
     def _corrected(self, corrections: Corrections) -> DHTable:
         rows = corrected_rows(self.table.rows, corrections)
@@ -263,29 +269,25 @@ class _Search:
         rows = corrected_rows(self.table.rows, corrections)
         return {(int(i), int(j)): float(rows[i, j]) for i, j in np.argwhere(np.abs(rows - self.table.rows) > 1e-12)}
 
-    def _price(self, corrections: Corrections) -> tuple[float, ...]:
+    def _price(self, corrections: Corrections) -> list[float]:
         """The number of edited entries, where a number counts twice and a label once; then what is less plausible."""
         numbers = sum(c.is_number for c in corrections)
         labels = sum(bool(c.convention) + len(c.letters) for c in corrections)
         # Every entry of a column has to be wrong in the same way: a single entry is the simpler explanation.
         columns = sum(c.fault.row is None and c.fault.name.startswith("sign of") for c in corrections)
+        rows = corrected_rows(self.table.rows, corrections)
         changes = self._changes(corrections)
         # If nothing but zeros moves to where it has an effect, the place from which they come is no evidence.
         moves_zeros = len(changes) > 1 and not any(changes[entry] for entry in changes if self._counts(entry))
         # A wrong number is often near the right one. In most tables the lengths of a column have one sign, and the twists cancel.
-        rows = corrected_rows(self.table.rows, corrections)
         distance = sum(abs(changes[entry] - self.table.rows[entry]) for entry in changes) if numbers else 0.0
         negative, positive = (rows[:, LENGTHS] < 0).sum(axis=0), (rows[:, LENGTHS] > 0).sum(axis=0)
         unusual = np.minimum(negative, positive).sum(), negative.sum(), abs(np.sum(rows[:, ALPHA]))
         # Two rows that change places are two edits, however many entries they have.
         swapped = any(c.fault.name == "rows swapped" for c in corrections)
         entries = (min(len(changes), 2) if swapped else len(changes)) + numbers + labels + columns
-        return (
-            entries,
-            moves_zeros and not labels,
-            numbers,
-            *(round(float(x), 9) for x in (len(changes), distance, *unusual)),
-        )
+        terms = entries, moves_zeros and not labels, numbers, len(changes), distance, *unusual
+        return [round(float(term), 9) for term in terms]
 
     def _counts(self, entry: tuple[int, int]) -> bool:
         return "zeros" in self.fixed or not is_variable(self.table, *entry)
@@ -345,7 +347,7 @@ class _Search:
 
     @cached_property
     def _invariants(self) -> AxisInvariants:
-        return AxisInvariants(self.arm, INTERMEDIATE_TOL_FACTOR * self.tolerance, "signs" not in self.fixed)
+        return AxisInvariants(self.arm, FILTER_TOL_FACTOR * self.tolerance, self.fixed)
 
     def _pairs(self) -> Iterator[Corrections]:
         """Yield the pairs of which each one changes every invariant that is wrong without it."""
@@ -353,7 +355,7 @@ class _Search:
         violated = self._invariants.violated(values).astype(float)
         unchanged = np.isclose(values, self._values([()]), rtol=1e-9, atol=1e-10).astype(float)
         possible = violated @ unchanged.T == 0
-        for one, two in np.argwhere(np.triu(possible & possible.T, 1)):
+        for one, two in np.argwhere(np.triu(possible & possible.T, 1))[:MAX_PAIRS]:
             yield self._singles[one], self._singles[two]
 
     def _values(self, candidates: Sequence[Corrections]) -> Array:
@@ -373,7 +375,7 @@ class _Search:
         if self.fixed >= {"zeros", "signs"}:
             q = random_configurations(self.arm.n, 4)
             poses = self._by_convention(candidates, lambda table, rows: _poses(table, rows, q))
-            loose = INTERMEDIATE_TOL_FACTOR * self.tolerance
+            loose = FILTER_TOL_FACTOR * self.tolerance
             agree &= _same_motion(poses, self.arm.fk(q), self.fixed, loose)
         return agree
 

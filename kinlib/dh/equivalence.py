@@ -96,7 +96,11 @@ def equivalent(
     if invariants.violated(invariants.of(one.lines.axis, one.joint_points)).any():
         return Equivalence(False, reason=_first_difference(one, other))
     matcher = _Matcher(one, other, fixed, loose, simplest)
-    results = [matcher.complete(match) for match in matcher.matches()]
+    results: list[Equivalence] = []
+    for match in matcher.matches():
+        results.append(matcher.complete(match))
+        if not simplest and results[-1].difference <= tolerance:
+            break
     closest = min([*matcher.residuals, *(result.difference for result in results)], default=np.inf)
     results = [result for result in results if result.difference <= tolerance]
     if results:

@@ -10,16 +10,19 @@ states for each, for many mechanisms at once; no map between the mechanisms is n
 from collections.abc import Iterator
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import combinations
 
 import numpy as np
 from numpy.typing import NDArray
 
+from kinlib.arrays.batching import cross
 from kinlib.arrays.tolerances import CLEARLY_NOT_PARALLEL_COS, SAME_DISTANCE_RAD
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.table import Convention, dh_transform
 
 Booleans = NDArray[np.bool_]
+Integers = NDArray[np.int_]
 
 
 def joint_axes(rows: Array, *, convention: Convention, joints: str, signs: Array) -> tuple[Array, Array]:
@@ -46,8 +49,8 @@ def joint_axes(rows: Array, *, convention: Convention, joints: str, signs: Array
 class AxisInvariants:
     """The invariants of a reference, with which those of other mechanisms with the same joint types are compared.
 
-    tolerance         how far cosines may differ, and lengths on an arm of one metre
-    signs_are_free    whether joints may have the opposite sign
+    tolerance   how far cosines may differ, and lengths on an arm of one metre
+    fixed       "signs" if the joint signs are fixed, "zeros" if the zeros are: then the axes at home are a rigid body
 
     >>> from kinlib.chains.robots import puma560
     >>> arm = AxisInvariants(puma560(), 1e-7)
@@ -57,102 +60,67 @@ class AxisInvariants:
 
     reference: Chain
     tolerance: float
-    signs_are_free: bool = True
+    fixed: frozenset[str] = frozenset()
 
     def of(self, axis: Array, point: Array) -> Array:
         """Compute the invariants of other mechanisms, directions and points of their axes (..., n, 3) each -> (..., k)."""
-        u, v = axis[..., :-1, :], axis[..., 1:, :]
-        between = point[..., 1:, :] - point[..., :-1, :]
-        across = np.cross(u, v)
-        moment = np.sum(between * across, axis=-1)
-        distance = np.linalg.norm(np.cross(between, u), axis=-1)
+        axis, point = (np.moveaxis(vectors, (-1, -2), (0, 1)) for vectors in (axis, point))
+        u, v = axis[:, self._lines[:-1]], axis[:, self._lines[1:]]
+        between = point[:, self._lines[1:]] - point[:, self._lines[:-1]]
+        across = cross(u, v)
+        moment = _dot(between, across)
+        distance = np.sqrt(np.sum(cross(between, u) ** 2, axis=0))
         # The places of the feet of each common normal on its two axes, measured from the points.
-        squared_sine = np.maximum(np.sum(across**2, axis=-1), np.finfo(float).tiny)
-        start = np.sum(np.cross(between, v) * across, axis=-1) / squared_sine
-        end = np.sum(np.cross(between, u) * across, axis=-1) / squared_sine
+        squared_sine = np.maximum(_dot(across, across), np.finfo(float).tiny)
+        start, end = _dot(cross(between, v), across) / squared_sine, _dot(cross(between, u), across) / squared_sine
         along = [
-            np.sum(u[..., i + 1, :] * (point[..., j, :] - point[..., i + 1, :]), axis=-1)
-            + start[..., j] * np.sum(u[..., i + 1, :] * u[..., j, :], axis=-1)
-            - end[..., i]
+            _dot(u[:, i + 1], point[:, self._lines[j]] - point[:, self._lines[i + 1]] + start[j] * u[:, j]) - end[i]
             for i, j in self._runs
         ]
-        triples = [(axis[..., k - 1, :], axis[..., k, :], axis[..., k + 1, :]) for k in self._prismatic]
-        turned = [
-            value
-            for before, here, after in triples
-            for value in (np.sum(before * after, axis=-1), np.sum(np.cross(before, here) * after, axis=-1))
-        ]
-        pairs = np.concatenate(
-            [np.sum(u * v, axis=-1), moment[..., self._skew], distance[..., self._parallel]], axis=-1
-        )
-        return np.concatenate([pairs, *(np.asarray(value)[..., None] for value in along + turned)], axis=-1)
+        one, two = (axis[:, [pair[k] for pair in self._rigid_pairs]] for k in range(2))
+        here, before, after = (axis[:, [k + step for k in self._prismatic]] for step in (0, -1, 1))
+        triples = _dot(cross(before, here), after)
+        values = [_dot(u, v), moment[self._skew], distance[self._parallel], along, _dot(one, two), triples]
+        if "zeros" in self.fixed:
+            first, second = (self._lines[k] for k in np.triu_indices(len(self._lines), 1))
+            values.append(_dot(point[:, second] - point[:, first], cross(axis[:, first], axis[:, second])))
+        return np.moveaxis(np.concatenate([np.reshape(value, (-1, *axis.shape[2:])) for value in values]), 0, -1)
 
-    def distances_along(self, values: Array) -> Iterator[tuple[range, float, float]]:
+    def distances_along(self, values: Array) -> Iterator[tuple[Integers, float, float]]:
         """Yield the parallel joints between two common normals, and the distance of these in the reference and in values (k,)."""
-        first = self.reference.n - 1 + len(self._skew) + len(self._parallel)
+        first = len(self._sines) + len(self._skew) + len(self._parallel)
         for k, (i, j) in enumerate(self._runs, start=first):
-            yield range(i + 1, j + 1), float(self._values[k]), float(values[k])
+            yield self._lines[i + 1 : j + 1], float(self._values[k]), float(values[k])
 
     def violated(self, values: Array) -> Booleans:
         """Return which invariants (..., k) differ from those of the reference for every choice of signs."""
         violated = np.abs(values - self._values) > self._tolerances
-        if self.signs_are_free:
+        if "signs" not in self.fixed:
             violated &= np.abs(values + self._values) > self._tolerances
         return violated
 
     def agree(self, values: Array) -> Booleans:
         """Return for which mechanisms (...) all invariants (..., k) agree for one choice of the joint signs."""
         same = np.abs(values - self._values) <= self._tolerances
-        if not self.signs_are_free:
+        if "signs" in self.fixed:
             return same.all(axis=-1)
         opposite = np.abs(values + self._values) <= self._tolerances
-        everything = np.ones(values.shape[:-1], bool)
-        joints: dict[tuple[int, ...], list[Booleans]] = {}
-        for k, key in enumerate(self._sign_of):
-            keep, change = joints.setdefault(key, [everything.copy(), everything.copy()])
-            keep &= same[..., k]
-            change &= opposite[..., k] | (same[..., k] if not key else False)
-        free = [everything, everything]
-        # Which of the two signs of a joint can be reached from the joints before it.
-        plus, minus = everything & joints.get((), free)[1], everything & joints.get((), free)[1]
-        for joint in range(self.reference.n):
-            if joint:
-                keep, change = joints[joint - 1, joint]
+        possible = ~self.violated(values).any(axis=-1)
+        # Which of the two signs of a line can be reached from the lines before it.
+        plus, minus = possible, possible
+        for line in range(len(self._lines)):
+            if line:
+                pair = [k for k, lines in enumerate(self._sign_of) if lines == (line - 1, line)]
+                keep, change = same[..., pair].all(axis=-1), opposite[..., pair].all(axis=-1)
                 plus, minus = (plus & keep) | (minus & change), (plus & change) | (minus & keep)
-            keep, change = joints.get((joint,), free)
-            plus, minus = plus & keep, minus & change
+            own = [k for k, lines in enumerate(self._sign_of) if lines == (line,)]
+            plus, minus = plus & same[..., own].all(axis=-1), minus & opposite[..., own].all(axis=-1)
         return plus | minus
 
     @cached_property
-    def _sines(self) -> Array:
-        axis = self.reference.lines.axis
-        return np.linalg.norm(np.cross(axis[:-1], axis[1:]), axis=-1)
-
-    @cached_property
-    def _skew(self) -> list[int]:
-        """The pairs of revolute axes that are clearly not parallel, so that their common normal is well defined."""
-        axis = self.reference.lines.axis
-        clear = np.abs(np.sum(axis[:-1] * axis[1:], axis=-1)) < CLEARLY_NOT_PARALLEL_COS
-        return [k for k in range(self.reference.n - 1) if clear[k] and "P" not in self.reference.joint_types[k : k + 2]]
-
-    @cached_property
-    def _parallel(self) -> list[int]:
-        """The pairs of parallel revolute axes. The distance of nearly parallel ones depends on the last digits."""
-        types = self.reference.joint_types
-        return [k for k, sine in enumerate(self._sines) if sine < SAME_DISTANCE_RAD and "P" not in types[k : k + 2]]
-
-    @cached_property
-    def _runs(self) -> list[tuple[int, int]]:
-        """The pairs i < j between which all axes are parallel: the two normals are a fixed distance apart along these axes.
-
-        A helical joint changes this distance with its zero.
-        """
-        between = [(i, j, range(i + 1, j)) for i in self._skew for j in self._skew if i < j]
-        return [
-            (i, j)
-            for i, j, pairs in between
-            if set(pairs) <= set(self._parallel) and "H" not in self.reference.joint_types[i + 1 : j + 1]
-        ]
+    def _lines(self) -> Integers:
+        """The joints whose axes are lines; a prismatic joint has only a direction."""
+        return np.array([k for k, letter in enumerate(self.reference.joint_types) if letter != "P"], dtype=int)
 
     @cached_property
     def _prismatic(self) -> list[int]:
@@ -160,23 +128,89 @@ class AxisInvariants:
         return [k for k in range(1, self.reference.n - 1) if self.reference.joint_types[k] == "P"]
 
     @cached_property
-    def _sign_of(self) -> list[tuple[int, ...]]:
-        """The joints whose signs decide the sign of an invariant; empty where only its absolute value is compared."""
+    def _rigid_pairs(self) -> list[tuple[int, int]]:
+        """The pairs of directions with a fixed angle, other than neighbouring lines."""
+        if "zeros" in self.fixed:
+            return list(combinations(range(self.reference.n), 2))
+        types = self.reference.joint_types
+        neighbours = [(k, k + 1) for k in range(len(types) - 1) if "P" in types[k : k + 2]]
+        return neighbours + [(k - 1, k + 1) for k in self._prismatic]
+
+    @cached_property
+    def _sines(self) -> Array:
+        axis = self.reference.lines.axis[self._lines]
+        return np.linalg.norm(np.cross(axis[:-1], axis[1:]), axis=-1)
+
+    def _slides(self, pair: int) -> Array:
+        """The directions of the prismatic joints between two neighbouring lines."""
+        return self.reference.lines.axis[self._lines[pair] + 1 : self._lines[pair + 1]]
+
+    @cached_property
+    def _skew(self) -> list[int]:
+        """The pairs of lines that are clearly not parallel, and whose common normal no prismatic joint between them changes."""
+        axis = self.reference.lines.axis[self._lines]
+        clear = np.abs(np.sum(axis[:-1] * axis[1:], axis=-1)) < CLEARLY_NOT_PARALLEL_COS
+        normals = np.cross(axis[:-1], axis[1:])
+        return [k for k in range(len(normals)) if clear[k] and not _any(self._slides(k) @ normals[k])]
+
+    @cached_property
+    def _parallel(self) -> list[int]:
+        """The pairs of parallel lines with a fixed distance. That of nearly parallel ones depends on the last digits."""
+        axis = self.reference.lines.axis[self._lines]
         return [
-            *((k, k + 1) for k in range(self.reference.n - 1)),
-            *((k, k + 1) for k in self._skew),
-            *(() for _ in self._parallel),
-            *((i + 1,) for i, _ in self._runs),
-            *(() for _ in self._prismatic for _ in range(2)),
+            k
+            for k, sine in enumerate(self._sines)
+            if sine < SAME_DISTANCE_RAD and not _any(np.cross(self._slides(k), axis[k]))
         ]
+
+    @cached_property
+    def _runs(self) -> list[tuple[int, int]]:
+        """The pairs i < j between which all lines are parallel: the two normals are a fixed distance apart along these lines.
+
+        A prismatic joint between changes this distance, and so does a helical joint with its zero.
+        """
+        axis, types = self.reference.lines.axis[self._lines], self.reference.joint_types
+        starts = [i for i in self._skew if not _any(np.cross(self._slides(i), axis[i]))]
+        ends = [j for j in self._skew if not _any(np.cross(self._slides(j), axis[j + 1]))]
+        return [
+            (i, j)
+            for i in starts
+            for j in ends
+            if i < j
+            and set(range(i + 1, j)) <= set(self._parallel)
+            and set(types[self._lines[i + 1] : self._lines[j] + 1]) == {"R"}
+        ]
+
+    @cached_property
+    def _sign_of(self) -> list[tuple[int, ...]]:
+        """The lines whose signs decide the sign of an invariant; the first ones only, as the others are compared without sign."""
+        pairs = [*range(len(self._sines)), *self._skew]
+        return [*((k, k + 1) for k in pairs), *(() for _ in self._parallel), *((i + 1,) for i, _ in self._runs)]
 
     @cached_property
     def _tolerances(self) -> Array:
         length = self.tolerance * (1 + float(np.ptp(self.reference.joint_points, axis=0).max()))
-        pairs = [self.tolerance] * (self.reference.n - 1) + [length] * (len(self._skew) + len(self._parallel))
         along = [length / min(self._sines[i], self._sines[j]) ** 2 for i, j in self._runs]
-        return np.array([*pairs, *along, *[self.tolerance] * (2 * len(self._prismatic))])
+        angles = len(self._rigid_pairs) + len(self._prismatic)
+        lengths = len(self._lines) * (len(self._lines) - 1) // 2 if "zeros" in self.fixed else 0
+        counted = [
+            (self.tolerance, len(self._sines)),
+            (length, len(self._skew) + len(self._parallel)),
+            *((tolerance, 1) for tolerance in along),
+            (self.tolerance, angles),
+            (length, lengths),
+        ]
+        return np.repeat([tolerance for tolerance, _ in counted], [count for _, count in counted])
 
     @cached_property
     def _values(self) -> Array:
         return self.of(self.reference.lines.axis, self.reference.joint_points)
+
+
+def _any(values: Array) -> bool:
+    return bool((np.abs(values) > SAME_DISTANCE_RAD).any())
+
+
+def _dot(u: Array, v: Array) -> Array:
+    products: Array = np.sum(u * v, axis=0)
+    return products
