@@ -27,6 +27,7 @@ from typing import Any
 from misstep.bugs import inseparable_pairs
 from misstep.catalog import Course, find_course
 from misstep.judge import Finding, judge
+from misstep.mistakes import Mistake
 from misstep.problem import Problem, Template
 
 COUNTS = {
@@ -132,19 +133,19 @@ def is_true(problem: Problem, value: Any, finding: Finding) -> bool:
 
 
 def _by_engine(problem: Problem) -> Iterator[Tried]:
-    for mistake in chain(problem.mistakes, problem.mutants, problem.slips):
+    for mistake in chain(problem.known_mistakes, problem.slips):
         is_seen = mistake.name not in problem.invisible
-        is_right = all(problem.answer.agrees(mistake.value, problem.answer.value))
-        if is_seen or not is_right:
-            yield Tried(
-                mistake.name, mistake.value, False, False, partial(_names, problem, mistake.value, mistake.names)
-            )
+        if is_seen or not all(problem.answer.agrees(mistake.value, problem.answer.value)):
+            yield Tried(mistake.name, mistake.value, False, False, partial(_is_named, problem, mistake))
 
 
-def _names(problem: Problem, value: Any, names: tuple[str, ...], findings: Sequence[Finding]) -> bool:
-    """Return whether a finding has these names, or the author's for the same answer."""
-    own = [mistake.names for mistake in problem.mistakes if all(problem.answer.agrees(value, mistake.value))]
-    return any(known in finding.alternatives for finding in findings for known in (names, *own))
+def _is_named(problem: Problem, mistake: Mistake, findings: Sequence[Finding]) -> bool:
+    """Return whether a finding has the name of a mistake, of the same one in other words, or the author's for its answer."""
+    if mistake in problem.slips:
+        return True  # it says how the answer differs, so it cannot contradict a finding that says what was done
+    same = [one for one in problem.mutants if one.key == mistake.key]
+    own = [one for one in problem.mistakes if all(problem.answer.agrees(mistake.value, one.value))]
+    return any(one.names in finding.alternatives for finding in findings for one in (mistake, *same, *own))
 
 
 def _by_hand(template: Template, problem: Problem, by_hand: Callable[..., Any] | None) -> Iterator[Tried]:
