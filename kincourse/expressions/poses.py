@@ -9,7 +9,6 @@ import numpy as np
 from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import exp as exponential
 from kinlib.rigid.lie import hat, homogeneous
-from kinlib.rigid.lie import inverse as pose_inverse
 from misstep.mutants.expression import Change, Changes, Expression, Operation, given, negative, transpose
 
 INVERSE_ADVICE = "The inverse of $(R, p)$ is $(R^T, -R^T p)$."
@@ -90,6 +89,9 @@ def _inverse_changes(node: Expression) -> Changes:
     )
     text = f"take $-{T}$ instead of the inverse of ${T}$"
     yield Change("negative for inverse", text, "take negatives instead of inverses", INVERSE_ADVICE), negative(inner)
+    if inner.arguments:  # a given pose has this change itself
+        text = f"use the rotation of ${T}$, where its transpose belongs"
+        yield Change("rotation transposed", text, advice=INVERSE_ADVICE), _rotation_kept(inner)
     for template, wrong in _WRONG_POSITIONS.items():
         everywhere = template.format("each pose")
         change = Change("position of the inverse", template.format(f"${T}$"), everywhere, INVERSE_ADVICE)
@@ -223,7 +225,7 @@ def _of_pose(name: str, of: Callable[[Array], Array], latex: str) -> Operation:
     return Operation(name, of, latex.format)
 
 
-inverse = Operation("inverse of a pose", pose_inverse, "{0}^{{-1}}".format, _inverse_changes, involution=True)
+inverse = Operation("inverse of a pose", np.linalg.inv, "{0}^{{-1}}".format, _inverse_changes, involution=True)
 """The inverse of a pose: (R^T, -R^T p)."""
 
 exp = Operation("exponential", lambda S, q: exponential(S * q), "e^{{[{0}]{1}}}".format, _exp_changes)
@@ -263,6 +265,7 @@ _inverted = Operation("inverted", np.linalg.inv, "{0}".format)
 _last_row = Operation("last row", _with_last_row, "{0}".format)
 _without_corner = Operation("corner", lambda T: T - np.diag([0.0] * (len(T) - 1) + [1.0]), "{0}".format)
 
+_rotation_kept = _of_pose("inverse with R", lambda T: homogeneous(T[:3, :3], -T[:3, :3] @ T[:3, 3]), "{0}")
 _WRONG_POSITIONS = {
     "write $-p$ as the position of the inverse of {}": lambda T: homogeneous(T[:3, :3].T, -T[:3, 3]),
     "leave the position unchanged in the inverse of {}": lambda T: homogeneous(T[:3, :3].T, T[:3, 3]),

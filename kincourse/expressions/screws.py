@@ -5,10 +5,10 @@ from itertools import combinations
 
 import numpy as np
 
-from kincourse.expressions.poses import exp
+from kincourse.expressions.poses import exp, inverse
 from kinlib.arrays.validation import Array
-from kinlib.rigid.lie import adjoint, hat
 from kinlib.rigid.lie import exp as exponential
+from kinlib.rigid.lie import hat
 from misstep.mutants.expression import (
     SUM,
     Change,
@@ -302,6 +302,9 @@ def _change_of_frame_changes(node: Expression) -> Changes:
     if np.ndim(S.value) > 1:
         text = f"multiply rows by {Ad} from the right, without its transpose"
         advice = "The screws are rows: `S @ Ad.T`, not `S @ Ad`."
+        back = inverse(T)
+        text_back = f"multiply rows by $\\mathrm{{Ad}}_{{{back.latex}}}$ from the right"
+        yield Change("adjoint not transposed", text_back, advice=advice), _by_transposed_adjoint(back, S)
         yield Change("rows reversed", "list the screws from the last joint to the first"), node[::-1]
     else:
         text, advice = f"use the transpose of {Ad}", ""
@@ -310,7 +313,7 @@ def _change_of_frame_changes(node: Expression) -> Changes:
     yield Change("only moved", "change the origin, and keep the directions of the axes"), _translate_only(T, S)
     yield Change("only omega rotated", "rotate $\\omega$ only, and keep $v$"), _rotate_omega(T, S)
     yield Change("no moment", "rotate $\\omega$, and leave $v$ at zero"), _rotate_omega(T, _without_v(S))
-    yield Change("frame not changed", f"use ${S.latex}$ as it is"), S
+    yield Change("frame not changed", f"use ${S.latex}$ as it is given"), S
     yield Change("halves swapped", "swap the halves of the result"), _swap_halves(node)
     for name, text, wrong in (
         ("block on the wrong side", f"put the block $[p]R$ of {Ad} in the upper right corner", _upper),
@@ -373,9 +376,7 @@ moment = Operation("moment", lambda w, p: -np.cross(w, p), "-{0} \\times {1}".fo
 prismatic = Operation("prismatic", lambda d, _: _joined(0 * d, d), "(0, {0})".format, _slide_changes)
 """The screw (0, d) of a prismatic joint; the point where it is mounted plays no part, but people use it."""
 
-change_frame = Operation(
-    "adjoint", lambda T, S: S @ adjoint(T).T, "\\mathrm{{Ad}}_{{{0}}} {1}".format, _change_of_frame_changes
-)
+change_frame = Operation("adjoint", _by_blocks, "\\mathrm{{Ad}}_{{{0}}} {1}".format, _change_of_frame_changes)
 """Screws S (6,) or (n, 6) in another frame: Ad_T S."""
 
 _negate_moments = Operation(
@@ -385,7 +386,7 @@ _negate_moments = Operation(
 )
 _tan = Operation("tangent", np.tan, "\\tan {0}".format)
 _swap_halves = Operation("halves swapped", lambda S: np.roll(S, 3, axis=-1), "{0}".format)
-_by_transposed_adjoint = Operation("transposed adjoint", lambda T, S: S @ adjoint(T), "{1}".format)
+_by_transposed_adjoint = Operation("transposed adjoint", lambda T, S: S @ _by_blocks(T, np.eye(6)).T, "{1}".format)
 _upper = Operation("upper block", lambda T, S: _by_blocks(T, S, upper=True), "{1}".format)
 _negated = Operation("negated block", lambda T, S: _by_blocks(T, S, sign=-1), "{1}".format)
 _r_before_p = Operation("swapped block", lambda T, S: _by_blocks(T, S, swapped=True), "{1}".format)

@@ -42,12 +42,14 @@ TO_BODY_ADVICE = "$\\mathrm{Ad}_M$ takes what {b} reads to what {s} reads; here 
 
 @problem("04.1", "A body screw off a drawing", points=3, lecture="04_poe_body#A second method")
 def body_screw_off_a_drawing(sampler: ArmSampler) -> Problem:
-    robot = sampler.arm("RRR")
-    while not (shows_transposes(robot) and are_distinguishable([robot.home[:3, 3], np.zeros(3), *robot.joint_points])):
-        robot = sampler.arm("RRR")
     joint = sampler.integer(1, 3)
-    R, origin = robot.home[:3, :3], robot.home[:3, 3]
-    axes, points = robot.screws[:, :3] @ R, (robot.joint_points - origin) @ R
+    while True:
+        robot = sampler.arm("RRR")
+        R, origin = robot.home[:3, :3], robot.home[:3, 3]
+        axes, points = robot.screws[:, :3] @ R, (robot.joint_points - origin) @ R
+        apart = are_distinguishable([origin, np.zeros(3), *robot.joint_points])
+        if apart and shows_transposes(robot) and _has_different_entries(robot.body_screws[joint - 1, 3:]):
+            break
     others = {f"the point of joint {i}": p for i, p in enumerate(points, start=1) if i != joint}
     others["the point of the joint, seen from {s},"] = robot.joint_points[joint - 1] @ R
     neighbour = joint % 3
@@ -122,7 +124,7 @@ def back_to_space(sampler: ArmSampler) -> Problem:
 @problem("04.4", "Where M stands", points=2, lecture="04_poe_body#The mid-formula form")
 def where_home_stands(sampler: ArmSampler) -> Problem:
     names, k = sampler.shuffled("abcd"), sampler.integer(1, 2)
-    while sum(map(str.__ne__, names, "abcd")) < 3:  # otherwise a slip in the right order would be the alphabet
+    while sum(map(str.__ne__, names, "abcd")) < 3 or names[k:] == sorted(names[k:]):  # too close to the alphabet
         names = sampler.shuffled("abcd")
     left, right = names[:k], names[k:]
     orders = {
@@ -278,6 +280,11 @@ def jacobian_column(sampler: ArmSampler) -> Problem:
             "order": "Inside the inverse the factors stand as in the body form, joint 3 first.",
         },
     )
+
+
+def _has_different_entries(v: Array) -> bool:
+    """Whether the moment of an axis along x, y or z has two entries besides 0, of different sizes, so that no swap is missed."""
+    return len({0.0, *np.abs(v).round(6)}) == 3
 
 
 def _random_arm(sampler: ArmSampler, joint_types: str) -> Chain:
