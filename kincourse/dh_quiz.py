@@ -5,17 +5,16 @@ a teacher would choose the next exercise.
 """
 
 import secrets
-from collections.abc import Callable, Collection, Mapping
+from collections.abc import Collection, Iterator
 from functools import partial
 
-import numpy as np
-
 from kincourse.answers.dh_table import DHTableAnswer
-from kincourse.mistakes.dh import alpha_negated, lengths_swapped, z_on_the_wrong_joint
+from kincourse.mistakes.dh import z_on_the_wrong_joint
 from kincourse.sampling.arms import ArmSampler
 from kincourse.text.joint_table import joint_table
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.diagnosis import diagnose
+from kinlib.dh.mistakes import corrected_rows, corrections_of_a_row, corrections_of_the_table
 from kinlib.dh.table import Convention, DHTable, validate_convention
 from kinlib.view import draw_joints
 from misstep.display.card import Card
@@ -30,25 +29,14 @@ JOINT_TYPES = ("RR", "RRR", "RPR", "RRP", "PRR", "RPRR", "RRPR", "RRRR")
 CANDIDATES = 8
 """How many arms are drawn to choose one from."""
 
-WHOLE_TABLE_MISTAKES: Mapping[str, Callable[[DHTable], DHTable]] = {
-    "other convention": z_on_the_wrong_joint,
-    "column shifted": lambda table: table.changed(
-        rows=np.column_stack([np.roll(table.rows[:, :2], 1, axis=0), table.rows[:, 2:]])
-    ),
-}
-ROW_MISTAKES: Mapping[str, Callable[[DHTable], DHTable]] = {
-    "sign of alpha": alpha_negated,
-    "sign of d": lambda table: table.changed(rows=table.rows * (1, 1, -1, 1)),
-    "sign of a": lambda table: table.changed(rows=table.rows * (-1, 1, 1, 1)),
-    "a and d swapped": lengths_swapped,
-    "theta and alpha swapped": lambda table: table.changed(rows=table.rows[:, [0, 3, 2, 1]]),
-    "variable in the wrong column": lambda table: table.changed(
-        joints=table.joints.translate(str.maketrans("RP", "PR"))
-    ),
-}
-"""By the names of kl.diagnose, how a mistake changes a right table: as a whole, or all rows or any one of them."""
+MISTAKES = (
+    *("sign of a", "sign of alpha", "sign of d", "a and d swapped", "theta and alpha swapped", "column shifted"),
+    *("variable in the wrong column", "other convention"),
+)
+"""The mistakes that may be suspected, by the names of `kl.diagnose`."""
 
-MISTAKES = {*WHOLE_TABLE_MISTAKES, *ROW_MISTAKES}
+CLEAR = 0.6
+"""How well an arm must tell each suspected mistake from the others, so that no other arm is drawn."""
 
 EMPTY_TABLE = "a | alpha | d | theta\n"
 """What the text box holds before anything is typed."""
@@ -84,19 +72,18 @@ def draw_problem(seed: str, convention: Convention) -> Problem:
 def separation(problem: Problem, names: Collection[str]) -> dict[str, float]:
     """Return for each mistake how well this arm tells it from the others and from a right table, from 0 to 1.
 
-    A table with the mistake, in all rows or in one, counts 1/k if k of the mistakes lead to tables of the same arm, and 0 if it
-    is right. The result is the mean.
+    A table with the mistake, made once, counts 1/k if k of the mistakes lead to tables of the same arm, and 0 if it is right.
+    The result is the mean.
 
     >>> separation(draw_problem("one", "standard"), ["other convention", "sign of a"])  # this arm has no a
     {'other convention': 1.0, 'sign of a': 0.0}
     """
-    answer = problem.answer
-    kinds = [answer.value]  # the first is right; tables of the same arm are one kind
-    found: dict[str, list[int]] = {}
-    for name in sorted(names):
-        found[name] = []
-        for table in _wrong_tables(name, answer.value):
-            kind = next((k for k, other in enumerate(kinds) if all(answer.agrees(table, other))), len(kinds))
+    agrees, right = problem.answer.agrees, problem.answer.value
+    kinds = [right]  # one table of each arm, the right one first
+    found: dict[str, list[int]] = {name: [] for name in names}
+    for name, table in wrong_tables(right):
+        if name in found:
+            kind = next((k for k, other in enumerate(kinds) if all(agrees(table, other))), len(kinds))
             kinds += [table] * (kind == len(kinds))
             found[name].append(kind)
     count = [sum(kind in reached for reached in found.values()) for kind in range(len(kinds))]
@@ -105,27 +92,35 @@ def separation(problem: Problem, names: Collection[str]) -> dict[str, float]:
     }
 
 
-def _wrong_tables(name: str, table: DHTable) -> list[DHTable]:
-    if name in WHOLE_TABLE_MISTAKES:
-        return [WHOLE_TABLE_MISTAKES[name](table)]
-    changed = ROW_MISTAKES[name](table)
-    places = [
-        row
-        for row in range(table.n)
-        if changed.joints[row] != table.joints[row] or (changed.rows[row] != table.rows[row]).any()
-    ]
-    tables = [changed] if len(places) > 1 else []
-    for row in places:
-        rows, joints = table.rows.copy(), table.joints[:row] + changed.joints[row] + table.joints[row + 1 :]
-        rows[row] = changed.rows[row]
-        tables.append(table.changed(rows=rows, joints=joints))
-    return tables
+def wrong_tables(table: DHTable) -> Iterator[tuple[str, DHTable]]:
+    """Yield the names of mistakes, and the tables to which each of them leads from a right one where it is made once.
+
+    >>> tables = wrong_tables(DHTable([[1, 0, 2, 0]], convention="standard"))
+    >>> next(table.columns["a"] for name, table in tables if name == "a and d swapped")
+    array([2.])
+    """
+    yield "other convention", z_on_the_wrong_joint(table)
+    for row, letter in enumerate(table.joints):
+        other = "P" if letter == "R" else "R"
+        yield "variable in the wrong column", table.changed(joints=table.joints[:row] + other + table.joints[row + 1 :])
+    for correction in (  # almost all are their own inverse, and the others come with it
+        *corrections_of_the_table(table),
+        *corrections_of_a_row(table, zeros_are_fixed=False),
+    ):
+        if correction.fault.name in MISTAKES and not correction.convention:
+            yield correction.fault.name, table.changed(rows=corrected_rows(table.rows, [correction]))
 
 
 def draw_next(seed: str, convention: Convention, suspects: Collection[str]) -> Problem:
-    """Draw several arms, and return the one that tells the suspected mistakes apart best, from right tables too."""
-    drawn = [draw_problem(f"{seed}/{k}", convention) for k in range(CANDIDATES)]
-    return max(drawn, key=lambda problem: sum(separation(problem, suspects).values()))
+    """Draw arms until one tells the suspected mistakes apart; of CANDIDATES that do not, return the one that does it best."""
+    drawn = []
+    for k in range(CANDIDATES):
+        problem = draw_problem(f"{seed}/{k}", convention)
+        told = separation(problem, suspects).values()
+        if all(value >= CLEAR for value in told):
+            return problem
+        drawn.append((sum(told), problem))
+    return max(drawn, key=lambda pair: pair[0])[1]
 
 
 def suspects_after(suspects: Collection[str], problem: Problem, table: DHTable) -> set[str]:
@@ -136,7 +131,7 @@ def suspects_after(suspects: Collection[str], problem: Problem, table: DHTable) 
     if all(problem.answer.agrees(table, problem.answer.value)):
         return {name for name in suspects or MISTAKES if not separation(problem, [name])[name]}
     found = diagnose(table, problem.answer.value, in_pairs=False)
-    explaining = {fault.name for fault in found.faults} & MISTAKES
+    explaining = {fault.name for explanation in found.explanations for fault in explanation.faults} & {*MISTAKES}
     return explaining & set(suspects) or explaining or set(suspects)
 
 
