@@ -550,12 +550,6 @@ def three_mobilities(sampler: ArmSampler) -> Problem:
                 f"You counted the joint values alone. Each of the loops takes $d = {d}$ away.",
                 f"This is the number of joint values. Each of the loops takes $d = {d}$ away.",
             ),
-            mistake(
-                "one loop too many",
-                [counted - d, felt, case.finite_mobility],
-                f"Your count is $d = {d}$ too low, as for one loop more. The number of loops here: {loops}.",
-                f"This is $d = {d}$ too low, as for one loop more. The number of loops here: {loops}.",
-            ),
             mistake("had", [counted, felt, 1 - case.finite_mobility], case.explanation, case.explanation),
         ],
     )
