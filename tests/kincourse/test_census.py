@@ -1,0 +1,29 @@
+"""The census, on a few students: feedback is held against wrong answers that share no code with it.
+
+`misstep census` does the same for 60 students and writes what the site shows.
+"""
+
+import pytest
+
+from kincourse import find_sheet, sheets
+from misstep.catalog import find_course
+from misstep.census import answers_by_hand, census_of
+
+COURSE = find_course("kincourse")
+STUDENTS = ["a student of the tests", "another one"]
+
+MAX_UNNAMED = 0.25
+"""The largest share of the wrong answers by hand to one problem that may have no name."""
+
+TEMPLATES = [template for name in sheets() for template in find_sheet(name).problems]
+
+
+@pytest.mark.parametrize("template", TEMPLATES, ids=lambda template: template.number)
+def test_feedback_is_true_and_names_most_mistakes(template):
+    row = census_of(template, STUDENTS, answers_by_hand(COURSE))
+    assert row.by_hand > 0
+    wrong = {
+        what: row.examples.get(what) for what in ("full_marks", "refused", "misnamed", "false") if row.counts[what]
+    }
+    assert not wrong
+    assert row.unnamed_by_hand <= MAX_UNNAMED * row.by_hand, row.examples["unnamed"]
