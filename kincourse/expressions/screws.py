@@ -77,16 +77,16 @@ def values_in_radians(types: str, q: Sequence[float], letter: str = "q") -> list
     ]
 
 
-def exponentials(screws: Array, values: Sequence[Expression], letters: str | Sequence[str] = "S") -> list[Expression]:
+def exponentials(screws: Array, values: Sequence[Expression], letters: str = "S") -> list[Expression]:
     """The exponentials of the joints, e^{[S_i] q_i}.
 
     screws   (n, 6)
-    letters  the letter of each screw
+    letters  the letter of all screws, or one for each
 
     >>> exponentials(np.eye(2, 6), joint_values("RR", [10, 20]))[1].latex
     'e^{[S_2]q_2}'
     """
-    names = [letters] * len(screws) if isinstance(letters, str) else letters
+    names = letters if len(letters) == len(screws) else letters * len(screws)
     numbered = enumerate(zip(names, screws, values, strict=True), start=1)
     return [exp(screw_axes(f"{letter}_{i}", S), value) for i, (letter, S, value) in numbered]
 
