@@ -16,9 +16,12 @@ from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import largest_difference, random_configurations
 from kinlib.dh.diagnosis import Diagnosis, diagnose
-from kinlib.dh.equivalence import equivalent
+from kinlib.dh.equivalence import CHOICES, equivalent
+from kinlib.dh.mistakes import Fault
 from kinlib.dh.table import DHTable
 from misstep.answers.base import TOLERANCE, Answer, StoredObjects, Unreadable
+from misstep.explanation import MAX_ALTERNATIVES
+from misstep.mistakes import Mistake
 
 MAX_TEXT_LENGTH = 10_000
 """Maximum number of characters of a typed table. A longer text is refused, because parsing it would take too long."""
@@ -99,6 +102,25 @@ class DHTableAnswer(Answer):
         q = random_configurations(one.n, 16)
         return [bool(largest_difference(one.fk(q), other.fk(q)) <= POSE_TOLERANCE_FACTOR * tolerance)]
 
+    def slips(self) -> Iterator[Mistake]:
+        """Yield the changes of the whole table that cannot be undone in a wrong table, because numbers are lost."""
+        rows, known = self.value.rows, set[bytes]()
+        for name, changed, text in (
+            ("every alpha 0", rows * (1, 0, 1, 1), "as if every alpha were 0"),
+            ("d left out", rows * (1, 1, 0, 1), "as if every d were 0"),
+            ("offset forgotten", rows * (1, 1, 1, 0), "as if every theta were 0 at q = 0"),
+            ("signs left out", np.abs(rows), "as if no entry had a minus sign"),
+            ("all signs", -rows, "as if every entry had the other sign"),
+            ("rows swapped", rows[::-1], "as if its rows were in reverse order"),
+            ("columns swapped", rows[:, [2, 3, 0, 1]], "as if a and d were swapped, and alpha and theta as well"),
+        ):
+            table = self.value.changed(rows=changed)
+            # A single entry is explained by its place.
+            is_new = np.count_nonzero(changed - rows) > 1 and changed.tobytes() not in known
+            if is_new and not all(self.agrees(table, self.value)):
+                yield Mistake(name, table, f"Your table moves {text}.")
+            known.add(changed.tobytes())
+
     def explanation(self, given: DHTable, part: int) -> tuple[str, str] | None:
         """Return the name of the mistake in a wrong table and a sentence on it, or None if no known mistake explains it."""
         ours = self.value
@@ -114,20 +136,17 @@ class DHTableAnswer(Answer):
                 f"Its joints are {given.joints}; those of the arm are {ours.joints}. Which column holds the variable?",
             )
         diagnosis = self._diagnose(given)
-        if diagnosis.right:
-            return "another start", "Your table moves like the arm, from another start. " + _choices(diagnosis)
-        if not diagnosis.faults:
-            return None
-        name = " and ".join(dict.fromkeys(fault.name for fault in diagnosis.faults))
-        if name == "wrong number":
-            # The right number would give the answer away, so the sentence names only the place.
-            fault = diagnosis.faults[0]
-            return name, f"All but one entry can stand: look again at {fault.column} in row {fault.row}."
-        return name, str(diagnosis)
+        if diagnosis.explanations:
+            return _described([explanation.faults for explanation in diagnosis.explanations])
+        if diagnosis.unfixed:
+            return (
+                "another start",
+                "Your table moves like the arm, from another start. " + diagnosis.difference.partition(". ")[2],
+            )
+        return None
 
     def hint(self, given: DHTable, part: int) -> str:
-        explained = self.explanation(given, part)
-        return explained[1] if explained else self._diagnose(given).difference.replace("the table", "your table")
+        return self._diagnose(given).difference.replace("the table", "your table")
 
     def remark(self, given: DHTable) -> str:
         """Return how a right table differs from ours, where the rules leave a choice; "" if it does not."""
@@ -144,11 +163,30 @@ class DHTableAnswer(Answer):
         return f"It differs from ours where the rules leave a choice: {'; '.join(choices)}." if choices else ""
 
     def _diagnose(self, given: DHTable) -> Diagnosis:
-        return diagnose(given, self.value, tolerance=POSE_TOLERANCE_FACTOR * TOLERANCE, in_pairs=False)
+        fixed = CHOICES if self.anchored else ()
+        return diagnose(given, self.value, fixed, tolerance=POSE_TOLERANCE_FACTOR * TOLERANCE)
 
 
 def _choices(diagnosis: Diagnosis) -> str:
     return " ".join(str(diagnosis).splitlines()[1:])
+
+
+def _described(alternatives: Sequence[Sequence[Fault]]) -> tuple[str, str]:
+    """Name and describe the faults of each explanation. A right number would give the answer away, so only its place is named."""
+    names = [" and ".join(dict.fromkeys(fault.name for fault in faults)) for faults in alternatives]
+    name = " or ".join(list(dict.fromkeys(names))[:MAX_ALTERNATIVES])
+    if all([fault.name for fault in faults] == ["wrong number"] for faults in alternatives):
+        places = list(dict.fromkeys(f"{fault.column} in row {fault.row}" for (fault,) in alternatives))
+        return name, f"All but one entry can stand: look again at {' or '.join(places[:MAX_ALTERNATIVES])}."
+    texts = [
+        " ".join(
+            f"Row {fault.row}: {fault.column} has a wrong number." if fault.name == "wrong number" else fault.text
+            for fault in faults
+        )
+        for faults in alternatives
+    ]
+    texts = list(dict.fromkeys(texts))[:MAX_ALTERNATIVES]
+    return name, texts[0] if len(texts) == 1 else f"Either: {' Or: '.join(texts)}"
 
 
 def _frames(table: DHTable) -> list[Array]:

@@ -77,6 +77,9 @@ def test_one_flipped_sign_costs_the_points_and_is_named(place):
                 continue
             judgement = judge(problem, ours.changed(rows=rows))
             assert judgement.fraction == 0.0
+            assert judgement.mistakes
+            text = judgement.findings[0].message
+            assert f"ow {row + 1}" in text or "very " in text or "sign" in text, text
 
 
 @each_table
