@@ -4,11 +4,11 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import partial, reduce
 from itertools import product
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
+from numpy.typing import NDArray
 
-from kincourse.answers.dh_row import DHRowAnswer
 from kincourse.answers.pose import PoseAnswer, RotationAnswer
 from kincourse.answers.screws import ScrewsAnswer
 from kincourse.mistakes.dh import pose_mistakes
@@ -24,9 +24,9 @@ from kinlib.rigid.lie import exp
 from kinlib.view import draw_arm, draw_frames
 from misstep.answers.base import TOLERANCE
 from misstep.answers.choice import Choice
-from misstep.answers.number import Numbers
+from misstep.answers.number import LENGTH, PURE, Numbers, Slip
 from misstep.display.text import degrees, matrix, number, vector
-from misstep.mistakes import Mistake, mistake
+from misstep.mistakes import mistake
 from misstep.problem import Problem
 from misstep.sheet import Sheet
 
@@ -47,15 +47,21 @@ class DHRowsAnswer(Numbers):
     Each row is a part. All are right if they lead from frame 0 to frame m as the right ones do, for every q. If they do not, each is
     compared with the right one: angles modulo a full turn, and with the directions of x_1 to x_{m-1} for which the most rows agree.
 
-    >>> right, flipped = np.array([[1, 2, 3, 0], [4, 1, 6, 0]]), np.array([[1, 2, 3, np.pi], [-4, -1, 6, -np.pi]])
-    >>> answer = DHRowsAnswer(right, convention="modified", joints="RP")
+    convention   of the rows
+    joints       the letter of each joint
+    unconverted  the rows of the given table, in the other convention
+
+    >>> given, right = np.array([[4, 1, 3, 0], [0, 0, 6, 0]]), np.array([[0, 0, 3, 0], [4, 1, 6, 0]])
+    >>> flipped = np.array([[0, 0, 3, np.pi], [-4, -1, 6, -np.pi]])
+    >>> answer = DHRowsAnswer(right, convention="modified", joints="RP", unconverted=given)
     >>> [answer.agrees(right, other) for other in (right + (0, 0, 0, 2 * np.pi), flipped, flipped * (1, 1, 2, 1), right * (1, -1, 1, 1))]
-    [[True, True], [True, True], [False, False], [False, False]]
+    [[True, True], [True, True], [False, False], [True, False]]
     """
 
     noun: ClassVar[str] = "rows of a, alpha, d, theta in metres and radians, an array"
     convention: Convention = field(kw_only=True)
     joints: str = field(kw_only=True)
+    unconverted: Array = field(kw_only=True)
 
     @property
     def parts(self) -> Sequence[str]:
@@ -64,37 +70,93 @@ class DHRowsAnswer(Numbers):
     def part_indices(self) -> list[int]:
         return list(range(len(self.value)))
 
-    def agrees(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> list[bool]:
+    def kinds(self) -> NDArray[np.int_]:
+        return np.broadcast_to([LENGTH, PURE, LENGTH, PURE], np.shape(self.value))
+
+    def place(self, index: Sequence[Any]) -> str:
+        return f"{COLUMNS[index[1]]} in row {index[0] + 1}"
+
+    def same_entries(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> NDArray[np.bool_]:
+        """Return, for each entry, whether it is right, for the directions of x for which the most rows and entries are."""
         if np.abs(self._poses(one) - self._poses(other)).max() <= tolerance:
-            return [True] * len(other)
-        return [all(entries) for entries in self._right_entries(one, other, tolerance)]
+            return np.ones(np.shape(other), dtype=bool)
+        rows = self._with_other_x(other)
+        # The chord 2 sin(x / 2) of an angular difference x does not change when x changes by a full turn.
+        angles_agree = np.abs(2 * np.sin((one - rows) / 2)) <= tolerance
+        same = np.where(self.kinds() == PURE, angles_agree, super().same_entries(one, rows, tolerance))
+        right_rows, right_entries = same.all(axis=2).sum(axis=1), same.sum(axis=(1, 2))
+        best: NDArray[np.bool_] = same[np.argmax(right_rows * same[0].size + right_entries)]
+        return best
+
+    def whole_slips(self) -> Iterator[Slip]:
+        """Yield wrong conversions, each of them as it is and with a second mistake."""
+        step = 1 if self.convention == "modified" else -1
+        link = [0, 1]
+        kept, folded = self._moved(step, link), self._moved(step, link)
+        end, start = (0, -1) if step == 1 else (-1, 0)
+        kept[end, link], folded[end, link] = self.unconverted[end, link], self.unconverted[start, link]
+        moves = [
+            ("", self.value, ""),
+            ("not converted", self.unconverted, "These are the rows of the given table."),
+            ("moved the other way", self._moved(-step, link), "$a$ and $\\alpha$ are moved the other way."),
+            ("whole rows moved", self._moved(step, [0, 1, 2, 3]), "Whole rows are moved: $d$ and $\\theta$ stay with their joint."),
+            ("d and theta moved", self._moved(step, [2, 3]), "$d$ and $\\theta$ are moved in place of $a$ and $\\alpha$."),
+            ("a alone moved", self._moved(step, [0]), "$a$ is moved, and $\\alpha$ is not. Both belong to the link."),
+            ("alpha alone moved", self._moved(step, [1]), "$\\alpha$ is moved, and $a$ is not. Both belong to the link."),
+            ("both angles moved", self._moved(step, [1, 3]), "$\\alpha$ and $\\theta$ are moved in place of $a$ and $\\alpha$."),
+            ("d and theta moved", self._moved(-step, [2, 3]), "$d$ and $\\theta$ are moved in place of $a$ and $\\alpha$."),
+            ("two rows too far", np.roll(self.unconverted, 2 * step, axis=0) * (1, 1, 0, 0) + self.unconverted * (0, 0, 1, 1),
+             "$a$ and $\\alpha$ are moved by two rows instead of one."),
+            ("two rows too far", self._moved(2 * step, link), "$a$ and $\\alpha$ are moved by two rows instead of one."),
+            ("end kept", kept, "The row without a neighbour keeps its $a$ and $\\alpha$, but they belong to another row now."),
+            ("end folded in", folded, "The $a$ and $\\alpha$ that are left over came back at the other end. They are no part of the rows."),
+            ("rows swapped", self.value[::-1], "The rows are in reverse order."),
+        ]  # fmt: skip
+        turns = np.array([[1, 1, 1, letter != "R"] for letter in self.joints])
+        second = {
+            "": (1, ""),
+            "degrees": ((1, 180 / np.pi, 1, 180 / np.pi), "The angles are in degrees."),
+            "degrees for alpha": ((1, 180 / np.pi, 1, 1), "Every $\\alpha$ is in degrees."),
+            "sign of alpha": ((1, -1, 1, 1), "Every $\\alpha$ has the wrong sign."),
+            "unit of length": ((1000, 1, 1000, 1), "The lengths are in millimetres."),
+            "offset forgotten": (turns, "The offsets of $\\theta$ are missing."),
+        }
+        for other, (factor, also) in second.items():
+            for move, rows, text in moves:
+                if name := " and ".join(filter(None, (move, other))):
+                    yield (name, rows * np.asarray(factor), " ".join(filter(None, (text, also))), "")
+        yield from super().whole_slips()
+
+    def _moved(self, by: int, columns: Sequence[int]) -> Array:
+        """The rows of the given table, with some columns moved down by some rows, and 0 in what is left empty."""
+        rows = np.array(self.unconverted)
+        rows[:, columns] = np.roll(rows[:, columns], by, axis=0)
+        empty = slice(None, by) if by > 0 else slice(by, None)
+        rows[empty, columns] = 0.0
+        return rows
 
     def hint(self, given: Array, part: int) -> str:
-        right = self._right_entries(given, self.value, TOLERANCE)[part]
-        wrong = [name for name, fine in zip(COLUMNS, right, strict=True) if not fine]
+        wrong = [
+            name for name, fine in zip(COLUMNS, self.same_entries(given, self.value)[part], strict=True) if not fine
+        ]
         return f"Look at its {' and '.join(wrong)}." if len(wrong) < 3 else ""
 
     def _poses(self, rows: Array) -> Array:
         """The last frame as frame 0 sees it, at some joint values (k, 4, 4)."""
         moving = np.eye(4)[[COLUMNS.index("d" if letter == "P" else "theta") for letter in self.joints]]
-        values = rows + random_configurations(len(rows), 16)[..., None] * moving
+        values = rows + random_configurations(len(rows), 4)[..., None] * moving
         links = dh_transform(*np.moveaxis(values, -1, 0), convention=self.convention)
         return reduce(np.matmul, np.moveaxis(links, 1, 0))
 
-    def _right_entries(self, one: Array, other: Array, tolerance: float) -> list[list[bool]]:
-        compared = [
-            [DHRowAnswer(theirs).agrees(ours, theirs, tolerance) for ours, theirs in zip(one, rows, strict=True)]
-            for rows in self._with_other_x(other)
-        ]
-        return max(compared, key=lambda rows: (sum(map(all, rows)), sum(map(sum, rows))))
-
-    def _with_other_x(self, rows: Array) -> Iterator[Array]:
-        """Yield the rows for each choice of the directions of x_1 to x_{m-1}, first as they are."""
-        for reversed_x in product((0, 1), repeat=len(rows) - 1):
-            ends = np.array([0, *reversed_x, 0])  # x_0 to x_m
-            own = ends[:-1] if self.convention == "modified" else ends[1:]
-            signs = 1 - 2 * own[:, None]
-            yield np.hstack([rows[:, :2] * signs, rows[:, 2:3], rows[:, 3:] + np.pi * np.diff(ends)[:, None]])
+    def _with_other_x(self, rows: Array) -> Array:
+        """The rows for each choice of the directions of x_1 to x_{m-1}, (2**(m-1), m, 4), first as they are."""
+        choices = np.array(list(product((0, 1), repeat=len(rows) - 1)))
+        ends = np.pad(choices, ((0, 0), (1, 1)))  # x_0 to x_m
+        own = ends[:, :-1] if self.convention == "modified" else ends[:, 1:]
+        changed = np.repeat(np.asarray(rows, dtype=float)[None], len(choices), axis=0)
+        changed[..., :2] *= 1 - 2 * own[..., None]
+        changed[..., 3] += np.pi * np.diff(ends)
+        return changed
 
 
 @dataclass(frozen=True, eq=False)
@@ -212,13 +274,7 @@ def to_modified(sampler: ArmSampler) -> Problem:
         "over become the tool, and no part of the answer. Give four rows $a_{i-1}, \\alpha_{i-1}, d_i, \\theta_i$ at $q = 0$, angles in "
         "radians.\n\n" + _format_table(table.rows, "standard", table.joints),
         given={"rows": table.rows, "joints": table.joints},
-        answer=DHRowsAnswer(table.converted("modified").rows, convention="modified", joints=table.joints),
-        mistakes=_conversion_mistakes(
-            table.rows,
-            down=True,
-            folded="You put the left-over $a$ and $\\alpha$ of the last row into the first. They stand behind the last joint: "
-            "they are the tool.",
-        ),
+        answer=_converted(table, "modified"),
     )
 
 
@@ -231,13 +287,7 @@ def to_standard(sampler: ArmSampler) -> Problem:
         "answer. Give four rows $a_i, \\alpha_i, d_i, \\theta_i$ at $q = 0$, angles in radians.\n\n"
         + _format_table(table.rows, "modified", table.joints),
         given={"rows": table.rows, "joints": table.joints},
-        answer=DHRowsAnswer(table.converted("standard").rows, convention="standard", joints=table.joints),
-        mistakes=_conversion_mistakes(
-            table.rows,
-            down=False,
-            folded="You put the left-over $a$ and $\\alpha$ of the first row into the last. They stand before the first joint: "
-            "they are the base.",
-        ),
+        answer=_converted(table, "standard"),
     )
 
 
@@ -455,46 +505,13 @@ def _rotation(axis: str, angle: float) -> Array:
     return turn
 
 
-def _conversion_mistakes(rows: Array, down: bool, folded: str) -> list[Mistake]:
-    """The mistakes in moving a and alpha by one row, down to the modified convention or up to the standard one."""
-    step, empty = (1, 0) if down else (-1, -1)
-
-    def shifted_rows(by: int, columns: slice, lost: int | None) -> Array:
-        moved = rows.copy()
-        moved[:, columns] = np.roll(rows[:, columns], by, axis=0)
-        if lost is not None:
-            moved[lost, columns] = 0.0
-        return moved
-
-    to, onto = ("modified", "next") if down else ("standard", "previous")
-    return [
-        mistake(
-            "not converted",
-            rows,
-            f"These are the rows as they stand. In the {to} convention each row's $a$ and $\\alpha$ stand in the {onto} row.",
-        ),
-        mistake(
-            "the other way",
-            shifted_rows(-step, np.s_[:2], -1 if down else 0),
-            f"You handed $a$ and $\\alpha$ on the wrong way. To {to}, each row gives them to the {onto} one.",
-        ),
-        mistake(
-            "whole rows",
-            shifted_rows(step, np.s_[:], empty),
-            "You moved whole rows. $d$ and $\\theta$ belong to the joint and stay in its row; only $a$ and $\\alpha$ move.",
-        ),
-        mistake(
-            "alpha alone",
-            shifted_rows(step, np.s_[1:2], empty),
-            "You moved $\\alpha$ and left $a$. Both belong to one link, and to one screw: they move together.",
-        ),
-        mistake("end folded in", shifted_rows(step, np.s_[:2], None), folded),
-        mistake(
-            "degrees",
-            shifted_rows(step, np.s_[:2], empty) * (1, 180 / np.pi, 1, 180 / np.pi),
-            "Your angles are in degrees. The answer is in radians; np.radians converts them.",
-        ),
-    ]
+def _converted(table: DHTable, convention: Convention) -> DHRowsAnswer:
+    return DHRowsAnswer(
+        np.array(table.converted(convention).rows),
+        convention=convention,
+        joints=table.joints,
+        unconverted=np.array(table.rows),
+    )
 
 
 def _format_table(

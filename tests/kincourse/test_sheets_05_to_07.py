@@ -158,8 +158,9 @@ def test_every_slip_of_one_sign_costs_a_row(place):
 
 
 def test_a_prismatic_axis_of_a_conversion_may_lie_elsewhere():
-    """Row 2 slides: a common normal at another place gives other rows, and the same poses."""
-    table = DHTable([[0.4, 1, 0.2, 0.3], [0.3, 0.5, 0, 0.2], [0.1, 0.4, 0.5, 0]], convention="modified", joints="RPR")
-    answer = find_sheet("06_dh_modified").problems[2].variant("s0").answer
-    kind = type(answer)(np.array(table.rows), convention="modified", joints="RPR")
-    assert kind.agrees(np.array(table.rows), np.array(table.rows)) == [True] * 3
+    """A prismatic axis has no line: with z_2 moved along x_1, the rows are others, and the poses are the same."""
+    rows = np.array([[0, 0, 0.2, 0.3], [0.3, 0.5, 0.4, 0.0], [0.1, 0.4, 0.5, 0], [0.2, 0.6, 0.1, 0.2]])
+    moved = rows + np.outer((0, 1, -1, 0), (0.25, 0, 0, 0))
+    answer = type(variants(CONVERSIONS["06.3"])[0].answer)(rows, convention="modified", joints="RPRR", unconverted=rows)
+    assert answer.agrees(moved, rows) == [True] * 4
+    assert answer.agrees(moved + (0, 0, 0.01, 0), rows) != [True] * 4
