@@ -28,7 +28,7 @@ ORDER_ADVICE = (
     "Here a screw is $(\\omega, v)$, the rotation first, as in Modern Robotics; some books use the other order."
 )
 MOMENT_ADVICE = (
-    "The moment of an axis through $p$ is $-\\omega \\times p$: so the point of the body at the origin moves."
+    "The moment of an axis through $p$ is $-\\omega \\times p$, the velocity that the rotation gives to the origin."
 )
 
 
@@ -244,8 +244,9 @@ def _moment_changes(node: Expression) -> Changes:
         ("no moment", "leave out the moment", 0 * omega),
         ("entry by entry", "multiply $\\omega$ and $p$ entry by entry (`*` instead of `np.cross`)", omega * p),
     ):
-        yield Change(name, text, text, MOMENT_ADVICE), wrong
-    if abs(node.value[1]) > 1e-9:
+        if name != "entry by entry" or np.any(wrong.value):  # where it is zero, it is no moment at all
+            yield Change(name, text, text, MOMENT_ADVICE), wrong
+    if abs(node.value[1]) > 1e-9 and np.abs(node.value[[0, 2]]).max() > 1e-9:  # otherwise it is the sign of the moment
         text = "take the middle entry of a cross product with the wrong sign"
         yield Change("sign in the cross product", text, text), node * np.array([1, -1, 1])
 
@@ -309,12 +310,14 @@ def _change_of_frame_changes(node: Expression) -> Changes:
     else:
         text, advice = f"use the transpose of {Ad}", ""
     yield Change("adjoint not transposed", text, advice=advice), _by_transposed_adjoint(T, S)
-    yield Change("only rotated", "rotate both halves, and leave out the change of origin"), _rotate_only(T, S)
-    yield Change("only moved", "change the origin, and keep the directions of the axes"), _translate_only(T, S)
-    yield Change("only omega rotated", "rotate $\\omega$ only, and keep $v$"), _rotate_omega(T, S)
-    yield Change("no moment", "rotate $\\omega$, and leave $v$ at zero"), _rotate_omega(T, _without_v(S))
+    yield Change("only rotated", "rotate both halves without the change of origin"), _rotate_only(T, S)
+    yield Change("only moved", "change the origin without rotating the axes"), _translate_only(T, S)
+    yield Change("only omega rotated", "rotate $\\omega$ only, with $v$ unchanged"), _rotate_omega(T, S)
+    yield Change("no moment", "rotate $\\omega$, with $v$ left at zero"), _rotate_omega(T, _without_v(S))
     yield Change("frame not changed", f"use ${S.latex}$ as it is given"), S
-    yield Change("halves swapped", "swap the halves of the result"), _swap_halves(node)
+    yield Change("halves swapped", "swap the halves of the result", advice=ORDER_ADVICE), _swap_halves(node)
+    text = f"multiply {Ad} entry by entry (`*` instead of `@`)"
+    yield Change("entry by entry", text), _entry_by_entry(T, S)
     for name, text, wrong in (
         ("block on the wrong side", f"put the block $[p]R$ of {Ad} in the upper right corner", _upper),
         ("sign in the adjoint", f"take the block $[p]R$ of {Ad} with the opposite sign", _negated),
@@ -387,6 +390,7 @@ _negate_moments = Operation(
 _tan = Operation("tangent", np.tan, "\\tan {0}".format)
 _swap_halves = Operation("halves swapped", lambda S: np.roll(S, 3, axis=-1), "{0}".format)
 _by_transposed_adjoint = Operation("transposed adjoint", lambda T, S: S @ _by_blocks(T, np.eye(6)).T, "{1}".format)
+_entry_by_entry = Operation("entry by entry", lambda T, S: S * _by_blocks(T, np.eye(6)).sum(axis=1), "{1}".format)
 _upper = Operation("upper block", lambda T, S: _by_blocks(T, S, upper=True), "{1}".format)
 _negated = Operation("negated block", lambda T, S: _by_blocks(T, S, sign=-1), "{1}".format)
 _r_before_p = Operation("swapped block", lambda T, S: _by_blocks(T, S, swapped=True), "{1}".format)

@@ -70,7 +70,7 @@ def body_screw_off_a_drawing(sampler: ArmSampler) -> Problem:
         .mistaken_for(
             screw(robot.screws[joint - 1, :3], robot.joint_points[joint - 1] - origin),
             "only moved",
-            "measure from {b}, but along the axes of {s}",
+            "measure from {b} along the axes of {s}",
         )
     )
     return Problem(
