@@ -109,7 +109,9 @@ def leaning_slide(given: Any, answer: Any) -> Answers:
     yield from alike(by.LENGTH, {"not divided": [*zero, *n], "by the sum": [*zero, *n / np.abs(n).sum()]})
     yield from alike(by.LENGTH, {"by the square": [*zero, *n / size**2]})
     yield from alike(by.LENGTH, {"by the largest": [*zero, *n / np.abs(n).max()]})
-    yield from alike(by.POINT | {"moment"}, {"moment as v": [*zero, *np.cross(p, d)], "omega x p as v": [*zero, *np.cross(d, p)]})
+    yield from alike(
+        by.POINT | {"moment"}, {"moment as v": [*zero, *np.cross(p, d)], "omega x p as v": [*zero, *np.cross(d, p)]}
+    )
     yield from alike(by.POINT, {"the point as v": [*zero, *p], "to the point": [*zero, *p / np.linalg.norm(p)]})
     yield from alike(by.SIGN, {"-d": [*zero, *-d], "one sign": [*zero, *negated_one(d)], "sizes": [*zero, *np.abs(d)]})
     yield from alike(by.ORDER, {"components rotated": [*zero, *np.roll(d, 1)]})

@@ -54,15 +54,18 @@ def body_screw_off_a_drawing(given: Any, answer: Any) -> Answers:
     yield from right({"integers": B.astype(int), "list": B.tolist(), "another point of the axis": line(p + 2 * w)})
 
 
-def _carried(S: Any, T: Any, copied: str) -> Answers:
-    """Screws in rows, (n, 6), that ought to be carried with Ad of the inverse of T; feedback calls the given ones `copied`."""
+def _carried(S: Any, T: Any, copied: str, is_inverted: bool = True) -> Answers:
+    """Screws in rows, (n, 6), that ought to be carried with Ad of the inverse of T; feedback calls the given ones `copied`.
+
+    is_inverted  whether people invert T; otherwise its inverse is given
+    """
     (R, p), zero, Q = parts(T), np.zeros((3, 3)), inv(T)
     rows, w, v = S @ Ad(Q).T, S[:, :3], S[:, 3:]
 
     def blocks(R: Any, lower: Any) -> Any:
         return S @ np.block([[R, zero], [lower, R]]).T
 
-    rotated, r_for_rt = by.TRANSPOSED | {"rotat", "turned"}, blocks(R, hat(-R @ p) @ R)
+    rotated, r_for_rt = by.TRANSPOSED | {"rotat", "turned"}, blocks(R, hat(-R @ p if is_inverted else Q[:3, 3]) @ R)
     product_sum = np.array([(Ad(Q) * row).sum(axis=0) for row in S])
     yield from alike(by.COPIED | {copied}, {"as given": S})
     yield from alike(by.INVERTED | {"Ad"}, {"Ad of T": S @ Ad(T).T})
@@ -70,7 +73,8 @@ def _carried(S: Any, T: Any, copied: str) -> Answers:
     yield from alike(rotated, {"R for R^T": r_for_rt, "only rotated": blocks(R.T, zero), "with R": blocks(R, zero)})
     yield from alike({"moved", "rotat", "axes"}, {"only moved": np.hstack([w, v - np.cross(p, w)])})
     yield from alike({"rotat", "moment", copied}, {"only omega rotated": np.hstack([w @ R, v])})
-    yield from alike(by.INVERTED | {"-p", "position"}, {"-p for -R^T p": blocks(R.T, hat(-p) @ R.T)})
+    if is_inverted:
+        yield from alike(by.INVERTED | {"-p", "position"}, {"-p for -R^T p": blocks(R.T, hat(-p) @ R.T)})
     yield from alike(by.MOMENT, {"sign of p": blocks(R.T, -Ad(Q)[3:, :3]), "one sign": negated_one(rows)})
     yield from alike(by.OMITTED | {"moment"}, {"no v": np.hstack([w @ R, 0 * v])})
     yield from alike(by.HALVES, {"halves swapped": halves_swapped(rows), "before": halves_swapped(S) @ Ad(Q).T})
@@ -90,7 +94,7 @@ def by_the_adjoint(given: Any, answer: Any) -> Answers:
 
 @wrong_answers("04.3")
 def back_to_space(given: Any, answer: Any) -> Answers:
-    yield from _carried(np.asarray(given.body_screws), inv(given.home), "body screws")
+    yield from _carried(np.asarray(given.body_screws), inv(given.home), "body screws", is_inverted=False)
 
 
 @wrong_answers("04.4")

@@ -115,7 +115,7 @@ def forward_kinematics(before: Sequence[Expression], home: Expression, after: Se
         .mistaken_for(
             product(*at_once[0], home, *at_once[1]),
             "one exponential",
-            "add the twists and take one exponential",
+            "take one exponential of the sum of the twists",
             advice,
         )
         .mistaken_for(product(*added[0], home, *added[1]), "sum for product", "add the exponentials")
@@ -333,7 +333,14 @@ def revolute(omega: Expression, p: Expression) -> Expression:
 
 def helical(omega: Expression, p: Expression, h: Expression) -> Expression:
     """The screw of a helical joint of pitch h: (omega, -omega x p + h omega)."""
-    return screw(omega, _advancing(moment(omega, p), omega, p, h))
+    turning, advice = moment(omega, p), "The pitch is part of $v$: $v = -\\omega \\times p + h\\,\\omega$."
+    return (
+        screw(omega, _advancing(turning, omega, p, h))
+        .mistaken_for(
+            screw(h * omega, turning), "pitch in omega", f"multiply $\\omega$ by the pitch ${h.latex}$", advice
+        )
+        .mistaken_for(screw(0 * omega, h * omega), "turn as slide", "leave $\\omega$ and the moment at zero", advice)
+    )
 
 
 def _joined(omega: Array, v: Array) -> Array:
@@ -342,6 +349,8 @@ def _joined(omega: Array, v: Array) -> Array:
 
 def _by_blocks(T: Array, S: Array, sign: float = 1, upper: bool = False, swapped: bool = False) -> Array:
     """Screws times a matrix that is the adjoint but for its block [p] R: of the opposite sign, in the upper right, or R [p]."""
+    if T[3, :3].any():
+        raise ValueError(f"The last row of a pose must be 0 0 0 1; got {T[3]}.")
     R, p = T[:3, :3], T[:3, 3]
     block = sign * (R @ hat(p) if swapped else hat(p) @ R)
     omega, v = S[..., :3], S[..., 3:]
