@@ -19,25 +19,23 @@ from kinlib.arrays.tolerances import EQUIVALENCE_TOL
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
 from kinlib.dh.assignment import assign_frames
-from kinlib.dh.equivalence import CHECKED_CONFIGURATIONS, Equivalence, equivalent, validate_choices
+from kinlib.dh.equivalence import CHECKED_CONFIGURATIONS, Equivalence, equivalent
 from kinlib.dh.invariants import AxisInvariants, Booleans, joint_axes
 from kinlib.dh.mistakes import (
     ALPHA,
     ANGLES,
     LENGTHS,
+    NUMBERS,
+    OTHER_CONVENTION,
     THETA,
+    VARIABLES,
     Correction,
     D,
     Fault,
     corrected_rows,
-    corrections_of_a_number,
-    corrections_of_a_pair_of_rows,
-    corrections_of_a_row,
     corrections_of_joint_types,
-    corrections_of_the_table,
     format_entry,
-    is_variable,
-    other_convention,
+    known_corrections,
 )
 from kinlib.dh.table import DHTable, dh_transform
 from kinlib.rigid.lie import log
@@ -171,13 +169,13 @@ def diagnose(
             "diagnose takes a DHTable and the arm that it should describe, diagnose(table, arm); "
             f"got {type(table).__name__} and {type(reference).__name__}.{order}"
         )
-    fixed = validate_choices(fixed)
     arm = reference.to_chain() if isinstance(reference, DHTable) else reference
     if table.n != arm.n:
         raise ValueError(
             f"The table must have as many joints as the arm, {arm.n} ({arm.joint_types}); it has {table.n} ({table.joints})."
         )
     comparison = _compare(table, arm, fixed, tolerance)
+    fixed = frozenset(fixed)
     if comparison:
         return Diagnosis(table, comparison, (), tolerance)
     explanations = _explain(table, reference, fixed, tolerance, 2 if in_pairs else 1)
@@ -185,15 +183,15 @@ def diagnose(
     return Diagnosis(table, comparison, explanations, tolerance, unfixed)
 
 
-def _compare(table: DHTable, arm: Chain, fixed: frozenset[str], tolerance: float) -> Equivalence:
-    """Compare a table with the arm: pose by pose first, then up to the choices that are free."""
-    chain = table.to_chain()
-    if chain.joint_types == arm.joint_types:
+def _compare(table: DHTable, arm: Chain, fixed: Collection[str], tolerance: float) -> Equivalence:
+    """Compare a table with the arm: pose by pose if they agree without any map, or else up to the choices that are free."""
+    comparison = equivalent(table, arm, fixed=fixed, tolerance=tolerance)
+    if comparison:
         q = random_configurations(arm.n, CHECKED_CONFIGURATIONS)
-        difference = largest_difference(chain.fk(q), arm.fk(q))
+        difference = largest_difference(table.to_chain().fk(q), arm.fk(q))
         if difference <= tolerance:
             return Equivalence(True, signs=np.ones(arm.n), offsets=np.zeros(arm.n), difference=difference)
-    return equivalent(table, arm, fixed=fixed, tolerance=tolerance)
+    return comparison
 
 
 def _explain(
@@ -203,19 +201,14 @@ def _explain(
     arm = reference.to_chain() if isinstance(reference, DHTable) else reference
     if "H" in arm.joint_types:
         return []
+    # If the joint types differ, no other correction can help without these.
     searches = []
-    if table.to_chain().joint_types == arm.joint_types:
-        searches.append(_Search(table, (), reference, arm, fixed, tolerance))
-    else:
-        # Without these corrections no other one can help.
-        starts = [tuple(corrections_of_joint_types(table, arm.joint_types))]
-        starts += [(swapped,) for swapped in corrections_of_a_pair_of_rows(table) if swapped.letters]
-        for start in starts:
-            joints = "".join(
-                reduce(lambda letters, c: letters | c.letters, start, dict(enumerate(table.joints))).values()
-            )
-            if joints.replace("F", "") == arm.joint_types:
-                searches.append(_Search(table.changed(joints=joints), start, reference, arm, fixed, tolerance))
+    for start in corrections_of_joint_types(table, arm.joint_types):
+        letters = dict(enumerate(table.joints))
+        for correction in start:
+            letters |= correction.letters
+        with_types = table.changed(joints="".join(letters.values()))
+        searches.append(_Search(with_types, start, reference, arm, fixed, tolerance))
     for count in range(1, max_faults + 1):
         if found := [explanation for search in searches for explanation in search.explanations(count)]:
             return found
@@ -240,7 +233,7 @@ class _Search:
             return []
         added: Iterable[Corrections] = [()] if more == 0 else ((single,) for single in self._singles)
         candidates = [self.start + corrections for corrections in (self._pairs() if more == 2 else added)]
-        candidates = [c for c in candidates if all(a.combines_with(b) for a, b in pairwise(c))]
+        candidates = [c for c in candidates if all(_can_combine(*pair) for pair in pairwise(c))]
         agree = self._may_agree(candidates)
         priced = [
             (self._price(c), k, c) for k, (c, possible) in enumerate(zip(candidates, agree, strict=True)) if possible
@@ -271,7 +264,7 @@ class _Search:
 
     def _price(self, corrections: Corrections) -> list[float]:
         """The number of edited entries, where a number counts twice and a label once; then what is less plausible."""
-        numbers = sum(c.is_number for c in corrections)
+        numbers = sum(c.fault.name in NUMBERS for c in corrections)
         labels = sum(bool(c.convention) + len(c.letters) for c in corrections)
         # Every entry of a column has to be wrong in the same way: a single entry is the simpler explanation.
         columns = sum(c.fault.row is None and c.fault.name.startswith("sign of") for c in corrections)
@@ -290,7 +283,7 @@ class _Search:
         return [round(float(term), 9) for term in terms]
 
     def _counts(self, entry: tuple[int, int]) -> bool:
-        return "zeros" in self.fixed or not is_variable(self.table, *entry)
+        return "zeros" in self.fixed or (self.table.joints[entry[0]], entry[1]) not in VARIABLES
 
     def _without_details(self, candidates: list[Corrections]) -> list[Corrections]:
         """Leave out what another explanation says as well: the same table, or a number that was swapped with another one.
@@ -306,7 +299,7 @@ class _Search:
 
         kept: list[tuple[Corrections, dict[tuple[int, int], float], int]] = []
         for candidate in candidates:
-            changes, numbers = self._changes(candidate), sum(part.is_number for part in candidate)
+            changes, numbers = self._changes(candidate), sum(c.fault.name in NUMBERS for c in candidate)
             if not any(
                 changes == others if numbers <= fewer else changes.items() <= others.items() and not is_usual(changes)
                 for one, others, fewer in kept
@@ -317,13 +310,7 @@ class _Search:
 
     @cached_property
     def _singles(self) -> list[Correction]:
-        zeros_are_fixed = "zeros" in self.fixed
-        return [
-            *corrections_of_a_row(self.table, zeros_are_fixed=zeros_are_fixed),
-            *(c for c in corrections_of_a_pair_of_rows(self.table) if not c.letters),
-            *corrections_of_the_table(self.table),
-            *corrections_of_a_number(self.table, self._numbers, self._more_d, zeros_are_fixed=zeros_are_fixed),
-        ]
+        return known_corrections(self.table, self._numbers, self._more_d, zeros_are_fixed="zeros" in self.fixed)
 
     @cached_property
     def _numbers(self) -> Array:
@@ -383,7 +370,7 @@ class _Search:
         """Compute something from the rows of all corrected tables (N, m, 4), for the tables of one convention at a time."""
         other = np.array([any(c.convention for c in candidate) for candidate in candidates])
         results = []
-        for is_other, convention in ((False, self.table.convention), (True, other_convention(self.table))):
+        for is_other, convention in ((False, self.table.convention), (True, OTHER_CONVENTION[self.table.convention])):
             rows = [corrected_rows(self.table.rows, c) for c, o in zip(candidates, other, strict=True) if o == is_other]
             if rows:
                 results.append((other == is_other, compute(self.table.changed(convention=convention), np.array(rows))))
@@ -391,6 +378,18 @@ class _Search:
         for selected, part in results:
             values[selected] = part
         return values
+
+
+def _can_combine(one: Correction, other: Correction) -> bool:
+    """Whether the order of two corrections has no effect."""
+    if one.entries.keys() & other.entries.keys() or (one.convention and other.convention):
+        return False
+    return not any(
+        number.fault.name in NUMBERS
+        and scale.factors is not None
+        and any(scale.factors[k] != 1 for k in number.entries)
+        for number, scale in ((one, other), (other, one))
+    )
 
 
 def _poses(table: DHTable, rows: Array, q: Array) -> Array:

@@ -85,7 +85,8 @@ def equivalent(
     """
     if not tolerance > 0:
         raise ValueError(f"tolerance must be a positive number, in metres and radians; got {tolerance!r}.")
-    fixed = validate_choices(fixed)
+    if isinstance(fixed, str) or not set(fixed) <= set(CHOICES):
+        raise ValueError(f"fixed must be a collection of names from {', '.join(CHOICES)}; got {fixed!r:.80}.")
     one, other = (arm.to_chain() if isinstance(arm, DHTable) else arm for arm in (a, b))
     if one.joint_types != other.joint_types:
         return Equivalence(
@@ -95,7 +96,7 @@ def equivalent(
     invariants = AxisInvariants(other, loose / (1 - CLEARLY_NOT_PARALLEL_COS))
     if invariants.violated(invariants.of(one.lines.axis, one.joint_points)).any():
         return Equivalence(False, reason=_first_difference(one, other))
-    matcher = _Matcher(one, other, fixed, loose, simplest)
+    matcher = _Matcher(one, other, frozenset(fixed), loose, simplest)
     results: list[Equivalence] = []
     for match in matcher.matches():
         results.append(matcher.complete(match))
@@ -106,19 +107,6 @@ def equivalent(
     if results:
         return min(results, key=lambda result: _description_length(result, tolerance))
     return Equivalence(False, difference=closest, reason=_first_difference(one, other))
-
-
-def validate_choices(fixed: Collection[str]) -> frozenset[str]:
-    """Return the names of the choices that are fixed, as a set.
-
-    Raises ValueError for a name that is not one of "base", "tool", "zeros" and "signs", and for a single string.
-
-    >>> sorted(validate_choices(["tool", "base"]))
-    ['base', 'tool']
-    """
-    if isinstance(fixed, str) or not set(fixed) <= set(CHOICES):
-        raise ValueError(f"fixed must be a collection of names from {', '.join(CHOICES)}; got {fixed!r:.80}.")
-    return frozenset(fixed)
 
 
 @dataclass(frozen=True, eq=False)
@@ -306,7 +294,7 @@ class _Matcher:
             rows.append(np.column_stack([np.eye(3), *(match.base @ moved.axis[i] for i in prismatic)]))
             sides.append(other.home[:3, 3] - match.base @ one.fk(at_offsets)[0, :3, 3])
         matrix, side = np.concatenate(rows) * unknown, np.concatenate(sides)
-        solution = np.linalg.lstsq(matrix, side, rcond=1e-9)[0]
+        solution = np.linalg.lstsq(matrix, side, rcond=1e-9)[0] * unknown
         residual = float(np.abs(matrix @ solution - side).max(initial=0))
         if residual > self.loose:
             return Equivalence(False, difference=residual)

@@ -4,7 +4,7 @@ A correction is written for the table as it is, with its own row numbers, so tha
 """
 
 from collections.abc import Iterable, Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import partial
 from itertools import combinations
 
@@ -18,6 +18,14 @@ from kinlib.rigid.angles import wrap_angle
 
 A, ALPHA, D, THETA = range(4)
 LENGTHS, ANGLES = (A, D), (ALPHA, THETA)
+
+VARIABLES = {("R", THETA), ("P", D)}
+"""Which column a joint changes, by its letter: there the number in a table is only the zero of the joint."""
+
+OTHER_CONVENTION: dict[Convention, Convention] = {"standard": "modified", "modified": "standard"}
+
+NUMBERS = {"wrong number", "offset forgotten"}
+"""The faults that are corrected by a number that the table does not suggest; so they could explain almost anything."""
 
 MEANINGS = {A: "a is measured along x", ALPHA: "alpha about x", D: "d along z", THETA: "theta about z"}
 
@@ -53,25 +61,6 @@ class Correction:
     convention: Convention | None = None
     letters: Mapping[int, str] = field(default_factory=dict)
 
-    @property
-    def is_number(self) -> bool:
-        """Whether it replaces an entry by a number that the table does not suggest, which could explain anything."""
-        return self.fault.name in {"wrong number", "offset forgotten"}
-
-    def combines_with(self, other: "Correction") -> bool:
-        """Whether the order of the two has no effect."""
-        if self.entries.keys() & other.entries.keys():
-            return False
-        for one, two in ((self, other), (other, self)):
-            if one.is_number and two.factors is not None and any(two.factors[entry] != 1 for entry in one.entries):
-                return False
-        return not (self.convention and other.convention) and not (self.letters.keys() & other.letters.keys())
-
-    @property
-    def place(self) -> tuple[str, int | None, str | None]:
-        """The name of the fault and where it is."""
-        return self.fault.name, self.fault.row, self.fault.column
-
 
 def corrected_rows(rows: Array, corrections: Sequence[Correction]) -> Array:
     """Apply corrections to the numbers of a table, (m, 4) -> (m, 4).
@@ -90,11 +79,6 @@ def corrected_rows(rows: Array, corrections: Sequence[Correction]) -> Array:
     return rows
 
 
-def other_convention(table: DHTable) -> Convention:
-    """Return the convention that a table is not in."""
-    return "modified" if table.convention == "standard" else "standard"
-
-
 def format_entry(value: float, column: int) -> str:
     """Format an entry for a sentence: an angle in degrees, a length as the number that it is.
 
@@ -106,9 +90,58 @@ def format_entry(value: float, column: int) -> str:
     return f"{round(float(value), 9) + 0.0:.4g}"
 
 
-def corrections_of_the_table(table: DHTable) -> Iterator[Correction]:
+def known_corrections(
+    table: DHTable, numbers: Array, more_d: Mapping[int, Sequence[float]], *, zeros_are_fixed: bool
+) -> list[Correction]:
+    """Return the corrections of all known mistakes that leave the joint types as they are, the most usual ones first.
+
+    numbers          (k, 4), rows of right tables of the arm, whose numbers are tried in place of a wrong one
+    more_d           further values of d to try, by row
+    zeros_are_fixed  whether the zeros of the joints count: the entries that they change
+
+    >>> table = DHTable([[0.4, 0, 0, 0], [-0.3, 0, 0, 0]], convention="standard")
+    >>> known_corrections(table, table.rows, {}, zeros_are_fixed=False)[1].fault.text
+    'Row 1: a has the wrong sign.'
+    """
+    return [
+        *_corrections_of_a_row(table, zeros_are_fixed),
+        *(correction for correction in _corrections_of_a_pair_of_rows(table) if not correction.letters),
+        *_corrections_of_the_table(table),
+        *_corrections_of_a_number(table, numbers, more_d, zeros_are_fixed),
+    ]
+
+
+def corrections_of_joint_types(table: DHTable, joint_types: str) -> list[tuple[Correction, ...]]:
+    """Return the ways to give a table the joint types of an arm: variables in the other column, or two rows swapped.
+
+    >>> table = DHTable([[0.4, 0, 0, 0], [0.3, 0, 0, 0]], convention="standard", joints="RP")
+    >>> [[correction.fault.text for correction in way] for way in corrections_of_joint_types(table, "RR")]
+    [['Row 2: the joint variable belongs in theta, because this joint is revolute.']]
+    """
+    moving = [row for row, letter in enumerate(table.joints) if letter != "F"]
+    right = list(table.joints)
+    columns = []
+    for row, letter in zip(moving, joint_types, strict=True):
+        right[row] = letter
+        if letter != table.joints[row]:
+            kind, column = ("prismatic", D) if letter == "P" else ("revolute", THETA)
+            text = f"the joint variable belongs in {COLUMNS[column]}, because this joint is {kind}."
+            columns.append(
+                replace(
+                    _correction_of_a_row(row, "variable in the wrong column", text, column, {}), letters={row: letter}
+                )
+            )
+    swapped = [
+        correction
+        for correction in _corrections_of_a_pair_of_rows(table)
+        if [correction.letters.get(row, letter) for row, letter in enumerate(table.joints)] == right
+    ]
+    return [tuple(columns), *((correction,) for correction in swapped if columns)]
+
+
+def _corrections_of_the_table(table: DHTable) -> Iterator[Correction]:
     """Yield the corrections of mistakes that affect the whole table."""
-    other = other_convention(table)
+    other = OTHER_CONVENTION[table.convention]
     text = f"The table is in the {other} convention, but was read as {table.convention}."
     yield Correction(Fault("other convention", text), convention=other)
     rows = table.rows
@@ -141,7 +174,7 @@ def corrections_of_the_table(table: DHTable) -> Iterator[Correction]:
         yield _replaced(Fault(f"{names} swapped", text, None, COLUMNS[one]), rows, swapped, (one, two))
 
 
-def corrections_of_a_pair_of_rows(table: DHTable) -> Iterator[Correction]:
+def _corrections_of_a_pair_of_rows(table: DHTable) -> Iterator[Correction]:
     """Yield the corrections of mistakes between two rows: swapped rows, and an entry in the row before or after its own."""
     rows, joints = table.rows, table.joints
     for one, two in combinations(range(len(rows)), 2):
@@ -161,12 +194,12 @@ def corrections_of_a_pair_of_rows(table: DHTable) -> Iterator[Correction]:
             yield _replaced(fault, rows, swapped, (column,))
 
 
-def corrections_of_a_row(table: DHTable, *, zeros_are_fixed: bool) -> Iterator[Correction]:
+def _corrections_of_a_row(table: DHTable, zeros_are_fixed: bool) -> Iterator[Correction]:
     """Yield the corrections of mistakes in one row. The entry that a joint changes is its zero, which may be free."""
     for row, (a, alpha, d, theta) in enumerate(table.rows):
         correction = partial(_correction_of_a_row, row)
         # If two signs explain a table equally well, that of alpha is the more frequent mistake.
-        columns = [k for k in (ALPHA, D, A, THETA) if zeros_are_fixed or not is_variable(table, row, k)]
+        columns = [k for k in (ALPHA, D, A, THETA) if zeros_are_fixed or (table.joints[row], k) not in VARIABLES]
         for column in columns:
             name, value = COLUMNS[column], table.rows[row, column]
             if column == ALPHA and abs(np.sin(alpha)) < EQUIVALENCE_TOL:
@@ -191,27 +224,10 @@ def corrections_of_a_row(table: DHTable, *, zeros_are_fixed: bool) -> Iterator[C
             )
 
 
-def corrections_of_joint_types(table: DHTable, joint_types: str) -> list[Correction]:
-    """Return the corrections of the rows whose variable is in the other column than the joint types (n letters) require."""
-    corrections = []
-    moving = [row for row, letter in enumerate(table.joints) if letter != "F"]
-    for row, letter in zip(moving, joint_types, strict=True):
-        if letter != table.joints[row]:
-            kind, column = ("prismatic", "d") if letter == "P" else ("revolute", "theta")
-            text = f"Row {row + 1}: the joint variable belongs in {column}, because this joint is {kind}."
-            fault = Fault("variable in the wrong column", text, row + 1, column)
-            corrections.append(Correction(fault, letters={row: letter}))
-    return corrections
-
-
-def corrections_of_a_number(
-    table: DHTable, numbers: Array, more_d: Mapping[int, Sequence[float]], *, zeros_are_fixed: bool
+def _corrections_of_a_number(
+    table: DHTable, numbers: Array, more_d: Mapping[int, Sequence[float]], zeros_are_fixed: bool
 ) -> Iterator[Correction]:
-    """Yield the corrections of one entry to a number that the arm suggests, or to a usual angle.
-
-    numbers  (k, 4), rows of right tables of the arm
-    more_d   further values of d, by row
-    """
+    """Yield the corrections of one entry to a number that the arm suggests, or to a usual angle."""
     lengths = numbers[:, LENGTHS].ravel()
     usual = {column: [0.0, *lengths, *-lengths] for column in LENGTHS}
     for column in ANGLES:
@@ -219,7 +235,7 @@ def corrections_of_a_number(
         angles = np.concatenate([numbers[:, column], wrap_angle(np.pi - numbers[:, column])])
         usual[column] = [0.0, np.pi / 2, -np.pi / 2, np.pi, *angles, *-angles]
     for row, column in np.ndindex(table.rows.shape):
-        if is_variable(table, row, column) and not zeros_are_fixed:
+        if (table.joints[row], column) in VARIABLES and not zeros_are_fixed:
             continue
         name, typed = COLUMNS[column], table.rows[row, column]
         values = {round(float(value), 12) + 0.0: float(value) for value in usual[column]}
@@ -230,14 +246,9 @@ def corrections_of_a_number(
                 continue
             kind = "wrong number"
             text = f"{name} should be {format_entry(value, column)}; the table has {format_entry(typed, column)}."
-            if is_variable(table, row, column) and not typed:
+            if (table.joints[row], column) in VARIABLES and not typed:
                 kind, text = "offset forgotten", f"the offset of {name} is missing."
             yield _correction_of_a_row(row, kind, text, column, {column: value})
-
-
-def is_variable(table: DHTable, row: int, column: int) -> bool:
-    """Whether the joint of a row changes this entry, so that the number is only its zero."""
-    return (table.joints[row], column) in {("R", THETA), ("P", D)}
 
 
 def _correction_of_a_row(row: int, name: str, text: str, column: int, entries: Mapping[int, float]) -> Correction:

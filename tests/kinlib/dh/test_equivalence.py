@@ -1,8 +1,12 @@
 """One mechanism or two: yes for every legal re-choice, no for every entry that matters, and always with the proof."""
 
+import time
+
 import numpy as np
 import pytest
 from example_arms import arm, reduced_count, with_other_choices
+from hypothesis import given
+from hypothesis import strategies as st
 
 import kinlib as kl
 from kinlib import DHTable, assign_frames, equivalent
@@ -260,3 +264,68 @@ def test_parallel_axes_that_are_plainly_farther_apart_need_no_search(apart, sear
     found = equivalent(one, two)
     assert bool(found) == (apart == 2.0)
     assert np.isfinite(found.difference) == searched
+
+
+# --- choices that are fixed ---
+
+CHOICES = ("base", "tool", "zeros", "signs")
+
+
+def with_choices(rng, chain, free):
+    """The same arm with other choices of these kinds, and no others."""
+    offsets = rng.uniform(-1, 1, chain.n) if "zeros" in free else np.zeros(chain.n)
+    signs = rng.choice([-1, 1], chain.n) if "signs" in free else np.ones(chain.n)
+    if "signs" in free:
+        signs[rng.integers(chain.n)] = -1
+    base, tool = (kl.exp(rng.normal(size=6)) if name in free else np.eye(4) for name in ("base", "tool"))
+    screws = (kl.adjoint(base) @ chain.jacobian(offsets)).T * signs[:, None]
+    return kl.Chain(screws, base @ chain.fk(offsets) @ tool)
+
+
+@pytest.mark.parametrize(
+    "free", [set(), *({name} for name in CHOICES), {"base", "zeros"}, {"tool", "signs"}, {*CHOICES}]
+)
+@given(seed=st.integers(0, 2**32 - 1), n=st.integers(1, 8), slides=st.sampled_from([0.0, 0.3]))
+def test_what_is_fixed_does_not_differ_in_the_map(free, seed, n, slides):
+    rng = np.random.default_rng(seed)
+    chain, cases = arm(rng, n, slides=slides)
+    other, fixed = with_choices(rng, chain, free), {*CHOICES} - free
+    found = equivalent(chain, other, fixed=fixed)
+    assert found, (chain.joint_types, cases)
+    q = rng.uniform(-2, 2, (5, n))
+    np.testing.assert_allclose(
+        other.fk(q), found.base @ chain.fk(found.signs * q + found.offsets) @ found.tool, atol=2e-8
+    )
+    for name, T in (("base", found.base), ("tool", found.tool)):
+        assert name not in fixed or (np.eye(4) == T).all()
+    assert "zeros" not in fixed or not found.offsets.any()
+    assert "signs" not in fixed or (found.signs == 1).all()
+
+
+@pytest.mark.parametrize("name", CHOICES)
+@given(seed=st.integers(0, 2**32 - 1), n=st.integers(3, 7))
+def test_what_is_fixed_and_differs_is_another_arm(name, seed, n):
+    """The axes are skew, so that no other choice makes up for it."""
+    rng = np.random.default_rng(seed)
+    chain, _ = arm(rng, n, cases=["skew"], slides=0)
+    other = with_choices(rng, chain, {name})
+    assert equivalent(chain, other)
+    assert not equivalent(chain, other, fixed=[name])
+    assert equivalent(chain, other, fixed=[kind for kind in CHOICES if kind != name])
+
+
+@pytest.mark.parametrize("fixed", ["base", ["zero"], [1]])
+def test_a_choice_that_there_is_not_is_refused(fixed):
+    with pytest.raises(ValueError, match="fixed must be a collection of names from base, tool, zeros, signs; got"):
+        equivalent(kl.robots.rpr(), kl.robots.rpr(), fixed=fixed)
+
+
+@pytest.mark.parametrize("n", [10, 20, 40])
+def test_right_angles_at_every_joint_do_not_double_the_time(n):
+    """Both signs of each joint are possible there: trying all of them would take 2^n steps."""
+    rows = [[0, (-1) ** k * np.pi / 2, 0.1 * (k % 2) * (k + 1), 0] for k in range(n)]
+    chain = DHTable(rows, convention="standard").to_chain()
+    other = with_other_choices(np.random.default_rng(n), chain)
+    start = time.process_time()
+    assert equivalent(chain, other)
+    assert time.process_time() - start < 0.05 * n
