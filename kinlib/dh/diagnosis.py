@@ -78,6 +78,7 @@ class Diagnosis:
     explanations  all explanations that are equally simple, the most plausible one first; empty if the table is right
     tolerance     differences below it are not mentioned
     unfixed       the comparison up to every choice, if some of them are fixed and the table is not right
+    in_pairs      whether pairs of mistakes were tried
     """
 
     table: DHTable
@@ -85,6 +86,7 @@ class Diagnosis:
     explanations: Sequence[Explanation] = ()
     tolerance: float = EQUIVALENCE_TOL
     unfixed: Equivalence | None = None
+    in_pairs: bool = True
 
     @property
     def right(self) -> bool:
@@ -125,7 +127,8 @@ class Diagnosis:
                 ["This table describes the arm" + (", up to these choices:" if choices else "."), *choices]
             )
         if not self.explanations:
-            return f"No known mistake, and no pair of them, explains this table. {self.difference}"
+            mistakes = "No known mistake, and no pair of them," if self.in_pairs else "No known mistake"
+            return f"{mistakes} explains this table. {self.difference}"
         # Another number for the same entry is the same mistake.
         told = {
             tuple((fault.name, fault.row, fault.column) for fault in explanation.faults): explanation
@@ -180,7 +183,7 @@ def diagnose(
         return Diagnosis(table, comparison, (), tolerance)
     explanations = _explain(table, reference, fixed, tolerance, 2 if in_pairs else 1)
     unfixed = equivalent(table, arm, tolerance=tolerance) if fixed else None
-    return Diagnosis(table, comparison, explanations, tolerance, unfixed)
+    return Diagnosis(table, comparison, explanations, tolerance, unfixed, in_pairs)
 
 
 def _compare(table: DHTable, arm: Chain, fixed: Collection[str], tolerance: float) -> Equivalence:

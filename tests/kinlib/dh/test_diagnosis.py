@@ -1,10 +1,14 @@
 """Tables from papers and data sheets: right, or told which mistake, or which two, and mended."""
 
+import time
+
 import numpy as np
 import pytest
+from planted_mistakes import TABLES
 
 import kinlib as kl
 from kinlib import DHTable, assign_frames, diagnose, equivalent
+from kinlib.dh.mistakes import corrected_rows, corrections_of_joint_types, format_entry, known_corrections
 
 PUMA = kl.robots.puma560()
 YOUBOT = kl.robots.youbot()
@@ -419,3 +423,227 @@ def test_another_number_of_joints_is_refused():
         ValueError, match=r"The table must have as many joints as the arm, 5 \(RRRRR\); it has 6 \(RRRRRR\)"
     ):
         diagnose(STANDARD, YOUBOT)
+
+
+# --- what is fixed ---
+
+CHOICES = ("base", "tool", "zeros", "signs")
+UR5 = TABLES["UR5"]
+
+
+@pytest.mark.oracle("roboticstoolbox", diagnose)
+@pytest.mark.parametrize("name", ["UR5", "UR10", "Puma560"])
+def test_with_everything_fixed_a_table_is_right_where_the_robotics_toolbox_has_the_same_poses(name):
+    rtb = pytest.importorskip("roboticstoolbox")
+
+    def poses(rows):
+        robot = rtb.DHRobot([rtb.RevoluteDH(a=a, alpha=alpha, d=d, offset=theta) for a, alpha, d, theta in rows])
+        return robot.fkine(np.random.default_rng(0).uniform(-3, 3, (5, len(rows)))).A
+
+    rows = np.array([[link.a, link.alpha, link.d, 0] for link in getattr(rtb.models.DH, name)().links])
+    right = DHTable(rows, convention="standard")
+    verdicts = set()
+    for row, column in np.ndindex(len(rows), 3):
+        wrong = rows.copy()
+        wrong[row, column] *= -1
+        is_right = bool(np.abs(np.array(poses(wrong)) - poses(rows)).max() < 1e-9)
+        assert diagnose(right.changed(rows=wrong), right, CHOICES, in_pairs=False).right == is_right
+        verdicts.add(is_right)
+    assert verdicts == {True, False}
+
+
+def test_a_wrong_sign_at_the_end_is_a_choice_of_the_tool_unless_the_tool_is_fixed():
+    wrong = with_entries(UR5, (6, "d", -0.0823))
+    assert str(diagnose(wrong, UR5)).splitlines() == [
+        "This table describes the arm, up to these choices:",
+        "The tool frames differ: rotated by 0 degrees, translated by 0.1646 m.",
+    ]
+    for fixed in (["tool"], CHOICES):
+        found = diagnose(wrong, UR5, fixed)
+        assert not found.right
+        assert [fault.text for fault in found.faults] == ["Row 6: d has the wrong sign."]
+
+
+def test_what_only_the_fixed_choices_exclude_is_said():
+    moved = UR5.changed(base=kl.exp([0, 0, 0, 0, 0, 0.3]))
+    found = diagnose(UR5, moved, CHOICES, in_pairs=False)
+    assert [fault.text for fault in found.faults] == ["Row 1: d should be 0.3892; the table has 0.08916."]
+    found = diagnose(UR5, UR5.changed(base=kl.exp([0.3, 0, 0, 0, 0, 0])), ["base"], in_pairs=False)
+    assert not found.explanations
+    assert found.difference == (
+        "The table describes the arm only up to choices that are fixed here. "
+        "The base frames differ: rotated by 17.19 degrees, translated by 0 m."
+    )
+    assert str(found) == f"No known mistake explains this table. {found.difference}"
+
+
+def test_with_fixed_zeros_a_forgotten_offset_is_found():
+    right = with_entries(UR5, (2, "theta", -np.pi / 2), (4, "theta", 0.3))
+    found = diagnose(with_entries(right, (4, "theta", 0)), right, CHOICES)
+    assert [fault.text for fault in found.faults] == ["Row 4: the offset of theta is missing."]
+    assert found.corrected.rows[3, 3] == 0.3
+    found = diagnose(with_entries(right, (4, "theta", -0.3)), right, CHOICES)
+    assert [fault.text for fault in found.faults] == ["Row 4: theta has the wrong sign."]
+
+
+def test_the_arguments_in_the_wrong_order_are_refused():
+    for arguments in [(PUMA, STANDARD), (PUMA, PUMA), (STANDARD, STANDARD.rows)]:
+        with pytest.raises(
+            ValueError, match=r"takes a DHTable and the arm that it should describe, diagnose\(table, arm\)"
+        ):
+            diagnose(*arguments)
+    with pytest.raises(ValueError, match=r"got Chain and DHTable\. They seem to be swapped"):
+        diagnose(PUMA, STANDARD)
+
+
+# --- the smallest explanation, and ties ---
+
+
+def faults_of(found):
+    return [[(fault.name, fault.row, fault.column) for fault in each.faults] for each in found.explanations]
+
+
+def test_one_entry_is_preferred_to_a_whole_column():
+    """One wrong sign of d: to negate every alpha mends the Puma as well, and that edits four entries."""
+    corke = TABLES["Puma (Corke)"]
+    for row, column in ((3, "d"), (3, "a"), (3, "alpha")):
+        value = corke.columns[column][row - 1]
+        found = diagnose(with_entries(corke, (row, column, -value)), corke)
+        assert [(f"sign of {column}", row, column)] in faults_of(found)
+        assert "Every" not in str(found)
+
+
+def test_equally_simple_explanations_are_all_told():
+    """The direction of x is free: with it, a and alpha change their signs together."""
+    found = diagnose(with_entries(SIGNED, (2, "alpha", 1.1)), SIGNED)
+    assert faults_of(found) == [[("sign of a", 2, "a")], [("sign of alpha", 2, "alpha")]]
+    assert str(found).splitlines() == [
+        "Either: Row 2: a has the wrong sign.",
+        "or: Row 2: alpha has the wrong sign.",
+    ]
+    assert all(equivalent(each.corrected, SIGNED) for each in found.explanations)
+
+
+def test_of_many_explanations_three_are_told():
+    panda = TABLES["Panda"]
+    wrong = with_entries(panda, (4, "alpha", -np.pi / 2))
+    found = diagnose(wrong, panda)
+    assert len(found.explanations) > 3
+    assert str(found).splitlines()[3] == f"({len(found.explanations) - 3} more explanations are as simple.)"
+
+
+# --- mistakes that move entries, and units ---
+
+TILTED = DHTable(
+    [[0.31, -0.7, 0.12, 0], [0.23, -1.1, 0.37, 0.2], [0.17, 0.9, 0.22, 0], [0.29, 0.6, 0.19, 0.4]],
+    convention="standard",
+)
+
+
+def rolled(column):
+    rows = np.array(TILTED.rows)
+    rows[:, column] = np.roll(rows[:, column], -1)
+    return TILTED.changed(rows=rows)
+
+
+MOVED = {
+    "Rows 2 and 3 are swapped.": TILTED.changed(rows=TILTED.rows[[0, 2, 1, 3]]),
+    "Rows 2 and 3: the entries of d are swapped.": with_entries(TILTED, (2, "d", 0.22), (3, "d", 0.37)),
+    "The column a is one row too high.": rolled(0),
+    "The column d is one row too high.": rolled(2),
+    "The rows are one row too high.": TILTED.changed(rows=np.roll(TILTED.rows, -1, axis=0)),
+    "The lengths are in millimetres, but were read as metres.": TILTED.changed(rows=TILTED.rows * (1000, 1, 1000, 1)),
+    "The lengths are in centimetres, but were read as metres.": TILTED.changed(rows=TILTED.rows * (100, 1, 100, 1)),
+    "The lengths are a thousandth of those of the arm. Is the arm in millimetres?": TILTED.changed(
+        rows=TILTED.rows * (0.001, 1, 0.001, 1)
+    ),
+    "Row 3: a is in millimetres, but was read as metres.": with_entries(TILTED, (3, "a", 170)),
+    "Row 2: alpha is in degrees, but was read as radians.": with_entries(
+        with_entries(TILTED, (2, "alpha", 0.05)), (2, "alpha", np.degrees(0.05))
+    ),
+    "Every alpha has the wrong sign: it is the angle from z_{i-1} to z_i about x_i, by the right-hand rule.": TILTED.changed(
+        rows=TILTED.rows * (1, -1, 1, 1)
+    ),
+    "The columns theta and alpha are swapped: theta about z, alpha about x.": TILTED.changed(
+        rows=TILTED.rows[:, [0, 3, 2, 1]]
+    ),
+    "Row 2: theta and alpha are swapped.": exchanged_angles(TILTED, 2),
+}
+
+
+@pytest.mark.oracle(
+    "axiom: a planted mistake is undone",
+    known_corrections,
+    corrected_rows,
+    kl.Diagnosis.faults,
+    kl.Diagnosis.corrected,
+    kl.Diagnosis.equivalence,
+)
+@pytest.mark.parametrize(("text", "wrong"), MOVED.items(), ids=MOVED)
+@pytest.mark.parametrize("fixed", [(), CHOICES], ids=["free", "fixed"])
+def test_what_changed_places_or_units_is_told(text, wrong, fixed):
+    right = with_entries(TILTED, (2, "alpha", 0.05)) if "degrees" in text else TILTED
+    found = diagnose(wrong, right, fixed)
+    assert text in [fault.text for each in found.explanations for fault in each.faults]
+    assert found.faults == found.explanations[0].faults
+    (mended,) = [each.corrected for each in found.explanations if each.faults[0].text == text]
+    np.testing.assert_allclose(mended.rows, right.rows, atol=1e-12)
+    q = np.random.default_rng(0).uniform(-2, 2, (5, 4))
+    proof = found.equivalence
+    mapped = proof.base @ found.corrected.fk(proof.signs * q + proof.offsets) @ proof.tool
+    np.testing.assert_allclose(mapped, right.fk(q), rtol=0, atol=1e-9)
+
+
+def test_every_d_with_the_wrong_sign_is_told_where_the_signs_of_the_joints_are_fixed():
+    wrong = TILTED.changed(rows=TILTED.rows * (1, 1, -1, 1))
+    assert diagnose(wrong, TILTED).right
+    assert [fault.text for fault in diagnose(wrong, TILTED, CHOICES).faults] == ["Every d has the wrong sign."]
+
+
+def test_an_entry_in_the_row_of_another_one_is_told_with_its_place():
+    right = with_entries(TILTED, (3, "d", 0))
+    wrong = with_entries(right, (2, "d", 0), (3, "d", 0.37))
+    found = diagnose(wrong, right)
+    assert [fault.text for fault in found.faults] == ["Row 3: the entry of d belongs in row 2."]
+
+
+@pytest.mark.oracle("text: written out in the test", corrections_of_joint_types)
+def test_swapped_rows_of_different_joints_are_found_as_well_as_two_variables_in_the_wrong_column():
+    wrong = ARM.changed(rows=ARM.rows[[0, 2, 1, 3, 4]], joints="RPRRR")
+    ways = corrections_of_joint_types(wrong, ARM.joints)
+    assert [[correction.fault.text for correction in way] for way in ways] == [
+        [
+            "Row 2: the joint variable belongs in theta, because this joint is revolute.",
+            "Row 3: the joint variable belongs in d, because this joint is prismatic.",
+        ],
+        ["Rows 2 and 3 are swapped."],
+    ]
+    assert diagnose(wrong, ARM).faults[0].text == "Rows 2 and 3 are swapped."
+
+
+def test_a_wrong_number_and_another_mistake_are_found_together():
+    wrong = with_entries(TILTED, (2, "a", 0.5), (3, "d", -0.22))
+    found = diagnose(wrong, TILTED)
+    assert [("sign of d", 3, "d"), ("wrong number", 2, "a")] in [sorted(faults) for faults in faults_of(found)]
+    assert diagnose(wrong, TILTED, in_pairs=False).corrected is None
+
+
+@pytest.mark.oracle("text: written out in the test", format_entry)
+def test_an_angle_is_told_in_degrees_and_a_length_as_a_number():
+    entries = [(np.pi / 2, 1), (-np.pi, 3), (1e-17, 1), (0.0203, 0), (-1e-17, 2)]
+    told = [format_entry(value, column) for value, column in entries]
+    assert told == ["90 degrees", "-180 degrees", "0 degrees", "0.0203", "0"]
+
+
+@pytest.mark.parametrize("n", [7, 10])
+@pytest.mark.parametrize("joints", ["R", "RPR"])
+@pytest.mark.parametrize("fixed", [(), CHOICES])
+def test_a_table_with_three_wrong_numbers_takes_at_most_two_seconds(n, joints, fixed):
+    joints = (joints * n)[:n]
+    rows = np.array([[0.1 * (k % 3 == 1), (-1) ** k * np.pi / 2, 0.1 * (k % 2) * (k + 1), 0] for k in range(n)])
+    right = DHTable(rows, convention="standard", joints=joints)
+    wrong = with_entries(right, (2, "a", 0.12), (4, "d", 0.433), (5, "a", 0.5))
+    start = time.process_time()
+    found = diagnose(wrong, right, fixed)
+    assert time.process_time() - start < 2
+    assert not found.right
