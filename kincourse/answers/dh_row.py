@@ -1,15 +1,16 @@
 """Entries or one row of a DH table as an answer: each entry is judged by itself, and angles modulo a full turn."""
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kinlib.arrays.validation import Array
 from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS, is_plausible_angle
 from misstep.answers.base import TOLERANCE
-from misstep.answers.number import Numbers
+from misstep.answers.number import LENGTH, PURE, Numbers, Slip
 
 
 @dataclass(frozen=True, eq=False)
@@ -33,24 +34,65 @@ class DHEntriesAnswer(Numbers):
         # A card capitalizes the first word of a sentence, and "A_1" (a link transform) is not a_1 (a length).
         return [name if " " in name else f"entry {name}" for name in self.names]
 
-    def agrees(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> list[bool]:
-        same = super().agrees(one, other, tolerance)
-        # The chord 2 sin(x / 2) of an angular difference x does not change when x changes by a full turn.
-        chord = np.abs(2 * np.sin((one - other) / 2)) <= tolerance
-        return [bool(chord[k]) if self._is_angle(k) else same[k] for k in range(len(self.names))]
-
-    def hint(self, given: Array, part: int) -> str:
-        if self._is_angle(part) and not is_plausible_angle(given[part]):
-            return f"This is read as {given[part]:g} rad, more than a full turn. Is it in degrees?"
-        if abs(given[part] + self.value[part]) <= TOLERANCE:
-            return "The size is right, the sign is not."
-        return ""
+    def same_entries(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> NDArray[np.bool_]:
+        angles_agree = _same_angle(one, other, tolerance)
+        return np.where(self.kinds() == PURE, angles_agree, super().same_entries(one, other, tolerance))
 
     def part_indices(self) -> list[int]:
         return list(range(len(self.names)))
 
+    def kinds(self) -> NDArray[np.int_]:
+        return np.array([PURE if self._is_angle(part) else LENGTH for part in range(len(self.names))])
+
+    def place(self, index: Sequence[Any]) -> str:
+        return self.parts[index[0]]
+
+    def entry_slips(self) -> Iterator[Slip]:
+        for name, rows, text, part in super().entry_slips():
+            yield name, rows, text, part if name == "sign of one entry" else ""  # a swap takes two parts
+
+    def explanation(self, given: Array, part: int) -> tuple[str, str] | None:
+        mine, right = float(given[part]), float(self.value[part])
+        if self._is_angle(part):
+            cases = (
+                (_same_angle(mine, -right), "sign", "The size is right, the sign is not."),
+                (
+                    _same_angle(np.radians(mine), right),
+                    "degrees",
+                    "This is the right angle in degrees. Give it in radians.",
+                ),
+                (
+                    _same_angle(np.radians(mine), -right),
+                    "degrees and sign",
+                    "This is in degrees, and its sign is wrong.",
+                ),
+                (abs(mine) <= TOLERANCE, "left out", "This is 0, but the angle is not 0."),
+                (_same_angle(mine, right + np.pi), "half a turn", "It differs from the right angle by half a turn."),
+            )
+        else:
+            cases = (
+                (abs(mine + right) <= TOLERANCE, "sign", "The size is right, the sign is not."),
+                (
+                    abs(mine - 1000 * right) <= 1,
+                    "unit of length",
+                    "This is the right length in millimetres. Give it in metres.",
+                ),
+                (abs(mine) <= TOLERANCE, "left out", "This is 0, but the length is not 0."),
+            )
+        return next(((name, text) for is_so, name, text in cases if is_so), None)
+
+    def hint(self, given: Array, part: int) -> str:
+        if self._is_angle(part) and not is_plausible_angle(given[part]):
+            return f"This is read as {given[part]:g} rad, more than a full turn. Is it in degrees?"
+        return ""
+
     def _is_angle(self, part: int) -> bool:
         return any(angle in self.names[part] for angle in ANGLE_COLUMNS)
+
+
+def _same_angle(one: Any, other: Any, tolerance: float = TOLERANCE) -> Any:
+    # The chord 2 sin(x / 2) of an angular difference x does not change when x changes by a full turn.
+    return np.abs(2 * np.sin((one - other) / 2)) <= tolerance
 
 
 @dataclass(frozen=True, eq=False)
@@ -63,3 +105,10 @@ class DHRowAnswer(DHEntriesAnswer):
 
     names: Sequence[str] = COLUMNS
     noun: ClassVar[str] = "row"
+
+    def whole_slips(self) -> Iterator[Slip]:
+        yield from super().whole_slips()
+        for order in ((2, 3, 0, 1), (3, 2, 0, 1), (3, 2, 1, 0)):
+            names = ", ".join(COLUMNS[k] for k in order)
+            text = f"Your numbers are in the order {names}. Give them in the order {', '.join(COLUMNS)}."
+            yield "order of the numbers", self.value[list(order)], text, ""

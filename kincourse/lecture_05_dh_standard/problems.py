@@ -30,7 +30,12 @@ RIGHT_ANGLE_RAD = np.pi / 2
 @problem("05.1", "Four numbers between two drawn frames", points=4, lecture="05_dh_standard#Four numbers")
 def four_numbers(sampler: ArmSampler) -> Problem:
     start, row = np.eye(4), np.zeros(4)
-    while not are_distinguishable([np.zeros(3), start[:3, 3], (start @ _link_transform(row))[:3, 3]]):
+    # Half a turn has no sign, and a row without a minus sign hides all of them.
+    while (
+        not are_distinguishable([np.zeros(3), start[:3, 3], (start @ _link_transform(row))[:3, 3]])
+        or row[3] == np.pi
+        or (row > 0).all()
+    ):
         x = sampler.choice(AXIS_DIRECTIONS)
         z = sampler.choice([axis for axis in AXIS_DIRECTIONS if not axis @ x])
         start = pose((x, np.cross(z, x), z), np.abs(sampler.point(3)))
@@ -56,6 +61,12 @@ def four_numbers(sampler: ArmSampler) -> Problem:
                 [a, theta, d, alpha],
                 "You exchanged the angles. $\\theta$ turns about $z_0$, from $x_0$ to $x_1$; $\\alpha$ turns about $x_1$, from $z_0$ "
                 "to $z_1$.",
+            ),
+            mistake(
+                "off the normal",
+                [np.hypot(a, d), alpha, d, theta],
+                "Your $a$ is the distance of the two origins. It is measured along $x_1$ alone, from $z_0$ to $z_1$.",
+                "This is the distance of the two origins. $a$ is measured along $x_1$ alone, from $z_0$ to $z_1$.",
             ),
             mistake("sign of alpha", [a, -alpha, d, theta], TABLE_MISTAKES["sign of alpha"].message),
             mistake(
@@ -137,7 +148,8 @@ def whole_table(sampler: ArmSampler) -> Problem:
 def offsets(sampler: ArmSampler) -> Problem:
     lengths = [sampler.integer(1, 3) for _ in range(3)]
     headings = [sampler.degrees(15, 75), sampler.degrees(-60, 60), sampler.degrees(-150, 150)]
-    values = np.radians(np.diff(headings, prepend=0))
+    headings_rad = np.radians(headings)
+    values = np.diff(headings_rad, prepend=0)
     rows = [[a, 0, 0, theta] for a, theta in zip(lengths, values, strict=True)]
     table = DHTable(rows, convention="standard", name="Your planar arm")
     headings_text = ", ".join(f"link {i} by {angle}°" for i, angle in enumerate(headings, start=1))
@@ -151,10 +163,10 @@ def offsets(sampler: ArmSampler) -> Problem:
         mistakes=[
             mistake(
                 "measured from the base",
-                np.radians(headings),
+                headings_rad,
                 "You measured every link from $x_0$. $\\theta_i$ runs from $x_{i-1}$ to $x_i$, from one link to the next.",
+                "This is measured from $x_0$. $\\theta_i$ runs from $x_{i-1}$ to $x_i$, from one link to the next.",
             ),
-            mistake("no offset", np.zeros(3), TABLE_MISTAKES["no offset"].message),
             mistake(
                 "signs turned round",
                 -values,
@@ -162,10 +174,43 @@ def offsets(sampler: ArmSampler) -> Problem:
             ),
             mistake(
                 "added up",
-                np.cumsum(np.radians(headings)),
+                np.cumsum(headings_rad),
                 "You added the angles. The headings are sums already; the offsets are their differences.",
             ),
+            mistake(
+                "added to the link before",
+                headings_rad + np.append(0, headings_rad[:2]),
+                "You added the angles of neighbouring links. An offset is the difference of the two.",
+                "This is the sum of the angles of two links. An offset is their difference.",
+            ),
+            mistake(
+                "measured to the next link",
+                headings_rad - np.append(headings_rad[1:], 0),
+                "You took the differences to the next link, backwards. $\\theta_i$ runs from link $i - 1$ to link $i$.",
+                "This is the difference to the next link, backwards. $\\theta_i$ runs from link $i - 1$ to link $i$.",
+            ),
+            mistake(
+                "inner angles",
+                np.pi - values,
+                "You gave the inner angles between the links, $\\pi$ less the offset. $\\theta_i$ is 0 for a straight arm.",
+                "This is the inner angle between the links, $\\pi$ less the offset. $\\theta_i$ is 0 for a straight arm.",
+            ),
+            *(
+                mistake(
+                    "x across the link",
+                    values + sign * np.array([RIGHT_ANGLE_RAD, 0, 0]),
+                    "Your $x_i$ are at a right angle to the links, so $\\theta_1$ is off by $\\pi/2$. $x_i$ runs along link $i$.",
+                    "It is off by a right angle, $\\pi/2$: $x_i$ runs along link $i$, and not across it.",
+                )
+                for sign in (1, -1)
+            ),
+            mistake("no offset", np.zeros(3), TABLE_MISTAKES["no offset"].message),
             mistake("degrees", np.degrees(values), TABLE_MISTAKES["degrees"].message),
+            mistake(
+                "measured from the base and degrees",
+                np.degrees(headings_rad),
+                "You measured every link from $x_0$, and your angles are in degrees. $\\theta_i$ runs from $x_{i-1}$ to $x_i$.",
+            ),
         ],
     )
 
@@ -280,6 +325,8 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
             [np.array(sampler.shuffled(pair)) * (sampler.choice((-1, 1)), sampler.choice((-1, 1))) for pair in pairs]
         )
     climbs = [sampler.choice((-1, 1)) * sampler.integer(1, 3), sampler.choice((-1, 1)) * sampler.integer(1, 3)]
+    if np.ptp(np.linalg.norm(sides, axis=1)) == 0 and climbs[0] == climbs[1]:
+        climbs[1] *= -1  # equal rows would hide a swap
     first = np.array((0, 0, sampler.integer(4, 6)), dtype=float)
     second = first + np.append(sides[0], climbs[0])
     third = second + np.append(sides[1], climbs[1])
@@ -303,12 +350,20 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
                 "off the normal",
                 entries(np.linalg.norm(steps, axis=1), np.zeros(2)),
                 TABLE_MISTAKES["off the normal"].message,
+                "This is the distance from joint to joint. $a$ is the distance of the axes, along the common normal.",
             ),
             mistake("a and d swapped", entries(steps[:, 2], far), TABLE_MISTAKES["a and d swapped"].message),
             mistake(
                 "height above the floor",
                 entries(far, points[1:, 2]),
                 "You took the height above the floor for $d$. It is measured from $O_{i-1}$, along $z_{i-1}$: a difference.",
+                "This is a height above the floor. $d$ is measured from $O_{i-1}$, along $z_{i-1}$: a difference.",
+            ),
+            mistake(
+                "height of the joint before",
+                entries(far, points[:-1, 2]),
+                "You took the height of joint $i$ above the floor for $d_i$. It is the difference of two heights.",
+                "This is the height of joint $i$ above the floor. $d_i$ is the difference of two heights.",
             ),
             mistake(
                 "origins on one level",
@@ -325,6 +380,33 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
                 "round the corner",
                 entries(np.abs(steps[:, :2]).sum(axis=1), steps[:, 2]),
                 "You added the steps along $x$ and along $y$. The common normal goes straight from axis to axis: Pythagoras.",
+                "These are the steps along $x$ and along $y$, added. The common normal goes straight from axis to axis: Pythagoras.",
+            ),
+            *(
+                mistake(
+                    f"step along {axis} alone",
+                    entries(steps[:, k], steps[:, 2]),
+                    f"Your $a$ is the step along ${axis}$ alone. The common normal goes straight from axis to axis: Pythagoras.",
+                    f"This is the step along ${axis}$ alone. The common normal goes straight from axis to axis: Pythagoras.",
+                )
+                for k, axis in enumerate("xy")
+            ),
+            mistake(
+                "square root left out",
+                entries(far**2, steps[:, 2]),
+                "Your $a$ is the square of the distance. Take the root.",
+                "This is the square of the distance. Take the root.",
+            ),
+            mistake(
+                "rows swapped",
+                entries(far[::-1], steps[::-1, 2]),
+                "Your two rows are swapped: row 1 leads from joint 1 to joint 2.",
+            ),
+            mistake(
+                "measured from joint 1",
+                entries(np.hypot(*(points[1:] - first)[:, :2].T), points[1:, 2] - first[2]),
+                "You measured both rows from joint 1. Row 2 begins at joint 2.",
+                "This is measured from joint 1. Row 2 begins at joint 2.",
             ),
         ],
     )
