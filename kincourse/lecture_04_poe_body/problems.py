@@ -29,6 +29,7 @@ from kinlib.rigid.screw import screw
 from kinlib.view import draw_arm, draw_joints
 from misstep.answers.order import Ordering
 from misstep.display.text import matrix
+from misstep.mistakes import mistake
 from misstep.mutants.expression import product
 from misstep.problem import Problem
 from misstep.sheet import Sheet
@@ -124,13 +125,16 @@ def back_to_space(sampler: ArmSampler) -> Problem:
 @problem("04.4", "Where M stands", points=2, lecture="04_poe_body#The mid-formula form")
 def where_home_stands(sampler: ArmSampler) -> Problem:
     names, k = sampler.shuffled("abcd"), sampler.integer(1, 2)
-    while sum(map(str.__ne__, names, "abcd")) < 3 or names[k:] == sorted(names[k:]):  # too close to the alphabet
+    while [names[:k], names[k:]] == [sorted(names[:k]), sorted(names[k:])]:  # too close to the alphabet
         names = sampler.shuffled("abcd")
-    left, right = names[:k], names[k:]
+    left, right, alphabet = (
+        names[:k],
+        names[k:],
+        "The joints are in the order of the alphabet. Their names have no order.",
+    )
     orders = {
         "body part reversed": ((left, right[::-1]), "The joints that {b} reads are in the reverse order."),
         "reversed": ((names[::-1][:k], names[::-1][k:]), "The joints are in the reverse order."),
-        "by the alphabet": ((sorted(names)[:k], sorted(names)[k:]), "The joints are in the order of the alphabet."),
         "sides exchanged": ((right, left), "The factors of {s} and {b} are on the wrong sides of $M$."),
     }
     if k > 1:  # one joint alone has no order
@@ -149,14 +153,17 @@ def where_home_stands(sampler: ArmSampler) -> Problem:
         "factors of $T(q)$ in order, from left to right: a list of the names `'e_a'`, `'e_b'`, `'e_c'`, `'e_d'`, `'M'`.",
         given={"from_floor_to_tool": names, "read_in_s": left},
         answer=Ordering([*(f"e_{name}" for name in left), "M", *(f"e_{name}" for name in right)]),
-        mistakes=factor_order_mistakes(
-            (left, right),
-            {name: (sides, f"{text} {BASE_ADVICE}") for name, (sides, text) in orders.items()},
-            {
-                "home last": (4, f"You put $M$ at the end, as in the space form. {MIDDLE_ADVICE}"),
-                "home first": (0, f"You put $M$ in front, as in the body form. {MIDDLE_ADVICE}"),
-            },
-        ),
+        mistakes=[
+            *factor_order_mistakes(
+                (left, right),
+                {name: (sides, f"{text} {BASE_ADVICE}") for name, (sides, text) in orders.items()},
+                {
+                    "home last": (4, f"You put $M$ at the end, as in the space form. {MIDDLE_ADVICE}"),
+                    "home first": (0, f"You put $M$ in front, as in the body form. {MIDDLE_ADVICE}"),
+                },
+            ),
+            mistake("by the alphabet", ["e_a", "e_b", "e_c", "e_d", "M"], f"{alphabet} {MIDDLE_ADVICE}"),
+        ],
     )
 
 

@@ -92,6 +92,8 @@ class Function(Answer):
 
     def read(self, given: Any) -> FunctionCalls:
         if isinstance(given, FunctionCalls):
+            if given.function is None:
+                return given
             given = given.function
         if isinstance(given, Outputs):
             if len(given.values) != len(self.inputs):
