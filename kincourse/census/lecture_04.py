@@ -104,13 +104,14 @@ def where_home_stands(given: Any, answer: Any) -> Answers:
     home, names, late, back = by.ORDER | {"$M$"}, {"alphabet", "names", *by.ORDER}, k + 1, k - 1
     yield from alike(home, {"home last": [*e, "M"], "home first": ["M", *e]})
     yield from alike(home, {"M one joint late": [*e[:late], "M", *e[late:]], "early": [*e[:back], "M", *e[back:]]})
-    yield from alike(by.ORDER, {"body part reversed": [*left, "M", *rest[::-1]]})
-    if k > 1:  # one joint alone has no order
+    if k < 3:  # one joint alone has no order
+        yield from alike(by.ORDER, {"body part reversed": [*left, "M", *rest[::-1]]})
+        yield from alike(by.ORDER, {"last two swapped": [*left, "M", *rest[:-2], rest[-1], rest[-2]]})
+    if k > 1:
         yield from alike(by.ORDER, {"space part reversed": [*left[::-1], "M", *rest]})
     yield from alike(by.ORDER, {"joints reversed": [*e[::-1][:k], "M", *e[::-1][k:]], "all": list(answer)[::-1]})
     yield from alike(by.ORDER, {"sides exchanged": [*rest, "M", *left]})
     yield from alike(by.ORDER, {"both parts reversed": [*left[::-1], "M", *rest[::-1]]})
-    yield from alike(by.ORDER, {"last two swapped": [*left, "M", *rest[:-2], rest[-1], rest[-2]]})
     yield from alike(names, {"by the alphabet": [*sorted(left), "M", *sorted(rest)], "M last": [*sorted(e), "M"]})
     yield from alike(home, {"home last, reversed": [*e[::-1], "M"], "home first, reversed": ["M", *e[::-1]]})
     yield from alike(home, {"sides exchanged, body part reversed": [*rest[::-1], "M", *left]})

@@ -124,32 +124,29 @@ def back_to_space(sampler: ArmSampler) -> Problem:
 
 @problem("04.4", "Where M stands", points=2, lecture="04_poe_body#The mid-formula form")
 def where_home_stands(sampler: ArmSampler) -> Problem:
-    names, k = sampler.shuffled("abcd"), sampler.integer(1, 2)
+    k, names = sampler.integer(1, 3), sampler.shuffled("abcd")
     while [names[:k], names[k:]] == [sorted(names[:k]), sorted(names[k:])]:  # too close to the alphabet
         names = sampler.shuffled("abcd")
-    left, right, alphabet = (
-        names[:k],
-        names[k:],
-        "The joints are in the order of the alphabet. Their names have no order.",
-    )
+    left, right = names[:k], names[k:]
     orders = {
-        "body part reversed": ((left, right[::-1]), "The joints that {b} reads are in the reverse order."),
         "reversed": ((names[::-1][:k], names[::-1][k:]), "The joints are in the reverse order."),
         "sides exchanged": ((right, left), "The factors of {s} and {b} are on the wrong sides of $M$."),
     }
-    if k > 1:  # one joint alone has no order
-        orders |= {
-            "space part reversed": ((left[::-1], right), "The joints that {s} reads are in the reverse order."),
-            "both parts reversed": (
-                (left[::-1], right[::-1]),
-                "The joints on both sides of $M$ are in the reverse order.",
-            ),
-        }
+    if k < 3:  # one joint alone has no order
+        text = "The joints that {b} reads are in the reverse order."
+        orders["body part reversed"] = (left, right[::-1]), text
+    if k > 1:
+        text = "The joints that {s} reads are in the reverse order."
+        orders["space part reversed"] = (left[::-1], right), text
+    if k == 2:
+        text = "The joints on both sides of $M$ are in the reverse order."
+        orders["both parts reversed"] = (left[::-1], right[::-1]), text
     listed = ", ".join(f"then comes joint {name}" for name in names[1:])
-    axes_in_space = f"axis of joint {names[0]} is" if k == 1 else f"axes of joints {names[0]} and {names[1]} are"
+    in_space = f"axis of joint {names[0]} is" if k == 1 else f"axes of joints {', '.join(left[:-1])} and {left[-1]} are"
+    in_body = "all others" if k < 3 else f"that of joint {names[3]}"
     return Problem(
         statement=f"Joint {names[0]} of an arm stands on the floor, {listed}, and the tool is last. "
-        f"The {axes_in_space} read in {{s}}, all others in {{b}}. So $e_a$ is $e^{{[S_a]q_a}}$ or $e^{{[B_a]q_a}}$, and so on. Put the "
+        f"The {in_space} read in {{s}}, {in_body} in {{b}}. So $e_a$ is $e^{{[S_a]q_a}}$ or $e^{{[B_a]q_a}}$, and so on. Put the "
         "factors of $T(q)$ in order, from left to right: a list of the names `'e_a'`, `'e_b'`, `'e_c'`, `'e_d'`, `'M'`.",
         given={"from_floor_to_tool": names, "read_in_s": left},
         answer=Ordering([*(f"e_{name}" for name in left), "M", *(f"e_{name}" for name in right)]),
@@ -162,7 +159,11 @@ def where_home_stands(sampler: ArmSampler) -> Problem:
                     "home first": (0, f"You put $M$ in front, as in the body form. {MIDDLE_ADVICE}"),
                 },
             ),
-            mistake("by the alphabet", ["e_a", "e_b", "e_c", "e_d", "M"], f"{alphabet} {MIDDLE_ADVICE}"),
+            mistake(
+                "by the alphabet",
+                ["e_a", "e_b", "e_c", "e_d", "M"],
+                f"The joints are in the order of the alphabet. {BASE_ADVICE}",
+            ),
         ],
     )
 
