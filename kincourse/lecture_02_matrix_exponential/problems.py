@@ -7,30 +7,43 @@ import sympy as sp
 
 from kincourse.answers.pose import PoseAnswer, RotationAnswer
 from kincourse.answers.pose_expression import PoseExpressionAnswer
-from kincourse.lecture_02_matrix_exponential.blanks import SQUARED_ENTRIES, rodrigues_sum, translation_matrix
-from kincourse.mistakes.space_form import swap_halves
+from kincourse.expressions.poses import assemble, point, rotation
+from kincourse.expressions.rodrigues import angle_symbol, position_exp, rotation_exp, skew, truncated, twist_matrix
+from kincourse.expressions.screws import direction, moment
 from kincourse.problem import problem
 from kincourse.sampling.arms import AXIS_DIRECTIONS, ArmSampler
 from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z, arm
 from kinlib.chains.robots import pose as frame
-from kinlib.rigid.lie import exp, hat, homogeneous
+from kinlib.rigid.lie import exp, hat
 from kinlib.symbolic.merge_rotations import homogeneous as symbolic_pose
 from kinlib.symbolic.merge_rotations import rotation as turn
-from kinlib.symbolic.merge_rotations import skew_symmetric
 from kinlib.symbolic.numbers import exact
 from kinlib.view import draw_joints
 from misstep.answers.expression import ClosedForm
 from misstep.answers.number import Numbers
 from misstep.display.text import matrix, number, vector
-from misstep.mistakes import mistake
+from misstep.mutants.expression import Expression, given
+from misstep.mutants.operations import ANGLE, LENGTH, cos, function, radians, sin, sqrt, square, unit
 from misstep.problem import Problem
 from misstep.sheet import Sheet
 
-PYTHAGOREAN_QUADRUPLES = ((1, 2, 2, 3), (2, 3, 6, 7), (1, 4, 8, 9), (4, 4, 7, 9))
-"""The entries and the length of vectors for which all are integers, so that unit vectors can be computed on paper."""
+PYTHAGOREAN_QUADRUPLES = ((2, 3, 6, 7), (1, 4, 8, 9), (2, 6, 9, 11), (3, 4, 12, 13))
+"""The entries, all different, and the length of vectors for which all are integers, so that they can be computed on paper."""
 
 PYTHAGOREAN_TRIPLES = ((3, 4, 5), (5, 12, 13), (8, 15, 17))
+
+trace = function("trace", np.trace, "\\operatorname{{tr}} {0}")
+arccos = function("arccos", lambda x: np.arccos(np.clip(x, -1, 1)), "\\arccos {0}")
+axial = function(
+    "axial vector", lambda R: np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]), "({0} - {0}^T)"
+)
+
+FIRST_ROW = "$[\\omega]\\,u = \\omega \\times u$, so the first row is $(0, -\\omega_z, \\omega_y)$."
+PITCH = "It is given for each radian, so it is the pitch already."
+NOT_DIVIDED = "divide $\\omega$ by its length, and not $v$"
+ONE_MOTION = "Both halves belong to one motion."
+SHORTEST = "This vector leads to $R$ as well, but the logarithm is the shorter one, $\\theta \\le \\pi$."
 
 THETA = sp.Symbol("theta", real=True)
 A = sp.Symbol("a", positive=True)
@@ -39,41 +52,13 @@ A = sp.Symbol("a", positive=True)
 @problem("02.1", "The matrix of a screw", points=3, lecture="02_matrix_exponential#The equation behind it")
 def matrix_of_a_screw(sampler: ArmSampler) -> Problem:
     omega, v = sampler.point(5), sampler.point(5)
-    S = np.concatenate([omega, v])
-    right = hat(S)
-    velocity = right * (0, 0, 0, 1)
+    S = twist_matrix(skew(point("\\omega", omega)), point("v", v))
     return Problem(
         statement=f"Write the matrix $[S]$ of the twist $S = (\\omega, v)$ with $\\omega = {vector(omega)}$, $v = {vector(v)}$, by hand.",
         given={"omega": omega, "v": v},
-        answer=Numbers(right),
-        mistakes=[
-            mistake(
-                "sign of the cross product",
-                2 * velocity - right,
-                "Your block is $-[\\omega]$. Test it on a vector: $[\\omega]\\,u = \\omega \\times u$, so the first row is "
-                "$(0, -\\omega_z, \\omega_y)$.",
-            ),
-            mistake(
-                "no minus signs",
-                np.triu(right) + np.triu(right - velocity).T,
-                "Your block equals its transpose. A cross product changes sign when it is mirrored: $[\\omega]^T = -[\\omega]$.",
-            ),
-            mistake(
-                "halves swapped",
-                hat(swap_halves(S)),
-                "You put $v$ into the block and $\\omega$ into the column. Here a twist is $(\\omega, v)$, turn first.",
-            ),
-            mistake(
-                "like a pose",
-                right + np.diag([0, 0, 0, 1]),
-                "You wrote a 1 into the corner. That is a pose's; $[S]$ is a velocity of poses, and the last row of a pose never changes.",
-            ),
-            mistake(
-                "in the last row",
-                right - velocity + velocity.T,
-                "You wrote $v$ into the last row. It is the last column.",
-            ),
-        ],
+        answer=Numbers(S.value),
+        solution=S,
+        advice={"take $\\omega$ with the opposite sign": FIRST_ROW},
     )
 
 
@@ -81,49 +66,16 @@ def matrix_of_a_screw(sampler: ArmSampler) -> Problem:
 def turn_about_a_line(sampler: ArmSampler) -> Problem:
     direction, length = _direction(sampler)
     degrees = sampler.choice([degrees for degrees in range(35, 165, 5) if degrees not in (45, 90)])
-    angle, u = np.radians(degrees), direction / length
-    W, s, c = hat(u), np.sin(angle), np.cos(angle)
+    R = rotation_exp(unit(point("d", direction)), radians(given("\\theta", degrees, ANGLE)))
     return Problem(
         statement=f"A body turns by {degrees} degrees about the direction ${vector(direction)}$. Give $R$.",
         given={"direction": direction, "degrees": degrees},
-        answer=RotationAnswer(exp(u * angle)),
-        mistakes=[
-            mistake(
-                "not a unit vector",
-                rodrigues_sum(hat(direction), s, 1 - c),
-                f"You used the direction as it is given. Rodrigues' formula wants $|\\omega| = 1$, and its length is {length}: divide.",
-            ),
-            mistake(
-                "length in the angle",
-                exp(direction * angle),
-                f"You turned {length} times as far: `kl.exp` takes the length of its vector as the angle. Divide by {length} first.",
-            ),
-            mistake(
-                "degrees", exp(u * degrees), "You used degrees as radians. A sine reads radians: use np.radians first."
-            ),
-            mistake(
-                "turned backwards",
-                exp(-u * angle),
-                "This is the transpose: it turns by the same angle the other way. Is a sign of $[\\omega]$ wrong?",
-            ),
-            mistake(
-                "coefficients swapped",
-                rodrigues_sum(W, 1 - c, s),
-                "You swapped $\\sin\\theta$ and $1 - \\cos\\theta$. The odd powers of $[\\omega]$ fold into $[\\omega]$: "
-                "odd is the sine.",
-            ),
-            mistake(
-                "cos for 1 - cos",
-                rodrigues_sum(W, s, c),
-                "You wrote $\\cos\\theta$ where $1 - \\cos\\theta$ belongs. At $\\theta = 0$ nothing may turn; yours does.",
-            ),
-            mistake(
-                "no identity",
-                rodrigues_sum(W, s, 1 - c) - np.eye(3),
-                "You left out $I$, the first term of the series. At $\\theta = 0$ yours is zero: everything has gone to the origin.",
-            ),
-            mistake("entry by entry", np.eye(3) + s * W + (1 - c) * W * W, SQUARED_ENTRIES),
-        ],
+        answer=RotationAnswer(R.value),
+        solution=R,
+        advice={
+            "not a unit vector": f"`kl.exp` takes the length of its vector as the angle: divide by {length} first.",
+            "sign of an angle": "This is the transpose, which rotates by the same angle the other way. Is a sign of $[\\omega]$ wrong?",
+        },
     )
 
 
@@ -132,47 +84,14 @@ def rotation_as_a_formula(sampler: ArmSampler) -> Problem:
     one, two, length = sampler.choice(PYTHAGOREAN_TRIPLES)
     whole = sp.Matrix(sampler.shuffled([0, sampler.choice((-1, 1)) * one, sampler.choice((-1, 1)) * two]))
     omega = whole / length
-    W, s, c = skew_symmetric(omega), sp.sin(THETA), sp.cos(THETA)
-    R = turn(omega, THETA)
+    axis = unit(point("d", np.array(whole, dtype=float).ravel())).named("\\omega")
     return Problem(
         statement=f"Give $R(\\theta) = e^{{[\\omega]\\theta}}$ for $\\omega = \\tfrac{{1}}{{{length}}}{vector(list(whole))}$ as a "
         "formula in $\\theta$: nine entries, without a decimal.",
         given={"omega": omega},
-        answer=ClosedForm(R),
-        mistakes=[
-            mistake(
-                "turned backwards",
-                R.T,
-                "This is $R(-\\theta)$: the signs of the sines are exchanged. "
-                "The first row of $[\\omega]$ is $(0, -\\omega_z, \\omega_y)$.",
-            ),
-            mistake(
-                "coefficients swapped",
-                sp.eye(3) + (1 - c) * W + s * W * W,
-                "You swapped $\\sin\\theta$ and $1 - \\cos\\theta$. For small $\\theta$ a rotation is $I + [\\omega]\\theta$, and "
-                "$\\sin\\theta$ is what begins like $\\theta$.",
-            ),
-            mistake(
-                "cos for 1 - cos",
-                sp.eye(3) + s * W + c * W * W,
-                "You wrote $\\cos\\theta$ where $1 - \\cos\\theta$ belongs. Put $\\theta = 0$: yours is not $I$.",
-            ),
-            mistake(
-                "no identity",
-                R - sp.eye(3),
-                "You left out $I$, the first term of the series. Put $\\theta = 0$: yours is zero.",
-            ),
-            mistake(
-                "cut short",
-                sp.eye(3) + THETA * W + THETA**2 * W * W / 2,
-                "You stopped after three terms of the series. It goes on; folded, its sums are $\\sin\\theta$ and $1 - \\cos\\theta$.",
-            ),
-            mistake(
-                "entry by entry",
-                sp.eye(3) + s * W + (1 - c) * W.multiply_elementwise(W),
-                "You squared entry by entry. The square of a matrix is a matrix product: in SymPy `W * W`, in NumPy `W @ W`.",
-            ),
-        ],
+        answer=ClosedForm(turn(omega, THETA)),
+        solution=lambda theta: rotation_exp(axis, angle_symbol(theta)),
+        advice={"sign of an angle": "The signs of the sines are swapped then: this is $R^T$."},
     )
 
 
@@ -181,52 +100,33 @@ def where_the_origin_goes(sampler: ArmSampler) -> Problem:
     d, e = sampler.choice([(d, e) for d in AXIS_DIRECTIONS for e in (X, Y, Z) if not d @ e])
     k = sampler.choice((-1, 1)) * sampler.integer(1, 5)
     w = exact(d)
-    point = A * exact(e) + k * exact(np.abs(np.cross(d, e)))
-    v = point.cross(w)
-    W, R, s, c = skew_symmetric(w), turn(w, THETA), sp.sin(THETA), sp.cos(THETA)
-    told = ", ".join(str(entry) for entry in point)
+    beside = k * np.abs(np.cross(d, e))
+    place = A * exact(e) + exact(beside)
+
+    def column(theta: float, a: float) -> Expression:
+        omega, q = direction("\\omega", d), angle_symbol(theta)
+        p = (given("a", a, LENGTH) * given(vector(e), e) + given(vector(beside), beside)).named("p")
+        R_p = rotation_exp(omega, q) @ p
+        return (
+            position_exp(omega, moment(omega, p), q)
+            .mistaken_for(
+                R_p, "R p alone", "write $R\\,p$", "The column is what must be added so that $p$ stays: $p - R\\,p$."
+            )
+            .mistaken_for(
+                p + R_p, "sign", "write $p + R\\,p$", "The point $p$ stays, so $p$ is $R\\,p$ plus the column."
+            )
+            .mistaken_for(
+                p, "p itself", "write the point of the joint", "The column says where the origin of {s} goes."
+            )
+        )
+
+    told = ", ".join(str(entry) for entry in place)
     return Problem(
         statement=f"A joint turns about ${vector(d)}$ through the point $({told})$, with a length $a$ that nobody has measured yet. "
         "Give the p-column of $e^{[S]\\theta}$ as three formulas in $a$ and $\\theta$.",
-        given={"omega": w, "point": point},
-        answer=ClosedForm(point - R * point),
-        mistakes=[
-            mistake(
-                "straight on",
-                v * THETA,
-                "You wrote $v\\,\\theta$. That is a slide's way: it holds for $\\omega = 0$. Here $v$ is carried round with the body.",
-            ),
-            mistake(
-                "omega x p",
-                R * point - point,
-                "You have the negative. $v = -\\omega \\times p$; or think: the point $p$ stays, so $p = R\\,p + {}$column.",
-            ),
-            mistake(
-                "R p alone",
-                R * point,
-                "You turned the joint's point about the origin. The column is what must be added so that it stays: $p - R\\,p$.",
-            ),
-            mistake(
-                "p itself",
-                point,
-                "You put the joint's point into the column. The column says where the origin of {s} goes.",
-            ),
-            mistake(
-                "turned backwards",
-                point - R.T * point,
-                "You turned by $-\\theta$. Right-handed: the thumb along $\\omega$, the fingers show the turn.",
-            ),
-            mistake(
-                "R v",
-                R * v,
-                "You wrote $R\\,v$: how fast the origin's point moves at the end. Where it is, is the integral of that.",
-            ),
-            mistake(
-                "coefficients swapped",
-                v * THETA + (THETA - s) * W * v + (1 - c) * W * W * v,
-                "You swapped two coefficients. $1 - \\cos\\theta$ stands with $[\\omega]$, $\\theta - \\sin\\theta$ with $[\\omega]^2$.",
-            ),
-        ],
+        given={"omega": w, "point": place},
+        answer=ClosedForm(place - turn(w, THETA) * place),
+        solution=column,
     )
 
 
@@ -234,43 +134,53 @@ def where_the_origin_goes(sampler: ArmSampler) -> Problem:
 def three_terms(sampler: ArmSampler) -> Problem:
     angle, radius = sampler.choice([1.0, 1.1, 1.2, 1.3, 1.4, 1.5, 1.6, 1.7, 1.8]), sampler.length(0.3, 2.5)
 
-    def error(terms: int) -> float:
-        """The error of the truncated series, in millimetres. In the plane perpendicular to the axis, [w] acts as i does."""
-        series = sum((1j * angle) ** k / float(sp.factorial(k)) for k in range(terms))
-        return 1000 * radius * float(abs(np.exp(1j * angle) - series))
-
+    theta = given("\\theta", angle).mistaken_for(
+        np.radians(angle),
+        "converted to radians",
+        "convert $\\theta$ from degrees to radians, although it is in radians",
+    )
+    r = given("r", radius)
+    along = cos(theta) - 1 + square(theta) / 2
+    cubed = np.sin(angle) - angle + angle**3 / 6
+    across = (sin(theta) - theta).mistaken_for(
+        cubed, "four terms", "include the term $\\theta^3/3!$", "The sum has three terms."
+    )
+    distance = sqrt(square(along) + square(across))
+    sum_size = np.hypot(1 - angle**2 / 2, angle)
+    for wrong, name, text in (
+        (angle**3 / 6, "next term", "give the length of the first term that is missing; the terms after it count too"),
+        (angle**2 / 2, "last term", "give the length of the last term of the sum"),
+        (
+            abs(along.value) + abs(across.value),
+            "errors added",
+            "add the errors of sine and cosine, which are perpendicular",
+        ),
+        (along.value**2 + across.value**2, "root left out", "leave out the square root"),
+        (np.exp(angle) - 1 - angle - angle**2 / 2, "scalar series", "take the series of the number $e^\\theta$"),
+        (sum_size, "length of the sum", "give the length of the sum, and not of its difference from $R$"),
+        (sum_size - 1, "error of the length", "compare the distances from the axis alone"),
+    ):
+        distance = distance.mistaken_for(wrong, name, text)
+    error = (
+        given("1000", 1000.0).mistaken_for(100.0, "centimetres", "give the number in the unit centimetres")
+        * r
+        * distance
+    )
     return Problem(
         statement=f"You stop the series of $e^{{[\\omega]\\theta}}$ after three terms, $I + [\\omega]\\theta + [\\omega]^2\\theta^2/2$. "
         f"A point stands {number(radius)} m from the axis, which has $|\\omega| = 1$, and $\\theta = {number(angle)}$ rad. "
         "How far from its right place does the sum put it, in millimetres?",
         given={"radius": radius, "theta": angle},
-        answer=Numbers(np.array(error(3)), unit="mm"),
-        mistakes=[
-            mistake(
-                "two terms",
-                error(2),
-                "This is the error after two terms. The identity is a term too: three end with $\\theta^2/2$.",
-            ),
-            mistake(
-                "four terms", error(4), "This is the error after four terms: you took $[\\omega]^3\\theta^3/3!$ along."
-            ),
-            mistake(
-                "the next term",
-                1000 * radius * angle**3 / 6,
-                "This is the length of the first term that is missing: a good guess for small angles. Here the terms after it count too.",
-            ),
-            mistake(
-                "along one axis only",
-                1000 * radius * abs(np.cos(angle) - 1 + angle**2 / 2),
-                "This is the error along one direction, of the cosine. The sine is cut as well: add both at right angles.",
-            ),
-            mistake(
-                "errors added",
-                1000 * radius * (abs(np.cos(angle) - 1 + angle**2 / 2) + abs(np.sin(angle) - angle)),
-                "You added the errors of sine and cosine. They stand at right angles: Pythagoras.",
-            ),
-            mistake("in metres", error(3) / 1000, "The number is right in metres. The question asks for millimetres."),
-        ],
+        answer=Numbers(np.array(error.value), unit="mm"),
+        solution=error,
+        advice={
+            "leave out $\\theta^2 / 2$": "That is the error after two terms: the identity is a term too, so three end with $\\theta^2/2$.",
+            "forget to divide by $2$": "The third term has the factorial $2! = 2$ below.",
+            "leave out the factor $1000$": "The number is right in metres. The question asks for millimetres.",
+            "divide by $r$ instead of multiplying by it": "The error grows with the distance from the axis.",
+            f"leave out ${square(across).latex}$": "That is the error along one direction, of the cosine alone: the sine is cut too.",
+            f"leave out ${square(along).latex}$": "That is the error along one direction, of the sine alone: the cosine is cut too.",
+        },
     )
 
 
@@ -278,50 +188,53 @@ def three_terms(sampler: ArmSampler) -> Problem:
 def gyroscope(sampler: ArmSampler) -> Problem:
     size, seconds = sampler.choice([2.0, 3.0, 0.5]), sampler.choice([0.4, 0.5, 0.6, 0.7, 0.8])
     omega, v = size * sampler.choice(AXIS_DIRECTIONS), sampler.point(3)
-    S, W = np.concatenate([omega, v]), hat(omega)
-    right = exp(S * seconds)
-    printed = rodrigues_sum(W, np.sin(seconds), 1 - np.cos(seconds))
-    unit = np.concatenate([omega / size, v])
+    w = direction("\\omega", omega).mistaken_for(
+        np.radians(omega),
+        "converted to radians",
+        "convert $\\omega$ from degrees to radians, although it is in radians",
+    )
+    v_0, t = direction("v", v), given("t", seconds).mistaken_for(1.0, "time left out", "leave out the time")
+    twist, R = np.concatenate([omega, v]), exp(omega * seconds)
+    column = position_exp(w, v_0.mistaken_for(size * v, "v not divided", NOT_DIVIDED, ONE_MOTION), t)
+    for wrong, name, text in (
+        (R @ v * seconds, "R v", "write $R\\,v\\,t$"),
+        (v, "v itself", "write $v$"),
+        (v - R @ v, "v as a point", "take $v$ as a point of the axis, $v - R\\,v$"),
+    ):
+        column = column.mistaken_for(wrong, name, text, "$v$ is the velocity of the point at the origin.")
+    there = assemble(rotation_exp(w, t), column)
+    kept = "What you take from the axis goes to the angle: $\\theta = |\\omega|\\,t$."
+    for wrong, name, text, advice in (
+        (exp(twist / size * seconds), "angle kept", "divide the twist by $|\\omega|$ without changing the time", kept),
+        (
+            exp(np.array([*omega / size, *v]) * seconds),
+            "angle kept",
+            "divide $\\omega$ by $|\\omega|$ without changing the time",
+            kept,
+        ),
+        (
+            exp(np.array([*v, *omega]) * seconds),
+            "halves swapped",
+            "swap $\\omega$ and $v$",
+            "A twist is $(\\omega, v)$.",
+        ),
+        (truncated(hat(twist) * seconds, 2), "series cut short", "stop the series after two terms", ""),
+        (truncated(hat(twist) * seconds, 3), "series cut short", "stop the series after three terms", ""),
+        (
+            np.exp(hat(twist) * seconds),
+            "exponential of each entry",
+            "take the exponential entry by entry (`np.exp`)",
+            "",
+        ),
+    ):
+        there = there.mistaken_for(wrong, name, text, advice)
     return Problem(
         statement=f"A body turns with $\\omega = {vector(omega)}$ radians in a second, while its point at the origin moves with "
         f"$v = {vector(v)}$ metres in a second. Both stay as they are in {{s}}. "
         f"Give its pose after {number(seconds)} seconds, if it was $I$.",
         given={"omega": omega, "v": v, "seconds": seconds},
-        answer=PoseAnswer(right),
-        mistakes=[
-            mistake(
-                "as printed",
-                homogeneous(printed, translation_matrix(W, seconds) @ v),
-                "This is (3.88) with $\\theta$ = the seconds. It folds the powers with "
-                "$[\\omega]^3 = -[\\omega]$, which needs $|\\omega| = 1$.",
-            ),
-            mistake(
-                "column as printed",
-                homogeneous(right[:3, :3], translation_matrix(W, seconds) @ v),
-                "The rotation is right, the column is (3.88) as it stands. It needs $|\\omega| = 1$ as well.",
-            ),
-            mistake(
-                "angle kept",
-                exp(S / size * seconds),
-                "You divided the twist by $|\\omega|$ and kept the seconds. What you take from the axis goes to the angle: "
-                "$\\theta = |\\omega|\\,t$.",
-            ),
-            mistake(
-                "v not divided",
-                exp(unit * size * seconds),
-                "You divided $\\omega$ by its length, and not $v$. Both halves belong to one motion.",
-            ),
-            mistake(
-                "straight on",
-                homogeneous(right[:3, :3], v * seconds),
-                "You moved the origin straight on, by $v\\,t$. While the body turns, $v$ is the velocity of whichever point is there.",
-            ),
-            mistake(
-                "degrees",
-                exp(np.concatenate([np.radians(omega), v]) * seconds),
-                "You took the radians for degrees and converted them. They are what the exponential wants.",
-            ),
-        ],
+        answer=PoseAnswer(there.value),
+        solution=there,
     )
 
 
@@ -333,89 +246,106 @@ def near_half_a_turn(sampler: ArmSampler) -> Problem:
     degrees = sampler.integer(162, 176)
     angle, u = np.radians(degrees), direction / length
     R = exp(u * angle)
+    R_given = rotation("R", R)
+    theta, trace_R = arccos((trace(R_given) - 1) / 2).named("\\theta"), np.trace(R)
+    once = theta
+    for wrong, name, text, advice in (
+        (
+            np.pi - angle,
+            "arcsine",
+            "take the angle from an arcsine",
+            "A sine cannot tell $\\theta$ from $\\pi - \\theta$; the trace can.",
+        ),
+        (degrees, "degrees", "give the angle in degrees", "The logarithm is in radians."),
+        (angle + 2 * np.pi, "a full turn more", "add a full turn to the angle", SHORTEST),
+        (angle - 2 * np.pi, "the long way", "rotate the longer way round", SHORTEST),
+        (np.arccos(trace_R / 2), "term left out", "leave out the 1 of $\\operatorname{tr} R - 1$ in the angle", ""),
+        (
+            np.arccos((trace_R + 1) / 2),
+            "sign",
+            "write $\\operatorname{tr} R + 1$ instead of $\\operatorname{tr} R - 1$ in the angle",
+            "",
+        ),
+        (angle / 2, "half the angle", "take half of the angle", ""),
+    ):
+        once = once.mistaken_for(wrong, name, text, advice)
+    half = axial(R_given) / 2
+    x = once * (half / sin(theta))
+    for value, name, text in (
+        (axial(R_given).value, "R - R^T alone", "give the components of $R - R^T$"),
+        (half.value, "R - R^T alone", "give the components of $(R - R^T) / 2$"),
+        (np.array([R[2, 1], R[0, 2], R[1, 0]]), "entries of R", "take entries of $R$ instead of those of $R - R^T$"),
+        (np.abs(u) * angle, "signs left out", "leave out the signs of the axis"),
+    ):
+        x = x.mistaken_for(
+            value, name, text, "The logarithm is $\\theta$ times the components of $(R - R^T) / (2 \\sin\\theta)$."
+        )
     return Problem(
         statement="Give the logarithm of this rotation: the rotation vector, axis times angle, of its shortest turn.\n\n"
         f"$$R = {matrix(R)}$$\n\nHere it is printed with four digits, and near half a turn they are too few. `given.R` has them all.",
         given={"R": R},
-        answer=Numbers(u * angle, unit="radians"),
-        mistakes=[
-            mistake(
-                "arcsine",
-                u * (np.pi - angle),
-                "You found the angle by an arcsine. A sine cannot tell $\\theta$ from $\\pi - \\theta$; the trace can: "
-                "$\\operatorname{tr} R = 1 + 2\\cos\\theta$ is near $-1$ here.",
-            ),
-            mistake(
-                "axis alone",
-                u,
-                "This is the axis, a unit vector. The logarithm holds the angle too: axis times angle, in radians.",
-            ),
-            mistake("degrees", u * degrees, "The axis is right, the angle is in degrees. The logarithm is in radians."),
-            mistake(
-                "backwards",
-                -u * angle,
-                "This is the logarithm of $R^T$. From $R - R^T$, the first component is half of $r_{32} - r_{23}$, over the sine.",
-            ),
-            mistake(
-                "the long way",
-                -u * (2 * np.pi - angle),
-                "This vector leads to $R$ as well, by the longer way round. The logarithm is the shorter one, $\\theta \\le \\pi$.",
-            ),
-            mistake(
-                "not halved",
-                2 * u * angle,
-                "Your vector is twice as long as it should be. $R - R^T$ holds $2 \\sin\\theta\\,[\\omega]$: divide by two sines.",
-            ),
-        ],
+        answer=Numbers(x.value, unit="radians"),
+        solution=x,
+        advice={
+            "transposed": "From $R - R^T$, the first component is half of $r_{32} - r_{23}$, over the sine.",
+            "leave out the factor $\\theta$": "This is the axis, a unit vector. The logarithm holds the angle too: axis times angle.",
+            "forget to divide by $2$": "Your vector is twice as long as it should be: $R - R^T$ holds $2 \\sin\\theta\\,[\\omega]$.",
+            "divisor left out": "$R - R^T$ holds $2 \\sin\\theta\\,[\\omega]$.",
+        },
     )
 
 
 @problem("02.8", "A spindle as a formula", points=3, lecture="02_matrix_exponential#Helices")
 def spindle_as_a_formula(sampler: ArmSampler) -> Problem:
-    d, point = sampler.choice(AXIS_DIRECTIONS), sampler.point(4)
+    d, place = sampler.choice(AXIS_DIRECTIONS), sampler.point(4)
     h = sp.Rational(sampler.integer(1, 9), 20)
-    w, p = exact(d), exact(point)
-    R, v, climb = turn(w, THETA), exact(point).cross(exact(d)) + h * w, h * THETA * w
-    robot = arm([(d, point, float(h))], frame((X, Y, Z), point + d), "your spindle", "drawn for you")
+    w, p = exact(d), exact(place)
+    R = turn(w, THETA)
+
+    def solution(theta: float) -> Expression:
+        omega, q, through = direction("\\omega", d), angle_symbol(theta), given("p", place)
+        pitch = given("h", float(h)).mistaken_for(
+            float(h) / (2 * np.pi), "lead for pitch", "divide the climb by $2\\pi$", PITCH
+        )
+        pitch = pitch.mistaken_for(float(h) * 2 * np.pi, "lead for pitch", "multiply the climb by $2\\pi$", PITCH)
+        rotation, climb = rotation_exp(omega, q), pitch * q * omega
+        R_p = rotation @ through
+        turned = position_exp(omega, moment(omega, through), q)
+        column = position_exp(omega, moment(omega, through) + pitch * omega, q)
+        for wrong, name, text, advice in (
+            (
+                through - R_p + pitch * omega,
+                "climb of a radian",
+                "take $h$ as the climb for every angle",
+                "It grows with the angle: $h\\,\\theta$.",
+            ),
+            (R_p + climb, "R p alone", "write $R\\,p$ and the climb", "The point stays on its axis: $p - R\\,p$."),
+            (through + climb, "p itself", "write $p$ and the climb", "The point stays on its axis: $p - R\\,p$."),
+            (R_p - through - climb, "sign", "take the column with the opposite sign", ""),
+            (turned + pitch * q * through, "climb along p", "add a climb along the point $p$", "It is along the axis."),
+        ):
+            column = column.mistaken_for(wrong, name, text, advice)
+        backwards = rotation_exp(omega, -q)
+        left_handed = assemble(backwards, through - backwards @ through + climb)
+        return assemble(rotation, column).mistaken_for(
+            left_handed,
+            "left-handed",
+            "use $-\\theta$ in the rotation and $+\\theta$ in the climb",
+            "Such a spindle is left-handed.",
+        )
+
+    robot = arm([(d, place, float(h))], frame((X, Y, Z), place + d), "your spindle", "drawn for you")
     return Problem(
-        statement=f"A spindle along ${vector(d)}$ passes through ${vector(point)}$ and climbs {number(float(h))} m for each radian. Give "
+        statement=f"A spindle along ${vector(d)}$ passes through ${vector(place)}$ and climbs {number(float(h))} m for each radian. Give "
         "$e^{[S]\\theta}$ as a formula in $\\theta$: sixteen entries, without a decimal.",
         figure=partial(draw_joints, robot),
         given={"axis": w, "point": p, "pitch": h},
-        answer=PoseExpressionAnswer(symbolic_pose(R, p - R * p + climb)),
-        mistakes=[
-            mistake(
-                "no climb",
-                symbolic_pose(R, p - R * p),
-                "Your body turns and does not climb. Along the axis it moves by $h\\,\\theta$.",
-            ),
-            mistake(
-                "climb of a radian",
-                symbolic_pose(R, p - R * p + h * w),
-                "Your body climbs at once, and then never more. The climb grows with the angle: $h\\,\\theta$.",
-            ),
-            mistake(
-                "straight on",
-                symbolic_pose(R, v * THETA),
-                "You wrote $v\\,\\theta$ in the column. Only the part of $v$ along the axis goes straight; the other is carried round.",
-            ),
-            mistake(
-                "one-sided",
-                symbolic_pose(R, R * p + climb),
-                "You turned the point of the axis about the origin, $R\\,p$. It should stay on its axis: the column is $p - R\\,p$ "
-                "and the climb.",
-            ),
-            mistake(
-                "lead taken as pitch",
-                symbolic_pose(R, p - R * p + climb / (2 * sp.pi)),
-                "You divided by $2\\pi$. The climb is given for each radian: it is the pitch already.",
-            ),
-            mistake(
-                "turned backwards",
-                symbolic_pose(R.T, p - R.T * p + climb),
-                "Your spindle turns by $-\\theta$ and climbs by $+\\theta$: it is left-handed.",
-            ),
-        ],
+        answer=PoseExpressionAnswer(symbolic_pose(R, p - R * p + h * THETA * w)),
+        solution=solution,
+        advice={
+            "leave out $h\\,\\omega$": "That is the climb: along the axis the body moves by $h\\,\\theta$.",
+            "leave out the factor $h$": "It is the pitch: along the axis the body moves by $h\\,\\theta$.",
+        },
     )
 
 
