@@ -45,7 +45,7 @@ class DHEntriesAnswer(Numbers):
         return np.array([PURE if self._is_angle(part) else LENGTH for part in range(len(self.names))])
 
     def place(self, index: Sequence[Any]) -> str:
-        return self.parts[index[0]]
+        return str(self.parts[index[0]])
 
     def entry_slips(self) -> Iterator[Slip]:
         for name, rows, text, part in super().entry_slips():
@@ -53,6 +53,7 @@ class DHEntriesAnswer(Numbers):
 
     def explanation(self, given: Array, part: int) -> tuple[str, str] | None:
         mine, right = float(given[part]), float(self.value[part])
+        cases: tuple[tuple[Any, str, str], ...]
         if self._is_angle(part):
             cases = (
                 (_same_angle(mine, -right), "sign", "The size is right, the sign is not."),

@@ -286,13 +286,13 @@ def _split_line(line: str) -> list[str]:
 
 
 def _respelled(text: str) -> str:
-    """Replace signs that are written on paper by what a keyboard has: θ₁ by theta1, ½π by (0+1/2)pi."""
+    """Replace signs that are written on paper by what a keyboard has: θ₁ by theta1, ½π by (1/2)pi."""
     for sign, plain in SPELLINGS.items():
         text = text.replace(sign, plain)
     # A number in front of a fraction of numbers is its whole part: 1½ is 1.5.
     for fraction in set(re.findall(r"[¼-¾⅐-⅞]", text)):
         parts = unicodedata.normalize("NFKC", fraction).replace("⁄", "/")
-        text = re.sub(rf"(\d*){fraction}", lambda found, parts=parts: f"({found[1] or 0}+{parts})", text)
+        text = re.sub(rf"(\d+){fraction}", rf"(\1+{parts})", text).replace(fraction, f"({parts})")
     return text
 
 
@@ -423,8 +423,8 @@ def _evaluate(node: ast.expr, column: str, lengths: Mapping[str, float]) -> _Ent
         case ast.Name(id=name):
             return _evaluate_name(name, column, lengths)
         case ast.UnaryOp(op=ast.USub() | ast.UAdd() as sign, operand=operand):
-            value = _evaluate(operand, column, lengths)
-            return _scaled(value, -1.0) if isinstance(sign, ast.USub) else value
+            signed = _evaluate(operand, column, lengths)
+            return _scaled(signed, -1.0) if isinstance(sign, ast.USub) else signed
         case ast.BinOp(left=left, op=op, right=right):
             return _combine(op, _evaluate(left, column, lengths), _evaluate(right, column, lengths))
     raise TypeError(ast.dump(node))
