@@ -73,10 +73,14 @@ def right(student, name=SHEET):
     return typed(student, lambda problem: problem.answer.value, "kl.Chain({screws}, {home}).fk", name)
 
 
-def mistaken(student, which=0, name=SHEET):
-    """Lines with the answers that a mistake leads to, by problem."""
+def mistaken(student, made="omega x p", name=SHEET):
+    """Lines with the answers that a mistake leads to, by problem: this one where it can be made, or else the first."""
     home_first = "lambda q: {home} @ kl.Chain({screws}, np.eye(4)).fk(q)"
-    return typed(student, lambda problem: typable(problem)[which % len(typable(problem))].value, home_first, name)
+
+    def wrong(problem):
+        return max(typable(problem), key=lambda mistake: mistake.name == made).value
+
+    return typed(student, wrong, home_first, name)
 
 
 def attacking(student, attack):

@@ -67,23 +67,20 @@ def test_the_judge_gives_full_points_for_right_answers_and_names_mistakes(name):
     made = find_sheet(name)
     seed = judge_process.redacted_sheet(COURSE, made, "ada")["seed"]
     problems = [template.variant("ada").with_inputs(seed) for template in made.problems]
-    mistaken = [typable(problem)[0] for problem in problems]
+    mistaken = {k: typable(problem)[0] for k, problem in enumerate(problems, start=1) if typable(problem)}
     for wanted, values in {
-        "right": [problem.answer.value for problem in problems],
-        "mistaken": [wrong.value for wrong in mistaken],
+        "right": {k: problem.answer.value for k, problem in enumerate(problems, start=1)},
+        "mistaken": {k: wrong.value for k, wrong in mistaken.items()},
     }.items():
-        data = [
-            to_data(as_typed(value), problem.answer.inputs) for value, problem in zip(values, problems, strict=True)
-        ]
-        sent = json.loads(json.dumps({str(k): answer for k, answer in enumerate(data, start=1)}))
-        told = judge_process.verdicts(COURSE, made, "ada", seed, sent)
-        for k, wrong in enumerate(mistaken, start=1):
-            assert (told[str(k)]["fraction"] == 1) == (wanted == "right")
-            assert (
-                (wrong.names in told[str(k)]["explanations"][0])
-                if wanted == "mistaken"
-                else not told[str(k)]["mistakes"]
-            )
+        data = {str(k): to_data(as_typed(value), problems[k - 1].answer.inputs) for k, value in values.items()}
+        told = judge_process.verdicts(COURSE, made, "ada", seed, json.loads(json.dumps(data)))
+        for k in values:
+            verdict = told[str(k)]
+            assert (verdict["fraction"] == 1) == (wanted == "right")
+            if wanted == "right":
+                assert not verdict["mistakes"]
+            else:
+                assert mistaken[k].names in verdict["explanations"][0]
 
 
 def test_a_paper_has_other_inputs_each_time_and_the_judge_knows_them_by_the_seed():
