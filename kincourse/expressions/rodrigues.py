@@ -192,7 +192,7 @@ def _changes(table: list[Wrong], node: Expression, *v: Expression) -> Changes:
     omega, theta = node.arguments[0], node.arguments[-1]
     size = float(np.linalg.norm(omega.value))
     for name, text, advice, formula in table:
-        change = Change(name, text.replace("\\theta", theta.latex), advice=advice)
+        change = Change(name, *(words.replace("\\theta", f"{{{theta.latex}}}") for words in (text, "", advice)))
         yield change, Operation(name, _with_unit_axis(formula, size), node.operation.latex)(omega, theta, *v)
 
 
@@ -270,7 +270,12 @@ def _twist_changes(node: Expression) -> Changes:
         ("last row", "write $v$ into the last row", "It is the last column.", _with_last_row),
         ("last row", "write $v$ into the last row as well", "It is only the last column.", lambda S: S + _column(S).T),
         ("v left out", "leave out $v$", "", lambda S: S - _column(S)),
-        ("identity added", "add the identity", "The diagonal of $[S]$ holds zeros; $I + [S]$ is the beginning of $e^{[S]}$.", lambda S: S + np.eye(4)),
+        (
+            "identity added",
+            "add the identity",
+            "The diagonal of $[S]$ holds zeros; $I + [S]$ is the beginning of $e^{[S]}$.",
+            lambda S: S + np.eye(4),
+        ),
     ):
         yield Change(name, text, advice=advice), Operation(name, wrong, "{0}".format)(node)
 
