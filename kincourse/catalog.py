@@ -1,5 +1,7 @@
 """The course: its package, what submissions may import, and how sheets of other robots are found."""
 
+import os
+
 from misstep.catalog import Course
 from misstep.sheet import Sheet
 
@@ -20,4 +22,5 @@ COURSE = Course(
     warm_up=("import numpy as np\nimport kinlib as kl\nnp.eye(4)", "%time kl.exp([0, 0, 1])", "import kinlib.view"),
     fallback=find_robot_sheet,
     fallback_hint="The sheet of another robot needs its file {name}.json beside the notebook.",
+    site=os.environ.get("KINLIB_SITE_URL", ""),  # as in site/conf.py
 )

@@ -24,6 +24,7 @@ from importlib.util import module_from_spec, spec_from_file_location
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
+from misstep.display.lecture_address import lecture_address
 from misstep.judge import judge
 from misstep.problem import Template
 from misstep.questions.item import Item, read_questions
@@ -49,6 +50,7 @@ class Course:
     warm_up   cells that the grader runs once, before the first submission, because first imports are slow
     fallback  returns the sheet of a name that no lecture has, for example from a file beside the notebook; None if there is none
     fallback_hint  what to try if the fallback finds nothing, with {name} for the name of the sheet
+    site      the address of the course's site, https://..., which has the pages lectures/01_frames.html; "" if it has none
 
     A complete course, with one problem, one blank step and one question:
 
@@ -102,6 +104,7 @@ class Course:
     warm_up: Sequence[str] = ()
     fallback: Callable[[str], Sheet | None] | None = None
     fallback_hint: str = ""
+    site: str = ""
     _asked: dict[str, Any] = field(default_factory=dict, init=False, repr=False)
 
     @property
@@ -149,7 +152,7 @@ class Course:
 
         Raises ValueError for an unknown sheet, and for an empty id.
         """
-        return OpenSheet(self.find_sheet(name), student)
+        return OpenSheet(self.find_sheet(name), student, self.site)
 
     def blanks(self) -> dict[str, Template]:
         """The steps that the lectures leave blank, by number: "03.a" is the first one of lecture 03."""
@@ -164,7 +167,9 @@ class Course:
         blanks = self.blanks()
         if number not in blanks:
             raise ValueError(f"There is no blank step {number!r}. The blank steps are: {', '.join(blanks)}.")
-        return Verdict(blanks[number], judge(blanks[number].variant(SAMPLE_ID), answer))
+        template = blanks[number]
+        address = lecture_address(template.lecture, self.site)
+        return Verdict(template, judge(template.variant(SAMPLE_ID), answer), address=address)
 
     def questions(self) -> dict[str, dict[str, Item]]:
         """The questions of each lecture, by the number of the lecture and the name of the question.

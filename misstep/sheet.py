@@ -7,6 +7,7 @@ from types import SimpleNamespace
 from typing import Any
 
 from misstep.bugs import recurrences
+from misstep.display.lecture_address import lecture_address
 from misstep.judge import Judgement, judge
 from misstep.problem import Problem, Template
 from misstep.storage.serialize import to_data
@@ -35,6 +36,8 @@ class OpenSheet:
 
     Problems are numbered from 1, as in the notebook.
 
+    site  the address of the course's site, for links to lectures whose notebooks are not there; "" if it has none
+
     Raises ValueError for an empty id.
 
     >>> import numpy as np
@@ -61,14 +64,14 @@ class OpenSheet:
     True
     """
 
-    def __init__(self, sheet: Sheet, student: Any) -> None:
+    def __init__(self, sheet: Sheet, student: Any, site: str = "") -> None:
         # Many ids are numbers, and students type them with or without quotes.
         student = str(student) if isinstance(student, int) and not isinstance(student, bool) else student
         if not isinstance(student, str) or not student.strip():
             raise ValueError(
                 f"student must be your id, a text such as 'ada'; got {student!r}. Your numbers depend on it."
             )
-        self.sheet = sheet
+        self.sheet, self.site = sheet, site
         self.student = student.strip()
         self.verdicts: dict[int, Verdict] = {}
         self._judgements: dict[int, list[Judgement]] = defaultdict(list)
@@ -112,7 +115,7 @@ class OpenSheet:
         emission = {"sheet": self.sheet.name, "problem": k, "student": self.student, "answer": stored}
         judgement = judge(problem, answer)
         self._judgements[k].append(judgement)
-        self.verdicts[k] = Verdict(template, judgement, emission)
+        self.verdicts[k] = Verdict(template, judgement, emission, lecture_address(template.lecture, self.site))
         return self.verdicts[k]
 
     def tally(self) -> Tally:

@@ -5,8 +5,8 @@ from dataclasses import dataclass
 from typing import Any
 
 from misstep.bugs import Observation, Recurrence
-from misstep.display.card import Card
-from misstep.display.text import number
+from misstep.display.card import Card, Link
+from misstep.display.text import points
 from misstep.judge import Finding, Judgement
 from misstep.problem import Problem, Template
 from misstep.storage.deserialize import MIME
@@ -29,11 +29,13 @@ class Verdict:
     """The points of one answer, and why. It displays itself as a card, and stores the answer as JSON beside the card.
 
     emission  the answer with its sheet, problem and student; a grader reads it and judges it again
+    address   the address of the section to re-read, "" if it is not known
     """
 
     template: Template
     judgement: Judgement
     emission: Mapping[str, Any] | None = None
+    address: str = ""
 
     @property
     def score(self) -> float:
@@ -45,15 +47,15 @@ class Verdict:
         """The feedback: title, points, the right parts, the message of each finding, and the section to re-read."""
         judgement, template = self.judgement, self.template
         title = f"Problem {template.number}: {TITLES[judgement.state]}"
-        lines = [f"{number(self.score)} of {_points(template.points)}."]
+        body: list[str | Link] = [f"{points(self.score)} of {template.points} point{'s' * (template.points != 1)}."]
         if judgement.state == "partly":
-            lines.append(f"Right: {_enumeration(judgement.right_parts)}.")
-        is_only_finding = len(judgement.right_parts) == 0 and len(judgement.findings) == 1
-        lines += [_finding_text(finding, is_only_finding) for finding in judgement.findings]
-        if judgement.findings and judgement.state != "blank":
+            body.append(f"Right: {_enumeration(judgement.right_parts)}.")
+        is_on_whole = judgement.state != "partly" and len(judgement.findings) == 1
+        body += [_finding_text(finding, is_on_whole) for finding in judgement.findings]
+        if judgement.state not in ("right", "blank"):
             notebook, _, section = template.lecture.partition("#")
-            lines.append(f"Re-read: lecture {notebook}, section “{section}”.")
-        return Card(judgement.state, title, lines)
+            body.append(Link(f"Re-read: lecture {notebook}, section “{section}”.", self.address))
+        return Card(judgement.state, title, body)
 
     def _repr_mimebundle_(self, **options: Any) -> dict[str, Any]:
         data = {MIME: self.emission} if self.emission else {}
@@ -82,10 +84,10 @@ class Tally:
             verdict = self.verdicts.get(k)
             state = TITLES[verdict.judgement.state].lower() if verdict else "not checked yet"
             rows.append(
-                f"| {template.number} {template.title} | {number(verdict.score if verdict else 0)} / {template.points} | {state} |"
+                f"| {template.number} {template.title} | {points(verdict.score if verdict else 0)} of {template.points} | {state} |"
             )
         total = sum(template.points for template in self.problems)
-        rows.append(f"| **together** | **{number(self.score)} / {total}** | {self.note} |")
+        rows.append(f"| **together** | **{points(self.score)} of {total}** | {self.note} |")
         lines = [f"- {one}" for one in self.recurrences if one.returns or one.is_slip]
         return "\n".join([*rows, "", *lines] if lines else rows)
 
@@ -101,13 +103,10 @@ def observation(template: Template, problem: Problem, judgements: Sequence[Judge
     return Observation(template.number, sorted(possible), explanations)
 
 
-def _finding_text(finding: Finding, is_only_finding: bool) -> str:
-    return finding.message if is_only_finding else f"{_enumeration(finding.parts).capitalize()}: {finding.message}"
+def _finding_text(finding: Finding, is_on_whole: bool) -> str:
+    parts = _enumeration(finding.parts)
+    return finding.message if is_on_whole else f"{parts[:1].upper()}{parts[1:]}: {finding.message}"
 
 
 def _enumeration(names: Sequence[str]) -> str:
     return " and ".join([", ".join(names[:-1]), names[-1]] if len(names) > 1 else names)
-
-
-def _points(points: int) -> str:
-    return f"{points} point" + "s" * (points != 1)

@@ -5,6 +5,7 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
+from urllib.parse import urlsplit
 
 TONES = {
     "right": ("✓", "#1a7f37", "#eefbf0"),
@@ -20,10 +21,28 @@ FRAME = "border-left:5px solid {ink};background:{paper};color:#1f2328;padding:.6
 
 
 @dataclass(frozen=True)
+class Link:
+    """A paragraph that leads to an address; without an address it is plain text.
+
+    address  with https or http, or relative to the notebook
+
+    Raises ValueError for an address with another scheme, because a browser may run it as code.
+    """
+
+    text: str
+    address: str = ""
+
+    def __post_init__(self) -> None:
+        if urlsplit(self.address).scheme not in ("", "http", "https"):
+            raise ValueError(f"address must be relative, or begin with https:// or http://; got {self.address!r}.")
+
+
+@dataclass(frozen=True)
 class Card:
     """A short message with a title: the feedback after a check.
 
     Paragraphs may contain `code` and $mathematics$; the text of a pair ("pre", text) is shown unchanged, in a fixed-width font.
+    A Link is the only paragraph that can be followed: nothing in a text becomes a link.
 
     Raises ValueError for an unknown tone.
 
@@ -37,7 +56,7 @@ class Card:
 
     tone: str
     title: str
-    body: Sequence[str | tuple[str, str]] = ()
+    body: Sequence[str | tuple[str, str] | Link] = ()
 
     def __post_init__(self) -> None:
         if self.tone not in TONES:
@@ -52,7 +71,9 @@ class Card:
 
     def text(self) -> str:
         """Return the card as plain text, for a terminal."""
-        lines = [part if isinstance(part, str) else part[1] for part in self.body]
+        lines = [
+            part if isinstance(part, str) else part.text if isinstance(part, Link) else part[1] for part in self.body
+        ]
         indented = ("  " + line for part in lines for line in part.splitlines())
         return "\n".join([f"{TONES[self.tone][0]} {self.title}", *indented])
 
@@ -60,9 +81,13 @@ class Card:
         return {"text/html": self.html(), "text/plain": self.text()}
 
 
-def _paragraph(part: str | tuple[str, str]) -> str:
-    if isinstance(part, str):
-        return f'<p style="margin:.4em 0 0">{inline(part)}</p>'
+def _paragraph(part: str | tuple[str, str] | Link) -> str:
+    if isinstance(part, Link) and part.address:
+        # the colour of a theme's links may be hard to read on the background of the card
+        link = f'<a href="{html.escape(part.address)}" style="color:inherit;text-decoration:underline">{inline(part.text)}</a>'
+        return f'<p style="margin:.4em 0 0">{link}</p>'
+    if not isinstance(part, tuple):
+        return f'<p style="margin:.4em 0 0">{inline(part if isinstance(part, str) else part.text)}</p>'
     style = "margin:.4em 0 0;background:transparent;color:inherit;white-space:pre;overflow-x:auto"
     return f'<pre style="{style}">{html.escape(part[1])}</pre>'
 

@@ -54,6 +54,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
     parser.add_argument(
         "--column", metavar="NAME", help="the column of the sheet on the platform (default: the sheet's name)"
     )
+    parser.add_argument(
+        "--site",
+        metavar="URL",
+        help="the address of the course's site, to whose lectures feedback links (default: the one that the course names)",
+    )
     parser.add_argument("--jobs", type=int, default=2, metavar="N", help="how many at a time (default: 2)")
     parser.add_argument("--regrade", action="store_true", help="grade every submission again, even if it has a result")
     parser.add_argument(
@@ -92,7 +97,7 @@ def run(options: argparse.Namespace) -> int:
 
 
 def _run(options: argparse.Namespace) -> int:
-    sheet = read_released_sheet(options.sheet, options.course)
+    sheet = read_released_sheet(options.sheet, options.course, options.site)
     roster = read_roster(options.roster, options.id_column) if options.roster else None
     gathered = gather(options.submissions, sheet.name, roster)
     selected = _select(gathered.submissions, options.only)

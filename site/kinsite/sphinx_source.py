@@ -5,9 +5,11 @@ A file is written only if its text changes, so that Sphinx reads only what has c
 
 import re
 from collections.abc import Iterator, Mapping
+from html import unescape
 from pathlib import Path
 
 import nbformat
+from docutils.nodes import make_id
 from nbformat import NotebookNode
 
 from kinsite.execute import ROOT, cached_pages, execute_all
@@ -23,6 +25,9 @@ LINK_TARGETS = {
     r"\.\./CONTRIBUTING\.md": "../contributing.md",
 }
 """Where the links of a notebook lead on the site."""
+
+LECTURE_LINK = re.compile(r'href="(?:\.\./)+notebooks/(\w+)\.ipynb#([^"]*)"')
+"""A link to a section of a lecture in the output of a cell, as misstep.display.lecture_address makes it."""
 
 NBVAL_MARK = "# NBVAL_CHECK_OUTPUT"
 """A comment for the tests, which compare the output of its cell. Readers do not need it."""
@@ -104,8 +109,19 @@ def adapt(notebook: NotebookNode) -> NotebookNode:
                 cell.source = re.sub(rf"\]\({old}", f"]({new}", cell.source)
         else:
             cell.source = cell.source.removeprefix(f"{NBVAL_MARK}\n")
+            for data in (output["data"] for output in cell.outputs if "text/html" in output.get("data", {})):
+                data["text/html"] = LECTURE_LINK.sub(link_to_page, data["text/html"])
     notebook.metadata.pop("widgets", None)
     return notebook
+
+
+def link_to_page(found: re.Match[str]) -> str:
+    """Make a link to a section in a notebook lead to the page.
+
+    >>> LECTURE_LINK.sub(link_to_page, 'href="../notebooks/06_dh_modified.ipynb#The-n-=-5-arm"')
+    'href="../lectures/06_dh_modified.html#the-n-5-arm"'
+    """
+    return f'href="../lectures/{found[1]}.html#{make_id(unescape(found[2]))}"'
 
 
 def without_cards(notebook: NotebookNode, path: Path) -> NotebookNode:

@@ -7,12 +7,14 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from docutils.nodes import make_id
 from hostile_answers import HOSTILE, Rude
 from odd_robots import generated_sheets
 
 from kincourse import attempt, blanks, find_sheet, open_sheet, sheets
 from misstep.answers.number import Numbers
 from misstep.census import is_true
+from misstep.display.lecture_address import page_address
 from misstep.judge import judge
 from misstep.sheet import SAMPLE_ID
 from misstep.verdict import Verdict
@@ -126,6 +128,7 @@ def test_the_section_to_reread_is_a_heading_of_its_lecture(template):
     cells = json.loads((NOTEBOOKS / f"{notebook}.ipynb").read_text(encoding="utf-8"))["cells"]
     prose = "\n".join("".join(cell["source"]) for cell in cells if cell["cell_type"] == "markdown")
     assert section in re.findall(r"^#+ (.+)$", prose, flags=re.MULTILINE)
+    assert page_address(template.lecture, "https://a.b") == f"https://a.b/lectures/{notebook}.html#{make_id(section)}"
 
 
 def test_ids_that_differ_only_in_case_or_spaces_are_the_same_student():

@@ -1,9 +1,14 @@
 """Cards with feedback: each tone can be read without colour, and no message can run code on the page."""
 
+import re
+from fractions import Fraction
+
 import numpy as np
 import pytest
 
-from misstep.display.card import TONES, Card
+from misstep.display.card import TONES, Card, Link
+from misstep.display.lecture_address import lecture_address
+from misstep.display.text import points
 
 
 @pytest.mark.parametrize("tone", TONES)
@@ -37,6 +42,50 @@ def test_code_and_formulas_reach_the_page():
     html = Card("note", "n", ["try `x.T`, for $a < b$"]).html()
     assert ">x.T</code>" in html
     assert "$a &lt; b$" in html
+
+
+def test_only_a_link_can_be_followed():
+    address = 'https://example.org/lectures/01.html#"a"'
+    card = Card(
+        "wrong", "t", ["[a](https://b.c) <a href='https://b.c'>", Link("Re-read <this>", address), Link("plain")]
+    )
+    followed = re.findall(r'<a href="([^"]*)"[^>]*>([^<]*)</a>', card.html())
+    assert followed == [("https://example.org/lectures/01.html#&quot;a&quot;", "Re-read &lt;this&gt;")]
+    assert card.html().count("<a ") == 1
+    assert card.text().splitlines()[2:] == ["  Re-read <this>", "  plain"]
+
+
+@pytest.mark.parametrize("address", ["javascript:alert(1)", "data:text/html,x", " JavaScript:alert(1)", "file:///etc"])
+def test_a_link_has_no_address_that_a_browser_may_run(address):
+    with pytest.raises(ValueError, match=r"address must be relative, or begin with https://"):
+        Link("text", address)
+
+
+def test_a_lecture_is_found_beside_the_sheet_and_above_it(tmp_path, monkeypatch):
+    for folder in ("notebooks", "exercises/01_frames", "deep/er/than/that"):
+        (tmp_path / folder).mkdir(parents=True)
+    (tmp_path / "notebooks" / "01_frames.ipynb").touch()
+    (tmp_path / "exercises" / "01_frames" / "01_frames.ipynb").touch()  # a sheet has the name of its lecture
+    page = "https://a.b/lectures/01_frames.html#the-inverse"
+    found = {
+        ".": "notebooks/01_frames.ipynb#The-inverse",
+        "notebooks": "../notebooks/01_frames.ipynb#The-inverse",
+        "exercises/01_frames": "../../notebooks/01_frames.ipynb#The-inverse",
+        "deep/er/than/that": page,
+    }
+    for folder, address in found.items():
+        monkeypatch.chdir(tmp_path / folder)
+        assert lecture_address("01_frames#The inverse", "https://a.b/") == address
+    assert not lecture_address("01_frames#The inverse")
+
+
+@pytest.mark.parametrize("whole", range(4))
+@pytest.mark.parametrize("below", range(1, 13))
+def test_points_are_written_as_a_person_writes_them(whole, below):
+    for above in range(below):
+        text = points(sum([1 / below] * above, start=float(whole)))
+        assert sum(map(Fraction, text.split())) == whole + Fraction(above, below)
+        assert "." not in text
 
 
 def test_an_unknown_tone_is_refused():

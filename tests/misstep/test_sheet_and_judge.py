@@ -14,6 +14,7 @@ from misstep.judge import Finding, Judgement, judge
 from misstep.mistakes import mistake
 from misstep.problem import Problem, problem
 from misstep.sampling import Sampler
+from misstep.sheet import OpenSheet, Sheet
 from misstep.verdict import Verdict
 
 
@@ -268,3 +269,40 @@ def test_a_card_names_score_mistake_and_section():
     assert "2 of 4 points" in text
     assert "Row 2: This row has the opposite sign." in text
     assert "lecture 01_ohm, section “Currents”" in text
+
+
+def test_findings_of_a_card_are_in_the_order_of_the_parts():
+    @problem("99.3", "Two rows", points=1, lecture="01_ohm#Currents")
+    def template(draw):
+        swapped = mistake("swapped", NEGATED.value[::-1], "A whole.", "This row is swapped.")
+        return two_rows([NEGATED, swapped])
+
+    p = template.variant("ada")
+    for row_1, row_2 in [(p.mistakes[1], p.mistakes[0]), (p.mistakes[0], p.mistakes[1])]:
+        verdict = Verdict(template, judge(p, [row_1.value[0], row_2.value[1]]))
+        assert [line.partition(":")[0] for line in verdict.card.text().splitlines()[2:]] == [
+            "  Row 1",
+            "  Row 2",
+            "  Re-read",
+        ]
+        assert verdict.judgement.mistakes == [row_1.name, row_2.name]
+
+
+class Remarked(Numbers):
+    """Numbers with a remark on every right answer."""
+
+    def remark(self, given):
+        return "You wrote it in another form."
+
+
+def test_a_remark_on_a_right_answer_is_no_mistake_and_nothing_to_reread():
+    @problem("99.4", "A number", points=2, lecture="01_ohm#Currents")
+    def template(draw):
+        return Problem("", Remarked(np.array(2.0)))
+
+    sheet = OpenSheet(Sheet("01_ohm", "Ohm", [template]), "ada")
+    verdict = sheet.check(1, 2)
+    assert verdict.card.text() == "✓ Problem 99.4: Right\n  2 of 2 points.\n  You wrote it in another form."
+    assert verdict.judgement.mistakes == []
+    assert sheet.tally().recurrences == []
+    assert "2 of 2 | right" in sheet.tally()._repr_markdown_()

@@ -6,7 +6,7 @@ edited, so the released sheet's own check cells are run in their place.
 
 import re
 from collections.abc import Mapping, Sequence
-from contextlib import chdir
+from contextlib import chdir, nullcontext
 from dataclasses import dataclass, field
 from pathlib import Path
 
@@ -24,12 +24,14 @@ class ReleasedSheet:
     folder  the folder of its notebook
     checks  the source of the check cell of each problem, by the problem's number, from 1
     course  the package of an installed course, or the folder of another one
+    site    the address of the course's site, to which feedback links; "" if it has none
     """
 
     name: str
     folder: Path
     checks: Mapping[int, str]
     course: str
+    site: str = ""
 
 
 @dataclass(frozen=True)
@@ -49,12 +51,14 @@ class RunPlan:
     remarks: Mapping[int, Sequence[str]] = field(default_factory=dict)
 
 
-def read_released_sheet(path: Path, course: str | Path | None = None) -> ReleasedSheet:
+def read_released_sheet(path: Path, course: str | Path | None = None, site: str | None = None) -> ReleasedSheet:
     """Read the notebook of a released sheet, from solutions/ or exercises/.
 
     course  the course that has the sheet, by its package or its folder; by default the installed course that has it
+    site    the address of the course's site; by default the one that the course names
 
-    Raises ValueError for a notebook that opens no sheet or has no check cells, and if no course has the sheet.
+    Raises ValueError for a notebook that opens no sheet or has no check cells, if no course has the sheet, and for a site whose
+    address is not complete.
     """
     cells = code_cells(path.read_bytes())
     opened = next((match[1] for cell in cells if (match := OPEN_SHEET_CALL.search(cell.source))), None)
@@ -63,10 +67,14 @@ def read_released_sheet(path: Path, course: str | Path | None = None) -> Release
         raise ValueError(
             f"{path} must call open_sheet and have cells named check-1, check-2, ...; is it the notebook of a sheet?"
         )
-    if course:
-        return ReleasedSheet(opened, path.parent, checks, find_course(course).reference)
-    with chdir(path.parent):  # a course may find a sheet by a file beside the notebook
-        return ReleasedSheet(opened, path.parent, checks, course_of(opened).reference)
+    with (
+        chdir(path.parent) if course is None else nullcontext()
+    ):  # a course may find a sheet by a file beside the notebook
+        owner = find_course(course) if course else course_of(opened)
+    site = owner.site if site is None else site
+    if site and not site.startswith(("https://", "http://")):
+        raise ValueError(f"The address of the site must begin with https:// or http://; got {site!r}.")
+    return ReleasedSheet(opened, path.parent, checks, owner.reference, site)
 
 
 def plan_run(sheet: ReleasedSheet, content: bytes) -> RunPlan:

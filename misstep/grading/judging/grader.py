@@ -137,6 +137,7 @@ class Grader:
                     verdict.get("right"),
                     verdict["possible"],
                     verdict["explanations"],
+                    verdict["address"],
                 )
             )
         return results
@@ -190,7 +191,7 @@ class Grader:
 
     def _verdicts(self, student: str, seed: int, answers: Mapping[str, Any]) -> dict[str, Any]:
         """Judge the answers together; if that fails, one by one, so that a fault in one answer costs one problem."""
-        message = {"request": "verdicts", "student": student, "seed": seed}
+        message = {"request": "verdicts", "student": student, "seed": seed, "site": self.sheet.site}
         together = self._ask_judge({**message, "answers": answers})
         if "verdicts" in together:
             return dict(together["verdicts"])
@@ -218,6 +219,7 @@ def _zero_points(state: str, text: str) -> dict[str, Any]:
         "mistakes": [],
         "possible": [],
         "explanations": [],
+        "address": "",
         "text": text,
         "html": f"<p>{text}</p>",
     }

@@ -6,7 +6,8 @@ COURSE is the package of an installed course, or the folder of another one.
 
 It answers three kinds of requests from stdin on stdout. "problems" returns the numbers, titles and points of the sheet's
 problems. "redacted sheet" returns a student's sheet without answers, and a seed from which the inputs of function answers
-are drawn anew in every run. "verdicts" judges answers; the request has the seed of the redacted sheet.
+are drawn anew in every run. "verdicts" judges answers; the request has the seed of the redacted sheet, and the address of the
+course's site.
 
 It runs in the folder of the sheet, because a robot's own sheet is described by a file there.
 """
@@ -20,11 +21,13 @@ from functools import lru_cache
 from typing import Any
 
 from misstep.catalog import Course, find_course
+from misstep.display.card import Link
+from misstep.display.lecture_address import page_address
 from misstep.grading.sandbox.confine import set_resource_limits
 from misstep.grading.sandbox.redacted_sheet import redact
 from misstep.grading.sandbox.rpc import encode_message, receive_message
 from misstep.judge import Finding, Judgement, judge
-from misstep.problem import Problem
+from misstep.problem import Problem, Template
 from misstep.sheet import Sheet
 from misstep.storage.deserialize import Malformed, Opaque, from_data
 from misstep.storage.serialize import to_data
@@ -44,10 +47,15 @@ def redacted_sheet(course: Course, sheet: Sheet, student: str) -> dict[str, Any]
     return {"seed": seed, "sheet": redact(sheet, _problems(course, sheet, student, seed))}
 
 
-def verdicts(course: Course, sheet: Sheet, student: str, seed: int, answers: Mapping[str, Any]) -> dict[str, Any]:
+def verdicts(
+    course: Course, sheet: Sheet, student: str, seed: int, answers: Mapping[str, Any], *, site: str = ""
+) -> dict[str, Any]:
     """Judge the answers, by problem number as text: "1" is the first. A problem without an answer is blank."""
     problems = _problems(course, sheet, student, seed)
-    return {str(k): _verdict(sheet, k, problem, answers.get(str(k))) for k, problem in enumerate(problems, start=1)}
+    return {
+        str(k): _verdict(template, problem, answers.get(str(k)), page_address(template.lecture, site))
+        for k, (template, problem) in enumerate(zip(sheet.problems, problems, strict=True), start=1)
+    }
 
 
 def _problems(course: Course, sheet: Sheet, student: str, seed: int) -> list[Problem]:
@@ -60,17 +68,18 @@ def _variants(course: Course, sheet: str, student: str) -> list[Problem]:
     return [template.variant(student) for template in course.find_sheet(sheet).problems]
 
 
-def _verdict(sheet: Sheet, k: int, problem: Problem, data: Any) -> dict[str, Any]:
-    verdict = Verdict(sheet.problems[k - 1], _judge_answer(problem, data))
-    seen = observation(verdict.template, problem, [verdict.judgement])
+def _verdict(template: Template, problem: Problem, data: Any, address: str) -> dict[str, Any]:
+    verdict = Verdict(template, _judge_answer(problem, data), address=address)
+    card, seen = verdict.card, observation(template, problem, [verdict.judgement])
     return {
         "state": verdict.judgement.state,
         "fraction": verdict.judgement.fraction,
         "mistakes": verdict.judgement.mistakes,
         "possible": seen.possible,
         "explanations": seen.explanations,
-        "text": verdict.card.text(),
-        "html": verdict.card.html(),
+        "text": card.text(),
+        "html": card.html(),
+        "address": card.body[-1].address if isinstance(card.body[-1], Link) else "",
         "right": to_data(problem.answer.value),
     }
 
@@ -109,7 +118,8 @@ def _respond(course: Course, message: Mapping[str, Any]) -> dict[str, Any]:
             return {"problems": [[template.number, template.title, template.points] for template in sheet.problems]}
         if message["request"] == "redacted sheet":
             return redacted_sheet(course, sheet, message["student"])
-        return {"verdicts": verdicts(course, sheet, message["student"], message["seed"], message["answers"])}
+        arguments = (message[name] for name in ("student", "seed", "answers"))
+        return {"verdicts": verdicts(course, sheet, *arguments, site=message["site"])}
     except Exception as error:  # whatever error an answer causes, the next message is about another student
         return {"error": f"{type(error).__name__}: {error}"[:500]}
 

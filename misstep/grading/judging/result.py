@@ -20,6 +20,7 @@ class ProblemResult:
     answer   the answer as data, in the form of misstep.storage.deserialize
     right    the right answer as data, for the instructor; None if the problem was not judged
     possible, explanations   which mistakes can be made and which were, as an Observation of misstep.bugs has them
+    address  the address of the section to re-read, which the last line of the verdict names; "" if there is none
     """
 
     number: str
@@ -35,6 +36,7 @@ class ProblemResult:
     right: Any = None
     possible: Sequence[str] = ()
     explanations: Sequence[Alternatives] = ()
+    address: str = ""
 
 
 @dataclass(frozen=True)

@@ -13,6 +13,7 @@ from typing import Any
 from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
+from misstep.display.text import points
 from misstep.grading.judging.result import RanCell
 from misstep.grading.publish.mathml import render_sentence
 
@@ -33,7 +34,7 @@ STATE_LABELS = {
 
 
 def format_points(value: float) -> str:
-    """Points with at most two decimals.
+    """Points with at most two decimals, for tables and averages.
 
     >>> format_points(2.0), format_points(2 / 3)
     ('2', '0.67')
@@ -91,7 +92,8 @@ ENVIRONMENT = Environment(
 )
 ENVIRONMENT.filters |= {
     "sentence": render_sentence,
-    "points": format_points,
+    "decimals": format_points,
+    "points": points,
     "as_html": render_output,
     "outputs": outputs_of,
 }

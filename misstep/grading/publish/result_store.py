@@ -49,6 +49,7 @@ def fingerprint(sheet: ReleasedSheet, is_safe: bool, parts: Sequence[str | bytes
     common = [
         _code_digest(sheet.course),
         sheet.name,
+        sheet.site,
         sorted(sheet.checks.items()),
         is_safe,
         robot.read_text("utf-8") if robot.exists() else "",

@@ -107,6 +107,25 @@ def test_an_answer_that_is_none_is_told_why(data, told):
     assert "<script" not in verdict["html"]
 
 
+@pytest.mark.parametrize("site", ["https://example.org/course/", ""])
+def test_a_verdict_links_to_the_site_if_there_is_one(site):
+    sheet = find_sheet("03_poe_space")
+    right = sheet.problems[2].variant("ada").answer
+    answers = {"2": [9, 9], "3": to_data(right.value, right.inputs)}
+    told = judge_process.verdicts(COURSE, sheet, "ada", 0, answers, site=site)
+    section = sheet.problems[1].lecture.partition("#")[2].lower().replace(" ", "-")
+    page = f"{site}lectures/03_poe_space.html#{section}" if site else ""
+    assert [told[k]["address"] for k in ("1", "2", "3")] == ["", page, ""]
+    assert ("<a href=" in told["2"]["html"]) == bool(site)
+
+
+def test_the_address_of_the_site_is_complete_or_refused():
+    path = submissions.released()
+    assert read_released_sheet(path, site="https://example.org").site == "https://example.org"
+    with pytest.raises(ValueError, match=r"must begin with https:// or http://; got 'example.org'"):
+        read_released_sheet(path, site="example.org")
+
+
 def test_what_a_verdict_quotes_is_escaped():
     verdict = judge_process.verdicts(
         COURSE, find_sheet("03_poe_space"), "ada", 0, {"6": {"list": [{"text": "<script>alert(1)</script>"}]}}

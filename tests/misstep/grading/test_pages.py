@@ -152,6 +152,17 @@ def test_feedback_says_points_verdicts_and_why_and_shows_no_right_answer():
     assert "7.25" not in page
 
 
+def test_feedback_links_to_the_section_to_reread_and_to_nothing_that_a_student_wrote():
+    address = "https://example.org/lectures/03_poe_space.html#the-product"
+    reread = "Re-read: lecture 03_poe_space, section “The product”."
+    verdict = f"✗ Problem\n  1 1/3 of 3 points.\n  Got https://evil.example and {reread}\n  {reread}"
+    wrong = problem(points=4 / 3, state="partly", verdict=verdict, address=address)
+    pages = [Reader(feedback_page(result(problems=[replace(wrong, address=link)]))) for link in (address, "")]
+    links = [[a["href"] for tag, a in page.elements if tag == "a" and a["href"][0] != "#"] for page in pages]
+    assert links == [[address], []]
+    assert all(page.letters.count(reread) == 2 and "1 1/3 of 3" in page.letters for page in pages)
+
+
 def test_what_the_sheet_says_of_points_where_nobody_judges_is_left_out():
     tally, check = RanCell("sheet.tally()", None, 1, [output("SURROGATE")]), RanCell("x", 1, 0, [output("SURROGATE")])
     failed = RanCell(
