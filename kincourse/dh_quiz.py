@@ -14,7 +14,7 @@ from kincourse.sampling.arms import ArmSampler
 from kincourse.text.joint_table import joint_table
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.diagnosis import diagnose
-from kinlib.dh.mistakes import corrected_rows, corrections_of_a_row, corrections_of_the_table
+from kinlib.dh.mistakes import corrected_rows, known_corrections
 from kinlib.dh.table import Convention, DHTable, validate_convention
 from kinlib.view import draw_joints
 from misstep.display.card import Card
@@ -103,10 +103,8 @@ def wrong_tables(table: DHTable) -> Iterator[tuple[str, DHTable]]:
     for row, letter in enumerate(table.joints):
         other = "P" if letter == "R" else "R"
         yield "variable in the wrong column", table.changed(joints=table.joints[:row] + other + table.joints[row + 1 :])
-    for correction in (  # almost all are their own inverse, and the others come with it
-        *corrections_of_the_table(table),
-        *corrections_of_a_row(table, zeros_are_fixed=False),
-    ):
+    # Almost all corrections are their own inverse, and the inverses of the others are among them.
+    for correction in known_corrections(table, table.rows, {}, zeros_are_fixed=False):
         if correction.fault.name in MISTAKES and not correction.convention:
             yield correction.fault.name, table.changed(rows=corrected_rows(table.rows, [correction]))
 
