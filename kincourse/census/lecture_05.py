@@ -80,7 +80,7 @@ def row_slips(row: Any, convention: str) -> Iterator[WrongAnswer]:
             "alpha left out": (of(a, 0, d, theta), LEFT_OUT + ", alpha"),
             "only the motion along z": (of(0, 0, d, theta), LEFT_OUT),
             "only the motion along x": (of(a, alpha, 0, 0), LEFT_OUT),
-            "all turns first, then all shifts": (product(frame(Rz @ Rx), Tz, Tx), "order, turn, along"),
+            "all turns first, then all shifts": (product(frame(Rz @ Rx), Tz, Tx), "order, rotat, along"),
             "alpha about y": (product(frame(Rz), Tz, Tx, frame(turn("y", alpha))), "about x, about y, axis"),
             "sine and cosine of theta swapped": (of(a, alpha, d, np.pi / 2 - theta), "sin, cos, theta, " + SWAP),
             **{

@@ -4,10 +4,11 @@ import numpy as np
 
 from kincourse.answers.dh_row import DHRowAnswer
 from kincourse.answers.pose import PoseAnswer
-from kincourse.mistakes.dh import TABLE_MISTAKES, pose_mistakes
+from kincourse.expressions.links import joint_variable, link, table_product
+from kincourse.mistakes.dh import TABLE_MISTAKES
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
-from kinlib.dh.table import DHTable, dh_transform
+from kinlib.dh.table import DHTable
 from misstep.mistakes import mistake
 from misstep.problem import Problem
 
@@ -69,31 +70,12 @@ def row_4(_draw: ArmSampler) -> Problem:
 
 @problem("05.b", "The matrix of row 4", points=1, lecture="05_dh_standard#The offset")
 def matrix_of_row_4(_draw: ArmSampler) -> Problem:
-    def row(theta: float, alpha: float = RIGHT_ANGLE_RAD) -> np.ndarray:
-        return dh_transform(0, alpha, 0, theta, convention="standard")
-
+    A_4 = link([0, RIGHT_ANGLE_RAD, 0, joint_variable("R", 4, -RIGHT_ANGLE_RAD, RIGHT_ANGLE_RAD)], "standard", 4)
     return Problem(
         statement="Give $A_4$ of the youBot in the deck's posture, where $q_4 = -\\pi/2$.",
-        answer=PoseAnswer(row(0.0)),
-        mistakes=[
-            mistake("no offset", row(-RIGHT_ANGLE_RAD), TABLE_MISTAKES["no offset"].message),
-            mistake(
-                "offset instead of q",
-                row(RIGHT_ANGLE_RAD),
-                "This is $A_4$ at $q_4 = 0$. The offset is added to $q_4$; it does not take its place.",
-            ),
-            mistake(
-                "offset subtracted",
-                row(-np.pi),
-                "You subtracted the offset. $\\theta_4 = q_4 + \\pi/2$: at $q_4 = 0$ there is a right angle from $x_3$ to $x_4$.",
-            ),
-            mistake("sign of alpha", row(0.0, -RIGHT_ANGLE_RAD), TABLE_MISTAKES["sign of alpha"].message),
-            mistake(
-                "only the joint",
-                row(0.0, 0.0),
-                "You left out $\\alpha_4$. The matrix of a row holds the joint's motion and the common normal behind it.",
-            ),
-        ],
+        answer=PoseAnswer(A_4.value),
+        solution=A_4,
+        advice={"leave $q_4$ at 0": "The offset is added to $q_4$; it does not take its place."},
     )
 
 
@@ -101,18 +83,12 @@ def matrix_of_row_4(_draw: ArmSampler) -> Problem:
     "05.c", "Where the hand is in the deck's posture", points=1, lecture="05_dh_standard#The product of the A matrices"
 )
 def pose_in_the_deck_configuration(_draw: ArmSampler) -> Problem:
+    T = table_product(YOUBOT.rows, YOUBOT.joints, DECK_CONFIGURATION, "standard")
     return Problem(
         statement="Give $T(q) = A_1 A_2 A_3 A_4 A_5$ of the youBot at $q = (0, 0, \\pi/2, -\\pi/2, -\\pi/4)$.",
-        answer=PoseAnswer(YOUBOT.fk(DECK_CONFIGURATION)),
-        mistakes=pose_mistakes(
-            YOUBOT,
-            DECK_CONFIGURATION,
-            "reversed",
-            "no offset",
-            "the other convention",
-            "a and d swapped",
-            "sign of alpha",
-        ),
+        answer=PoseAnswer(T.value),
+        solution=T,
+        invisible=["order"],  # at q_1 = q_2 = 0 the first two link transforms commute
     )
 
 

@@ -7,7 +7,9 @@ import numpy as np
 from kincourse.answers.dh_row import DHEntriesAnswer, DHRowAnswer
 from kincourse.answers.dh_table import DHTableAnswer
 from kincourse.answers.pose import PoseAnswer
-from kincourse.mistakes.dh import TABLE_MISTAKES, base_in_a_row, pose_mistakes, table_mistakes, tool_in_a_row
+from kincourse.expressions.links import link, links, mounted, table_product
+from kincourse.expressions.poses import inverse
+from kincourse.mistakes.dh import TABLE_MISTAKES, base_in_a_row, table_mistakes, tool_in_a_row
 from kincourse.problem import problem
 from kincourse.sampling.arms import AXIS_DIRECTIONS, ArmSampler, are_distinguishable
 from kincourse.text.joint_table import joint_table
@@ -21,10 +23,14 @@ from kinlib.view.figures.dh_table import draw_table
 from misstep.answers.choice import Choice
 from misstep.display.text import degrees, matrix, number, vector
 from misstep.mistakes import mistake
+from misstep.mutants.expression import product
 from misstep.problem import Problem
 from misstep.sheet import Sheet
 
 RIGHT_ANGLE_RAD = np.pi / 2
+
+ORDER_ADVICE = "$A_1$ is leftmost, because joint 1 moves all that follows."
+BASE_AND_TOOL_ADVICE = "$T_{s0}$ is in front of the rows, $T_{2b}$ is behind them: neighbouring letters cancel."
 
 
 @problem("05.1", "Four numbers between two drawn frames", points=4, lecture="05_dh_standard#Four numbers")
@@ -84,29 +90,13 @@ def four_numbers(sampler: ArmSampler) -> Problem:
 def one_row(sampler: ArmSampler) -> Problem:
     a, d = sampler.length(0.2, 0.9), sampler.length(0.2, 0.9)
     alpha, theta = sampler.choice([90, -90, 60, -60, 30, -30]), sampler.degrees(-75, 75)
-    row = np.array([a, np.radians(alpha), d, np.radians(theta)])
-    table, A = DHTable([row], convention="standard"), _link_transform(row)
-    ahead = A.copy()
-    ahead[:3, 3] = a, 0, d
+    A = link([a, np.radians(alpha), d, np.radians(theta)], "standard", label="A_i")
     return Problem(
         statement="Write $A_i$ for the row\n\n| a | alpha | d | theta |\n| --- | --- | --- | --- |\n"
         f"| {number(a)} | {alpha}° | {number(d)} | {theta}° |\n\nin the standard convention. Lengths are in metres.",
         given={"a": a, "alpha_degrees": alpha, "d": d, "theta_degrees": theta},
-        answer=PoseAnswer(A),
-        mistakes=[
-            *pose_mistakes(table, [0], "the other convention", "a and d swapped", "sign of alpha", "degrees"),
-            mistake(
-                "a along the old x",
-                ahead,
-                "You walked $a$ along $x_{i-1}$. The turn $\\theta$ comes first, so $a$ runs along $x_i$: "
-                "the origin is at $(a\\,c_\\theta, a\\,s_\\theta, d)$.",
-            ),
-            mistake(
-                "only the joint",
-                _link_transform(row * (0, 0, 1, 1)),
-                "This is the screw about $z_{i-1}$ alone. The common normal is missing: $T_x(a)\\,R_x(\\alpha)$.",
-            ),
-        ],
+        answer=PoseAnswer(A.value),
+        solution=A.mistaken_for(inverse(A), "inverted", "give the inverse"),
     )
 
 
@@ -228,8 +218,8 @@ def chain_of_matrices(sampler: ArmSampler) -> Problem:
         values.append(np.radians(sampler.degrees(-75, 75)) if letter == "R" else sampler.length(0.2, 0.8))
     text = "\n".join(["a | alpha | d | theta", *cells])
     table, q = DHTable(text, convention="standard", name="your arm"), np.round(values, 3)
-    is_revolute = np.array([letter == "R" for letter in joint_types])
     printed = markdown_table([cell.split(" | ") for cell in cells])
+    T = table_product(table.rows, joint_types, q, "standard")
     return Problem(
         statement=f"Where is frame 3 of this arm, seen from frame 0, at $q = {vector(q)}$ (radians and metres)? The convention is "
         f"standard.\n\n{printed}",
@@ -237,24 +227,9 @@ def chain_of_matrices(sampler: ArmSampler) -> Problem:
             draw_table, table
         ),  # drawn at zero, because the text alternative at q would give the answer away
         given={"text": text, "q": q},
-        answer=PoseAnswer(table.fk(q)),
-        mistakes=[
-            *pose_mistakes(
-                table,
-                q,
-                "reversed",
-                "the other convention",
-                "no offset",
-                "slide in theta",
-                "alpha one row off",
-                "a and d swapped",
-            ),
-            mistake(
-                "q in degrees",
-                table.fk(np.where(is_revolute, np.degrees(q), q)),
-                "You turned radians into degrees. $q$ is in radians already, and sine and cosine want them so.",
-            ),
-        ],
+        answer=PoseAnswer(T.value),
+        solution=T,
+        advice={"reversed": ORDER_ADVICE, "order": ORDER_ADVICE},
     )
 
 
@@ -424,9 +399,18 @@ def base_and_tool(sampler: ArmSampler) -> Problem:
     looks = sampler.choice([(Y, Z, X), (Z, X, Y), (X, Z, -Y), (-Z, Y, X)])
     tool = pose(looks, (sampler.length(0.1, 0.3), 0, sampler.length(0.1, 0.3)))
     table = DHTable(rows, convention="standard", base=base, tool=tool, name="your arm")
-    bare = DHTable(rows, convention="standard")
     q = np.round(np.radians([sampler.degrees(20, 80), sampler.degrees(-80, -20)]), 3)
-    T = bare.fk(q)
+    T_s0, T_2b = mounted("T_{s0}", base), mounted("T_{2b}", tool)
+    A = links(rows, "RR", q, "standard")
+    T = table_product(rows, "RR", q, "standard", [T_s0], [T_2b])
+    for name, text, wrong in (
+        ("base and tool swapped", "swap $T_{s0}$ and $T_{2b}$", product(T_2b, *A, T_s0)),
+        ("base behind the rows", "put $T_{s0}$ behind the rows", product(*A, T_s0, T_2b)),
+        ("tool in front of the rows", "put $T_{2b}$ in front of the rows", product(T_s0, T_2b, *A)),
+        ("base in a row", "write the base into the first row", base_in_a_row(table).fk(q)),
+        ("tool in a row", "write the tool into the last row", tool_in_a_row(table).fk(q)),
+    ):
+        T = T.mistaken_for(wrong, name, text, BASE_AND_TOOL_ADVICE)
     return Problem(
         statement=f"An arm has two rows, $(a, \\alpha, d, \\theta) = {_format_row(rows[0], 1)}$ and "
         f"${_format_row(rows[1], 2)}$, in the standard "
@@ -436,26 +420,14 @@ def base_and_tool(sampler: ArmSampler) -> Problem:
             draw_table, table
         ),  # drawn at zero, because the text alternative at q would give the answer away
         given={"rows": np.array(rows), "base": base, "tool": tool, "q": q},
-        answer=PoseAnswer(table.fk(q)),
-        mistakes=[
-            mistake("no base", T @ tool, "This is the camera as frame 0 sees it. Put $T_{s0}$ in front."),
-            mistake("no tool", base @ T, "This is where frame 2 is. The camera sits beside it: put $T_{2b}$ behind."),
-            mistake(
-                "neither",
-                T,
-                "This is frame 2 as frame 0 sees it. $T_{s0}$ belongs in front, $T_{2b}$ behind: neighbouring letters cancel.",
-            ),
-            mistake(
-                "exchanged",
-                tool @ T @ base,
-                "You exchanged base and tool. $T_{s0}\\,T_{02}\\,T_{2b}$: neighbouring letters cancel.",
-            ),
-            mistake(
-                "base behind", T @ base @ tool, "You put $T_{s0}$ behind the rows. What stands there rides on the hand."
-            ),
-            mistake("base in a row", base_in_a_row(table).fk(q), TABLE_MISTAKES["base in a row"].message),
-            mistake("tool in a row", tool_in_a_row(table).fk(q), TABLE_MISTAKES["tool in a row"].message),
-        ],
+        answer=PoseAnswer(T.value),
+        solution=T,
+        advice={
+            "leave out $T_{s0}$": f"This is the pose in frame 0. {BASE_AND_TOOL_ADVICE}",
+            "leave out $T_{2b}$": f"This is the pose of frame 2, without the tool. {BASE_AND_TOOL_ADVICE}",
+            "reversed": ORDER_ADVICE,
+            "order": ORDER_ADVICE,
+        },
     )
 
 

@@ -1,0 +1,315 @@
+r"""Link transforms in solutions: the matrix of a DH row in either convention, and the product of the matrices of a table."""
+
+from collections.abc import Iterable, Sequence
+from functools import cache, partial, reduce
+from typing import Any
+
+import numpy as np
+
+from kincourse.expressions.poses import inverse
+from kinlib.arrays.validation import Array
+from kinlib.dh.table import Convention
+from misstep.mutants.expression import Change, Changes, Expression, Operation, given, negative, product
+from misstep.mutants.operations import DEGREES_ADVICE
+
+CONVENTION_ADVICE = (
+    "Standard is $R_z(\\theta)\\,T_z(d)\\,T_x(a)\\,R_x(\\alpha)$, joint first; modified is "
+    "$R_x(\\alpha)\\,T_x(a)\\,R_z(\\theta)\\,T_z(d)$, common normal first."
+)
+LENGTHS_ADVICE = "$d$ is measured along $z$, the axis of the joint, and $a$ along $x$, the common normal."
+SIGN_OF_ALPHA_ADVICE = "$R_x(\\alpha)$ has $-\\sin\\alpha$ in its second row and $\\sin\\alpha$ in its third."
+OFFSET_ADVICE = "The table says how each $\\theta$ follows from $q$: the offset is added to $q$."
+
+
+def link(row: Sequence[float | Expression], convention: Convention, i: int = 1, label: str = "") -> Expression:
+    r"""The link transform of row i: a, alpha, d, theta in metres and radians, as numbers or expressions.
+
+    label  its own name in LaTeX
+
+    >>> link([1, 0, 0, np.pi / 2], "standard").value.round(6)[:3, 3]
+    array([0., 1., 0.])
+    >>> [change.name for change, _ in link([1, 0, 0, np.pi / 2], "standard").changes()][:2]
+    ['the other convention', 'a and d swapped']
+    """
+    k = i - 1 if convention == "modified" else i
+    names, kinds = (f"a_{k}", f"\\alpha_{k}", f"d_{i}", f"\\theta_{i}"), (_A, _ALPHA, _D, _THETA)
+    entries = [
+        entry if isinstance(entry, Expression) else given(name, float(entry), kind)
+        for entry, name, kind in zip(row, names, kinds, strict=True)
+    ]
+    label = label or (f"A_{i}" if convention == "standard" else f"{{}}^{{{i - 1}}}T_{{{i}}}")
+    return _link_operation(convention, label)(*entries)
+
+
+def joint_variable(joint: str, i: int, q: float, constant: float) -> Expression:
+    """The theta of a revolute joint ("R"), or the d of a prismatic one ("P"): its value q and the constant of the table.
+
+    >>> joint_variable("R", 1, 0.5, 0.25).value
+    0.75
+    """
+    variable = given(f"q_{i}", float(q), _Q_ANGLE if joint == "R" else _Q_LENGTH)
+    letter = "\\theta" if joint == "R" else "d"
+    return _joint_variable(variable, given(f"the constant of ${letter}_{i}$", float(constant)))
+
+
+def links(rows: Array, joints: str, q: Sequence[float], convention: Convention, first: int = 1) -> list[Expression]:
+    """The link transforms of a table at the joint values q.
+
+    rows    (n, 4): a, alpha, d, theta at q = 0, in metres and radians
+    joints  "R" or "P" for each row
+    first   the number of the first row
+
+    >>> len(links(np.ones((2, 4)), "RP", [0.1, 0.2], "modified"))
+    2
+    """
+    found = []
+    for i, (row, joint, value) in enumerate(zip(rows, joints, q, strict=True), start=first):
+        entries, k = list(row), 3 if joint == "R" else 2
+        entries[k] = joint_variable(joint, i, value, row[k])
+        found.append(link(entries, convention, i))
+    return found
+
+
+def table_product(  # noqa: PLR0917
+    rows: Array,
+    joints: str,
+    q: Sequence[float],
+    convention: Convention,
+    before: Iterable[Expression] = (),
+    after: Iterable[Expression] = (),
+    first: int = 1,
+) -> Expression:
+    """The product of the link transforms of a table at q, between a base and a tool.
+
+    >>> table_product([[1, 0, 0, 0], [2, 0, 0, 0]], "RR", [0.0, np.pi / 2], "standard").value.round(6)[:3, 3]
+    array([1., 2., 0.])
+    """
+    before, after = list(before), list(after)
+
+    def of(rows: Array, values: Sequence[float] = q, order: int = 1) -> Expression:
+        return product(*before, *links(rows, joints, values, convention, first)[::order], *after)
+
+    T, rows = of(rows), np.asarray(rows, dtype=float)
+    if len(rows) > 1:
+        step, lost = (1, 0) if convention == "standard" else (-1, -1)
+        shifted = rows.copy()
+        shifted[:, 1] = np.roll(rows[:, 1], step)
+        shifted[lost, 1] = 0.0
+        if not np.allclose(shifted, rows):
+            advice = "In a standard table row $i$ holds $\\alpha_i$, in a modified one $\\alpha_{i-1}$."
+            T = T.mistaken_for(of(shifted), "alpha one row off", "use each $\\alpha$ in the wrong row", advice)
+        T = T.mistaken_for(of(rows, q[::-1]), "joint values reversed", "use the joint values in the reverse order")
+        if before or after:
+            T = T.mistaken_for(of(rows, order=-1), "reversed", "multiply the rows from the last one to the first")
+    return T.mistaken_for(inverse(T), "inverted", "give the inverse")
+
+
+def mounted(label: str, T: Array) -> Expression:
+    """A given pose at which an arm or a tool is mounted, (4, 4).
+
+    >>> [change.name for change, _ in mounted("T_{s0}", np.eye(4)).changes()][-1]
+    'inverted'
+    """
+    turned, shifted = T.copy(), T.copy()
+    turned[:3, 3], shifted[:3, :3] = 0.0, np.eye(3)
+    return (
+        given(label, T)
+        .mistaken_for(shifted, "rotation left out", f"leave out the rotation of ${label}$")
+        .mistaken_for(turned, "position left out", f"leave out the position of ${label}$")
+        .mistaken_for(np.linalg.inv(T), "inverted", f"use the inverse of ${label}$, which belongs there as it is")
+    )
+
+
+def _link_changes(convention: Convention, node: Expression) -> Changes:
+    a, alpha, d, theta = node.arguments
+    other: Convention = "modified" if convention == "standard" else "standard"
+    row, of = node.latex, node.operation
+
+    every = "multiply the rows in the other convention"
+    changes = [
+        (
+            Change("the other convention", f"read ${row}$ in the {other} convention", every, CONVENTION_ADVICE),
+            _link_operation(other, row)(*node.arguments),
+        ),
+        (
+            Change("a and d swapped", f"swap $a$ and $d$ in ${row}$", "swap $a$ and $d$ in every row", LENGTHS_ADVICE),
+            of(d, alpha, a, theta),
+        ),
+        (
+            Change(
+                "angles swapped",
+                f"swap $\\alpha$ and $\\theta$ in ${row}$",
+                "swap $\\alpha$ and $\\theta$ in every row",
+            ),
+            of(a, theta, d, alpha),
+        ),
+        (
+            Change("only the joint", f"leave out $a$ and $\\alpha$ in ${row}$", "leave out every $a$ and $\\alpha$"),
+            of(0.0, 0.0, d, theta),
+        ),
+        (Change("only the common normal", f"leave out $d$ and $\\theta$ in ${row}$"), of(a, alpha, 0.0, 0.0)),
+    ]
+    for name, text, in_order in _ORDERS[convention]:
+        changes.append((Change(name, f"{text} in ${row}$", text), in_order(*node.arguments)))
+    text = f"rotate by $\\alpha$ about $y$ in ${row}$"
+    changes.append((Change("alpha about y", text), _about_y[convention](*node.arguments)))
+    text = f"swap the sine and the cosine of $\\theta$ in ${row}$"
+    changes.append((Change("sine and cosine swapped", text), of(a, alpha, d, np.pi / 2 - theta)))
+    if d.operation is _joint_variable:
+        variable, constant = d.arguments
+        advice = "A prismatic joint changes $d$; its $\\theta$ is a constant."
+        slide = Change("slide in theta", f"add ${variable.latex}$ to $\\theta$ instead of $d$", advice=advice)
+        changes.append((slide, of(a, alpha, constant, theta + variable)))
+        text = f"add ${variable.latex}$ to $a$ instead of $d$"
+        changes.append((Change("slide in a", text, advice=LENGTHS_ADVICE), of(a + variable, alpha, constant, theta)))
+        text = f"swap ${variable.latex}$ and ${a.latex}$"
+        changes.append(
+            (Change("a and d swapped", text, advice=LENGTHS_ADVICE), of(variable, alpha, a + constant, theta))
+        )
+    if theta.operation is _joint_variable:
+        variable, constant = theta.arguments
+        text = f"add ${variable.latex}$ to $d$ instead of $\\theta$"
+        changes.append(
+            (Change("turn in d", text, "add every joint value to $d$"), of(a, alpha, d + variable, constant))
+        )
+    # In a row with zeros many of these change nothing, and are no mistakes there.
+    is_full = all(entry.value for entry in node.arguments)
+    yield from (one for one in changes if is_full or not np.allclose(one[1].value, node.value))
+
+
+def _entry_changes(letter: str, name: str) -> Any:
+    def changes(node: Expression) -> Changes:
+        if not node.value:
+            return
+        x = f"${node.latex}$" if "$" not in node.latex else node.latex
+        text = f"take {x} with the opposite sign"
+        yield Change(f"sign of {name}", text, f"take every ${letter}$ with the opposite sign"), negative(node)
+        text = f"take {x} as 0"
+        yield Change(f"{name} left out", text, f"leave out every ${letter}$"), 0.0 * node
+        if name in ("alpha", "theta"):
+            yield from _degrees_changes(node, x, f"use the degrees of every ${letter}$ as radians")
+            text = f"take {x} with the opposite sign"
+            everywhere = "take every angle with the opposite sign"
+            yield Change("sign of the angles", text, everywhere, one_by_one=False), negative(node)
+
+    return changes
+
+
+def _degrees_changes(node: Expression, x: str, of_kind: str) -> Changes:
+    in_degrees = 180 / np.pi * node
+    text = f"use the degrees of {x} as radians"
+    yield Change("degrees", text, of_kind, DEGREES_ADVICE), in_degrees
+    yield Change("degrees", text, "use degrees as radians", DEGREES_ADVICE, False), in_degrees
+
+
+def _variable_changes(node: Expression) -> Changes:
+    q, constant = node.arguments
+    if constant.value:
+        yield Change("no offset", f"leave out {constant.latex}", "leave out the offsets", OFFSET_ADVICE), q
+        text = f"subtract {constant.latex} instead of adding it"
+        yield Change("offset subtracted", text, "subtract the offsets", OFFSET_ADVICE), q - constant
+
+
+def _joint_value_changes(node: Expression) -> Changes:
+    if not node.value:
+        return
+    q = f"${node.latex}$"
+    text = f"take {q} with the opposite sign"
+    yield Change("sign of a joint value", text, "take every joint value with the opposite sign"), negative(node)
+    yield Change("joint at zero", f"leave {q} at 0", "leave every joint at 0"), 0.0 * node
+    for name, text, factor in (
+        ("radians converted to radians", "use `np.radians` on {}", np.pi / 180),
+        ("degrees", "use {} in degrees", 180 / np.pi),
+    ):
+        kinds = ["the joint values"] if node.operation is _Q_LENGTH else ["the joint values", "the angles"]
+        for several in kinds:
+            advice = DEGREES_ADVICE if name == "degrees" else ""
+            yield Change(name, text.format(q), text.format(several), advice, False), factor * node
+
+
+def _rotation(axis: int, angle: float) -> Array:
+    T = np.eye(4)
+    i, j = (axis + 1) % 3, (axis + 2) % 3
+    c, s = np.cos(angle), np.sin(angle)
+    T[[i, i, j, j], [i, j, i, j]] = c, -s, s, c
+    return T
+
+
+def _translation(axis: int, length: float) -> Array:
+    T = np.eye(4)
+    T[axis, 3] = length
+    return T
+
+
+def _in_order(names: Sequence[str], a: float, alpha: float, d: float, theta: float) -> Array:
+    """The product of the factors of a row in an order."""
+    factors = {
+        "a": _translation(0, a),
+        "alpha": _rotation(0, alpha),
+        "d": _translation(2, d),
+        "theta": _rotation(2, theta),
+        "alpha about y": _rotation(1, alpha),
+    }
+    return reduce(np.matmul, [factors[name] for name in names])
+
+
+def _standard(a: float, alpha: float, d: float, theta: float) -> Array:
+    ca, sa, c, s = np.cos(alpha), np.sin(alpha), np.cos(theta), np.sin(theta)
+    return np.array([[c, -s * ca, s * sa, a * c], [s, c * ca, -c * sa, a * s], [0, sa, ca, d], [0, 0, 0, 1]])
+
+
+def _modified(a: float, alpha: float, d: float, theta: float) -> Array:
+    ca, sa, c, s = np.cos(alpha), np.sin(alpha), np.cos(theta), np.sin(theta)
+    return np.array([[c, -s, 0, a], [s * ca, c * ca, -sa, -d * sa], [s * sa, c * sa, ca, d * ca], [0, 0, 0, 1]])
+
+
+@cache
+def _link_operation(convention: Convention, label: str) -> Operation:
+    of = _standard if convention == "standard" else _modified
+    return Operation("link transform", of, lambda *_: label, partial(_link_changes, convention))
+
+
+def _wrong_order(*names: str) -> Operation:
+    return Operation("link in another order", partial(_in_order, names), lambda *_: "A")
+
+
+_ORDERS = {
+    "standard": [
+        (
+            "rotations first",
+            "rotate by $\\theta$ and $\\alpha$ before both translations",
+            _wrong_order("theta", "alpha", "d", "a"),
+        ),
+        (
+            "a along the old x",
+            "move by $a$ along $x_{i-1}$ instead of $x_i$",
+            _wrong_order("d", "a", "theta", "alpha"),
+        ),
+    ],
+    "modified": [
+        (
+            "rotations first",
+            "rotate by $\\alpha$ and $\\theta$ before both translations",
+            _wrong_order("alpha", "theta", "a", "d"),
+        ),
+        (
+            "d along the old z",
+            "move by $d$ along $z_{i-1}$ instead of $z_i$",
+            _wrong_order("a", "d", "alpha", "theta"),
+        ),
+    ],
+}
+"""For each convention, other orders of the four factors that are no convention."""
+
+_about_y = {
+    "standard": _wrong_order("theta", "d", "a", "alpha about y"),
+    "modified": _wrong_order("alpha about y", "a", "theta", "d"),
+}
+
+_joint_variable = Operation("joint variable", lambda q, constant: q + constant, lambda q, _: q, _variable_changes)
+_A = Operation("a", lambda: None, str, _entry_changes("a", "a"))
+_ALPHA = Operation("alpha", lambda: None, str, _entry_changes("\\alpha", "alpha"))
+_D = Operation("d", lambda: None, str, _entry_changes("d", "d"))
+_THETA = Operation("theta", lambda: None, str, _entry_changes("\\theta", "theta"))
+_Q_ANGLE = Operation("joint value", lambda: None, str, _joint_value_changes)
+_Q_LENGTH = Operation("joint value", lambda: None, str, _joint_value_changes)
