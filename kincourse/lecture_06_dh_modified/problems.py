@@ -88,15 +88,14 @@ class DHRowsAnswer(Numbers):
         best: NDArray[np.bool_] = same[np.argmax(right_rows * same[0].size + right_entries)]
         return best
 
-    def whole_slips(self) -> Iterator[Slip]:
-        """Yield wrong conversions, each of them as it is and with a second mistake."""
+    def wrong_conversions(self) -> list[tuple[str, Array, str]]:
+        """Return wrong conversions of the given table: the name, the rows, and what is true of them."""
         step = 1 if self.convention == "modified" else -1
         link = [0, 1]
         kept, folded = self._moved(step, link), self._moved(step, link)
         end, start = (0, -1) if step == 1 else (-1, 0)
         kept[end, link], folded[end, link] = self.unconverted[end, link], self.unconverted[start, link]
-        moves = [
-            ("", self.value, ""),
+        return [
             ("not converted", self.unconverted, "These are the rows of the given table."),
             ("moved the other way", self._moved(-step, link), "$a$ and $\\alpha$ are moved the other way."),
             ("whole rows moved", self._moved(step, [0, 1, 2, 3]), "Whole rows are moved: $d$ and $\\theta$ stay with their joint."),
@@ -112,6 +111,9 @@ class DHRowsAnswer(Numbers):
             ("end folded in", folded, "The $a$ and $\\alpha$ that are left over came back at the other end. They are no part of the rows."),
             ("rows swapped", self.value[::-1], "The rows are in reverse order."),
         ]  # fmt: skip
+
+    def whole_slips(self) -> Iterator[Slip]:
+        """Yield the wrong conversions and the right one with another mistake."""
         turns = np.array([[1, 1, 1, letter != "R"] for letter in self.joints])
         second = {
             "": (1, ""),
@@ -122,7 +124,7 @@ class DHRowsAnswer(Numbers):
             "offset forgotten": (turns, "The offsets of $\\theta$ are missing."),
         }
         for other, (factor, also) in second.items():
-            for move, rows, text in moves:
+            for move, rows, text in [("", self.value, ""), *self.wrong_conversions()]:
                 if name := " and ".join(filter(None, (move, other))):
                     yield (name, rows * np.asarray(factor), " ".join(filter(None, (text, also))), "")
         yield from super().whole_slips()
@@ -269,25 +271,29 @@ def axial_screws(sampler: ArmSampler) -> Problem:
 @problem("06.3", "From standard to modified", points=4, lecture="06_dh_modified#Converting")
 def to_modified(sampler: ArmSampler) -> Problem:
     table = _random_table(sampler, "standard")
+    answer = _converted(table, "modified")
     return Problem(
         statement="Convert this standard table to the modified convention. The base stays; the $a$ and $\\alpha$ that are left "
         "over become the tool, and no part of the answer. Give four rows $a_{i-1}, \\alpha_{i-1}, d_i, \\theta_i$ at $q = 0$, angles in "
         "radians.\n\n" + _format_table(table.rows, "standard", table.joints),
         given={"rows": table.rows, "joints": table.joints},
-        answer=_converted(table, "modified"),
+        answer=answer,
+        mistakes=[mistake(*wrong) for wrong in answer.wrong_conversions()],
     )
 
 
 @problem("06.4", "From modified to standard", points=4, lecture="06_dh_modified#Converting")
 def to_standard(sampler: ArmSampler) -> Problem:
     table = _random_table(sampler, "modified")
+    answer = _converted(table, "standard")
     return Problem(
         statement="The first row of this modified table is not empty: its frame {0} stands on the wall, away from axis 1. "
         "Convert the table to the standard convention. The $a$ and $\\alpha$ that are left over become the base, and no part of the "
         "answer. Give four rows $a_i, \\alpha_i, d_i, \\theta_i$ at $q = 0$, angles in radians.\n\n"
         + _format_table(table.rows, "modified", table.joints),
         given={"rows": table.rows, "joints": table.joints},
-        answer=_converted(table, "standard"),
+        answer=answer,
+        mistakes=[mistake(*wrong) for wrong in answer.wrong_conversions()],
     )
 
 
