@@ -43,13 +43,13 @@ from kinlib.rigid.lie import log
 MAX_TOLD = 3
 """How many equally simple explanations the text lists."""
 
-MAX_COMPARED = 60
+MAX_COMPARED = 25
 """How many corrected tables, of those whose invariants agree, are compared with the arm in full."""
 
 MAX_PAIRS = 20_000
 """How many pairs of mistakes are tried."""
 
-FILTER_TOL_FACTOR = 5
+FILTER_TOL_FACTOR = 3
 """How many times the tolerance an invariant may be off before a correction is refuted by it."""
 
 Corrections = tuple[Correction, ...]
@@ -59,14 +59,21 @@ Corrections = tuple[Correction, ...]
 class Explanation:
     """Mistakes that together explain a table.
 
-    faults       the mistakes
-    corrected    the table without them
-    equivalence  of the corrected table and the arm, with the map between them
+    faults     the mistakes
+    corrected  the table without them
+    arm        the arm, which the corrected table describes up to the choices that are not fixed
     """
 
     faults: Sequence[Fault]
     corrected: DHTable
-    equivalence: Equivalence
+    arm: Chain
+    fixed: frozenset[str] = frozenset()
+    tolerance: float = EQUIVALENCE_TOL
+
+    @cached_property
+    def equivalence(self) -> Equivalence:
+        """The equivalence of the corrected table and the arm, with the simplest map between them."""
+        return _compare(self.corrected, self.arm, self.fixed, self.tolerance)
 
 
 @dataclass(frozen=True, eq=False)
@@ -128,7 +135,7 @@ class Diagnosis:
             )
         if not self.explanations:
             mistakes = "No known mistake, and no pair of them," if self.in_pairs else "No known mistake"
-            return f"{mistakes} explains this table. {self.difference}"
+            return f"{mistakes} was found that explains this table. {self.difference}"
         # Another number for the same entry is the same mistake.
         told = {
             tuple((fault.name, fault.row, fault.column) for fault in explanation.faults): explanation
@@ -139,7 +146,7 @@ class Diagnosis:
             return "\n".join(texts[0])
         lines = ["Either: " + " ".join(texts[0]), *("or: " + " ".join(text) for text in texts[1:MAX_TOLD])]
         if len(texts) > MAX_TOLD:
-            lines.append(f"({len(texts) - MAX_TOLD} more explanations are as simple.)")
+            lines.append(f"({len(texts) - MAX_TOLD} more are as simple.)")
         return "\n".join(lines)
 
 
@@ -234,14 +241,17 @@ class _Search:
         more = count - len(self.start)
         if more < 0:
             return []
-        added: Iterable[Corrections] = [()] if more == 0 else ((single,) for single in self._singles)
-        candidates = [self.start + corrections for corrections in (self._pairs() if more == 2 else added)]
+        added: Iterable[Corrections] = [()]
+        if more:
+            added = self._pairs() if more == 2 else ((single,) for single in self._singles)
+        candidates = [self.start + corrections for corrections in added]
         candidates = [c for c in candidates if all(_can_combine(*pair) for pair in pairwise(c))]
         agree = self._may_agree(candidates)
         priced = [
             (self._price(c), k, c) for k, (c, possible) in enumerate(zip(candidates, agree, strict=True)) if possible
         ]
-        found, price = {}, None
+        found: dict[Corrections, DHTable] = {}
+        price = 0.0
         for (entries, *_), _, corrections in sorted(priced)[:MAX_COMPARED]:
             if found and entries > price:
                 break
@@ -249,9 +259,7 @@ class _Search:
             if equivalent(corrected, self.arm, fixed=self.fixed, tolerance=self.tolerance, simplest=False):
                 found[corrections], price = corrected, entries
         return [
-            Explanation(
-                [c.fault for c in kept], found[kept], _compare(found[kept], self.arm, self.fixed, self.tolerance)
-            )
+            Explanation([c.fault for c in kept], found[kept], self.arm, self.fixed, self.tolerance)
             for kept in self._without_details(list(found))
         ]
 
