@@ -173,7 +173,8 @@ def diagnose(
     >>> print(diagnose(printed.changed(convention="standard"), puma560()))
     The table is in the modified convention, but was read as standard.
     """
-    if not isinstance(table, DHTable) or not isinstance(reference, Chain | DHTable):
+    kinds = ((table, DHTable), (reference, (Chain, DHTable)))
+    if not all(isinstance(given, kind) for given, kind in kinds):
         order = " They seem to be swapped." if isinstance(reference, DHTable) else ""
         raise ValueError(
             "diagnose takes a DHTable and the arm that it should describe, diagnose(table, arm); "
@@ -427,7 +428,8 @@ def _same_motion(poses: Array, right: Array, fixed: frozenset[str], loose: float
         else:
             motions.append(np.trace(T[..., 1:, :3, :3] @ np.swapaxes(start[..., :3, :3], -1, -2), axis1=-2, axis2=-1))
     ours, theirs = (motion.reshape(len(motion) if motion is motions[0] else 1, -1) for motion in motions)
-    return np.abs(ours - theirs).max(axis=-1) <= loose
+    same: Booleans = np.abs(ours - theirs).max(axis=-1) <= loose
+    return same
 
 
 def _describe_choices(equivalence: Equivalence, table: DHTable, tolerance: float) -> Iterator[str]:

@@ -259,7 +259,8 @@ class _Matcher:
 
     def _rotated(self, match: _Match, axis: Array, vector: Array, target: Array) -> _Match:
         """Rotate everything after the free joint about its axis, such that the vector is in one half plane with the target."""
-        if match.free is None:
+        free = match.free
+        if free is None:
             return match
         angle = np.arctan2(axis @ cross(vector, target), vector @ target - (axis @ vector) * (axis @ target))
         R = exp(angle * axis)
@@ -267,11 +268,11 @@ class _Matcher:
         point = np.zeros(3) if match.anchor is None else self.other.joint_points[match.anchor]
         position = R @ (match.position - point) + point
         match = replace(match, link=R @ match.link, position=position, span=R @ match.span)
-        if match.free == -1:
+        if free == -1:
             return replace(match, base=R @ match.base)
         offsets = match.offsets.copy()
-        free_axis = match.signs[match.free] * self.other.lines.axis[match.free]
-        offsets[match.free] += angle * np.sign(free_axis @ axis)
+        free_axis = match.signs[free] * self.other.lines.axis[free]
+        offsets[free] += angle * np.sign(free_axis @ axis)
         return replace(match, offsets=offsets)
 
     def complete(self, match: _Match) -> Equivalence:

@@ -103,18 +103,18 @@ class AxisInvariants:
         """Return for which mechanisms (...) all invariants (..., k) agree for one choice of the joint signs."""
         same = np.abs(values - self._values) <= self._tolerances
         if "signs" in self.fixed:
-            return same.all(axis=-1)
+            return _all(same)
         opposite = np.abs(values + self._values) <= self._tolerances
-        possible = ~self.violated(values).any(axis=-1)
+        possible = _all(~self.violated(values))
         # Which of the two signs of a line can be reached from the lines before it.
         plus, minus = possible, possible
         for line in range(len(self._lines)):
             if line:
                 pair = [k for k, lines in enumerate(self._sign_of) if lines == (line - 1, line)]
-                keep, change = same[..., pair].all(axis=-1), opposite[..., pair].all(axis=-1)
+                keep, change = _all(same[..., pair]), _all(opposite[..., pair])
                 plus, minus = (plus & keep) | (minus & change), (plus & change) | (minus & keep)
             own = [k for k, lines in enumerate(self._sign_of) if lines == (line,)]
-            plus, minus = plus & same[..., own].all(axis=-1), minus & opposite[..., own].all(axis=-1)
+            plus, minus = plus & _all(same[..., own]), minus & _all(opposite[..., own])
         return plus | minus
 
     @cached_property
@@ -139,7 +139,8 @@ class AxisInvariants:
     @cached_property
     def _sines(self) -> Array:
         axis = self.reference.lines.axis[self._lines]
-        return np.linalg.norm(np.cross(axis[:-1], axis[1:]), axis=-1)
+        sines: Array = np.linalg.norm(np.cross(axis[:-1], axis[1:]), axis=-1)
+        return sines
 
     def _slides(self, pair: int) -> Array:
         """The directions of the prismatic joints between two neighbouring lines."""
@@ -205,6 +206,11 @@ class AxisInvariants:
     @cached_property
     def _values(self) -> Array:
         return self.of(self.reference.lines.axis, self.reference.joint_points)
+
+
+def _all(values: Booleans) -> Booleans:
+    result: Booleans = np.logical_and.reduce(values, axis=-1)
+    return result
 
 
 def _any(values: Array) -> bool:
