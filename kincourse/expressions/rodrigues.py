@@ -1,6 +1,7 @@
 """Rodrigues' formula in solutions: the matrix of a twist, the rotation of an exponential, and its position."""
 
 from collections.abc import Callable
+from functools import partial
 
 import numpy as np
 from numpy import cos, sin
@@ -10,18 +11,73 @@ from misstep.mutants.expression import Change, Changes, Expression, Operation, g
 from misstep.mutants.operations import ANGLE, unit
 
 I = np.eye(3)
-SQUARED_ENTRIES = "In NumPy, `W * W` and `W**2` square entry by entry; the square of a matrix is `W @ W`."
 UNIT_AXIS = "It folds the powers with $[\\omega]^3 = -[\\omega]$, which needs $|\\omega| = 1$."
-ODD_SINE = "The odd powers of $[\\omega]$ fold into $[\\omega]$, and odd is the sine."
-OUTER = "For a unit vector, $[\\omega]^2 = \\omega\\,\\omega^T - I$."
-SERIES = (
-    "The exponential of a matrix is a series of its powers; folded, its sums are $\\sin\\theta$ and $1 - \\cos\\theta$."
-)
-AT_ZERO = "At $\\theta = 0$ the rotation is $I$."
-G = "$G(\\theta) = I\\,\\theta + (1 - \\cos\\theta)\\,[\\omega] + (\\theta - \\sin\\theta)\\,[\\omega]^2$."
-STRAIGHT = (
-    "That is the way of a translation, with $\\omega = 0$. Here $v$ is carried round with the body: $G(\\theta)\\,v$."
-)
+SERIES = "The exponential of a matrix is a series of its powers; folded, its sums are $\\sin \\theta$ and $1 - \\cos \\theta$."
+G = "$G(\\theta) = I\\,\\theta + (1 - \\cos \\theta)\\,[\\omega] + (\\theta - \\sin \\theta)\\,[\\omega]^2$."
+FOR_UNIT_AXES = "use formulas for a unit axis, although the axis is no unit vector"
+
+Coefficients = Callable[[float], tuple[float, float, float]]
+"""The coefficients of I, [omega] and [omega]^2 in a formula for a unit axis, as functions of theta."""
+
+RODRIGUES: Coefficients = lambda q: (1, sin(q), 1 - cos(q))  # noqa: E731
+INTEGRAL: Coefficients = lambda q: (q, 1 - cos(q), q - sin(q))  # noqa: E731
+"""The coefficients of G(theta), the integral of Rodrigues' formula."""
+
+_ROTATIONS: list[tuple[str, str, Coefficients]] = [
+    ("coefficients swapped", "swap $\\sin \\theta$ and $1 - \\cos \\theta$", lambda q: (1, 1 - cos(q), sin(q))),
+    ("cos for 1 - cos", "write $\\cos \\theta$ instead of $1 - \\cos \\theta$", lambda q: (1, sin(q), cos(q))),
+    ("cos for 1 - cos", "write $1 + \\cos \\theta$ instead of $1 - \\cos \\theta$", lambda q: (1, sin(q), 1 + cos(q))),
+    ("no identity", "leave out the identity $I$", lambda q: (0, sin(q), 1 - cos(q))),
+    ("term left out", "leave out the term with $[\\omega]^2$", lambda q: (1, sin(q), 0)),
+    ("sign", "take the term with $[\\omega]^2$ with the opposite sign", lambda q: (1, sin(q), cos(q) - 1)),
+    ("series cut short", "stop the series after two terms", lambda q: (1, q, 0)),
+    ("series cut short", "stop the series after three terms", lambda q: (1, q, q**2 / 2)),
+    ("series cut short", "stop the series after four terms", lambda q: (1, q - q**3 / 6, q**2 / 2)),
+    ("sine and cosine swapped", "swap sine and cosine", lambda q: (1, cos(q), 1 - sin(q))),
+]
+
+_POSITIONS: list[tuple[str, str, Coefficients]] = [
+    ("straight on", "write $v\\,\\theta$", lambda q: (q, 0, 0)),
+    ("R v", "write $R\\,v$", RODRIGUES),
+    ("v itself", "write $v$", lambda _: (1, 0, 0)),
+    (
+        "coefficients swapped",
+        "swap the coefficients of $[\\omega]$ and $[\\omega]^2$",
+        lambda q: (q, q - sin(q), 1 - cos(q)),
+    ),
+    ("no theta in front", "write $I$ instead of $I\\,\\theta$ in $G(\\theta)$", lambda q: (1, 1 - cos(q), q - sin(q))),
+    ("term left out", "leave out the term of $G(\\theta)$ with $[\\omega]^2$", lambda q: (q, 1 - cos(q), 0)),
+    ("term left out", "leave out the term of $G(\\theta)$ with $[\\omega]$", lambda q: (q, 0, q - sin(q))),
+    (
+        "sign",
+        "write $\\theta + \\sin \\theta$ instead of $\\theta - \\sin \\theta$",
+        lambda q: (q, 1 - cos(q), q + sin(q)),
+    ),
+    ("sign", "take the term with $[\\omega]^2$ with the opposite sign", lambda q: (q, 1 - cos(q), sin(q) - q)),
+]
+
+_SQUARES: list[tuple[str, str, Callable[[Array], Array]]] = [
+    ("square left out", "write $[\\omega]$ instead of $[\\omega]^2$", lambda W: W),
+    ("entry by entry", "square $[\\omega]$ entry by entry", lambda W: W * W),
+    ("outer product", "write $\\omega\\,\\omega^T$ instead of $[\\omega]^2$", lambda W: W @ W + I),
+]
+
+_ADVICE = {
+    "coefficients swapped": "The odd powers of $[\\omega]$ fold into $[\\omega]$, and odd is the sine.",
+    **dict.fromkeys(
+        ("cos for 1 - cos", "no identity", "sine and cosine swapped"), "At $\\theta = 0$ the rotation is $I$."
+    ),
+    "series cut short": SERIES,
+    "entry by entry": "In NumPy, `W * W` and `W**2` square entry by entry; the square of a matrix is `W @ W`.",
+    "outer product": "For a unit vector, $[\\omega]^2 = \\omega\\,\\omega^T - I$.",
+}
+
+_POSITION_ADVICE = {
+    **dict.fromkeys((name for name, *_ in _POSITIONS), G),
+    "straight on": "That is the way of a translation, with $\\omega = 0$. Here $v$ is carried round with the body: $G(\\theta)\\,v$.",
+    "R v": "That is how fast the point moves at the end.",
+    "v itself": "$v$ is a velocity, and $G(\\theta)\\,v$ is a position.",
+}
 
 
 def angle_symbol(theta: float) -> Expression:
@@ -44,25 +100,6 @@ def hat(w: Array) -> Array:
     return np.array([[0.0, -z, y], [z, 0.0, -x], [-y, x, 0.0]])
 
 
-def _rotation(w: Array, q: float) -> Array:
-    size = np.sqrt(w @ w) or 1.0
-    return _powers(hat(w / size), np.sin(size * q), 1 - np.cos(size * q))
-
-
-def _position(w: Array, v: Array, q: float) -> Array:
-    size = np.sqrt(w @ w) or 1.0
-    angle = size * q
-    G = _powers(hat(w / size), 1 - np.cos(angle), angle - np.sin(angle), identity=angle)
-    position: Array = G @ v / size
-    return position
-
-
-def _powers(W: Array, first: float, second: float, square: Array | None = None, identity: float = 1.0) -> Array:
-    """identity I + first W + second W^2."""
-    total: Array = identity * I + first * W + second * (W @ W if square is None else square)
-    return total
-
-
 def truncated(A: Array, terms: int) -> Array:
     """The first terms of the series of the matrix exponential, (n, n).
 
@@ -76,134 +113,35 @@ def truncated(A: Array, terms: int) -> Array:
     return total
 
 
-Formula = Callable[[Array, float], Array]
-Wrong = tuple[str, str, str, Formula]
-
-_ROTATIONS: list[Wrong] = [
-    (
-        "coefficients swapped",
-        "swap $\\sin\\theta$ and $1 - \\cos\\theta$",
-        ODD_SINE,
-        lambda W, q: _powers(W, 1 - cos(q), sin(q)),
-    ),
-    (
-        "cos for 1 - cos",
-        "write $\\cos\\theta$ instead of $1 - \\cos\\theta$",
-        AT_ZERO,
-        lambda W, q: _powers(W, sin(q), cos(q)),
-    ),
-    (
-        "cos for 1 - cos",
-        "write $1 + \\cos\\theta$ instead of $1 - \\cos\\theta$",
-        AT_ZERO,
-        lambda W, q: _powers(W, sin(q), 1 + cos(q)),
-    ),
-    ("no identity", "leave out the identity $I$", AT_ZERO, lambda W, q: _powers(W, sin(q), 1 - cos(q), identity=0)),
-    ("term left out", "leave out the term with $[\\omega]^2$", "", lambda W, q: _powers(W, sin(q), 0)),
-    (
-        "sign",
-        "take the term with $[\\omega]^2$ with the opposite sign",
-        "",
-        lambda W, q: _powers(W, sin(q), cos(q) - 1),
-    ),
-    (
-        "square left out",
-        "write $[\\omega]$ instead of $[\\omega]^2$",
-        "",
-        lambda W, q: _powers(W, sin(q), 1 - cos(q), W),
-    ),
-    (
-        "entry by entry",
-        "square $[\\omega]$ entry by entry",
-        SQUARED_ENTRIES,
-        lambda W, q: _powers(W, sin(q), 1 - cos(q), W * W),
-    ),
-    (
-        "outer product",
-        "write $\\omega\\,\\omega^T$ instead of $[\\omega]^2$",
-        OUTER,
-        lambda W, q: _powers(W, sin(q), 1 - cos(q), W @ W + I),
-    ),
-    ("series cut short", "stop the series after two terms", SERIES, lambda W, q: truncated(W * q, 2)),
-    ("series cut short", "stop the series after three terms", SERIES, lambda W, q: truncated(W * q, 3)),
-    ("series cut short", "stop the series after four terms", SERIES, lambda W, q: truncated(W * q, 4)),
-    ("exponential of each entry", "take the exponential entry by entry (`np.exp`)", SERIES, lambda W, q: np.exp(W * q)),
-    ("sine and cosine swapped", "swap sine and cosine", AT_ZERO, lambda W, q: _powers(W, cos(q), 1 - sin(q))),
-]
-"""Wrong rotations about a unit axis: a name, what was done, what is right, and the matrix of [omega] and theta."""
-
-_POSITIONS: list[Wrong] = [
-    ("straight on", "write $v\\,\\theta$", STRAIGHT, lambda _, q: I * q),
-    (
-        "R v",
-        "write $R\\,v$",
-        "That is how fast the point moves at the end.",
-        lambda W, q: _powers(W, sin(q), 1 - cos(q)),
-    ),
-    ("v itself", "write $v$", "$v$ is a velocity, and $G(\\theta)\\,v$ is a position.", lambda _, q: I * q**0),
-    (
-        "coefficients swapped",
-        "swap the coefficients of $[\\omega]$ and $[\\omega]^2$",
-        G,
-        lambda W, q: _powers(W, q - sin(q), 1 - cos(q), identity=q),
-    ),
-    (
-        "no theta in front",
-        "write $I$ instead of $I\\,\\theta$ in $G(\\theta)$",
-        G,
-        lambda W, q: _powers(W, 1 - cos(q), q - sin(q)),
-    ),
-    (
-        "term left out",
-        "leave out the term of $G(\\theta)$ with $[\\omega]^2$",
-        G,
-        lambda W, q: _powers(W, 1 - cos(q), 0, identity=q),
-    ),
-    (
-        "term left out",
-        "leave out the term of $G(\\theta)$ with $[\\omega]$",
-        G,
-        lambda W, q: _powers(W, 0, q - sin(q), identity=q),
-    ),
-    (
-        "sign",
-        "write $\\theta + \\sin\\theta$ instead of $\\theta - \\sin\\theta$",
-        G,
-        lambda W, q: _powers(W, 1 - cos(q), q + sin(q), identity=q),
-    ),
-    (
-        "sign",
-        "take the term with $[\\omega]^2$ with the opposite sign",
-        G,
-        lambda W, q: _powers(W, 1 - cos(q), sin(q) - q, identity=q),
-    ),
-    (
-        "entry by entry",
-        "square $[\\omega]$ entry by entry",
-        SQUARED_ENTRIES,
-        lambda W, q: _powers(W, 1 - cos(q), q - sin(q), W * W, identity=q),
-    ),
-]
-"""Wrong matrices for G(theta), likewise."""
+def _squared(W: Array) -> Array:
+    square: Array = W @ W
+    return square
 
 
-def _changes(table: list[Wrong], node: Expression, *v: Expression) -> Changes:
-    """Yield the changes of a formula for a unit axis, each applied to an axis of any length."""
+def _formula(
+    coefficients: Coefficients, square: Callable[[Array], Array], size: float, w: Array, q: float, *v: Array
+) -> Array:
+    """A formula for a unit axis, applied to an axis w of this size; with v, the position that the matrix gives."""
+    W, (first, second, third) = hat(w / size), coefficients(size * q)
+    M: Array = first * I + second * W + third * square(W)
+    return M @ v[0] / size if v else M
+
+
+def _size(w: Array) -> float:
+    return float(np.sqrt(w @ w)) or 1.0
+
+
+def _changes(
+    table: list[tuple[str, str, Coefficients]], right: Coefficients, node: Expression, *v: Expression
+) -> Changes:
     omega, theta = node.arguments[0], node.arguments[-1]
-    size = float(np.linalg.norm(omega.value))
-    for name, text, advice, formula in table:
-        change = Change(name, *(words.replace("\\theta", f"{{{theta.latex}}}") for words in (text, "", advice)))
-        yield change, Operation(name, _with_unit_axis(formula, size), node.operation.latex)(omega, theta, *v)
-
-
-def _with_unit_axis(formula: Formula, size: float) -> Callable[..., Array]:
-    """A formula for a unit axis, as a function of an axis of this length. A velocity is per radian then."""
-
-    def of(omega: Array, q: float, *v: Array) -> Array:
-        G = formula(hat(omega) / size, size * q)
-        return G @ v[0] / size if v else G
-
-    return of
+    advice = _ADVICE | _POSITION_ADVICE if v else _ADVICE
+    wrong = [(name, text, coefficients, _squared) for name, text, coefficients in table]
+    wrong += [(name, text, right, square) for name, text, square in _SQUARES]
+    for name, text, coefficients, square in wrong:
+        said, why = (words.replace("\\theta", theta.latex) for words in (text, advice.get(name, "")))
+        formula = partial(_formula, coefficients, square, _size(omega.value))
+        yield Change(name, said, advice=why), Operation(name, formula, node.operation.latex)(omega, theta, *v)
 
 
 def _raw_axis(omega: Expression) -> Expression | None:
@@ -215,18 +153,20 @@ def _raw_axis(omega: Expression) -> Expression | None:
 
 def _rotation_changes(node: Expression) -> Changes:
     omega, theta = node.arguments
-    yield from _changes(_ROTATIONS, node)
+    yield from _changes(_ROTATIONS, RODRIGUES, node)
+    by_entry = Change("exponential of each entry", "take the exponential entry by entry (`np.exp`)", advice=SERIES)
+    yield by_entry, _entrywise(omega, theta)
     if raw := _raw_axis(omega):
         text = f"use ${raw.latex}$, which is no unit vector, in Rodrigues' formula"
-        yield Change("formula for a unit axis", text, _FOR_UNIT_AXES, UNIT_AXIS), _printed_rotation(raw, theta)
+        yield Change("formula for a unit axis", text, FOR_UNIT_AXES, UNIT_AXIS), _printed_rotation(raw, theta)
 
 
 def _position_changes(node: Expression) -> Changes:
     omega, v, theta = node.arguments
-    yield from _changes(_POSITIONS, node, v)
+    yield from _changes(_POSITIONS, INTEGRAL, node, v)
     if raw := _raw_axis(omega):
         text = f"use ${raw.latex}$, which is no unit vector, in the formula of $G({theta.latex})$"
-        yield Change("formula for a unit axis", text, _FOR_UNIT_AXES, UNIT_AXIS), _printed_position(raw, v, theta)
+        yield Change("formula for a unit axis", text, FOR_UNIT_AXES, UNIT_AXIS), _printed_position(raw, theta, v)
 
 
 def _skew_changes(node: Expression) -> Changes:
@@ -301,14 +241,19 @@ twist_matrix = Operation(
 )
 """The matrix [S] (4, 4) of a twist, from [omega] and v."""
 
-rotation_exp = Operation("rotation", _rotation, "e^{{[{0}]{1}}}".format, _rotation_changes)
+rotation_exp = Operation(
+    "rotation", lambda w, q: _formula(RODRIGUES, _squared, _size(w), w, q), "e^{{[{0}]{1}}}".format, _rotation_changes
+)
 """The rotation e^{[omega] theta}, by Rodrigues' formula; omega need not be of unit length."""
 
-position_exp = Operation("position", _position, "G({2})\\,{1}".format, _position_changes)
+position_exp = Operation(
+    "position",
+    lambda w, v, q: _formula(INTEGRAL, _squared, _size(w), w, q, v),
+    "G({2})\\,{1}".format,
+    _position_changes,
+)
 """The position of e^{[S] theta} for S = (omega, v) with omega not zero: G(theta) v."""
 
-_printed_rotation = Operation("(3.51)", lambda w, q: _powers(hat(w), np.sin(q), 1 - np.cos(q)), "e^{{[{0}]{1}}}".format)
-_printed_position = Operation(
-    "(3.88)", lambda w, v, q: _powers(hat(w), 1 - np.cos(q), q - np.sin(q), identity=q) @ v, "G({2})\\,{1}".format
-)
-_FOR_UNIT_AXES = "use formulas for a unit axis, although the axis is no unit vector"
+_entrywise = Operation("entrywise exponential", lambda w, q: np.exp(hat(w) * q), "e^{{[{0}]{1}}}".format)
+_printed_rotation = Operation("(3.51)", partial(_formula, RODRIGUES, _squared, 1.0), "e^{{[{0}]{1}}}".format)
+_printed_position = Operation("(3.88)", partial(_formula, INTEGRAL, _squared, 1.0), "G({1})\\,{2}".format)

@@ -110,6 +110,7 @@ def augmented_matrix(sampler: ArmSampler) -> Problem:
         column.mistaken_for(other, "order", f"translate {when} rotating")
         .mistaken_for(rotated + p, "order", "translate both before and after rotating")
         .mistaken_for(R.T @ p, "transposed", "multiply $p$ by $R^T$")
+        .mistaken_for(R.value.diagonal() * shift, "entry by entry", "multiply $R$ and $p$ entry by entry")
     )
     A = assemble(block, column)
     way = "anticlockwise" if degrees > 0 else "clockwise"

@@ -65,7 +65,7 @@ def matrix_of_a_screw(sampler: ArmSampler) -> Problem:
 @problem("02.2", "A turn about a line in space", points=3, lecture="02_matrix_exponential#The key identity")
 def turn_about_a_line(sampler: ArmSampler) -> Problem:
     direction, length = _direction(sampler)
-    degrees = sampler.choice([degrees for degrees in range(35, 165, 5) if degrees not in (45, 90)])
+    degrees = sampler.choice([degrees for degrees in range(35, 165, 5) if degrees not in (45, 90, 120)])
     R = rotation_exp(unit(point("d", direction)), radians(given("\\theta", degrees, ANGLE)))
     return Problem(
         statement=f"A body turns by {degrees} degrees about the direction ${vector(direction)}$. Give $R$.",
