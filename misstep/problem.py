@@ -19,7 +19,7 @@ from misstep.sampling import Sampler
 
 S = TypeVar("S", bound=Sampler)
 
-MAX_DRAWS = 100
+MAX_DRAWS = 300
 """How many variants are drawn before a problem is refused as degenerate."""
 
 SEPARATION_TOLERANCES = 10

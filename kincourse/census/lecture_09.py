@@ -34,7 +34,7 @@ def rpy_slips(rpy: Any) -> dict[str, tuple[Array, str]]:
     return {
         "about its own axes": (rotation(rpy, "xyz"), OWN_AXES),
         "yaw first": (rotation((yaw, pitch, roll)), RPY_ORDER),
-        "yaw first, about its own axes": (rotation((yaw, pitch, roll), "xyz"), f"{RPY_ORDER}, {OWN_AXES}"),
+        "yaw first, about its own axes": (rotation((yaw, pitch, roll), "xyz"), f"{RPY_ORDER}, {OWN_AXES}, transpos"),
         "transposed": (rotation(rpy).T, "transpos, R^T, parent to joint, invers"),
         "read as degrees": (rotation(np.radians(rpy)), "degree, radian"),
         "turned into degrees": (rotation(np.degrees(rpy)), "degree, radian"),
@@ -65,10 +65,10 @@ def pose_of_a_joint(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             **pose_slips(frame(R, xyz)),
             **cases,
             "the shift turned too": (frame(R, R @ xyz), "shift, turned, xyz, before"),
-            "the shift turned back": (frame(R, R.T @ xyz), "shift, turned, xyz, transpos"),
+            "the shift turned back": (frame(R, R.T @ xyz), "shift, turned, xyz, transpos, R^T p"),
             "x and y of the shift exchanged": (frame(R, xyz[[1, 0, 2]]), SWAP),
             "xyz and rpy exchanged": (frame(rotation(xyz), rpy), SWAP),
-            "about its own axes, transposed": (frame(rotation(rpy, "xyz").T, xyz), f"{OWN_AXES}, transpos"),
+            "about its own axes, transposed": (frame(rotation(rpy, "xyz").T, xyz), f"{OWN_AXES}, transpos, {RPY_ORDER}, {SIGN}"),
             "about its own axes, the shift turned too": (
                 frame(rotation(rpy, "xyz"), rotation(rpy, "xyz") @ xyz), f"{OWN_AXES}, shift, turned, xyz"),
             "yaw first, the shift negated": (frame(rotation(rpy[::-1]), -xyz), f"{RPY_ORDER}, {SIGN}"),
@@ -91,10 +91,10 @@ def way_it_points(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "opposite": (-R @ axis, f"{SIGN}, other way, right hand"),
             "the z axis of the joint": (R[:, 2], "z axis, axis, z of"),
             "the x axis of the joint": (R[:, 0], "x axis, axis, x of"),
-            "transposed, opposite": (-R.T @ axis, f"transpos, R^T, {SIGN}, invers"),
+            "transposed, opposite": (-R.T @ axis, f"transpos, R^T, {SIGN}, invers, own axes"),
             "the sign of one number": (R @ axis * np.where(np.arange(3) == np.argmax(np.abs(R @ axis)), -1, 1), SIGN),
             "no signs": (np.abs(R @ axis), SIGN),
-            "the first two numbers exchanged": ((R @ axis)[[1, 0, 2]], SWAP),
+            "the first two numbers exchanged": ((R @ axis)[[1, 0, 2]], f"{SWAP}, yaw"),
             "the origin added": (R @ axis + (0, 0, 1), "origin, direction, shift, xyz"),
             "turned twice": (R @ R @ axis, "twice"),
             "only the roll": (turn("x", rpy[0]) @ axis, f"roll, {LEFT_OUT}"),
@@ -126,11 +126,11 @@ def joint_deep_in_the_file(given: Any, answer: Array) -> Iterator[WrongAnswer]:
     (p1, r1, _), (p2, r2, _), (p3, r3, _) = joints_of(given.urdf)
     R1, R2, R3 = rotation(r1), rotation(r2), rotation(r3)
     own1, own2 = rotation(r1, "xyz"), rotation(r2, "xyz")
-    place, turned = p1 + R1 @ p2 + R1 @ R2 @ p3, "turn, rpy, order, parent"
+    place, turned = p1 + R1 @ p2 + R1 @ R2 @ p3, "turn, rpy, order, parent, R_1, R_2, rotat"
     yield from wrong(
         {
             "as it stands": (p3, "as it stands, base, parent"),
-            "the origins added": (p1 + p2 + p3, "added, turn"),
+            "the origins added": (p1 + p2 + p3, "added, turn, rotati"),
             "turned by its own rpy too": (p1 + R1 @ p2 + R1 @ R2 @ R3 @ p3, "turned, rpy"),
             "each turned by its own rpy": (R1 @ p1 + R2 @ p2 + R3 @ p3, f"own, {turned}"),
             "each turned by its parent's rpy only": (p1 + R1 @ p2 + R2 @ p3, "pile up, parent"),
@@ -145,15 +145,15 @@ def joint_deep_in_the_file(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "the last step turned by R_1 only": (p1 + R1 @ (p2 + p3), f"R_2, {turned}, {LEFT_OUT}"),
             "joint 2's step not turned": (p1 + p2 + R1 @ R2 @ p3, f"joint 2, {turned}"),
             "from tip to base": (p3 + R3 @ p2 + R3 @ R2 @ p1, "order, reverse, tip, wrong way"),
-            "seen from joint 3": ((R1 @ R2 @ R3).T @ place, "seen from, joint 3, transpos"),
-            "the way back": (-(R1 @ R2 @ R3).T @ place, "way back, invers, transpos"),
+            "seen from joint 3": ((R1 @ R2 @ R3).T @ place, "seen from, joint 3, joint_3, transpos"),
+            "the way back": (-(R1 @ R2 @ R3).T @ place, "way back, invers, transpos, origin of the base"),
             "negated": (-place, SIGN),
             "about its own axes": (p1 + own1 @ p2 + own1 @ own2 @ p3, OWN_AXES),
             "read as degrees": (p1 + rotation(r1 * np.pi / 180) @ p2 + rotation(r1 * np.pi / 180) @ rotation(r2 * np.pi / 180) @ p3,
                                 "degree, radian"),
             "the sign of one number": (place * (1, -1, 1), SIGN),
             "R_2 R_1, joint 1's shift left out": (R1 @ p2 + R2 @ R1 @ p3, f"order, wrong way round, first, {LEFT_OUT}"),
-            "turned back, by its own rpy too": (p1 + R1.T @ p2 + (R1 @ R2 @ R3).T @ p3, "transpos, invers"),
+            "turned back, by its own rpy too": (p1 + R1.T @ p2 + (R1 @ R2 @ R3).T @ p3, "transpos, invers, own"),
         }
     )  # fmt: skip
     yield from right({**ordinary_forms(place), "a tuple": tuple(place)})
@@ -176,7 +176,7 @@ def screw_from_a_file(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "no moment": (screw(w, 0 * p), moment),
             "the point as v": (np.concatenate([w, p]), "point, position, moment"),
             "axis as it stands": (screw(axis, p), f"axis, {base}, rpy"),
-            "its own rpy left out": (screw(R1 @ R2 @ axis, p), "rpy, parent"),
+            "its own rpy left out": (screw(R1 @ R2 @ axis, p), "rpy, parent, R_3"),
             "only its own rpy": (screw(R3 @ axis, p), "rpy, parent, base, joints before"),
             "point as it stands": (screw(w, p3), f"point, {base}"),
             "point and axis as they stand": (screw(axis, p3), base),
@@ -226,7 +226,7 @@ def home_from_a_file(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "joint 2 left out": (T1 @ weld, f"joint 2, {LEFT_OUT}"),
             "weld inverted": (product(T1, T2, np.linalg.inv(weld)), "weld, invers, invert"),
             "weld not turned": (product(T1, T2, frame(p=weld[:3, 3])), "weld, rpy, turn, rotation"),
-            "weld only turned": (product(T1, T2, frame(weld[:3, :3])), "weld, xyz, shift, translation"),
+            "weld only turned": (product(T1, T2, frame(weld[:3, :3])), "weld, xyz, shift, translation, position"),
             "the shifts added": (frame(M[:3, :3], added), "added, turn"),
             "about its own axes": (product(*own), OWN_AXES),
             "read as degrees": (
@@ -264,7 +264,7 @@ def which_line(given: Any, answer: float) -> Iterator[WrongAnswer]:
         "the end of its joint": (end + 1, "joint, ends, element"),
         "the first line": (1, "first line, robot, in order"),
         "the last line": (len(lines), "last line, end, in order"),
-        "line 0": (0, "count, from 1"),
+        "line 0": (0, "count, from 1, lines 1 to"),
     }
     joint, seen = 0, {case[0] for case in cases.values()}
     for i, line in enumerate(lines, start=1):
@@ -315,11 +315,11 @@ def from_a_dh_row(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "no roll": ([xyz, [0, 0, 0]], f"roll, alpha, {LEFT_OUT}"),
             "xyz and rpy exchanged": ([rpy, xyz], f"{SWAP}, order"),
             "standard row": ([[a, 0, d], rpy], "convention, standard, along"),
-            "a turned as well": ([[a * c, a * s, d], rpy], "turn, along"),
+            "a turned as well": ([[a * c, a * s, d], rpy], "turn, along, rotate"),
             "d downwards": ([[a, d * s, -d * c], rpy], SIGN),
             "x negated": ([[-a, -d * s, d * c], rpy], SIGN),
             "millimetres": ([[1000 * v for v in xyz], rpy], "millimet, mm, 1000, unit"),
-            "right angle for alpha": ([xyz, [np.sign(alpha) * np.pi, 0, 0]], "alpha, roll"),
+            "half a turn for alpha": ([xyz, [np.sign(alpha) * np.pi, 0, 0]], "alpha, roll, half a turn"),
             "d along the old z, degrees": ([[a, 0, d], [deg, 0, 0]], f"{along}, degree, radian"),
             "alpha as yaw, a and d swapped": ([[d, -a * s, a * c], [0, 0, alpha]], f"yaw, {SWAP}"),
             "d along the old z, alpha negated": ([[a, 0, d], [-alpha, 0, 0]], f"{along}, {SIGN}"),

@@ -2,29 +2,31 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
-from itertools import accumulate
-from typing import Any
 
 import numpy as np
 
 from kincourse.answers.point import VectorsAnswer
 from kincourse.answers.pose import OriginAnswer, PoseAnswer
 from kincourse.answers.screws import ScrewsAnswer
-from kincourse.mistakes.space_form import screw_mistakes
+from kincourse.expressions.poses import assemble, point, translation
+from kincourse.expressions.screws import direction, revolute
+from kincourse.expressions.urdf import about_own_axes, rpy_rotation
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kincourse.text.urdf_text import UrdfJoint, fence_urdf, format_values, random_right_angles, robot_urdf, serial_urdf
 from kinlib.arrays.validation import Array
-from kinlib.chains.robots import X, Y, Z
-from kinlib.rigid.lie import homogeneous
-from kinlib.rigid.rpy import origin
-from kinlib.rigid.screw import screw
+from kinlib.chains.robots import X, Z
 from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
 from misstep.display.text import number
 from misstep.mistakes import Mistake, mistake
+from misstep.mutants.expression import Expression, given, product, transpose
+from misstep.mutants.operations import ANGLE, LENGTH, cos, function, sin, stack
 from misstep.problem import Problem
 from misstep.sheet import Sheet
+
+PARENT_ADVICE = "`xyz` is in the frame of the parent: the last column is $p$ as it is."
+absolute = function("absolute values", np.abs, "|{0}|")
 
 LINKS = ("base", "boom", "forearm", "hand")
 ROUNDING_NOTE = "Take `1.5708` for a right angle."
@@ -33,259 +35,183 @@ ROUNDING_NOTE = "Take `1.5708` for a right angle."
 @problem("09.1", "The pose of a joint", points=3, lecture="09_urdf#Roll, pitch and yaw")
 def pose_of_a_joint(sampler: ArmSampler) -> Problem:
     xyz, rpy = sampler.point(3), random_right_angles(sampler, sampler.choice([2, 3]))
-    right = origin(xyz, rpy)
-    own = _about_moving_axes(rpy)
     element = f'<origin xyz="{format_values(xyz)}" rpy="{format_values(rpy)}"/>'
+    R, p = rpy_rotation("R", rpy), point("p", xyz)
+    rotated_too = "rotate the translation as well: $R\\,p$"
+    T = assemble(R, p.mistaken_for(R @ p, "translation rotated", rotated_too, PARENT_ADVICE))
     return Problem(
         statement=f"A joint of a URDF says\n\n{fence_urdf(element)}\n\nGive its pose in the frame of the parent link, "
         f"at $q = 0$. {ROUNDING_NOTE}",
         given={"xyz": xyz, "rpy": rpy},
-        answer=PoseAnswer(right),
-        mistakes=[
-            mistake(
-                "about its own axes",
-                homogeneous(own[:3, :3], xyz),
-                "You turned about the frame's own axes, in the order roll, pitch, yaw: $R_x R_y R_z$. These axes are fixed: "
-                "what comes later stands further left, $R_z R_y R_x$.",
-                "This is $R_x R_y R_z$, the rotation about the frame's own axes. URDF's axes are fixed: $R_z R_y R_x$.",
-            ),
-            mistake(
-                "yaw first",
-                homogeneous(origin(rpy=rpy[::-1])[:3, :3], xyz),
-                "You read the angles as yaw, pitch, roll. The first is the roll, about $x$.",
-                "This is the rotation with the angles read as yaw, pitch, roll. The first is the roll, about $x$.",
-            ),
-            mistake(
-                "transposed",
-                homogeneous(right.T[:3, :3], xyz),
-                "This is $R^T$, the parent seen from the joint. The columns of $R$ are the joint's axes, seen from the parent.",
-                "This is $R^T$. The columns of $R$ are the joint's axes, seen from the parent.",
-            ),
-            mistake(
-                "degrees",
-                origin(xyz, np.radians(rpy)),
-                "You took the angles for degrees. URDF writes radians: 1.5708 is a right angle.",
-                "This is the rotation with the angles read as degrees. URDF writes radians: 1.5708 is a right angle.",
-            ),
-            mistake(
-                "turned before it was shifted",
-                homogeneous(right[:3, :3], right[:3, :3] @ xyz),
-                "You turned the shift as well. `xyz` is already read in the parent's frame: it is the last column as it stands.",
-                "This is $R\\,p$. `xyz` is already read in the parent's frame: it is the last column as it is.",
-            ),
-        ],
+        answer=PoseAnswer(T.value),
+        solution=T.mistaken_for(
+            assemble(rpy_rotation("R", xyz), given("rpy", rpy)), "xyz and rpy swapped", "swap `xyz` and `rpy`"
+        ),
     )
 
 
 @problem("09.2", "Which way does it point?", points=2, lecture="09_urdf#What a joint says")
 def way_it_points(sampler: ArmSampler) -> Problem:
-    rpy, signs = random_right_angles(sampler, 2), np.array([sampler.choice((-1, 1)) for _ in range(3)])
-    axis = np.array(sampler.shuffled([0.0, 0.6, 0.8])) * signs
-    R = origin(rpy=rpy)[:3, :3]
-    own = _about_moving_axes(rpy)[:3, :3]
+    rpy, axis = random_right_angles(sampler, 2), _random_axis(sampler)
     element = f'<origin xyz="0 0 1" rpy="{format_values(rpy)}"/>\n<axis xyz="{format_values(axis)}"/>'
+    R, a = rpy_rotation("R", rpy), direction("a", axis)
+    omega = product(R, a.mistaken_for(Z, "another axis", "use the $z$ axis of the joint instead of its `axis`"))
+    for other, name, text in (
+        (R @ R @ a, "rotated twice", "rotate the axis twice"),
+        (R @ a + Z, "origin added", "add the `xyz` of the origin to a direction"),
+        (absolute(R @ a), "signs left out", "leave out the signs"),
+        (R @ X, "another axis", "use the $x$ axis of the joint instead of its `axis`"),
+    ):
+        omega = omega.mistaken_for(other, name, text)
     return Problem(
         statement=f"A joint of a URDF says\n\n{fence_urdf(element)}\n\nWhich way does its axis point in the frame of the parent link? "
         f"Give three numbers. {ROUNDING_NOTE}",
         given={"rpy": rpy, "axis": axis},
-        answer=VectorsAnswer(R @ axis),
-        mistakes=[
-            mistake(
-                "read in the parent",
-                axis,
-                "You took the axis as it stands. It is written in the joint's own frame, and `rpy` has turned that frame.",
-            ),
-            mistake(
-                "transposed",
-                R.T @ axis,
-                "You went from parent to joint, with $R^T$. The axis is known in the joint's frame and wanted in the parent's: $R\\,a$.",
-            ),
-            mistake(
-                "about its own axes",
-                own @ axis,
-                "You turned about the frame's own axes. Roll, pitch and yaw are about fixed axes: $R = R_z R_y R_x$.",
-            ),
-            mistake(
-                "yaw first",
-                origin(rpy=rpy[::-1])[:3, :3] @ axis,
-                "This is right if the angles are yaw, pitch, roll. The first of the three is the roll, about $x$.",
-            ),
-            mistake(
-                "turned round", -R @ axis, "Your axis points the other way. By the right hand, roll takes $y$ to $z$."
-            ),
-        ],
+        answer=VectorsAnswer(omega.value),
+        solution=omega,
+        advice={
+            "rotation left out": "The axis is written in the joint's own frame, and `rpy` has rotated that frame.",
+            "rotation transposed": "The axis is known in the joint's frame and wanted in the parent's: $R\\,a$.",
+        },
     )
 
 
-def _about_moving_axes(rpy: Array) -> Array:
-    """The pose (4, 4) of rotations by roll, pitch and yaw about the moving axes x, y, z: R = R_x R_y R_z."""
-    roll, pitch, yaw = rpy
-    T: Array = origin(rpy=(roll, 0, 0)) @ origin(rpy=(0, pitch, 0)) @ origin(rpy=(0, 0, yaw))
-    return T
+def _random_axis(sampler: ArmSampler) -> Array:
+    """Draw a unit vector with two components of different size, so that it shows how it was rotated."""
+    return np.array(sampler.shuffled([0.0, 0.6, 0.8])) * [sampler.choice((-1, 1)) for _ in range(3)]
 
 
-def _three_joints(sampler: ArmSampler) -> tuple[list[UrdfJoint], list[Array]]:
-    """Draw three joints of an arm, each rotated against the one before, and their poses in the base frame."""
-    joints = [
-        UrdfJoint(f"joint_{k + 1}", sampler.point(3), random_right_angles(sampler, sampler.choice([1, 2])))
+def _three_joints(sampler: ArmSampler) -> list[UrdfJoint]:
+    """Draw three joints of an arm, each rotated against the one before, the first of them about two axes.
+
+    With two axes it can be seen whether the axes of `rpy` were taken as fixed or as moving.
+    """
+    return [
+        UrdfJoint(f"joint_{k + 1}", sampler.point(3), random_right_angles(sampler, sampler.choice([1, 2]) if k else 2))
         for k in range(3)
     ]
-    return joints, list(accumulate((joint.pose for joint in joints), np.matmul))
+
+
+def _origin(k: int, joint: UrdfJoint) -> tuple[Expression, Expression]:
+    """The rotation and the position of a joint in the frame of its parent."""
+    return rpy_rotation(f"R_{k}", np.asarray(joint.rpy)), given(f"p_{k}", np.asarray(joint.xyz))
+
+
+def _position(origins: Sequence[tuple[Expression, Expression]]) -> Expression:
+    """The position of joint 3 in the base frame: p_1 + R_1 p_2 + R_1 R_2 p_3."""
+    (R1, p1), (R2, p2), (R3, p3) = origins
+    own = p3.mistaken_for(
+        R3 @ p3, "translation rotated", "rotate the step of `joint_3` by its own `rpy`", PARENT_ADVICE
+    )
+    p = p1 + R1 @ p2 + R1 @ R2 @ own
+    back = "in the frame of `joint_3`"
+    for other, name, text in (
+        (p3, "frame not changed", "use the `xyz` of `joint_3` as it is, which is in the frame of its parent"),
+        (p1 + R1 @ p2, "another joint", "give the origin of `joint_2`"),
+        (p1 + R1 @ p3, "joint left out", "leave out `joint_2`"),
+        (p2 + R2 @ p3, "joint left out", "leave out `joint_1`"),
+        (p1 + R1 @ p2 + R2 @ p3, "rotation left out", "rotate each step by the `rpy` of its parent only"),
+        (R1 @ p1 + R2 @ p2 + R3 @ p3, "translation rotated", "rotate each step by its own `rpy`"),
+        (p3 + R3 @ p2 + R3 @ R2 @ p1, "reversed", "go from the tip to the base"),
+        (p1 + R1 @ (p2 + p3), "rotation left out", "leave out $R_2$ for the step of `joint_3`"),
+        (p1 + R1 @ p2 + p3, "rotation left out", "leave out the rotation of the step of `joint_3`"),
+        (p1 + R1.T @ p2 + (R1 @ R2).T @ p3, "rotation transposed", "transpose the rotations"),
+        (p1 + p2 + p3, "rotation left out", "add the three `xyz` without rotating them"),
+        (transpose(R1 @ R2 @ R3) @ p, "frame changed", "give the position with the directions of `joint_3`"),
+        (-(transpose(R1 @ R2 @ R3) @ p), "inverted", f"give the origin of the base {back}"),
+    ):
+        p = p.mistaken_for(other, name, text)
+    return p
 
 
 @problem("09.3", "A joint deep in the file", points=3, lecture="09_urdf#What a joint says")
 def joint_deep_in_the_file(sampler: ArmSampler) -> Problem:
-    joints, at = _three_joints(sampler)
-    first, second, third = (joint.pose for joint in joints)
-    step, start = third[:3, 3], at[1][:3, 3]
-    moving = [homogeneous(_about_moving_axes(np.asarray(joint.rpy))[:3, :3], joint.xyz) for joint in joints]
+    joints = _three_joints(sampler)
     text = serial_urdf(joints, LINKS)
+    p = _position([_origin(k, joint) for k, joint in enumerate(joints, start=1)])
     return Problem(
         statement="Where does `joint_3` of this file stand in the frame of the base, when all joints are at 0? "
         f"{ROUNDING_NOTE}\n\n{fence_urdf(text)}",
         given={"urdf": text},
-        answer=VectorsAnswer(at[2][:3, 3], unit="m"),
-        mistakes=[
-            mistake(
-                "read in the base",
-                step,
-                "You took the origin of `joint_3` as it stands. It is read in its parent's frame, not in the base's.",
-            ),
-            mistake(
-                "added without turning",
-                first[:3, 3] + second[:3, 3] + step,
-                "You added the three origins as they stand. Each is read in the frame of its parent, which the joints before it "
-                "have turned.",
-            ),
-            mistake(
-                "turned by its own angles too",
-                start + at[2][:3, :3] @ step,
-                "You turned the step of `joint_3` by its own `rpy` as well. `xyz` is read in the parent's frame; `rpy` turns what "
-                "comes behind.",
-            ),
-            mistake(
-                "by the last turn only",
-                first[:3, 3] + second[:3, 3] + second[:3, :3] @ step,
-                "You turned each step by its parent's own `rpy` only. The turns pile up: $p_3 = p_2 + R_1 R_2\\, xyz_3$, and "
-                "$p_2 = p_1 + R_1\\, xyz_2$.",
-            ),
-            mistake(
-                "about their own axes",
-                moving[0][:3, 3] + moving[0][:3, :3] @ (second[:3, 3] + moving[1][:3, :3] @ step),
-                "This is right if each joint turns about its own axes, $R_x R_y R_z$. The axes of `rpy` are fixed: $R_z R_y R_x$.",
-            ),
-            mistake(
-                "turns in the wrong order",
-                start + second[:3, :3] @ first[:3, :3] @ step,
-                "You multiplied the turns the wrong way round. From the base outwards, the first joint stands on the left: $R_1 R_2$.",
-            ),
-        ],
+        answer=VectorsAnswer(p.value, unit="m"),
+        solution=p,
+        advice={
+            "rotation left out": "Each `xyz` is in the frame of its parent: $p = p_1 + R_1 p_2 + R_1 R_2\\,p_3$.",
+            "order": "From the base outwards, the first joint is on the left: $R_1 R_2$.",
+        },
     )
 
 
 @problem("09.4", "A screw axis from a file", points=3, lecture="09_urdf#From the file to screws")
 def screw_from_a_file(sampler: ArmSampler) -> Problem:
-    joints, at = _three_joints(sampler)
-    axis, point = sampler.choice([X, Y, Z, -X, -Y, -Z]), at[2][:3, 3]
+    joints = _three_joints(sampler)
+    axis = _random_axis(sampler)
     joints[2] = UrdfJoint("joint_3", joints[2].xyz, joints[2].rpy, axis)
-    S = screw(at[2][:3, :3] @ axis, point)
     text = serial_urdf(joints, LINKS)
+    origins = [_origin(k, joint) for k, joint in enumerate(joints, start=1)]
+    (R1, p1), (R2, p2), (R3, _) = origins
+    a, z, p = direction("a", axis), given("z", Z), _position(origins)
+    omega = R1 @ R2 @ R3 @ a
+    for other, name, words in (
+        (a, "frame not changed", "use the axis as it is, which is in the joint's own frame"),
+        (R3 @ a, "frame not changed", "rotate the axis by its own `rpy` only"),
+        (R1 @ R2 @ R3 @ z, "another axis", "use the $z$ axis of the joint instead of its `axis`"),
+        (R1 @ R2 @ R3 @ X, "another axis", "use the $x$ axis of the joint instead of its `axis`"),
+        (transpose(R1 @ R2 @ R3) @ a, "rotation transposed", "rotate the axis by $R^T$"),
+        (product(*map(about_own_axes, (R1, R2, R3))) @ a, "own axes", "rotate the axis about the frames' own axes"),
+    ):
+        omega = omega.mistaken_for(other, name, words)
+    S = revolute(omega, p.named("p"))
+    own = a, 0 * p
+    for screw_axis, name, words in (
+        (revolute(*own), "frame not changed", "give the screw axis in the frame of `joint_3`"),
+        (revolute(R1 @ R2 @ z, p1 + R1 @ p2), "another joint", "give the screw axis of `joint_2`"),
+        (revolute(R1 @ z, p1), "another joint", "give the screw axis of `joint_1`"),
+        (-S, "sign of a vector", "reverse the axis"),
+    ):
+        S = S.mistaken_for(screw_axis, name, words)
     return Problem(
         statement=f"Give the screw axis of `joint_3` in the frame of the base. {ROUNDING_NOTE}\n\n{fence_urdf(text)}",
         given={"urdf": text},
-        answer=ScrewsAnswer(S),
-        mistakes=[
-            *screw_mistakes(S),
-            mistake(
-                "axis read in the base",
-                screw(axis, point),
-                "The point is right. But you took the axis as it stands: it is written in the joint's own frame, which all three "
-                "`rpy` have turned.",
-            ),
-            mistake(
-                "turned the other way",
-                screw(at[2][:3, :3].T @ axis, point),
-                "The point is right. But you turned the axis by $R^T$, which takes the base's coordinates to those of the joint. "
-                "Here it goes the other way: $\\omega = R\\,a$.",
-            ),
-            mistake(
-                "its own turn left out",
-                screw(at[1][:3, :3] @ axis, point),
-                "You read the axis in the frame of the parent. The joint's own `rpy` turns it too: the axis stands in the joint's "
-                "own frame.",
-            ),
-            mistake(
-                "in its own frame",
-                screw(axis, 0 * point),
-                "This is the screw axis in the frame of `joint_3`, where the axis is as written and passes through the origin. In the "
-                "frame of the base it has another direction, and another moment.",
-            ),
-            mistake(
-                "axis of joint 2",
-                screw(at[1][:3, 2], at[1][:3, 3]),
-                "This is the screw axis of `joint_2`. The question is about `joint_3`, the last joint of the file.",
-            ),
-            mistake(
-                "axis of joint 1",
-                screw(at[0][:3, 2], at[0][:3, 3]),
-                "This is the screw axis of `joint_1`. The question is about `joint_3`, the last joint of the file.",
-            ),
-            mistake(
-                "point read in the base",
-                screw(S[:3], joints[2].pose[:3, 3]),
-                "The direction is right. But you took the `xyz` of `joint_3` for a point of the base: it is read in the parent's frame.",
-            ),
-        ],
+        answer=ScrewsAnswer(S.value),
+        solution=S,
+        # With right angles, R_3 R_1 R_2 is often R_1 R_2 R_3, and nobody multiplies in this order.
+        invisible={"first factor", "last factor"},
     )
 
 
 @problem("09.5", "The home pose from a file", points=3, lecture="09_urdf#From the file to screws")
 def home_from_a_file(sampler: ArmSampler) -> Problem:
-    joints, at = _three_joints(sampler)
+    joints = _three_joints(sampler)
     weld = UrdfJoint("weld", sampler.point(3), random_right_angles(sampler, 1), kind="fixed")
     drawn = sampler.point(3)
     text = serial_urdf([*joints[:2], weld], LINKS)
     box = f'  <visual>\n    <origin xyz="{format_values(drawn)}"/>\n    <geometry> <box size="1 1 1"/> </geometry>\n  </visual>'
     visual = f'<link name="hand">\n{box}\n</link>'
     text = text.replace('<link name="hand"/>', visual)
+    origins = [_origin(k, joint) for k, joint in enumerate([*joints[:2], weld], start=1)]
+    T1, T2, T3 = (assemble(R, p).named(f"T_{k}") for k, (R, p) in enumerate(origins, start=1))
+    of_box = translation(given("b", drawn))
+    instead = "use the `origin` of the `visual` instead of that of the fixed joint"
+    M = T1 @ T2 @ T3.mistaken_for(of_box, "visual for joint", instead)
+    rotation, added = (R for R, _ in origins), sum((p for _, p in origins[1:]), origins[0][1])
+    for other, name, words in (
+        (M @ of_box, "visual added", "multiply by the `origin` of the `visual`, which moves no frame"),
+        (T3, "frame not changed", "give the pose of the fixed joint in the frame of its parent"),
+        (assemble(M.T[:3, :3], M[:3, 3]), "rotation transposed", "transpose the rotation of $M$"),
+        (assemble(product(*rotation), added), "rotation left out", "add the positions without rotating them"),
+    ):
+        M = M.mistaken_for(other, name, words)
     return Problem(
         statement=f"Give the home pose $M$ of the link `hand` in the frame of the base. {ROUNDING_NOTE}\n\n{fence_urdf(text)}",
         given={"urdf": text},
-        answer=PoseAnswer(at[1] @ weld.pose),
-        mistakes=[
-            mistake(
-                "transposed",
-                homogeneous((at[1] @ weld.pose)[:3, :3].T, (at[1] @ weld.pose)[:3, 3]),
-                "The position is right, the rotation is $R^T$. The columns of $R$ are the axes of the hand in the frame of the base.",
-                "This is $R^T$. The columns of $R$ are the axes of the hand in the frame of the base.",
-            ),
-            mistake(
-                "weld forgotten",
-                at[1],
-                "You stopped at the last joint that moves. A fixed joint does not move, and it is a pose all the same.",
-            ),
-            mistake(
-                "weld on the left",
-                weld.pose @ at[1],
-                "You multiplied the weld from the left. It is read in the forearm's frame, so it stands on the right.",
-            ),
-            mistake(
-                "reversed",
-                weld.pose @ joints[1].pose @ joints[0].pose,
-                "You multiplied from the tip to the base. Each origin is read in the frame before it, so the base's joint stands "
-                "leftmost.",
-            ),
-            mistake(
-                "where it is drawn",
-                at[1] @ weld.pose @ origin(drawn),
-                "You went on to the `origin` in `visual`. That says where the box is drawn on the hand, and moves no frame.",
-            ),
-            mistake(
-                "drawn instead of welded",
-                at[1] @ origin(drawn),
-                "You took the `origin` of the `visual` for that of the fixed joint.",
-            ),
-        ],
+        answer=PoseAnswer(M.value),
+        solution=M,
+        advice={
+            "leave out $T_3$": "A fixed joint does not move, but it is a pose all the same.",
+            "reversed": "Each origin is in the frame before it, so the joint at the base is leftmost.",
+            "order": "Each origin is in the frame before it, so the joint at the base is leftmost.",
+        },
     )
 
 
@@ -468,48 +394,51 @@ def way_through_a_tree(sampler: ArmSampler) -> Problem:
 @problem("09.8", "From a DH row to a URDF", points=3, lecture="09_urdf#The youBot, from a table and from a file")
 def from_a_dh_row(sampler: ArmSampler) -> Problem:
     a, d = sampler.length(0.2, 0.9), sampler.length(0.2, 0.9)
-    degrees = sampler.choice([-90, -60, -30, 30, 60, 90])  # not 45, whose sine is its cosine
-    alpha = np.radians(degrees)
-    right = np.array([[a, -d * np.sin(alpha), d * np.cos(alpha)], [alpha, 0, 0]])
-
-    def wrong(name: str, xyz: Any, rpy: Any, message: str) -> Mistake:
-        return mistake(name, [xyz, rpy], message)
-
+    # Not 45 degrees, whose sine is its cosine, and no right angle, whose sine leaves a length as it is.
+    degrees = sampler.choice((-1, 1)) * sampler.choice([20, 25, 30, 35, 55, 60, 65, 70])
+    alpha = float(np.radians(degrees))
     return Problem(
         statement=f"A modified DH table holds the row $a_{{i-1}} = {number(a)}$ m, $\\alpha_{{i-1}} = {degrees}°$, $d_i = {number(d)}$ m, "
         '$\\theta_i = q_i$. Write it as a joint of a URDF with `<axis xyz="0 0 1"/>`. Which `xyz` and which `rpy` does its `origin` '
         "hold, for the same frames? Give two rows, metres and radians.",
         given={"a": a, "alpha": alpha, "d": d},
-        answer=OriginAnswer(right),
-        mistakes=[
-            wrong(
-                "d along the old z",
-                [a, 0, d],
-                right[1],
-                "You went $d$ along the $z$ of the frame before. In the modified convention $d_i$ is measured along the new $z$, which "
-                "$\\alpha$ has turned: $T_i = R_x(\\alpha)\\,T_x(a)\\,R_z(q)\\,T_z(d)$.",
-            ),
-            wrong(
-                "z turned the other way",
-                [a, d * np.sin(alpha), d * np.cos(alpha)],
-                right[1],
-                "The new $z$ leans the other way: a roll by $\\alpha$ takes $z$ to $(0, -\\sin\\alpha, \\cos\\alpha)$.",
-            ),
-            wrong("degrees", right[0], [degrees, 0, 0], "`rpy` is in radians."),
-            wrong(
-                "alpha as yaw",
-                right[0],
-                [0, 0, alpha],
-                "You put $\\alpha$ into the yaw. It turns about $x$, so it is the roll, the first of the three.",
-            ),
-            wrong(
-                "a and d exchanged",
-                [d, -a * np.sin(alpha), a * np.cos(alpha)],
-                right[1],
-                "You exchanged $a$ and $d$: $a$ runs along $x$, $d$ along the joint.",
-            ),
-        ],
+        answer=OriginAnswer(_origin_of_row(a, alpha, d).value),
+        solution=_origin_of_row(a, alpha, d).mistaken_for(
+            _origin_of_row(d, alpha, a),
+            "a and d swapped",
+            "swap $a$ and $d$",
+            "$a$ is along $x$, $d$ along the joint axis.",
+        ),
+        advice={
+            "sine and cosine swapped": "A roll by $\\alpha$ takes $z$ to $(0, -\\sin\\alpha, \\cos\\alpha)$.",
+            "sign": "A roll by $\\alpha$ takes $z$ to $(0, -\\sin\\alpha, \\cos\\alpha)$.",
+        },
     )
+
+
+def _origin_of_row(a_m: float, alpha_rad: float, d_m: float) -> Expression:
+    """The `xyz` and `rpy` of a modified DH row with the joint value 0, in two rows."""
+    a, alpha, d = given("a", a_m, LENGTH), given("\\alpha", alpha_rad, ANGLE), given("d", d_m, LENGTH)
+    xyz, rpy = stack(a, -(d * sin(alpha)), d * cos(alpha)), stack(alpha, 0, 0)
+    along = "In the modified convention $d_i$ is measured along the new $z$, which $\\alpha$ has rotated."
+    for other, name, text in (
+        (stack(a, 0, d), "d along the old z", "translate by $d$ along the $z$ axis of the frame before"),
+        (stack(a + d, 0, 0), "d along x", "translate by $d$ along $x$"),
+        (stack(a * cos(alpha), a * sin(alpha), d), "another convention", "rotate $a$ as well"),
+        (stack(0, -(d * sin(alpha)), d * cos(alpha)), "a left out", "leave out $a$"),
+        (stack(-a, -(d * sin(alpha)), d * cos(alpha)), "sign of a length", "take $a$ with the opposite sign"),
+        (1000 * xyz, "millimetres", "write millimetres instead of metres"),
+    ):
+        xyz = xyz.mistaken_for(other, name, text, along if name.startswith("d") else "")
+    for other, name, text in (
+        (stack(0, alpha, 0), "alpha as pitch", "write $\\alpha$ as the pitch"),
+        (stack(0, 0, alpha), "alpha as yaw", "write $\\alpha$ as the yaw"),
+        (stack(0, 0, 0), "alpha left out", "leave out $\\alpha$ in `rpy`"),
+        (stack(np.degrees(alpha_rad), 0, 0), "degrees", "write degrees into `rpy`"),
+        (stack(np.copysign(np.pi, alpha_rad), 0, 0), "half a turn", "write half a turn into `rpy`"),
+    ):
+        rpy = rpy.mistaken_for(other, name, text, "" if name != "degrees" else "`rpy` is in radians.")
+    return stack(xyz.named("\\mathrm{xyz}"), rpy.named("\\mathrm{rpy}"))
 
 
 SHEET = Sheet(

@@ -141,8 +141,9 @@ def _stack_changes(node: Expression) -> Changes:
     what = "entries" if np.ndim(node.value) == 1 else "rows"
     for i in range(len(node.arguments) - 1):
         rows = list(node.arguments)
-        rows[i : i + 2] = rows[i + 1], rows[i]
-        yield Change(f"{what} swapped", f"swap {what} {i + 1} and {i + 2}"), stack(*rows)
+        if rows[i].key != rows[i + 1].key:
+            rows[i : i + 2] = rows[i + 1], rows[i]
+            yield Change(f"{what} swapped", f"swap {what} {i + 1} and {i + 2}"), stack(*rows)
 
 
 def _listed(*entries: str) -> str:

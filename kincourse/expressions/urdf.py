@@ -1,0 +1,84 @@
+"""The rotations of URDF in solutions: roll, pitch and yaw."""
+
+from itertools import combinations
+
+import numpy as np
+
+from kinlib.arrays.validation import Array
+from kinlib.rigid.rpy import origin
+from misstep.mutants.expression import Change, Changes, Expression, Operation, given, transpose
+
+NAMES = ("roll", "pitch", "yaw")
+AXES_ADVICE = "The axes of `rpy` are fixed, so what comes later is further left: $R_z R_y R_x$."
+
+
+def rpy_rotation(label: str, rpy: Array) -> Expression:
+    """The rotation (3, 3) of given angles roll, pitch and yaw in radians, (3,), about the fixed axes x, y and z.
+
+    >>> rpy_rotation("R", np.array([0, 0, np.pi / 2])).value.round(9)[:, 0]
+    array([0., 1., 0.])
+    """
+    return _rpy_rotation(given(f"{label}", rpy)).named(label)
+
+
+def about_own_axes(R: Expression) -> Expression:
+    """The rotation by the same angles about the frame's own axes, R_x R_y R_z, which is a mistake.
+
+    >>> about_own_axes(rpy_rotation("R", np.array([0, np.pi / 2, np.pi / 2]))).value.round(9)[:, 0]
+    array([0., 1., 0.])
+    """
+    return _moving(*R.arguments)
+
+
+def _rotation(rpy: Array) -> Array:
+    return origin(rpy=rpy)[:3, :3]
+
+
+def _about_moving_axes(rpy: Array) -> Array:
+    roll, pitch, yaw = np.diag(rpy)
+    return _rotation(roll) @ _rotation(pitch) @ _rotation(yaw)
+
+
+def _rpy_changes(node: Expression) -> Changes:
+    [rpy], label = node.arguments, node.latex or node.arguments[0].latex
+    turned = [k for k in range(3) if rpy.value[k]]
+    if len(turned) > 1:  # a single rotation has only one order
+        text = f"rotate about the frame's own axes, $R_x R_y R_z$, in ${label}$"
+        everywhere = "rotate about the frames' own axes, $R_x R_y R_z$"
+        yield Change("own axes", text, everywhere, AXES_ADVICE), _moving(rpy)
+    if turned != [1]:  # the pitch is the second angle in either order
+        text = "read the angles as yaw, pitch and roll"
+        yield (
+            Change("yaw first", text, text, "The first of the three is the roll, about $x$."),
+            _rpy_rotation(rpy[::-1]),
+        )
+    text = f"transpose ${label}$, which takes coordinates in the joint's frame to the parent's"
+    yield Change("rotation transposed", text, "transpose every rotation"), transpose(node)
+    yield Change("rotation left out", f"leave out ${label}$", "leave out every rotation"), given("I", np.eye(3))
+    text = "read the angles as degrees"
+    yield (
+        Change("radians as degrees", text, text, "URDF writes radians: 1.5708 is a right angle."),
+        _rpy_rotation(_scaled(rpy, np.pi / 180)),
+    )
+    text = "convert the angles to degrees"
+    yield (
+        Change("radians in degrees", text, text, "The functions take radians."),
+        _rpy_rotation(_scaled(rpy, 180 / np.pi)),
+    )
+    for count in (1, 2, 3):
+        for chosen in combinations(turned, count):
+            names = "every angle" if count == len(turned) > 1 else "the " + " and the ".join(NAMES[k] for k in chosen)
+            keep = np.array([k not in chosen for k in range(3)], dtype=float)
+            text = f"take {names} of ${label}$ with the opposite sign"
+            advice = "By the right hand, roll takes $y$ to $z$, pitch $z$ to $x$ and yaw $x$ to $y$."
+            yield Change("sign of an angle", text, advice=advice), _rpy_rotation(_scaled(rpy, 2 * keep - 1))
+            if count < len(turned):
+                yield Change("angle left out", f"leave out {names} of ${label}$"), _rpy_rotation(_scaled(rpy, keep))
+
+
+def _scaled(rpy: Expression, factor: float | Array) -> Expression:
+    return Operation("scaled", lambda angles: angles * factor, "{0}".format)(rpy)
+
+
+_rpy_rotation = Operation("roll, pitch, yaw", _rotation, "R({0})".format, _rpy_changes)
+_moving = Operation("moving axes", _about_moving_axes, "R({0})".format)
