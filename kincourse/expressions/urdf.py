@@ -24,8 +24,8 @@ def rpy_rotation(label: str, rpy: Array) -> Expression:
 def about_own_axes(R: Expression) -> Expression:
     """The rotation by the same angles about the frame's own axes, R_x R_y R_z, which is a mistake.
 
-    >>> about_own_axes(rpy_rotation("R", np.array([0, np.pi / 2, np.pi / 2]))).value.round(9)[:, 0]
-    array([0., 1., 0.])
+    >>> about_own_axes(rpy_rotation("R", np.array([0, np.pi / 2, np.pi / 2]))).value.round(9)[:, 1] + 0.0
+    array([0., 0., 1.])
     """
     return _moving(*R.arguments)
 
