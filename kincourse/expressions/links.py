@@ -17,7 +17,7 @@ CONVENTION_ADVICE = (
     "$R_x(\\alpha)\\,T_x(a)\\,R_z(\\theta)\\,T_z(d)$, common normal first."
 )
 LENGTHS_ADVICE = "$d$ is measured along $z$, the axis of the joint, and $a$ along $x$, the common normal."
-SIGN_OF_ALPHA_ADVICE = "$R_x(\\alpha)$ has $-\\sin\\alpha$ in its second row and $\\sin\\alpha$ in its third."
+ALPHA_ADVICE = "In a standard table row $i$ holds $\\alpha_i$, in a modified one $\\alpha_{i-1}$."
 OFFSET_ADVICE = "The table says how each $\\theta$ follows from $q$: the offset is added to $q$."
 
 
@@ -91,17 +91,42 @@ def table_product(  # noqa: PLR0917
 
     T, rows = of(rows), np.asarray(rows, dtype=float)
     if len(rows) > 1:
-        step, lost = (1, 0) if convention == "standard" else (-1, -1)
-        shifted = rows.copy()
-        shifted[:, 1] = np.roll(rows[:, 1], step)
-        shifted[lost, 1] = 0.0
-        if not np.allclose(shifted, rows):
-            advice = "In a standard table row $i$ holds $\\alpha_i$, in a modified one $\\alpha_{i-1}$."
-            T = T.mistaken_for(of(shifted), "alpha one row off", "use each $\\alpha$ in the wrong row", advice)
+        for step, lost in ((1, 0), (-1, -1)):
+            shifted = rows.copy()
+            shifted[:, 1] = np.roll(rows[:, 1], step)
+            shifted[lost, 1] = 0.0
+            text = f"use each $\\alpha$ one row too {'low' if step == 1 else 'high'}"
+            if not np.allclose(shifted, rows):
+                T = T.mistaken_for(of(shifted), "alpha one row off", text, ALPHA_ADVICE)
         T = T.mistaken_for(of(rows, q[::-1]), "joint values reversed", "use the joint values in the reverse order")
         if before or after:
             T = T.mistaken_for(of(rows, order=-1), "reversed", "multiply the rows from the last one to the first")
     return T.mistaken_for(inverse(T), "inverted", "give the inverse")
+
+
+def axial_twists(a: float, alpha: float, d: float, theta: float) -> Expression:
+    """The twists of a modified row, (2, 6): along x by a and alpha, then along z by d and theta.
+
+    >>> axial_twists(1.0, 2.0, 3.0, 4.0).value
+    array([[2., 0., 0., 1., 0., 0.],
+           [0., 0., 4., 0., 0., 3.]])
+    """
+    entries = given("a", a, _A), given("\\alpha", alpha, _ALPHA), given("d", d, _D), given("\\theta", theta, _THETA)
+    return _axial_twists(*entries)
+
+
+def _twists(w1: Any, v1: Any, w2: Any, v2: Any) -> Array:
+    """Two twists in rows; a number is a size along the axis of its row, x and then z."""
+    pairs = zip((w1, v1, w2, v2), np.eye(3)[[0, 0, 2, 2]], strict=True)
+    return np.concatenate([part * axis if np.ndim(part) == 0 else np.asarray(part) for part, axis in pairs]).reshape(
+        2, 6
+    )
+
+
+def _axial_changes(node: Expression) -> Changes:
+    for name, text, twists in _WRONG_TWISTS:
+        yield Change(name, text), Operation("wrong twists", twists, lambda *_: "x")(*node.arguments)
+    yield Change("rows swapped", "put the joint first"), node[::-1]
 
 
 def mounted(label: str, T: Array) -> Expression:
@@ -217,6 +242,9 @@ def _joint_value_changes(node: Expression) -> Changes:
     text = f"take {q} with the opposite sign"
     yield Change("sign of a joint value", text, "take every joint value with the opposite sign"), negative(node)
     yield Change("joint at zero", f"leave {q} at 0", "leave every joint at 0"), 0.0 * node
+    if node.operation is _Q_LENGTH:
+        text = f"convert {q} from degrees to radians, although it is a length"
+        yield Change("length in radians", text), np.pi / 180 * node
     for name, text, factor in (
         ("radians converted to radians", "use `np.radians` on {}", np.pi / 180),
         ("degrees", "use {} in degrees", 180 / np.pi),
@@ -305,6 +333,43 @@ _about_y = {
     "standard": _wrong_order("theta", "d", "a", "alpha about y"),
     "modified": _wrong_order("alpha about y", "a", "theta", "d"),
 }
+
+_axial_twists = Operation(
+    "axial twists", lambda a, alpha, d, theta: _twists(alpha, a, theta, d), lambda *_: "x", _axial_changes
+)
+_WRONG_TWISTS = (
+    ("halves swapped", "write $(v, \\omega)$ in both rows", _twists),
+    ("a and d swapped", "swap $a$ and $d$", lambda a, A, d, H: _twists(A, d, H, a)),
+    ("angles swapped", "swap $\\alpha$ and $\\theta$", lambda a, A, d, H: _twists(H, a, A, d)),
+    ("theta for alpha", "rotate about $x$ by $\\theta$", lambda a, _A, d, H: _twists(H, a, H, d)),
+    (
+        "axes swapped",
+        "swap the axes $x$ and $z$",
+        lambda a, A, d, H: _twists([0, 0, A], [0, 0, a], [H, 0, 0], [d, 0, 0]),
+    ),
+    (
+        "lengths along other axes",
+        "move by $a$ along $z$ and by $d$ along $x$",
+        lambda a, A, d, H: _twists(A, [0, 0, a], H, [d, 0, 0]),
+    ),
+    ("lengths along other axes", "move along $y$", lambda a, A, d, H: _twists(A, [0, a, 0], H, [0, d, 0])),
+    ("unit screws", "give unit screws, for an angle of 1 radian", lambda a, A, d, H: _twists(1, a / A, 1, d / H)),
+    ("unit screws", "give unit axes instead of the axis times the angle", lambda a, _A, d, _H: _twists(1, a, 1, d)),
+    (
+        "pitch for length",
+        "divide each length by its angle, as for a pitch",
+        lambda a, A, d, H: _twists(A, a / A, H, d / H),
+    ),
+    ("length times angle", "multiply each length by its angle", lambda a, A, d, H: _twists(A, a * A, H, d * H)),
+    ("lengths left out", "leave out both lengths", lambda _a, A, _d, H: _twists(A, 0, H, 0)),
+    ("angles left out", "leave out both angles", lambda a, _A, d, _H: _twists(0, a, 0, d)),
+    (
+        "frame of the second twist",
+        "write the second twist in frame $i-1$, where its $z$ is already rotated",
+        lambda a, A, d, H: _twists(A, a, H * _rotation(0, A)[:3, 2], d * _rotation(0, A)[:3, 2]),
+    ),
+)
+"""Twists that people take for those of a row, from a, alpha, d and theta."""
 
 _joint_variable = Operation("joint variable", lambda q, constant: q + constant, lambda q, _: q, _variable_changes)
 _A = Operation("a", lambda: None, str, _entry_changes("a", "a"))

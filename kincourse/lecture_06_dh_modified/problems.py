@@ -3,7 +3,6 @@
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import partial, reduce
-from itertools import product
 from typing import Any, ClassVar
 
 import numpy as np
@@ -11,8 +10,8 @@ from numpy.typing import NDArray
 
 from kincourse.answers.pose import PoseAnswer, RotationAnswer
 from kincourse.answers.screws import ScrewsAnswer
-from kincourse.mistakes.dh import pose_mistakes
-from kincourse.mistakes.space_form import swap_halves
+from kincourse.expressions.links import axial_twists, link, table_product
+from kincourse.expressions.poses import inverse, rotation_about, rotation_of
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kinlib.arrays.validation import Array
@@ -27,11 +26,16 @@ from misstep.answers.choice import Choice
 from misstep.answers.number import LENGTH, PURE, Numbers, Slip
 from misstep.display.text import degrees, matrix, number, vector
 from misstep.mistakes import mistake
+from misstep.mutants.expression import Expression, given, product
 from misstep.problem import Problem
 from misstep.sheet import Sheet
 
 ALPHAS_DEG = (-90, 90, -60, 60, -45, 45, -30, 30)
 """Values of alpha that are easy to type. None is 0, because parallel joint axes would hide half of the mistakes."""
+
+WRIST_ADVICE = (
+    "The wrist is $R_y(\\theta_4)\\,R_z(\\theta_5)\\,R_y(\\theta_6)\\,R_x(-90°)$: put in zeros to see the constant."
+)
 
 TABLE_HEADS = {
     "standard": "| $i$ | $a_i$ | $\\alpha_i$ | $d_i$ | $\\theta_i$ |",
@@ -162,6 +166,23 @@ class DHRowsAnswer(Numbers):
 
 
 @dataclass(frozen=True, eq=False)
+class AxialTwistsAnswer(ScrewsAnswer):
+    """Two twists in rows, (2, 6). Both are right if each has the exponential of the right one.
+
+    >>> answer = AxialTwistsAnswer(np.array([[np.pi, 0, 0, 1, 0, 0], [0, 0, 1, 0, 0, 2]]))
+    >>> answer.agrees(answer.value - np.eye(2, 6) * (2 * np.pi, 0, 0, 0, 0, 0), answer.value)
+    [True, True]
+    """
+
+    def agrees(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> list[bool]:
+        same = super().agrees(one, other, tolerance)
+        return [
+            fine or bool(np.abs(exp(mine) - exp(yours)).max() <= tolerance)
+            for fine, mine, yours in zip(same, one, other, strict=True)
+        ]
+
+
+@dataclass(frozen=True, eq=False)
 class FaultyEntryAnswer(Numbers):
     """The place of a faulty entry of a printed table, row and column counted from 1, and its right value, shape (3,).
 
@@ -183,43 +204,21 @@ class FaultyEntryAnswer(Numbers):
 def link_transform(sampler: ArmSampler) -> Problem:
     row = _random_row(sampler)
     a, alpha, d, theta = row
+    T = link(row, "modified", label="{}^{i-1}T_i")
     ca, sa, c, s = np.cos(alpha), np.sin(alpha), np.cos(theta), np.sin(theta)
-    exchanged = _link_transform(row)
+    exchanged = T.value.copy()
     exchanged[1, 0], exchanged[2, 1] = c * sa, s * ca
     return Problem(
         statement="Give the link transform ${}^{i-1}T_i$ of this row of a modified table, with the joint where it stands.\n\n"
         + _format_table([row], "modified"),
         given={"a": a, "alpha": alpha, "d": d, "theta": theta},
-        answer=PoseAnswer(_link_transform(row)),
-        mistakes=[
-            mistake(
-                "standard",
-                _link_transform(row, "standard"),
-                "You read the row in the standard convention, $R_z T_z T_x R_x$. Modified is $R_x T_x R_z T_z$: across the link first.",
-            ),
-            mistake(
-                "sign of alpha",
-                _link_transform((a, -alpha, d, theta)),
-                "Your $\\alpha$ turns the other way. $R_x(\\alpha)$ has $-\\sin\\alpha$ in its upper right, as every rotation that "
-                "turns the right-handed way.",
-            ),
-            mistake(
-                "a and d swapped",
-                _link_transform((d, alpha, a, theta)),
-                "You exchanged $a$ and $d$. $a$ is the way along $x_{i-1}$, $d$ the way along $z_i$.",
-            ),
-            mistake(
-                "degrees",
-                _link_transform((a, np.degrees(alpha), d, np.degrees(theta))),
-                "You gave degrees to a cosine that reads radians: use np.radians first.",
-            ),
-            mistake(
-                "entries exchanged",
-                exchanged,
-                "You used the first general matrix of Lecture 7, in which two entries have changed places. Its columns are not "
-                "square to each other.",
-            ),
-        ],
+        answer=PoseAnswer(T.value),
+        solution=T.mistaken_for(inverse(T), "inverted", "give the inverse").mistaken_for(
+            exchanged,
+            "entries exchanged",
+            "use the first general matrix of Lecture 7, in which two entries are swapped",
+            "Its columns are not perpendicular to each other.",
+        ),
     )
 
 
@@ -227,44 +226,17 @@ def link_transform(sampler: ArmSampler) -> Problem:
 def axial_screws(sampler: ArmSampler) -> Problem:
     row = _random_row(sampler)
     a, alpha, d, theta = row
-    right = np.array([[alpha, 0, 0, a, 0, 0], [0, 0, theta, 0, 0, d]])
+    x = axial_twists(a, alpha, d, theta)
     return Problem(
         statement="Give the two twists $x_1, x_2$, $(\\omega, v)$ in rows, for which ${}^{i-1}T_i = e^{[x_1]} e^{[x_2]}$.\n\n"
         + _format_table([row], "modified"),
         given={"a": a, "alpha": alpha, "d": d, "theta": theta},
-        answer=ScrewsAnswer(right, names=["the first twist", "the second twist"]),
-        mistakes=[
-            mistake(
-                "halves swapped",
-                swap_halves(right),
-                "You wrote $(v, \\omega)$. Here a twist is $(\\omega, v)$: the turn first, then the slide.",
-            ),
-            mistake(
-                "joint first",
-                right[::-1],
-                "You put the joint first. That is the standard convention; the modified one crosses the link first.",
-            ),
-            mistake(
-                "theta for alpha",
-                [[theta, 0, 0, a, 0, 0], right[1]],
-                "You turned about $x$ by $\\theta$. That is how Lecture 7 prints it, and it is a fault: about $x$ turns $\\alpha$.",
-            ),
-            mistake(
-                "a and d swapped",
-                [[alpha, 0, 0, d, 0, 0], [0, 0, theta, 0, 0, a]],
-                "You exchanged $a$ and $d$. Each screw slides along its own axis: $a$ along $x$, $d$ along $z$.",
-            ),
-            mistake(
-                "unit screws",
-                [[1, 0, 0, a / alpha, 0, 0], [0, 0, 1, 0, 0, d / theta]],
-                "These are the right screw axes, for one radian. The twist is the axis times its angle.",
-            ),
-            mistake(
-                "degrees",
-                right * np.repeat((180 / np.pi, 1.0), 3),
-                "Your angles are in degrees. A twist holds radians.",
-            ),
-        ],
+        answer=AxialTwistsAnswer(x.value, names=["the first twist", "the second twist"]),
+        solution=x,
+        advice={
+            "rows swapped": "The modified convention crosses the link first: joint first is the standard convention.",
+            "theta for alpha": "Lecture 7 prints it so, but about $x$ the angle is $\\alpha$.",
+        },
     )
 
 
@@ -404,86 +376,50 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
 @problem("06.7", "The rotation of a wrist", points=3, lecture="06_dh_modified#The wrist")
 def wrist(sampler: ArmSampler) -> Problem:
     degrees = [sampler.degrees(-80, 80) for _ in range(3)]
-    t4, t5, t6 = np.radians(degrees)
-    constant = _rotation("x", -np.pi / 2)
-    euler = _rotation("y", t4) @ _rotation("z", t5) @ _rotation("y", t6)
-    rows = [(0.0, -np.pi / 2, 0.0, 0.0), (0.0, np.pi / 2, 0.0, 0.0), (0.0, -np.pi / 2, 0.0, 0.0)]
-    reversed_ = reduce(
-        np.matmul, [_link_transform((*row[:3], t))[:3, :3] for row, t in zip(rows[::-1], (t6, t5, t4), strict=True)]
-    )
-    typed = _rotation("y", degrees[0]) @ _rotation("z", degrees[1]) @ _rotation("y", degrees[2])
+    rows = np.array([(0.0, -np.pi / 2, 0.0, 0.0), (0.0, np.pi / 2, 0.0, 0.0), (0.0, -np.pi / 2, 0.0, 0.0)])
+    T = table_product(rows, "RRR", np.radians(degrees), "modified", first=4)
+    angles = [factor.arguments[3] for factor in T.arguments]
+    constant = rotation_about(0, given("-90°", -np.pi / 2))
+    R = rotation_of(T)
+
+    def euler(axes: str) -> Expression:
+        return product(*(rotation_about("xyz".index(axis), angle) for axis, angle in zip(axes, angles, strict=True)))
+
+    for name, text, wrong in (
+        ("no constant", "leave out the constant $R_x(-90°)$ behind the Y-Z-Y Euler angles", euler("yzy")),
+        ("constant on the left", "put the constant $R_x(-90°)$ on the left of Y-Z-Y", constant @ euler("yzy")),
+        ("sign of the constant", "take $R_x(+90°)$ as the constant", euler("yzy") @ constant.T),
+        ("Z-Y-Z", "give Z-Y-Z Euler angles, without a constant", euler("zyz")),
+        ("X-Y-Z", "rotate about the axes $x$, $y$, $z$", euler("xyz")),
+    ):
+        R = R.mistaken_for(wrong, name, text, WRIST_ADVICE)
     return Problem(
         statement="Rows 4 to 6 of a modified table are those of the PUMA's wrist. Give ${}^3R_6$ at "
         f"$(\\theta_4, \\theta_5, \\theta_6) = {vector(degrees)}$ degrees.\n\n"
         + _format_table(rows, "modified", "RRR", first=4),
         given={"degrees": degrees},
-        answer=RotationAnswer(euler @ constant),
-        mistakes=[
-            mistake(
-                "no constant",
-                euler,
-                "You gave the Y-Z-Y Euler angles alone. Behind them stands the constant $R_x(-90°)$: put in zeros and see.",
-            ),
-            mistake(
-                "constant on the left",
-                constant @ euler,
-                "You put the constant on the left. With Y-Z-Y it stands on the right; on the left it goes with Z-Y-Z.",
-            ),
-            mistake(
-                "constant turned round",
-                euler @ constant.T,
-                "Your constant is $R_x(+90°)$. The sum of the three $\\alpha$ is $-90°$.",
-            ),
-            mistake(
-                "standard",
-                _rotation("z", t4) @ _rotation("y", t5) @ _rotation("z", t6) @ constant,
-                "You read the rows in the standard convention. Then the same table is a Z-Y-Z wrist, with the constant behind it.",
-            ),
-            mistake(
-                "reversed",
-                reversed_,
-                "You multiplied from row 6 to row 4. Joint 4 carries 5 and 6, so its factor stands leftmost.",
-            ),
-            mistake(
-                "degrees",
-                typed @ constant,
-                "You gave degrees to a cosine that reads radians: use np.radians first.",
-            ),
-        ],
+        answer=RotationAnswer(R.value),
+        solution=R,
     )
 
 
 @problem("06.8", "The chain of Lecture 7", points=3, lecture="06_dh_modified#A worked example")
 def chain(sampler: ArmSampler) -> Problem:
     a1, d2 = sampler.length(0.3, 0.9), sampler.length(0.2, 0.9)
-    degrees = sampler.degrees(-75, 75), sampler.degrees(-75, 75)
+    degrees = 0, 0
+    while any(abs((sum_ + 45) % 90 - 45) < 5 for sum_ in (sum(degrees), degrees[0] - degrees[1])):
+        degrees = sampler.degrees(-75, 75), sampler.degrees(-75, 75)  # otherwise R may be its own transpose
     rows: list[list[float]] = [[0, 0, 0, 0], [a1, np.pi / 2, 0, 0], [0, -np.pi / 2, 0, 0]]
     table = DHTable(rows, convention="modified", joints="RPR", name="RPR of Lecture 7")
-    q = np.array([np.radians(degrees[0]), d2, np.radians(degrees[1])])
+    T = table_product(table.rows, "RPR", [np.radians(degrees[0]), d2, np.radians(degrees[1])], "modified")
     return Problem(
         statement=f"The RPR arm of Lecture 7 stands at $\\theta_1 = {degrees[0]}$ degrees, $d_2 = {number(d2)}$ m, "
         f"$\\theta_3 = {degrees[1]}$ degrees. Give ${{}}^0T_3 = {{}}^0T_1\\,{{}}^1T_2\\,{{}}^2T_3$.\n\n"
         + _format_table(table.rows, "modified", "RPR"),
         figure=partial(draw_arm, table.to_chain()),
         given={"rows": table.rows, "values": np.array([degrees[0], d2, degrees[1]])},
-        answer=PoseAnswer(table.fk(q)),
-        mistakes=[
-            *pose_mistakes(
-                table, q, "reversed", "the other convention", "slide in theta", "sign of alpha", "alpha one row off"
-            ),
-            mistake(
-                "degrees",
-                table.fk([degrees[0], d2, degrees[1]]),
-                "You gave degrees to a cosine that reads radians. Only the two turns are angles; $d_2$ stays in metres.",
-            ),
-            mistake(
-                "slide in a",
-                DHTable([rows[0], [a1 + d2, *rows[1][1:]], rows[2]], convention="modified", joints="RPR").fk(
-                    q * (1, 0, 1)
-                ),
-                "You added $d_2$ to $a_1$. $a_1$ runs along $x_1$; the slide runs along $z_2$, square to it.",
-            ),
-        ],
+        answer=PoseAnswer(T.value),
+        solution=T,
     )
 
 
@@ -499,11 +435,6 @@ def _random_table(sampler: ArmSampler, convention: Convention) -> DHTable:
     rows = np.array([_random_row(sampler) for _ in range(4)])
     rows[:, 0] = np.array(sampler.shuffled([0.2, 0.3, 0.4, 0.5, 0.6]))[:4]
     return DHTable(rows, convention=convention, joints=sampler.choice(["RRPR", "RPRR", "RRRP"]))
-
-
-def _link_transform(row: Sequence[float], convention: Convention = "modified") -> Array:
-    a, alpha, d, theta = row
-    return dh_transform(a, alpha, d, theta, convention=convention)
 
 
 def _rotation(axis: str, angle: float) -> Array:
