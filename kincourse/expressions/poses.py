@@ -101,7 +101,7 @@ def _inverse_changes(node: Expression) -> Changes:
 def _point_changes(node: Expression) -> Changes:
     p, x = node.latex, node.value
     yield Change("sign of a vector", f"take ${p}$ with the opposite sign"), negative(node)
-    for i in np.flatnonzero(x):
+    for i in np.flatnonzero(x).tolist():
         signs = np.where(np.arange(len(x)) == i, -1, 1)
         negate = Operation("sign of a component", partial(np.multiply, signs), "{0}".format)
         yield Change("sign of a component", f"take the ${'xyz'[i]}$ of ${p}$ with the opposite sign"), negate(node)

@@ -19,6 +19,9 @@ FOR_UNIT_AXES = "use formulas for a unit axis, although the axis is no unit vect
 Coefficients = Callable[[float], tuple[float, float, float]]
 """The coefficients of I, [omega] and [omega]^2 in a formula for a unit axis, as functions of theta."""
 
+Square = Callable[[Array], Array]
+"""What is written as the square of [omega]."""
+
 RODRIGUES: Coefficients = lambda q: (1, sin(q), 1 - cos(q))  # noqa: E731
 INTEGRAL: Coefficients = lambda q: (q, 1 - cos(q), q - sin(q))  # noqa: E731
 """The coefficients of G(theta), the integral of Rodrigues' formula."""
@@ -56,7 +59,7 @@ _POSITIONS: list[tuple[str, str, Coefficients]] = [
     ("sign", "take the term with $[\\omega]^2$ with the opposite sign", lambda q: (q, 1 - cos(q), sin(q) - q)),
 ]
 
-_SQUARES: list[tuple[str, str, Callable[[Array], Array]]] = [
+_SQUARES: list[tuple[str, str, Square]] = [
     ("square left out", "write $[\\omega]$ instead of $[\\omega]^2$", lambda W: W),
     ("entry by entry", "square $[\\omega]$ entry by entry", lambda W: W * W),
     ("outer product", "write $\\omega\\,\\omega^T$ instead of $[\\omega]^2$", lambda W: W @ W + I),
@@ -118,9 +121,7 @@ def _squared(W: Array) -> Array:
     return square
 
 
-def _formula(
-    coefficients: Coefficients, square: Callable[[Array], Array], size: float, w: Array, q: float, *v: Array
-) -> Array:
+def _formula(coefficients: Coefficients, square: Square, size: float, w: Array, q: float, *v: Array) -> Array:
     """A formula for a unit axis, applied to an axis w of this size; with v, the position that the matrix gives."""
     W, (first, second, third) = hat(w / size), coefficients(size * q)
     M: Array = first * I + second * W + third * square(W)
@@ -136,7 +137,7 @@ def _changes(
 ) -> Changes:
     omega, theta = node.arguments[0], node.arguments[-1]
     advice = _ADVICE | _POSITION_ADVICE if v else _ADVICE
-    wrong = [(name, text, coefficients, _squared) for name, text, coefficients in table]
+    wrong: list[tuple[str, str, Coefficients, Square]] = [(name, text, which, _squared) for name, text, which in table]
     wrong += [(name, text, right, square) for name, text, square in _SQUARES]
     for name, text, coefficients, square in wrong:
         said, why = (words.replace("\\theta", theta.latex) for words in (text, advice.get(name, "")))
