@@ -1,5 +1,6 @@
 """Sheet 06: rows as two screw motions, link transforms, both conventions of one arm, a faulty entry, a wrist, a chain."""
 
+import itertools
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import partial, reduce
@@ -156,7 +157,7 @@ class DHRowsAnswer(Numbers):
 
     def _with_other_x(self, rows: Array) -> Array:
         """The rows for each choice of the directions of x_1 to x_{m-1}, (2**(m-1), m, 4), first as they are."""
-        choices = np.array(list(product((0, 1), repeat=len(rows) - 1)))
+        choices = np.array(list(itertools.product((0, 1), repeat=len(rows) - 1)))
         ends = np.pad(choices, ((0, 0), (1, 1)))  # x_0 to x_m
         own = ends[:, :-1] if self.convention == "modified" else ends[:, 1:]
         changed = np.repeat(np.asarray(rows, dtype=float)[None], len(choices), axis=0)
