@@ -51,14 +51,14 @@ def screw_axes(label: str, S: Array) -> Expression:
 
 
 def joint_values(types: str, typed: Sequence[float], letter: str = "q") -> list[Expression]:
-    """The values of joints: "R" in degrees, to be converted; "P" in metres.
+    """The values of joints: "P" in metres, all others in degrees, which are to be converted.
 
     >>> [float(round(value.value, 4)) for value in joint_values("RP", [90, 0.5])]
     [1.5708, 0.5]
     """
     return [
         radians(given(f"{letter}_{i}", float(value), ANGLE))
-        if kind == "R"
+        if kind != "P"
         else given(f"{letter}_{i}", float(value), SLIDE)
         for i, (kind, value) in enumerate(zip(types, typed, strict=True), start=1)
     ]
@@ -129,33 +129,35 @@ def forward_kinematics(before: Sequence[Expression], home: Expression, after: Se
     )
 
 
-def joint_screws(types: str, axes: Array, points: Array) -> Expression:
-    """The screws of revolute and prismatic joints in rows, (n, 6).
+def joint_screws(axes: Array, points: Array, pitches: Array, numbers: Sequence[int] = ()) -> Expression:
+    """The screws of joints in rows, (n, 6).
 
-    types   "R" or "P" for each joint
-    axes    (n, 3)
-    points  (n, 3), a point on each axis
+    axes     (n, 3), unit vectors
+    points   (n, 3), a point on each axis
+    pitches  (n,), 0 for a revolute joint and infinite for a prismatic one
+    numbers  the numbers of the joints; by default 1, 2, ...
 
-    >>> joint_screws("RP", np.eye(2, 3), np.ones((2, 3))).value + 0.0
+    >>> joint_screws(np.eye(2, 3), np.ones((2, 3)), np.array([0, np.inf])).value + 0.0
     array([[ 1.,  0.,  0.,  0.,  1., -1.],
            [ 0.,  0.,  0.,  0.,  1.,  0.]])
     """
-    letters = {"R": "\\omega", "P": "d"}
-    directions = [
-        direction(f"{letters[kind]}_{i}", axis) for i, (kind, axis) in enumerate(zip(types, axes, strict=True), start=1)
-    ]
+    numbers = numbers or range(1, len(axes) + 1)
+    letters = ["d" if np.isinf(h) else "\\omega" for h in pitches]
+    directions = [direction(f"{x}_{i}", axis) for x, i, axis in zip(letters, numbers, axes, strict=True)]
 
     def rows_with(points: Array) -> Expression:
-        joints = zip(types, directions, points, strict=True)
-        return stack(
-            *(
-                (revolute if kind == "R" else prismatic)(axis, given(f"p_{i}", p))
-                for i, (kind, axis, p) in enumerate(joints, start=1)
+        rows = []
+        for i, axis, point, h in zip(numbers, directions, points, pitches, strict=True):
+            p = given(f"p_{i}", point)
+            rows.append(
+                prismatic(axis, p) if np.isinf(h) else helical(axis, p, given(f"h_{i}", h)) if h else revolute(axis, p)
             )
-        )
+        return stack(*rows)
 
-    rows, text = rows_with(points), "combine each axis with the point of the next joint"
-    rows = rows.mistaken_for(rows_with(np.roll(points, -1, axis=0)), "another point", text)
+    rows = rows_with(points)
+    if len(points) > 1:
+        text = "combine each axis with the point of the next joint"
+        rows = rows.mistaken_for(rows_with(np.roll(points, -1, axis=0)), "another point", text)
     return rows.mistaken_for(_swap_halves(rows), "halves swapped", "write $(v, \\omega)$ in every row", ORDER_ADVICE)
 
 
@@ -306,7 +308,8 @@ def _change_of_frame_changes(node: Expression) -> Changes:
         back = inverse(T)
         text_back = f"multiply rows by $\\mathrm{{Ad}}_{{{back.latex}}}$ from the right"
         yield Change("adjoint not transposed", text_back, advice=advice), _by_transposed_adjoint(back, S)
-        yield Change("rows reversed", "list the screws from the last joint to the first"), node[::-1]
+        if len(S.value) > 1:
+            yield Change("rows reversed", "list the screws from the last joint to the first"), node[::-1]
     else:
         text, advice = f"use the transpose of {Ad}", ""
     yield Change("adjoint not transposed", text, advice=advice), _by_transposed_adjoint(T, S)

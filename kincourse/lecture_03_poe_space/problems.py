@@ -50,7 +50,7 @@ def plain_arm(sampler: ArmSampler) -> Problem:
         figure=partial(draw_joints, robot),
         given={"letters": robot.joint_types, "axes": axes, "points": robot.joint_points},
         answer=ScrewsAnswer(robot.screws),
-        solution=joint_screws(robot.joint_types, axes, robot.joint_points),
+        solution=joint_screws(axes, robot.joint_points, robot.lines.pitch),
     )
 
 

@@ -1,29 +1,26 @@
 """Tasks on the pose of the tool of any robot: at home, at given joint values, and as somebody computed it wrongly."""
 
-from functools import partial
+from collections.abc import Iterable
+from functools import partial, reduce
 
 import numpy as np
 
 from kincourse.answers.point import VectorsAnswer
 from kincourse.answers.pose import PoseAnswer
-from kincourse.mistakes.body_form import body_product_mistakes
-from kincourse.mistakes.space_form import product, product_mistakes
-from kincourse.robot_sheets.sampling import (
-    random_aligned_base,
-    random_configuration,
-    random_tilted_base,
-    random_tool,
-    rebased,
-)
+from kincourse.expressions.poses import inverse, pose, to_point
+from kincourse.expressions.screws import exponentials, forward_kinematics, joint_values
+from kincourse.robot_sheets.sampling import random_arm, random_configuration, random_tilted_base, random_tool, rebased
 from kincourse.robot_sheets.task import RobotTask
-from kincourse.sampling.arms import ArmSampler
+from kincourse.sampling.arms import ArmSampler, shows_transposes
+from kincourse.sampling.configurations import Configuration
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
-from kinlib.rigid.lie import inverse
+from kinlib.rigid.lie import exp
 from kinlib.view import draw_arm, draw_frames
 from misstep.answers.choice import Choice
 from misstep.display.text import matrix, number, vector
-from misstep.mistakes import Mistake, mistake
+from misstep.mistakes import mistake
+from misstep.mutants.expression import Expression, given
 from misstep.problem import Problem
 from misstep.release.instructor_notebook import Entry
 
@@ -41,48 +38,35 @@ MISTAKE_DESCRIPTIONS = {
 
 NO_MISTAKE = "nothing wrong"
 
+HOME_ADVICE = "With space screws $M$ is the last factor."
+ORDER_ADVICE = "The factor of the joint at the base is to the left of all others, because this joint moves all others."
+
 
 def home_pose(robot: Chain, sampler: ArmSampler) -> Problem:
     """The home pose of the robot with another base and a tool on its flange."""
     T_sr, T_rf, T_fb = random_tilted_base(sampler, robot), robot.home, random_tool(sampler, robot)
-    right = T_sr @ T_rf @ T_fb
+    while not shows_transposes(rebased(robot, T_sr, T_fb)):
+        T_sr, T_fb = random_tilted_base(sampler, robot), random_tool(sampler, robot)
+    M = pose("T_{sr}", T_sr) @ pose("T_{rf}", T_rf) @ pose("T_{fb}", T_fb)
     return Problem(
         statement=f"In its file, {robot.name} stands at {{r}} and ends in a flange {{f}}; at $q = 0$ the flange is at $T_{{rf}}$. In your "
         "lab the robot is bolted down at $T_{sr}$, and it carries a tool {b} at $T_{fb}$. Give the home pose $M = T_{sb}(0)$.\n\n"
         f"$$T_{{sr}} = {matrix(T_sr)}$$\n\n$$T_{{rf}} = {matrix(T_rf)}$$\n\n$$T_{{fb}} = {matrix(T_fb)}$$",
         figure=partial(draw_frames, {"s": np.eye(4), "r": T_sr, "f": T_sr @ T_rf}),
         given={"T_sr": T_sr, "T_rf": T_rf, "T_fb": T_fb},
-        answer=PoseAnswer(right),
-        mistakes=[
-            mistake("no base", T_rf @ T_fb, "This is the tool as {r} sees it. Put $T_{sr}$ in front."),
-            mistake("no tool", T_sr @ T_rf, "This is the flange. The tool stands away from it: put $T_{fb}$ behind."),
-            mistake(
-                "exchanged",
-                T_fb @ T_rf @ T_sr,
-                "You multiplied in reverse. $T_{sr}\\,T_{rf}\\,T_{fb}$: neighbouring letters cancel.",
-            ),
-            mistake(
-                "base inverted",
-                inverse(T_sr) @ T_rf @ T_fb,
-                "You inverted $T_{sr}$. It takes what {r} says to what {s} says, as it stands.",
-            ),
-            mistake(
-                "tool inverted",
-                T_sr @ T_rf @ inverse(T_fb),
-                "You inverted $T_{fb}$. It is where the flange sees the tool, as it stands.",
-            ),
-            mistake(
-                "seen from the tool",
-                inverse(right),
-                "This is $T_{bs}$, {s} seen from the tool. The first letter says who looks.",
-            ),
-        ],
+        answer=PoseAnswer(M.value),
+        solution=M,
+        advice={
+            "leave out $T_{sr}$": "This is the tool as {r} sees it: $T_{sr}$ belongs in front.",
+            "leave out $T_{fb}$": "This is the flange: $T_{fb}$ belongs behind.",
+            "reversed": "$T_{sr}\\,T_{rf}\\,T_{fb}$: neighbouring letters cancel.",
+        },
     ).without_duplicates()
 
 
 def where_is_the_tool(robot: Chain, sampler: ArmSampler) -> Problem:
     """Forward kinematics by the space form, at a configuration within the joint limits."""
-    arm = rebased(robot, random_aligned_base(sampler, robot), random_tool(sampler, robot))
+    arm = random_arm(sampler, robot)
     at = random_configuration(sampler, arm)
     return Problem(
         statement=f"The joints of {robot.name} stand at {at.words}. Its screws in {{s}} and the home pose of its tool are below. Give "
@@ -90,24 +74,22 @@ def where_is_the_tool(robot: Chain, sampler: ArmSampler) -> Problem:
         figure=partial(draw_arm, arm),
         given={"screws": arm.screws, "home": arm.home, "values": at.typed},
         answer=PoseAnswer(arm.fk(at.q)),
-        mistakes=_motion_mistakes(arm, at.q),
+        solution=_space_form(arm, at),
+        advice={"reversed": ORDER_ADVICE, "first factor": HOME_ADVICE},
     ).without_duplicates()
 
 
 def which_mistake(robot: Chain, sampler: ArmSampler) -> Problem:
     """The mistake that leads to a given wrong pose, or none if the pose is right."""
-    arm = rebased(robot, random_aligned_base(sampler, robot), random_tool(sampler, robot))
+    arm = random_arm(sampler, robot)
     at = random_configuration(sampler, arm)
-    motion_problem = Problem("", PoseAnswer(arm.fk(at.q)), _motion_mistakes(arm, at.q)).without_duplicates()
-    if not motion_problem.is_discriminating():
-        return motion_problem
-    drawn = sampler.shuffled(range(len(motion_problem.mistakes)))[:4]
-    wrong = [motion_problem.mistakes[i] for i in sorted(drawn)]
+    right_pose, ways = arm.fk(at.q), _wrong_poses(arm, at)
+    told_apart = Problem("", PoseAnswer(right_pose), [mistake(*way, "") for way in ways.items()]).without_duplicates()
+    drawn = sampler.shuffled(range(len(told_apart.mistakes)))[:4]
+    wrong = [told_apart.mistakes[i] for i in sorted(drawn)]
     letters = "abcdef"[: len(wrong) + 1]
-    descriptions = {letter: MISTAKE_DESCRIPTIONS[one.name] for letter, one in zip(letters, wrong, strict=False)} | {
-        letters[-1]: "nothing wrong"
-    }
-    poses = dict(zip(letters, [*(one.value for one in wrong), motion_problem.answer.value], strict=True))
+    descriptions = dict(zip(letters, [*(one.name for one in wrong), NO_MISTAKE], strict=True))
+    poses = dict(zip(letters, [*(one.value for one in wrong), right_pose], strict=True))
     right = sampler.choice(letters)
     listed = "\n".join(f"- `'{letter}'`: {text}" for letter, text in descriptions.items())
     return Problem(
@@ -127,7 +109,7 @@ def which_mistake(robot: Chain, sampler: ArmSampler) -> Problem:
 
 def body_form(robot: Chain, sampler: ArmSampler) -> Problem:
     """Forward kinematics by the body form."""
-    arm = rebased(robot, random_aligned_base(sampler, robot), random_tool(sampler, robot))
+    arm = random_arm(sampler, robot)
     at = random_configuration(sampler, arm)
     return Problem(
         statement=f"{robot.name} is given by its body screws and its home pose. Its joints stand at {at.words}. Give $T(q)$.\n\n"
@@ -135,62 +117,67 @@ def body_form(robot: Chain, sampler: ArmSampler) -> Problem:
         figure=partial(draw_arm, arm),
         given={"body_screws": arm.body_screws, "home": arm.home, "values": at.typed},
         answer=PoseAnswer(arm.fk(at.q)),
-        mistakes=[*body_product_mistakes(arm, at.q), *_standing_still_mistakes(arm, at.q)],
+        solution=forward_kinematics(
+            [], pose("M", arm.home), exponentials(arm.body_screws, joint_values(arm.joint_types, at.typed), "B")
+        ).mistaken_for(
+            arm.home @ _product(exp(arm.screws * at.q[:, None])),
+            "space screws",
+            "use the space screws $S_i$",
+            "Behind $M$ stand the screws that the tool reads: $B_i$.",
+        ),
+        advice={"reversed": ORDER_ADVICE, "last factor": "With body screws $M$ is the first factor."},
     ).without_duplicates()
 
 
 def point_of_the_tool(robot: Chain, sampler: ArmSampler) -> Problem:
     """The position in {s} of a point that is given in {b}."""
-    arm = rebased(robot, random_aligned_base(sampler, robot), random_tool(sampler, robot))
+    arm = random_arm(sampler, robot)
     at, tip = random_configuration(sampler, arm), random_tool(sampler, robot)[:3, 3]
-    T, M = arm.fk(at.q), arm.home
-
-    def position_of(pose: Array, point: Array = tip) -> Array:
-        place: Array = pose[:3, :3] @ point + pose[:3, 3]
-        return place
-
+    T, M = _space_form(arm, at), arm.home
+    position = to_point(T, given("x", tip)).mistaken_for(
+        M[:3, :3] @ tip + M[:3, 3], "at home", "give the tip at home", "The joints have moved since."
+    )
+    position = position.mistaken_for(
+        T.value[:3, 3], "origin of the tool", "give the origin of {b}", "The tip is elsewhere."
+    )
+    position = position.mistaken_for(
+        to_point(inverse(T), tip), "inverted", "use the inverse of $T(q)$, from {s} to {b}"
+    )
     return Problem(
         statement=f"The tool of {robot.name} holds a pencil, whose tip {{b}} sees at ${vector(tip)}$ m. The joints stand at {at.words}. "
         f"Where does {{s}} see the tip?\n\n$$S = {matrix(arm.screws)}$$\n\n$$M = {matrix(M)}$$",
         figure=partial(draw_arm, arm),
         given={"screws": arm.screws, "home": M, "values": at.typed, "tip": tip},
-        answer=VectorsAnswer(position_of(T), unit="m"),
-        mistakes=[
-            mistake("at home", position_of(M), "This is where the tip is at home. The joints have moved since."),
-            mistake(
-                "origin of the tool",
-                T[:3, 3],
-                "This is the origin of {b}. The tip stands away from it: $T(q)$ times the tip.",
-            ),
-            mistake(
-                "not turned",
-                T[:3, 3] + tip,
-                "You added what {b} says to the origin of {b}. The tool is turned: $R\\,x + p$.",
-            ),
-            mistake(
-                "as a direction",
-                position_of(T) - T[:3, 3],
-                "You gave the tip a 0. A point has a 1, which adds the position of {b}.",
-            ),
-            mistake("the way back", position_of(inverse(T)), "You took $T^{-1}$, which goes from {s} to {b}."),
-            *(mistake(wrong.name, position_of(wrong.value), wrong.message) for wrong in _motion_mistakes(arm, at.q)),
-        ],
+        answer=VectorsAnswer(position.value, unit="m"),
+        solution=position,
+        advice={"reversed": ORDER_ADVICE, "first factor": HOME_ADVICE},
     ).without_duplicates()
 
 
-def _motion_mistakes(arm: Chain, q: Array) -> list[Mistake]:
-    return [*product_mistakes(arm, q), *_standing_still_mistakes(arm, q)]
+def _space_form(arm: Chain, at: Configuration) -> Expression:
+    factors = exponentials(arm.screws, joint_values(arm.joint_types, at.typed))
+    return forward_kinematics(factors, pose("M", arm.home)).named("T")
 
 
-def _standing_still_mistakes(arm: Chain, q: Array) -> list[Mistake]:
-    return [
-        mistake("at home", arm.home, "This is $M$, the pose at home. The joints have moved since."),
-        mistake(
-            "backwards",
-            product(arm.screws, -q, arm.home),
-            "You moved every joint the other way. The exponent is $[S_i] q_i$, with a plus.",
-        ),
-    ]
+def _product(factors: Iterable[Array]) -> Array:
+    T: Array = reduce(np.matmul, factors)
+    return T
+
+
+def _wrong_poses(arm: Chain, at: Configuration) -> dict[str, Array]:
+    """The poses to which common mistakes lead, by what was done."""
+    M = arm.home
+    e, typed, back = (exp(arm.screws * values[:, None]) for values in (at.q, at.typed, -at.q))
+    ways = {
+        "reversed": [*e[::-1], M],
+        "home first": [M, *e],
+        "no home": [*e],
+        "one exponential": [exp(at.q @ arm.screws), M],
+        "degrees": [*typed, M],
+        "at home": [M],
+        "backwards": [*back, M],
+    }
+    return {MISTAKE_DESCRIPTIONS[name]: _product(factors) for name, factors in ways.items()}
 
 
 def _difference_message(theirs: Array, right: Array) -> str:

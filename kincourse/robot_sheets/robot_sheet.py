@@ -6,6 +6,7 @@ replaced by another one.
 """
 
 from collections.abc import Sequence
+from dataclasses import replace
 from functools import partial
 
 from kincourse.robot_sheets.motion_tasks import MOTION_TASKS
@@ -14,7 +15,7 @@ from kincourse.robot_sheets.table_tasks import TABLE_TASKS
 from kincourse.robot_sheets.task import RobotTask
 from kincourse.sampling.arms import ArmSampler
 from kinlib.chains.chain import Chain
-from misstep.problem import Template
+from misstep.problem import Problem, Template
 from misstep.sheet import Sheet
 
 PROBLEMS_PER_SHEET = 8
@@ -25,6 +26,9 @@ PROBE_STUDENTS = ("probe 1", "probe 2", "probe 3", "probe 4")
 
 MAX_DRAWS = 8
 """The number of draws within which a task must be discriminating for each of them. A student's own variant has more."""
+
+CLEAREST_OF = 4
+"""The number of draws of which the one is taken in which the most mistakes can be seen."""
 
 TASKS: dict[str, RobotTask] = {**MOTION_TASKS, **SCREW_TASKS, **TABLE_TASKS}
 
@@ -62,11 +66,25 @@ def _fits(robot: Chain, name: str) -> bool:
         return False  # a DH row cannot describe a helical joint
     return all(
         any(
-            TASKS[name].write(robot, ArmSampler(student, name, attempt)).is_discriminating()
+            _clearest_problem(TASKS[name], robot, ArmSampler(student, name, attempt)).is_discriminating()
             for attempt in range(MAX_DRAWS)
         )
         for student in PROBE_STUDENTS
     )
+
+
+def _clearest_problem(task: RobotTask, robot: Chain, sampler: ArmSampler) -> Problem:
+    """Write the problem of a task; of a few draws, the one in which the fewest mutants of the solution give the right answer.
+
+    They are declared to be invisible: for a robot whose joints only translate, for example, the order of the joints never matters.
+    """
+    problems: list[Problem] = []
+    while len(problems) < CLEAREST_OF:
+        problems.append(task.write(robot, sampler))
+        if not problems[-1].hidden:
+            return problems[-1]
+    clearest = min(problems, key=lambda problem: len(problem.hidden))
+    return replace(clearest, invisible=clearest.hidden)
 
 
 def robot_sheet(name: str, robot: Chain, tasks: Sequence[str]) -> Sheet:
@@ -87,4 +105,6 @@ def robot_sheet(name: str, robot: Chain, tasks: Sequence[str]) -> Sheet:
 
 
 def _template(name: str, k: int, robot: Chain, task: RobotTask) -> Template:
-    return Template(f"{name}.{k}", task.title, task.points, task.lecture, partial(task.write, robot), ArmSampler)
+    return Template(
+        f"{name}.{k}", task.title, task.points, task.lecture, partial(_clearest_problem, task, robot), ArmSampler
+    )

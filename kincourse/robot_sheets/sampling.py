@@ -8,7 +8,7 @@ from dataclasses import replace
 
 import numpy as np
 
-from kincourse.sampling.arms import PLAIN_ANGLES_DEG, ArmSampler
+from kincourse.sampling.arms import PLAIN_ANGLES_DEG, ArmSampler, shows_transposes
 from kincourse.sampling.configurations import Configuration, configuration_from_typed
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
@@ -61,6 +61,14 @@ def rebased(chain: Chain, base: Array, tool: Array) -> Chain:
     points = chain.joint_points @ base[:3, :3].T + base[:3, 3]
     screws = chain.screws @ adjoint(base).T
     return replace(chain, screws=screws, home=base @ chain.home @ tool, points=points)
+
+
+def random_arm(sampler: ArmSampler, chain: Chain) -> Chain:
+    """Draw a base and a tool for a robot, so that the rotation of its home pose is not taken for its transpose."""
+    while True:
+        arm = rebased(chain, random_aligned_base(sampler, chain), random_tool(sampler, chain))
+        if shows_transposes(arm):
+            return arm
 
 
 def with_zero_at(chain: Chain, q: Array) -> Chain:

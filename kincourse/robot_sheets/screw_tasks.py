@@ -6,17 +6,15 @@ from functools import partial
 import numpy as np
 
 from kincourse.answers.screws import ScrewsAnswer
-from kincourse.mistakes.body_form import body_screw_mistakes, rotate_only, space_screw_mistakes, transform_screws
-from kincourse.mistakes.space_form import negate_moment, prismatic_as_revolute, screw_mistakes, swap_halves
-from kincourse.robot_sheets.sampling import random_aligned_base, random_tilted_base, random_tool, rebased
+from kincourse.expressions.poses import inverse, pose
+from kincourse.expressions.screws import change_frame, joint_screws, screw_axes
+from kincourse.robot_sheets.sampling import random_aligned_base, random_arm, random_tilted_base, random_tool, rebased
 from kincourse.robot_sheets.task import RobotTask
 from kincourse.sampling.arms import ArmSampler
 from kincourse.text.joint_table import joint_table
 from kinlib.chains.chain import Chain
-from kinlib.rigid.lie import inverse
 from kinlib.view import draw_arm, draw_joints
 from misstep.display.text import matrix
-from misstep.mistakes import mistake
 from misstep.problem import Problem
 from misstep.release.instructor_notebook import Entry
 
@@ -30,44 +28,22 @@ def space_screws(robot: Chain, sampler: ArmSampler) -> Problem:
     base = random_tilted_base if set(robot.joint_types) == {"P"} else random_aligned_base
     arm = rebased(robot, base(sampler, robot), np.eye(4))
     joints = _choose_joints(sampler, arm)
-    S, points, (axes, _, pitches) = arm.screws[joints], arm.joint_points[joints], arm.lines
-    slides = np.isinf(pitches[joints])[:, None]
-    moments = np.where(slides, np.concatenate([0 * points, np.cross(points, axes[joints])], axis=1), S)
+    axes, points, pitches = arm.lines.axis[joints], arm.joint_points[joints], arm.lines.pitch[joints]
+    numbers = [i + 1 for i in joints]
     return Problem(
         statement=f"In your lab {robot.name} is bolted down where the drawing shows it, at home. Give {_name_axes(joints)} "
         f"in {{s}}, as rows.\n\n{joint_table(arm, joints)}",
         figure=partial(draw_joints, arm),
-        given={"axes": axes[joints], "points": points, "pitches": pitches[joints]},
-        answer=ScrewsAnswer(S, names=[f"screw {i + 1}" for i in joints]),
-        mistakes=[
-            *screw_mistakes(S),
-            mistake(
-                "slide as turn",
-                prismatic_as_revolute(arm)[joints],
-                "You treated a slide as a turn. A prismatic joint has no $\\omega$: $S = (0, d)$, and no point plays a part.",
-            ),
-            mistake(
-                "slide as turn, and omega x q",
-                negate_moment(prismatic_as_revolute(arm))[joints],
-                "Two things: a moment is $-\\omega \\times p$, with the minus; and a slide has none, for it does not turn: $S = (0, d)$.",
-            ),
-            mistake(
-                "moment of a slide",
-                moments,
-                "You gave a slide a moment. Every point of the body slides alike, so where the slide is mounted plays no part.",
-            ),
-            mistake(
-                "turned round",
-                -S,
-                "Your axes point the other way, so your joints move the other way. The arrows show the positive direction.",
-            ),
-        ],
+        given={"axes": axes, "points": points, "pitches": pitches},
+        answer=ScrewsAnswer(arm.screws[joints], names=[f"screw {i}" for i in numbers]),
+        solution=joint_screws(axes, points, pitches, numbers),
+        advice={"sign of a vector": "The arrows show the positive direction."},
     ).without_duplicates()
 
 
 def body_screws(robot: Chain, sampler: ArmSampler) -> Problem:
     """Body screws by the adjoint, for a base and a tool of the student's own."""
-    arm = rebased(robot, random_aligned_base(sampler, robot), random_tool(sampler, robot))
+    arm = random_arm(sampler, robot)
     joints = _choose_joints(sampler, arm)
     S = arm.screws[joints]
     return Problem(
@@ -76,13 +52,17 @@ def body_screws(robot: Chain, sampler: ArmSampler) -> Problem:
         figure=partial(draw_arm, arm),
         given={"screws": S, "home": arm.home},
         answer=ScrewsAnswer(arm.body_screws[joints], names=[f"screw {i + 1}" for i in joints]),
-        mistakes=body_screw_mistakes(S, arm.home),
+        solution=change_frame(inverse(pose("M", arm.home)), screw_axes("S", S)),
+        advice={
+            "inverse left out": "$\\mathrm{Ad}_M$ takes what {b} reads to what {s} reads; here we go the other way.",
+            "frame not changed": "The tool is elsewhere and reads other numbers than {s}.",
+        },
     ).without_duplicates()
 
 
 def back_to_space(robot: Chain, sampler: ArmSampler) -> Problem:
     """Space screws from body screws."""
-    arm = rebased(robot, random_aligned_base(sampler, robot), random_tool(sampler, robot))
+    arm = random_arm(sampler, robot)
     joints = _choose_joints(sampler, arm)
     B = arm.body_screws[joints]
     return Problem(
@@ -91,45 +71,34 @@ def back_to_space(robot: Chain, sampler: ArmSampler) -> Problem:
         figure=partial(draw_arm, arm),
         given={"body_screws": B, "home": arm.home},
         answer=ScrewsAnswer(arm.screws[joints], names=[f"screw {i + 1}" for i in joints]),
-        mistakes=space_screw_mistakes(B, arm.home),
+        solution=change_frame(pose("M", arm.home), screw_axes("B", B)),
+        advice={
+            "inverted": "$\\mathrm{Ad}_{M^{-1}}$ takes what {s} reads to what {b} reads; here we go back.",
+            "frame not changed": "These are the body screws, as the tool reads them.",
+        },
     ).without_duplicates()
 
 
 def new_tool(robot: Chain, sampler: ArmSampler) -> Problem:
     """Body screws after the tool was replaced."""
-    arm = rebased(robot, random_aligned_base(sampler, robot), random_tool(sampler, robot))
+    arm = random_arm(sampler, robot)
     joints, H = _choose_joints(sampler, arm), random_tool(sampler, robot)
-    B, S = arm.body_screws[joints], arm.screws[joints]
+    B = arm.body_screws[joints]
+    new = change_frame(inverse(pose("T_{bt}", H)), screw_axes("B", B)).mistaken_for(
+        arm.screws[joints], "space screws", "give the space screws", "The tool does not read them."
+    )
     return Problem(
         statement=f"The tool of {robot.name} is replaced. The new one has its frame {{t}} where the old one saw $T_{{bt}}$. Below "
         f"stands what {{b}} read: {_name_axes(joints)}. Give what {{t}} reads.\n\n$$B = {matrix(B)}$$\n\n"
         f"$$T_{{bt}} = {matrix(H)}$$",
         figure=partial(draw_arm, arm),
         given={"body_screws": B, "T_bt": H},
-        answer=ScrewsAnswer(transform_screws(inverse(H), B), names=[f"screw {i + 1}" for i in joints]),
-        mistakes=[
-            mistake(
-                "the old ones",
-                B,
-                "These are the old body screws. The axes stay; but body screws are read by the tool, and another tool reads other numbers.",
-            ),
-            mistake(
-                "the other way",
-                transform_screws(H, B),
-                "You carried the screws with $\\mathrm{Ad}_{T_{bt}}$. That takes what {t} reads to what {b} reads; here it is $T_{tb}$.",
-            ),
-            mistake(
-                "only rotated",
-                rotate_only(inverse(H), B),
-                "You turned both halves, but {t} also stands elsewhere: its origin is another, so the moments change.",
-            ),
-            mistake("space screws", S, "These are the space screws. The tool does not read them."),
-            mistake(
-                "halves swapped",
-                swap_halves(transform_screws(inverse(H), B)),
-                "You wrote $(v, \\omega)$. Here a screw axis is $(\\omega, v)$.",
-            ),
-        ],
+        answer=ScrewsAnswer(new.value, names=[f"screw {i + 1}" for i in joints]),
+        solution=new,
+        advice={
+            "inverse left out": "$\\mathrm{Ad}_{T_{bt}}$ takes what {t} reads to what {b} reads; here we go the other way.",
+            "frame not changed": "The axes stay; but body screws are read by the tool, and another tool reads other numbers.",
+        },
     ).without_duplicates()
 
 

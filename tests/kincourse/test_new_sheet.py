@@ -48,7 +48,7 @@ def test_every_robot_gets_eight_problems_whose_mistakes_can_be_told_apart(key):
     assert len(TASKS_BY_ROBOT[key]) == PROBLEMS_PER_SHEET >= 8
     for task in TASKS_BY_ROBOT[key]:
         for problem in variants(key, task, STUDENTS[:5]):
-            assert len(problem.mistakes) >= 3
+            assert len(problem.known_mistakes) >= 3
             assert judge(problem, problem.answer.value).fraction == 1.0
             for wrong in problem.mistakes:
                 assert judge(problem, wrong.value).mistakes == [wrong.name]
