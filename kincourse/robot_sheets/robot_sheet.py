@@ -27,6 +27,9 @@ PROBE_STUDENTS = ("probe 1", "probe 2", "probe 3", "probe 4")
 MAX_DRAWS = 8
 """The number of draws within which a task must be discriminating for each of them. A student's own variant has more."""
 
+MIN_MISTAKES = 3
+"""A task with fewer mistakes makes no sense for a robot."""
+
 CLEAREST_OF = 4
 """The number of draws of which the one is taken in which the most mistakes can be seen."""
 
@@ -66,8 +69,11 @@ def _fits(robot: Chain, name: str) -> bool:
         return False  # a DH row cannot describe a helical joint
     return all(
         any(
-            _clearest_problem(TASKS[name], robot, ArmSampler(student, name, attempt)).is_discriminating()
-            for attempt in range(MAX_DRAWS)
+            problem.is_discriminating() and len(problem.known_mistakes) >= MIN_MISTAKES
+            for problem in (
+                _clearest_problem(TASKS[name], robot, ArmSampler(student, name, attempt))
+                for attempt in range(MAX_DRAWS)
+            )
         )
         for student in PROBE_STUDENTS
     )
@@ -81,9 +87,9 @@ def _clearest_problem(task: RobotTask, robot: Chain, sampler: ArmSampler) -> Pro
     problems: list[Problem] = []
     while len(problems) < CLEAREST_OF:
         problems.append(task.write(robot, sampler))
-        if not problems[-1].hidden:
+        if not problems[-1].hidden and len(problems[-1].known_mistakes) >= MIN_MISTAKES:
             return problems[-1]
-    clearest = min(problems, key=lambda problem: len(problem.hidden))
+    clearest = max(problems, key=lambda problem: (-len(problem.hidden), len(problem.known_mistakes)))
     return replace(clearest, invisible=clearest.hidden)
 
 
