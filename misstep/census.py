@@ -250,17 +250,20 @@ def run(options: Namespace) -> int:
     with ProcessPoolExecutor() as pool:
         rows = list(pool.map(_row, *zip(*jobs, strict=True)))
     print(table(rows))
+    pairs = {}
     for sheet in sheets:
         problems = [template.variant(students[0]) for template in course.find_sheet(sheet).problems]
-        pairs = ", ".join(f"{one} / {other}" for one, other in inseparable_pairs(map(wrong_answers, problems)))
-        print(f"\n{sheet}: no problem tells these mistakes apart: {pairs or 'none'}")
+        pairs[sheet] = inseparable_pairs(map(wrong_answers, problems))
+        listed = ", ".join(f"{one} / {other}" for one, other in pairs[sheet])
+        print(f"\n{sheet}: no problem tells these mistakes apart: {listed or 'none'}")
     if options.examples:
         for row in rows:
             for what, examples in row.examples.items():
                 print(f"\n{row.number}, {COUNTS[what]}:", *examples, sep="\n- ")
     if options.save:
         counted = [{**asdict(row), "examples": {}} for row in rows]  # examples contain answers
-        options.save.write_text(json.dumps(counted, indent=1) + "\n", encoding="utf-8")
+        saved = {"students": len(students), "problems": counted, "inseparable": pairs}
+        options.save.write_text(json.dumps(saved, indent=1) + "\n", encoding="utf-8")
     return int(any(row.counts[what] for row in rows for what in ("full_marks", "refused", "misnamed", "false")))
 
 

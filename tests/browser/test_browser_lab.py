@@ -67,6 +67,20 @@ def test_a_sheet_is_opened_answered_checked_stored_and_handed_in(chromium, lab_a
         expect(page.locator('tr[data-lecture="lectures/03_poe_space"] [data-solved]')).to_have_text("1 of 8")
 
 
+def test_a_click_on_the_section_to_reread_opens_the_lecture_there(chromium, lab_address):
+    with watched(chromium, viewport=WINDOW) as page:
+        visit(page, lab_address, SHEET)
+        run(page, cell(page, "open_sheet"))
+        write(page, cell(page, "screws_1 ="), "screws_1 = np.eye(2)")
+        run(page, cell(page, "screws_1 ="))
+        run(page, cell(page, "sheet.check(1"))
+        link = cell(page, "sheet.check(1").get_by_role("link", name="Re-read: lecture 03_poe_space")
+        heading = re.search("“(.*)”", link.inner_text())[1]
+        with page.expect_popup() as opened:
+            link.click()
+        expect(opened.value.locator("h2", has_text=heading)).to_be_in_viewport(timeout=PAGE_TIMEOUT_MS)
+
+
 @pytest.mark.parametrize("reason", ["full", "private"])
 def test_a_browser_that_cannot_store_work_shows_a_message_and_offers_the_download(
     chromium, lab_address, tmp_path, reason

@@ -18,6 +18,8 @@ STUDENTS = tuple(f"a reader of the site, {letter}" for letter in "abcdefgh")
 
 GAP = "…"
 TOKEN = re.compile(r"\$[^$]*\$|`[^`]*`|[^\s$`]+|\s+")
+SENTENCE_END = re.compile(r"(?<=[.?!])\s+(?=[A-Z$`])")
+GAPS = re.compile(rf"{GAP}([\s,]+{GAP})+")
 DECIMAL = re.compile(r"(?<![\w.^_{])-?\d+\.\d+")
 """Decimal numbers. If few students have the same message, these are computed from a student's numbers."""
 
@@ -80,17 +82,38 @@ def messages(template: Template) -> dict[str, str]:
 
 
 def common_text(messages: Sequence[str]) -> str:
-    """Keep what several messages have in common, with a gap where they differ.
+    """Keep what the messages of a mistake have in common, with a gap where they differ.
 
-    >>> common_text(["You turned 7 times as far.", "You turned 9 times as far."])
+    Messages with other words are other sentences; those that the most students get are kept. A sentence after the first one is
+    left out if it has a gap.
+
+    >>> common_text(["You turned 7 times as far.", "You turned 9 times as far. It was 2."])
     'You turned … times as far.'
-    >>> common_text(["Longer by 2.509 m.", "It is even."])
-    'Longer by … m. Or: It is even.'
+    >>> common_text(["You swapped $a$ and $b$. See 1.", "You swapped $b$ and $c$. See 2.", "You left out $p$."])
+    'You swapped … and ….'
     """
-    by_length: dict[int, list[str]] = {}
-    for message in dict.fromkeys(messages):
-        tokens = TOKEN.findall(message)
-        common = by_length.setdefault(len(tokens), tokens)
-        by_length[len(tokens)] = [one if one == other else GAP for one, other in zip(common, tokens, strict=True)]
-    texts = ["".join(tokens) for tokens in by_length.values()]
-    return " Or: ".join(text if len(set(messages)) == 1 else DECIMAL.sub(GAP, text) for text in texts)
+    groups: list[tuple[list[list[str]], list[str]]] = []
+    for message in messages:
+        sentences = [TOKEN.findall(sentence) for sentence in SENTENCE_END.split(message)]
+        for common, members in groups:
+            if is_similar(common[0], sentences[0]):
+                common[:] = [
+                    [one if one == other else GAP for one, other in zip(*pair, strict=True)]
+                    for pair in zip(common, sentences, strict=False)
+                    if is_similar(*pair)
+                ]
+                members.append(message)
+                break
+        else:
+            groups.append((sentences, [message]))
+    common, members = max(groups, key=lambda group: len(group[1]))
+    first, *others = (
+        "".join(tokens) if len(set(messages)) == 1 else DECIMAL.sub(GAP, "".join(tokens)) for tokens in common
+    )
+    return " ".join([GAPS.sub(GAP, first), *(sentence for sentence in others if GAP not in sentence)])
+
+
+def is_similar(one: Sequence[str], other: Sequence[str]) -> bool:
+    """Whether two sentences, as tokens, have the same length and share at least half of their words."""
+    words = [pair for pair in zip(one, other, strict=False) if pair[0].strip()]
+    return len(one) == len(other) and 2 * sum(first == second for first, second in words) >= len(words)

@@ -6,6 +6,8 @@
   const NAME = 'kinlib-lab';
   const KEY = 'kinlib-course'; // in localStorage; course.js describes the record
   const SOLVED = 'application/vnd.misstep.solved+json';
+  const SECTION = 'kinlib-section'; // in localStorage, from a click on a link until the notebook is open
+  const RENDERING_MS = 500; // until the cells of a notebook have their final height
   const SILENCE_S = 60; // without a result, until a message is shown
 
   const MESSAGES = {
@@ -52,8 +54,10 @@
           caption: 'Download this notebook in its present state, to hand it in or to keep it',
           execute: () => download(tracker.currentWidget),
         });
+        document.addEventListener('click', rememberSection, true);
         tracker.widgetAdded.connect((_, panel) => {
           watchKernel(panel);
+          showSection(panel);
           panel.context.saveState.connect((__, state) => {
             if (state === 'failed') {
               manager.autosave = false; // otherwise a dialog would interrupt the typing again and again
@@ -73,6 +77,21 @@
       });
     },
   };
+
+  // --- links to a section of a lecture: the lab opens the notebook in another window, and forgets the section ---
+
+  function rememberSection(event) {
+    const link = event.target.closest?.('a[href*=".ipynb"]');
+    if (link?.hash && storageWorks) localStorage.setItem(SECTION, link.hash);
+  }
+
+  async function showSection(panel) {
+    const section = storageWorks && localStorage.getItem(SECTION);
+    if (!section) return;
+    localStorage.removeItem(SECTION);
+    await panel.revealed;
+    setTimeout(() => panel.setFragment(section), RENDERING_MS);
+  }
 
   // --- answers ---
 
