@@ -1,13 +1,11 @@
 """Common mistakes with space screws and the product of exponentials: each takes the right value and returns a wrong one.
 
-`screw_mistakes` gives the mistakes of a problem whose answer is screw axes, `product_mistakes` those of a problem whose
-answer is a pose by the space form. A problem adds those that belong to it alone.
+`screw_mistakes` gives the mistakes of a problem whose answer is screw axes. A problem adds those that belong to it alone.
 """
 
 import numpy as np
 
 from kinlib.arrays.validation import Array
-from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import exp
 from misstep.mistakes import Mistake, mistake
 
@@ -70,18 +68,6 @@ def product(screws: Array, q: Array, home: Array, order: str = "screws then home
     return T
 
 
-def prismatic_as_revolute(arm: Chain) -> Array:
-    """The screws of an arm with each prismatic joint treated as revolute: (d, -d x p) instead of (0, d), shape (n, 6).
-
-    >>> from kinlib.chains.robots import rpr
-    >>> prismatic_as_revolute(rpr())[1] + 0.0
-    array([ 0.,  0.,  1., -2.,  4.,  0.])
-    """
-    d = arm.screws[:, 3:]
-    slides = ~arm.screws[:, :3].any(axis=-1, keepdims=True)
-    return np.where(slides, np.concatenate([d, np.cross(arm.joint_points, d)], axis=-1), arm.screws)
-
-
 def screw_mistakes(S: Array) -> list[Mistake]:
     """The three common mistakes for screw axes S (..., 6) of revolute joints.
 
@@ -106,43 +92,5 @@ def screw_mistakes(S: Array) -> list[Mistake]:
             remove_moment(S),
             "You left $v = 0$. That holds for a turn about an axis through the origin of {s}; about any other, turning also "
             "moves the point at the origin, by $v = -\\omega \\times p$.",
-        ),
-    ]
-
-
-def product_mistakes(arm: Chain, q: Array) -> list[Mistake]:
-    """The mistakes for a pose by the space form, T(q) = exp([S_1] q_1) ... exp([S_n] q_n) M, with q (n,).
-
-    >>> from kinlib.chains.robots import rpr
-    >>> [wrong.name for wrong in product_mistakes(rpr(), np.ones(3))]
-    ['reversed', 'home first', 'no home', 'one exponential', 'degrees']
-    """
-    screws, home = arm.screws, arm.home
-    return [
-        mistake(
-            "reversed",
-            product(screws, q, home, "reversed"),
-            "You multiplied from the last joint to the first. The factor of joint 1 stands leftmost: it moves all that follows.",
-        ),
-        mistake(
-            "home first",
-            product(screws, q, home, "home first"),
-            "You put $M$ in front. With space screws it stands last, on the right; in front it belongs with body screws only.",
-        ),
-        mistake(
-            "no home",
-            product(screws, q, home, "no home"),
-            "You left out $M$. The exponentials say how the tool has moved since home; $M$ says where home is.",
-        ),
-        mistake(
-            "one exponential",
-            exp(q @ screws) @ home,
-            "You added the twists and took one exponential. You can rely on $e^A e^B = e^{A+B}$ only where $AB = BA$, and the "
-            "joints of an arm seldom commute.",
-        ),
-        mistake(
-            "degrees",
-            product(screws, np.where(screws[:, :3].any(axis=-1), np.degrees(q), q), home),
-            "You used degrees as radians. The exponential wants radians; slides stay in metres.",
         ),
     ]
