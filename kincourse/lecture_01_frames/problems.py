@@ -161,7 +161,7 @@ def point_and_arrow(sampler: ArmSampler) -> Problem:
         f"${vector(d)}$ m. Give both as {{s}} sees them, in two rows: the point, the arrow.\n\n$$T_{{sc}} = {matrix(T)}$$",
         figure=partial(draw_frames, {"s": np.eye(4), "c": T}, arrows=False),
         given={"T_sc": T, "point_c": x_c, "arrow_c": d},
-        answer=VectorsAnswer(both.value, names=["the point", "the arrow"]),
+        answer=VectorsAnswer(both.value, unit="m", names=["the point", "the arrow"]),
         solution=both,
         advice={
             "inverted": "$T_{sc}$ takes coordinates in {c} to coordinates in {s}.",

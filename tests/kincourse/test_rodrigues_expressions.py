@@ -1,0 +1,46 @@
+"""Exponentials in solutions: they are those of kinlib, for axes of any length, and so is each change that keeps them."""
+
+import numpy as np
+import pytest
+
+from kincourse.expressions.rodrigues import angle_symbol, position_exp, rotation_exp, skew, truncated, twist_matrix
+from kinlib.rigid.lie import exp, hat
+from misstep.mutants.expression import given
+from misstep.mutants.mutants import mutate, mutations
+
+
+@pytest.fixture(params=[1.0, 0.5, 3.0])
+def parts(request):
+    random = np.random.default_rng(5)
+    omega = random.normal(size=3)
+    return request.param * omega / np.linalg.norm(omega), random.normal(size=3), 0.7
+
+
+def test_the_exponential_is_that_of_kinlib(parts):
+    omega, v, theta = parts
+    expected = exp(np.concatenate([omega, v]) * theta)
+    assert np.allclose(rotation_exp(omega, theta).value, expected[:3, :3])
+    assert np.allclose(position_exp(omega, v, theta).value, expected[:3, 3])
+    assert np.allclose(twist_matrix(skew(omega), v).value, hat(np.concatenate([omega, v])))
+
+
+def test_every_change_of_an_exponential_is_wrong(parts):
+    omega, v, theta = given("\\omega", parts[0]), given("v", parts[1]), angle_symbol(parts[2])
+    for right in (rotation_exp(omega, theta), position_exp(omega, v, theta)):
+        for mutation in mutations(right):
+            wrong = mutate(right, mutation.replaced)
+            assert not np.allclose(wrong.value, right.value), mutation.change.text
+
+
+@pytest.mark.parametrize(("count", "terms"), [("two", 2), ("three", 3), ("four", 4)])
+def test_a_series_cut_short_has_the_number_of_terms_that_its_text_says(parts, count, terms):
+    omega, _, theta = parts
+    right = rotation_exp(given("\\omega", omega), given("q", theta))
+    [cut] = [one for one in mutations(right) if one.change.text == f"stop the series after {count} terms"]
+    assert np.allclose(mutate(right, cut.replaced).value, truncated(hat(omega) * theta, terms))
+
+
+def test_only_an_axis_that_is_not_of_unit_length_is_put_into_a_formula_for_unit_axes(parts):
+    omega, _, theta = parts
+    names = [one.change.name for one in mutations(rotation_exp(given("\\omega", omega), given("q", theta)))]
+    assert ("formula for a unit axis" in names) == (not np.isclose(np.linalg.norm(omega), 1))
