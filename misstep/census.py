@@ -15,7 +15,7 @@ from argparse import ArgumentParser, Namespace
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from concurrent.futures import ProcessPoolExecutor
-from dataclasses import asdict, dataclass, field
+from dataclasses import dataclass, field
 from functools import partial
 from importlib import import_module
 from importlib.util import find_spec
@@ -261,7 +261,7 @@ def run(options: Namespace) -> int:
             for what, examples in row.examples.items():
                 print(f"\n{row.number}, {COUNTS[what]}:", *examples, sep="\n- ")
     if options.save:
-        counted = [{**asdict(row), "examples": {}} for row in rows]  # examples contain answers
+        counted = [{**vars(row), "examples": {}} for row in rows]  # examples contain answers
         saved = {"students": len(students), "problems": counted, "inseparable": pairs}
         options.save.write_text(json.dumps(saved, indent=1) + "\n", encoding="utf-8")
     return int(any(row.counts[what] for row in rows for what in ("full_marks", "refused", "misnamed", "false")))

@@ -13,7 +13,7 @@ from docutils.nodes import make_id
 from nbformat import NotebookNode
 
 from kinsite.execute import ROOT, cached_pages, execute_all
-from kinsite.generated import gallery, independent_checks, mistakes, performance, progress, reference
+from kinsite.generated import census, gallery, independent_checks, mistakes, performance, progress, reference
 
 SITE = ROOT / "site"
 LECTURES = sorted((ROOT / "notebooks").glob("*.ipynb"))
@@ -61,6 +61,7 @@ def all_pages() -> Iterator[tuple[str, str]]:
     yield from performance.pages()
     yield from notebook_pages(executed)
     yield from independent_checks.pages()
+    yield from census.pages()
     yield from progress.pages(*({path: executed[path] for path in paths} for paths in (LECTURES, SHEETS)))
     for module in (gallery, mistakes, reference):
         source = Path(module.__file__ or "").read_text("utf-8")

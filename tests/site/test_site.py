@@ -14,7 +14,7 @@ import pytest
 from browser import unwatched, watched
 from built_site import ROOT, SITE
 from kinsite import STRICT, cell_outputs, execute, sphinx_source
-from kinsite.generated import gallery, mistakes, reference
+from kinsite.generated import census, gallery, mistakes, reference
 
 MAX_PAGE_BYTES, MAX_LECTURE_BYTES = 200_000, 450_000
 """Limits for a page with all the files that it loads, compressed, without the viewer's bundle."""
@@ -27,6 +27,7 @@ KINDS = {
     "arm": "robots/puma560.html",
     "linkage": "robots/four_bar.html",
     "mistakes": "mistakes/03_poe_space.html",
+    "census": "census.html",
     "reference": "reference/kinlib.chains.chain.html",
     "glossary": "glossary.html",
     "notation": "notation.html",
@@ -319,7 +320,7 @@ def test_what_belongs_to_one_student_is_left_out_of_a_message(messages, common):
 
 
 @pytest.mark.parametrize(
-    "module", [cell_outputs, execute, gallery, mistakes, reference, sphinx_source], ids=lambda m: m.__name__
+    "module", [cell_outputs, census, execute, gallery, mistakes, reference, sphinx_source], ids=lambda m: m.__name__
 )
 def test_the_doctests_of_the_site_s_own_modules_pass(module):
     assert not doctest.testmod(module, optionflags=doctest.NORMALIZE_WHITESPACE).failed

@@ -1,0 +1,117 @@
+"""The page of the census: what feedback says to many wrong answers, as `misstep census --save` has counted it."""
+
+import json
+from collections import Counter
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any
+
+from kincourse import find_sheet, sheets
+from kinsite.execute import ROOT
+from misstep.census import COUNTS
+
+RESULTS = ROOT / "site" / "census.json"
+
+HEAD = """\
+# Census of the feedback
+
+If an answer is wrong, the card names the mistake. This name is a claim about what a student did, so it can be wrong too. A
+wrong name sends a student to the wrong section, and a wrong method that gets full marks is never corrected. The census counts
+how often this happens.
+
+For each problem, the numbers of {students} students are drawn. For each student, these answers are judged:
+
+- every answer to which a change of the solution leads, by which people go wrong: a matrix instead of its inverse, two factors
+  swapped, degrees instead of radians, a sign, ...;
+- every mistake that the author of the problem has written down, and slips in a single entry;
+- wrong answers, and right answers in another form, that were written by hand and share no code with the sheets.
+
+What is counted:
+
+- **{full_marks}**: a wrong method is not noticed;
+- **{refused}**: a right answer in another form gets no full marks;
+- **{misnamed}**: the card names another mistake than the one that was made;
+- **{false}**: a sentence on the card is not true of the answer;
+- **{unnamed}**: at least one wrong part of the answer is not explained by any mistake. The card then gives a hint only. The last
+  column is the share among the answers by hand.
+
+The first four should be 0. You can repeat the census with one command:
+
+```text
+misstep census --students {students} --save site/census.json
+```
+"""
+
+TAIL = """\
+## Mistakes that a sheet cannot tell apart
+
+Two mistakes are told apart if they lead to different answers in at least one problem of the sheet. If a student makes one of
+the mistakes below, the sheet cannot show which of the two it was.
+"""
+
+
+def pages() -> Iterator[tuple[str, str]]:
+    """Yield the page: a table for each sheet, and the pairs of mistakes that no problem of a sheet tells apart."""
+    yield "census.md", page(json.loads(RESULTS.read_text("utf-8")))
+
+
+def page(census: Mapping[str, Any]) -> str:
+    r"""Write the page. Fields of the census that are not known here are left out.
+
+    >>> row = {"number": "01.1", "wrong": 8, "by_hand": 4, "unnamed_by_hand": 1, "counts": {"unnamed": 2}, "new": 0}
+    >>> text = page({"students": 3, "problems": [row], "inseparable": {"01_frames": [["a", "b"]]}, "new": 0})
+    >>> print(*(line for line in text.splitlines() if line.startswith(("| 01.1", "| **", "- sheet"))), sep="\n")
+    | **01** | 8 | 0 | 0 | 0 | 0 | 25 % | 25 % |
+    | **all** | 8 | 0 | 0 | 0 | 0 | 25 % | 25 % |
+    | 01.1 | 8 | 0 | 0 | 0 | 0 | 25 % | 25 % |
+    - sheet 01: `a` and `b`
+    """
+    rows = census["problems"]
+    parts = [HEAD.format(students=census["students"], **COUNTS), "## All sheets", table(rows_by_sheet(rows))]
+    for name in sheets():
+        if of_sheet := [row for row in rows if row["number"].startswith(f"{name[:2]}.")]:
+            parts += [f"## Sheet {name[:2]}: {find_sheet(name).title}", table(of_sheet)]
+    pairs = [
+        f"- sheet {name[:2]}: " + "; ".join(f"`{one}` and `{other}`" for one, other in found)
+        for name, found in census["inseparable"].items()
+        if found
+    ]
+    return "\n\n".join([*parts, TAIL, "\n".join(pairs) or "There are none."]) + "\n"
+
+
+def rows_by_sheet(rows: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
+    """Add up the counts of the problems of each sheet, and of all of them."""
+    numbers = dict.fromkeys(row["number"].partition(".")[0] for row in rows)
+    return [
+        *(total(f"**{sheet}**", [row for row in rows if row["number"].startswith(f"{sheet}.")]) for sheet in numbers),
+        total("**all**", rows),
+    ]
+
+
+def total(number: str, rows: Sequence[Mapping[str, Any]]) -> Mapping[str, Any]:
+    """Add up the counts of some problems."""
+    sums = {field: sum(row[field] for row in rows) for field in ("wrong", "by_hand", "unnamed_by_hand")}
+    counts: Counter[str] = sum((Counter(row["counts"]) for row in rows), Counter())
+    return {"number": number, "counts": counts, **sums}
+
+
+def table(rows: Sequence[Mapping[str, Any]]) -> str:
+    """Write the counts as a table, one row for each problem or sheet."""
+    heads = ["problem" if "." in rows[0]["number"] else "sheet", "wrong answers", *COUNTS.values(), "of those by hand"]
+    lines = [f"| {' | '.join(heads)} |", "| --- " + "| ---: " * (len(heads) - 1) + "|"]
+    for row in rows:
+        counts = [str(row["counts"].get(what, 0)) for what in COUNTS if what != "unnamed"]
+        unnamed = [
+            share(row["counts"].get("unnamed", 0), row["wrong"]),
+            share(row["unnamed_by_hand"], row["by_hand"]),
+        ]
+        lines.append(f"| {' | '.join([row['number'], str(row['wrong']), *counts, *unnamed])} |")
+    return "\n".join(lines)
+
+
+def share(part: int, whole: int) -> str:
+    """Write a share in percent.
+
+    >>> share(1, 8), share(0, 0)
+    ('12 %', '–')
+    """
+    return f"{part / whole:.0%}".replace("%", " %") if whole else "–"
