@@ -140,16 +140,16 @@ def coupler_point(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "turned by A": (carried(A), "crank, coupler"),
             "turned by A twice": (carried(angle + A), "crank, coupler, twice"),
             "turned by the rocker's angle": (carried(rocker), "rocker, coupler"),
-            "not turned": (B + p, "without turning, turn, coupler, along x"),
+            "not turned": (B + p, "without turning, turn, rotat, coupler, along x"),
             "to the right": (carried(angle, along_y), f"left, right, {SIGN}"),
             "turned the other way": (carried(-angle), f"other way, {SIGN}, transpos, invers"),
             "from C": (carried(angle, (b - p[0], p[1])), "from C, measured"),
             "beyond C": (carried(angle, (b + p[0], p[1])), "from C, beyond"),
             "along and left exchanged": (carried(angle, p[::-1]), f"{SWAP}, along, left"),
-            "from A": (carried(angle, start=0 * B), "from A, from B, origin"),
+            "from A": (carried(angle, start=0 * B), f"from A, from B, origin, {LEFT_OUT}"),
             "from D": (carried(angle, start=(g, 0)), "from D, from B"),
             "seen from D": (P - (g, 0), "from D, from A, origin"),
-            "only along the coupler": (carried(angle, (p[0], 0)), LEFT_OUT),
+            "only along the coupler": (carried(angle, (p[0], 0)), f"{LEFT_OUT}, only"),
             "only B": (B, LEFT_OUT),
             "x and y exchanged": (P[::-1], f"{SWAP}, sin, cos"),
             "below": (P * (1, -1), f"{SIGN}, mirror, below"),
@@ -170,7 +170,7 @@ def slider(given: Any, answer: float) -> Iterator[WrongAnswer]:
     a, rod, e, A = given.crank, given.rod, given.offset, np.radians(given.degrees)
 
     def of(offset: float = e, angle: float = A, side: int = 1, crank: float = a, rod: float = rod) -> float:
-        return float(crank * np.cos(angle) + side * np.sqrt(max(0.0, rod**2 - (offset - crank * np.sin(angle)) ** 2)))
+        return float(crank * np.cos(angle) + side * np.sqrt(rod**2 - (offset - crank * np.sin(angle)) ** 2))
 
     x, flat = of(), np.sqrt(rod**2 - (e - a * np.sin(A)) ** 2)
     yield from wrong(
@@ -189,7 +189,11 @@ def slider(given: Any, answer: float) -> Iterator[WrongAnswer]:
             "Pythagoras with a plus": (a * np.cos(A) + np.hypot(rod, e - a * np.sin(A)), f"Pythag, root, {SIGN}"),
             "no square root": (a * np.cos(A) + rod**2 - (e - a * np.sin(A)) ** 2, "root, square"),
             "root not taken of the rod": (a * np.cos(A) + rod - abs(e - a * np.sin(A)), "root, square, Pythag"),
-            "crank and rod exchanged": (of(crank=rod, rod=a), f"{SWAP}, rod"),
+            **(
+                {"crank and rod exchanged": (of(crank=rod, rod=a), f"{SWAP}, rod")}
+                if a > abs(e - rod * np.sin(A))
+                else {}
+            ),
             "the slider's height": (e, "height, offset, along x"),
             "distance from A": (np.hypot(x, e), "distance, along x"),
             "negated": (-x, SIGN),
@@ -221,14 +225,17 @@ def which_kind(given: Any, answer: str) -> Iterator[WrongAnswer]:
 def dead_point(given: Any, answer: float) -> Iterator[WrongAnswer]:
     g, a, b, c = given.bars
 
-    def angle(one: float, two: float, opposite: float) -> float:
-        return float(np.arccos(np.clip((one**2 + two**2 - opposite**2) / (2 * one * two), -1, 1)))
+    def arccos(cosine: float) -> float:
+        """The angle, or NaN for a triangle that does not close."""
+        return float(np.arccos(cosine)) if abs(cosine) <= 1 else np.nan
 
-    A, place = angle(g, a, b + c), "angle at, triangle"
+    def angle(one: float, two: float, opposite: float) -> float:
+        return arccos((one**2 + two**2 - opposite**2) / (2 * one * two))
+
+    A, place = angle(g, a, b + c), "angle at, triangle, opposite"
     bar = "bar, stretched, coupler, rocker, one line"
-    yield from wrong(
-        {
-            "supplement": (np.pi - A, "supplement, \\pi"),
+    answers = {
+            "supplement": (np.pi - A, "supplement, \\pi, opposite sign"),
             "complement": (np.pi / 2 - A, "complement, sin, cos, right angle"),
             "angle at B": (angle(a, b + c, g), place),
             "angle at D": (angle(g, b + c, a), place),
@@ -241,15 +248,15 @@ def dead_point(given: Any, answer: float) -> Iterator[WrongAnswer]:
             "half": (A / 2, "half"),
             "degrees": (np.degrees(A), "degree, radian"),
             "cosine": (np.cos(A), "cos, arccos, angle"),
-            "arcsine": (np.arcsin(np.clip(np.cos(A), -1, 1)), "sin, cos"),
-            "no factor 2": (np.arccos(np.clip(2 * np.cos(A), -1, 1)), "factor, law of cosines"),
-            "right triangle": (np.arctan2(np.sqrt(max(0.0, (b + c) ** 2 - g**2)), g), "right angle, Pythag, law of cosines"),
+            "arcsine": (np.arcsin(np.cos(A)), "sin, cos"),
+            "no factor 2": (arccos(2 * np.cos(A)), "factor, law of cosines"),
+            "right triangle": (arccos(g / (b + c)), "right angle, right-angled, Pythag, law of cosines"),
             "crank turns right round": (np.pi, "turn right round, full turn, \\pi"),
             "supplement in degrees": (180 - np.degrees(A), "supplement, degree, radian"),
             "angle at D in degrees": (np.degrees(angle(g, b + c, a)), f"{place}, degree, radian"),
             "supplement, folded": (np.pi - angle(g, a, abs(b - c)), "folded, fold, supplement"),
-        }
-    )  # fmt: skip
+        }  # fmt: skip
+    yield from wrong({name: case for name, case in answers.items() if np.isfinite(case[0])})
     yield from right({"a float": A, "three decimals": round(A, 3), "less a turn": A - 2 * np.pi})
 
 

@@ -9,7 +9,7 @@ import numpy as np
 from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import exp as exponential
 from kinlib.rigid.lie import hat, homogeneous
-from misstep.mutants.expression import Change, Changes, Expression, Operation, given, negative, transpose
+from misstep.mutants.expression import SUM, Change, Changes, Expression, Operation, given, negative, transpose
 
 INVERSE_ADVICE = "The inverse of $(R, p)$ is $(R^T, -R^T p)$."
 
@@ -205,6 +205,49 @@ def _exp_changes(node: Expression) -> Changes:
     )
 
 
+def _logarithm(T: Array) -> Array:
+    """The twist (6,) of a pose whose angle is between 0 and pi; without the checks of kinlib's `log`, which take most of its time."""
+    R, p = T[:3, :3], T[:3, 3]
+    axial = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]) / 2
+    sine, cosine = np.sqrt(axial @ axial), (np.trace(R) - 1) / 2
+    angle = np.arctan2(sine, cosine)
+    omega = x, y, z = axial * (angle / sine)
+    W = np.array([[0, -z, y], [z, 0, -x], [-y, x, 0]])
+    v = p - W @ p / 2 + (1 / angle**2 - (1 + cosine) / (2 * angle * sine)) * (W @ (W @ p))
+    return np.concatenate([omega, v])
+
+
+def _logarithm_changes(node: Expression) -> Changes:
+    [T] = node.arguments
+    for name, text, of, advice in (
+        (
+            "translation for v",
+            "take the position of the pose as $v$",
+            lambda T: np.concatenate([_logarithm(T)[:3], T[:3, 3]]),
+            "The $v$ of a logarithm differs from the position, because the motion rotates too.",
+        ),
+        (
+            "first order",
+            "take the entries of $T - I$ instead of the logarithm",
+            lambda T: np.concatenate([[T[2, 1], T[0, 2], T[1, 0]], T[:3, 3]]),
+            "They are those of the logarithm for infinitesimal motions only.",
+        ),
+        (
+            "degrees",
+            "give $\\omega$ in degrees",
+            lambda T: _logarithm(T) * np.repeat((180 / np.pi, 1), 3),
+            "A twist is in radians.",
+        ),
+        (
+            "halves swapped",
+            "write $(v, \\omega)$",
+            lambda T: np.roll(_logarithm(T), 3),
+            "Here a twist is $(\\omega, v)$.",
+        ),
+    ):
+        yield Change(name, text, advice=advice), _of_pose(name, of, "{0}")(T)
+
+
 def _assembled(R: Array, p: Array) -> Array:
     T = np.eye(len(p) + 1)
     T[:-1, :-1], T[:-1, -1] = R, p
@@ -230,6 +273,9 @@ inverse = Operation("inverse of a pose", np.linalg.inv, "{0}^{{-1}}".format, _in
 
 exp = Operation("exponential", lambda S, q: exponential(S * q), "e^{{[{0}]{1}}}".format, _exp_changes)
 """The exponential of a screw S (6,) or rotation vector (3,) times a joint value: e^{[S] q}."""
+
+logarithm = Operation("logarithm", _logarithm, "\\log({0})".format, _logarithm_changes, SUM)
+"""The logarithm (6,) of a pose that is no translation: the twist whose exponential it is."""
 
 _linear = Operation("series", lambda S, q: np.eye(len(hat(S))) + hat(S) * q, "I + [{0}]{1}".format)
 _quadratic = Operation(

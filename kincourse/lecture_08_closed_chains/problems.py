@@ -3,13 +3,31 @@
 from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import partial
+from operator import sub
 
 import numpy as np
 
 from kincourse.answers.screws import TwistAnswer
+from kincourse.expressions.planar import (
+    bars,
+    both_modes,
+    closing_twist,
+    corner_angle,
+    coupler_directions,
+    direction_of,
+    kutzbach,
+    length,
+    polar,
+    rocker_directions,
+    rotated,
+    slider_place,
+    with_other_bars,
+)
+from kincourse.expressions.poses import exp, point, pose
+from kincourse.expressions.screws import screw_axes
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
-from kincourse.sampling.four_bar_geometry import FourBar, slider_position
+from kincourse.sampling.four_bar_geometry import FourBar
 from kincourse.sampling.linkages import (
     PLANAR_LEGS,
     SPATIAL_LEGS,
@@ -21,17 +39,22 @@ from kincourse.sampling.linkages import (
 from kinlib.arrays.validation import Array
 from kinlib.mechanisms import linkages
 from kinlib.rigid.angles import wrap_angle
-from kinlib.rigid.lie import exp, inverse, log
 from kinlib.view.figures.linkage import draw_linkage
 from misstep.answers.angle import Angles
 from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
 from misstep.display.text import number, vector
 from misstep.mistakes import mistake
+from misstep.mutants.expression import Expression, given
+from misstep.mutants.operations import ANGLE, LENGTH, radians
 from misstep.problem import Problem
 from misstep.sheet import Sheet
 
 ANGLES_NOTE = "$A$ and $D$ count from the $x$ axis, $B$ is the coupler's angle against the crank, $C$ its angle against the rocker."
+
+
+ANTICLOCKWISE = "Angles are positive anticlockwise."
+MIRRORED = f"This is the mirror image in the ground line, whose crank points below the $x$ axis. {ANTICLOCKWISE}"
 
 
 def describe_lengths(four_bar: FourBar) -> str:
@@ -56,15 +79,11 @@ def gap(sampler: ArmSampler) -> Problem:
     )
     S = {joint.name: joint.screws[0] for joint in linkage.joints}
     G = linkage.joints[3].closing_offset
-
-    def factors(angles: Array) -> tuple[Array, Array, Array, Array]:
-        A, B, D, C = (exp(S[name] * angle) for name, angle in zip("ABDC", angles, strict=True))
-        return A, B, D, C
-
-    A, B, D, C = factors(np.radians(degrees))
-    wrong = factors(degrees.astype(float))
-    gap_pose = D @ C @ G @ inverse(A @ B)
-    r = log(gap_pose)
+    A, B, D, C = (
+        exp(screw_axes(f"S_{name}", S[name]), radians(given(name, float(angle), ANGLE)))
+        for name, angle in zip("ABDC", degrees, strict=True)
+    )
+    r = closing_twist([D, C, pose("G", G)], [A, B])
     listed = ", ".join(f"${name} = {angle}°$" for name, angle in zip("ABDC", degrees, strict=True))
     return Problem(
         statement=f"{describe_lengths(four_bar)} {ANGLES_NOTE} It is not closed yet: {listed}. Walk round, from the "
@@ -72,174 +91,106 @@ def gap(sampler: ArmSampler) -> Problem:
         "back over B and A. What twist is left over, $r = \\log(e^{[S_D]D}\\, e^{[S_C]C}\\, G\\, e^{-[S_B]B}\\, e^{-[S_A]A})$?",
         figure=partial(draw_linkage, linkage, np.radians(degrees)),
         given={"S": S, "G": G, "degrees": dict(zip("ABDC", degrees.tolist(), strict=True))},
-        answer=TwistAnswer(r),
-        mistakes=[
-            mistake(
-                "not inverted",
-                log(D @ C @ G @ A @ B),
-                "You did not invert the second branch. Branches that meet have equal poses, so one is multiplied by the other's "
-                "inverse: on the way back every joint is undone.",
-            ),
-            mistake(
-                "not reversed",
-                log(D @ C @ G @ inverse(A) @ inverse(B)),
-                "The signs are right, the order is not: on the way back you pass B first, then A.",
-            ),
-            mistake(
-                "no gap",
-                log(D @ C @ inverse(A @ B)),
-                "You left out $G$. The drawing is open; $G$ moves the coupler's drawing to where C has it.",
-            ),
-            mistake(
-                "the other way round",
-                -r,
-                "You walked the other way: over A and B, and back over C and D. All signs turn.",
-            ),
-            mistake(
-                "translation for v",
-                [*r[:3], *gap_pose[:3, 3]],
-                "Your $\\omega$ is right. Your $v$ is the translation of the product of the exponentials; the $v$ of its logarithm "
-                "differs from it, because the gap is a rotation too.",
-            ),
-            mistake(
-                "angle in degrees",
-                [*np.degrees(r[:3]), *r[3:]],
-                "Your $v$ is right. Your $\\omega$ is in degrees; a twist is in radians.",
-            ),
-            mistake(
-                "seen from the coupler",
-                log(inverse(A @ B) @ D @ C @ G),
-                "This is $\\log(T_2^{-1}\\, T_1)$, as in equation (2) of the lecture: the same gap in coordinates of the coupler. "
-                "The formula here begins on the ground, with $D$, so its twist is in coordinates of the ground.",
-            ),
-            mistake(
-                "seen from the coupler, and negated",
-                log(inverse(D @ C @ G) @ A @ B),
-                "This is $\\log(T_1^{-1}\\, T_2)$: the gap in coordinates of the coupler, and in the other direction. "
-                "The formula here is $\\log(T_1\\, T_2^{-1})$, with $T_1 = e^{[S_D]D} e^{[S_C]C} G$.",
-            ),
-            mistake(
-                "degrees",
-                log(wrong[2] @ wrong[3] @ G @ inverse(wrong[0] @ wrong[1])),
-                "You used degrees as radians.",
-            ),
-        ],
+        answer=TwistAnswer(r.value, scale=1),
+        solution=r,
+        invisible=["rotation transposed"],  # G is a translation
+        advice={
+            "inverse left out": "On the way back every joint is undone, so the factors of A and B are inverted.",
+            "order": "You walk over D, C and G to the coupler, and back over B and then A.",
+            "leave out $G$": "The drawing is open: $G$ moves the coupler's drawing to where C has it.",
+        },
     )
 
 
 @problem("08.2", "Both ways to put it together", points=3, lecture="08_closed_chains#The smallest loop")
-def both_modes(sampler: ArmSampler) -> Problem:
+def both_ways(sampler: ArmSampler) -> Problem:
     four_bar, degrees = crank_rocker(sampler), sampler.degrees(25, 155)
-    A = np.radians(degrees)
-    left, right = four_bar.assembly_modes(A)
-    D = np.array([left[2], right[2]])
-    swapped = FourBar(four_bar.ground, four_bar.crank, four_bar.rocker, four_bar.coupler).assembly_modes(A)[:, 2]
+    A = radians(given("A", degrees, ANGLE))
+    D = with_other_bars(lambda four: both_modes(*rocker_directions(four, A)), bars(four_bar))
+    coupler, rocker = coupler_directions(bars(four_bar), A), D.arguments
+    line = direction_of(np.array([four_bar.ground, 0.0]) - polar(given("a", four_bar.crank), A))
+    for name, text, one, other in (
+        ("coupler's angles", "give the coupler's angles from the $x$ axis", *coupler),
+        ("coupler's angles", "give the coupler's angles against the crank", *(k - A for k in coupler)),
+        ("coupler's angles", "give the coupler's angles against the rocker", *map(sub, coupler, rocker)),
+        ("coupler's angles", "give the coupler's angles in degrees", *(180 / np.pi * k for k in coupler)),
+        ("angles from BD", "give the angles from the line BD instead of the $x$ axis", *(q - line for q in rocker)),
+        ("inner angles", "give the inner angles at D in degrees", *(180 - 180 / np.pi * q for q in rocker)),
+    ):
+        D = D.mistaken_for(
+            both_modes(one, other), name, text, "The rocker's angle is that from the $x$ axis, in radians."
+        )
     return Problem(
         statement=f"{describe_lengths(four_bar)} Its crank stands at {degrees} degrees from the $x$ axis. Give the "
         "rocker's angle $D$, from the $x$ axis "
         "too and in radians, in both assembly modes, in any order. (Drawn before C is pinned.)",
-        figure=partial(draw_linkage, linkages.four_bar(*four_bar), open_configuration(A)),
+        figure=partial(draw_linkage, linkages.four_bar(*four_bar), open_configuration(np.radians(degrees))),
         given={"bars": tuple(four_bar), "degrees": degrees},
-        answer=Angles(D, any_order=True),
-        mistakes=[
-            mistake(
-                "mirrored in the ground",
-                [left[2], -left[2]],
-                "One is right. You mirrored it in the ground line, but B does not move: the mirror is the line from B to D.",
-            ),
-            mistake(
-                "mirror image",
-                -D,
-                "These are the right angles with the other sign: those of the mirror image in the ground line, whose crank points "
-                "below the $x$ axis. Here angles are positive anticlockwise, and the crank points above it.",
-                "This is a right angle with the other sign. Angles are positive anticlockwise, and the crank points above the $x$ axis.",
-            ),
-            mistake(
-                "inner angles",
-                np.pi - D,
-                "These are the inner angles at D. The joint value counts from the direction of $x$, anticlockwise.",
-                "This is an inner angle at D. The joint value counts from the direction of $x$, anticlockwise.",
-            ),
-            mistake(
-                "crank from y",
-                four_bar.assembly_modes(np.pi / 2 - A)[:, 2],
-                "You measured the crank from the $y$ axis. At 0 degrees it lies along $x$.",
-                "This is right if the crank's angle is measured from the $y$ axis. At 0 degrees the crank lies along $x$.",
-            ),
-            mistake(
-                "lengths swapped",
-                swapped,
-                "You swapped coupler and rocker. The circle about B has the coupler's radius, the one about D the rocker's.",
-                "This is right if coupler and rocker are swapped. The circle about B has the coupler's radius.",
-            ),
-            mistake(
-                "the coupler's angles",
-                [left[0] + left[1], right[0] + right[1]],
-                "These are the coupler's angles from the $x$ axis. The rocker hangs at D.",
-                "This is an angle of the coupler from the $x$ axis. The rocker hangs at D.",
-            ),
-            mistake(
-                "degrees",
-                np.degrees(D),
-                "Right, but in degrees. Joint values are in radians.",
-                "Right, but in degrees.",
-            ),
-        ],
+        answer=Angles(D.value, any_order=True),
+        solution=D,
+        advice={
+            "lengths swapped": "The circle about B has the coupler's radius, the one about D the rocker's.",
+            "sign of an angle": MIRRORED,
+            "sine and cosine swapped": "At 0 degrees the crank lies along $x$.",
+        },
     )
 
 
 @problem("08.3", "A point of the coupler", points=3, lecture="08_closed_chains#The smallest loop")
 def coupler_point(sampler: ArmSampler) -> Problem:
     four_bar, degrees = crank_rocker(sampler), sampler.degrees(25, 155)
-    A, point = np.radians(degrees), np.array([sampler.length(0.1, 0.25), sampler.length(0.1, 0.25)])
-    linkage, (q, other) = linkages.four_bar(*four_bar), four_bar.assembly_modes(A)
-    B = four_bar.pin_positions(A)[0]
+    along, left = sampler.length(0.1, 0.25), sampler.length(0.1, 0.25)
+    linkage, lengths = linkages.four_bar(*four_bar), bars(four_bar)
+    A = radians(given("A", degrees, ANGLE))
 
-    def carried(angle: float, where: Array = point) -> Array:
-        turned: Array = B + exp(np.array([0.0, 0.0, angle]))[:2, :2] @ where
-        return turned
+    def coupler(mode: int) -> Expression:
+        k = with_other_bars(lambda four: coupler_directions(four, A)[mode], lengths)
+        for text, wrong in (
+            ("rotate by $B$, the coupler's angle against the crank, alone", k - A),
+            ("rotate by the crank's angle", A),
+            ("rotate by the crank's angle twice", k + A),
+            ("rotate by the rocker's angle", rocker_directions(lengths, A)[mode]),
+        ):
+            k = k.mistaken_for(wrong, "another angle", text, "From the $x$ axis the coupler's angle is $A + B$.")
+        return k
 
-    angle = q[0] + q[1]
-    drawn = {"P": ("coupler", (four_bar.crank + point[0], point[1], 0.0))}
+    angle = coupler(0).mistaken_for(
+        coupler(1), "other mode", "take the other assembly mode, with C to the right of the arrow from B to D"
+    )
+    p = point("p", np.array([along, left]))
+    for text, wrong in (
+        ("measure $p$ from C, towards B", (four_bar.coupler - along, left)),
+        ("measure $p$ from C, away from B", (four_bar.coupler + along, left)),
+        ("take $p$ along the coupler only", (along, 0.0)),
+    ):
+        p = p.mistaken_for(np.array(wrong), "another point", text, "P's distance along the coupler counts from B.")
+    start = polar(lengths[1], A).named("B")
+    start = start.mistaken_for(np.array([four_bar.ground, 0.0]), "from D", "add $p$ to the place of D instead of B")
+    in_degrees = np.radians(degrees) * 180 / np.pi
+    P = start + rotated(angle, p)
+    P = P.mistaken_for(
+        P * np.array([1.0, -1.0]), "mirror image", "give the mirror image of P in the ground line", MIRRORED
+    )
+    P = P.mistaken_for(P - np.array([four_bar.ground, 0.0]), "from D", "measure P from D instead of A")
+    P = P.mistaken_for(
+        four_bar.crank * np.array([np.cos(in_degrees), np.sin(in_degrees)]) + rotated(180 / np.pi * angle, p),
+        "degrees",
+        "use degrees as radians",
+    )
+    drawn = {"P": ("coupler", (four_bar.crank + along, left, 0.0))}
     return Problem(
         statement=f"{describe_lengths(four_bar)} Its crank stands at {degrees} degrees, and C lies to the left of the "
         "arrow from B to D. A point P of the "
-        f"coupler lies {number(point[0])} m from B along the coupler, towards C, and {number(point[1])} m to the left of it. Where is P, "
+        f"coupler lies {number(along)} m from B along the coupler, towards C, and {number(left)} m to the left of it. Where is P, "
         "as $[x, y]$ from A?",
-        figure=partial(draw_linkage, linkage, q, points=drawn),
-        given={"bars": tuple(four_bar), "degrees": degrees, "along": point[0], "left": point[1]},
-        answer=Numbers(carried(angle), unit="m"),
-        mistakes=[
-            mistake(
-                "other mode", carried(other[0] + other[1]), "This is P in the other assembly mode, with C to the right."
-            ),
-            mistake(
-                "mirror image",
-                carried(angle) * (1, -1),
-                "This is the mirror image of P in the ground line. Here the crank's angle is positive anticlockwise, so B is above "
-                "the $x$ axis, and C is to the left of the arrow from B to D.",
-            ),
-            mistake(
-                "relative angle",
-                carried(q[1]),
-                "You turned by $B$ alone. $B$ counts from the crank; from the $x$ axis the coupler stands at $A + B$.",
-            ),
-            mistake(
-                "not turned",
-                B + point,
-                "You added P's coordinates without turning them: the coupler does not lie along $x$.",
-            ),
-            mistake(
-                "to the right",
-                carried(angle, point * (1, -1)),
-                "P lies to the left of the way from B to C. You put it to the right.",
-            ),
-            mistake(
-                "from C",
-                carried(angle, point * (-1, 1) + (four_bar.coupler, 0)),
-                "You measured from C. P's distance along the coupler counts from B.",
-            ),
-        ],
+        figure=partial(draw_linkage, linkage, four_bar.assembly_modes(np.radians(degrees))[0], points=drawn),
+        given={"bars": tuple(four_bar), "degrees": degrees, "along": along, "left": left},
+        answer=Numbers(P.value, unit="m"),
+        solution=P,
+        advice={
+            "take the $y$ of $p$ with the opposite sign": "P lies to the left of the way from B to C.",
+            "sine and cosine swapped": "At 0 degrees a bar lies along $x$.",
+        },
     )
 
 
@@ -251,46 +202,29 @@ def slider(sampler: ArmSampler) -> Problem:
         sampler.choice((-1, 1)) * sampler.length(0.1, 0.2),
     )
     degrees = sampler.choice((sampler.degrees(20, 70), sampler.degrees(110, 160)))  # near 90 the crank has no part in x
-    A = np.radians(degrees)
-    x = slider_position(crank, rod, offset, A)
+    x = slider_place(
+        length("crank", crank),
+        length("rod", rod),
+        length("offset", offset, LENGTH),
+        radians(given("A", degrees, ANGLE)),
+    )
     linkage = linkages.slider_crank(crank, rod, offset)
     side = "above" if offset > 0 else "below"
+    A = np.radians(degrees)
     return Problem(
         statement=f"A slider-crank has a crank of {number(crank)} m and a rod of {number(rod)} m. Its slide runs along $x$, "
         f"{number(abs(offset))} m {side} A. The crank stands at {degrees} degrees from the $x$ axis. Where is the slider "
         "along $x$, from A, on the far side of B? (Drawn before C is pinned.)",
         figure=partial(draw_linkage, linkage, np.array([A, -A, 1.1 * (crank + rod), 0.0])),
         given={"crank": crank, "rod": rod, "offset": offset, "degrees": degrees},
-        answer=Numbers(np.array(x), unit="m"),
-        mistakes=[
-            mistake(
-                "other mode",
-                slider_position(crank, rod, offset, A, side=-1),
-                "This is the other mode, the slider on the near side of B.",
-            ),
-            mistake("no offset", slider_position(crank, rod, 0.0, A), "You let the slide run through A."),
-            mistake(
-                "sign of the offset",
-                slider_position(crank, rod, -offset, A),
-                f"This is right for the mirror image, with the slide on the other side of A or the crank turned clockwise. Here the "
-                f"slide runs {side} A, and the crank's angle is positive anticlockwise.",
-            ),
-            mistake(
-                "flat rod",
-                crank * np.cos(A) + rod,
-                "You laid the rod along $x$. It climbs from B to the slide, so it reaches less far.",
-            ),
-            mistake(
-                "crank from y",
-                slider_position(crank, rod, offset, np.pi / 2 - A),
-                "You measured the crank from the $y$ axis, or swapped sine and cosine.",
-            ),
-            mistake(
-                "degrees",
-                slider_position(crank, rod, offset, float(degrees)),
-                "You gave degrees to a cosine that wants radians.",
-            ),
-        ],
+        answer=Numbers(np.array(x.value), unit="m"),
+        solution=x,
+        advice={
+            "sign of an angle": f"This is right for the mirror image, with the crank below the $x$ axis. {ANTICLOCKWISE}",
+            "sign of a length": f"This is right for the mirror image. Here the slide runs {side} A.",
+            "leave out $\\mathrm{offset}$": "The slide does not run through A.",
+            "sine and cosine swapped": "At 0 degrees the crank lies along $x$.",
+        },
     )
 
 
@@ -379,50 +313,41 @@ def _kind_message(wrong: str, right: str) -> str:
 @problem("08.7", "How far the crank can go", points=3, lecture="08_closed_chains#The configuration-space curve")
 def dead_point(sampler: ArmSampler) -> Problem:
     four_bar = limited_crank(sampler)
-    ground, crank, coupler, rocker = four_bar
-    far = coupler + rocker
-    A = four_bar.dead_point()
+    lengths = ground, crank, coupler, rocker = bars(four_bar)
+
+    def stretched(four: Sequence[Expression]) -> Expression:
+        reach = (four[2] + four[3]).mistaken_for(
+            four[2] - four[3], "folded", "take the difference of coupler and rocker, as if they were folded"
+        )
+        return corner_angle(four[0], four[1], reach)
+
+    A = with_other_bars(stretched, lengths, [(0, 2), (0, 3), (1, 2), (1, 3)])
+    for name, text, wrong in (
+        ("mirror image", "give the least angle instead of the greatest", -A),
+        ("another bar", "stretch crank and coupler into one line", corner_angle(ground, crank + coupler, rocker)),
+        (
+            "another corner",
+            "give the angle at D in degrees",
+            180 / np.pi * corner_angle(ground, coupler + rocker, crank),
+        ),
+        ("supplement", "give the supplement in degrees", 180 - 180 / np.pi * A),
+        ("full turn", "assume that the crank turns right round", np.pi),
+    ):
+        A = A.mistaken_for(wrong, name, text)
+    advice = "At the dead point coupler and rocker lie in one line, end to end, and reach from B to D."
     return Problem(
         statement=f"{describe_lengths(four_bar)} Its crank cannot turn right round. What is the greatest angle $A$ "
         "from the $x$ axis, between $-\\pi$ and $\\pi$ and in radians, at which the loop still closes?",
-        figure=partial(draw_linkage, linkages.four_bar(*four_bar), four_bar.assembly_modes(0.6 * A)[0]),
+        figure=partial(draw_linkage, linkages.four_bar(*four_bar), four_bar.assembly_modes(0.6 * A.value)[0]),
         given={"bars": tuple(four_bar)},
-        answer=Angles(np.array(A)),
-        mistakes=[
-            mistake(
-                "least angle",
-                -A,
-                "The sign is wrong: this is the dead point with the crank below the ground line, the mirror image of the other one. "
-                "Between $-\\pi$ and $\\pi$ it is the least angle, not the greatest.",
-            ),
-            mistake(
-                "supplement",
-                np.pi - A,
-                "This is the supplement. In the triangle A, B, D the angle at A is the crank's own.",
-            ),
-            mistake(
-                "angle at B",
-                _triangle_angle(crank, far, ground),
-                "This is the angle at B of the triangle A, B, D. The crank's angle is the one at A, opposite the stretched bars.",
-            ),
-            mistake(
-                "angle at D",
-                _triangle_angle(ground, far, crank),
-                "This is the angle at D of the triangle A, B, D. The crank's angle is the one at A.",
-            ),
-            mistake(
-                "one bar only",
-                np.arccos(np.clip(four_bar.cos_crank_angle(max(coupler, rocker)), -1, 1)),
-                "You let one bar reach from B to D. At the dead point coupler and rocker lie in one line, end to end.",
-            ),
-            mistake("degrees", np.degrees(A), "Right, but in degrees. Joint values are in radians."),
-        ],
+        answer=Angles(np.array(A.value)),
+        solution=A,
+        advice={
+            "mirror image": "It is the mirror image of the other one, with the crank below the ground line.",
+            "another corner": "The crank's angle is that at A, opposite the stretched bars.",
+            **dict.fromkeys(("folded", "another bar", "term left out", "lengths swapped"), advice),
+        },
     )
-
-
-def _triangle_angle(one: float, two: float, opposite: float) -> float:
-    """The angle, in radians, between two sides of a triangle, by the law of cosines."""
-    return float(np.arccos((one**2 + two**2 - opposite**2) / (2 * one * two)))
 
 
 JOINT_FREEDOMS_NOTE = "A pin and a slide have one freedom, a universal joint two, a ball joint three."
@@ -434,77 +359,20 @@ def counting(sampler: ArmSampler) -> Problem:
     one, other = sampler.shuffled(kinds)[:2]
     legs = [one] * sampler.integer(1, 3) + [other] * sampler.integer(1, 3)
     f = [joint_freedoms for leg in legs for joint_freedoms in leg.joint_freedoms]
-    N, J = 2 + sum(len(leg.joint_freedoms) - 1 for leg in legs), len(f)
     place = "in one plane" if d == 3 else "in space"
+    right = kutzbach(d, [leg.joint_freedoms for leg in legs])
     counts = [f"{legs.count(leg)} with {leg.description}" for leg in (one, other)]
-    right = d * (N - 1 - J) + sum(f)
-    mistakes = [
-        mistake(
-            "ground not counted",
-            right - d,
-            f"You are $d = {d}$ too low. The ground is a body too, and the platform another: $N = {N}$. Or did you count one loop for each "
-            "leg? The first leg closes none.",
-        ),
-        mistake(
-            "d N",
-            right + d,
-            f"You are $d = {d}$ too high: the ground stands still, so {N - 1} bodies move, not {N}.",
-        ),
-        mistake(
-            "the wrong d",
-            (9 - d) * (N - 1 - J) + sum(f),
-            f"You took $d = {9 - d}$. A body that moves {place} has {d} freedoms when it is free.",
-        ),
-        mistake("no loops", sum(f), "You added up the freedoms of the joints. Each loop takes $d$ of them away."),
-        mistake(
-            "neither ground nor platform",
-            right - 2 * d,
-            f"You are $2d = {2 * d}$ too low: the ground and the platform are bodies too, $N = {N}$.",
-        ),
-        *(
-            [
-                mistake(
-                    "one loop",
-                    sum(f) - d,
-                    f"This is right for a single loop, in which $N = J$. Here $N = {N}$ bodies and $J = {J}$ joints are counted.",
-                )
-            ]
-            if len(legs) > 2
-            else []
-        ),
-        mistake(
-            "freedoms taken away",
-            d * (N - 1) - sum(f),
-            f"This is $d\\,(N - 1)$ less the freedoms of the joints. A joint with $f$ freedoms takes $d - f$ away, not $f$: $d = {d}$.",
-        ),
-        mistake(
-            "no freedoms of joints",
-            d * (N - 1 - J),
-            "This is $d\\,(N - 1 - J)$. The freedoms of the joints, $\\sum f$, are still to be added.",
-        ),
-    ]
-    if d == 6:
-        mistakes.append(
-            mistake(
-                "one freedom each",
-                d * (N - 1 - J) + J,
-                "You gave every joint one freedom. A universal joint has two, a ball joint three.",
-            )
-        )
-        joints: dict[int, list[str]] = {}
-        for name, freedoms in (("universal", 2), ("ball", 3)):
-            if f.count(freedoms):
-                joints.setdefault(f.count(freedoms), []).append(f"{name} joint, which has {freedoms} freedoms")
-        mistakes += [
-            mistake(f"{count} too low", right - count, f"You are one too low for each {', or for each '.join(names)}.")
-            for count, names in joints.items()
-        ]
     return Problem(
         statement=f"A platform moves {place}. It stands on {len(legs)} legs, {' and '.join(counts)}, each named from the ground to the "
         f"platform, with a body of its own between every two joints. {JOINT_FREEDOMS_NOTE} How many freedoms does Kutzbach's formula give?",
         given={"d": d, "legs": [leg.joint_freedoms for leg in legs]},
-        answer=Numbers(np.array(float(right))),
-        mistakes=mistakes,
+        answer=Numbers(np.array(float(right.value))),
+        solution=right,
+        advice={
+            "another d": f"A body that moves {place} has {d} freedoms when it is free.",
+            "leave out $-1$": "The ground is one of the $N$ bodies, and it stands still.",
+            "bodies": f"The ground and the platform are bodies too, so there are $N = {2 + len(f) - len(legs)}$.",
+        },
     )
 
 
@@ -579,5 +447,5 @@ class CountsAnswer(Numbers):
 SHEET = Sheet(
     "08_closed_chains",
     "Closed chains",
-    [gap, both_modes, coupler_point, slider, which_mode, which_kind, dead_point, counting, three_mobilities],
+    [gap, both_ways, coupler_point, slider, which_mode, which_kind, dead_point, counting, three_mobilities],
 )

@@ -54,15 +54,23 @@ class Leg(NamedTuple):
 
 
 SPATIAL_LEGS = (
-    Leg("a universal joint, a slide and a ball joint", (2, 1, 3)),
+    Leg("a slide and two ball joints", (1, 3, 3)),
     Leg("a ball joint, a slide and a ball joint", (3, 1, 3)),
     Leg("two pins and a ball joint", (1, 1, 3)),
     Leg("a pin and two ball joints", (1, 3, 3)),
     Leg("a universal joint, a slide and a universal joint", (2, 1, 2)),
     Leg("two universal joints", (2, 2)),
-    Leg("a slide, a universal joint and a ball joint", (1, 2, 3)),
+    Leg("a slide and two universal joints", (1, 2, 2)),
 )
-PLANAR_LEGS = (Leg("three pins", (1, 1, 1)), Leg("two pins", (1, 1)), Leg("a pin, a slide and a pin", (1, 1, 1)))
+"""Legs whose freedoms are not 6: a leg with 6 freedoms changes no count, so that nobody would see that it was left out."""
+
+PLANAR_LEGS = (
+    Leg("four pins", (1, 1, 1, 1)),
+    Leg("two pins", (1, 1)),
+    Leg("a slide and a pin", (1, 1)),
+    Leg("two pins, a slide and a pin", (1, 1, 1, 1)),
+)
+"""Legs whose freedoms are not 3."""
 
 
 class OverconstrainedCase(NamedTuple):

@@ -1,0 +1,329 @@
+"""Linkages in solutions: the closure of a loop, four-bars and slider-cranks in the plane, and Kutzbach's formula.
+
+A four-bar has the pin A at the origin, D on the x axis, B at the end of the crank, and C between coupler and rocker.
+"""
+
+from collections.abc import Callable, Iterable, Sequence
+from itertools import combinations
+from typing import Any
+
+import numpy as np
+
+from kincourse.expressions.poses import exp, inverse, logarithm
+from kinlib.arrays.validation import Array
+from misstep.mutants.expression import GIVEN, Change, Changes, Expression, Operation, given, negative, product, total
+from misstep.mutants.operations import cos, sin, sqrt, square
+
+CORNER_ADVICE = (
+    "In a triangle, the cosine of an angle is $(a^2 + b^2 - c^2) / 2ab$, where $c$ is the side opposite the angle."
+)
+BARS = ("ground", "crank", "coupler", "rocker")
+
+
+def closing_twist(first: Sequence[Expression], second: Sequence[Expression]) -> Expression:
+    r"""The twist that is left over in a loop of two branches, log(T_1 T_2^{-1}).
+
+    first   the factors of T_1: exponentials of joints, and fixed poses
+    second  the factors of T_2: exponentials of joints, on the way back with the opposite signs
+
+    >>> from kincourse.expressions.screws import exponentials, joint_values
+    >>> closing_twist(*([factor] for factor in exponentials(np.eye(2, 6), joint_values("RR", [10, 20])))).latex
+    '\\log(e^{[S_1]q_1}\\,e^{-[S_2]q_2})'
+    """
+    T_1, T_2 = product(*first).named("T_1"), product(*second).named("T_2")
+    back = [exp(S, negative(q)).named(f"e^{{-[{S.latex}]{q.latex}}}") for S, q in (e.arguments for e in second[::-1])]
+    T = product(*first, *back)
+    for name, text, other in (
+        ("another frame", "take $T_2^{-1}\\,T_1$, the gap in coordinates of the coupler", inverse(T_2) @ T_1),
+        ("another frame", "take $T_1^{-1}\\,T_2$, which leads back, in coordinates of the coupler", inverse(T_1) @ T_2),
+        ("other way round", "take $T_2\\,T_1^{-1}$, the other way round", T_2 @ inverse(T_1)),
+        ("inverse left out", "take $T_1\\,T_2$, without an inverse", T_1 @ T_2),
+        ("inverse left out", "leave out both minus signs of the way back", product(*first, *second[::-1])),
+    ):
+        T = T.mistaken_for(other, name, text, "The formula is $\\log(T_1\\,T_2^{-1})$.")
+    joints = [(sign, e.arguments) for sign, side in ((1, first), (-1, second)) for e in side if e.operation is exp]
+    added = total(*(sign * S * q for sign, (S, q) in joints))
+    return logarithm(T).mistaken_for(added, "one exponential", "add the twists, without the exponentials")
+
+
+def bars(lengths: Sequence[float]) -> list[Expression]:
+    r"""The lengths of a four-bar: ground, crank, coupler, rocker.
+
+    >>> bars([4, 1, 3, 2])[1].latex
+    '\\mathrm{crank}'
+    """
+    return [length(name, x) for name, x in zip(BARS, lengths, strict=True)]
+
+
+def length(name: str, x: float, kind: Operation = GIVEN) -> Expression:
+    """A given length with a word for its name.
+
+    kind  LENGTH if it may be negative
+
+    >>> length("rod", 0.5).value
+    0.5
+    """
+    return given(f"\\mathrm{{{name}}}", float(x), kind)
+
+
+def coupler_directions(lengths: Sequence[Expression], A: Expression) -> tuple[Expression, Expression]:
+    """The angles of the coupler from the x axis in both assembly modes, at the crank angle A in radians.
+
+    lengths  of ground, crank, coupler, rocker
+
+    In the first mode C lies to the left of the arrow from B to D.
+
+    >>> [float(k.value.round(4)) for k in coupler_directions(bars([4, 3, 4, 3]), given("A", np.pi / 2))]
+    [-0.0, -1.287]
+    """
+    ground, crank, coupler, rocker = lengths
+    line = (_pin("D", ground, 0.0) - _pin("B", crank, A)).named("BD")
+    corner = corner_angle(_distance(line), coupler, rocker).named("\\angle DBC")
+    direction = direction_of(line)
+    return direction + corner, direction - corner
+
+
+def rocker_directions(lengths: Sequence[Expression], A: Expression) -> tuple[Expression, Expression]:
+    """The angles of the rocker from the x axis in both assembly modes, as `coupler_directions`.
+
+    >>> [float(k.value.round(4)) for k in rocker_directions(bars([4, 3, 4, 3]), given("A", np.pi / 2))]
+    [1.5708, 3.4254]
+    """
+    ground, crank, coupler, rocker = lengths
+    line = (_pin("B", crank, A) - _pin("D", ground, 0.0)).named("DB")
+    corner = corner_angle(_distance(line), rocker, coupler).named("\\angle BDC")
+    direction = direction_of(line)
+    return direction - corner, direction + corner
+
+
+def with_other_bars(
+    of: Callable[[Sequence[Expression]], Expression],
+    lengths: Sequence[Expression],
+    swaps: Iterable[tuple[int, int]] = tuple(combinations(range(4), 2)),
+) -> Expression:
+    """An expression of the lengths of a four-bar, in which people swap two bars.
+
+    swaps  which of ground, crank, coupler and rocker they swap
+
+    >>> S = with_other_bars(lambda four: four[0] - four[1], bars([4, 1, 3, 2]))
+    >>> [change.text for change, _ in S.changes()][0]
+    'swap the lengths of ground and crank'
+    """
+    expression = of(lengths)
+    for i, j in swaps:
+        order = list(lengths)
+        order[i], order[j] = lengths[j], lengths[i]
+        text = f"swap the lengths of {BARS[i]} and {BARS[j]}"
+        expression = expression.mistaken_for(of(order), "lengths swapped", text)
+    return expression
+
+
+def slider_place(crank: Expression, rod: Expression, offset: Expression, A: Expression) -> Expression:
+    """The x of the slider of a slider-crank, on the far side of B, at the crank angle A in radians.
+
+    >>> float(slider_place(length("crank", 3), length("rod", 5), length("offset", 0), given("A", np.pi / 2)).value)
+    4.0
+    """
+    climb = offset - crank * sin(A)
+    reach = sqrt(square(rod) - square(climb))
+    x = crank * cos(A) + reach
+    for name, text, wrong in (
+        ("other mode", "take the other mode, with the slider on the near side of B", crank * cos(A) - reach),
+        ("flat rod", "take the rod along $x$, although it climbs from B to the slide", crank * cos(A) + rod),
+        ("all along x", "take crank and rod along $x$, stretched", crank + rod),
+        (
+            "offset at the end",
+            "take off the offset at the end",
+            crank * cos(A) + sqrt(square(rod) - square(crank * sin(A))) - offset,
+        ),
+        ("another coordinate", "give the height of the slide, its offset from A", offset),
+        ("distance for coordinate", "give the distance of the slider from A", sqrt(square(x) + square(offset))),
+        (
+            "no Pythagoras",
+            "subtract the height that the rod climbs from its length",
+            crank * cos(A) + rod - _size(climb),
+        ),
+        ("lengths swapped", "swap the lengths of crank and rod", _slider(rod, crank, offset, A)),
+        *(
+            (
+                "other mode",
+                f"take the other mode {text}",
+                2 * crank * cos(A) - _slider(crank, rod, wrong, A),
+            )
+            for text, wrong in (
+                ("without the offset", 0 * offset),
+                ("with the opposite sign of the offset", negative(offset)),
+            )
+        ),
+    ):
+        x = x.mistaken_for(wrong, name, text)
+    return x
+
+
+def kutzbach(d: int, legs: Sequence[Sequence[int]]) -> Expression:
+    """The mobility d (N - 1 - J) + sum of f of a platform on legs.
+
+    d     the freedoms of a body: 3 in the plane, 6 in space
+    legs  for each leg, the freedoms of its joints
+
+    >>> kutzbach(3, [(1, 1, 1), (1, 1)]).value
+    2.0
+    """
+    f = [float(freedoms) for leg in legs for freedoms in leg]
+    J, F = float(len(f)), sum(f)
+    N = 2 + J - len(legs)
+    dimension = given("d", float(d)).mistaken_for(9.0 - d, "another d", f"take $d = {9 - d}$")
+    bodies, joints, freedoms = given("N", N), given("J", J), given("\\sum f", F)
+    for text, wrong in (
+        ("leave out the ground or the platform", N - 1),
+        ("leave out both the ground and the platform", N - 2),
+        ("count as many bodies as joints", J),
+    ):
+        if wrong != N:
+            bodies = bodies.mistaken_for(wrong, "bodies", text)
+    for text, wrong in (
+        ("give each joint one freedom", J),
+        ("give universal joints one freedom", F - f.count(2)),
+        ("give ball joints two freedoms", F - f.count(3)),
+    ):
+        if wrong != F:
+            freedoms = freedoms.mistaken_for(wrong, "freedoms of the joints", text)
+    right = dimension * (bodies - 1 - joints) + freedoms
+    for name, text, wrong in (
+        (
+            "freedoms taken away",
+            "take $d\\,(N - 1) - \\sum f$, although a joint takes $d - f$ freedoms away",
+            d * (N - 1) - F,
+        ),
+        ("joints left out", "take $d\\,(N - 1)$, as if there were no joints", d * (N - 1)),
+        ("loops", "add up the freedoms of the joints, without what the loops take away", F),
+        ("loops", "close one loop only", F - d),
+        ("loops", "close one loop for each leg, although the first leg closes none", F - d * len(legs)),
+        ("joint left out", "leave out one joint", right.value + d - f[-1]),
+        *(("leg left out", "leave out one leg", right.value + d - sum(leg)) for leg in dict.fromkeys(map(tuple, legs))),
+        ("platform alone", "give the freedoms of the platform when it is free", float(d)),
+        ("negative number", "write 0 for a negative number", max(right.value, 0.0)),
+        (
+            "bodies and another d",
+            f"take $d = {9 - d}$ with one body left out",
+            right.value + (9 - 2 * d) * (N - 1 - J) + d - 9,
+        ),
+        (
+            "another d and freedoms of the joints",
+            f"take $d = {9 - d}$ with one freedom for each joint",
+            (9 - d) * (N - 1 - J) + J,
+        ),
+        ("sign", "give the negative of the number", -right.value),
+        ("off by one", "end up one too high", right.value + 1),
+        ("off by one", "end up one too low", right.value - 1),
+    ):
+        if name not in ("loops", "negative number", "sign") or wrong != right.value:
+            right = right.mistaken_for(wrong, name, text)
+    return right
+
+
+def _slider(crank: Expression, rod: Expression, offset: Expression, A: Expression) -> Expression:
+    return crank * cos(A) + sqrt(square(rod) - square(offset - crank * sin(A)))
+
+
+def _pin(name: str, distance: Expression, angle: Any) -> Expression:
+    return polar(distance, angle).named(name)
+
+
+def _cosine(one: float, two: float, opposite: float) -> float:
+    return float((one**2 + two**2 - opposite**2) / (2 * one * two))
+
+
+def _corner_changes(node: Expression) -> Changes:
+    one, two, opposite = node.arguments
+    yield Change("another corner", f"take the angle opposite ${two.latex}$"), corner_angle(one, opposite, two)
+    yield Change("another corner", f"take the angle opposite ${one.latex}$"), corner_angle(two, opposite, one)
+    for name, text, of in _WRONG_CORNERS:
+        yield Change(name, text, advice=CORNER_ADVICE), Operation(name, of, node.operation.latex)(*node.arguments)
+
+
+_WRONG_CORNERS = (
+    ("cosine for angle", "give the cosine instead of the angle", _cosine),
+    ("arcsine for arccosine", "take the arcsine instead of the arccosine", lambda *sides: np.arcsin(_cosine(*sides))),
+    ("factor left out", "leave out the factor 2 of the law of cosines", lambda *sides: np.arccos(2 * _cosine(*sides))),
+    ("sign", "take the law of cosines with the opposite sign", lambda *sides: np.arccos(-_cosine(*sides))),
+    (
+        "square left out",
+        "leave out the squares",
+        lambda one, two, opposite: np.arccos((one + two - opposite) / (2 * one * two)),
+    ),
+    ("no right triangle", "treat the triangle as right-angled", lambda one, _, opposite: np.arccos(one / opposite)),
+    ("no right triangle", "treat the triangle as right-angled", lambda _, two, opposite: np.arccos(two / opposite)),
+    ("no right triangle", "treat the triangle as right-angled", lambda one, two, _: np.arctan2(two, one)),
+)
+
+
+def _direction_changes(node: Expression) -> Changes:
+    [line] = node.arguments
+    swapped = Operation("arctan2", lambda v: np.arctan2(*v), "{0}".format)
+    yield Change("arguments of arctan2", "swap the two arguments of `np.arctan2`"), swapped(line)
+    if line.value[0] < 0:  # otherwise it is the same
+        text = "take `np.arctan` of the quotient, which does not know the quadrant"
+        yield (
+            Change("arctan for arctan2", text),
+            Operation("arctan", lambda v: np.arctan(v[1] / v[0]), "{0}".format)(line),
+        )
+    yield Change("half a turn off", f"take the direction of ${line.latex}$ backwards"), np.pi + node
+
+
+def _polar_changes(node: Expression) -> Changes:
+    distance, angle = node.arguments
+    if angle.arguments:
+        text = f"swap sine and cosine of ${angle.latex}$"
+        yield Change("sine and cosine swapped", text), polar(distance, np.pi / 2 - angle)
+
+
+def _rotated(angle: float, p: Array) -> Array:
+    c, s = np.cos(angle), np.sin(angle)
+    return np.array([c * p[0] - s * p[1], s * p[0] + c * p[1]])
+
+
+def _rotated_changes(node: Expression) -> Changes:
+    angle, p = node.arguments
+    yield Change("not rotated", f"add ${p.latex}$ without rotating it"), p
+    yield Change("rotation transposed", f"rotate ${p.latex}$ the other way"), rotated(negative(angle), p)
+    yield Change("sine and cosine swapped", "swap sine and cosine"), rotated(np.pi / 2 - angle, p)
+
+
+def _both_changes(node: Expression) -> Changes:
+    left, right = node.arguments
+    for one in (left, right):
+        for name, text, wrong in (
+            ("one mode twice", "give one mode twice", one),
+            ("mirrored in the ground", "mirror one mode in the ground line to get the other", negative(one)),
+            ("supplement", "take $\\pi$ minus the angle of one mode for the other mode", np.pi - one),
+            ("half a turn off", "take the angle of one mode, half a turn further, for the other mode", np.pi + one),
+        ):
+            advice = "B and D stay where they are in both modes: the mirror is the line from B to D."
+            yield Change(name, text, advice=advice), both_modes(one, wrong)
+
+
+corner_angle = Operation(
+    "corner of a triangle", lambda *sides: np.arccos(_cosine(*sides)), "\\angle({0}, {1})".format, _corner_changes
+)
+"""The angle in radians between two sides of a triangle, by the law of cosines: corner_angle(one, two, opposite)."""
+
+polar = Operation(
+    "polar coordinates", lambda r, angle: _rotated(angle, np.array([r, 0.0])), "({0}, {1})".format, _polar_changes
+)
+"""The point (2,) at a distance from the origin in the direction of an angle in radians."""
+
+direction_of = Operation(
+    "direction", lambda v: np.arctan2(v[1], v[0]), "\\text{{(direction of }}{0}\\text{{)}}".format, _direction_changes
+)
+"""The angle in radians of a vector (2,) from the x axis."""
+
+_distance = Operation("length", lambda v: np.hypot(*v), "|{0}|".format)
+
+rotated = Operation("rotated", _rotated, "R({0})\\,{1}".format, _rotated_changes)
+"""A vector (2,) of the plane, rotated by an angle in radians."""
+
+both_modes = Operation("both modes", lambda *angles: np.array(angles), "({0}, {1})".format, _both_changes)
+"""The angles of both assembly modes of a linkage, (2,)."""
+
+_size = Operation("size", np.abs, "|{0}|".format)
