@@ -56,15 +56,15 @@ class DHEntriesAnswer(Numbers):
         cases: tuple[tuple[Any, str, str], ...]
         if self._is_angle(part):
             cases = (
-                (_same_angle(mine, -right), "sign", "The size is right, the sign is not."),
+                (_same_angle(mine, -right), "sign of an entry", "The size is right, the sign is not."),
                 (
                     _same_angle(np.radians(mine), right),
-                    "degrees",
+                    "an entry in degrees",
                     "This is the right angle in degrees. Give it in radians.",
                 ),
                 (
                     _same_angle(np.radians(mine), -right),
-                    "degrees and sign",
+                    "an entry in degrees and its sign",
                     "This is in degrees, and its sign is wrong.",
                 ),
                 (abs(mine) <= TOLERANCE, "left out", "This is 0, but the angle is not 0."),
@@ -72,9 +72,9 @@ class DHEntriesAnswer(Numbers):
             )
         else:
             cases = (
-                (abs(mine + right) <= TOLERANCE, "sign", "The size is right, the sign is not."),
+                (abs(mine + right) <= TOLERANCE, "sign of an entry", "The size is right, the sign is not."),
                 (
-                    abs(mine - 1000 * right) <= 1,
+                    abs(mine - 1000 * right) <= min(1, 100 * abs(right)),
                     "unit of length",
                     "This is the right length in millimetres. Give it in metres.",
                 ),

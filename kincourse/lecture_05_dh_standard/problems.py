@@ -23,13 +23,18 @@ from kinlib.view.figures.dh_table import draw_table
 from misstep.answers.choice import Choice
 from misstep.display.text import degrees, matrix, number, vector
 from misstep.mistakes import mistake
-from misstep.mutants.expression import product
+from misstep.mutants.expression import Expression, given, product
+from misstep.mutants.operations import ANGLE, radians, sqrt, square, stack
 from misstep.problem import Problem
 from misstep.sheet import Sheet
 
 RIGHT_ANGLE_RAD = np.pi / 2
 
 ORDER_ADVICE = "$A_1$ is leftmost, because joint 1 moves all that follows."
+ACROSS = np.array([np.pi / 2, 0, 0])
+OFFSETS_ADVICE = "$\\theta_i$ runs from $x_{i-1}$ to $x_i$, from one link to the next."
+NORMAL_ADVICE = "$a$ is the distance of two axes, along their common normal: $\\sqrt{\\Delta x^2 + \\Delta y^2}$."
+HEIGHT_ADVICE = "$d_i$ is measured from $O_{i-1}$, along $z_{i-1}$: it is the difference of two heights."
 BASE_AND_TOOL_ADVICE = "$T_{s0}$ is in front of the rows, $T_{2b}$ is behind them: neighbouring letters cancel."
 
 
@@ -137,71 +142,71 @@ def whole_table(sampler: ArmSampler) -> Problem:
 @problem("05.4", "Offsets from a drawn zero", points=3, lecture="05_dh_standard#The offset")
 def offsets(sampler: ArmSampler) -> Problem:
     lengths = [sampler.integer(1, 3) for _ in range(3)]
-    headings = [sampler.degrees(15, 75), sampler.degrees(-60, 60), sampler.degrees(-150, 150)]
-    headings_rad = np.radians(headings)
-    values = np.diff(headings_rad, prepend=0)
+    values = np.ones(3)
+    while (values > 0).all() or np.abs(np.sin(values)).min() < 0.1:  # otherwise some sign would not matter
+        headings = [sampler.degrees(15, 75), sampler.degrees(-60, 60), sampler.degrees(-150, 150)]
+        values = np.radians(np.diff(headings, prepend=0))
     rows = [[a, 0, 0, theta] for a, theta in zip(lengths, values, strict=True)]
     table = DHTable(rows, convention="standard", name="Your planar arm")
     headings_text = ", ".join(f"link {i} by {angle}°" for i, angle in enumerate(headings, start=1))
+    h1, h2, h3 = (radians(given(f"\\varphi_{i}", float(angle), ANGLE)) for i, angle in enumerate(headings, start=1))
+    c = stack(h1, h2 - h1, h3 - h2)
+    for name, text, wrong, advice in (
+        ("measured from the base", "measure every link from $x_0$", stack(h1, h2, h3), OFFSETS_ADVICE),
+        (
+            "sign",
+            "measure backwards, from $x_i$ to $x_{i-1}$",
+            -c,
+            "Anticlockwise is positive, for $z$ points towards you.",
+        ),
+        (
+            "added up",
+            "add the angles up",
+            stack(h1, h1 + h2, h1 + h2 + h3),
+            "The angles against $x_0$ are sums already.",
+        ),
+        (
+            "measured to the next link",
+            "take the differences to the next link",
+            stack(h1 - h2, h2 - h3, h3),
+            OFFSETS_ADVICE,
+        ),
+        ("inner angles", "give the inner angles between the links", np.pi - c, "$\\theta_i$ is 0 for a straight arm."),
+        ("x across the link", "take $x_i$ at a right angle to link $i$", c + ACROSS, "$x_i$ runs along link $i$."),
+        ("x across the link", "take $x_i$ at a right angle to link $i$", c - ACROSS, "$x_i$ runs along link $i$."),
+        (
+            "no offset",
+            "leave out all offsets",
+            0 * c,
+            "$\\theta_i$ is the angle between two $x$ axes, also where $q_i = 0$.",
+        ),
+        ("reversed", "list the offsets from the last joint to the first", c[::-1], ""),
+        (
+            "measured from the base and reversed",
+            "measure from $x_0$, and list the last joint first",
+            stack(h3, h2, h1),
+            OFFSETS_ADVICE,
+        ),
+        ("measured from the base and sign", "measure from the links to $x_0$", -stack(h1, h2, h3), OFFSETS_ADVICE),
+        (
+            "measured from the base and degrees",
+            "measure from $x_0$, in degrees",
+            stack(*map(float, headings)),
+            OFFSETS_ADVICE,
+        ),
+    ):
+        c = c.mistaken_for(wrong, name, text, advice)
     return Problem(
         statement="All axes of this planar arm point towards you, and $x_i$ runs along link $i$. The maker calls the drawn "
         f"posture zero. In it, the links are turned against $x_0$, anticlockwise where positive: {headings_text}. "
         "The rows read $\\theta_i = q_i + c_i$. Give the offsets $c_1, c_2, c_3$ in radians.",
         figure=partial(draw_table, table, view="top"),
         given={"headings_degrees": np.array(headings)},
-        answer=DHEntriesAnswer(values, names=["offset of theta_1", "offset of theta_2", "offset of theta_3"]),
-        mistakes=[
-            mistake(
-                "measured from the base",
-                headings_rad,
-                "You measured every link from $x_0$. $\\theta_i$ runs from $x_{i-1}$ to $x_i$, from one link to the next.",
-                "This is measured from $x_0$. $\\theta_i$ runs from $x_{i-1}$ to $x_i$, from one link to the next.",
-            ),
-            mistake(
-                "signs turned round",
-                -values,
-                "You measured backwards, from $x_i$ to $x_{i-1}$. Anticlockwise is positive here, for $z$ points towards you.",
-            ),
-            mistake(
-                "added up",
-                np.cumsum(headings_rad),
-                "You added the angles. The headings are sums already; the offsets are their differences.",
-            ),
-            mistake(
-                "added to the link before",
-                headings_rad + np.append(0, headings_rad[:2]),
-                "You added the angles of neighbouring links. An offset is the difference of the two.",
-                "This is the sum of the angles of two links. An offset is their difference.",
-            ),
-            mistake(
-                "measured to the next link",
-                headings_rad - np.append(headings_rad[1:], 0),
-                "You took the differences to the next link, backwards. $\\theta_i$ runs from link $i - 1$ to link $i$.",
-                "This is the difference to the next link, backwards. $\\theta_i$ runs from link $i - 1$ to link $i$.",
-            ),
-            mistake(
-                "inner angles",
-                np.pi - values,
-                "You gave the inner angles between the links, $\\pi$ less the offset. $\\theta_i$ is 0 for a straight arm.",
-                "This is the inner angle between the links, $\\pi$ less the offset. $\\theta_i$ is 0 for a straight arm.",
-            ),
-            *(
-                mistake(
-                    "x across the link",
-                    values + sign * np.array([RIGHT_ANGLE_RAD, 0, 0]),
-                    "Your $x_i$ are at a right angle to the links, so $\\theta_1$ is off by $\\pi/2$. $x_i$ runs along link $i$.",
-                    "It is off by a right angle, $\\pi/2$: $x_i$ runs along link $i$, and not across it.",
-                )
-                for sign in (1, -1)
-            ),
-            mistake("no offset", np.zeros(3), TABLE_MISTAKES["no offset"].message),
-            mistake("degrees", np.degrees(values), TABLE_MISTAKES["degrees"].message),
-            mistake(
-                "measured from the base and degrees",
-                np.degrees(headings_rad),
-                "You measured every link from $x_0$, and your angles are in degrees. $\\theta_i$ runs from $x_{i-1}$ to $x_i$.",
-            ),
-        ],
+        answer=DHEntriesAnswer(c.value, names=["offset of theta_1", "offset of theta_2", "offset of theta_3"]),
+        solution=c,
+        advice={
+            f"leave out $-\\varphi_{i}$": f"So link {i + 1} is measured from $x_0$. {OFFSETS_ADVICE}" for i in (1, 2)
+        },
     )
 
 
@@ -300,6 +305,8 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
             [np.array(sampler.shuffled(pair)) * (sampler.choice((-1, 1)), sampler.choice((-1, 1))) for pair in pairs]
         )
     climbs = [sampler.choice((-1, 1)) * sampler.integer(1, 3), sampler.choice((-1, 1)) * sampler.integer(1, 3)]
+    if min(climbs) > 0:
+        climbs[0] *= -1  # otherwise an answer without signs would be right
     if np.ptp(np.linalg.norm(sides, axis=1)) == 0 and climbs[0] == climbs[1]:
         climbs[1] *= -1  # equal rows would hide a swap
     first = np.array((0, 0, sampler.integer(4, 6)), dtype=float)
@@ -307,84 +314,51 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
     third = second + np.append(sides[1], climbs[1])
     points = np.array([first, second, third])
     robot = arm([(Z, point) for point in points], pose((X, Y, Z), third), "Three upright joints", "drawn for you")
-    steps = np.diff(points, axis=0)
-    far = np.hypot(steps[:, 0], steps[:, 1])
-
-    def entries(a: Array, d: Array) -> Array:
-        return np.stack([a, d], axis=1).ravel()
-
+    z = [given(f"z_{i}", height) for i, height in enumerate(points[:, 2], start=1)]
+    steps = [_axis_distance(i, *step) for i, step in enumerate(np.diff(points, axis=0), start=1)]
+    a, d = [a for a, _ in steps], [z[1] - z[0], z[2] - z[1]]
+    far, rise = float(np.hypot(*(third - first)[:2])), z[2] - z[0]
+    answer = stack(a[0], d[0], a[1], d[1])
+    for name, text, wrong, advice in (
+        ("off the normal", "measure $a$ from joint to joint", (steps[0][1], 0.0, steps[1][1], 0.0), NORMAL_ADVICE),
+        ("a and d swapped", "swap $a$ and $d$", (d[0], a[0], d[1], a[1]), "$d$ is measured along $z$, and $a$ along $x$."),
+        ("order of the numbers", "give $a_1, a_2, d_1, d_2$ in this order", (*a, *d), ""),
+        ("rows swapped", "swap the two rows", (a[1], d[1], a[0], d[0]), ""),
+        ("height above the floor", "take the height above the floor for $d$", (a[0], z[1], a[1], z[2]), HEIGHT_ADVICE),
+        ("height of the joint before", "take the height of joint $i$ for $d_i$", (a[0], z[0], a[1], z[1]), HEIGHT_ADVICE),
+        ("origins on one level", "keep all origins on one level", (a[0], 0.0, a[1], 0.0), "They are asked for at the joints."),
+        ("sign of d", "measure every $d$ downwards", (a[0], -d[0], a[1], -d[1]), "$d$ grows along $z$, which points up."),
+        ("measured from joint 1", "measure both rows from joint 1", (a[0], d[0], far, rise), "Row 2 begins at joint 2."),
+    ):  # fmt: skip
+        answer = answer.mistaken_for(stack(*wrong), name, text, advice)
     return Problem(
         statement="Three parallel axes point up. Their joints are where the table says. Put $O_0$ at joint 1, and each further "
         "origin where the deck puts it for parallel axes, at joint $i + 1$; let each $x_i$ point from axis to axis. Give "
         f"$a_1, d_1, a_2, d_2$.\n\n{joint_table(robot)}",
         figure=partial(draw_joints, robot),
         given={"points": points},
-        answer=DHEntriesAnswer(entries(far, steps[:, 2]), names=["a_1", "d_1", "a_2", "d_2"]),
-        mistakes=[
-            mistake(
-                "off the normal",
-                entries(np.linalg.norm(steps, axis=1), np.zeros(2)),
-                TABLE_MISTAKES["off the normal"].message,
-                "This is the distance from joint to joint. $a$ is the distance of the axes, along the common normal.",
-            ),
-            mistake("a and d swapped", entries(steps[:, 2], far), TABLE_MISTAKES["a and d swapped"].message),
-            mistake(
-                "height above the floor",
-                entries(far, points[1:, 2]),
-                "You took the height above the floor for $d$. It is measured from $O_{i-1}$, along $z_{i-1}$: a difference.",
-                "This is a height above the floor. $d$ is measured from $O_{i-1}$, along $z_{i-1}$: a difference.",
-            ),
-            mistake(
-                "height of the joint before",
-                entries(far, points[:-1, 2]),
-                "You took the height of joint $i$ above the floor for $d_i$. It is the difference of two heights.",
-                "This is the height of joint $i$ above the floor. $d_i$ is the difference of two heights.",
-            ),
-            mistake(
-                "origins on one level",
-                entries(far, np.zeros(2)),
-                "You kept all origins on one level. That is a legal table of this arm, for parallel axes leave it open; here the "
-                "origins are asked for at the joints.",
-            ),
-            mistake(
-                "d downwards",
-                entries(far, -steps[:, 2]),
-                "Your $d$ has the other sign. It grows along $z$, which points up.",
-            ),
-            mistake(
-                "round the corner",
-                entries(np.abs(steps[:, :2]).sum(axis=1), steps[:, 2]),
-                "You added the steps along $x$ and along $y$. The common normal goes straight from axis to axis: Pythagoras.",
-                "These are the steps along $x$ and along $y$, added. The common normal goes straight from axis to axis: Pythagoras.",
-            ),
-            *(
-                mistake(
-                    f"step along {axis} alone",
-                    entries(steps[:, k], steps[:, 2]),
-                    f"Your $a$ is the step along ${axis}$ alone. The common normal goes straight from axis to axis: Pythagoras.",
-                    f"This is the step along ${axis}$ alone. The common normal goes straight from axis to axis: Pythagoras.",
-                )
-                for k, axis in enumerate("xy")
-            ),
-            mistake(
-                "square root left out",
-                entries(far**2, steps[:, 2]),
-                "Your $a$ is the square of the distance. Take the root.",
-                "This is the square of the distance. Take the root.",
-            ),
-            mistake(
-                "rows swapped",
-                entries(far[::-1], steps[::-1, 2]),
-                "Your two rows are swapped: row 1 leads from joint 1 to joint 2.",
-            ),
-            mistake(
-                "measured from joint 1",
-                entries(np.hypot(*(points[1:] - first)[:, :2].T), points[1:, 2] - first[2]),
-                "You measured both rows from joint 1. Row 2 begins at joint 2.",
-                "This is measured from joint 1. Row 2 begins at joint 2.",
-            ),
-        ],
+        answer=DHEntriesAnswer(answer.value, names=["a_1", "d_1", "a_2", "d_2"]),
+        solution=answer,
+        advice={
+            "root left out": NORMAL_ADVICE,
+            "square left out": NORMAL_ADVICE,
+            **{f"leave out $-z_{i}$": HEIGHT_ADVICE for i in (1, 2)},
+        },
     )
+
+
+def _axis_distance(i: int, x: float, y: float, z: float) -> tuple[Expression, float]:
+    """The distance of two vertical axes, and that of two points on them, from the step between the points."""
+    dx, dy, between = given(f"\\Delta x_{i}", x), given(f"\\Delta y_{i}", y), float(np.linalg.norm((x, y, z)))
+    a = sqrt(square(dx) + square(dy)).named(f"a_{i}")
+    for name, text, wrong in (
+        ("off the normal", f"take the distance of the joints as $a_{i}$", between),
+        ("round the corner", f"add the steps along $x$ and along $y$ for $a_{i}$", abs(x) + abs(y)),
+        ("one step alone", f"take the step along $x$ alone as $a_{i}$", dx),
+        ("one step alone", f"take the step along $y$ alone as $a_{i}$", dy),
+    ):
+        a = a.mistaken_for(wrong, name, text, NORMAL_ADVICE)
+    return a, between
 
 
 @problem("05.8", "Base and tool", points=2, lecture="05_dh_standard#Base and tool")

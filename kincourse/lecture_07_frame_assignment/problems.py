@@ -25,6 +25,8 @@ from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
 from misstep.display.text import degrees, number, vector
 from misstep.mistakes import Mistake, mistake
+from misstep.mutants.expression import given
+from misstep.mutants.operations import stack
 from misstep.problem import Problem
 from misstep.sheet import Sheet
 
@@ -309,10 +311,31 @@ def table_to_mend(sampler: ArmSampler) -> Problem:
 
 @problem("07.7", "A slide drawn elsewhere", points=2, lecture="07_frame_assignment#Prismatic joints are free vectors")
 def slide_elsewhere(sampler: ArmSampler) -> Problem:
-    first, second, moved = sampler.shuffled(
-        [sampler.length(0.2, 0.5), sampler.length(0.55, 0.9), sampler.length(0.95, 1.4)]
-    )
+    first = second = moved = 1.0
+    while moved < first + second:  # otherwise an answer without signs would be right
+        first, second, moved = sampler.shuffled(
+            [sampler.length(0.2, 0.5), sampler.length(0.55, 0.9), sampler.length(0.95, 1.4)]
+        )
     reach = first + second
+    a_1, a_2, x = given("a_1", first), given("a_2", second), given("x", moved)
+    answer = stack(x, a_1 + a_2 - x)
+    for name, text, wrong, advice in (
+        ("unchanged", "keep both numbers", (a_1, a_2), "The arm is the same, but a row measures from line to line."),
+        ("only the first", "change $a_1$ alone", (x, a_2), "Joint 3 is where it was, so $a_2$ changes too."),
+        ("only the second", "change $a_2$ alone", (a_1, a_1 + a_2 - x), "$a_1$ is the distance from axis 1 to the slide's line."),
+        ("sign", "measure backwards", (-x, x - a_1 - a_2), "Both are counted along $x$."),
+        ("sign of the second", "take $a_2$ with the opposite sign", (x, x - a_1 - a_2), "$a_2$ is counted along $x$, from the slide."),
+        ("measured from joint 3", "measure from joint 3", (a_1 + a_2 - x, -x), "Row 1 begins at joint 1."),
+        ("the shift as a_1", "give the shift of the slide as $a_1$", (x - a_1, a_1 + a_2 - x), "$a_1$ is measured from axis 1."),
+        ("the shift as a_2", "give the shift of the slide as $a_2$", (x, x - a_1), "$a_2$ is measured to axis 3."),
+        ("position added", "add the new position to $a_1$", (a_1 + x, a_2 - x), "The new position is $a_1$ itself."),
+        ("position added", "add the new position to both", (a_1 + x, a_2 + x), "The new position is $a_1$ itself."),
+        ("gained by both", "add the shift to both", (x, a_2 + x - a_1), "What one row gains, the other loses."),
+        ("sum for both", "give the sum of the two twice", (a_1 + a_2, a_1 + a_2), ""),
+        ("half for both", "put the slide half-way between the joints", ((a_1 + a_2) / 2, (a_1 + a_2) / 2), ""),
+        ("slide at axis 1", "put the slide on axis 1", (0.0, a_1 + a_2), "The colleague's line gives it another place."),
+    ):  # fmt: skip
+        answer = answer.mistaken_for(stack(*wrong), name, text, advice)
     robot = arm(
         [(Z, (0, 0, 0)), (-Y, (first, 0, 0), SLIDE), (Z, (reach, 0, 0))],
         pose((X, Y, Z), (reach, 0, 0)),
@@ -325,35 +348,12 @@ def slide_elsewhere(sampler: ArmSampler) -> Problem:
         f"in her table, with every $x$ axis along $x$ of {{s}}.\n\n{joint_table(robot)}",
         figure=partial(draw_joints, robot),
         given={"a_1": first, "a_2": second, "moved_to": moved},
-        answer=Numbers(np.array([moved, reach - moved]), unit="m"),
-        mistakes=[
-            mistake(
-                "unchanged",
-                [first, second],
-                "The arm does not change, but the table does: a row measures from line to line, and she drew another line.",
-            ),
-            mistake(
-                "only the first",
-                [moved, second],
-                "$a_1$ is right. But joint 3 stayed where it is: what one row gains, the next one loses.",
-            ),
-            mistake(
-                "only the second",
-                [first, reach - moved],
-                "$a_2$ is right. But $a_1$ is the distance from axis 1 to the slide's line, and that line has moved.",
-            ),
-            mistake(
-                "sign of the second",
-                [moved, moved - reach],
-                "$a_2$ has the wrong sign. It is counted along $x$, from the slide's line to axis 3; if you come from beyond, it is "
-                "negative.",
-            ),
-            mistake(
-                "exchanged",
-                [reach - moved, moved],
-                "You exchanged the two: $a_1$ leads to the slide, $a_2$ from it to joint 3.",
-            ),
-        ],
+        answer=Numbers(answer.value, unit="m"),
+        solution=answer,
+        advice={
+            "leave out $-x$": "$a_2$ leads from the slide to joint 3.",
+            "entries swapped": "$a_1$ leads to the slide.",
+        },
     )
 
 
