@@ -50,7 +50,7 @@ def screw_axes(label: str, S: Array) -> Expression:
     return given(label, S, _SCREWS)
 
 
-def joint_values(types: str, typed: Sequence[float], letter: str = "q") -> list[Expression]:
+def joint_values(types: str, typed: Sequence[float] | Array, letter: str = "q") -> list[Expression]:
     """The values of joints: "P" in metres, all others in degrees, which are to be converted.
 
     >>> [float(round(value.value, 4)) for value in joint_values("RP", [90, 0.5])]
@@ -64,7 +64,7 @@ def joint_values(types: str, typed: Sequence[float], letter: str = "q") -> list[
     ]
 
 
-def values_in_radians(types: str, q: Sequence[float], letter: str = "q") -> list[Expression]:
+def values_in_radians(types: str, q: Sequence[float] | Array, letter: str = "q") -> list[Expression]:
     """The values of joints in radians and metres, as they are needed.
 
     >>> [change.name for change, _ in values_in_radians("P", [0.5])[0].changes()]

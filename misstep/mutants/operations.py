@@ -1,5 +1,6 @@
 """Operations of a solution that are the same in every subject: functions of angles, vectors, arrays put together."""
 
+from collections.abc import Callable
 from typing import Any
 
 import numpy as np
@@ -150,7 +151,7 @@ def _listed(*entries: str) -> str:
     return f"({', '.join(entries)})"
 
 
-_WRONG_LENGTHS = {
+_WRONG_LENGTHS: dict[str, Callable[[Any], Any]] = {
     "the square of its length": lambda x: x @ x,
     "the sum of its entries": np.sum,
     "the sum of the sizes of its entries": lambda x: np.abs(x).sum(),
