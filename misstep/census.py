@@ -158,7 +158,7 @@ def _by_hand(template: Template, problem: Problem, by_hand: Callable[..., Any] |
             made.right,
             True,
             lambda findings, made=made: made.is_named_by(
-                " ".join(f"{found.mistake} {found.message}" for found in findings)
+                " ".join(found.message for found in findings)
             ),
         )
 
