@@ -147,7 +147,7 @@ def look_back(given: Any, answer: Any) -> Answers:
     yield from alike(by.SIGN, {"-R^T": pose(-R.T, q), "one sign of the rotation": pose(negated_one(R.T), q)})
     yield from alike(by.TRANSPOSED | {"turned", "rotat"}, {"-R p": pose(R.T, -R @ p), "R kept": pose(R, q)})
     yield from alike({"kept", *by.COPIED}, {"p kept": pose(R.T, p)})
-    yield from alike(by.OMITTED, {"no position": pose(R.T, 0 * p), "no rotation": pose(I3, q)})
+    yield from alike(by.OMITTED | {"identity"}, {"no position": pose(R.T, 0 * p), "no rotation": pose(I3, q)})
     yield from alike(by.TRANSPOSED | by.SIGN | {"-p"}, {"R kept, -p": pose(R, -p)})
     yield from alike(by.SWAPPED, {"x and y of the position swapped": pose(R.T, swapped(q, 0, 1))})
     yield from alike(by.ELEMENTWISE, {"elementwise": pose(R.T, -np.diag(R) * p)})

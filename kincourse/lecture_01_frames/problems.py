@@ -17,6 +17,7 @@ from kincourse.expressions.poses import (
     to_direction,
     to_point,
     translation,
+    with_position,
 )
 from kincourse.expressions.screws import direction
 from kincourse.problem import problem
@@ -194,6 +195,9 @@ def look_back(sampler: ArmSampler) -> Problem:
 def letters_that_cancel(sampler: ArmSampler) -> Problem:
     T_sc, T_co, T_st = (_random_pose(sampler) for _ in range(3))
     T_to = inverse(pose("T_{st}", T_st)) @ pose("T_{sc}", T_sc) @ pose("T_{co}", T_co)
+    subtracted = with_position(T_to.value, (T_sc @ T_co)[:3, 3] - T_st[:3, 3])
+    advice = "Their difference is written in {s}: rotate it with $R_{ts}$."
+    T_to = T_to.mistaken_for(subtracted, "positions subtracted", "subtract the positions", advice)
     return Problem(
         statement="A camera {c} on the wall sees an object {o}. The base {s} knows where the camera and the tool {t} are. How does the "
         f"tool see the object? Give $T_{{to}}$.\n\n$$T_{{sc}} = {matrix(T_sc)}$$\n\n$$T_{{co}} = {matrix(T_co)}$$\n\n"
