@@ -4,6 +4,7 @@ Every public function validates its arguments here. A wrong argument is refused 
 what was given and the likely cause, so the formulas behind it can stay as short as in the book.
 """
 
+import re
 import reprlib
 from typing import Any
 
@@ -195,12 +196,26 @@ def read_only_copy(values: ArrayLike) -> Array:
 
 
 def describe(x: Any) -> str:
-    """Describe a value briefly, for an error message: its type and the beginning of its repr.
+    """Describe a value briefly, for an error message: its type and the beginning of its repr, without addresses in memory.
 
-    >>> describe([1, 2, 3])
-    'list [1, 2, 3]'
+    >>> describe([1, 2, 3]), describe(lambda x: x), describe([describe])
+    ('list [1, 2, 3]', 'function <function <lambda>>', 'list [<function describe>]')
     """
-    return f"{type(x).__name__} {reprlib.repr(x)}"
+    return f"{type(x).__name__} {_BRIEF.repr(x)}"
+
+
+class _BriefRepr(reprlib.Repr):
+    def repr_instance(self, x: Any, level: int) -> str:
+        try:
+            text = re.sub(
+                r" at 0x[0-9a-fA-F]+", "", repr(x)
+            )  # before it is shortened, because half an address may remain
+        except Exception:  # the object of a caller may raise any exception
+            text = f"<{type(x).__name__}>"
+        return text if len(text) <= self.maxother else f"{text[: self.maxother - 3]}..."
+
+
+_BRIEF = _BriefRepr()
 
 
 def _are_rigid(X: Array) -> bool:
