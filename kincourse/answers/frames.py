@@ -58,8 +58,8 @@ class DHFramesAnswer(Numbers):
             return [i not in broken for i in range(len(one))]
         return [bool(np.allclose(mine, yours, rtol=0, atol=tolerance)) for mine, yours in zip(one, other, strict=True)]
 
-    def hint(self, given: Array, part: int) -> str:
-        return next((breach.text for breach in self._breaches(given) if breach.frame == part), "")
+    def explanation(self, given: Array, part: int) -> tuple[str, str] | None:
+        return next(((breach.rule, breach.text) for breach in self._breaches(given) if breach.frame == part), None)
 
     def slips(self) -> Iterator[Mistake]:
         """Yield our frames with a mistake that breaks the rules: other frames differ in the directions that are free."""
@@ -93,7 +93,7 @@ class DHFramesAnswer(Numbers):
                     "reversed",
                     T[::-1],
                     "The frames are right, their order is reversed.",
-                    "This is the frame that belongs as far from the other end.",
+                    "",
                 ),
             ],
             pieces=range(len(T)),

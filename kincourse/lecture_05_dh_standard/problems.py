@@ -22,7 +22,7 @@ from kinlib.view import draw_joints
 from kinlib.view.figures.dh_table import draw_table
 from misstep.answers.choice import Choice
 from misstep.display.text import degrees, matrix, number, vector
-from misstep.mistakes import mistake
+from misstep.mistakes import Mistake, mistake
 from misstep.mutants.expression import Expression, given, product
 from misstep.mutants.operations import ANGLE, radians, sqrt, square, stack
 from misstep.problem import Problem
@@ -31,6 +31,12 @@ from misstep.sheet import Sheet
 RIGHT_ANGLE_RAD = np.pi / 2
 
 ORDER_ADVICE = "$A_1$ is leftmost, because joint 1 moves all that follows."
+ENTRY_MEANINGS = {
+    "a": "the distance from $z_{0}$ to $z_{1}$ along $x_{1}$",
+    "alpha": "the angle from $z_{0}$ to $z_{1}$ about $x_{1}$",
+    "d": "the distance from $x_{0}$ to $x_{1}$ along $z_{0}$",
+    "theta": "the angle from $x_{0}$ to $x_{1}$ about $z_{0}$",
+}
 ACROSS = np.array([np.pi / 2, 0, 0])
 OFFSETS_ADVICE = "$\\theta_i$ runs from $x_{i-1}$ to $x_i$, from one link to the next."
 NORMAL_ADVICE = "$a$ is the distance of two axes, along their common normal: $\\sqrt{\\Delta x^2 + \\Delta y^2}$."
@@ -261,39 +267,30 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
         quarter = round(rows[i, k] / RIGHT_ANGLE_RAD)
         wrong[i, k] = RIGHT_ANGLE_RAD * sampler.choice([other for other in (-1, 0, 1, 2) if (other - quarter) % 4])
     names = {f"{column}{row + 1}": f"{column} in row {row + 1}" for row in range(3) for column in COLUMNS}
-    partner, pair = COLUMNS[(k + 2) % 4], COLUMNS[k ^ 1]
-    column, row = COLUMNS[k], i + 1
+    answer = f"{COLUMNS[k]}{i + 1}"
     printed = markdown_table([[number(a), degrees(alpha), number(d), degrees(theta)] for a, alpha, d, theta in wrong])
     return Problem(
         statement="The table below was read off the drawn frames, at $q = 0$, in the standard convention. One entry is wrong. "
         f"Which? Answer with its column and its row, such as `'d2'`.\n\n{printed}",
         figure=partial(draw_table, table, numbers=True),
         given={"frames": np.array(frames), "rows": wrong},
-        answer=Choice(f"{column}{row}", names),
-        mistakes=[
-            mistake(
-                "its partner",
-                f"{partner}{row}",
-                "The row is right. But $d$ and $\\theta$ belong to $z_{i-1}$, $a$ and $\\alpha$ to $x_i$: look about which of the two "
-                "the drawing and the table differ.",
-            ),
-            mistake(
-                "the other number of the axis",
-                f"{pair}{row}",
-                "The row is right, and so is the axis. Of its two numbers one is a length, one an angle: look which of them differs.",
-            ),
-            mistake(
-                "the row before",
-                f"{column}{(row - 2) % 3 + 1}",
-                "The column is right, and you are in another row. Row $i$ leads from frame $i-1$ to frame $i$.",
-            ),
-            mistake(
-                "the row after",
-                f"{column}{row % 3 + 1}",
-                "The column is right, and you are in another row: that of the frame in front or behind. Count the frames from 0.",
-            ),
-        ],
+        answer=Choice(answer, names),
+        mistakes=[_other_entry(other, answer) for other in names if other != answer],
     )
+
+
+def _other_entry(chosen: str, faulty: str) -> Mistake:
+    """The mistake of choosing an entry that is right, such as "d2"."""
+    column, row = chosen[:-1], int(chosen[-1])
+    measures = ENTRY_MEANINGS[column].format(row - 1, row)
+    fits = f"This entry fits the drawing: {column} in row {row} is {measures}."
+    if row == int(faulty[-1]):
+        same_axis = {column, faulty[:-1]} in ({"a", "alpha"}, {"d", "theta"})
+        where = "The row is right, and so is the axis." if same_axis else "The row is right, but not the axis."
+        return mistake("another entry of the row", chosen, f"{where} {fits}")
+    if column == faulty[:-1]:
+        return mistake("another row", chosen, f"The column is right, but not the row. {fits}")
+    return mistake("another row and column", chosen, f"{fits} Compare the other rows with the drawing.")
 
 
 @problem("05.7", "Parallel axes", points=4, lecture="05_dh_standard#Special cases")

@@ -18,7 +18,7 @@ from kincourse.sampling.arms import ArmSampler
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import random_configurations
 from kinlib.dh.formatting import add_variable
-from kinlib.dh.parsing import COLUMNS
+from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS
 from kinlib.dh.table import Convention, DHTable, dh_transform
 from kinlib.rigid.lie import exp
 from kinlib.view import draw_arm, draw_frames
@@ -34,6 +34,7 @@ from misstep.sheet import Sheet
 ALPHAS_DEG = (-90, 90, -60, 60, -45, 45, -30, 30)
 """Values of alpha that are easy to type. None is 0, because parallel joint axes would hide half of the mistakes."""
 
+VALUE_ADVICE = "Read it off $({}^0T_{i-1})^{-1}\\,{}^0T_i$, in metres or radians."
 WRIST_ADVICE = (
     "The wrist is $R_y(\\theta_4)\\,R_z(\\theta_5)\\,R_y(\\theta_6)\\,R_x(-90°)$: put in zeros to see the constant."
 )
@@ -200,6 +201,20 @@ class FaultyEntryAnswer(Numbers):
     def part_indices(self) -> list[int]:
         return [0, 1, 2]
 
+    def same_entries(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> NDArray[np.bool_]:
+        same = super().same_entries(one, other, tolerance)
+        if COLUMNS[int(self.value[1]) - 1] in ANGLE_COLUMNS:
+            same[2] = abs(2 * np.sin((one[2] - other[2]) / 2)) <= tolerance
+        return same
+
+    def explanation(self, given: Array, part: int) -> tuple[str, str] | None:
+        if part == 2:
+            return None
+        what = ("row", "column")[part]
+        if given[part] < 1:
+            return f"{what} counted from 0", f"The first {what} is {what} 1."
+        return f"another {what}", f"The misprinted entry is in another {what}."
+
 
 @problem("06.1", "The link transform of a row", points=3, lecture="06_dh_modified#The general matrix")
 def link_transform(sampler: ArmSampler) -> Problem:
@@ -329,7 +344,19 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
     )
     links = DHTable(rows, convention="modified").link_transforms(np.zeros(3))
     poses = np.array([reduce(np.matmul, links[: k + 1]) for k in range(3)])
-    other = {1: 3, 2: 4, 3: 1, 4: 2}[column]
+    other, misprint = {1: 3, 2: 4, 3: 1, 4: 2}[column], printed[row - 1, column - 1]
+    R, p = poses[row - 1][:3, :3], poses[row - 1][:3, 3]
+    in_frame_0 = {1: p[0], 2: np.arctan2(-R[1, 2], R[2, 2]), 3: p[2], 4: np.arctan2(-R[0, 1], R[0, 0])}[column]
+    unit, factor = ("millimetres", 1000) if column in {1, 3} else ("degrees", 180 / np.pi)
+    wrong_values = {
+        "what is printed": (misprint, "what is printed there"),
+        "inverse": (-right, "the right value with the opposite sign, as it is in $({}^0T_i)^{-1}\\,{}^0T_{i-1}$"),
+        "correction": (right - misprint, "the correction, the difference to what is printed"),
+        "corrected the wrong way": (2 * misprint - right, "a value that is corrected the wrong way"),
+        "zero": (0.0, "0, but the value is not 0"),
+        "read in frame 0": (in_frame_0, "the value of ${}^0T_i$, which is that of all rows up to this one"),
+        unit: (factor * right, f"the right value in {unit}"),
+    }
     shown = "\n\n".join(f"$${{}}^0T_{k + 1} = {matrix(T)}$$" for k, T in enumerate(poses))
     return Problem(
         statement="One entry of this modified table is misprinted. The frames of the arm, at $q = 0$, are right. Find the entry, "
@@ -360,18 +387,22 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
                     else "$\\alpha$ turns about $x_{i-1}$, and $\\theta$ about $z_i$: you have exchanged them."
                 ),
             ),
-            mistake(
-                "what is printed",
-                [row, column, printed[row - 1, column - 1]],
-                "You found the entry, and gave what is printed there. Read the right value off $({}^0T_{i-1})^{-1}\\,{}^0T_i$.",
+            *(
+                mistake(
+                    name,
+                    [row, column, value],
+                    f"The entry is right, but you gave {text}. {VALUE_ADVICE}",
+                    f"This is {text}. {VALUE_ADVICE}",
+                )
+                for name, (value, text) in wrong_values.items()
             ),
-            mistake(
-                "inverse",
-                [row, column, -right],
-                "The entry is right, its sign is not. Did you take $({}^0T_i)^{-1}\\,{}^0T_{i-1}$? That is the way back.",
+            *(
+                [mistake("column first", [column, row, right], "You gave the column first. Give the row first.")]
+                if row != column
+                else []
             ),
         ],
-    )
+    ).without_duplicates()
 
 
 @problem("06.7", "The rotation of a wrist", points=3, lecture="06_dh_modified#The wrist")

@@ -102,6 +102,11 @@ def frames_by_the_rules(sampler: ArmSampler) -> Problem:
                 "Your frames are left-handed. $y = z \\times x$: turn every $y$ round.",
             ),
             mistake(
+                "axes in rows",
+                _transposed(found),
+                "You wrote the axes of each frame into the rows of its rotation. They are the columns.",
+            ),
+            mistake(
                 "origins at the joints",
                 _at_the_joints(found, robot),
                 "You put every origin where its joint is drawn. It stands where the common normal meets the axis.",
@@ -119,6 +124,12 @@ def _columns(x: float, y: float, z: float) -> Array:
     """Factors for the axes x, y, z of a pose, as a row (1, 4) that multiplies its columns."""
     factors: Array = np.array([[x, y, z, 1.0]])
     return factors
+
+
+def _transposed(frames: Array) -> Array:
+    turned = frames.copy()
+    turned[:, :3, :3] = np.swapaxes(frames[:, :3, :3], 1, 2)
+    return turned
 
 
 def _at_the_joints(frames: Array, robot: Chain) -> Array:
