@@ -86,7 +86,7 @@ def _unexplained(answer: Answer, value: Any, part: int) -> Finding:
     if answer.is_rounded(value, part):
         return Finding(
             parts,
-            "These are the right digits, but too few of them. Round at the end, to three decimals or more.",
+            "These are the right numbers, but rounded too much. Keep at least four significant digits.",
             "rounded",
             (("rounded",),),
         )

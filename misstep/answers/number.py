@@ -194,8 +194,9 @@ class Numbers(Answer):
         places = np.arange(X.size).reshape(X.shape)
         for entry in places[np.abs(X) > ROUND_OFF]:
             signs = np.where(places == entry, -1.0, 1.0)
-            text = f"Only one sign is wrong: {self.place(np.unravel_index(entry, X.shape))}."
-            yield ("sign of one entry", X * signs, text, text)
+            place = self.place(np.unravel_index(entry, X.shape))
+            text = f"Only one sign is wrong: {place}."
+            yield ("sign of one entry", X * signs, text, f"Only one sign is wrong in this part: {place}.")
         for piece in self.slip_indices():
             for one, other in combinations(np.ravel(places[piece]), 2):
                 indices = [np.unravel_index(entry, X.shape) for entry in (one, other)]
@@ -203,8 +204,9 @@ class Numbers(Answer):
                     continue
                 order = places.copy()
                 order.flat[[one, other]] = other, one
-                text = f"Two entries are swapped: {' and '.join(map(self.place, indices))}."
-                yield ("two entries swapped", X.ravel()[order], text, text)
+                swapped = " and ".join(map(self.place, indices))
+                text, part = f"Two entries are swapped: {swapped}.", f"Two entries are swapped in this part: {swapped}."
+                yield ("two entries swapped", X.ravel()[order], text, part)
 
     def slip_indices(self) -> list[Any]:
         """Return the indices of entries among which two in the same row or column may be swapped."""
