@@ -87,8 +87,11 @@ def _inverse_changes(node: Expression) -> Changes:
         Change("transpose for inverse", text, "transpose poses instead of inverting them", INVERSE_ADVICE),
         transpose(inner),
     )
-    text = f"take $-{T}$ instead of the inverse of ${T}$"
-    yield Change("negative for inverse", text, "take negatives instead of inverses", INVERSE_ADVICE), negative(inner)
+    text = f"negate ${T}$ instead of inverting it"
+    yield (
+        Change("negative for inverse", text, "negate poses instead of inverting them", INVERSE_ADVICE),
+        negative(inner),
+    )
     if inner.arguments:  # a given pose has this change itself
         text = f"use the rotation of ${T}$, where its transpose belongs"
         yield Change("rotation transposed", text, advice=INVERSE_ADVICE), _rotation_kept(inner)
@@ -163,8 +166,8 @@ def _point_map_changes(node: Expression) -> Changes:
     R, p = rotation_of(T), position_of(T)
     advice = "A point has a 1 as its last entry, which adds $p$: $R\\,x + p$."
     yield Change("point as a direction", f"leave out the position of ${T.latex}$ for a point", advice=advice), R @ x
-    yield Change("sign", f"subtract the position of ${T.latex}$ instead of adding it"), R @ x - p
-    yield Change("order", f"add the position of ${T.latex}$ before rotating"), R @ (x + p)
+    yield Change("sign", f"take the position of ${T.latex}$ with the opposite sign"), R @ x - p
+    yield Change("order", f"add the position of ${T.latex}$ in the wrong order, before rotating"), R @ (x + p)
     yield from _map_changes(T, x, to_point)
 
 

@@ -62,7 +62,7 @@ _POSITIONS: list[tuple[str, str, Coefficients]] = [
 _SQUARES: list[tuple[str, str, Square]] = [
     ("square left out", "write $[\\omega]$ instead of $[\\omega]^2$", lambda W: W),
     ("entry by entry", "square $[\\omega]$ entry by entry", lambda W: W * W),
-    ("outer product", "write $\\omega\\,\\omega^T$ instead of $[\\omega]^2$", lambda W: W @ W + I),
+    ("outer product", "write the outer product $\\omega\\,\\omega^T$ instead of $[\\omega]^2$", lambda W: W @ W + I),
 ]
 
 _ADVICE = {
@@ -77,7 +77,7 @@ _ADVICE = {
 
 _POSITION_ADVICE = {
     **dict.fromkeys((name for name, *_ in _POSITIONS), G),
-    "straight on": "That is the way of a translation, with $\\omega = 0$. Here $v$ is carried round with the body: $G(\\theta)\\,v$.",
+    "straight on": "That is the straight way of a translation, with $\\omega = 0$. Here $v$ is carried round with the body: $G(\\theta)\\,v$.",
     "R v": "That is how fast the point moves at the end.",
     "v itself": "$v$ is a velocity, and $G(\\theta)\\,v$ is a position.",
 }

@@ -130,9 +130,9 @@ def augmented_matrix(sampler: ArmSampler) -> Problem:
         answer=Numbers(A.value),
         solution=A,
         advice={
-            "order": "Here the translation comes first, so the rotation acts on it too: $R\\,(x + p) = R\\,x + R\\,p$."
+            "order": "The order matters: here the translation comes first, so the rotation acts on it too: $R\\,(x + p) = R\\,x + R\\,p$."
             if shift_first
-            else "Here the rotation comes first, and does not act on the translation: $R\\,x + p$.",
+            else "The order matters: here the rotation comes first, and does not act on the translation: $R\\,x + p$.",
             "sign of an angle": "Anticlockwise is positive, and its matrix has $-\\sin$ in the upper right.",
             "last row": "In the last column the extra 1 picks it up.",
             "position left out": "$R$ alone leaves the origin where it is; the last column says where it goes.",
@@ -176,6 +176,8 @@ def point_and_arrow(sampler: ArmSampler) -> Problem:
 def look_back(sampler: ArmSampler) -> Problem:
     T = _random_pose(sampler)
     T_gs = inverse(pose("T_{sg}", T))
+    negated = homogeneous(-T[:3, :3].T, T_gs.value[:3, 3])
+    T_gs = T_gs.mistaken_for(negated, "sign", "write a minus sign in front of the rotation $R^T$ too")
     return Problem(
         statement=f"A gripper {{g}} stands at $T_{{sg}}$. Give $T_{{gs}}$: how the gripper sees the base.\n\n$$T_{{sg}} = {matrix(T)}$$",
         figure=partial(draw_frames, {"s": np.eye(4), "g": T}, arrows=False),

@@ -113,7 +113,10 @@ def where_the_origin_goes(sampler: ArmSampler) -> Problem:
                 R_p, "R p alone", "write $R\\,p$", "The column is what must be added so that $p$ stays: $p - R\\,p$."
             )
             .mistaken_for(
-                p + R_p, "sign", "write $p + R\\,p$", "The point $p$ stays, so $p$ is $R\\,p$ plus the column."
+                p + R_p,
+                "sign",
+                "take $R\\,p$ with the opposite sign",
+                "The point $p$ stays, so $p$ is $R\\,p$ plus the column.",
             )
             .mistaken_for(
                 p, "p itself", "write the point of the joint", "The column says where the origin of {s} goes."
@@ -143,7 +146,7 @@ def three_terms(sampler: ArmSampler) -> Problem:
     along = cos(theta) - 1 + square(theta) / 2
     cubed = np.sin(angle) - angle + angle**3 / 6
     across = (sin(theta) - theta).mistaken_for(
-        cubed, "four terms", "include the term $\\theta^3/3!$", "The sum has three terms."
+        cubed, "four terms", "stop the series after four terms, with $\\theta^3/3!$", "The sum has three terms."
     )
     distance = sqrt(square(along) + square(across))
     sum_size = np.hypot(1 - angle**2 / 2, angle)
@@ -158,7 +161,11 @@ def three_terms(sampler: ArmSampler) -> Problem:
         (along.value**2 + across.value**2, "root left out", "leave out the square root"),
         (np.exp(angle) - 1 - angle - angle**2 / 2, "scalar series", "take the series of the number $e^\\theta$"),
         (sum_size, "length of the sum", "give the length of the sum, and not of its difference from $R$"),
-        (sum_size - 1, "error of the length", "compare the distances from the axis alone"),
+        (
+            sum_size - 1,
+            "error of the length",
+            "give the difference of the lengths, that is, of the distances from the axis",
+        ),
     ):
         distance = distance.mistaken_for(wrong, name, text)
     error = (
