@@ -77,7 +77,7 @@ _ADVICE = {
 
 _POSITION_ADVICE = {
     **dict.fromkeys((name for name, *_ in _POSITIONS), G),
-    "straight on": "That is the straight way of a translation, with $\\omega = 0$. Here $v$ is carried round with the body: $G(\\theta)\\,v$.",
+    "straight on": "That is the straight way of a translation, with $\\omega = 0$. Here $v$ rotates with the body: $G(\\theta)\\,v$.",
     "R v": "That is how fast the point moves at the end.",
     "v itself": "$v$ is a velocity, and $G(\\theta)\\,v$ is a position.",
 }
