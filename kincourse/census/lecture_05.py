@@ -28,7 +28,10 @@ def four_numbers(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "theta negated": ([a, alpha, d, -theta], "theta, " + SIGN),
             "d negated": ([a, alpha, -d, theta], SIGN),
             "a negated": ([-a, alpha, d, theta], SIGN),
-            "from frame 1 to frame 0": ([-a, -alpha, -d, -theta], SIGN + ", from frame 1, inverse"),
+            "from frame 1 to frame 0": (
+                [-a, -alpha, -d, -theta],
+                SIGN + ", from frame 1, from the second frame, inverse",
+            ),
             "no signs": (np.abs(answer), SIGN),
             "x_1 taken in the opposite direction": ([-a, -alpha, d, theta + np.pi], "x_1, " + SIGN),
             "theta half a turn off": ([a, alpha, d, theta + np.pi], f"theta, half, turn, \\pi, 180, {SIGN}"),
@@ -38,7 +41,7 @@ def four_numbers(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "theta 0, for joint at zero": ([a, alpha, d, 0], "theta, offset, " + LEFT_OUT),
             "alpha 0 for a right angle": ([a, 0, d, theta], "alpha, " + LEFT_OUT),
             "a between the origins": ([np.hypot(a, d), alpha, d, theta], NORMAL + ", origin"),
-            "a along x_0": ([a * np.cos(theta), alpha, d, theta], "x_0, x_{i-1}, along, old x, This is 0, " + SIGN),
+            "a along x_0": ([a * np.cos(theta), alpha, d, theta], "x_0, x_{i-1}, along, old x, left out, " + SIGN),
             "degrees": ([a, np.degrees(alpha), d, np.degrees(theta)], "degree, radian"),
             "only alpha in degrees": ([a, np.degrees(alpha), d, theta], "degree, radian"),
             "millimetres": ([1000 * a, alpha, 1000 * d, theta], "millimet, mm, 1000, unit"),
@@ -229,7 +232,7 @@ def parallel_axes(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "d downwards": ([a1, -d1, a2, -d2], low),
             "first d downwards": ([a1, -d1, a2, d2], low),
             "d without its sign": ([a1, abs(d1), a2, abs(d2)], low),
-            "round the corner": ([abs(dx1) + abs(dy1), d1, abs(dx2) + abs(dy2), d2], "Pythag, corner, straight"),
+            "round the corner": ([abs(dx1) + abs(dy1), d1, abs(dx2) + abs(dy2), d2], "Pythag, corner, straight, add the steps"),
             "only the step along x": ([dx1, d1, dx2, d2], "along $x$, Pythag, straight"),
             "only the step along y": ([dy1, d1, dy2, d2], "along $y$, Pythag, straight"),
             "all from axis 1": ([a1, d1, np.hypot(*(P[2] - P[0])[:2]), P[2, 2] - P[0, 2]], "axis 1, joint 1, from the first, before"),
@@ -239,9 +242,9 @@ def parallel_axes(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "no square root": ([a1**2, d1, a2**2, d2], "root, square"),
             "millimetres": (1000 * np.array([a1, d1, a2, d2]), "millimet, mm, 1000, unit"),
             "swapped and downwards": ([-d1, a1, -d2, a2], f"{SWAP}, {low}"),
-            "round the corner and downwards": ([abs(dx1) + abs(dy1), -d1, abs(dx2) + abs(dy2), -d2], f"Pythag, corner, straight, {low}"),
+            "round the corner and downwards": ([abs(dx1) + abs(dy1), -d1, abs(dx2) + abs(dy2), -d2], f"Pythag, corner, straight, add the steps, {low}"),
             "round the corner, height above the floor": (
-                [abs(dx1) + abs(dy1), P[1, 2], abs(dx2) + abs(dy2), P[2, 2]], "Pythag, corner, straight, height, floor"),
+                [abs(dx1) + abs(dy1), P[1, 2], abs(dx2) + abs(dy2), P[2, 2]], "Pythag, corner, straight, add the steps, height, floor"),
         }
     )  # fmt: skip
     yield from right({**ordinary_forms([a1, d1, a2, d2]), "a tuple": (a1, d1, a2, d2)})

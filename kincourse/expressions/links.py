@@ -17,6 +17,14 @@ CONVENTION_ADVICE = (
     "$R_x(\\alpha)\\,T_x(a)\\,R_z(\\theta)\\,T_z(d)$, common normal first."
 )
 LENGTHS_ADVICE = "$d$ is measured along $z$, the axis of the joint, and $a$ along $x$, the common normal."
+ANGLES_ADVICE = (
+    "$\\theta$ is measured about $z_{i-1}$, from $x_{i-1}$ to $x_i$; $\\alpha$ about $x_i$, from $z_{i-1}$ to $z_i$."
+)
+ROW_ADVICE = "Here the order is $a, \\alpha, d, \\theta$."
+BACKWARDS_ADVICE = (
+    "A row leads from frame $i-1$ to frame $i$: $d$ is positive along $z_{i-1}$, $a$ along $x_i$, and the angles are positive "
+    "about these axes by the right-hand rule."
+)
 ALPHA_ADVICE = "In a standard table row $i$ holds $\\alpha_i$, in a modified one $\\alpha_{i-1}$."
 OFFSET_ADVICE = "The table says how each $\\theta$ follows from $q$: the offset is added to $q$."
 
@@ -115,6 +123,35 @@ def axial_twists(a: float, alpha: float, d: float, theta: float) -> Expression:
     return _axial_twists(*entries)
 
 
+def dh_row(a: float, alpha: float, d: float, theta: float) -> Expression:
+    """The entries of a row that is read off frames, (4,), in the order a, alpha, d, theta.
+
+    >>> [change.name for change, _ in dh_row(3.0, 0.5, 4.0, 0.25).changes()][:2]
+    ['a and d swapped', 'angles swapped']
+    """
+    entries = given("a", a, _A), given("\\alpha", alpha, _ALPHA), given("d", d, _D), given("\\theta", theta, _THETA)
+    return _row(*entries)
+
+
+def _row_changes(node: Expression) -> Changes:
+    a, alpha, d, theta = node.arguments
+    hypotenuse = float(np.hypot(a.value, d.value))
+    for name, text, advice, entries in (
+        ("a and d swapped", "swap $a$ and $d$", LENGTHS_ADVICE, (d, alpha, a, theta)),
+        ("angles swapped", "swap $\\alpha$ and $\\theta$", ANGLES_ADVICE, (a, theta, d, alpha)),
+        ("both pairs swapped", "swap $a$ and $d$, and $\\alpha$ and $\\theta$", ANGLES_ADVICE, (d, theta, a, alpha)),
+        ("order of the numbers", "give $\\theta, d, a, \\alpha$ in this order", ROW_ADVICE, (theta, d, a, alpha)),
+        ("order of the numbers", "give $\\alpha, a, d, \\theta$ in this order", ROW_ADVICE, (alpha, a, d, theta)),
+        ("the row backwards", "measure from the second frame to the first", BACKWARDS_ADVICE, (-a, -alpha, -d, -theta)),
+        ("x in the other direction", "take $x_i$ in the opposite direction", "", (-a, -alpha, d, theta + np.pi)),
+        ("off the normal", "take the distance of the origins as $a$", LENGTHS_ADVICE, (hypotenuse, alpha, d, theta)),
+        ("off the normal", "take the distance of the origins as $a$, and no $d$", LENGTHS_ADVICE, (hypotenuse, alpha, 0.0, theta)),
+    ):  # fmt: skip
+        wrong = _row(*entries)
+        if np.all(node.value) or not np.allclose(wrong.value, node.value):
+            yield Change(name, text, advice=advice), wrong
+
+
 def _twists(w1: Any, v1: Any, w2: Any, v2: Any) -> Array:
     """Two twists in rows; a number is a size along the axis of its row, x and then z."""
     pairs = zip((w1, v1, w2, v2), np.eye(3)[[0, 0, 2, 2]], strict=True)
@@ -176,7 +213,7 @@ def _link_changes(convention: Convention, node: Expression) -> Changes:
     ]
     for name, text, in_order in _ORDERS[convention]:
         changes.append((Change(name, f"{text} in ${row}$", text), in_order(*node.arguments)))
-    text = f"rotate by $\\alpha$ about $y$ in ${row}$"
+    text = f"rotate by $\\alpha$ about the $y$ axis in ${row}$"
     changes.append((Change("alpha about y", text), _about_y[convention](*node.arguments)))
     text = f"swap the sine and the cosine of $\\theta$ in ${row}$"
     changes.append((Change("sine and cosine swapped", text), of(a, alpha, d, np.pi / 2 - theta)))
@@ -209,7 +246,7 @@ def _entry_changes(letter: str, name: str) -> Any:
         x = f"${node.latex}$" if "$" not in node.latex else node.latex
         text = f"take {x} with the opposite sign"
         yield Change(f"sign of {name}", text, f"take every ${letter}$ with the opposite sign"), negative(node)
-        text = f"take {x} as 0"
+        text = f"leave out {x}"
         yield Change(f"{name} left out", text, f"leave out every ${letter}$"), 0.0 * node
         if name in ("alpha", "theta"):
             yield from _degrees_changes(node, x, f"use the degrees of every ${letter}$ as radians")
@@ -241,7 +278,7 @@ def _joint_value_changes(node: Expression) -> Changes:
     q = f"${node.latex}$"
     text = f"take {q} with the opposite sign"
     yield Change("sign of a joint value", text, "take every joint value with the opposite sign"), negative(node)
-    yield Change("joint at zero", f"leave {q} at 0", "leave every joint at 0"), 0.0 * node
+    yield Change("joint at zero", f"leave {q} at 0", "leave every joint at zero"), 0.0 * node
     if node.operation is _Q_LENGTH:
         text = f"convert {q} from degrees to radians, although it is a length"
         yield Change("length in radians", text), np.pi / 180 * node
@@ -371,6 +408,9 @@ _WRONG_TWISTS = (
 )
 """Twists that people take for those of a row, from a, alpha, d and theta."""
 
+_row = Operation(
+    "row", lambda *entries: np.array(entries, dtype=float), lambda *_: "(a, \\alpha, d, \\theta)", _row_changes
+)
 _joint_variable = Operation("joint variable", lambda q, constant: q + constant, lambda q, _: q, _variable_changes)
 _A = Operation("a", lambda: None, str, _entry_changes("a", "a"))
 _ALPHA = Operation("alpha", lambda: None, str, _entry_changes("\\alpha", "alpha"))

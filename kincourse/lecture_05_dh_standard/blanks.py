@@ -4,12 +4,10 @@ import numpy as np
 
 from kincourse.answers.dh_row import DHRowAnswer
 from kincourse.answers.pose import PoseAnswer
-from kincourse.expressions.links import joint_variable, link, table_product
-from kincourse.mistakes.dh import TABLE_MISTAKES
+from kincourse.expressions.links import dh_row, joint_variable, link, table_product
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kinlib.dh.table import DHTable
-from misstep.mistakes import mistake
 from misstep.problem import Problem
 
 RIGHT_ANGLE_RAD = np.pi / 2
@@ -38,33 +36,18 @@ def row_4(_draw: ArmSampler) -> Problem:
     return Problem(
         statement="Read row 4 of the youBot off the drawn frames: $a_4, \\alpha_4, d_4$ and $\\theta_4$ at home.",
         answer=DHRowAnswer(YOUBOT.rows[3]),
-        mistakes=[
-            mistake("no offset", [0, RIGHT_ANGLE_RAD, 0, 0], TABLE_MISTAKES["no offset"].message),
-            mistake(
-                "sign of alpha", [0, -RIGHT_ANGLE_RAD, 0, RIGHT_ANGLE_RAD], TABLE_MISTAKES["sign of alpha"].message
-            ),
-            mistake(
-                "x turned round",
-                [0, -RIGHT_ANGLE_RAD, 0, -RIGHT_ANGLE_RAD],
-                "This is the row of an $x_4$ that points down. That is a legal choice too, and row 5 would then begin with "
-                "$\\pi$; in the drawing $x_4$ points up.",
-            ),
-            mistake(
-                "sign of theta",
-                [0, RIGHT_ANGLE_RAD, 0, -RIGHT_ANGLE_RAD],
-                "$\\theta_4$ is counted about $z_3$, which points at you. From $x_3$, forward, to $x_4$, up, that is a positive turn.",
-            ),
-            mistake(
-                "alpha of the row before",
-                [0, 0, 0, RIGHT_ANGLE_RAD],
-                "You took $\\alpha$ from $z_2$ to $z_3$. That is $\\alpha_3$; row 4 holds $\\alpha_4$, from $z_3$ to $z_4$.",
-            ),
-            mistake(
-                "columns of the deck",
-                [RIGHT_ANGLE_RAD, 0, 0, RIGHT_ANGLE_RAD],
-                "You gave the numbers in the order of the deck, $\\theta, d, a, \\psi$. Here the order is $a, \\alpha, d, \\theta$.",
-            ),
-        ],
+        solution=dh_row(*YOUBOT.rows[3]).mistaken_for(
+            np.array([0, 0, 0, RIGHT_ANGLE_RAD]),
+            "alpha of the row before",
+            "take $\\alpha$ from $z_2$ to $z_3$",
+            "That is $\\alpha_3$; row 4 holds $\\alpha_4$, from $z_3$ to $z_4$.",
+        ),
+        invisible=["angles swapped", "both pairs swapped"],  # both angles are right angles
+        advice={
+            "take $x_i$ in the opposite direction": "That is legal too, and row 5 would begin with $\\pi$; in the drawing $x_4$ "
+            "points up.",
+            "sign of theta": "$\\theta_4$ is counted about $z_3$, which points at you: from $x_3$ to $x_4$ it is positive.",
+        },
     )
 
 

@@ -7,17 +7,16 @@ import numpy as np
 from kincourse.answers.dh_row import DHEntriesAnswer, DHRowAnswer
 from kincourse.answers.dh_table import DHTableAnswer
 from kincourse.answers.pose import PoseAnswer
-from kincourse.expressions.links import link, links, mounted, table_product
+from kincourse.expressions.links import dh_row, link, links, mounted, table_product
 from kincourse.expressions.poses import inverse
-from kincourse.mistakes.dh import TABLE_MISTAKES, base_in_a_row, table_mistakes, tool_in_a_row
+from kincourse.mistakes.dh import base_in_a_row, table_mistakes, tool_in_a_row
 from kincourse.problem import problem
 from kincourse.sampling.arms import AXIS_DIRECTIONS, ArmSampler, are_distinguishable
 from kincourse.text.joint_table import joint_table
-from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z, arm, pose
 from kinlib.dh.formatting import markdown_table
 from kinlib.dh.parsing import COLUMNS
-from kinlib.dh.table import DHTable, dh_transform
+from kinlib.dh.table import DHTable
 from kinlib.view import draw_joints
 from kinlib.view.figures.dh_table import draw_table
 from misstep.answers.choice import Choice
@@ -47,10 +46,9 @@ BASE_AND_TOOL_ADVICE = "$T_{s0}$ is in front of the rows, $T_{2b}$ is behind the
 @problem("05.1", "Four numbers between two drawn frames", points=4, lecture="05_dh_standard#Four numbers")
 def four_numbers(sampler: ArmSampler) -> Problem:
     start, row = np.eye(4), np.zeros(4)
-    # Half a turn has no sign, and a row without a minus sign hides all of them.
+    # A row without a minus sign would hide all of them.
     while (
-        not are_distinguishable([np.zeros(3), start[:3, 3], (start @ _link_transform(row))[:3, 3]])
-        or row[3] == np.pi
+        not are_distinguishable([np.zeros(3), start[:3, 3], (start @ link(row, "standard").value)[:3, 3]])
         or (row > 0).all()
     ):
         x = sampler.choice(AXIS_DIRECTIONS)
@@ -64,36 +62,13 @@ def four_numbers(sampler: ArmSampler) -> Problem:
                 sampler.choice((-1, 1, 2)) * RIGHT_ANGLE_RAD,
             ]
         )
-    a, alpha, d, theta = row
     frames = DHTable([row], convention="standard", base=start, name="Two frames")
     return Problem(
         statement="Frames 0 and 1 are neighbours in the standard convention. Read the four numbers of the row off the drawing: "
         "$a_1, \\alpha_1, d_1, \\theta_1$. Lengths are whole metres, angles are whole quarter turns; $y$ follows from $x$ and $z$.",
         figure=partial(draw_table, frames, numbers=True, path=False),
         answer=DHRowAnswer(row),
-        mistakes=[
-            mistake("a and d swapped", [d, alpha, a, theta], TABLE_MISTAKES["a and d swapped"].message),
-            mistake(
-                "angles swapped",
-                [a, theta, d, alpha],
-                "You exchanged the angles. $\\theta$ turns about $z_0$, from $x_0$ to $x_1$; $\\alpha$ turns about $x_1$, from $z_0$ "
-                "to $z_1$.",
-            ),
-            mistake(
-                "off the normal",
-                [np.hypot(a, d), alpha, d, theta],
-                "Your $a$ is the distance of the two origins. It is measured along $x_1$ alone, from $z_0$ to $z_1$.",
-                "This is the distance of the two origins. $a$ is measured along $x_1$ alone, from $z_0$ to $z_1$.",
-            ),
-            mistake("sign of alpha", [a, -alpha, d, theta], TABLE_MISTAKES["sign of alpha"].message),
-            mistake(
-                "signs turned round",
-                [-a, -alpha, -d, -theta],
-                "The size is right, the sign is not. A row leads from frame 0 to frame 1: $d$ grows along $z_0$, $a$ along $x_1$, and "
-                "the right thumb points along $z_0$ for $\\theta$, along $x_1$ for $\\alpha$.",
-            ),
-            mistake("degrees", [a, np.degrees(alpha), d, np.degrees(theta)], TABLE_MISTAKES["degrees"].message),
-        ],
+        solution=dh_row(*row),
     )
 
 
@@ -400,10 +375,6 @@ def base_and_tool(sampler: ArmSampler) -> Problem:
             "order": ORDER_ADVICE,
         },
     )
-
-
-def _link_transform(row: Array) -> Array:
-    return dh_transform(*row, convention="standard")
 
 
 def _format_row(row: list[float], i: int) -> str:

@@ -41,7 +41,7 @@ def n5_row_2(_draw: ArmSampler) -> Problem:
             "copy the deck's matrix",
             "Its third row is 1 0 1 0, so it is no rotation: columns 1 and 3 are not perpendicular.",
         ),
-        advice={"take $\\theta_2$ as 0": "A prismatic joint has a $\\theta$ too; it is a constant."},
+        advice={"leave out $\\theta_2$": "A prismatic joint has a $\\theta$ too; it is a constant."},
     )
 
 

@@ -6,7 +6,8 @@ import numpy as np
 
 from kincourse.answers.dh_row import DHRowAnswer
 from kincourse.answers.dh_table import DHTableAnswer
-from kincourse.mistakes.dh import TABLE_MISTAKES, table_mistakes
+from kincourse.expressions.links import dh_row
+from kincourse.mistakes.dh import table_mistakes
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kinlib.chains.robots import SLIDE, X, Y, Z, arm, pose
@@ -36,27 +37,17 @@ def antiparallel_row(_draw: ArmSampler) -> Problem:
     return Problem(
         statement="Give row 3 of the stranger, standard convention, as $[a, \\alpha, d, \\theta]$ at home.",
         answer=DHRowAnswer(np.array([0.3, np.pi, -0.2, 0.0])),
-        mistakes=[
-            mistake(
-                "parallel",
-                [0.3, 0.0, -0.2, 0.0],
-                "You took $\\alpha = 0$. $z_2$ points along $-y$ and $z_3$ along $+y$: from one to the other it is half a turn.",
-            ),
-            mistake(
-                "sign of d",
-                [0.3, np.pi, 0.2, 0.0],
-                "$d$ has the right size and the wrong sign. It is measured along $z_2$, which points along $-y$ of {s}.",
-            ),
-            mistake(
-                "parallel, and the sign of d",
-                [0.3, 0.0, 0.2, 0.0],
-                "You measured along the axis of joint 4. In the standard convention $d_3$ is measured along $z_2$, the axis of "
-                "joint 3, and from $z_2$ to $z_3$ it is half a turn.",
-            ),
-            mistake("off the normal", [np.hypot(0.3, 0.2), np.pi, 0.0, 0.0], TABLE_MISTAKES["off the normal"].message),
-            mistake("a and d swapped", [-0.2, np.pi, 0.3, 0.0], TABLE_MISTAKES["a and d swapped"].message),
-            mistake("degrees", [0.3, 180.0, -0.2, 0.0], TABLE_MISTAKES["degrees"].message),
-        ],
+        solution=dh_row(0.3, np.pi, -0.2, 0.0).mistaken_for(
+            np.array([0.3, 0.0, 0.2, 0.0]),
+            "parallel, and the sign of d",
+            "take $\\alpha = 0$, and measure $d$ along the axis of joint 4",
+            "In the standard convention $d_3$ is measured along $z_2$, the axis of joint 3, and from $z_2$ to $z_3$ it is half a turn.",
+        ),
+        invisible=["sign of alpha", "sign of the angles"],  # half a turn has no sign
+        advice={
+            "alpha left out": "$z_2$ points along $-y$ and $z_3$ along $+y$: from one to the other it is half a turn.",
+            "sign of d": "$d$ is measured along $z_2$, which points along $-y$ of {s}.",
+        },
     )
 
 
