@@ -41,7 +41,7 @@ def from_a_table(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "halves swapped": (np.roll(S, 3), f"(v, half, halves, {SWAP}"),
             "negated": (-S, f"{SIGN}, other way"),
             "omega negated": (S * np.repeat((-1, 1), 3), SIGN),
-            "x_2 for z_2": (screw(R[:, 0], p), "x axis, z axis, column"),
+            "x_2 for z_2": (screw(R[:, 0], p), "x axis, z axis, x_2, column"),
             "a row for a column": (screw(R[2], p), "row, column, transpos"),
             "point of frame 3": (screw(z, M[:3, 3]), "point, frame 3, O_3, origin"),
             "point of frame 1": (screw(z, chain(rows[:1], "standard")[:3, 3]), "point, frame 1, O_1, origin"),
@@ -74,13 +74,13 @@ def frame_change_slips(B: Array, T: Array) -> dict[str, tuple[Any, str]]:
         "rows in reverse": (best[::-1], "reverse, order, row, joint"),
         "the first row only": (
             np.where(first, best, B),
-            "row, old, as {b}, read in, space screws, body screws, second",
+            "row, old, as {b}, as it is given, read in, space screws, body screws, second",
         ),
     }
     turns = w.any()
     about = {
         "p with the wrong sign": (np.hstack([w @ R, (v + np.cross(p, w)) @ R]), f"{SIGN}, shift, origin"),
-        "shift after the turn": (np.hstack([w @ R, v @ R - np.cross(p, w @ R)]), "order, shift, turn, block"),
+        "shift after the turn": (np.hstack([w @ R, v @ R - np.cross(p, w @ R)]), "order, shift, turn, block, position of the inverse"),
         "only turned": (np.hstack([w @ R, v @ R]), "turned, shift, moment, origin"),
         "only turned, halves swapped": (np.roll(np.hstack([w @ R, v @ R]), 3, axis=1), f"turned, shift, (v, half, origin, {SWAP}"),
         "only shifted": (B @ Ad(inv(frame(p=p))).T, "shift, turn, axes"),
@@ -136,8 +136,8 @@ def joint_origin(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "way back, not turned": (-step, f"{back}, turn"),
             "way back, the other way": (-R @ step, f"{back}, {turned}"),
             "turned, not shifted": (R.T @ there, f"forgot, shift, does not stand, {LEFT_OUT}"),
-            "turned the other way, not shifted": (R @ there, f"shift, {turned}, forgot"),
-            "only joint 2 turned": (R.T @ there - here, "turn, shift"),
+            "turned the other way, not shifted": (R @ there, f"shift, multipl, {turned}, forgot"),
+            "only joint 2 turned": (R.T @ there - here, "turn, shift, rotat"),
             "sum": (R.T @ (there + here), f"added, sum, {SIGN}, differ"),
             "sum, not turned": (there + here, f"added, sum, {SIGN}, turn"),
             "joint 1's own place": (here, "joint 1, parent"),
@@ -236,7 +236,7 @@ def two_hands(given: Any, answer: float) -> Iterator[WrongAnswer]:
             "fixed": (0, "move, freedom"),
             "negative": (2 * d - n or -1, SIGN),
             "equations": (2 * d, "equations, freedom, joint"),
-            "n - 1 bodies": (n - 2 * d - 1, "loop"),
+            "n - 1 bodies": (n - 2 * d - 1, "loop, one more"),
             "one arm forgotten": (int(sum(given.joints[:2])) - d, "arm, third, two arms"),
         }
         | ({} if planar else {"one loop, in the plane": (n - 3, "plane, space, loop, equations")})

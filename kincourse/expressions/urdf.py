@@ -12,13 +12,15 @@ NAMES = ("roll", "pitch", "yaw")
 AXES_ADVICE = "The axes of `rpy` are fixed, so what comes later is further left: $R_z R_y R_x$."
 
 
-def rpy_rotation(label: str, rpy: Array) -> Expression:
+def rpy_rotation(label: str, rpy: Array | Expression) -> Expression:
     """The rotation (3, 3) of given angles roll, pitch and yaw in radians, (3,), about the fixed axes x, y and z.
+
+    rpy  an expression if the angles are given in degrees, to be converted
 
     >>> rpy_rotation("R", np.array([0, 0, np.pi / 2])).value.round(9)[:, 0]
     array([0., 1., 0.])
     """
-    return _rpy_rotation(given(f"{label}", rpy)).named(label)
+    return _rpy_rotation(rpy if isinstance(rpy, Expression) else given(label, rpy)).named(label)
 
 
 def about_own_axes(R: Expression) -> Expression:
@@ -55,16 +57,17 @@ def _rpy_changes(node: Expression) -> Changes:
     text = f"transpose ${label}$, which takes coordinates in the joint's frame to the parent's"
     yield Change("rotation transposed", text, "transpose every rotation"), transpose(node)
     yield Change("rotation left out", f"leave out ${label}$", "leave out every rotation"), given("I", np.eye(3))
-    text = "read the angles as degrees"
-    yield (
-        Change("radians as degrees", text, text, "URDF writes radians: 1.5708 is a right angle."),
-        _rpy_rotation(_scaled(rpy, np.pi / 180)),
-    )
-    text = "convert the angles to degrees"
-    yield (
-        Change("radians in degrees", text, text, "The functions take radians."),
-        _rpy_rotation(_scaled(rpy, 180 / np.pi)),
-    )
+    if not rpy.arguments:  # they are given in radians
+        text = "read the angles as degrees"
+        yield (
+            Change("radians as degrees", text, text, "URDF writes radians: 1.5708 is a right angle."),
+            _rpy_rotation(_scaled(rpy, np.pi / 180)),
+        )
+        text = "convert the angles to degrees"
+        yield (
+            Change("radians in degrees", text, text, "The functions take radians."),
+            _rpy_rotation(_scaled(rpy, 180 / np.pi)),
+        )
     for count in (1, 2, 3):
         for chosen in combinations(turned, count):
             names = "every angle" if count == len(turned) > 1 else "the " + " and the ".join(NAMES[k] for k in chosen)

@@ -1,6 +1,7 @@
 """Sheet 10: problems on the whole course. Each leads from one description of an arm to another."""
 
 from functools import partial
+from typing import Any
 
 import numpy as np
 import sympy as sp
@@ -8,17 +9,28 @@ import sympy as sp
 from kincourse.answers.point import VectorsAnswer
 from kincourse.answers.pose import PoseAnswer
 from kincourse.answers.screws import ScrewsAnswer
-from kincourse.mistakes.dh import other_convention
-from kincourse.mistakes.space_form import negate_moment, product, remove_moment, swap_halves
+from kincourse.expressions.links import link
+from kincourse.expressions.poses import inverse
+from kincourse.expressions.poses import pose as given_pose
+from kincourse.expressions.screws import (
+    change_frame,
+    exponentials,
+    forward_kinematics,
+    joint_values,
+    revolute,
+    screw_axes,
+)
+from kincourse.expressions.urdf import rpy_rotation
 from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler
+from kincourse.sampling.arms import PLAIN_ANGLES_DEG, ArmSampler
 from kincourse.text.joint_table import joint_table
-from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Y, Z, pose
 from kinlib.dh.formatting import format_rows, markdown_table
 from kinlib.dh.table import DHTable
-from kinlib.rigid.lie import adjoint, inverse, log
-from kinlib.rigid.rpy import origin, roll_pitch_yaw
+from kinlib.rigid.lie import adjoint, log
+from kinlib.rigid.lie import exp as exponential
+from kinlib.rigid.lie import inverse as inverted
+from kinlib.rigid.rpy import roll_pitch_yaw
 from kinlib.rigid.screw import screw
 from kinlib.view import draw_joints
 from misstep.answers.choice import Choice
@@ -26,6 +38,8 @@ from misstep.answers.expression import ClosedForm
 from misstep.answers.number import Numbers
 from misstep.display.text import degrees, matrix, number, vector
 from misstep.mistakes import mistake
+from misstep.mutants.expression import Expression, given, product
+from misstep.mutants.operations import ANGLE, LENGTH, SLIDE, cos, radians, sin, stack
 from misstep.problem import Problem
 from misstep.sheet import Sheet
 
@@ -46,55 +60,45 @@ REPORTS = {
 @problem("10.1", "From a table to a screw", points=3, lecture="10_one_robot_four_ways#A table")
 def from_a_table(sampler: ArmSampler) -> Problem:
     length = partial(sampler.length, 0.1, 0.9)
-    rows = np.array(
-        [
-            (
-                length(),
-                sampler.choice((-RIGHT_ANGLE_RAD, RIGHT_ANGLE_RAD)),
-                length(),
-                sampler.choice((-RIGHT_ANGLE_RAD, RIGHT_ANGLE_RAD)),
-            ),
-            (
-                length(),
-                sampler.choice((-RIGHT_ANGLE_RAD, RIGHT_ANGLE_RAD)),
-                length(),
-                sampler.choice((-RIGHT_ANGLE_RAD, RIGHT_ANGLE_RAD)),
-            ),
-            (length(), 0.0, 0.0, 0.0),
-        ]
-    )
+    right_angle = partial(sampler.choice, (-RIGHT_ANGLE_RAD, RIGHT_ANGLE_RAD))
+
+    def theta() -> float:
+        # With a right angle a length of row 1 would lie along z_2, and change no moment.
+        return float(np.radians(sampler.choice((-1, 1)) * sampler.choice(PLAIN_ANGLES_DEG)))
+
+    rows = np.array([(length(), right_angle(), length(), theta()) for _ in range(2)] + [(length(), 0.0, 0.0, 0.0)])
+    A = [link(row, "standard", i) for i, row in enumerate(rows, start=1)]
     table = DHTable(rows, convention="standard")
-    screws, last = table.to_chain().screws, table.fk(np.zeros(3))
-    S = screws[2]
+
+    def axis_of(T: Expression, k: int) -> Expression:
+        return revolute(T[:3, 2].named(f"z_{k}"), T[:3, 3].named(f"O_{k}"))
+
+    T_02, T_03 = A[0] @ A[1], product(*A)
+    z, O = T_02[:3, 2].named("z_2"), T_02[:3, 3].named("O_2")
+    z = z.mistaken_for(T_02[:3, 0], "another axis", "take $x_2$ instead of $z_2$")
+    z = z.mistaken_for(T_02[2, :3], "row for column", "take the third row of the rotation instead of its third column")
+    for k, T in ((1, A[0]), (3, T_03)):
+        O = O.mistaken_for(T[:3, 3], "another point", f"take $O_{k}$ instead of $O_2$")
+    S = revolute(z, O)
+    modified = product(*(link(row, "modified", i) for i, row in enumerate(rows, start=1)))
+    for name, text, wrong in (
+        ("another joint", "take $z_3$ and $O_3$", axis_of(T_03, 3)),
+        ("another joint", "take $z_1$ and $O_1$, the axis of joint 2", axis_of(A[0], 1)),
+        ("another joint", "take $z_0$ and $O_0$, the axis of joint 1", axis_of(given("I", np.eye(4)), 0)),
+        ("the other convention", "take $z_3$ and $O_3$ of the modified convention", axis_of(modified, 3)),
+        ("body screw", "give $B_3$, the screw axis in frame 3", change_frame(inverse(T_03), S)),
+    ):
+        S = S.mistaken_for(wrong, name, text)
     return Problem(
         statement="A table in the standard convention, with frame 0 in {s} and three turning joints. Give the screw axis "
         f"$S_3$ of joint 3 in {{s}}, at home.\n\n{_format_table(table)}",
         given={"rows": rows},
-        answer=ScrewsAnswer(S),
-        mistakes=[
-            mistake(
-                "axis of frame 3",
-                screw(last[:3, 2], last[:3, 3]),
-                "You took $z_3$ and $O_3$. In the standard convention joint $i$ turns about $z_{i-1}$: joint 3 about $z_2$.",
-            ),
-            mistake("axis of joint 1", screws[0], "This is $z_0$, the axis of joint 1. Joint 3 turns about $z_2$."),
-            mistake(
-                "body screw",
-                adjoint(inverse(last)) @ S,
-                "This is $B_3$, the screw axis of joint 3 in frame 3. In {s} it is $S_3 = \\mathrm{Ad}_M B_3$.",
-            ),
-            mistake("axis of joint 2", screws[1], "This is $z_1$, the axis of joint 2. Joint 3 turns about $z_2$."),
-            mistake(
-                "the other convention",
-                other_convention(table).to_chain().screws[2],
-                "You multiplied the rows in the modified convention. Standard is $R_z T_z T_x R_x$, joint first.",
-            ),
-            mistake("omega x q", negate_moment(S), "A moment is $v = -\\omega \\times p$. Yours has the other sign."),
-            mistake(
-                "no moment", remove_moment(S), "You left $v = 0$. This axis does not pass through the origin of {s}."
-            ),
-            mistake("halves swapped", swap_halves(S), "You wrote $(v, \\omega)$. Here a screw axis is $(\\omega, v)$."),
-        ],
+        answer=ScrewsAnswer(S.value),
+        solution=S,
+        advice={
+            "another joint": "In the standard convention joint $i$ turns about $z_{i-1}$: joint 3 about $z_2$.",
+            "body screw": "In {s} it is $S_3 = \\mathrm{Ad}_M B_3$.",
+        },
     )
 
 
@@ -102,44 +106,21 @@ def from_a_table(sampler: ArmSampler) -> Problem:
 def another_tool(sampler: ArmSampler) -> Problem:
     robot = sampler.arm("RR")
     turned = sampler.choice(((X, Y, Z), (Y, Z, X), (Z, X, Y)))
-    step = pose(turned, sampler.point(3) / 10)
-    home, S, B = robot.home, robot.screws, robot.body_screws
-
-    def seen_from(T: Array) -> Array:
-        return S @ adjoint(inverse(T)).T
-
+    step, B = pose(turned, sampler.point(3) / 10), robot.body_screws
+    seen = change_frame(inverse(given_pose("T_{bc}", step)), screw_axes("B", B))
     return Problem(
         statement="The body screws of an arm are\n\n"
         f"$$B = {matrix(B)},$$\n\none row a joint. A gripper is mounted; its frame {{c}} stands in the old tool frame at\n\n"
         f"$$T_{{bc}} = {matrix(step)}.$$\n\nGive the body screws for {{c}}, as rows.",
         given={"body_screws": B, "T_bc": step},
-        answer=ScrewsAnswer(seen_from(home @ step)),
-        mistakes=[
-            mistake(
-                "the old tool", B, "These are the screws as {b} sees them. From {c} the same axes have other numbers."
-            ),
-            mistake(
-                "adjoint of T",
-                B @ adjoint(step).T,
-                "You used $\\mathrm{Ad}_{T_{bc}}$, which takes twists in {c} to {b}. Here they go from {b} to {c}: take the "
-                "adjoint of the inverse.",
-            ),
-            mistake(
-                "only turned",
-                np.concatenate([B[:, :3] @ step[:3, :3], B[:, 3:] @ step[:3, :3]], axis=1),
-                "You turned both halves and left out the shift. Where {c} stands changes the moments.",
-            ),
-            mistake(
-                "only shifted",
-                B @ adjoint(inverse(pose((X, Y, Z), step[:3, 3]))).T,
-                "You shifted the frame and did not turn it. {c} stands turned in {b}.",
-            ),
-            mistake(
-                "halves swapped",
-                swap_halves(seen_from(home @ step)),
-                "You wrote $(v, \\omega)$. Here a twist is $(\\omega, v)$.",
-            ),
-        ],
+        answer=ScrewsAnswer(seen.value),
+        solution=seen,
+        advice={
+            "inverse left out": "$\\mathrm{Ad}_{T_{bc}}$ takes twists in {c} to {b}. Here they go from {b} to {c}.",
+            "only rotated": "Where {c} stands changes the moments.",
+            "only moved": "{c} stands turned in {b}.",
+            "frame not changed": "These are the screws as {b} sees them. From {c} the same axes have other numbers.",
+        },
     )
 
 
@@ -151,9 +132,9 @@ def one_of_four(sampler: ArmSampler) -> Problem:
     while np.abs(right - fault).max() < MIN_ENTRY_DIFFERENCE:
         robot = sampler.arm(sampler.choice(("RRR", "RPR", "RRP")), reach=3)
         q = np.array([sampler.choice((0.3, 0.5, 0.7, 0.9)) for _ in range(3)])
-        right, fault = robot.fk(q), product(robot.screws, q, robot.home, "reversed")
+        right, fault = robot.fk(q), np.linalg.multi_dot([*exponential(robot.screws * q[:, None])[::-1], robot.home])
     told = [fault if letter == wrong else right for letter in names]
-    T, T_inverse, placed, twist = told[0], inverse(told[1]), told[2], log(told[3])
+    T, T_inverse, placed, twist = told[0], inverted(told[1]), told[2], log(told[3])
     xyz, rpy = placed[:3, 3], roll_pitch_yaw(placed[:3, :3])
     return Problem(
         statement="Four descriptions of one arm were evaluated at the same $q$, and one of them is wrong. Each program reports "
@@ -179,141 +160,162 @@ def one_of_four(sampler: ArmSampler) -> Problem:
 
 @problem("10.4", "The origin of a joint", points=3, lecture="10_one_robot_four_ways#A file")
 def joint_origin(sampler: ArmSampler) -> Problem:
-    roll = sampler.choice((90, -90))
-    degrees = [roll, 0, -roll]  # with equal angles, yaw and roll could be exchanged
+    # With two right angles, fixed and moving axes could be swapped.
+    degrees = [sampler.choice((90, -90)), 0, sampler.choice((-60, -30, 30, 60))]
     here, there = sampler.point(4) / 10, sampler.point(4) / 10
-    parent = origin(here, np.radians(degrees))
-    R = parent[:3, :3]
-    step = R.T @ (there - here)
+    R = rpy_rotation("R", radians(given("\\mathrm{rpy}", np.array(degrees))))
+    step = (given("p_2", there) - given("p_1", here)).named("(p_2 - p_1)")
+    for name, text, wrong in (
+        ("order", "take the way back, from joint 2 to joint 1", here - given("p_2", there)),
+        ("sign", "add the two places instead of subtracting them", here + given("p_2", there)),
+    ):
+        step = step.mistaken_for(wrong, name, text)
+    xyz = R.T @ step
+    for name, text, wrong in (
+        ("from the base", "give the place of joint 2 in {s}", there),
+        ("another joint", "give the place of joint 1", here),
+        ("rotated and not moved", "multiply the place of joint 2 by $R$", R @ there),
+        ("order", "rotate the place of joint 2 before subtracting that of joint 1", R.T @ there - here),
+        ("placed by joint 1", "place joint 2 as if it were given in the frame of joint 1", here + R @ there),
+    ):
+        xyz = xyz.mistaken_for(wrong, name, text, "A file writes it as seen from joint 1.")
     return Problem(
         statement=f"In the frame of the base, joint 1 of a file has the origin `xyz` = ${vector(here)}$ and "
         f"`rpy` = ${vector(degrees)}$ degrees. At home joint 2 stands at ${vector(there)}$ in {{s}}. "
         "Give the `xyz` that joint 2 has in the file, in metres.",
         given={"xyz_1": here, "rpy_1_in_degrees": np.array(degrees, dtype=float), "place_2": there},
-        answer=VectorsAnswer(step, unit="m"),
-        mistakes=[
-            mistake(
-                "from the base", there, "This is where joint 2 stands in {s}. A file writes it as seen from joint 1."
-            ),
-            mistake(
-                "not turned",
-                there - here,
-                "The step is right, its axes are not: they are those of {s}. Joint 1 stands turned, so read it along its axes.",
-            ),
-            mistake(
-                "turned the other way",
-                R @ (there - here),
-                "You turned the step by $R$. $R$ takes coordinates in joint 1 to those in {s}; here it goes the other way, $R^T$.",
-            ),
-            mistake(
-                "way back",
-                R.T @ (here - there),
-                "This leads from joint 2 to joint 1. An origin is seen from the parent.",
-            ),
-            mistake(
-                "yaw first",
-                origin(rpy=np.radians(degrees[::-1]))[:3, :3].T @ (there - here),
-                "This is right if the angles are yaw, pitch, roll. The first of the three is the roll, about $x$.",
-            ),
-            mistake(
-                "about its own axes",
-                (origin(rpy=np.radians([roll, 0, 0])) @ origin(rpy=np.radians([0, 0, -roll])))[:3, :3].T
-                @ (there - here),
-                "This is right if joint 1 turns about its own axes, $R_x R_y R_z$. The axes of `rpy` are fixed: $R_z R_y R_x$.",
-            ),
-            mistake(
-                "turned, not shifted",
-                R.T @ there,
-                "You turned the place of joint 2 and forgot that joint 1 does not stand in the base.",
-            ),
-        ],
+        answer=VectorsAnswer(xyz.value, unit="m"),
+        solution=xyz,
+        advice={
+            "transpose left out": "$R$ takes coordinates in joint 1 to those in {s}; here it goes the other way.",
+            "factor left out": "Joint 1 stands turned: read the step along its axes.",
+            "term left out": "Joint 1 does not stand in the base.",
+        },
     )
 
 
 @problem("10.5", "The same in letters", points=3, lecture="05_dh_standard#The product of the A matrices")
 def in_letters(sampler: ArmSampler) -> Problem:
-    q1, q2 = sp.symbols("q1 q2")
-    a, b = (sp.Rational(round(100 * sampler.length(*limits)), 100) for limits in ((0.2, 0.5), (0.6, 0.9)))
+    a, b = sampler.length(0.2, 0.5), sampler.length(0.6, 0.9)
     lift = sampler.choice((-1, 1))
     if slides := sampler.choice((True, False)):
-        radius, height, mirrored = a + q2, lift * b, -lift * b
         words = (
             f"At $q = 0$ a boom leaves its axis along $x$ of {{s}}, {number(b)} m {'above' if lift > 0 else 'below'} the "
             f"origin. Joint 2 slides along the boom; at $q_2 = 0$ the tool is {number(a)} m from the axis."
         )
     else:
-        up = lift * b * sp.sin(q2)
-        radius, height, mirrored = b * sp.cos(q2), a + up, a - up
         words = (
             f"Joint 2 sits on this axis, {number(a)} m above the origin, and turns about ${'-y' if lift > 0 else 'y'}$ of {{s}} "
             f"at $q = 0$. It carries a boom of {number(b)} m, which lies along $x$ then, with the tool at its end."
         )
-    right = sp.Matrix([radius * sp.cos(q1), radius * sp.sin(q1), height])
-    swapped = sp.Matrix([radius * sp.sin(q1), radius * sp.cos(q1), height])
+    place = partial(_tool_on_a_boom, a, lift * b, slides)
+    symbols = sp.symbols("q1 q2")
+    lengths = (sp.Rational(str(x)) for x in (a, lift * b))
     return Problem(
         statement=f"Joint 1 turns about $z$ of {{s}}, through its origin. {words} Give $x$, $y$ and $z$ of the tool in the "
         "letters $q_1$ and $q_2$: text such as `'0.5*cos(q1)'`, or SymPy.",
-        given={"a": float(a), "b": float(b), "slides": slides, "lift": lift},
-        answer=ClosedForm(right, symbols=(q1, q2)),
-        mistakes=[
-            mistake(
-                "sine and cosine swapped",
-                swapped,
-                "You swapped sine and cosine of $q_1$. At $q_1 = 0$ the boom lies along $x$.",
-            ),
-            mistake(
-                "other sense",
-                sp.Matrix([right[0], -right[1], right[2]]),
-                "Your turret turns clockwise. About $+z$ the turn leads from $x$ to $y$.",
-            ),
-            mistake(
-                "upside down",
-                sp.Matrix([right[0], right[1], mirrored]),
-                "Your height is mirrored: look which side the boom is on, or which way joint 2 turns.",
-            ),
-            mistake(
-                "joint 1 forgotten",
-                sp.Matrix([radius, 0, height]),
-                "This holds in the plane of the boom. Joint 1 turns the plane: its $x$ becomes $(\\cos q_1, \\sin q_1)$.",
-            ),
-        ],
+        given={"a": a, "b": b, "slides": slides, "lift": lift},
+        answer=ClosedForm(_formulas(*lengths, slides, *symbols), symbols=symbols),
+        solution=place,
+        advice={"sine and cosine swapped": "At $q = 0$ the boom lies along $x$."},
     )
+
+
+def _formulas(a: sp.Expr, b: sp.Expr, slides: bool, q1: sp.Expr, q2: sp.Expr) -> sp.Matrix:
+    """The place of a tool on a boom that joint 2 slides along, or turns upward by, b high or long with the sign of its side."""
+    radius, height = (a + q2, b) if slides else (abs(b) * sp.cos(q2), a + b * sp.sin(q2))
+    return sp.Matrix([radius * sp.cos(q1), radius * sp.sin(q1), height])
+
+
+def _tool_on_a_boom(a: float, b: float, slides: bool, q1: float, q2: float) -> Expression:
+    """The same as an expression."""
+    first, second = given("q_1", q1, ANGLE), given("q_2", q2, SLIDE if slides else ANGLE)
+    offset, up, boom = given("a", a), given("b", b, LENGTH), given("b", abs(b))
+
+    def place(radius: Any, height: Any, angle: Expression = first) -> Expression:
+        return stack(radius * cos(angle), radius * sin(angle), height)
+
+    radius, height = (offset + second, up) if slides else (boom * cos(second), offset + up * sin(second))
+    own = (
+        (
+            ("slide along z", "let joint 2 slide along $z$ instead of the boom", place(offset, up + second)),
+            ("slide as turn", "let joint 2 turn", place(offset * cos(second), up + offset * sin(second))),
+            ("lengths swapped", "swap the two lengths", place(abs(b) + second, a * np.sign(b) * given("1", 1.0))),
+            ("product for sum", "multiply the length of the boom by $q_2$", place(offset * second, up)),
+        )
+        if slides
+        else (
+            (
+                "lengths swapped",
+                "swap the two lengths",
+                place(offset * cos(second), boom + a * np.sign(b) * sin(second)),
+            ),
+            ("turn as slide", "let joint 2 slide", place(boom + second, offset)),
+            ("joint 2 left out", "leave joint 2 at 0", place(boom, offset)),
+            ("angles added", "add the two angles, as for parallel axes", place(boom, height, first + second)),
+        )
+    )
+    p = place(radius, height)
+    swapped = (
+        place(offset + first, up, second) if slides else place(boom * cos(first), offset + up * sin(first), second)
+    )
+    for name, text, wrong in (
+        *own,
+        ("height left out", "leave out the height", place(radius, 0.0)),
+        ("joint 1 left out", "leave out joint 1", stack(radius, 0.0 * radius, height)),
+        ("joint values swapped", "swap $q_1$ and $q_2$", swapped),
+        (
+            "degrees",
+            "convert $q_1$, which is in radians, as if it were in degrees",
+            place(radius, height, radians(first)),
+        ),
+        (
+            "tangent for sine",
+            "use the tangent of $q_1$ instead of its sine",
+            stack(radius * cos(first), radius * np.tan(q1), height),
+        ),
+    ):
+        p = p.mistaken_for(wrong, name, text)
+    return p
 
 
 @problem("10.6", "Two hands", points=3, lecture="10_one_robot_four_ways#Two arms, one tray")
 def two_hands(sampler: ArmSampler) -> Problem:
     flat = sampler.choice((True, False))
-    low, high = (4, 7) if flat else (7, 9)  # an arm of 3 or 6 joints would add no freedom
+    low, high = (4, 9) if flat else (7, 12)  # an arm of 3 or 6 joints would add no freedom
     arms = [sampler.integer(low, high), sampler.integer(low, high), sampler.integer(low, high)]
     d, held = (3, "plate that stays on a table, all axes upright") if flat else (6, "crate in space")
-    n = sum(arms)
+    n, right = sum(arms), float(sum(arms) - 2 * d)
+    joints, loops, equations = given("n", float(n)), given("L", 2.0), given("d", float(d))
+    for name, text, count in (
+        ("one loop", "close one loop", 1.0),
+        ("three loops", "close three loops, one for each arm", 3.0),
+    ):
+        loops = loops.mistaken_for(count, name, text, "One arm carries; the second and the third each close a loop.")
+    place = "In the plane it is three." if flat else "In space it is six."
+    equations = equations.mistaken_for(9.0 - d, "another d", f"take {9 - d} equations for a loop", place)
+    freedoms = joints - loops * equations
+    for name, text, wrong in (
+        ("three loops, another d", f"close three loops with {9 - d} equations each", n - 3.0 * (9 - d)),
+        ("one loop, another d", f"close one loop with {9 - d} equations", n - (9.0 - d)),
+        ("the object", "add one freedom for the object", right + 1),
+        ("the object", "give the freedoms of the object alone", float(d)),
+        ("one arm", "give the freedoms of one arm", float(arms[0])),
+        ("redundancy", "add up what each arm has beyond the freedoms of the object", float(n - 3 * d)),
+        ("equations", "give the number of equations", 2.0 * d),
+        ("one freedom less", "take one more freedom away", right - 1),
+        ("one arm forgotten", "leave out the third arm", float(arms[0] + arms[1] - d)),
+        ("fixed", "say that nothing moves", 0.0),
+        ("sign", "give the negative of the number", -right),
+    ):
+        freedoms = freedoms.mistaken_for(wrong, name, text)
     return Problem(
         statement=f"Three arms of {arms[0]}, {arms[1]} and {arms[2]} joints grip one {held}, each of them rigidly. Nothing is "
         "in a special position. How many freedoms has the whole?",
         given={"joints": np.array(arms, dtype=float)},
-        answer=Numbers(np.array(float(n - 2 * d))),
-        mistakes=[
-            mistake("no loop", float(n), "You added the joints. Each loop that closes takes its equations away."),
-            mistake(
-                "three loops",
-                float(n - 3 * d),
-                "One arm carries; the second and the third each close a loop. That is two.",
-            ),
-            *(
-                [
-                    mistake("one loop", float(n - d), "Three branches that meet close two loops, not one."),
-                    mistake("in space", float(n - 12), "You took six equations for a loop. In the plane it is three."),
-                ]
-                if flat
-                else [
-                    mistake(
-                        "six equations in all",
-                        float(n - 6),
-                        "You took six equations away. Three branches close two loops, and in space each of them takes six.",
-                    )
-                ]
-            ),
-        ],
+        answer=Numbers(np.array(right)),
+        solution=freedoms,
+        advice={"term left out": "Each loop that closes takes its equations away."},
     )
 
 
@@ -323,12 +325,33 @@ def where_is_the_tool(sampler: ArmSampler) -> Problem:
     degrees = [sampler.degrees(-80, 80) for _ in range(3)]
     slide = sampler.length(0.2, 0.9)
     is_turn = np.array([letter == "R" for letter in robot.joint_types])
-    q = np.where(is_turn, np.radians(degrees), slide)
+    typed = np.where(is_turn, degrees, slide)
     words = ", ".join(
         f"$q_{i + 1} = {degrees[i]}$ degrees" if turns else f"$q_{i + 1} = {number(slide)}$ m"
         for i, turns in enumerate(is_turn)
     )
-    right, B = robot.fk(q), robot.body_screws
+    S, M, q = robot.screws, given_pose("M", robot.home), joint_values(robot.joint_types, typed)
+    e, b = exponentials(S, q), exponentials(robot.body_screws, q, "B")
+    T = forward_kinematics(e, M)
+    bent = np.array([screw(w, p) for w, p in zip(robot.lines.axis, robot.joint_points, strict=True)])
+    straight = np.where(is_turn[:, None] & (np.arange(6) > 2), 0.0, S)
+    for name, text, wrong in (
+        ("body screws", "use the body screws with $M$ last", product(*b, M)),
+        ("body screws", "multiply the body screws from the last joint to the first", product(M, *b[::-1])),
+        (
+            "adjoint",
+            "take $\\mathrm{Ad}_M$ for the body screws",
+            product(M, *exponentials(S @ adjoint(robot.home).T, q, "B")),
+        ),
+        ("slide as turn", "treat the prismatic joint as a revolute one", product(*exponentials(bent, q), M)),
+        ("no moment", "leave out all moments", product(*exponentials(straight, q), M)),
+        (
+            "space screws",
+            "use $\\mathrm{Ad}_{M}$ instead of the screws in {s}",
+            product(*exponentials(S @ adjoint(robot.home).T, q), M),
+        ),
+    ):
+        T = T.mistaken_for(wrong, name, text, "With screws in {s}, $M$ is last; with screws in {b}, it is first.")
     return Problem(
         statement=f"Give the tool's pose $T_{{sb}}$ at {words}, by any of the four ways.\n\n{joint_table(robot)}\n\n"
         f"The home pose is\n\n$$M = {matrix(robot.home)}.$$",
@@ -338,36 +361,11 @@ def where_is_the_tool(sampler: ArmSampler) -> Problem:
             "axes": robot.lines.axis,
             "points": robot.joint_points,
             "home": robot.home,
-            "q": q,
+            "q": np.where(is_turn, np.radians(degrees), slide),
         },
-        answer=PoseAnswer(right),
-        mistakes=[
-            mistake(
-                "body screws, M on the right",
-                product(B, q, robot.home),
-                "These are body screws with $M$ behind them. They read the axes from the tool, so $M$ stands in front.",
-            ),
-            mistake(
-                "space screws, M in front",
-                product(robot.screws, q, robot.home, "home first"),
-                "These are space screws with $M$ in front. They read the axes from {s}, so $M$ stands behind.",
-            ),
-            mistake(
-                "reversed",
-                product(robot.screws, q, robot.home, "reversed"),
-                "You multiplied from the last joint to the first. The factor of joint 1 stands leftmost.",
-            ),
-            mistake(
-                "Ad(M) for Ad(M^-1)",
-                robot.home @ product(robot.screws @ adjoint(robot.home).T, q, np.eye(4)),
-                "Your body screws came from $\\mathrm{Ad}_M$. It leads from {b} to {s}; you need $\\mathrm{Ad}_{M^{-1}}$.",
-            ),
-            mistake(
-                "degrees",
-                product(robot.screws, np.where(is_turn, degrees, slide), robot.home),
-                "You used degrees as radians. `given.q` holds radians and metres.",
-            ),
-        ],
+        answer=PoseAnswer(T.value),
+        solution=T,
+        advice={"reversed": "The factor of joint 1 stands leftmost.", "degrees": "`given.q` holds radians and metres."},
     )
 
 
