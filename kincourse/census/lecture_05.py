@@ -242,7 +242,8 @@ def parallel_axes(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "no square root": ([a1**2, d1, a2**2, d2], "root, square"),
             "millimetres": (1000 * np.array([a1, d1, a2, d2]), "millimet, mm, 1000, unit"),
             "swapped and downwards": ([-d1, a1, -d2, a2], f"{SWAP}, {low}"),
-            "round the corner and downwards": ([abs(dx1) + abs(dy1), -d1, abs(dx2) + abs(dy2), -d2], f"Pythag, corner, straight, add the steps, {low}"),
+            "round the corner and downwards": (
+                [abs(dx1) + abs(dy1), -d1, abs(dx2) + abs(dy2), -d2], f"Pythag, corner, straight, add the steps, {low}"),
             "round the corner, height above the floor": (
                 [abs(dx1) + abs(dy1), P[1, 2], abs(dx2) + abs(dy2), P[2, 2]], "Pythag, corner, straight, add the steps, height, floor"),
         }

@@ -334,7 +334,7 @@ def slide_elsewhere(sampler: ArmSampler) -> Problem:
         ("unchanged", "keep both numbers", (a_1, a_2), "The arm is the same, but a row measures from line to line."),
         ("only the first", "change $a_1$ alone", (x, a_2), "Joint 3 is where it was, so $a_2$ changes too."),
         ("only the second", "change $a_2$ alone", (a_1, a_1 + a_2 - x), "$a_1$ is the distance from axis 1 to the slide's line."),
-        ("sign", "measure backwards", (-x, x - a_1 - a_2), "Both are counted along $x$."),
+        ("sign", "take both with the opposite sign", (-x, x - a_1 - a_2), "Both are counted along $x$."),
         ("sign of the second", "take $a_2$ with the opposite sign", (x, x - a_1 - a_2), "$a_2$ is counted along $x$, from the slide."),
         ("measured from joint 3", "measure from joint 3", (a_1 + a_2 - x, -x), "Row 1 begins at joint 1."),
         ("the shift as a_1", "give the shift of the slide as $a_1$", (x - a_1, a_1 + a_2 - x), "$a_1$ is measured from axis 1."),

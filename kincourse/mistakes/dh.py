@@ -1,17 +1,13 @@
 """Common mistakes in DH tables: each function takes the right table and returns the wrong one that the mistake leads to.
 
-`table_mistakes` gives the mistakes of a problem whose answer is a table, `pose_mistakes` those of a problem whose answer
-is the product of the link transforms. Both take the names in TABLE_MISTAKES that fit the problem.
+`table_mistakes` gives the mistakes of a problem whose answer is a table, by their names in TABLE_MISTAKES.
 """
 
 from collections.abc import Callable, Mapping
-from functools import reduce
 from typing import NamedTuple
 
 import numpy as np
-from numpy.typing import ArrayLike
 
-from kinlib.arrays.validation import Array
 from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS
 from kinlib.dh.table import Convention, DHTable
 from misstep.mistakes import Mistake, mistake
@@ -120,13 +116,6 @@ def off_the_normal(table: DHTable) -> DHTable:
     return table.changed(rows=rows)
 
 
-def product_reversed(table: DHTable, q: ArrayLike) -> Array:
-    """The link transforms at q (n,) multiplied from the last row to the first, between base and tool, shape (4, 4)."""
-    links = table.link_transforms(q)[::-1]
-    T: Array = reduce(np.matmul, [*links, table.tool], table.base)
-    return T
-
-
 class TableMistake(NamedTuple):
     """A function that makes the mistake in a right table, and the message for a student who made it."""
 
@@ -172,15 +161,6 @@ TABLE_MISTAKES: Mapping[str, TableMistake] = {
         slide_in_theta,
         "You put the variable of a prismatic joint into $\\theta$. What slides changes $d$; its $\\theta$ is a constant.",
     ),
-    "base in a row": TableMistake(
-        base_in_a_row,
-        "You wrote the base into the first row. That row moves along $z_0$ and along the normal behind it, which turns with "
-        "joint 1. A base does not turn: it stands in front of the table.",
-    ),
-    "tool in a row": TableMistake(
-        tool_in_a_row,
-        "You wrote the tool into the last row. It stands behind the table, as a pose of its own.",
-    ),
     "off the normal": TableMistake(
         off_the_normal,
         "You measured $a$ from joint to joint. $x_i$ runs along the common normal, square to both axes; what is left over "
@@ -192,24 +172,6 @@ TABLE_MISTAKES: Mapping[str, TableMistake] = {
 def table_mistakes(table: DHTable, *names: str) -> list[Mistake]:
     """The mistakes of these names for a problem whose answer is the table."""
     return [mistake(name, TABLE_MISTAKES[name].change(table), TABLE_MISTAKES[name].message) for name in names]
-
-
-def pose_mistakes(table: DHTable, q: ArrayLike, *names: str) -> list[Mistake]:
-    """The mistakes of these names for a problem whose answer is the pose of the tool at q (n,).
-
-    Besides the names in TABLE_MISTAKES there is "reversed", the product in the wrong order.
-    """
-    reversed_ = mistake(
-        "reversed",
-        product_reversed(table, q),
-        "You multiplied from the last row to the first. $A_1$ stands leftmost: it moves all that follows.",
-    )
-    return [
-        reversed_
-        if name == "reversed"
-        else mistake(name, TABLE_MISTAKES[name].change(table).fk(q), TABLE_MISTAKES[name].message)
-        for name in names
-    ]
 
 
 def _other(convention: Convention) -> Convention:
