@@ -408,7 +408,9 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
 @problem("06.7", "The rotation of a wrist", points=3, lecture="06_dh_modified#The wrist")
 def wrist(sampler: ArmSampler) -> Problem:
     degrees = [0, 0, 0]
-    while any(angle % 45 == 0 for angle in degrees):  # otherwise some wrong wrists have the same pose
+    while (
+        any(angle % 45 == 0 for angle in degrees) or len({*map(abs, degrees)}) < 3
+    ):  # otherwise some wrong wrists have the same pose
         degrees = [sampler.degrees(-80, 80) for _ in range(3)]
     rows = np.array([(0.0, -np.pi / 2, 0.0, 0.0), (0.0, np.pi / 2, 0.0, 0.0), (0.0, -np.pi / 2, 0.0, 0.0)])
     T = table_product(rows, "RRR", np.radians(degrees), "modified", first=4)
