@@ -157,10 +157,12 @@ def _by_hand(template: Template, problem: Problem, by_hand: Callable[..., Any] |
             made.value,
             made.right,
             True,
-            lambda findings, made=made: made.is_named_by(
-                " ".join(found.message for found in findings)
-            ),
+            partial(_are_words_of, made),
         )
+
+
+def _are_words_of(made: Any, findings: Sequence[Finding]) -> bool:
+    return bool(made.is_named_by(" ".join(found.message for found in findings)))
 
 
 def _count(row: Row, student: str, problem: Problem, tried: Tried) -> None:

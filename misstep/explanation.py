@@ -54,7 +54,8 @@ def _explain_parts(
         ]
         for group in groups
     ]
-    left, found = set(wrong), []
+    left = set(wrong)
+    found: list[Explanation] = []
     while left:
         count, rank = max(
             ((len(parts & left), -rank) for rank, group in enumerate(matching) for _, parts in group), default=(0, 0)

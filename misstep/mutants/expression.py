@@ -243,7 +243,7 @@ def as_expression(value: Any) -> Expression:
     """
     if isinstance(value, Expression):
         return value
-    return given(f"{value:g}" if np.isscalar(value) else "\\ldots", value)
+    return given(f"{float(value):g}" if np.ndim(value) == 0 else "\\ldots", value)
 
 
 def _quoted(*nodes: Expression) -> str:

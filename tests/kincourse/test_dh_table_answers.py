@@ -122,7 +122,9 @@ def test_two_mistakes_are_named_and_more_are_left_to_the_first_difference():
     finding = judge_table(rows_with((0, 0, -0.3), (1, 1, 1.1)), anchored=True).findings[0]
     assert finding.mistake == "sign of a and sign of alpha"
     assert finding.message == "Row 1: a has the wrong sign. Row 2: alpha has the wrong sign."
-    message = judge_table(rows_with((0, 0, 0.2), (0, 1, 0.6), (1, 0, 0.3), (1, 1, 1.3), (1, 2, 0.4))).findings[0].message
+    message = (
+        judge_table(rows_with((0, 0, 0.2), (0, 1, 0.6), (1, 0, 0.3), (1, 1, 1.3), (1, 2, 0.4))).findings[0].message
+    )
     assert message == "Axes 1 and 2 make an angle of 34.38 degrees in your table, and of 40.11 degrees in the arm."
 
 

@@ -7,7 +7,6 @@ import pytest
 
 from kincourse import find_sheet
 from kinlib.chains.chain import random_configurations
-from kinlib.dh.table import DHTable
 from misstep.judge import judge
 
 STUDENTS = [f"s{i}" for i in range(8)]
@@ -163,4 +162,4 @@ def test_a_prismatic_axis_of_a_conversion_may_lie_elsewhere():
     moved = rows + np.outer((0, 1, -1, 0), (0.25, 0, 0, 0))
     answer = type(variants(CONVERSIONS["06.3"])[0].answer)(rows, convention="modified", joints="RPRR", unconverted=rows)
     assert answer.agrees(moved, rows) == [True] * 4
-    assert answer.agrees(moved + (0, 0, 0.01, 0), rows) != [True] * 4
+    assert answer.agrees(moved + np.array((0, 0, 0.01, 0)), rows) != [True] * 4
