@@ -34,12 +34,12 @@ def gap(given: Any, answer: Array) -> Iterator[WrongAnswer]:
         {
             "second branch not inverted": (of("DCGAB"), "invert, invers, back"),
             "second branch not inverted, B first": (of("DCGBA"), "invert, invers, back"),
-            "inverted, not reversed": (of("DCGab"), "order, revers"),
+            "inverted, not reversed": (of("DCGab"), f"order, revers, {SWAP}"),
             "G left out": (of("DCba"), LEFT_OUT),
             "G inverted": (of("DCgba"), "invers, invert"),
             "G in front": (of("GDCba"), "order, front, place"),
-            "G between D and C": (of("DGCba"), "order, place, between"),
-            "C before D": (of("CDGba"), "order"),
+            "G between D and C": (of("DGCba"), f"order, place, between, {SWAP}"),
+            "C before D": (of("CDGba"), f"order, {SWAP}"),
             "T_2^-1 T_1": (of("gcdAB"), f"T_2, {other_way}"),
             "T_1^-1 T_2": (of("baDCG"), f"T_1, {other_way}, behind, front"),
             "the other way round": (-r, other_way),
@@ -94,7 +94,7 @@ def both_modes(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "mirrored in the ground": ([D1, -D1], "mirror, ground line"),
             "the other one mirrored in the ground": ([-D2, D2], "mirror, ground line"),
             "both negated": (-D, f"{SIGN}, mirror"),
-            "inner angles": (np.pi - D, "inner, supplement, \\pi"),
+            "inner angles": (np.pi - D, "inner, supplement, \\pi, opposite sign"),
             "half a turn off": (D + np.pi, "half a turn, from D, opposite, C to D, \\pi, direction"),
             "crank from y": (rockers(angle=np.pi / 2 - A), "crank, y axis, sin, cos"),
             "crank below": (rockers(angle=-A), f"crank, {SIGN}, mirror"),
@@ -147,7 +147,7 @@ def coupler_point(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "beyond C": (carried(angle, (b + p[0], p[1])), "from C, beyond"),
             "along and left exchanged": (carried(angle, p[::-1]), f"{SWAP}, along, left"),
             "from A": (carried(angle, start=0 * B), f"from A, from B, origin, {LEFT_OUT}"),
-            "from D": (carried(angle, start=(g, 0)), "from D, from B"),
+            "from D": (carried(angle, start=(g, 0)), "from D, from B, place of D"),
             "seen from D": (P - (g, 0), "from D, from A, origin"),
             "only along the coupler": (carried(angle, (p[0], 0)), f"{LEFT_OUT}, only"),
             "only B": (B, LEFT_OUT),
@@ -188,7 +188,7 @@ def slider(given: Any, answer: float) -> Iterator[WrongAnswer]:
             "offset taken off at the end": (of(0) - e, "offset, end"),
             "Pythagoras with a plus": (a * np.cos(A) + np.hypot(rod, e - a * np.sin(A)), f"Pythag, root, {SIGN}"),
             "no square root": (a * np.cos(A) + rod**2 - (e - a * np.sin(A)) ** 2, "root, square"),
-            "root not taken of the rod": (a * np.cos(A) + rod - abs(e - a * np.sin(A)), "root, square, Pythag"),
+            "root not taken of the rod": (a * np.cos(A) + rod - abs(e - a * np.sin(A)), "root, square, Pythag, subtracted the height"),
             **(
                 {"crank and rod exchanged": (of(crank=rod, rod=a), f"{SWAP}, rod")}
                 if a > abs(e - rod * np.sin(A))
@@ -251,7 +251,7 @@ def dead_point(given: Any, answer: float) -> Iterator[WrongAnswer]:
             "arcsine": (np.arcsin(np.cos(A)), "sin, cos"),
             "no factor 2": (arccos(2 * np.cos(A)), "factor, law of cosines"),
             "right triangle": (arccos(g / (b + c)), "right angle, right-angled, Pythag, law of cosines"),
-            "crank turns right round": (np.pi, "turn right round, full turn, \\pi"),
+            "crank turns right round": (np.pi, "turn right round, turns right round, full turn, \\pi"),
             "supplement in degrees": (180 - np.degrees(A), "supplement, degree, radian"),
             "angle at D in degrees": (np.degrees(angle(g, b + c, a)), f"{place}, degree, radian"),
             "supplement, folded": (np.pi - angle(g, a, abs(b - c)), "folded, fold, supplement"),
@@ -291,7 +291,7 @@ def counting(given: Any, answer: float) -> Iterator[WrongAnswer]:
         "bodies only": (d * (N - 1), "joint, constraint"),
         "ground not counted, other d": (of(9 - d, N=N - 1), f"{count}, d =, plane, space"),
         "other d, one freedom each": (of(9 - d, total=J), "d =, plane, space, one freedom, universal, ball"),
-        "one too many": (of() + 1, "off by one"),
+        "one too many": (of() + 1, "off by one, one too"),
     }
     identities = {
         "one freedom for each joint",

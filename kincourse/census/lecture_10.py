@@ -45,7 +45,7 @@ def from_a_table(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "a row for a column": (screw(R[2], p), "row, column, transpos"),
             "point of frame 3": (screw(z, M[:3, 3]), "point, frame 3, O_3, origin"),
             "point of frame 1": (screw(z, chain(rows[:1], "standard")[:3, 3]), "point, frame 1, O_1, origin"),
-            "the body screw": (Ad(np.linalg.inv(M)) @ S, "body, tool, {b}"),
+            "the body screw": (Ad(np.linalg.inv(M)) @ S, "body, tool, {b}, B_3"),
             "as joint 3 has it": (np.array([0, 0, 1, 0, 0, 0]), f"own frame, {moment}, {{s}}, frame 2, joint 1"),
             "rows in reverse": (axis_of(2, rows[1::-1]), "order, reverse, row"),
             "alpha negated": (axis_of(2, rows * (1, -1, 1, 1)), f"alpha, {SIGN}"),
@@ -174,7 +174,7 @@ def in_letters(given: Any, answer: Any) -> Iterator[WrongAnswer]:
             "slide along z": (text(f"{a}", f"{height} + q2"), "along, slide, boom"),
             "slide turned as an angle": (text(f"{a}*cos(q2)", f"{height} + {a}*sin(q2)"), "slide, turn, prismatic"),
             "a and b exchanged": (text(f"{b} + q2", f"{lift * a}"), SWAP),
-            "boom times slide": (text(f"{a}*q2", height), "times, sum, slide"),
+            "boom times slide": (text(f"{a}*q2", height), "times, sum, slide, multipl"),
             "height left out": (text(radius, "0"), f"height, {LEFT_OUT}"),
         }
     else:
