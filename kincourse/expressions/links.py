@@ -142,7 +142,7 @@ def _row_changes(node: Expression) -> Changes:
         ("both pairs swapped", "swap $a$ and $d$, and $\\alpha$ and $\\theta$", ANGLES_ADVICE, (d, theta, a, alpha)),
         ("order of the numbers", "give $\\theta, d, a, \\alpha$ in this order", ROW_ADVICE, (theta, d, a, alpha)),
         ("order of the numbers", "give $\\alpha, a, d, \\theta$ in this order", ROW_ADVICE, (alpha, a, d, theta)),
-        ("the row backwards", "measure from the second frame to the first", BACKWARDS_ADVICE, (-a, -alpha, -d, -theta)),
+        ("the row backwards", "measure from the second frame to the first, which gives the opposite signs", BACKWARDS_ADVICE, (-a, -alpha, -d, -theta)),
         ("x in the other direction", "take $x_i$ in the opposite direction", "", (-a, -alpha, d, theta + np.pi)),
         ("off the normal", "take the distance of the origins as $a$", LENGTHS_ADVICE, (hypotenuse, alpha, d, theta)),
         ("off the normal", "take the distance of the origins as $a$, and no $d$", LENGTHS_ADVICE, (hypotenuse, alpha, 0.0, theta)),

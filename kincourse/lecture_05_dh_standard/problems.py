@@ -56,10 +56,10 @@ def four_numbers(sampler: ArmSampler) -> Problem:
         start = pose((x, np.cross(z, x), z), np.abs(sampler.point(3)))
         row = np.array(
             [
-                sampler.integer(1, 4),
+                sampler.integer(1, 6),
                 sampler.choice((-1, 1)) * RIGHT_ANGLE_RAD,
-                sampler.choice((-1, 1)) * sampler.integer(1, 4),
-                sampler.choice((-1, 1, 2)) * RIGHT_ANGLE_RAD,
+                sampler.choice((-1, 1)) * sampler.integer(1, 6),
+                sampler.choice((-1, 1)) * RIGHT_ANGLE_RAD,
             ]
         )
     frames = DHTable([row], convention="standard", base=start, name="Two frames")
