@@ -383,6 +383,7 @@ def three_mobilities(sampler: ArmSampler) -> Problem:
     mobility = linkage.mobility(case.q)
     counted, felt, rank = mobility.kutzbach, mobility.infinitesimal, linkage.n - mobility.infinitesimal
     d = (linkage.n - counted) // loops
+    large = np.count_nonzero(mobility.singular_values > 1)
     shown = ", ".join(f"{value:.3f}" if value > 1e-6 else "0" for value in mobility.singular_values)
     return Problem(
         statement=f"The drawing shows {case.description}: {linkage.n} joint values in {loops} loop{'s' * (loops > 1)}. In this posture "
@@ -419,8 +420,16 @@ def three_mobilities(sampler: ArmSampler) -> Problem:
                 f"This is the number of joint values. Each of the loops takes $d = {d}$ away.",
             ),
             mistake("had", [counted, felt, 1 - case.finite_mobility], case.explanation, case.explanation),
+            *(
+                mistake(name, wrong, f"You counted {text}.", f"This is what you get if you count {text}.")
+                for name, wrong, text in (
+                    ("one loop too many", [counted - d, felt, case.finite_mobility], "one loop too many"),
+                    ("rank", [counted, felt + 1, case.finite_mobility], "one singular value too many as zero"),
+                    ("rank", [counted, linkage.n - large, case.finite_mobility], "the singular values below 1 as zero"),
+                )
+            ),
         ],
-    )
+    ).without_duplicates()
 
 
 @dataclass(frozen=True, eq=False)
