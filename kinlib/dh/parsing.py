@@ -12,7 +12,6 @@ or alpha_i the modified one.
 
 import ast
 import re
-import unicodedata
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
@@ -291,6 +290,8 @@ def _respelled(text: str) -> str:
         text = text.replace(sign, plain)
     # A number in front of a fraction of numbers is its whole part: 1½ is 1.5.
     for fraction in set(re.findall(r"[¼-¾⅐-⅞]", text)):
+        import unicodedata  # needed for the signs of fractions alone, and slow to load
+
         parts = unicodedata.normalize("NFKC", fraction).replace("⁄", "/")
         text = re.sub(rf"(\d+){fraction}", rf"(\1+{parts})", text).replace(fraction, f"({parts})")
     return text

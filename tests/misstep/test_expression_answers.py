@@ -17,6 +17,8 @@ from misstep.formulas.parsing import FUNCTIONS
 from misstep.formulas.walker import MAX_PARTS
 from misstep.judge import judge
 from misstep.mistakes import mistake
+from misstep.mutants.expression import given as of_solution
+from misstep.mutants.operations import sin
 from misstep.problem import Problem
 
 q_1, q_2 = sp.symbols("q_1 q_2", real=True)
@@ -363,3 +365,27 @@ def test_every_function_has_the_values_of_sympy(name):
     assert typed == pytest.approx(oracle.real, rel=1e-12)
     if name != "sinc":
         assert reader.read(function(x * half)).values[0] == pytest.approx(oracle.real, rel=1e-12)
+
+
+# --- solutions of formulas ---
+
+SINE = ClosedForm(3 * sp.sin(theta))
+
+
+@pytest.mark.oracle("sympy", ClosedForm.expressions, ClosedForm.collect, ClosedForm.may_be, Reader.points)
+def test_a_solution_has_the_values_of_sympy_at_each_point():
+    points = SINE._reader.points
+    expected = [float((3 * sp.sin(theta)).subs(theta, point["theta"])) for point in points]
+    values = [node.value for node in SINE.expressions(lambda theta: 3 * sin(of_solution("\\theta", theta)))]
+    np.testing.assert_allclose(values, expected, rtol=1e-12)
+    assert SINE.agrees(SINE.collect(expected), SINE.value) == [True]
+    assert SINE.may_be(SINE.collect(values), expected[0])
+    assert not SINE.may_be(SINE.collect(values), expected[0] + 1)
+
+
+@pytest.mark.oracle("text: written out in the test", ClosedForm.same_entries, ClosedForm.slips)
+def test_the_slips_of_formulas_are_named_by_their_places():
+    vector = ClosedForm(sp.Matrix([theta, sp.cos(theta), 1]))
+    assert vector.same_entries(vector.read("[theta, 0, 1]"), vector.value).tolist() == [True, False, True]
+    signs = [slip for slip in vector.slips() if all(vector.agrees(vector.read("[theta, -cos(theta), 1]"), slip.value))]
+    assert [slip.message for slip in signs] == ["Only one formula has the wrong sign: entry 2."]

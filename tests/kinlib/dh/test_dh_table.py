@@ -11,7 +11,7 @@ from hypothesis import strategies as st
 
 import kinlib as kl
 from kinlib import DHTable, dh_transform, robots
-from kinlib.dh.parsing import read_rows
+from kinlib.dh.parsing import is_plausible_angle, read_rows
 from kinlib.dh.table import joint_transform, normal_transform, validate_convention
 
 EXACT = 1e-12
@@ -836,3 +836,10 @@ DATA = DHTable([[0.5, 0, 0, 0]], convention="standard").to_dict()
 def test_data_of_any_other_form_is_refused(data, message):
     with pytest.raises(ValueError, match=message):
         DHTable.from_dict(data)
+
+
+@pytest.mark.oracle("text: written out in the test", is_plausible_angle)
+@pytest.mark.parametrize("degrees", [-360, -90, 0, 0.5, 90, 450, 3600])
+def test_an_angle_in_whole_degrees_or_within_a_turn_is_plausible(degrees):
+    assert is_plausible_angle(np.radians(degrees))
+    assert is_plausible_angle(degrees) == (abs(degrees) <= 2 * np.pi)  # the same number without its degree sign

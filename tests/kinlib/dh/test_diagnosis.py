@@ -8,6 +8,7 @@ from planted_mistakes import TABLES
 
 import kinlib as kl
 from kinlib import DHTable, assign_frames, diagnose, equivalent
+from kinlib.dh.diagnosis import Explanation
 from kinlib.dh.mistakes import corrected_rows, corrections_of_joint_types, format_entry, known_corrections
 
 PUMA = kl.robots.puma560()
@@ -450,6 +451,20 @@ def test_with_everything_fixed_a_table_is_right_where_the_robotics_toolbox_has_t
         assert diagnose(right.changed(rows=wrong), right, CHOICES, in_pairs=False).right == is_right
         verdicts.add(is_right)
     assert verdicts == {True, False}
+
+
+@pytest.mark.oracle("roboticstoolbox", Explanation.equivalence)
+def test_a_corrected_table_is_equivalent_where_the_robotics_toolbox_has_the_same_poses():
+    rtb = pytest.importorskip("roboticstoolbox")
+    for explanation in diagnose(with_entries(UR5, (2, "a", 0.5)), UR5, CHOICES).explanations:
+        assert explanation.equivalence
+        poses = [
+            rtb.DHRobot([rtb.RevoluteDH(a=a, alpha=alpha, d=d, offset=theta) for a, alpha, d, theta in table.rows])
+            .fkine(np.linspace(-2, 2, 6))
+            .A
+            for table in (explanation.corrected, UR5)
+        ]
+        np.testing.assert_allclose(*poses, atol=1e-9)
 
 
 def test_a_wrong_sign_at_the_end_is_a_choice_of_the_tool_unless_the_tool_is_fixed():
