@@ -145,7 +145,7 @@ def _row_changes(node: Expression) -> Changes:
         ("the row backwards", "measure from the second frame to the first, which gives the opposite signs", BACKWARDS_ADVICE, (-a, -alpha, -d, -theta)),
         ("x in the other direction", "take $x_i$ in the opposite direction", "", (-a, -alpha, d, theta + np.pi)),
         ("off the normal", "take the distance of the origins as $a$", LENGTHS_ADVICE, (hypotenuse, alpha, d, theta)),
-        ("off the normal", "take the distance of the origins as $a$, and no $d$", LENGTHS_ADVICE, (hypotenuse, alpha, 0.0, theta)),
+        ("off the normal", "take the distance of the origins as $a$, no $d$", LENGTHS_ADVICE, (hypotenuse, alpha, 0.0, theta)),
     ):  # fmt: skip
         wrong = _row(*entries)
         if np.all(node.value) or not np.allclose(wrong.value, node.value):

@@ -402,7 +402,7 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
                 else []
             ),
         ],
-    ).without_duplicates()
+    )
 
 
 @problem("06.7", "The rotation of a wrist", points=3, lecture="06_dh_modified#The wrist")
