@@ -109,17 +109,15 @@ def both_ways(sampler: ArmSampler) -> Problem:
     D = with_other_bars(lambda four: both_modes(*rocker_directions(four, A)), bars(four_bar))
     coupler, rocker = coupler_directions(bars(four_bar), A), D.arguments
     line = direction_of(np.array([four_bar.ground, 0.0]) - polar(given("a", four_bar.crank), A))
-    for name, text, one, other in (
-        ("coupler's angles", "give the coupler's angles from the $x$ axis", *coupler),
-        ("coupler's angles", "give the coupler's angles against the crank", *(k - A for k in coupler)),
-        ("coupler's angles", "give the coupler's angles against the rocker", *map(sub, coupler, rocker)),
-        ("coupler's angles", "give the coupler's angles in degrees", *(180 / np.pi * k for k in coupler)),
-        ("angles from BD", "give the angles from the line BD instead of the $x$ axis", *(q - line for q in rocker)),
-        ("inner angles", "give the inner angles at D in degrees", *(180 - 180 / np.pi * q for q in rocker)),
+    for name, text, angles in (
+        ("coupler's angles", "give the coupler's angles from the $x$ axis", coupler),
+        ("coupler's angles", "give the coupler's angles against the crank", tuple(k - A for k in coupler)),
+        ("coupler's angles", "give the coupler's angles against the rocker", tuple(map(sub, coupler, rocker))),
+        ("coupler's angles", "give the coupler's angles in degrees", tuple(180 / np.pi * k for k in coupler)),
+        ("angles from BD", "give the angles from the line BD instead of the $x$ axis", tuple(q - line for q in rocker)),
+        ("inner angles", "give the inner angles at D in degrees", tuple(180 - 180 / np.pi * q for q in rocker)),
     ):
-        D = D.mistaken_for(
-            both_modes(one, other), name, text, "The rocker's angle is that from the $x$ axis, in radians."
-        )
+        D = D.mistaken_for(both_modes(*angles), name, text, "The rocker's angle is that from the $x$ axis, in radians.")
     return Problem(
         statement=f"{describe_lengths(four_bar)} Its crank stands at {degrees} degrees from the $x$ axis. Give the "
         "rocker's angle $D$, from the $x$ axis "

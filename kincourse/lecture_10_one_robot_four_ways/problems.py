@@ -171,14 +171,14 @@ def joint_origin(sampler: ArmSampler) -> Problem:
     ):
         step = step.mistaken_for(wrong, name, text)
     xyz = R.T @ step
-    for name, text, wrong in (
+    for name, text, place in (
         ("from the base", "give the place of joint 2 in {s}", there),
         ("another joint", "give the place of joint 1", here),
         ("rotated and not moved", "multiply the place of joint 2 by $R$", R @ there),
         ("order", "rotate the place of joint 2 before subtracting that of joint 1", R.T @ there - here),
         ("placed by joint 1", "place joint 2 as if it were given in the frame of joint 1", here + R @ there),
     ):
-        xyz = xyz.mistaken_for(wrong, name, text, "A file writes it as seen from joint 1.")
+        xyz = xyz.mistaken_for(place, name, text, "A file writes it as seen from joint 1.")
     return Problem(
         statement=f"In the frame of the base, joint 1 of a file has the origin `xyz` = ${vector(here)}$ and "
         f"`rpy` = ${vector(degrees)}$ degrees. At home joint 2 stands at ${vector(there)}$ in {{s}}. "
@@ -210,12 +210,12 @@ def in_letters(sampler: ArmSampler) -> Problem:
         )
     place = partial(_tool_on_a_boom, a, lift * b, slides)
     symbols = sp.symbols("q1 q2")
-    lengths = (sp.Rational(str(x)) for x in (a, lift * b))
+    right = _formulas(sp.Rational(str(a)), sp.Rational(str(lift * b)), slides, *symbols)
     return Problem(
         statement=f"Joint 1 turns about $z$ of {{s}}, through its origin. {words} Give $x$, $y$ and $z$ of the tool in the "
         "letters $q_1$ and $q_2$: text such as `'0.5*cos(q1)'`, or SymPy.",
         given={"a": a, "b": b, "slides": slides, "lift": lift},
-        answer=ClosedForm(_formulas(*lengths, slides, *symbols), symbols=symbols),
+        answer=ClosedForm(right, symbols=symbols),
         solution=place,
         advice={"sine and cosine swapped": "At $q = 0$ the boom lies along $x$."},
     )
