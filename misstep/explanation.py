@@ -90,8 +90,12 @@ def message_of(mistakes: Sequence[Mistake], whole: bool) -> str:
 
     >>> message_of([Mistake("order", 1, "You swapped them."), Mistake("sign", 1, "You forgot a sign.")], whole=True)
     'Several mistakes lead to this answer. Either: You swapped them. Or: You forgot a sign.'
+    >>> message_of([Mistake("order", 1, "You swapped them."), Mistake("swap", 1, "You swapped them. The base is first.")], whole=True)
+    'You swapped them. The base is first.'
     """
-    texts = list(dict.fromkeys(mistake.message if whole else mistake.part for mistake in mistakes))[:MAX_ALTERNATIVES]
+    texts = list(dict.fromkeys(mistake.message if whole else mistake.part for mistake in mistakes))
+    # The same sentence with advice behind it says it all.
+    texts = [text for text in texts if not any(other.startswith(f"{text} ") for other in texts)][:MAX_ALTERNATIVES]
     if len(texts) == 1:
         return texts[0]
     return f"Several mistakes lead to this {'answer' if whole else 'part'}. Either: {' Or: '.join(texts)}"

@@ -92,7 +92,7 @@ class DHFramesAnswer(Numbers):
                 (
                     "reversed",
                     T[::-1],
-                    "The frames are right, their order is reversed.",
+                    "The frames are right, but their order is reversed.",
                     "",
                 ),
             ],

@@ -161,8 +161,8 @@ class OriginAnswer(Equivalent):
     def hint(self, given: Array, part: int) -> str:
         right = np.asarray(self.value)
         if self.agrees(np.stack([given[0], right[1]]), right)[0]:
-            return "Its xyz is right, its rpy is another rotation."
-        return "Its rpy is right, its xyz is not." if self.agrees(np.stack([right[0], given[1]]), right)[0] else ""
+            return "The xyz is right, but the rpy is another rotation."
+        return "The rpy is right, but the xyz is not." if self.agrees(np.stack([right[0], given[1]]), right)[0] else ""
 
 
 def _position_mask() -> NDArray[np.int_]:

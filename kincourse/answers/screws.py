@@ -40,8 +40,8 @@ class ScrewsAnswer(Numbers):
         wrong = [name for name, fine in zip(ENTRY_NAMES, same, strict=True) if not fine]
         place = f" Look at {wrong[0]}: all other entries are right." if len(wrong) == 1 else ""
         if omega.all():
-            return f"Its omega is right, its v is not.{place}"
-        return f"Its v is right, its omega is not.{place}" if v.all() else ""
+            return f"The omega is right, but the v is not.{place}"
+        return f"The v is right, but the omega is not.{place}" if v.all() else ""
 
     def kinds(self) -> NDArray[np.int_]:
         # The v of a prismatic joint is a direction, that of any other joint a moment, whose size is that of the lengths.
@@ -108,7 +108,7 @@ class ScrewsAnswer(Numbers):
             yield (
                 "reversed",
                 S[::-1],
-                "The screw axes are right, their order is reversed.",
+                "The screw axes are right, but their order is reversed.",
                 "This row holds the screw axis that belongs as far from the other end of the list.",
             )
             for i in range(len(S) - 1):

@@ -314,13 +314,18 @@ polar = Operation(
 """The point (2,) at a distance from the origin in the direction of an angle in radians."""
 
 direction_of = Operation(
-    "direction", lambda v: np.arctan2(v[1], v[0]), "\\text{{(direction of }}{0}\\text{{)}}".format, _direction_changes
+    "direction", lambda v: np.arctan2(v[1], v[0]), "\\text{{the direction of }}{0}".format, _direction_changes
 )
 """The angle in radians of a vector (2,) from the x axis."""
 
 _distance = Operation("length", lambda v: np.hypot(*v), "|{0}|".format)
 
-rotated = Operation("rotated", _rotated, "R({0})\\,{1}".format, _rotated_changes)
+rotated = Operation(
+    "rotated",
+    _rotated,
+    lambda angle, x: f"R{angle if angle.startswith('(') else f'({angle})'}\\,{x}",
+    _rotated_changes,
+)
 """A vector (2,) of the plane, rotated by an angle in radians."""
 
 both_modes = Operation("both modes", lambda *angles: np.array(angles), "({0}, {1})".format, _both_changes)

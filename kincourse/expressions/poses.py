@@ -155,7 +155,8 @@ def _assemble_changes(node: Expression) -> Changes:
     yield Change("inverted", "write the inverse, $(R^T, -R^T p)$"), _inverted(node)
     if len(p.value) == 3:
         yield Change("position in the other frame", "write $R^T p$ as the position"), assemble(R, transpose(R) @ p)
-    yield Change("last row", "write the position into the last row instead of the last column"), _last_row(node)
+    text = "write the position into the last row instead of the last column"
+    yield Change("last row", text, in_parts=False), _last_row(node)
     yield Change("position left out", "leave out the position"), assemble(R, 0 * p)
     yield Change("rotation left out", "leave out the rotation"), assemble(given("I", np.eye(len(R.value))), p)
     yield Change("corner", "write a 0 at the end of the last row, where a 1 belongs"), _without_corner(node)

@@ -315,7 +315,7 @@ def turns_in_order(sampler: ArmSampler) -> Problem:
                 f"The two turns about own axes are swapped. {EACH_AT_ITS_SIDE}",
             ),
             *(
-                mistake("sides exchanged", order, f"You exchanged the sides. {EACH_AT_ITS_SIDE}")
+                mistake("sides exchanged", order, f"You multiplied on the wrong sides. {EACH_AT_ITS_SIDE}")
                 for order in ([*own[::-1], *room], [*own, *room], [*own, *room[::-1]], [*own[::-1], *room[::-1]])
             ),
         ],
@@ -368,7 +368,7 @@ def rigid_or_not(sampler: ArmSampler) -> Problem:
 def _flaw_mistake(wrong: str, right: str) -> Mistake:
     if wrong == "a":
         return mistake("called rigid", wrong, f"It is no rigid motion. {FLAW_EXPLANATIONS[right]}")
-    there = "There is nothing wrong with it" if right == "a" else "That is in order, and something else is not"
+    there = "There is nothing wrong with it" if right == "a" else "This property holds, but another one does not"
     return mistake(f"flaw {wrong}", wrong, f"{there}. {FLAW_EXPLANATIONS[right]}")
 
 

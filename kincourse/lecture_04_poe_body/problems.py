@@ -34,7 +34,7 @@ from misstep.mutants.expression import product
 from misstep.problem import Problem
 from misstep.sheet import Sheet
 
-HOME_ADVICE = "With body screws $M$ is the first factor, and the joints stand behind it in their order."
+HOME_ADVICE = "With body screws $M$ is the first factor, and the factors of the joints follow in their order."
 BASE_ADVICE = "The factor of the joint at the base is to the left of all others, in {b} as in {s}."
 MIDDLE_ADVICE = "What {s} reads is to the left of $M$, and what {b} reads is to its right."
 PASSED_ADVICE = "The joints before joint 2 move its axis and the tool alike: only the joints behind it count."
@@ -231,9 +231,7 @@ def new_tool(sampler: ArmSampler) -> Problem:
         (home @ T_bt, "frame changed twice", "change the frame from {s} to {t}, although $B$ is read in {b}"),
     ):
         S = robot.screws if name == "order" else B
-        new = new.mistaken_for(
-            change_frame(inverse(T), S), name, text, "The new home pose is $M\\,T_{bt}$, and $B$ is read in {b}."
-        )
+        new = new.mistaken_for(change_frame(inverse(T), S), name, text, "The new home pose is $M\\,T_{bt}$.")
     return Problem(
         statement="The tool of this arm is replaced. The new one has its frame {t} where the old one saw $T_{bt}$. Below are the body "
         f"screws as {{b}} read them. Give them as {{t}} reads them.\n\n$$B = {matrix(B)}$$\n\n$$T_{{bt}} = {matrix(H)}$$",

@@ -69,6 +69,7 @@ def four_numbers(sampler: ArmSampler) -> Problem:
         figure=partial(draw_table, frames, numbers=True, path=False),
         answer=DHRowAnswer(row),
         solution=dh_row(*row),
+        advice={"degrees": "Give the angles in radians."},
     )
 
 
@@ -164,7 +165,7 @@ def offsets(sampler: ArmSampler) -> Problem:
         ("reversed", "list the offsets from the last joint to the first", c[::-1], ""),
         (
             "measured from the base and reversed",
-            "measure from $x_0$, and list the last joint first",
+            "measure from $x_0$, with the last joint first",
             stack(h3, h2, h1),
             OFFSETS_ADVICE,
         ),
@@ -186,7 +187,11 @@ def offsets(sampler: ArmSampler) -> Problem:
         answer=DHEntriesAnswer(c.value, names=["offset of theta_1", "offset of theta_2", "offset of theta_3"]),
         solution=c,
         advice={
-            f"leave out $-\\varphi_{i}$": f"So link {i + 1} is measured from $x_0$. {OFFSETS_ADVICE}" for i in (1, 2)
+            "degrees": "Give the offsets in radians.",
+            **{
+                f"leave out $-\\varphi_{i}$": f"So link {i + 1} is measured from $x_0$. {OFFSETS_ADVICE}"
+                for i in (1, 2)
+            },
         },
     )
 

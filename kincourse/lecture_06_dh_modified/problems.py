@@ -353,7 +353,7 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
         "inverse": (-right, "the right value with the opposite sign, as it is in $({}^0T_i)^{-1}\\,{}^0T_{i-1}$"),
         "correction": (right - misprint, "the correction, the difference to what is printed"),
         "corrected the wrong way": (2 * misprint - right, "a value that is corrected the wrong way"),
-        "zero": (0.0, "0, but the value is not 0"),
+        "zero": (0.0, "0, which it is not"),
         "read in frame 0": (in_frame_0, "the value of ${}^0T_i$, which is that of all rows up to this one"),
         unit: (factor * right, f"the right value in {unit}"),
     }
@@ -374,7 +374,7 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
             mistake(
                 "the row of the other frame",
                 [row - 1, column, right],
-                "The value is right, the row is not. Row $i$ leads from {i-1} to {i}, although its $a$ and $\\alpha$ carry the "
+                "The value is right, but the row is not. Row $i$ leads from {i-1} to {i}, although its $a$ and $\\alpha$ carry the "
                 "index $i-1$.",
             ),
             mistake(
@@ -382,16 +382,16 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
                 [row, other, right],
                 "The row is right. But "
                 + (
-                    "$a$ is measured along $x_{i-1}$, and $d$ along $z_i$: you have exchanged them."
+                    "$a$ is measured along $x_{i-1}$, and $d$ along $z_i$: you swapped them."
                     if column in (1, 3)
-                    else "$\\alpha$ turns about $x_{i-1}$, and $\\theta$ about $z_i$: you have exchanged them."
+                    else "$\\alpha$ turns about $x_{i-1}$, and $\\theta$ about $z_i$: you swapped them."
                 ),
             ),
             *(
                 mistake(
                     name,
                     [row, column, value],
-                    f"The entry is right, but you gave {text}. {VALUE_ADVICE}",
+                    f"You named the right entry, and as its value you gave {text}. {VALUE_ADVICE}",
                     f"This is {text}. {VALUE_ADVICE}",
                 )
                 for name, (value, text) in wrong_values.items()

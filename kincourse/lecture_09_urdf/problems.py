@@ -251,7 +251,7 @@ def which_line(sampler: ArmSampler) -> Problem:
     first_parent = mistake(
         "the first parent",
         line_of(0, "<child"),
-        "Here the link gets its first parent, and that is in order. Another line gives it a second one.",
+        "Here the link gets its first parent, which is correct. Another line gives it a second one.",
     )
     return Problem(
         statement="A reader refuses this file, for one fault. In which line does the faulty element stand? Lines count from 1."
@@ -264,18 +264,18 @@ def which_line(sampler: ArmSampler) -> Problem:
             mistake(
                 "joint without limits",
                 float(begins[0]),
-                "This joint is in order: a continuous one needs no limits, an axis that is left out is $x$, an origin that is left "
-                "out is the parent's.",
+                "This joint is correct: a continuous joint needs no limits, its axis is $x$ if it is left out, and its frame is "
+                "the parent's if the origin is left out.",
             ),
             mistake(
                 "axis of a weld",
                 line_of(3, "<axis"),
-                "This axis is zero, but the joint is fixed: it has no axis, and nobody reads it.",
+                "This axis is zero, but the joint is fixed: it has no axis, so this line is ignored.",
             ),
             mistake(
                 "axis that is long",
                 line_of(3 - where, "<axis"),
-                "This axis is not of unit length. That is bad style and no fault: its direction counts, and readers shorten it.",
+                "This axis is not of unit length. That is bad style, but no fault: only its direction counts, and readers normalize it.",
             ),
             mistake(
                 "counted from 0",
@@ -301,7 +301,7 @@ class FaultyLineAnswer(Numbers):
 
     >>> answer = FaultyLineAnswer(np.array(2.0), lines=['<joint>', '<axis xyz="0 0 0"/>', '</joint>', '<joint/>'], joint=range(1, 4))
     >>> answer.explanation(np.array(4.0), 0)
-    ('a line that is in order', 'Line 4 is in order: `<joint/>`.')
+    ('a line that is in order', 'Line 4 is correct: `<joint/>`.')
     """
 
     lines: Sequence[str] = field(kw_only=True)
@@ -318,9 +318,9 @@ class FaultyLineAnswer(Numbers):
         if given in self.joint:
             return (
                 "another line of the joint",
-                f"The fault is in this joint, but this line is in order: {line}. Look at its other elements.",
+                f"The fault is in this joint, but this line is correct: {line}. Look at its other elements.",
             )
-        return "a line that is in order", f"Line {number(float(given))} is in order: {line}."
+        return "a line that is in order", f"Line {number(float(given))} is correct: {line}."
 
 
 def _limited_joint(sampler: ArmSampler, name: str, links: list[str], fault: str, taken: str) -> str:
@@ -427,12 +427,14 @@ def _origin_of_row(a_m: float, alpha_rad: float, d_m: float) -> Expression:
         (stack(a * cos(alpha), a * sin(alpha), d), "another convention", "rotate $a$ as well"),
         (stack(0, -(d * sin(alpha)), d * cos(alpha)), "a left out", "leave out $a$"),
         (stack(-a, -(d * sin(alpha)), d * cos(alpha)), "sign of a length", "take $a$ with the opposite sign"),
+        (stack(a, 0, 0), "d left out", "leave out $d$"),
         (1000 * xyz, "millimetres", "write millimetres instead of metres"),
     ):
         xyz = xyz.mistaken_for(other, name, text, along if name.startswith("d") else "")
     for other, name, text in (
         (stack(0, alpha, 0), "alpha as pitch", "write $\\alpha$ as the pitch"),
         (stack(0, 0, alpha), "alpha as yaw", "write $\\alpha$ as the yaw"),
+        (stack(-alpha, 0, 0), "sign of an angle", "take $\\alpha$ with the opposite sign in `rpy`"),
         (stack(0, 0, 0), "alpha left out", "leave out $\\alpha$ in `rpy`"),
         (stack(np.degrees(alpha_rad), 0, 0), "degrees", "write degrees into `rpy`"),
         (stack(np.copysign(np.pi, alpha_rad), 0, 0), "half a turn", "write half a turn into `rpy`"),

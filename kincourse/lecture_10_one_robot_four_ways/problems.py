@@ -150,7 +150,7 @@ def one_of_four(sampler: ArmSampler) -> Problem:
                 letter,
                 letter,
                 f"The {name}: this report agrees with two others as soon as all four are written as $T_{{sb}}$. "
-                f"{REPORTS[letter]} The wrong one agrees with nobody.",
+                f"{REPORTS[letter]} The wrong one agrees with none of the others.",
             )
             for letter, name in names.items()
             if letter != wrong

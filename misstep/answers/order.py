@@ -38,7 +38,9 @@ class Ordering(Answer):
             )
         missing = [name for name in self.value if given.count(name) != 1]
         if missing:
-            raise Unreadable(f"Expected {self.expected}; {missing[0]} appears {given.count(missing[0])} times.")
+            count = given.count(missing[0])
+            found = f"{missing[0]} appears {count} times" if count else f"{missing[0]} is missing"
+            raise Unreadable(f"Expected {self.expected}; {found}.")
         return list(given)
 
     def agrees(self, one: Sequence[str], other: Sequence[str], tolerance: float = TOLERANCE) -> list[bool]:

@@ -21,6 +21,8 @@ SUM, PRODUCT, ATOM = 1, 2, 3
 PAST_TENSES = {
     "forget": "forgot",
     "give": "gave",
+    "go": "went",
+    "keep": "kept",
     "leave": "left",
     "let": "let",
     "put": "put",
@@ -43,6 +45,7 @@ class Change:
     everywhere  the same for a mistake that people make in all places at once; "" if each place is a mistake of its own
     advice      a sentence on what is right
     one_by_one  whether people also make it in one of several places alone
+    in_parts    whether one part of an answer can show it; otherwise only the whole answer does
 
     >>> Change("degrees", "use degrees as radians").past
     'used degrees as radians'
@@ -53,6 +56,7 @@ class Change:
     everywhere: str = ""
     advice: str = ""
     one_by_one: bool = True
+    in_parts: bool = True
 
     @property
     def past(self) -> str:

@@ -105,6 +105,7 @@ def mutant(changes: Sequence[Change], value: Any, advice: Mapping[str, str], key
     sentences = [f"You {', and you '.join(change.past for change in changes)}."]
     sentences += dict.fromkeys(advice.get(change.text, advice.get(change.name, change.advice)) for change in changes)
     part = f"This is what you get if you {', and you '.join(change.text for change in changes)}."
+    part *= all(change.in_parts for change in changes)
     return Mistake(" and ".join(names), value, " ".join(filter(None, sentences)), part, names, key)
 
 

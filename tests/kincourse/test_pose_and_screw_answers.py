@@ -76,9 +76,9 @@ def test_a_screw_is_told_which_half_is_right_if_one_is():
     problem = Problem("", ScrewsAnswer(right), [])
     assert problem.answer.parts == ["screw 1"]
     told = {
-        (0, 0, 1, 9, -2, 0.5): "Its omega is right, its v is not.",
-        (0, 0.0005, 1, 9, -2, 0.5): "Its omega is right, its v is not.",
-        (0, 2, 0, 0, -2, 0.5): "Its v is right, its omega is not.",
+        (0, 0, 1, 9, -2, 0.5): "The omega is right, but the v is not.",
+        (0, 0.0005, 1, 9, -2, 0.5): "The omega is right, but the v is not.",
+        (0, 2, 0, 0, -2, 0.5): "The v is right, but the omega is not.",
         (0, 1, 0, 9, -2, 0.5): "None of the mistakes",
     }
     for given, words in told.items():
@@ -152,9 +152,9 @@ def test_all_angles_of_the_same_rotation_are_right(rpy):
     assert answer.agrees(answer.read([right[0], (roll + 0.01, pitch, yaw)]), right) == [False]
     assert (
         answer.hint(np.array([right[0], (roll + 0.1, pitch, yaw)]), 0)
-        == "Its xyz is right, its rpy is another rotation."
+        == "The xyz is right, but the rpy is another rotation."
     )
-    assert answer.hint(np.array([right[1], right[1]]), 0) == "Its rpy is right, its xyz is not."
+    assert answer.hint(np.array([right[1], right[1]]), 0) == "The rpy is right, but the xyz is not."
     assert answer.hint(np.array([right[1], right[0]]), 0) == ""
 
 
@@ -172,7 +172,7 @@ def test_hints_name_the_wrong_entries():
     assert PoseAnswer(T).hint(turned(R, (1, 8, 9)), 1) == ""
     right = np.array([0, 0, 1, 0, -2, 0.5])
     assert ScrewsAnswer(right).hint(np.array([0, 0, 1, 0, -2, 9]), 0) == (
-        "Its omega is right, its v is not. Look at v_z: all other entries are right."
+        "The omega is right, but the v is not. Look at v_z: all other entries are right."
     )
     points = VectorsAnswer(np.array([[1.0, 2, 3], [4, 5, 6]]), names=["the point", "the arrow"])
     assert points.hint(np.array([[1.0, 2, 9], [6, 4, 5]]), 0) == "2 of the 3 entries are right. Look at z."
@@ -255,7 +255,7 @@ def test_the_slips_of_screws_are_what_their_texts_say():
             [0.6, 0, 0.8, 0, 0, 0],
         ],
         "The moments v are in millimetres. Give them in metres.": [*(S[:2] * [1, 1, 1, 1e3, 1e3, 1e3]), S[2]],
-        "The screw axes are right, their order is reversed.": S[::-1],
+        "The screw axes are right, but their order is reversed.": S[::-1],
         "The rows of screw 2 and screw 3 are swapped.": S[[0, 2, 1]],
         "Only one sign is wrong: v_y of screw 1.": [[0, 0, 1, 0.3, 2, 0.1], *S[1:]],
         "Two entries are swapped: v_x of screw 2 and v_z of screw 2.": [S[0], [0, 1, 0, 4, 0, 3], S[2]],
@@ -287,6 +287,6 @@ def test_the_slips_of_frames_break_the_rules():
     frames = assign_frames(rpr(), convention="standard").frames
     expected = {
         "Every pose is the inverse of the right one: {s} seen from the frame.": inverse(frames),
-        "The frames are right, their order is reversed.": frames[::-1],
+        "The frames are right, but their order is reversed.": frames[::-1],
     }
     check_slips(DHFramesAnswer(frames, chain=rpr(), convention="standard"), expected)

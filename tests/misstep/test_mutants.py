@@ -13,6 +13,7 @@ from misstep.answers.number import Numbers
 from misstep.judge import judge
 from misstep.mistakes import mistake
 from misstep.mutants.expression import PAST_TENSES, Change, given, product
+from misstep.mutants.mutants import mutant
 from misstep.mutants.mutants import mutate, mutations, pairs, value_of
 from misstep.mutants.operations import ANGLE, LENGTH, MATRIX, SLIDE, cos, inverse, radians, sin, stack, unit
 from misstep.problem import Problem, problem
@@ -179,6 +180,14 @@ def test_every_past_tense_is_that_of_the_verb():
     assert Change("", "apply x").past == "applied x"
     assert Change("", "invert x").past == "inverted x"
     assert all(Change("", f"{verb} x").past == f"{past} x" for verb, past in PAST_TENSES.items())
+    assert {"go": "went", "keep": "kept"}.items() <= PAST_TENSES.items()
+
+
+def test_a_change_that_one_part_cannot_show_explains_the_whole_answer_only():
+    """A position in the last row shows there, and not by the position alone."""
+    wrong = mutant([Change("last row", "write it into the last row", in_parts=False)], 1.0, {})
+    assert (wrong.message, wrong.part) == ("You wrote it into the last row.", "")
+    assert mutant([Change("left out", "leave it out")], 1.0, {}).part == "This is what you get if you leave it out."
 
 
 @hypothesis_given(arrays(float, (3, 2, 2), elements=st.floats(0.5, 2)))
