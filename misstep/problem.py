@@ -31,13 +31,13 @@ class Problem:
     """One student's problem, with its numbers: the statement, the given values, the right answer and the mistakes.
 
     statement  Markdown with $...$ for mathematics
-    solution   the solution as an expression over the given values (`misstep.mutants`); for an answer that is a function or a
-               formula, a function from its arguments to an expression. Its mutants are mistakes of the problem
     mistakes   the mistakes that are no mutants of the solution
-    advice     for names of mutants, or the texts of their changes, a sentence on what is right in this problem
-    invisible  the names of mutants that cannot be seen in this problem, because they always lead to the right answer
     given      the given values by name; students get them by sheet.given(k), so they need not type them
     figure     a function that draws the figure; it is called only when the problem is shown
+    solution   the solution as an expression over the given values (`misstep.mutants`); for an answer that is a function or a
+               formula, a function from its arguments to an expression. Its mutants are mistakes of the problem
+    advice     for names of mutants, or the texts of their changes, a sentence on what is right in this problem
+    invisible  the names of mutants that cannot be seen in this problem, because they always lead to the right answer
 
     Raises ValueError for a mistake whose value is not an answer of this kind, because no student could give it, and if the
     solution does not lead to the answer.
@@ -57,11 +57,11 @@ class Problem:
     statement: str
     answer: Answer
     mistakes: Sequence[Mistake] = ()
+    given: Mapping[str, Any] = field(default_factory=dict)
+    figure: Callable[[], Any] | None = None
     solution: Expression | Callable[..., Expression] | None = None
     advice: Mapping[str, str] = field(default_factory=dict)
     invisible: Collection[str] = ()
-    given: Mapping[str, Any] = field(default_factory=dict)
-    figure: Callable[[], Any] | None = None
 
     def __post_init__(self) -> None:
         read = [replace(wrong, value=self.answer.read(wrong.value)) for wrong in self.mistakes]

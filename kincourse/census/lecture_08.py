@@ -188,7 +188,10 @@ def slider(given: Any, answer: float) -> Iterator[WrongAnswer]:
             "offset taken off at the end": (of(0) - e, "offset, end"),
             "Pythagoras with a plus": (a * np.cos(A) + np.hypot(rod, e - a * np.sin(A)), f"Pythag, root, {SIGN}"),
             "no square root": (a * np.cos(A) + rod**2 - (e - a * np.sin(A)) ** 2, "root, square"),
-            "root not taken of the rod": (a * np.cos(A) + rod - abs(e - a * np.sin(A)), "root, square, Pythag, subtracted the height"),
+            "root not taken of the rod": (
+                a * np.cos(A) + rod - abs(e - a * np.sin(A)),
+                "root, square, Pythag, subtracted the height",
+            ),
             **(
                 {"crank and rod exchanged": (of(crank=rod, rod=a), f"{SWAP}, rod")}
                 if a > abs(e - rod * np.sin(A))

@@ -21,6 +21,7 @@ ANGLES_ADVICE = (
     "$\\theta$ is measured about $z_{i-1}$, from $x_{i-1}$ to $x_i$; $\\alpha$ about $x_i$, from $z_{i-1}$ to $z_i$."
 )
 ROW_ADVICE = "Here the order is $a, \\alpha, d, \\theta$."
+BACKWARDS = "measure from the second frame to the first, which gives the opposite signs"
 BACKWARDS_ADVICE = (
     "A row leads from frame $i-1$ to frame $i$: $d$ is positive along $z_{i-1}$, $a$ along $x_i$, and the angles are positive "
     "about these axes by the right-hand rule."
@@ -28,8 +29,10 @@ BACKWARDS_ADVICE = (
 ALPHA_ADVICE = "In a standard table row $i$ holds $\\alpha_i$, in a modified one $\\alpha_{i-1}$."
 OFFSET_ADVICE = "The table says how each $\\theta$ follows from $q$: the offset is added to $q$."
 
+Rows = Array | Sequence[Sequence[float]]
 
-def link(row: Sequence[float | Expression], convention: Convention, i: int = 1, label: str = "") -> Expression:
+
+def link(row: Array | Sequence[float | Expression], convention: Convention, i: int = 1, label: str = "") -> Expression:
     r"""The link transform of row i: a, alpha, d, theta in metres and radians, as numbers or expressions.
 
     label  its own name in LaTeX
@@ -60,7 +63,9 @@ def joint_variable(joint: str, i: int, q: float, constant: float) -> Expression:
     return _joint_variable(variable, given(f"the constant of ${letter}_{i}$", float(constant)))
 
 
-def links(rows: Array, joints: str, q: Sequence[float], convention: Convention, first: int = 1) -> list[Expression]:
+def links(
+    rows: Rows, joints: str, q: Array | Sequence[float], convention: Convention, first: int = 1
+) -> list[Expression]:
     """The link transforms of a table at the joint values q.
 
     rows    (n, 4): a, alpha, d, theta at q = 0, in metres and radians
@@ -79,9 +84,9 @@ def links(rows: Array, joints: str, q: Sequence[float], convention: Convention, 
 
 
 def table_product(  # noqa: PLR0917
-    rows: Array,
+    rows: Rows,
     joints: str,
-    q: Sequence[float],
+    q: Array | Sequence[float],
     convention: Convention,
     before: Iterable[Expression] = (),
     after: Iterable[Expression] = (),
@@ -94,7 +99,7 @@ def table_product(  # noqa: PLR0917
     """
     before, after = list(before), list(after)
 
-    def of(rows: Array, values: Sequence[float] = q, order: int = 1) -> Expression:
+    def of(rows: Rows, values: Array | Sequence[float] = q, order: int = 1) -> Expression:
         return product(*before, *links(rows, joints, values, convention, first)[::order], *after)
 
     T, rows = of(rows), np.asarray(rows, dtype=float)
@@ -142,7 +147,7 @@ def _row_changes(node: Expression) -> Changes:
         ("both pairs swapped", "swap $a$ and $d$, and $\\alpha$ and $\\theta$", ANGLES_ADVICE, (d, theta, a, alpha)),
         ("order of the numbers", "give $\\theta, d, a, \\alpha$ in this order", ROW_ADVICE, (theta, d, a, alpha)),
         ("order of the numbers", "give $\\alpha, a, d, \\theta$ in this order", ROW_ADVICE, (alpha, a, d, theta)),
-        ("the row backwards", "measure from the second frame to the first, which gives the opposite signs", BACKWARDS_ADVICE, (-a, -alpha, -d, -theta)),
+        ("the row backwards", BACKWARDS, BACKWARDS_ADVICE, (-a, -alpha, -d, -theta)),
         ("x in the other direction", "take $x_i$ in the opposite direction", "", (-a, -alpha, d, theta + np.pi)),
         ("off the normal", "take the distance of the origins as $a$", LENGTHS_ADVICE, (hypotenuse, alpha, d, theta)),
         ("off the normal", "take the distance of the origins as $a$, no $d$", LENGTHS_ADVICE, (hypotenuse, alpha, 0.0, theta)),
