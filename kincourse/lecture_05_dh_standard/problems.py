@@ -350,7 +350,7 @@ def base_and_tool(sampler: ArmSampler) -> Problem:
     looks = sampler.choice([(Y, Z, X), (Z, X, Y), (X, Z, -Y), (-Z, Y, X)])
     tool = pose(looks, (sampler.length(0.1, 0.3), 0, sampler.length(0.1, 0.3)))
     table = DHTable(rows, convention="standard", base=base, tool=tool, name="your arm")
-    q = np.round(np.radians([sampler.degrees(20, 80), sampler.degrees(-80, -20)]), 3)
+    q = np.array([np.radians(sampler.degrees(20, 80)), np.radians(sampler.degrees(-80, -20))]).round(3)
     T_s0, T_2b = mounted("T_{s0}", base), mounted("T_{2b}", tool)
     A = links(rows, "RR", q, "standard")
     T = table_product(rows, "RR", q, "standard", [T_s0], [T_2b])

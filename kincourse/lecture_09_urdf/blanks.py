@@ -5,13 +5,14 @@ import numpy as np
 from kincourse.answers.point import VectorsAnswer
 from kincourse.answers.pose import PoseAnswer, RotationAnswer
 from kincourse.answers.screws import ScrewsAnswer
-from kincourse.mistakes.space_form import screw_mistakes
+from kincourse.expressions.screws import direction, revolute
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler
 from kinlib.chains.robots import X, Y, Z, pose
 from kinlib.rigid.rpy import origin
 from kinlib.rigid.screw import screw
 from misstep.mistakes import mistake
+from misstep.mutants.expression import given
 from misstep.problem import Problem
 
 RIGHT_ANGLE_RAD = np.pi / 2
@@ -50,12 +51,12 @@ def place_of_tilt(_draw: ArmSampler) -> Problem:
 @problem("09.b", "A screw axis from a file", points=1, lecture="09_urdf#From the file to screws")
 def screw_of_tilt(_draw: ArmSampler) -> Problem:
     p = np.array([0.0, 0.0, 0.8])
-    S = screw(Y, p)
+    S = revolute(direction("\\omega", Y), given("p", p))
     return Problem(
         statement="Give the screw axis of the lamp's joint `tilt` in {s}.",
-        answer=ScrewsAnswer(S),
+        answer=ScrewsAnswer(S.value),
+        solution=S,
         mistakes=[
-            *screw_mistakes(S),
             mistake(
                 "axis read in the base",
                 screw(Z, p),
