@@ -258,12 +258,12 @@ def which_line(given: Any, answer: float) -> Iterator[WrongAnswer]:
     }
     cases: dict[str, tuple[Any, str]] = {
         "counted from 0": (fault - 1, "line above, from 0, count"),
-        "the line below": (fault + 1, "line below, count, next, in order, ends, element"),
-        "two lines above": (fault - 2, "joint, count, in order"),
+        "the line below": (fault + 1, "line below, count, next, correct, ends, element"),
+        "two lines above": (fault - 2, "joint, count, correct"),
         "its joint": (start + 1, "joint, element"),
         "the end of its joint": (end + 1, "joint, ends, element"),
-        "the first line": (1, "first line, robot, in order"),
-        "the last line": (len(lines), "last line, end, in order"),
+        "the first line": (1, "first line, robot, correct"),
+        "the last line": (len(lines), "last line, end, correct"),
         "line 0": (0, "count, from 1, lines 1 to"),
     }
     joint, seen = 0, {case[0] for case in cases.values()}
@@ -271,7 +271,7 @@ def which_line(given: Any, answer: float) -> Iterator[WrongAnswer]:
         name = line.split()[0]
         joint += name == "<joint"
         if name in kinds and i != fault and i not in seen:
-            words = kinds[name] + ", this " + ("joint, element" if start < i <= end else "in order, no fault, other")
+            words = kinds[name] + ", this " + ("joint, element" if start < i <= end else "correct, no fault, other")
             cases[f"{name[1:]} of joint {joint} for {element[1:]}"] = (i, words)
     yield from wrong(cases)
     yield from right({"an integer": fault, "a float": float(fault)})

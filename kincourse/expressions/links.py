@@ -275,6 +275,12 @@ def _variable_changes(node: Expression) -> Changes:
         yield Change("no offset", f"leave out {constant.latex}", "leave out the offsets", OFFSET_ADVICE), q
         text = f"subtract {constant.latex} instead of adding it"
         yield Change("offset subtracted", text, "subtract the offsets", OFFSET_ADVICE), q - constant
+        if q.operation is _Q_ANGLE:
+            text, all_of_them = (
+                f"use the degrees of {constant.latex} as radians",
+                "use the degrees of the offsets as radians",
+            )
+            yield Change("degrees", text, all_of_them, DEGREES_ADVICE), q + 180 / np.pi * constant
 
 
 def _joint_value_changes(node: Expression) -> Changes:

@@ -325,6 +325,7 @@ def _change_of_frame_changes(node: Expression) -> Changes:
         ("block on the wrong side", f"put the block $[p]R$ of {Ad} in the upper right corner", _upper),
         ("sign in the adjoint", f"take the block $[p]R$ of {Ad} with the opposite sign", _negated),
         ("order in the adjoint", f"write $R[p]$ instead of $[p]R$ in {Ad}", _r_before_p),
+        ("rotation left out of the block", f"write $[p]$ instead of $[p]R$ in {Ad}", _p_alone),
     ):
         yield Change(name, text, advice=ADJOINT_ADVICE), wrong(T, S)
 
@@ -406,6 +407,9 @@ _entry_by_entry = Operation("entry by entry", lambda T, S: S * _by_blocks(T, np.
 _upper = Operation("upper block", lambda T, S: _by_blocks(T, S, upper=True), "{1}".format)
 _negated = Operation("negated block", lambda T, S: _by_blocks(T, S, sign=-1), "{1}".format)
 _r_before_p = Operation("swapped block", lambda T, S: _by_blocks(T, S, swapped=True), "{1}".format)
+_p_alone = Operation(
+    "p alone", lambda T, S: _rotated(T, S) + _joined(0 * S[..., :3], np.cross(T[:3, 3], S[..., :3])), "{1}".format
+)
 _rotate_omega = Operation("omega rotated", lambda T, S: _joined(S[..., :3] @ T[:3, :3].T, S[..., 3:]), "{1}".format)
 _without_v = Operation("without v", lambda S: _joined(S[..., :3], 0 * S[..., 3:]), "{0}".format)
 _rotate_only = Operation("only rotated", _rotated, "{1}".format)

@@ -264,6 +264,9 @@ def jacobian_column(sampler: ArmSampler) -> Problem:
         column = column.mistaken_for(
             change_frame(inverse(passed), axis), "joints before", f"carry the axis past {text}", PASSED_ADVICE
         )
+    column = column.mistaken_for(
+        change_frame(e[0], axis), "joints before", "carry the axis past joint 1, as for a space screw", PASSED_ADVICE
+    )
     for k in (0, 2):
         rest = change_frame(inverse(product(*e[k + 1 :])), screw_axes(f"B_{k + 1}", B[k]))
         column = column.mistaken_for(rest, "another joint", f"give column {k + 1}")

@@ -160,6 +160,7 @@ def coupler_point(sampler: ArmSampler) -> Problem:
         ("measure $p$ from C, towards B", (four_bar.coupler - along, left)),
         ("measure $p$ from C, away from B", (four_bar.coupler + along, left)),
         ("take $p$ along the coupler only", (along, 0.0)),
+        ("give C instead of P", (four_bar.coupler, 0.0)),
     ):
         p = p.mistaken_for(np.array(wrong), "another point", text, "P's distance along the coupler counts from B.")
     start = polar(lengths[1], A).named("B")

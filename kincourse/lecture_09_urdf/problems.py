@@ -420,6 +420,7 @@ def _origin_of_row(a_m: float, alpha_rad: float, d_m: float) -> Expression:
     """The `xyz` and `rpy` of a modified DH row with the joint value 0, in two rows."""
     a, alpha, d = given("a", a_m, LENGTH), given("\\alpha", alpha_rad, ANGLE), given("d", d_m, LENGTH)
     xyz, rpy = stack(a, -(d * sin(alpha)), d * cos(alpha)), stack(alpha, 0, 0)
+    in_degrees = np.degrees(alpha_rad)
     along = "In the modified convention $d_i$ is measured along the new $z$, which $\\alpha$ has rotated."
     for other, name, text in (
         (stack(a, 0, d), "d along the old z", "translate by $d$ along the $z$ axis of the frame before"),
@@ -428,6 +429,11 @@ def _origin_of_row(a_m: float, alpha_rad: float, d_m: float) -> Expression:
         (stack(0, -(d * sin(alpha)), d * cos(alpha)), "a left out", "leave out $a$"),
         (stack(-a, -(d * sin(alpha)), d * cos(alpha)), "sign of a length", "take $a$ with the opposite sign"),
         (stack(a, 0, 0), "d left out", "leave out $d$"),
+        (
+            stack(a, -(d * np.sin(in_degrees)), d * np.cos(in_degrees)),
+            "sine of degrees",
+            "use the degrees of $\\alpha$ as radians in `xyz`",
+        ),
         (1000 * xyz, "millimetres", "write millimetres instead of metres"),
     ):
         xyz = xyz.mistaken_for(other, name, text, along if name.startswith("d") else "")
@@ -436,7 +442,7 @@ def _origin_of_row(a_m: float, alpha_rad: float, d_m: float) -> Expression:
         (stack(0, 0, alpha), "alpha as yaw", "write $\\alpha$ as the yaw"),
         (stack(-alpha, 0, 0), "sign of an angle", "take $\\alpha$ with the opposite sign in `rpy`"),
         (stack(0, 0, 0), "alpha left out", "leave out $\\alpha$ in `rpy`"),
-        (stack(np.degrees(alpha_rad), 0, 0), "degrees", "write degrees into `rpy`"),
+        (stack(in_degrees, 0, 0), "degrees", "write degrees into `rpy`"),
         (stack(np.copysign(np.pi, alpha_rad), 0, 0), "half a turn", "write half a turn into `rpy`"),
     ):
         rpy = rpy.mistaken_for(other, name, text, "" if name != "degrees" else "`rpy` is in radians.")

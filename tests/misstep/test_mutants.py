@@ -13,8 +13,7 @@ from misstep.answers.number import Numbers
 from misstep.judge import judge
 from misstep.mistakes import mistake
 from misstep.mutants.expression import PAST_TENSES, Change, given, product
-from misstep.mutants.mutants import mutant
-from misstep.mutants.mutants import mutate, mutations, pairs, value_of
+from misstep.mutants.mutants import mutant, mutate, mutations, pairs, value_of
 from misstep.mutants.operations import ANGLE, LENGTH, MATRIX, SLIDE, cos, inverse, radians, sin, stack, unit
 from misstep.problem import Problem, problem
 
