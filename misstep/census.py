@@ -116,11 +116,11 @@ def is_true(problem: Problem, value: Any, finding: Finding) -> bool:
     if finding.mistake is None or finding.alternatives in ((("rounded",),), ()):
         return True
     parts = [list(problem.answer.parts).index(part) for part in finding.parts]
+    if (explained := problem.answer.explanation(value, parts[0])) and explained[1] == finding.message:
+        return True  # the answer shows the mistake: its kind has corrected it, and found the right answer
     known = [*problem.mistakes, *problem.mutants, *problem.slips]
     if any(len(names) > 1 for names in finding.alternatives):
         known += problem.double_mutants(value)
-    if not set(finding.alternatives) <= {mistake.names for mistake in known}:
-        return problem.answer.explanation(value, parts[0]) is not None
     claims: dict[str, bool] = {}
     for mistake in known:
         agrees = problem.answer.agrees(value, mistake.value)

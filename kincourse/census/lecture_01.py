@@ -243,5 +243,7 @@ def turns_in_order(given: Any, answer: Any) -> Answers:
 def rigid_or_not(given: Any, answer: Any) -> Answers:
     words = {"a": "no rigid", "b": "unit", "c": "orthogonal", "d": "left-handed", "e": "last row"}
     for letter in set(words) - {answer}:
-        yield from alike({words[letter], f"flaw {letter}", "property holds", "nothing wrong"}, {f"chose {letter}": letter})
+        yield from alike(
+            {words[letter], f"flaw {letter}", "property holds", "nothing wrong"}, {f"chose {letter}": letter}
+        )
     yield from right({"capital": answer.upper(), "with blanks": f" {answer} "})

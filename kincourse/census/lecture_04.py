@@ -78,7 +78,7 @@ def _carried(S: Any, T: Any, copied: str, is_inverted: bool = True) -> Answers:
     yield from alike(by.MOMENT, {"sign of p": blocks(R.T, -Ad(Q)[3:, :3]), "one sign": negated_one(rows)})
     yield from alike(by.OMITTED | {"moment"}, {"no v": np.hstack([w @ R, 0 * v])})
     yield from alike(by.HALVES, {"halves swapped": halves_swapped(rows), "before": halves_swapped(S) @ Ad(Q).T})
-    yield from alike(by.ORDER, {"last joint first": rows[::-1]})
+    yield from alike(by.ORDER | {"last joint to the first"}, {"last joint first": rows[::-1]})
     yield from alike(by.SIGN, {"all the other way": -rows})
     yield from alike(by.ELEMENTWISE | by.TRANSPOSED, {"elementwise": product_sum})
     yield from alike(by.INVERTED | by.HALVES, {"Ad of T, halves swapped": halves_swapped(S @ Ad(T).T)})

@@ -151,7 +151,7 @@ def joint_deep_in_the_file(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "about its own axes": (p1 + own1 @ p2 + own1 @ own2 @ p3, OWN_AXES),
             "read as degrees": (p1 + rotation(r1 * np.pi / 180) @ p2 + rotation(r1 * np.pi / 180) @ rotation(r2 * np.pi / 180) @ p3,
                                 "degree, radian"),
-            "the sign of one number": (place * (1, -1, 1), SIGN),
+            "the sign of one number": (place * (1, -1, 1), f"{SIGN}, directions of"),
             "R_2 R_1, joint 1's shift left out": (R1 @ p2 + R2 @ R1 @ p3, f"order, wrong way round, first, {LEFT_OUT}"),
             "turned back, by its own rpy too": (p1 + R1.T @ p2 + (R1 @ R2 @ R3).T @ p3, "transpos, invers, own"),
         }
@@ -182,7 +182,7 @@ def screw_from_a_file(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "point and axis as they stand": (screw(axis, p3), base),
             "point added without turning": (screw(w, p1 + p2 + p3), "added, turn, point"),
             "axis turned back": (screw(R.T @ axis, p), "transpos, R^T, invers"),
-            "axis negated": (-S, f"{SIGN}, other way"),
+            "axis negated": (-S, f"{SIGN}, other way, revers"),
             "omega negated": (S * np.repeat((-1, 1), 3), SIGN),
             **({} if axis[2] == 1 else {"the z axis": (screw(R[:, 2], p), "axis, <axis")}),
             **({} if axis[0] == 1 else {"the x axis, the default": (screw(R[:, 0], p), "axis, default")}),
@@ -237,7 +237,7 @@ def home_from_a_file(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "entry by entry": (T1 * T2 * weld, "element, entry, matrix product"),
             "from tip to base, box too": (product(drawn, weld, T2, T1), f"reverse, tip, visual, {left}"),
             "weld left out, box too": (product(T1, T2, drawn @ drawn), "weld, visual, drawn, box"),
-            "weld left out, from tip to base": (T2 @ T1, f"weld, fixed, reverse, {left}"),
+            "weld left out, from tip to base": (T2 @ T1, f"weld, fixed, reverse, invers, {left}"),
         }
     )
     yield from right(ordinary_forms(M))
