@@ -56,7 +56,7 @@ Corrections = tuple[Correction, ...]
 
 
 @dataclass(frozen=True, eq=False)
-class Explanation:
+class TableExplanation:
     """Mistakes that together explain a table.
 
     faults     the mistakes
@@ -90,7 +90,7 @@ class Diagnosis:
 
     table: DHTable
     comparison: Equivalence
-    explanations: Sequence[Explanation] = ()
+    explanations: Sequence[TableExplanation] = ()
     tolerance: float = EQUIVALENCE_TOL
     unfixed: Equivalence | None = None
     in_pairs: bool = True
@@ -207,7 +207,7 @@ def _compare(table: DHTable, arm: Chain, fixed: Collection[str], tolerance: floa
 
 def _explain(
     table: DHTable, reference: Chain | DHTable, fixed: frozenset[str], tolerance: float, max_faults: int
-) -> list[Explanation]:
+) -> list[TableExplanation]:
     """Return all explanations of a table with the smallest number of faults and of edited entries."""
     arm = reference.to_chain() if isinstance(reference, DHTable) else reference
     if "H" in arm.joint_types:
@@ -237,7 +237,7 @@ class _Search:
     fixed: frozenset[str]
     tolerance: float
 
-    def explanations(self, count: int) -> list[Explanation]:
+    def explanations(self, count: int) -> list[TableExplanation]:
         """Return the explanations by this number of faults with the fewest edited entries."""
         more = count - len(self.start)
         if more < 0:
@@ -260,7 +260,7 @@ class _Search:
             if equivalent(corrected, self.arm, fixed=self.fixed, tolerance=self.tolerance, simplest=False):
                 found[corrections], price = corrected, entries
         return [
-            Explanation([c.fault for c in kept], found[kept], self.arm, self.fixed, self.tolerance)
+            TableExplanation([c.fault for c in kept], found[kept], self.arm, self.fixed, self.tolerance)
             for kept in self._without_details(list(found))
         ]
 

@@ -8,7 +8,7 @@ from planted_mistakes import TABLES
 
 import kinlib as kl
 from kinlib import DHTable, assign_frames, diagnose, equivalent
-from kinlib.dh.diagnosis import Explanation
+from kinlib.dh.diagnosis import TableExplanation
 from kinlib.dh.mistakes import corrected_rows, corrections_of_joint_types, format_entry, known_corrections
 
 PUMA = kl.robots.puma560()
@@ -453,7 +453,7 @@ def test_with_everything_fixed_a_table_is_right_where_the_robotics_toolbox_has_t
     assert verdicts == {True, False}
 
 
-@pytest.mark.oracle("roboticstoolbox", Explanation.equivalence)
+@pytest.mark.oracle("roboticstoolbox", TableExplanation.equivalence)
 def test_a_corrected_table_is_equivalent_where_the_robotics_toolbox_has_the_same_poses():
     rtb = pytest.importorskip("roboticstoolbox")
     for explanation in diagnose(with_entries(UR5, (2, "a", 0.5)), UR5, CHOICES).explanations:
