@@ -48,6 +48,8 @@ class Problem:
     >>> drawn = Problem("How many?", Numbers(np.array(3.0)), solution=given("n", 6.0) / 2)
     >>> [(mutant.message, float(mutant.value)) for mutant in drawn.mutants]
     [('You forgot to divide by $2$.', 6.0), ('You multiplied by $2$ instead of dividing by it.', 12.0)]
+    >>> [mistake.names for mistake in drawn.double_mutants(np.array(24.0))]
+    []
     >>> drawn.is_discriminating()
     True
     >>> drawn.with_inputs(seed=1) is drawn  # because the answer is not a function

@@ -43,7 +43,7 @@ from kinlib.rigid.lie import log
 MAX_TOLD = 3
 """How many equally simple explanations the text lists."""
 
-MAX_COMPARED = 25
+MAX_COMPARED = 15
 """How many corrected tables, of those whose invariants agree, are compared with the arm in full."""
 
 MAX_PAIRS = 20_000

@@ -75,7 +75,8 @@ def test_any_answer_data_gets_a_complete_verdict(case):
     signal.signal(signal.SIGPROF, judging._raise_timeout)
     assert_read_and_written(data)
     sheet, k = TEMPLATES[place]
-    template, verdict = sheet.problems[k], judging._verdict(sheet, k + 1, problem(place), data)
+    template = sheet.problems[k]
+    verdict = judging._verdict(template, problem(place), data, address="")
     assert_verdict(verdict)
     points = template.points * verdict["fraction"]
     shown = verdict["text"], verdict["html"], verdict["mistakes"]
