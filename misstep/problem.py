@@ -50,8 +50,8 @@ class Problem:
     [('You forgot to divide by $2$.', 6.0), ('You multiplied by $2$ instead of dividing by it.', 12.0)]
     >>> [mistake.names for mistake in drawn.double_mutants(np.array(24.0))]
     []
-    >>> drawn.is_discriminating()
-    True
+    >>> drawn.is_discriminating(), drawn.without_duplicates().mistakes
+    (True, [])
     >>> drawn.with_inputs(seed=1) is drawn  # because the answer is not a function
     True
     """

@@ -71,7 +71,7 @@ def pose_slips(T: Array) -> dict[str, tuple[Any, str]]:
     """Slips of somebody who has computed the right pose T (4, 4), or is about to write it down."""
     R, p = parts(T)
     return {
-        "R transposed": (frame(R.T, p), "transpos, R^T, inverse of the rotation"),
+        "R transposed": (frame(R.T, p), "transpos, R^T, inverse of the rotation, sine and the cosine"),
         "inverse": (np.linalg.inv(T), "inverse, seen from, other way, way back, R^T, transpos"),
         "whole matrix transposed": (T.T, "transpos, last row"),
         "position negated": (frame(R, -p), "sign, negat, opposite, minus"),

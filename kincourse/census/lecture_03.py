@@ -40,7 +40,7 @@ def plain_arm(given: Any, answer: Any) -> Answers:
     other_points = np.cross(np.roll(p, -1, axis=0), d)
     yield from alike(by.MOMENT, {"omega x p": rows(v=-m), "middle sign of the product": rows(v=m * (1, -1, 1))})
     yield from alike(by.HALVES, {"halves swapped": halves_swapped(S), "but for the slide": rows(m, d)})
-    yield from alike(by.POINT, {"point as moment": rows(v=p), "-p": rows(v=-p)})
+    yield from alike(by.POINT | {"-p$ as the moment"}, {"point as moment": rows(v=p), "-p": rows(v=-p)})
     yield from alike(by.OMITTED | {"moment", "origin"}, {"no moment": rows(v=zero)})
     yield from alike(by.SLIDE, {"slide as turn": rows(sw=d, sv=m), "moment of a slide": rows(sv=m)})
     yield from alike(by.SLIDE | by.HALVES, {"slide in omega": rows(sw=d, sv=zero), "twice": rows(sw=d)})
@@ -83,7 +83,7 @@ def angled_joint(given: Any, answer: Any) -> Answers:
     yield from alike(by.OMITTED | {"moment", "origin"}, {"no moment": [*w, 0, 0, 0]})
     yield from alike(lean, {"not tilted": line(1, 0), "moment of the upright axis": [*w, *np.cross(p, u)]})
     yield from alike(lean, {"towards the third axis": line(c, s, u, other), "from the third": line(c, s, other, t)})
-    yield from alike(by.SLIDE, {"as a slide": [0, 0, 0, *w]})
+    yield from alike(by.SLIDE | {"omega$ and the moment at zero"}, {"as a slide": [0, 0, 0, *w]})
     yield from alike(by.SIGN, {"-S": -S, "one sign of v": [*w, *negated_one(v)]})
     yield from alike(by.HALF, {"half the angle": at(np.radians(d / 2))})
     yield from alike(by.DOUBLE, {"twice the angle": at(np.radians(2 * d))})
@@ -133,7 +133,7 @@ def helical_joint(given: Any, answer: Any) -> Answers:
 
     S, other_way = spindle(), by.SIGN | {"left-handed", "wrong way", "other way"}
     yield from alike(by.PITCH, {"lead for pitch": spindle(h=lead), "lead times 2 pi": spindle(h=2 * np.pi * lead)})
-    yield from alike(by.PITCH, {"lead / pi": spindle(h=lead / np.pi), "no climb": spindle(h=0)})
+    yield from alike(by.PITCH | {"h\\,\\omega"}, {"lead / pi": spindle(h=lead / np.pi), "no climb": spindle(h=0)})
     yield from alike(by.PITCH | by.DEGREES, {"lead / 360": spindle(h=lead / 360)})
     yield from alike(by.OMITTED | {"moment"}, {"no moment": spindle(0 * m)})
     yield from alike(other_way, {"left-handed": spindle(h=-h), "axis negated, climb kept": spindle(-m, -h, -w)})
@@ -143,7 +143,10 @@ def helical_joint(given: Any, answer: Any) -> Answers:
     yield from alike(by.PITCH | {"axis"}, {"pitch along the point": spindle(m + h * (p - w))})
     yield from alike(by.PITCH | {"axis"}, {"pitch everywhere": [*w, *m + h]})
     yield from alike(by.PITCH | {"\\omega"}, {"omega times the pitch": [*h * w, *m]})
-    yield from alike(by.SLIDE, {"as a slide": [0, 0, 0, *w], "as a slide by the pitch": [0, 0, 0, *h * w]})
+    yield from alike(
+        by.SLIDE | {"omega$ and the moment at zero"},
+        {"as a slide": [0, 0, 0, *w], "as a slide by the pitch": [0, 0, 0, *h * w]},
+    )
     yield from alike(by.SIGN, {"-S": -S})
     yield from alike(by.MOMENT | by.PITCH, {"omega x p, lead": spindle(-m, lead)})
     yield from alike(by.MOMENT | by.PITCH, {"omega x p, no climb": spindle(-m, 0)})
@@ -262,7 +265,10 @@ def longer_tool(given: Any, answer: Any) -> Answers:
     yield from alike(old, {"old tool": T(M=M)})
     yield from alike(left, {"extended in {s}, after the motion": Z @ T(M=M), "extended in {s}, at home": T(M=Z @ M)})
     yield from alike(by.SIGN | by.INVERTED | {"short"}, {"tool shortened": T(M=M @ inv(Z))})
-    yield from alike(by.AXIS, {"along x of the tool": T(M=M @ X), "along y of the tool": T(M=M @ Y)})
+    yield from alike(
+        by.AXIS | {"along its $x$", "along its $y$"},
+        {"along x of the tool": T(M=M @ X), "along y of the tool": T(M=M @ Y)},
+    )
     yield from alike(by.DOUBLE, {"extended twice": T(M=M @ Z @ Z)})
     yield from alike({"screws"}, {"screws moved too": T(S=S @ Ad(Z).T)})
     yield from alike(by.ORDER, {"reversed": product(*e()[::-1], M, Z), "home first": product(M, Z, *e())})

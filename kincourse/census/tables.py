@@ -80,7 +80,7 @@ def table_slips(table: DHTable) -> dict[str, tuple[Any, str]]:
         "no offsets": (np.where(turns, 0.0, rows), "offset, theta, zero"),
         "every alpha 0": (rows * (1, 0, 1, 1), "alpha"),
         "0 for one right angle": (rows * np.where(np.outer(np.arange(n) == first, np.arange(4) == ALPHA), 0, 1), "alpha"),
-        "a from joint to joint": (on_links, NORMAL),
+        "a from joint to joint": (on_links, f"{NORMAL}, d has a wrong number, a has a wrong number"),
         "d left out": (rows * (1, 1, 0, 1), "left out, forgot, missing, $d$, every d, column d, look again at d"),
         "lengths in millimetres": (np.where(lengths, 1000, 1) * rows, "millimet, mm, 1000, unit"),
         "lengths in centimetres": (np.where(lengths, 100, 1) * rows, "centimet, cm, 100, unit"),
