@@ -163,8 +163,8 @@ def slider_place(crank: Expression, rod: Expression, offset: Expression, A: Expr
 def kutzbach(d: int, legs: Sequence[Sequence[int]]) -> Expression:
     """The mobility d (N - 1 - J) + sum of f of a platform on legs.
 
-    d     the freedoms of a body: 3 in the plane, 6 in space
-    legs  for each leg, the freedoms of its joints
+    d     the degrees of freedom of a body: 3 in the plane, 6 in space
+    legs  for each leg, the degrees of freedom of its joints
 
     >>> kutzbach(3, [(1, 1, 1), (1, 1)]).value
     2.0
@@ -184,7 +184,7 @@ def kutzbach(d: int, legs: Sequence[Sequence[int]]) -> Expression:
     for text, wrong in (
         ("give each joint one freedom", J),
         ("give universal joints one freedom", F - f.count(2)),
-        ("give ball joints two freedoms", F - f.count(3)),
+        ("give ball joints two degrees of freedom", F - f.count(3)),
     ):
         if wrong != F:
             freedoms = freedoms.mistaken_for(wrong, "freedoms of the joints", text)
@@ -192,16 +192,16 @@ def kutzbach(d: int, legs: Sequence[Sequence[int]]) -> Expression:
     for name, text, wrong in (
         (
             "freedoms taken away",
-            "take $d\\,(N - 1) - \\sum f$, although a joint takes $d - f$ freedoms away",
+            "take $d\\,(N - 1) - \\sum f$, although a joint takes $d - f$ degrees of freedom away",
             d * (N - 1) - F,
         ),
         ("joints left out", "take $d\\,(N - 1)$, as if there were no joints", d * (N - 1)),
-        ("loops", "add up the freedoms of the joints, without what the loops take away", F),
+        ("loops", "add up the degrees of freedom of the joints, without what the loops take away", F),
         ("loops", "close one loop only", F - d),
         ("loops", "close one loop for each leg, although the first leg closes none", F - d * len(legs)),
         ("joint left out", "leave out one joint", right.value + d - f[-1]),
         *(("leg left out", "leave out one leg", right.value + d - sum(leg)) for leg in dict.fromkeys(map(tuple, legs))),
-        ("platform alone", "give the freedoms of the platform when it is free", float(d)),
+        ("platform alone", "give the degrees of freedom of the platform when it is free", float(d)),
         ("negative number", "write 0 for a negative number", max(right.value, 0.0)),
         (
             "bodies and another d",

@@ -70,7 +70,7 @@ def count(_draw: ArmSampler) -> Problem:
         invisible=["leg left out", "platform alone"],  # a leg of three pins takes no freedom away
         advice={
             "bodies": "The ground is a body too: $N = 8$. The formula takes it away by itself, in $N - 1$.",
-            "another d": "A body that stays in a plane has three freedoms, and a pin takes two of them.",
+            "another d": "A body that stays in a plane has three degrees of freedom, and a pin takes two of them.",
             "loops": "Nine joints and eight bodies make $J - N + 1 = 2$ loops: three arms meet in one platform.",
         },
     )

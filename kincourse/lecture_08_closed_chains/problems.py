@@ -368,7 +368,7 @@ def counting(sampler: ArmSampler) -> Problem:
         answer=Numbers(np.array(float(right.value))),
         solution=right,
         advice={
-            "another d": f"A body that moves {place} has {d} freedoms when it is free.",
+            "another d": f"A body that moves {place} has {d} degrees of freedom when it is free.",
             "leave out $-1$": "The ground is one of the $N$ bodies, and it stands still.",
             "bodies": f"The ground and the platform are bodies too, so there are $N = {2 + len(f) - len(legs)}$.",
         },
