@@ -5,7 +5,8 @@ import re
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
-from urllib.parse import urlsplit
+
+from misstep.display.markdown import CODE_STYLE, LINK_STYLE, check_address, markdown_html
 
 TONES = {
     "right": ("✓", "#1a7f37", "#eefbf0"),
@@ -33,16 +34,16 @@ class Link:
     address: str = ""
 
     def __post_init__(self) -> None:
-        if urlsplit(self.address).scheme not in ("", "http", "https"):
-            raise ValueError(f"address must be relative, or begin with https:// or http://; got {self.address!r}.")
+        check_address(self.address)
 
 
 @dataclass(frozen=True)
 class Card:
     """A short message with a title: the feedback after a check.
 
-    Paragraphs may contain `code` and $mathematics$; the text of a pair ("pre", text) is shown unchanged, in a fixed-width font.
-    A Link is the only paragraph that can be followed: nothing in a text becomes a link.
+    Paragraphs may contain `code` and $mathematics$. The text of a pair ("pre", text) is shown unchanged, in a fixed-width font;
+    that of a pair ("markdown", text) is Markdown, and only an author of the course may have written it. Otherwise a Link is the
+    only paragraph that can be followed: nothing in a text becomes a link.
 
     Raises ValueError for an unknown tone.
 
@@ -83,11 +84,12 @@ class Card:
 
 def _paragraph(part: str | tuple[str, str] | Link) -> str:
     if isinstance(part, Link) and part.address:
-        # the colour of a theme's links may be hard to read on the background of the card
-        link = f'<a href="{html.escape(part.address)}" style="color:inherit;text-decoration:underline">{inline(part.text)}</a>'
+        link = f'<a href="{html.escape(part.address)}" style="{LINK_STYLE}">{inline(part.text)}</a>'
         return f'<p style="margin:.4em 0 0">{link}</p>'
     if not isinstance(part, tuple):
         return f'<p style="margin:.4em 0 0">{inline(part if isinstance(part, str) else part.text)}</p>'
+    if part[0] == "markdown":
+        return markdown_html(part[1])
     style = "margin:.4em 0 0;background:transparent;color:inherit;white-space:pre;overflow-x:auto"
     return f'<pre style="{style}">{html.escape(part[1])}</pre>'
 
@@ -98,4 +100,4 @@ def inline(text: str) -> str:
     >>> inline("a < b")
     'a &lt; b'
     """
-    return re.sub(r"`([^`]+)`", r'<code style="background:transparent;color:inherit">\1</code>', html.escape(text))
+    return re.sub(r"`([^`]+)`", rf'<code style="{CODE_STYLE}">\1</code>', html.escape(text))

@@ -18,14 +18,24 @@ beside the question. Each question is a table:
 
 Single quotes keep the backslashes of formulas. Use three single quotes for text with an apostrophe or a second line.
 
-Questions of the kinds recall and check show the explanation at once. A prediction is only recorded, because the figure that
-follows shows the answer; explain("03/order") compares them afterwards.
+Questions of the kinds recall and check show the reason of the chosen option at once. A prediction is only recorded, because
+the figure that follows shows the answer; explain("03/order") compares them afterwards. A prediction may have one more key,
+the explanation that is shown with this comparison and not before, in the Markdown of misstep.display.markdown:
+
+    explanation = '''
+    A motion in the space frame multiplies **from the left**, as in [01](01_frames.ipynb).
+
+    $$T = e^{[S_1] q_1} e^{[S_2] q_2} M$$'''
+
+It must precede the options, because TOML counts a key after them as a key of the last option.
 """
 
 import tomllib
 from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
+
+from misstep.display.markdown import markdown_html
 
 KINDS = {"recall": "Remember", "predict": "Predict", "check": "Check yourself"}
 LETTERS = "ABCDEFGH"
@@ -42,12 +52,13 @@ class Option:
 
 @dataclass(frozen=True)
 class Item:
-    """A question in words, with exactly one right option."""
+    """A question in words, with exactly one right option; the explanation of a prediction is Markdown."""
 
     name: str
     kind: str
     text: str
     options: Sequence[Option]
+    explanation: str = ""
 
     @property
     def right(self) -> int:
@@ -73,16 +84,26 @@ def read_questions(text: str, file: str) -> dict[str, Item]:
 
 
 def _item(key: str, table: Any, place: str) -> Item:
-    _keys(table, place, required={"kind", "text", "options"}, allowed=set())
+    _keys(table, place, required={"kind", "text", "options"}, allowed={"explanation"})
     if table["kind"] not in KINDS:
         raise ValueError(f"{place}: kind must be one of {', '.join(KINDS)}; got {table['kind']!r}.")
+    if "explanation" in table and table["kind"] != "predict":
+        raise ValueError(
+            f"{place}: explanation is a key of kind 'predict' only; got kind {table['kind']!r}. "
+            "Write the reasons into why of each option."
+        )
+    explanation = table.get("explanation", "")
+    try:
+        markdown_html(explanation)
+    except ValueError as error:
+        raise ValueError(f"{place}: {error}") from error
     options = []
     for number, option in enumerate(table["options"], start=1):
         _keys(option, f"{place}, option {number}", required={"text", "why"}, allowed={"right"})
         options.append(Option(**option))
     if sum(option.right for option in options) != 1 or not 2 <= len(options) <= len(LETTERS):
         raise ValueError(f"{place}: there must be 2 to {len(LETTERS)} options, exactly one of them with right = true.")
-    return Item(key, table["kind"], table["text"], options)
+    return Item(key, table["kind"], table["text"], options, explanation)
 
 
 def _keys(table: Any, place: str, required: set[str], allowed: set[str]) -> None:

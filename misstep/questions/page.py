@@ -7,6 +7,7 @@ on an option opens its explanation; that of a prediction opens where the lecture
 from html import escape
 
 from misstep.display.card import inline
+from misstep.display.markdown import markdown_html
 from misstep.questions.item import KINDS, Item, Option
 
 
@@ -27,7 +28,7 @@ def question_html(name: str, item: Item) -> str:
 
 
 def explanation_html(name: str, item: Item) -> str:
-    """Return the explanations of all options of a prediction, closed until the reader has made it.
+    """Return the explanation of a prediction and the reasons of all its options, closed until the reader has made it.
 
     >>> options = [Option("3", "One more."), Option("4", "Yes.", right=True)]
     >>> explanation_html("00/sum", Item("sum", "predict", "2 + 2?", options)).count("<li>")
@@ -37,7 +38,8 @@ def explanation_html(name: str, item: Item) -> str:
     return (
         f'<div role="group" class="misstep-explanation" data-misstep-explain="{escape(name)}" aria-label="What came of a prediction">'
         f"<details><summary>Compare with your prediction: {inline(item.text)}</summary>"
-        f'<ol class="misstep-options" type="A">{explanations}</ol></details></div>'
+        f'<ol class="misstep-options" type="A">{explanations}</ol>'
+        f'<div class="misstep-lesson">{markdown_html(item.explanation)}</div></details></div>'
     )
 
 

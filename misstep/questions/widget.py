@@ -49,16 +49,17 @@ class Question(HasTraits):
             self.committed = True
 
     def explanation(self) -> Card:
-        """Return a card that explains the chosen option and, if it is wrong, names the right one."""
+        """Return a card that compares the chosen option with the right one, and explains a prediction; nothing of it before."""
         item = self.item
         right = item.options[item.right]
         if not self.committed:
             return Card("blank", "You have not committed to an answer yet", [f"The question was: {item.text}"])
         chosen = item.options[self.choice]
+        lesson = [("markdown", item.explanation)] if item.explanation else []
         if chosen.right:
-            return Card("right", f"{LETTERS[self.choice]} is right", [chosen.why])
+            return Card("right", f"{LETTERS[self.choice]} is right", [chosen.why, *lesson])
         correction = f"Right is {LETTERS[item.right]}: {right.text.rstrip('.')}. {right.why}"
-        return Card("wrong", f"{LETTERS[self.choice]} is not it", [chosen.why, correction])
+        return Card("wrong", f"{LETTERS[self.choice]} is not it", [chosen.why, correction, *lesson])
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
         if self._widget is None:

@@ -20,14 +20,15 @@ LECTURES = sorted((ROOT / "notebooks").glob("*.ipynb"))
 SHEETS = sorted(path for path in (ROOT / "exercises").glob("*/*.ipynb"))
 
 LINK_TARGETS = {
+    r"(?:\.\./)+notebooks/(\w+)\.ipynb": r"../lectures/\1.ipynb",
     r"\.\./exercises/(\w+)/\1\.ipynb": r"../sheets/\1.ipynb",
     r"\.\./NOTATION\.md": "../notation.md",
     r"\.\./CONTRIBUTING\.md": "../contributing.md",
 }
 """Where the links of a notebook lead on the site."""
 
-LECTURE_LINK = re.compile(r'href="(?:\.\./)+notebooks/(\w+)\.ipynb#([^"]*)"')
-"""A link to a section of a lecture in the output of a cell, as misstep.display.lecture_address makes it."""
+OUTPUT_LINK = re.compile(r'href="([\w./]+)\.(?:ipynb|md)(?:#([^"]*))?"')
+"""A link in the output of a cell: to a section to re-read, or in an explanation. Sphinx does not resolve links in HTML."""
 
 NBVAL_MARK = "# NBVAL_CHECK_OUTPUT"
 """A comment for the tests, which compare the output of its cell. Readers do not need it."""
@@ -111,18 +112,21 @@ def adapt(notebook: NotebookNode) -> NotebookNode:
         else:
             cell.source = cell.source.removeprefix(f"{NBVAL_MARK}\n")
             for data in (output["data"] for output in cell.outputs if "text/html" in output.get("data", {})):
-                data["text/html"] = LECTURE_LINK.sub(link_to_page, data["text/html"])
+                for old, new in LINK_TARGETS.items():
+                    data["text/html"] = re.sub(f'href="{old}', f'href="{new}', data["text/html"])
+                data["text/html"] = OUTPUT_LINK.sub(link_to_page, data["text/html"])
     notebook.metadata.pop("widgets", None)
     return notebook
 
 
 def link_to_page(found: re.Match[str]) -> str:
-    """Make a link to a section in a notebook lead to the page.
+    """Make a link to a notebook, or to a section in it, lead to the page.
 
-    >>> LECTURE_LINK.sub(link_to_page, 'href="../notebooks/06_dh_modified.ipynb#The-n-=-5-arm"')
+    >>> OUTPUT_LINK.sub(link_to_page, 'href="../lectures/06_dh_modified.ipynb#The-n-=-5-arm"')
     'href="../lectures/06_dh_modified.html#the-n-5-arm"'
     """
-    return f'href="../lectures/{found[1]}.html#{make_id(unescape(found[2]))}"'
+    section = f"#{make_id(unescape(found[2]))}" if found[2] else ""
+    return f'href="{found[1]}.html{section}"'
 
 
 def without_cards(notebook: NotebookNode, path: Path) -> NotebookNode:

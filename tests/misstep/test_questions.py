@@ -5,12 +5,13 @@ from circuits_course import write_course
 
 from misstep.catalog import forget_package, load_course
 from misstep.questions.item import read_questions
-from misstep.questions.widget import Question
+from misstep.questions.widget import Explanation, Question
 
 QUESTIONS = """
 [order]
 kind = 'predict'
 text = 'Which comes first, for $a < b$?'
+explanation = 'Read **from the left**, as in [02](02_b.ipynb).'
 [[order.options]]
 text = 'the left one'
 why = 'It acts last.'
@@ -44,7 +45,8 @@ def test_a_prediction_is_recorded_and_not_judged(question):
 
 
 def test_a_self_check_explains_the_choice_and_names_the_right_one():
-    question = Question(read_questions(QUESTIONS.replace("predict", "check"), "03.toml")["order"])
+    check = QUESTIONS.replace("predict", "check").replace("explanation = ", "# ")
+    question = Question(read_questions(check, "03.toml")["order"])
     question._repr_mimebundle_()
     question.commit(0)
     reply = question._widget.children[-1].value
@@ -56,7 +58,18 @@ def test_a_self_check_explains_the_choice_and_names_the_right_one():
 def test_a_right_choice_is_explained(question):
     question.commit(1)
     assert question.explanation().title == "B is right"
-    assert question.explanation().body == ["It stands next to $M$."]
+    assert question.explanation().body[0] == "It stands next to $M$."
+
+
+def test_an_explanation_opens_only_after_the_prediction(question):
+    lesson = "<strong>from the left</strong>"
+    explanation = Explanation(question)
+    seen = [*question._repr_mimebundle_().values(), *explanation._repr_mimebundle_().values(), explanation.card.html()]
+    assert not any("from the left" in str(one) for one in seen)
+    question.commit(0)
+    assert lesson in explanation.card.html()
+    assert 'href="02_b.ipynb"' in explanation.card.html()
+    assert "from the left" not in question._widget.children[-1].value, "the reply above the picture does not explain"
 
 
 def test_only_the_first_commitment_counts(question):
@@ -114,6 +127,8 @@ def test_an_explanation_on_the_page_changes_when_the_reader_commits(course):
         (QUESTIONS.replace("why = 'It acts last.'", ""), "option 1: why is missing"),
         (QUESTIONS.replace("why = 'It acts last.'", "why = ''\nbecause = ''"), "'because' is not a key"),
         (QUESTIONS.replace("right = true", ""), "one of them with right"),
+        (QUESTIONS.replace("predict", "check"), "explanation is a key of kind 'predict' only; got kind 'check'"),
+        (QUESTIONS.replace("Read **", "# Read **"), "question 'order': An explanation may contain paragraphs"),
         (QUESTIONS.replace("why = 'It acts last.'", "why = ''\nright = true"), "one of them with right"),
         (QUESTIONS.replace("'predict'", "'guess'"), "kind must be one of recall, predict, check; got 'guess'"),
     ],

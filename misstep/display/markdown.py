@@ -1,0 +1,91 @@
+"""The subset of Markdown for explanations: paragraphs, lists, emphasis, code, links and formulas.
+
+A library for Markdown would be one more dependency of misstep, and would not keep formulas for MathJax or KaTeX.
+"""
+
+import re
+from html import escape
+from urllib.parse import urlsplit
+
+LITERAL = re.compile(r"(?<!`)`([^`]+)`(?!`)|\$\$(.+?)\$\$|\$([^$]+)\$", re.DOTALL)
+"""Code and formulas, in which no other mark counts."""
+KEPT = "\0{}\0"
+"""What replaces code and formulas until all other marks are read."""
+ITEM = re.compile(r"([-*]|\d{1,2}\.)\s+(.*)")
+UNSUPPORTED = re.compile(r"#+\s|>|\||```|~~~|!\[|</?[a-zA-Z]|\s+(?:[-*]|\d+\.)\s")
+"""The beginning of a heading, quotation, table, block of code, image, element of HTML, or list within a list."""
+
+LINK_STYLE = "color:inherit;text-decoration:underline"
+"""The colour of a theme's links may be hard to read on the background of a card."""
+CODE_STYLE = "background:transparent;color:inherit"
+
+
+def markdown_html(text: str) -> str:
+    r"""Return Markdown as HTML; formulas are left for MathJax or KaTeX, each on one line.
+
+    A blank line separates paragraphs. A line that begins with "- " or "1. " is an item of a list. Within a line there are
+    *emphasis*, **strong emphasis**, `code`, [links](address), and formulas between $ or $$.
+
+    Raises ValueError for other marks of Markdown, for HTML, for a $ without a second one, and for an address that is neither
+    relative nor begins with http:// or https://.
+
+    >>> markdown_html("Two *kinds*:\n- $a < b$\n- `c`, see [02](02_exp.ipynb).")[:52]
+    '<p>Two <em>kinds</em>:</p><ul><li>$a &lt; b$</li><li'
+    """
+    kept: list[str] = []
+
+    def keep(found: re.Match[str]) -> str:
+        code, display, formula = found.groups()
+        text = escape(" ".join((code or display or formula).split()))
+        mark = "$$" if display else "$"
+        kept.append(f'<code style="{CODE_STYLE}">{text}</code>' if code else f"{mark}{text}{mark}")
+        return KEPT.format(len(kept) - 1)
+
+    blocks: list[tuple[str, list[str]]] = []  # each with its element and its paragraph or items
+    is_open = False
+    for line in LITERAL.sub(keep, text).splitlines():
+        item = ITEM.match(line)
+        if not line.strip():
+            is_open = False
+        elif "$" in line or UNSUPPORTED.match(line):
+            raise ValueError(
+                "An explanation may contain paragraphs, lists that are not nested, *emphasis*, **bold**, `code`, [links](address) "
+                f"and formulas between two $ or two $$; got {line.strip()!r}."
+            )
+        elif item:
+            element = "ul" if item[1] in "-*" else "ol"
+            if not blocks or blocks[-1][0] != element:
+                blocks.append((element, []))
+            blocks[-1][1].append(item[2])
+            is_open = True
+        elif is_open:
+            blocks[-1][1][-1] += " " + line.strip()
+        else:
+            blocks.append(("p", [line.strip()]))
+            is_open = True
+    html = "".join(_block(element, [_marked_up(part) for part in parts]) for element, parts in blocks)
+    return re.sub(KEPT.format(r"(\d+)"), lambda found: kept[int(found[1])], html)
+
+
+def _block(element: str, parts: list[str]) -> str:
+    if element == "p":
+        return f"<p>{parts[0]}</p>"
+    return f"<{element}>{''.join(f'<li>{part}</li>' for part in parts)}</{element}>"
+
+
+def _marked_up(text: str) -> str:
+    html = escape(text, quote=False)
+    html = re.sub(r"\[([^\]]+)\]\(([^)\s]+)\)", _link, html)
+    html = re.sub(r"\*\*(\S(?:.*?\S)?)\*\*", r"<strong>\1</strong>", html)
+    return re.sub(r"\*(\S(?:.*?\S)?)\*", r"<em>\1</em>", html)
+
+
+def _link(found: re.Match[str]) -> str:
+    check_address(found[2])
+    return f'<a href="{found[2].replace(chr(34), "%22")}" style="{LINK_STYLE}">{found[1]}</a>'
+
+
+def check_address(address: str) -> None:
+    """Raise ValueError for an address with another scheme than http and https, because a browser may run it as code."""
+    if urlsplit(address).scheme not in ("", "http", "https"):
+        raise ValueError(f"address must be relative, or begin with https:// or http://; got {address!r}.")
