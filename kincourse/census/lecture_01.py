@@ -29,7 +29,7 @@ def pose_off_a_drawing(given: Any, T: Any) -> Answers:
     )
     yield from alike(by.SIGN | {"leads from"}, {"-p": pose(R, -p)})
     yield from alike(by.SWAPPED, {"x and y of p swapped": pose(R, yx), "y and z of p swapped": pose(R, p[[0, 2, 1]])})
-    yield from alike({"{b}", *by.TRANSPOSED}, {"p as {b} sees it": pose(R, R.T @ p)})
+    yield from alike({"{b}", *by.TRANSPOSED}, {"p as written in {b}": pose(R, R.T @ p)})
     yield from alike({"last row"}, {"p in the last row": T + pose(0 * R, p).T - pose(0 * R, p)})
     yield from alike({"last row"}, {"0 in the corner": T - I4[3] * I4})
     yield from alike(by.OMITTED | {"height"}, {"height left out": pose(R, p * (1, 1, 0))})
@@ -70,7 +70,7 @@ def rotation_off_a_drawing(given: Any, R: Any) -> Answers:
 
 
 @wrong_answers("01.3")
-def augmented_matrix(given: Any, answer: Any) -> Answers:
+def homogeneous_matrix(given: Any, answer: Any) -> Answers:
     d, p, first = given.degrees, np.asarray(given.p, dtype=float), given.first == "shift"
 
     def augmented(R: Any, column: Any) -> Any:
@@ -84,7 +84,7 @@ def augmented_matrix(given: Any, answer: Any) -> Answers:
     column = A[:2, 2]
     yield from alike(by.ORDER, {"the other order": mapped(R, shift_first=not first)})
     yield from alike(
-        by.OTHER_WAY | by.SWAPPED, {"turned the other way": mapped(R.T), "R transposed only": augmented(R.T, column)}
+        by.OTHER_WAY | by.SWAPPED, {"rotated the other way": mapped(R.T), "R transposed only": augmented(R.T, column)}
     )
     yield from alike({"last row", *by.TRANSPOSED}, {"all transposed": A.T})
     yield from alike({"last row"}, {"p in the last row": augmented(R, 0 * p) + A.T - augmented(R.T, 0 * p)})
@@ -97,7 +97,7 @@ def augmented_matrix(given: Any, answer: Any) -> Answers:
     yield from alike(by.SIGN, {"no minus": mapped(np.abs(R))})
     yield from alike(by.SWAPPED, {"x and y of p": mapped(R, p[::-1])})
     yield from alike(by.SWAPPED, {"sine, cosine": mapped(np.array([[s, -c], [c, s]]))})
-    yield from alike(by.DOUBLE | by.ORDER, {"shifted before and after": augmented(R, R @ p + p)})
+    yield from alike(by.DOUBLE | by.ORDER, {"translated before and after": augmented(R, R @ p + p)})
     yield from alike(by.HALF, {"half the angle": mapped(rot(2, d / 2)[:2, :2])})
     yield from alike(by.OTHER_WAY, {"R^T p": augmented(R, R.T @ p)})
     yield from alike(by.ELEMENTWISE, {"elementwise": augmented(R, np.diag(R) * p)})
@@ -112,24 +112,24 @@ def augmented_matrix(given: Any, answer: Any) -> Answers:
 def point_and_arrow(given: Any, answer: Any) -> Answers:
     (R, p), x, d = parts(given.T_sc), np.asarray(given.point_c), np.asarray(given.arrow_c)
     X, D = R @ x + p, R @ d
-    arrow, point = {"arrow", "direction", "extra entry"}, {"point", "extra entry"}
-    yield from alike(arrow, {"arrow as a point": [X, D + p]})
-    yield from alike(point, {"point as an arrow": [R @ x, D]})
-    yield from alike(by.SWAPPED, {"1 and 0 exchanged": [R @ x, D + p], "rows swapped": [D, X]})
-    yield from alike({"other end", *arrow}, {"other end of the rod": [X, X + D]})
-    yield from alike({"other end", *arrow}, {"arrow minus the point": [X, R @ (d - x)]})
+    vector, point = {"vector", "direction", "extra entry"}, {"point", "extra entry"}
+    yield from alike(vector, {"vector as a point": [X, D + p]})
+    yield from alike(point, {"point as a vector": [R @ x, D]})
+    yield from alike(by.SWAPPED, {"1 and 0 swapped": [R @ x, D + p], "rows swapped": [D, X]})
+    yield from alike({"other end", *vector}, {"other end of the rod": [X, X + D]})
+    yield from alike({"other end", *vector}, {"vector minus the point": [X, R @ (d - x)]})
     yield from alike(by.INVERTED | {"T_{cs}"}, {"T_cs": [R.T @ (x - p), R.T @ d]})
-    yield from alike(by.TRANSPOSED | {"T_{cs}"}, {"R^T": [R.T @ x + p, R.T @ d], "R^T for the arrow": [X, R.T @ d]})
-    yield from alike(by.OMITTED | {"did not turn", "rotat", "multiply by"}, {"not turned": [x + p, d]})
-    yield from alike(by.OMITTED | {"did not turn", "rotat", "multiply by"}, {"arrow not turned": [X, d]})
+    yield from alike(by.TRANSPOSED | {"T_{cs}"}, {"R^T": [R.T @ x + p, R.T @ d], "R^T for the vector": [X, R.T @ d]})
+    yield from alike(by.OMITTED | {"rotat", "multiply by"}, {"not rotated": [x + p, d]})
+    yield from alike(by.OMITTED | {"rotat", "multiply by"}, {"vector not rotated": [X, d]})
     yield from alike(by.COPIED, {"as given": [x, d]})
-    yield from alike(by.SIGN, {"-p": [R @ x - p, D], "-arrow": [X, -D], "one sign": [negated_one(X), D]})
-    yield from alike(by.ORDER, {"shifted before it is turned": [R @ (x + p), D]})
-    yield from alike(by.ORDER | by.SIGN, {"shifted back before it is turned": [R @ (x - p), D]})
+    yield from alike(by.SIGN, {"-p": [R @ x - p, D], "-vector": [X, -D], "one sign": [negated_one(X), D]})
+    yield from alike(by.ORDER, {"translated before it is rotated": [R @ (x + p), D]})
+    yield from alike(by.ORDER | by.SIGN, {"translated back before it is rotated": [R @ (x - p), D]})
     yield from alike(by.ELEMENTWISE, {"elementwise": [np.diag(R) * x + p, np.diag(R) * d]})
-    yield from alike(by.TRANSPOSED | arrow, {"R^T and arrow as a point": [R.T @ x + p, R.T @ d + p]})
-    yield from alike(by.TRANSPOSED | point | {"T_{cs}"}, {"R^T and point as an arrow": [R.T @ x, R.T @ d]})
-    yield from alike(by.SWAPPED | arrow, {"rows swapped and arrow as a point": [D + p, X]})
+    yield from alike(by.TRANSPOSED | vector, {"R^T and vector as a point": [R.T @ x + p, R.T @ d + p]})
+    yield from alike(by.TRANSPOSED | point | {"T_{cs}"}, {"R^T and point as a vector": [R.T @ x, R.T @ d]})
+    yield from alike(by.SWAPPED | vector, {"rows swapped and vector as a point": [D + p, X]})
     yield from right({"three decimals": np.round([X, D], 3), "tuple": (X, D), "x @ R.T": [x @ R.T + p, d @ R.T]})
 
 
@@ -145,7 +145,7 @@ def look_back(given: Any, answer: Any) -> Answers:
     yield from alike(by.SIGN, {"+R^T p": pose(R.T, -q), "one sign of the position": pose(R.T, negated_one(q))})
     yield from alike(by.SIGN, {"-T": -T})
     yield from alike(by.SIGN, {"-R^T": pose(-R.T, q), "one sign of the rotation": pose(negated_one(R.T), q)})
-    yield from alike(by.TRANSPOSED | {"turned", "rotat"}, {"-R p": pose(R.T, -R @ p), "R kept": pose(R, q)})
+    yield from alike(by.TRANSPOSED | {"rotat"}, {"-R p": pose(R.T, -R @ p), "R kept": pose(R, q)})
     yield from alike({"kept", *by.COPIED}, {"p kept": pose(R.T, p)})
     yield from alike(by.OMITTED | {"identity"}, {"no position": pose(R.T, 0 * p), "no rotation": pose(I3, q)})
     yield from alike(by.TRANSPOSED | by.SIGN | {"-p"}, {"R kept, -p": pose(R, -p)})
@@ -157,7 +157,7 @@ def look_back(given: Any, answer: Any) -> Answers:
 
 
 @wrong_answers("01.6")
-def letters_that_cancel(given: Any, answer: Any) -> Answers:
+def subscripts_that_cancel(given: Any, answer: Any) -> Answers:
     A, B, C = np.asarray(given.T_sc), np.asarray(given.T_co), np.asarray(given.T_st)
     (R, p), D = parts(C), inv(C)
     T = D @ A @ B
@@ -174,7 +174,7 @@ def letters_that_cancel(given: Any, answer: Any) -> Answers:
     yield from alike(by.SIGN | {"inverse"}, {"inverse with +R^T p": pose(R.T, R.T @ p) @ A @ B})
     yield from alike(by.TRANSPOSED | {"inverse"}, {"inverse with -R p": pose(R.T, -R @ p) @ A @ B})
     yield from alike(by.OMITTED | {"inverse"}, {"inverse without position": pose(R.T, 0 * p) @ A @ B})
-    yield from alike({"subtract", "rotat", "turn"}, {"positions subtracted": pose(T[:3, :3], (A @ B)[:3, 3] - p)})
+    yield from alike({"subtract", "rotat"}, {"positions subtracted": pose(T[:3, :3], (A @ B)[:3, 3] - p)})
     yield from alike(by.ORDER | by.INVERTED, {"T_ts behind and T_sc inverted": inv(A) @ B @ D})
     yield from alike(by.INVERTED | {"T_{so}"}, {"both inverted wrongly": C @ inv(A) @ B})
     yield from alike(by.OMITTED | by.ORDER, {"T_so in the wrong order": B @ A})
@@ -197,14 +197,18 @@ def own_or_fixed(given: Any, answer: Any) -> Answers:
     there = moved()
     R, p = parts(there)
     other_axis = {"another axis", "wrong axis", "instead of", "in place of"}
-    yield from alike(by.ORDER, {"sides exchanged": moved(own=not own_turn)})
-    yield from alike(by.ORDER, {"both left, turn last": turn @ shift @ T, "both left, shift last": shift @ turn @ T})
-    yield from alike(by.ORDER, {"both right, turn first": T @ turn @ shift})
-    yield from alike(by.ORDER, {"both right, shift first": T @ shift @ turn})
-    yield from alike(by.OTHER_WAY, {"turned the other way": moved(turned(-d)), "R transposed at the end": pose(R.T, p)})
-    yield from alike(by.OTHER_WAY, {"shifted the other way": moved(turn, inv(shift))})
+    yield from alike(by.ORDER, {"sides swapped": moved(own=not own_turn)})
+    yield from alike(
+        by.ORDER, {"both left, rotation last": turn @ shift @ T, "both left, translation last": shift @ turn @ T}
+    )
+    yield from alike(by.ORDER, {"both right, rotation first": T @ turn @ shift})
+    yield from alike(by.ORDER, {"both right, translation first": T @ shift @ turn})
+    yield from alike(
+        by.OTHER_WAY, {"rotated the other way": moved(turned(-d)), "R transposed at the end": pose(R.T, p)}
+    )
+    yield from alike(by.OTHER_WAY, {"translated the other way": moved(turn, inv(shift))})
     yield from alike(by.DEGREES, {"degrees in np.cos": moved(radians)})
-    yield from alike(by.OMITTED, {"shift left out": moved(turn, I4), "turn left out": moved(I4)})
+    yield from alike(by.OMITTED, {"translation left out": moved(turn, I4), "rotation left out": moved(I4)})
     yield from alike(by.OMITTED, {"T left out": moved(T=I4)})
     yield from alike(by.COPIED | by.OMITTED, {"not moved": T})
     yield from alike(by.INVERTED, {"T_sb inverted": moved(T=inv(T)), "T_bs of the end": inv(there)})
@@ -213,37 +217,45 @@ def own_or_fixed(given: Any, answer: Any) -> Answers:
     yield from alike(other_axis, {"along the next axis": moved(turn, pose(I3, np.roll(far, 1)))})
     yield from alike(by.HALF, {"half the angle": moved(turned(d / 2))})
     yield from alike(by.ELEMENTWISE, {"elementwise": shift * T * turn})
-    yield from alike(by.ORDER | by.OTHER_WAY, {"sides exchanged, the other way": moved(turned(-d), own=not own_turn)})
-    yield from alike(by.ORDER | by.DEGREES, {"sides exchanged, degrees": moved(radians, own=not own_turn)})
-    yield from alike(by.OTHER_WAY, {"turned and shifted the other way": moved(turned(-d), inv(shift))})
+    yield from alike(by.ORDER | by.OTHER_WAY, {"sides swapped, the other way": moved(turned(-d), own=not own_turn)})
+    yield from alike(by.ORDER | by.DEGREES, {"sides swapped, degrees": moved(radians, own=not own_turn)})
+    yield from alike(by.OTHER_WAY, {"rotated and translated the other way": moved(turned(-d), inv(shift))})
     yield from right(
         {"three decimals": there.round(3), "list": there.tolist(), "two steps": moved(turn, I4, moved(I4))}
     )
 
 
 @wrong_answers("01.8")
-def turns_in_order(given: Any, answer: Any) -> Answers:
+def rotations_in_order(given: Any, answer: Any) -> Answers:
     names, room = list(given.turns), list(given.about_the_room)
     ours = [name for name, about in zip(names, room, strict=True) if about]
     own = [name for name in names if name not in ours]
     others = [name for name in answer if name != names[3]]
-    yield from alike({"order in which"}, {"as told": names})
-    yield from alike({"left", "room only"}, {"each from the left": names[::-1]})
-    yield from alike(by.SWAPPED | {"side"}, {"sides exchanged": list(answer)[::-1]})
+    yield from alike({"order in which"}, {"in the order of time": names})
+    yield from alike({"reverse of the order"}, {"each from the left": names[::-1]})
+    yield from alike(by.SWAPPED, {"sides swapped": list(answer)[::-1]})
     yield from alike({"alphabet", "names"}, {"by the alphabet": sorted(names)})
-    yield from alike(by.ORDER, {"room in the order told": ours + own, "own axes reversed": ours[::-1] + own[::-1]})
-    yield from alike(by.ORDER, {"own axes first": own + ours, "own axes first, room reversed": own + ours[::-1]})
+    yield from alike(
+        by.ORDER, {"fixed axes in the order of time": ours + own, "own axes reversed": ours[::-1] + own[::-1]}
+    )
+    yield from alike(by.ORDER, {"own axes first": own + ours, "own axes first, fixed axes reversed": own + ours[::-1]})
     yield from alike(by.ORDER, {"first two swapped": [answer[1], answer[0], *answer[2:]]})
     yield from alike(by.ORDER, {"last two swapped": [*answer[:2], answer[3], answer[2]]})
-    yield from alike(by.ORDER, {"last turn on the other side": [*others, names[3]] if room[3] else [names[3], *others]})
+    yield from alike(
+        by.ORDER, {"last rotation on the other side": [*others, names[3]] if room[3] else [names[3], *others]}
+    )
     yield from right({"tuple": tuple(answer), "list": list(answer)})
 
 
 @wrong_answers("01.9")
 def rigid_or_not(given: Any, answer: Any) -> Answers:
-    words = {"a": "no rigid", "b": "unit", "c": "orthogonal", "d": "left-handed", "e": "last row"}
-    for letter in set(words) - {answer}:
-        yield from alike(
-            {words[letter], f"flaw {letter}", "property holds", "nothing wrong"}, {f"chose {letter}": letter}
-        )
+    said = {
+        "a": "not a rigid motion",
+        "b": "are unit vectors",
+        "c": "are orthogonal",
+        "d": "is not left-handed",
+        "e": "is 0 0 0 1",
+    }
+    for letter in set(said) - {answer}:
+        yield from alike({said[letter]}, {f"chose {letter}": letter})
     yield from right({"capital": answer.upper(), "with blanks": f" {answer} "})

@@ -152,7 +152,7 @@ def _columns_changes(node: Expression) -> Changes:
 
 def _assemble_changes(node: Expression) -> Changes:
     R, p = node.arguments
-    yield Change("inverted", "write the inverse, $(R^T, -R^T p)$"), _inverted(node)
+    yield Change("inverted", "write the inverse of the right matrix"), _inverted(node)
     if len(p.value) == 3:
         yield Change("position in the other frame", "write $R^T p$ as the position"), assemble(R, transpose(R) @ p)
     text = "write the position into the last row instead of the last column"

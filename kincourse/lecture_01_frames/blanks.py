@@ -1,4 +1,4 @@
-"""The blank steps of lecture 01: products, inverses and a misprinted row of poses of the arm of the deck "n = 5"."""
+"""The blank steps of lecture 01: products and inverses of the poses of an RPRR arm, and a misprinted row."""
 
 import numpy as np
 
@@ -50,30 +50,31 @@ def one_more_link(_draw: ArmSampler) -> Problem:
             "positions added",
             "add the two positions",
             "$p_{23}$ is written in frame 2: rotate it into frame 0 first, $p_{03} = R_{02}\\,p_{23} + p_{02}$.",
-        ).mistaken_for(T_02 + T_23, "poses added", "add the matrices", "Motions follow one another by a product."),
-        advice={"order": "The inner letters 3 and 0 do not cancel: what the base sees is leftmost."},
+        ).mistaken_for(T_02 + T_23, "poses added", "add the matrices", "Poses are composed by a matrix product."),
+        advice={"order": "The adjacent subscripts 3 and 0 do not cancel: $T_{02}$ goes to the left of $T_{23}$."},
     )
 
 
-@problem("01.b", "Look back", points=1, lecture="01_frames#The inverse")
+@problem("01.b", "The inverse of a pose", points=1, lecture="01_frames#The inverse")
 def look_back(_draw: ArmSampler) -> Problem:
     T_01, T_12, T_23 = links()
     T_30 = inverse(pose("T_{03}", T_01 @ T_12 @ T_23))
     return Problem(
-        statement="Give $T_{30}$, the base seen from link 3.",
+        statement="Give $T_{30}$, the pose of the base in frame 3.",
         answer=PoseAnswer(T_30.value),
         solution=T_30,
         advice={
-            "inverse left out": "It is link 3 seen from the base.",
-            "transpose for inverse": "$R^T$ inverts the rotation, but the translation goes into the last row, where none belongs.",
-            "write $-p$ as the position of the inverse of $T_{03}$": "The vector $-p$ leads back to the base, but in frame 0: "
-            "link 3 writes it as $-R^T p$.",
-            "write $-R\\,p$ as the position of the inverse of $T_{03}$": "$R$ takes frame 3 to frame 0; you need the other way, $R^T$.",
+            "inverse left out": "$T_{03}$ is the pose of frame 3 in the base frame.",
+            "transpose for inverse": "The transpose inverts the rotation, but it also moves the position into the last row.",
+            "write $-p$ as the position of the inverse of $T_{03}$": "The vector $-p$ leads from link 3 to the base, but it is written in "
+            "frame 0. Written in frame 3, it is $-R^T p$.",
+            "write $-R\\,p$ as the position of the inverse of $T_{03}$": "$R_{03}$ takes components in frame 3 to components in frame 0; "
+            "its transpose does the opposite.",
         },
     )
 
 
-@problem("01.c", "The tool, seen from link 3", points=1, lecture="01_frames#Chaining along the links")
+@problem("01.c", "The pose of the tool in frame 3", points=1, lecture="01_frames#Chaining along the links")
 def tool_from_link_3(_draw: ArmSampler) -> Problem:
     T_01, T_12, T_23 = links()
     T_03, T_05 = T_01 @ T_12 @ T_23, rprr().fk(CONFIGURATION)
@@ -86,16 +87,16 @@ def tool_from_link_3(_draw: ArmSampler) -> Problem:
             subtracted,
             "positions subtracted",
             "subtract the positions",
-            "The arrow $p_{05} - p_{03}$ leads from link 3 to the tool, but it is written in frame 0: rotate it with $R_{30}$.",
+            "The vector $p_{05} - p_{03}$ leads from link 3 to the tool, but it is written in frame 0: multiply it by $R_{30}$.",
         ),
         advice={
-            "inverse left out": "The inner letters 3 and 0 differ, so nothing cancels: $T_{30}$ comes first.",
-            "order": "The inner letters 5 and 3 differ: put $T_{30}$ on the left, so that 0 meets 0.",
+            "inverse left out": "The inverse of $T_{03}$ is $T_{30}$, whose second subscript cancels with the first of $T_{05}$.",
+            "order": "Adjacent subscripts must be equal: put $T_{30}$ to the left of $T_{05}$, so that 0 meets 0.",
         },
     )
 
 
-@problem("01.d", "The row that the deck misprints", points=1, lecture="01_frames#Bug hunt")
+@problem("01.d", "The misprinted row", points=1, lecture="01_frames#Bug hunt")
 def misprinted_row(_draw: ArmSampler) -> Problem:
     return Problem(
         statement="Give the third row of ${}^1_2T$, four numbers.",
@@ -104,23 +105,23 @@ def misprinted_row(_draw: ArmSampler) -> Problem:
             mistake(
                 "as printed",
                 np.array([1, 0, 1, 0]),
-                "This is the row as printed. The third column $(0, 1, 1)$ then has length $\\sqrt 2$, and it leans on the first.",
+                "This is the row as printed. With it, the third column $(0, 1, 1)$ has length $\\sqrt 2$, and it is not orthogonal to the "
+                "first.",
             ),
             mistake(
                 "reflection",
                 np.array([-1, 0, 0, 0]),
-                "The columns are orthonormal now, but left-handed: the determinant is $-1$, "
-                "and no motion makes a glove fit the other hand.",
+                "With this row the columns are orthonormal, but left-handed: the determinant is $-1$, so the matrix is a reflection.",
             ),
             mistake(
                 "the other 1 kept",
                 np.array([0, 0, 1, 0]),
-                "You kept the other 1. Then the first column is zero: $x_2$ would have no direction at all.",
+                "This row keeps the other 1. With it, the first column is zero, so that $x_2$ has no direction.",
             ),
             mistake(
                 "a last row",
                 np.array([0, 0, 0, 1]),
-                "That is the fourth row of every pose. The third row holds the $z$ components of the three axes and of the origin.",
+                "This is the fourth row of every pose. The third row has the $z$ components of the three axes and of the origin.",
             ),
         ],
     )

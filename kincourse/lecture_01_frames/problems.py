@@ -1,4 +1,4 @@
-"""Sheet 01: poses and rotations from drawings, points and directions, inverses, products, fixed and moving axes."""
+"""Sheet 01: poses and rotations from drawings, homogeneous coordinates, inverses, products, fixed and moving axes."""
 
 from functools import partial
 
@@ -32,20 +32,18 @@ from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
 from misstep.answers.order import Ordering
 from misstep.display.text import matrix, vector
-from misstep.mistakes import Mistake, mistake
+from misstep.mistakes import mistake
 from misstep.mutants.expression import given
 from misstep.mutants.operations import ANGLE, VECTOR, function, radians, stack
 from misstep.problem import Problem
 from misstep.sheet import Sheet
 
-LETTERS_CANCEL = "In front of $T_{sc}$ the inner letters s of $T_{ts}\\,T_{sc}$ cancel, and so do the letters c of $T_{sc}\\,T_{co}$."
+SUBSCRIPTS_CANCEL = "Only in $T_{ts}\\,T_{sc}\\,T_{co}$ do all adjacent subscripts cancel: s with s, and c with c."
 
-LEFT_OR_RIGHT = (
-    "A motion about an axis of {s} multiplies from the left, and one about an own axis multiplies from the right."
-)
+LEFT_OR_RIGHT = "A motion about or along an axis of {s} multiplies from the left, and one about or along an axis of {b} from the right."
 
 
-@problem("01.1", "A pose off a drawing", points=2, lecture="01_frames#Columns and rows")
+@problem("01.1", "A pose from a drawing", points=2, lecture="01_frames#Columns and rows")
 def pose_off_a_drawing(sampler: ArmSampler) -> Problem:
     place = np.zeros(3)
     while not are_distinguishable([np.zeros(3), place]):
@@ -57,54 +55,61 @@ def pose_off_a_drawing(sampler: ArmSampler) -> Problem:
         point("p_{sb}", place).mistaken_for(place * (1, 1, 0), "height left out", "leave out the height"),
     )
     return Problem(
-        statement="Read $T_{sb}$ off the drawing. Coordinates are whole metres, and each axis of {b} runs along one of {s}. The dotted "
-        "line drops to the floor: its foot has the numbers $x$ and $y$, and beside it stands the height.",
+        statement="Read the pose $T_{sb}$ from the drawing. All coordinates are whole metres, and each axis of {b} is parallel to an axis "
+        "of {s}. The dotted line is vertical: the two numbers at its foot are the coordinates $x$ and $y$ of the origin of {b}, and the "
+        "number beside it is the height $z$.",
         figure=partial(draw_frames, {"s": np.eye(4), "b": T_sb.value}, arrows=False, numbers=True),
         answer=PoseAnswer(T_sb.value),
         solution=T_sb,
         advice={
-            "axes in rows": "They are the columns of $R_{sb}$; its rows are the axes of {s} in {b}.",
-            "inverted": "That is $T_{bs}$, {s} seen from {b}: write the axes of {b} with the numbers of {s}.",
-            "sign of a vector": "The frame is left-handed then: $y = z \\times x$.",
-            "take $p_{sb}$ with the opposite sign": "It leads from {s} to {b}, and its coordinates are those of {s}.",
+            "axes in rows": "The axes of {b}, written in {s}, are the columns of $R_{sb}$; its rows are the axes of {s}, written in {b}.",
+            "inverted": "The inverse is $T_{bs}$, the pose of {s} in {b}; in $T_{sb}$ the axes and the origin of {b} are written in {s}.",
+            "sign of a vector": "The axes of a frame are right-handed, so that $y = z \\times x$: no axis can change its sign alone.",
+            "take $p_{sb}$ with the opposite sign": "The vector $p_{sb}$ leads from the origin of {s} to the origin of {b}.",
             "coordinates swapped": "At the foot of the dotted line, $x$ comes first; the number beside the line is $z$.",
+            "position in the other frame": "That is the same vector, written in {b}; the last column of $T_{sb}$ is written in {s}.",
         },
     )
 
 
-@problem("01.2", "A rotation off a drawing", points=2, lecture="01_frames#Columns and rows")
+@problem("01.2", "A rotation from a drawing", points=2, lecture="01_frames#Columns and rows")
 def rotation_off_a_drawing(sampler: ArmSampler) -> Problem:
     k, degrees = sampler.integer(0, 2), sampler.choice(PLAIN_ANGLES_DEG) * sampler.choice((-1, 1))
     angle = given(f"{degrees}^\\circ", degrees, ANGLE)
     angle = angle.mistaken_for(180 - degrees, "supplement", f"subtract ${degrees}^\\circ$ from $180^\\circ$")
     angle = angle.mistaken_for(180 + degrees, "half a turn more", f"add $180^\\circ$ to ${degrees}^\\circ$")
     R = rotation_about(k, radians(angle))
-    R = R.mistaken_for(R.value - np.diag(np.eye(3)[k]), "no 1 for the axis", "leave out the 1 of the shared axis")
+    R = R.mistaken_for(
+        R.value - np.diag(np.eye(3)[k]), "no 1 for the axis", "leave out the 1 on the diagonal for the shared axis"
+    )
     first, next_axis = "yzx"[k], "zxy"[k]
     return Problem(
-        statement="Frames {a} and {b} share their origin and one axis, along which you look: a dot is an arrow's tip, a cross its "
-        "feathers. Give $R_{ab}$.",
+        statement="Frames {a} and {b} share their origin and one axis, and you look along this axis. A dot means that it points towards "
+        "you, a cross that it points away from you. Give $R_{ab}$.",
         figure=partial(draw_rotation, k, degrees),
         answer=RotationAnswer(R.value),
         solution=R,
         advice={
-            "sign of an angle": "This is $R_{ba} = R_{ab}^T$. The columns of $R_{ab}$ are the axes of {b}, read along those of {a}. Is "
-            f"the share of ${next_axis}_a$ in ${first}_b$ positive or negative?",
+            "sign of an angle": "The opposite angle belongs to $R_{ba} = R_{ab}^T$. The columns of $R_{ab}$ are the axes of {b}, written "
+            f"in {{a}}: is the component of ${first}_b$ along ${next_axis}_a$ positive or negative?",
             "sine and cosine swapped": "At 0 degrees $R$ is the identity, so the cosines are on the diagonal.",
-            "another axis": f"The axis that both frames share is ${'xyz'[k]}$, and its row and column hold a single 1.",
+            "another axis": f"The axis that both frames share is ${'xyz'[k]}$, so the row and the column of ${'xyz'[k]}$ have a single 1 "
+            "and two zeros.",
         },
     )
 
 
-@problem("01.3", "An affine map in one matrix", points=2, lecture="01_frames#An affine map in one matrix")
-def augmented_matrix(sampler: ArmSampler) -> Problem:
+@problem("01.3", "A motion of the plane as one matrix", points=2, lecture="01_frames#Homogeneous coordinates")
+def homogeneous_matrix(sampler: ArmSampler) -> Problem:
     shift_first = sampler.choice([True, False])
     degrees, shift = sampler.choice(PLAIN_ANGLES_DEG) * sampler.choice((-1, 1)), sampler.point(4)[:2]
     R, p = rotation_about(2, radians(given("\\theta", degrees, ANGLE)))[:2, :2].named("R"), point("p", shift)
     rotated = function("rotated", np.matmul, "{0}\\,{1}")(R, p)
     # Where the translation comes first, R is used twice, and so it can be transposed in one place.
     block = (
-        R.mistaken_for(R.T, "transposed", "transpose $R$ in the matrix, and not in the column") if shift_first else R
+        R.mistaken_for(R.T, "transposed", "transpose $R$ in the matrix, and not in the last column")
+        if shift_first
+        else R
     )
     column, other, when = (rotated, p, "after") if shift_first else (p, rotated, "before")
     column = (
@@ -114,42 +119,40 @@ def augmented_matrix(sampler: ArmSampler) -> Problem:
         .mistaken_for(R.value.diagonal() * shift, "entry by entry", "multiply $R$ and $p$ entry by entry")
     )
     A = assemble(block, column)
-    way = "anticlockwise" if degrees > 0 else "clockwise"
-    rotation_text, translation_text = (
-        f"turns the plane about the origin by {abs(degrees)} degrees {way}",
-        f"shifts it by $p = {vector(shift)}$",
-    )
-    description = (
-        f"shifts the plane by $p = {vector(shift)}$, and then {rotation_text.replace('the plane', 'it')}"
-        if shift_first
-        else f"{rotation_text}, and then {translation_text}"
-    )
+    if shift_first:
+        A = A.mistaken_for(translation(p), "rotation left out", "leave out the rotation")
+    sense = "counterclockwise" if degrees > 0 else "clockwise"
+    rotation_text = f"rotated about the origin by {abs(degrees)} degrees {sense}"
+    translation_text = f"translated by $p = {vector(shift)}$"
+    first, second = (translation_text, rotation_text) if shift_first else (rotation_text, translation_text)
     return Problem(
-        statement=f"A map {description}. Write it as one augmented matrix, (3, 3): it takes $(x, y, 1)$ to where the point $(x, y)$ goes.",
+        statement=f"Every point of the plane is first {first}, and then {second}. Write this motion as one homogeneous transformation of "
+        "shape (3, 3). It takes the homogeneous coordinates $(x, y, 1)$ of a point to those of the place to which the point moves.",
         given={"first": "shift" if shift_first else "turn", "degrees": degrees, "p": shift},
         answer=Numbers(A.value),
         solution=A,
         advice={
             "order": "The order matters: here the translation comes first, so the rotation acts on it too: $R\\,(x + p) = R\\,x + R\\,p$."
             if shift_first
-            else "The order matters: here the rotation comes first, and does not act on the translation: $R\\,x + p$.",
-            "sign of an angle": "Anticlockwise is positive, and its matrix has $-\\sin$ in the upper right.",
-            "last row": "In the last column the extra 1 picks it up.",
-            "position left out": "$R$ alone leaves the origin where it is; the last column says where it goes.",
+            else "The order matters: here the rotation comes first, so it does not act on the translation: $R\\,x + p$.",
+            "sign of an angle": "Counterclockwise is positive, and a rotation by $\\theta$ has $-\\sin\\theta$ in its upper right corner.",
+            "last row": "The translation belongs in the last column, where it is multiplied by the 1 of $(x, y, 1)$.",
+            "position left out": "Without it the origin stays where it is; the last column says where the origin goes.",
+            "rotation left out": "The upper left block is the rotation $R$.",
         },
     )
 
 
-@problem("01.4", "A point and an arrow", points=2, lecture="01_frames#An affine map in one matrix")
+@problem("01.4", "A point and a direction", points=2, lecture="01_frames#Homogeneous coordinates")
 def point_and_arrow(sampler: ArmSampler) -> Problem:
     T, x_c, d = _random_pose(sampler), sampler.point(6) / 10, sampler.point(6) / 10
     T_sc, x, arrow = pose("T_{sc}", T), given("x", x_c), given("d", d)
     arrow = arrow.mistaken_for(
-        d - x_c, "point subtracted", "subtract the point from the arrow, which is a difference already"
+        d - x_c, "point subtracted", "subtract the point from the vector, which is a difference of two points already"
     )
     end = to_point(T_sc, x + arrow)
     there = to_direction(T_sc, arrow).mistaken_for(
-        end, "other end", "give the other end of the rod instead of the arrow"
+        end, "other end", "give the other end of the rod instead of the vector that leads there"
     )
     swapped = stack(to_direction(T_sc, x), to_point(T_sc, arrow))
     both = (
@@ -158,66 +161,68 @@ def point_and_arrow(sampler: ArmSampler) -> Problem:
         .mistaken_for(swapped, "1 and 0 swapped", "swap the 1 of a point and the 0 of a direction")
     )
     return Problem(
-        statement=f"A camera {{c}} sees one end of a rod at the point ${vector(x_c)}$ m, and the arrow from there to the other end is "
-        f"${vector(d)}$ m. Give both as {{s}} sees them, in two rows: the point, the arrow.\n\n$$T_{{sc}} = {matrix(T)}$$",
+        statement=f"One end of a rod is the point $x = {vector(x_c)}$ m, and $d = {vector(d)}$ m is the vector from there to the other "
+        "end. Both are written in the frame {c} of a camera. Write both in {s}: the point in the first row, the vector in the second.\n\n"
+        f"$$T_{{sc}} = {matrix(T)}$$",
         figure=partial(draw_frames, {"s": np.eye(4), "c": T}, arrows=False),
         given={"T_sc": T, "point_c": x_c, "arrow_c": d},
-        answer=VectorsAnswer(both.value, unit="m", names=["the point", "the arrow"]),
+        answer=VectorsAnswer(both.value, unit="m", names=["the point", "the vector"]),
         solution=both,
         advice={
             "inverted": "$T_{sc}$ takes coordinates in {c} to coordinates in {s}.",
-            "rotation transposed": "$R^T$ takes components in {s} to components in {c}. Did you write `x @ R`?",
-            "not rotated": "The camera counts along axes of its own: multiply by $R_{sc}$.",
+            "rotation transposed": "$R_{sc}^T$ takes components in {s} to components in {c}. In NumPy, `x @ R` is $R^T x$.",
+            "not rotated": "The axes of {c} are not parallel to those of {s}: multiply by $R_{sc}$.",
+            "frame not changed": "The numbers in {s} differ, because {s} has another origin and other axes.",
         },
     )
 
 
-@problem("01.5", "Look back", points=2, lecture="01_frames#The inverse")
+@problem("01.5", "The inverse of a pose", points=2, lecture="01_frames#The inverse")
 def look_back(sampler: ArmSampler) -> Problem:
     T = _random_pose(sampler)
     T_gs = inverse(pose("T_{sg}", T))
     negated = homogeneous(-T[:3, :3].T, T_gs.value[:3, 3])
     T_gs = T_gs.mistaken_for(negated, "sign", "write a minus sign in front of the rotation $R^T$ too")
     return Problem(
-        statement=f"A gripper {{g}} stands at $T_{{sg}}$. Give $T_{{gs}}$: how the gripper sees the base.\n\n$$T_{{sg}} = {matrix(T)}$$",
+        statement=f"The pose of a gripper {{g}} in the base frame {{s}} is $T_{{sg}}$. Give $T_{{gs}}$, the pose of the base in the frame "
+        f"of the gripper.\n\n$$T_{{sg}} = {matrix(T)}$$",
         figure=partial(draw_frames, {"s": np.eye(4), "g": T}, arrows=False),
         given={"T_sg": T},
         answer=PoseAnswer(T_gs.value),
         solution=T_gs,
         advice={
-            "inverse left out": "It says how the base sees the gripper, and the question is how the gripper sees the base.",
-            "transpose for inverse": "$R^T$ inverts the rotation, but the translation goes into the last row, where none belongs.",
-            "write $-p$ as the position of the inverse of $T_{sg}$": "The vector $-p$ leads back to the base, but it is written in {s}: "
-            "the gripper writes it as $-R^T p$.",
+            "inverse left out": "$T_{sg}$ is the pose of the gripper in {s}; the question is the pose of the base in {g}.",
+            "transpose for inverse": "The transpose inverts the rotation, but it also moves the position into the last row.",
+            "write $-p$ as the position of the inverse of $T_{sg}$": "The vector $-p$ leads from the gripper to the base, but it is "
+            "written in {s}. Written in {g}, it is $-R^T p$.",
         },
     )
 
 
-@problem("01.6", "Letters that cancel", points=2, lecture="01_frames#Chaining along the links")
-def letters_that_cancel(sampler: ArmSampler) -> Problem:
+@problem("01.6", "Subscripts that cancel", points=2, lecture="01_frames#Chaining along the links")
+def subscripts_that_cancel(sampler: ArmSampler) -> Problem:
     T_sc, T_co, T_st = (_random_pose(sampler) for _ in range(3))
     T_to = inverse(pose("T_{st}", T_st)) @ pose("T_{sc}", T_sc) @ pose("T_{co}", T_co)
     subtracted = with_position(T_to.value, (T_sc @ T_co)[:3, 3] - T_st[:3, 3])
-    advice = "Their difference is written in {s}: rotate it with $R_{ts}$."
+    advice = "The difference of the positions is a vector written in {s}: multiply it by $R_{ts}$."
     T_to = T_to.mistaken_for(subtracted, "positions subtracted", "subtract the positions", advice)
     return Problem(
-        statement="A camera {c} on the wall sees an object {o}. The base {s} knows where the camera and the tool {t} are. How does the "
-        f"tool see the object? Give $T_{{to}}$.\n\n$$T_{{sc}} = {matrix(T_sc)}$$\n\n$$T_{{co}} = {matrix(T_co)}$$\n\n"
-        f"$$T_{{st}} = {matrix(T_st)}$$",
+        statement="A camera {c} on the wall measures the pose $T_{co}$ of an object {o}. The poses of the camera and of the tool {t} in "
+        f"the base frame {{s}} are known. Give $T_{{to}}$, the pose of the object in the frame of the tool.\n\n"
+        f"$$T_{{sc}} = {matrix(T_sc)}$$\n\n$$T_{{co}} = {matrix(T_co)}$$\n\n$$T_{{st}} = {matrix(T_st)}$$",
         figure=partial(draw_frames, {"s": np.eye(4), "c": T_sc, "t": T_st}, arrows=False),
         given={"T_sc": T_sc, "T_co": T_co, "T_st": T_st},
         answer=PoseAnswer(T_to.value),
         solution=T_to,
         advice={
-            "inverse left out": "The inner letters t and s differ, so nothing cancels: $T_{ts}$ belongs in front.",
-            "inverted": "In $T_{ts}\\,T_{sc}\\,T_{co}$ the inner letters cancel.",
-            "factor left out": "All three are needed: $T_{ts}\\,T_{sc}\\,T_{co}$.",
-            **dict.fromkeys(("order", "first factor", "last factor", "reversed"), LETTERS_CANCEL),
+            "inverse left out": "The inverse of $T_{st}$ is $T_{ts}$, whose second subscript cancels with the first of $T_{sc}$.",
+            "factor left out": "All three factors are needed: $T_{ts}\\,T_{sc}\\,T_{co}$.",
+            **dict.fromkeys(("inverted", "order", "first factor", "last factor", "reversed"), SUBSCRIPTS_CANCEL),
         },
     )
 
 
-@problem("01.7", "Its own axis, or one of the room", points=3, lecture="01_frames#Left or right")
+@problem("01.7", "Fixed axes or moving axes", points=3, lecture="01_frames#Left or right")
 def own_or_fixed(sampler: ArmSampler) -> Problem:
     T, k, degrees = (
         _random_pose(sampler),
@@ -235,20 +240,15 @@ def own_or_fixed(sampler: ArmSampler) -> Problem:
     shift = translation(shift_by).named("\\mathrm{Trans}(d)")
     own, fixed = (turn, shift) if turn_is_own else (shift, turn)
     moved = fixed @ pose("T_{sb}", T) @ own
-    whose = {True: "its own", False: "the"}
-    rotation_text = (
-        f"turns by {degrees} degrees about {whose[turn_is_own]} ${'xyz'[k]}$ axis{'' if turn_is_own else ' of {s}'}"
-    )
-    translation_text = (
-        f"shifts by {far:.4g} m along {whose[not turn_is_own]} ${'xyz'[along]}$ axis{' of {s}' if turn_is_own else ''}"
-    )
-    description = (
-        f"It {rotation_text}, then it {translation_text}."
-        if turns_first
-        else f"It {translation_text}, then it {rotation_text}."
-    )
+    moving, still = "its own ${}$ axis", "the ${}$ axis of {{s}}"
+    about, alongside = (moving, still) if turn_is_own else (still, moving)
+    motions = [
+        f"rotates by {degrees} degrees about {about.format('xyz'[k])}",
+        f"translates by {far:.4g} m along {alongside.format('xyz'[along])}",
+    ]
+    first, second = motions if turns_first else motions[::-1]
     return Problem(
-        statement=f"A frame {{b}} stands at $T_{{sb}}$. {description} Where does it stand now, seen from {{s}}?\n\n"
+        statement=f"A frame {{b}} has the pose $T_{{sb}}$ in {{s}}. It {first}, and then it {second}. Give its new pose in {{s}}.\n\n"
         f"$$T_{{sb}} = {matrix(T)}$$",
         figure=partial(draw_frames, {"s": np.eye(4), "b": T}, arrows=False),
         given={
@@ -262,60 +262,68 @@ def own_or_fixed(sampler: ArmSampler) -> Problem:
         solution=moved,
         advice=dict.fromkeys(("order", "first factor", "last factor", "reversed"), LEFT_OR_RIGHT)
         | {
-            "sign of an angle": "With the thumb of the right hand along the axis, the fingers curl with a positive angle."
+            "sign of an angle": "By the right-hand rule, the fingers curl in the positive sense if the thumb points along the axis."
         },
     )
 
 
-EACH_AT_ITS_SIDE = (
-    "About an axis of the room, each turn comes to the left of those before it; about an own axis, to the right."
+LEFT_FOR_FIXED_AXES = (
+    "A rotation about an axis of {s} goes to the left of all earlier ones, one about an axis of the frame to the right."
 )
 
 
-@problem("01.8", "Turns in order", points=2, lecture="01_frames#Fixed axes and moving axes")
-def turns_in_order(sampler: ArmSampler) -> Problem:
+@problem("01.8", "Rotations in order", points=2, lecture="01_frames#Fixed axes and moving axes")
+def rotations_in_order(sampler: ArmSampler) -> Problem:
     names = [f"R_{letter}" for letter in sampler.shuffled("abcd")]
     fixed = sampler.shuffled([True, True, False, False])
     room = [name for name, is_fixed in zip(names, fixed, strict=True) if is_fixed]
     own = [name for name in names if name not in room]
     right = [*room[::-1], *own]
     listed = "\n".join(
-        f"{i}. ${name}$, about {'an axis of the room' if room else 'an axis of its own'}"
-        for i, (name, room) in enumerate(zip(names, fixed, strict=True), start=1)
+        f"{i}. ${name}$, about {'an axis of {s}' if is_fixed else 'one of its own axes'}"
+        for i, (name, is_fixed) in enumerate(zip(names, fixed, strict=True), start=1)
     )
     return Problem(
-        statement="A frame starts parallel to the room {s}, and makes four turns, one after the other:\n\n"
-        f"{listed}\n\nIts attitude $R_{{sb}}$ is a product of the four. Put them in order, from left to right: a list of the names "
-        "`'R_a'`, `'R_b'`, `'R_c'`, `'R_d'`.",
+        statement="At first, a frame {b} is parallel to the fixed frame {s}. Then it makes four rotations, one after the other:\n\n"
+        f"{listed}\n\nIts orientation $R_{{sb}}$ is a product of the four matrices. Give the factors in order, from left to right, as a "
+        "list of the names `'R_a'`, `'R_b'`, `'R_c'`, `'R_d'`.",
         given={"turns": names, "about_the_room": fixed},
         answer=Ordering(right),
         mistakes=[
             mistake(
-                "as told",
+                "in the order of time",
                 names,
-                "You wrote them in the order in which they happen. That is right for turns about own axes only: those about the room come "
-                "from the left.",
+                "This is the order in which the rotations happen. It would be right if all were about axes of the frame. "
+                f"{LEFT_FOR_FIXED_AXES}",
             ),
             mistake(
                 "each from the left",
                 names[::-1],
-                "You multiplied each from the left. That is right for turns about the room only: those about own axes come from the right.",
+                "This is the reverse of the order in which the rotations happen. It would be right if all were about axes of {s}. "
+                f"{LEFT_FOR_FIXED_AXES}",
             ),
             mistake(
                 "by the alphabet",
                 sorted(names),
-                f"These are the names in the order of the alphabet. {EACH_AT_ITS_SIDE}",
+                f"These are the names in the order of the alphabet. {LEFT_FOR_FIXED_AXES}",
             ),
             mistake(
-                "order about the room", [*room, *own], f"The two turns about the room are swapped. {EACH_AT_ITS_SIDE}"
+                "order about fixed axes",
+                [*room, *own],
+                f"The two rotations about axes of {{s}} are swapped. {LEFT_FOR_FIXED_AXES}",
             ),
             mistake(
                 "order about own axes",
                 [*room[::-1], *own[::-1]],
-                f"The two turns about own axes are swapped. {EACH_AT_ITS_SIDE}",
+                f"The two rotations about axes of the frame are swapped. {LEFT_FOR_FIXED_AXES}",
             ),
             *(
-                mistake("sides exchanged", order, f"You multiplied on the wrong sides. {EACH_AT_ITS_SIDE}")
+                mistake(
+                    "sides swapped",
+                    order,
+                    "The sides are swapped: the rotations about axes of the frame are to the left of those about axes of {s}. "
+                    f"{LEFT_FOR_FIXED_AXES}",
+                )
                 for order in ([*own[::-1], *room], [*own, *room], [*own, *room[::-1]], [*own[::-1], *room[::-1]])
             ),
         ],
@@ -323,23 +331,24 @@ def turns_in_order(sampler: ArmSampler) -> Problem:
 
 
 FLAWS = {
-    "a": "none: it is a rigid motion",
-    "b": "a column of its rotation is no unit vector",
-    "c": "two columns of its rotation are not square to each other",
-    "d": "its rotation is left-handed: a reflection",
-    "e": "its last row is not 0 0 0 1",
+    "a": "no condition: it is a rigid motion",
+    "b": "the columns of R are unit vectors",
+    "c": "the columns of R are orthogonal to each other",
+    "d": "R is right-handed, that is, no reflection",
+    "e": "the last row is 0 0 0 1",
 }
 
-FLAW_EXPLANATIONS = {
-    "a": "Go through it once more: three perpendicular unit columns, the third the cross product of the first two, and the last row.",
-    "b": "Take the sum of squares of each column of the upper left block: one of them is not 1.",
-    "c": "Take the scalar product of each two columns of the upper left block: one of them is not 0.",
-    "d": "Compare the third column with the cross product of the first two: it is its opposite. The determinant is $-1$.",
-    "e": "Look at the last row: in a pose it is 0 0 0 1, and the translation stands in the last column.",
+FLAWS_REFUTED = {
+    "a": "This matrix is not a rigid motion, because one of the conditions fails. Test them one by one.",
+    "b": "The columns of $R$ are unit vectors: in each of them the sum of the squares is 1.",
+    "c": "The columns of $R$ are orthogonal to each other: the scalar product of each two of them is 0.",
+    "d": "$R$ is not left-handed: its determinant is positive.",
+    "e": "The last row is 0 0 0 1, as it should be.",
 }
+"""Why each answer is wrong where it is wrong, without the right answer."""
 
 
-@problem("01.9", "Rigid or not?", points=2, lecture="01_frames#Bug hunt")
+@problem("01.9", "Is it a rigid motion?", points=2, lecture="01_frames#Bug hunt")
 def rigid_or_not(sampler: ArmSampler) -> Problem:
     right = sampler.choice(list(FLAWS))
     T = np.eye(4)
@@ -358,18 +367,12 @@ def rigid_or_not(sampler: ArmSampler) -> Problem:
         T[3, :3], T[:3, 3] = T[:3, 3], 0
     listed = "\n".join(f"- `'{letter}'`: {flaw}" for letter, flaw in FLAWS.items())
     return Problem(
-        statement=f"Is this matrix a rigid motion? If not, what is wrong with it?\n\n$${matrix(T)}$$\n\n{listed}",
+        statement="Is this matrix a rigid motion? If not, which condition fails? $R$ is its upper left block, of shape (3, 3).\n\n"
+        f"$${matrix(T)}$$\n\n{listed}",
         given={"matrix": T},
         answer=Choice(right, FLAWS),
-        mistakes=[_flaw_mistake(wrong, right) for wrong in FLAWS if wrong != right],
+        mistakes=[mistake(f"flaw {wrong}", wrong, FLAWS_REFUTED[wrong]) for wrong in FLAWS if wrong != right],
     )
-
-
-def _flaw_mistake(wrong: str, right: str) -> Mistake:
-    if wrong == "a":
-        return mistake("called rigid", wrong, f"It is no rigid motion. {FLAW_EXPLANATIONS[right]}")
-    there = "There is nothing wrong with it" if right == "a" else "This property holds, but another one does not"
-    return mistake(f"flaw {wrong}", wrong, f"{there}. {FLAW_EXPLANATIONS[right]}")
 
 
 def _rotation(k: int, degrees: float) -> Array:
@@ -395,12 +398,12 @@ SHEET = Sheet(
     [
         pose_off_a_drawing,
         rotation_off_a_drawing,
-        augmented_matrix,
+        homogeneous_matrix,
         point_and_arrow,
         look_back,
-        letters_that_cancel,
+        subscripts_that_cancel,
         own_or_fixed,
-        turns_in_order,
+        rotations_in_order,
         rigid_or_not,
     ],
 )

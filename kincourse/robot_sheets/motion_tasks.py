@@ -259,7 +259,7 @@ MOTION_TASKS: dict[str, RobotTask] = {
     "point_of_the_tool": RobotTask(
         "The tip of a pencil",
         2,
-        "01_frames#An affine map in one matrix",
+        "01_frames#Homogeneous coordinates",
         point_of_the_tool,
         Entry(
             "tip",
