@@ -25,7 +25,7 @@ class Question(HasTraits):
     B  4
     >>> question.commit(1)
     >>> question.explanation().title
-    'B is right'
+    'You said B, and B is right'
     """
 
     committed = Bool(False)
@@ -48,18 +48,26 @@ class Question(HasTraits):
             self.choice = choice
             self.committed = True
 
-    def explanation(self) -> Card:
-        """Return a card that compares the chosen option with the right one, and explains a prediction; nothing of it before."""
+    def explanation(self, anyway: bool = False) -> Card:
+        """Return a card that compares the chosen option with the right one, and explains a prediction.
+
+        anyway  whether the explanation is shown to a reader who has not committed to an option
+        """
         item = self.item
         right = item.options[item.right]
+        correction = f"The correct answer is {LETTERS[item.right]}: {right.text.rstrip('.')}. {right.why}"
+        lesson = [("markdown", item.explanation)] if item.explanation else []
+        if not self.committed and anyway:
+            return Card("note", "Shown without a prediction", [correction, *lesson])
         if not self.committed:
             return Card("blank", "You have not committed to an answer yet", [f"The question was: {item.text}"])
         chosen = item.options[self.choice]
-        lesson = [("markdown", item.explanation)] if item.explanation else []
         if chosen.right:
-            return Card("right", f"{LETTERS[self.choice]} is right", [chosen.why, *lesson])
-        correction = f"Right is {LETTERS[item.right]}: {right.text.rstrip('.')}. {right.why}"
-        return Card("wrong", f"{LETTERS[self.choice]} is not it", [chosen.why, correction, *lesson])
+            return Card(
+                "right", f"You said {LETTERS[self.choice]}, and {LETTERS[self.choice]} is right", [chosen.why, *lesson]
+            )
+        title = f"You said {LETTERS[self.choice]}, but {LETTERS[item.right]} is right"
+        return Card("wrong", title, [chosen.why, correction, *lesson])
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
         if self._widget is None:
@@ -74,7 +82,7 @@ class Question(HasTraits):
 
 
 class Explanation:
-    """The explanation of a prediction, as a card that is updated when the reader commits to an option."""
+    """The explanation of a prediction, as a card that opens when the reader commits to an option, or asks to see it anyway."""
 
     def __init__(self, question: Question) -> None:
         self.question = question
@@ -86,18 +94,34 @@ class Explanation:
         return self.question.explanation()
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
-        import ipywidgets as widgets  # questions are not shown where sheets are graded, so it need not be installed there
-
         if self._widget is None:
-            self._widget = widgets.HTMLMath(self.card.html())
-            self.question.observe(self._update, "committed")
+            self._widget = _make_explanation(self.question)
         question = self.question
         static_html = {"text/html": explanation_html(question.name, question.item)} if is_static_export() else {}
         return {**self._widget._repr_mimebundle_(**options), **static_html, "text/plain": self.card.text()}
 
-    def _update(self, _: Any) -> None:
-        if self._widget is not None:
-            self._widget.value = self.card.html()
+
+def _make_explanation(question: Question) -> "widgets.Widget":
+    """Return the card, and until it is opened a button below it. JupyterLab follows the links of an output, not of a widget."""
+    import ipywidgets as widgets  # questions are not shown where sheets are graded, so it need not be installed there
+
+    card = widgets.Output()
+    anyway = widgets.Button(description="Show anyway", tooltip="Show the explanation without a prediction")
+    box = widgets.VBox([card, anyway])
+
+    def show(shown: Card) -> None:
+        card.outputs = ({"output_type": "display_data", "data": {"text/html": shown.html()}, "metadata": {}},)
+
+    def uncover(shown: Card) -> None:
+        box.children = [card]
+        show(shown)
+
+    anyway.on_click(lambda _: uncover(question.explanation(anyway=True)))
+    question.observe(lambda _: uncover(question.explanation()), "committed")
+    show(question.explanation())
+    if question.committed:
+        box.children = [card]
+    return box
 
 
 def _make_widget(question: Question) -> "widgets.Widget":

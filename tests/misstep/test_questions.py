@@ -50,14 +50,14 @@ def test_a_self_check_explains_the_choice_and_names_the_right_one():
     question._repr_mimebundle_()
     question.commit(0)
     reply = question._widget.children[-1].value
-    assert "A is not it" in reply
+    assert "You said A, but B is right" in reply
     assert "It acts last." in reply
-    assert "Right is B" in reply
+    assert "The correct answer is B: the right one. It stands" in reply
 
 
 def test_a_right_choice_is_explained(question):
     question.commit(1)
-    assert question.explanation().title == "B is right"
+    assert question.explanation().title == "You said B, and B is right"
     assert question.explanation().body[0] == "It stands next to $M$."
 
 
@@ -114,9 +114,29 @@ def test_an_explanation_on_the_page_changes_when_the_reader_commits(course):
     question = course.ask(NAME)
     explanation = course.explain(NAME)
     explanation._repr_mimebundle_()
-    assert "You have not committed" in explanation._widget.value
+    card, anyway = explanation._widget.children
+    assert "You have not committed" in html_of(card)
     question.commit(course.find_question(NAME).right)
-    assert "is right" in explanation._widget.value
+    assert "is right" in html_of(card)
+    assert anyway not in explanation._widget.children
+
+
+def test_an_explanation_can_be_shown_without_a_prediction(question):
+    explanation = Explanation(question)
+    explanation._repr_mimebundle_()
+    card, anyway = explanation._widget.children
+    anyway.click()
+    assert "Shown without a prediction" in html_of(card)
+    assert "The correct answer is B" in html_of(card)
+    assert "from the left" in html_of(card)
+    assert not question.committed
+    question.commit(0)
+    assert "You said A, but B is right" in html_of(card)
+
+
+def html_of(card):
+    (output,) = card.outputs
+    return output["data"]["text/html"]
 
 
 @pytest.mark.parametrize(
