@@ -110,11 +110,11 @@ def where_home_stands(given: Any, answer: Any) -> Answers:
     if k > 1:
         yield from alike(by.ORDER, {"space part reversed": [*left[::-1], "M", *rest]})
     yield from alike(by.ORDER, {"joints reversed": [*e[::-1][:k], "M", *e[::-1][k:]], "all": list(answer)[::-1]})
-    yield from alike(by.ORDER, {"sides exchanged": [*rest, "M", *left]})
+    yield from alike(by.ORDER, {"sides swapped": [*rest, "M", *left]})
     yield from alike(by.ORDER, {"both parts reversed": [*left[::-1], "M", *rest[::-1]]})
     yield from alike(names, {"by the alphabet": [*sorted(left), "M", *sorted(rest)], "M last": [*sorted(e), "M"]})
     yield from alike(home, {"home last, reversed": [*e[::-1], "M"], "home first, reversed": ["M", *e[::-1]]})
-    yield from alike(home, {"sides exchanged, body part reversed": [*rest[::-1], "M", *left]})
+    yield from alike(home, {"sides swapped, body part reversed": [*rest[::-1], "M", *left]})
     yield from right({"tuple": tuple(answer), "list": list(answer)})
 
 
@@ -180,7 +180,7 @@ def home_in_the_middle(given: Any, answer: Any) -> Answers:
     yield from alike({"home"}, {"at home": M})
     yield from alike(by.ORDER, {"M last": product(a, b, c, d, M), "M first": product(M, a, b, c, d)})
     yield from alike(by.ORDER | {"$M$"}, {"M late": product(a, b, c, M, d), "M early": product(a, M, b, c, d)})
-    yield from alike(by.ORDER, {"sides exchanged": product(c, d, M, a, b), "reversed": product(d, c, M, b, a)})
+    yield from alike(by.ORDER, {"sides swapped": product(c, d, M, a, b), "reversed": product(d, c, M, b, a)})
     yield from alike(by.ORDER, {"body part reversed": product(a, b, M, d, c), "space part": product(b, a, M, c, d)})
     yield from alike(by.ORDER, {"both parts reversed": product(b, a, M, d, c)})
     yield from alike(by.OMITTED, {"no M": product(a, b, c, d), "joint 4 left out": product(a, b, M, c)})
@@ -193,7 +193,7 @@ def home_in_the_middle(given: Any, answer: Any) -> Answers:
         yield from alike(by.SLIDE | by.OMITTED, {"slide left out": T(np.where(turns, q, 0))})
         yield from alike(by.ORDER | by.DEGREES, {"M last, radians on the slide": product(*e(radians), M)})
     yield from alike(by.ORDER | by.DEGREES, {"M last, degrees": product(*e(typed), M)})
-    yield from alike(by.ORDER | by.SIGN, {"sides exchanged, q_1 negated": product(c, d, M, inv(a), b)})
+    yield from alike(by.ORDER | by.SIGN, {"sides swapped, q_1 negated": product(c, d, M, inv(a), b)})
     yield from alike(by.ORDER | by.DEGREES, {"M first, degrees": product(M, *e(typed))})
     space = [exp(Ad(M) @ S[i], q[i]) for i in (2, 3)]
     yield from right({"three decimals": T().round(3), "list": T().tolist(), "space form": product(a, b, *space, M)})
@@ -247,3 +247,53 @@ def jacobian_column(given: Any, answer: Any) -> Answers:
     yield from alike(by.JOINT | by.INVERTED, {"joint before, not inverted": Ad(a) @ B[1]})
     own = Ad(inv(b @ c @ d)) @ B[1]  # a screw does not move its own axis
     yield from right({"three decimals": J.round(3), "own joint too": own, "two steps": Ad(inv(d)) @ Ad(inv(c)) @ B[1]})
+
+
+@wrong_answers("04.9")
+def twist_of_the_tool(given: Any, answer: Any) -> Answers:
+    B = np.asarray(given.body_screws)
+    (typed, q, turns), (rates, dq, _) = _radians(given.values, B), _radians(given.rates, B)
+
+    def J(q: Any = q, invert: Any = inv) -> Any:
+        b, c = [exp(B[i], q[i]) for i in (1, 2)]
+        return np.column_stack([Ad(invert(b @ c)) @ B[0], Ad(invert(c)) @ B[1], B[2]])
+
+    a, b, c = [exp(B[i], q[i]) for i in range(3)]
+    V, columns = J() @ dq, J()
+    before = np.column_stack([B[0], Ad(a) @ B[1], Ad(a @ b) @ B[2]])
+    swapped = np.column_stack([Ad(inv(c @ b)) @ B[0], *columns.T[1:]])
+    yield from alike(by.DEGREES, {"degrees": J(typed) @ rates, "angles": J(typed) @ dq, "rates": J() @ rates})
+    yield from alike(by.OTHER_WAY, {"q_3 negated": J(negated(q, 2)) @ dq, "rate 2 negated": J() @ negated(dq, 1)})
+    yield from alike(by.OTHER_WAY | {"before"}, {"all q negated": J(-q) @ dq})
+    yield from alike({"home"}, {"at home": B.T @ dq})
+    yield from alike(by.JOINT, {"joints before": before @ dq})
+    yield from alike(by.INVERTED, {"not inverted": J(invert=np.asarray) @ dq})
+    yield from alike(by.ORDER, {"order in the first column": swapped @ dq, "rates reversed": J() @ dq[::-1]})
+    yield from alike({"rates", "joint values"}, {"joint values for rates": J() @ q})
+    for i in range(3):
+        yield from alike(by.OMITTED, {f"joint {i + 1} left out": V - columns[:, i] * dq[i]})
+        yield from alike(by.OMITTED | {"factor"}, {f"rate {i + 1} left out": V + columns[:, i] * (1 - dq[i])})
+    yield from alike(by.HALVES, {"halves swapped": halves_swapped(V)})
+    yield from alike(by.SIGN, {"the other way": -V, "one sign": negated_one(V)})
+    yield from alike(by.JOINT | by.INVERTED, {"first column at home": V + (B[0] - columns[:, 0]) * dq[0]})
+    if not turns.all():
+        yield from alike(by.SLIDE | by.DEGREES | {"length"}, {"radians on all rates": J() @ np.radians(rates)})
+    yield from right({"three decimals": V.round(3), "list": V.tolist()})
+
+
+@wrong_answers("04.10")
+def singular_wrist(given: Any, answer: Any) -> Answers:
+    q_2, rate = np.asarray(answer, dtype=float)
+    sign = 1 if np.cross([0, 0, 1], given.towards) @ given.axis_2 > 0 else -1
+    other = q_2 + (180 if q_2 < 0 else -180)
+    yield from alike(by.SIGN, {"both signs": [-q_2, -rate]})
+    yield from alike(by.OTHER_WAY | {"add up"}, {"q_2 negated": [-q_2, rate], "rate negated": [q_2, -rate]})
+    yield from alike({"perpendicular"}, {"perpendicular": [sign * (90 - given.tilt), rate]})
+    yield from alike({"range"}, {"the other one": [other, rate], "with its rate": [other, -rate]})
+    yield from alike({"home"}, {"at home": [0, rate]})
+    yield from alike({"rest"}, {"joint 1 at rest": [q_2, 0]})
+    yield from alike({"tilt"}, {"the tilt": [given.tilt, rate]})
+    yield from alike({"home", "angle"}, {"by the angle at home": [q_2, -given.rate_3 * np.cos(np.radians(given.tilt))]})
+    yield from alike(by.SWAPPED, {"swapped": [rate, q_2]})
+    yield from alike(by.DEGREES, {"radians": np.radians([q_2, rate])})
+    yield from right({"tuple": (q_2, rate), "list": [q_2, rate]})

@@ -35,36 +35,38 @@ def body_screw_by_the_adjoint(_draw: ArmSampler) -> Problem:
         answer=ScrewsAnswer(B.value),
         solution=B,
         advice={
-            "inverse left out": "$\\mathrm{Ad}_M$ takes what {b} reads to what {s} reads; here we go the other way.",
+            "inverse left out": "$\\mathrm{Ad}_M$ takes screws in {b} to screws in {s}; you need $\\mathrm{Ad}_{M^{-1}}$ here.",
             "only rotated": "The origin moved too: $v$ is the velocity at the new origin $p$, $R^T (v + \\omega \\times p)$.",
             "sign in the adjoint": "A point at $p$ moves with $v + \\omega \\times p$.",
-            "only moved": "{b} reads along axes of its own: both halves are rotated by $R^T$.",
-            "frame not changed": "This is $S_1$, as {s} reads it. The tool is elsewhere and reads other numbers.",
+            "only moved": "{b} also has other axes than {s}, so both halves are rotated by $R^T$.",
+            "frame not changed": "This is $S_1$, a screw in {s}; {b} has another origin and other axes.",
         },
     )
 
 
-@problem("04.b", "A body screw read in the tool's frame", points=1, lecture="04_poe_body#The mid-formula form")
+@problem("04.b", "A body screw from its line in the tool frame", points=1, lecture="04_poe_body#The mid-formula form")
 def body_screw_from_the_drawing(_draw: ArmSampler) -> Problem:
     robot = mid_formula_arm()
     R, S = robot.home[:3, :3], robot.screws[3]
     B = (
         revolute(direction("\\omega", Y), given("p", (0, 0, -0.2)))
         .mistaken_for(
-            S, "frame not changed", "give $S_4$, read in {s}", "Behind $M$ stand the screws that the tool reads."
+            S, "frame not changed", "give $S_4$, which is a screw in {s}", "Use the direction and the point in {b}."
         )
         .mistaken_for(
             np.concatenate([R.T @ S[:3], R.T @ S[3:]]),
             "only rotated",
             "rotate both halves of $S_4$ without the change of origin",
-            "Measure the point of the axis from the tool.",
+            "Measure the point of the axis from the origin of {b}.",
         )
     )
     return Problem(
-        statement="Joint 4 of the mid-formula arm turns about $y_b$, and its axis passes through $(0, 0, -0.2)$ in {b}. Give $B_4$.",
+        statement="Joint 4 of the mid-formula arm rotates about $y_b$, and its axis passes through $(0, 0, -0.2)$ in {b}. Give $B_4$.",
         answer=ScrewsAnswer(B.value),
         solution=B,
-        advice={"no moment": "The axis of joint 3 passes through the origin of {b}; this one passes beside it."},
+        advice={
+            "no moment": "The axis of joint 3 passes through the origin of {b}, so its moment is zero; this axis does not."
+        },
     )
 
 
@@ -77,9 +79,9 @@ def pose_with_home_in_the_middle(_draw: ArmSampler) -> Problem:
     for left, right, name, text in (
         (S, S, "space screws", "use space screws to the right of $M$"),
         (B, B, "body screws", "use body screws to the left of $M$"),
-        (B, S, "sides exchanged", "use body screws to the left of $M$, and space screws to its right"),
+        (B, S, "sides swapped", "use body screws to the left of $M$, and space screws to its right"),
     ):
-        advice = "The base reads $S_1$ and $S_2$ to the left of $M$; the tool reads $B_3$ and $B_4$ to its right."
+        advice = "$S_1$ and $S_2$ belong to the left of $M$, $B_3$ and $B_4$ to its right."
         T = T.mistaken_for(product(*left[:2], home, *right[2:]), name, text, advice)
     T = T.mistaken_for(
         product(*S[::-1], home), "reversed", "multiply space screws from the last joint to the first, with $M$ last"
@@ -90,7 +92,7 @@ def pose_with_home_in_the_middle(_draw: ArmSampler) -> Problem:
         answer=PoseAnswer(T.value),
         solution=T,
         advice={
-            "last factor": "$M$ stands behind joint 2, and the body screws follow it.",
+            "last factor": "$M$ comes after the factor of joint 2, and the body screws follow it.",
             "reversed": "Moving $M$ does not change the order of the joints.",
         },
         invisible=["first factor"],  # at these right angles, the factor of joint 3 may also be the first

@@ -1,6 +1,7 @@
-"""Sheet 04: body screws from a drawing and by the adjoint, M on the left and in the middle, a new tool, a Jacobian column."""
+"""Sheet 04: body screws from a drawing and by the adjoint, M on the left and in the middle, a new tool, the body Jacobian."""
 
-from dataclasses import replace
+from collections.abc import Sequence
+from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
@@ -23,22 +24,26 @@ from kincourse.sampling.arms import ArmSampler, are_distinguishable, shows_trans
 from kincourse.sampling.configurations import Configuration, configuration_from_typed
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
-from kinlib.chains.robots import X, Y, Z, pose
-from kinlib.rigid.lie import exp, homogeneous
+from kinlib.chains.robots import X, Y, Z, arm, pose
+from kinlib.rigid.lie import adjoint, exp, homogeneous
+from kinlib.rigid.lie import inverse as invert
 from kinlib.rigid.screw import screw
 from kinlib.view import draw_arm, draw_joints
+from misstep.answers.number import Numbers
 from misstep.answers.order import Ordering
-from misstep.display.text import matrix
+from misstep.display.text import matrix, number
 from misstep.mistakes import mistake
-from misstep.mutants.expression import product
+from misstep.mutants.expression import given, product, total
+from misstep.mutants.operations import stack
 from misstep.problem import Problem
 from misstep.sheet import Sheet
 
 HOME_ADVICE = "With body screws $M$ is the first factor, and the factors of the joints follow in their order."
 BASE_ADVICE = "The factor of the joint at the base is to the left of all others, in {b} as in {s}."
-MIDDLE_ADVICE = "What {s} reads is to the left of $M$, and what {b} reads is to its right."
-PASSED_ADVICE = "The joints before joint 2 move its axis and the tool alike: only the joints behind it count."
-TO_BODY_ADVICE = "$\\mathrm{Ad}_M$ takes what {b} reads to what {s} reads; here we go the other way."
+MIDDLE_ADVICE = "Exponentials of screws in {s} are to the left of $M$, and those of screws in {b} are to its right."
+CARRY_ADVICE = "Column $i$ of $J_b$ is the body screw $B_i$, carried past the joints between axis $i$ and the tool."
+PASSED_ADVICE = "Joint 1 moves axis 2 and the tool together, so only the joints between axis 2 and the tool, 3 and 4, change the column."
+TO_BODY_ADVICE = "$\\mathrm{Ad}_M$ takes screws in {b} to screws in {s}; you need $\\mathrm{Ad}_{M^{-1}}$ here."
 
 
 @problem("04.1", "A body screw off a drawing", points=3, lecture="04_poe_body#A second method")
@@ -60,23 +65,23 @@ def body_screw_off_a_drawing(sampler: ArmSampler) -> Problem:
             robot.body_screws[neighbour],
             "another joint",
             f"give the body screw of joint {neighbour + 1}",
-            "Look for the number beside the joint.",
+            "The joints are numbered in the drawing.",
         )
         .mistaken_for(
             robot.screws[joint - 1],
             "frame not changed",
             "read the axis in {s}",
-            "A body screw has the directions and distances of {b}.",
+            "For a body screw, direction and point are given in {b}.",
         )
         .mistaken_for(
             screw(robot.screws[joint - 1, :3], robot.joint_points[joint - 1] - origin),
             "only moved",
-            "measure from {b} along the axes of {s}",
+            "measure from the origin of {b}, but along the axes of {s}",
         )
     )
     return Problem(
-        statement=f"Read the body screw of joint {joint} off the drawing: stand at {{b}}, and write the axis with the directions and the "
-        "distances of {b}. All joints are revolute; coordinates are whole metres.",
+        statement=f"Read the body screw of joint {joint} off the drawing: give the direction and the moment of its axis in the frame "
+        "{b} of the end-effector. All joints are revolute; coordinates are whole metres.",
         figure=partial(draw_joints, robot, tool=True),
         answer=ScrewsAnswer(B.value),
         solution=B,
@@ -96,9 +101,9 @@ def by_the_adjoint(sampler: ArmSampler) -> Problem:
         solution=change_frame(inverse(given_pose("M", robot.home)), screw_axes("S", robot.screws)),
         advice={
             "inverse left out": TO_BODY_ADVICE,
-            "frame not changed": "{b} stands elsewhere and reads other numbers than {s}.",
+            "frame not changed": "These are the space screws; {b} has another origin and other axes.",
             "only rotated": "The origin moved too: $v$ is the velocity at the new origin $p$, $R^T (v + \\omega \\times p)$.",
-            "only moved": "{b} reads along axes of its own: both halves are rotated by $R^T$.",
+            "only moved": "{b} also has other axes than {s}, so both halves are rotated by $R^T$.",
         },
     )
 
@@ -107,22 +112,22 @@ def by_the_adjoint(sampler: ArmSampler) -> Problem:
 def back_to_space(sampler: ArmSampler) -> Problem:
     robot = _random_arm(sampler, sampler.choice(["RRP", "RPR", "PRR"]))
     return Problem(
-        statement="A colleague wrote this arm down as its tool sees it: body screws $B_i$, and the home pose $M$. Give the space screws "
+        statement="A colleague describes this arm by its body screws $B_i$ and its home pose $M$. Give the space screws "
         f"$S_1, S_2, S_3$, as rows.\n\n$$B = {matrix(robot.body_screws)}$$\n\n$$M = {matrix(robot.home)}$$",
         figure=partial(draw_arm, robot),
         given={"body_screws": robot.body_screws, "home": robot.home},
         answer=ScrewsAnswer(robot.screws),
         solution=change_frame(given_pose("M", robot.home), screw_axes("B", robot.body_screws)),
         advice={
-            "inverted": "$\\mathrm{Ad}_{M^{-1}}$ takes what {s} reads to what {b} reads; here we go back.",
-            "frame not changed": "These are the body screws, as the tool reads them.",
-            "only rotated": "The origin moved too: $[\\mathrm{Ad}_M]$ has $[p] R$ in its lower left corner.",
-            "only moved": "{s} reads along axes of its own: both halves are rotated by $R$.",
+            "inverted": "$\\mathrm{Ad}_{M^{-1}}$ takes screws in {s} to screws in {b}; you need $\\mathrm{Ad}_M$ here.",
+            "frame not changed": "These are the body screws.",
+            "only rotated": "The origins differ too: $\\mathrm{Ad}_M$ has the block $[p] R$ in its lower left corner.",
+            "only moved": "{s} also has other axes than {b}, so both halves are rotated by $R$.",
         },
     )
 
 
-@problem("04.4", "Where M stands", points=2, lecture="04_poe_body#The mid-formula form")
+@problem("04.4", "The place of M", points=2, lecture="04_poe_body#The mid-formula form")
 def where_home_stands(sampler: ArmSampler) -> Problem:
     k, names = sampler.integer(1, 3), sampler.shuffled("abcd")
     while [names[:k], names[k:]] == [sorted(names[:k]), sorted(names[k:])]:  # too close to the alphabet
@@ -130,13 +135,13 @@ def where_home_stands(sampler: ArmSampler) -> Problem:
     left, right = names[:k], names[k:]
     orders = {
         "reversed": ((names[::-1][:k], names[::-1][k:]), "The joints are in the reverse order."),
-        "sides exchanged": ((right, left), "The factors of {s} and {b} are on the wrong sides of $M$."),
+        "sides swapped": ((right, left), "The factors of {s} and {b} are on the wrong sides of $M$."),
     }
     if k < 3:  # one joint alone has no order
-        text = "The joints that {b} reads are in the reverse order."
+        text = "The joints whose axes are given in {b} are in the reverse order."
         orders["body part reversed"] = (left, right[::-1]), text
     if k > 1:
-        text = "The joints that {s} reads are in the reverse order."
+        text = "The joints whose axes are given in {s} are in the reverse order."
         orders["space part reversed"] = (left[::-1], right), text
     if k == 2:
         text = "The joints on both sides of $M$ are in the reverse order."
@@ -145,8 +150,8 @@ def where_home_stands(sampler: ArmSampler) -> Problem:
     in_space = f"axis of joint {names[0]} is" if k == 1 else f"axes of joints {', '.join(left[:-1])} and {left[-1]} are"
     in_body = "all others" if k < 3 else f"that of joint {names[3]}"
     return Problem(
-        statement=f"Joint {names[0]} of an arm stands on the floor, {listed}, and the tool is last. "
-        f"The {in_space} read in {{s}}, {in_body} in {{b}}. So $e_a$ is $e^{{[S_a]q_a}}$ or $e^{{[B_a]q_a}}$, and so on. Put the "
+        statement=f"Joint {names[0]} of an arm is fixed to the floor, {listed}, and the tool is last. "
+        f"The {in_space} given in {{s}}, {in_body} in {{b}}. So $e_a$ is $e^{{[S_a]q_a}}$ or $e^{{[B_a]q_a}}$, and so on. Put the "
         "factors of $T(q)$ in order, from left to right: a list of the names `'e_a'`, `'e_b'`, `'e_c'`, `'e_d'`, `'M'`.",
         given={"from_floor_to_tool": names, "read_in_s": left},
         answer=Ordering([*(f"e_{name}" for name in left), "M", *(f"e_{name}" for name in right)]),
@@ -173,7 +178,7 @@ def body_form(sampler: ArmSampler) -> Problem:
     robot = _random_arm(sampler, sampler.choice(["RRR", "RPR", "RRP"]))
     typed, q, words = _random_configuration(sampler, robot)
     return Problem(
-        statement=f"This arm is given by its body screws and its home pose. Its joints stand at {words}. Give $T(q)$.\n\n"
+        statement=f"This arm is given by its body screws and its home pose. Its joint values are {words}. Give $T(q)$.\n\n"
         f"$$B = {matrix(robot.body_screws)}$$\n\n$$M = {matrix(robot.home)}$$",
         figure=partial(draw_arm, robot),
         given={"body_screws": robot.body_screws, "home": robot.home, "values": typed},
@@ -186,7 +191,7 @@ def body_form(sampler: ArmSampler) -> Problem:
             robot.home @ np.linalg.multi_dot(list(exp(robot.screws * q[:, None]))),
             "space screws",
             "use the space screws $S_i$",
-            "Behind $M$ stand the screws that the tool reads: $B_i$.",
+            "To the right of $M$ belong the body screws $B_i$.",
         ),
         advice={"last factor": HOME_ADVICE, "reversed": BASE_ADVICE},
     )
@@ -201,11 +206,21 @@ def home_in_the_middle(sampler: ArmSampler) -> Problem:
     home = given_pose("M", robot.home)
     T = forward_kinematics(e[:k], home, e[k:])
     T = T.mistaken_for(
-        product(*e[k:], home, *e[:k]), "sides exchanged", "put the factors of {b} to the left of $M$", MIDDLE_ADVICE
+        product(*e[k:], home, *e[:k]),
+        "sides swapped",
+        "put the factors of {b} to the left of $M$, and those of {s} to its right",
+        MIDDLE_ADVICE,
     )
+    unrotated = given_pose("M", homogeneous(np.eye(3), robot.home[:3, 3]))
+    for name, text, wrong in (
+        ("M twice", "multiply by $M$ twice, after joint 2 and at the end", [*e[:k], home, *e[k:], home]),
+        ("M twice", "multiply by $M$ twice, in front and after joint 2", [home, *e[:k], home, *e[k:]]),
+        ("rotation left out", "leave out the rotation of $M$", [*e[:k], unrotated, *e[k:]]),
+    ):
+        T = T.mistaken_for(product(*wrong).value, name, text)
     return Problem(
-        statement=f"The first two joints of this arm are read in {{s}}, the others in {{b}}: below stand $S_1, S_2, B_3, B_4$. The joints "
-        f"are at {words}. Give $T(q)$.\n\n$${matrix(mixed)}$$\n\n$$M = {matrix(robot.home)}$$",
+        statement=f"The screw axes of the first two joints of this arm are given in {{s}}, the others in {{b}}: the rows below are "
+        f"$S_1, S_2, B_3, B_4$. The joint values are {words}. Give $T(q)$.\n\n$${matrix(mixed)}$$\n\n$$M = {matrix(robot.home)}$$",
         figure=partial(draw_arm, robot),
         given={"screws": mixed, "home": robot.home, "values": typed},
         answer=PoseAnswer(T.value),
@@ -224,7 +239,7 @@ def new_tool(sampler: ArmSampler) -> Problem:
         robot.screws,
         "space screws",
         "give the space screws",
-        "They do not change with the tool, but the tool does not read them.",
+        "They do not change with the tool, but they are screws in {s} and not in {t}.",
     )
     for T, name, text in (
         (T_bt @ home, "order", "move the tool along the axes of {s}: $T_{bt}\\,M$ for the new home pose"),
@@ -233,17 +248,16 @@ def new_tool(sampler: ArmSampler) -> Problem:
         S = robot.screws if name == "order" else B
         new = new.mistaken_for(change_frame(inverse(T), S), name, text, "The new home pose is $M\\,T_{bt}$.")
     return Problem(
-        statement="The tool of this arm is replaced. The new one has its frame {t} where the old one saw $T_{bt}$. Below are the body "
-        f"screws as {{b}} read them. Give them as {{t}} reads them.\n\n$$B = {matrix(B)}$$\n\n$$T_{{bt}} = {matrix(H)}$$",
+        statement="The tool of this arm is replaced. The frame {t} of the new tool has the pose $T_{bt}$ in the frame {b} of the old one. "
+        f"Below are the body screws in {{b}}. Give them in {{t}}, as rows.\n\n$$B = {matrix(B)}$$\n\n$$T_{{bt}} = {matrix(H)}$$",
         figure=partial(draw_arm, robot),
         given={"body_screws": B, "T_bt": H, "home": robot.home},
         answer=ScrewsAnswer(new.value),
         solution=new,
         advice={
-            "frame not changed": "The axes stay where they are; but body screws are read by the tool, and another tool reads other "
-            "numbers.",
-            "inverse left out": "$\\mathrm{Ad}_{T_{bt}}$ takes what {t} reads to what {b} reads; here we go the other way.",
-            "only rotated": "The origin of {t} is another one too, so the moments change.",
+            "frame not changed": "The axes stay where they are, but body screws are given in the tool frame, which is {t} now.",
+            "inverse left out": "$\\mathrm{Ad}_{T_{bt}}$ takes screws in {t} to screws in {b}; here you need the opposite direction.",
+            "only rotated": "{t} also has another origin, so the moments change.",
         },
     )
 
@@ -265,29 +279,148 @@ def jacobian_column(sampler: ArmSampler) -> Problem:
             change_frame(inverse(passed), axis), "joints before", f"carry the axis past {text}", PASSED_ADVICE
         )
     column = column.mistaken_for(
-        change_frame(e[0], axis), "joints before", "carry the axis past joint 1, as for a space screw", PASSED_ADVICE
+        change_frame(e[0], axis), "joints before", "carry the axis by joint 1, as for the space Jacobian", PASSED_ADVICE
+    )
+    backwards = exp(B * q[::-1, None])
+    column = column.mistaken_for(
+        adjoint(invert(backwards[2] @ backwards[3])) @ B[i],
+        "joint values reversed",
+        "use the joint values in the reverse order",
     )
     for k in (0, 2):
         rest = change_frame(inverse(product(*e[k + 1 :])), screw_axes(f"B_{k + 1}", B[k]))
         column = column.mistaken_for(rest, "another joint", f"give column {k + 1}")
     column = column.mistaken_for(
         robot.jacobian(q)[:, i],
-        "space column",
+        "space Jacobian",
         "give the column of the space Jacobian",
-        "It is the axis as {s} reads it now.",
+        "It is the present axis in {s}; a column of the body Jacobian is given in {b}.",
     )
     return Problem(
-        statement=f"The joints of this arm stand at {words}. Give column {i + 1} of the body Jacobian: the axis of joint {i + 1}, as the "
-        f"tool reads it now.\n\n$$B = {matrix(B)}$$",
+        statement=f"The joint values of this arm are {words}. Give column {i + 1} of the body Jacobian: the screw axis of joint {i + 1} in "
+        f"this configuration, in the frame {{b}} of the tool.\n\n$$B = {matrix(B)}$$",
         figure=partial(draw_arm, robot),
         given={"body_screws": B, "values": typed},
         answer=ScrewsAnswer(column.value),
         solution=column,
         advice={
-            "frame not changed": f"$B_{i + 1}$ is read at home. Since then joints 3 and 4 have moved the tool.",
-            "inverse left out": "The tool has moved, so it reads backwards: $\\mathrm{Ad}^{-1}$.",
-            "order": "Inside the inverse the factors stand as in the body form, joint 3 first.",
+            "frame not changed": f"$B_{i + 1}$ holds at home. Since then joints 3 and 4 have moved the tool relative to axis 2.",
+            "inverse left out": "The joints move the tool, and the axis is seen from the tool, so the column needs $\\mathrm{Ad}^{-1}$.",
+            "order": "Inside the inverse the factors have the order of the body form, joint 3 first.",
         },
+    )
+
+
+@problem("04.9", "The twist of the tool", points=3, lecture="04_poe_body#Joint rates and the twist of the tool")
+def twist_of_the_tool(sampler: ArmSampler) -> Problem:
+    robot = _random_arm(sampler, sampler.choice(["RRR", "RPR", "RRP"]))
+    typed, q, words = _random_configuration(sampler, robot)
+    rates, qdot, rate_words = _random_configuration(sampler, robot)
+    B = robot.body_screws
+    e = exponentials(B, joint_values(robot.joint_types, typed), "B")
+    dq = joint_values(robot.joint_types, rates, "\\dot q")
+    axes = [screw_axes(f"B_{i}", screw) for i, screw in enumerate(B, start=1)]
+    columns = [change_frame(inverse(e[1] @ e[2]), axes[0]), change_frame(inverse(e[2]), axes[1]), axes[2]]
+    V = total(*(rate * column for rate, column in zip(dq, columns, strict=True)))
+    for name, text, wrong, advice in (
+        ("space Jacobian", "use the space Jacobian", robot.jacobian(q) @ qdot, "It gives the twist in {s}."),
+        ("at home", "use the body screws at home as columns", B.T @ qdot, "The joints have moved since."),
+        (
+            "joint values for rates",
+            "multiply by the joint values",
+            robot.body_jacobian(q) @ q,
+            "Multiply by the rates.",
+        ),
+        ("rates reversed", "use the rates in the reverse order", robot.body_jacobian(q) @ qdot[::-1], ""),
+        (
+            "degrees",
+            "use degrees per second as radians per second",
+            robot.body_jacobian(q) @ rates,
+            "Use `np.radians` first.",
+        ),
+        ("joints before", "carry each axis by the joints before it", _by_joints_before(robot, q) @ qdot, CARRY_ADVICE),
+    ):
+        V = V.mistaken_for(wrong, name, text, advice)
+    per_second = rate_words.replace("degrees", "degrees/s").replace(" m", " m/s")
+    return Problem(
+        statement=f"The joint values of this arm are {words}, and its joint rates $\\dot q_i$ are {per_second}. Give the twist "
+        f"$\\mathcal{{V}}_b = J_b(q)\\,\\dot q$ of the tool in {{b}}: six numbers $(\\omega, v)$, in rad/s and m/s.\n\n$$B = {matrix(B)}$$",
+        figure=partial(draw_arm, robot),
+        given={"body_screws": B, "values": typed, "rates": rates},
+        answer=ScrewsAnswer(V.value, names=["the twist"]),
+        solution=V,
+        advice={
+            "inverse left out": "The columns of $J_b$ are the axes as seen from the moved tool, so they need $\\mathrm{Ad}^{-1}$.",
+            "order": "Inside the inverse the factors have the order of the body form, joint 2 first.",
+            "frame not changed": CARRY_ADVICE,
+            "term left out": "Every joint that moves adds its column times its rate.",
+        },
+    )
+
+
+def _by_joints_before(robot: Chain, q: Array) -> Array:
+    """The body screws, each carried by the joints before it as in the space Jacobian, in columns."""
+    steps = exp(robot.body_screws * q[:, None])
+    return np.column_stack(
+        [adjoint(np.linalg.multi_dot([np.eye(4), *steps[:i], np.eye(4)])) @ B for i, B in enumerate(robot.body_screws)]
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class WristAnswer(Numbers):
+    """The value of joint 2 and the rate of joint 1, (2,); each is a part."""
+
+    @property
+    def parts(self) -> Sequence[str]:
+        return ["q_2", "the rate of joint 1"]
+
+    def place(self, index: Sequence[int]) -> str:
+        return self.parts[index[0]]
+
+    def part_indices(self) -> list[int]:
+        return [0, 1]
+
+
+@problem("04.10", "A singular wrist", points=3, lecture="04_poe_body#Singular configurations")
+def singular_wrist(sampler: ArmSampler) -> Problem:
+    tilt = sampler.choice([20, 25, 35, 40, 50, 55, 65, 70, 110, 115, 125, 130, 140, 145, 155, 160])
+    (toward, name), sign = sampler.choice([(X, "x"), (Y, "y")]), sampler.choice([1, -1])
+    second, rate = sign * np.cross(Z, toward), sampler.integer(3, 9) * 10.0
+    opposite = tilt > 90  # in the singular configuration axis 3 is opposite to axis 1
+    third = np.cos(np.radians(tilt)) * Z + np.sin(np.radians(tilt)) * toward
+    wrist = arm([(Z, -Z), (second, np.zeros(3)), (third, third)], pose((X, Y, Z), 2 * third), "your wrist", "")
+    q_2 = given("q_2", sign * (180.0 * opposite - tilt))
+    for name_of, text, value in (
+        ("sign of an angle", "rotate joint 2 in the opposite direction", -sign * (180.0 * opposite - tilt)),
+        ("perpendicular axes", "rotate joint 2 until axis 3 is perpendicular to axis 1", sign * (90.0 - tilt)),
+        ("tilt for angle", "give the tilt itself", float(tilt)),
+        (
+            "outside the range",
+            "give the other singular configuration, outside the range",
+            sign * (180.0 * (not opposite) - tilt),
+        ),
+        ("at home", "take the home configuration", 0.0),
+        ("radians", "give the angle in radians", np.radians(q_2.value)),
+    ):
+        q_2 = q_2.mistaken_for(value, name_of, text, "The wrist is singular where axes 1 and 3 are on one line.")
+    qdot_1 = given("\\dot q_1", rate if opposite else -rate)
+    for name_of, text, value in (
+        ("sign of a rate", "let the two rotations add up", rate * (-1 if opposite else 1)),
+        ("joint 1 at rest", "leave joint 1 at rest", 0.0),
+        ("radians", "give the rate in radians per second", np.radians(qdot_1.value)),
+        ("rate at home", "use the angle between axes 1 and 3 at home", -rate * np.cos(np.radians(tilt))),
+    ):
+        qdot_1 = qdot_1.mistaken_for(value, name_of, text, "The two angular velocities must add up to zero.")
+    return Problem(
+        statement=f"The axes of three revolute joints meet in one point: they are a wrist. At home axis 1 is along $z$ of {{s}}, axis 2 "
+        f"along ${'' if second.sum() > 0 else '-'}{'y' if name == 'x' else 'x'}$, and axis 3 is tilted by $\\delta = {tilt}$ degrees from "
+        f"$z$ towards ${name}$. Give two numbers: first the value $q_2$ between $-90$ and $90$ degrees at which the wrist is singular, in "
+        f"degrees; then the rate of joint 1, in degrees per second, at which the tool does not move in this configuration, while joint 3 "
+        f"rotates at ${number(rate)}$ degrees per second and joint 2 is at rest.",
+        figure=partial(draw_arm, wrist),
+        given={"axis_2": second, "tilt": float(tilt), "towards": toward, "rate_3": rate},
+        answer=WristAnswer(np.array([q_2.value, qdot_1.value])),
+        solution=stack(q_2, qdot_1),
     )
 
 
@@ -327,5 +460,7 @@ SHEET = Sheet(
         home_in_the_middle,
         new_tool,
         jacobian_column,
+        twist_of_the_tool,
+        singular_wrist,
     ],
 )
