@@ -24,6 +24,7 @@ import kinlib as kl
 from kinlib.mechanisms.linkages import four_bar
 from kinlib.rigid.screw import screw
 from kinlib.view import drive, explore
+from kinlib.view.figures.arm import describe_arm, frame_text
 from kinlib.view.viewer.scene import LAYERS
 
 DEGREE = np.pi / 180
@@ -295,6 +296,57 @@ def test_no_label_covers_another_or_leaves_the_picture(show, frames, width):
                 assert apart, (a["name"], b["name"])
 
 
+# --- text alternatives ---
+
+
+def spoken(page):
+    """Return the text alternative of the picture, as it is after the last change, without the help on keys."""
+    page.wait_for_timeout(800)
+    return page.locator(".kv-canvas").get_attribute("aria-label").partition(" Arrow keys")[0]
+
+
+@pytest.mark.parametrize(
+    "robot", [kl.robots.puma560(), kl.robots.rppr(), kl.robots.hrr()], ids=lambda robot: robot.name
+)
+def test_the_text_alternative_describes_the_configuration_that_is_drawn(show, robot):
+    """The page says what Python says of the same configuration, at home and away from it."""
+    page = show(explore(robot))
+    texts = {describe_arm(robot, np.zeros(robot.n)): spoken(page)}
+    for q in np.random.default_rng(3).uniform(-2, 2, (3, robot.n)).round(3):
+        settled(page, lambda q=q: set_q(page, q))
+        texts[describe_arm(robot, q)] = spoken(page)
+    assert list(texts) == list(texts.values())
+    assert len(texts) == 4
+
+
+def test_the_text_alternative_of_a_linkage_says_where_its_joints_are(show):
+    viewer = four_bar_viewer()
+    page = show(viewer)
+    for q in viewer.mode["curves"][0][::80]:
+        settled(page, lambda q=q: set_q(page, q))
+        viewer.q = q
+        assert spoken(page) == viewer.alt.removesuffix(" It is closed.")
+
+
+def test_frames_on_the_links_are_switched_on_one_by_one(show):
+    robot, q = kl.robots.rprr(), np.array([0.4, 0.2, -0.3, 0.5])
+    poses = np.array([np.eye(4), *robot.link_poses(q)])
+    viewer = explore(robot, start=q, frames={str(i): T for i, T in enumerate(poses)})
+    page = show(viewer)
+    shown = "[...document.querySelector('.kv').viewer.stage.names].map((box) => box.name)"
+    assert {"x0", "y0", "z0"} <= set(page.evaluate(shown))
+    assert "x2" not in page.evaluate(shown)
+    settled(page, page.get_by_role("button", name="Frame {2}").click)
+    assert {"x0", "x2", "y2", "z2"} <= set(page.evaluate(shown))
+    settled(page, page.get_by_role("button", name="Frame {0}").click)
+    assert "x0" not in page.evaluate(shown)
+    settled(page, lambda: set_q(page, [0, 0, 0, 0]))
+    at_home = robot.link_poses(np.zeros(4))[1]
+    assert spoken(page).endswith(frame_text(("2", at_home)))
+    viewer.shown, viewer.q = ["axes", "frame 2"], np.zeros(4)
+    assert spoken(page) == viewer.alt
+
+
 # --- closed chains ---
 
 LINKAGE = four_bar(0.4, 0.1, 0.35, 0.3)
@@ -500,9 +552,9 @@ def test_a_screen_reader_gets_the_arm_and_the_position_of_its_tool(show):
     sliders(page).nth(2).focus()
     page.keyboard.press("PageUp")
     # The arm at home is announced too, when its slider gets the focus: wait for the moved arm.
-    page.locator(".kv-canvas[aria-label*='q = (0.00, 0.00, 0.17, 0.00, 0.00)']").wait_for(state="attached")
+    page.locator(".kv-canvas[aria-label*='q = (0, 0, 0.175, 0, 0)']").wait_for(state="attached")
     assert "youBot, 5 joints (RRRRR)" in page.locator(".kv-canvas").get_attribute("aria-label")
-    assert "The tool is at (" in page.locator(".kv-screen-reader").text_content()
+    assert "The end-effector is at (" in page.locator(".kv-screen-reader").text_content()
     assert sliders(page).nth(2).get_attribute("aria-valuetext") == "0.17 radians, 10 degrees"
 
 

@@ -17,7 +17,7 @@ from traitlets import Bool, HasTraits
 import kinlib as kl
 from kinlib.view import Picture, draw_arm, draw_frames, draw_joints, plot, slide
 from kinlib.view.drawing.canvas import Canvas, convex_hull
-from kinlib.view.figures.joint_bodies import _carried_axes, axial_offsets
+from kinlib.view.figures.joint_bodies import carried_axes, axial_offsets
 
 ROOT = Path(__file__).parents[2]
 
@@ -47,7 +47,7 @@ def test_a_drawing_shows_the_configuration_that_it_is_given(robot):
     q = np.linspace(0.2, 0.8, robot.n)
     assert svg(draw_arm(robot, q)) != svg(draw_arm(robot))
     x = robot.fk(q)[0, 3]
-    assert f"The tool is at ({x:.3g}" in draw_arm(robot, q).alt or abs(x) < 1e-3
+    assert f"The end-effector is at ({x:.3g}" in draw_arm(robot, q).alt or abs(x) < 1e-3
 
 
 @each_robot
@@ -74,7 +74,7 @@ def test_joints_with_the_same_point_and_axis_are_drawn_side_by_side():
     """The first two joints of RPPR share point and axis, so one would hide the other."""
     robot = kl.robots.rppr()
     frames = robot.link_poses(np.zeros(4))
-    moved = axial_offsets(_carried_axes(robot, frames), frames[:, :3, 3])
+    moved = axial_offsets(carried_axes(robot, frames), frames[:, :3, 3])
     assert moved.tolist() == [-0.5, 0.5, 0, 0]
 
 

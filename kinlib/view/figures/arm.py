@@ -1,16 +1,17 @@
 """Drawings of arms in any configuration: links, joints, screw axes and frames, and the text alternative of such a drawing."""
 
-from collections.abc import Collection
+from collections.abc import Collection, Mapping
 
 import numpy as np
 from numpy.typing import ArrayLike
 
+from kinlib.arrays import tolerances, validation
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import GHOST_GREY, GREY, LINK_GREY, ORANGE, VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
-from kinlib.view.figures.joint_bodies import draw_joint_bodies
+from kinlib.view.figures.joint_bodies import carried_axes, draw_joint_bodies
 
 ARM_LAYERS = {"axes", "body axes", "home axes", "links", "tool", "base"}
 JOINT_KINDS = {"R": "revolute", "P": "prismatic", "H": "helical"}
@@ -24,6 +25,7 @@ def draw_arm(
     alt: str | None = None,
     caption: str = "",
     ghost: ArrayLike | None = None,
+    frames: Mapping[str, ArrayLike] | None = None,
     around: ArrayLike | None = None,
     view: str = "default",
 ) -> Picture:
@@ -33,14 +35,18 @@ def draw_arm(
     show    any of "axes" (the screw axes S_i as the joints have moved them), "home axes" (the same axes at home), "body axes"
             (as "axes", but named B_i), "links" (a frame on each link), "base" ({s}) and "tool" ({b})
     ghost   (n,) another configuration, drawn in grey
+    frames  {"0": T_00, "1": T_01, ...} frames to draw, poses (4, 4) in {s} at q
     around  points (..., 3) to keep in view, so that pictures of several configurations have the same scale
 
-    Raises ValueError if q or ghost does not have n values, or if show has another entry.
+    The text alternative describes the axes and the end-effector at q, as they are drawn.
+
+    Raises ValueError if q or ghost does not have n values, if a frame is not a pose, or if show has another entry.
 
     >>> from kinlib.chains.robots import youbot
     >>> print(draw_arm(youbot()).alt)                     # doctest: +NORMALIZE_WHITESPACE
-    youBot, 5 joints (RRRRR), at home. Joint 1 revolute along z; joint 2 revolute along -y; joint 3 revolute along -y;
-    joint 4 revolute along -y; joint 5 revolute along x. The tool is at (0.54, 0, 0.147) m.
+    youBot, 5 joints (RRRRR), at home. Joint 1 revolute along z at (0, 0, 0); joint 2 revolute along -y at (0.033, 0,
+    0.147); joint 3 revolute along -y at (0.188, 0, 0.147); joint 4 revolute along -y at (0.323, 0, 0.147); joint 5 revolute
+    along x at (0.323, 0, 0.147). The end-effector is at (0.54, 0, 0.147) m.
     """
     if unknown := set(show) - ARM_LAYERS:
         raise ValueError(
@@ -55,20 +61,23 @@ def draw_arm(
     if ghost is not None:
         canvas.line(shadow, GHOST_GREY, 6.0, level=1)
     canvas.line(path, LINK_GREY, 6.0)
-    frames = chain.link_poses(q)
-    draw_joint_bodies(canvas, chain, frames)
+    links = chain.link_poses(q)
+    draw_joint_bodies(canvas, chain, links)
     if "home axes" in show:
         _draw_axes(canvas, chain, chain.link_poses(home), "S", GREY)
     if "axes" in show or "body axes" in show:
-        _draw_axes(canvas, chain, frames, "S" if "axes" in show else "B", VIOLET)
+        _draw_axes(canvas, chain, links, "S" if "axes" in show else "B", VIOLET)
     if "base" in show:
         canvas.triad(np.eye(4), "s", 0.2 * canvas.size)
     if "links" in show:
-        for i, T in enumerate(frames):
+        for i, T in enumerate(links):
             canvas.triad(T, str(i + 1), 0.13 * canvas.size)
     if "tool" in show:
         canvas.triad(chain.fk(q), "b", 0.2 * canvas.size)
-    return canvas.picture(alt or describe_arm(chain, q), caption)
+    for name, T in (frames or {}).items():
+        canvas.triad(validation.poses(T, f"frame {name}"), name, 0.17 * canvas.size)
+    text = describe_arm(chain, q, ghost=ghost, home_axes="home axes" in show, frames=frames)
+    return canvas.picture(alt or text, caption)
 
 
 def draw_joints(chain: Chain, tool: bool = False, caption: str = "", view: str = "default") -> Picture:
@@ -92,24 +101,61 @@ def draw_joints(chain: Chain, tool: bool = False, caption: str = "", view: str =
     canvas.triad(np.eye(4), "s", 0.16 * canvas.size)
     if tool:
         canvas.triad(chain.home, "b", 0.16 * canvas.size)
-    points = "; ".join(f"joint {i + 1} at {vector_text(p)}" for i, p in enumerate(chain.joint_points))
-    return canvas.picture(f"{describe_arm(chain, home)} Points on the axes: {points}.", caption)
+    return canvas.picture(describe_arm(chain, home), caption)
 
 
-def describe_arm(chain: Chain, q: Array) -> str:
-    """Return the text alternative of a drawing of an arm: its joints, its configuration, and where its tool is.
+def describe_arm(
+    chain: Chain,
+    q: ArrayLike,
+    *,
+    ghost: ArrayLike | None = None,
+    home_axes: bool = False,
+    frames: Mapping[str, ArrayLike] | None = None,
+) -> str:
+    """Return the text alternative of a drawing of an arm: the axis of each joint and the end-effector, as they are at q.
 
-    >>> from kinlib.chains.robots import hrr
-    >>> describe_arm(hrr(), np.zeros(3))[:24]
-    'HRR arm, 3 joints (HRR),'
+    ghost      (n,) the configuration that is drawn in grey
+    home_axes  whether the axes at home are drawn in grey
+    frames     the frames that are drawn, poses (4, 4) in {s}
+
+    js/scene/describe-arm.js says the same of the arm in the viewer.
+
+    >>> from kinlib.chains.robots import rpr
+    >>> print(describe_arm(rpr(), [np.pi / 2, 0, 0], ghost=np.zeros(3)))   # doctest: +NORMALIZE_WHITESPACE
+    RPR, 3 joints (RPR), at q = (1.57, 0, 0). Joint 1 revolute along -y at (-4, -2, 0); joint 2 prismatic along -x at
+    (-4, -2, 0); joint 3 revolute along -y at (-4, -4, 4). The end-effector is at (-5, 0, 4) m. In grey, the arm at home, its
+    end-effector at (0, 0, 1) m.
     """
-    axis = chain.lines.axis
+    q = np.asarray(q, dtype=float)
+    links = chain.link_poses(q)
     joints = "; ".join(
-        f"joint {i + 1} {JOINT_KINDS[letter]} along {_direction(axis[i])}" for i, letter in enumerate(chain.joint_types)
+        f"joint {i + 1} {JOINT_KINDS[letter]} along {direction_text(axis)} at {vector_text(point)}"
+        for i, (letter, axis, point) in enumerate(
+            zip(chain.joint_types, carried_axes(chain, links), links[:, :3, 3], strict=True)
+        )
     )
-    values = "at home" if not np.any(q) else f"at q = {vector_text(q)}"
-    tool = vector_text(chain.fk(q)[:3, 3])
-    return f"{chain.name}, {chain.n} joints ({chain.joint_types}), {values}. {joints.capitalize()}. The tool is at {tool} m."
+    sentences = [
+        f"{chain.name}, {chain.n} joints ({chain.joint_types}), {_configuration(q)}.",
+        f"{joints.capitalize()}.",
+        f"The end-effector is at {vector_text(chain.fk(q)[:3, 3])} m.",
+    ]
+    if home_axes:
+        sentences.append(f"In grey, the axes at home: {', '.join(map(direction_text, chain.lines.axis))}.")
+    if ghost is not None:
+        tool = vector_text(chain.fk(ghost)[:3, 3])
+        sentences.append(f"In grey, the arm {_configuration(ghost)}, its end-effector at {tool} m.")
+    return " ".join([*sentences, *map(frame_text, (frames or {}).items())])
+
+
+def frame_text(frame: tuple[str, ArrayLike]) -> str:
+    """Return a sentence about a frame: its name, its origin and the directions of its axes.
+
+    >>> frame_text(("1", np.eye(4)))
+    'Frame {1} at (0, 0, 0), x along x, y along y, z along z.'
+    """
+    name, T = frame[0], np.asarray(frame[1], dtype=float)
+    axes = ", ".join(f"{letter} along {direction_text(axis)}" for letter, axis in zip("xyz", T[:3, :3].T, strict=True))
+    return f"Frame {{{name}}} at {vector_text(T[:3, 3])}, {axes}."
 
 
 def reachable_points(chain: Chain, low: Array, high: Array) -> Array:
@@ -141,9 +187,17 @@ def _draw_axes(canvas: Canvas, chain: Chain, frames: Array, name: str, colour: s
             canvas.label(after, f"${name}_{i + 1}$", colour)
 
 
-def _direction(axis: Array) -> str:
-    """Write a direction as "x", "-z", or by its components."""
+def direction_text(axis: Array) -> str:
+    """Write a direction as "x", "-z", or by its components.
+
+    >>> direction_text(np.array([0, 0, -1])), direction_text(np.array([0, 0.6, 0.8]))
+    ('-z', '(0, 0.6, 0.8)')
+    """
     for letter, unit in zip("xyz", np.eye(3), strict=True):
-        if np.allclose(np.abs(axis), unit):
+        if np.abs(np.abs(axis) - unit).max() < tolerances.TYPED_PI_ERROR:
             return letter if axis @ unit > 0 else f"-{letter}"
     return vector_text(axis)
+
+
+def _configuration(q: ArrayLike) -> str:
+    return f"at q = {vector_text(q)}" if np.abs(q).max() > tolerances.TYPED_PI_ERROR else "at home"

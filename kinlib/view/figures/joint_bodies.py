@@ -22,7 +22,7 @@ NUMBER_OFFSETS = [(18, 13), (-18, 13), (18, -15), (-18, -15), (32, 0), (-32, 0),
 
 def draw_joint_bodies(canvas: Canvas, chain: Chain, frames: Array) -> None:
     """Draw the joints of a chain with their numbers, where the frames (n, 4, 4) of its links are."""
-    axes = _carried_axes(chain, frames)
+    axes = carried_axes(chain, frames)
     for i, (z, shift) in enumerate(zip(axes, axial_offsets(axes, frames[:, :3, 3]), strict=True)):
         centre = frames[i, :3, 3] + JOINT_SPACING * canvas.size * shift * z
         draw_joint_body(canvas, chain.joint_types[i], z, centre)
@@ -45,7 +45,7 @@ def draw_joint_body(canvas: Canvas, letter: str, z: Array, centre: Array) -> Non
                 canvas.line([centre + here + low, centre + there + high], INK, 1.3, level=level + 2e-5)
 
 
-def _carried_axes(chain: Chain, frames: Array) -> Array:
+def carried_axes(chain: Chain, frames: Array) -> Array:
     """Return the direction of each joint's axis in the current configuration, (n, 3)."""
     carried: Array = (frames[:, :3, :3] @ chain.lines.axis[:, :, None])[..., 0]
     return carried

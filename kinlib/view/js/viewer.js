@@ -9,7 +9,9 @@ import { formatNumber, h, NO_SHORTCUTS } from './dom.js';
 import { MODES } from './modes/index.js';
 import { orbitControls } from './render/camera.js';
 import { Stage } from './render/stage.js';
-import { availableLayers, buildLayers, showGhost, showLayers } from './scene/layers.js';
+import { describeArm, describeLinkage, endEffectorText, frameText } from './scene/describe.js';
+import { matrixOf, rows } from './scene/kinematic-tree.js';
+import { availableLayers, buildLayers, isSingleFrame, showGhost, showLayers } from './scene/layers.js';
 import { Trail } from './scene/trail.js';
 import { isDark, onThemeChange, themeOf } from './theme.js';
 import css from './viewer.css';
@@ -100,26 +102,39 @@ function render({ model, el }) {
         .filter(Boolean)
         .join(' '),
     );
-    clearTimeout(speaking);
-    speaking = setTimeout(() => describe(T), SPEECH_DELAY_MS);
+    describeLater();
   }
 
-  function describe(T) {
-    const place = [0, 1, 2].map((row) => formatNumber(T[row][3], 3)).join(', ');
-    const tool = data.arms[0].links ? ` The tool is at (${place}) metres.` : ''; // a linkage has no tool
-    canvas.setAttribute(
-      'aria-label',
-      `${data.description} Now q = (${q()
-        .map((x) => formatNumber(x, 2))
-        .join(', ')}).${tool} ${KEYBOARD_HELP}`,
-    );
-    if (root.contains(document.activeElement)) announcement.textContent = tool;
+  function describeLater() {
+    clearTimeout(speaking);
+    speaking = setTimeout(describe, SPEECH_DELAY_MS);
+  }
+
+  function describe() {
+    const isArm = Boolean(data.arms[0].links);
+    const text = mode.describe?.() ?? (isArm ? describeArm(data, stage.tree, q()) : describeLinkage(data, stage.tree));
+    canvas.setAttribute('aria-label', `${text}${shownFrames()} ${KEYBOARD_HELP}`);
+    if (isArm && !mode.describe && root.contains(document.activeElement))
+      announcement.textContent = endEffectorText(stage.tree);
+  }
+
+  /** The frames that the reader has switched on one by one. */
+  function shownFrames() {
+    return model
+      .get('shown')
+      .filter(isSingleFrame)
+      .map((layer) => {
+        const { name, body, pose } = data.arms[0].frames[layer][0];
+        return ` ${frameText(name, rows(matrixOf(pose).premultiply(stage.tree.body(0, body).matrixWorld)))}`;
+      })
+      .join('');
   }
 
   function updateLayers() {
     const shown = model.get('shown');
     showLayers(stage, shown);
     switches.update();
+    describe();
     const wanted = shown.includes('trail');
     if (wanted && !trail) {
       trail = new Trail(stage);
@@ -154,12 +169,13 @@ function render({ model, el }) {
   }
 
   const changes = { q: update, message: update, shown: updateLayers, ghost: updateGhost, covered: updateCover };
+  for (const name of ['step', 'convention', 'done', 'frames']) changes[name] = describeLater; // traits of the modes
   for (const [name, listener] of Object.entries(changes)) model.on(`change:${name}`, listener);
   applyTheme();
   updateLayers();
   updateCover();
   update();
-  describe(stage.tree.pose());
+  describe();
   performance.mark('kinlib-viewer-answers');
   const stopTheme = onThemeChange(applyTheme);
   const stopOrbit = orbitControls(stage.camera, canvas);

@@ -258,7 +258,6 @@ def _scene(tracks: Sequence[dict[str, Any]]) -> dict[str, Any]:
     count = len(tracks[0]["motions"])
     return {
         "name": "a row of a DH table",
-        "description": "Motions that move a frame.",
         "size": tracks[0]["size"],
         "arms": [
             {

@@ -157,7 +157,8 @@ def _scene(mechanism: Mechanism, configurations: Array, begin: Array) -> dict[st
     planar = is_planar(mechanism)
     return {
         "name": mechanism.name,
-        "description": f"{mechanism.name} with the bodies {', '.join(mechanism.bodies)}.",
+        "bodies": list(mechanism.bodies),
+        "planar": planar,
         "size": size,
         "arms": [
             {
@@ -190,7 +191,8 @@ def _pieces(mechanism: Mechanism, names: list[str]) -> list[dict[str, Any]]:
         corners[second].append(there[:3, :3] @ joint.position + there[:3, 3])
         axis = line(joint.screws[0]).axis
         kind = "ball" if joint.dof > 1 else "box" if not joint.screws[0, :3].any() else "cylinder"
-        pieces.append(_piece(names, first, kind, joint.position, axis, name=joint.name, foot=first == mechanism.ground))
+        drawn = {"name": joint.name, "joins": list(joint.bodies), "foot": first == mechanism.ground}
+        pieces.append(_piece(names, first, kind, joint.position, axis, **drawn))
         if kind == "box":  # the slider is as wide as its sleeve, so that its translation is visible
             pieces.append(_piece(names, second, "slider", corners[second][-1], axis))
     for body, points in corners.items():

@@ -3,17 +3,19 @@
 Every part is fixed to a body: body 0 is the base, body i is what joint i moves. Parts are given at home, in {s}.
 """
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any
 
 import numpy as np
+from numpy.typing import ArrayLike
 
+from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.common_normal import common_normal
-from kinlib.rigid.lie import homogeneous, perpendicular
-from kinlib.view.figures.arm import describe_arm, reachable_points
+from kinlib.rigid.lie import homogeneous, inverse, perpendicular
+from kinlib.view.figures.arm import reachable_points
 from kinlib.view.figures.joint_bodies import axial_offsets
 
 MAX_DETOUR_RATIO = 2.5
@@ -29,11 +31,8 @@ Z = np.eye(3)[2]
 COINCIDENT_TOL_M = 1e-9
 
 
-LAYERS = (
-    *("axes", "body axes", "home axes"),
-    *("base", "tool", "links", "standard", "modified"),
-    *("normals", "dimensions", "trail"),
-)
+FRAME_LAYERS = ("base", "tool", "links", "standard", "modified")
+LAYERS = (*("axes", "body axes", "home axes"), *FRAME_LAYERS, *("normals", "dimensions", "trail"))
 """The layers that the viewer can show: screw axes, frames, normals, dimensions and the path of the tool."""
 
 DEFAULT_ANGLE_RAD, DEFAULT_TRAVEL_M = np.pi, 1.0
@@ -47,6 +46,7 @@ def scene(
     joints: Sequence[int] | None = None,
     span: tuple[float, float] | None = None,
     ghost: Array | None = None,
+    frames: Mapping[str, ArrayLike] | None = None,
 ) -> dict[str, Any]:
     """Return all that the page needs of an arm: its geometry, its sliders, and the region in view.
 
@@ -54,8 +54,10 @@ def scene(
     joints  the joints that get a slider, counted from 1
     span    the range of the sliders; by default the limits of each joint, or half a turn or one metre if it has none
     ghost   (n,) another configuration, which must be in view
+    frames  {"0": T, "1": T, ...} poses (4, 4) at start of frames that replace those of the arm; each is a layer "frame i"
 
-    Raises ValueError if the arm does not have one of the joints, start does not have n values, or span does not contain them.
+    Raises ValueError if the arm does not have one of the joints, start does not have n values, span does not contain them, or
+    a frame is not a pose or is named otherwise than by its link.
 
     >>> from kinlib.chains.robots import rpr
     >>> scene(rpr(), np.zeros(3), joints=[2])["sliders"][0]["unit"]
@@ -72,12 +74,14 @@ def scene(
     configurations = [_stations(chain, np.zeros(chain.n)), _stations(chain, start)]
     configurations += [] if ghost is None else [_stations(chain, ghost)]
     room, floor = _room(np.concatenate(configurations), reachable_points(chain, low, high), extent(chain))
+    arm = arm_data(chain, range(chain.n))
+    if frames:
+        arm["frames"] = frames_on_links(chain, start, frames)
     return {
         "name": chain.name,
-        "description": describe_arm(chain, np.zeros(chain.n)).partition(" The tool is at")[0],
         # If an arm is small compared with what is in view, its marks must stay large enough to be distinguished.
         "size": max(extent(chain), MIN_SIZE_IN_ROOM_RADII * room["radius"]),
-        "arms": [arm_data(chain, range(chain.n))],
+        "arms": [arm],
         "sliders": sliders,
         "limits": [[_finite(end) for end in pair] for pair in chain.limits] if chain.limits is not None else [],
         "room": room,
@@ -104,6 +108,48 @@ def arm_data(chain: Chain, columns: Sequence[int]) -> dict[str, Any]:
         "frames": _frames(chain, size),
         "normals": _normals(chain, size),
     }
+
+
+def frames_on_links(chain: Chain, q: Array, frames: Mapping[str, ArrayLike]) -> dict[str, Any]:
+    """Return frames that are given at q, each fixed to its link, as layers for the page: their poses at home.
+
+    frames  {"0": T, "1": T, ..., "s": T, "b": T} poses (4, 4) in {s}: frame i is fixed to link i, or to the last link if i > n;
+            {s} and frame 0 are fixed to the base, {b} to the last link
+
+    Raises ValueError if a frame is not a pose, or its name is not a number, "s" or "b".
+
+    >>> from kinlib.chains.robots import rpr
+    >>> layers = frames_on_links(rpr(), np.array([0, 0.5, 0]), {"2": rpr().link_poses([0, 0.5, 0])[1]})
+    >>> np.reshape(layers["frame 2"][0]["pose"], (4, 4))[:3, 3] - rpr().joint_points[1]      # at home, where joint 2 is 0
+    array([0., 0., 0.])
+    """
+    moved = body_motions(chain, q)
+    layers: dict[str, Any] = {}
+    origins: list[Array] = []
+    for name, T in frames.items():
+        if not (name.isdigit() or name in {"s", "b"}):
+            raise ValueError(
+                f"frames must be named by the number of their link, or 's' or 'b'; got {name!r}. "
+                'Name the frame on link 1 "1": frames={"1": T_01}.'
+            )
+        body = min(int(name), chain.n) if name.isdigit() else {"s": 0, "b": chain.n}[name]
+        pose = validation.poses(T, f"frame {name}")
+        # Frames with the same origin have arrows of different length, so that none hides another.
+        rank = sum(bool(np.allclose(pose[:3, 3], origin, atol=1e-6)) for origin in origins)
+        origins.append(pose[:3, 3])
+        layers[f"frame {name}"] = [{**_frame(name, body, inverse(moved[body]) @ pose), "rank": rank}]
+    return layers
+
+
+def body_motions(chain: Chain, q: Array) -> Array:
+    """Return the motion of each body from home to q, (n + 1, 4, 4): body 0 is the base, body i is what joint i moves.
+
+    >>> from kinlib.chains.robots import rpr
+    >>> body_motions(rpr(), np.array([0, 0.5, 0]))[2, :3, 3]
+    array([0. , 0. , 0.5])
+    """
+    moved = chain.link_poses(q) @ inverse(chain.link_poses(np.zeros(chain.n)))
+    return np.concatenate([np.eye(4)[None], moved])
 
 
 def extent(chain: Chain) -> float:

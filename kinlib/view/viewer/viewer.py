@@ -6,7 +6,7 @@ its scene graph, so a slider needs no answer from Python. Both sides share the t
 
 import html
 import json
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
 from pathlib import Path
 from typing import Any
 
@@ -15,9 +15,10 @@ import numpy as np
 import traitlets
 from numpy.typing import ArrayLike
 
+from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.view.figures.arm import ARM_LAYERS, describe_arm, draw_arm
-from kinlib.view.viewer.scene import LAYERS, scene
+from kinlib.view.viewer.scene import FRAME_LAYERS, LAYERS, body_motions, scene
 
 STATIC = Path(__file__).parents[1] / "static"
 """The bundle viewer.js, built from kinlib/view/js by `npm run build`, and loader.js, which loads it if a page has a viewer."""
@@ -81,14 +82,19 @@ class ViewerBase(anywidget.AnyWidget):
     @traitlets.validate("shown")
     def _validate_shown(self, proposal: Any) -> list[str]:
         names: list[str] = proposal["value"]
-        if unknown := set(names) - set(LAYERS):
-            raise ValueError(f"show may contain {', '.join(LAYERS)}; got {', '.join(map(repr, sorted(unknown)))}.")
+        layers = [*LAYERS, *self._own_frames()]
+        if unknown := set(names) - set(layers):
+            raise ValueError(f"show may contain {', '.join(layers)}; got {', '.join(map(repr, sorted(unknown)))}.")
         return names
 
     @property
     def alt(self) -> str:
         """The text alternative of the current picture."""
         raise NotImplementedError
+
+    def _own_frames(self) -> list[str]:
+        """Return the layers of the frames that were given to `explore`."""
+        return [layer for arm in self.scene.get("arms", []) for layer in arm.get("frames", {}) if layer not in LAYERS]
 
     _after = ""  # the name of the question that uncovers the picture; the page has that question too
 
@@ -136,14 +142,27 @@ class Viewer(ViewerBase):
     @property
     def alt(self) -> str:
         """The text alternative of the current picture."""
-        return describe_arm(self.chain, np.array(self.q))
+        return describe_arm(
+            self.chain,
+            self.q,
+            ghost=self.ghost or None,
+            home_axes="home axes" in self.shown,
+            frames=self._shown_frames(),
+        )
 
     def _check(self, values: list[float]) -> None:
         self.chain.fk(values)
 
     def _drawing(self) -> str:
         drawn = [name for name in self.shown if name in ARM_LAYERS]
-        return draw_arm(self.chain, self.q, show=drawn, ghost=self.ghost or None).html()
+        return draw_arm(self.chain, self.q, show=drawn, ghost=self.ghost or None, frames=self._shown_frames()).html()
+
+    def _shown_frames(self) -> dict[str, Array]:
+        """Return the poses at q of those frames given to `explore` that are switched on."""
+        arm = self.scene["arms"][0]
+        single = [arm["frames"][layer][0] for layer in self._own_frames() if layer in self.shown]
+        moved = body_motions(self.chain, np.array(self.q))
+        return {frame["name"]: moved[frame["body"]] @ np.reshape(frame["pose"], (4, 4)) for frame in single}
 
 
 def explore(
@@ -155,10 +174,11 @@ def explore(
     start: ArrayLike | None = None,
     span: tuple[float, float] | None = None,
     ghost: ArrayLike | None = None,
+    frames: Mapping[str, ArrayLike] | None = None,
     readout: bool = True,
     predict: tuple[str, Sequence[str]] | None = None,
 ) -> Viewer:
-    """Show an arm in three dimensions, with sliders for its joints and the pose of its tool.
+    """Show an arm in three dimensions, with sliders for its joints and the pose of its end-effector.
 
     joints   the joints that get a slider, counted from 1; all by default, but better only those that matter
     show     the layers that are drawn at first, any of kinlib.view.viewer.scene.LAYERS; the reader can switch them
@@ -166,28 +186,43 @@ def explore(
     start    (n,) the first joint values, by default home; afterwards `q` is synchronized with the page
     span     the range of the sliders, in radians or metres; by default the limits of the joints
     ghost    (n,) another configuration, drawn in grey
-    readout  whether the tool's pose is shown beside the picture
+    frames   {"0": T_00, "1": T_01, ...} frames on the links, which the reader switches on one by one; poses (4, 4) in {s} at
+             `start`. Frame i is fixed to link i and moves with it; frames beyond the last link are fixed to that one. They
+             replace {s}, {b} and the DH frames. The first one is shown at the beginning, or those in show: "frame 1"
+    readout  whether the pose of the end-effector is shown beside the picture
     predict  a question (text, options) on the cover itself; `choice` is the option that was committed
 
     Raises ValueError if the arm does not have one of the joints, values do not have shape (n,) or contain NaN, span does not
-    contain the start, or a layer is unknown.
+    contain the start, a layer is unknown, or a frame is not a pose or is not named by its link.
 
     >>> from kinlib.chains.robots import youbot
     >>> arm = explore(youbot(), joints=[3])
     >>> arm.q = [0, 0, np.pi / 2, 0, 0]
-    >>> arm.alt[-35:]
-    'The tool is at (0.188, 0, 0.499) m.'
+    >>> arm.alt[-43:]
+    'The end-effector is at (0.188, 0, 0.499) m.'
+
+    An arm with frames {0} and {1}, of which {1} is switched on as well:
+
+    >>> q = [0.5, 0, 0, 0, 0]
+    >>> arm = explore(youbot(), start=q, frames={"0": np.eye(4), "1": youbot().link_poses(q)[0]})
+    >>> arm.shown = [*arm.shown, "frame 1"]
+    >>> arm.shown
+    ['axes', 'frame 0', 'frame 1']
     """
     home = np.zeros(chain.n) if start is None else np.array(start, dtype=float)
     shade = None if ghost is None else np.array(ghost, dtype=float)
     text, options = predict or ("", ())
+    layers = list(show)
+    if frames:
+        layers = [layer for layer in show if layer not in FRAME_LAYERS]
+        layers += [] if any(f"frame {name}" in show for name in frames) else [f"frame {next(iter(frames))}"]
     viewer = Viewer(
         chain,
-        scene=scene(chain, home, joints=joints, span=span, ghost=shade),
+        scene=scene(chain, home, joints=joints, span=span, ghost=shade, frames=frames),
         q=home,
         start=home,
         ghost=[] if shade is None else shade,
-        shown=list(show),
+        shown=layers,
         readout=readout,
         covered=bool(text),
         prediction={"text": text, "options": list(options)} if text else {},

@@ -2,18 +2,22 @@
 
 import { h, NO_SHORTCUTS } from '../dom.js';
 import { VIEWS } from '../render/camera.js';
-import { FRAME_LAYERS, FRAMES, frameChoiceOf, TOGGLES, without } from '../scene/layers.js';
+import { FRAME_LAYERS, FRAMES, frameChoiceOf, isSingleFrame, TOGGLES, without } from '../scene/layers.js';
 
 /** @param state { available, shown(), setShown(names) } @returns { element, update() } */
 export function layerToggles({ available, shown, setShown }) {
-  const buttons = Object.entries(TOGGLES)
+  const singleFrames = available
+    .filter(isSingleFrame)
+    .map((name) => [name, `{${name.slice(6)}}`, `Frame {${name.slice(6)}}`]);
+  const buttons = [...singleFrames, ...Object.entries(TOGGLES)]
     .filter(([name]) => available.includes(name))
-    .map(([name, text]) => {
+    .map(([name, text, spoken]) => {
       const button = h(
         'button',
         {
           type: 'button',
           class: 'kv-chip',
+          'aria-label': spoken,
           ...NO_SHORTCUTS,
           onclick: () => {
             const now = shown();

@@ -2,6 +2,8 @@
 
 import { renderMathText } from '../controls/math-text.js';
 import { h, NO_SHORTCUTS } from '../dom.js';
+import { frameText } from '../scene/describe.js';
+import { matrixOf, rows } from '../scene/kinematic-tree.js';
 import { dashedLine } from '../scene/shapes.js';
 import { dhTable } from './dh-table.js';
 import { axis, column, createHighlighter, drawPaleArm, frame, lengths, originOf } from './frame-drawing.js';
@@ -146,6 +148,15 @@ export function assignmentSteps({ model, stage, data }) {
   return {
     element,
     replacesSliders: true,
+    describe() {
+      const { steps, frames } = now();
+      const { parts, text: what } = steps[model.get('step')];
+      const whole = frames.flatMap((pose, i) =>
+        pose && /O.*[zx].*[zx]/.test(parts[i]) ? [frameText(i, rows(matrixOf(pose)))] : [],
+      );
+      const count = `step ${model.get('step') + 1} of ${steps.length}`;
+      return `${stage.data.name}, ${model.get('convention')} convention, ${count}. ${what} ${whole.join(' ')}`;
+    },
     applyTheme() {
       drawPaleArm(stage);
       changed();

@@ -3,6 +3,7 @@
 
 import { renderMathText } from '../controls/math-text.js';
 import { formatNumber, h, NO_SHORTCUTS } from '../dom.js';
+import { frameText } from '../scene/describe.js';
 import { dashedLine } from '../scene/shapes.js';
 import { angleSectors } from './angle-sectors.js';
 import { frame, mixColours, originOf } from './frame-drawing.js';
@@ -277,6 +278,7 @@ export function dhRowMotions({ model, stage, data }) {
     element,
     replacesSliders: true,
     applyTheme,
+    describe: () => describeRow(stage.tree, tracks, done()),
     update: move, // the joint values follow from `done`
     dispose() {
       stop();
@@ -284,6 +286,16 @@ export function dhRowMotions({ model, stage, data }) {
       sectors.dispose();
     },
   };
+}
+
+/** Where the frame of each track is, measured from the frame at which its row begins. */
+function describeRow(tree, tracks, done) {
+  const places = tracks.map(({ title, stops }, k) => {
+    const T = tree.pose(k).map((row, i) => [...row.slice(0, 3), row[3] - (originOf(stops[0])[i] ?? 0)]);
+    const of = title ? `, ${title} convention` : '';
+    return `${frameText('i', T).replace('Frame {i}', `The moving frame${of}, is`)}`;
+  });
+  return `Motions that move a frame: ${formatNumber(done, 1)} of ${tracks[0].motions.length} done. ${places.join(' ')}`;
 }
 
 function line(from, to, name, joint, { size, theme }) {

@@ -1,5 +1,6 @@
 // Frames placed by hand on bare joint axes, part by part, by mouse, touch or keyboard. The frames are a trait, so that
 // Python reads them. Python also checks the rules, and a broken rule is highlighted in the picture.
+import { describeArm, frameText } from '../scene/describe.js';
 import { axis, createHighlighter, drawPaleArm, frame, lengths } from './frame-drawing.js';
 import { pickHandles } from './place-frames-handles.js';
 import { placeFramesPanel } from './place-frames-panel.js';
@@ -177,6 +178,11 @@ export function placeFrames({ model, stage, data }) {
   return {
     element: panel.element,
     replacesSliders: true,
+    describe() {
+      const whole = frames().flatMap((T, i) => (openPart(T) ? [] : [frameText(i, T)]));
+      const arm = describeArm(stage.data, stage.tree, model.get('q'));
+      return `${arm} ${whole.join(' ') || 'No frame is placed yet.'}`;
+    },
     applyTheme() {
       handles.reserveHandles();
       drawPaleArm(stage);

@@ -36,6 +36,15 @@ export function without(shown, layers) {
 
 export const FRAME_LAYERS = ['base', 'tool', 'links', 'standard', 'modified'];
 
+/** The names of the layers that contain frames. An arm can have frames of its own, each in a layer "frame i". */
+const frameLayers = ({ arms }) => [...new Set(arms.flatMap((arm) => Object.keys(arm.frames ?? {})))];
+
+/** The lengths of the axes of {s} and {b}, as a fraction of the size of the scene; those of other frames are shorter. */
+const LENGTHS = { base: 0.24, tool: 0.24 };
+
+/** The layers with one frame each, which are switched on one by one. */
+export const isSingleFrame = (layer) => layer.startsWith('frame ');
+
 /** The layers that contain something in this scene and therefore get a button. */
 export function availableLayers({ arms, offered }, shown) {
   const whole = arms.some((arm) => arm.links);
@@ -47,10 +56,7 @@ export function availableLayers({ arms, offered }, shown) {
     dimensions: whole,
     trail: whole,
   };
-  const found = [
-    ...Object.keys(TOGGLES).filter((name) => worth[name]),
-    ...FRAME_LAYERS.filter((name) => arms.some((arm) => arm.frames?.[name])),
-  ];
+  const found = [...Object.keys(TOGGLES).filter((name) => worth[name]), ...frameLayers({ arms })];
   return offered ? found.filter((name) => offered.includes(name)) : found; // a mode may restrict them
 }
 
@@ -83,9 +89,9 @@ export function buildLayers(stage, shown) {
   );
   stage.setLayer('normals', () => each((arm) => parts.normals(arm, size, colours)), SEEN);
   stage.setLayer('dimensions', () => each((arm) => parts.dimensions(arm, size, colours)));
-  for (const name of FRAME_LAYERS) {
+  for (const name of frameLayers(data)) {
     const numbered = !['base', 'tool'].includes(name);
-    const length = numbered ? 0.17 : 0.24;
+    const length = isSingleFrame(name) ? 0.21 : (LENGTHS[name] ?? 0.17);
     stage.setLayer(
       `frames ${name}`,
       () => each((arm) => parts.triads(arm.frames?.[name] ?? [], size, colours, { numbered, length })),
@@ -100,7 +106,7 @@ export function showLayers(stage, shown) {
   stage.showLayer('piece axes', shown.includes('axes'));
   for (const name of ['axes', 'body axes', 'home axes', 'normals', 'dimensions'])
     stage.showLayer(name, shown.includes(name));
-  for (const name of FRAME_LAYERS) stage.showLayer(`frames ${name}`, shown.includes(name));
+  for (const name of frameLayers(stage.data)) stage.showLayer(`frames ${name}`, shown.includes(name));
 }
 
 /** Draw the arm in a second configuration, grey and translucent. Returns a function that removes it. */

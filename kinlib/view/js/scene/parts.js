@@ -111,10 +111,10 @@ export function axes(arm, size, { letter, colour, onBody = (i) => i }) {
 /** Frames as three thin rods with a letter at each tip. Frames that share an origin get rods of different length. */
 export function triads(frames, size, colours, { numbered = false, length = 0.17 } = {}) {
   const ranks = new Map();
-  return frames.flatMap(({ name, body, pose }) => {
+  return frames.flatMap(({ name, body, pose, rank: given }) => {
     const origin = [pose[3], pose[7], pose[11]];
     const key = origin.map((value) => (value / size).toFixed(4)).join();
-    const rank = ranks.get(key) ?? 0;
+    const rank = given ?? ranks.get(key) ?? 0;
     ranks.set(key, rank + 1);
     const long = (length + 0.055 * rank) * size;
     const own = numbered && /^\d+$/.test(name);

@@ -1,0 +1,62 @@
+// Text alternatives, computed from what is drawn. describeArm and describeLinkage say what describe_arm and
+// describe_linkage say in kinlib/view/figures.
+import { Vector3 } from 'three';
+
+const JOINT_KINDS = { R: 'revolute', P: 'prismatic', H: 'helical' };
+const ROUNDING = 1e-5;
+
+/** Three significant digits, and 0 for rounding errors, as Python writes them. */
+export function numberText(value) {
+  return Math.abs(value) > ROUNDING ? `${Number(value.toPrecision(3))}` : '0';
+}
+
+export function vectorText(values) {
+  return `(${values.map(numberText).join(', ')})`;
+}
+
+/** A direction as x, -z, or by its components. */
+function directionText(axis) {
+  const k = axis.findIndex((value) => Math.abs(Math.abs(value) - 1) < ROUNDING);
+  const along = k >= 0 && axis.every((value, other) => other === k || Math.abs(value) < ROUNDING);
+  return along ? `${axis[k] < 0 ? '-' : ''}${'xyz'[k]}` : vectorText(axis);
+}
+
+const configurationText = (q) =>
+  q.some((value) => Math.abs(value) > ROUNDING) ? `at q = ${vectorText(q)}` : 'at home';
+
+/** A frame: its name, its origin and the directions of its axes; T is a list of rows. */
+export function frameText(name, T) {
+  const column = (k) => [T[0][k], T[1][k], T[2][k]];
+  const axes = [0, 1, 2].map((k) => `${'xyz'[k]} along ${directionText(column(k))}`).join(', ');
+  return `Frame {${name}} at ${vectorText(column(3))}, ${axes}.`;
+}
+
+/** The arm of a scene as it is at q: the axis of each joint, and the end-effector. */
+export function describeArm(data, tree, q) {
+  const arm = data.arms[0];
+  const joints = arm.joints.map(({ kind, axis, point }, i) => {
+    const { matrixWorld } = tree.body(0, i + 1);
+    const along = directionText(new Vector3(...axis).transformDirection(matrixWorld).toArray());
+    const at = vectorText(new Vector3(...point).applyMatrix4(matrixWorld).toArray());
+    return `joint ${i + 1} ${JOINT_KINDS[kind]} along ${along} at ${at}`;
+  });
+  const kinds = arm.joints.map(({ kind }) => kind).join('');
+  const text = joints.join('; ');
+  return `${data.name}, ${joints.length} joints (${kinds}), ${configurationText(q)}. ${text[0].toUpperCase()}${text.slice(1)}. ${endEffectorText(tree)}`;
+}
+
+export function endEffectorText(tree) {
+  const T = tree.pose();
+  return `The end-effector is at ${vectorText([0, 1, 2].map((row) => T[row][3]))} m.`;
+}
+
+/** A linkage as it is at q: its bodies, and where its joints are. */
+export function describeLinkage(data, tree) {
+  const joints = data.pieces
+    .filter(({ joins }) => joins)
+    .map(({ name, joins, arm, body, at }) => {
+      const place = new Vector3(...at).applyMatrix4(tree.body(arm, body).matrixWorld).toArray();
+      return `${name} joins ${joins.join(' and ')} at ${vectorText(data.planar ? place.slice(0, 2) : place)}`;
+    });
+  return `${data.name} with the bodies ${data.bodies.join(', ')}. ${joints.join('; ')}. All lengths in metres.`;
+}

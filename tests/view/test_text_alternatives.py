@@ -1,0 +1,137 @@
+"""Text alternatives are true: what they say of axes and positions is what the Jacobian and fk say of that configuration."""
+
+import re
+
+import numpy as np
+import pytest
+from strategies import ROBOTS
+
+import kinlib as kl
+from kinlib.view import draw_arm, draw_joints, explore
+
+each_robot = pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
+
+
+def configurations(robot, count=5):
+    """Return home, and random configurations."""
+    return [np.zeros(robot.n), *np.random.default_rng(5).uniform(-2.5, 2.5, (count, robot.n))]
+
+
+def numbers(text):
+    return np.array([float(x) for x in re.findall(r"-?[\d.]+(?:e[+-]?\d+)?", text)])
+
+
+def direction(text):
+    """Read "x", "-z" or "(0.6, 0, 0.8)"."""
+    if text.startswith("("):
+        return numbers(text)
+    return np.eye(3)["xyz".index(text[-1])] * (-1 if text.startswith("-") else 1)
+
+
+def near(said, true):
+    """Whether numbers with three significant digits are right."""
+    return bool((np.abs(said - true) <= 0.0051 * np.abs(true) + 2e-5).all())
+
+
+JOINT = re.compile(r"[Jj]oint (\d) (revolute|prismatic|helical) along (-?[xyz]|\([^)]*\)) at (\([^)]*\))")
+
+
+def assert_is_true(text, robot, q):
+    """Compare a text with the Jacobian and the pose, neither of which it is made from."""
+    J = robot.jacobian(q)
+    joints = JOINT.findall(text)
+    assert len(joints) == robot.n
+    for number, kind, along, at in joints:
+        omega, v = J[:3, int(number) - 1], J[3:, int(number) - 1]
+        said, point = direction(along), numbers(at)
+        if kind == "prismatic":
+            assert near(said, v / np.linalg.norm(v)), (number, along, v)
+            continue
+        assert near(said, omega), (number, along, omega)
+        # The point is on the axis: the part of v perpendicular to omega is -omega x p.
+        across = v - omega * (omega @ v)
+        assert np.abs(across + np.cross(omega, point)).max() < 0.006 * max(1, np.abs(point).max()), (number, at)
+    assert near(numbers(re.search(r"end-effector is at (\([^)]*\))", text)[1]), robot.fk(q)[:3, 3])
+    home = re.search(r", at home\.", text)
+    assert bool(home) == (not q.any())
+    if not home:
+        assert near(numbers(re.search(r"at q = (\([^)]*\))", text)[1]), q)
+
+
+@each_robot
+def test_the_text_of_a_drawing_is_true_in_every_configuration(robot):
+    texts = set()
+    for q in configurations(robot):
+        texts.add(text := draw_arm(robot, q).alt)
+        assert_is_true(text, robot, q)
+    assert len(texts) == 6
+    assert_is_true(draw_joints(robot).alt, robot, np.zeros(robot.n))
+
+
+@each_robot
+def test_the_text_of_a_viewer_is_true_after_it_has_moved(robot):
+    viewer = explore(robot)
+    for q in configurations(robot, 2):
+        viewer.q = q
+        assert_is_true(viewer.alt, robot, q)
+
+
+def test_a_wrong_text_is_found_out():
+    """The axes at home are not those of a moved arm: the check that the tests above make must fail."""
+    robot, q = kl.robots.mid_formula_arm(), np.array([np.pi / 2, 0, 0, 0])
+    at_home = draw_arm(robot).alt
+    with pytest.raises(AssertionError):
+        assert_is_true(at_home.replace("at home", "at q = (1.57, 0, 0, 0)"), robot, q)
+
+
+def test_what_is_drawn_in_grey_is_said():
+    robot, q = kl.robots.rpr(), np.array([0.3, 0.5, -0.2])
+    alt = draw_arm(robot, q, ghost=np.zeros(3), show=["home axes"]).alt
+    assert "In grey, the axes at home: -y, z, -y." in alt
+    assert alt.endswith("In grey, the arm at home, its end-effector at (0, 0, 1) m.")
+    assert "In grey" not in draw_arm(robot, q).alt
+
+
+# --- frames on the links ---
+
+
+def link_frames(robot, q):
+    return {str(i): T for i, T in enumerate([np.eye(4), *robot.link_poses(q)])}
+
+
+def test_frames_on_the_links_move_with_the_links_and_are_described():
+    robot, q = kl.robots.puma560(), np.linspace(0.2, 0.8, 6)
+    viewer = explore(robot, start=q, frames=link_frames(robot, q))
+    assert viewer.shown == ["axes", "frame 0"]
+    viewer.shown = ["axes", "frame 3", "frame 6"]
+    viewer.q = other = -q
+    for i in (3, 6):
+        T = robot.link_poses(other)[i - 1]
+        said = re.search(rf"Frame \{{{i}\}} at (\([^)]*\)), x along ([^,(]+|\([^)]*\)), y", viewer.alt)
+        assert near(numbers(said[1]), T[:3, 3])
+        assert near(direction(said[2]), T[:3, 0])
+    assert "Frame {0}" not in viewer.alt
+
+
+def test_a_frame_beyond_the_last_link_moves_with_the_last_link():
+    robot = kl.robots.rpr()
+    viewer = explore(robot, frames={"0": np.eye(4), "4": robot.home}, show=["frame 4"])
+    viewer.q = q = [0.3, 0.2, 0.5]
+    assert f"Frame {{4}} at ({robot.fk(q)[0, 3]:.3g}" in viewer.alt
+
+
+@pytest.mark.parametrize(
+    ("frames", "says"),
+    [
+        ({"elbow": np.eye(4)}, r"named by the number of their link, or 's' or 'b'; got 'elbow'"),
+        ({"1": np.eye(3)}, r"frame 1 must have shape \(\.\.\., 4, 4\)|frame 1"),
+    ],
+)
+def test_a_wrong_frame_is_refused(frames, says):
+    with pytest.raises(ValueError, match=says):
+        explore(kl.robots.rpr(), frames=frames)
+
+
+def test_a_frame_that_was_not_given_cannot_be_shown():
+    with pytest.raises(ValueError, match=r"show may contain .*frame 0; got 'frame 1'"):
+        explore(kl.robots.rpr(), frames={"0": np.eye(4)}).shown = ["frame 1"]
