@@ -14,7 +14,7 @@ import numpy as np
 from kinlib.arrays.tolerances import INTERSECTION_TOL_M, NEARLY_PARALLEL_RAD, PARALLEL_TOL_RAD
 from kinlib.arrays.validation import Array
 
-Case = Literal["skew", "intersecting", "parallel", "anti-parallel", "coincident", "anti-coincident"]
+Case = Literal["skew", "intersecting", "parallel", "antiparallel", "coincident", "anti-coincident"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,7 +87,7 @@ def _parallel_normal(
 ) -> CommonNormal:
     distance = math.hypot(*across)
     if distance > INTERSECTION_TOL_M:
-        case: Case = "anti-parallel" if opposite else "parallel"
+        case: Case = "antiparallel" if opposite else "parallel"
         return CommonNormal(case, across / distance, start, start + across, sine)
     x = previous_x - z * (z @ previous_x)
     case = "anti-coincident" if opposite else "coincident"

@@ -34,7 +34,7 @@ CASES = {
     "skew": "Axes {i} and {j} are skew: there is one common normal, {a} m long.",
     "intersecting": "Axes {i} and {j} intersect: the common normal has length zero, and its direction is perpendicular to both.",
     "parallel": "Axes {i} and {j} are parallel, {a} m apart: there is a common normal at every point, always the same vector.",
-    "anti-parallel": "Axes {i} and {j} are parallel with opposite directions, {a} m apart: alpha is pi, not 0.",
+    "antiparallel": "Axes {i} and {j} are parallel with opposite directions, {a} m apart: alpha is pi, not 0.",
     "coincident": "Axes {i} and {j} are the same line: the common normal has length zero, and any perpendicular direction is possible.",
     "anti-coincident": (
         "Axes {i} and {j} are the same line with opposite directions: alpha is pi, and any perpendicular direction is possible."
@@ -45,7 +45,7 @@ ALTERNATIVES = {
     "skew": "The opposite direction, with -a, -alpha, and pi added to one theta and subtracted from the next.",
     "intersecting": "The opposite direction, with -alpha, and pi added to one theta and subtracted from the next.",
     "parallel": "Any other point along the axes: d decreases in one row by as much as it increases in the next.",
-    "anti-parallel": "Any other point along the axes: both d change by the same amount, because the axes have opposite directions.",
+    "antiparallel": "Any other point along the axes: both d change by the same amount, because the axes have opposite directions.",
     "coincident": "Any direction perpendicular to the axis, and any point on it.",
     "anti-coincident": "Any direction perpendicular to the axis, and any point on it.",
 }
@@ -117,7 +117,7 @@ def _explain_link(chain: Chain, T: Array, pair: int, normal: CommonNormal, stand
     i, j, frame = pair + 1, pair + 2, pair + 1
     length = format_number(float(np.linalg.norm(normal.end - normal.start)))
     text, others = CASES[normal.case].format(i=i, j=j, a=length), ALTERNATIVES[normal.case]
-    has_length = normal.case in {"skew", "parallel", "anti-parallel"}
+    has_length = normal.case in {"skew", "parallel", "antiparallel"}
     if normal.is_nearly_parallel and (has_length or "P" not in chain.joint_types[pair : pair + 2]):
         text += " " + NEARLY_PARALLEL.format(angle=normal.sine, far=1e-3 / normal.sine)
         text += " Here the distant normal is kept." if normal.is_unique else " Here they are treated as parallel."
@@ -136,7 +136,7 @@ def _explain_link(chain: Chain, T: Array, pair: int, normal: CommonNormal, stand
         direction = "along the common normal, from joint to joint"
     elif normal.case == "intersecting":
         direction = "perpendicular to both axes, as near the previous x as possible"
-    others = "" if normal.case in {"parallel", "anti-parallel"} else ALTERNATIVES[normal.case]
+    others = "" if normal.case in {"parallel", "antiparallel"} else ALTERNATIVES[normal.case]
     yield AssignmentStep("x", frame, f"x_{frame} is {direction}: {format_vector(normal.x)}.", others)
     text = f"y_{frame} = z_{frame} x x_{frame} completes a right-handed frame: {format_vector(T[:3, 1])}."
     yield AssignmentStep("y", frame, text)

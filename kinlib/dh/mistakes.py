@@ -40,7 +40,7 @@ UNITS = {
 class Fault:
     """A mistake in a table: its name, a sentence that describes it, and its row (from 1) and column, if it has any.
 
-    name  "sign of a", "sign of alpha", "sign of d", "sign of theta", "anti-parallel", "a and d swapped",
+    name  "sign of a", "sign of alpha", "sign of d", "sign of theta", "antiparallel", "a and d swapped",
           "theta and alpha swapped", "rows swapped", "rows shifted", "column shifted", "entry one row off",
           "variable in the wrong column", "other convention", "degrees", "unit of length", "offset forgotten" or "wrong number"
     """
@@ -206,7 +206,7 @@ def _corrections_of_a_row(table: DHTable, zeros_are_fixed: bool) -> Iterator[Cor
                 directions = "the same direction" if np.cos(alpha) < 0 else "opposite directions"
                 angle = np.pi - abs(alpha)
                 text = f"the axes are parallel with {directions}: alpha should be {format_entry(angle, ALPHA)}."
-                yield correction("anti-parallel", text, ALPHA, {ALPHA: angle})
+                yield correction("antiparallel", text, ALPHA, {ALPHA: angle})
             elif abs(value) > ROUNDING_ERROR:
                 yield correction(f"sign of {name}", f"{name} has the wrong sign.", column, {column: -value})
             if abs(value) > 1 and column in LENGTHS:

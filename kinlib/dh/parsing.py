@@ -226,8 +226,10 @@ def _joint_of_row(row: Sequence["_Entry"], number: int) -> tuple[str, float, tup
                 f"{' and '.join(factors)}. If the angle depends on two joints, their mechanism is not a chain of rows."
             )
     if len(moving) > 1 or set(moving) <= {"a", "alpha"}:
+        swapped = {"a": " Are the columns a and d swapped?", "alpha": " Are the columns alpha and theta swapped?"}
+        columns = ", ".join(moving)
         raise ValueError(
-            f"Row {number}: the joint variable must be in theta or in d, once; it is in {', '.join(moving)}."
+            f"Row {number}: the joint variable must be in theta or in d, once; it is in {columns}.{swapped.get(columns, '')}"
         )
     ((column, factors),) = moving.items()
     ((name, factor),) = factors.items()

@@ -5,7 +5,7 @@ import numpy as np
 
 import kinlib as kl
 
-AXIS_CASES = ("skew", "intersecting", "parallel", "anti-parallel", "coincident", "anti-coincident")
+AXIS_CASES = ("skew", "intersecting", "parallel", "antiparallel", "coincident", "anti-coincident")
 NEARLY_PARALLEL = "nearly parallel"
 
 NEARLY_PARALLEL_ANGLES_RAD = (*(10.0**-k for k in range(16, 2, -1)), 3e-9, 3e-8)

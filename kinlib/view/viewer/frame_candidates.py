@@ -66,7 +66,7 @@ def _origins(chain: Chain) -> list[tuple[Array, str]]:
         pair = f"{i + 1}–{i + 2}"
         if normal.case == "intersecting":
             candidates.append((normal.start, f"intersection of axes {i + 1} and {i + 2}"))
-        elif normal.case in {"skew", "parallel", "anti-parallel"}:
+        elif normal.case in {"skew", "parallel", "antiparallel"}:
             candidates.append((normal.start, f"foot of normal {pair} on axis {i + 1}"))
             candidates.append((normal.end, f"foot of normal {pair} on axis {i + 2}"))
     tool = chain.home[:3, 3]
@@ -88,7 +88,7 @@ def _x_directions(chain: Chain) -> list[tuple[Array, str]]:
                 f"perpendicular to axes {i + 1} and {i + 2}",
                 f"perpendicular to axes {i + 1} and {i + 2}, opposite",
             )
-        elif normal.case in {"skew", "parallel", "anti-parallel"}:
+        elif normal.case in {"skew", "parallel", "antiparallel"}:
             candidates += _with_opposite(normal.x, f"normal {pair}, to axis {i + 2}", f"normal {pair}, to axis {i + 1}")
     for name, R in (("{s}", np.eye(3)), ("{b}", chain.home[:3, :3])):
         for letter, along in zip("xyz", R.T, strict=True):

@@ -54,7 +54,7 @@ def test_parallel_axes_have_the_normal_at_one_joint_or_at_the_other(z, origin, o
     across = between - z * (z @ between)
     assume(np.linalg.norm(across) > 1e-3)
     found = common_normal((z, origin), (sign * z, other_point), X, at_other_point=at_other_point)
-    assert found.case == {1: "parallel", -1: "anti-parallel"}[sign]
+    assert found.case == {1: "parallel", -1: "antiparallel"}[sign]
     close(found.x, across / np.linalg.norm(across))
     close(found.end if at_other_point else found.start, other_point if at_other_point else origin)
     close(found.end - found.start, across)
@@ -89,5 +89,5 @@ def test_what_is_nearly_parallel_is_said_and_may_be_taken_as_parallel(angle, nea
 
 
 def test_the_normal_is_unique_unless_the_axes_are_parallel():
-    cases = {"skew": True, "intersecting": True, "parallel": False, "anti-parallel": False, "coincident": False}
+    cases = {"skew": True, "intersecting": True, "parallel": False, "antiparallel": False, "coincident": False}
     assert {case: CommonNormal(case, X, X, X, 0.0).is_unique for case in cases} == cases

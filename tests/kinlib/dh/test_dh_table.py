@@ -493,7 +493,7 @@ REFUSED = {
         "Row 2 must have 4 entries, one per heading; got 5: '3",
     ),
     "two variables": ("a|alpha|d|theta\n0|0|q1|q1", "Row 1: the joint variable must be in theta or in d, once"),
-    "a variable in a": ("a|alpha|d|theta\nq1|0|0|0", "Row 1: the joint variable must be in theta or in d"),
+    "a variable in a": ("a|alpha|d|theta\nq1|0|0|0", "Row 1: .* it is in a. Are the columns a and d swapped?"),
     "a variable in alpha": (
         "a|alpha|d|theta\n0|0|0|q1\n0|q2|0|0",
         "Row 2: the joint variable must be in theta or in d, once; it is in alpha",

@@ -104,7 +104,7 @@ def test_an_anti_parallel_axis_with_alpha_0_is_named():
         [[0.4, 0.6, 0.1, 0], [0.3, np.pi, 0.2, 0], [0.2, 0.7, 0.3, 0], [0.1, 0.4, 0.2, 0]], convention="standard"
     )
     found = diagnose(with_entries(right, (2, "alpha", 0.0)), right)
-    assert [(fault.name, fault.row, fault.column) for fault in found.faults] == [("anti-parallel", 2, "alpha")]
+    assert [(fault.name, fault.row, fault.column) for fault in found.faults] == [("antiparallel", 2, "alpha")]
 
 
 def test_at_the_end_of_an_arm_an_anti_parallel_axis_may_be_turned_round():
@@ -381,7 +381,7 @@ def test_parallel_axes_that_point_the_other_way_are_told_the_angle(right, wrong)
     arm = with_entries(SIGNED, (2, "alpha", right))
     explanations = diagnose(with_entries(arm, (2, "alpha", wrong)), arm).explanations
     # The sign of d in row 2 or in row 3 explains it as well.
-    (fault,) = [each.faults[0] for each in explanations if each.faults[0].name == "anti-parallel"]
+    (fault,) = [each.faults[0] for each in explanations if each.faults[0].name == "antiparallel"]
     assert (len(explanations), fault.row, fault.column) == (3, 2, "alpha")
     assert fault.text == (
         f"Row 2: the axes are parallel with {directions}: alpha should be {np.degrees(right):.4g} degrees."

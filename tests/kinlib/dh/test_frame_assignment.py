@@ -118,7 +118,7 @@ def test_a_case_is_recognised_and_named(case, convention):
         found = assign_frames(chain, convention=convention)
         assert found.normals[0].case == case
         said = {"skew": "are skew", "intersecting": "intersect", "parallel": "are parallel, "}
-        said |= {"anti-parallel": "parallel with opposite directions", "coincident": "are the same line: "}
+        said |= {"antiparallel": "parallel with opposite directions", "coincident": "are the same line: "}
         said |= {"anti-coincident": "the same line with opposite directions"}
         assert said[case] in next(step.text for step in found.steps if step.kind == "normal")
         a, alpha, *_ = found.table.rows[0 if convention == "standard" else 1]
@@ -252,7 +252,7 @@ def test_the_choices_that_the_decks_prescribe(convention):
             if z[0] ** 2 < 0.98:  # x of {s} is not along the axis
                 assert x[0] == pytest.approx(np.sqrt(1 - z[0] ** 2)), "no other x that is square to z is as near"
             for i, normal in enumerate(found.normals, start=1):
-                if normal.case in {"parallel", "anti-parallel"} and chain.joint_types[i - 1 : i + 1] == "RR":
+                if normal.case in {"parallel", "antiparallel"} and chain.joint_types[i - 1 : i + 1] == "RR":
                     np.testing.assert_allclose(frames[i][:3, 3], chain.joint_points[i], atol=1e-9)
         else:
             np.testing.assert_allclose(frames[0], frames[1], atol=1e-12)  # {0} matches {1}
@@ -331,7 +331,7 @@ def test_the_steps_say_where_axes_and_frames_stand(convention):
             np.testing.assert_allclose(vectors(told[step]), there, rtol=1e-3, atol=1e-11)
         for i, normal in enumerate(found.normals, start=1):
             assert told["normal", i].startswith(f"Axes {i} and {i + 1} ")
-            if normal.case in {"skew", "parallel", "anti-parallel"}:
+            if normal.case in {"skew", "parallel", "antiparallel"}:
                 (length,) = re.findall(r"(\S+) m ", told["normal", i])
                 assert float(length) == pytest.approx(np.linalg.norm(normal.end - normal.start), rel=1e-3)
 
@@ -420,7 +420,7 @@ FREE = {
         ALONG + "d decreases in one row by as much as it increases in the next.",
         "",
     ),
-    "anti-parallel": (
+    "antiparallel": (
         "along the common normal, from joint to joint",
         ALONG + "both d change by the same amount, because the axes have opposite directions.",
         "",
@@ -561,5 +561,5 @@ def test_an_angle_that_no_double_can_hold_is_no_angle():
     chain, _ = arm(np.random.default_rng(11), 3, cases=(), angle=1e-17)
     assert {normal.case for normal in assign_frames(chain, convention="standard").normals} <= {
         "parallel",
-        "anti-parallel",
+        "antiparallel",
     }
