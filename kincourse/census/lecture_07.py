@@ -1,4 +1,4 @@
-"""Answers by hand to sheet 07: the case of two axes, frames, tables of drawn arms, broken rules and equivalent tables."""
+"""Answers by hand to sheet 07: the relation of two axes, frames, tables of drawn arms, broken rules and equivalent tables."""
 
 from collections.abc import Iterator
 from typing import Any
@@ -23,10 +23,11 @@ def other_letters(options: dict[str, str], answer: str) -> Iterator[WrongAnswer]
 
 @wrong_answers("07.1")
 def the_case(given: Any, answer: str) -> Iterator[WrongAnswer]:
-    cases = {"a": "skew", "b": "intersect", "c": "parallel", "d": "anti", "e": "coincid", "f": "anti"}
-    sense = {"a": "neither", "b": "neither", "c": "same", "d": "opposite", "e": "same", "f": "opposite"}
+    cases = {"a": "skew", "b": "intersect", "c": "parallel", "d": "antiparallel", "e": "coincid", "f": "coincid"}
+    direction = {"a": "neither", "b": "neither", "c": "same", "d": "opposite", "e": "same", "f": "opposite"}
     compare = {
-        letter: f"{name}, " + ("direction" if sense[letter] != sense[answer] else "common point, meet, apart, distance")
+        letter: f"{name}, "
+        + ("direction" if direction[letter] != direction[answer] else "common point, meet, apart, distance")
         for letter, name in cases.items()
     }
     yield from other_letters(compare, answer)
@@ -59,34 +60,34 @@ def frames_by_the_rules(given: Any, answer: Array) -> Iterator[WrongAnswer]:
     off_axis = F[:, :3, 3] + F[:, :3, 0] * np.where(np.arange(n + 1) == 2, 1, 0)[:, None]
     feet = np.vstack([F[:1, :3, 3], F[:-1, :3, 3]])
     rule = "perpendicular, normal, meet, axis, rule, lie"
-    hand = "left-handed, handed, rotation"
+    handedness = "left-handed, handed, rotation"
     yield from wrong(
         {
             "z_i on joint i": (F[[0, *range(n)]], f"joint, convention, {rule}"),
             "z_i on joint i+2": (F[[*range(1, n + 1), n]], f"joint, {rule}"),
-            "left-handed": (of(signs=(1, -1, 1)), hand),
-            "one left-handed": (of(signs=(1, -1, 1), which=[1]), hand),
-            "x and y exchanged": (of((1, 0, 2)), f"{hand}, {SWAP}"),
+            "left-handed": (of(signs=(1, -1, 1)), handedness),
+            "one left-handed": (of(signs=(1, -1, 1), which=[1]), handedness),
+            "x and y swapped": (of((1, 0, 2)), f"{handedness}, {SWAP}"),
             "origins at the joints": (of(origins=at_joints), f"origin, {rule}"),
             "x along the link": (along_link, f"link, {rule}"),
             "x along the link, origins at the joints": (
                 np.where(np.arange(4) == 3, of(origins=at_joints), along_link), f"link, origin, {rule}"),
-            "x turned by a right angle": (of((1, 0, 2), (1, -1, 1)), f"{rule}"),
-            "y and z exchanged": (of((0, 2, 1), (1, 1, -1)), f"joint, {rule}"),
-            "x and z exchanged": (of((2, 1, 0), (1, -1, 1)), f"{rule}"),
+            "x rotated by a right angle": (of((1, 0, 2), (1, -1, 1)), f"{rule}"),
+            "y and z swapped": (of((0, 2, 1), (1, 1, -1)), f"joint, {rule}"),
+            "x and z swapped": (of((2, 1, 0), (1, -1, 1)), f"{rule}"),
             "all parallel to s": (parallel, f"parallel, {rule}"),
             "axes in rows": (rotated, f"row, column, transpos, {rule}"),
-            "each seen from the one before": (links, f"seen from, {{s}}, before, link, {rule}"),
-            "s seen from the frames": (np.linalg.inv(F), f"invers, seen from, {rule}"),
+            "each in coordinates of the one before": (links, f"seen from, {{s}}, before, link, {rule}"),
+            "s in coordinates of the frames": (np.linalg.inv(F), f"invers, seen from, {rule}"),
             "in millimetres": (of(origins=1000 * F[:, :3, 3]), f"millimet, mm, 1000, unit, {rule}"),
             "origin 1 moved along z": (of(origins=slid), f"origin, {rule}"),
             "origin 2 moved along x": (of(origins=off_axis), f"origin, {rule}"),
             "origins at the feet on the axes before": (of(origins=feet), f"origin, {rule}"),
             "all origins at s": (of(origins=np.zeros((n + 1, 3))), f"origin, {rule}"),
             "frames from the tool to the base": (F[::-1], f"order, reverse, {rule}"),
-            "frames 1 and 2 exchanged": (F[[0, 2, 1, *range(3, n + 1)]], f"order, belongs, {SWAP}, {rule}"),
-            "left-handed, origins at the joints": (of(signs=(1, -1, 1), origins=at_joints), f"{hand}, origin, {rule}"),
-            "x turned, origin 1 moved along z": (of((1, 0, 2), (1, -1, 1), slid), f"origin, {rule}"),
+            "frames 1 and 2 swapped": (F[[0, 2, 1, *range(3, n + 1)]], f"order, belongs, {SWAP}, {rule}"),
+            "left-handed, origins at the joints": (of(signs=(1, -1, 1), origins=at_joints), f"{handedness}, origin, {rule}"),
+            "x rotated, origin 1 moved along z": (of((1, 0, 2), (1, -1, 1), slid), f"origin, {rule}"),
         }
     )  # fmt: skip
     inner = range(1, n)
@@ -107,9 +108,9 @@ def table_of_an_arm(given: Any, answer: DHTable) -> Iterator[WrongAnswer]:
 
 
 def _random_signs(table: DHTable) -> dict[str, tuple[Any, str]]:
-    """Signs by chance on every number, from the size of the table only, so that they are the same on every machine."""
+    """Random signs on every number, from the size of the table only, so that they are the same on every machine."""
     signs = 1 - 2 * (np.arange(table.rows.size).reshape(table.rows.shape) ** 2 % 5 < 2)
-    return {"signs by chance": (as_text(table.rows * signs, table.joints, table.signs), SIGN + ", alpha, several")}
+    return {"random signs": (as_text(table.rows * signs, table.joints, table.signs), SIGN + ", alpha, several")}
 
 
 @wrong_answers("07.4")
@@ -125,10 +126,10 @@ def parallel_axes(given: Any, answer: DHTable) -> Iterator[WrongAnswer]:
         {
             **table_slips(answer),
             **_random_signs(answer),
-            "0 for the half turn between axes 3 and 4": (as_text(straight, answer.joints), words),
-            "step along the parallel axes left out": (as_text(lost, answer.joints), f"{LEFT_OUT}, slide"),
-            "step along the parallel axes doubled and negated": (as_text(doubled, answer.joints), SIGN + ", look again at d"),
-            "0 for the half turn, step left out": (
+            "0 for the angle pi between axes 3 and 4": (as_text(straight, answer.joints), words),
+            "displacement along the parallel axes left out": (as_text(lost, answer.joints), f"{LEFT_OUT}, every $d$"),
+            "displacement along the parallel axes doubled and negated": (as_text(doubled, answer.joints), SIGN + ", look again at d"),
+            "0 for the angle pi, displacement left out": (
                 as_text(np.where((np.arange(4) == 1) & (rows[:, 1:2] > 3), 0.0, lost), answer.joints), f"{words}, {LEFT_OUT}"),
         }
     )  # fmt: skip
@@ -139,12 +140,12 @@ def parallel_axes(given: Any, answer: DHTable) -> Iterator[WrongAnswer]:
 def which_rule(given: Any, answer: str) -> Iterator[WrongAnswer]:
     words = {
         "a": "scalar, perpendicular",
-        "b": "meet, along x, axis",
+        "b": "intersect, along x, axis",
         "c": "z_, direction",
         "d": "origin",
         "e": "legal, rule",
     }
-    obeyed = {letter: f"{word}, obeyed, legal" for letter, word in words.items()}
+    obeyed = {letter: f"{word}, obeys, legal" for letter, word in words.items()}
     yield from other_letters(obeyed, answer)
 
 
@@ -152,7 +153,7 @@ def which_rule(given: Any, answer: str) -> Iterator[WrongAnswer]:
 def table_to_mend(given: Any, answer: DHTable) -> Iterator[WrongAnswer]:
     printed, fixed = np.array(given.rows), np.array(answer.rows)
     ((i, k),) = np.argwhere(~np.isclose(printed, fixed))
-    off = printed[i, k] - fixed[i, k]
+    error = printed[i, k] - fixed[i, k]
 
     def add(size: float, row: int, column: int, base: Array = printed) -> Any:
         changed = base.copy()
@@ -165,17 +166,17 @@ def table_to_mend(given: Any, answer: DHTable) -> Iterator[WrongAnswer]:
             **{label: case for label, case in table_slips(answer).items() if "negated" in label or "swapped" in label},
             **_random_signs(answer),
             "as printed": (as_text(printed, answer.joints), "printed"),
-            "changed the wrong way": (add(off, i, k), "wrong way, twice, sign"),
-            "changed twice as far": (add(-2 * off, i, k), "too far, twice, value, wrong, all but one"),
-            "the other length of the row": (add(-off, i, 2 - k), f"{place}, other length"),
-            "the same column, row before": (add(-off, i - 1, k), place),
-            "the same column, next row": (add(-off, i + 1, k), place),
+            "changed with the wrong sign": (add(error, i, k), "twice, sign"),
+            "changed twice as far": (add(-2 * error, i, k), "too far, twice, value, wrong, all but one"),
+            "the other length of the row": (add(-error, i, 2 - k), f"{place}, other length"),
+            "the same column, row before": (add(-error, i - 1, k), place),
+            "the same column, next row": (add(-error, i + 1, k), place),
             "the entry made 0": (add(-printed[i, k], i, k), "value, too far, all but one"),
             "the entry negated": (add(-2 * printed[i, k], i, k), SIGN + ", all but one, wrong way"),
-            "mended, and another one too": (add(1, 3 - i, 2 - k, fixed), place),
+            "corrected, and another one too": (add(1, 3 - i, 2 - k, fixed), place),
             "printed, every alpha negated": (as_text(printed * (1, -1, 1, 1), answer.joints), f"printed, alpha, {SIGN}"),
             "the other length of the row, a and d swapped": (
-                as_text(np.where((np.arange(4) == 2 - k) & (np.arange(4)[:, None] == i), printed - off, printed)[:, [2, 1, 0, 3]],
+                as_text(np.where((np.arange(4) == 2 - k) & (np.arange(4)[:, None] == i), printed - error, printed)[:, [2, 1, 0, 3]],
                         answer.joints), f"{place}, {SWAP}"),
         }
     )  # fmt: skip
@@ -183,7 +184,7 @@ def table_to_mend(given: Any, answer: DHTable) -> Iterator[WrongAnswer]:
 
 
 @wrong_answers("07.7")
-def slide_elsewhere(given: Any, answer: Array) -> Iterator[WrongAnswer]:
+def prismatic_joint_elsewhere(given: Any, answer: Array) -> Iterator[WrongAnswer]:
     a1, a2, to = given.a_1, given.a_2, given.moved_to
     reach = a1 + a2
     new = np.array([to, reach - to])
@@ -191,26 +192,26 @@ def slide_elsewhere(given: Any, answer: Array) -> Iterator[WrongAnswer]:
     yield from wrong(
         {
             "unchanged": ([a1, a2], f"unchanged, {whole}"),
-            "only the first": ([to, a2], "a_1, first, joint 3, gains"),
+            "only the first": ([to, a2], "a_1, first, joint 3"),
             "only the second": ([a1, reach - to], "a_2, second"),
             "a_2 negated": ([to, to - reach], SIGN),
             "a_2 without its sign": ([to, abs(reach - to)], SIGN),
-            "exchanged": ([reach - to, to], SWAP),
+            "swapped": ([reach - to, to], SWAP),
             "both negated": (-new, SIGN),
             "from joint 3": ([reach - to, -to], f"joint 3, {SWAP}, {SIGN}"),
-            "the shift added to both": ([to, a2 + to - a1], "gains, loses, joint 3, second, " + SIGN),
-            "the shift for a_1": ([to - a1, a2 - to + a1], "shift, differ, from"),
+            "the displacement added to both": ([to, a2 + to - a1], "sum, both, second, " + SIGN),
+            "the displacement for a_1": ([to - a1, a2 - to + a1], "displacement, differ, from"),
             "moved_to added": ([a1 + to, a2 - to], "added, moved, from, x ="),
             "moved_to added to both": ([a1 + to, a2 + to], "added, moved, from, x ="),
             "the whole reach second": ([to, reach], "joint 3, from, reach, second"),
-            "a_2 to the old slide": ([to, a1 + a2 - a1], "a_1, first, joint 3, gains"),
-            "a_2 from the old slide to the new": ([to, to - a1], "slide, joint 3, second"),
+            "a_2 to the old place": ([to, a1 + a2 - a1], "a_1, first, joint 3"),
+            "a_2 from the old place to the new": ([to, to - a1], "displacement, joint 3, second"),
             "the sum for both": ([reach, reach], "sum"),
             "halved": ([reach / 2, reach / 2], "half, middle"),
             "millimetres": (1000 * new, "millimet, mm, 1000, unit"),
-            "slide at 0": ([0, reach], "free, slide, x ="),
-            "exchanged, negated": (-new[::-1], f"{SWAP}, {SIGN}"),
-            "unchanged and exchanged": ([a2, a1], f"{whole}, {SWAP}"),
+            "joint 2 at 0": ([0, reach], "axis 1, joint 2, x ="),
+            "swapped, negated": (-new[::-1], f"{SWAP}, {SIGN}"),
+            "unchanged and swapped": ([a2, a1], f"{whole}, {SWAP}"),
         }
     )
     yield from right({**ordinary_forms(new), "a tuple": (to, reach - to)})
@@ -221,5 +222,5 @@ def same_arm(given: Any, answer: str) -> Iterator[WrongAnswer]:
     legal, words = np.array(given.tables[answer]), {}
     for letter, rows in given.tables.items():
         k = np.argwhere(~np.isclose(rows, legal))[:, 1].tolist()
-        words[letter] = {0: SIGN, 1: "alpha, half", 2: f"d_, {SIGN}, slid, slide"}[k[0] if k else 0]
+        words[letter] = {0: SIGN, 1: "alpha, reversed", 2: f"d_, {SIGN}, moved"}[k[0] if k else 0]
     yield from other_letters(words, answer)

@@ -17,7 +17,7 @@ BARS = "coupler, rocker, bar, length, " + SWAP
 
 
 @wrong_answers("08.1")
-def gap(given: Any, answer: Array) -> Iterator[WrongAnswer]:
+def residual(given: Any, answer: Array) -> Iterator[WrongAnswer]:
     S, G, degrees, inv = given.S, np.array(given.G), given.degrees, np.linalg.inv
     q = {name: np.radians(angle) for name, angle in degrees.items()}
 
@@ -29,7 +29,7 @@ def gap(given: Any, answer: Array) -> Iterator[WrongAnswer]:
     r = of("DCGba")
     T = product(*(exp(S[n], q[n]) for n in "DC"), G, inv(exp(S["B"], q["B"])), inv(exp(S["A"], q["A"])))
     added = q["D"] * S["D"] + q["C"] * S["C"] - q["B"] * S["B"] - q["A"] * S["A"]
-    other_way = "other way, other branch, T_2^, order, revers, sign, invers, way round"
+    other_way = "negative of the residual, other branch, T_2^, order, revers, sign, invers"
     yield from wrong(
         {
             "second branch not inverted": (of("DCGAB"), "invert, invers, back"),
@@ -42,7 +42,7 @@ def gap(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "C before D": (of("CDGba"), f"order, {SWAP}"),
             "T_2^-1 T_1": (of("gcdAB"), f"T_2, {other_way}"),
             "T_1^-1 T_2": (of("baDCG"), f"T_1, {other_way}, behind, front"),
-            "the other way round": (-r, other_way),
+            "the negative of the residual": (-r, other_way),
             "the way back, G left out": (of("ABcd"), f"{LEFT_OUT}, {other_way}"),
             "degrees": (of("DCGba", dict(degrees)), "degree, radian"),
             "halves swapped": (np.roll(r, 3), "(v, half, halves, omega, " + SWAP),
@@ -53,10 +53,10 @@ def gap(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "the angle in degrees": (r * np.repeat((180 / np.pi, 1), 3), "degree, radian"),
             "B forgotten": (of("DCGa"), LEFT_OUT),
             "A forgotten": (of("DCGb"), LEFT_OUT),
-            "C the other way": (of("DcGba"), f"{SIGN}, invert, invers"),
+            "C with the opposite sign": (of("DcGba"), f"{SIGN}, invert, invers"),
             "v negated": (r * np.repeat((1, -1), 3), SIGN),
             "not inverted, G left out": (of("DCAB"), f"invert, invers, {LEFT_OUT}"),
-            "halves swapped, other way round": (-np.roll(r, 3), f"(v, half, {other_way}, {SWAP}"),
+            "halves swapped, negative of the residual": (-np.roll(r, 3), f"(v, half, {other_way}, {SWAP}"),
         }
     )  # fmt: skip
     yield from right(ordinary_forms(r))
@@ -95,14 +95,14 @@ def both_modes(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "the other one mirrored in the ground": ([-D2, D2], "mirror, ground line"),
             "both negated": (-D, f"{SIGN}, mirror"),
             "inner angles": (np.pi - D, "inner, supplement, \\pi, opposite sign"),
-            "half a turn off": (D + np.pi, "half a turn, from D, opposite, C to D, \\pi, direction"),
+            "pi off": (D + np.pi, "half a turn, from D, opposite, C to D, \\pi, direction"),
             "crank from y": (rockers(angle=np.pi / 2 - A), "crank, y axis, sin, cos"),
             "crank below": (rockers(angle=-A), f"crank, {SIGN}, mirror"),
             "coupler and rocker swapped": (rockers((g, a, c, b)), BARS),
             "ground and crank swapped": (maybe(lambda: rockers((a, g, b, c)), D + 0.3), "ground, crank, " + BARS),
             "the coupler's angles": ([k1, k2], "coupler"),
-            "B, the coupler against the crank": (base, "coupler"),
-            "C, the coupler against the rocker": (np.array([k1 - D1, k2 - D2]), "coupler"),
+            "B, the coupler from the crank": (base, "coupler"),
+            "C, the coupler from the rocker": (np.array([k1 - D1, k2 - D2]), "coupler"),
             "degrees": (np.degrees(D), "degree, radian"),
             "crank's degrees as radians": (
                 maybe(lambda: rockers(angle=float(given.degrees)), D + 0.5),
@@ -110,8 +110,10 @@ def both_modes(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             ),
             "one mode twice": ([D1, D1], f"twice, both, {MODE}"),
             "the other mode twice": ([D2, D2], f"twice, both, {MODE}"),
-            "the second half a turn off": ([D1, D1 + np.pi], f"half a turn, \\pi, {MODE}"),
+            "the second pi off": ([D1, D1 + np.pi], f"half a turn, \\pi, {MODE}"),
             "arcsine's other branch": ([D1, np.pi - D1], f"arcsin, arccos, supplement, \\pi, mirror, {MODE}"),
+            "plus and minus the angle at D": ((D2 - D1) / 2 * np.array([1, -1]), "from the line DB"),
+            "plus and minus the angle at B": ((k1 - k2) / 2 * np.array([1, -1]), "coupler"),
             "from the line BD": (D - np.arctan2(-a * np.sin(A), g - a * np.cos(A)), "BD, B to D, x axis"),
             "inner angles in degrees": (180 - np.degrees(D), "inner, degree, radian, supplement"),
             "coupler and rocker swapped, negated": (-rockers((g, a, c, b)), f"{BARS}, {SIGN}, mirror"),
@@ -136,30 +138,30 @@ def coupler_point(given: Any, answer: Array) -> Iterator[WrongAnswer]:
     yield from wrong(
         {
             "the other mode": (carried(other), MODE),
-            "turned by B alone": (carried(angle - A), "crank, relative, A + B"),
-            "turned by A": (carried(A), "crank, coupler"),
-            "turned by A twice": (carried(angle + A), "crank, coupler, twice"),
-            "turned by the rocker's angle": (carried(rocker), "rocker, coupler"),
-            "not turned": (B + p, "without turning, turn, rotat, coupler, along x"),
+            "rotated by B alone": (carried(angle - A), "crank, relative, A + B"),
+            "rotated by A": (carried(A), "crank, coupler"),
+            "rotated by A twice": (carried(angle + A), "crank, coupler, twice"),
+            "rotated by the rocker's angle": (carried(rocker), "rocker, coupler"),
+            "not rotated": (B + p, "without rotating, rotat, coupler, along x"),
             "to the right": (carried(angle, along_y), f"left, right, {SIGN}"),
-            "turned the other way": (carried(-angle), f"other way, {SIGN}, transpos, invers"),
+            "rotated in the opposite direction": (carried(-angle), f"opposite direction, {SIGN}, transpos, invers"),
             "from C": (carried(angle, (b - p[0], p[1])), "from C, measured"),
             "beyond C": (carried(angle, (b + p[0], p[1])), "from C, beyond"),
-            "along and left exchanged": (carried(angle, p[::-1]), f"{SWAP}, along, left"),
+            "along and left swapped": (carried(angle, p[::-1]), f"{SWAP}, along, left"),
             "from A": (carried(angle, start=0 * B), f"from A, from B, origin, {LEFT_OUT}"),
-            "from D": (carried(angle, start=(g, 0)), "from D, from B, place of D"),
+            "from D": (carried(angle, start=(g, 0)), "from D, from B, position of D"),
             "seen from D": (P - (g, 0), "from D, from A, origin"),
             "only along the coupler": (carried(angle, (p[0], 0)), f"{LEFT_OUT}, only"),
             "only B": (B, LEFT_OUT),
-            "x and y exchanged": (P[::-1], f"{SWAP}, sin, cos"),
+            "x and y swapped": (P[::-1], f"{SWAP}, sin, cos"),
             "below": (P * (1, -1), f"{SIGN}, mirror, below"),
-            "sine and cosine of the crank exchanged": (carried(angle, start=B[::-1]), "sin, cos, y axis, crank"),
+            "sine and cosine of the crank swapped": (carried(angle, start=B[::-1]), "sin, cos, y axis, crank"),
             "coupler and rocker swapped": (carried(swapped), BARS),
             "degrees": (carried(np.degrees(angle), start=a * np.array([np.cos(given.degrees), np.sin(given.degrees)])), "degree, radian"),
             "millimetres": (1000 * P, "millimet, mm, 1000, unit"),
             "other mode, to the right": (carried(other, along_y), f"{MODE}, left, right"),
-            "turned by B alone, to the right": (carried(angle - A, along_y), f"crank, relative, {SIGN}, right"),
-            "other mode, not turned": (carried(other - A), f"{MODE}, crank, relative, turn"),
+            "rotated by B alone, to the right": (carried(angle - A, along_y), f"crank, relative, {SIGN}, right"),
+            "other mode, not rotated": (carried(other - A), f"{MODE}, crank, relative, rotat"),
         }
     )  # fmt: skip
     yield from right({**ordinary_forms(P), "a tuple": tuple(P)})
@@ -175,25 +177,25 @@ def slider(given: Any, answer: float) -> Iterator[WrongAnswer]:
     x, flat = of(), np.sqrt(rod**2 - (e - a * np.sin(A)) ** 2)
     yield from wrong(
         {
-            "near side": (of(side=-1), MODE + ", near"),
+            "slider left of B": (of(side=-1), MODE),
             "no offset": (of(0), "offset, through A"),
             "offset negated": (of(-e), f"offset, side, {SIGN}"),
-            "rod along x": (a * np.cos(A) + rod, "rod, along x, climb, flat"),
+            "rod along x": (a * np.cos(A) + rod, "rod, along x, height"),
             "rod and crank along x": (a + rod, "along x, stretched, dead"),
             "crank from y": (of(angle=np.pi / 2 - A), "y axis, sin, cos"),
             "degrees": (of(angle=given.degrees), "degree, radian"),
             "crank's half left out": (flat, f"from B, crank, {LEFT_OUT}"),
             "crank's half subtracted": (flat - a * np.cos(A), f"{SIGN}, crank"),
             "height of B left out": (a * np.cos(A) + np.sqrt(rod**2 - e**2), f"height, {LEFT_OUT}"),
-            "offset taken off at the end": (of(0) - e, "offset, end"),
+            "offset subtracted at the end": (of(0) - e, "offset, end"),
             "Pythagoras with a plus": (a * np.cos(A) + np.hypot(rod, e - a * np.sin(A)), f"Pythag, root, {SIGN}"),
             "no square root": (a * np.cos(A) + rod**2 - (e - a * np.sin(A)) ** 2, "root, square"),
             "root not taken of the rod": (
                 a * np.cos(A) + rod - abs(e - a * np.sin(A)),
-                "root, square, Pythag, subtracted the height",
+                "root, square, Pythag, subtracted the difference of the heights",
             ),
             **(
-                {"crank and rod exchanged": (of(crank=rod, rod=a), f"{SWAP}, rod")}
+                {"crank and rod swapped": (of(crank=rod, rod=a), f"{SWAP}, rod")}
                 if a > abs(e - rod * np.sin(A))
                 else {}
             ),
@@ -201,9 +203,9 @@ def slider(given: Any, answer: float) -> Iterator[WrongAnswer]:
             "distance from A": (np.hypot(x, e), "distance, along x"),
             "negated": (-x, SIGN),
             "millimetres": (1000 * x, "millimet, mm, 1000, unit"),
-            "near side, no offset": (of(0, side=-1), f"{MODE}, near, offset"),
+            "slider left of B, no offset": (of(0, side=-1), f"{MODE}, offset"),
             "offset negated, crank from y": (of(-e, np.pi / 2 - A), f"offset, {SIGN}, y axis, sin, cos"),
-            "near side, offset negated": (of(-e, side=-1), f"{MODE}, near, offset, {SIGN}"),
+            "slider left of B, offset negated": (of(-e, side=-1), f"{MODE}, offset, {SIGN}"),
         }
     )
     yield from right({"a float": x, "three decimals": round(x, 3), "an array": np.array(x)})
@@ -254,7 +256,7 @@ def dead_point(given: Any, answer: float) -> Iterator[WrongAnswer]:
             "arcsine": (np.arcsin(np.cos(A)), "sin, cos"),
             "no factor 2": (arccos(2 * np.cos(A)), "factor, law of cosines"),
             "right triangle": (arccos(g / (b + c)), "right angle, right-angled, Pythag, law of cosines"),
-            "crank turns right round": (np.pi, "turn right round, turns right round, full turn, \\pi"),
+            "crank makes full turns": (np.pi, "full turn, \\pi"),
             "supplement in degrees": (180 - np.degrees(A), "supplement, degree, radian"),
             "angle at D in degrees": (np.degrees(angle(g, b + c, a)), f"{place}, degree, radian"),
             "supplement, folded": (np.pi - angle(g, a, abs(b - c)), "folded, fold, supplement"),
@@ -265,7 +267,7 @@ def dead_point(given: Any, answer: float) -> Iterator[WrongAnswer]:
 
 @wrong_answers("08.8")
 def counting(given: Any, answer: float) -> Iterator[WrongAnswer]:
-    d, f = given.d, [freedom for leg in given.legs for freedom in leg]
+    d, f = given.d, [f_i for leg in given.legs for f_i in leg]
     L, J, N = len(given.legs), len(f), 2 + sum(len(leg) - 1 for leg in given.legs)
 
     def of(d: int = d, N: int = N, J: int = J, total: int = sum(f)) -> int:
@@ -274,16 +276,16 @@ def counting(given: Any, answer: float) -> Iterator[WrongAnswer]:
     count = "ground, platform, loop, count"
     wrong_ways = {
         "ground not counted": (of(N=N - 1), count),
-        "n for n - 1": (of(N=N + 1), count + ", moves, stands still"),
+        "N for N - 1": (of(N=N + 1), count + ", does not move"),
         "neither ground nor platform": (of(N=N - 2), count),
         "a loop for each leg": (sum(f) - d * L, count),
         "one loop only": (sum(f) - d, count),
         "the other d": (of(9 - d), f"d =, d = {9 - d}, plane, space"),
         "no loops": (sum(f), "loop, added"),
-        "one freedom for each joint": (of(total=J), "one freedom, universal, ball, freedom"),
+        "one degree of freedom for each joint": (of(total=J), "one degree of freedom, universal, spherical, freedom"),
         "one joint not counted": (of(J=J - 1, total=sum(f) - f[-1]), "joint, count"),
         "joints counted as bodies": (of(N=J), count),
-        "constraints for freedoms": (d * (N - 1) - sum(f), "constraint, freedom"),
+        "constraints for degrees of freedom": (d * (N - 1) - sum(f), "constraint, freedom"),
         "one leg forgotten": (
             d * (N - len(given.legs[-1])) - d * (J - len(given.legs[-1])) + sum(f) - sum(given.legs[-1]),
             "leg",
@@ -293,11 +295,11 @@ def counting(given: Any, answer: float) -> Iterator[WrongAnswer]:
         "platform's own d": (d, "platform, free"),
         "bodies only": (d * (N - 1), "joint, constraint"),
         "ground not counted, other d": (of(9 - d, N=N - 1), f"{count}, d =, plane, space"),
-        "other d, one freedom each": (of(9 - d, total=J), "d =, plane, space, one freedom, universal, ball"),
+        "other d, one degree of freedom each": (of(9 - d, total=J), "d =, plane, space, universal, spherical"),
         "one too many": (of() + 1, "off by one, one too"),
     }
     identities = {
-        "one freedom for each joint",
+        "one degree of freedom for each joint",
         "one loop only",
         "never below zero",
         "negated",
@@ -309,32 +311,33 @@ def counting(given: Any, answer: float) -> Iterator[WrongAnswer]:
 @wrong_answers("08.9")
 def three_mobilities(given: Any, answer: Array) -> Iterator[WrongAnswer]:
     n, loops = given.joint_values, given.loops
-    counted, felt, had = (int(x) for x in answer)
+    count, infinitesimal, finite = (int(x) for x in answer)
     rank = int(np.count_nonzero(np.array(given.singular_values) > 0))
-    d = (n - counted) // loops
-    move = "had, move, lead, posture, finite, believed, count"
+    large = int(np.count_nonzero(np.array(given.singular_values) > 1))
+    d = (n - count) // loops
+    move = "finite, continued, does move"
     wrong_counts: dict[str, tuple[list[int], str]] = {
-            "the count for all three": ([counted] * 3, "believed, count"),
-            "felt for all three": ([felt] * 3, f"count, {move}"),
-            "had for all three": ([had] * 3, f"felt, count, {move}"),
-            "the rank for felt": ([counted, rank, had], "rank, felt"),
-            "other d": ([n - (9 - d) * loops, felt, had], "d =, plane, space"),
-            "no loops": ([n, felt, had], "loop, count"),
-            "one loop too many": ([n - d * (loops + 1), felt, had], "loop, count"),
-            "had is the other number": ([counted, felt, 1 - had], move),
-            "had is the count": ([counted, felt, counted], move),
-            "felt and had exchanged": ([counted, had, felt], f"{move}, felt, {SWAP}"),
-            "in reverse": ([had, felt, counted], f"order, counted, {SWAP}"),
-            "count negated": ([-counted, felt, had], f"{SIGN}, count"),
-            "count at least 0": ([max(counted, 0), felt, had], "negative, below, count"),
-            "singular values below 1 for felt": (
-                [counted, n - int(np.count_nonzero(np.array(given.singular_values) > 1)), had], "singular, felt, rank"),
-            "felt one too many": ([counted, felt + 1, had], "felt, singular, rank"),
-            "equations less joints": ([d * loops - n, felt, had], f"{SIGN}, count, equation"),
-            "equations less rank for felt": ([counted, d * loops - rank, had], "felt, equation, rank, columns"),
-            "other d, rank for felt": ([n - (9 - d) * loops, rank, had], "d =, plane, space, rank"),
-            "rank for felt, had wrong": ([counted, rank, 1 - had], f"rank, {move}"),
-            "count and had wrong": ([n, felt, 1 - had], f"loop, count, {move}"),
+            "the count for all three": ([count] * 3, "count"),
+            "the infinitesimal mobility for all three": ([infinitesimal] * 3, f"count, {move}"),
+            "the finite mobility for all three": ([finite] * 3, f"infinitesimal, count, {move}"),
+            "the rank for the infinitesimal mobility": ([count, rank, finite], "rank"),
+            "other d": ([n - (9 - d) * loops, infinitesimal, finite], "d =, plane, space"),
+            "no loops": ([n, infinitesimal, finite], "loop, count"),
+            "one loop too many": ([n - d * (loops + 1), infinitesimal, finite], "loop, count"),
+            "the other finite mobility": ([count, infinitesimal, 1 - finite], move),
+            "the count for the finite mobility": ([count, infinitesimal, count], f"{move}, count"),
+            "infinitesimal and finite swapped": ([count, finite, infinitesimal], f"{move}, infinitesimal, {SWAP}"),
+            "in reverse": ([finite, infinitesimal, count], f"order, count, {SWAP}"),
+            "count negated": ([-count, infinitesimal, finite], f"{SIGN}, count"),
+            "count at least 0": ([max(count, 0), infinitesimal, finite], "negative, below, count"),
+            "singular values below 1 as zero": ([count, n - large, finite], "singular, infinitesimal, rank"),
+            "infinitesimal mobility one too many": ([count, infinitesimal + 1, finite], "infinitesimal, singular, rank"),
+            "equations minus joints": ([d * loops - n, infinitesimal, finite], f"{SIGN}, count, equation"),
+            "equations minus rank": ([count, d * loops - rank, finite], "infinitesimal, equation, rank, columns"),
+            "other d, and the rank": ([n - (9 - d) * loops, rank, finite], "d =, plane, space, rank"),
+            "the rank, and the other finite mobility": ([count, rank, 1 - finite], f"rank, {move}"),
+            "no loops, and the other finite mobility": ([n, infinitesimal, 1 - finite], f"loop, count, {move}"),
         }  # fmt: skip
-    yield from wrong({name: case for name, case in wrong_counts.items() if case[0] != [counted, felt, had]})
-    yield from right({"a list of integers": [counted, felt, had], "a tuple": (counted, felt, had)})
+    yield from wrong({name: case for name, case in wrong_counts.items() if case[0] != [count, infinitesimal, finite]})
+    right_counts = [count, infinitesimal, finite]
+    yield from right({"a list of integers": right_counts, "a tuple": tuple(right_counts)})

@@ -1,4 +1,4 @@
-"""Linkages in solutions: the closure of a loop, four-bars and slider-cranks in the plane, and Kutzbach's formula.
+"""Linkages in solutions: loop closure, four-bars and slider-cranks in the plane, and the Gruebler-Kutzbach formula.
 
 A four-bar has the pin A at the origin, D on the x axis, B at the end of the crank, and C between coupler and rocker.
 """
@@ -20,28 +20,43 @@ CORNER_ADVICE = (
 BARS = ("ground", "crank", "coupler", "rocker")
 
 
-def closing_twist(first: Sequence[Expression], second: Sequence[Expression]) -> Expression:
-    r"""The twist that is left over in a loop of two branches, log(T_1 T_2^{-1}).
+def closing_twist(branch_2: Sequence[Expression], branch_1: Sequence[Expression]) -> Expression:
+    r"""The residual of a loop of two branches, log(T_2 T_1^{-1}), as lecture 08 names them.
 
-    first   the factors of T_1: exponentials of joints, and fixed poses
-    second  the factors of T_2: exponentials of joints, on the way back with the opposite signs
+    branch_2  the factors of T_2: exponentials of joints, and fixed poses
+    branch_1  the factors of T_1: exponentials of joints, which are passed backwards, so their signs are negated
 
     >>> from kincourse.expressions.screws import exponentials, joint_values
     >>> closing_twist(*([factor] for factor in exponentials(np.eye(2, 6), joint_values("RR", [10, 20])))).latex
     '\\log(e^{[S_1]q_1}\\,e^{-[S_2]q_2})'
     """
-    T_1, T_2 = product(*first).named("T_1"), product(*second).named("T_2")
-    back = [exp(S, negative(q)).named(f"e^{{-[{S.latex}]{q.latex}}}") for S, q in (e.arguments for e in second[::-1])]
-    T = product(*first, *back)
+    products = product(*branch_1), product(*branch_2)
+    T_1, T_2 = products[0].named("T_1"), products[1].named("T_2")
+    advice = (
+        f"Here $T_1 = {products[0].latex}$ and $T_2 = {products[1].latex}$. The residual is $\\log(T_2\\,T_1^{{-1}})$."
+    )
+    back = [exp(S, negative(q)).named(f"e^{{-[{S.latex}]{q.latex}}}") for S, q in (e.arguments for e in branch_1[::-1])]
+    T = product(*branch_2, *back)
     for name, text, other in (
-        ("another frame", "take $T_2^{-1}\\,T_1$, the gap in coordinates of the coupler", inverse(T_2) @ T_1),
-        ("another frame", "take $T_1^{-1}\\,T_2$, which leads back, in coordinates of the coupler", inverse(T_1) @ T_2),
-        ("other way round", "take $T_2\\,T_1^{-1}$, the other way round", T_2 @ inverse(T_1)),
-        ("inverse left out", "take $T_1\\,T_2$, without an inverse", T_1 @ T_2),
-        ("inverse left out", "leave out both minus signs of the way back", product(*first, *second[::-1])),
+        (
+            "another frame",
+            "take $\\log(T_1^{-1}\\,T_2)$, the residual in coordinates of the coupler",
+            inverse(T_1) @ T_2,
+        ),
+        (
+            "another frame",
+            "take $\\log(T_2^{-1}\\,T_1)$, the negative residual in coordinates of the coupler",
+            inverse(T_2) @ T_1,
+        ),
+        ("sign", "take $\\log(T_1\\,T_2^{-1})$, the negative of the residual", T_1 @ inverse(T_2)),
+        ("inverse left out", "take $\\log(T_2\\,T_1)$, without an inverse", T_2 @ T_1),
+        ("inverse left out", "take $\\log(T_1\\,T_2)$, without an inverse", T_1 @ T_2),
+        ("inverse left out", "leave out both minus signs of the way back", product(*branch_2, *branch_1[::-1])),
     ):
-        T = T.mistaken_for(other, name, text, "The formula is $\\log(T_1\\,T_2^{-1})$.")
-    joints = [(sign, e.arguments) for sign, side in ((1, first), (-1, second)) for e in side if e.operation is exp]
+        T = T.mistaken_for(other, name, text, advice)
+    joints = [
+        (sign, e.arguments) for sign, branch in ((1, branch_2), (-1, branch_1)) for e in branch if e.operation is exp
+    ]
     added = total(*(sign * S * q for sign, (S, q) in joints))
     return logarithm(T).mistaken_for(added, "one exponential", "add the twists, without the exponentials")
 
@@ -56,7 +71,7 @@ def bars(lengths: Sequence[float]) -> list[Expression]:
 
 
 def length(name: str, x: float, kind: Operation = GIVEN) -> Expression:
-    """A given length with a word for its name.
+    """A given length, named by a word.
 
     kind  LENGTH if it may be negative
 
@@ -101,9 +116,9 @@ def with_other_bars(
     lengths: Sequence[Expression],
     swaps: Iterable[tuple[int, int]] = tuple(combinations(range(4), 2)),
 ) -> Expression:
-    """An expression of the lengths of a four-bar, in which people swap two bars.
+    """An expression of the lengths of a four-bar, mistaken for the same one with two bars swapped.
 
-    swaps  which of ground, crank, coupler and rocker they swap
+    swaps  the pairs of ground, crank, coupler and rocker that may be swapped
 
     >>> S = with_other_bars(lambda four: four[0] - four[1], bars([4, 1, 3, 2]))
     >>> [change.text for change, _ in S.changes()][0]
@@ -119,35 +134,35 @@ def with_other_bars(
 
 
 def slider_place(crank: Expression, rod: Expression, offset: Expression, A: Expression) -> Expression:
-    """The x of the slider of a slider-crank, on the far side of B, at the crank angle A in radians.
+    """The x coordinate of the slider of a slider-crank, to the right of B, at the crank angle A in radians.
 
     >>> float(slider_place(length("crank", 3), length("rod", 5), length("offset", 0), given("A", np.pi / 2)).value)
     4.0
     """
-    climb = offset - crank * sin(A)
-    reach = sqrt(square(rod) - square(climb))
+    height = offset - crank * sin(A)
+    reach = sqrt(square(rod) - square(height))
     x = crank * cos(A) + reach
     for name, text, wrong in (
-        ("other mode", "take the other mode, with the slider on the near side of B", crank * cos(A) - reach),
-        ("flat rod", "take the rod along $x$, although it climbs from B to the slide", crank * cos(A) + rod),
+        ("other mode", "take the other assembly mode, with the slider to the left of B", crank * cos(A) - reach),
+        ("flat rod", "take the rod along $x$, although B and the slider have different heights", crank * cos(A) + rod),
         ("all along x", "take crank and rod along $x$, stretched", crank + rod),
         (
             "offset at the end",
-            "take off the offset at the end",
+            "subtract the offset at the end",
             crank * cos(A) + sqrt(square(rod) - square(crank * sin(A))) - offset,
         ),
-        ("another coordinate", "give the height of the slide, its offset from A", offset),
+        ("another coordinate", "give the height of the slider, its offset from A", offset),
         ("distance for coordinate", "give the distance of the slider from A", sqrt(square(x) + square(offset))),
         (
             "no Pythagoras",
-            "subtract the height that the rod climbs from its length",
-            crank * cos(A) + rod - _size(climb),
+            "subtract the difference of the heights of B and the slider from the length of the rod",
+            crank * cos(A) + rod - _size(height),
         ),
         ("lengths swapped", "swap the lengths of crank and rod", _slider(rod, crank, offset, A)),
         *(
             (
                 "other mode",
-                f"take the other mode {text}",
+                f"take the other assembly mode {text}",
                 2 * crank * cos(A) - _slider(crank, rod, wrong, A),
             )
             for text, wrong in (
@@ -161,7 +176,7 @@ def slider_place(crank: Expression, rod: Expression, offset: Expression, A: Expr
 
 
 def kutzbach(d: int, legs: Sequence[Sequence[int]]) -> Expression:
-    """The mobility d (N - 1 - J) + sum of f of a platform on legs.
+    """The mobility d (N - 1 - J) + sum of f of a platform on legs, by the Gruebler-Kutzbach formula.
 
     d     the degrees of freedom of a body: 3 in the plane, 6 in space
     legs  for each leg, the degrees of freedom of its joints
@@ -169,11 +184,11 @@ def kutzbach(d: int, legs: Sequence[Sequence[int]]) -> Expression:
     >>> kutzbach(3, [(1, 1, 1), (1, 1)]).value
     2.0
     """
-    f = [float(freedoms) for leg in legs for freedoms in leg]
+    f = [float(f_i) for leg in legs for f_i in leg]
     J, F = float(len(f)), sum(f)
     N = 2 + J - len(legs)
     dimension = given("d", float(d)).mistaken_for(9.0 - d, "another d", f"take $d = {9 - d}$")
-    bodies, joints, freedoms = given("N", N), given("J", J), given("\\sum f", F)
+    bodies, joints, sum_f = given("N", N), given("J", J), given("\\sum f", F)
     for text, wrong in (
         ("leave out the ground or the platform", N - 1),
         ("leave out both the ground and the platform", N - 2),
@@ -182,23 +197,23 @@ def kutzbach(d: int, legs: Sequence[Sequence[int]]) -> Expression:
         if wrong != N:
             bodies = bodies.mistaken_for(wrong, "bodies", text)
     for text, wrong in (
-        ("give each joint one freedom", J),
-        ("give universal joints one freedom", F - f.count(2)),
-        ("give ball joints two degrees of freedom", F - f.count(3)),
+        ("give each joint one degree of freedom", J),
+        ("give universal joints one degree of freedom", F - f.count(2)),
+        ("give spherical joints two degrees of freedom", F - f.count(3)),
     ):
         if wrong != F:
-            freedoms = freedoms.mistaken_for(wrong, "freedoms of the joints", text)
-    right = dimension * (bodies - 1 - joints) + freedoms
+            sum_f = sum_f.mistaken_for(wrong, "degrees of freedom of the joints", text)
+    right = dimension * (bodies - 1 - joints) + sum_f
     for name, text, wrong in (
         (
-            "freedoms taken away",
-            "take $d\\,(N - 1) - \\sum f$, although a joint takes $d - f$ degrees of freedom away",
+            "constraints of the joints",
+            "take $d\\,(N - 1) - \\sum f$, although a joint has $d - f$ constraints",
             d * (N - 1) - F,
         ),
         ("joints left out", "take $d\\,(N - 1)$, as if there were no joints", d * (N - 1)),
-        ("loops", "add up the degrees of freedom of the joints, without what the loops take away", F),
+        ("loops", "add up the degrees of freedom of the joints, without the equations of the loops", F),
         ("loops", "close one loop only", F - d),
-        ("loops", "close one loop for each leg, although the first leg closes none", F - d * len(legs)),
+        ("loops", "close one loop for each leg, although the first leg closes no loop", F - d * len(legs)),
         ("joint left out", "leave out one joint", right.value + d - f[-1]),
         *(("leg left out", "leave out one leg", right.value + d - sum(leg)) for leg in dict.fromkeys(map(tuple, legs))),
         ("platform alone", "give the degrees of freedom of the platform when it is free", float(d)),
@@ -209,8 +224,8 @@ def kutzbach(d: int, legs: Sequence[Sequence[int]]) -> Expression:
             right.value + (9 - 2 * d) * (N - 1 - J) + d - 9,
         ),
         (
-            "another d and freedoms of the joints",
-            f"take $d = {9 - d}$ with one freedom for each joint",
+            "another d and degrees of freedom of the joints",
+            f"take $d = {9 - d}$ with one degree of freedom for each joint",
             (9 - d) * (N - 1 - J) + J,
         ),
         ("sign", "give the negative of the number", -right.value),
@@ -263,12 +278,12 @@ def _direction_changes(node: Expression) -> Changes:
     swapped = Operation("arctan2", lambda v: np.arctan2(*v), "{0}".format)
     yield Change("arguments of arctan2", "swap the two arguments of `np.arctan2`"), swapped(line)
     if line.value[0] < 0:  # otherwise it is the same
-        text = "take `np.arctan` of the quotient, which does not know the quadrant"
+        text = "take `np.arctan` of the quotient, which loses the quadrant"
         yield (
             Change("arctan for arctan2", text),
             Operation("arctan", lambda v: np.arctan(v[1] / v[0]), "{0}".format)(line),
         )
-    yield Change("half a turn off", f"take the direction of ${line.latex}$ backwards"), np.pi + node
+    yield Change("half a turn off", f"take the opposite direction of ${line.latex}$"), np.pi + node
 
 
 def _polar_changes(node: Expression) -> Changes:
@@ -286,7 +301,7 @@ def _rotated(angle: float, p: Array) -> Array:
 def _rotated_changes(node: Expression) -> Changes:
     angle, p = node.arguments
     yield Change("not rotated", f"add ${p.latex}$ without rotating it"), p
-    yield Change("rotation transposed", f"rotate ${p.latex}$ the other way"), rotated(negative(angle), p)
+    yield Change("rotation transposed", f"rotate ${p.latex}$ in the opposite direction"), rotated(negative(angle), p)
     yield Change("sine and cosine swapped", "swap sine and cosine"), rotated(np.pi / 2 - angle, p)
 
 
@@ -297,9 +312,9 @@ def _both_changes(node: Expression) -> Changes:
             ("one mode twice", "give one mode twice", one),
             ("mirrored in the ground", "mirror one mode in the ground line to get the other", negative(one)),
             ("supplement", "take $\\pi$ minus the angle of one mode for the other mode", np.pi - one),
-            ("half a turn off", "take the angle of one mode, half a turn further, for the other mode", np.pi + one),
+            ("half a turn off", "add $\\pi$ to the angle of one mode for the other mode", np.pi + one),
         ):
-            advice = "B and D stay where they are in both modes: the mirror is the line from B to D."
+            advice = "B and D are the same in both modes, and C is mirrored in the line from B to D."
             yield Change(name, text, advice=advice), both_modes(one, wrong)
 
 

@@ -1,4 +1,4 @@
-"""The blank steps of lecture 07: a row between antiparallel axes, an origin, and the whole table of a new arm."""
+"""The blank steps of lecture 07: a row between antiparallel axes, an origin, and the whole table of an unknown arm."""
 
 from dataclasses import replace
 
@@ -29,55 +29,55 @@ NEW_ARM = arm(
     "stranger",
     "made for lecture 07",
 )
-"""The arm of the lecture: its five pairs of neighbouring axes are five different cases."""
+"""The arm of the lecture: its five pairs of neighbouring axes are related in five different ways."""
 
 
-@problem("07.a", "A row between anti-parallel axes", points=1, lecture="07_frame_assignment#The algorithm")
+@problem("07.a", "A row between antiparallel axes", points=1, lecture="07_frame_assignment#The algorithm")
 def antiparallel_row(_draw: ArmSampler) -> Problem:
     return Problem(
-        statement="Give row 3 of the stranger, standard convention, as $[a, \\alpha, d, \\theta]$ at home.",
+        statement="Give row 3 of the stranger in the standard convention, as $[a, \\alpha, d, \\theta]$ at $q = 0$.",
         answer=DHRowAnswer(np.array([0.3, np.pi, -0.2, 0.0])),
         solution=dh_row(0.3, np.pi, -0.2, 0.0).mistaken_for(
             np.array([0.3, 0.0, 0.2, 0.0]),
             "parallel, and the sign of d",
             "take $\\alpha = 0$, and measure $d$ along the axis of joint 4",
-            "In the standard convention $d_3$ is measured along $z_2$, the axis of joint 3, and from $z_2$ to $z_3$ it is half a turn.",
+            "In the standard convention $d_3$ is measured along $z_2$, the axis of joint 3, and the angle from $z_2$ to $z_3$ is $\\pi$.",
         ),
-        invisible=["sign of alpha", "sign of the angles"],  # half a turn has no sign
+        invisible=["sign of alpha", "sign of the angles"],  # pi and -pi are the same rotation
         advice={
-            "alpha left out": "$z_2$ points along $-y$ and $z_3$ along $+y$: from one to the other it is half a turn.",
+            "alpha left out": "$z_2$ points along $-y$ and $z_3$ along $+y$, so the angle between them is $\\pi$.",
             "sign of d": "$d$ is measured along $z_2$, which points along $-y$ of {s}.",
         },
     )
 
 
-@problem("07.b", "The foot of a normal", points=1, lecture="07_frame_assignment#A worked example")
+@problem("07.b", "The foot of a common normal", points=1, lecture="07_frame_assignment#A worked example")
 def origin_4(_draw: ArmSampler) -> Problem:
     return Problem(
-        statement="Where is $O_4$ of the stranger in the standard convention, seen from {s}?",
+        statement="What is the position of $O_4$ of the stranger in {s}, in the standard convention?",
         answer=Numbers(np.array([0.8, 0.35, 0.8]), unit="m"),
         mistakes=[
             mistake(
                 "at joint 5",
                 [0.9, 0.35, 0.8],
-                "This is where the slide is drawn. An origin stands at the foot of the normal, wherever the joint is built.",
+                "This is where the prismatic joint is drawn. The origin is the foot of the common normal, wherever the joint is drawn.",
             ),
             mistake(
                 "the other foot",
                 [0.8, 0.35, 0.5],
-                "This is the foot on axis 4, where the modified convention puts its origin. In the standard one $O_4$ lies on "
-                "the axis of joint 5.",
+                "This is the foot on axis 4, the origin of frame 4 in the modified convention. In the standard convention $O_4$ "
+                "lies on the axis of joint 5.",
             ),
             mistake(
                 "at joint 6",
                 [1.1, 0.35, 0.8],
-                "This is joint 6, on the same line. $O_4$ belongs to the pair of axes 4 and 5; the normal meets axis 5 at $x = 0.8$.",
+                "This is joint 6, on the same line. $O_4$ belongs to axes 4 and 5, and their common normal meets axis 5 at $x = 0.8$.",
             ),
             mistake(
                 "above joint 4",
                 [0.8, 0.2, 0.8],
-                "You went straight up from joint 4. Axis 5 passes beside that point, at $y = 0.35$: the normal starts "
-                "further along axis 4.",
+                "This point is vertically above joint 4, but it does not lie on axis 5, which has $y = 0.35$. The common normal "
+                "starts from another point of axis 4.",
             ),
         ],
     )
@@ -89,14 +89,14 @@ def table_of_the_new_arm(_draw: ArmSampler) -> Problem:
     rows = table.rows.copy()
     rows[2, 1] = 0.0
     return Problem(
-        statement="Give a table of the stranger, in either convention. Every table of the same mechanism is right.",
+        statement="Give a DH table of the stranger in the standard convention. Every table of the same mechanism is right.",
         answer=DHTableAnswer(table),
         mistakes=[
             mistake(
-                "anti-parallel as parallel",
+                "antiparallel as parallel",
                 replace(table, rows=rows),
-                "Axes 3 and 4 point opposite ways: $\\alpha$ between them is $\\pi$. With 0 all that comes "
-                "behind joint 4 is turned over, and $d_4$ runs the wrong way.",
+                "Your table moves as if $\\alpha_3$ were 0. Axes 3 and 4 have opposite directions, so $\\alpha_3 = \\pi$. With 0 "
+                "the rest of the arm is rotated by $\\pi$ about $x_3$.",
             ),
             *table_mistakes(
                 table,

@@ -1,4 +1,4 @@
-"""Sheet 07: the relative position of two axes, frames and tables of drawn arms, broken rules, and equivalent tables."""
+"""Sheet 07: the relation of two axes, frames and DH tables of drawn arms, broken rules, and equivalent tables."""
 
 from dataclasses import replace
 from functools import partial
@@ -36,25 +36,25 @@ CASES = {
     "a": "skew",
     "b": "intersecting",
     "c": "parallel",
-    "d": "anti-parallel",
+    "d": "antiparallel",
     "e": "coincident",
-    "f": "anti-coincident",
+    "f": "coincident, with opposite directions",
 }
 
 
-@problem("07.1", "The case of two axes", points=2, lecture="07_frame_assignment#The algorithm")
+@problem("07.1", "The relation of two axes", points=2, lecture="07_frame_assignment#The algorithm")
 def the_case(sampler: ArmSampler) -> Problem:
     right = sampler.choice(list(CASES))
     z, point = sampler.choice(AXIS_DIRECTIONS), sampler.point(4)
     side = sampler.choice([axis for axis in AXIS_DIRECTIONS if not axis @ z])
-    along, off = sampler.integer(1, 3) * sampler.choice((-1, 1)), sampler.integer(1, 3)
+    along, distance = sampler.integer(1, 3) * sampler.choice((-1, 1)), sampler.integer(1, 3)
     other = {"a": side, "b": side, "c": z, "d": -z, "e": z, "f": -z}[right]
-    across = {"a": np.cross(z, side), "b": 0 * z, "c": side, "d": side, "e": 0 * z, "f": 0 * z}[right]
-    place = point + along * z + off * across + (sampler.integer(1, 3) * side if right in "ab" else 0)
+    normal = {"a": np.cross(z, side), "b": 0 * z, "c": side, "d": side, "e": 0 * z, "f": 0 * z}[right]
+    place = point + along * z + distance * normal + (sampler.integer(1, 3) * side if right in "ab" else 0)
     robot = arm([(z, point), (other, place)], pose((X, Y, Z), place + X), "Two axes", "drawn for you")
     listed = "\n".join(f"- {letter}) {case}" for letter, case in CASES.items())
     return Problem(
-        statement=f"Two revolute joints are neighbours. In which case are their axes?\n\n{joint_table(robot)}\n\n{listed}\n\n"
+        statement=f"Two revolute joints follow each other in an arm. How are their axes related?\n\n{joint_table(robot)}\n\n{listed}\n\n"
         "Answer with a letter, such as `'a'`.",
         figure=partial(draw_joints, robot),
         given={"axes": np.array([z, other]), "points": robot.joint_points},
@@ -64,17 +64,17 @@ def the_case(sampler: ArmSampler) -> Problem:
 
 
 def _case_message(wrong: str, right: str) -> str:
-    """The message on the first feature in which the chosen case of two axes differs from the right one."""
-    lean = {"a": "neither", "b": "neither", "c": "same", "d": "opposite", "e": "same", "f": "opposite"}
-    if lean[wrong] != lean[right]:
+    """The message on the first property in which the chosen relation of two axes differs from the right one."""
+    directions = {"a": "neither", "b": "neither", "c": "same", "d": "opposite", "e": "same", "f": "opposite"}
+    if directions[wrong] != directions[right]:
         return {
-            "neither": "Compare the directions: these two are no multiples of each other, so the axes are not parallel.",
-            "same": "Compare the directions: they are equal. Axes that point the same way leave $\\alpha = 0$.",
-            "opposite": "Compare the directions: one is the other with a minus. Such axes are parallel, and $\\alpha = \\pi$.",
-        }[lean[right]]
+            "neither": "Compare the directions: neither is a multiple of the other, so the axes are not parallel.",
+            "same": "Compare the directions: they are equal, so $\\alpha = 0$.",
+            "opposite": "Compare the directions: one is the negative of the other, so the axes are antiparallel, and $\\alpha = \\pi$.",
+        }[directions[right]]
     if right in "bef":
-        return "Look for a common point: from one joint, walk along its axis. You do come to the other axis."
-    return "Look for a common point: no walk along one axis brings you to the other, so they are apart."
+        return "Look for a common point: a point of one axis also lies on the other, so their distance is 0."
+    return "Look for a common point: no point of one axis lies on the other, so their distance is not 0."
 
 
 @problem("07.2", "Frames by the rules", points=4, lecture="07_frame_assignment#The algorithm")
@@ -82,10 +82,10 @@ def frames_by_the_rules(sampler: ArmSampler) -> Problem:
     robot = sampler.arm("RRR")
     found = assign_frames(robot, convention="standard").frames
     return Problem(
-        statement="Place frames 0 to 3 on this arm by the rules of the standard convention. Answer with four poses as seen from "
-        "{s}, an array of shape (4, 4, 4): place them by hand in the next cell and copy them, or write each with "
-        "`pose((x, y, z), origin)` from `kinlib.chains.robots`. Whatever the rules leave open, "
-        f"choose.\n\n{joint_table(robot)}",
+        statement="Place frames 0 to 3 on this arm by the rules of the standard convention. Answer with the four poses of these "
+        "frames in {s}, an array of shape (4, 4, 4). Either place the frames by hand in the next cell and copy the poses, or write "
+        "each with `pose((x, y, z), origin)` from `kinlib.chains.robots`. Where the rules leave a choice, every choice is right."
+        f"\n\n{joint_table(robot)}",
         figure=partial(draw_joints, robot),
         given={"screws": robot.screws, "home": robot.home, "points": robot.joint_points},
         answer=DHFramesAnswer(found, chain=robot, convention="standard"),
@@ -93,28 +93,29 @@ def frames_by_the_rules(sampler: ArmSampler) -> Problem:
             mistake(
                 "z on the wrong joint",
                 assign_frames(robot, convention="modified").frames,
-                "You put $z_i$ on the axis of joint $i$. In the standard convention it lies on that of joint $i + 1$, and $z_0$ on "
-                "that of joint 1.",
+                "You put $z_i$ on the axis of joint $i$. In the standard convention $z_i$ lies on the axis of joint $i + 1$, so "
+                "$z_0$ lies on the axis of joint 1.",
             ),
             mistake(
                 "left-handed",
                 found * _columns(1, -1, 1),
-                "Your frames are left-handed. $y = z \\times x$: turn every $y$ round.",
+                "Your frames are left-handed. A frame is right-handed if $y = z \\times x$: negate every $y$.",
             ),
             mistake(
                 "axes in rows",
                 _transposed(found),
-                "You wrote the axes of each frame into the rows of its rotation. They are the columns.",
+                "You wrote the axes of each frame into the rows of its rotation matrix. They are its columns.",
             ),
             mistake(
                 "origins at the joints",
                 _at_the_joints(found, robot),
-                "You put every origin where its joint is drawn. It stands where the common normal meets the axis.",
+                "You put every origin where its joint is drawn. The origin is the point where the common normal meets the axis.",
             ),
             mistake(
                 "x along the link",
                 _along_the_links(found, robot),
-                "You laid $x_i$ along the link, from joint to joint. It runs along the common normal, square to both axes.",
+                "Your $x_i$ runs along the link, from joint to joint. It must run along the common normal, "
+                "perpendicular to both axes.",
             ),
         ],
     )
@@ -127,9 +128,9 @@ def _columns(x: float, y: float, z: float) -> Array:
 
 
 def _transposed(frames: Array) -> Array:
-    turned = frames.copy()
-    turned[:, :3, :3] = np.swapaxes(frames[:, :3, :3], 1, 2)
-    return turned
+    transposed = frames.copy()
+    transposed[:, :3, :3] = np.swapaxes(frames[:, :3, :3], 1, 2)
+    return transposed
 
 
 def _at_the_joints(frames: Array, robot: Chain) -> Array:
@@ -139,13 +140,13 @@ def _at_the_joints(frames: Array, robot: Chain) -> Array:
 
 
 def _along_the_links(frames: Array, robot: Chain) -> Array:
-    turned = frames.copy()
+    rotated = frames.copy()
     for i in range(1, robot.n):
         link = robot.joint_points[i] - robot.joint_points[i - 1]
         x = link / np.linalg.norm(link)
-        turned[i, :3, 0] = x
-        turned[i, :3, 1] = np.cross(frames[i, :3, 2], x)
-    return turned
+        rotated[i, :3, 0] = x
+        rotated[i, :3, 1] = np.cross(frames[i, :3, 2], x)
+    return rotated
 
 
 @problem("07.3", "The table of a drawn arm", points=4, lecture="07_frame_assignment#What is free")
@@ -153,9 +154,9 @@ def table_of_an_arm(sampler: ArmSampler) -> Problem:
     robot = sampler.arm(sampler.choice(["RRR", "RRRP", "RRRR"]))
     table = assign_frames(robot, convention="standard").table
     return Problem(
-        statement="Write a table of this arm in the standard convention: text with the head `a | alpha | d | theta`, one row for each "
-        f"joint, with `q1`, `q2`, ... for what moves. {_given(robot.n)} Every table that leads from one to the other as the arm moves is "
-        f"right: the frames between them are yours to choose.\n\n{joint_table(robot)}\n\n{given_frames(table)}",
+        statement="Write a DH table of this arm in the standard convention: text with the head `a | alpha | d | theta` and one row for "
+        f"each joint, with `q1`, `q2`, ... for the joint variables. {_given(robot.n)} Every table that gives the pose of frame {robot.n} "
+        f"in frame 0 for every $q$ is right, so you may choose the frames between them.\n\n{joint_table(robot)}\n\n{given_frames(table)}",
         figure=partial(draw_joints, robot),
         given={"screws": robot.screws, "home": robot.home, "points": robot.joint_points},
         answer=DHTableAnswer(table, anchored=True),
@@ -172,13 +173,15 @@ def table_of_an_arm(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("07.4", "Parallel and anti-parallel axes", points=4, lecture="07_frame_assignment#The algorithm")
+@problem("07.4", "Parallel and antiparallel axes", points=4, lecture="07_frame_assignment#The algorithm")
 def parallel_axes(sampler: ArmSampler) -> Problem:
-    height, upper, fore, hand = (sampler.integer(1, 4) for _ in range(4))
-    aside, behind = sampler.integer(1, 3), sampler.choice((-1, 1)) * sampler.integer(1, 3)
-    back = sampler.choice((-1, 1))
-    points = np.cumsum([(0, 0, height), (upper, 0, 0), (fore, aside, 0), (0, behind, hand)], axis=0).astype(float)
-    axes = [Z, back * Y, back * Y, -back * Y, X]
+    height, upper_arm, forearm, wrist = (sampler.integer(1, 4) for _ in range(4))
+    sideways, backwards = sampler.integer(1, 3), sampler.choice((-1, 1)) * sampler.integer(1, 3)
+    sign = sampler.choice((-1, 1))
+    points = np.cumsum(
+        [(0, 0, height), (upper_arm, 0, 0), (forearm, sideways, 0), (0, backwards, wrist)], axis=0
+    ).astype(float)
+    axes = [Z, sign * Y, sign * Y, -sign * Y, X]
     robot = arm(
         [*zip(axes, [np.zeros(3), *points], strict=True)],
         pose((X, Y, Z), points[-1] + X),
@@ -186,11 +189,11 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
         "drawn for you",
     )
     table = assign_frames(robot, convention="modified").table
-    same_way, level = table.rows.copy(), table.rows.copy()
-    same_way[3, 1], level[:, 2] = 0.0, 0.0
+    same_direction, without_d = table.rows.copy(), table.rows.copy()
+    same_direction[3, 1], without_d[:, 2] = 0.0, 0.0
     return Problem(
-        statement="Axes 2, 3 and 4 of this arm are parallel lines, and axis 4 points the other way. Write a table in the modified "
-        f"convention. {_given(robot.n)} Every table that leads from one to the other as the arm moves is right."
+        statement="Axes 2, 3 and 4 of this arm are parallel lines, and axis 4 has the opposite direction. Write a DH table in the "
+        f"modified convention. {_given(robot.n)} Every table that gives the pose of frame {robot.n} in frame 0 for every $q$ is right."
         f"\n\n{joint_table(robot)}\n\n{given_frames(table)}",
         figure=partial(draw_joints, robot),
         given={"screws": robot.screws, "home": robot.home, "points": robot.joint_points},
@@ -198,14 +201,14 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
         mistakes=[
             mistake(
                 "alpha 0",
-                table.changed(rows=same_way),
-                "Axes 3 and 4 are parallel and point opposite ways: $\\alpha_3$ is $\\pi$, not 0.",
+                table.changed(rows=same_direction),
+                "Your table moves as if $\\alpha_3$ were 0. Axes 3 and 4 have opposite directions, so $\\alpha_3 = \\pi$.",
             ),
             mistake(
                 "d forgotten",
-                table.changed(rows=level),
-                "Your origins may slide along parallel axes, but what lies between the first and the last normal stays: some $d$ "
-                "has to hold the step along $y$.",
+                table.changed(rows=without_d),
+                "Your table moves as if every $d$ were 0. You may move an origin along parallel axes, but the distance between "
+                "the first and the last common normal does not change: some $d$ must contain the displacement along $y$.",
             ),
             *table_mistakes(table, "z on the wrong joint", "alpha one row off", "a and d swapped", "degrees"),
         ],
@@ -214,18 +217,18 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
 
 RULES = {
     "a": "$x_i$ is not perpendicular to $z_{i-1}$",
-    "b": "the line of $x_i$ does not meet the axis $z_{i-1}$",
+    "b": "the line of $x_i$ does not intersect the axis $z_{i-1}$",
     "c": "$z_i$ does not lie along the axis of joint $i + 1$",
     "d": "the origin does not lie on the axis of joint $i + 1$",
-    "e": "none: the frame is legal",
+    "e": "no rule: the frame is legal",
 }
 
 RULE_EXPLANATIONS = {
-    "a": "Take the scalar product of $x_i$ and $z_{i-1}$.",
-    "b": "Walk from the origin along $x_i$, both ways: do you come to the axis $z_{i-1}$?",
+    "a": "Compute the scalar product of $x_i$ and $z_{i-1}$: it is 0 if they are perpendicular.",
+    "b": "Check whether the line through the origin of frame $i$ along $x_i$ has a point in common with the axis $z_{i-1}$.",
     "c": "Compare $z_i$ with the direction of joint $i + 1$, not of joint $i$.",
-    "d": "From the origin, is the arrow to the joint a multiple of the axis?",
-    "e": "Go through the rules one by one, with the numbers.",
+    "d": "Check whether the vector from the origin to a point on the axis of joint $i + 1$ is a multiple of its direction.",
+    "e": "Check the rules one by one, with the numbers.",
 }
 
 
@@ -234,22 +237,22 @@ def which_rule(sampler: ArmSampler) -> Problem:
     robot, right = sampler.arm("RRR"), sampler.choice(list(RULES))
     found = assign_frames(robot, convention="standard")
     i, frames = sampler.integer(1, 2), found.frames.copy()
-    T, far = frames[i], sampler.choice((-1, 1)) * sampler.integer(1, 2)
-    turn = sampler.choice((-1, 1)) * np.radians(sampler.choice([30, 45, 60]))
-    c, s = np.cos(turn), np.sin(turn)
+    T, distance = frames[i], sampler.choice((-1, 1)) * sampler.integer(1, 2)
+    angle = sampler.choice((-1, 1)) * np.radians(sampler.choice([30, 45, 60]))
+    c, s = np.cos(angle), np.sin(angle)
     x, y, z = T[:3, :3].T
     axes, origin = {
         "a": ((c * x + s * y, c * y - s * x, z), T[:3, 3]),
-        "b": ((x, y, z), T[:3, 3] + far * z),
+        "b": ((x, y, z), T[:3, 3] + distance * z),
         "c": ((x, -z, y), T[:3, 3]),
-        "d": ((x, y, z), T[:3, 3] + far * x),
+        "d": ((x, y, z), T[:3, 3] + distance * x),
         "e": ((-x, -y, z), T[:3, 3]),
     }[right]
     frames[i] = pose(axes, origin)
     before = frames[i - 1]
     listed = "\n".join(f"- {letter}) {rule}" for letter, rule in RULES.items())
     return Problem(
-        statement=f"Somebody placed frames on this arm, in the standard convention. Frame {i - 1} is right: its origin is at "
+        statement=f"Frames were placed on this arm in the standard convention. Frame {i - 1} is right: its origin is at "
         f"${vector(before[:3, 3])}$, and $z_{i - 1} = {vector(before[:3, 2])}$. Frame {i} has its origin at ${vector(origin)}$, with "
         f"$x_{i} = {vector(axes[0])}$ and $z_{i} = {vector(axes[2])}$. Which rule does frame $i = {i}$ break?"
         f"\n\n{joint_table(robot)}\n\n{listed}\n\nAnswer with a letter, such as `'a'`.",
@@ -262,19 +265,23 @@ def which_rule(sampler: ArmSampler) -> Problem:
 
 def _rule_mistake(wrong: str, right: str) -> Mistake:
     if wrong == "e":
-        return mistake("called legal", wrong, f"There is a rule that this frame breaks. {RULE_EXPLANATIONS[right]}")
+        return mistake("called legal", wrong, f"This frame breaks a rule. {RULE_EXPLANATIONS[right]}")
     if right == "e":
         return mistake(
-            f"rule {wrong}", wrong, f"This rule is obeyed. {RULE_EXPLANATIONS[wrong]} An $x$ may point either way."
+            f"rule {wrong}",
+            wrong,
+            f"The frame obeys this rule. {RULE_EXPLANATIONS[wrong]} The direction of $x$ may also be reversed.",
         )
-    return mistake(f"rule {wrong}", wrong, f"This rule is obeyed; another one is broken. {RULE_EXPLANATIONS[wrong]}")
+    return mistake(
+        f"rule {wrong}", wrong, f"The frame obeys this rule, but it breaks another one. {RULE_EXPLANATIONS[wrong]}"
+    )
 
 
 def _with_frames(robot: Chain, frames: Array) -> Picture:
     return draw_assignment(replace(assign_frames(robot, convention="standard"), frames=frames))
 
 
-@problem("07.6", "A table to mend", points=3, lecture="07_frame_assignment#When a table is wrong")
+@problem("07.6", "A table to correct", points=3, lecture="07_frame_assignment#When a table is wrong")
 def table_to_mend(sampler: ArmSampler) -> Problem:
     rows = np.zeros((4, 4))
     for i in range(4):
@@ -282,20 +289,20 @@ def table_to_mend(sampler: ArmSampler) -> Problem:
     table = DHTable(rows, convention="standard", name="Your arm")
     robot = table.to_chain()
     i, k = sampler.choice([(1, 0), (2, 0), (1, 2), (2, 2)])
-    off = sampler.choice([step for step in (-2, -1, 1, 2) if rows[i, k] + step > 0])
+    error = sampler.choice([step for step in (-2, -1, 1, 2) if rows[i, k] + step > 0])
     printed = rows.copy()
-    printed[i, k] += off
-    twice, beside = printed.copy(), printed.copy()
-    twice[i, k] += off
-    beside[i, 2 - k] -= off
+    printed[i, k] += error
+    wrong_sign, other_length = printed.copy(), printed.copy()
+    wrong_sign[i, k] += error
+    other_length[i, 2 - k] -= error
     lines = [
-        f"| {n} | {number(a)} | {number(np.degrees(lean))}° | {number(d)} | q{n} |"
-        for n, (a, lean, d, _) in enumerate(printed, 1)
+        f"| {n} | {number(a)} | {number(np.degrees(alpha))}° | {number(d)} | q{n} |"
+        for n, (a, alpha, d, _) in enumerate(printed, 1)
     ]
     text = "\n".join(["| i | a | alpha | d | theta |", "| --- | --- | --- | --- | --- |", *lines])
     return Problem(
-        statement="This table claims to be the arm below, in the standard convention. One length is wrong. Find it by the axes, and give "
-        f"the mended table. {_given(4)}\n\n{text}\n\n{joint_table(robot)}\n\n{given_frames(table)}",
+        statement="This DH table was written for the arm below, in the standard convention, but one of its lengths is wrong. Compare "
+        f"the table with the axes, and give the corrected table. {_given(4)}\n\n{text}\n\n{joint_table(robot)}\n\n{given_frames(table)}",
         figure=partial(draw_joints, robot),
         given={"rows": printed, "screws": robot.screws, "home": robot.home, "points": robot.joint_points},
         answer=DHTableAnswer(table, anchored=True),
@@ -303,25 +310,30 @@ def table_to_mend(sampler: ArmSampler) -> Problem:
             mistake(
                 "as printed",
                 table.changed(rows=printed),
-                "This is the printed table. One of its lengths does not fit the axes.",
+                "This is the table as it is printed. One of its lengths does not agree with the axes.",
             ),
             mistake(
-                "the other way",
-                table.changed(rows=twice),
-                "You found the entry, and changed it the wrong way: it is twice as far off now.",
+                "wrong sign of the correction",
+                table.changed(rows=wrong_sign),
+                "The entry is the right one, but you changed it with the wrong sign: its error is twice as large now.",
             ),
             mistake(
-                "its partner",
-                table.changed(rows=beside),
-                "The row is the right one, but you changed the other length. $a$ is the distance between two axes, $d$ the distance "
-                "between two normals.",
+                "other length",
+                table.changed(rows=other_length),
+                "The row is the right one, but you changed its other length. $a$ is the distance between two axes, $d$ the distance "
+                "between two common normals.",
             ),
         ],
     )
 
 
-@problem("07.7", "A slide drawn elsewhere", points=2, lecture="07_frame_assignment#Prismatic joints are free vectors")
-def slide_elsewhere(sampler: ArmSampler) -> Problem:
+@problem(
+    "07.7",
+    "A prismatic joint drawn elsewhere",
+    points=2,
+    lecture="07_frame_assignment#Prismatic joints are free vectors",
+)
+def prismatic_joint_elsewhere(sampler: ArmSampler) -> Problem:
     first = second = moved = 1.0
     while moved < first + second:  # otherwise an answer without signs would be right
         first, second, moved = sampler.shuffled(
@@ -331,20 +343,20 @@ def slide_elsewhere(sampler: ArmSampler) -> Problem:
     a_1, a_2, x = given("a_1", first), given("a_2", second), given("x", moved)
     answer = stack(x, a_1 + a_2 - x)
     for name, text, wrong, advice in (
-        ("unchanged", "keep both numbers", (a_1, a_2), "The arm is the same, but a row measures from line to line."),
+        ("unchanged", "keep both numbers", (a_1, a_2), "The rows measure to the line on which the joint is drawn."),
         ("only the first", "change $a_1$ alone", (x, a_2), "Joint 3 is where it was, so $a_2$ changes too."),
-        ("only the second", "change $a_2$ alone", (a_1, a_1 + a_2 - x), "$a_1$ is the distance from axis 1 to the slide's line."),
-        ("sign", "take both with the opposite sign", (-x, x - a_1 - a_2), "Both are counted along $x$."),
-        ("sign of the second", "take $a_2$ with the opposite sign", (x, x - a_1 - a_2), "$a_2$ is counted along $x$, from the slide."),
+        ("only the second", "change $a_2$ alone", (a_1, a_1 + a_2 - x), "$a_1$ is the distance from axis 1 to the axis of joint 2."),
+        ("sign", "take both with the opposite sign", (-x, x - a_1 - a_2), "Both are measured along $x$."),
+        ("sign of the second", "take $a_2$ with the opposite sign", (x, x - a_1 - a_2), "$a_2$ is measured along $x$."),
         ("measured from joint 3", "measure from joint 3", (a_1 + a_2 - x, -x), "Row 1 begins at joint 1."),
-        ("the shift as a_1", "give the shift of the slide as $a_1$", (x - a_1, a_1 + a_2 - x), "$a_1$ is measured from axis 1."),
-        ("the shift as a_2", "give the shift of the slide as $a_2$", (x, x - a_1), "$a_2$ is measured to axis 3."),
+        ("displacement as a_1", "give the displacement of joint 2 as $a_1$", (x - a_1, a_1 + a_2 - x), "$a_1$ is measured from axis 1."),
+        ("displacement as a_2", "give the displacement of joint 2 as $a_2$", (x, x - a_1), "$a_2$ is measured to axis 3."),
         ("position added", "add the new position to $a_1$", (a_1 + x, a_2 - x), "The new position is $a_1$ itself."),
         ("position added", "add the new position to both", (a_1 + x, a_2 + x), "The new position is $a_1$ itself."),
-        ("gained by both", "add the shift to both", (x, a_2 + x - a_1), "What one row gains, the other loses."),
+        ("added to both", "add the displacement of joint 2 to both", (x, a_2 + x - a_1), "The sum $a_1 + a_2$ stays the same."),
         ("sum for both", "give the sum of the two twice", (a_1 + a_2, a_1 + a_2), ""),
-        ("half for both", "put the slide half-way between the joints", ((a_1 + a_2) / 2, (a_1 + a_2) / 2), ""),
-        ("slide at axis 1", "put the slide on axis 1", (0.0, a_1 + a_2), "The colleague's line gives it another place."),
+        ("half for both", "put joint 2 half-way between joints 1 and 3", ((a_1 + a_2) / 2, (a_1 + a_2) / 2), ""),
+        ("joint 2 at axis 1", "put joint 2 on axis 1", (0.0, a_1 + a_2), "The other drawing has it at another place."),
     ):  # fmt: skip
         answer = answer.mistaken_for(stack(*wrong), name, text, advice)
     robot = arm(
@@ -354,16 +366,16 @@ def slide_elsewhere(sampler: ArmSampler) -> Problem:
         "drawn for you",
     )
     return Problem(
-        statement=f"The modified table of this arm says $a_1 = {number(first)}$ and $a_2 = {number(second)}$, for its slide is drawn at "
-        f"$x = {number(first)}$. A colleague draws the same slide at $x = {number(moved)}$, in the same direction. Give $a_1$ and $a_2$ "
-        f"in her table, with every $x$ axis along $x$ of {{s}}.\n\n{joint_table(robot)}",
+        statement=f"The modified DH table of this arm has $a_1 = {number(first)}$ and $a_2 = {number(second)}$, because its prismatic "
+        f"joint is drawn at $x = {number(first)}$. Another drawing has the same joint at $x = {number(moved)}$, with the same direction. "
+        f"Give $a_1$ and $a_2$ in the table of the other drawing, with every $x$ axis along $x$ of {{s}}.\n\n{joint_table(robot)}",
         figure=partial(draw_joints, robot),
         given={"a_1": first, "a_2": second, "moved_to": moved},
         answer=Numbers(answer.value, unit="m"),
         solution=answer,
         advice={
-            "leave out $-x$": "$a_2$ leads from the slide to joint 3.",
-            "entries swapped": "$a_1$ leads to the slide.",
+            "leave out $-x$": "$a_2$ leads from joint 2 to joint 3.",
+            "entries swapped": "$a_1$ leads to joint 2.",
         },
     )
 
@@ -377,14 +389,15 @@ def same_arm(sampler: ArmSampler) -> Problem:
     right = next(letter for letter, name in letters.items() if name == "legal")
     shown = "\n\n".join(f"**{letter})**\n\n{_format_table(changed[name])}" for letter, name in letters.items())
     why = {
-        "half an x": "In this one somebody began to turn $x_3$ round and stopped half-way: $a_3$ and $\\alpha_3$ have to change their "
-        "signs together.",
-        "half a slide": "In this one $O_2$ slid along the parallel axes in row 2 only. What $d_2$ gains, $d_3$ has to lose.",
-        "a sign": "In this one $d_4$ has the other sign, and nothing makes up for it.",
+        "x reversed in part": "In this table $a_3$ has the other sign, as if $x_3$ were reversed. But if $x_3$ is reversed, "
+        "$\\alpha_3$ changes its sign too.",
+        "origin moved in part": "In this table $d_2$ is changed, as if $O_2$ were moved along the parallel axes 2 and 3. But then "
+        "$d_3$ must change by the same amount with the opposite sign.",
+        "sign of d": "In this table $d_4$ has the other sign, and no other entry compensates for it.",
     }
     return Problem(
-        statement=f"Here is a table in the standard convention:\n\n{_format_table(table)}\n\nOne of these is the same mechanism:"
-        f"\n\n{shown}\n\nWhich? Answer with a letter, such as `'a'`.",
+        statement=f"Here is a DH table in the standard convention:\n\n{_format_table(table)}\n\nWhich of the following tables "
+        f"describes the same mechanism?\n\n{shown}\n\nAnswer with a letter, such as `'a'`.",
         given={"table": table.rows, "tables": {letter: changed[name].rows for letter, name in letters.items()}},
         answer=Choice(right, dict.fromkeys("abcd", "a table")),
         mistakes=[mistake(name, letter, why[name]) for letter, name in letters.items() if name != "legal"],
@@ -404,14 +417,19 @@ def _tables_to_compare(sampler: ArmSampler) -> tuple[DHTable, dict[str, DHTable]
             )
         rows[1, 1], shift = 0.0, sampler.length(0.1, 0.4)
         table = DHTable(rows, convention="standard")
-        turn_x = rows.copy()
-        turn_x[2] = turn_x[2] * (-1, -1, 1, 1) + (0, 0, 0, np.pi)
-        turn_x[3, 3] -= np.pi
-        half_x = turn_x * np.where(np.outer(np.eye(5)[2], np.eye(4)[1]) == 1, -1, 1)
-        legal = turn_x + shift * np.outer(np.eye(5)[1] - np.eye(5)[2], np.eye(4)[2])
-        half_slide = turn_x + shift * np.outer(np.eye(5)[1], np.eye(4)[2])
+        reversed_x = rows.copy()
+        reversed_x[2] = reversed_x[2] * (-1, -1, 1, 1) + (0, 0, 0, np.pi)
+        reversed_x[3, 3] -= np.pi
+        part_of_x = reversed_x * np.where(np.outer(np.eye(5)[2], np.eye(4)[1]) == 1, -1, 1)
+        legal = reversed_x + shift * np.outer(np.eye(5)[1] - np.eye(5)[2], np.eye(4)[2])
+        part_of_origin = reversed_x + shift * np.outer(np.eye(5)[1], np.eye(4)[2])
         sign = legal * np.where(np.outer(np.eye(5)[3], np.eye(4)[2]) == 1, -1, 1)
-        rows_by_name = {"legal": legal, "half an x": half_x, "half a slide": half_slide, "a sign": sign}
+        rows_by_name = {
+            "legal": legal,
+            "x reversed in part": part_of_x,
+            "origin moved in part": part_of_origin,
+            "sign of d": sign,
+        }
         changed = {name: table.changed(rows=new) for name, new in rows_by_name.items()}
         if [bool(equivalent(table, other)) for other in changed.values()] == [True, False, False, False]:
             return table, changed
@@ -419,8 +437,8 @@ def _tables_to_compare(sampler: ArmSampler) -> tuple[DHTable, dict[str, DHTable]
 
 def _given(n: int) -> str:
     return (
-        "The arm is drawn at $q = 0$, and each $q$ is positive about or along the direction of its joint. Frame 0 and frame "
-        f"{n} are given, as {{s}} sees them."
+        "The arm is drawn at $q = 0$, and each $q$ is positive about or along the direction of its joint. The poses of frame 0 and "
+        f"frame {n} in {{s}} are given."
     )
 
 
@@ -438,7 +456,7 @@ SHEET = Sheet(
         parallel_axes,
         which_rule,
         table_to_mend,
-        slide_elsewhere,
+        prismatic_joint_elsewhere,
         same_arm,
     ],
 )

@@ -25,13 +25,13 @@ def slider(_draw: ArmSampler) -> Problem:
     A = radians(given("A", 150.0, ANGLE))
     x = slider_place(length("crank", 0.2), length("rod", 0.5), length("offset", -0.1, LENGTH), A)
     return Problem(
-        statement="A slider-crank has a crank of 0.2 m, a rod of 0.5 m, and its slide on the line $y = -0.1$. The crank stands at "
-        "150 degrees. Where is the slider along x, on the far side of the crank pin?",
+        statement="A slider-crank has a crank of 0.2 m, a rod of 0.5 m, and a slider on the line $y = -0.1$. The crank angle is 150 "
+        "degrees. What is the x coordinate of the slider, in the assembly mode with the slider to the right of the pin B?",
         answer=Numbers(np.array(x.value), unit="m"),
         solution=x,
         advice={
-            "leave out $\\mathrm{offset}$": "The rod has to climb from the crank pin to the line $y = -0.1$, not to $y = 0$.",
-            "sign of a length": "The offset is negative: the slide lies below the x axis.",
+            "leave out $\\mathrm{offset}$": "The rod connects the pin B with the line $y = -0.1$, not with $y = 0$.",
+            "sign of a length": "The offset is negative, because the slider moves below the x axis.",
             "sine and cosine swapped": "At 0 degrees the crank lies along x.",
         },
     )
@@ -48,30 +48,33 @@ def rocker(_draw: ArmSampler) -> Problem:
     ):
         D = D.mistaken_for(wrong, name, text)
     return Problem(
-        statement="The crank of the lecture's four-bar stands at 90 degrees. What is the rocker's angle $D$, in radians, in the mode "
-        "that has C above?",
+        statement="The crank angle of the lecture's first four-bar is 90 degrees. What is the rocker's angle $D$, in radians, in the "
+        "assembly mode with C above the $x$ axis?",
         answer=Angles(np.array(D.value)),
         solution=D,
         advice={
-            "other mode": "Both close the loop; look at where C is.",
-            "coupler's angle": "The rocker's angle is at D.",
-            "lengths swapped": "The circle about B has the coupler's radius.",
+            "other mode": "Both modes close the loop, so check where C is.",
+            "coupler's angle": "The rocker's angle is the angle at D.",
+            "lengths swapped": "The radius of the circle about B is the length of the coupler.",
         },
     )
 
 
-@problem("08.c", "Freedoms by counting", points=1, lecture="08_closed_chains#Counting freedoms")
+@problem("08.c", "Mobility by counting", points=1, lecture="08_closed_chains#The Gruebler-Kutzbach formula")
 def count(_draw: ArmSampler) -> Problem:
     mobility = kutzbach(3, [(1, 1, 1)] * 3)
     return Problem(
-        statement="How many freedoms does Kutzbach's formula give the planar 3-RRR robot?",
+        statement="Which mobility does the Gruebler-Kutzbach formula give for the planar 3-RRR robot?",
         answer=Numbers(np.array(mobility.value)),
         solution=mobility,
-        invisible=["leg left out", "platform alone"],  # a leg of three pins takes no freedom away
+        invisible=[
+            "leg left out",
+            "platform alone",
+        ],  # a leg of three revolute joints has three degrees of freedom, as the platform has without it
         advice={
-            "bodies": "The ground is a body too: $N = 8$. The formula takes it away by itself, in $N - 1$.",
-            "another d": "A body that stays in a plane has three degrees of freedom, and a pin takes two of them.",
-            "loops": "Nine joints and eight bodies make $J - N + 1 = 2$ loops: three arms meet in one platform.",
+            "bodies": "The ground is a body too, so $N = 8$. The formula subtracts it itself, in $N - 1$.",
+            "another d": "A body in the plane has $d = 3$ degrees of freedom, and a revolute joint leaves one of them.",
+            "loops": "Nine joints and eight bodies give $J - N + 1 = 2$ loops: three arms meet in one platform.",
         },
     )
 

@@ -1,4 +1,4 @@
-"""Sheet 08: loop closure, assembly modes, Grashof's condition, dead points, and degrees of freedom by formula and in fact."""
+"""Sheet 08: loop closure, assembly modes, Grashof's condition, dead points, and the mobility by formula, rank and motion."""
 
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -50,17 +50,22 @@ from misstep.mutants.operations import ANGLE, LENGTH, radians
 from misstep.problem import Problem
 from misstep.sheet import Sheet
 
-ANGLES_NOTE = "$A$ and $D$ count from the $x$ axis, $B$ is the coupler's angle against the crank, $C$ its angle against the rocker."
+ANGLES_NOTE = (
+    "$A$ and $D$ are the angles of crank and rocker from the $x$ axis, $B$ is the angle of the coupler from the crank, and $C$ "
+    "the angle of the coupler from the rocker."
+)
 
 
 ANTICLOCKWISE = "Angles are positive anticlockwise."
-MIRRORED = f"This is the mirror image in the ground line, whose crank points below the $x$ axis. {ANTICLOCKWISE}"
+MIRRORED = (
+    f"This belongs to the mirror image in the ground line, whose crank points below the $x$ axis. {ANTICLOCKWISE}"
+)
 
 
 def describe_lengths(four_bar: FourBar) -> str:
     """State the lengths in a sentence."""
     ground, crank, coupler, rocker = (number(length) for length in four_bar)
-    return f"A four-bar has a ground of {ground} m, a crank of {crank} m, a coupler of {coupler} m and a rocker of {rocker} m."
+    return f"A four-bar linkage has a ground of {ground} m, a crank of {crank} m, a coupler of {coupler} m and a rocker of {rocker} m."
 
 
 def open_configuration(A: float) -> Array:
@@ -68,10 +73,8 @@ def open_configuration(A: float) -> Array:
     return np.array([A, -A, np.pi / 2, 0.0])
 
 
-@problem(
-    "08.1", "The gap of a posture", points=3, lecture="08_closed_chains#A loop is an open chain that must come back"
-)
-def gap(sampler: ArmSampler) -> Problem:
+@problem("08.1", "The residual of an open loop", points=3, lecture="08_closed_chains#Loop closure")
+def residual(sampler: ArmSampler) -> Problem:
     four_bar = crank_rocker(sampler)
     linkage = linkages.four_bar(*four_bar)
     degrees = np.array(
@@ -86,48 +89,53 @@ def gap(sampler: ArmSampler) -> Problem:
     r = closing_twist([D, C, pose("G", G)], [A, B])
     listed = ", ".join(f"${name} = {angle}°$" for name, angle in zip("ABDC", degrees, strict=True))
     return Problem(
-        statement=f"{describe_lengths(four_bar)} {ANGLES_NOTE} It is not closed yet: {listed}. Walk round, from the "
-        "ground over D and C to the coupler and "
-        "back over B and A. What twist is left over, $r = \\log(e^{[S_D]D}\\, e^{[S_C]C}\\, G\\, e^{-[S_B]B}\\, e^{-[S_A]A})$?",
+        statement=f"{describe_lengths(four_bar)} {ANGLES_NOTE} The loop is not closed yet: {listed}. Go round the loop "
+        "from the ground over D and C to the coupler, and back over B and A. What is the residual, the twist "
+        "$r = \\log(e^{[S_D]D}\\, e^{[S_C]C}\\, G\\, e^{-[S_B]B}\\, e^{-[S_A]A})$?",
         figure=partial(draw_linkage, linkage, np.radians(degrees)),
         given={"S": S, "G": G, "degrees": dict(zip("ABDC", degrees.tolist(), strict=True))},
         answer=TwistAnswer(r.value, scale=1),
         solution=r,
         invisible=["rotation transposed"],  # G is a translation
         advice={
-            "inverse left out": "On the way back every joint is undone, so the factors of A and B are inverted.",
-            "order": "You walk over D, C and G to the coupler, and back over B and then A.",
-            "leave out $G$": "The drawing is open: $G$ moves the coupler's drawing to where C has it.",
+            "inverse left out": "On the way back the joints B and A are passed backwards, so their factors are inverted.",
+            "order": "The loop goes over D, C and $G$ to the coupler, and back over B and then A.",
+            "leave out $G$": "In the drawing at $q = 0$ the loop is open, and $G$ is the pose that closes it.",
         },
     )
 
 
-@problem("08.2", "Both ways to put it together", points=3, lecture="08_closed_chains#The smallest loop")
+@problem("08.2", "Both assembly modes", points=3, lecture="08_closed_chains#The smallest loop")
 def both_ways(sampler: ArmSampler) -> Problem:
     four_bar, degrees = crank_rocker(sampler), sampler.degrees(25, 155)
     A = radians(given("A", degrees, ANGLE))
     D = with_other_bars(lambda four: both_modes(*rocker_directions(four, A)), bars(four_bar))
     coupler, rocker = coupler_directions(bars(four_bar), A), D.arguments
     line = direction_of(np.array([four_bar.ground, 0.0]) - polar(given("a", four_bar.crank), A))
+    at_D, at_B = rocker[1] - line - np.pi, coupler[0] - line
     for name, text, angles in (
         ("coupler's angles", "give the coupler's angles from the $x$ axis", coupler),
-        ("coupler's angles", "give the coupler's angles against the crank", tuple(k - A for k in coupler)),
-        ("coupler's angles", "give the coupler's angles against the rocker", tuple(map(sub, coupler, rocker))),
+        ("coupler's angles", "give the coupler's angles from the crank", tuple(k - A for k in coupler)),
+        ("coupler's angles", "give the coupler's angles from the rocker", tuple(map(sub, coupler, rocker))),
         ("coupler's angles", "give the coupler's angles in degrees", tuple(180 / np.pi * k for k in coupler)),
         ("angles from BD", "give the angles from the line BD instead of the $x$ axis", tuple(q - line for q in rocker)),
+        ("angles from DB", "give the angles from the line DB instead of the $x$ axis", (-at_D, at_D)),
+        ("coupler's angles", "give the coupler's angles from the line BD", (at_B, -at_B)),
         ("inner angles", "give the inner angles at D in degrees", tuple(180 - 180 / np.pi * q for q in rocker)),
     ):
-        D = D.mistaken_for(both_modes(*angles), name, text, "The rocker's angle is that from the $x$ axis, in radians.")
+        D = D.mistaken_for(
+            both_modes(*angles), name, text, "The rocker's angle is measured from the $x$ axis, in radians."
+        )
     return Problem(
-        statement=f"{describe_lengths(four_bar)} Its crank stands at {degrees} degrees from the $x$ axis. Give the "
-        "rocker's angle $D$, from the $x$ axis "
-        "too and in radians, in both assembly modes, in any order. (Drawn before C is pinned.)",
+        statement=f"{describe_lengths(four_bar)} The angle of its crank from the $x$ axis is {degrees} degrees. Give "
+        "the rocker's angle $D$, also from the $x$ axis but in radians, in both assembly modes, in any order. (The picture shows "
+        "the linkage before the pin C is put in.)",
         figure=partial(draw_linkage, linkages.four_bar(*four_bar), open_configuration(np.radians(degrees))),
         given={"bars": tuple(four_bar), "degrees": degrees},
         answer=Angles(D.value, any_order=True),
         solution=D,
         advice={
-            "lengths swapped": "The circle about B has the coupler's radius, the one about D the rocker's.",
+            "lengths swapped": "C lies on a circle about B, whose radius is the coupler, and on one about D, whose radius is the rocker.",
             "sign of an angle": MIRRORED,
             "sine and cosine swapped": "At 0 degrees the crank lies along $x$.",
         },
@@ -144,7 +152,7 @@ def coupler_point(sampler: ArmSampler) -> Problem:
     def coupler(mode: int) -> Expression:
         k = with_other_bars(lambda four: coupler_directions(four, A)[mode], lengths)
         for text, wrong in (
-            ("rotate by $B$, the coupler's angle against the crank, alone", k - A),
+            ("rotate by $B$, the coupler's angle from the crank, alone", k - A),
             ("rotate by the crank's angle", A),
             ("rotate by the crank's angle twice", k + A),
             ("rotate by the rocker's angle", rocker_directions(lengths, A)[mode]),
@@ -162,9 +170,9 @@ def coupler_point(sampler: ArmSampler) -> Problem:
         ("take $p$ along the coupler only", (along, 0.0)),
         ("give C instead of P", (four_bar.coupler, 0.0)),
     ):
-        p = p.mistaken_for(np.array(wrong), "another point", text, "P's distance along the coupler counts from B.")
+        p = p.mistaken_for(np.array(wrong), "another point", text, "P's distance along the coupler is measured from B.")
     start = polar(lengths[1], A).named("B")
-    start = start.mistaken_for(np.array([four_bar.ground, 0.0]), "from D", "add $p$ to the place of D instead of B")
+    start = start.mistaken_for(np.array([four_bar.ground, 0.0]), "from D", "add $p$ to the position of D instead of B")
     in_degrees = np.radians(degrees) * 180 / np.pi
     P = start + rotated(angle, p)
     P = P.mistaken_for(
@@ -178,16 +186,15 @@ def coupler_point(sampler: ArmSampler) -> Problem:
     )
     drawn = {"P": ("coupler", (four_bar.crank + along, left, 0.0))}
     return Problem(
-        statement=f"{describe_lengths(four_bar)} Its crank stands at {degrees} degrees, and C lies to the left of the "
-        "arrow from B to D. A point P of the "
-        f"coupler lies {number(along)} m from B along the coupler, towards C, and {number(left)} m to the left of it. Where is P, "
-        "as $[x, y]$ from A?",
+        statement=f"{describe_lengths(four_bar)} The angle of its crank is {degrees} degrees, and C lies to the left of the "
+        f"arrow from B to D. A point P of the coupler lies {number(along)} m from B along the coupler, towards C, and {number(left)} m "
+        "to the left of the coupler. What is the position of P, as $[x, y]$ from A?",
         figure=partial(draw_linkage, linkage, four_bar.assembly_modes(np.radians(degrees))[0], points=drawn),
         given={"bars": tuple(four_bar), "degrees": degrees, "along": along, "left": left},
         answer=Numbers(P.value, unit="m"),
         solution=P,
         advice={
-            "take the $y$ of $p$ with the opposite sign": "P lies to the left of the way from B to C.",
+            "take the $y$ of $p$ with the opposite sign": "P lies to the left of the arrow from B to C.",
             "sine and cosine swapped": "At 0 degrees a bar lies along $x$.",
         },
     )
@@ -211,23 +218,24 @@ def slider(sampler: ArmSampler) -> Problem:
     side = "above" if offset > 0 else "below"
     A = np.radians(degrees)
     return Problem(
-        statement=f"A slider-crank has a crank of {number(crank)} m and a rod of {number(rod)} m. Its slide runs along $x$, "
-        f"{number(abs(offset))} m {side} A. The crank stands at {degrees} degrees from the $x$ axis. Where is the slider "
-        "along $x$, from A, on the far side of B? (Drawn before C is pinned.)",
+        statement=f"A slider-crank has a crank of {number(crank)} m and a rod of {number(rod)} m. Its slider moves parallel to "
+        f"$x$, {number(abs(offset))} m {side} A. The angle of the crank from the $x$ axis is {degrees} degrees. What is the $x$ coordinate "
+        "of the slider, from A, in the assembly mode with the slider to the right of B? (The picture shows the linkage before the pin C "
+        "is put in.)",
         figure=partial(draw_linkage, linkage, np.array([A, -A, 1.1 * (crank + rod), 0.0])),
         given={"crank": crank, "rod": rod, "offset": offset, "degrees": degrees},
         answer=Numbers(np.array(x.value), unit="m"),
         solution=x,
         advice={
             "sign of an angle": f"This is right for the mirror image, with the crank below the $x$ axis. {ANTICLOCKWISE}",
-            "sign of a length": f"This is right for the mirror image. Here the slide runs {side} A.",
-            "leave out $\\mathrm{offset}$": "The slide does not run through A.",
+            "sign of a length": f"This is right for the mirror image. Here the slider moves {side} A.",
+            "leave out $\\mathrm{offset}$": "The line of the slider does not pass through A.",
             "sine and cosine swapped": "At 0 degrees the crank lies along $x$.",
         },
     )
 
 
-@problem("08.5", "Which posture is drawn?", points=2, lecture="08_closed_chains#The smallest loop")
+@problem("08.5", "Which configuration is drawn?", points=2, lecture="08_closed_chains#The smallest loop")
 def which_mode(sampler: ArmSampler) -> Problem:
     four_bar, degrees, drawn, named = _distinct_modes(sampler)
     q = four_bar.assembly_modes(np.radians(degrees))[drawn]
@@ -235,15 +243,15 @@ def which_mode(sampler: ArmSampler) -> Problem:
     listed = {letter: np.degrees(wrap_angle(named[name])).round(1) for letter, name in letters.items()}
     shown = "\n".join(f"- {letter}) $D = {number(D)}°$, $C = {number(C)}°$" for letter, (D, C) in listed.items())
     why = {
-        "other mode": "These values close the loop too, in the other mode. Look on which side of the line from B to D the pin C lies.",
-        "inner angle": "This $D$ is the inner angle of the quadrilateral. The rocker's angle counts from the direction of $x$.",
-        "sign of C": "$D$ is right. $C$ counts from the rocker to the coupler, anticlockwise, and yours has the other sign.",
+        "other mode": "These values close the loop too, but in the other assembly mode. Check on which side of the line BD the pin C lies.",
+        "inner angle": "This $D$ is the inner angle of the quadrilateral. The rocker's angle is measured from the direction of $x$.",
+        "sign of C": "$D$ is right, but $C$ has the wrong sign. It is the angle from the rocker to the coupler, positive anticlockwise.",
     }
     C = four_bar.pin_positions(np.radians(degrees))[2][drawn]
     return Problem(
-        statement=f"{describe_lengths(four_bar)} {ANGLES_NOTE} Somebody assembled it with the crank at {degrees} "
-        "degrees, and read off that C is at "
-        f"${vector(C.round(2))}$, to a centimetre. Which joint values are these?\n\n{shown}\n\nAnswer with a letter, such as `'a'`.",
+        statement=f"{describe_lengths(four_bar)} {ANGLES_NOTE} It is assembled with the crank at {degrees} degrees, and "
+        f"then C is at ${vector(C.round(2))}$, measured to a centimetre. Which joint values belong to this "
+        f"configuration?\n\n{shown}\n\nAnswer with a letter, such as `'a'`.",
         figure=partial(draw_linkage, linkages.four_bar(*four_bar), q),
         given={
             "bars": tuple(four_bar),
@@ -275,11 +283,11 @@ def _distinct_modes(sampler: ArmSampler) -> tuple[FourBar, int, int, dict[str, A
 
 
 KINDS = {
-    "a": "the crank turns right round, the rocker swings",
-    "b": "crank and rocker both turn right round",
-    "c": "crank and rocker swing, and the coupler turns right round",
-    "d": "no bar turns right round against another",
-    "e": "it is at the limit: all four bars can lie on one line",
+    "a": "crank-rocker: the crank makes full turns, and the rocker swings",
+    "b": "double crank: crank and rocker both make full turns",
+    "c": "Grashof double rocker: crank and rocker swing, and the coupler makes full turns",
+    "d": "non-Grashof: no bar makes full turns relative to another",
+    "e": "change point: all four bars can lie on one line",
 }
 
 
@@ -289,7 +297,7 @@ def which_kind(sampler: ArmSampler) -> Problem:
     four_bar = four_bar_of_kind(sampler, right)
     listed = "\n".join(f"- {letter}) {kind}" for letter, kind in KINDS.items())
     return Problem(
-        statement=f"{describe_lengths(four_bar)} What holds?\n\n{listed}\n\nAnswer with a letter, such as `'a'`.",
+        statement=f"{describe_lengths(four_bar)} What kind of four-bar is it?\n\n{listed}\n\nAnswer with a letter, such as `'a'`.",
         given={"bars": tuple(four_bar)},
         answer=Choice(right, KINDS),
         mistakes=[mistake(f"kind {wrong}", wrong, _kind_message(wrong, right)) for wrong in KINDS if wrong != right],
@@ -298,18 +306,18 @@ def which_kind(sampler: ArmSampler) -> Problem:
 
 def _kind_message(wrong: str, right: str) -> str:
     if right == "e":
-        return "Add up shortest and longest, and the other two: the sums are equal, and that is the limit."
+        return "Shortest plus longest is equal to the sum of the other two, so this is the limit of Grashof's condition, a change point."
     if right == "d":
-        return "Shortest plus longest is more than the other two together: here no bar turns right round."
+        return "Shortest plus longest is more than the sum of the other two, so no bar makes full turns."
     if wrong == "d":
-        return "Shortest plus longest is less than the other two together, so the shortest bar does turn right round."
+        return "Shortest plus longest is less than the sum of the other two, so the shortest bar makes full turns."
     if wrong == "e":
-        return "At the limit shortest plus longest would be exactly what the other two are together."
-    turns = {"a": "the crank", "b": "the ground", "c": "the coupler"}[right]
-    return f"Grashof's condition holds, so the shortest bar turns against all others. Which bar is the shortest? Here it is {turns}."
+        return "At a change point, shortest plus longest is equal to the sum of the other two."
+    shortest = {"a": "the crank", "b": "the ground", "c": "the coupler"}[right]
+    return f"Grashof's condition holds, so the shortest bar makes full turns relative to all others. Here it is {shortest}."
 
 
-@problem("08.7", "How far the crank can go", points=3, lecture="08_closed_chains#The configuration-space curve")
+@problem("08.7", "The range of a crank", points=3, lecture="08_closed_chains#The configuration-space curve")
 def dead_point(sampler: ArmSampler) -> Problem:
     four_bar = limited_crank(sampler)
     lengths = ground, crank, coupler, rocker = bars(four_bar)
@@ -330,101 +338,113 @@ def dead_point(sampler: ArmSampler) -> Problem:
             180 / np.pi * corner_angle(ground, coupler + rocker, crank),
         ),
         ("supplement", "give the supplement in degrees", 180 - 180 / np.pi * A),
-        ("full turn", "assume that the crank turns right round", np.pi),
+        ("full turn", "assume that the crank makes full turns", np.pi),
     ):
         A = A.mistaken_for(wrong, name, text)
-    advice = "At the dead point coupler and rocker lie in one line, end to end, and reach from B to D."
+    advice = "At the dead point of the crank, coupler and rocker lie on one line and together reach from B to D."
     return Problem(
-        statement=f"{describe_lengths(four_bar)} Its crank cannot turn right round. What is the greatest angle $A$ "
+        statement=f"{describe_lengths(four_bar)} Its crank cannot make full turns. What is the greatest angle $A$ "
         "from the $x$ axis, between $-\\pi$ and $\\pi$ and in radians, at which the loop still closes?",
         figure=partial(draw_linkage, linkages.four_bar(*four_bar), four_bar.assembly_modes(0.6 * A.value)[0]),
         given={"bars": tuple(four_bar)},
         answer=Angles(np.array(A.value)),
         solution=A,
         advice={
-            "mirror image": "It is the mirror image of the other one, with the crank below the ground line.",
-            "another corner": "The crank's angle is that at A, opposite the stretched bars.",
+            "mirror image": "The least angle belongs to the mirror image, with the crank below the ground line.",
+            "another corner": "The crank's angle is the angle at A, opposite the stretched bars.",
             **dict.fromkeys(("folded", "another bar", "term left out", "lengths swapped"), advice),
         },
     )
 
 
-JOINT_FREEDOMS_NOTE = "A pin and a slide have one freedom, a universal joint two, a ball joint three."
+DEGREES_OF_FREEDOM_NOTE = (
+    "Revolute and prismatic joints have one degree of freedom, universal joints have two, and spherical joints have three."
+)
 
 
-@problem("08.8", "Freedoms by counting", points=3, lecture="08_closed_chains#Counting freedoms")
+@problem("08.8", "Mobility by counting", points=3, lecture="08_closed_chains#The Gruebler-Kutzbach formula")
 def counting(sampler: ArmSampler) -> Problem:
     d, kinds = sampler.choice([(3, PLANAR_LEGS), (6, SPATIAL_LEGS), (6, SPATIAL_LEGS)])
     one, other = sampler.shuffled(kinds)[:2]
     legs = [one] * sampler.integer(1, 3) + [other] * sampler.integer(1, 3)
-    f = [joint_freedoms for leg in legs for joint_freedoms in leg.joint_freedoms]
-    place = "in one plane" if d == 3 else "in space"
-    right = kutzbach(d, [leg.joint_freedoms for leg in legs])
-    counts = [f"{legs.count(leg)} with {leg.description}" for leg in (one, other)]
+    f = [f_i for leg in legs for f_i in leg.degrees_of_freedom]
+    place = "in the plane" if d == 3 else "in space"
+    right = kutzbach(d, [leg.degrees_of_freedom for leg in legs])
+    counts = [(legs.count(leg), leg.description) for leg in (one, other)]
+    listed = " and ".join(f"{k} of them {'has' if k == 1 else 'have'} {joints}" for k, joints in counts)
     return Problem(
-        statement=f"A platform moves {place}. It stands on {len(legs)} legs, {' and '.join(counts)}, each named from the ground to the "
-        f"platform, with a body of its own between every two joints. {JOINT_FREEDOMS_NOTE} How many freedoms does Kutzbach's formula give?",
-        given={"d": d, "legs": [leg.joint_freedoms for leg in legs]},
+        statement=f"A platform moves {place}. It is connected to the ground by {len(legs)} legs: {listed}. The joints are listed from the "
+        f"ground to the platform, and between every two joints of a leg there is one body. {DEGREES_OF_FREEDOM_NOTE} Which mobility does "
+        "the Gruebler-Kutzbach formula give?",
+        given={"d": d, "legs": [leg.degrees_of_freedom for leg in legs]},
         answer=Numbers(np.array(float(right.value))),
         solution=right,
         advice={
             "another d": f"A body that moves {place} has {d} degrees of freedom when it is free.",
-            "leave out $-1$": "The ground is one of the $N$ bodies, and it stands still.",
+            "leave out $-1$": "The ground is one of the $N$ bodies, and it does not move.",
             "bodies": f"The ground and the platform are bodies too, so there are $N = {2 + len(f) - len(legs)}$.",
         },
     )
 
 
-@problem("08.9", "Counted, felt, had", points=3, lecture="08_closed_chains#Where counting fails")
+@problem("08.9", "Three kinds of mobility", points=3, lecture="08_closed_chains#Where counting fails")
 def three_mobilities(sampler: ArmSampler) -> Problem:
     case = overconstrained_case(sampler)
     linkage, loops = case.linkage, len(case.linkage.loops)
     mobility = linkage.mobility(case.q)
-    counted, felt, rank = mobility.kutzbach, mobility.infinitesimal, linkage.n - mobility.infinitesimal
-    d = (linkage.n - counted) // loops
-    large = np.count_nonzero(mobility.singular_values > 1)
+    kutzbach_count, infinitesimal, finite = mobility.kutzbach, mobility.infinitesimal, case.finite_mobility
+    rank = linkage.n - infinitesimal
+    d = (linkage.n - kutzbach_count) // loops
     shown = ", ".join(f"{value:.3f}" if value > 1e-6 else "0" for value in mobility.singular_values)
+    moves = f"This linkage moves {'in the plane' if d == 3 else 'in space'}, so $d = {d}$."
     return Problem(
-        statement=f"The drawing shows {case.description}: {linkage.n} joint values in {loops} loop{'s' * (loops > 1)}. In this posture "
-        f"the Jacobian of its closure has the singular values {shown}. How many freedoms are *counted* by Kutzbach's formula, how "
-        "many are *felt* in this posture, and how many are *had*, so that they lead to other postures?",
+        statement=f"The drawing shows {case.description}, with {linkage.n} joint variables and {loops} loop{'s' * (loops > 1)}. In this "
+        f"configuration the Jacobian $J$ of the loop closure has the singular values {shown}. Give three numbers: the mobility by the "
+        "Gruebler-Kutzbach formula (*kutzbach*), the infinitesimal mobility in this configuration (*infinitesimal*), and the finite "
+        "mobility, that is, the number of degrees of freedom with which the linkage can move to other configurations (*finite*).",
         figure=partial(draw_linkage, linkage, case.q, names=False),
         given={"joint_values": linkage.n, "loops": loops, "singular_values": mobility.singular_values.round(3)},
         answer=CountsAnswer(
-            np.array([counted, felt, case.finite_mobility], dtype=float), names=["counted", "felt", "had"]
+            np.array([kutzbach_count, infinitesimal, finite], dtype=float),
+            names=["kutzbach", "infinitesimal", "finite"],
         ),
         mistakes=[
             mistake(
-                "believed the count",
-                [counted, counted, counted],
-                "You believed the count. Felt is the number of joint values less the rank of $J$: look at the singular values that are 0.",
-                "This is the number that is counted. Counting does not see that some of the equations of the closure are not new.",
+                "count for all three",
+                [kutzbach_count] * 3,
+                "You gave the count of the formula for all three. The formula is right only if the equations of the loops are "
+                "independent. The infinitesimal mobility is the number of joint variables minus the rank of $J$.",
+                "This is the count of the formula, which is right only if the equations of the loops are independent.",
             ),
             mistake(
                 "rank",
-                [counted, rank, case.finite_mobility],
-                f"You gave the rank of $J$, {rank}: how many of its equations are new. Felt is what they leave over.",
-                f"This is the rank of $J$, {rank}: how many of its equations are new. Felt is what they leave over.",
+                [kutzbach_count, rank, finite],
+                f"You gave the rank of $J$, {rank}, as the infinitesimal mobility. It is the number of joint variables minus the rank.",
+                f"This is the rank of $J$, {rank}. The infinitesimal mobility is the number of joint variables minus the rank.",
             ),
             mistake(
                 "the wrong d",
-                [linkage.n - (9 - d) * loops, felt, case.finite_mobility],
-                f"You counted with $d = {9 - d}$. This linkage moves {'in one plane' if d == 3 else 'in space'}: $d = {d}$.",
-                f"This is the count with $d = {9 - d}$. This linkage moves {'in one plane' if d == 3 else 'in space'}: $d = {d}$.",
+                [linkage.n - (9 - d) * loops, infinitesimal, finite],
+                f"You counted with $d = {9 - d}$. {moves}",
+                f"This is the count with $d = {9 - d}$. {moves}",
             ),
             mistake(
                 "no loops",
-                [linkage.n, felt, case.finite_mobility],
-                f"You counted the joint values alone. Each of the loops takes $d = {d}$ away.",
-                f"This is the number of joint values. Each of the loops takes $d = {d}$ away.",
+                [linkage.n, infinitesimal, finite],
+                f"You counted the joint variables only. Each loop has $d = {d}$ equations, which are subtracted.",
+                f"This is the number of joint variables. Each loop has $d = {d}$ equations, which are subtracted.",
             ),
-            mistake("had", [counted, felt, 1 - case.finite_mobility], case.explanation, case.explanation),
+            mistake("finite mobility", [kutzbach_count, infinitesimal, 1 - finite], case.explanation, case.explanation),
             *(
-                mistake(name, wrong, f"You counted {text}.", f"This is what you get if you count {text}.")
+                mistake(name, wrong, f"You counted {text}.", f"This is the result if you count {text}.")
                 for name, wrong, text in (
-                    ("one loop too many", [counted - d, felt, case.finite_mobility], "one loop too many"),
-                    ("rank", [counted, felt + 1, case.finite_mobility], "one singular value too many as zero"),
-                    ("rank", [counted, linkage.n - large, case.finite_mobility], "the singular values below 1 as zero"),
+                    ("one loop too many", [kutzbach_count - d, infinitesimal, finite], "one loop too many"),
+                    ("rank", [kutzbach_count, infinitesimal + 1, finite], "one singular value too many as zero"),
+                    (
+                        "rank",
+                        [kutzbach_count, linkage.n - np.count_nonzero(mobility.singular_values > 1), finite],
+                        "the singular values below 1 as zero",
+                    ),
                 )
             ),
         ],
@@ -455,5 +475,5 @@ class CountsAnswer(Numbers):
 SHEET = Sheet(
     "08_closed_chains",
     "Closed chains",
-    [gap, both_ways, coupler_point, slider, which_mode, which_kind, dead_point, counting, three_mobilities],
+    [residual, both_ways, coupler_point, slider, which_mode, which_kind, dead_point, counting, three_mobilities],
 )

@@ -50,27 +50,27 @@ class Leg(NamedTuple):
     """A leg between the ground and a platform: its joints in words, and the degrees of freedom of each joint."""
 
     description: str
-    joint_freedoms: tuple[int, ...]
+    degrees_of_freedom: tuple[int, ...]
 
 
 SPATIAL_LEGS = (
-    Leg("a slide and two ball joints", (1, 3, 3)),
-    Leg("a ball joint, a slide and a ball joint", (3, 1, 3)),
-    Leg("two pins and a ball joint", (1, 1, 3)),
-    Leg("a pin and two ball joints", (1, 3, 3)),
-    Leg("a universal joint, a slide and a universal joint", (2, 1, 2)),
+    Leg("a prismatic joint and two spherical joints", (1, 3, 3)),
+    Leg("a spherical joint, a prismatic joint and a spherical joint", (3, 1, 3)),
+    Leg("two revolute joints and a spherical joint", (1, 1, 3)),
+    Leg("a revolute joint and two spherical joints", (1, 3, 3)),
+    Leg("a universal joint, a prismatic joint and a universal joint", (2, 1, 2)),
     Leg("two universal joints", (2, 2)),
-    Leg("a slide and two universal joints", (1, 2, 2)),
+    Leg("a prismatic joint and two universal joints", (1, 2, 2)),
 )
-"""Legs whose freedoms are not 6: a leg with 6 freedoms changes no count, so that nobody would see that it was left out."""
+"""Legs without 6 degrees of freedom: a leg with 6 does not change the mobility, so leaving it out would not be seen."""
 
 PLANAR_LEGS = (
-    Leg("four pins", (1, 1, 1, 1)),
-    Leg("two pins", (1, 1)),
-    Leg("a slide and a pin", (1, 1)),
-    Leg("two pins, a slide and a pin", (1, 1, 1, 1)),
+    Leg("four revolute joints", (1, 1, 1, 1)),
+    Leg("two revolute joints", (1, 1)),
+    Leg("a prismatic joint and a revolute joint", (1, 1)),
+    Leg("two revolute joints, a prismatic joint and a revolute joint", (1, 1, 1, 1)),
 )
-"""Legs whose freedoms are not 3."""
+"""Legs without 3 degrees of freedom."""
 
 
 class OverconstrainedCase(NamedTuple):
@@ -84,20 +84,26 @@ class OverconstrainedCase(NamedTuple):
 
 
 def overconstrained_case(sampler: ArmSampler) -> OverconstrainedCase:
-    """Draw one of four linkages for which Kutzbach's formula fails, with lengths of the student's own."""
+    """Draw one of four linkages, with random lengths, whose mobility is not the number of the Gruebler-Kutzbach formula."""
     one, two = sampler.length(0.3, 0.9), sampler.length(0.2, 0.6)
-    moves = "It does move: the equations that are too many say what the others say, in every posture and not only in this one."
-    stuck = "A speed is felt and leads nowhere: off the line the two bars are too short."
+    moves = (
+        "The linkage does move: the redundant equations follow from the others in every configuration, not only in this one. So its "
+        "finite mobility is 1."
+    )
+    stuck = (
+        "The infinitesimal motion cannot be continued to a finite one: away from the straight line the two bars are too short. So the "
+        "finite mobility is 0."
+    )
     kind = sampler.choice(["parallelogram", "Sarrus", "arch", "Bennett"])
     if kind == "parallelogram":
         description = "a parallelogram with a third crank"
         return OverconstrainedCase(linkages.parallelogram(one, two), description, np.zeros(6), 1, moves)
     if kind == "Sarrus":
-        description = "Sarrus's linkage, two pairs of hinged plates in planes at right angles"
+        description = "the Sarrus linkage, two pairs of hinged plates in perpendicular planes"
         return OverconstrainedCase(linkages.sarrus(one, two), description, np.zeros(6), 1, moves)
     if kind == "arch":
-        description = "two bars pinned end to end on one straight line between two pins"
+        description = "two bars on one straight line between two fixed pins, joined by a third pin"
         return OverconstrainedCase(linkages.stretched_arch(one, two), description, np.zeros(3), 0, stuck)
     linkage = linkages.bennett(one + two, np.radians(sampler.degrees(35, 70)), one)
-    description = "Bennett's linkage, four skew hinges in a ring"
+    description = "Bennett's linkage, four revolute joints with skew axes in a ring"
     return OverconstrainedCase(linkage, description, linkage.assemble([1, 2, 1, 2]).q, 1, moves)
