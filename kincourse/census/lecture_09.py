@@ -78,7 +78,7 @@ def pose_of_a_joint(given: Any, answer: Array) -> Iterator[WrongAnswer]:
 
 
 @wrong_answers("09.2")
-def way_it_points(given: Any, answer: Array) -> Iterator[WrongAnswer]:
+def direction_of_an_axis(given: Any, answer: Array) -> Iterator[WrongAnswer]:
     rpy, axis = np.array(given.rpy), np.array(given.axis)
     R = rotation(rpy)
     yield from wrong(
@@ -278,14 +278,12 @@ def which_line(given: Any, answer: float) -> Iterator[WrongAnswer]:
 
 
 @wrong_answers("09.7")
-def way_through_a_tree(given: Any, answer: str) -> Iterator[WrongAnswer]:
+def path_through_a_tree(given: Any, answer: str) -> Iterator[WrongAnswer]:
     options, best = given.options, given.options[answer]
     words = {}
     for letter, way in options.items():
         if set(way) == set(best):
-            words[letter] = (
-                "from the root, torso, starts at, first, outwards" if way[:2] == best[1::-1] else "order, file"
-            )
+            words[letter] = "from the root, torso, outwards" if way[:2] == best[1::-1] else "order, file"
             words[letter] += ", file" if way[2:] != best[2:] or way[:2] != best[1::-1] else ", order"
         else:
             words[letter] = "fixed, weld" if len(way) > len(best) else "root, torso, both arms"
@@ -319,7 +317,7 @@ def from_a_dh_row(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "d downwards": ([[a, d * s, -d * c], rpy], SIGN),
             "x negated": ([[-a, -d * s, d * c], rpy], SIGN),
             "millimetres": ([[1000 * v for v in xyz], rpy], "millimet, mm, 1000, unit"),
-            "half a turn for alpha": ([xyz, [np.sign(alpha) * np.pi, 0, 0]], "alpha, roll, half a turn"),
+            "half a turn for alpha": ([xyz, [np.sign(alpha) * np.pi, 0, 0]], "alpha, roll, half a turn, 180"),
             "d along the old z, degrees": ([[a, 0, d], [deg, 0, 0]], f"{along}, degree, radian"),
             "alpha as yaw, a and d swapped": ([[d, -a * s, a * c], [0, 0, alpha]], f"yaw, {SWAP}"),
             "d along the old z, alpha negated": ([[a, 0, d], [-alpha, 0, 0]], f"{along}, {SIGN}"),
@@ -329,3 +327,108 @@ def from_a_dh_row(given: Any, answer: Array) -> Iterator[WrongAnswer]:
     other = [xyz, [alpha + np.pi, np.pi, np.pi]]
     full = {"roll plus a turn": [xyz, [alpha + 2 * np.pi, 0, 0]], "the other angles of the same rotation": other}
     yield from right({**ordinary_forms(value), **full})
+
+
+@wrong_answers("09.9")
+def mimic_joint(given: Any, answer: Array) -> Iterator[WrongAnswer]:
+    (_, _, h), (a, _, _), (b, _, _) = (xyz for xyz, _, _ in joints_of(given.urdf))
+    m, c = (float(re.findall(rf'{name}="([^"]*)"', given.urdf)[0]) for name in ("multiplier", "offset"))
+    q = given.q
+
+    def tool(folded: float, swung: float = q, boom: float = a, forearm: float = b) -> Array:
+        """The position of the tool when `fold` has this value."""
+        angle = swung + folded
+        x, y = boom * np.cos(swung) + forearm * np.cos(angle), boom * np.sin(swung) + forearm * np.sin(angle)
+        return np.array([x, y, h])
+
+    right_q, mimic = m * q + c, "mimic, value of fold, fold"
+    point = tool(right_q)
+    yield from wrong(
+        {
+            "fold left at 0": (tool(0), f"{mimic}, {LEFT_OUT}"),
+            "offset left out": (tool(m * q), f"offset, {LEFT_OUT}"),
+            "multiplier left out": (tool(q + c), f"multiplier, {LEFT_OUT}"),
+            "a copy": (tool(q), f"{mimic}, swing, multiplier, offset"),
+            "only the offset": (tool(c), f"multiplier, q_1, {LEFT_OUT}"),
+            "multiplier sign": (tool(-m * q + c), f"multiplier, {SIGN}"),
+            "offset sign": (tool(m * q - c), f"offset, {SIGN}"),
+            "both signs": (tool(-right_q), f"{mimic}, {SIGN}"),
+            "offset multiplied": (tool(m * (q + c)), "offset, multipl"),
+            "multiplier for offset": (tool(c * q + m), SWAP),
+            "divided": (tool(q / m + c), "divid, multiplier, inver"),
+            "the other joint follows": (tool((q - c) / m), "mimic, swing, inver"),
+            "offset in degrees": (tool(m * q + np.radians(c)), "degree, radian"),
+            "q in degrees": (tool(m * np.radians(q) + c, np.radians(q)), "degree, radian, q_1"),
+            "fold measured from the base": (tool(right_q - q), "base, x$ axis, parent, q_1"),
+            "no forearm": (tool(right_q, forearm=0), f"forearm, {LEFT_OUT}, weld"),
+            "no boom": (tool(right_q, boom=0), f"boom, {LEFT_OUT}"),
+            "links swapped": (tool(right_q, boom=b, forearm=a), f"{SWAP}, boom, forearm"),
+            "swing negated": (tool(right_q, -q), f"q_1, swing, {SIGN}"),
+            "stretched": (np.array([a + b, 0, h]), f"q = 0, home, stretched, {LEFT_OUT}, q_1"),
+            "height left out": (point * (1, 1, 0), f"z, height, {LEFT_OUT}"),
+            "x and y swapped": (point[[1, 0, 2]], f"{SWAP}, sine, order"),
+            "millimetres": (1000 * point, "millimet, mm"),
+            "y negated": (point * (1, -1, 1), SIGN),
+            "fold at 0, offset added to swing": (tool(0, q + c), "offset, mimic, fold, swing"),
+            "offset left out, measured from the base": (tool(m * q - q), f"offset, {LEFT_OUT}, base, x$ axis"),
+            "multiplier left out, offset negated": (tool(q - c), f"multiplier, offset, {SIGN}, {LEFT_OUT}"),
+        }
+    )
+    yield from right({**ordinary_forms(point), "a tuple": tuple(point)})
+
+
+@wrong_answers("09.10")
+def axis_in_the_wrong_frame(given: Any, answer: Array) -> Iterator[WrongAnswer]:
+    R1, R2, R3 = (rotation(rpy) for _, rpy, _ in joints_of(given.urdf))
+    own = product(*(rotation(rpy, "xyz") for _, rpy, _ in joints_of(given.urdf)))
+    w = np.array(given.omega)
+    R = R1 @ R2 @ R3
+    axis, turned = R.T @ w, "rpy, rotat, frame, parent"
+    yield from wrong(
+        {
+            "as it is": (w, "as it is, as they are, base, frame"),
+            "R for its transpose": (R @ w, "transpos, R^T, invers"),
+            "only its own rpy": (R3.T @ w, f"joint_3, {turned}"),
+            "only its own rpy, forwards": (R3 @ w, f"joint_3, transpos, {turned}"),
+            "its own rpy left out": ((R1 @ R2).T @ w, f"R_3, joint_3, {LEFT_OUT}"),
+            "joint 1 left out": ((R2 @ R3).T @ w, f"R_1, joint_1, {LEFT_OUT}"),
+            "joint 2 left out": ((R1 @ R3).T @ w, f"R_2, joint_2, {LEFT_OUT}"),
+            "only joint 1": (R1.T @ w, f"R_2, R_3, {LEFT_OUT}"),
+            "order of the transposes kept": (R1.T @ R2.T @ R3.T @ w, "order, reverse"),
+            "R_2 R_1 R_3": ((R2 @ R1 @ R3).T @ w, "order, swap"),
+            "R_1 R_3 R_2": ((R1 @ R3 @ R2).T @ w, "order, swap"),
+            "about its own axes": (own.T @ w, OWN_AXES),
+            "about its own axes, forwards": (own @ w, f"{OWN_AXES}, transpos"),
+            "opposite": (-axis, f"{SIGN}, revers, opposite"),
+            "no signs": (np.abs(axis), SIGN),
+            "one sign": (axis * np.where(np.arange(3) == np.argmax(np.abs(axis)), -1, 1), SIGN),
+            "first two swapped": (axis[[1, 0, 2]], f"{SWAP}, order"),
+            "last two swapped": (axis[[0, 2, 1]], f"{SWAP}, order"),
+            "the z axis": (np.array([0, 0, 1]), "z axis, axis"),
+            "not rotated by joint 3, forwards": (R1 @ R2 @ w, f"transpos, R_3, {LEFT_OUT}"),
+            "as it is, opposite": (-w, f"{SIGN}, as it is, base"),
+        }
+    )
+    yield from right({**ordinary_forms(axis), "a tuple": tuple(axis)})
+
+
+@wrong_answers("09.11")
+def origin_or_axis(given: Any, answer: float) -> Iterator[WrongAnswer]:
+    lines, fault = given.urdf.splitlines(), int(answer)
+    start = max(i for i in range(fault) if "<joint" in lines[i])
+    is_origin = "<origin" in lines[fault - 1]
+    joint, cases, label = 0, dict[str, tuple[Any, str]](), "origin" if is_origin else "axis"
+    for i, line in enumerate(lines, start=1):
+        element = line.split()[0]
+        joint += element == "<joint"
+        if i == fault:
+            continue
+        here = start < i <= start + 4
+        if element in {"<origin", "<axis", "<parent", "<joint"}:
+            words = "not because, this joint, other elements" if here else "correct, earlier, first joint"
+            cases[f"{element[1:]} of joint {joint} for {label}"] = (i, words)
+    cases["the line of the robot"] = (1, "correct, robot")
+    cases["line 0"] = (0, "lines 1 to, count")
+    cases["past the end"] = (len(lines) + 1, "lines 1 to, count")
+    yield from wrong(cases)
+    yield from right({"an integer": fault, "a float": float(fault)})

@@ -9,7 +9,7 @@ from kinlib.rigid.rpy import origin
 from misstep.mutants.expression import Change, Changes, Expression, Operation, given, transpose
 
 NAMES = ("roll", "pitch", "yaw")
-AXES_ADVICE = "The axes of `rpy` are fixed, so what comes later is further left: $R_z R_y R_x$."
+AXES_ADVICE = "`rpy` rotates about the fixed axes of the parent, so a later rotation is further left: $R_z R_y R_x$."
 
 
 def rpy_rotation(label: str, rpy: Array | Expression) -> Expression:
@@ -43,12 +43,12 @@ def _about_moving_axes(rpy: Array) -> Array:
 
 def _rpy_changes(node: Expression) -> Changes:
     [rpy], label = node.arguments, node.latex or node.arguments[0].latex
-    turned = [k for k in range(3) if rpy.value[k]]
-    if len(turned) > 1:  # a single rotation has only one order
+    rotated = [k for k in range(3) if rpy.value[k]]
+    if len(rotated) > 1:  # a single rotation has only one order
         text = f"rotate about the frame's own axes, $R_x R_y R_z$, in ${label}$"
         everywhere = "rotate about the frames' own axes, $R_x R_y R_z$"
         yield Change("own axes", text, everywhere, AXES_ADVICE), _moving(rpy)
-    if turned != [1]:  # the pitch is the second angle in either order
+    if rotated != [1]:  # the pitch is the second angle in either order
         text = "read the angles as yaw, pitch and roll"
         yield (
             Change("yaw first", text, text, "The first of the three is the roll, about $x$."),
@@ -60,22 +60,22 @@ def _rpy_changes(node: Expression) -> Changes:
     if not rpy.arguments:  # they are given in radians
         text = "read the angles as degrees"
         yield (
-            Change("radians as degrees", text, text, "URDF writes radians: 1.5708 is a right angle."),
+            Change("radians as degrees", text, text, "Angles of a URDF file are in radians: 1.5708 is a right angle."),
             _rpy_rotation(_scaled(rpy, np.pi / 180)),
         )
         text = "convert the angles to degrees"
         yield (
-            Change("radians in degrees", text, text, "The functions take radians."),
+            Change("radians in degrees", text, text, "The functions of NumPy and of `kinlib` take radians."),
             _rpy_rotation(_scaled(rpy, 180 / np.pi)),
         )
     for count in (1, 2, 3):
-        for chosen in combinations(turned, count):
-            names = "every angle" if count == len(turned) > 1 else "the " + " and the ".join(NAMES[k] for k in chosen)
+        for chosen in combinations(rotated, count):
+            names = "every angle" if count == len(rotated) > 1 else "the " + " and the ".join(NAMES[k] for k in chosen)
             keep = np.array([k not in chosen for k in range(3)], dtype=float)
             text = f"take {names} of ${label}$ with the opposite sign"
-            advice = "By the right hand, roll takes $y$ to $z$, pitch $z$ to $x$ and yaw $x$ to $y$."
+            advice = "By the right-hand rule, a roll rotates $y$ to $z$, a pitch $z$ to $x$ and a yaw $x$ to $y$."
             yield Change("sign of an angle", text, advice=advice), _rpy_rotation(_scaled(rpy, 2 * keep - 1))
-            if count < len(turned):
+            if count < len(rotated):
                 yield Change("angle left out", f"leave out {names} of ${label}$"), _rpy_rotation(_scaled(rpy, keep))
 
 

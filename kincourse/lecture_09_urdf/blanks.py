@@ -21,28 +21,30 @@ RIGHT_ANGLE_RAD = np.pi / 2
 @problem("09.a", "A joint in the base frame", points=1, lecture="09_urdf#A worked example")
 def place_of_tilt(_draw: ArmSampler) -> Problem:
     return Problem(
-        statement="Where does the lamp's joint `tilt` stand in {s}, at home?",
+        statement="Give the position of the origin of the lamp's joint `tilt` in {s} when all joint values are 0.",
         answer=VectorsAnswer(np.array([0.0, 0.0, 0.8]), unit="m"),
         mistakes=[
             mistake(
                 "read in the base",
                 [0.0, -0.4, 0.0],
-                "You took the origin as it stands. It is read in the frame of the parent link, the rod, which is rolled and raised.",
+                "You gave the `xyz` of the file as it is. It is the position in the frame of the parent link, the rod, and this frame is "
+                "above the desk and rotated.",
             ),
             mistake(
-                "added without turning",
+                "added without rotating",
                 [0.0, -0.4, 0.4],
-                "You added the step to where the rod starts, and did not turn it. The rod's $-y$ is the base's $z$.",
+                "You added the `xyz` to the position of `lean` without rotating it. The $-y$ direction of the rod "
+                "is the $z$ direction of {s}.",
             ),
             mistake(
-                "turned the other way",
+                "rotated the other way",
                 [0.0, 0.0, 0.0],
-                "You turned the step the other way: rolled by $-90°$, the rod's $y$ points down, so its $-y$ points up.",
+                "You rotated the `xyz` in the opposite direction. After a roll by $-90°$ the rod's $y$ axis points down, so $-y$ is up.",
             ),
             mistake(
                 "one joint left out",
                 [0.0, 0.0, 0.7],
-                "You left out the first origin: the post stands 0.1 m above the desk.",
+                "You left out the first origin: the frame of the post is 0.1 m above that of the desk.",
             ),
         ],
     )
@@ -60,18 +62,18 @@ def screw_of_tilt(_draw: ArmSampler) -> Problem:
             mistake(
                 "axis read in the base",
                 screw(Z, p),
-                "You took `0 0 1` as it stands. An axis is written in the joint's own frame, and that frame is rolled: its $z$ is "
-                "the base's $y$.",
+                "You took `0 0 1` as the direction in {s}. An `axis` is given in the joint's own frame, and this frame is rotated: its "
+                "$z$ axis is the $y$ axis of {s}.",
             ),
             mistake(
-                "turned the other way",
+                "rotated the other way",
                 screw(-Y, p),
-                "Your axis points the other way. Rolled by $-90°$ about $x$, $z$ goes to $+y$.",
+                "Your axis has the opposite direction. A roll by $-90°$ about $x$ rotates $z$ to $+y$.",
             ),
             mistake(
                 "the joint before",
                 screw(Y, (0, 0, 0.4)),
-                "This is the screw axis of `lean`. `tilt` points the same way, and stands 0.4 m higher.",
+                "This is the screw axis of `lean`. The axis of `tilt` has the same direction, but it is 0.4 m higher.",
             ),
         ],
     )
@@ -87,18 +89,18 @@ def home_of_the_lamp(_draw: ArmSampler) -> Problem:
             mistake(
                 "weld forgotten",
                 rolled,
-                "You stopped at the last joint that moves. The socket is a fixed joint, and a pose all the same: "
+                "You stopped at the last joint that moves. The socket is a fixed joint, but it has a pose as well: "
                 "$M = J_3 O_{\\text{tip}}$.",
             ),
             mistake(
-                "weld without its turn",
+                "weld without its rotation",
                 rolled @ origin((0.1, 0, 0)),
-                "You shifted by the socket's `xyz` and left out its `rpy`.",
+                "You used the `xyz` of the socket and left out its `rpy`.",
             ),
             mistake(
                 "weld on the left",
                 origin((0.1, 0, 0), (RIGHT_ANGLE_RAD, 0, 0)) @ rolled,
-                "You multiplied the socket from the left. It is read in the shade's frame, so it stands on the right.",
+                "You multiplied by the pose of the socket from the left. It is given in the frame of the shade, so it is the last factor.",
             ),
         ],
     )
@@ -110,23 +112,25 @@ def rotation_of_rpy(_draw: ArmSampler) -> Problem:
     right = origin(rpy=rpy)[:3, :3].round()
     own = (origin(rpy=(0, RIGHT_ANGLE_RAD, 0)) @ origin(rpy=(0, 0, RIGHT_ANGLE_RAD)))[:3, :3].round()
     return Problem(
-        statement='Write `rpy="0 1.5708 1.5708"` as a rotation, (3, 3).',
+        statement='Write `rpy="0 1.5708 1.5708"` as a rotation matrix, an array of shape (3, 3).',
         answer=RotationAnswer(right),
         mistakes=[
             mistake(
                 "about its own axes",
                 own,
-                "You pitched, and then yawed about the frame's own $z$: $R_y R_z$. The axes are fixed, so the yaw stands left: $R_z R_y$.",
+                "You rotated by the pitch and then by the yaw about the frame's own $z$ axis: $R_y R_z$. The axes of `rpy` are fixed, so "
+                "the yaw is the left factor: $R_z R_y$.",
             ),
             mistake(
                 "transposed",
                 right.T,
-                "This is $R^T$. The columns of $R$ are the turned axes, seen from the parent.",
+                "This is $R^T$. The columns of $R$ are the axes of the joint frame in the frame of the parent.",
             ),
             mistake(
                 "the other way",
                 origin(rpy=(0, -RIGHT_ANGLE_RAD, -RIGHT_ANGLE_RAD))[:3, :3].round(),
-                "You turned against the right hand: a positive pitch takes $z$ to $x$, a positive yaw takes $x$ to $y$.",
+                "You rotated by the left-hand rule. By the right-hand rule a positive pitch rotates $z$ to $x$, and a positive yaw "
+                "$x$ to $y$.",
             ),
         ],
     )

@@ -1,27 +1,29 @@
-"""Sheet 09: reading URDF files by hand: poses, axes, screws, the home pose, trees, and a faulty line."""
+"""Sheet 09: reading URDF files by hand: poses, axes, screws, the home pose, trees, mimic joints and faulty lines."""
 
 from collections.abc import Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
+from itertools import accumulate, zip_longest
 
 import numpy as np
 
 from kincourse.answers.point import VectorsAnswer
 from kincourse.answers.pose import OriginAnswer, PoseAnswer
 from kincourse.answers.screws import ScrewsAnswer
+from kincourse.expressions.planar import length, polar
 from kincourse.expressions.poses import assemble, point, translation
 from kincourse.expressions.screws import direction, revolute
 from kincourse.expressions.urdf import about_own_axes, rpy_rotation
 from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler
+from kincourse.sampling.arms import AXIS_DIRECTIONS, ArmSampler
 from kincourse.text.urdf_text import UrdfJoint, fence_urdf, format_values, random_right_angles, robot_urdf, serial_urdf
 from kinlib.arrays.validation import Array
 from kinlib.chains.robots import X, Z
 from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
-from misstep.display.text import number
+from misstep.display.text import number, vector
 from misstep.mistakes import Mistake, mistake
 from misstep.mutants.expression import Expression, given, product, transpose
-from misstep.mutants.operations import ANGLE, LENGTH, cos, function, sin, stack
+from misstep.mutants.operations import ANGLE, LENGTH, concatenate, cos, function, sin, stack
 from misstep.problem import Problem
 from misstep.sheet import Sheet
 
@@ -40,8 +42,8 @@ def pose_of_a_joint(sampler: ArmSampler) -> Problem:
     rotated_too = "rotate the translation as well: $R\\,p$"
     T = assemble(R, p.mistaken_for(R @ p, "translation rotated", rotated_too, PARENT_ADVICE))
     return Problem(
-        statement=f"A joint of a URDF says\n\n{fence_urdf(element)}\n\nGive its pose in the frame of the parent link, "
-        f"at $q = 0$. {ROUNDING_NOTE}",
+        statement=f"A joint of a URDF file has this origin:\n\n{fence_urdf(element)}\n\nGive the pose of the joint frame in the "
+        f"frame of the parent link at $q = 0$. {ROUNDING_NOTE}",
         given={"xyz": xyz, "rpy": rpy},
         answer=PoseAnswer(T.value),
         solution=T.mistaken_for(
@@ -50,8 +52,8 @@ def pose_of_a_joint(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("09.2", "Which way does it point?", points=2, lecture="09_urdf#What a joint says")
-def way_it_points(sampler: ArmSampler) -> Problem:
+@problem("09.2", "The direction of an axis", points=2, lecture="09_urdf#What a joint says")
+def direction_of_an_axis(sampler: ArmSampler) -> Problem:
     rpy, axis = random_right_angles(sampler, 2), _random_axis(sampler)
     element = f'<origin xyz="0 0 1" rpy="{format_values(rpy)}"/>\n<axis xyz="{format_values(axis)}"/>'
     R, a = rpy_rotation("R", rpy), direction("a", axis)
@@ -64,21 +66,21 @@ def way_it_points(sampler: ArmSampler) -> Problem:
     ):
         omega = omega.mistaken_for(other, name, text)
     return Problem(
-        statement=f"A joint of a URDF says\n\n{fence_urdf(element)}\n\nWhich way does its axis point in the frame of the parent link? "
-        f"Give three numbers. {ROUNDING_NOTE}",
+        statement=f"A joint of a URDF file has this origin and this axis:\n\n{fence_urdf(element)}\n\nGive the direction of the axis in "
+        f"the frame of the parent link at $q = 0$, as a unit vector. {ROUNDING_NOTE}",
         given={"rpy": rpy, "axis": axis},
         answer=VectorsAnswer(omega.value),
         solution=omega,
         advice={
-            "rotation left out": "The axis is written in the joint's own frame, and `rpy` has rotated that frame.",
-            "rotation transposed": "The axis is known in the joint's frame and wanted in the parent's: $R\\,a$.",
+            "rotation left out": "`axis` is given in the joint's own frame, and `rpy` rotates this frame relative to the parent's.",
+            "rotation transposed": "$R$ takes components in the joint's frame to components in the parent's frame: $R\\,a$.",
         },
     )
 
 
-def _random_axis(sampler: ArmSampler) -> Array:
-    """Draw a unit vector with two components of different size, so that it shows how it was rotated."""
-    return np.array(sampler.shuffled([0.0, 0.6, 0.8])) * [sampler.choice((-1, 1)) for _ in range(3)]
+def _random_axis(sampler: ArmSampler, sizes: Sequence[float] = (0.0, 0.6, 0.8)) -> Array:
+    """Draw a unit vector with components of different sizes, so that it shows how it was rotated."""
+    return np.array(sampler.shuffled(sizes)) * [sampler.choice((-1, 1)) for _ in range(3)]
 
 
 def _three_joints(sampler: ArmSampler) -> list[UrdfJoint]:
@@ -130,7 +132,7 @@ def joint_deep_in_the_file(sampler: ArmSampler) -> Problem:
     text = serial_urdf(joints, LINKS)
     p = _position([_origin(k, joint) for k, joint in enumerate(joints, start=1)])
     return Problem(
-        statement="Where does `joint_3` of this file stand in the frame of the base, when all joints are at 0? "
+        statement="Give the position of the origin of `joint_3` in the frame of the base when all joint values are 0. "
         f"{ROUNDING_NOTE}\n\n{fence_urdf(text)}",
         given={"urdf": text},
         answer=VectorsAnswer(p.value, unit="m"),
@@ -175,7 +177,7 @@ def screw_from_a_file(sampler: ArmSampler) -> Problem:
         given={"urdf": text},
         answer=ScrewsAnswer(S.value),
         solution=S,
-        # With right angles, R_3 R_1 R_2 is often R_1 R_2 R_3, and nobody multiplies in this order.
+        # With right angles, R_3 R_1 R_2 is often R_1 R_2 R_3; it is not an order in which people multiply.
         invisible={"first factor", "last factor"},
     )
 
@@ -215,14 +217,25 @@ def home_from_a_file(sampler: ArmSampler) -> Problem:
     )
 
 
+RULES = (
+    "`parent` and `child` name links of the file, and a link is the child of at most one joint.",
+    "The `axis` of a joint that moves is a unit vector. A fixed joint does not use its `axis`.",
+    "`lower` is the lower limit and `upper` the upper one.",
+    "Angles are in radians. In this file every angle is a multiple of a right angle.",
+)
+"""The rules of the URDF specification that problem 6 is about, as far as its files can break them."""
+
 FAULTY_ELEMENTS = {
     "no such link": "<child",
-    "exchanged": "<limit",
+    "limits swapped": "<limit",
     "zero": "<axis",
     "degrees": "<origin",
     "second parent": "<child",
 }
-"""The faults that a URDF reader refuses, and the element in which each of them is."""
+"""The faults by these rules, and the element in which each of them is."""
+
+UNIT_AXES = ("0.6 0 -0.8", "0 -0.8 0.6", "-0.6 0.8 0")
+"""Axes of length 1 that do not look it, for the joint without a fault."""
 
 
 @problem("09.6", "Which line is wrong?", points=2, lecture="09_urdf#Bug hunt")
@@ -242,62 +255,68 @@ def which_line(sampler: ArmSampler) -> Problem:
     weld = f'<joint name="{names[3]}" type="fixed">\n{ends}  <axis xyz="0 0 0"/>\n</joint>'
     text = robot_urdf(links, [*elements, weld])
     lines = text.splitlines()
-    begins = [next(i for i, line in enumerate(lines, 1) if f'<joint name="{name}"' in line) for name in names]
+    begins = [_line_with(lines, f'<joint name="{name}"') for name in names]
 
-    def line_of(k: int, mark: str) -> float:
-        return float(next(i for i, line in enumerate(lines, 1) if i >= begins[k] and mark in line))
+    def line_of(k: int, mark: str) -> int:
+        return _line_with(lines, mark, begins[k])
 
     wrong = line_of(where, FAULTY_ELEMENTS[fault])
     first_parent = mistake(
         "the first parent",
         line_of(0, "<child"),
-        "Here the link gets its first parent, which is correct. Another line gives it a second one.",
+        "Here the link gets its first parent, which is correct. Another line gives it a second parent.",
     )
+    rules = "\n".join(f"- {rule}" for rule in RULES)
     return Problem(
-        statement="A reader refuses this file, for one fault. In which line does the faulty element stand? Lines count from 1."
-        f"\n\n{fence_urdf(_number_lines(lines))}",
+        statement=f"By the URDF specification, exactly one element of this file is wrong. These rules are enough to find it:\n\n{rules}\n\n"
+        f"In which line is the wrong element? Lines count from 1.\n\n{fence_urdf(_number_lines(lines))}",
         given={"urdf": text},
         answer=FaultyLineAnswer(
-            np.array(wrong), lines=lines, joint=range(begins[where], int(line_of(where, "</joint")) + 1)
+            np.array(float(wrong)), lines=lines, joint=range(begins[where], line_of(where, "</joint") + 1)
         ),
         mistakes=[
             mistake(
                 "joint without limits",
-                float(begins[0]),
-                "This joint is correct: a continuous joint needs no limits, its axis is $x$ if it is left out, and its frame is "
-                "the parent's if the origin is left out.",
+                begins[0],
+                "This joint is correct: a continuous joint needs no limits, its axis is $x$ if `axis` is left out, and its frame at "
+                "$q = 0$ is the parent's if `origin` is left out.",
             ),
             mistake(
                 "axis of a weld",
                 line_of(3, "<axis"),
-                "This axis is zero, but the joint is fixed: it has no axis, so this line is ignored.",
+                "This axis is zero, but the joint is fixed, and a fixed joint does not use its `axis`.",
             ),
             mistake(
-                "axis that is long",
+                "axis of unit length",
                 line_of(3 - where, "<axis"),
-                "This axis is not of unit length. That is bad style, but no fault: only its direction counts, and readers normalize it.",
+                "This axis is correct: it is a unit vector, because $0.6^2 + 0.8^2 = 1$, and its components may be negative.",
             ),
             mistake(
                 "counted from 0",
                 wrong - 1,
-                "This is the line above. Lines count from 1, as in the message of a reader.",
+                "This is the line above the wrong element. Lines count from 1.",
             ),
             mistake(
                 "the end of the joint",
                 line_of(where, "</joint"),
-                "The joint is the right one, and ends here. Which of its elements cannot be?",
+                "The wrong element is in this joint, but this line is only its end. Which of its elements breaks a rule?",
             ),
             *([first_parent] if fault == "second parent" else []),
         ],
     )
 
 
+def _line_with(lines: Sequence[str], mark: str, start: int = 1) -> int:
+    """The number of the first line from `start` on that contains a text; lines count from 1."""
+    return next(i for i, line in enumerate(lines, 1) if i >= start and mark in line)
+
+
 @dataclass(frozen=True, eq=False)
 class FaultyLineAnswer(Numbers):
-    """The number of the line of a file with the faulty element, counted from 1.
+    """The number of the line of a file with the wrong element, counted from 1.
 
     lines  the lines of the file
-    joint  the numbers of the lines of the faulty joint
+    joint  the numbers of the lines of the joint that contains it
 
     >>> answer = FaultyLineAnswer(np.array(2.0), lines=['<joint>', '<axis xyz="0 0 0"/>', '</joint>', '<joint/>'], joint=range(1, 4))
     >>> answer.explanation(np.array(4.0), 0)
@@ -318,21 +337,21 @@ class FaultyLineAnswer(Numbers):
         if given in self.joint:
             return (
                 "another line of the joint",
-                f"The fault is in this joint, but this line is correct: {line}. Look at its other elements.",
+                f"The wrong element is in this joint, but this line is correct: {line}. Look at the other elements of the joint.",
             )
         return "a line that is in order", f"Line {number(float(given))} is correct: {line}."
 
 
 def _limited_joint(sampler: ArmSampler, name: str, links: list[str], fault: str, taken: str) -> str:
-    """Write a joint with limits and possibly a fault. Without a fault its axis is not of unit length, as a decoy."""
-    bound, xyz = sampler.length(0.5, 2.0), sampler.point(3)
-    lower, upper = (bound, -bound) if fault == "exchanged" else (-bound, bound)
+    """Write a joint with limits and possibly a fault. Without a fault its axis is a unit vector that does not look like one."""
+    bound, xyz, unit_axis = sampler.length(0.5, 2.0), sampler.point(3), sampler.choice(UNIT_AXES)
+    lower, upper = (bound, -bound) if fault == "limits swapped" else (-bound, bound)
     child = {"no such link": f"{links[1]}_link", "second parent": taken}.get(fault, links[1])
-    axis = {"zero": "0 0 0", "": "0 0 2"}.get(fault, "0 0 1")
+    axis = {"zero": "0 0 0", "": unit_axis}.get(fault, "0 0 1")
     return (
         f'<joint name="{name}" type="revolute">\n  <parent link="{links[0]}"/>\n  <child link="{child}"/>\n'
         f'  <origin xyz="{format_values(xyz)}" rpy="0 {"90" if fault == "degrees" else "1.5708"} 0"/>\n  <axis xyz="{axis}"/>\n'
-        f'  <limit lower="{number(lower)}" upper="{number(upper)}"/>\n</joint>'
+        f'  <limit lower="{number(lower)}" upper="{number(upper)}" effort="10" velocity="1"/>\n</joint>'
     )
 
 
@@ -340,8 +359,8 @@ def _number_lines(lines: list[str]) -> str:
     return "\n".join(f"{i:2}  {line}" for i, line in enumerate(lines, start=1))
 
 
-@problem("09.7", "The way through a tree", points=2, lecture="09_urdf#A URDF is a tree")
-def way_through_a_tree(sampler: ArmSampler) -> Problem:
+@problem("09.7", "The path through a tree", points=2, lecture="09_urdf#A URDF is a tree")
+def path_through_a_tree(sampler: ArmSampler) -> Problem:
     a, b, c, d = sampler.shuffled(["pan", "tilt", "swing", "twist", "bend", "yaw"])[:4]
     near, far = sampler.shuffled(["left", "right"])
     joints = [
@@ -362,7 +381,7 @@ def way_through_a_tree(sampler: ArmSampler) -> Problem:
             for name, parent, child, kind in shown
         ),
     )
-    ways = {
+    paths = {
         "right": [b, a, c, d],
         "from the root": [a, b, c, d],
         "below the root only": [c, d],
@@ -370,22 +389,24 @@ def way_through_a_tree(sampler: ArmSampler) -> Problem:
         "as in the file": [name for name, *_ in shown if name in {a, b, c, d}],
     }
     why = {
-        "from the root": f"You listed the {near} arm from the torso outwards. The way starts at the hand: on it you meet `{b}` first.",
-        "below the root only": f"You started at the torso. The arm stands on the {near} hand, so the joints from there to the torso "
+        "from the root": f"You listed the joints of the {near} arm from the root `torso` outwards. The path starts at `{near}_hand`, "
+        f"so its first joint that moves is `{b}`.",
+        "below the root only": f"You started at the root `torso`. The base is `{near}_hand`, so the joints from there to the torso "
         "move the tip as well.",
-        "welds too": "Fixed joints are on the way, and have no joint value: $q$ counts what moves.",
-        "as in the file": "This is the order of the file. Lines of a URDF may stand in any order; only parents and children count.",
+        "welds too": "You listed the fixed joints as well. They are on the path, but they have no joint value.",
+        "as in the file": "You listed the joints in the order of the file. Joints may be written in any order; only `parent` and `child` "
+        "say which joint comes next.",
     }
-    letters = dict(zip("abcde", sampler.shuffled(list(ways)), strict=True))
-    options = {letter: ways[name] for letter, name in letters.items()}
-    listed = "\n".join(f"- {letter}) {', '.join(f'`{name}`' for name in way)}" for letter, way in options.items())
+    letters = dict(zip("abcde", sampler.shuffled(list(paths)), strict=True))
+    options = {letter: paths[name] for letter, name in letters.items()}
+    listed = "\n".join(f"- {letter}) {', '.join(f'`{name}`' for name in path)}" for letter, path in options.items())
     return Problem(
-        statement=f"An arm is made of this file with the base `{near}_hand` and the tip `{far}_hand`. Which joints does $q$ count, in "
-        f"which order?\n\n{fence_urdf(text)}\n\n{listed}\n\nAnswer with a letter, such as `'a'`.",
+        statement=f"A chain is made of this file with the base `{near}_hand` and the tip `{far}_hand`. Which joints have a value in "
+        f"$q$, and in which order?\n\n{fence_urdf(text)}\n\n{listed}\n\nAnswer with a letter, such as `'a'`.",
         given={"urdf": text, "base": f"{near}_hand", "tip": f"{far}_hand", "options": options},
         answer=Choice(
             next(letter for letter, name in letters.items() if name == "right"),
-            {letter: ", ".join(way) for letter, way in options.items()},
+            {letter: ", ".join(path) for letter, path in options.items()},
         ),
         mistakes=[mistake(name, letter, why[name]) for letter, name in letters.items() if name != "right"],
     )
@@ -398,9 +419,9 @@ def from_a_dh_row(sampler: ArmSampler) -> Problem:
     degrees = sampler.choice((-1, 1)) * sampler.choice([20, 25, 30, 35, 55, 60, 65, 70])
     alpha = float(np.radians(degrees))
     return Problem(
-        statement=f"A modified DH table holds the row $a_{{i-1}} = {number(a)}$ m, $\\alpha_{{i-1}} = {degrees}°$, $d_i = {number(d)}$ m, "
-        '$\\theta_i = q_i$. Write it as a joint of a URDF with `<axis xyz="0 0 1"/>`. Which `xyz` and which `rpy` does its `origin` '
-        "hold, for the same frames? Give two rows, metres and radians.",
+        statement=f"A modified DH table has the row $a_{{i-1}} = {number(a)}$ m, $\\alpha_{{i-1}} = {degrees}°$, $d_i = {number(d)}$ m, "
+        '$\\theta_i = q_i$. Write it as a joint of a URDF file with `<axis xyz="0 0 1"/>` and the same frames. Give the `xyz` and the '
+        "`rpy` of its `origin` in two rows, in metres and radians.",
         given={"a": a, "alpha": alpha, "d": d},
         answer=OriginAnswer(_origin_of_row(a, alpha, d).value),
         solution=_origin_of_row(a, alpha, d).mistaken_for(
@@ -410,8 +431,8 @@ def from_a_dh_row(sampler: ArmSampler) -> Problem:
             "$a$ is along $x$, $d$ along the joint axis.",
         ),
         advice={
-            "sine and cosine swapped": "A roll by $\\alpha$ takes $z$ to $(0, -\\sin\\alpha, \\cos\\alpha)$.",
-            "sign": "A roll by $\\alpha$ takes $z$ to $(0, -\\sin\\alpha, \\cos\\alpha)$.",
+            "sine and cosine swapped": "A roll by $\\alpha$ rotates $z$ to $(0, -\\sin\\alpha, \\cos\\alpha)$.",
+            "sign": "A roll by $\\alpha$ rotates $z$ to $(0, -\\sin\\alpha, \\cos\\alpha)$.",
         },
     )
 
@@ -443,10 +464,152 @@ def _origin_of_row(a_m: float, alpha_rad: float, d_m: float) -> Expression:
         (stack(-alpha, 0, 0), "sign of an angle", "take $\\alpha$ with the opposite sign in `rpy`"),
         (stack(0, 0, 0), "alpha left out", "leave out $\\alpha$ in `rpy`"),
         (stack(in_degrees, 0, 0), "degrees", "write degrees into `rpy`"),
-        (stack(np.copysign(np.pi, alpha_rad), 0, 0), "half a turn", "write half a turn into `rpy`"),
+        (stack(np.copysign(np.pi, alpha_rad), 0, 0), "half a turn", "write a rotation by 180° into `rpy`"),
     ):
         rpy = rpy.mistaken_for(other, name, text, "" if name != "degrees" else "`rpy` is in radians.")
     return stack(xyz.named("\\mathrm{xyz}"), rpy.named("\\mathrm{rpy}"))
+
+
+MIMIC_ADVICE = "A mimic joint has the value multiplier times the value of the other joint, plus offset."
+
+
+@problem("09.9", "A joint that follows another", points=3, lecture="09_urdf#Mimic joints")
+def mimic_joint(sampler: ArmSampler) -> Problem:
+    boom, forearm, height = (sampler.length(0.2, 0.9) for _ in range(3))
+    factor = sampler.choice((-1, 1)) * sampler.choice([0.5, 1.5, 2.0, 2.5])
+    shift_rad = sampler.choice((-1, 1)) * sampler.choice([0.2, 0.3, 0.4, 0.6])
+    q_rad = sampler.choice([0.5, 0.7, 0.8, 0.9, 1.1])
+    limit = '<limit lower="-6.2832" upper="6.2832" effort="10" velocity="1"/>'
+    mimic = f'<mimic joint="swing" multiplier="{number(factor)}" offset="{number(shift_rad)}"/>'
+    joints = [
+        UrdfJoint("swing", (0, 0, height), kind="revolute", further=(limit,)),
+        UrdfJoint("fold", (boom, 0, 0), kind="revolute", further=(limit, mimic)),
+        UrdfJoint("weld", (forearm, 0, 0), kind="fixed"),
+    ]
+    text = serial_urdf(joints, ("base", "boom", "forearm", "tool"))
+    q = given("q_1", q_rad, ANGLE)
+    q_2 = _mimic_value(q, given("\\mathrm{multiplier}", factor), given("\\mathrm{offset}", shift_rad))
+    from_base = (q + q_2).mistaken_for(
+        q_2, "frame not changed", "take the value of `fold` from the $x$ axis of the base instead of that of `boom`"
+    )
+    steps = polar(length("boom", boom), q), polar(length("forearm", forearm), from_base)
+    in_plane = steps[0].named("\\text{the step along the boom}") + steps[1].named("\\text{the step along the forearm}")
+    x = concatenate(in_plane.named("(x, y)"), given("z", height))
+    return Problem(
+        statement=f"The joint `swing` of this file has the value $q_1 = {number(q_rad)}$ rad. Give the position of the origin of the link "
+        f"`tool` in the frame of the base.\n\n{fence_urdf(text)}",
+        given={"urdf": text, "q": q_rad},
+        answer=VectorsAnswer(x.value, unit="m"),
+        solution=x,
+        advice={
+            f"leave out {what}": MIMIC_ADVICE
+            for what in ("the factor $\\mathrm{multiplier}$", "$\\mathrm{offset}$", f"${q_2.latex}$")
+        },
+    )
+
+
+def _mimic_value(q: Expression, multiplier: Expression, offset: Expression) -> Expression:
+    """The value of a joint that mimics a joint of value q."""
+    q_2 = multiplier * q + offset
+    for other, name, text in (
+        (q, "mimic as a copy", "give `fold` the value of `swing`"),
+        (multiplier * (q + offset), "offset multiplied", "multiply the offset by the multiplier as well"),
+        (offset * q + multiplier, "multiplier and offset swapped", "swap the multiplier and the offset"),
+        ((q - offset) / multiplier, "mimic inverted", "take `swing` as the joint that mimics `fold`"),
+        (multiplier * q + np.radians(offset.value), "radians as degrees", "read the offset as degrees"),
+    ):
+        q_2 = q_2.mistaken_for(other, name, text, MIMIC_ADVICE)
+    return q_2.named("\\text{the value of fold}")
+
+
+WRONG_FRAME_ADVICE = (
+    "`axis` has the components in the joint's own frame: $R^T\\omega$, where $R$ is the rotation of this frame."
+)
+
+
+@problem("09.10", "An axis in the wrong frame", points=3, lecture="09_urdf#A fault that every reader accepts")
+def axis_in_the_wrong_frame(sampler: ArmSampler) -> Problem:
+    joints, omega = _three_joints(sampler), _random_axis(sampler, (0.48, 0.6, 0.64))
+    joints[2] = UrdfJoint("joint_3", joints[2].xyz, joints[2].rpy, omega)
+    text = serial_urdf(joints, LINKS)
+    R1, R2, R3 = (rpy_rotation(f"R_{k}", np.asarray(joint.rpy)) for k, joint in enumerate(joints, start=1))
+    w = direction("\\omega", omega)
+    axis = transpose(R1 @ R2 @ R3) @ w
+    for other, name, words in (
+        (w, "frame not changed", "leave the axis as it is, with its components in the frame of the base"),
+        (R3.T @ w, "frame not changed", "use the `rpy` of `joint_3` only"),
+        (R3 @ w, "rotation transposed", "use the `rpy` of `joint_3` only, without the transpose"),
+        (absolute(transpose(R1 @ R2 @ R3) @ w), "signs left out", "leave out the signs"),
+    ):
+        axis = axis.mistaken_for(other, name, words, WRONG_FRAME_ADVICE)
+    return Problem(
+        statement="When all joint values are 0, the axis of `joint_3` must have the direction "
+        f"$\\omega = {vector(omega)}$ in the frame of the base. The author of this file wrote these three numbers into "
+        f"the file. Which three numbers must `axis` of `joint_3` have instead? {ROUNDING_NOTE}\n\n{fence_urdf(text)}",
+        given={"urdf": text, "omega": omega},
+        answer=VectorsAnswer(axis.value),
+        solution=axis,
+        advice={"transpose left out": WRONG_FRAME_ADVICE},
+        # With right angles, R_3 R_1 R_2 is often R_1 R_2 R_3; it is not an order in which people multiply.
+        invisible={"first factor", "last factor"},
+    )
+
+
+@problem("09.11", "Origin or axis?", points=2, lecture="09_urdf#A fault that every reader accepts")
+def origin_or_axis(sampler: ArmSampler) -> Problem:
+    meant = [_joint_across_its_rotation(sampler, f"joint_{k}") for k in (1, 2, 3)]
+    joints = [*meant, UrdfJoint("weld", sampler.point(3), kind="fixed")]
+    k, is_origin = sampler.choice([0, 1, 2]), sampler.choice([True, False])
+    R = meant[k].pose[:3, :3].round()
+    wrong = {"rpy": -np.asarray(meant[k].rpy)} if is_origin else {"axis": R @ meant[k].axis}
+    written = [*joints[:k], replace(joints[k], **wrong), *joints[k + 1 :]]
+    lines = serial_urdf(written, ("base", "boom", "forearm", "hand", "tool")).splitlines()
+    begins = [_line_with(lines, f'<joint name="{joint.name}"') for joint in joints]
+    here = {mark: _line_with(lines, mark, begins[k]) for mark in ("<origin", "<axis")}
+    poses = [T.round() + 0.0 for T in accumulate((joint.pose for joint in joints), np.matmul)]
+    origins, axes = [T[:3, 3] for T in poses], [T[:3, :3] @ joint.axis for T, joint in zip(poses, meant, strict=False)]
+    if is_origin:
+        answer, other = here["<origin"], here["<axis"]
+        lookalike = (
+            "The axis of this joint has the wrong direction, but not because of its `axis`: later origins disagree with the data sheet "
+            "as well, and at $q = 0$ an `axis` has no influence on them."
+        )
+        later = mistake(
+            "a later joint",
+            _line_with(lines, "<origin", begins[k + 1]),
+            "This origin is correct in the frame of its parent. It disagrees with the data sheet because an earlier frame is wrong. Look "
+            "for the first joint whose row disagrees.",
+        )
+    else:
+        answer, other = here["<axis"], here["<origin"]
+        lookalike = (
+            "The axis of this joint has the wrong direction, but not because of its `origin`: all later origins agree with the data "
+            "sheet, and they would not if this frame were rotated wrongly."
+        )
+    return Problem(
+        statement="Every reader accepts this file, but it does not describe the robot of this data sheet. All joint values are 0, and "
+        f"lengths are in metres.\n\n{_data_sheet(joints, origins, axes)}\n\nExactly one line of the file is wrong. Which one? Lines count "
+        f"from 1. {ROUNDING_NOTE}\n\n{fence_urdf(_number_lines(lines))}",
+        given={"urdf": "\n".join(lines), "origins": np.array(origins), "axes": np.array(axes)},
+        answer=FaultyLineAnswer(np.array(float(answer)), lines=lines, joint=range(begins[k], begins[k + 1])),
+        mistakes=[mistake("origin and axis swapped", other, lookalike), *([later] if is_origin else [])],
+    )
+
+
+def _joint_across_its_rotation(sampler: ArmSampler, name: str) -> UrdfJoint:
+    """Draw a joint whose axis is perpendicular to that of its `rpy`, so that a wrong `rpy` shows in its direction."""
+    rpy = random_right_angles(sampler, 1)
+    return UrdfJoint(name, sampler.point(3), rpy, sampler.choice([axis for axis in AXIS_DIRECTIONS if not axis @ rpy]))
+
+
+def _data_sheet(joints: Sequence[UrdfJoint], origins: Sequence[Array], axes: Sequence[Array]) -> str:
+    """A table of the origins of joints, and of the directions of the first of them, in the frame of the base."""
+    directions = [f"${vector(axis)}$" for axis in axes]
+    rows = zip_longest(
+        [joint.name for joint in joints], [f"${vector(p)}$" for p in origins], directions, fillvalue="none"
+    )
+    heads = ("joint", "origin in the base frame", "axis in the base frame")
+    return "\n".join(f"| {' | '.join(row)} |" for row in [heads, 3 * ("---",), *rows])
 
 
 SHEET = Sheet(
@@ -454,12 +617,15 @@ SHEET = Sheet(
     "Robots as URDF files",
     [
         pose_of_a_joint,
-        way_it_points,
+        direction_of_an_axis,
         joint_deep_in_the_file,
         screw_from_a_file,
         home_from_a_file,
         which_line,
-        way_through_a_tree,
+        path_through_a_tree,
         from_a_dh_row,
+        mimic_joint,
+        axis_in_the_wrong_frame,
+        origin_or_axis,
     ],
 )

@@ -17,6 +17,8 @@ RIGHT_ANGLE_RAD = np.pi / 2
 class UrdfJoint:
     """A joint of a URDF file: its origin in the frame of the parent link, in metres and radians, and its axis in its own frame.
 
+    further  its further elements, such as a limit
+
     >>> UrdfJoint("lean", (0, 0, 1), (np.pi / 2, 0, 0)).element("post", "rod").splitlines()[2]
     '  <origin xyz="0 0 1" rpy="1.5708 0 0"/>'
     """
@@ -26,6 +28,7 @@ class UrdfJoint:
     rpy: Array | Sequence[float] = (0.0, 0.0, 0.0)
     axis: Array | Sequence[float] = (0.0, 0.0, 1.0)
     kind: str = "continuous"
+    further: Sequence[str] = ()
 
     @property
     def pose(self) -> Array:
@@ -40,6 +43,7 @@ class UrdfJoint:
             f'  <parent link="{parent}"/> <child link="{child}"/>',
             f'  <origin xyz="{format_values(self.xyz)}"{rpy_attribute}/>',
             *([f'  <axis xyz="{format_values(self.axis)}"/>'] if self.kind != "fixed" else []),
+            *(f"  {element}" for element in self.further),
             "</joint>",
         ]
         return "\n".join(lines)
