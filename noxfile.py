@@ -44,6 +44,13 @@ def oracles(session: nox.Session) -> None:
 
 
 @nox.session
+def formulas(session: nox.Session) -> None:
+    """Change the formulas of lectures, and list the changes that no assertion notices: `nox -s formulas -- notebooks/03*.ipynb`."""
+    lectures = session.posargs or sorted(str(path) for path in Path("notebooks").glob("*.ipynb"))
+    session.run(PYTHON, "tools/check_formulas.py", *lectures)
+
+
+@nox.session
 def fuzz(session: nox.Session) -> None:
     """Fuzz until a fault is found or all examples are used: `nox -s fuzz -- -k urdf`."""
     run_pytest(session, "tests/fuzz", "-x", "--hypothesis-profile=fuzz", "--hypothesis-show-statistics")

@@ -35,6 +35,8 @@ def mutate(root: Expression, *replacements: Mapping[int, Expression], built: Bui
     The parts of all replacements are replaced in one pass, because a part that is rebuilt is found by its id no more.
     """
     replaced = {key: node for one in replacements for key, node in one.items()}
+    if replaced.keys().isdisjoint(root.part_ids):
+        return root
     return _replace_parts(root, replaced, {} if built is None else built)
 
 
@@ -44,9 +46,10 @@ def _replace_parts(root: Expression, replaced: Mapping[int, Expression], built: 
     while id(new) in replaced:
         done, new = id(new), replaced[id(new)]
         replaced = {key: node for key, node in replaced.items() if key != done}
-    if replaced.keys().isdisjoint(new.part_ids):
-        return new
-    arguments = tuple([_replace_parts(node, replaced, built) for node in new.arguments])
+    ids = replaced.keys()
+    arguments = tuple(
+        [node if ids.isdisjoint(node.part_ids) else _replace_parts(node, replaced, built) for node in new.arguments]
+    )
     if all(map(is_, arguments, new.arguments)):
         return new
     key = (new.operation, *map(id, arguments))
