@@ -13,6 +13,8 @@ There are three renderers, because no single one does all three of these:
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from kinlib.view.diagrams.parts_of_an_arm import draw_parts
+from kinlib.view.diagrams.three_readings import draw_three_readings
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.drawing.plot import plot
 from kinlib.view.figures.arm import draw_arm, draw_joints
@@ -40,6 +42,8 @@ __all__ = [
     "draw_frames",
     "draw_joints",
     "draw_linkage",
+    "draw_parts",
+    "draw_three_readings",
     "draw_torus",
     "drive",
     "explore",
