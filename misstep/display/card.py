@@ -9,16 +9,27 @@ from typing import Any
 from misstep.display.markdown import CODE_STYLE, LINK_STYLE, check_address, markdown_html
 
 TONES = {
-    "right": ("✓", "#1a7f37", "#eefbf0"),
-    "partly": ("◐", "#8a5a00", "#fff8e6"),
-    "wrong": ("✗", "#b42318", "#fff1ef"),
-    "blank": ("…", "#57606a", "#f4f6f8"),
-    "unreadable": ("?", "#6e40c9", "#f6f1ff"),
-    "note": ("i", "#0b5cad", "#eef6ff"),
+    "right": ("✓", "#1a7f37"),
+    "partly": ("◐", "#8a5a00"),
+    "wrong": ("✗", "#b42318"),
+    "blank": ("…", "#57606a"),
+    "unreadable": ("?", "#6e40c9"),
+    "note": ("i", "#0b5cad"),
 }
-"""For each tone the icon, the colour of edge and title, and the background. Each pair has a contrast of at least 4.5."""
+"""For each tone the icon and the colour of the edge."""
 
-FRAME = "border-left:5px solid {ink};background:{paper};color:#1f2328;padding:.6em 1em;margin:.4em 0;max-width:46em"
+PAPER = "var(--jp-layout-color1,#fff)"
+INK = "var(--jp-content-font-color1,#1f2328)"
+"""The colours of JupyterLab's theme, light or dark; a page without them is light."""
+
+TITLE_SHARE, PAPER_SHARE = 50, 8
+"""How much of its tone the title and the background of a card have, in percent."""
+
+FRAME = (
+    f"border-left:5px solid {{tone}};background:color-mix(in srgb,{{tone}} {PAPER_SHARE}%,{PAPER});color:{INK};"
+    "padding:.6em 1em;margin:.4em 0;max-width:46em"
+)
+TITLE = f"margin:0;font-weight:600;color:color-mix(in srgb,{{tone}} {TITLE_SHARE}%,{INK})"
 
 
 @dataclass(frozen=True)
@@ -65,10 +76,10 @@ class Card:
 
     def html(self) -> str:
         """Return the card as HTML, with special characters of messages escaped."""
-        icon, ink, paper = TONES[self.tone]
-        title = f'<p style="margin:0;font-weight:600;color:{ink}"><span aria-hidden="true">{icon}</span> {inline(self.title)}</p>'
+        icon, tone = TONES[self.tone]
+        title = f'<p style="{TITLE.format(tone=tone)}"><span aria-hidden="true">{icon}</span> {inline(self.title)}</p>'
         body = "".join(_paragraph(part) for part in self.body)
-        return f'<div role="status" style="{FRAME.format(ink=ink, paper=paper)}">{title}{body}</div>'
+        return f'<div role="status" style="{FRAME.format(tone=tone)}">{title}{body}</div>'
 
     def text(self) -> str:
         """Return the card as plain text, for a terminal."""
@@ -89,7 +100,7 @@ def _paragraph(part: str | tuple[str, str] | Link) -> str:
     if not isinstance(part, tuple):
         return f'<p style="margin:.4em 0 0">{inline(part if isinstance(part, str) else part.text)}</p>'
     if part[0] == "markdown":
-        return markdown_html(part[1])
+        return f'<div style="margin:.8em 0 0">{markdown_html(part[1])}</div>'
     style = "margin:.4em 0 0;background:transparent;color:inherit;white-space:pre;overflow-x:auto"
     return f'<pre style="{style}">{html.escape(part[1])}</pre>'
 

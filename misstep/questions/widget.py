@@ -138,7 +138,10 @@ def _make_widget(question: Question) -> "widgets.Widget":
         button.on_click(lambda _, index=index: question.commit(index))
         buttons.append(button)
         rows.append(
-            widgets.HBox([button, widgets.HTMLMath(inline(option.text), layout=widgets.Layout(flex="1 1 auto"))])
+            widgets.HBox(
+                [button, widgets.HTMLMath(inline(option.text), layout=widgets.Layout(flex="1 1 auto"))],
+                layout=widgets.Layout(align_items="baseline"),
+            )
         )
 
     def show_choice(_: Any = None) -> None:

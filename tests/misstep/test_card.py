@@ -6,7 +6,7 @@ from fractions import Fraction
 import numpy as np
 import pytest
 
-from misstep.display.card import TONES, Card, Link
+from misstep.display.card import PAPER_SHARE, TITLE_SHARE, TONES, Card, Link
 from misstep.display.lecture_address import lecture_address
 from misstep.display.text import points
 
@@ -19,16 +19,23 @@ def test_a_card_says_its_tone_without_colour(tone):
     assert 'role="status"' in card.html()
 
 
+@pytest.mark.parametrize(("theme_paper", "theme_ink"), [("#ffffff", "#212121"), ("#111111", "#ffffff")])
 @pytest.mark.parametrize("tone", TONES)
-def test_a_title_contrasts_with_its_background(tone):
-    """Contrast by WCAG 2: at least 4.5."""
+def test_a_title_contrasts_with_its_background(tone, theme_paper, theme_ink):
+    """Contrast by WCAG 2: at least 4.5, in JupyterLab's light and dark themes."""
 
-    def luminance(colour):
-        shares = np.array([int(colour[k : k + 2], 16) for k in (1, 3, 5)]) / 255
+    def mixed(share, other):
+        """The colour that color-mix gives, each of its parts from 0 to 1."""
+        colours = np.array(
+            [[int(colour[k : k + 2], 16) / 255 for k in (1, 3, 5)] for colour in (TONES[tone][1], other)]
+        )
+        return np.array([share, 100 - share]) / 100 @ colours
+
+    def luminance(shares):
         return np.where(shares <= 0.04045, shares / 12.92, ((shares + 0.055) / 1.055) ** 2.4) @ (0.2126, 0.7152, 0.0722)
 
-    _, ink, paper = TONES[tone]
-    assert (luminance(paper) + 0.05) / (luminance(ink) + 0.05) >= 4.5
+    dark, light = sorted((luminance(mixed(TITLE_SHARE, theme_ink)), luminance(mixed(PAPER_SHARE, theme_paper))))
+    assert (light + 0.05) / (dark + 0.05) >= 4.5
 
 
 def test_a_message_cannot_run_code_on_the_page():

@@ -13,9 +13,13 @@ import ipywidgets as widgets
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.drawing.static_export import is_static_export
 
+PAPER, INK = "var(--jp-layout-color1,#fff)", "var(--jp-content-font-color1,#1f2328)"
+"""The colours of JupyterLab's theme, light or dark; a page without them is light."""
 NOTE_STYLE = (
-    "border-left:5px solid #0b5cad;background:#eef6ff;color:#1f2328;padding:.6em 1em;margin:.4em 0;max-width:46em"
+    f"border-left:5px solid #0b5cad;background:color-mix(in srgb,#0b5cad 8%,{PAPER});color:{INK};"
+    "padding:.6em 1em;margin:.4em 0;max-width:46em"
 )
+TITLE_STYLE = f"margin:0;font-weight:600;color:color-mix(in srgb,#0b5cad 50%,{INK})"
 
 V = TypeVar("V")
 
@@ -116,5 +120,5 @@ def _covered(inside: widgets.VBox, after: Any) -> widgets.VBox:
 
 def _note(title: str, text: str) -> str:
     """Return a framed note as HTML, with an icon, in the colours of the notes in the course's feedback."""
-    head = f'<p style="margin:0;font-weight:600;color:#0b5cad"><span aria-hidden="true">i</span> {escape(title)}</p>'
+    head = f'<p style="{TITLE_STYLE}"><span aria-hidden="true">i</span> {escape(title)}</p>'
     return f'<div role="status" style="{NOTE_STYLE}">{head}<p style="margin:.4em 0 0">{escape(text)}</p></div>'
