@@ -125,7 +125,7 @@ def joint_origin(given: Any, answer: Array) -> Iterator[WrongAnswer]:
     R, own = rotation(rpy), rotation(rpy, "xyz")
     step = there - here
     x = R.T @ step
-    back = "way back, joint 2 to joint 1, parent, sign, negat"
+    back = "vector from joint 2 to joint 1, parent, sign, negat"
     turned = "R^T, turned, transpos, other way, invers"
     yield from wrong(
         {
@@ -141,7 +141,7 @@ def joint_origin(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "sum": (R.T @ (there + here), f"added, sum, {SIGN}, differ"),
             "sum, not turned": (there + here, f"added, sum, {SIGN}, turn"),
             "joint 1's own place": (here, "joint 1, parent"),
-            "placed as if by joint 1": (here + R @ there, f"{turned}, forward, seen from, added"),
+            "placed as if by joint 1": (here + R @ there, f"{turned}, forward, as if, added"),
             "about its own axes": (own.T @ step, OWN_AXES),
             "yaw first": (rotation(rpy[::-1]).T @ step, "yaw, roll, order"),
             **({"yaw only": (turn("z", rpy[2]).T @ step, f"yaw, roll, {LEFT_OUT}")} if rpy[0] else {}),
@@ -172,7 +172,10 @@ def in_letters(given: Any, answer: Any) -> Iterator[WrongAnswer]:
             "q_2 without its offset": (text("q2", height), f"offset, {LEFT_OUT}, entries"),
             "slide left out": (text(f"{a}", height), f"slide, q_2, {LEFT_OUT}"),
             "slide along z": (text(f"{a}", f"{height} + q2"), "along, slide, boom"),
-            "slide turned as an angle": (text(f"{a}*cos(q2)", f"{height} + {a}*sin(q2)"), "slide, turn, prismatic"),
+            "slide turned as an angle": (
+                text(f"{a}*cos(q2)", f"{height} + {a}*sin(q2)"),
+                "slide, turn, prismatic, rotat",
+            ),
             "a and b exchanged": (text(f"{b} + q2", f"{lift * a}"), SWAP),
             "boom times slide": (text(f"{a}*q2", height), "times, sum, slide, multipl"),
             "height left out": (text(radius, "0"), f"height, {LEFT_OUT}"),
@@ -188,7 +191,7 @@ def in_letters(given: Any, answer: Any) -> Iterator[WrongAnswer]:
             "boom in the height left out": (text(radius, f"{a}"), f"height, {LEFT_OUT}"),
             "angles added": (text(f"{b}", height, "cos(q1 + q2)", "sin(q1 + q2)"), "added, sum, plane, axis"),
             "joint 2 turns half": (text(f"{b}*cos(q2/2)", f"{a} {plus} {b}*sin(q2/2)"), "half, q_2"),
-            "joint 2 slides": (text(f"{b} + q2", f"{a}"), "slide, turn, prismatic, revolute"),
+            "joint 2 slides": (text(f"{b} + q2", f"{a}"), "slide, turn, prismatic, revolute, translat"),
         }
     yield from wrong(
         {
@@ -217,7 +220,7 @@ def in_letters(given: Any, answer: Any) -> Iterator[WrongAnswer]:
 
 
 @wrong_answers("10.6")
-def two_hands(given: Any, answer: float) -> Iterator[WrongAnswer]:
+def three_arms(given: Any, answer: float) -> Iterator[WrongAnswer]:
     n = int(sum(given.joints))
     m = n - int(answer)  # two loops of d equations: 6 in the plane, 12 in space
     d, planar = m // 2, m == 6
@@ -229,13 +232,13 @@ def two_hands(given: Any, answer: float) -> Iterator[WrongAnswer]:
             "in space" if planar else "in the plane": (n - 2 * (9 - d), "plane, space, six equations, three"),
             "three loops, the other d": (n - 3 * (9 - d), "plane, space, loop, equations"),
             "the object counted": (n - 2 * d + d, "object, loop, body, one loop, equations, branches"),
-            "one freedom for the object": (n - 2 * d + 1, "object, freedom"),
-            "the object's own freedoms": (d, "object, arms, freedom"),
-            "freedoms of one arm": (int(given.joints[0]), "one arm, joints"),
+            "one degree of freedom for the object": (n - 2 * d + 1, "object, degree"),
+            "the degrees of freedom of the object": (d, "object, arms, degrees"),
+            "degrees of freedom of one arm": (int(given.joints[0]), "one arm, joints"),
             "the arms left over": (int(sum(max(0, j - d) for j in given.joints)), "redundan, each arm, object, three"),
-            "fixed": (0, "move, freedom"),
+            "fixed": (0, "move, degree"),
             "negative": (2 * d - n or -1, SIGN),
-            "equations": (2 * d, "equations, freedom, joint"),
+            "equations": (2 * d, "equations, degree, joint"),
             "n - 1 bodies": (n - 2 * d - 1, "loop, one more"),
             "one arm forgotten": (int(sum(given.joints[:2])) - d, "arm, third, two arms"),
         }

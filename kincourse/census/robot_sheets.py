@@ -23,7 +23,7 @@ Slips = dict[str, tuple[Any, str]]
 def visible(cases: Slips, answer: Any, elsewhere: Slips, answer_elsewhere: Any) -> Slips:
     """The cases that are wrong for these numbers or for others; the rest are right for every student of this robot.
 
-    For example, the order of the joints does not matter for a robot that only slides.
+    For example, the order of the joints does not matter for a robot whose joints are all prismatic.
     """
     return {
         label: case
@@ -79,7 +79,7 @@ def _values(given: Any, S: Array) -> tuple[Array, Array]:
 
 
 def _elsewhere(S: Array) -> tuple[Array, Array]:
-    """Other joint values, in radians and metres, and as somebody would type them."""
+    """Other joint values, in radians and metres, and as a student types them."""
     q = np.sin(1.0 + np.arange(len(S)))
     return q, np.where(S[:, :3].any(axis=1), np.degrees(q), q)
 
@@ -108,7 +108,7 @@ def _product_of(S: Array, M: Array, given: Any, frames: str) -> Iterator[WrongAn
 
 @wrong_answers("robot.which_mistake")
 def which_mistake(given: Any, answer: str) -> Iterator[WrongAnswer]:
-    yield from other_letters({letter: f"{text}, would put" for letter, text in given.options.items()}, answer)
+    yield from other_letters({letter: f"{text}, would give" for letter, text in given.options.items()}, answer)
 
 
 @wrong_answers("robot.point_of_the_tool")

@@ -314,6 +314,8 @@ def _change_of_frame_changes(node: Expression) -> Changes:
         text, advice = f"use the transpose of {Ad}", ""
     yield Change("adjoint not transposed", text, advice=advice), _by_transposed_adjoint(T, S)
     yield Change("only rotated", "rotate both halves without the change of origin"), _rotate_only(T, S)
+    text = "rotate both halves in the opposite direction, without the change of origin"
+    yield Change("only rotated", text), _rotate_back_only(T, S)
     yield Change("only moved", "change the origin without rotating the axes"), _translate_only(T, S)
     yield Change("only omega rotated", "rotate $\\omega$ only, with $v$ unchanged"), _rotate_omega(T, S)
     yield Change("no moment", "rotate $\\omega$, with $v$ left at zero"), _rotate_omega(T, _without_v(S))
@@ -412,6 +414,7 @@ _p_alone = Operation(
 )
 _rotate_omega = Operation("omega rotated", lambda T, S: _joined(S[..., :3] @ T[:3, :3].T, S[..., 3:]), "{1}".format)
 _without_v = Operation("without v", lambda S: _joined(S[..., :3], 0 * S[..., 3:]), "{0}".format)
+_rotate_back_only = Operation("only rotated back", lambda T, S: _rotated(T.T, S), "{1}".format)
 _rotate_only = Operation("only rotated", _rotated, "{1}".format)
 _translate_only = Operation("only moved", _moved, "{1}".format)
 _advancing = Operation("velocity", lambda turning, omega, _, h: turning + h * omega, lambda *_: "v", _advancing_changes)

@@ -1,4 +1,4 @@
-"""The blank steps of lecture 10: a body screw of the first arm of the UIUC deck, and two origins of its URDF."""
+"""The blank steps of lecture 10: a body screw of the RPR arm, and two origins of its URDF."""
 
 from kincourse.answers.point import VectorsAnswer
 from kincourse.answers.screws import ScrewsAnswer
@@ -12,20 +12,20 @@ from misstep.problem import Problem
 
 ARM = rpr()
 JOINTS, TOOL = ARM.joint_points, ARM.home[:3, 3]
-SEEN_FROM_THE_PARENT = "An origin is seen from the parent."
+SEEN_FROM_THE_PARENT = "An origin is given in the frame of the parent."
 
 
 @problem("10.a", "A body screw", points=1, lecture="04_poe_body#The adjoint")
 def body_screw(_draw: ArmSampler) -> Problem:
     B = change_frame(inverse(pose("M", ARM.home)), screw_axes("S_3", ARM.screws[2]))
     return Problem(
-        statement="Give the body screw $B_3$ of the UIUC deck's first arm.",
+        statement="Give the body screw $B_3$ of the RPR arm.",
         answer=ScrewsAnswer(B.value),
         solution=B,
         invisible=["sign of v"],  # the moment of S_3 is zero
         advice={
-            "inverse left out": "$\\mathrm{Ad}_M$ leads from {b} to {s}. The other way is $\\mathrm{Ad}_{M^{-1}}$.",
-            "frame not changed": "This is the axis seen from {s}. From the tool the same line has other numbers.",
+            "inverse left out": "$\\mathrm{Ad}_M$ takes screws in {b} to screws in {s}; you need $\\mathrm{Ad}_{M^{-1}}$ here.",
+            "frame not changed": "This is the screw axis in {s}. In {b} the same line has other numbers.",
             "only rotated": "A moment depends on the origin: the adjoint has a block $[p] R$.",
         },
     )
@@ -34,16 +34,18 @@ def body_screw(_draw: ArmSampler) -> Problem:
 @problem("10.b", "An origin in a file", points=1, lecture="09_urdf#From the file to screws")
 def origin_of_joint_3(_draw: ArmSampler) -> Problem:
     p_2 = given("p_2", JOINTS[1]).mistaken_for(
-        TOOL, "the wrong parent", "measure from the tool", "The parent of joint 3 is the link that joint 2 carries."
+        TOOL, "the wrong parent", "measure from the tool", "The parent of joint 3 is the link that joint 2 moves."
     )
     step = given("p_3", JOINTS[2]) - p_2
-    step = step.mistaken_for(-step, "way back", "take the way from joint 3 back to joint 2", SEEN_FROM_THE_PARENT)
+    step = step.mistaken_for(
+        -step, "opposite direction", "take the vector from joint 3 to joint 2", SEEN_FROM_THE_PARENT
+    )
     return Problem(
         statement="With all frames parallel to {s}, give the `xyz` of joint 3.",
         answer=VectorsAnswer(step.value, unit="m"),
         solution=step,
         advice={
-            "leave out $-p_2$": "A file writes where joint 3 stands in the frame of the joint before, at $(-4, -2, 0)$."
+            "leave out $-p_2$": "In a URDF the origin of joint 3 is given in the frame of joint 2, which is at $(-4, -2, 0)$."
         },
     )
 
@@ -52,18 +54,20 @@ def origin_of_joint_3(_draw: ArmSampler) -> Problem:
 def origin_of_tool(_draw: ArmSampler) -> Problem:
     step = given("p_b", TOOL) - given("p_3", JOINTS[2])
     step = step.mistaken_for(
-        -step, "way back", "take the way from the tool back to joint 3", SEEN_FROM_THE_PARENT
+        -step, "opposite direction", "take the vector from the tool to joint 3", SEEN_FROM_THE_PARENT
     ).mistaken_for(
         ARM.home[:3, :3].T @ step,
-        "seen from the tool",
-        "read the step in the axes of {b}",
-        "The `xyz` of an origin is read in the parent's axes, here those of {s}.",
+        "axes of the tool",
+        "give the components along the axes of {b}",
+        "The `xyz` of an origin has its components along the parent's axes, which are parallel to those of {s} here.",
     )
     return Problem(
         statement="With the frame of joint 3 parallel to {s}, give the `xyz` of the fixed joint to the tool.",
         answer=VectorsAnswer(step.value, unit="m"),
         solution=step,
-        advice={"leave out $-p_3$": "This is the last column of $M$. The file counts from joint 3, at $(0, -4, 0)$."},
+        advice={
+            "leave out $-p_3$": "This is the position in $M$, measured from {s}. The file measures it from joint 3, at $(0, -4, 0)$."
+        },
     )
 
 

@@ -49,7 +49,7 @@ MIN_ENTRY_DIFFERENCE = 0.3
 """The minimum difference of the wrong pose from the right ones in some entry, so that it cannot be taken for rounding."""
 
 REPORTS = {
-    "a": "It is one already.",
+    "a": "This one is $T_{sb}$ already.",
     "b": "Take its inverse.",
     "c": "$R = R_z(\\text{yaw}) R_y(\\text{pitch}) R_x(\\text{roll})$.",
     "d": "Take its exponential.",
@@ -90,13 +90,13 @@ def from_a_table(sampler: ArmSampler) -> Problem:
     ):
         S = S.mistaken_for(wrong, name, text)
     return Problem(
-        statement="A table in the standard convention, with frame 0 in {s} and three turning joints. Give the screw axis "
-        f"$S_3$ of joint 3 in {{s}}, at home.\n\n{_format_table(table)}",
+        statement="The table of an arm with three revolute joints is in the standard convention, and its frame 0 is {s}. Give the screw "
+        f"axis $S_3$ of joint 3 in {{s}}, at home.\n\n{_format_table(table)}",
         given={"rows": rows},
         answer=ScrewsAnswer(S.value),
         solution=S,
         advice={
-            "another joint": "In the standard convention joint $i$ turns about $z_{i-1}$: joint 3 about $z_2$.",
+            "another joint": "In the standard convention joint $i$ rotates about $z_{i-1}$, so joint 3 rotates about $z_2$.",
             "body screw": "In {s} it is $S_3 = \\mathrm{Ad}_M B_3$.",
         },
     )
@@ -110,16 +110,16 @@ def another_tool(sampler: ArmSampler) -> Problem:
     seen = change_frame(inverse(given_pose("T_{bc}", step)), screw_axes("B", B))
     return Problem(
         statement="The body screws of an arm are\n\n"
-        f"$$B = {matrix(B)},$$\n\none row a joint. A gripper is mounted; its frame {{c}} stands in the old tool frame at\n\n"
-        f"$$T_{{bc}} = {matrix(step)}.$$\n\nGive the body screws for {{c}}, as rows.",
+        f"$$B = {matrix(B)},$$\n\none row for each joint. A gripper is mounted; the pose of its frame {{c}} in {{b}} is\n\n"
+        f"$$T_{{bc}} = {matrix(step)}.$$\n\nGive the body screws in {{c}}, as rows.",
         given={"body_screws": B, "T_bc": step},
         answer=ScrewsAnswer(seen.value),
         solution=seen,
         advice={
-            "inverse left out": "$\\mathrm{Ad}_{T_{bc}}$ takes twists in {c} to {b}. Here they go from {b} to {c}.",
-            "only rotated": "Where {c} stands changes the moments.",
-            "only moved": "{c} stands turned in {b}.",
-            "frame not changed": "These are the screws as {b} sees them. From {c} the same axes have other numbers.",
+            "inverse left out": "$\\mathrm{Ad}_{T_{bc}}$ takes screws in {c} to screws in {b}; here you need the opposite direction.",
+            "only rotated": "{c} also has another origin than {b}, so the moments change.",
+            "only moved": "{c} also has other axes than {b}.",
+            "frame not changed": "These are the screws in {b}. In {c} the same axes have other numbers.",
         },
     )
 
@@ -133,15 +133,15 @@ def one_of_four(sampler: ArmSampler) -> Problem:
         robot = sampler.arm(sampler.choice(("RRR", "RPR", "RRP")), reach=3)
         q = np.array([sampler.choice((0.3, 0.5, 0.7, 0.9)) for _ in range(3)])
         right, fault = robot.fk(q), np.linalg.multi_dot([*exponential(robot.screws * q[:, None])[::-1], robot.home])
-    told = [fault if letter == wrong else right for letter in names]
-    T, T_inverse, placed, twist = told[0], inverted(told[1]), told[2], log(told[3])
+    poses = [fault if letter == wrong else right for letter in names]
+    T, T_inverse, placed, twist = poses[0], inverted(poses[1]), poses[2], log(poses[3])
     xyz, rpy = placed[:3, 3], roll_pitch_yaw(placed[:3, :3])
     return Problem(
         statement="Four descriptions of one arm were evaluated at the same $q$, and one of them is wrong. Each program reports "
-        "the tool in its own way. Which description is the wrong one? Answer with its letter.\n\n"
+        "the pose of the tool in its own format. Which description is wrong? Answer with its letter.\n\n"
         f"- (a) space screws: $T_{{sb}} = {matrix(T)}$\n"
-        f"- (b) body screws: {{s}} as the tool sees it, $T_{{bs}} = {matrix(T_inverse)}$\n"
-        f"- (c) table: `xyz` = ${vector(xyz)}$ m and `rpy` = ${vector(rpy)}$ rad, as a URDF means them\n"
+        f"- (b) body screws: the pose of {{s}} in {{b}}, $T_{{bs}} = {matrix(T_inverse)}$\n"
+        f"- (c) table: `xyz` = ${vector(xyz)}$ m and `rpy` = ${vector(rpy)}$ rad, as in a URDF\n"
         f"- (d) file: the twist ${vector(twist)}$ whose exponential is $T_{{sb}}$",
         given={"T_sb": T, "T_bs": T_inverse, "xyz": xyz, "rpy": rpy, "twist": twist},
         answer=Choice(wrong, names),
@@ -149,8 +149,8 @@ def one_of_four(sampler: ArmSampler) -> Problem:
             mistake(
                 letter,
                 letter,
-                f"The {name}: this report agrees with two others as soon as all four are written as $T_{{sb}}$. "
-                f"{REPORTS[letter]} The wrong one agrees with none of the others.",
+                f"You answered {name}, but this report agrees with two others if you write all four as $T_{{sb}}$. "
+                f"{REPORTS[letter]} The wrong report agrees with none of the others.",
             )
             for letter, name in names.items()
             if letter != wrong
@@ -166,30 +166,34 @@ def joint_origin(sampler: ArmSampler) -> Problem:
     R = rpy_rotation("R", radians(given("\\mathrm{rpy}", np.array(degrees))))
     step = (given("p_2", there) - given("p_1", here)).named("(p_2 - p_1)")
     for name, text, wrong in (
-        ("order", "take the way back, from joint 2 to joint 1", here - given("p_2", there)),
-        ("sign", "add the two places instead of subtracting them", here + given("p_2", there)),
+        ("order", "take the vector from joint 2 to joint 1", here - given("p_2", there)),
+        ("sign", "add the two positions instead of subtracting them", here + given("p_2", there)),
     ):
         step = step.mistaken_for(wrong, name, text)
     xyz = R.T @ step
     for name, text, place in (
-        ("from the base", "give the place of joint 2 in {s}", there),
-        ("another joint", "give the place of joint 1", here),
-        ("rotated and not moved", "multiply the place of joint 2 by $R$", R @ there),
-        ("order", "rotate the place of joint 2 before subtracting that of joint 1", R.T @ there - here),
-        ("placed by joint 1", "place joint 2 as if it were given in the frame of joint 1", here + R @ there),
+        ("from the base", "give the position of joint 2 in {s}", there),
+        ("another joint", "give the position of joint 1", here),
+        ("rotated and not moved", "multiply the position of joint 2 by $R$", R @ there),
+        ("order", "rotate the position of joint 2 before subtracting that of joint 1", R.T @ there - here),
+        (
+            "placed by joint 1",
+            "treat the position of joint 2 as if it were given in the frame of joint 1",
+            here + R @ there,
+        ),
     ):
-        xyz = xyz.mistaken_for(place, name, text, "A file writes it as seen from joint 1.")
+        xyz = xyz.mistaken_for(place, name, text, "In a URDF it is given in the frame of joint 1.")
     return Problem(
         statement=f"In the frame of the base, joint 1 of a file has the origin `xyz` = ${vector(here)}$ and "
-        f"`rpy` = ${vector(degrees)}$ degrees. At home joint 2 stands at ${vector(there)}$ in {{s}}. "
-        "Give the `xyz` that joint 2 has in the file, in metres.",
+        f"`rpy` = ${vector(degrees)}$ degrees. At home the position of joint 2 is ${vector(there)}$ in {{s}}. "
+        "Give the `xyz` of joint 2 in the file, in metres.",
         given={"xyz_1": here, "rpy_1_in_degrees": np.array(degrees, dtype=float), "place_2": there},
         answer=VectorsAnswer(xyz.value, unit="m"),
         solution=xyz,
         advice={
-            "transpose left out": "$R$ takes coordinates in joint 1 to those in {s}; here it goes the other way.",
-            "factor left out": "Joint 1 stands turned: read the step along its axes.",
-            "term left out": "Joint 1 does not stand in the base.",
+            "transpose left out": "$R$ takes components in the frame of joint 1 to components in {s}; here you need $R^T$.",
+            "factor left out": "The frame of joint 1 is rotated: give the components along its axes.",
+            "term left out": "The origin of joint 1 is not that of the base.",
         },
     )
 
@@ -200,29 +204,29 @@ def in_letters(sampler: ArmSampler) -> Problem:
     lift = sampler.choice((-1, 1))
     if slides := sampler.choice((True, False)):
         words = (
-            f"At $q = 0$ a boom leaves its axis along $x$ of {{s}}, {number(b)} m {'above' if lift > 0 else 'below'} the "
-            f"origin. Joint 2 slides along the boom; at $q_2 = 0$ the tool is {number(a)} m from the axis."
+            f"At $q = 0$ a boom leaves this axis along $x$ of {{s}}, {number(b)} m {'above' if lift > 0 else 'below'} the "
+            f"origin. Joint 2 is prismatic and translates along the boom; at $q_2 = 0$ the tool is {number(a)} m from the axis."
         )
     else:
         words = (
-            f"Joint 2 sits on this axis, {number(a)} m above the origin, and turns about ${'-y' if lift > 0 else 'y'}$ of {{s}} "
-            f"at $q = 0$. It carries a boom of {number(b)} m, which lies along $x$ then, with the tool at its end."
+            f"Joint 2 is on this axis, {number(a)} m above the origin, and rotates about ${'-y' if lift > 0 else 'y'}$ of {{s}} "
+            f"at $q = 0$. It moves a boom of {number(b)} m, which is along $x$ at $q = 0$, with the tool at its end."
         )
     place = partial(_tool_on_a_boom, a, lift * b, slides)
     symbols = sp.symbols("q1 q2")
     right = _formulas(sp.Rational(str(a)), sp.Rational(str(lift * b)), slides, *symbols)
     return Problem(
-        statement=f"Joint 1 turns about $z$ of {{s}}, through its origin. {words} Give $x$, $y$ and $z$ of the tool in the "
+        statement=f"Joint 1 rotates about $z$ of {{s}}, through its origin. {words} Give $x$, $y$ and $z$ of the tool in the "
         "letters $q_1$ and $q_2$: text such as `'0.5*cos(q1)'`, or SymPy.",
         given={"a": a, "b": b, "slides": slides, "lift": lift},
         answer=ClosedForm(right, symbols=symbols),
         solution=place,
-        advice={"sine and cosine swapped": "At $q = 0$ the boom lies along $x$."},
+        advice={"sine and cosine swapped": "At $q = 0$ the boom is along $x$."},
     )
 
 
 def _formulas(a: sp.Expr, b: sp.Expr, slides: bool, q1: sp.Expr, q2: sp.Expr) -> sp.Matrix:
-    """The place of a tool on a boom that joint 2 slides along, or turns upward by, b high or long with the sign of its side."""
+    """The position of a tool on a boom along which joint 2 translates, or which it rotates; b is a height or a length with a sign."""
     radius, height = (a + q2, b) if slides else (abs(b) * sp.cos(q2), a + b * sp.sin(q2))
     return sp.Matrix([radius * sp.cos(q1), radius * sp.sin(q1), height])
 
@@ -238,8 +242,8 @@ def _tool_on_a_boom(a: float, b: float, slides: bool, q1: float, q2: float) -> E
     radius, height = (offset + second, up) if slides else (boom * cos(second), offset + up * sin(second))
     own = (
         (
-            ("slide along z", "let joint 2 slide along $z$ instead of the boom", place(offset, up + second)),
-            ("slide as turn", "let joint 2 turn", place(offset * cos(second), up + offset * sin(second))),
+            ("slide along z", "let joint 2 translate along $z$ instead of the boom", place(offset, up + second)),
+            ("slide as turn", "let joint 2 rotate", place(offset * cos(second), up + offset * sin(second))),
             ("lengths swapped", "swap the two lengths", place(abs(b) + second, a * np.sign(b) * given("1", 1.0))),
             ("product for sum", "multiply the length of the boom by $q_2$", place(offset * second, up)),
         )
@@ -250,7 +254,7 @@ def _tool_on_a_boom(a: float, b: float, slides: bool, q1: float, q2: float) -> E
                 "swap the two lengths",
                 place(offset * cos(second), boom + a * np.sign(b) * sin(second)),
             ),
-            ("turn as slide", "let joint 2 slide", place(boom + second, offset)),
+            ("turn as slide", "let joint 2 translate", place(boom + second, offset)),
             ("joint 2 left out", "leave joint 2 at 0", place(boom, offset)),
             ("angles added", "add the two angles, as for parallel axes", place(boom, height, first + second)),
         )
@@ -279,43 +283,49 @@ def _tool_on_a_boom(a: float, b: float, slides: bool, q1: float, q2: float) -> E
     return p
 
 
-@problem("10.6", "Two hands", points=3, lecture="10_one_robot_four_ways#Two arms, one tray")
-def two_hands(sampler: ArmSampler) -> Problem:
+@problem("10.6", "Three arms, one object", points=3, lecture="10_one_robot_four_ways#Two arms, one tray")
+def three_arms(sampler: ArmSampler) -> Problem:
     flat = sampler.choice((True, False))
     low, high = (4, 9) if flat else (7, 12)  # an arm of 3 or 6 joints would add no freedom
     arms = [sampler.integer(low, high), sampler.integer(low, high), sampler.integer(low, high)]
-    d, held = (3, "plate that stays on a table, all axes upright") if flat else (6, "crate in space")
+    d, held = (3, "plate that stays on a table, with all axes vertical") if flat else (6, "crate in space")
     n, right = sum(arms), float(sum(arms) - 2 * d)
     joints, loops, equations = given("n", float(n)), given("L", 2.0), given("d", float(d))
     for name, text, count in (
         ("one loop", "close one loop", 1.0),
         ("three loops", "close three loops, one for each arm", 3.0),
     ):
-        loops = loops.mistaken_for(count, name, text, "One arm carries; the second and the third each close a loop.")
+        loops = loops.mistaken_for(
+            count, name, text, "The second and the third arm each close a loop with the first one."
+        )
     place = "In the plane it is three." if flat else "In space it is six."
     equations = equations.mistaken_for(9.0 - d, "another d", f"take {9 - d} equations for a loop", place)
-    freedoms = joints - loops * equations
+    mobility = joints - loops * equations
     for name, text, wrong in (
         ("three loops, another d", f"close three loops with {9 - d} equations each", n - 3.0 * (9 - d)),
         ("one loop, another d", f"close one loop with {9 - d} equations", n - (9.0 - d)),
-        ("the object", "add one freedom for the object", right + 1),
+        ("the object", "add one degree of freedom for the object", right + 1),
         ("the object", "give the degrees of freedom of the object alone", float(d)),
         ("one arm", "give the degrees of freedom of one arm", float(arms[0])),
-        ("redundancy", "add up what each arm has beyond the degrees of freedom of the object", float(n - 3 * d)),
+        (
+            "redundancy",
+            "add up the joints that each arm has beyond the degrees of freedom of the object",
+            float(n - 3 * d),
+        ),
         ("equations", "give the number of equations", 2.0 * d),
-        ("one freedom less", "take one more freedom away", right - 1),
+        ("one less", "subtract one more degree of freedom", right - 1),
         ("one arm forgotten", "leave out the third arm", float(arms[0] + arms[1] - d)),
         ("fixed", "say that nothing moves", 0.0),
         ("sign", "give the negative of the number", -right),
     ):
-        freedoms = freedoms.mistaken_for(wrong, name, text)
+        mobility = mobility.mistaken_for(wrong, name, text)
     return Problem(
-        statement=f"Three arms of {arms[0]}, {arms[1]} and {arms[2]} joints grip one {held}, each of them rigidly. Nothing is "
-        "in a special position. How many freedoms has the whole?",
+        statement=f"Three arms of {arms[0]}, {arms[1]} and {arms[2]} joints hold one {held}, each of them rigidly. No axes are "
+        "in a special position. How many degrees of freedom does the whole mechanism have?",
         given={"joints": np.array(arms, dtype=float)},
         answer=Numbers(np.array(right)),
-        solution=freedoms,
-        advice={"term left out": "Each loop that closes takes its equations away."},
+        solution=mobility,
+        advice={"term left out": "Each closed loop subtracts the number of its equations."},
     )
 
 
@@ -353,7 +363,7 @@ def where_is_the_tool(sampler: ArmSampler) -> Problem:
     ):
         T = T.mistaken_for(wrong, name, text, "With screws in {s}, $M$ is last; with screws in {b}, it is first.")
     return Problem(
-        statement=f"Give the tool's pose $T_{{sb}}$ at {words}, by any of the four ways.\n\n{joint_table(robot)}\n\n"
+        statement=f"Give the pose $T_{{sb}}$ of the tool at {words}, by any of the four descriptions.\n\n{joint_table(robot)}\n\n"
         f"The home pose is\n\n$$M = {matrix(robot.home)}.$$",
         figure=partial(draw_joints, robot),
         given={
@@ -365,7 +375,7 @@ def where_is_the_tool(sampler: ArmSampler) -> Problem:
         },
         answer=PoseAnswer(T.value),
         solution=T,
-        advice={"reversed": "The factor of joint 1 stands leftmost.", "degrees": "`given.q` holds radians and metres."},
+        advice={"reversed": "The factor of joint 1 is leftmost.", "degrees": "`given.q` holds radians and metres."},
     )
 
 
@@ -378,5 +388,5 @@ def _format_table(table: DHTable) -> str:
 SHEET = Sheet(
     "10_one_robot_four_ways",
     "One robot, four ways",
-    [from_a_table, another_tool, one_of_four, joint_origin, in_letters, two_hands, where_is_the_tool],
+    [from_a_table, another_tool, one_of_four, joint_origin, in_letters, three_arms, where_is_the_tool],
 )

@@ -1,4 +1,4 @@
-"""Tasks on the pose of the tool of any robot: at home, at given joint values, and as somebody computed it wrongly."""
+"""Tasks on the pose of the tool of any robot: at home, at given joint values, and with a mistake that is to be found."""
 
 from collections.abc import Iterable
 from functools import partial, reduce
@@ -30,13 +30,13 @@ MISTAKE_DESCRIPTIONS = {
     "no home": "left out $M$",
     "one exponential": "added the twists and took one exponential",
     "degrees": "used degrees as radians",
-    "at home": "left the joints where they were",
-    "backwards": "moved every joint the other way",
+    "at home": "left all joint values at 0",
+    "backwards": "took every joint value with the opposite sign",
 }
 """For each mistake what was done, in the words of an option of `which_mistake`."""
 
 
-NO_MISTAKE = "nothing wrong"
+NO_MISTAKE = "made no mistake"
 
 HOME_ADVICE = "With space screws $M$ is the last factor."
 ORDER_ADVICE = "The factor of the joint at the base is to the left of all others, because this joint moves all others."
@@ -49,16 +49,16 @@ def home_pose(robot: Chain, sampler: ArmSampler) -> Problem:
         T_sr, T_fb = random_tilted_base(sampler, robot), random_tool(sampler, robot)
     M = pose("T_{sr}", T_sr) @ pose("T_{rf}", T_rf) @ pose("T_{fb}", T_fb)
     return Problem(
-        statement=f"In its file, {robot.name} stands at {{r}} and ends in a flange {{f}}; at $q = 0$ the flange is at $T_{{rf}}$. In your "
-        "lab the robot is bolted down at $T_{sr}$, and it carries a tool {b} at $T_{fb}$. Give the home pose $M = T_{sb}(0)$.\n\n"
+        statement=f"In its file, {robot.name} has the base frame {{r}} and a flange {{f}}, whose pose at $q = 0$ is $T_{{rf}}$. In your "
+        "lab its base has the pose $T_{sr}$, and a tool {b} is mounted at $T_{fb}$. Give the home pose $M = T_{sb}(0)$.\n\n"
         f"$$T_{{sr}} = {matrix(T_sr)}$$\n\n$$T_{{rf}} = {matrix(T_rf)}$$\n\n$$T_{{fb}} = {matrix(T_fb)}$$",
         figure=partial(draw_frames, {"s": np.eye(4), "r": T_sr, "f": T_sr @ T_rf}),
         given={"T_sr": T_sr, "T_rf": T_rf, "T_fb": T_fb},
         answer=PoseAnswer(M.value),
         solution=M,
         advice={
-            "leave out $T_{sr}$": "This is the tool as {r} sees it: $T_{sr}$ belongs in front.",
-            "leave out $T_{fb}$": "This is the flange: $T_{fb}$ belongs behind.",
+            "leave out $T_{sr}$": "This is the pose of the tool in {r}: $T_{sr}$ must be the first factor.",
+            "leave out $T_{fb}$": "This is the pose of the flange: $T_{fb}$ must be the last factor.",
             "reversed": "$T_{sr}\\,T_{rf}\\,T_{fb}$: neighbouring letters cancel.",
         },
     ).without_duplicates()
@@ -69,7 +69,7 @@ def where_is_the_tool(robot: Chain, sampler: ArmSampler) -> Problem:
     arm = random_arm(sampler, robot)
     at = random_configuration(sampler, arm)
     return Problem(
-        statement=f"The joints of {robot.name} stand at {at.words}. Its screws in {{s}} and the home pose of its tool are below. Give "
+        statement=f"The joint values of {robot.name} are {at.words}. Its screws in {{s}} and the home pose of its tool are below. Give "
         f"$T(q)$.\n\n$$S = {matrix(arm.screws)}$$\n\n$$M = {matrix(arm.home)}$$",
         figure=partial(draw_arm, arm),
         given={"screws": arm.screws, "home": arm.home, "values": at.typed},
@@ -84,17 +84,17 @@ def which_mistake(robot: Chain, sampler: ArmSampler) -> Problem:
     arm = random_arm(sampler, robot)
     at = random_configuration(sampler, arm)
     right_pose, ways = arm.fk(at.q), _wrong_poses(arm, at)
-    told_apart = Problem("", PoseAnswer(right_pose), [mistake(*way, "") for way in ways.items()]).without_duplicates()
-    drawn = sampler.shuffled(range(len(told_apart.mistakes)))[:4]
-    wrong = [told_apart.mistakes[i] for i in sorted(drawn)]
+    distinct = Problem("", PoseAnswer(right_pose), [mistake(*way, "") for way in ways.items()]).without_duplicates()
+    drawn = sampler.shuffled(range(len(distinct.mistakes)))[:4]
+    wrong = [distinct.mistakes[i] for i in sorted(drawn)]
     letters = "abcdef"[: len(wrong) + 1]
     descriptions = dict(zip(letters, [*(one.name for one in wrong), NO_MISTAKE], strict=True))
     poses = dict(zip(letters, [*(one.value for one in wrong), right_pose], strict=True))
     right = sampler.choice(letters)
     listed = "\n".join(f"- `'{letter}'`: {text}" for letter, text in descriptions.items())
     return Problem(
-        statement=f"The joints of {robot.name} stand at {at.words}. Somebody computed the pose $X$ of its tool by the space form. Check "
-        f"it: what did they do?\n\n$$S = {matrix(arm.screws)}$$\n\n$$M = {matrix(arm.home)}$$\n\n$$X = {matrix(poses[right])}$$"
+        statement=f"The joint values of {robot.name} are {at.words}. A student computed the pose $X$ of its tool by the space form. Check "
+        f"it: what did this student do?\n\n$$S = {matrix(arm.screws)}$$\n\n$$M = {matrix(arm.home)}$$\n\n$$X = {matrix(poses[right])}$$"
         f"\n\n{listed}",
         figure=partial(draw_arm, arm),
         given={"screws": arm.screws, "home": arm.home, "values": at.typed, "X": poses[right], "options": descriptions},
@@ -112,7 +112,7 @@ def body_form(robot: Chain, sampler: ArmSampler) -> Problem:
     arm = random_arm(sampler, robot)
     at = random_configuration(sampler, arm)
     return Problem(
-        statement=f"{robot.name} is given by its body screws and its home pose. Its joints stand at {at.words}. Give $T(q)$.\n\n"
+        statement=f"{robot.name} is given by its body screws and its home pose. Its joint values are {at.words}. Give $T(q)$.\n\n"
         f"$$B = {matrix(arm.body_screws)}$$\n\n$$M = {matrix(arm.home)}$$",
         figure=partial(draw_arm, arm),
         given={"body_screws": arm.body_screws, "home": arm.home, "values": at.typed},
@@ -123,7 +123,7 @@ def body_form(robot: Chain, sampler: ArmSampler) -> Problem:
             arm.home @ _product(exp(arm.screws * at.q[:, None])),
             "space screws",
             "use the space screws $S_i$",
-            "Behind $M$ stand the screws that the tool reads: $B_i$.",
+            "To the right of $M$ belong the body screws $B_i$.",
         ),
         advice={"reversed": ORDER_ADVICE, "last factor": "With body screws $M$ is the first factor."},
     ).without_duplicates()
@@ -138,14 +138,14 @@ def point_of_the_tool(robot: Chain, sampler: ArmSampler) -> Problem:
         M[:3, :3] @ tip + M[:3, 3], "at home", "give the tip at home", "The joints have moved since."
     )
     position = position.mistaken_for(
-        T.value[:3, 3], "origin of the tool", "give the origin of {b}", "The tip is elsewhere."
+        T.value[:3, 3], "origin of the tool", "give the origin of {b}", "The tip is another point of {b}."
     )
     position = position.mistaken_for(
         to_point(inverse(T), tip), "inverted", "use the inverse of $T(q)$, from {s} to {b}"
     )
     return Problem(
-        statement=f"The tool of {robot.name} holds a pencil, whose tip {{b}} sees at ${vector(tip)}$ m. The joints stand at {at.words}. "
-        f"Where does {{s}} see the tip?\n\n$$S = {matrix(arm.screws)}$$\n\n$$M = {matrix(M)}$$",
+        statement=f"The tool of {robot.name} holds a pencil, whose tip is at ${vector(tip)}$ m in {{b}}. The joint values are "
+        f"{at.words}. Give the coordinates of the tip in {{s}}.\n\n$$S = {matrix(arm.screws)}$$\n\n$$M = {matrix(M)}$$",
         figure=partial(draw_arm, arm),
         given={"screws": arm.screws, "home": M, "values": at.typed, "tip": tip},
         answer=VectorsAnswer(position.value, unit="m"),
@@ -183,10 +183,12 @@ def _wrong_poses(arm: Chain, at: Configuration) -> dict[str, Array]:
 def _difference_message(theirs: Array, right: Array) -> str:
     """How the pose of an option differs from the pose that was computed, as a message."""
     far = float(np.linalg.norm(theirs[:3, 3] - right[:3, 3]))
-    turned = not np.allclose(theirs[:3, :3], right[:3, :3], atol=1e-6)
+    rotated = not np.allclose(theirs[:3, :3], right[:3, :3], atol=1e-6)
     if far < 1e-6:
-        return "That would put the tool at the same place, and turn it otherwise."
-    return f"That would put the tool {number(far)} m from there" + (", and turn it otherwise." if turned else ".")
+        return "This would give the position of $X$, but another orientation."
+    return f"This would give a position {number(far)} m from that of $X$" + (
+        ", and another orientation." if rotated else "."
+    )
 
 
 READ_VALUES_SOLUTION = """\

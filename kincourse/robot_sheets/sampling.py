@@ -21,6 +21,9 @@ MIN_ROBOT_SIZE_M = 0.5
 MAX_JOINT_ANGLE_DEG = 75
 """In degrees. Revolute joints are drawn within this distance from zero if their limits allow it."""
 
+MAX_DRAWS = 50
+"""How many configurations are drawn to find one that differs from its reverse; a single joint has none."""
+
 
 def step_size(chain: Chain) -> float:
     """The step in metres in which bases, tools and prismatic joints of a robot are drawn.
@@ -103,8 +106,16 @@ def truncated(chain: Chain, joints: int) -> Chain:
 
 
 def random_configuration(sampler: ArmSampler, chain: Chain) -> Configuration:
-    """Draw a configuration within the joint limits, in steps of 5 degrees and of half a `step_size` where the limits allow it."""
-    return configuration_from_typed(chain, [_random_value(sampler, chain, i) for i in range(chain.n)])
+    """Draw a configuration within the joint limits, in steps of 5 degrees and of half a `step_size` where the limits allow it.
+
+    The values are other ones in the reverse order, if the limits allow that too.
+    """
+    values: list[float] = []
+    for _ in range(MAX_DRAWS):
+        values = [_random_value(sampler, chain, i) for i in range(chain.n)]
+        if values != values[::-1]:
+            break
+    return configuration_from_typed(chain, values)
 
 
 def random_quarter_turn_configuration(sampler: ArmSampler, chain: Chain) -> Configuration:

@@ -31,7 +31,7 @@ def space_screws(robot: Chain, sampler: ArmSampler) -> Problem:
     axes, points, pitches = arm.lines.axis[joints], arm.joint_points[joints], arm.lines.pitch[joints]
     numbers = [i + 1 for i in joints]
     return Problem(
-        statement=f"In your lab {robot.name} is bolted down where the drawing shows it, at home. Give {_name_axes(joints)} "
+        statement=f"In your lab {robot.name} is mounted as in the drawing, which shows it at home. Give {_name_axes(joints)} "
         f"in {{s}}, as rows.\n\n{joint_table(arm, joints)}",
         figure=partial(draw_joints, arm),
         given={"axes": axes, "points": points, "pitches": pitches},
@@ -47,15 +47,15 @@ def body_screws(robot: Chain, sampler: ArmSampler) -> Problem:
     joints = _choose_joints(sampler, arm)
     S = arm.screws[joints]
     return Problem(
-        statement=f"Below stand, for {robot.name}, {_name_axes(joints)} as {{s}} reads them, and the home pose of its tool. Give "
-        f"the same as {{b}} reads it, as rows.\n\n$$S = {matrix(S)}$$\n\n$$M = {matrix(arm.home)}$$",
+        statement=f"Below are, for {robot.name}, {_name_axes(joints)} in {{s}}, and the home pose of its tool. Give "
+        f"the same screw axes in {{b}}, as rows.\n\n$$S = {matrix(S)}$$\n\n$$M = {matrix(arm.home)}$$",
         figure=partial(draw_arm, arm),
         given={"screws": S, "home": arm.home},
         answer=ScrewsAnswer(arm.body_screws[joints], names=[f"screw {i + 1}" for i in joints]),
         solution=change_frame(inverse(pose("M", arm.home)), screw_axes("S", S)),
         advice={
-            "inverse left out": "$\\mathrm{Ad}_M$ takes what {b} reads to what {s} reads; here we go the other way.",
-            "frame not changed": "The tool is elsewhere and reads other numbers than {s}.",
+            "inverse left out": "$\\mathrm{Ad}_M$ takes screws in {b} to screws in {s}; you need $\\mathrm{Ad}_{M^{-1}}$ here.",
+            "frame not changed": "These are the space screws; {b} has another origin and other axes.",
         },
     ).without_duplicates()
 
@@ -66,15 +66,15 @@ def back_to_space(robot: Chain, sampler: ArmSampler) -> Problem:
     joints = _choose_joints(sampler, arm)
     B = arm.body_screws[joints]
     return Problem(
-        statement=f"A colleague wrote {robot.name} down as its tool sees it: {_name_axes(joints)}. Give the same in {{s}}, as rows."
+        statement=f"A colleague describes {robot.name} in the frame {{b}} of its tool: {_name_axes(joints)}. Give them in {{s}}, as rows."
         f"\n\n$$B = {matrix(B)}$$\n\n$$M = {matrix(arm.home)}$$",
         figure=partial(draw_arm, arm),
         given={"body_screws": B, "home": arm.home},
         answer=ScrewsAnswer(arm.screws[joints], names=[f"screw {i + 1}" for i in joints]),
         solution=change_frame(pose("M", arm.home), screw_axes("B", B)),
         advice={
-            "inverted": "$\\mathrm{Ad}_{M^{-1}}$ takes what {s} reads to what {b} reads; here we go back.",
-            "frame not changed": "These are the body screws, as the tool reads them.",
+            "inverted": "$\\mathrm{Ad}_{M^{-1}}$ takes screws in {s} to screws in {b}; you need $\\mathrm{Ad}_M$ here.",
+            "frame not changed": "These are the body screws.",
         },
     ).without_duplicates()
 
@@ -85,19 +85,19 @@ def new_tool(robot: Chain, sampler: ArmSampler) -> Problem:
     joints, H = _choose_joints(sampler, arm), random_tool(sampler, robot)
     B = arm.body_screws[joints]
     new = change_frame(inverse(pose("T_{bt}", H)), screw_axes("B", B)).mistaken_for(
-        arm.screws[joints], "space screws", "give the space screws", "The tool does not read them."
+        arm.screws[joints], "space screws", "give the space screws", "They are screws in {s} and not in {t}."
     )
     return Problem(
-        statement=f"The tool of {robot.name} is replaced. The new one has its frame {{t}} where the old one saw $T_{{bt}}$. Below "
-        f"stands what {{b}} read: {_name_axes(joints)}. Give what {{t}} reads.\n\n$$B = {matrix(B)}$$\n\n"
+        statement=f"The tool of {robot.name} is replaced. The frame {{t}} of the new tool has the pose $T_{{bt}}$ in {{b}} of the "
+        f"old one. Below are, in {{b}}, {_name_axes(joints)}. Give the same in {{t}}, as rows.\n\n$$B = {matrix(B)}$$\n\n"
         f"$$T_{{bt}} = {matrix(H)}$$",
         figure=partial(draw_arm, arm),
         given={"body_screws": B, "T_bt": H},
         answer=ScrewsAnswer(new.value, names=[f"screw {i + 1}" for i in joints]),
         solution=new,
         advice={
-            "inverse left out": "$\\mathrm{Ad}_{T_{bt}}$ takes what {t} reads to what {b} reads; here we go the other way.",
-            "frame not changed": "The axes stay; but body screws are read by the tool, and another tool reads other numbers.",
+            "inverse left out": "$\\mathrm{Ad}_{T_{bt}}$ takes screws in {t} to screws in {b}; here you need the opposite direction.",
+            "frame not changed": "The axes stay, but body screws are given in the tool frame, which is {t} now.",
         },
     ).without_duplicates()
 
@@ -135,7 +135,7 @@ SCREW_TASKS: dict[str, RobotTask] = {
         Entry("screws", ANSWER_NOTE, "screws_{k} = kl.screw(given.axes, given.points, given.pitches)"),
     ),
     "body_screws": RobotTask(
-        "The same axes, read by the tool",
+        "The same axes in the tool frame",
         3,
         "04_poe_body#The adjoint",
         body_screws,

@@ -69,7 +69,7 @@ def faulty_entry(robot: Chain, sampler: ArmSampler) -> Problem:
     others = {
         "its partner": (
             f"{COLUMNS[(k + 2) % 4]}{row}",
-            "The row is right. But $d$ and $\\theta$ belong to $z$, $a$ and $\\alpha$ to $x$.",
+            "The row is right, but the column is not: $d$ and $\\theta$ belong to $z$, $a$ and $\\alpha$ to $x$.",
         ),
         "the other number of the axis": (
             f"{COLUMNS[k ^ 1]}{row}",
@@ -85,8 +85,8 @@ def faulty_entry(robot: Chain, sampler: ArmSampler) -> Problem:
         ),
     }
     return Problem(
-        statement=f"The table below was read off the drawn frames of {robot.name}{cut}, in the {table.convention} convention, with the "
-        "joints where they stand in the drawing. One entry is wrong. Which? Answer with its column and its row, such as `'d2'`. The poses "
+        statement=f"The table below was read off the drawn frames of {robot.name}{cut}, in the {table.convention} convention, in the "
+        "configuration of the drawing. One entry is wrong. Which? Answer with its column and its row, such as `'d2'`. The poses "
         f"of the frames in {{s}} are in `given.frames`.\n\n{_format_table(table.changed(rows=wrong))}",
         figure=partial(draw_table, table, numbers=True, path=False),
         given={"frames": np.array(frames), "rows": wrong, "convention": table.convention},
@@ -100,9 +100,9 @@ def _table(robot: Chain, sampler: ArmSampler, convention: Convention) -> Problem
     table = _assigned_table(arm, convention)
     n, end = table.n, arm.home @ inverse(table.tool)
     return Problem(
-        statement=f"{robot.name}{cut} is drawn with its joints at {words}; this posture is to be $q = 0$. Write its table in the "
-        f"{convention} convention. $q$ is positive about or along the direction of the joint. Frame 0 and frame {n} are given, as {{s}} "
-        "sees them; what the rules leave open is free, and every table that fits is right."
+        statement=f"{robot.name}{cut} is drawn with its joints at {words}; let $q = 0$ in this configuration. Write its table in the "
+        f"{convention} convention. $q$ is positive about or along the direction of the joint. The poses of frame 0 and frame {n} in "
+        "{s} are given; what the rules leave open you may choose, and every table that fits is right."
         f"\n\n{joint_table(arm)}\n\n{given_frames(table)}",
         figure=partial(draw_joints, arm),
         given={"screws": arm.screws, "points": arm.joint_points, "home": arm.home, "base": table.base, "last": end},
@@ -144,7 +144,7 @@ def _wrapped_degrees(angle: float) -> float:
 
 
 ANSWER_NOTE = (
-    "Answer with a table: text with the head `a | alpha | d | theta` and one row a joint, with `q1`, `q2`, ... for what moves; "
+    "Answer with a table: text with the head `a | alpha | d | theta` and a row for each joint, with `q1`, `q2`, ... for the variables; "
     "angles as `90°` or `pi/2`."
 )
 
