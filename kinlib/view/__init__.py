@@ -13,9 +13,11 @@ There are three renderers, because no single one does all three of these:
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from kinlib.view.diagrams.axis_relations import draw_axis_relation, draw_axis_relations
+from kinlib.view.diagrams.nearly_parallel_axes import draw_nearly_parallel_axes
 from kinlib.view.diagrams.parts_of_an_arm import draw_parts
 from kinlib.view.diagrams.three_readings import draw_three_readings
-from kinlib.view.drawing.picture import Picture
+from kinlib.view.drawing.picture import Gallery, Picture
 from kinlib.view.drawing.plot import plot
 from kinlib.view.figures.arm import draw_arm, draw_joints
 from kinlib.view.figures.frames import draw_frames
@@ -33,15 +35,19 @@ if TYPE_CHECKING:
 __all__ = [
     "ByHand",
     "Drive",
+    "Gallery",
     "Picture",
     "Player",
     "RowPlayer",
     "Viewer",
     "assign",
     "draw_arm",
+    "draw_axis_relation",
+    "draw_axis_relations",
     "draw_frames",
     "draw_joints",
     "draw_linkage",
+    "draw_nearly_parallel_axes",
     "draw_parts",
     "draw_three_readings",
     "draw_torus",

@@ -51,6 +51,26 @@ class Picture:
         return {"text/html": self.html(), "text/plain": self.alt}
 
 
+@dataclass(frozen=True)
+class Gallery:
+    """Several small pictures side by side, in as many rows as the page needs.
+
+    >>> Gallery((Picture("<svg></svg>", "A drawing with nothing in it."),)).html().count("<figure")
+    1
+    """
+
+    pictures: tuple[Picture, ...]
+
+    def html(self) -> str:
+        """Return the pictures as HTML, each with its text alternative."""
+        columns = "grid-template-columns:repeat(auto-fill,minmax(max(150px,28%),1fr))"
+        pictures = "".join(picture.html() for picture in self.pictures)
+        return f'<div style="display:grid;{columns};gap:.8em;align-items:end;max-width:50em">{pictures}</div>'
+
+    def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
+        return {"text/html": self.html(), "text/plain": "\n".join(picture.alt for picture in self.pictures)}
+
+
 def picture_from_figure(figure: "Figure", alt: str, caption: str = "") -> Picture:
     """Turn a matplotlib figure into a picture. Make the figure without pyplot, so that none is left open.
 

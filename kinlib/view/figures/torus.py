@@ -39,6 +39,8 @@ def draw_torus(
     curves  {"name": (m, 2)} angles in radians; each has its own colour and dash, and its name beside it
     marks   {"name": (2,)} points to mark and label, in radians
 
+    The text alternative is alt, and where the marks are.
+
     Raises ValueError if there are more curves than line styles, or a curve or mark has another shape or contains NaN.
 
     >>> t = np.linspace(0, 2 * np.pi, 50)
@@ -61,13 +63,28 @@ def draw_torus(
         name: _place(np.degrees(wrap_angle(validation.vectors(p, f"mark {name}", 2))))
         for name, p in (marks or {}).items()
     }
-    for (name, points), (colour, dash) in zip(curves.items(), CURVE_STYLES, strict=False):
-        pieces = split_where_wrapped(validation.vectors(points, f"curve {name}", 2))
+    paths = {
+        name: split_where_wrapped(validation.vectors(points, f"curve {name}", 2)) for name, points in curves.items()
+    }
+    labels: list[str] = []
+    for (name, pieces), (colour, dash) in zip(paths.items(), CURVE_STYLES, strict=False):
         drawn += [svg.polyline(_place(piece), colour, 2.2, dash) for piece in pieces]
-        drawn.append(svg.text(_label_place(_place(np.concatenate(pieces)), list(placed.values())), name, colour, 12))
+        others = [_place(piece) for other, theirs in paths.items() if other != name for piece in theirs]
+        labels.append(
+            svg.text(_label_place(_place(np.concatenate(pieces)), list(placed.values()), others), name, colour, 12)
+        )
+    drawn += labels
     for name, centre in placed.items():
         drawn += [svg.circle(centre, 5, INK), svg.text([centre[0], centre[1] + 14], name, INK, 12)]
-    return Picture(svg.document(drawn, LEFT_PX + SQUARE_PX + 24, TOP_PX + SQUARE_PX + 46), alt, caption)
+    places = [
+        f"{name} is at {xlabel} = {angles[0]:.0f}°, {ylabel} = {angles[1]:.0f}°."
+        for name, angles in (
+            (name, np.degrees(wrap_angle(np.asarray(p, dtype=float)))) for name, p in (marks or {}).items()
+        )
+    ]
+    return Picture(
+        svg.document(drawn, LEFT_PX + SQUARE_PX + 24, TOP_PX + SQUARE_PX + 46), " ".join([alt, *places]), caption
+    )
 
 
 def side_by_side(left: Picture, right: Picture, caption: str = "") -> Picture:
@@ -94,12 +111,13 @@ def split_where_wrapped(points: Array) -> list[Array]:
     return np.split(angles, np.flatnonzero(leaves) + 1)
 
 
-def _label_place(points: Array, marks: list[Array]) -> Array:
-    """Return the place of a curve's label in pixels: above the point of the curve that is farthest from all marks."""
+def _label_place(points: Array, marks: list[Array], others: list[Array]) -> Array:
+    """Return the place of a curve's label in pixels: above that point of the curve that is farthest from marks and other curves."""
     inside = points[(np.abs(points[:, 0] - LEFT_PX - SQUARE_PX / 2) < 0.36 * SQUARE_PX) & (points[:, 1] > TOP_PX + 22)]
-    frame_candidates = inside if len(inside) else points
-    far = np.min([np.linalg.norm(frame_candidates - mark, axis=1) for mark in marks or [np.zeros(2)]], axis=0)
-    place: Array = frame_candidates[int(np.argmax(far))] - (0, 12)
+    candidates = (inside if len(inside) else points) - (0, 12)
+    avoided = np.concatenate([np.zeros((1, 2)), *others, *(mark[None] for mark in marks)])
+    distance = np.linalg.norm(candidates[:, None] - avoided, axis=-1).min(axis=1)
+    place: Array = candidates[int(np.argmax(distance))]
     return place
 
 
