@@ -12,8 +12,9 @@ from misstep.answers.base import TOLERANCE, Answer, Unreadable
 class Choice(Answer):
     """One of several named options; each wrong one is a mistake of the problem.
 
-    >>> Choice("b", {"a": "to the left", "b": "to the right"}).read(" B ")
-    'b'
+    >>> choice = Choice("b", {"a": "to the left", "b": "to the right"})
+    >>> choice.read(" B "), choice.read("(b)")
+    ('b', 'b')
     """
 
     value: str
@@ -28,7 +29,7 @@ class Choice(Answer):
         return ["the choice"]
 
     def read(self, given: Any) -> str:
-        letter = given.strip().lower() if isinstance(given, str) and len(given) < 100 else given
+        letter = given.strip().strip("().").lower() if isinstance(given, str) and len(given) < 100 else given
         if not isinstance(letter, str) or letter not in self.options:
             raise Unreadable(f"Expected {self.expected}; got {validation.brief(given)}.")
         return letter

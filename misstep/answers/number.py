@@ -77,7 +77,9 @@ class Numbers(Answer):
             shape = np.shape(given)
         except Exception as error:  # reading the shape of a student's object may raise any error
             raise Unreadable(f"Expected {self.expected}; got {_kind(given)} whose rows differ in length.") from error
-        if shape != expected_shape:
+        if len(expected_shape) == 1 and shape in (column := (*expected_shape, 1), column[::-1]):
+            given = np.ravel(given)  # a column or a row of a matrix lists the same numbers
+        elif shape != expected_shape:
             description = f"{_kind(given)} of shape {shape}" if shape else validation.brief(given)
             raise Unreadable(f"Expected {self.expected}; got {description}.{self.remedy(shape)}")
         try:

@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 
 from misstep.answers.angle import Angles
 from misstep.answers.base import Unreadable
+from misstep.answers.choice import Choice
 from misstep.answers.equivalent import Equivalent
 from misstep.answers.function import Function
 from misstep.answers.number import Numbers, entries_hint, looks_rounded
@@ -325,3 +326,20 @@ def test_no_slip_of_any_matrix_is_right(entries):
     assert not any(answer.agrees(slip.value, answer.value)[0] for slip in found)
     assert all(slip.message for slip in found)
     assert len({slip.value.tobytes() for slip in found}) == len(found)
+
+
+@pytest.mark.parametrize("shape", [(3, 1), (1, 3)])
+def test_a_column_or_a_row_of_a_matrix_is_a_list_of_numbers(shape):
+    answer = Numbers(np.array([1.0, 2.0, 3.0]))
+    assert answer.agrees(answer.read(np.reshape([1, 2, 3], shape)), answer.value) == [True]
+    assert answer.agrees(answer.read(np.reshape([3, 2, 1], shape)), answer.value) == [False]
+
+
+def test_a_matrix_is_not_read_from_a_list_of_its_entries():
+    with pytest.raises(Unreadable, match="shape"):
+        Numbers(np.eye(2)).read([1, 0, 0, 1])
+
+
+@pytest.mark.parametrize("given", ["b", " B ", "b)", "(b)", "b."])
+def test_the_letter_of_an_option_may_have_its_brackets(given):
+    assert Choice("b", {"a": "left", "b": "right"}).read(given) == "b"

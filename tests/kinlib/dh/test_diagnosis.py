@@ -1,13 +1,12 @@
 """Tables from papers and data sheets: right, or told which mistake, or which two, and mended."""
 
-import time
-
 import numpy as np
 import pytest
 from planted_mistakes import TABLES
 
 import kinlib as kl
 from kinlib import DHTable, assign_frames, diagnose, equivalent
+from kinlib.dh import diagnosis
 from kinlib.dh.diagnosis import TableExplanation
 from kinlib.dh.mistakes import corrected_rows, corrections_of_joint_types, format_entry, known_corrections
 
@@ -654,12 +653,15 @@ def test_an_angle_is_told_in_degrees_and_a_length_as_a_number():
 @pytest.mark.parametrize("n", [7, 10])
 @pytest.mark.parametrize("joints", ["R", "RPR"])
 @pytest.mark.parametrize("fixed", [(), CHOICES])
-def test_a_table_with_three_wrong_numbers_takes_at_most_two_seconds(n, joints, fixed):
+def test_few_corrections_of_a_table_with_three_wrong_numbers_are_compared_joint_by_joint(n, joints, fixed, monkeypatch):
+    """Each comparison takes some 50 ms. All other corrections, thousands of pairs, are ruled out together."""
+    compared = []
+    monkeypatch.setattr(
+        diagnosis, "equivalent", lambda *given, **options: compared.append(given) or equivalent(*given, **options)
+    )
     joints = (joints * n)[:n]
     rows = np.array([[0.1 * (k % 3 == 1), (-1) ** k * np.pi / 2, 0.1 * (k % 2) * (k + 1), 0] for k in range(n)])
     right = DHTable(rows, convention="standard", joints=joints)
     wrong = with_entries(right, (2, "a", 0.12), (4, "d", 0.433), (5, "a", 0.5))
-    start = time.process_time()
-    found = diagnose(wrong, right, fixed)
-    assert time.process_time() - start < 2
-    assert not found.right
+    assert not diagnose(wrong, right, fixed).right
+    assert len(compared) <= 2 * diagnosis.MAX_COMPARED + 2
