@@ -29,7 +29,7 @@ def draw_three_readings(T: ArrayLike, point: ArrayLike, *, caption: str = "") ->
     Raises ValueError if T is not a pose, point does not have shape (3,), or they leave the x-y plane.
 
     >>> T = np.array([[0, -1, 0, 1], [1, 0, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1.0]])
-    >>> draw_three_readings(T, [0.5, 0, 0]).alt[59:]
+    >>> draw_three_readings(T, [0.5, 0, 0]).alt[60:]
     'Change of coordinates: the point (0.5, 0, 0) in {b} is (1, 0.5, 0) in {a}. Motion: a body at (0.5, 0, 0) moves to (1, 0.5, 0).'
     """
     T, x_b = validation.poses(T, "T"), validation.vectors(point, "point", 3)
