@@ -20,6 +20,7 @@ from kinlib.view.diagrams.three_readings import draw_three_readings
 from kinlib.view.drawing.picture import Gallery, Picture
 from kinlib.view.drawing.plot import plot
 from kinlib.view.figures.arm import draw_arm, draw_joints
+from kinlib.view.figures.exponential_series import plot_series
 from kinlib.view.figures.frames import draw_frames
 from kinlib.view.figures.linkage import draw_linkage
 from kinlib.view.figures.torus import draw_torus
@@ -27,6 +28,14 @@ from kinlib.view.figures.torus import draw_torus
 if TYPE_CHECKING:
     from kinlib.view.viewer.assignment_player import Player, play_assignment
     from kinlib.view.viewer.dh_row_player import RowPlayer, play_row, play_walk
+    from kinlib.view.viewer.lecture_slides import (
+        slide_axis,
+        slide_curve,
+        slide_frames,
+        slide_linkage,
+        slide_mid_formula,
+        slide_offset,
+    )
     from kinlib.view.viewer.linkage_driver import Drive, drive
     from kinlib.view.viewer.picture_slider import slide
     from kinlib.view.viewer.place_frames import ByHand, assign
@@ -57,7 +66,14 @@ __all__ = [
     "play_row",
     "play_walk",
     "plot",
+    "plot_series",
     "slide",
+    "slide_axis",
+    "slide_curve",
+    "slide_frames",
+    "slide_linkage",
+    "slide_mid_formula",
+    "slide_offset",
 ]
 
 LAZY_NAMES = {
@@ -67,6 +83,7 @@ LAZY_NAMES = {
     **dict.fromkeys(("RowPlayer", "play_row", "play_walk"), "viewer.dh_row_player"),
     **dict.fromkeys(("Viewer", "explore"), "viewer.viewer"),
     "slide": "viewer.picture_slider",
+    **dict.fromkeys((name for name in __all__ if name.startswith("slide_")), "viewer.lecture_slides"),
 }
 """Names that need ipywidgets and anywidget, and their modules, which are imported on first use because figures need neither."""
 

@@ -17,7 +17,7 @@ from traitlets import Bool, HasTraits
 import kinlib as kl
 from kinlib.view import Picture, draw_arm, draw_frames, draw_joints, plot, slide
 from kinlib.view.drawing.canvas import Canvas, convex_hull
-from kinlib.view.figures.joint_bodies import carried_axes, axial_offsets
+from kinlib.view.figures.joint_bodies import axial_offsets, carried_axes
 
 ROOT = Path(__file__).parents[2]
 

@@ -24,12 +24,14 @@ def draw_frames(
     around: ArrayLike | None = None,
     view: str = "default",
     numbers: bool = False,
+    axis_length: float | None = None,
 ) -> Picture:
     """Draw frames by name, with an arrow from each to the next, and points by name.
 
     frames   {"s": T_ss, "b": T_sb, ...}, poses (4, 4) in one common frame
     points   {"p": (x, y, z), ...} in that frame
     numbers  whether the grid has numbers and each origin a dotted line down to it, so that its coordinates can be read off
+    axis_length  the length of the axes in metres; by default a quarter of the size of what is shown
 
     Raises ValueError if a frame is not a pose, a point does not have three coordinates, or there is no frame.
 
@@ -53,7 +55,7 @@ def draw_frames(
     for start, end in pairwise(origins if arrows else []):
         canvas.arrow(start, end, GREY, 1.2, level=1)
     for name, T in poses.items():
-        canvas.triad(T, name, 0.25 * canvas.size)
+        canvas.triad(T, name, axis_length or 0.25 * canvas.size)
     for name, p in places.items():
         canvas.dot(p)
         canvas.label(p, name, INK)

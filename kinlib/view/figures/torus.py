@@ -14,6 +14,7 @@ from kinlib.arrays.validation import Array
 from kinlib.rigid.angles import wrap_angle
 from kinlib.view.drawing import svg
 from kinlib.view.drawing.figure_colours import GREY, INK, PALE_GREY
+from kinlib.view.drawing.labels import LABEL_OFFSETS, Label, Offset, place_labels
 from kinlib.view.drawing.picture import Picture
 
 CURVE_STYLES = (("#7d3ac1", "-"), ("#b35900", "--"), ("#0b5cad", ":"))
@@ -31,21 +32,22 @@ def draw_torus(
     *,
     xlabel: str,
     ylabel: str,
-    alt: str,
+    alt: str | None = None,
     caption: str = "",
 ) -> Picture:
     """Draw curves of two angles on the square from -180 to 180 degrees.
 
     curves  {"name": (m, 2)} angles in radians; each has its own colour and dash, and its name beside it
     marks   {"name": (2,)} points to mark and label, in radians
-
-    The text alternative is alt, and where the marks are.
+    alt     what the curves are; by default the range of each. The text alternative continues with the angles of each mark
 
     Raises ValueError if there are more curves than line styles, or a curve or mark has another shape or contains NaN.
 
     >>> t = np.linspace(0, 2 * np.pi, 50)
-    >>> draw_torus({"once round": np.stack([t, 0.5 * np.sin(t)], 1)}, xlabel="A", ylabel="D", alt="A wave, once round the torus.").alt
-    'A wave, once round the torus.'
+    >>> curve = np.stack([t, 0.5 * np.sin(t)], 1)
+    >>> print(draw_torus({"wave": curve}, {"now": curve[7]}, xlabel="A", ylabel="D").alt)    # doctest: +NORMALIZE_WHITESPACE
+    The square of all angles A and D, whose opposite edges are the same. Curve "wave": A from -176° to 176°, D from -28.6° to
+    28.6°. now is at A = 51.4°, D = 22.4°.
     """
     if len(curves) > len(CURVE_STYLES):
         raise ValueError(
@@ -60,30 +62,25 @@ def draw_torus(
     drawn.append(svg.text([LEFT_PX + SQUARE_PX / 2, TOP_PX + SQUARE_PX + 30], xlabel, INK, 12))
     drawn.append(svg.text([LEFT_PX + 26, TOP_PX - 7], ylabel, INK, 12))
     placed = {
-        name: _place(np.degrees(wrap_angle(validation.vectors(p, f"mark {name}", 2))))
-        for name, p in (marks or {}).items()
+        name: np.degrees(wrap_angle(validation.vectors(p, f"mark {name}", 2))) for name, p in (marks or {}).items()
     }
-    paths = {
-        name: split_where_wrapped(validation.vectors(points, f"curve {name}", 2)) for name, points in curves.items()
-    }
-    labels: list[str] = []
-    for (name, pieces), (colour, dash) in zip(paths.items(), CURVE_STYLES, strict=False):
-        drawn += [svg.polyline(_place(piece), colour, 2.2, dash) for piece in pieces]
-        others = [_place(piece) for other, theirs in paths.items() if other != name for piece in theirs]
-        labels.append(
-            svg.text(_label_place(_place(np.concatenate(pieces)), list(placed.values()), others), name, colour, 12)
-        )
-    drawn += labels
-    for name, centre in placed.items():
-        drawn += [svg.circle(centre, 5, INK), svg.text([centre[0], centre[1] + 14], name, INK, 12)]
-    places = [
-        f"{name} is at {xlabel} = {angles[0]:.0f}°, {ylabel} = {angles[1]:.0f}°."
-        for name, angles in (
-            (name, np.degrees(wrap_angle(np.asarray(p, dtype=float)))) for name, p in (marks or {}).items()
-        )
-    ]
+    pieces = {name: split_where_wrapped(validation.vectors(p, f"curve {name}", 2)) for name, p in curves.items()}
+    labels = []
+    for (name, parts), (colour, dash) in zip(pieces.items(), CURVE_STYLES, strict=False):
+        drawn += [svg.polyline(_place(piece), colour, 2.2, dash) for piece in parts]
+        labels.append(Label(np.zeros(2), name, colour, _label_offsets(_place(np.concatenate(parts))), 12))
+    for name, mark in placed.items():
+        drawn.append(svg.circle(_place(mark), 5, INK))
+        labels.insert(0, Label(_place(mark), name, INK, LABEL_OFFSETS, 12))
+    strokes = [np.stack([line[:-1], line[1:]], axis=1) for parts in pieces.values() for line in map(_place, parts)]
+    discs = np.array([[_place(mark) - 5, _place(mark) + 5] for mark in placed.values()]).reshape(-1, 2, 2)
+    sheet = np.array([LEFT_PX + SQUARE_PX + 24, TOP_PX + SQUARE_PX + 46])
+    inside = np.array([LEFT_PX + SQUARE_PX, TOP_PX + SQUARE_PX])
+    for label, centre in place_labels(labels, np.concatenate([np.zeros((0, 2, 2)), *strokes]), discs, inside):
+        drawn.append(svg.text(centre, label.text, label.colour, label.size))
+    places = [f"{name} is at {xlabel} = {x:.3g}°, {ylabel} = {y:.3g}°." for name, (x, y) in placed.items()]
     return Picture(
-        svg.document(drawn, LEFT_PX + SQUARE_PX + 24, TOP_PX + SQUARE_PX + 46), " ".join([alt, *places]), caption
+        svg.document(drawn, *sheet), " ".join([alt or _describe(xlabel, ylabel, pieces), *places]), caption
     )
 
 
@@ -111,14 +108,21 @@ def split_where_wrapped(points: Array) -> list[Array]:
     return np.split(angles, np.flatnonzero(leaves) + 1)
 
 
-def _label_place(points: Array, marks: list[Array], others: list[Array]) -> Array:
-    """Return the place of a curve's label in pixels: above that point of the curve that is farthest from marks and other curves."""
-    inside = points[(np.abs(points[:, 0] - LEFT_PX - SQUARE_PX / 2) < 0.36 * SQUARE_PX) & (points[:, 1] > TOP_PX + 22)]
-    candidates = (inside if len(inside) else points) - (0, 12)
-    avoided = np.concatenate([np.zeros((1, 2)), *others, *(mark[None] for mark in marks)])
-    distance = np.linalg.norm(candidates[:, None] - avoided, axis=-1).min(axis=1)
-    place: Array = candidates[int(np.argmax(distance))]
-    return place
+def _label_offsets(points: Array) -> list[Offset]:
+    """Return the places for a curve's label: above, below and beside twelve of its points, those in the middle first."""
+    inside = points[(points[:, 0] > LEFT_PX + 30) & (points[:, 0] < LEFT_PX + SQUARE_PX - 30)]
+    chosen = (inside if len(inside) else points)[:: max(1, len(inside) // 12)]
+    nearest_first = chosen[np.argsort(np.abs(chosen - chosen.mean(axis=0)).sum(axis=1), kind="stable")]
+    return [(x + dx, dy - y) for x, y in nearest_first for dx, dy in ((0, 13), (0, -13), (44, 0), (-44, 0))]
+
+
+def _describe(xlabel: str, ylabel: str, pieces: Mapping[str, list[Array]]) -> str:
+    """Describe the curves by the range of each, in degrees."""
+    sentences = [f"The square of all angles {xlabel} and {ylabel}, whose opposite edges are the same."]
+    for name, parts in pieces.items():
+        (a, d), (b, e) = np.concatenate(parts).min(axis=0), np.concatenate(parts).max(axis=0)
+        sentences.append(f'Curve "{name}": {xlabel} from {a:.3g}° to {b:.3g}°, {ylabel} from {d:.3g}° to {e:.3g}°.')
+    return " ".join(sentences)
 
 
 def _place(degrees: Array) -> Array:

@@ -1,0 +1,103 @@
+"""Sliders of one call: every value has its own picture and its own text, and wrong arguments are refused."""
+
+import re
+
+import numpy as np
+import pytest
+
+import kinlib as kl
+from kinlib.rigid.lie import exp, homogeneous
+from kinlib.view import (
+    plot_series,
+    slide_axis,
+    slide_curve,
+    slide_frames,
+    slide_linkage,
+    slide_mid_formula,
+    slide_offset,
+)
+from kinlib.view.drawing.static_export import ENVIRONMENT_VARIABLE
+
+WIDE = kl.linkages.four_bar(ground=0.5, crank=0.3, coupler=0.3, rocker=0.3)
+ARM = kl.robots.mid_formula_arm()
+TABLE = kl.assign_frames(kl.robots.youbot(), convention="standard").table
+
+
+def alts(make, monkeypatch):
+    """Return the text alternative of each picture of a slider."""
+    monkeypatch.setenv(ENVIRONMENT_VARIABLE, "1")
+    return re.findall(r'<img alt="([^"]+)"', make().html())
+
+
+def around_the_curve(**settings):
+    curve = WIDE.trace(WIDE.assembly_modes(hold={"A": 0.5})[0], points=25).q[:-1]  # the last point is the first one again
+    left = np.sin(curve[:, 3]) > 0
+    return slide_curve(WIDE, curve, ("A", "D"), parts={"one mode": left, "other mode": ~left}, **settings)
+
+
+SLIDERS = {
+    "frames": lambda: slide_frames(
+        lambda x: {"s": np.eye(4), "b": homogeneous(exp(np.array([0, 0, x])), (1, 0, 0))}, "angle", [0.0, 0.5, 1.0]
+    ),
+    "axis": lambda: slide_axis(ARM, 3, np.radians([[a, 0, 0, 0] for a in (0, 30, 60)]), "degrees", [0, 30, 60]),
+    "mid-formula": lambda: slide_mid_formula(ARM, [0.5, -0.3, 0.8, 0.4]),
+    "offset": lambda: slide_offset(TABLE, 4, [0, 45, 90]),
+    "linkage": lambda: slide_linkage(WIDE, WIDE.assembly_modes(hold={"A": 0.5}), "mode", [1, 2]),
+    "curve": around_the_curve,
+}
+
+
+@pytest.mark.parametrize("name", SLIDERS)
+def test_every_picture_of_a_slider_has_its_own_text(name, monkeypatch):
+    texts = alts(SLIDERS[name], monkeypatch)
+    assert len(texts) > 1
+    assert len(set(texts)) == len(texts)
+
+
+def test_the_text_beside_a_linkage_says_both_angles(monkeypatch):
+    texts = alts(around_the_curve, monkeypatch)
+    curve = WIDE.trace(WIDE.assembly_modes(hold={"A": 0.5})[0], points=25).q[:-1:2]
+    said = [re.search(r"now is at A = (\S+)°, D = (\S+)°", text).groups() for text in texts]
+    off = np.exp(1j * np.radians(np.array(said, dtype=float))) - np.exp(1j * curve[:, [0, 2]])
+    assert np.abs(off).max() < 0.01
+
+
+def test_the_caption_of_an_axis_is_its_screw_in_both_frames(monkeypatch):
+    monkeypatch.setenv(ENVIRONMENT_VARIABLE, "1")
+    page = SLIDERS["axis"]().html()
+    assert "Axis 3 in {s}: (0.5, 0.866, 0, -0.346, 0.2, 0). In {b}: (0, 0, 1, 0, 0, 0)." in page
+
+
+@pytest.mark.parametrize(
+    ("make", "says"),
+    [
+        (lambda: slide_axis(ARM, 5, np.zeros((1, 4)), "q", [0]), "has joints 1 to 4; got 5"),
+        (
+            lambda: slide_axis(ARM, 1, np.zeros((2, 4)), "q", [0]),
+            "values must be 2 different values, one for each picture; got \\[0\\]",
+        ),
+        (lambda: slide_offset(TABLE, 6, [0]), "rows 1 to 5; got 6"),
+        (lambda: slide_linkage(WIDE, np.zeros((2, 4)), "k", [1, 1]), "values must be 2 different values"),
+        (lambda: slide_curve(WIDE, np.zeros((3, 4)), ("A", "E")), "got 'E'"),
+        (lambda: slide_curve(WIDE, np.zeros((3, 4)), ("A", "D"), parts={"all": [True]}), r"shape \(3,\); got \(1,\)"),
+        (
+            lambda: slide_curve(WIDE, np.zeros((3, 4)), ("A", "D"), captions=["one"]),
+            "one entry per configuration, 3; got 1",
+        ),
+        (lambda: plot_series([0, 0, 1, 0, 0, 0], 1, (1, 0, 0), 1), "at least 2; got 1"),
+    ],
+)
+def test_wrong_arguments_are_refused(make, says):
+    with pytest.raises(ValueError, match=says):
+        make()
+
+
+def test_the_plotted_error_is_that_of_the_sum():
+    S, tool = kl.robots.rpr().screws[0], (0, 0, 1)
+    caption = plot_series(S, 2 * np.pi, tool, 12).caption
+    term, total = np.eye(4), np.eye(4)
+    for k in range(1, 12):
+        term = term @ kl.hat(S * 2 * np.pi) / k
+        total = total + term
+    error = np.abs((total - kl.exp(S * 2 * np.pi)) @ [*tool, 1]).max()
+    assert f"the error after 12 terms is {error:.0e} m" in caption
