@@ -79,9 +79,7 @@ def draw_torus(
     for label, centre in place_labels(labels, np.concatenate([np.zeros((0, 2, 2)), *strokes]), discs, inside):
         drawn.append(svg.text(centre, label.text, label.colour, label.size))
     places = [f"{name} is at {xlabel} = {x:.3g}°, {ylabel} = {y:.3g}°." for name, (x, y) in placed.items()]
-    return Picture(
-        svg.document(drawn, *sheet), " ".join([alt or _describe(xlabel, ylabel, pieces), *places]), caption
-    )
+    return Picture(svg.document(drawn, *sheet), " ".join([alt or _describe(xlabel, ylabel, pieces), *places]), caption)
 
 
 def side_by_side(left: Picture, right: Picture, caption: str = "") -> Picture:
