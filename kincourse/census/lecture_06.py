@@ -9,7 +9,8 @@ from kincourse.census import WrongAnswer, right, wrong, wrong_answers
 from kincourse.census.kinematics import at, chain, link, one_entry, ordinary_forms, pose_slips, turn
 from kincourse.census.lecture_05 import LEFT_OUT, SWAP, row_slips
 from kincourse.census.motions import Array, product
-from kincourse.census.tables import SIGN
+from kincourse.census.tables import SIGN, as_text, legal_tables, table_slips
+from kinlib.dh.table import DHTable
 
 RADIANS_TO_DEGREES = (1, 180 / np.pi, 1, 180 / np.pi)
 
@@ -272,3 +273,60 @@ def rpr(given: Any, answer: Array) -> Iterator[WrongAnswer]:
         }
     )  # fmt: skip
     yield from right(ordinary_forms(M))
+
+
+def _yzy(E: Array) -> Array:
+    """The angles of E = R_y(a) R_z(b) R_y(c), by the textbook formula for b in (0, pi)."""
+    b = np.arccos(np.clip(E[1, 1], -1, 1))
+    return np.array([np.arctan2(E[2, 1], -E[0, 1]), b, np.arctan2(E[1, 2], E[1, 0])])
+
+
+@wrong_answers("06.9")
+def angles_of_a_wrist(given: Any, answer: Array) -> Iterator[WrongAnswer]:
+    first, second = np.array(given.rotations)
+    C = turn("x", -np.pi / 2)
+    t4, t5, t6 = regular = _yzy(first @ C.T)
+    S = second @ C.T
+    total = np.arctan2(S[0, 2], S[2, 2])
+    singular = np.array([0, 0, total])
+    constant = "constant, R_x"
+
+    def both(one: Any, other: Any = singular) -> Array:
+        return np.array([one, other], dtype=float)
+
+    yield from wrong(
+        {
+            "the constant left in R": (both(_yzy(first), _yzy(second)), constant),
+            "the constant removed with the wrong sign": (both(_yzy(first @ C), _yzy(second @ C)), constant),
+            "the constant removed from the left": (both(_yzy(C.T @ first), _yzy(C.T @ second)), constant),
+            "R transposed": (both(_yzy(first.T @ C.T), _yzy(second.T @ C.T)), "transpos, R^T, invers"),
+            "degrees": (np.degrees(both(regular)), "degree, radian"),
+            "the first in degrees": (both(np.degrees(regular)), "degree, radian"),
+            "theta_6 first": (both(regular[::-1], singular[::-1]), "order, reverse"),
+            "theta_5 negated": (both(regular * (1, -1, 1)), "theta_5, half, 180, " + SIGN),
+            "all negated": (-both(regular), SIGN),
+            "theta_4 off by half a turn": (both([t4 + np.pi, t5, t6]), "half, 180, theta_4"),
+            "theta_6 off by half a turn": (both([t4, t5, t6 - np.pi]), "half, 180, theta_6"),
+            "theta_4 and theta_6 by arctan": (both([t4 + np.pi, t5, t6 + np.pi]), "half, 180, theta"),
+            "theta_4 left at 0": (both([0, t5, t6]), f"theta_4, {LEFT_OUT}"),
+            "theta_6 left at 0": (both([t4, t5, 0]), f"theta_6, {LEFT_OUT}"),
+            "the sum twice": (both(regular, [total, 0, total]), "sum, collinear"),
+            "the singular one left at 0": (both(regular, [0, 0, 0]), f"theta_6, collinear, {LEFT_OUT}"),
+            "the singular sum negated": (both(regular, [0, 0, -total]), f"collinear, {SIGN}"),
+            "rotations swapped": (both(singular, regular), SWAP + ", row"),
+            "degrees, constant left in": (np.degrees(both(_yzy(first), _yzy(second))), f"{constant}, degree, radian"),
+        }
+    )
+    other = both([t4 + np.pi, -t5, t6 + np.pi], [0.4, 0, total - 0.4])
+    yield from right(
+        {**ordinary_forms(both(regular)), "the second solution": other, "with full turns": both(regular) + 2 * np.pi}
+    )
+
+
+@wrong_answers("06.10")
+def whole_arm(given: Any, answer: DHTable) -> Iterator[WrongAnswer]:
+    yield from wrong(table_slips(answer))
+    text = as_text(answer.rows, answer.joints, answer.signs)
+    for k, length in enumerate(given.lengths, start=1):
+        text = text.replace(f"{length:g}", f"l_{k}")
+    yield from right({**legal_tables(answer), "lengths as letters": text})

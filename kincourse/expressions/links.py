@@ -13,7 +13,7 @@ from misstep.mutants.expression import Change, Changes, Expression, Operation, g
 from misstep.mutants.operations import DEGREES_ADVICE
 
 CONVENTION_ADVICE = (
-    "Standard is $R_z(\\theta)\\,T_z(d)\\,T_x(a)\\,R_x(\\alpha)$, joint first; modified is "
+    "A standard row is $R_z(\\theta)\\,T_z(d)\\,T_x(a)\\,R_x(\\alpha)$, joint first; a modified row is "
     "$R_x(\\alpha)\\,T_x(a)\\,R_z(\\theta)\\,T_z(d)$, common normal first."
 )
 LENGTHS_ADVICE = "$d$ is measured along $z$, the axis of the joint, and $a$ along $x$, the common normal."
@@ -27,7 +27,8 @@ BACKWARDS_ADVICE = (
     "about these axes by the right-hand rule."
 )
 ALPHA_ADVICE = "In a standard table row $i$ holds $\\alpha_i$, in a modified one $\\alpha_{i-1}$."
-OFFSET_ADVICE = "The table says how each $\\theta$ follows from $q$: the offset is added to $q$."
+RADIANS_ADVICE = "Angles are typed in radians: a right angle is `np.pi / 2`."
+OFFSET_ADVICE = "In a row with an offset $c$, $\\theta = q + c$: the offset is added to $q$."
 
 Rows = Array | Sequence[Sequence[float]]
 
@@ -111,7 +112,13 @@ def table_product(  # noqa: PLR0917
             text = f"use each $\\alpha$ one row too {'low' if step == 1 else 'high'}"
             if not np.allclose(shifted, rows):
                 T = T.mistaken_for(of(shifted), "alpha one row off", text, ALPHA_ADVICE)
-        T = T.mistaken_for(of(rows, q[::-1]), "joint values reversed", "use the joint values in the reverse order")
+        for i in range(len(rows) - 1):
+            swapped = [*q[:i], q[i + 1], q[i], *q[i + 2 :]]
+            text = f"swap $q_{first + i}$ and $q_{first + i + 1}$"
+            T = T.mistaken_for(of(rows, swapped), "joint values swapped", text)
+        if len(rows) > 2:
+            text = "use the joint values in the reverse order"
+            T = T.mistaken_for(of(rows, q[::-1]), "joint values reversed", text)
         if before or after:
             T = T.mistaken_for(of(rows, order=-1), "reversed", "multiply the rows from the last one to the first")
     return T.mistaken_for(inverse(T), "inverted", "give the inverse")
@@ -124,8 +131,7 @@ def axial_twists(a: float, alpha: float, d: float, theta: float) -> Expression:
     array([[2., 0., 0., 1., 0., 0.],
            [0., 0., 4., 0., 0., 3.]])
     """
-    entries = given("a", a, _A), given("\\alpha", alpha, _ALPHA), given("d", d, _D), given("\\theta", theta, _THETA)
-    return _axial_twists(*entries)
+    return _axial_twists(*_typed_entries(a, alpha, d, theta))
 
 
 def dh_row(a: float, alpha: float, d: float, theta: float) -> Expression:
@@ -134,8 +140,13 @@ def dh_row(a: float, alpha: float, d: float, theta: float) -> Expression:
     >>> [change.name for change, _ in dh_row(3.0, 0.5, 4.0, 0.25).changes()][:2]
     ['a and d swapped', 'angles swapped']
     """
-    entries = given("a", a, _A), given("\\alpha", alpha, _ALPHA), given("d", d, _D), given("\\theta", theta, _THETA)
-    return _row(*entries)
+    return _row(*_typed_entries(a, alpha, d, theta))
+
+
+def _typed_entries(a: float, alpha: float, d: float, theta: float) -> tuple[Expression, ...]:
+    """The entries of a row that a student types, and does not use in a formula."""
+    angles = given("\\alpha", alpha, _TYPED_ALPHA), given("\\theta", theta, _TYPED_THETA)
+    return given("a", a, _A), angles[0], given("d", d, _D), angles[1]
 
 
 def _row_changes(node: Expression) -> Changes:
@@ -150,7 +161,7 @@ def _row_changes(node: Expression) -> Changes:
         ("the row backwards", BACKWARDS, BACKWARDS_ADVICE, (-a, -alpha, -d, -theta)),
         ("x in the other direction", "take $x_i$ in the opposite direction", "", (-a, -alpha, d, theta + np.pi)),
         ("off the normal", "take the distance of the origins as $a$", LENGTHS_ADVICE, (hypotenuse, alpha, d, theta)),
-        ("off the normal", "take the distance of the origins as $a$, no $d$", LENGTHS_ADVICE, (hypotenuse, alpha, 0.0, theta)),
+        ("off the normal", "take the distance of the origins as $a$, and 0 as $d$", LENGTHS_ADVICE, (hypotenuse, alpha, 0.0, theta)),
     ):  # fmt: skip
         wrong = _row(*entries)
         if np.all(node.value) or not np.allclose(wrong.value, node.value):
@@ -167,7 +178,12 @@ def _twists(w1: Any, v1: Any, w2: Any, v2: Any) -> Array:
 
 def _axial_changes(node: Expression) -> Changes:
     for name, text, twists in _WRONG_TWISTS:
-        yield Change(name, text), Operation("wrong twists", twists, lambda *_: "x")(*node.arguments)
+        wrong = Operation("wrong twists", twists, lambda *_: "x", _rows_swapped)
+        yield Change(name, text), wrong(*node.arguments)
+    yield from _rows_swapped(node)
+
+
+def _rows_swapped(node: Expression) -> Changes:
     yield Change("rows swapped", "put the joint first"), node[::-1]
 
 
@@ -225,10 +241,14 @@ def _link_changes(convention: Convention, node: Expression) -> Changes:
     if d.operation is _joint_variable:
         variable, constant = d.arguments
         advice = "A prismatic joint changes $d$; its $\\theta$ is a constant."
-        slide = Change("slide in theta", f"add ${variable.latex}$ to $\\theta$ instead of $d$", advice=advice)
-        changes.append((slide, of(a, alpha, constant, theta + variable)))
+        wrong_column = Change(
+            "prismatic variable in theta", f"add ${variable.latex}$ to $\\theta$ instead of $d$", advice=advice
+        )
+        changes.append((wrong_column, of(a, alpha, constant, theta + variable)))
         text = f"add ${variable.latex}$ to $a$ instead of $d$"
-        changes.append((Change("slide in a", text, advice=LENGTHS_ADVICE), of(a + variable, alpha, constant, theta)))
+        changes.append(
+            (Change("prismatic variable in a", text, advice=LENGTHS_ADVICE), of(a + variable, alpha, constant, theta))
+        )
         text = f"swap ${variable.latex}$ and ${a.latex}$"
         changes.append(
             (Change("a and d swapped", text, advice=LENGTHS_ADVICE), of(variable, alpha, a + constant, theta))
@@ -237,7 +257,10 @@ def _link_changes(convention: Convention, node: Expression) -> Changes:
         variable, constant = theta.arguments
         text = f"add ${variable.latex}$ to $d$ instead of $\\theta$"
         changes.append(
-            (Change("turn in d", text, "add every joint value to $d$"), of(a, alpha, d + variable, constant))
+            (
+                Change("revolute variable in d", text, "add every joint value to $d$"),
+                of(a, alpha, d + variable, constant),
+            )
         )
     # In a row with zeros many of these change nothing, and are no mistakes there.
     is_full = all(entry.value for entry in node.arguments)
@@ -254,10 +277,16 @@ def _entry_changes(letter: str, name: str) -> Any:
         text = f"leave out {x}"
         yield Change(f"{name} left out", text, f"leave out every ${letter}$"), 0.0 * node
         if name in ("alpha", "theta"):
-            yield from _degrees_changes(node, x, f"use the degrees of every ${letter}$ as radians")
+            if node.operation in (_TYPED_ALPHA, _TYPED_THETA):
+                in_degrees, both = 180 / np.pi * node, "give the angles in degrees"
+                yield Change("degrees", f"give {x} in degrees", advice=RADIANS_ADVICE), in_degrees
+                yield Change("degrees", both, both, RADIANS_ADVICE, one_by_one=False, in_parts=False), in_degrees
+            else:
+                yield from _degrees_changes(node, x, f"use the degrees of every ${letter}$ as radians")
             text = f"take {x} with the opposite sign"
             everywhere = "take every angle with the opposite sign"
-            yield Change("sign of the angles", text, everywhere, one_by_one=False), negative(node)
+            in_parts = node.operation in (_ALPHA, _THETA)  # of typed entries, one part cannot show it
+            yield Change("sign of the angles", text, everywhere, one_by_one=False, in_parts=in_parts), negative(node)
 
     return changes
 
@@ -425,6 +454,8 @@ _row = Operation(
 _joint_variable = Operation("joint variable", lambda q, constant: q + constant, lambda q, _: q, _variable_changes)
 _A = Operation("a", lambda: None, str, _entry_changes("a", "a"))
 _ALPHA = Operation("alpha", lambda: None, str, _entry_changes("\\alpha", "alpha"))
+_TYPED_ALPHA = Operation("alpha", lambda: None, str, _entry_changes("\\alpha", "alpha"))
+_TYPED_THETA = Operation("theta", lambda: None, str, _entry_changes("\\theta", "theta"))
 _D = Operation("d", lambda: None, str, _entry_changes("d", "d"))
 _THETA = Operation("theta", lambda: None, str, _entry_changes("\\theta", "theta"))
 _Q_ANGLE = Operation("joint value", lambda: None, str, _joint_value_changes)

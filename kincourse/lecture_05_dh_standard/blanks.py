@@ -1,4 +1,4 @@
-"""The blank steps of lecture 05: row 4 of the youBot, its matrix, and the product at the deck's configuration."""
+"""The blank steps of lecture 05: row 4 of the youBot, its matrix, and the product at one configuration."""
 
 import numpy as np
 
@@ -23,18 +23,21 @@ YOUBOT = DHTable(
     convention="standard",
     name="youBot",
 )
-"""The DH table of the EduFill module, with its columns in the order of kinlib: a, alpha, d, theta."""
+"""The DH table of the EduFill manipulation module, with its columns in the order of kinlib: a, alpha, d, theta."""
 
-DECK_CONFIGURATION = np.array([0, 0, RIGHT_ANGLE_RAD, -RIGHT_ANGLE_RAD, -np.pi / 4])
-"""The joint values, in radians, at which the EduFill module draws the arm."""
+DRAWN_CONFIGURATION = np.array([0, 0, RIGHT_ANGLE_RAD, -RIGHT_ANGLE_RAD, -np.pi / 4])
+"""The joint values, in radians, at which the EduFill manipulation module draws the arm."""
 
 
 @problem(
-    "05.a", "Row 4 of the youBot, read off its frames", points=1, lecture="05_dh_standard#Reading a table off a drawing"
+    "05.a",
+    "Row 4 of the youBot, read from its frames",
+    points=1,
+    lecture="05_dh_standard#Reading a table off a drawing",
 )
 def row_4(_draw: ArmSampler) -> Problem:
     return Problem(
-        statement="Read row 4 of the youBot off the drawn frames: $a_4, \\alpha_4, d_4$ and $\\theta_4$ at home.",
+        statement="Read row 4 of the youBot from the drawn frames: $a_4, \\alpha_4, d_4$ and $\\theta_4$ at $q = 0$.",
         answer=DHRowAnswer(YOUBOT.rows[3]),
         solution=dh_row(*YOUBOT.rows[3]).mistaken_for(
             np.array([0, 0, 0, RIGHT_ANGLE_RAD]),
@@ -44,9 +47,9 @@ def row_4(_draw: ArmSampler) -> Problem:
         ),
         invisible=["angles swapped", "both pairs swapped"],  # both angles are right angles
         advice={
-            "take $x_i$ in the opposite direction": "That is legal too, and row 5 would begin with $\\pi$; in the drawing $x_4$ "
+            "take $x_i$ in the opposite direction": "That is allowed too, and then $\\theta_5 = q_5 + \\pi$. But in the drawing $x_4$ "
             "points up.",
-            "sign of theta": "$\\theta_4$ is counted about $z_3$, which points at you: from $x_3$ to $x_4$ it is positive.",
+            "sign of theta": "$\\theta_4$ is measured about $z_3$, which points towards you: from $x_3$ to $x_4$ it is positive.",
         },
     )
 
@@ -55,18 +58,16 @@ def row_4(_draw: ArmSampler) -> Problem:
 def matrix_of_row_4(_draw: ArmSampler) -> Problem:
     A_4 = link([0, RIGHT_ANGLE_RAD, 0, joint_variable("R", 4, -RIGHT_ANGLE_RAD, RIGHT_ANGLE_RAD)], "standard", 4)
     return Problem(
-        statement="Give $A_4$ of the youBot in the deck's posture, where $q_4 = -\\pi/2$.",
+        statement="Give $A_4$ of the youBot at $q_4 = -\\pi/2$.",
         answer=PoseAnswer(A_4.value),
         solution=A_4,
         advice={"leave $q_4$ at 0": "The offset is added to $q_4$; it does not take its place."},
     )
 
 
-@problem(
-    "05.c", "Where the hand is in the deck's posture", points=1, lecture="05_dh_standard#The product of the A matrices"
-)
+@problem("05.c", "The pose of the end-effector", points=1, lecture="05_dh_standard#The product of the A matrices")
 def pose_in_the_deck_configuration(_draw: ArmSampler) -> Problem:
-    T = table_product(YOUBOT.rows, YOUBOT.joints, DECK_CONFIGURATION, "standard")
+    T = table_product(YOUBOT.rows, YOUBOT.joints, DRAWN_CONFIGURATION, "standard")
     return Problem(
         statement="Give $T(q) = A_1 A_2 A_3 A_4 A_5$ of the youBot at $q = (0, 0, \\pi/2, -\\pi/2, -\\pi/4)$.",
         answer=PoseAnswer(T.value),

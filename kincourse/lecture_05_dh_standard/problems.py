@@ -1,4 +1,4 @@
-"""Sheet 05: DH tables in the standard convention: reading them off drawings, multiplying rows, finding a faulty entry."""
+"""Sheet 05: DH tables in the standard convention: reading them from drawings, multiplying rows, finding a faulty entry."""
 
 from functools import partial
 
@@ -37,10 +37,12 @@ ENTRY_MEANINGS = {
     "theta": "the angle from $x_{0}$ to $x_{1}$ about $z_{0}$",
 }
 ACROSS = np.array([np.pi / 2, 0, 0])
-OFFSETS_ADVICE = "$\\theta_i$ runs from $x_{i-1}$ to $x_i$, from one link to the next."
-NORMAL_ADVICE = "$a$ is the distance of two axes, along their common normal: $\\sqrt{\\Delta x^2 + \\Delta y^2}$."
-HEIGHT_ADVICE = "$d_i$ is measured from $O_{i-1}$, along $z_{i-1}$: it is the difference of two heights."
-BASE_AND_TOOL_ADVICE = "$T_{s0}$ is in front of the rows, $T_{2b}$ is behind them: neighbouring letters cancel."
+OFFSETS_ADVICE = "$\\theta_i$ is the angle from $x_{i-1}$ to $x_i$, that is, from one link to the next."
+NORMAL_ADVICE = "$a$ is the distance between two axes, along their common normal: $\\sqrt{\\Delta x^2 + \\Delta y^2}$."
+HEIGHT_ADVICE = "$d_i$ is measured from $O_{i-1}$ along $z_{i-1}$, so it is the difference of two heights."
+BASE_AND_TOOL_ADVICE = (
+    "$T_{s0}$ is the first factor and $T_{2b}$ the last one, because neighbouring indices must be equal."
+)
 
 
 @problem("05.1", "Four numbers between two drawn frames", points=4, lecture="05_dh_standard#Four numbers")
@@ -64,8 +66,8 @@ def four_numbers(sampler: ArmSampler) -> Problem:
         )
     frames = DHTable([row], convention="standard", base=start, name="Two frames")
     return Problem(
-        statement="Frames 0 and 1 are neighbours in the standard convention. Read the four numbers of the row off the drawing: "
-        "$a_1, \\alpha_1, d_1, \\theta_1$. Lengths are whole metres, angles are whole quarter turns; $y$ follows from $x$ and $z$.",
+        statement="Frames 0 and 1 follow the standard convention. Read their row from the drawing: $a_1, \\alpha_1, d_1, \\theta_1$. "
+        "Lengths are whole metres, and angles are multiples of 90°. The $y$ axes are not drawn: they follow from $x$ and $z$.",
         figure=partial(draw_table, frames, numbers=True, path=False),
         answer=DHRowAnswer(row),
         solution=dh_row(*row),
@@ -78,16 +80,20 @@ def one_row(sampler: ArmSampler) -> Problem:
     a, d = sampler.length(0.2, 0.9), sampler.length(0.2, 0.9)
     alpha, theta = sampler.choice([90, -90, 60, -60, 30, -30]), sampler.degrees(-75, 75)
     A = link([a, np.radians(alpha), d, np.radians(theta)], "standard", label="A_i")
+    mirrored = A.value.copy()
+    mirrored[[0, 1], [1, 0]] = mirrored[[1, 0], [0, 1]]
     return Problem(
-        statement="Write $A_i$ for the row\n\n| a | alpha | d | theta |\n| --- | --- | --- | --- |\n"
+        statement="Give the matrix $A_i$ of the row\n\n| a | alpha | d | theta |\n| --- | --- | --- | --- |\n"
         f"| {number(a)} | {alpha}° | {number(d)} | {theta}° |\n\nin the standard convention. Lengths are in metres.",
         given={"a": a, "alpha_degrees": alpha, "d": d, "theta_degrees": theta},
         answer=PoseAnswer(A.value),
-        solution=A.mistaken_for(inverse(A), "inverted", "give the inverse"),
+        solution=A.mistaken_for(inverse(A), "inverted", "give the inverse").mistaken_for(
+            mirrored, "entries swapped", "swap the entries $(1, 2)$ and $(2, 1)$"
+        ),
     )
 
 
-@problem("05.3", "A whole table, off a drawing", points=4, lecture="05_dh_standard#Reading a table off a drawing")
+@problem("05.3", "A whole table from a drawing", points=4, lecture="05_dh_standard#Reading a table off a drawing")
 def whole_table(sampler: ArmSampler) -> Problem:
     rows, places = np.zeros((3, 4)), [np.zeros(3)]
     while not are_distinguishable(places):
@@ -100,9 +106,9 @@ def whole_table(sampler: ArmSampler) -> Problem:
         places = [np.zeros(3), rows[0, 2] * Z, *robot.joint_points[1:], robot.home[:3, 3]]
     table = DHTable(rows, convention="standard", name="your arm")
     return Problem(
-        statement="Write a table of this arm in the standard convention. It is drawn where all its joint values are 0; each "
-        "arrow shows which way its joint turns when $q$ grows. Frame 0 is {s}, and frame 3 is {b}, so base and tool are the "
-        f"identity. Every table that moves {{b}} as the arm does is right.\n\n{joint_table(robot)}\n\n"
+        statement="Write a table of this arm in the standard convention. The drawing shows $q = 0$; each arrow shows the "
+        "direction in which its joint rotates when $q$ grows. Frame 0 is {s} and frame 3 is {b}, so base and tool are the "
+        f"identity. A table is right if it gives the pose of {{b}} for every $q$.\n\n{joint_table(robot)}\n\n"
         f"{{b}} is at ${vector(robot.home[:3, 3])}$, its $x$ along ${vector(robot.home[:3, 0])}$, its $z$ along "
         f"${vector(robot.home[:3, 2])}$.",
         figure=partial(draw_joints, robot, tool=True),
@@ -130,7 +136,7 @@ def offsets(sampler: ArmSampler) -> Problem:
         values = np.radians(np.diff(headings, prepend=0))
     rows = [[a, 0, 0, theta] for a, theta in zip(lengths, values, strict=True)]
     table = DHTable(rows, convention="standard", name="Your planar arm")
-    headings_text = ", ".join(f"link {i} by {angle}°" for i, angle in enumerate(headings, start=1))
+    headings_text = ", ".join(f"link {i}: {angle}°" for i, angle in enumerate(headings, start=1))
     h1, h2, h3 = (radians(given(f"\\varphi_{i}", float(angle), ANGLE)) for i, angle in enumerate(headings, start=1))
     c = stack(h1, h2 - h1, h3 - h2)
     for name, text, wrong, advice in (
@@ -139,13 +145,13 @@ def offsets(sampler: ArmSampler) -> Problem:
             "sign",
             "measure backwards, from $x_i$ to $x_{i-1}$",
             -c,
-            "Anticlockwise is positive, for $z$ points towards you.",
+            "Anticlockwise is positive, because $z$ points towards you.",
         ),
         (
             "added up",
-            "add the angles up",
+            "add up the angles",
             stack(h1, h1 + h2, h1 + h2 + h3),
-            "The angles against $x_0$ are sums already.",
+            "The given angles are measured from $x_0$, so they are sums already.",
         ),
         (
             "measured to the next link",
@@ -153,14 +159,19 @@ def offsets(sampler: ArmSampler) -> Problem:
             stack(h1 - h2, h2 - h3, h3),
             OFFSETS_ADVICE,
         ),
-        ("inner angles", "give the inner angles between the links", np.pi - c, "$\\theta_i$ is 0 for a straight arm."),
-        ("x across the link", "take $x_i$ at a right angle to link $i$", c + ACROSS, "$x_i$ runs along link $i$."),
-        ("x across the link", "take $x_i$ at a right angle to link $i$", c - ACROSS, "$x_i$ runs along link $i$."),
+        (
+            "inner angles",
+            "give the inner angles between the links",
+            np.pi - c,
+            "$\\theta_i$ is 0 for a straight arm.",
+        ),
+        ("x across the link", "take $x_i$ perpendicular to link $i$", c + ACROSS, "$x_i$ runs along link $i$."),
+        ("x across the link", "take $x_i$ perpendicular to link $i$", c - ACROSS, "$x_i$ runs along link $i$."),
         (
             "no offset",
             "leave out all offsets",
             0 * c,
-            "$\\theta_i$ is the angle between two $x$ axes, also where $q_i = 0$.",
+            "$\\theta_i$ is the angle between two $x$ axes, also at $q_i = 0$.",
         ),
         ("reversed", "list the offsets from the last joint to the first", c[::-1], ""),
         (
@@ -179,9 +190,9 @@ def offsets(sampler: ArmSampler) -> Problem:
     ):
         c = c.mistaken_for(wrong, name, text, advice)
     return Problem(
-        statement="All axes of this planar arm point towards you, and $x_i$ runs along link $i$. The maker calls the drawn "
-        f"posture zero. In it, the links are turned against $x_0$, anticlockwise where positive: {headings_text}. "
-        "The rows read $\\theta_i = q_i + c_i$. Give the offsets $c_1, c_2, c_3$ in radians.",
+        statement="All joint axes of this planar arm point towards you, and $x_i$ runs along link $i$. The manufacturer defines the "
+        f"drawn configuration as $q = 0$. There, the links make these angles with $x_0$, anticlockwise positive: {headings_text}. "
+        "In the table $\\theta_i = q_i + c_i$. Give the offsets $c_1, c_2, c_3$ in radians.",
         figure=partial(draw_table, table, view="top"),
         given={"headings_degrees": np.array(headings)},
         answer=DHEntriesAnswer(c.value, names=["offset of theta_1", "offset of theta_2", "offset of theta_3"]),
@@ -212,7 +223,7 @@ def chain_of_matrices(sampler: ArmSampler) -> Problem:
     printed = markdown_table([cell.split(" | ") for cell in cells])
     T = table_product(table.rows, joint_types, q, "standard")
     return Problem(
-        statement=f"Where is frame 3 of this arm, seen from frame 0, at $q = {vector(q)}$ (radians and metres)? The convention is "
+        statement=f"Give the pose ${{}}^0T_3$ of this arm at $q = {vector(q)}$ (radians and metres). The convention is "
         f"standard.\n\n{printed}",
         figure=partial(
             draw_table, table
@@ -250,8 +261,8 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
     answer = f"{COLUMNS[k]}{i + 1}"
     printed = markdown_table([[number(a), degrees(alpha), number(d), degrees(theta)] for a, alpha, d, theta in wrong])
     return Problem(
-        statement="The table below was read off the drawn frames, at $q = 0$, in the standard convention. One entry is wrong. "
-        f"Which? Answer with its column and its row, such as `'d2'`.\n\n{printed}",
+        statement="The table below was read from the drawn frames, at $q = 0$, in the standard convention. One entry is wrong. "
+        f"Which one? Answer with its column and its row, such as `'d2'`.\n\n{printed}",
         figure=partial(draw_table, table, numbers=True),
         given={"frames": np.array(frames), "rows": wrong},
         answer=Choice(answer, names),
@@ -263,13 +274,14 @@ def _other_entry(chosen: str, faulty: str) -> Mistake:
     """The mistake of choosing an entry that is right, such as "d2"."""
     column, row = chosen[:-1], int(chosen[-1])
     measures = ENTRY_MEANINGS[column].format(row - 1, row)
-    fits = f"This entry fits the drawing: {column} in row {row} is {measures}."
+    fits = f"This entry agrees with the drawing: {column} in row {row} is {measures}."
     if row == int(faulty[-1]):
         same_axis = {column, faulty[:-1]} in ({"a", "alpha"}, {"d", "theta"})
-        where = "The row is right, and so is the axis." if same_axis else "The row is right, but not the axis."
+        axis = "is" if same_axis else "is not"
+        where = f"You chose the right row. The faulty entry {axis} measured along or about the same axis."
         return mistake("another entry of the row", chosen, f"{where} {fits}")
     if column == faulty[:-1]:
-        return mistake("another row", chosen, f"The column is right, but not the row. {fits}")
+        return mistake("another row", chosen, f"You chose the right column, but not the right row. {fits}")
     return mistake("another row and column", chosen, f"{fits} Compare the other rows with the drawing.")
 
 
@@ -295,6 +307,7 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
     steps = [_axis_distance(i, *step) for i, step in enumerate(np.diff(points, axis=0), start=1)]
     a, d = [a for a, _ in steps], [z[1] - z[0], z[2] - z[1]]
     far, rise = float(np.hypot(*(third - first)[:2])), z[2] - z[0]
+    d[1] = d[1].mistaken_for(rise, "measured from joint 1", "measure $d_2$ from joint 1", "Row 2 begins at joint 2.")
     answer = stack(a[0], d[0], a[1], d[1])
     for name, text, wrong, advice in (
         ("off the normal", "measure $a$ from joint to joint", (steps[0][1], 0.0, steps[1][1], 0.0), NORMAL_ADVICE),
@@ -303,15 +316,15 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
         ("rows swapped", "swap the two rows", (a[1], d[1], a[0], d[0]), ""),
         ("height above the floor", "take the height above the floor for $d$", (a[0], z[1], a[1], z[2]), HEIGHT_ADVICE),
         ("height of the joint before", "take the height of joint $i$ for $d_i$", (a[0], z[0], a[1], z[1]), HEIGHT_ADVICE),
-        ("origins on one level", "keep all origins on one level", (a[0], 0.0, a[1], 0.0), "They are asked for at the joints."),
+        ("origins on one level", "keep all origins on one level", (a[0], 0.0, a[1], 0.0), "The origins are at the joints here."),
         ("sign of d", "measure every $d$ downwards", (a[0], -d[0], a[1], -d[1]), "$d$ grows along $z$, which points up."),
         ("measured from joint 1", "measure both rows from joint 1", (a[0], d[0], far, rise), "Row 2 begins at joint 2."),
     ):  # fmt: skip
         answer = answer.mistaken_for(stack(*wrong), name, text, advice)
     return Problem(
-        statement="Three parallel axes point up. Their joints are where the table says. Put $O_0$ at joint 1, and each further "
-        "origin where the deck puts it for parallel axes, at joint $i + 1$; let each $x_i$ point from axis to axis. Give "
-        f"$a_1, d_1, a_2, d_2$.\n\n{joint_table(robot)}",
+        statement="Three parallel joint axes point up. The table gives a point of each joint. For parallel axes, the origin may be "
+        "anywhere on its axis; here $O_0$ is at joint 1, $O_1$ at joint 2 and $O_2$ at joint 3. Each $x_i$ points from axis $i$ "
+        f"to axis $i + 1$. Give $a_1, d_1, a_2, d_2$.\n\n{joint_table(robot)}",
         figure=partial(draw_joints, robot),
         given={"points": points},
         answer=DHEntriesAnswer(answer.value, names=["a_1", "d_1", "a_2", "d_2"]),
@@ -330,7 +343,7 @@ def _axis_distance(i: int, x: float, y: float, z: float) -> tuple[Expression, fl
     a = sqrt(square(dx) + square(dy)).named(f"a_{i}")
     for name, text, wrong in (
         ("off the normal", f"take the distance of the joints as $a_{i}$", between),
-        ("round the corner", f"add the steps along $x$ and along $y$ for $a_{i}$", abs(x) + abs(y)),
+        ("sum of the steps", f"add the steps along $x$ and $y$ for $a_{i}$", abs(x) + abs(y)),
         ("one step alone", f"take the step along $x$ alone as $a_{i}$", dx),
         ("one step alone", f"take the step along $y$ alone as $a_{i}$", dy),
     ):
@@ -365,8 +378,8 @@ def base_and_tool(sampler: ArmSampler) -> Problem:
     return Problem(
         statement=f"An arm has two rows, $(a, \\alpha, d, \\theta) = {_format_row(rows[0], 1)}$ and "
         f"${_format_row(rows[1], 2)}$, in the standard "
-        f"convention. It is mounted at $T_{{s0}}$, and a camera {{b}} sits on frame 2 at $T_{{2b}}$:\n\n"
-        f"$$T_{{s0}} = {matrix(base)}, \\qquad T_{{2b}} = {matrix(tool)}.$$\n\nWhere is the camera, $T_{{sb}}(q)$, at $q = {vector(q)}$?",
+        f"convention. Its base frame 0 is at $T_{{s0}}$, and a camera {{b}} is mounted on frame 2 at $T_{{2b}}$:\n\n"
+        f"$$T_{{s0}} = {matrix(base)}, \\qquad T_{{2b}} = {matrix(tool)}.$$\n\nGive the pose $T_{{sb}}(q)$ at $q = {vector(q)}$.",
         figure=partial(
             draw_table, table
         ),  # drawn at zero, because the text alternative at q would give the answer away
@@ -374,7 +387,7 @@ def base_and_tool(sampler: ArmSampler) -> Problem:
         answer=PoseAnswer(T.value),
         solution=T,
         advice={
-            "leave out $T_{s0}$": f"This is the pose in frame 0. {BASE_AND_TOOL_ADVICE}",
+            "leave out $T_{s0}$": f"This is the pose of the camera in frame 0. {BASE_AND_TOOL_ADVICE}",
             "leave out $T_{2b}$": f"This is the pose of frame 2, without the tool. {BASE_AND_TOOL_ADVICE}",
             "reversed": ORDER_ADVICE,
             "order": ORDER_ADVICE,

@@ -1,4 +1,4 @@
-"""The blank steps of lecture 06: a link transform, one that a deck misprints, a product of two, and a converted row."""
+"""The blank steps of lecture 06: a link transform, one that a slide misprints, a product of two, and a converted row."""
 
 import numpy as np
 
@@ -13,14 +13,15 @@ from misstep.problem import Problem
 RIGHT_ANGLE_RAD = np.pi / 2
 ROW_2 = (0.0, -RIGHT_ANGLE_RAD, 0.3, -RIGHT_ANGLE_RAD)
 ROW_3 = (0.5, -RIGHT_ANGLE_RAD, 0.0, RIGHT_ANGLE_RAD)
-"""Rows 2 and 3 (a, alpha, d, theta) of the arm of the deck "n = 5", at the joint values of steps 06.b and 06.c."""
+"""Rows 2 and 3 (a, alpha, d, theta) of the arm of "DH example with n = 5", at the joint values of steps 06.b and 06.c."""
 
 
 @problem("06.a", "A link transform of the PUMA", points=1, lecture="06_dh_modified#The general matrix")
 def puma_row_4(_draw: ArmSampler) -> Problem:
     T_34 = link([0.0203, -RIGHT_ANGLE_RAD, 0.4318, np.radians(30)], "modified", 4)
     return Problem(
-        statement="Row 4 of the PUMA's table has $\\alpha_3 = -90°$, $a_3$, $d_4$ and $\\theta_4 = 30°$. Give ${}^3T_4$.",
+        statement="Row 4 of the PUMA's table has $a_3 = 0.0203$ m, $\\alpha_3 = -90°$, $d_4 = 0.4318$ m and $\\theta_4 = 30°$. Give "
+        "${}^3T_4$.",
         answer=PoseAnswer(T_34.value),
         solution=T_34,
     )
@@ -38,8 +39,8 @@ def n5_row_2(_draw: ArmSampler) -> Problem:
         solution=T_12.mistaken_for(
             printed,
             "as printed",
-            "copy the deck's matrix",
-            "Its third row is 1 0 1 0, so it is no rotation: columns 1 and 3 are not perpendicular.",
+            "copy the printed matrix, whose entry $(3, 3)$ is 1",
+            "Its third row is 1 0 1 0, so it contains no rotation matrix: columns 1 and 3 are not perpendicular.",
         ),
         advice={"leave out $\\theta_2$": "A prismatic joint has a $\\theta$ too; it is a constant."},
     )
@@ -53,7 +54,7 @@ def n5_rows_2_and_3(_draw: ArmSampler) -> Problem:
         statement="At $q_2 = 0.3$ m and $q_3 = 90°$, give ${}^1T_3 = {}^1T_2\\,{}^2T_3$ of the n = 5 arm, with $l_2 = 0.5$ m.",
         answer=PoseAnswer(T_13.value),
         solution=T_13,
-        advice={"order": "Neighbouring indices cancel: the 2s must be side by side."},
+        advice={"order": "Neighbouring indices cancel, so the 2s must be side by side."},
     )
 
 
@@ -66,24 +67,24 @@ def youbot_row_2(_draw: ArmSampler) -> Problem:
         ),
         mistakes=[
             mistake(
-                "not handed on",
+                "not converted",
                 [0.155, 0.0, 0.0, 0.0],
-                "This is row 2 as it stands. In a modified row 2 stand $a_1$ and $\\alpha_1$, those of the link before joint 2.",
+                "This is row 2 of the standard table. A modified row 2 holds $a_1$ and $\\alpha_1$, those of the link before joint 2.",
             ),
             mistake(
-                "the other way",
+                "moved the other way",
                 [0.135, 0.0, 0.0, 0.0],
-                "You took $a$ and $\\alpha$ from row 3. They are handed on downwards: row 2 gets them from row 1.",
+                "You took $a$ and $\\alpha$ from row 3. They move down by one row: row 2 gets them from row 1.",
             ),
             mistake(
-                "the whole row",
+                "whole rows moved",
                 [0.033, RIGHT_ANGLE_RAD, 0.147, 0.0],
-                "You handed on the whole of row 1. $d$ and $\\theta$ belong to the joint and stay in its row; $a$ and $\\alpha$ move.",
+                "You moved the whole of row 1. $d$ and $\\theta$ belong to the joint and stay in its row; only $a$ and $\\alpha$ move.",
             ),
             mistake(
                 "degrees",
                 [0.033, 90.0, 0.0, 0.0],
-                "Your $\\alpha_1$ is in degrees. Type radians: np.pi / 2.",
+                "Your $\\alpha_1$ is in degrees. Give it in radians: `np.pi / 2`.",
             ),
         ],
     )

@@ -1,42 +1,60 @@
-"""Sheet 06: rows as two screw motions, link transforms, both conventions of one arm, a faulty entry, a wrist, a chain."""
+"""Sheet 06: rows as two screw motions, link transforms, both conventions of one arm, a faulty entry, wrists, chains."""
 
 import itertools
-from collections.abc import Iterator, Sequence
+from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
 from functools import partial, reduce
+from itertools import accumulate
 from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
+from kincourse.answers.dh_table import DHTableAnswer
 from kincourse.answers.pose import PoseAnswer, RotationAnswer
 from kincourse.answers.screws import ScrewsAnswer
 from kincourse.expressions.links import axial_twists, link, table_product
 from kincourse.expressions.poses import inverse, rotation_about, rotation_of
+from kincourse.expressions.wrist import wrist_angles, wrist_rotation
+from kincourse.mistakes.dh import table_mistakes
 from kincourse.problem import problem
-from kincourse.sampling.arms import ArmSampler
+from kincourse.sampling.arms import ArmSampler, are_distinguishable
+from kincourse.text.joint_table import joint_table
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import random_configurations
 from kinlib.dh.formatting import add_variable
 from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS
 from kinlib.dh.table import Convention, DHTable, dh_transform
 from kinlib.rigid.lie import exp
-from kinlib.view import draw_arm, draw_frames
+from kinlib.view import draw_arm, draw_frames, draw_joints
 from misstep.answers.base import TOLERANCE
 from misstep.answers.choice import Choice
+from misstep.answers.equivalent import Equivalent
 from misstep.answers.number import LENGTH, PURE, Numbers, Slip
 from misstep.display.text import degrees, matrix, number, vector
-from misstep.mistakes import mistake
+from misstep.mistakes import Mistake, mistake
 from misstep.mutants.expression import Expression, given, product
+from misstep.mutants.operations import stack
 from misstep.problem import Problem
 from misstep.sheet import Sheet
+
+RIGHT_ANGLE_RAD = np.pi / 2
+
+ANGLES_TOLERANCE_FACTOR = 3
+"""How many times the tolerance of one entry a rotation may be off: the rounding errors of three angles add up."""
+
+MIN_HEIGHT_M = 0.5
+"""The minimum height of the joints of a drawn arm above the floor, at which their drop lines can be read."""
 
 ALPHAS_DEG = (-90, 90, -60, 60, -45, 45, -30, 30)
 """Values of alpha that are easy to type. None is 0, because parallel joint axes would hide half of the mistakes."""
 
 VALUE_ADVICE = "Read it off $({}^0T_{i-1})^{-1}\\,{}^0T_i$, in metres or radians."
-WRIST_ADVICE = (
-    "The wrist is $R_y(\\theta_4)\\,R_z(\\theta_5)\\,R_y(\\theta_6)\\,R_x(-90°)$: put in zeros to see the constant."
+WRIST_ADVICE = "The wrist is $R_y(\\theta_4)\\,R_z(\\theta_5)\\,R_y(\\theta_6)\\,R_x(-90°)$. With all angles 0 only the constant is left."
+
+OFF_THE_NORMAL = (
+    "You took the distance of the origins as $a$, and 0 as $d$. $a_{i-1}$ is measured along $x_{i-1}$, from axis to axis, and "
+    "$d_i$ along $z_i$."
 )
 
 TABLE_HEADS = {
@@ -102,8 +120,8 @@ class DHRowsAnswer(Numbers):
         end, start = (0, -1) if step == 1 else (-1, 0)
         kept[end, link], folded[end, link] = self.unconverted[end, link], self.unconverted[start, link]
         return [
-            ("not converted", self.unconverted, "These are the rows of the given table."),
-            ("moved the other way", self._moved(-step, link), "$a$ and $\\alpha$ are moved the other way."),
+            ("not converted", self.unconverted, "These are the rows of the given table, not converted."),
+            ("moved the other way", self._moved(-step, link), "$a$ and $\\alpha$ are moved in the wrong direction."),
             ("whole rows moved", self._moved(step, [0, 1, 2, 3]), "Whole rows are moved: $d$ and $\\theta$ stay with their joint."),
             ("d and theta moved", self._moved(step, [2, 3]), "$d$ and $\\theta$ are moved in place of $a$ and $\\alpha$."),
             ("a alone moved", self._moved(step, [0]), "$a$ is moved, and $\\alpha$ is not. Both belong to the link."),
@@ -113,8 +131,8 @@ class DHRowsAnswer(Numbers):
             ("two rows too far", np.roll(self.unconverted, 2 * step, axis=0) * (1, 1, 0, 0) + self.unconverted * (0, 0, 1, 1),
              "$a$ and $\\alpha$ are moved by two rows instead of one."),
             ("two rows too far", self._moved(2 * step, link), "$a$ and $\\alpha$ are moved by two rows instead of one."),
-            ("end kept", kept, "The row without a neighbour keeps its $a$ and $\\alpha$, but they belong to another row now."),
-            ("end folded in", folded, "The $a$ and $\\alpha$ that are left over came back at the other end. They are no part of the rows."),
+            ("end kept", kept, "The row at the empty end keeps its $a$ and $\\alpha$, but they belong to the row beside it."),
+            ("end folded in", folded, "The $a$ and $\\alpha$ that are left over were put in the row at the other end. They are in no row."),
             ("rows swapped", self.value[::-1], "The rows are in reverse order."),
         ]  # fmt: skip
 
@@ -185,6 +203,47 @@ class AxialTwistsAnswer(ScrewsAnswer):
 
 
 @dataclass(frozen=True, eq=False)
+class WristAnglesAnswer(Equivalent):
+    """Angles theta_4, theta_5, theta_6 of a wrist in rows, in radians; the second row is at the singular configuration.
+
+    Each row is a part, and right if it gives the right rotation.
+
+    >>> answer = WristAnglesAnswer(np.array([[0.1, 0.2, 0.3], [0, 0, 0.5]]))
+    >>> answer.agrees(np.array([[0.1 + np.pi, -0.2, 0.3 + np.pi], [0.25, 0, 0.25]]), answer.value)
+    [True, True]
+    """
+
+    noun: ClassVar[str] = "theta_4, theta_5, theta_6 in radians, one row for each rotation, an array"
+    meaning: Callable[[Array], Array] = field(default=wrist_rotation, kw_only=True)
+
+    @property
+    def parts(self) -> Sequence[str]:
+        return ["the angles for R_1", "the angles for R_2"]
+
+    def part_indices(self) -> list[int]:
+        return [0, 1]
+
+    def agrees(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> list[bool]:
+        off = [np.abs(self.meaning(mine) - self.meaning(yours)).max() for mine, yours in zip(one, other, strict=True)]
+        return [bool(distance <= ANGLES_TOLERANCE_FACTOR * tolerance) for distance in off]
+
+    def hint(self, given: Array, part: int) -> str:
+        if abs(np.cos(given[part, 1]) - np.cos(self.value[part, 1])) > TOLERANCE:
+            return ""
+        if part == 0:
+            return "Your $\\theta_5$ is possible, but not with these $\\theta_4$ and $\\theta_6$."
+        return (
+            "Your $\\theta_5$ is right. Axes 4 and 6 are collinear there, so $R_2$ shows $\\theta_4 + \\theta_6$ alone, and your sum "
+            "is wrong."
+        )
+
+    def remark(self, given: Array) -> str:
+        if np.cos(given[0, 0] - self.value[0, 0]) > 0:
+            return ""
+        return "For $R_1$ you found the second solution, $(\\theta_4 + \\pi, -\\theta_5, \\theta_6 + \\pi)$."
+
+
+@dataclass(frozen=True, eq=False)
 class FaultyEntryAnswer(Numbers):
     """The place of a faulty entry of a printed table, row and column counted from 1, and its right value, shape (3,).
 
@@ -207,6 +266,9 @@ class FaultyEntryAnswer(Numbers):
             same[2] = abs(2 * np.sin((one[2] - other[2]) / 2)) <= tolerance
         return same
 
+    def slips(self) -> Iterator[Mistake]:
+        return iter(())  # a row number has no half and no sign
+
     def explanation(self, given: Array, part: int) -> tuple[str, str] | None:
         if part == 2:
             return None
@@ -222,18 +284,23 @@ def link_transform(sampler: ArmSampler) -> Problem:
     a, alpha, d, theta = row
     T = link(row, "modified", label="{}^{i-1}T_i")
     ca, sa, c, s = np.cos(alpha), np.sin(alpha), np.cos(theta), np.sin(theta)
-    exchanged = T.value.copy()
-    exchanged[1, 0], exchanged[2, 1] = c * sa, s * ca
+    swapped, mirrored = T.value.copy(), T.value.copy()
+    swapped[1, 0], swapped[2, 1] = c * sa, s * ca
+    mirrored[[0, 1], [1, 0]] = mirrored[[1, 0], [0, 1]]
     return Problem(
-        statement="Give the link transform ${}^{i-1}T_i$ of this row of a modified table, with the joint where it stands.\n\n"
+        statement="Give the link transform ${}^{i-1}T_i$ of this row of a modified table, with the given $d$ and $\\theta$.\n\n"
         + _format_table([row], "modified"),
         given={"a": a, "alpha": alpha, "d": d, "theta": theta},
         answer=PoseAnswer(T.value),
-        solution=T.mistaken_for(inverse(T), "inverted", "give the inverse").mistaken_for(
-            exchanged,
-            "entries exchanged",
-            "use the first general matrix of Lecture 7, in which two entries are swapped",
-            "Its columns are not perpendicular to each other.",
+        solution=(
+            T.mistaken_for(inverse(T), "inverted", "give the inverse")
+            .mistaken_for(
+                swapped,
+                "entries swapped",
+                "swap the entries $(2, 1)$ and $(3, 2)$, as a printed matrix of the lecture does",
+                "The columns are then not perpendicular to each other.",
+            )
+            .mistaken_for(mirrored, "entries swapped", "swap the entries $(1, 2)$ and $(2, 1)$")
         ),
     )
 
@@ -250,8 +317,8 @@ def axial_screws(sampler: ArmSampler) -> Problem:
         answer=AxialTwistsAnswer(x.value, names=["the first twist", "the second twist"]),
         solution=x,
         advice={
-            "rows swapped": "The modified convention crosses the link first: joint first is the standard convention.",
-            "theta for alpha": "Lecture 7 prints it so, but about $x$ the angle is $\\alpha$.",
+            "rows swapped": "In the modified convention the screw across the link comes first. Joint first is the standard convention.",
+            "theta for alpha": "The rotation about $x$ has the angle $\\alpha$.",
         },
     )
 
@@ -261,9 +328,9 @@ def to_modified(sampler: ArmSampler) -> Problem:
     table = _random_table(sampler, "standard")
     answer = _converted(table, "modified")
     return Problem(
-        statement="Convert this standard table to the modified convention. The base stays; the $a$ and $\\alpha$ that are left "
-        "over become the tool, and no part of the answer. Give four rows $a_{i-1}, \\alpha_{i-1}, d_i, \\theta_i$ at $q = 0$, angles in "
-        "radians.\n\n" + _format_table(table.rows, "standard", table.joints),
+        statement="Convert this standard table to the modified convention. Frame 0 stays the same. The $a$ and $\\alpha$ that are "
+        "left over become the tool, which is not part of the answer. Give four rows $a_{i-1}, \\alpha_{i-1}, d_i, \\theta_i$ at "
+        "$q = 0$, angles in radians.\n\n" + _format_table(table.rows, "standard", table.joints),
         given={"rows": table.rows, "joints": table.joints},
         answer=answer,
         mistakes=[mistake(*wrong) for wrong in answer.wrong_conversions()],
@@ -275,9 +342,9 @@ def to_standard(sampler: ArmSampler) -> Problem:
     table = _random_table(sampler, "modified")
     answer = _converted(table, "standard")
     return Problem(
-        statement="The first row of this modified table is not empty: its frame {0} stands on the wall, away from axis 1. "
-        "Convert the table to the standard convention. The $a$ and $\\alpha$ that are left over become the base, and no part of the "
-        "answer. Give four rows $a_i, \\alpha_i, d_i, \\theta_i$ at $q = 0$, angles in radians.\n\n"
+        statement="In this modified table $a_0$ and $\\alpha_0$ are not 0, because frame {0} is fixed to the wall, away from "
+        "axis 1. Convert the table to the standard convention. The $a$ and $\\alpha$ that are left over become the base, which is not "
+        "part of the answer. Give four rows $a_i, \\alpha_i, d_i, \\theta_i$ at $q = 0$, angles in radians.\n\n"
         + _format_table(table.rows, "modified", table.joints),
         given={"rows": table.rows, "joints": table.joints},
         answer=answer,
@@ -301,25 +368,30 @@ def which_convention(sampler: ArmSampler) -> Problem:
     options = {
         "a": "standard",
         "b": "modified",
-        "c": "both readings give this pose, so it does not tell",
-        "d": "neither reading gives this pose, so the table has a fault",
+        "c": "both conventions give this pose, so it does not decide",
+        "d": "neither convention gives this pose, so the table has a fault",
     }
     why = {
-        "a": f"Read as standard, the table puts the hand {number(off['standard'])} m from there"
-        + (", and turns it otherwise." if turned["standard"] else "."),
-        "b": f"Read as modified, the table puts the hand {number(off['modified'])} m from there"
-        + (", and turns it otherwise." if turned["modified"] else "."),
-        "c": "The two readings do not agree at this posture: multiply the rows both ways, and compare with the pose.",
-        "d": "At least one of the readings does give this pose. Compare all sixteen entries, with all digits.",
+        "a": f"In the standard convention, the table puts the end-effector {number(off['standard'])} m from the measured position"
+        + (", with another orientation." if turned["standard"] else "."),
+        "b": f"In the modified convention, the table puts the end-effector {number(off['modified'])} m from the measured position"
+        + (", with another orientation." if turned["modified"] else "."),
+        "c": "The two conventions do not give the same pose here. Multiply the rows in both, and compare each product with $T$.",
+        "d": "At least one of the two conventions gives this pose. Compare all sixteen entries.",
     }
     if truth == "c":
-        why["a"] = "It may be standard. But read as modified it gives the same pose: all $d$ and $\\theta$ are 0 here."
-        why["b"] = "It may be modified. But read as standard it gives the same pose: all $d$ and $\\theta$ are 0 here."
+        why["a"] = (
+            "It may be standard. But in the modified convention it gives the same pose, because all $d$ and $\\theta$ are 0 here."
+        )
+        why["b"] = (
+            "It may be modified. But in the standard convention it gives the same pose, because all $d$ and $\\theta$ are 0 here."
+        )
     listed = "\n".join(f"- `'{letter}'`: {text}" for letter, text in options.items())
     return Problem(
-        statement="A table of two revolute joints came without a word on its convention. On the machine, with base and tool at "
-        f"its first and last frame, somebody measured the pose $T$ of the hand at $q = {vector(np.degrees(q))}$ degrees. "
-        f"Which reading of the table is right?\n\n{_format_table(rows, '', 'RR')}\n\n$$T = {matrix(T)}$$\n\n{listed}",
+        statement="The table of an arm with two revolute joints does not say in which convention it is. On the real arm, whose base "
+        "and end-effector are its first and its last frame, the pose $T$ of the end-effector was measured at "
+        f"$q = {vector(np.degrees(q))}$ degrees. What does the measurement tell?\n\n"
+        f"{_format_table(rows, '', 'RR')}\n\n$$T = {matrix(T)}$$\n\n{listed}",
         figure=partial(draw_frames, {"0": np.eye(4), "2": T}, arrows=False),
         given={"rows": rows, "q": q, "pose": T},
         answer=Choice(truth, options),
@@ -350,17 +422,20 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
     unit, factor = ("millimetres", 1000) if column in {1, 3} else ("degrees", 180 / np.pi)
     wrong_values = {
         "what is printed": (misprint, "what is printed there"),
-        "inverse": (-right, "the right value with the opposite sign, as it is in $({}^0T_i)^{-1}\\,{}^0T_{i-1}$"),
-        "correction": (right - misprint, "the correction, the difference to what is printed"),
-        "corrected the wrong way": (2 * misprint - right, "a value that is corrected the wrong way"),
-        "zero": (0.0, "0, which it is not"),
-        "read in frame 0": (in_frame_0, "the value of ${}^0T_i$, which is that of all rows up to this one"),
+        "inverse": (-right, "the right value with the opposite sign, as in $({}^0T_i)^{-1}\\,{}^0T_{i-1}$"),
+        "correction": (right - misprint, "the correction, that is, its difference from what is printed"),
+        "corrected the wrong way": (
+            2 * misprint - right,
+            "the printed value with the correction subtracted instead of added",
+        ),
+        "zero": (0.0, "0"),
+        "read in frame 0": (in_frame_0, "the value read from ${}^0T_i$, which contains all rows up to this one"),
         unit: (factor * right, f"the right value in {unit}"),
     }
     shown = "\n\n".join(f"$${{}}^0T_{k + 1} = {matrix(T)}$$" for k, T in enumerate(poses))
     return Problem(
-        statement="One entry of this modified table is misprinted. The frames of the arm, at $q = 0$, are right. Find the entry, "
-        "and give its row, its column and the value that belongs there: three numbers. Columns count 1 to 4 as printed, "
+        statement="One entry of this modified table is misprinted. The poses of its frames at $q = 0$ are right. Find the entry, "
+        "and give three numbers: its row, its column and the right value. The columns are numbered 1 to 4 as printed, and "
         f"the value is in metres or radians.\n\n{_format_table(printed, 'modified', 'RRR')}\n\n{shown}",
         figure=partial(draw_frames, {"0": np.eye(4), **{str(k + 1): T for k, T in enumerate(poses)}}),
         given={"rows": printed, "poses": poses},
@@ -369,7 +444,7 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
             mistake(
                 "counted from 0",
                 [row - 1, column - 1, right],
-                "You counted from 0, as Python does. On paper the first row and the first column are 1.",
+                "You counted from 0, as Python does. In a printed table the first row and the first column have the number 1.",
             ),
             mistake(
                 "the row of the other frame",
@@ -384,7 +459,7 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
                 + (
                     "$a$ is measured along $x_{i-1}$, and $d$ along $z_i$: you swapped them."
                     if column in (1, 3)
-                    else "$\\alpha$ turns about $x_{i-1}$, and $\\theta$ about $z_i$: you swapped them."
+                    else "$\\alpha$ is measured about $x_{i-1}$, and $\\theta$ about $z_i$: you swapped them."
                 ),
             ),
             *(
@@ -430,7 +505,7 @@ def wrist(sampler: ArmSampler) -> Problem:
     ):
         R = R.mistaken_for(wrong, name, text, WRIST_ADVICE)
     return Problem(
-        statement="Rows 4 to 6 of a modified table are those of the PUMA's wrist. Give ${}^3R_6$ at "
+        statement="These are rows 4 to 6 of the modified table of a PUMA 560, that is, its wrist. Give ${}^3R_6$ at "
         f"$(\\theta_4, \\theta_5, \\theta_6) = {vector(degrees)}$ degrees.\n\n"
         + _format_table(rows, "modified", "RRR", first=4),
         given={"degrees": degrees},
@@ -439,17 +514,19 @@ def wrist(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("06.8", "The chain of Lecture 7", points=3, lecture="06_dh_modified#A worked example")
+@problem("06.8", "The pose of an RPR arm", points=3, lecture="06_dh_modified#A worked example")
 def chain(sampler: ArmSampler) -> Problem:
-    a1, d2 = sampler.length(0.3, 0.9), sampler.length(0.2, 0.9)
+    a1 = d2 = sampler.length(0.3, 0.9)
+    while d2 == a1:
+        d2 = sampler.length(0.2, 0.9)
     degrees = 0, 0
     while any(abs((sum_ + 45) % 90 - 45) < 5 for sum_ in (sum(degrees), degrees[0] - degrees[1])):
         degrees = sampler.degrees(-75, 75), sampler.degrees(-75, 75)  # otherwise R may be its own transpose
     rows: list[list[float]] = [[0, 0, 0, 0], [a1, np.pi / 2, 0, 0], [0, -np.pi / 2, 0, 0]]
-    table = DHTable(rows, convention="modified", joints="RPR", name="RPR of Lecture 7")
+    table = DHTable(rows, convention="modified", joints="RPR", name="RPR")
     T = table_product(table.rows, "RPR", [np.radians(degrees[0]), d2, np.radians(degrees[1])], "modified")
     return Problem(
-        statement=f"The RPR arm of Lecture 7 stands at $\\theta_1 = {degrees[0]}$ degrees, $d_2 = {number(d2)}$ m, "
+        statement=f"The RPR arm of this table is at $\\theta_1 = {degrees[0]}$ degrees, $d_2 = {number(d2)}$ m, "
         f"$\\theta_3 = {degrees[1]}$ degrees. Give ${{}}^0T_3 = {{}}^0T_1\\,{{}}^1T_2\\,{{}}^2T_3$.\n\n"
         + _format_table(table.rows, "modified", "RPR"),
         figure=partial(draw_arm, table.to_chain()),
@@ -457,6 +534,101 @@ def chain(sampler: ArmSampler) -> Problem:
         answer=PoseAnswer(T.value),
         solution=T,
     )
+
+
+@problem("06.9", "The angles of a wrist", points=3, lecture="06_dh_modified#Angles from a rotation")
+def angles_of_a_wrist(sampler: ArmSampler) -> Problem:
+    first, last = sampler.shuffled([sampler.degrees(15, 75), -sampler.degrees(105, 165)])
+    degrees = [[first, sampler.degrees(25, 80), last], [0, 0, sampler.choice((-1, 1)) * sampler.degrees(15, 75)]]
+    rotations = [wrist_rotation(angles) for angles in np.radians(degrees)]
+    angles = stack(*(wrist_angles(f"R_{i}", R) for i, R in enumerate(rotations, start=1)))
+    return Problem(
+        statement="The wrist of a PUMA 560 has the rotation ${}^3R_6 = R_y(\\theta_4)\\,R_z(\\theta_5)\\,R_y(\\theta_6)\\,R_x(-90°)$. "
+        "It is to reach these two values of ${}^3R_6$:\n\n"
+        f"$$R_1 = {matrix(rotations[0])}, \\qquad R_2 = {matrix(rotations[1])}.$$\n\n"
+        "Give $(\\theta_4, \\theta_5, \\theta_6)$ in radians for each, in two rows. Every solution is right. One of the two is at "
+        "the singular configuration of the wrist, where axes 4 and 6 are collinear.",
+        given={"rotations": np.array(rotations)},
+        answer=WristAnglesAnswer(angles.value),
+        solution=angles,
+    )
+
+
+@problem("06.10", "A whole arm from a drawing", points=5, lecture="06_dh_modified#Frame labelling in eight steps")
+def whole_arm(sampler: ArmSampler) -> Problem:
+    places = [np.zeros(3)]
+    while not are_distinguishable(places) or min(place[2] for place in places[1:]) < MIN_HEIGHT_M:
+        joints = sampler.choice(["RRRRR", "RRPRR", "RPRRR", "RRRRRR", "RRRPRR"])
+        kinds = sampler.shuffled(["parallel", "intersecting", "skew", "skew", "intersecting"])[: len(joints) - 1]
+        rows, letters = _letter_rows(sampler, kinds)
+        table = DHTable(rows, convention="modified", joints=joints, name="your arm")
+        robot = table.to_chain()
+        places = [np.zeros(3), *robot.joint_points]
+    points = _letter_points(table, letters)
+    lengths = ", ".join(f"$l_{k} = {number(length)}$" for k, length in enumerate(letters, start=1))
+    names = ("no offset", "sign of alpha", "a and d swapped", "alpha one row off", "z on the wrong joint", "degrees")
+    in_theta = ("prismatic variable in theta",) if "P" in joints else ()
+    reach = np.hypot(rows[:, 0], rows[:, 2])
+    between_origins = table.changed(rows=np.column_stack([reach, rows[:, 1], 0 * reach, rows[:, 3]]))
+    return Problem(
+        statement=f"Write a table of this arm with {len(joints)} joints in the modified convention. The drawing shows $q = 0$; each "
+        "arrow shows the direction in which its joint moves when $q$ grows. Frame 0 is {s}, and "
+        f"frame {len(joints)} is {{b}}, so base and tool are the identity. A table is right if it gives the pose of {{b}} for every "
+        f"$q$. Lengths may be typed as letters, such as `-l_2`, or as numbers: {lengths} (metres).\n\n"
+        f"{joint_table(robot, points=points)}\n\n{{b}} is at ${points[-1]}$, its $x$ along ${vector(robot.home[:3, 0])}$, its $z$ "
+        f"along ${vector(robot.home[:3, 2])}$.",
+        figure=partial(draw_joints, robot, tool=True),
+        given={"screws": robot.screws, "home": robot.home, "points": robot.joint_points, "lengths": np.array(letters)},
+        answer=DHTableAnswer(
+            table, anchored=True, lengths={f"l_{k}": length for k, length in enumerate(letters, start=1)}
+        ),
+        mistakes=[
+            *table_mistakes(table, *names, *in_theta),
+            mistake("off the normal", between_origins, OFF_THE_NORMAL),
+        ],
+    )
+
+
+def _letter_rows(sampler: ArmSampler, kinds: Sequence[str]) -> tuple[Array, Sequence[float]]:
+    """Draw the rows of a modified table, and the lengths in it, each of which is in one entry.
+
+    kinds  how each axis is related to the next one
+    """
+    lengths = sampler.shuffled([1.1, 1.3, 1.4, 1.6, 1.7, 1.9, 2.1, 2.2, 2.3, 2.4])
+    used: list[float] = []
+
+    def length() -> float:
+        used.append(lengths[len(used)])
+        return float(used[-1]) * sampler.choice((1, 1, -1))
+
+    rows = [[0.0, 0.0, abs(length()), 0.0]]
+    for kind in kinds:
+        alpha = 0.0 if kind == "parallel" else sampler.choice((1, -1)) * RIGHT_ANGLE_RAD
+        a = 0.0 if kind == "intersecting" else abs(length())
+        d = 0.0 if kind == "parallel" else length()
+        rows.append([a, alpha, d, sampler.choice((0, 1, -1)) * RIGHT_ANGLE_RAD])
+    return np.array(rows), used
+
+
+def _letter_points(table: DHTable, lengths: Sequence[float]) -> list[str]:
+    """The origins of frames 1 to n at q = 0 in LaTeX, in letters of the lengths l_1, l_2, ...; angles are right angles."""
+    unit_tables = [
+        table.changed(rows=np.where(np.abs(table.rows) == length, np.sign(table.rows), table.rows * (0, 1, 0, 1)))
+        for length in lengths
+    ]
+    steps = [unit.link_transforms(np.zeros(table.n)) for unit in unit_tables]
+    origins = np.array([[T[:3, 3] for T in accumulate(links, np.matmul)] for links in steps]).round().astype(int)
+    return [f"({', '.join(_letter_sum(column) for column in origin.T)})" for origin in origins.transpose(1, 0, 2)]
+
+
+def _letter_sum(coefficients: Sequence[int]) -> str:
+    """A sum of the lengths l_1, l_2, ... in LaTeX.
+
+    >>> _letter_sum([1, 0, -1]), _letter_sum([0, 0])
+    ('l_1 - l_3', '0')
+    """
+    terms = [f"{'-' if c < 0 else '+'} l_{k}" for k, c in enumerate(coefficients, start=1) if c]
+    return " ".join(terms).removeprefix("+ ").replace("- ", "-", 1 if terms and terms[0][0] == "-" else 0) or "0"
 
 
 def _random_row(sampler: ArmSampler) -> tuple[float, float, float, float]:
@@ -471,11 +643,6 @@ def _random_table(sampler: ArmSampler, convention: Convention) -> DHTable:
     rows = np.array([_random_row(sampler) for _ in range(4)])
     rows[:, 0] = np.array(sampler.shuffled([0.2, 0.3, 0.4, 0.5, 0.6]))[:4]
     return DHTable(rows, convention=convention, joints=sampler.choice(["RRPR", "RPRR", "RRRP"]))
-
-
-def _rotation(axis: str, angle: float) -> Array:
-    turn: Array = exp(angle * np.eye(3)["xyz".index(axis)])
-    return turn
 
 
 def _converted(table: DHTable, convention: Convention) -> DHRowsAnswer:
@@ -494,9 +661,9 @@ def _format_table(
     lines = [TABLE_HEADS[convention], "|" + " --- |" * 5]
     for k, (a, alpha, d, theta) in enumerate(rows):
         kind, name = joints[k : k + 1], f"q_{k + first}"
-        slide = add_variable(name, number(d)) if kind == "P" else number(d)
-        turn = add_variable(name, degrees(theta)) if kind == "R" else degrees(theta)
-        lines.append(f"| {k + first} | {number(a)} | {degrees(alpha)} | ${slide}$ | ${turn}$ |")
+        length = add_variable(name, number(d)) if kind == "P" else number(d)
+        angle = add_variable(name, degrees(theta)) if kind == "R" else degrees(theta)
+        lines.append(f"| {k + first} | {number(a)} | {degrees(alpha)} | ${length}$ | ${angle}$ |")
     return "\n".join(lines)
 
 
@@ -512,5 +679,7 @@ SHEET = Sheet(
         faulty_entry,
         wrist,
         chain,
+        angles_of_a_wrist,
+        whole_arm,
     ],
 )

@@ -73,17 +73,17 @@ def in_degrees(table: DHTable) -> DHTable:
 
 
 def without_offset(table: DHTable) -> DHTable:
-    """theta = q without an offset, in the row of every revolute joint."""
+    """theta = q without an offset, in the row of each revolute joint."""
     turns = np.array([letter == "R" for letter in table.joints])
     rows = table.rows.copy()
     rows[turns, THETA] = 0.0
     return table.changed(rows=rows)
 
 
-def slide_in_theta(table: DHTable) -> DHTable:
+def prismatic_in_theta(table: DHTable) -> DHTable:
     r"""The variable of every prismatic joint put into theta, as if the joint were revolute.
 
-    >>> slide_in_theta(DHTable("a|alpha|d|theta\n 0|0|q1|0", convention="standard")).joints
+    >>> prismatic_in_theta(DHTable("a|alpha|d|theta\n 0|0|q1|0", convention="standard")).joints
     'R'
     """
     return table.changed(joints=table.joints.replace("P", "R"))
@@ -126,44 +126,44 @@ class TableMistake(NamedTuple):
 TABLE_MISTAKES: Mapping[str, TableMistake] = {
     "the other convention": TableMistake(
         other_convention,
-        "You multiplied the rows in the other convention. Standard is $R_z T_z T_x R_x$, joint first; "
-        "modified is $R_x T_x R_z T_z$, common normal first. The same numbers give another arm.",
+        "You multiplied the rows in the other convention. A standard row is $R_z T_z T_x R_x$, joint first; a modified row is "
+        "$R_x T_x R_z T_z$, common normal first. The same numbers describe another arm.",
     ),
     "z on the wrong joint": TableMistake(
         z_on_the_wrong_joint,
         "You put $z_i$ on the wrong joint. In the standard convention $z_i$ lies on the axis of joint $i + 1$, in the "
-        "modified on that of joint $i$; your rows are those of the other one.",
+        "modified one on that of joint $i$. Your rows are those of the other convention.",
     ),
     "alpha one row off": TableMistake(
         alpha_shifted,
-        "Your column $\\alpha$ is one row off. In a standard table row $i$ holds $\\alpha_i$, from $z_{i-1}$ to $z_i$; "
+        "Your column $\\alpha$ is shifted by one row. In a standard table row $i$ holds $\\alpha_i$, from $z_{i-1}$ to $z_i$; "
         "in a modified one it holds $\\alpha_{i-1}$.",
     ),
     "a and d swapped": TableMistake(
         lengths_swapped,
-        "You exchanged $a$ and $d$. $d$ is measured along $z$, the joint's axis; $a$ along $x$, the common normal.",
+        "You swapped $a$ and $d$. $d$ is measured along $z$, the joint axis, and $a$ along $x$, the common normal.",
     ),
     "sign of alpha": TableMistake(
         alpha_negated,
-        "Your $\\alpha$ has the wrong sign. Point the right thumb along $x$, the common normal: the fingers curl from the "
-        "first $z$ to the next where $\\alpha$ is positive.",
+        "Every $\\alpha$ has the wrong sign. Point your right thumb along $x$, the common normal: $\\alpha$ is positive if your "
+        "fingers curl from the first $z$ to the next.",
     ),
     "degrees": TableMistake(
         in_degrees,
-        "You gave degrees where radians are read. 90 stands for 90 radians, which is fourteen turns and a bit.",
+        "Your angles are in degrees, but numbers without a unit are read as radians. Write `np.pi / 2`, or 90° in a text.",
     ),
     "no offset": TableMistake(
         without_offset,
-        "You wrote $\\theta = q$ and left out the offset. $\\theta$ is the angle between two $x$ axes; where it is not 0 in "
-        "the drawn zero posture, the difference is added to $q$.",
+        "You wrote $\\theta = q$ and left out the offsets. $\\theta$ is the angle between two $x$ axes: its value in the drawing, "
+        "where $q = 0$, is added to $q$.",
     ),
-    "slide in theta": TableMistake(
-        slide_in_theta,
-        "You put the variable of a prismatic joint into $\\theta$. What slides changes $d$; its $\\theta$ is a constant.",
+    "prismatic variable in theta": TableMistake(
+        prismatic_in_theta,
+        "You put the variable of a prismatic joint into $\\theta$. A prismatic joint changes $d$; its $\\theta$ is a constant.",
     ),
     "off the normal": TableMistake(
         off_the_normal,
-        "You measured $a$ from joint to joint. $x_i$ runs along the common normal, square to both axes; what is left over "
+        "You measured $a$ from joint to joint. $x_i$ runs along the common normal, perpendicular to both axes; the distance "
         "along the axis is $d$.",
     ),
 }

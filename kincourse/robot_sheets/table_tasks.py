@@ -40,7 +40,7 @@ MAX_ROWS = 7
 
 MISTAKE_NAMES = (
     *("z on the wrong joint", "no offset", "sign of alpha", "alpha one row off"),
-    *("a and d swapped", "off the normal", "slide in theta", "degrees"),
+    *("a and d swapped", "off the normal", "prismatic variable in theta", "degrees"),
 )
 
 

@@ -1,6 +1,6 @@
 """The joints of a chain as a Markdown table, and the frames between which its DH table is read."""
 
-from collections.abc import Iterable
+from collections.abc import Iterable, Sequence
 
 import numpy as np
 
@@ -10,10 +10,11 @@ from kinlib.rigid.lie import inverse
 from misstep.display.text import matrix, number, vector
 
 
-def joint_table(chain: Chain, joints: Iterable[int] | None = None) -> str:
+def joint_table(chain: Chain, joints: Iterable[int] | None = None, points: Sequence[str] = ()) -> str:
     """Write the joints as a Markdown table: kind, direction, a point on the axis, pitch.
 
     joints  which ones, counted from 0; all by default
+    points  a point on each axis in LaTeX; by default the joint's own point, in metres
 
     >>> from kinlib.chains.robots import rpr
     >>> print(joint_table(rpr()).splitlines()[2])
@@ -26,7 +27,8 @@ def joint_table(chain: Chain, joints: Iterable[int] | None = None) -> str:
         letter = chain.joint_types[i]
         kind = kinds[letter] if letter != "H" else f"helical, ${number(pitch[i])}$ m/rad"
         # The screw of a prismatic joint does not depend on a point, so a point would only mislead.
-        point = f"${vector(chain.joint_points[i])}$" if letter != "P" else "any"
+        place = points[i] if points else vector(chain.joint_points[i])
+        point = f"${place}$" if letter != "P" else "any"
         rows.append(f"| {i + 1} | {kind} | ${vector(axis[i])}$ | {point} |")
     return _table(["joint", "kind", "direction", "point on the axis (m)"], rows)
 

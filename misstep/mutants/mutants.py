@@ -76,7 +76,7 @@ def mutations(root: Expression) -> list[Mutation]:
         replaced = {key: node for mutation in reversed(several) for key, node in mutation.replaced.items()}
         if len(replaced) > 1:
             single = [mutation for mutation in single if mutation not in several or mutation.change.one_by_one]
-            single.append(Mutation(Change(name, text, advice=first.advice), replaced))
+            single.append(Mutation(Change(name, text, advice=first.advice, in_parts=first.in_parts), replaced))
     return single
 
 

@@ -1,0 +1,104 @@
+r"""The angles of a wrist in solutions: from a rotation R to theta_4, theta_5, theta_6, with R = R_y R_z R_y R_x(-90°)."""
+
+from collections.abc import Callable
+
+import numpy as np
+
+from kinlib.arrays.validation import Array
+from kinlib.rigid.lie import exp
+from misstep.mutants.expression import Change, Changes, Expression, Operation, given, transpose
+
+X, Y, Z = np.eye(3)
+QUARTER_TURN = exp(np.pi / 2 * X)
+"""R_x(90°), which undoes the constant of the wrist."""
+
+SINGULAR_SINE = 1e-9
+"""The sine of theta_5 up to which axes 4 and 6 count as collinear."""
+
+CONSTANT_ADVICE = "The constant $R_x(-90°)$ is the last factor of $R$, so $R\\,R_x(90°) = R_y\\,R_z\\,R_y$."
+ORDER_ADVICE = "Give $\\theta_4, \\theta_5, \\theta_6$ in this order."
+QUADRANT_ADVICE = "`np.arctan2(y, x)` finds the quadrant, and `np.arctan(y / x)` does not."
+PAIR_ADVICE = "The second solution is $(\\theta_4 + \\pi, -\\theta_5, \\theta_6 + \\pi)$: all three angles change."
+
+
+def wrist_rotation(angles: Array) -> Array:
+    """The rotation R_y(theta_4) R_z(theta_5) R_y(theta_6) R_x(-90°) of a wrist, (3,) -> (3, 3).
+
+    >>> wrist_rotation(np.zeros(3)).round(9)[2] + 0.0
+    array([ 0., -1.,  0.])
+    """
+    t4, t5, t6 = angles
+    R: Array = exp(t4 * Y) @ exp(t5 * Z) @ exp(t6 * Y) @ QUARTER_TURN.T
+    return R
+
+
+def wrist_angles(label: str, R: Array) -> Expression:
+    """The angles theta_4, theta_5, theta_6 of a wrist with the rotation R, (3,) in radians.
+
+    theta_5 is in [0, pi]; if axes 4 and 6 are collinear, theta_4 is 0.
+
+    >>> wrist_angles("R", wrist_rotation(np.array([0.1, 0.2, 0.3]))).value.round(9)
+    array([0.1, 0.2, 0.3])
+    """
+    return _yzy(_without_constant(given(label, R, _ROTATION)))
+
+
+def _angles(E: Array) -> Array:
+    """The angles of E = R_y(a) R_z(b) R_y(c), with b in [0, pi]."""
+    sine = np.hypot(E[1, 0], E[1, 2])
+    if sine < SINGULAR_SINE:
+        return np.array([0.0, np.pi * (E[1, 1] < 0), np.arctan2(E[0, 2], E[2, 2])])
+    return np.array([np.arctan2(E[2, 1], -E[0, 1]), np.arctan2(sine, E[1, 1]), np.arctan2(E[1, 2], E[1, 0])])
+
+
+def _sum_twice(E: Array) -> Array:
+    angles = _angles(E)
+    return angles if np.hypot(E[1, 0], E[1, 2]) > SINGULAR_SINE else angles[[2, 1, 2]]
+
+
+def _everywhere(name: str, text: str, advice: str = "") -> Change:
+    """A change that people make for every rotation, if at all."""
+    return Change(name, text, text, advice, one_by_one=False)
+
+
+def _of(name: str, of: Callable[[Array], Array], node: Expression) -> Expression:
+    return Operation(name, of, "{0}".format)(node)
+
+
+def _rotation_changes(node: Expression) -> Changes:
+    yield _everywhere("rotation transposed", "use the transpose of $R$", "$R$ is ${}^3R_6$ as it is."), transpose(node)
+
+
+def _constant_changes(node: Expression) -> Changes:
+    [R] = node.arguments
+    for name, text, of in (
+        ("constant left in", "leave the constant $R_x(-90°)$ in $R$", lambda R: R),
+        ("sign of the constant", "multiply $R$ by $R_x(-90°)$ instead of $R_x(90°)$", lambda R: R @ QUARTER_TURN.T),
+        ("constant on the left", "multiply $R$ by $R_x(90°)$ from the left", lambda R: QUARTER_TURN @ R),
+    ):
+        yield _everywhere(name, text, CONSTANT_ADVICE), _of(name, of, R)
+
+
+def _angle_changes(node: Expression) -> Changes:
+    [E] = node.arguments
+    for name, text, advice, of in (
+        ("degrees", "give the angles in degrees", "Give them in radians.", lambda E: np.degrees(_angles(E))),
+        ("reversed", "give $\\theta_6, \\theta_5, \\theta_4$ in this order", ORDER_ADVICE, lambda E: _angles(E)[::-1]),
+        ("sign of theta_5", "take $\\theta_5$ alone with the opposite sign", PAIR_ADVICE, lambda E: _angles(E) * (1, -1, 1)),
+        ("all signs", "take all angles with the opposite sign", "", lambda E: -_angles(E)),
+        ("Z-Y-Z", "give Z-Y-Z angles instead of Y-Z-Y angles", "", lambda E: _angles(QUARTER_TURN.T @ E @ QUARTER_TURN) * (1, -1, 1)),
+        ("half a turn", "give a $\\theta_4$ that is off by 180°", QUADRANT_ADVICE, lambda E: np.add(_angles(E), (np.pi, 0, 0))),
+        ("half a turn", "give a $\\theta_6$ that is off by 180°", QUADRANT_ADVICE, lambda E: np.add(_angles(E), (0, 0, np.pi))),
+        ("half a turn", "give $\\theta_4$ and $\\theta_6$ off by 180°", QUADRANT_ADVICE, lambda E: np.add(_angles(E), (np.pi, 0, np.pi))),
+        ("theta_4 left out", "leave $\\theta_4$ at 0", "", lambda E: _angles(E) * (0, 1, 1)),
+        ("theta_6 left out", "leave $\\theta_6$ at 0", "", lambda E: _angles(E) * (1, 1, 0)),
+        ("sum twice", "give the sum of $\\theta_4$ and $\\theta_6$ for each of them, where axes 4 and 6 are collinear", "", _sum_twice),
+    ):  # fmt: skip
+        yield _everywhere(name, text, advice), _of(name, of, E)
+
+
+_ROTATION = Operation("given rotation", lambda: None, str, _rotation_changes)
+_without_constant = Operation(
+    "rotation without the constant", lambda R: R @ QUARTER_TURN, "{0}\\,R_x(90°)".format, _constant_changes
+)
+_yzy = Operation("Y-Z-Y angles", _angles, "\\mathrm{{YZY}}({0})".format, _angle_changes)
