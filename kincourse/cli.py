@@ -13,4 +13,4 @@ def main(arguments: Sequence[str] | None = None) -> int:
     >>> main(["new-sheet", "nowhere.urdf", "--out", "solutions/my_robot"])
     2
     """
-    return run_command("kincourse", "Tools for those who teach this course.", COMMANDS, {}, arguments)
+    return run_command("kincourse", "Tools for lecturers.", COMMANDS, {}, arguments)

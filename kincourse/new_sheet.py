@@ -24,8 +24,8 @@ INTRO_TEMPLATE = """\
 {count} problems, {points} points, on {robot}. The numbers are your own: they come from your id. Fill the cells that end in \
 `...`, run them, and run the check below each. You may check as often as you like; the last answer counts.
 
-A wrong answer costs nothing here. If it is one that people often give, the card says which step went astray and where to \
-re-read. The robot travels in the file `{file}`: keep it beside this notebook."""
+A wrong answer costs nothing here. If it comes from a common mistake, the card names the mistake and the section to read \
+again. The robot is stored in the file `{file}`: keep it in the folder of this notebook."""
 
 COUNT_WORDS = ("No", "One", "Two", "Three", "Four", "Five", "Six", "Seven", "Eight", "Nine", "Ten")
 

@@ -65,15 +65,15 @@ def with_position(T: Array, p: Array) -> Array:
 
 
 def _pose_changes(node: Expression) -> Changes:
-    yield Change("inverted", f"use the inverse of ${node.latex}$, which belongs there as it is"), inverse(node)
-    yield Change("transposed", f"use the transpose of ${node.latex}$, which belongs there as it is"), transpose(node)
+    yield Change("inverted", f"use the inverse of ${node.latex}$ instead of ${node.latex}$"), inverse(node)
+    yield Change("transposed", f"use the transpose of ${node.latex}$ instead of ${node.latex}$"), transpose(node)
     transposed = _of_pose("rotation transposed", lambda T: homogeneous(T[:3, :3].T, T[:3, 3]), "{0}")
     yield Change("rotation transposed", f"use ${node.latex}$ with the transpose of its rotation"), transposed(node)
 
 
 def _rotation_changes(node: Expression) -> Changes:
     yield (
-        Change("rotation transposed", f"use the transpose of ${node.latex}$, which belongs there as it is"),
+        Change("rotation transposed", f"use the transpose of ${node.latex}$ instead of ${node.latex}$"),
         transpose(node),
     )
 

@@ -69,7 +69,7 @@ CASES = {
     "B inverted": (
         INVERSE,
         np.linalg.inv(A) @ np.linalg.inv(B),
-        ["inverse of $B$, which belongs there as it is"],
+        ["inverse of $B$ instead of $B$"],
         "$A$",
     ),
     "the other order": (INVERSE, B @ np.linalg.inv(A), ["swapped $A^{-1}$ and $B$"], "left out"),
