@@ -38,6 +38,8 @@ exclude_patterns = ["files/**"]
 nb_execution_mode = "off"  # kinsite.execute has executed the notebooks
 nb_execution_show_tb = True
 nb_merge_streams = True
+nb_code_prompt_show = "Show the code"
+nb_code_prompt_hide = "Hide the code"
 nb_render_markdown_format = "myst"  # statements of problems contain formulas and tables
 nb_ipywidgets_js: dict[str, str] = {}
 # HTML before widgets: there is no kernel, and each of our widgets has a static form for pages

@@ -1,4 +1,4 @@
-"""Prepare the outputs of cells for a page: typeset formulas, write images to files, leave out the state of widgets.
+"""Prepare notebooks for a page: typeset formulas in outputs, write images to files, fold side tracks, drop widget state.
 
 In JupyterLab, formulas in HTML are typeset by JupyterLab. Here they are typeset during the build, as in the text.
 """
@@ -22,6 +22,8 @@ NOT_TEXT = re.compile(r"(<(script|style|pre|code|textarea|svg)\b.*?</\2>|<[^>]+>
 PUNCTUATION = re.compile(r"[.,;:?!)\]’”]+")
 MAX_UNBROKEN_LENGTH = 24
 """Characters of LaTeX that fit on one line of any phone. A longer formula may be broken."""
+SIDE_TRACK = "Side track:"
+"""The beginning of the heading of a section that may be skipped. JupyterLab folds it by the metadata of its cell."""
 FORMULA = re.compile(r"\$\$(.+?)\$\$|(?<!\\)\$([^$\n]+?)\$")
 
 
@@ -29,6 +31,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
     """Register the functions of this module with Sphinx."""
     katex.render_latex = cached(katex.render_latex)
     app.connect("doctree-resolved", prepare_page)
+    app.connect("doctree-resolved", fold_side_tracks)
     app.connect("html-page-context", remove_widget_state, priority=900)
     return {"parallel_read_safe": True, "parallel_write_safe": False}
 
@@ -44,6 +47,16 @@ def prepare_page(app: Sphinx, doctree: nodes.document, page: str) -> None:
             text = extract_images(typeset_formulas(node.astext()), folder, f"{up}_images")
             node.children = [nodes.Text(text)]
             node.rawsource = text
+
+
+def fold_side_tracks(_: Sphinx, doctree: nodes.document, page: str) -> None:
+    """Fold the sections whose heading begins with "Side track:"; the heading opens its section."""
+    for section in doctree.findall(nodes.section):
+        title = section[0]
+        if page.startswith("lectures/") and title.astext().startswith(SIDE_TRACK):
+            section.insert(0, nodes.raw("", '<details class="kinlib-side"><summary>', format="html"))
+            section.insert(2, nodes.raw("", "</summary>", format="html"))
+            section.append(nodes.raw("", "</details>", format="html"))
 
 
 def keep_punctuation(formula: nodes.math) -> None:

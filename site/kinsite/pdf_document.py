@@ -21,7 +21,10 @@ SCREEN_ONLY = re.compile(
 )
 IDS = re.compile(r'\b(id|for|aria-labelledby|aria-describedby)="([^"]+)"')
 LINKS = re.compile(r'\b(href|src)="(?![a-z]+:|//)([^"#]*)(#[^"]*)?"')
-RIGHT_OPTIONS = re.compile(r'data-misstep-question="[^"]+"[^>]*data-right="(\d)"')
+QUESTION = re.compile(r'data-misstep-question="([^"]+)"[^>]*data-right="(\d)".*?</ol></div>', re.DOTALL)
+EXPLANATION = re.compile(r'<div [^>]*data-misstep-explain="([^"]+)".*?</details></div>', re.DOTALL)
+REASON = re.compile(r'<p class="misstep-why"><strong>[^<]*</strong>\s*(.*?)</p>', re.DOTALL)
+LESSON = re.compile(r'<div class="misstep-lesson">(.*?)</div>', re.DOTALL)
 OPTION_LETTERS = "ABCDEFGH"
 
 DOCUMENT = """\
@@ -67,7 +70,7 @@ def anchor(page: str) -> str:
 
 
 def adapt(html: str, page: str, printed: Collection[str], folder: str, address: str) -> str:
-    """Adapt a page's text to the document: make its ids unique, redirect its links, append the right answers."""
+    """Adapt a page's text to the document: make its ids unique, redirect its links, append the answers."""
 
     def redirect(found: re.Match[str]) -> str:
         attribute, path, fragment = found[1], found[2], found[3] or ""
@@ -80,13 +83,29 @@ def adapt(html: str, page: str, printed: Collection[str], folder: str, address: 
 
     html = SCREEN_ONLY.sub("", html)
     html = IDS.sub(lambda found: f'{found[1]}="{anchor(page)}--{found[2]}"', LINKS.sub(redirect, html))
-    html = re.sub(r"(<[^>]*data-(?:kinlib-drawing|misstep-explain)[^>]*>)<details>", r"\1<details open>", html)
     html = html.replace(' loading="lazy"', "")
-    right = [OPTION_LETTERS[int(index)] for index in RIGHT_OPTIONS.findall(html)]
-    if not right:
-        return html
-    answers = ", ".join(f"{number} {letter}" for number, letter in enumerate(right, start=1))
-    note = (
-        f"The right answers to the questions of this lecture, in order: {answers}. The website explains each of them."
+    # pictures that wait for a prediction, sections and code that may be skipped
+    html = re.sub(r'<details(?! class="misstep-option")', "<details open", html)
+    return move_answers(html)
+
+
+def move_answers(html: str) -> str:
+    """Move the explanations of predictions to the end of the lecture, with the right answer to every question and its reason."""
+    explanations = {found[1]: found[0] for found in EXPLANATION.finditer(html)}
+    answers, numbers = [], {}
+    for number, found in enumerate(QUESTION.finditer(html), start=1):
+        numbers[found[1]] = number
+        explanation = explanations.get(found[1], found[0])
+        reason = REASON.findall(explanation)[int(found[2])]
+        lesson = LESSON.search(explanation)
+        letter = OPTION_LETTERS[int(found[2])]
+        answers.append(
+            f'<div class="kinlib-answer"><p><strong>{number} {letter}.</strong> {reason}</p>{lesson[1] if lesson else ""}</div>'
+        )
+    html = EXPLANATION.sub(
+        lambda found: (
+            f"<p>Compare with answer {numbers[found[1]]} at the end of this lecture.</p>" if found[1] in numbers else ""
+        ),
+        html,
     )
-    return f"{html}<h2>Answers</h2><p>{note}</p>"
+    return f"{html}<h2>Answers</h2>{''.join(answers)}" if answers else html

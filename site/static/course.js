@@ -125,18 +125,21 @@
     if (Number.isInteger(before) && before in options) show(before);
   }
 
-  /** The explanation of option k: why it is correct, or why it is not and which one is. */
+  /** The explanation of option k: why it is correct, or why it is not and which one is; only which one is if k is null. */
   function explainAnswer(k, right, why, text) {
     // each text begins with a verdict, which is left out here
-    const said = (index) => cloneChildren(why(index)).slice(1);
+    const said = (index) => (index === null ? [] : cloneChildren(why(index)).slice(1));
     if (k === right)
       return [
         h('p', { class: 'kinlib-title', 'data-tone': 'right' }, `✓ ${LETTERS[k]} is correct`),
         h('p', {}, ...said(k)),
       ];
-    return [
+    const wrong = [
       h('p', { class: 'kinlib-title', 'data-tone': 'wrong' }, `✗ ${LETTERS[k]} is not correct`),
       h('p', {}, ...said(k)),
+    ];
+    return [
+      ...(k === null ? [h('p', { class: 'kinlib-title' }, 'Shown without a prediction')] : wrong),
       h(
         'p',
         {},
@@ -147,33 +150,39 @@
     ];
   }
 
+  /** Open the explanation of a prediction with the answer, or when the reader asks to see it without one. */
   function startExplanation(section) {
     const name = section.dataset.misstepExplain;
     const asked = elementsNamed('data-misstep-question', name)[0];
     if (!asked) return;
-    const details = section.querySelector('details');
     const items = all('.misstep-options > li', section);
-    const summary = section.querySelector('summary');
-    const waits = h('p', {}, 'You have not committed to your prediction yet. The explanation appears here afterwards.');
+    const question = cloneChildren(section.querySelector('summary'));
+    const lesson = section.querySelector('.misstep-lesson');
+    const waits = h(
+      'div',
+      {},
+      h('p', {}, 'You have not committed to your prediction yet. The explanation appears here afterwards.'),
+      h('button', { type: 'button', class: 'kinlib-button', onclick: () => show(null) }, 'Show anyway'),
+    );
     const reply = h('div', { role: 'status' });
-    const told = h('p', {}, ...cloneChildren(summary));
-    section.prepend(told, waits, reply);
-    details.hidden = true;
+    section.replaceChildren(h('p', {}, ...question), waits, reply);
 
-    function show() {
-      if (!('committed' in asked.dataset)) return;
-      waits.hidden = true;
+    function show(k) {
+      waits.remove();
       reply.replaceChildren(
         ...explainAnswer(
-          Number(asked.dataset.committed),
+          k,
           Number(asked.dataset.right),
           (index) => items[index].querySelector('.misstep-why'),
           (index) => cloneChildren(items[index].querySelector('p')),
         ),
       );
+      section.append(lesson);
+      makeWideContentFocusable();
     }
-    document.addEventListener('kinlib-committed', ({ detail }) => detail === name && show());
-    show();
+    const showComparison = () => show(Number(asked.dataset.committed));
+    document.addEventListener('kinlib-committed', ({ detail }) => detail === name && showComparison());
+    if ('committed' in asked.dataset) showComparison();
   }
 
   // --- pictures that are covered until a prediction is made ---
@@ -191,7 +200,7 @@
   }
 
   function startSlides(element) {
-    const frames = all(':scope > [data-value]', element);
+    const frames = all('[data-value]', element);
     const name = element.dataset.kinlibAfter;
     const begin = Number(element.dataset.start);
     const value = h('output', {});
@@ -214,7 +223,7 @@
       anyway,
     );
     element.classList.add('kinlib-slides');
-    element.append(cover, stage, bar);
+    element.replaceChildren(cover, stage, bar);
 
     function show(k) {
       frames.forEach((frame, index) => {
@@ -376,6 +385,16 @@
     }
   }
 
+  // --- a link to a folded section, or into it, opens it ---
+
+  function openFolds() {
+    const target = location.hash && document.getElementById(decodeURIComponent(location.hash.slice(1)));
+    if (!target) return;
+    const own = target.querySelector(':scope > details.kinlib-side');
+    for (let fold = own ?? target.closest('details'); fold; fold = fold.parentElement.closest('details')) fold.open = true;
+    target.scrollIntoView();
+  }
+
   document.documentElement.classList.remove('no-js');
   all('[data-misstep-question]').forEach(startQuestion);
   all('[data-misstep-explain]').forEach(startExplanation);
@@ -384,6 +403,9 @@
   all('[data-kinlib-done]').forEach(startReadButton);
   all('[data-kinlib-progress]').forEach(startProgressTable);
   markReadLectures();
+  openFolds();
   makeWideContentFocusable();
+  addEventListener('hashchange', openFolds);
   addEventListener('resize', makeWideContentFocusable);
+  document.addEventListener('toggle', makeWideContentFocusable, true);
 })();

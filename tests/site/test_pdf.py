@@ -13,12 +13,21 @@ sys.path.insert(0, str(SITE))
 from kinsite.pdf_document import compose_document  # noqa: E402
 from pdf import write_pdf  # noqa: E402
 
+from misstep.questions.item import Item, Option  # noqa: E402
+from misstep.questions.page import explanation_html, question_html  # noqa: E402
+
 PAGE = """<html><body><nav>elsewhere</nav><article role="main" id="furo-main-content">
 <h1>{title}<a class="headerlink" href="#top">#</a></h1><p class="kinlib-bar"><a href="x">Download</a></p>{text}</article></body></html>"""
 ONE = """<p id="here"><a href="#here">here</a> <a href="two.html#there">there</a> <a href="../robots/arm.html#x">arm</a>
 <a href="https://example.org/">out</a><img loading="lazy" src="../_images/a.svg"></p>
-<div data-misstep-question="01/a" data-kind="check" data-right="2"><details><summary>A</summary>why</details></div>
-<div data-misstep-explain="01/b"><details><summary>Compare</summary>why</details></div>"""
+<details class="kinlib-side"><summary><h2>Side track: more</h2></summary>skipped</details>
+<div data-kinlib-drawing><details><summary>Commit first</summary><figure></figure></details></div>
+{questions}"""
+OPTIONS = [Option("one", "It is too small."), Option("two", "It is twice one.", right=True)]
+QUESTIONS = [Item("a", "check", "Twice one?", OPTIONS), Item("b", "predict", "And now?", OPTIONS, "It *grows*.")]
+QUESTIONS_HTML = "".join(question_html(f"01/{item.name}", item) for item in QUESTIONS) + explanation_html(
+    "01/b", QUESTIONS[1]
+)
 
 
 @pytest.fixture
@@ -26,7 +35,7 @@ def built(tmp_path):
     folder = tmp_path / "html"
     (folder / "lectures").mkdir(parents=True)
     shutil.copytree(SITE / "static", folder / "_static")
-    (folder / "lectures/one.html").write_text(PAGE.format(title="One", text=ONE))
+    (folder / "lectures/one.html").write_text(PAGE.format(title="One", text=ONE.format(questions=QUESTIONS_HTML)))
     (folder / "lectures/two.html").write_text(PAGE.format(title="Two", text='<p id="there">Two.</p>'))
     return folder
 
@@ -44,16 +53,19 @@ def document(built):
         'href="https://example.org/"',
         'src="html/_images/a.svg"',
         '<li><a href="#lectures-two">Two</a></li>',
-        '<div data-misstep-explain="01/b"><details open>',
-        'data-right="2"><details><summary>A',
-        "in order: 1 C.",
+        '<details open class="kinlib-side">',
+        "<div data-kinlib-drawing><details open>",
+        '<details class="misstep-option"><summary>two',
+        "<p>Compare with answer 2 at the end of this lecture.</p><h2>Answers</h2>",
+        "<p><strong>1 B.</strong> It is twice one.</p></div>",
+        "<p><strong>2 B.</strong> It is twice one.</p><p>It <em>grows</em>.</p></div></article>",
     ],
 )
 def test_links_are_redirected_and_the_answers_are_at_the_end(built, part):
     assert part in document(built)
 
 
-@pytest.mark.parametrize("part", ["elsewhere", "Download", "headerlink", "lazy"])
+@pytest.mark.parametrize("part", ["elsewhere", "Download", "headerlink", "lazy", "data-misstep-explain"])
 def test_parts_for_the_screen_are_left_out(built, part):
     assert part not in document(built)
 

@@ -78,6 +78,8 @@ class Slides(widgets.VBox):  # type: ignore[misc]  # ipywidgets ships no types
             f'<div data-value="{escape(text)}"{"" if index == self._start else " hidden"}>{picture}</div>'
             for index, (text, picture) in enumerate(self._pictures)
         )
+        if self._after:
+            shown = f"<details><summary>Commit to your prediction above first, then open the picture.</summary>{shown}</details>"
         return f'<div data-kinlib-slides data-label="{escape(self._label)}" data-start="{self._start}"{after}>{shown}</div>'
 
     def _repr_mimebundle_(self, **options: Any) -> Any:

@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike
 
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
+from kinlib.view.drawing.static_export import is_static_export
 from kinlib.view.figures.arm import ARM_LAYERS, describe_arm, draw_arm
 from kinlib.view.viewer.scene import FRAME_LAYERS, LAYERS, body_motions, scene
 
@@ -120,11 +121,19 @@ class ViewerBase(anywidget.AnyWidget):
         state = self.get_state(sorted(name for name in own if not name.startswith("_")))
         # A "<" could end the script or begin another one; JSON allows this escape for it.
         data = json.dumps(state, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")
-        covered = f"<p>{html.escape(self.prediction.get('text', 'Commit to your prediction first; then the picture appears here.'))}</p>"
         after = f' data-kinlib-after="{html.escape(self._after)}"' if self._after else ""
         return (
             f'<div data-kinlib-viewer{after}><script type="application/json">{data}</script>'
-            f"<div data-kinlib-drawing>{covered if self.covered else self._drawing()}</div></div>"
+            f"<div data-kinlib-drawing>{self._covered_drawing() if self.covered else self._drawing()}</div></div>"
+        )
+
+    def _covered_drawing(self) -> str:
+        """Return what covers the drawing; on a page that must work without a kernel, a click opens the drawing."""
+        text = html.escape(
+            self.prediction.get("text", "Commit to your prediction first; then the picture appears here.")
+        )
+        return (
+            f"<details><summary>{text}</summary>{self._drawing()}</details>" if is_static_export() else f"<p>{text}</p>"
         )
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
