@@ -26,7 +26,7 @@ def matrix_of_a_screw(given: Any, answer: Any) -> Answers:
 
     symmetric = block(np.triu(W) + np.triu(W).T)
     yield from alike(by.OTHER_WAY, {"-[omega]": block(-W), "all transposed": block(W).T})
-    yield from alike(by.SIGN | {"equals its transpose"}, {"upper signs in both": symmetric})
+    yield from alike(by.SIGN | {"equals its transpose", "skew-symmetric"}, {"upper signs in both": symmetric})
     yield from alike(by.SIGN | {"equals its transpose"}, {"no minus": block(np.abs(W))})
     for i, j in [(0, 1), (0, 2), (1, 2)]:
         yield from alike(by.SIGN | by.SWAPPED, {f"both signs of {'zyx'[i + j - 1]}": block(negated(W, (i, j), (j, i)))})
@@ -150,11 +150,11 @@ def three_terms(given: Any, answer: Any) -> Answers:
     dx, dy = abs(np.cos(t) - 1 + t**2 / 2), abs(np.sin(t) - t)
     off, two, four = np.hypot(dx, dy), np.hypot(np.cos(t) - 1, dy), np.hypot(dx, np.sin(t) - t + t**3 / 6)
     r = np.radians(t)
-    yield from alike({"two terms"}, {"two terms": two * mm})
+    yield from alike({"two terms", "three terms"}, {"two terms": two * mm})
     yield from alike({"four terms"}, {"four terms": four * mm})
     yield from alike({"first term", "next term", "last term"}, {"next term": t**3 / 6 * mm, "last term": t**2 / 2 * mm})
-    yield from alike({"cosine", "sine", "one direction"}, {"error of the cosine": dx * mm})
-    yield from alike({"cosine", "sine", "one direction"}, {"error of the sine": dy * mm})
+    yield from alike({"cosine", "sine"}, {"error of the cosine": dx * mm})
+    yield from alike({"cosine", "sine"}, {"error of the sine": dy * mm})
     yield from alike({"add"}, {"errors added": (dx + dy) * mm})
     yield from alike({"root", "square"}, {"no root": (dx**2 + dy**2) * mm})
     yield from alike({"metres", "unit"}, {"in metres": off * mm / 1000, "in centimetres": off * mm / 10})
@@ -166,9 +166,9 @@ def three_terms(given: Any, answer: Any) -> Answers:
     yield from alike(by.DEGREES, {"theta in degrees": np.hypot(np.cos(r) - 1 + r**2 / 2, np.sin(r) - r) * mm})
     yield from alike({"2!", "half", "factorial"}, {"no factorial": np.hypot(np.cos(t) - 1 + t**2, dy) * mm})
     yield from alike(by.SIGN, {"negative": -off * mm})
-    yield from alike({"two terms", "metres"}, {"two terms in metres": two * mm / 1000})
+    yield from alike({"two terms", "three terms", "metres"}, {"two terms in metres": two * mm / 1000})
     yield from alike({"add", "metres"}, {"errors added, in metres": (dx + dy) * mm / 1000})
-    yield from alike({"two terms", "cosine", "one direction"}, {"cosine, two terms": (1 - np.cos(t)) * mm})
+    yield from alike({"two terms", "three terms", "cosine"}, {"cosine, two terms": (1 - np.cos(t)) * mm})
     yield from right({"float": float(off * mm), "two decimals": round(off * mm, 2), "array": np.array(answer)})
 
 

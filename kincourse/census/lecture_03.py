@@ -4,9 +4,11 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
+import sympy as sp
 
 from kincourse.census import WrongAnswer, alike, right, wrong_answers
 from kincourse.census import words as by
+from kincourse.census.kinematics import logarithm
 from kincourse.census.motions import (
     I3,
     Ad,
@@ -284,3 +286,106 @@ def longer_tool(given: Any, answer: Any) -> Answers:
     yield from alike(by.INVERTED, {"inverse": inv(T())})
     yield from alike(by.TRANSPOSED, {"R transposed": pose(R.T, p)})
     yield from right({"three decimals": T().round(3), "list": T().tolist(), "old T, extended": T(M=M) @ Z})
+
+
+def _misread(given: Any, value: Any) -> Answers:
+    """Formulas of somebody who reads one length of the drawing wrong."""
+    L = given.L
+    yield from alike(by.OMITTED, {f"{L[k]} left out": value.subs(L[k], 0) for k in (0, 1)})
+    yield from alike(by.SIGN, {f"-{L[k]}": value.subs(L[k], -L[k]) for k in (0, 2)})
+    yield from alike({"where", "instead", "L_"}, {"L_2 for L_1": value.subs(L[0], L[1])})
+
+
+@wrong_answers("03.9")
+def home_of_a_whole_arm(given: Any, answer: Any) -> Answers:
+    R, p, L = answer[:3, :3], answer[:3, 3], given.L
+
+    def home(R: Any = R, p: Any = p, last: Any = (0, 0, 0, 1)) -> Any:
+        return sp.Matrix.vstack(sp.Matrix.hstack(sp.Matrix(R), sp.Matrix(p)), sp.Matrix([list(last)]))
+
+    yield from _misread(given, answer)
+    yield from alike(by.OMITTED, {"without the last link": answer.subs(L[-1], 0)})
+    yield from alike(by.TRANSPOSED | by.AXIS, {"R^T": home(R.T), "R^T and -p": home(R.T, -p)})
+    yield from alike(by.INVERTED | {"R^T p"}, {"inverse": home(R.T, -R.T * p), "position in {b}": home(p=R.T * p)})
+    yield from alike(by.SIGN, {"-p": home(p=-p), "sign of two axes": home(R * sp.diag(-1, 1, -1))})
+    yield from alike(by.SWAPPED | by.ORDER | by.AXIS, {"columns 1 and 2 swapped": home(R[:, [1, 0, 2]])})
+    yield from alike(by.ORDER | by.AXIS, {"z first": home(R[:, [2, 0, 1]])})
+    yield from alike(by.OMITTED | {"identity"}, {"R = I": home(sp.eye(3)), "p = 0": home(p=0 * p)})
+    yield from alike({"last row", "corner", "1"}, {"0 in the corner": home(last=(0, 0, 0, 0))})
+    yield from alike({"last row", *by.TRANSPOSED}, {"transposed": answer.T})
+    yield from alike(by.OMITTED | by.TRANSPOSED, {"R^T, the last link left out": home(R.T, p.subs(L[-1], 0))})
+    yield from right({"text": str(answer.tolist()), "expanded": sp.expand(answer), "list": answer.tolist()})
+
+
+@wrong_answers("03.10")
+def screws_of_a_whole_arm(given: Any, answer: Any) -> Answers:
+    S, L, n = answer, given.L, answer.shape[0]
+    slides = [i for i in range(n) if not any(S[i, :3])]
+    turns = [i for i in range(n) if i not in slides]
+
+    def rows(change: Any, which: Any = range(n)) -> Any:
+        return sp.Matrix([list(change(S[i, :3], S[i, 3:]) if i in which else S[i, :]) for i in range(n)])
+
+    def minus(w: Any, v: Any) -> Any:
+        return [*w, *(-v)]
+
+    def halves(w: Any, v: Any) -> Any:
+        return [*v, *w]
+
+    yield from _misread(given, S)
+    yield from alike(by.MOMENT, {"omega x p": rows(minus, turns), "omega x p in one row": rows(minus, turns[1:2])})
+    yield from alike(by.HALVES, {"halves swapped": rows(halves), "in one row": rows(halves, turns[:1])})
+    yield from alike(by.SIGN, {"-S_2": rows(lambda w, v: [*(-w), *(-v)], [1]), "-S": -S})
+    yield from alike(by.OMITTED | {"moment"}, {"no moments": rows(lambda w, _: [*w, 0, 0, 0], turns)})
+    yield from alike(by.ORDER | {"rows", "last joint"}, {"reversed": S[::-1, :], "rows swapped": S[[1, 0, *range(2, n)], :]})
+    yield from alike(by.MOMENT | by.OMITTED, {"omega x p, L_1 left out": rows(minus, turns).subs(L[0], 0)})
+    yield from alike(by.MOMENT | by.HALVES, {"omega x p, halves swapped": rows(lambda w, v: [*(-v), *w], turns)})
+    if slides:
+        yield from alike(by.SLIDE | by.HALVES | {"omega"}, {"direction in omega": rows(halves, slides)})
+        yield from alike(by.SIGN, {"slide backwards": rows(minus, slides)})
+    yield from right({"text": str(S.tolist()), "list": S.tolist(), "expanded": sp.expand(S)})
+
+
+@wrong_answers("03.11")
+def kinematics_of_a_whole_arm(given: Any, answer: Any) -> Answers:
+    def read(L: Any) -> Any:
+        n = len(L) - 1
+        M = answer(np.zeros(n), L)
+        return [logarithm(answer(row, L) @ inv(M)) for row in np.eye(n)], M
+
+    def chained(
+        order: Any = lambda e, M: [*e, M], factor: float = 1, change: Any = lambda screws, M: (screws, M)
+    ) -> Any:
+        def fk(q: Any, L: Any) -> Any:
+            S, M = change(*read(L))
+            return product(*order([exp(row, value) for row, value in zip(S, factor * np.array(q), strict=True)], M))
+
+        return fk
+
+    def moments_negated(S: Any, M: Any) -> Any:
+        return [row * MOMENT_SIGN if np.abs(row[:3]).max() > 1e-9 else row for row in S], M
+
+    def r_transposed(S: Any, M: Any) -> Any:
+        R, p = parts(M)
+        return S, pose(R.T, p)
+
+    yield from alike(
+        by.ORDER, {"reversed": chained(lambda e, M: [*e[::-1], M]), "home first": chained(lambda e, M: [M, *e])}
+    )
+    yield from alike(by.ORDER, {"joints 1 and 2 swapped": chained(lambda e, M: [e[1], e[0], *e[2:], M])})
+    yield from alike(
+        by.OMITTED, {"no M": chained(lambda e, _: e), "joint 1 left out": chained(lambda e, M: [*e[1:], M])}
+    )
+    yield from alike({"home"}, {"stays at home": lambda q, L: answer(0 * np.array(q), L)})
+    yield from alike(by.DEGREES, {"np.radians": chained(factor=np.pi / 180)})
+    yield from alike(by.OTHER_WAY, {"-q": chained(factor=-1)})
+    yield from alike(by.INVERTED, {"inverse": lambda q, L: inv(answer(q, L))})
+    yield from alike(by.INVERTED, {"M inverted": chained(change=lambda S, M: (S, inv(M)))})
+    yield from alike(by.TRANSPOSED, {"R^T in M": chained(change=r_transposed)})
+    yield from alike(by.MOMENT, {"moments negated": chained(change=moments_negated)})
+    yield from alike(by.HALVES, {"halves swapped": chained(change=lambda S, M: (halves_swapped(S), M))})
+    yield from alike(
+        {"sum", "add"}, {"e of the sum": lambda q, L: exp(np.array(q) @ np.array(read(L)[0])) @ read(L)[1]}
+    )
+    yield from alike(by.ORDER | by.OMITTED, {"reversed, no M": chained(lambda e, _: e[::-1])})
+    yield from right({"function": chained(), "list": lambda q, L: answer(q, L).tolist()})

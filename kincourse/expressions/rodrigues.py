@@ -11,8 +11,10 @@ from misstep.mutants.expression import Change, Changes, Expression, Operation, g
 from misstep.mutants.operations import ANGLE, unit
 
 I = np.eye(3)
-UNIT_AXIS = "It folds the powers with $[\\omega]^3 = -[\\omega]$, which needs $|\\omega| = 1$."
-SERIES = "The exponential of a matrix is a series of its powers; folded, its sums are $\\sin \\theta$ and $1 - \\cos \\theta$."
+UNIT_AXIS = "The formula is derived with $[\\omega]^3 = -[\\omega]$, which holds for $|\\omega| = 1$ only."
+SERIES = (
+    "The exponential of a matrix is the series of all its powers; its sums are $\\sin \\theta$ and $1 - \\cos \\theta$."
+)
 G = "$G(\\theta) = I\\,\\theta + (1 - \\cos \\theta)\\,[\\omega] + (\\theta - \\sin \\theta)\\,[\\omega]^2$."
 FOR_UNIT_AXES = "use formulas for a unit axis, although the axis is no unit vector"
 
@@ -66,7 +68,7 @@ _SQUARES: list[tuple[str, str, Square]] = [
 ]
 
 _ADVICE = {
-    "coefficients swapped": "The odd powers of $[\\omega]$ fold into $[\\omega]$, and odd is the sine.",
+    "coefficients swapped": "The odd powers of $[\\omega]$ are multiples of $[\\omega]$, and their coefficients add up to the sine.",
     **dict.fromkeys(
         ("cos for 1 - cos", "no identity", "sine and cosine swapped"), "At $\\theta = 0$ the rotation is $I$."
     ),
@@ -77,8 +79,9 @@ _ADVICE = {
 
 _POSITION_ADVICE = {
     **dict.fromkeys((name for name, *_ in _POSITIONS), G),
-    "straight on": "That is the straight way of a translation, with $\\omega = 0$. Here $v$ rotates with the body: $G(\\theta)\\,v$.",
-    "R v": "That is how fast the point moves at the end.",
+    "straight on": "$v\\,\\theta$ is the straight line of a translation, with $\\omega = 0$. Here $v$ rotates with the body: "
+    "$G(\\theta)\\,v$.",
+    "R v": "$R\\,v$ is a velocity, namely that of the point at the end of the motion.",
     "v itself": "$v$ is a velocity, and $G(\\theta)\\,v$ is a position.",
 }
 
@@ -171,7 +174,7 @@ def _position_changes(node: Expression) -> Changes:
 
 
 def _skew_changes(node: Expression) -> Changes:
-    antisymmetric = "A cross product changes sign when its factors are swapped: $[\\omega]^T = -[\\omega]$."
+    antisymmetric = "The matrix $[\\omega]$ is skew-symmetric: $[\\omega]^T = -[\\omega]$."
     first_row = "$[\\omega]\\,u = \\omega \\times u$, so the first row is $(0, -\\omega_z, \\omega_y)$."
     for name, text, advice, wrong in (
         ("no minus signs", "leave out the minus signs", antisymmetric, lambda w: abs(hat(w))),
@@ -183,7 +186,12 @@ def _skew_changes(node: Expression) -> Changes:
             lambda w: hat(w[::-1] * (1, -1, 1)),
         ),
         ("components swapped", "swap $x$ and $z$", first_row, lambda w: hat(w[::-1])),
-        ("diagonal", "write the components on the diagonal as well", "It holds zeros.", lambda w: hat(w) + np.diag(w)),
+        (
+            "diagonal",
+            "write the components on the diagonal as well",
+            "The diagonal of a skew-symmetric matrix is zero.",
+            lambda w: hat(w) + np.diag(w),
+        ),
     ):
         yield (
             Change(name, f"{text} in ${node.latex}$", advice=advice),
@@ -205,16 +213,22 @@ def _twist_changes(node: Expression) -> Changes:
         (
             "like a pose",
             "write a 1 into the corner",
-            "That is a pose's; $[S]$ is a velocity of poses, and the last row of a pose never changes.",
+            "A pose ends in 0 0 0 1. The matrix $[S]$ is a derivative of poses, and their last row is constant.",
             lambda S: S + below,
         ),
-        ("last row", "write $v$ into the last row", "It is the last column.", _with_last_row),
-        ("last row", "write $v$ into the last row as well", "It is only the last column.", lambda S: S + _column(S).T),
+        ("last row", "write $v$ into the last row", "The vector $v$ is the last column.", _with_last_row),
+        (
+            "last row",
+            "write $v$ into the last row as well",
+            "The last row of $[S]$ is zero.",
+            lambda S: S + _column(S).T,
+        ),
         ("v left out", "leave out $v$", "", lambda S: S - _column(S)),
+        ("omega left out", f"leave out ${W.latex}$", "", _column),
         (
             "identity added",
             "add the identity",
-            "The diagonal of $[S]$ holds zeros; $I + [S]$ is the beginning of $e^{[S]}$.",
+            "The diagonal of $[S]$ is zero; $I + [S]$ is the beginning of the series of $e^{[S]}$.",
             lambda S: S + np.eye(4),
         ),
     ):

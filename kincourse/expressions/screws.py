@@ -129,7 +129,9 @@ def forward_kinematics(before: Sequence[Expression], home: Expression, after: Se
     )
 
 
-def joint_screws(axes: Array, points: Array, pitches: Array, numbers: Sequence[int] = ()) -> Expression:
+def joint_screws(
+    axes: Array, points: Array | Sequence[Expression], pitches: Array, numbers: Sequence[int] = ()
+) -> Expression:
     """The screws of joints in rows, (n, 6).
 
     axes     (n, 3), unit vectors
@@ -145,19 +147,20 @@ def joint_screws(axes: Array, points: Array, pitches: Array, numbers: Sequence[i
     letters = ["d" if np.isinf(h) else "\\omega" for h in pitches]
     directions = [direction(f"{x}_{i}", axis) for x, i, axis in zip(letters, numbers, axes, strict=True)]
 
-    def rows_with(points: Array) -> Expression:
+    places = [p if isinstance(p, Expression) else given(f"p_{i}", p) for i, p in zip(numbers, points, strict=True)]
+
+    def rows_with(places: Sequence[Expression]) -> Expression:
         rows = []
-        for i, axis, point, h in zip(numbers, directions, points, pitches, strict=True):
-            p = given(f"p_{i}", point)
+        for i, axis, p, h in zip(numbers, directions, places, pitches, strict=True):
             rows.append(
                 prismatic(axis, p) if np.isinf(h) else helical(axis, p, given(f"h_{i}", h)) if h else revolute(axis, p)
             )
         return stack(*rows)
 
-    rows = rows_with(points)
-    if len(points) > 1:
+    rows = rows_with(places)
+    if len(places) > 1:
         text = "combine each axis with the point of the next joint"
-        rows = rows.mistaken_for(rows_with(np.roll(points, -1, axis=0)), "another point", text)
+        rows = rows.mistaken_for(rows_with([*places[1:], places[0]]), "another point", text)
     return rows.mistaken_for(_swap_halves(rows), "halves swapped", "write $(v, \\omega)$ in every row", ORDER_ADVICE)
 
 
@@ -273,12 +276,12 @@ def _slide_changes(node: Expression) -> Changes:
     d, p = node.arguments
     advice = "A prismatic joint does not rotate: its screw is $(0, d)$."
     for name, text, wrong in (
-        ("direction in omega", "put the direction of a slide into $\\omega$", screw(d, 0 * d)),
+        ("direction in omega", "put the direction of a prismatic joint into $\\omega$", screw(d, 0 * d)),
         ("slide as turn", "treat a prismatic joint as a revolute one", revolute(d, p)),
-        ("moment of a slide", "take the moment of a slide, which has none", screw(0 * d, moment(d, p))),
-        ("point of a slide", "take the point as the $v$ of a slide", screw(0 * d, p)),
-        ("direction twice", "put the direction of a slide into both halves", screw(d, d)),
-        ("slide left out", "leave the screw of a slide at zero", screw(0 * d, 0 * d)),
+        ("moment of a slide", "take the moment of a prismatic joint, which has none", screw(0 * d, moment(d, p))),
+        ("point of a slide", "take the point as the $v$ of a prismatic joint", screw(0 * d, p)),
+        ("direction twice", "put the direction of a prismatic joint into both halves", screw(d, d)),
+        ("slide left out", "leave the screw of a prismatic joint at zero", screw(0 * d, 0 * d)),
     ):
         yield Change(name, text, text, advice), wrong
 
@@ -290,7 +293,7 @@ def _advancing_changes(node: Expression) -> Changes:
         Change("no pitch", f"leave out ${advance}$", advice="A helical joint also translates along its axis."),
         turning,
     )
-    advice = f"The nut translates along the axis: add ${advance}$."
+    advice = f"The body also translates along the axis: add ${advance}$."
     for name, text, wrong in (
         ("left-handed", f"take ${advance}$ with the opposite sign", negative(h) * omega),
         ("direction of the pitch", f"add the pitch ${h.latex}$ to each entry of $v$", h),

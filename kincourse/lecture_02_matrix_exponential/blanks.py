@@ -16,8 +16,8 @@ from misstep.mutants.expression import Expression, given
 from misstep.mutants.operations import ANGLE, function, radians
 from misstep.problem import Problem
 
-ONE_MOTION = "Both halves of $S$ belong to one motion."
-TO_THE_ANGLE = "What you take from the axis goes to the angle: $S\\,\\theta = (S / 2)\\,(2\\theta)$."
+ONE_MOTION = "A screw axis is scaled as a whole."
+TO_THE_ANGLE = "If you divide the axis by 2, multiply the angle by 2: $S\\,\\theta = (S / 2)\\,(2\\theta)$."
 
 logarithm = function("logarithm", log, "\\log({0})")
 
@@ -31,7 +31,7 @@ def third_of_a_turn() -> Expression:
     return radians(given("q", 120.0, ANGLE))
 
 
-@problem("02.a", "The p-column of a turn", points=1, lecture="02_matrix_exponential#From turns to screws")
+@problem("02.a", "The p-column of a rotation", points=1, lecture="02_matrix_exponential#From turns to screws")
 def p_column(_draw: ArmSampler) -> Problem:
     S = hrr().screws[1]
     p = position_exp(direction("\\omega", S[:3]), direction("v", S[3:]), third_of_a_turn())
@@ -61,7 +61,7 @@ def leaning_pose(_draw: ArmSampler) -> Problem:
         angled_arm().joint_points[1],
         "point on the axis",
         "write the point of the joint",
-        "The column says where the origin of {s} goes, not where the joint is.",
+        "The column is the place to which the origin of {s} moves, not that of the joint.",
     )
     T = assemble(rotation_exp(omega, q), p)
     return Problem(
@@ -102,21 +102,21 @@ def screw_between(_draw: ArmSampler) -> Problem:
     home, drawn = arm.home, arm.fk([0, 0, np.pi / 2, -np.pi / 2, -np.pi / 4])
     x = logarithm(pose("T_{sb}", drawn) @ inverse(pose("T_{sa}", home)))
     return Problem(
-        statement="Give the twist $x$ in {s} with $e^{[x]} T_{sa} = T_{sb}$, from the youBot's home to the posture of the deck.",
+        statement="Give the twist $x$ in {s} with $e^{[x]} T_{sa} = T_{sb}$, from the youBot's home pose to its drawn configuration.",
         given={"T_sa": home, "T_sb": drawn},
         answer=Numbers(x.value),
         solution=x.mistaken_for(
             log(drawn) - log(home),
             "logs subtracted",
             "subtract logarithms",
-            "$\\log(AB) = \\log A + \\log B$ holds for positive numbers; for motions that do not commute you cannot rely on it.",
+            "$\\log(AB) = \\log A + \\log B$ holds for positive numbers; you can rely on it only for motions that commute.",
         ).mistaken_for(
             np.roll(x.value, 3), "halves swapped", "write $(v, \\omega)$", "Here a twist is $(\\omega, v)$."
         ),
         invisible=("position of the inverse", "rotation transposed"),  # the rotation of T_sa is I
         advice={
-            "order": "That is the same screw, as the hand reads it: $T_{sa} e^{[x]} = T_{sb}$.",
-            "factor left out": "The screw leads from $T_{sa}$ to $T_{sb}$: $e^{[x]} = T_{sb}\\,T_{sa}^{-1}$.",
+            "order": "In this order, $x$ is the same screw in the frame {a}: $T_{sa} e^{[x]} = T_{sb}$.",
+            "factor left out": "The motion starts at $T_{sa}$ and ends at $T_{sb}$, so $e^{[x]} = T_{sb}\\,T_{sa}^{-1}$.",
         },
     )
 

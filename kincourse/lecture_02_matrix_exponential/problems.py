@@ -40,10 +40,10 @@ axial = function(
 )
 
 FIRST_ROW = "$[\\omega]\\,u = \\omega \\times u$, so the first row is $(0, -\\omega_z, \\omega_y)$."
-PITCH = "It is given for each radian, so it is the pitch already."
+PITCH = "The given number is in metres per radian, so it is the pitch already."
 NOT_DIVIDED = "divide $\\omega$ by its length, and not $v$"
-ONE_MOTION = "Both halves belong to one motion."
-SHORTEST = "This vector leads to $R$ as well, but the logarithm is the shorter one, $\\theta \\le \\pi$."
+ONE_MOTION = "A twist is scaled as a whole."
+SHORTEST = "Longer vectors lead to $R$ as well. The logarithm is the shortest one, with $\\theta \\le \\pi$."
 
 THETA = sp.Symbol("theta", real=True)
 A = sp.Symbol("a", positive=True)
@@ -52,9 +52,16 @@ A = sp.Symbol("a", positive=True)
 @problem("02.1", "The matrix of a screw", points=3, lecture="02_matrix_exponential#The equation behind it")
 def matrix_of_a_screw(sampler: ArmSampler) -> Problem:
     omega, v = sampler.point(5), sampler.point(5)
-    S = twist_matrix(skew(point("\\omega", omega)), point("v", v))
+    w = point("\\omega", omega).mistaken_for(
+        omega / np.linalg.norm(omega),
+        "divided by its length",
+        "divide $\\omega$ by its length",
+        "The matrix $[S]$ contains the components of $\\omega$ as they are given.",
+    )
+    S = twist_matrix(skew(w), point("v", v))
     return Problem(
-        statement=f"Write the matrix $[S]$ of the twist $S = (\\omega, v)$ with $\\omega = {vector(omega)}$, $v = {vector(v)}$, by hand.",
+        statement=f"Write the 4x4 matrix $[S]$ of the twist $S = (\\omega, v)$ with $\\omega = {vector(omega)}$, $v = "
+        f"{vector(v)}$, by hand.",
         given={"omega": omega, "v": v},
         answer=Numbers(S.value),
         solution=S,
@@ -62,19 +69,20 @@ def matrix_of_a_screw(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("02.2", "A turn about a line in space", points=3, lecture="02_matrix_exponential#The key identity")
+@problem("02.2", "A rotation about a given axis", points=3, lecture="02_matrix_exponential#The key identity")
 def turn_about_a_line(sampler: ArmSampler) -> Problem:
     direction, length = _direction(sampler)
     degrees = sampler.choice([degrees for degrees in range(35, 165, 5) if degrees not in (45, 90, 120)])
     R = rotation_exp(unit(point("d", direction)), radians(given("\\theta", degrees, ANGLE)))
     return Problem(
-        statement=f"A body turns by {degrees} degrees about the direction ${vector(direction)}$. Give $R$.",
+        statement=f"A body rotates by {degrees} degrees about an axis with the direction ${vector(direction)}$. Give its "
+        f"rotation matrix $R$.",
         given={"direction": direction, "degrees": degrees},
         answer=RotationAnswer(R.value),
         solution=R,
         advice={
-            "not a unit vector": f"`kl.exp` takes the length of its vector as the angle: divide by {length} first.",
-            "sign of an angle": "This is the transpose, which rotates by the same angle the other way. Is a sign of $[\\omega]$ wrong?",
+            "not a unit vector": f"The axis must be a unit vector: divide by its length, {length}.",
+            "sign of an angle": "With the opposite sign of the angle you get $R^T$. Check the signs in $[\\omega]$, too.",
         },
     )
 
@@ -87,11 +95,11 @@ def rotation_as_a_formula(sampler: ArmSampler) -> Problem:
     axis = unit(point("d", np.array(whole, dtype=float).ravel())).named("\\omega")
     return Problem(
         statement=f"Give $R(\\theta) = e^{{[\\omega]\\theta}}$ for $\\omega = \\tfrac{{1}}{{{length}}}{vector(list(whole))}$ as a "
-        "formula in $\\theta$: nine entries, without a decimal.",
+        "matrix of nine formulas in $\\theta$, with fractions instead of decimals.",
         given={"omega": omega},
         answer=ClosedForm(turn(omega, THETA)),
         solution=lambda theta: rotation_exp(axis, angle_symbol(theta)),
-        advice={"sign of an angle": "The signs of the sines are swapped then: this is $R^T$."},
+        advice={"sign of an angle": "With $-\\theta$, every sine changes its sign, and you get $R^T$."},
     )
 
 
@@ -110,23 +118,27 @@ def where_the_origin_goes(sampler: ArmSampler) -> Problem:
         return (
             position_exp(omega, moment(omega, p), q)
             .mistaken_for(
-                R_p, "R p alone", "write $R\\,p$", "The column is what must be added so that $p$ stays: $p - R\\,p$."
+                R_p, "R p alone", "write $R\\,p$", "The point $p$ stays where it is, so the column is $p - R\\,p$."
             )
             .mistaken_for(
                 p + R_p,
                 "sign",
                 "take $R\\,p$ with the opposite sign",
-                "The point $p$ stays, so $p$ is $R\\,p$ plus the column.",
+                "The point $p$ stays where it is, so $p$ is $R\\,p$ plus the column.",
             )
             .mistaken_for(
-                p, "p itself", "write the point of the joint", "The column says where the origin of {s} goes."
+                p,
+                "p itself",
+                "write the point of the joint",
+                "The column is the place to which the origin of {s} moves.",
             )
         )
 
     told = ", ".join(str(entry) for entry in place)
     return Problem(
-        statement=f"A joint turns about ${vector(d)}$ through the point $({told})$, with a length $a$ that nobody has measured yet. "
-        "Give the p-column of $e^{[S]\\theta}$ as three formulas in $a$ and $\\theta$.",
+        statement=f"A revolute joint has the direction ${vector(d)}$ and passes through the point $({told})$, where $a$ is a "
+        f"length that is not yet "
+        "known. Give the p-column of $e^{[S]\\theta}$, that is, where it takes the origin, as three formulas in $a$ and $\\theta$.",
         given={"omega": w, "point": place},
         answer=ClosedForm(place - turn(w, THETA) * place),
         solution=column,
@@ -174,24 +186,29 @@ def three_terms(sampler: ArmSampler) -> Problem:
         * distance
     )
     return Problem(
-        statement=f"You stop the series of $e^{{[\\omega]\\theta}}$ after three terms, $I + [\\omega]\\theta + [\\omega]^2\\theta^2/2$. "
-        f"A point stands {number(radius)} m from the axis, which has $|\\omega| = 1$, and $\\theta = {number(angle)}$ rad. "
-        "How far from its right place does the sum put it, in millimetres?",
+        statement=f"You stop the series of $e^{{[\\omega]\\theta}}$ after three terms, $I + [\\omega]\\theta + "
+        f"[\\omega]^2\\theta^2/2$, with $|\\omega| = 1$ "
+        f"and $\\theta = {number(angle)}$ rad, and apply the sum to a point that is {number(radius)} m from the axis. How far "
+        f"is the result "
+        "from the right position of the point, in millimetres?",
         given={"radius": radius, "theta": angle},
         answer=Numbers(np.array(error.value), unit="mm"),
         solution=error,
         advice={
-            "leave out $\\theta^2 / 2$": "That is the error after two terms: the identity is a term too, so three end with $\\theta^2/2$.",
-            "forget to divide by $2$": "The third term has the factorial $2! = 2$ below.",
-            "leave out the factor $1000$": "The number is right in metres. The question asks for millimetres.",
-            "divide by $r$ instead of multiplying by it": "The error grows with the distance from the axis.",
-            f"leave out ${square(across).latex}$": "That is the error along one direction, of the cosine alone: the sine is cut too.",
-            f"leave out ${square(along).latex}$": "That is the error along one direction, of the sine alone: the cosine is cut too.",
+            "leave out $\\theta^2 / 2$": "The identity is a term too, so the first three terms are $I$, $[\\omega]\\theta$ and "
+            "$[\\omega]^2\\theta^2/2$.",
+            "forget to divide by $2$": "The third term has the factorial $2! = 2$ in its denominator.",
+            "leave out the factor $1000$": "One metre is 1000 millimetres, and the question asks for millimetres.",
+            "divide by $r$ instead of multiplying by it": "The error is proportional to the distance from the axis.",
+            f"leave out ${square(across).latex}$": "The error has two components: one from the series of the cosine, one from "
+            "that of the sine.",
+            f"leave out ${square(along).latex}$": "The error has two components: one from the series of the cosine, one from "
+            "that of the sine.",
         },
     )
 
 
-@problem("02.6", "What a gyroscope measures", points=3, lecture="02_matrix_exponential#Bug hunt")
+@problem("02.6", "A motion with constant velocity", points=3, lecture="02_matrix_exponential#Bug hunt")
 def gyroscope(sampler: ArmSampler) -> Problem:
     size, seconds = sampler.choice([2.0, 3.0, 0.5]), sampler.choice([0.4, 0.5, 0.6, 0.7, 0.8])
     omega, v = size * sampler.choice(AXIS_DIRECTIONS), sampler.point(3)
@@ -210,7 +227,7 @@ def gyroscope(sampler: ArmSampler) -> Problem:
     ):
         column = column.mistaken_for(wrong, name, text, "$v$ is the velocity of the point at the origin.")
     there = assemble(rotation_exp(w, t), column)
-    kept = "What you take from the axis goes to the angle: $\\theta = |\\omega|\\,t$."
+    kept = "If you divide the axis by its length, the angle is multiplied by it: $\\theta = |\\omega|\\,t$."
     for wrong, name, text, advice in (
         (exp(twist / size * seconds), "angle kept", "divide the twist by $|\\omega|$ without changing the time", kept),
         (
@@ -236,18 +253,17 @@ def gyroscope(sampler: ArmSampler) -> Problem:
     ):
         there = there.mistaken_for(wrong, name, text, advice)
     return Problem(
-        statement=f"A body turns with $\\omega = {vector(omega)}$ radians in a second, while its point at the origin moves with "
-        f"$v = {vector(v)}$ metres in a second. Both stay as they are in {{s}}. "
-        f"Give its pose after {number(seconds)} seconds, if it was $I$.",
+        statement=f"A gyroscope measures that a body rotates with $\\omega = {vector(omega)}$ radians per second. The point of "
+        f"the body at the origin "
+        f"has the velocity $v = {vector(v)}$ metres per second. Both vectors are constant in {{s}}, and the pose of the body is $I$ at "
+        f"time 0. Give its pose after {number(seconds)} seconds.",
         given={"omega": omega, "v": v, "seconds": seconds},
         answer=PoseAnswer(there.value),
         solution=there,
     )
 
 
-@problem(
-    "02.7", "The way back, near half a turn", points=3, lecture="02_matrix_exponential#Small angles and half turns"
-)
+@problem("02.7", "A logarithm near half a turn", points=3, lecture="02_matrix_exponential#Small angles and half turns")
 def near_half_a_turn(sampler: ArmSampler) -> Problem:
     direction, length = _direction(sampler)
     degrees = sampler.integer(162, 176)
@@ -265,7 +281,7 @@ def near_half_a_turn(sampler: ArmSampler) -> Problem:
         ),
         (degrees, "degrees", "give the angle in degrees", "The logarithm is in radians."),
         (angle + 2 * np.pi, "a full turn more", "add a full turn to the angle", SHORTEST),
-        (angle - 2 * np.pi, "the long way", "rotate the longer way round", SHORTEST),
+        (angle - 2 * np.pi, "the long way", "rotate in the opposite direction, by the longer angle", SHORTEST),
         (np.arccos(trace_R / 2), "term left out", "leave out the 1 of $\\operatorname{tr} R - 1$ in the angle", ""),
         (
             np.arccos((trace_R + 1) / 2),
@@ -288,21 +304,23 @@ def near_half_a_turn(sampler: ArmSampler) -> Problem:
             value, name, text, "The logarithm is $\\theta$ times the components of $(R - R^T) / (2 \\sin\\theta)$."
         )
     return Problem(
-        statement="Give the logarithm of this rotation: the rotation vector, axis times angle, of its shortest turn.\n\n"
-        f"$$R = {matrix(R)}$$\n\nHere it is printed with four digits, and near half a turn they are too few. `given.R` has them all.",
+        statement="Give the logarithm of this rotation: the vector $\\omega\\,\\theta$, unit axis times angle, with $0 \\le "
+        "\\theta \\le \\pi$.\n\n"
+        f"$$R = {matrix(R)}$$\n\nIt is printed with four digits. Near half a turn these are too few, so use `given.R`, which "
+        f"has all of them.",
         given={"R": R},
         answer=Numbers(x.value, unit="radians"),
         solution=x,
         advice={
-            "transposed": "From $R - R^T$, the first component is half of $r_{32} - r_{23}$, over the sine.",
-            "leave out the factor $\\theta$": "This is the axis, a unit vector. The logarithm holds the angle too: axis times angle.",
-            "forget to divide by $2$": "Your vector is twice as long as it should be: $R - R^T$ holds $2 \\sin\\theta\\,[\\omega]$.",
-            "divisor left out": "$R - R^T$ holds $2 \\sin\\theta\\,[\\omega]$.",
+            "transposed": "The first component of the axis is $(r_{32} - r_{23}) / (2 \\sin\\theta)$.",
+            "leave out the factor $\\theta$": "The unit vector is the axis alone. The logarithm is axis times angle.",
+            "forget to divide by $2$": "$R - R^T = 2 \\sin\\theta\\,[\\omega]$, so you need half of it.",
+            "divisor left out": "Divide by the sine, because $R - R^T = 2 \\sin\\theta\\,[\\omega]$.",
         },
     )
 
 
-@problem("02.8", "A spindle as a formula", points=3, lecture="02_matrix_exponential#Helices")
+@problem("02.8", "A helical joint as a formula", points=3, lecture="02_matrix_exponential#Helices")
 def spindle_as_a_formula(sampler: ArmSampler) -> Problem:
     d, place = sampler.choice(AXIS_DIRECTIONS), sampler.point(4)
     h = sp.Rational(sampler.integer(1, 9), 20)
@@ -324,12 +342,27 @@ def spindle_as_a_formula(sampler: ArmSampler) -> Problem:
                 through - R_p + pitch * omega,
                 "climb of a radian",
                 "take $h$ as the climb for every angle",
-                "It grows with the angle: $h\\,\\theta$.",
+                "The climb is proportional to the angle: $h\\,\\theta$.",
             ),
-            (R_p + climb, "R p alone", "write $R\\,p$ and the climb", "The point stays on its axis: $p - R\\,p$."),
-            (through + climb, "p itself", "write $p$ and the climb", "The point stays on its axis: $p - R\\,p$."),
+            (
+                R_p + climb,
+                "R p alone",
+                "write $R\\,p$ and the climb",
+                "The axis keeps its place, so the rotation adds $p - R\\,p$.",
+            ),
+            (
+                through + climb,
+                "p itself",
+                "write $p$ and the climb",
+                "The axis keeps its place, so the rotation adds $p - R\\,p$.",
+            ),
             (R_p - through - climb, "sign", "take the column with the opposite sign", ""),
-            (turned + pitch * q * through, "climb along p", "add a climb along the point $p$", "It is along the axis."),
+            (
+                turned + pitch * q * through,
+                "climb along p",
+                "add a climb along the point $p$",
+                "The body climbs along the axis.",
+            ),
         ):
             column = column.mistaken_for(wrong, name, text, advice)
         backwards = rotation_exp(omega, -q)
@@ -338,20 +371,21 @@ def spindle_as_a_formula(sampler: ArmSampler) -> Problem:
             left_handed,
             "left-handed",
             "use $-\\theta$ in the rotation and $+\\theta$ in the climb",
-            "Such a spindle is left-handed.",
+            "That is a left-handed screw joint.",
         )
 
-    robot = arm([(d, place, float(h))], frame((X, Y, Z), place + d), "your spindle", "drawn for you")
+    robot = arm([(d, place, float(h))], frame((X, Y, Z), place + d), "your joint", "drawn for you")
     return Problem(
-        statement=f"A spindle along ${vector(d)}$ passes through ${vector(place)}$ and climbs {number(float(h))} m for each radian. Give "
-        "$e^{[S]\\theta}$ as a formula in $\\theta$: sixteen entries, without a decimal.",
+        statement=f"A helical joint has the direction ${vector(d)}$, passes through ${vector(place)}$ and climbs "
+        f"{number(float(h))} m per radian. "
+        "Give $e^{[S]\\theta}$ as a matrix of sixteen formulas in $\\theta$, with fractions instead of decimals.",
         figure=partial(draw_joints, robot),
         given={"axis": w, "point": p, "pitch": h},
         answer=PoseExpressionAnswer(symbolic_pose(R, p - R * p + h * THETA * w)),
         solution=solution,
         advice={
-            "leave out $h\\,\\omega$": "That is the climb: along the axis the body moves by $h\\,\\theta$.",
-            "leave out the factor $h$": "It is the pitch: along the axis the body moves by $h\\,\\theta$.",
+            "leave out $h\\,\\omega$": "The term $h\\,\\omega$ is the climb: the body translates by $h\\,\\theta$ along the axis.",
+            "leave out the factor $h$": "The factor $h$ is the pitch: the body translates by $h\\,\\theta$ along the axis.",
         },
     )
 

@@ -13,38 +13,40 @@ from misstep.mutants.expression import given
 from misstep.mutants.operations import radians
 from misstep.problem import Problem
 
-SHOULDER_ADVICE = "Joint 2 is 0.033 m beside the axis of joint 1."
+SHOULDER_ADVICE = "Joint 2 is 0.033 m away from the axis of joint 1."
 
 
-@problem("03.a", "A joint that leans by 30 degrees", points=1, lecture="03_poe_space#Angled joints")
+@problem("03.a", "A joint tilted by 30 degrees", points=1, lecture="03_poe_space#Angled joints")
 def leaning_joint(_draw: ArmSampler) -> Problem:
     # At 45 degrees sine and cosine are equal, so a swap would not show; twice 30 degrees is a swap.
     tilt = given("\\theta", 30.0).mistaken_for(-30.0, "sign of an angle", "take $\\theta$ with the opposite sign")
     omega = tilted(given("z", Z), given("x", X), radians(tilt)).named("\\omega")
     S = screw(omega, moment(omega, given("p", (0, 0, 0.4))))
     return Problem(
-        statement="Joint 2 leans from $z$ towards $x$ by 30 degrees and passes through $(0, 0, 0.4)$. Give $S_2$.",
+        statement="The axis of joint 2 is tilted from $z$ towards $x$ by 30 degrees and passes through $(0, 0, 0.4)$. Give $S_2$.",
         answer=ScrewsAnswer(S.value, names=["S_2"]),
         solution=S,
         advice={
-            "sign of an angle": "Your axis leans away from $x$. Towards $x$ means a positive component along $x$.",
-            "degrees": "The sine needs radians. The axis is still of unit length, so the library cannot notice.",
+            "sign of an angle": "An axis tilted towards $x$ has a positive component along $x$.",
+            "degrees": "The sine and the cosine need radians. The wrong axis still has unit length, so the library cannot "
+            "detect the mistake.",
         },
     )
 
 
-@problem("03.b", "A spindle that misses the origin", points=1, lecture="03_poe_space#Helical joints")
+@problem("03.b", "A helical joint away from the origin", points=1, lecture="03_poe_space#Helical joints")
 def spindle(_draw: ArmSampler) -> Problem:
     pitch = (given("l", 0.5) / given("2\\pi", 2 * np.pi)).named("h")
     S = helical(direction("\\omega", X), given("p", (0, 0.3, 0.2)), pitch)
     return Problem(
-        statement="A spindle along $x$ passes through $(0, 0.3, 0.2)$; its nut advances 0.5 m in a full turn. Give its screw axis.",
+        statement="The axis of a helical joint has the direction $x$ and passes through $(0, 0.3, 0.2)$. The joint advances 0.5 "
+        "m in a full turn. Give its screw axis.",
         answer=ScrewsAnswer(S.value, names=["the screw axis"]),
         solution=S,
         advice={
-            "divisor left out": "You used the lead as the pitch. The pitch is in metres per radian: $h = l / 2\\pi$.",
+            "divisor left out": "The pitch is in metres per radian, so it is the lead divided by $2\\pi$: $h = l / 2\\pi$.",
             "product for division": "One radian is less than a full turn, so the pitch is less than the lead.",
-            "no moment": "The spindle does not pass through the origin.",
+            "no moment": "The axis does not pass through the origin, so it has a moment.",
         },
     )
 
@@ -67,15 +69,15 @@ def youbot_wrist(_draw: ArmSampler) -> Problem:
         arm.screws[2],
         "another joint",
         "give the screw axis of joint 3",
-        "The axes are parallel, so $\\omega$ is the same, and the point makes the difference.",
+        "The axes are parallel, so $\\omega$ is the same, but the points differ.",
     )
     return Problem(
         statement="Read $S_4$ off the drawing of the youBot.",
         answer=ScrewsAnswer(S.value, names=["S_4"]),
         solution=S,
         advice={
-            "sign of a vector": "Your axis points along $+y$. Point the thumb of your right hand along the arrow: this joint "
-            "lifts the hand."
+            "sign of a vector": "The arrow of joint 4 points along $-y$. If you point the thumb of your right hand along it, the fingers "
+            "show the positive rotation, which lifts the end-effector."
         },
     )
 
@@ -86,8 +88,8 @@ def youbot_home(_draw: ArmSampler) -> Problem:
     R = columns(direction("x", Z), given("y", -Y), direction("z", X)).mistaken_for(
         np.column_stack([Z, Y, X]),
         "left-handed",
-        "take $y$ of {s} as the $y$ of the hand, which makes a mirror image",
-        "With $x$ and $z$ chosen, $y = z \\times x$ is no longer free: here it is $-y$ of {s}.",
+        "take the $y$ of {s} as the $y$ of {b}, which makes a left-handed frame",
+        "The axes $x$ and $z$ of {b} determine its third axis: $y = z \\times x$, here $-y$ of {s}.",
     )
     p = (
         given("p", tip)
@@ -96,13 +98,14 @@ def youbot_home(_draw: ArmSampler) -> Problem:
     )
     M = assemble(R, p)
     return Problem(
-        statement="The hand points along $x$ of {s}, 0.2175 m beyond joint 4. Its own $z$ points along $x$ of {s}, its own $x$ "
-        "along $z$ of {s}. Give $M$.",
+        statement="The origin of {b} is at the tip of the end-effector, 0.2175 m beyond joint 4 along the $x$ of {s}. The $z$ "
+        "axis of {b} points along the $x$ "
+        "of {s}, and the $x$ axis of {b} along the $z$ of {s}. Give $M$.",
         answer=PoseAnswer(M.value),
         solution=M,
         advice={
-            "rotation left out": "The columns of the rotation are the hand's axes, written in {s}.",
-            "inverted": "$M^{-1}$ is the base seen from the hand. $M = T_{sb}$ takes the hand's coordinates to {s}.",
+            "rotation left out": "The columns of the rotation are the axes of {b}, written in {s}.",
+            "inverted": "$M^{-1} = T_{bs}$ gives the base in the frame {b}. $M = T_{sb}$ takes coordinates in {b} to {s}.",
         },
         invisible=["axes in rows"],  # R = R^T here
     )

@@ -1,12 +1,18 @@
 """Sheet 03: screw axes of all types of joints in the space frame, and their product of exponentials."""
 
+from collections.abc import Mapping
 from dataclasses import replace
 from functools import partial
+from itertools import accumulate
 
 import numpy as np
+import sympy as sp
 
 from kincourse.answers.pose import PoseAnswer
+from kincourse.answers.pose_expression import PoseExpressionAnswer
+from kincourse.answers.screw_expressions import ScrewExpressionsAnswer
 from kincourse.answers.screws import ScrewsAnswer
+from kincourse.expressions.poses import assemble, columns
 from kincourse.expressions.poses import pose as given_pose
 from kincourse.expressions.screws import (
     direction,
@@ -24,21 +30,22 @@ from kincourse.expressions.screws import (
 from kincourse.mistakes.factor_order import factor_order_mistakes
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler, shows_transposes
+from kincourse.sampling.lettered_arms import LetteredArm, draw_lettered_arm
 from kincourse.text.joint_table import joint_table
 from kinlib.chains.robots import SLIDE, X, Y, Z, angled_arm, arm, pose
-from kinlib.view import draw_arm, draw_joints
+from kinlib.symbolic.merge_rotations import homogeneous
+from kinlib.symbolic.numbers import exact
+from kinlib.view import draw_arm, draw_joints, draw_lettered_chain
 from misstep.answers.function import Function
 from misstep.answers.order import Ordering
 from misstep.display.text import matrix, number, vector
-from misstep.mutants.expression import Expression, given
-from misstep.mutants.operations import ANGLE, radians, unit
+from misstep.mutants.expression import Expression, given, negative, total
+from misstep.mutants.operations import ANGLE, LENGTH, radians, unit
 from misstep.problem import Problem
 from misstep.sheet import Sheet
 
 JOINT_ORDER_ADVICE = "The factor of the joint at the base is leftmost, because this joint moves all others."
-TOOL_ADVICE = (
-    "The tool's own $z$ is a column of $M$ and moves with the arm: multiply by $\\mathrm{Trans}_z$ on the right."
-)
+TOOL_ADVICE = "The $z$ axis of the tool is a column of $M$ and moves with the arm: multiply $M$ by $\\mathrm{Trans}_z$ on the right."
 
 
 @problem("03.1", "Screw axes of a plain arm", points=3, lecture="03_poe_space#Revolute joints")
@@ -69,19 +76,20 @@ def angled_joint(sampler: ArmSampler) -> Problem:
     S = screw(omega, v)
     robot = arm([(omega.value, p)], pose((X, Y, Z), p + X), "your joint", "drawn for you")
     return Problem(
-        statement=f"A revolute joint leans from ${names[0]}$ towards ${names[1]}$ by {degrees} degrees. Its axis passes "
-        f"through ${vector(p)}$. Give its screw axis.",
+        statement=f"The axis of a revolute joint is tilted from ${names[0]}$ towards ${names[1]}$ by {degrees} degrees, and it "
+        f"passes through "
+        f"${vector(p)}$. Give its screw axis.",
         figure=partial(draw_joints, robot),
         given={"degrees": degrees, "from_axis": upright, "towards": toward, "point": p},
         answer=ScrewsAnswer(S.value),
         solution=S,
         advice={
-            "sign of an angle": f"Your axis leans away from ${names[1]}$: the component along ${names[1]}$ is positive."
+            "sign of an angle": f"An axis tilted towards ${names[1]}$ has a positive component along ${names[1]}$."
         },
     )
 
 
-@problem("03.3", "A slide at an angle", points=3, lecture="03_poe_space#Prismatic joints")
+@problem("03.3", "A prismatic joint at an angle", points=3, lecture="03_poe_space#Prismatic joints")
 def leaning_slide(sampler: ArmSampler) -> Problem:
     sides = np.array(sampler.shuffled([0, *sampler.choice([(3, 4), (5, 12), (8, 15)])]), dtype=float)
     along = sides * np.array([sampler.choice((-1, 1)) for _ in range(3)])
@@ -89,9 +97,9 @@ def leaning_slide(sampler: ArmSampler) -> Problem:
     d = direction("d", along).mistaken_for(point, "point for direction", "take the point as the direction")
     d = d.mistaken_for(np.abs(along), "signs left out", "leave out the signs of the direction")
     S = prismatic(unit(d), given("p", point))
-    robot = arm([(S.value[3:], point, SLIDE)], pose((X, Y, Z), point + S.value[3:]), "your slide", "drawn for you")
+    robot = arm([(S.value[3:], point, SLIDE)], pose((X, Y, Z), point + S.value[3:]), "your joint", "drawn for you")
     return Problem(
-        statement=f"A prismatic joint is mounted at ${vector(point)}$ and slides along ${vector(along)}$. Give its screw axis.",
+        statement=f"A prismatic joint is mounted at ${vector(point)}$ and translates along ${vector(along)}$. Give its screw axis.",
         figure=partial(draw_joints, robot),
         given={"direction": along, "point": point},
         answer=ScrewsAnswer(S.value),
@@ -109,16 +117,17 @@ def helical_joint(sampler: ArmSampler) -> Problem:
     h = h.mistaken_for(lead / 360, "degrees", "divide the lead by 360", "$q$ is in radians: a full turn is $2\\pi$.")
     h = h.mistaken_for(lead / np.pi, "half a turn", "divide the lead by $\\pi$", "A full turn is $2\\pi$.")
     S = helical(direction("\\omega", axis), given("p", point), h)
-    robot = arm([(axis, point, h.value)], pose((X, Y, Z), point + axis), "your spindle", "drawn for you")
+    robot = arm([(axis, point, h.value)], pose((X, Y, Z), point + axis), "your joint", "drawn for you")
     return Problem(
-        statement=f"A spindle along ${vector(axis)}$ passes through ${vector(point)}$. In one full turn its nut climbs "
-        f"{number(lead)} m along the axis, right-handed. Give the screw axis, for $q$ in radians.",
+        statement=f"The axis of a right-handed helical joint has the direction ${vector(axis)}$ and passes through "
+        f"${vector(point)}$. In one full "
+        f"turn the joint climbs {number(lead)} m along the axis. Give its screw axis, for $q$ in radians.",
         figure=partial(draw_joints, robot),
         given={"axis": axis, "point": point, "lead": lead},
         answer=ScrewsAnswer(S.value),
         solution=S,
         advice={
-            "divisor left out": "You used the lead as the pitch. The pitch is in metres per radian: $h = l / 2\\pi$.",
+            "divisor left out": "The pitch is in metres per radian, so it is the lead divided by $2\\pi$: $h = l / 2\\pi$.",
             "product for division": "One radian is less than a full turn, so the pitch is less than the lead.",
         },
     )
@@ -134,7 +143,7 @@ def from_a_drawing(sampler: ArmSampler) -> Problem:
         robot.screws[neighbour],
         "another joint",
         f"give the screw axis of joint {neighbour + 1}",
-        "Look for the number beside the joint.",
+        "The number of a joint is beside it in the drawing.",
     )
     return Problem(
         statement=f"Read the screw axis of joint {joint} off the drawing. All joints are revolute; coordinates are whole metres.",
@@ -156,15 +165,17 @@ def which_order(sampler: ArmSampler) -> Problem:
     rides_on = sampler.shuffled([(names[0], "floor"), *zip(names[1:], names[:-1], strict=True)])
     told = [name for name, _ in rides_on]
     listed = "\n".join(
-        f"- Joint {name} stands on the floor."
+        f"- Joint {name} is fixed to the floor."
         if under == "floor"
-        else f"- Joint {name} rides on the link that joint {under} moves."
+        else f"- Joint {name} is mounted on the link that joint {under} moves."
         for name, under in rides_on
     )
     return Problem(
-        statement=f"The joints of an arm were named as they were built:\n\n{listed}\n- The tool rides on joint {names[3]}.\n\n"
-        "With $e_a = e^{[S_a]q_a}$ and so on, and space screws, put the factors of $T(q)$ in order, from left to right: "
-        "a list of the names `'e_a'`, `'e_b'`, `'e_c'`, `'e_d'`, `'M'`.",
+        statement=f"The joints of an arm have letters that do not follow the order of the chain:\n\n{listed}\n- The tool is "
+        f"mounted on the link that "
+        f"joint {names[3]} moves.\n\nLet $e_a = e^{{[S_a]q_a}}$ and so on, with the screw axes in {{s}} at home. Give the "
+        f"factors of $T(q)$ from "
+        "left to right, as a list of the names `'e_a'`, `'e_b'`, `'e_c'`, `'e_d'`, `'M'`.",
         given={"rides_on": dict(rides_on)},
         answer=Ordering([*(f"e_{name}" for name in names), "M"]),
         mistakes=factor_order_mistakes(
@@ -173,7 +184,7 @@ def which_order(sampler: ArmSampler) -> Problem:
                 "reversed": ((names[::-1], ()), f"The joints are in the reverse order. {JOINT_ORDER_ADVICE}"),
                 "by the alphabet": (
                     (sorted(names), ()),
-                    "The joints are in the order of the alphabet. Order them from the floor to the tool.",
+                    "The joints are in alphabetical order. Order them from the floor to the tool.",
                 ),
                 "as listed": (
                     (told, ()),
@@ -195,7 +206,7 @@ def which_order(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("03.7", "Where is the tool, at any q?", points=3, lecture="03_poe_space#The product")
+@problem("03.7", "The forward kinematics as a function", points=3, lecture="03_poe_space#The product")
 def where_is_the_tool(sampler: ArmSampler) -> Problem:
     types = sampler.choice(["RRR", "RPR", "RRP"])
     robot = sampler.arm(types)
@@ -211,8 +222,9 @@ def where_is_the_tool(sampler: ArmSampler) -> Problem:
         )
 
     return Problem(
-        statement="This arm has the screws $S_i$ and the home pose $M$ below. Write a function that takes $q$, three numbers in "
-        "radians and metres, and gives $T(q)$. The check calls it with values of its own.\n\n"
+        statement="The screw axes $S_i$ and the home pose $M$ of this arm are given below. Write a function that takes an array "
+        "$q$ of three joint "
+        "values, in radians and metres, and returns $T(q)$. The check calls it with values of its own.\n\n"
         f"$$S = {matrix(robot.screws)}, \\qquad M = {matrix(robot.home)}$$",
         figure=partial(draw_arm, robot),
         given={"screws": robot.screws, "home": robot.home},
@@ -221,7 +233,7 @@ def where_is_the_tool(sampler: ArmSampler) -> Problem:
         advice={
             "reversed": JOINT_ORDER_ADVICE,
             "first factor": "With space screws, the factor of joint 1 is leftmost, and $M$ is last.",
-            "at home": "Your function gives the home pose for every $q$. Does the loop over the joints change the product?",
+            "at home": "A function that returns the home pose for every $q$ does not use the joint values.",
         },
     )
 
@@ -263,20 +275,143 @@ def longer_tool(sampler: ArmSampler) -> Problem:
         TOOL_ADVICE,
     )
     return Problem(
-        statement=f"The tool of this arm is replaced by one that reaches {number(longer)} m further along the tool's own $z$. "
-        f"Give the new tool's $T(q)$ at $q = {vector(q)}$.\n\n$$S = {matrix(robot.screws)}, \\qquad M = {matrix(robot.home)}$$",
+        statement=f"The tool of this arm is replaced by a tool that is {number(longer)} m longer along its own $z$ axis. "
+        f"Give $T(q)$ of the new tool at $q = {vector(q)}$.\n\n$$S = {matrix(robot.screws)}, \\qquad M = {matrix(robot.home)}$$",
         figure=partial(draw_arm, robot),
         given={"screws": robot.screws, "home": robot.home, "longer": longer, "q": q},
         answer=PoseAnswer(T.value),
         solution=T,
         invisible=["order"],  # joint 3 translates along the axis of joint 2, so their factors commute
         advice={
-            "leave out $\\mathrm{Trans}_z$": "This is the old tool. The home pose changes to $M' = M\\,\\mathrm{Trans}_z$.",
-            "swap $M$ and $\\mathrm{Trans}_z$": f"This extends the tool along the $z$ of {{s}}. {TOOL_ADVICE}",
+            "leave out $\\mathrm{Trans}_z$": "Without it you have the old tool. The new home pose is $M' = M\\,\\mathrm{Trans}_z$.",
+            "swap $M$ and $\\mathrm{Trans}_z$": f"On the left, $\\mathrm{{Trans}}_z$ is along the $z$ of {{s}}. {TOOL_ADVICE}",
             "reversed": JOINT_ORDER_ADVICE,
             "first factor": "With space screws, the home pose is the last factor.",
         },
     )
+
+
+@problem("03.9", "The home pose of a whole arm", points=3, lecture="03_poe_space#A whole arm in letters")
+def home_of_a_whole_arm(sampler: ArmSampler) -> Problem:
+    robot = draw_lettered_arm(sampler)
+
+    def solution(**lengths: float) -> Expression:
+        R = columns(*(direction(letter, axis) for letter, axis in zip("xyz", robot.tool, strict=True)))
+        p = total(*_links(robot, lengths)).named("p")
+        return assemble(R, p.mistaken_for(negative(p), "sign of a vector", "take the position with the opposite sign"))
+
+    return Problem(
+        statement="The drawing shows an arm at home. Each link is parallel to an axis of {s}, and its length is the letter beside "
+        f"it. Give the home pose $M = T_{{sb}}$ as a matrix of formulas in {_listed(robot)}.",
+        figure=partial(draw_lettered_chain, robot.chain, robot.letters, home=False),
+        given={"L": _symbols(robot)},
+        answer=PoseExpressionAnswer(_symbolic_home(robot), _symbols(robot)),
+        solution=solution,
+        advice={
+            "axes in rows": "The columns of $R$ are the axes of {b}, written in {s}.",
+            "inverted": "$M = T_{sb}$ gives the frame {b} in coordinates of {s}.",
+            "term left out": "Walk from {s} to {b}, and add up every link on the way.",
+        },
+    )
+
+
+@problem("03.10", "All screw axes of a whole arm", points=3, lecture="03_poe_space#A whole arm in letters")
+def screws_of_a_whole_arm(sampler: ArmSampler) -> Problem:
+    robot = draw_lettered_arm(sampler.of_problem("03.9"))
+    n = robot.chain.n
+
+    def solution(**lengths: float) -> Expression:
+        links, points = _links(robot, lengths), []
+        for i, (letter, axis) in enumerate(zip(robot.joint_types, robot.axes, strict=True)):
+            if letter == "P":
+                points.append(given(f"p_{i + 1}", sum(link.value for link in links[: i + 1])))
+                continue
+            # A link along the axis leads to another point of the same axis.
+            across = [link for link in links[: i + 1] if abs(link.value @ axis) < 1e-9]
+            point = total(*across).named(f"p_{i + 1}")
+            if len(across) > 1:
+                text = f"measure the point of joint {i + 1} from joint {i} instead of from {{s}}"
+                point = point.mistaken_for(links[i], "from the joint before", text)
+            points.append(point)
+        S = joint_screws(robot.axes, points, robot.chain.lines.pitch)
+        return S.mistaken_for(S[::-1], "rows reversed", "list the screws from the last joint to the first")
+
+    return Problem(
+        statement=f"This is the arm of Problem 9. Give its screw axes $S_1$ to $S_{n}$ in {{s}}, in rows: {n} rows of six formulas "
+        f"in {_listed(robot)}.",
+        figure=partial(draw_lettered_chain, robot.chain, robot.letters, home=False),
+        given={"L": _symbols(robot)},
+        answer=ScrewExpressionsAnswer(_symbolic_screws(robot), _symbols(robot)),
+        solution=solution,
+        advice={
+            "term left out": "The point of a joint is the sum of all links between the origin of {s} and the joint."
+        },
+    )
+
+
+@problem("03.11", "The forward kinematics of a whole arm", points=3, lecture="03_poe_space#A whole arm in letters")
+def kinematics_of_a_whole_arm(sampler: ArmSampler) -> Problem:
+    robot = draw_lettered_arm(sampler.of_problem("03.9"))
+    types, n = robot.joint_types, robot.chain.n
+
+    def inputs(chance: np.random.Generator) -> tuple[np.ndarray, np.ndarray]:
+        return chance.uniform(0.3, 1.3, n) * chance.choice([-1, 1], n), chance.uniform(0.3, 1.5, n + 1)
+
+    def pose_at(q: np.ndarray, lengths: np.ndarray) -> Expression:
+        chain = robot.with_lengths(lengths)
+        return forward_kinematics(exponentials(chain.screws, values_in_radians(types, q)), given_pose("M", chain.home))
+
+    units = "in radians, and in metres for a prismatic joint"
+    return Problem(
+        statement=f"This is the arm of Problems 9 and 10. Write a function `fk(q, L)` that takes the {n} joint values $q$ ({units}) and "
+        f"the lengths {_listed(robot)}, and returns $T(q)$. The check calls it with values of its own.",
+        figure=partial(draw_lettered_chain, robot.chain, robot.letters),
+        answer=Function(lambda q, lengths: robot.with_lengths(lengths).fk(q), PoseAnswer(robot.chain.home), inputs),
+        solution=pose_at,
+        advice={
+            "reversed": JOINT_ORDER_ADVICE,
+            "first factor": "With space screws, the factor of joint 1 is leftmost, and $M$ is last.",
+        },
+    )
+
+
+def _symbols(robot: LetteredArm) -> tuple[sp.Symbol, ...]:
+    return tuple(sp.symbols(robot.letters, positive=True))
+
+
+def _listed(robot: LetteredArm) -> str:
+    return f"${robot.letters[0]}, \\ldots, {robot.letters[-1]}$"
+
+
+def _symbolic_points(robot: LetteredArm) -> list[sp.Matrix]:
+    """The points of the joints and of the tool."""
+    steps = [letter * exact(link) for letter, link in zip(_symbols(robot), robot.links, strict=True)]
+    return list(accumulate(steps))
+
+
+def _symbolic_home(robot: LetteredArm) -> sp.Matrix:
+    return homogeneous(sp.Matrix.hstack(*map(exact, robot.tool)), _symbolic_points(robot)[-1])
+
+
+def _symbolic_screws(robot: LetteredArm) -> sp.Matrix:
+    rows = []
+    for letter, axis, p in zip(robot.joint_types, map(exact, robot.axes), _symbolic_points(robot), strict=False):
+        omega, v = (sp.zeros(3, 1), axis) if letter == "P" else (axis, p.cross(axis))
+        rows.append(sp.Matrix.vstack(omega, v).T)
+    return sp.Matrix.vstack(*rows)
+
+
+def _links(robot: LetteredArm, lengths: Mapping[str, float]) -> list[Expression]:
+    """The links as vectors, each named by its letter, with the mistakes that people make when they read them off a drawing."""
+    sizes = list(lengths.values())
+    links = []
+    for i, (letter, along) in enumerate(zip(robot.letters, robot.links, strict=True)):
+        link = given(letter, sizes[i] * along, LENGTH)
+        for j in {i - 1, i + 1} & set(range(len(sizes))):
+            text = f"write ${robot.letters[j]}$ where ${letter}$ belongs"
+            link = link.mistaken_for(sizes[j] * along, "another length", text)
+        links.append(link.mistaken_for(0 * along, "term left out", f"leave out ${letter}$"))
+    return links
 
 
 SHEET = Sheet(
@@ -291,5 +426,8 @@ SHEET = Sheet(
         which_order,
         where_is_the_tool,
         longer_tool,
+        home_of_a_whole_arm,
+        screws_of_a_whole_arm,
+        kinematics_of_a_whole_arm,
     ],
 )

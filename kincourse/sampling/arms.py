@@ -31,15 +31,15 @@ PLAIN_ANGLES_DEG = (20, 25, 30, 35, 40, 50, 55, 60, 65, 70)
 """Angles that are easy to read and to type, without 45 degrees, at which sine and cosine are equal."""
 
 
-def are_distinguishable(places: Sequence[Array]) -> bool:
-    """Whether a drawing shows points (k, 3) apart from each other; False for fewer than two points.
+def are_distinguishable(places: Sequence[Array], distance: float = MIN_POINT_DISTANCE_M) -> bool:
+    """Whether a drawing shows points (k, 3) at this distance from each other; False for fewer than two points.
 
     >>> are_distinguishable([np.zeros(3), 3 * X]), are_distinguishable([np.zeros(3), 0.1 * X])
     (True, False)
     """
     _, sheet = view_axes("default")
     far = [np.linalg.norm(sheet @ (one - other)) for k, one in enumerate(places) for other in places[:k]]
-    return bool(far and min(far) > MIN_POINT_DISTANCE_M)
+    return bool(far and min(far) > distance)
 
 
 def shows_transposes(robot: Chain) -> bool:
@@ -61,6 +61,18 @@ class ArmSampler(Sampler):
     >>> ArmSampler("ada", "03.1").arm("RPR").n
     3
     """
+
+    def __init__(self, student: str, problem: str, attempt: int = 0) -> None:
+        super().__init__(student, problem, attempt)
+        self._student = student
+
+    def of_problem(self, number: str) -> "ArmSampler":
+        """Return the sampler of another problem for the same student, so that several problems can share a robot.
+
+        >>> ArmSampler("ada", "03.2", attempt=7).of_problem("03.1").integer(1, 99) == ArmSampler("ada", "03.1").integer(1, 99)
+        True
+        """
+        return ArmSampler(self._student, number)
 
     def point(self, reach: int) -> Array:
         """Draw a point (3,) with integer coordinates up to `reach` in size, none of them zero and no two of equal size.

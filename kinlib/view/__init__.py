@@ -14,6 +14,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from kinlib.view.diagrams.axis_relations import draw_axis_relation, draw_axis_relations
+from kinlib.view.diagrams.lettered_chain import draw_lettered_chain
 from kinlib.view.diagrams.nearly_parallel_axes import draw_nearly_parallel_axes
 from kinlib.view.diagrams.parts_of_an_arm import draw_parts
 from kinlib.view.diagrams.three_readings import draw_three_readings
@@ -55,6 +56,7 @@ __all__ = [
     "draw_axis_relations",
     "draw_frames",
     "draw_joints",
+    "draw_lettered_chain",
     "draw_linkage",
     "draw_nearly_parallel_axes",
     "draw_parts",
