@@ -83,9 +83,9 @@ CASES = {
     "the point": (JOINT, np.append(W, P), ["the point itself"], "without the minus sign"),
     "no moment": (JOINT, np.append(W, 0 * P), ["left out the moment"], "point itself"),
     "halves": (JOINT, np.append(-np.cross(W, P), W), ["(v, \\omega)"], "minus sign"),
-    "omega for v": (SLIDING, np.append(D, 0 * D), ["direction of a slide into $\\omega$"], "revolute"),
+    "omega for v": (SLIDING, np.append(D, 0 * D), ["direction of a prismatic joint into $\\omega$"], "revolute"),
     "a turn": (SLIDING, np.append(D, -np.cross(D, P)), ["as a revolute one"], "into $\\omega$"),
-    "its moment": (SLIDING, np.append(0 * D, -np.cross(D, P)), ["moment of a slide"], "revolute"),
+    "its moment": (SLIDING, np.append(0 * D, -np.cross(D, P)), ["moment of a prismatic joint"], "revolute"),
     "moment with its sign": (MOMENT, np.cross(W, P), ["\\omega \\times p", "minus sign"], "point itself"),
     "degrees": (FORM, exponential(S[0] * 40) @ E2 @ A, ["degrees of $q_1$ as radians"], "$q_2$"),
     "slide in radians": (
