@@ -1,28 +1,40 @@
-"""Sheet 09 computes its answers from the origins of joints, so the URDF reader, which it does not use, must agree."""
+"""Sheet 09 computes its answers from the origins of joints; the URDF readers, which it does not use, must agree.
 
+Every file that is printed or asked is read by Pinocchio as well, whose parser is that of ROS, except for the faults that are asked.
+"""
+
+import json
 import re
+from pathlib import Path
 
 import numpy as np
 import pytest
+from urdf_files import poses_by_pinocchio
 
 import kinlib as kl
 from kincourse import open_sheet
+from kincourse.lecture_09_urdf import readers
 from kinlib import dh_transform, load_urdf
 from kinlib.rigid.rpy import origin
 
-STUDENTS = [f"student {i}" for i in range(60)]
+ROOT = Path(__file__).parents[2]
+STUDENTS = [f"student {i}" for i in range(40)]
 POSITION_ATOL_M = 1e-4
 """The sheet prints a right angle as 1.5708, with an error of 4e-6 rad, and its arms are about ten metres long."""
+
+
+def agree(one, other, atol=POSITION_ATOL_M):
+    np.testing.assert_allclose(one, other, rtol=0, atol=atol)
 
 
 @pytest.mark.parametrize("student", STUDENTS)
 def test_the_urdf_reader_gives_the_answers_of_the_sheet(student):
     sheet = open_sheet("09_urdf", student)
-    answer = {k: sheet.problem(k).answer.value for k in range(1, 9)}
-    chain = {k: load_urdf(sheet.given(k).urdf) for k in (3, 4, 5)}
-    np.testing.assert_allclose(chain[3].points[2], answer[3], rtol=0, atol=POSITION_ATOL_M)
-    np.testing.assert_allclose(chain[4].screws[2], answer[4], rtol=0, atol=POSITION_ATOL_M)
-    np.testing.assert_allclose(chain[5].home, answer[5], rtol=0, atol=POSITION_ATOL_M)
+    answer = {k: sheet.problem(k).answer.value for k in range(1, 12)}
+    chain = {k: load_urdf(sheet.given(k).urdf) for k in (3, 4, 5, 11)}
+    agree(chain[3].points[2], answer[3])
+    agree(chain[4].screws[2], answer[4])
+    agree(chain[5].home, answer[5])
     with pytest.raises(ValueError, match=r"^Line \d") as refused:
         load_urdf(sheet.given(6).urdf)
     assert int(re.match(r"Line (\d+)", str(refused.value))[1]) == answer[6]
@@ -30,12 +42,78 @@ def test_the_urdf_reader_gives_the_answers_of_the_sheet(student):
     names = load_urdf(given.urdf, given.base, given.tip).joint_names
     assert given.options[answer[7]] == list(names)
     row = sheet.given(8)
-    expected = dh_transform(row.a, row.alpha, row.d, 0, convention="modified")
-    np.testing.assert_allclose(origin(*answer[8]), expected, rtol=0, atol=1e-12)
+    agree(origin(*answer[8]), dh_transform(row.a, row.alpha, row.d, 0, convention="modified"), 1e-12)
+    given = sheet.given(10)
+    head, tail = given.urdf.split('name="joint_3"')
+    mended = re.sub(r'<axis xyz="[^"]*"', f'<axis xyz="{" ".join(map(str, answer[10]))}"', tail)
+    agree(load_urdf(f'{head}name="joint_3"{mended}').lines.axis[2], given.omega)
+    assert lines_that_can_be_wrong(sheet.given(11)) == [answer[11]]
+
+
+def lines_that_can_be_wrong(given):
+    """The lines of problem 11 that, changed alone, could make the file agree with its data sheet.
+
+    An `axis` can if all else agrees. An `origin` can if all before it agrees, and all behind it differs by one rotation about it.
+    """
+    chain, lines = load_urdf(given.urdf), given.urdf.splitlines()
+    points = np.vstack([chain.points, chain.home[:3, 3]]), np.array(given.origins)
+    axes = chain.lines.axis, np.array(given.axes)
+    places = {mark: [i for i, line in enumerate(lines, 1) if mark in line] for mark in ("<origin", "<axis")}
+    found = []
+    for k in range(4):
+        before = [np.vstack([p[: k + 1], a[:k]]) for p, a in zip(points, axes, strict=True)]
+        behind = [np.vstack([p[k + 1 :] - p[k], a[k:]]) for p, a in zip(points, axes, strict=True)]
+        grams = [v @ v.T for v in behind]
+        if np.allclose(*before, atol=POSITION_ATOL_M) and np.allclose(*grams, atol=1e-2):
+            found.append(places["<origin"][k])
+        others = [np.vstack([p, np.delete(a, k, axis=0)]) for p, a in zip(points, axes, strict=True)] if k < 3 else None
+        if others and np.allclose(*others, atol=POSITION_ATOL_M):
+            found.append(places["<axis"][k])
+    return found
+
+
+@pytest.mark.parametrize("student", STUDENTS)
+def test_pinocchio_reads_every_file_of_the_sheet_and_gives_its_answers(student):
+    pin = pytest.importorskip("pinocchio")
+    sheet = open_sheet("09_urdf", student)
+    answer = {k: sheet.problem(k).answer.value for k in range(1, 12)}
+    for k in (3, 4, 5, 7, 10, 11):
+        assert len(pin.buildModelFromXML(sheet.given(k).urdf).names) > 2
+    names = ["joint_1", "joint_2", "joint_3"]
+    [hand] = poses_by_pinocchio(sheet.given(3).urdf, "base", "hand", names, np.zeros((1, 3)))
+    agree(hand[:3, 3], answer[3])
+    [hand] = poses_by_pinocchio(sheet.given(5).urdf, "base", "hand", names[:2], np.zeros((1, 2)))
+    agree(hand, answer[5])
+    given = sheet.given(9)
+    model = pin.buildModelFromXML(given.urdf, mimic=True)
+    data = model.createData()
+    pin.framesForwardKinematics(model, data, np.array([given.q]))
+    agree(data.oMf[model.getFrameId("tool")].translation, answer[9])
+    for k in (1, 2):
+        assert pin.buildModelFromXML(joint_of(sheet.problem(k).statement)).nv == 1
+    xyz, rpy = (" ".join(map(str, row)) for row in answer[8])
+    agree(joint_pose(pin, f'<origin xyz="{xyz}" rpy="{rpy}"/><axis xyz="0 0 1"/>'), origin(*answer[8]), 1e-12)
+    agree(joint_pose(pin, joint_of(sheet.problem(1).statement)), answer[1])
+
+
+def joint_of(statement):
+    """The elements of a joint that a statement prints."""
+    element = re.search("```xml\n(.*?)\n```", statement, re.DOTALL)[1]
+    return with_joint(element)
+
+
+def with_joint(element):
+    joint = f'<joint name="j" type="continuous"><parent link="a"/><child link="b"/>{element}</joint>'
+    return f'<robot name="r"><link name="a"/><link name="b"/>{joint}</robot>'
+
+
+def joint_pose(pin, text):
+    model = pin.buildModelFromXML(text if "<robot" in text else with_joint(text))
+    return model.jointPlacements[1].homogeneous
 
 
 def test_every_fault_occurs_and_correcting_its_line_makes_the_file_valid():
-    """The decoys, such as an axis that is not of unit length, are no faults: the reader accepts the corrected file."""
+    """The decoys, such as a zero axis of a fixed joint, are no faults: both readers accept the corrected file."""
     seen = set()
     for student in STUDENTS:
         sheet = open_sheet("09_urdf", student)
@@ -49,17 +127,24 @@ def test_every_fault_occurs_and_correcting_its_line_makes_the_file_valid():
         mended = faulty.replace('"0 0 0"', '"0 0 1"').replace('"0 90 0"', '"0 0 0"')
         mended = re.sub(r'lower="(\S+)" upper="(\S+)"', r'lower="\2" upper="\1"', mended)
         mended = re.sub(r'child link="\w+"', f'child link="{free}"', mended)
-        assert load_urdf("\n".join([*lines[: line - 1], mended, *lines[line:]]), tip=links[-1]).n == 3
+        text = "\n".join([*lines[: line - 1], mended, *lines[line:]])
+        assert load_urdf(text, tip=links[-1]).n == 3
+        assert readers.ask("pinocchio", text).count(",") == 2
+        assert all(np.isclose(np.linalg.norm(axis), 1) for axis in axes_of_moving_joints(text))
     assert seen == {"child", "limit", "axis", "origin"}
+
+
+def axes_of_moving_joints(text):
+    """The axes as they are in the file, before a reader makes them unit vectors."""
+    joints = [joint for joint in re.findall(r"<joint.*?</joint>", text, re.DOTALL) if 'type="fixed"' not in joint]
+    found = [re.search(r'<axis xyz="([^"]*)"', joint) for joint in joints]
+    return [np.array(axis[1].split(), dtype=float) for axis in found if axis]
 
 
 def test_the_axis_of_problem_2_is_that_of_the_chain():
     for student in STUDENTS[:20]:
         problem = open_sheet("09_urdf", student).problem(2)
-        element = re.search("```xml\n(.*?)\n```", problem.statement, re.DOTALL)[1]
-        joint = f'<joint name="j" type="continuous"><parent link="a"/><child link="b"/>{element}</joint>'
-        chain = kl.load_urdf(f'<robot name="r"><link name="a"/><link name="b"/>{joint}</robot>')
-        np.testing.assert_allclose(chain.lines.axis[0], problem.answer.value, rtol=0, atol=POSITION_ATOL_M)
+        agree(kl.load_urdf(joint_of(problem.statement)).lines.axis[0], problem.answer.value)
 
 
 def test_every_roll_pitch_and_yaw_of_the_right_rotation_is_right():
@@ -69,3 +154,57 @@ def test_every_roll_pitch_and_yaw_of_the_right_rotation_is_right():
         for same in ((alpha + np.pi, np.pi, np.pi), (alpha - np.pi, -np.pi, np.pi), (alpha + 2 * np.pi, 0, 0)):
             assert sheet.check(8, [xyz, same]).score == 3
         assert sheet.check(8, [xyz, (0, alpha, 0)]).score == 0
+
+
+# --- what readers do with a file ---
+
+
+@pytest.mark.parametrize(("number", "reader"), list(enumerate(list(readers.READERS)[1:])))
+@pytest.mark.parametrize("label", list(readers.FILES))
+def test_a_reader_still_does_what_was_recorded(label, number, reader):
+    pytest.importorskip(reader)
+    assert readers.ask(reader, readers.FILES[label]) == readers.RECORDED[label][number]
+
+
+def test_without_the_other_readers_the_table_is_the_same(monkeypatch):
+    """In the lab in the browser only kinlib is installed."""
+    expected = readers.compare_readers()
+    monkeypatch.setattr(readers, "find_spec", lambda name: name == "kinlib" or None)
+    monkeypatch.setattr(
+        readers, "READERS", {"kinlib": readers.READERS["kinlib"], **dict.fromkeys(list(readers.READERS)[1:])}
+    )
+    assert readers.compare_readers() == expected
+
+
+def test_an_axis_of_length_0_leads_pinocchio_to_a_pose_that_is_no_rotation():
+    pin = pytest.importorskip("pinocchio")
+    model = pin.buildModelFromXML(readers.FILES["axis of length 0"])
+    data = model.createData()
+    pin.framesForwardKinematics(model, data, np.array([0.0, 0.7]))
+    R = data.oMf[model.getFrameId("camera")].rotation
+    assert abs(np.linalg.det(R) - 1) > 0.1
+
+
+TEXTS = [
+    *(ROOT / "notebooks").glob("*.ipynb"),
+    *ROOT.glob("*.md"),
+    *(ROOT / "site").rglob("*.md"),
+    *(path for folder in ("kinlib", "kincourse", "misstep") for path in (ROOT / folder).rglob("*.py")),
+]
+FAULTY = {"edited": "the bug hunt of lecture 09"}
+
+
+def urdf_texts():
+    for path in TEXTS:
+        text = path.read_text("utf-8")
+        if path.suffix == ".ipynb":
+            text = "\n".join("".join(cell["source"]) for cell in json.loads(text)["cells"])
+        for found in re.finditer(r'(\w+ = )?(?:f|r)?(?:"""|\'\'\')(<robot name=.*?</robot>)', text, re.DOTALL):
+            yield pytest.param(found[1] or "", found[2], id=f"{path.name}-{(found[1] or 'text')[:-3]}")
+
+
+@pytest.mark.parametrize(("name", "text"), list(urdf_texts()))
+def test_pinocchio_reads_every_file_that_is_printed(name, text):
+    pytest.importorskip("pinocchio")
+    text = re.sub(r"^\s*\.\.\. ", "", text, flags=re.MULTILINE)
+    assert readers.ask("pinocchio", text) != "refuses" or name.removesuffix(" = ") in FAULTY
