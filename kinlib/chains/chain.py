@@ -35,7 +35,7 @@ def _accelerate(equation: Callable[["Chain", ArrayLike], Array]) -> Callable[["C
         fast = self._fast
         if fast.is_one_configuration(q):
             return fast.run_program(name, q)
-        return fast.run_batch(name, self._joint_values(q))
+        return fast.run(name, self._joint_values(q))
 
     return method
 
@@ -167,7 +167,7 @@ class Chain:
         >>> np.allclose(rppr().fk_body([1, 2, 3, 4]), rppr().fk([1, 2, 3, 4]), atol=1e-13)
         True
         """
-        return self.fk_mid(q, 0)
+        return self.home @ self._after_home.fk(q)
 
     def fk_mid(self, q: ArrayLike, k: int) -> Array:
         """Compute the pose of the tool with M after the first k joints: e^[S1]q1 ... e^[Sk]qk M e^[Bk+1]qk+1 ... e^[Bn]qn.
@@ -228,6 +228,7 @@ class Chain:
             T = T @ exp(S_i * q_i)
         return np.stack(columns, axis=-1)
 
+    @_accelerate
     def body_jacobian(self, q: ArrayLike) -> Array:
         """Compute the body Jacobian, the same twists in {b}: J_b = Ad(T^-1) J_s.
 
@@ -260,8 +261,13 @@ class Chain:
         return np.moveaxis(self._joint_values(q), -1, 0)[..., None]
 
     @cached_property
+    def _after_home(self) -> "Chain":
+        """The product e^[B1]q1 ... e^[Bn]qn of the body form, which follows M, as a chain whose own home pose is I."""
+        return Chain(self.body_screws, np.eye(4), name=self.name)
+
+    @cached_property
     def _fast(self) -> FastKinematics:
-        """The fast implementation of `fk`, `link_poses` and `jacobian`, constructed at first use."""
+        """The fast implementation of `fk`, `link_poses` and the Jacobians, constructed at first use."""
         return FastKinematics(self.screws, self.home, self.joint_points)
 
 

@@ -10,9 +10,9 @@ from hypothesis import given
 from strategies import ROBOTS, chains_with_values, configurations
 
 from kinlib import Chain, robots
-from kinlib.chains.fast_kinematics import FastKinematics
+from kinlib.chains.fast_kinematics import FEW_CONFIGURATIONS, FastKinematics
 
-EQUATIONS = [Chain.fk, Chain.link_poses, Chain.jacobian]
+EQUATIONS = [Chain.fk, Chain.link_poses, Chain.jacobian, Chain.body_jacobian]
 each_equation = pytest.mark.parametrize("method", EQUATIONS, ids=lambda method: method.__name__)
 
 
@@ -38,9 +38,11 @@ def test_a_single_configuration_agrees_with_the_equation(method, drawn):
 @given(chains_with_values())
 def test_a_batch_agrees_with_the_equation(method, drawn):
     chain, q = drawn
-    batch = np.stack([q, -q, q / 3, 0 * q]).reshape(2, 2, chain.n)
-    close(method(chain, batch), method.__wrapped__(chain, batch), allowed(chain, q))
-    assert not chain._fast.programs
+    few = np.stack([q, -q, q / 3, 0 * q]).reshape(2, 2, chain.n)
+    many = np.repeat(few, FEW_CONFIGURATIONS, axis=0)
+    for batch, is_program in ((many, False), (few, True)):
+        close(method(chain, batch), method.__wrapped__(chain, batch), allowed(chain, q))
+        assert (method.__name__ in chain._fast.programs) is is_program
 
 
 @each_equation
@@ -55,7 +57,7 @@ def test_every_robot_agrees_with_the_equation(method, robot):
 @each_equation
 def test_the_source_of_each_method_is_the_equation(method):
     source = inspect.getsource(method)
-    assert "exp(S_i * q_i)" in source
+    assert ("exp(S_i * q_i)" in source) or ("adjoint(inverse(self.fk(q))) @ self.jacobian(q)" in source)
     assert "_fast" not in source
 
 
@@ -72,12 +74,15 @@ def test_the_equations_accept_the_same_shapes(method, shape):
 def test_programs_and_batches_agree_with_modern_robotics(robot):
     fast = FastKinematics(robot.screws, robot.home, robot.joint_points)
     q = configurations(robot, 3)
-    poses = [mr.FKinSpace(robot.home, robot.screws.T, row) for row in q]
+    body = [mr.JacobianBody(robot.body_screws.T, row) for row in q]
+    poses = mr_poses(robot, q)
     jacobians = [mr.JacobianSpace(robot.screws.T, row) for row in q]
     close(fast.run_batch("fk", q), poses, 1e-12)
     close([fast.run_program("fk", row) for row in q], poses, 1e-12)
     close(fast.run_batch("jacobian", q), jacobians, 1e-12)
     close([fast.run_program("jacobian", row) for row in q], jacobians, 1e-12)
+    close(fast.run_batch("body_jacobian", q), body, 1e-12)
+    close(fast.run_program("body_jacobian", q), body, 1e-12)
 
 
 ONE_CONFIGURATION = {
@@ -104,13 +109,22 @@ INVALID = {
 
 @pytest.mark.oracle("text: written out in the test", FastKinematics.is_one_configuration)
 @pytest.mark.parametrize("q", [*ONE_CONFIGURATION.values(), *OTHER.values()], ids=[*ONE_CONFIGURATION, *OTHER])
-def test_a_program_is_generated_for_one_configuration_only(q):
+def test_one_configuration_is_distinguished_from_what_must_be_validated(q):
+    assert robots.rpr()._fast.is_one_configuration(q) is any(q is one for one in ONE_CONFIGURATION.values())
+
+
+@pytest.mark.oracle("text: written out in the test", FastKinematics.run)
+@pytest.mark.parametrize("count", [1, FEW_CONFIGURATIONS, FEW_CONFIGURATIONS + 1])
+def test_a_program_is_generated_for_few_configurations_only(count):
     """Generating it takes as long as a thousand configurations of a batch."""
     robot = robots.rpr()
-    robot.fk(q), robot.jacobian(q)
-    is_one = any(q is one for one in ONE_CONFIGURATION.values())
-    assert robot._fast.is_one_configuration(q) is is_one
-    assert set(robot._fast.programs) == ({"fk", "jacobian"} if is_one else set())
+    q = configurations(robot, count)
+    close(robot.fk(q), mr_poses(robot, q), 1e-13)
+    assert set(robot._fast.programs) == ({"fk"} if count <= FEW_CONFIGURATIONS else set())
+
+
+def mr_poses(robot, q):
+    return [mr.FKinSpace(robot.home, robot.screws.T, row) for row in q]
 
 
 @pytest.mark.parametrize("q", INVALID.values(), ids=INVALID)
@@ -119,8 +133,8 @@ def test_an_invalid_configuration_is_not_passed_to_a_program(q):
 
 
 def test_a_name_without_a_formula_is_refused():
-    with pytest.raises(ValueError, match="There is no fast implementation of 'body_jacobian'"):
-        robots.rpr()._fast.run_batch("body_jacobian", np.zeros(3))
+    with pytest.raises(ValueError, match="There is no fast implementation of 'fk_body'"):
+        robots.rpr()._fast.run_batch("fk_body", np.zeros(3))
 
 
 def test_a_chain_with_programs_can_be_pickled():
