@@ -6,7 +6,7 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from misstep.display.markdown import CODE_STYLE, LINK_STYLE, check_address, markdown_html
+from misstep.display.markdown import CODE_STYLE, check_address, link_html, markdown_html
 
 TONES = {
     "right": ("✓", "#1a7f37"),
@@ -95,8 +95,7 @@ class Card:
 
 def _paragraph(part: str | tuple[str, str] | Link) -> str:
     if isinstance(part, Link) and part.address:
-        link = f'<a href="{html.escape(part.address)}" style="{LINK_STYLE}">{inline(part.text)}</a>'
-        return f'<p style="margin:.4em 0 0">{link}</p>'
+        return f'<p style="margin:.4em 0 0">{link_html(part.address, inline(part.text))}</p>'
     if not isinstance(part, tuple):
         return f'<p style="margin:.4em 0 0">{inline(part if isinstance(part, str) else part.text)}</p>'
     if part[0] == "markdown":

@@ -4,8 +4,10 @@ A library for Markdown would be one more dependency of misstep, and would not ke
 """
 
 import re
-from html import escape
+from html import escape, unescape
 from urllib.parse import urlsplit
+
+from misstep.display.static_output import is_static_export
 
 LITERAL = re.compile(r"(?<!`)`([^`]+)`(?!`)|\$\$(.+?)\$\$|\$([^$]+)\$", re.DOTALL)
 """Code and formulas, in which no other mark counts."""
@@ -17,6 +19,17 @@ UNSUPPORTED = re.compile(r"#+\s|>|\||```|~~~|!\[|</?[a-zA-Z]|\s+(?:[-*]|\d+\.)\s
 
 LINK_STYLE = "color:inherit;text-decoration:underline"
 """The colour of a theme's links may be hard to read on the background of a card."""
+FOLLOW = """if (event.isTrusted) {
+  const own = this.closest('.jp-NotebookPanel'), id = decodeURIComponent(this.hash.slice(1)), end = Date.now() + 60000;
+  const others = () => [...document.querySelectorAll('.jp-NotebookPanel:not(.lm-mod-hidden)')].filter((one) => one !== own);
+  const drawn = () => others().some((one) => [...one.querySelectorAll('h1,h2,h3')].some((h) => h.dataset.jupyterId === id));
+  const wait = own && setInterval(() => {
+    if (drawn()) this.click();
+    if (drawn() || Date.now() > end) clearInterval(wait);
+  }, 200);
+}"""
+"""JupyterLab scrolls to a section only if its notebook has been drawn. So click again when the section is there."""
+
 CODE_STYLE = "background:transparent;color:inherit"
 
 
@@ -81,8 +94,14 @@ def _marked_up(text: str) -> str:
 
 
 def _link(found: re.Match[str]) -> str:
-    check_address(found[2])
-    return f'<a href="{found[2].replace(chr(34), "%22")}" style="{LINK_STYLE}">{found[1]}</a>'
+    check_address(unescape(found[2]))
+    return link_html(unescape(found[2]), found[1])
+
+
+def link_html(address: str, html: str) -> str:
+    """Return a link that has the colour of the text around it, and that leads to the section of a notebook in JupyterLab too."""
+    follow = f' onclick="{escape(FOLLOW)}"' if ".ipynb#" in address and not is_static_export() else ""
+    return f'<a href="{escape(address)}"{follow} style="{LINK_STYLE}">{html}</a>'
 
 
 def check_address(address: str) -> None:
