@@ -17,7 +17,9 @@ from kinlib.view.diagrams.axis_relations import draw_axis_relation, draw_axis_re
 from kinlib.view.diagrams.lettered_chain import draw_lettered_chain
 from kinlib.view.diagrams.nearly_parallel_axes import draw_nearly_parallel_axes
 from kinlib.view.diagrams.parts_of_an_arm import draw_parts
+from kinlib.view.diagrams.point_velocity import draw_moment, draw_point_velocity
 from kinlib.view.diagrams.three_readings import draw_three_readings
+from kinlib.view.diagrams.twist_matrix import draw_cross_product, draw_twist_matrix
 from kinlib.view.drawing.picture import Gallery, Picture
 from kinlib.view.drawing.plot import plot
 from kinlib.view.figures.arm import draw_arm, draw_joints
@@ -54,14 +56,18 @@ __all__ = [
     "draw_arm",
     "draw_axis_relation",
     "draw_axis_relations",
+    "draw_cross_product",
     "draw_frames",
     "draw_joints",
     "draw_lettered_chain",
     "draw_linkage",
+    "draw_moment",
     "draw_nearly_parallel_axes",
     "draw_parts",
+    "draw_point_velocity",
     "draw_three_readings",
     "draw_torus",
+    "draw_twist_matrix",
     "drive",
     "explore",
     "play_assignment",
