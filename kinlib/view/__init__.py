@@ -14,10 +14,12 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 from kinlib.view.diagrams.axis_relations import draw_axis_relation, draw_axis_relations
+from kinlib.view.diagrams.last_frame import draw_last_frame, draw_last_frames
 from kinlib.view.diagrams.lettered_chain import draw_lettered_chain
 from kinlib.view.diagrams.nearly_parallel_axes import draw_nearly_parallel_axes
 from kinlib.view.diagrams.parts_of_an_arm import draw_parts
 from kinlib.view.diagrams.point_velocity import draw_moment, draw_point_velocity
+from kinlib.view.diagrams.rotation_axes import draw_rotation_axes
 from kinlib.view.diagrams.three_readings import draw_three_readings
 from kinlib.view.diagrams.twist_matrix import draw_cross_product, draw_twist_matrix
 from kinlib.view.drawing.picture import Gallery, Picture
@@ -59,12 +61,15 @@ __all__ = [
     "draw_cross_product",
     "draw_frames",
     "draw_joints",
+    "draw_last_frame",
+    "draw_last_frames",
     "draw_lettered_chain",
     "draw_linkage",
     "draw_moment",
     "draw_nearly_parallel_axes",
     "draw_parts",
     "draw_point_velocity",
+    "draw_rotation_axes",
     "draw_three_readings",
     "draw_torus",
     "draw_twist_matrix",

@@ -92,6 +92,14 @@ def test_python_sets_the_step_and_the_text_alternative_follows():
     assert state_of(player)["convention"] == "modified"
 
 
+def test_rows_that_the_reader_is_to_find_are_not_on_the_page():
+    standard = play_assignment(kl.robots.youbot(), convention="standard", rows=1).mode["conventions"]["standard"]
+    assert len(standard["table"]) == 1
+    assert [step["row"] for step in standard["steps"]] == [None] * 19 + [1]
+    with pytest.raises(ValueError, match="0 to 5"):
+        play_assignment(kl.robots.youbot(), convention="standard", rows=6)
+
+
 @pytest.mark.parametrize("step", [-1, 25])
 def test_a_step_that_does_not_exist_is_refused_and_the_old_one_stays(step):
     player = play_assignment(kl.robots.youbot(), convention="standard", step=2)

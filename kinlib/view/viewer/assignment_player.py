@@ -52,7 +52,7 @@ class Player(Viewer):
     step = traitlets.Int(0).tag(sync=True)
     convention = traitlets.Enum(list(CONVENTIONS), default_value="standard").tag(sync=True)
 
-    def __init__(self, chain: Chain, **traits: Any) -> None:
+    def __init__(self, chain: Chain, rows: int | None = None, **traits: Any) -> None:
         self.assignments = {name: assign_frames(chain, convention=name) for name in CONVENTIONS}
         home = np.zeros(chain.n)
         super().__init__(
@@ -63,7 +63,9 @@ class Player(Viewer):
             readout=False,
             mode={
                 "kind": "assignment",
-                "conventions": {name: _assignment_data(assignment) for name, assignment in self.assignments.items()},
+                "conventions": {
+                    name: _assignment_data(assignment, rows) for name, assignment in self.assignments.items()
+                },
             },
             **traits,
         )
@@ -88,20 +90,25 @@ class Player(Viewer):
         return draw_assignment(self.assignment, self.step).html()
 
 
-def play_assignment(chain: Chain, *, convention: Convention, step: int = 0, after: Any = None) -> Player:
+def play_assignment(
+    chain: Chain, *, convention: Convention, step: int = 0, rows: int | None = None, after: Any = None
+) -> Player:
     """Show the assignment of DH frames to an arm step by step, forwards and back.
 
     step   the first step shown, counted from 0; afterwards the trait `step` is synchronized with the page
+    rows   how many rows of the table are read; the reader finds the others. By default all of them
     after  a question; the arm stays covered until a prediction is committed
 
-    Raises ValueError if the convention is unknown, a joint is helical, or there is no such step.
+    Raises ValueError if the convention is unknown, a joint is helical, there is no such step, or rows is not one of 0, ..., n.
 
     >>> from kinlib.chains.robots import youbot
     >>> player = play_assignment(youbot(), convention="standard", step=3)
     >>> player.alt[:62]
     'youBot, standard convention, step 4 of 25. O_1 lies on axis 2,'
     """
-    player = Player(chain, convention=validate_convention(convention))
+    if rows is not None and rows not in range(chain.n + 1):
+        raise ValueError(f"rows must be the number of rows to show, 0 to {chain.n}; got {rows!r}.")
+    player = Player(chain, rows, convention=validate_convention(convention))
     player.step = step
     player.wait_for(after)
     return player
@@ -143,8 +150,13 @@ def _points(assignments: Iterable[FrameAssignment]) -> Array:
     )
 
 
-def _assignment_data(assignment: FrameAssignment) -> dict[str, Any]:
-    """Return an assignment as data for the page: what is the same in all steps, and what each step shows."""
+def _assignment_data(assignment: FrameAssignment, rows: int | None) -> dict[str, Any]:
+    """Return an assignment as data for the page: what is the same in all steps, and what each step shows.
+
+    rows  how many rows of the table are read; by default all of them, and the accuracy of the table follows
+    """
+    first_row = next(k for k, step in enumerate(assignment.steps) if step.kind == "row")
+    steps = assignment.steps if rows is None else assignment.steps[: first_row + rows]
     near, feet = visible_features(assignment)
     return {
         "axes": [[end.tolist() for end in ends] for ends in axis_ends(assignment.chain, feet)],
@@ -153,8 +165,8 @@ def _assignment_data(assignment: FrameAssignment) -> dict[str, Any]:
             for normal in assignment.normals
         ],
         "frames": [T.ravel().tolist() if seen else None for T, seen in zip(assignment.frames + 0.0, near, strict=True)],
-        "table": table_cells(assignment.table),
-        "steps": [_step(assignment, k, step) for k, step in enumerate(assignment.steps)],
+        "table": table_cells(assignment.table)[:rows],
+        "steps": [_step(assignment, k, step) for k, step in enumerate(steps)],
     }
 
 
