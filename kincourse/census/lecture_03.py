@@ -337,7 +337,9 @@ def screws_of_a_whole_arm(given: Any, answer: Any) -> Answers:
     yield from alike(by.HALVES, {"halves swapped": rows(halves), "in one row": rows(halves, turns[:1])})
     yield from alike(by.SIGN, {"-S_2": rows(lambda w, v: [*(-w), *(-v)], [1]), "-S": -S})
     yield from alike(by.OMITTED | {"moment"}, {"no moments": rows(lambda w, _: [*w, 0, 0, 0], turns)})
-    yield from alike(by.ORDER | {"rows", "last joint"}, {"reversed": S[::-1, :], "rows swapped": S[[1, 0, *range(2, n)], :]})
+    yield from alike(
+        by.ORDER | {"rows", "last joint"}, {"reversed": S[::-1, :], "rows swapped": S[[1, 0, *range(2, n)], :]}
+    )
     yield from alike(by.MOMENT | by.OMITTED, {"omega x p, L_1 left out": rows(minus, turns).subs(L[0], 0)})
     yield from alike(by.MOMENT | by.HALVES, {"omega x p, halves swapped": rows(lambda w, v: [*(-v), *w], turns)})
     if slides:

@@ -425,7 +425,7 @@ def origin_or_axis(given: Any, answer: float) -> Iterator[WrongAnswer]:
             continue
         here = start < i <= start + 4
         if element in {"<origin", "<axis", "<parent", "<joint"}:
-            words = "not because, this joint, other elements" if here else "correct, earlier, first joint"
+            words = "not because, this joint, other elements" if here else "correct, agrees, earlier, first joint"
             cases[f"{element[1:]} of joint {joint} for {label}"] = (i, words)
     cases["the line of the robot"] = (1, "correct, robot")
     cases["line 0"] = (0, "lines 1 to, count")

@@ -555,6 +555,28 @@ def axis_in_the_wrong_frame(sampler: ArmSampler) -> Problem:
     )
 
 
+LOOKALIKES = {
+    True: (
+        (
+            "The axis of this joint has the wrong direction, but not because of its `axis`: later origins disagree with the data sheet as "
+            "well, and at $q = 0$ an `axis` has no influence on them."
+        ),
+        (
+            "This origin is correct in the frame of its parent. It disagrees with the data sheet because an earlier frame is wrong. Look "
+            "for the first joint whose row disagrees."
+        ),
+    ),
+    False: (
+        (
+            "The axis of this joint has the wrong direction, but not because of its `origin`: all later origins agree with the data sheet, "
+            "and they would not if this frame were rotated wrongly."
+        ),
+        "This origin is correct: it agrees with the data sheet, and so does every other origin of the file.",
+    ),
+}
+"""For a wrong origin, and for a wrong axis: what to say of the other element of the joint, and of the next joint's origin."""
+
+
 @problem("09.11", "Origin or axis?", points=2, lecture="09_urdf#A fault that every reader accepts")
 def origin_or_axis(sampler: ArmSampler) -> Problem:
     meant = [_joint_across_its_rotation(sampler, f"joint_{k}") for k in (1, 2, 3)]
@@ -568,31 +590,23 @@ def origin_or_axis(sampler: ArmSampler) -> Problem:
     here = {mark: _line_with(lines, mark, begins[k]) for mark in ("<origin", "<axis")}
     poses = [T.round() + 0.0 for T in accumulate((joint.pose for joint in joints), np.matmul)]
     origins, axes = [T[:3, 3] for T in poses], [T[:3, :3] @ joint.axis for T, joint in zip(poses, meant, strict=False)]
-    if is_origin:
-        answer, other = here["<origin"], here["<axis"]
-        lookalike = (
-            "The axis of this joint has the wrong direction, but not because of its `axis`: later origins disagree with the data sheet "
-            "as well, and at $q = 0$ an `axis` has no influence on them."
-        )
-        later = mistake(
-            "a later joint",
-            _line_with(lines, "<origin", begins[k + 1]),
-            "This origin is correct in the frame of its parent. It disagrees with the data sheet because an earlier frame is wrong. Look "
-            "for the first joint whose row disagrees.",
-        )
-    else:
-        answer, other = here["<axis"], here["<origin"]
-        lookalike = (
-            "The axis of this joint has the wrong direction, but not because of its `origin`: all later origins agree with the data "
-            "sheet, and they would not if this frame were rotated wrongly."
-        )
+    answer, other = (here["<origin"], here["<axis"]) if is_origin else (here["<axis"], here["<origin"])
+    lookalike, later = LOOKALIKES[is_origin]
     return Problem(
         statement="Every reader accepts this file, but it does not describe the robot of this data sheet. All joint values are 0, and "
         f"lengths are in metres.\n\n{_data_sheet(joints, origins, axes)}\n\nExactly one line of the file is wrong. Which one? Lines count "
         f"from 1. {ROUNDING_NOTE}\n\n{fence_urdf(_number_lines(lines))}",
         given={"urdf": "\n".join(lines), "origins": np.array(origins), "axes": np.array(axes)},
         answer=FaultyLineAnswer(np.array(float(answer)), lines=lines, joint=range(begins[k], begins[k + 1])),
-        mistakes=[mistake("origin and axis swapped", other, lookalike), *([later] if is_origin else [])],
+        mistakes=[
+            mistake("origin and axis swapped", other, lookalike),
+            mistake("a later origin", _line_with(lines, "<origin", begins[k + 1]), later),
+            mistake(
+                "the joint itself",
+                begins[k],
+                "The wrong line is in this joint, but this line is correct. Is its `origin` wrong, or its `axis`?",
+            ),
+        ],
     )
 
 

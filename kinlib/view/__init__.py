@@ -22,6 +22,8 @@ from kinlib.view.diagrams.point_velocity import draw_moment, draw_point_velocity
 from kinlib.view.diagrams.rotation_axes import draw_rotation_axes
 from kinlib.view.diagrams.three_readings import draw_three_readings
 from kinlib.view.diagrams.twist_matrix import draw_cross_product, draw_twist_matrix
+from kinlib.view.diagrams.urdf_joint import draw_urdf_joint
+from kinlib.view.diagrams.urdf_tree import draw_urdf_tree
 from kinlib.view.drawing.picture import Gallery, Picture
 from kinlib.view.drawing.plot import plot
 from kinlib.view.figures.arm import draw_arm, draw_joints
@@ -73,6 +75,8 @@ __all__ = [
     "draw_three_readings",
     "draw_torus",
     "draw_twist_matrix",
+    "draw_urdf_joint",
+    "draw_urdf_tree",
     "drive",
     "explore",
     "play_assignment",
