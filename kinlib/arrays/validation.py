@@ -6,6 +6,7 @@ what was given and the likely cause, so the formulas behind it can stay as short
 
 import re
 import reprlib
+from dataclasses import fields
 from typing import Any
 
 import numpy as np
@@ -16,6 +17,7 @@ from kinlib.arrays.tolerances import MAX_ROTATION_RAD, ORTHONORMALITY_TOL, UNIT_
 
 __all__ = [
     "Array",
+    "ReadOnly",
     "array",
     "describe",
     "matrices_3x3_or_4x4",
@@ -52,11 +54,20 @@ def real_array(x: ArrayLike, name: str) -> Array:
 
     If x is such an array, it is returned itself: copy it before you write to it.
 
-    Raises ValueError for anything else.
+    Raises ValueError for anything else, for a masked array and for a np.matrix.
 
     >>> real_array(np.inf, "pitch")
     array(inf)
     """
+    if isinstance(x, np.matrix) or (
+        isinstance(x, np.ndarray) and hasattr(x, "mask")
+    ):  # np.asarray would drop what makes them different
+        advice = (
+            "Pass np.asarray(x)"
+            if isinstance(x, np.matrix)
+            else "Pass its valid entries, x.compressed() or x.filled(value)"
+        )
+        raise ValueError(f"{name} must be a plain array; got a {type(x).__name__}. {advice}.")
     try:
         values = np.asarray(x)
         if values.dtype.kind not in "biufO":
@@ -193,6 +204,30 @@ def read_only_copy(values: ArrayLike) -> Array:
     copy = np.array(values, dtype=float)
     copy.flags.writeable = False
     return copy
+
+
+class ReadOnly:
+    """A frozen dataclass whose copies and pickles are constructed anew from its fields.
+
+    So the arrays of a copy are read-only too, and nothing that was computed from the fields before travels with it.
+
+    >>> from copy import deepcopy
+    >>> from dataclasses import dataclass
+    >>> @dataclass(frozen=True)
+    ... class Point(ReadOnly):
+    ...     p: Array
+    ...     def __post_init__(self): object.__setattr__(self, "p", read_only_copy(self.p))
+    >>> deepcopy(Point([1.0, 2.0])).p.flags.writeable
+    False
+    """
+
+    def __reduce__(self) -> tuple[Any, ...]:
+        values = {one.name: getattr(self, one.name) for one in fields(self) if one.init}  # type: ignore[arg-type]
+        return _construct, (type(self), values)
+
+
+def _construct(kind: type[Any], values: dict[str, Any]) -> Any:
+    return kind(**values)
 
 
 def describe(x: Any) -> str:

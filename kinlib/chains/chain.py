@@ -41,7 +41,7 @@ def _accelerate(equation: Callable[["Chain", ArrayLike], Array]) -> Callable[["C
 
 
 @dataclass(frozen=True, eq=False)
-class Chain:
+class Chain(validation.ReadOnly):
     """An open chain of revolute, prismatic and helical joints.
 
     screws   (n, 6)  screw axes S_1 ... S_n in the fixed frame {s}, at home

@@ -59,7 +59,7 @@ def dh_transform(a: ArrayLike, alpha: ArrayLike, d: ArrayLike, theta: ArrayLike,
 
 
 @dataclass(frozen=True, eq=False)
-class DHTable:
+class DHTable(validation.ReadOnly):
     r"""An open chain as a DH table, together with the base and the tool, which the rows cannot describe.
 
     rows        text as on a slide, dictionaries by column name, or numbers (m, 4) in the order a, alpha, d, theta

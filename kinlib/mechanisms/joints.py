@@ -27,7 +27,7 @@ them, and no centre is sought along them."""
 
 
 @dataclass(frozen=True, eq=False)
-class Joint:
+class Joint(validation.ReadOnly):
     """A joint between two bodies, read from a drawing of the linkage like the joints of an open chain.
 
     name            of the joint; the values of a joint with k > 1 degrees of freedom are called name.1, ..., name.k

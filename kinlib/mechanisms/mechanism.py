@@ -44,7 +44,7 @@ this, where d is the distance in metres from the origin to its farthest joint: r
 
 
 @dataclass(frozen=True, eq=False)
-class Mechanism:
+class Mechanism(validation.ReadOnly):
     """A linkage: bodies joined so that there is at least one loop.
 
     joints        in the order of their values in q; q = 0 is the drawing from which they are read

@@ -21,7 +21,7 @@ def hat(x: ArrayLike) -> Array:
     (..., 3) -> (..., 3, 3), the skew-symmetric matrix with hat(w) u = w x u;
     (..., 6) -> (..., 4, 4), the matrix [[hat(omega), v], [0, 0]].
 
-    Raises ValueError for any other last dimension, and for NaN or infinity.
+    Raises ValueError for any other last dimension, for a matrix that is already skew-symmetric, and for NaN or infinity.
     Source: Modern Robotics, (3.30) and (3.71).
 
     >>> hat([0, 0, 1]) @ [1, 0, 0]
@@ -71,7 +71,8 @@ def exp(x: ArrayLike) -> Array:
     Here theta = |omega|, W = hat(omega), a = sin(theta) / theta, b = (1 - cos(theta)) / theta^2 and
     c = (theta - sin(theta)) / theta^3. For a screw axis S and a joint value q, the factor of the PoE formula is exp(S q).
 
-    Raises ValueError for any other last dimension, for NaN or infinity, and for an angle that double precision cannot resolve.
+    Raises ValueError for any other last dimension, for a skew-symmetric 3x3 matrix, whose vee is meant, for NaN or infinity, and
+    for an angle that double precision cannot resolve.
     Source: Modern Robotics, (3.51) and (3.88); the UIUC deck's "true form" is the series that this sums.
 
     >>> exp([0, 0, np.pi / 2, 0, 0, 0]).round(3) + 0.0
@@ -192,11 +193,18 @@ def perpendicular(axis: ArrayLike) -> Array:
 def _generator(x: ArrayLike) -> Array:
     x = validation.array(x, "x")
     if x.shape[-1:] not in {(3,), (6,)}:
-        fits = x.ndim > 1 and x.shape[-2] in {3, 6}
-        advice = (
-            "Are the components in the first dimension? Try x.T." if fits else "A twist is (omega, v), six numbers."
-        )
+        if x.shape[-2:] == (4, 4):
+            advice = "Is it the matrix of a twist? Then take its vee first, exp(vee(x))."
+        elif x.ndim > 1 and x.shape[-2] in {3, 6}:
+            advice = "Are the components in the first dimension? Try x.T."
+        else:
+            advice = "A twist is (omega, v), six numbers."
         raise ValueError(f"x must be a rotation vector (..., 3) or a twist (..., 6); got shape {x.shape}. {advice}")
+    if x.shape == (3, 3) and x.any() and np.array_equal(x, -x.T):
+        raise ValueError(
+            "x must be a rotation vector (..., 3) or a twist (..., 6); got a skew-symmetric 3x3 matrix, which would be read as three "
+            "rotation vectors. Take its vee first, exp(vee(x))."
+        )
     return x
 
 

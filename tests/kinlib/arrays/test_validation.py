@@ -1,5 +1,7 @@
 """Input validation: what is refused, and the message: what must hold, what was given, and the likely cause."""
 
+import copy
+import pickle
 from fractions import Fraction
 
 import modern_robotics as mr
@@ -13,6 +15,7 @@ from hypothesis import given
 from hypothesis import strategies as st
 from strategies import directions, poses, rotations
 
+import kinlib as kl
 from kinlib.arrays import tolerances, validation
 from kinlib.arrays.batching import CHUNK_COLUMNS
 from kinlib.rigid.lie import log
@@ -310,3 +313,46 @@ def test_a_larger_angle_is_refused():
         ValueError, match=r"A rotation angle must be at most 1e\+08 rad.*got 2e\+08 rad.*Did a computation diverge"
     ):
         validation.rotation_angles(np.array([1.0, 2e8]))
+
+
+@pytest.mark.parametrize("copied", [copy.copy, copy.deepcopy, lambda one: pickle.loads(pickle.dumps(one))])
+def test_copies_are_read_only_and_equal_and_bring_no_cache(copied):
+    table = kl.assign_frames(kl.robots.puma560(), convention="standard").table
+    originals = [
+        kl.robots.rppr(),
+        table,
+        kl.linkages.four_bar(0.4, 0.1, 0.35, 0.3),
+        kl.linkages.four_bar(0.4, 0.1, 0.35, 0.3).joints[1],
+    ]
+    for original in originals:
+        arrays = {name: value for name, value in vars(original).items() if isinstance(value, np.ndarray)}
+        again = copied(original)
+        for name, value in arrays.items():
+            assert np.array_equal(getattr(again, name), value)
+            with pytest.raises(ValueError, match="read-only"):
+                getattr(again, name)[...] = 7
+    robot = kl.robots.rppr()
+    robot.fk(np.zeros(4))
+    assert "_fast" not in vars(copied(robot))
+
+
+@pytest.mark.parametrize(
+    ("given", "words"),
+    [
+        (np.ma.masked_array([1.0, 2, 3], mask=[False, True, False]), "got a MaskedArray.*compressed"),
+        (np.ones((1, 3)).view(np.matrix), "got a matrix.*asarray"),
+    ],
+)
+def test_arrays_of_other_kinds_are_refused_by_name(given, words):
+    for function in (kl.exp, kl.robots.rpr().fk, kl.hat):
+        with pytest.raises(ValueError, match=f"must be a plain array; {words}"):
+            function(given)
+
+
+@pytest.mark.parametrize("function", [kl.exp, kl.hat])
+def test_the_matrix_of_a_rotation_vector_is_not_read_as_three_vectors(function):
+    for generator in (kl.hat([1, 2, 3]), kl.hat([1, 2, 3, 4, 5, 6])):
+        with pytest.raises(ValueError, match=r"vee first"):
+            function(generator)
+    assert function(np.zeros((3, 3))).shape == (3, 3, 3)
+    assert function(np.eye(3)).shape == (3, 3, 3)
