@@ -4,6 +4,7 @@ from collections.abc import Iterator
 from typing import Any
 
 import numpy as np
+import sympy as sp
 
 from kincourse.census import WrongAnswer, alike, right, wrong_answers
 from kincourse.census import words as by
@@ -297,3 +298,35 @@ def singular_wrist(given: Any, answer: Any) -> Answers:
     yield from alike(by.SWAPPED, {"swapped": [rate, q_2]})
     yield from alike(by.DEGREES, {"radians": np.radians([q_2, rate])})
     yield from right({"tuple": (q_2, rate), "list": [q_2, rate]})
+
+
+@wrong_answers("04.11")
+def body_screws_of_a_whole_arm(given: Any, answer: Any) -> Answers:
+    B, n = answer, answer.shape[0]
+    letters = [letter for letter in given.L if B.has(letter)]
+    slides = [i for i in range(n) if not any(B[i, :3])]
+    turns = [i for i in range(n) if i not in slides]
+
+    def rows(change: Any, which: Any = range(n)) -> Any:
+        return sp.Matrix([list(change(B[i, :3], B[i, 3:]) if i in which else B[i, :]) for i in range(n)])
+
+    def minus(w: Any, v: Any) -> Any:
+        return [*w, *(-v)]
+
+    def halves(w: Any, v: Any) -> Any:
+        return [*v, *w]
+
+    yield from alike(by.OMITTED, {f"{letter} left out": B.subs(letter, 0) for letter in letters[-2:]})
+    yield from alike(by.SIGN, {f"-{letters[-1]}": B.subs(letters[-1], -letters[-1])})
+    yield from alike(by.MOMENT, {"omega x p": rows(minus, turns), "omega x p in one row": rows(minus, turns[1:2])})
+    yield from alike(by.HALVES, {"halves swapped": rows(halves), "in one row": rows(halves, turns[:1])})
+    yield from alike(by.SIGN, {"-B_2": rows(lambda w, v: [*(-w), *(-v)], [1]), "-B": -B})
+    yield from alike(by.OMITTED | {"moment"}, {"no moments": rows(lambda w, _: [*w, 0, 0, 0], turns)})
+    yield from alike(
+        by.ORDER | {"rows", "last joint"}, {"reversed": B[::-1, :], "rows swapped": B[[1, 0, *range(2, n)], :]}
+    )
+    yield from alike(by.MOMENT | by.HALVES, {"omega x p, halves swapped": rows(lambda w, v: [*(-v), *w], turns)})
+    if slides:
+        yield from alike(by.SLIDE | by.HALVES | {"omega"}, {"direction in omega": rows(halves, slides)})
+        yield from alike(by.SIGN, {"slide backwards": rows(minus, slides)})
+    yield from right({"text": str(B.tolist()), "list": B.tolist(), "expanded": sp.expand(B)})

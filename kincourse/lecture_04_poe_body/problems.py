@@ -5,8 +5,10 @@ from dataclasses import dataclass, replace
 from functools import partial
 
 import numpy as np
+import sympy as sp
 
 from kincourse.answers.pose import PoseAnswer
+from kincourse.answers.screw_expressions import ScrewExpressionsAnswer
 from kincourse.answers.screws import ScrewsAnswer
 from kincourse.expressions.poses import inverse
 from kincourse.expressions.poses import pose as given_pose
@@ -15,6 +17,7 @@ from kincourse.expressions.screws import (
     drawn_revolute,
     exponentials,
     forward_kinematics,
+    joint_screws,
     joint_values,
     screw_axes,
 )
@@ -22,19 +25,20 @@ from kincourse.mistakes.factor_order import factor_order_mistakes
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler, are_distinguishable, shows_transposes
 from kincourse.sampling.configurations import Configuration, configuration_from_typed
+from kincourse.sampling.lettered_arms import MIN_LINK_M, LetteredArm, draw_lettered_arm
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.chains.robots import X, Y, Z, arm, pose
 from kinlib.rigid.lie import adjoint, exp, homogeneous
 from kinlib.rigid.lie import inverse as invert
 from kinlib.rigid.screw import screw
-from kinlib.view import draw_arm, draw_joints
+from kinlib.view import draw_arm, draw_joints, draw_lettered_chain
 from misstep.answers.number import Numbers
 from misstep.answers.order import Ordering
 from misstep.display.text import matrix, number
 from misstep.mistakes import mistake
-from misstep.mutants.expression import given, product, total
-from misstep.mutants.operations import stack
+from misstep.mutants.expression import Expression, given, product, total
+from misstep.mutants.operations import LENGTH, stack
 from misstep.problem import Problem
 from misstep.sheet import Sheet
 
@@ -424,6 +428,71 @@ def singular_wrist(sampler: ArmSampler) -> Problem:
     )
 
 
+@problem("04.11", "All body screws of a whole arm", points=3, lecture="04_poe_body#A second method")
+def body_screws_of_a_whole_arm(sampler: ArmSampler) -> Problem:
+    robot = _lettered_arm_beside_its_tool(sampler)
+    n, symbols = robot.chain.n, sp.symbols(robot.letters, positive=True)
+    axes, links = robot.axes @ robot.tool.T, robot.links @ robot.tool.T  # in {b}
+
+    def solution(**lengths: float) -> Expression:
+        sizes = list(lengths.values())
+        points = []
+        for i, (letter, axis) in enumerate(zip(robot.joint_types, axes, strict=True)):
+            behind = [
+                given(robot.letters[k], -sizes[k] * links[k], LENGTH)
+                for k in range(i + 1, n + 1)
+                if letter == "P" or abs(links[k] @ axis) < 1e-9  # a link along the axis leads to another point of it
+            ]
+            point = total(*behind).named(f"p_{i + 1}")
+            if letter != "P" and len(behind) > 1:
+                text = f"measure the point of joint {i + 1} from joint {i + 2} instead of from {{b}}"
+                point = point.mistaken_for(-sizes[i + 1] * links[i + 1], "from the joint behind", text)
+            points.append(point)
+        chain = robot.with_lengths(sizes)
+        B = joint_screws(axes, points, chain.lines.pitch)
+        R = chain.home[:3, :3]
+        shifted = chain.screws @ adjoint(homogeneous(np.eye(3), -chain.home[:3, 3])).T
+        rotated = np.hstack([chain.screws[:, :3] @ R, chain.screws[:, 3:] @ R])
+        for name, text, wrong in (
+            ("rows reversed", "list the screws from the last joint to the first", B.value[::-1]),
+            ("frame not changed", "give the screws in {s}", chain.screws),
+            ("only moved", "measure from the origin of {b}, but along the axes of {s}", shifted),
+            ("only rotated", "use the axes of {b}, but the origin of {s}", rotated),
+        ):
+            B = B.mistaken_for(wrong, name, text, "Directions and points of body screws are given in {b}.")
+        return B
+
+    points, rows = sp.zeros(3, 1), []
+    for i in reversed(range(n)):
+        points -= symbols[i + 1] * sp.Matrix(links[i + 1].astype(int))
+        axis = sp.Matrix(axes[i].astype(int))
+        omega, v = (sp.zeros(3, 1), axis) if robot.joint_types[i] == "P" else (axis, points.cross(axis))
+        rows.insert(0, sp.Matrix.vstack(omega, v).T)
+    return Problem(
+        statement="The drawing shows an arm at home. Each link is parallel to an axis of {s}, and its length is the letter beside "
+        f"it. Give the body screws $B_1$ to $B_{n}$ in {{b}}, in rows: {n} rows of six formulas in "
+        f"${robot.letters[0]}, \\ldots, {robot.letters[-1]}$.",
+        figure=partial(draw_lettered_chain, robot.chain, robot.letters, home=False),
+        given={"L": symbols},
+        answer=ScrewExpressionsAnswer(sp.Matrix.vstack(*rows), symbols),
+        solution=solution,
+        advice={
+            "term left out": "The point of an axis is the sum of all links between {b} and the joint, with the opposite signs."
+        },
+    )
+
+
+def _lettered_arm_beside_its_tool(sampler: ArmSampler) -> LetteredArm:
+    """Draw an arm whose last link is perpendicular to its last axis and to the link before, so that every axis has a moment in {b}."""
+    while True:
+        robot = draw_lettered_arm(sampler)
+        last = sampler.choice([1.0, -1.0]) * np.cross(robot.axes[-1], robot.links[-2])
+        robot = replace(robot, links=np.concatenate([robot.links[:-1], [last]]))
+        places = [np.zeros(3), *robot.chain.joint_points, robot.chain.home[:3, 3]]
+        if last.any() and are_distinguishable(places, MIN_LINK_M):
+            return robot
+
+
 def _has_different_entries(v: Array) -> bool:
     """Whether the moment of an axis along x, y or z has two entries besides 0, of different sizes, so that no swap is missed."""
     return len({0.0, *np.abs(v).round(6)}) == 3
@@ -462,5 +531,6 @@ SHEET = Sheet(
         jacobian_column,
         twist_of_the_tool,
         singular_wrist,
+        body_screws_of_a_whole_arm,
     ],
 )
