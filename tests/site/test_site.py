@@ -32,6 +32,7 @@ KINDS = {
     "glossary": "glossary.html",
     "notation": "notation.html",
     "errata": "lectures/errata.html",
+    "sources": "lectures/sources.html",
     "instructors": "instructors.html",
     "progress": "progress.html",
     "performance": "performance.html",
