@@ -1,5 +1,7 @@
 """The viewer in a real browser: moved by mouse, keys and Python, in JupyterLab and on a page without a kernel."""
 
+from io import BytesIO
+
 import nbformat
 import numpy as np
 import pytest
@@ -17,13 +19,14 @@ from browser import (
     wait_until_drawn,
     watched,
 )
+from PIL import Image
 from strategies import ROBOTS
 from traitlets import Bool, HasTraits
 
 import kinlib as kl
 from kinlib.mechanisms.linkages import four_bar
 from kinlib.rigid.screw import screw
-from kinlib.view import drive, explore
+from kinlib.view import draw_arm, drive, explore
 from kinlib.view.figures.arm import describe_arm, frame_text
 from kinlib.view.viewer.scene import LAYERS
 
@@ -525,6 +528,34 @@ def test_the_theme_follows_the_page_from_light_to_dark(show):
     assert page.locator(".kv").get_attribute("data-theme") == "light"
     settled(page, lambda: page.evaluate("document.body.style.background = '#111'"))
     assert page.locator(".kv").get_attribute("data-theme") == "dark"
+
+
+PAGES = {
+    "lab, light": ('data-jp-theme-light="true"', "dark", "light"),
+    "lab, dark": ('data-jp-theme-light="false"', "light", "dark"),
+    "site, dark": ('data-theme="dark"', "light", "dark"),
+    "site, by preference": ('data-theme="auto"', "dark", "dark"),
+    "site, light": ('data-theme="light"', "dark", "light"),
+    "plain page": ("", "dark", "light"),
+}
+
+
+@pytest.mark.parametrize("case", PAGES)
+def test_a_figure_has_the_theme_of_the_page_and_is_printed_light(chromium, tmp_path, case):
+    attributes, preference, theme = PAGES[case]
+    with watched(chromium, color_scheme=preference) as page:
+        body = static_page(tmp_path, draw_arm(kl.robots.rpr()).html())
+        body.write_text(body.read_text("utf-8").replace("<body ", f"<body {attributes} "), "utf-8")
+        page.goto(body.as_uri())
+        paper = {"light": (255, 255, 255), "dark": (23, 27, 33)}
+
+        def corner():
+            pixels = Image.open(BytesIO(page.locator("figure img").screenshot()))
+            return pixels.convert("RGB").getpixel((3, 3))
+
+        assert corner() == paper[theme]
+        page.emulate_media(media="print")
+        assert corner() == paper["light"]
 
 
 def test_nothing_is_cut_off_on_a_narrow_page(show):

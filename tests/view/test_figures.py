@@ -53,14 +53,17 @@ def test_a_drawing_shows_the_configuration_that_it_is_given(robot):
 @each_robot
 @pytest.mark.parametrize("draw", [draw_arm, draw_joints])
 def test_no_label_in_a_drawing_covers_another_or_leaves_the_sheet(robot, draw):
-    texts = ET.fromstring(draw(robot).svg).findall(".//{http://www.w3.org/2000/svg}text")
+    drawing = ET.fromstring(draw(robot).svg)
+    texts = drawing.findall(".//{http://www.w3.org/2000/svg}text")
+    left, top, *sheet = map(float, drawing.get("viewBox").split())
+    low = np.array([left, top])
     boxes = []
     for text in texts:
         size = float(text.get("font-size"))
         half = np.array([0.25 * len("".join(text.itertext())), 0.4]) * size
         centre = np.array([float(text.get("x")), float(text.get("y")) - 0.35 * size])
-        assert (centre - half > 0).all()
-        assert (centre + half < (640, 440)).all()
+        assert (centre - half > low).all()
+        assert (centre + half < low + sheet).all()
         boxes.append((centre - half, centre + half))
     covered = [
         (a, b)

@@ -13,6 +13,7 @@ from numpy.typing import ArrayLike
 from kinlib.arrays.formatting import format_number
 from kinlib.arrays.validation import Array
 from kinlib.view.drawing import svg
+from kinlib.view.drawing.crop import crop
 from kinlib.view.drawing.figure_colours import AXIS_COLOURS, GREY, INK, PALE_GREY
 from kinlib.view.drawing.labels import LABEL_OFFSETS, Label, Offset, place_labels
 from kinlib.view.drawing.picture import Picture
@@ -210,8 +211,11 @@ class Canvas:
         if name:
             self.label(origin, f"{{{name}}}", INK, [(-15, -11), (15, -13), (-28, -15), (28, -17), *LABEL_OFFSETS], 11)
 
-    def picture(self, alt: str, caption: str = "") -> Picture:
-        """Place the labels, and return the drawing with its text alternative."""
+    def picture(self, alt: str, caption: str = "", *, cropped: bool = False) -> Picture:
+        """Place the labels, and return the drawing with its text alternative.
+
+        cropped  whether empty borders are cut off; pictures of one slider must keep them, or be cropped together
+        """
         marks = [mark for _, mark in sorted(self._marks, key=lambda mark: mark[0])]
         nothing = np.zeros((0, 2, 2))
         strokes, bodies = (
@@ -220,7 +224,8 @@ class Canvas:
         )
         for label, centre in place_labels(self._labels, strokes, bodies, self._sheet):
             marks.append(svg.text(centre, label.text, label.colour, label.size))
-        return Picture(svg.document(marks, *self._sheet), alt, caption)
+        picture = Picture(svg.document(marks, *self._sheet), alt, caption)
+        return crop([picture])[0] if cropped else picture
 
     def _tiles(self, points: Array, side: int, room: float) -> Array:
         """Return the positions of the grid lines along x (side 0) or y (side 1) that enclose points: at least two tiles.

@@ -10,6 +10,7 @@ from numpy.typing import ArrayLike
 
 from kinlib.arrays.formatting import format_vector
 from kinlib.arrays.tolerances import TYPED_PI_ERROR
+from kinlib.view.drawing.dark_theme import THEME_CSS, follow_theme
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -25,7 +26,7 @@ class Picture:
     Raises ValueError if the text alternative is shorter than MIN_ALT_CHARACTERS.
 
     >>> Picture("<svg></svg>", "A drawing with nothing in it.").html()
-    '<figure style="margin:0"><img alt="A drawing with nothing in it." ...></figure>'
+    '<figure class="kinlib-figure" ...><style>...</style><img alt="A drawing with nothing in it." ...></figure>'
     """
 
     svg: str
@@ -40,12 +41,12 @@ class Picture:
             )
 
     def html(self) -> str:
-        """Return the drawing as an HTML image with its text alternative."""
-        data = base64.b64encode(self.svg.encode()).decode()
-        style = "max-width:100%;background:white"
+        """Return the drawing as an HTML image with its text alternative, in the colours of the page's theme."""
+        data = base64.b64encode(follow_theme(self.svg).encode()).decode()
+        style = "max-width:100%"
         image = f'<img alt="{html.escape(self.alt)}" style="{style}" src="data:image/svg+xml;base64,{data}">'
         caption = f"<figcaption>{html.escape(self.caption)}</figcaption>" if self.caption else ""
-        return f'<figure style="margin:0">{image}{caption}</figure>'
+        return f'<figure class="kinlib-figure" style="margin:0"><style>{THEME_CSS}</style>{image}{caption}</figure>'
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
         return {"text/html": self.html(), "text/plain": self.alt}

@@ -5,7 +5,10 @@ from collections.abc import Mapping
 import numpy as np
 from numpy.typing import ArrayLike
 
+from kinlib.view.drawing.figure_colours import INK
 from kinlib.view.drawing.picture import Picture, picture_from_figure
+
+TEXT_COLOURS = ("text.color", "axes.labelcolor", "axes.edgecolor", "xtick.color", "ytick.color")
 
 CURVE_STYLES = (
     ("#7d3ac1", "-", "o"),
@@ -38,6 +41,7 @@ def plot(
     >>> plot([0, 1, 2], {"square": [0, 1, 4]}, xlabel="x", ylabel="y", alt="A parabola through 0, 1 and 4.").alt
     'A parabola through 0, 1 and 4.'
     """
+    from matplotlib import rc_context
     from matplotlib.figure import Figure
 
     x = np.asarray(x, dtype=float)
@@ -48,7 +52,8 @@ def plot(
     if log not in {"", "x", "y", "xy"}:
         raise ValueError(f"log must be '', 'x', 'y' or 'xy'; got {log!r}.")
     figure = Figure(figsize=(6.4, 3.6), layout="constrained")
-    axes = figure.subplots()
+    with rc_context(dict.fromkeys(TEXT_COLOURS, INK)):
+        axes = figure.subplots()
     for (name, y), (colour, dash, marker) in zip(curves.items(), CURVE_STYLES, strict=False):
         if np.shape(y) != x.shape:
             raise ValueError(f"curve {name!r} must have the shape of x, {x.shape}; got {np.shape(y)}.")
@@ -74,5 +79,5 @@ def plot(
     axes.grid(alpha=0.3)
     axes.spines[["top", "right"]].set_visible(False)
     if len(curves) > 1:
-        axes.legend(frameon=False)
+        axes.legend(frameon=False, labelcolor=INK)
     return picture_from_figure(figure, alt, caption)

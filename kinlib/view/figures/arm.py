@@ -77,7 +77,7 @@ def draw_arm(
     for name, T in (frames or {}).items():
         canvas.triad(validation.poses(T, f"frame {name}"), name, 0.17 * canvas.size)
     text = describe_arm(chain, q, ghost=ghost, home_axes="home axes" in show, frames=frames)
-    return canvas.picture(alt or text, caption)
+    return canvas.picture(alt or text, caption, cropped=around is None)
 
 
 def draw_joints(chain: Chain, tool: bool = False, caption: str = "", view: str = "default") -> Picture:
@@ -101,7 +101,7 @@ def draw_joints(chain: Chain, tool: bool = False, caption: str = "", view: str =
     canvas.triad(np.eye(4), "s", 0.16 * canvas.size)
     if tool:
         canvas.triad(chain.home, "b", 0.16 * canvas.size)
-    return canvas.picture(describe_arm(chain, home), caption)
+    return canvas.picture(describe_arm(chain, home), caption, cropped=True)
 
 
 def describe_arm(

@@ -126,7 +126,7 @@ def draw_table(
     for name, T in {"s": np.eye(4), "b": tip}.items():
         if not np.allclose(T, frames[0 if name == "s" else -1]):
             canvas.triad(T, name, 0.16 * canvas.size)
-    return canvas.picture(_describe(table, frames), caption)
+    return canvas.picture(_describe(table, frames), caption, cropped=around is None)
 
 
 def _after(row: Array, done: int) -> Array:

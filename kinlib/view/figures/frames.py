@@ -59,7 +59,7 @@ def draw_frames(
     for name, p in places.items():
         canvas.dot(p)
         canvas.label(p, name, INK)
-    return canvas.picture(alt or _describe(poses, places), caption)
+    return canvas.picture(alt or _describe(poses, places), caption, cropped=around is None)
 
 
 def draw_rotation(axis: int, degrees: float, names: tuple[str, str] = ("a", "b")) -> Picture:

@@ -158,7 +158,7 @@ def draw_linkage(
     for name, point in geometry.points.items():
         canvas.dot(point, INK, 8)
         canvas.label(point, name, INK)
-    return canvas.picture(alt or describe_linkage(mechanism, geometry), caption)
+    return canvas.picture(alt or describe_linkage(mechanism, geometry), caption, cropped=around is None)
 
 
 def describe_linkage(mechanism: Mechanism, geometry: LinkageGeometry) -> str:

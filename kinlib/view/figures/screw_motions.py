@@ -56,7 +56,7 @@ def draw_motions(
     sentences = " ".join(
         f'Motion "{name}": {_describe(x)}, to {vector_text((exp(x) @ T)[:3, 3])}.' for name, x in twists.items()
     )
-    return canvas.picture(f"A frame starts at {vector_text(T[:3, 3])} m. {sentences}", caption)
+    return canvas.picture(f"A frame starts at {vector_text(T[:3, 3])} m. {sentences}", caption, cropped=True)
 
 
 def motion_path(x: Array, point: Array) -> Array:

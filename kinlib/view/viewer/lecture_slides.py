@@ -17,6 +17,7 @@ from kinlib.chains.chain import Chain
 from kinlib.dh.table import DHTable
 from kinlib.mechanisms.mechanism import Mechanism
 from kinlib.rigid.angles import wrap_angle
+from kinlib.view.drawing.crop import crop
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.arm import direction_text, draw_arm
 from kinlib.view.figures.dh_table import draw_table
@@ -69,7 +70,7 @@ def slide_frames(
             frames_at(value), arrows=arrows, around=around, caption=caption(value) if caption else "", axis_length=reach
         )
 
-    return slide(draw, label, values, after, start)
+    return _slide(draw, label, values, after, start)
 
 
 def slide_axis(
@@ -108,7 +109,7 @@ def slide_axis(
         now = by_value[value]
         return draw_arm(chain, now, ghost=ghost, around=points, caption=axis_caption(chain, joint, now))
 
-    return slide(draw, label, values, after, start)
+    return _slide(draw, label, values, after, start)
 
 
 def axis_caption(chain: Chain, joint: int, q: Array) -> str:
@@ -145,7 +146,7 @@ def slide_mid_formula(chain: Chain, q: ArrayLike, *, after: Any = None, start: i
             chain, k, f"T = {form}. End-effector at {tool} m. Entries of the screws that are not 0: {entries}."
         )
 
-    return slide(draw, "joints before M: k", range(chain.n + 1), after, start)
+    return _slide(draw, "joints before M: k", range(chain.n + 1), after, start)
 
 
 def slide_offset(
@@ -185,7 +186,7 @@ def slide_offset(
             tables[angle], around=points, caption=f"q = 0. The z axis of the end-effector points along {z}."
         )
 
-    return slide(draw, f"offset in row {row} (degrees)", degrees, after, start)
+    return _slide(draw, f"offset in row {row} (degrees)", degrees, after, start)
 
 
 def slide_linkage(
@@ -232,7 +233,7 @@ def slide_linkage(
             caption=caption_of.get(value, ""),
         )
 
-    return slide(draw, label, values, after, start)
+    return _slide(draw, label, values, after, start)
 
 
 def slide_curve(
@@ -275,14 +276,21 @@ def slide_curve(
         raise ValueError(f"captions must have one entry per configuration, {len(q)}; got {len(captions)}.")
     points = np.concatenate([linkage_geometry(mechanism, now).all for now in q])
 
+    shown = range(0, len(q), step)
+    bars = _by_value(crop([draw_linkage(mechanism, q[k], around=points, size=(520, 380)) for k in shown]), shown)
+
     def draw(k: int) -> Picture:
         here = ", ".join(f"{name} = {x:.3g}°" for name, x in zip(pair, np.degrees(wrap_angle(angles[k])), strict=True))
         curves = {name: angles[mask] for name, mask in masks.items()}
         torus = draw_torus(curves, {"now": angles[k]}, xlabel=pair[0], ylabel=pair[1])
-        bars = draw_linkage(mechanism, q[k], around=points, size=(520, 380))
-        return side_by_side(bars, torus, captions[k] if captions else here)
+        return side_by_side(bars[k], torus, captions[k] if captions else here)
 
-    return slide(draw, "along the curve", range(0, len(q), step), after, start)
+    return slide(draw, "along the curve", shown, after, start)
+
+
+def _slide(draw: Callable[[V], Picture], label: str, values: Sequence[V], after: Any, start: int) -> widgets.Widget:
+    """Show a slider through drawings that are cropped alike."""
+    return slide(_by_value(crop([draw(value) for value in values]), values).__getitem__, label, values, after, start)
 
 
 def _by_value(things: Sequence[Any] | Array, values: Sequence[V]) -> dict[V, Any]:

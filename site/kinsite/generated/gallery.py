@@ -17,6 +17,7 @@ from kinlib.dh.formatting import format_rows, markdown_table
 from kinlib.dh.table import Convention
 from kinlib.mechanisms.mechanism import Mechanism
 from kinlib.view import draw_arm, drive, explore
+from kinlib.view.drawing.dark_theme import follow_theme
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.linkage import draw_linkage
 from kinsite.generated.reference import escape, prose
@@ -79,7 +80,7 @@ def pages() -> Iterator[tuple[str, str]]:
     for entry in arms + mechanisms:
         if not entry.robot.source.strip():
             raise ValueError(f"{entry.function} must have a source; got none. Name the document that it comes from.")
-        yield f"robots/{entry.function}.svg", entry.picture.svg
+        yield f"robots/{entry.function}.svg", follow_theme(entry.picture.svg)
         yield f"robots/{entry.function}.md", page(entry)
     yield "robots/index.md", overview(arms, mechanisms)
 

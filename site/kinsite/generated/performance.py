@@ -10,6 +10,7 @@ from collections.abc import Iterator, Sequence
 
 import numpy as np
 
+from kinlib.view.drawing.dark_theme import follow_theme
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.drawing.plot import plot
 from kinsite.execute import ROOT
@@ -70,7 +71,7 @@ def pages() -> Iterator[tuple[str, str]]:
     pictures = [(path, draw(curve)) for path, curve in curves]
     parts += [GROWTH, growth_table([curve for _, curve in curves])]
     parts += [f"![{escape(picture.alt)}]({path})" for path, picture in pictures]
-    yield from ((path, picture.svg) for path, picture in pictures)
+    yield from ((path, follow_theme(picture.svg)) for path, picture in pictures)
     yield "performance.md", "\n\n".join(parts) + "\n"
 
 
