@@ -13,6 +13,7 @@ There are three renderers, because no single one does all three of these:
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
+from kinlib.view.diagrams.adjoint_steps import draw_adjoint_steps
 from kinlib.view.diagrams.axis_relations import draw_axis_relation, draw_axis_relations
 from kinlib.view.diagrams.last_frame import draw_last_frame, draw_last_frames
 from kinlib.view.diagrams.lettered_chain import draw_lettered_chain
@@ -21,7 +22,9 @@ from kinlib.view.diagrams.parts_of_an_arm import draw_parts
 from kinlib.view.diagrams.point_velocity import draw_moment, draw_point_velocity
 from kinlib.view.diagrams.rotation_axes import draw_rotation_axes
 from kinlib.view.diagrams.three_readings import draw_three_readings
+from kinlib.view.diagrams.tool_velocities import draw_tool_velocities
 from kinlib.view.diagrams.twist_matrix import draw_cross_product, draw_twist_matrix
+from kinlib.view.diagrams.two_arms import draw_two_arms
 from kinlib.view.diagrams.urdf_joint import draw_urdf_joint
 from kinlib.view.diagrams.urdf_tree import draw_urdf_tree
 from kinlib.view.drawing.picture import Gallery, Picture
@@ -57,6 +60,7 @@ __all__ = [
     "RowPlayer",
     "Viewer",
     "assign",
+    "draw_adjoint_steps",
     "draw_arm",
     "draw_axis_relation",
     "draw_axis_relations",
@@ -73,8 +77,10 @@ __all__ = [
     "draw_point_velocity",
     "draw_rotation_axes",
     "draw_three_readings",
+    "draw_tool_velocities",
     "draw_torus",
     "draw_twist_matrix",
+    "draw_two_arms",
     "draw_urdf_joint",
     "draw_urdf_tree",
     "drive",

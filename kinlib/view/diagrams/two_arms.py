@@ -1,0 +1,56 @@
+"""Two arms that hold one object: a closed chain of both arms and the object."""
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from kinlib.arrays.validation import Array
+from kinlib.chains.chain import Chain
+from kinlib.view.drawing.canvas import Canvas
+from kinlib.view.drawing.figure_colours import INK, LINK_GREY, ORANGE, PALE_GREY
+from kinlib.view.drawing.picture import Picture, vector_text
+from kinlib.view.figures.joint_bodies import draw_joint_bodies
+
+TRAY_DEPTH = 0.5
+"""The depth of the tray, as a share of its width."""
+
+
+def draw_two_arms(
+    left: Chain, right: Chain, q_left: ArrayLike, q_right: ArrayLike, *, width: float, base: Array, caption: str = ""
+) -> Picture:
+    """Draw two arms whose tool frames are the frame {t} in the middle of one tray.
+
+    q_left, q_right  (n,) the joint values of each arm
+    width            the width of the tray along x of {t}, in metres: the left arm holds its end at -x, the right arm that at x
+    base             (4, 4) the pose of the base of the right arm
+
+    Raises ValueError if the two arms do not hold the tray at the same pose.
+
+    >>> from kinlib.chains.robots import pose, rppr, X, Y, Z
+    >>> draw_two_arms(rppr(), rppr(), np.zeros(4), np.zeros(4), width=0.4, base=np.eye(4)).alt[:64]
+    'Two arms with 4 and 4 joints hold one tray at (2, 0, 0), 0.4 m w'
+    """
+    tray = left.fk(q_left)
+    if not np.allclose(tray, right.fk(q_right), atol=1e-6):
+        raise ValueError("Both arms must hold the tray at the same pose; the poses of their tools differ.")
+    ends = [tray[:3, 3] + side * width / 2 * tray[:3, 0] for side in (-1, 1)]
+    arms = [(left, left.link_poses(q_left), np.zeros(3)), (right, right.link_poses(q_right), base[:3, 3])]
+    paths = [
+        np.concatenate([start[None], frames[:, :3, 3], end[None]])
+        for (_, frames, start), end in zip(arms, ends, strict=True)
+    ]
+    canvas = Canvas(np.concatenate(paths))
+    canvas.floor(np.concatenate(paths))
+    for (chain, frames, _), path in zip(arms, paths, strict=True):
+        canvas.line(path, LINK_GREY, 6.0)
+        draw_joint_bodies(canvas, chain, frames)
+    across = 0.5 * TRAY_DEPTH * width * tray[:3, 1]
+    corners = [ends[0] - across, ends[1] - across, ends[1] + across, ends[0] + across]
+    canvas.body(np.array(corners), PALE_GREY, level=2.5, edge=ORANGE)
+    for T, name in ((np.eye(4), "s"), (tray, "t")):
+        canvas.triad(T, name, 0.12 * canvas.size)
+    canvas.label(ends[0], "tray", INK)
+    return canvas.picture(
+        f"Two arms with {left.n} and {right.n} joints hold one tray at {vector_text(tray[:3, 3])}, {width:.3g} m wide. The bases are "
+        f"at (0, 0, 0) and {vector_text(base[:3, 3])}; the ends of the tray are at {vector_text(ends[0])} and {vector_text(ends[1])}.",
+        caption,
+    )

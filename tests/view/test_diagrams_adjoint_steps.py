@@ -1,0 +1,42 @@
+"""The picture of the three steps of the adjoint: its numbers are those of the adjoint, and it refuses what leaves the plane."""
+
+import numpy as np
+import pytest
+
+from kinlib.chains.robots import X, Y, Z, pose
+from kinlib.rigid.lie import adjoint, exp, homogeneous, inverse
+from kinlib.view import draw_adjoint_steps
+from kinlib.view.drawing.picture import vector_text
+
+M = homogeneous(exp([0, 0, 0.5]), (2, 0.6, 0))
+S = np.array([0, 0, 0.5, 0.9, 0.3, 0])
+
+
+def test_the_last_step_ends_at_the_adjoint():
+    alt = draw_adjoint_steps(S, M).alt
+    assert alt.endswith(f"axes of {{b}} are {vector_text((adjoint(inverse(M)) @ S)[3:])}.")
+    assert f"v = {vector_text(S[3:])}" in alt
+
+
+def test_another_twist_or_pose_has_another_text():
+    other = homogeneous(exp([0, 0, -0.5]), (2, 0.6, 0))
+    assert len({draw_adjoint_steps(twist, T).alt for twist in (S, 2 * S) for T in (M, other)}) == 4
+
+
+def test_all_steps_have_a_title():
+    svg = draw_adjoint_steps(S, M).svg
+    assert all(title in svg for title in ("given in {s}", "(a), (b): at p", "(c): along {b}"))
+
+
+@pytest.mark.parametrize(
+    ("twist", "T"),
+    [
+        ([0, 1, 0, 0, 0, 0], M),
+        ([0, 0, 1, 0, 0, 2], M),
+        (S, pose((X, Z, -Y), (1, 0, 0))),
+        (S, pose((X, Y, Z), (0, 0, 1))),
+    ],
+)
+def test_what_leaves_the_plane_is_refused(twist, T):
+    with pytest.raises(ValueError, match="x-y plane"):
+        draw_adjoint_steps(twist, T)

@@ -1,0 +1,43 @@
+"""The velocities that the joints give to the end-effector, against finite differences, and the lost direction."""
+
+import numpy as np
+import pytest
+
+from kinlib.chains.robots import puma560, rpr, youbot
+from kinlib.view import draw_tool_velocities
+from kinlib.view.diagrams.tool_velocities import lost_directions, tool_velocities
+
+BENT = np.radians([20, 60, -60, -40, 10])
+
+
+@pytest.mark.parametrize("chain", [youbot(), rpr(), puma560()])
+def test_the_velocities_are_those_of_the_moving_tool(chain):
+    q, step = np.random.default_rng(1).uniform(-1, 1, chain.n), 1e-6
+    moved = [(chain.fk(q + step * e)[:3, 3] - chain.fk(q - step * e)[:3, 3]) / (2 * step) for e in np.eye(chain.n)]
+    assert np.allclose(tool_velocities(chain, q), moved, atol=1e-8)
+
+
+def test_a_stretched_arm_loses_the_direction_of_its_arm():
+    stretched, bent = draw_tool_velocities(youbot(), np.zeros(5)), draw_tool_velocities(youbot(), BENT)
+    assert stretched.alt.endswith("No joint rates move it along (1, 0, 0).")
+    assert "no motion" in stretched.svg
+    assert bent.alt.endswith("Joint rates move it in every direction.")
+    assert "no motion" not in bent.svg
+
+
+def test_lost_directions_are_perpendicular_to_all_velocities():
+    velocities = np.outer([1, -2, 3], [1, 2, 2]) / 3
+    lost = lost_directions(velocities)
+    assert lost.shape == (2, 3)
+    assert np.allclose(velocities @ lost.T, 0, atol=1e-9)
+    assert len(lost_directions(np.eye(3))) == 0
+
+
+def test_each_joint_that_moves_the_tool_has_a_labelled_arrow():
+    svg = draw_tool_velocities(youbot(), BENT).svg
+    assert [f"joint {i}" in svg for i in range(1, 6)] == [True, True, True, True, False]
+
+
+def test_a_configuration_of_another_size_is_refused():
+    with pytest.raises(ValueError, match="q"):
+        draw_tool_velocities(youbot(), [0, 0])
