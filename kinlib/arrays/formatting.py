@@ -1,5 +1,8 @@
 """Write numbers, vectors and angles as text for people: few digits, and 0 for rounding errors."""
 
+from collections.abc import Sequence
+from html import escape
+
 import numpy as np
 from numpy.typing import ArrayLike
 
@@ -27,6 +30,16 @@ def format_vector(values: ArrayLike, digits: int = 4, *, zero: float = ROUNDING_
     return "(" + ", ".join(format_number(value, digits, zero=zero) for value in components) + ")"
 
 
+def format_matrix(values: ArrayLike, digits: int = 4) -> str:
+    """Write a matrix as its rows, which can be typed as they are.
+
+    >>> format_matrix([[1, 0], [-1e-17, 0.25]])
+    '[[1, 0], [0, 0.25]]'
+    """
+    rows = np.asarray(values, dtype=float).tolist()
+    return "[" + ", ".join("[" + ", ".join(format_number(value, digits) for value in row) + "]" for row in rows) + "]"
+
+
 def format_degrees(angle: float, digits: int = 4, *, zero: float = ROUNDING_ERROR) -> str:
     """Write an angle, given in radians, in degrees; zero is written without a degree sign.
 
@@ -35,3 +48,37 @@ def format_degrees(angle: float, digits: int = 4, *, zero: float = ROUNDING_ERRO
     """
     text = format_number(float(np.degrees(angle)), digits, zero=zero)
     return text if text == "0" else f"{text}°"
+
+
+def aligned_table(rows: Sequence[Sequence[str]]) -> str:
+    """Write rows of entries as text, with the columns below each other.
+
+    >>> print(aligned_table([["i", "a"], ["1", "0.25"]]))
+    i | a
+    1 | 0.25
+    """
+    widths = [max(map(len, column)) for column in zip(*rows, strict=True)]
+    lines = (" | ".join(entry.ljust(width) for entry, width in zip(row, widths, strict=True)) for row in rows)
+    return "\n".join(line.rstrip() for line in lines)
+
+
+def html_table(caption: str, heads: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    """Write a table as HTML, for a notebook.
+
+    >>> html_table("An arm", ["i"], [["1"]])
+    '<table><caption>An arm</caption><thead><tr><th>i</th></tr></thead><tbody><tr><td>1</td></tr></tbody></table>'
+    """
+    head = "".join(f"<th>{escape(entry)}</th>" for entry in heads)
+    body = "".join(f"<tr>{''.join(f'<td>{escape(entry)}</td>' for entry in row)}</tr>" for row in rows)
+    return f"<table><caption>{escape(caption)}</caption><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"
+
+
+def latex_array(heads: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
+    r"""Write a table as a LaTeX array between dollar signs; its entries are LaTeX.
+
+    >>> latex_array(["i", "a"], [["1", "0.25"]])
+    '$\\displaystyle \\begin{array}{c|c}i & a \\\\ \\hline 1 & 0.25\\end{array}$'
+    """
+    lines = " \\\\ ".join(" & ".join(row) for row in rows)
+    columns = "c|" + "c" * (len(heads) - 1)
+    return f"$\\displaystyle \\begin{{array}}{{{columns}}}{' & '.join(heads)} \\\\ \\hline {lines}\\end{{array}}$"

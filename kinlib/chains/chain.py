@@ -15,10 +15,13 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlib.arrays import tolerances, validation
+from kinlib.arrays.formatting import aligned_table, format_matrix, format_vector, html_table, latex_array
 from kinlib.arrays.validation import Array
 from kinlib.chains.fast_kinematics import FastKinematics
 from kinlib.rigid.lie import adjoint, exp, homogeneous, inverse
 from kinlib.rigid.screw import Line, axes, is_prismatic, line
+
+SCREW_HEADINGS = ["i", "joint", "omega", "v"]
 
 
 def _accelerate(equation: Callable[["Chain", ArrayLike], Array]) -> Callable[["Chain", ArrayLike], Array]:
@@ -87,6 +90,41 @@ class Chain(validation.ReadOnly):
 
     def _set(self, name: str, values: Array) -> None:
         object.__setattr__(self, name, validation.read_only_copy(values))
+
+    def __str__(self) -> str:
+        """Write the screw axes and the home pose.
+
+        >>> from kinlib.chains.robots import rpr
+        >>> print(rpr())
+        RPR, 3 joints (RPR)
+        i | joint | omega      | v
+        1 | R     | (0, -1, 0) | (0, 0, 4)
+        2 | P     | (0, 0, 0)  | (0, 0, 1)
+        3 | R     | (0, -1, 0) | (0, 0, 0)
+        M = [[0, 1, 0, 0], [0, 0, 1, 0], [1, 0, 0, 1], [0, 0, 0, 1]]
+        """
+        return "\n".join([self._title, aligned_table([SCREW_HEADINGS, *self._screw_rows()]), self._home_line])
+
+    def _repr_html_(self) -> str:
+        table = html_table(f"{self._title}: screw axes in {{s}}, at home", SCREW_HEADINGS, self._screw_rows())
+        return f"{table}<p>{self._home_line}</p>"
+
+    def _repr_latex_(self) -> str:
+        heads = ["i", r"\text{joint}", r"\omega_i", "v_i"]
+        rows = [[i, rf"\text{{{letter}}}", *vectors] for i, letter, *vectors in self._screw_rows()]
+        return latex_array(heads, rows)
+
+    @property
+    def _title(self) -> str:
+        return f"{self.name}, {self.n} joints ({self.joint_types})"
+
+    @property
+    def _home_line(self) -> str:
+        return f"M = {format_matrix(self.home)}"
+
+    def _screw_rows(self) -> list[list[str]]:
+        letters = enumerate(zip(self.joint_types, self.screws, strict=True), start=1)
+        return [[str(i), letter, format_vector(S[:3]), format_vector(S[3:])] for i, (letter, S) in letters]
 
     @property
     def n(self) -> int:

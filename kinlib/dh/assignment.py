@@ -17,6 +17,7 @@ from functools import cached_property
 import numpy as np
 
 from kinlib.arrays.batching import cross
+from kinlib.arrays.formatting import format_matrix
 from kinlib.arrays.tolerances import INTERSECTION_TOL_M, PARALLEL_TOL_RAD, RELOCATE_PRISMATIC_RAD
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
@@ -39,6 +40,32 @@ class FrameAssignment:
     table: DHTable
     frames: Array = field(repr=False)
     normals: tuple[CommonNormal, ...] = field(repr=False)
+
+    def __str__(self) -> str:
+        """Write the table, with base and tool.
+
+        >>> from kinlib.chains.robots import rpr
+        >>> print(assign_frames(rpr(), convention="modified"))
+        RPR, modified convention
+        i | a_{i-1} | alpha_{i-1} | d_i | theta_i
+        1 | 0       | 0           | 0   | q1
+        2 | 0       | -90°        | q2  | 0
+        3 | 4       | 90°         | 0   | q3
+        base = [[1, 0, 0, -4], [0, 0, -1, -2], [0, 1, 0, 0], [0, 0, 0, 1]]
+        tool = [[0, 1, 0, 0], [1, 0, 0, 1], [0, 0, -1, -2], [0, 0, 0, 1]]
+        """
+        return "\n".join(
+            [
+                f"{self.table.name}, {self.table.convention} convention",
+                str(self.table),
+                f"base = {format_matrix(self.base)}",
+                f"tool = {format_matrix(self.tool)}",
+            ]
+        )
+
+    def _repr_html_(self) -> str:
+        ends = f"<p>base = {format_matrix(self.base)}</p><p>tool = {format_matrix(self.tool)}</p>"
+        return self.table._repr_html_() + ends
 
     @cached_property
     def accuracy(self) -> float:

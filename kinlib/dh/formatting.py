@@ -1,16 +1,33 @@
 """Write DH tables as text: headings, and rows with the joint variables in the entries that vary."""
 
 from collections.abc import Callable, Sequence
+from typing import Protocol
 
 from kinlib.arrays.formatting import format_degrees, format_number
+from kinlib.arrays.validation import Array
 from kinlib.dh.parsing import COLUMNS
-from kinlib.dh.table import DHTable
 
 Format = Callable[[float], str]
 
 
+class TableRows(Protocol):
+    """What is written of a table: a `DHTable` has it."""
+
+    @property
+    def rows(self) -> Array:
+        """The numbers (m, 4)."""
+
+    @property
+    def joints(self) -> str:
+        """A letter per row."""
+
+    @property
+    def signs(self) -> Array:
+        """The signs (m,) of the variables."""
+
+
 def format_rows(
-    table: DHTable,
+    table: TableRows,
     *,
     length: Format = format_number,
     angle: Format = format_degrees,
@@ -22,6 +39,7 @@ def format_rows(
     angle     writes alpha and theta, given in radians
     variable  writes the variable of joint i, starting from 1
 
+    >>> from kinlib.dh.table import DHTable
     >>> table = DHTable("a | alpha | d | theta\n 0.4 | pi/2 | 0 | 0.5*pi - q1\n 0 | 0 | q2 | 0", convention="standard")
     >>> format_rows(table)
     [['0.4', '90°', '0', '-q1 + 90°'], ['0', '0', 'q2', '0']]

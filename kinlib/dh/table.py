@@ -20,12 +20,23 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlib.arrays import validation
+from kinlib.arrays.formatting import aligned_table, format_degrees, format_number, html_table, latex_array
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
+from kinlib.dh.formatting import format_rows
 from kinlib.dh.parsing import COLUMNS, Rows, read_rows
 from kinlib.rigid.lie import adjoint
 
 Convention = Literal["standard", "modified"]
+
+HEADINGS: Mapping[Convention, tuple[str, ...]] = {
+    "standard": ("i", "a_i", "alpha_i", "d_i", "theta_i"),
+    "modified": ("i", "a_{i-1}", "alpha_{i-1}", "d_i", "theta_i"),
+}
+"""The headings of a table, which show its convention: row i of a modified table has a and alpha of the link before."""
+
+PRINTED_DIGITS = 12
+"""A printed table is read back with this many digits."""
 
 DICT_KEYS = ("rows", "convention", "joints", "signs", "base", "tool")
 """The keys of `DHTable.to_dict`."""
@@ -99,6 +110,37 @@ class DHTable(validation.ReadOnly):
             object.__setattr__(self, name, validation.read_only_copy(array))
         object.__setattr__(self, "joints", read.joints)
 
+    def __str__(self) -> str:
+        r"""Write the rows as text that DHTable reads back; the indices in the headings show the convention.
+
+        >>> print(DHTable("a | alpha | d | theta \n 0.4 | 90° | 0 | q1 - 90°", convention="modified"))
+        i | a_{i-1} | alpha_{i-1} | d_i | theta_i
+        1 | 0.4     | 90°         | 0   | q1 - 90°
+        """
+        return aligned_table([HEADINGS[self.convention], *self._numbered_rows()])
+
+    def _repr_html_(self) -> str:
+        return html_table(
+            f"{self.name}, {self.convention} convention", HEADINGS[self.convention], self._numbered_rows()
+        )
+
+    def _repr_latex_(self) -> str:
+        rows = format_rows(
+            self,
+            angle=lambda angle: format_degrees(angle).replace("°", r"^\circ"),
+            variable=r"q_{{{}}}".format,
+        )
+        heads = [head.replace("alpha", r"\alpha").replace("theta", r"\theta") for head in HEADINGS[self.convention]]
+        return latex_array(heads, [[str(i), *row] for i, row in enumerate(rows, start=1)])
+
+    def _numbered_rows(self) -> list[list[str]]:
+        rows = format_rows(
+            self,
+            length=lambda length: format_number(length, PRINTED_DIGITS),
+            angle=lambda angle: format_degrees(angle, PRINTED_DIGITS),
+        )
+        return [[str(i), *row] for i, row in enumerate(rows, start=1)]
+
     @property
     def n(self) -> int:
         """The number of joints, that is, of rows that are not fixed."""
@@ -146,6 +188,19 @@ class DHTable(validation.ReadOnly):
         """
         links = np.moveaxis(self.link_transforms(q), -3, 0)
         return reduce(np.matmul, [*links, self.tool], self.base)
+
+    def jacobian(self, q: ArrayLike) -> Array:
+        """Compute the space Jacobian: column i is the twist of the tool, in {s}, at unit speed of joint i.
+
+        q (..., n) -> (..., 6, n), that of the chain: J_i is the z axis of joint i at q, as a screw axis.
+
+        Raises ValueError for joint values of another size, and for NaN.
+        Source: Modern Robotics, (5.11).
+
+        >>> DHTable([[0.4, 0, 0, 0], [0.3, 0, 0, 0]], convention="standard").jacobian([0, 0])[:, 1] + 0.0
+        array([ 0. ,  0. ,  1. ,  0. , -0.4,  0. ])
+        """
+        return self._chain.jacobian(q)
 
     def to_chain(self) -> Chain:
         """Convert the table to screw axes and a home pose: the z of each joint, in {s} at home.

@@ -19,6 +19,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlib.arrays import tolerances, validation
+from kinlib.arrays.formatting import aligned_table, format_vector, html_table
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.mechanisms.closure import Assembly, Closure
@@ -41,6 +42,9 @@ from kinlib.rigid.se3_jacobians import left_jacobian_inverse
 CLOSURE_TOL = 1e-13
 """A linkage is closed if the norm of all its residuals, each expressed about the centre of its loop, is at most (1 + d) times
 this, where d is the distance in metres from the origin to its farthest joint: rounding errors grow with d."""
+
+
+JOINT_HEADINGS = ["joint", "bodies", "omega", "v"]
 
 
 @dataclass(frozen=True, eq=False)
@@ -85,6 +89,35 @@ class Mechanism(validation.ReadOnly):
             raise ValueError(
                 f"A mechanism must have a loop; the {len(names)} joints of {self.name} form a tree. Use kl.Chain for an open chain."
             )
+
+    def __str__(self) -> str:
+        """Write the joints: their values in q, the bodies that they join, and their screw axes.
+
+        >>> from kinlib.mechanisms.linkages import four_bar
+        >>> print(four_bar(ground=0.4, crank=0.1, coupler=0.35, rocker=0.3))
+        four-bar, 4 joints, 1 loop, ground: ground
+        joint | bodies           | omega     | v
+        A     | ground - crank   | (0, 0, 1) | (0, 0, 0)
+        B     | crank - coupler  | (0, 0, 1) | (0, -0.1, 0)
+        D     | ground - rocker  | (0, 0, 1) | (0, -0.4, 0)
+        C     | rocker - coupler | (0, 0, 1) | (0, -0.7, 0)
+        """
+        return f"{self._title}\n{aligned_table([JOINT_HEADINGS, *self._joint_rows()])}"
+
+    def _repr_html_(self) -> str:
+        return html_table(self._title, JOINT_HEADINGS, self._joint_rows())
+
+    @property
+    def _title(self) -> str:
+        loops = "1 loop" if len(self.loops) == 1 else f"{len(self.loops)} loops"
+        return f"{self.name}, {len(self.joints)} joints, {loops}, ground: {self.ground}"
+
+    def _joint_rows(self) -> list[list[str]]:
+        pairs = ((joint, S) for joint in self.joints for S in joint.screws)
+        return [
+            [name, " - ".join(joint.bodies), format_vector(S[:3]), format_vector(S[3:])]
+            for name, (joint, S) in zip(self.names, pairs, strict=True)
+        ]
 
     @classmethod
     def from_chain(cls, chain: Chain) -> Self:

@@ -1,0 +1,100 @@
+"""Tables, chains, assignments and linkages print what they contain."""
+
+import re
+from html.parser import HTMLParser
+
+import numpy as np
+import pytest
+from hypothesis import given
+from strategies import ROBOTS, chains_with_values
+
+import kinlib as kl
+from kinlib import DHTable
+
+CONVENTIONS = ["standard", "modified"]
+
+
+class Cells(HTMLParser):
+    """Collects the text of the cells of HTML tables."""
+
+    def __init__(self, html):
+        super().__init__()
+        self.texts = []
+        self.feed(html)
+
+    def handle_data(self, data):
+        self.texts.append(data)
+
+
+@pytest.mark.parametrize("convention", CONVENTIONS)
+@given(chains_with_values())
+def test_a_printed_table_is_read_back(convention, drawn):
+    chain, _ = drawn
+    if "H" in chain.joint_types:
+        return
+    table = kl.assign_frames(chain, convention=convention).table
+    again = DHTable(str(table), convention=convention)
+    np.testing.assert_allclose(again.rows, table.rows, rtol=1e-11, atol=1e-9)
+    assert again.joints == table.joints
+    assert np.array_equal(again.signs, table.signs)
+
+
+def test_fixed_rows_and_negative_signs_are_printed_and_read_back():
+    table = DHTable(
+        "a | alpha | d | theta\n 0.4 | 0 | 0.1 - q1 | 30°\n 0.2 | 90° | 0 | 0\n 0 | 0 | 0 | -q2", convention="standard"
+    )
+    again = DHTable(str(table), convention="standard")
+    assert (again.joints, again.signs.tolist()) == ("PFR", [-1, 1, -1])
+    np.testing.assert_allclose(again.rows, table.rows, atol=1e-12)
+
+
+@pytest.mark.parametrize("convention", CONVENTIONS)
+def test_the_headings_refuse_to_be_read_in_the_other_convention(convention):
+    [other] = {*CONVENTIONS} - {convention}
+    printed = str(kl.assign_frames(kl.robots.rpr(), convention=convention).table)
+    with pytest.raises(ValueError, match=f"convention is '{other}'"):
+        DHTable(printed, convention=other)
+
+
+@pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
+def test_a_printed_chain_can_be_built_again(robot):
+    rows = re.findall(r"\((.*?)\) +\| \((.*?)\)", str(robot))
+    numbers = np.array([[float(x) for half in row for x in half.split(", ")] for row in rows])
+    np.testing.assert_allclose(numbers, robot.screws, atol=1e-3)
+    home = np.array(eval(str(robot).rpartition("M = ")[2]))
+    np.testing.assert_allclose(home, robot.home, atol=1e-3)
+
+
+@pytest.mark.parametrize(
+    "thing",
+    [
+        kl.robots.youbot(),
+        kl.assign_frames(kl.robots.youbot(), convention="modified").table,
+        kl.assign_frames(kl.robots.youbot(), convention="standard"),
+        kl.linkages.four_bar(0.4, 0.1, 0.35, 0.3),
+    ],
+    ids=lambda thing: type(thing).__name__,
+)
+def test_html_has_every_entry_that_is_printed(thing):
+    cells = Cells(thing._repr_html_()).texts
+    lines = [line for line in str(thing).splitlines() if "|" in line]
+    printed = {entry.strip() for line in lines for entry in line.split("|")}
+    assert printed <= set(cells)
+
+
+def test_latex_names_the_variables_and_the_convention():
+    table = kl.assign_frames(kl.robots.youbot(), convention="modified").table
+    assert r"\alpha_{i-1} & d_i & \theta_i" in table._repr_latex_()
+    assert r"q_{5}" in table._repr_latex_()
+    assert r"\omega_i & v_i" in kl.robots.rpr()._repr_latex_()
+
+
+@pytest.mark.oracle("modern_robotics", DHTable.jacobian)
+@pytest.mark.parametrize("convention", CONVENTIONS)
+def test_the_jacobian_of_a_table_is_that_of_its_arm(convention):
+    import modern_robotics as mr
+
+    robot = kl.robots.youbot()
+    table = kl.assign_frames(robot, convention=convention).table
+    q = np.array([0.3, -0.5, 0.7, 0.2, -0.9])
+    np.testing.assert_allclose(table.jacobian(q), mr.JacobianSpace(robot.screws.T, q), atol=1e-12)
