@@ -104,7 +104,7 @@ def table_of_the_new_arm(_draw: ArmSampler) -> Problem:
                 "z on the wrong joint",
                 "alpha one row off",
                 "a and d swapped",
-                "slide in theta",
+                "prismatic variable in theta",
                 "off the normal",
                 "degrees",
             ),
