@@ -11,6 +11,7 @@ import pytest
 from browser import unwatched, watched
 from built_site import ROOT
 from lab_page import PAGE_TIMEOUT_MS, cell, run, visit, wait_for, write
+from lessons import words_of
 from playwright.sync_api import expect
 
 SHEET = "exercises/03_poe_space/03_poe_space.ipynb"
@@ -53,6 +54,7 @@ def test_a_sheet_is_opened_answered_checked_stored_and_handed_in(chromium, lab_a
         assert "8 problems, 24 points" in cell(page, "open_sheet").inner_text()
 
         answer_and_check(page)
+        explain_a_prediction(page)
         move_a_slider(page)
         hand_in(page, tmp_path)
         break_python(page)
@@ -118,6 +120,18 @@ def answer_and_check(page):
         run(page, cell(page, "screws_1 ="))
         run(page, cell(page, "sheet.check(1"))
         expect(cell(page, "sheet.check(1").locator("[role=status]")).to_contain_text(title)
+
+
+def explain_a_prediction(page):
+    """The explanation of a prediction opens with the answer."""
+    name = "00/joint-3"
+    question = cell(page, "screw_2 =")
+    write(page, question, f"from kincourse import ask, explain\nscrew_2 = display(ask('{name}'), explain('{name}'))")
+    run(page, question)
+    question.get_by_text("You have not committed to an answer yet").wait_for(timeout=PAGE_TIMEOUT_MS)
+    assert words_of(name) not in question.inner_text()
+    question.get_by_role("button", name="A", exact=True).click()
+    question.get_by_text(words_of(name)).wait_for(timeout=PAGE_TIMEOUT_MS)
 
 
 def move_a_slider(page):

@@ -8,6 +8,7 @@ import re
 import subprocess
 import sys
 from functools import cache
+from html import unescape
 from urllib.parse import unquote, urlsplit
 
 import pytest
@@ -15,6 +16,9 @@ from browser import unwatched, watched
 from built_site import ROOT, SITE
 from kinsite import STRICT, cell_outputs, execute, sphinx_source
 from kinsite.generated import census, gallery, mistakes, reference
+from lessons import words_of
+
+from kincourse import COURSE
 
 MAX_PAGE_BYTES, MAX_LECTURE_BYTES = 200_000, 450_000
 """Limits for a page with all the files that it loads, compressed, without the viewer's bundle."""
@@ -264,6 +268,51 @@ def test_without_javascript_every_explanation_can_be_opened(chromium, site_addre
         assert page.get_by_text("Even if the body has no matter there").is_visible()
         page.locator('[data-misstep-explain="03/order"] summary').click()
         assert page.get_by_text("When the turn of joint 2 comes, joint 1 has not moved yet").is_visible()
+
+
+PREDICTIONS = [f"00/{key}" for key, item in COURSE.questions()["00"].items() if item.kind == "predict"]
+
+
+@pytest.mark.parametrize("script", [True, False])
+def test_no_explanation_is_visible_before_its_prediction(chromium, site_address, script):
+    def visible(page):
+        text = page.locator("article").inner_text()
+        return [name for name in PREDICTIONS if words_of(name) in text]
+
+    with watched(chromium, viewport=DESKTOP, java_script_enabled=script) as page:
+        page.goto(f"{site_address}/{KINDS['phone']}")
+        assert not visible(page)
+        for k, name in enumerate(PREDICTIONS):
+            explanation = page.locator(f'[data-misstep-explain="{name}"]')
+            if not script:
+                explanation.locator("summary").click()
+            elif k % 2:
+                explanation.get_by_role("button", name="Show anyway").click()
+                assert "Shown without a prediction" in explanation.inner_text()
+            else:
+                page.locator(f'[data-misstep-question="{name}"] button').first.click()
+            assert visible(page) == PREDICTIONS[: k + 1]
+
+
+def test_every_explanation_of_a_prediction_is_folded_and_nowhere_else(site_folder, pages):
+    folded = re.compile(
+        r'<div role="group" class="misstep-explanation" [^>]*><details><summary>.*?</details></div>', re.DOTALL
+    )
+    for path in (name for name in pages if re.fullmatch(r"lectures/\d\d_\w+.html", name)):
+        html = (site_folder / path).read_text("utf-8")
+        text = re.sub(r"\s+", " ", unescape(re.sub(r"<[^>]+>", "", folded.sub("", html))))
+        names = re.findall(r'data-misstep-question="([^"]+)" data-kind="predict"', html)
+        assert len(folded.findall(html)) == len(names)
+        assert not [name for name in names if not words_of(name) or words_of(name) in text]
+
+
+def test_a_link_into_a_side_track_opens_it(page, site_address):
+    page.goto(f"{site_address}/{KINDS['phone']}")
+    track = page.locator("section:has(> details.kinlib-side)").first
+    first = track.locator("p").first
+    assert not first.is_visible()
+    page.goto(f"{page.url}#{track.get_attribute('id')}")
+    first.wait_for()
 
 
 def test_the_search_lists_lectures_first_and_shows_readable_excerpts(page, site_address):
