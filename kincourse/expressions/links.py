@@ -115,7 +115,8 @@ def table_product(  # noqa: PLR0917
         for i in range(len(rows) - 1):
             swapped = [*q[:i], q[i + 1], q[i], *q[i + 2 :]]
             text = f"swap $q_{first + i}$ and $q_{first + i + 1}$"
-            T = T.mistaken_for(of(rows, swapped), "joint values swapped", text)
+            if not np.allclose(of(rows, swapped).value, T.value):
+                T = T.mistaken_for(of(rows, swapped), "joint values swapped", text)
         if len(rows) > 2:
             text = "use the joint values in the reverse order"
             T = T.mistaken_for(of(rows, q[::-1]), "joint values reversed", text)

@@ -1,4 +1,4 @@
-"""The blank steps of lecture 05: row 4 of the youBot, its matrix, and the product at one configuration."""
+"""The blank steps of lecture 05: rows 2, 4 and 5 of the youBot, the matrix of row 4, and the product at one configuration."""
 
 import numpy as np
 
@@ -66,7 +66,7 @@ def matrix_of_row_4(_draw: ArmSampler) -> Problem:
 
 
 @problem("05.c", "The pose of the end-effector", points=1, lecture="05_dh_standard#The product of the A matrices")
-def pose_in_the_deck_configuration(_draw: ArmSampler) -> Problem:
+def pose_in_the_drawn_configuration(_draw: ArmSampler) -> Problem:
     T = table_product(YOUBOT.rows, YOUBOT.joints, DRAWN_CONFIGURATION, "standard")
     return Problem(
         statement="Give $T(q) = A_1 A_2 A_3 A_4 A_5$ of the youBot at $q = (0, 0, \\pi/2, -\\pi/2, -\\pi/4)$.",
@@ -76,4 +76,46 @@ def pose_in_the_deck_configuration(_draw: ArmSampler) -> Problem:
     )
 
 
-BLANKS = [row_4, matrix_of_row_4, pose_in_the_deck_configuration]
+@problem(
+    "05.d",
+    "Row 2 of the youBot, read from its frames",
+    points=1,
+    lecture="05_dh_standard#Reading a table off a drawing",
+)
+def row_2(_draw: ArmSampler) -> Problem:
+    row = dh_row(*YOUBOT.rows[1])
+    for name, text, wrong, advice in (
+        ("measured from the base", "measure $a_2$ from $z_0$", [0.188, 0, 0, 0], "$a_2$ is measured from $z_1$ to $z_2$."),
+        ("height above the floor", "take the height of the axis as $d_2$", [0.155, 0, 0.147, 0], "$d_2$ is measured along $z_1$."),
+        ("another row", "read row 1", YOUBOT.rows[0], "Row 2 leads from frame 1 to frame 2."),
+        ("another row", "read row 3", YOUBOT.rows[2], "Row 2 leads from frame 1 to frame 2."),
+    ):  # fmt: skip
+        row = row.mistaken_for(np.array(wrong), name, text, advice)
+    return Problem(
+        statement="Read row 2 of the youBot from the drawn frames: $a_2, \\alpha_2, d_2$ and $\\theta_2$ at $q = 0$.",
+        answer=DHRowAnswer(row.value),
+        solution=row,
+    )
+
+
+@problem(
+    "05.e",
+    "Row 5 of the youBot, read from its frames",
+    points=1,
+    lecture="05_dh_standard#Reading a table off a drawing",
+)
+def row_5(_draw: ArmSampler) -> Problem:
+    row = dh_row(*YOUBOT.rows[4])
+    for name, text, wrong, advice in (
+        ("measured from the base", "measure $d_5$ from $O_0$", [0, 0, 0.5405, 0], "$d_5$ is measured from $O_4$ to $O_5$, along $z_4$."),
+        ("another row", "read row 4", YOUBOT.rows[3], "Row 5 leads from frame 4 to frame 5."),
+    ):  # fmt: skip
+        row = row.mistaken_for(np.array(wrong), name, text, advice)
+    return Problem(
+        statement="Read row 5 of the youBot from the drawn frames: $a_5, \\alpha_5, d_5$ and $\\theta_5$ at $q = 0$.",
+        answer=DHRowAnswer(row.value),
+        solution=row,
+    )
+
+
+BLANKS = [row_4, matrix_of_row_4, pose_in_the_drawn_configuration, row_2, row_5]
