@@ -391,7 +391,8 @@
     const target = location.hash && document.getElementById(decodeURIComponent(location.hash.slice(1)));
     if (!target) return;
     const own = target.querySelector(':scope > details.kinlib-side');
-    for (let fold = own ?? target.closest('details'); fold; fold = fold.parentElement.closest('details')) fold.open = true;
+    for (let fold = own ?? target.closest('details'); fold; fold = fold.parentElement.closest('details'))
+      fold.open = true;
     target.scrollIntoView();
   }
 

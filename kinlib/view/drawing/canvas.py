@@ -54,7 +54,16 @@ def view_axes(view: str) -> tuple[Array, Array]:
     """
     if view not in VIEWS:
         raise ValueError(f"view must be one of {', '.join(VIEWS)}; got {view!r}.")
-    (ca, ce), (sa, se) = (f(np.radians(VIEWS[view])) for f in (np.cos, np.sin))
+    return axes_of_view(*VIEWS[view])
+
+
+def axes_of_view(azimuth: float, elevation: float) -> tuple[Array, Array]:
+    """Return the unit vector towards the viewer, (3,), and those that point right and up, (2, 3), for two angles in degrees.
+
+    >>> axes_of_view(0, 90)[0].round(3) + 0.0
+    array([0., 0., 1.])
+    """
+    (ca, ce), (sa, se) = (f(np.radians([azimuth, elevation])) for f in (np.cos, np.sin))
     return np.array([ce * ca, ce * sa, se]), np.array([[-sa, ca, 0.0], [-se * ca, -se * sa, ce]])
 
 

@@ -4,7 +4,7 @@ The curve of all configurations that can be reached is traced once by kinlib.mec
 reach has its own curve. Beside the picture the configuration space is drawn: two joint values against each other.
 """
 
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -18,6 +18,7 @@ from kinlib.mechanisms.mechanism import Mechanism
 from kinlib.rigid.angles import wrap_angle
 from kinlib.rigid.lie import inverse
 from kinlib.rigid.screw import line
+from kinlib.view.drawing.canvas import VIEWS, axes_of_view
 from kinlib.view.figures.linkage import describe_linkage, draw_linkage, is_planar, linkage_geometry
 from kinlib.view.viewer.viewer import ViewerBase
 
@@ -26,6 +27,9 @@ POINTS_PER_CURVE = 240
 
 ON_CURVE_TOL = 0.2
 """A configuration nearer to a curve than this, in radians and metres, is on it; the points of a curve are closer together."""
+
+HEIGHT_PER_WIDTH, VIEW_MARGIN = 0.78, 0.16
+"""The shape of the picture on the page, and the room around what moves, as a share of the size of the linkage."""
 
 PLANAR_VIEW_DEG, SPATIAL_VIEW_DEG = [-90.0, 52.0], [-60.0, 22.0]
 """The initial viewing direction, as azimuth and elevation: from above for a planar linkage, from the front for any other."""
@@ -102,6 +106,7 @@ def drive(
             "names": named,
             "closed": list(closed),
             "all": list(mechanism.names),
+            "angles": _angles(mechanism).tolist(),
             "labels": list(labels) or [f"assembly mode {k + 1}" for k in range(len(traced))],
         },
     )
@@ -151,10 +156,11 @@ def _scene(mechanism: Mechanism, configurations: Array, begin: Array) -> dict[st
     stations = np.concatenate(
         [linkage_geometry(mechanism, q).all for q in configurations[:: max(1, len(configurations) // 60)]]
     )
-    low, high = stations.min(axis=0), stations.max(axis=0)
+    middle = (stations.min(axis=0) + stations.max(axis=0)) / 2
     drawn = linkage_geometry(mechanism, begin).all
     size = max(float(np.ptp(drawn, axis=0).max()), 1e-3)
     planar = is_planar(mechanism)
+    look = PLANAR_VIEW_DEG if planar else SPATIAL_VIEW_DEG
     return {
         "name": mechanism.name,
         "bodies": list(mechanism.bodies),
@@ -172,12 +178,18 @@ def _scene(mechanism: Mechanism, configurations: Array, begin: Array) -> dict[st
         "sliders": [],
         "limits": [],
         "room": {
-            "centre": ((low + high) / 2).tolist(),
-            "radius": float(np.linalg.norm(high - low)) / 2 + 0.12 * size,
-            "look": PLANAR_VIEW_DEG if planar else SPATIAL_VIEW_DEG,
+            "centre": middle.tolist(),
+            "radius": _half_height(stations - middle, [look, *VIEWS.values()]) + VIEW_MARGIN * size,
+            "look": look,
         },
-        "floor": float(low[2]) - (0.1 if planar else 0.15) * size,
+        "floor": float(stations[:, 2].min()) - (0.1 if planar else 0.15) * size,
     }
+
+
+def _half_height(points: Array, views: Iterable[Sequence[float]]) -> float:
+    """Return half the height of the picture in which points (m, 3) about its centre are seen from every one of the views."""
+    seen = [np.abs(points @ axes_of_view(*view)[1].T).max(axis=0) for view in views]
+    return max(float(max(HEIGHT_PER_WIDTH * right, up)) for right, up in seen)
 
 
 def _pieces(mechanism: Mechanism, names: list[str]) -> list[dict[str, Any]]:

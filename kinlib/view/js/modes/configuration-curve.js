@@ -4,11 +4,12 @@ import { playButton } from '../controls/play-button.js';
 import { formatNumber, h, NO_SHORTCUTS, renderSymbol, uniqueId } from '../dom.js';
 
 const MAP_SIZE_PX = 260;
-const MAP_MARGIN_PX = 30;
+const MAP_MARGIN_PX = 38;
+const DEGREE = Math.PI / 180;
 
 /**
  * @param kit.data { curves: [[[q...], ...], ...], columns: [column, column], names: [name, name], all: [name...],
- *   closed: [bool...], labels: [text...] }
+ *   closed: [bool...], labels: [text...], angles: [whether each joint value is an angle, in radians] }
  */
 export function configurationCurve({ stage, data, state }) {
   const { curves, columns, names } = data;
@@ -84,6 +85,14 @@ export function configurationCurve({ stage, data, state }) {
     return [low - room, high + room];
   });
 
+  /** A joint value with its unit, angles also in degrees. */
+  function valueText(value, k) {
+    const unit = data.angles[k] ? ` rad (${formatNumber(value / DEGREE, 1)}°)` : ' m';
+    return formatNumber(value, 3) + unit;
+  }
+  const endText = (value, k) =>
+    data.angles[k] ? `${formatNumber(value / DEGREE, 0)}°` : `${formatNumber(value, 1)} m`;
+
   function place(q) {
     const [x, y] = columns.map((column, k) => (q[column] - bounds[k][0]) / (bounds[k][1] - bounds[k][0]));
     return [
@@ -131,12 +140,12 @@ export function configurationCurve({ stage, data, state }) {
     context.restore();
     context.font = '11px sans-serif';
     context.fillStyle = theme.quiet;
-    const [[left, right], [bottom, top]] = bounds.map((pair) => pair.map((value) => formatNumber(value, 1)));
+    const [[left, right], [bottom, top]] = bounds.map((pair, k) => pair.map((value) => endText(value, columns[k])));
     for (const [text, x, y] of [
-      [left, MAP_MARGIN_PX + 8, MAP_SIZE_PX - 12],
-      [right, MAP_SIZE_PX - 20, MAP_SIZE_PX - 12],
-      [bottom, 13, MAP_SIZE_PX - MAP_MARGIN_PX - 2],
-      [top, 13, 18],
+      [left, MAP_MARGIN_PX + 10, MAP_SIZE_PX - 12],
+      [right, MAP_SIZE_PX - 24, MAP_SIZE_PX - 12],
+      [bottom, MAP_MARGIN_PX / 2 - 1, MAP_SIZE_PX - MAP_MARGIN_PX - 2],
+      [top, MAP_MARGIN_PX / 2 - 1, 18],
     ]) {
       context.fillText(text, x, y);
     }
@@ -158,14 +167,15 @@ export function configurationCurve({ stage, data, state }) {
       driver.value = at.sample;
       select.value = at.which;
       driver.style.setProperty('--share', `${(100 * at.sample) / (curves[at.which].length - 1)}%`);
-      driver.setAttribute('aria-valuetext', data.all.map((name, k) => `${name} ${formatNumber(q[k], 2)}`).join(', '));
+      driver.setAttribute('aria-valuetext', data.all.map((name, k) => `${name} ${valueText(q[k], k)}`).join(', '));
       numbers.forEach((number, k) => {
-        number.textContent = formatNumber(q[k], 3);
+        number.textContent = valueText(q[k], k);
       });
       canvas.setAttribute(
         'aria-label',
         `Configuration space, ${names.join(' against ')}: ${curves.length} curves; ` +
-          `the linkage is at sample ${at.sample + 1} of curve ${at.which + 1}.`,
+          `the linkage is on curve ${at.which + 1}, where ` +
+          `${columns.map((column, k) => `${names[k]} = ${valueText(q[column], column)}`).join(' and ')}.`,
       );
       paint(q);
     },
