@@ -88,18 +88,20 @@ def explain_assignment(
 
 
 def _explain_axes(chain: Chain, standard: bool) -> AssignmentStep:
-    joints = []
-    for i, (joint_type, axis, point) in enumerate(
-        zip(chain.joint_types, chain.lines.axis, chain.joint_points, strict=True), start=1
-    ):
-        name = "prismatic" if joint_type == "P" else "revolute"
-        where = "anywhere (a prismatic joint has no line)" if joint_type == "P" else f"through {format_vector(point)}"
-        joints.append(f"joint {i}, {name}, along {format_vector(axis)} {where}")
+    prismatic = [i for i, joint_type in enumerate(chain.joint_types, start=1) if joint_type == "P"]
+    revolute = [i for i in range(1, chain.n + 1) if i not in prismatic]
+    kinds = f"{_joints(revolute)} revolute" if revolute else ""
+    if prismatic:
+        kinds += f"{'; ' if revolute else ''}{_joints(prismatic)} prismatic"
+        kinds += ", with a direction but no position"
     rule = "z_{i-1} lies on the axis of joint i" if standard else "z_i lies on the axis of joint i"
     others = "Each z may have the opposite direction; then the joint variable changes its sign."
-    return AssignmentStep(
-        "axes", None, f"Locate the joint axes: {'; '.join(joints)}. In this convention {rule}.", others
-    )
+    return AssignmentStep("axes", None, f"Locate the joint axes: {kinds}. In this convention {rule}.", others)
+
+
+def _joints(numbers: Sequence[int]) -> str:
+    """Write "joint 2 is", or "joints 1, 3 are"."""
+    return f"joint{'s' * (len(numbers) > 1)} {', '.join(map(str, numbers))} {'are' if len(numbers) > 1 else 'is'}"
 
 
 def _explain_first_frame(table: DHTable, frames: Array) -> AssignmentStep:
@@ -138,7 +140,7 @@ def _explain_link(chain: Chain, T: Array, pair: int, normal: CommonNormal, stand
         direction = "perpendicular to both axes, as near the previous x as possible"
     others = "" if normal.case in {"parallel", "antiparallel"} else ALTERNATIVES[normal.case]
     yield AssignmentStep("x", frame, f"x_{frame} is {direction}: {format_vector(normal.x)}.", others)
-    text = f"y_{frame} = z_{frame} x x_{frame} completes a right-handed frame: {format_vector(T[:3, 1])}."
+    text = f"y_{frame} = z_{frame} × x_{frame} completes a right-handed frame: {format_vector(T[:3, 1])}."
     yield AssignmentStep("y", frame, text)
 
 
@@ -159,7 +161,7 @@ def _explain_last_frame(chain: Chain, table: DHTable, frames: Array) -> Assignme
 
 
 def _explain_rows(table: DHTable) -> Iterator[AssignmentStep]:
-    rows = format_rows(table, angle=format_number, variable="q_{}".format)
+    rows = format_rows(table, variable="q_{}".format)
     for row, (a, alpha, d, theta) in enumerate(rows, start=1):
         index = row - 1 if table.convention == "modified" else row
         text = f"Row {row}: a_{index} = {a}, alpha_{index} = {alpha}, d_{row} = {d}, theta_{row} = {theta}."

@@ -7,6 +7,7 @@ from kinlib.rigid.screw import line
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import AXIS_COLOURS, INK, ORANGE, VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
+from kinlib.view.figures.arm import describe_arm
 from kinlib.view.figures.assignment_steps import MAX_DISTANCE_IN_ARM_SIZES, row_segments, state_after, visible_features
 from kinlib.view.figures.joint_bodies import draw_joint_bodies
 
@@ -38,7 +39,8 @@ def draw_assignment(assignment: FrameAssignment, until: int | None = None, *, ca
     step_caption = f"Step {until + 1} of {len(steps)}. {step.text}" + (
         f" Also legal: {step.others}" if step.others else ""
     )
-    alt = f"{head}, step {until + 1} of {len(steps)}. {step.text} {drawing.describe()}"
+    axes = f" {describe_arm(assignment.chain, np.zeros(assignment.chain.n))}" if step.kind == "axes" else ""
+    alt = f"{head}, step {until + 1} of {len(steps)}. {step.text}{axes} {drawing.describe()}"
     return drawing.canvas.picture(alt, caption or step_caption)
 
 

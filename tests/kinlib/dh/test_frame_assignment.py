@@ -307,7 +307,8 @@ def test_the_step_of_a_row_says_the_row_s_numbers(convention):
                 moving = name == ("theta" if letter == "R" else "d")
                 assert said[name].startswith("q_") == moving
                 number = said[name].partition(" ")[2].replace(" ", "") if moving else said[name]
-                assert float(number or 0) == pytest.approx(value, rel=1e-3, abs=1e-11)
+                unit = np.pi / 180 if number.endswith("°") else 1.0
+                assert float(number.removesuffix("°") or 0) * unit == pytest.approx(value, rel=1e-3, abs=1e-11)
 
 
 def vectors(text):
@@ -321,12 +322,15 @@ def vectors(text):
 def test_the_steps_say_where_axes_and_frames_stand(convention):
     for found, _, _ in fuzzed(convention, count=50, seed=15):
         chain, frames = found.chain, found.frames
-        lines = zip(chain.joint_types, chain.lines.axis, chain.joint_points, strict=True)
-        expected = {("axes", None): [vector for letter, *line in lines for vector in line[: 1 if letter == "P" else 2]]}
-        expected |= {(kind, i): frames[i, :3, [3, 0]] for kind, i in (("first", 0), ("last", chain.n))}
+        expected = {(kind, i): frames[i, :3, [3, 0]] for kind, i in (("first", 0), ("last", chain.n))}
         columns = {"origin": [3], "x": [0], "y": [1]}
         expected |= {(kind, i): frames[i, :3, k] for kind, k in columns.items() for i in range(1, chain.n)}
         told = {(step.kind, step.frame): step.text for step in found.steps}
+        for letter, kind in {"R": "revolute", "P": "prismatic"}.items():
+            named = re.search(rf"joints? ([\d, ]+) (?:is|are) {kind}", told["axes", None])
+            assert (named[1] if named else "") == ", ".join(
+                str(i) for i, other in enumerate(chain.joint_types, start=1) if other == letter
+            )
         for step, there in expected.items():
             np.testing.assert_allclose(vectors(told[step]), there, rtol=1e-3, atol=1e-11)
         for i, normal in enumerate(found.normals, start=1):
@@ -341,8 +345,7 @@ ROUND_ABOUT = ROUND.replace("-a, ", "")
 STANDARD = [
     (
         (
-            "Locate the joint axes: joint 1, revolute, along (0, 0, 1) through (0, 0, 0); joint 2, prismatic, along (0, -1, 0) "
-            "anywhere (a prismatic joint has no line); joint 3, revolute, along (0, 0, 1) through (0.4, 0, 0). "
+            "Locate the joint axes: joints 1, 3 are revolute; joint 2 is prismatic, with a direction but no position. "
             "In this convention z_{i-1} lies on the axis of joint i."
         ),
         "Each z may have the opposite direction; then the joint variable changes its sign.",
@@ -357,14 +360,14 @@ STANDARD = [
     ("Axes 1 and 2 are skew: there is one common normal, 0.4 m long.", ROUND),
     ("O_1 lies on axis 2, where the common normal meets it: (0.4, 0, 0).", ""),
     ("x_1 is along the common normal, from joint to joint: (1, 0, 0).", ROUND),
-    ("y_1 = z_1 x x_1 completes a right-handed frame: (0, 0, 1).", ""),
+    ("y_1 = z_1 × x_1 completes a right-handed frame: (0, 0, 1).", ""),
     (
         "Axes 2 and 3 intersect: the common normal has length zero, and its direction is perpendicular to both.",
         ROUND_ABOUT,
     ),
     ("O_2 lies on axis 3, where the common normal meets it: (0.4, 0, 0).", ""),
     ("x_2 is perpendicular to both axes, as near the previous x as possible: (1, 0, 0).", ROUND_ABOUT),
-    ("y_2 = z_2 x x_2 completes a right-handed frame: (0, 1, 0).", ""),
+    ("y_2 = z_2 × x_2 completes a right-handed frame: (0, 1, 0).", ""),
     (
         (
             "There is no next axis: z_3 is parallel to z_2, and the frame is as near the tool as that allows. "
@@ -372,8 +375,8 @@ STANDARD = [
         ),
         "Any frame whose x intersects z_{n-1} at a right angle; the tool transform compensates for it.",
     ),
-    ("Row 1: a_1 = 0.4, alpha_1 = 1.571, d_1 = 0, theta_1 = q_1.", ""),
-    ("Row 2: a_2 = 0, alpha_2 = -1.571, d_2 = q_2, theta_2 = 0.", ""),
+    ("Row 1: a_1 = 0.4, alpha_1 = 90°, d_1 = 0, theta_1 = q_1.", ""),
+    ("Row 2: a_2 = 0, alpha_2 = -90°, d_2 = q_2, theta_2 = 0.", ""),
     ("Row 3: a_3 = 0, alpha_3 = 0, d_3 = 0, theta_3 = q_3.", ""),
 ]
 MODIFIED = [
@@ -388,11 +391,11 @@ MODIFIED = [
     STANDARD[2],
     ("O_1 lies on axis 1, where the common normal meets it: (0, 0, 0).", ""),
     STANDARD[4],
-    ("y_1 = z_1 x x_1 completes a right-handed frame: (0, 1, 0).", ""),
+    ("y_1 = z_1 × x_1 completes a right-handed frame: (0, 1, 0).", ""),
     STANDARD[6],
     ("O_2 lies on axis 2, where the common normal meets it: (0.4, 0, 0).", ""),
     STANDARD[8],
-    ("y_2 = z_2 x x_2 completes a right-handed frame: (0, 0, 1).", ""),
+    ("y_2 = z_2 × x_2 completes a right-handed frame: (0, 0, 1).", ""),
     (
         (
             "Frame 3 is placed such that d_3 = 0 and theta_3 = q_3. O_3 is at (0.4, 0, 0), x_3 along (1, 0, 0). "
@@ -401,8 +404,8 @@ MODIFIED = [
         "Any other origin on the axis and any x perpendicular to it; d, theta and the tool change accordingly.",
     ),
     ("Row 1: a_0 = 0, alpha_0 = 0, d_1 = 0, theta_1 = q_1.", ""),
-    ("Row 2: a_1 = 0.4, alpha_1 = 1.571, d_2 = q_2, theta_2 = 0.", ""),
-    ("Row 3: a_2 = 0, alpha_2 = -1.571, d_3 = 0, theta_3 = q_3.", ""),
+    ("Row 2: a_1 = 0.4, alpha_1 = 90°, d_2 = q_2, theta_2 = 0.", ""),
+    ("Row 3: a_2 = 0, alpha_2 = -90°, d_3 = 0, theta_3 = q_3.", ""),
 ]
 
 

@@ -2,7 +2,7 @@
 
 import { renderMathText } from '../controls/math-text.js';
 import { h, NO_SHORTCUTS } from '../dom.js';
-import { frameText } from '../scene/describe.js';
+import { describeArm, frameText } from '../scene/describe.js';
 import { matrixOf, rows } from '../scene/kinematic-tree.js';
 import { dashedLine } from '../scene/shapes.js';
 import { dhTable } from './dh-table.js';
@@ -155,7 +155,8 @@ export function assignmentSteps({ model, stage, data }) {
         pose && /O.*[zx].*[zx]/.test(parts[i]) ? [frameText(i, rows(matrixOf(pose)))] : [],
       );
       const count = `step ${model.get('step') + 1} of ${steps.length}`;
-      return `${stage.data.name}, ${model.get('convention')} convention, ${count}. ${what} ${whole.join(' ')}`;
+      const axes = model.get('step') === 0 ? ` ${describeArm(stage.data, stage.tree, model.get('q'))}` : '';
+      return `${stage.data.name}, ${model.get('convention')} convention, ${count}. ${what}${axes} ${whole.join(' ')}`;
     },
     applyTheme() {
       drawPaleArm(stage);
