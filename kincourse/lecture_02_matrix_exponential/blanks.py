@@ -31,7 +31,7 @@ def third_of_a_turn() -> Expression:
     return radians(given("q", 120.0, ANGLE))
 
 
-@problem("02.a", "The p-column of a rotation", points=1, lecture="02_matrix_exponential#From turns to screws")
+@problem("02.a", "The p-column of a rotation", points=1, lecture="02_matrix_exponential#From rotations to screws")
 def p_column(_draw: ArmSampler) -> Problem:
     S = hrr().screws[1]
     p = position_exp(direction("\\omega", S[:3]), direction("v", S[3:]), third_of_a_turn())
@@ -42,7 +42,7 @@ def p_column(_draw: ArmSampler) -> Problem:
     )
 
 
-@problem("02.b", "A rotation about a leaning axis", points=1, lecture="02_matrix_exponential#The key identity")
+@problem("02.b", "A rotation about a tilted axis", points=1, lecture="02_matrix_exponential#The key identity")
 def leaning_rotation(_draw: ArmSampler) -> Problem:
     R = rotation_exp(direction("\\omega", angled_arm().screws[1, :3]), third_of_a_turn())
     return Problem(
@@ -53,7 +53,7 @@ def leaning_rotation(_draw: ArmSampler) -> Problem:
     )
 
 
-@problem("02.c", "The whole pose", points=1, lecture="02_matrix_exponential#From turns to screws")
+@problem("02.c", "The whole pose", points=1, lecture="02_matrix_exponential#From rotations to screws")
 def leaning_pose(_draw: ArmSampler) -> Problem:
     S, q = angled_arm().screws[1], third_of_a_turn()
     omega = direction("\\omega", S[:3])

@@ -103,7 +103,7 @@ def rotation_as_a_formula(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("02.4", "Where the origin goes", points=3, lecture="02_matrix_exponential#From turns to screws")
+@problem("02.4", "Where the origin goes", points=3, lecture="02_matrix_exponential#From rotations to screws")
 def where_the_origin_goes(sampler: ArmSampler) -> Problem:
     d, e = sampler.choice([(d, e) for d in AXIS_DIRECTIONS for e in (X, Y, Z) if not d @ e])
     k = sampler.choice((-1, 1)) * sampler.integer(1, 5)
@@ -263,7 +263,7 @@ def gyroscope(sampler: ArmSampler) -> Problem:
     )
 
 
-@problem("02.7", "A logarithm near half a turn", points=3, lecture="02_matrix_exponential#Small angles and half turns")
+@problem("02.7", "A logarithm near half a turn", points=3, lecture="02_matrix_exponential#The logarithm")
 def near_half_a_turn(sampler: ArmSampler) -> Problem:
     direction, length = _direction(sampler)
     degrees = sampler.integer(162, 176)
