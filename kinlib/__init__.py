@@ -12,11 +12,11 @@ from kinlib.dh.assignment import FrameAssignment, assign_frames
 from kinlib.dh.diagnosis import Diagnosis, diagnose
 from kinlib.dh.equivalence import Equivalence, equivalent
 from kinlib.dh.rules import Breach, check_frames
-from kinlib.dh.table import DHTable, dh_transform
+from kinlib.dh.table import Convention, DHTable, dh_transform
 from kinlib.mechanisms import linkages
 from kinlib.mechanisms.joints import Joint
 from kinlib.mechanisms.mechanism import Mechanism
-from kinlib.rigid.lie import adjoint, exp, hat, inverse, log, vee
+from kinlib.rigid.lie import adjoint, exp, hat, inverse, log, nearest_rotation, vee
 from kinlib.rigid.screw import Line, line, screw
 from kinlib.urdf.chains import load_urdf, to_urdf
 
@@ -41,6 +41,7 @@ __version__ = "0.1.0"
 __all__ = [
     "Breach",
     "Chain",
+    "Convention",
     "DHTable",
     "Diagnosis",
     "Equivalence",
@@ -61,6 +62,7 @@ __all__ = [
     "linkages",
     "load_urdf",
     "log",
+    "nearest_rotation",
     "robots",
     "screw",
     "symbolic",

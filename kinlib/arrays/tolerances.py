@@ -13,6 +13,9 @@ ORTHONORMALITY_TOL = 1e-6
 """How far x . x, y . y and x . y of a rotation's columns may differ from 1, 1 and 0, and z from x x y. Single precision passes;
 four printed decimals do not."""
 
+ROUNDED_ROTATION_TOL = 0.1
+"""How far an entry of a rounded rotation may be off for `nearest_rotation` to repair it. One printed decimal passes."""
+
 MAX_ROTATION_RAD = 1e8
 """The largest rotation angle that is still meaningful: beyond it, rounding alone changes the result by 1e-8."""
 

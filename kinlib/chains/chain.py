@@ -10,9 +10,10 @@ The same motion can be written in three forms, which differ in the position of t
 from collections.abc import Callable
 from dataclasses import dataclass, field
 from functools import cached_property, reduce, wraps
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
 from kinlib.arrays import tolerances, validation
 from kinlib.arrays.formatting import aligned_table, format_matrix, format_vector, html_table, latex_array
@@ -71,6 +72,19 @@ class Chain(validation.ReadOnly):
     source: str = ""
     limits: Array | None = field(default=None, repr=False)
     joint_names: tuple[str, ...] = field(default=(), repr=False)
+
+    if TYPE_CHECKING:  # the constructor takes lists, too, and the attributes are arrays
+
+        def __init__(  # noqa: PLR0917 - as the fields above
+            self,
+            screws: ArrayLike,
+            home: ArrayLike,
+            points: ArrayLike | None = None,
+            name: str = "arm",
+            source: str = "",
+            limits: ArrayLike | None = None,
+            joint_names: tuple[str, ...] = (),
+        ) -> None: ...
 
     def __post_init__(self) -> None:
         screws = validation.array(self.screws, "screws")
@@ -280,6 +294,127 @@ class Chain(validation.ReadOnly):
         True
         """
         return adjoint(inverse(self.fk(q))) @ self.jacobian(q)
+
+    def point_jacobian(self, q: ArrayLike, point: ArrayLike, link: int | None = None) -> Array:
+        """Compute the Jacobian of a point that is fixed to a link: angular velocity of the link, then velocity of the point, in {s}.
+
+        q (..., n), point (3,) in {s}, where it is at home -> (..., 6, n). The link is 1 to n, by default n, the link of the tool;
+        the columns of the joints after it are 0. With J_s = (omega, v) and p(q) = e^[S1]q1 ... e^[Si]qi p, its rows are omega and
+        v + omega x p(q).
+
+        Raises ValueError for joint values of another size, for NaN, for a point of another size, and for a link outside 1 ... n.
+        Source: Modern Robotics, 5.1: the velocity of a point of a body with the spatial twist (omega, v).
+
+        >>> from kinlib.chains.robots import rpr
+        >>> rpr().point_jacobian([0, 0, 0], point=(0, 0, 0), link=1)[3:, 0]      # joint 1 rotates about -y through (-4, -2, 0)
+        array([0., 0., 4.])
+        """
+        link = self.n if link is None else link
+        if link not in range(1, self.n + 1):
+            raise ValueError(f"link must be the number of a link, 1 to {self.n}; got {link!r}.")
+        point = validation.vectors(point, "point", 3)
+        if point.shape != (3,):
+            raise ValueError(f"point must be one point, shape (3,); got {point.shape}. Call it for each point.")
+        J = self.jacobian(q) * (np.arange(self.n) < link)
+        T = self.link_poses(q)[..., link - 1, :, :]
+        position = (T[..., :3, :3] @ (point - self.joint_points[link - 1]) + T[..., :3, 3])[..., None]
+        J[..., 3:, :] += np.cross(J[..., :3, :], position, axis=-2)
+        return J
+
+    def manipulability(self, q: ArrayLike) -> Array:
+        """Compute Yoshikawa's manipulability, which is 0 at a singular configuration: the product of the singular values of J_b.
+
+        q (..., n) -> (...). With n >= 6 joints it is sqrt(det(J J^T)). It mixes radians and metres, so only values of the same arm
+        can be compared. The singular values themselves are np.linalg.svd(arm.body_jacobian(q), compute_uv=False).
+
+        Raises ValueError for joint values of another size, and for NaN.
+        Source: Yoshikawa, Manipulability of robotic mechanisms, 1985; Modern Robotics, 5.4.
+
+        >>> from kinlib.chains.robots import puma560
+        >>> round(float(puma560().manipulability(np.zeros(6))), 9)             # axes 4 and 6 coincide
+        0.0
+        """
+        values: Array = np.linalg.svd(self.body_jacobian(q), compute_uv=False).prod(axis=-1)
+        return values
+
+    def within_limits(self, q: ArrayLike) -> NDArray[np.bool_]:
+        """Return for each configuration whether all its joint values are within the limits.
+
+        q (..., n) -> (...). A chain without limits accepts every configuration.
+
+        Raises ValueError for joint values of another size, and for NaN.
+
+        >>> Chain([[0, 0, 1, 0, 0, 0]], np.eye(4), limits=[[-1, 1]]).within_limits([[0.5], [1.5]])
+        array([ True, False])
+        """
+        q = self._joint_values(q)
+        lower, upper = self._limits.T
+        inside: NDArray[np.bool_] = ((lower <= q) & (q <= upper)).all(axis=-1)
+        return inside
+
+    def random_configurations(self, count: int, seed: int = 0) -> Array:
+        """Draw configurations within the limits, the same ones for the same seed: (count, n).
+
+        A joint without limits takes values between -pi and pi, in radians or metres; one with a single limit, up to 2 pi from it.
+
+        >>> arm = Chain([[0, 0, 1, 0, 0, 0]], np.eye(4), limits=[[0, 1]])
+        >>> bool(arm.within_limits(arm.random_configurations(100)).all())
+        True
+        """
+        lower, upper = self._limits.T
+        low = np.where(np.isfinite(lower), lower, np.where(np.isfinite(upper), upper - 2 * np.pi, -np.pi))
+        high = np.where(np.isfinite(upper), upper, np.where(np.isfinite(lower), lower + 2 * np.pi, np.pi))
+        return np.random.default_rng(seed).uniform(low, high, (count, self.n))
+
+    def to_dict(self) -> dict[str, Any]:
+        """Convert the chain to plain JSON types; an infinite limit is None, because JSON has no infinity.
+
+        >>> from kinlib.chains.robots import rpr
+        >>> rpr().to_dict()["screws"][1]
+        [0.0, 0.0, 0.0, 0.0, 0.0, 1.0]
+        """
+        limits = None
+        if self.limits is not None:
+            limits = [[x if np.isfinite(x) else None for x in pair] for pair in self.limits.tolist()]
+        return {
+            "screws": self.screws.tolist(),
+            "home": self.home.tolist(),
+            "points": None if self.points is None else self.points.tolist(),
+            "name": self.name,
+            "source": self.source,
+            "limits": limits,
+            "joint_names": list(self.joint_names),
+        }
+
+    @classmethod
+    def from_dict(cls, data: Any) -> "Chain":
+        """Read a chain that `to_dict` wrote, for example from a JSON or a YAML file that other people can edit.
+
+        Raises ValueError for a missing or an unknown key, and for the same reasons as a new chain.
+
+        >>> from kinlib.chains.robots import youbot
+        >>> arm = Chain.from_dict(youbot().to_dict())
+        >>> bool((arm.fk([1, 2, 3, 4, 5]) == youbot().fk([1, 2, 3, 4, 5])).all())
+        True
+        """
+        required, optional = {"screws", "home"}, {"points", "name", "source", "limits", "joint_names"}
+        if not isinstance(data, dict) or not required <= set(data) <= required | optional:
+            given = sorted(map(repr, data)) if isinstance(data, dict) else validation.describe(data)
+            raise ValueError(
+                f"A chain as data must be a dictionary with the keys {', '.join(sorted(required))}, and possibly "
+                f"{', '.join(sorted(optional))}; got {given!s:.200}."
+            )
+        fields = dict(data)
+        if fields.get("limits") is not None:
+            infinite = (-np.inf, np.inf)
+            fields["limits"] = [
+                [end if x is None else x for x, end in zip(pair, infinite, strict=True)] for pair in fields["limits"]
+            ]
+        return cls(**fields | {"joint_names": tuple(fields.get("joint_names") or ())})
+
+    @property
+    def _limits(self) -> Array:
+        return np.tile([-np.inf, np.inf], (self.n, 1)) if self.limits is None else self.limits
 
     def _joint_values(self, q: ArrayLike) -> Array:
         """Read q as joint values of this chain, (..., n)."""

@@ -237,7 +237,7 @@ def _corrections_of_a_number(
     for row, column in np.ndindex(table.rows.shape):
         if (table.joints[row], column) in VARIABLES and not zeros_are_fixed:
             continue
-        name, typed = COLUMNS[column], table.rows[row, column]
+        name, typed = COLUMNS[column], float(table.rows[row, column])
         values = {round(float(value), 12) + 0.0: float(value) for value in usual[column]}
         if column == D:
             values |= {round(float(value), 12) + 0.0: float(value) for value in more_d.get(row, ())}

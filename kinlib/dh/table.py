@@ -11,10 +11,10 @@ converted into the other by moving alpha and a by one row, and the constants tha
 """
 
 import math
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import cached_property, reduce
-from typing import Any, Literal, cast, get_args
+from typing import TYPE_CHECKING, Any, Literal, cast, get_args
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -89,7 +89,7 @@ class DHTable(validation.ReadOnly):
     array([0. , 0.7, 0. ])
     """
 
-    rows: Any = field(repr=False)
+    rows: Array = field(repr=False)
     convention: Convention = field(kw_only=True)
     joints: str = field(default="", kw_only=True)
     signs: Array = field(default_factory=lambda: np.empty(0), kw_only=True, repr=False)
@@ -97,6 +97,21 @@ class DHTable(validation.ReadOnly):
     tool: Array = field(default_factory=lambda: np.eye(4), kw_only=True, repr=False)
     lengths: Mapping[str, float] | None = field(default=None, kw_only=True, repr=False)
     name: str = field(default="table", kw_only=True)
+
+    if TYPE_CHECKING:  # the constructor takes text, dictionaries and lists, too, and the attributes are arrays
+
+        def __init__(
+            self,
+            rows: str | Sequence[Mapping[str, Any]] | ArrayLike,
+            *,
+            convention: Convention,
+            joints: str = "",
+            signs: ArrayLike = (),
+            base: ArrayLike = (),
+            tool: ArrayLike = (),
+            lengths: Mapping[str, float] | None = None,
+            name: str = "table",
+        ) -> None: ...
 
     def __post_init__(self) -> None:
         convention = validate_convention(self.convention)

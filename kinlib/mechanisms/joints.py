@@ -11,6 +11,7 @@ from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise
+from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -51,6 +52,18 @@ class Joint(validation.ReadOnly):
     closing_offset: Array = field(default_factory=lambda: np.eye(4), repr=False)
     limits: Array | None = field(default=None, repr=False)
     point: Array | None = field(default=None, repr=False)
+
+    if TYPE_CHECKING:  # the constructor takes lists, too, and the attributes are arrays
+
+        def __init__(  # noqa: PLR0917 - as the fields above
+            self,
+            name: str,
+            bodies: tuple[str, str],
+            screws: ArrayLike,
+            closing_offset: ArrayLike = ...,
+            limits: ArrayLike | None = None,
+            point: ArrayLike | None = None,
+        ) -> None: ...
 
     def __post_init__(self) -> None:
         bodies = list(self.bodies)

@@ -151,6 +151,38 @@ def adjoint(X: ArrayLike) -> Array:
     return Ad
 
 
+def nearest_rotation(X: ArrayLike) -> Array:
+    """Compute the rotation nearest to a matrix that is almost one, for example because its entries were rounded.
+
+    (..., 3, 3) -> (..., 3, 3): with the singular value decomposition R = U D V^T, it is U V^T, the nearest one in the Frobenius norm.
+    (..., 4, 4) -> (..., 4, 4): the same for the rotation of a pose; its position stays.
+
+    Raises ValueError for another shape, for NaN, for a matrix whose entries differ from those of a rotation by more than 0.1, and
+    for a reflection.
+    Source: Horn, Hilden and Negahdaripour, Closed-form solution of absolute orientation using orthonormal matrices, 1988.
+
+    >>> nearest_rotation([[0.7071, -0.7071, 0], [0.7071, 0.7071, 0], [0, 0, 1]])[0, 0]
+    np.float64(0.7071067811865475)
+    """
+    X = validation.array(X, "X").copy()
+    if X.shape[-2:] not in {(3, 3), (4, 4)}:
+        raise ValueError(f"X must have shape (..., 3, 3) or (..., 4, 4); got {X.shape}.")
+    R = X[..., :3, :3]
+    U, _, Vt = np.linalg.svd(R)
+    nearest = U @ Vt
+    distance = np.abs(nearest - R).max(initial=0.0)
+    if distance > tolerances.ROUNDED_ROTATION_TOL or (np.linalg.det(nearest) < 0).any():
+        what = "a reflection" if distance <= tolerances.ROUNDED_ROTATION_TOL else f"one that differs by {distance:.2g}"
+        raise ValueError(
+            f"X must be almost a rotation, within {tolerances.ROUNDED_ROTATION_TOL} in each entry; got {what}. "
+            "Are its columns the axes of the frame, right-handed and of length 1?"
+        )
+    if X.shape[-1] == 4 and (X[..., 3, :] != (0, 0, 0, 1)).any():
+        raise ValueError("The last row of a pose must be 0 0 0 1; got another one. Is X transposed?")
+    R[...] = nearest
+    return X
+
+
 def homogeneous(R: ArrayLike, p: ArrayLike) -> Array:
     """Write a homogeneous transformation from its rotation and its position: T = [[R, p], [0, 1]].
 

@@ -29,6 +29,7 @@ __all__ = [
     "fk_body",
     "hat",
     "inverse",
+    "jacobian",
     "joints",
     "screw",
     "shorthand",
@@ -200,6 +201,24 @@ def fk_body(arm: Chain | Iterable[Any], home: Any = None, q: Any = None) -> sp.M
     screws, M = _screws_and_home(arm, home)
     body = [adjoint(inverse(M)) * S for S in screws] if isinstance(arm, Chain) else screws
     return M * multiply(_screw_factors(body, q), sp.eye(4))
+
+
+def jacobian(arm: Chain | Iterable[Any], q: Any = None) -> sp.Matrix:
+    """Compute the space Jacobian, 6 x n: column i is Ad(e^[S1]q1 ... e^[Si-1]qi-1) S_i.
+
+    arm  a Chain, or screw axes in {s}, six entries each, numbers or symbols
+    q    n joint values; by default the symbols q_1 ... q_n
+
+    Raises ValueError if a screw axis is not valid, and for another number of joint values.
+    Source: Modern Robotics, (5.11).
+
+    >>> shorthand(jacobian([screw((0, 0, 1)), screw((0, 0, 1), point=(sp.Symbol("a_1"), 0, 0))]))[3:, 1].T
+    Matrix([[a_1*s_1, -a_1*c_1, 0]])
+    """
+    screws, _ = _screws_and_home(arm, None if isinstance(arm, Chain) else sp.eye(4))
+    factors = [_screw_factors([S], [value]) for S, value in zip(screws, _joint_values(q, len(screws)), strict=True)]
+    before = [multiply([part for group in factors[:i] for part in group], sp.eye(4)) for i in range(len(screws))]
+    return sp.Matrix.hstack(*(adjoint(T) * S for T, S in zip(before, screws, strict=True)))
 
 
 def table_fk(table: DHTable | Iterable[Any], convention: Convention | None = None, q: Any = None) -> sp.Matrix:

@@ -1,0 +1,143 @@
+"""What a chain can be asked beside its poses: velocities of points, singularities, limits; and how it is stored."""
+
+import json
+
+import modern_robotics as mr
+import numpy as np
+import pytest
+import scipy.linalg
+import sympy as sp
+from hypothesis import given
+from hypothesis import strategies as st
+from pinocchio_oracle import pinocchio_model
+from strategies import ROBOTS, chains_with_values, configurations, rotations
+
+import kinlib as kl
+from kinlib import Chain, nearest_rotation
+from kinlib.chains.robots import puma560, rpr, youbot
+
+each_robot = pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
+
+
+def close(got, expected, atol=1e-12):
+    np.testing.assert_allclose(got, expected, rtol=0, atol=atol)
+
+
+@pytest.mark.oracle("pinocchio", Chain.point_jacobian)
+@each_robot
+def test_the_jacobian_of_a_point_is_pinocchios_at_a_frame_there(robot):
+    import pinocchio as pin
+
+    point = np.array([0.3, -0.2, 0.5])
+    q = configurations(robot, 3)
+    for link in range(1, robot.n + 1):
+        model = pinocchio_model(robot)
+        # The frames of the joints are parallel to {s} at home.
+        placements = [model.jointPlacements[i].translation for i in range(1, link + 1)]
+        offset = pin.SE3(np.eye(3), point - np.sum(placements, axis=0))
+        frame = model.addFrame(pin.Frame("point", link, offset, pin.FrameType.OP_FRAME))
+        data = model.createData()
+        for row in q:
+            J = pin.computeFrameJacobian(model, data, row, frame, pin.LOCAL_WORLD_ALIGNED)
+            close(robot.point_jacobian(row, point, link), [*J[3:], *J[:3]])
+    close(robot.point_jacobian(q, point)[1], robot.point_jacobian(q[1], point, robot.n))
+
+
+@pytest.mark.parametrize("link", [0, 6, 1.5])
+def test_a_link_that_there_is_not_is_refused(link):
+    with pytest.raises(ValueError, match=r"link must be the number of a link, 1 to 5"):
+        youbot().point_jacobian(np.zeros(5), (0, 0, 0), link)
+    with pytest.raises(ValueError, match="point must be one point"):
+        youbot().point_jacobian(np.zeros(5), np.zeros((2, 3)))
+
+
+@pytest.mark.oracle("pinocchio", Chain.manipulability)
+@each_robot
+def test_manipulability_is_the_root_of_the_gram_determinant(robot):
+    import pinocchio as pin
+
+    model = pinocchio_model(robot)
+    data, tool = model.createData(), model.getFrameId("tool")
+    q = configurations(robot, 5)
+    for row, found in zip(q, robot.manipulability(q), strict=True):
+        J = pin.computeFrameJacobian(model, data, row, tool, pin.LOCAL)
+        gram = J @ J.T if robot.n >= 6 else J.T @ J
+        close(found**2, np.linalg.det(gram), 1e-9)
+
+
+def test_manipulability_is_0_where_two_axes_coincide():
+    assert puma560().manipulability(np.zeros(6)) < 1e-12
+    assert puma560().manipulability([0.1, 0.2, 0.3, 0.4, 0.5, 0.6]) > 1e-3
+
+
+@given(chains_with_values(), st.integers(0, 100))
+def test_random_configurations_are_within_the_limits_and_limits_can_be_asked(drawn, seed):
+    chain, q = drawn
+    rng = np.random.default_rng(seed)
+    limits = np.sort(rng.normal(size=(chain.n, 2)), axis=1)
+    limits[rng.random((chain.n, 2)) < 0.3] = np.inf
+    limits[:, 0] = np.where(np.isinf(limits[:, 0]), -np.inf, limits[:, 0])
+    limited = Chain(chain.screws, chain.home, limits=limits)
+    assert limited.within_limits(limited.random_configurations(20, seed)).all()
+    expected = [lower <= x <= upper for x, (lower, upper) in zip(q, limits, strict=True)]
+    assert limited.within_limits(q) == all(expected)
+    assert chain.within_limits(q)
+
+
+def test_random_configurations_depend_on_the_seed_only():
+    arm = youbot()
+    assert np.array_equal(arm.random_configurations(3), arm.random_configurations(3))
+    assert not np.array_equal(arm.random_configurations(3, 1), arm.random_configurations(3, 2))
+
+
+@given(chains_with_values())
+def test_a_chain_is_stored_as_json_and_read_back(drawn):
+    chain, _ = drawn
+    limits = np.tile([-1.0, np.inf], (chain.n, 1))
+    names = tuple(f"joint {i}" for i in range(chain.n))
+    one = Chain(chain.screws, chain.home, chain.joint_points, "an arm", "a test", limits, names)
+    again = Chain.from_dict(json.loads(json.dumps(one.to_dict(), allow_nan=False)))
+    for name in ("screws", "home", "points", "limits"):
+        assert np.array_equal(getattr(one, name), getattr(again, name))
+    assert (again.name, again.source, again.joint_names) == ("an arm", "a test", names)
+
+
+@pytest.mark.parametrize("data", [[], {"screws": []}, {**rpr().to_dict(), "joints": 3}])
+def test_other_data_is_refused(data):
+    with pytest.raises(ValueError, match="A chain as data must be a dictionary with the keys home, screws"):
+        Chain.from_dict(data)
+
+
+@pytest.mark.oracle("scipy", nearest_rotation)
+@given(rotations(), st.integers(1, 4))
+def test_the_nearest_rotation_is_that_of_the_polar_decomposition(R, digits):
+    rounded = np.round(R, digits)
+    close(nearest_rotation(rounded), scipy.linalg.polar(rounded)[0])
+    kl.inverse(nearest_rotation(rounded))  # it is a rotation now
+    pose = np.eye(4)
+    pose[:3, :3], pose[:3, 3] = rounded, (1, 2, 3)
+    close(nearest_rotation(pose)[:3, :3], nearest_rotation(rounded))
+    close(nearest_rotation(pose)[:3, 3], (1, 2, 3), 0)
+
+
+@pytest.mark.parametrize(
+    ("X", "words"),
+    [
+        (np.zeros((3, 3)), "differs by 1"),
+        (np.diag([1, 1, -1]), "a reflection"),
+        (np.eye(2), "must have shape"),
+        (2 * np.eye(3), "differs by 1"),
+        ([[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [1, 0, 0, 1]], "last row"),
+    ],
+)
+def test_what_is_no_rounded_rotation_is_refused(X, words):
+    with pytest.raises(ValueError, match=words):
+        nearest_rotation(X)
+
+
+@pytest.mark.oracle("modern_robotics", kl.symbolic.jacobian)
+@pytest.mark.parametrize("robot", [rpr(), youbot(), kl.robots.hrr()], ids=lambda robot: robot.name)
+def test_the_symbolic_jacobian_has_the_numbers_of_the_numeric_one(robot):
+    q = configurations(robot, 1)[0]
+    J = kl.symbolic.jacobian(robot).subs(dict(zip(kl.symbolic.joints(robot.n), map(sp.Float, q), strict=True)))
+    close(np.array(J, dtype=float), mr.JacobianSpace(robot.screws.T, q), 1e-11)
