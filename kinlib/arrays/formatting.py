@@ -1,7 +1,6 @@
 """Write numbers, vectors and angles as text for people: few digits, and 0 for rounding errors."""
 
 from collections.abc import Sequence
-from html import escape
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -68,6 +67,8 @@ def html_table(caption: str, heads: Sequence[str], rows: Sequence[Sequence[str]]
     >>> html_table("An arm", ["i"], [["1"]])
     '<table><caption>An arm</caption><thead><tr><th>i</th></tr></thead><tbody><tr><td>1</td></tr></tbody></table>'
     """
+    from html import escape  # only a notebook needs it
+
     head = "".join(f"<th>{escape(entry)}</th>" for entry in heads)
     body = "".join(f"<tr>{''.join(f'<td>{escape(entry)}</td>' for entry in row)}</tr>" for row in rows)
     return f"<table><caption>{escape(caption)}</caption><thead><tr>{head}</tr></thead><tbody>{body}</tbody></table>"

@@ -324,6 +324,40 @@ class DHTable(validation.ReadOnly):
                 raise ValueError(f"{name} must be a list of rows of numbers; got {validation.describe(matrix)}.")
         return cls(**data)
 
+    @classmethod
+    def from_dh_robot(cls, robot: Any) -> "DHTable":
+        """Read a DHRobot of the Robotics Toolbox for Python: its rows, offsets, flipped joints, base and tool.
+
+        robot  an object with `links`, `mdh`, `base`, `tool` and `name`; the toolbox itself is not imported
+
+        Raises ValueError for any other object, such as a robot of the toolbox that has no DH parameters.
+        Source: Corke, Robotics Toolbox for Python, DHLink: a link moves by q + offset, or if it is flipped by -q + offset.
+
+        >>> from types import SimpleNamespace as Namespace
+        >>> link = Namespace(a=0.4, alpha=0.0, d=0.0, theta=0.0, offset=0.1, sigma=0, isflip=True)
+        >>> robot = Namespace(links=[link], mdh=1, base=np.eye(4), tool=np.eye(4), name="a flipped joint")
+        >>> print(DHTable.from_dh_robot(robot))
+        i | a_{i-1} | alpha_{i-1} | d_i | theta_i
+        1 | 0.4     | 0           | 0   | -q1 + 5.72957795131°
+        """
+        try:
+            links = list(robot.links)
+            rows = [
+                [link.a, link.alpha, link.offset if link.sigma else link.d, link.theta if link.sigma else link.offset]
+                for link in links
+            ]
+            joints = "".join("P" if link.sigma else "R" for link in links)
+            signs = [-1 if link.isflip else 1 for link in links]
+            base, tool = (np.array(getattr(end, "A", end), dtype=float) for end in (robot.base, robot.tool))
+            convention: Convention = "modified" if robot.mdh else "standard"
+        except (AttributeError, TypeError, ValueError) as error:
+            raise ValueError(
+                f"robot must be a DHRobot of the Robotics Toolbox, whose links have a, alpha, d, theta and offset; got "
+                f"{validation.describe(robot)} ({error}). For a robot of its URDF files, use kl.load_urdf."
+            ) from error
+        name = str(getattr(robot, "name", "") or "table")
+        return cls(rows, convention=convention, joints=joints, signs=signs, base=base, tool=tool, name=name)
+
     @property
     def _joint_rows(self) -> list[int]:
         """The rows that have a joint."""
