@@ -212,7 +212,7 @@ class Course:
         return self._asked[name]  # type: ignore[no-any-return]
 
     def explain(self, name: str) -> "Explanation":
-        """Return the comparison of the prediction at ask(name) with the right answer; it displays itself.
+        """Return the explanation of the prediction at ask(name), which displays itself and opens when the reader has answered.
 
         Raises ValueError for an unknown name.
         """
