@@ -81,6 +81,33 @@ def test_joints_with_the_same_point_and_axis_are_drawn_side_by_side():
     assert moved.tolist() == [-0.5, 0.5, 0, 0]
 
 
+def test_a_slider_draws_drawings_at_once_and_plots_when_they_are_selected():
+    made = []
+
+    def curve(slope):
+        made.append(slope)
+        return plot([0, 1], {"line": [0, slope]}, xlabel="x", ylabel="y", alt=f"A line through 0 of slope {slope}.")
+
+    def arm(angle):
+        made.append(angle)
+        return draw_arm(kl.robots.rpr(), [angle, 0, 0], around=[(-9, -9, 0), (9, 9, 9)])
+
+    slide(curve, "slope", [1, 2, 3])
+    assert made == [1]
+    box = slide(arm, "angle", [0.0, 0.5, 1.0])
+    assert sorted(made) == [0, 0.5, 1, 1]
+    sizes = set()
+    for index in range(3):
+        box.children[1].value = index
+        sizes.add(
+            re.search(
+                r"viewBox=\"([^\"]+)",
+                base64.b64decode(re.search(r"base64,([^\"]+)", box.children[0].value)[1]).decode(),
+            )[1]
+        )
+    assert len(sizes) == 1  # cropped alike
+
+
 def test_labels_are_escaped_for_the_browser():
     canvas = Canvas([(0, 0, 0), (1, 1, 1)])
     canvas.label((0, 0, 0), "<script>&", "black")

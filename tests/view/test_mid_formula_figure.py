@@ -1,5 +1,7 @@
 """The drawing of the mid-formula form: each perpendicular is as long as the moment of its screw."""
 
+import re
+
 import numpy as np
 import pytest
 
@@ -42,3 +44,12 @@ def test_all_screws_can_be_given_in_one_frame():
 def test_another_number_of_joints_is_refused(k):
     with pytest.raises(ValueError, match="k must be the number of joints whose screws are given in"):
         draw_mid_formula(robots.rppr(), k)
+
+
+def test_perpendiculars_that_lie_on_each_other_are_drawn_side_by_side():
+    """In the mid-formula arm, the perpendiculars from {b} to axes 1 and 2 are the same line."""
+    arm = robots.mid_formula_arm()
+    feet = axis_perpendiculars(arm, 0)
+    assert np.allclose(feet[0], feet[1])
+    lines = re.findall(r'points="([^"]+)" fill="none" stroke="#b35900"', draw_mid_formula(arm, 0).svg)
+    assert len(set(lines)) == len(lines)

@@ -118,6 +118,15 @@ class Canvas:
         pixels: Array = self._sheet / 2 + (self.project(points) - self._middle) * self._scale * (1, -1)
         return pixels
 
+    def beside(self, points: ArrayLike, pixels: float) -> Array:
+        """Move a line (m, 3) sideways on the sheet, so that lines that cover each other can be drawn side by side."""
+        line = np.asarray(points, dtype=float)
+        along = self.project(line[-1]) - self.project(line[0])
+        if not (length := float(np.linalg.norm(along))):
+            return line
+        moved: Array = line + (pixels / self._scale / length) * (np.array([-along[1], along[0]]) @ self._plane)
+        return moved
+
     def line(
         self, points: ArrayLike, colour: str = INK, width: float = 1.0, style: str = "-", level: float = 2.0
     ) -> None:

@@ -45,6 +45,11 @@ def crop(pictures: Sequence[Picture]) -> list[Picture]:
     return [replace(picture, svg=HEAD.sub(lambda found: found[1] + head, picture.svg, count=1)) for picture in pictures]
 
 
+def is_croppable(picture: Picture) -> bool:
+    """Whether a picture was made by svg.document: a drawing, not a plot."""
+    return HEAD.match(picture.svg) is not None and "<svg " not in picture.svg[1:]
+
+
 def _content(svg: str) -> Array:
     """Return the upper left and the lower right corner of what a drawing shows, (2, 2), in the pixels of the drawing."""
     if not HEAD.match(svg):

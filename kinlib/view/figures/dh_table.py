@@ -146,7 +146,7 @@ def _arc(canvas: Canvas, centre: ArrayLike, plane: Array, angle: float, name: st
         canvas.line([start, end], INK, 1.6, level=3)
     canvas.arrow(points[-2], points[-1], INK, 1.6, level=3)
     middle = np.asarray(centre) + 1.22 * (points[12] - np.asarray(centre))
-    canvas.label(middle, name, INK, [(0, 0), (6, 4), (-6, -4)], 13)
+    canvas.label(middle, name, INK, [(0, 0), (6, 4), (-6, -4), (0, 14), (14, 10), (0, -14), (-14, -10)], 13)
 
 
 def _corners(table: DHTable, frames: list[Array]) -> Array:

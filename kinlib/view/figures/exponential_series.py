@@ -68,16 +68,16 @@ def draw_series(
     centre = foot + axis * (axis @ (sums[0] - foot))
     canvas.dot(centre, VIOLET, 6)
     canvas.label(centre, "$S$", VIOLET)
+    canvas.label(reached, "sum", INK)
+    canvas.label(goal, "goal", GREY)
     for k in range(1, terms):
         colour = (VIOLET, ORANGE)[k % 2]
         canvas.arrow(sums[k - 1], sums[k], colour, 1.6)
         if np.linalg.norm(sums[k] - sums[k - 1]) > 0.06 * canvas.size:
             canvas.label((sums[k - 1] + sums[k]) / 2, str(k), colour, size=9)
     canvas.dot(goal, GREY, 9, level=4)
-    canvas.label(goal, "goal", GREY)
     canvas.dot(sums[0], INK, 4)
     canvas.dot(reached, INK, 6)
-    canvas.label(reached, "sum", INK)
     far = float(np.linalg.norm(reached - goal))
     off = float(np.linalg.norm(reached - centre) - np.linalg.norm(sums[0] - centre))
     distance = f"{_metres(far)} from its goal"

@@ -98,7 +98,8 @@ def draw_rotation(axis: int, degrees: float, names: tuple[str, str] = ("a", "b")
     towards = f"{'' if degrees > 0 else '-'}{'xyz'[second]}_{names[0]}"
     return canvas.picture(
         f"Frames {{{names[0]}}} and {{{names[1]}}} share their {shared} axis, which points {'at' if facing else 'away from'} you. "
-        f"{'xyz'[first]}_{names[1]} is {'xyz'[first]}_{names[0]} rotated by {abs(degrees):.3g} degrees towards {towards}."
+        f"{'xyz'[first]}_{names[1]} is {'xyz'[first]}_{names[0]} rotated by {abs(degrees):.3g} degrees towards {towards}.",
+        cropped=True,
     )
 
 

@@ -9,6 +9,11 @@ from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import INK, ORANGE, PALE_GREY, VIOLET
 from kinlib.view.drawing.picture import Picture
 
+LANE_PX = 6.0
+"""Perpendiculars that would lie on each other are drawn side by side, so many pixels apart."""
+
+LENGTH_OFFSETS = [(-20, 0), (0, 12), (20, 0), (0, -12), (-26, 10), (26, 10), (26, -10), (-26, -10)]
+
 
 def draw_mid_formula(chain: Chain, k: int, caption: str = "") -> Picture:
     """Draw an arm at home, with its first k screw axes given in {s} and the others in {b}, as in the mid-formula form.
@@ -30,16 +35,18 @@ def draw_mid_formula(chain: Chain, k: int, caption: str = "") -> Picture:
     canvas = Canvas(np.concatenate([path, feet.reshape(-1, 3)]))
     canvas.floor(path)
     canvas.line(path, PALE_GREY, 6.0, level=1)
+    lanes = _lanes(feet)
     for i, (point, axis) in enumerate(zip(chain.joint_points, chain.lines.axis, strict=True)):
         start, tip = np.array([[-0.16], [0.3]]) * canvas.size * axis + point
         canvas.arrow(start, tip, VIOLET, 1.3, style="--", level=3.5)
         canvas.label(tip, f"${_name(i, k)}$", VIOLET)
         canvas.dot(point, INK, 4)
-        canvas.line(feet[i], ORANGE, 2.6, ":", level=4.5)
+        thread = canvas.beside(feet[i], LANE_PX * lanes[i])
+        canvas.line(thread, ORANGE, 2.6, ":", level=4.5)
         if np.ptp(feet[i], axis=0).any():  # the perpendicular can meet the axis far from the joint
             canvas.line([point, feet[i, 1]], VIOLET, 1.0, "--", level=1.5)
             far = np.linalg.norm(feet[i, 1] - feet[i, 0])
-            canvas.label(feet[i].mean(axis=0), f"{far:.3g} m", ORANGE, [(-20, 0), (0, 12), (20, 0), (0, -12)], 9)
+            canvas.label(thread.mean(axis=0), f"${_name(i, k)}$: {far:.3g} m", ORANGE, LENGTH_OFFSETS, 9)
     canvas.triad(np.eye(4), "s", 0.18 * canvas.size)
     canvas.triad(chain.home, "b", 0.18 * canvas.size)
     return canvas.picture(_describe(chain, k, feet), caption)
@@ -62,6 +69,15 @@ def axis_perpendiculars(chain: Chain, k: int) -> Array:
     across = across - np.sum(across * axis, axis=-1, keepdims=True) * axis
     across[is_prismatic(chain.screws)] = 0.0
     return np.stack([origin, origin + across], axis=1)
+
+
+def _lanes(feet: Array) -> list[int]:
+    """Return for each perpendicular how many earlier ones it would cover: those from the same origin in the same direction."""
+    across = feet[:, 1] - feet[:, 0]
+    lengths = np.linalg.norm(across, axis=-1, keepdims=True)
+    directions = np.divide(across, lengths, out=np.zeros_like(across), where=lengths > 0)
+    same = (directions @ directions.T > 1 - 1e-9) & (np.abs(feet[:, None, 0] - feet[None, :, 0]).max(axis=-1) < 1e-9)
+    return [int(same[i, :i].sum()) for i in range(len(feet))]
 
 
 def _name(i: int, k: int) -> str:

@@ -15,6 +15,7 @@ from kinlib.dh.assignment import FrameAssignment, assign_frames
 from kinlib.dh.explanation import AssignmentStep
 from kinlib.dh.formatting import format_rows
 from kinlib.dh.table import Convention, DHTable, validate_convention
+from kinlib.view.drawing.crop import crop
 from kinlib.view.figures.assignment_steps import row_segments, state_after, visible_features
 from kinlib.view.figures.frame_assignment import draw_assignment
 from kinlib.view.viewer.scene import extent, scene
@@ -87,7 +88,7 @@ class Player(Viewer):
         return step
 
     def _drawing(self) -> str:
-        return draw_assignment(self.assignment, self.step).html()
+        return crop([draw_assignment(self.assignment, self.step)])[0].html()
 
 
 def play_assignment(

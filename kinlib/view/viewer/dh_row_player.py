@@ -17,6 +17,7 @@ from kinlib.arrays.validation import Array
 from kinlib.dh.table import Convention, validate_convention
 from kinlib.rigid.lie import adjoint
 from kinlib.view.drawing.canvas import view_axes
+from kinlib.view.drawing.crop import crop
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.dh_row_motions import (
     MOTION_ORDER,
@@ -104,7 +105,7 @@ class RowPlayer(ViewerBase):
         validation.array(values, "q")
 
     def _drawing(self) -> str:
-        return self._picture().html()
+        return crop([self._picture()])[0].html()
 
     def _picture(self) -> Picture:
         picture: Picture = self.draw(round(self.done))

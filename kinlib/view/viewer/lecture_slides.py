@@ -70,7 +70,7 @@ def slide_frames(
             frames_at(value), arrows=arrows, around=around, caption=caption(value) if caption else "", axis_length=reach
         )
 
-    return _slide(draw, label, values, after, start)
+    return slide(draw, label, values, after, start)
 
 
 def slide_axis(
@@ -109,7 +109,7 @@ def slide_axis(
         now = by_value[value]
         return draw_arm(chain, now, ghost=ghost, around=points, caption=axis_caption(chain, joint, now))
 
-    return _slide(draw, label, values, after, start)
+    return slide(draw, label, values, after, start)
 
 
 def axis_caption(chain: Chain, joint: int, q: Array) -> str:
@@ -146,7 +146,7 @@ def slide_mid_formula(chain: Chain, q: ArrayLike, *, after: Any = None, start: i
             chain, k, f"T = {form}. End-effector at {tool} m. Entries of the screws that are not 0: {entries}."
         )
 
-    return _slide(draw, "joints before M: k", range(chain.n + 1), after, start)
+    return slide(draw, "joints before M: k", range(chain.n + 1), after, start)
 
 
 def slide_offset(
@@ -186,7 +186,7 @@ def slide_offset(
             tables[angle], around=points, caption=f"q = 0. The z axis of the end-effector points along {z}."
         )
 
-    return _slide(draw, f"offset in row {row} (degrees)", degrees, after, start)
+    return slide(draw, f"offset in row {row} (degrees)", degrees, after, start)
 
 
 def slide_linkage(
@@ -233,7 +233,7 @@ def slide_linkage(
             caption=caption_of.get(value, ""),
         )
 
-    return _slide(draw, label, values, after, start)
+    return slide(draw, label, values, after, start)
 
 
 def slide_curve(
@@ -286,11 +286,6 @@ def slide_curve(
         return side_by_side(bars[k], torus, captions[k] if captions else here)
 
     return slide(draw, "along the curve", shown, after, start)
-
-
-def _slide(draw: Callable[[V], Picture], label: str, values: Sequence[V], after: Any, start: int) -> widgets.Widget:
-    """Show a slider through drawings that are cropped alike."""
-    return slide(_by_value(crop([draw(value) for value in values]), values).__getitem__, label, values, after, start)
 
 
 def _by_value(things: Sequence[Any] | Array, values: Sequence[V]) -> dict[V, Any]:

@@ -10,6 +10,7 @@ from typing import Any, TypeVar
 
 import ipywidgets as widgets
 
+from kinlib.view.drawing.crop import crop, is_croppable
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.drawing.static_export import is_static_export
 
@@ -35,6 +36,8 @@ def slide(
     after   a question; the picture stays covered until a prediction is committed
     start   the index of the value that is selected first
 
+    Drawings are made at once and cropped alike; a plot, which takes longer, is made when its value is selected.
+
     Raises ValueError if there are no values.
 
     >>> from kinlib.view import plot
@@ -55,11 +58,19 @@ def slide(
         layout=widgets.Layout(width="95%"),
         style={"description_width": "initial"},
     )
-    inside = _covered(_live(lambda: draw(values[slider.value]).html(), [slider], []), after)
+    drawn = {start: draw(values[start])}
+    if is_croppable(drawn[start]) or is_static_export():
+        pictures = [drawn[start] if index == start else draw(value) for index, value in enumerate(values)]
+        drawn = dict(enumerate(crop(pictures) if all(map(is_croppable, pictures)) else pictures))
+
+    def show() -> str:
+        index = slider.value
+        return (drawn[index] if index in drawn else draw(values[index])).html()
+
+    inside = _covered(_live(show, [slider], []), after)
     if not is_static_export():
         return inside
-    pictures = [(text, draw(value).html()) for (text, _), value in zip(options, values, strict=True)]
-    return Slides(inside, pictures, label, start, after)
+    return Slides(inside, [(text, drawn[index].html()) for text, index in options], label, start, after)
 
 
 class Slides(widgets.VBox):  # type: ignore[misc]  # ipywidgets ships no types
