@@ -125,7 +125,7 @@
     if (Number.isInteger(before) && before in options) show(before);
   }
 
-  /** The explanation of option k: why it is correct, or why it is not and which one is; only which one is if k is null. */
+  /** The explanation of option k: why it is correct, or why not and which one is. If k is null, only which one is. */
   function explainAnswer(k, right, why, text) {
     // each text begins with a verdict, which is left out here
     const said = (index) => (index === null ? [] : cloneChildren(why(index)).slice(1));
