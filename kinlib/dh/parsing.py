@@ -248,7 +248,8 @@ def _split_table(text: str, convention: str | None = None) -> tuple[list[dict[st
     lines = [line for line in _respelled(text).strip().splitlines() if line.strip(" |-+:\t")]
     if len(lines) < 2:
         raise ValueError("A table as text must have a heading, such as 'a | alpha | d | theta', and at least one row.")
-    head = [_parse_heading(cell, convention) for cell in _split_line(lines[0])]
+    separator = next((sign for sign in "|;," if sign in lines[0]), None)
+    head = [_parse_heading(cell, convention) for cell in _split_line(lines[0], separator)]
     names = [name for name, _ in head]
     if sorted(name for name in names if name in COLUMNS) != sorted(COLUMNS):
         raise ValueError(
@@ -256,7 +257,7 @@ def _split_table(text: str, convention: str | None = None) -> tuple[list[dict[st
         )
     rows = []
     for number, line in enumerate(lines[1:], start=1):
-        cells = _split_line(line)
+        cells = _split_line(line, separator)
         if len(cells) == len(head) + 1 and cells[0].rstrip(".") == str(number):
             cells = cells[1:]  # the rows are numbered, but their column has no heading
         if len(cells) != len(head):
@@ -279,10 +280,15 @@ def _validate_row_numbers(labels: Sequence[str]) -> None:
             )
 
 
-def _split_line(line: str) -> list[str]:
+def _split_line(line: str, separator: str | None) -> list[str]:
+    """Split a line at bars, as in Markdown, at the semicolons or commas of a CSV file, or at white space."""
     line = line.strip()
-    if "|" in line:
+    if separator == "|":
         return [cell.strip() for cell in line.strip("|").split("|")]
+    if separator:
+        import csv  # for the few tables that come from a spreadsheet
+
+        return [cell.strip() for cell in next(csv.reader([line], delimiter=separator, skipinitialspace=True))]
     return re.split(r"\s{2,}|\t", line) if re.search(r"\s{2,}|\t", line) else line.split()
 
 

@@ -73,7 +73,7 @@ def dh_transform(a: ArrayLike, alpha: ArrayLike, d: ArrayLike, theta: ArrayLike,
 class DHTable(validation.ReadOnly):
     r"""An open chain as a DH table, together with the base and the tool, which the rows cannot describe.
 
-    rows        text as on a slide, dictionaries by column name, or numbers (m, 4) in the order a, alpha, d, theta
+    rows        text as on a slide or in a CSV file, dictionaries by column name, or numbers (m, 4) in the order a, alpha, d, theta
     convention  "standard" or "modified"; there is no default, because a table has no meaning without its convention
     joints      a letter per row: R (theta varies), P (d varies), F (fixed); by default read from the variables in the rows
     signs       (m,) 1 or -1 per row: theta or d is the number in the row plus sign times q. By default they are read from the

@@ -869,3 +869,24 @@ def test_a_robot_of_the_toolbox_is_read_with_offsets_flips_base_and_tool(name):
 def test_what_is_no_robot_of_the_toolbox_is_refused(robot):
     with pytest.raises(ValueError, match="robot must be a DHRobot"):
         DHTable.from_dh_robot(robot)
+
+
+@pytest.mark.parametrize(
+    "text",
+    [
+        "a,alpha,d,theta\n0.4,pi/2,0,q1\n0,0,0.1 + q2,0",
+        "i; a; alpha; d; theta\n1; 0.4; 90°; 0; q1\n2; 0; 0; q2 + 0.1; 0",
+        '"a","alpha","d","theta"\n"0.4","pi/2","0","q1"\n"0","0","q2 + 0.1","0"',
+    ],
+)
+def test_the_text_of_a_csv_file_is_read(text):
+    table = DHTable(text, convention="standard")
+    close(table.rows, [[0.4, np.pi / 2, 0, 0], [0, 0, 0.1, 0]])
+    assert table.joints == "RP"
+
+
+def test_a_decimal_comma_in_a_csv_file_is_explained():
+    with pytest.raises(ValueError, match=r"The decimal sign is a point: write 0\.4"):
+        DHTable("a;alpha;d;theta\n0,4;0;0;q1", convention="standard")
+    with pytest.raises(ValueError, match="Row 1 must have 4 entries, one per heading; got 5"):
+        DHTable("a,alpha,d,theta\n0,4,0,0,q1", convention="standard")
