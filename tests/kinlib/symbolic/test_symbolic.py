@@ -490,3 +490,10 @@ def test_sympy_loads_when_kl_symbolic_is_first_used():
     done = subprocess.run([sys.executable, "-c", script], capture_output=True, text=True, check=False)
     assert done.stdout.split() == ["False", "True", "True"]
     assert "module 'kinlib' has no attribute 'nonsense'" in done.stderr
+
+
+def test_fractions_are_written_as_decimals_on_request_and_roots_stay():
+    x = sp.Symbol("x")
+    T = sp.Matrix([[sp.Rational(2159, 5000) * sp.cos(joints(1)[0]), sp.sqrt(3) * x, 2 * x**3]])
+    assert str(shorthand(T, digits=4)) == "Matrix([[0.4318*c_1, sqrt(3)*x, 2*x**3]])"
+    assert str(shorthand(T)) == "Matrix([[2159*c_1/5000, sqrt(3)*x, 2*x**3]])"
