@@ -199,3 +199,14 @@ def test_a_linkage_is_planar_if_the_exponentials_of_modern_robotics_keep_z(mecha
     screws = np.concatenate([joint.screws for joint in mechanism.joints])
     moved = [mr.MatrixExp6(mr.VecTose3(0.7 * S)) for S in screws]
     assert is_planar(mechanism) == all(np.allclose(T[2], [0, 0, 1, 0]) for T in moved)
+
+
+def test_the_text_says_where_the_joints_of_the_grey_configuration_are():
+    linkage = linkages.four_bar(4, 1, 3.5, 3)
+    one, other = linkage.assembly_modes(hold={"A": 1.0})
+    alt = draw_linkage(linkage, one, ghost=other).alt
+    places = linkage.joint_points(other)
+    said = re.search(r"In grey: (.*)\.$", alt)[1]
+    for name, place in zip("ABDC", places, strict=True):
+        assert f"{name} at ({place[0]:.3g}, " in said.replace("(-0,", "(0,") or abs(place[0]) < 1e-5
+    assert said != re.search(r"In grey: (.*)\.$", draw_linkage(linkage, one, ghost=one).alt)[1]

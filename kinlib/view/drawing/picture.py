@@ -37,7 +37,7 @@ class Picture:
         if len(self.alt) < MIN_ALT_CHARACTERS:
             raise ValueError(
                 f"alt must say what the figure shows, in at least {MIN_ALT_CHARACTERS} characters; got {self.alt!r}. "
-                "Describe the figure as you would to somebody who cannot see it."
+                "Describe the figure as you would to someone who cannot see it."
             )
 
     def html(self) -> str:
@@ -73,7 +73,7 @@ class Gallery:
 
 
 def picture_from_figure(figure: "Figure", alt: str, caption: str = "") -> Picture:
-    """Turn a matplotlib figure into a picture. Make the figure without pyplot, so that none is left open.
+    """Convert a matplotlib figure to a picture. Make the figure without pyplot, so that none is left open.
 
     Raises ValueError if the text alternative is shorter than MIN_ALT_CHARACTERS.
 

@@ -11,6 +11,7 @@ from kinlib.dh.table import DHTable, dh_transform
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import AXIS_COLOURS, GREY, INK, ORANGE, PALE_GREY, VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
+from kinlib.view.figures.arm import direction_text
 from kinlib.view.figures.joint_bodies import draw_joint_bodies
 
 COLUMNS_DONE = ((3,), (3, 2), (3, 2, 0), (3, 2, 0, 1))
@@ -30,7 +31,7 @@ def draw_row(row: ArrayLike, done: int = 4, *, caption: str = "") -> Picture:
     Raises ValueError if row does not have shape (4,), or done is not one of 0, 1, ..., 4.
 
     >>> draw_row([0.8, 1.0, 0.6, 0.9], 2).alt
-    'One row of a table, after theta about z, d along z. The frame is at (0, 0, 0.6), its x along (0.622, 0.783, 0).'
+    'One row of a table, after theta about z, d along z. The frame is at (0, 0, 0.6), its x along (0.622, 0.783, 0), its z along z.'
     """
     row = validation.vectors(row, "row", 4)
     if done not in range(5):
@@ -66,7 +67,8 @@ def draw_row(row: ArrayLike, done: int = 4, *, caption: str = "") -> Picture:
     canvas.triad(moving, "", length)
     progress = f"after {', '.join(STANDARD_MOTION_NAMES[:done])}" if done else "before the first motion"
     return canvas.picture(
-        f"One row of a table, {progress}. The frame is at {vector_text(moving[:3, 3])}, its x along {vector_text(moving[:3, 0])}.",
+        f"One row of a table, {progress}. The frame is at {vector_text(moving[:3, 3])}, its x along {direction_text(moving[:3, 0])}, "
+        f"its z along {direction_text(moving[:3, 2])}.",
         caption,
     )
 

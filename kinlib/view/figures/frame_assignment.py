@@ -37,7 +37,7 @@ def draw_assignment(assignment: FrameAssignment, until: int | None = None, *, ca
         return drawing.canvas.picture(f"{head}, all {len(steps)} steps. {drawing.describe()}", caption)
     step = steps[until]
     step_caption = f"Step {until + 1} of {len(steps)}. {step.text}" + (
-        f" Also legal: {step.others}" if step.others else ""
+        f" Also valid: {step.others}" if step.others else ""
     )
     axes = f" {describe_arm(assignment.chain, np.zeros(assignment.chain.n))}" if step.kind == "axes" else ""
     alt = f"{head}, step {until + 1} of {len(steps)}. {step.text}{axes} {drawing.describe()}"

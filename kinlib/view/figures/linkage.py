@@ -158,11 +158,13 @@ def draw_linkage(
     for name, point in geometry.points.items():
         canvas.dot(point, INK, 8)
         canvas.label(point, name, INK)
-    return canvas.picture(alt or describe_linkage(mechanism, geometry), caption, cropped=around is None)
+    return canvas.picture(alt or describe_linkage(mechanism, geometry, shade), caption, cropped=around is None)
 
 
-def describe_linkage(mechanism: Mechanism, geometry: LinkageGeometry) -> str:
+def describe_linkage(mechanism: Mechanism, geometry: LinkageGeometry, ghost: LinkageGeometry | None = None) -> str:
     """Return the text alternative of a drawing of a linkage: its bodies, where its joints are, and whether it is closed.
+
+    ghost  the configuration that is drawn in grey
 
     >>> from kinlib.mechanisms.linkages import triangle
     >>> describe_linkage(triangle(), linkage_geometry(triangle(), [0, 0, 0]))[-36:]
@@ -181,6 +183,9 @@ def describe_linkage(mechanism: Mechanism, geometry: LinkageGeometry) -> str:
         else f"It is open: at {mechanism.joints[widest].name} a gap of {geometry.gap[widest]:.2g} is left."
     )
     bodies = ", ".join(mechanism.bodies)
+    if ghost is not None:
+        places = zip(mechanism.joints, ghost.first, strict=True)
+        closed += f" In grey: {', '.join(f'{joint.name} at {vector_text(place[shown])}' for joint, place in places)}."
     return f"{mechanism.name} with the bodies {bodies}. {'; '.join(joints)}.{named} All lengths in metres. {closed}"
 
 

@@ -29,8 +29,8 @@ def draw_motions(
     line styles.
 
     >>> from kinlib.chains.robots import hrr
-    >>> draw_motions(hrr().home, {"spindle": hrr().screws[0] * 10}).alt  # doctest: +NORMALIZE_WHITESPACE
-    'A frame starts at (0.8, 0, 0) m. Motion "spindle": a rotation by 573 degrees about (0, 0, 1), 1 m along it, to
+    >>> draw_motions(hrr().home, {"screw": hrr().screws[0] * 10}).alt  # doctest: +NORMALIZE_WHITESPACE
+    'A frame starts at (0.8, 0, 0) m. Motion "screw": a rotation by 573 degrees about (0, 0, 1), 1 m along it, to
     (-0.671, -0.435, 1).'
     """
     T = validation.poses(start, "start")
@@ -61,8 +61,8 @@ def draw_motions(
 
 def motion_path(x: Array, point: Array) -> Array:
     """Return points (m, 3) of the path of a point under exp(x t), for t from 0 to 1."""
-    turns = float(np.linalg.norm(x[:3])) / (2 * np.pi)
-    t = np.linspace(0, 1, 3 + int(48 * turns))
+    revolutions = float(np.linalg.norm(x[:3])) / (2 * np.pi)
+    t = np.linspace(0, 1, 3 + int(48 * revolutions))
     T = exp(t[:, None] * x)
     return T[:, :3, :3] @ point + T[:, :3, 3]
 

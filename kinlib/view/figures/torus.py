@@ -1,6 +1,6 @@
 """Drawings of the configuration space of two angles: curves on a torus that is cut open into a square.
 
-Both angles repeat after a full turn, so the left edge of the square is also its right edge, and the lower edge the upper one.
+Both angles repeat after a full revolution, so the left edge of the square is also its right edge, and the lower edge the upper one.
 """
 
 import re

@@ -124,7 +124,7 @@ def play_row(row: ArrayLike, *, convention: Convention | None = None, done: floa
 
     >>> player = play_row([0.8, 0.6, 0.6, 1.4], convention="standard", done=2)
     >>> player.alt
-    'One row of a table, after theta about z, d along z. The frame is at (0, 0, 0.6), its x along (0.17, 0.985, 0).'
+    'One row of a table, after theta about z, d along z. The frame is at (0, 0, 0.6), its x along (0.17, 0.985, 0), its z along z.'
     """
     values = validation.vectors(row, "row", 4)
     if values.ndim != 1:
@@ -225,8 +225,8 @@ def _track(
 
 def _motion_data(motion: Motion, start: Array) -> dict[str, Any]:
     """Return a motion as a joint: its screw in the start pose, and its joint value."""
-    unit, turned = motion.twist, abs(motion.angle) > tolerances.UNIT_LENGTH_TOL
-    value = motion.angle if turned else motion.distance
+    unit, rotates = motion.twist, abs(motion.angle) > tolerances.UNIT_LENGTH_TOL
+    value = motion.angle if rotates else motion.distance
     screw = unit / value if value else np.concatenate([np.zeros(3), np.eye(3)["xz".index(motion.axis) * 2]])
     return {
         "screw": (adjoint(start) @ screw).tolist(),

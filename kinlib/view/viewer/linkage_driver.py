@@ -23,7 +23,7 @@ from kinlib.view.figures.linkage import describe_linkage, draw_linkage, is_plana
 from kinlib.view.viewer.viewer import ViewerBase
 
 POINTS_PER_CURVE = 240
-"""The number of configurations of a curve; a full turn has steps of one and a half degrees."""
+"""The number of configurations of a curve; a full revolution has steps of one and a half degrees."""
 
 ON_CURVE_TOL = 0.2
 """A configuration nearer to a curve than this, in radians and metres, is on it; the points of a curve are closer together."""
@@ -124,7 +124,7 @@ def _curves(mechanism: Mechanism, start: Array) -> list[tuple[Array, bool]]:
 
 
 def _traced(mechanism: Mechanism, start: Array) -> tuple[Array, bool]:
-    """Return a curve and whether it is closed. If its first value makes full turns, it is cut where that passes half a turn."""
+    """Return a curve and whether it is closed. If its first value makes full revolutions, it is cut where that passes 180 degrees."""
     curve = mechanism.trace(start, points=POINTS_PER_CURVE)
     q, angles = curve.q, _angles(mechanism)
     around = np.round((q[-1] - q[0]) / (2 * np.pi)) * angles * 2 * np.pi
@@ -132,20 +132,20 @@ def _traced(mechanism: Mechanism, start: Array) -> tuple[Array, bool]:
         q, around = (q, around) if around[0] > 0 else (q[::-1], -around)
         cut = int(np.argmin(np.abs(wrap_angle(q[:-1, 0] + np.pi))))
         q = np.concatenate([q[cut:-1], q[: cut + 1] + around])
-    turns = 2 * np.pi * np.round((q.min(axis=0) + q.max(axis=0)) / (4 * np.pi))
-    return q - turns * angles, curve.closed
+    revolutions = 2 * np.pi * np.round((q.min(axis=0) + q.max(axis=0)) / (4 * np.pi))
+    return q - revolutions * angles, curve.closed
 
 
 def _distance(curve: Array, configuration: Array, mechanism: Mechanism) -> float:
-    """Return the distance of a configuration to the nearest point of a curve, with angles modulo a full turn."""
+    """Return the distance of a configuration to the nearest point of a curve, with angles modulo a full revolution."""
     gap = curve - configuration
     return float(np.linalg.norm(np.where(_angles(mechanism), wrap_angle(gap), gap), axis=1).min())
 
 
 def _angles(mechanism: Mechanism) -> Array:
     screws = np.concatenate([joint.screws for joint in mechanism.joints])
-    turning: Array = (screws[:, :3] != 0).any(axis=1) & (np.abs(line(screws).pitch) <= tolerances.UNIT_LENGTH_TOL)
-    return turning
+    are_angles: Array = (screws[:, :3] != 0).any(axis=1) & (np.abs(line(screws).pitch) <= tolerances.UNIT_LENGTH_TOL)
+    return are_angles
 
 
 def _scene(mechanism: Mechanism, configurations: Array, begin: Array) -> dict[str, Any]:

@@ -36,7 +36,7 @@ LAYERS = (*("axes", "body axes", "home axes"), *FRAME_LAYERS, *("normals", "dime
 """The layers that the viewer can show: screw axes, frames, normals, dimensions and the path of the tool."""
 
 DEFAULT_ANGLE_RAD, DEFAULT_TRAVEL_M = np.pi, 1.0
-"""The range of a slider to either side of 0 if the joint has no limits: half a turn, or one metre."""
+"""The range of a slider to either side of 0 if the joint has no limits: 180 degrees, or one metre."""
 
 
 def scene(
@@ -52,7 +52,7 @@ def scene(
 
     start   (n,) the first joint values
     joints  the joints that get a slider, counted from 1
-    span    the range of the sliders; by default the limits of each joint, or half a turn or one metre if it has none
+    span    the range of the sliders; by default the limits of each joint, or 180 degrees or one metre if it has none
     ghost   (n,) another configuration, which must be in view
     frames  {"0": T, "1": T, ...} poses (4, 4) at start of frames that replace those of the arm; each is a layer "frame i"
 

@@ -44,9 +44,9 @@ export function jointSliders(state) {
 function sliderRow(slider, state) {
   const { column, name, unit, low, high } = slider;
   const id = uniqueId('q');
-  const turns = unit === 'rad';
-  const step = turns ? DEGREE : 0.01;
-  const unitName = turns ? 'radians' : 'metres';
+  const isAngle = unit === 'rad';
+  const step = isAngle ? DEGREE : 0.01;
+  const unitName = isAngle ? 'radians' : 'metres';
   const label = `Joint ${column + 1}${slider.title ? ` (${slider.title})` : ''}, ${unitName}`;
   const set = (value) => {
     const q = [...state.q()];
@@ -100,11 +100,11 @@ function sliderRow(slider, state) {
       if (Number(range.value) !== value) range.value = value;
       range.style.setProperty('--share', `${Math.max(0, Math.min(100, (100 * (value - low)) / (high - low)))}%`);
       if (document.activeElement !== field || Number(field.value) !== value) field.value = formatNumber(value, 3);
-      const text = turns ? `${formatNumber(value / DEGREE, 0)}°` : '';
+      const text = isAngle ? `${formatNumber(value / DEGREE, 0)}°` : '';
       degrees.textContent = text;
       range.setAttribute(
         'aria-valuetext',
-        turns
+        isAngle
           ? `${formatNumber(value, 2)} radians, ${formatNumber(value / DEGREE, 0)} degrees`
           : `${formatNumber(value, 3)} metres`,
       );
@@ -131,11 +131,12 @@ function sweepJoints(state) {
       from = [...state.q()];
     },
     (time, share) => {
-      const turn = state.sliders[Math.floor(time / ROUND_MS) % state.sliders.length];
-      const rest = from[turn.column];
+      const moving = state.sliders[Math.floor(time / ROUND_MS) % state.sliders.length];
+      const rest = from[moving.column];
       const wave = Math.sin(2 * Math.PI * share);
       const q = [...from];
-      q[turn.column] = rest + (wave > 0 ? wave * Math.max(0, turn.high - rest) : -wave * Math.min(0, turn.low - rest));
+      q[moving.column] =
+        rest + (wave > 0 ? wave * Math.max(0, moving.high - rest) : -wave * Math.min(0, moving.low - rest));
       if (q.some((value, k) => value !== state.q()[k])) state.set(q);
     },
   );

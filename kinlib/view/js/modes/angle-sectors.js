@@ -12,10 +12,10 @@ export function angleSectors(stage, tracks, shares, radius) {
         const angle = motion.angle * share;
         if (Math.abs(angle) < 0.01) continue;
         const pose = stops[k];
-        const slides = motion.travel !== 0;
+        const translates = motion.travel !== 0;
         const pointAt = (phi, r) =>
           camera.project(
-            arm(pose, motion.axis, phi, r).add(along(pose, motion.axis, slides ? motion.travel * phi : 0)),
+            arm(pose, motion.axis, phi, r).add(along(pose, motion.axis, translates ? motion.travel * phi : 0)),
             new Vector3(),
           );
         const points = Array.from({ length: ARC_SEGMENTS + 1 }, (_, i) => pointAt((angle * i) / ARC_SEGMENTS, radius));
@@ -28,14 +28,20 @@ export function angleSectors(stage, tracks, shares, radius) {
         context.beginPath();
         context.moveTo(hub.x, hub.y);
         for (const { x, y } of points) context.lineTo(x, y);
-        if (!slides) context.fill(); // the line of a screw motion is a helix, which has no sector
+        if (!translates) context.fill(); // the line of a screw motion is a helix, which has no sector
         context.globalAlpha = now ? 1 : 0.55;
         context.strokeStyle = colour;
         context.lineWidth = 2;
         context.beginPath();
         for (const { x, y } of points) context.lineTo(x, y);
         context.stroke();
-        drawAngleName(context, slides ? '' : motion.symbol, pointAt(angle / 2, 1.2 * radius), colour, stage.theme.halo);
+        drawAngleName(
+          context,
+          translates ? '' : motion.symbol,
+          pointAt(angle / 2, 1.2 * radius),
+          colour,
+          stage.theme.halo,
+        );
         context.restore();
       }
     }
