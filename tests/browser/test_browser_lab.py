@@ -129,7 +129,7 @@ def explain_a_prediction(page):
     write(page, question, f"from kincourse import ask, explain\nscrew_2 = display(ask('{name}'), explain('{name}'))")
     run(page, question)
     question.get_by_text("You have not committed to an answer yet").wait_for(timeout=PAGE_TIMEOUT_MS)
-    assert words_of(name) not in question.inner_text()
+    assert words_of(name) not in question.text_content()
     question.get_by_role("button", name="A", exact=True).click()
     question.get_by_text(words_of(name)).wait_for(timeout=PAGE_TIMEOUT_MS)
 

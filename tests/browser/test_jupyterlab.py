@@ -85,12 +85,12 @@ def test_an_explanation_opens_with_the_answer_or_when_it_is_asked_for(lab):
     cards = [cell(page, f'explain("{name}")') for name in names]
     for name, card in zip(names, cards, strict=True):
         card.get_by_text("You have not committed to an answer yet").wait_for(timeout=60_000)
-        assert words_of(name) not in page.locator(".jp-Notebook").inner_text()
+        assert words_of(name) not in page.locator(".jp-Notebook").text_content()
     right = find_question(names[0]).right
     cell(page, f'ask("{names[0]}")').get_by_role("button", name="AB"[right == 0], exact=True).click()
     cards[0].get_by_text(words_of(names[0])).wait_for()
     assert "is right" in cards[0].inner_text()
-    assert words_of(names[1]) not in page.locator(".jp-Notebook").inner_text()
+    assert words_of(names[1]) not in page.locator(".jp-Notebook").text_content()
     cards[1].get_by_role("button", name="Show anyway").click()
     cards[1].get_by_text(words_of(names[1])).wait_for()
     assert "Shown without a prediction" in cards[1].inner_text()
