@@ -91,20 +91,20 @@ def five_bar(ground: float, left: tuple[float, float], right: tuple[float, float
 
 
 def ten_links(left: Sequence[float] = (1.0,) * 5, right: Sequence[float] = (1.0,) * 5) -> Mechanism:
-    """Build the ring of ten links of the UIUC deck, joined to the ground at one of its ten joints, cut at the opposite one.
+    """Build a ring of ten links, joined to the ground at one of its ten joints, cut at the opposite one.
 
     q is theta_1 ... theta_5 of the left branch, theta_10 ... theta_6 of the right one, and the angle of the pin where they
-    meet. The deck's (3.81) leaves the pin out, because it equates two points. Two poses are equal only with the pin's angle.
+    meet. Equation (3.81) of the source leaves the pin out, because it equates two points. Two poses are equal only with the pin's angle.
 
     Raises ValueError for a length that is not positive.
-    Source: the UIUC deck's (3.81), from LaValle, Planning Algorithms, section 3.4.
+    Source: Forward kinematics II, (3.81), from LaValle, Planning Algorithms, section 3.4.
 
     >>> ten_links().kutzbach()
     8
     """
     left_arm = _planar_arm(0.0, left, [f"theta_{i}" for i in range(1, 6)])
     right_arm = _planar_arm(0.0, right, [*(f"theta_{i}" for i in range(10, 5, -1)), "pin"])
-    return Mechanism.from_branches(left_arm, right_arm, name="ring of ten links", source="UIUC deck, (3.81)")
+    return Mechanism.from_branches(left_arm, right_arm, name="ring of ten links", source="Forward kinematics II, (3.81)")
 
 
 def parallelogram(ground: float = 0.4, crank: float = 0.2) -> Mechanism:
