@@ -36,7 +36,7 @@ def explanation_html(name: str, item: Item) -> str:
     """
     explanations = "".join(f"<li><p>{inline(option.text)}</p>{_why(option)}</li>" for option in item.options)
     return (
-        f'<div role="group" class="misstep-explanation" data-misstep-explain="{escape(name)}" aria-label="What came of a prediction">'
+        f'<div role="group" class="misstep-explanation" data-misstep-explain="{escape(name)}" aria-label="The explanation of a prediction">'
         f"<details><summary>Compare with your prediction: {inline(item.text)}</summary>"
         f'<ol class="misstep-options" type="A">{explanations}</ol>'
         f'<div class="misstep-lesson">{markdown_html(item.explanation)}</div></details></div>'
