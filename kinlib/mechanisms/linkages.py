@@ -94,7 +94,7 @@ def ten_links(left: Sequence[float] = (1.0,) * 5, right: Sequence[float] = (1.0,
     """Build a ring of ten links, joined to the ground at one of its ten joints, cut at the opposite one.
 
     q is theta_1 ... theta_5 of the left branch, theta_10 ... theta_6 of the right one, and the angle of the pin where they
-    meet. Equation (3.81) of the source leaves the pin out, because it equates two points. Two poses are equal only with the pin's angle.
+    meet. Equation (3.81) of the source leaves the pin out, because it equates two points instead of poses.
 
     Raises ValueError for a length that is not positive.
     Source: Forward kinematics II, (3.81), from LaValle, Planning Algorithms, section 3.4.

@@ -6,8 +6,8 @@ beginning. So a loop is written as a `Chain`, and its closure equation as fk(q) 
     e^[S1]q1 ... e^[Sk]qk  =  e^[S1']q1' ... e^[Sm']qm'           two branches that meet
     e^[S1]q1 ... e^[Sk]qk  e^[-Sm']qm' ... e^[-S1']q1'  =  I      the same equation, once around the loop
 
-These are six equations for each loop, in as many unknowns as its joints have degrees of freedom: the "mess of nonlinear,
-trigonometric equations" of the UIUC deck. The Jacobian of the left side is the space Jacobian of the open chain.
+These are six equations for each loop, in as many unknowns as its joints have degrees of freedom: a system of nonlinear,
+trigonometric equations. The Jacobian of the left side is the space Jacobian of the open chain.
 """
 
 from collections.abc import Mapping, Sequence
@@ -56,7 +56,7 @@ class Mechanism(validation.ReadOnly):
     name, source  the name of the linkage, and the document that it is taken from
 
     Raises ValueError if a body is not connected to the ground, if two joints have the same name, and if there is no loop.
-    Source: Modern Robotics, chapters 2 and 7; the UIUC deck's (3.81).
+    Source: Modern Robotics, chapters 2 and 7; Forward kinematics II, (3.81).
 
     >>> from kinlib.mechanisms.linkages import four_bar
     >>> linkage = four_bar(ground=0.4, crank=0.1, coupler=0.35, rocker=0.3)
@@ -140,7 +140,7 @@ class Mechanism(validation.ReadOnly):
         The values of q are those of the first branch, then those of the second, and so on.
 
         Raises ValueError for fewer than two branches.
-        Source: the UIUC deck's (3.81), from LaValle, Planning Algorithms, section 3.4.
+        Source: Forward kinematics II, (3.81), from LaValle, Planning Algorithms, section 3.4.
 
         >>> from kinlib.chains.robots import rpr
         >>> Mechanism.from_branches(rpr(), rpr()).n
