@@ -41,12 +41,12 @@ if TYPE_CHECKING:
     from kinlib.view.viewer.lecture_slides import (
         slide_axis,
         slide_curve,
-        slide_frames,
         slide_linkage,
         slide_mid_formula,
         slide_offset,
     )
     from kinlib.view.viewer.linkage_driver import Drive, drive
+    from kinlib.view.viewer.moving_frames import FramesViewer, slide_frames
     from kinlib.view.viewer.picture_slider import slide
     from kinlib.view.viewer.place_frames import ByHand, assign
     from kinlib.view.viewer.viewer import Viewer, explore
@@ -54,6 +54,7 @@ if TYPE_CHECKING:
 __all__ = [
     "ByHand",
     "Drive",
+    "FramesViewer",
     "Gallery",
     "Picture",
     "Player",
@@ -107,6 +108,7 @@ LAZY_NAMES = {
     **dict.fromkeys(("Viewer", "explore"), "viewer.viewer"),
     "slide": "viewer.picture_slider",
     **dict.fromkeys((name for name in __all__ if name.startswith("slide_")), "viewer.lecture_slides"),
+    **dict.fromkeys(("FramesViewer", "slide_frames"), "viewer.moving_frames"),
 }
 """Names that need ipywidgets and anywidget, and their modules, which are imported on first use because figures need neither."""
 

@@ -26,7 +26,7 @@ from traitlets import Bool, HasTraits
 import kinlib as kl
 from kinlib.mechanisms.linkages import four_bar
 from kinlib.rigid.screw import screw
-from kinlib.view import draw_arm, drive, explore
+from kinlib.view import draw_arm, drive, explore, slide_frames
 from kinlib.view.figures.arm import describe_arm, frame_text
 from kinlib.view.viewer.scene import LAYERS
 
@@ -348,6 +348,24 @@ def test_frames_on_the_links_are_switched_on_one_by_one(show):
     assert spoken(page).endswith(frame_text(("2", at_home)))
     viewer.shown, viewer.q = ["axes", "frame 2"], np.zeros(4)
     assert spoken(page) == viewer.alt
+
+
+def test_a_slider_moves_frames_and_the_text_says_where_they_are(show):
+    def frames_at(degrees):
+        return {"s": np.eye(4), "b": kl.exp(np.array([0, 0, np.radians(degrees), 0.4, 0, 0.1]))}
+
+    viewer = slide_frames(
+        frames_at, "angle (degrees)", [0, 30, 60], caption=lambda degrees: f"{degrees} degrees", arrows=True
+    )
+    page = show(viewer)
+    before = shown_pixels(page)
+    assert spoken(page) == viewer.alt
+    settled(page, lambda: sliders(page).press("End"))
+    viewer.at = 2
+    assert shown_pixels(page) != before
+    assert spoken(page) == viewer.alt
+    assert sliders(page).get_attribute("aria-valuetext") == "60"
+    assert page.get_by_text("60 degrees").is_visible()
 
 
 # --- closed chains ---

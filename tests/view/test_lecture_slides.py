@@ -1,5 +1,6 @@
 """Sliders of one call: every value has its own picture and its own text, and wrong arguments are refused."""
 
+import html
 import re
 
 import numpy as np
@@ -38,9 +39,6 @@ def around_the_curve(**settings):
 
 
 SLIDERS = {
-    "frames": lambda: slide_frames(
-        lambda x: {"s": np.eye(4), "b": homogeneous(exp(np.array([0, 0, x])), (1, 0, 0))}, "angle", [0.0, 0.5, 1.0]
-    ),
     "axis": lambda: slide_axis(ARM, 3, np.radians([[a, 0, 0, 0] for a in (0, 30, 60)]), "degrees", [0, 30, 60]),
     "mid-formula": lambda: slide_mid_formula(ARM, [0.5, -0.3, 0.8, 0.4]),
     "offset": lambda: slide_offset(TABLE, 4, [0, 45, 90]),
@@ -68,6 +66,42 @@ def test_the_caption_of_an_axis_is_its_screw_in_both_frames(monkeypatch):
     monkeypatch.setenv(ENVIRONMENT_VARIABLE, "1")
     page = SLIDERS["axis"]().html()
     assert "Axis 3 in {s}: (0.5, 0.866, 0, -0.346, 0.2, 0). In {b}: (0, 0, 1, 0, 0, 0)." in page
+
+
+# --- frames ---
+
+
+def turning(x):
+    return {"s": np.eye(4), "b": homogeneous(exp(np.array([0, 0, x])), (1, 0, 0))}
+
+
+def test_frames_at_each_value_are_those_of_the_function_and_are_described():
+    shown = slide_frames(turning, "angle", [0.0, 0.5, 1.0], caption=lambda x: f"Rotated by {x} rad.", start=1)
+    texts = set()
+    for index, x in enumerate((0.0, 0.5, 1.0)):
+        shown.at = index
+        np.testing.assert_allclose(shown.poses["b"], turning(x)["b"])
+        assert shown.alt.startswith(f"Rotated by {x} rad. Frame {{s}} at (0, 0, 0)")
+        assert f"x along {'x' if not x else f'({np.cos(x):.3g}, {np.sin(x):.3g}, 0)'}" in shown.alt
+        assert shown.alt in html.unescape(shown.html())
+        texts.add(shown.alt)
+    assert len(texts) == 3
+    with pytest.raises(ValueError, match="index of a value, 0 to 2; got 3"):
+        shown.at = 3
+
+
+@pytest.mark.parametrize(
+    ("frames_at", "values", "says"),
+    [
+        (turning, [], "at least one value; got none"),
+        (lambda x: {str(x): np.eye(4)}, [0, 1], r"the same names for all values, \['0'\]; got \['1'\]"),
+        (lambda _: {"s": np.eye(3)}, [0], "frame s"),
+    ],
+    ids=["no values", "other names", "no pose"],
+)
+def test_wrong_frames_are_refused(frames_at, values, says):
+    with pytest.raises(ValueError, match=says):
+        slide_frames(frames_at, "value", values)
 
 
 @pytest.mark.parametrize(

@@ -5,5 +5,6 @@ scene.py says what an arm is, as data; the JavaScript in kinlib/view/js draws it
 assignment_player.py  js/modes/assignment-steps.js
 dh_row_player.py      js/modes/dh-row.js
 linkage_driver.py     js/modes/configuration-curve.js
+moving_frames.py      js/modes/moving-frames.js
 place_frames.py       js/modes/place-frames.js
 """

@@ -1,10 +1,10 @@
-"""Sliders through pictures of one kind, each in one call: frames, axes of an arm, linkages, the mid-formula form, a DH offset.
+"""Sliders through pictures of one kind, each in one call: axes of an arm, linkages, the mid-formula form, a DH offset.
 
 Each call computes the text alternative, the caption and the scale, so that a cell of a lecture contains only the mathematics.
 `slide` in picture_slider.py takes any function from a value to a picture.
 """
 
-from collections.abc import Callable, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, TypeVar
 
 import ipywidgets as widgets
@@ -21,56 +21,12 @@ from kinlib.view.drawing.crop import crop
 from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.arm import direction_text, draw_arm
 from kinlib.view.figures.dh_table import draw_table
-from kinlib.view.figures.frames import draw_frames
 from kinlib.view.figures.linkage import draw_linkage, linkage_geometry
 from kinlib.view.figures.mid_formula import draw_mid_formula
 from kinlib.view.figures.torus import draw_torus, side_by_side
 from kinlib.view.viewer.picture_slider import slide
 
 V = TypeVar("V")
-
-AXIS_SHARE = 0.3
-"""Room for the axes of frames, as a share of the extent of their origins."""
-
-
-def slide_frames(
-    frames_at: Callable[[V], Mapping[str, ArrayLike]],
-    label: str,
-    values: Sequence[V],
-    *,
-    caption: Callable[[V], str] | None = None,
-    arrows: bool = False,
-    after: Any = None,
-    start: int = 0,
-) -> widgets.Widget:
-    """Show frames that a slider moves, all at the same scale.
-
-    frames_at  a function from a value to {"s": T_ss, "b": T_sb, ...}, poses (4, 4) in one common frame
-    label      what the values are
-    values     the values of the slider, in order
-    caption    a function from a value to the caption
-    arrows     whether an arrow leads from each frame to the next
-    after      a question; the picture stays covered until a prediction is committed
-    start      the index of the value that is selected first
-
-    Raises ValueError if there are no values, or a frame is not a pose.
-
-    >>> from kinlib.rigid.lie import homogeneous
-    >>> moving = slide_frames(lambda x: {"s": np.eye(4), "b": homogeneous(np.eye(3), (x, 0, 0))}, "x (m)", [0.0, 0.5, 1.0])
-    >>> type(moving).__name__
-    'VBox'
-    """
-    poses = np.array([validation.poses(T, name) for value in values for name, T in frames_at(value).items()])
-    origins = poses[:, :3, 3]
-    reach = AXIS_SHARE * max(float(np.ptp(origins, axis=0).max()), 0.3)
-    around = np.concatenate([origins, *(origins + reach * poses[:, :3, k] for k in range(3))])
-
-    def draw(value: V) -> Picture:
-        return draw_frames(
-            frames_at(value), arrows=arrows, around=around, caption=caption(value) if caption else "", axis_length=reach
-        )
-
-    return slide(draw, label, values, after, start)
 
 
 def slide_axis(

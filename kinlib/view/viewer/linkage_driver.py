@@ -4,7 +4,7 @@ The curve of all configurations that can be reached is traced once by kinlib.mec
 reach has its own curve. Beside the picture the configuration space is drawn: two joint values against each other.
 """
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Sequence
 from itertools import pairwise
 from typing import Any
 
@@ -18,8 +18,8 @@ from kinlib.mechanisms.mechanism import Mechanism
 from kinlib.rigid.angles import wrap_angle
 from kinlib.rigid.lie import inverse
 from kinlib.rigid.screw import line
-from kinlib.view.drawing.canvas import VIEWS, axes_of_view
 from kinlib.view.figures.linkage import describe_linkage, draw_linkage, is_planar, linkage_geometry
+from kinlib.view.viewer.scene import half_height
 from kinlib.view.viewer.viewer import ViewerBase
 
 POINTS_PER_CURVE = 240
@@ -28,8 +28,8 @@ POINTS_PER_CURVE = 240
 ON_CURVE_TOL = 0.2
 """A configuration nearer to a curve than this, in radians and metres, is on it; the points of a curve are closer together."""
 
-HEIGHT_PER_WIDTH, VIEW_MARGIN = 0.78, 0.16
-"""The shape of the picture on the page, and the room around what moves, as a share of the size of the linkage."""
+VIEW_MARGIN = 0.16
+"""The room around what moves, as a share of the size of the linkage."""
 
 PLANAR_VIEW_DEG, SPATIAL_VIEW_DEG = [-90.0, 52.0], [-60.0, 22.0]
 """The initial viewing direction, as azimuth and elevation: from above for a planar linkage, from the front for any other."""
@@ -179,17 +179,11 @@ def _scene(mechanism: Mechanism, configurations: Array, begin: Array) -> dict[st
         "limits": [],
         "room": {
             "centre": middle.tolist(),
-            "radius": _half_height(stations - middle, [look, *VIEWS.values()]) + VIEW_MARGIN * size,
+            "radius": half_height(stations - middle, look) + VIEW_MARGIN * size,
             "look": look,
         },
         "floor": float(stations[:, 2].min()) - (0.1 if planar else 0.15) * size,
     }
-
-
-def _half_height(points: Array, views: Iterable[Sequence[float]]) -> float:
-    """Return half the height of the picture in which points (m, 3) about its centre are seen from every one of the views."""
-    seen = [np.abs(points @ axes_of_view(*view)[1].T).max(axis=0) for view in views]
-    return max(float(max(HEIGHT_PER_WIDTH * right, up)) for right, up in seen)
 
 
 def _pieces(mechanism: Mechanism, names: list[str]) -> list[dict[str, Any]]:

@@ -15,6 +15,7 @@ from kinlib.chains.chain import Chain
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.common_normal import common_normal
 from kinlib.rigid.lie import homogeneous, inverse, perpendicular
+from kinlib.view.drawing.canvas import VIEWS, axes_of_view
 from kinlib.view.figures.arm import reachable_points
 from kinlib.view.figures.joint_bodies import axial_offsets
 
@@ -26,6 +27,9 @@ MAX_DISTANCE_IN_ARM_SIZES = 4.0
 
 MIN_SIZE_IN_ROOM_RADII = 0.95
 """Joints, frames and arrows are drawn as for an arm of at least this size, relative to the radius of what is in view."""
+
+HEIGHT_PER_WIDTH = 0.78
+"""The shape of the picture on the page, as in js/viewer.js."""
 
 Z = np.eye(3)[2]
 COINCIDENT_TOL_M = 1e-9
@@ -164,6 +168,17 @@ def extent(chain: Chain) -> float:
     stations = np.concatenate([np.zeros((1, 3)), chain.joint_points, chain.home[None, :3, 3]])
     side = float(np.ptp(stations, axis=0).max())
     return side if side > COINCIDENT_TOL_M else 1.0
+
+
+def half_height(points: Array, look: Sequence[float] = VIEWS["default"]) -> float:
+    """Return half the height of a picture in which points (m, 3) about its centre are in view, from `look` and in all named views.
+
+    >>> half_height(np.array([[0.0, 0, 2], [1, 0, -2]]))
+    2.0
+    """
+    views = [look, *VIEWS.values()]
+    seen = [np.abs(points @ axes_of_view(*view)[1].T).max(axis=0) for view in views]
+    return max(float(max(HEIGHT_PER_WIDTH * right, up)) for right, up in seen)
 
 
 def link_paths(chain: Chain) -> list[Array]:

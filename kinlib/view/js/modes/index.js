@@ -3,6 +3,7 @@
 import { assignmentSteps } from './assignment-steps.js';
 import { configurationCurve } from './configuration-curve.js';
 import { dhRowMotions } from './dh-row.js';
+import { movingFrames } from './moving-frames.js';
 import { placeFrames } from './place-frames.js';
 
 /**
@@ -10,4 +11,10 @@ import { placeFrames } from './place-frames.js';
  * (kit) -> { element?, replacesSliders?, update?(q, T), applyTheme?(), dispose?() } of
  * kit: { model, stage, data (model.get('mode')), state (q(), set(q)), showMessage(text) }
  */
-export const MODES = { assign: placeFrames, assignment: assignmentSteps, curve: configurationCurve, row: dhRowMotions };
+export const MODES = {
+  assign: placeFrames,
+  assignment: assignmentSteps,
+  curve: configurationCurve,
+  frames: movingFrames,
+  row: dhRowMotions,
+};

@@ -109,7 +109,7 @@ export function axes(arm, size, { letter, colour, onBody = (i) => i }) {
 }
 
 /** Frames as three thin rods with a letter at each tip. Frames that share an origin get rods of different length. */
-export function triads(frames, size, colours, { numbered = false, length = 0.17 } = {}) {
+export function triads(frames, size, colours, { numbered = false, short = false, length = 0.17 } = {}) {
   const ranks = new Map();
   return frames.flatMap(({ name, body, pose, rank: given }) => {
     const origin = [pose[3], pose[7], pose[11]];
@@ -133,7 +133,7 @@ export function triads(frames, size, colours, { numbered = false, length = 0.17 
           at: tip,
           from: origin,
           text: letter,
-          sub: own ? name : '',
+          sub: own || (short && name.length < 3) ? name : '',
           colour,
           italic: true,
           weight: letter === 'y' ? 1 : 2,
@@ -141,7 +141,12 @@ export function triads(frames, size, colours, { numbered = false, length = 0.17 
       ];
     });
     made.push({ body, shape: 'sphere', from: origin, to: origin, radius: 1.6 * ROD * size, colour: colours.ink });
-    if (!own) made.push({ body, label: true, at: origin, text: `{${name}}`, sub: '', colour: colours.ink, weight: 4 });
+    if (!own) {
+      // opposite to the axes, where nothing else is drawn
+      const middle = [0, 1, 2].map((row) => origin[row] + pose[4 * row] + pose[4 * row + 1] + pose[4 * row + 2]);
+      const tag = { body, label: true, at: origin, text: `{${name}}`, sub: '', colour: colours.ink, weight: 4 };
+      made.push(short ? { ...tag, from: middle } : tag);
+    }
     return made;
   });
 }

@@ -1,0 +1,82 @@
+// Frames that one slider moves. Their poses for each value are in the data, so that no kernel is needed.
+import { h, NO_SHORTCUTS, uniqueId } from '../dom.js';
+import { frameText } from '../scene/describe.js';
+import * as parts from '../scene/parts.js';
+import { originOf } from './frame-drawing.js';
+import { add } from './vectors.js';
+
+const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
+
+/** @param kit.data { label, values: [text], captions: [text], names: [text], poses: [[16 numbers per frame] per value], arrows: bool } */
+export function movingFrames({ model, stage, data }) {
+  const id = uniqueId('value');
+  const { size } = stage.data;
+  const at = () => model.get('at');
+  const slider = h('input', {
+    ...NO_SHORTCUTS,
+    id,
+    type: 'range',
+    min: 0,
+    max: data.values.length - 1,
+    step: 1,
+    oninput: () => {
+      model.set('at', Number(slider.value));
+      model.save_changes();
+    },
+  });
+  const value = h('output', { for: id });
+  const caption = h('p', { class: 'kv-values', 'aria-live': 'polite' });
+  const texts = () => data.names.map((name, k) => frameText(name, stage.tree.pose(k))).join(' ');
+
+  function move() {
+    data.poses[at()].forEach((pose, k) => {
+      const { tool } = stage.tree.arms[k];
+      tool.matrix.set(...pose);
+      tool.matrixWorldNeedsUpdate = true;
+    });
+    stage.tree.root.updateMatrixWorld(true);
+    if (data.arrows) stage.setLayer('arrows', data.poses[at()].slice(1).flatMap(arrowTo), { through: true });
+    slider.value = at();
+    slider.style.setProperty('--share', `${(100 * at()) / Math.max(1, data.values.length - 1)}%`);
+    slider.setAttribute('aria-valuetext', data.values[at()]);
+    value.textContent = data.values[at()];
+    caption.textContent = data.captions[at()];
+    stage.draw();
+  }
+
+  /** An arrow to the origin of frame k + 1 from that of frame k. */
+  function arrowTo(pose, k) {
+    const from = originOf(data.poses[at()][k]);
+    const to = originOf(pose);
+    const along = add(to, from, -1);
+    const length = Math.hypot(...along);
+    if (length < 1e-6 * size) return [];
+    const neck = add(from, along, 1 - Math.min(1, (0.06 * size) / length));
+    const look = { arm: 0, body: 0, colour: stage.theme.quiet };
+    return [
+      { ...look, shape: 'rod', from, to: neck, radius: 0.004 * size },
+      { ...look, shape: 'cone', from: neck, to, radius: 0.016 * size },
+    ];
+  }
+
+  model.on('change:at', move);
+  return {
+    element: h('div', { class: 'kv-curve' }, h('label', { for: id }, `${data.label}: `, value), slider, caption),
+    replacesSliders: true,
+    describe: () => `${data.captions[at()]} ${texts()}`.trim(),
+    update: move,
+    applyTheme() {
+      stage.setLayer(
+        'moving frames',
+        data.names.flatMap((name, arm) =>
+          parts
+            .triads([{ name, body: 'tool', pose: IDENTITY }], size, stage.theme, { short: true, length: data.length })
+            .map((part) => ({ ...part, arm })),
+        ),
+        { through: true },
+      );
+      move();
+    },
+    dispose: () => model.off('change:at', move),
+  };
+}
