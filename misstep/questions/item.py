@@ -6,6 +6,7 @@ beside the question. Each question is a table:
     [order]                                     # ask("03/order")
     kind = 'predict'                            # recall, predict or check
     text = 'Which factor moves the tool first?'
+    explanation = 'A motion in the space frame multiplies **from the left**, see [01](01_frames.ipynb).'
 
     [[order.options]]
     text = '$e^{[S_1] q_1}$'
@@ -19,15 +20,9 @@ beside the question. Each question is a table:
 Single quotes keep the backslashes of formulas. Use three single quotes for text with an apostrophe or a second line.
 
 Questions of the kinds recall and check show the reason of the chosen option at once. A prediction is only recorded, because
-the figure that follows shows the answer; explain("03/order") compares them afterwards. A prediction may have one more key,
-the explanation that is shown with this comparison and not before, in the Markdown of misstep.display.markdown:
-
-    explanation = '''
-    A motion in the space frame multiplies **from the left**, as in [01](01_frames.ipynb).
-
-    $$T = e^{[S_1] q_1} e^{[S_2] q_2} M$$'''
-
-It must precede the options, because TOML counts a key after them as a key of the last option.
+the figure that follows shows the answer. explain("03/order") compares them afterwards and shows the explanation, which only a
+prediction has. It is Markdown of several paragraphs, as misstep.display.markdown reads it, and it precedes the options,
+because TOML counts a key after them as a key of the last option.
 """
 
 import tomllib
@@ -84,10 +79,12 @@ def read_questions(text: str, file: str) -> dict[str, Item]:
 
 
 def _item(key: str, table: Any, place: str) -> Item:
-    _keys(table, place, required={"kind", "text", "options"}, allowed={"explanation"})
+    is_prediction = isinstance(table, dict) and table.get("kind") == "predict"
+    explained = {"explanation"} if is_prediction else set()
+    _keys(table, place, required={"kind", "text", "options"} | explained, allowed={"explanation"})
     if table["kind"] not in KINDS:
         raise ValueError(f"{place}: kind must be one of {', '.join(KINDS)}; got {table['kind']!r}.")
-    if "explanation" in table and table["kind"] != "predict":
+    if "explanation" in table and not is_prediction:
         raise ValueError(
             f"{place}: explanation is a key of kind 'predict' only; got kind {table['kind']!r}. "
             "Write the reasons into why of each option."

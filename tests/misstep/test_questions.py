@@ -147,6 +147,7 @@ def html_of(card):
         (QUESTIONS.replace("why = 'It acts last.'", ""), "option 1: why is missing"),
         (QUESTIONS.replace("why = 'It acts last.'", "why = ''\nbecause = ''"), "'because' is not a key"),
         (QUESTIONS.replace("right = true", ""), "one of them with right"),
+        (QUESTIONS.replace("explanation", "# explanation"), "question 'order': explanation is missing"),
         (QUESTIONS.replace("predict", "check"), "explanation is a key of kind 'predict' only; got kind 'check'"),
         (QUESTIONS.replace("Read **", "# Read **"), "question 'order': An explanation may contain paragraphs"),
         (QUESTIONS.replace("why = 'It acts last.'", "why = ''\nright = true"), "one of them with right"),

@@ -117,6 +117,7 @@ why = 'The ampere is the unit of current.'
 [brightness]
 kind = 'predict'
 text = 'Two equal lamps are connected in series. How bright is each, compared with one lamp alone?'
+explanation = 'The voltage is halved, *and* the current is halved.'
 
 [[brightness.options]]
 text = 'a quarter as bright'
