@@ -276,9 +276,9 @@ LEFT_FOR_FIXED_AXES = (
 def rotations_in_order(sampler: ArmSampler) -> Problem:
     names = [f"R_{letter}" for letter in sampler.shuffled("abcd")]
     fixed = sampler.shuffled([True, True, False, False])
-    room = [name for name, is_fixed in zip(names, fixed, strict=True) if is_fixed]
-    own = [name for name in names if name not in room]
-    right = [*room[::-1], *own]
+    about_fixed = [name for name, is_fixed in zip(names, fixed, strict=True) if is_fixed]
+    own = [name for name in names if name not in about_fixed]
+    right = [*about_fixed[::-1], *own]
     listed = "\n".join(
         f"{i}. ${name}$, about {'an axis of {s}' if is_fixed else 'one of its own axes'}"
         for i, (name, is_fixed) in enumerate(zip(names, fixed, strict=True), start=1)
@@ -309,12 +309,12 @@ def rotations_in_order(sampler: ArmSampler) -> Problem:
             ),
             mistake(
                 "order about fixed axes",
-                [*room, *own],
+                [*about_fixed, *own],
                 f"The two rotations about axes of {{s}} are swapped. {LEFT_FOR_FIXED_AXES}",
             ),
             mistake(
                 "order about own axes",
-                [*room[::-1], *own[::-1]],
+                [*about_fixed[::-1], *own[::-1]],
                 f"The two rotations about axes of the frame are swapped. {LEFT_FOR_FIXED_AXES}",
             ),
             *(
@@ -324,7 +324,12 @@ def rotations_in_order(sampler: ArmSampler) -> Problem:
                     "The sides are swapped: the rotations about axes of the frame are to the left of those about axes of {s}. "
                     f"{LEFT_FOR_FIXED_AXES}",
                 )
-                for order in ([*own[::-1], *room], [*own, *room], [*own, *room[::-1]], [*own[::-1], *room[::-1]])
+                for order in (
+                    [*own[::-1], *about_fixed],
+                    [*own, *about_fixed],
+                    [*own, *about_fixed[::-1]],
+                    [*own[::-1], *about_fixed[::-1]],
+                )
             ),
         ],
     )
