@@ -492,9 +492,13 @@ def mimic_joint(sampler: ArmSampler) -> Problem:
     from_base = (q + q_2).mistaken_for(
         q_2, "frame not changed", "take the value of `fold` from the $x$ axis of the base instead of that of `boom`"
     )
-    steps = polar(length("boom", boom), q), polar(length("forearm", forearm), from_base)
-    in_plane = steps[0].named("\\text{the step along the boom}") + steps[1].named("\\text{the step along the forearm}")
-    x = concatenate(in_plane.named("(x, y)"), given("z", height))
+    first, second = polar(length("boom", boom), q), polar(length("forearm", forearm), from_base)
+    in_plane = first.named("\\text{the step along the boom}") + second.named("\\text{the step along the forearm}")
+    swapped = polar(forearm, q) + polar(boom, from_base)
+    in_plane = in_plane.mistaken_for(swapped, "lengths swapped", "swap the lengths of `boom` and `forearm`").named(
+        "(x, y)"
+    )
+    x = concatenate(in_plane, given("z", height).mistaken_for(0.0, "coordinate left out", "take the height as 0"))
     return Problem(
         statement=f"The joint `swing` of this file has the value $q_1 = {number(q_rad)}$ rad. Give the position of the origin of the link "
         f"`tool` in the frame of the base.\n\n{fence_urdf(text)}",
