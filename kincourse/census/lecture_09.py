@@ -152,7 +152,7 @@ def joint_deep_in_the_file(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "read as degrees": (p1 + rotation(r1 * np.pi / 180) @ p2 + rotation(r1 * np.pi / 180) @ rotation(r2 * np.pi / 180) @ p3,
                                 "degree, radian"),
             "the sign of one number": (
-                place * np.where(np.arange(3) == np.argmax(np.abs(place)), -1, 1), f"{SIGN}, directions of"),
+                place * np.where(np.arange(3) == np.argmax(np.abs(place)), -1, 1), f"{SIGN}, directions of, origin of the base"),
             "R_2 R_1, joint 1's shift left out": (R1 @ p2 + R2 @ R1 @ p3, f"order, wrong way round, first, {LEFT_OUT}"),
             "turned back, by its own rpy too": (p1 + R1.T @ p2 + (R1 @ R2 @ R3).T @ p3, "transpos, invers, own"),
         }
