@@ -133,7 +133,7 @@ def test_the_convention_can_be_switched_and_the_table_is_filled(show):
     page.evaluate(f"{MODEL}.set('step', {first})")
     assert rows.nth(1).inner_text().split() == ["1", "0.033", "90°", "0.147", "q1"]
     assert rows.nth(2).inner_text().split() == ["2", "·", "·", "·", "·"]
-    page.get_by_label("Convention").select_option("modified")
+    page.get_by_label("Convention", exact=True).select_option("modified")
     assert get(page, "convention") == "modified"
     assert rows.nth(1).inner_text().split() == ["1", "0", "0", "0", "q1"]
 

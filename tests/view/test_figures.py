@@ -15,9 +15,14 @@ from strategies import ROBOTS
 from traitlets import Bool, HasTraits
 
 import kinlib as kl
-from kinlib.view import Picture, draw_arm, draw_frames, draw_joints, plot, slide
+from kinlib.view import Picture, draw_arm, draw_frames, draw_joints, draw_torus, plot, slide
 from kinlib.view.drawing.canvas import Canvas, convex_hull
+from kinlib.view.figures.dh_row_motions import draw_row_motions
+from kinlib.view.figures.dh_table import draw_row, draw_table
+from kinlib.view.figures.exponential_series import draw_series
+from kinlib.view.figures.frame_assignment import draw_assignment
 from kinlib.view.figures.joint_bodies import axial_offsets, carried_axes
+from kinlib.view.figures.mid_formula import draw_mid_formula
 
 ROOT = Path(__file__).parents[2]
 
@@ -50,27 +55,49 @@ def test_a_drawing_shows_the_configuration_that_it_is_given(robot):
     assert f"The end-effector is at ({x:.3g}" in draw_arm(robot, q).alt or abs(x) < 1e-3
 
 
-@each_robot
-@pytest.mark.parametrize("draw", [draw_arm, draw_joints])
-def test_no_label_in_a_drawing_covers_another_or_leaves_the_sheet(robot, draw):
-    drawing = ET.fromstring(draw(robot).svg)
-    texts = drawing.findall(".//{http://www.w3.org/2000/svg}text")
+def overlapping_labels(picture):
+    """Return the pairs of labels that cover each other, and check that every label is on the sheet."""
+    drawing = ET.fromstring(picture.svg)
     left, top, *sheet = map(float, drawing.get("viewBox").split())
     low = np.array([left, top])
     boxes = []
-    for text in texts:
-        size = float(text.get("font-size"))
-        half = np.array([0.25 * len("".join(text.itertext())), 0.4]) * size
+    for text in drawing.findall(".//{http://www.w3.org/2000/svg}text"):
+        said, size = "".join(text.itertext()), float(text.get("font-size"))
+        half = np.array([0.25 * len(said), 0.4]) * size
         centre = np.array([float(text.get("x")), float(text.get("y")) - 0.35 * size])
-        assert (centre - half > low).all()
-        assert (centre + half < low + sheet).all()
-        boxes.append((centre - half, centre + half))
-    covered = [
-        (a, b)
-        for a, b in combinations(range(len(boxes)), 2)
-        if (boxes[a][0] < boxes[b][1]).all() and (boxes[b][0] < boxes[a][1]).all()
-    ]
-    assert not [("".join(texts[a].itertext()), "".join(texts[b].itertext())) for a, b in covered]
+        assert (centre - half > low).all(), said
+        assert (centre + half < low + sheet).all(), said
+        boxes.append((centre - half, centre + half, said))
+    return [(a[2], b[2]) for a, b in combinations(boxes, 2) if (a[0] < b[1]).all() and (b[0] < a[1]).all()]
+
+
+@each_robot
+def test_no_label_in_a_drawing_of_an_arm_covers_another_or_leaves_the_sheet(robot):
+    q = np.linspace(-0.9, 0.7, robot.n)
+    pictures = [draw_arm(robot), draw_arm(robot, q), draw_joints(robot), draw_mid_formula(robot, robot.n // 2)]
+    if "H" not in robot.joint_types:
+        for convention in ("standard", "modified"):
+            assignment = kl.assign_frames(robot, convention=convention)
+            pictures += [draw_table(assignment.table), draw_assignment(assignment)]
+    assert [overlapping_labels(picture) for picture in pictures] == [[] for _ in pictures]
+
+
+@pytest.mark.parametrize("done", range(5))
+def test_no_label_in_a_drawing_of_a_row_or_a_series_covers_another(done):
+    row = [0.8, 0.6, 0.6, 1.4]
+    pictures = [draw_row(row, done), draw_row_motions(row, done)]
+    S, tool = kl.robots.rpr().screws[0], (0, 0, 1)
+    pictures += [draw_series(S, np.pi / 2, tool, 4 * done + k, most=22, view="front") for k in range(1, 5)]
+    assert [overlapping_labels(picture) for picture in pictures] == [[] for _ in pictures]
+
+
+def test_the_names_of_curves_on_a_torus_cover_neither_each_other_nor_a_mark():
+    linkage = kl.linkages.four_bar(ground=0.5, crank=0.3, coupler=0.3, rocker=0.3)
+    q = linkage.trace(linkage.assembly_modes(hold={"A": 0.5})[0], points=73).q
+    left = np.sin(q[:, 3]) > 0
+    modes = {"one mode": q[left][:, [0, 2]], "other mode": q[~left][:, [0, 2]]}
+    for now in q[::4, [0, 2]]:
+        assert overlapping_labels(draw_torus(modes, {"now": now}, xlabel="A", ylabel="D")) == []
 
 
 def test_joints_with_the_same_point_and_axis_are_drawn_side_by_side():

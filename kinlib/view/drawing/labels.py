@@ -13,6 +13,7 @@ Offset = tuple[float, float]
 LABEL_OFFSETS: tuple[Offset, ...] = (
     *((11, 9), (-11, 9), (11, -11), (-11, -11), (0, 16), (0, -18), (19, 0), (-19, 0)),
     *((24, 19), (-24, 19), (24, -21), (-24, -21), (0, 30), (0, -32), (36, 0), (-36, 0)),
+    *((34, 32), (-34, 32), (34, -34), (-34, -34), (0, 44), (0, -46), (50, 0), (-50, 0)),
 )
 """Where a label may be placed: offsets in pixels to the right of what it names and above it, nearer ones first."""
 

@@ -8,8 +8,6 @@ from numpy.typing import ArrayLike
 from kinlib.view.drawing.figure_colours import INK
 from kinlib.view.drawing.picture import Picture, picture_from_figure
 
-TEXT_COLOURS = ("text.color", "axes.labelcolor", "axes.edgecolor", "xtick.color", "ytick.color")
-
 CURVE_STYLES = (
     ("#7d3ac1", "-", "o"),
     ("#b35900", "--", "s"),
@@ -52,7 +50,7 @@ def plot(
     if log not in {"", "x", "y", "xy"}:
         raise ValueError(f"log must be '', 'x', 'y' or 'xy'; got {log!r}.")
     figure = Figure(figsize=(6.4, 3.6), layout="constrained")
-    with rc_context(dict.fromkeys(TEXT_COLOURS, INK)):
+    with rc_context({"axes.labelcolor": INK, "axes.edgecolor": INK, "xtick.color": INK, "ytick.color": INK}):
         axes = figure.subplots()
     for (name, y), (colour, dash, marker) in zip(curves.items(), CURVE_STYLES, strict=False):
         if np.shape(y) != x.shape:

@@ -34,7 +34,7 @@ def draw_assignment(assignment: FrameAssignment, until: int | None = None, *, ca
     drawing.draw()
     head = f"{assignment.chain.name}, {assignment.table.convention} convention"
     if until is None:
-        return drawing.canvas.picture(f"{head}, all {len(steps)} steps. {drawing.describe()}", caption)
+        return drawing.canvas.picture(f"{head}, all {len(steps)} steps. {drawing.describe()}", caption, cropped=True)
     step = steps[until]
     step_caption = f"Step {until + 1} of {len(steps)}. {step.text}" + (
         f" Also valid: {step.others}" if step.others else ""
@@ -143,7 +143,10 @@ class _Drawing:
         )
 
 
-_LABEL_NUDGES = ((9, 0), (-9, 0), (0, 10), (0, -10), (14, 10), (-14, 10), (14, -10), (-14, -10))
+_LABEL_NUDGES = (
+    *((9, 0), (-9, 0), (0, 10), (0, -10), (14, 10), (-14, 10), (14, -10), (-14, -10)),
+    *((22, 0), (-22, 0), (0, 20), (0, -20)),
+)
 
 
 def _faded(colour: str, share: float = 0.55) -> str:
