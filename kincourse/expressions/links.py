@@ -166,7 +166,12 @@ def _row_changes(node: Expression) -> Changes:
     ):  # fmt: skip
         wrong = _row(*entries)
         if np.all(node.value) or not np.allclose(wrong.value, node.value):
-            yield Change(name, text, advice=advice), wrong
+            in_parts = name in {
+                "a and d swapped",
+                "angles swapped",
+                "off the normal",
+            }  # others show in the whole row only
+            yield Change(name, text, advice=advice, in_parts=in_parts), wrong
 
 
 def _twists(w1: Any, v1: Any, w2: Any, v2: Any) -> Array:

@@ -213,10 +213,10 @@ def chain_of_matrices(sampler: ArmSampler) -> Problem:
     cells, values = [], []
     for i, letter in enumerate(joint_types, start=1):
         a, alpha = sampler.length(0.1, 0.6), sampler.choice([90, -90, 60, -60])
-        shift, turn = sampler.length(0.1, 0.6), sampler.choice([90, -90])
-        turns = f"q{i} {'+' if turn > 0 else '-'} 90°" if letter == "R" else f"{turn}°"
-        slides = f"{number(shift)}" if letter == "R" else f"q{i}"
-        cells.append(f"{number(a)} | {alpha}° | {slides} | {turns}")
+        length, angle = sampler.length(0.1, 0.6), sampler.choice([90, -90])
+        theta_cell = f"q{i} {'+' if angle > 0 else '-'} 90°" if letter == "R" else f"{angle}°"
+        d_cell = f"{number(length)}" if letter == "R" else f"q{i}"
+        cells.append(f"{number(a)} | {alpha}° | {d_cell} | {theta_cell}")
         values.append(np.radians(sampler.degrees(-75, 75)) if letter == "R" else sampler.length(0.2, 0.8))
     text = "\n".join(["a | alpha | d | theta", *cells])
     table, q = DHTable(text, convention="standard", name="your arm"), np.round(values, 3)
