@@ -51,7 +51,7 @@ def test_a_sheet_is_opened_answered_checked_stored_and_handed_in(chromium, lab_a
         page.get_by_role("link", name="Run in the browser").click()
         page.locator(".jp-Notebook .jp-CodeCell").first.wait_for(timeout=PAGE_TIMEOUT_MS)
         run(page, cell(page, "open_sheet"))
-        assert "8 problems, 24 points" in cell(page, "open_sheet").inner_text()
+        assert "11 problems, 33 points" in cell(page, "open_sheet").inner_text()
 
         answer_and_check(page)
         explain_a_prediction(page)

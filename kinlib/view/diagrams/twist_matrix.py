@@ -14,7 +14,7 @@ from kinlib.view.drawing.picture import Picture, vector_text
 HAT = (("", "-z", "+y"), ("+z", "", "-x"), ("-y", "+x", ""))
 """The sign and the component of omega in each entry of [omega]; "" for a zero."""
 
-CELL_PX, TEXT_PX = np.array([74.0, 40.0]), 17.0
+CELL_PX, TEXT_PX = np.array([60.0, 38.0]), 17.0
 
 
 def draw_cross_product() -> Picture:
@@ -48,7 +48,7 @@ def draw_cross_product() -> Picture:
         ((left + 3.75 * CELL_PX[0], 20), "$p$"),
     ):
         marks.append(svg.text(place, name, INK, TEXT_PX))
-    return Picture(svg.document(marks, 462, bottom + 14), " ".join(sentences))
+    return Picture(svg.document(marks, left + 4.05 * CELL_PX[0] + 10, bottom + 14), " ".join(sentences))
 
 
 def draw_twist_matrix(S: ArrayLike) -> Picture:
