@@ -63,7 +63,7 @@ class ScrewsAnswer(Numbers):
             "It has v in front of omega. The order is (omega, v).",
         )
         yield (
-            "turned round",
+            "opposite direction",
             -S,
             "Every screw axis has the opposite direction: all signs are wrong.",
             "It has the opposite direction: all signs are wrong.",

@@ -57,7 +57,7 @@ class Chain(validation.ReadOnly):
 
     Raises ValueError if there are no joints, if the screws are in columns or not normalized, if home is not rigid, if a point
     is not on its axis, or if a lower limit is above the upper one.
-    Source: Modern Robotics, 4.1; Chapter 4 review deck.
+    Source: Modern Robotics, 4.1; Chapter 4 review.
 
     >>> from kinlib.rigid.screw import screw
     >>> arm = Chain(np.array([screw((0, 0, 1)), screw((0, 0, 1), point=(1, 0, 0))]), home=exp([0, 0, 0, 2, 0, 0]))
@@ -181,10 +181,10 @@ class Chain(validation.ReadOnly):
     def body_screws(self) -> Array:
         """The same axes in the tool frame {b} at home, (n, 6):  B_i = Ad(M^-1) S_i.
 
-        Source: Modern Robotics, 4.1.3; Chapter 4 review deck, the last line of its derivation.
+        Source: Modern Robotics, 4.1.3; Chapter 4 review, the last line of its derivation.
 
         >>> from kinlib.chains.robots import rppr
-        >>> rppr().body_screws[0].round(6) + 0.0          # B_1 as the UIUC deck prints it
+        >>> rppr().body_screws[0].round(6) + 0.0          # B_1 as Forward kinematics II prints it
         array([ 0.,  1.,  0.,  0.,  0., -2.])
         """
         return validation.read_only_copy(self.screws @ adjoint(inverse(self.home)).T)
@@ -213,7 +213,7 @@ class Chain(validation.ReadOnly):
         q (..., n) -> (..., 4, 4), equal to fk(q).
 
         Raises ValueError for joint values of another size, and for NaN.
-        Source: Modern Robotics, (4.16); Chapter 4 review deck.
+        Source: Modern Robotics, (4.16); Chapter 4 review.
 
         >>> from kinlib.chains.robots import rppr
         >>> np.allclose(rppr().fk_body([1, 2, 3, 4]), rppr().fk([1, 2, 3, 4]), atol=1e-13)
@@ -227,7 +227,7 @@ class Chain(validation.ReadOnly):
         q (..., n) -> (..., 4, 4), equal to fk(q) for every k from 0, the body form, to n, the space form.
 
         Raises ValueError for joint values of another size, for NaN, and for a k outside 0 ... n.
-        Source: Chapter 4 review deck, "PoE with a Mid-Formula Matrix".
+        Source: Chapter 4 review, "PoE with a Mid-Formula Matrix".
 
         >>> from kinlib.chains.robots import youbot
         >>> np.allclose(youbot().fk_mid([1, 2, 3, 4, 5], 2), youbot().fk([1, 2, 3, 4, 5]), atol=1e-13)

@@ -46,7 +46,7 @@ def pose(axes: ArrayLike, origin: ArrayLike) -> Array:
 
 
 def rpr() -> Chain:
-    """The first example of the UIUC deck: a revolute, a prismatic and a revolute joint in one vertical plane.
+    """The first example of "Forward kinematics II": a revolute, a prismatic and a revolute joint in one vertical plane.
 
     The joints are as printed. The printed M is not a pose: its third row is 0 0 0 1, and its last row 0 0 0 0. The first two
     rows determine one rotation, with the third row 1 0 0; the origin and the last row follow. So M is reconstructed by
@@ -56,38 +56,41 @@ def rpr() -> Chain:
     array([ 0., -1.,  0.,  0.,  0.,  4.])
     """
     joints = [(-Y, (-4, -2, 0)), (Z, (-4, -2, 0), SLIDE), (-Y, (0, -4, 0))]
-    return arm(joints, pose((Z, X, Y), (0, 0, 1)), "RPR", "UIUC deck, lecture 11, example 1; M reconstructed")
+    return arm(joints, pose((Z, X, Y), (0, 0, 1)), "RPR", "Forward kinematics II, example 1; M reconstructed")
 
 
 def rppr() -> Chain:
-    """The body-form example of the UIUC deck: a revolute, two prismatic and a revolute joint.
+    """The body-form example of "Forward kinematics II": a revolute, two prismatic and a revolute joint.
 
     M, joint 1 and joint 4 are as printed, there in the body frame. The directions of the two prismatic joints are missing (the
-    deck shows zeros); they are reconstructed along the body's y, towards joint 4, and along its z.
+    source shows zeros); they are reconstructed along the body's y, towards joint 4, and along its z.
 
     >>> rppr().body_screws[3].round(6) + 0.0
     array([ 0.,  1.,  0.,  0.,  0., -2.])
     """
     joints = [(X, (0, 2, 0)), (X, (0, 2, 0), SLIDE), (Z, (2, 2, 0), SLIDE), (X, (2, 2, 0))]
     return arm(
-        joints, pose((-Y, X, Z), (2, 0, 0)), "RPPR", "UIUC deck, lecture 11, body-form example; slides reconstructed"
+        joints,
+        pose((-Y, X, Z), (2, 0, 0)),
+        "RPPR",
+        "Forward kinematics II, body-form example; the slides are reconstructed",
     )
 
 
 def rprr(l2: float = 0.5, l4: float = 0.2, l5: float = 0.3) -> Chain:
-    """The RPRR arm of the deck "Example with n = 5", with a fixed tool as its fifth frame.
+    """The RPRR arm of "DH example with n = 5", with a fixed tool as its fifth frame.
 
-    The deck gives symbols only. Its table has joint 3 at height l2, and the tool l5 further out and l4 further down.
+    The source gives symbols only. Its table has joint 3 at height l2, and the tool l5 further out and l4 further down.
 
     >>> rprr(l2=0.5, l4=0.2, l5=0.3).home[:3, 3]
     array([0. , 0.3, 0.3])
     """
     joints = [(Z, (0, 0, 0)), (Y, (0, 0, 0), SLIDE), (X, (0, 0, l2)), (Y, (0, 0, l2))]
-    return arm(joints, pose((Z, X, Y), (0, l5, l2 - l4)), "RPRR", "deck Example with n = 5")
+    return arm(joints, pose((Z, X, Y), (0, l5, l2 - l4)), "RPRR", "DH example with n = 5")
 
 
 def youbot() -> Chain:
-    """The arm of the KUKA youBot, from the EduFill module's table, straight and horizontal when all values are zero.
+    """The arm of the KUKA youBot, from the EduFill manipulation module's table, straight and horizontal when all values are zero.
 
     >>> youbot().home[:3, 3]
     array([0.5405, 0.    , 0.147 ])
@@ -103,28 +106,26 @@ def youbot() -> Chain:
 
 
 def puma560(a2: float = 0.4318, a3: float = 0.0203, d3: float = 0.15005, d4: float = 0.4318) -> Chain:
-    """The PUMA 560 of Lecture 7, in its zero configuration, with {s} where the first two axes meet.
+    """The PUMA 560 of "Kinematics under DH", in its zero configuration, with {s} where the first two axes meet.
 
-    The deck gives symbols only; the default lengths are those of Corke and Armstrong-Helouvry (1994).
+    The source gives symbols only; the default lengths are those of Corke and Armstrong-Helouvry (1994).
 
     >>> puma560().joint_types
     'RRRRRR'
     """
     elbow, wrist = (a2, d3, 0), (a2 + a3, d3, -d4)
     joints = [(Z, (0, 0, 0)), (Y, (0, 0, 0)), (Y, elbow), (-Z, wrist), (Y, wrist), (-Z, wrist)]
-    return arm(
-        joints, pose((X, -Y, -Z), wrist), "PUMA 560", "Lecture 7, kinematics under DH; lengths from Corke (1994)"
-    )
+    return arm(joints, pose((X, -Y, -Z), wrist), "PUMA 560", "Kinematics under DH; lengths from Corke (1994)")
 
 
 def rpr_lecture7(a1: float = 0.4) -> Chain:
-    """The RPR arm at the end of Lecture 7, which moves in the plane of x and y.
+    """The RPR arm at the end of "Kinematics under DH", which moves in the plane of x and y.
 
     >>> rpr_lecture7(a1=0.4).fk([0, 0.1, 0])[:3, 3] + 0.0
     array([ 0.4, -0.1,  0. ])
     """
     joints = [(Z, (0, 0, 0)), (-Y, (a1, 0, 0), SLIDE), (Z, (a1, 0, 0))]
-    return arm(joints, pose((X, Y, Z), (a1, 0, 0)), "RPR of Lecture 7", "Lecture 7, kinematics under DH")
+    return arm(joints, pose((X, Y, Z), (a1, 0, 0)), "planar RPR", "Kinematics under DH")
 
 
 def plain_arm(column: float = 0.4, upper: float = 0.5, fore: float = 0.3) -> Chain:
@@ -139,7 +140,7 @@ def plain_arm(column: float = 0.4, upper: float = 0.5, fore: float = 0.3) -> Cha
         joints,
         pose((X, Y, Z), (upper + fore, 0, column)),
         "plain arm",
-        "Chapter 4 review deck: family of exercises 4.7 to 4.9",
+        "Chapter 4 review: family of exercises 4.7 to 4.9",
     )
 
 
@@ -154,7 +155,7 @@ def angled_arm(tilt: float = np.pi / 4, column: float = 0.4, upper: float = 0.5,
     elbow = shoulder + upper * lean
     joints = [(Z, (0, 0, 0)), (lean, shoulder), (lean, elbow, SLIDE), (Y, elbow)]
     home = pose((X, Y, Z), elbow + fore * X)
-    return arm(joints, home, "angled arm", "Chapter 4 review deck: family of exercises 4.11 to 4.13")
+    return arm(joints, home, "angled arm", "Chapter 4 review: family of exercises 4.11 to 4.13")
 
 
 def mid_formula_arm(reach: float = 0.6, lift: float = 0.4, tool: float = 0.2) -> Chain:
@@ -166,7 +167,7 @@ def mid_formula_arm(reach: float = 0.6, lift: float = 0.4, tool: float = 0.2) ->
     wrist = (reach, 0, lift)
     joints = [(Z, (0, 0, 0)), (Y, (0, 0, lift)), (X, wrist), (Y, wrist)]
     home = pose((-Z, Y, X), (reach + tool, 0, lift))
-    return arm(joints, home, "mid-formula arm", "Chapter 4 review deck: family of exercises 4.17 and 4.20")
+    return arm(joints, home, "mid-formula arm", "Chapter 4 review: family of exercises 4.17 and 4.20")
 
 
 def hrr(pitch: float = 0.1, first: float = 0.5, second: float = 0.3) -> Chain:
@@ -177,4 +178,4 @@ def hrr(pitch: float = 0.1, first: float = 0.5, second: float = 0.3) -> Chain:
     """
     joints = [(Z, (0, 0, 0), pitch), (Z, (first, 0, 0)), (Z, (first + second, 0, 0))]
     home = pose((X, Y, Z), (first + second, 0, 0))
-    return arm(joints, home, "HRR arm", "a helical joint, in the manner of the Chapter 4 review deck's families")
+    return arm(joints, home, "HRR arm", "a helical joint, in the manner of the families of the Chapter 4 review")

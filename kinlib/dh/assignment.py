@@ -1,6 +1,6 @@
 """DH frame assignment: from joint axes to frames and a table, in both conventions, with every step and its reason.
 
-The axes determine most of the assignment. Where they leave a choice, it is made as in the decks, and each step lists the
+The axes determine most of the assignment. Where they leave a choice, it is made as is usual, and each step lists the
 alternatives: for parallel axes the origin is at joint i+1 (standard) or such that d_i = 0 (modified), for intersecting axes x is
 chosen close to the previous x, the last z of the standard convention is parallel to the one before it, and {0} coincides with
 {1} in the modified convention.
@@ -85,7 +85,7 @@ class FrameAssignment:
 
     @cached_property
     def steps(self) -> list[AssignmentStep]:
-        """The assignment as a person does it, in the order of the decks: each step with its case, choice and numbers."""
+        """The assignment as a person does it, in the usual order: each step with its case, choice and numbers."""
         return explain_assignment(self.chain, self.table, self.frames, self.normals, self.accuracy)
 
 
@@ -95,7 +95,7 @@ def assign_frames(chain: Chain, *, convention: Convention) -> FrameAssignment:
     The product of the table equals chain.fk to about 1e-12; for nearly parallel axes, `accuracy` says how closely.
 
     Raises ValueError for an unknown convention, and for a helical joint, which a DH row cannot describe.
-    Source: EduFill module, steps I to IX; Chapter 4 review deck, seven steps (standard); deck n = 5, eight steps (modified).
+    Source: EduFill manipulation module, steps I to IX; Chapter 4 review, seven steps (standard); DH example with n = 5, eight steps (modified).
 
     >>> from kinlib.chains.robots import youbot
     >>> assign_frames(youbot(), convention="standard").table.columns["d"].round(4) + 0.0

@@ -52,11 +52,11 @@ def common_normal(
     """Compute the common normal from one axis to another, each given by a unit direction and a point on it.
 
     previous_x      the x of the previous frame; where the sign or the direction is free, the normal is chosen close to it
-    at_other_point  for parallel axes: whether the normal goes through the point of the other axis, as the Chapter 4 review deck
+    at_other_point  for parallel axes: whether the normal goes through the point of the other axis, as the Chapter 4 review
                     has it, or else through that of the first
     parallel_below  axes at a smaller angle than this, in radians, are treated as parallel
 
-    Source: EduFill module, steps III and IV; Chapter 4 review deck, step 3.
+    Source: EduFill manipulation module, steps III and IV; Chapter 4 review, step 3.
 
     >>> X, Y, Z = np.eye(3)
     >>> common_normal((Z, 0 * Z), (Y, 2 * X), X, at_other_point=True).case

@@ -1,6 +1,6 @@
 """The steps of a frame assignment in words: the case, the choice, the alternatives and the numbers.
 
-The order is that of the decks: locate the axes; for each link the common normal, the origin, x and y; the first and the last
+The order is the usual one: locate the axes; for each link the common normal, the origin, x and y; the first and the last
 frame; and the four numbers of each row.
 """
 

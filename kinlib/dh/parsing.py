@@ -32,7 +32,7 @@ COLUMN_SYNONYMS = {
     "offset": "d",
     "angle": "theta",
 }
-"""Other names of the columns; the EduFill module writes psi where others write alpha."""
+"""Other names of the columns; the EduFill manipulation module writes psi where others write alpha."""
 
 ROW_NUMBER_HEADINGS = ("i", "j", "k", "n", "#", "no", "no.", "nr", "row", "link", "joint", "index", "axis", "frame")
 """Headings of a column that counts the rows."""

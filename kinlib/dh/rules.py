@@ -42,7 +42,7 @@ def check_frames(
     x meets z        and the line of that x intersects the line of that z
 
     Raises ValueError for frames of another shape, and for an unknown convention.
-    Source: EduFill module, steps II to V; Chapter 4 review deck, steps 1 to 3; deck n = 5, steps 3 to 6.
+    Source: EduFill manipulation module, steps II to V; Chapter 4 review, steps 1 to 3; DH example with n = 5, steps 3 to 6.
 
     >>> from kinlib.dh.assignment import assign_frames
     >>> from kinlib.chains.robots import youbot

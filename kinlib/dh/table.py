@@ -49,7 +49,7 @@ def dh_transform(a: ArrayLike, alpha: ArrayLike, d: ArrayLike, theta: ArrayLike,
     In the modified convention a and alpha are those of the row, a_{i-1} and alpha_{i-1}.
 
     Raises ValueError for an unknown convention, and for NaN or infinity.
-    Source: EduFill module, "Computation with Denavit-Hartenberg table" (standard); deck n = 5 and Lecture 7 (modified).
+    Source: EduFill manipulation module, "Computation with Denavit-Hartenberg table" (standard); DH example with n = 5 and Kinematics under DH (modified).
 
     >>> dh_transform(0, 0, 0.2, 0, convention="standard")[:3, 3]
     array([0. , 0. , 0.2])
@@ -82,7 +82,7 @@ class DHTable(validation.ReadOnly):
     lengths     values of the names that the rows use
 
     Raises ValueError for a table that cannot be read; the message names the row and the column.
-    Source: EduFill module (standard), deck n = 5 and Lecture 7 (modified).
+    Source: EduFill manipulation module (standard), DH example with n = 5 and Kinematics under DH (modified).
 
     >>> table = DHTable("a | alpha | d | theta \n 0.4 | 0 | 0 | q1 \n 0.3 | 0 | 0 | q2", convention="standard")
     >>> table.fk([np.pi / 2, 0])[:3, 3].round(3) + 0.0
@@ -176,7 +176,7 @@ class DHTable(validation.ReadOnly):
         q (..., n) in radians and metres -> (..., m, 4, 4).
 
         Raises ValueError for joint values of another size, and for NaN.
-        Source: deck n = 5, which prints them for its RPRR arm.
+        Source: DH example with n = 5, which prints them for its RPRR arm.
 
         >>> DHTable([[0.4, 0, 0, 0]], convention="standard").link_transforms([np.pi / 2])[0, :3, 3].round(3) + 0.0
         array([0. , 0.4, 0. ])
@@ -196,7 +196,7 @@ class DHTable(validation.ReadOnly):
         q (..., n) -> T_sb (..., 4, 4).
 
         Raises ValueError for joint values of another size, and for NaN.
-        Source: Chapter 4 review deck, step 7.
+        Source: Chapter 4 review, step 7.
 
         >>> DHTable([[0.4, 0, 0, 0]], convention="modified").fk(np.zeros((1000, 1))).shape
         (1000, 4, 4)
@@ -405,7 +405,7 @@ def validate_convention(name: Any) -> Convention:
 def joint_transform(d: float, theta: float) -> Array:
     """Compute the motion about and along a joint axis: Z = Rz(theta) Tz(d), (4, 4). With `normal_transform` it forms each row.
 
-    Source: deck n = 5, where a row is two axial screws.
+    Source: DH example with n = 5, where a row is two axial screws.
 
     >>> joint_transform(0.5, 0)[:3, 3]
     array([0. , 0. , 0.5])
@@ -417,7 +417,7 @@ def joint_transform(d: float, theta: float) -> Array:
 def normal_transform(a: float, alpha: float) -> Array:
     """Compute the motion along and about a common normal: X = Tx(a) Rx(alpha), (4, 4); the conventions put it in different rows.
 
-    Source: deck n = 5, where a row is two axial screws.
+    Source: DH example with n = 5, where a row is two axial screws.
 
     >>> normal_transform(0.5, 0)[:3, 3]
     array([0.5, 0. , 0. ])

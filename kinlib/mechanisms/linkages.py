@@ -104,7 +104,9 @@ def ten_links(left: Sequence[float] = (1.0,) * 5, right: Sequence[float] = (1.0,
     """
     left_arm = _planar_arm(0.0, left, [f"theta_{i}" for i in range(1, 6)])
     right_arm = _planar_arm(0.0, right, [*(f"theta_{i}" for i in range(10, 5, -1)), "pin"])
-    return Mechanism.from_branches(left_arm, right_arm, name="ring of ten links", source="Forward kinematics II, (3.81)")
+    return Mechanism.from_branches(
+        left_arm, right_arm, name="ring of ten links", source="Forward kinematics II, (3.81)"
+    )
 
 
 def parallelogram(ground: float = 0.4, crank: float = 0.2) -> Mechanism:

@@ -73,7 +73,7 @@ def exp(x: ArrayLike) -> Array:
 
     Raises ValueError for any other last dimension, for a skew-symmetric 3x3 matrix, whose vee is meant, for NaN or infinity, and
     for an angle that double precision cannot resolve.
-    Source: Modern Robotics, (3.51) and (3.88); the UIUC deck's "true form" is the series that this sums.
+    Source: Modern Robotics, (3.51) and (3.88); "Forward kinematics II" calls the series that this sums the true form.
 
     >>> exp([0, 0, np.pi / 2, 0, 0, 0]).round(3) + 0.0
     array([[ 0., -1.,  0.,  0.],

@@ -31,9 +31,9 @@ def screw(axis: ArrayLike, point: ArrayLike = (0.0, 0.0, 0.0), pitch: ArrayLike 
     pitch inf, prismatic:  (0, axis); the point has no effect, because a prismatic joint has a direction but no line.
 
     Raises ValueError for an axis that is not of unit length, wrong shapes, and NaN.
-    Source: Modern Robotics, 3.3.2.2 and definition 3.24; the UIUC deck writes v = -w x q.
+    Source: Modern Robotics, 3.3.2.2 and definition 3.24; Forward kinematics II writes v = -w x q.
 
-    >>> screw((0, -1, 0), point=(-4, -2, 0)) + 0.0        # joint 1 of the UIUC deck's first example
+    >>> screw((0, -1, 0), point=(-4, -2, 0)) + 0.0        # joint 1 of the first example of Forward kinematics II
     array([ 0., -1.,  0.,  0.,  0.,  4.])
     >>> screw((0, 0, 1), pitch=np.inf)                    # its joint 2
     array([0., 0., 0., 0., 0., 1.])

@@ -230,7 +230,7 @@ def table_fk(table: DHTable | Iterable[Any], convention: Convention | None = Non
 
     Raises ValueError if a row does not have four entries, if the convention is missing, if alpha is in degrees, and for
     another number of joint values.
-    Source: EduFill module (standard), deck n = 5 and Lecture 7 (modified).
+    Source: EduFill manipulation module (standard), DH example with n = 5 and Kinematics under DH (modified).
 
     >>> q_1, q_2, a_1, a_2 = sp.symbols("q_1 q_2 a_1 a_2")
     >>> shorthand(table_fk([(a_1, 0, 0, q_1), (a_2, 0, 0, q_2)], "standard"))[:2, 3].T

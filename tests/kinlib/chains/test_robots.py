@@ -70,7 +70,7 @@ def test_a_length_that_is_no_number_is_refused():
 
 
 def modified(*rows):
-    """RPRR, PUMA and the RPR of Lecture 7: rows of (letter, alpha_{i-1}, a_{i-1}, d_i, theta_i), angles in degrees."""
+    """RPRR, PUMA and the planar RPR: rows of (letter, alpha_{i-1}, a_{i-1}, d_i, theta_i), angles in degrees."""
     rtb = pytest.importorskip("roboticstoolbox")
     links = []
     for letter, alpha, a, d, theta in rows:
@@ -131,7 +131,7 @@ A2, A3, D3, D4 = 0.41, 0.03, 0.16, 0.44
             along(),
         ),
     ],
-    ids=["RPRR", "PUMA 560", "RPR of Lecture 7", "youBot"],
+    ids=["RPRR", "PUMA 560", "planar RPR", "youBot"],
 )
 def test_the_screws_move_as_the_printed_table_does(robot, convention, rows, tool):
     arm = convention(*rows)
@@ -248,7 +248,7 @@ def test_the_youbot_in_the_drawn_configuration_steps_up_by_its_third_link():
     close(T[:3, 0], np.array([0, 1, 1]) / np.sqrt(2))
 
 
-# --- UIUC deck, example 1 ---
+# --- Forward kinematics II, example 1 ---
 
 PRINTED_M1 = np.array([[0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1], [0, 0, 0, 0]])
 
@@ -275,7 +275,7 @@ def test_only_one_rotation_has_the_first_two_rows_that_are_printed():
     np.testing.assert_array_equal(robots.rpr().home[:3, :3], found[0])
 
 
-@pytest.mark.oracle("printed: UIUC deck, lecture 11, example 1", robots.rpr)
+@pytest.mark.oracle("printed: Forward kinematics II, example 1", robots.rpr)
 def test_our_M_of_example_1_differs_from_the_printed_one_in_two_entries():
     assert np.argwhere(robots.rpr().home != PRINTED_M1).tolist() == [[2, 0], [3, 3]]
 
@@ -304,7 +304,7 @@ def test_the_printed_zero_columns_are_no_screw_axes(printed):
         line(printed)
 
 
-# --- UIUC deck, example 2 ---
+# --- Forward kinematics II, example 2 ---
 
 
 def test_the_printed_M_of_example_2_is_a_pose_and_ours():
@@ -313,7 +313,7 @@ def test_the_printed_M_of_example_2_is_a_pose_and_ours():
     np.testing.assert_array_equal(robots.rppr().home, validation.poses(printed, "M"))
 
 
-@pytest.mark.oracle("printed: UIUC deck, lecture 11, body-form example", robots.rppr)
+@pytest.mark.oracle("printed: Forward kinematics II, body-form example", robots.rppr)
 def test_B1_and_B4_of_example_2_are_as_printed():
     w, q1, q4 = (0, 1, 0), (-2, -2, 0), (-2, 0, 0)
     for q in (q1, q4):
@@ -329,7 +329,7 @@ def test_the_printed_slides_of_example_2_have_no_direction():
         line([0, 0, 0, *(0, 0, 0)])
 
 
-# --- UIUC deck, the exponential and (3.88) ---
+# --- Forward kinematics II, the exponential and (3.88) ---
 
 
 def printed_388(omega, v, theta):

@@ -213,7 +213,7 @@ def test_the_link_transforms_of_deck_n_5_come_out_as_printed_and_one_as_it_shoul
     assert abs(table.link_transforms(q)[1, 2, 2]) < EXACT
 
 
-@pytest.mark.oracle("printed: Lecture 7", dh_transform)
+@pytest.mark.oracle("printed: Kinematics under DH", dh_transform)
 def test_one_of_lecture_7_s_two_general_matrices_has_two_entries_exchanged():
     """The first prints row 2 as (c s_alpha, c c_alpha, ...) and row 3 as (s s_alpha, s c_alpha, ...): no rotation at all."""
     alpha, theta = 0.5, 0.7

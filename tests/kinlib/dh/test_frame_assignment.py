@@ -38,7 +38,11 @@ def fuzzed(convention, count=COUNT, angle=None, seed=0):
 # --- as the decks print it ---
 
 
-@pytest.mark.oracle("printed: EduFill module, deck n = 5, Lecture 7", assign_frames, kl.FrameAssignment.base)
+@pytest.mark.oracle(
+    "printed: EduFill manipulation module, DH example with n = 5, Kinematics under DH",
+    assign_frames,
+    kl.FrameAssignment.base,
+)
 @pytest.mark.parametrize("name", PRINTED)
 def test_the_assignment_gives_the_deck_s_own_table(name):
     printed, chain = PRINTED[name]
@@ -286,7 +290,11 @@ def test_z_of_the_standard_convention_lies_on_the_next_joint_and_that_of_the_mod
 # --- the steps ---
 
 
-@pytest.mark.oracle("printed: EduFill module, deck n = 5, Lecture 7", kl.FrameAssignment.steps, explain_assignment)
+@pytest.mark.oracle(
+    "printed: EduFill manipulation module, DH example with n = 5, Kinematics under DH",
+    kl.FrameAssignment.steps,
+    explain_assignment,
+)
 @each_convention
 def test_the_steps_come_in_the_order_of_the_decks(convention):
     for found, _, _ in fuzzed(convention, count=20, seed=9):
