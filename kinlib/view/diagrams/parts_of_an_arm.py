@@ -50,4 +50,4 @@ def draw_parts(chain: Chain, q: ArrayLike | None = None, *, caption: str = "") -
         f"{chain.name}: from the base through {', '.join(parts[:-1])} to the end-effector at {vector_text(stations[-1])} m. "
         f"Joints: {at}."
     )
-    return canvas.picture(alt, caption)
+    return canvas.picture(alt, caption, cropped=True)

@@ -5,7 +5,7 @@ from numpy.typing import ArrayLike
 
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
-from kinlib.view.drawing.canvas import MARGIN_SHARE, Canvas
+from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import AXIS_COLOURS, GHOST_GREY, INK, ORANGE, VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
 
@@ -40,13 +40,9 @@ def draw_three_readings(T: ArrayLike, point: ArrayLike, *, caption: str = "") ->
     corners = np.concatenate(
         [np.zeros((1, 3)), T[None, :3, 3], [x_a, x_b], body, _moved(T, body), T[:3, 3] + AXIS_LENGTH * T[:3, :2].T]
     )
-    low, (width, height, _) = corners.min(axis=0), np.add(np.ptp(corners, axis=0), (0.7, 0.8, 0))
+    low, width = corners.min(axis=0), np.ptp(corners[:, 0]) + 0.7
     panels = [np.array([k * width, 0.0, 0.0]) for k in range(3)]
-    middle = np.add(low, (1.5 * width - 0.5, height / 2 - 0.5, 0))
-    reach = np.array(
-        [[3 * width / (1 + 2 * MARGIN_SHARE) / 2, 0, 0]]
-    )  # a canvas adds its margin, which is wide for panels
-    canvas = Canvas(np.concatenate([middle - reach, middle + reach]), "top")
+    canvas = Canvas([low, low + 2 * panels[1]], "top")
     for title, shift in zip(TITLES, panels, strict=True):
         _draw_axes(canvas, np.eye(4), "a", shift)
         if title != "motion":
@@ -71,6 +67,7 @@ def draw_three_readings(T: ArrayLike, point: ArrayLike, *, caption: str = "") ->
         f"Pose: frame {{b}} at {vector_text(T[:3, 3])} in {{a}}, rotated by {angle:.3g} degrees. Change of coordinates: the point "
         f"{before} in {{b}} is {after} in {{a}}. Motion: a body at {before} moves to {after}.",
         caption,
+        cropped=True,
     )
 
 
