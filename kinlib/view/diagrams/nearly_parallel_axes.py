@@ -8,8 +8,8 @@ from kinlib.view.drawing import svg
 from kinlib.view.drawing.figure_colours import INK, JOINT_FILL, LINK_GREY, ORANGE, PALE_GREY, VIOLET
 from kinlib.view.drawing.picture import Picture
 
-WIDTH_PX, HEIGHT_PX, PX_PER_M = 420.0, 470.0, 95.0
-FLOOR = np.array([130.0, HEIGHT_PX - 40.0])
+WIDTH_PX, HEIGHT_PX, PX_PER_M = 560.0, 440.0, 88.0
+FLOOR = np.array([200.0, HEIGHT_PX - 40.0])
 """The place in pixels where axis 1 meets the floor."""
 
 
@@ -64,7 +64,7 @@ def _normal(height: float, top: float) -> list[str]:
             svg.circle(foot, 6, ORANGE),
             svg.text([foot[0] + 96, foot[1]], f"common normal, {format_number(height, 3)} m", ORANGE, 13),
         ]
-    x, y = WIDTH_PX - 150.0, 20.0
+    x, y = WIDTH_PX - 190.0, 20.0
     if np.isinf(height):
         return [svg.text([x, y + 56], "parallel: a normal at every height", ORANGE, 13)]
     return [
