@@ -95,7 +95,8 @@ def assign_frames(chain: Chain, *, convention: Convention) -> FrameAssignment:
     The product of the table equals chain.fk to about 1e-12; for nearly parallel axes, `accuracy` says how closely.
 
     Raises ValueError for an unknown convention, and for a helical joint, which a DH row cannot describe.
-    Source: EduFill manipulation module, steps I to IX; Chapter 4 review, seven steps (standard); DH example with n = 5, eight steps (modified).
+    Source: EduFill manipulation module, steps I to IX; Chapter 4 review, seven steps (standard); DH example with
+    n = 5, eight steps (modified).
 
     >>> from kinlib.chains.robots import youbot
     >>> assign_frames(youbot(), convention="standard").table.columns["d"].round(4) + 0.0

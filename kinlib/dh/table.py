@@ -49,7 +49,8 @@ def dh_transform(a: ArrayLike, alpha: ArrayLike, d: ArrayLike, theta: ArrayLike,
     In the modified convention a and alpha are those of the row, a_{i-1} and alpha_{i-1}.
 
     Raises ValueError for an unknown convention, and for NaN or infinity.
-    Source: EduFill manipulation module, "Computation with Denavit-Hartenberg table" (standard); DH example with n = 5 and Kinematics under DH (modified).
+    Source: EduFill manipulation module, "Computation with Denavit-Hartenberg table" (standard); DH example with n = 5
+    and Kinematics under DH (modified).
 
     >>> dh_transform(0, 0, 0.2, 0, convention="standard")[:3, 3]
     array([0. , 0. , 0.2])

@@ -39,7 +39,7 @@ def fuzzed(convention, count=COUNT, angle=None, seed=0):
 
 
 @pytest.mark.oracle(
-    "printed: EduFill manipulation module, DH example with n = 5, Kinematics under DH",
+    "printed: DH example with n = 5, Kinematics under DH",
     assign_frames,
     kl.FrameAssignment.base,
 )
@@ -291,7 +291,7 @@ def test_z_of_the_standard_convention_lies_on_the_next_joint_and_that_of_the_mod
 
 
 @pytest.mark.oracle(
-    "printed: EduFill manipulation module, DH example with n = 5, Kinematics under DH",
+    "printed: DH example with n = 5, Kinematics under DH",
     kl.FrameAssignment.steps,
     explain_assignment,
 )
