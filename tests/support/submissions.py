@@ -14,6 +14,7 @@ import numpy as np
 from typed_answers import typable
 
 from kincourse import find_sheet
+from misstep.answers.expression import ClosedForm
 
 ROOT = Path(__file__).parents[2]
 SHEET = "03_poe_space"
@@ -93,10 +94,15 @@ def attacking(student, attack):
 
 
 def typed(student, answer, function, name=SHEET):
-    """Lines with answers to a student's variants, as numbers and names; where a function is asked for, with this one."""
+    """Lines with answers to a student's variants, as numbers and names; where a function is asked for, with this one.
+
+    Problems that ask for formulas, and those that build on them, are left blank.
+    """
     lines = {}
     for k, template in enumerate(find_sheet(name).problems, start=1):
         problem = template.variant(student)
+        if isinstance(problem.answer, ClosedForm) or (callable(problem.answer.value) and not problem.given):
+            continue
         if callable(problem.answer.value):
             value = function.format(**{given: literal(number) for given, number in problem.given.items()})
         else:
