@@ -14,6 +14,9 @@ TITLES = ("given in {s}", "(a), (b): at p", "(c): along {b}")
 AXIS_SHARE = 0.3
 """The length of the axes of a frame, as a share of the width of a panel."""
 
+RIGHT, BELOW = [(26, 4), (-28, 0)], [(8, -16), (-8, 16)]
+"""Where the labels of velocities may be placed: offsets in pixels to the right and up."""
+
 VELOCITY_SHARE = 0.42
 """The length of the longest velocity, as a share of the width of a panel."""
 
@@ -62,9 +65,9 @@ def draw_adjoint_steps(S: ArrayLike, M: ArrayLike, *, caption: str = "") -> Pict
     canvas.arrow(start, start + scale * v, VIOLET, 2.0)
     canvas.label(start + scale * v / 2, "$v$", VIOLET)
     canvas.arrow(start + scale * v, start + scale * at_p, GREY, 2.0, style="--")
-    canvas.label(start + scale * (v + at_p) / 2, "$ω × p$", GREY)
+    canvas.label(start + scale * (v + at_p) / 2, "$ω × p$", GREY, RIGHT)
     canvas.arrow(start, start + scale * at_p, ORANGE, 2.6)
-    canvas.label(start + scale * at_p, "$v + ω × p$", ORANGE)
+    canvas.label(start + scale * at_p, "$v + ω × p$", ORANGE, BELOW)
     start, parts = third + p, R.T @ at_p
     canvas.arrow(start, start + scale * at_p, ORANGE, 2.6)
     for k in range(2):
