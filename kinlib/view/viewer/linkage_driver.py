@@ -156,11 +156,14 @@ def _scene(mechanism: Mechanism, configurations: Array, begin: Array) -> dict[st
     stations = np.concatenate(
         [linkage_geometry(mechanism, q).all for q in configurations[:: max(1, len(configurations) // 60)]]
     )
-    middle = (stations.min(axis=0) + stations.max(axis=0)) / 2
     drawn = linkage_geometry(mechanism, begin).all
     size = max(float(np.ptp(drawn, axis=0).max()), 1e-3)
     planar = is_planar(mechanism)
     look = PLANAR_VIEW_DEG if planar else SPATIAL_VIEW_DEG
+    floor = float(stations[:, 2].min()) - (0.1 if planar else 0.15) * size
+    feet = [(*joint.position[:2], floor) for joint in mechanism.joints if mechanism.ground in joint.bodies]
+    shown = np.concatenate([stations, np.reshape(feet, (-1, 3))])
+    middle = (shown.min(axis=0) + shown.max(axis=0)) / 2
     return {
         "name": mechanism.name,
         "bodies": list(mechanism.bodies),
@@ -179,10 +182,10 @@ def _scene(mechanism: Mechanism, configurations: Array, begin: Array) -> dict[st
         "limits": [],
         "room": {
             "centre": middle.tolist(),
-            "radius": half_height(stations - middle, look) + VIEW_MARGIN * size,
+            "radius": half_height(shown - middle, look) + VIEW_MARGIN * size,
             "look": look,
         },
-        "floor": float(stations[:, 2].min()) - (0.1 if planar else 0.15) * size,
+        "floor": floor,
     }
 
 
