@@ -326,7 +326,7 @@ def test_the_search_lists_lectures_first_and_shows_readable_excerpts(page, site_
     assert folders.index("lectures") < folders.index("robots")
     context = found.filter(has_text="DH frames for any arm").locator(".context").first
     context.wait_for()
-    assert context.inner_text().count("(0,d)") == 1
+    assert context.inner_text().count("(0,v)") == 1
     assert "\\omega" not in "".join(found.locator(".context").all_inner_texts())
 
 
