@@ -16,9 +16,9 @@ from browser import unwatched, watched
 from built_site import ROOT, SITE
 from kinsite import STRICT, cell_outputs, execute, sphinx_source
 from kinsite.generated import census, gallery, mistakes, reference
-from lessons import words_of
+from lessons import plain_words, words_of
 
-from kincourse import COURSE
+from kincourse import COURSE, find_question
 
 MAX_PAGE_BYTES, MAX_LECTURE_BYTES = 200_000, 450_000
 """Limits for a page with all the files that it loads, compressed, without the viewer's bundle."""
@@ -175,8 +175,9 @@ def test_a_question_explains_the_first_choice_and_ignores_later_ones(page, site_
     page.locator(f"{RECALL} button").nth(0).click()
     reply = page.locator(f"{RECALL} .kinlib-reply")
     assert "A is not correct" in reply.inner_text()
-    assert "A twist does not know which point you call the tool" in reply.inner_text()
-    assert "The correct answer is C: The velocity of the point of the body" in reply.inner_text()
+    wrong, _, right = find_question("03/recall-2").options
+    assert plain_words(wrong.why) in reply.inner_text()
+    assert f"The correct answer is C: {plain_words(right.text)}" in reply.inner_text()
     page.locator(f"{RECALL} button").nth(2).dispatch_event("click")
     assert "A is not correct" in reply.inner_text()
 
@@ -188,13 +189,14 @@ def test_a_prediction_uncovers_the_arm_and_the_explanation(page, site_address):
     explanation = page.locator('[data-misstep-explain="03/order"]')
     covered.scroll_into_view_if_needed()
     covered.locator(".kv-cover").wait_for()
-    assert not explanation.get_by_text("You moved joint 1 first").is_visible()
+    why = plain_words(find_question("03/order").options[0].why)
+    assert not explanation.get_by_text(why).is_visible()
     page.locator(f"{ORDER} button").nth(0).focus()
     page.keyboard.press("Enter")
     covered.locator(".kv-canvas").wait_for(state="visible")
     assert "A is not correct" in explanation.inner_text()
-    assert "You moved joint 1 first" in explanation.inner_text()
-    assert "moved joint 1 first" not in page.locator(ORDER).inner_text()
+    assert why in explanation.inner_text()
+    assert why not in page.locator(ORDER).inner_text()
     page.reload()
     covered.scroll_into_view_if_needed()
     covered.locator(".kv-canvas").wait_for(state="visible")
@@ -266,9 +268,9 @@ def test_without_javascript_every_explanation_can_be_opened(chromium, site_addre
     with watched(chromium, java_script_enabled=False) as page:
         page.goto(f"{site_address}/{LECTURE_03}")
         page.locator(f"{RECALL} summary").nth(2).click()
-        assert page.get_by_text("Even if the body has no matter there").is_visible()
+        assert page.get_by_text(plain_words(find_question("03/recall-2").options[2].why)).is_visible()
         page.locator('[data-misstep-explain="03/order"] summary').click()
-        assert page.get_by_text("When the turn of joint 2 comes, joint 1 has not moved yet").is_visible()
+        assert page.get_by_text(plain_words(find_question("03/order").options[1].why)).is_visible()
 
 
 PREDICTIONS = [f"00/{key}" for key, item in COURSE.questions()["00"].items() if item.kind == "predict"]

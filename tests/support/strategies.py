@@ -39,7 +39,11 @@ def angles(largest=np.pi):
 def directions():
     """Unit vectors: along the coordinate axes, and in any direction."""
     # Half of the smallest subnormal number is 0: such a direction is another one when it is scaled.
-    anywhere = st.tuples(*[st.floats(-1, 1, allow_subnormal=False)] * 3).map(np.array).filter(lambda u: np.linalg.norm(u) > 0.1)
+    anywhere = (
+        st.tuples(*[st.floats(-1, 1, allow_subnormal=False)] * 3)
+        .map(np.array)
+        .filter(lambda u: np.linalg.norm(u) > 0.1)
+    )
     axes = st.sampled_from([*np.eye(3), *-np.eye(3)])
     return st.one_of(axes, anywhere.map(lambda u: u / np.linalg.norm(u)))
 

@@ -6,6 +6,10 @@ from kincourse import find_question
 
 
 def words_of(name: str) -> str:
-    """Return the longest stretch of an explanation that has neither marks nor formulas, at most 60 characters of it."""
-    pieces = re.split(r"[$*`\[\]()\n\"]", find_question(name).explanation)
-    return max(pieces, key=len).strip()[:60].strip()
+    """Return words of the explanation of a prediction."""
+    return plain_words(find_question(name).explanation)
+
+
+def plain_words(text: str) -> str:
+    """Return the longest stretch of a text that has neither marks nor formulas, at most 60 characters of it."""
+    return max(re.split(r"[$*`\[\]()\n\"']", text), key=len).strip()[:60].strip()
