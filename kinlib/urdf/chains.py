@@ -36,7 +36,11 @@ def load_urdf(path_or_text: str | os.PathLike[str], base: str | None = None, tip
     Raises ValueError, with the element and its line, if the file is not XML, not a URDF or not a tree, if a number is not
     valid, if several links could be the tip, and if a joint on the path is planar, floating or a mimic joint, which a chain
     cannot represent. No other file is opened, and nothing is downloaded.
-    Source: the URDF specification, "link" and "joint"; conventions as in urdfdom, the parser of ROS.
+
+    Readers check different rules. This one also refuses what urdfdom, the parser of ROS, reads: a second parent that closes a
+    loop, lower > upper, an axis of length 0, and angles that look like degrees. It does not need the effort and velocity of a
+    limit, without which urdfdom refuses a file.
+    Source: the URDF specification, "link" and "joint"; the meaning of its elements as in urdfdom.
 
     >>> text = '''<robot name="crane">
     ...   <link name="ground"/> <link name="mast"/> <link name="hook"/>
@@ -52,7 +56,7 @@ def load_urdf(path_or_text: str | os.PathLike[str], base: str | None = None, tip
     tip = _only_tip(tree, base) if tip is None else tree.check_link(tip, "tip")
     T, screws, points, moving = np.eye(4), [], [], []
     for joint, sign in tree.path(base, tip):
-        # The axis is given in the joint frame: the frame after this joint on the way down, and before it on the way up.
+        # The axis is given in the joint frame: the frame after this joint if the path goes down, and before it if it goes up.
         before, T = T, T @ (joint.origin if sign > 0 else inverse(joint.origin))
         if joint.moves:
             _check_chain_can_represent(joint)

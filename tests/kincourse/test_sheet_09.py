@@ -18,6 +18,10 @@ from kinlib import dh_transform, load_urdf
 from kinlib.rigid.rpy import origin
 
 ROOT = Path(__file__).parents[2]
+LECTURE = json.loads((ROOT / "notebooks" / "09_urdf.ipynb").read_text("utf-8"))["cells"]
+SPINDLE = re.search(
+    "<robot name=.spindle.*?</robot>", "\n".join("".join(cell["source"]) for cell in LECTURE), re.DOTALL
+)[0]
 STUDENTS = [f"student {i}" for i in range(40)]
 POSITION_ATOL_M = 1e-4
 """The sheet prints a right angle as 1.5708, with an error of 4e-6 rad, and its arms are about ten metres long."""
@@ -183,6 +187,22 @@ def test_an_axis_of_length_0_leads_pinocchio_to_a_pose_that_is_no_rotation():
     pin.framesForwardKinematics(model, data, np.array([0.0, 0.7]))
     R = data.oMf[model.getFrameId("camera")].rotation
     assert abs(np.linalg.det(R) - 1) > 0.1
+
+
+def test_a_mimic_joint_moves_by_itself_in_pinocchio_unless_asked_otherwise():
+    pin = pytest.importorskip("pinocchio")
+    assert [pin.buildModelFromXML(SPINDLE, mimic=asked).nv for asked in (False, True)] == [2, 1]
+
+
+def test_the_joint_c_of_the_four_bar_has_no_influence_on_the_rocker_of_pytransform3d():
+    urdf = pytest.importorskip("pytransform3d.urdf")
+    manager = urdf.UrdfTransformManager()
+    manager.load_urdf(readers.FOUR_BAR)
+    before = manager.get_transform("rocker", "ground")
+    manager.set_joint("C", 0.5)
+    np.testing.assert_array_equal(manager.get_transform("rocker", "ground"), before)
+    manager.set_joint("D", 0.5)
+    assert np.abs(manager.get_transform("rocker", "ground") - before).max() > 0.1
 
 
 TEXTS = [
