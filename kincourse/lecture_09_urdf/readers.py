@@ -94,7 +94,9 @@ def _by_pytransform3d(text: str) -> Sequence[str]:
     manager = UrdfTransformManager()
     manager.load_urdf(text)
     names = re.findall(r'<joint name="(\w+)"', text)
-    return [name for name in names if manager.get_joint_limits(name)]  # KeyError if it does not know the joint
+    for name in names:
+        manager.get_joint_limits(name)  # KeyError if it does not know the joint
+    return names
 
 
 def _by_roboticstoolbox(text: str) -> Sequence[str]:
