@@ -100,8 +100,10 @@ def _explain_axes(chain: Chain, standard: bool) -> AssignmentStep:
 
 
 def _joints(numbers: Sequence[int]) -> str:
-    """Write "joint 2 is", or "joints 1, 3 are"."""
-    return f"joint{'s' * (len(numbers) > 1)} {', '.join(map(str, numbers))} {'are' if len(numbers) > 1 else 'is'}"
+    """Write "joint 2 is", "joints 1, 3 are" or "joints 1 to 6 are"."""
+    is_run = len(numbers) > 2 and numbers[-1] - numbers[0] == len(numbers) - 1
+    names = f"{numbers[0]} to {numbers[-1]}" if is_run else ", ".join(map(str, numbers))
+    return f"joints {names} are" if len(numbers) > 1 else f"joint {names} is"
 
 
 def _explain_first_frame(table: DHTable, frames: Array) -> AssignmentStep:

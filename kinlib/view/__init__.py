@@ -6,6 +6,7 @@ There are three renderers, because no single one does all three of these:
   sharp in print; no plotting library places labels beside joints, or draws an arm fast enough for a slider.
 - matplotlib (`drawing.plot`), for curves over a numeric axis: ticks, logarithmic scales and legends are not worth writing anew.
   It is imported only when a curve is plotted, because that takes one second, and three in the browser.
+  SVG and plots are images that contain the colours of a light and of a dark page (`drawing.dark_theme`).
 - three.js (`js`, bundled into `static/viewer.js`), for what a reader rotates in three dimensions (`viewer`). It runs in the page,
   so it needs no kernel, and it follows the light and the dark theme. Before it starts, and in print, its SVG drawing is shown.
 """

@@ -1,7 +1,8 @@
 """Drawings that follow the theme of the page: each SVG contains a second set of colours for a dark page.
 
 A browser draws an image for the color-scheme of the element that shows it, so a rule on the page switches every drawing,
-as an image and without a script. In print, and in a browser without this feature, a drawing has its light colours.
+as an image and without a script; in print, drawings are light. A browser that does not pass the color-scheme on to images
+uses the theme of the system. The drawing stays legible, because it paints its own paper.
 """
 
 import colorsys

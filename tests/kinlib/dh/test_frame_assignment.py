@@ -335,10 +335,10 @@ def test_the_steps_say_where_axes_and_frames_stand(convention):
         expected |= {(kind, i): frames[i, :3, k] for kind, k in columns.items() for i in range(1, chain.n)}
         told = {(step.kind, step.frame): step.text for step in found.steps}
         for letter, kind in {"R": "revolute", "P": "prismatic"}.items():
-            named = re.search(rf"joints? ([\d, ]+) (?:is|are) {kind}", told["axes", None])
-            assert (named[1] if named else "") == ", ".join(
-                str(i) for i, other in enumerate(chain.joint_types, start=1) if other == letter
-            )
+            named = re.search(rf"joints? (\d+ to \d+|[\d, ]+) (?:is|are) {kind}", told["axes", None])
+            first, _, last = (named[1] if named else "").partition(" to ")
+            numbers = range(int(first), int(last) + 1) if last else map(int, first.split(", ") if first else [])
+            assert [*numbers] == [i for i, other in enumerate(chain.joint_types, start=1) if other == letter]
         for step, there in expected.items():
             np.testing.assert_allclose(vectors(told[step]), there, rtol=1e-3, atol=1e-11)
         for i, normal in enumerate(found.normals, start=1):
