@@ -136,9 +136,9 @@ def where_the_origin_goes(sampler: ArmSampler) -> Problem:
 
     told = ", ".join(str(entry) for entry in place)
     return Problem(
-        statement=f"A revolute joint has the direction ${vector(d)}$ and passes through the point $({told})$, where $a$ is a "
-        f"length that is not yet "
-        "known. Give the p-column of $e^{[S]\\theta}$, that is, where it takes the origin, as three formulas in $a$ and $\\theta$.",
+        statement=f"A revolute joint has the direction ${vector(d)}$ and passes through the point $({told})$. The length $a$ is not "
+        "yet known. Give the p-column of $e^{[S]\\theta}$, that is, the place to which the origin moves, as three formulas in $a$ and "
+        "$\\theta$.",
         given={"omega": w, "point": place},
         answer=ClosedForm(place - turn(w, THETA) * place),
         solution=column,
@@ -186,11 +186,9 @@ def three_terms(sampler: ArmSampler) -> Problem:
         * distance
     )
     return Problem(
-        statement=f"You stop the series of $e^{{[\\omega]\\theta}}$ after three terms, $I + [\\omega]\\theta + "
-        f"[\\omega]^2\\theta^2/2$, with $|\\omega| = 1$ "
-        f"and $\\theta = {number(angle)}$ rad, and apply the sum to a point that is {number(radius)} m from the axis. How far "
-        f"is the result "
-        "from the right position of the point, in millimetres?",
+        statement="You stop the series of $e^{[\\omega]\\theta}$ after three terms, $I + [\\omega]\\theta + [\\omega]^2\\theta^2/2$, "
+        f"with $|\\omega| = 1$ and $\\theta = {number(angle)}$ rad. Then you apply the sum to a point that "
+        f"is {number(radius)} m from the axis. How far is the result from the right position, in millimetres?",
         given={"radius": radius, "theta": angle},
         answer=Numbers(np.array(error.value), unit="mm"),
         solution=error,
@@ -253,10 +251,9 @@ def gyroscope(sampler: ArmSampler) -> Problem:
     ):
         there = there.mistaken_for(wrong, name, text, advice)
     return Problem(
-        statement=f"A gyroscope measures that a body rotates with $\\omega = {vector(omega)}$ radians per second. The point of "
-        f"the body at the origin "
-        f"has the velocity $v = {vector(v)}$ metres per second. Both vectors are constant in {{s}}, and the pose of the body is $I$ at "
-        f"time 0. Give its pose after {number(seconds)} seconds.",
+        statement=f"A gyroscope measures that a body rotates with $\\omega = {vector(omega)}$ radians per second. The point of the body "
+        f"that is at the origin has the velocity $v = {vector(v)}$ metres per second. Both vectors are constant in {{s}}. At time 0 the "
+        f"pose of the body is $I$. Give its pose after {number(seconds)} seconds.",
         given={"omega": omega, "v": v, "seconds": seconds},
         answer=PoseAnswer(there.value),
         solution=there,

@@ -283,7 +283,8 @@ def longer_tool(sampler: ArmSampler) -> Problem:
         solution=T,
         invisible=["order"],  # joint 3 translates along the axis of joint 2, so their factors commute
         advice={
-            "leave out $\\mathrm{Trans}_z$": "Without it you have the old tool. The new home pose is $M' = M\\,\\mathrm{Trans}_z$.",
+            "leave out $\\mathrm{Trans}_z$": "Without $\\mathrm{Trans}_z$ you have the old tool. The new home pose is $M' = "
+            "M\\,\\mathrm{Trans}_z$.",
             "swap $M$ and $\\mathrm{Trans}_z$": f"On the left, $\\mathrm{{Trans}}_z$ is along the $z$ of {{s}}. {TOOL_ADVICE}",
             "reversed": JOINT_ORDER_ADVICE,
             "first factor": "With space screws, the home pose is the last factor.",
@@ -301,8 +302,9 @@ def home_of_a_whole_arm(sampler: ArmSampler) -> Problem:
         return assemble(R, p.mistaken_for(negative(p), "sign of a vector", "take the position with the opposite sign"))
 
     return Problem(
-        statement="The drawing shows an arm at home. Each link is parallel to an axis of {s}, and its length is the letter beside "
-        f"it. Give the home pose $M = T_{{sb}}$ as a matrix of formulas in {_listed(robot)}.",
+        statement="The drawing shows an arm at home, with the frame {s} at the base and {b} at the end-effector. Each link is parallel to "
+        f"an axis of {{s}}, and the letter beside it is its length. Give the home pose $M = T_{{sb}}$ as a matrix of formulas "
+        f"in {_listed(robot)}.",
         figure=partial(draw_lettered_chain, robot.chain, robot.letters, home=False),
         given={"L": _symbols(robot)},
         answer=PoseExpressionAnswer(_symbolic_home(robot), _symbols(robot)),
