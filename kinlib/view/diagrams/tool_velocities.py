@@ -87,4 +87,5 @@ def lost_directions(velocities: Array) -> Array:
     _, sizes, directions = np.linalg.svd(np.concatenate([velocities, np.zeros((3, 3))]))
     lost = directions[sizes < LOST_RATIO * max(float(sizes[0]), 1e-300)]
     signs = np.sign(lost[np.arange(len(lost)), np.abs(lost).argmax(axis=1)])
-    return (signs[:, None] * lost).round(12) + 0.0
+    found: Array = (signs[:, None] * lost).round(12) + 0.0
+    return found

@@ -173,7 +173,7 @@ def extent(chain: Chain) -> float:
 def half_height(points: Array, look: Sequence[float] = VIEWS["default"]) -> float:
     """Return half the height of a picture in which points (m, 3) about its centre are in view, from `look` and in all named views.
 
-    >>> half_height(np.array([[0.0, 0, 2], [1, 0, -2]]))
+    >>> half_height(np.array([[0.0, 0, 2], [0, 0, -2]]))
     2.0
     """
     views = [look, *VIEWS.values()]
