@@ -52,7 +52,7 @@ def draw_lettered_chain(
     for letter, start, end in zip(letters, path[:-1], path[1:], strict=True):
         if letter:
             canvas.label((start + end) / 2, f"${letter}$", ORANGE, size=12)
-    return canvas.picture(_description(chain, letters, steps), caption)
+    return canvas.picture(_description(chain, letters, steps), caption, cropped=True)
 
 
 def _description(chain: Chain, letters: Sequence[str], steps: Array) -> str:

@@ -32,7 +32,8 @@ def draw_point_velocity(omega: ArrayLike, p: ArrayLike, view: str = "default") -
     return canvas.picture(
         f"A body rotates about the axis through the origin with omega = {vector_text(w)}. The arrow p leads from the origin to the "
         f"point {vector_text(point)}, which moves on a circle of radius {np.linalg.norm(point - foot):.3g} about the axis. Its "
-        f"velocity omega x p = {vector_text(velocity)} is perpendicular to both arrows."
+        f"velocity omega x p = {vector_text(velocity)} is perpendicular to both arrows.",
+        cropped=True,
     )
 
 
@@ -58,7 +59,8 @@ def draw_moment(omega: ArrayLike, p: ArrayLike, view: str = "default") -> Pictur
         f"A body rotates about the axis with direction omega = {vector_text(w)} through p = {vector_text(point)}. The arrow p leads "
         f"from the origin of {{s}} to the axis. The point of the body at the origin moves on a circle of radius "
         f"{np.linalg.norm(foot):.3g} about the axis, and its velocity is v = -omega x p = {vector_text(v)}, perpendicular to omega "
-        "and p."
+        "and p.",
+        cropped=True,
     )
 
 

@@ -53,4 +53,5 @@ def draw_two_arms(
         f"Two arms with {left.n} and {right.n} joints hold one tray at {vector_text(tray[:3, 3])}, {width:.3g} m wide. The bases are "
         f"at (0, 0, 0) and {vector_text(base[:3, 3])}; the ends of the tray are at {vector_text(ends[0])} and {vector_text(ends[1])}.",
         caption,
+        cropped=True,
     )

@@ -61,4 +61,4 @@ def draw_urdf_joint(
         f"the direction {vector_text(direction)} in {{{parent}}}. At q = {value} the frame {{{child}}} of the child link is at "
         f"{vector_text(moved[:3, 3])}, its x along {vector_text(moved[:3, 0])}."
     )
-    return canvas.picture(alt, caption)
+    return canvas.picture(alt, caption, cropped=True)
