@@ -357,7 +357,9 @@ def dead_point(sampler: ArmSampler) -> Problem:
     )
 
 
-DEGREES_OF_FREEDOM_NOTE = "Revolute and prismatic joints have one degree of freedom, universal joints have two, and spherical joints have three."
+DEGREES_OF_FREEDOM_NOTE = (
+    "Revolute and prismatic joints have one degree of freedom, universal joints two, and spherical joints three."
+)
 
 
 @problem("08.8", "Mobility by counting", points=3, lecture="08_closed_chains#The Gruebler-Kutzbach formula")
