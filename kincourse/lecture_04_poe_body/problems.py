@@ -448,7 +448,7 @@ def body_screws_of_a_whole_arm(sampler: ArmSampler) -> Problem:
                 text = f"measure the point of joint {i + 1} from joint {i + 2} instead of from {{b}}"
                 point = point.mistaken_for(-sizes[i + 1] * links[i + 1], "from the joint behind", text)
             points.append(point)
-        chain = robot.with_lengths(sizes)
+        chain = robot.with_lengths(np.array(sizes))
         B = joint_screws(axes, points, chain.lines.pitch)
         R = chain.home[:3, :3]
         shifted = chain.screws @ adjoint(homogeneous(np.eye(3), -chain.home[:3, 3])).T
@@ -462,7 +462,8 @@ def body_screws_of_a_whole_arm(sampler: ArmSampler) -> Problem:
             B = B.mistaken_for(wrong, name, text, "Directions and points of body screws are given in {b}.")
         return B
 
-    points, rows = sp.zeros(3, 1), []
+    points = sp.zeros(3, 1)
+    rows: list[sp.Matrix] = []
     for i in reversed(range(n)):
         points -= symbols[i + 1] * sp.Matrix(links[i + 1].astype(int))
         axis = sp.Matrix(axes[i].astype(int))
