@@ -12,6 +12,7 @@ from kincourse.census.tables import NORMAL, SIGN, legal_tables, table_slips
 from kinlib.dh.table import DHTable
 
 SWAP = "swap, exchang, interchang"
+STEPS = "Pythag, sum of the steps, add the steps, added the steps"
 LEFT_OUT = "left out, forgot, missing, without, alone, = 0"
 
 
@@ -232,7 +233,7 @@ def parallel_axes(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "d downwards": ([a1, -d1, a2, -d2], low),
             "first d downwards": ([a1, -d1, a2, d2], low),
             "d without its sign": ([a1, abs(d1), a2, abs(d2)], low),
-            "the steps added": ([abs(dx1) + abs(dy1), d1, abs(dx2) + abs(dy2), d2], "Pythag, sum of the steps, add the steps, added the steps"),
+            "the steps added": ([abs(dx1) + abs(dy1), d1, abs(dx2) + abs(dy2), d2], STEPS),
             "only the step along x": ([dx1, d1, dx2, d2], "along $x$, Pythag, straight"),
             "only the step along y": ([dy1, d1, dy2, d2], "along $y$, Pythag, straight"),
             "all from axis 1": ([a1, d1, np.hypot(*(P[2] - P[0])[:2]), P[2, 2] - P[0, 2]], "axis 1, joint 1, from the first, before"),
@@ -243,9 +244,9 @@ def parallel_axes(given: Any, answer: Array) -> Iterator[WrongAnswer]:
             "millimetres": (1000 * np.array([a1, d1, a2, d2]), "millimet, mm, 1000, unit"),
             "swapped and downwards": ([-d1, a1, -d2, a2], f"{SWAP}, {low}"),
             "the steps added and downwards": (
-                [abs(dx1) + abs(dy1), -d1, abs(dx2) + abs(dy2), -d2], f"Pythag, sum of the steps, add the steps, added the steps, {low}"),
+                [abs(dx1) + abs(dy1), -d1, abs(dx2) + abs(dy2), -d2], f"{STEPS}, {low}"),
             "the steps added, height above the floor": (
-                [abs(dx1) + abs(dy1), P[1, 2], abs(dx2) + abs(dy2), P[2, 2]], "Pythag, sum of the steps, add the steps, added the steps, height, floor"),
+                [abs(dx1) + abs(dy1), P[1, 2], abs(dx2) + abs(dy2), P[2, 2]], f"{STEPS}, height, floor"),
         }
     )  # fmt: skip
     yield from right({**ordinary_forms([a1, d1, a2, d2]), "a tuple": (a1, d1, a2, d2)})
