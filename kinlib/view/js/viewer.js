@@ -169,7 +169,7 @@ function render({ model, el }) {
   }
 
   const changes = { q: update, message: update, shown: updateLayers, ghost: updateGhost, covered: updateCover };
-  for (const name of ['step', 'convention', 'done', 'frames', 'at']) changes[name] = describeLater; // traits of the modes
+  for (const trait of ['step', 'convention', 'done', 'frames', 'at']) changes[trait] = describeLater; // of the modes
   for (const [name, listener] of Object.entries(changes)) model.on(`change:${name}`, listener);
   applyTheme();
   updateLayers();

@@ -7,7 +7,10 @@ import { add } from './vectors.js';
 
 const IDENTITY = [1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1, 0, 0, 0, 0, 1];
 
-/** @param kit.data { label, values: [text], captions: [text], names: [text], poses: [[16 numbers per frame] per value], arrows: bool } */
+/**
+ * @param kit.data { label, values: [text], captions: [text], names: [text], arrows: bool,
+ *   poses: [[16 numbers per frame] per value] }
+ */
 export function movingFrames({ model, stage, data }) {
   const id = uniqueId('value');
   const { size } = stage.data;

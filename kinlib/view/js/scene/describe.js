@@ -42,7 +42,8 @@ export function describeArm(data, tree, q) {
   });
   const kinds = arm.joints.map(({ kind }) => kind).join('');
   const text = joints.join('; ');
-  return `${data.name}, ${joints.length} joints (${kinds}), ${configurationText(q)}. ${text[0].toUpperCase()}${text.slice(1)}. ${endEffectorText(tree)}`;
+  const head = `${data.name}, ${joints.length} joints (${kinds}), ${configurationText(q)}.`;
+  return `${head} ${text[0].toUpperCase()}${text.slice(1)}. ${endEffectorText(tree)}`;
 }
 
 export function endEffectorText(tree) {

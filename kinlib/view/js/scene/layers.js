@@ -39,7 +39,7 @@ export const FRAME_LAYERS = ['base', 'tool', 'links', 'standard', 'modified'];
 /** The names of the layers that contain frames. An arm can have frames of its own, each in a layer "frame i". */
 const frameLayers = ({ arms }) => [...new Set(arms.flatMap((arm) => Object.keys(arm.frames ?? {})))];
 
-/** The lengths of the axes of {s} and {b}, as a fraction of the size of the scene; those of other frames are shorter. */
+/** The lengths of the axes of {s} and {b}, as a fraction of the scene's size; those of other frames are shorter. */
 const LENGTHS = { base: 0.24, tool: 0.24 };
 
 /** The layers with one frame each, which are switched on one by one. */
