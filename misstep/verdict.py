@@ -118,7 +118,10 @@ def observation(template: Template, problem: Problem, judgements: Sequence[Judge
 
 def _finding_text(finding: Finding, is_on_whole: bool) -> str:
     parts = _enumeration(finding.parts)
-    return finding.message if is_on_whole else f"{parts[:1].upper()}{parts[1:]}: {finding.message}"
+    if is_on_whole:
+        return finding.message
+    is_symbol = parts[1:2] in {"_", "^"}  # q_2 is not Q_2
+    return f"{parts if is_symbol else parts[:1].upper() + parts[1:]}: {finding.message}"
 
 
 def _enumeration(names: Sequence[str]) -> str:

@@ -22,12 +22,13 @@ class ScrewsAnswer(Numbers):
     """
 
     names: Sequence[str] = ()
+    single: str = "a screw axis"  # or "a twist", which need not be normalized
     noun: ClassVar[str] = "screw axes (omega, v), an array"
 
     @property
     def expected(self) -> str:
         several = super().expected
-        return several if np.ndim(self.value) > 1 else several.replace("screw axes", "a screw axis")
+        return several if np.ndim(self.value) > 1 else several.replace("screw axes", self.single)
 
     @property
     def parts(self) -> Sequence[str]:

@@ -351,7 +351,7 @@ def twist_of_the_tool(sampler: ArmSampler) -> Problem:
         f"$\\mathcal{{V}}_b = J_b(q)\\,\\dot q$ of the tool in {{b}}: six numbers $(\\omega, v)$, in rad/s and m/s.\n\n$$B = {matrix(B)}$$",
         figure=partial(draw_arm, robot),
         given={"body_screws": B, "values": typed, "rates": rates},
-        answer=ScrewsAnswer(V.value, names=["the twist"]),
+        answer=ScrewsAnswer(V.value, names=["the twist"], single="a twist"),
         solution=V,
         advice={
             "inverse left out": "The columns of $J_b$ are the axes as seen from the moved tool, so they need $\\mathrm{Ad}^{-1}$.",

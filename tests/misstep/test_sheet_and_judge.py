@@ -15,7 +15,7 @@ from misstep.mistakes import mistake
 from misstep.problem import Problem, problem
 from misstep.sampling import Sampler
 from misstep.sheet import OpenSheet, Sheet
-from misstep.verdict import Verdict
+from misstep.verdict import Verdict, _finding_text
 
 
 @dataclass(frozen=True, eq=False)
@@ -286,6 +286,14 @@ def test_findings_of_a_card_are_in_the_order_of_the_parts():
             "  Re-read",
         ]
         assert verdict.judgement.mistakes == [row_1.name, row_2.name]
+
+
+@pytest.mark.parametrize(
+    ("parts", "begins"),
+    [(["row 2"], "Row 2: "), (["q_2"], "q_2: "), (["q_2", "the rate"], "q_2 and the rate: "), (["$L$"], "$L$: ")],
+)
+def test_a_symbol_keeps_its_letter_where_a_part_begins_a_sentence(parts, begins):
+    assert _finding_text(Finding(parts, "It is wrong."), is_on_whole=False) == f"{begins}It is wrong."
 
 
 class Remarked(Numbers):
