@@ -61,7 +61,7 @@ def matrix_of_row_4(_draw: ArmSampler) -> Problem:
         statement="Give $A_4$ of the youBot at $q_4 = -\\pi/2$.",
         answer=PoseAnswer(A_4.value),
         solution=A_4,
-        advice={"leave $q_4$ at 0": "The offset is added to $q_4$; it does not take its place."},
+        advice={"leave $q_4$ at 0": "The offset is added to $q_4$, and does not replace it."},
     )
 
 

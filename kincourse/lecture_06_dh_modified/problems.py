@@ -132,7 +132,7 @@ class DHRowsAnswer(Numbers):
              "$a$ and $\\alpha$ are moved by two rows instead of one."),
             ("two rows too far", self._moved(2 * step, link), "$a$ and $\\alpha$ are moved by two rows instead of one."),
             ("end kept", kept, "The row at the empty end keeps its $a$ and $\\alpha$, but they belong to the row beside it."),
-            ("end folded in", folded, "The $a$ and $\\alpha$ that are left over were put in the row at the other end. They are in no row."),
+            ("end folded in", folded, "The $a$ and $\\alpha$ that are left over were put in the row at the other end. They belong in no row."),
             ("rows swapped", self.value[::-1], "The rows are in reverse order."),
         ]  # fmt: skip
 
@@ -388,9 +388,9 @@ def which_convention(sampler: ArmSampler) -> Problem:
         )
     listed = "\n".join(f"- `'{letter}'`: {text}" for letter, text in options.items())
     return Problem(
-        statement="The table of an arm with two revolute joints does not say in which convention it is. On the real arm, whose base "
-        "and end-effector are its first and its last frame, the pose $T$ of the end-effector was measured at "
-        f"$q = {vector(np.degrees(q))}$ degrees. What does the measurement tell?\n\n"
+        statement="The table of an arm with two revolute joints does not say in which convention it is. Base and tool are "
+        "the identity. On the real arm, the pose $T$ of the end-effector was measured at "
+        f"$q = {vector(np.degrees(q))}$ degrees. What does the measurement tell you?\n\n"
         f"{_format_table(rows, '', 'RR')}\n\n$$T = {matrix(T)}$$\n\n{listed}",
         figure=partial(draw_frames, {"0": np.eye(4), "2": T}, arrows=False),
         given={"rows": rows, "q": q, "pose": T},
@@ -435,7 +435,8 @@ def faulty_entry(sampler: ArmSampler) -> Problem:
     shown = "\n\n".join(f"$${{}}^0T_{k + 1} = {matrix(T)}$$" for k, T in enumerate(poses))
     return Problem(
         statement="One entry of this modified table is misprinted. The poses of its frames at $q = 0$ are right. Find the entry, "
-        "and give three numbers: its row, its column and the right value. The columns are numbered 1 to 4 as printed, and "
+        "and give three numbers: its row, its column and the right value. The columns are numbered 1 to 4, "
+        "from $a_{i-1}$ to $\\theta_i$, and "
         f"the value is in metres or radians.\n\n{_format_table(printed, 'modified', 'RRR')}\n\n{shown}",
         figure=partial(draw_frames, {"0": np.eye(4), **{str(k + 1): T for k, T in enumerate(poses)}}),
         given={"rows": printed, "poses": poses},
