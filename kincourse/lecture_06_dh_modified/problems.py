@@ -233,8 +233,8 @@ class WristAnglesAnswer(Equivalent):
         if part == 0:
             return "Your $\\theta_5$ is possible, but not with these $\\theta_4$ and $\\theta_6$."
         return (
-            "Your $\\theta_5$ is right. Axes 4 and 6 are collinear there, so $R_2$ shows $\\theta_4 + \\theta_6$ alone, and your sum "
-            "is wrong."
+            "Your $\\theta_5$ is right. Axes 4 and 6 are collinear there, so $R_2$ determines only $\\theta_4 + \\theta_6$, "
+            "and your sum is wrong."
         )
 
     def remark(self, given: Array) -> str:
