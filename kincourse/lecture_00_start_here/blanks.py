@@ -33,7 +33,7 @@ def end_effector_at_home(_draw: ArmSampler) -> Problem:
             "Here the arm is stretched out horizontally at home. Home is a choice, and other descriptions choose an upright arm.",
         ),
         advice={
-            "leave out $0.033$": "The axis of joint 2 is 0.033 m in front of the axis of joint 1, on which the origin of {s} is.",
+            "leave out $0.033$": "The origin of {s} is on the axis of joint 1, and the axis of joint 2 is 0.033 m in front of it.",
             "leave out $0.2175$": "The end-effector frame {b} is 0.2175 m beyond joint 4: it is the last of the four lengths.",
             "swap entries 2 and 3": "In {s}, $z$ points up, not $y$ as on a screen. In the figure, each axis has its letter at the tip.",
         },

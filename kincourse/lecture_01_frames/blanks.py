@@ -49,7 +49,7 @@ def one_more_link(_draw: ArmSampler) -> Problem:
             added,
             "positions added",
             "add the two positions",
-            "$p_{23}$ is written in frame 2: rotate it into frame 0 first, $p_{03} = R_{02}\\,p_{23} + p_{02}$.",
+            "$p_{23}$ is written in frame 2: write it in frame 0 first, $p_{03} = R_{02}\\,p_{23} + p_{02}$.",
         ).mistaken_for(T_02 + T_23, "poses added", "add the matrices", "Poses are composed by a matrix product."),
         advice={"order": "The adjacent subscripts 3 and 0 do not cancel: $T_{02}$ goes to the left of $T_{23}$."},
     )
@@ -91,7 +91,7 @@ def tool_from_link_3(_draw: ArmSampler) -> Problem:
         ),
         advice={
             "inverse left out": "The inverse of $T_{03}$ is $T_{30}$, whose second subscript cancels with the first of $T_{05}$.",
-            "order": "Adjacent subscripts must be equal: put $T_{30}$ to the left of $T_{05}$, so that 0 meets 0.",
+            "order": "Adjacent subscripts must be equal: put $T_{30}$ to the left of $T_{05}$, so that the two subscripts 0 are adjacent.",
         },
     )
 

@@ -135,7 +135,7 @@ def homogeneous_matrix(sampler: ArmSampler) -> Problem:
             "order": "The order matters: here the translation comes first, so the rotation acts on it too: $R\\,(x + p) = R\\,x + R\\,p$."
             if shift_first
             else "The order matters: here the rotation comes first, so it does not act on the translation: $R\\,x + p$.",
-            "sign of an angle": "Counterclockwise is positive, and a rotation by $\\theta$ has $-\\sin\\theta$ in its upper right corner.",
+            "sign of an angle": "Counterclockwise is positive: the first row of the rotation block is $(\\cos\\theta, -\\sin\\theta)$.",
             "last row": "The translation belongs in the last column, where it is multiplied by the 1 of $(x, y, 1)$.",
             "position left out": "Without it the origin stays where it is; the last column says where the origin goes.",
             "rotation left out": "The upper left block is the rotation $R$.",
@@ -346,7 +346,7 @@ FLAWS = {
 FLAWS_REFUTED = {
     "a": "This matrix is not a rigid motion, because one of the conditions fails. Test them one by one.",
     "b": "The columns of $R$ are unit vectors: in each of them the sum of the squares is 1.",
-    "c": "The columns of $R$ are orthogonal to each other: the scalar product of each two of them is 0.",
+    "c": "The columns of $R$ are orthogonal to each other: the dot product of any two of them is 0.",
     "d": "$R$ is not left-handed: its determinant is positive.",
     "e": "The last row is 0 0 0 1, as it should be.",
 }
