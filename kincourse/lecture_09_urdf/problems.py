@@ -27,7 +27,7 @@ from misstep.mutants.operations import ANGLE, LENGTH, concatenate, cos, function
 from misstep.problem import Problem
 from misstep.sheet import Sheet
 
-PARENT_ADVICE = "`xyz` is in the frame of the parent: the last column is $p$ as it is."
+PARENT_ADVICE = "`xyz` is in the frame of the parent, so the last column is $p$ itself."
 absolute = function("absolute values", np.abs, "|{0}|")
 
 LINKS = ("base", "boom", "forearm", "hand")
@@ -210,7 +210,7 @@ def home_from_a_file(sampler: ArmSampler) -> Problem:
         answer=PoseAnswer(M.value),
         solution=M,
         advice={
-            "leave out $T_3$": "A fixed joint does not move, but it is a pose all the same.",
+            "leave out $T_3$": "A fixed joint does not move, but it has a pose.",
             "reversed": "Each origin is in the frame before it, so the joint at the base is leftmost.",
             "order": "Each origin is in the frame before it, so the joint at the base is leftmost.",
         },
@@ -401,7 +401,7 @@ def path_through_a_tree(sampler: ArmSampler) -> Problem:
     options = {letter: paths[name] for letter, name in letters.items()}
     listed = "\n".join(f"- {letter}) {', '.join(f'`{name}`' for name in path)}" for letter, path in options.items())
     return Problem(
-        statement=f"A chain is made of this file with the base `{near}_hand` and the tip `{far}_hand`. Which joints have a value in "
+        statement=f"Take the chain in this file from the base `{near}_hand` to the tip `{far}_hand`. Which joints have a value in "
         f"$q$, and in which order?\n\n{fence_urdf(text)}\n\n{listed}\n\nAnswer with a letter, such as `'a'`.",
         given={"urdf": text, "base": f"{near}_hand", "tip": f"{far}_hand", "options": options},
         answer=Choice(
@@ -572,8 +572,8 @@ LOOKALIKES = {
     ),
     False: (
         (
-            "The axis of this joint has the wrong direction, but not because of its `origin`: all later origins agree with the data sheet, "
-            "and they would not if this frame were rotated wrongly."
+            "The axis of this joint has the wrong direction, but not because of its `origin`: all later origins agree with the data sheet. "
+            "If this frame were rotated wrongly, they would not."
         ),
         "This origin is correct: it agrees with the data sheet, and so does every other origin of the file.",
     ),
