@@ -154,7 +154,7 @@ def table_of_an_arm(sampler: ArmSampler) -> Problem:
     robot = sampler.arm(sampler.choice(["RRR", "RRRP", "RRRR"]))
     table = assign_frames(robot, convention="standard").table
     return Problem(
-        statement="Write a DH table of this arm in the standard convention: text with the head `a | alpha | d | theta` and one row for "
+        statement="Write a DH table of this arm in the standard convention: text with the header `a | alpha | d | theta` and one row for "
         f"each joint, with `q1`, `q2`, ... for the joint variables. {_given(robot.n)} Every table that gives the pose of frame {robot.n} "
         f"in frame 0 for every $q$ is right, so you may choose the frames between them.\n\n{joint_table(robot)}\n\n{given_frames(table)}",
         figure=partial(draw_joints, robot),
@@ -218,7 +218,7 @@ def parallel_axes(sampler: ArmSampler) -> Problem:
 RULES = {
     "a": "$x_i$ is not perpendicular to $z_{i-1}$",
     "b": "the line of $x_i$ does not intersect the axis $z_{i-1}$",
-    "c": "$z_i$ does not lie along the axis of joint $i + 1$",
+    "c": "$z_i$ is not parallel to the axis of joint $i + 1$",
     "d": "the origin does not lie on the axis of joint $i + 1$",
     "e": "no rule: the frame is legal",
 }
@@ -226,7 +226,7 @@ RULES = {
 RULE_EXPLANATIONS = {
     "a": "Compute the scalar product of $x_i$ and $z_{i-1}$: it is 0 if they are perpendicular.",
     "b": "Check whether the line through the origin of frame $i$ along $x_i$ has a point in common with the axis $z_{i-1}$.",
-    "c": "Compare $z_i$ with the direction of joint $i + 1$, not of joint $i$.",
+    "c": "Compare $z_i$ with the axis direction of joint $i + 1$, not of joint $i$.",
     "d": "Check whether the vector from the origin to a point on the axis of joint $i + 1$ is a multiple of its direction.",
     "e": "Check the rules one by one, with the numbers.",
 }
