@@ -75,7 +75,7 @@ def leaning_pose(_draw: ArmSampler) -> Problem:
 def long_axis(_draw: ArmSampler) -> Problem:
     w, v_0, angle = np.array([0.0, 0.0, 2.0]), np.array([1.0, 0.0, 0.0]), np.pi / 4
     omega, v, theta = direction("\\omega", w), direction("v", v_0), given("\\theta", angle, ANGLE)
-    undivided = v.mistaken_for(2 * v_0, "v not divided", "divide $\\omega$ by its length, and not $v$", ONE_MOTION)
+    undivided = v.mistaken_for(2 * v_0, "v not divided", "divide $\\omega$ by its length, but not $v$", ONE_MOTION)
     T = assemble(rotation_exp(omega, theta), position_exp(omega, undivided, theta))
     T = T.mistaken_for(
         exp(np.array([*w / 2, *v_0 / 2]) * angle),
@@ -115,7 +115,7 @@ def screw_between(_draw: ArmSampler) -> Problem:
         ),
         invisible=("position of the inverse", "rotation transposed"),  # the rotation of T_sa is I
         advice={
-            "order": "In this order, $x$ is the same screw in the frame {a}: $T_{sa} e^{[x]} = T_{sb}$.",
+            "order": "In this order, $x$ is the same screw motion, written in {a}: $T_{sa} e^{[x]} = T_{sb}$.",
             "factor left out": "The motion starts at $T_{sa}$ and ends at $T_{sb}$, so $e^{[x]} = T_{sb}\\,T_{sa}^{-1}$.",
         },
     )

@@ -39,9 +39,11 @@ axial = function(
     "axial vector", lambda R: np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]]), "({0} - {0}^T)"
 )
 
-FIRST_ROW = "$[\\omega]\\,u = \\omega \\times u$, so the first row is $(0, -\\omega_z, \\omega_y)$."
+FIRST_ROW = (
+    "$[\\omega]\\,u = \\omega \\times u$ for every vector $u$, so the first row is $(0, -\\omega_z, \\omega_y)$."
+)
 PITCH = "The given number is in metres per radian, so it is the pitch already."
-NOT_DIVIDED = "divide $\\omega$ by its length, and not $v$"
+NOT_DIVIDED = "divide $\\omega$ by its length, but not $v$"
 ONE_MOTION = "A twist is scaled as a whole."
 SHORTEST = "Longer vectors lead to $R$ as well. The logarithm is the shortest one, with $\\theta \\le \\pi$."
 
@@ -180,11 +182,7 @@ def three_terms(sampler: ArmSampler) -> Problem:
         ),
     ):
         distance = distance.mistaken_for(wrong, name, text)
-    error = (
-        given("1000", 1000.0).mistaken_for(100.0, "centimetres", "give the number in the unit centimetres")
-        * r
-        * distance
-    )
+    error = given("1000", 1000.0).mistaken_for(100.0, "centimetres", "give the number in centimetres") * r * distance
     return Problem(
         statement="You stop the series of $e^{[\\omega]\\theta}$ after three terms, $I + [\\omega]\\theta + [\\omega]^2\\theta^2/2$, "
         f"with $|\\omega| = 1$ and $\\theta = {number(angle)}$ rad. Then you apply the sum to a point that "

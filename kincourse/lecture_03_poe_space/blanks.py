@@ -57,7 +57,9 @@ def youbot_wrist(_draw: ArmSampler) -> Problem:
     wrist = arm.joint_points[3]
     p = (
         given("p", wrist)
-        .mistaken_for(wrist - 0.033 * X, "offset left out", "take the point 0.033 m too short", SHOULDER_ADVICE)
+        .mistaken_for(
+            wrist - 0.033 * X, "offset left out", "take a point 0.033 m too close to the base", SHOULDER_ADVICE
+        )
         .mistaken_for(
             wrist * (1, 1, 0),
             "foot of the dotted line",
@@ -94,7 +96,9 @@ def youbot_home(_draw: ArmSampler) -> Problem:
     p = (
         given("p", tip)
         .mistaken_for(wrist, "at the wrist", "stop at joint 4", "The frame {b} is at the tip, 0.2175 m further.")
-        .mistaken_for(tip - 0.033 * X, "offset left out", "take the position 0.033 m too short", SHOULDER_ADVICE)
+        .mistaken_for(
+            tip - 0.033 * X, "offset left out", "take a position 0.033 m too close to the base", SHOULDER_ADVICE
+        )
     )
     M = assemble(R, p)
     return Problem(

@@ -312,7 +312,7 @@ def home_of_a_whole_arm(sampler: ArmSampler) -> Problem:
         advice={
             "axes in rows": "The columns of $R$ are the axes of {b}, written in {s}.",
             "inverted": "$M = T_{sb}$ gives the frame {b} in coordinates of {s}.",
-            "term left out": "Walk from {s} to {b}, and add up every link on the way.",
+            "term left out": "Follow the links from {s} to {b}, and add up all of them.",
         },
     )
 
