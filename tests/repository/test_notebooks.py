@@ -53,7 +53,9 @@ def test_a_lecture_has_at_most_40_cells_of_at_most_15_lines(path):
 @each(LECTURES)
 def test_the_first_code_cell_of_a_lecture_is_short(path):
     code = [cell.source for cell in nbformat.read(path, as_version=4).cells if cell.cell_type == "code"]
-    assert not code or len(code[0].splitlines()) <= 5, "a student meets it first: move what need not be read to the course"
+    assert not code or len(code[0].splitlines()) <= 5, (
+        "a student meets it first: move what need not be read to the course"
+    )
 
 
 @each(LECTURES)
