@@ -21,8 +21,8 @@ from misstep.release.instructor_notebook import notebook
 IMPORT_LINES = "import numpy as np\n\nimport kinlib as kl\nfrom kincourse import open_sheet"
 
 INTRO_TEMPLATE = """\
-{count} problems, {points} points, on {robot}. The numbers are your own: they come from your id. Fill the cells that end in \
-`...`, run them, and run the check below each. You may check as often as you like; the last answer counts.
+{count} problems, {points} points, on {robot}. The numbers are your own: they come from your id. Replace the `...` in each \
+answer cell, run the cell, and then run the check below it. You may check as often as you like; the last answer counts.
 
 A wrong answer costs nothing here. If it comes from a common mistake, the card names the mistake and the section to read \
 again. The robot is stored in the file `{file}`: keep it in the folder of this notebook."""
