@@ -55,7 +55,7 @@ class DHTableAnswer(Answer):
     def expected(self) -> str:
         return (
             f"a DH table in the {self.value.convention} convention with {self.value.n} joints ({self.value.joints}): "
-            "text with a head such as 'a | alpha | d | theta', or one dictionary a row, with q1, q2, ... for what moves"
+            "text with a header such as 'a | alpha | d | theta', or one dictionary per row, with q1, q2, ... for the joint variables"
         )
 
     @property

@@ -144,7 +144,7 @@ def _wrapped_degrees(angle: float) -> float:
 
 
 ANSWER_NOTE = (
-    "Answer with a table: text with the head `a | alpha | d | theta` and a row for each joint, with `q1`, `q2`, ... for the variables; "
+    "Answer with a table: text with the header `a | alpha | d | theta` and a row for each joint, with `q1`, `q2`, ... for the variables; "
     "angles as `90°` or `pi/2`."
 )
 

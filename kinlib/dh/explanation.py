@@ -137,7 +137,7 @@ def _explain_link(chain: Chain, T: Array, pair: int, normal: CommonNormal, stand
     yield AssignmentStep("origin", frame, text, "" if normal.is_unique else ALTERNATIVES[normal.case])
     direction = "the same as before"
     if has_length:
-        direction = "along the common normal, from joint to joint"
+        direction = "along the common normal, from axis to axis"
     elif normal.case == "intersecting":
         direction = "perpendicular to both axes, as near the previous x as possible"
     others = "" if normal.case in {"parallel", "antiparallel"} else ALTERNATIVES[normal.case]

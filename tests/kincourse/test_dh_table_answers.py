@@ -200,6 +200,8 @@ UNREADABLE = {
 
 @pytest.mark.parametrize(("given", "words"), UNREADABLE.values(), ids=UNREADABLE)
 def test_an_answer_that_is_no_table_of_this_arm_is_unreadable(given, words):
-    expected = r"^Expected a DH table in the standard convention with 3 joints \(RRR\): text with .* for what moves"
+    expected = (
+        r"^Expected a DH table in the standard convention with 3 joints \(RRR\): text with .* for the joint variables"
+    )
     with pytest.raises(Unreadable, match=f"(?s){expected}{words}"):
         DHTableAnswer(RIGHT).read(given)

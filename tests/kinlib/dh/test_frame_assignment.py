@@ -367,7 +367,7 @@ STANDARD = [
     ),
     ("Axes 1 and 2 are skew: there is one common normal, 0.4 m long.", ROUND),
     ("O_1 lies on axis 2, where the common normal meets it: (0.4, 0, 0).", ""),
-    ("x_1 is along the common normal, from joint to joint: (1, 0, 0).", ROUND),
+    ("x_1 is along the common normal, from axis to axis: (1, 0, 0).", ROUND),
     ("y_1 = z_1 × x_1 completes a right-handed frame: (0, 0, 1).", ""),
     (
         "Axes 2 and 3 intersect: the common normal has length zero, and its direction is perpendicular to both.",
@@ -427,12 +427,12 @@ ANYWHERE = "Any direction perpendicular to the axis, and any point on it."
 ALONG = "Any other point along the axes: "
 FREE = {
     "parallel": (
-        "along the common normal, from joint to joint",
+        "along the common normal, from axis to axis",
         ALONG + "d decreases in one row by as much as it increases in the next.",
         "",
     ),
     "antiparallel": (
-        "along the common normal, from joint to joint",
+        "along the common normal, from axis to axis",
         ALONG + "both d change by the same amount, because the axes have opposite directions.",
         "",
     ),
