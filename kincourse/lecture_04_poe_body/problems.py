@@ -45,7 +45,7 @@ from misstep.sheet import Sheet
 HOME_ADVICE = "With body screws $M$ is the first factor, and the factors of the joints follow in their order."
 BASE_ADVICE = "The factor of the joint at the base is to the left of all others, in {b} as in {s}."
 MIDDLE_ADVICE = "Exponentials of screws in {s} are to the left of $M$, and those of screws in {b} are to its right."
-CARRY_ADVICE = "Column $i$ of $J_b$ is the body screw $B_i$, carried past the joints between axis $i$ and the tool."
+CARRY_ADVICE = "Column $i$ of $J_b$ is the body screw $B_i$, changed by the joints between axis $i$ and the tool."
 PASSED_ADVICE = "Joint 1 moves axis 2 and the tool together, so only the joints between axis 2 and the tool, 3 and 4, change the column."
 TO_BODY_ADVICE = "$\\mathrm{Ad}_M$ takes screws in {b} to screws in {s}; you need $\\mathrm{Ad}_{M^{-1}}$ here."
 
@@ -155,8 +155,9 @@ def where_home_stands(sampler: ArmSampler) -> Problem:
     in_body = "all others" if k < 3 else f"that of joint {names[3]}"
     return Problem(
         statement=f"Joint {names[0]} of an arm is fixed to the floor, {listed}, and the tool is last. "
-        f"The {in_space} given in {{s}}, {in_body} in {{b}}. So $e_a$ is $e^{{[S_a]q_a}}$ or $e^{{[B_a]q_a}}$, and so on. Put the "
-        "factors of $T(q)$ in order, from left to right: a list of the names `'e_a'`, `'e_b'`, `'e_c'`, `'e_d'`, `'M'`.",
+        f"The {in_space} given in {{s}}, {in_body} in {{b}}. The factor of joint a is $e_a$: it is "
+        "$e^{[S_a]q_a}$ if its axis is given in {s}, and $e^{[B_a]q_a}$ if it is given in {b}; and so on. Put the factors "
+        "of $T(q)$ in order, from left to right: a list of the names `'e_a'`, `'e_b'`, `'e_c'`, `'e_d'`, `'M'`.",
         given={"from_floor_to_tool": names, "read_in_s": left},
         answer=Ordering([*(f"e_{name}" for name in left), "M", *(f"e_{name}" for name in right)]),
         mistakes=[
@@ -247,7 +248,7 @@ def new_tool(sampler: ArmSampler) -> Problem:
     )
     for T, name, text in (
         (T_bt @ home, "order", "move the tool along the axes of {s}: $T_{bt}\\,M$ for the new home pose"),
-        (home @ T_bt, "frame changed twice", "change the frame from {s} to {t}, although $B$ is read in {b}"),
+        (home @ T_bt, "frame changed twice", "change the frame from {s} to {t}, although $B$ is written in {b}"),
     ):
         S = robot.screws if name == "order" else B
         new = new.mistaken_for(change_frame(inverse(T), S), name, text, "The new home pose is $M\\,T_{bt}$.")
@@ -280,10 +281,13 @@ def jacobian_column(sampler: ArmSampler) -> Problem:
         (product(*e), "all joints"),
     ):
         column = column.mistaken_for(
-            change_frame(inverse(passed), axis), "joints before", f"carry the axis past {text}", PASSED_ADVICE
+            change_frame(inverse(passed), axis),
+            "joints before",
+            f"take the motion of {text} into account",
+            PASSED_ADVICE,
         )
     column = column.mistaken_for(
-        change_frame(e[0], axis), "joints before", "carry the axis by joint 1, as for the space Jacobian", PASSED_ADVICE
+        change_frame(e[0], axis), "joints before", "move the axis by joint 1, as for the space Jacobian", PASSED_ADVICE
     )
     backwards = exp(B * q[::-1, None])
     column = column.mistaken_for(
@@ -342,7 +346,7 @@ def twist_of_the_tool(sampler: ArmSampler) -> Problem:
             robot.body_jacobian(q) @ rates,
             "Use `np.radians` first.",
         ),
-        ("joints before", "carry each axis by the joints before it", _by_joints_before(robot, q) @ qdot, CARRY_ADVICE),
+        ("joints before", "move each axis by the joints before it", _by_joints_before(robot, q) @ qdot, CARRY_ADVICE),
     ):
         V = V.mistaken_for(wrong, name, text, advice)
     per_second = rate_words.replace("degrees", "degrees/s").replace(" m", " m/s")
@@ -416,11 +420,11 @@ def singular_wrist(sampler: ArmSampler) -> Problem:
     ):
         qdot_1 = qdot_1.mistaken_for(value, name_of, text, "The two angular velocities must add up to zero.")
     return Problem(
-        statement=f"The axes of three revolute joints meet in one point: they are a wrist. At home axis 1 is along $z$ of {{s}}, axis 2 "
+        statement=f"The axes of the three revolute joints of a wrist meet in one point. At home axis 1 is along $z$ of {{s}}, axis 2 "
         f"along ${'' if second.sum() > 0 else '-'}{'y' if name == 'x' else 'x'}$, and axis 3 is tilted by $\\delta = {tilt}$ degrees from "
-        f"$z$ towards ${name}$. Give two numbers: first the value $q_2$ between $-90$ and $90$ degrees at which the wrist is singular, in "
-        f"degrees; then the rate of joint 1, in degrees per second, at which the tool does not move in this configuration, while joint 3 "
-        f"rotates at ${number(rate)}$ degrees per second and joint 2 is at rest.",
+        f"$z$ towards ${name}$. Give two numbers. The first is the value $q_2$ between $-90$ and $90$ degrees at which the wrist is "
+        f"singular, in degrees. In this configuration joint 3 rotates at ${number(rate)}$ degrees per second, and joint 2 is at rest. The "
+        "second number is the rate of joint 1, in degrees per second, at which the tool does not move.",
         figure=partial(draw_arm, wrist),
         given={"axis_2": second, "tilt": float(tilt), "towards": toward, "rate_3": rate},
         answer=WristAnswer(np.array([q_2.value, qdot_1.value])),

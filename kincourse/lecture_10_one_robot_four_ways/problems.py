@@ -137,8 +137,8 @@ def one_of_four(sampler: ArmSampler) -> Problem:
     T, T_inverse, placed, twist = poses[0], inverted(poses[1]), poses[2], log(poses[3])
     xyz, rpy = placed[:3, 3], roll_pitch_yaw(placed[:3, :3])
     return Problem(
-        statement="Four descriptions of one arm were evaluated at the same $q$, and one of them is wrong. Each program reports "
-        "the pose of the tool in its own format. Which description is wrong? Answer with its letter.\n\n"
+        statement="Four descriptions of one arm were evaluated at the same $q$, and one of them is wrong. Each report gives "
+        "the pose of the tool in another format. Which description is wrong? Answer with its letter.\n\n"
         f"- (a) space screws: $T_{{sb}} = {matrix(T)}$\n"
         f"- (b) body screws: the pose of {{s}} in {{b}}, $T_{{bs}} = {matrix(T_inverse)}$\n"
         f"- (c) table: `xyz` = ${vector(xyz)}$ m and `rpy` = ${vector(rpy)}$ rad, as in a URDF\n"
@@ -184,16 +184,16 @@ def joint_origin(sampler: ArmSampler) -> Problem:
     ):
         xyz = xyz.mistaken_for(place, name, text, "In a URDF it is given in the frame of joint 1.")
     return Problem(
-        statement=f"In the frame of the base, joint 1 of a file has the origin `xyz` = ${vector(here)}$ and "
+        statement=f"In a URDF file, the origin of joint 1 in the base frame {{s}} is `xyz` = ${vector(here)}$ and "
         f"`rpy` = ${vector(degrees)}$ degrees. At home the position of joint 2 is ${vector(there)}$ in {{s}}. "
-        "Give the `xyz` of joint 2 in the file, in metres.",
+        "Give the `xyz` of joint 2, whose parent is the link of joint 1, in metres.",
         given={"xyz_1": here, "rpy_1_in_degrees": np.array(degrees, dtype=float), "place_2": there},
         answer=VectorsAnswer(xyz.value, unit="m"),
         solution=xyz,
         advice={
             "transpose left out": "$R$ takes components in the frame of joint 1 to components in {s}; here you need $R^T$.",
             "factor left out": "The frame of joint 1 is rotated: give the components along its axes.",
-            "term left out": "The origin of joint 1 is not that of the base.",
+            "term left out": "The origin of joint 1 is not at the origin of the base frame.",
         },
     )
 
@@ -204,20 +204,22 @@ def in_letters(sampler: ArmSampler) -> Problem:
     lift = sampler.choice((-1, 1))
     if slides := sampler.choice((True, False)):
         words = (
-            f"At $q = 0$ a boom leaves this axis along $x$ of {{s}}, {number(b)} m {'above' if lift > 0 else 'below'} the "
-            f"origin. Joint 2 is prismatic and translates along the boom; at $q_2 = 0$ the tool is {number(a)} m from the axis."
+            f"At $q = 0$ a boom, that is, a straight beam, begins at this axis, along $x$ of {{s}}, "
+            f"{number(b)} m {'above' if lift > 0 else 'below'} the origin. Joint 2 is prismatic and "
+            f"translates along the boom; at $q_2 = 0$ the tool is {number(a)} m from the axis."
         )
     else:
         words = (
             f"Joint 2 is on this axis, {number(a)} m above the origin, and rotates about ${'-y' if lift > 0 else 'y'}$ of {{s}} "
-            f"at $q = 0$. It moves a boom of {number(b)} m, which is along $x$ at $q = 0$, with the tool at its end."
+            f"at $q = 0$. It moves a boom, that is, a straight beam, of {number(b)} m, which is along $x$ at $q = 0$, with the "
+            "tool at its end."
         )
     place = partial(_tool_on_a_boom, a, lift * b, slides)
     symbols = sp.symbols("q1 q2")
     right = _formulas(sp.Rational(str(a)), sp.Rational(str(lift * b)), slides, *symbols)
     return Problem(
-        statement=f"Joint 1 rotates about $z$ of {{s}}, through its origin. {words} Give $x$, $y$ and $z$ of the tool in the "
-        "letters $q_1$ and $q_2$: text such as `'0.5*cos(q1)'`, or SymPy.",
+        statement=f"Joint 1 rotates about $z$ of {{s}}, through its origin. {words} Give $x$, $y$ and $z$ of the tool as formulas in "
+        "$q_1$ and $q_2$: text such as `'0.5*cos(q1)'`, or SymPy expressions.",
         given={"a": a, "b": b, "slides": slides, "lift": lift},
         answer=ClosedForm(right, symbols=symbols),
         solution=place,
@@ -350,7 +352,7 @@ def where_is_the_tool(sampler: ArmSampler) -> Problem:
         ("body screws", "multiply the body screws from the last joint to the first", product(M, *b[::-1])),
         (
             "adjoint",
-            "take $\\mathrm{Ad}_M$ for the body screws",
+            "use $\\mathrm{Ad}_M$ instead of $\\mathrm{Ad}_{M^{-1}}$ for the body screws",
             product(M, *exponentials(S @ adjoint(robot.home).T, q, "B")),
         ),
         ("slide as turn", "treat the prismatic joint as a revolute one", product(*exponentials(bent, q), M)),

@@ -49,8 +49,9 @@ def home_pose(robot: Chain, sampler: ArmSampler) -> Problem:
         T_sr, T_fb = random_tilted_base(sampler, robot), random_tool(sampler, robot)
     M = pose("T_{sr}", T_sr) @ pose("T_{rf}", T_rf) @ pose("T_{fb}", T_fb)
     return Problem(
-        statement=f"In its file, {robot.name} has the base frame {{r}} and a flange {{f}}, whose pose at $q = 0$ is $T_{{rf}}$. In your "
-        "lab its base has the pose $T_{sr}$, and a tool {b} is mounted at $T_{fb}$. Give the home pose $M = T_{sb}(0)$.\n\n"
+        statement=f"In its file, {robot.name} has a base frame {{r}} and a flange with the frame {{f}}, whose pose at $q = 0$ is "
+        "$T_{rf}$. In your lab its base has the pose $T_{sr}$. A tool with the frame {b} is mounted on the flange at $T_{fb}$. Give the "
+        "home pose $M = T_{sb}(0)$.\n\n"
         f"$$T_{{sr}} = {matrix(T_sr)}$$\n\n$$T_{{rf}} = {matrix(T_rf)}$$\n\n$$T_{{fb}} = {matrix(T_fb)}$$",
         figure=partial(draw_frames, {"s": np.eye(4), "r": T_sr, "f": T_sr @ T_rf}),
         given={"T_sr": T_sr, "T_rf": T_rf, "T_fb": T_fb},
@@ -94,7 +95,7 @@ def which_mistake(robot: Chain, sampler: ArmSampler) -> Problem:
     listed = "\n".join(f"- `'{letter}'`: {text}" for letter, text in descriptions.items())
     return Problem(
         statement=f"The joint values of {robot.name} are {at.words}. A student computed the pose $X$ of its tool by the space form. Check "
-        f"it: what did this student do?\n\n$$S = {matrix(arm.screws)}$$\n\n$$M = {matrix(arm.home)}$$\n\n$$X = {matrix(poses[right])}$$"
+        f"$X$: what did this student do?\n\n$$S = {matrix(arm.screws)}$$\n\n$$M = {matrix(arm.home)}$$\n\n$$X = {matrix(poses[right])}$$"
         f"\n\n{listed}",
         figure=partial(draw_arm, arm),
         given={"screws": arm.screws, "home": arm.home, "values": at.typed, "X": poses[right], "options": descriptions},

@@ -47,7 +47,7 @@ def body_screws(robot: Chain, sampler: ArmSampler) -> Problem:
     joints = _choose_joints(sampler, arm)
     S = arm.screws[joints]
     return Problem(
-        statement=f"Below are, for {robot.name}, {_name_axes(joints)} in {{s}}, and the home pose of its tool. Give "
+        statement=f"Below are {_name_axes(joints)} of {robot.name} in {{s}}, and the home pose of its tool. Give "
         f"the same screw axes in {{b}}, as rows.\n\n$$S = {matrix(S)}$$\n\n$$M = {matrix(arm.home)}$$",
         figure=partial(draw_arm, arm),
         given={"screws": S, "home": arm.home},
@@ -66,7 +66,7 @@ def back_to_space(robot: Chain, sampler: ArmSampler) -> Problem:
     joints = _choose_joints(sampler, arm)
     B = arm.body_screws[joints]
     return Problem(
-        statement=f"A colleague describes {robot.name} in the frame {{b}} of its tool: {_name_axes(joints)}. Give them in {{s}}, as rows."
+        statement=f"A colleague gives {_name_axes(joints)} of {robot.name} in the frame {{b}} of its tool. Give them in {{s}}, as rows."
         f"\n\n$$B = {matrix(B)}$$\n\n$$M = {matrix(arm.home)}$$",
         figure=partial(draw_arm, arm),
         given={"body_screws": B, "home": arm.home},
@@ -88,9 +88,9 @@ def new_tool(robot: Chain, sampler: ArmSampler) -> Problem:
         arm.screws[joints], "space screws", "give the space screws", "They are screws in {s} and not in {t}."
     )
     return Problem(
-        statement=f"The tool of {robot.name} is replaced. The frame {{t}} of the new tool has the pose $T_{{bt}}$ in {{b}} of the "
-        f"old one. Below are, in {{b}}, {_name_axes(joints)}. Give the same in {{t}}, as rows.\n\n$$B = {matrix(B)}$$\n\n"
-        f"$$T_{{bt}} = {matrix(H)}$$",
+        statement=f"The tool of {robot.name} is replaced. The frame {{t}} of the new tool has the pose $T_{{bt}}$ in the frame "
+        f"{{b}} of the old one. Below are {_name_axes(joints)} in {{b}}. Give the same screw axes in {{t}}, as rows.\n\n"
+        f"$$B = {matrix(B)}$$\n\n$$T_{{bt}} = {matrix(H)}$$",
         figure=partial(draw_arm, arm),
         given={"body_screws": B, "T_bt": H},
         answer=ScrewsAnswer(new.value, names=[f"screw {i + 1}" for i in joints]),

@@ -73,7 +73,7 @@ def faulty_entry(robot: Chain, sampler: ArmSampler) -> Problem:
         ),
         "the other number of the axis": (
             f"{COLUMNS[k ^ 1]}{row}",
-            f"The row is right, and so is {axis}. Is it the length or the angle?",
+            f"The row and the axis {axis} are right. Check whether its length or its angle is wrong.",
         ),
         "the row before": (
             f"{column}{(row - 2) % table.n + 1}",
@@ -86,7 +86,7 @@ def faulty_entry(robot: Chain, sampler: ArmSampler) -> Problem:
     }
     return Problem(
         statement=f"The table below was read off the drawn frames of {robot.name}{cut}, in the {table.convention} convention, in the "
-        "configuration of the drawing. One entry is wrong. Which? Answer with its column and its row, such as `'d2'`. The poses "
+        "configuration of the drawing. One entry is wrong. Which one? Answer with its column and its row, such as `'d2'`. The poses "
         f"of the frames in {{s}} are in `given.frames`.\n\n{_format_table(table.changed(rows=wrong))}",
         figure=partial(draw_table, table, numbers=True, path=False),
         given={"frames": np.array(frames), "rows": wrong, "convention": table.convention},
@@ -101,8 +101,8 @@ def _table(robot: Chain, sampler: ArmSampler, convention: Convention) -> Problem
     n, end = table.n, arm.home @ inverse(table.tool)
     return Problem(
         statement=f"{robot.name}{cut} is drawn with its joints at {words}; let $q = 0$ in this configuration. Write its table in the "
-        f"{convention} convention. $q$ is positive about or along the direction of the joint. The poses of frame 0 and frame {n} in "
-        "{s} are given; what the rules leave open you may choose, and every table that fits is right."
+        f"{convention} convention. Each $q_i$ is positive about or along the direction of its joint. The poses of frame 0 and frame {n} in "
+        "{s} are given. Where the rules leave a choice, it is yours: every table that fits is right."
         f"\n\n{joint_table(arm)}\n\n{given_frames(table)}",
         figure=partial(draw_joints, arm),
         given={"screws": arm.screws, "points": arm.joint_points, "home": arm.home, "base": table.base, "last": end},
