@@ -132,7 +132,7 @@ class DHRowsAnswer(Numbers):
              "$a$ and $\\alpha$ are moved by two rows instead of one."),
             ("two rows too far", self._moved(2 * step, link), "$a$ and $\\alpha$ are moved by two rows instead of one."),
             ("end kept", kept, "The row at the empty end keeps its $a$ and $\\alpha$, but they belong to the row beside it."),
-            ("end folded in", folded, "The $a$ and $\\alpha$ that are left over were put in the row at the other end. They belong in no row."),
+            ("end folded in", folded, "The left-over $a$ and $\\alpha$ were put in the row at the other end. They belong in no row."),
             ("rows swapped", self.value[::-1], "The rows are in reverse order."),
         ]  # fmt: skip
 

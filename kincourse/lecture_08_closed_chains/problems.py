@@ -374,8 +374,8 @@ def counting(sampler: ArmSampler) -> Problem:
     listed = " and ".join(f"{k} of them {'has' if k == 1 else 'have'} {joints}" for k, joints in counts)
     return Problem(
         statement=f"A platform moves {place}. It is connected to the ground by {len(legs)} legs: {listed}. The joints are listed from the "
-        f"ground to the platform, and between two neighbouring joints of a leg there is one body. {DEGREES_OF_FREEDOM_NOTE} Which mobility does "
-        "the Gruebler-Kutzbach formula give?",
+        f"ground to the platform, and between two neighbouring joints of a leg there is one body. {DEGREES_OF_FREEDOM_NOTE} "
+        "Which mobility does the Gruebler-Kutzbach formula give?",
         given={"d": d, "legs": [leg.degrees_of_freedom for leg in legs]},
         answer=Numbers(np.array(float(right.value))),
         solution=right,
