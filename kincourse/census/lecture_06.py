@@ -133,7 +133,7 @@ def which_convention(given: Any, answer: str) -> Iterator[WrongAnswer]:
         "a": "standard",
         "b": "modified",
         "c": "both, either, same pose, two readings",
-        "d": "fault, neither, readings",
+        "d": "fault, neither, readings, one of the two conventions",
     }
     yield from wrong({f"{letter} for {answer}": (letter, words[letter]) for letter in words if letter != answer})
     yield from right({"a capital": answer.upper(), "with spaces": f" {answer} "})

@@ -191,7 +191,7 @@ def prismatic_joint_elsewhere(given: Any, answer: Array) -> Iterator[WrongAnswer
     whole = "same, change, does not, keep"
     yield from wrong(
         {
-            "unchanged": ([a1, a2], f"unchanged, {whole}"),
+            "unchanged": ([a1, a2], f"unchanged, kept both, {whole}"),
             "only the first": ([to, a2], "a_1, first, joint 3"),
             "only the second": ([a1, reach - to], "a_2, second"),
             "a_2 negated": ([to, to - reach], SIGN),

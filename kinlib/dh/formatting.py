@@ -10,7 +10,7 @@ from kinlib.dh.parsing import COLUMNS
 Format = Callable[[float], str]
 
 
-class TableRows(Protocol):
+class _TableRows(Protocol):
     """What is written of a table: a `DHTable` has it."""
 
     @property
@@ -27,7 +27,7 @@ class TableRows(Protocol):
 
 
 def format_rows(
-    table: TableRows,
+    table: _TableRows,
     *,
     length: Format = format_number,
     angle: Format = format_degrees,

@@ -15,7 +15,16 @@ from traitlets import Bool, HasTraits
 
 import kinlib as kl
 from kinlib.view import explore
-from kinlib.view.viewer.scene import LAYERS, arm_data, extent, link_paths, scene
+from kinlib.view.viewer.scene import (
+    LAYERS,
+    arm_data,
+    body_motions,
+    extent,
+    frames_on_links,
+    half_height,
+    link_paths,
+    scene,
+)
 from kinlib.view.viewer.viewer import STATIC
 
 ROOT = Path(__file__).parents[2]
@@ -194,3 +203,35 @@ def test_the_bundle_is_small_and_requests_nothing_from_other_hosts():
     bundle = (STATIC / "viewer.js").read_bytes()
     assert len(gzip.compress(bundle, 9)) <= 200_000
     assert not re.search(rb"fetch\(\s*[\"'`]https?:|import\(\s*[\"'`]https?:|\.src\s*=\s*[\"'`]https?:", bundle)
+
+
+@pytest.mark.oracle("modern_robotics", body_motions)
+@pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
+def test_a_body_has_the_motions_of_all_joints_before_it(robot):
+    q = configurations(robot, 1)[0]
+    T = np.eye(4)
+    motions = body_motions(robot, q)
+    np.testing.assert_allclose(motions[0], T)
+    for motion, S, value in zip(motions[1:], robot.screws, q, strict=True):
+        T = T @ mr.MatrixExp6(mr.VecTose3(S * value))
+        np.testing.assert_allclose(motion, T, atol=1e-12)
+
+
+@pytest.mark.oracle("modern_robotics", frames_on_links)
+def test_a_frame_on_a_link_is_where_it_was_given_after_the_motion_of_its_link():
+    robot = kl.robots.youbot()
+    q = configurations(robot, 1)[0]
+    given = {"0": np.eye(4), "2": kl.exp([0.1, 0.2, 0.3, 1, 2, 3]), "b": robot.fk(q)}
+    layers = frames_on_links(robot, q, given)
+    for name, body in (("0", 0), ("2", 2), ("b", 5)):
+        [frame] = [one for key, group in layers.items() for one in group if key.split()[-1] in {name, f"{{{name}}}"}]
+        T = np.eye(4)
+        for S, value in zip(robot.screws[:body], q, strict=False):
+            T = T @ mr.MatrixExp6(mr.VecTose3(S * value))
+        np.testing.assert_allclose(T @ np.reshape(frame["pose"], (4, 4)), given[name], atol=1e-12)
+
+
+@pytest.mark.oracle("text: written out in the test", half_height)
+def test_the_height_of_a_view_fits_what_lies_upwards_and_sideways():
+    assert half_height(np.array([[0.0, 0, 3], [0, 0, -1]])) == pytest.approx(3)  # upright from the front
+    assert half_height(np.array([[0.0, 2, 0]])) == pytest.approx(2)  # upright from above

@@ -70,6 +70,9 @@ def test_manipulability_is_0_where_two_axes_coincide():
     assert puma560().manipulability([0.1, 0.2, 0.3, 0.4, 0.5, 0.6]) > 1e-3
 
 
+@pytest.mark.oracle(
+    "axiom: within its limits, each value is between two of them", Chain.within_limits, Chain.random_configurations
+)
 @given(chains_with_values(), st.integers(0, 100))
 def test_random_configurations_are_within_the_limits_and_limits_can_be_asked(drawn, seed):
     chain, q = drawn
@@ -90,6 +93,7 @@ def test_random_configurations_depend_on_the_seed_only():
     assert not np.array_equal(arm.random_configurations(3, 1), arm.random_configurations(3, 2))
 
 
+@pytest.mark.oracle("axiom: what is stored is read back", Chain.to_dict, Chain.from_dict)
 @given(chains_with_values())
 def test_a_chain_is_stored_as_json_and_read_back(drawn):
     chain, _ = drawn
