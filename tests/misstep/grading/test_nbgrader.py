@@ -167,7 +167,7 @@ def test_what_nbgrader_gives_up_on_is_in_its_gradebook_and_can_be_opened(ours, s
     notebook = graded(ours, student)
     nbformat.validate(notebook)
     checks = [cell for cell in notebook.cells if _marks(cell).get("grade")]
-    assert [_marks(cell)["grade_id"] for cell in checks] == [f"check-{k}" for k in range(1, 9)]
+    assert [_marks(cell)["grade_id"] for cell in checks] == [f"check-{k}" for k in range(1, CHECKS + 1)]
     assert sum(float(cell.outputs[-1].data["text/plain"]) for cell in checks) == points
 
 
