@@ -289,7 +289,7 @@ def longer_tool(given: Any, answer: Any) -> Answers:
 
 
 def _misread(given: Any, value: Any) -> Answers:
-    """Formulas of somebody who reads one length of the drawing wrong."""
+    """Formulas with one length of the drawing misread."""
     L = given.L
     yield from alike(by.OMITTED, {f"{L[k]} left out": value.subs(L[k], 0) for k in (0, 1)})
     yield from alike(by.SIGN, {f"-{L[k]}": value.subs(L[k], -L[k]) for k in (0, 2)})
