@@ -5,9 +5,6 @@ import sys
 from pathlib import Path
 from urllib.parse import urlsplit
 
-import sphinxcontrib.katex
-from sphinxcontrib.katex import KaTeXServer
-
 import kinlib
 
 HERE = Path(__file__).resolve().parent
@@ -82,10 +79,6 @@ html_theme_options = {
 
 katex_prerender = True
 katex_css_path = "katex/katex.min.css"
-# On a busy machine, a connection to a new Unix socket is refused until something listens, and then the extension gives up.
-# Over the loopback network it tries again.
-KaTeXServer.start_server_process = KaTeXServer.start_network_socket
-sphinxcontrib.katex.STARTUP_TIMEOUT = 60.0
 
 sitemap_url_scheme = "{link}"
 sitemap_excludes = ["404.html", "search.html"]

@@ -6,6 +6,9 @@ In JupyterLab, formulas in HTML are typeset by JupyterLab. Here they are typeset
 import base64
 import hashlib
 import re
+import socket
+import subprocess
+import time
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -15,6 +18,7 @@ from sphinx.application import Sphinx
 from sphinxcontrib import katex
 
 katex.KATEX_DEFAULT_OPTIONS.update(throwOnError=True, strict="error")  # a formula with an error fails the build
+katex.STARTUP_TIMEOUT = 60.0  # a busy machine needs more than the 5 s of the extension
 
 IMAGE = re.compile(r'<img ([^>]*?)src="data:image/(svg\+xml|png);base64,([^"]+)"')
 NOT_TEXT = re.compile(r"(<(script|style|pre|code|textarea|svg)\b.*?</\2>|<[^>]+>)", re.DOTALL)
@@ -25,6 +29,30 @@ MAX_UNBROKEN_LENGTH = 24
 SIDE_TRACK = "Side track:"
 """The beginning of the heading of a section that may be skipped. JupyterLab folds it by the metadata of its cell."""
 FORMULA = re.compile(r"\$\$(.+?)\$\$|(?<!\\)\$([^$\n]+?)\$")
+
+
+def start_katex(folder: Path, timeout: float) -> tuple[subprocess.Popen[bytes], socket.socket]:
+    """Start the server that typesets formulas, and connect to it as soon as it listens.
+
+    The extension's own function connects as soon as the socket's file exists, and gives up when the connection is
+    refused. But on a busy machine, the server listens only a moment later.
+    """
+    address = str(folder / "katex.sock")
+    command = katex.KaTeXServer.build_command(socket=address)
+    process = subprocess.Popen(command, stdin=subprocess.PIPE, stdout=subprocess.PIPE, cwd=folder)
+    connection = socket.socket(socket.AF_UNIX, socket.SOCK_STREAM)
+    deadline = time.monotonic() + timeout
+    while connection.connect_ex(address) != 0:
+        if time.monotonic() > deadline:
+            connection.close()
+            process.kill()
+            process.wait()
+            raise katex.KaTeXServer.timeout_error(timeout)
+        time.sleep(0.01)
+    return process, connection
+
+
+katex.KaTeXServer.start_server_process = staticmethod(start_katex)
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
