@@ -22,15 +22,16 @@ from kinlib.urdf.chains import load_urdf, to_urdf
 
 if TYPE_CHECKING:
     from kinlib import symbolic
+    from kinlib.view.viewer.browser import show
 else:
 
     def __getattr__(name: str) -> Any:
-        """Import kl.symbolic, and with it SymPy, when it is first used, because most of the course does not need it."""
-        if name != "symbolic":
+        """Import kl.symbolic and kl.show when they are first used, because SymPy and widgets take long to import."""
+        if name not in {"show", "symbolic"}:
             raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
         from importlib import import_module
 
-        return import_module("kinlib.symbolic")
+        return import_module("kinlib.symbolic") if name == "symbolic" else import_module("kinlib.view").show
 
     def __dir__() -> list[str]:
         return sorted({*globals(), *__all__})
@@ -65,6 +66,7 @@ __all__ = [
     "nearest_rotation",
     "robots",
     "screw",
+    "show",
     "symbolic",
     "to_urdf",
     "vee",

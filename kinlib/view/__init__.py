@@ -38,6 +38,7 @@ from kinlib.view.figures.torus import draw_torus
 
 if TYPE_CHECKING:
     from kinlib.view.viewer.assignment_player import Player, play_assignment
+    from kinlib.view.viewer.browser import show
     from kinlib.view.viewer.dh_row_player import RowPlayer, play_row, play_walk
     from kinlib.view.viewer.lecture_slides import (
         slide_axis,
@@ -92,6 +93,7 @@ __all__ = [
     "play_walk",
     "plot",
     "plot_series",
+    "show",
     "slide",
     "slide_axis",
     "slide_curve",
@@ -107,6 +109,7 @@ LAZY_NAMES = {
     **dict.fromkeys(("Player", "play_assignment"), "viewer.assignment_player"),
     **dict.fromkeys(("RowPlayer", "play_row", "play_walk"), "viewer.dh_row_player"),
     **dict.fromkeys(("Viewer", "explore"), "viewer.viewer"),
+    "show": "viewer.browser",
     "slide": "viewer.picture_slider",
     **dict.fromkeys((name for name in __all__ if name.startswith("slide_")), "viewer.lecture_slides"),
     **dict.fromkeys(("FramesViewer", "slide_frames"), "viewer.moving_frames"),

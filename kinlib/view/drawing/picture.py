@@ -3,7 +3,11 @@
 import base64
 import html
 import io
+import re
+from collections.abc import Callable
 from dataclasses import dataclass
+from os import PathLike
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from numpy.typing import ArrayLike
@@ -25,7 +29,13 @@ class Picture:
 
     Raises ValueError if the text alternative is shorter than MIN_ALT_CHARACTERS.
 
-    >>> Picture("<svg></svg>", "A drawing with nothing in it.").html()
+    >>> nothing = Picture("<svg></svg>", "A drawing with nothing in it.")
+    >>> nothing.labelled_svg()
+    '<svg role="img"><title>A drawing with nothing in it.</title><desc>A drawing with nothing in it.</desc></svg>'
+    >>> nothing.save("nothing.png")
+    Traceback (most recent call last):
+    ValueError: path must end in .svg or .html; got 'nothing.png'. For pixels, convert a saved .svg, for example with Inkscape.
+    >>> nothing.html()
     '<figure class="kinlib-figure" ...><style>...</style><img alt="A drawing with nothing in it." ...></figure>'
     """
 
@@ -48,6 +58,19 @@ class Picture:
         caption = f"<figcaption>{html.escape(self.caption)}</figcaption>" if self.caption else ""
         return f'<figure class="kinlib-figure" style="margin:0"><style>{THEME_CSS}</style>{image}{caption}</figure>'
 
+    def labelled_svg(self) -> str:
+        """Return the drawing as SVG that contains its text alternative: in <desc>, and its first sentence or the caption in <title>."""
+        title = html.escape(self.caption or first_sentence(self.alt))
+        label = f' role="img"><title>{title}</title><desc>{html.escape(self.alt)}</desc>'
+        return re.sub(r"(<svg[^>]*)>", lambda head: head[1] + label, self.svg, count=1)
+
+    def save(self, path: str | PathLike[str]) -> None:
+        """Save the drawing with its text alternative: as an image, .svg, or as a page of its own, .html.
+
+        Raises ValueError for another ending.
+        """
+        save(path, svg=self.labelled_svg, html=lambda: page(self.alt, self.html()))
+
     def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
         return {"text/html": self.html(), "text/plain": self.alt}
 
@@ -56,8 +79,12 @@ class Picture:
 class Gallery:
     """Several small pictures side by side, in as many rows as the page needs.
 
-    >>> Gallery((Picture("<svg></svg>", "A drawing with nothing in it."),)).html().count("<figure")
+    >>> gallery = Gallery((Picture("<svg></svg>", "A drawing with nothing in it."),))
+    >>> gallery.html().count("<figure")
     1
+    >>> gallery.save("nothing.svg")
+    Traceback (most recent call last):
+    ValueError: path must end in .html; got 'nothing.svg'. Save one of its `pictures` as .svg.
     """
 
     pictures: tuple[Picture, ...]
@@ -67,6 +94,14 @@ class Gallery:
         columns = "grid-template-columns:repeat(auto-fill,minmax(max(150px,28%),1fr))"
         pictures = "".join(picture.html() for picture in self.pictures)
         return f'<div style="display:grid;{columns};gap:.8em;align-items:end;max-width:50em">{pictures}</div>'
+
+    def save(self, path: str | PathLike[str]) -> None:
+        """Save the pictures with their text alternatives as a page, .html.
+
+        Raises ValueError for another ending.
+        """
+        alt = " ".join(picture.alt for picture in self.pictures)
+        save(path, "Save one of its `pictures` as .svg.", html=lambda: page(alt, self.html()))
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
         return {"text/html": self.html(), "text/plain": "\n".join(picture.alt for picture in self.pictures)}
@@ -98,3 +133,44 @@ def vector_text(values: ArrayLike) -> str:
     '(0.5, 0, 3)'
     """
     return format_vector(values, 3, zero=TYPED_PI_ERROR)
+
+
+def save(
+    path: str | PathLike[str],
+    advice: str = "For pixels, convert a saved .svg, for example with Inkscape.",
+    **contents: Callable[[], str],
+) -> None:
+    """Write a text file of the kind that its ending names; contents gives the text of each kind.
+
+    Raises ValueError for any other ending, with the advice.
+
+    >>> save("arm.pdf", svg=lambda: "<svg></svg>")
+    Traceback (most recent call last):
+    ValueError: path must end in .svg; got 'arm.pdf'. For pixels, convert a saved .svg, for example with Inkscape.
+    """
+    kind = Path(path).suffix.lower().removeprefix(".")
+    if kind not in contents:
+        raise ValueError(
+            f"path must end in {' or '.join(f'.{name}' for name in contents)}; got {str(path)!r}. {advice}"
+        )
+    Path(path).write_text(contents[kind](), "utf-8")
+
+
+def page(alt: str, body: str) -> str:
+    """Return a stand-alone HTML page, whose title is the first sentence of a text alternative.
+
+    >>> page("A drawing of an arm. It is at home.", "<p>The arm</p>")
+    '<!DOCTYPE html><html lang="en"><head><meta charset="utf-8">...<title>A drawing of an arm.</title>...<p>The arm</p></body></html>'
+    """
+    head = f'<meta charset="utf-8"><meta name="viewport" content="width=device-width"><title>{html.escape(first_sentence(alt))}</title>'
+    style = "<style>body{font-family:system-ui,sans-serif;max-width:60em;margin:1em auto;padding:0 1em}</style>"
+    return f'<!DOCTYPE html><html lang="en"><head>{head}{style}</head><body>{body}</body></html>'
+
+
+def first_sentence(text: str) -> str:
+    """Return the first sentence of a text alternative.
+
+    >>> first_sentence("The arm is 0.5 m long. It is at home.")
+    'The arm is 0.5 m long.'
+    """
+    return re.split(r"(?<=\.)\s", text, maxsplit=1)[0]

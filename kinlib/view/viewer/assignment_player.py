@@ -16,6 +16,7 @@ from kinlib.dh.explanation import AssignmentStep
 from kinlib.dh.formatting import format_rows
 from kinlib.dh.table import Convention, DHTable, validate_convention
 from kinlib.view.drawing.crop import crop
+from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.assignment_steps import row_segments, state_after, visible_features
 from kinlib.view.figures.frame_assignment import draw_assignment
 from kinlib.view.viewer.scene import extent, scene
@@ -87,8 +88,8 @@ class Player(Viewer):
         state_after(self.assignment, step)  # raises ValueError if there is no such step
         return step
 
-    def _drawing(self) -> str:
-        return crop([draw_assignment(self.assignment, self.step)])[0].html()
+    def _picture(self) -> Picture:
+        return crop([draw_assignment(self.assignment, self.step)])[0]
 
 
 def play_assignment(

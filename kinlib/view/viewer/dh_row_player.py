@@ -104,12 +104,8 @@ class RowPlayer(ViewerBase):
     def _check(self, values: list[float]) -> None:
         validation.array(values, "q")
 
-    def _drawing(self) -> str:
-        return crop([self._picture()])[0].html()
-
     def _picture(self) -> Picture:
-        picture: Picture = self.draw(round(self.done))
-        return picture
+        return crop([self.draw(round(self.done))])[0]
 
 
 def play_row(row: ArrayLike, *, convention: Convention | None = None, done: float = 0, after: Any = None) -> RowPlayer:

@@ -18,6 +18,7 @@ from kinlib.mechanisms.mechanism import Mechanism
 from kinlib.rigid.angles import wrap_angle
 from kinlib.rigid.lie import inverse
 from kinlib.rigid.screw import line
+from kinlib.view.drawing.picture import Picture
 from kinlib.view.figures.linkage import describe_linkage, draw_linkage, is_planar, linkage_geometry
 from kinlib.view.viewer.scene import half_height
 from kinlib.view.viewer.viewer import ViewerBase
@@ -50,8 +51,8 @@ class Drive(ViewerBase):
         """The text alternative of the current picture."""
         return describe_linkage(self.mechanism, linkage_geometry(self.mechanism, self.q))
 
-    def _drawing(self) -> str:
-        return draw_linkage(self.mechanism, self.q).html()
+    def _picture(self) -> Picture:
+        return draw_linkage(self.mechanism, self.q)
 
 
 def drive(

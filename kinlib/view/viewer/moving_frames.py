@@ -50,9 +50,6 @@ class FramesViewer(ViewerBase):
     def _check(self, values: list[float]) -> None:
         validation.array(values, "q")
 
-    def _drawing(self) -> str:
-        return self._picture().html()
-
     def _picture(self) -> Picture:
         length = self.mode["length"] * self.scene["size"]
         caption = self.mode["captions"][self.at]

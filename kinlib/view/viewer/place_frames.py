@@ -17,7 +17,7 @@ from kinlib.dh.explanation import ACCURACY_SAMPLES
 from kinlib.dh.rules import Breach, check_frames
 from kinlib.dh.table import Convention, DHTable, validate_convention
 from kinlib.rigid.lie import inverse
-from kinlib.view.drawing.picture import vector_text
+from kinlib.view.drawing.picture import Picture, vector_text
 from kinlib.view.figures.arm import draw_joints
 from kinlib.view.viewer.assignment_player import bare_scene, table_cells
 from kinlib.view.viewer.frame_candidates import frame_candidates
@@ -118,8 +118,8 @@ class ByHand(Viewer):
             )
         return frames
 
-    def _drawing(self) -> str:
-        return draw_joints(self.chain).html()
+    def _picture(self) -> Picture:
+        return draw_joints(self.chain)
 
     def _judge(self, _: Any) -> None:
         table = self.table

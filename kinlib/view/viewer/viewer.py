@@ -7,6 +7,7 @@ its scene graph, so a slider needs no answer from Python. Both sides share the t
 import html
 import json
 from collections.abc import Collection, Mapping, Sequence
+from os import PathLike
 from pathlib import Path
 from typing import Any
 
@@ -17,6 +18,7 @@ from numpy.typing import ArrayLike
 
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
+from kinlib.view.drawing.picture import Picture, page, save
 from kinlib.view.drawing.static_export import is_static_export
 from kinlib.view.figures.arm import ARM_LAYERS, describe_arm, draw_arm
 from kinlib.view.viewer.scene import FRAME_LAYERS, LAYERS, body_motions, scene
@@ -56,6 +58,9 @@ class ViewerBase(anywidget.AnyWidget):
     >>> question.committed = True
     >>> arm.covered
     False
+    >>> arm.save("arm.png")
+    Traceback (most recent call last):
+    ValueError: path must end in .svg or .html; got 'arm.png'. For pixels, convert a saved .svg, for example with Inkscape.
     """
 
     # The bundle defines one global object, so that a page without modules can run it too; a widget needs a default export.
@@ -110,9 +115,26 @@ class ViewerBase(anywidget.AnyWidget):
         """Raise ValueError if joint values have another size or contain NaN."""
         raise NotImplementedError
 
-    def _drawing(self) -> str:
-        """Return the drawing, as HTML, that is shown before the script starts, and in print."""
+    def _picture(self) -> Picture:
+        """Return the drawing that is shown before the script starts, and in print."""
         raise NotImplementedError
+
+    def save(self, path: str | PathLike[str]) -> None:
+        """Save the viewer as a page of its own that needs no kernel and no network, .html, or its current drawing, .svg.
+
+        Raises ValueError for another ending, and if the viewer is covered until a question elsewhere is answered.
+        """
+        if self.covered and not self.prediction:
+            raise ValueError(
+                "The viewer must be uncovered before it is saved; it waits for a question that the file does not have. "
+                "Answer the question, or make the viewer without `after`."
+            )
+
+        def whole_page() -> str:
+            script = (STATIC / "viewer.js").read_text("utf-8")
+            return page(self.alt, f"{self.html()}<script>{script}\nkinlib.startViewers();</script>")
+
+        save(path, svg=lambda: self._picture().labelled_svg(), html=whole_page)
 
     def html(self) -> str:
         """Return the viewer for a page without a kernel: its state as JSON, and a drawing that loader.js replaces."""
@@ -124,7 +146,7 @@ class ViewerBase(anywidget.AnyWidget):
         after = f' data-kinlib-after="{html.escape(self._after)}"' if self._after else ""
         return (
             f'<div data-kinlib-viewer{after}><script type="application/json">{data}</script>'
-            f"<div data-kinlib-drawing>{self._covered_drawing() if self.covered else self._drawing()}</div></div>"
+            f"<div data-kinlib-drawing>{self._covered_drawing() if self.covered else self._picture().html()}</div></div>"
         )
 
     def _covered_drawing(self) -> str:
@@ -133,7 +155,9 @@ class ViewerBase(anywidget.AnyWidget):
             self.prediction.get("text", "Commit to your prediction first; then the picture appears here.")
         )
         return (
-            f"<details><summary>{text}</summary>{self._drawing()}</details>" if is_static_export() else f"<p>{text}</p>"
+            f"<details><summary>{text}</summary>{self._picture().html()}</details>"
+            if is_static_export()
+            else f"<p>{text}</p>"
         )
 
     def _repr_mimebundle_(self, **options: Any) -> Any:
@@ -162,9 +186,9 @@ class Viewer(ViewerBase):
     def _check(self, values: list[float]) -> None:
         self.chain.fk(values)
 
-    def _drawing(self) -> str:
+    def _picture(self) -> Picture:
         drawn = [name for name in self.shown if name in ARM_LAYERS]
-        return draw_arm(self.chain, self.q, show=drawn, ghost=self.ghost or None, frames=self._shown_frames()).html()
+        return draw_arm(self.chain, self.q, show=drawn, ghost=self.ghost or None, frames=self._shown_frames())
 
     def _shown_frames(self) -> dict[str, Array]:
         """Return the poses at q of those frames given to `explore` that are switched on."""

@@ -1,0 +1,150 @@
+"""Pictures and viewers are saved with their text alternatives, and kl.show opens them outside notebooks."""
+
+import json
+import re
+import sys
+import webbrowser
+from pathlib import Path
+from types import SimpleNamespace
+from urllib.parse import urlparse
+from urllib.request import url2pathname
+from xml.etree import ElementTree as ET
+
+import numpy as np
+import pytest
+from traitlets import Bool, HasTraits
+
+import kinlib as kl
+from kinlib import view
+from kinlib.view import Gallery, Picture
+from kinlib.view.figures.torus import side_by_side
+
+ALT = "A curve & its <tangent>, 0.5 m long. The two meet at 1."
+Q = [0, 0.5, -0.5, 0, 1, 0]
+FOUR_BAR = kl.linkages.four_bar(0.4, 0.1, 0.35, 0.3)
+SHOWN = {
+    "a drawing": lambda: view.draw_arm(kl.robots.puma560(), Q),
+    "a plot": lambda: view.plot([1, 2], {"y": [1, 2]}, xlabel="x", ylabel="y", alt=ALT),
+    "two drawings": lambda: side_by_side(view.draw_arm(kl.robots.rpr()), view.draw_arm(kl.robots.rpr())),
+    "a viewer": lambda: view.explore(kl.robots.puma560(), start=Q),
+    "frames": lambda: view.slide_frames(lambda _: {"s": np.eye(4)}, "x", [0.0, 1.0]),
+    "a row": lambda: view.play_row([0.4, 0.5, 0.3, 0.2]),
+    "an assignment": lambda: view.play_assignment(kl.robots.rpr(), convention="standard"),
+    "frames to place": lambda: view.assign(kl.robots.rpr(), convention="standard"),
+    "a linkage": lambda: view.drive(FOUR_BAR, FOUR_BAR.assembly_modes(hold={"A": 1.0})[0]),
+}
+
+
+@pytest.mark.parametrize("shown", SHOWN)
+def test_a_saved_drawing_contains_its_text_alternative(shown, tmp_path):
+    shown = SHOWN[shown]()
+    shown.save(tmp_path / "it.SVG")
+    image = ET.parse(tmp_path / "it.SVG").getroot()
+    title, description = image[:2]
+    picture = shown if isinstance(shown, Picture) else shown._picture()
+    assert description.tag.endswith("}desc")
+    assert description.text == picture.alt
+    assert title.tag.endswith("}title")
+    assert title.text == picture.caption or picture.alt.startswith(title.text)
+    assert image.get("role") == "img"
+    assert {element.tag for element in ET.fromstring(picture.svg).iter()} < {element.tag for element in image.iter()}
+
+
+@pytest.mark.parametrize("shown", SHOWN)
+def test_a_saved_page_needs_nothing_else(shown, tmp_path):
+    shown = SHOWN[shown]()
+    shown.save(tmp_path / "it.html")
+    text = (tmp_path / "it.html").read_text("utf-8")
+    assert text.startswith("<!DOCTYPE html>")
+    assert not re.search(r"""(src|href)=["'](?!data:)""", text.partition('"use strict"')[0])
+    if isinstance(shown, Picture):
+        assert "<script" not in text
+        return
+    state = json.loads(re.search(r'<script type="application/json">(.*?)</script>', text)[1])
+    assert state["scene"] == json.loads(json.dumps(shown.scene))
+    assert text.endswith("kinlib.startViewers();</script></body></html>")
+    assert text.count("</script") == 2  # the script of the viewer does not end its own element
+
+
+def test_the_title_is_the_first_sentence_or_the_caption(tmp_path):
+    for caption, title in (("", "A curve &amp; its &lt;tangent&gt;, 0.5 m long."), ("At a < b", "At a &lt; b")):
+        assert f"<title>{title}</title>" in Picture("<svg></svg>", ALT, caption).labelled_svg()
+
+
+def test_a_gallery_is_saved_as_a_page(tmp_path):
+    Gallery((Picture("<svg></svg>", ALT), Picture("<svg></svg>", ALT))).save(tmp_path / "both.html")
+    assert (tmp_path / "both.html").read_text("utf-8").count("<img ") == 2
+
+
+@pytest.mark.parametrize("name", ["arm.png", "arm.pdf", "arm", "svg", ".svg", "arm.svg.gz", "arm.htm"])
+@pytest.mark.parametrize("shown", ["a drawing", "a viewer"])
+def test_other_endings_are_refused_and_nothing_is_written(shown, name, tmp_path):
+    with pytest.raises(ValueError, match=r"path must end in \.svg or \.html; got .*Inkscape"):
+        SHOWN[shown]().save(tmp_path / name)
+    assert not list(tmp_path.iterdir())
+
+
+def test_a_viewer_that_waits_for_a_question_is_not_saved(tmp_path):
+    class Question(HasTraits):
+        committed = Bool(False)
+
+    viewer = view.explore(kl.robots.rpr(), after=(question := Question()))
+    with pytest.raises(ValueError, match="waits for a question"):
+        viewer.save(tmp_path / "arm.html")
+    question.committed = True
+    viewer.save(tmp_path / "arm.html")
+    view.explore(kl.robots.rpr(), predict=("Where to?", ["up", "down"])).save(tmp_path / "asked.html")
+    assert "Where to?" in (tmp_path / "asked.html").read_text("utf-8")
+
+
+# --- kl.show ---
+
+
+@pytest.fixture
+def opened(monkeypatch, tmp_path):
+    """The addresses that would be opened in a web browser."""
+    addresses = []
+    monkeypatch.setattr("tempfile.tempdir", str(tmp_path))
+    monkeypatch.setattr(webbrowser, "open", lambda address: addresses.append(address) or True)
+    monkeypatch.setitem(sys.modules, "IPython", SimpleNamespace(get_ipython=lambda: None))
+    return addresses
+
+
+def test_show_opens_a_page_of_the_arm_in_the_browser(opened, capsys):
+    kl.show(kl.robots.puma560(), Q)
+    (address,) = map(urlparse, opened)
+    assert address.scheme == "file"
+    text = Path(url2pathname(address.path)).read_text("utf-8")
+    assert "<title>PUMA 560, 6 joints (RRRRRR), at q = (0, 0.5, -0.5, 0, 1, 0).</title>" in text
+    assert not capsys.readouterr().out
+
+
+def test_show_prints_the_file_if_there_is_no_browser(opened, monkeypatch, capsys):
+    monkeypatch.setattr(webbrowser, "open", lambda _: False)
+    kl.show(view.draw_arm(kl.robots.rpr()))
+    assert re.fullmatch(r"No web browser was found\. Open this file in one: .*shown\.html\n", capsys.readouterr().out)
+
+
+def test_show_saves_to_a_path_and_opens_nothing(opened, tmp_path):
+    kl.show(kl.robots.rpr(), path=tmp_path / "arm.svg")
+    assert ET.parse(tmp_path / "arm.svg").getroot()[1].text == view.draw_arm(kl.robots.rpr()).alt
+    assert not opened
+
+
+def test_show_displays_in_a_notebook(opened, monkeypatch):
+    displayed = []
+    kernel = SimpleNamespace(get_ipython=object, display=SimpleNamespace(display=displayed.append))
+    monkeypatch.setitem(sys.modules, "IPython", kernel)
+    monkeypatch.setitem(sys.modules, "IPython.display", kernel.display)
+    kl.show(kl.robots.rpr())
+    assert [viewer.chain.name for viewer in displayed] == ["RPR"]
+    assert not opened
+
+
+def test_show_refuses_what_it_cannot_draw():
+    with pytest.raises(ValueError, match=r"show takes a Chain, .*got list \[1, 2\]"):
+        kl.show([1, 2])
+    with pytest.raises(ValueError, match="q must be given with a chain only; got it with a Picture"):
+        kl.show(view.draw_arm(kl.robots.rpr()), [0, 0, 0])
+    with pytest.raises(ValueError, match="5 joints"):
+        kl.show(kl.robots.youbot(), [0, 0, 0])
