@@ -6,9 +6,15 @@ from itertools import permutations
 from typing import Any, ClassVar
 
 import numpy as np
+from numpy.typing import NDArray
 
+from misstep.answers.base import TOLERANCE
 from misstep.answers.number import Numbers, Slip
 from misstep.validation import Array
+
+
+def _within_half_a_turn(angle: Array) -> Array:
+    return np.asarray(np.remainder(angle + np.pi, 2 * np.pi) - np.pi)
 
 
 @dataclass(frozen=True, eq=False)
@@ -56,8 +62,13 @@ class Angles(Numbers):
         return int(np.count_nonzero(~self.same_entries(angles, self.value))), float((error * error).sum())
 
     def _modulo_turns(self, angles: Array) -> Array:
-        shifted: Array = self.value + np.remainder(angles - self.value + np.pi, 2 * np.pi) - np.pi
-        return shifted
+        shifted = self.value + _within_half_a_turn(angles - self.value)
+        # An angle of more than two turns is most likely in degrees. It keeps its size, and with it its precision.
+        return np.where(np.abs(angles) > 4 * np.pi, angles, shifted)
+
+    def same_entries(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> NDArray[np.bool_]:
+        size = np.maximum(self._scales, np.minimum(np.abs(one), np.abs(other)))
+        return np.asarray(np.abs(_within_half_a_turn(one - other)) <= tolerance * size)
 
     def place(self, index: Sequence[Any]) -> str:
         return self.parts[int(index[0])]

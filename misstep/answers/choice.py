@@ -1,11 +1,28 @@
 """Choices as answers: one of several named options."""
 
+import unicodedata
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
 from misstep import validation
 from misstep.answers.base import TOLERANCE, Answer, Unreadable
+
+MAX_LENGTH = 100
+"""A text of so many characters is not the name of an option."""
+
+
+def plain(text: str) -> str:
+    """Return the letters, digits and signs of a text, in small letters, with Greek letters by their names.
+
+    >>> plain(" (B) "), plain("theta 3"), plain("θ₃"), plain("-X")
+    ('b', 'theta3', 'theta3', '-x')
+    """
+    letters = (
+        name.split()[-1] if (name := unicodedata.name(letter, "")).startswith("GREEK") else letter
+        for letter in unicodedata.normalize("NFKC", text)
+    )
+    return "".join(letter for letter in "".join(letters).lower() if letter.isalnum() or letter in "+-")
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,10 +46,10 @@ class Choice(Answer):
         return ["the choice"]
 
     def read(self, given: Any) -> str:
-        letter = given.strip().strip("().").lower() if isinstance(given, str) and len(given) < 100 else given
-        if not isinstance(letter, str) or letter not in self.options:
+        options = {plain(option): option for option in self.options}
+        if not isinstance(given, str) or len(given) >= MAX_LENGTH or plain(given) not in options:
             raise Unreadable(f"Expected {self.expected}; got {validation.brief(given)}.")
-        return letter
+        return options[plain(given)]
 
     def agrees(self, one: str, other: str, tolerance: float = TOLERANCE) -> list[bool]:
         return [one == other]

@@ -199,7 +199,8 @@ class Numbers(Answer):
             place = self.place(np.unravel_index(entry, X.shape))
             text = f"Only one sign is wrong: {place}."
             yield ("sign of one entry", X * signs, text, f"Only one sign is wrong in this part: {place}.")
-        for piece in self.slip_indices():
+        pieces, parts = self.slip_indices(), self.part_indices()
+        for piece in pieces:
             for one, other in combinations(np.ravel(places[piece]), 2):
                 indices = [np.unravel_index(entry, X.shape) for entry in (one, other)]
                 if X.flat[one] == X.flat[other] or np.count_nonzero(np.not_equal(*indices)) > 1:
@@ -207,8 +208,9 @@ class Numbers(Answer):
                 order = places.copy()
                 order.flat[[one, other]] = other, one
                 swapped = " and ".join(map(self.place, indices))
-                text, part = f"Two entries are swapped: {swapped}.", f"Two entries are swapped in this part: {swapped}."
-                yield ("two entries swapped", X.ravel()[order], text, part)
+                # Where each entry is a part, one part cannot show that two of them are swapped.
+                part = f"Two entries are swapped in this part: {swapped}." if len(pieces) == len(parts) else ""
+                yield ("two entries swapped", X.ravel()[order], f"Two entries are swapped: {swapped}.", part)
 
     def slip_indices(self) -> list[Any]:
         """Return the indices of entries among which two in the same row or column may be swapped."""

@@ -88,7 +88,9 @@ class Reader:
             given_shape, entries = _unpacked(given)
             given_shape = tuple(size for size in given_shape if size != 1)
             if shape is not None and given_shape != shape:
-                comma = isinstance(given, str) and re.search(r"\d,\d", given)
+                # More entries than expected, and text such as 0,5: a decimal comma has cut numbers in two.
+                is_longer = np.prod(given_shape) > np.prod(shape)
+                comma = is_longer and isinstance(given, str) and re.search(r"\d,\d", given)
                 hint = " A comma separates entries; the decimal sign is a point, as in 0.5." if comma else ""
                 raise ValueError(f"Yours is {shaped(given_shape)}.{hint}")
             values = [[_real(value) for value in walker.value(entry)] for entry in entries]
