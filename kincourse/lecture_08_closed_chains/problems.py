@@ -434,6 +434,12 @@ def three_mobilities(sampler: ArmSampler) -> Problem:
                 f"You counted the joint variables only. Each loop has $d = {d}$ equations, which are subtracted.",
                 f"This is the number of joint variables. Each loop has $d = {d}$ equations, which are subtracted.",
             ),
+            mistake(
+                "infinitesimal mobility",
+                [infinitesimal, infinitesimal, finite],
+                "You gave the infinitesimal mobility as the count. The formula counts joint variables and loops; it does not use $J$.",
+                "This is the infinitesimal mobility. The formula counts joint variables and loops; it does not use $J$.",
+            ),
             mistake("finite mobility", [kutzbach_count, infinitesimal, 1 - finite], case.explanation, case.explanation),
             *(
                 mistake(name, wrong, f"You counted {text}.", f"This is the result if you count {text}.")
