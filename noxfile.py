@@ -90,6 +90,17 @@ def release(session: nox.Session) -> None:
     session.run(PYTHON, "-m", "misstep", "release", *session.posargs)
 
 
+@nox.session(venv_backend="venv")
+def distributions(session: nox.Session) -> None:
+    """Build the wheels and source archives of the three packages in dist/, and check them; in an environment of its own."""
+    session.install("build", "check-wheel-contents", "twine")
+    for package in ("kinlib", "misstep", "kincourse"):
+        session.run("python", "-m", "build", "--outdir", "dist", package)
+    built = sorted(map(str, Path("dist").iterdir()))
+    session.run("twine", "check", "--strict", *built)
+    session.run("check-wheel-contents", *(path for path in built if path.endswith(".whl")))
+
+
 @nox.session
 def viewer(session: nox.Session) -> None:
     """Bundle the 3-D viewer; needs Node 20 or newer."""

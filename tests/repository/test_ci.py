@@ -16,7 +16,7 @@ ROOT = Path(__file__).parents[2]
 def workflow_steps(workflow):
     """Return the steps of all jobs of a workflow, in order."""
     jobs = yaml.safe_load((ROOT / ".github" / "workflows" / workflow).read_text("utf-8"))["jobs"]
-    return [step for job in jobs.values() for step in job["steps"]]
+    return [step for job in jobs.values() for step in job.get("steps", ())]
 
 
 def find_step(workflow, command):
@@ -43,6 +43,34 @@ def test_every_ci_run_prints_the_ten_slowest_tests(file):
     lines = [line for line in (ROOT / file).read_text("utf-8").splitlines() if "course.py test" in line]
     assert lines
     assert all(line.endswith("--durations=10") for line in lines)
+
+
+WORKFLOWS = sorted((ROOT / ".github" / "workflows").glob("*.yml"))
+
+
+@pytest.mark.parametrize("workflow", WORKFLOWS, ids=lambda path: path.name)
+def test_a_workflow_may_only_read_and_its_actions_are_pinned(workflow):
+    """A tag of an action can be moved to other code; a hash cannot."""
+    text = workflow.read_text("utf-8")
+    assert yaml.safe_load(text)["permissions"] == {"contents": "read"}
+    used = re.findall(r"uses: (\S+)(.*)", text)
+    assert used
+    for action, comment in used:
+        assert action.startswith("./") or (re.search(r"@[0-9a-f]{40}$", action) and re.search(r"# v\d", comment)), (
+            action
+        )
+
+
+def test_only_a_release_that_was_built_tried_and_tested_is_published():
+    jobs = yaml.safe_load((ROOT / ".github/workflows/release.yml").read_text("utf-8"))["jobs"]
+    assert {*jobs["publish"]["needs"]} == {*jobs} - {"publish"}
+    assert [name for name, job in jobs.items() if "id-token" in job.get("permissions", {})] == ["publish"]
+    assert "CITATION.cff" in find_step("release.yml", "GITHUB_REF_NAME")["run"]
+
+
+def test_each_package_ships_the_licence():
+    licence = (ROOT / "LICENSE").read_bytes()
+    assert all((ROOT / package / "LICENSE").read_bytes() == licence for package in ("kinlib", "misstep", "kincourse"))
 
 
 def test_the_files_of_the_mutation_settings_exist():
