@@ -1,119 +1,18 @@
-"""Open the course, test it, or build and serve its site. This needs nothing but Python 3.11 or newer and pip.
+"""Open the course, test it, or build and serve its site: python course.py open. All of it is in tools/set_up.py.
 
-    python course.py open        start JupyterLab on the first lecture
-    python course.py test        run every test
-    python course.py site        build the course site into build/site/html
-    python course.py serve       serve it on http://127.0.0.1:8000, to this machine only
-
-The first run makes an environment in .venv, with the versions in constraints.txt; later runs use it again.
-Further arguments are passed on to JupyterLab or pytest: "open --no-browser", "test -k lie".
-With --newest, open and test ignore constraints.txt and install the newest versions.
-
-The tasks of maintainers are in noxfile.py.
+This file is also valid for Python 2, so that an old Python can say what it lacks.
 """
 
-import hashlib
-import importlib.util
 import os
-import signal
-import subprocess
 import sys
-from pathlib import Path
 
-if sys.version_info < (3, 11):  # noqa: UP036 - checked first: an old Python cannot even define the functions below
-    sys.exit(f"The course needs Python 3.11 or newer; this is {sys.version.split()[0]}. Try: python3.13 course.py open")
+if sys.version_info < (3, 11):
+    sys.exit(
+        "The course needs Python 3.11 or newer; this is %s. Try: python3.13 course.py open" % sys.version.split()[0]
+    )
 
-ROOT = Path(__file__).resolve().parent
-UV = ROOT / ".uv"  # own folder: the system's Python may refuse packages (PEP 668) or lack the venv module
-VENV = ROOT / ".venv"
-PYTHON = VENV / ("Scripts/python.exe" if os.name == "nt" else "bin/python")
-STAMP = VENV / "stamp.txt"  # what the environment was made from; does not exist while it is being made
-PINS = "constraints.txt"
-
-FIRST_LECTURE = "--LabApp.default_url=/lab/tree/notebooks/00_start_here.ipynb"
-PROGRAMS = {
-    "open": ("-m", "jupyterlab", f"--ServerApp.root_dir={ROOT}", FIRST_LECTURE),
-    "test": (  # on all cores; conftest.py says which tests run on one of them
-        "-m",
-        "pytest",
-        "--numprocesses=auto",
-        "--dist=loadscope",
-        "--no-loadscope-reorder",
-    ),
-    "site": ("site/build.py",),
-    "serve": ("site/serve.py",),
-}
-GROUPS = {"open": "lab", "test": "test", "site": "site", "serve": "site"}  # dependency groups of pyproject.toml
-INCLUDED = {"test": {"test", "lab", "site"}}  # groups that a group includes
-
-
-def main(command: str = "help", *words: str) -> None:
-    signal.signal(
-        signal.SIGINT, lambda *_: None
-    )  # Ctrl-C goes to the program that we start, too: it ends in its own way
-    signal.signal(
-        signal.SIGTERM, lambda number, _: sys.exit(128 + number)
-    )  # this signal reaches only us: call() passes it on
-    if Path(sys.prefix) == VENV:  # an environment cannot remake itself, so the Python that made it does
-        sys.exit(call(sys._base_executable, ROOT / "course.py", command, *words))
-    if command in PROGRAMS:
-        prepare(GROUPS[command], newest="--newest" in words)
-        arguments = [word for word in words if word != "--newest"]
-        sys.exit(call(PYTHON, *PROGRAMS[command], *arguments))
-    elif command in ("help", "-h", "--help"):
-        print(__doc__)
-    else:
-        known = ", ".join(PROGRAMS)
-        sys.exit(f"The command must be one of {known}; got {command!r}. Try: python course.py open")
-
-
-def prepare(group: str, newest: bool) -> None:
-    """Make .venv, unless its stamp says that this Python made it in this folder from the same files."""
-    sources = [sys.version, str(ROOT), *((ROOT / name).read_text("utf-8") for name in ("pyproject.toml", PINS))]
-    fingerprint = hashlib.sha256("\n".join(sources).encode()).hexdigest()
-    made_from, _, made_for = STAMP.read_text("utf-8").partition(" ") if STAMP.exists() else ("", "", "")
-    made = made_from == fingerprint and not newest
-    if made and group in INCLUDED.get(made_for, {made_for}):
-        return
-    pins = () if newest else ("-c", PINS)
-    STAMP.unlink(missing_ok=True)
-    install_uv(*pins)
-    if not made:
-        uv("make the folder .venv", "venv", "--quiet", "--clear", "--python", sys.executable, VENV)
-    uv("install the course", "pip", "install", "--python", PYTHON, *pins, "--group", group, "-e", ".")
-    if not newest:
-        STAMP.write_text(f"{fingerprint} {group}", "utf-8")
-
-
-def install_uv(*pins: str) -> None:
-    if importlib.util.find_spec("pip") is None:
-        sys.exit("This Python has no pip. Try: python -m ensurepip; on Debian or Ubuntu: sudo apt install python3-pip")
-    settings = {
-        "PIP_USER": "0",
-        "PIP_REQUIRE_VIRTUALENV": "0",
-        "PIP_ROOT_USER_ACTION": "ignore",
-    }  # we install into a folder
-    step("fetch uv, its installer", "pip", "install", "-q", "--upgrade", "--target", UV, *pins, "uv", **settings)
-
-
-def uv(purpose: str, *arguments: str | Path) -> None:
-    step(purpose, "uv", *arguments, PYTHONPATH=str(UV))
-
-
-def step(purpose: str, module: str, *arguments: str | Path, **settings: str) -> None:
-    if call(sys.executable, "-m", module, *arguments, **settings):
-        sys.exit(f"course.py could not {purpose}: see above. Check the network, close JupyterLab, then try again.")
-
-
-def call(*command: str | Path, **settings: str) -> int:
-    # PYTHONPATH is emptied because it adds packages of another Python; for example, ROS sets it and breaks pytest
-    with subprocess.Popen(command, cwd=ROOT, env={**os.environ, "PYTHONPATH": "", **settings}) as program:
-        try:
-            return program.wait()
-        except SystemExit:
-            program.terminate()  # `with` waits until it has ended
-            raise
-
+sys.path.insert(0, os.path.join(os.path.dirname(os.path.abspath(__file__)), "tools"))
+from set_up import main
 
 if __name__ == "__main__":
     main(*sys.argv[1:])

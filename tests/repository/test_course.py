@@ -1,13 +1,17 @@
 """course.py installs after a change, never uses an incomplete environment, and suggests a remedy in each error."""
 
+import ast
+import os
 import re
 import subprocess
 import sys
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
+import set_up as course
 
-import course
+COURSE = Path(__file__).parents[2] / "course.py"
 
 
 @pytest.fixture
@@ -88,6 +92,42 @@ def test_a_failed_step_is_named_and_repeated(calls, monkeypatch, broken):
     assert "uv pip" in steps(calls)
 
 
+@pytest.mark.parametrize(
+    ("state", "said"),
+    [
+        ({}, r"Check the network, close JupyterLab"),
+        ({"interrupts": [2]}, r"stopped by Ctrl-C. The same command continues"),
+        ({"error": 28, "free": 10**6}, r"disk is full: 1 MB are left. Make room"),
+        (
+            {"error": 30, "free": 10**10},
+            r"cannot be written in .*: Read-only.* Copy the course into a folder of your own",
+        ),
+        ({"proxy": "http://nobody:secret@localhost:1"}, r"Is the proxy in HTTPS_PROXY right"),
+    ],
+)
+def test_a_failed_step_says_why_as_far_as_it_can_be_seen(calls, monkeypatch, state, said):
+    def broken_file(**_):
+        raise OSError(state["error"], os.strerror(state["error"]))
+
+    for name in ("HTTP_PROXY", "HTTPS_PROXY", "ALL_PROXY", "http_proxy", "https_proxy", "all_proxy"):
+        monkeypatch.delenv(name, raising=False)
+    if "proxy" in state:
+        monkeypatch.setenv("HTTPS_PROXY", state["proxy"])
+    if "error" in state:
+        monkeypatch.setattr(course.tempfile, "TemporaryFile", broken_file)
+        monkeypatch.setattr(course.shutil, "disk_usage", lambda _: SimpleNamespace(free=state["free"]))
+    monkeypatch.setattr(course, "INTERRUPTS", state.get("interrupts", []))
+    monkeypatch.setattr(course, "call", lambda *_, **__: 1)
+    with pytest.raises(SystemExit, match=said) as failure:
+        course.prepare("lab", newest=False)
+    assert "secret" not in str(failure.value)
+
+
+def test_the_size_is_said_before_anything_is_installed(calls, capsys):
+    course.prepare("lab", newest=False)
+    assert re.search(r"about \d+ MB. This happens once", capsys.readouterr().out)
+
+
 def test_without_pip_the_error_says_how_to_install_it(calls, monkeypatch):
     monkeypatch.setattr(course.importlib.util, "find_spec", lambda _: None)
     with pytest.raises(SystemExit, match="ensurepip"):
@@ -99,7 +139,7 @@ def test_without_pip_the_error_says_how_to_install_it(calls, monkeypatch):
     ("arguments", "expected"), [([], "python course.py open"), (["fly"], "one of open, test, site, serve; got 'fly'")]
 )
 def test_a_wrong_or_missing_command_lists_the_commands(arguments, expected):
-    done = subprocess.run([sys.executable, course.__file__, *arguments], capture_output=True, text=True, check=False)
+    done = subprocess.run([sys.executable, COURSE, *arguments], capture_output=True, text=True, check=False)
     assert expected in done.stdout + done.stderr
     assert done.returncode == bool(arguments)
 
@@ -111,7 +151,7 @@ print("ready", flush=True)
 time.sleep(60)
 """
 START_COURSE = """
-import sys, course
+import sys, set_up as course
 course.VENV = None  # otherwise course.py would start itself again if the tests run in .venv
 course.prepare = lambda *_, **__: None
 course.PYTHON, course.PROGRAMS["open"] = sys.executable, ("-c", sys.argv[1])
@@ -133,8 +173,14 @@ def test_stopping_the_course_stops_the_program_that_it_started():
 
 
 def test_an_old_python_gets_a_one_line_error():
-    source = Path(course.__file__).read_text("utf-8")
+    source = COURSE.read_text("ascii")  # Python 2 refuses any other letter
     old = f"import sys; sys.version_info = (3, 8); exec(compile({source!r}, 'course.py', 'exec'))"
     done = subprocess.run([sys.executable, "-c", old], capture_output=True, text=True, check=False)
     assert done.returncode == 1
     assert re.fullmatch(r"The course needs Python 3\.11 or newer; .*\n", done.stderr)
+
+
+def test_python_2_can_read_the_file_that_refuses_it():
+    """Python 2 has neither f-strings nor annotations nor keyword-only arguments."""
+    tree = ast.parse(COURSE.read_text("ascii"), feature_version=(3, 7))
+    assert not [node for node in ast.walk(tree) if isinstance(node, (ast.JoinedStr, ast.AnnAssign, ast.FunctionDef))]
