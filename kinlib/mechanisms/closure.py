@@ -144,26 +144,44 @@ class Closure:
                 rounds_without_new = 0
         return np.array(sorted(modes, key=list)).reshape(-1, len(self.configuration))
 
-    def trace(self, step: float, points: int | None, max_steps: int) -> Curve:
+    def trace(self, step: float, points: int | None, max_steps: int, direction: Array | None = None) -> Curve:
         """Follow the motion from the configuration in both directions; points: at equal steps, if a number is given.
 
-        Raises ValueError if the configuration does not close or is beyond a limit, and if not exactly one motion leads away
-        from it.
+        direction  (n,) of the motion, if several lead away; its entries for held values do not count
+
+        Raises ValueError if the configuration does not close or is beyond a limit, if without a direction not exactly one
+        motion leads away from it, and if with a direction none is the nearest.
         """
         if names := self._names_beyond_limits(self.configuration):
             raise ValueError(
                 f"The start must be within the limits; it is beyond those of {', '.join(names)}. Start from another q."
             )
+        start = self.configuration[self.free]
+        curve = self._tracer.follow(start, step, max_steps, None if direction is None else direction[self.free])
+        if points is not None:
+            curve = self._tracer.resample(curve, points)
+        return replace(curve, q=self._with_held_values(curve.q), tangents=self._with_zeros(curve.tangents))
+
+    def branch_directions(self, step: float) -> Array:
+        """Find the unit tangents (b, n) of the motions that lead away from the configuration, each within a step.
+
+        Raises ValueError if the configuration does not close, and if the tangents form a continuum.
+        """
+        return self._with_zeros(self._tracer.leaving(self.configuration[self.free], step)[1])
+
+    @property
+    def _tracer(self) -> CurveTracer:
+        """What follows the curves of the free values."""
         free_names = [self.names[i] for i in self.free]
-        tracer = CurveTracer(
+        return CurveTracer(
             self._free_equations, self.tolerance, free_names, self.is_angle[self.free], self.limits[self.free]
         )
-        curve = tracer.follow(self.configuration[self.free], step, max_steps)
-        if points is not None:
-            curve = tracer.resample(curve, points)
-        tangents = np.zeros((len(curve.q), len(self.configuration)))
-        tangents[:, self.free] = curve.tangents
-        return replace(curve, q=self._with_held_values(curve.q), tangents=tangents)
+
+    def _with_zeros(self, rates: Array) -> Array:
+        """Rates (m, n) of all values from those of the free values (m, k): held values do not change."""
+        full = np.zeros((len(rates), len(self.configuration)))
+        full[:, self.free] = rates
+        return full
 
     def _free_equations(self, x: Array) -> tuple[Array, Array]:
         """The equations as functions of the free values (m, k) alone."""

@@ -264,32 +264,77 @@ class Mechanism(validation.ReadOnly):
         step: float = 0.2,
         points: int | None = None,
         max_steps: int = 5000,
+        *,
+        direction: ArrayLike | None = None,
     ) -> Curve:
         """Follow the motion from a configuration (n,) in both directions, through dead points, until it closes or ends.
 
         step       the longest step along the curve, radians and metres together
         points     the number of configurations to return, at about equal steps; None: as many as the tracing needed
         max_steps  in either direction; after them the curve is left unfinished, which its `ends` then say
+        direction  (n,) joint velocities: at a branch point, where several motions meet (a change point, for example), the
+                   motion nearest to them is followed, see `branch_directions`; elsewhere they only choose the sense of the
+                   curve. If a branch point is within 1e-3 of the start, the curve starts there. Entries of held values do not
+                   count
 
         A curve ends at a limit, or where no configuration closes further on.
 
-        Raises ValueError if the start does not close or is beyond a limit, if the linkage does not have exactly one degree of
-        freedom there, and if step, points or max_steps is too small for a curve.
-        Source: pseudo-arclength continuation, as in Allgower and Georg, Numerical Continuation Methods (1990).
+        Raises ValueError if the start does not close or is beyond a limit, if without a direction the linkage does not have
+        exactly one degree of freedom there, if no motion is the nearest to the direction, and if step, points or max_steps is
+        too small for a curve.
+        Source: pseudo-arclength continuation and branch switching, as in Allgower and Georg, Numerical Continuation Methods
+        (1990).
 
         >>> from kinlib.mechanisms.linkages import four_bar
         >>> linkage = four_bar(0.4, 0.1, 0.35, 0.3)
         >>> curve = linkage.trace(linkage.assembly_modes(hold={"A": 1.0})[0])
         >>> curve.closed, curve.residual < 1e-12
         (True, True)
+
+        A parallelogram that lies flat can leave as a parallelogram or as an antiparallelogram:
+
+        >>> flat = four_bar(0.4, 0.1, 0.4, 0.1)
+        >>> for direction in flat.branch_directions([0, 0, 0, 0]):
+        ...     A, B, D, C = flat.trace([0, 0, 0, 0], direction=direction, points=9).q[2]
+        ...     print(bool(np.isclose(A, D)))                                    # both cranks at one angle
+        True
+        False
         """
-        if not (np.isfinite(step) and step > 0):
-            raise ValueError(f"step must be a positive length along the curve; got {step!r}. Try 0.2.")
+        _check_step(step)
         if max_steps < 1 or (points is not None and points < 2):
             raise ValueError(
                 f"A curve must have at least two points and one step; got points={points!r}, max_steps={max_steps!r}."
             )
-        return self._closure(start, hold).trace(step, points, max_steps)
+        rates = None if direction is None else self._values(direction, "direction")
+        if rates is not None and rates.ndim != 1:
+            raise ValueError(f"direction must have shape ({self.n},); got {rates.shape}. Pass one direction at a time.")
+        return self._closure(start, hold).trace(step, points, max_steps, rates)
+
+    def branch_directions(self, q: ArrayLike, hold: Mapping[str, float] | None = None, step: float = 0.2) -> Array:
+        """Find the directions in which motions leave a configuration (n,): one unit vector (b, n) of joint velocities each.
+
+        At a regular configuration with one degree of freedom there is one, and both its signs are right. At a branch point
+        there are several, and fewer than the first-order mobility suggests: not every velocity that the loops allow to first
+        order belongs to a motion. A direction t = N c, with N a basis of the null space of the Jacobian J, must satisfy
+        L^T H(t, t) = 0 too, with H the second derivative of the residual and L a basis of the left null space of J. All
+        solutions of these quadratic equations are sought from 64 random vectors c for each dimension, and each is kept if a
+        curve leaves in it. Two curves that touch have one direction in common. A branch point within 1e-3 of q is found
+        first, so q may be the result of `assemble`.
+
+        step  the longest step along a curve, as for `trace`
+
+        Raises ValueError if q does not close, and if the directions form a continuum, because the linkage has more degrees of
+        freedom. Hold all but one.
+        Source: Müller, Local kinematic analysis of closed-loop linkages: mobility, singularities, and shakiness, J. of
+        Mechanisms and Robotics 8 (2016).
+
+        >>> from kinlib.mechanisms.linkages import four_bar
+        >>> four_bar(0.4, 0.1, 0.4, 0.1).branch_directions([0, 0, 0, 0]).round(4)
+        array([[ 0.5   , -0.5   ,  0.5   , -0.5   ],
+               [-0.3638,  0.6063,  0.6063, -0.3638]])
+        """
+        _check_step(step)
+        return self._closure(q, hold).branch_directions(step)
 
     def mobility(self, q: ArrayLike) -> Mobility:
         """Find the mobility at a configuration (n,): by counting, to first order there, and by finite motions.
@@ -356,11 +401,11 @@ class Mechanism(validation.ReadOnly):
         """The path from the ground to every body but the ground, as an open chain."""
         return {body: chain_along(self.joints, path, body) for body, path in self._tree.items() if path}
 
-    def _values(self, q: ArrayLike) -> Array:
-        q = validation.array(q, "q")
+    def _values(self, q: ArrayLike, name: str = "q") -> Array:
+        q = validation.array(q, name)
         if q.shape[-1:] != (self.n,):
             raise ValueError(
-                f"q must have shape (..., {self.n}); got {q.shape}. "
+                f"{name} must have shape (..., {self.n}); got {q.shape}. "
                 f"Pass one number for each joint value of {self.name}: {', '.join(self.names)}."
             )
         return q
@@ -409,3 +454,8 @@ class Mechanism(validation.ReadOnly):
         search_range = np.where(is_angle, np.pi, 2 * size / np.clip(pitch, tolerances.UNIT_LENGTH_TOL, 1))
         tolerance = CLOSURE_TOL * (1 + farthest)
         return Closure(self._centred_equations, q, free, self.names, is_angle, self.limits, search_range, tolerance)
+
+
+def _check_step(step: float) -> None:
+    if not (np.isfinite(step) and step > 0):
+        raise ValueError(f"step must be a positive length along the curve; got {step!r}. Try 0.2.")
