@@ -43,6 +43,9 @@ with lazy_nbgrader():
 FOLDER_NAME = re.compile(r"[^./\\\0+][^/\\\0+]{0,79}")
 """An id that can be the name of a student's folder; nbgrader does not allow a + either."""
 
+GENERATE = "nbgrader generate_assignment {} --force"
+"""Without --force, nbgrader skips an assignment whose released notebook is there already, as it is in a checkout."""
+
 METADATA_KEY = "misstep"
 """The key in the metadata of an autograded notebook under which the digest of its result is stored."""
 
@@ -103,7 +106,7 @@ def open_gradebook(folder: Path, sheet: ReleasedSheet, overwrite: bool = False) 
     database = Path(course.db_url.removeprefix("sqlite:///"))
     for path in (released, database) if course.db_url.startswith("sqlite:///") else (released,):
         if not path.is_file():
-            raise ValueError(f"{path} does not exist. First run: nbgrader generate_assignment {sheet.name}")
+            raise ValueError(f"{path} must exist; it does not. First run: {GENERATE.format(sheet.name)}")
     with Gradebook(course.db_url, course.course_id) as gradebook:
         gradebook.db().expire_on_commit = False  # the assignment does not change from one submission to the next
         try:
@@ -111,7 +114,7 @@ def open_gradebook(folder: Path, sheet: ReleasedSheet, overwrite: bool = False) 
             gradebook.find_notebook(sheet.name, sheet.name)
         except MissingEntry as error:
             raise ValueError(
-                f"The gradebook has no assignment {sheet.name}. First run: nbgrader generate_assignment {sheet.name}"
+                f"The gradebook must have the assignment {sheet.name}; it has not. First run: {GENERATE.format(sheet.name)}"
             ) from error
         yield GradebookWriter(course, gradebook, assignment, nbformat.read(released, as_version=4), overwrite)
 

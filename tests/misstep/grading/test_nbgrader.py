@@ -51,7 +51,7 @@ ODD = {
 """By student, what only we can grade, and the points: nbgrader gives up on it."""
 
 COMMANDS = [
-    ["generate_assignment", SHEET],
+    ["generate_assignment", SHEET, "--force"],
     ["autograde", SHEET],
     ["generate_feedback", SHEET, "--student=bob"],  # the one with a page that would do harm
     ["export", "--to", "exported.csv"],
@@ -68,7 +68,8 @@ for command in json.loads(sys.argv[1]):
 
 
 def course(folder):
-    shutil.copytree(ROOT / "solutions" / SHEET, folder / "solutions" / SHEET)
+    for name in ("solutions", "exercises"):  # as in a checkout; nbgrader skips what is released, unless it is forced
+        shutil.copytree(ROOT / name / SHEET, folder / name / SHEET)
     shutil.copy(ROOT / "nbgrader_config.py", folder)
     for student, notebook in HANDED.items():
         place = folder / "submitted" / student / SHEET
@@ -111,7 +112,6 @@ def ours(theirs, tmp_path_factory):
         (folder / "submitted" / student / SHEET).mkdir(parents=True)
         (folder / "submitted" / student / SHEET / f"{SHEET}.ipynb").write_bytes(content)
         (folder / "submitted" / student / SHEET / "timestamp.txt").write_text("some day")
-    shutil.copytree(theirs / "exercises", folder / "exercises")
     shutil.copy(theirs / "gradebook.db", folder)
     with sqlite3.connect(folder / "gradebook.db") as book:  # as it was before anybody was graded
         for table in ("grade", "comment", "submitted_notebook", "submitted_assignment", "student"):
@@ -221,7 +221,9 @@ def test_a_folder_that_is_no_course_yet_is_told_what_comes_first(ours, tmp_path,
     (shutil.rmtree if (folder / what).is_dir() else Path.unlink)(folder / what)
     with pytest.raises(AssertionError):
         grade(folder)
-    assert re.search("must have an nbgrader_config|First run: nbgrader generate_assignment", capsys.readouterr().err)
+    assert re.search(
+        "must have an nbgrader_config|First run: nbgrader generate_assignment .* --force", capsys.readouterr().err
+    )
 
 
 WHOLE = """
