@@ -12,6 +12,7 @@ from collections.abc import Mapping, Sequence
 COMMANDS = {
     "census": ("misstep.census", "judge many wrong answers, and count what feedback says to them"),
     "grade": ("misstep.grading.command", "grade the submissions of a sheet, in a sandbox"),
+    "new-course": ("misstep.new_course", "write a small course that works, as the beginning of your own"),
     "release": ("misstep.release.student_notebook", "write the students' notebooks from the instructors' notebooks"),
 }
 """For each command its module, and what it does."""

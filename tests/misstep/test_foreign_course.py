@@ -201,6 +201,15 @@ def test_a_command_without_its_extra_names_the_extra(minimal, command, extra):
         minimal.misstep(command)
 
 
+def test_the_wheel_contains_the_whole_template_of_a_new_course(minimal, tmp_path):
+    minimal.misstep("new-course", tmp_path / "circuits")
+    made = [path.relative_to(tmp_path / "circuits") for path in (tmp_path / "circuits").rglob("*") if path.is_file()]
+    template = PACKAGE / "new_course" / "template"
+    tracked = [path for path in template.rglob("*") if path.is_file() and "__pycache__" not in path.parts]
+    assert len(made) == len(tracked)
+    assert {"README.md", "pyproject.toml", ".github/workflows/site.yml"} <= {path.as_posix() for path in made}
+
+
 def install(course, environment):
     """Install the course as a package with an entry point, as its wheel would."""
     shutil.copytree(course, environment.site_packages / "circuits", ignore=shutil.ignore_patterns("__pycache__"))

@@ -1,0 +1,8 @@
+"""Electric circuits: the example with which a new course begins."""
+
+from misstep import Course
+
+COURSE = Course("my_course")
+
+# What students import.
+open_sheet, ask, attempt, explain = COURSE.open_sheet, COURSE.ask, COURSE.attempt, COURSE.explain

@@ -1,0 +1,133 @@
+"""A new course: what its README says is done line by line, in an environment in which only the engine and the course exist."""
+
+import csv
+import json
+import os
+import re
+import subprocess
+import sys
+
+import pytest
+import submissions
+
+from misstep.cli import main
+from misstep.new_course import TEMPLATE, write_course
+
+SET_UP = [
+    "python -m venv .venv",
+    ".venv/bin/python -m pip install -e '.[instructor]'",
+    ".venv/bin/python -m jupyterlab",
+]
+"""Lines of the README that need a network or a person."""
+RIGHT = {
+    "resistance_1": "1 / (1 / given.first + 1 / given.second)",
+    "voltage_2": "given.peak * np.sin(np.radians(given.degrees))",
+}
+
+
+@pytest.fixture(scope="module")
+def course(tmp_path_factory):
+    """A new course called circuits, and a function that runs a line of its README."""
+    folder = tmp_path_factory.mktemp("new") / "circuits"
+    write_course(folder)
+    information = folder / "circuits-0.1.0.dist-info"  # as `pip install -e .` writes it
+    information.mkdir()
+    (information / "METADATA").write_text("Metadata-Version: 2.1\nName: circuits\nVersion: 0.1.0\n", "utf-8")
+    (information / "entry_points.txt").write_text("[misstep.courses]\ncircuits = circuits:COURSE\n", "utf-8")
+
+    def run(line):
+        assert line.startswith(".venv/bin/python -m ")
+        module, *arguments = line.removeprefix(".venv/bin/python -m ").split()
+        quiet = ["-p", "no:cacheprovider"] if module == "pytest" else []
+        environment = {**os.environ, "PYTHONPATH": str(folder), "PYTHONDONTWRITEBYTECODE": "1"}
+        command = [sys.executable, "-m", module, *quiet, *arguments]
+        done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, encoding="utf-8", check=False)
+        assert done.returncode == 0, f"{line}\n{done.stdout}{done.stderr}"
+        return done.stdout
+
+    return folder, run
+
+
+def lines_of(readme):
+    """The lines that a README tells the reader to run, in order."""
+    blocks = re.findall(r"^```\n(.*?)^```", readme.read_text("utf-8"), re.MULTILINE | re.DOTALL)
+    return [line for block in blocks for line in block.splitlines()]
+
+
+def hand_in(folder, student, answers):
+    notebook = json.loads((folder / "exercises" / "01_ohm" / "01_ohm.ipynb").read_text("utf-8"))
+    for cell in notebook["cells"]:
+        source = "".join(cell["source"]).replace('"your id"', repr(student))
+        for name, answer in answers.items():
+            source = source.replace(f"{name} = ...", f"{name} = {answer}")
+        cell["source"] = source
+    file = folder / "submissions" / student / "01_ohm.ipynb"
+    file.parent.mkdir(parents=True)
+    file.write_text(json.dumps(notebook), "utf-8")
+
+
+@pytest.mark.skipif(bool(submissions.sandbox_lacks()), reason=f"this machine lacks {submissions.sandbox_lacks()}")
+def test_the_readme_of_a_new_course_leads_to_tested_released_and_graded_sheets(course):
+    folder, run = course
+    done = {}
+    lines = lines_of(folder / "README.md")
+    assert set(SET_UP) < set(lines)
+    for line in lines:
+        if line in SET_UP:
+            continue
+        if "misstep grade" in line:
+            hand_in(folder, "ada", RIGHT)
+            hand_in(folder, "bob", {**RIGHT, "voltage_2": "given.peak * np.sin(given.degrees)"})
+        done[line.split()[3] if "misstep" in line else "pytest"] = run(line)
+    assert set(done) == {"pytest", "census", "release", "grade"}
+    assert re.search(r"\b\d+ passed", done["pytest"])
+    assert re.search(r"^\| 01\.2 \| \d+ \| 0 \| 0 \| 0 \| 0 \|", done["census"], re.MULTILINE)
+    with (folder / "results" / "grades.csv").open(newline="", encoding="utf-8") as stream:
+        assert {row["student"]: float(row["points"]) for row in csv.DictReader(stream)} == {"ada": 4, "bob": 2}
+    feedback = "".join(path.read_text("utf-8") for path in (folder / "results" / "feedback").rglob("*bob*"))
+    assert "You used the degrees of" in feedback
+
+
+def test_a_new_course_has_the_name_of_its_folder_everywhere(course):
+    files = [
+        path
+        for path in course[0].rglob("*")
+        if path.is_file() and path.suffix in {".py", ".md", ".toml", ".ipynb", ".yml"}
+    ]
+    assert len(files) >= 9
+    assert not [
+        path
+        for path in files
+        if "my_course" in path.read_text("utf-8") or "my_course" in str(path.relative_to(course[0]))
+    ]
+
+
+def test_the_students_notebook_has_no_solution(course):
+    folder, run = course
+    run(".venv/bin/python -m misstep release")
+    text = (folder / "exercises" / "01_ohm" / "01_ohm.ipynb").read_text("utf-8")
+    assert "voltage_2 = ..." in text
+    assert not any(solution in text for solution in RIGHT.values())
+
+
+@pytest.mark.parametrize(
+    ("name", "said"),
+    [
+        ("My Course", "small letters, digits and underscores; got 'My Course'. Try: my_course"),
+        ("class", "small letters, digits and underscores; got 'class'"),
+        ("math", "must not be that of another package; got 'math'. Try: math_course"),
+        ("here", "does not exist yet"),
+    ],
+)
+def test_a_name_that_cannot_be_a_course_is_refused(tmp_path, capsys, name, said):
+    (tmp_path / "here").mkdir()
+    assert main(["new-course", str(tmp_path / name)]) == 2
+    assert said in capsys.readouterr().err
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["here"]
+
+
+def test_the_actions_of_the_template_are_those_that_the_course_itself_pins():
+    used = re.findall(r"uses: (\S+)", (TEMPLATE / ".github/workflows/site.yml").read_text("utf-8"))
+    own = "".join(path.read_text("utf-8") for path in (submissions.ROOT / ".github/workflows").glob("*.yml"))
+    assert used
+    assert all(action in own for action in used)
