@@ -19,6 +19,7 @@ from kinlib.mechanisms.mechanism import Mechanism
 from kinlib.rigid.lie import adjoint, exp, hat, inverse, log, nearest_rotation, vee
 from kinlib.rigid.screw import Line, line, screw
 from kinlib.urdf.chains import load_urdf, to_urdf
+from kinlib.urdf.robot_tree import Tree
 
 if TYPE_CHECKING:
     from kinlib import symbolic
@@ -50,6 +51,7 @@ __all__ = [
     "Joint",
     "Line",
     "Mechanism",
+    "Tree",
     "adjoint",
     "assign_frames",
     "check_frames",

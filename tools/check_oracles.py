@@ -163,8 +163,8 @@ def perturb(thing):
 
 
 def perturb_fields(thing):
-    """Change the fields of a dataclass: its numbers; without numbers, its booleans; without either, its text."""
-    values = {field.name: getattr(thing, field.name, None) for field in fields(thing) if field.name != "inside"}
+    """Change the fields of a dataclass, but not its parent: its numbers; without numbers, its booleans; without either, its text."""
+    values = {field.name: getattr(thing, field.name, None) for field in fields(thing) if field.name != "parent"}
     texts = {
         name
         for name, x in values.items()

@@ -15,11 +15,9 @@ import numpy as np
 
 from kinlib.arrays import validation
 from kinlib.chains.chain import Chain
-from kinlib.rigid.lie import inverse
 from kinlib.rigid.rpy import roll_pitch_yaw
-from kinlib.rigid.screw import screw
-from kinlib.urdf.links_and_joints import MAX_NUMBER, Tree, UrdfJoint, read_tree
-from kinlib.urdf.xml_elements import read_robot
+from kinlib.urdf.links_and_joints import MAX_NUMBER
+from kinlib.urdf.robot_tree import Tree
 
 
 def load_urdf(path_or_text: str | os.PathLike[str], base: str | None = None, tip: str | None = None) -> Chain:
@@ -34,8 +32,9 @@ def load_urdf(path_or_text: str | os.PathLike[str], base: str | None = None, tip
     tree and down again: the base need not be an ancestor of the tip.
 
     Raises ValueError, with the element and its line, if the file is not XML, not a URDF or not a tree, if a number is not
-    valid, if several links could be the tip, and if a joint on the path is planar, floating or a mimic joint, which a chain
-    cannot represent. No other file is opened, and nothing is downloaded.
+    valid, if several links could be the tip, and if a joint on the path is planar or floating, or mimics a joint in a way that
+    no chain has, as `Tree.chain` says. To use several chains of a file, or all its links, read it once: `Tree.from_urdf`. No other
+    file is opened, and nothing is downloaded.
 
     Readers check different rules. This one also refuses what urdfdom, the parser of ROS, reads: a second parent that closes a
     loop, lower > upper, an axis of length 0, and angles that look like degrees. It does not need the effort and velocity of a
@@ -50,35 +49,7 @@ def load_urdf(path_or_text: str | os.PathLike[str], base: str | None = None, tip
     >>> load_urdf(text).fk([np.pi / 2])[:3, 3].round(6) + 0.0
     array([0., 2., 3.])
     """
-    robot = read_robot(path_or_text)
-    tree = read_tree(robot)
-    base = tree.root if base is None else tree.check_link(base, "base")
-    tip = _only_tip(tree, base) if tip is None else tree.check_link(tip, "tip")
-    T, screws, points, moving = np.eye(4), [], [], []
-    for joint, sign in tree.path(base, tip):
-        # The axis is given in the joint frame: the frame after this joint if the path goes down, and before it if it goes up.
-        before, T = T, T @ (joint.origin if sign > 0 else inverse(joint.origin))
-        if joint.moves:
-            _check_chain_can_represent(joint)
-            frame = T if sign > 0 else before
-            axis, point = sign * frame[:3, :3] @ joint.axis, frame[:3, 3]
-            screws.append(screw(axis, point, np.inf if joint.type == "prismatic" else 0.0))
-            points.append(point)
-            moving.append(joint)
-    if not moving:
-        raise tree.links[tip].error(
-            f"a joint must move between base and tip; none does between {base} and {tip}. Pass other links as base or tip."
-        )
-    limits = np.array([joint.limits for joint in moving])
-    return Chain(
-        np.array(screws),
-        T,
-        points=np.array(points),
-        name=robot.text("name"),
-        source=f"URDF, from {base} to {tip}",
-        limits=limits if np.isfinite(limits).any() else None,
-        joint_names=tuple(joint.name for joint in moving),
-    )
+    return Tree.from_urdf(path_or_text).chain(base, tip)
 
 
 def to_urdf(chain: Chain) -> str:
@@ -131,30 +102,6 @@ def to_urdf(chain: Chain) -> str:
         "</robot>\n",
     ]
     return "\n".join(parts)
-
-
-def _only_tip(tree: Tree, base: str) -> str:
-    tips = tree.tips(base)
-    if len(tips) != 1:
-        choices = f"Pass tip=..., one of {', '.join(tips)}." if tips else "Pass a base with a moving joint below it."
-        raise tree.links[base].error(
-            f"exactly one end of the tree must move relative to this base; got {len(tips)}. {choices}"
-        )
-    return tips[0]
-
-
-def _check_chain_can_represent(joint: UrdfJoint) -> None:
-    dof = {"planar": 3, "floating": 6}
-    if joint.type in dof:
-        raise joint.element.error(
-            f"a joint of a chain must have one degree of freedom; a {joint.type} joint has {dof[joint.type]}. "
-            f"Choose a base beyond it, such as {joint.child}."
-        )
-    if (mimic := joint.element.child("mimic")) is not None:
-        raise mimic.error(
-            f"the joints of a chain must move independently; joint {joint.name} mimics another joint. "
-            f"Choose a tip before it, such as {joint.parent}."
-        )
 
 
 def _numbers(*values: float) -> str:

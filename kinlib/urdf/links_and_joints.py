@@ -12,6 +12,7 @@ import numpy as np
 
 from kinlib.arrays.validation import Array
 from kinlib.rigid.rpy import origin
+from kinlib.rigid.screw import screw
 from kinlib.urdf.xml_elements import Element
 
 MOVING_TYPES = ("revolute", "continuous", "prismatic")
@@ -26,8 +27,19 @@ MAX_ORIGIN_M = 1e6
 MAX_ORIGIN_RAD = 4 * np.pi
 """The largest angle of an origin, in radians, as for DH tables: larger ones, such as 90, are probably in degrees."""
 
+MAX_COUPLING = 1e6
+"""The largest multiplier and the largest offset of a mimic joint, so that their products do not overflow."""
+
 MAX_NUMBER = float(np.finfo(float).max)
 """URDF has no prismatic joint without limits, so this largest number is written for an infinite limit, and read as one."""
+
+
+class Coupling(NamedTuple):
+    """How the value of a joint follows from the value of another one: multiplier times its value, plus offset."""
+
+    joint: str
+    multiplier: float
+    offset: float
 
 
 @dataclass(frozen=True, eq=False)
@@ -40,6 +52,7 @@ class UrdfJoint:
     origin (4, 4)  its frame relative to the frame of the parent link, and the frame of the child link at q = 0
     axis   (3,)    in its own frame, of unit length; zero if a joint of this type has no axis
     limits         the lower and the upper limit, infinite if the type has none
+    mimic          how it follows another joint; None for an independent joint
     """
 
     element: Element
@@ -50,11 +63,17 @@ class UrdfJoint:
     origin: Array
     axis: Array
     limits: tuple[float, float]
+    mimic: Coupling | None
 
     @property
     def moves(self) -> bool:
         """Whether it is of any other type than fixed."""
         return self.type != "fixed"
+
+    @property
+    def screw(self) -> Array:
+        """The screw axis (6,) in its own frame of a revolute, continuous or prismatic joint."""
+        return screw(self.axis, pitch=np.inf if self.type == "prismatic" else 0.0)
 
 
 class PathStep(NamedTuple):
@@ -65,11 +84,12 @@ class PathStep(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class Tree:
-    """The kinematic tree of a URDF. Its text, str(tree), is a drawing of the tree.
+class LinkTree:
+    """The links of a URDF and the joints between them. Its text, str(tree), is a drawing of the tree.
 
     links          the elements of the links, by name
-    parent_joints  for the name of each link but the root, the joint whose child it is
+    parent_joints  for the name of each link but the root, the joint whose child it is, in the order of the file
+    couplings      for the name of each joint with one degree of freedom, in the order of the file, the independent joint it follows
 
     >>> from kinlib.urdf.xml_elements import read_robot
     >>> text = '''<robot name="crane"><link name="ground"/><link name="mast"/>
@@ -81,6 +101,7 @@ class Tree:
 
     links: Mapping[str, Element]
     parent_joints: Mapping[str, UrdfJoint]
+    couplings: Mapping[str, Coupling]
 
     @property
     def root(self) -> str:
@@ -99,7 +120,7 @@ class Tree:
     def tips(self, base: str) -> Sequence[str]:
         """Find the links below a base that have no child and move relative to it: the possible ends of an arm on this base."""
         parents = {joint.parent for joint in self.parent_joints.values()}
-        return [link for _, link, moves in self._descendants(base) if moves and link not in parents]
+        return [link for _, link, moves in self.descendants(base) if moves and link not in parents]
 
     def check_link(self, link: str, argument: str) -> str:
         """Return the name of a link. Raises ValueError if there is no such link, with the most similar name.
@@ -118,8 +139,8 @@ class Tree:
             link = self.parent_joints[link].parent
         return joints
 
-    def _descendants(self, base: str) -> Iterator[tuple[int, str, bool]]:
-        """The base and every link below it, depth first: its depth, its name, and whether it moves relative to the base."""
+    def descendants(self, base: str) -> Iterator[tuple[int, str, bool]]:
+        """Yield the base and every link below it, depth first: its depth, its name, and whether it moves relative to the base."""
         child_joints: dict[str, list[UrdfJoint]] = {}
         for joint in self.parent_joints.values():
             child_joints.setdefault(joint.parent, []).append(joint)
@@ -131,18 +152,18 @@ class Tree:
 
     def __str__(self) -> str:
         lines = [self.root]
-        for depth, link, _ in self._descendants(self.root):
+        for depth, link, _ in self.descendants(self.root):
             if depth:
                 joint = self.parent_joints[link]
                 lines.append(f"{'  ' * depth}{joint.name} ({joint.type}): {link}")
         return "\n".join(lines)
 
 
-def read_tree(robot: Element) -> Tree:
+def read_tree(robot: Element) -> LinkTree:
     """Read the links and the joints of a <robot>, and check that they form one tree.
 
     Raises ValueError, with element and line, if a name occurs twice, if a link is missing, has two parents or is not connected,
-    if links form a cycle, and if an attribute of a joint is not valid.
+    if links form a cycle, if an attribute of a joint is not valid, and if a mimic joint follows no other moving joint.
     Source: the URDF specification, "link" and "joint".
     """
     links: dict[str, Element] = {}
@@ -172,7 +193,8 @@ def read_tree(robot: Element) -> Tree:
                 )
             lines[joint.name], parent_joints[joint.child] = element.line, joint
     _check_one_tree(links, parent_joints)
-    return Tree(links, parent_joints)
+    moving = {joint.name: joint for joint in parent_joints.values() if joint.type in MOVING_TYPES}
+    return LinkTree(links, parent_joints, _couplings(moving))
 
 
 def suggest_link(name: str, links: Mapping[str, Element]) -> str:
@@ -195,7 +217,7 @@ def _joint(element: Element, links: Mapping[str, Element]) -> UrdfJoint:
     parent, child = (_end(element, tag, links) for tag in ("parent", "child"))
     axis = _axis(element) if kind in MOVING_TYPES else np.zeros(3)
     limits = _limits(element, kind) if kind in {"revolute", "prismatic"} else (-np.inf, np.inf)
-    return UrdfJoint(element, name, kind, parent, child, _origin(element), axis, limits)
+    return UrdfJoint(element, name, kind, parent, child, _origin(element), axis, limits, _mimic(element, kind))
 
 
 def _end(joint: Element, tag: str, links: Mapping[str, Element]) -> str:
@@ -252,6 +274,50 @@ def _limits(joint: Element, kind: str) -> tuple[float, float]:
             f"lower must be at most upper; got lower {lower:g} and upper {upper:g}. Are they interchanged?"
         )
     return (lower if lower > -MAX_NUMBER else -np.inf), (upper if upper < MAX_NUMBER else np.inf)
+
+
+def _mimic(joint: Element, kind: str) -> Coupling | None:
+    # A fixed joint has no value that could follow another one. urdfdom and Pinocchio ignore its <mimic>, too.
+    if kind == "fixed" or (element := joint.child("mimic")) is None:
+        return None
+    if kind not in MOVING_TYPES:
+        raise element.error(f"a mimic joint must have one degree of freedom; this joint is {kind}. Remove <mimic>.")
+    defaults = {"multiplier": 1.0, "offset": 0.0}
+    values = {name: element.numbers(name, 1)[0] if name in element.attributes else x for name, x in defaults.items()}
+    if abs(largest := max(values.values(), key=abs)) > MAX_COUPLING:
+        raise element.error(
+            f"multiplier and offset must be between -{MAX_COUPLING:g} and {MAX_COUPLING:g}; got {largest:g}."
+        )
+    return Coupling(element.text("joint"), **values)
+
+
+def _couplings(joints: Mapping[str, UrdfJoint]) -> dict[str, Coupling]:
+    """How each moving joint follows from an independent one, which is the joint itself if it mimics no other."""
+    found: dict[str, Coupling] = {}
+    for start in joints.values():
+        joint, path = start, dict[str, Coupling]()
+        while joint.mimic is not None and joint.name not in found:
+            path[joint.name], other = joint.mimic, joint.mimic.joint
+            if other in path:
+                circle = list(path)[list(path).index(other) :]
+                raise _mimic_error(
+                    joint, f"joints must not mimic each other in a circle; got {', '.join(circle[:12])}."
+                )
+            if other not in joints:
+                moving = (
+                    f"The joints that move are {', '.join(list(joints)[:12])}{', ...' if len(joints) > 12 else '.'}"
+                )
+                raise _mimic_error(joint, f"it must name a joint that moves; got {other!r}. {moving}")
+            joint = joints[other]
+        driver, slope, shift = found.setdefault(joint.name, Coupling(joint.name, 1.0, 0.0))
+        for name, (_, multiplier, offset) in reversed(path.items()):
+            slope, shift = multiplier * slope, multiplier * shift + offset
+            found[name] = Coupling(driver, slope, shift)
+    return {name: found[name] for name in joints}
+
+
+def _mimic_error(joint: UrdfJoint, why: str) -> ValueError:
+    return (joint.element.child("mimic") or joint.element).error(why)
 
 
 def _check_one_tree(links: Mapping[str, Element], parent_joints: Mapping[str, UrdfJoint]) -> None:

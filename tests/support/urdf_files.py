@@ -1,4 +1,4 @@
-"""URDF files that other packages ship: every arm of rtb-data and airo-models, with macros expanded."""
+"""URDF files: those that other packages ship, with macros expanded, and random trees; and what Pinocchio makes of them."""
 
 import warnings
 from contextlib import chdir
@@ -7,6 +7,8 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+from hypothesis import strategies as st
+from strategies import directions, points
 
 KUKA = "kuka_description"
 TROSSEN = ["px100", "px150", "rx150", "rx200", "vx250", "vx300", "vx300s", "wx200", "wx250", "wx250s"]
@@ -58,19 +60,74 @@ def urdf_text(name):
         return XacroDoc.from_file(path.name, resolve_packages=False).to_urdf_string()
 
 
-def poses_by_pinocchio(text, base, tip, names, q):
-    """The poses of tip in base for values (N, n) of the named joints, by Pinocchio's own reader; other joints stay at 0."""
+def link_poses_by_pinocchio(text, names, q, base=None, mimic=False):
+    """The poses {link: (N, 4, 4)} of all links for values (N, n) of the named joints, by Pinocchio's own reader.
+
+    Other joints stay at 0, mimic joints, too, unless mimic is True. base (4, 4) is the pose of the root, as a floating base.
+    """
     pin = pytest.importorskip("pinocchio", reason="no pinocchio here (the wheel `pin` does not exist for Windows)")
-    model = pin.buildModelFromXML(text)
+    model = pin.buildModelFromXML(text, *([] if base is None else [pin.JointModelFreeFlyer()]), mimic=mimic)
     data = model.createData()
-    base, tip = (model.getFrameId(link, pin.FrameType.BODY) for link in (base, tip))
-    found = []
+    links = {frame.name: i for i, frame in enumerate(model.frames) if frame.type == pin.FrameType.BODY}
+    found = {link: [] for link in links}
     for row in q:
         values = pin.neutral(model)
+        if base is not None:
+            values[:7] = pin.SE3ToXYZQUAT(pin.SE3(base))
         for name, value in zip(names, row, strict=True):
             joint = model.joints[model.getJointId(name)]
             # A continuous joint of Pinocchio is a point of the circle.
             values[joint.idx_q : joint.idx_q + joint.nq] = [np.cos(value), np.sin(value)] if joint.nq == 2 else [value]
         pin.framesForwardKinematics(model, data, values)
-        found.append((data.oMf[base].inverse() * data.oMf[tip]).homogeneous)
-    return np.array(found)
+        for link, i in links.items():
+            found[link].append(data.oMf[i].homogeneous)
+    return {link: np.array(poses) for link, poses in found.items()}
+
+
+def poses_by_pinocchio(text, base, tip, names, q):
+    """The poses of tip in base for values (N, n) of the named joints, by Pinocchio's own reader; other joints stay at 0."""
+    poses = link_poses_by_pinocchio(text, names, q)
+    return np.linalg.solve(poses[base], poses[tip])
+
+
+# --- random trees ---
+
+
+@st.composite
+def trees(draw, mimic=False):
+    """A URDF of two to eight links, in any order, with mimic joints if wanted, and two of its links to join."""
+    n = draw(st.integers(2, 8))
+    names = draw(st.permutations([f"link {i}" for i in range(n)]))
+    elements = [f'<link name="{name}"/>' for name in names]
+    moving = []
+    for i in range(1, n):
+        kind = draw(st.sampled_from(["revolute", "continuous", "prismatic", "fixed"]))
+        lower, upper = sorted(draw(st.tuples(st.floats(-3, 3), st.floats(-3, 3))))
+        size = draw(st.floats(0.1, 10))
+        parts = [
+            f'<parent link="{names[draw(st.integers(0, i - 1))]}"/>',
+            f'<child link="{names[i]}"/>',
+            f'<limit lower="{lower}" upper="{upper}" effort="1" velocity="1"/>',
+            *([f'<axis xyz="{spaced(size * draw(directions()))}"/>'] if draw(st.booleans()) else []),
+            *([f"<origin {draw(origins())}/>"] if draw(st.booleans()) else []),
+        ]
+        if mimic and moving and draw(st.booleans()):
+            numbers = {"multiplier": st.sampled_from([-1.0, 1.0, 0.5]), "offset": st.floats(-2, 2)}
+            given = [f'{name}="{draw(values)!r}"' for name, values in numbers.items() if draw(st.booleans())]
+            parts.append(f'<mimic joint="{draw(st.sampled_from(moving))}" {" ".join(given)}/>')
+        moving += [f"joint {i}"] if kind != "fixed" else []
+        joint = f'<joint name="joint {i}" type="{kind}">{"".join(draw(st.permutations(parts)))}</joint>'
+        elements.insert(draw(st.integers(0, len(elements))), joint)
+    text = "\n".join(['<robot name="tree">', *elements, "</robot>"])
+    return text, draw(st.sampled_from(names)), draw(st.sampled_from(names))
+
+
+@st.composite
+def origins(draw):
+    xyz, rpy = draw(points()), draw(points(6))
+    parts = [f'xyz="{spaced(xyz)}"', f'rpy="{spaced(rpy)}"']
+    return " ".join(draw(st.lists(st.sampled_from(parts), unique=True)))
+
+
+def spaced(values):
+    return " ".join(repr(float(value)) for value in values)

@@ -16,12 +16,12 @@ from scipy.linalg import norm
 from scipy.sparse.csgraph import shortest_path
 from scipy.spatial.transform import Rotation
 from strategies import ROBOT_FUNCTIONS, configurations, directions, points, poses, rotations
-from urdf_files import ARMS, TROSSEN, poses_by_pinocchio, urdf_text
+from urdf_files import ARMS, TROSSEN, poses_by_pinocchio, trees, urdf_text
 
 import kinlib as kl
 from kinlib import load_urdf, robots, to_urdf
 from kinlib.rigid.rpy import origin, roll_pitch_yaw
-from kinlib.urdf.links_and_joints import Tree, UrdfJoint, read_tree, suggest_link
+from kinlib.urdf.links_and_joints import LinkTree, UrdfJoint, read_tree, suggest_link
 from kinlib.urdf.xml_elements import MAX_BYTES, MAX_CHARACTERS, MAX_DEPTH, Element, read_robot
 
 CLOSE = 1e-9
@@ -88,18 +88,16 @@ def test_three_shipped_arms_move_as_pytransform3d_says():
             np.testing.assert_allclose(chain.fk(q), manager.get_transform(tip, base), rtol=0, atol=CLOSE)
 
 
-def test_a_finger_may_be_the_tip_but_a_mimicking_finger_may_not():
+def test_a_finger_may_be_the_tip_and_so_may_the_finger_that_mimics_it():
     text = urdf_text("Trossen " + TROSSEN[0])
-    finger = load_urdf(text, tip="/left_finger_link")
-    assert finger.joint_types == "RRRRP"
-    q = configurations(finger, 10)
-    expected = poses_by_pinocchio(text, *ends(finger), finger.joint_names, q)
-    np.testing.assert_allclose(finger.fk(q), expected, rtol=0, atol=CLOSE)
-    with pytest.raises(
-        ValueError,
-        match=r"Line \d+, <mimic> in <joint name=\"right_finger\">: .*joint right_finger mimics another joint",
-    ):
-        load_urdf(text, tip="/right_finger_link")
+    fingers = [load_urdf(text, tip=f"/{side}_finger_link") for side in ("left", "right")]
+    q = configurations(fingers[0], 10)
+    for finger, sign in zip(fingers, (1, -1), strict=True):
+        assert finger.joint_types == "RRRRP"
+        assert finger.joint_names == fingers[0].joint_names
+        moved = {name.replace("left", "right") if sign < 0 else name: name for name in finger.joint_names}
+        expected = poses_by_pinocchio(text, *ends(finger), moved, q * [1, 1, 1, 1, sign])
+        np.testing.assert_allclose(finger.fk(q), expected, rtol=0, atol=CLOSE)
 
 
 def test_if_there_are_several_tips_the_message_lists_them():
@@ -126,40 +124,6 @@ def test_a_table_is_diagnosed_against_an_arm_from_a_file():
 
 
 # --- random trees ---
-
-
-@st.composite
-def trees(draw):
-    """A URDF of two to eight links, in any order, and two of its links to join."""
-    n = draw(st.integers(2, 8))
-    names = draw(st.permutations([f"link {i}" for i in range(n)]))
-    elements = [f'<link name="{name}"/>' for name in names]
-    for i in range(1, n):
-        kind = draw(st.sampled_from(["revolute", "continuous", "prismatic", "fixed"]))
-        lower, upper = sorted(draw(st.tuples(st.floats(-3, 3), st.floats(-3, 3))))
-        size = draw(st.floats(0.1, 10))
-        parts = [
-            f'<parent link="{names[draw(st.integers(0, i - 1))]}"/>',
-            f'<child link="{names[i]}"/>',
-            f'<limit lower="{lower}" upper="{upper}" effort="1" velocity="1"/>',
-            *([f'<axis xyz="{spaced(size * draw(directions()))}"/>'] if draw(st.booleans()) else []),
-            *([f"<origin {draw(origins())}/>"] if draw(st.booleans()) else []),
-        ]
-        joint = f'<joint name="joint {i}" type="{kind}">{"".join(draw(st.permutations(parts)))}</joint>'
-        elements.insert(draw(st.integers(0, len(elements))), joint)
-    text = "\n".join(['<robot name="tree">', *elements, "</robot>"])
-    return text, draw(st.sampled_from(names)), draw(st.sampled_from(names))
-
-
-@st.composite
-def origins(draw):
-    xyz, rpy = draw(points()), draw(points(6))
-    parts = [f'xyz="{spaced(xyz)}"', f'rpy="{spaced(rpy)}"']
-    return " ".join(draw(st.lists(st.sampled_from(parts), unique=True)))
-
-
-def spaced(values):
-    return " ".join(repr(float(value)) for value in values)
 
 
 @pytest.mark.oracle("pinocchio", load_urdf)
@@ -233,7 +197,7 @@ def test_the_elements_of_a_shipped_file_are_those_of_lxml(name):
             assert one.child("origin").numbers("xyz", 3) == [float(word) for word in origin.get("xyz").split()]
 
 
-@pytest.mark.oracle("scipy", Tree.root, Tree.path, Tree.tips, Tree.check_link)
+@pytest.mark.oracle("scipy", LinkTree.root, LinkTree.path, LinkTree.tips, LinkTree.check_link, LinkTree.descendants)
 @settings(max_examples=40)
 @given(trees())
 def test_paths_through_a_tree_are_the_shortest_of_scipy_s_graphs(drawn):
@@ -268,7 +232,7 @@ def test_paths_through_a_tree_are_the_shortest_of_scipy_s_graphs(drawn):
     assert set(tree.tips(base)) == ends
 
 
-@pytest.mark.oracle("scipy", read_tree, UrdfJoint.moves)
+@pytest.mark.oracle("scipy", read_tree, UrdfJoint.moves, UrdfJoint.screw)
 @settings(max_examples=40)
 @given(trees())
 def test_origins_and_axes_agree_with_scipy(drawn):
@@ -289,7 +253,10 @@ def test_origins_and_axes_agree_with_scipy(drawn):
             axis = (
                 [float(x) for x in told.find("axis").get("xyz").split()] if told.find("axis") is not None else [1, 0, 0]
             )
-            np.testing.assert_allclose(joint.axis, np.array(axis) / norm(axis), rtol=0, atol=1e-15)
+            unit = np.array(axis) / norm(axis)
+            np.testing.assert_allclose(joint.axis, unit, rtol=0, atol=1e-15)
+            expected = [*np.zeros(3), *unit] if joint.type == "prismatic" else [*unit, *np.zeros(3)]
+            np.testing.assert_allclose(joint.screw, expected, rtol=0, atol=1e-15)
 
 
 @pytest.mark.oracle("scipy", roll_pitch_yaw)
@@ -302,7 +269,7 @@ def test_roll_pitch_and_yaw_are_scipy_s_angles(R):
     )
 
 
-@pytest.mark.oracle("text: written out in the test", Tree.__str__, suggest_link, Element.error, Element.__str__)
+@pytest.mark.oracle("text: written out in the test", LinkTree.__str__, suggest_link, Element.error, Element.__str__)
 def test_the_texts_of_trees_elements_and_suggestions():
     text = (
         '<robot name="one"><link name="base"/>\n<link name="tool"/>\n<joint name="j" type="fixed"><parent link="base"/>'

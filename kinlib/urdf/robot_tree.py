@@ -1,0 +1,370 @@
+"""A whole URDF: the poses of all its links, chains from any link to any other, and mimic joints.
+
+A mimic joint has no value of its own, because it follows another joint: q_mimic = multiplier q_other + offset. So the values of
+all moving joints are C q + c, where q has only the independent joints. C is the coupling matrix.
+"""
+
+import os
+from collections.abc import Iterator, Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from kinlib.arrays import validation
+from kinlib.arrays.formatting import aligned_table, format_number, html_table
+from kinlib.arrays.validation import Array
+from kinlib.chains.chain import Chain
+from kinlib.rigid.lie import exp, inverse
+from kinlib.rigid.screw import screw
+from kinlib.urdf.links_and_joints import LinkTree, PathStep, UrdfJoint, read_tree
+from kinlib.urdf.xml_elements import read_robot
+
+HEADINGS = ["link", "joint", "type", "value"]
+
+DEGREES_OF_FREEDOM = {"planar": 3, "floating": 6}
+"""Of the joints that do not move by a single value."""
+
+
+@dataclass(frozen=True, eq=False)
+class Tree(validation.ReadOnly):
+    """All links and joints of a URDF, read once by `from_urdf`.
+
+    name       of the robot
+    link_tree  its links and joints, as elements of the file
+
+    n joints are independent: they move, and they do not mimic another joint. m joints move by one value, mimic joints included.
+    Both are in the order of the file. Planar and floating joints have no single value: see `poses`.
+
+    >>> tree = Tree.from_urdf('''<robot name="gripper">
+    ...   <link name="palm"/> <link name="left"/> <link name="right"/> <link name="pad"/>
+    ...   <joint name="open" type="prismatic"> <parent link="palm"/> <child link="left"/> <axis xyz="0 1 0"/>
+    ...     <limit lower="0" upper="0.5" effort="1" velocity="1"/> </joint>
+    ...   <joint name="follow" type="prismatic"> <parent link="palm"/> <child link="right"/> <axis xyz="0 1 0"/>
+    ...     <limit lower="-0.5" upper="0" effort="1" velocity="1"/> <mimic joint="open" multiplier="-1"/> </joint>
+    ...   <joint name="glue" type="fixed"> <parent link="right"/> <child link="pad"/> <origin xyz="0 0 0.5"/> </joint>
+    ... </robot>''')
+    >>> print(tree)
+    gripper, 4 links, 1 independent joint
+    link    | joint  | type      | value
+    palm    |        |           |
+      left  | open   | prismatic | q1
+      right | follow | prismatic | -q1
+        pad | glue   | fixed     |
+    >>> tree.tips, tree.joint_names, tree.moving_joint_names
+    (('left', 'pad'), ('open',), ('open', 'follow'))
+    >>> {link: T[:3, 3].tolist() for link, T in tree.poses([0.25]).items()}
+    {'palm': [0.0, 0.0, 0.0], 'left': [0.0, 0.25, 0.0], 'right': [0.0, -0.25, 0.0], 'pad': [0.0, -0.25, 0.5]}
+    """
+
+    name: str
+    link_tree: LinkTree = field(repr=False)
+
+    @classmethod
+    def from_urdf(cls, path_or_text: str | os.PathLike[str]) -> "Tree":
+        """Read a URDF from the path of a file, or from its text, which begins with <.
+
+        Every link and every joint is read and checked. No other file is opened, and nothing is downloaded.
+
+        Raises ValueError, with the element and its line, as kl.load_urdf does.
+        Source: the URDF specification, "link" and "joint".
+        """
+        robot = read_robot(path_or_text)
+        return cls(robot.text("name"), read_tree(robot))
+
+    def __str__(self) -> str:
+        """Write the links below each other, each with the joint above it and the value of this joint."""
+        return "\n".join([self._title, aligned_table([HEADINGS, *self._rows("  ")])])
+
+    def _repr_html_(self) -> str:
+        return html_table(self._title, HEADINGS, list(self._rows("\xa0" * 4)))
+
+    @property
+    def _title(self) -> str:
+        return f"{self.name}, {len(self.links)} link{'s'[: len(self.links) != 1]}, {self._joints}"
+
+    @property
+    def _joints(self) -> str:
+        return f"{self.n} independent joint{'s'[: self.n != 1]}"
+
+    def _rows(self, indent: str) -> Iterator[list[str]]:
+        for depth, link, _ in self.link_tree.descendants(self.root):
+            if (joint := self.link_tree.parent_joints.get(link)) is None:
+                yield [link, "", "", ""]
+            else:
+                yield [indent * depth + link, joint.name, joint.type, self._value(joint)]
+
+    def _value(self, joint: UrdfJoint) -> str:
+        """The value of a joint as a formula."""
+        if joint.name not in self.link_tree.couplings:
+            return "a pose" if joint.moves else ""
+        driver, multiplier, offset = self.link_tree.couplings[joint.name]
+        sign = {1.0: "", -1.0: "-"}.get(multiplier, f"{format_number(multiplier)} ")
+        shift = f" {'-' if offset < 0 else '+'} {format_number(abs(offset))}" if offset else ""
+        return f"{sign}q{self._numbers[driver] + 1}{shift}"
+
+    @property
+    def root(self) -> str:
+        """The link that is not the child of a joint."""
+        return self.link_tree.root
+
+    @property
+    def links(self) -> tuple[str, ...]:
+        """The names of all links, in the order of the file."""
+        return tuple(self.link_tree.links)
+
+    @cached_property
+    def tips(self) -> tuple[str, ...]:
+        """The links without a child that move relative to the root, such as the tool of each arm."""
+        return tuple(self.link_tree.tips(self.root))
+
+    @cached_property
+    def moving_joint_names(self) -> tuple[str, ...]:
+        """The m names of the joints that move by one value, mimic joints included."""
+        return tuple(self.link_tree.couplings)
+
+    @cached_property
+    def joint_names(self) -> tuple[str, ...]:
+        """The n names of the independent joints, in the order of q: [positions[name] for name in tree.joint_names]."""
+        return tuple(name for name, coupling in self.link_tree.couplings.items() if coupling.joint == name)
+
+    @property
+    def n(self) -> int:
+        """The number of independent joints."""
+        return len(self.joint_names)
+
+    @cached_property
+    def limits(self) -> Array:
+        """The lower and the upper limit (n, 2) of each independent joint, infinite where it has none.
+
+        The limits that a file gives for a mimic joint are not used, because its value follows from the other joint.
+        """
+        joints = {joint.name: joint for joint in self.link_tree.parent_joints.values()}
+        return validation.read_only_copy(np.reshape([joints[name].limits for name in self.joint_names], (-1, 2)))
+
+    @cached_property
+    def coupling(self) -> Array:
+        """The coupling matrix C, (m, n). The row of an independent joint has a single 1, that of a mimic joint its multiplier."""
+        C = np.zeros((len(self.moving_joint_names), self.n))
+        C[np.arange(len(C)), self._columns] = self._multipliers
+        return validation.read_only_copy(C)
+
+    @cached_property
+    def offsets(self) -> Array:
+        """The values c, (m,), of all moving joints where the independent ones are 0."""
+        return validation.read_only_copy([offset for _, _, offset in self.link_tree.couplings.values()])
+
+    @cached_property
+    def _multipliers(self) -> Array:
+        return np.array([multiplier for _, multiplier, _ in self.link_tree.couplings.values()])
+
+    @cached_property
+    def _numbers(self) -> dict[str, int]:
+        return {name: i for i, name in enumerate(self.joint_names)}
+
+    @cached_property
+    def _columns(self) -> list[int]:
+        """For each moving joint the number of the independent joint that it follows."""
+        return [self._numbers[driver] for driver, _, _ in self.link_tree.couplings.values()]
+
+    def joint_values(self, q: ArrayLike) -> Array:
+        """Compute the values of all moving joints from those of the independent ones: C q + c.
+
+        q (..., n) in radians and metres -> (..., m), in the order of `moving_joint_names`.
+
+        Raises ValueError for values of another size, and for NaN.
+
+        >>> text = '<robot name="ground"><link name="floor"/></robot>'
+        >>> Tree.from_urdf(text).joint_values([])
+        array([], dtype=float64)
+        """
+        q = validation.array(q, "q")
+        if q.shape[-1:] != (self.n,):
+            advice = (
+                "Joints go in the last dimension: try q.T"
+                if q.ndim > 1 and q.shape[-2] == self.n
+                else ("Pass one value for each name in tree.joint_names; mimic joints follow")
+            )
+            raise ValueError(
+                f"{self.name} has {self._joints}, so q must have shape (..., {self.n}); got {q.shape}. {advice}."
+            )
+        values: Array = q[..., self._columns] * self._multipliers + self.offsets
+        return values
+
+    def poses(
+        self, q: ArrayLike, base: ArrayLike | None = None, joint_poses: Mapping[str, ArrayLike] | None = None
+    ) -> dict[str, Array]:
+        """Compute the pose of every link, each in the link's own frame, as tf in ROS gives them.
+
+        q (..., n) of the independent joints, in radians and metres -> (..., 4, 4) for each link, in the frame of the root:
+        T_child = T_parent O e^[A]q, with the origin O and the axis A of the joint between the two links.
+
+        base         (..., 4, 4), the pose of the root in the world, for a floating base; by default the identity. With six
+                     coordinates xi of the base in front of q it is kl.exp(xi)
+        joint_poses  for the name of each planar and each floating joint, its motion (..., 4, 4): the pose of the child link in
+                     the frame of the joint
+
+        Raises ValueError for joint values of another size, for NaN, for a matrix that is no pose, and for a planar or a floating
+        joint without a pose.
+        Source: the URDF specification, "joint"; Modern Robotics, 4.2.
+
+        >>> from kinlib.chains.robots import youbot
+        >>> from kinlib.urdf.chains import to_urdf
+        >>> tree = Tree.from_urdf(to_urdf(youbot()))
+        >>> lifted = tree.poses(np.zeros((10, 5)), base=exp([0, 0, 0, 0, 0, 0.5]))     # the arm on a platform
+        >>> lifted["base_link"].shape, bool(np.allclose(lifted["tool"], exp([0, 0, 0, 0, 0, 0.5]) @ youbot().home))
+        ((10, 4, 4), True)
+        """
+        values = self.joint_values(q)
+        origins, screws = self._origins_and_screws
+        steps = dict(
+            zip(self.moving_joint_names, np.moveaxis(origins @ exp(screws * values[..., None]), -3, 0), strict=True)
+        )
+        root = np.eye(4) if base is None else validation.poses(base, "base")
+        free = self._validate_joint_poses(joint_poses or {})
+        try:
+            shape = np.broadcast_shapes(values.shape[:-1], root.shape[:-2], *(T.shape[:-2] for T in free.values()))
+        except ValueError as error:
+            raise ValueError(
+                f"q, base and joint_poses must have the same number of configurations, or one; got q of shape {np.shape(q)} and "
+                f"poses of shape {', '.join(str(T.shape) for T in (root, *free.values()))}."
+            ) from error
+        found = {self.root: np.broadcast_to(root, (*shape, 4, 4)).copy()}
+        for _, link, _ in self.link_tree.descendants(self.root):
+            if joint := self.link_tree.parent_joints.get(link):
+                step = joint.origin @ free[joint.name] if joint.name in free else steps.get(joint.name, joint.origin)
+                found[link] = found[joint.parent] @ step
+        return {link: found[link] for link in self.links}
+
+    def pose(self, base: str, tip: str, q: ArrayLike | None = None) -> Array:
+        """Compute the pose of one link in the frame of another one; without q, the constant pose if no joint moves between them.
+
+        q (..., n) of the independent joints -> (..., 4, 4). Each link may be anywhere in the tree, and mimic joints follow.
+
+        Raises ValueError for a name that is no link, if q is missing although a joint moves between the links, for joint values of
+        another size, for NaN, and if a planar or a floating joint is between the links.
+        Source: the URDF specification, "joint".
+
+        >>> text = '''<robot name="rig"> <link name="table"/> <link name="post"/> <link name="camera"/>
+        ...   <joint name="foot" type="fixed"> <parent link="table"/> <child link="post"/> <origin xyz="1 0 0"/> </joint>
+        ...   <joint name="clamp" type="fixed"> <parent link="post"/> <child link="camera"/> <origin xyz="0 0 2"/> </joint>
+        ... </robot>'''
+        >>> Tree.from_urdf(text).pose("camera", "table")[:3, 3].tolist()
+        [-1.0, 0.0, -2.0]
+        """
+        path = self._path(base, tip)
+        if q is None and (moving := [joint.name for joint, _ in path if joint.moves]):
+            raise ValueError(
+                f"q must be given if a joint moves between the links; between {base} and {tip} {', '.join(moving[:12])} "
+                f"{'moves' if len(moving) == 1 else 'move'}. Pass the values of the {self._joints}."
+            )
+        values = self.joint_values(np.zeros(self.n) if q is None else q)
+        by_name = dict(zip(self.moving_joint_names, np.moveaxis(values, -1, 0), strict=True))
+        T = np.broadcast_to(np.eye(4), (*values.shape[:-1], 4, 4)).copy()
+        for joint, sign in path:
+            step = joint.origin @ exp(joint.screw * by_name[joint.name][..., None]) if joint.moves else joint.origin
+            T = T @ (step if sign > 0 else inverse(step))
+        return T
+
+    def chain(self, base: str | None = None, tip: str | None = None) -> Chain:
+        """Build a chain from the joints on the path from one link to another: up the tree, and down again.
+
+        base  the link whose frame is {s}; by default the root
+        tip   the link whose frame is {b}; by default the only end of the tree that moves relative to the base
+
+        A mimic joint that is +-1 times an independent joint, plus an offset, takes the name and the limits of that joint. `pose` has
+        no such condition, and also gives the constant pose of links between which no joint moves.
+
+        Raises ValueError for a name that is no link, if several links could be the tip, if no joint moves between base and tip, if
+        a joint between them is planar or floating, and if two of them follow the same joint, or one has another multiplier.
+        Source: the URDF specification, "link" and "joint".
+
+        >>> from kinlib.chains.robots import youbot
+        >>> from kinlib.urdf.chains import to_urdf
+        >>> Tree.from_urdf(to_urdf(youbot())).chain(base="link_4", tip="link_2").joint_names
+        ('joint_4', 'joint_3')
+        """
+        base = self.root if base is None else base
+        tip = _only_tip(self.link_tree, base) if tip is None else tip
+        T, screws, points, moving = np.eye(4), [], [], []
+        for joint, sign in self._path(base, tip):
+            # The axis is given in the joint frame: the frame after this joint if the path goes down, and before it if it goes up.
+            before, T = T, T @ (joint.origin if sign > 0 else inverse(joint.origin))
+            if joint.moves:
+                frame = T if sign > 0 else before
+                axis, point = sign * frame[:3, :3] @ joint.axis, frame[:3, 3]
+                screws.append(screw(axis, point, np.inf if joint.type == "prismatic" else 0.0))
+                points.append(point)
+                moving.append(joint)
+        if not moving:
+            raise self.link_tree.links[tip].error(
+                f"a joint must move between base and tip; none does between {base} and {tip}. Their constant pose is "
+                f'kl.Tree.from_urdf(...).pose("{base}", "{tip}"). For a chain, pass other links as base or tip.'
+            )
+        couplings = [self.link_tree.couplings[joint.name] for joint in moving]
+        drivers = [driver for driver, _, _ in couplings]
+        for joint, (driver, multiplier, _) in zip(moving, couplings, strict=True):
+            if joint.mimic and (drivers.count(driver) > 1 or abs(multiplier) != 1):
+                others = [
+                    one.name for one, name in zip(moving, drivers, strict=True) if name == driver and one != joint
+                ]
+                why = f"moves with {', '.join(others)}" if others else f"has the multiplier {multiplier:g}, not 1 or -1"
+                raise joint.element.error(
+                    f"the joints of a chain must move independently; joint {joint.name} mimics joint {driver}, and {why}. Compute "
+                    f'with kl.Tree.from_urdf(...).pose("{base}", "{tip}", q), or pass other links as base or tip.'
+                )
+        chain = Chain(
+            np.array(screws), T, points=np.array(points), name=self.name, source=f"URDF, from {base} to {tip}"
+        )
+        signs, shifts = np.array([[multiplier, offset] for _, multiplier, offset in couplings]).T
+        limits = self.limits[[self._numbers[driver] for driver in drivers]]
+        named = replace(chain, joint_names=tuple(drivers), limits=limits if np.isfinite(limits).any() else None)
+        if not any(joint.mimic for joint in moving):
+            return named
+        # Where the independent joints are 0, the mimic joints have the values of their offsets: the chain is at home there.
+        return replace(
+            named,
+            screws=signs[:, None] * chain.jacobian(shifts).T,
+            home=chain.fk(shifts),
+            points=chain.link_poses(shifts)[:, :3, 3],
+        )
+
+    def _path(self, base: str, tip: str) -> Sequence[PathStep]:
+        """The joints between two links, each of which has at most one degree of freedom."""
+        path = self.link_tree.path(self.link_tree.check_link(base, "base"), self.link_tree.check_link(tip, "tip"))
+        for joint, _ in path:
+            if joint.type in DEGREES_OF_FREEDOM:
+                raise joint.element.error(
+                    f"a joint between base and tip must have one degree of freedom; a {joint.type} joint has "
+                    f"{DEGREES_OF_FREEDOM[joint.type]}. Choose a base beyond it, such as {joint.child}, or pass its pose to "
+                    "kl.Tree.from_urdf(...).poses(q, joint_poses=...)."
+                )
+        return path
+
+    @cached_property
+    def _origins_and_screws(self) -> tuple[Array, Array]:
+        """The origins (m, 4, 4) and the screw axes (m, 6) of the moving joints, each axis in the frame of its joint."""
+        joints = [joint for joint in self.link_tree.parent_joints.values() if joint.name in self.link_tree.couplings]
+        origins = np.reshape([joint.origin for joint in joints], (-1, 4, 4))
+        return origins, np.reshape([joint.screw for joint in joints], (-1, 6))
+
+    def _validate_joint_poses(self, given: Mapping[str, ArrayLike]) -> dict[str, Array]:
+        needed = [joint.name for joint in self.link_tree.parent_joints.values() if joint.type in DEGREES_OF_FREEDOM]
+        if set(given) != set(needed):
+            raise ValueError(
+                f"joint_poses must have a pose for each planar and each floating joint of {self.name}: "
+                f"{', '.join(needed) or 'it has none'}; got {', '.join(map(str, given)) or 'none'}. "
+                "For a joint that is not displaced, pass np.eye(4)."
+            )
+        return {name: validation.poses(T, f"joint_poses[{name!r}]") for name, T in given.items()}
+
+
+def _only_tip(tree: LinkTree, base: str) -> str:
+    tips = tree.tips(tree.check_link(base, "base"))
+    if len(tips) != 1:
+        choices = f"Pass tip=..., one of {', '.join(tips)}." if tips else "Pass a base with a moving joint below it."
+        raise tree.links[base].error(
+            f"exactly one end of the tree must move relative to this base; got {len(tips)}. {choices}"
+        )
+    return tips[0]

@@ -1,0 +1,287 @@
+"""Whole URDF files: the poses of all links, mimic joints, a floating base, and chains between any two links."""
+
+import copy
+import pickle
+from xml.etree import ElementTree as ET
+
+import numpy as np
+import pytest
+from hypothesis import given, settings
+from hypothesis import strategies as st
+from strategies import poses as any_pose
+from urdf_files import ARMS, link_poses_by_pinocchio, poses_by_pinocchio, trees, urdf_text
+
+import kinlib as kl
+from kinlib import Tree
+
+CLOSE = 1e-9
+
+
+def values_in_file(text, independent):
+    """The value of each joint of a file that moves, from those of the independent ones: straight from the XML."""
+    found = dict(independent)
+    joints = [joint for joint in ET.fromstring(text).findall("joint") if joint.get("type") != "fixed"]
+    mimic = {joint.get("name"): joint.find("mimic").attrib for joint in joints if joint.find("mimic") is not None}
+
+    def value(name):
+        if name not in mimic:
+            return found[name]
+        says = mimic[name]
+        return float(says.get("multiplier", 1)) * value(says["joint"]) + float(says.get("offset", 0))
+
+    return {joint.get("name"): value(joint.get("name")) for joint in joints}
+
+
+def assert_equal_poses(ours, theirs):
+    assert set(ours) == set(theirs)
+    for link, T in ours.items():
+        np.testing.assert_allclose(T, theirs[link], rtol=0, atol=CLOSE, err_msg=link)
+
+
+@pytest.mark.oracle("pinocchio", Tree.from_urdf, Tree.poses, Tree.joint_values)
+@settings(max_examples=60)
+@given(trees(mimic=True), any_pose(), st.integers(0, 2**32 - 1))
+def test_every_link_of_any_tree_moves_as_pinocchio_says(drawn, base, seed):
+    text, *_ = drawn
+    tree = Tree.from_urdf(text)
+    q = np.random.default_rng(seed).uniform(-3, 3, (3, tree.n))
+    values = tree.joint_values(q)
+    said = [values_in_file(text, dict(zip(tree.joint_names, row, strict=True))) for row in q]
+    np.testing.assert_allclose(values, [[row[name] for name in tree.moving_joint_names] for row in said], atol=1e-14)
+    assert_equal_poses(tree.poses(q), link_poses_by_pinocchio(text, tree.moving_joint_names, values))
+    floating = link_poses_by_pinocchio(text, tree.moving_joint_names, values, base)
+    assert_equal_poses(tree.poses(q, base=base), floating)
+
+
+@pytest.mark.oracle("pinocchio", Tree.pose, Tree.chain, Tree.coupling, Tree.offsets)
+@settings(max_examples=60)
+@given(trees(mimic=True))
+def test_pose_and_chain_agree_with_pinocchio_between_any_two_links(drawn):
+    text, base, tip = drawn
+    tree = Tree.from_urdf(text)
+    q = np.random.default_rng(1).uniform(-3, 3, (3, tree.n))
+    values = q @ tree.coupling.T + tree.offsets
+    expected = poses_by_pinocchio(text, base, tip, tree.moving_joint_names, values)
+    np.testing.assert_allclose(tree.pose(base, tip, q), expected, rtol=0, atol=CLOSE)
+    try:
+        chain = tree.chain(base, tip)
+    except ValueError as error:
+        if "a joint must move between base and tip" in str(error):
+            np.testing.assert_allclose(tree.pose(base, tip), expected[0], rtol=0, atol=CLOSE)
+        elif "the joints of a chain must move independently" not in str(error):
+            raise
+        return
+    columns = [tree.joint_names.index(name) for name in chain.joint_names]
+    np.testing.assert_allclose(chain.fk(q[:, columns]), expected, rtol=0, atol=CLOSE)
+
+
+@settings(max_examples=40)
+@given(trees(mimic=True))
+def test_a_tree_reads_what_load_urdf_reads_and_its_poses_compose(drawn):
+    text, base, tip = drawn
+    tree = Tree.from_urdf(text)
+    q = np.random.default_rng(2).uniform(-3, 3, (2, 3, tree.n))
+    found = tree.poses(q)
+    assert tuple(found) == tree.links
+    assert all(T.shape == (2, 3, 4, 4) for T in found.values())
+    one = tree.poses(q[1, 2])
+    for link, T in found.items():
+        np.testing.assert_allclose(T[1, 2], one[link], rtol=0, atol=1e-13)
+    np.testing.assert_allclose(found[base] @ tree.pose(base, tip, q), found[tip], rtol=0, atol=1e-12)
+    assert set(tree.joint_names) <= set(tree.moving_joint_names)
+    assert tree.limits.shape == (tree.n, 2)
+    assert f"{len(tree.links)} links" in str(tree)
+
+
+@pytest.mark.oracle(
+    "pinocchio", Tree.root, Tree.links, Tree.tips, Tree.limits, Tree.n, Tree.joint_names, Tree.moving_joint_names
+)
+@pytest.mark.parametrize("name", ["Franka Panda with hand", "Trossen wx250s", "UR5e", "KUKA KR16"])
+def test_a_shipped_arm_has_the_links_and_limits_of_pinocchio_and_its_mimic_joints_follow(name):
+    pin = pytest.importorskip("pinocchio", reason="no pinocchio here (the wheel `pin` does not exist for Windows)")
+    text = urdf_text(name)
+    tree = Tree.from_urdf(text)
+    model = pin.buildModelFromXML(text, mimic=True)
+    bodies = [frame.name for frame in model.frames if frame.type == pin.FrameType.BODY]
+    assert set(tree.links) == set(bodies)
+    assert tree.root == bodies[0]
+    assert set(tree.tips) <= set(bodies)
+    assert ARMS[name][2] or len(tree.tips) == 1
+    assert model.nv == tree.n
+    assert set(model.names) == {"universe", *tree.moving_joint_names}
+    assert {joint for joint, moves in zip(model.names, model.nvs, strict=True) if moves} == set(tree.joint_names)
+    for joint, (lower, upper) in zip(tree.joint_names, tree.limits, strict=True):
+        index = model.joints[model.getJointId(joint)]
+        if index.nq == 1:
+            assert [model.lowerPositionLimit[index.idx_q], model.upperPositionLimit[index.idx_q]] == [lower, upper]
+    q = np.random.default_rng(0).uniform(-1, 1, (5, tree.n))
+    assert_equal_poses(tree.poses(q), link_poses_by_pinocchio(text, tree.joint_names, q, mimic=True))
+
+
+HAND = """<robot name="hand">
+  <link name="palm"/> <link name="wrist"/> <link name="thumb"/> <link name="finger"/> <link name="tip"/> <link name="nail"/>
+  <joint name="grip" type="revolute"> <parent link="palm"/> <child link="thumb"/> <origin xyz="0 -1 0"/> <axis xyz="0 0 1"/>
+    <limit lower="0" upper="1" effort="1" velocity="1"/> </joint>
+  <joint name="bend" type="continuous"> <parent link="palm"/> <child link="finger"/> <origin xyz="0 1 0"/> <axis xyz="0 0 1"/>
+    <mimic joint="grip" multiplier="-1" offset="0.5"/> </joint>
+  <joint name="curl" type="continuous"> <parent link="finger"/> <child link="tip"/> <origin xyz="1 0 0"/> <axis xyz="0 0 1"/>
+    <mimic joint="bend" multiplier="0.5"/> </joint>
+  <joint name="glue" type="fixed"> <parent link="tip"/> <child link="nail"/> <origin xyz="0.1 0 0"/>
+    <mimic joint="nothing"/> </joint>
+  <joint name="arm" type="fixed"> <parent link="wrist"/> <child link="palm"/> <origin xyz="0 0 2"/> </joint>
+</robot>"""
+
+
+@pytest.mark.oracle("text: written out in the test", Tree.__str__)
+def test_a_tree_prints_its_links_and_the_values_of_its_joints():
+    tree = Tree.from_urdf(HAND)
+    assert str(tree).splitlines() == [
+        "hand, 6 links, 1 independent joint",
+        "link         | joint | type       | value",
+        "wrist        |       |            |",
+        "  palm       | arm   | fixed      |",
+        "    thumb    | grip  | revolute   | q1",
+        "    finger   | bend  | continuous | -q1 + 0.5",
+        "      tip    | curl  | continuous | -0.5 q1 + 0.25",
+        "        nail | glue  | fixed      |",
+    ]
+    assert tree._repr_html_().count("<tr>") == 7
+    assert "<td>-0.5 q1 + 0.25</td>" in tree._repr_html_()
+    assert repr(tree) == "Tree(name='hand')"
+
+
+def test_a_mimic_joint_may_mimic_a_mimic_joint():
+    tree = Tree.from_urdf(HAND)
+    assert (tree.root, tree.tips, tree.n) == ("wrist", ("thumb", "nail"), 1)
+    assert tree.moving_joint_names == ("grip", "bend", "curl")
+    assert tree.coupling.tolist() == [[1], [-1], [-0.5]]
+    assert tree.offsets.tolist() == [0, 0.5, 0.25]
+    assert tree.limits.tolist() == [[0, 1]]
+
+
+def test_a_chain_takes_the_independent_joint_in_the_place_of_its_mimic_joint():
+    chain = Tree.from_urdf(HAND).chain("palm", "finger")
+    assert chain.joint_names == ("grip",)
+    assert chain.limits.tolist() == [[0, 1]]
+    np.testing.assert_allclose(chain.screws, [-kl.screw((0, 0, 1), (0, 1, 0))], atol=1e-15)
+    np.testing.assert_allclose(chain.fk([0.2])[:2, 0], [np.cos(0.3), np.sin(0.3)], atol=1e-15)
+
+
+def test_links_between_which_nothing_moves_have_a_constant_pose():
+    tree = Tree.from_urdf(HAND)
+    assert tree.pose("wrist", "palm")[:3, 3].tolist() == [0, 0, 2]
+    assert tree.pose("palm", "wrist", np.zeros((4, 1))).shape == (4, 4, 4)
+    assert tree.pose("nail", "nail").tolist() == np.eye(4).tolist()
+    with pytest.raises(
+        ValueError, match=r'none does between palm and wrist\. Their constant pose is .*pose\("palm", "wrist"\)'
+    ):
+        tree.chain("palm", "wrist")
+
+
+@pytest.mark.parametrize(
+    ("call", "said"),
+    [
+        (lambda tree: tree.poses([1, 2]), r"hand has 1 independent joint, so q must have .* got \(2,\)\. Pass one value for each name"),
+        (lambda tree: tree.poses(np.zeros((1, 3))), r"got \(1, 3\)\. Joints go in the last dimension: try q\.T"),
+        (lambda tree: tree.poses([np.nan]), "q contains NaN"),
+        (lambda tree: tree.poses([0], base=np.eye(3)), "base must be a pose"),
+        (lambda tree: tree.poses(np.zeros((3, 1)), base=[np.eye(4)] * 2), r"got q of shape \(3, 1\) and poses of shape \(2, 4, 4\)"),
+        (lambda tree: tree.poses([0], joint_poses={"grip": np.eye(4)}), "joint of hand: it has none; got grip"),
+        (lambda tree: tree.pose("palm", "nail"), r"between palm and nail bend, curl move\. Pass the values of the 1 independent joint\."),
+        (lambda tree: tree.pose("palm", "thumb"), "between palm and thumb grip moves"),
+        (lambda tree: tree.pose("plam", "thumb"), "base must be the name of a link; got 'plam'. Did you mean palm"),
+        (lambda tree: tree.chain("finger", "nail"), r"Line 7, .*joint curl mimics joint grip, and has the multiplier -0\.5, not 1 or -1"),
+        (lambda tree: tree.chain("thumb", "finger"), r'bend mimics joint grip, and moves with grip\. .*pose\("thumb", "finger", q\)'),
+        (lambda tree: tree.chain(), r"Pass tip=\.\.\., one of thumb, nail\."),
+    ],
+)  # fmt: skip
+def test_errors_say_what_must_hold_and_what_to_try(call, said):
+    with pytest.raises(ValueError, match=said):
+        call(Tree.from_urdf(HAND))
+
+
+@pytest.mark.parametrize(
+    ("old", "new", "said"),
+    [
+        ("glue", "grip", "the names of joints must be different"),
+        (
+            '"grip" multi',
+            '"gripp" multi',
+            r"Line 6, <mimic> in .*got 'gripp'\. The joints that move are grip, bend, curl\.",
+        ),
+        ('"grip" multi', '"glue" multi', "it must name a joint that moves; got 'glue'"),
+        ('"grip" multi', '"curl" multi', "must not mimic each other in a circle; got bend, curl"),
+        ('"grip" multi', '"bend" multi', r"in a circle; got bend\."),
+        ('offset="0.5"', 'offset="1e7"', r"must be between -1e\+06 and 1e\+06; got 1e\+07"),
+        ('offset="0.5"', 'offset="much"', 'offset must consist of finite numbers; got "much"'),
+        ('"bend" type="continuous"', '"bend" type="planar"', "must have one degree of freedom; this joint is planar"),
+    ],
+)
+def test_a_file_with_a_faulty_mimic_joint_is_refused(old, new, said):
+    with pytest.raises(ValueError, match=said):
+        Tree.from_urdf(HAND.replace(old, new))
+
+
+ROVER = """<robot name="rover"> <link name="world"/> <link name="body"/> <link name="raft"/> <link name="mast"/>
+  <joint name="float" type="floating"> <parent link="world"/> <child link="body"/> <origin xyz="0 0 1"/> </joint>
+  <joint name="skid" type="planar"> <parent link="body"/> <child link="raft"/> <axis xyz="0 0 1"/> <origin xyz="1 0 0"/> </joint>
+  <joint name="pan" type="continuous"> <parent link="raft"/> <child link="mast"/> <axis xyz="0 0 1"/> </joint>
+</robot>"""
+
+
+@given(any_pose(), st.floats(-3, 3), st.floats(-3, 3), st.floats(-3, 3))
+def test_planar_and_floating_joints_take_a_pose_as_in_pinocchio(T, x, y, angle):
+    pin = pytest.importorskip("pinocchio", reason="no pinocchio here (the wheel `pin` does not exist for Windows)")
+    model = pin.buildModelFromXML(ROVER)
+    data = model.createData()
+    c, s = np.cos(angle), np.sin(angle)
+    pin.framesForwardKinematics(model, data, np.array([*pin.SE3ToXYZQUAT(pin.SE3(T)), x, y, c, s, c, s]))
+    slid = np.array([[c, -s, 0, x], [s, c, 0, y], [0, 0, 1, 0], [0, 0, 0, 1]])
+    found = Tree.from_urdf(ROVER).poses([angle], joint_poses={"float": T, "skid": slid})
+    for link, pose in found.items():
+        np.testing.assert_allclose(pose, data.oMf[model.getFrameId(link, pin.FrameType.BODY)].homogeneous, atol=1e-9)
+
+
+def test_a_planar_or_a_floating_joint_without_a_pose_is_refused():
+    tree = Tree.from_urdf(ROVER)
+    assert "  body     | float | floating   | a pose" in str(tree)
+    with pytest.raises(ValueError, match=r"each floating joint of rover: float, skid; got skid\. .*np\.eye\(4\)"):
+        tree.poses([0], joint_poses={"skid": np.eye(4)})
+    with pytest.raises(ValueError, match=r"not rigid|not a pose"):
+        tree.poses([0], joint_poses={"skid": np.eye(4), "float": np.ones((4, 4))})
+    with pytest.raises(
+        ValueError, match=r"Line 2, .*a floating joint has 6\. Choose a base beyond it, such as body, or"
+    ):
+        tree.pose("world", "mast", [0])
+    many = tree.poses([0], joint_poses={"skid": np.eye(4), "float": np.tile(np.eye(4), (7, 1, 1))})
+    assert {T.shape for T in many.values()} == {(7, 4, 4)}
+
+
+def test_a_single_link_is_a_tree():
+    tree = Tree.from_urdf('<robot name="r"><link name="a"/></robot>')
+    assert tree.poses([])["a"].tolist() == np.eye(4).tolist()
+    assert tree.poses(np.zeros((5, 0)))["a"].shape == (5, 4, 4)
+    assert (tree.tips, tree.coupling.shape, tree.offsets.shape, tree.limits.shape) == ((), (0, 0), (0,), (0, 2))
+
+
+def test_a_long_line_of_mimic_joints_is_read_in_time_that_grows_with_its_length():
+    n = 4000
+    joint = '<joint name="j{0}" type="continuous"><parent link="l{0}"/><child link="l{1}"/>{2}</joint>'
+    mimic = [f'<mimic joint="j{i + 1}"/>' if i < n - 1 else "" for i in range(n)]
+    links = "".join(f'<link name="l{i}"/>' for i in range(n + 1))
+    tree = Tree.from_urdf(
+        f'<robot name="r">{links}{"".join(joint.format(i, i + 1, mimic[i]) for i in range(n))}</robot>'
+    )
+    assert tree.joint_names == (f"j{n - 1}",)
+    assert tree.joint_values([2.0]).tolist() == [2.0] * n
+
+
+@pytest.mark.parametrize("again", [copy.copy, copy.deepcopy, lambda tree: pickle.loads(pickle.dumps(tree))])
+def test_a_copied_tree_is_the_same_and_stays_read_only(again):
+    tree = Tree.from_urdf(HAND)
+    same = again(tree)
+    assert_equal_poses(same.poses([0.3]), tree.poses([0.3]))
+    assert str(same) == str(tree)
+    for array in (same.coupling, same.offsets, same.limits):
+        with pytest.raises(ValueError, match="read-only"):
+            array[0] = 1
