@@ -7,7 +7,8 @@ For each problem and student it judges
   shares no code with the engine, so that it may contradict it,
 
 and counts full marks for a wrong answer, right answers that are refused, names that are not what was done, messages whose
-claim is false, and mistakes without a name.
+claim is false, and mistakes without a name. With the numbers of some students, two mistakes give the same answer. An answer
+by hand that is also that of the mistake that feedback names is counted apart: no feedback could tell which one was made.
 """
 
 import json
@@ -35,6 +36,7 @@ COUNTS = {
     "refused": "right answers refused",
     "misnamed": "a name that is not what was done",
     "false": "false claims",
+    "coincident": "named as another mistake that gives the same numbers",
     "unnamed": "without a name",
 }
 """What is counted, with its heading."""
@@ -182,12 +184,14 @@ def _count(row: Row, student: str, problem: Problem, tried: Tried) -> None:
     if len(named) < len(judgement.findings) and judgement.state != "unreadable":
         row.count("unnamed", example)
         row.unnamed_by_hand += tried.is_by_hand
+    if not named:
+        return
+    value = problem.answer.read(tried.value)
+    all_true = all(is_true(problem, value, finding) for finding in named)
+    if not all_true:
+        row.count("false", example)
     if not tried.fits(named) and any(_claims_a_method(problem, finding) for finding in named):
-        row.count("misnamed", example)
-    if named:
-        value = problem.answer.read(tried.value)
-        if not all(is_true(problem, value, finding) for finding in named):
-            row.count("false", example)
+        row.count("coincident" if tried.is_by_hand and all_true else "misnamed", example)
 
 
 def wrong_answers(problem: Problem) -> list[list[tuple[str, ...]]]:

@@ -92,10 +92,14 @@ def message_of(mistakes: Sequence[Mistake], whole: bool) -> str:
     'Several mistakes lead to this answer. Either: You swapped them. Or: You forgot a sign.'
     >>> message_of([Mistake("order", 1, "You swapped them."), Mistake("swap", 1, "You swapped them. The base is first.")], whole=True)
     'You swapped them. The base is first.'
+    >>> message_of([Mistake(name, 1, f"You forgot {name}.") for name in "abcd"], whole=True)
+    'Several mistakes lead to this answer. Either: You forgot a. Or: You forgot b. Or: You forgot c. Or: You made another mistake with the same result.'
     """
     texts = list(dict.fromkeys(mistake.message if whole else mistake.part for mistake in mistakes))
     # The same sentence with advice behind it says it all.
-    texts = [text for text in texts if not any(other.startswith(f"{text} ") for other in texts)][:MAX_ALTERNATIVES]
+    texts = [text for text in texts if not any(other.startswith(f"{text} ") for other in texts)]
     if len(texts) == 1:
         return texts[0]
+    if len(texts) > MAX_ALTERNATIVES:
+        texts = [*texts[:MAX_ALTERNATIVES], "You made another mistake with the same result."]
     return f"Several mistakes lead to this {'answer' if whole else 'part'}. Either: {' Or: '.join(texts)}"

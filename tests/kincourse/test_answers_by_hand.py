@@ -7,7 +7,7 @@ import pytest
 
 from kincourse import find_sheet, sheets
 from misstep.catalog import find_course
-from misstep.census import answers_by_hand, census_of
+from misstep.census import COUNTS, answers_by_hand, census_of
 
 COURSE = find_course("kincourse")
 STUDENTS = ["a student of the tests", "another one"]
@@ -22,8 +22,6 @@ TEMPLATES = [template for name in sheets() for template in find_sheet(name).prob
 def test_feedback_is_true_and_names_most_mistakes(template):
     row = census_of(template, STUDENTS, answers_by_hand(COURSE))
     assert row.by_hand > 0
-    wrong = {
-        what: row.examples.get(what) for what in ("full_marks", "refused", "misnamed", "false") if row.counts[what]
-    }
+    wrong = {what: row.examples.get(what) for what in COUNTS if what != "unnamed" and row.counts[what]}
     assert not wrong
     assert row.unnamed_by_hand <= MAX_UNNAMED * row.by_hand, row.examples["unnamed"]

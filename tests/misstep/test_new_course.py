@@ -81,7 +81,7 @@ def test_the_readme_of_a_new_course_leads_to_tested_released_and_graded_sheets(c
         done[line.split()[3] if "misstep" in line else "pytest"] = run(line)
     assert set(done) == {"pytest", "census", "release", "grade"}
     assert re.search(r"\b\d+ passed", done["pytest"])
-    assert re.search(r"^\| 01\.2 \| \d+ \| 0 \| 0 \| 0 \| 0 \|", done["census"], re.MULTILINE)
+    assert re.search(r"^\| 01\.2 \| \d+ \| 0 \| 0 \| 0 \| 0 \| 0 \|", done["census"], re.MULTILINE)
     with (folder / "results" / "grades.csv").open(newline="", encoding="utf-8") as stream:
         assert {row["student"]: float(row["points"]) for row in csv.DictReader(stream)} == {"ada": 4, "bob": 2}
     feedback = "".join(path.read_text("utf-8") for path in (folder / "results" / "feedback").rglob("*bob*"))

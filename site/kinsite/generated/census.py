@@ -31,6 +31,8 @@ What is counted:
 - **{refused}**: a right answer in another form gets no full marks;
 - **{misnamed}**: the card names another mistake than the one that was made;
 - **{false}**: a sentence on the card is not true of the answer;
+- **{coincident}**: with the numbers of this student, the answer by hand is also that of another mistake, and the card names
+  that one. No feedback can tell which of the two was made;
 - **{unnamed}**: at least one wrong part of the answer is not explained by any mistake. The card then gives a hint only. The last
   column is the share among the answers by hand.
 
@@ -60,9 +62,9 @@ def page(census: Mapping[str, Any]) -> str:
     >>> row = {"number": "01.1", "wrong": 8, "by_hand": 4, "unnamed_by_hand": 1, "counts": {"unnamed": 2}, "new": 0}
     >>> text = page({"students": 3, "problems": [row], "inseparable": {"01_frames": [["a", "b"]]}, "new": 0})
     >>> print(*(line for line in text.splitlines() if line.startswith(("| 01.1", "| **", "- sheet"))), sep="\n")
-    | **01** | 8 | 0 | 0 | 0 | 0 | 25 % | 25 % |
-    | **all** | 8 | 0 | 0 | 0 | 0 | 25 % | 25 % |
-    | 01.1 | 8 | 0 | 0 | 0 | 0 | 25 % | 25 % |
+    | **01** | 8 | 0 | 0 | 0 | 0 | 0 | 25 % | 25 % |
+    | **all** | 8 | 0 | 0 | 0 | 0 | 0 | 25 % | 25 % |
+    | 01.1 | 8 | 0 | 0 | 0 | 0 | 0 | 25 % | 25 % |
     - sheet 01: `a` and `b`
     """
     rows = census["problems"]
