@@ -1,6 +1,6 @@
 """Code generation: trace an array formula once, and write what it computes as a plain Python function.
 
-For a million configurations an array formula is fast. For a single one it is slow, because NumPy spends its time on finding
+For a million configurations or poses an array formula is fast. For a single one it is slow, because NumPy spends its time on finding
 out, again and again, that the arrays are small and which of their entries are 0. Both can be determined beforehand.
 `trace_to_python` calls the formula with tracers instead of numbers. A tracer does not compute; it records each operation as
 one line of Python and leaves out what is known: 0 x, 1 x, x + 0. The recorded lines are a program without loops, calls of
@@ -22,12 +22,28 @@ Source: partial evaluation, as in Jones, Gomard and Sestoft, Partial Evaluation 
 import math
 from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cache
 from typing import Any, Self
 
 import numpy as np
 from numpy.typing import NDArray
 
+from kinlib.arrays.tolerances import MAX_ROTATION_RAD
+
 Tracers = NDArray[np.object_]
+
+FEW_ELEMENTS = 20
+"""Up to so many elements of a batch, one run of the generated code for each is faster than one run of the formula on arrays."""
+
+FUNCTIONS: dict[str, Callable[..., float]] = {
+    "cos": math.cos,
+    "sin": math.sin,
+    "sqrt": math.sqrt,
+    # Those of NumPy, because their last digit can differ from Python's, and an element of a batch must give the same alone.
+    "tan": lambda x: float(np.tan(x)),
+    "arctan2": lambda y, x: float(np.arctan2(y, x)),
+}
+"""The functions that a generated program can call."""
 
 
 class PythonProgram:
@@ -38,7 +54,7 @@ class PythonProgram:
     """
 
     def __init__(self, source: str) -> None:
-        namespace: dict[str, Any] = {"cos": math.cos, "sin": math.sin}
+        namespace: dict[str, Any] = dict(FUNCTIONS)
         exec(source, namespace)  # noqa: S102 - `trace_to_python` wrote it, from its own variable names and numbers
         self.source = source
         self.run: Callable[..., tuple[float, ...]] = namespace["run"]
@@ -51,7 +67,7 @@ class PythonProgram:
 def trace_to_python(formula: Callable[[Tracers], NDArray[Any]], n: int) -> PythonProgram:
     """Trace a formula of n arguments, and generate the program that computes it without arrays.
 
-    formula  takes an array (n,) and returns an array of any shape, using only +, -, *, @, np.cos and np.sin
+    formula  takes an array (n,) and returns an array of any shape, using only +, -, *, /, @ and the FUNCTIONS of NumPy
     """
     lines: dict[str, str] = {}
     arguments = [f"q{i}" for i in range(1, n + 1)]
@@ -59,6 +75,40 @@ def trace_to_python(formula: Callable[[Tracers], NDArray[Any]], n: int) -> Pytho
     body = [f"{name} = {expression}" for expression, name in lines.items()]
     results = ", ".join(_expression(entry) for entry in entries)
     return PythonProgram("\n    ".join([f"def run({', '.join(arguments)}):", *body, f"return {results}"]))
+
+
+@cache
+def columnwise_program(
+    formula: Callable[[NDArray[Any]], NDArray[Any]], input_shape: tuple[int, ...]
+) -> Callable[..., tuple[float, ...]]:
+    """Generate, at the first call, the program that computes a formula for `apply_columnwise` for one element.
+
+    The program takes the entries of the element, row by row, and returns those of the result, row by row.
+
+    >>> halves_of_transpose = columnwise_program(lambda columns: columns.swapaxes(0, 1) / 2, (2, 2))
+    >>> halves_of_transpose(1.0, 2.0, 3.0, 4.0)
+    (0.5, 1.5, 1.0, 2.0)
+    """
+
+    def of_one(entries: Tracers) -> NDArray[Any]:
+        return formula(entries.reshape(input_shape).T[..., None])[..., 0].T
+
+    return trace_to_python(of_one, math.prod(input_shape)).run
+
+
+def few_elements(x: NDArray[np.float64], size: int) -> list[list[float]]:
+    """Return the entries of each element of x, of `size` numbers each, if generated code is to compute them; otherwise [].
+
+    That is so for one element or a few, without NaN and without entries so large that a formula could overflow.
+
+    >>> few_elements(np.eye(2), 4), few_elements(np.zeros((1000, 2)), 2), few_elements(np.array([1.0, np.nan]), 2)
+    ([[1.0, 0.0, 0.0, 1.0]], [], [])
+    """
+    if x.size > FEW_ELEMENTS * size:
+        return []
+    elements = x.reshape(-1, size).tolist()
+    # If any entry is NaN or infinite, so is the sum, and the comparison is false.
+    return elements if sum(map(abs, x.ravel().tolist())) <= MAX_ROTATION_RAD else []
 
 
 @dataclass(frozen=True, eq=False)
@@ -94,6 +144,12 @@ class Tracer:
     def __rmul__(self, other: float) -> "Tracer | float":
         return self * other
 
+    def __truediv__(self, other: Any) -> "Tracer":
+        return self._record(f"{self.name} / {_expression(other)}")
+
+    def __rtruediv__(self, other: float) -> "Tracer":
+        return self._record(f"{_expression(other)} / {self.name}")
+
     def __neg__(self) -> "Tracer":
         return self._record(f"-{self.name}")
 
@@ -104,6 +160,18 @@ class Tracer:
     def sin(self) -> "Tracer":
         """Record the sine; np.sin calls this method for each object of an array."""
         return self._record(f"sin({self.name})")
+
+    def tan(self) -> "Tracer":
+        """Record the tangent; np.tan calls this method for each object of an array."""
+        return self._record(f"tan({self.name})")
+
+    def sqrt(self) -> "Tracer":
+        """Record the square root; np.sqrt calls this method for each object of an array."""
+        return self._record(f"sqrt({self.name})")
+
+    def arctan2(self, x: "Tracer") -> "Tracer":
+        """Record the angle of the point (x, self); np.arctan2 calls this method for each object of an array."""
+        return self._record(f"arctan2({self.name}, {x.name})")
 
     def _record(self, expression: str) -> "Tracer":
         return Tracer(self.lines.setdefault(expression, f"v{len(self.lines) + 1}"), self.lines)

@@ -13,6 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlib.arrays.batching import Array, Chunks, cross, dot, split_into_chunks
+from kinlib.arrays.codegen import columnwise_program, few_elements
 from kinlib.arrays.tolerances import MAX_ROTATION_RAD, ORTHONORMALITY_TOL, UNIT_LENGTH_TOL
 
 __all__ = [
@@ -143,8 +144,9 @@ def rotations_or_poses(x: ArrayLike, name: str) -> Array:
     (4, 4)
     """
     values = matrices_3x3_or_4x4(x, name)
-    for _ in split_into_rigid_chunks(values, values.shape[-2:], name):
-        pass
+    if not few_rigid_matrices(values):
+        for _ in split_into_rigid_chunks(values, values.shape[-2:], name):
+            pass
     return values
 
 
@@ -177,6 +179,20 @@ def split_into_rigid_chunks(values: Array, input_shape: tuple[int, ...], name: s
             first = next(i for i in range(X.shape[-1]) if not _are_rigid(X[..., i : i + 1]))
             raise ValueError(_describe_fault(values, chunk.start + first, name))
         yield chunk, X
+
+
+def few_rigid_matrices(X: Array) -> list[list[float]]:
+    """Return the entries of each matrix, row by row, if X is one or a few rotations or poses that are valid; otherwise [].
+
+    Any other X, a long batch or an invalid one, is left to `split_into_rigid_chunks`.
+
+    >>> few_rigid_matrices(np.eye(3)), few_rigid_matrices(2 * np.eye(3))
+    ([[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]], [])
+    """
+    matrices = few_elements(X, X.shape[-1] ** 2)
+    deviations = columnwise_program(_stacked_deviations, X.shape[-2:])
+    is_rigid = all(abs(x) <= ORTHONORMALITY_TOL for entries in matrices for x in deviations(*entries))
+    return matrices if is_rigid else []
 
 
 def poses(x: ArrayLike, name: str) -> Array:
@@ -255,13 +271,22 @@ _BRIEF = _BriefRepr()
 
 def _are_rigid(X: Array) -> bool:
     """Whether all of (3, 3, m) are rotations, or all of (4, 4, m) are poses."""
-    x, y, z = X[:3, :3]
     # A value that overflows is far from rigid, and so is NaN: a comparison with NaN is false.
     with np.errstate(over="ignore", invalid="ignore"):
-        deviations = [dot(x, x) - 1, dot(y, y) - 1, dot(x, y), cross(x, y) - z]
-        if len(X) == 4:
-            deviations += X[:3, 3], X[3, 3] - 1, 0 * X[3, :3]  # 0 times infinity is NaN
-        return all(np.abs(deviation).max() <= ORTHONORMALITY_TOL for deviation in deviations)
+        return all(np.abs(deviation).max() <= ORTHONORMALITY_TOL for deviation in _deviations(X))
+
+
+def _deviations(X: Array) -> list[Array]:
+    """What is 0 for rotations (3, 3, m) or poses (4, 4, m), in arrays (m,) and (3, m)."""
+    x, y, z = X[:3, :3]
+    deviations = [dot(x, x) - 1, dot(y, y) - 1, dot(x, y), cross(x, y) - z]
+    if len(X) == 4:
+        deviations += X[:3, 3], X[3, 3] - 1, 0 * X[3, :3]  # 0 times infinity is NaN
+    return deviations
+
+
+def _stacked_deviations(X: Array) -> Array:
+    return np.vstack(_deviations(X))
 
 
 def _describe_fault(values: Array, position: int, name: str) -> str:

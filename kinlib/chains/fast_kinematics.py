@@ -56,14 +56,14 @@ class FastKinematics:
         self.constants: Array = inverse(frames[:-1]) @ frames[1:]
         self.programs: dict[str, tuple[PythonProgram, tuple[int, ...]]] = {}
 
-    def is_one_configuration(self, q: ArrayLike) -> TypeGuard[Array]:
-        """Return whether q is a single configuration, as an array, that is known to be valid.
+    def are_few_configurations(self, q: ArrayLike) -> TypeGuard[Array]:
+        """Return whether q is one configuration or a few, as an array, that are known to be valid.
 
-        For any other q the result is false, even for a list or an invalid q: these are validated as batches are.
+        For any other q the result is false, even for a list or an invalid q: these are validated as long batches are.
         """
         return (
             type(q) is np.ndarray  # a subclass may have other semantics, as a masked array has
-            and q.size == self.n
+            and q.size <= FEW_CONFIGURATIONS * self.n
             and q.shape[-1:] == (self.n,)
             and q.dtype.kind in "iuf"
             # If any value is NaN or infinite, so is the sum, and the comparison is false.

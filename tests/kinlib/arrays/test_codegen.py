@@ -9,7 +9,7 @@ import sympy
 from hypothesis import given
 from strategies import ROBOTS, chains_with_values
 
-from kinlib.arrays.codegen import Tracer, trace_to_python
+from kinlib.arrays.codegen import FEW_ELEMENTS, Tracer, columnwise_program, few_elements, trace_to_python
 
 each_robot = pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
 
@@ -31,9 +31,11 @@ def test_what_is_known_beforehand_is_not_computed():
         assert generated_lines(formula) == []
 
 
-@pytest.mark.oracle("text: written out in the test", Tracer.cos, Tracer.sin)
-def test_a_cosine_and_a_sine_are_recorded_by_name():
-    assert [f(Tracer("q1", {})).lines for f in (np.cos, np.sin)] == [{"cos(q1)": "v1"}, {"sin(q1)": "v1"}]
+@pytest.mark.oracle("text: written out in the test", Tracer.cos, Tracer.sin, Tracer.tan, Tracer.sqrt, Tracer.arctan2)
+def test_a_function_is_recorded_by_name():
+    for f in (np.cos, np.sin, np.tan, np.sqrt):
+        assert f(Tracer("q1", {})).lines == {f"{f.__name__}(q1)": "v1"}
+    assert np.arctan2(Tracer("q1", {}), Tracer("q2", {})).lines == {"arctan2(q1, q2)": "v1"}
 
 
 def test_a_product_with_minus_one_is_a_negation():
@@ -65,11 +67,20 @@ def test_each_operation_computes_its_value():
                 4.0 * q[0],
                 q[0] * 4.0,
                 -q[0],
+                q[0] / q[1],
+                q[0] / 4.0,
+                4.0 / q[0],
+                np.sqrt(q[0]),
+                np.tan(q[0]),
+                np.arctan2(q[0], q[1]),
             ]
         ),
         2,
     )
-    assert operations.run(2.0, 3.0) == (5.0, 6.0, 6.0, -1.0, -2.0, 2.0, -2.0, 6.0, -2.0, 8.0, 8.0, -2.0)
+    expected = (5.0, 6.0, 6.0, -1.0, -2.0, 2.0, -2.0, 6.0, -2.0, 8.0, 8.0, -2.0)
+    functions = (2 / 3, 0.5, 2.0, 2**0.5, np.tan(2.0), np.arctan2(2.0, 3.0))
+    assert operations.run(2.0, 3.0) == expected + functions
+    assert {type(value) for value in operations.run(2.0, 3.0)} == {float}
 
 
 @pytest.mark.oracle("sympy", trace_to_python)
@@ -86,6 +97,25 @@ def test_a_program_computes_what_sympy_computes():
     np.testing.assert_allclose(
         trace_to_python(formula, 2).run(0.7, -1.9), np.array(exact, dtype=float)[:, 0], rtol=1e-14
     )
+
+
+@pytest.mark.oracle("numpy", columnwise_program, few_elements)
+def test_a_program_of_a_formula_for_columns_computes_each_element():
+    def formula(X):
+        return X.swapaxes(0, 1) * X[0, 0] + 1
+
+    x = np.random.default_rng(0).normal(size=(FEW_ELEMENTS, 2, 3))
+    elements = few_elements(x, 6)
+    np.testing.assert_array_equal(elements, x.reshape(-1, 6))
+    results = np.reshape([columnwise_program(formula, (2, 3))(*entries) for entries in elements], (-1, 3, 2))
+    np.testing.assert_array_equal(results, np.swapaxes(x, 1, 2) * x[:, :1, :1] + 1)
+
+
+@pytest.mark.parametrize("entry", [np.nan, np.inf, -np.inf, 1.1e8])
+def test_many_elements_and_those_that_could_overflow_are_left_to_arrays(entry):
+    assert few_elements(np.ones((FEW_ELEMENTS + 1, 2)), 2) == []
+    assert few_elements(np.zeros((0, 2)), 2) == []
+    assert few_elements(np.array([[1.0, 2.0], [3.0, entry]]), 2) == []
 
 
 def test_a_program_can_be_pickled():

@@ -193,7 +193,10 @@ NOISE = st.one_of(st.floats(0, 1e-8), st.floats(1e-2, 1.0))
 """Noise on which two libraries agree, whatever their tolerances: rounding errors, or a hundredth and more."""
 
 
-@pytest.mark.oracle("modern_robotics", validation.rotations_or_poses, validation.matrices_3x3_or_4x4, validation.poses)
+@pytest.mark.oracle(
+    *("modern_robotics", validation.rotations_or_poses, validation.matrices_3x3_or_4x4),
+    *(validation.poses, validation.few_rigid_matrices),
+)
 @given(poses(), NOISE, st.integers(0, 99))
 def test_a_matrix_is_accepted_if_and_only_if_modern_robotics_accepts_it(T, size, seed):
     X = T.copy()
@@ -204,10 +207,12 @@ def test_a_matrix_is_accepted_if_and_only_if_modern_robotics_accepts_it(T, size,
     ):
         if is_rigid(Y):
             np.testing.assert_array_equal(read(Y, "X"), Y)
+            np.testing.assert_array_equal(validation.few_rigid_matrices(Y), [Y.ravel()])
             np.testing.assert_array_equal(validation.matrices_3x3_or_4x4(Y, "X"), Y)
         else:
             with pytest.raises(ValueError, match=r"not rigid|reflection"):
                 read(Y, "X")
+            assert validation.few_rigid_matrices(Y) == []
 
 
 @pytest.mark.oracle("pytransform3d", validation.split_into_rigid_chunks)

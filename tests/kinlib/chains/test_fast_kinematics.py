@@ -85,32 +85,35 @@ def test_programs_and_batches_agree_with_modern_robotics(robot):
     close(fast.run_program("body_jacobian", q), body, 1e-12)
 
 
-ONE_CONFIGURATION = {
+FEW_ARRAYS = {
     "one configuration": np.array([1.0, 2, 3]),
     "a batch of one": np.array([[1.0, 2, 3]]),
     "integers": np.array([1, 2, 3], dtype=np.int8),
     "unsigned integers": np.array([1, 2, 3], dtype=np.uint8),
+    "a batch of two": np.array([[1.0, 2, 3]] * 2),
+    "as many as are few": np.ones((2, FEW_CONFIGURATIONS // 2, 3)),
+    "an empty batch": np.empty((0, 3)),
 }
 OTHER = {
     "a list": [1.0, 2, 3],
     "Boolean values": np.array([True, False, True]),
     "objects": np.array([1.0, 2, 3], dtype=object),
-    "a batch of two": np.array([[1.0, 2, 3]] * 2),
-    "an empty batch": np.empty((0, 3)),
+    "a long batch": np.ones((FEW_CONFIGURATIONS + 1, 3)),
 }
 INVALID = {
     "too few values": np.array([1.0, 2]),
     "a column": np.array([[1.0], [2], [3]]),
     "NaN": np.array([1.0, np.nan, 3]),
+    "NaN in a batch of two": np.array([[1.0, 2, 3], [np.nan, 2, 3]]),
     "a rotation too large": np.array([1e9, 0, 0]),
     "complex numbers": np.array([1, 2, 3j]),
 }
 
 
-@pytest.mark.oracle("text: written out in the test", FastKinematics.is_one_configuration)
-@pytest.mark.parametrize("q", [*ONE_CONFIGURATION.values(), *OTHER.values()], ids=[*ONE_CONFIGURATION, *OTHER])
-def test_one_configuration_is_distinguished_from_what_must_be_validated(q):
-    assert robots.rpr()._fast.is_one_configuration(q) is any(q is one for one in ONE_CONFIGURATION.values())
+@pytest.mark.oracle("text: written out in the test", FastKinematics.are_few_configurations)
+@pytest.mark.parametrize("q", [*FEW_ARRAYS.values(), *OTHER.values()], ids=[*FEW_ARRAYS, *OTHER])
+def test_few_configurations_are_distinguished_from_what_must_be_validated(q):
+    assert robots.rpr()._fast.are_few_configurations(q) is any(q is one for one in FEW_ARRAYS.values())
 
 
 @pytest.mark.oracle("text: written out in the test", FastKinematics.run)
@@ -129,7 +132,7 @@ def mr_poses(robot, q):
 
 @pytest.mark.parametrize("q", INVALID.values(), ids=INVALID)
 def test_an_invalid_configuration_is_not_passed_to_a_program(q):
-    assert robots.rpr()._fast.is_one_configuration(q) is False
+    assert robots.rpr()._fast.are_few_configurations(q) is False
 
 
 def test_a_name_without_a_formula_is_refused():

@@ -13,6 +13,7 @@ from scipy.spatial.transform import Rotation
 from strategies import directions, points, poses, rotation_vectors, rotations, twists
 
 from kinlib import adjoint, exp, hat, inverse, log, vee
+from kinlib.arrays.codegen import FEW_ELEMENTS
 from kinlib.rigid.lie import homogeneous, perpendicular
 
 EXACT = 1e-13
@@ -262,12 +263,12 @@ def test_adjoint_carries_twists_as_conjugation_carries_their_matrices(T, x):
     close(exp(adjoint(T) @ x), T @ exp(x) @ inverse(T))
 
 
-@pytest.mark.parametrize("shape", [(), (0,), (1,), (5,), (2, 3), (2, 0, 3), (2, 1, 2)])
+@pytest.mark.parametrize("shape", [(), (0,), (1,), (5,), (2, 3), (2, 0, 3), (2, 1, 2), (FEW_ELEMENTS,), (20, 20)])
 @pytest.mark.parametrize("size", [3, 6])
 def test_a_batch_is_its_elements_one_at_a_time(shape, size):
-    """The hard angles stand side by side in one batch, so that no element lends another its branch."""
-    hard = np.array([twists_of_angle(angle)[0] for angle in (np.pi, 0.0, 1e-12, 1.0)])
-    x = np.resize(hard, (*shape, 6))[..., :size]
+    """The hard angles are side by side in one batch, so that no element affects another: to the last bit, on arrays and alone."""
+    hard = np.concatenate([twists_of_angle(angle) for angle in (np.pi, 0.0, 1e-12, 1.0, 3.1, 1e-200)])
+    x = np.resize(np.random.default_rng(0).permutation(hard), (*shape, 6))[..., :size]
     X = exp(x)
     for f, argument, example in [
         (hat, x, hard[0, :size]),
@@ -279,6 +280,16 @@ def test_a_batch_is_its_elements_one_at_a_time(shape, size):
         assert batch.shape == (*shape, *f(example).shape)
         for index in np.ndindex(shape):
             np.testing.assert_array_equal(batch[index], f(argument[index]))
+
+
+@pytest.mark.parametrize("size", [3, 4])
+def test_every_half_turn_in_a_long_batch_has_the_logarithm_that_it_has_alone(size):
+    """Rotations by exactly pi about axes with equal and zero components, where a tie decides the sign of the axis."""
+    axes = np.array([a for a in itertools.product([-1.0, 0.0, 1.0], repeat=3) if any(a)])
+    X = np.tile(np.eye(size), (len(axes), 1, 1))
+    X[:, :3, :3] = 2 * axes[:, :, None] * axes[:, None] / (axes**2).sum(axis=1)[:, None, None] - np.eye(3)
+    assert len(X) > FEW_ELEMENTS
+    np.testing.assert_array_equal(log(X), [log(one) for one in X])
 
 
 def test_arguments_are_read_and_not_written():
