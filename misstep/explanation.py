@@ -84,7 +84,7 @@ def name_of(mistakes: Sequence[Mistake]) -> str:
 
 
 def message_of(mistakes: Sequence[Mistake], whole: bool) -> str:
-    """Return the message for mistakes that cannot be told apart.
+    r"""Return the message for mistakes that cannot be told apart.
 
     whole  whether they explain the whole answer, rather than a part of it
 
@@ -92,8 +92,11 @@ def message_of(mistakes: Sequence[Mistake], whole: bool) -> str:
     'Several mistakes lead to this answer. Either: You swapped them. Or: You forgot a sign.'
     >>> message_of([Mistake("order", 1, "You swapped them."), Mistake("swap", 1, "You swapped them. The base is first.")], whole=True)
     'You swapped them. The base is first.'
-    >>> message_of([Mistake(name, 1, f"You forgot {name}.") for name in "abcd"], whole=True)
-    'Several mistakes lead to this answer. Either: You forgot a. Or: You forgot b. Or: You forgot c. Or: You made another mistake with the same result.'
+    >>> print(message_of([Mistake(name, 1, f"You forgot {name}.") for name in "abcd"], whole=True).replace(" Or: ", "\nOr: "))
+    Several mistakes lead to this answer. Either: You forgot a.
+    Or: You forgot b.
+    Or: You forgot c.
+    Or: You made another mistake with the same result.
     """
     texts = list(dict.fromkeys(mistake.message if whole else mistake.part for mistake in mistakes))
     # The same sentence with advice behind it says it all.
