@@ -54,6 +54,7 @@ class Chain(validation.ReadOnly):
     name, source     the name of the robot, and the document it is taken from
     limits   (n, 2)  the lower and the upper limit of each joint, infinite where it has none; None: no joint has limits
     joint_names      the n names of the joints in that document; optional
+    link_names       the n + 1 names of its links from the base on, and one more if the tool is a link of its own; optional
 
     Raises ValueError if there are no joints, if the screws are in columns or not normalized, if home is not rigid, if a point
     is not on its axis, or if a lower limit is above the upper one.
@@ -72,6 +73,7 @@ class Chain(validation.ReadOnly):
     source: str = ""
     limits: Array | None = field(default=None, repr=False)
     joint_names: tuple[str, ...] = field(default=(), repr=False)
+    link_names: tuple[str, ...] = field(default=(), repr=False)
 
     if TYPE_CHECKING:  # the constructor takes lists, too, and the attributes are arrays
 
@@ -84,6 +86,7 @@ class Chain(validation.ReadOnly):
             source: str = "",
             limits: ArrayLike | None = None,
             joint_names: tuple[str, ...] = (),
+            link_names: tuple[str, ...] = (),
         ) -> None: ...
 
     def __post_init__(self) -> None:
@@ -101,6 +104,11 @@ class Chain(validation.ReadOnly):
             self._set("limits", _validate_limits(self.limits, len(screws)))
         if self.joint_names and len(self.joint_names) != len(screws):
             raise ValueError(f"joint_names must have {len(screws)} names, one per joint; got {len(self.joint_names)}.")
+        if self.link_names and len(self.link_names) - len(screws) not in (1, 2):
+            raise ValueError(
+                f"link_names must have {len(screws) + 1} names, the base and a link after each joint, or one more for the tool; "
+                f"got {len(self.link_names)}."
+            )
 
     def _set(self, name: str, values: Array) -> None:
         object.__setattr__(self, name, validation.read_only_copy(values))
@@ -384,6 +392,7 @@ class Chain(validation.ReadOnly):
             "source": self.source,
             "limits": limits,
             "joint_names": list(self.joint_names),
+            "link_names": list(self.link_names),
         }
 
     @classmethod
@@ -397,7 +406,7 @@ class Chain(validation.ReadOnly):
         >>> bool((arm.fk([1, 2, 3, 4, 5]) == youbot().fk([1, 2, 3, 4, 5])).all())
         True
         """
-        required, optional = {"screws", "home"}, {"points", "name", "source", "limits", "joint_names"}
+        required, optional = {"screws", "home"}, {"points", "name", "source", "limits", "joint_names", "link_names"}
         if not isinstance(data, dict) or not required <= set(data) <= required | optional:
             given = sorted(map(repr, data)) if isinstance(data, dict) else validation.describe(data)
             raise ValueError(
@@ -410,7 +419,8 @@ class Chain(validation.ReadOnly):
             fields["limits"] = [
                 [end if x is None else x for x, end in zip(pair, infinite, strict=True)] for pair in fields["limits"]
             ]
-        return cls(**fields | {"joint_names": tuple(fields.get("joint_names") or ())})
+        names = {key: tuple(fields.get(key) or ()) for key in ("joint_names", "link_names")}
+        return cls(**fields | names)
 
     @property
     def _limits(self) -> Array:

@@ -10,14 +10,18 @@ A fixed joint contributes a T_i and no screw. Meshes, masses and colours do not 
 """
 
 import os
+from collections.abc import Collection
+from itertools import pairwise
 
 import numpy as np
 
 from kinlib.arrays import validation
 from kinlib.chains.chain import Chain
+from kinlib.rigid.lie import homogeneous
 from kinlib.rigid.rpy import roll_pitch_yaw
-from kinlib.urdf.links_and_joints import MAX_NUMBER
+from kinlib.urdf.links_and_joints import MAX_NUMBER, Coupling, LinkTree, UrdfJoint
 from kinlib.urdf.robot_tree import Tree
+from kinlib.urdf.xml_elements import Element
 
 
 def load_urdf(path_or_text: str | os.PathLike[str], base: str | None = None, tip: str | None = None) -> Chain:
@@ -52,56 +56,88 @@ def load_urdf(path_or_text: str | os.PathLike[str], base: str | None = None, tip
     return Tree.from_urdf(path_or_text).chain(base, tip)
 
 
-def to_urdf(chain: Chain) -> str:
-    """Write a chain as the text of a URDF that load_urdf reads back as the same chain.
+def to_urdf(robot: Chain | Tree) -> str:
+    """Write a chain or a tree as the text of a URDF that load_urdf or Tree.from_urdf reads back as the same robot.
 
-    At home every frame is parallel to {s}, so an axis has the same components as in the base, and an origin is the vector
-    from one joint's point to the next. A fixed joint at the end completes the home pose. Joints without names are called
-    joint_1, joint_2, ... The limits of effort and velocity, which URDF requires and a chain does not have, are 1.
+    At the home position of a chain every frame is parallel to {s}, so an axis has the same components as in the base, and an origin
+    is the vector from one joint's point to the next. A fixed joint at the end completes the home pose, unless the last link of the
+    chain is the tool itself. Joints without names are called joint_1, joint_2, ..., and links base_link, link_1, ..., tool. The
+    limits of effort and velocity, which URDF requires and kinlib does not have, are 1. Meshes and masses are not written.
 
-    Raises ValueError if a joint is helical, because URDF has no such joint, and if names of joints are equal or not printable.
+    Raises ValueError if a joint is helical, because URDF has no such joint, and if names of joints or of links are equal or not
+    printable.
     Source: the URDF specification, "joint".
 
     >>> from kinlib.chains.robots import youbot
     >>> np.allclose(load_urdf(to_urdf(youbot())).screws, youbot().screws, atol=1e-15)
     True
     """
+    tree = robot if isinstance(robot, Tree) else _tree_of_chain(robot)
+    parts = [f"<robot name={_quoted(tree.name)}>", *(f"  <link name={_quoted(link)}/>" for link in tree.links)]
+    for joint in tree.link_tree.parent_joints.values():
+        rotation, position = joint.origin[:3, :3], joint.origin[:3, 3]
+        is_rotated = joint.type == "fixed" or (rotation != np.eye(3)).any()
+        rpy = f' rpy="{_numbers(*roll_pitch_yaw(rotation))}"' if is_rotated else ""
+        parts += [
+            f'  <joint name={_quoted(joint.name)} type="{joint.type}">',
+            f"    <parent link={_quoted(joint.parent)}/> <child link={_quoted(joint.child)}/>",
+            f'    <origin xyz="{_numbers(*position)}"{rpy}/>',
+        ]
+        if joint.axis.any():
+            parts += [f'    <axis xyz="{_numbers(*joint.axis)}"/>']
+        if joint.type in ("revolute", "prismatic"):
+            lower, upper = np.clip(joint.limits, -MAX_NUMBER, MAX_NUMBER)
+            parts += [f'    <limit lower="{_numbers(lower)}" upper="{_numbers(upper)}" effort="1" velocity="1"/>']
+        if joint.mimic:
+            multiplier, offset = map(_numbers, joint.mimic[1:])
+            parts += [f'    <mimic joint={_quoted(joint.mimic.joint)} multiplier="{multiplier}" offset="{offset}"/>']
+        parts += ["  </joint>"]
+    return "\n".join([*parts, "</robot>\n"])
+
+
+def _tree_of_chain(chain: Chain) -> Tree:
     if "H" in chain.joint_types:
         raise ValueError(
             f"The joints must be revolute or prismatic, because URDF has no helical joint; "
             f"joint {chain.joint_types.index('H') + 1} of {chain.name} is helical."
         )
-    names = chain.joint_names or tuple(f"joint_{i + 1}" for i in range(chain.n))
-    if len(set(names)) < chain.n:
-        raise ValueError(
-            f"The names of the joints must be different; got {', '.join(names)}. Pass other joint_names to the chain."
-        )
-    weld = next(name for name in ("weld", *(f"weld_{i}" for i in range(chain.n))) if name not in names)
-    links = ["base_link", *(f"link_{i + 1}" for i in range(chain.n)), "tool"]
+    names = list(chain.joint_names or (f"joint_{i + 1}" for i in range(chain.n)))
+    links = list(chain.link_names or ("base_link", *(f"link_{i + 1}" for i in range(chain.n)), "tool"))
+    for what, given in (("joint", names), ("link", links)):
+        if len(set(given)) < len(given):
+            raise ValueError(
+                f"The names of the {what}s must be different; got {', '.join(given)}. Pass other {what}_names to the chain."
+            )
     limits = np.full((chain.n, 2), (-np.inf, np.inf)) if chain.limits is None else chain.limits
-    steps = np.diff([np.zeros(3), *chain.joint_points, chain.home[:3, 3]], axis=0)
-    parts = [f"<robot name={_quoted(chain.name)}>", *(f'  <link name="{link}"/>' for link in links)]
-    for i, axis in enumerate(chain.lines.axis):
-        is_unlimited = chain.joint_types[i] == "R" and np.isinf(limits[i]).all()
-        kind = "continuous" if is_unlimited else "revolute" if chain.joint_types[i] == "R" else "prismatic"
-        lower, upper = np.clip(limits[i], -MAX_NUMBER, MAX_NUMBER)
-        parts += [
-            f'  <joint name={_quoted(names[i])} type="{kind}">',
-            f'    <parent link="{links[i]}"/> <child link="{links[i + 1]}"/>',
-            f'    <origin xyz="{_numbers(*steps[i])}"/>',
-            f'    <axis xyz="{_numbers(*axis)}"/>',
-        ]
-        if not is_unlimited:
-            parts += [f'    <limit lower="{_numbers(lower)}" upper="{_numbers(upper)}" effort="1" velocity="1"/>']
-        parts += ["  </joint>"]
-    parts += [
-        f'  <joint name="{weld}" type="fixed">',
-        f'    <parent link="{links[-2]}"/> <child link="{links[-1]}"/>',
-        f'    <origin xyz="{_numbers(*steps[-1])}" rpy="{_numbers(*roll_pitch_yaw(chain.home[:3, :3]))}"/>',
-        "  </joint>",
-        "</robot>\n",
+    kinds = [
+        "prismatic" if letter == "P" else "revolute" if np.isfinite(pair).any() else "continuous"
+        for letter, pair in zip(chain.joint_types, limits, strict=True)
     ]
-    return "\n".join(parts)
+    steps = np.diff([np.zeros(3), *chain.joint_points, chain.home[:3, 3]], axis=0)
+    origins = [*homogeneous(np.eye(3), steps[:-1]), homogeneous(chain.home[:3, :3], steps[-1])]
+    axes = [*chain.lines.axis, np.zeros(3)]
+    limits = np.append(limits, [(-np.inf, np.inf)], axis=0)
+    if len(links) == chain.n + 1 and not steps[-1].any():
+        # The tool is the frame of the last joint, so this joint's own frame has the rotation of the home pose.
+        axes[-2:] = [chain.home[:3, :3].T @ axes[-2]]
+        origins[-2:] = [origins[-2] @ origins[-1]]
+    else:
+        links[-1:-1] = [_unused(f"link_{chain.n}", links)] if len(links) == chain.n + 1 else []
+        names, kinds = [*names, _unused("weld", names)], [*kinds, "fixed"]
+    joints = [
+        UrdfJoint(Element("joint", 0, {"name": name}), name, kind, parent, child, T, axis, (lower, upper), None)
+        for name, kind, (parent, child), T, axis, (lower, upper) in zip(
+            names, kinds, pairwise(links), origins, axes, limits, strict=False
+        )
+    ]
+    couplings = {name: Coupling(name, 1.0, 0.0) for name in names[: chain.n]}
+    elements = {link: Element("link", 0, {"name": link}) for link in links}
+    return Tree(chain.name, LinkTree(elements, {joint.child: joint for joint in joints}, couplings))
+
+
+def _unused(name: str, names: Collection[str]) -> str:
+    """The name itself if it is not used, otherwise with a number."""
+    return next(one for one in (name, *(f"{name}_{i}" for i in range(len(names)))) if one not in names)
 
 
 def _numbers(*values: float) -> str:

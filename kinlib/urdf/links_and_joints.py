@@ -215,7 +215,7 @@ def _joint(element: Element, links: Mapping[str, Element]) -> UrdfJoint:
     if kind not in JOINT_TYPES:
         raise element.error(f'type must be one of {", ".join(JOINT_TYPES)}; got "{kind}".')
     parent, child = (_end(element, tag, links) for tag in ("parent", "child"))
-    axis = _axis(element) if kind in MOVING_TYPES else np.zeros(3)
+    axis = _axis(element) if kind in (*MOVING_TYPES, "planar") else np.zeros(3)
     limits = _limits(element, kind) if kind in {"revolute", "prismatic"} else (-np.inf, np.inf)
     return UrdfJoint(element, name, kind, parent, child, _origin(element), axis, limits, _mimic(element, kind))
 

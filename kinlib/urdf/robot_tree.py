@@ -287,7 +287,7 @@ class Tree(validation.ReadOnly):
         """
         base = self.root if base is None else base
         tip = _only_tip(self.link_tree, base) if tip is None else tip
-        T, screws, points, moving = np.eye(4), [], [], []
+        T, screws, points, moving, links = np.eye(4), [], [], [], [base]
         for joint, sign in self._path(base, tip):
             # The axis is given in the joint frame: the frame after this joint if the path goes down, and before it if it goes up.
             before, T = T, T @ (joint.origin if sign > 0 else inverse(joint.origin))
@@ -297,6 +297,7 @@ class Tree(validation.ReadOnly):
                 screws.append(screw(axis, point, np.inf if joint.type == "prismatic" else 0.0))
                 points.append(point)
                 moving.append(joint)
+                links.append(joint.child if sign > 0 else joint.parent)
         if not moving:
             raise self.link_tree.links[tip].error(
                 f"a joint must move between base and tip; none does between {base} and {tip}. Their constant pose is "
@@ -319,7 +320,13 @@ class Tree(validation.ReadOnly):
         )
         signs, shifts = np.array([[multiplier, offset] for _, multiplier, offset in couplings]).T
         limits = self.limits[[self._numbers[driver] for driver in drivers]]
-        named = replace(chain, joint_names=tuple(drivers), limits=limits if np.isfinite(limits).any() else None)
+        links += [tip] if links[-1] != tip else []
+        named = replace(
+            chain,
+            joint_names=tuple(drivers),
+            link_names=tuple(links),
+            limits=limits if np.isfinite(limits).any() else None,
+        )
         if not any(joint.mimic for joint in moving):
             return named
         # Where the independent joints are 0, the mimic joints have the values of their offsets: the chain is at home there.

@@ -28,7 +28,7 @@ MODULES = {
         *("kinlib.mechanisms.joints", "kinlib.mechanisms.mechanism", "kinlib.mechanisms.closure"),
         *("kinlib.mechanisms.mobility", "kinlib.mechanisms.linkages"),
     ],
-    "Files and symbols": ["kinlib.urdf.chains", "kinlib.symbolic"],
+    "Files and symbols": ["kinlib.urdf.chains", "kinlib.urdf.robot_tree", "kinlib.symbolic"],
     "Figures": ["kinlib.view", "kinlib.view.drawing.picture", "kinlib.view.viewer.viewer"],
     "The course": ["kincourse"],
     "The engine": ["misstep", "misstep.sheet", "misstep.questions.widget", "misstep.problem", "misstep.verdict"],

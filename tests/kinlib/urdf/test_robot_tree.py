@@ -2,6 +2,7 @@
 
 import copy
 import pickle
+from dataclasses import replace
 from xml.etree import ElementTree as ET
 
 import numpy as np
@@ -12,7 +13,7 @@ from strategies import poses as any_pose
 from urdf_files import ARMS, link_poses_by_pinocchio, poses_by_pinocchio, trees, urdf_text
 
 import kinlib as kl
-from kinlib import Tree
+from kinlib import Tree, to_urdf
 
 CLOSE = 1e-9
 
@@ -221,6 +222,83 @@ def test_a_file_with_a_faulty_mimic_joint_is_refused(old, new, said):
     with pytest.raises(ValueError, match=said):
         Tree.from_urdf(HAND.replace(old, new))
 
+
+# --- write and read back ---
+
+
+@pytest.mark.oracle("pinocchio", to_urdf)
+@settings(max_examples=60)
+@given(trees(mimic=True))
+def test_a_tree_is_read_back_from_its_file(drawn):
+    tree = Tree.from_urdf(drawn[0])
+    text = to_urdf(tree)
+    back = Tree.from_urdf(text)
+    q = np.random.default_rng(3).uniform(-3, 3, (2, tree.n))
+    assert (back.name, back.links, back.joint_names, back.moving_joint_names, str(back)) == (
+        *(tree.name, tree.links, tree.joint_names, tree.moving_joint_names),
+        str(tree),
+    )
+    for part in ("coupling", "offsets", "limits"):
+        np.testing.assert_array_equal(getattr(back, part), getattr(tree, part))
+    theirs = link_poses_by_pinocchio(text, tree.moving_joint_names, tree.joint_values(q))
+    assert_equal_poses(tree.poses(q), theirs)
+    assert_equal_poses(back.poses(q), theirs)
+
+
+@settings(max_examples=60)
+@given(trees())
+def test_a_chain_keeps_the_names_of_its_links(drawn):
+    text, base, tip = drawn
+    try:
+        chain = kl.load_urdf(text, base, tip)
+    except ValueError:
+        return
+    assert (chain.link_names[0], chain.link_names[-1]) == (base, tip)
+    written = Tree.from_urdf(to_urdf(chain))
+    back = written.chain(base, tip)
+    q = np.random.default_rng(4).uniform(-3, 3, (2, chain.n))
+    np.testing.assert_allclose(back.fk(q), chain.fk(q), rtol=0, atol=1e-12)
+    # Where the path goes up to its tip, the frame of the tip is not at the last joint, and it becomes a link of its own.
+    assert set(chain.link_names) <= set(written.links)
+    assert back.link_names == chain.link_names or len(written.links) == chain.n + 2 == len(chain.link_names) + 1
+
+
+@pytest.mark.parametrize(
+    ("names", "written", "joints"),
+    [
+        ((), ["base_link", "link_1", "link_2", "link_3", "tool"], 4),
+        (("a", "b", "c", "d", "e"), ["a", "b", "c", "d", "e"], 4),
+        (("a", "b", "c", "d"), ["a", "b", "c", "link_3", "d"], 4),
+        (("a", "link_3", "c", "d"), ["a", "link_3", "c", "link_3_0", "d"], 4),
+    ],
+)
+def test_the_links_of_a_file_have_the_names_of_the_chain(names, written, joints):
+    text = to_urdf(replace(kl.robots.rpr(), link_names=names))
+    assert list(Tree.from_urdf(text).links) == written
+    assert text.count("<joint ") == joints
+    np.testing.assert_allclose(kl.load_urdf(text).home, kl.robots.rpr().home, atol=1e-15)
+
+
+def test_the_names_of_the_links_of_a_chain_are_counted_and_different():
+    arm = kl.robots.rpr()
+    with pytest.raises(
+        ValueError, match=r"link_names must have 4 names, the base and .* or one more for the tool; got 3"
+    ):
+        replace(arm, link_names=("a", "b", "c"))
+    with pytest.raises(ValueError, match=r"names of the links must be different; got a, b, b, d\. Pass other link_names"):
+        to_urdf(replace(arm, link_names=("a", "b", "b", "d")))
+
+
+def test_a_file_of_planar_floating_and_mimic_joints_is_read_back():
+    for text, q, more in ((HAND, [0.3], {}), (ROVER, [0.4], {"float": np.eye(4), "skid": np.eye(4)})):
+        tree = Tree.from_urdf(text)
+        back = Tree.from_urdf(to_urdf(tree))
+        assert str(back) == str(tree)
+        assert_equal_poses(back.poses(q, joint_poses=more), tree.poses(q, joint_poses=more))
+    assert '<axis xyz="0 0 1"/>' in to_urdf(back).partition('name="skid"')[2].partition("</joint>")[0]
+
+
+# --- planar and floating joints ---
 
 ROVER = """<robot name="rover"> <link name="world"/> <link name="body"/> <link name="raft"/> <link name="mast"/>
   <joint name="float" type="floating"> <parent link="world"/> <child link="body"/> <origin xyz="0 0 1"/> </joint>

@@ -69,7 +69,10 @@ def test_a_shipped_arm_gets_a_dh_table(name, convention):
 def test_a_shipped_arm_is_unchanged_by_to_urdf_and_load_urdf(name):
     chain = arm(name)
     assert chain.limits.shape == (chain.n, 2)
-    assert_same(load_urdf(to_urdf(chain)), chain)
+    back = load_urdf(to_urdf(chain))
+    assert_same(back, chain)
+    assert back.link_names == chain.link_names
+    assert {*chain.link_names} <= {*kl.Tree.from_urdf(urdf_text(name)).links}
 
 
 @pytest.mark.oracle("pytransform3d", load_urdf)
