@@ -18,6 +18,9 @@ FUNCTIONS = tuple(name for name in parsing.FUNCTIONS if name not in {"abs", "Mat
 
 CONSTANTS = ("pi", "E", "I")
 
+MAX_VALUE = 10**12
+"""The largest absolute value of a number in a power or a function: the sine of exp(exp(30)) would take SymPy hours."""
+
 
 def expression(text: str) -> Any:
     """Read the text of a SymPy expression, as `str` writes it.
@@ -55,12 +58,14 @@ class SymbolicAlgebra:
         """Apply an operation. Raises ValueError for a power of numbers that is too large to compute."""
         if operation is operator.pow:
             base, exponent = values
-            if base.is_number and exponent.is_number and not (abs(exponent) <= MAX_EXPONENT and abs(base) <= 10**12):
+            if base.is_number and exponent.is_number and not (abs(exponent) <= MAX_EXPONENT and abs(base) <= MAX_VALUE):
                 raise ValueError(f"A power of numbers goes up to {MAX_EXPONENT} here.")
         return operation(*values)
 
     def call(self, function: str, arguments: Sequence[Any]) -> Any:
-        """Call SymPy's function of this name."""
+        """Call SymPy's function of this name. Raises ValueError for a number as argument that is too large to compute with."""
         import sympy as sp
 
+        if not all(abs(number) <= MAX_VALUE for number in arguments if number.is_number):
+            raise ValueError(f"The argument of {function} is a number beyond {MAX_VALUE:.0e}.")
         return getattr(sp, function)(*arguments)

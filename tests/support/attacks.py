@@ -157,6 +157,11 @@ for descriptor in range(3, 300):
     "another student's answers are handed in": """
 answers = {replayed}
 """,
+    "the emission takes hours to read": """
+import misstep.sheet as s
+texts = ["sign(sin(exp(exp(exp(4)))))", "sin(exp(exp(30)))**2", "cos(10**9**9)", "log(exp(exp(exp(9))))"] * 3
+s.to_data = lambda *a, **k: {"symbolic": texts.pop()}
+""",
     # --- looking for the answers ---
     "the library is asked": """
 import importlib, sys
@@ -309,6 +314,13 @@ for _ in range(5): threading.Thread(target=patch, daemon=False).start()
 hoard = np.ones(20 * 2**27)
 more = [bytearray(2**30) for _ in range(20)]
 """,
+    "calls by the numbers of i386": """
+import ctypes, mmap
+page = mmap.mmap(-1, 4096, prot=7)
+page.write(bytes.fromhex("b814000000cd80c3"))  # getpid
+ctypes.CFUNCTYPE(ctypes.c_int)(ctypes.addressof(ctypes.c_char.from_buffer(page)))()
+print("NEIGHBOUR-CANARY")
+""",
     "a fork bomb": """
 import os
 while True: os.fork()
@@ -351,6 +363,119 @@ for call in (lambda: libc.setuid(0), lambda: libc.unshare(0x10000000), lambda: l
 os.setuid(0)
 """,
 }
+
+
+HOARD = """
+import ctypes, mmap, os, socket, array, fcntl
+import numpy as np
+MB = 1 << 20
+kept, held = [], 0
+
+def keep(thing, size):
+    global held
+    kept.append(thing)
+    held += size
+
+def until_refused(take):
+    try:
+        while held < {most} * MB: take()
+    except (OSError, MemoryError, AttributeError, ValueError): pass
+"""
+"""What the ways to hold memory share. {most} is where they stop if nothing stops them, in MB."""
+
+WAYS_TO_HOLD_MEMORY = {
+    "files that only descriptors hold": """
+def take():
+    descriptor = os.memfd_create("x")
+    keep(descriptor, os.write(descriptor, bytes(16 * MB)))
+until_refused(take)
+def take():
+    libc = ctypes.CDLL(None, use_errno=True)
+    descriptor = libc.syscall(447, 0)
+    os.ftruncate(descriptor, MB)
+    keep(mmap.mmap(descriptor, MB), MB)
+until_refused(take)
+""",
+    "descriptors in flight": """
+def take():
+    one, other = socket.socketpair()
+    for _ in range(8):
+        try: descriptor = os.memfd_create("x")
+        except OSError: descriptor = os.open("parked", os.O_CREAT | os.O_RDWR)
+        size = os.write(descriptor, bytes(16 * MB))
+        socket.send_fds(one, [b"x"], [descriptor])
+        os.close(descriptor)
+        keep((one, other), size)
+until_refused(take)
+""",
+    "files in memory": """
+def take_in(folder):
+    def take():
+        file = open(f"{folder}/{len(kept)}", "wb", 0)
+        for _ in range(8): keep(file, file.write(bytes(MB)))
+    return take
+for folder in ("/dev/shm", "/tmp", "/scratch", "/run", "/var/tmp"):
+    until_refused(take_in(folder))
+""",
+    "shared memory over forks": """
+def take():
+    memory = mmap.mmap(-1, 16 * MB)
+    memory.write(bytes(16 * MB))
+    if os.fork() == 0:
+        import time
+        time.sleep(3)
+        os._exit(0)
+    memory.close()
+    keep(None, 16 * MB)
+until_refused(take)
+def take():
+    memory = mmap.mmap(-1, 16 * MB)
+    memory.write(bytes(16 * MB))
+    keep(memory, 16 * MB)
+until_refused(take)
+""",
+    "segments and queues of System V and POSIX": """
+libc = ctypes.CDLL(None, use_errno=True)
+libc.shmat.restype = ctypes.c_void_p
+def take():
+    segment = libc.shmget(0, 16 * MB, 0o1600)
+    address = libc.shmat(segment, None, 0)
+    if segment < 0 or address == ctypes.c_void_p(-1).value: raise OSError
+    ctypes.memset(address, 1, 16 * MB)
+    libc.shmdt(ctypes.c_void_p(address))
+    keep(segment, 16 * MB)
+until_refused(take)
+from multiprocessing.shared_memory import SharedMemory
+def take():
+    memory = SharedMemory(create=True, size=16 * MB)
+    memory.buf[:] = bytes(16 * MB)
+    keep(memory, 16 * MB)
+until_refused(take)
+""",
+    "pipes": """
+def take():
+    end, begin = os.pipe()
+    os.set_blocking(begin, False)
+    try: fcntl.fcntl(begin, 1031, MB)
+    except OSError: pass
+    keep((end, begin), os.write(begin, bytes(MB)))
+until_refused(take)
+""",
+    "arrays in several processes": """
+def take():
+    keep(np.ones(MB), 8 * MB)
+def fork():
+    if os.fork():
+        return keep(None, 64 * MB)
+    hoard = bytearray(64 * MB)
+    import time
+    time.sleep(3)
+    os._exit(0)
+until_refused(fork)
+until_refused(take)
+""",
+}
+"""Each adds what it holds at the same time to `held`. The limit must hold for each of them, and for all of them together."""
 
 
 def source(name, **places):

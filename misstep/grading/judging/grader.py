@@ -23,8 +23,8 @@ from misstep.grading.sandbox.limits import Limits, SandboxUnavailable
 from misstep.grading.sandbox.rpc import ProcessEnded, Worker
 from misstep.grading.sandbox.runner import Runner, RunOutcome
 
-JUDGE_SECONDS = 60.0
-"""How long the judge may take for a sheet, and, if that fails, for each problem alone."""
+JUDGE_SECONDS = 600.0
+"""How long the judge may take for a sheet. It limits the processor time of each answer itself; this is for a fault in it."""
 
 MAX_RUNS = 4
 """How often the cells of one submission are run, each time without one more cell that ended the process."""
@@ -190,26 +190,22 @@ class Grader:
         return answer["seed"], answer["sheet"]
 
     def _verdicts(self, student: str, seed: int, answers: Mapping[str, Any]) -> dict[str, Any]:
-        """Judge the answers together; if that fails, one by one, so that a fault in one answer costs one problem."""
-        message = {"request": "verdicts", "student": student, "seed": seed, "site": self.sheet.site}
-        together = self._ask_judge({**message, "answers": answers})
-        if "verdicts" in together:
-            return dict(together["verdicts"])
-        verdicts = {}
-        for k, answer in answers.items():
-            alone = self._ask_judge({**message, "answers": {k: answer}})
-            verdicts[k] = alone.get("verdicts", {}).get(k) or NOT_JUDGED
-        return verdicts
+        message = {"request": "verdicts", "student": student, "seed": seed, "site": self.sheet.site, "answers": answers}
+        return dict(self._ask_judge(message).get("verdicts") or dict.fromkeys(answers, NOT_JUDGED))
 
     def _ask_judge(self, message: Mapping[str, Any]) -> dict[str, Any]:
-        """Send a request to the judge. If the judge has ended, it is restarted, and the answer has the key "error"."""
-        with self._judge_lock:  # one request at a time, so that waiting does not count as judging
+        """Send a request to the judge. If the judge has ended, it is restarted once; the answer may have the key "error"."""
+        for _ in range(2):
+            judge = self._judge
             try:
-                return self._judge.request({**message, "sheet": self.sheet.name}, JUDGE_SECONDS)
+                return judge.request({**message, "sheet": self.sheet.name}, JUDGE_SECONDS)
             except ProcessEnded as error:
-                self._judge.stop()
-                self._judge = self._start_judge()
-                return {"error": str(error)}
+                reason = str(error)
+                with self._judge_lock:
+                    if self._judge is judge:
+                        judge.stop()
+                        self._judge = self._start_judge()
+        return {"error": reason}
 
 
 def _zero_points(state: str, text: str) -> dict[str, Any]:
@@ -226,7 +222,7 @@ def _zero_points(state: str, text: str) -> dict[str, Any]:
 
 
 NO_ANSWER = _zero_points("missing", "No answer was received for this problem.")
-NOT_JUDGED = _zero_points("unreadable", "This answer could not be judged within its time limit.")
+NOT_JUDGED = _zero_points("unreadable", "This answer could not be judged. Please tell your instructor.")
 
 
 def _status(plan: RunPlan, outcome: RunOutcome, parsed: ParsedOutput) -> tuple[str, str]:

@@ -9,16 +9,25 @@ problems. "redacted sheet" returns a student's sheet without answers, and a seed
 are drawn anew in every run. "verdicts" judges answers; the request has the seed of the redacted sheet, and the address of the
 course's site.
 
+The answers of each submission are judged in a process forked for them, so any number of submissions are judged at the same
+time. The kernel ends that process if one answer takes longer than ANSWER_SECONDS, also inside a single call of C code; the
+answers after it are judged in the next process. So a slow answer costs its own problem, and no other.
+
 It runs in the folder of the sheet, because a robot's own sheet is described by a file there.
 """
 
+import fcntl
+import json
 import os
 import secrets
 import signal
 import sys
-from collections.abc import Mapping
-from functools import lru_cache
-from typing import Any
+import tempfile
+from collections.abc import Callable, Mapping
+from contextlib import suppress
+from functools import lru_cache, partial
+from importlib import import_module
+from typing import Any, NoReturn
 
 from misstep.catalog import Course, find_course
 from misstep.display.card import Link
@@ -34,8 +43,8 @@ from misstep.storage.serialize import to_data
 from misstep.verdict import Verdict, observation
 
 ANSWER_SECONDS = 4.0
-"""Processor time for one answer, so that a busy machine changes no verdict. The slowest answers that people give, tables that
-no mistake explains, take a tenth of it."""
+"""Processor time for all that is done with one answer, reading included. It is no wall-clock time, so that a busy machine
+changes no verdict. The slowest answers that people give, tables that no mistake explains, take a tenth of it."""
 
 MEMORY_BYTES = 2 << 30
 """The most memory that the judge may use, because a short answer may need a lot of memory to read."""
@@ -51,10 +60,59 @@ def verdicts(
     course: Course, sheet: Sheet, student: str, seed: int, answers: Mapping[str, Any], *, site: str = ""
 ) -> dict[str, Any]:
     """Judge the answers, by problem number as text: "1" is the first. A problem without an answer is blank."""
-    problems = _problems(course, sheet, student, seed)
+    return {k: verdict() for k, verdict in _tasks(course, sheet, student, seed, answers, site=site).items()}
+
+
+def verdicts_apart(
+    course: Course, sheet: Sheet, student: str, seed: int, answers: Mapping[str, Any], *, site: str = ""
+) -> dict[str, Any]:
+    """The same in a forked process. If an answer ends it, those that are left are judged in another one.
+
+    Raises RuntimeError if a process ends although the answer that ended the one before is no longer read.
+    """
+    tasks, done, late = _tasks(course, sheet, student, seed, answers, site=site), dict[str, Any](), set[str]()
+    while True:
+        inbox, outbox = os.pipe()
+        if not (child := os.fork()):
+            _judge_in_turn(outbox, {k: task for k, task in tasks.items() if k not in done})
+        os.close(outbox)
+        with os.fdopen(inbox, "rb") as stream:
+            while (message := receive_message(stream)) is not None:
+                done |= message
+        _, status = os.waitpid(child, 0)
+        if (culprit := next((k for k in tasks if k not in done), None)) is None:
+            return done
+        if culprit in late:
+            raise RuntimeError(f"The process that judges ended twice at problem {culprit}.")
+        late.add(culprit)
+        is_slow = os.waitstatus_to_exitcode(status) == -signal.SIGPROF
+        why = f"takes more than {ANSWER_SECONDS:g} s to judge" if is_slow else "ends the process that judges it"
+        tasks[culprit] = partial(tasks[culprit], data={"other": f"an answer that {why}"})
+
+
+def _judge_in_turn(outbox: int, tasks: Mapping[str, Callable[[], dict[str, Any]]]) -> NoReturn:
+    """Write each verdict as soon as it is there, and exit. The kernel ends this process if one of them takes too long."""
+    try:
+        with os.fdopen(outbox, "wb") as stream:
+            for k, task in tasks.items():
+                signal.setitimer(signal.ITIMER_PROF, ANSWER_SECONDS)
+                message = encode_message({k: task()})
+                signal.setitimer(signal.ITIMER_PROF, 0)
+                stream.write(message)
+                stream.flush()
+    finally:
+        os._exit(0)
+
+
+def _tasks(
+    course: Course, sheet: Sheet, student: str, seed: int, answers: Mapping[str, Any], *, site: str
+) -> dict[str, Callable[[], dict[str, Any]]]:
+    """For each problem, the function that judges its answer."""
     return {
-        str(k): _verdict(template, problem, answers.get(str(k)), page_address(template.lecture, site))
-        for k, (template, problem) in enumerate(zip(sheet.problems, problems, strict=True), start=1)
+        str(k): partial(_verdict, template, problem, page_address(template.lecture, site), data=answers.get(str(k)))
+        for k, (template, problem) in enumerate(
+            zip(sheet.problems, _problems(course, sheet, student, seed), strict=True), start=1
+        )
     }
 
 
@@ -68,7 +126,7 @@ def _variants(course: Course, sheet: str, student: str) -> list[Problem]:
     return [template.variant(student) for template in course.find_sheet(sheet).problems]
 
 
-def _verdict(template: Template, problem: Problem, data: Any, address: str) -> dict[str, Any]:
+def _verdict(template: Template, problem: Problem, address: str, *, data: Any) -> dict[str, Any]:
     verdict = Verdict(template, _judge_answer(problem, data), address=address)
     card, seen = verdict.card, observation(template, problem, [verdict.judgement])
     return {
@@ -85,13 +143,12 @@ def _verdict(template: Template, problem: Problem, data: Any, address: str) -> d
 
 
 def _judge_answer(problem: Problem, data: Any) -> Judgement:
-    """Judge one answer within its processor time. An answer that takes longer, or raises an error, is unreadable."""
+    """Judge one answer. An answer that raises an error is unreadable."""
     answer = problem.answer
     try:
-        value = from_data(data)  # before the clock starts, because the first formula imports SymPy
+        value = from_data(data)
         if isinstance(value, Opaque):
             return _unreadable(problem, f"Expected {answer.expected}; got {value}.")
-        signal.setitimer(signal.ITIMER_PROF, ANSWER_SECONDS)
         return judge(problem, value)
     except Malformed as error:
         return _unreadable(problem, f"The data of this answer has no known form. {error}")
@@ -99,16 +156,10 @@ def _judge_answer(problem: Problem, data: Any) -> Judgement:
         return _unreadable(
             problem, f"Expected {answer.expected}; the answer could not be judged: {type(error).__name__}."
         )
-    finally:
-        signal.setitimer(signal.ITIMER_PROF, 0)
 
 
 def _unreadable(problem: Problem, message: str) -> Judgement:
     return Judgement("unreadable", findings=[Finding(problem.answer.parts, message)])
-
-
-def _raise_timeout(*_: Any) -> None:
-    raise TimeoutError(f"more than {ANSWER_SECONDS:g} s of processor time")
 
 
 def _respond(course: Course, message: Mapping[str, Any]) -> dict[str, Any]:
@@ -119,21 +170,41 @@ def _respond(course: Course, message: Mapping[str, Any]) -> dict[str, Any]:
         if message["request"] == "redacted sheet":
             return redacted_sheet(course, sheet, message["student"])
         arguments = (message[name] for name in ("student", "seed", "answers"))
-        return {"verdicts": verdicts(course, sheet, *arguments, site=message["site"])}
+        return {"verdicts": verdicts_apart(course, sheet, *arguments, site=message["site"])}
     except Exception as error:  # whatever error an answer causes, the next message is about another student
         return {"error": f"{type(error).__name__}: {error}"[:500]}
 
 
 def main(course_reference: str) -> None:
-    """Answer requests until stdin ends."""
+    """Answer requests until stdin ends: verdicts each in a process of their own, the others at once."""
     course = find_course(course_reference)
     set_resource_limits({"AS": MEMORY_BYTES})
     inbox, outbox = sys.stdin.buffer, os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # what a library prints must not mix with the messages
-    signal.signal(signal.SIGPROF, _raise_timeout)
-    while (message := receive_message(inbox)) is not None:
-        outbox.write(encode_message({**_respond(course, message), "id": message["id"]}))
-        outbox.flush()
+    signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # the kernel clears away the processes that have answered
+    with tempfile.TemporaryFile() as lock:  # several processes write to the same pipe
+        while (message := receive_message(inbox)) is not None:
+            is_apart = message["request"] == "verdicts"
+            if is_apart:
+                _prepare(course, message)
+            if not is_apart or os.fork() == 0:
+                signal.signal(signal.SIGCHLD, signal.SIG_DFL if is_apart else signal.SIG_IGN)
+                answer = encode_message({**_respond(course, message), "id": message["id"]})
+                fcntl.lockf(lock, fcntl.LOCK_EX)
+                outbox.write(answer)
+                outbox.flush()
+                fcntl.lockf(lock, fcntl.LOCK_UN)
+                if is_apart:
+                    os._exit(0)
+
+
+def _prepare(course: Course, message: Mapping[str, Any]) -> None:
+    """Do before the fork what the next submissions need, too: draw the variants, and import SymPy for the first formula."""
+    with suppress(Exception):  # the answer to the request has the error
+        _variants(course, message["sheet"], message["student"])
+        text = json.dumps(message["answers"])
+        if '"symbolic"' in text or '"matrix"' in text:
+            import_module("sympy")
 
 
 if __name__ == "__main__":

@@ -5,11 +5,18 @@ The server forks it with two pipes. The function `run_child` never returns.
 
 import json
 import os
+import signal
+import socket
+import sys
 import tempfile
+from contextlib import suppress
+from functools import partial
 
+from misstep.grading.sandbox import libc_calls
 from misstep.grading.sandbox.confine import Confinement, find_leaks, limit_resources
 from misstep.grading.sandbox.course_stub import CourseStub
 from misstep.grading.sandbox.limits import Limits, SandboxUnavailable
+from misstep.grading.sandbox.memory import process_tree
 from misstep.grading.sandbox.redacted_sheet import load_redacted
 from misstep.grading.sandbox.run_cells import SubmissionShell, encode_line, run_cells, write_all
 
@@ -26,6 +33,8 @@ def run_child(
     inbox        the descriptor of the pipe with the message
     outbox       the descriptor of the pipe for the outputs
     """
+    if not confinement and sys.platform == "linux":
+        _supervise(inbox, outbox)
     os.setsid()  # signals to a process group cross pid namespaces, so this process must not share the grader's group
     inbox, outbox = _keep_only(inbox, outbox)
     with os.fdopen(inbox, "rb") as stream:
@@ -40,12 +49,42 @@ def run_child(
     except SandboxUnavailable as error:
         write_all(outbox, encode_line({"unavailable": str(error)}))
         os._exit(0)
+    os.closerange(3, PIPE_DESCRIPTOR)  # Landlock leaves one open
     if "probe" in message:
         write_all(outbox, encode_line({"leaks": find_leaks(confinement.hidden) if confinement else []}))
         os._exit(0)
+    socket.socketpair = _pipe_pair  # type: ignore[assignment]
     stub.set_sheet(load_redacted(message.pop("sheet")))
     run_cells(shell, message.pop("cells"), limits.cell_seconds, lambda record: write_all(outbox, encode_line(record)))
     os._exit(0)
+
+
+def _supervise(*descriptors: int) -> None:
+    """Return in a new process. This one stays behind, ends what the submission has started and left, and ends as it ended.
+
+    Without a sandbox there is no pid namespace, whose processes all end with the first.
+    """
+    libc_calls.adopt_orphans()
+    if not (child := os.fork()):
+        return
+    for descriptor in descriptors:
+        os.close(descriptor)
+    signal.signal(signal.SIGTERM, lambda *_: _kill(child))
+    _, status = os.waitpid(child, 0)
+    signal.signal(signal.SIGTERM, signal.SIG_IGN)
+    with suppress(ChildProcessError):
+        while True:
+            for process in process_tree(os.getpid())[1:]:
+                _kill(process)
+            os.wait()
+    if (code := os.waitstatus_to_exitcode(status)) < 0:
+        os.kill(os.getpid(), -code)
+    os._exit(code)
+
+
+def _kill(process: int) -> None:
+    with suppress(ProcessLookupError):  # it has ended meanwhile
+        os.kill(process, signal.SIGKILL)
 
 
 def _keep_only(*descriptors: int) -> list[int]:
@@ -58,3 +97,18 @@ def _keep_only(*descriptors: int) -> list[int]:
         os.dup2(null, standard)
     os.close(null)
     return moved
+
+
+class _PipeEnd:
+    """One end of a pipe, with the methods of a socket that asyncio uses to wake its event loop."""
+
+    def __init__(self, descriptor: int) -> None:
+        self.fileno, self.close = lambda: descriptor, lambda: os.close(descriptor)
+        self.recv, self.send = partial(os.read, descriptor), partial(os.write, descriptor)
+        self.setblocking = partial(os.set_blocking, descriptor)
+
+
+def _pipe_pair() -> tuple[_PipeEnd, _PipeEnd]:
+    """Stand in for socket.socketpair, because a submission has no sockets: memory could be kept in their queues."""
+    receiver, sender = os.pipe()
+    return _PipeEnd(receiver), _PipeEnd(sender)

@@ -6,12 +6,17 @@ from pathlib import Path
 from typing import Any
 
 from misstep.grading.sandbox import libc_calls
+from misstep.grading.sandbox.allowed_syscalls import syscall_filter
 from misstep.grading.sandbox.course_stub import CourseSetup
-from misstep.grading.sandbox.forbidden_syscalls import syscall_filter
 from misstep.grading.sandbox.limits import Limits, sandbox_layer
 from misstep.grading.sandbox.rootfs import DEVICES, NAMESPACES_REMEDY, SCRATCH, readable_paths
 
 BYTES_PER_MB = 1 << 20
+
+LANDLOCK_REMEDY = (
+    "The kernel must be 5.13 or newer, with landlock in the list /sys/kernel/security/lsm. "
+    "If it is not there, start the kernel with lsm=landlock before the other names of that list."
+)
 
 
 class Confinement:
@@ -27,11 +32,9 @@ class Confinement:
         with sandbox_layer("namespaces", NAMESPACES_REMEDY):
             self._own_pid_namespace = os.open("/proc/self/ns/pid", os.O_RDONLY | os.O_CLOEXEC)
             self._user_count = sum(int(line.split()[2]) for line in Path("/proc/self/uid_map").read_text().splitlines())
-        with sandbox_layer(
-            "landlock", "Install it with: pip install 'misstep[grading]'. The kernel must be 5.13 or newer."
-        ):
+        with sandbox_layer("landlock", "Install it with: pip install 'misstep[grading]'."):
             import landlock
-
+        with sandbox_layer("landlock", LANDLOCK_REMEDY):
             if landlock.landlock_abi_version() < 1:
                 raise OSError("the kernel was started without it")
             self._landlock = landlock
@@ -65,7 +68,7 @@ class Confinement:
                 os.setresuid(user, user, user)
             libc_calls.drop_capabilities()
             set_resource_limits({"NPROC": limits.threads})
-        with sandbox_layer("landlock", "The kernel must be 5.13 or newer, with landlock among its security modules."):
+        with sandbox_layer("landlock", LANDLOCK_REMEDY):
             self._restrict_files()
         with sandbox_layer("seccomp", "The kernel must be built with CONFIG_SECCOMP_FILTER."):
             self._filter.load()
@@ -86,7 +89,7 @@ def limit_resources(limits: Limits) -> None:
     set_resource_limits(
         {
             "CPU": limits.processor_seconds,
-            "AS": limits.memory_mb * BYTES_PER_MB,
+            "AS": (limits.memory_mb - limits.scratch_mb) * BYTES_PER_MB,  # files in the scratch folder are memory, too
             "FSIZE": limits.file_mb * BYTES_PER_MB,
             "NOFILE": 256,
             "CORE": 0,
@@ -109,9 +112,11 @@ def find_leaks(hidden: Sequence[str]) -> list[str]:
     """
     attempts: dict[str, Callable[[], Any]] = {
         "open a socket": _open_socket,
+        "keep memory in sockets": _open_sockets,
+        "make a file in memory": lambda: os.close(os.memfd_create("")),
         "start a process": _start_process,
         "write to the root folder": lambda: Path("/written").write_text(""),
-        "write beside the engine": lambda: Path(__file__).with_name("written").write_text(""),
+        "write beside the packages": lambda: Path(os.__file__).with_name("written").write_text(""),
         "read /etc/passwd": Path("/etc/passwd").read_text,
         "read a sheet": lambda: next(
             file for folder in hidden for kind in ("*.py", "*.ipynb", "lecture_*/*") for file in Path(folder).glob(kind)
@@ -133,6 +138,13 @@ def _open_socket() -> None:
     import socket
 
     socket.socket().close()
+
+
+def _open_sockets() -> None:
+    import socket
+
+    for end in socket.socketpair():
+        end.close()
 
 
 def _start_process() -> None:

@@ -5,10 +5,9 @@ finds this module instead. Everything else that a notebook may import from the c
 nothing.
 """
 
-import json
 import sys
 from collections.abc import Iterator, Sequence
-from dataclasses import asdict, dataclass
+from dataclasses import dataclass
 from importlib.metadata import entry_points
 from pathlib import Path
 from types import ModuleType
@@ -34,10 +33,6 @@ class CourseSetup:
     readable: Sequence[str]
     hidden: Sequence[str]
     warm_up: Sequence[str]
-
-    def to_json(self) -> str:
-        """The setup as text, to be passed as a command-line argument."""
-        return json.dumps(asdict(self))
 
 
 def setup_for(course: Course, *more_hidden: Path) -> CourseSetup:

@@ -3,9 +3,10 @@
     namespaces    a root folder with the interpreter and the packages of the course, but without any sheet and without the
                   rest of the disk; for each submission a scratch folder of its own, no network, and no view of other processes
     user          a user id of its own, without privileges
-    limits        on processor time, memory, threads, open files and file size; the wall-clock time is limited from outside
+    limits        on processor time, memory, threads, open files and file size; the wall-clock time is limited from outside,
+                  and the memory of all processes together once more
     landlock      may read what the interpreter needs, may write to the scratch folder, and nothing else
-    seccomp       no sockets, no new programs, no new processes, and no system call that could undo the confinement
+    seccomp       only the system calls that computing needs: no sockets, no new programs, no new processes, no files in memory
 
 Each layer is effective on its own, so that a weakness in one of them is covered by another. No layer is left out silently.
 """
@@ -26,7 +27,8 @@ class Limits:
     cell_seconds       for one cell; after that the cell is interrupted, and the next cell runs
     seconds            for the whole submission, measured from outside; after that its process is killed
     processor_seconds  processor time
-    memory_mb, file_mb, scratch_mb, output_mb   address space, size of one file, all files, all output, in MB
+    memory_mb          all memory, files included, in MB
+    file_mb, scratch_mb, output_mb   size of one file, of all files, of all output, in MB
     threads            threads at the same time
     """
 
@@ -51,7 +53,8 @@ def sandbox_layer(name: str, remedy: str) -> Iterator[None]:
     try:
         yield
     except Exception as error:
+        why = getattr(error, "strerror", None) or error  # the package landlock would print a tuple
         raise SandboxUnavailable(
-            f"The sandbox cannot provide its layer '{name}' on this machine: {error}. {remedy} Nothing was run. "
+            f"The sandbox cannot provide its layer '{name}' on this machine: {why}. {remedy} Nothing was run. "
             f"({UNSAFE_OPTION} runs submissions with your own rights; use it only for code that you trust.)"
         ) from error

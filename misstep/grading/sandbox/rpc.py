@@ -3,6 +3,7 @@
 import itertools
 import json
 import os
+import signal
 import struct
 import subprocess
 import sys
@@ -68,6 +69,7 @@ class Worker:
             stdin=subprocess.PIPE,
             stdout=subprocess.PIPE,
             env=child_environment(),
+            start_new_session=True,
         )
         self._outbox, self._inbox = cast("IO[bytes]", self._process.stdin), cast("IO[bytes]", self._process.stdout)
         self._pending: dict[int, Future[dict[str, Any]]] = {}
@@ -101,8 +103,9 @@ class Worker:
             raise ProcessEnded(f"The process gave no answer within {seconds:g} s.") from error
 
     def stop(self) -> None:
-        """End the process. Every pending request raises ProcessEnded."""
-        self._process.kill()
+        """End the process and those that it forked. Every pending request raises ProcessEnded."""
+        with suppress(ProcessLookupError):
+            os.killpg(self._process.pid, signal.SIGKILL)
         self._process.wait()
         with suppress(OSError), self._send_lock:  # what is still in the buffer can no longer be sent
             self._outbox.close()

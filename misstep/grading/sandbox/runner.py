@@ -2,6 +2,7 @@
 
 import json
 import os
+import re
 import select
 import signal
 import socket
@@ -11,17 +12,23 @@ import tempfile
 import threading
 import time
 from collections.abc import Sequence
+from contextlib import suppress
 from dataclasses import asdict, dataclass
+from pathlib import Path
 from typing import Any
 
 from misstep.grading.sandbox.course_stub import CourseSetup
 from misstep.grading.sandbox.limits import UNSAFE_OPTION, Limits, SandboxUnavailable
-from misstep.grading.sandbox.rpc import ProcessEnded, child_environment
+from misstep.grading.sandbox.memory import BYTES_PER_MB, MemoryLimit, limit_memory
+from misstep.grading.sandbox.rpc import ProcessEnded, child_environment, encode_message
 
-CHUNK_BYTES = BYTES_PER_MB = 1 << 20
+CHUNK_BYTES = 1 << 20
 
 LIMIT_STATUSES = {-signal.SIGKILL, -signal.SIGXCPU} if sys.platform == "linux" else set[int]()
 """The exit statuses of a process that exceeded its memory or processor time."""
+
+LOOK_SECONDS = 0.1
+"""How often the memory of a submission is read."""
 
 START_SECONDS = 120.0
 """How long the server may take to import everything. The first import of matplotlib also indexes all fonts."""
@@ -62,7 +69,6 @@ class Runner:
                     "-m",
                     "misstep.grading.sandbox.server",
                     str(server_socket.fileno()),
-                    setup.to_json(),
                     *([] if is_safe else [UNSAFE_OPTION]),
                 ],
                 stdin=subprocess.DEVNULL,
@@ -72,6 +78,8 @@ class Runner:
                 start_new_session=True,
             )
         self._socket.settimeout(START_SECONDS)
+        with suppress(OSError):  # it has ended already, and the greeting says so
+            self._socket.sendall(encode_message(asdict(setup)))
         greeting = json.loads(self._socket.recv(CHUNK_BYTES) or b'{"unavailable": "The server ended while starting."}')
         if greeting["unavailable"]:
             self.close()
@@ -108,18 +116,22 @@ class Runner:
     def _run(self, message: dict[str, Any], limits: Limits) -> RunOutcome:
         (child_inbox, inbox), (outbox, child_outbox) = os.pipe(), os.pipe()
         try:
-            child = self._request(b"fork", [child_inbox, child_outbox])
+            child, process = self._fork([child_inbox, child_outbox])
         finally:
             os.close(child_inbox)
             os.close(child_outbox)
-        with os.fdopen(inbox, "wb") as stream, os.fdopen(outbox, "rb", 0) as outputs:
+        with (
+            os.fdopen(inbox, "wb") as stream,
+            os.fdopen(outbox, "rb", 0) as outputs,
+            limit_memory(process, limits.memory_mb) as memory,
+        ):
             try:
                 stream.write(json.dumps({**message, "limits": asdict(limits)}).encode())
                 stream.close()
             except BrokenPipeError:
                 pass  # the child has ended already; its output, if any, says why
-            output, end_reason = _read_output(outputs.fileno(), limits)
-        usage = json.loads(self._request(b"end " + child))
+            output, end_reason = _read_output(outputs.fileno(), limits, memory)
+            usage = json.loads(self._request(b"end " + child)[0])
         ended_by_itself = not end_reason and usage["status"] not in LIMIT_STATUSES
         return RunOutcome(
             output,
@@ -129,32 +141,49 @@ class Runner:
             ended_by_itself,
         )
 
-    def _request(self, message: bytes, descriptors: Sequence[int] = ()) -> bytes:
+    def _fork(self, descriptors: Sequence[int]) -> tuple[bytes, int]:
+        """Request a fork: the id of the child in its namespace, and in this one (0 if the system cannot tell)."""
+        answer, handles = self._request(b"fork", descriptors)
+        number = 0
+        for handle in handles:
+            number = int(
+                re.findall(r"^Pid:\s*(-?\d+)", Path(f"/proc/self/fdinfo/{handle}").read_text(), re.MULTILINE)[0]
+            )
+            os.close(handle)
+        return answer, number
+
+    def _request(self, message: bytes, descriptors: Sequence[int] = ()) -> tuple[bytes, list[int]]:
         with self._lock:
             try:
                 socket.send_fds(self._socket, [message], descriptors)
-                answer = self._socket.recv(CHUNK_BYTES)
+                answer, handles, _, _ = socket.recv_fds(self._socket, CHUNK_BYTES, 1)
             except OSError as error:
                 raise ProcessEnded("The server that runs submissions has ended.") from error
         if not answer:
             raise ProcessEnded("The server that runs submissions has ended.")
-        return answer
+        return answer, handles
 
 
-def _read_output(descriptor: int, limits: Limits) -> tuple[bytes, str]:
+def _read_output(descriptor: int, limits: Limits, memory: MemoryLimit) -> tuple[bytes, str]:
     """Read until the end of the stream, until a limit is reached, or until the time is over; also what ended it."""
     output, max_bytes = bytearray(), limits.output_mb * BYTES_PER_MB
     deadline = time.monotonic() + limits.seconds
-    while (remaining := deadline - time.monotonic()) > 0:
-        if not select.select([descriptor], [], [], remaining)[0]:
-            break
+    next_look = time.monotonic() + LOOK_SECONDS
+    chunk = b"first"
+    while chunk and (now := time.monotonic()) < deadline:
+        if now > next_look:
+            next_look = now + LOOK_SECONDS
+            if memory.is_exceeded():
+                break
+        if not select.select([descriptor], [], [], min(deadline, next_look) - now)[0]:
+            continue
         chunk = os.read(descriptor, CHUNK_BYTES)
-        if not chunk:
-            return bytes(output), ""
         output += chunk[: max_bytes - len(output)]
         if len(output) >= max_bytes:
             return bytes(output), f"it wrote more than {limits.output_mb} MB of output"
-    return bytes(output), f"it ran longer than {limits.seconds:g} s"
+    if memory.is_exceeded():  # a cgroup also says why a process has ended
+        return bytes(output), f"it held more than {limits.memory_mb} MB of memory, all its processes and files together"
+    return bytes(output), f"it ran longer than {limits.seconds:g} s" if chunk else ""
 
 
 def _describe_status(status: int) -> str:

@@ -1,10 +1,12 @@
 """The server from which a process is forked for each submission: it imports everything once, and knows no answer.
 
-    python -m misstep.grading.sandbox.server DESCRIPTOR SETUP [--unsafe-no-sandbox]
+    python -m misstep.grading.sandbox.server DESCRIPTOR [--unsafe-no-sandbox]
 
-DESCRIPTOR is a Unix socket, and SETUP a CourseSetup as JSON. There are two messages. "fork" has two pipes with it: the
+DESCRIPTOR is a Unix socket. The first message is a CourseSetup; it is no argument, because submissions can read the arguments
+of their process, and it names folders. Then there are two messages. "fork" has two pipes with it: the
 child reads the redacted sheet and its cells from the first one, and writes to the second one; the answer is the id of
-the child. "end ID" kills that child; the answer has its exit status, its processor time in seconds, and its memory in MB.
+the child, with a descriptor of its process, because outside of the namespace it has another id. "end ID" kills that child;
+the answer has its exit status, its processor time in seconds, and its memory in MB.
 The server reads neither pipe, so no child inherits in its memory what another student submitted.
 """
 
@@ -16,30 +18,40 @@ import socket
 import sys
 from contextlib import suppress
 from importlib import import_module
+from pathlib import Path
 from typing import TYPE_CHECKING
 
 from misstep.grading.sandbox import libc_calls
 from misstep.grading.sandbox.course_stub import CourseSetup, CourseStub, install_stub
 from misstep.grading.sandbox.limits import UNSAFE_OPTION, SandboxUnavailable
 from misstep.grading.sandbox.rootfs import SCRATCH, enter_namespaces, enter_root, readable_paths
+from misstep.grading.sandbox.rpc import THREAD_VARIABLES, receive_message
 
 if TYPE_CHECKING:
     from misstep.grading.sandbox.confine import Confinement
     from misstep.grading.sandbox.run_cells import SubmissionShell
 
-HOME_VARIABLES = dict.fromkeys(("HOME", "TMPDIR", "MPLCONFIGDIR", "IPYTHONDIR"), SCRATCH)
-"""Environment variables with which a submission uses its scratch folder as home."""
+ENVIRONMENT = {
+    **dict.fromkeys(("HOME", "TMPDIR", "MPLCONFIGDIR", "IPYTHONDIR"), SCRATCH),
+    "PATH": "/usr/local/bin:/usr/bin:/bin",
+    "LANG": "C.UTF-8",
+    "MPLBACKEND": "agg",
+    **dict.fromkeys(THREAD_VARIABLES, "1"),
+}
+"""The environment variables of a submission: its scratch folder is its home, and nothing is of the grader."""
 
 
-def main(descriptor: int, setup: CourseSetup, is_safe: bool) -> None:
+def main(descriptor: int, is_safe: bool) -> None:
     """Prepare, report that the server is ready or which layer is unavailable, and fork until the socket closes."""
     with socket.socket(fileno=descriptor) as parent:
+        with parent.makefile("rb") as stream:
+            setup = CourseSetup(**(receive_message(stream) or {}))
         try:
             confinement = _enter_sandbox(setup) if is_safe else None
             shell, stub = _warm_up(setup)
             if confinement:
                 enter_root(readable_paths(setup.readable), setup.hidden)
-                os.environ.update(HOME_VARIABLES)
+                _forget_paths()
         except SandboxUnavailable as error:
             parent.send(json.dumps({"unavailable": str(error)}).encode())
             return
@@ -47,6 +59,20 @@ def main(descriptor: int, setup: CourseSetup, is_safe: bool) -> None:
         gc.freeze()  # a collection in a child would touch every object, and so copy every page of memory
         parent.send(b'{"unavailable": null}')
         _serve(parent, confinement, shell, stub)
+
+
+def _forget_paths() -> None:
+    """Remove the paths and the environment of the grader from where a program looks for them."""
+    os.environ.clear()
+    os.environ.update(ENVIRONMENT)
+    sys.argv[:], sys.orig_argv[:] = [""], []
+    sys.path[:] = [path for path in sys.path if Path(path).exists()]
+    sys.path_importer_cache.clear()
+    for name, module in sys.modules.items():
+        if name.partition(".")[0] in {"misstep", "__main__"}:
+            vars(module).update(__file__=None, __cached__=None, __spec__=None)
+            if hasattr(module, "__path__"):
+                module.__path__ = []
 
 
 def _enter_sandbox(setup: CourseSetup) -> "Confinement":
@@ -81,6 +107,7 @@ def _warm_up(setup: CourseSetup) -> "tuple[SubmissionShell, CourseStub]":
 def _serve(
     parent: socket.socket, confinement: "Confinement | None", shell: "SubmissionShell", stub: CourseStub
 ) -> None:
+    is_supervised = not confinement and sys.platform == "linux"
     while True:
         message, descriptors, _, _ = socket.recv_fds(parent, 100, 2)
         match message.decode().split():
@@ -88,9 +115,11 @@ def _serve(
                 child = _fork(parent, confinement)
                 if not child:
                     _run_child(confinement, shell, stub, descriptors)
-                parent.send(str(child).encode())
+                if hasattr(os, "pidfd_open"):
+                    descriptors.append(os.pidfd_open(child))
+                socket.send_fds(parent, [str(child).encode()], descriptors[2:])
             case ["end", child_id]:
-                parent.send(json.dumps(_end_child(int(child_id))).encode())
+                parent.send(json.dumps(_end_child(int(child_id), is_supervised)).encode())
             case _:
                 return
         for descriptor in descriptors:
@@ -119,11 +148,11 @@ def _run_child(
         os._exit(1)
 
 
-def _end_child(child: int) -> dict[str, float]:
-    """Kill a child and all that it started: its pid namespace ends with it, or without a sandbox its session."""
-    for kill in (os.kill, os.killpg):
+def _end_child(child: int, is_supervised: bool) -> dict[str, float]:
+    """End a child and all that it started: its pid namespace ends with it, or without a sandbox its supervisor sees to it."""
+    for kill in (os.kill,) if is_supervised else (os.kill, os.killpg):
         try:
-            kill(child, signal.SIGKILL)
+            kill(child, signal.SIGTERM if is_supervised else signal.SIGKILL)
         except (ProcessLookupError, PermissionError):
             continue
     _, status, usage = os.wait4(child, 0)
@@ -135,4 +164,4 @@ def _end_child(child: int) -> dict[str, float]:
 
 
 if __name__ == "__main__":
-    main(int(sys.argv[1]), CourseSetup(**json.loads(sys.argv[2])), UNSAFE_OPTION not in sys.argv)
+    main(int(sys.argv[1]), UNSAFE_OPTION not in sys.argv)

@@ -1,6 +1,7 @@
 """A submission cannot read the course, wherever the course is: in site-packages, in an editable checkout, or in a folder."""
 
 import json
+import os
 import sys
 
 import pytest
@@ -12,6 +13,7 @@ if lacking := submissions.sandbox_lacks():
 from kincourse import COURSE
 from misstep.catalog import load_course
 from misstep.grading.judging import judge_process
+from misstep.grading.sandbox.child import PIPE_DESCRIPTOR
 from misstep.grading.sandbox.course_stub import engine_folder, setup_for
 from misstep.grading.sandbox.limits import Limits
 from misstep.grading.sandbox.rootfs import is_inside, readable_paths
@@ -180,3 +182,34 @@ def test_a_course_that_is_no_folder_is_refused(course, monkeypatch):
     monkeypatch.setattr(type(course), "folder", property(lambda _: engine_folder() / "course.zip"))
     with pytest.raises(ValueError, match="must be a folder on the disk"):
         setup_for(course)
+
+
+LIST_PATHS = """
+import os, sys
+modules = [module for name, module in sys.modules.items() if name.partition(".")[0] in ("misstep", "__main__")]
+print(dict(os.environ), sys.argv, sys.orig_argv, os.getcwd())
+print([(vars(module).get("__file__"), list(vars(module).get("__path__") or [])) for module in modules])
+print([path for path in sys.path if not os.path.exists(path)])
+"""
+
+
+def test_a_submission_sees_no_path_no_argument_and_no_variable_of_the_grader(course, monkeypatch):
+    course, sheet = course
+    monkeypatch.setenv("HOME", str(course.folder.parent))
+    monkeypatch.setenv("PATH", f"{os.environ['PATH']}:{course.folder.parent}")
+    (output,) = run(course, sheet, True, LIST_PATHS)
+    assert "/scratch" in output
+    assert str(course.folder.parent) not in output
+    assert str(engine_folder()) not in output
+
+
+def test_a_submission_has_no_descriptor_but_its_streams_and_the_pipe_for_its_outputs():
+    code = """
+import os
+def is_open(descriptor):
+    try: return bool(os.fstat(descriptor))
+    except OSError: return False
+print("open:", *(k for k in range(1 << 16) if is_open(k)))
+"""
+    (output,) = run(COURSE, "01_frames", True, code)
+    assert f"open: 0 1 2 {PIPE_DESCRIPTOR + 1}\\n" in output

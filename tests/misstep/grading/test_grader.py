@@ -4,6 +4,7 @@ import json
 import subprocess
 import sys
 import time
+from concurrent.futures import ThreadPoolExecutor
 from pathlib import Path
 from types import SimpleNamespace
 
@@ -24,7 +25,7 @@ from misstep.grading.sandbox.course_stub import setup_for
 from misstep.grading.sandbox.limits import UNSAFE_OPTION, Limits, SandboxUnavailable, sandbox_layer
 from misstep.grading.sandbox.rpc import ProcessEnded, Worker, child_environment
 from misstep.grading.sandbox.runner import Runner
-from misstep.storage.deserialize import MIME
+from misstep.storage.deserialize import MIME, from_data
 from misstep.storage.serialize import to_data
 
 if sys.platform == "win32":
@@ -134,24 +135,92 @@ def test_what_a_verdict_quotes_is_escaped():
     assert "<script" not in verdict["6"]["html"]
 
 
-def test_one_answer_may_take_its_time_and_no_more(monkeypatch):
-    made = find_sheet("03_poe_space")
-    monkeypatch.setattr(judge_process, "ANSWER_SECONDS", 0.05)
-    monkeypatch.setattr(judge_process, "judge", lambda *_: [None for _ in iter(int, 1)])
-    judge_process.signal.signal(judge_process.signal.SIGPROF, judge_process._raise_timeout)
-    told = judge_process.verdicts(COURSE, made, "ada", 0, {"1": {"number": 1}})
-    assert "could not be judged: TimeoutError" in told["1"]["text"]
+SLOW_COURSE = {
+    "__init__.py": 'from misstep.catalog import Course\nCOURSE = Course("slow_course")',
+    "lecture_01_slow/__init__.py": "",
+    "lecture_01_slow/problems.py": """
+import os
+import time
+
+import numpy as np
+
+from misstep import Problem, Sheet, mistake, problem
+from misstep.answers.number import Numbers
 
 
-def test_a_judge_that_has_to_wait_for_its_turn_gives_the_same_verdict(monkeypatch):
+class Slow(Numbers):
+    def read(self, given):
+        if given == 13:
+            sum(range(10**13))  # one call of C code, which no signal handler of Python can interrupt
+        if given == 14:
+            os.abort()
+        if given == 15:
+            time.sleep(5)
+        return super().read(given)
+
+
+@problem("01.1", "Twice", points=1, lecture="01_slow#Twice")
+def twice(sampler):
+    x = sampler.length(0.1, 0.5)
+    return Problem("Twice?", Slow(np.array(2 * x)), [mistake("half", np.array(x / 2), "No.")], {"x": x})
+
+
+@problem("01.2", "One", points=1, lecture="01_slow#Twice")
+def one(sampler):
+    return Problem("One?", Numbers(np.array(1.0)), [mistake("two", np.array(2.0), "No.")])
+
+
+SHEET = Sheet("01_slow", "Slow", [twice, one])
+""",
+}
+
+
+@pytest.fixture
+def slow_judge(tmp_path):
+    """A function that asks a judge for the states of two answers, the first of which may take long to read."""
+    for name, text in SLOW_COURSE.items():
+        path = tmp_path / "slow_course" / name
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text(text)
+    worker = Worker("misstep.grading.judging.judge_process", tmp_path, str(tmp_path / "slow_course"))
+
+    def ask(student, first):
+        request = {"request": "verdicts", "sheet": "01_slow", "student": student, "seed": 0, "site": ""}
+        answers = {"1": {"number": first}, "2": {"number": 1.0}}
+        told = worker.request({**request, "answers": answers}, 600.0)["verdicts"]
+        return [told[k]["state"] for k in ("1", "2")], told["1"]["text"]
+
+    yield ask
+    worker.stop()
+
+
+def test_a_slow_answer_costs_its_own_problem_and_the_time_of_nobody_else(slow_judge):
+    with ThreadPoolExecutor(3) as pool:
+        slow = pool.submit(slow_judge, "eve", 13)
+        honest = [pool.submit(slow_judge, f"student {k}", 9) for k in range(9)]
+        assert [one.result()[0] for one in honest] == [["wrong", "right"]] * 9
+        assert not slow.done()
+        states, text = slow.result()
+    assert states == ["unreadable", "right"]
+    assert "got an answer that takes more than 4 s to judge" in text
+
+
+def test_an_answer_that_ends_the_judge_costs_its_own_problem(slow_judge):
+    states, text = slow_judge("eve", 14)
+    assert states == ["unreadable", "right"]
+    assert "got an answer that ends the process that judges it" in text
+
+
+def test_a_judge_that_has_to_wait_for_its_turn_gives_the_same_verdict(slow_judge):
     """The clock of an answer counts what its judge computes, and not what others do on a busy machine meanwhile."""
-    made = find_sheet("03_poe_space")
-    right = judge_process.verdicts(COURSE, made, "ada", 0, {"1": {"number": 1}})
-    at_once = judge_process.judge
-    monkeypatch.setattr(judge_process, "ANSWER_SECONDS", 0.5)
-    monkeypatch.setattr(judge_process, "judge", lambda *asked: [time.sleep(0.6), at_once(*asked)][1])
-    judge_process.signal.signal(judge_process.signal.SIGPROF, judge_process._raise_timeout)
-    assert judge_process.verdicts(COURSE, made, "ada", 0, {"1": {"number": 1}}) == right
+    assert slow_judge("eve", 15)[0] == ["wrong", "right"]
+
+
+@pytest.mark.parametrize("text", ["sin(exp(exp(30)))**2", "sign(sin(exp(exp(exp(4)))))", "log(exp(exp(exp(9))))"])
+def test_numbers_that_are_too_large_to_compute_with_are_refused_at_once(text):
+    start = time.process_time()
+    assert "cannot be read" in str(from_data({"symbolic": text}))
+    assert time.process_time() - start < 5
 
 
 @pytest.mark.parametrize("told", [{}, {"1": None}])
