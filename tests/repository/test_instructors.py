@@ -80,3 +80,15 @@ def test_every_option_in_the_guide_is_an_option_of_misstep_grade():
     named = set(re.findall(r"(?<=`)--[a-z-]+", GUIDE))
     assert named <= known
     assert len(named) >= 7
+
+
+def test_every_test_in_the_table_of_threats_exists():
+    tests = "\n".join(path.read_text("utf-8") for path in (ROOT / "tests" / "misstep" / "grading").glob("test_*.py"))
+    rows = (
+        GUIDE.partition("### Each promise, its layers, and its tests")[2].partition("\nFormgrader")[0].split("\n| ")[3:]
+    )
+    assert len(rows) >= 12
+    for row in rows:
+        names = re.findall(r"`(test_\w+)`", row)
+        assert names, f"No test is named in: {row}"
+        assert [name for name in names if f"\ndef {name}(" not in tests] == []

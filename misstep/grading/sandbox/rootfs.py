@@ -27,8 +27,8 @@ TEMPORARY = "/tmp"  # noqa: S108
 
 NAMESPACES_REMEDY = (
     "As root in a container, start it with --cap-add SYS_ADMIN --security-opt seccomp=unconfined --security-opt "
-    "apparmor=unconfined. As a user, allow user namespaces: sysctl user.max_user_namespaces=10000, and on Ubuntu "
-    "sysctl kernel.apparmor_restrict_unprivileged_userns=0."
+    "apparmor=unconfined. As a user, allow user namespaces: sudo sysctl -w user.max_user_namespaces=10000, and on Ubuntu "
+    "23.10 or newer also: sudo sysctl -w kernel.apparmor_restrict_unprivileged_userns=0."
 )
 
 

@@ -195,7 +195,6 @@ print([path for path in sys.path if not os.path.exists(path)])
 
 def test_a_submission_sees_no_path_no_argument_and_no_variable_of_the_grader(course, monkeypatch):
     course, sheet = course
-    monkeypatch.setenv("HOME", str(course.folder.parent))
     monkeypatch.setenv("PATH", f"{os.environ['PATH']}:{course.folder.parent}")
     (output,) = run(course, sheet, True, LIST_PATHS)
     assert "/scratch" in output

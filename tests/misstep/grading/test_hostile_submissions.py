@@ -23,6 +23,7 @@ if lacking := submissions.sandbox_lacks():
 
 from misstep.grading.collect.run_plan import read_released_sheet
 from misstep.grading.judging.grader import Grader
+from misstep.grading.sandbox.allowed_syscalls import ALLOWED_COMMANDS, ALLOWED_SYSCALLS
 
 LIMITS = Limits(cell_seconds=2.0, seconds=20.0, processor_seconds=10, memory_mb=1024, output_mb=1)
 
@@ -323,6 +324,36 @@ def test_a_server_and_a_judge_that_were_killed_are_started_anew(grader):
 def test_a_submission_is_in_no_process_group_with_whoever_grades(grader):
     result = grader.grade("ada", as_bytes(full(first="import os\nprint(os.getpgrp() == os.getpid() == os.getsid(0))")))
     assert result.cells[1].outputs[0]["text"] == "True\n"
+
+
+NUMBERS_OF_CALLS = """
+import ctypes
+libc = ctypes.CDLL(None, use_errno=True)
+libc.syscall.restype = ctypes.c_long
+answers = {}
+for number in {numbers}:
+    ctypes.set_errno(0)
+    answers[number] = libc.syscall(number, -1, -1, -1, -1, -1, -1), ctypes.get_errno()
+print([number for number, answer in answers.items() if answer not in {(-1, 1), (-1, 38)}])
+"""
+
+
+def test_no_system_call_reaches_the_kernel_that_is_not_on_the_list(grader):
+    """The filter answers before the kernel looks at the arguments, with "not permitted" or "no such call"."""
+    import pyseccomp
+
+    listed = {*ALLOWED_SYSCALLS, *ALLOWED_COMMANDS, "clone"}
+    allowed = {pyseccomp.resolve_syscall(pyseccomp.system_arch(), name) for name in listed}
+    others = [number for number in range(480) if number not in allowed]
+    assert len(others) > 200
+    result = grader.grade("ada", as_bytes(handed_in("ada", first=NUMBERS_OF_CALLS.replace("{numbers}", str(others)))))
+    assert result.cells[1].outputs[0]["text"] == "[]\n"
+
+
+@pytest.mark.parametrize("line", ["fcntl.fcntl(1, 1031, 1 << 20)", "fcntl.ioctl(1, 0x5412, b'x')"])
+def test_a_call_with_a_command_that_is_not_on_the_list_is_refused(line, grader):
+    result = grader.grade("ada", as_bytes(handed_in("ada", first=f"import fcntl\n{line}")))
+    assert result.cells[1].outputs[0]["evalue"] == "[Errno 38] Function not implemented"
 
 
 SOMEBODY = """
