@@ -344,7 +344,8 @@ def test_no_system_call_reaches_the_kernel_that_is_not_on_the_list(grader):
 
     listed = {*ALLOWED_SYSCALLS, *ALLOWED_COMMANDS, "clone"}
     allowed = {pyseccomp.resolve_syscall(pyseccomp.system_arch(), name) for name in listed}
-    others = [number for number in range(480) if number not in allowed]
+    traps = {335, 336}  # uretprobe and uprobe of x86-64: the kernel itself ends whatever calls them from elsewhere
+    others = [number for number in range(480) if number not in allowed | traps]
     assert len(others) > 200
     result = grader.grade("ada", as_bytes(handed_in("ada", first=NUMBERS_OF_CALLS.replace("{numbers}", str(others)))))
     assert result.cells[1].outputs[0]["text"] == "[]\n"
