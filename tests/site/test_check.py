@@ -1,0 +1,63 @@
+"""A site is published only if its tests have passed, and if it has every page and a complete lab."""
+
+import json
+import sys
+from pathlib import Path
+
+import pytest
+import yaml
+
+ROOT = Path(__file__).parents[2]
+sys.path.insert(0, str(ROOT / "site"))
+
+import check  # noqa: E402
+
+
+@pytest.fixture
+def built(tmp_path):
+    """A complete site of nearly empty files."""
+    notebooks = [f"{folder}/{path.stem}.html" for folder, paths in check.NOTEBOOKS.items() for path in paths]
+    packages = {name: {"file_name": f"{name}.whl"} for name in check.PACKAGES}
+    wheels = [f"lab/static/pyodide/{name}.whl" for name in packages]
+    for name in (*check.FILES, *notebooks, *wheels, check.LOCK_FILE):
+        (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
+        (tmp_path / name).write_text(f"<a {check.RUN_LINK}>")
+    (tmp_path / check.LOCK_FILE).write_text(json.dumps({"packages": packages}))
+    return tmp_path
+
+
+def test_a_complete_site_lacks_nothing(built):
+    assert list(check.missing(built)) == []
+
+
+@pytest.mark.parametrize(
+    "name", ["course.pdf", "lab/notebooks/index.html", "lectures/03_poe_space.html", "lab/static/pyodide/kinlib.whl"]
+)
+def test_a_missing_file_is_named(built, name):
+    (built / name).unlink()
+    assert list(check.missing(built)) == [name]
+
+
+def test_a_page_that_does_not_offer_to_run_its_notebook_is_named(built):
+    (built / "sheets/05_dh_standard.html").write_text("a site that was built without a lab")
+    assert list(check.missing(built)) == ["sheets/05_dh_standard.html: the link that runs it in the browser"]
+
+
+def test_a_package_that_the_lab_cannot_import_is_named(built):
+    (built / check.LOCK_FILE).write_text('{"packages": {"kinlib": {"file_name": "kinlib.whl"}}}')
+    assert list(check.missing(built)) == [f"{check.LOCK_FILE}: misstep", f"{check.LOCK_FILE}: kincourse"]
+
+
+def test_nothing_is_published_before_the_site_is_checked_and_all_tests_have_passed():
+    jobs = yaml.safe_load((ROOT / ".github/workflows/site.yml").read_text("utf-8"))["jobs"]
+    assert jobs["test"]["uses"] == "./.github/workflows/test.yml"
+    assert [name for name, job in jobs.items() if any("deploy" in str(step) for step in job.get("steps", ()))] == [
+        "publish"
+    ]
+    assert {*jobs["publish"]["needs"]} == {*jobs} - {"publish"}
+    steps = [step.get("run") or step["uses"].partition("@")[0] for step in jobs["build"]["steps"]]
+    order = ["python course.py site", ".venv/bin/python site/pdf.py", ".venv/bin/python site/check.py"]
+    assert steps[-4:] == [*order, "actions/upload-pages-artifact"]
+    assert not any(
+        "if" in step or "continue-on-error" in step for job in jobs.values() for step in job.get("steps", ())
+    )
