@@ -66,6 +66,12 @@ def mutation(session: nox.Session) -> None:
 
 
 @nox.session
+def habits(session: nox.Session) -> None:
+    """Plant habits of Jupyter in every official solution, grade it, and write the table of points in site/pages/habits.md."""
+    session.run(PYTHON, "tools/habits_table.py")
+
+
+@nox.session
 def benchmarks(session: nox.Session) -> None:
     """Measure kinlib beside its peers: `nox -s benchmarks -- --save` keeps the results for the site."""
     session.run(PYTHON, "-m", "benchmarks", *session.posargs)

@@ -17,6 +17,7 @@ import sys
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
+from functools import partial
 from itertools import chain
 from pathlib import Path
 
@@ -25,7 +26,7 @@ from tqdm import tqdm
 from misstep.grading.collect.gather import Submission, gather
 from misstep.grading.collect.roster import read_roster
 from misstep.grading.collect.run_plan import ReleasedSheet, read_released_sheet
-from misstep.grading.jobs import GradingJob, make_jobs
+from misstep.grading.jobs import GradingJob, grade_best, make_jobs
 from misstep.grading.judging.bounded_executor import run_bounded
 from misstep.grading.judging.cluster import ClusterUnreachable, connect, grade_on_worker
 from misstep.grading.judging.grader import Grader
@@ -182,9 +183,11 @@ def _start_workers(
     if options.cluster:
         with connect(options.cluster) as (executor, worker_count):
             yield (
-                lambda job: executor.submit(grade_on_worker, sheet, limits, is_safe, job.seed_id, job.content),
+                lambda job: executor.submit(
+                    grade_best, partial(grade_on_worker, sheet, limits, is_safe), job.seed_id, job.contents
+                ),
                 worker_count,
             )
     else:
         with Grader(sheet, limits, is_safe) as grader, ThreadPoolExecutor(options.jobs) as pool:
-            yield lambda job: pool.submit(grader.grade, job.seed_id, job.content), options.jobs
+            yield lambda job: pool.submit(grade_best, grader.grade, job.seed_id, job.contents), options.jobs

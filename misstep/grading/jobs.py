@@ -3,10 +3,10 @@
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
-from misstep.grading.collect.files import UnreadableFile
+from misstep.grading.collect.files import UnreadableFile, list_names
 from misstep.grading.collect.gather import Submission, typed_id
 from misstep.grading.collect.run_plan import ReleasedSheet
-from misstep.grading.judging.result import Result
+from misstep.grading.judging.result import ABSENT, Result
 from misstep.grading.publish.result_store import fingerprint
 
 
@@ -15,21 +15,34 @@ class GradingJob:
     """A submission that has been read, and is now graded.
 
     seed_id      the id from which the numbers are drawn
-    content      the notebook; None if nothing was submitted, or if the file could not be read
-    fault        why the file could not be read, "" if it could
+    contents     the notebooks, of which the best one counts; [None] if nothing was submitted or no file could be read
+    fault        why no file could be read, "" if one could
     fingerprint  the digest of everything that the result depends on
     """
 
     submission: Submission
     seed_id: str
-    content: bytes | None
+    contents: Sequence[bytes | None]
     fault: str
     fingerprint: str
 
     def complete(self, result: Result) -> Result:
         """The grader's result, with the student's name and the remarks on the files."""
         notes = [*self.submission.notes, *result.notes]
-        return replace(result, student=self.submission.student, reason=self.fault or result.reason, notes=notes)
+        if len(self.contents) > 1:
+            chosen = self.submission.with_notebook(result.digest).notebook
+            files = list_names(self.submission.notebooks)
+            counts = f"{chosen.path} counts, because no other has more points" if chosen else ""
+            notes.insert(0, f"{len(self.contents)} notebooks were handed in and graded ({files}); {counts}.")
+        status = ABSENT if self.submission.notebook is None else result.status
+        return replace(
+            result, student=self.submission.student, status=status, reason=self.fault or result.reason, notes=notes
+        )
+
+
+def grade_best(grade: Callable[[str, bytes | None], Result], seed_id: str, contents: Sequence[bytes | None]) -> Result:
+    """Grade each of a student's notebooks; the result with the most points, the first one of these."""
+    return max((grade(seed_id, content) for content in contents), key=lambda result: result.points)
 
 
 def make_jobs(
@@ -40,12 +53,15 @@ def make_jobs(
     has_result  whether there is a result for a student and a fingerprint
     """
     for submission in submissions:
-        content, fault = None, ""
-        try:
-            content = submission.read()
-        except UnreadableFile as error:
-            fault = str(error)
-        seed_id = submission.seed_id or (typed_id(content) if content else "") or submission.student
-        parts = [submission.student, seed_id, content, fault, *submission.notes]
-        job = GradingJob(submission, seed_id, content, fault, fingerprint(sheet, is_safe, parts))
+        contents, faults = list[bytes | None](), []
+        for file in submission.notebooks:
+            try:
+                contents.append(file.read())
+            except UnreadableFile as error:
+                faults.append(str(error))
+        typed = (name for content in contents if content and (name := typed_id(content)))
+        seed_id = submission.seed_id or next(typed, "") or submission.student
+        fault = faults[0] if faults and not contents else ""
+        parts = [submission.student, seed_id, *contents, fault, *submission.notes]
+        job = GradingJob(submission, seed_id, contents or [None], fault, fingerprint(sheet, is_safe, parts))
         yield None if has_result(submission.student, job.fingerprint) else job

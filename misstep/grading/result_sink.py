@@ -51,7 +51,7 @@ class ResultSink:
 
         publish_feedback(self._out, result)
         if self._gradebook:
-            self._gradebook.record(submission, result)
+            self._gradebook.record(submission.with_notebook(result.digest), result)
         self.students.add(submission.student)
 
     def remarks(self) -> list[str]:

@@ -1,8 +1,11 @@
 """Gather submissions: from a folder or a download to one submission for each student, with remarks on its files."""
 
 import re
+import unicodedata
+from collections import defaultdict
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from hashlib import sha256
 from pathlib import Path
 
 from misstep.grading.collect.files import File, UnreadableFile, list_files, list_names
@@ -14,6 +17,10 @@ STUDENT_ASSIGNMENT = re.compile(r"^student\s*=\s*([\"'])(.{1,200}?)\1", re.MULTI
 """The line of a sheet in which the student's id is typed."""
 
 
+MAX_NOTEBOOKS = 3
+"""How many notebooks of one student are graded, of which the best one counts. More of them would be guesses."""
+
+
 @dataclass(frozen=True)
 class Submission:
     """What one student submitted.
@@ -22,12 +29,19 @@ class Submission:
     seed_id   the id from which the numbers are drawn; "" for the one that is typed in the notebook
     notebook  the file to grade; None if nothing was submitted
     notes     remarks on the files
+    others    further notebooks of this sheet; all are graded, and the best one counts
     """
 
     student: str
     seed_id: str
     notebook: File | None
     notes: Sequence[str] = ()
+    others: Sequence[File] = ()
+
+    @property
+    def notebooks(self) -> Sequence[File]:
+        """All files that are graded."""
+        return [self.notebook, *self.others] if self.notebook else []
 
     def read(self) -> bytes | None:
         """The bytes of the notebook; None if nothing was submitted.
@@ -35,6 +49,16 @@ class Submission:
         Raises UnreadableFile for a file that is not read.
         """
         return self.notebook.read() if self.notebook else None
+
+    def with_notebook(self, digest: str) -> "Submission":
+        """The submission with that one of its notebooks which has this SHA-256, so that `read` gives what was graded."""
+        for file in self.others:
+            try:
+                if sha256(file.read()).hexdigest() == digest:
+                    return replace(self, notebook=file)
+            except UnreadableFile:
+                continue
+        return self
 
 
 @dataclass(frozen=True)
@@ -55,7 +79,8 @@ def gather(source: Path, sheet: str, roster: Roster | None = None) -> Gathered:
     """
     layout = detect_layout(list_files(source), sheet)
     remarks: list[str] = []
-    submissions = [_submission(student, sheet, layout, roster) for student in layout.students]
+    tests = [student for student in layout.students if roster and student.key and student.key in roster.test_keys]
+    submissions = [_submission(student, sheet, layout, roster) for student in layout.students if student not in tests]
     if layout.kind in {"canvas", "moodle", "gradescope"} and roster is None:
         remarks.append(
             f"This is a download from {layout.kind.capitalize()}, and there is no --roster with the students' ids. So each "
@@ -63,18 +88,59 @@ def gather(source: Path, sheet: str, roster: Roster | None = None) -> Gathered:
             "it is not noticed."
         )
     if roster:
-        submitted = {submission.student.casefold() for submission in submissions}
-        listed = {student.casefold() for student in roster.ids}
-        submissions += [
-            Submission(student, student, None) for student in roster.ids if student.casefold() not in submitted
-        ]
-        unlisted = sorted(
-            submission.student for submission in submissions if submission.student.casefold() not in listed
-        )
+        submissions = _with_ids_of(roster, submissions)
+        submitted = {submission.student for submission in submissions}
+        submissions += [Submission(student, student, None) for student in roster.ids if student not in submitted]
+        unlisted = sorted(submitted - set(roster.ids))
         if unlisted:
             remarks.append(f"Not in the roster, and so not in the file for the platform: {', '.join(unlisted)}.")
+        if roster.unsure_of:
+            remarks.append(
+                f"The ids are read from the column {roster.columns[roster.id_column]!r} of the roster, and not from "
+                f"{', '.join(map(repr, roster.unsure_of))}. Name another column with --id-column."
+            )
+    if tests:
+        remarks.append(f"Left out, because it is the platform's test student: {', '.join(one.name for one in tests)}.")
     unique = _one_per_student(submissions)
-    return Gathered(layout.kind, sorted(unique, key=lambda submission: submission.student.casefold()), remarks)
+    remarks += _remarks_on_ids(unique)
+    return Gathered(layout.kind, sorted(unique, key=lambda one: (one.student.casefold(), one.student)), remarks)
+
+
+def _with_ids_of(roster: Roster, submissions: Sequence[Submission]) -> list[Submission]:
+    """The submissions with the ids as the roster spells them, where capitals are the only difference, and only for one of them."""
+    taken = {submission.student for submission in submissions}
+    free = defaultdict(list)
+    for student in roster.ids:
+        if student not in taken:
+            free[student.lower()].append(student)
+    counts = defaultdict(int)
+    for submission in submissions:
+        counts[submission.student.lower()] += submission.student not in roster.ids
+    spelled = []
+    for submission in submissions:
+        name = submission.student
+        same = free[name.lower()] if name not in roster.ids and counts[name.lower()] == 1 else []
+        spelled.append(replace(submission, student=same[0], seed_id=same[0]) if len(same) == 1 else submission)
+    return spelled
+
+
+def _remarks_on_ids(submissions: Sequence[Submission]) -> list[str]:
+    """Which ids are almost the same, and which students have files under several names: one may be somebody else's."""
+    alike = defaultdict(list)
+    for submission in submissions:
+        alike[unicodedata.normalize("NFKC", submission.student).casefold()].append(submission.student)
+    remarks = [
+        f"These ids differ only in capitals or in the form of their letters, and are graded as different students: "
+        f"{', '.join(map(repr, names))}."
+        for names in alike.values()
+        if len(names) > 1
+    ]
+    return remarks + [
+        f"{submission.student!r} has {len(submission.notebooks)} notebooks ({list_names(submission.notebooks)}). The best one "
+        "counts; look whether all are of this student."
+        for submission in submissions
+        if len({file.path.parts[0] for file in submission.notebooks}) > 1
+    ]
 
 
 def typed_id(content: bytes) -> str:
@@ -88,33 +154,38 @@ def typed_id(content: bytes) -> str:
 
 
 def _submission(student: StudentFiles, sheet: str, layout: Layout, roster: Roster | None) -> Submission:
-    notebook, notes = _choose_notebook(student.files, sheet)
-    if not student.key:
-        return Submission(student.name, student.name, notebook, notes)
-    if roster is None:
-        name = student.key if layout.kind == "gradescope" else f"{student.name}_{student.key}"
-        return Submission(name, "", notebook, notes)
-    if course_id := roster.id_for_key(student.key):
-        return Submission(course_id, course_id, notebook, notes)
-    return Submission(f"{student.name}_{student.key}", "", notebook, notes)
+    notebooks, notes = _choose_notebooks(student.files, sheet)
+    first, others = (notebooks[0], notebooks[1:]) if notebooks else (None, [])
+    name = seed_id = student.name
+    if student.key:
+        if course_id := roster and roster.id_for_key(student.key):
+            name = seed_id = course_id
+        else:
+            is_key_readable = roster is None and layout.kind == "gradescope"
+            name, seed_id = student.key if is_key_readable else f"{student.name}_{student.key}", ""
+    return Submission(name, seed_id, first, notes, others)
 
 
-def _choose_notebook(files: Sequence[tuple[str, File]], sheet: str) -> tuple[File | None, list[str]]:
-    """The newest file with the sheet's name, or else of its copies, or else of those that open the sheet."""
+def _choose_notebooks(files: Sequence[tuple[str, File]], sheet: str) -> tuple[list[File], list[str]]:
+    """Which files are graded: those that open the sheet, if any does. First those with its name or of its copies, the newest first.
+
+    A browser calls the newer of two files "X (1).ipynb", and the older one is often still blank, so names do not decide.
+    """
     notebooks = [(name, file) for name, file in files if name.lower().endswith(".ipynb")]
     if not notebooks:
         others = [file for _, file in files]
-        return (others[0], [f"No notebook was handed in, only: {list_names(others)}."]) if others else (None, [])
-    exact = [file for name, file in notebooks if name.casefold() == f"{sheet}.ipynb".casefold()]
-    copy = re.compile(rf"{re.escape(sheet)}[-_ ]*(\(?\d+\)?|copy\d*|kopie\d*)\.ipynb", re.IGNORECASE)
-    copies = [file for name, file in notebooks if copy.fullmatch(name)]
-    others = [file for _, file in notebooks]
-    if not exact and not copies and len(others) > 1:
-        others = [file for file in others if _mentions(file, sheet)] or others
-    newest = max(exact or copies or others, key=lambda file: (file.modified, file.path))
-    if len(notebooks) == 1:
-        return newest, []
-    return newest, [f"{len(notebooks)} notebooks were handed in; {newest.path} was graded."]
+        return others[:1], [f"No notebook was handed in, only: {list_names(others)}."] if others else []
+    if len(notebooks) > 1:
+        notebooks = [(name, file) for name, file in notebooks if _mentions(file, sheet)] or notebooks
+    named = re.compile(rf"{re.escape(sheet)}([-_ ]*(\(?\d+\)?|copy\d*|kopie\d*))?\.ipynb", re.IGNORECASE)
+    ordered = sorted(
+        notebooks, key=lambda one: (bool(named.fullmatch(one[0])), one[1].modified, one[1].path), reverse=True
+    )
+    notes = []
+    if len(ordered) > MAX_NOTEBOOKS:
+        left_out = list_names([file for _, file in ordered[MAX_NOTEBOOKS:]])
+        notes = [f"{len(ordered)} notebooks were handed in; at most {MAX_NOTEBOOKS} are graded, so not: {left_out}."]
+    return [file for _, file in ordered[:MAX_NOTEBOOKS]], notes
 
 
 def _mentions(file: File, sheet: str) -> bool:
@@ -125,22 +196,19 @@ def _mentions(file: File, sheet: str) -> bool:
 
 
 def _one_per_student(submissions: Sequence[Submission]) -> list[Submission]:
-    """Each student once: if two submissions have the same id, the one with the newer notebook."""
+    """Each student once: if two submissions have the same id, the notebooks of both are graded."""
     by_id: dict[str, list[Submission]] = {}
     for submission in submissions:
-        by_id.setdefault(submission.student.strip().casefold(), []).append(submission)
-    return [_newest(same_id) for same_id in by_id.values()]
+        by_id.setdefault(submission.student, []).append(submission)
+    return [_merged(same_id) for same_id in by_id.values()]
 
 
-def _newest(same_id: Sequence[Submission]) -> Submission:
-    newest = max(
-        same_id,
-        key=lambda submission: (
-            submission.notebook is not None,
-            submission.notebook.modified if submission.notebook else 0.0,
-        ),
+def _merged(same_id: Sequence[Submission]) -> Submission:
+    files = [file for submission in same_id for file in submission.notebooks]
+    if len(same_id) == 1 or not files:
+        return same_id[0]
+    first, *others = sorted(files, key=lambda file: (file.modified, file.path), reverse=True)[:MAX_NOTEBOOKS]
+    notes = [note for submission in same_id for note in submission.notes]
+    return replace(
+        same_id[0], notebook=first, others=others, notes=[*notes, f"{len(same_id)} submissions have this id."]
     )
-    if len(same_id) == 1 or newest.notebook is None:
-        return newest
-    note = f"{len(same_id)} submissions have this id; the newest, {newest.notebook.path}, was graded."
-    return Submission(newest.student, newest.seed_id, newest.notebook, [*newest.notes, note])

@@ -9,6 +9,7 @@ Gradescope  submission_99/<sheet>.ipynb, and submission_metadata.yml lists the s
 
 import re
 import unicodedata
+from collections import Counter
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import PurePosixPath
@@ -21,6 +22,9 @@ from misstep.grading.collect.files import File
 CANVAS = re.compile(r"(?P<name>[^_]+)_(?:LATE_)?(?P<key>\d+)_\d+_(?P<file>.+)")
 MOODLE = re.compile(r"(?P<name>.+)_(?P<key>\d+)_assignsubmission_[a-z]+_?(?P<file>.*)", re.DOTALL)
 GRADESCOPE = "submission_metadata.yml"
+
+COPY = re.compile(r"(.+?)[-_ ]*(\(\d+\)|copy\d*)", re.IGNORECASE)
+"""A name that a browser or an editor has made from another one."""
 
 
 @dataclass
@@ -75,15 +79,19 @@ def _sort_by_student(files: Sequence[File], find_owner: Callable[[PurePosixPath]
     for file in files:
         if (owner := find_owner(file.path)) is not None:
             name, key, file_name = owner
-            student = students.setdefault(key or _normalize(name).casefold(), StudentFiles(_normalize(name), key))
+            name = name.encode(errors="replace").decode().strip()
+            student = students.setdefault(key or name, StudentFiles(name, key))
             if file_name and file.exists:
                 student.files.append((file_name, file))
+    for name in [name for name, student in students.items() if not student.key]:
+        if (copy := COPY.fullmatch(name)) and copy[1] in students:
+            students[copy[1]].files += students.pop(name).files
+    # macOS decomposes accents. Two names that differ only in this are two students, so then they stay as they are.
+    composed = Counter(unicodedata.normalize("NFC", student.name) for student in students.values() if not student.key)
+    for student in students.values():
+        if composed[name := unicodedata.normalize("NFC", student.name)] < 2:
+            student.name = name
     return list(students.values())
-
-
-def _normalize(name: str) -> str:
-    """One spelling for each name: macOS decomposes accents, and old zip programs damage them."""
-    return unicodedata.normalize("NFC", name.encode(errors="replace").decode()).strip()
 
 
 def _owner_in_folder(path: PurePosixPath, sheet: str) -> Owner | None:

@@ -34,11 +34,15 @@ class UnusableNotebook(ValueError):
 
 @dataclass(frozen=True)
 class CodeCell:
-    """A code cell of a notebook: its index among all cells, its source, and the name that nbgrader gave it."""
+    """A code cell of a notebook: its index among all cells, its source, and the name that nbgrader gave it.
+
+    count  its execution count, by which editors number the cells in the order in which they ran; 0 if there is none
+    """
 
     index: int
     source: str
     name: str = ""
+    count: int = 0
 
 
 def code_cells(content: bytes) -> list[CodeCell]:
@@ -119,4 +123,10 @@ def _code_cell(index: int, cell: Mapping[str, Any]) -> CodeCell | None:
     metadata = metadata if isinstance(metadata, dict) else {}
     nbgrader = metadata.get("nbgrader")
     names = [nbgrader.get("grade_id") if isinstance(nbgrader, dict) else None, cell.get("id"), metadata.get("id")]
-    return CodeCell(index, text, next((name for name in names if isinstance(name, str) and name), ""))
+    count = cell.get("execution_count", cell.get("prompt_number"))
+    return CodeCell(
+        index,
+        text,
+        next((name for name in names if isinstance(name, str) and name), ""),
+        count if isinstance(count, int) else 0,
+    )

@@ -1,123 +1,219 @@
 """Rosters: the list of students of a course, as a learning platform exports it, or your own. It has the students' ids.
 
 Canvas      Grades, Export:                    Student, ID, SIS User ID, SIS Login ID, Section, ...
-Moodle      the assignment's grading worksheet: Identifier, Full name, Email address, ..., Grade, ...
+Moodle      the assignment's grading worksheet: Identifier, Full name, Email address, ..., Grade, Maximum grade, ...
 Gradescope  the assignment, Download Grades:    First Name, Last Name, SID, Email, ...
 your own    any table with a column id
+
+Moodle writes its headers in the language of the user who exports, and in some languages the first one is "ID". So Moodle's and
+Canvas's tables are recognised by their cells, and their columns by what they contain and where they are.
+
+Source: col_recordid and the columns of mod/assign/gradingtable.php of Moodle; lib/gradebook_exporter.rb of Canvas.
 """
 
 import csv
 import io
 import re
-from collections.abc import Mapping, Sequence
+import unicodedata
+from collections.abc import Sequence
 from dataclasses import dataclass
 from pathlib import Path
 
-Row = Mapping[str, str]
+Row = Sequence[str]
 
+PARTICIPANT = re.compile(r"(?P<word>\D*[^\W\d_]\D*?)\s*(?P<key>\d+)")
+"""Moodle's first column: "Participant 1815", "Teilnehmer/in1815", in the language of the user who exported the table."""
 
-@dataclass(frozen=True)
-class Kind:
-    """A platform's table.
+TEST_STUDENT = re.compile(r"student, test|test student|[0-9a-f]{32,}", re.IGNORECASE)
+"""Canvas's test student: the name in English, and the login in every language."""
 
-    signature   the columns by which it is recognised
-    key         the column with the number that the names of downloaded files contain
-    id_columns  the columns that may contain the course id, the best first
-    """
-
-    signature: Sequence[str]
-    key: str
-    id_columns: Sequence[str]
-
-
-KINDS = {
-    "canvas": Kind(("student", "id", "section"), "id", ("sis login id", "sis user id", "id")),
-    "moodle": Kind(("identifier", "full name", "grade"), "identifier", ("id number", "username", "email address")),
-    "gradescope": Kind(("sid", "email"), "sid", ("sid", "email")),
-    "own": Kind(("id",), "id", ("id",)),
-}
+MOODLE_IDS = ("id number", "username")
 
 
 @dataclass(frozen=True)
 class Roster:
-    """The list of students of a course.
+    """The list of students of a course. Columns are given by their place, because two may have the same header.
 
-    kind       canvas, moodle, gradescope or own
-    columns    the header, unchanged
-    rows       a row for each student, by column
-    id_column  the column with the ids that students type into their sheets
+    kind        canvas, moodle, gradescope or own
+    columns     the header, unchanged
+    rows        a row for each student
+    id_column   the column with the ids that students type into their sheets
+    key_column  the column with the number that the names of downloaded files contain
+    grade_column, max_column   Moodle's grade and maximum grade; None on other platforms
+    test_keys   the keys of students who do not exist: Canvas's test student
+    unsure_of   the headers of other columns that may have the ids, if no header is known
     """
 
     kind: str
     columns: Sequence[str]
     rows: Sequence[Row]
-    id_column: str
-
-    def column(self, name: str) -> str | None:
-        """The column of this name, in capitals or not; None if there is none."""
-        return next((column for column in self.columns if column.strip().casefold() == name), None)
+    id_column: int
+    key_column: int
+    grade_column: int | None = None
+    max_column: int | None = None
+    test_keys: Sequence[str] = ()
+    unsure_of: Sequence[str] = ()
 
     def id_of(self, row: Row) -> str:
         """The id of a student, as it is typed into sheets."""
-        return row[self.id_column].strip()
+        return unicodedata.normalize("NFC", row[self.id_column].strip())
 
     @property
     def ids(self) -> list[str]:
-        """The ids of all students. Canvas has a test student, who has no id."""
-        return [name for row in self.rows if (name := self.id_of(row))]
+        """The ids of all students, without test students."""
+        people = [row for row in self.rows if _key(row[self.key_column]) not in self.test_keys]
+        return [name for row in people if (name := self.id_of(row))]
 
     def id_for_key(self, key: str) -> str | None:
         """The id of the student whose files have this key in a download; None if there is no such student."""
-        column = self.column(KINDS[self.kind].key)
-        return next((self.id_of(row) for row in self.rows if column and _key(row[column]) == key.strip()), None)
+        return next((self.id_of(row) for row in self.rows if _key(row[self.key_column]) == key.strip()), None)
 
 
 def read_roster(path: Path, id_column: str | None = None) -> Roster:
     """Read a roster.
 
-    id_column  the column with the ids; by default the first of the platform's id columns that is filled in most rows
+    id_column  the header of the column with the ids; by default the first of the platform's id columns that is filled in most rows
 
     Raises ValueError for a table of an unknown kind, without such a column, or with the same id twice.
     """
     columns, rows = _table(path)
     titles = [column.strip().casefold() for column in columns]
-    kind = next((name for name, kind in KINDS.items() if set(kind.signature) <= set(titles)), None)
+    kind = _kind(titles, rows)
     if kind is None:
         raise ValueError(
             f"{path} has the columns {', '.join(columns)[:300] or 'none'}. A roster must be an export of Canvas, Moodle or "
             "Gradescope, or a table with a column id."
         )
-    key = columns[titles.index(KINDS[kind].key)]
-    people = [row for row in rows if row[key].strip()]  # Canvas begins with rows that belong to no student
-    candidates = [id_column.strip().casefold()] if id_column else KINDS[kind].id_columns
-    present = [columns[titles.index(name)] for name in candidates if name in titles]
-    filled = [column for column in present if 2 * sum(bool(row[column].strip()) for row in people) > len(people)]
-    if not filled:
+    grade = _grade_column(rows) if kind == "moodle" else None
+    if kind == "moodle" and grade is None:
         raise ValueError(
-            f"{path} must have the students' ids in the column {' or '.join(candidates)}, which is missing or mostly empty. "
+            f"{path} must have a column with the maximum grade, which is the same number in each row. In Moodle, grade the "
+            "assignment with points, not a scale."
+        )
+    key = _key_column(kind, titles, rows)
+    people = [row for row in rows if row[key].strip()]  # Canvas begins with rows that belong to no student
+    if id_column:
+        candidates = [place for place, title in enumerate(titles) if title == id_column.strip().casefold()]
+    else:
+        candidates = _id_columns(kind, titles, people, key, grade)
+    filled = [place for place in candidates if 2 * sum(bool(row[place].strip()) for row in people) > len(people)]
+    if not filled:
+        wanted = (
+            id_column.strip().casefold() if id_column else " or ".join(columns[place] for place in candidates) or "id"
+        )
+        raise ValueError(
+            f"{path} must have the students' ids in the column {wanted}, which is missing or mostly empty. "
             "Name the column with --id-column."
         )
-    roster = Roster(kind, columns, people, filled[0])
-    ids = [name.casefold() for name in roster.ids]
+    maximum = grade + 1 if grade is not None else None
+    tests = [_key(row[key]) for row in people if kind == "canvas" and _is_test_student(row, key)]
+    is_unsure = kind == "moodle" and not id_column and not {*MOODLE_IDS} & {*titles}
+    unsure_of = [columns[place] for place in filled[1:]] if is_unsure else []
+    roster = Roster(kind, columns, people, filled[0], key, grade, maximum, tests, unsure_of)
+    ids = [name.lower() for name in roster.ids]
     if repeated := sorted({name for name in ids if ids.count(name) > 1}):
+        same = ", ".join(name for name in roster.ids if name.lower() == repeated[0])
         raise ValueError(
-            f"Each id must occur once; in {path}, column {filled[0]!r} has the id {repeated[0]!r} {ids.count(repeated[0])} times."
+            f"Each id must occur once; in {path}, column {columns[filled[0]]!r} has the id {repeated[0]!r} "
+            f"{ids.count(repeated[0])} times ({same}). Capitals make no difference."
         )
     return roster
+
+
+def _kind(titles: Sequence[str], rows: Sequence[Row]) -> str | None:
+    """The platform that wrote the table, from its cells; the headers of Canvas and Gradescope are always in English."""
+    words = {match["word"] if (match := PARTICIPANT.fullmatch(row[0].strip())) else "" for row in rows}
+    if len(words) == 1 and "" not in words and (len(titles) >= 5 or "identifier" in titles):
+        return "moodle"
+    if {"identifier", "full name", "grade"} <= set(titles):
+        return "moodle"
+    if ({"id", "section"} <= set(titles) and {"student", "lastname"} & set(titles)) or _points_row(rows) is not None:
+        return "canvas"
+    if {"sid", "email"} <= set(titles):
+        return "gradescope"
+    return "own" if "id" in titles else None
+
+
+def _points_row(rows: Sequence[Row]) -> Row | None:
+    """Canvas's row of the points possible: its first cell begins with four spaces, and it has no id."""
+    return next((row for row in rows if len(row) > 3 and row[0].startswith("    ") and not row[1].strip()), None)
+
+
+def _key_column(kind: str, titles: Sequence[str], rows: Sequence[Row]) -> int:
+    """Moodle's is the first. Canvas's is the first with numbers only; a student's name is in one or two columns before it."""
+    if kind == "moodle":
+        return 0
+    if kind == "canvas":
+        cells = ([row[place].strip() for row in rows if row[place].strip()] for place in range(1, min(3, len(titles))))
+        numeric = [place for place, column in enumerate(cells, start=1) if column and all(map(str.isdigit, column))]
+        return numeric[0] if numeric else titles.index("id") if "id" in titles else 1
+    return titles.index("sid" if kind == "gradescope" else "id")
+
+
+def _id_columns(kind: str, titles: Sequence[str], people: Sequence[Row], key: int, grade: int | None) -> list[int]:
+    """The columns that may contain the course id, the best first."""
+    if kind == "gradescope":
+        return [titles.index("sid"), titles.index("email")]
+    if kind == "canvas":
+        if "sis login id" in titles:
+            known = ("sis login id", "sis user id", "id")
+            return [titles.index(name) for name in known if name in titles]
+        # Translated: Student, ID, [SIS User ID,] SIS Login ID, Section, ...; the cells of the last one repeat.
+        words = [place for place in range(key + 1, min(key + 3, len(titles))) if _is_id_column(people, place)]
+        return [*reversed(words), key]
+    if kind == "own":
+        return [key]
+    if named := [titles.index(name) for name in MOODLE_IDS if name in titles]:
+        return named
+    ids = [place for place in range(2, grade or 2) if _is_id_column(people, place)]
+    emails = [place for place in range(1, grade or 1) if people and all("@" in row[place] for row in people)]
+    plain = [place for place in ids if place not in emails]
+    return [*plain[:1], *emails, *plain[1:]]
+
+
+def _is_id_column(people: Sequence[Row], place: int) -> bool:
+    """Whether the cells are ids: most are filled, all are different, and none has a space."""
+    cells = [row[place].strip() for row in people if row[place].strip()]
+    return (
+        2 * len(cells) > len(people)
+        and len({*cells}) == len(cells)
+        and not any(re.search(r"\s", cell) for cell in cells)
+    )
+
+
+def _grade_column(rows: Sequence[Row]) -> int | None:
+    """Moodle's grade: the column, empty or with numbers, before the one in which each row has the same positive number."""
+    for place in range(2, len(rows[0]) if rows else 0):
+        maxima = {_number(row[place]) for row in rows}
+        grades = [row[place - 1].strip() for row in rows]
+        if len(maxima) == 1 and (maxima.pop() or 0) > 0 and all(_number(cell) is not None for cell in grades if cell):
+            return place - 1
+    return None
+
+
+def _number(cell: str) -> float | None:
+    """A number, with a decimal point or comma; None for any other text."""
+    return float(cell.replace(",", ".")) if re.fullmatch(r"\s*\d+([.,]\d+)?\s*", cell) else None
+
+
+def _is_test_student(row: Row, key: int) -> bool:
+    """Whether a row of Canvas is the test student, who has no login, or one that Canvas made up."""
+    return any(TEST_STUDENT.fullmatch(cell.strip()) for cell in row[: key + 4])
 
 
 def _table(path: Path) -> tuple[list[str], list[Row]]:
     try:
         text = path.read_text("utf-8-sig")
         head = text.partition("\n")[0]
-        delimiter = max(",;\t", key=head.count)  # Moodle uses the delimiter of the user's language
-        reader = csv.DictReader(io.StringIO(text), delimiter=delimiter, restval="")
-        rows: list[Row] = [{name: value for name, value in row.items() if name is not None} for row in reader]
-        return list(reader.fieldnames or []), rows
+        delimiter = max(",;\t", key=head.count)  # Moodle and Canvas use the delimiter of the user's language
+        header, *lines = [*csv.reader(io.StringIO(text), delimiter=delimiter)] or [[]]
+        rows = [[*line, *[""] * (len(header) - len(line))][: len(header)] for line in lines if any(line)]
+        return header, rows
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise ValueError(f"{path} cannot be read as a table (CSV in UTF-8): {error}.") from error
 
 
 def _key(cell: str) -> str:
-    """The key in a cell: Moodle writes "Participant 1815", in the language of the user who exported the table."""
-    return re.sub(r"^\D+ (?=\d+$)", "", cell.strip())
+    """The key in a cell, without Moodle's word in front."""
+    match = PARTICIPANT.fullmatch(cell.strip())
+    return match["key"] if match else cell.strip()

@@ -1,7 +1,8 @@
 """What is run of a submission: the student's cells in their order, with the sheet's own check cells instead of the student's.
 
-The answers of a submission are in its code, so its code is run again. Check cells may have been deleted, duplicated or
-edited, so the released sheet's own check cells are run in their place.
+The answers of a submission are in its code, so its code is run again. Check cells may have been deleted, duplicated,
+edited or moved, so the released sheet's own check cells are run in their place, and where the answer is set further down,
+also there. The sheet's own opening cell runs first, and at the end those cells run again that failed.
 """
 
 import re
@@ -12,8 +13,18 @@ from pathlib import Path
 
 from misstep.catalog import course_of, find_course
 from misstep.grading.collect.notebook import CodeCell, UnusableNotebook, code_cells
+from misstep.sheet import SAMPLE_ID
 
 OPEN_SHEET_CALL = re.compile(r"open_sheet\(\s*[\"']([^\"']+)[\"']")
+
+CHECK_CALL = re.compile(r"\.check\(\s*(\d+)\s*,\s*(\w+)\s*\)")
+"""The call of a check cell: the number of the problem and the variable that is handed in."""
+
+RERUN_SOURCE = "# Once more, in their order: the cells that failed, and the checks that got no answer."
+"""The source of the cell at which `run_cells` runs these cells again."""
+
+PASSED_OVER = "Passed over while grading: "
+"""The beginning of a line of output that says what of a cell could not be run."""
 
 
 @dataclass(frozen=True)
@@ -23,6 +34,7 @@ class ReleasedSheet:
     name    the name that open_sheet takes
     folder  the folder of its notebook
     checks  the source of the check cell of each problem, by the problem's number, from 1
+    opening the source of the cell that opens the sheet, with an empty id
     course  the package of an installed course, or the folder of another one
     site    the address of the course's site, to which feedback links; "" if it has none
     """
@@ -32,15 +44,20 @@ class ReleasedSheet:
     checks: Mapping[int, str]
     course: str
     site: str = ""
+    opening: str = ""
 
 
 @dataclass(frozen=True)
 class PlannedCell:
-    """A cell to run: its source, the problem that it checks, if any, and the index of the cell in the submission."""
+    """A cell to run: its source, the problem that it checks, if any, and the index of the cell in the submission.
+
+    is_fallback  whether its answer counts only if no other check cell of this problem has one
+    """
 
     source: str
     problem: int | None = None
     index: int | None = None
+    is_fallback: bool = False
 
 
 @dataclass(frozen=True)
@@ -49,6 +66,11 @@ class RunPlan:
 
     cells: Sequence[PlannedCell]
     remarks: Mapping[int, Sequence[str]] = field(default_factory=dict)
+
+    @property
+    def problems(self) -> Sequence[int]:
+        """The problems that are checked."""
+        return sorted({cell.problem for cell in self.cells if cell.problem})
 
 
 def read_released_sheet(path: Path, course: str | Path | None = None, site: str | None = None) -> ReleasedSheet:
@@ -61,7 +83,8 @@ def read_released_sheet(path: Path, course: str | Path | None = None, site: str 
     address is not complete.
     """
     cells = code_cells(path.read_bytes())
-    opened = next((match[1] for cell in cells if (match := OPEN_SHEET_CALL.search(cell.source))), None)
+    opening = next((cell.source for cell in cells if OPEN_SHEET_CALL.search(cell.source)), "")
+    opened = match[1] if (match := OPEN_SHEET_CALL.search(opening)) else None
     checks = {int(cell.name.removeprefix("check-")): cell.source for cell in cells if _is_check(cell.name)}
     if opened is None or not checks:
         raise ValueError(
@@ -74,7 +97,8 @@ def read_released_sheet(path: Path, course: str | Path | None = None, site: str 
     site = owner.site if site is None else site
     if site and not site.startswith(("https://", "http://")):
         raise ValueError(f"The address of the site must begin with https:// or http://; got {site!r}.")
-    return ReleasedSheet(opened, path.parent, checks, owner.reference, site)
+    opening = re.sub(rf"(['\"]){SAMPLE_ID}\1", '""', opening)
+    return ReleasedSheet(opened, path.parent, checks, owner.reference, site, opening)
 
 
 def plan_run(sheet: ReleasedSheet, content: bytes) -> RunPlan:
@@ -88,20 +112,52 @@ def plan_run(sheet: ReleasedSheet, content: bytes) -> RunPlan:
     if sheet.name not in opened and (opened or not any(problems)):
         reason = f"it opens {', '.join(sorted(opened))}" if opened else "none of its cells belongs to it"
         raise UnusableNotebook(f"This is not sheet {sheet.name}: {reason}. Was another file handed in by mistake?")
-    planned: list[PlannedCell] = []
+    planned = [PlannedCell(sheet.opening)] if sheet.opening else []
     remarks = {k: list[str]() for k in sheet.checks}
-    for cell, k in zip(cells, problems, strict=True):
+    where = {k: _where_checked(cells, problems, k, source) for k, source in sheet.checks.items()}
+    for place, (cell, k) in enumerate(zip(cells, problems, strict=True)):
         planned.append(PlannedCell(cell.source if k is None else sheet.checks[k], k, cell.index))
         if k is not None and _normalize(cell.source) != _normalize(sheet.checks[k]):
             remarks[k].append("Its check cell was edited; the sheet's own check cell was run instead.")
-    for k, source in sheet.checks.items():
+            if any(int(call[1]) == k for call in CHECK_CALL.finditer(cell.source)):
+                planned.append(PlannedCell(cell.source, k, is_fallback=True))
+                remarks[k][-1] = (
+                    "Its check cell was edited; the sheet's own check cell was run too, and counts if it has an answer."
+                )
+        planned += [where[own][1] for own in sheet.checks if where[own][0] == place]
+    planned += [cell for place, cell in where.values() if place == len(cells)]
+    for k in sheet.checks:
         count = problems.count(k)
         if count == 0:
-            planned.append(PlannedCell(source, k))
-            remarks[k].append("Its check cell was deleted; the sheet's own check cell was run at the end.")
+            remarks[k].append("Its check cell was deleted; the sheet's own check cell was run.")
         elif count > 1:
-            remarks[k].append(f"Its check cell occurs {count} times; the last one counts.")
-    return RunPlan(planned, {k: lines for k, lines in remarks.items() if lines})
+            remarks[k].append(f"Its check cell occurs {count} times; the last one that has an answer counts.")
+    return RunPlan([*planned, PlannedCell(RERUN_SOURCE)], {k: lines for k, lines in remarks.items() if lines})
+
+
+def _where_checked(
+    cells: Sequence[CodeCell], problems: Sequence[int | None], k: int, source: str
+) -> tuple[int, PlannedCell]:
+    """Where else problem k is checked, after which cell, and by which cell: where its variable is set for the last time.
+
+    If its check cell is below that, there is nothing to add, and the place is -1. If it is above, it was the last to run only if
+    the student ran it again, as the execution counts show; otherwise the check that is added is a fallback.
+    """
+    call = CHECK_CALL.search(source)
+    sets = (
+        re.compile(rf"\b{call[2]}\b[^=\n]*=(?!=)(?!\s*(\.\.\.|None)\s*$)|def\s+{call[2]}\b", re.MULTILINE)
+        if call
+        else None
+    )
+    setting = [
+        place for place, cell in enumerate(cells) if problems[place] is None and sets and sets.search(cell.source)
+    ]
+    checking = [place for place, problem in enumerate(problems) if problem == k]
+    last_set = setting[-1] if setting else len(cells)
+    if checking and (not setting or any(last_set < place for place in checking)):
+        return -1, PlannedCell(source, k)
+    was_run_again = setting and any(0 < cells[last_set].count < cells[place].count for place in checking)
+    return last_set, PlannedCell(source, k, is_fallback=bool(checking) and not was_run_again)
 
 
 def _problem_of(cell: CodeCell, sheet: ReleasedSheet) -> int | None:

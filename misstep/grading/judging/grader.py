@@ -97,7 +97,7 @@ class Grader:
             typed_id=parsed.typed_id,
             digest=digest,
             start=start,
-            cells=parsed.cells,
+            cells=parsed.own_cells,
         )
 
     def _result(
@@ -231,5 +231,6 @@ def _status(plan: RunPlan, outcome: RunOutcome, parsed: ParsedOutput) -> tuple[s
     if count == len(plan.cells):
         return "graded", ""
     reason = outcome.end_reason or ENDED_ITSELF
-    cell = f"code cell {count + 1} of {len(plan.cells)}"
+    own = [place for place, planned in enumerate(plan.cells) if planned.index is not None]
+    cell = f"code cell {sum(place <= count for place in own)} of {len(own)}"
     return "stopped", f"The run stopped in {cell}: {reason}. The answers before it count."

@@ -5,12 +5,15 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from misstep.grading.collect.run_plan import RunPlan
+from misstep.grading.collect.run_plan import PASSED_OVER, RERUN_SOURCE, RunPlan
 from misstep.grading.judging.result import RanCell
 from misstep.storage.deserialize import MIME
 
 MAX_ANSWER_CHARACTERS = 256_000
 """The longest answer, as JSON, in characters."""
+
+MAX_PASSED_OVER = 5
+"""How many of the lines that were passed over a note names."""
 
 
 @dataclass(frozen=True)
@@ -21,15 +24,32 @@ class ParsedOutput:
     answers: Mapping[str, Any]
     typed_id: str
 
+    @property
+    def own_cells(self) -> list[RanCell]:
+        """The cells of the submission and the checks, without what is run before and after them."""
+        return [cell for cell in self.cells if cell.index is not None or cell.problem]
+
     def remarks(self, student: str) -> list[str]:
         """What an instructor who grades by hand would notice: another id, or cells that failed."""
         notes = []
         if self.typed_id and self.typed_id.strip().casefold() != student.strip().casefold():
             notes.append(f"The sheet was opened for {self.typed_id!r}, and graded with the numbers of {student!r}.")
-        errors = [error for cell in self.cells if cell.problem is None for error in _errors(cell)]
-        if errors:
-            cells = "One cell" if len(errors) == 1 else f"{len(errors)} cells failed. The first of them"
-            notes.append(f"{cells} failed with {errors[0]}")
+        elif self.answers and not self.typed_id:
+            notes.append("No id was found in the sheet: its opening cell is missing, failed, or asks for the id.")
+        own = [cell for cell in self.cells if cell.problem is None]
+        failed = [errors[0] for cell in own if cell.source != RERUN_SOURCE and (errors := _errors(cell))]
+        again = [errors for cell in own if cell.source == RERUN_SOURCE for errors in [_errors(cell)]]
+        if again and len(again[0]) < len(failed):
+            notes.append(
+                f"{_count_cells(len(failed))} failed at first. The cells that failed were run again at the end."
+            )
+            failed = again[0]
+        if failed:
+            which = "with" if len(failed) == 1 else "the first of them with"
+            notes.append(f"{_count_cells(len(failed))} failed, {which} {failed[0]}.")
+        if passed := list(dict.fromkeys(what for cell in self.cells for what in _passed_over(cell))):
+            more = f"; and {len(passed) - MAX_PASSED_OVER} more" if len(passed) > MAX_PASSED_OVER else ""
+            notes.append(f"{PASSED_OVER}{'; '.join(passed[:MAX_PASSED_OVER])}{more}.")
         return notes
 
     def check_errors(self, problem: int) -> list[str]:
@@ -43,7 +63,8 @@ class ParsedOutput:
 def parse_output(sheet: str, plan: RunPlan, output: bytes) -> ParsedOutput:
     """Parse the output of a run, up to the first line that does not have the expected form.
 
-    An answer counts if it comes from the check cell of its problem. Of several answers, the last one counts.
+    An answer counts if it comes from the check cell of its problem, or from a check cell in the second pass. Of several
+    answers, the last one counts. A blank one does not replace another, and that of a fallback replaces only a blank one.
     """
     cells: list[RanCell] = []
     answers: dict[str, Any] = {}
@@ -56,12 +77,28 @@ def parse_output(sheet: str, plan: RunPlan, output: bytes) -> ParsedOutput:
             {**output, "data": _without_answer(output["data"])} if "data" in output else output for output in outputs
         ]
         cells.append(RanCell(planned.source, planned.problem, planned.index, displayed))
+        is_second_pass = planned.source == RERUN_SOURCE
+        given: dict[str, Any] = {}
         for cell_output in outputs:
             emission = cell_output.get("data", {}).get(MIME)
-            if planned.problem and _is_emission(emission, sheet, planned.problem):
-                answers[str(planned.problem)] = emission["answer"]
-                typed_id = emission["student"][:200]
+            for number in plan.problems if is_second_pass else [planned.problem]:
+                if number and _is_emission(emission, sheet, number):
+                    typed_id = emission["student"][:200]
+                    given[str(number)] = emission["answer"]
+        for k, answer in given.items():
+            if answers.get(k) is None or not (answer is None or is_second_pass or planned.is_fallback):
+                answers[k] = answer
     return ParsedOutput(cells, answers, typed_id)
+
+
+def _count_cells(count: int) -> str:
+    return "One cell" if count == 1 else f"{count} cells"
+
+
+def _passed_over(cell: RanCell) -> list[str]:
+    texts = [output["text"] for output in cell.outputs if output["output_type"] == "stream"]
+    lines = [line for text in texts if PASSED_OVER in text for line in text.splitlines()]
+    return [line.removeprefix(PASSED_OVER)[:200].rstrip(".") for line in lines if line.startswith(PASSED_OVER)]
 
 
 def _errors(cell: RanCell) -> list[str]:

@@ -6,6 +6,9 @@ from typing import Any
 
 from misstep.bugs import Alternatives, Observation, Recurrence, recurrences
 
+ABSENT = "absent"
+"""The status of a student who submitted nothing."""
+
 
 @dataclass(frozen=True)
 class ProblemResult:
@@ -56,7 +59,8 @@ class RanCell:
 class Result:
     """The grade of one submission, with its reasons.
 
-    status    graded; or broken, if nothing could be run; or stopped, if the run ended before its last cell
+    status    graded; or broken, if nothing could be run; or stopped, if the run ended before its last cell; or absent, if nothing
+              was submitted
     reason    one sentence for the student, "" if there was no fault
     notes     further remarks: another id in the sheet, a cell that failed
     typed_id  the id that is typed in the notebook, "" if none was found

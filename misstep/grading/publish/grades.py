@@ -29,7 +29,7 @@ def _row(result: Result, typed_count: int) -> list[str]:
         format_points(result.max),
         result.status,
         *(format_points(problem.points) for problem in result.problems),
-        " ".join(reason for reason in reasons if reason),
+        " | ".join(reason for reason in reasons if reason),
         "; ".join(mistakes),
         result.typed_id,
         "sandbox" if result.is_safe else UNSAFE_OPTION,

@@ -8,19 +8,18 @@ Gradescope  the columns of its own list of grades, for programs that read such l
 from collections.abc import Callable, Mapping, Sequence
 
 from misstep.grading.collect.roster import Roster, Row
-from misstep.grading.judging.result import Result
+from misstep.grading.judging.result import ABSENT, Result
 from misstep.grading.publish.csv_table import format_csv
 from misstep.grading.publish.pages import format_points
 
-CANVAS_ID_COLUMNS = ("student", "id", "sis user id", "sis login id", "section")
 GRADESCOPE_ID_COLUMNS = ("first name", "last name", "name", "sid", "email", "sections", "section_name")
 
 ResultsById = Mapping[str, Result]
-"""Results by the id in lower case."""
+"""The results of those who submitted something, by their ids."""
 
 
 def export(roster: Roster, results: Sequence[Result], column: str | None = None) -> str | None:
-    """The file for the platform of the roster; None for your own roster. A student without a result has an empty cell.
+    """The file for the platform of the roster; None for your own roster. A student who submitted nothing has an empty cell.
 
     column  the column of the sheet on the platform; by default the only column of the roster that contains the sheet's name,
             or else the sheet's name
@@ -29,55 +28,53 @@ def export(roster: Roster, results: Sequence[Result], column: str | None = None)
     """
     if roster.kind not in WRITERS or not results:
         return None
-    results_by_id = {result.student.strip().casefold(): result for result in results}
-    return WRITERS[roster.kind](roster, results_by_id, column or _column(roster, results[0].sheet))
+    results_by_id = {result.student: result for result in results if result.status != ABSENT}
+    name = column or _column(roster, results[0].sheet)
+    return WRITERS[roster.kind](roster, results_by_id, name, results[0].max)
 
 
-def _canvas(roster: Roster, results_by_id: ResultsById, column: str) -> str:
-    id_columns = _existing_columns(roster, CANVAS_ID_COLUMNS)
-    max_points = _any_result(results_by_id).max
-    out_of = ["    Points Possible", *[""] * (len(id_columns) - 1), format_points(max_points)]
-    rows = [[*(row[name] for name in id_columns), _points(roster, row, results_by_id)] for row in roster.rows]
-    return format_csv([*id_columns, column], [out_of, *rows])
+def _canvas(roster: Roster, results_by_id: ResultsById, column: str, max_points: float) -> str:
+    # Up to the section: the columns before the first assignment, where the row of the points possible has a number.
+    places = range(_section_column(roster) + 1)
+    header = [roster.columns[place] for place in places]
+    out_of = ["    Points Possible", *[""] * (len(header) - 1), format_points(max_points)]
+    rows = [[*(row[place] for place in places), _points(roster, row, results_by_id)] for row in roster.rows]
+    return format_csv([*header, column], [out_of, *rows])
 
 
-def _moodle(roster: Roster, results_by_id: ResultsById, _: str) -> str:
-    grade_column, max_column = roster.column("grade"), roster.column("maximum grade")
+def _section_column(roster: Roster) -> int:
+    """Canvas's Section: by its name, or else the column after the login id."""
+    titles = [column.strip().casefold() for column in roster.columns]
+    return titles.index("section") if "section" in titles else min(roster.id_column + 1, len(titles) - 1)
+
+
+def _moodle(roster: Roster, results_by_id: ResultsById, _: str, __: float) -> str:
     rows = []
     for row in roster.rows:
-        filled = dict(row)
-        if (result := _result_of(roster, row, results_by_id)) and grade_column:
-            scale = _scale(row[max_column], result) if max_column else 1.0
-            filled[grade_column] = format_points(result.points * scale)
-        rows.append([filled[name] for name in roster.columns])
+        filled = list(row)
+        result = results_by_id.get(roster.id_of(row))
+        if result and roster.grade_column is not None and roster.max_column is not None:
+            scale = float(row[roster.max_column].replace(",", ".")) / result.max
+            filled[roster.grade_column] = format_points(result.points * scale)
+        rows.append(filled)
     return format_csv(roster.columns, rows)
 
 
-def _gradescope(roster: Roster, results_by_id: ResultsById, column: str) -> str:
-    id_columns = _existing_columns(roster, GRADESCOPE_ID_COLUMNS)
-    max_points = format_points(_any_result(results_by_id).max)
+def _gradescope(roster: Roster, results_by_id: ResultsById, column: str, max_points: float) -> str:
+    titles = [name.strip().casefold() for name in roster.columns]
+    places = [titles.index(name) for name in GRADESCOPE_ID_COLUMNS if name in titles]
     rows = [
-        [*(row[name] for name in id_columns), _points(roster, row, results_by_id), max_points] for row in roster.rows
+        [*(row[place] for place in places), _points(roster, row, results_by_id), format_points(max_points)]
+        for row in roster.rows
     ]
-    return format_csv([*id_columns, column, f"{column} - Max Points"], rows)
+    return format_csv([*(roster.columns[place] for place in places), column, f"{column} - Max Points"], rows)
 
 
-WRITERS: Mapping[str, Callable[[Roster, ResultsById, str], str]] = {
+WRITERS: Mapping[str, Callable[[Roster, ResultsById, str, float], str]] = {
     "canvas": _canvas,
     "moodle": _moodle,
     "gradescope": _gradescope,
 }
-
-
-def _scale(cell: str, result: Result) -> float:
-    """The factor from the sheet's points to Moodle's, which are relative to the maximum grade of the assignment."""
-    try:
-        max_points = float(cell.replace(",", "."))
-    except ValueError as error:
-        raise ValueError(
-            f"The roster's maximum grade must be a number; got {cell!r}. In Moodle, grade the assignment with points, not a scale."
-        ) from error
-    return max_points / result.max
 
 
 def _column(roster: Roster, sheet: str) -> str:
@@ -85,18 +82,6 @@ def _column(roster: Roster, sheet: str) -> str:
     return matching[0] if len(matching) == 1 else sheet
 
 
-def _existing_columns(roster: Roster, names: Sequence[str]) -> list[str]:
-    return [column for name in names if (column := roster.column(name)) is not None]
-
-
-def _result_of(roster: Roster, row: Row, results_by_id: ResultsById) -> Result | None:
-    return results_by_id.get(roster.id_of(row).casefold())
-
-
 def _points(roster: Roster, row: Row, results_by_id: ResultsById) -> str:
-    result = _result_of(roster, row, results_by_id)
+    result = results_by_id.get(roster.id_of(row))
     return format_points(result.points) if result else ""
-
-
-def _any_result(results_by_id: ResultsById) -> Result:
-    return next(iter(results_by_id.values()))

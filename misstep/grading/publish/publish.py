@@ -7,7 +7,7 @@ from pathlib import Path
 
 from misstep.grading.collect.gather import Submission
 from misstep.grading.collect.roster import Roster
-from misstep.grading.judging.result import Result
+from misstep.grading.judging.result import ABSENT, Result
 from misstep.grading.publish.feedback import feedback_page
 from misstep.grading.publish.grades import grades_table
 from misstep.grading.publish.pages import format_points
@@ -52,9 +52,10 @@ def publish(
         write_if_changed(out / f"{roster.kind}.csv", text)
     statuses = Counter(result.status for result in results)
     counts = ", ".join(f"{count} {status}" for status, count in sorted(statuses.items()))
-    mean = format_points(sum(result.points for result in results) / len(results))
+    present = [result for result in results if result.status != ABSENT]
+    mean = format_points(sum(result.points for result in present) / max(len(present), 1))
     suspects = sorted({match.student for match in matches if match.shared_count > 1})
-    average = f"{mean} of {format_points(results[0].max)} points on average"
+    average = f"{mean} of {format_points(results[0].max)} points on average, of those who submitted something"
     return [
         f"{len(results)} of {len(submissions)} submissions: {counts}. {average}.",
         *([f"Several answers right for one other student (matches.csv): {', '.join(suspects)}."] if suspects else []),

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 
 from markupsafe import Markup
 
-from misstep.grading.judging.result import Result
+from misstep.grading.judging.result import ABSENT, Result
 from misstep.grading.publish.pages import STATE_LABELS, format_points, render_page
 from misstep.grading.publish.shared_answers import Match
 
@@ -51,13 +51,16 @@ class ProblemReport:
 
 
 def report_page(results: Sequence[Result], matches: Sequence[Match]) -> str:
-    """The HTML of the report. There must be at least one result."""
+    """The HTML of the report. There must be at least one result. Those who submitted nothing are counted, but not as points."""
+    absent = sum(result.status == ABSENT for result in results)
+    results = [result for result in results if result.status != ABSENT] or results
     problems = [problem_report(results, k) for k in range(len(results[0].problems))]
     totals = [result.points for result in results]
     return render_page(
         "report.html",
         sheet=results[0].sheet,
         count=len(results),
+        absent=absent,
         max=results[0].max,
         mean=sum(totals) / len(totals),
         bars=histogram_bars(totals, results[0].max),

@@ -50,6 +50,7 @@ def fingerprint(sheet: ReleasedSheet, is_safe: bool, parts: Sequence[str | bytes
         _code_digest(sheet.course),
         sheet.name,
         sheet.site,
+        sheet.opening,
         sorted(sheet.checks.items()),
         is_safe,
         robot.read_text("utf-8") if robot.exists() else "",

@@ -17,6 +17,10 @@ from misstep.sampling import Sampler
 from misstep.sheet import Sheet
 
 
+class AnswerWithheld(AttributeError):
+    """The right answer is not in this process."""
+
+
 @dataclass(frozen=True, eq=False)
 class RedactedAnswer(Answer):
     """An answer whose right value is not in this process."""
@@ -25,8 +29,8 @@ class RedactedAnswer(Answer):
 
     @property
     def value(self) -> Any:
-        """Raises AttributeError, because the right answer is not in this process."""
-        raise AttributeError("The right answers are not available while a sheet is graded. Compute your own.")
+        """Raises AnswerWithheld, because the right answer is not in this process."""
+        raise AnswerWithheld("The right answers are not available while a sheet is graded. Compute your own.")
 
     @property
     def expected(self) -> str:

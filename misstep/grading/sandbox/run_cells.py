@@ -2,12 +2,19 @@
 
 The output is one line of JSON for each cell, written as soon as the cell has run: if a later cell ends the process, the
 answers before it are already written. The submission's code can write to the same pipe, so its reader trusts no line.
+
+What works in Jupyter and cannot work here is passed over, and the rest of the cell runs: shell commands, packages that are
+not installed here, files that are not here, the network, the keyboard, windows. A note in the output of the cell says what
+was passed over. This is no gain for anybody, because a student could as well have left out the line.
 """
 
+import ast
 import builtins
+import dis
 import io
 import json
 import os
+import re
 import signal
 import sys
 from collections.abc import Callable, Mapping, Sequence
@@ -16,9 +23,16 @@ from typing import Any, cast
 
 from IPython.core.displayhook import DisplayHook
 from IPython.core.displaypub import CapturingDisplayPublisher
-from IPython.core.interactiveshell import InteractiveShell
+from IPython.core.interactiveshell import ExecutionResult, InteractiveShell
+from IPython.utils.text import SList
 from traitlets import Type
 from traitlets.config import Config
+
+from misstep.grading.collect.run_plan import PASSED_OVER, RERUN_SOURCE
+from misstep.grading.sandbox.course_stub import Unavailable, Withheld
+from misstep.grading.sandbox.redacted_sheet import AnswerWithheld
+from misstep.sheet import OpenSheet
+from misstep.storage.deserialize import MIME
 
 SHELL_CONFIG = Config(
     {
@@ -45,6 +59,37 @@ MAX_PRINTED_CHARACTERS = 100_000
 """How many characters of what a cell prints are kept."""
 
 
+SHELL_MAGICS = {"conda", "mamba", "micromamba", "pip", "uv", "sx", "system"}
+"""Line magics that start other programs."""
+
+SHELL_CELL_MAGICS = {
+    "!",
+    "bash",
+    "cmd",
+    "perl",
+    "pypy",
+    "python",
+    "python2",
+    "python3",
+    "ruby",
+    "script",
+    "sh",
+    "sx",
+    "system",
+}
+"""Cell magics that start other programs."""
+
+MEASURING_MAGIC = re.compile(r"\s*%%(time|capture)\b.*\n")
+"""Cell magics that run their cell as it is. They are left out, so that statements of the cell can be passed over."""
+
+USES_SHEET = re.compile(r"\bsheet\.(check|given|problem|show|tally)\b")
+
+PASSED_ERRORS = (ModuleNotFoundError, EOFError, OSError, Withheld, AnswerWithheld)
+"""The errors of statements that need what is not here: a package, the keyboard, a file, the network, a program, an answer.
+
+A statement that reads right answers is passed over too, but its error stays in the output, so that it is seen."""
+
+
 class CellTimeout(BaseException):
     """A cell took too long. It is not an Exception, so that `except Exception` does not catch it."""
 
@@ -65,9 +110,60 @@ class SubmissionShell(InteractiveShell):
     displayhook_class = Type(CapturingDisplayHook)
     display_pub_class = Type(CapturingDisplayPublisher)
     errors: Sequence[dict[str, Any]] = ()
+    passed_over: Sequence[str] = ()
+    source = ""
 
     def enable_gui(self, gui: str | None = None) -> None:
         """Do nothing, because there is no window."""
+
+    async def run_code(self, code_obj: Any, result: ExecutionResult | None = None, *, async_: bool = False) -> bool:
+        """Run one statement; whether the cell stops here. A statement that needs what is not here is passed over.
+
+        The names that it would have set are set to a placeholder, unless they have a value.
+        """
+        errors = self.errors
+        has_failed = bool(await super().run_code(code_obj, result, async_=async_))
+        error = result.error_in_exec if result else None
+        if not has_failed or result is None or not isinstance(error, PASSED_ERRORS):
+            return has_failed
+        result.error_in_exec = None
+        if not isinstance(error, AnswerWithheld):
+            self.errors = errors
+            start = min((line for *_, line in code_obj.co_lines() if line), default=1)
+            lines = self.source.splitlines()[start - 1 :]
+            self.pass_over(f"{lines[0].strip() if lines else 'a statement'} ({type(error).__name__}: {error})")
+        for step in dis.get_instructions(code_obj):
+            if step.opname == "STORE_NAME":
+                self.user_ns.setdefault(
+                    step.argval, Unavailable(f"{step.argval} is not available while a sheet is graded.")
+                )
+        return False
+
+    def pass_over(self, what: str) -> None:
+        """Record what was passed over."""
+        self.passed_over = [*self.passed_over, " ".join(what.split())[:200]]
+
+    def run_line_magic(self, magic_name: str, line: str, _stack_depth: int = 1) -> Any:
+        """Run a line magic, unless it starts a program or is one of a kernel; figures are always inline."""
+        if magic_name in SHELL_MAGICS or self.find_line_magic(magic_name) is None:
+            return self.pass_over(f"%{magic_name} {line}")
+        return super().run_line_magic(magic_name, "inline" if magic_name == "matplotlib" else line, _stack_depth + 1)
+
+    def run_cell_magic(self, magic_name: str, line: str, cell: str) -> Any:
+        """Run a cell magic, unless it starts a program or is one of a kernel."""
+        if magic_name in SHELL_CELL_MAGICS or self.find_cell_magic(magic_name) is None:
+            return self.pass_over(f"%%{magic_name} {line}")
+        return super().run_cell_magic(magic_name, line, cell)
+
+    def system(self, cmd: str) -> None:
+        """Pass over the line `!cmd`."""
+        self.pass_over(f"!{cmd}")
+        self.user_ns["_exit_code"] = 0
+
+    def getoutput(self, cmd: str, split: bool = True, depth: int = 0) -> Any:
+        """Pass over the expression `!cmd`, which has no lines then."""
+        self.pass_over(f"!{cmd}")
+        return SList() if split else ""
 
     def showtraceback(self, *_: Any, **__: Any) -> None:
         """Record the current error. IPython's own formatting takes a second for a deep recursion, so it is not used."""
@@ -88,6 +184,23 @@ class SubmissionShell(InteractiveShell):
     showsyntaxerror = showindentationerror = showtraceback
 
 
+class OneImportAtATime(ast.NodeTransformer):
+    """Splits `import pandas, numpy`, so that the packages that are installed are imported."""
+
+    def visit_Module(self, node: ast.Module) -> ast.Module:
+        """Split the imports that are statements of the cell itself."""
+        node.body = [
+            ast.copy_location(one, statement)
+            for statement in node.body
+            for one in (
+                [ast.Import(names=[name]) for name in statement.names]
+                if isinstance(statement, ast.Import)
+                else [statement]
+            )
+        ]
+        return node
+
+
 class TruncatedStream(io.StringIO):
     """A stream that accepts any amount of text and keeps its beginning."""
 
@@ -103,8 +216,11 @@ def new_shell(warm_up: Sequence[str] = ()) -> SubmissionShell:
     """Make the shell that is forked for each submission. It has already run some cells, because first calls are slow."""
     shell = SubmissionShell.instance(config=SHELL_CONFIG)
     builtins.input = _refuse_input
+    shell.ast_transformers.append(OneImportAtATime())
     for source in (*WARM_UP_CELLS, *warm_up):
         _run_cell(shell, source)
+    if pyplot := sys.modules.get("matplotlib.pyplot"):
+        sys.modules["matplotlib"].use = pyplot.switch_backend = _keep_backend  # type: ignore[attr-defined]
     shell.reset(new_session=True)
     return shell
 
@@ -112,9 +228,21 @@ def new_shell(warm_up: Sequence[str] = ()) -> SubmissionShell:
 def run_cells(
     shell: SubmissionShell, sources: Sequence[str], seconds: float, report: Callable[[dict[str, Any]], None]
 ) -> None:
-    """Run the cells in order, each for at most so many seconds, and report the outputs of each."""
+    """Run the cells in order, each for at most so many seconds, and report the outputs of each.
+
+    A cell with the source RERUN_SOURCE runs again, in their order, those before it that failed or handed in nothing: what
+    they need may be further down. Where `sheet` is no open sheet any more, the last one is put back before it is used.
+    """
     signal.signal(signal.SIGALRM, _interrupt)
-    for number, source in enumerate(sources):
+    opened: OpenSheet | None = None
+    done: list[list[dict[str, Any]]] = []
+
+    def run(source: str) -> list[dict[str, Any]]:
+        nonlocal opened
+        shell.passed_over = []
+        if opened and USES_SHEET.search(source) and not isinstance(shell.user_ns.get("sheet"), OpenSheet):
+            shell.user_ns["sheet"] = opened
+            shell.pass_over("the variable sheet, which had another value or none, is the sheet again")
         signal.setitimer(signal.ITIMER_REAL, seconds, REPEAT_INTERRUPT_SECONDS)
         try:
             outputs = _run_cell(shell, source)
@@ -122,7 +250,32 @@ def run_cells(
             outputs = []
         finally:
             signal.setitimer(signal.ITIMER_REAL, 0)
+        if isinstance(sheet := shell.user_ns.get("sheet"), OpenSheet):
+            opened = sheet
+        notes = "".join(f"{PASSED_OVER}{what}\n" for what in shell.passed_over)
+        return [*outputs, {"output_type": "stream", "name": "stderr", "text": notes}] if notes else outputs
+
+    for number, source in enumerate(sources):
+        if source == RERUN_SOURCE:
+            outputs = []
+            for k, first in enumerate(done):
+                if _needs_second_pass(first):
+                    outputs += run(sources[k])
+                else:
+                    outputs += [output for output in first if output.get("ename") == "CellTimeout"]
+        else:
+            outputs = run(source)
+            done.append(outputs)
         report({"cell": number, "outputs": outputs})
+
+
+def _needs_second_pass(outputs: Sequence[Mapping[str, Any]]) -> bool:
+    """Whether a cell failed, other than by its time, or handed in nothing for its problem."""
+    return any(
+        output.get("ename", "CellTimeout") != "CellTimeout"
+        or (MIME in output.get("data", {}) and output["data"][MIME].get("answer") is None)
+        for output in outputs
+    )
 
 
 def _run_cell(shell: SubmissionShell, source: str) -> list[dict[str, Any]]:
@@ -131,6 +284,7 @@ def _run_cell(shell: SubmissionShell, source: str) -> list[dict[str, Any]]:
     captured = {"stdout": TruncatedStream(), "stderr": TruncatedStream()}
     originals = sys.stdout, sys.stderr
     sys.stdout, sys.stderr = captured.values()
+    shell.source = source = MEASURING_MAGIC.sub("", source, count=1) if MEASURING_MAGIC.match(source) else source
     try:
         shell.run_cell(source, store_history=False)
     finally:
@@ -161,6 +315,10 @@ def write_all(descriptor: int, data: bytes) -> None:
 
 def _interrupt(*_: Any) -> None:
     raise CellTimeout("This cell took too long and was interrupted. Does it contain an endless loop?")
+
+
+def _keep_backend(*_: object, **__: object) -> None:
+    """Do nothing, because there is no window: figures are drawn inline."""
 
 
 def _refuse_input(*_: object) -> str:

@@ -17,6 +17,8 @@ from misstep.grading.collect.files import UnreadableFile, list_files
 from misstep.grading.collect.gather import gather, typed_id
 from misstep.grading.collect.notebook import MAX_NOTEBOOK_BYTES
 from misstep.grading.collect.roster import read_roster
+from misstep.grading.judging.result import Result
+from misstep.grading.publish.platform_exports import export
 from misstep.grading.publish.result_store import file_name
 
 SHEET = "03_poe_space"
@@ -26,6 +28,10 @@ NAME = f"{SHEET}.ipynb"
 def notebook(student="ada", sheet=SHEET):
     code = f'student = \\"{student}\\"\\nsheet = open_sheet(\\"{sheet}\\", student)'
     return f'{{"cells": [{{"cell_type": "code", "source": "{code}"}}]}}'.encode()
+
+
+def result(student, points, maximum, status="graded"):
+    return Result(student, SHEET, points, maximum, status, "", [])
 
 
 def folder(root, **names):
@@ -181,6 +187,111 @@ def test_a_download_without_a_roster_goes_by_the_ids_in_the_sheets_and_says_so(t
     assert list(by_student(gathered)) == wanted[kind]
 
 
+MOODLE_LANGUAGES = {
+    "English": ("Participant ", "Identifier,Full name,Email address,Status,Grade,Maximum grade,Grade can be changed"),
+    "German": ("Teilnehmer/in", "ID,Vollständiger Name,E-Mail-Adresse,Status,Bewertung,Bestwertung,Bewertung änderbar"),
+    "French": ("Participant ", "Identifiant,Nom complet,Adresse de courriel,Statut,Note,Note maximale,Note modifiable"),
+    "Spanish": (
+        "Participante ",
+        "Identificador,Nombre completo,Dirección de correo,Estado,Calificación,Máxima,Modificable",
+    ),
+    "Russian": (
+        "Участник",
+        "Идентификатор,Полное имя,Адрес электронной почты,Состояние,Оценка,Максимальная оценка,Изменяема",
+    ),
+    "Indonesian": ("Peserta", "ID,Nama lengkap,Alamat email,Status,Nilai,Nilai maksimum,Nilai dapat diubah"),
+    "Japanese": ("参加者", "ID,姓名,メールアドレス,ステータス,評点,最大評点,評点変更可"),
+    "Arabic": ("مشارك", "المعرف,الاسم الكامل,البريد,الحالة,الدرجة,الدرجة العظمى,يمكن تغيير الدرجة"),
+    "Turkish": ("Katılımcı", "Kimlik,Tam adı,E-posta adresi,Durum,Not,En yüksek not,Not değiştirilebilir"),
+}
+
+
+@pytest.mark.parametrize("language", MOODLE_LANGUAGES)
+@pytest.mark.parametrize("with_numbers", [False, True])
+def test_a_worksheet_of_moodle_is_known_by_its_cells_in_every_language(tmp_path, language, with_numbers):
+    """Header and first cell as Moodle's language packs have them: recordid, hiddenuser, status, grade, maxgrade, ..."""
+    word, header = MOODLE_LANGUAGES[language]
+    titles = [*header.split(","), "..."]
+    rows = [
+        [f"{word}1815", "Ada Lovelace", "ada@example.edu", "✓ x", "", "24,00", "+", "-"],
+        [f"{word}1816", "George Boole", "bob@example.edu", "✓ x", "7,50", "24,00", "+", "-"],
+        [f"{word}1817", "Cyn", "cyn@example.edu", "- x", "", "24,00", "+", "-"],
+    ]
+    if with_numbers:
+        titles.insert(2, "ID ...")
+        for row, number in zip(rows, ("0007", "0008", ""), strict=True):
+            row.insert(2, number)
+    table = tmp_path / "worksheet.csv"
+    table.write_text("\n".join(";".join(row) for row in [titles, *rows]), "utf-8-sig")
+    read = read_roster(table)
+    assert (read.kind, read.columns) == ("moodle", titles)
+    assert read.ids == (["0007", "0008"] if with_numbers else [row[2] for row in rows])
+    source = zipped(tmp_path / "s.zip", MOODLE)
+    students = {handed.student for handed in gather(source, SHEET, read).submissions if handed.notebook}
+    assert students == set(read.ids[:2])
+    graded = [result("0007" if with_numbers else "ada@example.edu", 12, 24), result(read.ids[1], 0, 24, "absent")]
+    filled = [line.split(",") for line in export(read, graded).replace('"24,00"', "24").splitlines()]
+    place = titles.index(header.split(",")[4])
+    assert [line[place] for line in filled[1:]] == ["12", '"7', ""]
+
+
+CANVAS_TABLES = {
+    "English": "Student,ID,SIS User ID,SIS Login ID,Section,Old (1)",
+    "two names": "LastName,FirstName,ID,SIS Login ID,Section,Old (1)",
+    "Spanish": "Estudiante,ID,ID de usuario de SIS,ID de inicio de sesión de SIS,Sección,Old (1)",
+    "German": "Student/in,ID,SIS-Benutzer-ID,SIS-Anmelde-ID,Abschnitt,Old (1)",
+    "Chinese": "学生,ID,SIS 用户 ID,SIS 登录 ID,班级,Old (1)",
+}
+
+
+@pytest.mark.parametrize("language", CANVAS_TABLES)
+@pytest.mark.parametrize("delimiter", [",", ";"])
+def test_a_gradebook_of_canvas_is_known_by_its_cells_and_its_test_student_is_none(tmp_path, language, delimiter):
+    titles = CANVAS_TABLES[language].split(",")
+    names = [["Lovelace", "Ada"], ["Boole", "George"], ["Student", "Test"]]
+    has_two = language == "two names"
+    logins = ["ada", "bob", "a8f5f167f44f4964e6c998dee827110c"]
+    rows = [["    Points Possible", *[""] * (len(titles) - 2), "10"]]
+    for name, key, login in zip(names, ("1815", "1816", "1818"), logins, strict=True):
+        who = name if has_two else ["-".join(name)]
+        rows.append([*who, key, *([] if has_two else [f"u{key}"]), login, "A", "7"])
+    table = tmp_path / "gradebook.csv"
+    table.write_text("\n".join(delimiter.join(row) for row in [titles, *rows]), "utf-8-sig")
+    read = read_roster(table)
+    assert (read.kind, read.ids) == ("canvas", ["ada", "bob"])
+    members = {**CANVAS, f"studenttest_1818_503_{NAME}": notebook("x")}
+    gathered = gather(zipped(tmp_path / "s.zip", members), SHEET, read)
+    assert list(by_student(gathered)) == ["ada", "bob"]
+    assert gathered.remarks == ["Left out, because it is the platform's test student: studenttest."]
+    graded = [result("ada", 12, 24), result("bob", 0, 24, "absent")]
+    filled = [line.split(",") for line in export(read, graded).splitlines()]
+    assert filled[0][:-1] == titles[: len(filled[0]) - 1]
+    assert [line[-1] for line in filled[1:]] == ["24", "12", "", ""]
+
+
+@pytest.mark.parametrize(
+    "text", ["id,name\ns1,A\ns2,B\n", "ID,Name,Group,Email\nin20000,A,1,a@b\n", "name;id\nA;1\nB;2\n"]
+)
+def test_a_list_of_ones_own_stays_one(tmp_path, text):
+    (tmp_path / "r.csv").write_text(text)
+    assert read_roster(tmp_path / "r.csv").kind == "own"
+
+
+def test_a_worksheet_with_a_scale_is_refused_and_one_with_two_columns_of_ids_names_them(tmp_path):
+    head, rows = "ID,Name,Nummer,Kennung,Status,Bewertung,Best", ["T1,A B,1,a,x,,{0}", "T2,C D,2,c,x,,{0}"]
+    table = tmp_path / "r.csv"
+    table.write_text("\n".join([head, *rows]).format("gut"))
+    with pytest.raises(ValueError, match="grade the assignment with points, not a scale"):
+        read_roster(table)
+    table.write_text("\n".join([head, *rows]).format("10"))
+    (tmp_path / "in").mkdir()
+    said = gather(folder(tmp_path / "in", **{f"1/{NAME}": "1"}), SHEET, read_roster(table)).remarks
+    assert said == [
+        "The ids are read from the column 'Nummer' of the roster, and not from 'Kennung'. Name another column with --id-column."
+    ]
+    assert read_roster(table, "Kennung").ids == ["a", "c"]
+
+
 @pytest.mark.parametrize("kind", ["canvas", "moodle"])
 def test_a_roster_says_whose_a_submission_is_and_who_has_none(tmp_path, kind):
     gathered = gather(zipped(tmp_path / "s.zip", DOWNLOADS[kind]), SHEET, roster(tmp_path, kind))
@@ -243,11 +354,10 @@ def test_a_column_that_is_not_there_is_named(tmp_path):
         ([NAME.upper(), "z.ipynb"], NAME.upper()),
     ],
 )
-def test_of_several_files_the_one_with_the_name_of_the_sheet_is_graded(tmp_path, names, chosen):
+def test_of_several_files_all_are_graded_first_the_one_with_the_name_of_the_sheet(tmp_path, names, chosen):
     (handed,) = gather(folder(tmp_path, **{f"ada/{name}": "ada" for name in names}), SHEET).submissions
     assert handed.notebook.path.name == chosen
-    assert bool(handed.notes) == (len(names) > 1)
-    assert not handed.notes or f"{chosen} was graded" in handed.notes[0]
+    assert {file.path.name for file in handed.notebooks} == set(names)
 
 
 def test_of_several_with_other_names_the_one_that_opens_the_sheet_is_graded(tmp_path):
@@ -262,13 +372,54 @@ def test_a_file_that_is_no_notebook_is_handed_on_so_that_its_reason_is_told(tmp_
     assert handed.notes == ["No notebook was handed in, only: sheet.pdf."]
 
 
-def test_one_id_in_two_places_is_graded_once_by_the_newest(tmp_path):
-    (handed,) = gather(folder(tmp_path, **{f"ada/{NAME}": "old", f"ADA/{NAME}": "new"}), SHEET).submissions
-    assert typed_id(handed.read()) == "new"
-    assert handed.notes == [f"2 notebooks were handed in; ADA/{NAME} was graded."]
+def test_more_notebooks_than_one_student_needs_are_not_graded_and_are_named(tmp_path):
+    """Each further one would be a guess."""
+    folder(tmp_path, **{f"ada/{SHEET} ({number}).ipynb": "ada" for number in range(5)})
+    (handed,) = gather(tmp_path, SHEET).submissions
+    assert [file.path.name for file in handed.notebooks] == [f"{SHEET} ({number}).ipynb" for number in (4, 3, 2)]
+    assert handed.notes == [
+        f"5 notebooks were handed in; at most 3 are graded, so not: {SHEET} (1).ipynb, {SHEET} (0).ipynb."
+    ]
 
 
-def test_two_submissions_of_one_id_on_a_platform_are_graded_once_by_the_newest(tmp_path):
+@pytest.mark.parametrize(
+    "names", [("Ada", "ada"), ("stra\u00dfe", "strasse"), ("\ufb01n", "fin"), ("zo\u00e9", "zoe\u0301")], ids=ascii
+)
+@pytest.mark.parametrize("is_flat", [False, True])
+def test_ids_that_are_almost_the_same_stay_two_students_and_are_named(tmp_path, names, is_flat):
+    (tmp_path / "in").mkdir()
+    gathered = gather(
+        folder(tmp_path / "in", **{f"{name}.ipynb" if is_flat else f"{name}/{NAME}": name for name in names}), SHEET
+    )
+    assert {handed.student: typed_id(handed.read()) for handed in gathered.submissions} == {
+        name: name for name in names
+    }
+    assert "differ only in capitals or in the form of their letters" in gathered.remarks[0]
+    assert all(repr(name) in gathered.remarks[0] for name in names)
+
+
+def test_capitals_make_no_difference_to_the_roster_unless_two_students_want_one_id(tmp_path):
+    (tmp_path / "r.csv").write_text("id\nada\nBob\nstra\u00dfe\nstrasse\n", "utf-8")
+    read = read_roster(tmp_path / "r.csv")
+    one = gather(folder(tmp_path / "one", **{f"ADA/{NAME}": "ada", f"strasse/{NAME}": "x"}), SHEET, read)
+    assert [(handed.student, bool(handed.notebook)) for handed in one.submissions] == [
+        *[("ada", True), ("Bob", False), ("strasse", True), ("stra\u00dfe", False)]
+    ]
+    two = gather(folder(tmp_path / "two", **{f"ADA/{NAME}": "1", f"Ada/{NAME}": "2", f"Bob/{NAME}": "3"}), SHEET, read)
+    students = by_student(two)
+    assert {name for name, handed in students.items() if handed.notebook} == {"ADA", "Ada", "Bob"}
+    assert "Not in the roster, and so not in the file for the platform: ADA, Ada." in two.remarks
+
+
+def test_a_file_named_after_a_friend_does_not_replace_the_friends_file(tmp_path):
+    gathered = gather(folder(tmp_path, **{"ada.ipynb": "ada", f"ada_{NAME}": "eve", "ada (1).ipynb": "ada"}), SHEET)
+    (handed,) = gathered.submissions
+    assert {typed_id(file.read()) for file in handed.notebooks} == {"ada", "eve"}
+    assert "'ada' has 3 notebooks" in gathered.remarks[0]
+    assert "look whether all are of this student" in gathered.remarks[0]
+
+
+def test_two_submissions_of_one_id_on_a_platform_are_both_graded(tmp_path):
     of_ada = "submission_{}:\n  :submitters:\n  - :sid: '0007'\n"
     members = {"e/submission_metadata.yml": of_ada.format(1) + of_ada.format(2)}
     source = zipped(tmp_path / "s.zip", members)
@@ -278,8 +429,8 @@ def test_two_submissions_of_one_id_on_a_platform_are_graded_once_by_the_newest(t
                 zipfile.ZipInfo(f"e/submission_{number}/{NAME}", (year, 1, 1, 0, 0, 0)), notebook(str(year))
             )
     (handed,) = gather(source, SHEET).submissions
-    assert typed_id(handed.read()) == "2026"
-    assert handed.notes == [f"2 submissions have this id; the newest, e/submission_2/{NAME}, was graded."]
+    assert [typed_id(file.read()) for file in handed.notebooks] == ["2026", "2025"]
+    assert handed.notes == ["2 submissions have this id."]
 
 
 @pytest.mark.parametrize("content", [b"", b"{", b'{"cells": []}', notebook().replace(b"student = ", b"who = ")])

@@ -309,7 +309,7 @@ def test_from_a_download_of_canvas_to_the_file_that_canvas_takes(tmp_path, asked
     zipped, out = tmp_path / "submissions.zip", tmp_path / "out"
     assert grade(zipped, out, "--roster", tmp_path / "roster.csv", "--column", "Sheet 3 (7)") == 0
     assert asked() == ["ada", "bob", "cyn"]
-    assert (out / "canvas.csv").read_text().splitlines()[2:] == ["A,1,,ada,S,2", "B,2,,bob,S,2", "C,3,,cyn,S,2"]
+    assert (out / "canvas.csv").read_text().splitlines()[2:] == ["A,1,,ada,S,2", "B,2,,bob,S,2", "C,3,,cyn,S,"]
     assert grade(zipped, tmp_path / "other") == 0
     assert asked() == ["ada", "bob"]
     assert "no --roster" in capsys.readouterr().out
