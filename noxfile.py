@@ -57,6 +57,16 @@ def fuzz(session: nox.Session) -> None:
 
 
 @nox.session
+def urdf(session: nox.Session) -> None:
+    """Read every URDF file of three packages; downloads one of them, example-robot-data, of 131 MB, into build/."""
+    folder = Path("build/example_robot_data")
+    if not folder.exists():
+        target = (f"--target={folder}", "--no-deps", "--only-binary=:all:", "--constraint=constraints.txt")
+        session.run(PYTHON, "-m", "pip", "install", "--quiet", *target, "example-robot-data")
+    run_pytest(session, "tests/kinlib/urdf/test_shipped_files.py")
+
+
+@nox.session
 def mutation(session: nox.Session) -> None:
     """Change a module in small ways and list the changes that no test detects: `nox -s mutation -- screw`."""
     if not session.posargs:
@@ -118,7 +128,17 @@ def viewer(session: nox.Session) -> None:
 def pin(session: nox.Session) -> None:
     """Write constraints.txt anew; `nox -s pin -- --upgrade` takes the newest versions, otherwise only what is new is added."""
     session.run(
-        *(PYTHON, "-m", "uv", "pip", "compile", "pyproject.toml", "--group=test", "--group=installer"),
+        *(
+            PYTHON,
+            "-m",
+            "uv",
+            "pip",
+            "compile",
+            "pyproject.toml",
+            "--group=test",
+            "--group=installer",
+            "--group=robots",
+        ),
         *("--universal", "--quiet", "--no-annotate", "--custom-compile-command=nox -s pin", "-o", "constraints.txt"),
         *session.posargs,
         env={"PYTHONPATH": os.pathsep.join(filter(None, [".uv", os.environ.get("PYTHONPATH")]))},

@@ -19,7 +19,7 @@ from kinlib.arrays import validation
 from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import homogeneous
 from kinlib.rigid.rpy import roll_pitch_yaw
-from kinlib.urdf.links_and_joints import MAX_NUMBER, Coupling, LinkTree, UrdfJoint
+from kinlib.urdf.links_and_joints import MAX_NUMBER, LinkTree, UrdfJoint
 from kinlib.urdf.robot_tree import Tree
 from kinlib.urdf.xml_elements import Element
 
@@ -130,9 +130,8 @@ def _tree_of_chain(chain: Chain) -> Tree:
             names, kinds, pairwise(links), origins, axes, limits, strict=False
         )
     ]
-    couplings = {name: Coupling(name, 1.0, 0.0) for name in names[: chain.n]}
     elements = {link: Element("link", 0, {"name": link}) for link in links}
-    return Tree(chain.name, LinkTree(elements, {joint.child: joint for joint in joints}, couplings))
+    return Tree(chain.name, LinkTree(elements, {joint.child: joint for joint in joints}))
 
 
 def _unused(name: str, names: Collection[str]) -> str:

@@ -89,7 +89,6 @@ class LinkTree:
 
     links          the elements of the links, by name
     parent_joints  for the name of each link but the root, the joint whose child it is, in the order of the file
-    couplings      for the name of each joint with one degree of freedom, in the order of the file, the independent joint it follows
 
     >>> from kinlib.urdf.xml_elements import read_robot
     >>> text = '''<robot name="crane"><link name="ground"/><link name="mast"/>
@@ -101,7 +100,6 @@ class LinkTree:
 
     links: Mapping[str, Element]
     parent_joints: Mapping[str, UrdfJoint]
-    couplings: Mapping[str, Coupling]
 
     @property
     def root(self) -> str:
@@ -163,7 +161,7 @@ def read_tree(robot: Element) -> LinkTree:
     """Read the links and the joints of a <robot>, and check that they form one tree.
 
     Raises ValueError, with element and line, if a name occurs twice, if a link is missing, has two parents or is not connected,
-    if links form a cycle, if an attribute of a joint is not valid, and if a mimic joint follows no other moving joint.
+    if links form a cycle, and if an attribute of a joint is not valid.
     Source: the URDF specification, "link" and "joint".
     """
     links: dict[str, Element] = {}
@@ -193,8 +191,42 @@ def read_tree(robot: Element) -> LinkTree:
                 )
             lines[joint.name], parent_joints[joint.child] = element.line, joint
     _check_one_tree(links, parent_joints)
-    moving = {joint.name: joint for joint in parent_joints.values() if joint.type in MOVING_TYPES}
-    return LinkTree(links, parent_joints, _couplings(moving))
+    return LinkTree(links, parent_joints)
+
+
+def resolve_mimic_joints(joints: Mapping[str, UrdfJoint]) -> dict[str, Coupling]:
+    """Find the independent joint that each joint follows, over any number of mimic joints: itself if it mimics no other.
+
+    Raises ValueError, with element and line, if a mimic joint follows no joint that moves, or itself.
+
+    >>> from kinlib.urdf.xml_elements import read_robot
+    >>> text = '''<robot name="r"><link name="a"/><link name="b"/><link name="c"/>
+    ...   <joint name="crank" type="continuous"><parent link="a"/><child link="b"/></joint>
+    ...   <joint name="gear" type="continuous"><parent link="a"/><child link="c"/><mimic joint="crank" multiplier="-2"/></joint>
+    ... </robot>'''
+    >>> resolve_mimic_joints({joint.name: joint for joint in read_tree(read_robot(text)).parent_joints.values()})["gear"]
+    Coupling(joint='crank', multiplier=-2.0, offset=0.0)
+    """
+    found: dict[str, Coupling] = {}
+    for start in joints.values():
+        joint, path = start, dict[str, Coupling]()
+        while joint.mimic is not None and joint.name not in found:
+            path[joint.name], other = joint.mimic, joint.mimic.joint
+            element = joint.element.child("mimic") or joint.element
+            if other in path:
+                circle = list(path)[list(path).index(other) :]
+                raise element.error(f"joints must not mimic each other in a circle; got {', '.join(circle[:12])}.")
+            if other not in joints:
+                moving = (
+                    f"The joints that move are {', '.join(list(joints)[:12])}{', ...' if len(joints) > 12 else '.'}"
+                )
+                raise element.error(f"it must name a joint that moves; got {other!r}. {moving}")
+            joint = joints[other]
+        driver, slope, shift = found.setdefault(joint.name, Coupling(joint.name, 1.0, 0.0))
+        for name, (_, multiplier, offset) in reversed(path.items()):
+            slope, shift = multiplier * slope, multiplier * shift + offset
+            found[name] = Coupling(driver, slope, shift)
+    return {name: found[name] for name in joints}
 
 
 def suggest_link(name: str, links: Mapping[str, Element]) -> str:
@@ -289,35 +321,6 @@ def _mimic(joint: Element, kind: str) -> Coupling | None:
             f"multiplier and offset must be between -{MAX_COUPLING:g} and {MAX_COUPLING:g}; got {largest:g}."
         )
     return Coupling(element.text("joint"), **values)
-
-
-def _couplings(joints: Mapping[str, UrdfJoint]) -> dict[str, Coupling]:
-    """How each moving joint follows from an independent one, which is the joint itself if it mimics no other."""
-    found: dict[str, Coupling] = {}
-    for start in joints.values():
-        joint, path = start, dict[str, Coupling]()
-        while joint.mimic is not None and joint.name not in found:
-            path[joint.name], other = joint.mimic, joint.mimic.joint
-            if other in path:
-                circle = list(path)[list(path).index(other) :]
-                raise _mimic_error(
-                    joint, f"joints must not mimic each other in a circle; got {', '.join(circle[:12])}."
-                )
-            if other not in joints:
-                moving = (
-                    f"The joints that move are {', '.join(list(joints)[:12])}{', ...' if len(joints) > 12 else '.'}"
-                )
-                raise _mimic_error(joint, f"it must name a joint that moves; got {other!r}. {moving}")
-            joint = joints[other]
-        driver, slope, shift = found.setdefault(joint.name, Coupling(joint.name, 1.0, 0.0))
-        for name, (_, multiplier, offset) in reversed(path.items()):
-            slope, shift = multiplier * slope, multiplier * shift + offset
-            found[name] = Coupling(driver, slope, shift)
-    return {name: found[name] for name in joints}
-
-
-def _mimic_error(joint: UrdfJoint, why: str) -> ValueError:
-    return (joint.element.child("mimic") or joint.element).error(why)
 
 
 def _check_one_tree(links: Mapping[str, Element], parent_joints: Mapping[str, UrdfJoint]) -> None:

@@ -18,7 +18,15 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.rigid.lie import exp, inverse
 from kinlib.rigid.screw import screw
-from kinlib.urdf.links_and_joints import LinkTree, PathStep, UrdfJoint, read_tree
+from kinlib.urdf.links_and_joints import (
+    MOVING_TYPES,
+    Coupling,
+    LinkTree,
+    PathStep,
+    UrdfJoint,
+    read_tree,
+    resolve_mimic_joints,
+)
 from kinlib.urdf.xml_elements import read_robot
 
 HEADINGS = ["link", "joint", "type", "value"]
@@ -50,7 +58,7 @@ class Tree(validation.ReadOnly):
     link    | joint  | type      | value
     palm    |        |           |
       left  | open   | prismatic | q1
-      right | follow | prismatic | -q1
+      right | follow | prismatic | -open
         pad | glue   | fixed     |
     >>> tree.tips, tree.joint_names, tree.moving_joint_names
     (('left', 'pad'), ('open',), ('open', 'follow'))
@@ -65,7 +73,8 @@ class Tree(validation.ReadOnly):
     def from_urdf(cls, path_or_text: str | os.PathLike[str]) -> "Tree":
         """Read a URDF from the path of a file, or from its text, which begins with <.
 
-        Every link and every joint is read and checked. No other file is opened, and nothing is downloaded.
+        Every link and every joint is read and checked. Only a mimic joint that follows no joint of the file is refused later, where
+        its value is needed. No other file is opened, and nothing is downloaded.
 
         Raises ValueError, with the element and its line, as kl.load_urdf does.
         Source: the URDF specification, "link" and "joint".
@@ -96,13 +105,14 @@ class Tree(validation.ReadOnly):
                 yield [indent * depth + link, joint.name, joint.type, self._value(joint)]
 
     def _value(self, joint: UrdfJoint) -> str:
-        """The value of a joint as a formula."""
-        if joint.name not in self.link_tree.couplings:
-            return "a pose" if joint.moves else ""
-        driver, multiplier, offset = self.link_tree.couplings[joint.name]
-        sign = {1.0: "", -1.0: "-"}.get(multiplier, f"{format_number(multiplier)} ")
-        shift = f" {'-' if offset < 0 else '+'} {format_number(abs(offset))}" if offset else ""
-        return f"{sign}q{self._numbers[driver] + 1}{shift}"
+        """The value of a joint as the file has it: a number of q, or a formula in another joint."""
+        if joint.mimic is None:
+            return (
+                f"q{self._numbers[joint.name] + 1}" if joint.name in self._numbers else "a pose" if joint.moves else ""
+            )
+        other, multiplier, offset = joint.mimic
+        factor = {1.0: "", -1.0: "-"}.get(multiplier, f"{format_number(multiplier)} ")
+        return f"{factor}{other}" + (f" {'-' if offset < 0 else '+'} {format_number(abs(offset))}" if offset else "")
 
     @property
     def root(self) -> str:
@@ -122,12 +132,12 @@ class Tree(validation.ReadOnly):
     @cached_property
     def moving_joint_names(self) -> tuple[str, ...]:
         """The m names of the joints that move by one value, mimic joints included."""
-        return tuple(self.link_tree.couplings)
+        return tuple(self._moving_joints)
 
     @cached_property
     def joint_names(self) -> tuple[str, ...]:
         """The n names of the independent joints, in the order of q: [positions[name] for name in tree.joint_names]."""
-        return tuple(name for name, coupling in self.link_tree.couplings.items() if coupling.joint == name)
+        return tuple(name for name, joint in self._moving_joints.items() if joint.mimic is None)
 
     @property
     def n(self) -> int:
@@ -140,45 +150,66 @@ class Tree(validation.ReadOnly):
 
         The limits that a file gives for a mimic joint are not used, because its value follows from the other joint.
         """
-        joints = {joint.name: joint for joint in self.link_tree.parent_joints.values()}
-        return validation.read_only_copy(np.reshape([joints[name].limits for name in self.joint_names], (-1, 2)))
+        return validation.read_only_copy(
+            np.reshape([self._moving_joints[name].limits for name in self.joint_names], (-1, 2))
+        )
 
     @cached_property
     def coupling(self) -> Array:
         """The coupling matrix C, (m, n). The row of an independent joint has a single 1, that of a mimic joint its multiplier."""
         C = np.zeros((len(self.moving_joint_names), self.n))
-        C[np.arange(len(C)), self._columns] = self._multipliers
+        C[np.arange(len(C)), self._columns] = [multiplier for _, multiplier, _ in self._couplings.values()]
         return validation.read_only_copy(C)
 
     @cached_property
     def offsets(self) -> Array:
         """The values c, (m,), of all moving joints where the independent ones are 0."""
-        return validation.read_only_copy([offset for _, _, offset in self.link_tree.couplings.values()])
+        return validation.read_only_copy([offset for _, _, offset in self._couplings.values()])
 
     @cached_property
-    def _multipliers(self) -> Array:
-        return np.array([multiplier for _, multiplier, _ in self.link_tree.couplings.values()])
+    def _moving_joints(self) -> dict[str, UrdfJoint]:
+        return {joint.name: joint for joint in self.link_tree.parent_joints.values() if joint.type in MOVING_TYPES}
 
     @cached_property
     def _numbers(self) -> dict[str, int]:
         return {name: i for i, name in enumerate(self.joint_names)}
 
     @cached_property
+    def _couplings(self) -> dict[str, Coupling]:
+        # Resolved at first use, because a faulty mimic joint, for example of a hand, does not affect the chains of an arm.
+        return resolve_mimic_joints(self._moving_joints)
+
+    @cached_property
     def _columns(self) -> list[int]:
         """For each moving joint the number of the independent joint that it follows."""
-        return [self._numbers[driver] for driver, _, _ in self.link_tree.couplings.values()]
+        return [self._numbers[driver] for driver, _, _ in self._couplings.values()]
+
+    def _values(self, q: Array, joint: UrdfJoint) -> Array:
+        """The values (...) of one joint for values (..., n) of the independent joints."""
+        driver, multiplier, offset = self._coupling(joint)
+        values: Array = multiplier * q[..., self._numbers[driver]] + offset
+        return values
+
+    def _coupling(self, joint: UrdfJoint) -> Coupling:
+        return self._couplings[joint.name] if joint.mimic else Coupling(joint.name, 1.0, 0.0)
 
     def joint_values(self, q: ArrayLike) -> Array:
         """Compute the values of all moving joints from those of the independent ones: C q + c.
 
         q (..., n) in radians and metres -> (..., m), in the order of `moving_joint_names`.
 
-        Raises ValueError for values of another size, and for NaN.
+        Raises ValueError for values of another size, for NaN, and if a mimic joint follows no joint that moves, or itself.
 
         >>> text = '<robot name="ground"><link name="floor"/></robot>'
         >>> Tree.from_urdf(text).joint_values([])
         array([], dtype=float64)
         """
+        q = self._validate(q)
+        multipliers = [multiplier for _, multiplier, _ in self._couplings.values()]
+        values: Array = q[..., self._columns] * multipliers + self.offsets
+        return values
+
+    def _validate(self, q: ArrayLike) -> Array:
         q = validation.array(q, "q")
         if q.shape[-1:] != (self.n,):
             advice = (
@@ -189,8 +220,7 @@ class Tree(validation.ReadOnly):
             raise ValueError(
                 f"{self.name} has {self._joints}, so q must have shape (..., {self.n}); got {q.shape}. {advice}."
             )
-        values: Array = q[..., self._columns] * self._multipliers + self.offsets
-        return values
+        return q
 
     def poses(
         self, q: ArrayLike, base: ArrayLike | None = None, joint_poses: Mapping[str, ArrayLike] | None = None
@@ -205,8 +235,8 @@ class Tree(validation.ReadOnly):
         joint_poses  for the name of each planar and each floating joint, its motion (..., 4, 4): the pose of the child link in
                      the frame of the joint
 
-        Raises ValueError for joint values of another size, for NaN, for a matrix that is no pose, and for a planar or a floating
-        joint without a pose.
+        Raises ValueError for joint values of another size, for NaN, for a matrix that is no pose, for a planar or a floating joint
+        without a pose, and if a mimic joint follows no joint that moves, or itself.
         Source: the URDF specification, "joint"; Modern Robotics, 4.2.
 
         >>> from kinlib.chains.robots import youbot
@@ -259,11 +289,10 @@ class Tree(validation.ReadOnly):
                 f"q must be given if a joint moves between the links; between {base} and {tip} {', '.join(moving[:12])} "
                 f"{'moves' if len(moving) == 1 else 'move'}. Pass the values of the {self._joints}."
             )
-        values = self.joint_values(np.zeros(self.n) if q is None else q)
-        by_name = dict(zip(self.moving_joint_names, np.moveaxis(values, -1, 0), strict=True))
-        T = np.broadcast_to(np.eye(4), (*values.shape[:-1], 4, 4)).copy()
+        q = self._validate(np.zeros(self.n) if q is None else q)
+        T = np.broadcast_to(np.eye(4), (*q.shape[:-1], 4, 4)).copy()
         for joint, sign in path:
-            step = joint.origin @ exp(joint.screw * by_name[joint.name][..., None]) if joint.moves else joint.origin
+            step = joint.origin @ exp(joint.screw * self._values(q, joint)[..., None]) if joint.moves else joint.origin
             T = T @ (step if sign > 0 else inverse(step))
         return T
 
@@ -303,7 +332,7 @@ class Tree(validation.ReadOnly):
                 f"a joint must move between base and tip; none does between {base} and {tip}. Their constant pose is "
                 f'kl.Tree.from_urdf(...).pose("{base}", "{tip}"). For a chain, pass other links as base or tip.'
             )
-        couplings = [self.link_tree.couplings[joint.name] for joint in moving]
+        couplings = [self._coupling(joint) for joint in moving]
         drivers = [driver for driver, _, _ in couplings]
         for joint, (driver, multiplier, _) in zip(moving, couplings, strict=True):
             if joint.mimic and (drivers.count(driver) > 1 or abs(multiplier) != 1):
@@ -352,7 +381,7 @@ class Tree(validation.ReadOnly):
     @cached_property
     def _origins_and_screws(self) -> tuple[Array, Array]:
         """The origins (m, 4, 4) and the screw axes (m, 6) of the moving joints, each axis in the frame of its joint."""
-        joints = [joint for joint in self.link_tree.parent_joints.values() if joint.name in self.link_tree.couplings]
+        joints = self._moving_joints.values()
         origins = np.reshape([joint.origin for joint in joints], (-1, 4, 4))
         return origins, np.reshape([joint.screw for joint in joints], (-1, 6))
 

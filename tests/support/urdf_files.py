@@ -3,6 +3,7 @@
 import warnings
 from contextlib import chdir
 from functools import cache
+from importlib.util import find_spec
 from pathlib import Path
 
 import numpy as np
@@ -38,6 +39,23 @@ ARMS = {
     },
 }
 """Each arm: the package, the file, and the tip, if the file has several."""
+
+
+ROOT = Path(__file__).resolve().parents[2]
+
+EXAMPLE_ROBOT_DATA = ROOT / "build/example_robot_data/cmeel.prefix/share/example-robot-data/robots"
+"""Where `nox -s urdf` puts the URDF files of example-robot-data, a package of 131 MB with 69 robots."""
+
+
+def shipped_files():
+    """Every file *.urdf that airo-models and rtb-data ship, and example-robot-data if it is there: {package/name: path}."""
+    found = {package: find_spec(package) for package in ("airo_models", "rtbdata")}
+    folders = {package: Path(spec.origin).parent for package, spec in found.items() if spec}
+    return {
+        f"{package}/{path.relative_to(folder).as_posix()}": path
+        for package, folder in {**folders, "example_robot_data": EXAMPLE_ROBOT_DATA}.items()
+        for path in sorted(folder.rglob("*.urdf"))
+    }
 
 
 @cache
