@@ -51,6 +51,8 @@ def copy_files(app: Sphinx) -> None:
     target = Path(app.outdir) / "_static"
     (target / "katex" / "fonts").mkdir(parents=True, exist_ok=True)
     shutil.copy(FONTS / "katex.min.css", target / "katex")
+    for name in ("katex.min.js", "contrib/auto-render.min.js"):  # for outputs of cells that run on the page
+        shutil.copy(FONTS / name, target / "katex")
     for font in (FONTS / "fonts").glob("*.woff2"):
         shutil.copy(font, target / "katex" / "fonts")
     for script in STATIC.glob("*.js"):
@@ -79,6 +81,7 @@ def set_context(app: Sphinx, page: str, _: str, context: dict[str, Any], doctree
     path = f"notebooks/{name}.ipynb" if folder == "lectures" else f"exercises/{name}/{name}.ipynb"
     lab = app.config.kinlib_lab
     context["kinlib_run"] = f"{lab}/notebooks/index.html?path={path}" if lab and is_notebook else ""
+    context["kinlib_lab_folder"] = f"{lab}/"
     context["kinlib_kind"] = folder.rstrip("s") if is_notebook else ""
     context["kinlib_sheet"] = name if folder == "lectures" and f"sheets/{name}" in app.env.found_docs else ""
     context["kinlib_lecture"] = name if folder == "sheets" and f"lectures/{name}" in app.env.found_docs else ""

@@ -60,7 +60,7 @@
 
   // --- questions ---
 
-  function startQuestion(section) {
+  function startQuestion(section, again = false) {
     const name = section.dataset.misstepQuestion;
     const right = Number(section.dataset.right);
     const predicts = section.dataset.kind === 'predict';
@@ -90,7 +90,7 @@
     function commit(k) {
       if ('committed' in section.dataset) return; // the first answer counts
       updateProgress(({ answers }) => {
-        answers[name] = k;
+        answers[name] ??= k; // the first answer counts, also if the question is shown again
       });
       show(k);
       document.dispatchEvent(new CustomEvent('kinlib-committed', { detail: name }));
@@ -121,7 +121,7 @@
       }
     }
 
-    const before = progress.answers[name];
+    const before = again && !predicts ? null : progress.answers[name];
     if (Number.isInteger(before) && before in options) show(before);
   }
 
@@ -153,8 +153,8 @@
   /** Open the explanation of a prediction with the answer, or when the reader asks to see it without one. */
   function startExplanation(section) {
     const name = section.dataset.misstepExplain;
-    const asked = elementsNamed('data-misstep-question', name)[0];
-    if (!asked) return;
+    const asked = () => elementsNamed('data-misstep-question', name)[0]; // another one after its cell was run again
+    if (!asked()) return;
     const items = all('.misstep-options > li', section);
     const question = cloneChildren(section.querySelector('summary'));
     const lesson = section.querySelector('.misstep-lesson');
@@ -172,7 +172,7 @@
       reply.replaceChildren(
         ...explainAnswer(
           k,
-          Number(asked.dataset.right),
+          Number(asked().dataset.right),
           (index) => items[index].querySelector('.misstep-why'),
           (index) => cloneChildren(items[index].querySelector('p')),
         ),
@@ -180,9 +180,11 @@
       section.append(lesson);
       makeWideContentFocusable();
     }
-    const showComparison = () => show(Number(asked.dataset.committed));
-    document.addEventListener('kinlib-committed', ({ detail }) => detail === name && showComparison());
-    if ('committed' in asked.dataset) showComparison();
+    const showComparison = () => show(Number(asked().dataset.committed));
+    document.addEventListener('kinlib-committed', ({ detail }) => {
+      if (detail === name && section.isConnected) showComparison();
+    });
+    if ('committed' in asked().dataset) showComparison();
   }
 
   // --- pictures that are covered until a prediction is made ---
@@ -385,6 +387,14 @@
     }
   }
 
+  function startContent(root, again = false) {
+    for (const section of all('[data-misstep-question]', root)) startQuestion(section, again);
+    all('[data-misstep-explain]', root).forEach(startExplanation);
+    all('[data-kinlib-viewer][data-kinlib-after]', root).forEach(uncoverViewerLater);
+    all('[data-kinlib-slides]', root).forEach(startSlides);
+    makeWideContentFocusable();
+  }
+
   // --- a link to a folded section, or into it, opens it ---
 
   function openFolds() {
@@ -397,10 +407,9 @@
   }
 
   document.documentElement.classList.remove('no-js');
-  all('[data-misstep-question]').forEach(startQuestion);
-  all('[data-misstep-explain]').forEach(startExplanation);
-  all('[data-kinlib-viewer][data-kinlib-after]').forEach(uncoverViewerLater);
-  all('[data-kinlib-slides]').forEach(startSlides);
+  startContent(document);
+  // live.js adds outputs of cells that the reader runs; a self-check that was run again can be answered again
+  document.addEventListener('kinlib-content', ({ detail }) => startContent(detail.root, detail.again));
   all('[data-kinlib-done]').forEach(startReadButton);
   all('[data-kinlib-progress]').forEach(startProgressTable);
   markReadLectures();

@@ -111,6 +111,7 @@ def build_with_jupyterlite(kind: str, folder: Path) -> None:
     )  # fmt: skip
     if done.returncode:
         raise ValueError(f"JupyterLite failed:\n{done.stdout[-2000:]}\n{done.stderr[-2000:]}")
+    shutil.copytree(SITE / "lab" / "live", folder / "html" / "live")
     for app in APPS:
         add_language_and_icon(folder / "html" / app / "index.html")
 

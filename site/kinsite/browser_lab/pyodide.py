@@ -129,6 +129,8 @@ def install(source: Distribution, own: list[Path], folder: Path) -> list[str]:
         entry["depends"] = [name for name in entry["depends"] if canonicalize_name(name) in packages]
     lock["packages"] = dict(sorted(packages.items()))
     (folder / "pyodide-lock.json").write_text(json.dumps(lock), "utf-8")
+    sizes = {path.name: path.stat().st_size for path in sorted(folder.iterdir())}
+    (folder / "sizes.json").write_text(json.dumps(sizes), "utf-8")  # for the progress of a download
     return sorted(packages)
 
 

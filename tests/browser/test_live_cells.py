@@ -1,0 +1,157 @@
+"""Cells that run on the page of a lecture: one visit with the real Python, and messages with a worker that only pretends."""
+
+import json
+
+import pytest
+from browser import unwatched, watched
+from built_site import SITE
+from lab_page import PYTHON_TIMEOUT_MS
+from playwright.sync_api import expect
+
+LECTURE = "lectures/00_start_here.html"
+PHONE = {"width": 390, "height": 844}
+
+
+@pytest.fixture(scope="module")
+def lecture(site_folder, site_address):
+    """The address of a lecture whose cells can run."""
+    if not (site_folder / "lab").exists():
+        pytest.skip("NO LAB WAS BUILT: its files could not be downloaded.")
+    return f"{site_address}/{LECTURE}"
+
+
+def cell(page, text):
+    return page.locator("div.cell").filter(has=page.locator(".cell_input", has_text=text)).first
+
+
+def press(which, name):
+    which.get_by_role("button", name=name, exact=False).first.click()
+
+
+def ended(which, text="Done."):
+    expect(which.locator(".kinlib-live-note")).to_have_text(text, timeout=PYTHON_TIMEOUT_MS)
+
+
+def write(which, text):
+    if not which.locator("textarea").count():
+        press(which, "Edit")
+    which.locator("textarea").fill(text)
+
+
+def test_a_reader_runs_changes_and_stops_the_cells_of_a_lecture(chromium_without_webgl, lecture):
+    """One visit, because Python takes long to start."""
+    with watched(chromium_without_webgl, viewport=PHONE) as page:
+        page.goto(lecture)
+        runs_the_cells_above_first(page)
+        shows_an_error_with_its_line(page)
+        answers_a_blank_step(page)
+        has_no_violation(page)
+        stops_a_cell_that_never_ends(page)
+        page.reload()
+        typed = page.get_by_role("textbox", name="Code of cell")
+        assert [area.input_value() for area in typed.all()] == ["1 +", "while True: pass"]
+        page.get_by_role("button", name="Reset cell 9").click()
+        page.reload()
+        assert [area.input_value() for area in typed.all()] == ["1 +"]
+
+
+def runs_the_cells_above_first(page):
+    """Python starts with the click, the result that the page was built with stays until the new one is there."""
+    pose = cell(page, "print(arm.home")
+    before = pose.locator(".cell_output").inner_text()
+    assert "0.5405" in before
+    press(pose, "Run")
+    expect(page.get_by_text("Python is loading")).to_be_visible()
+    assert pose.locator(".cell_output").inner_text() == before
+    ended(pose)
+    assert pose.locator(".cell_output").inner_text().split() == before.split()
+    for above in ("draw_parts(arm)", "The arm at home", 'ask("00/joint-3")', 'explain("00/joint-3")'):
+        ended(cell(page, above))
+    assert cell(page, "draw_parts(arm)").get_by_role("img").count() == 1
+    question = cell(page, 'ask("00/joint-3")')
+    question.get_by_role("button", name="A", exact=False).first.click()
+    expect(cell(page, 'explain("00/joint-3")').get_by_role("status")).to_contain_text("A is")
+
+
+def shows_an_error_with_its_line(page):
+    pose = cell(page, "print(arm.home")
+    write(pose, "print('before')\narm.fk([1, 2])")
+    pose.locator("textarea").press("Control+Enter")
+    ended(pose, "Ended with an error.")
+    output = pose.locator(".cell_output")
+    expect(output.locator(".stream")).to_have_text("before\n")
+    expect(output.locator(".kinlib-live-error p")).to_have_text("✗ ValueError in line 2 of this cell")
+    expect(output).to_contain_text("q must have shape (..., 5)")
+    write(pose, "from sympy import symbols\nsymbols('x') ** 2")
+    pose.locator("textarea").press("Control+Enter")
+    ended(pose)
+    expect(output.locator(".katex")).to_have_count(1)
+    write(pose, "1 +")
+    pose.locator("textarea").press("Control+Enter")
+    ended(pose, "Ended with an error.")
+    expect(output.locator(".kinlib-live-error p")).to_have_text("✗ SyntaxError in line 1 of this cell")
+
+
+def answers_a_blank_step(page):
+    """The card of a blank step in the lecture judges what the reader typed; Shift+Enter goes on to the next cell."""
+    blank = cell(page, "position = ...")
+    write(blank, 'position = [0.5405, 0, 0.147]\nattempt("00.a", position)')
+    blank = page.locator("div.cell", has=page.get_by_role("textbox", name="Code of cell 9"))
+    blank.locator("textarea").press("Shift+Enter")
+    ended(blank)
+    expect(blank.locator(".cell_output")).to_contain_text("Right")
+    expect(page.get_by_role("button", name="Run cell 10")).to_be_focused()
+
+
+def has_no_violation(page):
+    page.evaluate((SITE / "node_modules" / "axe-core" / "axe.min.js").read_text("utf-8"))
+    for theme in ("light", "dark"):
+        page.emulate_media(color_scheme=theme)
+        page.wait_for_timeout(300)
+        found = page.evaluate("axe.run('article', { resultTypes: ['violations'] })")["violations"]
+        assert not found, f"{theme}: {json.dumps([(rule['id'], rule['nodes'][0]['html'][:200]) for rule in found])}"
+
+
+def stops_a_cell_that_never_ends(page):
+    endless = page.locator("div.cell", has=page.get_by_role("textbox", name="Code of cell 9"))
+    write(endless, "while True: pass")
+    press(endless, "Run")
+    ended(endless, "Running.")
+    press(endless, "Stop")
+    expect(endless.locator(".kinlib-live-note")).to_contain_text("All variables are lost")
+    expect(endless.get_by_role("button", name="Run cell 9")).to_have_text("Run")
+
+
+def test_the_page_says_how_much_is_loaded_and_when_nothing_arrives(chromium_without_webgl, lecture):
+    with watched(chromium_without_webgl) as page:
+        page.clock.install()
+        page.route("**/live/worker.js", lambda route: route.fulfill(
+            content_type="text/javascript",
+            body="postMessage({ kind: 'bytes', received: 12.9e6, total: 37.2e6 });",
+        ))  # fmt: skip
+        page.goto(lecture)
+        press(cell(page, "draw_parts(arm)"), "Run")
+        expect(page.locator(".kinlib-live-status")).to_have_text("Python is loading 12 of 38 MB")
+        assert float(page.locator(".kinlib-live-status progress").get_attribute("value")) == pytest.approx(12.9 / 37.2)
+        page.clock.run_for(20_000)
+        expect(page.locator(".kinlib-live-status")).to_contain_text("No data has arrived for 20 seconds.")
+
+
+def test_the_page_says_why_python_could_not_start_and_tries_again(chromium_without_webgl, lecture):
+    with unwatched(chromium_without_webgl) as page:
+        page.route("**/static/pyodide/sizes.json", lambda route: route.abort())
+        page.goto(lecture)
+        first = cell(page, "draw_parts(arm)")
+        press(first, "Run")
+        ended(first, "Python could not start.")
+        expect(page.locator(".kinlib-live-status")).to_contain_text("Check the connection, then press Run again.")
+        press(first, "Run")
+        ended(first, "Waiting for Python.")
+
+
+def test_without_a_lab_the_page_says_that_the_code_has_been_run(chromium_without_webgl, lecture):
+    with watched(chromium_without_webgl) as page:
+        page.route("**/live.js", lambda route: route.fulfill(content_type="text/javascript", body=""))
+        page.goto(lecture)
+        expect(page.locator(".kinlib-ran")).to_contain_text("has been run for you")
+        expect(page.get_by_role("button", name="Run cell 1")).to_have_count(0)
