@@ -194,8 +194,11 @@ NOISE = st.one_of(st.floats(0, 1e-8), st.floats(1e-2, 1.0))
 
 
 @pytest.mark.oracle(
-    *("modern_robotics", validation.rotations_or_poses, validation.matrices_3x3_or_4x4),
-    *(validation.poses, validation.few_rigid_matrices),
+    "modern_robotics",
+    validation.rotations_or_poses,
+    validation.matrices_3x3_or_4x4,
+    validation.poses,
+    validation.few_rigid_matrices,
 )
 @given(poses(), NOISE, st.integers(0, 99))
 def test_a_matrix_is_accepted_if_and_only_if_modern_robotics_accepts_it(T, size, seed):
