@@ -10,14 +10,16 @@ How one submission gets its grade, in the order of reading:
     jobs         the submissions that have no result yet, each with a fingerprint of what its result depends on
     sandbox/     the confined processes in which submissions run
         runner, server, child    the server imports everything once, and forks a child for each submission
-        rootfs, confine, limits, syscalls   what a child can reach, layer by layer
+        rootfs, confine, limits, allowed_syscalls   what a child can reach, layer by layer
+        memory                   what a child holds, counted from outside
         course_stub, redacted_sheet         what a child sees instead of the course: the sheet without answers
         run_cells                runs the cells as a notebook would
         rpc                      messages to worker processes, such as the judge
     judging/     from one submission to its Result
         grader                   all of this for one submission: bytes in, a Result out
         parse_output             parses what the child wrote, and trusts none of it
-        judge_process            a process that knows the right answers: writes redacted sheets and judges answers
+        judge_process            a process that knows the right answers: writes redacted sheets, and judges the answers of
+                                 each submission in a process of its own
         bounded_executor, cluster   many submissions at a time, on this machine or on a Dask cluster
     result_sink  writes each result to its page and into the gradebook at once
     publish/     the stored results, feedback pages, the report, tables and files for learning platforms

@@ -6,16 +6,16 @@ The output of the sandbox is made up here and corrupted too; the judge, the grad
 import io
 import json
 import math
-import signal
 import tempfile
 import warnings
 import zipfile
 from contextlib import suppress
 from functools import cache
 from pathlib import Path
+from unittest import mock
 
 import nbformat
-from assertions import assert_explained, assert_verdict
+from assertions import assert_explained, assert_verdict, limit_processor_time
 from corruption import (
     LEAVES,
     PIECE,
@@ -107,7 +107,9 @@ class Rehearsal(Grader):
 
     def _ask_judge(self, message):
         request = receive_message(io.BytesIO(encode_message(message)))
-        answer = judging._respond(COURSE, {**request, "sheet": self.sheet.name})
+        seconds = judging.ANSWER_SECONDS * len(self._templates)
+        with mock.patch.object(judging, "verdicts_apart", judging.verdicts), limit_processor_time(seconds):
+            answer = judging._respond(COURSE, {**request, "sheet": self.sheet.name})
         assert "error" not in answer, answer
         return receive_message(io.BytesIO(encode_message(answer)))
 
@@ -158,7 +160,6 @@ def _encoded(text):
 @given(st.deferred(cases))
 def test_every_student_of_any_submission_gets_valid_points_and_a_reason(case):
     kind, files, roster_text, (changes, slips, flips), asked = case
-    signal.signal(signal.SIGPROF, judging._raise_timeout)
     prompter = grader()._runner
     prompter.changes, prompter.slips, prompter.asked = changes, slips, asked
     with tempfile.TemporaryDirectory() as root:

@@ -23,7 +23,7 @@ import secrets
 import signal
 import sys
 import tempfile
-from collections.abc import Callable, Mapping
+from collections.abc import Mapping
 from contextlib import suppress
 from functools import lru_cache, partial
 from importlib import import_module
@@ -45,6 +45,8 @@ from misstep.verdict import Verdict, observation
 ANSWER_SECONDS = 4.0
 """Processor time for all that is done with one answer, reading included. It is no wall-clock time, so that a busy machine
 changes no verdict. The slowest answers that people give, tables that no mistake explains, take a tenth of it."""
+
+Task = partial[dict[str, Any]]
 
 MEMORY_BYTES = 2 << 30
 """The most memory that the judge may use, because a short answer may need a lot of memory to read."""
@@ -90,7 +92,7 @@ def verdicts_apart(
         tasks[culprit] = partial(tasks[culprit], data={"other": f"an answer that {why}"})
 
 
-def _judge_in_turn(outbox: int, tasks: Mapping[str, Callable[[], dict[str, Any]]]) -> NoReturn:
+def _judge_in_turn(outbox: int, tasks: Mapping[str, Task]) -> NoReturn:
     """Write each verdict as soon as it is there, and exit. The kernel ends this process if one of them takes too long."""
     try:
         with os.fdopen(outbox, "wb") as stream:
@@ -106,7 +108,7 @@ def _judge_in_turn(outbox: int, tasks: Mapping[str, Callable[[], dict[str, Any]]
 
 def _tasks(
     course: Course, sheet: Sheet, student: str, seed: int, answers: Mapping[str, Any], *, site: str
-) -> dict[str, Callable[[], dict[str, Any]]]:
+) -> dict[str, Task]:
     """For each problem, the function that judges its answer."""
     return {
         str(k): partial(_verdict, template, problem, page_address(template.lecture, site), data=answers.get(str(k)))
