@@ -130,7 +130,7 @@ class Grader:
                     max_points,
                     verdict["state"] if str(k) in answers else "missing",
                     verdict["text"],
-                    verdict["html"],
+                    verdict.get("statement", ""),
                     verdict["mistakes"],
                     notes.get(k, ()),
                     answers.get(str(k)),
@@ -138,6 +138,7 @@ class Grader:
                     verdict["possible"],
                     verdict["explanations"],
                     verdict["address"],
+                    verdict.get("figure", ""),
                 )
             )
         return results
@@ -217,7 +218,6 @@ def _zero_points(state: str, text: str) -> dict[str, Any]:
         "explanations": [],
         "address": "",
         "text": text,
-        "html": f"<p>{text}</p>",
     }
 
 

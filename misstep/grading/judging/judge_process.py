@@ -48,6 +48,9 @@ changes no verdict. The slowest answers that people give, tables that no mistake
 
 Task = partial[dict[str, Any]]
 
+UNSOLVED = {"partly", "wrong", "unreadable"}
+"""The states of an answer that must be mended, for which feedback shows the figure of the problem."""
+
 MEMORY_BYTES = 2 << 30
 """The most memory that the judge may use, because a short answer may need a lot of memory to read."""
 
@@ -138,10 +141,21 @@ def _verdict(template: Template, problem: Problem, address: str, *, data: Any) -
         "possible": seen.possible,
         "explanations": seen.explanations,
         "text": card.text(),
-        "html": card.html(),
+        "statement": problem.statement,
+        "figure": figure_html(problem) if verdict.judgement.state in UNSOLVED else "",
         "address": card.body[-1].address if isinstance(card.body[-1], Link) else "",
         "right": to_data(problem.answer.value),
     }
+
+
+def figure_html(problem: Problem) -> str:
+    """The figure of a problem as HTML; "" if it has none, or if it cannot be drawn."""
+    try:
+        figure = problem.figure() if problem.figure else None
+        bundle = figure._repr_mimebundle_() if hasattr(figure, "_repr_mimebundle_") else {}
+    except Exception:  # a figure is not worth a grade
+        return ""
+    return str(bundle.get("text/html", ""))
 
 
 def _judge_answer(problem: Problem, data: Any) -> Judgement:

@@ -17,7 +17,9 @@ class ProblemResult:
     number, title, max   of the problem; a number is text such as "03.1"
     points   the points earned
     state    right, partly, wrong, blank, unreadable; or missing, if its check cell gave no answer
-    verdict  the text of the card; html is the same card as HTML, made by the judge and safe to show
+    verdict  the text of the card
+    statement, figure   of the problem: Markdown, and HTML by the author of the course; a figure is there only if there is
+             something to mend
     mistakes the names of the recognised mistakes
     notes    remarks on its cells
     answer   the answer as data, in the form of misstep.storage.deserialize
@@ -32,7 +34,7 @@ class ProblemResult:
     max: float
     state: str
     verdict: str
-    html: str
+    statement: str = ""
     mistakes: Sequence[str] = ()
     notes: Sequence[str] = ()
     answer: Any = None
@@ -40,6 +42,7 @@ class ProblemResult:
     possible: Sequence[str] = ()
     explanations: Sequence[Alternatives] = ()
     address: str = ""
+    figure: str = ""
 
 
 @dataclass(frozen=True)

@@ -1,11 +1,12 @@
 """Notebooks as nbgrader stores them after grading: the outputs of each cell, and the judge's verdicts in the check cells.
 
-nbgrader reads the points of a check cell from its last output, a number. Outputs of student code are kept as text and
-pictures only, because formgrader and generate_feedback would copy HTML into their pages unchanged.
+nbgrader reads the points of a check cell from its last output, a number. What a student wrote is kept as text and pictures only,
+text cells included, because formgrader and generate_feedback would copy HTML into their pages unchanged.
 """
 
+import re
 import warnings
-from collections.abc import Mapping
+from collections.abc import Container, Mapping
 from copy import deepcopy
 from typing import Any
 
@@ -14,24 +15,58 @@ from nbformat import NotebookNode
 from nbformat.v4 import new_markdown_cell
 
 from misstep.grading.judging.result import ProblemResult, Result
-from misstep.grading.publish.pages import outputs_of, png_of, text_of
+from misstep.grading.publish.pages import SHOW_CELL, outputs_of, png_of, render_part, text_of
 
 
-def fill_outputs(notebook: NotebookNode, result: Result) -> NotebookNode:
-    """The graded notebook, with the outputs and verdicts of its result, and with the reasons in a cell at the top."""
+def fill_outputs(notebook: NotebookNode, result: Result, released_texts: Container[str]) -> NotebookNode:
+    """The graded notebook, with the outputs and verdicts of its result, and with the reasons in a cell at the top.
+
+    released_texts  the text cells of the released sheet; only these are shown as Markdown
+    """
+    notebook.metadata = nbformat.from_dict(
+        {key: notebook.metadata[key] for key in ("kernelspec",) if key in notebook.metadata}
+    )
     problems = {f"check-{k}": problem for k, problem in enumerate(result.problems, start=1)}
     outputs = {cell.index: outputs_of(cell) for cell in result.cells}
     for index, cell in enumerate(notebook.cells):
         if cell.cell_type == "code":
             problem = problems.get(_name(cell))
+            shown = _shown_problem(cell, result)
             cell.outputs = (
-                _verdict_outputs(problem) if problem else [_safe_output(output) for output in outputs.get(index, ())]
+                _verdict_outputs(problem)
+                if problem
+                else [_part_output("problem", shown, shown.statement)]
+                if shown
+                else [_safe_output(output) for output in outputs.get(index, ())]
             )
             cell.execution_count = None
+        elif cell.source not in released_texts:
+            notebook.cells[index] = _literal_cell(cell)
+        cell.metadata = nbformat.from_dict({key: cell.metadata[key] for key in ("nbgrader",) if key in cell.metadata})
     remarks = [" ".join(line.replace("`", "'").split()) for line in (result.reason, *result.notes) if line]
     if remarks:
         notebook.cells.insert(0, new_markdown_cell("\n\n".join(f"`{line}`" for line in remarks)))
     return notebook
+
+
+def text_cells(notebook: NotebookNode) -> set[str]:
+    """The sources of the text cells of a notebook."""
+    return {cell.source for cell in notebook.cells if cell.cell_type == "markdown"}
+
+
+def _literal_cell(cell: NotebookNode) -> NotebookNode:
+    """A text or raw cell as a block of code: the fence is longer than each one in the text, so nothing can end the block."""
+    fence = "`" * (max(map(len, re.findall("`+", cell.source)), default=0) + 3)
+    literal = {"cell_type": "markdown", "metadata": cell.metadata, "source": f"{fence}text\n{cell.source}\n{fence}"}
+    return _node({**literal, **({"id": cell.id} if "id" in cell else {})})
+
+
+def _shown_problem(cell: NotebookNode, result: Result) -> ProblemResult | None:
+    """The problem that a cell of the sheet shows, if the judge has drawn it."""
+    found = SHOW_CELL.fullmatch(cell.source)
+    position = int(found[1]) if found else 0
+    problem = result.problems[position - 1] if 1 <= position <= len(result.problems) else None
+    return problem if problem and problem.statement else None
 
 
 def restore_metadata(content: bytes | None, result: Result, released: NotebookNode) -> NotebookNode:
@@ -61,8 +96,7 @@ def _minimal_cell(cell: Mapping[str, Any], metadata: Mapping[str, Any], name: st
     """A cell with only what the format requires, without what editors add."""
     required = {key: cell[key] for key in ("cell_type", "source", "attachments") if key in cell}
     outputs: dict[str, Any] = {"outputs": [], "execution_count": None} if cell["cell_type"] == "code" else {}
-    minimal: NotebookNode = nbformat.from_dict({**required, **outputs, "metadata": metadata, "id": name})
-    return minimal
+    return _node({**required, **outputs, "metadata": metadata, "id": name})
 
 
 def _name(cell: Mapping[str, Any]) -> str:
@@ -70,13 +104,17 @@ def _name(cell: Mapping[str, Any]) -> str:
 
 
 def _verdict_outputs(problem: ProblemResult) -> list[NotebookNode]:
-    card = {"text/html": problem.html, "text/plain": problem.verdict}
     points = {"text/plain": repr(float(problem.points))}
     return [
-        _output("display_data", data=card, metadata={}),
+        _part_output("card", problem, problem.verdict),
         *(_output("stream", name="stdout", text=f"{note}\n") for note in problem.notes),
         _output("execute_result", data=points, metadata={}, execution_count=None),
     ]
+
+
+def _part_output(part: str, problem: ProblemResult, text: str) -> NotebookNode:
+    html = str(render_part(part, problem))
+    return _output("display_data", data={"text/html": html, "text/plain": text}, metadata={})
 
 
 def _safe_output(output: Mapping[str, Any]) -> NotebookNode:
@@ -88,5 +126,9 @@ def _safe_output(output: Mapping[str, Any]) -> NotebookNode:
 
 def _output(kind: str, **parts: Any) -> NotebookNode:
     """An output, not validated, because the whole notebook is validated when it is written."""
-    output: NotebookNode = nbformat.from_dict({"output_type": kind, **parts})
-    return output
+    return _node({"output_type": kind, **parts})
+
+
+def _node(contents: Mapping[str, Any]) -> NotebookNode:
+    node: NotebookNode = nbformat.from_dict(contents)
+    return node

@@ -38,7 +38,7 @@ with lazy_nbgrader():
     )
     from nbgrader.coursedir import CourseDirectory
 
-    from misstep.grading.nbgrader.cells import fill_outputs, restore_metadata
+    from misstep.grading.nbgrader.cells import fill_outputs, restore_metadata, text_cells
 
 FOLDER_NAME = re.compile(r"[^./\\\0+][^/\\\0+]{0,79}")
 """An id that can be the name of a student's folder; nbgrader does not allow a + either."""
@@ -135,11 +135,12 @@ def _submission_time(course: CourseDirectory, result: Result) -> datetime | None
 
 def _autograded_notebook(submission: Submission, result: Result, released: NotebookNode, digest: str) -> str:
     """The graded notebook, or, if nbformat cannot read it, the released one. nbformat is stricter than the grader."""
+    texts = text_cells(released)
     try:
-        notebook = fill_outputs(restore_metadata(submission.read(), result, released), result)
+        notebook = fill_outputs(restore_metadata(submission.read(), result, released), result, texts)
         nbformat.validate(notebook)
     except Exception:  # nbformat raises many kinds of errors for invalid notebooks
-        notebook = fill_outputs(deepcopy(released), replace(result, cells=()))
+        notebook = fill_outputs(deepcopy(released), replace(result, cells=()), texts)
     notebook.metadata[METADATA_KEY] = {"result": digest}
     return (
         json.dumps(notebook, ensure_ascii=False) + "\n"

@@ -18,7 +18,7 @@ from traitlets import Bool
 
 from misstep.grading.collect.run_plan import read_released_sheet
 from misstep.grading.judging.grader import Grader
-from misstep.grading.nbgrader.cells import fill_outputs
+from misstep.grading.nbgrader.cells import fill_outputs, text_cells
 
 
 class Execute(NbGraderPreprocessor):  # type: ignore[misc]  # nbgrader ships no types
@@ -32,11 +32,18 @@ class Execute(NbGraderPreprocessor):  # type: ignore[misc]  # nbgrader ships no 
         """Grade one submission. nbgrader knows the student from the folder, and has restored the cells that have points."""
         metadata = resources["nbgrader"]
         course = CourseDirectory(parent=self)
-        source = course.format_path(course.source_directory, ".", metadata["assignment"])
-        grader = _grader(Path(source, f"{metadata['notebook']}.ipynb"), not self.unsafe_no_sandbox)
+        sheet = Path(
+            course.format_path(course.source_directory, ".", metadata["assignment"]), f"{metadata['notebook']}.ipynb"
+        )
+        grader = _grader(sheet, not self.unsafe_no_sandbox)
         result = grader.grade(metadata["student"], nbformat.writes(nb).encode(errors="replace"))
         self.log.info("%s: %g of %g points. %s", result.student, result.points, result.max, result.reason)
-        return fill_outputs(nb, result), resources
+        return fill_outputs(nb, result, _text_cells(sheet)), resources
+
+
+@cache
+def _text_cells(path: Path) -> set[str]:
+    return text_cells(nbformat.read(path, as_version=4))
 
 
 @cache

@@ -1,6 +1,6 @@
-"""Feedback: a page for one student, with the points, each verdict in words, and the sheet as it ran."""
+"""Feedback: a page for one student, with the points, each problem with its verdict in words, and the sheet as it ran."""
 
-from misstep.grading.judging.result import ProblemResult, Result
+from misstep.grading.judging.result import Result
 from misstep.grading.publish.pages import render_page
 
 
@@ -15,11 +15,7 @@ def feedback_page(result: Result) -> str:
         result=result,
         remarks=remarks,
         patterns=[str(one) for one in result.recurrences if one.returns or one.is_slip],
-        verdict_lines=verdict_lines,
+        unsolved=[(k, one) for k, one in enumerate(result.problems, start=1) if one.state != "right"],
+        solved=[(k, one) for k, one in enumerate(result.problems, start=1) if one.state == "right"],
         is_safe=result.is_safe,
     )
-
-
-def verdict_lines(problem: ProblemResult) -> list[str]:
-    """The lines of a verdict without its title, which the page has already."""
-    return [line.strip() for line in problem.verdict.splitlines()[1:] or [problem.verdict] if line.strip()]

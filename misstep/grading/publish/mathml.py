@@ -1,12 +1,15 @@
-"""Formulas of feedback as MathML, which browsers display without further software and screen readers can read.
+"""Statements and sentences of feedback as HTML, with formulas as MathML: browsers display it without further software, and
+screen readers can read it.
 
 A verdict consists of the sheet's own sentences, but it may quote what a student typed. So nothing of a formula is put into a
 page but known elements and text.
 """
 
 import re
+from functools import cache
 from xml.etree.ElementTree import Element, ParseError
 
+import mistune
 from defusedxml.common import DefusedXmlException
 from defusedxml.ElementTree import fromstring
 from latex2mathml.converter import convert
@@ -19,8 +22,18 @@ ALLOWED_ELEMENTS = {
     *("mover", "munder", "munderover", "mtable", "mtr", "mtd"),
 }
 
-MAX_FORMULA_CHARACTERS = 500
+TALL_ELEMENTS = {"mtable", "mfrac", "mover", "munder", "munderover", "msqrt", "mroot"}
+"""What is so high that the brackets around it must be higher than usual."""
+
+NO_ATTRIBUTES = Markup()
+
+MAX_FORMULA_CHARACTERS = 1000
 """The longest formula that is converted; a longer one is shown as it was typed."""
+
+STATEMENT_FORMULA = r"\$\$(?P<displayed_latex>[^$]+)\$\$|\$(?P<latex>[^$]+)\$"
+
+SMALL_FRACTION = re.compile(r"\\[td]frac(?![a-zA-Z])")
+"""Fractions of another size, which latex2mathml does not know."""
 
 FORMULA_OR_CODE = re.compile(r"\$(?P<formula>[^$\n]+)\$|`(?P<code>[^`\n]+)`")
 
@@ -39,8 +52,35 @@ def render_sentence(text: str) -> Markup:
     return html + escape(text[end:])
 
 
-def render_formula(latex: str) -> Markup:
-    r"""A formula as MathML; a formula that cannot be converted is shown as it was typed.
+def render_markdown(text: str) -> Markup:
+    r"""Markdown as HTML: $formulas$ and $$displayed formulas$$ as MathML, tables and code; HTML in it is escaped.
+
+    >>> print(render_markdown("Is $$x$$ **zero**? <b>"))
+    <p>Is <math display="block"><mrow><mi>x</mi></mrow></math> <strong>zero</strong>? &lt;b&gt;</p>
+    """
+    return Markup(_markdown()(text).strip())  # noqa: S704 - mistune escapes text, and render_formula returns Markup
+
+
+@cache
+def _markdown() -> mistune.Markdown:
+    return mistune.create_markdown(escape=True, plugins=["table", _set_formulas])
+
+
+def _set_formulas(markdown: mistune.Markdown) -> None:
+    """The plugin that lets mistune read formulas before emphasis, so that their underscores stay."""
+
+    def read(_: mistune.InlineParser, found: re.Match[str], state: mistune.InlineState) -> int:
+        formula, is_display = found["displayed_latex"] or found["latex"], bool(found["displayed_latex"])
+        state.append_token({"type": "formula", "raw": formula, "attrs": {"is_display": is_display}})
+        return found.end()
+
+    markdown.inline.register("formula", STATEMENT_FORMULA, read, before="link")
+    if markdown.renderer:
+        markdown.renderer.register("formula", lambda _, latex, is_display: str(render_formula(latex, is_display)))
+
+
+def render_formula(latex: str, is_display: bool = False) -> Markup:
+    r"""A formula as MathML, on a line of its own if it is displayed; one that cannot be converted is shown as it was typed.
 
     >>> render_formula(r"\href{javascript:alert(1)}{x}")
     Markup('<math><mrow><mrow><mrow><mi>x</mi></mrow></mrow></mrow></math>')
@@ -49,21 +89,48 @@ def render_formula(latex: str) -> Markup:
     if len(latex) > MAX_FORMULA_CHARACTERS:
         return as_typed
     try:
-        tree = fromstring(convert(latex))
+        tree = fromstring(convert(SMALL_FRACTION.sub(r"\\frac", latex)))
     except (ParseError, DefusedXmlException, RecursionError, ValueError, LookupError, TypeError, AttributeError):
         return as_typed
     except Exception as error:  # the errors of latex2mathml have no common base class
         if type(error).__module__.startswith("latex2mathml"):
             return as_typed
         raise
-    return _render_element(tree) or as_typed
+    html = _render_element(tree)
+    if html is None:
+        return as_typed
+    return html.replace("<math>", Markup('<math display="block">'), 1) if is_display else html
 
 
-def _render_element(element: Element) -> Markup | None:
+def _render_element(element: Element, attributes: Markup = NO_ATTRIBUTES) -> Markup | None:
     """The element with its text, upright or italic; None if it contains an element that is not allowed."""
-    name = element.tag.removeprefix(NAMESPACE)
-    children = [child_html for child in element if (child_html := _render_element(child)) is not None]
-    if name not in ALLOWED_ELEMENTS or len(children) < len(element):
+    name, rendered = _name(element), list[Markup]()
+    is_tall = any(_name(part) in TALL_ELEMENTS for part in element.iter())
+    for before, child in zip([None, *element], element, strict=False):
+        html = _render_element(child, _operator_attributes(before, child, is_tall))
+        if html is None:
+            return None
+        rendered.append(html)
+    if name not in ALLOWED_ELEMENTS:
         return None
-    upright = Markup(' mathvariant="normal"') if element.get("mathvariant") == "normal" else ""
-    return Markup("<{0}{1}>{2}{3}</{0}>").format(name, upright, (element.text or "").strip(), Markup().join(children))
+    upright = Markup(' mathvariant="normal"') if element.get("mathvariant") == "normal" else NO_ATTRIBUTES
+    text = (element.text or "").strip()
+    return Markup("<{0}{1}{2}>{3}{4}</{0}>").format(name, upright, attributes, text, Markup().join(rendered))
+
+
+def _name(element: Element) -> str:
+    return element.tag.removeprefix(NAMESPACE)
+
+
+def _operator_attributes(before: Element | None, element: Element, is_tall: bool) -> Markup:
+    """What a browser does not know of an operator: the minus of (-2, 3) is a sign, and the brackets of T(q) do not grow.
+
+    is_tall  whether there is something beside it around which brackets grow
+    """
+    text = (element.text or "").strip()
+    if _name(element) != "mo":
+        return NO_ATTRIBUTES
+    if text in {"(", ")", "[", "]", "{", "}", "|"} and not is_tall:
+        return Markup(' stretchy="false"')
+    is_after_operator = before is not None and _name(before) == "mo" and (before.text or "") not in {")", "]", "}"}
+    return Markup(' form="prefix"') if text in {"−", "-", "+"} and is_after_operator else NO_ATTRIBUTES

@@ -14,13 +14,16 @@ from jinja2 import Environment, PackageLoader, StrictUndefined
 from markupsafe import Markup
 
 from misstep.display.text import points
-from misstep.grading.judging.result import RanCell
-from misstep.grading.publish.mathml import render_sentence
+from misstep.grading.judging.result import ProblemResult, RanCell
+from misstep.grading.publish.mathml import render_markdown, render_sentence
 
 PNG_SIGNATURE = b"\x89PNG\r\n\x1a\n"
 
 TALLY_CELL = re.compile(r"\s*sheet\.tally\(\)\s*")
 """The cell of a sheet that shows its points."""
+
+SHOW_CELL = re.compile(r"\s*sheet\.show\((\d{1,3})\)\s*")
+"""The cell of a sheet that shows a problem. Feedback shows it as the judge has drawn it."""
 
 STATE_LABELS = {
     "right": ("✓", "right"),
@@ -58,9 +61,9 @@ def png_of(output: Mapping[str, Any]) -> str | None:
 
 
 def outputs_of(cell: RanCell) -> list[Mapping[str, Any]]:
-    """The outputs of a cell without verdicts, which mean nothing where the judge is not present."""
-    is_verdict = cell.problem is not None or TALLY_CELL.fullmatch(cell.source)
-    return [output for output in cell.outputs if not is_verdict or output.get("output_type") == "error"]
+    """The student's outputs of a cell: without problems, and without verdicts, which need the judge."""
+    is_ours = cell.problem is not None or TALLY_CELL.fullmatch(cell.source) or SHOW_CELL.fullmatch(cell.source)
+    return [output for output in cell.outputs if not is_ours or output.get("output_type") == "error"]
 
 
 def text_of(output: Mapping[str, Any]) -> str:
@@ -78,6 +81,17 @@ def _is_png(text: str) -> bool:
         return False
 
 
+def verdict_lines(problem: ProblemResult) -> list[str]:
+    """The lines of a verdict without its title, which the page has already."""
+    return [line.strip() for line in problem.verdict.splitlines()[1:] or [problem.verdict] if line.strip()]
+
+
+def render_part(part: str, problem: ProblemResult) -> Markup:
+    """The "problem" of a result, or the "card" with its verdict, as feedback shows it, for the page of another program."""
+    macros = ENVIRONMENT.get_template("problem.html").module
+    return Markup("<style>{}</style>{}").format(macros.style(), getattr(macros, part)(problem))
+
+
 def render_page(template: str, **values: Any) -> str:
     """The HTML of a page from one of the templates."""
     return ENVIRONMENT.get_template(template).render(**values) + "\n"
@@ -92,9 +106,10 @@ ENVIRONMENT = Environment(
 )
 ENVIRONMENT.filters |= {
     "sentence": render_sentence,
+    "statement": render_markdown,
     "decimals": format_points,
     "points": points,
     "as_html": render_output,
     "outputs": outputs_of,
 }
-ENVIRONMENT.globals["STATE_LABELS"] = STATE_LABELS
+ENVIRONMENT.globals |= {"STATE_LABELS": STATE_LABELS, "verdict_lines": verdict_lines, "Markup": Markup}

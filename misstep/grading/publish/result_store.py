@@ -19,7 +19,7 @@ from misstep.grading.collect.run_plan import ReleasedSheet
 from misstep.grading.judging.result import ProblemResult, RanCell, Result
 from misstep.grading.sandbox.course_stub import code_folders
 
-FORMAT_VERSION = 2
+FORMAT_VERSION = 3
 """The version of the format of the files."""
 
 MAX_NAME_LENGTH = 100

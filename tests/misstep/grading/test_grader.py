@@ -15,16 +15,19 @@ from submissions import as_bytes, code, handed_in, problem_of, right
 from typed_answers import as_typed, typable
 
 from kincourse import COURSE, find_sheet, sheets
+from misstep.answers.number import Numbers
 from misstep.grading.collect.notebook import UnusableNotebook
 from misstep.grading.collect.run_plan import PlannedCell, RunPlan, plan_run, read_released_sheet
 from misstep.grading.judging import judge_process
 from misstep.grading.judging.grader import NOT_JUDGED, Grader
 from misstep.grading.judging.parse_output import parse_output
+from misstep.grading.publish.mathml import render_sentence
 from misstep.grading.sandbox import redacted_sheet
 from misstep.grading.sandbox.course_stub import setup_for
 from misstep.grading.sandbox.limits import UNSAFE_OPTION, Limits, SandboxUnavailable, sandbox_layer
 from misstep.grading.sandbox.rpc import ProcessEnded, Worker, child_environment
 from misstep.grading.sandbox.runner import Runner
+from misstep.problem import Problem
 from misstep.storage.deserialize import MIME, from_data
 from misstep.storage.serialize import to_data
 
@@ -105,7 +108,7 @@ def test_an_answer_that_is_none_is_told_why(data, told):
     verdict = judge_process.verdicts(COURSE, find_sheet("03_poe_space"), "ada", 0, {"1": data})["1"]
     assert verdict["fraction"] == 0
     assert told in verdict["text"]
-    assert "<script" not in verdict["html"]
+    assert "<script" not in html_of(verdict)
 
 
 @pytest.mark.parametrize("site", ["https://example.org/course/", ""])
@@ -117,7 +120,6 @@ def test_a_verdict_links_to_the_site_if_there_is_one(site):
     section = sheet.problems[1].lecture.partition("#")[2].lower().replace(" ", "-")
     page = f"{site}lectures/03_poe_space.html#{section}" if site else ""
     assert [told[k]["address"] for k in ("1", "2", "3")] == ["", page, ""]
-    assert ("<a href=" in told["2"]["html"]) == bool(site)
 
 
 def test_the_address_of_the_site_is_complete_or_refused():
@@ -131,8 +133,26 @@ def test_what_a_verdict_quotes_is_escaped():
     verdict = judge_process.verdicts(
         COURSE, find_sheet("03_poe_space"), "ada", 0, {"6": {"list": [{"text": "<script>alert(1)</script>"}]}}
     )
-    assert "&lt;script&gt;" in verdict["6"]["html"]
-    assert "<script" not in verdict["6"]["html"]
+    assert "&lt;script&gt;" in html_of(verdict["6"])
+    assert "<script" not in html_of(verdict["6"])
+
+
+def html_of(verdict):
+    """The HTML of a verdict's lines."""
+    return "".join(map(str, map(render_sentence, verdict["text"].splitlines())))
+
+
+def test_a_verdict_has_the_problem_and_its_figure_if_there_is_something_to_mend():
+    sheet = find_sheet("03_poe_space")
+    right = sheet.problems[2].variant("ada").answer
+    told = judge_process.verdicts(COURSE, sheet, "ada", 0, {"2": [9] * 6, "3": to_data(right.value, right.inputs)})
+    assert [told[k]["statement"] for k in ("1", "2", "3")] == [t.variant("ada").statement for t in sheet.problems[:3]]
+    assert ["<figure" in told[k]["figure"] for k in ("1", "2", "3")] == [False, True, False]
+
+
+def test_a_figure_that_cannot_be_drawn_costs_nothing():
+    asked = Problem("How many?", Numbers(np.array(3.0)), figure=lambda: 1 / 0)
+    assert judge_process.figure_html(asked) == ""
 
 
 SLOW_COURSE = {

@@ -1,6 +1,7 @@
 """nbgrader, for real: its own commands from solutions/ to the exported grades, and our gradebook beside the one that it makes."""
 
 import csv
+import html
 import json
 import os
 import re
@@ -25,6 +26,22 @@ CHECKS = len(COURSE.find_sheet(SHEET).problems)
 EVIL = "from IPython.display import HTML, display\ndisplay(HTML('<script>alert(1)</script>'))\nprint('<b>bold</b>')"
 
 
+EVIL_TEXT = """# Title
+
+<script>document.title = 'owned'</script><img src=x onerror="document.title='owned'">
+```
+<script>document.title = 'owned'</script> [x](javascript:alert(1)) $\\href{javascript:alert(1)}{x}$ </pre></code>
+"""
+
+
+def with_texts(notebook):
+    """A notebook with a student's own text cell and raw cell, which nbconvert copies into a page as they are."""
+    cells = [
+        {"cell_type": kind, "id": f"own-{kind}", "metadata": {}, "source": EVIL_TEXT} for kind in ("markdown", "raw")
+    ]
+    return {**notebook, "cells": [*notebook["cells"], *cells]}
+
+
 def without_checks(notebook):
     """A notebook as an editor leaves it that keeps neither ids nor marks, and without its check cells."""
     kept = [cell for cell in notebook["cells"] if not cell["id"].startswith("check")]
@@ -36,7 +53,7 @@ HANDED = {
     "ada": handed_in(
         "ada", right("ada"), first="import warnings, sys\nwarnings.warn('so')\nprint('so', file=sys.stderr)"
     ),
-    "bob": handed_in("bob", mistaken("bob"), first=EVIL),
+    "bob": with_texts(handed_in("bob", mistaken("bob"), first=EVIL)),
     "cyn": handed_in("cyn", {k: line for k, line in right("cyn").items() if k < 4}),
 }
 
@@ -194,6 +211,25 @@ def test_feedback_of_nbgrader_shows_verdicts_and_no_html_of_a_student(theirs):
     assert "&lt;b&gt;bold&lt;/b&gt;" in page
     assert "<b>bold</b>" not in page
     assert "<script>alert(1)" not in page
+
+
+def test_feedback_of_nbgrader_shows_what_a_student_wrote_as_letters(theirs, ours):
+    page = (theirs / "feedback" / "bob" / SHEET / f"{SHEET}.html").read_text("utf-8")
+    owned = "document.title = 'owned'</script>"
+    assert html.unescape(page).count(owned) == 4  # two of each cell, in letters
+    assert owned not in page
+    assert "onerror=" not in re.sub("<pre>.*?</pre>", "", page, flags=re.DOTALL)
+    assert 'href="javascript' not in page
+    for folder in (theirs, ours):
+        texts = [cell.source for cell in graded(folder, "bob").cells if cell.cell_type != "code"]
+        assert [text.startswith("``````text\n") for text in texts if "owned" in text] == [True, True]
+
+
+def test_feedback_of_nbgrader_has_the_problem_with_its_formulas_and_its_figure(theirs):
+    page = (theirs / "feedback" / "bob" / SHEET / f"{SHEET}.html").read_text("utf-8")
+    assert "<figure" in page
+    assert "<msub><mi>S</mi><mn>1</mn></msub>" in page
+    assert "Re-read: lecture 03_poe_space" in page
 
 
 def test_a_grade_given_by_hand_stays_and_is_to_be_looked_at_again(ours, tmp_path):

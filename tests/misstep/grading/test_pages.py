@@ -16,7 +16,7 @@ from misstep.grading.judging.result import ProblemResult, RanCell, Result
 from misstep.grading.publish.csv_table import escape_formula, format_csv
 from misstep.grading.publish.feedback import feedback_page
 from misstep.grading.publish.grades import grades_table
-from misstep.grading.publish.mathml import render_formula, render_sentence
+from misstep.grading.publish.mathml import render_formula, render_markdown, render_sentence
 from misstep.grading.publish.platform_exports import export
 from misstep.grading.publish.report import histogram_bars, report_page
 from misstep.grading.publish.shared_answers import find_matches, matches_table
@@ -31,7 +31,7 @@ def problem(number="03.1", points=3.0, state="right", **more):
         "title": "Screw axes",
         "max": 3.0,
         "verdict": f"x Problem {number}\n  {points} of 3 points.",
-        "html": "<p>card</p>",
+        "statement": "Give $S_1$.",
         "mistakes": (),
     }
     return ProblemResult(number, points=points, state=state, **{**told, **more})
@@ -152,6 +152,45 @@ def test_feedback_says_points_verdicts_and_why_and_shows_no_right_answer():
     assert "7.25" not in page
 
 
+def test_feedback_shows_the_problem_that_is_not_right_and_folds_those_that_are():
+    figure = '<figure><img alt="An arm" src="data:image/svg+xml;base64,AA=="></figure>'
+    statement = "Give $S_1$ of **this** arm.\n\n| a |\n| --- |\n| $$x$$ |"
+    wrong = problem("03.2", 0.0, "wrong", statement=statement, figure=figure, title="A wrong one")
+    right = problem("03.1", statement="Solved $y$.", title="A right one", notes=["Its check cell was edited."])
+    page = feedback_page(result(problems=[right, wrong]))
+    assert figure in page
+    assert "<msub><mi>S</mi><mn>1</mn></msub></mrow></math> of <strong>this</strong> arm." in page
+    assert '<math display="block"><mrow><mi>x</mi></mrow></math></td>' in page
+    assert re.findall(r'<article class="(\w+)"', page) == ["wrong"]
+    folded = page[page.index('<details class="solved">') :]
+    assert "A right one" in folded
+    assert "Its check cell was edited." in folded
+    assert "Solved" not in page
+    assert "look at again" not in feedback_page(result(problems=[right]))
+
+
+@pytest.mark.parametrize(
+    ("latex", "html"),
+    [
+        ("(-2, 3 - 1)", '<mo stretchy="false">(</mo><mo form="prefix">−</mo><mn>2</mn>'),
+        (r"\tfrac{1}{2}", "<mfrac><mrow><mn>1</mn></mrow><mrow><mn>2</mn></mrow></mfrac>"),
+        (r"\begin{pmatrix} 1 \end{pmatrix}", "<mo>(</mo><mtable>"),
+    ],
+)
+def test_signs_and_brackets_are_set_as_in_a_book(latex, html):
+    assert html in render_formula(latex)
+    assert render_formula(latex).count('form="prefix"') == latex.count("(-")
+
+
+@pytest.mark.parametrize(
+    "text", ["<script>x</script>", "[x](javascript:x)", "<img src=x onerror=x>", "$\\href{javascript:x}{x}$"]
+)
+def test_a_statement_has_no_html_and_no_script(text):
+    told = Reader(str(render_markdown(text)))
+    assert {tag for tag, _ in told.elements} <= {"p", "a", "math", "mrow", "mi"}
+    assert not any("javascript" in value for _, attributes in told.elements for value in attributes.values())
+
+
 def test_feedback_links_to_the_section_to_reread_and_to_nothing_that_a_student_wrote():
     address = "https://example.org/lectures/03_poe_space.html#the-product"
     reread = "Re-read: lecture 03_poe_space, section “The product”."
@@ -224,6 +263,8 @@ def test_the_formulas_of_the_course_are_all_set():
     }
     assert len(told) > 10
     assert [piece for piece in told if not render_formula(piece).startswith("<math>")] == []
+    statements = [str(render_markdown(t.variant("ada").statement)) for t in templates]
+    assert not any("$" in text or "\\" in text for text in statements)
 
 
 # --- mistakes across the problems ---
