@@ -51,6 +51,9 @@ Task = partial[dict[str, Any]]
 UNSOLVED = {"partly", "wrong", "unreadable"}
 """The states of an answer that must be mended, for which feedback shows the figure of the problem."""
 
+DRAWN_SHEETS = set[str]()
+"""The sheets of which this process has drawn a figure: the first one imports and compiles what the others need."""
+
 MEMORY_BYTES = 2 << 30
 """The most memory that the judge may use, because a short answer may need a lot of memory to read."""
 
@@ -215,9 +218,12 @@ def main(course_reference: str) -> None:
 
 
 def _prepare(course: Course, message: Mapping[str, Any]) -> None:
-    """Do before the fork what the next submissions need, too: draw the variants, and import SymPy for the first formula."""
+    """Do before the fork what the next submissions need, too: draw the variants, a first figure, and import SymPy if needed."""
     with suppress(Exception):  # the answer to the request has the error
-        _variants(course, message["sheet"], message["student"])
+        problems = _variants(course, message["sheet"], message["student"])
+        if message["sheet"] not in DRAWN_SHEETS:
+            DRAWN_SHEETS.add(message["sheet"])
+            figure_html(next(problem for problem in problems if problem.figure))
         text = json.dumps(message["answers"])
         if '"symbolic"' in text or '"matrix"' in text:
             import_module("sympy")
