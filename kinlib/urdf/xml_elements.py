@@ -24,7 +24,7 @@ MAX_DEPTH = 100
 MAX_CHARACTERS = 1000
 """The longest name and the longest list of numbers: longer ones are mistakes, and would make messages unreadable."""
 
-NUMBER_PATTERN = re.compile(r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?", re.ASCII)
+NUMBER_PATTERN = r"[+-]?(\d+\.?\d*|\.\d+)([eE][+-]?\d+)?"
 
 OTHER_FORMATS = {"sdf": "an SDF file", "mujoco": "a MuJoCo file", "COLLADA": "a mesh", "html": "a web page"}
 """Kinds of files by their first element, for files that are often passed instead of a URDF."""
@@ -84,7 +84,7 @@ class Element:
         """
         words = self.text(attribute).split()
         for word in words:
-            if not NUMBER_PATTERN.fullmatch(word) or not math.isfinite(float(word)):
+            if not re.fullmatch(NUMBER_PATTERN, word, re.ASCII) or not math.isfinite(float(word)):
                 hint = " Separate numbers by spaces." if re.search("[,;]", word) else ""
                 raise self.error(f'{attribute} must consist of finite numbers; got "{word}".{hint}')
         if len(words) != count:

@@ -23,6 +23,11 @@ SCRIPT = """
     reveal_type(kl.assign_frames(arm, convention=convention).frames)
     reveal_type(kl.nearest_rotation(np.eye(3)))
     reveal_type(joint.screws)
+    tree = kl.Tree.from_urdf(kl.to_urdf(arm))
+    reveal_type(tree.coupling)
+    reveal_type(tree.poses([0.3], base=np.eye(4)))
+    reveal_type(tree.pose("base_link", "tool", [0.3]))
+    reveal_type(tree.chain("base_link", "tool").fk([0.3]))
 """
 
 

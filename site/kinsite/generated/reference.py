@@ -62,7 +62,7 @@ OVERVIEW = """\
 # Reference
 
 `import kinlib as kl` provides what most lectures need: `kl.exp`, `kl.screw`, `kl.Chain`, `kl.DHTable`,
-`kl.assign_frames`, `kl.Mechanism`, `kl.load_urdf`, `kl.robots` and related functions. These pages describe everything,
+`kl.assign_frames`, `kl.Mechanism`, `kl.load_urdf`, `kl.Tree`, `kl.robots` and related functions. These pages describe everything,
 module by module, in reading order.
 
 {lists}
