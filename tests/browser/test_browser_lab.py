@@ -3,21 +3,28 @@
 This test uses one notebook; `tests/browser/every_notebook_in_the_browser.py` runs all of them.
 """
 
+import contextlib
 import json
 import re
+import threading
+from functools import partial
+from http.server import ThreadingHTTPServer
+from urllib.parse import urlsplit
 
 import numpy as np
 import pytest
 from browser import unwatched, watched
 from built_site import ROOT
-from lab_page import PAGE_TIMEOUT_MS, cell, run, visit, wait_for, write
+from lab_page import PAGE_TIMEOUT_MS, PYTHON_TIMEOUT_MS, cell, run, visit, wait_for, write
 from lessons import words_of
 from playwright.sync_api import expect
+from serve import PageHandler
 
 from kincourse import find_sheet
 
 SHEET = "exercises/03_poe_space/03_poe_space.ipynb"
 WINDOW = {"width": 1200, "height": 1000}
+PHONE = {"width": 390, "height": 844}
 
 SHORT_MINUTE = """const original = setTimeout;
 setTimeout = (act, wait, ...more) => original(act, window.shortMinute && wait === 60000 ? 1000 : wait, ...more)"""
@@ -106,6 +113,47 @@ def test_a_browser_that_cannot_store_work_shows_a_message_and_offers_the_downloa
             page.get_by_role("button", name="Download the notebook").click()
         taken.value.save_as(tmp_path / "sheet.ipynb")
         assert "not to be lost" in (tmp_path / "sheet.ipynb").read_text("utf-8")
+
+
+class HoldingHandler(PageHandler):
+    """Serves the site, but holds back JupyterLab and Python itself until they are released."""
+
+    def __init__(self, held, *arguments, **settings):
+        self.held = held
+        super().__init__(*arguments, **settings)
+
+    def do_GET(self):
+        if event := self.held.get(urlsplit(self.path).path.rpartition("/")[2]):
+            event.wait(2 * PAGE_TIMEOUT_MS / 1000)
+        with contextlib.suppress(ConnectionError):  # the page was closed
+            super().do_GET()
+
+
+def test_the_lab_shows_progress_from_the_start_and_works_again_without_a_network(chromium, lab_address, site_folder):
+    held = {"bundle.js": threading.Event(), "pyodide.asm.wasm": threading.Event()}
+    server = ThreadingHTTPServer(("127.0.0.1", 0), partial(HoldingHandler, held, directory=str(site_folder)))
+    threading.Thread(target=server.serve_forever, daemon=True).start()
+    with unwatched(chromium, viewport=PHONE) as page:
+        page.goto(
+            f"http://127.0.0.1:{server.server_address[1]}/lab/notebooks/index.html?path={SHEET}", wait_until="commit"
+        )
+        page.frame_locator(".kinlib-preview iframe").get_by_role("heading", name="Problem 2").wait_for()
+        status = page.locator(".kinlib-python")
+        expect(status).to_contain_text(re.compile(r"Python is loading.* \d+ of \d+ MB"))
+        held["bundle.js"].set()
+        expect(status).to_contain_text("No data has arrived for 20 seconds.", timeout=PAGE_TIMEOUT_MS)
+        expect(page.get_by_role("button", name="Download")).to_be_in_viewport()
+        expect(page.get_by_text("Not Trusted")).to_have_count(0)
+        held["pyodide.asm.wasm"].set()
+        write(page, cell(page, "screws_1 ="), "screws_1 = 'typed before Python was there'")
+        wait_for(page, lambda: "typed before" in page.evaluate(STORED_NOTEBOOKS), PAGE_TIMEOUT_MS)
+        page.locator(".kinlib-python[data-stored]").wait_for(state="attached", timeout=PYTHON_TIMEOUT_MS)
+
+        server.shutdown()
+        server.server_close()
+        page.reload()
+        cell(page, "typed before").wait_for(timeout=PAGE_TIMEOUT_MS)
+        expect(status).to_contain_text("Python is starting", timeout=PAGE_TIMEOUT_MS)  # no file is missing
 
 
 def test_a_browser_without_webassembly_shows_what_to_do(chromium, lab_address):

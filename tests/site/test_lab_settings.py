@@ -2,6 +2,7 @@
 
 import hashlib
 import json
+import re
 from urllib.error import URLError
 from zipfile import ZipFile
 
@@ -154,6 +155,24 @@ def test_without_a_network_the_lab_is_left_out_unless_it_was_requested(tmp_path,
     else:
         assert lab.build() is None
         assert "The site has no lab" in capsys.readouterr().err
+
+
+def test_the_page_of_a_notebook_begins_with_a_preview_and_the_service_worker_knows_its_version(tmp_path):
+    for app in lab.APPS:
+        (tmp_path / app).mkdir()
+        (tmp_path / app / "index.html").write_text('<html><head></head><body class="x"><div></div></body></html>')
+        lab.complete_page(tmp_path / app / "index.html")
+    pages = {app: (tmp_path / app / "index.html").read_text() for app in lab.APPS}
+    assert all('<html lang="en"><head>' in page and "favicon.svg" in page for page in pages.values())
+    assert '<body class="x">\n<style>' in pages["notebooks"]
+    assert 'src="../start.js"' in pages["notebooks"]
+    assert "start.js" not in pages["tree"]
+    (tmp_path / "service-worker.js").write_text("theirs();")
+    lab.add_own_files(tmp_path)
+    worker = (tmp_path / "service-worker.js").read_text()
+    assert re.match(r"const VERSION = '[0-9a-f]{16}';\n", worker)
+    assert worker.endswith("theirs();")
+    assert {path.name for path in (tmp_path / "live").iterdir()} == {"shell.py", "worker.js"}
 
 
 def test_the_lab_is_copied_to_the_site_when_it_changes_and_deleted_when_there_is_none(tmp_path):

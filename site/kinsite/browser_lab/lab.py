@@ -10,6 +10,7 @@ If the variable is not set, the official release is tried, and if it cannot be d
 import hashlib
 import json
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -36,6 +37,14 @@ EXTENSIONS = (
 
 APPS = ("tree", "notebooks")
 """The applications of JupyterLite that the lab has: the list of files, and the notebook."""
+
+DISABLED = (
+    "@jupyter-notebook/notebook-extension:trusted",
+    "@jupyter-notebook/notebook-extension:checkpoints",
+    "@jupyter-notebook/notebook-extension:kernel-logo",
+    "@jupyterlite/notebook-application-extension:logo",
+)
+"""What says nothing to a reader of the course: whether a notebook's scripts are trusted, when it was saved first, logos."""
 
 
 def build() -> Path | None:
@@ -88,6 +97,7 @@ def build_with_jupyterlite(kind: str, folder: Path) -> None:
         "jupyter-config-data": {
             "appName": "Forward kinematics",
             "appUrl": "./tree/",
+            "disabledExtensions": DISABLED,
             "litePluginSettings": {"@jupyterlite/pyodide-kernel-extension:kernel": kernel_settings},
         },
     }
@@ -111,16 +121,32 @@ def build_with_jupyterlite(kind: str, folder: Path) -> None:
     )  # fmt: skip
     if done.returncode:
         raise ValueError(f"JupyterLite failed:\n{done.stdout[-2000:]}\n{done.stderr[-2000:]}")
-    shutil.copytree(SITE / "lab" / "live", folder / "html" / "live")
+    add_own_files(folder / "html")
     for app in APPS:
-        add_language_and_icon(folder / "html" / app / "index.html")
+        complete_page(folder / "html" / app / "index.html")
 
 
-def add_language_and_icon(page: Path) -> None:
-    """Add a language and an icon to a page of JupyterLite. Without an icon, browsers request a file that does not exist."""
+def add_own_files(built: Path) -> None:
+    """Add what the course's pages run in Python, what the lab runs before JupyterLab, and the store of loaded files."""
+    shutil.copytree(SITE / "lab" / "live", built / "live")
+    shutil.copy(SITE / "lab" / "start.js", built)
+    worker = built / "service-worker.js"
+    own = (SITE / "lab" / "service-worker.js").read_text("utf-8")
+    worker.write_text(f"const VERSION = '{input_hash()[:16]}';\n{own}{worker.read_text('utf-8')}", "utf-8")
+
+
+def complete_page(page: Path) -> None:
+    """Add a language and an icon to a page of JupyterLite, and to that of the notebook what is shown before JupyterLab.
+
+    Without an icon, browsers request a file that does not exist.
+    """
     text = page.read_text("utf-8")
     icon = '<link rel="icon" type="image/svg+xml" href="../../_static/favicon.svg">'
-    page.write_text(text.replace("<html>", '<html lang="en">').replace("<head>", f"<head>\n    {icon}", 1), "utf-8")
+    text = text.replace("<html>", '<html lang="en">').replace("<head>", f"<head>\n    {icon}", 1)
+    if page.parent.name == "notebooks":
+        start = (SITE / "lab" / "start.html").read_text("utf-8")
+        text = re.sub(r"<body[^>]*>", lambda body: f"{body[0]}\n{start}", text, count=1)
+    page.write_text(text, "utf-8")
 
 
 def copy_to_site(built: Path | None, target: Path) -> None:

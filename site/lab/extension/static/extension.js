@@ -19,9 +19,7 @@
       'This browser cannot store your work, because its storage is full or the window is private. What you type ' +
       'is lost when you close this tab, so download the notebook first. To continue later, free some space and save ' +
       'again, or use a window that is not private and upload the file there, ' +
-      'in the folder that a click on the logo opens.',
-    starting:
-      'Python is still loading: 30 MB the first time, later from your own disk. What you type in the meantime is kept.',
+      'in the folder that File > Open shows.',
     silent:
       `A cell has been running for ${SILENCE_S} seconds. If it does not end, restart Python: what you typed is kept, ` +
       'and the results return when you run the cells again.',
@@ -54,6 +52,16 @@
           caption: 'Download this notebook in its present state, to hand it in or to keep it',
           execute: () => download(tracker.currentWidget),
         });
+        const { folder, name } = pageOf(new URLSearchParams(location.search).get('path') ?? '');
+        app.commands.addCommand(`${NAME}:page`, {
+          label: folder === 'lectures' ? 'Back to the lecture' : 'Back to the page',
+          caption: 'Save the notebook, and open its page on the site',
+          isVisible: () => Boolean(name),
+          execute: async () => {
+            await tracker.currentWidget?.context.save().catch(() => {});
+            location.href = `../../${folder}/${name}.html`;
+          },
+        });
         document.addEventListener('click', rememberSection, true);
         tracker.widgetAdded.connect((_, panel) => {
           watchKernel(panel);
@@ -78,6 +86,12 @@
     },
   };
 
+  /** The page of the site that shows the notebook of a path. */
+  function pageOf(path) {
+    const [, folder, name] = path.match(/^(notebooks|exercises)\/(?:.*\/)?(\w+)\.ipynb$/) ?? [];
+    return { folder: folder === 'notebooks' ? 'lectures' : 'sheets', name };
+  }
+
   // --- links to a section of a lecture: the lab opens the notebook in another window, and forgets the section ---
 
   function rememberSection(event) {
@@ -101,27 +115,26 @@
     const restart = [
       'Restart Python',
       () => {
-        hideMessages('silent', 'dead', 'starting');
+        hideMessages('silent', 'dead');
         sessionContext.restartKernel();
       },
     ];
-    let hasStarted = false;
     let waiting;
 
     document.addEventListener('visibilitychange', () => document.hidden && save());
 
     sessionContext.statusChanged.connect((_, status) => {
       clearTimeout(waiting);
-      hasStarted ||= status === 'idle';
-      if (status === 'busy' || status === 'starting') {
-        waiting = setTimeout(
-          () => (hasStarted ? showMessage('silent', restart) : showMessage('starting')),
-          SILENCE_S * 1000,
-        );
-      } else if (status === 'dead') showMessage('dead', restart);
-      else hideMessages('silent', 'dead', 'starting');
+      // start.js shows how Python starts, from before JupyterLab is there until the kernel answers
+      if (status === 'idle' || status === 'busy') reportPython('ready');
+      if (status === 'starting' || status === 'restarting' || status === 'autorestarting') reportPython('starting');
+      if (status === 'busy') waiting = setTimeout(() => showMessage('silent', restart), SILENCE_S * 1000);
+      else if (status === 'dead') showMessage('dead', restart);
+      else hideMessages('silent', 'dead');
     });
   }
+
+  const reportPython = (detail) => document.dispatchEvent(new CustomEvent('kinlib-python', { detail }));
 
   /** Test whether anything can be stored: some private windows cannot open a database, others cannot write to it. */
   function testStorage() {
