@@ -13,6 +13,7 @@ a reason. The folder of results has:
 """
 
 import argparse
+import errno
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
@@ -86,7 +87,10 @@ def run(options: argparse.Namespace) -> int:
         return 2
     try:
         return _run(options)
-    except (ValueError, OSError, ModuleNotFoundError, SandboxUnavailable, FolderInUse, ClusterUnreachable) as error:
+    except OSError as error:
+        print(f"misstep grade: {_explain(error)}", file=sys.stderr)
+        return 2
+    except (ValueError, ModuleNotFoundError, SandboxUnavailable, FolderInUse, ClusterUnreachable) as error:
         print(f"misstep grade: {error}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
@@ -95,6 +99,16 @@ def run(options: argparse.Namespace) -> int:
             file=sys.stderr,
         )
         return 130
+
+
+def _explain(error: OSError) -> str:
+    """What an error of the system means for the results, and what to do."""
+    if error.errno in {errno.ENOSPC, errno.EDQUOT}:
+        where = f" at {error.filename}" if error.filename else ""
+        return f"the disk is full{where}. All results so far are stored. Free some space; the same command continues from there."
+    if error.errno == errno.EROFS:
+        return f"{error.filename} cannot be written, because its disk is read-only. Choose another folder with --out."
+    return str(error)
 
 
 def _run(options: argparse.Namespace) -> int:

@@ -1,6 +1,7 @@
 """`misstep grade`: from a folder to results, stopped at any moment and gone on with, each submission graded once."""
 
 import csv
+import errno
 import json
 import os
 import re
@@ -374,3 +375,25 @@ def test_an_interrupt_ends_it_with_what_is_done(folder, tmp_path, asked, monkeyp
     assert grade(folder, tmp_path / "out") == 130
     assert "continues from there" in capsys.readouterr().err
     assert len(list((tmp_path / "out").rglob("*.json"))) == 1
+
+
+@pytest.mark.parametrize(
+    ("number", "message"),
+    [
+        (
+            errno.ENOSPC,
+            r"the disk is full at /out/x\. All results so far are stored\. Free some space; the same command",
+        ),
+        (errno.EROFS, r"/out/x cannot be written, because its disk is read-only\. Choose another folder with --out\."),
+        (errno.EACCES, r"Permission denied: '/out/x'"),
+    ],
+)
+def test_a_disk_that_takes_no_more_is_told_in_a_sentence(
+    number, message, *, folder, tmp_path, asked, monkeypatch, capsys
+):
+    def refuse(*_):
+        raise OSError(number, os.strerror(number), "/out/x")
+
+    monkeypatch.setattr(ResultStore, "save", refuse)
+    assert grade(folder, tmp_path / "out") == 2
+    assert re.search(message, capsys.readouterr().err)
