@@ -51,7 +51,7 @@ READ_FILES = """
 from pathlib import Path
 for path in Path("{parent}").rglob("*"):
     if "/{name}/" in str(path) and path.is_file():
-        print("found", path, path.read_text(errors="replace"))
+        print("fo" "und", path, path.read_text(errors="replace"))
 print(open("{problems}").read())
 """
 
@@ -59,7 +59,7 @@ WALK_ROOT = """
 import os
 for folder, _, names in os.walk("/"):
     if "lecture_01_twice" in folder or "lecture_01_frames" in folder:
-        print("found", folder, names)
+        print("fo" "und", folder, names)
 """
 
 IMPORT_MODULES = """
@@ -69,7 +69,7 @@ for name in [name for name in sys.modules if name.split(".")[0] == "{name}"]:
     del sys.modules[name]
 for name in ["{name}.lecture_{sheet}.problems", "{name}.catalog", "misstep.grading.judging.judge_process"]:
     try:
-        print("found", importlib.import_module(name).__file__)
+        print("fo" "und", importlib.import_module(name).__file__)
     except ImportError:
         pass
 """
@@ -79,14 +79,14 @@ import gc, sys
 secret = "RIGHT-ANSWER-" + "CANARY"
 for name, module in list(sys.modules.items()):
     if name.startswith("{name}.") or (name == "{name}" and getattr(module, "__file__", None)):
-        print("found", name)
+        print("fo" "und", name)
 for thing in gc.get_objects():
     if isinstance(thing, dict) and thing.get("SECRET") == secret:
-        print("found", secret)
+        print("fo" "und", secret)
     if type(thing).__name__ == "Problem" or str(vars(type(thing)).get("__module__")).startswith("{name}."):
-        print("found", type(thing))
+        print("fo" "und", type(thing))
     if type(thing).__name__ == "function" and str(thing.__module__).startswith("{name}."):
-        print("found", thing)
+        print("fo" "und", thing)
 """
 
 OPEN_SHEET = """
