@@ -50,13 +50,14 @@ class PythonProgram:
     """A generated function of n numbers, which computes one configuration at a time.
 
     source  its text
+    lines   the number of its operations
     run     the function: it takes n numbers, and returns the entries of the result, row by row
     """
 
     def __init__(self, source: str) -> None:
         namespace: dict[str, Any] = dict(FUNCTIONS)
         exec(source, namespace)  # noqa: S102 - `trace_to_python` wrote it, from its own variable names and numbers
-        self.source = source
+        self.source, self.lines = source, source.count("\n")
         self.run: Callable[..., tuple[float, ...]] = namespace["run"]
 
     def __reduce__(self) -> tuple[type[Self], tuple[str]]:

@@ -38,7 +38,7 @@ def _accelerate(equation: Callable[["Chain", ArrayLike], Array]) -> Callable[["C
     def method(self: "Chain", q: ArrayLike) -> Array:
         fast = self._fast
         if fast.are_few_configurations(q):
-            return fast.run_program(name, q)
+            return fast.run(name, q)
         return fast.run(name, self._joint_values(q))
 
     return method

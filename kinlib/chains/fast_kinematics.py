@@ -30,7 +30,11 @@ from kinlib.rigid.lie import homogeneous, inverse, perpendicular
 from kinlib.rigid.screw import is_prismatic, line
 
 FEW_CONFIGURATIONS = 32
-"""Up to so many configurations, one run of the generated code for each is faster than one run of the formula on arrays."""
+"""For more configurations, one run of the formula on arrays is faster than one run of the generated code for each."""
+
+BATCH_LINES_PER_JOINT = {"fk": 600, "link_poses": 1100, "jacobian": 900, "body_jacobian": 2400}
+"""So many lines of generated code take as long as the formula on arrays takes for each joint, for a few configurations. An arm
+without zeros in its constants has long programs, so that arrays are faster for fewer configurations already."""
 
 
 class FastKinematics:
@@ -72,16 +76,17 @@ class FastKinematics:
 
     def run(self, name: str, q: Array) -> Array:
         """Compute the configurations q of shape (..., n): a few by generated code, and more on arrays."""
-        return (self.run_program if q.size <= FEW_CONFIGURATIONS * self.n else self.run_batch)(name, q)
+        if q.size > FEW_CONFIGURATIONS * self.n:
+            return self.run_batch(name, q)
+        lines = q.size // self.n * self._program(name)[0].lines
+        return (self.run_program if lines <= BATCH_LINES_PER_JOINT[name] * self.n else self.run_batch)(name, q)
 
     def run_program(self, name: str, q: Array) -> Array:
         """Compute configurations q of shape (..., n), one after the other, by generated code.
 
         The first call generates the code, which takes as long as about a thousand configurations of a batch.
         """
-        if name not in self.programs:
-            self.programs[name] = self._generate_program(name)
-        program, shape = self.programs[name]
+        program, shape = self._program(name)
         results = [program.run(*values) for values in q.reshape(-1, self.n).tolist()]
         return np.array(results, dtype=float).reshape(q.shape[:-1] + shape)
 
@@ -90,10 +95,13 @@ class FastKinematics:
         formula, shape = self._formula(name)
         return apply_columnwise(lambda columns: formula(*self._motions(columns)), q, (self.n,), shape)
 
-    def _generate_program(self, name: str) -> tuple[PythonProgram, tuple[int, ...]]:
-        """Generate the program of one method, and return it with the shape of its result."""
-        formula, shape = self._formula(name)
-        return trace_to_python(lambda q: formula(*self._traced_motions(q[:, None]))[..., 0].T, self.n), shape
+    def _program(self, name: str) -> tuple[PythonProgram, tuple[int, ...]]:
+        """Return the program of one method, which the first call generates, and the shape of its result."""
+        if name not in self.programs:
+            formula, shape = self._formula(name)
+            program = trace_to_python(lambda q: formula(*self._traced_motions(q[:, None]))[..., 0].T, self.n)
+            self.programs[name] = program, shape
+        return self.programs[name]
 
     def _formula(self, name: str) -> tuple[Callable[..., NDArray[Any]], tuple[int, ...]]:
         """The formula of a method of `Chain`, and the shape of its result for one configuration."""

@@ -13,6 +13,7 @@ import kinlib as kl
 
 ROOM = 1.25
 PUMA = kl.robots.puma560()
+LONG = kl.Chain(kl.screw(np.eye(3)[[2, 0, 1, 2, 1, 0]] @ kl.exp([0.3, 0.5, 0.7]), np.eye(6)[:, :3] + 0.1), np.eye(4))
 RNG = np.random.default_rng(0)
 TWISTS, Q = RNG.uniform(-1.5, 1.5, (16, 6)), RNG.uniform(-2, 2, (16, 6))
 POSES = kl.exp(TWISTS)
@@ -49,8 +50,12 @@ def test_one_motion_is_as_fast_as_modern_robotics(ours, theirs, argument, its_ar
 @pytest.mark.parametrize("count", [2, 3, 5, 8, 12, 16])
 @pytest.mark.parametrize(
     ("function", "arguments"),
-    [(PUMA.fk, Q), (PUMA.jacobian, Q), (kl.exp, TWISTS), (kl.log, POSES), (kl.adjoint, POSES), (kl.inverse, POSES)],
-    ids=["fk", "jacobian", "exp", "log", "adjoint", "inverse"],
+    [
+        *((method, Q) for method in (PUMA.fk, PUMA.jacobian, LONG.fk, LONG.jacobian, LONG.link_poses)),
+        *((function, POSES) for function in (kl.log, kl.adjoint, kl.inverse)),
+        (kl.exp, TWISTS),
+    ],
+    ids=["fk", "jacobian", "long fk", "long jacobian", "long link_poses", "log", "adjoint", "inverse", "exp"],
 )
 def test_a_small_batch_is_no_slower_than_a_loop_of_single_calls(function, arguments, count):
     batch = arguments[:count]

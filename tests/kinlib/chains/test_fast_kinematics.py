@@ -9,7 +9,7 @@ import pytest
 from hypothesis import given
 from strategies import ROBOTS, chains_with_values, configurations
 
-from kinlib import Chain, robots
+from kinlib import Chain, exp, robots, screw
 from kinlib.chains.fast_kinematics import FEW_CONFIGURATIONS, FastKinematics
 
 EQUATIONS = [Chain.fk, Chain.link_poses, Chain.jacobian, Chain.body_jacobian]
@@ -124,6 +124,19 @@ def test_a_program_is_generated_for_few_configurations_only(count):
     q = configurations(robot, count)
     close(robot.fk(q), mr_poses(robot, q), 1e-13)
     assert set(robot._fast.programs) == ({"fk"} if count <= FEW_CONFIGURATIONS else set())
+
+
+@pytest.mark.parametrize("name", ["fk", "link_poses", "jacobian", "body_jacobian"])
+def test_arrays_compute_fewer_configurations_already_if_the_program_is_long(name, monkeypatch):
+    long = Chain(screw(np.eye(3)[[2, 0, 1, 2]] @ exp([0.3, 0.5, 0.7]), np.eye(4)[:, 1:]), np.eye(4))
+    called = []
+    monkeypatch.setattr(FastKinematics, "run_batch", lambda *_: called.append("batch"))
+    monkeypatch.setattr(FastKinematics, "run_program", lambda *_: called.append("program"))
+    for count in range(1, FEW_CONFIGURATIONS + 2):
+        long._fast.run(name, configurations(long, count))
+    few = called.count("program")
+    assert 1 < few <= FEW_CONFIGURATIONS
+    assert called == ["program"] * few + ["batch"] * (FEW_CONFIGURATIONS + 1 - few)
 
 
 def mr_poses(robot, q):
