@@ -115,7 +115,7 @@ def _serve(
                 child = _fork(parent, confinement)
                 if not child:
                     _run_child(confinement, shell, stub, descriptors)
-                if hasattr(os, "pidfd_open"):
+                with suppress(AttributeError, OSError):  # a system without it counts no memory from outside
                     descriptors.append(os.pidfd_open(child))
                 socket.send_fds(parent, [str(child).encode()], descriptors[2:])
             case ["end", child_id]:
