@@ -22,8 +22,6 @@ from functools import partial
 from itertools import chain
 from pathlib import Path
 
-from tqdm import tqdm
-
 from misstep.grading.collect.gather import Submission, gather
 from misstep.grading.collect.roster import read_roster
 from misstep.grading.collect.run_plan import ReleasedSheet, read_released_sheet
@@ -36,6 +34,9 @@ from misstep.grading.publish.feedback_zip import write_feedback_zip
 from misstep.grading.publish.result_store import FolderInUse, ResultStore, open_results
 from misstep.grading.result_sink import ResultSink
 from misstep.grading.sandbox.limits import UNSAFE_OPTION, Limits, SandboxUnavailable
+
+PROGRESS = "{desc}: {n_fmt} of {total_fmt} |{bar:30}| about {remaining} left"
+"""How a terminal shows the progress: the estimate is minutes and seconds, from the time that the last ones took."""
 
 PENDING_PER_WORKER = 3
 """How many submissions are read ahead for each worker, so that no worker waits for the disk."""
@@ -163,8 +164,10 @@ def _grade(
     def has_result(student: str, fingerprint: str) -> bool:
         return not options.regrade and store.load(student, fingerprint) is not None
 
+    from tqdm import tqdm  # here, because it is slow to import, and the other processes start meanwhile
+
     failures = {}
-    with tqdm(total=len(submissions), unit="sheet", desc=sheet.name, disable=None) as bar:
+    with tqdm(total=len(submissions), desc=sheet.name, bar_format=PROGRESS, disable=None) as bar:
 
         def pending_jobs() -> Iterator[GradingJob]:
             for job in make_jobs(submissions, sheet, not options.unsafe, has_result):

@@ -15,8 +15,6 @@ from dataclasses import dataclass, field
 from pathlib import PurePosixPath
 from typing import Any
 
-import yaml
-
 from misstep.grading.collect.files import File
 
 CANVAS = re.compile(r"(?P<name>[^_]+)_(?:LATE_)?(?P<key>\d+)_\d+_(?P<file>.+)")
@@ -129,6 +127,8 @@ def _without_wrapping_folder(files: Sequence[File]) -> Sequence[File]:
 
 
 def _gradescope_students(files: Sequence[File], metadata: File) -> list[StudentFiles]:
+    import yaml  # here, because only a download of Gradescope has such a file
+
     # The base loader makes only strings, lists and dictionaries: 007 stays 007, and Ruby's own objects are not built.
     loader = getattr(yaml, "CBaseLoader", yaml.BaseLoader)
     try:

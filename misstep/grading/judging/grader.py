@@ -6,6 +6,7 @@ them and computes the points. This module connects the two, and records what hap
 
 import time
 from collections.abc import Mapping, Sequence
+from concurrent.futures import ThreadPoolExecutor
 from dataclasses import replace
 from hashlib import sha256
 from pathlib import Path
@@ -45,12 +46,14 @@ class Grader:
         self._runner_lock, self._judge_lock = Lock(), Lock()
         self._judge = self._start_judge()  # first, because it imports while the server does
         try:
-            self._setup = setup_for(find_course(sheet.course), sheet.folder)
-            self._runner = Runner(self._setup, is_safe)
+            with ThreadPoolExecutor(1) as pool:
+                problems = pool.submit(self._ask_judge, {"request": "problems"})
+                self._setup = setup_for(find_course(sheet.course), sheet.folder)
+                self._runner = Runner(self._setup, is_safe)
         except (SandboxUnavailable, ValueError):
             self._judge.stop()
             raise
-        answer = self._ask_judge({"request": "problems"})
+        answer = problems.result()
         if "error" in answer:
             self.close()
             raise ValueError(f"The judge cannot open sheet {sheet.name}. {answer['error']}")

@@ -23,11 +23,11 @@ import secrets
 import signal
 import sys
 import tempfile
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from contextlib import suppress
 from functools import lru_cache, partial
 from importlib import import_module
-from typing import Any, NoReturn
+from typing import IO, Any, NoReturn
 
 from misstep.catalog import Course, find_course
 from misstep.display.card import Link
@@ -50,6 +50,9 @@ Task = partial[dict[str, Any]]
 
 UNSOLVED = {"partly", "wrong", "unreadable"}
 """The states of an answer that must be mended, for which feedback shows the figure of the problem."""
+
+WORKERS = min(4, os.cpu_count() or 1)
+"""The number of processes that draw the numbers of students."""
 
 DRAWN_SHEETS = set[str]()
 """The sheets of which this process has drawn a figure: the first one imports and compiles what the others need."""
@@ -195,26 +198,58 @@ def _respond(course: Course, message: Mapping[str, Any]) -> dict[str, Any]:
 
 
 def main(course_reference: str) -> None:
-    """Answer requests until stdin ends: verdicts each in a process of their own, the others at once."""
+    """Answer requests until stdin ends, those about students in as many processes as there are processors.
+
+    Drawing the numbers of a student takes most of the time of grading. All requests about a student go to the same process,
+    which remembers them.
+    """
     course = find_course(course_reference)
     set_resource_limits({"AS": MEMORY_BYTES})
     inbox, outbox = sys.stdin.buffer, os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # what a library prints must not mix with the messages
     signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # the kernel clears away the processes that have answered
+    workers: list[IO[bytes]] = []
+    places: dict[str, int] = {}
     with tempfile.TemporaryFile() as lock:  # several processes write to the same pipe
         while (message := receive_message(inbox)) is not None:
+            if message["request"] == "problems":
+                _answer(course, message, outbox, lock)
+                continue
+            while len(workers) < WORKERS:  # only now, because by now they need not import the sheet themselves
+                workers.append(_start_worker(course, workers, outbox, lock))
+            place = places.setdefault(message["student"], len(places) % len(workers))
+            workers[place].write(encode_message(message))
+            workers[place].flush()
+
+
+def _start_worker(course: Course, others: Sequence[IO[bytes]], outbox: IO[bytes], lock: IO[bytes]) -> IO[bytes]:
+    """Fork a process that answers requests about students: verdicts each in a process of their own, the others at once."""
+    inbox, writer = os.pipe()
+    if os.fork():
+        os.close(inbox)
+        return os.fdopen(writer, "wb")
+    for descriptor in (writer, *(other.fileno() for other in others)):  # so that it ends when this process does
+        os.close(descriptor)
+    with os.fdopen(inbox, "rb") as stream:
+        while (message := receive_message(stream)) is not None:
             is_apart = message["request"] == "verdicts"
             if is_apart:
                 _prepare(course, message)
             if not is_apart or os.fork() == 0:
                 signal.signal(signal.SIGCHLD, signal.SIG_DFL if is_apart else signal.SIG_IGN)
-                answer = encode_message({**_respond(course, message), "id": message["id"]})
-                fcntl.lockf(lock, fcntl.LOCK_EX)
-                outbox.write(answer)
-                outbox.flush()
-                fcntl.lockf(lock, fcntl.LOCK_UN)
+                _answer(course, message, outbox, lock)
                 if is_apart:
                     os._exit(0)
+    os._exit(0)
+
+
+def _answer(course: Course, message: Mapping[str, Any], outbox: IO[bytes], lock: IO[bytes]) -> None:
+    """Answer a request, and write the whole answer before another process writes one."""
+    answer = encode_message({**_respond(course, message), "id": message["id"]})
+    fcntl.lockf(lock, fcntl.LOCK_EX)
+    outbox.write(answer)
+    outbox.flush()
+    fcntl.lockf(lock, fcntl.LOCK_UN)
 
 
 def _prepare(course: Course, message: Mapping[str, Any]) -> None:

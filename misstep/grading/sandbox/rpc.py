@@ -36,7 +36,7 @@ def child_environment() -> dict[str, str]:
     paths = [str(Path(__file__).parents[3]), *filter(None, variables.get("PYTHONPATH", "").split(os.pathsep))]
     # The process may start in another folder, so its paths must be absolute.
     variables["PYTHONPATH"] = os.pathsep.join(str(Path(path).resolve()) for path in paths)
-    return {**variables, **dict.fromkeys(THREAD_VARIABLES, "1"), "MPLBACKEND": "agg", "PYTHONDONTWRITEBYTECODE": "1"}
+    return {**variables, **dict.fromkeys(THREAD_VARIABLES, "1"), "MPLBACKEND": "agg"}
 
 
 def encode_message(message: Mapping[str, Any]) -> bytes:
