@@ -22,7 +22,7 @@ from kinlib.arrays import tolerances, validation
 from kinlib.arrays.formatting import aligned_table, format_vector, html_table
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
-from kinlib.mechanisms.closure import Assembly, Closure
+from kinlib.mechanisms.closure import Assembly, Closure, ModeSearch
 from kinlib.mechanisms.continuation import Curve
 from kinlib.mechanisms.joints import (
     Joint,
@@ -243,19 +243,75 @@ class Mechanism(validation.ReadOnly):
         """
         return self._closure(guess, hold).assemble()
 
-    def assembly_modes(self, hold: Mapping[str, float] | None = None) -> Array:
-        """Find every way of assembling the linkage while some joint values are held: configurations (m, n), each once.
+    def assembly_modes(
+        self,
+        hold: Mapping[str, float] | None = None,
+        bodies: Sequence[str] | None = None,
+        guesses: int | None = None,
+        release: str | None = None,
+    ) -> Array:
+        """Find the ways of assembling the linkage while some joint values are held: configurations (m, n), each once.
 
-        The search starts from random guesses, the same ones at every call, and ends when it finds nothing new, so it may miss
-        a mode to which few guesses lead. Two configurations are the same mode if all bodies have the same poses.
+        bodies   the names of those whose poses matter; by default all bodies. Two configurations are the same mode if these
+                 bodies have the same poses, and of each mode one configuration is returned
+        guesses  how many random configurations the search starts from; by default it ends after 3 rounds of 64 without a
+                 new mode, or after 30 while some mode has been found only once
+        release  the name of a held value: from each mode the curve is followed on which only this value and those that are
+                 not held change, and where it returns to its held value, there is another mode
 
-        Raises ValueError if the linkage can still move with these values held, because then the modes form curves.
+        The first method is damped Gauss-Newton from random guesses, the same ones at every call. It proves that the modes it
+        returns exist, but not that there are no others: it misses modes to which few guesses lead, such as those that are
+        almost singular. The second method, continuation with a value released, finds the other modes on the same curves,
+        however few guesses lead to them, and misses a mode only if no guess led to any mode of its curve. `search_modes`
+        says how often each mode was found, and so how likely it is that others are missing.
+
+        Raises ValueError if the bodies can still move with these values held, because then the modes form curves, if without
+        the released value there is not exactly one degree of freedom, if a body is not one of the linkage or the released
+        value is not held, and if guesses is less than 1.
 
         >>> from kinlib.mechanisms.linkages import four_bar
         >>> len(four_bar(4, 1, 3.5, 3).assembly_modes(hold={"A": 1.0}))
         2
         """
-        return self._closure(np.zeros(self.n), hold).modes(lambda q: np.stack([*self.poses(q).values()], axis=1))
+        return self.search_modes(hold, bodies, guesses, release).q
+
+    def search_modes(
+        self,
+        hold: Mapping[str, float] | None = None,
+        bodies: Sequence[str] | None = None,
+        guesses: int | None = None,
+        release: str | None = None,
+    ) -> ModeSearch:
+        """Search for assembly modes as `assembly_modes` does, with the numbers by which to judge whether some may be missing.
+
+        Processor time on one core of a server of 2024: 0.1 s for a four-bar linkage; 2 s for the 8 poses of the plate of
+        `linkages.stewart_gough()` with bodies=("plate",); for `linkages.dietmaier()`, whose plate has 40, 20 s find 38 of
+        them by default, and 12 s find all 40 with guesses=64, release="P1".
+
+        Raises ValueError as `assembly_modes` does.
+
+        >>> from kinlib.mechanisms.linkages import four_bar
+        >>> search = four_bar(4, 1, 3.5, 3).search_modes(hold={"A": 1.0}, bodies=("rocker",))
+        >>> len(search.q), search.guesses, search.since_new
+        (2, 256, 192)
+        """
+        if release is not None and release not in (hold or {}):
+            raise ValueError(f"release must be the name of a held value, {', '.join(hold or {})}; got {release!r}.")
+        if guesses is not None and guesses < 1:
+            raise ValueError(f"guesses must be at least 1; got {guesses!r}. Try 1000.")
+        names = self.bodies if bodies is None else bodies
+        if isinstance(names, str) or not names or not set(names) <= set(self.bodies):
+            raise ValueError(
+                f"bodies must be names of some of the bodies {', '.join(self.bodies)}; got {validation.describe(bodies)}. "
+                f"Pass a sequence, for example ({self.bodies[-1]!r},)."
+            )
+
+        def poses(q: Array) -> Array:
+            all_poses = self.poses(q)
+            return np.stack([all_poses[name] for name in names], axis=1)
+
+        released = None if release is None else self.names.index(release)
+        return self._closure(np.zeros(self.n), hold).search_modes(poses, guesses, released)
 
     def trace(
         self,

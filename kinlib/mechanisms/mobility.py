@@ -119,12 +119,24 @@ def finite_mobility(equations: Equations, x: Array, directions: Array, tolerance
 
 def _has_solution_on_planes(equations: Equations, x: Array, normals: Array, offsets: Array, tolerance: float) -> bool:
     """Whether a solution y near x lies on the hyperplanes normals.T (y - x) = offsets."""
+    with_planes = on_planes(equations, x, normals, offsets)
+    found = solve(with_planes, (x + normals @ offsets)[None], tolerance)
+    is_near = np.linalg.norm(found.x[0] - x) < MAX_PROBE_DISTANCES * PROBE_DISTANCE
+    return bool(found.residual[0] <= tolerance and is_near)
+
+
+def on_planes(equations: Equations, x: Array, normals: Array, offsets: Array) -> Equations:
+    """Add to equations those of hyperplanes, normals.T (y - x) = offsets, with normals (n, k) and offsets (k,).
+
+    >>> circle = lambda x: ((x * x).sum(-1, keepdims=True) - 1, 2 * x[:, None, :])
+    >>> above = on_planes(circle, np.zeros(2), normals=np.array([[1.0], [0.0]]), offsets=np.array([0.6]))
+    >>> solve(above, np.array([[0.0, 1.0]]), tolerance=1e-12).x.round(9)
+    array([[0.6, 0.8]])
+    """
 
     def with_planes(y: Array) -> tuple[Array, Array]:
         r, J = equations(y)
         planes = np.broadcast_to(normals.T, (len(y), *normals.T.shape))
         return np.concatenate([r, (y - x) @ normals - offsets], axis=1), np.concatenate([J, planes], axis=1)
 
-    found = solve(with_planes, (x + normals @ offsets)[None], tolerance)
-    is_near = np.linalg.norm(found.x[0] - x) < MAX_PROBE_DISTANCES * PROBE_DISTANCE
-    return bool(found.residual[0] <= tolerance and is_near)
+    return with_planes

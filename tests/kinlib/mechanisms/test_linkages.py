@@ -58,7 +58,7 @@ FOUR_BARS = {
 }
 
 
-@pytest.mark.oracle("mpmath", Mechanism.assembly_modes, Closure.modes, linkages.four_bar)
+@pytest.mark.oracle("mpmath", Mechanism.assembly_modes, Closure.search_modes, linkages.four_bar)
 @pytest.mark.parametrize("name", FOUR_BARS)
 def test_a_four_bar_has_the_two_modes_that_two_circles_have(name):
     linkage = linkages.four_bar(*FOUR_BARS[name])

@@ -750,7 +750,7 @@ def test_the_search_ends_after_three_rounds_without_a_new_mode(equations, rounds
         brought.append(len(q))
         return q
 
-    assert len(closure_of(equations).modes(stand)) == rounds - 3
+    assert len(closure_of(equations).search_modes(stand).q) == rounds - 3
     assert len(brought) == rounds
 
 
@@ -762,7 +762,7 @@ def points_evaluated_by(modes_of, **options):
         asked.append(x.copy())
         return modes_of(x)
 
-    closure_of(equations, **options).modes(poses=lambda q: q)
+    closure_of(equations, **options).search_modes(poses=lambda q: q)
     return np.concatenate(asked)
 
 
@@ -790,7 +790,7 @@ def test_modes_are_sought_in_the_search_range_around_0_or_the_nearest_limit(limi
 def test_a_configuration_that_closes_slowly_is_assembled_but_is_not_found_as_a_mode():
     """Newton's steps to a root of fourth order shorten the way by a quarter each."""
     slow = closure_of(lambda x: (x**4, 4 * x[:, None] ** 3), [1.0], tolerance=1e-45)
-    assert slow.modes(poses=lambda q: q).shape == (0, 1)
+    assert slow.search_modes(poses=lambda q: q).q.shape == (0, 1)
     found = slow.assemble()
     assert found.converged
     assert found.iterations > 40
@@ -799,7 +799,7 @@ def test_a_configuration_that_closes_slowly_is_assembled_but_is_not_found_as_a_m
 def test_a_configuration_with_only_an_infinitesimal_motion_is_a_mode():
     """x^2 + y^2 = 0 at 0 alone: one equation, and one direction in which it does not resist."""
     shaky = closure_of(lambda x: ((x * x).sum(1, keepdims=True), 2 * x[:, None]), [0.0, 0.0])
-    close(shaky.modes(poses=lambda q: q), [[0, 0]], atol=1e-6)
+    close(shaky.search_modes(poses=lambda q: q).q, [[0, 0]], atol=1e-6)
 
 
 @pytest.mark.parametrize(("beyond", "count"), [(2e-6, 0), (5e-7, 1), (-5e-7, 1)])
@@ -807,7 +807,7 @@ def test_a_mode_may_be_beyond_a_limit_by_its_rounding_in_print(beyond, count):
     """The cosine is 0 at a right angle either way; limits stand beside one of them, below it or above."""
     for limits in ((np.pi / 2 + beyond, 2), (1, np.pi / 2 - beyond)):
         within = closure_of(cosine, is_angle=True, limits=limits, search_range=np.pi)
-        close(within.modes(poses=lambda q: q), np.full((count, 1), np.pi / 2))
+        close(within.search_modes(poses=lambda q: q).q, np.full((count, 1), np.pi / 2))
         found = replace(within, configuration=np.array([1.5])).assemble()
         close(np.sin(found.q), [1])
         assert ("beyond the limits of q1" in found.message) == (count == 0)
@@ -826,7 +826,7 @@ def test_a_mode_may_be_beyond_a_limit_by_its_rounding_in_print(beyond, count):
 )
 def test_an_angle_is_wrapped_to_the_turn_above_its_lower_or_below_its_upper_limit(limits, angles):
     free = closure_of(cosine, is_angle=True, limits=limits, search_range=np.pi)
-    close(free.modes(poses=np.sin), np.pi * np.array(angles)[:, None])
+    close(free.search_modes(poses=np.sin).q, np.pi * np.array(angles)[:, None])
 
 
 # --- from chains ---
