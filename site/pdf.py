@@ -6,7 +6,7 @@ import subprocess
 import sys
 from pathlib import Path
 
-from kinsite.pdf_document import compose_document
+from kinsite.pdf_document import compose_document, page_numbers
 
 BUILT = Path(__file__).resolve().parents[1] / "build" / "site" / "html"
 ADDRESS = os.environ.get("KINLIB_SITE_URL", "http://127.0.0.1:8000/").rstrip("/") + "/"
@@ -41,8 +41,13 @@ if __name__ == "__main__":
     if not (BUILT / "index.html").exists():
         sys.exit("The site is not built yet. Try: python course.py site")
     document = BUILT.parent / "course.html"
-    document.write_text(compose_document(BUILT, BUILT.name, ADDRESS), "utf-8")
-    write_pdf(document, BUILT / "course.pdf")
+    numbers: dict[str, int] = {}
+    for _ in range(
+        2
+    ):  # Chromium cannot write the number of another page, so the first print is read for the second one
+        document.write_text(compose_document(BUILT, BUILT.name, ADDRESS, numbers=numbers), "utf-8")
+        write_pdf(document, BUILT / "course.pdf")
+        numbers = page_numbers((BUILT / "course.pdf").read_bytes())
     front = BUILT / "index.html"
     front.write_text(front.read_text("utf-8").replace(PLACEHOLDER, LINK), "utf-8")
     print(f"The course has been printed to {BUILT / 'course.pdf'}.")

@@ -4,10 +4,14 @@ The document is composed of the pages that have been built, so it has the same t
 """
 
 import re
-from collections.abc import Collection, Sequence
+from collections.abc import Collection, Mapping, Sequence
+from datetime import UTC, datetime
+from html import unescape
 from pathlib import Path
 from posixpath import dirname, join, normpath
+from types import MappingProxyType
 
+import kinlib
 from kinsite.sphinx_source import LECTURES
 
 PAGES = (*(f"lectures/{path.stem}.html" for path in LECTURES), "notation.html", "glossary.html")
@@ -26,38 +30,105 @@ EXPLANATION = re.compile(r'<div [^>]*data-misstep-explain="([^"]+)".*?</details>
 REASON = re.compile(r'<p class="misstep-why"><strong>[^<]*</strong>\s*(.*?)</p>', re.DOTALL)
 LESSON = re.compile(r'<div class="misstep-lesson">(.*?)</div>', re.DOTALL)
 OPTION_LETTERS = "ABCDEFGH"
+OUTLINE_ENTRY = (rb"/Title (\(.*?(?<!\\)\)|<[^>]+>)", rb"/Dest \[(\d+) 0 R", rb"/Parent (\d+) 0 R")
+"""The title of an entry of a PDF's outline, the page that it leads to, and the entry above it."""
+EMPTY: Mapping[str, int] = MappingProxyType({})
 
 DOCUMENT = """\
 <!doctype html>
 <html lang="en" class="no-js"><head><meta charset="utf-8"><title>Forward kinematics</title>
 <link rel="stylesheet" href="{folder}/_static/pygments.css"><link rel="stylesheet" href="{folder}/_static/styles/furo.css">
 <link rel="stylesheet" href="{folder}/_static/katex/katex.min.css"><link rel="stylesheet" href="{folder}/_static/course.css">
-</head><body data-theme="light" class="kinlib-book">
-<h1>Forward kinematics</h1><p>Where is the tool? These are the lectures of the course, for printing. On the website you can
-move the arms, answer the questions and run every cell: <a href="{address}">{address}</a></p><ul>{contents}</ul>
+<style>{heads}</style></head><body data-theme="light" class="kinlib-book">
+<section class="kinlib-cover"><h1>Forward kinematics</h1><p>Where is the tool? The lectures of the course, for printing.</p>
+<img src="{folder}/_static/opengraph.png" alt="An arm with its screw axes, and the words: where is the tool?">
+<p>{author}. Version {version}, printed on {date}.</p><p>Lectures: Creative Commons Attribution 4.0. Code: MIT licence.</p>
+<p>On the website you can move the arms, answer the questions and run every cell: <a href="{address}">{address}</a></p></section>
+<nav class="kinlib-contents"><h2>Contents</h2><ul>{contents}</ul></nav>
 {articles}
 </body></html>
 """
 
+RUNNING_HEAD = """\
+@page {name} {{ @top-right {{ content: "{title}"; font: 8.5pt sans-serif; color: #57606a; }} }}
+#{anchor} {{ page: {name}; }}
+"""
+"""The title of a lecture at the top of each of its pages."""
 
-def compose_document(built: Path, folder: str, address: str, pages: Sequence[str] = PAGES) -> str:
+
+def compose_document(
+    built: Path, folder: str, address: str, pages: Sequence[str] = PAGES, numbers: Mapping[str, int] = EMPTY
+) -> str:
     """Compose one HTML document of several pages.
 
     built    the folder that the pages were built into
     folder   the same folder, relative to the document
     address  the address of the published site; links to pages that are not printed lead there
+    numbers  for the title of each page the number of the sheet of paper on which it begins, once that is known
     """
     texts = {page: found[1] for page in pages if (found := ARTICLE.search((built / page).read_text("utf-8")))}
     titles = {
         page: re.sub(r"<h1>(.*?)</h1>.*", r"\1", SCREEN_ONLY.sub("", text[text.index("<h1") :]), flags=re.DOTALL)
         for page, text in texts.items()
     }
-    contents = "".join(f'<li><a href="#{anchor(page)}">{title}</a></li>' for page, title in titles.items())
+    contents = "".join(
+        f'<li><a href="#{anchor(page)}">{label(page, title)}</a> <span>{numbers.get(plain(title), "")}</span></li>'
+        for page, title in titles.items()
+    )
+    heads = "\n".join(
+        RUNNING_HEAD.format(name=f"head{k}", anchor=anchor(page), title=plain(label(page, title)).replace('"', ""))
+        for k, (page, title) in enumerate(titles.items())
+    )
     articles = "\n".join(
         f'<article id="{anchor(page)}">{adapt(text, page, texts, folder, address)}</article>'
         for page, text in texts.items()
     )
-    return DOCUMENT.format(folder=folder, address=address, contents=contents, articles=articles)
+    today = datetime.now(UTC).date().isoformat()
+    return DOCUMENT.format(
+        folder=folder, address=address, contents=contents, articles=articles, heads=heads,
+        author="The kinlib authors", version=kinlib.__version__, date=today,
+    )  # fmt: skip
+
+
+def plain(title: str) -> str:
+    """Return a title without the elements of HTML.
+
+    >>> plain("<em>DH</em> &amp; more")
+    'DH & more'
+    """
+    return unescape(re.sub(r"<[^>]+>", "", title)).strip()
+
+
+def label(page: str, title: str) -> str:
+    """Return the title of a page with the number of the lecture, if it has one.
+
+    >>> label("lectures/04_poe_body.html", "PoE in the body frame")
+    '04 PoE in the body frame'
+    """
+    number = page.removeprefix("lectures/")[:2]
+    return f"{number} {title}" if number.isdigit() and not title.startswith(number) else title
+
+
+def page_numbers(pdf: bytes) -> dict[str, int]:
+    """Read from the outline of a PDF by Chromium on which sheet of paper each heading of the first level begins."""
+    objects = dict(re.findall(rb"^(\d+) 0 obj\n(.*?)\nendobj", pdf, re.DOTALL | re.MULTILINE))
+    order = [number for number, text in objects.items() if b"/Type /Page\n" in text]
+    numbers = {}
+    for text in objects.values():
+        title, target, parent = (re.search(pattern, text, re.DOTALL) for pattern in OUTLINE_ENTRY)
+        if title and target and parent and b"/Title" not in objects[parent[1]]:
+            numbers[outline_text(title[1])] = order.index(target[1]) + 1
+    return numbers
+
+
+def outline_text(text: bytes) -> str:
+    r"""Decode a string of a PDF.
+
+    >>> outline_text(rb"(a \(b\))"), outline_text(b"<FEFF00E9>")
+    ('a (b)', 'é')
+    """
+    data = bytes.fromhex(text[1:-1].decode()) if text.startswith(b"<") else re.sub(rb"\\(.)", rb"\1", text[1:-1])
+    return data[2:].decode("utf-16-be") if data.startswith(b"\xfe\xff") else data.decode("latin-1")
 
 
 def anchor(page: str) -> str:

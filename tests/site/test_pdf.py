@@ -7,10 +7,12 @@ from pathlib import Path
 import pytest
 from browser import CHROMIUM, NO_CHROMIUM
 
+import kinlib
+
 SITE = Path(__file__).parents[2] / "site"
 sys.path.insert(0, str(SITE))
 
-from kinsite.pdf_document import compose_document  # noqa: E402
+from kinsite.pdf_document import compose_document, page_numbers  # noqa: E402
 from pdf import write_pdf  # noqa: E402
 
 from misstep.questions.item import Item, Option  # noqa: E402
@@ -40,8 +42,11 @@ def built(tmp_path):
     return folder
 
 
+PAGES = ["lectures/one.html", "lectures/two.html"]
+
+
 def document(built):
-    return compose_document(built, "html", "https://course.example/", ["lectures/one.html", "lectures/two.html"])
+    return compose_document(built, "html", "https://course.example/", PAGES, {"Two": 7})
 
 
 @pytest.mark.parametrize(
@@ -52,7 +57,11 @@ def document(built):
         'href="https://course.example/robots/arm.html#x"',
         'href="https://example.org/"',
         'src="html/_images/a.svg"',
-        '<li><a href="#lectures-two">Two</a></li>',
+        '<li><a href="#lectures-two">Two</a> <span>7</span></li>',
+        '@page head1 { @top-right { content: "Two";',
+        "#lectures-two { page: head1; }",
+        f"The kinlib authors. Version {kinlib.__version__}, printed on 20",
+        "Lectures: Creative Commons Attribution 4.0. Code: MIT licence.",
         '<details open class="kinlib-side">',
         "<div data-kinlib-drawing><details open>",
         '<details class="misstep-option"><summary>two',
@@ -76,8 +85,9 @@ def test_chromium_prints_the_document_with_an_outline(built, tmp_path):
     write_pdf(tmp_path / "course.html", tmp_path / "course.pdf")
     printed = (tmp_path / "course.pdf").read_bytes()
     assert printed.startswith(b"%PDF")
-    assert printed.count(b"/Type /Page\n") >= 3, "a title page and two lectures"
+    assert printed.count(b"/Type /Page\n") >= 4, "a cover, the contents and two lectures"
     assert b"/Outlines" in printed
+    assert page_numbers(printed) == {"Forward kinematics": 1, "One": 3, "Two": 4}
 
 
 def test_without_chromium_the_error_says_what_to_do(monkeypatch, tmp_path):
