@@ -92,3 +92,17 @@ def test_every_test_in_the_table_of_threats_exists():
         names = re.findall(r"`(test_\w+)`", row)
         assert names, f"No test is named in: {row}"
         assert [name for name in names if f"\ndef {name}(" not in tests] == []
+
+
+@pytest.mark.parametrize(
+    "file",
+    [
+        "site/instructors.md",
+        "misstep/grading/sandbox/rootfs.py",
+        ".github/workflows/test.yml",
+        ".github/workflows/newest.yml",
+    ],
+)
+def test_what_ubuntu_must_be_told_is_the_same_in_the_guide_the_message_and_the_workflows(file):
+    text = (ROOT / file).read_text("utf-8")
+    assert "sudo sysctl -w kernel.apparmor_restrict_unprivileged_userns=0" in text

@@ -158,7 +158,7 @@ def figure_html(problem: Problem) -> str:
     """The figure of a problem as HTML; "" if it has none, or if it cannot be drawn."""
     try:
         figure = problem.figure() if problem.figure else None
-        bundle = figure._repr_mimebundle_() if hasattr(figure, "_repr_mimebundle_") else {}
+        bundle = figure._repr_mimebundle_() if figure is not None and hasattr(figure, "_repr_mimebundle_") else {}
     except Exception:  # a figure is not worth a grade
         return ""
     return str(bundle.get("text/html", ""))
