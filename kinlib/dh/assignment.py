@@ -67,6 +67,9 @@ class FrameAssignment:
         ends = f"<p>base = {format_matrix(self.base)}</p><p>tool = {format_matrix(self.tool)}</p>"
         return self.table._repr_html_() + ends
 
+    def _repr_latex_(self) -> str:
+        return self.table._repr_latex_()
+
     @cached_property
     def accuracy(self) -> float:
         """The largest difference in an entry between the table's poses and the chain's, at many configurations."""

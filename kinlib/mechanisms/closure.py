@@ -138,6 +138,8 @@ class Closure:
     array([[-1.,  0.],
            [ 1.,  0.]])
     >>> free = replace(held, configuration=np.array([1.0, 0.0]), free=np.array([0, 1]))
+    >>> free.branch_directions(0.1).round(9) + 0.0
+    array([[0., 1.]])
     >>> free.trace(0.1, points=8, max_steps=100).ends
     ('closed', 'closed')
     """

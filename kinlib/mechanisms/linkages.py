@@ -294,8 +294,8 @@ def dietmaier() -> Mechanism:
 
         linkage.assembly_modes(hold=dict.fromkeys(["P1", ..., "P6"], 0.0), bodies=("plate",), guesses=64, release="P1")
 
-    Source: Dietmaier, The Stewart-Gough platform of general geometry can have 40 real postures, Advances in Robot Kinematics
-    (1998), whose feet, heads and leg lengths have 6 decimal places; Ronga and Vust (1992) for the 40 complex solutions.
+    Source: Dietmaier, in Advances in Robot Kinematics: Analysis and Control (1998), pages 1-10, whose feet, heads and leg
+    lengths have 6 decimal places; Ronga and Vust (1992) for the 40 complex solutions.
 
     >>> dietmaier().kutzbach()
     6

@@ -19,7 +19,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlib.arrays import tolerances, validation
-from kinlib.arrays.formatting import aligned_table, format_vector, html_table
+from kinlib.arrays.formatting import aligned_table, format_vector, html_table, latex_array
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.mechanisms.closure import Assembly, Closure, ModeSearch
@@ -106,6 +106,14 @@ class Mechanism(validation.ReadOnly):
 
     def _repr_html_(self) -> str:
         return html_table(self._title, JOINT_HEADINGS, self._joint_rows())
+
+    def _repr_latex_(self) -> str:
+        def text(words: str) -> str:
+            escaped = words.replace("_", r"\_")
+            return rf"\text{{{escaped}}}"
+
+        heads = [text("joint"), text("bodies"), r"\omega_i", "v_i"]
+        return latex_array(heads, [[text(name), text(bodies), *S] for name, bodies, *S in self._joint_rows()])
 
     @property
     def _title(self) -> str:

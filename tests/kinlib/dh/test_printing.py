@@ -89,7 +89,10 @@ def test_latex_names_the_variables_and_the_convention():
     table = kl.assign_frames(kl.robots.youbot(), convention="modified").table
     assert r"\alpha_{i-1} & d_i & \theta_i" in table._repr_latex_()
     assert r"q_{5}" in table._repr_latex_()
+    assert kl.assign_frames(kl.robots.youbot(), convention="modified")._repr_latex_() == table._repr_latex_()
     assert r"\omega_i & v_i" in kl.robots.rpr()._repr_latex_()
+    ring = kl.linkages.ten_links()._repr_latex_()
+    assert r"\text{theta\_1} & \text{ground - link 1.1} & (0, 0, 1) & (0, 0, 0) \\" in ring
 
 
 @pytest.mark.oracle("modern_robotics", DHTable.jacobian)

@@ -62,7 +62,7 @@ def test_the_plate_of_a_stewart_gough_platform_has_the_poses_that_scipy_finds():
     assert (linkage.residual(search.q) ** 2).sum(axis=1).max() < 1e-24
 
 
-@pytest.mark.oracle("printed: Dietmaier (1998)", linkages.dietmaier, Mechanism.search_modes, ModeSearch)
+@pytest.mark.oracle("printed: Dietmaier (1998)", linkages.dietmaier, Mechanism.search_modes)
 def test_dietmaier_s_platform_has_40_modes():
     """More than 40 are impossible, and each of those found has legs of the printed lengths, so these are all."""
     linkage = linkages.dietmaier()
