@@ -13,14 +13,20 @@ where all implementations share the same conditions; their median and quartiles 
 import time
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from contextlib import suppress
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from statistics import median
-from typing import Any
+from typing import Any, TypeVar
 
 import numpy as np
 
 ROUNDS = 9
 """Default number of rounds that count."""
+
+BATCH_SIZES = tuple(10**k for k in range(7))
+"""The sizes of `measure_batches`."""
+
+MIN_ELEMENTS = 2_000
+"""A round of `measure_batches` computes at least so many elements of each size: a small batch is computed many times."""
 
 MIN_ERROR = 1e-17
 """Smaller errors, and 0, count as this one, so that every ratio is finite."""
@@ -32,11 +38,13 @@ class MissingRequirementError(Exception):
 
 @dataclass(frozen=True)
 class Workload:
-    """Work to be timed: `run` computes `count` results, of which a slow implementation may compute fewer."""
+    """Work to be timed: `run` computes `count` results, of which a slow implementation may compute fewer, or a part of one."""
 
     run: Callable[[], Any]
-    count: int = 1
+    count: float = 1
 
+
+T = TypeVar("T")
 
 WorkloadFactory = Callable[[], Workload]
 """Prepares a workload and tries it. Raises ModuleNotFoundError if the peer is not installed."""
@@ -91,12 +99,14 @@ class Curve:
     size_name  what the size counts: joints, configurations, submissions
     sizes      the measured sizes
     seconds    the time for each size
+    peers      the times of other implementations for the same sizes, by name
     """
 
     name: str
     size_name: str
     sizes: tuple[float, ...]
     seconds: tuple[float, ...]
+    peers: Mapping[str, tuple[float, ...]] = field(default_factory=dict)
 
     @property
     def exponent(self) -> float:
@@ -110,6 +120,16 @@ class Curve:
         x, y = np.log(self.sizes), np.log(self.seconds)
         upper = x >= (x[0] + x[-1]) / 2
         return float(np.polyfit(x[upper], y[upper], 1)[0].round(12))
+
+    def crossings(self, peer: str) -> list[float]:
+        """The sizes at which kinlib and a peer take the same time, by interpolation between the measured sizes.
+
+        >>> Curve("", "", (1, 10, 100), (2.0, 2.0, 2.0), {"a loop": (0.2, 2.0, 20.0)}).crossings("a loop")
+        [10.0]
+        """
+        x, y = np.log(self.sizes), np.log(self.peers[peer]) - np.log(self.seconds)
+        changes = np.flatnonzero((y[:-1] > 0) != (y[1:] > 0))
+        return np.exp([x[i] - y[i] * (x[i + 1] - x[i]) / (y[i + 1] - y[i]) for i in changes]).round(9).tolist()
 
 
 def ratio(value: float, peer_value: float, at_most: bool = False) -> float:
@@ -140,6 +160,15 @@ def time_once(workload: Workload) -> float:
     return (time.perf_counter() - start) / workload.count
 
 
+def installed(peers: Mapping[str, Callable[[], T]]) -> dict[str, T]:
+    """Prepare the peers, by name, without those that are not installed."""
+    prepared = {}
+    for peer, prepare in peers.items():
+        with suppress(ModuleNotFoundError):
+            prepared[peer] = prepare()
+    return prepared
+
+
 def compare(
     name: str,
     workload: Workload,
@@ -151,10 +180,7 @@ def compare(
 
     peers  by name: the function that prepares its workload, and the target
     """
-    prepared: dict[str, Workload] = {}
-    for peer, (prepare, _) in peers.items():
-        with suppress(ModuleNotFoundError):
-            prepared[peer] = prepare()
+    prepared = installed({peer: prepare for peer, (prepare, _) in peers.items()})
     own, *others = time_interleaved([workload, *prepared.values()], rounds)
     seconds = dict(zip(prepared, others, strict=True))
     for peer, (_, target) in peers.items():
@@ -184,3 +210,32 @@ def measure_growth(
     """Time a workload of several sizes, all of them in each round."""
     seconds = time_interleaved([workload(size) for size in sizes], rounds)
     return Curve(name, size_name, tuple(sizes), tuple(map(median, seconds)))
+
+
+def measure_batches(
+    name: str,
+    size_name: str,
+    functions: Mapping[str, Callable[[np.ndarray], Any]],
+    loops: Mapping[str, Workload],
+    elements: np.ndarray,
+    *,
+    rounds: int = 5,
+) -> Curve:
+    """Time functions of a batch for each of BATCH_SIZES that `elements` has, and peers that compute one element after the other.
+
+    functions  kinlib's, then those of peers; called with a single element for the size 1
+    loops      peers whose time for each element does not depend on the size of the batch, so it is measured once in each round
+    """
+    sizes = [size for size in BATCH_SIZES if size <= len(elements)]
+
+    def batches(function: Callable[[np.ndarray], Any], size: int) -> Workload:
+        count = max(1, min(MIN_ELEMENTS, len(elements)) // size)
+        parts = elements[:count] if size == 1 else elements[: count * size].reshape(count, size, *elements.shape[1:])
+        return Workload(lambda: [function(part) for part in parts], count)
+
+    timed = [batches(function, size) for function in functions.values() for size in sizes]
+    seconds = list(map(median, time_interleaved([*timed, *loops.values()], rounds)))
+    at_once = np.reshape(seconds[: len(timed)], (len(functions), len(sizes)))
+    one_by_one = np.outer(seconds[len(timed) :], sizes)
+    own, *others = (tuple(row.tolist()) for row in (*at_once, *one_by_one))
+    return Curve(name, size_name, tuple(sizes), own, dict(zip([*list(functions)[1:], *loops], others, strict=True)))

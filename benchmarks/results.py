@@ -170,6 +170,8 @@ def _parse_run(data: Mapping[str, Any]) -> Run:
         ]
         for part in ("rows", "curves")
     )
+    for curve in curves:
+        curve["peers"] = {name: tuple(seconds) for name, seconds in curve.get("peers", {}).items()}
     return Run(data["day"], tuple(Row(**row) for row in rows), tuple(Curve(**curve) for curve in curves))
 
 

@@ -1,9 +1,10 @@
-"""Speed and accuracy of exp and log of 100,000 twists at once, compared with pytransform3d, which also computes batches.
+"""Speed and accuracy of exp and log, compared with pytransform3d, which also computes batches, and with modern_robotics.
 
     python -m benchmarks exponentials
 
-The twists have angles from 0 to pi and random directions. Then the same functions get angles near 0 and near pi, where
-formulas lose digits, and are compared with mpmath at 40 digits. The error of exp is the largest entry of exp(x) - X.
+The twists have angles from 0 to pi and random directions, and are computed 100,000 at once. Then each of 1,000 is given to one
+call of exp, log, adjoint or inverse; modern_robotics does not validate its argument. Then exp and log get angles near 0 and
+near pi, where formulas lose digits, and are compared with mpmath at 40 digits. The error of exp is the largest entry of exp(x) - X.
 log is given X rounded to double precision; its error is the largest entry of exp(log(X)) - X, so a log that returns the
 opposite axis at pi, as it may, has no error from that. The larger of the two errors is reported. For each angle, and for
 more libraries: `python -m benchmarks.library.accuracy`.
@@ -16,7 +17,7 @@ import mpmath_oracle
 import numpy as np
 
 import kinlib as kl
-from benchmarks.measure import Row, Workload, compare
+from benchmarks.measure import Curve, Row, Workload, compare, installed, measure_batches
 
 ANGLES_RAD = {
     "near 0": [0.0, *(10.0**-k for k in range(1, 13))],
@@ -39,6 +40,13 @@ def rows(quick: bool = False) -> Iterator[Row]:
         ours = Workload(partial(function, argument), count)
         yield from compare(f"{name} of 100,000 {kind} at once, each", ours, {PEER: (prepare, MIN_SPEEDUP)})
 
+    x = x[:1_000]
+    T = kl.exp(x)
+    for name, argument in {"exp": x, "log": T, "adjoint": T, "inverse": T}.items():
+        function = getattr(kl, name)
+        ours = Workload(lambda function=function, argument=argument: [function(one) for one in argument], len(x))
+        yield from compare(f"one {name}", ours, {"modern_robotics": (partial(modern_robotics, name, argument), 1.0)})
+
     for where, angles in ANGLES_RAD.items():
         x = np.concatenate([twists(rng, np.full(2 if quick else 30, angle)) for angle in angles])
         T = np.array([mpmath_oracle.exp(row) for row in x])
@@ -48,6 +56,19 @@ def rows(quick: bool = False) -> Iterator[Row]:
         except ModuleNotFoundError:
             theirs = None
         yield Row(f"worst error of exp and log {where}", "", ours, MIN_ERROR_RATIO, PEER, theirs)
+
+
+def curves(quick: bool = False) -> Iterator[Curve]:
+    """Measure how the time of a batch grows with its size, beside a peer that computes batches and two that do not."""
+    rng = np.random.default_rng(0)
+    x = twists(rng, rng.uniform(0, np.pi, 1_000 if quick else 1_000_000))
+    for name, function, argument, kind in [("exp", kl.exp, x, "twists"), ("log", kl.log, kl.exp(x), "poses")]:
+        functions = {"kinlib": function, **installed({PEER: partial(peer_function, name)})}
+        loops = {
+            "Pinocchio, bare calls": partial(pinocchio, name, argument[:1_000]),
+            "modern_robotics, a loop": partial(modern_robotics, name, argument[:1_000]),
+        }
+        yield measure_batches(f"{name} of {kind}", kind, functions, installed(loops), argument)
 
 
 def twists(rng: np.random.Generator, angles: np.ndarray) -> np.ndarray:
@@ -73,6 +94,30 @@ def peer(name: str, argument: np.ndarray, ours: Function) -> Workload:
     theirs = peer_function(name)
     np.testing.assert_allclose(theirs(argument[:1000]), ours(argument[:1000]), rtol=0, atol=1e-6)
     return Workload(partial(theirs, argument), len(argument))
+
+
+def modern_robotics(name: str, arguments: np.ndarray) -> Workload:
+    """Prepare the same function of modern_robotics, for one argument after the other."""
+    import modern_robotics as mr
+
+    names = {"exp": "MatrixExp6", "log": "MatrixLog6", "adjoint": "Adjoint", "inverse": "TransInv"}
+    function = getattr(mr, names[name])
+    given = [mr.VecTose3(x) for x in arguments] if name == "exp" else list(arguments)
+    result = mr.se3ToVec(function(given[0])) if name == "log" else function(given[0])
+    np.testing.assert_allclose(result, getattr(kl, name)(arguments[0]), rtol=0, atol=1e-6)
+    return Workload(lambda: [function(one) for one in given], len(given))
+
+
+def pinocchio(name: str, arguments: np.ndarray) -> Workload:
+    """Prepare calls of Pinocchio alone, from and to its own objects."""
+    import pinocchio as pin
+
+    given = [pin.Motion(x[3:], x[:3]) for x in arguments] if name == "exp" else [pin.SE3(T) for T in arguments]
+    function = {"exp": pin.exp6, "log": pin.log6}[name]
+    result = function(given[0])
+    found = result.homogeneous if name == "exp" else np.concatenate([result.angular, result.linear])
+    np.testing.assert_allclose(found, getattr(kl, name)(arguments[0]), rtol=0, atol=1e-9)
+    return Workload(lambda: [function(one) for one in given], len(given))
 
 
 def max_error(function: Function, name: str, x: np.ndarray, T: np.ndarray) -> float:

@@ -3,9 +3,10 @@
     python -m benchmarks forward_kinematics
 
 Batches: 100,000 configurations in, one array of shape (N, 4, 4) out. Pinocchio takes one configuration per call, so it is
-measured in the fastest loop that we know and in the loop of its examples, which reads `data.oMi[n]`. The Robotics Toolbox
-is compiled, and its neighbouring constants are merged (`ETS.compile`). modern_robotics takes one configuration per call too,
-and is so slow that it gets only 1,000. One at a time: the same configurations in a Python loop, for kinlib and for the peer.
+measured in the fastest loop that we know and in the loop of its examples, which reads `data.oMi[n]`. Its bare calls leave
+each pose in an object of Pinocchio. The Robotics Toolbox is compiled, and its neighbouring constants are merged
+(`ETS.compile`). modern_robotics takes one configuration per call too, and is so slow that it gets only 1,000. One at a time:
+the same configurations in a Python loop, for kinlib and for the peer.
 All results agree to 1e-12 before anything is timed.
 """
 
@@ -15,7 +16,10 @@ from functools import partial
 import numpy as np
 
 import kinlib as kl
-from benchmarks.measure import Curve, Row, Workload, compare, measure_growth
+from benchmarks.measure import Curve, Row, Workload, compare, installed, measure_batches, measure_growth
+
+BATCH_JOINTS = (6, 7, 30)
+"""The arms whose batches are measured for each size: two common numbers of joints, and that of a humanoid."""
 
 JOINTS = (1, 2, 4, 8, 16, 32, 64)
 
@@ -38,29 +42,43 @@ def rows(quick: bool = False) -> Iterator[Row]:
 
 
 def curves(quick: bool = False) -> Iterator[Curve]:
-    """Measure how the time of a batch grows with the number of joints, and with the size of the batch."""
-    rng = np.random.default_rng(0)
+    """Measure how the time of a batch grows with the size of the batch, beside Pinocchio, and with the number of joints."""
+    for n in BATCH_JOINTS:
+        robot, q = random_arm(n), configurations(n, 1_000 if quick else 1_000_000)
+        loop = q[: 100 if quick else 10_000]
+        peers = {
+            "Pinocchio, bare calls": partial(pinocchio_bare, robot, loop),
+            "Pinocchio, a loop that fills an array": partial(pinocchio, robot, loop, "pinocchio_loop"),
+        }
+        yield measure_batches(
+            f"poses of an arm of {n} joints", "configurations", {"kinlib": robot.fk}, installed(peers), q
+        )
+
     count = 1_000 if quick else 10_000
 
     def arm(n: float) -> Workload:
-        axes, q = rng.normal(size=(int(n), 3)), rng.uniform(-np.pi, np.pi, (count, int(n)))
-        screws = kl.screw(axes / np.linalg.norm(axes, axis=1, keepdims=True), rng.normal(size=(int(n), 3)))
-        chain = kl.Chain(screws, np.eye(4))
+        chain, q = random_arm(int(n)), configurations(int(n), count)
         return Workload(lambda: chain.fk(q))
 
-    def batch(size: float) -> Workload:
-        robot, q = puma560(int(size))
-        return Workload(lambda: robot.fk(q))
-
-    sizes = [10**k for k in range(4 if quick else 7)]
     yield measure_growth(f"{count:,} poses at once", "joints", JOINTS, arm)
-    yield measure_growth("PUMA 560 poses at once", "configurations", sizes, batch)
+
+
+def random_arm(n: int) -> kl.Chain:
+    """Return an arm whose joints rotate about random lines, so that no entry of its constants is 0 or 1."""
+    rng = np.random.default_rng(0)
+    axes = rng.normal(size=(n, 3))
+    return kl.Chain(kl.screw(axes / np.linalg.norm(axes, axis=1, keepdims=True), rng.normal(size=(n, 3))), np.eye(4))
+
+
+def configurations(n: int, count: int) -> np.ndarray:
+    """Return `count` random configurations of n joints."""
+    return np.random.default_rng(0).uniform(-np.pi, np.pi, (count, n))
 
 
 def puma560(count: int) -> tuple[kl.Chain, np.ndarray]:
     """Return the robot and `count` random configurations."""
     robot = kl.robots.puma560()
-    return robot, np.random.default_rng(0).uniform(-np.pi, np.pi, (count, robot.n))
+    return robot, configurations(robot.n, count)
 
 
 def pinocchio(robot: kl.Chain, q: np.ndarray, loop: str) -> Workload:
@@ -69,6 +87,24 @@ def pinocchio(robot: kl.Chain, q: np.ndarray, loop: str) -> Workload:
 
     run = partial(getattr(pinocchio_oracle, loop), pinocchio_oracle.pinocchio_model(robot), q)
     np.testing.assert_allclose(run()[:1000], robot.fk(q[:1000]), rtol=0, atol=1e-12)
+    return Workload(run, len(q))
+
+
+def pinocchio_bare(robot: kl.Chain, q: np.ndarray) -> Workload:
+    """Prepare calls of Pinocchio alone, which leave each pose in its own object."""
+    import pinocchio as pin
+    import pinocchio_oracle
+
+    model = pinocchio_oracle.pinocchio_model(robot)
+    data, tool = model.createData(), model.getFrameId("tool")
+
+    def run() -> None:
+        for row in q:
+            pin.forwardKinematics(model, data, row)
+            pin.updateFramePlacement(model, data, tool)
+
+    run()
+    np.testing.assert_allclose(data.oMf[tool].homogeneous, robot.fk(q[-1]), rtol=0, atol=1e-12)
     return Workload(run, len(q))
 
 

@@ -11,7 +11,7 @@ import pytest
 
 from benchmarks import __main__ as command
 from benchmarks import measure, results
-from benchmarks.measure import Curve, MissingRequirementError, Row, Workload, compare, time_interleaved
+from benchmarks.measure import Curve, MissingRequirementError, Row, Workload, compare, measure_batches, time_interleaved
 from benchmarks.results import describe_machine, format_quantity, format_ratio, format_row, load, save
 
 NEEDS_BROWSER = {"viewer"}
@@ -101,7 +101,8 @@ def test_examples_in_docstrings_run(module):
 
 def example_results(value=1.0):
     row = Row("poses", "s", value, 2.0, "peer", 3.0, quartiles=(2.5, 2.9, 3.5))
-    return {"forward_kinematics": ([row], [Curve("poses", "joints", (1, 2), (1e-3, 2e-3))])}
+    curve = Curve("poses", "configurations", (1, 10, 100), (4.0, 5.0, 6.0), {"a loop": (0.3, 3.0, 30.0)})
+    return {"forward_kinematics": ([row], [Curve("poses", "joints", (1, 2), (1e-3, 2e-3)), curve])}
 
 
 def test_saved_results_are_loaded_unchanged(tmp_path):
@@ -159,6 +160,64 @@ def test_the_page_on_performance_shows_every_saved_row_and_describes_each_pictur
     described = dict(re.findall(r"^!\[([^\]]{20,})\]\((\S+\.svg)\)$", page, re.MULTILINE))
     assert set(described.values()) == set(pictures)
     assert len(pictures) == sum(len(runs[0].curves) for runs in saved.runs.values())
+
+
+@pytest.mark.parametrize(
+    ("peer", "sentence"),
+    [
+        ((5, 6, 7, 8), "kinlib takes less time than “the peer” at every measured size."),
+        ((4, 3, 2, 1), "kinlib takes no less time than “the peer” at every measured size."),
+        (
+            (1, 4, 16, 64),
+            "kinlib takes less time than “the peer” for each measured size from 100 poses on; the curves cross at about 10.",
+        ),
+        (
+            (64, 16, 1, 1),
+            "kinlib takes less time than “the peer” for each measured size up to 10 poses; the curves cross at about 32.",
+        ),
+        (
+            (64, 1, 1, 64),
+            "kinlib takes less time than “the peer” for 1, 1,000 poses; the curves cross at about 4.6 and about 220.",
+        ),
+    ],
+)
+def test_the_sentence_about_a_curve_is_computed_from_the_times(peer, sentence):
+    import built_site  # noqa: F401 - makes kinsite importable
+    from kinsite.generated.performance import comparison, draw_batches
+
+    curve = Curve("poses", "poses", (1, 10, 100, 1000), (4.0, 4.0, 4.0, 4.0), {"the peer": peer})
+    assert comparison(curve) == sentence
+    assert draw_batches(curve).alt.endswith(sentence)
+
+
+def test_the_page_on_performance_shows_every_size_of_every_saved_curve_beside_its_peers():
+    import built_site  # noqa: F401 - makes kinsite importable
+    from kinsite.generated import performance
+
+    page = dict(performance.pages())["performance.md"]
+    lines = [[cell.strip() for cell in line.split("|")[1:-1]] for line in page.splitlines()]
+    compared = [curve for runs in load().runs.values() for curve in runs[0].curves if curve.peers]
+    assert compared
+    for curve in compared:
+        for i, size in enumerate(curve.sizes):
+            times = [format_quantity(seconds[i] / size, "s") for seconds in (curve.seconds, *curve.peers.values())]
+            assert any(line[0] == f"{size:,}" and [line[1], *line[2::2]] == times for line in lines if len(line) > 1)
+
+
+def test_a_function_is_timed_with_each_size_and_a_loop_once(monkeypatch):
+    """With a simulated clock: a call takes 1 s, and the loop takes 3 s for its two elements."""
+    clock, shapes = [0.0], set()
+    monkeypatch.setattr("benchmarks.measure.time.perf_counter", lambda: sum(clock))
+    monkeypatch.setattr("benchmarks.measure.MIN_ELEMENTS", 40)
+
+    def function(x):
+        clock.append(1.0)
+        shapes.add(np.shape(x))
+
+    loop = Workload(lambda: clock.append(3.0), 2)
+    curve = measure_batches("poses", "poses", {"kinlib": function}, {"a loop": loop}, np.zeros((100, 6)), rounds=2)
+    assert shapes == {(6,), (10, 6), (100, 6)}
+    assert curve == Curve("poses", "poses", (1, 10, 100), (1.0, 1.0, 1.0), {"a loop": (1.5, 15.0, 150.0)})
 
 
 def expected_cells(row):

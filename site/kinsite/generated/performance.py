@@ -44,6 +44,14 @@ brackets contain the middle half of the rounds; then follows the ratio of the pr
 ratio close to 1 may be above 1 on one machine and below 1 on another.
 """
 
+BATCHES = """\
+### Every size of a batch
+
+kinlib computes a batch in one call. A peer named as a loop, or as bare calls, takes one element per call, so it was timed
+for one size, of 10,000 at most, and this time for one element is shown for every size. Bare calls leave each result in an
+object of the peer. All times below are for one element of the batch; a size of 1 is a call with a single element.
+"""
+
 GROWTH = """\
 ## How it grows
 
@@ -67,11 +75,23 @@ def pages() -> Iterator[tuple[str, str]]:
     curves = []
     for name, runs in results.runs.items():
         parts.append(section(name, runs))
-        curves += [(f"performance/{name}-{number}.svg", curve) for number, curve in enumerate(runs[0].curves, start=1)]
-    pictures = [(path, draw(curve)) for path, curve in curves]
+        paths = [f"performance/{name}-{number}.svg" for number in range(1, len(runs[0].curves) + 1)]
+        compared = [(path, curve) for path, curve in zip(paths, runs[0].curves, strict=True) if curve.peers]
+        parts += [BATCHES] * bool(compared)
+        for path, curve in compared:
+            picture = draw_batches(curve)
+            yield path, follow_theme(picture.svg)
+            parts += [
+                f"**{escape(curve.name[0].upper() + curve.name[1:])}.** {escape(comparison(curve))}",
+                image(path, picture),
+            ]
+            parts.append(batch_table(curve))
+        curves += [(path, curve) for path, curve in zip(paths, runs[0].curves, strict=True) if not curve.peers]
     parts += [GROWTH, growth_table([curve for _, curve in curves])]
-    parts += [f"![{escape(picture.alt)}]({path})" for path, picture in pictures]
-    yield from ((path, follow_theme(picture.svg)) for path, picture in pictures)
+    for path, curve in curves:
+        picture = draw(curve)
+        yield path, follow_theme(picture.svg)
+        parts.append(image(path, picture))
     yield "performance.md", "\n\n".join(parts) + "\n"
 
 
@@ -95,6 +115,54 @@ def cells(row: Row, before: Row | None) -> dict[str, str]:
     elif before and before.ratio_or_value is not None:
         earlier = format_ratio(before.ratio_or_value)
     return {**format_row(row), "previous run": earlier}
+
+
+def comparison(curve: Curve) -> str:
+    """Say for each peer at which sizes kinlib takes less time, and where the curves cross."""
+    sentences = []
+    for peer, seconds in curve.peers.items():
+        pairs = zip(curve.sizes, curve.seconds, seconds, strict=True)
+        less = [size for size, own, other in pairs if own < other]
+        more = [size for size in curve.sizes if size not in less]
+        at = [f"about {float(f'{size:.2g}'):,g}" for size in curve.crossings(peer)]
+        if not less or not more:
+            sentences.append(f"kinlib takes {'less' if less else 'no less'} time than “{peer}” at every measured size.")
+            continue
+        sizes = f"{', '.join(f'{size:,.0f}' for size in less)} {curve.size_name}"
+        if len(at) == 1 and less[0] > more[0]:
+            sizes = f"each measured size from {less[0]:,.0f} {curve.size_name} on"
+        elif len(at) == 1:
+            sizes = f"each measured size up to {less[-1]:,.0f} {curve.size_name}"
+        sentences.append(f"kinlib takes less time than “{peer}” for {sizes}; the curves cross at {' and '.join(at)}.")
+    return " ".join(sentences)
+
+
+def batch_table(curve: Curve) -> str:
+    """Write the table of a batch: the times for one element, and how many times faster kinlib is."""
+    heads = [curve.size_name, "kinlib", *(part for peer in curve.peers for part in (peer, "ratio"))]
+    rows = []
+    for i, size in enumerate(curve.sizes):
+        row = [f"{size:,.0f}", format_quantity(curve.seconds[i] / size, "s")]
+        for seconds in curve.peers.values():
+            row += [format_quantity(seconds[i] / size, "s"), format_ratio(seconds[i] / curve.seconds[i])]
+        rows.append(row)
+    return markdown_table(heads, rows)
+
+
+def draw_batches(curve: Curve) -> Picture:
+    """Draw the times for one element against the size of the batch, for kinlib and its peers, and describe them in words."""
+    sizes = np.array(curve.sizes)
+    named = {name: np.array(seconds) / sizes for name, seconds in {"kinlib": curve.seconds, **curve.peers}.items()}
+    ends = [f"{name} from {format_quantity(y[0], 's')} to {format_quantity(y[-1], 's')}" for name, y in named.items()]
+    axes = f"The time of one of the {curve.name} against the size of the batch, both logarithmic"
+    range_text = f"from {sizes[0]:,.0f} to {sizes[-1]:,.0f} {curve.size_name}"
+    alt = f"{axes}, {range_text}: {'; '.join(ends)}. {comparison(curve)}"
+    return plot(sizes, named, xlabel=f"{curve.size_name} in the batch", ylabel="seconds for one", log="xy", alt=alt)
+
+
+def image(path: str, picture: Picture) -> str:
+    """Write a picture in Markdown, with its text alternative."""
+    return f"![{escape(picture.alt)}]({path})"
 
 
 def growth_table(curves: list[Curve]) -> str:
