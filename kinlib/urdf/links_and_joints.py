@@ -200,11 +200,12 @@ def resolve_mimic_joints(joints: Mapping[str, UrdfJoint]) -> dict[str, Coupling]
     Raises ValueError, with element and line, if a mimic joint follows no joint that moves, or itself.
 
     >>> from kinlib.urdf.xml_elements import read_robot
-    >>> text = '''<robot name="r"><link name="a"/><link name="b"/><link name="c"/>
+    >>> gears = '''<robot name="r"><link name="a"/><link name="b"/><link name="c"/>
     ...   <joint name="crank" type="continuous"><parent link="a"/><child link="b"/></joint>
     ...   <joint name="gear" type="continuous"><parent link="a"/><child link="c"/><mimic joint="crank" multiplier="-2"/></joint>
     ... </robot>'''
-    >>> resolve_mimic_joints({joint.name: joint for joint in read_tree(read_robot(text)).parent_joints.values()})["gear"]
+    >>> joints = read_tree(read_robot(gears)).parent_joints.values()
+    >>> resolve_mimic_joints({joint.name: joint for joint in joints})["gear"]
     Coupling(joint='crank', multiplier=-2.0, offset=0.0)
     """
     found: dict[str, Coupling] = {}

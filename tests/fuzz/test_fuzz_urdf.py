@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from strategies import ROBOT_FUNCTIONS, configurations
 from urdf_files import poses_by_pinocchio
 
-from kinlib import load_urdf, to_urdf
+from kinlib import Tree, load_urdf, to_urdf
 
 CRANE = """<?xml version="1.0" encoding="UTF-8"?>
 <!-- a crane on a truck -->
@@ -86,7 +86,7 @@ def cases():
     ours = [to_urdf(family()) for family in ROBOT_FUNCTIONS if "H" not in family().joint_types]
     documents = st.sampled_from([CRANE, CRANE, MIMIC, *ours]) | random_sources().map(arm)
     texts = often(20, corrupted_texts(documents, WORDS, CUTS), noise().map("<{}".format), noise())
-    tips = mostly([*[None] * 8, "hook", "trolley", "tool", "l1", "l3", "finger"], ["lamp", "", *LETTERS])
+    tips = mostly([*[None] * 8, "hook", "trolley", "tool", "l1", "l3", "finger"], ["lamp", "thumb", "", *LETTERS])
     bases = mostly([None], ["truck", "boom", "hook", "l2", "", *LETTERS])
     return st.tuples(texts, mostly([None], CODINGS), bases, tips)
 
@@ -134,6 +134,9 @@ def _as_pinocchio(text, chain, q):
     """The poses by Pinocchio's own reader; None if it refuses the file."""
     base, tip = chain.source.removeprefix("URDF, from ").split(" to ")
     try:
-        return poses_by_pinocchio(text, base, tip, chain.joint_names, q)
+        tree = Tree.from_urdf(text)
+        independent = np.zeros((len(q), tree.n))
+        independent[:, [tree.joint_names.index(name) for name in chain.joint_names]] = q
+        return poses_by_pinocchio(text, base, tip, tree.moving_joint_names, tree.joint_values(independent))
     except (ValueError, RuntimeError, IndexError):
         return None
