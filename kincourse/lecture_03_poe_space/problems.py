@@ -50,7 +50,12 @@ TOOL_ADVICE = "The $z$ axis of the tool is a column of $M$ and moves with the ar
 
 @problem("03.1", "Screw axes of a plain arm", points=3, lecture="03_poe_space#Revolute joints")
 def plain_arm(sampler: ArmSampler) -> Problem:
-    robot = sampler.arm(sampler.choice(["RRP", "RPR", "PRR"]))
+    letters = sampler.choice(["RRP", "RPR", "PRR"])
+    while True:
+        robot = sampler.arm(letters)
+        # Where both revolute axes are parallel to y, the sign of the middle entry of a cross product cannot be seen.
+        if any(screw[4] for screw in robot.screws if screw[:3].any()):
+            break
     axes = robot.lines.axis
     return Problem(
         statement=f"Give the screw axes $S_1, S_2, S_3$ of this arm in {{s}}, as rows.\n\n{joint_table(robot)}",
