@@ -38,6 +38,8 @@ from misstep.grading.sandbox.limits import UNSAFE_OPTION, Limits, SandboxUnavail
 PROGRESS = "{desc}: {n_fmt} of {total_fmt} |{bar:30}| about {remaining} left"
 """How a terminal shows the progress: the estimate is minutes and seconds, from the time that the last ones took."""
 
+MIN_KEY_LENGTH = 8
+
 PENDING_PER_WORKER = 3
 """How many submissions are read ahead for each worker, so that no worker waits for the disk."""
 
@@ -61,6 +63,11 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--site",
         metavar="URL",
         help="the address of the course's site, to whose lectures feedback links (default: the one that the course names)",
+    )
+    parser.add_argument(
+        "--key",
+        metavar="KEY",
+        help="a secret, or the file with it: then only answers count that are right for other numbers too",
     )
     parser.add_argument("--jobs", type=int, default=2, metavar="N", help="how many at a time (default: 2)")
     parser.add_argument("--regrade", action="store_true", help="grade every submission again, even if it has a result")
@@ -113,7 +120,7 @@ def _explain(error: OSError) -> str:
 
 
 def _run(options: argparse.Namespace) -> int:
-    sheet = read_released_sheet(options.sheet, options.course, options.site)
+    sheet = read_released_sheet(options.sheet, options.course, options.site, _read_key(options.key))
     roster = read_roster(options.roster, options.id_column) if options.roster else None
     gathered = gather(options.submissions, sheet.name, roster)
     selected = _select(gathered.submissions, options.only)
@@ -138,6 +145,21 @@ def _run(options: argparse.Namespace) -> int:
     for student, error in failures.items():
         print(f"Not graded: {student}: {error!r}. The same command tries again.", file=sys.stderr)
     return 1 if failures else 0
+
+
+def _read_key(key: str | None) -> str:
+    """The key: the text of a file, or the given text itself.
+
+    Raises ValueError for a key of less than 8 characters, which can be guessed.
+    """
+    if key is None:
+        return ""
+    text = Path(key).read_text("utf-8").strip() if Path(key).is_file() else key
+    if len(text) < MIN_KEY_LENGTH:
+        raise ValueError(
+            f"The key must have at least {MIN_KEY_LENGTH} characters; it has {len(text)}. Students must not guess it."
+        )
+    return text
 
 
 def _select(submissions: Sequence[Submission], only: Sequence[str] | None) -> list[Submission]:

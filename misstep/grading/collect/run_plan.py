@@ -35,6 +35,8 @@ class ReleasedSheet:
     folder  the folder of its notebook
     checks  the source of the check cell of each problem, by the problem's number, from 1
     opening the source of the cell that opens the sheet, with an empty id
+    key     the instructor's key, by which other numbers are drawn; "" if points are for practice
+    solution   with a key, the notebook itself
     course  the package of an installed course, or the folder of another one
     site    the address of the course's site, to which feedback links; "" if it has none
     """
@@ -45,6 +47,8 @@ class ReleasedSheet:
     course: str
     site: str = ""
     opening: str = ""
+    key: str = field(default="", repr=False)
+    solution: bytes = field(default=b"", repr=False)
 
 
 @dataclass(frozen=True)
@@ -73,11 +77,14 @@ class RunPlan:
         return sorted({cell.problem for cell in self.cells if cell.problem})
 
 
-def read_released_sheet(path: Path, course: str | Path | None = None, site: str | None = None) -> ReleasedSheet:
+def read_released_sheet(
+    path: Path, course: str | Path | None = None, site: str | None = None, key: str = ""
+) -> ReleasedSheet:
     """Read the notebook of a released sheet, from solutions/ or exercises/.
 
     course  the course that has the sheet, by its package or its folder; by default the installed course that has it
     site    the address of the course's site; by default the one that the course names
+    key     the instructor's key; the notebook must have the solution then
 
     Raises ValueError for a notebook that opens no sheet or has no check cells, if no course has the sheet, and for a site whose
     address is not complete.
@@ -98,7 +105,9 @@ def read_released_sheet(path: Path, course: str | Path | None = None, site: str 
     if site and not site.startswith(("https://", "http://")):
         raise ValueError(f"The address of the site must begin with https:// or http://; got {site!r}.")
     opening = re.sub(rf"(['\"]){SAMPLE_ID}\1", '""', opening)
-    return ReleasedSheet(opened, path.parent, checks, owner.reference, site, opening)
+    return ReleasedSheet(
+        opened, path.parent, checks, owner.reference, site, opening, key, path.read_bytes() if key else b""
+    )
 
 
 def plan_run(sheet: ReleasedSheet, content: bytes) -> RunPlan:

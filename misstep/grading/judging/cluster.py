@@ -35,7 +35,7 @@ def grade_on_worker(sheet: ReleasedSheet, limits: Limits, is_safe: bool, student
     """
     # The folder may exist only on the instructor's machine. Only a robot's own sheet needs it, and its error says so.
     sheet = sheet if sheet.folder.is_dir() else replace(sheet, folder=Path.cwd())
-    key = repr((sheet, limits, is_safe))
+    key = repr((sheet, sheet.key, limits, is_safe))
     with GRADERS_LOCK:
         if key not in GRADERS:
             GRADERS[key] = Grader(sheet, limits, is_safe)

@@ -30,6 +30,18 @@ JUDGE_SECONDS = 600.0
 MAX_RUNS = 4
 """How often the cells of one submission are run, each time without one more cell that ended the process."""
 
+REDRAWS = 2
+"""With a key: how many draws of other numbers are tried, of which the best one counts."""
+
+PROBES = ("probe 1", "probe 2")
+"""With a key: the students for whom the sheet's own solution is tried."""
+
+TYPED_NOTE = (
+    "With your own numbers this answer has {:g} points. When your notebook ran with other numbers, your cells did not give "
+    "the right answer for them, so problem {} was not computed from sheet.given({}). This sheet is graded with a key: only "
+    "what is right for the other numbers too has points."
+)
+
 ENDED_ITSELF = "the process ended itself"
 
 
@@ -58,6 +70,9 @@ class Grader:
             self.close()
             raise ValueError(f"The judge cannot open sheet {sheet.name}. {answer['error']}")
         self._templates: list[tuple[str, str, int]] = [(n, title, points) for n, title, points in answer["problems"]]
+        self._covered: Sequence[int] = ()
+        if sheet.key:
+            self._covered = self._covered_problems()
 
     def __enter__(self) -> "Grader":
         return self
@@ -90,6 +105,9 @@ class Grader:
             return self._result(student, "broken", str(error), problems, digest=digest, start=start)
         notes = {k: [*plan.remarks.get(k, ()), *parsed.check_errors(k)] for k in self.sheet.checks}
         verdicts = self._verdicts(student, seed, parsed.answers)
+        if any(verdicts.get(str(k), NO_ANSWER)["fraction"] for k in self._covered):
+            redrawn = self._redrawn_fractions(student, plan, self._covered, parsed.answers)
+            verdicts |= {k: {**verdicts[k], "redrawn": redrawn[k]} for k in redrawn if k in verdicts}
         status, reason = _status(plan, outcome, parsed)
         return self._result(
             student,
@@ -125,23 +143,27 @@ class Grader:
         results = []
         for k, (number, title, max_points) in enumerate(self._templates, start=1):
             verdict = verdicts.get(str(k)) or NO_ANSWER
+            counting = min(verdict["fraction"], verdict.get("redrawn", 1.0))
+            own_points = max_points * float(verdict["fraction"])
+            typed = [TYPED_NOTE.format(own_points, number, k)] if counting < verdict["fraction"] else []
             results.append(
                 ProblemResult(
                     number,
                     title,
-                    max_points * float(verdict["fraction"]),
+                    max_points * float(counting),
                     max_points,
                     verdict["state"] if str(k) in answers else "missing",
                     verdict["text"],
                     verdict.get("statement", ""),
                     verdict["mistakes"],
-                    notes.get(k, ()),
+                    [*notes.get(k, ()), *typed],
                     answers.get(str(k)),
                     verdict.get("right"),
                     verdict["possible"],
                     verdict["explanations"],
                     verdict["address"],
                     verdict.get("figure", ""),
+                    own_points if k in self._covered else None,
                 )
             )
         return results
@@ -186,15 +208,68 @@ class Grader:
                         self._runner = Runner(self._setup, self.is_safe)
         raise UnusableNotebook("This submission crashed the grader twice. Please tell your instructor.")
 
-    def _redacted_sheet(self, student: str) -> tuple[int, str]:
+    def _covered_problems(self) -> list[int]:
+        """The problems that the sheet's own solution solves for other students and for other numbers.
+
+        In the others, the solution itself is typed for the drawing of one student, so they cannot be tried with other numbers.
+        """
+        covered = set(self.sheet.checks)
+        for student in PROBES:
+            try:
+                plan = plan_run(self.sheet, self.sheet.solution)
+                seed, redacted = self._redacted_sheet(student)
+                answers = self._run_until_complete(redacted, plan)[1].answers
+                own = self._verdicts(student, seed, answers)
+                redrawn = self._redrawn_fractions(student, plan, sorted(covered), answers)
+            except UnusableNotebook:
+                covered.clear()
+                break
+            covered = {k for k in covered if redrawn.get(str(k)) == own.get(str(k), NO_ANSWER)["fraction"] == 1.0}
+            if not covered:
+                break
+        if not covered:
+            self.close()
+            raise ValueError(
+                "With a key, SHEET must be the notebook with the solution, solutions/X/X.ipynb: the key applies to the "
+                "problems that it solves from sheet.given(k). It solves none."
+            )
+        return sorted(covered)
+
+    def _redrawn_fractions(
+        self, student: str, plan: RunPlan, problems: Sequence[int], own_answers: Mapping[str, Any]
+    ) -> dict[str, float]:
+        """How much of each answer is right when the sheet runs with other numbers, in the best of some draws.
+
+        An answer that stays the same although the right one is another has no part right, even where the two agree.
+        """
+        best = {str(k): 0.0 for k in problems}
+        for draw in range(REDRAWS):
+            redraw = {"key": self.sheet.key, "draw": draw, "redrawn": list(problems)}
+            seed, redacted = self._redacted_sheet(student, redraw)
+            answers = self._run_until_complete(redacted, plan)[1].answers
+            verdicts = self._verdicts(student, seed, answers, redraw)
+            changed = [k for k in best if answers.get(k) != own_answers.get(k)]
+            best |= {k: max(best[k], verdicts.get(k, NO_ANSWER)["fraction"]) for k in changed}
+        return best
+
+    def _redacted_sheet(self, student: str, redraw: Mapping[str, Any] | None = None) -> tuple[int, str]:
         """The student's redacted sheet, and the seed of this run."""
-        answer = self._ask_judge({"request": "redacted sheet", "student": student})
+        answer = self._ask_judge({"request": "redacted sheet", "student": student, "redraw": redraw})
         if "error" in answer:
             raise UnusableNotebook(f"The numbers of {student!r} could not be drawn: {answer['error']}")
         return answer["seed"], answer["sheet"]
 
-    def _verdicts(self, student: str, seed: int, answers: Mapping[str, Any]) -> dict[str, Any]:
-        message = {"request": "verdicts", "student": student, "seed": seed, "site": self.sheet.site, "answers": answers}
+    def _verdicts(
+        self, student: str, seed: int, answers: Mapping[str, Any], redraw: Mapping[str, Any] | None = None
+    ) -> dict[str, Any]:
+        message = {
+            "request": "verdicts",
+            "student": student,
+            "seed": seed,
+            "site": self.sheet.site,
+            "redraw": redraw,
+            "answers": answers,
+        }
         return dict(self._ask_judge(message).get("verdicts") or dict.fromkeys(answers, NOT_JUDGED))
 
     def _ask_judge(self, message: Mapping[str, Any]) -> dict[str, Any]:

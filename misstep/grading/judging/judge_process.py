@@ -32,6 +32,7 @@ from typing import IO, Any, NoReturn
 from misstep.catalog import Course, find_course
 from misstep.display.card import Link
 from misstep.display.lecture_address import page_address
+from misstep.grading.judging.redraw import RedrawnSheet, redraw
 from misstep.grading.sandbox.confine import set_resource_limits
 from misstep.grading.sandbox.redacted_sheet import redact
 from misstep.grading.sandbox.rpc import encode_message, receive_message
@@ -128,13 +129,26 @@ def _tasks(
 
 
 def _problems(course: Course, sheet: Sheet, student: str, seed: int) -> list[Problem]:
-    return [problem.with_inputs(seed) for problem in _variants(course, sheet.name, student)]
+    problems = _variants(course, sheet.name, student)
+    if isinstance(sheet, RedrawnSheet):
+        problems = _redrawn(course, sheet.name, student, sheet.key, sheet.draw, tuple(sheet.redrawn))
+    return [problem.with_inputs(seed) for problem in problems]
 
 
 @lru_cache(maxsize=16)
 def _variants(course: Course, sheet: str, student: str) -> list[Problem]:
     """A student's variants, cached because they are needed for the redacted sheet and soon again for the verdicts."""
     return [template.variant(student) for template in course.find_sheet(sheet).problems]
+
+
+@lru_cache(maxsize=16)
+def _redrawn(course: Course, sheet: str, student: str, key: str, draw: int, redrawn: Sequence[int]) -> list[Problem]:
+    """A student's variants, some of them with other numbers."""
+    problems = list(_variants(course, sheet, student))
+    for k in redrawn:
+        template = course.find_sheet(sheet).problems[k - 1]
+        problems[k - 1] = redraw(template, problems[k - 1], student, key, draw) or problems[k - 1]
+    return problems
 
 
 def _verdict(template: Template, problem: Problem, address: str, *, data: Any) -> dict[str, Any]:
@@ -187,6 +201,8 @@ def _unreadable(problem: Problem, message: str) -> Judgement:
 def _respond(course: Course, message: Mapping[str, Any]) -> dict[str, Any]:
     try:
         sheet = course.find_sheet(message["sheet"])
+        if message.get("redraw"):
+            sheet = RedrawnSheet(sheet.name, sheet.title, sheet.problems, **message["redraw"])
         if message["request"] == "problems":
             return {"problems": [[template.number, template.title, template.points] for template in sheet.problems]}
         if message["request"] == "redacted sheet":

@@ -26,6 +26,7 @@ class ProblemResult:
     right    the right answer as data, for the instructor; None if the problem was not judged
     possible, explanations   which mistakes can be made and which were, as an Observation of misstep.bugs has them
     address  the address of the section to re-read, which the last line of the verdict names; "" if there is none
+    own_points  with an instructor's key: the points for the student's own numbers; None if the key does not apply
     """
 
     number: str
@@ -43,6 +44,7 @@ class ProblemResult:
     explanations: Sequence[Alternatives] = ()
     address: str = ""
     figure: str = ""
+    own_points: float | None = None
 
 
 @dataclass(frozen=True)
@@ -84,6 +86,11 @@ class Result:
     is_safe: bool = True
     seconds: float = 0.0
     cells: Sequence[RanCell] = field(default=(), repr=False)
+
+    @property
+    def typed(self) -> list[ProblemResult]:
+        """With an instructor's key: the problems whose answer is right only for the student's own numbers."""
+        return [one for one in self.problems if one.own_points is not None and one.own_points > one.points]
 
     @property
     def recurrences(self) -> list[Recurrence]:

@@ -61,6 +61,8 @@ def report_page(results: Sequence[Result], matches: Sequence[Match]) -> str:
         sheet=results[0].sheet,
         count=len(results),
         absent=absent,
+        covered=[one.number for one in results[0].problems if one.own_points is not None],
+        typed=sum(bool(result.typed) for result in results),
         max=results[0].max,
         mean=sum(totals) / len(totals),
         bars=histogram_bars(totals, results[0].max),

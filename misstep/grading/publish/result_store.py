@@ -51,6 +51,8 @@ def fingerprint(sheet: ReleasedSheet, is_safe: bool, parts: Sequence[str | bytes
         sheet.name,
         sheet.site,
         sheet.opening,
+        sheet.key,
+        sha256(sheet.solution).hexdigest(),
         sorted(sheet.checks.items()),
         is_safe,
         robot.read_text("utf-8") if robot.exists() else "",

@@ -1,0 +1,81 @@
+"""Points that count: with the instructor's key, typed answers earn nothing, and computed ones keep their points."""
+
+import csv
+
+import pytest
+import submissions
+from habits import solution, solved
+from submissions import as_bytes, handed_in, right
+
+if lacking := submissions.sandbox_lacks():
+    pytest.skip(f"NO KEY IS TRIED: this machine lacks {lacking}", allow_module_level=True)
+
+from kincourse import find_sheet
+from misstep.__main__ import main
+from misstep.grading.collect.run_plan import read_released_sheet
+from misstep.grading.judging.grader import Grader
+from misstep.grading.judging.redraw import redraw
+from misstep.sheet import SAMPLE_ID
+
+KEY = "correct horse"
+
+SHEET = "10_one_robot_four_ways"
+
+
+@pytest.fixture(scope="module")
+def results(tmp_path_factory):
+    """The folder of results of a small class, graded with a key."""
+    root = tmp_path_factory.mktemp("class")
+    typed = right("ada", SHEET)
+    for student, notebook in {SAMPLE_ID: solved(SHEET), "ada": handed_in("ada", typed, name=SHEET)}.items():
+        (root / "in" / student).mkdir(parents=True)
+        (root / "in" / student / f"{SHEET}.ipynb").write_bytes(as_bytes(notebook))
+    (root / "key.txt").write_text(f"{KEY}\n")
+    arguments = ["grade", str(solution(SHEET)), str(root / "in"), "--out", str(root / "out")]
+    assert main([*arguments, "--key", str(root / "key.txt")]) == 0
+    return root / "out"
+
+
+def test_typed_answers_earn_nothing_and_computed_ones_keep_their_points(results):
+    with (results / "grades.csv").open(newline="") as stream:
+        rows = {row["student"]: row for row in csv.DictReader(stream)}
+    honest, typed = rows[SAMPLE_ID], rows["ada"]
+    assert (honest["points"], honest["points without the key"]) == ("21", "21")
+    assert honest["right only for the own numbers"] == honest["reason"] == ""
+    assert (typed["points"], float(typed["points without the key"])) == ("0", 18)
+    assert typed["right only for the own numbers"].startswith("10.1; 10.2; 10.3; 10.4")
+    assert "was not computed from sheet.given(1)" in typed["reason"]
+
+
+def test_the_report_and_the_page_say_what_the_key_did(results):
+    report = (results / "report.html").read_text("utf-8")
+    assert "Graded with a key" in report
+    assert "1 student has answers" in report
+    assert KEY not in report
+    page = (results / "feedback" / "ada.html").read_text("utf-8")
+    assert "With your own numbers this answer has" in page
+    assert not [path for path in results.rglob("*") if path.is_file() and KEY.encode() in path.read_bytes()]
+
+
+@pytest.mark.parametrize("key", ["short", ""])
+def test_a_key_that_can_be_guessed_is_refused(key, tmp_path, capsys):
+    assert main(["grade", str(solution(SHEET)), str(tmp_path), "--out", str(tmp_path / "out"), "--key", key]) == 2
+    assert f"must have at least 8 characters; it has {len(key)}" in capsys.readouterr().err
+
+
+def test_a_sheet_without_its_solution_has_no_key():
+    with pytest.raises(ValueError, match="SHEET must be the notebook with the solution"):
+        Grader(read_released_sheet(submissions.released(SHEET), key=KEY))
+
+
+@pytest.mark.parametrize("name", ["03_poe_space", "07_frame_assignment", "09_urdf"])
+def test_other_numbers_have_another_answer_and_the_same_form(name):
+    for template in find_sheet(name).problems[:3]:
+        own = template.variant("ada")
+        first, second, again = (redraw(template, own, "ada", key, 0) for key in (KEY, "another key", KEY))
+        if first and second:
+            assert set(first.given) == set(own.given)
+            assert first.statement == again.statement
+            assert first.statement != own.statement or str(first.given) != str(own.given)
+            if not callable(own.answer.value):
+                assert not all(own.answer.agrees(own.answer.value, first.answer.value))
