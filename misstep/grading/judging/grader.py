@@ -244,7 +244,7 @@ class Grader:
         """
         best = {str(k): 0.0 for k in problems}
         for draw in range(REDRAWS):
-            redraw = {"key": self.sheet.key, "draw": draw, "redrawn": list(problems)}
+            redraw = [self.sheet.key, draw, " ".join(map(str, problems))]
             seed, redacted = self._redacted_sheet(student, redraw)
             answers = self._run_until_complete(redacted, plan)[1].answers
             verdicts = self._verdicts(student, seed, answers, redraw)
@@ -252,7 +252,7 @@ class Grader:
             best |= {k: max(best[k], verdicts.get(k, NO_ANSWER)["fraction"]) for k in changed}
         return best
 
-    def _redacted_sheet(self, student: str, redraw: Mapping[str, Any] | None = None) -> tuple[int, str]:
+    def _redacted_sheet(self, student: str, redraw: Sequence[Any] | None = None) -> tuple[int, str]:
         """The student's redacted sheet, and the seed of this run."""
         answer = self._ask_judge({"request": "redacted sheet", "student": student, "redraw": redraw})
         if "error" in answer:
@@ -260,7 +260,7 @@ class Grader:
         return answer["seed"], answer["sheet"]
 
     def _verdicts(
-        self, student: str, seed: int, answers: Mapping[str, Any], redraw: Mapping[str, Any] | None = None
+        self, student: str, seed: int, answers: Mapping[str, Any], redraw: Sequence[Any] | None = None
     ) -> dict[str, Any]:
         message = {
             "request": "verdicts",

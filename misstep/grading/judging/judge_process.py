@@ -23,7 +23,7 @@ import secrets
 import signal
 import sys
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from contextlib import suppress
 from functools import lru_cache, partial
 from importlib import import_module
@@ -32,7 +32,7 @@ from typing import IO, Any, NoReturn
 from misstep.catalog import Course, find_course
 from misstep.display.card import Link
 from misstep.display.lecture_address import page_address
-from misstep.grading.judging.redraw import RedrawnSheet, redraw
+from misstep.grading.judging.redraw import Draw, RedrawnSheet, redraw
 from misstep.grading.sandbox.confine import set_resource_limits
 from misstep.grading.sandbox.redacted_sheet import redact
 from misstep.grading.sandbox.rpc import encode_message, receive_message
@@ -131,7 +131,7 @@ def _tasks(
 def _problems(course: Course, sheet: Sheet, student: str, seed: int) -> list[Problem]:
     problems = _variants(course, sheet.name, student)
     if isinstance(sheet, RedrawnSheet):
-        problems = _redrawn(course, sheet.name, student, sheet.key, sheet.draw, tuple(sheet.redrawn))
+        problems = _redrawn(course, sheet.name, student, sheet.draw)
     return [problem.with_inputs(seed) for problem in problems]
 
 
@@ -142,13 +142,13 @@ def _variants(course: Course, sheet: str, student: str) -> list[Problem]:
 
 
 @lru_cache(maxsize=16)
-def _redrawn(course: Course, sheet: str, student: str, key: str, draw: int, redrawn: Sequence[int]) -> list[Problem]:
+def _redrawn(course: Course, sheet: str, student: str, draw: Draw) -> list[Problem]:
     """A student's variants, some of them with other numbers."""
-    problems = list(_variants(course, sheet, student))
-    for k in redrawn:
-        template = course.find_sheet(sheet).problems[k - 1]
-        problems[k - 1] = redraw(template, problems[k - 1], student, key, draw) or problems[k - 1]
-    return problems
+    templates, problems = course.find_sheet(sheet).problems, _variants(course, sheet, student)
+    return [
+        (k in draw.problems and redraw(template, own, student, draw)) or own
+        for k, (template, own) in enumerate(zip(templates, problems, strict=True), start=1)
+    ]
 
 
 def _verdict(template: Template, problem: Problem, address: str, *, data: Any) -> dict[str, Any]:
@@ -202,7 +202,7 @@ def _respond(course: Course, message: Mapping[str, Any]) -> dict[str, Any]:
     try:
         sheet = course.find_sheet(message["sheet"])
         if message.get("redraw"):
-            sheet = RedrawnSheet(sheet.name, sheet.title, sheet.problems, **message["redraw"])
+            sheet = RedrawnSheet(sheet.name, sheet.title, sheet.problems, Draw(*message["redraw"]))
         if message["request"] == "problems":
             return {"problems": [[template.number, template.title, template.points] for template in sheet.problems]}
         if message["request"] == "redacted sheet":

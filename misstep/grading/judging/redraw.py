@@ -5,7 +5,7 @@ With the instructor's key, a submission runs again with numbers that only the ke
 """
 
 import hmac
-from collections.abc import Iterator, Sequence
+from collections.abc import Iterator
 from dataclasses import dataclass
 from typing import Any
 
@@ -19,21 +19,31 @@ CANDIDATES = 16
 
 
 @dataclass(frozen=True)
-class RedrawnSheet(Sheet):
-    """A sheet with other numbers in some problems: the instructor's key, the number of the draw, and these problems."""
+class Draw:
+    """Other numbers: the instructor's key, the number of the draw, from 0, and the problems that get them, as a text."""
 
     key: str
-    draw: int
-    redrawn: Sequence[int]
+    number: int
+    numbers: str
+
+    @property
+    def problems(self) -> set[int]:
+        """The problems that get other numbers."""
+        return set(map(int, self.numbers.split()))
 
 
-def redraw(template: Template, own: Problem, student: str, key: str, draw: int) -> Problem | None:
+@dataclass(frozen=True)
+class RedrawnSheet(Sheet):
+    """A sheet with other numbers in some problems."""
+
+    draw: Draw
+
+
+def redraw(template: Template, own: Problem, student: str, draw: Draw) -> Problem | None:
     """A variant with other numbers and another right answer, as much like the student's own as possible.
 
     A student may have written only the case that is in the own numbers, a prismatic joint or a negative angle, so the
     texts, shapes, zeros and signs of the given values stay the same where that is possible.
-
-    draw  from 0, for several variants of the same student
 
     Returns None if no variant has another answer, because then nothing can be told from it.
     """
@@ -43,7 +53,7 @@ def redraw(template: Template, own: Problem, student: str, key: str, draw: int) 
         others = set(_features(problem.given))
         return len(features & others) / max(len(features | others), 1)
 
-    drawn = [_variant(template, student, key, f"{draw}/{number}") for number in range(CANDIDATES)]
+    drawn = [_variant(template, student, draw.key, f"{draw.number}/{candidate}") for candidate in range(CANDIDATES)]
     for problem in sorted(drawn, key=likeness, reverse=True):
         if problem.is_discriminating() and _has_other_answer(own, problem):
             return problem

@@ -14,7 +14,7 @@ from kincourse import find_sheet
 from misstep.__main__ import main
 from misstep.grading.collect.run_plan import read_released_sheet
 from misstep.grading.judging.grader import Grader
-from misstep.grading.judging.redraw import redraw
+from misstep.grading.judging.redraw import Draw, redraw
 from misstep.sheet import SAMPLE_ID
 
 KEY = "correct horse"
@@ -72,7 +72,7 @@ def test_a_sheet_without_its_solution_has_no_key():
 def test_other_numbers_have_another_answer_and_the_same_form(name):
     for template in find_sheet(name).problems[:3]:
         own = template.variant("ada")
-        first, second, again = (redraw(template, own, "ada", key, 0) for key in (KEY, "another key", KEY))
+        first, second, again = (redraw(template, own, "ada", Draw(key, 0, "")) for key in (KEY, "another key", KEY))
         if first and second:
             assert set(first.given) == set(own.given)
             assert first.statement == again.statement
