@@ -113,7 +113,7 @@ def _with_ids_of(roster: Roster, submissions: Sequence[Submission]) -> list[Subm
     for student in roster.ids:
         if student not in taken:
             free[student.lower()].append(student)
-    counts = defaultdict(int)
+    counts: dict[str, int] = defaultdict(int)
     for submission in submissions:
         counts[submission.student.lower()] += submission.student not in roster.ids
     spelled = []

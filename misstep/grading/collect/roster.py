@@ -207,7 +207,7 @@ def _table(path: Path) -> tuple[list[str], list[Row]]:
         head = text.partition("\n")[0]
         delimiter = max(",;\t", key=head.count)  # Moodle and Canvas use the delimiter of the user's language
         header, *lines = [*csv.reader(io.StringIO(text), delimiter=delimiter)] or [[]]
-        rows = [[*line, *[""] * (len(header) - len(line))][: len(header)] for line in lines if any(line)]
+        rows: list[Row] = [[*line, *[""] * (len(header) - len(line))][: len(header)] for line in lines if any(line)]
         return header, rows
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise ValueError(f"{path} cannot be read as a table (CSV in UTF-8): {error}.") from error
