@@ -99,7 +99,7 @@ def test_a_program_computes_what_sympy_computes():
     )
 
 
-@pytest.mark.oracle("numpy", columnwise_program, few_elements)
+@pytest.mark.oracle("numpy", few_elements)
 def test_a_program_of_a_formula_for_columns_computes_each_element():
     def formula(X):
         return X.swapaxes(0, 1) * X[0, 0] + 1
