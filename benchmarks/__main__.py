@@ -1,7 +1,7 @@
 """Measure speed, start-up time and accuracy of kinlib and of other packages, and print one table.
 
     python -m benchmarks                    all but grading, in a few minutes; run nothing else on the machine meanwhile
-    python -m benchmarks --all              grading too, which takes a quarter of an hour
+    python -m benchmarks --all              grading too, which takes half an hour
     python -m benchmarks frames viewer      only these benchmarks
     python -m benchmarks --save             also save the results, which the site's page on performance shows
     python -m benchmarks --quick            very small sizes: checks that the benchmarks run, and gives no useful numbers

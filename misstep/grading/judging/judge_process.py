@@ -17,6 +17,7 @@ It runs in the folder of the sheet, because a robot's own sheet is described by 
 """
 
 import fcntl
+import gc
 import json
 import os
 import secrets
@@ -231,6 +232,9 @@ def main(course_reference: str) -> None:
             if message["request"] == "problems":
                 _answer(course, message, outbox, lock)
                 continue
+            if not workers:
+                gc.collect()
+                gc.freeze()  # a collection in a fork would touch every object, and so copy every page of memory
             while len(workers) < WORKERS:  # only now, because by now they need not import the sheet themselves
                 workers.append(_start_worker(course, workers, outbox, lock))
             place = places.setdefault(message["student"], len(places) % len(workers))
