@@ -58,16 +58,18 @@ def render_markdown(text: str) -> Markup:
     >>> print(render_markdown("Is $$x$$ **zero**? <b>"))
     <p>Is <math display="block"><mrow><mi>x</mi></mrow></math> <strong>zero</strong>? &lt;b&gt;</p>
     """
-    return Markup(_markdown()(text).strip())  # noqa: S704 - mistune escapes text, and render_formula returns Markup
+    return Markup(str(_markdown()(text)).strip())  # noqa: S704 - mistune escapes text, and render_formula returns Markup
 
 
 @cache
 def _markdown() -> mistune.Markdown:
-    return mistune.create_markdown(escape=True, plugins=["table", _set_formulas])
+    markdown = mistune.create_markdown(escape=True, plugins=["table"])
+    _set_formulas(markdown)
+    return markdown
 
 
 def _set_formulas(markdown: mistune.Markdown) -> None:
-    """The plugin that lets mistune read formulas before emphasis, so that their underscores stay."""
+    """Let mistune read formulas before emphasis, so that their underscores stay."""
 
     def read(_: mistune.InlineParser, found: re.Match[str], state: mistune.InlineState) -> int:
         formula, is_display = found["displayed_latex"] or found["latex"], bool(found["displayed_latex"])

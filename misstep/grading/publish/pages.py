@@ -88,7 +88,7 @@ def verdict_lines(problem: ProblemResult) -> list[str]:
 
 def render_part(part: str, problem: ProblemResult) -> Markup:
     """The "problem" of a result, or the "card" with its verdict, as feedback shows it, for the page of another program."""
-    macros = ENVIRONMENT.get_template("problem.html").module
+    macros: Any = ENVIRONMENT.get_template("problem.html").module
     return Markup("<style>{}</style>{}").format(macros.style(), getattr(macros, part)(problem))
 
 
