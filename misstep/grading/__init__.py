@@ -20,6 +20,7 @@ How one submission gets its grade, in the order of reading:
         parse_output             parses what the child wrote, and trusts none of it
         judge_process            a process that knows the right answers: writes redacted sheets, and judges the answers of
                                  each submission in a process of its own
+        redraw                   with a key: other numbers, by which computed answers are told from typed ones
         bounded_executor, cluster   many submissions at a time, on this machine or on a Dask cluster
     result_sink  writes each result to its page and into the gradebook at once
     publish/     the stored results, feedback pages, the report, tables and files for learning platforms
