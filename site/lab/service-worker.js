@@ -1,5 +1,5 @@
 // Stores every file of the lab that this browser has loaded: a second visit starts from here, and works offline.
-// The build writes VERSION above, and JupyterLite's own service worker below, which answers Python's requests for files.
+// The build writes VERSION above, and JupyterLite's own service worker below, which answers Python's requests.
 (() => {
   const CACHE = `kinlib-lab-${VERSION}`;
   const FOLDER = new URL('.', self.location.href).pathname;

@@ -394,7 +394,7 @@
       });
   }
 
-  /** Start the questions, sliders and viewers of an output, as on every page. A question that was run again can be answered again. */
+  /** Start the questions, sliders and viewers of an output. A self-check that was run again can be answered again. */
   async function startContent(box, again) {
     typeset(box);
     await Promise.resolve(); // until the box is on the page
@@ -438,7 +438,7 @@
     ),
   );
 
-  // Python starts with the first sign of interest in a cell, unless the reader wants to save data: then with the first run
+  // Python starts with the first sign of interest in a cell; if the reader wants to save data, with the first run
   if (!navigator.connection?.saveData) {
     const begin = ({ target }) => target.closest?.('div.cell') && startPython();
     for (const event of ['pointerdown', 'keydown']) document.addEventListener(event, begin, { passive: true });

@@ -1,5 +1,5 @@
 // The Python of a lecture's page: starts at once, then runs one cell after the other. live.js starts this worker, and
-// ends it to stop a cell. Its address is in the folder of the lab, so that the lab's service worker stores what it loads.
+// ends it to stop a cell. It is in the folder of the lab, so that the lab's service worker stores what it loads.
 const PYTHON = new URL('../static/pyodide/', self.location.href).href;
 
 const cells = [];
@@ -29,7 +29,8 @@ async function countBytes() {
     }
   };
   PACKAGES.forEach(add);
-  let received = sizes['pyodide.mjs'] + (sizes['pyodide.asm.mjs'] ?? sizes['pyodide.asm.js']); // modules are not fetched
+  // modules are not fetched
+  let received = sizes['pyodide.mjs'] + (sizes['pyodide.asm.mjs'] ?? sizes['pyodide.asm.js']);
   const total = [...needed].reduce((sum, name) => sum + sizes[name], 0);
   self.fetch = async (...request) => {
     const response = await originalFetch(...request);
