@@ -2,12 +2,14 @@
 
 import os
 import sys
+import tomllib
 from pathlib import Path
 from urllib.parse import urlsplit
 
 import kinlib
 
 HERE = Path(__file__).resolve().parent
+SETTINGS = tomllib.loads((HERE / "settings.toml").read_text("utf-8"))
 sys.path.insert(0, str(HERE))
 
 project = "Forward kinematics"
@@ -24,11 +26,21 @@ extensions = [
     "sphinxext.opengraph",
     "kinsite.cell_outputs",
     "kinsite.page_template",
+    "kinsite.search_index",
 ]
 
 # --- reading the source ---
 
-myst_enable_extensions = ["amsmath", "attrs_block", "attrs_inline", "colon_fence", "deflist", "dollarmath"]
+myst_enable_extensions = [
+    "amsmath",
+    "attrs_block",
+    "attrs_inline",
+    "colon_fence",
+    "deflist",
+    "dollarmath",
+    "substitution",
+]
+myst_substitutions = {"version": release}
 myst_heading_anchors = 3
 myst_links_external_new_tab = False
 exclude_patterns = ["files/**"]
@@ -77,6 +89,8 @@ html_theme_options = {
     "dark_css_variables": {"color-brand-primary": "#c9a2ff", "color-brand-content": "#c9a2ff"},
 }
 
+kinlib_repository = SETTINGS["repository"].rstrip("/")
+
 katex_prerender = True
 katex_css_path = "katex/katex.min.css"
 
@@ -87,3 +101,4 @@ ogp_image = "_static/opengraph.png"
 ogp_image_alt = "An arm with its screw axes, and the words: where is the tool?"
 ogp_social_cards = {"enable": False}
 ogp_enable_meta_description = True
+ogp_custom_meta_tags = ['<meta name="twitter:card" content="summary_large_image">']

@@ -14,6 +14,7 @@ from pathlib import Path
 from typing import Any
 
 from docutils import nodes
+from docutils.nodes import make_id
 from sphinx.application import Sphinx
 from sphinxcontrib import katex
 
@@ -26,6 +27,9 @@ NOT_TEXT = re.compile(r"(<(script|style|pre|code|textarea|svg)\b.*?</\2>|<[^>]+>
 PUNCTUATION = re.compile(r"[.,;:?!)\]’”]+")
 MAX_UNBROKEN_LENGTH = 24
 """Characters of LaTeX that fit on one line of any phone. A longer formula may be broken."""
+QUESTION = re.compile(r'data-misstep-question="([^"]+)"')
+TAG = re.compile(r"\\tag\{([^}]+)\}")
+"""The number of a formula."""
 SIDE_TRACK = "Side track:"
 """The beginning of the heading of a section that may be skipped. JupyterLab folds it by the metadata of its cell."""
 FORMULA = re.compile(r"\$\$(.+?)\$\$|(?<!\\)\$([^$\n]+?)\$")
@@ -68,13 +72,26 @@ def prepare_page(app: Sphinx, doctree: nodes.document, page: str) -> None:
     """Typeset the formulas in the HTML of a page, write its images to files, and keep punctuation with its formula."""
     for formula in list(doctree.findall(nodes.math)):
         keep_punctuation(formula)
+    for formula in list(doctree.findall(nodes.math_block)):
+        if found := TAG.search(formula.astext()):
+            formula.parent.insert(formula.parent.index(formula), nodes.raw("", formula_anchor(found[1]), format="html"))
     up = "../" * page.count("/")
     folder = Path(app.outdir) / "_images"
     for node in doctree.findall(nodes.raw):
         if node.get("format") == "html":
             text = extract_images(typeset_formulas(node.astext()), folder, f"{up}_images")
+            text = QUESTION.sub(lambda found: f'id="{make_id(f"question {found[1]}")}" {found[0]}', text)
             node.children = [nodes.Text(text)]
             node.rawsource = text
+
+
+def formula_anchor(tag: str) -> str:
+    """Write the anchor of a numbered formula, which stands before it.
+
+    >>> formula_anchor("5")
+    '<span class="kinlib-anchor" id="formula-5" data-name="formula (5)"></span>'
+    """
+    return f'<span class="kinlib-anchor" id="{make_id(f"formula {tag}")}" data-name="formula ({tag})"></span>'
 
 
 def fold_side_tracks(_: Sphinx, doctree: nodes.document, page: str) -> None:

@@ -12,7 +12,8 @@ from sphinx.util.docutils import SphinxDirective
 from kinlib import robots
 from kinlib.view import explore
 from kinlib.view.viewer.viewer import STATIC
-from kinsite.execute import package_hash
+from kinsite.demonstration import WrongAnswersDirective
+from kinsite.execute import ROOT, package_hash
 from kinsite.npm_packages import FONTS
 
 
@@ -21,7 +22,9 @@ def setup(app: Sphinx) -> dict[str, Any]:
     # Sphinx reads all pages again if this value changes, because the packages and these modules generate what they show
     app.add_config_value("kinlib_generator_hash", generator_hash(), "env")
     app.add_config_value("kinlib_lab", "", "html")  # the folder of the lab, or nothing if there is no lab
+    app.add_config_value("kinlib_repository", "", "html")  # its address, or nothing: then no page links to it
     app.add_directive("kinlib-arm", ArmDirective)
+    app.add_directive("kinlib-wrong-answers", WrongAnswersDirective)
     app.connect("builder-inited", copy_files)
     app.connect("html-page-context", set_context, priority=800)
     app.connect("build-finished", remove_old_pages)
@@ -57,6 +60,9 @@ def copy_files(app: Sphinx) -> None:
         shutil.copy(font, target / "katex" / "fonts")
     for script in STATIC.glob("*.js"):
         shutil.copy(script, target)
+    (Path(app.outdir) / "robots.txt").write_text(
+        f"User-agent: *\nSitemap: {app.config.html_baseurl}sitemap.xml\n", "utf-8"
+    )
     files = Path(app.srcdir) / "files"
     if files.exists():
         shutil.copytree(files, Path(app.outdir) / "files", dirs_exist_ok=True)
@@ -79,9 +85,27 @@ def set_context(app: Sphinx, page: str, _: str, context: dict[str, Any], doctree
     is_notebook = folder in ("lectures", "sheets") and name != "index" and doctree is not None
     context["kinlib_notebook"] = f"files/{page}.ipynb" if is_notebook else ""
     path = f"notebooks/{name}.ipynb" if folder == "lectures" else f"exercises/{name}/{name}.ipynb"
+    context["kinlib_source"] = source_path(page) if app.config.kinlib_repository else ""
+    context["kinlib_repository"] = app.config.kinlib_repository
     lab = app.config.kinlib_lab
     context["kinlib_run"] = f"{lab}/notebooks/index.html?path={path}" if lab and is_notebook else ""
     context["kinlib_lab_folder"] = f"{lab}/"
     context["kinlib_kind"] = folder.rstrip("s") if is_notebook else ""
     context["kinlib_sheet"] = name if folder == "lectures" and f"sheets/{name}" in app.env.found_docs else ""
     context["kinlib_lecture"] = name if folder == "sheets" and f"lectures/{name}" in app.env.found_docs else ""
+
+
+def source_path(page: str) -> str:
+    """Name the file that a page is made from, or nothing if it is generated.
+
+    >>> source_path("lectures/03_poe_space"), source_path("robots/youbot")
+    ('notebooks/03_poe_space.ipynb', '')
+    """
+    folder, _, name = page.partition("/")
+    top = {"notation": "NOTATION.md", "contributing": "CONTRIBUTING.md", "instructors": "site/instructors.md"}
+    files = {
+        "lectures": f"notebooks/{name}.ipynb",
+        "sheets": f"solutions/{name}/{name}.ipynb" if name != "index" else "site/pages/sheets/index.md",
+    }
+    path = files.get(folder) or top.get(page, f"site/pages/{page}.md")
+    return path if (ROOT / path).exists() else ""

@@ -406,7 +406,87 @@
     target.scrollIntoView();
   }
 
+  // --- addresses of single things, and their links to copy ---
+
+  /** A button that copies a text, and says so. `text` is called when it is pressed. */
+  function copyButton(label, text, className = 'kinlib-button') {
+    const button = h('button', { type: 'button', class: className, onclick: copy }, label);
+    async function copy() {
+      try {
+        await navigator.clipboard.writeText(text());
+        button.textContent = 'Copied';
+      } catch {
+        button.textContent = 'Not copied: this browser forbids it';
+      }
+      setTimeout(() => {
+        button.textContent = label;
+      }, 2000);
+    }
+    return button;
+  }
+
+  const addressOf = (hash) => location.href.split('#')[0] + hash;
+
+  /** Add a link to each question, numbered formula and mistake; headings have theirs already. */
+  function addPermalinks() {
+    for (const thing of all('.misstep-question[id], .kinlib-anchor[id], [id^="mistake-"]')) {
+      const name = thing.dataset.name ?? (thing.matches('.misstep-question') ? 'question' : 'mistake');
+      const link = h('a', { class: 'kinlib-permalink', href: `#${thing.id}`, title: `Link to this ${name}` }, '¶');
+      link.setAttribute('aria-label', `Link to this ${name}`);
+      if (thing.matches('.misstep-question')) thing.querySelector('p').append(' ', link);
+      else thing.after(link);
+    }
+  }
+
+  /** Buttons that copy code, without the prompts of a console. */
+  function addCopyButtons() {
+    const code = '.cell_input .highlight, [class*="highlight-python"] .highlight, .highlight-console .highlight';
+    for (const block of all(code)) {
+      const text = () => block.querySelector('pre').textContent.replace(/^(>>>|\.\.\.|\$) /gm, '');
+      block.append(copyButton('Copy', text, 'kinlib-copy'));
+    }
+  }
+
+  // --- the configuration of an arm in the address of its page: #q=0.5,1,-1.3 ---
+
+  const CONFIGURATION = /^#q=([-+\d.,e]+)$/;
+
+  /** The joint values of the address, if they are as many as the arm has. */
+  function configurationOf(count) {
+    const values = CONFIGURATION.exec(location.hash)?.[1].split(',').map(Number) ?? [];
+    return values.length === count && values.every(Number.isFinite) ? values : null;
+  }
+
+  /** Before the viewer starts, put the values of the address into its state; afterwards, follow the address. */
+  function startConfiguration() {
+    const [element, ...others] = all('[data-kinlib-viewer]:not([data-kinlib-after])');
+    const script = element?.querySelector('script[type="application/json"]');
+    if (!script || others.length) return;
+    const state = JSON.parse(script.textContent);
+    if (!state.q || !state.scene?.arms?.[0]?.links) return;
+    const model = () => element.querySelector('.kv')?.viewer.model;
+    const follow = () => {
+      const q = configurationOf(state.q.length);
+      if (!q) return;
+      if (model()) model().set('q', q);
+      else script.textContent = JSON.stringify({ ...state, q });
+    };
+    const values = () => (model()?.get('q') ?? state.q).map((value) => Number(value.toFixed(4)));
+    follow();
+    addEventListener('hashchange', follow);
+    element.after(
+      h(
+        'p',
+        { class: 'kinlib-buttons' },
+        copyButton('Copy a link to this configuration', () => addressOf(`#q=${values().join(',')}`)),
+      ),
+    );
+  }
+
   document.documentElement.classList.remove('no-js');
+  startConfiguration();
+  addPermalinks();
+  addCopyButtons();
   startContent(document);
   // live.js adds outputs of cells that the reader runs; a self-check that was run again can be answered again
   document.addEventListener('kinlib-content', ({ detail }) => startContent(detail.root, detail.again));

@@ -14,7 +14,7 @@ from urllib.parse import unquote, urlsplit
 import pytest
 from browser import unwatched, watched
 from built_site import ROOT, SITE
-from kinsite import STRICT, cell_outputs, execute, sphinx_source
+from kinsite import STRICT, cell_outputs, execute, page_template, search_index, sphinx_source
 from kinsite.generated import census, gallery, mistakes, reference
 from lessons import plain_words, words_of
 
@@ -319,16 +319,14 @@ def test_a_link_into_a_side_track_opens_it(page, site_address):
 
 
 def test_the_search_lists_lectures_first_and_shows_readable_excerpts(page, site_address):
-    """The pages of robots contain every search term in their tables. An excerpt shows a formula once, and not as LaTeX."""
+    """The pages of robots contain every search term in their tables. An excerpt shows a formula without LaTeX."""
     page.goto(f"{site_address}/search.html?q=screw")
     page.get_by_text("Search finished").wait_for()
     found = page.locator("#search-results li")
     assert found.count() > 20
-    folders = [link.rsplit("/", 2)[-2] for link in found.locator("a").evaluate_all("found => found.map(e => e.href)")]
+    folders = [link.rsplit("/", 2)[-2] for link in found.locator("> a").evaluate_all("found => found.map(e => e.href)")]
     assert folders.index("lectures") < folders.index("robots")
-    context = found.filter(has_text="DH frames for any arm").locator(".context").first
-    context.wait_for()
-    assert context.inner_text().count("(0,v)") == 1
+    assert found.filter(has_text="omega").count() > 2, "formulas can be found, by their names"
     assert "\\omega" not in "".join(found.locator(".context").all_inner_texts())
 
 
@@ -373,7 +371,9 @@ def test_what_belongs_to_one_student_is_left_out_of_a_message(messages, common):
 
 
 @pytest.mark.parametrize(
-    "module", [cell_outputs, census, execute, gallery, mistakes, reference, sphinx_source], ids=lambda m: m.__name__
+    "module",
+    [cell_outputs, census, execute, gallery, mistakes, page_template, reference, search_index, sphinx_source],
+    ids=lambda m: m.__name__,
 )
 def test_the_doctests_of_the_site_s_own_modules_pass(module):
     assert not doctest.testmod(module, optionflags=doctest.NORMALIZE_WHITESPACE).failed

@@ -6,7 +6,9 @@ between their messages is left out. Therefore the pages contain no student's num
 
 import re
 from collections.abc import Iterator, Sequence
+from html import escape
 
+from docutils.nodes import make_id
 from myst_parser.slugs import github_slugify
 
 from kincourse import find_sheet, sheets
@@ -29,13 +31,20 @@ def pages() -> Iterator[tuple[str, str]]:
     named_sheets = [(name, find_sheet(name)) for name in sheets()]
     for name, sheet in named_sheets:
         yield f"mistakes/{name}.md", page(name, sheet)
-    count = sum(len(messages(template)) for _, sheet in named_sheets for template in sheet.problems)
-    yield "mistakes/index.md", overview(named_sheets, count)
+    yield "mistakes/index.md", overview(named_sheets)
 
 
-def overview(named_sheets: Sequence[tuple[str, Sheet]], count: int) -> str:
-    """Write the page that lists the pages of the sheets."""
+def overview(named_sheets: Sequence[tuple[str, Sheet]]) -> str:
+    """Write the page that lists the pages of the sheets, and all mistakes by their names."""
     names = "\n".join(name for name, _ in named_sheets)
+    places: dict[str, list[str]] = {}
+    for name, sheet in named_sheets:
+        for template in sheet.problems:
+            for mistake in messages(template):
+                link = f'<a href="{name}.html#{anchor(template.number, mistake)}">{template.number}</a>'
+                places.setdefault(mistake, []).append(link)
+    listed = "\n".join(f"<li>{escape(mistake)}: {', '.join(places[mistake])}</li>" for mistake in sorted(places))
+    count = sum(map(len, places.values()))
     return f"""\
 # Index of mistakes
 
@@ -52,14 +61,33 @@ Where a message contains your own numbers, these pages show {GAP} instead.
 
 {names}
 ```
+
+## All mistakes by name
+
+The numbers are those of the problems. Each mistake has an address, which you can link to.
+
+```{{raw}} html
+<ul class="kinlib-names">
+{listed}
+</ul>
+```
 """
+
+
+def anchor(problem: str, mistake: str) -> str:
+    """Name the id of a mistake on the page of its sheet.
+
+    >>> anchor("05.3", "sign of alpha")
+    'mistake-05-3-sign-of-alpha'
+    """
+    return make_id(f"mistake-{problem}-{mistake}")
 
 
 def page(name: str, sheet: Sheet) -> str:
     """Write the page with the mistakes of one sheet, problem by problem."""
     number = name[:2]
     parts = [
-        f"# Mistakes of sheet {number}: {sheet.title[0].lower()}{sheet.title[1:]}",
+        f"# Mistakes of sheet {number}: {sheet.title}",
         f"The mistakes that [sheet {number}](../sheets/{name}.ipynb) recognises, and the message for each.",
     ]
     for template in sheet.problems:
@@ -67,7 +95,10 @@ def page(name: str, sheet: Sheet) -> str:
         parts += [
             f"## {template.number} {template.title}",
             f"Re-read: [{heading or 'the lecture'}](../lectures/{lecture}.ipynb{'#' + github_slugify(heading) if heading else ''}).",
-            *(f"`{mistake}`\n: {message}" for mistake, message in messages(template).items()),
+            *(
+                f"[`{mistake}`]{{#{anchor(template.number, mistake)}}}\n: {message}"
+                for mistake, message in messages(template).items()
+            ),
         ]
     return "\n\n".join(parts) + "\n"
 
