@@ -20,13 +20,16 @@ from kinsite.npm_packages import MODULES
 UNLISTED = {"404", "search", "index"}
 SKIPPED = (nodes.literal_block, nodes.comment, addnodes.toctree, addnodes.index)
 """Parts of a section that are not searched: code, and what is only for the build. Of outputs, only questions are."""
-SEPARATE = (nodes.section, nodes.title, addnodes.glossary, addnodes.desc)
+SEPARATE = (nodes.section, nodes.title, nodes.definition_list, addnodes.glossary, addnodes.desc)
 """Parts of a section that are entries of their own, or its title."""
 
 KINDS = {"lectures": "lecture", "sheets": "sheet", "mistakes": "mistakes", "robots": "robot", "reference": "reference"}
 """The kinds of pages, by their folder. A page in no folder is a kind of its own."""
 DEFINED = {"mistakes": "mistake", "glossary": "term"}
 """The kinds of definitions that are entries of their own, by their page or its folder."""
+
+LONGEST = 160
+"""Characters of a mistake's message that are searched: there are thousands of them, and the page must load on a phone."""
 
 TAG = re.compile(r"<(script|style|svg|math)\b.*?</\1>|<[^>]+>", re.DOTALL)
 LATEX = re.compile(r"\\(?:mathrm|mathcal|text|begin|end|frac|tag)\b|[\\{}$^&]|\$")
@@ -68,7 +71,8 @@ def page_entries(page: str, tree: nodes.document) -> Iterator[tuple[str, str, st
     for item in tree.findall(nodes.definition_list_item):
         if folder in DEFINED and (ids := anchors(item)):
             term, *definition = item.children
-            yield clean(term), f"#{ids[0]}", DEFINED[folder], " ".join(map(clean, definition))
+            text = " ".join(clean(part, own=True) for part in definition)
+            yield clean(term), f"#{ids[0]}", DEFINED[folder], text[: LONGEST if folder == "mistakes" else None]
     for described in tree.findall(addnodes.desc):
         signature = next(iter(described.findall(addnodes.desc_signature)))
         if signature["ids"]:

@@ -1,4 +1,4 @@
-// The search: ranks the entries of search-data.js with MiniSearch, which is loaded before, and lists what it finds.
+// The search: ranks the entries of search-data.js with MiniSearch, and lists what it finds.
 // A match in the title of a section counts more than one in the title of its page, and that more than one in the text.
 ((root) => {
   'use strict';
@@ -84,23 +84,33 @@
     status.textContent = 'Type a word into the search box, such as "screw axis".';
     return;
   }
-  const found = find(makeIndex(root.kinlibSearchData, root.MiniSearch), query);
-  status.textContent = found.length
-    ? `Search finished: ${found.length} ${found.length === 1 ? 'place contains' : 'places contain'} “${query}”` +
-      `${found.length > MOST ? `; the best ${MOST} are below.` : '.'}`
-    : `Search finished: nothing contains “${query}”. The glossary lists the terms of the course and those of other books.`;
-  for (const { id, title, page, kind, text, terms } of found.slice(0, MOST)) {
-    const link = document.createElement('a');
-    link.href = id;
-    link.textContent = title;
-    const where = document.createElement('span');
-    where.className = 'where';
-    where.textContent = [LABELS[kind] ?? kind, ...(page === title ? [] : [page])].join(' · ');
-    const context = document.createElement('p');
-    context.className = 'context';
-    context.textContent = excerpt(text, terms);
-    const item = document.createElement('li');
-    item.append(link, ' ', where, context);
-    list.append(item);
+  status.textContent = 'Searching …';
+  const data = document.createElement('script'); // 200 kB, loaded only if there is something to find
+  data.src = new URL('search-data.js', document.currentScript.src);
+  data.onload = () => show(find(makeIndex(root.kinlibSearchData, root.MiniSearch), query));
+  data.onerror = () => {
+    status.textContent = 'The index of the search could not be loaded. Check the connection, then reload the page.';
+  };
+  document.head.append(data);
+
+  function show(found) {
+    status.textContent = found.length
+      ? `Search finished: ${found.length} ${found.length === 1 ? 'place contains' : 'places contain'} “${query}”` +
+        `${found.length > MOST ? `; the best ${MOST} are below.` : '.'}`
+      : `Search finished: nothing contains “${query}”. The glossary lists the terms of the course and those of other books.`;
+    for (const { id, title, page, kind, text, terms } of found.slice(0, MOST)) {
+      const link = document.createElement('a');
+      link.href = id;
+      link.textContent = title;
+      const where = document.createElement('span');
+      where.className = 'where';
+      where.textContent = [LABELS[kind] ?? kind, ...(page === title ? [] : [page])].join(' · ');
+      const context = document.createElement('p');
+      context.className = 'context';
+      context.textContent = excerpt(text, terms);
+      const item = document.createElement('li');
+      item.append(link, ' ', where, context);
+      list.append(item);
+    }
   }
 })(globalThis);

@@ -5,7 +5,8 @@ from browser import watched
 
 QUERIES = {
     "matrix exponential": "lectures/02_", "space frame": "lectures/03_", "body frame": "lectures/04_",
-    "Euler angles": "glossary.html#term-Euler-angles", "screw axis": "glossary.html#term-screw-axis", "adjoint": "glossary.html#term-adjoint",
+    "Euler angles": "glossary.html#term-Euler-angles", "screw axis": "glossary.html#term-screw-axis",
+    "adjoint": "glossary.html#term-adjoint",
     "product of exponentials": "glossary.html#term-product", "PoE": "glossary.html#term-product",
     "home pose": "lectures/03_", "DH": "glossary.html#term-Denavit", "Denavit-Hartenberg": "lectures/05_",
     "standard DH": "lectures/05_", "modified DH": "lectures/06_", "common normal": "glossary.html#term-common-normal",
