@@ -9,7 +9,7 @@ import numpy as np
 from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import exp as exponential
 from kinlib.rigid.lie import hat, homogeneous
-from misstep.mutants.expression import SUM, Change, Changes, Expression, Operation, given, negative, transpose
+from misstep.mutants.expression import SUM, Change, Changes, Expression, Operation, given, negative, power, transpose
 
 INVERSE_ADVICE = "The inverse of $(R, p)$ is $(R^T, -R^T p)$."
 
@@ -272,7 +272,7 @@ def _of_pose(name: str, of: Callable[[Array], Array], latex: str) -> Operation:
     return Operation(name, of, latex.format)
 
 
-inverse = Operation("inverse of a pose", np.linalg.inv, "{0}^{{-1}}".format, _inverse_changes, involution=True)
+inverse = Operation("inverse of a pose", np.linalg.inv, power("{-1}"), _inverse_changes, involution=True)
 """The inverse of a pose: (R^T, -R^T p)."""
 
 exp = Operation("exponential", lambda S, q: exponential(S * q), "e^{{[{0}]{1}}}".format, _exp_changes)

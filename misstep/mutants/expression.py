@@ -336,6 +336,15 @@ def _joined_sum(*terms: str) -> str:
     return " + ".join(terms).replace("+ -", "- ")
 
 
+def power(exponent: str) -> Callable[[str], str]:
+    """Return the LaTeX of a power; a base that is a power itself gets brackets, because LaTeX refuses two exponents.
+
+    >>> power("{-1}")("A"), power("{-1}")("e^{X}")
+    ('A^{-1}', '(e^{X})^{-1}')
+    """
+    return lambda base: f"({base})^{exponent}" if "^" in base and not base.endswith(")") else f"{base}^{exponent}"
+
+
 product = Operation(
     "product",
     lambda *factors: reduce(matmul, factors),
@@ -369,7 +378,7 @@ quotient = Operation("quotient", lambda a, b: a / b, "{0} / {1}".format, _quotie
 negative = Operation("negative", lambda a: -a, "-{0}".format, _negative_changes, PRODUCT, involution=True)
 """The opposite, -A."""
 
-transpose = Operation("transpose", np.transpose, "{0}^T".format, _transpose_changes, involution=True)
+transpose = Operation("transpose", np.transpose, power("T"), _transpose_changes, involution=True)
 """The transpose, A.T."""
 
 

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from misstep.mutants.expression import ATOM, Change, Changes, Expression, Operation, negative, transpose
+from misstep.mutants.expression import ATOM, Change, Changes, Expression, Operation, negative, power, transpose
 
 DEGREES_ADVICE = "`np.sin`, `np.cos` and exponentials take radians: use `np.radians` first."
 
@@ -167,10 +167,10 @@ cos = Operation("cosine", np.cos, "\\cos {0}".format, _cosine_changes)
 arctan2 = Operation("arctan2", np.arctan2, "\\operatorname{{atan2}}({0}, {1})".format, _arctan2_changes)
 _arctan = Operation("arctan", lambda y, x: np.arctan(y / x), "\\arctan({0} / {1})".format)
 sqrt = Operation("root", np.sqrt, "\\sqrt{{{0}}}".format, _root_changes)
-square = Operation("square", np.square, "{0}^2".format, _square_changes)
+square = Operation("square", np.square, power("2"), _square_changes)
 unit = Operation("unit vector", lambda x: x / np.linalg.norm(x), "{0} / |{0}|".format, _unit_changes)
 cross = Operation("cross product", np.cross, "{0} \\times {1}".format, _cross_changes)
-inverse = Operation("inverse", np.linalg.inv, "{0}^{{-1}}".format, _inverse_changes, involution=True)
+inverse = Operation("inverse", np.linalg.inv, power("{-1}"), _inverse_changes, involution=True)
 concatenate = Operation(
     "concatenate",
     lambda *parts: np.concatenate([np.atleast_1d(part) for part in parts]),
