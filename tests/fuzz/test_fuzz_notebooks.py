@@ -39,7 +39,7 @@ from misstep.grading.collect.files import UnreadableFile
 from misstep.grading.collect.gather import gather
 from misstep.grading.collect.roster import read_roster
 from misstep.grading.collect.run_plan import read_released_sheet
-from misstep.grading.jobs import make_jobs
+from misstep.grading.jobs import grade_best, make_jobs
 from misstep.grading.judging import judge_process as judging
 from misstep.grading.judging.grader import Grader
 from misstep.grading.nbgrader.cells import fill_outputs, restore_metadata
@@ -103,6 +103,7 @@ class Rehearsal(Grader):
 
     def __init__(self, sheet):
         self.sheet, self.is_safe, self._runner, self._limits = sheet, False, Prompter(), Limits()
+        self._covered = ()
         self._templates = [(each.number, each.title, each.points) for each in find_sheet(sheet.name).problems]
 
     def _ask_judge(self, message):
@@ -171,7 +172,7 @@ def test_every_student_of_any_submission_gets_valid_points_and_a_reason(case):
             return
         store = ResultStore(Path(root) / "out")
         for job in make_jobs(gathered.submissions, grader().sheet, False, lambda *_: False):
-            result = job.complete(grader().grade(job.seed_id, job.content))
+            result = job.complete(grade_best(grader().grade, job.seed_id, job.contents))
             assert_fair(result)
             store.save(result, job.fingerprint)
             loaded = store.load(result.student, job.fingerprint)
@@ -181,7 +182,8 @@ def test_every_student_of_any_submission_gets_valid_points_and_a_reason(case):
                 result.status,
                 len(result.cells),
             )
-            assert_fit_for_nbgrader(job.content, result)
+            for content in job.contents:
+                assert_fit_for_nbgrader(content, result)
         try:
             publish(Path(root) / "out", gathered.submissions, store, roster, None)
         except ValueError as error:
@@ -199,10 +201,10 @@ def assert_fair(result):
 def assert_fit_for_nbgrader(content, result):
     with suppress(Exception), warnings.catch_warnings(action="ignore"):
         # what nbformat cannot read is filled in the sheet that was handed out
-        notebook = fill_outputs(restore_metadata(content, result, handed_out()), result)
+        notebook = fill_outputs(restore_metadata(content, result, handed_out()), result, ())
         nbformat.validate(notebook)
         return
-    nbformat.validate(fill_outputs(restore_metadata(None, result, handed_out()), result))
+    nbformat.validate(fill_outputs(restore_metadata(None, result, handed_out()), result, ()))
 
 
 def _roster(root, text):
