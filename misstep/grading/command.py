@@ -19,6 +19,7 @@ from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
 from functools import partial
+from importlib.util import find_spec
 from itertools import chain
 from pathlib import Path
 
@@ -34,6 +35,11 @@ from misstep.grading.publish.feedback_zip import write_feedback_zip
 from misstep.grading.publish.result_store import FolderInUse, ResultStore, open_results
 from misstep.grading.result_sink import ResultSink
 from misstep.grading.sandbox.limits import UNSAFE_OPTION, Limits, SandboxUnavailable
+
+# They are imported where they are used, because that takes long. But if one is missing, it is said before anything is done.
+for _package in ("IPython", "jinja2", "latex2mathml", "mistune", "tqdm", "yaml"):
+    if find_spec(_package) is None:
+        raise ModuleNotFoundError(f"No module named {_package!r}")
 
 PROGRESS = "{desc}: {n_fmt} of {total_fmt} |{bar:30}| about {remaining} left"
 """How a terminal shows the progress: the estimate is minutes and seconds, from the time that the last ones took."""

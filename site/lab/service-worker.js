@@ -30,6 +30,7 @@
     const cache = await caches.open(CACHE);
     const stored = await cache.match(address);
     if (stored) return stored;
+    if (await cache.match(`${address}/`)) return redirected(event, `${address}/`);
     if (!pending.has(address)) {
       const loading = fetch(address, { cache: 'no-cache' });
       pending.set(address, loading);
@@ -45,6 +46,13 @@
       };
       event.waitUntil(store());
     }
-    return (await pending.get(address)).clone();
+    const response = await pending.get(address);
+    if (response.redirected && event.request.mode === 'navigate') return redirected(event, response.url);
+    return response.clone();
+  }
+
+  // A browser does not accept a redirect that was already followed as the answer when it opens a page: it follows it itself.
+  function redirected(event, address) {
+    return Response.redirect(address + new URL(event.request.url).search);
   }
 })();

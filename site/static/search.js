@@ -97,7 +97,8 @@
     status.textContent = found.length
       ? `Search finished: ${found.length} ${found.length === 1 ? 'place contains' : 'places contain'} “${query}”` +
         `${found.length > MOST ? `; the best ${MOST} are below.` : '.'}`
-      : `Search finished: nothing contains “${query}”. The glossary lists the terms of the course and those of other books.`;
+      : `Search finished: nothing contains “${query}”. ` +
+        'The glossary lists the terms of the course and those of other books.';
     for (const { id, title, page, kind, text, terms } of found.slice(0, MOST)) {
       const link = document.createElement('a');
       link.href = id;

@@ -1,6 +1,7 @@
 """The viewer in a real browser: moved by mouse, keys and Python, in JupyterLab and on a page without a kernel."""
 
 from io import BytesIO
+from itertools import pairwise
 
 import nbformat
 import numpy as np
@@ -642,8 +643,9 @@ def test_a_thousand_updates_do_not_grow_the_heap(show):
         return devtools.send("Runtime.getHeapUsage")["usedSize"]
 
     heap_after_updates()  # the trail is full, and the functions are compiled
-    first, second = heap_after_updates(), heap_after_updates()
-    assert second - first < 200_000, "bytes that 1000 updates left behind"
+    sizes = [heap_after_updates() for _ in range(3)]
+    # On a busy machine a collection may stop early. But what leaks grows in each round.
+    assert min(after - before for before, after in pairwise(sizes)) < 200_000, "bytes that 1000 updates left behind"
 
 
 # --- in JupyterLab ---

@@ -80,7 +80,7 @@ def anchor(problem: str, mistake: str) -> str:
     >>> anchor("05.3", "sign of alpha")
     'mistake-05-3-sign-of-alpha'
     """
-    return make_id(f"mistake-{problem}-{mistake}")
+    return str(make_id(f"mistake-{problem}-{mistake}"))
 
 
 def page(name: str, sheet: Sheet) -> str:

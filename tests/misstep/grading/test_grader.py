@@ -245,7 +245,7 @@ def test_numbers_that_are_too_large_to_compute_with_are_refused_at_once(text):
 
 @pytest.mark.parametrize("told", [{}, {"1": None}])
 def test_a_problem_without_an_answer_earns_nothing(told):
-    course = SimpleNamespace(_templates=[("01.1", "A pose", 2), ("01.2", "A rotation", 3)])
+    course = SimpleNamespace(_templates=[("01.1", "A pose", 2), ("01.2", "A rotation", 3)], _covered=())
     results = Grader._problem_results(course, told, {}, {})
     assert [(one.number, one.points, one.max, one.state) for one in results] == [
         ("01.1", 0, 2, "missing"),
