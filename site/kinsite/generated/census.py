@@ -68,7 +68,11 @@ def page(census: Mapping[str, Any]) -> str:
     - sheet 01: `a` and `b`
     """
     rows = census["problems"]
+    counted = {row["number"][:2] for row in rows}
+    missing = [name[:2] for name in sheets() if name[:2] not in counted]
     parts = [HEAD.format(students=census["students"], **COUNTS), "## All sheets", table(rows_by_sheet(rows))]
+    if missing:
+        parts.append(f"Not counted in this census: sheet {', '.join(missing)}.")
     for name in sheets():
         if of_sheet := [row for row in rows if row["number"].startswith(f"{name[:2]}.")]:
             parts += [f"## Sheet {name[:2]}: {find_sheet(name).title}", table(of_sheet)]
