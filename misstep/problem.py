@@ -82,7 +82,7 @@ class Problem:
     @cached_property
     def mutants(self) -> Sequence[Mistake]:
         """The mistakes to which one change of the solution leads."""
-        return list(self._mistakes((mutation,) for mutation in zip(*self._mutations, strict=True)))
+        return list(self._single_mutants())
 
     @property
     def known_mistakes(self) -> Sequence[Mistake]:
@@ -100,16 +100,20 @@ class Problem:
         Mutants need to differ from the right answer only: where two of them lead to the same answer, feedback names both.
         """
         reached = [self.answer.value, *(wrong.value for wrong in self.mistakes)]
-        return not self.hidden and not any(self._same(one, other) for one, other in combinations(reached, 2))
+        if any(self._same(one, other) for one, other in combinations(reached, 2)):
+            return False
+        made: list[Mistake] = []
+        for wrong in self._single_mutants():
+            if self._is_hidden(wrong):
+                return False  # before the others are made, because many draws are refused
+            made.append(wrong)
+        object.__setattr__(self, "mutants", made)  # all of them, so they need not be made again
+        return True
 
     @cached_property
     def hidden(self) -> Sequence[str]:
         """The names of the mutants that lead to the right answer, apart from those that are declared to be invisible."""
-        return [
-            mutant.name
-            for mutant in self.mutants
-            if mutant.name not in self.invisible and self._same(mutant.value, self.answer.value)
-        ]
+        return [wrong.name for wrong in self.mutants if self._is_hidden(wrong)]
 
     def without_duplicates(self) -> "Problem":
         """Return the same problem without the mistakes whose answer is the right one or that of an earlier mistake.
@@ -121,6 +125,12 @@ class Problem:
             if not any(self._same(wrong.value, value) for value in [self.answer.value, *(one.value for one in kept)]):
                 kept.append(wrong)
         return replace(self, mistakes=kept)
+
+    def _single_mutants(self) -> Iterator[Mistake]:
+        return self._mistakes((mutation,) for mutation in zip(*self._mutations, strict=True))
+
+    def _is_hidden(self, wrong: Mistake) -> bool:
+        return wrong.name not in self.invisible and self._same(wrong.value, self.answer.value)
 
     @cached_property
     def _roots(self) -> Sequence[Expression]:

@@ -21,7 +21,7 @@ from misstep.mutants.expression import (
     product,
     total,
 )
-from misstep.mutants.operations import ANGLE, SLIDE, VECTOR, radians, stack
+from misstep.mutants.operations import ANGLE, SLIDE, VECTOR, cross_product, radians, stack
 
 ADJOINT_ADVICE = "The blocks of the adjoint are $R$ and $0$ above $[p]R$ and $R$."
 ORDER_ADVICE = (
@@ -391,7 +391,7 @@ tilted = Operation(
 screw = Operation("screw", _joined, "({0}, {1})".format, _screw_changes)
 """The screw (omega, v)."""
 
-moment = Operation("moment", lambda w, p: -np.cross(w, p), "-{0} \\times {1}".format, _moment_changes)
+moment = Operation("moment", lambda w, p: -cross_product(w, p), "-{0} \\times {1}".format, _moment_changes)
 """The moment of an axis omega through p: -omega x p."""
 
 prismatic = Operation("prismatic", lambda d, _: _joined(0 * d, d), "(0, {0})".format, _slide_changes)

@@ -3,7 +3,7 @@
 import itertools
 from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, field
-from functools import partial, reduce
+from functools import lru_cache, partial, reduce
 from itertools import accumulate
 from typing import Any, ClassVar
 
@@ -169,20 +169,31 @@ class DHRowsAnswer(Numbers):
 
     def _poses(self, rows: Array) -> Array:
         """The last frame as frame 0 sees it, at some joint values (k, 4, 4)."""
-        moving = np.eye(4)[[COLUMNS.index("d" if letter == "P" else "theta") for letter in self.joints]]
-        values = rows + random_configurations(len(rows), 4)[..., None] * moving
-        links = dh_transform(*np.moveaxis(values, -1, 0), convention=self.convention)
-        return reduce(np.matmul, np.moveaxis(links, 1, 0))
+        return _last_frames(np.asarray(rows, dtype=float).tobytes(), self.joints, self.convention)
 
     def _with_other_x(self, rows: Array) -> Array:
         """The rows for each choice of the directions of x_1 to x_{m-1}, (2**(m-1), m, 4), first as they are."""
-        choices = np.array(list(itertools.product((0, 1), repeat=len(rows) - 1)))
-        ends = np.pad(choices, ((0, 0), (1, 1)))  # x_0 to x_m
-        own = ends[:, :-1] if self.convention == "modified" else ends[:, 1:]
-        changed = np.repeat(np.asarray(rows, dtype=float)[None], len(choices), axis=0)
-        changed[..., :2] *= 1 - 2 * own[..., None]
-        changed[..., 3] += np.pi * np.diff(ends)
-        return changed
+        return _rows_with_other_x(np.asarray(rows, dtype=float).tobytes(), len(rows), self.convention)
+
+
+# Each table is compared with many others, so what depends on one table alone is kept, by its numbers.
+@lru_cache(maxsize=1024)
+def _last_frames(rows: bytes, joints: str, convention: Convention) -> Array:
+    moving = np.eye(4)[[COLUMNS.index("d" if letter == "P" else "theta") for letter in joints]]
+    values = np.frombuffer(rows).reshape(-1, 4) + random_configurations(len(joints), 4)[..., None] * moving
+    links = dh_transform(*np.moveaxis(values, -1, 0), convention=convention)
+    return reduce(np.matmul, np.moveaxis(links, 1, 0))
+
+
+@lru_cache(maxsize=1024)
+def _rows_with_other_x(rows: bytes, count: int, convention: Convention) -> Array:
+    choices = np.array(list(itertools.product((0, 1), repeat=count - 1)))
+    ends = np.pad(choices, ((0, 0), (1, 1)))  # x_0 to x_m
+    own = ends[:, :-1] if convention == "modified" else ends[:, 1:]
+    changed = np.repeat(np.frombuffer(rows).reshape(1, count, 4), len(choices), axis=0)
+    changed[..., :2] *= 1 - 2 * own[..., None]
+    changed[..., 3] += np.pi * np.diff(ends)
+    return changed
 
 
 @dataclass(frozen=True, eq=False)
