@@ -19,6 +19,13 @@ SET_UP = [
     ".venv/bin/python -m jupyterlab",
 ]
 """Lines of the README that need a network or a person."""
+SITE = [
+    ".venv/bin/python -m pip install -e '.[site]'",
+    ".venv/bin/python -m pip wheel --no-deps --wheel-dir build/wheels . misstep",
+    ".venv/bin/python -m misstep release",
+    ".venv/bin/python -m sphinx -W . build/site",
+]
+"""Lines of the README that build the site. They need a network; the workflow of the course runs them too."""
 RIGHT = {
     "resistance_1": "1 / (1 / given.first + 1 / given.second)",
     "voltage_2": "given.peak * np.sin(np.radians(given.degrees))",
@@ -70,9 +77,10 @@ def hand_in(folder, student, answers):
 def test_the_readme_of_a_new_course_leads_to_tested_released_and_graded_sheets(course):
     folder, run = course
     done = {}
-    lines = lines_of(folder / "README.md")
-    assert set(SET_UP) < set(lines)
-    for line in lines:
+    readme, instructors = (lines_of(folder / name) for name in ("README.md", "instructors.md"))
+    assert [*readme[-len(SITE) - 1 : -1]] == SITE
+    assert set(SET_UP) < set(readme)
+    for line in [*readme[: -len(SITE) - 1], *instructors]:
         if line in SET_UP:
             continue
         if "misstep grade" in line:
@@ -92,9 +100,9 @@ def test_a_new_course_has_the_name_of_its_folder_everywhere(course):
     files = [
         path
         for path in course[0].rglob("*")
-        if path.is_file() and path.suffix in {".py", ".md", ".toml", ".ipynb", ".yml"}
+        if path.is_file() and path.suffix in {".py", ".md", ".toml", ".ipynb", ".yml", ".json"}
     ]
-    assert len(files) >= 9
+    assert len(files) >= 13
     assert not [
         path
         for path in files
@@ -124,6 +132,12 @@ def test_a_name_that_cannot_be_a_course_is_refused(tmp_path, capsys, name, said)
     assert main(["new-course", str(tmp_path / name)]) == 2
     assert said in capsys.readouterr().err
     assert sorted(path.name for path in tmp_path.iterdir()) == ["here"]
+
+
+def test_the_workflow_of_the_template_builds_the_site_as_its_readme_does():
+    text = (TEMPLATE / ".github/workflows/site.yml").read_text("utf-8")
+    assert re.findall(r"- run: (.+)", text)[2:] == [line.removeprefix(".venv/bin/") for line in SITE[1:]]
+    assert "'.[instructor,site]'" in text
 
 
 def test_the_actions_of_the_template_are_those_that_the_course_itself_pins():
