@@ -145,6 +145,12 @@ def axes_of_moving_joints(text):
     return [np.array(axis[1].split(), dtype=float) for axis in found if axis]
 
 
+def test_no_two_options_of_problem_7_are_the_same_path():
+    for number in range(40):  # among them "probe 2", for whom the order in the file was once the right one
+        options = open_sheet("09_urdf", f"probe {number}").given(7).options
+        assert len({*map(tuple, options.values())}) == len(options)
+
+
 def test_the_axis_of_problem_2_is_that_of_the_chain():
     for student in STUDENTS[:20]:
         problem = open_sheet("09_urdf", student).problem(2)

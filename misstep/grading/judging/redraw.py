@@ -7,15 +7,16 @@ With the instructor's key, a submission runs again with numbers that only the ke
 import hmac
 from collections.abc import Iterator
 from dataclasses import dataclass
+from itertools import chain
 from typing import Any
 
 import numpy as np
 
-from misstep.problem import Problem, Template
+from misstep.problem import MAX_DRAWS, Problem, Template
 from misstep.sheet import Sheet
 
 CANDIDATES = 16
-"""How many variants are drawn, of which the one is taken that is most like the student's own."""
+"""How many variants are drawn, of which the one is taken that is most like the student's own. If none can be used, more are drawn."""
 
 
 @dataclass(frozen=True)
@@ -45,19 +46,21 @@ def redraw(template: Template, own: Problem, student: str, draw: Draw) -> Proble
     A student may have written only the case that is in the own numbers, a prismatic joint or a negative angle, so the
     texts, shapes, zeros and signs of the given values stay the same where that is possible.
 
-    Returns None if no variant has another answer, because then nothing can be told from it.
+    Returns None if no variant has another answer, because then nothing can be told from it; so also for a problem without
+    given values, which is read from a drawing.
     """
+    if not own.given:
+        return None
     features = set(_features(own.given))
 
     def likeness(problem: Problem) -> float:
         others = set(_features(problem.given))
         return len(features & others) / max(len(features | others), 1)
 
-    drawn = [_variant(template, student, draw.key, f"{draw.number}/{candidate}") for candidate in range(CANDIDATES)]
-    for problem in sorted(drawn, key=likeness, reverse=True):
-        if problem.is_discriminating() and _has_other_answer(own, problem):
-            return problem
-    return None
+    variants = (_variant(template, student, draw.key, f"{draw.number}/{candidate}") for candidate in range(MAX_DRAWS))
+    first = sorted((next(variants) for _ in range(CANDIDATES)), key=likeness, reverse=True)
+    usable = (one for one in chain(first, variants) if one.is_discriminating() and _has_other_answer(own, one))
+    return next(usable, None)
 
 
 def _variant(template: Template, student: str, key: str, name: str) -> Problem:
@@ -67,8 +70,8 @@ def _variant(template: Template, student: str, key: str, name: str) -> Problem:
 
 def _has_other_answer(own: Problem, other: Problem) -> bool:
     """Whether an answer that is right for the one is wrong, in each part, for the other."""
-    if not own.given or callable(own.answer.value) or callable(other.answer.value):
-        return bool(own.given)  # a function is right for other numbers only if it uses them
+    if callable(own.answer.value) or callable(other.answer.value):
+        return True  # a function is right for other numbers only if it uses them
     try:
         return not all(own.answer.agrees(own.answer.value, other.answer.value))
     except (TypeError, ValueError):  # of another shape

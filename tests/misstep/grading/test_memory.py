@@ -69,9 +69,9 @@ def test_a_submission_is_told_at_once_that_there_is_no_more_memory(confined, red
 
 HOARD_IN_PROCESSES = """
 import os, time
-for _ in range(4):
+for _ in range(8):
     if os.fork() == 0:
-        hoard = bytearray(150 << 20)
+        hoard = bytearray(60 << 20)
         time.sleep(60)
 time.sleep(60)
 """
