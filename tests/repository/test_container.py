@@ -28,7 +28,8 @@ def test_its_python_is_one_that_the_packages_support_and_the_tests_use():
 
 def test_it_copies_files_that_exist_and_installs_extras_that_exist():
     copied = [arguments.split()[:-1] for name, arguments in instructions() if name == "COPY"]
-    assert copied == [["constraints.txt"], ["kinlib"], ["misstep"], ["kincourse"]]
+    packages = ["kinlib", "misstep", "kincourse"]
+    assert copied == [["constraints.txt", "deploy/hub.txt"], *([name] for name in packages), ["deploy/collect.py"]]
     assert all((ROOT / path).exists() for paths in copied for path in paths)
     allowed = (ROOT / "deploy" / "Containerfile.dockerignore").read_text("utf-8").split()
     assert {f"!{path}" for paths in copied for path in paths} <= set(allowed)
@@ -38,10 +39,11 @@ def test_it_copies_files_that_exist_and_installs_extras_that_exist():
     assert f"'./misstep[{','.join(extras)}]'" in GUIDE  # the same as without a container
 
 
-def test_its_entry_point_is_the_command():
-    project = tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]
-    (entry,) = [json.loads(arguments) for name, arguments in instructions() if name == "ENTRYPOINT"]
-    assert entry[0] in project["scripts"]
+def test_it_has_no_entry_point_because_the_guides_and_the_hub_name_the_program():
+    """Kubernetes passes the command of a student's server as arguments of the entry point."""
+    assert not [arguments for name, arguments in instructions() if name == "ENTRYPOINT"]
+    (command,) = [json.loads(arguments) for name, arguments in instructions() if name == "CMD"]
+    assert command[0] in tomllib.loads((ROOT / "pyproject.toml").read_text("utf-8"))["project"]["scripts"]
 
 
 def test_its_system_calls_include_those_with_which_the_sandbox_is_made():
@@ -75,6 +77,6 @@ def test_the_workflow_runs_what_the_guide_says(engine):
     assert in_guide == in_workflow
     named = re.search(r"seccomp=(\S+)", in_guide)[1]
     assert (ROOT / named).is_file()
-    assert f"{engine} build --tag misstep --file deploy/Containerfile ." in GUIDE + workflow.replace(
+    assert f"{engine} build --tag course --file deploy/Containerfile ." in GUIDE + workflow.replace(
         "${{ matrix.engine }}", engine
     )
