@@ -102,7 +102,7 @@ def gather(source: Path, sheet: str, roster: Roster | None = None) -> Gathered:
     if tests:
         remarks.append(f"Left out, because it is the platform's test student: {', '.join(one.name for one in tests)}.")
     unique = _one_per_student(submissions)
-    remarks += _remarks_on_ids(unique)
+    remarks += _remarks_on_ids(unique, layout.kind)
     return Gathered(layout.kind, sorted(unique, key=lambda one: (one.student.casefold(), one.student)), remarks)
 
 
@@ -124,8 +124,11 @@ def _with_ids_of(roster: Roster, submissions: Sequence[Submission]) -> list[Subm
     return spelled
 
 
-def _remarks_on_ids(submissions: Sequence[Submission]) -> list[str]:
-    """Which ids are almost the same, and which students have files under several names: one may be somebody else's."""
+def _remarks_on_ids(submissions: Sequence[Submission], kind: str) -> list[str]:
+    """Which ids are almost the same, and which students have files under several names: one may be somebody else's.
+
+    In a download of a platform, the platform says whose a file is.
+    """
     alike = defaultdict(list)
     for submission in submissions:
         alike[unicodedata.normalize("NFKC", submission.student).casefold()].append(submission.student)
@@ -139,7 +142,7 @@ def _remarks_on_ids(submissions: Sequence[Submission]) -> list[str]:
         f"{submission.student!r} has {len(submission.notebooks)} notebooks ({list_names(submission.notebooks)}). The best one "
         "counts; look whether all are of this student."
         for submission in submissions
-        if len({file.path.parts[0] for file in submission.notebooks}) > 1
+        if kind == "folder" and len({file.path.parts[0] for file in submission.notebooks}) > 1
     ]
 
 

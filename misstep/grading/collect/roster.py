@@ -42,6 +42,7 @@ class Roster:
     grade_column, max_column   Moodle's grade and maximum grade; None on other platforms
     test_keys   the keys of students who do not exist: Canvas's test student
     unsure_of   the headers of other columns that may have the ids, if no header is known
+    delimiter   what separates the cells in the file
     """
 
     kind: str
@@ -53,6 +54,7 @@ class Roster:
     max_column: int | None = None
     test_keys: Sequence[str] = ()
     unsure_of: Sequence[str] = ()
+    delimiter: str = ","
 
     def id_of(self, row: Row) -> str:
         """The id of a student, as it is typed into sheets."""
@@ -76,7 +78,7 @@ def read_roster(path: Path, id_column: str | None = None) -> Roster:
 
     Raises ValueError for a table of an unknown kind, without such a column, or with the same id twice.
     """
-    columns, rows = _table(path)
+    columns, rows, delimiter = _table(path)
     titles = [column.strip().casefold() for column in columns]
     kind = _kind(titles, rows)
     if kind is None:
@@ -109,7 +111,7 @@ def read_roster(path: Path, id_column: str | None = None) -> Roster:
     tests = [_key(row[key]) for row in people if kind == "canvas" and _is_test_student(row, key)]
     is_unsure = kind == "moodle" and not id_column and not {*MOODLE_IDS} & {*titles}
     unsure_of = [columns[place] for place in filled[1:]] if is_unsure else []
-    roster = Roster(kind, columns, people, filled[0], key, grade, maximum, tests, unsure_of)
+    roster = Roster(kind, columns, people, filled[0], key, grade, maximum, tests, unsure_of, delimiter)
     ids = [name.lower() for name in roster.ids]
     if repeated := sorted({name for name in ids if ids.count(name) > 1}):
         same = ", ".join(name for name in roster.ids if name.lower() == repeated[0])
@@ -201,14 +203,14 @@ def _is_test_student(row: Row, key: int) -> bool:
     return any(TEST_STUDENT.fullmatch(cell.strip()) for cell in row[: key + 4])
 
 
-def _table(path: Path) -> tuple[list[str], list[Row]]:
+def _table(path: Path) -> tuple[list[str], list[Row], str]:
     try:
         text = path.read_text("utf-8-sig")
         head = text.partition("\n")[0]
         delimiter = max(",;\t", key=head.count)  # Moodle and Canvas use the delimiter of the user's language
         header, *lines = [*csv.reader(io.StringIO(text), delimiter=delimiter)] or [[]]
         rows: list[Row] = [[*line, *[""] * (len(header) - len(line))][: len(header)] for line in lines if any(line)]
-        return header, rows
+        return header, rows, delimiter
     except (OSError, UnicodeDecodeError, csv.Error) as error:
         raise ValueError(f"{path} cannot be read as a table (CSV in UTF-8): {error}.") from error
 

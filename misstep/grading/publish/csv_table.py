@@ -20,9 +20,9 @@ def escape_formula(cell: str) -> str:
     return f"'{cell}" if FORMULA_START.match(cell) and not NUMBER_OR_DASH.fullmatch(cell) else cell
 
 
-def format_csv(header: Sequence[str], rows: Iterable[Sequence[str]]) -> str:
+def format_csv(header: Sequence[str], rows: Iterable[Sequence[str]], delimiter: str = ",") -> str:
     """A table as CSV text."""
     text = io.StringIO()
-    writer = csv.writer(text, lineterminator="\n")
+    writer = csv.writer(text, delimiter=delimiter, lineterminator="\n")
     writer.writerows([escape_formula(cell) for cell in row] for row in [header, *rows])
     return text.getvalue()

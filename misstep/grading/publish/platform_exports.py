@@ -3,6 +3,8 @@
 Canvas      Grades, Import: the columns that identify a student, and one for the sheet
 Moodle      the grading worksheet, with the column Grade filled in; the assignment's "Upload grading worksheet"
 Gradescope  the columns of its own list of grades, for programs that read such lists
+
+Cells are separated as in the roster, because a platform reads what it writes: in many languages, semicolons.
 """
 
 from collections.abc import Callable, Mapping, Sequence
@@ -39,7 +41,7 @@ def _canvas(roster: Roster, results_by_id: ResultsById, column: str, max_points:
     header = [roster.columns[place] for place in places]
     out_of = ["    Points Possible", *[""] * (len(header) - 1), format_points(max_points)]
     rows = [[*(row[place] for place in places), _points(roster, row, results_by_id)] for row in roster.rows]
-    return format_csv([*header, column], [out_of, *rows])
+    return format_csv([*header, column], [out_of, *rows], roster.delimiter)
 
 
 def _section_column(roster: Roster) -> int:
@@ -55,9 +57,10 @@ def _moodle(roster: Roster, results_by_id: ResultsById, _: str, __: float) -> st
         result = results_by_id.get(roster.id_of(row))
         if result and roster.grade_column is not None and roster.max_column is not None:
             scale = float(row[roster.max_column].replace(",", ".")) / result.max
-            filled[roster.grade_column] = format_points(result.points * scale)
+            points = format_points(result.points * scale)
+            filled[roster.grade_column] = points.replace(".", ",") if "," in row[roster.max_column] else points
         rows.append(filled)
-    return format_csv(roster.columns, rows)
+    return format_csv(roster.columns, rows, roster.delimiter)
 
 
 def _gradescope(roster: Roster, results_by_id: ResultsById, column: str, max_points: float) -> str:
@@ -67,7 +70,9 @@ def _gradescope(roster: Roster, results_by_id: ResultsById, column: str, max_poi
         [*(row[place] for place in places), _points(roster, row, results_by_id), format_points(max_points)]
         for row in roster.rows
     ]
-    return format_csv([*(roster.columns[place] for place in places), column, f"{column} - Max Points"], rows)
+    return format_csv(
+        [*(roster.columns[place] for place in places), column, f"{column} - Max Points"], rows, roster.delimiter
+    )
 
 
 WRITERS: Mapping[str, Callable[[Roster, ResultsById, str, float], str]] = {

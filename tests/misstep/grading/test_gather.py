@@ -229,10 +229,13 @@ def test_a_worksheet_of_moodle_is_known_by_its_cells_in_every_language(tmp_path,
     source = zipped(tmp_path / "s.zip", MOODLE)
     students = {handed.student for handed in gather(source, SHEET, read).submissions if handed.notebook}
     assert students == set(read.ids[:2])
-    graded = [result("0007" if with_numbers else "ada@example.edu", 12, 24), result(read.ids[1], 0, 24, "absent")]
-    filled = [line.split(",") for line in export(read, graded).replace('"24,00"', "24").splitlines()]
+    graded = [result("0007" if with_numbers else "ada@example.edu", 12.5, 24), result(read.ids[1], 0, 24, "absent")]
+    filled = [
+        line.split(";") for line in export(read, graded).splitlines()
+    ]  # separated, and with commas, as Moodle wrote it
+    assert filled[0] == titles
     place = titles.index(header.split(",")[4])
-    assert [line[place] for line in filled[1:]] == ["12", '"7', ""]
+    assert [line[place] for line in filled[1:]] == ["12,5", "7,50", ""]
 
 
 CANVAS_TABLES = {
@@ -264,7 +267,7 @@ def test_a_gradebook_of_canvas_is_known_by_its_cells_and_its_test_student_is_non
     assert list(by_student(gathered)) == ["ada", "bob"]
     assert gathered.remarks == ["Left out, because it is the platform's test student: studenttest."]
     graded = [result("ada", 12, 24), result("bob", 0, 24, "absent")]
-    filled = [line.split(",") for line in export(read, graded).splitlines()]
+    filled = [line.split(delimiter) for line in export(read, graded).splitlines()]
     assert filled[0][:-1] == titles[: len(filled[0]) - 1]
     assert [line[-1] for line in filled[1:]] == ["24", "12", "", ""]
 
