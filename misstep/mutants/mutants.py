@@ -46,6 +46,8 @@ def _replace_parts(root: Expression, replaced: Mapping[int, Expression], built: 
     while id(new) in replaced:
         done, new = id(new), replaced[id(new)]
         replaced = {key: node for key, node in replaced.items() if key != done}
+    if not replaced:
+        return new
     ids = replaced.keys()
     arguments = tuple(
         [node if ids.isdisjoint(node.part_ids) else _replace_parts(node, replaced, built) for node in new.arguments]

@@ -22,7 +22,7 @@ from misstep.grading.judging.result import ProblemResult, Result
 from misstep.grading.sandbox.course_stub import setup_for
 from misstep.grading.sandbox.limits import Limits, SandboxUnavailable
 from misstep.grading.sandbox.rpc import ProcessEnded, Worker
-from misstep.grading.sandbox.runner import Runner, RunOutcome
+from misstep.grading.sandbox.runner import Runner, RunOutcome, slow_imports
 
 JUDGE_SECONDS = 600.0
 """How long the judge may take for a sheet. It limits the processor time of each answer itself; this is for a fault in it."""
@@ -60,7 +60,8 @@ class Grader:
         try:
             with ThreadPoolExecutor(1) as pool:
                 problems = pool.submit(self._ask_judge, {"request": "problems"})
-                self._setup = setup_for(find_course(sheet.course), sheet.folder)
+                setup = setup_for(find_course(sheet.course), sheet.folder)
+                self._setup = replace(setup, imports=sorted(slow_imports(sheet.opening)))
                 self._runner = Runner(self._setup, is_safe)
         except (SandboxUnavailable, ValueError):
             self._judge.stop()

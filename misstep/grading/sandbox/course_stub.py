@@ -27,12 +27,14 @@ class CourseSetup:
     readable  folders that submissions may read: the packages that the course requires
     hidden    folders that they must not read: the engine and every course
     warm_up   cells to run once before the first submission, because first imports are slow
+    imports   further modules to import before, for submissions that use them
     """
 
     package: str
     readable: Sequence[str]
     hidden: Sequence[str]
     warm_up: Sequence[str]
+    imports: Sequence[str] = ()
 
 
 def setup_for(course: Course, *more_hidden: Path) -> CourseSetup:

@@ -46,9 +46,10 @@ WARM_UP_CELLS = (
     "%time 1 + 1",
     "def fails():\n    1 / 0\nfails()",
     "this is no Python",
-    "%matplotlib inline\nimport matplotlib.pyplot as plt\nplt.plot([1, 2])\nplt.close('all')",
 )
 
+FIRST_FIGURE = "%matplotlib inline\nimport matplotlib.pyplot as plt\nplt.plot([1, 2])\nplt.close('all')"
+"""A further cell to run before the first submission, if matplotlib is imported by then."""
 MAX_TRACEBACK_FRAMES = 20
 """How many frames of a traceback are kept, the last ones."""
 
@@ -121,6 +122,7 @@ class SubmissionShell(InteractiveShell):
 
         The names that it would have set are set to a placeholder, unless they have a value.
         """
+        _keep_figures_inline()
         errors = self.errors
         has_failed = bool(await super().run_code(code_obj, result, async_=async_))
         error = result.error_in_exec if result else None
@@ -217,10 +219,9 @@ def new_shell(warm_up: Sequence[str] = ()) -> SubmissionShell:
     shell = SubmissionShell.instance(config=SHELL_CONFIG)
     builtins.input = _refuse_input
     shell.ast_transformers.append(OneImportAtATime())
-    for source in (*WARM_UP_CELLS, *warm_up):
+    first_figure = [FIRST_FIGURE] if "matplotlib.pyplot" in sys.modules else []
+    for source in (*WARM_UP_CELLS, *first_figure, *warm_up):
         _run_cell(shell, source)
-    if pyplot := sys.modules.get("matplotlib.pyplot"):
-        sys.modules["matplotlib"].use = pyplot.switch_backend = _keep_backend  # type: ignore[attr-defined]
     shell.reset(new_session=True)
     return shell
 
@@ -315,6 +316,16 @@ def write_all(descriptor: int, data: bytes) -> None:
 
 def _interrupt(*_: Any) -> None:
     raise CellTimeout("This cell took too long and was interrupted. Does it contain an endless loop?")
+
+
+def _keep_figures_inline() -> None:
+    """Once matplotlib is imported, let its functions that choose a window do nothing, because there is none."""
+    for name, function in (("matplotlib", "use"), ("matplotlib.pyplot", "switch_backend")):
+        module = sys.modules.get(name)
+        if module and getattr(module, function, _keep_backend) is not _keep_backend:
+            if name == "matplotlib.pyplot":
+                InteractiveShell.instance().enable_matplotlib("inline")
+            setattr(module, function, _keep_backend)
 
 
 def _keep_backend(*_: object, **__: object) -> None:

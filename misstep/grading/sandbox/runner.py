@@ -13,9 +13,9 @@ import threading
 import time
 from collections.abc import Sequence
 from contextlib import suppress
-from dataclasses import asdict, dataclass
+from dataclasses import asdict, dataclass, replace
 from pathlib import Path
-from typing import Any
+from typing import Any, cast
 
 from misstep.grading.sandbox.course_stub import CourseSetup
 from misstep.grading.sandbox.limits import UNSAFE_OPTION, Limits, SandboxUnavailable
@@ -32,6 +32,11 @@ LOOK_SECONDS = 0.1
 
 START_SECONDS = 120.0
 """How long the server may take to import everything. The first import of matplotlib also indexes all fonts."""
+
+SLOW_IMPORTS = {"matplotlib.pyplot": re.compile("matplotlib|pylab"), "sympy": re.compile("sympy")}
+"""Modules that take longer to import than everything else together, and what is in the source of a cell that imports one.
+
+If a cell hides it, it still runs, and imports the module in its own time."""
 
 
 @dataclass(frozen=True)
@@ -54,11 +59,15 @@ class RunOutcome:
 class Runner:
     """Starts the server and requests runs from it. Any thread may call it.
 
+    If a submission imports one of SLOW_IMPORTS that this server has not, it runs in a second server, which imports all of
+    them, and is started for the first such submission.
+
     Raises SandboxUnavailable if this machine lacks a layer of the sandbox, unless is_safe is False.
     """
 
     def __init__(self, setup: CourseSetup, is_safe: bool = True) -> None:
-        self._lock = threading.Lock()
+        self._lock, self._second_lock = threading.Lock(), threading.Lock()
+        self._setup, self._is_safe, self._second = setup, is_safe, cast("Runner | None", None)
         self._scratch = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         self._socket, server_socket = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
         with server_socket:
@@ -94,14 +103,27 @@ class Runner:
 
         Raises ProcessEnded if the server has ended.
         """
-        return self._run({"sheet": sheet, "cells": list(cells)}, limits)
+        has_all = slow_imports(*cells) <= {*self._setup.imports}
+        return (self if has_all else self._second_server())._run({"sheet": sheet, "cells": list(cells)}, limits)
 
     def close(self) -> None:
-        """End the server and every process in it."""
+        """End the servers and every process in them."""
+        with self._second_lock:
+            if self._second:
+                self._second.close()
         self._socket.close()
         self._process.kill()
         self._process.wait()
         self._scratch.cleanup()
+
+    def _second_server(self) -> "Runner":
+        with self._second_lock:
+            if not self._second:
+                try:
+                    self._second = Runner(replace(self._setup, imports=list(SLOW_IMPORTS)), self._is_safe)
+                except SandboxUnavailable as error:
+                    raise ProcessEnded(str(error)) from error
+            return self._second
 
     def _probe(self) -> None:
         """Confine a child process completely, and let it try what must be impossible."""
@@ -162,6 +184,15 @@ class Runner:
         if not answer:
             raise ProcessEnded("The server that runs submissions has ended.")
         return answer, handles
+
+
+def slow_imports(*sources: str) -> set[str]:
+    """The SLOW_IMPORTS that cells with these sources import.
+
+    >>> slow_imports("import numpy as np", "from sympy import Symbol")
+    {'sympy'}
+    """
+    return {module for module, pattern in SLOW_IMPORTS.items() if any(map(pattern.search, sources))}
 
 
 def _read_output(descriptor: int, limits: Limits, memory: MemoryLimit) -> tuple[bytes, str]:

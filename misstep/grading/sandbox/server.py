@@ -43,6 +43,7 @@ ENVIRONMENT = {
 
 def main(descriptor: int, is_safe: bool) -> None:
     """Prepare, report that the server is ready or which layer is unavailable, and fork until the socket closes."""
+    gc.disable()  # nothing of what is imported becomes garbage
     with socket.socket(fileno=descriptor) as parent:
         with parent.makefile("rb") as stream:
             setup = CourseSetup(**(receive_message(stream) or {}))
@@ -57,6 +58,7 @@ def main(descriptor: int, is_safe: bool) -> None:
             return
         gc.collect()
         gc.freeze()  # a collection in a child would touch every object, and so copy every page of memory
+        gc.enable()
         parent.send(b'{"unavailable": null}')
         _serve(parent, confinement, shell, stub)
 
@@ -96,7 +98,7 @@ def _warm_up(setup: CourseSetup) -> "tuple[SubmissionShell, CourseStub]":
     """
     stub = install_stub(setup.package)
     import_module("misstep.grading.sandbox.child")
-    for module in ("matplotlib.pyplot", "sympy"):
+    for module in setup.imports:
         with suppress(ModuleNotFoundError):  # not every course draws, or works with symbols
             import_module(module)
     from misstep.grading.sandbox.run_cells import new_shell

@@ -383,6 +383,26 @@ def test_without_a_layer_the_server_refuses(package, told, monkeypatch, tmp_path
 
 
 @on_linux
+def test_what_imports_matplotlib_runs_in_a_second_server_and_what_hides_the_import_runs_all_the_same():
+    """It takes longer to import than all else, and few submissions use it."""
+    runner, sheet = Runner(setup_for(COURSE)), judge_process.redacted_sheet(COURSE, find_sheet("01_frames"), "ada")
+    lines = "plt.switch_backend('TkAgg')\nplt.plot([1, 2])\nplt.show()\nimport sys"
+    loaded = "[name in sys.modules for name in ('mat' 'plotlib.pyplot', 'sym' 'py')]"
+    try:
+        for first, second, modules in [
+            ("plt = __import__('mat' + 'plotlib.pyplot').pyplot", False, [True, False]),
+            ("from matplotlib import pyplot as plt", True, [True, True]),
+        ]:
+            ran = runner.run(sheet["sheet"], ["1", f"{first}\n{lines}", loaded], Limits())
+            _, figure, last = (json.loads(line)["outputs"] for line in ran.output.splitlines())
+            assert [[*output["data"]] for output in figure if "data" in output] == [["text/plain", "image/png"]]
+            assert last[0]["data"]["text/plain"] == str(modules)
+            assert bool(runner._second) == second
+    finally:
+        runner.close()
+
+
+@on_linux
 def test_without_a_sandbox_the_judge_is_still_somewhere_else():
     made = find_sheet("03_poe_space")
     runner = Runner(setup_for(COURSE), is_safe=False)
