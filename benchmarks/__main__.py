@@ -1,7 +1,7 @@
 """Measure speed, start-up time and accuracy of kinlib and of other packages, and print one table.
 
     python -m benchmarks                    all but grading and hub, in a few minutes; run nothing else meanwhile
-    python -m benchmarks --all              these too, which takes three quarters of an hour
+    python -m benchmarks --all              these too, in half an hour; grading takes 12 minutes of it
     python -m benchmarks frames viewer      only these benchmarks
     python -m benchmarks --save             also save the results, which the site's page on performance shows
     python -m benchmarks --quick            very small sizes: checks that the benchmarks run, and gives no useful numbers

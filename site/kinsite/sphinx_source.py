@@ -78,7 +78,7 @@ def handwritten_pages() -> Iterator[tuple[str, str]]:
         yield path.relative_to(SITE / "pages").as_posix(), link_lectures(text) if path.stem == "glossary" else text
     yield "notation.md", (ROOT / "NOTATION.md").read_text("utf-8")
     yield "contributing.md", (ROOT / "CONTRIBUTING.md").read_text("utf-8")
-    yield "instructors.md", (SITE / "instructors.md").read_text("utf-8")
+    yield "instructors.md", performance.with_grading_times((SITE / "instructors.md").read_text("utf-8"))
 
 
 def link_lectures(text: str) -> str:

@@ -163,6 +163,32 @@ def test_the_page_on_performance_shows_every_saved_row_and_describes_each_pictur
 
 
 @pytest.mark.parametrize(
+    ("measured", "text"),
+    [
+        ({}, ""),
+        (
+            {"grading": ([Row("grading 9, each", "s", 0.2, 10, "nbgrader", 2.5), Row("memory", "MB", 200, 250)], [])},
+            "grading 9, each: 200 ms, nbgrader: 2.5 s. ",
+        ),
+    ],
+    ids=["not measured", "measured"],
+)
+def test_the_guide_for_instructors_has_the_times_that_were_measured(measured, text, tmp_path, monkeypatch):
+    import built_site  # noqa: F401 - makes kinsite importable
+    from kinsite.generated import performance
+
+    saved = save(measured | example_results(), tmp_path / "results.json")
+    monkeypatch.setattr(performance, "load", lambda: saved)
+    guide = Path("site/instructors.md").read_text("utf-8")
+    written = performance.with_grading_times(guide)
+    assert performance.GRADING_MARK in guide
+    assert performance.GRADING_MARK not in written
+    assert "`python -m benchmarks grading`" in written
+    assert text in written
+    assert ("(performance.md#grading)" in written) == bool(measured)
+
+
+@pytest.mark.parametrize(
     ("peer", "sentence"),
     [
         ((5, 6, 7, 8), "kinlib takes less time than “the peer” at every measured size."),

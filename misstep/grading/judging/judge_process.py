@@ -62,6 +62,9 @@ DRAWN_SHEETS = set[str]()
 GC_THRESHOLD = 100_000
 """How many objects are made before garbage is collected: mutants make many, and with Python's 700 it took a sixth of the time."""
 
+STUDENTS_KEPT = 6
+"""Of how many students a process keeps the variants, with all mutants: 3 MB each. It has --jobs / WORKERS at a time."""
+
 MEMORY_BYTES = 2 << 30
 """The most memory that the judge may use, because a short answer may need a lot of memory to read."""
 
@@ -139,13 +142,13 @@ def _problems(course: Course, sheet: Sheet, student: str, seed: int) -> list[Pro
     return [problem.with_inputs(seed) for problem in problems]
 
 
-@lru_cache(maxsize=16)
+@lru_cache(maxsize=STUDENTS_KEPT)
 def _variants(course: Course, sheet: str, student: str) -> list[Problem]:
     """A student's variants, cached because they are needed for the redacted sheet and soon again for the verdicts."""
     return [template.variant(student) for template in course.find_sheet(sheet).problems]
 
 
-@lru_cache(maxsize=16)
+@lru_cache(maxsize=STUDENTS_KEPT)
 def _redrawn(course: Course, sheet: str, student: str, draw: Draw) -> list[Problem]:
     """A student's variants, some of them with other numbers."""
     templates, problems = course.find_sheet(sheet).problems, _variants(course, sheet, student)

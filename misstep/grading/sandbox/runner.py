@@ -103,8 +103,9 @@ class Runner:
 
         Raises ProcessEnded if the server has ended.
         """
-        has_all = slow_imports(*cells) <= {*self._setup.imports}
-        return (self if has_all else self._second_server())._run({"sheet": sheet, "cells": list(cells)}, limits)
+        if slow_imports(*cells) - {*self._setup.imports}:
+            return self._second_server().run(sheet, cells, limits)
+        return self._run({"sheet": sheet, "cells": list(cells)}, limits)
 
     def close(self) -> None:
         """End the servers and every process in them."""

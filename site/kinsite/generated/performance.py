@@ -52,6 +52,9 @@ for one size, of 10,000 at most, and this time for one element is shown for ever
 object of the peer. All times below are for one element of the batch; a size of 1 is a call with a single element.
 """
 
+GRADING_MARK = "<!-- The site adds here what was measured. -->"
+"""Where the guide for instructors says how long grading took."""
+
 GROWTH = """\
 ## How it grows
 
@@ -93,6 +96,22 @@ def pages() -> Iterator[tuple[str, str]]:
         yield path, follow_theme(picture.svg)
         parts.append(image(path, picture))
     yield "performance.md", "\n\n".join(parts) + "\n"
+
+
+def with_grading_times(guide: str) -> str:
+    """Add to the guide for instructors how long grading took, each time with that of nbgrader, if it has been measured."""
+    results = load()
+    if "grading" not in results.runs:
+        return guide.replace(GRADING_MARK, "")
+    run = results.runs["grading"][0]
+    times = [
+        f"{row.name}: {format_quantity(row.value, row.unit)}, {row.peer}: {format_quantity(row.peer_value, row.unit)}"
+        for row in run.rows
+        if row.peer_value is not None
+    ]
+    machine = f"{escape(results.machine['processor'])} with {results.machine['cores']} cores"
+    text = f"On {machine}, {run.day}: {escape('; '.join(times))}. [Performance](performance.md#grading) has more."
+    return guide.replace(GRADING_MARK, text)
 
 
 def section(name: str, runs: tuple[Run, ...]) -> str:
