@@ -1,9 +1,12 @@
-"""The paper in paper/: its numbers are those of the course and of the census, and its references are complete."""
+"""What a reader or a reviewer sees first: the paper, its checklist, the READMEs. Their numbers, links and names are right."""
 
 import json
 import re
+import tomllib
 from collections import Counter
 from pathlib import Path
+
+import pytest
 
 from kincourse import find_sheet, sheets
 
@@ -40,3 +43,46 @@ def test_the_paper_has_the_sections_and_the_length_that_the_journal_asks_for():
     headings = re.findall(r"^# (.+)$", PAPER, re.MULTILINE)
     assert {"Summary", "Statement of need", "Learning objectives", "References"} <= set(headings)
     assert 700 < len(PAPER.split()) < 1200
+
+
+def test_each_point_of_the_checklist_names_a_file_that_exists():
+    text = (ROOT / "paper" / "CHECKLIST.md").read_text("utf-8")
+    points = [
+        line
+        for line in text.splitlines()
+        if line.startswith("| ") and not line.startswith(("| **", "| ---", "| point"))
+    ]
+    assert len(points) > 20
+    for point in points:
+        files = re.findall(r"\]\(([^)#]+)", point)
+        assert files, point
+        assert [file for file in files if not (ROOT / "paper" / file).is_file()] == []
+    sections = set(re.findall(r"^#+ (.+)$", "".join(path.read_text("utf-8") for path in GUIDES), re.MULTILINE))
+    assert [name for name in re.findall(r"section \*(.+?)\*", text) if name not in sections] == []
+
+
+GUIDES = [ROOT / "README.md", ROOT / "site" / "instructors.md", ROOT / "paper" / "paper.md"]
+
+
+def test_the_authors_are_those_of_the_citation_everywhere():
+    (author,) = re.findall(r"^authors:\n  - name: (.+)$", (ROOT / "CITATION.cff").read_text("utf-8"), re.MULTILINE)
+    for file in ("pyproject.toml", "kinlib/pyproject.toml", "misstep/pyproject.toml", "kincourse/pyproject.toml"):
+        assert tomllib.loads((ROOT / file).read_text("utf-8"))["project"]["authors"] == [{"name": author}]
+    assert f"\n  - name: {author}\n" in PAPER
+    assert f'\nauthor = "{author}"\n' in (ROOT / "site" / "conf.py").read_text("utf-8")
+
+
+def test_the_readme_shows_a_mistake_and_two_commands_first_and_links_to_the_site_if_there_is_one():
+    text = (ROOT / "README.md").read_text("utf-8")
+    first = text.partition("\n## ")[0]
+    assert first.index("](site/readme.png)") < first.index("\npython course.py open\npython course.py test\n")
+    site = tomllib.loads((ROOT / "site" / "settings.toml").read_text("utf-8"))["site"]
+    assert f"**Live site:** {site or 'not published yet'}" in first
+
+
+@pytest.mark.parametrize("package", ["kinlib", "misstep", "kincourse"])
+def test_the_readme_of_a_package_has_no_link_that_a_package_index_cannot_follow(package):
+    """An index shows the README alone: a path of the repository leads nowhere there."""
+    text = (ROOT / package / "README.md").read_text("utf-8")
+    targets = re.findall(r"\]\(([^)]+)\)|(?:src|href)=\"([^\"]+)", text)
+    assert [target for pair in targets for target in pair if target and not target.startswith("https://")] == []
