@@ -18,6 +18,8 @@ from docutils.nodes import make_id
 from sphinx.application import Sphinx
 from sphinxcontrib import katex
 
+from kinsite.translation import in_all_languages
+
 katex.KATEX_DEFAULT_OPTIONS.update(throwOnError=True, strict="error")  # a formula with an error fails the build
 katex.STARTUP_TIMEOUT = 60.0  # a busy machine needs more than the 5 s of the extension
 
@@ -30,7 +32,7 @@ MAX_UNBROKEN_LENGTH = 24
 QUESTION = re.compile(r'data-misstep-question="([^"]+)"')
 TAG = re.compile(r"\\tag\{([^}]+)\}")
 """The number of a formula."""
-SIDE_TRACK = "Side track:"
+SIDE_TRACK = in_all_languages("Side track:")
 """The beginning of the heading of a section that may be skipped. JupyterLab folds it by the metadata of its cell."""
 FORMULA = re.compile(r"\$\$(.+?)\$\$|(?<!\\)\$([^$\n]+?)\$")
 

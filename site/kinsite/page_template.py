@@ -15,6 +15,7 @@ from kinlib.view.viewer.viewer import STATIC
 from kinsite.demonstration import WrongAnswersDirective
 from kinsite.execute import ROOT, package_hash
 from kinsite.npm_packages import FONTS
+from kinsite.translation import WORDS, messages, original_page, versions, words_of
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
@@ -81,6 +82,12 @@ def set_context(app: Sphinx, page: str, _: str, context: dict[str, Any], doctree
     """Set the values that the templates need for a page."""
     # furo gives its captions the role of headings without a level, which is not valid; they are captions
     context["furo_navigation_tree"] = context["furo_navigation_tree"].replace(' role="heading"', "")
+    context["kinlib_versions"] = versions(original_page(page)[0])
+    page, language = original_page(page)  # a translation is run, downloaded and marked as read as its original is
+    context["kinlib_lecture_page"] = page
+    if language:
+        words = words_of(language)
+        context |= {"language": language, "_": words, "gettext": words, "kinlib_words": messages(language, WORDS)}
     folder, _, name = page.partition("/")
     is_notebook = folder in ("lectures", "sheets") and name != "index" and doctree is not None
     context["kinlib_notebook"] = f"files/{page}.ipynb" if is_notebook else ""

@@ -4,9 +4,14 @@
   'use strict';
   const KEY = 'kinlib-course';
   const LETTERS = 'ABCDEFGH';
-  const NO_STORAGE =
-    'This browser stores nothing for this page, because the window is private or the storage is full. ' +
-    'Your answers are lost when you leave the page.';
+  const WORDS = JSON.parse(document.getElementById('kinlib-words')?.textContent ?? '{}');
+
+  /** A text in the language of the page: a translated lecture contains the words that its catalogue has. */
+  const _ = (text, value = '') => (WORDS[text] ?? text).replace('%s', value);
+
+  const NO_STORAGE = _(
+    'This browser stores nothing for this page, because the window is private or the storage is full. Your answers are lost when you leave the page.',
+  );
 
   const CONFIRM_DELETE =
     'Delete the record of the lectures that you have read, the questions that you have answered ' +
@@ -104,11 +109,11 @@
         if (predicts || (index !== k && index !== right)) return;
         const tone = index === right ? 'right' : 'wrong';
         button.dataset.verdict = tone;
-        button.append(h('span', { class: 'kinlib-verdict' }, tone === 'right' ? '✓ correct' : '✗ not correct'));
+        button.append(h('span', { class: 'kinlib-verdict' }, tone === 'right' ? _('✓ correct') : _('✗ not correct')));
       });
       if (predicts) {
-        buttons[k].append(h('span', { class: 'kinlib-verdict' }, '● your prediction'));
-        reply.replaceChildren(h('p', {}, `You predicted ${LETTERS[k]}. Now observe, and then compare.`));
+        buttons[k].append(h('span', { class: 'kinlib-verdict' }, _('● your prediction')));
+        reply.replaceChildren(h('p', {}, _('You predicted %s. Now observe, and then compare.', LETTERS[k])));
       } else {
         reply.replaceChildren(
           ...explainAnswer(
@@ -131,19 +136,19 @@
     const said = (index) => (index === null ? [] : cloneChildren(why(index)).slice(1));
     if (k === right)
       return [
-        h('p', { class: 'kinlib-title', 'data-tone': 'right' }, `✓ ${LETTERS[k]} is correct`),
+        h('p', { class: 'kinlib-title', 'data-tone': 'right' }, _('✓ %s is correct', LETTERS[k])),
         h('p', {}, ...said(k)),
       ];
     const wrong = [
-      h('p', { class: 'kinlib-title', 'data-tone': 'wrong' }, `✗ ${LETTERS[k]} is not correct`),
+      h('p', { class: 'kinlib-title', 'data-tone': 'wrong' }, _('✗ %s is not correct', LETTERS[k])),
       h('p', {}, ...said(k)),
     ];
     return [
-      ...(k === null ? [h('p', { class: 'kinlib-title' }, 'Shown without a prediction')] : wrong),
+      ...(k === null ? [h('p', { class: 'kinlib-title' }, _('Shown without a prediction'))] : wrong),
       h(
         'p',
         {},
-        h('strong', {}, `The correct answer is ${LETTERS[right]}: `),
+        h('strong', {}, _('The correct answer is %s:', LETTERS[right]), ' '),
         ...text(right).map((node) => node.cloneNode(true)),
       ),
       h('p', {}, ...said(right)),
@@ -161,8 +166,8 @@
     const waits = h(
       'div',
       {},
-      h('p', {}, 'You have not committed to your prediction yet. The explanation appears here afterwards.'),
-      h('button', { type: 'button', class: 'kinlib-button', onclick: () => show(null) }, 'Show anyway'),
+      h('p', {}, _('You have not committed to your prediction yet. The explanation appears here afterwards.')),
+      h('button', { type: 'button', class: 'kinlib-button', onclick: () => show(null) }, _('Show anyway')),
     );
     const reply = h('div', { role: 'status' });
     section.replaceChildren(h('p', {}, ...question), waits, reply);
@@ -267,14 +272,14 @@
         show();
       },
     });
-    const more = element.dataset.progress ? h('a', { href: element.dataset.progress }, 'Your progress') : '';
+    const more = element.dataset.progress ? h('a', { href: element.dataset.progress }, _('Your progress')) : '';
     element.append(button, status, more);
     element.hidden = false;
 
     function show() {
       const read = progress.read.includes(name);
-      button.textContent = read ? 'Mark this lecture as not read' : 'Mark this lecture as read';
-      status.textContent = read ? '✓ You have read this lecture.' : '';
+      button.textContent = read ? _('Mark this lecture as not read') : _('Mark this lecture as read');
+      status.textContent = read ? _('✓ You have read this lecture.') : '';
       markReadLectures();
     }
     show();
@@ -414,9 +419,9 @@
     async function copy() {
       try {
         await navigator.clipboard.writeText(text());
-        button.textContent = 'Copied';
+        button.textContent = _('Copied');
       } catch {
-        button.textContent = 'Not copied: this browser forbids it';
+        button.textContent = _('Not copied: this browser forbids it');
       }
       setTimeout(() => {
         button.textContent = label;
@@ -431,8 +436,12 @@
   function addPermalinks() {
     for (const thing of all('.misstep-question[id], .kinlib-anchor[id], [id^="mistake-"]')) {
       const name = thing.dataset.name ?? (thing.matches('.misstep-question') ? 'question' : 'mistake');
-      const link = h('a', { class: 'kinlib-permalink', href: `#${thing.id}`, title: `Link to this ${name}` }, '¶');
-      link.setAttribute('aria-label', `Link to this ${name}`);
+      const title = _(
+        'Link to this %s',
+        name.replace(/^\w+/, (kind) => _(kind)),
+      );
+      const link = h('a', { class: 'kinlib-permalink', href: `#${thing.id}`, title }, '¶');
+      link.setAttribute('aria-label', title);
       if (thing.matches('.misstep-question')) thing.querySelector('p').append(' ', link);
       else thing.after(link);
     }
@@ -443,7 +452,7 @@
     const code = '.cell_input .highlight, [class*="highlight-python"] .highlight, .highlight-console .highlight';
     for (const block of all(code)) {
       const text = () => block.querySelector('pre').textContent.replace(/^(>>>|\.\.\.|\$) /gm, '');
-      block.append(copyButton('Copy', text, 'kinlib-copy'));
+      block.append(copyButton(_('Copy'), text, 'kinlib-copy'));
     }
   }
 

@@ -14,8 +14,9 @@ from urllib.parse import unquote, urlsplit
 import pytest
 from browser import unwatched, watched
 from built_site import ROOT, SITE
-from kinsite import STRICT, cell_outputs, execute, page_template, search_index, sphinx_source
+from kinsite import STRICT, cell_outputs, execute, page_template, search_index, sphinx_source, translation
 from kinsite.generated import census, gallery, mistakes, reference
+from kinsite.translation import original_page
 from lessons import plain_words, words_of
 
 from kincourse import COURSE, find_question
@@ -43,6 +44,7 @@ KINDS = {
     "search": "search.html?q=screw",
     "missing": "no/such/page.html",
     "phone": "lectures/00_start_here.html",
+    "translation": "lectures/de/00_start_here.html",
 }
 
 PHONE = {"width": 360, "height": 780}
@@ -111,7 +113,8 @@ def test_every_page_has_its_metadata(site_folder, pages):
     for name in pages:
         text = (site_folder / name).read_text("utf-8")
         assert text.count("<h1") == 1, f"{name} has {text.count('<h1')} main headings"
-        for part in ('lang="en"', 'icon" href=', 'name="viewport"'):
+        language = original_page(name.removesuffix(".html"))[1] or "en"
+        for part in (f'<html class="no-js" lang="{language}"', 'icon" href=', 'name="viewport"'):
             assert part in text, f"{name} lacks {part}"
         assert "noindex" not in text, f"search engines would ignore {name}"
         for part in ('name="description"', 'property="og:image"'):
@@ -372,7 +375,18 @@ def test_what_belongs_to_one_student_is_left_out_of_a_message(messages, common):
 
 @pytest.mark.parametrize(
     "module",
-    [cell_outputs, census, execute, gallery, mistakes, page_template, reference, search_index, sphinx_source],
+    [
+        cell_outputs,
+        census,
+        execute,
+        gallery,
+        mistakes,
+        page_template,
+        reference,
+        search_index,
+        sphinx_source,
+        translation,
+    ],
     ids=lambda m: m.__name__,
 )
 def test_the_doctests_of_the_site_s_own_modules_pass(module):
