@@ -9,9 +9,10 @@
   /** A text in the language of the page: a translated lecture contains the words that its catalogue has. */
   const _ = (text, value = '') => (WORDS[text] ?? text).replace('%s', value);
 
-  const NO_STORAGE = _(
-    'This browser stores nothing for this page, because the window is private or the storage is full. Your answers are lost when you leave the page.',
-  );
+  const NO_STORAGE = [
+    _('This browser stores nothing for this page, because the window is private or the storage is full.'),
+    _('Your answers are lost when you leave the page.'),
+  ].join(' ');
 
   const CONFIRM_DELETE =
     'Delete the record of the lectures that you have read, the questions that you have answered ' +
