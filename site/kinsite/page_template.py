@@ -82,6 +82,7 @@ def set_context(app: Sphinx, page: str, _: str, context: dict[str, Any], doctree
     """Set the values that the templates need for a page."""
     # furo gives its captions the role of headings without a level, which is not valid; they are captions
     context["furo_navigation_tree"] = context["furo_navigation_tree"].replace(' role="heading"', "")
+    context["html_baseurl"] = app.config.html_baseurl
     context["kinlib_versions"] = versions(original_page(page)[0])
     page, language = original_page(page)  # a translation is run, downloaded and marked as read as its original is
     context["kinlib_lecture_page"] = page

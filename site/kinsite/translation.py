@@ -19,7 +19,6 @@ from babel import Locale
 from babel.messages.catalog import Catalog
 from babel.messages.extract import extract_from_file
 from babel.messages.pofile import read_po
-from jinja2.ext import babel_extract
 from nbformat import NotebookNode
 
 from kincourse import COURSE
@@ -108,7 +107,7 @@ def words_template() -> Catalog:
     """Collect the words of the site itself: of its template and script, and of every question."""
     catalog = Catalog(domain=WORDS)
     for method, path, keyword in (
-        (babel_extract, SITE / "templates" / "page.html", "_"),
+        ("jinja2", SITE / "templates" / "page.html", "_"),
         ("javascript", SITE / "static" / "course.js", "_"),
         ("python", Path(page.__file__), "translate"),
         ("python", Path(__file__), "words"),
@@ -116,7 +115,7 @@ def words_template() -> Catalog:
         for _, message, _, _ in extract_from_file(method, path, keywords={keyword: None}):
             catalog.add(message, locations=[(path.name, None)])  # type: ignore[list-item]
     for word in (*KINDS.values(), *OTHER_WORDS):
-        catalog.add(word)  # type: ignore[list-item]
+        catalog.add(word)
     return catalog
 
 

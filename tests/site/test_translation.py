@@ -5,7 +5,6 @@ from html import unescape
 
 import nbformat
 import pytest
-import translations
 from babel.messages.catalog import Catalog
 from babel.messages.pofile import write_po
 from browser import watched
@@ -13,6 +12,7 @@ from built_site import ROOT
 from kinsite import translation
 from kinsite.sphinx_source import LECTURES
 from kinsite.translation import FIXED, FORMULA_TEXT, changed_parts, messages, template, translate_markdown
+from translations import main as update_catalogues
 
 from kincourse import COURSE
 from misstep.questions.page import question_html
@@ -25,8 +25,8 @@ LECTURE_00 = ROOT / "notebooks" / "00_start_here.ipynb"
 @pytest.fixture
 def locales(tmp_path, monkeypatch):
     """A folder of catalogues with one passage translated, of which the original has changed since."""
-    for module in (translation, translations):
-        monkeypatch.setattr(module, "LOCALES", tmp_path)
+    for module in ("kinsite.translation", "translations"):
+        monkeypatch.setattr(f"{module}.LOCALES", tmp_path)
     messages.cache_clear()
     catalog, words = Catalog(locale="de"), Catalog(locale="de")
     catalog.add("Links and joints", "Glieder und Gelenke")
@@ -79,14 +79,14 @@ def test_a_changed_part_is_found(faulty, parts):
 
 
 def test_the_command_marks_a_translation_whose_original_has_changed(locales, tmp_path, monkeypatch, capsys):
-    monkeypatch.setattr(translations, "LECTURES", [LECTURE_00])
-    monkeypatch.setattr(translations, "ROOT", tmp_path)
+    monkeypatch.setattr("translations.LECTURES", [LECTURE_00])
+    monkeypatch.setattr("translations.ROOT", tmp_path)
     before = len(template(LECTURE_00))
-    assert not translations.main()
+    assert not update_catalogues()
     assert f"de 00_start_here: {before} passages, {before - 2} not translated, 1 fuzzy" in capsys.readouterr().out
     assert (tmp_path / "build/locales/00_start_here.pot").exists()
     assert messages("de", "00_start_here") == {"Links and joints": "Glieder und Gelenke"}
-    assert not translations.main("fr", "00_start_here")
+    assert not update_catalogues("fr", "00_start_here")
     assert f"fr 00_start_here: {before} passages, {before} not translated, 0 fuzzy" in capsys.readouterr().out
 
 
@@ -115,7 +115,7 @@ def test_a_translated_page_has_the_formulas_and_questions_of_the_english_page(si
     parts = (
         r'<annotation encoding="application/x-tex">(.*?)</annotation>',
         r'data-misstep-question="[^"]+" data-kind="\w+" data-right="\d"',
-        r'<div class="highlight-ipython3 notranslate">.*?</pre>',
+        r'<div class="highlight-python notranslate">.*?</pre>',
     )
     for part in parts:
         found = [
@@ -125,7 +125,7 @@ def test_a_translated_page_has_the_formulas_and_questions_of_the_english_page(si
         assert found[0] == found[1]
         assert len(found[0]) > 4
     for text in html.values():
-        links = dict(re.findall(r'<link rel="alternate" hreflang="(\w+)" href="[^"]*?/(lectures/[^"]+)"', text))
+        links = dict(re.findall(r'<link rel="alternate" hreflang="(\w+)" href="https?://[^"]+?/(lectures/[^"]+)"', text))
         assert links == pages
 
 
@@ -149,4 +149,4 @@ def test_a_reader_changes_the_language_and_the_answers_are_the_same(chromium, si
 
 
 def test_the_search_has_no_translated_page(site_folder):
-    assert "lectures/de/" not in (site_folder / "_static" / "search-data.js").read_text("utf-8")
+    assert '"url":"lectures/de/' not in (site_folder / "_static" / "search-data.js").read_text("utf-8")
