@@ -125,7 +125,9 @@ def test_a_translated_page_has_the_formulas_and_questions_of_the_english_page(si
         assert found[0] == found[1]
         assert len(found[0]) > 4
     for text in html.values():
-        links = dict(re.findall(r'<link rel="alternate" hreflang="(\w+)" href="https?://[^"]+?/(lectures/[^"]+)"', text))
+        links = dict(
+            re.findall(r'<link rel="alternate" hreflang="(\w+)" href="https?://[^"]+?/(lectures/[^"]+)"', text)
+        )
         assert links == pages
 
 
