@@ -18,6 +18,8 @@ from docutils.nodes import make_id
 from sphinx.application import Sphinx
 from sphinxcontrib import katex
 
+from kinsite.embeds import cell_of, permalink, with_address, write_pages
+from kinsite.preview_cards import preview
 from kinsite.translation import in_all_languages
 
 katex.KATEX_DEFAULT_OPTIONS.update(throwOnError=True, strict="error")  # a formula with an error fails the build
@@ -29,7 +31,6 @@ NOT_TEXT = re.compile(r"(<(script|style|pre|code|textarea|svg)\b.*?</\2>|<[^>]+>
 PUNCTUATION = re.compile(r"[.,;:?!)\]’”]+")
 MAX_UNBROKEN_LENGTH = 24
 """Characters of LaTeX that fit on one line of any phone. A longer formula may be broken."""
-QUESTION = re.compile(r'data-misstep-question="([^"]+)"')
 TAG = re.compile(r"\\tag\{([^}]+)\}")
 """The number of a formula."""
 SIDE_TRACK = in_all_languages("Side track:")
@@ -79,21 +80,27 @@ def prepare_page(app: Sphinx, doctree: nodes.document, page: str) -> None:
             formula.parent.insert(formula.parent.index(formula), nodes.raw("", formula_anchor(found[1]), format="html"))
     up = "../" * page.count("/")
     folder = Path(app.outdir) / "_images"
-    for node in doctree.findall(nodes.raw):
-        if node.get("format") == "html":
-            text = extract_images(typeset_formulas(node.astext()), folder, f"{up}_images")
-            text = QUESTION.sub(lambda found: f'id="{make_id(f"question {found[1]}")}" {found[0]}', text)
-            node.children = [nodes.Text(text)]
-            node.rawsource = text
+    html = [node for node in doctree.findall(nodes.raw) if node.get("format") == "html"]
+    app.env.metadata[page].update(preview(app, page, "".join(node.astext() for node in html)))
+    taken, outputs = set(doctree.ids), []
+    for node in html:
+        text = extract_images(typeset_formulas(node.astext()), folder, f"{up}_images")
+        text, anchor = with_address(text, cell_of(node), page, taken)
+        outputs.append((text, anchor))
+        node.children = [nodes.Text(text)]
+        node.rawsource = text
+    if app.builder.name == "html":
+        write_pages(Path(app.outdir), page, app.env.titles[page].astext(), outputs)
 
 
 def formula_anchor(tag: str) -> str:
-    """Write the anchor of a numbered formula, which stands before it.
+    """Write the anchor of a numbered formula and its link to copy, which stand before it.
 
-    >>> formula_anchor("5")
-    '<span class="kinlib-anchor" id="formula-5" data-name="formula (5)"></span>'
+    >>> formula_anchor("5").partition("</span>")[0]
+    '<span class="kinlib-anchor" id="formula-5">'
     """
-    return f'<span class="kinlib-anchor" id="{make_id(f"formula {tag}")}" data-name="formula ({tag})"></span>'
+    anchor = make_id(f"formula {tag}")
+    return f'<span class="kinlib-anchor" id="{anchor}"></span>{permalink(anchor, f"formula ({tag})")}'
 
 
 def fold_side_tracks(_: Sphinx, doctree: nodes.document, page: str) -> None:

@@ -74,6 +74,8 @@ def remove_old_pages(app: Sphinx, failed: Exception | None) -> None:
     known = {*app.env.found_docs, "search"}
     for path in [] if failed else Path(app.outdir).rglob("*.html"):
         name = path.relative_to(app.outdir).with_suffix("").as_posix()
+        if name.startswith("embed/"):
+            name = path.parent.relative_to(Path(app.outdir) / "embed").as_posix()
         if name not in known and not name.startswith(("_static/", "lab/")):
             path.unlink()
 

@@ -109,12 +109,13 @@ def notebook_pages(executed: Mapping[Path, NotebookNode]) -> Iterator[tuple[str,
 
 
 def adapt(notebook: NotebookNode) -> NotebookNode:
-    """Make the links of a notebook lead to the pages of the site, and remove the marks that only tests need."""
+    """Make the links of a notebook lead to the pages of the site, name its cells, and remove the marks that only tests need."""
     for cell in notebook.cells:
         if cell.cell_type == "markdown":
             for old, new in LINK_TARGETS.items():
                 cell.source = re.sub(rf"\]\({old}", f"]({new}", cell.source)
         else:
+            cell.metadata["kinlib-cell"] = cell.get("id", "")  # names the addresses of its figures
             cell.source = cell.source.removeprefix(f"{NBVAL_MARK}\n")
             for data in (output["data"] for output in cell.outputs if "text/html" in output.get("data", {})):
                 for old, new in LINK_TARGETS.items():

@@ -14,6 +14,8 @@
     _('Your answers are lost when you leave the page.'),
   ].join(' ');
 
+  const FRAME_RESERVE_PX = 180; // in a frame of fixed height: for the reply to an answer, and the source
+
   const CONFIRM_DELETE =
     'Delete the record of the lectures that you have read, the questions that you have answered ' +
     'and the problems that you have solved?';
@@ -50,6 +52,8 @@
     }
   }
 
+  /** Create an element. live.js, which loads after this script, uses it too. */
+  window.kinlibElement = h;
   function h(tag, attributes = {}, ...children) {
     const element = document.createElement(tag);
     for (const [name, value] of Object.entries(attributes)) {
@@ -198,12 +202,15 @@
   const committed = (name) =>
     elementsNamed('data-misstep-question', name).some((section) => 'committed' in section.dataset);
 
+  /** Whether a picture waits for a question of this page. In a frame, it may be alone. */
+  const waits = ({ dataset: { kinlibAfter } }) => elementsNamed('data-misstep-question', kinlibAfter).length > 0;
+
   function uncoverViewerLater(element) {
     const name = element.dataset.kinlibAfter;
     const uncover = () => {
       element.dataset.uncovered = ''; // the viewer observes this attribute, and reads it when it starts
     };
-    if (committed(name)) uncover();
+    if (committed(name) || !waits(element)) uncover();
     document.addEventListener('kinlib-committed', ({ detail }) => detail === name && uncover());
   }
 
@@ -249,7 +256,7 @@
 
     show(begin);
     cover.hidden = true;
-    if (!name || committed(name) || !elementsNamed('data-misstep-question', name).length) return;
+    if (committed(name) || !waits(element)) return;
     cover.hidden = false;
     stage.hidden = true;
     bar.style.display = 'none';
@@ -433,19 +440,45 @@
 
   const addressOf = (hash) => location.href.split('#')[0] + hash;
 
-  /** Add a link to each question, numbered formula and mistake; headings have theirs already. */
-  function addPermalinks() {
-    for (const thing of all('.misstep-question[id], .kinlib-anchor[id], [id^="mistake-"]')) {
-      const name = thing.dataset.name ?? (thing.matches('.misstep-question') ? 'question' : 'mistake');
-      const title = _(
+  /** The titles of the links to single things are in the language of the page. */
+  function translatePermalinks() {
+    for (const link of all('a.kinlib-permalink')) {
+      const name = link.title.replace('Link to this ', '');
+      link.title = _(
         'Link to this %s',
         name.replace(/^\w+/, (kind) => _(kind)),
       );
-      const link = h('a', { class: 'kinlib-permalink', href: `#${thing.id}`, title }, '¶');
-      link.setAttribute('aria-label', title);
-      if (thing.matches('.misstep-question')) thing.querySelector('p').append(' ', link);
-      else thing.after(link);
+      link.setAttribute('aria-label', link.title);
     }
+  }
+
+  /** The joint values of a viewer that has started, as the end of an address; nothing if it shows no single arm. */
+  function configurationHash(viewer) {
+    const model = viewer?.querySelector('.kv')?.viewer.model;
+    if (!model?.get('scene')?.arms?.[0]?.links) return '';
+    return `#q=${model.get('q').map((value) => Number(value.toFixed(4)))}`;
+  }
+
+  /** Each link "Embed" becomes a button that copies the HTML of a frame, with the present configuration of the arm. */
+  function startEmbedButtons() {
+    for (const link of all('a.kinlib-embed-link')) {
+      const thing = link.closest('.misstep-question') ?? link.parentElement.previousElementSibling;
+      const frame = () => {
+        const height = Math.ceil(thing.offsetHeight) + FRAME_RESERVE_PX;
+        const title = document.title.replace(/"/g, '&quot;');
+        return `<iframe src="${link.href}${configurationHash(thing)}" title="${title}" width="100%" height="${height}" style="border: 0" loading="lazy"></iframe>`;
+      };
+      const button = copyButton('Embed', frame, link.className);
+      button.title = 'Copy the HTML that shows this on another page';
+      link.replaceWith(button);
+    }
+  }
+
+  /** In a frame on another page: send the height to that page, which may fit the frame to it. */
+  function sendHeight() {
+    const content = document.querySelector('.kinlib-embed > main');
+    if (!content) return;
+    new ResizeObserver(() => parent.postMessage({ kinlibHeight: content.offsetHeight }, '*')).observe(content);
   }
 
   /** Buttons that copy code, without the prompts of a console. */
@@ -469,7 +502,7 @@
 
   /** Before the viewer starts, put the values of the address into its state; afterwards, follow the address. */
   function startConfiguration() {
-    const [element, ...others] = all('[data-kinlib-viewer]:not([data-kinlib-after])');
+    const [element, ...others] = all('[data-kinlib-viewer]').filter((viewer) => !waits(viewer));
     const script = element?.querySelector('script[type="application/json"]');
     if (!script || others.length) return;
     const state = JSON.parse(script.textContent);
@@ -481,21 +514,17 @@
       if (model()) model().set('q', q);
       else script.textContent = JSON.stringify({ ...state, q });
     };
-    const values = () => (model()?.get('q') ?? state.q).map((value) => Number(value.toFixed(4)));
     follow();
     addEventListener('hashchange', follow);
-    element.after(
-      h(
-        'p',
-        { class: 'kinlib-buttons' },
-        copyButton('Copy a link to this configuration', () => addressOf(`#q=${values().join(',')}`)),
-      ),
-    );
+    const hash = () => configurationHash(element) || `#q=${state.q}`;
+    element.nextElementSibling?.prepend(copyButton('Copy a link to this configuration', () => addressOf(hash())));
   }
 
   document.documentElement.classList.remove('no-js');
   startConfiguration();
-  addPermalinks();
+  translatePermalinks();
+  startEmbedButtons();
+  sendHeight();
   addCopyButtons();
   startContent(document);
   // live.js adds outputs of cells that the reader runs; a self-check that was run again can be answered again

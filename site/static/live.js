@@ -24,16 +24,7 @@
   const NOT_RUN = 'Not run, because a cell above ended with an error. Run it again to go on without that cell.';
   const NEEDS_LAB = 'This output has buttons that need Python all the time: ';
 
-  function h(tag, attributes = {}, ...children) {
-    const element = document.createElement(tag);
-    for (const [name, value] of Object.entries(attributes)) {
-      if (name.startsWith('on')) element.addEventListener(name.slice(2), value);
-      else if (value !== false) element.setAttribute(name, value === true ? '' : value);
-    }
-    element.append(...children);
-    return element;
-  }
-
+  const h = window.kinlibElement; // of course.js
   const labLink = () => h('a', { href: note.dataset.kinlibRun }, 'open this lecture in the lab');
   const load = (name) =>
     new Promise((resolve, reject) => {

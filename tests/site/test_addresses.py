@@ -1,13 +1,14 @@
-"""Single things have addresses: questions, formulas, mistakes, and the configuration of an arm; and the home page shows cards."""
+"""Single things have addresses: questions, formulas, mistakes, figures, and the configuration of an arm; frames; the home page."""
 
 import json
 import re
+import struct
 import tomllib
 
 import pytest
 from browser import watched
 from built_site import SITE
-from kinsite import demonstration
+from kinsite import demonstration, embeds, preview_cards
 
 from kincourse import open_sheet
 
@@ -24,6 +25,9 @@ def page(chromium):
         ("lectures/03_poe_space.html#question-03-recall-2", "question"),
         ("lectures/03_poe_space.html#formula-6", "formula (6)"),
         ("mistakes/03_poe_space.html#mistake-03-2-halves-swapped", "mistake"),
+        ("lectures/03_poe_space.html#figure-the-chain", "figure"),
+        ("lectures/03_poe_space.html#figure-helical-observe", "figure"),
+        ("robots/youbot.html#figure", "figure"),
     ],
 )
 def test_a_single_thing_has_an_address_and_a_link_that_is_reached_with_the_keyboard(page, site_address, name, kind):
@@ -60,6 +64,94 @@ def test_an_address_with_joint_values_opens_the_arm_in_this_configuration(page, 
     assert page.evaluate("navigator.clipboard.readText()") == f"{site_address}/robots/youbot.html#q=1,1,1,1,1"
 
 
+# --- frames on other pages ---
+
+
+LISTENER = """addEventListener('message', ({ source, data }) => {
+  for (const frame of document.querySelectorAll('iframe'))
+    if (frame.contentWindow === source && data.kinlibHeight) frame.style.height = `${data.kinlibHeight}px`;
+});"""
+"""The script that site/instructors.md offers, so that a frame fits its content."""
+
+
+def copied_frame(page, thing):
+    """Press "Embed" below a thing, and return the HTML that is copied."""
+    page.context.grant_permissions(["clipboard-read", "clipboard-write"])
+    page.locator(thing).get_by_role("button", name="Embed").click()
+    page.get_by_role("button", name="Copied").wait_for()
+    return page.evaluate("navigator.clipboard.readText()")
+
+
+def test_a_question_can_be_answered_in_a_frame_on_another_page_which_fits_it(chromium_without_webgl, site_address):
+    with watched(chromium_without_webgl) as page:
+        page.goto(f"{site_address}/lectures/03_poe_space.html")
+        html = copied_frame(page, "#question-03-recall-2")
+        assert '" title="The product of exponentials in the space frame - Forward kinematics" width="100%"' in html
+        page.goto("about:blank")
+        page.set_content(f"<script>{LISTENER}</script>{html}")
+        frame, height = page.frame_locator("iframe"), "document.querySelector('iframe').offsetHeight"
+        page.wait_for_function("document.querySelector('iframe').style.height")
+        before = page.evaluate(height)
+        frame.locator(".kinlib-choice").first.click()
+        frame.get_by_text("A is not correct").wait_for()
+        page.wait_for_function(f"{height} > {before} + 50")
+        back = frame.get_by_role("link", name="The product of exponentials in the space frame")
+        assert back.evaluate("link => link.href") == f"{site_address}/lectures/03_poe_space.html#question-03-recall-2"
+        assert back.evaluate("() => document.querySelector('base').target") == "_blank"
+
+
+def test_the_frame_of_a_prediction_has_its_picture_and_its_explanation(site_folder):
+    html = (site_folder / "embed/lectures/03_poe_space/question-03-order.html").read_text("utf-8")
+    assert re.findall(r'data-(\S+)="03/order"', html) == ["misstep-question", "kinlib-after", "misstep-explain"]
+
+
+def test_an_arm_is_embedded_in_its_present_configuration(page, site_address):
+    page.goto(f"{site_address}/robots/youbot.html#q=0.1,0.2,-0.3,0.4,0.5")
+    page.wait_for_function("document.querySelector('.kv')?.viewer.model.get('q')")
+    address = re.search(r'src="([^"]+)"', copied_frame(page, "article"))[1]
+    assert address == f"{site_address}/embed/robots/youbot/figure.html#q=0.1,0.2,-0.3,0.4,0.5"
+    page.goto(address)
+    page.wait_for_function("document.querySelector('.kv')?.viewer.model.get('q')[1] === 0.2")
+
+
+def test_a_viewer_that_waits_for_a_question_is_uncovered_in_a_frame_of_its_own(page, site_address):
+    page.goto(f"{site_address}/embed/lectures/03_poe_space/figure-helical-observe.html")
+    page.wait_for_function("document.querySelector('.kv')?.viewer.model.get('covered') === false")
+
+
+def test_every_page_for_a_frame_is_complete_and_leads_back_to_its_section(site_folder):
+    paths = sorted((site_folder / "embed").rglob("*.html"))
+    assert len([path for path in paths if path.name.startswith("question-")]) > 100
+    assert {path.parent.name for path in paths if path.name == "figure.html"} >= {"youbot", "puma560", "bennett"}
+    faults = []
+    for path in paths:
+        text = path.read_text("utf-8")
+        base = (path.parent / re.search(r'<base href="([^"]+)"', text)[1]).resolve()
+        fragment = re.search(r'From <a href="\w+\.html#([^"]+)"', text)[1]
+        if f'id="{fragment}"' not in base.read_text("utf-8"):
+            faults.append(f"{base.name} has no #{fragment}")
+        files = re.findall(r'(?:src|href)="((?:\.\./)*_[^"#?]+)', text)
+        faults += [f"{path.name}: {name} is missing" for name in files if not (base.parent / name).exists()]
+    assert not faults, faults[:5]
+
+
+def test_what_is_removed_from_a_page_is_removed_from_its_frames(tmp_path):
+    question, figure = '<p data-misstep-question="05/a">Why?</p>', "<div data-kinlib-viewer></div>"
+    taken = set()
+    outputs = [embeds.with_address(html, "row", "lectures/05", taken) for html in (question, figure, figure)]
+    assert [anchor for _, anchor in outputs] == ["question-05-a", "figure-row", "figure-row-2"]
+    embeds.write_pages(tmp_path, "lectures/05", "Title", outputs)
+    embeds.write_pages(tmp_path, "lectures/05", "Title", outputs[:2])
+    assert {path.stem for path in tmp_path.rglob("*.html")} == {"question-05-a", "figure-row"}
+
+
+def test_the_guide_offers_the_script_that_fits_a_frame():
+    assert "".join(LISTENER.split()) in "".join((SITE / "instructors.md").read_text("utf-8").split())
+
+
+# --- the home page and its metadata ---
+
+
 def test_the_home_page_shows_the_card_of_each_wrong_answer_without_a_script(chromium, site_address):
     messages = {mistake.name: mistake.message for mistake in known_mistakes()}
     with watched(chromium, java_script_enabled=False) as page:
@@ -91,6 +183,26 @@ def test_the_home_page_describes_the_course_to_search_engines(site_folder):
     course = json.loads(re.search(r'<script type="application/ld\+json">(.*?)</script>', html, re.DOTALL)[1])
     assert course["@type"] == "Course"
     assert "Sitemap: http" in (site_folder / "robots.txt").read_text("utf-8")
+
+
+def test_a_lecture_and_a_robot_have_a_picture_of_their_own_for_other_sites(site_folder):
+    pictures = set()
+    for page in ("lectures/03_poe_space", "lectures/08_closed_chains", "robots/youbot", "robots/bennett"):
+        html = (site_folder / f"{page}.html").read_text("utf-8")
+        name = re.search(r'property="og:image" content="http[^"]*/(_images/preview-\w+\.png)"', html)[1]
+        data = (site_folder / name).read_bytes()
+        assert struct.unpack(">II", data[16:24]) == preview_cards.SIZE
+        assert len(data) > 10_000, "the drawing is missing"
+        pictures.add(name)
+    assert len(pictures) == 4
+
+
+def test_the_metadata_of_every_notebook_s_page_is_valid(site_folder):
+    pages = [path for folder in ("lectures", "sheets") for path in (site_folder / folder).glob("[01]*.html")]
+    found = [re.search(r'ld\+json">(.*?)</script>', path.read_text("utf-8"), re.DOTALL)[1] for path in pages]
+    described = [json.loads(text) for text in found]
+    assert {item["learningResourceType"] for item in described} == {"lecture", "exercise"}
+    assert len({item["url"] for item in described}) == len(pages) > 20
 
 
 def test_without_a_repository_no_page_links_to_one(site_folder):

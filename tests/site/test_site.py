@@ -14,7 +14,17 @@ from urllib.parse import unquote, urlsplit
 import pytest
 from browser import unwatched, watched
 from built_site import ROOT, SITE
-from kinsite import STRICT, cell_outputs, execute, page_template, search_index, sphinx_source, translation
+from kinsite import (
+    STRICT,
+    cell_outputs,
+    embeds,
+    execute,
+    page_template,
+    preview_cards,
+    search_index,
+    sphinx_source,
+    translation,
+)
 from kinsite.generated import census, gallery, mistakes, reference
 from kinsite.translation import original_page
 from lessons import plain_words, words_of
@@ -45,6 +55,7 @@ KINDS = {
     "missing": "no/such/page.html",
     "phone": "lectures/00_start_here.html",
     "translation": "lectures/de/00_start_here.html",
+    "frame": "embed/lectures/03_poe_space/question-03-order.html",
 }
 
 PHONE = {"width": 360, "height": 780}
@@ -64,7 +75,7 @@ def pages(site_folder):
     return sorted(
         path.relative_to(site_folder).as_posix()
         for path in site_folder.rglob("*.html")
-        if not {"_static", "lab"} & set(path.parts)
+        if not {"_static", "lab", "embed"} & set(path.relative_to(site_folder).parts)
     )
 
 
@@ -378,10 +389,12 @@ def test_what_belongs_to_one_student_is_left_out_of_a_message(messages, common):
     [
         cell_outputs,
         census,
+        embeds,
         execute,
         gallery,
         mistakes,
         page_template,
+        preview_cards,
         reference,
         search_index,
         sphinx_source,

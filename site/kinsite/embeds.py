@@ -1,0 +1,105 @@
+"""Addresses of questions and figures, and for each question, viewer and slider a small page that other sites can show in a frame.
+
+The page is embed/<page>/<id>.html. It contains the HTML that the lecture has, so both always show the same.
+"""
+
+import re
+import shutil
+from html import escape
+from pathlib import Path
+
+from docutils import nodes
+from docutils.nodes import make_id
+
+from kinsite.translation import original_page
+
+QUESTION = re.compile(r'data-misstep-question="([^"]+)"')
+FIGURE = re.compile(r'<div data-kinlib-(?:viewer|slides)|<figure class="kinlib-figure"')
+ANSWERED_WITH = re.compile(r'data-(?:misstep-question|misstep-explain|kinlib-after)="([^"]+)"')
+"""The name of a question: at the question itself, at its explanation, and at a picture that waits for its answer."""
+
+PAGE = """\
+<!doctype html>
+<html lang="en" class="no-js" data-content_root="{up}"><head><meta charset="utf-8"><base href="{base}" target="_blank">
+<meta name="viewport" content="width=device-width,initial-scale=1"><meta name="color-scheme" content="light dark">
+<meta name="robots" content="noindex"><title>{kind}: {title}</title>
+<link rel="icon" href="{up}_static/favicon.svg">
+<link rel="stylesheet" href="{up}_static/styles/furo.css"><link rel="stylesheet" href="{up}_static/katex/katex.min.css">
+<link rel="stylesheet" href="{up}_static/course.css">
+<script defer src="{up}_static/course.js"></script><script defer src="{up}_static/loader.js"></script>
+</head><body class="kinlib-embed" data-theme="auto"><main><article><h1 class="visually-hidden">{kind}: {title}</h1>
+{html}
+<p class="kinlib-about">From <a href="{page}.html#{anchor}">{title}</a>, a page of the course
+<a href="{up}index.html">Forward kinematics</a>. Licence: CC BY 4.0.</p></article></main></body></html>
+"""
+"""Its links are relative to the page of the lecture, and open outside of the frame."""
+
+
+def permalink(anchor: str, name: str) -> str:
+    """Write the link to copy of a single thing.
+
+    >>> permalink("figure-row", "figure")
+    '<a class="kinlib-permalink" href="#figure-row" title="Link to this figure" aria-label="Link to this figure">¶</a>'
+    """
+    return f'<a class="kinlib-permalink" href="#{anchor}" title="Link to this {name}" aria-label="Link to this {name}">¶</a>'
+
+
+def with_address(html: str, cell: str, page: str, taken: set[str]) -> tuple[str, str]:
+    """Give an output its id, and below or in it the links to copy. Returns the HTML and the id; no id if it has no address.
+
+    The id of a figure is the name of its cell, which stays when figures are added before it.
+
+    >>> with_address('<figure class="kinlib-figure"></figure>', "row", "lectures/05", {"figure-row"})[1]
+    'figure-row-2'
+    """
+    question = QUESTION.search(html)
+    start = question or FIGURE.search(html)
+    if start is None:
+        return html, ""
+    wanted = make_id(f"question {question[1]}" if question else f"figure {cell}")
+    anchor = next(name for k in range(1, 100) if (name := f"{wanted}-{k}" if k > 1 else wanted) not in taken)
+    taken.add(anchor)
+    place = start.start() if question else start.end()
+    html = f'{html[:place]}{"" if question else " "}id="{anchor}"{" " if question else ""}{html[place:]}'
+    links = permalink(anchor, "question" if question else "figure")
+    if not question and start[0].startswith("<figure"):
+        end = "</figcaption>" if "</figcaption>" in html else "</figure>"
+        return html.replace(end, f" {links}{end}", 1), anchor
+    up = "../" * page.count("/")
+    links += f' <a class="kinlib-embed-link" href="{up}embed/{original_page(page)[0]}/{anchor}.html">Embed</a>'
+    return html.replace(
+        "</p>", f" {links}</p>", 1
+    ) if question else f'{html}<p class="kinlib-buttons">{links}</p>', anchor
+
+
+def write_pages(built: Path, page: str, title: str, outputs: list[tuple[str, str]]) -> None:
+    """Write the pages for frames of one page of the site, and remove those of an earlier build.
+
+    outputs  the HTML of each output, and its id or nothing
+    """
+    folder = built / "embed" / page
+    shutil.rmtree(folder, ignore_errors=True)
+    if original_page(page)[1]:
+        return  # a translation leads to the frames of its original
+    names = [found[1] if (found := ANSWERED_WITH.search(html)) else "" for html, _ in outputs]
+    for (html, anchor), name in zip(outputs, names, strict=True):
+        is_question = anchor.startswith("question-")
+        if "kinlib-embed-link" not in html:
+            continue
+        # a prediction is explained elsewhere on its page, and a picture may wait for it
+        shown = (
+            [other for (other, _), its in zip(outputs, names, strict=True) if its == name] if is_question else [html]
+        )
+        folder.mkdir(parents=True, exist_ok=True)
+        text = PAGE.format(
+            up="../" * page.count("/"), base="../" * (page.count("/") + 2) + f"{page}.html", page=page.rpartition("/")[2],
+            kind="Question" if is_question else "Figure", title=escape(title), anchor=anchor, html="\n".join(shown),
+        )  # fmt: skip
+        (folder / f"{anchor}.html").write_text(text, "utf-8")
+
+
+def cell_of(node: nodes.Node) -> str:
+    """Return the name of the notebook's cell that a node is an output of; nothing on other pages."""
+    while node is not None and "cell_metadata" not in getattr(node, "attributes", {}):
+        node = node.parent
+    return str(node["cell_metadata"].get("kinlib-cell", "")) if isinstance(node, nodes.Element) else ""
