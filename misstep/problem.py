@@ -30,7 +30,7 @@ SEPARATION_TOLERANCES = 10
 class Problem:
     """One student's problem, with its numbers: the statement, the given values, the right answer and the mistakes.
 
-    statement  Markdown with $...$ for mathematics
+    statement  Markdown with `$...$` for mathematics
     mistakes   the mistakes that are no mutants of the solution
     given      the given values by name; students get them by sheet.given(k), so they need not type them
     figure     a function that draws the figure; it is called only when the problem is shown

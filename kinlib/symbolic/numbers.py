@@ -55,7 +55,7 @@ def joints(n: int) -> tuple[sp.Symbol, ...]:
 
 
 def shorthand(expression: Any, *, digits: int | None = None) -> Any:
-    """Abbreviate cos(q_1) as c_1 and sin(q_2 + q_3) as s_23, as on a blackboard: symbols that notebooks print as $s_{23}$.
+    """Abbreviate cos(q_1) as c_1 and sin(q_2 + q_3) as s_23, as on a blackboard: symbols that notebooks print as `$s_{23}$`.
 
     An expression or a matrix in q_i or theta_i -> the same, for display only: compute with the original. Angles with an index
     above 9 have no shorthand, because s_12 could then mean the sine of one angle or of the sum of two.

@@ -48,6 +48,28 @@ def test_a_package_that_the_lab_cannot_import_is_named(built):
     assert list(check.missing(built)) == [f"{check.LOCK_FILE}: misstep", f"{check.LOCK_FILE}: kincourse"]
 
 
+@pytest.mark.parametrize(
+    "text", ["the *fixed* axes", "see `fk`", "$q$", r"\alpha", "an _own_ frame", "[x](y.md)", "to to turn"]
+)
+def test_literal_markup_and_a_doubled_word_are_named(tmp_path, text):
+    (tmp_path / "page.html").write_text(
+        f'<article role="main"><p>Before</p><p>Here is <b>{text}</b>.</p></article>', "utf-8"
+    )
+    (fault,) = check.literal_markup(tmp_path)
+    assert fault.startswith("page.html: ")
+    assert text in fault.replace("\\\\", "\\")
+
+
+def test_code_signatures_and_quotations_are_no_literal_markup(tmp_path):
+    prose = '<code>a*b*c</code><dt class="sig py">f(*args, **options)</dt> q_1 and q_2, 3 * 4 * 5 \u201cfor for\u201d'
+    (tmp_path / "page.html").write_text(f'<article role="main"><p>{prose}</p></article>', "utf-8")
+    assert list(check.literal_markup(tmp_path)) == []
+
+
+def test_no_page_shows_literal_markup(site_folder):
+    assert list(check.literal_markup(site_folder)) == []
+
+
 def test_nothing_is_published_before_the_site_is_checked_and_all_tests_have_passed():
     jobs = yaml.safe_load((ROOT / ".github/workflows/site.yml").read_text("utf-8"))["jobs"]
     assert jobs["test"]["uses"] == "./.github/workflows/test.yml"

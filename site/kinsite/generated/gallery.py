@@ -1,6 +1,7 @@
 """The gallery: each robot and linkage of the course as an interactive figure, with axes, screws, DH tables and source."""
 
 import inspect
+import re
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass
 from fractions import Fraction
@@ -19,6 +20,7 @@ from kinlib.mechanisms.mechanism import Mechanism
 from kinlib.view import draw_arm, drive, explore
 from kinlib.view.drawing.dark_theme import follow_theme
 from kinlib.view.drawing.picture import Picture
+from kinlib.view.drawing.svg import GREEK
 from kinlib.view.figures.linkage import draw_linkage
 from kinsite.generated.reference import escape, prose
 from misstep.display.text import matrix, number
@@ -43,6 +45,8 @@ START_CONFIGURATIONS: dict[str, ArrayLike] = {
 """The guesses from which linkages are assembled that do not close at 0, or that look flat there."""
 
 PARAGRAPH_BREAK = "\n\n"
+GREEK_NAME = re.compile(rf"\b({'|'.join(GREEK)})\b")
+"""The name of a Greek letter, as it stands in a docstring."""
 
 CURVE_POINTS = 160
 """Configurations along the curve of a linkage with one degree of freedom."""
@@ -161,7 +165,8 @@ def page(entry: Entry) -> str:
     call = f"kl.{'.'.join(function.split('.')[-2:])}"
     # the reference says what the function raises, and the source follows below
     paragraphs = [text for text in entry.docstring.split(PARAGRAPH_BREAK) if not text.startswith(("Raises", "Source:"))]
-    head = f"# {escape(entry.robot.name)}\n\n{prose(PARAGRAPH_BREAK.join(paragraphs))}\n"
+    text = GREEK_NAME.sub(lambda found: GREEK[found[0]], PARAGRAPH_BREAK.join(paragraphs))
+    head = f"# {escape(entry.robot.name)}\n\n{prose(text)}\n"
     source = f"**Source.** {escape(entry.robot.source)}. In Python it is {{py:func}}`{call} <{function}>`."
     tables = arm_tables(entry.robot) if isinstance(entry.robot, Chain) else linkage_table(entry.function, entry.robot)
     return "\n\n".join([head, raw_html(figure(entry)), source, tables]) + "\n"

@@ -204,9 +204,13 @@ def paragraph(block: str) -> str:
 
 
 def escape(text: str) -> str:
-    """Escape the special characters of Markdown in a text, except in `code`."""
-    parts = re.split(r"(`[^`]+`)", text)
-    return "".join(part if part[:1] == "`" and len(part) > 1 else SPECIAL.sub(r"\\\1", part) for part in parts)
+    r"""Escape the special characters of Markdown in a text, except in `code` and around *one emphasised word*.
+
+    >>> escape("the *fixed* axes of `a_1`, **options")
+    'the *fixed* axes of `a_1`, \\*\\*options'
+    """
+    parts = re.split(r"(`[^`]+`|(?<![\w*])\*[a-z]+\*(?![\w*]))", text)
+    return "".join(part if index % 2 else SPECIAL.sub(r"\\\1", part) for index, part in enumerate(parts))
 
 
 def first_line(module: ModuleType) -> str:
