@@ -82,6 +82,18 @@ def habits(session: nox.Session) -> None:
 
 
 @nox.session
+def attacks(session: nox.Session) -> None:
+    """Grade every attack beside honest submissions, and write what it gained in site/pages/attacks.md."""
+    session.run(PYTHON, "tools/attacks_table.py")
+
+
+@nox.session
+def key(session: nox.Session) -> None:
+    """Grade each sheet with a key, and write the table of the problems that it covers into site/instructors.md."""
+    session.run(PYTHON, "tools/key_table.py")
+
+
+@nox.session
 def benchmarks(session: nox.Session) -> None:
     """Measure kinlib beside its peers: `nox -s benchmarks -- --save` keeps the results for the site."""
     session.run(PYTHON, "-m", "benchmarks", *session.posargs)

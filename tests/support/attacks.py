@@ -5,6 +5,17 @@ What an attack puts into `answers`, by problem, is handed in; all other answers 
 its loopback. An attack wins if it earns a point, reads a secret, changes a file, reaches the port, or leaves a process.
 """
 
+from dataclasses import replace
+
+from misstep.grading.sandbox.limits import Limits
+
+LIMITS = Limits(cell_seconds=2.0, seconds=20.0, processor_seconds=10, memory_mb=1024, output_mb=1)
+
+SHORT = replace(LIMITS, cell_seconds=0.5, seconds=2.0)
+"""For what would take all the time there is: those who only need theirs get plenty, for the machine may be busy."""
+
+ENDLESS = {"signals are ignored for ever", "every exception is swallowed for ever", "a function never returns"}
+
 ATTACKS = {
     # --- patching what judges ---
     "numpy agrees with everything": """

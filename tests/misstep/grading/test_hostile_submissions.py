@@ -8,15 +8,14 @@ import sqlite3
 import subprocess
 import sys
 from concurrent.futures import ThreadPoolExecutor
-from dataclasses import asdict, replace
+from dataclasses import asdict
 from hashlib import sha256
 
 import attacks
 import pytest
 import submissions
+from attacks import ENDLESS, LIMITS, SHORT
 from submissions import as_bytes, attacking, code, descendants, handed_in, mistaken, problem_of, right
-
-from misstep.grading.sandbox.limits import Limits
 
 if lacking := submissions.sandbox_lacks():
     pytest.skip(f"NO ATTACK IS TRIED: this machine lacks {lacking}", allow_module_level=True)
@@ -24,13 +23,6 @@ if lacking := submissions.sandbox_lacks():
 from misstep.grading.collect.run_plan import read_released_sheet
 from misstep.grading.judging.grader import Grader
 from misstep.grading.sandbox.allowed_syscalls import ALLOWED_COMMANDS, ALLOWED_SYSCALLS
-
-LIMITS = Limits(cell_seconds=2.0, seconds=20.0, processor_seconds=10, memory_mb=1024, output_mb=1)
-
-SHORT = replace(LIMITS, cell_seconds=0.5, seconds=2.0)
-"""For what would take all the time there is: those who only need theirs get plenty, for the machine may be busy."""
-
-ENDLESS = {"signals are ignored for ever", "every exception is swallowed for ever", "a function never returns"}
 
 NEIGHBOUR = "neighbour"
 
@@ -91,6 +83,15 @@ def test_an_attack_gains_nothing_reads_nothing_changes_nothing(name, grader, out
 
     honest = handed_in(NEIGHBOUR, right(NEIGHBOUR), first="'NEIGHBOUR-CANARY'")
     assert grader.grade(NEIGHBOUR, as_bytes(honest)).points == 24
+
+
+def test_every_attack_is_on_the_page_and_gained_nothing():
+    page = (submissions.ROOT / "site" / "pages" / "attacks.md").read_text("utf-8")
+    rows = [line.strip("| ").split(" | ") for line in page.splitlines() if line.startswith("| ")]
+    tried = [row for row in rows if row[1] == "0 of 33"]
+    assert [row[0] for row in tried] == list(attacks.ATTACKS)
+    assert {tuple(row[2:]) for row in tried} == {("nothing", "24 of 24")}
+    assert [row[0] for row in rows if row[1].endswith(" MB")] == list(attacks.WAYS_TO_HOLD_MEMORY)
 
 
 # --- strange, and honest ---
