@@ -43,7 +43,7 @@ ENVIRONMENT = {
 
 def main(descriptor: int, is_safe: bool) -> None:
     """Prepare, report that the server is ready or which layer is unavailable, and fork until the socket closes."""
-    gc.disable()  # nothing of what is imported becomes garbage
+    gc.disable()  # next to nothing of what is imported becomes garbage
     with socket.socket(fileno=descriptor) as parent:
         with parent.makefile("rb") as stream:
             setup = CourseSetup(**(receive_message(stream) or {}))
@@ -56,7 +56,6 @@ def main(descriptor: int, is_safe: bool) -> None:
         except SandboxUnavailable as error:
             parent.send(json.dumps({"unavailable": str(error)}).encode())
             return
-        gc.collect()
         gc.freeze()  # a collection in a child would touch every object, and so copy every page of memory
         gc.enable()
         parent.send(b'{"unavailable": null}')
