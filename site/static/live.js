@@ -370,6 +370,7 @@
 
   /** Links between notebooks lead to the pages of the site. */
   function siteLinks(html) {
+    const root = document.documentElement.dataset.content_root; // a translation is one folder further down
     const id = (section) =>
       decodeURIComponent(section ?? '')
         .toLowerCase()
@@ -377,11 +378,11 @@
         .replace(/^[-0-9]+|-+$/g, '');
     return html
       .replace(/href="(?:\.\.\/)+notebooks\/(\w+)\.ipynb(?:#([^"]*))?"/g, (_, name, section) => {
-        return `href="../lectures/${name}.html${section ? `#${id(section)}` : ''}"`;
+        return `href="${root}lectures/${name}.html${section ? `#${id(section)}` : ''}"`;
       })
-      .replace(/href="(?:\.\.\/)+exercises\/(\w+)\/\1\.ipynb"/g, 'href="../sheets/$1.html"')
+      .replace(/href="(?:\.\.\/)+exercises\/(\w+)\/\1\.ipynb"/g, `href="${root}sheets/$1.html"`)
       .replace(/href="(?!\w+:)([\w./]+)\.ipynb(?:#([^"]*))?"/g, (_, path, section) => {
-        return `href="${path}.html${section ? `#${id(section)}` : ''}"`;
+        return `href="${root}lectures/${path}.html${section ? `#${id(section)}` : ''}"`;
       });
   }
 
