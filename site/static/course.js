@@ -466,7 +466,8 @@
       const frame = () => {
         const height = Math.ceil(thing.offsetHeight) + FRAME_RESERVE_PX;
         const title = document.title.replace(/"/g, '&quot;');
-        return `<iframe src="${link.href}${configurationHash(thing)}" title="${title}" width="100%" height="${height}" style="border: 0" loading="lazy"></iframe>`;
+        const shown = `src="${link.href}${configurationHash(thing)}" title="${title}"`;
+        return `<iframe ${shown} width="100%" height="${height}" style="border: 0" loading="lazy"></iframe>`;
       };
       const button = copyButton('Embed', frame, link.className);
       button.title = 'Copy the HTML that shows this on another page';
