@@ -28,6 +28,8 @@ LINKS = re.compile(r'\b(href|src)="(?![a-z]+:|//)([^"#]*)(#[^"]*)?"')
 QUESTION = re.compile(r'data-misstep-question="([^"]+)"[^>]*data-right="(\d)".*?</ol></div>', re.DOTALL)
 EXPLANATION = re.compile(r'<div [^>]*data-misstep-explain="([^"]+)".*?</details></div>', re.DOTALL)
 REASON = re.compile(r'<p class="misstep-why"><strong>[^<]*</strong>\s*(.*?)</p>', re.DOTALL)
+SLIDES = re.compile(r"<div data-kinlib-slides.*?</figure></div>(?!<div data-value)", re.DOTALL)
+SLIDE = re.compile(r"<div data-value=.*?</figure></div>", re.DOTALL)
 LESSON = re.compile(r'<div class="misstep-lesson">(.*?)</div>', re.DOTALL)
 OPTION_LETTERS = "ABCDEFGH"
 OUTLINE_ENTRY = (rb"/Title (\(.*?(?<!\\)\)|<[^>]+>)", rb"/Dest \[(\d+) 0 R", rb"/Parent (\d+) 0 R")
@@ -46,8 +48,21 @@ DOCUMENT = """\
 <p>On the website you can move the arms, answer the questions and run every cell: <a href="{address}">{address}</a></p></section>
 <nav class="kinlib-contents"><h2>Contents</h2><ul>{contents}</ul></nav>
 {articles}
-</body></html>
+<script>{fit}</script></body></html>
 """
+
+FIT_FORMULAS = """
+const formulas = [...document.querySelectorAll('.katex-display > .katex')];
+const show = (display) => formulas.forEach((formula) => { formula.style.display = display; });
+show('inline-block');
+const shrink = formulas.map((formula) => 720 / formula.getBoundingClientRect().width);
+show('');
+formulas.forEach((formula, i) => { if (shrink[i] < 1) formula.parentElement.style.fontSize = `${shrink[i]}em`; });
+"""
+"""Shrinks the formulas that are wider than a page: 720 pixels of the screen are 45 em, and a line of a page has 47."""
+
+MAX_SLIDES = 6
+"""How many pictures of a slider are printed, from its first position to its last."""
 
 RUNNING_HEAD = """\
 @page {name} {{ @top-right {{ content: "{title}"; font: 8.5pt sans-serif; color: #57606a; }} }}
@@ -64,7 +79,7 @@ def compose_document(
     built    the folder that the pages were built into
     folder   the same folder, relative to the document
     address  the address of the published site; links to pages that are not printed lead there
-    numbers  for the title of each page the number of the sheet of paper on which it begins, once that is known
+    numbers  for the squeezed title of each page the number of the sheet of paper on which it begins, once that is known
     """
     texts = {page: found[1] for page in pages if (found := ARTICLE.search((built / page).read_text("utf-8")))}
     titles = {
@@ -72,7 +87,7 @@ def compose_document(
         for page, text in texts.items()
     }
     contents = "".join(
-        f'<li><a href="#{anchor(page)}">{label(page, title)}</a> <span>{numbers.get(plain(title), "")}</span></li>'
+        f'<li><a href="#{anchor(page)}">{label(page, title)}</a> <span>{numbers.get(squeeze(plain(title)), "")}</span></li>'
         for page, title in titles.items()
     )
     heads = "\n".join(
@@ -85,7 +100,7 @@ def compose_document(
     )
     today = datetime.now(UTC).date().isoformat()
     return DOCUMENT.format(
-        folder=folder, address=address, contents=contents, articles=articles, heads=heads,
+        folder=folder, address=address, contents=contents, articles=articles, heads=heads, fit=FIT_FORMULAS,
         author="The kinlib authors", version=kinlib.__version__, date=today,
     )  # fmt: skip
 
@@ -99,6 +114,15 @@ def plain(title: str) -> str:
     return unescape(re.sub(r"<[^>]+>", "", title)).strip()
 
 
+def squeeze(title: str) -> str:
+    """Remove the spaces from a title: in its outline, Chromium leaves out the space at which a heading was broken.
+
+    >>> squeeze("Closed chains")
+    'Closedchains'
+    """
+    return "".join(title.split())
+
+
 def label(page: str, title: str) -> str:
     """Return the title of a page with the number of the lecture, if it has one.
 
@@ -110,14 +134,17 @@ def label(page: str, title: str) -> str:
 
 
 def page_numbers(pdf: bytes) -> dict[str, int]:
-    """Read from the outline of a PDF by Chromium on which sheet of paper each heading of the first level begins."""
+    """Read from the outline of a PDF by Chromium on which sheet of paper each heading of the first level begins.
+
+    Returns the numbers by the squeezed headings.
+    """
     objects = dict(re.findall(rb"^(\d+) 0 obj\n(.*?)\nendobj", pdf, re.DOTALL | re.MULTILINE))
     order = [number for number, text in objects.items() if b"/Type /Page\n" in text]
     numbers = {}
     for text in objects.values():
         title, target, parent = (re.search(pattern, text, re.DOTALL) for pattern in OUTLINE_ENTRY)
         if title and target and parent and b"/Title" not in objects[parent[1]]:
-            numbers[outline_text(title[1])] = order.index(target[1]) + 1
+            numbers[squeeze(outline_text(title[1]))] = order.index(target[1]) + 1
     return numbers
 
 
@@ -157,7 +184,16 @@ def adapt(html: str, page: str, printed: Collection[str], folder: str, address: 
     html = html.replace(' loading="lazy"', "")
     # pictures that wait for a prediction, sections and code that may be skipped
     html = re.sub(r'<details(?! class="misstep-option")', "<details open", html)
-    return move_answers(html)
+    return move_answers(SLIDES.sub(lambda found: thin_out(found[0]), html))
+
+
+def thin_out(slides: str) -> str:
+    """Keep at most MAX_SLIDES pictures of a slider, evenly from the first to the last."""
+    pictures = SLIDE.findall(slides)
+    gaps = max(1, min(MAX_SLIDES, len(pictures)) - 1)
+    kept = {round(k * (len(pictures) - 1) / gaps) for k in range(gaps + 1)}
+    numbers = iter(range(len(pictures)))
+    return SLIDE.sub(lambda found: found[0] if next(numbers) in kept else "", slides)
 
 
 def move_answers(html: str) -> str:

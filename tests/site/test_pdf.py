@@ -12,7 +12,7 @@ import kinlib
 SITE = Path(__file__).parents[2] / "site"
 sys.path.insert(0, str(SITE))
 
-from kinsite.pdf_document import compose_document, page_numbers  # noqa: E402
+from kinsite.pdf_document import compose_document, page_numbers, squeeze, thin_out  # noqa: E402
 from pdf import write_pdf  # noqa: E402
 
 from misstep.questions.item import Item, Option  # noqa: E402
@@ -32,13 +32,16 @@ QUESTIONS_HTML = "".join(question_html(f"01/{item.name}", item) for item in QUES
 )
 
 
+LONG = "Two: a title that is broken, because it is longer than a line of the page"
+
+
 @pytest.fixture
 def built(tmp_path):
     folder = tmp_path / "html"
     (folder / "lectures").mkdir(parents=True)
     shutil.copytree(SITE / "static", folder / "_static")
     (folder / "lectures/one.html").write_text(PAGE.format(title="One", text=ONE.format(questions=QUESTIONS_HTML)))
-    (folder / "lectures/two.html").write_text(PAGE.format(title="Two", text='<p id="there">Two.</p>'))
+    (folder / "lectures/two.html").write_text(PAGE.format(title=LONG, text='<p id="there">Two.</p>'))
     return folder
 
 
@@ -46,7 +49,7 @@ PAGES = ["lectures/one.html", "lectures/two.html"]
 
 
 def document(built):
-    return compose_document(built, "html", "https://course.example/", PAGES, {"Two": 7})
+    return compose_document(built, "html", "https://course.example/", PAGES, {squeeze(LONG): 7})
 
 
 @pytest.mark.parametrize(
@@ -57,8 +60,8 @@ def document(built):
         'href="https://course.example/robots/arm.html#x"',
         'href="https://example.org/"',
         'src="html/_images/a.svg"',
-        '<li><a href="#lectures-two">Two</a> <span>7</span></li>',
-        '@page head1 { @top-right { content: "Two";',
+        '<li><a href="#lectures-two">' + LONG + "</a> <span>7</span></li>",
+        f'@page head1 {{ @top-right {{ content: "{LONG}";',
         "#lectures-two { page: head1; }",
         f"The kinlib authors. Version {kinlib.__version__}, printed on 20",
         "Lectures: Creative Commons Attribution 4.0. Code: MIT licence.",
@@ -79,6 +82,15 @@ def test_parts_for_the_screen_are_left_out(built, part):
     assert part not in document(built)
 
 
+def test_few_pictures_of_a_slider_are_printed_from_the_first_to_the_last():
+    slides = "<div data-kinlib-slides>{}</div>".format
+    picture = '<div data-value="{}" hidden><figure>a</figure></div>'.format
+    printed = thin_out(slides("".join(map(picture, range(37)))))
+    assert printed == slides("".join(map(picture, (0, 7, 14, 22, 29, 36))))
+    few = slides("".join(map(picture, range(3))))
+    assert thin_out(few) == few
+
+
 @pytest.mark.skipif(CHROMIUM is None, reason=NO_CHROMIUM)
 def test_chromium_prints_the_document_with_an_outline(built, tmp_path):
     (tmp_path / "course.html").write_text(document(built), "utf-8")
@@ -87,7 +99,7 @@ def test_chromium_prints_the_document_with_an_outline(built, tmp_path):
     assert printed.startswith(b"%PDF")
     assert printed.count(b"/Type /Page\n") >= 4, "a cover, the contents and two lectures"
     assert b"/Outlines" in printed
-    assert page_numbers(printed) == {"Forward kinematics": 1, "One": 3, "Two": 4}
+    assert page_numbers(printed) == {"Forwardkinematics": 1, "One": 3, squeeze(LONG): 4}
 
 
 def test_without_chromium_the_error_says_what_to_do(monkeypatch, tmp_path):
