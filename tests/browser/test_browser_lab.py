@@ -143,6 +143,7 @@ def test_the_lab_shows_progress_from_the_start_and_works_again_without_a_network
         held["bundle.js"].set()
         expect(status).to_contain_text("No data has arrived for 20 seconds.", timeout=PAGE_TIMEOUT_MS)
         expect(page.get_by_role("button", name="Download")).to_be_in_viewport()
+        expect(page.locator('[data-command="notebook:run-cell-and-select-next"]')).to_be_in_viewport()  # no Shift key
         expect(page.get_by_text("Not Trusted")).to_have_count(0)
         held["pyodide.asm.wasm"].set()
         write(page, cell(page, "screws_1 ="), "screws_1 = 'typed before Python was there'")
