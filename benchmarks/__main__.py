@@ -1,7 +1,7 @@
 """Measure speed, start-up time and accuracy of kinlib and of other packages, and print one table.
 
-    python -m benchmarks                    all but grading and hub, in a few minutes; run nothing else meanwhile
-    python -m benchmarks --all              these too, in half an hour; grading takes 12 minutes of it
+    python -m benchmarks                    all but the slow ones, in a few minutes; run nothing else meanwhile
+    python -m benchmarks --all              the slow ones too: first_answer, grading and hub, which take most of an hour
     python -m benchmarks frames viewer      only these benchmarks
     python -m benchmarks --save             also save the results, which the site's page on performance shows
     python -m benchmarks --quick            very small sizes: checks that the benchmarks run, and gives no useful numbers
@@ -21,11 +21,11 @@ SUITE = {
     **dict.fromkeys(
         ("forward_kinematics", "jacobians", "exponentials", "importing", "symbolic", "frames", "loops"), "library"
     ),
-    **dict.fromkeys(("viewer", "grading", "hub"), "course"),
+    **dict.fromkeys(("viewer", "first_answer", "grading", "hub"), "course"),
 }
 """The folder of each benchmark, in the order in which they run."""
 
-SLOW = {"grading", "hub"}
+SLOW = {"first_answer", "grading", "hub"}
 """Benchmarks that run only by name or with --all."""
 
 WIDTHS = {
