@@ -87,8 +87,9 @@ def test_a_question_can_be_answered_in_a_frame_on_another_page_which_fits_it(chr
         page.goto(f"{site_address}/lectures/03_poe_space.html")
         html = copied_frame(page, "#question-03-recall-2")
         assert '" title="The product of exponentials in the space frame - Forward kinematics" width="100%"' in html
-        page.goto("about:blank")
-        page.set_content(f"<script>{LISTENER}</script>{html}")
+        body = f"<!doctype html><title>My course</title><script>{LISTENER}</script>{html}"
+        page.route("**/my-course.html", lambda route: route.fulfill(content_type="text/html", body=body))
+        page.goto(f"{site_address}/my-course.html")
         frame, height = page.frame_locator("iframe"), "document.querySelector('iframe').offsetHeight"
         page.wait_for_function("document.querySelector('iframe').style.height")
         before = page.evaluate(height)
