@@ -118,6 +118,46 @@ def puma560(a2: float = 0.4318, a3: float = 0.0203, d3: float = 0.15005, d4: flo
     return arm(joints, pose((X, -Y, -Z), wrist), "PUMA 560", "Kinematics under DH; lengths from Corke (1994)")
 
 
+def ur5e() -> Chain:
+    """The UR5e, a collaborative arm with three parallel axes: the maker's table, in its zero configuration.
+
+    >>> ur5e().home[:3, 3].round(4)
+    array([-0.8172, -0.2329,  0.0628])
+    """
+    side, wrist = -0.1333, (-0.8172, -0.1333, 0.0628)
+    parallel = [(-Y, (x, side, 0.1625)) for x in (0, -0.425, -0.8172)]
+    joints = [(Z, (0, 0, 0)), *parallel, (-Z, wrist), (-Y, wrist)]
+    source = 'Universal Robots, "DH parameters for calculations of kinematics and dynamics"'
+    return arm(joints, pose((X, Z, -Y), (-0.8172, -0.2329, 0.0628)), "UR5e", source)
+
+
+def panda() -> Chain:
+    """The Panda, an arm with seven joints, up to its flange: the maker's modified table, in its zero configuration.
+
+    >>> panda().home[:3, 3].round(4)
+    array([0.088, 0.   , 0.926])
+    """
+    shoulder, elbow, wrist, flange = (0, 0, 0.333), (0.0825, 0, 0.649), (0, 0, 1.033), (0.088, 0, 1.033)
+    upper = [(Z, (0, 0, 0)), (Y, shoulder), (Z, shoulder), (-Y, elbow)]
+    joints = [*upper, (Z, wrist), (-Y, wrist), (-Z, flange)]
+    return arm(
+        joints, pose((X, -Y, -Z), (0.088, 0, 0.926)), "Panda", 'Franka Emika, "Robot and interface specifications"'
+    )
+
+
+def scara() -> Chain:
+    """The Adept Cobra 600, a SCARA: two parallel joints move it over a table, a prismatic joint lowers the tool, a last one turns it.
+
+    >>> scara().joint_types
+    'RRPR'
+    """
+    tool = (0.6, 0, 0.387)
+    joints = [(Z, (0, 0, 0)), (Z, (0.325, 0, 0.387)), (-Z, tool, SLIDE), (-Z, tool)]
+    return arm(
+        joints, pose((X, -Y, -Z), tool), "SCARA", "Adept Cobra 600, as in the Robotics Toolbox for Python (Corke)"
+    )
+
+
 def rpr_lecture7(a1: float = 0.4) -> Chain:
     """The RPR arm at the end of "Kinematics under DH", which moves in the plane of x and y.
 

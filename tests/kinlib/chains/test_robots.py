@@ -28,6 +28,9 @@ JOINT_TYPES = {
     "rprr": "RPRR",
     "youbot": "RRRRR",
     "puma560": "RRRRRR",
+    "ur5e": "RRRRRR",
+    "panda": "RRRRRRR",
+    "scara": "RRPR",
     "rpr_lecture7": "RPR",
     "plain_arm": "RRPR",
     "angled_arm": "RRPR",
@@ -137,6 +140,22 @@ def test_the_screws_move_as_the_printed_table_does(robot, convention, rows, tool
     arm = convention(*rows)
     for q in configurations(robot, 20):
         close(robot.fk(q), arm.fkine(q).A @ tool)
+
+
+@pytest.mark.oracle("roboticstoolbox", robots.ur5e, robots.panda, robots.scara)
+def test_the_arms_of_makers_move_as_their_tables_do():
+    rtb = pytest.importorskip("roboticstoolbox")
+    turns, lengths, offsets = (90, 0, 0, 90, -90, 0), (0, -0.425, -0.3922, 0, 0, 0), (0.1625, 0, 0, 0.1333, 0.0997, 0.0996)
+    tables = {
+        robots.ur5e: standard(*((0, d, a, alpha) for d, a, alpha in zip(offsets, lengths, turns, strict=True))),
+        robots.panda: rtb.models.DH.Panda(),
+        robots.scara: rtb.models.DH.Cobra600(),
+    }
+    tables[robots.panda].tool = along()  # theirs has a gripper; ours ends at the flange
+    for make, table in tables.items():
+        robot = make()
+        for q in configurations(robot, 5):
+            close(robot.fk(q), table.fkine(q).A)
 
 
 # --- as they are drawn, step by step, by spatialmath ---
