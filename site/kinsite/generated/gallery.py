@@ -17,12 +17,12 @@ from kinlib.dh.assignment import FrameAssignment, assign_frames
 from kinlib.dh.formatting import format_rows, markdown_table
 from kinlib.dh.table import Convention
 from kinlib.mechanisms.mechanism import Mechanism
-from kinlib.view import draw_arm, drive, explore
-from kinlib.view.drawing.dark_theme import follow_theme
-from kinlib.view.drawing.picture import Picture
+from kinlib.view import drive, explore
 from kinlib.view.drawing.svg import GREEK
-from kinlib.view.figures.linkage import draw_linkage
+from kinlib.view.figures.arm import describe_arm
+from kinlib.view.figures.linkage import describe_linkage, draw_linkage, linkage_geometry
 from kinsite.generated.reference import escape, prose
+from kinsite.solid_picture import arm_picture, linkage_picture
 from misstep.display.text import matrix, number
 
 NOT_ROBOTS = {"arm", "pose"}
@@ -44,6 +44,24 @@ START_CONFIGURATIONS: dict[str, ArrayLike] = {
 }
 """The guesses from which linkages are assembled that do not close at 0, or that look flat there."""
 
+POSES: dict[str, ArrayLike] = {
+    "youbot": [0.5, 1.3, -1.1, -0.9, 0],
+    "puma560": [0.4, -0.9, 0.5, 0, 0.6, 0],
+    "ur5e": [-2.3, -1.1, 1.3, -1.7, -1.57, 0],
+    "panda": [0.5, -0.3, 0, -2.1, 0, 1.9, 0.8],
+    "scara": [-0.5, 0.9, 0.15, 0],
+    "rprr": [0.6, 0.15, 0.4, 0.5],
+    "rpr_lecture7": [0.4, 0.25, 0.5],
+    "plain_arm": [0.5, 0.5, 0.1, 0],
+    "angled_arm": [0.4, 0.5, 0.15, 0.3],
+    "mid_formula_arm": [0.4, -0.4, 0.3, 0.6],
+    "hrr": [2.0, -0.8, 1.0],
+}
+"""Where the gallery shows an arm; every other arm is shown at home, where some look flat."""
+
+LEADING = ("youbot", "puma560", "ur5e", "panda", "scara")
+"""What the gallery begins with: arms that readers know."""
+
 PARAGRAPH_BREAK = "\n\n"
 GREEK_NAME = re.compile(rf"\b({'|'.join(GREEK)})\b")
 """The name of a Greek letter, as it stands in a docstring."""
@@ -54,18 +72,19 @@ CURVE_POINTS = 160
 
 @dataclass(frozen=True, eq=False)
 class Entry:
-    """One page of the gallery: the name of the function, the robot that it makes, its docstring and a picture."""
+    """One page of the gallery: the name of the function, the robot that it makes, its docstring, a picture and what it shows."""
 
     function: str
     robot: Chain | Mechanism
     docstring: str
-    picture: Picture
+    picture: str
+    alt: str
 
     @property
     def kind(self) -> str:
         """The line below the name in the gallery."""
         if isinstance(self.robot, Chain):
-            return self.robot.joint_types
+            return f"{self.robot.n} joints, {self.robot.joint_types}"
         return f"{len(self.robot.joints)} joints"
 
     @property
@@ -84,7 +103,7 @@ def pages() -> Iterator[tuple[str, str]]:
     for entry in arms + mechanisms:
         if not entry.robot.source.strip():
             raise ValueError(f"{entry.function} must have a source; got none. Name the document that it comes from.")
-        yield f"robots/{entry.function}.svg", follow_theme(entry.picture.svg)
+        yield f"robots/{entry.function}.svg", entry.picture
         yield f"robots/{entry.function}.md", page(entry)
     yield "robots/index.md", overview(arms, mechanisms)
 
@@ -97,9 +116,10 @@ def public_functions(module: Any) -> list[tuple[str, Callable[..., Any]]]:
 
 
 def arm_entry(name: str, make: Callable[..., Chain]) -> Entry:
-    """Make the entry of an arm, drawn at home."""
+    """Make the entry of an arm, drawn at home or as POSES says."""
     chain = make()
-    return Entry(name, chain, inspect.getdoc(make) or "", draw_arm(chain))
+    q = np.array(POSES.get(name, np.zeros(chain.n)), dtype=float)
+    return Entry(name, chain, inspect.getdoc(make) or "", arm_picture(chain, q), describe_arm(chain, q))
 
 
 def linkage_entry(name: str, make: Callable[..., Mechanism]) -> Entry:
@@ -108,8 +128,9 @@ def linkage_entry(name: str, make: Callable[..., Mechanism]) -> Entry:
     Raises ValueError if none is found.
     """
     mechanism = make(**LENGTHS.get(name, {}))
-    picture = draw_linkage(mechanism, closed_configuration(name, mechanism))
-    return Entry(name, mechanism, inspect.getdoc(make) or "", picture)
+    q = closed_configuration(name, mechanism)
+    alt = describe_linkage(mechanism, linkage_geometry(mechanism, q))
+    return Entry(name, mechanism, inspect.getdoc(make) or "", linkage_picture(mechanism, q), alt)
 
 
 def closed_configuration(name: str, mechanism: Mechanism) -> Any:
@@ -127,16 +148,22 @@ def closed_configuration(name: str, mechanism: Mechanism) -> Any:
 
 def overview(arms: list[Entry], mechanisms: list[Entry]) -> str:
     """Write the page that lists all others."""
-    names = "\n".join(entry.function for entry in arms + mechanisms)
+    leading = sorted((arm for arm in arms if arm.function in LEADING), key=lambda arm: LEADING.index(arm.function))
+    others = [arm for arm in arms if arm.function not in LEADING]
+    names = "\n".join(entry.function for entry in leading + others + mechanisms)
     return f"""\
 # Gallery of robots
 
 Every robot of the course, with the document that it comes from. Open one to move its joints, to show its screw axes,
 and to read its screws and both of its DH tables.
 
-## Arms
+## Arms in use
 
-{cards(arms)}
+{cards(leading, "large")}
+
+## Arms of the lectures
+
+{cards(others)}
 
 ## Linkages
 
@@ -150,13 +177,13 @@ and to read its screws and both of its DH tables.
 """
 
 
-def cards(entries: list[Entry]) -> str:
+def cards(entries: list[Entry], size: str = "") -> str:
     """Write a list of entries, each with its picture."""
     items = (
-        f"- [![{escape(entry.picture.alt)}]({entry.function}.svg) **{escape(entry.robot.name)}** {entry.kind}]({entry.function}.md)"
+        f"- [![{escape(entry.alt)}]({entry.function}.svg) **{escape(entry.robot.name)}** {entry.kind}]({entry.function}.md)"
         for entry in entries
     )
-    return "{.cards}\n" + "\n".join(items)
+    return f"{{.cards{f' .{size}' if size else ''}}}\n" + "\n".join(items)
 
 
 def page(entry: Entry) -> str:
@@ -180,7 +207,7 @@ def figure(entry: Entry) -> str:
     if entry.robot.mobility(q).finite == 1:
         curve = entry.robot.trace(q, points=CURVE_POINTS).q
         return drive(entry.robot, q, curves=[curve], labels=["as it is assembled"]).html()
-    return entry.picture.html()
+    return draw_linkage(entry.robot, q).html()
 
 
 def arm_tables(chain: Chain) -> str:
