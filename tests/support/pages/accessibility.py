@@ -1,0 +1,16 @@
+"""axe, which finds faults of accessibility in a page, in the light and in the dark theme."""
+
+from built_site import SITE
+
+
+def violations(page):
+    """List what axe finds on the open page, as (theme, rule, start of the element)."""
+    page.wait_for_load_state("networkidle")
+    page.evaluate((SITE / "node_modules" / "axe-core" / "axe.min.js").read_text("utf-8"))
+    found = []
+    for theme in ("light", "dark"):
+        page.emulate_media(color_scheme=theme)
+        page.wait_for_timeout(300)  # colours fade from one theme to the other
+        rules = page.evaluate("axe.run(document, { resultTypes: ['violations'] })")["violations"]
+        found += [(theme, rule["id"], node["html"][:200]) for rule in rules for node in rule["nodes"]]
+    return found
