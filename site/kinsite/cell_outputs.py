@@ -5,6 +5,7 @@ In JupyterLab, formulas in HTML are typeset by JupyterLab. Here they are typeset
 
 import base64
 import hashlib
+import json
 import re
 import socket
 import subprocess
@@ -35,6 +36,7 @@ TAG = re.compile(r"\\tag\{([^}]+)\}")
 """The number of a formula."""
 SIDE_TRACK = in_all_languages("Side track:")
 """The beginning of the heading of a section that may be skipped. JupyterLab folds it by the metadata of its cell."""
+VIEWER = re.compile(r'(<div [^>]*?data-kinlib-viewer[^>]*?)><script type="application/json">(.*?)</script>', re.DOTALL)
 FORMULA = re.compile(r"\$\$(.+?)\$\$|(?<!\\)\$([^$\n]+?)\$")
 
 
@@ -86,11 +88,19 @@ def prepare_page(app: Sphinx, doctree: nodes.document, page: str) -> None:
     for node in html:
         text = extract_images(typeset_formulas(node.astext()), folder, f"{up}_images")
         text, anchor = with_address(text, cell_of(node), page, taken)
+        text = VIEWER.sub(reserve_height, text)
         outputs.append((text, anchor))
         node.children = [nodes.Text(text)]
         node.rawsource = text
     if app.builder.name == "html":
         write_pages(Path(app.outdir), page, app.env.titles[page].astext(), outputs)
+
+
+def reserve_height(found: re.Match[str]) -> str:
+    """Tell the style sheet how many sliders a viewer has, so that the page keeps its height free before the viewer starts."""
+    # a viewer without sliders has other controls in their place
+    sliders = len(json.loads(found[2])["scene"]["sliders"]) or 7
+    return f'{found[1]} style="--sliders:{sliders}"{found[0][len(found[1]) :]}'
 
 
 def formula_anchor(tag: str) -> str:

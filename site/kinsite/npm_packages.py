@@ -1,4 +1,4 @@
-"""npm packages of the site: KaTeX's style and fonts, Pyodide, and axe, which tests the pages for accessibility."""
+"""npm packages of the site: KaTeX's style and fonts, the fonts of the text, Pyodide, and axe, which tests the pages for accessibility."""
 
 import shutil
 import subprocess
@@ -9,6 +9,15 @@ from kinsite.execute import ROOT
 SITE = ROOT / "site"
 MODULES = SITE / "node_modules"
 FONTS = MODULES / "katex" / "dist"
+
+FONTSOURCE = MODULES / "@fontsource-variable"
+TEXT_FONTS = {
+    "serif.woff2": FONTSOURCE / "source-serif-4/files/source-serif-4-latin-wght-normal.woff2",
+    "serif-italic.woff2": FONTSOURCE / "source-serif-4/files/source-serif-4-latin-wght-italic.woff2",
+    "sans.woff2": FONTSOURCE / "source-sans-3/files/source-sans-3-latin-wght-normal.woff2",
+    "LICENSE": FONTSOURCE / "source-serif-4/LICENSE",
+}
+"""The fonts of the text and their licence, by their names on the site."""
 
 
 def install() -> None:

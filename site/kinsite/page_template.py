@@ -1,6 +1,7 @@
 """What surrounds the text of each page: the bar above a lecture or a sheet, the static files, the values of the templates."""
 
 import hashlib
+import re
 import shutil
 from pathlib import Path
 from typing import Any, ClassVar
@@ -14,8 +15,12 @@ from kinlib.view import explore
 from kinlib.view.viewer.viewer import STATIC
 from kinsite.demonstration import WrongAnswersDirective
 from kinsite.execute import ROOT, package_hash
-from kinsite.npm_packages import FONTS
+from kinsite.npm_packages import FONTS, TEXT_FONTS
 from kinsite.translation import WORDS, messages, original_page, versions, words_of
+
+UNCOLOURED = re.compile(r'<span class="(?:n|nn|p|pm|w)">([^<]*)</span>')
+"""Names, punctuation and spaces have the colour of all code in both themes: without elements of their own a page is lighter."""
+EMPTY_HEADING = re.compile(r'<th class="head">(?:<p></p>)?</th>')
 
 
 def setup(app: Sphinx) -> dict[str, Any]:
@@ -59,6 +64,9 @@ def copy_files(app: Sphinx) -> None:
         shutil.copy(FONTS / name, target / "katex")
     for font in (FONTS / "fonts").glob("*.woff2"):
         shutil.copy(font, target / "katex" / "fonts")
+    (target / "fonts").mkdir(exist_ok=True)
+    for name, font in TEXT_FONTS.items():
+        shutil.copy(font, target / "fonts" / name)
     for script in STATIC.glob("*.js"):
         shutil.copy(script, target)
     (Path(app.outdir) / "robots.txt").write_text(
@@ -82,6 +90,8 @@ def remove_old_pages(app: Sphinx, failed: Exception | None) -> None:
 
 def set_context(app: Sphinx, page: str, _: str, context: dict[str, Any], doctree: Any) -> None:
     """Set the values that the templates need for a page."""
+    # a table without headings has empty cells in their place, which a screen reader would call headings
+    context["body"] = UNCOLOURED.sub(r"\1", EMPTY_HEADING.sub("<td></td>", context.get("body", "")))
     # furo gives its captions the role of headings without a level, which is not valid; they are captions
     context["furo_navigation_tree"] = context["furo_navigation_tree"].replace(' role="heading"', "")
     context["html_baseurl"] = app.config.html_baseurl

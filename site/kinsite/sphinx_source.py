@@ -3,6 +3,7 @@
 A file is written only if its text changes, so that Sphinx reads only what has changed.
 """
 
+import ast
 import re
 from collections.abc import Iterator, Mapping
 from html import unescape
@@ -117,12 +118,35 @@ def adapt(notebook: NotebookNode) -> NotebookNode:
         else:
             cell.metadata["kinlib-cell"] = cell.get("id", "")  # names the addresses of its figures
             cell.source = cell.source.removeprefix(f"{NBVAL_MARK}\n")
+            if is_plumbing(cell.source):
+                cell.metadata["tags"] = [*cell.metadata.get("tags", []), "hide-input"]
             for data in (output["data"] for output in cell.outputs if "text/html" in output.get("data", {})):
                 for old, new in LINK_TARGETS.items():
                     data["text/html"] = re.sub(f'href="{old}', f'href="{new}', data["text/html"])
                 data["text/html"] = OUTPUT_LINK.sub(link_to_page, data["text/html"])
     notebook.metadata.pop("widgets", None)
     return notebook
+
+
+def is_plumbing(source: str) -> bool:
+    r"""Whether a cell only imports and asks questions: then a page folds its code, because the questions are what is read.
+
+    >>> is_plumbing("import kinlib as kl\ndisplay(*(ask(f'03/check-{k}') for k in (1, 2)))"), is_plumbing("import kinlib")
+    (True, True)
+    >>> is_plumbing("arm = kl.robots.youbot()\nask('03/bug')"), is_plumbing("%pip install kinlib")
+    (False, False)
+    """
+    try:
+        tree = ast.parse(source)
+    except SyntaxError:  # a magic
+        return False
+    calls = {ast.unparse(node.func) for node in ast.walk(tree) if isinstance(node, ast.Call)}
+    only = all(
+        isinstance(node, ast.Import | ast.ImportFrom | ast.Expr | ast.For)
+        or (isinstance(node, ast.Assign) and isinstance(node.value, ast.Call))
+        for node in tree.body
+    )
+    return bool(tree.body) and only and calls <= {"ask", "explain", "display"}
 
 
 def link_to_page(found: re.Match[str]) -> str:
