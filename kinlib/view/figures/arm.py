@@ -158,19 +158,6 @@ def frame_text(frame: tuple[str, ArrayLike]) -> str:
     return f"Frame {{{name}}} at {vector_text(T[:3, 3])}, {axes}."
 
 
-def reachable_points(chain: Chain, low: Array, high: Array) -> Array:
-    """Return points (m, 3) that the arm reaches between two configurations, so that a picture can keep all of them in view.
-
-    >>> from kinlib.chains.robots import rpr
-    >>> reachable_points(rpr(), np.zeros(3), np.ones(3)).shape[1]
-    3
-    """
-    mix = np.random.default_rng(0).random((200, chain.n))
-    q = low + (high - low) * mix
-    points = np.concatenate([chain.link_poses(q)[..., :3, 3], chain.fk(q)[:, None, :3, 3]], axis=1)
-    return np.concatenate([points.reshape(-1, 3), np.zeros((1, 3))])
-
-
 def _path(chain: Chain, q: Array) -> Array:
     """Return the points through which the links run: the base, every joint, the tool."""
     joints = chain.link_poses(q)[:, :3, 3]

@@ -16,8 +16,7 @@ from kinlib.dh.assignment import assign_frames
 from kinlib.dh.common_normal import common_normal
 from kinlib.rigid.lie import homogeneous, inverse, perpendicular
 from kinlib.view.drawing.canvas import VIEWS, axes_of_view
-from kinlib.view.figures.arm import reachable_points
-from kinlib.view.figures.joint_bodies import axial_offsets
+from kinlib.view.figures.joint_bodies import axial_offsets, carried_axes
 
 MAX_DETOUR_RATIO = 2.5
 """A link is drawn along its axes and their common normal, unless that is longer than the straight line by this factor."""
@@ -72,12 +71,9 @@ def scene(
         raise ValueError(f"{chain.name} has joints 1 to {chain.n}; got {wrong[0]!r}.")
     chain.fk(start)  # raises ValueError if start has another size
     sliders = [_slider(chain, joint - 1, float(start[joint - 1]), span) for joint in joints]
-    low, high = start.copy(), start.copy()
-    for slider in sliders:
-        low[slider["column"]], high[slider["column"]] = slider["low"], slider["high"]
     configurations = [_stations(chain, np.zeros(chain.n)), _stations(chain, start)]
     configurations += [] if ghost is None else [_stations(chain, ghost)]
-    room, floor = _room(np.concatenate(configurations), reachable_points(chain, low, high), extent(chain))
+    room, floor = _room(np.concatenate(configurations), _tips(chain, start), extent(chain))
     arm = arm_data(chain, range(chain.n))
     if frames:
         arm["frames"] = frames_on_links(chain, start, frames)
@@ -224,17 +220,22 @@ def _stations(chain: Chain, q: Array) -> Array:
     return np.concatenate([np.zeros((1, 3)), chain.link_poses(q)[:, :3, 3], chain.fk(q)[None, :3, 3]])
 
 
-def _room(configurations: Array, reachable: Array, size: float) -> tuple[dict[str, Any], float]:
-    """Return the sphere that must be in view, and the height of the floor.
+def _tips(chain: Chain, q: Array) -> Array:
+    """Return the tips of the arrows along the joint axes, and of the axes of the tool's frame."""
+    links, tool, size = chain.link_poses(q), chain.fk(q), extent(chain)
+    axes = links[:, :3, 3] + 0.36 * size * carried_axes(chain, links)
+    return np.concatenate([axes, tool[:3, 3] + 0.2 * size * tool[:3, :3].T])
 
-    The configurations shown fill it, with a margin for their frames. If the arm can move much farther, the sphere is up to
-    15 percent larger.
+
+def _room(configurations: Array, tips: Array, size: float) -> tuple[dict[str, Any], float]:
+    """Return the region that must be in view, and the height of the floor.
+
+    The configurations shown and the tips of their arrows fill the picture, with a margin for labels. If the arm moves
+    farther, the page zooms out.
     """
-    low, high = configurations.min(axis=0), configurations.max(axis=0)
-    centre = (low + high) / 2
-    near = float(np.linalg.norm(high - low)) / 2 + 0.22 * size
-    far = float(np.linalg.norm(reachable - centre, axis=-1).max()) + 0.15 * size
-    radius = min(max(near, far), 1.15 * near)
+    seen = np.concatenate([configurations, tips])
+    centre = (seen.min(axis=0) + seen.max(axis=0)) / 2
+    radius = half_height(seen - centre) + 0.08 * size
     lowest = float(configurations[:, 2].min())
     # The lowest joint must be above the floor; an arm that hangs from its base gets more space below it.
     floor = lowest - (0.1 if lowest > -0.05 * size else 0.2) * size

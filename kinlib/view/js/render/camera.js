@@ -20,8 +20,8 @@ export class Camera {
     this.changed = changed;
     this.threeCamera = new OrthographicCamera();
     this.threeCamera.up.set(0, 0, 1);
-    this.width = 1;
-    this.height = 1;
+    this.width = 100; // until the picture has its size
+    this.height = 78;
     this.reset();
   }
 
@@ -41,7 +41,13 @@ export class Camera {
   keepInView(points, margin) {
     if (this.room.constant) return; // the arm does not leave its home configuration
     const centre = new Vector3(...this.room.centre);
-    const far = Math.max(0, ...points.map((point) => point.distanceTo(centre))) + margin;
+    const { width, height } = this;
+    const half = [0, 1].map((k) => {
+      const direction = new Vector3().setFromMatrixColumn(this.threeCamera.matrixWorld, k);
+      const reach = Math.max(0, ...points.map((point) => Math.abs(point.clone().sub(centre).dot(direction))));
+      return (reach * Math.min(width, height)) / (k ? height : width);
+    });
+    const far = Math.max(...half) + margin;
     if (far <= this.radius) return;
     this.radius = far;
     this.update();
