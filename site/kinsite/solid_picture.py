@@ -8,7 +8,7 @@ import base64
 import io
 from collections.abc import Iterable, Iterator
 from itertools import pairwise
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -93,7 +93,7 @@ def _cone(base: Array, along: Array) -> Iterator[tuple[Array, Array, float]]:
         yield base + share * along, base + (share + 0.125) * along, 0.034 * (1 - share)
 
 
-def _arm_solids(arm: dict, size: float) -> Iterator[tuple[int, Solid]]:
+def _arm_solids(arm: dict[str, Any], size: float) -> Iterator[tuple[int, Solid]]:
     """Yield the solids of an arm at home, each with its body: the same as in js/scene/parts.js."""
     for body, path in enumerate(arm["links"]):
         for a, b in pairwise(map(np.array, path)):
