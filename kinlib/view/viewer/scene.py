@@ -221,10 +221,10 @@ def _stations(chain: Chain, q: Array) -> Array:
 
 
 def _tips(chain: Chain, q: Array) -> Array:
-    """Return the tips of the arrows along the joint axes, and of the axes of the tool's frame."""
+    """Return the tips of the arrows along the joint axes, and of the axes of {s} and {b}."""
     links, tool, size = chain.link_poses(q), chain.fk(q), extent(chain)
     axes = links[:, :3, 3] + 0.36 * size * carried_axes(chain, links)
-    return np.concatenate([axes, tool[:3, 3] + 0.2 * size * tool[:3, :3].T])
+    return np.concatenate([axes, 0.2 * size * np.eye(3), tool[:3, 3] + 0.2 * size * tool[:3, :3].T])
 
 
 def _room(configurations: Array, tips: Array, size: float) -> tuple[dict[str, Any], float]:
@@ -235,7 +235,7 @@ def _room(configurations: Array, tips: Array, size: float) -> tuple[dict[str, An
     """
     seen = np.concatenate([configurations, tips])
     centre = (seen.min(axis=0) + seen.max(axis=0)) / 2
-    radius = half_height(seen - centre) + 0.08 * size
+    radius = half_height(seen - centre) + 0.1 * size
     lowest = float(configurations[:, 2].min())
     # The lowest joint must be above the floor; an arm that hangs from its base gets more space below it.
     floor = lowest - (0.1 if lowest > -0.05 * size else 0.2) * size

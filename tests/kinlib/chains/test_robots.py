@@ -145,7 +145,11 @@ def test_the_screws_move_as_the_printed_table_does(robot, convention, rows, tool
 @pytest.mark.oracle("roboticstoolbox", robots.ur5e, robots.panda, robots.scara)
 def test_the_arms_of_makers_move_as_their_tables_do():
     rtb = pytest.importorskip("roboticstoolbox")
-    turns, lengths, offsets = (90, 0, 0, 90, -90, 0), (0, -0.425, -0.3922, 0, 0, 0), (0.1625, 0, 0, 0.1333, 0.0997, 0.0996)
+    turns, lengths, offsets = (
+        (90, 0, 0, 90, -90, 0),
+        (0, -0.425, -0.3922, 0, 0, 0),
+        (0.1625, 0, 0, 0.1333, 0.0997, 0.0996),
+    )
     tables = {
         robots.ur5e: standard(*((0, d, a, alpha) for d, a, alpha in zip(offsets, lengths, turns, strict=True))),
         robots.panda: rtb.models.DH.Panda(),
