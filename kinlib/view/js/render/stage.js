@@ -227,7 +227,7 @@ export class Stage {
 
   setQ(q) {
     this.tree.setQ(q);
-    this.camera.keepInView(this.tree.jointPositions(), 0.2 * this.data.size);
+    this.camera.keepInView(this.tree.jointPositions(), 0.3 * this.data.size);
     this.draw();
   }
 
