@@ -34,6 +34,6 @@ c.Spawner.args = [
 c.Spawner.default_url = "/git-pull?" + urlencode(
     {"repo": SHEETS, "branch": "main", "targetPath": "sheets", "urlpath": "lab/tree/sheets"}
 )
-c.Spawner.start_timeout = 120
+c.Spawner.start_timeout = c.Spawner.http_timeout = 120
 # Many students arrive in the same minute: more than so many starts at once would only make each of them slower.
 c.JupyterHub.concurrent_spawn_limit = 4 * (os.cpu_count() or 1)

@@ -59,6 +59,7 @@ c.JupyterHub.authenticator_class = "dummy"
 c.JupyterHub.bind_url = "http://127.0.0.1:{ports[0]}"
 c.JupyterHub.hub_port = {ports[1]}
 c.ConfigurableHTTPProxy.api_url = "http://127.0.0.1:{ports[2]}"
+c.Spawner.start_timeout = c.Spawner.http_timeout = {timeout}
 c.JupyterHub.services = [{{"name": "class", "api_token": {token!r}}}]
 scopes = ["admin:users", "admin:servers", "access:servers"]
 c.JupyterHub.load_roles = [{{"name": "class", "scopes": scopes, "services": ["class"]}}]
@@ -79,6 +80,7 @@ class Student:
     viewer_s: float = 0.0
     again_s: float = 0.0
     processor_s: float = 0.0
+    failed_starts: int = 0
     lost: int = 0
     score: float = -1.0
     memory: dict[str, list[float]] = field(default_factory=dict)
@@ -117,9 +119,9 @@ class Student:
             kernel.close()
             self.processor_s += sum(map(processor_seconds, self.processes()))
             begun = time.perf_counter()
-            for process in self.processes():
-                if b"jupyterhub-singleuser" in (process / "cmdline").read_bytes():
-                    os.kill(int(process.name), signal.SIGKILL)
+            while servers := [process for process in self.processes() if is_server(process)]:
+                os.kill(int(servers[0].name), signal.SIGKILL)
+                await asyncio.sleep(0.1)
             await self.start()
             saved = await self.read(SHEET)
             self.lost = sum(a["source"] != b["source"] for a, b in zip(saved["cells"], sheet["cells"], strict=True))
@@ -133,17 +135,20 @@ class Student:
         kernel.close()
 
     async def start(self) -> None:
-        """Start the server, and wait until it answers. A server that the Hub does not know to be dead is refused at first."""
+        """Start the server, and wait until it answers. If the Hub is too busy to start it, ask again, as a student does.
+
+        Raises RuntimeError if it does not start.
+        """
         for _ in range(TIMEOUT_S):
-            code = await self.hub.status("POST", f"/hub/api/users/{self.name}/server")
-            if code in {201, 202}:
-                break
-            await asyncio.sleep(1)
-        for _ in range(2 * TIMEOUT_S):
-            user = json.loads(await self.hub.request("GET", f"/hub/api/users/{self.name}"))
+            # The Hub looks whether a server that it knows still lives: it is refused only if it does, or is about to start.
+            response = await self.hub.fetch("POST", f"/hub/api/users/{self.name}/server")
+            self.failed_starts += response.code >= 500
+            user = {"pending": "spawn", "server": None}
+            while user["pending"]:
+                await asyncio.sleep(0.5)
+                user = json.loads(await self.hub.request("GET", f"/hub/api/users/{self.name}"))
             if user["server"]:
                 return
-            await asyncio.sleep(0.5)
         raise RuntimeError(f"the server of {self.name} did not start")
 
     async def request(self, method: str, path: str, data: object = None) -> str:
@@ -179,7 +184,7 @@ class Student:
     def measure(self) -> None:
         """Measure the memory of each process, in MB, and the processor time of all."""
         for process in self.processes():
-            kind = "server" if b"jupyterhub-singleuser" in (process / "cmdline").read_bytes() else "kernel"
+            kind = "server" if is_server(process) else "kernel"
             self.memory.setdefault(kind, []).append(memory_mb(process))
             self.processor_s += processor_seconds(process)
 
@@ -281,10 +286,6 @@ class Hub:
             raise RuntimeError(f"{method} {path}: {response.code} {(response.body or b'').decode()[:300]}")
         return response.body.decode()
 
-    async def status(self, method: str, path: str) -> int:
-        """Send a request, and return the status."""
-        return (await self.fetch(method, path)).code
-
     async def websocket(self, path: str):
         """Open a websocket."""
         request = HTTPRequest(
@@ -330,6 +331,7 @@ def rows(quick: bool = False) -> Iterator[Row]:
             MAX_PROCESSOR_S,
         ),
         "processor time of a student": (median(student.processor_s for student in whole), "s", MAX_PROCESSOR_S),
+        f"starts that failed at first, {count} students": (sum(one.failed_starts for one in students), "starts", 0),
         f"cells lost, {len(killed)} servers killed": (sum(student.lost for student in killed), "cells", 0),
         "killed to open again, median": (median(student.again_s for student in killed), "s", MAX_FIRST_RESULT_S),
         f"grades that students did not see, {count} sheets": (differing, "sheets", 0),
@@ -390,7 +392,11 @@ def hub(folder: Path) -> Iterator[Hub]:
     config = folder / "config.py"
     config.write_text(
         CONFIG.format(
-            deploy=str(DEPLOY / "jupyterhub_config.py"), homes=f"{folder}/homes/{{username}}", ports=ports, token=token
+            deploy=str(DEPLOY / "jupyterhub_config.py"),
+            homes=f"{folder}/homes/{{username}}",
+            ports=ports,
+            token=token,
+            timeout=TIMEOUT_S,
         )
     )
     environment = {**os.environ, "PATH": f"{programs}:{os.environ['PATH']}", "COURSE_SHEETS": sheets}
@@ -418,7 +424,7 @@ async def wait_for(running: Hub) -> None:
     """
     for _ in range(TIMEOUT_S):
         with suppress(OSError):
-            if await running.status("GET", "/hub/api/") == 200:
+            if (await running.fetch("GET", "/hub/api/")).code == 200:
                 return
         await asyncio.sleep(0.5)
     raise RuntimeError("the Hub does not answer")
@@ -448,6 +454,11 @@ def memory_mb(process: Path) -> float:
     """The proportional set size of a process, in MB."""
     lines = (process / "smaps_rollup").read_text().splitlines()
     return next(int(line.split()[1]) for line in lines if line.startswith("Pss:")) * 1024 / 1e6
+
+
+def is_server(process: Path) -> bool:
+    """Whether a process is the server of a student; the others are kernels."""
+    return b"jupyterhub-singleuser" in (process / "cmdline").read_bytes()
 
 
 def processor_seconds(process: Path) -> float:
