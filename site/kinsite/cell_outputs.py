@@ -75,6 +75,8 @@ def setup(app: Sphinx) -> dict[str, Any]:
 
 def prepare_page(app: Sphinx, doctree: nodes.document, page: str) -> None:
     """Typeset the formulas in the HTML of a page, write its images to files, and keep punctuation with its formula."""
+    for image in doctree.findall(nodes.image):
+        image["loading"] = "lazy"  # the gallery alone has more than twenty
     for formula in list(doctree.findall(nodes.math)):
         keep_punctuation(formula)
     for formula in list(doctree.findall(nodes.math_block)):
