@@ -9,6 +9,7 @@
   const CONTROL_MS = 3000; // how long to wait for the service worker, without which files are not stored
   const RETRY_MS = 5000;
   const POLL_MS = 200;
+  const KERNEL_MS = 15000; // how long the preview waits for a kernel
 
   const path = new URLSearchParams(location.search).get('path') ?? '';
   const [, folder, name] = path.match(/^(notebooks|exercises)\/(?:.*\/)?(\w+)\.ipynb$/) ?? [];
@@ -39,8 +40,14 @@
     preview.lastElementChild.replaceWith(frame);
   }
 
+  const hasKernel = new Promise((resolve) => {
+    document.addEventListener('kinlib-python', ({ detail }) => detail === 'chosen' && resolve());
+  });
+
   async function hidePreview() {
     while (!document.querySelector('.jp-Notebook .jp-Cell, .jp-Dialog, .jp-FileBrowser')) await sleep(POLL_MS);
+    // if a cell is run before the notebook has a kernel, JupyterLab asks which one, and the cell waits
+    if (document.querySelector('.jp-Notebook')) await Promise.race([hasKernel, sleep(KERNEL_MS)]);
     preview.remove();
   }
 

@@ -123,6 +123,7 @@
 
     document.addEventListener('visibilitychange', () => document.hidden && save());
 
+    sessionContext.kernelChanged.connect((_, { newValue }) => newValue && reportPython('chosen'));
     sessionContext.statusChanged.connect((_, status) => {
       clearTimeout(waiting);
       // start.js shows how Python starts, from before JupyterLab is there until the kernel answers
