@@ -179,13 +179,13 @@ ORDER = '[data-misstep-question="03/order"]'
 
 def test_a_question_explains_the_first_choice_and_ignores_later_ones(page, site_address):
     page.goto(f"{site_address}/{LECTURE_03}")
-    page.locator(f"{RECALL} button").nth(0).click()
+    page.locator(f"{RECALL} .kinlib-choice").nth(0).click()
     reply = page.locator(f"{RECALL} .kinlib-reply")
     assert "A is not correct" in reply.inner_text()
     wrong, _, right = find_question("03/recall-2").options
     assert plain_words(wrong.why) in reply.inner_text()
     assert f"The correct answer is C: {plain_words(right.text)}" in reply.inner_text()
-    page.locator(f"{RECALL} button").nth(2).dispatch_event("click")
+    page.locator(f"{RECALL} .kinlib-choice").nth(2).dispatch_event("click")
     assert "A is not correct" in reply.inner_text()
 
 
@@ -198,7 +198,7 @@ def test_a_prediction_uncovers_the_arm_and_the_explanation(page, site_address):
     covered.locator(".kv-cover").wait_for()
     why = plain_words(find_question("03/order").options[0].why)
     assert not explanation.get_by_text(why).is_visible()
-    page.locator(f"{ORDER} button").nth(0).focus()
+    page.locator(f"{ORDER} .kinlib-choice").nth(0).focus()
     page.keyboard.press("Enter")
     covered.locator(".kv-canvas").wait_for(state="visible")
     assert "A is not correct" in explanation.inner_text()
@@ -214,7 +214,7 @@ def test_a_slider_shows_its_images_after_the_prediction(page, site_address):
     page.goto(f"{site_address}/lectures/04_poe_body.html")
     slides = page.locator('[data-kinlib-slides][data-kinlib-after="04/joint-1"]')
     assert slides.locator("img:visible").count() == 0
-    page.locator('[data-misstep-question="04/joint-1"] button').nth(1).click()
+    page.locator('[data-misstep-question="04/joint-1"] .kinlib-choice').nth(1).click()
     seen = []
     for k in (0, 6):
         slides.locator("input").fill(str(k))
@@ -229,7 +229,7 @@ def test_a_slider_shows_its_images_after_the_prediction(page, site_address):
 
 def test_progress_is_shown_saved_deleted_and_loaded_again(page, site_address, tmp_path):
     page.goto(f"{site_address}/{LECTURE_03}")
-    page.locator(f"{RECALL} button").nth(2).click()
+    page.locator(f"{RECALL} .kinlib-choice").nth(2).click()
     page.get_by_role("button", name="Mark this lecture as read").click()
     page.goto(f"{site_address}/progress.html")
     row = page.locator('tr[data-lecture="lectures/03_poe_space"]')
@@ -266,7 +266,7 @@ def test_without_storage_questions_still_work_and_a_message_is_shown(chromium, s
             "Storage.prototype.setItem = () => { throw new DOMException('full', 'QuotaExceededError'); }"
         )
         page.goto(f"{site_address}/{LECTURE_03}")
-        page.locator(f"{RECALL} button").nth(2).click()
+        page.locator(f"{RECALL} .kinlib-choice").nth(2).click()
         assert "C is correct" in page.locator(f"{RECALL} .kinlib-reply").inner_text()
         assert page.get_by_text("stores nothing for this page").count() == 1
 
@@ -300,7 +300,7 @@ def test_no_explanation_is_visible_before_its_prediction(chromium, site_address,
                 explanation.get_by_role("button", name="Show anyway").click()
                 assert "Shown without a prediction" in explanation.inner_text()
             else:
-                page.locator(f'[data-misstep-question="{name}"] button').first.click()
+                page.locator(f'[data-misstep-question="{name}"] .kinlib-choice').first.click()
             assert visible(page) == PREDICTIONS[: k + 1]
 
 

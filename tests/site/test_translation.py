@@ -138,7 +138,7 @@ def test_a_reader_changes_the_language_and_the_answers_are_the_same(chromium, si
         page.wait_for_url("**/lectures/de/00_start_here.html")
         assert page.locator("html").get_attribute("lang") == "de"
         check = page.locator('[data-misstep-question="00/same-pose"]')
-        check.locator("button").nth(1).click()
+        check.locator(".kinlib-choice").nth(1).click()
         assert "B ist nicht richtig" in check.inner_text()
         assert "Die richtige Antwort ist A:" in check.inner_text()
         track = page.locator("section:has(> details.kinlib-side)")
