@@ -9,6 +9,9 @@ in their own modules, in `kinlib.mechanisms`.
 UNIT_LENGTH_TOL = 1e-9
 """How far the length of an axis may differ from 1. Data printed with nine digits pass; an unnormalized (1, 1, 0) does not."""
 
+UNIT_LENGTH_ROUNDING = 1e-15
+"""How far the length of an axis may differ from 1 after it was divided by its length. Such an axis is not divided again."""
+
 ORTHONORMALITY_TOL = 1e-6
 """How far x . x, y . y and x . y of a rotation's columns may differ from 1, 1 and 0, and z from x x y. Single precision passes;
 four printed decimals do not."""
