@@ -20,7 +20,7 @@ from kincourse.mistakes.dh import table_mistakes
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler, are_distinguishable
 from kincourse.text.joint_table import joint_table
-from kinlib.arrays.validation import Array
+from kinlib.arrays.validation import Array, read_only_copy
 from kinlib.chains.chain import random_configurations
 from kinlib.dh.formatting import add_variable
 from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS
@@ -182,7 +182,7 @@ def _last_frames(rows: bytes, joints: str, convention: Convention) -> Array:
     moving = np.eye(4)[[COLUMNS.index("d" if letter == "P" else "theta") for letter in joints]]
     values = np.frombuffer(rows).reshape(-1, 4) + random_configurations(len(joints), 4)[..., None] * moving
     links = dh_transform(*np.moveaxis(values, -1, 0), convention=convention)
-    return reduce(np.matmul, np.moveaxis(links, 1, 0))
+    return read_only_copy(reduce(np.matmul, np.moveaxis(links, 1, 0)))
 
 
 @lru_cache(maxsize=1024)
@@ -193,7 +193,7 @@ def _rows_with_other_x(rows: bytes, count: int, convention: Convention) -> Array
     changed = np.repeat(np.frombuffer(rows).reshape(1, count, 4), len(choices), axis=0)
     changed[..., :2] *= 1 - 2 * own[..., None]
     changed[..., 3] += np.pi * np.diff(ends)
-    return changed
+    return read_only_copy(changed)
 
 
 @dataclass(frozen=True, eq=False)

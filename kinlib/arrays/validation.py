@@ -14,13 +14,14 @@ from numpy.typing import ArrayLike
 
 from kinlib.arrays.batching import Array, Chunks, cross, dot, split_into_chunks
 from kinlib.arrays.codegen import columnwise_program, few_elements
-from kinlib.arrays.tolerances import MAX_ROTATION_RAD, ORTHONORMALITY_TOL, UNIT_LENGTH_TOL
+from kinlib.arrays.tolerances import MAX_ROTATION_RAD, ORTHONORMALITY_TOL, UNIT_LENGTH_ROUNDING, UNIT_LENGTH_TOL
 
 __all__ = [
     "Array",
     "ReadOnly",
     "array",
     "describe",
+    "divide_by_length",
     "matrices_3x3_or_4x4",
     "poses",
     "read_only_copy",
@@ -114,7 +115,18 @@ def unit_vectors(x: ArrayLike, name: str) -> Array:
         first = length[wrong].flat[0]
         advice = "Divide it by its norm" if first else "The zero vector has no direction"
         raise ValueError(f"{name} must be a unit vector; its length is {first:.10g}. {advice}.")
-    units: Array = values / length[..., None]
+    return divide_by_length(values, length)
+
+
+def divide_by_length(values: Array, length: Array) -> Array:
+    """Scale vectors whose length is about 1 to length 1; vectors that were scaled before are kept to the last bit.
+
+    values (..., n), length (...) -> (..., n). So a stored axis is the same when it is read again.
+
+    >>> divide_by_length(np.array([0.0, 2.0]), np.array(2.0))
+    array([0., 1.])
+    """
+    units: Array = values / np.where(np.abs(length - 1) <= UNIT_LENGTH_ROUNDING, 1.0, length)[..., None]
     return units
 
 

@@ -113,8 +113,7 @@ def axes(S: ArrayLike, name: str) -> Array:
             f"{name} must contain screw axes: |omega| = 1, or omega = 0 and |v| = 1. "
             f"In {name}{index or ''} the length of {part} is {length:.10g}. {advice}."
         )
-    # An axis that was normalized before is kept to the last bit, so that a stored chain is the same when it is read.
-    return S / np.where(np.abs(size - 1) <= tolerances.UNIT_LENGTH_ROUNDING, 1.0, size)[..., None]
+    return validation.divide_by_length(S, size)
 
 
 def _size(S: Array) -> Array:

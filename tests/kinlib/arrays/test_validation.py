@@ -172,6 +172,12 @@ def test_an_axis_printed_with_nine_digits_is_normalized():
     assert abs(np.linalg.norm(validation.unit_vectors(PRINTED_AXIS, "axis")) - 1) < 1e-15
 
 
+@given(directions())
+def test_an_axis_that_was_normalized_is_kept_to_the_last_bit(u):
+    once = validation.unit_vectors(u * (1 + 5e-10), "axis")
+    assert (validation.unit_vectors(once, "axis") == once).all()
+
+
 @pytest.mark.oracle("pytransform3d", validation.unit_vectors)
 @given(directions())
 def test_a_unit_vector_is_normalized_as_by_pytransform3d(u):
