@@ -24,7 +24,7 @@ def explain(problem: Problem, value: Any, wrong: Sequence[int]) -> list[Explanat
     value  an answer that was read
     wrong  the indices of its wrong parts, at least one
     """
-    groups = [problem.mistakes, problem.mutants, problem.slips]
+    groups = [problem.mistakes, list(problem.mutants_near(value)), problem.slips]
     for group in groups:
         if whole := [mistake for mistake in group if all(problem.answer.agrees(value, mistake.value))]:
             return [(list(wrong), _distinct(whole))]

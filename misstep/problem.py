@@ -5,16 +5,18 @@ feedback says so in words. Most mistakes are mutants of the solution: the proble
 changes by which people go wrong are made in it (`misstep.mutants`). A problem adds the mistakes that belong to it alone.
 """
 
-from collections.abc import Callable, Collection, Iterable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
+from contextlib import suppress
 from dataclasses import dataclass, field, replace
-from functools import cached_property
+from functools import cached_property, partial
 from itertools import combinations
+from operator import attrgetter
 from typing import Any, TypeVar
 
 from misstep.answers.base import TOLERANCE, Answer, Unreadable
 from misstep.mistakes import Mistake
 from misstep.mutants.expression import Expression
-from misstep.mutants.mutants import Built, Mutation, mutant, mutate, mutations, pairs, value_of
+from misstep.mutants.mutants import MutableSolution, Mutation, mutant, value_of
 from misstep.sampling import Sampler
 
 S = TypeVar("S", bound=Sampler)
@@ -82,7 +84,21 @@ class Problem:
     @cached_property
     def mutants(self) -> Sequence[Mistake]:
         """The mistakes to which one change of the solution leads."""
-        return list(self._single_mutants())
+        return list(self._mistakes(attrgetter("single")))
+
+    def mutants_near(self, given: Any) -> Iterator[Mistake]:
+        """Yield the mutants that may share a part with an answer that was read, without computing the others at all inputs."""
+        return self._mistakes(attrgetter("single"), partial(self.answer.may_share, given))
+
+    @cached_property
+    def names_of_mutants(self) -> Collection[str]:
+        """The names of the mutants that lead to an answer, as far as the first input shows."""
+        names = set[str]()
+        for changes in self._solutions[0].single if self._solutions else ():
+            with suppress(Unreadable):
+                self.answer.collect([value_of(self._solutions[0].mutant(changes))] * len(self._solutions))
+                names.update(mutation.change.name for mutation in changes)
+        return names
 
     @property
     def known_mistakes(self) -> Sequence[Mistake]:
@@ -91,8 +107,7 @@ class Problem:
 
     def double_mutants(self, given: Any) -> Iterator[Mistake]:
         """Yield the mistakes to which two changes of the solution lead, and which may have led to a given answer."""
-        changed = (pairs(root, single) for root, single in zip(self._roots, self._mutations, strict=True))
-        yield from self._mistakes((zip(*changes, strict=True) for changes in zip(*changed, strict=True)), given)
+        return self._mistakes(attrgetter("double"), partial(self.answer.may_be, given))
 
     def is_discriminating(self) -> bool:
         """Return whether the right answer and the answers of all mistakes differ from each other.
@@ -102,18 +117,12 @@ class Problem:
         reached = [self.answer.value, *(wrong.value for wrong in self.mistakes)]
         if any(self._same(one, other) for one, other in combinations(reached, 2)):
             return False
-        made: list[Mistake] = []
-        for wrong in self._single_mutants():
-            if self._is_hidden(wrong):
-                return False  # before the others are made, because many draws are refused
-            made.append(wrong)
-        object.__setattr__(self, "mutants", made)  # all of them, so they need not be made again
-        return True
+        return not any(self._hidden_mutants())  # the first of them, because many draws are refused
 
     @cached_property
     def hidden(self) -> Sequence[str]:
         """The names of the mutants that lead to the right answer, apart from those that are declared to be invisible."""
-        return [wrong.name for wrong in self.mutants if self._is_hidden(wrong)]
+        return [wrong.name for wrong in self._hidden_mutants()]
 
     def without_duplicates(self) -> "Problem":
         """Return the same problem without the mistakes whose answer is the right one or that of an earlier mistake.
@@ -126,14 +135,15 @@ class Problem:
                 kept.append(wrong)
         return replace(self, mistakes=kept)
 
-    def _single_mutants(self) -> Iterator[Mistake]:
-        return self._mistakes((mutation,) for mutation in zip(*self._mutations, strict=True))
-
-    def _is_hidden(self, wrong: Mistake) -> bool:
-        return wrong.name not in self.invisible and self._same(wrong.value, self.answer.value)
+    def _hidden_mutants(self) -> Iterator[Mistake]:
+        tolerance = SEPARATION_TOLERANCES * TOLERANCE
+        near = partial(self.answer.may_share, self.answer.value, tolerance=tolerance, parts=all)
+        for wrong in self._mistakes(attrgetter("single"), near):
+            if wrong.name not in self.invisible and self._same(wrong.value, self.answer.value):
+                yield wrong
 
     @cached_property
-    def _roots(self) -> Sequence[Expression]:
+    def _solutions(self) -> Sequence[MutableSolution]:
         """The solution at each input."""
         if self.solution is None:
             return []
@@ -143,33 +153,28 @@ class Problem:
             raise ValueError(
                 f"The solution must lead to the answer; it gives {reached}, and the answer is {self.answer.value}."
             )
-        return roots
+        return list(map(MutableSolution, roots))
 
-    @cached_property
-    def _mutations(self) -> Sequence[Sequence[Mutation]]:
-        """The changes of the solution at each input, in the same order."""
-        return [mutations(root) for root in self._roots]
-
-    def _mistakes(self, changed: Iterable[Iterable[Sequence[Mutation]]], given: Any = None) -> Iterator[Mistake]:
+    def _mistakes(
+        self,
+        changes_of: Callable[[MutableSolution], Sequence[tuple[Mutation, ...]]],
+        is_near: Callable[[Any], bool] = lambda _: True,
+    ) -> Iterator[Mistake]:
         """Yield a mistake for each way to change the solution, where it leads to an answer at all.
 
-        changed  for each mistake, its changes, and for each change the mutation at each input
-        given    an answer that was read; mistakes that differ from it at the first input are left out
+        changes_of  the changes, in the same order at each input
+        is_near     whether a value at the first input is near enough for computing it at the others
         """
-        built: Built = {}
-        for changes in map(list, changed):
-            mutated = (
-                mutate(root, *(mutation.replaced for mutation in at), built=built)
-                for root, at in zip(self._roots, zip(*changes, strict=True), strict=True)
-            )
-            first = next(mutated)
-            if given is not None and not self.answer.may_be(given, value_of(first)):
+        for k, changes in enumerate(changes_of(self._solutions[0]) if self._solutions else ()):
+            first = self._solutions[0].mutant(changes)
+            if not is_near(value_of(first)):
                 continue
+            others = [solution.mutant(changes_of(solution)[k]) for solution in self._solutions[1:]]
             try:
-                value = self.answer.collect([value_of(root) for root in (first, *mutated)])
+                value = self.answer.collect([value_of(root) for root in (first, *others)])
             except Unreadable:
                 continue
-            yield mutant([at[0].change for at in changes], value, self.advice, first.key)
+            yield mutant([mutation.change for mutation in changes], value, self.advice, first.key)
 
     def _same(self, one: Any, other: Any) -> bool:
         return all(self.answer.agrees(one, other, SEPARATION_TOLERANCES * TOLERANCE))

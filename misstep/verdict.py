@@ -108,12 +108,13 @@ def observation(template: Template, problem: Problem, judgements: Sequence[Judge
     [(('divisor left out',),)]
     """
     read = [judgement for judgement in judgements if judgement.state in {"right", "partly", "wrong"}]
-    wrong_answers = [*problem.mistakes, *problem.mutants, *problem.slips] if read else []
-    possible = {name for wrong in wrong_answers for name in wrong.names} - set(problem.invisible)
+    possible = set[str]()
+    if read:
+        possible.update(problem.names_of_mutants, *(wrong.names for wrong in [*problem.mistakes, *problem.slips]))
     explanations = [
         finding.alternatives for judgement in read for finding in judgement.findings if finding.alternatives
     ]
-    return Observation(template.number, sorted(possible), explanations)
+    return Observation(template.number, sorted(possible.difference(problem.invisible)), explanations)
 
 
 def _finding_text(finding: Finding, is_on_whole: bool) -> str:

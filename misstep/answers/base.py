@@ -19,6 +19,7 @@ and only where the default is not enough:
     expressions       the solution at each input, if the answer is a function or a formula
     collect           the answer that has given values at the inputs
     may_be            whether an answer may have a value at the first input
+    may_share         the same of any of its parts, or of all, in another tolerance
     with_inputs       other inputs, if the answer is a function
     stored_objects    the classes of objects that are answers, each with the function that makes an object from its fields
 
@@ -48,6 +49,9 @@ MAX_NUMBER = 1e12
 ROUNDING_TOLERANCE = 3e-2
 """An answer within this tolerance was rounded on the way rather than misunderstood, and feedback says so."""
 
+
+Quantifier = Callable[[Iterable[bool]], bool]
+"""The function any, or the function all."""
 
 StoredObjects = Mapping[type, Callable[[Mapping[str, Any]], Any]]
 """For each class of objects, the function that makes an object from its fields by name."""
@@ -157,6 +161,10 @@ class Answer(ABC):
 
     def may_be(self, given: Any, value: Any) -> bool:
         """Return whether an answer may be one that has a value at the first input, to save computing it at all inputs."""
+        return True
+
+    def may_share(self, given: Any, value: Any, tolerance: float = TOLERANCE, parts: Quantifier = any) -> bool:
+        """Return whether any part of an answer, or all of them, may be those of one that has a value at the first input."""
         return True
 
     def hint(self, given: Any, part: int) -> str:

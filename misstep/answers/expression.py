@@ -9,7 +9,7 @@ import numpy as np
 import sympy as sp
 from numpy.typing import NDArray
 
-from misstep.answers.base import TOLERANCE, Answer, Unreadable
+from misstep.answers.base import TOLERANCE, Answer, Quantifier, Unreadable
 from misstep.answers.number import Slip, entries_hint, place_of, scale_of, wrong_slips
 from misstep.display.text import number
 from misstep.formulas.evaluation import Formula, Reader, shaped
@@ -90,6 +90,16 @@ class ClosedForm(Answer):
         return np.size(value) == right.size and bool(
             np.allclose(np.reshape(value, right.shape), right, rtol=TOLERANCE, atol=TOLERANCE)
         )
+
+    def may_share(self, given: Any, value: Any, tolerance: float = TOLERANCE, parts: Quantifier = any) -> bool:
+        own = (self._right if given is self.value else given).values[..., 0]
+        try:
+            value = np.reshape(np.asarray(value, dtype=float), own.shape)
+        except (TypeError, ValueError):
+            return False
+        size = np.maximum(self._scales[..., 0], np.maximum(np.abs(own), np.abs(value)))
+        near = np.abs(own - value) <= tolerance * size
+        return parts(near[piece].all() for piece in self.part_indices())
 
     def same_entries(self, one: Any, other: Any, tolerance: float = TOLERANCE) -> NDArray[np.bool_]:
         """Return, for each entry, whether the values agree at all points."""

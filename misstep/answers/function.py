@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from misstep import validation
-from misstep.answers.base import TOLERANCE, Answer, Unreadable
+from misstep.answers.base import TOLERANCE, Answer, Quantifier, Unreadable
 from misstep.answers.number import Numbers, wrong_slips
 from misstep.mistakes import Mistake
 from misstep.mutants.expression import Expression
@@ -143,6 +143,13 @@ class Function(Answer):
         return np.shape(value) == np.shape(given.outputs[0]) and all(
             self.output.agrees(given.outputs[0], np.asarray(value))
         )
+
+    def may_share(self, given: Any, value: Any, tolerance: float = TOLERANCE, parts: Quantifier = any) -> bool:
+        try:
+            first = self._output(value)
+        except Unreadable:
+            return False
+        return all(self.output.agrees(self._called(given).outputs[0], first, tolerance))
 
     def is_rounded(self, given: FunctionCalls, part: int) -> bool:
         """Return whether every wrong output is the right one, rounded to two or more significant digits."""

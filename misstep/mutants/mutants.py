@@ -5,7 +5,8 @@ twice is changed in both places, because people compute it once.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
+from functools import cached_property
 from itertools import combinations
 from operator import is_
 from typing import Any
@@ -25,6 +26,31 @@ class Mutation:
 
     change: Change
     replaced: Mapping[int, Expression]
+
+
+@dataclass(frozen=True, eq=False)
+class MutableSolution:
+    """A solution at one input, and its changes, which are looked for when they are needed.
+
+    built  the parts that were built for its mutants; each is built and computed once
+    """
+
+    root: Expression
+    built: Built = field(default_factory=dict, repr=False)
+
+    @cached_property
+    def single(self) -> Sequence[tuple[Mutation, ...]]:
+        """Each change alone."""
+        return [(mutation,) for mutation in mutations(self.root)]
+
+    @cached_property
+    def double(self) -> Sequence[tuple[Mutation, ...]]:
+        """Every two changes."""
+        return list(pairs(self.root, [mutation for (mutation,) in self.single]))
+
+    def mutant(self, changes: Sequence[Mutation]) -> Expression:
+        """Return the solution with these changes."""
+        return mutate(self.root, *(mutation.replaced for mutation in changes), built=self.built)
 
 
 def mutate(root: Expression, *replacements: Mapping[int, Expression], built: Built | None = None) -> Expression:
