@@ -52,7 +52,7 @@ def pytest_make_collect_report():
 
 # --- the order of tests, and which tests run on one worker ---
 
-LONGEST_FIRST = ("tests/site/test_site.py", "notebooks/", "exercises/", "solutions/", "tests/kincourse/test_sheets.py")
+LONGEST_FIRST = ("tests/site/test_site.py", "notebooks/", "exercises/", "solutions/", "tests/kincourse/sheets/test_sheets.py")
 """What starts first, so that all workers end at about the same time. By the time that a browser needs the site, it is built."""
 
 
@@ -75,8 +75,8 @@ def group(nodeid):
     'notebooks/01_frames.ipynb'
     >>> group("tests/repository/test_notebooks.py::test_a_lecture_begins_with_its_title[notebooks/01_frames.ipynb]")
     'notebooks/01_frames.ipynb'
-    >>> group("tests/kincourse/test_sheets.py::test_a_blank_stub_earns_a_friendly_zero[None-07.4]")
-    'tests/kincourse/test_sheets.py 07.4'
+    >>> group("tests/kincourse/sheets/test_sheets.py::test_a_blank_stub_earns_a_friendly_zero[None-07.4]")
+    'tests/kincourse/sheets/test_sheets.py 07.4'
     """
     file, _, test = nodeid.partition("::")
     parameters = test.partition("[")[2].removesuffix("]")

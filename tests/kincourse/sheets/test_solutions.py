@@ -18,7 +18,7 @@ from misstep.grading.sandbox.limits import Limits
 from misstep.grading.sandbox.runner import Runner
 from misstep.sheet import SAMPLE_ID
 
-SOLUTIONS = Path(__file__).parents[2] / "solutions"
+SOLUTIONS = Path(__file__).parents[3] / "solutions"
 
 
 @pytest.fixture(scope="module")

@@ -17,7 +17,7 @@ from kincourse.lecture_09_urdf import readers
 from kinlib import dh_transform, load_urdf
 from kinlib.rigid.rpy import origin
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 LECTURE = json.loads((ROOT / "notebooks" / "09_urdf.ipynb").read_text("utf-8"))["cells"]
 SPINDLE = re.search(
     "<robot name=.spindle.*?</robot>", "\n".join("".join(cell["source"]) for cell in LECTURE), re.DOTALL

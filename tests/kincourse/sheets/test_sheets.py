@@ -23,7 +23,7 @@ COURSE_TEMPLATES = [template for name in sheets() for template in find_sheet(nam
 ROBOT_SHEET_TEMPLATES = [template for sheet in generated_sheets() for template in sheet.problems]
 TEMPLATES = [*COURSE_TEMPLATES, *ROBOT_SHEET_TEMPLATES]
 BLANK_STEPS = list(blanks().values())
-NOTEBOOKS = Path(__file__).parents[2] / "notebooks"
+NOTEBOOKS = Path(__file__).parents[3] / "notebooks"
 STUDENTS = [f"student {i}" for i in range(200)]
 
 CACHED_STUDENTS = 30
@@ -33,7 +33,7 @@ MUTANT_STUDENTS = 5
 """The number of students to whose problems each mutant of the solution is given as an answer."""
 
 ROBOT_SHEET_VARIANTS = 25
-"""The number of variants of a problem of a robot sheet; tests/kincourse/test_new_sheet.py tests more robots."""
+"""The number of variants of a problem of a robot sheet; tests/kincourse/sheets/test_new_sheet.py tests more robots."""
 
 
 each_problem = pytest.mark.parametrize("template", TEMPLATES, ids=lambda template: template.number)

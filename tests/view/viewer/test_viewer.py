@@ -27,7 +27,7 @@ from kinlib.view.viewer.scene import (
 )
 from kinlib.view.viewer.viewer import STATIC
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 
 each_robot = pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
 

@@ -11,7 +11,7 @@ from misstep.cli import main
 
 pytest.importorskip("nbgrader", reason="exercises/ is made with nbgrader")
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 SOURCES = sorted((ROOT / "solutions").glob("*/*.ipynb"))
 
 

@@ -214,7 +214,7 @@ def test_every_problem_has_its_cells_and_points(project):
 
 def test_ruff_accepts_a_generated_notebook(project):
     path = new_sheet(ODD_ROBOTS["SCARA"], "solutions/lab_arm")
-    root = Path(__file__).parents[2]
+    root = Path(__file__).parents[3]
     run = [sys.executable, "-m", "ruff", "check", "--config", str(root / "pyproject.toml")]
     run += ["--config", 'lint.isort.known-first-party = ["kinlib", "misstep", "kincourse"]', str(path)]
     done = subprocess.run(run, capture_output=True, text=True, check=False)

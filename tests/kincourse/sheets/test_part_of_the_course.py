@@ -11,7 +11,7 @@ from misstep.catalog import load_course
 from misstep.cli import main
 from misstep.release.instructor_notebook import Entry, notebook
 
-GUIDE = Path(__file__).parents[2] / "CONTRIBUTING.md"
+GUIDE = Path(__file__).parents[3] / "CONTRIBUTING.md"
 RIGHT = {
     1: "given = sheet.given(1)\ntilt = np.radians(given.degrees)\n"
     "axis = np.cos(tilt) * given.from_axis + np.sin(tilt) * given.towards\n"

@@ -24,7 +24,7 @@ from kinlib.view.figures.frame_assignment import draw_assignment
 from kinlib.view.figures.joint_bodies import axial_offsets, carried_axes
 from kinlib.view.figures.mid_formula import draw_mid_formula
 
-ROOT = Path(__file__).parents[2]
+ROOT = Path(__file__).parents[3]
 
 each_robot = pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
 
