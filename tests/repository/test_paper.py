@@ -14,7 +14,7 @@ ROOT = Path(__file__).parents[2]
 PAPER = (ROOT / "paper" / "paper.md").read_text("utf-8")
 CENSUS = json.loads((ROOT / "site" / "census.json").read_text("utf-8"))
 COLUMNS = ("full_marks", "misnamed", "false", "coincident")
-WORDS = {8: "eight", 9: "nine", 10: "ten", 11: "eleven", 12: "twelve"}
+WORDS = dict(enumerate("eight nine ten eleven twelve thirteen fourteen fifteen sixteen".split(), start=8))
 
 
 def test_the_size_of_the_course_is_said_as_it_is():
@@ -24,6 +24,8 @@ def test_the_size_of_the_course_is_said_as_it_is():
     for text in (PAPER, readme):
         assert re.search(rf"\b{WORDS[lectures]} lecture", text)
         assert re.search(rf"\b{WORDS[len(sheets())]} (exercise )?sheets with {problems}\s+problems", text)
+    home = (ROOT / "site" / "pages" / "index.md").read_text("utf-8")
+    assert re.search(rf"\b{WORDS[lectures]} lectures .* {WORDS[len(sheets())]} sheets", home)
 
 
 def test_the_evidence_is_that_of_the_census():

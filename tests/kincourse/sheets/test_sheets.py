@@ -66,6 +66,16 @@ def test_on_200_variants_the_right_answer_scores_full_and_each_mistake_gets_its_
 
 
 @each_problem
+def test_every_mutant_that_shares_a_part_with_an_answer_is_near_it(template):
+    problem = variant(template, SAMPLE_ID)
+    agrees = problem.answer.agrees
+    for wrong in problem.mutants[::12]:
+        near = [one.message for one in problem.mutants_near(wrong.value)]
+        assert {one.message for one in problem.mutants if any(agrees(wrong.value, one.value))} <= {*near}
+    assert problem.names_of_mutants == {name for wrong in problem.mutants for name in wrong.names}
+
+
+@each_problem
 def test_each_mutant_of_the_solution_costs_points_and_is_named(template):
     for student in STUDENTS[:MUTANT_STUDENTS]:
         problem = variant(template, student)

@@ -178,10 +178,11 @@ def test_an_axis_that_was_normalized_is_kept_to_the_last_bit(u):
     assert (validation.unit_vectors(once, "axis") == once).all()
 
 
-@pytest.mark.oracle("pytransform3d", validation.unit_vectors)
+@pytest.mark.oracle("pytransform3d", validation.unit_vectors, validation.divide_by_length)
 @given(directions())
 def test_a_unit_vector_is_normalized_as_by_pytransform3d(u):
     close = np.testing.assert_allclose
+    close(validation.divide_by_length(3 * u, np.linalg.norm(3 * u)), pr.norm_vector(3 * u), rtol=0, atol=1e-15)
     close(validation.unit_vectors(u * (1 + 5e-10), "axis"), pr.norm_vector(u), rtol=0, atol=1e-15)
 
 

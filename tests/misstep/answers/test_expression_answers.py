@@ -372,15 +372,20 @@ def test_every_function_has_the_values_of_sympy(name):
 SINE = ClosedForm(3 * sp.sin(theta))
 
 
-@pytest.mark.oracle("sympy", ClosedForm.expressions, ClosedForm.collect, ClosedForm.may_be, Reader.points)
+@pytest.mark.oracle(
+    "sympy", ClosedForm.expressions, ClosedForm.collect, ClosedForm.may_be, ClosedForm.may_share, Reader.points
+)
 def test_a_solution_has_the_values_of_sympy_at_each_point():
     points = SINE._reader.points
     expected = [float((3 * sp.sin(theta)).subs(theta, point["theta"])) for point in points]
     values = [node.value for node in SINE.expressions(lambda theta: 3 * sin(of_solution("\\theta", theta)))]
     np.testing.assert_allclose(values, expected, rtol=1e-12)
     assert SINE.agrees(SINE.collect(expected), SINE.value) == [True]
-    assert SINE.may_be(SINE.collect(values), expected[0])
-    assert not SINE.may_be(SINE.collect(values), expected[0] + 1)
+    for may in (SINE.may_be, SINE.may_share):
+        assert may(SINE.collect(values), expected[0])
+        assert not may(SINE.collect(values), expected[0] + 1)
+        assert not may(SINE.collect(values), [1.0, 2.0])
+    assert SINE.may_share(SINE.collect(values), expected[0] * 1.005, tolerance=0.01)
 
 
 @pytest.mark.oracle("text: written out in the test", ClosedForm.same_entries, ClosedForm.slips)

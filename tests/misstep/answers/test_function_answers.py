@@ -32,6 +32,15 @@ def test_a_mistake_in_a_function_is_named():
     assert judgement.findings[0].message == "You doubled."
 
 
+def test_what_a_function_may_be_is_decided_at_its_first_input():
+    answer = squares()
+    first = np.square(answer.inputs[0][0])
+    doubled = answer.read(lambda x: 2 * x)
+    assert answer.may_share(answer.value, first)
+    assert not answer.may_share(doubled, first)
+    assert not answer.may_share(answer.value, "text")
+
+
 def test_the_inputs_depend_on_the_seed_only():
     inputs = {seed: np.array(squares().with_inputs(seed).inputs) for seed in (0, 1)}
     assert len(inputs[0]) == CALL_COUNT
