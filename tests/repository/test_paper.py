@@ -14,7 +14,9 @@ ROOT = Path(__file__).parents[2]
 PAPER = (ROOT / "paper" / "paper.md").read_text("utf-8")
 CENSUS = json.loads((ROOT / "site" / "census.json").read_text("utf-8"))
 COLUMNS = ("full_marks", "misnamed", "false", "coincident")
-WORDS = dict(enumerate("eight nine ten eleven twelve thirteen fourteen fifteen sixteen".split(), start=8))
+WORDS = dict(
+    enumerate(["eight", "nine", "ten", "eleven", "twelve", "thirteen", "fourteen", "fifteen", "sixteen"], start=8)
+)
 
 
 def test_the_size_of_the_course_is_said_as_it_is():
