@@ -78,6 +78,9 @@ class Tally:
         """The points earned so far."""
         return sum(verdict.score for verdict in self.verdicts.values())
 
+    def __repr__(self) -> str:  # the one of a dataclass would write every problem and every answer into the notebook
+        return self._repr_markdown_()
+
     def _repr_markdown_(self) -> str:
         rows = ["| problem | points | state |", "| --- | --- | --- |"]
         for k, template in enumerate(self.problems, start=1):

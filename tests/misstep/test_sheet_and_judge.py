@@ -313,4 +313,4 @@ def test_a_remark_on_a_right_answer_is_no_mistake_and_nothing_to_reread():
     assert verdict.card.text() == "✓ Problem 99.4: Right\n  2 of 2 points.\n  You wrote it in another form."
     assert verdict.judgement.mistakes == []
     assert sheet.tally().recurrences == []
-    assert "2 of 2 | right" in sheet.tally()._repr_markdown_()
+    assert "2 of 2 | right" in repr(sheet.tally()) == sheet.tally()._repr_markdown_()

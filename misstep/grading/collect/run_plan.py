@@ -116,7 +116,8 @@ def plan_run(sheet: ReleasedSheet, content: bytes) -> RunPlan:
     Raises UnusableNotebook if the file has nothing to run, or is another sheet.
     """
     cells = code_cells(content)
-    problems = [_problem_of(cell, sheet) for cell in cells]
+    checks = {_normalize(source): k for k, source in sheet.checks.items()}
+    problems = [_problem_of(cell, checks) for cell in cells]
     opened = {name for cell in cells for name in OPEN_SHEET_CALL.findall(cell.source)}
     if sheet.name not in opened and (opened or not any(problems)):
         reason = f"it opens {', '.join(sorted(opened))}" if opened else "none of its cells belongs to it"
@@ -169,11 +170,11 @@ def _where_checked(
     return last_set, PlannedCell(source, k, is_fallback=bool(checking) and not was_run_again)
 
 
-def _problem_of(cell: CodeCell, sheet: ReleasedSheet) -> int | None:
+def _problem_of(cell: CodeCell, checks: Mapping[str, int]) -> int | None:
     """The problem that a cell checks: by its name, or, if an editor lost the name, by its source."""
-    if _is_check(cell.name) and (k := int(cell.name.removeprefix("check-"))) in sheet.checks:
+    if _is_check(cell.name) and (k := int(cell.name.removeprefix("check-"))) in checks.values():
         return k
-    return next((k for k, source in sheet.checks.items() if _normalize(source) == _normalize(cell.source)), None)
+    return checks.get(_normalize(cell.source))
 
 
 def _is_check(name: str) -> bool:

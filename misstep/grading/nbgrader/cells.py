@@ -5,7 +5,6 @@ text cells included, because formgrader and generate_feedback would copy HTML in
 """
 
 import re
-import warnings
 from collections.abc import Container, Mapping
 from copy import deepcopy
 from typing import Any
@@ -77,8 +76,8 @@ def restore_metadata(content: bytes | None, result: Result, released: NotebookNo
     notebook = deepcopy(released)
     if content is None or not result.cells:
         return notebook
-    with warnings.catch_warnings(action="ignore"):  # about cell ids, which old editors leave out
-        submitted = nbformat.reads(content.decode("utf-8-sig", errors="replace"), as_version=4)
+    # It is not validated, as `nbformat.reads` does, because the whole notebook is validated when it is written.
+    submitted = nbformat.convert(nbformat.reader.reads(content.decode("utf-8-sig", errors="replace")), 4)
     released_cells = {name: cell for cell in notebook.cells if (name := _name(cell))}
     checks = {cell.index: f"check-{cell.problem}" for cell in result.cells if cell.problem}
     last = {name: index for index, name in checks.items()}  # if a check cell occurs twice, the last one counts

@@ -50,6 +50,7 @@ def render_sentence(text: str) -> Markup:
     return html + escape(text[end:])
 
 
+@lru_cache(maxsize=256)  # the same statements are on a student's page and in the notebook for nbgrader
 def render_markdown(text: str) -> Markup:
     r"""Markdown as HTML: $formulas$ and $$displayed formulas$$ as MathML, tables and code; HTML in it is escaped.
 

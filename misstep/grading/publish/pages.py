@@ -100,6 +100,7 @@ def render_page(template: str, **values: Any) -> str:
 ENVIRONMENT = Environment(
     loader=PackageLoader("misstep.grading.publish", "templates"),
     autoescape=True,
+    auto_reload=False,
     undefined=StrictUndefined,
     trim_blocks=True,
     lstrip_blocks=True,
