@@ -9,9 +9,9 @@ problems. "redacted sheet" returns a student's sheet without answers, and a seed
 are drawn anew in every run. "verdicts" judges answers; the request has the seed of the redacted sheet, and the address of the
 course's site.
 
-The answers of each submission are judged in a process forked for them, so any number of submissions are judged at the same
-time. The kernel ends that process if one answer takes longer than ANSWER_SECONDS, also inside a single call of C code; the
-answers after it are judged in the next process. So a slow answer costs its own problem, and no other.
+All requests about one student are answered in a process forked for that student, and students who are graded in different
+threads are graded at the same time. The kernel ends that process if one answer takes longer than ANSWER_SECONDS, also inside a
+single call of C code; the answers after it are judged in the next process. So a slow answer costs its own problem, and no other.
 
 It runs in the folder of the sheet, because a robot's own sheet is described by a file there.
 """
@@ -24,11 +24,12 @@ import secrets
 import signal
 import sys
 import tempfile
-from collections.abc import Mapping, Sequence
+from collections.abc import Iterator, Mapping
 from contextlib import suppress
-from functools import lru_cache, partial
+from functools import cache, lru_cache, partial
 from importlib import import_module
-from typing import IO, Any, NoReturn
+from itertools import chain
+from typing import IO, Any, NoReturn, cast
 
 from misstep.catalog import Course, find_course
 from misstep.display.card import Link
@@ -39,7 +40,7 @@ from misstep.grading.sandbox.redacted_sheet import redact
 from misstep.grading.sandbox.rpc import encode_message, receive_message
 from misstep.judge import Finding, Judgement, judge
 from misstep.problem import Problem, Template
-from misstep.sheet import Sheet
+from misstep.sheet import SAMPLE_ID, Sheet
 from misstep.storage.deserialize import Malformed, Opaque, from_data
 from misstep.storage.serialize import to_data
 from misstep.verdict import Verdict, observation
@@ -53,17 +54,8 @@ Task = partial[dict[str, Any]]
 UNSOLVED = {"partly", "wrong", "unreadable"}
 """The states of an answer that must be mended, for which feedback shows the figure of the problem."""
 
-WORKERS = min(4, os.cpu_count() or 1)
-"""The number of processes that draw the numbers of students."""
-
-DRAWN_SHEETS = set[str]()
-"""The sheets of which this process has drawn a figure: the first one imports and compiles what the others need."""
-
 GC_THRESHOLD = 100_000
 """How many objects are made before garbage is collected: mutants make many, and with Python's 700 it took a sixth of the time."""
-
-STUDENTS_KEPT = 6
-"""Of how many students a process keeps the variants, with all mutants: 3 MB each. It has --jobs / WORKERS at a time."""
 
 MEMORY_BYTES = 2 << 30
 """The most memory that the judge may use, because a short answer may need a lot of memory to read."""
@@ -80,47 +72,6 @@ def verdicts(
 ) -> dict[str, Any]:
     """Judge the answers, by problem number as text: "1" is the first. A problem without an answer is blank."""
     return {k: verdict() for k, verdict in _tasks(course, sheet, student, seed, answers, site=site).items()}
-
-
-def verdicts_apart(
-    course: Course, sheet: Sheet, student: str, seed: int, answers: Mapping[str, Any], *, site: str = ""
-) -> dict[str, Any]:
-    """The same in a forked process. If an answer ends it, those that are left are judged in another one.
-
-    Raises RuntimeError if a process ends although the answer that ended the one before is no longer read.
-    """
-    tasks, done, late = _tasks(course, sheet, student, seed, answers, site=site), dict[str, Any](), set[str]()
-    while True:
-        inbox, outbox = os.pipe()
-        if not (child := os.fork()):
-            _judge_in_turn(outbox, {k: task for k, task in tasks.items() if k not in done})
-        os.close(outbox)
-        with os.fdopen(inbox, "rb") as stream:
-            while (message := receive_message(stream)) is not None:
-                done |= message
-        _, status = os.waitpid(child, 0)
-        if (culprit := next((k for k in tasks if k not in done), None)) is None:
-            return done
-        if culprit in late:
-            raise RuntimeError(f"The process that judges ended twice at problem {culprit}.")
-        late.add(culprit)
-        is_slow = os.waitstatus_to_exitcode(status) == -signal.SIGPROF
-        why = f"takes more than {ANSWER_SECONDS:g} s to judge" if is_slow else "ends the process that judges it"
-        tasks[culprit] = partial(tasks[culprit], data={"other": f"an answer that {why}"})
-
-
-def _judge_in_turn(outbox: int, tasks: Mapping[str, Task]) -> NoReturn:
-    """Write each verdict as soon as it is there, and exit. The kernel ends this process if one of them takes too long."""
-    try:
-        with os.fdopen(outbox, "wb") as stream:
-            for k, task in tasks.items():
-                signal.setitimer(signal.ITIMER_PROF, ANSWER_SECONDS)
-                message = encode_message({k: task()})
-                signal.setitimer(signal.ITIMER_PROF, 0)
-                stream.write(message)
-                stream.flush()
-    finally:
-        os._exit(0)
 
 
 def _tasks(
@@ -142,13 +93,13 @@ def _problems(course: Course, sheet: Sheet, student: str, seed: int) -> list[Pro
     return [problem.with_inputs(seed) for problem in problems]
 
 
-@lru_cache(maxsize=STUDENTS_KEPT)
+@lru_cache(maxsize=1)
 def _variants(course: Course, sheet: str, student: str) -> list[Problem]:
-    """A student's variants, cached because they are needed for the redacted sheet and soon again for the verdicts."""
+    """A student's variants, kept because they are needed for the redacted sheet and soon again for the verdicts."""
     return [template.variant(student) for template in course.find_sheet(sheet).problems]
 
 
-@lru_cache(maxsize=STUDENTS_KEPT)
+@lru_cache(maxsize=1)
 def _redrawn(course: Course, sheet: str, student: str, draw: Draw) -> list[Problem]:
     """A student's variants, some of them with other numbers."""
     templates, problems = course.find_sheet(sheet).problems, _variants(course, sheet, student)
@@ -205,90 +156,156 @@ def _unreadable(problem: Problem, message: str) -> Judgement:
     return Judgement("unreadable", findings=[Finding(problem.answer.parts, message)])
 
 
-def _respond(course: Course, message: Mapping[str, Any]) -> dict[str, Any]:
+def _answer_parts(course: Course, message: Mapping[str, Any]) -> Iterator[dict[str, Any]]:
+    """Yield the parts of the answer to a request: each verdict is one, by its problem number.
+
+    The kernel ends this process if a verdict takes too long. Verdicts that are done are left out.
+    """
     try:
         sheet = course.find_sheet(message["sheet"])
         if message.get("redraw"):
             sheet = RedrawnSheet(sheet.name, sheet.title, sheet.problems, Draw(*message["redraw"]))
         if message["request"] == "problems":
-            return {"problems": [[template.number, template.title, template.points] for template in sheet.problems]}
+            yield {"problems": [[template.number, template.title, template.points] for template in sheet.problems]}
+            return
         if message["request"] == "redacted sheet":
-            return redacted_sheet(course, sheet, message["student"])
-        arguments = (message[name] for name in ("student", "seed", "answers"))
-        return {"verdicts": verdicts_apart(course, sheet, *arguments, site=message["site"])}
-    except Exception as error:  # whatever error an answer causes, the next message is about another student
-        return {"error": f"{type(error).__name__}: {error}"[:500]}
+            yield redacted_sheet(course, sheet, message["student"])
+            return
+        tasks = _tasks(course, sheet, message["student"], message["seed"], message["answers"], site=message["site"])
+    except Exception as error:  # whatever is wrong with this request, the next one is another
+        yield {"error": f"{type(error).__name__}: {error}"[:500]}
+        return
+    for k, task in tasks.items():
+        if k not in message["done"]:
+            signal.setitimer(signal.ITIMER_PROF, ANSWER_SECONDS)
+            yield {k: task()}
+            signal.setitimer(signal.ITIMER_PROF, 0)
+
+
+class StudentProcess:
+    """A forked process that answers the requests about one student."""
+
+    def __init__(self, course: Course) -> None:
+        (inbox, requests), (parts, outbox) = os.pipe(), os.pipe()
+        self._number = os.fork()
+        for descriptor in (inbox, outbox) if self._number else (requests, parts):
+            os.close(descriptor)
+        if not self._number:
+            _answer_student(course, inbox, outbox)
+        self._requests, self._parts = os.fdopen(requests, "wb", 0), os.fdopen(parts, "rb")
+
+    def ask(self, message: Mapping[str, Any]) -> tuple[dict[str, Any], bool]:
+        """Send a request: the parts of its answer, and whether these are all; if not, the process has ended."""
+        answer = dict[str, Any]()
+        with suppress(BrokenPipeError):
+            self._requests.write(encode_message(message))
+        while part := receive_message(self._parts):
+            answer |= part
+        return answer, part is not None
+
+    def end(self) -> int:
+        """Let it end; its exit code, which for a signal is negative."""
+        self._requests.close()
+        self._parts.close()
+        return os.waitstatus_to_exitcode(os.waitpid(self._number, 0)[1])
+
+
+def _answer_student(course: Course, inbox: int, outbox: int) -> NoReturn:
+    """Write each part of an answer as soon as it is there, and an empty one after the last."""
+    try:
+        with os.fdopen(inbox, "rb") as requests, os.fdopen(outbox, "wb", 0) as parts:
+            while (message := receive_message(requests)) is not None:
+                for part in chain(_answer_parts(course, message), [{}]):
+                    parts.write(encode_message(part))
+    finally:
+        os._exit(0)
+
+
+def _answer_thread(course: Course, inbox: int, outbox: IO[bytes], lock: IO[bytes]) -> NoReturn:
+    """Answer the requests of a thread, which come one after the other, in a process for each student."""
+    signal.signal(signal.SIGCHLD, signal.SIG_DFL)  # why a process has ended is needed here
+    student, process = "", cast("StudentProcess | None", None)
+    with os.fdopen(inbox, "rb") as stream:
+        while (message := receive_message(stream)) is not None:
+            if process and (_import_sympy(message) or message["student"] != student):
+                process.end()
+                process = None
+            answer, late, student = dict[str, Any](), set[str](), message["student"]
+            while "error" not in answer:
+                process = process or StudentProcess(course)
+                parts, is_complete = process.ask({**message, "done": list(answer)})
+                answer |= parts
+                if is_complete:
+                    break
+                is_slow, process = process.end() == -signal.SIGPROF, None
+                numbers = map(str, range(1, len(course.find_sheet(message["sheet"]).problems) + 1))
+                culprit = next(k for k in numbers if k not in answer)
+                if culprit in late or message["request"] != "verdicts":
+                    answer = {"error": f"The process of the judge ended at problem {culprit}."}
+                late.add(culprit)
+                why = f"takes more than {ANSWER_SECONDS:g} s to judge" if is_slow else "ends the process that judges it"
+                message.setdefault("answers", {})[culprit] = {"other": f"an answer that {why}"}
+            if message["request"] == "verdicts" and "error" not in answer:
+                answer = {"verdicts": answer}
+            _send({**answer, "id": message["id"]}, outbox, lock)
+    os._exit(0)
 
 
 def main(course_reference: str) -> None:
-    """Answer requests until stdin ends, those about students in as many processes as there are processors.
-
-    Drawing the numbers of a student takes most of the time of grading. All requests about a student go to the same process,
-    which remembers them.
-    """
+    """Answer requests until stdin ends, those of each thread of the grader in a process that forks one for each student."""
     gc.set_threshold(GC_THRESHOLD)
     course = find_course(course_reference)
     set_resource_limits({"AS": MEMORY_BYTES})
     inbox, outbox = sys.stdin.buffer, os.fdopen(os.dup(1), "wb")
     os.dup2(2, 1)  # what a library prints must not mix with the messages
     signal.signal(signal.SIGCHLD, signal.SIG_IGN)  # the kernel clears away the processes that have answered
-    workers: list[IO[bytes]] = []
-    places: dict[str, int] = {}
+    threads = dict[int, IO[bytes]]()
     with tempfile.TemporaryFile() as lock:  # several processes write to the same pipe
         while (message := receive_message(inbox)) is not None:
             if message["request"] == "problems":
-                _answer(course, message, outbox, lock)
+                for answer in _answer_parts(course, message):
+                    _send({**answer, "id": message["id"]}, outbox, lock)
+                _warm_up(course, message["sheet"])  # while the server of submissions starts
                 continue
-            if not workers:
-                gc.collect()
-                gc.freeze()  # a collection in a fork would touch every object, and so copy every page of memory
-            while len(workers) < WORKERS:  # only now, because by now they need not import the sheet themselves
-                workers.append(_start_worker(course, workers, outbox, lock))
-            place = places.setdefault(message["student"], len(places) % len(workers))
-            workers[place].write(encode_message(message))
-            workers[place].flush()
+            thread = message["thread"]
+            if thread not in threads:
+                _warm_up(course, message["sheet"])
+                reader, writer = os.pipe()
+                if not os.fork():
+                    for descriptor in (writer, *(other.fileno() for other in threads.values())):
+                        os.close(descriptor)  # so that it ends when this process does
+                    _answer_thread(course, reader, outbox, lock)
+                os.close(reader)
+                threads[thread] = os.fdopen(writer, "wb", 0)
+            threads[thread].write(encode_message(message))
 
 
-def _start_worker(course: Course, others: Sequence[IO[bytes]], outbox: IO[bytes], lock: IO[bytes]) -> IO[bytes]:
-    """Fork a process that answers requests about students: verdicts each in a process of their own, the others at once."""
-    inbox, writer = os.pipe()
-    if os.fork():
-        os.close(inbox)
-        return os.fdopen(writer, "wb")
-    for descriptor in (writer, *(other.fileno() for other in others)):  # so that it ends when this process does
-        os.close(descriptor)
-    with os.fdopen(inbox, "rb") as stream:
-        while (message := receive_message(stream)) is not None:
-            is_apart = message["request"] == "verdicts"
-            if is_apart:
-                _prepare(course, message)
-            if not is_apart or os.fork() == 0:
-                signal.signal(signal.SIGCHLD, signal.SIG_DFL if is_apart else signal.SIG_IGN)
-                _answer(course, message, outbox, lock)
-                if is_apart:
-                    os._exit(0)
-    os._exit(0)
-
-
-def _answer(course: Course, message: Mapping[str, Any], outbox: IO[bytes], lock: IO[bytes]) -> None:
-    """Answer a request, and write the whole answer before another process writes one."""
-    answer = encode_message({**_respond(course, message), "id": message["id"]})
+def _send(answer: Mapping[str, Any], outbox: IO[bytes], lock: IO[bytes]) -> None:
+    """Write the whole of an answer before another process writes one."""
+    message = encode_message(answer)
     fcntl.lockf(lock, fcntl.LOCK_EX)
-    outbox.write(answer)
+    outbox.write(message)
     outbox.flush()
     fcntl.lockf(lock, fcntl.LOCK_UN)
 
 
-def _prepare(course: Course, message: Mapping[str, Any]) -> None:
-    """Do before the fork what the next submissions need, too: draw the variants, a first figure, and import SymPy if needed."""
+@cache
+def _warm_up(course: Course, sheet: str) -> None:
+    """Do before the forks what every student needs: import the sheet, draw its numbers and a first figure once."""
     with suppress(Exception):  # the answer to the request has the error
-        problems = _variants(course, message["sheet"], message["student"])
-        if message["sheet"] not in DRAWN_SHEETS:
-            DRAWN_SHEETS.add(message["sheet"])
-            figure_html(next(problem for problem in problems if problem.figure))
-        text = json.dumps(message["answers"])
-        if '"symbolic"' in text or '"matrix"' in text:
-            import_module("sympy")
+        problems = _variants(course, sheet, SAMPLE_ID)
+        figure_html(next(problem for problem in problems if problem.figure))
+    gc.collect()
+    gc.freeze()  # a collection in a fork would touch every object, and so copy every page of memory
+
+
+def _import_sympy(message: Mapping[str, Any]) -> bool:
+    """Import SymPy if the answers need it, and whether this was the first time: then the next processes have it from their start."""
+    text = json.dumps(message.get("answers"))
+    if "sympy" in sys.modules or not ('"symbolic"' in text or '"matrix"' in text):
+        return False
+    import_module("sympy")
+    return True
 
 
 if __name__ == "__main__":

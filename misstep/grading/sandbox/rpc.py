@@ -59,7 +59,8 @@ class Worker:
     """A Python module that runs in a process of its own and answers messages. Any thread may send requests.
 
     The process is started by exec, so nothing of this process is in its memory. It has one thread for BLAS and an
-    environment without secrets. Each message gets an id, so answers may arrive in any order.
+    environment without secrets. Each message gets an id, so answers may arrive in any order,
+    and the number of the thread that sends it.
     """
 
     def __init__(self, module: str, folder: Path, *arguments: str) -> None:
@@ -91,7 +92,7 @@ class Worker:
             number, answer = next(self._ids), Future[dict[str, Any]]()
             self._pending[number] = answer
             try:
-                self._outbox.write(encode_message({**message, "id": number}))
+                self._outbox.write(encode_message({**message, "id": number, "thread": threading.get_ident()}))
                 self._outbox.flush()
             except (OSError, ValueError) as error:  # the pipe is broken, or closed already
                 del self._pending[number]
