@@ -82,6 +82,7 @@ html_show_sourcelink = False
 html_use_index = False
 html_domain_indices = False
 html_math_renderer = "katex"
+highlight_language = "none"  # a block without a language is a command line, and would be coloured as Python
 pygments_style = "a11y-light"
 pygments_dark_style = "a11y-dark"
 html_theme_options = {
