@@ -3,6 +3,8 @@
 import os
 import re
 
+from misstep.display.static_output import is_static_export
+
 FOLDER = "notebooks"
 """The folder of the lectures' notebooks, beside the folder of a sheet or above it."""
 
@@ -13,15 +15,17 @@ MAX_LEVELS = 3
 def lecture_address(lecture: str, site: str = "") -> str:
     """Return the address of a section of a lecture, relative to the open notebook, or of its page if no notebook is found.
 
+    Where a page of the site runs the code there are no notebooks, and the page makes links to notebooks lead to pages.
+
     lecture  notebook and heading, "01_ohm#Parallel circuits"
     site     the address of the site of the course, "" if it has none
     """
     name, _, heading = lecture.partition("#")
-    for level in range(MAX_LEVELS):
-        path = f"{'../' * level}{FOLDER}/{name}.ipynb"
-        if os.path.isfile(path):  # noqa: PTH113 - Path.is_file raises an error for a folder that cannot be read
-            return f"{path}#{heading.replace(' ', '-')}"  # the id that JupyterLab gives to a heading
-    return page_address(lecture, site)
+    paths = [f"{'../' * level}{FOLDER}/{name}.ipynb" for level in range(MAX_LEVELS)]
+    found = filter(os.path.isfile, paths)  # Path.is_file raises an error for a folder that cannot be read
+    path = next(found, paths[1] if is_static_export() else "")
+    # A heading has this id in JupyterLab.
+    return f"{path}#{heading.replace(' ', '-')}" if path else page_address(lecture, site)
 
 
 def page_address(lecture: str, site: str) -> str:

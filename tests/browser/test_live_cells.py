@@ -44,6 +44,7 @@ def test_a_reader_runs_changes_and_stops_the_cells_of_a_lecture(chromium_without
         page.goto(lecture)
         runs_the_cells_above_first(page)
         shows_an_error_with_its_line(page)
+        links_to_the_section_to_reread(page)
         answers_a_blank_step(page)
         has_no_violation(page)
         stops_a_cell_that_never_ends(page)
@@ -90,6 +91,14 @@ def shows_an_error_with_its_line(page):
     pose.locator("textarea").press("Control+Enter")
     ended(pose, "Ended with an error.")
     expect(output.locator(".kinlib-live-error p")).to_have_text("✗ SyntaxError in line 1 of this cell")
+
+
+def links_to_the_section_to_reread(page):
+    wrong = cell(page, "position = [")
+    press(wrong, "Run")
+    ended(wrong)
+    link = wrong.get_by_role("link", name="Re-read: lecture 00_start_here")
+    expect(link).to_have_attribute("href", "../lectures/00_start_here.html#a-wrong-answer-on-purpose")
 
 
 def answers_a_blank_step(page):

@@ -8,6 +8,7 @@ import pytest
 
 from misstep.display.card import PAPER_SHARE, TITLE_SHARE, TONES, Card, Link
 from misstep.display.lecture_address import lecture_address
+from misstep.display.static_output import ENVIRONMENT_VARIABLE
 from misstep.display.text import points
 
 
@@ -84,6 +85,8 @@ def test_a_lecture_is_found_beside_the_sheet_and_above_it(tmp_path, monkeypatch)
         monkeypatch.chdir(tmp_path / folder)
         assert lecture_address("01_frames#The inverse", "https://a.b/") == address
     assert not lecture_address("01_frames#The inverse")
+    monkeypatch.setenv(ENVIRONMENT_VARIABLE, "1")  # where a page of the site runs the code
+    assert lecture_address("01_frames#The inverse", "https://a.b/") == "../notebooks/01_frames.ipynb#The-inverse"
 
 
 @pytest.mark.parametrize("whole", range(4))
