@@ -266,6 +266,7 @@ WHOLE = """
 import sys
 import misstep.grading.nbgrader.gradebook as ours
 assert not {"nbgrader", "nbconvert", "jupyter_server"} & {*sys.modules}, "the web server was imported"
+assert not {"isoduration", "webcolors"} & {*sys.modules}, "the formats were imported"
 import nbgrader
 from nbgrader.api import Gradebook
 assert ours.Gradebook is Gradebook
