@@ -1,6 +1,7 @@
 """Print the built site as one PDF, and add it to the site: `nox -s pdf`. Chromium must be installed."""
 
 import os
+import re
 import shutil
 import subprocess
 import sys
@@ -9,7 +10,7 @@ from pathlib import Path
 from kinsite.pdf_document import compose_document, page_numbers
 
 BUILT = Path(__file__).resolve().parents[1] / "build" / "site" / "html"
-ADDRESS = os.environ.get("KINLIB_SITE_URL", "http://127.0.0.1:8000/").rstrip("/") + "/"
+ADDRESS = re.sub("/*$", "/", os.environ.get("KINLIB_SITE_URL", ""), count=1).removeprefix("/")
 CHROMIUM_NAMES = ("chromium", "chromium-browser", "google-chrome", "chrome", "msedge")
 
 PLACEHOLDER = "<!-- course.pdf -->"
@@ -20,10 +21,12 @@ LINK = '<p><a href="course.pdf">The lectures as one PDF</a>, to print or to keep
 OFFLINE = "--host-resolver-rules=MAP * ~NOTFOUND"
 # The browser's sandbox protects from pages of strangers. This page is our own, and loads nothing from other hosts.
 HEADLESS = ("--headless", "--no-sandbox", "--disable-gpu", "--disable-background-networking", "--no-first-run", OFFLINE)
+DESCRIPTION = b"/Author (The kinlib authors) /Subject (Lectures on the forward kinematics of robots)"
+"""What replaces the entry in which Chromium names itself. It is shorter, and nothing may move within a PDF."""
 
 
 def write_pdf(document: Path, pdf: Path) -> None:
-    """Print an HTML document with Chromium; the PDF has an outline.
+    """Print an HTML document with Chromium; the PDF has an outline, an author and a subject.
 
     Raises SystemExit if there is no Chromium, and if it prints nothing.
     """
@@ -35,6 +38,8 @@ def write_pdf(document: Path, pdf: Path) -> None:
     done = subprocess.run([chromium, *HEADLESS, *options], capture_output=True, text=True, check=False)
     if not pdf.exists():
         sys.exit(f"{chromium} printed nothing:\n{done.stderr[-2000:]}")
+    creator = re.compile(rb"/Creator \(.*?(?<!\\)\)", re.DOTALL)
+    pdf.write_bytes(creator.sub(lambda found: DESCRIPTION.ljust(len(found[0])), pdf.read_bytes(), count=1))
 
 
 if __name__ == "__main__":

@@ -29,6 +29,7 @@ QUESTION = re.compile(r'data-misstep-question="([^"]+)"[^>]*data-right="(\d)".*?
 EXPLANATION = re.compile(r'<div [^>]*data-misstep-explain="([^"]+)".*?</details></div>', re.DOTALL)
 REASON = re.compile(r'<p class="misstep-why"><strong>[^<]*</strong>\s*(.*?)</p>', re.DOTALL)
 SLIDES = re.compile(r"<div data-kinlib-slides.*?</figure></div>(?!<div data-value)", re.DOTALL)
+WAITING = re.compile(r'<div data-kinlib-slides[^>]*data-kinlib-after="([^"]+)".*?</details></div>', re.DOTALL)
 SLIDE = re.compile(r"<div data-value=.*?</figure></div>", re.DOTALL)
 LESSON = re.compile(r'<div class="misstep-lesson">(.*?)</div>', re.DOTALL)
 OPTION_LETTERS = "ABCDEFGH"
@@ -45,21 +46,39 @@ DOCUMENT = """\
 <section class="kinlib-cover"><h1>Forward kinematics</h1><p>Where is the tool? The lectures of the course, for printing.</p>
 <img src="{folder}/_static/opengraph.png" alt="An arm with its screw axes, and the words: where is the tool?">
 <p>{author}. Version {version}, printed on {date}.</p><p>Lectures: Creative Commons Attribution 4.0. Code: MIT licence.</p>
-<p>On the website you can move the arms, answer the questions and run every cell: <a href="{address}">{address}</a></p></section>
-<nav class="kinlib-contents"><h2>Contents</h2><ul>{contents}</ul></nav>
+<p>On the website you can move the arms, answer the questions and run every cell{website}</p></section>
+<nav class="kinlib-contents"><h2>Contents</h2><ul>{contents}</ul>
+<p>The exercise sheets, the robots, the mistakes and the reference of the library are on the website.</p></nav>
 {articles}
 <script>{fit}</script></body></html>
 """
 
-FIT_FORMULAS = """
+FIT = """
 const formulas = [...document.querySelectorAll('.katex-display > .katex')];
 const show = (display) => formulas.forEach((formula) => { formula.style.display = display; });
 show('inline-block');
 const shrink = formulas.map((formula) => 720 / formula.getBoundingClientRect().width);
 show('');
 formulas.forEach((formula, i) => { if (shrink[i] < 1) formula.parentElement.style.fontSize = `${shrink[i]}em`; });
+for (const pre of document.querySelectorAll('pre')) {
+  const widths = pre.textContent.split('\\n').map((line) => line.length).filter((width) => width <= 120);
+  pre.style.fontSize = `min(7.5pt, ${262 / Math.max(...widths)}mm)`;
+}
+for (const formula of document.querySelectorAll('.math > .katex')) {
+  const text = formula.parentElement.nextSibling;
+  const mark = text?.nodeType === 3 && /^[.,;:?!)]+/.exec(text.data)?.[0];
+  if (mark) {
+    [...formula.querySelectorAll('.base')].at(-1).append(mark);
+    text.deleteData(0, mark.length);
+  }
+}
 """
-"""Shrinks the formulas that are wider than a page: 720 pixels of the screen are 45 em, and a line of a page has 47."""
+"""Shrinks the formulas that are wider than a page: 720 pixels of the screen are 45 em, and a line of a page has 47.
+
+It shrinks code and its output, too, so that lines of up to 120 characters are not broken: a character is 0.6 em wide, and
+the narrowest block of code has 158 mm for its text. And it puts a punctuation mark into the formula before it, because
+Chromium may begin a line between the two.
+"""
 
 MAX_SLIDES = 6
 """How many pictures of a slider are printed, from its first position to its last."""
@@ -78,7 +97,7 @@ def compose_document(
 
     built    the folder that the pages were built into
     folder   the same folder, relative to the document
-    address  the address of the published site; links to pages that are not printed lead there
+    address  the address of the published site; links to pages that are not printed lead there, or nowhere if it is empty
     numbers  for the squeezed title of each page the number of the sheet of paper on which it begins, once that is known
     """
     texts = {page: found[1] for page in pages if (found := ARTICLE.search((built / page).read_text("utf-8")))}
@@ -98,9 +117,10 @@ def compose_document(
         f'<article id="{anchor(page)}">{adapt(text, page, texts, folder, address)}</article>'
         for page, text in texts.items()
     )
+    website = f': <a href="{address}">{address}</a>' if address else "."
     today = datetime.now(UTC).date().isoformat()
     return DOCUMENT.format(
-        folder=folder, address=address, contents=contents, articles=articles, heads=heads, fit=FIT_FORMULAS,
+        folder=folder, website=website, contents=contents, articles=articles, heads=heads, fit=FIT,
         author="The kinlib authors", version=kinlib.__version__, date=today,
     )  # fmt: skip
 
@@ -177,7 +197,7 @@ def adapt(html: str, page: str, printed: Collection[str], folder: str, address: 
             return f'src="{folder}/{target}"'
         if target in printed:
             return f'href="#{anchor(target)}{"--" + fragment[1:] if fragment else ""}"'
-        return f'href="{address}{target}{fragment}"'
+        return f'href="{address}{target}{fragment}"' if address else ""
 
     html = SCREEN_ONLY.sub("", html)
     html = IDS.sub(lambda found: f'{found[1]}="{anchor(page)}--{found[2]}"', LINKS.sub(redirect, html))
@@ -197,7 +217,14 @@ def thin_out(slides: str) -> str:
 
 
 def move_answers(html: str) -> str:
-    """Move the explanations of predictions to the end of the lecture, with the right answer to every question and its reason."""
+    """Move the explanations of predictions to the end of the lecture, with the right answer to every question and its reason.
+
+    The pictures of a slider that waits for a prediction show the answer, so they are moved there as well.
+    """
+    pictures: dict[str, str] = {}
+    for found in WAITING.finditer(html):
+        pictures[found[1]] = pictures.get(found[1], "") + found[0]
+    html = WAITING.sub("", html)
     explanations = {found[1]: found[0] for found in EXPLANATION.finditer(html)}
     answers, numbers = [], {}
     for number, found in enumerate(QUESTION.finditer(html), start=1):
@@ -207,11 +234,14 @@ def move_answers(html: str) -> str:
         lesson = LESSON.search(explanation)
         letter = OPTION_LETTERS[int(found[2])]
         answers.append(
-            f'<div class="kinlib-answer"><p><strong>{number} {letter}.</strong> {reason}</p>{lesson[1] if lesson else ""}</div>'
+            f'<div class="kinlib-answer"><p><strong>{number} {letter}.</strong> {reason}</p>'
+            f"{lesson[1] if lesson else ''}{pictures.get(found[1], '')}</div>"
         )
     html = EXPLANATION.sub(
         lambda found: (
-            f"<p>Compare with answer {numbers[found[1]]} at the end of this lecture.</p>" if found[1] in numbers else ""
+            f"<p>Compare with answer {numbers[found[1]]}{' and its pictures' * (found[1] in pictures)} at the end of this lecture.</p>"
+            if found[1] in numbers
+            else ""
         ),
         html,
     )

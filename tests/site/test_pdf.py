@@ -4,6 +4,7 @@ import shutil
 import sys
 from pathlib import Path
 
+import furo
 import pytest
 from browser import CHROMIUM, NO_CHROMIUM
 
@@ -25,14 +26,17 @@ ONE = """<p id="here"><a href="#here">here</a> <a href="two.html#there">there</a
 <details class="kinlib-side"><summary><h2>Side track: more</h2></summary>skipped</details>
 <div data-kinlib-drawing><details><summary>Commit first</summary><figure></figure></details></div>
 {questions}"""
+WAITING = """<div data-kinlib-slides data-kinlib-after="01/b"><details open><summary>Commit first</summary>\
+<div data-value="0"><figure>the answer</figure></div></details></div>"""
 OPTIONS = [Option("one", "It is too small."), Option("two", "It is twice one.", right=True)]
 QUESTIONS = [Item("a", "check", "Twice one?", OPTIONS), Item("b", "predict", "And now?", OPTIONS, "It *grows*.")]
-QUESTIONS_HTML = "".join(question_html(f"01/{item.name}", item) for item in QUESTIONS) + explanation_html(
-    "01/b", QUESTIONS[1]
-)
+QUESTIONS_HTML = "".join(question_html(f"01/{item.name}", item) for item in QUESTIONS) + WAITING.replace(" open", "")
+QUESTIONS_HTML += explanation_html("01/b", QUESTIONS[1])
 
 
 LONG = "Two: a title that is broken, because it is longer than a line of the page"
+WORDS = f"""<p>All</p><p>the words.</p><dl>{"<dt>A word</dt><dd><p>Its meaning.</p></dd>" * 30}</dl>"""
+CODE = f"""<div class="highlight"><pre>{("x" * 58 + " " + "y" * 59 + chr(10)) * 50}</pre></div>"""
 
 
 @pytest.fixture
@@ -42,14 +46,16 @@ def built(tmp_path):
     shutil.copytree(SITE / "static", folder / "_static")
     (folder / "lectures/one.html").write_text(PAGE.format(title="One", text=ONE.format(questions=QUESTIONS_HTML)))
     (folder / "lectures/two.html").write_text(PAGE.format(title=LONG, text='<p id="there">Two.</p>'))
+    (folder / "words.html").write_text(PAGE.format(title="Words", text=WORDS))
+    (folder / "code.html").write_text(PAGE.format(title="Code", text=CODE))
     return folder
 
 
-PAGES = ["lectures/one.html", "lectures/two.html"]
+PAGES = ["lectures/one.html", "lectures/two.html", "words.html", "code.html"]
 
 
-def document(built):
-    return compose_document(built, "html", "https://course.example/", PAGES, {squeeze(LONG): 7})
+def document(built, address="https://course.example/"):
+    return compose_document(built, "html", address, PAGES, {squeeze(LONG): 7})
 
 
 @pytest.mark.parametrize(
@@ -57,6 +63,7 @@ def document(built):
     [
         'id="lectures-one--here"><a href="#lectures-one--here">here',
         'href="#lectures-two--there"',
+        'run every cell: <a href="https://course.example/">https://course.example/</a></p>',
         'href="https://course.example/robots/arm.html#x"',
         'href="https://example.org/"',
         'src="html/_images/a.svg"',
@@ -68,9 +75,9 @@ def document(built):
         '<details open class="kinlib-side">',
         "<div data-kinlib-drawing><details open>",
         '<details class="misstep-option"><summary>two',
-        "<p>Compare with answer 2 at the end of this lecture.</p><h2>Answers</h2>",
+        "<p>Compare with answer 2 and its pictures at the end of this lecture.</p><h2>Answers</h2>",
         "<p><strong>1 B.</strong> It is twice one.</p></div>",
-        "<p><strong>2 B.</strong> It is twice one.</p><p>It <em>grows</em>.</p></div></article>",
+        "<p><strong>2 B.</strong> It is twice one.</p><p>It <em>grows</em>.</p>" + WAITING + "</div></article>",
     ],
 )
 def test_links_are_redirected_and_the_answers_are_at_the_end(built, part):
@@ -80,6 +87,12 @@ def test_links_are_redirected_and_the_answers_are_at_the_end(built, part):
 @pytest.mark.parametrize("part", ["elsewhere", "Download", "headerlink", "lazy", "data-misstep-explain"])
 def test_parts_for_the_screen_are_left_out(built, part):
     assert part not in document(built)
+
+
+def test_without_an_address_no_link_leads_to_a_page_that_is_not_printed(built):
+    printed = document(built, address="")
+    assert "<a >arm</a>" in printed
+    assert "run every cell.</p>" in printed
 
 
 def test_few_pictures_of_a_slider_are_printed_from_the_first_to_the_last():
@@ -94,12 +107,16 @@ def test_few_pictures_of_a_slider_are_printed_from_the_first_to_the_last():
 @pytest.mark.skipif(CHROMIUM is None, reason=NO_CHROMIUM)
 def test_chromium_prints_the_document_with_an_outline(built, tmp_path):
     (tmp_path / "course.html").write_text(document(built), "utf-8")
+    # the theme's own rules for printing leave the rest of the page empty before a long list
+    shutil.copytree(Path(furo.__file__).parent / "theme/furo/static/styles", built / "_static/styles")
     write_pdf(tmp_path / "course.html", tmp_path / "course.pdf")
     printed = (tmp_path / "course.pdf").read_bytes()
     assert printed.startswith(b"%PDF")
-    assert printed.count(b"/Type /Page\n") >= 4, "a cover, the contents and two lectures"
     assert b"/Outlines" in printed
-    assert page_numbers(printed) == {"Forwardkinematics": 1, "One": 3, squeeze(LONG): 4}
+    assert b"/Author (The kinlib authors)" in printed
+    begin = page_numbers(printed)
+    assert begin == {"Forwardkinematics": 1, "One": 3, squeeze(LONG): 4, "Words": 5, "Code": 7}
+    assert printed.count(b"/Type /Page\n") == 7, "a line of 118 characters is not broken"
 
 
 def test_without_chromium_the_error_says_what_to_do(monkeypatch, tmp_path):
