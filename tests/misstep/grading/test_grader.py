@@ -169,7 +169,13 @@ from misstep.answers.number import Numbers
 
 
 class Slow(Numbers):
+    is_spoiled = False
+
     def read(self, given):
+        if given == 16:
+            Slow.is_spoiled = True
+        if Slow.is_spoiled:
+            raise TypeError("something of the judge is spoiled")
         if given == 13:
             sum(range(10**13))  # one call of C code, which no signal handler of Python can interrupt
         if given == 14:
@@ -181,6 +187,8 @@ class Slow(Numbers):
 
 @problem("01.1", "Twice", points=1, lecture="01_slow#Twice")
 def twice(sampler):
+    if os.path.exists("abort"):
+        os.abort()
     x = sampler.length(0.1, 0.5)
     return Problem("Twice?", Slow(np.array(2 * x)), [mistake("half", np.array(x / 2), "No.")], {"x": x})
 
@@ -229,6 +237,24 @@ def test_an_answer_that_ends_the_judge_costs_its_own_problem(slow_judge):
     states, text = slow_judge("eve", 14)
     assert states == ["unreadable", "right"]
     assert "got an answer that ends the process that judges it" in text
+
+
+def test_what_an_answer_changes_in_the_judge_is_gone_for_the_next_student(slow_judge):
+    assert slow_judge("eve", 16)[0] == ["unreadable", "right"]
+    assert slow_judge("ada", 9)[0] == ["wrong", "right"]
+
+
+def test_a_judge_that_ends_while_it_draws_says_so_and_draws_again_for_the_next_request(slow_judge, tmp_path):
+    request = {"request": "redacted sheet", "sheet": "01_slow", "student": "ada"}
+    worker = Worker("misstep.grading.judging.judge_process", tmp_path, str(tmp_path / "slow_course"))
+    try:
+        assert "seed" in worker.request({**request, "student": "bob"}, 60.0)
+        (tmp_path / "abort").touch()
+        assert "ended" in worker.request(request, 60.0)["error"]
+        (tmp_path / "abort").unlink()
+        assert "seed" in worker.request(request, 60.0)
+    finally:
+        worker.stop()
 
 
 def test_a_judge_that_has_to_wait_for_its_turn_gives_the_same_verdict(slow_judge):
