@@ -7,6 +7,7 @@ import shutil
 import subprocess
 import sys
 import tomllib
+import zipfile
 from pathlib import Path
 
 import pytest
@@ -269,6 +270,24 @@ def test_the_workspace_has_the_dependencies_and_entry_points_of_its_packages():
     assert PROJECT["project"]["entry-points"] == PACKAGES["kincourse"]["project"]["entry-points"]
     assert PROJECT["tool"]["hatch"]["build"]["targets"]["wheel"] == {"packages": [*PACKAGES]}
     assert [item for item in PACKAGES["misstep"]["project"]["dependencies"] if name_of(item) != "numpy"] == []
+
+
+@pytest.mark.parametrize("package", ["kinlib", "misstep", "kincourse"])
+def test_the_wheel_that_is_built_from_the_source_archive_has_every_file_of_the_package(tmp_path, package):
+    """A release builds the wheel from the archive, where the patterns of .gitignore are relative to the package."""
+    build = [sys.executable, "-P", "-m", "hatchling", "build", "-d", str(tmp_path)]
+    subprocess.run([*build, "-t", "sdist"], cwd=ROOT / package, capture_output=True, check=True)
+    (archive,) = tmp_path.glob("*.tar.gz")
+    shutil.unpack_archive(archive, tmp_path, filter="data")
+    unpacked = tmp_path / archive.name.removesuffix(".tar.gz")
+    subprocess.run([*build, "-t", "wheel"], cwd=unpacked, capture_output=True, check=True)
+    (wheel,) = tmp_path.glob("*.whl")
+    built = {name for name in zipfile.ZipFile(wheel).namelist() if ".dist-info/" not in name}
+    paths = [path for path in (ROOT / package).rglob("*") if path.is_file() and path.suffix != ".pyc"]
+    only_source = {f"{package}/{name}" for name in ("pyproject.toml", "README.md", "LICENSE")}
+    assert (
+        built == {path.relative_to(ROOT).as_posix() for path in paths if not GENERATED & set(path.parts)} - only_source
+    )
 
 
 def test_the_dependencies_of_each_extra_are_installed_for_the_tests():
