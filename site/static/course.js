@@ -394,7 +394,7 @@
 
   function makeWideContentFocusable() {
     for (const element of all('article pre, article .table-wrapper, article div.math, article .kinlib-progress')) {
-      const wide = element.scrollWidth > element.clientWidth + 1;
+      const wide = element.scrollWidth > element.clientWidth;
       if (wide) element.setAttribute('tabindex', '0');
       else element.removeAttribute('tabindex');
     }

@@ -4,7 +4,10 @@ from built_site import SITE
 
 
 def violations(page):
-    """List what axe finds on the open page, as (theme, rule, start of the element)."""
+    """List what axe finds on the open page, as (theme, rule, start of the element).
+
+    axe takes the heading of a column for empty if it has nothing but a formula; screen readers read its MathML.
+    """
     page.wait_for_load_state("networkidle")
     page.evaluate((SITE / "node_modules" / "axe-core" / "axe.min.js").read_text("utf-8"))
     found = []
@@ -12,5 +15,10 @@ def violations(page):
         page.emulate_media(color_scheme=theme)
         page.wait_for_timeout(300)  # colours fade from one theme to the other
         rules = page.evaluate("axe.run(document, { resultTypes: ['violations'] })")["violations"]
-        found += [(theme, rule["id"], node["html"][:200]) for rule in rules for node in rule["nodes"]]
+        found += [
+            (theme, rule["id"], node["html"][:200])
+            for rule in rules
+            for node in rule["nodes"]
+            if not (rule["id"] == "empty-table-header" and page.locator(node["target"][0]).locator("math").count())
+        ]
     return found
