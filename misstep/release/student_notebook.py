@@ -8,10 +8,12 @@ All steps are nbgrader's own, so `nbgrader generate_assignment` and this command
 
 import argparse
 import sys
+from collections import Counter
 from collections.abc import Iterator
 from pathlib import Path
 
 import nbformat
+from nbgrader.nbgraderformat import ValidationError
 from nbgrader.preprocessors import CheckCellMetadata, ClearOutput, ClearSolutions, ComputeChecksums, LockCells
 from traitlets.config import Config
 
@@ -22,12 +24,24 @@ CODE_STUB = Config({"ClearSolutions": {"code_stub": {"python": "# your lines her
 
 
 def student_version(source: Path) -> str:
-    """Return the text of the student's version of a file: a notebook without its solutions, or any other file unchanged."""
+    """Return the text of the student's version of a file: a notebook without its solutions, or any other file unchanged.
+
+    Raises ValueError if two cells have the same grade_id, or if nbgrader refuses the metadata of a cell.
+    """
     if source.suffix != ".ipynb":
         return source.read_text(encoding="utf-8")
     notebook = nbformat.read(source, as_version=4)
+    ids = Counter(cell.metadata.nbgrader.get("grade_id") for cell in notebook.cells if "nbgrader" in cell.metadata)
+    if repeated := ", ".join(repr(name) for name, times in ids.items() if times > 1):
+        raise ValueError(
+            f"{source}: each cell must have a grade_id of its own; got {repeated} more than once. A copied cell keeps the "
+            "grade_id: change it in the metadata of the copy (in JupyterLab: Property Inspector, Advanced Tools)."
+        )
     for step in NBGRADER_STEPS:
-        notebook, _ = step(config=CODE_STUB).preprocess(notebook, {"nbgrader": {}})
+        try:
+            notebook, _ = step(config=CODE_STUB).preprocess(notebook, {"nbgrader": {}})
+        except ValidationError as error:
+            raise ValueError(f"{source}: {error}") from error
     return str(nbformat.writes(notebook)) + "\n"
 
 
@@ -53,17 +67,22 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Write the notebooks that are stale, or list them. The exit code is 1 for --check with stale notebooks."""
+    """Write the notebooks that are stale, or list them. The exit code is 1 for --check with stale notebooks, 2 for an error."""
     if not any(sheet_files(options.root)):
         print(
             f"misstep release: {options.root.resolve()} has no solutions/*/*.ipynb. Give the folder that contains solutions/ by --root.",
             file=sys.stderr,
         )
         return 2
-    for target in (stale := find_stale(options.root)):
-        print(f"{'stale' if options.check else 'written'}: {target.relative_to(options.root)}")
-        if not options.check:
-            target.parent.mkdir(parents=True, exist_ok=True)
+    try:
+        for target in (stale := find_stale(options.root)):
             source = options.root / "solutions" / target.relative_to(options.root / "exercises")
-            target.write_text(student_version(source), encoding="utf-8", newline="\n")
+            released = student_version(source)
+            print(f"{'stale' if options.check else 'written'}: {target.relative_to(options.root)}")
+            if not options.check:
+                target.parent.mkdir(parents=True, exist_ok=True)
+                target.write_text(released, encoding="utf-8", newline="\n")
+    except ValueError as error:
+        print(f"misstep release: {error}", file=sys.stderr)
+        return 2
     return 1 if stale and options.check else 0

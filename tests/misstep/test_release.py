@@ -64,3 +64,13 @@ def test_a_released_notebook_has_no_solution(tmp_path):
 def test_a_notebook_needs_one_entry_for_each_problem():
     with pytest.raises(ValueError, match="01_ohm has 1 problems; got 2 entries"):
         notebook(SHEET, [ENTRY, ENTRY], "", "")
+
+
+def test_a_copied_cell_that_keeps_its_grade_id_is_refused_by_name(source, tmp_path, capsys):
+    source.write_text(
+        notebook(SHEET, [ENTRY], "", "").replace('"grade_id": "check-1"', '"grade_id": "answer-1"'), encoding="utf-8"
+    )
+    assert main(["release", "--root", str(tmp_path)]) == 2
+    said = capsys.readouterr().err
+    assert "each cell must have a grade_id of its own; got 'answer-1' more than once" in said
+    assert not (tmp_path / "exercises").exists()
