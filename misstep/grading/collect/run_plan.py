@@ -6,6 +6,7 @@ also there. The sheet's own opening cell runs first, and at the end those cells 
 """
 
 import re
+from collections import Counter
 from collections.abc import Mapping, Sequence
 from contextlib import chdir, nullcontext
 from dataclasses import dataclass, field
@@ -86,8 +87,8 @@ def read_released_sheet(
     site    the address of the course's site; by default the one that the course names
     key     the instructor's key; the notebook must have the solution then
 
-    Raises ValueError for a notebook that opens no sheet or has no check cells, if no course has the sheet, and for a site whose
-    address is not complete.
+    Raises ValueError for a notebook that opens no sheet or has no check cells, or two of the same name, if no course has the
+    sheet, and for a site whose address is not complete.
     """
     cells = code_cells(path.read_bytes())
     opening = next((cell.source for cell in cells if OPEN_SHEET_CALL.search(cell.source)), "")
@@ -96,6 +97,12 @@ def read_released_sheet(
     if opened is None or not checks:
         raise ValueError(
             f"{path} must call open_sheet and have cells named check-1, check-2, ...; is it the notebook of a sheet?"
+        )
+    names = Counter(cell.name for cell in cells if _is_check(cell.name))
+    if repeated := ", ".join(name for name, count in names.items() if count > 1):
+        raise ValueError(
+            f"{path}: each cell must have a grade_id of its own; got {repeated} more than once. A copied cell keeps the "
+            "grade_id: change it in the metadata of the copy."
         )
     with (
         chdir(path.parent) if course is None else nullcontext()

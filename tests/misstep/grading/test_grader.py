@@ -366,6 +366,18 @@ def test_a_master_that_is_no_sheet_is_refused(tmp_path):
         read_released_sheet(tmp_path / "x.ipynb")
 
 
+def test_a_sheet_in_which_two_checks_have_one_name_is_refused(tmp_path):
+    """Students would be told that they edited a check cell."""
+    notebook = json.loads(submissions.released().read_text("utf-8"))
+    notebook["cells"] += [cell for cell in notebook["cells"] if submissions.problem_of(cell, "check") == 2]
+    path = tmp_path / "copied.ipynb"
+    path.write_text(json.dumps(notebook), "utf-8")
+    with pytest.raises(
+        ValueError, match=r"copied\.ipynb: each cell must have a grade_id of its own; got check-2 more than once"
+    ):
+        read_released_sheet(path)
+
+
 @pytest.mark.parametrize(
     "junk", [b"\x00" * 100, b"null", b'"x"', b"{}", b'{"cells": {}}', b'{"worksheets": [7]}', b"\xff\xfe["]
 )
