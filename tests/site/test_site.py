@@ -60,6 +60,10 @@ KINDS = {
 
 PHONE = {"width": 360, "height": 780}
 DESKTOP = {"width": 1200, "height": 900}
+
+COUNT_SHIFTS = """window.shifts = 0; new PerformanceObserver((list) => {
+  for (const entry of list.getEntries()) if (!entry.hadRecentInput) shifts += entry.value;
+}).observe({ type: 'layout-shift', buffered: true });"""
 LECTURE_03 = KINDS["lecture"]
 OVERFLOW = "document.documentElement.scrollWidth - document.documentElement.clientWidth"
 
@@ -269,6 +273,17 @@ def test_without_storage_questions_still_work_and_a_message_is_shown(chromium, s
         page.locator(f"{RECALL} .kinlib-choice").nth(2).click()
         assert "C is correct" in page.locator(f"{RECALL} .kinlib-reply").inner_text()
         assert page.get_by_text("stores nothing for this page").count() == 1
+
+
+@pytest.mark.parametrize(("name", "size"), [("robots/youbot.html", PHONE), ("lectures/09_urdf.html", DESKTOP)])
+def test_a_page_keeps_the_room_that_its_scripts_will_need(chromium_without_webgl, site_address, name, size):
+    """What moves while a page loads, as browsers measure it; 0.1 is good. Before a viewer starts, its height is kept free."""
+    with watched(chromium_without_webgl, viewport=size) as page:
+        page.add_init_script(COUNT_SHIFTS)
+        page.goto(f"{site_address}/{name}")
+        page.locator(".kv, .kinlib-choice").first.wait_for()
+        page.wait_for_load_state("networkidle")
+        assert page.evaluate("shifts") < 0.1
 
 
 def test_without_javascript_every_explanation_can_be_opened(chromium, site_address):
