@@ -81,7 +81,9 @@ def prepare_page(app: Sphinx, doctree: nodes.document, page: str) -> None:
         keep_punctuation(formula)
     for formula in list(doctree.findall(nodes.math_block)):
         if found := TAG.search(formula.astext()):
-            formula.parent.insert(formula.parent.index(formula), nodes.raw("", formula_anchor(found[1]), format="html"))
+            formula.parent.insert(
+                formula.parent.index(formula), nodes.raw("", formula_anchor(found[1], page), format="html")
+            )
     up = "../" * page.count("/")
     folder = Path(app.outdir) / "_images"
     html = [node for node in doctree.findall(nodes.raw) if node.get("format") == "html"]
@@ -105,14 +107,14 @@ def reserve_height(found: re.Match[str]) -> str:
     return f'{found[1]} style="--sliders:{sliders}"{found[0][len(found[1]) :]}'
 
 
-def formula_anchor(tag: str) -> str:
+def formula_anchor(tag: str, page: str) -> str:
     """Write the anchor of a numbered formula and its link to copy, which stand before it.
 
-    >>> formula_anchor("5").partition("</span>")[0]
+    >>> formula_anchor("5", "lectures/05").partition("</span>")[0]
     '<span class="kinlib-anchor" id="formula-5">'
     """
     anchor = make_id(f"formula {tag}")
-    return f'<span class="kinlib-anchor" id="{anchor}"></span>{permalink(anchor, f"formula ({tag})")}'
+    return f'<span class="kinlib-anchor" id="{anchor}"></span>{permalink(anchor, "formula", page, f" ({tag})")}'
 
 
 def fold_side_tracks(_: Sphinx, doctree: nodes.document, page: str) -> None:

@@ -11,7 +11,7 @@ from pathlib import Path
 from docutils import nodes
 from docutils.nodes import make_id
 
-from kinsite.translation import original_page
+from kinsite.translation import original_page, words_on
 
 QUESTION = re.compile(r'data-misstep-question="([^"]+)"')
 FIGURE = re.compile(r'<div data-kinlib-(?:viewer|slides)|<figure class="kinlib-figure"')
@@ -35,13 +35,16 @@ PAGE = """\
 """Its links are relative to the page of the lecture, and open outside of the frame."""
 
 
-def permalink(anchor: str, name: str) -> str:
-    """Write the link to copy of a single thing.
+def permalink(anchor: str, kind: str, page: str, number: str = "") -> str:
+    """Write the link to copy of a single thing, in the language of its page.
 
-    >>> permalink("figure-row", "figure")
+    >>> permalink("figure-row", "figure", "lectures/05")
     '<a class="kinlib-permalink" href="#figure-row" title="Link to this figure" aria-label="Link to this figure">¶</a>'
     """
-    return f'<a class="kinlib-permalink" href="#{anchor}" title="Link to this {name}" aria-label="Link to this {name}">¶</a>'
+    words, language = words_on(page), original_page(page)[1]
+    title = words("Link to this %s") % (words(kind) + number)
+    lang = f' lang="{language}"' if language else ""  # a picture, which may be around the link, is in English
+    return f'<a class="kinlib-permalink" href="#{anchor}"{lang} title="{title}" aria-label="{title}">¶</a>'
 
 
 def with_address(html: str, cell: str, page: str, taken: set[str]) -> tuple[str, str]:
@@ -61,12 +64,14 @@ def with_address(html: str, cell: str, page: str, taken: set[str]) -> tuple[str,
     taken.add(anchor)
     place = start.start() if question else start.end()
     html = f'{html[:place]}{"" if question else " "}id="{anchor}"{" " if question else ""}{html[place:]}'
-    links = permalink(anchor, "question" if question else "figure")
+    links = permalink(anchor, "question" if question else "figure", page)
     if not question and start[0].startswith("<figure"):
         end = "</figcaption>" if "</figcaption>" in html else "</figure>"
         return html.replace(end, f" {links}{end}", 1), anchor
     up = "../" * page.count("/")
-    links += f' <a class="kinlib-embed-link" href="{up}embed/{original_page(page)[0]}/{anchor}.html">Embed</a>'
+    words = words_on(page)
+    embed = words("Embed")
+    links += f' <a class="kinlib-embed-link" href="{up}embed/{original_page(page)[0]}/{anchor}.html">{embed}</a>'
     return html.replace(
         "</p>", f" {links}</p>", 1
     ) if question else f'{html}<p class="kinlib-buttons">{links}</p>', anchor

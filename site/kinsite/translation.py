@@ -30,7 +30,7 @@ SITE = ROOT / "site"
 LOCALES = SITE / "locales"
 WORDS = "site"
 """The catalogue of the words of the site itself."""
-OTHER_WORDS = ("Skip to content", "On this page", "Back to top", "Side track:", "question", "formula")
+OTHER_WORDS = ("Skip to content", "On this page", "Back to top", "Side track:", "question", "formula", "figure")
 """Words of the theme, and words that the text of a page or a script contains in another form."""
 
 PASSAGE = re.compile(r"^(#{1,6} |- )?(\S.*?)(?=\n\n|\n- |\n\||\s*\Z)", re.DOTALL | re.MULTILINE)
@@ -111,6 +111,7 @@ def words_template() -> Catalog:
         ("javascript", SITE / "static" / "course.js", "_"),
         ("python", Path(page.__file__), "translate"),
         ("python", Path(__file__), "words"),
+        ("python", SITE / "kinsite" / "embeds.py", "words"),
     ):
         for _, message, _, _ in extract_from_file(method, path, keywords={keyword: None}):
             catalog.add(message, locations=[(path.name, None)])  # type: ignore[list-item]
@@ -142,6 +143,16 @@ def words_of(language: str) -> Translate:
     sphinx_words = gettext.translation("sphinx", Path(sphinx.__file__).parent / "locale", [language], fallback=True)
     own = messages(language, WORDS)
     return lambda text: own.get(text) or sphinx_words.gettext(text)
+
+
+def words_on(page: str) -> Translate:
+    """Return the function that translates the words of the site on a page.
+
+    >>> words_on("lectures/00_start_here")("figure"), words_on("lectures/de/00_start_here")("figure")
+    ('figure', 'Abbildung')
+    """
+    language = original_page(page)[1]
+    return words_of(language) if language else str
 
 
 def in_all_languages(word: str) -> tuple[str, ...]:

@@ -440,18 +440,6 @@
 
   const addressOf = (hash) => location.href.split('#')[0] + hash;
 
-  /** The titles of the links to single things are in the language of the page. */
-  function translatePermalinks() {
-    for (const link of all('a.kinlib-permalink')) {
-      const name = link.title.replace('Link to this ', '');
-      link.title = _(
-        'Link to this %s',
-        name.replace(/^\w+/, (kind) => _(kind)),
-      );
-      link.setAttribute('aria-label', link.title);
-    }
-  }
-
   /** The joint values of a viewer that has started, as the end of an address; nothing if it shows no single arm. */
   function configurationHash(viewer) {
     const model = viewer?.querySelector('.kv')?.viewer.model;
@@ -469,8 +457,8 @@
         const shown = `src="${link.href}${configurationHash(thing)}" title="${title}"`;
         return `<iframe ${shown} width="100%" height="${height}" style="border: 0" loading="lazy"></iframe>`;
       };
-      const button = copyButton('Embed', frame, link.className);
-      button.title = 'Copy the HTML that shows this on another page';
+      const button = copyButton(link.textContent, frame, link.className);
+      button.title = _('Copy the HTML that shows this on another page');
       link.replaceWith(button);
     }
   }
@@ -523,7 +511,6 @@
 
   document.documentElement.classList.remove('no-js');
   startConfiguration();
-  translatePermalinks();
   startEmbedButtons();
   sendHeight();
   addCopyButtons();

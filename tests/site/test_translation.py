@@ -9,7 +9,7 @@ from babel.messages.catalog import Catalog
 from babel.messages.pofile import write_po
 from browser import watched
 from built_site import ROOT
-from kinsite import translation
+from kinsite import embeds, translation
 from kinsite.sphinx_source import LECTURES
 from kinsite.translation import FIXED, FORMULA_TEXT, changed_parts, messages, template, translate_markdown
 from translations import main as update_catalogues
@@ -105,6 +105,12 @@ def test_what_has_no_translation_is_english_and_the_page_counts_it(locales):
     assert text.count('<span lang="en">') > 50
     assert outputs[0][0].data["text/html"] == question
     assert outputs[1][0].data["text/html"] == '<div lang="en"><p>a card</p></div>'
+
+
+def test_the_links_below_a_picture_are_in_the_language_of_the_page():
+    html, _ = embeds.with_address("<div data-kinlib-viewer></div>", "row", "lectures/de/00_start_here", set())
+    assert 'lang="de" title="Link zu dieser Abbildung" aria-label="Link zu dieser Abbildung">' in html
+    assert ">Einbetten</a>" in html
 
 
 @pytest.mark.parametrize("file", TRANSLATED, ids=lambda file: f"{file.parts[-3]}-{file.stem}")
