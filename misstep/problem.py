@@ -50,6 +50,8 @@ class Problem:
     >>> drawn = Problem("How many?", Numbers(np.array(3.0)), solution=given("n", 6.0) / 2)
     >>> [(mutant.message, float(mutant.value)) for mutant in drawn.mutants]
     [('You forgot to divide by $2$.', 6.0), ('You multiplied by $2$ instead of dividing by it.', 12.0)]
+    >>> [float(mistake.value) for mistake in drawn.mutants_near(np.array(12.0))]
+    [6.0, 12.0]
     >>> [mistake.names for mistake in drawn.double_mutants(np.array(24.0))]
     []
     >>> drawn.is_discriminating(), drawn.without_duplicates().mistakes
