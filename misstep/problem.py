@@ -171,6 +171,8 @@ class Problem:
             first = self._solutions[0].mutant(changes)
             if not is_near(value_of(first)):
                 continue
+            if len({len(changes_of(solution)) for solution in self._solutions}) > 1:
+                raise ValueError("The solution must have the same changes at each input; their numbers differ.")
             others = [solution.mutant(changes_of(solution)[k]) for solution in self._solutions[1:]]
             try:
                 value = self.answer.collect([value_of(root) for root in (first, *others)])

@@ -8,6 +8,7 @@ from misstep.answers.function import CALL_COUNT, Function, function_mistakes
 from misstep.answers.number import Numbers
 from misstep.judge import judge
 from misstep.mistakes import Mistake
+from misstep.mutants.expression import given as of_solution
 from misstep.problem import Problem
 from misstep.storage.deserialize import Outputs
 
@@ -39,6 +40,17 @@ def test_what_a_function_may_be_is_decided_at_its_first_input():
     assert answer.may_share(answer.value, first)
     assert not answer.may_share(doubled, first)
     assert not answer.may_share(answer.value, "text")
+
+
+def test_a_solution_with_other_changes_at_another_input_is_refused():
+    first = squares().inputs[0][0]
+
+    def solution(x):
+        value = of_solution("x", x)
+        return value * value if np.array_equal(x, first) else value * value + of_solution("0", np.zeros(2))
+
+    with pytest.raises(ValueError, match="the same changes at each input"):
+        _ = Problem("Square.", squares(), solution=solution).mutants
 
 
 def test_the_inputs_depend_on_the_seed_only():
