@@ -9,9 +9,11 @@ problems. "redacted sheet" returns a student's sheet without answers, and a seed
 are drawn anew in every run. "verdicts" judges answers; the request has the seed of the redacted sheet, and the address of the
 course's site.
 
-All requests about one student are answered in a process forked for that student, and students who are graded in different
-threads are graded at the same time. The kernel ends that process if one answer takes longer than ANSWER_SECONDS, also inside a
-single call of C code; the answers after it are judged in the next process. So a slow answer costs its own problem, and no other.
+Students who are graded in different threads are graded at the same time, each thread's in a forked process of its own. The
+kernel ends that process if one answer takes longer than ANSWER_SECONDS, also inside a single call of C code; the answers after
+it are judged in the next process. So a slow answer costs its own problem, and no other. A process also ends after a few
+students, and earlier after an answer that could not be read or needed much memory: what such an answer leaves behind is gone
+for the next student.
 
 It runs in the folder of the sheet, because a robot's own sheet is described by a file there.
 """
@@ -29,6 +31,7 @@ from contextlib import suppress
 from functools import cache, lru_cache, partial
 from importlib import import_module
 from itertools import chain
+from resource import RUSAGE_SELF, getrusage
 from typing import IO, Any, NoReturn, cast
 
 from misstep.catalog import Course, find_course
@@ -56,6 +59,13 @@ UNSOLVED = {"partly", "wrong", "unreadable"}
 
 GC_THRESHOLD = 100_000
 """How many objects are made before garbage is collected: mutants make many, and with Python's 700 it took a sixth of the time."""
+
+STUDENTS_PER_PROCESS = 8
+"""After so many students a process ends. The kernel copies each page of memory to which a new process writes, and with one
+process for each student this took 40 of 160 ms."""
+
+MAX_KEPT_MEMORY_KB = 400_000
+"""A process that has used more memory than this ends after the student. Judging sheet 03 takes 120,000."""
 
 MEMORY_BYTES = 2 << 30
 """The most memory that the judge may use, because a short answer may need a lot of memory to read."""
@@ -182,8 +192,8 @@ def _answer_parts(course: Course, message: Mapping[str, Any]) -> Iterator[dict[s
             signal.setitimer(signal.ITIMER_PROF, 0)
 
 
-class StudentProcess:
-    """A forked process that answers the requests about one student."""
+class JudgingProcess:
+    """A forked process that answers requests, until it ends itself after a student."""
 
     def __init__(self, course: Course) -> None:
         (inbox, requests), (parts, outbox) = os.pipe(), os.pipe()
@@ -191,7 +201,7 @@ class StudentProcess:
         for descriptor in (inbox, outbox) if self._number else (requests, parts):
             os.close(descriptor)
         if not self._number:
-            _answer_student(course, inbox, outbox)
+            _answer_students(course, inbox, outbox)
         self._requests, self._parts = os.fdopen(requests, "wb", 0), os.fdopen(parts, "rb")
 
     def ask(self, message: Mapping[str, Any]) -> tuple[dict[str, Any], bool]:
@@ -204,45 +214,57 @@ class StudentProcess:
         return answer, part is not None
 
     def end(self) -> int:
-        """Let it end; its exit code, which for a signal is negative."""
+        """Let it end. The exit code is 0 if it ended between two requests, and negative for a signal."""
         self._requests.close()
         self._parts.close()
         return os.waitstatus_to_exitcode(os.waitpid(self._number, 0)[1])
 
 
-def _answer_student(course: Course, inbox: int, outbox: int) -> NoReturn:
+def _answer_students(course: Course, inbox: int, outbox: int) -> NoReturn:
     """Write each part of an answer as soon as it is there, and an empty one after the last."""
     try:
+        judged, is_spoiled = 0, False
         with os.fdopen(inbox, "rb") as requests, os.fdopen(outbox, "wb", 0) as parts:
-            while (message := receive_message(requests)) is not None:
+            while (
+                judged < STUDENTS_PER_PROCESS and not is_spoiled and (message := receive_message(requests)) is not None
+            ):
                 for part in chain(_answer_parts(course, message), [{}]):
                     parts.write(encode_message(part))
-    finally:
+                    is_spoiled |= any(
+                        "unreadable" in verdict.values() for verdict in part.values() if isinstance(verdict, dict)
+                    )
+                is_spoiled |= getrusage(RUSAGE_SELF).ru_maxrss > MAX_KEPT_MEMORY_KB
+                judged += message["request"] == "verdicts"
         os._exit(0)
+    finally:
+        os._exit(1)
 
 
 def _answer_thread(course: Course, inbox: int, outbox: IO[bytes], lock: IO[bytes]) -> NoReturn:
-    """Answer the requests of a thread, which come one after the other, in a process for each student."""
+    """Answer the requests of a thread, which come one after the other."""
     signal.signal(signal.SIGCHLD, signal.SIG_DFL)  # why a process has ended is needed here
-    student, process = "", cast("StudentProcess | None", None)
+    process = cast("JudgingProcess | None", None)
     with os.fdopen(inbox, "rb") as stream:
         while (message := receive_message(stream)) is not None:
-            if process and (_import_sympy(message) or message["student"] != student):
+            if process and _import_sympy(message):
                 process.end()
                 process = None
-            answer, late, student = dict[str, Any](), set[str](), message["student"]
+            answer, late = dict[str, Any](), set[str]()
             while "error" not in answer:
-                process = process or StudentProcess(course)
+                process = process or JudgingProcess(course)
                 parts, is_complete = process.ask({**message, "done": list(answer)})
                 answer |= parts
                 if is_complete:
                     break
-                is_slow, process = process.end() == -signal.SIGPROF, None
+                exit_code, process = process.end(), None
+                if exit_code == 0:  # it has ended after the student before, and read nothing of this request
+                    continue
                 numbers = map(str, range(1, len(course.find_sheet(message["sheet"]).problems) + 1))
                 culprit = next(k for k in numbers if k not in answer)
                 if culprit in late or message["request"] != "verdicts":
                     answer = {"error": f"The process of the judge ended at problem {culprit}."}
                 late.add(culprit)
+                is_slow = exit_code == -signal.SIGPROF
                 why = f"takes more than {ANSWER_SECONDS:g} s to judge" if is_slow else "ends the process that judges it"
                 message.setdefault("answers", {})[culprit] = {"other": f"an answer that {why}"}
             if message["request"] == "verdicts" and "error" not in answer:
@@ -252,7 +274,7 @@ def _answer_thread(course: Course, inbox: int, outbox: IO[bytes], lock: IO[bytes
 
 
 def main(course_reference: str) -> None:
-    """Answer requests until stdin ends, those of each thread of the grader in a process that forks one for each student."""
+    """Answer requests until stdin ends, those of each thread of the grader in a process that forks the ones that judge."""
     gc.set_threshold(GC_THRESHOLD)
     course = find_course(course_reference)
     set_resource_limits({"AS": MEMORY_BYTES})
@@ -291,7 +313,7 @@ def _send(answer: Mapping[str, Any], outbox: IO[bytes], lock: IO[bytes]) -> None
 
 @cache
 def _warm_up(course: Course, sheet: str) -> None:
-    """Do before the forks what every student needs: import the sheet, draw its numbers and a first figure once."""
+    """Do before the forks what every process needs: import the sheet, draw its numbers and a first figure once."""
     with suppress(Exception):  # the answer to the request has the error
         problems = _variants(course, sheet, SAMPLE_ID)
         figure_html(next(problem for problem in problems if problem.figure))

@@ -169,13 +169,15 @@ from misstep.answers.number import Numbers
 
 
 class Slow(Numbers):
-    is_spoiled = False
+    is_spoiled, memory = False, None
 
     def read(self, given):
         if given == 16:
             Slow.is_spoiled = True
-        if Slow.is_spoiled:
+        if Slow.is_spoiled or (Slow.memory is not None and given == 9):
             raise TypeError("something of the judge is spoiled")
+        if given == 17:
+            Slow.memory = np.ones(60_000_000)
         if given == 13:
             sum(range(10**13))  # one call of C code, which no signal handler of Python can interrupt
         if given == 14:
@@ -239,9 +241,29 @@ def test_an_answer_that_ends_the_judge_costs_its_own_problem(slow_judge):
     assert "got an answer that ends the process that judges it" in text
 
 
-def test_what_an_answer_changes_in_the_judge_is_gone_for_the_next_student(slow_judge):
-    assert slow_judge("eve", 16)[0] == ["unreadable", "right"]
+@pytest.mark.parametrize(("given", "state"), [(16, "unreadable"), (17, "wrong")])
+def test_what_an_unreadable_or_a_large_answer_leaves_in_the_judge_is_gone_for_the_next_student(
+    slow_judge, given, state
+):
+    assert slow_judge("eve", given)[0] == [state, "right"]
     assert slow_judge("ada", 9)[0] == ["wrong", "right"]
+
+
+def test_each_student_of_a_long_row_gets_the_verdicts_that_the_student_would_get_alone(tmp_path):
+    sheet = find_sheet(submissions.SHEET)
+    worker = Worker("misstep.grading.judging.judge_process", tmp_path, "kincourse")
+    try:
+        for k in range(judge_process.STUDENTS_PER_PROCESS + 2):  # so that one process ends and the next one begins
+            student = f"student {k}"
+            own = to_data(sheet.problems[0].variant("student 0").answer.value)
+            request = {"sheet": sheet.name, "student": student, "seed": 1, "site": "", "answers": {"1": own}}
+            told = worker.request({**request, "request": "verdicts"}, 60.0)["verdicts"]
+            alone = judge_process.verdicts(COURSE, sheet, student, 1, {"1": own})
+            for said in ("state", "fraction", "mistakes", "text", "statement", "right"):
+                assert told["1"][said] == alone["1"][said]
+            assert (told["1"]["state"] == "right") == (k == 0)
+    finally:
+        worker.stop()
 
 
 def test_a_judge_that_ends_while_it_draws_says_so_and_draws_again_for_the_next_request(slow_judge, tmp_path):
