@@ -3,10 +3,10 @@
     python -m benchmarks.course.grading
     python -m benchmarks.course.grading 60 120        60 instead of 300, and 120 instead of 600
 
-The 10 are graded by both in turn, three times, because in a small class the start counts. nbgrader would need a quarter of an
-hour for 300, so it also grades 20 and 60, and its time for 300 is reckoned: its start, and the same time for each submission,
-fitted by least squares to these runs. How far the runs are from this line is printed. Processor time is that of all processes
-that a run starts.
+The 10 are graded by both in turn, three times, because in a small class the start counts. misstep grades the 300 three times
+too, in turn with nbgrader, and the median counts. nbgrader would need a quarter of an hour for 300, so it grades 10, 20 and 60,
+and its time for 300 is reckoned: its start, and the same time for each submission, fitted by least squares to these runs. How
+far the runs are from this line is printed. Processor time is that of all processes that a run starts.
 
 Each is timed from start to end as an instructor runs it, imports included. misstep grades two submissions at a time, which
 nbgrader cannot, and fills nbgrader's gradebook, as `nbgrader autograde` does. It also writes a feedback page for each student
@@ -82,16 +82,15 @@ class Comparison:
     """A small class graded by both in turn, larger ones by nbgrader and by misstep, and many submissions by misstep.
 
     small              by misstep without a gradebook, and by nbgrader, in each round
-
-    with_gradebook     by misstep, which also fills nbgrader's gradebook
+    with_gradebook     by misstep, which also fills nbgrader's gradebook, in each round
     pages              the feedback pages alone
-    nbgrader           larger classes by nbgrader
+    nbgrader           smaller classes by nbgrader, in turn with these
     many               by misstep with a gradebook, many more submissions
     point_differences  how many points misstep gives more than nbgrader, for each submission that both have graded
     """
 
     small: Sequence[tuple[GradingRun, GradingRun]]
-    with_gradebook: GradingRun
+    with_gradebook: Sequence[GradingRun]
     pages: GradingRun
     nbgrader: Sequence[GradingRun]
     many: GradingRun
@@ -114,20 +113,30 @@ class Comparison:
         return max(abs(self.nbgrader_line(run.count) / run.seconds - 1) for run in self.nbgrader_runs)
 
     @property
+    def count(self) -> int:
+        """The size of the larger class."""
+        return self.with_gradebook[0].count
+
+    @property
+    def seconds(self) -> float:
+        """The seconds of misstep for the larger class, gradebook and pages included."""
+        return statistics.median(run.seconds for run in self.with_gradebook)
+
+    @property
     def speedup(self) -> float:
         """How many times as fast as nbgrader misstep is, gradebook and pages included."""
-        return float(self.nbgrader_line(self.with_gradebook.count)) / self.with_gradebook.seconds
+        return float(self.nbgrader_line(self.count)) / self.seconds
 
     @property
     def ms_each(self) -> float:
         """The time for each further submission, gradebook included and its page excluded, in ms."""
-        further = (self.many.seconds - self.with_gradebook.seconds) / (self.many.count - self.with_gradebook.count)
+        further = (self.many.seconds - self.seconds) / (self.many.count - self.count)
         return 1e3 * (further - self.pages.seconds / self.pages.count)
 
     @property
     def max_memory(self) -> float:
         """The highest memory of misstep, in MB."""
-        return max(*self.with_gradebook.memory, *self.many.memory)
+        return max(max(run.memory) for run in (*self.with_gradebook, self.many))
 
 
 def main(count: int = 300, many: int = 600) -> Comparison:
@@ -157,8 +166,8 @@ def rows(quick: bool = False) -> Iterator[Row]:
         raise MissingRequirementError("the sandbox needs Linux")
     with redirect_stdout(sys.stderr):
         comparison = main(3, 9) if quick else main()
-    count, many = comparison.with_gradebook.count, comparison.many.count
-    each, peer = comparison.with_gradebook.seconds / count, float(comparison.nbgrader_line(count)) / count
+    count, many = comparison.count, comparison.many.count
+    each, peer = comparison.seconds / count, float(comparison.nbgrader_line(count)) / count
     small = [[run.seconds / run.count for run in runs] for runs in zip(*comparison.small, strict=True)]
     name = f"grading {comparison.small[0][0].count} submissions, each"
     yield timed_row(name, small[0], "nbgrader autograde", small[1], target=MIN_SMALL_SPEEDUP)
@@ -194,21 +203,26 @@ def compare_with_nbgrader(count: int, many: int) -> Comparison:
         for folder, size in ((handed, count), (more, many)):
             for number in range(size):
                 save(folder, *generated(number))
-        books = [str(Course(Path(top, name), is_asserting=False).folder) for name in ("book", "long book")]
-        with_gradebook = grade_with_misstep(handed, Path(top, "booked"), "--gradebook", books[0])
-        with_gradebook.print_line(f"{count}, with nbgrader's gradebook")
-        pages = GradingRun(count, seconds_of_pages(Path(top, "booked"), Path(top, "pages")))
-        pages.print_line("    of this, pages of feedback")
-        by_nbgrader = []
-        for size in sizes[1:]:
-            nbgrader = Course(Path(top, f"nbgrader {size}"))
+        with_gradebook, by_nbgrader = [], []
+        for size in sizes:
+            nbgrader, book, out = (
+                Course(Path(top, f"nbgrader {size}")),
+                Path(top, f"book {size}"),
+                Path(top, f"out {size}"),
+            )
             for number in range(size):
                 nbgrader.hand_in(*generated(number))
+            options = ("--gradebook", Course(book, is_asserting=False).folder)
+            with_gradebook.append(grade_with_misstep(handed, out, *options))
+            with_gradebook[-1].print_line(f"{count}, with nbgrader's gradebook")
             by_nbgrader.append(grade_with_nbgrader(nbgrader, size))
             by_nbgrader[-1].print_line(f"{size}, nbgrader autograde")
-        own = points(Path(top, "booked"))
+        pages = GradingRun(count, seconds_of_pages(out, Path(top, "pages")))
+        pages.print_line(f"of {count}, pages of feedback")
+        own = points(out)
         differences = [own[student] - score for student, score in nbgrader.scores().items() if student in own]
-        long = grade_with_misstep(more, Path(top, "long"), "--gradebook", books[1])
+        options = ("--gradebook", Course(Path(top, "long book"), is_asserting=False).folder)
+        long = grade_with_misstep(more, Path(top, "long"), *options)
         long.print_line(f"{many}, with nbgrader's gradebook")
     return Comparison(small, with_gradebook, pages, by_nbgrader, long, differences)
 
