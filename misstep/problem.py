@@ -9,7 +9,7 @@ from collections.abc import Callable, Collection, Iterator, Mapping, Sequence
 from contextlib import suppress
 from dataclasses import dataclass, field, replace
 from functools import cached_property, partial
-from itertools import combinations
+from itertools import combinations, islice
 from operator import attrgetter
 from typing import Any, TypeVar
 
@@ -96,9 +96,11 @@ class Problem:
     def names_of_mutants(self) -> Collection[str]:
         """The names of the mutants that lead to an answer, as far as the first input shows."""
         names = set[str]()
-        for changes in self._solutions[0].single if self._solutions else ():
+        if (solution := self._first_solution) is None:
+            return names
+        for changes in solution.single:
             with suppress(Unreadable):
-                self.answer.collect([value_of(self._solutions[0].mutant(changes))] * len(self._solutions))
+                self.answer.collect([value_of(solution.mutant(changes))])
                 names.update(mutation.change.name for mutation in changes)
         return names
 
@@ -145,17 +147,30 @@ class Problem:
                 yield wrong
 
     @cached_property
+    def _first_solution(self) -> MutableSolution | None:
+        """The solution at the first input, which is often enough to see that a mistake is not the one that was made."""
+        if self.solution is None:
+            return None
+        first = next(self.answer.expressions(self.solution))
+        if not self.answer.may_share(self.answer.value, first.value, SEPARATION_TOLERANCES * TOLERANCE, all):
+            raise self._wrong_solution(first.value)
+        return MutableSolution(first)
+
+    @cached_property
     def _solutions(self) -> Sequence[MutableSolution]:
         """The solution at each input."""
-        if self.solution is None:
+        if self._first_solution is None:
             return []
-        roots = self.answer.expressions(self.solution)
-        reached = self.answer.collect([root.value for root in roots])
+        others = list(map(MutableSolution, islice(self.answer.expressions(self.solution), 1, None)))
+        reached = self.answer.collect([solution.root.value for solution in (self._first_solution, *others)])
         if not self._same(reached, self.answer.value):
-            raise ValueError(
-                f"The solution must lead to the answer; it gives {reached}, and the answer is {self.answer.value}."
-            )
-        return list(map(MutableSolution, roots))
+            raise self._wrong_solution(reached)
+        return [self._first_solution, *others]
+
+    def _wrong_solution(self, reached: Any) -> ValueError:
+        return ValueError(
+            f"The solution must lead to the answer; it gives {reached}, and the answer is {self.answer.value}."
+        )
 
     def _mistakes(
         self,
@@ -167,13 +182,15 @@ class Problem:
         changes_of  the changes, in the same order at each input
         is_near     whether a value at the first input is near enough for computing it at the others
         """
-        for k, changes in enumerate(changes_of(self._solutions[0]) if self._solutions else ()):
-            first = self._solutions[0].mutant(changes)
+        if (solution := self._first_solution) is None:
+            return
+        for k, changes in enumerate(changes_of(solution)):
+            first = solution.mutant(changes)
             if not is_near(value_of(first)):
                 continue
             if len({len(changes_of(solution)) for solution in self._solutions}) > 1:
                 raise ValueError("The solution must have the same changes at each input; their numbers differ.")
-            others = [solution.mutant(changes_of(solution)[k]) for solution in self._solutions[1:]]
+            others = [other.mutant(changes_of(other)[k]) for other in self._solutions[1:]]
             try:
                 value = self.answer.collect([value_of(root) for root in (first, *others)])
             except Unreadable:

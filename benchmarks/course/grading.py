@@ -57,7 +57,7 @@ CLASS_SIZES = (25, 50, 100, 200)
 
 @dataclass(frozen=True)
 class GradingRun:
-    """The number of graded submissions, wall and processor time in seconds, and the memory every half second, in MB."""
+    """The number of graded submissions, wall and processor time in seconds, and the memory every second, in MB."""
 
     count: int
     seconds: float
@@ -300,7 +300,7 @@ def grade_with_misstep(handed, out, *options):
         while process.poll() is None:
             memory.append(sum(map(proportional_memory, process_tree(process.pid))))
             with suppress(subprocess.TimeoutExpired):
-                process.wait(0.5)
+                process.wait(1.0)
     if process.returncode:
         raise MissingRequirementError(
             f"misstep grade ended with {process.returncode}. Run it by itself to see its error message."

@@ -25,9 +25,9 @@ def arm(joints: Sequence[tuple[Any, ...]], home: Array, name: str, source: str) 
     >>> arm([(Z, (0, 0, 0)), (X, (0, 0, 1), SLIDE)], pose(np.eye(3), (1, 0, 1)), "crane", "an example").joint_types
     'RP'
     """
-    screws = np.array([screw(*joint) for joint in joints])
     points = np.array([joint[1] for joint in joints], dtype=float)
-    return Chain(screws, home, points, name, source)
+    pitches = [joint[2] if len(joint) > 2 else 0.0 for joint in joints]
+    return Chain(screw([joint[0] for joint in joints], points, pitches), home, points, name, source)
 
 
 def pose(axes: ArrayLike, origin: ArrayLike) -> Array:

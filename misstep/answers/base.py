@@ -33,7 +33,7 @@ Withholding: where submissions run, neither the answer nor its class is availabl
 """
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
 from typing import Any, ClassVar
 
 from misstep.mistakes import Mistake
@@ -151,9 +151,9 @@ class Answer(ABC):
         """Return whether a part has so many digits that two changes of the solution do not lead to it by chance."""
         return True
 
-    def expressions(self, solution: Any) -> Sequence[Expression]:
-        """Return the solution, or if it is a function, the expression at each input."""
-        return [solution]
+    def expressions(self, solution: Any) -> Iterator[Expression]:
+        """Yield the solution, or if it is a function, the expression at each input."""
+        yield solution
 
     def collect(self, values: Sequence[Any]) -> Any:
         """Return the answer that has these values at the inputs, as if it had been read. Raises Unreadable if there is none."""

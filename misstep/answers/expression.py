@@ -73,8 +73,8 @@ class ClosedForm(Answer):
         yours, right = given.values[0], self._right.values[0]
         return f"Try numbers: at {point} your formula gives {number(yours)}, and {number(right)} is right."
 
-    def expressions(self, solution: Callable[..., Expression]) -> Sequence[Expression]:
-        return [solution(**point) for point in self._reader.points]
+    def expressions(self, solution: Callable[..., Expression]) -> Iterator[Expression]:
+        return (solution(**point) for point in self._reader.points)
 
     def collect(self, values: Sequence[Any]) -> Formula:
         shape = self._right.values.shape[:-1]

@@ -133,8 +133,8 @@ class Function(Answer):
         pairs = zip(self._called(one).outputs, self._called(other).outputs, strict=True)
         return [all(all(self.output.agrees(mine, yours, tolerance)) for mine, yours in pairs)]
 
-    def expressions(self, solution: Callable[..., Expression]) -> Sequence[Expression]:
-        return [solution(*deepcopy(arguments)) for arguments in self.inputs]
+    def expressions(self, solution: Callable[..., Expression]) -> Iterator[Expression]:
+        return (solution(*deepcopy(arguments)) for arguments in self.inputs)
 
     def collect(self, values: Sequence[Any]) -> FunctionCalls:
         return FunctionCalls(None, [self._output(value) for value in values])

@@ -69,7 +69,7 @@ def place_labels(labels: Sequence[Label], strokes: Array, bodies: Array, sheet: 
 def _overlaps(boxes: Array, others: Array) -> Array:
     """Count how many of the other boxes each box overlaps."""
     apart = (boxes[:, None, 0] >= others[None, :, 1]) | (others[None, :, 0] >= boxes[:, None, 1])
-    count: Array = (~apart.any(axis=-1)).sum(axis=-1).astype(float)
+    count: Array = (~(apart[..., 0] | apart[..., 1])).sum(axis=-1).astype(float)
     return count
 
 
@@ -78,7 +78,8 @@ def _crossings(boxes: Array, strokes: Array) -> Array:
     start, along = strokes[None, :, 0], strokes[None, :, 1] - strokes[None, :, 0]
     along = np.where(np.abs(along) < 1e-9, 1e-9, along)
     one, other = (boxes[:, None, 0] - start) / along, (boxes[:, None, 1] - start) / along
-    enters = np.minimum(one, other).max(axis=-1).clip(min=0.0)
-    leaves = np.maximum(one, other).min(axis=-1).clip(max=1.0)
+    first, last = np.minimum(one, other), np.maximum(one, other)  # where it passes the borders of x and those of y
+    enters = np.maximum(first[..., 0], first[..., 1]).clip(min=0.0)
+    leaves = np.minimum(last[..., 0], last[..., 1]).clip(max=1.0)
     count: Array = (enters < leaves).sum(axis=-1).astype(float)
     return count
