@@ -16,7 +16,7 @@ from kinlib.view.viewer.viewer import STATIC
 from kinsite.demonstration import WrongAnswersDirective
 from kinsite.execute import ROOT, package_hash
 from kinsite.npm_packages import FONTS, TEXT_FONTS
-from kinsite.translation import WORDS, messages, original_page, versions, words_of
+from kinsite.translation import LOCALES, WORDS, messages, original_page, versions, words_of
 
 UNCOLOURED = re.compile(r'<span class="(?:n|nn|p|pm|w)">([^<]*)</span>')
 """Names, punctuation and spaces have the colour of all code in both themes: without elements of their own a page is lighter."""
@@ -38,8 +38,8 @@ def setup(app: Sphinx) -> dict[str, Any]:
 
 
 def generator_hash() -> str:
-    """Hash the packages and the site's own modules."""
-    own = sorted(Path(__file__).parent.rglob("*.py"))
+    """Hash the packages, the site's own modules and the translations."""
+    own = sorted([*Path(__file__).parent.rglob("*.py"), *LOCALES.rglob("*.po")])
     return hashlib.sha256(b"".join([package_hash().encode(), *(path.read_bytes() for path in own)])).hexdigest()
 
 

@@ -108,7 +108,7 @@ def words_template() -> Catalog:
     catalog = Catalog(domain=WORDS)
     for method, path, keyword in (
         ("jinja2", SITE / "templates" / "page.html", "_"),
-        ("javascript", SITE / "static" / "course.js", "_"),
+        *(("javascript", SITE / "static" / name, "_") for name in ("course.js", "live.js")),
         ("python", Path(page.__file__), "translate"),
         ("python", Path(__file__), "words"),
         ("python", SITE / "kinsite" / "embeds.py", "words"),

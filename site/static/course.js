@@ -7,7 +7,7 @@
   const WORDS = JSON.parse(document.getElementById('kinlib-words')?.textContent ?? '{}');
 
   /** A text in the language of the page: a translated lecture contains the words that its catalogue has. */
-  const _ = (text, value = '') => (WORDS[text] ?? text).replace('%s', value);
+  const _ = (text, ...values) => values.reduce((said, value) => said.replace('%s', value), WORDS[text] ?? text);
 
   const NO_STORAGE = [
     _('This browser stores nothing for this page, because the window is private or the storage is full.'),
@@ -52,8 +52,11 @@
     }
   }
 
-  /** Create an element. live.js, which loads after this script, uses it too. */
+  // live.js, which loads after this script, uses these two.
   window.kinlibElement = h;
+  window.kinlibTranslate = _;
+
+  /** Create an element. */
   function h(tag, attributes = {}, ...children) {
     const element = document.createElement(tag);
     for (const [name, value] of Object.entries(attributes)) {
@@ -229,12 +232,12 @@
     });
     const stage = h('div', {}, ...frames);
     const bar = h('label', {}, h('span', {}, element.dataset.label), range, value);
-    const anyway = h('button', { type: 'button', class: 'kinlib-button', onclick: () => uncover() }, 'Show anyway');
+    const anyway = h('button', { type: 'button', class: 'kinlib-button', onclick: () => uncover() }, _('Show anyway'));
     const cover = h(
       'div',
       {},
-      h('p', { class: 'kinlib-title' }, 'Commit to your prediction above first'),
-      h('p', {}, 'The picture appears here afterwards.'),
+      h('p', { class: 'kinlib-title' }, _('Commit to your prediction above first')),
+      h('p', {}, _('The picture appears here afterwards.')),
       anyway,
     );
     element.classList.add('kinlib-slides');
@@ -506,7 +509,7 @@
     follow();
     addEventListener('hashchange', follow);
     const hash = () => configurationHash(element) || `#q=${state.q}`;
-    element.nextElementSibling?.prepend(copyButton('Copy a link to this configuration', () => addressOf(hash())));
+    element.nextElementSibling?.prepend(copyButton(_('Copy a link to this configuration'), () => addressOf(hash())));
   }
 
   document.documentElement.classList.remove('no-js');

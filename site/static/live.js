@@ -12,20 +12,24 @@
   const STALLED_S = 20; // without a byte, until a message says so
   const MB = 1e6;
 
-  const INTRODUCTION = 'The code runs on this page: press Run below a cell, or Shift + Enter in it. ';
-  const DIFFERENCES = [
-    'The results that you see first were computed when the page was built; your own replace them.',
-    'Before a cell runs, the cells above it run, if they have not run yet.',
-    'Code that you change is kept in this browser, and handed in nowhere.',
-    'Sliders of 3-D pictures and questions do not change variables in Python; in the lab they do.',
-  ];
-  const PREVIEW = 'You have changed the code: the result below is that of the original. Run the cell.';
-  const STOPPED = 'Stopped. All variables are lost: the next run starts Python again, and first runs the cells above.';
-  const NOT_RUN = 'Not run, because a cell above ended with an error. Run it again to go on without that cell.';
-  const NEEDS_LAB = 'This output has buttons that need Python all the time: ';
-
   const h = window.kinlibElement; // of course.js
-  const labLink = () => h('a', { href: note.dataset.kinlibRun }, 'open this lecture in the lab');
+  const _ = window.kinlibTranslate;
+
+  const INTRODUCTION = _('The code runs on this page: press Run below a cell, or Shift + Enter in it. ');
+  const DIFFERENCES = [
+    _('The results that you see first were computed when the page was built; your own replace them.'),
+    _('Before a cell runs, the cells above it run, if they have not run yet.'),
+    _('Code that you change is kept in this browser, and handed in nowhere.'),
+    _('Sliders of 3-D pictures and questions do not change variables in Python; in the lab they do.'),
+  ];
+  const PREVIEW = _('You have changed the code: the result below is that of the original. Run the cell.');
+  const STOPPED = _(
+    'Stopped. All variables are lost: the next run starts Python again, and first runs the cells above.',
+  );
+  const NOT_RUN = _('Not run, because a cell above ended with an error. Run it again to go on without that cell.');
+  const NEEDS_LAB = _('This output has buttons that need Python all the time: ');
+
+  const labLink = () => h('a', { href: note.dataset.kinlibRun }, _('open this lecture in the lab'));
   const load = (name) =>
     new Promise((resolve, reject) => {
       document.head.append(h('script', { src: new URL(name, STATIC), onload: resolve, onerror: reject }));
@@ -53,7 +57,7 @@
 
   // --- the status of Python, in a corner of the page ---
 
-  const bar = h('progress', { max: 1, 'aria-label': 'Python is loading' });
+  const bar = h('progress', { max: 1, 'aria-label': _('Python is loading') });
   const amount = h('span', { class: 'kinlib-live-amount' });
   const phase = h('span', { role: 'status' });
   const corner = h('div', { class: 'kinlib-live-status', hidden: true }, phase, amount, bar);
@@ -77,17 +81,18 @@
     if (worker) return;
     worker = new Worker(new URL('live/worker.js', LAB), { type: 'module' });
     worker.onmessage = ({ data }) => ANSWERS[data.kind](data);
-    worker.onerror = (event) => ANSWERS.failed({ text: event.message ?? 'its files could not be loaded' });
+    worker.onerror = (event) => ANSWERS.failed({ text: event.message ?? _('its files could not be loaded') });
     bar.removeAttribute('value');
     amount.textContent = '';
-    showPhase('Python is loading');
+    showPhase(_('Python is loading'));
     watchBytes();
   }
 
   function watchBytes() {
     clearTimeout(stalled);
     stalled = setTimeout(
-      () => showPhase(`No data has arrived for ${STALLED_S} seconds. Check the connection; loading goes on by itself.`),
+      () =>
+        showPhase(_('No data has arrived for %s seconds. Check the connection; loading goes on by itself.', STALLED_S)),
       STALLED_S * 1000,
     );
   }
@@ -111,21 +116,22 @@
         clearTimeout(stalled);
         bar.removeAttribute('value');
         amount.textContent = '';
-        showPhase('Python is starting');
+        showPhase(_('Python is starting'));
       } else {
         bar.value = received / total;
-        amount.textContent = ` ${Math.floor(received / MB)} of ${Math.ceil(total / MB)} MB`;
-        showPhase('Python is loading');
+        const megabytes = _('%s of %s MB', Math.floor(received / MB), Math.ceil(total / MB));
+        amount.textContent = ` ${megabytes}`;
+        showPhase(_('Python is loading'));
       }
     },
     ready() {
       showPhase('');
-      if (!queue.length) spoken.textContent = 'Python is ready.';
+      if (!queue.length) spoken.textContent = _('Python is ready.');
     },
     failed({ text }) {
       const waiting = stopPython();
-      for (const cell of waiting) cell.finish('Python could not start.');
-      showPhase(`Python could not start: ${text}. Check the connection, then press Run again.`, false);
+      for (const cell of waiting) cell.finish(_('Python could not start.'));
+      showPhase(_('Python could not start: %s. Check the connection, then press Run again.', text), false);
     },
     begin: () => queue[0]?.begin(),
     stream: (data) => queue[0]?.show(data),
@@ -134,7 +140,7 @@
     end() {
       const cell = queue.shift();
       if (!cell) return;
-      cell.finish(cell.failed ? 'Ended with an error.' : 'Done.', true);
+      cell.finish(cell.failed ? _('Ended with an error.') : _('Done.'), true);
       if (cell.failed && queue.length) {
         const waiting = queue;
         queue = [];
@@ -178,12 +184,12 @@
       const button = (label, action) =>
         h(
           'button',
-          { type: 'button', class: 'kinlib-button', onclick: action, 'aria-label': `${label} cell ${number}` },
+          { type: 'button', class: 'kinlib-button', onclick: action, 'aria-label': _('%s cell %s', label, number) },
           label,
         );
-      this.runButton = button('Run', () => (queue.includes(this) ? this.stop() : run(this)));
-      this.editButton = button('Edit', () => this.edit());
-      this.resetButton = button('Reset', () => this.reset());
+      this.runButton = button(_('Run'), () => (queue.includes(this) ? this.stop() : run(this)));
+      this.editButton = button(_('Edit'), () => this.edit());
+      this.resetButton = button(_('Reset'), () => this.reset());
       this.resetButton.hidden = true;
       this.tools = h(
         'div',
@@ -204,7 +210,7 @@
 
     nameButton(label) {
       this.runButton.textContent = label;
-      this.runButton.setAttribute('aria-label', `${label} cell ${this.number}`);
+      this.runButton.setAttribute('aria-label', _('%s cell %s', label, this.number));
     }
 
     source() {
@@ -234,7 +240,7 @@
       if (!this.area) {
         this.area = h('textarea', {
           class: 'kinlib-live-code',
-          'aria-label': `Code of cell ${this.number}`,
+          'aria-label': _('Code of cell %s', this.number),
           spellcheck: 'false',
           autocapitalize: 'off',
           autocomplete: 'off',
@@ -270,21 +276,21 @@
       this.pre.hidden = false;
       this.editButton.hidden = false;
       this.resetButton.hidden = true;
-      this.status.textContent = executed.has(this) ? 'The original code. Run the cell to see its result.' : '';
+      this.status.textContent = executed.has(this) ? _('The original code. Run the cell to see its result.') : '';
       keep(this.key, null);
       this.runButton.focus();
     }
 
     wait(asked, above) {
       Object.assign(this, { asked, sent: false, failed: false, fresh: true, length: 0 });
-      const first = asked && above ? ` after ${above} cell${above > 1 ? 's' : ''} above` : '';
-      this.status.textContent = `Waiting for Python${first}.`;
-      this.nameButton('Stop');
+      this.status.textContent =
+        asked && above ? _('Waiting for Python. Cells above that run first: %s.', above) : _('Waiting for Python.');
+      this.nameButton(_('Stop'));
       this.element.setAttribute('aria-busy', 'true');
     }
 
     begin() {
-      this.status.textContent = 'Running.';
+      this.status.textContent = _('Running.');
     }
 
     stop() {
@@ -298,9 +304,9 @@
     finish(text, ran = false) {
       if (ran && this.fresh) this.clear(); // it has displayed nothing
       this.status.textContent = text;
-      this.nameButton('Run');
+      this.nameButton(_('Run'));
       this.element.removeAttribute('aria-busy');
-      if (ran && this.asked) spoken.textContent = `Cell ${this.number}: ${text}`;
+      if (ran && this.asked) spoken.textContent = _('Cell %s: %s', this.number, text);
     }
 
     /** Remove the outputs of the run before: until there is a new one, they stay as a preview. */
@@ -325,8 +331,8 @@
     }
 
     showStream({ name, text }) {
-      const shown =
-        this.length > MAX_TEXT ? `${text.slice(0, MAX_TEXT)}\n[the rest of this output is left out]\n` : text;
+      const cut = _('the rest of this output is left out');
+      const shown = this.length > MAX_TEXT ? `${text.slice(0, MAX_TEXT)}\n[${cut}]\n` : text;
       let pre = this.output.lastElementChild?.querySelector(`:scope > [data-stream="${name}"]`);
       if (!pre) {
         pre = h('pre', { 'data-stream': name });
@@ -339,12 +345,13 @@
   // --- outputs ---
 
   function errorCard({ name, text, line, traceback }) {
+    const place = line ? _('in line %s of this cell', line) : '';
     return h(
       'div',
       { class: 'output kinlib-live-error' },
-      h('p', {}, h('strong', {}, `✗ ${name}`), line ? ` in line ${line} of this cell` : ''),
+      h('p', {}, h('strong', {}, `✗ ${name}`), ` ${place}`),
       h('pre', {}, text),
-      h('details', {}, h('summary', {}, 'Traceback'), h('pre', { tabindex: 0 }, traceback)),
+      h('details', {}, h('summary', {}, _('Traceback')), h('pre', { tabindex: 0 }, traceback)),
     );
   }
 
@@ -424,9 +431,9 @@
     h(
       'details',
       {},
-      h('summary', {}, 'What is different from the lab'),
+      h('summary', {}, _('What is different from the lab')),
       h('ul', {}, ...DIFFERENCES.map((text) => h('li', {}, text))),
-      h('p', {}, 'To have all of it, ', labLink(), '.'),
+      h('p', {}, _('To have all of it:'), ' ', labLink()),
     ),
   );
 
