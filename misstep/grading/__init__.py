@@ -18,8 +18,8 @@ How one submission gets its grade, in the order of reading:
     judging/     from one submission to its Result
         grader                   all of this for one submission: bytes in, a Result out
         parse_output             parses what the child wrote, and trusts none of it
-        judge_process            a process that knows the right answers: writes redacted sheets, and judges the answers of
-                                 each submission in a process of its own
+        judge_process            a process that knows the right answers: writes redacted sheets, and judges answers, in
+                                 processes that end when an answer takes too long
         redraw                   with a key: other numbers, by which computed answers are told from typed ones
         bounded_executor, cluster   many submissions at a time, on this machine or on a Dask cluster
     result_sink  writes each result to its page and into the gradebook at once
