@@ -7,7 +7,9 @@
   const KEY = 'kinlib-course'; // in localStorage; course.js describes the record
   const SOLVED = 'application/vnd.misstep.solved+json';
   const SECTION = 'kinlib-section'; // in localStorage, from a click on a link until the notebook is open
-  const RENDERING_MS = 500; // until the cells of a notebook have their final height
+  const RENDERING_MS = 500; // between two looks at a notebook whose cells still change their height
+  const SETTLED_S = 60; // after which no cell changes its height by itself
+  const ACTS = ['wheel', 'touchstart', 'pointerdown', 'keydown']; // with these, readers decide themselves what they see
   const SILENCE_S = 60; // without a result, until a message is shown
 
   const MESSAGES = {
@@ -104,7 +106,11 @@
     if (!section) return;
     localStorage.removeItem(SECTION);
     await panel.revealed;
-    setTimeout(() => panel.setFragment(section), RENDERING_MS);
+    // pictures and formulas above the section are drawn later, so that one scroll is not enough on a slow machine
+    const repeated = setInterval(() => panel.setFragment(section), RENDERING_MS);
+    const stop = () => clearInterval(repeated);
+    setTimeout(stop, SETTLED_S * 1000);
+    for (const act of ACTS) document.addEventListener(act, stop, { capture: true, once: true });
   }
 
   // --- answers ---
