@@ -72,7 +72,7 @@ html_favicon = "static/favicon.svg"
 html_static_path = ["static"]
 templates_path = ["templates"]
 html_css_files = ["course.css"]
-html_js_files = [("course.js", {"defer": "defer"}), ("loader.js", {"defer": "defer"})]
+html_js_files = [(name, {"defer": "defer"}) for name in ("formulas.js", "course.js", "loader.js")]
 html_baseurl = os.environ.get("KINLIB_SITE_URL", "http://127.0.0.1:8000/").rstrip("/") + "/"
 notfound_urls_prefix = urlsplit(
     html_baseurl

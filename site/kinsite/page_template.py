@@ -13,6 +13,7 @@ from sphinx.util.docutils import SphinxDirective
 from kinlib import robots
 from kinlib.view import explore
 from kinlib.view.viewer.viewer import STATIC
+from kinsite import late_formulas
 from kinsite.demonstration import WrongAnswersDirective
 from kinsite.execute import ROOT, package_hash
 from kinsite.npm_packages import FONTS, TEXT_FONTS
@@ -20,6 +21,8 @@ from kinsite.translation import LOCALES, WORDS, messages, original_page, version
 
 UNCOLOURED = re.compile(r'<span class="(?:n|nn|p|pm|w)">([^<]*)</span>')
 """Names, punctuation and spaces have the colour of all code in both themes: without elements of their own a page is lighter."""
+FORMULAS_AT_ONCE = 24
+"""More than the first screen of any page has."""
 EMPTY_HEADING = re.compile(r'<th class="head">(?:<p></p>)?</th>')
 
 
@@ -91,7 +94,8 @@ def remove_old_pages(app: Sphinx, failed: Exception | None) -> None:
 def set_context(app: Sphinx, page: str, _: str, context: dict[str, Any], doctree: Any) -> None:
     """Set the values that the templates need for a page."""
     # a table without headings has empty cells in their place, which a screen reader would call headings
-    context["body"] = UNCOLOURED.sub(r"\1", EMPTY_HEADING.sub("<td></td>", context.get("body", "")))
+    body = UNCOLOURED.sub(r"\1", EMPTY_HEADING.sub("<td></td>", context.get("body", "")))
+    context["body"] = late_formulas.wait(body, at_once=FORMULAS_AT_ONCE)
     # furo gives its captions the role of headings without a level, which is not valid; they are captions
     context["furo_navigation_tree"] = context["furo_navigation_tree"].replace(' role="heading"', "")
     context["html_baseurl"] = app.config.html_baseurl

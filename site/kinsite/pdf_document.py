@@ -12,6 +12,7 @@ from posixpath import dirname, join, normpath
 from types import MappingProxyType
 
 import kinlib
+from kinsite.late_formulas import show_all
 from kinsite.sphinx_source import LECTURES
 
 PAGES = (*(f"lectures/{path.stem}.html" for path in LECTURES), "notation.html", "glossary.html")
@@ -100,7 +101,8 @@ def compose_document(
     address  the address of the published site; links to pages that are not printed lead there, or nowhere if it is empty
     numbers  for the squeezed title of each page the number of the sheet of paper on which it begins, once that is known
     """
-    texts = {page: found[1] for page in pages if (found := ARTICLE.search((built / page).read_text("utf-8")))}
+    built_pages = {page: show_all((built / page).read_text("utf-8")) for page in pages}
+    texts = {page: found[1] for page, html in built_pages.items() if (found := ARTICLE.search(html))}
     titles = {
         page: re.sub(r"<h1>(.*?)</h1>.*", r"\1", SCREEN_ONLY.sub("", text[text.index("<h1") :]), flags=re.DOTALL)
         for page, text in texts.items()

@@ -395,7 +395,17 @@
 
   // --- content that is wider than the page can be scrolled with the keyboard ---
 
+  let measures = false;
+
   function makeWideContentFocusable() {
+    if (measures) return;
+    measures = true;
+    // after the next picture everything has its place, so that to measure costs nothing
+    requestAnimationFrame(() => setTimeout(measure));
+  }
+
+  function measure() {
+    measures = false;
     for (const element of all('article pre, article .table-wrapper, article div.math, article .kinlib-progress')) {
       const wide = element.scrollWidth > element.clientWidth;
       if (wide) element.setAttribute('tabindex', '0');
@@ -524,8 +534,8 @@
   all('[data-kinlib-progress]').forEach(startProgressTable);
   markReadLectures();
   openFolds();
-  makeWideContentFocusable();
   addEventListener('hashchange', openFolds);
   addEventListener('resize', makeWideContentFocusable);
+  document.addEventListener('kinlib-drawn', makeWideContentFocusable); // formulas.js has drawn some
   document.addEventListener('toggle', makeWideContentFocusable, true);
 })();

@@ -80,6 +80,7 @@ def test_a_sheet_is_opened_answered_checked_stored_and_handed_in(chromium, lab_a
             f"1 of {len(sheet.problems)}"
         )
 
+
 SCROLLED_TO_THE_TOP = """section => {
     section.closest('.jp-WindowedPanel-outer').scrollTop = 0;
     return section.getBoundingClientRect().top;

@@ -19,6 +19,7 @@ from kinsite import (
     cell_outputs,
     embeds,
     execute,
+    late_formulas,
     page_template,
     preview_cards,
     search_index,
@@ -400,6 +401,7 @@ def test_what_belongs_to_one_student_is_left_out_of_a_message(messages, common):
         embeds,
         execute,
         gallery,
+        late_formulas,
         mistakes,
         page_template,
         preview_cards,
@@ -425,42 +427,6 @@ def test_only_lines_in_two_columns_become_definitions():
     assert reference.paragraph("q      (n,) values\n       in radians\nAnd more.") == (
         "`q`\n: (n,) values\n  in radians\n\nAnd more."
     )
-
-
-def test_a_comma_stays_on_the_line_of_its_formula(page, site_address):
-    """If a line ends with a formula, a browser would put the comma at the start of the next line."""
-    page.set_viewport_size(PHONE)
-    page.goto(f"{site_address}/mistakes/03_poe_space.html")
-    assert page.locator(".together").count() > 20
-    tops = page.evaluate(
-        """[...document.querySelectorAll('.together')].map((held) => {
-            const range = document.createRange();
-            range.selectNodeContents(held.lastChild);
-            return range.getBoundingClientRect().top - held.querySelector('.katex-html').getBoundingClientRect().bottom; })"""
-    )
-    assert max(tops) < 0
-
-
-@pytest.mark.parametrize("size", [PHONE, DESKTOP], ids=["phone", "desktop"])
-def test_the_number_of_a_formula_follows_its_end(page, site_address, size):
-    """On a phone a long formula extends beyond the edge of the page, where its number would overlap it."""
-    page.set_viewport_size(size)
-    page.goto(f"{site_address}/{LECTURE_03}")
-    gaps = page.evaluate(
-        """[...document.querySelectorAll('.katex-display:has(.tag)')].map((shown) => {
-            const ends = [...shown.querySelectorAll('.base')].map((part) => part.getBoundingClientRect().right);
-            return shown.querySelector('.tag').getBoundingClientRect().left - Math.max(...ends); })"""
-    )
-    assert len(gaps) > 3
-    assert min(gaps) > 5
-
-
-def test_a_formula_with_an_error_raises():
-    from sphinxcontrib.katex import KaTeXError
-
-    assert 'class="katex"' in cell_outputs.typeset_formulas("<p>a $x^2$ b</p>")
-    with pytest.raises(KaTeXError, match=r"[Uu]ndefined"):
-        cell_outputs.typeset_formulas(r"<p>$\nosuchthing$</p>")
 
 
 def test_outputs_are_cached_until_the_cells_or_a_package_change(tmp_path, monkeypatch):

@@ -9,6 +9,14 @@
     script.onload = () => kinlib.startViewers();
     document.head.append(script);
   };
-  if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', begin);
-  else begin();
+  // The text first: where 3-D pictures are computed without a graphics card, nothing else is painted meanwhile.
+  const beginAfterPaint = () => {
+    if (!globalThis.PerformanceObserver?.supportedEntryTypes?.includes('paint')) return begin();
+    new PerformanceObserver((_, observer) => {
+      observer.disconnect();
+      begin();
+    }).observe({ type: 'paint', buffered: true });
+  };
+  if (document.readyState === 'loading') document.addEventListener('DOMContentLoaded', beginAfterPaint);
+  else beginAfterPaint();
 })();
