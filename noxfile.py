@@ -106,6 +106,12 @@ def axe(session: nox.Session) -> None:
 
 
 @nox.session
+def new_course_site(session: nox.Session) -> None:
+    """Build the site of a new course by its README; needs a network, and Python 3.12 or newer on the path."""
+    run_pytest(session, "tests/misstep/site_of_a_new_course.py")
+
+
+@nox.session
 def pdf(session: nox.Session) -> None:
     """Print the lectures of the site as one PDF; needs a built site and a Chromium."""
     session.run(PYTHON, "site/pdf.py", *session.posargs)
