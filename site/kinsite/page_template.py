@@ -111,12 +111,30 @@ def set_context(app: Sphinx, page: str, _: str, context: dict[str, Any], doctree
     path = f"notebooks/{name}.ipynb" if folder == "lectures" else f"exercises/{name}/{name}.ipynb"
     context["kinlib_source"] = source_path(page) if app.config.kinlib_repository else ""
     context["kinlib_repository"] = app.config.kinlib_repository
+    context["kinlib_elsewhere"] = elsewhere(app.config.kinlib_repository, path) if is_notebook else {}
     lab = app.config.kinlib_lab
     context["kinlib_run"] = f"{lab}/notebooks/index.html?path={path}" if lab and is_notebook else ""
     context["kinlib_lab_folder"] = f"{lab}/"
     context["kinlib_kind"] = folder.rstrip("s") if is_notebook else ""
     context["kinlib_sheet"] = name if folder == "lectures" and f"sheets/{name}" in app.env.found_docs else ""
     context["kinlib_lecture"] = name if folder == "sheets" and f"lectures/{name}" in app.env.found_docs else ""
+
+
+def elsewhere(repository: str, path: str) -> dict[str, str]:
+    """Return the addresses that open a notebook of a repository on GitHub elsewhere, by the name of the place.
+
+    >>> elsewhere("https://github.com/ada/course", "notebooks/03.ipynb")["Colab"]
+    'https://colab.research.google.com/github/ada/course/blob/main/notebooks/03.ipynb'
+    >>> elsewhere("https://example.org/ada/course", "notebooks/03.ipynb")
+    {}
+    """
+    name = repository.removeprefix("https://github.com/")
+    if name == repository:
+        return {}
+    return {
+        "Binder": f"https://mybinder.org/v2/gh/{name}/main?urlpath=lab/tree/{path}",
+        "Colab": f"https://colab.research.google.com/github/{name}/blob/main/{path}",
+    }
 
 
 def source_path(page: str) -> str:

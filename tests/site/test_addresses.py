@@ -7,8 +7,8 @@ import tomllib
 
 import pytest
 from browser import watched
-from built_site import SITE
-from kinsite import demonstration, embeds, preview_cards
+from built_site import ROOT, SITE
+from kinsite import demonstration, embeds, page_template, preview_cards
 
 from kincourse import open_sheet
 
@@ -211,3 +211,15 @@ def test_without_a_repository_no_page_links_to_one(site_folder):
     html = (site_folder / "index.html").read_text("utf-8")
     assert "Cite, licences and reuse" in html
     assert ("Report a fault" in html) == bool(settings["repository"])
+    lecture = (site_folder / "lectures" / "03_poe_space.html").read_text("utf-8")
+    assert ("colab.research" in lecture) == settings["repository"].startswith("https://github.com/")
+
+
+def test_a_repository_on_github_gives_links_to_a_notebook_elsewhere():
+    """The paths are those of files in the repository, which Binder and Colab open."""
+    for path in ("notebooks/03_poe_space.ipynb", "exercises/03_poe_space/03_poe_space.ipynb"):
+        links = page_template.elsewhere("https://github.com/ada/course", path)
+        assert set(links) == {"Binder", "Colab"}
+        assert all(link.endswith(path) for link in links.values())
+        assert (ROOT / path).exists()
+    assert page_template.elsewhere("https://example.org/ada/course", path) == {}
