@@ -18,6 +18,9 @@ FIGURE = re.compile(r'<div data-kinlib-(?:viewer|slides)|<figure class="kinlib-f
 ANSWERED_WITH = re.compile(r'data-(?:misstep-question|misstep-explain|kinlib-after)="([^"]+)"')
 """The name of a question: at the question itself, at its explanation, and at a picture that waits for its answer."""
 
+PERMALINK = "¶"
+"""What a link to copy shows; it is not a word of the text around it."""
+
 PAGE = """\
 <!doctype html>
 <html lang="en" class="no-js" data-content_root="{up}"><head><meta charset="utf-8"><base href="{base}" target="_blank">
@@ -44,7 +47,7 @@ def permalink(anchor: str, kind: str, page: str, number: str = "") -> str:
     words, language = words_on(page), original_page(page)[1]
     title = words("Link to this %s") % (words(kind) + number)
     lang = f' lang="{language}"' if language else ""  # a picture, which may be around the link, is in English
-    return f'<a class="kinlib-permalink" href="#{anchor}"{lang} title="{title}" aria-label="{title}">¶</a>'
+    return f'<a class="kinlib-permalink" href="#{anchor}"{lang} title="{title}" aria-label="{title}">{PERMALINK}</a>'
 
 
 def with_address(html: str, cell: str, page: str, taken: set[str]) -> tuple[str, str]:

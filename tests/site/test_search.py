@@ -49,6 +49,12 @@ def test_no_page_of_figures_is_above_a_lecture(results):
             assert kinds.index("lectures") < kinds.index("figures"), query
 
 
+def test_no_result_shows_the_sign_of_a_link_to_copy(site_folder):
+    data = (site_folder / "_static" / "search-data.js").read_text("utf-8")
+    assert '"title":"halves swapped"' in data
+    assert "¶" not in data
+
+
 def test_words_that_nothing_contains_and_no_words_get_an_answer(chromium, site_address):
     with watched(chromium) as page:
         page.goto(f"{site_address}/search.html?q=xylophone%3Cb%3E")

@@ -276,6 +276,13 @@ def test_without_storage_questions_still_work_and_a_message_is_shown(chromium, s
         assert page.get_by_text("stores nothing for this page").count() == 1
 
 
+def test_the_longest_name_of_a_module_fits_on_one_line_of_a_phone(page, site_address, pages):
+    longest = max((name for name in pages if name.startswith("reference/kinlib.")), key=len)
+    page.set_viewport_size(PHONE)
+    page.goto(f"{site_address}/{longest}")
+    assert page.locator("h1 code").evaluate("(name) => name.getClientRects().length") == 1
+
+
 @pytest.mark.parametrize(("name", "size"), [("robots/youbot.html", PHONE), ("lectures/09_urdf.html", DESKTOP)])
 def test_a_page_keeps_the_room_that_its_scripts_will_need(chromium_without_webgl, site_address, name, size):
     """What moves while a page loads, as browsers measure it; 0.1 is good. Before a viewer starts, its height is kept free."""
