@@ -74,7 +74,7 @@ def page_entries(page: str, tree: nodes.document) -> Iterator[tuple[str, str, st
         if folder in DEFINED and (ids := anchors(item)):
             term, *definition = item.children
             text = " ".join(clean(part, own=True) for part in definition)
-            yield clean(term), f"#{ids[0]}", DEFINED[folder], text[: LONGEST if folder == "mistakes" else None]
+            yield clean(term).strip(), f"#{ids[0]}", DEFINED[folder], text[: LONGEST if folder == "mistakes" else None]
     for described in tree.findall(addnodes.desc):
         signature = next(iter(described.findall(addnodes.desc_signature)))
         if signature["ids"]:
