@@ -25,7 +25,7 @@ import { drawDimensions, drawLabels, fontOf } from '../scene/labels.js';
 import { mergeParts } from '../scene/shapes.js';
 import { Camera } from './camera.js';
 import { drawWithoutWebGL } from './canvas-fallback.js';
-import { hasWebGL, renderScene } from './webgl.js';
+import { hasWebGL, prepareScene, renderScene } from './webgl.js';
 
 export class Stage {
   /** @param data the scene, see kinlib/view/viewer/scene.py; @param canvas the 2-D canvas of the picture */
@@ -270,10 +270,14 @@ export class Stage {
     this.canvas.dataset.pictures = Number(this.canvas.dataset.pictures ?? 0) + 1;
   }
 
-  #startWebGL() {
-    if (this.withoutWebGL !== undefined || !this.visible) return;
-    this.withoutWebGL = !hasWebGL();
-    if (this.withoutWebGL) this.onWebGLMissing();
+  /** Start WebGL. Until it is ready, pictures are drawn without it. */
+  async #startWebGL() {
+    if (this.preparing || this.withoutWebGL !== undefined || !this.visible) return;
+    this.preparing = true;
+    const available = hasWebGL();
+    if (available) await prepareScene(this.scene, this.camera.threeCamera, this);
+    this.withoutWebGL = !available;
+    if (!available) this.onWebGLMissing();
     this.draw();
   }
 

@@ -4,6 +4,7 @@
 import { WebGLRenderer } from 'three';
 
 const MAX_CONTEXTS = 6; // browsers drop the oldest context when there are more than 16
+const POLL_MS = 10;
 const RENDERERS = Symbol.for('kinlib.renderers');
 let renderer = null;
 let refused = false;
@@ -45,15 +46,31 @@ export function hasWebGL() {
   return !refused;
 }
 
-/** Render a scene and copy it onto a 2-D canvas, over what is there. Returns the number of draw calls. */
-export function renderScene(scene, camera, context, { width, height, ratio }) {
+/** Let WebGL compile what a scene needs. Without this, the page would stand still until its first picture is ready. */
+export async function prepareScene(scene, camera, size) {
   const gl = acquireRenderer();
-  const size = gl.domElement;
-  if (size.width !== Math.floor(width * ratio) || size.height !== Math.floor(height * ratio)) {
-    gl.setPixelRatio(ratio);
-    gl.setSize(width, height, false);
-  }
+  setSize(gl, size);
   gl.render(scene, camera);
-  context.drawImage(gl.domElement, 0, 0, width, height);
+  const context = gl.getContext();
+  const done = context.fenceSync(context.SYNC_GPU_COMMANDS_COMPLETE, 0);
+  context.flush();
+  const waits = () => context.getSyncParameter(done, context.SYNC_STATUS) === context.UNSIGNALED;
+  while (!context.isContextLost() && waits()) await new Promise((resolve) => setTimeout(resolve, POLL_MS));
+  context.deleteSync(done);
+}
+
+/** Render a scene and copy it onto a 2-D canvas, over what is there. Returns the number of draw calls. */
+export function renderScene(scene, camera, context, size) {
+  const gl = acquireRenderer();
+  setSize(gl, size);
+  gl.render(scene, camera);
+  context.drawImage(gl.domElement, 0, 0, size.width, size.height);
   return gl.info.render.calls;
+}
+
+function setSize(gl, { width, height, ratio }) {
+  const present = gl.domElement;
+  if (present.width === Math.floor(width * ratio) && present.height === Math.floor(height * ratio)) return;
+  gl.setPixelRatio(ratio);
+  gl.setSize(width, height, false);
 }
