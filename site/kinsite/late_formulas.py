@@ -1,7 +1,7 @@
-"""The visible form of a formula waits in a template until the reader comes near: a lecture has up to 400 formulas.
+"""The visible form of a formula waits in a template until the reader comes near: a lecture has hundreds of formulas.
 
-KaTeX writes each formula twice: as MathML for screen readers, and as the elements that are seen, which are more than
-half of the elements of a lecture. Until static/formulas.js draws these, a browser shows the MathML.
+KaTeX writes each formula twice: as MathML for screen readers, and as the elements that are seen, which are about half
+of all elements of a lecture. Until static/formulas.js draws these, a browser shows the MathML.
 """
 
 import re

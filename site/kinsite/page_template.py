@@ -21,8 +21,8 @@ from kinsite.translation import LOCALES, WORDS, messages, original_page, version
 
 UNCOLOURED = re.compile(r'<span class="(?:n|nn|p|pm|w)">([^<]*)</span>')
 """Names, punctuation and spaces have the colour of all code in both themes: without elements of their own a page is lighter."""
-FORMULAS_AT_ONCE = 24
-"""More than the first screen of any page has."""
+FORMULAS_AT_ONCE = 48
+"""At least as many as the first screen of any page has, up to 1920 by 1200 pixels."""
 EMPTY_HEADING = re.compile(r'<th class="head">(?:<p></p>)?</th>')
 
 

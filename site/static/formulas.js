@@ -5,7 +5,7 @@
   const NEAR = '1500px'; // above and below the window
 
   const near = new IntersectionObserver(
-    (entries) => drawAll(entries.filter((entry) => entry.isIntersecting).map((entry) => entry.target)),
+    (entries) => draw(entries.filter((entry) => entry.isIntersecting).map((entry) => entry.target)),
     { rootMargin: NEAR },
   );
 
@@ -19,15 +19,17 @@
     }
   }
 
-  function drawAll(formulas = document.querySelectorAll('kinlib-formula')) {
+  function draw(formulas) {
     for (const formula of formulas) formula.replaceWith(formula.firstElementChild.content);
-    if (formulas.length) document.dispatchEvent(new Event('kinlib-drawn'));
+    if (formulas.length) document.dispatchEvent(new Event('kinlib-drawn')); // for course.js
   }
+
+  const drawAll = () => draw(document.querySelectorAll('kinlib-formula'));
 
   customElements.define('kinlib-formula', LateFormula);
   // MathML has not exactly the height of the drawn formula: where the reader returns to a position, or is led to one,
   // everything above must have its final height
   if (location.hash || performance.getEntriesByType('navigation')[0]?.type !== 'navigate') drawAll();
-  addEventListener('hashchange', () => drawAll());
-  addEventListener('beforeprint', () => drawAll());
+  addEventListener('hashchange', drawAll);
+  addEventListener('beforeprint', drawAll);
 })();
