@@ -395,17 +395,17 @@
 
   // --- content that is wider than the page can be scrolled with the keyboard ---
 
-  let measures = false;
+  let measuring = false;
 
   function makeWideContentFocusable() {
-    if (measures) return;
-    measures = true;
-    // after the next picture everything has its place, so that to measure costs nothing
+    if (measuring) return;
+    measuring = true;
+    // after the next frame everything has its place, so that measuring costs nothing
     requestAnimationFrame(() => setTimeout(measure));
   }
 
   function measure() {
-    measures = false;
+    measuring = false;
     for (const element of all('article pre, article .table-wrapper, article div.math, article .kinlib-progress')) {
       const wide = element.scrollWidth > element.clientWidth;
       if (wide) element.setAttribute('tabindex', '0');
