@@ -11,10 +11,10 @@ SPAN = re.compile(r"<(/?)span\b")
 BEGIN, END = "<kinlib-formula><template>", "</template></kinlib-formula>"
 
 
-def wait(html: str, at_once: int) -> str:
+def defer(html: str, at_once: int) -> str:
     """Put the visible form of each formula into a template, except for the first ones, which are in sight at once.
 
-    >>> wait('<span class="katex-html"><span>x</span></span>.', at_once=0)
+    >>> defer('<span class="katex-html"><span>x</span></span>.', at_once=0)
     '<kinlib-formula><template><span class="katex-html"><span>x</span></span></template></kinlib-formula>.'
     """
     parts, position = [], 0
@@ -38,7 +38,7 @@ def end_of_span(html: str, start: int) -> int:
 def show_all(html: str) -> str:
     """Take the formulas out of their templates, for a document without scripts.
 
-    >>> show_all(wait('<span class="katex-html">x</span>', at_once=0))
+    >>> show_all(defer('<span class="katex-html">x</span>', at_once=0))
     '<span class="katex-html">x</span>'
     """
     return html.replace(BEGIN, "").replace(END, "")

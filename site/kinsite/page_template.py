@@ -95,7 +95,7 @@ def set_context(app: Sphinx, page: str, _: str, context: dict[str, Any], doctree
     """Set the values that the templates need for a page."""
     # a table without headings has empty cells in their place, which a screen reader would call headings
     body = UNCOLOURED.sub(r"\1", EMPTY_HEADING.sub("<td></td>", context.get("body", "")))
-    context["body"] = late_formulas.wait(body, at_once=FORMULAS_AT_ONCE)
+    context["body"] = late_formulas.defer(body, at_once=FORMULAS_AT_ONCE)
     # furo gives its captions the role of headings without a level, which is not valid; they are captions
     context["furo_navigation_tree"] = context["furo_navigation_tree"].replace(' role="heading"', "")
     context["html_baseurl"] = app.config.html_baseurl

@@ -1,17 +1,10 @@
 """Formulas of the pages: drawn when the reader comes near, readable before that, complete in print, and well placed."""
 
-import sys
-from pathlib import Path
-
 import pytest
 from browser import watched
-
-sys.path.insert(0, str(Path(__file__).parents[2] / "site"))
-
+from built_site import DESKTOP, PHONE
 from kinsite import cell_outputs, late_formulas
 
-PHONE = {"width": 360, "height": 780}
-DESKTOP = {"width": 1200, "height": 900}
 LECTURE_03 = "lectures/03_poe_space.html"
 LONGEST_LECTURE = "lectures/06_dh_modified.html"
 UPPER_PART_PX = 250  # viewers on the way to a section change their height by up to 100 px when they start
@@ -119,12 +112,12 @@ def test_taken_out_of_its_templates_a_page_is_what_it_was(site_folder):
     html = (site_folder / LONGEST_LECTURE).read_text("utf-8")
     drawn = late_formulas.show_all(html)
     assert "<template>" not in drawn
-    assert late_formulas.show_all(late_formulas.wait(drawn, at_once=0)) == drawn
+    assert late_formulas.show_all(late_formulas.defer(drawn, at_once=0)) == drawn
 
 
 def test_a_span_that_is_not_closed_is_refused():
     with pytest.raises(ValueError, match="a span must be closed"):
-        late_formulas.wait('<span class="katex-html"><span>x</span>', at_once=0)
+        late_formulas.defer('<span class="katex-html"><span>x</span>', at_once=0)
 
 
 def test_a_comma_stays_on_the_line_of_its_formula(page, site_address):

@@ -13,7 +13,7 @@ from urllib.parse import unquote, urlsplit
 import pytest
 from accessibility import violations
 from browser import unwatched, watched
-from built_site import ROOT, SITE
+from built_site import DESKTOP, PHONE, ROOT, SITE
 from kinsite import (
     STRICT,
     cell_outputs,
@@ -59,8 +59,6 @@ KINDS = {
     "frame": "embed/lectures/03_poe_space/question-03-order.html",
 }
 
-PHONE = {"width": 360, "height": 780}
-DESKTOP = {"width": 1200, "height": 900}
 
 COUNT_SHIFTS = """window.shifts = 0; new PerformanceObserver((list) => {
   for (const entry of list.getEntries()) if (!entry.hadRecentInput) shifts += entry.value;

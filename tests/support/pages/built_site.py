@@ -22,6 +22,9 @@ from serve import serve  # noqa: E402
 FOLDER = ROOT / "build" / "site" / "html"
 TEST_RUN_FILE = FOLDER.parent / "test_run.txt"
 """Contains the id of the test run that has built the site, so that the other workers of the same run do not build it again."""
+PHONE = {"width": 360, "height": 780}
+DESKTOP = {"width": 1200, "height": 900}
+"""Sizes of the windows in which tests open its pages."""
 TIMEOUT_S = 3600
 """How long to wait for a build, by this worker or another: a build that never ends must not block CI."""
 
