@@ -146,6 +146,7 @@ def source_path(page: str) -> str:
     folder, _, name = page.partition("/")
     top = {"notation": "NOTATION.md", "contributing": "CONTRIBUTING.md", "instructors": "site/instructors.md"}
     files = {
+        "guides": f"guides/{name}.md",
         "lectures": f"notebooks/{name}.ipynb",
         "sheets": f"solutions/{name}/{name}.ipynb" if name != "index" else "site/pages/sheets/index.md",
     }

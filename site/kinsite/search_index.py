@@ -25,7 +25,14 @@ SKIPPED = (nodes.literal_block, nodes.comment, addnodes.toctree, addnodes.index)
 SEPARATE = (nodes.section, nodes.title, nodes.definition_list, addnodes.glossary, addnodes.desc)
 """Parts of a section that are entries of their own, or its title."""
 
-KINDS = {"lectures": "lecture", "sheets": "sheet", "mistakes": "mistakes", "robots": "robot", "reference": "reference"}
+KINDS = {
+    "lectures": "lecture",
+    "sheets": "sheet",
+    "mistakes": "mistakes",
+    "robots": "robot",
+    "reference": "reference",
+    "guides": "contributing",
+}
 """The kinds of pages, by their folder. A page in no folder is a kind of its own."""
 DEFINED = {"mistakes": "mistake", "glossary": "term"}
 """The kinds of definitions that are entries of their own, by their page or its folder."""

@@ -244,8 +244,8 @@ def dependencies():
     return {name_of(requirement) for requirement in requirements if isinstance(requirement, str)}
 
 
-def test_contributing_explains_each_dependency():
-    lines = (ROOT / "CONTRIBUTING.md").read_text("utf-8").partition("## Dependencies")[2].partition("\n## ")[0]
+def test_the_guide_gives_the_reason_for_each_dependency():
+    lines = (ROOT / "guides" / "dependencies.md").read_text("utf-8").partition("\n## Versions")[0]
     assert set(re.findall(r"^- `([\w.-]+)`: \w.{9}", lines, re.MULTILINE)) == dependencies()
 
 

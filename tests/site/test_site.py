@@ -422,8 +422,8 @@ def test_the_doctests_of_the_site_s_own_modules_pass(module):
 
 
 def test_marks_for_tests_are_removed_from_the_pages(site_folder, pages):
-    """CONTRIBUTING is the one page that mentions them."""
-    assert [name for name in pages if "NBVAL" in (site_folder / name).read_text("utf-8")] == ["contributing.html"]
+    """The guide to lectures is the one page that mentions them."""
+    assert [name for name in pages if "NBVAL" in (site_folder / name).read_text("utf-8")] == ["guides/lectures.html"]
 
 
 def test_only_lines_in_two_columns_become_definitions():

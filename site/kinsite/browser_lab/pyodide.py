@@ -1,7 +1,7 @@
 """Python for the browser: Pyodide and the packages of the course, each checked against its SHA-256, in one folder.
 
 There are two distributions. The site is published with the official one. Tests use an older one, which can be downloaded
-from package registries alone; CONTRIBUTING says what the tests therefore do not cover.
+from package registries alone; guides/site.md says what the tests therefore do not cover.
 """
 
 import hashlib

@@ -1,4 +1,4 @@
-"""A course of somebody else takes problems of ours, changes sentences, and adds its own: as CONTRIBUTING.md describes."""
+"""A course of somebody else takes problems of ours, changes sentences, and adds its own: as guides/other_courses.md describes."""
 
 import csv
 import re
@@ -11,7 +11,7 @@ from misstep.catalog import load_course
 from misstep.cli import main
 from misstep.release.instructor_notebook import Entry, notebook
 
-GUIDE = Path(__file__).parents[3] / "CONTRIBUTING.md"
+GUIDE = Path(__file__).parents[3] / "guides" / "other_courses.md"
 RIGHT = {
     1: "given = sheet.given(1)\ntilt = np.radians(given.degrees)\n"
     "axis = np.cos(tilt) * given.from_axis + np.sin(tilt) * given.towards\n"
