@@ -79,7 +79,10 @@ def handwritten_pages() -> Iterator[tuple[str, str]]:
         text = path.read_text("utf-8")
         yield path.relative_to(SITE / "pages").as_posix(), link_lectures(text) if path.stem == "glossary" else text
     yield "notation.md", (ROOT / "NOTATION.md").read_text("utf-8")
-    yield "contributing.md", (ROOT / "CONTRIBUTING.md").read_text("utf-8").replace("(site/instructors.md)", "(instructors.md)")
+    yield (
+        "contributing.md",
+        (ROOT / "CONTRIBUTING.md").read_text("utf-8").replace("(site/instructors.md)", "(instructors.md)"),
+    )
     for path in sorted((ROOT / "guides").glob("*.md")):
         yield f"guides/{path.name}", path.read_text("utf-8")
     yield "instructors.md", performance.with_grading_times((SITE / "instructors.md").read_text("utf-8"))
