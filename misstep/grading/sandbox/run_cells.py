@@ -9,7 +9,6 @@ was passed over. This is no gain for anybody, because a student could as well ha
 """
 
 import ast
-import builtins
 import dis
 import io
 import json
@@ -19,26 +18,20 @@ import signal
 import sys
 from collections.abc import Callable, Mapping, Sequence
 from traceback import format_exception
+from types import TracebackType
 from typing import Any, cast
 
-from IPython.core.displayhook import DisplayHook
 from IPython.core.displaypub import CapturingDisplayPublisher
 from IPython.core.interactiveshell import ExecutionResult, InteractiveShell
 from IPython.utils.text import SList
 from traitlets import Type
-from traitlets.config import Config
 
 from misstep.grading.collect.run_plan import PASSED_OVER, RERUN_SOURCE
 from misstep.grading.sandbox.course_stub import Unavailable, Withheld
 from misstep.grading.sandbox.redacted_sheet import AnswerWithheld
 from misstep.sheet import OpenSheet
+from misstep.shell import CellShell
 from misstep.storage.deserialize import MIME
-
-SHELL_CONFIG = Config(
-    {
-        "HistoryManager": {"enabled": False},
-    }
-)
 
 WARM_UP_CELLS = (
     "import numpy as np\nnp.eye(4)",
@@ -95,27 +88,14 @@ class CellTimeout(BaseException):
     """A cell took too long. It is not an Exception, so that `except Exception` does not catch it."""
 
 
-class CapturingDisplayHook(DisplayHook):
-    """Publishes the value of a cell's last line like any other display."""
-
-    def write_output_prompt(self) -> None:
-        pass
-
-    def write_format_data(self, format_dict: dict[str, Any], md_dict: dict[str, Any] | None = None) -> None:
-        InteractiveShell.instance().display_pub.publish(format_dict, md_dict)
-
-
-class SubmissionShell(InteractiveShell):
+class SubmissionShell(CellShell):
     """An IPython shell that records displays and errors instead of printing them."""
 
-    displayhook_class = Type(CapturingDisplayHook)
+    no_input = "input() cannot be used while a sheet is graded. Write the value into the cell instead."
     display_pub_class = Type(CapturingDisplayPublisher)
     errors: Sequence[dict[str, Any]] = ()
     passed_over: Sequence[str] = ()
     source = ""
-
-    def enable_gui(self, gui: str | None = None) -> None:
-        """Do nothing, because there is no window."""
 
     async def run_code(self, code_obj: Any, result: ExecutionResult | None = None, *, async_: bool = False) -> bool:
         """Run one statement; whether the cell stops here. A statement that needs what is not here is passed over.
@@ -167,23 +147,16 @@ class SubmissionShell(InteractiveShell):
         self.pass_over(f"!{cmd}")
         return SList() if split else ""
 
-    def showtraceback(self, *_: Any, **__: Any) -> None:
-        """Record the current error. IPython's own formatting takes a second for a deep recursion, so it is not used."""
-        kind, error, trace = sys.exc_info()
-        if kind is None or error is None:
-            return
-        while trace and not trace.tb_frame.f_code.co_filename.startswith("<ipython-input"):
-            trace = trace.tb_next
-        lines = "".join(format_exception(kind, error, trace, limit=-MAX_TRACEBACK_FRAMES)).splitlines()
+    def report_error(self, error: BaseException, trace: TracebackType | None) -> None:
+        """Record an error."""
+        lines = "".join(format_exception(type(error), error, trace, limit=-MAX_TRACEBACK_FRAMES)).splitlines()
         output = {
             "output_type": "error",
-            "ename": kind.__name__[:200],
+            "ename": type(error).__name__[:200],
             "evalue": str(error)[:2000],
             "traceback": [line[:1000] for line in lines],
         }
         self.errors = [*self.errors, output]
-
-    showsyntaxerror = showindentationerror = showtraceback
 
 
 class OneImportAtATime(ast.NodeTransformer):
@@ -216,8 +189,7 @@ class TruncatedStream(io.StringIO):
 
 def new_shell(warm_up: Sequence[str] = ()) -> SubmissionShell:
     """Make the shell that is forked for each submission. It has already run some cells, because first calls are slow."""
-    shell = SubmissionShell.instance(config=SHELL_CONFIG)
-    builtins.input = _refuse_input
+    shell = SubmissionShell.start()
     shell.ast_transformers.append(OneImportAtATime())
     first_figure = [FIRST_FIGURE] if "matplotlib.pyplot" in sys.modules else []
     for source in (*WARM_UP_CELLS, *first_figure, *warm_up):
@@ -330,7 +302,3 @@ def _keep_figures_inline() -> None:
 
 def _keep_backend(*_: object, **__: object) -> None:
     """Do nothing, because there is no window: figures are drawn inline."""
-
-
-def _refuse_input(*_: object) -> str:
-    raise EOFError("input() cannot be used while a sheet is graded. Write the value into the cell instead.")

@@ -1,6 +1,5 @@
 """Run the cells of a page in IPython, and report each output as soon as it exists. worker.js loads this file in Pyodide."""
 
-import builtins
 import io
 import json
 import logging
@@ -9,6 +8,7 @@ import sys
 import time
 from collections.abc import Callable
 from traceback import format_exception
+from types import TracebackType
 from typing import Any
 
 os.environ["NOTEBOOK_STATIC_PAGE"] = "1"  # questions, sliders and viewers in the form that the page's own scripts run
@@ -16,11 +16,10 @@ os.environ["MPLBACKEND"] = "agg"
 sys.modules["jedi"] = None  # type: ignore[assignment]  # only completion needs it, and its import takes a second
 logging.getLogger("matplotlib.font_manager").setLevel(logging.ERROR)  # "building the font cache"
 
-from IPython.core.displayhook import DisplayHook  # noqa: E402
 from IPython.core.displaypub import DisplayPublisher  # noqa: E402
-from IPython.core.interactiveshell import InteractiveShell  # noqa: E402
 from traitlets import Type  # noqa: E402
-from traitlets.config import Config  # noqa: E402
+
+from misstep.shell import CellShell  # noqa: E402
 
 Report = Callable[[str], None]
 
@@ -60,47 +59,24 @@ class PagePublisher(DisplayPublisher):
         report(kind="display", data=data)
 
 
-class PageDisplayHook(DisplayHook):
-    """Reports the value of a cell's last line."""
-
-    def write_output_prompt(self) -> None:
-        pass
-
-    def write_format_data(self, format_dict: dict[str, Any], md_dict: dict[str, Any] | None = None) -> None:
-        report(kind="display", data=format_dict)
-
-
-class PageShell(InteractiveShell):
+class PageShell(CellShell):
     """An IPython shell whose displays and errors are reported to the page."""
 
-    displayhook_class = Type(PageDisplayHook)
     display_pub_class = Type(PagePublisher)
+    no_input = "input() cannot ask on this page. Write the value into the cell, for example name = 'Ada'."
 
-    def enable_gui(self, gui: str | None = None) -> None:
-        """Do nothing, because there is no window."""
-
-    def showtraceback(self, *_: Any, **__: Any) -> None:
-        """Report the current error: its text, the line of the cell that led to it, and the traceback from there on."""
-        kind, error, trace = sys.exc_info()
-        if kind is None or error is None:
-            return
-        while trace and trace.tb_frame.f_globals is not self.user_ns:
-            trace = trace.tb_next
-        own, here = trace, trace
-        while here:
-            own, here = (here if here.tb_frame.f_globals is self.user_ns else own), here.tb_next
-        line = own.tb_lineno if own else getattr(error, "lineno", None)
-        lines = "".join(format_exception(kind, error, trace))
+    def report_error(self, error: BaseException, trace: TracebackType | None) -> None:
+        """Report an error: its text, the line of the cell that led to it, and the traceback from there on."""
+        own, frame = trace, trace
+        while frame:
+            own, frame = (frame if frame.tb_frame.f_globals is self.user_ns else own), frame.tb_next
         report(
-            kind="error", name=kind.__name__, text=getattr(error, "msg", "") or str(error), line=line, traceback=lines
+            kind="error",
+            name=type(error).__name__,
+            text=getattr(error, "msg", "") or str(error),
+            line=own.tb_lineno if own else getattr(error, "lineno", None),
+            traceback="".join(format_exception(type(error), error, trace)),
         )
-
-    showsyntaxerror = showindentationerror = showtraceback
-
-
-def refuse_input(*_: Any) -> str:
-    """Raise RuntimeError: Python cannot wait for the keyboard here."""
-    raise RuntimeError("input() cannot ask on this page. Write the value into the cell, for example name = 'Ada'.")
 
 
 def display_figures() -> None:
@@ -125,6 +101,5 @@ async def run(source: str) -> None:
     report(kind="end")
 
 
-shell = PageShell.instance(config=Config({"HistoryManager": {"enabled": False}}))
-builtins.input = refuse_input  # type: ignore[assignment]
+shell = PageShell.start()
 sys.stdout, sys.stderr = PageStream("stdout"), PageStream("stderr")
