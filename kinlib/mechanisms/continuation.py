@@ -13,10 +13,8 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from kinlib.arrays.formatting import format_vector
 from kinlib.arrays.validation import Array
-from kinlib.mechanisms.branch_points import branch_directions, nearest_branch_point
-from kinlib.mechanisms.levenberg_marquardt import START_TOL_FACTOR, Equations, Solution, is_nonzero, null_space, solve
+from kinlib.mechanisms.levenberg_marquardt import START_TOL_FACTOR, Equations, is_nonzero, null_space, solve
 from kinlib.rigid.angles import wrap_angle
 
 MAX_BEND_RAD = 0.25
@@ -31,20 +29,6 @@ MIN_STEP = 1e-5
 CROSSING_STEP = 1e-3
 """Two branches that pass each other within this fraction of the step asked for are taken to cross."""
 
-MAX_FRACTION_OF_GAP = 0.25
-"""The first step from a branch point stays within this fraction of the smallest angle between its directions."""
-
-PROBE_FRACTIONS = 0.5 ** np.arange(7)
-"""A curve that leaves a branch point is sought at these fractions of a step. Nearer to it, the residual of a point on the tangent
-is within the tolerance even if there is no curve."""
-
-MIN_DIFFERENCE = 1e-3
-"""A direction that is asked for must be nearer to one curve than to any other by this angle, in radians, and no nearer than this to
-a right angle to all of them."""
-
-START_CURVATURE = 0.1
-"""The curvature with which a curve is predicted to leave a branch point, in 1 / (radians and metres)."""
-
 POINT_TOL = 1e-9
 """Points of a curve nearer to each other than this are the same point."""
 
@@ -52,10 +36,7 @@ RETURN_TOL = 1e-6
 """If a curve passes its start nearer than this, it has returned to it; if not, it is another part of the curve."""
 
 NO_MOTION = "Nothing can move: the linkage is a structure."
-SEVERAL_MOTIONS = (
-    "Hold all degrees of freedom but one, or, if curves cross here, pass as `direction` one of those that "
-    "Mechanism.branch_directions finds."
-)
+SEVERAL_MOTIONS = "Hold all degrees of freedom but one or, if curves cross here, start at another configuration of one."
 """Two reasons why a configuration has no single motion, and what to try."""
 
 
@@ -121,82 +102,39 @@ class CurveTracer:
     is_angle: NDArray[np.bool_]
     limits: Array
 
-    def follow(self, start: Array, step: float, max_steps: int, direction: Array | None = None) -> Curve:
+    def follow(self, start: Array, step: float, max_steps: int) -> Curve:
         """Follow the curve through start (n,) in both directions, until it closes or meets a limit at either end.
 
         step       the longest step along the curve
         max_steps  in either direction; after them the curve is left unfinished, which its `ends` then say
-        direction  (n,) if several curves meet at the start, the one whose tangent there is nearest to it; of one curve, the
-                   sense in which it is followed
 
-        Raises ValueError if start is not a solution, if without a direction the number of directions that lead away from it
-        is not one, and if with a direction none of them is the nearest.
+        Raises ValueError if start is not a solution, and if the number of directions that lead away from it is not one.
         """
-        if direction is None:
-            found = self._corrected(start)
-            x, (directions, _) = found.x[0], null_space(found.jacobian[0])
-            if directions.shape[1] != 1:
-                raise ValueError(
-                    f"Exactly one direction must lead away from the start of a curve; got {directions.shape[1]}. "
-                    + (NO_MOTION if directions.shape[1] == 0 else SEVERAL_MOTIONS)
-                )
-            # Both signs of the tangent are right. Fix one, so that the same start gives the same curve on every machine.
-            tangent, bend, curvature = directions[:, 0], MAX_BEND_RAD, np.zeros_like(x)
-            tangent *= np.sign(tangent[np.argmax(np.abs(tangent))])
-        else:
-            x, tangents = self.leaving(start, step)
-            tangent, bend, curvature = _nearest(tangents, direction), _max_bend(tangents), _any_curvature(len(x))
-        points, tangents, end = self._follow_one_way(x, tangent, step, max_steps, first_bend=bend, curvature=curvature)
-        beginning = end
-        if end != "closed":
-            before, reverse, beginning = self._follow_one_way(
-                x, -tangent, step, max_steps, first_bend=bend, curvature=curvature
-            )
-            points = np.concatenate([before[:0:-1], points])
-            tangents = np.concatenate([-reverse[:0:-1], tangents])
-        # Near a solution a step squares the error, so one more step for all points at once leaves only rounding errors.
-        exact = solve(self.equations, points, tolerance=0.0, iterations=1)
-        return Curve(exact.x, tangents, end == "closed", (beginning, end), float(exact.residual.max()))
-
-    def leaving(self, start: Array, step: float) -> tuple[Array, Array]:
-        """Find the branch point near start (n,), or the regular solution, and the unit tangents (b, n) of the curves through it.
-
-        step  the longest step along a curve: a tangent counts only if a curve is found within such a step
-
-        Raises ValueError if start is not a solution, and if the tangents form a continuum.
-        """
-        x = nearest_branch_point(self.equations, self._corrected(start).x[0], self.tolerance)
-        tangents = branch_directions(self.equations, x)
-        bend = _max_bend(tangents)
-        # At a cusp a curve leaves in one sense only.
-        senses = [
-            next((t for t in (tangent, -tangent) if self._leads_away(x, t, step, bend)), None) for tangent in tangents
-        ]
-        return x, np.array([t for t in senses if t is not None]).reshape(-1, len(x))
-
-    def _corrected(self, start: Array) -> Solution:
-        """The solution next to a start (n,) that the caller passes as a solution."""
         residual = np.linalg.norm(self.equations(start[None])[0])
         if residual > START_TOL_FACTOR * self.tolerance:
             raise ValueError(
                 f"A curve must start at a solution; the residual of this start is {residual:.2g}. "
                 "Assemble the linkage first, and pass the q that you get."
             )
-        return solve(self.equations, start[None], self.tolerance)
-
-    def _leads_away(self, x: Array, tangent: Array, step: float, bend: float) -> bool:
-        """Whether a curve leaves x in the direction of a unit tangent, within a step or a fraction of it."""
-        curvature = _any_curvature(len(x))
-        guesses = [(h, x + h * tangent + h * h / 2 * curvature) for h in step * PROBE_FRACTIONS]
-        return any(not self._is_lost(x, tangent, h, guess, bend)[0] for h, guess in guesses)
-
-    def _is_lost(
-        self, x: Array, tangent: Array, h: float, guess: Array, bend: float
-    ) -> tuple[bool, Array, Array, Array]:
-        """Correct a guess at the distance h from x: whether the curve is lost, and the point, its tangent, the Jacobian there."""
-        new, new_tangent, J = self._correct(guess, tangent, tangent)
-        strays = np.linalg.norm(new - guess) > MAX_CORRECTION * bend / MAX_BEND_RAD * h
-        return bool(new_tangent @ tangent < np.cos(bend) or strays), new, new_tangent, J
+        found = solve(self.equations, start[None], self.tolerance)
+        x, (directions, _) = found.x[0], null_space(found.jacobian[0])
+        if directions.shape[1] != 1:
+            raise ValueError(
+                f"Exactly one direction must lead away from the start of a curve; got {directions.shape[1]}. "
+                + (NO_MOTION if directions.shape[1] == 0 else SEVERAL_MOTIONS)
+            )
+        # Both signs of the tangent are right. Fix one, so that the same start gives the same curve on every machine.
+        tangent = directions[:, 0]
+        tangent *= np.sign(tangent[np.argmax(np.abs(tangent))])
+        points, tangents, end = self._follow_one_way(x, tangent, step, max_steps)
+        beginning = end
+        if end != "closed":
+            before, reverse, beginning = self._follow_one_way(x, -tangent, step, max_steps)
+            points = np.concatenate([before[:0:-1], points])
+            tangents = np.concatenate([-reverse[:0:-1], tangents])
+        # Near a solution a step squares the error, so one more step for all points at once leaves only rounding errors.
+        exact = solve(self.equations, points, tolerance=0.0, iterations=1)
+        return Curve(exact.x, tangents, end == "closed", (beginning, end), float(exact.residual.max()))
 
     def resample(self, curve: Curve, count: int) -> Curve:
         """Return the same curve in `count` points at about equal steps of its length. A curve of one point stays as it is."""
@@ -216,24 +154,17 @@ class CurveTracer:
         tangents /= np.linalg.norm(tangents, axis=1, keepdims=True)
         return Curve(found.x, tangents, curve.closed, curve.ends, float(found.residual.max()))
 
-    def _follow_one_way(
-        self, x: Array, tangent: Array, step: float, max_steps: int, *, first_bend: float, curvature: Array
-    ) -> tuple[Array, Array, str]:
-        """Follow the curve from x in the direction of the tangent: points (m, n), tangents (m, n), and why it ends.
-
-        first_bend  the largest angle between the tangents before and after the first step
-        curvature   (n,) by which the first step is predicted to leave the tangent
-        """
-        points, tangents, h = [x], [tangent], step
-        J = self.equations(x[None])[1][0]
-        # At a branch point there are no sides yet: of a basis of zeros every determinant is 0.
-        basis, side = _side(J, tangent, (np.zeros((len(J), len(x) - 1)), 0.0))
+    def _follow_one_way(self, x: Array, tangent: Array, step: float, max_steps: int) -> tuple[Array, Array, str]:
+        """Follow the curve from x in the direction of the tangent: points (m, n), tangents (m, n), and why it ends."""
+        points, tangents, h, curvature = [x], [tangent], step, np.zeros_like(x)
+        basis, side = _side(self.equations(x[None])[1][0], tangent)
         end = f"{max_steps} point{'s' * (max_steps != 1)}"
         while len(points) <= max_steps:
             x, tangent = points[-1], tangents[-1]
             guess = x + h * tangent + h * h / 2 * curvature
-            bend = first_bend if len(points) == 1 else MAX_BEND_RAD
-            is_lost, new, new_tangent, J = self._is_lost(x, tangent, h, guess, bend)
+            new, new_tangent, J = self._correct(guess, tangent, tangent)
+            is_bent = new_tangent @ tangent < np.cos(MAX_BEND_RAD)
+            is_lost = is_bent or np.linalg.norm(new - guess) > MAX_CORRECTION * h
             # The point may lie on another branch that passes close by, where the side of the tangent is the opposite one.
             is_other_branch = not is_lost and _orientation(basis, J, new_tangent) * side < 0
             if (is_lost and h > MIN_STEP * step) or (is_other_branch and h > CROSSING_STEP * step):
@@ -251,7 +182,10 @@ class CurveTracer:
                 end = f"limit of {self.names[limit.coordinate]}"
                 break
             curvature = (new_tangent - tangent) / np.linalg.norm(new - x)
-            basis, side = _side(J, new_tangent, (basis, side))
+            # At a crossing, where J has a lower rank, the side stays that of the point before.
+            next_basis, next_side = _side(J, new_tangent)
+            if next_basis.shape[1] == basis.shape[1]:
+                basis, side = next_basis, next_side
             points.append(new)
             tangents.append(new_tangent)
             h = min(1.5 * h, step)
@@ -381,48 +315,14 @@ def _upward_crossings(excess: "np.polynomial.Polynomial", ends_above: bool) -> l
     return crossings or [1.0] * bool(ends_above)
 
 
-def _side(J: Array, tangent: Array, before: tuple[Array, float]) -> tuple[Array, float]:
-    """A basis (e, n - 1) of the column space of J at a point of a curve, and on which side of it the tangent points, +1 or -1.
+def _side(J: Array, tangent: Array) -> tuple[Array, float]:
+    """A basis (e, k) of the column space of J at a point of a curve, and on which side of it the tangent points, +1 or -1.
 
-    Along one branch the side does not change. At a crossing, where J has a lower rank, the result is that of the point before.
+    Along one branch the side does not change. If J has a lower rank than n - 1, no side is known, and it is 0.
     """
     U, s, _ = np.linalg.svd(J, full_matrices=False)
     basis = U[:, is_nonzero(s)]
-    return (basis, _orientation(basis, J, tangent)) if basis.shape[1] == len(tangent) - 1 else before
-
-
-def _max_bend(tangents: Array) -> float:
-    """The largest angle to the nearest of the tangents (b, n) at a start, within which no other one can be mistaken for it."""
-    cosines = np.abs(np.triu(tangents @ tangents.T, 1))
-    gap = np.arccos(min(cosines.max(initial=0.0), 1.0))
-    return float(min(MAX_BEND_RAD, MAX_FRACTION_OF_GAP * gap))
-
-
-def _any_curvature(n: int) -> Array:
-    """A vector (n,) with no symmetry: halfway between two curves that touch, the equations prefer neither, and no step is taken."""
-    vector = np.random.default_rng(0).normal(size=n)
-    return START_CURVATURE * vector / np.linalg.norm(vector)
-
-
-def _nearest(tangents: Array, direction: Array) -> Array:
-    """The tangent, of several (b, n), at the smallest angle to a direction (n,), or its negative, whichever is nearer."""
-    if not len(tangents):
-        raise ValueError(f"At least one motion must lead away from the start of a curve; got 0. {NO_MOTION}")
-    # What is perpendicular to all tangents decides nothing, but would make all angles alike.
-    part = np.linalg.pinv(tangents) @ (tangents @ direction)
-    length = np.linalg.norm(part)
-    is_across = length <= MIN_DIFFERENCE * np.linalg.norm(direction)
-    signed = np.concatenate([tangents, -tangents])
-    distances = np.linalg.norm(signed - part / (1.0 if is_across else length), axis=1)
-    order = np.argsort(distances)
-    if is_across or distances[order[1]] - distances[order[0]] < MIN_DIFFERENCE:
-        raise ValueError(
-            f"direction must be nearest to one of the motions that leave the start, {', '.join(map(format_vector, tangents))}; "
-            f"got {format_vector(direction)}, which is {'perpendicular to all' if is_across else 'as near to two'} of them. "
-            "Pass one of them."
-        )
-    chosen: Array = signed[order[0]]
-    return chosen
+    return basis, _orientation(basis, J, tangent) if basis.shape[1] == len(tangent) - 1 else 0.0
 
 
 def _orientation(basis: Array, J: Array, tangent: Array) -> float:

@@ -122,16 +122,6 @@ def spherical(point: ArrayLike) -> Array:
     return screw(np.eye(3), point)
 
 
-def cylindrical(axis: ArrayLike, point: ArrayLike) -> Array:
-    """Return the two screw axes (2, 6) of a cylindrical joint: a translation along a line, then a rotation about it.
-
-    >>> cylindrical((0, 0, 1), (0, 0, 0))
-    array([[0., 0., 0., 0., 0., 1.],
-           [0., 0., 1., 0., 0., 0.]])
-    """
-    return screw(axis, point, [np.inf, 0.0])
-
-
 def joints_of_chain(chain: Chain, bodies: Sequence[str], names: Sequence[str], closing_offset: Array) -> list[Joint]:
     """Write the n joints of an open chain one by one, between n + 1 bodies.
 

@@ -21,6 +21,21 @@ X, Y, Z = np.eye(3)
 PRISMATIC = np.inf
 """The pitch of a prismatic joint."""
 
+__all__ = [
+    "bennett",
+    "bricard",
+    "five_bar",
+    "four_bar",
+    "parallelogram",
+    "sarrus",
+    "slider_crank",
+    "stewart_gough",
+    "stretched_arch",
+    "ten_links",
+    "three_rrr",
+    "triangle",
+]
+
 
 def four_bar(ground: float, crank: float, coupler: float, rocker: float) -> Mechanism:
     """Build a planar four-bar linkage from its link lengths: joints A and D are on the ground, B and C at the coupler's ends.
@@ -282,49 +297,6 @@ def stewart_gough(base: float = 0.5, platform: float = 0.3, height: float = 0.6)
     pairs = [(i + i % 2, i + 1 - i % 2, 0.2 if i % 2 else -0.2) for i in range(6)]
     feet = [base * _rotated_about_z(X, np.pi / 3 * foot - turn) for foot, _, turn in pairs]
     heads = [platform * _rotated_about_z(X, np.pi / 3 * head + turn) + height * Z for _, head, turn in pairs]
-    return _six_legs(feet, heads, "Stewart-Gough platform", "Modern Robotics, example 2.8")
-
-
-def dietmaier() -> Mechanism:
-    """Build Dietmaier's Stewart-Gough platform: with the leg lengths as drawn, its plate can be assembled in 40 poses.
-
-    40 is the largest possible number, because the equations have 40 complex solutions. It is drawn closed, in one of the 40
-    poses, so hold all P1 ... P6 at 0 to find them. Four of them are almost singular, and only one of about 2000 random
-    guesses leads to each. They are found from the others if one leg is released:
-
-        linkage.assembly_modes(hold=dict.fromkeys(["P1", ..., "P6"], 0.0), bodies=("plate",), guesses=64, release="P1")
-
-    Source: Dietmaier, in Advances in Robot Kinematics: Analysis and Control (1998), pages 1-10, whose feet, heads and leg
-    lengths have 6 decimal places; Ronga and Vust (1992) for the 40 complex solutions.
-
-    >>> dietmaier().kutzbach()
-    6
-    """
-    feet = [
-        *[(0, 0, 0), (1.107915, 0, 0), (0.549094, 0.756063, 0)],
-        *[(0.735077, -0.223935, 0.525991), (0.514188, -0.526063, -0.368418), (0.590473, 0.094733, -0.205018)],
-    ]
-    heads = [
-        *[(0, 0, 0), (0.542805, 0, 0), (0.956919, -0.528915, 0)],
-        *[(0.665885, -0.353482, 1.402538), (0.478359, 1.158742, 0.107672), (-0.137087, -0.235121, 0.353913)],
-    ]
-    # One of the poses in which the legs have the printed lengths 1, 0.645275, 1.086284, 1.503439, 1.281933 and 0.771071.
-    T = exp(
-        [
-            0.8438793171939628,
-            0.32498516287022716,
-            1.3932621040025344,
-            0.7430106751576868,
-            -0.8092781170243436,
-            -0.2416578661556175,
-        ]
-    )
-    moved = np.array(heads) @ T[:3, :3].T + T[:3, 3]
-    return _six_legs(np.array(feet), moved, "Dietmaier's platform", "Dietmaier (1998)")
-
-
-def _six_legs(feet: Sequence[Array] | Array, heads: Sequence[Array] | Array, name: str, source: str) -> Mechanism:
-    """A platform on six legs, drawn closed, from where their feet and heads are, (6, 3) each."""
     joints = []
     for leg, (foot, head) in enumerate(zip(feet, heads, strict=True), start=1):
         along = (head - foot) / np.linalg.norm(head - foot)
@@ -334,7 +306,7 @@ def _six_legs(feet: Sequence[Array] | Array, heads: Sequence[Array] | Array, nam
             Joint(f"P{leg}", (f"shin {leg}", f"shaft {leg}"), screw(along, pitch=PRISMATIC), point=(foot + head) / 2),
             Joint(f"S{leg}", (f"shaft {leg}", "plate"), spherical(head), point=head),
         ]
-    return Mechanism(joints, name=name, source=source)
+    return Mechanism(joints, name="Stewart-Gough platform", source="Modern Robotics, example 2.8")
 
 
 def _planar_arm(foot: float, lengths: Sequence[float], names: Sequence[str]) -> Chain:

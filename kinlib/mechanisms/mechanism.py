@@ -22,7 +22,7 @@ from kinlib.arrays import tolerances, validation
 from kinlib.arrays.formatting import aligned_table, format_vector, html_table, latex_array
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
-from kinlib.mechanisms.closure import Assembly, Closure, ModeSearch
+from kinlib.mechanisms.closure import Assembly, Closure
 from kinlib.mechanisms.continuation import Curve
 from kinlib.mechanisms.joints import (
     Joint,
@@ -251,75 +251,25 @@ class Mechanism(validation.ReadOnly):
         """
         return self._closure(guess, hold).assemble()
 
-    def assembly_modes(
-        self,
-        hold: Mapping[str, float] | None = None,
-        bodies: Sequence[str] | None = None,
-        guesses: int | None = None,
-        release: str | None = None,
-    ) -> Array:
+    def assembly_modes(self, hold: Mapping[str, float] | None = None) -> Array:
         """Find the ways of assembling the linkage while some joint values are held: configurations (m, n), each once.
 
-        bodies   the names of those whose poses matter; by default all bodies. Two configurations are the same mode if these
-                 bodies have the same poses, and of each mode one configuration is returned
-        guesses  how many random configurations the search starts from; by default it ends after 3 rounds of 64 without a
-                 new mode, or after 30 while some mode has been found only once
-        release  the name of a held value: from each mode the curve is followed on which only this value and those that are
-                 not held change, and where it returns to its held value, there is another mode
+        Two configurations are the same mode if all bodies have the same poses. The search is damped Gauss-Newton from random
+        guesses, the same ones at every call; it ends after 3 rounds of 64 guesses without a new mode, or after 30 while some
+        mode has been found only once. So the modes that it returns exist, but modes to which few guesses lead, such as those
+        that are almost singular, may be missing.
 
-        The first method is damped Gauss-Newton from random guesses, the same ones at every call. It proves that the modes it
-        returns exist, but not that there are no others: it misses modes to which few guesses lead, such as those that are
-        almost singular. The second method, continuation with a value released, finds the other modes on the same curves,
-        however few guesses lead to them, and misses a mode only if no guess led to any mode of its curve. `search_modes`
-        says how often each mode was found, and so how likely it is that others are missing.
-
-        Raises ValueError if the bodies can still move with these values held, because then the modes form curves, if without
-        the released value there is not exactly one degree of freedom, if a body is not one of the linkage or the released
-        value is not held, and if guesses is less than 1.
+        Raises ValueError if the bodies can still move with these values held, because then the modes form curves.
 
         >>> from kinlib.mechanisms.linkages import four_bar
         >>> len(four_bar(4, 1, 3.5, 3).assembly_modes(hold={"A": 1.0}))
         2
         """
-        return self.search_modes(hold, bodies, guesses, release).q
-
-    def search_modes(
-        self,
-        hold: Mapping[str, float] | None = None,
-        bodies: Sequence[str] | None = None,
-        guesses: int | None = None,
-        release: str | None = None,
-    ) -> ModeSearch:
-        """Search for assembly modes as `assembly_modes` does, with the numbers by which to judge whether some may be missing.
-
-        Processor time on one core of a server of 2024: 0.1 s for a four-bar linkage; 2 s for the 8 poses of the plate of
-        `linkages.stewart_gough()` with bodies=("plate",); for `linkages.dietmaier()`, whose plate has 40, 20 s find 38 of
-        them by default, and 12 s find all 40 with guesses=64, release="P1".
-
-        Raises ValueError as `assembly_modes` does.
-
-        >>> from kinlib.mechanisms.linkages import four_bar
-        >>> search = four_bar(4, 1, 3.5, 3).search_modes(hold={"A": 1.0}, bodies=("rocker",))
-        >>> len(search.q), search.guesses, search.since_new
-        (2, 256, 192)
-        """
-        if release is not None and release not in (hold or {}):
-            raise ValueError(f"release must be the name of a held value, {', '.join(hold or {})}; got {release!r}.")
-        if guesses is not None and guesses < 1:
-            raise ValueError(f"guesses must be at least 1; got {guesses!r}. Try 1000.")
-        names = self.bodies if bodies is None else bodies
-        if isinstance(names, str) or not names or not set(names) <= set(self.bodies):
-            raise ValueError(
-                f"bodies must be names of some of the bodies {', '.join(self.bodies)}; got {validation.describe(bodies)}. "
-                f"Pass a sequence, for example ({self.bodies[-1]!r},)."
-            )
 
         def poses(q: Array) -> Array:
-            all_poses = self.poses(q)
-            return np.stack([all_poses[name] for name in names], axis=1)
+            return np.stack(list(self.poses(q).values()), axis=1)
 
-        released = None if release is None else self.names.index(release)
-        return self._closure(np.zeros(self.n), hold).search_modes(poses, guesses, released)
+        return self._closure(np.zeros(self.n), hold).search_modes(poses)
 
     def trace(
         self,
@@ -327,78 +277,30 @@ class Mechanism(validation.ReadOnly):
         hold: Mapping[str, float] | None = None,
         step: float = 0.2,
         points: int | None = None,
-        max_steps: int = 5000,
-        *,
-        direction: ArrayLike | None = None,
     ) -> Curve:
         """Follow the motion from a configuration (n,) in both directions, through dead points, until it closes or ends.
 
-        step       the longest step along the curve, radians and metres together
-        points     the number of configurations to return, at about equal steps; None: as many as the tracing needed
-        max_steps  in either direction; after them the curve is left unfinished, which its `ends` then say
-        direction  (n,) joint velocities: at a branch point, where several motions meet (a change point, for example), the
-                   motion nearest to them is followed, see `branch_directions`; elsewhere they only choose the sense of the
-                   curve. If a branch point is within 1e-3 of the start, the curve starts there. Entries of held values do not
-                   count
+        step    the longest step along the curve, radians and metres together
+        points  the number of configurations to return, at about equal steps; None: as many as the tracing needed
 
-        A curve ends at a limit, or where no configuration closes further on.
+        A curve ends at a limit, where no configuration closes further on, or after 5000 steps; its `ends` say which. It goes
+        straight on where it crosses another curve, for example where a parallelogram lies flat.
 
-        Raises ValueError if the start does not close or is beyond a limit, if without a direction the linkage does not have
-        exactly one degree of freedom there, if no motion is the nearest to the direction, and if step, points or max_steps is
-        too small for a curve.
-        Source: pseudo-arclength continuation and branch switching, as in Allgower and Georg, Numerical Continuation Methods
-        (1990).
+        Raises ValueError if the start does not close or is beyond a limit, if the linkage does not have exactly one degree of
+        freedom there, and if step or points is too small for a curve.
+        Source: pseudo-arclength continuation, as in Allgower and Georg, Numerical Continuation Methods (1990).
 
         >>> from kinlib.mechanisms.linkages import four_bar
         >>> linkage = four_bar(0.4, 0.1, 0.35, 0.3)
         >>> curve = linkage.trace(linkage.assembly_modes(hold={"A": 1.0})[0])
         >>> curve.closed, curve.residual < 1e-12
         (True, True)
-
-        A parallelogram that lies flat can leave as a parallelogram or as an antiparallelogram:
-
-        >>> flat = four_bar(0.4, 0.1, 0.4, 0.1)
-        >>> for direction in flat.branch_directions([0, 0, 0, 0]):
-        ...     A, B, D, C = flat.trace([0, 0, 0, 0], direction=direction, points=9).q[2]
-        ...     print(bool(np.isclose(A, D)))                                    # both cranks at one angle
-        True
-        False
         """
-        _check_step(step)
-        if max_steps < 1 or (points is not None and points < 2):
-            raise ValueError(
-                f"A curve must have at least two points and one step; got points={points!r}, max_steps={max_steps!r}."
-            )
-        rates = None if direction is None else self._values(direction, "direction")
-        if rates is not None and rates.ndim != 1:
-            raise ValueError(f"direction must have shape ({self.n},); got {rates.shape}. Pass one direction at a time.")
-        return self._closure(start, hold).trace(step, points, max_steps, rates)
-
-    def branch_directions(self, q: ArrayLike, hold: Mapping[str, float] | None = None, step: float = 0.2) -> Array:
-        """Find the directions in which motions leave a configuration (n,): one unit vector (b, n) of joint velocities each.
-
-        At a regular configuration with one degree of freedom there is one, and both its signs are right. At a branch point
-        there are several, and fewer than the first-order mobility suggests: not every velocity that the loops allow to first
-        order belongs to a motion. A direction t = N c, with N a basis of the null space of the Jacobian J, must satisfy
-        L^T H(t, t) = 0 too, with H the second derivative of the residual and L a basis of the left null space of J. All
-        solutions of these quadratic equations are sought from 64 random vectors c for each dimension, and each is kept if a
-        curve leaves in it. Two curves that touch have one direction in common. A branch point within 1e-3 of q is found
-        first, so q may be the result of `assemble`.
-
-        step  the longest step along a curve, as for `trace`
-
-        Raises ValueError if q does not close, and if the directions form a continuum, because the linkage has more degrees of
-        freedom. Hold all but one.
-        Source: Müller, Local kinematic analysis of closed-loop linkages: mobility, singularities, and shakiness, J. of
-        Mechanisms and Robotics 8 (2016).
-
-        >>> from kinlib.mechanisms.linkages import four_bar
-        >>> four_bar(0.4, 0.1, 0.4, 0.1).branch_directions([0, 0, 0, 0]).round(4)
-        array([[ 0.5   , -0.5   ,  0.5   , -0.5   ],
-               [-0.3638,  0.6063,  0.6063, -0.3638]])
-        """
-        _check_step(step)
-        return self._closure(q, hold).branch_directions(step)
+        if not (np.isfinite(step) and step > 0):
+            raise ValueError(f"step must be a positive length along the curve; got {step!r}. Try 0.2.")
+        if points is not None and points < 2:
+            raise ValueError(f"A curve must have at least two points; got points={points!r}.")
+        return self._closure(start, hold).trace(step, points)
 
     def mobility(self, q: ArrayLike) -> Mobility:
         """Find the mobility at a configuration (n,): by counting, to first order there, and by finite motions.
@@ -422,12 +324,12 @@ class Mechanism(validation.ReadOnly):
         finite = finite_mobility(closure.equations, closure.configuration, directions, closure.tolerance)
         return Mobility(self.kutzbach(), directions.shape[1], finite, singular_values, directions)
 
-    def kutzbach(self, dimension: int | None = None) -> int:
+    def kutzbach(self) -> int:
         """Count degrees of freedom by the Gruebler-Kutzbach formula: those of all joints, minus d equations for each loop.
 
-        d = `dimension`, the same for all loops: 6 in space, 3 in a plane or about a point. By default d is, for each loop,
-        the dimension of the group that its joints generate. With N bodies and J joints with f_i degrees of freedom there are
-        J - N + 1 loops, and d(N - 1 - J) + sum f_i is the same number. It is the mobility if all equations are independent.
+        d is the dimension of the group that the joints of a loop generate: 6 in space, 3 in a plane or about a point. With N
+        bodies and J joints with f_i degrees of freedom there are J - N + 1 loops, and d(N - 1 - J) + sum f_i is the same number,
+        if d is the same for all of them. It is the mobility if all equations are independent.
 
         Source: Modern Robotics, (2.4), Gruebler's formula.
 
@@ -435,7 +337,7 @@ class Mechanism(validation.ReadOnly):
         >>> four_bar(4, 1, 3.5, 3).kutzbach(), bennett().kutzbach()
         (1, -2)
         """
-        return self.n - sum(dimension or group_dimension(loop.chain.screws @ loop.to_centre.T) for loop in self.loops)
+        return self.n - sum(group_dimension(loop.chain.screws @ loop.to_centre.T) for loop in self.loops)
 
     def joint_points(self, q: ArrayLike) -> Array:
         """Compute the position of every joint, which its first body carries: q (..., n) -> (..., j, 3) for j joints.
@@ -465,11 +367,11 @@ class Mechanism(validation.ReadOnly):
         """The path from the ground to every body but the ground, as an open chain."""
         return {body: chain_along(self.joints, path, body) for body, path in self._tree.items() if path}
 
-    def _values(self, q: ArrayLike, name: str = "q") -> Array:
-        q = validation.array(q, name)
+    def _values(self, q: ArrayLike) -> Array:
+        q = validation.array(q, "q")
         if q.shape[-1:] != (self.n,):
             raise ValueError(
-                f"{name} must have shape (..., {self.n}); got {q.shape}. "
+                f"q must have shape (..., {self.n}); got {q.shape}. "
                 f"Pass one number for each joint value of {self.name}: {', '.join(self.names)}."
             )
         return q
@@ -518,8 +420,3 @@ class Mechanism(validation.ReadOnly):
         search_range = np.where(is_angle, np.pi, 2 * size / np.clip(pitch, tolerances.UNIT_LENGTH_TOL, 1))
         tolerance = CLOSURE_TOL * (1 + farthest)
         return Closure(self._centred_equations, q, free, self.names, is_angle, self.limits, search_range, tolerance)
-
-
-def _check_step(step: float) -> None:
-    if not (np.isfinite(step) and step > 0):
-        raise ValueError(f"step must be a positive length along the curve; got {step!r}. Try 0.2.")

@@ -230,7 +230,7 @@ def test_at_a_waist_the_opposite_side_is_not_taken_for_the_start(near):
 
 def test_a_start_at_a_crossing_is_refused():
     with pytest.raises(
-        ValueError, match=r"Exactly one direction must lead away.*; got 2\. .*pass as `direction` one of those that"
+        ValueError, match=r"Exactly one direction must lead away.*; got 2\. .*start at another configuration of one"
     ):
         cassini(1.0).follow(np.zeros(2), 0.1, 1000)
 

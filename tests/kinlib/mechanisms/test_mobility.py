@@ -6,7 +6,7 @@ from hypothesis import given
 from strategies import poses
 
 from kinlib import adjoint, linkages, screw
-from kinlib.mechanisms.joints import cylindrical, spherical, universal
+from kinlib.mechanisms.joints import spherical, universal
 from kinlib.mechanisms.levenberg_marquardt import null_space
 from kinlib.mechanisms.mobility import Mobility, finite_mobility, group_dimension
 
@@ -22,7 +22,7 @@ GROUPS = {
     "turns about one line": (1, shared(screw(Z, X))),
     "one thread": (1, shared(screw(Z, X, 0.1))),
     "a thread and its own line": (2, shared(screw(Z, X, 0.1), screw(Z, X))),
-    "a cylindrical joint": (2, cylindrical(Z, X)),
+    "a cylindrical joint": (2, screw(Z, X, [SLIDE, 0])),
     "slides in a plane": (
         2,
         shared(screw(X, pitch=SLIDE), screw(Y, pitch=SLIDE), screw(0.6 * X + 0.8 * Y, pitch=SLIDE)),
