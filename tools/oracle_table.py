@@ -25,7 +25,7 @@ import kinlib
 TESTS = Path(__file__).resolve().parents[1] / "tests"
 COMPUTING = [
     *("kincourse.sampling.four_bar_geometry", "misstep.answers.expression", "misstep.formulas.evaluation"),
-    *("kinlib.view.figures.linkage", "kinlib.view.figures.exponential_series"),
+    *("kinlib.view.figures.linkage", "kincourse.lecture_02_matrix_exponential.drawings.exponential_series"),
     *("kinlib.view.figures.dh_row_motions", "kinlib.view.viewer.scene"),
 ]
 """Modules of the packages above the mathematics that compute: all their public functions but those that draw need an oracle too."""

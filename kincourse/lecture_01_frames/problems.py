@@ -20,6 +20,7 @@ from kincourse.expressions.poses import (
     with_position,
 )
 from kincourse.expressions.screws import direction
+from kincourse.lecture_01_frames.drawings import draw_rotation
 from kincourse.problem import problem
 from kincourse.sampling.arms import PLAIN_ANGLES_DEG, ArmSampler, are_distinguishable
 from kinlib.arrays.validation import Array
@@ -27,7 +28,6 @@ from kinlib.chains.robots import X, Y, Z
 from kinlib.chains.robots import pose as frame
 from kinlib.rigid.lie import exp, homogeneous
 from kinlib.view import draw_frames
-from kinlib.view.figures.frames import draw_rotation
 from misstep.answers.choice import Choice
 from misstep.answers.number import Numbers
 from misstep.answers.order import Ordering

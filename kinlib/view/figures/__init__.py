@@ -1,14 +1,14 @@
 """Figures of robots as SVG, each with a text alternative; the function that makes it is called describe_... or _describe.
 
 arm.py                 arms, and arms at home whose screw axes can be read off
-frames.py              frames and points, and a rotation about a coordinate axis
+frames.py              frames and points
+lettered_chain.py      an open chain at home with a letter for each of its lengths
 joint_bodies.py        the cylinders, boxes and threads of joints
 screw_motions.py       paths of a frame along twists
-exponential_series.py  the terms of the exponential series
-mid_formula.py         the screws of the mid-formula form
+point_velocity.py      the velocity of a point of a rotating body
+axis_relations.py      how two joint axes can be related, and their common normals
 dh_table.py            a DH table, and what the four numbers of a row measure
 dh_row_motions.py      the motions of a DH row, in both conventions
 frame_assignment.py    the steps of a frame assignment (assignment_steps.py: what each step shows)
 linkage.py             linkages
-torus.py               the configuration space of two angles
 """

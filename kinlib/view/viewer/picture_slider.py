@@ -26,11 +26,11 @@ V = TypeVar("V")
 
 
 def slide(
-    draw: Callable[[V], Picture], label: str, values: Sequence[V], after: Any = None, start: int = 0
+    draw: Callable[[V], Picture] | Sequence[Picture], label: str, values: Sequence[V], after: Any = None, start: int = 0
 ) -> widgets.Widget:
     """Show a slider that draws a picture of the selected value.
 
-    draw    a function from a value to a Picture
+    draw    a function from a value to a Picture, or the picture of each value
     label   what the values are
     values  the values of the slider, in order
     after   a question; the picture stays covered until a prediction is committed
@@ -38,7 +38,7 @@ def slide(
 
     Drawings are made at once and cropped alike; a plot, which takes longer, is made when its value is selected.
 
-    Raises ValueError if there are no values.
+    Raises ValueError if there are no values, or not as many pictures as values.
 
     >>> from kinlib.view import plot
     >>> def line(slope):
@@ -48,6 +48,9 @@ def slide(
     """
     if len(values) == 0:
         raise ValueError("values must contain at least one value; got none.")
+    if not callable(draw) and len(draw) != len(values):
+        raise ValueError(f"values must be {len(draw)} values, one for each picture; got {list(values)!r}.")
+    at = (lambda index: draw(values[index])) if callable(draw) else draw.__getitem__
     options = [
         (f"{value:.4g}" if isinstance(value, float) else str(value), index) for index, value in enumerate(values)
     ]
@@ -58,14 +61,14 @@ def slide(
         layout=widgets.Layout(width="95%"),
         style={"description_width": "initial"},
     )
-    drawn = {start: draw(values[start])}
+    drawn = {start: at(start)}
     if is_croppable(drawn[start]) or is_static_export():
-        pictures = [drawn[start] if index == start else draw(value) for index, value in enumerate(values)]
+        pictures = [drawn[start] if index == start else at(index) for index in range(len(values))]
         drawn = dict(enumerate(crop(pictures) if all(map(is_croppable, pictures)) else pictures))
 
     def show() -> str:
         index = slider.value
-        return (drawn[index] if index in drawn else draw(values[index])).html()
+        return (drawn[index] if index in drawn else at(index)).html()
 
     inside = _covered(_live(show, [slider], []), after)
     if not is_static_export():

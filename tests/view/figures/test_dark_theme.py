@@ -9,14 +9,15 @@ import pytest
 from browser import contrast
 
 import kinlib as kl
-from kinlib.view import Picture, draw_arm, draw_frames, draw_linkage, draw_torus, plot
+from kincourse.lecture_02_matrix_exponential.drawings import draw_series
+from kincourse.lecture_04_poe_body.drawings.mid_formula import draw_mid_formula
+from kincourse.lecture_08_closed_chains.drawings.torus import draw_torus
+from kinlib.view import Picture, draw_arm, draw_frames, draw_linkage, plot
 from kinlib.view.drawing.crop import crop
 from kinlib.view.drawing.dark_theme import COLOUR, dark_colour, follow_theme
 from kinlib.view.drawing.figure_colours import DARK_COLOURS, PALE_GREY
 from kinlib.view.figures.dh_table import draw_row
-from kinlib.view.figures.exponential_series import draw_series
 from kinlib.view.figures.frame_assignment import draw_assignment
-from kinlib.view.figures.mid_formula import draw_mid_formula
 
 ARM = kl.robots.puma560()
 FIGURES = {

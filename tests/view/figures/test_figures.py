@@ -15,14 +15,15 @@ from strategies import ROBOTS
 from traitlets import Bool, HasTraits
 
 import kinlib as kl
-from kinlib.view import Picture, draw_arm, draw_frames, draw_joints, draw_torus, plot, slide
+from kincourse.lecture_02_matrix_exponential.drawings import draw_series
+from kincourse.lecture_04_poe_body.drawings.mid_formula import draw_mid_formula
+from kincourse.lecture_08_closed_chains.drawings.torus import draw_torus
+from kinlib.view import Picture, draw_arm, draw_frames, draw_joints, plot, slide
 from kinlib.view.drawing.canvas import Canvas, convex_hull
 from kinlib.view.figures.dh_row_motions import draw_row_motions
 from kinlib.view.figures.dh_table import draw_row, draw_table
-from kinlib.view.figures.exponential_series import draw_series
 from kinlib.view.figures.frame_assignment import draw_assignment
 from kinlib.view.figures.joint_bodies import axial_offsets, carried_axes
-from kinlib.view.figures.mid_formula import draw_mid_formula
 
 ROOT = Path(__file__).parents[3]
 

@@ -15,9 +15,9 @@ import pytest
 from traitlets import Bool, HasTraits
 
 import kinlib as kl
+from kincourse.lecture_08_closed_chains.drawings.torus import side_by_side
 from kinlib import view
 from kinlib.view import Gallery, Picture
-from kinlib.view.figures.torus import side_by_side
 
 ALT = "A curve & its <tangent>, 0.5 m long. The two meet at 1."
 Q = [0, 0.5, -0.5, 0, 1, 0]

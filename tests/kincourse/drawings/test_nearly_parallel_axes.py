@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from kincourse.lecture_07_frame_assignment.drawings import draw_nearly_parallel_axes
 from kinlib.dh.common_normal import common_normal
-from kinlib.view import draw_nearly_parallel_axes
 
 X, Y, Z = np.eye(3)
 

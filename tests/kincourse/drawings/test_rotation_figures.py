@@ -4,10 +4,10 @@ import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
 
+from kincourse.lecture_01_frames.drawings import draw_rotation
 from kinlib.chains.robots import X, Y, Z, pose
 from kinlib.view import draw_frames
 from kinlib.view.drawing.canvas import view_axes
-from kinlib.view.figures.frames import draw_rotation
 
 
 @pytest.mark.parametrize("axis", [0, 1, 2])

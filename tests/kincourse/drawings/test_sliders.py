@@ -8,16 +8,12 @@ import pytest
 import scipy.linalg
 
 import kinlib as kl
+from kincourse.lecture_02_matrix_exponential.drawings import plot_series
+from kincourse.lecture_04_poe_body.drawings import slide_axis, slide_mid_formula
+from kincourse.lecture_05_dh_standard.drawings import slide_offset
+from kincourse.lecture_08_closed_chains.drawings import slide_curve, slide_linkage
 from kinlib.rigid.lie import exp, homogeneous
-from kinlib.view import (
-    plot_series,
-    slide_axis,
-    slide_curve,
-    slide_frames,
-    slide_linkage,
-    slide_mid_formula,
-    slide_offset,
-)
+from kinlib.view import slide_frames
 from kinlib.view.drawing.static_export import ENVIRONMENT_VARIABLE
 
 WIDE = kl.linkages.four_bar(ground=0.5, crank=0.3, coupler=0.3, rocker=0.3)
@@ -111,10 +107,9 @@ def test_wrong_frames_are_refused(frames_at, values, says):
         (lambda: slide_axis(ARM, 5, np.zeros((1, 4)), "q", [0]), "has joints 1 to 4; got 5"),
         (
             lambda: slide_axis(ARM, 1, np.zeros((2, 4)), "q", [0]),
-            "values must be 2 different values, one for each picture; got \\[0\\]",
+            "values must be 2 values, one for each picture; got \\[0\\]",
         ),
         (lambda: slide_offset(TABLE, 6, [0]), "rows 1 to 5; got 6"),
-        (lambda: slide_linkage(WIDE, np.zeros((2, 4)), "k", [1, 1]), "values must be 2 different values"),
         (lambda: slide_curve(WIDE, np.zeros((3, 4)), ("A", "E")), "got 'E'"),
         (lambda: slide_curve(WIDE, np.zeros((3, 4)), ("A", "D"), parts={"all": [True]}), r"shape \(3,\); got \(1,\)"),
         (

@@ -1,18 +1,50 @@
 """The mid-formula form, drawn: an arm at home, and the distance of each screw axis from the frame, {s} or {b}, in which it is given."""
 
-import numpy as np
+from typing import Any
 
+import ipywidgets as widgets
+import numpy as np
+from numpy.typing import ArrayLike
+
+from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.rigid.screw import is_prismatic
+from kinlib.view import slide
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import INK, ORANGE, PALE_GREY, VIOLET
-from kinlib.view.drawing.picture import Picture
+from kinlib.view.drawing.picture import Picture, vector_text
 
 LANE_PX = 6.0
 """Perpendiculars that would lie on each other are drawn side by side, so many pixels apart."""
 
 LENGTH_OFFSETS = [(-20, 0), (0, 12), (20, 0), (0, -12), (-26, 10), (26, 10), (26, -10), (-26, -10)]
+
+
+def slide_mid_formula(chain: Chain, q: ArrayLike, *, after: Any = None, start: int = 0) -> widgets.Widget:
+    """Show the mid-formula form with M after joint 0, 1, ..., n: e^[S1]q1 ... e^[Sk]qk M e^[Bk+1]qk+1 ... e^[Bn]qn.
+
+    q  (n,) the joint values at which the position of the end-effector is written in the caption
+
+    The caption gives the form, the position of the end-effector, which is the same for every k, and how many of the entries of
+    the screws are not 0.
+
+    >>> from kinlib.chains.robots import mid_formula_arm
+    >>> type(slide_mid_formula(mid_formula_arm(), [0.5, -0.3, 0.8, 0.4])).__name__
+    'VBox'
+    """
+    values = validation.vectors(q, "q", chain.n)
+
+    def draw(k: int) -> Picture:
+        factors = [f"e^[{'S' if i <= k else 'B'}{i}]q{i}" for i in range(1, chain.n + 1)]
+        form = " ".join([*factors[:k], "M", *factors[k:]])
+        tool = vector_text(chain.fk_mid(values, k)[:3, 3])
+        entries = np.count_nonzero(np.vstack([chain.screws[:k], chain.body_screws[k:]]).round(9))
+        return draw_mid_formula(
+            chain, k, f"T = {form}. End-effector at {tool} m. Entries of the screws that are not 0: {entries}."
+        )
+
+    return slide(draw, "joints before M: k", range(chain.n + 1), after, start)
 
 
 def draw_mid_formula(chain: Chain, k: int, caption: str = "") -> Picture:

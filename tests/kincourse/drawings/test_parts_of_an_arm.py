@@ -2,8 +2,8 @@
 
 import numpy as np
 
+from kincourse.lecture_00_start_here.drawings import draw_parts
 from kinlib.chains.robots import rpr, youbot
-from kinlib.view import draw_parts
 
 
 def test_every_part_is_named_in_the_text_alternative():

@@ -4,7 +4,7 @@ import numpy as np
 import pytest
 
 from kinlib.view import draw_axis_relation, draw_axis_relations
-from kinlib.view.diagrams.axis_relations import SECOND_AXES
+from kinlib.view.figures.axis_relations import SECOND_AXES
 
 X, Y, Z = np.eye(3)
 

@@ -4,8 +4,8 @@ import numpy as np
 import pytest
 
 import kinlib as kl
+from kincourse.lecture_10_one_robot_four_ways.drawings import draw_two_arms
 from kinlib.chains.robots import X, Y, Z, pose
-from kinlib.view import draw_two_arms
 
 Q = np.radians([0, -75, 60, 0, -75, 0])
 

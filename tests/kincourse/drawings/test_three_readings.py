@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from kincourse.lecture_01_frames.drawings import draw_three_readings
 from kinlib.chains.robots import X, Y, Z, pose
-from kinlib.view import draw_three_readings
 
 
 def test_the_text_alternative_has_the_pose_and_both_coordinates_of_the_point():

@@ -5,8 +5,8 @@ import re
 import numpy as np
 import pytest
 
+from kincourse.lecture_02_matrix_exponential.drawings import draw_cross_product, draw_twist_matrix
 from kinlib.rigid.lie import hat
-from kinlib.view import draw_cross_product, draw_twist_matrix
 
 TWISTS = [(1, 2, 3, 4, 5, 6), (0, -1, 0, 0, 0, 4), (0.5, -0.25, 2, 0, 7, -3)]
 

@@ -2,7 +2,7 @@
 
 import pytest
 
-from kinlib.view import draw_last_frame, draw_last_frames
+from kincourse.lecture_05_dh_standard.drawings import draw_last_frame, draw_last_frames
 
 
 def test_the_gallery_shows_both_kinds_of_joints_and_a_frame_beside_the_axis():

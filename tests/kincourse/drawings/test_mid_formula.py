@@ -5,8 +5,8 @@ import re
 import numpy as np
 import pytest
 
+from kincourse.lecture_04_poe_body.drawings.mid_formula import axis_perpendiculars, draw_mid_formula
 from kinlib import robots
-from kinlib.view.figures.mid_formula import axis_perpendiculars, draw_mid_formula
 
 ARMS = [robots.rpr(), robots.rppr(), robots.youbot(), robots.puma560(), robots.mid_formula_arm(), robots.angled_arm()]
 

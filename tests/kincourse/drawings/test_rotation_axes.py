@@ -3,9 +3,8 @@
 import numpy as np
 import pytest
 
+from kincourse.lecture_06_dh_modified.drawings import draw_rotation_axes, rotation_axes
 from kinlib.rigid.lie import exp
-from kinlib.view import draw_rotation_axes
-from kinlib.view.diagrams.rotation_axes import rotation_axes
 
 UNITS = dict(zip("xyz", np.eye(3), strict=True))
 

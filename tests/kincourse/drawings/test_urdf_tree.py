@@ -4,8 +4,8 @@ import re
 
 import pytest
 
+from kincourse.lecture_09_urdf.drawings import draw_urdf_tree
 from kincourse.lecture_09_urdf.readers import ARM, FOUR_BAR
-from kinlib.view import draw_urdf_tree
 
 
 def test_every_link_and_joint_is_drawn_and_named():

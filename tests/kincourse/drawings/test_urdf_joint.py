@@ -3,8 +3,8 @@
 import numpy as np
 import pytest
 
+from kincourse.lecture_09_urdf.drawings import draw_urdf_joint
 from kinlib.rigid.rpy import origin
-from kinlib.view import draw_urdf_joint
 from kinlib.view.drawing.picture import vector_text
 
 LEAN = origin((0.3, 0.2, 0.4), (-np.pi / 2, 0, 0))

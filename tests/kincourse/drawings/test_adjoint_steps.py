@@ -3,9 +3,9 @@
 import numpy as np
 import pytest
 
+from kincourse.lecture_04_poe_body.drawings import draw_adjoint_steps
 from kinlib.chains.robots import X, Y, Z, pose
 from kinlib.rigid.lie import adjoint, exp, homogeneous, inverse
-from kinlib.view import draw_adjoint_steps
 from kinlib.view.drawing.picture import vector_text
 
 M = homogeneous(exp([0, 0, 0.5]), (2, 0.6, 0))

@@ -1,13 +1,19 @@
-"""The last frame of the standard convention: no axis follows joint n, so z_n is taken parallel to z_{n-1}."""
+"""The last frame of the standard convention, whose z_n is taken parallel to z_{n-1}, and the effect of an offset in theta."""
 
+from collections.abc import Sequence
+from typing import Any
+
+import ipywidgets as widgets
 import numpy as np
 
 from kinlib.arrays.formatting import format_number
-from kinlib.dh.table import dh_transform
+from kinlib.dh.table import DHTable, dh_transform
+from kinlib.view import slide
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import AXIS_COLOURS, GREY, INK, LINK_GREY, ORANGE, VIOLET
 from kinlib.view.drawing.picture import Gallery, Picture, vector_text
 from kinlib.view.figures.arm import direction_text
+from kinlib.view.figures.dh_table import draw_table
 from kinlib.view.figures.joint_bodies import draw_joint_body
 
 X, Y, Z = np.eye(3)
@@ -68,3 +74,41 @@ def draw_last_frame(joint: str, d: float, a: float = 0.0) -> Picture:
         f"{direction_text(T[:3, 0])}. Row n: {numbers}.",
         f"{KINDS[joint]}, {motion}; " + ("frame n beside the axis" if a else "frame n on the axis"),
     )
+
+
+def slide_offset(
+    table: DHTable, row: int, degrees: Sequence[float], *, after: Any = None, start: int = 0
+) -> widgets.Widget:
+    """Show the arm of a DH table at q = 0 with several offsets in theta of one row.
+
+    row      the row whose theta is replaced, counted from 1
+    degrees  the offsets, in degrees
+
+    The caption says along which direction z of the last frame points.
+
+    Raises ValueError if the table does not have the row.
+
+    >>> from kinlib.dh.assignment import assign_frames
+    >>> from kinlib.chains.robots import youbot
+    >>> table = assign_frames(youbot(), convention="standard").table
+    >>> type(slide_offset(table, 4, range(0, 181, 90))).__name__
+    'VBox'
+    """
+    if row not in range(1, table.n + 1):
+        raise ValueError(f"{table.name} has rows 1 to {table.n}; got {row!r}.")
+
+    def with_offset(angle: float) -> DHTable:
+        rows = table.rows.copy()
+        rows[row - 1, 3] = np.radians(angle)
+        return table.changed(rows=rows, name=f"{table.name} with the offset {angle:g} degrees in row {row}")
+
+    q = np.zeros(table.n)
+    tables = [with_offset(angle) for angle in degrees]
+    chains = [other.to_chain() for other in tables]
+    points = np.concatenate([[np.zeros(3), arm.fk(q)[:3, 3], *arm.link_poses(q)[:, :3, 3]] for arm in chains])
+    directions = [direction_text(other.fk(q)[:3, 2]) for other in tables]
+    pictures = [
+        draw_table(other, around=points, caption=f"q = 0. The z axis of the end-effector points along {z}.")
+        for other, z in zip(tables, directions, strict=True)
+    ]
+    return slide(pictures, f"offset in row {row} (degrees)", degrees, after, start)

@@ -8,8 +8,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 from strategies import points, screws
 
+from kincourse.lecture_02_matrix_exponential.drawings import draw_series
+from kincourse.lecture_02_matrix_exponential.drawings.exponential_series import partial_sums
 from kinlib import exp, inverse, log, robots, screw
-from kinlib.view.figures.exponential_series import draw_series, partial_sums
 from kinlib.view.figures.screw_motions import draw_motions
 
 
