@@ -118,12 +118,6 @@ def pdf(session: nox.Session) -> None:
 
 
 @nox.session
-def translations(session: nox.Session) -> None:
-    """Write the catalogues for translators, and update those of site/locales: `nox -s translations -- de 01_frames` adds one."""
-    session.run(PYTHON, "site/translations.py", *session.posargs)
-
-
-@nox.session
 def tidy(session: nox.Session) -> None:
     """Remove the outputs of notebooks before a commit: `nox -s tidy -- notebooks/01_frames.ipynb`; without a name, of all."""
     notebooks = session.posargs or [str(path) for path in sorted(Path("notebooks").glob("*.ipynb"))]

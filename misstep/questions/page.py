@@ -4,7 +4,6 @@ The script finds the questions by the attributes data-misstep-question and data-
 on an option opens its explanation; that of a prediction opens where the lecture compares.
 """
 
-from collections.abc import Callable
 from html import escape
 
 from misstep.display.card import inline
@@ -12,52 +11,45 @@ from misstep.display.markdown import markdown_html
 from misstep.questions.item import KINDS, Item, Option
 
 
-def question_html(name: str, item: Item, translate: Callable[[str], str] = str) -> str:
+def question_html(name: str, item: Item) -> str:
     """Return a question and its options with their explanations; the options of a prediction are without explanations.
-
-    translate  writes the words that are not of the question in the language of the page
 
     >>> options = [Option("3", "One more."), Option("4", "Yes.", right=True)]
     >>> "2 + 2" in question_html("00/sum", Item("sum", "check", "2 + 2?", options))
     True
     """
-    options = "".join(f"<li>{_option(option, item.kind, translate)}</li>" for option in item.options)
-    kind, a_question = translate(KINDS[item.kind]), translate("a question")
+    options = "".join(f"<li>{_option(option, item.kind)}</li>" for option in item.options)
+    kind = KINDS[item.kind]
     return (
         f'<div role="group" class="misstep-question" data-misstep-question="{escape(name)}" data-kind="{item.kind}" '
-        f'data-right="{item.right}" aria-label="{kind}: {a_question}">'
+        f'data-right="{item.right}" aria-label="{kind}: a question">'
         f"<p><strong>{kind}.</strong> {inline(item.text)}</p>"
         f'<ol class="misstep-options" type="A">{options}</ol></div>'
     )
 
 
-def explanation_html(name: str, item: Item, translate: Callable[[str], str] = str) -> str:
+def explanation_html(name: str, item: Item) -> str:
     """Return the explanation of a prediction and the reasons of all its options, closed until the reader has made it.
-
-    translate  as in question_html
 
     >>> options = [Option("3", "One more."), Option("4", "Yes.", right=True)]
     >>> explanation_html("00/sum", Item("sum", "predict", "2 + 2?", options)).count("<li>")
     2
     """
-    explanations = "".join(f"<li><p>{inline(option.text)}</p>{_why(option, translate)}</li>" for option in item.options)
-    label, compare = translate("The explanation of a prediction"), translate("Compare with your prediction:")
+    explanations = "".join(f"<li><p>{inline(option.text)}</p>{_why(option)}</li>" for option in item.options)
     return (
-        f'<div role="group" class="misstep-explanation" data-misstep-explain="{escape(name)}" aria-label="{label}">'
-        f"<details><summary>{compare} {inline(item.text)}</summary>"
+        f'<div role="group" class="misstep-explanation" data-misstep-explain="{escape(name)}" aria-label="The explanation of a prediction">'
+        f"<details><summary>Compare with your prediction: {inline(item.text)}</summary>"
         f'<ol class="misstep-options" type="A">{explanations}</ol>'
         f'<div class="misstep-lesson">{markdown_html(item.explanation)}</div></details></div>'
     )
 
 
-def _option(option: Option, kind: str, translate: Callable[[str], str]) -> str:
+def _option(option: Option, kind: str) -> str:
     if kind == "predict":
         return f'<div class="misstep-option">{inline(option.text)}</div>'
-    return (
-        f'<details class="misstep-option"><summary>{inline(option.text)}</summary>{_why(option, translate)}</details>'
-    )
+    return f'<details class="misstep-option"><summary>{inline(option.text)}</summary>{_why(option)}</details>'
 
 
-def _why(option: Option, translate: Callable[[str], str]) -> str:
-    verdict = translate("Right.") if option.right else translate("Not it.")
+def _why(option: Option) -> str:
+    verdict = "Right." if option.right else "Not it."
     return f'<p class="misstep-why"><strong>{verdict}</strong> {inline(option.why)}</p>'

@@ -21,7 +21,6 @@ from sphinxcontrib import katex
 
 from kinsite.embeds import cell_of, permalink, with_address, write_pages
 from kinsite.preview_cards import preview
-from kinsite.translation import in_all_languages
 
 katex.KATEX_DEFAULT_OPTIONS.update(throwOnError=True, strict="error")  # a formula with an error fails the build
 katex.STARTUP_TIMEOUT = 60.0  # a busy machine needs more than the 5 s of the extension
@@ -34,7 +33,7 @@ MAX_UNBROKEN_LENGTH = 24
 """Characters of LaTeX that fit on one line of any phone. A longer formula may be broken."""
 TAG = re.compile(r"\\tag\{([^}]+)\}")
 """The number of a formula."""
-SIDE_TRACK = in_all_languages("Side track:")
+SIDE_TRACK = "Side track:"
 """The beginning of the heading of a section that may be skipped. JupyterLab folds it by the metadata of its cell."""
 VIEWER = re.compile(r'(<div [^>]*?data-kinlib-viewer[^>]*?)><script type="application/json">(.*?)</script>', re.DOTALL)
 FORMULA = re.compile(r"\$\$(.+?)\$\$|(?<!\\)\$([^$\n]+?)\$")
@@ -81,9 +80,7 @@ def prepare_page(app: Sphinx, doctree: nodes.document, page: str) -> None:
         keep_punctuation(formula)
     for formula in list(doctree.findall(nodes.math_block)):
         if found := TAG.search(formula.astext()):
-            formula.parent.insert(
-                formula.parent.index(formula), nodes.raw("", formula_anchor(found[1], page), format="html")
-            )
+            formula.parent.insert(formula.parent.index(formula), nodes.raw("", formula_anchor(found[1]), format="html"))
     up = "../" * page.count("/")
     folder = Path(app.outdir) / "_images"
     html = [node for node in doctree.findall(nodes.raw) if node.get("format") == "html"]
@@ -107,14 +104,14 @@ def reserve_height(found: re.Match[str]) -> str:
     return f'{found[1]} style="--sliders:{sliders}"{found[0][len(found[1]) :]}'
 
 
-def formula_anchor(tag: str, page: str) -> str:
+def formula_anchor(tag: str) -> str:
     """Write the anchor of a numbered formula and its link to copy, which stand before it.
 
-    >>> formula_anchor("5", "lectures/05").partition("</span>")[0]
+    >>> formula_anchor("5").partition("</span>")[0]
     '<span class="kinlib-anchor" id="formula-5">'
     """
     anchor = make_id(f"formula {tag}")
-    return f'<span class="kinlib-anchor" id="{anchor}"></span>{permalink(anchor, "formula", page, f" ({tag})")}'
+    return f'<span class="kinlib-anchor" id="{anchor}"></span>{permalink(anchor, f"formula ({tag})")}'
 
 
 def fold_side_tracks(_: Sphinx, doctree: nodes.document, page: str) -> None:

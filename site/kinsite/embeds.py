@@ -11,8 +11,6 @@ from pathlib import Path
 from docutils import nodes
 from docutils.nodes import make_id
 
-from kinsite.translation import original_page, words_on
-
 QUESTION = re.compile(r'data-misstep-question="([^"]+)"')
 FIGURE = re.compile(r'<div data-kinlib-(?:viewer|slides)|<figure class="kinlib-figure"')
 ANSWERED_WITH = re.compile(r'data-(?:misstep-question|misstep-explain|kinlib-after)="([^"]+)"')
@@ -38,16 +36,14 @@ PAGE = """\
 """Its links are relative to the page of the lecture, and open outside of the frame."""
 
 
-def permalink(anchor: str, kind: str, page: str, number: str = "") -> str:
-    """Write the link to copy of a single thing, in the language of its page.
+def permalink(anchor: str, thing: str) -> str:
+    """Write the link to copy of a single thing.
 
-    >>> permalink("figure-row", "figure", "lectures/05")
+    >>> permalink("figure-row", "figure")
     '<a class="kinlib-permalink" href="#figure-row" title="Link to this figure" aria-label="Link to this figure">¶</a>'
     """
-    words, language = words_on(page), original_page(page)[1]
-    title = words("Link to this %s") % (words(kind) + number)
-    lang = f' lang="{language}"' if language else ""  # a picture, which may be around the link, is in English
-    return f'<a class="kinlib-permalink" href="#{anchor}"{lang} title="{title}" aria-label="{title}">{PERMALINK}</a>'
+    title = f"Link to this {thing}"
+    return f'<a class="kinlib-permalink" href="#{anchor}" title="{title}" aria-label="{title}">{PERMALINK}</a>'
 
 
 def with_address(html: str, cell: str, page: str, taken: set[str]) -> tuple[str, str]:
@@ -67,14 +63,12 @@ def with_address(html: str, cell: str, page: str, taken: set[str]) -> tuple[str,
     taken.add(anchor)
     place = start.start() if question else start.end()
     html = f'{html[:place]}{"" if question else " "}id="{anchor}"{" " if question else ""}{html[place:]}'
-    links = permalink(anchor, "question" if question else "figure", page)
+    links = permalink(anchor, "question" if question else "figure")
     if not question and start[0].startswith("<figure"):
         end = "</figcaption>" if "</figcaption>" in html else "</figure>"
         return html.replace(end, f" {links}{end}", 1), anchor
     up = "../" * page.count("/")
-    words = words_on(page)
-    embed = words("Embed")
-    links += f' <a class="kinlib-embed-link" href="{up}embed/{original_page(page)[0]}/{anchor}.html">{embed}</a>'
+    links += f' <a class="kinlib-embed-link" href="{up}embed/{page}/{anchor}.html">Embed</a>'
     return html.replace(
         "</p>", f" {links}</p>", 1
     ) if question else f'{html}<p class="kinlib-buttons">{links}</p>', anchor
@@ -87,8 +81,6 @@ def write_pages(built: Path, page: str, title: str, outputs: list[tuple[str, str
     """
     folder = built / "embed" / page
     shutil.rmtree(folder, ignore_errors=True)
-    if original_page(page)[1]:
-        return  # a translation leads to the frames of its original
     names = [found[1] if (found := ANSWERED_WITH.search(html)) else "" for html, _ in outputs]
     for (html, anchor), name in zip(outputs, names, strict=True):
         is_question = anchor.startswith("question-")

@@ -17,7 +17,6 @@ from kinsite import late_formulas
 from kinsite.demonstration import WrongAnswersDirective
 from kinsite.execute import ROOT, package_hash
 from kinsite.npm_packages import FONTS, TEXT_FONTS
-from kinsite.translation import LOCALES, WORDS, messages, original_page, versions, words_of
 
 UNCOLOURED = re.compile(r'<span class="(?:n|nn|p|pm|w)">([^<]*)</span>')
 """Names, punctuation and spaces have the colour of all code in both themes: without elements of their own a page is lighter."""
@@ -41,8 +40,8 @@ def setup(app: Sphinx) -> dict[str, Any]:
 
 
 def generator_hash() -> str:
-    """Hash the packages, the site's own modules and the translations."""
-    own = sorted([*Path(__file__).parent.rglob("*.py"), *LOCALES.rglob("*.po")])
+    """Hash the packages and the site's own modules."""
+    own = sorted(Path(__file__).parent.rglob("*.py"))
     return hashlib.sha256(b"".join([package_hash().encode(), *(path.read_bytes() for path in own)])).hexdigest()
 
 
@@ -99,12 +98,6 @@ def set_context(app: Sphinx, page: str, _: str, context: dict[str, Any], doctree
     # furo gives its captions the role of headings without a level, which is not valid; they are captions
     context["furo_navigation_tree"] = context["furo_navigation_tree"].replace(' role="heading"', "")
     context["html_baseurl"] = app.config.html_baseurl
-    context["kinlib_versions"] = versions(original_page(page)[0])
-    page, language = original_page(page)  # a translation is run, downloaded and marked as read as its original is
-    context["kinlib_lecture_page"] = page
-    if language:
-        words = words_of(language)
-        context |= {"language": language, "_": words, "gettext": words, "kinlib_words": messages(language, WORDS)}
     folder, _, name = page.partition("/")
     is_notebook = folder in ("lectures", "sheets") and name != "index" and doctree is not None
     context["kinlib_notebook"] = f"files/{page}.ipynb" if is_notebook else ""

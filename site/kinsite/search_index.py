@@ -17,7 +17,6 @@ from sphinx.environment import BuildEnvironment
 
 from kinsite.embeds import PERMALINK
 from kinsite.npm_packages import MODULES
-from kinsite.translation import original_page
 
 UNLISTED = {"404", "search", "index"}
 SKIPPED = (nodes.literal_block, nodes.comment, addnodes.toctree, addnodes.index)
@@ -61,8 +60,8 @@ def write_index(app: Sphinx, failed: Exception | None) -> None:
 
 
 def entries(env: BuildEnvironment) -> Iterator[dict[str, str]]:
-    """Yield the entries of all English pages: address, title, title of the page, kind and text."""
-    for page in sorted(page for page in env.found_docs - UNLISTED if not original_page(page)[1]):
+    """Yield the entries of all pages: address, title, title of the page, kind and text."""
+    for page in sorted(env.found_docs - UNLISTED):
         heading = clean(env.titles[page], own=True)
         for title, anchor, kind, text in page_entries(page, env.get_doctree(page)):
             yield {"url": f"{page}.html{anchor}", "title": title, "page": heading, "kind": kind, "text": text}

@@ -15,7 +15,6 @@ from nbformat import NotebookNode
 
 from kinsite.execute import ROOT, cached_pages, execute_all
 from kinsite.generated import census, gallery, hub, independent_checks, mistakes, performance, progress, reference
-from kinsite.translation import lower_links, translated_lectures
 
 SITE = ROOT / "site"
 LECTURES = sorted((ROOT / "notebooks").glob("*.ipynb"))
@@ -103,10 +102,8 @@ def link_lectures(text: str) -> str:
 
 
 def notebook_pages(executed: Mapping[Path, NotebookNode]) -> Iterator[tuple[str, str]]:
-    """Yield the executed lectures and their translations, the sheets without answers, and the file of each notebook for download."""
+    """Yield the executed lectures, the sheets without answers, and the file of each notebook for download."""
     for path in LECTURES:
-        for language, translated in translated_lectures(path, executed[path]):
-            yield f"lectures/{language}/{path.name}", nbformat.writes(lower_links(adapt(translated)))
         yield f"lectures/{path.name}", nbformat.writes(adapt(executed[path]))
         yield f"files/lectures/{path.name}", path.read_text("utf-8")
     for path in SHEETS:

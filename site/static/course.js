@@ -4,14 +4,10 @@
   'use strict';
   const KEY = 'kinlib-course';
   const LETTERS = 'ABCDEFGH';
-  const WORDS = JSON.parse(document.getElementById('kinlib-words')?.textContent ?? '{}');
-
-  /** A text in the language of the page: a translated lecture contains the words that its catalogue has. */
-  const _ = (text, ...values) => values.reduce((said, value) => said.replace('%s', value), WORDS[text] ?? text);
 
   const NO_STORAGE = [
-    _('This browser stores nothing for this page, because the window is private or the storage is full.'),
-    _('Your answers are lost when you leave the page.'),
+    'This browser stores nothing for this page, because the window is private or the storage is full.',
+    'Your answers are lost when you leave the page.',
   ].join(' ');
 
   const FRAME_RESERVE_PX = 180; // in a frame of fixed height: for the reply to an answer, and the source
@@ -52,9 +48,8 @@
     }
   }
 
-  // live.js, which loads after this script, uses these two.
+  // live.js, which loads after this script, uses this function.
   window.kinlibElement = h;
-  window.kinlibTranslate = _;
 
   /** Create an element. */
   function h(tag, attributes = {}, ...children) {
@@ -117,11 +112,11 @@
         if (predicts || (index !== k && index !== right)) return;
         const tone = index === right ? 'right' : 'wrong';
         button.dataset.verdict = tone;
-        button.append(h('span', { class: 'kinlib-verdict' }, tone === 'right' ? _('✓ correct') : _('✗ not correct')));
+        button.append(h('span', { class: 'kinlib-verdict' }, tone === 'right' ? '✓ correct' : '✗ not correct'));
       });
       if (predicts) {
-        buttons[k].append(h('span', { class: 'kinlib-verdict' }, _('● your prediction')));
-        reply.replaceChildren(h('p', {}, _('You predicted %s. Now observe, and then compare.', LETTERS[k])));
+        buttons[k].append(h('span', { class: 'kinlib-verdict' }, '● your prediction'));
+        reply.replaceChildren(h('p', {}, `You predicted ${LETTERS[k]}. Now observe, and then compare.`));
       } else {
         reply.replaceChildren(
           ...explainAnswer(
@@ -144,19 +139,19 @@
     const said = (index) => (index === null ? [] : cloneChildren(why(index)).slice(1));
     if (k === right)
       return [
-        h('p', { class: 'kinlib-title', 'data-tone': 'right' }, _('✓ %s is correct', LETTERS[k])),
+        h('p', { class: 'kinlib-title', 'data-tone': 'right' }, `✓ ${LETTERS[k]} is correct`),
         h('p', {}, ...said(k)),
       ];
     const wrong = [
-      h('p', { class: 'kinlib-title', 'data-tone': 'wrong' }, _('✗ %s is not correct', LETTERS[k])),
+      h('p', { class: 'kinlib-title', 'data-tone': 'wrong' }, `✗ ${LETTERS[k]} is not correct`),
       h('p', {}, ...said(k)),
     ];
     return [
-      ...(k === null ? [h('p', { class: 'kinlib-title' }, _('Shown without a prediction'))] : wrong),
+      ...(k === null ? [h('p', { class: 'kinlib-title' }, 'Shown without a prediction')] : wrong),
       h(
         'p',
         {},
-        h('strong', {}, _('The correct answer is %s:', LETTERS[right]), ' '),
+        h('strong', {}, `The correct answer is ${LETTERS[right]}: `),
         ...text(right).map((node) => node.cloneNode(true)),
       ),
       h('p', {}, ...said(right)),
@@ -174,8 +169,8 @@
     const waits = h(
       'div',
       {},
-      h('p', {}, _('You have not committed to your prediction yet. The explanation appears here afterwards.')),
-      h('button', { type: 'button', class: 'kinlib-button', onclick: () => show(null) }, _('Show anyway')),
+      h('p', {}, 'You have not committed to your prediction yet. The explanation appears here afterwards.'),
+      h('button', { type: 'button', class: 'kinlib-button', onclick: () => show(null) }, 'Show anyway'),
     );
     const reply = h('div', { role: 'status' });
     section.replaceChildren(h('p', {}, ...question), waits, reply);
@@ -232,12 +227,12 @@
     });
     const stage = h('div', {}, ...frames);
     const bar = h('label', {}, h('span', {}, element.dataset.label), range, value);
-    const anyway = h('button', { type: 'button', class: 'kinlib-button', onclick: () => uncover() }, _('Show anyway'));
+    const anyway = h('button', { type: 'button', class: 'kinlib-button', onclick: () => uncover() }, 'Show anyway');
     const cover = h(
       'div',
       {},
-      h('p', { class: 'kinlib-title' }, _('Commit to your prediction above first')),
-      h('p', {}, _('The picture appears here afterwards.')),
+      h('p', { class: 'kinlib-title' }, 'Commit to your prediction above first'),
+      h('p', {}, 'The picture appears here afterwards.'),
       anyway,
     );
     element.classList.add('kinlib-slides');
@@ -283,14 +278,14 @@
         show();
       },
     });
-    const more = element.dataset.progress ? h('a', { href: element.dataset.progress }, _('Your progress')) : '';
+    const more = element.dataset.progress ? h('a', { href: element.dataset.progress }, 'Your progress') : '';
     element.append(button, status, more);
     element.hidden = false;
 
     function show() {
       const read = progress.read.includes(name);
-      button.textContent = read ? _('Mark this lecture as not read') : _('Mark this lecture as read');
-      status.textContent = read ? _('✓ You have read this lecture.') : '';
+      button.textContent = read ? 'Mark this lecture as not read' : 'Mark this lecture as read';
+      status.textContent = read ? '✓ You have read this lecture.' : '';
       markReadLectures();
     }
     show();
@@ -440,9 +435,9 @@
     async function copy() {
       try {
         await navigator.clipboard.writeText(text());
-        button.textContent = _('Copied');
+        button.textContent = 'Copied';
       } catch {
-        button.textContent = _('Not copied: this browser forbids it');
+        button.textContent = 'Not copied: this browser forbids it';
       }
       setTimeout(() => {
         button.textContent = label;
@@ -471,7 +466,7 @@
         return `<iframe ${shown} width="100%" height="${height}" style="border: 0" loading="lazy"></iframe>`;
       };
       const button = copyButton(link.textContent, frame, link.className);
-      button.title = _('Copy the HTML that shows this on another page');
+      button.title = 'Copy the HTML that shows this on another page';
       link.replaceWith(button);
     }
   }
@@ -488,7 +483,7 @@
     const code = '.cell_input .highlight, [class*="highlight-python"] .highlight, .highlight-console .highlight';
     for (const block of all(code)) {
       const text = () => block.querySelector('pre').textContent.replace(/^(>>>|\.\.\.|\$) /gm, '');
-      block.append(copyButton(_('Copy'), text, 'kinlib-copy'));
+      block.append(copyButton('Copy', text, 'kinlib-copy'));
     }
   }
 
@@ -519,7 +514,7 @@
     follow();
     addEventListener('hashchange', follow);
     const hash = () => configurationHash(element) || `#q=${state.q}`;
-    element.nextElementSibling?.prepend(copyButton(_('Copy a link to this configuration'), () => addressOf(hash())));
+    element.nextElementSibling?.prepend(copyButton('Copy a link to this configuration', () => addressOf(hash())));
   }
 
   document.documentElement.classList.remove('no-js');

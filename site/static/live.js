@@ -13,23 +13,20 @@
   const MB = 1e6;
 
   const h = window.kinlibElement; // of course.js
-  const _ = window.kinlibTranslate;
 
-  const INTRODUCTION = _('The code runs on this page: press Run below a cell, or Shift + Enter in it. ');
+  const INTRODUCTION = 'The code runs on this page: press Run below a cell, or Shift + Enter in it. ';
   const DIFFERENCES = [
-    _('The results that you see first were computed when the page was built; your own replace them.'),
-    _('Before a cell runs, the cells above it run, if they have not run yet.'),
-    _('Code that you change is kept in this browser, and handed in nowhere.'),
-    _('Sliders of 3-D pictures and questions do not change variables in Python; in the lab they do.'),
+    'The results that you see first were computed when the page was built; your own replace them.',
+    'Before a cell runs, the cells above it run, if they have not run yet.',
+    'Code that you change is kept in this browser, and handed in nowhere.',
+    'Sliders of 3-D pictures and questions do not change variables in Python; in the lab they do.',
   ];
-  const PREVIEW = _('You have changed the code: the result below is that of the original. Run the cell.');
-  const STOPPED = _(
-    'Stopped. All variables are lost: the next run starts Python again, and first runs the cells above.',
-  );
-  const NOT_RUN = _('Not run, because a cell above ended with an error. Run it again to go on without that cell.');
-  const NEEDS_LAB = _('This output has buttons that need Python all the time: ');
+  const PREVIEW = 'You have changed the code: the result below is that of the original. Run the cell.';
+  const STOPPED = 'Stopped. All variables are lost: the next run starts Python again, and first runs the cells above.';
+  const NOT_RUN = 'Not run, because a cell above ended with an error. Run it again to go on without that cell.';
+  const NEEDS_LAB = 'This output has buttons that need Python all the time: ';
 
-  const labLink = () => h('a', { href: note.dataset.kinlibRun }, _('open this lecture in the lab'));
+  const labLink = () => h('a', { href: note.dataset.kinlibRun }, 'open this lecture in the lab');
   const load = (name) =>
     new Promise((resolve, reject) => {
       document.head.append(h('script', { src: new URL(name, STATIC), onload: resolve, onerror: reject }));
@@ -57,7 +54,7 @@
 
   // --- the status of Python, in a corner of the page ---
 
-  const bar = h('progress', { max: 1, 'aria-label': _('Python is loading') });
+  const bar = h('progress', { max: 1, 'aria-label': 'Python is loading' });
   const amount = h('span', { class: 'kinlib-live-amount' });
   const phase = h('span', { role: 'status' });
   const corner = h('div', { class: 'kinlib-live-status', hidden: true }, phase, amount, bar);
@@ -81,10 +78,10 @@
     if (worker) return;
     worker = new Worker(new URL('live/worker.js', LAB), { type: 'module' });
     worker.onmessage = ({ data }) => ANSWERS[data.kind](data);
-    worker.onerror = (event) => ANSWERS.failed({ text: event.message ?? _('its files could not be loaded') });
+    worker.onerror = (event) => ANSWERS.failed({ text: event.message ?? 'its files could not be loaded' });
     bar.removeAttribute('value');
     amount.textContent = '';
-    showPhase(_('Python is loading'));
+    showPhase('Python is loading');
     watchBytes();
   }
 
@@ -92,7 +89,7 @@
     clearTimeout(stalled);
     stalled = setTimeout(
       () =>
-        showPhase(_('No data has arrived for %s seconds. Check the connection; loading goes on by itself.', STALLED_S)),
+        showPhase(`No data has arrived for ${STALLED_S} seconds. Check the connection; loading goes on by itself.`),
       STALLED_S * 1000,
     );
   }
@@ -116,22 +113,22 @@
         clearTimeout(stalled);
         bar.removeAttribute('value');
         amount.textContent = '';
-        showPhase(_('Python is starting'));
+        showPhase('Python is starting');
       } else {
         bar.value = received / total;
-        const megabytes = _('%s of %s MB', Math.floor(received / MB), Math.ceil(total / MB));
+        const megabytes = `${Math.floor(received / MB)} of ${Math.ceil(total / MB)} MB`;
         amount.textContent = ` ${megabytes}`;
-        showPhase(_('Python is loading'));
+        showPhase('Python is loading');
       }
     },
     ready() {
       showPhase('');
-      if (!queue.length) spoken.textContent = _('Python is ready.');
+      if (!queue.length) spoken.textContent = 'Python is ready.';
     },
     failed({ text }) {
       const waiting = stopPython();
-      for (const cell of waiting) cell.finish(_('Python could not start.'));
-      showPhase(_('Python could not start: %s. Check the connection, then press Run again.', text), false);
+      for (const cell of waiting) cell.finish('Python could not start.');
+      showPhase(`Python could not start: ${text}. Check the connection, then press Run again.`, false);
     },
     begin: () => queue[0]?.begin(),
     stream: (data) => queue[0]?.show(data),
@@ -140,7 +137,7 @@
     end() {
       const cell = queue.shift();
       if (!cell) return;
-      cell.finish(cell.failed ? _('Ended with an error.') : _('Done.'), true);
+      cell.finish(cell.failed ? 'Ended with an error.' : 'Done.', true);
       if (cell.failed && queue.length) {
         const waiting = queue;
         queue = [];
@@ -184,12 +181,12 @@
       const button = (label, action) =>
         h(
           'button',
-          { type: 'button', class: 'kinlib-button', onclick: action, 'aria-label': _('%s cell %s', label, number) },
+          { type: 'button', class: 'kinlib-button', onclick: action, 'aria-label': `${label} cell ${number}` },
           label,
         );
-      this.runButton = button(_('Run'), () => (queue.includes(this) ? this.stop() : run(this)));
-      this.editButton = button(_('Edit'), () => this.edit());
-      this.resetButton = button(_('Reset'), () => this.reset());
+      this.runButton = button('Run', () => (queue.includes(this) ? this.stop() : run(this)));
+      this.editButton = button('Edit', () => this.edit());
+      this.resetButton = button('Reset', () => this.reset());
       this.resetButton.hidden = true;
       this.tools = h(
         'div',
@@ -210,7 +207,7 @@
 
     nameButton(label) {
       this.runButton.textContent = label;
-      this.runButton.setAttribute('aria-label', _('%s cell %s', label, this.number));
+      this.runButton.setAttribute('aria-label', `${label} cell ${this.number}`);
     }
 
     source() {
@@ -240,7 +237,7 @@
       if (!this.area) {
         this.area = h('textarea', {
           class: 'kinlib-live-code',
-          'aria-label': _('Code of cell %s', this.number),
+          'aria-label': `Code of cell ${this.number}`,
           spellcheck: 'false',
           autocapitalize: 'off',
           autocomplete: 'off',
@@ -276,7 +273,7 @@
       this.pre.hidden = false;
       this.editButton.hidden = false;
       this.resetButton.hidden = true;
-      this.status.textContent = executed.has(this) ? _('The original code. Run the cell to see its result.') : '';
+      this.status.textContent = executed.has(this) ? 'The original code. Run the cell to see its result.' : '';
       keep(this.key, null);
       this.runButton.focus();
     }
@@ -284,13 +281,13 @@
     wait(asked, above) {
       Object.assign(this, { asked, sent: false, failed: false, fresh: true, length: 0 });
       this.status.textContent =
-        asked && above ? _('Waiting for Python. Cells above that run first: %s.', above) : _('Waiting for Python.');
-      this.nameButton(_('Stop'));
+        asked && above ? `Waiting for Python. Cells above that run first: ${above}.` : 'Waiting for Python.';
+      this.nameButton('Stop');
       this.element.setAttribute('aria-busy', 'true');
     }
 
     begin() {
-      this.status.textContent = _('Running.');
+      this.status.textContent = 'Running.';
     }
 
     stop() {
@@ -304,9 +301,9 @@
     finish(text, ran = false) {
       if (ran && this.fresh) this.clear(); // it has displayed nothing
       this.status.textContent = text;
-      this.nameButton(_('Run'));
+      this.nameButton('Run');
       this.element.removeAttribute('aria-busy');
-      if (ran && this.asked) spoken.textContent = _('Cell %s: %s', this.number, text);
+      if (ran && this.asked) spoken.textContent = `Cell ${this.number}: ${text}`;
     }
 
     /** Remove the outputs of the run before: until there is a new one, they stay as a preview. */
@@ -331,7 +328,7 @@
     }
 
     showStream({ name, text }) {
-      const cut = _('the rest of this output is left out');
+      const cut = 'the rest of this output is left out';
       const shown = this.length > MAX_TEXT ? `${text.slice(0, MAX_TEXT)}\n[${cut}]\n` : text;
       let pre = this.output.lastElementChild?.querySelector(`:scope > [data-stream="${name}"]`);
       if (!pre) {
@@ -345,13 +342,13 @@
   // --- outputs ---
 
   function errorCard({ name, text, line, traceback }) {
-    const place = line ? _('in line %s of this cell', line) : '';
+    const place = line ? `in line ${line} of this cell` : '';
     return h(
       'div',
       { class: 'output kinlib-live-error' },
       h('p', {}, h('strong', {}, `✗ ${name}`), ` ${place}`),
       h('pre', {}, text),
-      h('details', {}, h('summary', {}, _('Traceback')), h('pre', { tabindex: 0 }, traceback)),
+      h('details', {}, h('summary', {}, 'Traceback'), h('pre', { tabindex: 0 }, traceback)),
     );
   }
 
@@ -377,7 +374,7 @@
 
   /** Links between notebooks lead to the pages of the site. */
   function siteLinks(html) {
-    const root = document.documentElement.dataset.content_root; // a translation is one folder further down
+    const root = document.documentElement.dataset.content_root;
     const id = (section) =>
       decodeURIComponent(section ?? '')
         .toLowerCase()
@@ -431,9 +428,9 @@
     h(
       'details',
       {},
-      h('summary', {}, _('What is different from the lab')),
+      h('summary', {}, 'What is different from the lab'),
       h('ul', {}, ...DIFFERENCES.map((text) => h('li', {}, text))),
-      h('p', {}, _('To have all of it:'), ' ', labLink()),
+      h('p', {}, 'To have all of it:', ' ', labLink()),
     ),
   );
 

@@ -24,10 +24,8 @@ from kinsite import (
     preview_cards,
     search_index,
     sphinx_source,
-    translation,
 )
 from kinsite.generated import census, gallery, mistakes, reference
-from kinsite.translation import original_page
 from lessons import plain_words, words_of
 
 from kincourse import COURSE, find_question
@@ -55,7 +53,6 @@ KINDS = {
     "search": "search.html?q=screw",
     "missing": "no/such/page.html",
     "phone": "lectures/00_start_here.html",
-    "translation": "lectures/de/00_start_here.html",
     "frame": "embed/lectures/03_poe_space/question-03-order.html",
 }
 
@@ -127,8 +124,7 @@ def test_every_page_has_its_metadata(site_folder, pages):
     for name in pages:
         text = (site_folder / name).read_text("utf-8")
         assert text.count("<h1") == 1, f"{name} has {text.count('<h1')} main headings"
-        language = original_page(name.removesuffix(".html"))[1] or "en"
-        for part in (f'<html class="no-js" lang="{language}"', 'icon" href=', 'name="viewport"'):
+        for part in ('<html class="no-js" lang="en"', 'icon" href=', 'name="viewport"'):
             assert part in text, f"{name} lacks {part}"
         assert "noindex" not in text, f"search engines would ignore {name}"
         for part in ('name="description"', 'property="og:image"'):
@@ -413,7 +409,6 @@ def test_what_belongs_to_one_student_is_left_out_of_a_message(messages, common):
         reference,
         search_index,
         sphinx_source,
-        translation,
     ],
     ids=lambda m: m.__name__,
 )

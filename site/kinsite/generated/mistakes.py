@@ -97,7 +97,7 @@ def page(name: str, sheet: Sheet) -> str:
             f"## {template.number} {template.title}",
             f"Re-read: [{heading or 'the lecture'}](../lectures/{lecture}.ipynb{'#' + github_slugify(heading) if heading else ''}).",
             *(
-                f"[`{mistake}`]{{#{(name := anchor(template.number, mistake))}}} {permalink(name, 'mistake', 'mistakes')}\n: {message}"
+                f"[`{mistake}`]{{#{(name := anchor(template.number, mistake))}}} {permalink(name, 'mistake')}\n: {message}"
                 for mistake, message in messages(template).items()
             ),
         ]
