@@ -13,7 +13,7 @@ from functools import cached_property
 from itertools import combinations
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from kinlib.arrays.batching import cross
 from kinlib.arrays.tolerances import CLEARLY_NOT_PARALLEL_COS, SAME_DISTANCE_RAD
@@ -80,7 +80,7 @@ class AxisInvariants:
         one, two = (axis[:, [pair[k] for pair in self._rigid_pairs]] for k in range(2))
         here, before, after = (axis[:, [k + step for k in self._prismatic]] for step in (0, -1, 1))
         triples = _dot(cross(before, here), after)
-        values = [_dot(u, v), moment[self._skew], distance[self._parallel], along, _dot(one, two), triples]
+        values: list[ArrayLike] = [_dot(u, v), moment[self._skew], distance[self._parallel], along, _dot(one, two), triples]
         if "zeros" in self.fixed:
             first, second = (self._lines[k] for k in np.triu_indices(len(self._lines), 1))
             values.append(_dot(point[:, second] - point[:, first], cross(axis[:, first], axis[:, second])))

@@ -3,6 +3,7 @@
 from dataclasses import dataclass
 
 import numpy as np
+from numpy.typing import NDArray
 
 from kinlib.arrays.validation import Array
 from kinlib.dh.assignment import FrameAssignment
@@ -88,14 +89,14 @@ def row_segments(assignment: FrameAssignment, row: int) -> list[tuple[str, Array
     return [(name, start, end) for name, start, end in segments if np.linalg.norm(end - start) > 1e-9]
 
 
-def visible_features(assignment: FrameAssignment) -> tuple[Array, Array]:
+def visible_features(assignment: FrameAssignment) -> tuple[NDArray[np.bool_], Array]:
     """Return which frames are near enough to the arm to be shown, (n + 1,), and the feet of normals that are, (m, 3)."""
     chain = assignment.chain
     room = np.concatenate([chain.joint_points, chain.home[None, :3, 3]])
     radius = MAX_DISTANCE_IN_ARM_SIZES * max(float(np.ptp(room, axis=0).max()), 0.1)
     middle = room.mean(axis=0)
     feet = np.array([foot for normal in assignment.normals for foot in (normal.start, normal.end)]).reshape(-1, 3)
-    near: Array = np.linalg.norm(assignment.frames[:, :3, 3] - middle, axis=-1) < radius
+    near: NDArray[np.bool_] = np.linalg.norm(assignment.frames[:, :3, 3] - middle, axis=-1) < radius
     return near, feet[np.linalg.norm(feet - middle, axis=-1) < radius]
 
 
