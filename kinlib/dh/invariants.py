@@ -80,7 +80,8 @@ class AxisInvariants:
         one, two = (axis[:, [pair[k] for pair in self._rigid_pairs]] for k in range(2))
         here, before, after = (axis[:, [k + step for k in self._prismatic]] for step in (0, -1, 1))
         triples = _dot(cross(before, here), after)
-        values: list[ArrayLike] = [_dot(u, v), moment[self._skew], distance[self._parallel], along, _dot(one, two), triples]
+        values: list[ArrayLike] = [_dot(u, v), moment[self._skew], distance[self._parallel], along]
+        values += [_dot(one, two), triples]
         if "zeros" in self.fixed:
             first, second = (self._lines[k] for k in np.triu_indices(len(self._lines), 1))
             values.append(_dot(point[:, second] - point[:, first], cross(axis[:, first], axis[:, second])))
