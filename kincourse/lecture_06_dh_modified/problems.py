@@ -22,7 +22,7 @@ from kincourse.sampling.arms import ArmSampler, are_distinguishable
 from kincourse.text.joint_table import joint_table
 from kinlib.arrays.validation import Array, read_only_copy
 from kinlib.chains.chain import random_configurations
-from kinlib.dh.formatting import add_variable
+from kinlib.dh.formatting import add_variable, headings, in_latex
 from kinlib.dh.parsing import ANGLE_COLUMNS, COLUMNS
 from kinlib.dh.table import Convention, DHTable, dh_transform
 from kinlib.rigid.lie import exp
@@ -56,12 +56,6 @@ OFF_THE_NORMAL = (
     "You took the distance of the origins as $a$, and 0 as $d$. $a_{i-1}$ is measured along $x_{i-1}$, from axis to axis, and "
     "$d_i$ along $z_i$."
 )
-
-TABLE_HEADS = {
-    "standard": "| $i$ | $a_i$ | $\\alpha_i$ | $d_i$ | $\\theta_i$ |",
-    "modified": "| $i$ | $a_{i-1}$ | $\\alpha_{i-1}$ | $d_i$ | $\\theta_i$ |",
-    "": "| row | $a$ | $\\alpha$ | $d$ | $\\theta$ |",
-}
 
 
 @dataclass(frozen=True, eq=False)
@@ -670,7 +664,9 @@ def _format_table(
     rows: Array | Sequence[tuple[float, float, float, float]], convention: str, joints: str = "", first: int = 1
 ) -> str:
     """Write a table in Markdown, with angles in degrees and the variable of each joint in its column."""
-    lines = [TABLE_HEADS[convention], "|" + " --- |" * 5]
+    columns = headings(convention)[1:] if convention else COLUMNS
+    heading = " | ".join(["$i$" if convention else "row", *(f"${in_latex(column)}$" for column in columns)])
+    lines = [f"| {heading} |", "|" + " --- |" * 5]
     for k, (a, alpha, d, theta) in enumerate(rows):
         kind, name = joints[k : k + 1], f"q_{k + first}"
         length = add_variable(name, number(d)) if kind == "P" else number(d)

@@ -1,6 +1,8 @@
 """Write DH tables as text: headings, and rows with the joint variables in the entries that vary."""
 
 from collections.abc import Callable, Sequence
+from functools import cache
+from pathlib import Path
 from typing import Protocol
 
 from kinlib.arrays.formatting import format_degrees, format_number
@@ -24,6 +26,21 @@ class _TableRows(Protocol):
     @property
     def signs(self) -> Array:
         """The signs (m,) of the variables."""
+
+
+@cache
+def headings(convention: str) -> tuple[str, ...]:
+    """Return the headings of a table, which show its convention: row i of a modified table has a and alpha of the link before.
+
+    The page of the 3-D viewer reads them from the same file.
+
+    >>> headings("modified")
+    ('i', 'a_{i-1}', 'alpha_{i-1}', 'd_i', 'theta_i')
+    """
+    import json  # for tables that are printed; `import kinlib` loads no more than NumPy
+
+    by_convention = json.loads(Path(__file__).with_name("headings.json").read_text("utf-8"))
+    return tuple(by_convention[convention])
 
 
 def format_rows(
@@ -64,6 +81,15 @@ def add_variable(variable: str, constant: str) -> str:
     if constant in {"0", "0°"}:
         return variable
     return f"{variable} - {constant[1:]}" if constant.startswith("-") else f"{variable} + {constant}"
+
+
+def in_latex(heading: str) -> str:
+    r"""Write a heading in LaTeX.
+
+    >>> in_latex("alpha_{i-1}")
+    '\\alpha_{i-1}'
+    """
+    return heading.replace("alpha", r"\alpha").replace("theta", r"\theta")
 
 
 def markdown_table(rows: Sequence[Sequence[str]], heads: Sequence[str] = ("i", *COLUMNS)) -> str:

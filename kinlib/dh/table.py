@@ -23,17 +23,11 @@ from kinlib.arrays import validation
 from kinlib.arrays.formatting import aligned_table, format_degrees, format_number, html_table, latex_array
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
-from kinlib.dh.formatting import format_rows
+from kinlib.dh.formatting import format_rows, headings, in_latex
 from kinlib.dh.parsing import COLUMNS, Rows, read_rows
 from kinlib.rigid.lie import adjoint
 
 Convention = Literal["standard", "modified"]
-
-HEADINGS: Mapping[Convention, tuple[str, ...]] = {
-    "standard": ("i", "a_i", "alpha_i", "d_i", "theta_i"),
-    "modified": ("i", "a_{i-1}", "alpha_{i-1}", "d_i", "theta_i"),
-}
-"""The headings of a table, which show its convention: row i of a modified table has a and alpha of the link before."""
 
 PRINTED_DIGITS = 12
 """A printed table is read back with this many digits."""
@@ -133,11 +127,11 @@ class DHTable(validation.ReadOnly):
         i | a_{i-1} | alpha_{i-1} | d_i | theta_i
         1 | 0.4     | 90°         | 0   | q1 - 90°
         """
-        return aligned_table([HEADINGS[self.convention], *self._numbered_rows()])
+        return aligned_table([headings(self.convention), *self._numbered_rows()])
 
     def _repr_html_(self) -> str:
         return html_table(
-            f"{self.name}, {self.convention} convention", HEADINGS[self.convention], self._numbered_rows()
+            f"{self.name}, {self.convention} convention", headings(self.convention), self._numbered_rows()
         )
 
     def _repr_latex_(self) -> str:
@@ -146,8 +140,10 @@ class DHTable(validation.ReadOnly):
             angle=lambda angle: format_degrees(angle).replace("°", r"^\circ"),
             variable=r"q_{{{}}}".format,
         )
-        heads = [head.replace("alpha", r"\alpha").replace("theta", r"\theta") for head in HEADINGS[self.convention]]
-        return latex_array(heads, [[str(i), *row] for i, row in enumerate(rows, start=1)])
+        return latex_array(
+            [in_latex(heading) for heading in headings(self.convention)],
+            [[str(i), *row] for i, row in enumerate(rows, start=1)],
+        )
 
     def _numbered_rows(self) -> list[list[str]]:
         rows = format_rows(
@@ -324,40 +320,6 @@ class DHTable(validation.ReadOnly):
             if not isinstance(matrix, list) or not all(isinstance(row, list) and _all_numbers(row) for row in matrix):
                 raise ValueError(f"{name} must be a list of rows of numbers; got {validation.describe(matrix)}.")
         return cls(**data)
-
-    @classmethod
-    def from_dh_robot(cls, robot: Any) -> "DHTable":
-        """Read a DHRobot of the Robotics Toolbox for Python: its rows, offsets, flipped joints, base and tool.
-
-        robot  an object with `links`, `mdh`, `base`, `tool` and `name`; the toolbox itself is not imported
-
-        Raises ValueError for any other object, such as a robot of the toolbox that has no DH parameters.
-        Source: Corke, Robotics Toolbox for Python, DHLink: a link moves by q + offset, or if it is flipped by -q + offset.
-
-        >>> from types import SimpleNamespace as Namespace
-        >>> link = Namespace(a=0.4, alpha=0.0, d=0.0, theta=0.0, offset=0.1, sigma=0, isflip=True)
-        >>> robot = Namespace(links=[link], mdh=1, base=np.eye(4), tool=np.eye(4), name="a flipped joint")
-        >>> print(DHTable.from_dh_robot(robot))
-        i | a_{i-1} | alpha_{i-1} | d_i | theta_i
-        1 | 0.4     | 0           | 0   | -q1 + 5.72957795131°
-        """
-        try:
-            links = list(robot.links)
-            rows = [
-                [link.a, link.alpha, link.offset if link.sigma else link.d, link.theta if link.sigma else link.offset]
-                for link in links
-            ]
-            joints = "".join("P" if link.sigma else "R" for link in links)
-            signs = [-1 if link.isflip else 1 for link in links]
-            base, tool = (np.array(getattr(end, "A", end), dtype=float) for end in (robot.base, robot.tool))
-            convention: Convention = "modified" if robot.mdh else "standard"
-        except (AttributeError, TypeError, ValueError) as error:
-            raise ValueError(
-                f"robot must be a DHRobot of the Robotics Toolbox, whose links have a, alpha, d, theta and offset; got "
-                f"{validation.describe(robot)} ({error}). For a robot of its URDF files, use kl.load_urdf."
-            ) from error
-        name = str(getattr(robot, "name", "") or "table")
-        return cls(rows, convention=convention, joints=joints, signs=signs, base=base, tool=tool, name=name)
 
     @property
     def _joint_rows(self) -> list[int]:

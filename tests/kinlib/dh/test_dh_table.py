@@ -845,32 +845,6 @@ def test_an_angle_in_whole_degrees_or_within_a_turn_is_plausible(degrees):
     assert is_plausible_angle(degrees) == (abs(degrees) <= 2 * np.pi)  # the same number without its degree sign
 
 
-@pytest.mark.oracle("roboticstoolbox", DHTable.from_dh_robot)
-@pytest.mark.parametrize(
-    "name", ["AL5D", "Baxter", "Cobra600", "IRB140", "Jaco", "Mico", "P8", "Panda", "Puma560", "Stanford", "UR5"]
-)
-def test_a_robot_of_the_toolbox_is_read_with_offsets_flips_base_and_tool(name):
-    rtb = pytest.importorskip("roboticstoolbox")
-    robot = getattr(rtb.models.DH, name)()
-    table = DHTable.from_dh_robot(robot)
-    q = np.random.default_rng(0).uniform(-2, 2, (4, robot.n))
-    # A flipped link of the toolbox negates q in its transform; its fk of a whole robot is the product of these.
-    links = [
-        np.linalg.multi_dot(
-            [robot.base.A, *(link.A(x).A for link, x in zip(robot.links, row, strict=True)), robot.tool.A]
-        )
-        for row in q
-    ]
-    close(table.fk(q), links)
-    assert table.name == robot.name
-
-
-@pytest.mark.parametrize("robot", [None, 3, kl.robots.rpr()])
-def test_what_is_no_robot_of_the_toolbox_is_refused(robot):
-    with pytest.raises(ValueError, match="robot must be a DHRobot"):
-        DHTable.from_dh_robot(robot)
-
-
 @pytest.mark.parametrize(
     "text",
     [

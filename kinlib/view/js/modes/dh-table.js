@@ -1,12 +1,8 @@
 // A DH table on the page, with the column names of its convention.
 
+import HEADINGS from '../../../dh/headings.json';
 import { renderMathText } from '../controls/math-text.js';
 import { h } from '../dom.js';
-
-const HEADS = {
-  standard: ['a_i', 'alpha_i', 'd_i', 'theta_i'],
-  modified: ['a_{i-1}', 'alpha_{i-1}', 'd_i', 'theta_i'],
-};
 
 /**
  * @param rows [[a, alpha, d, theta as text]]
@@ -17,12 +13,7 @@ export function dhTable(convention, rows, { read = rows.length, lit = 0, label =
   return h(
     'table',
     { class: 'kv-dh', 'aria-label': label },
-    h(
-      'tr',
-      {},
-      h('th', { scope: 'col' }, 'i'),
-      ...HEADS[convention].map((head) => h('th', { scope: 'col' }, ...renderMathText(head))),
-    ),
+    h('tr', {}, ...HEADINGS[convention].map((heading) => h('th', { scope: 'col' }, ...renderMathText(heading)))),
     ...rows.map((row, k) =>
       h(
         'tr',
