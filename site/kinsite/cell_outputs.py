@@ -20,7 +20,6 @@ from sphinx.application import Sphinx
 from sphinxcontrib import katex
 
 from kinsite.embeds import cell_of, permalink, with_address, write_pages
-from kinsite.preview_cards import preview
 
 katex.KATEX_DEFAULT_OPTIONS.update(throwOnError=True, strict="error")  # a formula with an error fails the build
 katex.STARTUP_TIMEOUT = 60.0  # a busy machine needs more than the 5 s of the extension
@@ -84,7 +83,6 @@ def prepare_page(app: Sphinx, doctree: nodes.document, page: str) -> None:
     up = "../" * page.count("/")
     folder = Path(app.outdir) / "_images"
     html = [node for node in doctree.findall(nodes.raw) if node.get("format") == "html"]
-    app.env.metadata[page].update(preview(app, page, "".join(node.astext() for node in html)))
     taken, outputs = set(doctree.ids), []
     for node in html:
         text = extract_images(typeset_formulas(node.astext()), folder, f"{up}_images")

@@ -2,13 +2,12 @@
 
 import json
 import re
-import struct
 import tomllib
 
 import pytest
 from browser import watched
 from built_site import ROOT, SITE
-from kinsite import demonstration, embeds, page_template, preview_cards
+from kinsite import demonstration, embeds, page_template
 
 from kincourse import open_sheet
 
@@ -184,18 +183,6 @@ def test_the_home_page_describes_the_course_to_search_engines(site_folder):
     course = json.loads(re.search(r'<script type="application/ld\+json">(.*?)</script>', html, re.DOTALL)[1])
     assert course["@type"] == "Course"
     assert "Sitemap: http" in (site_folder / "robots.txt").read_text("utf-8")
-
-
-def test_a_lecture_and_a_robot_have_a_picture_of_their_own_for_other_sites(site_folder):
-    pictures = set()
-    for page in ("lectures/03_poe_space", "lectures/08_closed_chains", "robots/youbot", "robots/bennett"):
-        html = (site_folder / f"{page}.html").read_text("utf-8")
-        name = re.search(r'property="og:image" content="http[^"]*/(_images/preview-\w+\.png)"', html)[1]
-        data = (site_folder / name).read_bytes()
-        assert struct.unpack(">II", data[16:24]) == preview_cards.SIZE
-        assert len(data) > 10_000, "the drawing is missing"
-        pictures.add(name)
-    assert len(pictures) == 4
 
 
 def test_the_metadata_of_every_notebook_s_page_is_valid(site_folder):

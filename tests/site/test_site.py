@@ -21,7 +21,6 @@ from kinsite import (
     execute,
     late_formulas,
     page_template,
-    preview_cards,
     search_index,
     sphinx_source,
 )
@@ -405,7 +404,6 @@ def test_what_belongs_to_one_student_is_left_out_of_a_message(messages, common):
         late_formulas,
         mistakes,
         page_template,
-        preview_cards,
         reference,
         search_index,
         sphinx_source,

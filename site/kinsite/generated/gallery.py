@@ -18,11 +18,12 @@ from kinlib.dh.formatting import format_rows, markdown_table
 from kinlib.dh.table import Convention
 from kinlib.mechanisms.mechanism import Mechanism
 from kinlib.view import drive, explore
+from kinlib.view.drawing.dark_theme import follow_theme
+from kinlib.view.drawing.picture import Picture
 from kinlib.view.drawing.svg import GREEK
-from kinlib.view.figures.arm import describe_arm
-from kinlib.view.figures.linkage import describe_linkage, draw_linkage, linkage_geometry
+from kinlib.view.figures.arm import draw_arm
+from kinlib.view.figures.linkage import draw_linkage
 from kinsite.generated.reference import escape, prose
-from kinsite.solid_picture import arm_picture, linkage_picture
 from misstep.display.text import matrix, number
 
 NOT_ROBOTS = {"arm", "pose"}
@@ -72,13 +73,12 @@ CURVE_POINTS = 160
 
 @dataclass(frozen=True, eq=False)
 class Entry:
-    """One page of the gallery: the name of the function, the robot that it makes, its docstring, a picture and what it shows."""
+    """One page of the gallery: the name of the function, the robot that it makes, its docstring and a picture."""
 
     function: str
     robot: Chain | Mechanism
     docstring: str
-    picture: str
-    alt: str
+    picture: Picture
 
     @property
     def kind(self) -> str:
@@ -103,7 +103,7 @@ def pages() -> Iterator[tuple[str, str]]:
     for entry in arms + mechanisms:
         if not entry.robot.source.strip():
             raise ValueError(f"{entry.function} must have a source; got none. Name the document that it comes from.")
-        yield f"robots/{entry.function}.svg", entry.picture
+        yield f"robots/{entry.function}.svg", follow_theme(entry.picture.svg)
         yield f"robots/{entry.function}.md", page(entry)
     yield "robots/index.md", overview(arms, mechanisms)
 
@@ -119,7 +119,7 @@ def arm_entry(name: str, make: Callable[..., Chain]) -> Entry:
     """Make the entry of an arm, drawn at home or as POSES says."""
     chain = make()
     q = np.array(POSES.get(name, np.zeros(chain.n)), dtype=float)
-    return Entry(name, chain, inspect.getdoc(make) or "", arm_picture(chain, q), describe_arm(chain, q))
+    return Entry(name, chain, inspect.getdoc(make) or "", draw_arm(chain, q, show={"tool"}))
 
 
 def linkage_entry(name: str, make: Callable[..., Mechanism]) -> Entry:
@@ -129,8 +129,7 @@ def linkage_entry(name: str, make: Callable[..., Mechanism]) -> Entry:
     """
     mechanism = make(**LENGTHS.get(name, {}))
     q = closed_configuration(name, mechanism)
-    alt = describe_linkage(mechanism, linkage_geometry(mechanism, q))
-    return Entry(name, mechanism, inspect.getdoc(make) or "", linkage_picture(mechanism, q), alt)
+    return Entry(name, mechanism, inspect.getdoc(make) or "", draw_linkage(mechanism, q))
 
 
 def closed_configuration(name: str, mechanism: Mechanism) -> Any:
@@ -180,7 +179,7 @@ and to read its screws and both of its DH tables.
 def cards(entries: list[Entry], size: str = "") -> str:
     """Write a list of entries, each with its picture."""
     items = (
-        f"- [![{escape(entry.alt)}]({entry.function}.svg) **{escape(entry.robot.name)}** {entry.kind}]({entry.function}.md)"
+        f"- [![{escape(entry.picture.alt)}]({entry.function}.svg) **{escape(entry.robot.name)}** {entry.kind}]({entry.function}.md)"
         for entry in entries
     )
     return f"{{.cards{f' .{size}' if size else ''}}}\n" + "\n".join(items)
