@@ -1,1 +1,1 @@
-"""Arrays: input validation, named tolerances, batches, and generated code for single configurations."""
+"""Arrays: input validation, named tolerances, and numbers as text."""

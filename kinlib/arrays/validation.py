@@ -10,28 +10,11 @@ from dataclasses import fields
 from typing import Any
 
 import numpy as np
-from numpy.typing import ArrayLike
+from numpy.typing import ArrayLike, NDArray
 
-from kinlib.arrays.batching import Array, Chunks, cross, dot, split_into_chunks
-from kinlib.arrays.codegen import columnwise_program, few_elements
 from kinlib.arrays.tolerances import MAX_ROTATION_RAD, ORTHONORMALITY_TOL, UNIT_LENGTH_ROUNDING, UNIT_LENGTH_TOL
 
-__all__ = [
-    "Array",
-    "ReadOnly",
-    "array",
-    "describe",
-    "divide_by_length",
-    "matrices_3x3_or_4x4",
-    "poses",
-    "read_only_copy",
-    "real_array",
-    "rotation_angles",
-    "rotations_or_poses",
-    "split_into_rigid_chunks",
-    "unit_vectors",
-    "vectors",
-]
+Array = NDArray[np.float64]
 
 
 def array(x: ArrayLike, name: str) -> Array:
@@ -155,56 +138,12 @@ def rotations_or_poses(x: ArrayLike, name: str) -> Array:
     >>> rotations_or_poses(np.eye(4), "home").shape
     (4, 4)
     """
-    values = matrices_3x3_or_4x4(x, name)
-    if not few_rigid_matrices(values):
-        for _ in split_into_rigid_chunks(values, values.shape[-2:], name):
-            pass
-    return values
-
-
-def matrices_3x3_or_4x4(x: ArrayLike, name: str) -> Array:
-    """Read x as matrices with the shape of rotations, (..., 3, 3), or of poses, (..., 4, 4), for `split_into_rigid_chunks`.
-
-    Raises ValueError for another shape.
-
-    >>> matrices_3x3_or_4x4(np.zeros((4, 4)), "home").shape
-    (4, 4)
-    """
     values = real_array(x, name)
     if values.shape[-2:] not in {(3, 3), (4, 4)}:
         raise ValueError(f"{name} must be a rotation (..., 3, 3) or a pose (..., 4, 4); got shape {values.shape}.")
+    if not (rigid := _are_rigid(values)).all():
+        raise ValueError(_describe_fault(values, tuple(np.argwhere(~rigid)[0].tolist()), name))
     return values
-
-
-def split_into_rigid_chunks(values: Array, input_shape: tuple[int, ...], name: str = "X") -> Chunks:
-    """Split rotations or poses as `split_into_chunks` does, and validate each chunk before it is used.
-
-    Validation in the same pass, while the chunk is in the cache, costs less than a pass of its own.
-
-    Raises ValueError for the first matrix that is not a rotation or not a pose, with its index.
-
-    >>> [columns.shape for _, columns in split_into_rigid_chunks(np.eye(4)[None], (4, 4), "home")]
-    [(4, 4, 1)]
-    """
-    for chunk, X in split_into_chunks(values, input_shape):
-        if not _are_rigid(X):
-            first = next(i for i in range(X.shape[-1]) if not _are_rigid(X[..., i : i + 1]))
-            raise ValueError(_describe_fault(values, chunk.start + first, name))
-        yield chunk, X
-
-
-def few_rigid_matrices(X: Array) -> list[list[float]]:
-    """Return the entries of each matrix, row by row, if X is one or a few rotations or poses that are valid; otherwise [].
-
-    Any other X, a long batch or an invalid one, is left to `split_into_rigid_chunks`.
-
-    >>> few_rigid_matrices(np.eye(3)), few_rigid_matrices(2 * np.eye(3))
-    ([[1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]], [])
-    """
-    matrices = few_elements(X, X.shape[-1] ** 2)
-    deviations = columnwise_program(_stacked_deviations, X.shape[-2:])
-    is_rigid = all(abs(x) <= ORTHONORMALITY_TOL for entries in matrices for x in deviations(*entries))
-    return matrices if is_rigid else []
 
 
 def poses(x: ArrayLike, name: str) -> Array:
@@ -281,30 +220,22 @@ class _BriefRepr(reprlib.Repr):
 _BRIEF = _BriefRepr()
 
 
-def _are_rigid(X: Array) -> bool:
-    """Whether all of (3, 3, m) are rotations, or all of (4, 4, m) are poses."""
+def _are_rigid(X: Array) -> NDArray[np.bool_]:
+    """Whether each of (..., 3, 3) is a rotation, or each of (..., 4, 4) a pose."""
+    R = X[..., :3, :3]
     # A value that overflows is far from rigid, and so is NaN: a comparison with NaN is false.
     with np.errstate(over="ignore", invalid="ignore"):
-        return all(np.abs(deviation).max() <= ORTHONORMALITY_TOL for deviation in _deviations(X))
+        defect = np.abs(np.swapaxes(R, -1, -2) @ R - np.eye(3)).max(axis=(-2, -1))
+        rigid: NDArray[np.bool_] = (defect <= ORTHONORMALITY_TOL) & (np.linalg.det(R) > 0)
+        if X.shape[-1] == 4:
+            rigid &= (np.abs(X[..., 3, :] - [0, 0, 0, 1]) <= ORTHONORMALITY_TOL).all(axis=-1)
+            rigid &= np.isfinite(X[..., :3, 3]).all(axis=-1)
+    return rigid
 
 
-def _deviations(X: Array) -> list[Array]:
-    """What is 0 for rotations (3, 3, m) or poses (4, 4, m), in arrays (m,) and (3, m)."""
-    x, y, z = X[:3, :3]
-    deviations = [dot(x, x) - 1, dot(y, y) - 1, dot(x, y), cross(x, y) - z]
-    if len(X) == 4:
-        deviations += X[:3, 3], X[3, 3] - 1, 0 * X[3, :3]  # 0 times infinity is NaN
-    return deviations
-
-
-def _stacked_deviations(X: Array) -> Array:
-    return np.vstack(_deviations(X))
-
-
-def _describe_fault(values: Array, position: int, name: str) -> str:
-    """Say why the matrix at this position of the flattened batch is not a rotation or not a pose."""
-    index = np.unravel_index(position, values.shape[:-2])
-    X, place = values[index], f" at index {[int(i) for i in index]}" if index else ""
+def _describe_fault(values: Array, index: tuple[int, ...], name: str) -> str:
+    """Say why the matrix at this index of the batch is not a rotation or not a pose."""
+    X, place = values[index], f" at index {list(index)}" if index else ""
     array(values, name)
     if len(X) == 4 and (np.abs(X[3] - [0, 0, 0, 1]) > ORTHONORMALITY_TOL).any():
         return (

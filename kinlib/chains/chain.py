@@ -18,28 +18,27 @@ from numpy.typing import ArrayLike, NDArray
 from kinlib.arrays import tolerances, validation
 from kinlib.arrays.formatting import aligned_table, format_matrix, format_vector, html_table, latex_array
 from kinlib.arrays.validation import Array
-from kinlib.chains.fast_kinematics import FastKinematics
-from kinlib.rigid.lie import adjoint, exp, homogeneous, inverse
+from kinlib.rigid.lie import _adjoint, _inverse, _screw_motions, adjoint, homogeneous, inverse
 from kinlib.rigid.screw import Line, axes, is_prismatic, line
 
 SCREW_HEADINGS = ["i", "joint", "omega", "v"]
 
 
-def _accelerate(equation: Callable[["Chain", ArrayLike], Array]) -> Callable[["Chain", ArrayLike], Array]:
-    """Compute a method of `Chain` with `FastKinematics`; the body of the method remains as the equation that is computed.
+MAX_CHUNK = 1000
+"""Number of configurations in a chunk: the sixteen entries of so many poses fit into a core's cache."""
 
-    For example, `Chain.fk.__wrapped__(chain, q)` multiplies the exponentials as they are written in `fk`, and
-    tests/kinlib/chains/test_fast_kinematics.py compares the two. The fast implementation needs a hundredth of the time for one
-    configuration, and a fifth of the time for many.
-    """
-    name = equation.__name__
+
+def _in_chunks(equation: Callable[["Chain", Array], Array]) -> Callable[["Chain", ArrayLike], Array]:
+    """Read q, and evaluate an equation of `Chain` for a chunk of the configurations at a time, which stays in the cache."""
 
     @wraps(equation)
     def method(self: "Chain", q: ArrayLike) -> Array:
-        fast = self._fast
-        if fast.are_few_configurations(q):
-            return fast.run(name, q)
-        return fast.run(name, self._joint_values(q))
+        q = self._joint_values(q)
+        if q.size <= MAX_CHUNK * self.n:
+            return equation(self, q)
+        rows = q.reshape(-1, self.n)
+        results = [equation(self, rows[i : i + MAX_CHUNK]) for i in range(0, len(rows), MAX_CHUNK)]
+        return np.concatenate(results).reshape(q.shape[:-1] + results[0].shape[1:])
 
     return method
 
@@ -60,7 +59,7 @@ class Chain(validation.ReadOnly):
     is not on its axis, or if a lower limit is above the upper one.
     Source: Modern Robotics, 4.1; Chapter 4 review.
 
-    >>> from kinlib.rigid.screw import screw
+    >>> from kinlib import exp, screw
     >>> arm = Chain(np.array([screw((0, 0, 1)), screw((0, 0, 1), point=(1, 0, 0))]), home=exp([0, 0, 0, 2, 0, 0]))
     >>> arm.fk([np.pi / 2, 0])[:3, 3].round(6) + 0.0      # an outstretched arm of two metres, rotated to the left
     array([0., 2., 0.])
@@ -197,8 +196,8 @@ class Chain(validation.ReadOnly):
         """
         return validation.read_only_copy(self.screws @ adjoint(inverse(self.home)).T)
 
-    @_accelerate
-    def fk(self, q: ArrayLike) -> Array:
+    @_in_chunks
+    def fk(self, q: Array) -> Array:
         """Compute the pose of the tool by the space form: T(q) = e^[S1]q1 ... e^[Sn]qn M.
 
         q (..., n) in radians and metres -> T_sb (..., 4, 4), for any number of configurations at once.
@@ -211,11 +210,12 @@ class Chain(validation.ReadOnly):
         (1000, 4, 4)
         """
         T = np.eye(4)
-        for S_i, q_i in zip(self.screws, self._by_joint(q), strict=True):
-            T = T @ exp(S_i * q_i)
+        for E_i in _screw_motions(self.screws, q):  # E_i = e^[Si]qi
+            T = T @ E_i
         return T @ self.home
 
-    def fk_body(self, q: ArrayLike) -> Array:
+    @_in_chunks
+    def fk_body(self, q: Array) -> Array:
         """Compute the pose of the tool by the body form: T(q) = M e^[B1]q1 ... e^[Bn]qn.
 
         q (..., n) -> (..., 4, 4), equal to fk(q).
@@ -227,7 +227,10 @@ class Chain(validation.ReadOnly):
         >>> np.allclose(rppr().fk_body([1, 2, 3, 4]), rppr().fk([1, 2, 3, 4]), atol=1e-13)
         True
         """
-        return self.home @ self._after_home.fk(q)
+        T = self.home
+        for E_i in _screw_motions(self.body_screws, q):  # E_i = e^[Bi]qi
+            T = T @ E_i
+        return T
 
     def fk_mid(self, q: ArrayLike, k: int) -> Array:
         """Compute the pose of the tool with M after the first k joints: e^[S1]q1 ... e^[Sk]qk M e^[Bk+1]qk+1 ... e^[Bn]qn.
@@ -244,13 +247,11 @@ class Chain(validation.ReadOnly):
         q = self._joint_values(q)
         if k not in range(self.n + 1):
             raise ValueError(f"k must be the number of joints to the left of M, 0 to {self.n}; got {k!r}.")
-        before = exp(self.screws[:k] * q[..., :k, None])
-        after = exp(self.body_screws[k:] * q[..., k:, None])
-        factors = [*np.moveaxis(before, -3, 0), self.home, *np.moveaxis(after, -3, 0)]
-        return reduce(np.matmul, factors)
+        before, after = _screw_motions(self.screws[:k], q[..., :k]), _screw_motions(self.body_screws[k:], q[..., k:])
+        return reduce(np.matmul, [*before, self.home, *after])
 
-    @_accelerate
-    def link_poses(self, q: ArrayLike) -> Array:
+    @_in_chunks
+    def link_poses(self, q: Array) -> Array:
         """Compute the pose of every link: frame i is attached to link i; at q = 0 it is at joint i and parallel to {s}.
 
         q (..., n) -> (..., n, 4, 4):  T_i(q) = e^[S1]q1 ... e^[Si]qi M_i, with M_i the translation to joint_points[i].
@@ -263,13 +264,13 @@ class Chain(validation.ReadOnly):
         array([0.323, 0.   , 0.147])
         """
         links, T = [], np.eye(4)
-        for S_i, q_i, point in zip(self.screws, self._by_joint(q), self.joint_points, strict=True):
-            T = T @ exp(S_i * q_i)
+        for E_i, point in zip(_screw_motions(self.screws, q), self.joint_points, strict=True):
+            T = T @ E_i
             links.append(T @ homogeneous(np.eye(3), point))
         return np.stack(links, axis=-3)
 
-    @_accelerate
-    def jacobian(self, q: ArrayLike) -> Array:
+    @_in_chunks
+    def jacobian(self, q: Array) -> Array:
         """Compute the space Jacobian: column i is the twist of the tool, in {s}, at unit speed of joint i.
 
         q (..., n) -> (..., 6, n). Column i is the screw axis of joint i, moved by the joints before it:
@@ -283,13 +284,13 @@ class Chain(validation.ReadOnly):
         True
         """
         columns, T = [], np.broadcast_to(np.eye(4), (*np.shape(q)[:-1], 4, 4))
-        for S_i, q_i in zip(self.screws, self._by_joint(q), strict=True):
-            columns.append(adjoint(T) @ S_i)
-            T = T @ exp(S_i * q_i)
+        for S_i, E_i in zip(self.screws, _screw_motions(self.screws, q), strict=True):
+            columns.append(_adjoint(T) @ S_i)
+            T = T @ E_i
         return np.stack(columns, axis=-1)
 
-    @_accelerate
-    def body_jacobian(self, q: ArrayLike) -> Array:
+    @_in_chunks
+    def body_jacobian(self, q: Array) -> Array:
         """Compute the body Jacobian, the same twists in {b}: J_b = Ad(T^-1) J_s.
 
         q (..., n) -> (..., 6, n).
@@ -301,7 +302,7 @@ class Chain(validation.ReadOnly):
         >>> np.allclose(rpr().body_jacobian([0, 0, 0]), rpr().body_screws.T)
         True
         """
-        return adjoint(inverse(self.fk(q))) @ self.jacobian(q)
+        return _adjoint(_inverse(self.fk(q))) @ self.jacobian(q)
 
     def point_jacobian(self, q: ArrayLike, point: ArrayLike, link: int | None = None) -> Array:
         """Compute the Jacobian of a point that is fixed to a link: angular velocity of the link, then velocity of the point, in {s}.
@@ -436,22 +437,9 @@ class Chain(validation.ReadOnly):
                 f"{self.name} has {self.n} joints ({self.joint_types}), so q must have shape (..., {self.n}); "
                 f"got {q.shape}. {advice}."
             )
-        validation.rotation_angles(np.abs(q * self._fast.rotations))
+        rotates = self.screws[:, :3].any(axis=-1)
+        validation.rotation_angles(np.abs(q * rotates))
         return q
-
-    def _by_joint(self, q: ArrayLike) -> Array:
-        """The values of each joint, (n, ..., 1), in a shape that multiplies its screw axis."""
-        return np.moveaxis(self._joint_values(q), -1, 0)[..., None]
-
-    @cached_property
-    def _after_home(self) -> "Chain":
-        """The product e^[B1]q1 ... e^[Bn]qn of the body form, which follows M, as a chain whose own home pose is I."""
-        return Chain(self.body_screws, np.eye(4), name=self.name)
-
-    @cached_property
-    def _fast(self) -> FastKinematics:
-        """The fast implementation of `fk`, `link_poses` and the Jacobians, constructed at first use."""
-        return FastKinematics(self.screws, self.home, self.joint_points)
 
 
 def random_configurations(n: int, count: int) -> Array:
@@ -468,6 +456,7 @@ def random_configurations(n: int, count: int) -> Array:
 def largest_difference(poses: Array, others: Array) -> float:
     """Compute the largest difference between corresponding entries of two arrays of poses (..., 4, 4).
 
+    >>> from kinlib import exp
     >>> largest_difference(np.eye(4), exp([0, 0, 0, 0.5, 0, -2]))
     2.0
     """

@@ -16,7 +16,6 @@ from functools import cached_property
 
 import numpy as np
 
-from kinlib.arrays.batching import cross
 from kinlib.arrays.formatting import format_matrix
 from kinlib.arrays.tolerances import INTERSECTION_TOL_M, PARALLEL_TOL_RAD, RELOCATE_PRISMATIC_RAD
 from kinlib.arrays.validation import Array
@@ -24,7 +23,7 @@ from kinlib.chains.chain import Chain, largest_difference, random_configurations
 from kinlib.dh.common_normal import CommonNormal, common_normal
 from kinlib.dh.explanation import ACCURACY_SAMPLES, AssignmentStep, explain_assignment
 from kinlib.dh.table import Convention, DHTable, joint_transform, normal_transform, validate_convention
-from kinlib.rigid.lie import homogeneous
+from kinlib.rigid.lie import cross, homogeneous
 
 
 @dataclass(frozen=True, eq=False)

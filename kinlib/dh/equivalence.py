@@ -18,7 +18,6 @@ from dataclasses import dataclass, field, replace
 
 import numpy as np
 
-from kinlib.arrays.batching import cross
 from kinlib.arrays.tolerances import (
     CLEARLY_NOT_PARALLEL_COS,
     EQUIVALENCE_TOL,
@@ -31,7 +30,7 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
 from kinlib.dh.invariants import AxisInvariants
 from kinlib.dh.table import DHTable
-from kinlib.rigid.lie import exp, hat, homogeneous, inverse, perpendicular
+from kinlib.rigid.lie import cross, exp, hat, homogeneous, inverse, perpendicular
 from kinlib.rigid.screw import line
 
 CHECKED_CONFIGURATIONS = 16

@@ -15,11 +15,11 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from kinlib.arrays.batching import cross
 from kinlib.arrays.tolerances import CLEARLY_NOT_PARALLEL_COS, SAME_DISTANCE_RAD
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.table import Convention, dh_transform
+from kinlib.rigid.lie import cross
 
 Booleans = NDArray[np.bool_]
 Integers = NDArray[np.int_]
@@ -67,24 +67,24 @@ class AxisInvariants:
         axis, point = (np.moveaxis(vectors, (-1, -2), (0, 1)) for vectors in (axis, point))
         u, v = axis[:, self._lines[:-1]], axis[:, self._lines[1:]]
         between = point[:, self._lines[1:]] - point[:, self._lines[:-1]]
-        across = cross(u, v)
+        across = _cross(u, v)
         moment = _dot(between, across)
-        distance = np.sqrt(np.sum(cross(between, u) ** 2, axis=0))
+        distance = np.sqrt(np.sum(_cross(between, u) ** 2, axis=0))
         # The places of the feet of each common normal on its two axes, measured from the points.
         squared_sine = np.maximum(_dot(across, across), np.finfo(float).tiny)
-        start, end = _dot(cross(between, v), across) / squared_sine, _dot(cross(between, u), across) / squared_sine
+        start, end = _dot(_cross(between, v), across) / squared_sine, _dot(_cross(between, u), across) / squared_sine
         along = [
             _dot(u[:, i + 1], point[:, self._lines[j]] - point[:, self._lines[i + 1]] + start[j] * u[:, j]) - end[i]
             for i, j in self._runs
         ]
         one, two = (axis[:, [pair[k] for pair in self._rigid_pairs]] for k in range(2))
         here, before, after = (axis[:, [k + step for k in self._prismatic]] for step in (0, -1, 1))
-        triples = _dot(cross(before, here), after)
+        triples = _dot(_cross(before, here), after)
         values: list[ArrayLike] = [_dot(u, v), moment[self._skew], distance[self._parallel], along]
         values += [_dot(one, two), triples]
         if "zeros" in self.fixed:
             first, second = (self._lines[k] for k in np.triu_indices(len(self._lines), 1))
-            values.append(_dot(point[:, second] - point[:, first], cross(axis[:, first], axis[:, second])))
+            values.append(_dot(point[:, second] - point[:, first], _cross(axis[:, first], axis[:, second])))
         return np.moveaxis(np.concatenate([np.reshape(value, (-1, *axis.shape[2:])) for value in values]), 0, -1)
 
     def distances_along(self, values: Array) -> Iterator[tuple[Integers, float, float]]:
@@ -216,6 +216,10 @@ def _all(values: Booleans) -> Booleans:
 
 def _any(values: Array) -> bool:
     return bool((np.abs(values) > SAME_DISTANCE_RAD).any())
+
+
+def _cross(u: Array, v: Array) -> Array:
+    return cross(u.T, v.T).T
 
 
 def _dot(u: Array, v: Array) -> Array:

@@ -4,25 +4,16 @@ A twist is (omega, v) stacked in one 6-vector, as in Modern Robotics. Every func
 distinguishes the two groups by the last dimensions: 3 and 3x3 for rotations, 6 and 4x4 for rigid motions.
 """
 
-from collections.abc import Callable
-from typing import Any
+import math
 
 import numpy as np
-from numpy.typing import ArrayLike, NDArray
+from numpy.typing import ArrayLike
 
 from kinlib.arrays import tolerances, validation
-from kinlib.arrays.batching import Chunks, apply_columnwise, cross, dot, split_into_chunks
-from kinlib.arrays.codegen import columnwise_program, few_elements
 from kinlib.arrays.validation import Array
 
-TINY = np.finfo(float).tiny
-"""Added to the numerator and the denominator of a quotient, it turns 0 / 0 into the limit, and changes no other value."""
-
-FIRST_COLUMN_MIN = 1 / 4
-"""For 4w^2 from here on, `log` uses the first column of 4 q q^T: up to 151 degrees."""
-
-Formula = Callable[[NDArray[Any]], NDArray[Any]]
-"""A formula for `apply_columnwise`."""
+SERIES_BELOW_RAD = 1e-4
+"""For smaller angles, coefficients that divide by theta^2 are the first two terms of their series; the third is below 1e-17."""
 
 
 def hat(x: ArrayLike) -> Array:
@@ -83,7 +74,8 @@ def exp(x: ArrayLike) -> Array:
 
     Raises ValueError for any other last dimension, for a skew-symmetric 3x3 matrix, whose vee is meant, for NaN or infinity, and
     for an angle that double precision cannot resolve.
-    Source: Modern Robotics, (3.51) and (3.88); "Forward kinematics II" calls the series that this sums the true form.
+    Source: Modern Robotics, (3.51) and (3.88), multiplied out with omega = theta times a unit vector; "Forward kinematics II"
+    calls the series that this sums the true form.
 
     >>> exp([0, 0, np.pi / 2, 0, 0, 0]).round(3) + 0.0
     array([[ 0., -1.,  0.,  0.],
@@ -92,10 +84,21 @@ def exp(x: ArrayLike) -> Array:
            [ 0.,  0.,  0.,  1.]])
     """
     x = _generator(x)
-    formula, shape = (_exp_rotation, (3, 3)) if x.shape[-1] == 3 else (_exp_motion, (4, 4))
-    if few := few_elements(x, x.shape[-1]):
-        return _apply_to_each(formula, few, x.shape[-1:]).reshape(x.shape[:-1] + shape)
-    return apply_columnwise(formula, x, x.shape[-1:], shape, split=_split_into_resolvable_chunks)
+    with np.errstate(over="ignore"):  # an angle that overflows is refused, too
+        theta = validation.rotation_angles(_length(x[..., :3]))[..., None, None]
+    small = theta < SERIES_BELOW_RAD
+    t = np.where(small, 1.0, theta)
+    a = np.where(small, 1 - theta**2 / 6, np.sin(t) / t)
+    b = np.where(small, 1 / 2 - theta**2 / 24, 2 * np.sin(t / 2) ** 2 / t**2)  # 1 - cos(t), without its cancellation
+    c = np.where(small, 1 / 6 - theta**2 / 120, (t - np.sin(t)) / t**3)
+
+    W, identity = _hat(x[..., :3]), np.eye(3)
+    W2 = W @ W
+    R = identity + a * W + b * W2
+    if x.shape[-1] == 3:
+        return R
+    p = (identity + b * W + c * W2) @ x[..., 3:, None]
+    return homogeneous(R, p[..., 0])
 
 
 def log(X: ArrayLike) -> Array:
@@ -110,14 +113,23 @@ def log(X: ArrayLike) -> Array:
     Raises ValueError for a matrix that is not a rotation or a pose.
     Source: Modern Robotics, 3.2.3.3 and (3.91), (3.92); the rotation is computed through its unit quaternion.
 
-    >>> log(exp([0, 0, np.pi / 2, 1, 0, 0])).round(6)
+    >>> log(exp([0, 0, np.pi / 2, 1, 0, 0])).round(6) + 0.0
     array([0.      , 0.      , 1.570796, 1.      , 0.      , 0.      ])
     """
-    X = validation.matrices_3x3_or_4x4(X, "X")
-    formula, size = (_log_rotation, 3) if X.shape[-1] == 3 else (_log_motion, 6)
-    if few := validation.few_rigid_matrices(X):
-        return _log_each(few, X.shape[-2:]).reshape(*X.shape[:-2], size)
-    return apply_columnwise(formula, X, X.shape[-2:], (size,), split=validation.split_into_rigid_chunks)
+    X = validation.rotations_or_poses(X, "X")
+    q = _quaternion(X[..., :3, :3])
+    w, axis = q[..., :1], q[..., 1:]
+    sine = _length(axis)[..., None]
+    half = np.arctan2(sine, w)  # theta / 2
+    per_sine = np.where(sine > 0, half, 1.0) / np.where(sine > 0, sine, w)  # half / sine, and its limit, 1 / w
+    omega = 2 * per_sine * axis
+    if X.shape[-1] == 3:
+        return omega
+    small = half < SERIES_BELOW_RAD
+    k = np.where(small, 1 / 12 + half**2 / 180, (1 - per_sine * w) / np.where(small, 1.0, 2 * half) ** 2)
+    W, p = _hat(omega), X[..., :3, 3:]
+    v = p - W @ p / 2 + k[..., None] * (W @ (W @ p))
+    return np.concatenate([omega, v[..., 0]], axis=-1)
 
 
 def inverse(X: ArrayLike) -> Array:
@@ -131,8 +143,7 @@ def inverse(X: ArrayLike) -> Array:
     >>> inverse([[1, 0, 0, 2], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]])[:3, 3] + 0.0
     array([-2.,  0.,  0.])
     """
-    X = validation.matrices_3x3_or_4x4(X, "X")
-    return _apply_to_rigid(_transpose if X.shape[-1] == 3 else _inverse_pose, X, X.shape[-1])
+    return _inverse(validation.rotations_or_poses(X, "X"))
 
 
 def adjoint(X: ArrayLike) -> Array:
@@ -148,8 +159,7 @@ def adjoint(X: ArrayLike) -> Array:
     >>> adjoint(T) @ [0, 0, 1, 0, 0, 0]             # the same rotation about z, now with its moment
     array([ 0.,  0.,  1.,  0., -2.,  0.])
     """
-    X = validation.matrices_3x3_or_4x4(X, "X")
-    return _apply_to_rigid(np.copy if X.shape[-1] == 3 else _adjoint_of_pose, X, 3 if X.shape[-1] == 3 else 6)
+    return _adjoint(validation.rotations_or_poses(X, "X"))
 
 
 def nearest_rotation(X: ArrayLike) -> Array:
@@ -206,6 +216,16 @@ def homogeneous(R: ArrayLike, p: ArrayLike) -> Array:
     return T
 
 
+def cross(u: Array, v: Array) -> Array:
+    """Compute the cross products (..., 3) of vectors (..., 3): np.cross would take ten times as long for one pair.
+
+    >>> cross(np.array([1.0, 0, 0]), np.array([0, 1.0, 0]))
+    array([0., 0., 1.])
+    """
+    product: Array = u[..., [1, 2, 0]] * v[..., [2, 0, 1]] - u[..., [2, 0, 1]] * v[..., [1, 2, 0]]
+    return product
+
+
 def perpendicular(axis: ArrayLike) -> Array:
     """Choose a unit vector perpendicular to an axis, the same one every time.
 
@@ -218,7 +238,7 @@ def perpendicular(axis: ArrayLike) -> Array:
     """
     axis = np.asarray(axis, dtype=float)
     farthest = np.eye(3)[np.argmin(np.abs(axis), axis=-1)]
-    across = np.cross(farthest, axis)
+    across = cross(farthest, axis)
     unit: Array = across / np.linalg.norm(across, axis=-1, keepdims=True)
     return unit
 
@@ -252,189 +272,63 @@ def _hat(x: Array) -> Array:
     return W - np.swapaxes(W, -1, -2)
 
 
-def _apply_to_rigid(formula: Formula, X: Array, size: int) -> Array:
-    """Apply a formula to rotations or poses, and collect its square results (..., size, size); validate X first.
+def _screw_motions(S: Array, q: Array) -> Array:
+    """Compute the factors e^[S_1]q_1, ..., e^[S_n]q_n of the PoE formula: screw axes (n, 6), q (..., n) -> (n, ..., 4, 4).
 
-    Raises ValueError for a matrix that is not a rotation or a pose.
+    A screw axis has |omega| = 1, so that omega q has the angle q, and exp(S q) is a sum of four constant matrices:
+
+        e^[S]q = I + q D + sin(q) ([S] - D) + (1 - cos(q)) [S]^2,    D = [S] + [S]^3
+
+    D is the translation along the axis for each radian, by the pitch. For a prismatic joint [S]^2 = 0, and I + q [S] is left.
+    Source: Modern Robotics, (3.51) and (3.88): R = I + sin(q) W + (1 - cos(q)) W^2, p = (I q + (1 - cos(q)) W + (q - sin(q)) W^2) v.
     """
-    if few := validation.few_rigid_matrices(X):
-        return _apply_to_each(formula, few, X.shape[-2:]).reshape(*X.shape[:-2], size, size)
-    return apply_columnwise(formula, X, X.shape[-2:], (size, size), split=validation.split_into_rigid_chunks)
+    S1 = _hat(S)
+    S2 = S1 @ S1
+    D = S1 + S2 @ S1
+    D[:, :3, :3] = 0.0  # W + W^3, up to rounding
+    constants = np.stack([np.broadcast_to(np.eye(4), S1.shape), D, S1 - D, S2], axis=1)
+    q = np.moveaxis(q, -1, 0)
+    numbers = np.stack([np.ones_like(q), q, np.sin(q), 1 - np.cos(q)], axis=-1)
+    # The sum of products of numbers and constants, as one matrix product for each joint: that is twice as fast.
+    sums = numbers.reshape(len(S), math.prod(q.shape[1:]), 4) @ constants.reshape(len(S), 4, 16)
+    motions: Array = sums.reshape(*q.shape, 4, 4)
+    return motions
 
 
-def _apply_to_each(formula: Formula, elements: list[list[float]], input_shape: tuple[int, ...]) -> Array:
-    """Apply a formula to a few elements, one after the other, by generated code: a tenth of the time of an array for one."""
-    run = columnwise_program(formula, input_shape)
-    return np.array([run(*entries) for entries in elements])
+def _inverse(X: Array) -> Array:
+    Rt = np.swapaxes(X[..., :3, :3], -1, -2)
+    return Rt.copy() if X.shape[-1] == 3 else homogeneous(Rt, -(Rt @ X[..., :3, 3:])[..., 0])
 
 
-def _log_each(matrices: list[list[float]], shape: tuple[int, ...]) -> Array:
-    """Compute the logarithms of a few rotations or poses, given by their entries, one after the other.
-
-    Generated code has no branches, so the column of the quaternion is selected between two programs.
-    """
-    columns = columnwise_program(_quaternion_columns, shape)
-    quaternions = [_accurate_column(columns(*entries)) for entries in matrices]
-    if shape == (3, 3):
-        return _apply_to_each(_rotation_vector, quaternions, (4,))
-    with_positions = [[*q, *entries[3:12:4]] for q, entries in zip(quaternions, matrices, strict=True)]
-    return _apply_to_each(_twist_of_quaternion_and_position, with_positions, (7,))
-
-
-def _accurate_column(columns: tuple[float, ...]) -> list[float]:
-    """Select one of the columns of 4 q q^T as `_quaternion` does, with w >= 0."""
-    k = 0 if columns[0] >= FIRST_COLUMN_MIN else max((5, 10, 15), key=columns.__getitem__) // 5
-    q = columns[4 * k : 4 * k + 4]
-    return [-x for x in q] if q[0] < 0 else list(q)
-
-
-# The functions below are written for `apply_columnwise`: vectors are (3, m), and matrices are given by their columns, so that
-# X[column, row] has shape (m,). For generated code m is 1, and the entries are tracers.
-
-
-def _split_into_resolvable_chunks(x: Array, input_shape: tuple[int, ...]) -> Chunks:
-    """Split rotation vectors or twists as `split_into_chunks` does, and refuse angles that double precision cannot resolve."""
-    for chunk, columns in split_into_chunks(x, input_shape):
-        with np.errstate(over="ignore"):  # an angle that overflows is refused, too
-            validation.rotation_angles(_length(columns[:3]))
-        yield chunk, columns
-
-
-def _transpose(R: Array) -> Array:
-    """The inverses (3, 3, m) of rotations."""
-    return R.swapaxes(0, 1)
-
-
-def _inverse_pose(X: Array) -> Array:
-    """The inverses (4, 4, m) of poses."""
-    R, p = X[:3, :3], X[3, :3]
-    inverse = np.zeros_like(X)
-    inverse[:3, :3] = R.swapaxes(0, 1)
-    inverse[3, :3] = [-dot(axis, p) for axis in R]
-    inverse[3, 3] = 1.0
-    return inverse
-
-
-def _adjoint_of_pose(X: Array) -> Array:
-    """The adjoints (6, 6, m) of poses (4, 4, m)."""
-    R, p = X[:3, :3], X[3, :3]
-    Ad = np.zeros((6, 6, X.shape[-1]), dtype=X.dtype)
-    Ad[:3, :3] = Ad[3:, 3:] = R
-    Ad[:3, 3:] = [cross(p, axis) for axis in R]
+def _adjoint(X: Array) -> Array:
+    R = X[..., :3, :3]
+    if X.shape[-1] == 3:
+        return R.copy()
+    Ad = np.zeros((*X.shape[:-2], 6, 6))
+    Ad[..., :3, :3] = Ad[..., 3:, 3:] = R
+    Ad[..., 3:, :3] = _hat(X[..., :3, 3]) @ R
     return Ad
 
 
-def _exp_rotation(omega: Array) -> Array:
-    """Exponentials (3, 3, m) of rotation vectors (3, m)."""
-    return _rodrigues(omega, *_cos_a_b(_length(omega)))
-
-
-def _exp_motion(x: Array) -> Array:
-    """Exponentials (4, 4, m) of twists (6, m)."""
-    omega, v = x[:3], x[3:]
-    theta = _length(omega)
-    cos, a, b = _cos_a_b(theta)
-    # Near 0 the error of 1 - a is divided by theta^2, and multiplied by W^2, which shrinks as fast: no series is needed.
-    c = (1 - a) / (theta * theta + TINY)
-    X = np.zeros((4, 4, len(theta)), dtype=x.dtype)
-    X[:3, :3] = _rodrigues(omega, cos, a, b)
-    X[3, :3] = a * v + b * cross(omega, v) + c * dot(omega, v) * omega
-    X[3, 3] = 1.0
-    return X
-
-
-def _cos_a_b(theta: Array) -> tuple[Array, Array, Array]:
-    """Compute cos(theta), a = sin(theta) / theta and b = (1 - cos(theta)) / theta^2 from the tangent of the half angle.
-
-    The tangent keeps every digit where 1 - cos(theta) would cancel, and costs half as much as a sine and a cosine.
-    """
-    half = theta / 2
-    t = np.tan(half)
-    cos_squared = 1 / (1 + t * t)
-    ratio = (t + TINY) / (half + TINY)
-    return (1 - t * t) * cos_squared, ratio * cos_squared, ratio * ratio * cos_squared / 2
-
-
-def _rodrigues(omega: Array, cos: Array, a: Array, b: Array) -> Array:
-    """R = I + a W + b W^2, where W^2 = omega omega^T - theta^2 I makes it  cos(theta) I + a W + b omega omega^T."""
-    R = (b * omega)[:, None] * omega
-    R[[0, 1, 2], [0, 1, 2]] += cos
-    around = (a * omega)[[2, 0, 1]]
-    R[[0, 1, 2], [1, 2, 0]] += around
-    R[[1, 2, 0], [0, 1, 2]] -= around
-    return R
-
-
-def _log_rotation(R: Array) -> Array:
-    """Rotation vectors (3, m) of rotations (3, 3, m)."""
-    return _rotation_vector(_quaternion(R))
-
-
-def _log_motion(X: Array) -> Array:
-    """Twists (6, m) of poses (4, 4, m)."""
-    return _twist(_quaternion(X[:3, :3]), X[3, :3])
-
-
-def _rotation_vector(q: Array) -> Array:
-    """Rotation vectors (3, m) of quaternions (4, m)."""
-    half_omega, _, _ = _half_log(q)
-    return 2 * half_omega
-
-
-def _twist(q: Array, p: Array) -> Array:
-    """Twists (6, m) of the poses with quaternions (4, m) and positions (3, m)."""
-    u, half, cotangent = _half_log(q)
-    x = np.empty((6, q.shape[-1]), dtype=q.dtype)
-    np.multiply(u, 2, out=x[:3])
-    # With omega = 2u, the products with W and W^2 are those with u, and k theta^2 = 1 - cotangent.
-    x[3:] = cotangent * p - cross(u, p) + (1 - cotangent) / (half * half + TINY) * dot(u, p) * u
-    return x
-
-
-def _twist_of_quaternion_and_position(x: Array) -> Array:
-    """The same for one array (7, m)."""
-    return _twist(x[:4], x[4:])
-
-
-def _half_log(q: Array) -> tuple[Array, Array, Array]:
-    """omega / 2 as (3, m), theta / 2 and (theta / 2) cot(theta / 2) of quaternions (4, m) up to their length."""
-    w, axis = q[0], q[1:]
-    sine = _length(axis)
-    half = np.arctan2(sine, w)
-    # Without rotation, w is 4 and axis is 0, and half the angle is a quarter of `sine`: hence the factor 4.
-    scale = (half + TINY) / (sine + 4 * TINY)
-    return scale * axis, half, scale * w
-
-
 def _quaternion(R: Array) -> Array:
-    """Quaternions (4, m) of rotations (3, 3, m), up to their length, with w >= 0.
+    """Compute the quaternions (..., 4) of rotations (..., 3, 3), up to their length, with w >= 0.
 
     With the unit quaternion q = (w, x, y, z) of R, the matrix 4 q q^T is linear in R. Its columns 4w q, 4x q, 4y q and 4z q
-    are multiples of q, and a column that is not near zero has all its digits. Up to 151 degrees, where 4w is 1, the first
-    column is used; beyond, the longest of the others. Neither small angles nor angles near pi are special cases.
+    are multiples of q, and the longest one has all its digits. Neither small angles nor angles near pi are special cases.
     """
-    q = np.empty((4, R.shape[-1]))
-    q[0] = 1 + R[0, 0] + R[1, 1] + R[2, 2]
-    q[1:] = R[1, 2] - R[2, 1], R[2, 0] - R[0, 2], R[0, 1] - R[1, 0]
-    beyond = np.flatnonzero(q[0] < FIRST_COLUMN_MIN)
-    columns = _quaternion_columns(R.take(beyond, axis=2))
-    # The diagonal entries are 4x^2, 4y^2 and 4z^2, and the column of the largest one is the longest.
-    longest = 1 + np.argmax([columns[1, 1], columns[2, 2], columns[3, 3]], axis=0)
-    chosen = columns[longest, :, np.arange(len(beyond))].T
-    # q and -q are the same rotation; w >= 0 selects the one whose angle is at most pi.
-    q[:, beyond] = chosen * np.where(chosen[0] < 0, -1.0, 1.0)
-    return q
-
-
-def _quaternion_columns(X: Array) -> Array:
-    """The matrix 4 q q^T, (4, 4, m), of rotations (3, 3, m), or of the rotations of poses (4, 4, m)."""
-    (r11, r21, r31), (r12, r22, r32), (r13, r23, r33) = X[:3, :3]
+    (r11, r12, r13), (r21, r22, r23), (r31, r32, r33) = np.moveaxis(R, (-2, -1), (0, 1))
     ww, xx, yy, zz = 1 + r11 + r22 + r33, 1 + r11 - r22 - r33, 1 - r11 + r22 - r33, 1 - r11 - r22 + r33
     wx, wy, wz = r32 - r23, r13 - r31, r21 - r12
     xy, xz, yz = r21 + r12, r13 + r31, r32 + r23
-    return np.array([[ww, wx, wy, wz], [wx, xx, xy, xz], [wy, xy, yy, yz], [wz, xz, yz, zz]])
+    columns = np.array([[ww, wx, wy, wz], [wx, xx, xy, xz], [wy, xy, yy, yz], [wz, xz, yz, zz]])
+    # The diagonal entries are 4w^2, 4x^2, 4y^2 and 4z^2, and the column of the largest one is the longest.
+    longest = np.argmax([ww, xx, yy, zz], axis=0)
+    q = np.moveaxis(np.take_along_axis(columns, longest[None, None], axis=0)[0], 0, -1)
+    # q and -q are the same rotation; w >= 0 selects the one whose angle is at most pi.
+    quaternion: Array = np.where(q[..., :1] < 0, -q, q)
+    return quaternion
 
 
 def _length(u: Array) -> Array:
-    """The lengths (m,) of vectors (k, m)."""
-    return np.sqrt(dot(u, u))
+    length: Array = np.sqrt(np.einsum("...i,...i", u, u))
+    return length

@@ -10,8 +10,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from kinlib.arrays import tolerances, validation
-from kinlib.arrays.batching import cross
 from kinlib.arrays.validation import Array
+from kinlib.rigid.lie import cross
 
 
 class Line(NamedTuple):
@@ -48,7 +48,7 @@ def screw(axis: ArrayLike, point: ArrayLike = (0.0, 0.0, 0.0), pitch: ArrayLike 
         )
     prismatic = np.isinf(pitch)
     omega = np.where(prismatic, 0.0, axis)
-    v = np.where(prismatic, axis, np.cross(point, axis) + np.where(prismatic, 0.0, pitch) * axis)
+    v = np.where(prismatic, axis, cross(point, axis) + np.where(prismatic, 0.0, pitch) * axis)
     return np.concatenate(np.broadcast_arrays(omega, v), axis=-1)
 
 
@@ -68,7 +68,7 @@ def line(S: ArrayLike) -> Line:
     omega, v = S[..., :3], S[..., 3:]
     prismatic = is_prismatic(S)
     axis = np.where(prismatic[..., None], v, omega)
-    point = np.where(prismatic[..., None], 0.0, cross(omega.T, v.T).T)
+    point = np.where(prismatic[..., None], 0.0, cross(omega, v))
     pitch = np.where(prismatic, np.inf, np.sum(omega * v, axis=-1))
     return Line(axis, point, pitch)
 

@@ -17,7 +17,6 @@ from strategies import directions, poses, rotations
 
 import kinlib as kl
 from kinlib.arrays import tolerances, validation
-from kinlib.arrays.batching import CHUNK_COLUMNS
 from kinlib.rigid.lie import log
 
 QUARTER_TURN = np.array([[0.0, -1, 0], [1, 0, 0], [0, 0, 1]])
@@ -72,7 +71,6 @@ def test_the_cause_of_an_error_names_the_number_type():
         validation.real_array,
         lambda x, name: validation.vectors(x, name, 3),
         validation.unit_vectors,
-        validation.matrices_3x3_or_4x4,
         validation.rotations_or_poses,
         validation.poses,
     ],
@@ -200,13 +198,7 @@ NOISE = st.one_of(st.floats(0, 1e-8), st.floats(1e-2, 1.0))
 """Noise on which two libraries agree, whatever their tolerances: rounding errors, or a hundredth and more."""
 
 
-@pytest.mark.oracle(
-    "modern_robotics",
-    validation.rotations_or_poses,
-    validation.matrices_3x3_or_4x4,
-    validation.poses,
-    validation.few_rigid_matrices,
-)
+@pytest.mark.oracle("modern_robotics", validation.rotations_or_poses, validation.poses)
 @given(poses(), NOISE, st.integers(0, 99))
 def test_a_matrix_is_accepted_if_and_only_if_modern_robotics_accepts_it(T, size, seed):
     X = T.copy()
@@ -217,27 +209,23 @@ def test_a_matrix_is_accepted_if_and_only_if_modern_robotics_accepts_it(T, size,
     ):
         if is_rigid(Y):
             np.testing.assert_array_equal(read(Y, "X"), Y)
-            np.testing.assert_array_equal(validation.few_rigid_matrices(Y), [Y.ravel()])
-            np.testing.assert_array_equal(validation.matrices_3x3_or_4x4(Y, "X"), Y)
         else:
             with pytest.raises(ValueError, match=r"not rigid|reflection"):
                 read(Y, "X")
-            assert validation.few_rigid_matrices(Y) == []
 
 
-@pytest.mark.oracle("pytransform3d", validation.split_into_rigid_chunks)
+@pytest.mark.oracle("pytransform3d", validation.poses)
 @given(st.lists(poses(), min_size=1, max_size=4), NOISE, st.integers(0, 99))
-def test_a_chunk_is_accepted_if_and_only_if_pytransform3d_accepts_its_matrices(batch, size, seed):
+def test_a_batch_is_accepted_if_and_only_if_pytransform3d_accepts_its_matrices(batch, size, seed):
     X = np.array(batch)
     X[-1, :3, :3] += size * np.random.default_rng(seed).choice([-1, 1], (3, 3))
     try:
-        expected = np.array([pt.check_transform(T) for T in X]).T
+        expected = np.array([pt.check_transform(T) for T in X])
     except ValueError:
         with pytest.raises(ValueError, match=r"not rigid|reflection"):
-            list(validation.split_into_rigid_chunks(X, (4, 4)))
+            validation.poses(X, "X")
     else:
-        ((_, columns),) = validation.split_into_rigid_chunks(X, (4, 4))
-        np.testing.assert_array_equal(columns, expected)
+        np.testing.assert_array_equal(validation.poses(X, "X"), expected)
 
 
 FAULTS = {
@@ -254,7 +242,7 @@ FAULTS = {
 @pytest.mark.parametrize("read", [lambda X: validation.rotations_or_poses(X, "X"), log], ids=["validation", "log"])
 def test_the_error_has_the_index_of_the_first_faulty_pose(fault, read):
     entry, value, message = FAULTS[fault]
-    X = np.tile(np.eye(4), (3, CHUNK_COLUMNS, 1, 1))
+    X = np.tile(np.eye(4), (3, 1000, 1, 1))
     X[1, 2][entry] = X[2, 9][entry] = value
     with pytest.raises(ValueError, match=f"^{message}"):
         read(X)
@@ -347,8 +335,8 @@ def test_copies_are_read_only_and_equal_and_bring_no_cache(copied):
             with pytest.raises(ValueError, match="read-only"):
                 getattr(again, name)[...] = 7
     robot = kl.robots.rppr()
-    robot.fk(np.zeros(4))
-    assert "_fast" not in vars(copied(robot))
+    assert robot.lines
+    assert "lines" not in vars(copied(robot))
 
 
 @pytest.mark.parametrize(

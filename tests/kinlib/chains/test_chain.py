@@ -15,7 +15,7 @@ from hypothesis import strategies as st
 from strategies import ROBOTS, chains_with_values, configurations, points, poses, screws
 
 from kinlib import Chain, adjoint, exp, inverse, robots, screw
-from kinlib.arrays.batching import CHUNK_COLUMNS
+from kinlib.chains.chain import MAX_CHUNK as CHUNK_COLUMNS
 from kinlib.chains.chain import largest_difference, random_configurations
 from kinlib.rigid.screw import is_prismatic
 
