@@ -4,6 +4,7 @@ All sessions use the environment that `python course.py test` makes: `.venv/bin/
 """
 
 import os
+import re
 import sys
 from pathlib import Path
 
@@ -14,6 +15,8 @@ nox.options.default_venv_backend = "none"
 nox.options.sessions = ["lint"]
 
 PYTHON = sys.executable
+PINS = "constraints.txt"
+PYTHONS = ("3.11", "3.12", "3.13", "3.14")
 ONE_THREAD = {"OPENBLAS_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
 
 
@@ -28,6 +31,19 @@ def lint(session: nox.Session) -> None:
     session.run(PYTHON, "-m", "ruff", "check")
     session.run(PYTHON, "-m", "ruff", "format", "--check")
     session.run(PYTHON, "-m", "mypy")
+
+
+@nox.session
+def types(session: nox.Session) -> None:
+    """Check types with each NumPy that constraints.txt pins: its types change from version to version."""
+    for pin, older in re.findall(
+        r"^(numpy==[\d.]+)(?: ; python_full_version (<)?)?", Path(PINS).read_text("utf-8"), re.MULTILINE
+    ):
+        python = PYTHONS[0] if older else PYTHONS[-1]
+        folder = f"build/types/{pin}"
+        target = (f"--target={folder}", "--no-deps", f"--python-version={python}", "--only-binary=:all:", "--upgrade")
+        session.run(PYTHON, "-m", "pip", "install", "--quiet", *target, pin)
+        session.run(PYTHON, "-m", "mypy", f"--python-version={python}", *session.posargs, env={"PYTHONPATH": folder})
 
 
 @nox.session(name="format")

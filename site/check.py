@@ -1,8 +1,10 @@
-"""Check a built site before it is published: every page, the PDF, a lab whose Python and packages are complete, no literal markup.
+"""Check a built site: every page, a lab whose Python and packages are complete, no literal markup.
 
-The folder is build/site/html, or the only argument: `.venv/bin/python site/check.py`.
+The folder is build/site/html, or the one that is given: `.venv/bin/python site/check.py`. Before a site is published, it must
+also have the PDF, which site/pdf.py adds: `.venv/bin/python site/check.py --published`.
 """
 
+import argparse
 import json
 import re
 import sys
@@ -13,15 +15,16 @@ from kinsite.execute import PACKAGES
 from kinsite.sphinx_source import LECTURES, SHEETS
 
 BUILT = Path(__file__).resolve().parents[1] / "build" / "site" / "html"
-FILES = ("index.html", "404.html", "search.html", "sitemap.xml", "course.pdf", "lab/notebooks/index.html")
+FILES = ("index.html", "404.html", "search.html", "sitemap.xml", "lab/notebooks/index.html")
+PDF = "course.pdf"
 LOCK_FILE = "lab/static/pyodide/pyodide-lock.json"
 RUN_LINK = 'class="kinlib-run"'
 
 
-def missing(built: Path) -> Iterator[str]:
-    """Yield what a site lacks that must be published with it, one line for each file, package and link."""
+def missing(built: Path, published: bool = False) -> Iterator[str]:
+    """Yield what a site lacks, one line for each file, package and link. A site that is published also has the PDF."""
     notebooks = [f"{folder}/{path.stem}.html" for folder, paths in NOTEBOOKS.items() for path in paths]
-    for name in (*FILES, *notebooks, LOCK_FILE):
+    for name in (*FILES, *notebooks, LOCK_FILE, *([PDF] if published else [])):
         if not (built / name).is_file():
             yield name
         elif name in notebooks and RUN_LINK not in (built / name).read_text("utf-8"):
@@ -60,9 +63,13 @@ NOTEBOOKS = {"lectures": LECTURES, "sheets": SHEETS}
 
 
 if __name__ == "__main__":
-    built = Path(sys.argv[1]) if len(sys.argv) > 1 else BUILT
-    if faults := list(missing(built)):
-        sys.exit(f"The site in {built} must be complete before it is published. It lacks:\n" + "\n".join(faults))
+    parser = argparse.ArgumentParser(description="Check a built site.")
+    parser.add_argument("built", type=Path, nargs="?", default=BUILT, help="its folder; by default %(default)s")
+    parser.add_argument("--published", action="store_true", help="it must have the PDF, too")
+    asked = parser.parse_args()
+    built = asked.built
+    if faults := list(missing(built, asked.published)):
+        sys.exit(f"The site in {built} must be complete. It lacks:\n" + "\n".join(faults))
     if faults := list(literal_markup(built)):
         sys.exit(f"No page of {built} may show literal markup. Found:\n" + "\n".join(faults))
     print(f"The site in {built} is complete.")

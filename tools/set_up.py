@@ -1,7 +1,7 @@
 """Open the course, test it, or build and serve its site. This needs nothing but Python 3.11 or newer and pip.
 
     python course.py open        start JupyterLab on the first lecture
-    python course.py test        run every test
+    python course.py test        run every test, or with --quick those that find most faults in a few minutes
     python course.py site        build the course site into build/site/html
     python course.py serve       serve it on http://127.0.0.1:8000, to this machine only
 
@@ -15,12 +15,15 @@ The tasks of maintainers are in noxfile.py.
 import hashlib
 import importlib.util
 import os
+import re
 import shutil
 import signal
 import subprocess
 import sys
 import tempfile
 from pathlib import Path
+
+import uv_settings
 
 ROOT = Path(__file__).resolve().parents[1]
 UV = ROOT / ".uv"  # own folder: the system's Python may refuse packages (PEP 668) or lack the venv module
@@ -45,7 +48,7 @@ PROGRAMS = {
 GROUPS = {"open": "lab", "test": "test", "site": "site", "serve": "site"}  # dependency groups of pyproject.toml
 MEGABYTES = {"lab": 400, "test": 1400, "site": 500}  # what a group takes on the disk
 INCLUDED = {"test": {"test", "lab", "site"}}  # groups that a group includes
-
+PROCESSOR_MINUTES = {"": 30, "--quick": 6}  # of the tests, without and with an option; measured on two quiet cores
 
 INTERRUPTS: list[int] = []  # one entry for each Ctrl-C
 
@@ -61,6 +64,8 @@ def main(command: str = "help", *words: str) -> None:
     if command in PROGRAMS:
         prepare(GROUPS[command], newest="--newest" in words)
         arguments = [word for word in words if word != "--newest"]
+        if command == "test" and arguments in ([], ["--quick"]):
+            print(expected_time(*arguments), flush=True)
         sys.exit(call(PYTHON, *PROGRAMS[command], *arguments))
     elif command in ("help", "-h", "--help"):
         print(__doc__)
@@ -100,15 +105,25 @@ def install_uv(*pins: str) -> None:
 
 
 def uv(purpose: str, *arguments: str | Path) -> None:
-    step(purpose, "uv", *arguments, PYTHONPATH=str(UV))
+    pip = uv_settings.read_pip_settings()
+    offline = ["--no-index"] if arguments[0] == "pip" and uv_settings.is_offline(pip) else []
+    step(purpose, "uv", *arguments, *offline, PYTHONPATH=str(UV), **uv_settings.variables(pip))
 
 
 def step(purpose: str, module: str, *arguments: str | Path, **settings: str) -> None:
-    if call(sys.executable, "-m", module, *arguments, **settings):
-        sys.exit(f"course.py could not {purpose}. {remedy()}")
+    command = (sys.executable, "-m", module, *arguments)
+    if call(*command, **settings):
+        sys.exit(f"course.py could not {purpose}. {remedy(*command, **settings)}")
 
 
-def remedy() -> str:
+def expected_time(option: str = "") -> str:
+    """Say how long the tests take on this machine."""
+    cores = os.cpu_count() or 1
+    hint = "" if option else " `python course.py test --quick` takes a few minutes."
+    return f"On a laptop with {cores} cores, this takes about {PROCESSOR_MINUTES[option] / cores:.0f} minutes.{hint}"
+
+
+def remedy(*command: str | Path, **settings: str) -> str:
     """Say why a step has failed, as far as this can be seen, and what to do."""
     again = "The same command continues from here."
     if INTERRUPTS:
@@ -120,14 +135,34 @@ def remedy() -> str:
         if (free := shutil.disk_usage(ROOT).free) < 10**7:
             return f"The disk is full: {free / 1e6:.0f} MB are left. Make room, then try again. {again}"
         return f"Files cannot be written in {ROOT}: {error.strerror}. Copy the course into a folder of your own, and run it there."
+    # The step is repeated without effect, because its output must be seen where it fails, with its progress.
+    if re.search("certificate|UnknownIssuer", output_of(*command, "--dry-run", **settings), re.IGNORECASE):
+        return (
+            "A certificate was refused; a proxy that inspects connections may have signed it. Ask your administrator for the "
+            f"file with its certificate, run: python -m pip config set global.cert FILE, then try again. {again}"
+        )
     if proxies := sorted(name for name in os.environ if name.upper() in ("HTTP_PROXY", "HTTPS_PROXY", "ALL_PROXY")):
         return f"See above. Is the proxy in {' and '.join(proxies)} right? If so, check the network, then try again. {again}"
     return f"See above. Check the network, close JupyterLab, then try again. {again}"
 
 
-def call(*command: str | Path, **settings: str) -> int:
+def environment(settings: dict[str, str]) -> dict[str, str]:
     # PYTHONPATH is emptied because it adds packages of another Python; for example, ROS sets it and breaks pytest
-    with subprocess.Popen(command, cwd=ROOT, env={**os.environ, "PYTHONPATH": "", **settings}) as program:
+    return {**os.environ, "PYTHONPATH": "", **settings}
+
+
+def output_of(*command: str | Path, **settings: str) -> str:
+    """Return what a command prints, also if it fails or does not end."""
+    options = {"cwd": ROOT, "env": environment(settings), "capture_output": True, "text": True, "errors": "replace"}
+    try:
+        done = subprocess.run(command, timeout=60, check=False, **options)
+    except subprocess.TimeoutExpired:
+        return ""
+    return done.stdout + done.stderr
+
+
+def call(*command: str | Path, **settings: str) -> int:
+    with subprocess.Popen(command, cwd=ROOT, env=environment(settings)) as program:
         try:
             return program.wait()
         except SystemExit:

@@ -5,11 +5,16 @@ import os
 import re
 import subprocess
 import sys
+import threading
+import zipfile
+from functools import partial
+from http.server import SimpleHTTPRequestHandler, ThreadingHTTPServer
 from pathlib import Path
 from types import SimpleNamespace
 
 import pytest
 import set_up as course
+import uv_settings
 
 COURSE = Path(__file__).parents[2] / "course.py"
 
@@ -29,6 +34,8 @@ def calls(tmp_path, monkeypatch):
     monkeypatch.setattr(course, "VENV", tmp_path / ".venv")
     monkeypatch.setattr(course, "STAMP", tmp_path / ".venv" / "stamp.txt")
     monkeypatch.setattr(course, "call", call)
+    monkeypatch.setattr(course, "output_of", lambda *_, **__: "")
+    monkeypatch.setattr(uv_settings, "read_pip_settings", dict)
     monkeypatch.setattr(
         course.importlib.util, "find_spec", lambda _: "pip, which an environment made by uv does not have"
     )
@@ -102,6 +109,8 @@ def test_a_failed_step_is_named_and_repeated(calls, monkeypatch, broken):
             {"error": 30, "free": 10**10},
             r"cannot be written in .*: Read-only.* Copy the course into a folder of your own",
         ),
+        ({"output": "invalid peer certificate: UnknownIssuer"}, r"pip config set global.cert FILE"),
+        ({"output": "SSL: CERTIFICATE_VERIFY_FAILED"}, r"A certificate was refused"),
         ({"proxy": "http://nobody:secret@localhost:1"}, r"Is the proxy in HTTPS_PROXY right"),
     ],
 )
@@ -116,6 +125,7 @@ def test_a_failed_step_says_why_as_far_as_it_can_be_seen(calls, monkeypatch, sta
     if "error" in state:
         monkeypatch.setattr(course.tempfile, "TemporaryFile", broken_file)
         monkeypatch.setattr(course.shutil, "disk_usage", lambda _: SimpleNamespace(free=state["free"]))
+    monkeypatch.setattr(course, "output_of", lambda *_, **__: state.get("output", ""))
     monkeypatch.setattr(course, "INTERRUPTS", state.get("interrupts", []))
     monkeypatch.setattr(course, "call", lambda *_, **__: 1)
     with pytest.raises(SystemExit, match=said) as failure:
@@ -184,3 +194,81 @@ def test_python_2_can_read_the_file_that_refuses_it():
     """Python 2 has neither f-strings nor annotations nor keyword-only arguments."""
     tree = ast.parse(COURSE.read_text("ascii"), feature_version=(3, 7))
     assert not [node for node in ast.walk(tree) if isinstance(node, (ast.JoinedStr, ast.AnnAssign, ast.FunctionDef))]
+
+
+# --- uv gets what pip is told ---
+
+
+@pytest.fixture
+def pip_conf(tmp_path, monkeypatch):
+    """An empty file of pip's settings, without any other and without variables of pip and uv."""
+    for name in list(os.environ):
+        if name.startswith(("PIP_", "UV_", "SSL_")):
+            monkeypatch.delenv(name)
+    file = tmp_path / "pip.conf"
+    file.touch()
+    monkeypatch.setenv("PIP_CONFIG_FILE", str(file))
+    return file
+
+
+MIRROR, OTHER = "https://mirror.example/simple", "https://other.example/simple"
+
+
+@pytest.mark.parametrize(
+    ("text", "variables", "expected"),
+    [
+        ("[global]\nindex-url = " + MIRROR, {}, {"UV_DEFAULT_INDEX": MIRROR}),
+        ("[install]\nindex-url = " + MIRROR, {}, {"UV_DEFAULT_INDEX": MIRROR}),
+        ("[global]\nindex-url = " + OTHER, {"PIP_INDEX_URL": MIRROR}, {"UV_DEFAULT_INDEX": MIRROR}),
+        ("", {"PIP_INDEX_URL": MIRROR, "UV_DEFAULT_INDEX": OTHER}, {"UV_DEFAULT_INDEX": None}),
+        ("", {"PIP_PROXY": OTHER}, {"HTTP_PROXY": OTHER, "HTTPS_PROXY": OTHER}),
+        ("[global]\ntrusted-host = a\n  b", {}, {"UV_INSECURE_HOST": "a b"}),
+        ("[global]\ncert = /c.pem", {}, {"SSL_CERT_FILE": "/c.pem"}),
+        ("[global]\ncert = /", {}, {"SSL_CERT_DIR": "/"}),
+        ("", {"PIP_CERT": "/c.pem", "SSL_CERT_FILE": "/own.pem"}, {"SSL_CERT_FILE": None}),
+        ("[global]\nfind-links =\n  /\n  /no/such/folder\n  " + OTHER, {}, {"UV_FIND_LINKS": f"/,{OTHER}"}),
+        (
+            f"[global]\nextra-index-url =\n  {OTHER}\n  {MIRROR}",
+            {},
+            {"UV_INDEX": f"{OTHER} {MIRROR}", "UV_INDEX_STRATEGY": "unsafe-best-match"},
+        ),
+    ],
+)
+def test_settings_of_pip_reach_uv_unless_uv_has_its_own(pip_conf, monkeypatch, text, variables, expected):
+    pip_conf.write_text(text, "utf-8")
+    for name in ("HTTP_PROXY", "HTTPS_PROXY"):
+        monkeypatch.delenv(name, raising=False)
+    for name, value in variables.items():
+        monkeypatch.setenv(name, value)
+    told = uv_settings.variables(uv_settings.read_pip_settings())
+    assert {name: told.get(name) for name in expected} == expected
+
+
+WHEEL_FILES = {
+    "tiny.py": "",
+    "tiny-0.1.dist-info/METADATA": "Metadata-Version: 2.1\nName: tiny\nVersion: 0.1\n",
+    "tiny-0.1.dist-info/WHEEL": "Wheel-Version: 1.0\nRoot-Is-Purelib: true\nTag: py3-none-any\n",
+    "tiny-0.1.dist-info/RECORD": "tiny.py,,\n",
+}
+
+
+@pytest.mark.skipif(not course.UV.is_dir(), reason="course.py did not make this environment, so there is no uv")
+@pytest.mark.parametrize("kind", ["mirror", "folder"])
+def test_what_only_the_mirror_of_pip_has_is_installed_by_uv(pip_conf, tmp_path, monkeypatch, kind):
+    package = tmp_path / "mirror" / "tiny"
+    package.mkdir(parents=True)
+    with zipfile.ZipFile(package / "tiny-0.1-py3-none-any.whl", "w") as wheel:
+        for name, text in WHEEL_FILES.items():
+            wheel.writestr(name, text)
+    monkeypatch.setenv("UV_NO_CACHE", "1")
+    if kind == "folder":
+        pip_conf.write_text(f"[global]\nno-index = true\nfind-links = {package.as_posix()}\n", "utf-8")
+        course.uv("install tiny", "pip", "install", "--target", tmp_path / "installed", "tiny")
+    else:
+        handler = partial(SimpleHTTPRequestHandler, directory=tmp_path / "mirror")
+        with ThreadingHTTPServer(("127.0.0.1", 0), handler) as server:
+            threading.Thread(target=server.serve_forever, daemon=True).start()
+            monkeypatch.setenv("PIP_INDEX_URL", f"http://127.0.0.1:{server.server_port}")
+            course.uv("install tiny", "pip", "install", "--target", tmp_path / "installed", "tiny")
+            server.shutdown()
+    assert (tmp_path / "installed" / "tiny.py").exists()

@@ -19,7 +19,7 @@ def built(tmp_path):
     notebooks = [f"{folder}/{path.stem}.html" for folder, paths in check.NOTEBOOKS.items() for path in paths]
     packages = {name: {"file_name": f"{name}.whl"} for name in check.PACKAGES}
     wheels = [f"lab/static/pyodide/{name}.whl" for name in packages]
-    for name in (*check.FILES, *notebooks, *wheels, check.LOCK_FILE):
+    for name in (*check.FILES, *notebooks, *wheels, check.LOCK_FILE, check.PDF):
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).write_text(f"<a {check.RUN_LINK}>")
     (tmp_path / check.LOCK_FILE).write_text(json.dumps({"packages": packages}))
@@ -27,11 +27,17 @@ def built(tmp_path):
 
 
 def test_a_complete_site_lacks_nothing(built):
+    assert list(check.missing(built, published=True)) == []
+
+
+def test_only_a_site_that_is_published_needs_the_pdf(built):
+    (built / check.PDF).unlink()
     assert list(check.missing(built)) == []
+    assert list(check.missing(built, published=True)) == [check.PDF]
 
 
 @pytest.mark.parametrize(
-    "name", ["course.pdf", "lab/notebooks/index.html", "lectures/03_poe_space.html", "lab/static/pyodide/kinlib.whl"]
+    "name", ["lab/notebooks/index.html", "lectures/03_poe_space.html", "lab/static/pyodide/kinlib.whl"]
 )
 def test_a_missing_file_is_named(built, name):
     (built / name).unlink()
@@ -78,7 +84,7 @@ def test_nothing_is_published_before_the_site_is_checked_and_all_tests_have_pass
     ]
     assert {*jobs["publish"]["needs"]} == {*jobs} - {"publish"}
     steps = [step.get("run") or step["uses"].partition("@")[0] for step in jobs["build"]["steps"]]
-    order = ["python course.py site", ".venv/bin/python site/pdf.py", ".venv/bin/python site/check.py"]
+    order = ["python course.py site", ".venv/bin/python site/pdf.py", ".venv/bin/python site/check.py --published"]
     assert steps[-4:] == [*order, "actions/upload-pages-artifact"]
     assert not any(
         "if" in step or "continue-on-error" in step for job in jobs.values() for step in job.get("steps", ())
