@@ -111,8 +111,17 @@ def key(session: nox.Session) -> None:
 
 @nox.session
 def benchmarks(session: nox.Session) -> None:
-    """Measure kinlib beside its peers: `nox -s benchmarks -- --save` keeps the results for the site."""
-    session.run(PYTHON, "-m", "benchmarks", *session.posargs)
+    """Measure kinlib beside its peers: `nox -s benchmarks -- -k fk`; `--keep` writes the results for the site."""
+    folder = Path("build/benchmarks")
+    if not folder.exists():  # not in .venv, because its plug-in would warn in every run of the tests on several cores
+        target = (f"--target={folder}", "--no-deps", "--only-binary=:all:", "--constraint=constraints.txt")
+        session.run(PYTHON, "-m", "pip", "install", "--quiet", *target, "pytest-benchmark", "py-cpuinfo")
+    run_pytest(
+        session,
+        *(*sorted(map(str, Path("evidence/benchmarks").glob("bench_*.py"))), "-pno:xdist", "-Wdefault"),
+        *("--benchmark-max-time=0.3", "--benchmark-columns=median,rounds", f"--benchmark-json={folder}.json"),
+        PYTHONPATH=str(folder),
+    )
 
 
 @nox.session
@@ -178,6 +187,7 @@ def pin(session: nox.Session) -> None:
             "--group=test",
             "--group=installer",
             "--group=robots",
+            "--group=benchmarks",
         ),
         *("--universal", "--quiet", "--no-annotate", "--custom-compile-command=nox -s pin", "-o", "constraints.txt"),
         *session.posargs,

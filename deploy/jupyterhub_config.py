@@ -1,6 +1,6 @@
 """A JupyterHub for a class on one machine; site/pages/hub.md says how to install and run it.
 
-Each student has an account of the system, and a server that runs under it. `benchmarks/course/hub.py` starts the same file.
+Each student has an account of the system, and a server that runs under it.
 """
 
 import os

@@ -14,7 +14,7 @@ from docutils.nodes import make_id
 from nbformat import NotebookNode
 
 from kinsite.execute import ROOT, cached_pages, execute_all
-from kinsite.generated import census, gallery, hub, independent_checks, mistakes, performance, progress, reference
+from kinsite.generated import census, gallery, independent_checks, mistakes, performance, progress, reference
 
 SITE = ROOT / "site"
 LECTURES = sorted((ROOT / "notebooks").glob("*.ipynb"))
@@ -62,7 +62,6 @@ def all_pages() -> Iterator[tuple[str, str]]:
     executed = execute_all([*reversed(LECTURES), *SHEETS])
     yield from handwritten_pages()
     yield from performance.pages()
-    yield from hub.pages()
     yield from notebook_pages(executed)
     yield from independent_checks.pages()
     yield from census.pages()
