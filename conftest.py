@@ -1,7 +1,8 @@
-"""Options and rules for every pytest run: the oracle check, the order and grouping of tests, and no silent skips in CI."""
+"""Options and rules for every pytest run: --quick, the oracle check, the order of tests, and no silent skips in CI."""
 
 import os
 import sys
+from collections import defaultdict
 
 import pytest
 
@@ -13,14 +14,74 @@ if sys.platform == "win32":
 
 
 def pytest_addoption(parser):
-    """Add --oracles, which takes twice as long as the tests that it checks."""
+    """Add --quick, and --oracles, which takes twice as long as the tests that it checks."""
     parser.addoption("--oracles", action="store_true", help="check that every comparison with an oracle can fail")
+    parser.addoption("--quick", action="store_true", help="leave out what is slow; three minutes on two cores")
 
 
 def pytest_configure(config):
     """Load the oracle check if --oracles is given."""
     if config.getoption("--oracles"):
         config.pluginmanager.import_plugin("check_oracles")
+
+
+# --- how long it takes, and what --quick leaves out ---
+
+PROCESSOR_MINUTES = {False: 15, True: 5}
+"""What the whole suite takes, and what --quick takes. Update these when `user` of `time python course.py test` has changed."""
+
+SLOW_FOLDERS = (
+    "tests/site",
+    "tests/browser",
+    "tests/fuzz",
+    "tests/misstep/grading",
+    "exercises",
+    "solutions",
+    "notebooks",
+)
+"""What --quick leaves out: all that needs the site, a browser or the sandbox, and notebooks, except for these three."""
+
+QUICK_NOTEBOOKS = (
+    "notebooks/03_poe_space.ipynb",
+    "exercises/03_poe_space/03_poe_space.ipynb",
+    "solutions/03_poe_space/03_poe_space.ipynb",
+)
+
+QUICK_CASES = 3
+"""How many cases of each parametrized test --quick keeps."""
+
+
+def pytest_report_header(config):
+    """Say how long the tests take if all of them run."""
+    if config.args_source is not pytest.Config.ArgsSource.TESTPATHS or config.option.collectonly:
+        return None
+    cores = min(os.cpu_count() or 1, 4)  # more of them do not help: the site is built by one
+    minutes = PROCESSOR_MINUTES[config.option.quick]
+    hint = "" if config.option.quick else "; --quick leaves out the site, browser, sandbox and most notebooks"
+    return f"these tests take about {minutes / cores:.0f} min on {cores} idle cores{hint}"
+
+
+def pytest_ignore_collect(collection_path, config):
+    """With --quick, do not even import the tests of slow folders."""
+    if not config.option.quick:
+        return None
+    is_slow = any(collection_path.is_relative_to(config.rootpath / folder) for folder in SLOW_FOLDERS)
+    is_kept = any((config.rootpath / kept).is_relative_to(collection_path) for kept in QUICK_NOTEBOOKS)
+    return True if is_slow and not is_kept else None  # None leaves it to other plug-ins
+
+
+def thinned(items):
+    """Keep some cases of each parametrized test, from all over its list.
+
+    >>> from types import SimpleNamespace
+    >>> tests = [SimpleNamespace(nodeid=f"test_fk[{k}]") for k in range(7)] + [SimpleNamespace(nodeid="test_other")]
+    >>> [test.nodeid for test in thinned(tests)]
+    ['test_fk[0]', 'test_fk[3]', 'test_fk[6]', 'test_other']
+    """
+    cases = defaultdict(list)
+    for item in items:
+        cases[item.nodeid.partition("[")[0]].append(item)
+    return [item for alike in cases.values() for item in alike[:: -(-len(alike) // QUICK_CASES)]]
 
 
 # --- skipped tests fail in CI ---
@@ -63,12 +124,24 @@ LONGEST_FIRST = (
 
 
 @pytest.hookimpl(wrapper=True)
-def pytest_collection_modifyitems(items):
-    """Start with what takes longest. The cells of a notebook run before tests/repository/test_notebooks.py, which needs them."""
+def pytest_collection_modifyitems(config, items):
+    """Start with what failed in the last run, then with what takes longest.
+
+    The cells of a notebook run before tests/repository/test_notebooks.py, which needs them.
+    """
+    if config.option.quick:
+        kept = set(thinned(items))
+        config.hook.pytest_deselected(items=[item for item in items if item not in kept])
+        items[:] = [item for item in items if item in kept]
+    failed = config.cache.get("cache/lastfailed", {}) if hasattr(config, "cache") else {}
+    failed_groups = {group(nodeid) for nodeid in failed}
     order = {start: place for place, start in enumerate(LONGEST_FIRST)}
-    items.sort(
-        key=lambda item: next((order[start] for start in LONGEST_FIRST if item.nodeid.startswith(start)), len(order))
-    )
+
+    def place(item):
+        longest = next((order[start] for start in LONGEST_FIRST if item.nodeid.startswith(start)), len(order))
+        return group(item.nodeid) not in failed_groups, longest
+
+    items.sort(key=place)
     return (yield)
 
 

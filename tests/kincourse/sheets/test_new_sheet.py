@@ -4,6 +4,7 @@ import json
 import os
 import subprocess
 import sys
+from functools import cache
 from pathlib import Path
 
 import matplotlib as mpl
@@ -30,9 +31,13 @@ from misstep.judge import judge
 
 STUDENTS = [f"student {i}" for i in range(12)]
 
-TASKS_BY_ROBOT = {key: tasks_for(robot) for key, robot in ODD_ROBOTS.items()}
-
 each_robot = pytest.mark.parametrize("key", ODD_ROBOTS)
+
+
+@cache
+def tasks_of(key):
+    """The tasks that suit a robot. To find them takes a second, so not while the tests are collected."""
+    return tasks_for(ODD_ROBOTS[key])
 
 
 def variants(key, task, students=STUDENTS):
@@ -45,8 +50,8 @@ def variants(key, task, students=STUDENTS):
 
 @each_robot
 def test_every_robot_gets_eight_problems_whose_mistakes_can_be_told_apart(key):
-    assert len(TASKS_BY_ROBOT[key]) == PROBLEMS_PER_SHEET >= 8
-    for task in TASKS_BY_ROBOT[key]:
+    assert len(tasks_of(key)) == PROBLEMS_PER_SHEET >= 8
+    for task in tasks_of(key):
         for problem in variants(key, task, STUDENTS[:5]):
             assert len(problem.known_mistakes) >= 3
             assert judge(problem, problem.answer.value).fraction == 1.0
@@ -63,11 +68,11 @@ def test_an_arm_of_another_package_gets_the_first_eight_tasks(name):
 def test_tasks_that_make_no_sense_for_a_robot_are_replaced(key):
     """A modified row needs two joints, and no DH row can describe a helical joint."""
     if ODD_ROBOTS[key].n == 1:
-        assert not {"modified_table", "faulty_entry"} & set(TASKS_BY_ROBOT[key])
+        assert not {"modified_table", "faulty_entry"} & set(tasks_of(key))
     if "H" in ODD_ROBOTS[key].joint_types:
-        assert not {"standard_table", "modified_table", "faulty_entry"} & set(TASKS_BY_ROBOT[key])
+        assert not {"standard_table", "modified_table", "faulty_entry"} & set(tasks_of(key))
     if ODD_ROBOTS[key].n > 1 and "H" not in ODD_ROBOTS[key].joint_types and "axis" not in key:
-        assert TASKS_BY_ROBOT[key] == list(TASK_ORDER[:PROBLEMS_PER_SHEET])
+        assert tasks_of(key) == list(TASK_ORDER[:PROBLEMS_PER_SHEET])
 
 
 def joint_values(problem):
@@ -252,8 +257,8 @@ def test_the_error_names_a_missing_file():
 
 @each_robot
 def test_a_robot_is_read_back_from_its_file_to_the_last_digit(key):
-    robot, tasks = loads(dumps(ODD_ROBOTS[key], TASKS_BY_ROBOT[key]), "here")
-    assert tasks == TASKS_BY_ROBOT[key]
+    robot, tasks = loads(dumps(ODD_ROBOTS[key], tasks_of(key)), "here")
+    assert tasks == tasks_of(key)
     assert (robot.name, robot.source, robot.joint_names) == (
         ODD_ROBOTS[key].name,
         ODD_ROBOTS[key].source,
