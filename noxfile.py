@@ -144,7 +144,8 @@ def pdf(session: nox.Session) -> None:
 
 @nox.session
 def tidy(session: nox.Session) -> None:
-    """Remove the outputs of notebooks before a commit: `nox -s tidy -- notebooks/01_frames.ipynb`; without a name, of all."""
+    """Before a commit, remove the outputs of notebooks, of all or of those named, and write the lists of lectures in README and paper."""
+    session.run(PYTHON, "-c", "from kincourse.table_of_lectures import *; write_lists(Path())")
     notebooks = session.posargs or [str(path) for path in sorted(Path("notebooks").glob("*.ipynb"))]
     session.run(PYTHON, "tools/tidy_notebooks.py", *notebooks)
 

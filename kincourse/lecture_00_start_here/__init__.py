@@ -1,4 +1,4 @@
-"""Lecture 00, a first notebook: blank steps and questions. It has no sheet.
+"""Lecture 00: its problems, blank steps, questions and drawings. The lists of lectures show its title and its question."""
 
-notebook   notebooks/00_start_here.ipynb
-"""
+TITLE = "Start here"
+QUESTION = "How does this course work?"

@@ -1,6 +1,4 @@
-"""Lecture 01, frames, poses and their products: problems, blank steps and questions.
+"""Lecture 01: its problems, blank steps, questions and drawings. The lists of lectures show its title and its question."""
 
-notebook   notebooks/01_frames.ipynb
-solutions  solutions/01_frames/01_frames.ipynb
-sheet      exercises/01_frames/01_frames.ipynb, released from the solutions
-"""
+TITLE = "Frames"
+QUESTION = "Which frame is which, and how are poses composed?"

@@ -1,6 +1,4 @@
-"""Lecture 02, the matrix exponential and the logarithm: problems, blank steps and questions.
+"""Lecture 02: its problems, blank steps, questions and drawings. The lists of lectures show its title and its question."""
 
-notebook   notebooks/02_matrix_exponential.ipynb
-solutions  solutions/02_matrix_exponential/02_matrix_exponential.ipynb
-sheet      exercises/02_matrix_exponential/02_matrix_exponential.ipynb, released from the solutions
-"""
+TITLE = "The matrix exponential"
+QUESTION = "How does a screw axis become a motion?"

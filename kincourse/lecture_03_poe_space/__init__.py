@@ -1,6 +1,4 @@
-"""Lecture 03, the product of exponentials in the space frame: problems, blank steps and questions.
+"""Lecture 03: its problems, blank steps, questions and drawings. The lists of lectures show its title and its question."""
 
-notebook   notebooks/03_poe_space.ipynb
-solutions  solutions/03_poe_space/03_poe_space.ipynb
-sheet      exercises/03_poe_space/03_poe_space.ipynb, released from the solutions
-"""
+TITLE = "Product of exponentials (PoE), space frame"
+QUESTION = "Where is the tool, seen from the base?"

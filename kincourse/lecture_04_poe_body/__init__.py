@@ -1,6 +1,4 @@
-"""Lecture 04, the product of exponentials in the body frame: problems, blank steps and questions.
+"""Lecture 04: its problems, blank steps, questions and drawings. The lists of lectures show its title and its question."""
 
-notebook   notebooks/04_poe_body.ipynb
-solutions  solutions/04_poe_body/04_poe_body.ipynb
-sheet      exercises/04_poe_body/04_poe_body.ipynb, released from the solutions
-"""
+TITLE = "PoE, body frame"
+QUESTION = "What changes if you read the axes from the tool?"

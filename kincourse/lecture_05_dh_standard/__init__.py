@@ -1,6 +1,4 @@
-"""Lecture 05, DH tables in the standard convention: problems, blank steps and questions.
+"""Lecture 05: its problems, blank steps, questions and drawings. The lists of lectures show its title and its question."""
 
-notebook   notebooks/05_dh_standard.ipynb
-solutions  solutions/05_dh_standard/05_dh_standard.ipynb
-sheet      exercises/05_dh_standard/05_dh_standard.ipynb, released from the solutions
-"""
+TITLE = "Denavit-Hartenberg (DH), standard"
+QUESTION = "How do four numbers for each link describe the same arm?"

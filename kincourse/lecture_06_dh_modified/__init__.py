@@ -1,6 +1,4 @@
-"""Lecture 06, DH tables in the modified convention: problems, blank steps and questions.
+"""Lecture 06: its problems, blank steps, questions and drawings. The lists of lectures show its title and its question."""
 
-notebook   notebooks/06_dh_modified.ipynb
-solutions  solutions/06_dh_modified/06_dh_modified.ipynb
-sheet      exercises/06_dh_modified/06_dh_modified.ipynb, released from the solutions
-"""
+TITLE = "DH, modified"
+QUESTION = "Where are the four numbers in the other convention?"

@@ -1,6 +1,4 @@
-"""Lecture 07, DH frames for any arm: problems, blank steps and questions.
+"""Lecture 07: its problems, blank steps, questions and drawings. The lists of lectures show its title and its question."""
 
-notebook   notebooks/07_frame_assignment.ipynb
-solutions  solutions/07_frame_assignment/07_frame_assignment.ipynb
-sheet      exercises/07_frame_assignment/07_frame_assignment.ipynb, released from the solutions
-"""
+TITLE = "Frame assignment"
+QUESTION = "How do you choose the frames of any robot, and which choices are free?"

@@ -1,6 +1,4 @@
-"""Lecture 08, closed chains: problems, blank steps and questions.
+"""Lecture 08: its problems, blank steps, questions and drawings. The lists of lectures show its title and its question."""
 
-notebook   notebooks/08_closed_chains.ipynb
-solutions  solutions/08_closed_chains/08_closed_chains.ipynb
-sheet      exercises/08_closed_chains/08_closed_chains.ipynb, released from the solutions
-"""
+TITLE = "Closed chains"
+QUESTION = "What if the links form loops?"

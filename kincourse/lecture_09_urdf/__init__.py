@@ -1,6 +1,4 @@
-"""Lecture 09, URDF files: problems, blank steps and questions.
+"""Lecture 09: its problems, blank steps, questions and drawings. The lists of lectures show its title and its question."""
 
-notebook   notebooks/09_urdf.ipynb
-solutions  solutions/09_urdf/09_urdf.ipynb
-sheet      exercises/09_urdf/09_urdf.ipynb, released from the solutions
-"""
+TITLE = "URDF"
+QUESTION = "How does a file describe a robot, and what can it not describe?"

@@ -1,6 +1,4 @@
-"""Lecture 10, one robot, described in four ways: problems, blank steps and questions.
+"""Lecture 10: its problems, blank steps, questions and drawings. The lists of lectures show its title and its question."""
 
-notebook   notebooks/10_one_robot_four_ways.ipynb
-solutions  solutions/10_one_robot_four_ways/10_one_robot_four_ways.ipynb
-sheet      exercises/10_one_robot_four_ways/10_one_robot_four_ways.ipynb, released from the solutions
-"""
+TITLE = "One robot, four ways"
+QUESTION = "Do all descriptions of your robot agree?"

@@ -13,6 +13,7 @@ import nbformat
 from docutils.nodes import make_id
 from nbformat import NotebookNode
 
+from kincourse.table_of_lectures import fill_home_page
 from kinsite.execute import ROOT, cached_pages, execute_all
 from kinsite.generated import census, gallery, independent_checks, mistakes, performance, progress, reference
 
@@ -74,8 +75,9 @@ def all_pages() -> Iterator[tuple[str, str]]:
 def handwritten_pages() -> Iterator[tuple[str, str]]:
     """Yield the pages that are written by hand, in site/pages and at the top of the repository."""
     for path in sorted((SITE / "pages").rglob("*.md")):
-        text = path.read_text("utf-8")
-        yield path.relative_to(SITE / "pages").as_posix(), link_lectures(text) if path.stem == "glossary" else text
+        name, text = path.relative_to(SITE / "pages").as_posix(), path.read_text("utf-8")
+        complete = {"glossary.md": link_lectures, "index.md": fill_home_page}.get(name, str)
+        yield name, complete(text)
     yield "notation.md", (ROOT / "NOTATION.md").read_text("utf-8")
     yield (
         "contributing.md",

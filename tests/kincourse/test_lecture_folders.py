@@ -1,31 +1,45 @@
-"""Each lecture has one folder with its files, and the docstring of the folder names its notebooks."""
+"""Each lecture has one folder with its files beside its notebook, and the lists of lectures name all of them."""
 
-import importlib
 import re
 from pathlib import Path
 
 import pytest
 
 from kincourse import COURSE, sheets
+from kincourse.table_of_lectures import FILES_WITH_LISTS, fill_home_page, lectures, with_lists
 
 ROOT = Path(__file__).parents[2]
-FOLDERS = sorted(COURSE.folder.glob("lecture_*"))
 
 
-@pytest.mark.parametrize("folder", FOLDERS, ids=lambda folder: folder.name)
-def test_a_lecture_folder_holds_its_files_and_names_its_notebooks(folder):
-    name = folder.name.removeprefix("lecture_")
+@pytest.mark.parametrize("name", COURSE.lectures)
+def test_a_lecture_has_its_files_and_its_notebooks(name):
+    folder = COURSE.folder / f"lecture_{name}"
     assert (folder / "blanks.py").is_file()
     assert (folder / "questions.toml").is_file()
-    assert (folder / "problems.py").is_file() == (name in sheets())
-    paths = re.findall(r"\S+\.ipynb", importlib.import_module(f"kincourse.{folder.name}").__doc__)
-    expected = [f"notebooks/{name}.ipynb"]
-    if name in sheets():
-        expected += [f"solutions/{name}/{name}.ipynb", f"exercises/{name}/{name}.ipynb"]
-    assert paths == expected
-    assert all((ROOT / path).is_file() for path in paths)
+    assert (ROOT / "notebooks" / f"{name}.ipynb").is_file()
+    for sheet in ("solutions", "exercises"):
+        assert (ROOT / sheet / name / f"{name}.ipynb").is_file() == (name in sheets())
 
 
-def test_every_lecture_has_a_folder():
-    notebooks = {path.stem for path in (ROOT / "notebooks").glob("[0-9]*.ipynb")}
-    assert {folder.name.removeprefix("lecture_") for folder in FOLDERS} == notebooks
+def test_every_notebook_of_a_lecture_has_a_folder():
+    assert {path.stem for path in (ROOT / "notebooks").glob("[0-9]*.ipynb")} == set(COURSE.lectures)
+
+
+@pytest.mark.parametrize("name", FILES_WITH_LISTS)
+def test_the_lists_of_lectures_and_the_size_of_the_course_are_up_to_date(name):
+    text = (ROOT / name).read_text("utf-8")
+    assert text == with_lists(text), "run: nox -s tidy"
+    outdated = re.sub(
+        r"It has \w+ lecture(.*?)sheets with \d+", r"It has two lecture\1sheets with 7", text, flags=re.DOTALL
+    )
+    assert outdated != text == with_lists(outdated)
+
+
+def test_the_home_page_lists_every_lecture_twice_and_every_sheet():
+    page = fill_home_page((ROOT / "site" / "pages" / "index.md").read_text("utf-8"))
+    assert "{number" not in page
+    table, _, navigation = page.partition("```{toctree}")
+    for lecture in lectures():
+        assert f"](lectures/{lecture.name}.ipynb) | {lecture.question} |" in table
+        assert f"\n{lecture.number} {lecture.title} <lectures/{lecture.name}>\n" in navigation
+        assert (f"](sheets/{lecture.name}.ipynb) |" in table) == bool(lecture.problems)

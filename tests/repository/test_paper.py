@@ -8,26 +8,10 @@ from pathlib import Path
 
 import pytest
 
-from kincourse import find_sheet, sheets
-
 ROOT = Path(__file__).parents[2]
 PAPER = (ROOT / "paper" / "paper.md").read_text("utf-8")
 CENSUS = json.loads((ROOT / "site" / "census.json").read_text("utf-8"))
 COLUMNS = ("full_marks", "misnamed", "false", "coincident")
-WORDS = dict(
-    enumerate(["eight", "nine", "ten", "eleven", "twelve", "thirteen", "fourteen", "fifteen", "sixteen"], start=8)
-)
-
-
-def test_the_size_of_the_course_is_said_as_it_is():
-    lectures = len(list((ROOT / "notebooks").glob("[0-9]*.ipynb")))
-    problems = sum(len(find_sheet(name).problems) for name in sheets())
-    readme = (ROOT / "README.md").read_text("utf-8")
-    for text in (PAPER, readme):
-        assert re.search(rf"\b{WORDS[lectures]} lecture", text)
-        assert re.search(rf"\b{WORDS[len(sheets())]} (exercise )?sheets with {problems}\s+problems", text)
-    home = (ROOT / "site" / "pages" / "index.md").read_text("utf-8")
-    assert re.search(rf"\b{WORDS[lectures]} lectures .* {WORDS[len(sheets())]} sheets", home)
 
 
 def test_the_evidence_is_that_of_the_census():

@@ -9,6 +9,7 @@ import inspect
 import re
 from collections.abc import Iterator
 from functools import cache
+from importlib.util import find_spec
 from types import ModuleType
 from typing import Any
 
@@ -16,6 +17,7 @@ from numpy.typing import ArrayLike
 from sphinx.util.inspect import stringify_signature
 from sphinx.util.typing import stringify_annotation
 
+from kincourse import COURSE
 from kinlib.arrays.validation import Array
 
 MODULES = {
@@ -30,6 +32,11 @@ MODULES = {
     ],
     "Files and symbols": ["kinlib.urdf.chains", "kinlib.urdf.robot_tree", "kinlib.symbolic"],
     "Figures": ["kinlib.view", "kinlib.view.drawing.picture", "kinlib.view.viewer.viewer"],
+    "Drawings of one lecture": [
+        f"kincourse.lecture_{name}.drawings"
+        for name in COURSE.lectures
+        if find_spec(f"kincourse.lecture_{name}.drawings")
+    ],
     "The course": ["kincourse"],
     "The engine": ["misstep", "misstep.sheet", "misstep.questions.widget", "misstep.problem", "misstep.verdict"],
 }
