@@ -92,21 +92,9 @@ def mutation(session: nox.Session) -> None:
 
 
 @nox.session
-def habits(session: nox.Session) -> None:
-    """Plant habits of Jupyter in every official solution, grade it, and write the table of points in site/pages/habits.md."""
-    session.run(PYTHON, "tools/habits_table.py")
-
-
-@nox.session
-def attacks(session: nox.Session) -> None:
-    """Grade every attack beside honest submissions, and write what it gained in site/pages/attacks.md."""
-    session.run(PYTHON, "tools/attacks_table.py")
-
-
-@nox.session
-def key(session: nox.Session) -> None:
-    """Grade each sheet with a key, and write the table of the problems that it covers into site/instructors.md."""
-    session.run(PYTHON, "tools/key_table.py")
+def every_sheet(session: nox.Session) -> None:
+    """Plant each habit of students in each official solution, and grade each sheet with a key; takes some minutes."""
+    run_pytest(session, "tests/misstep/grading/every_sheet.py")
 
 
 @nox.session

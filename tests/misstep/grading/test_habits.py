@@ -1,8 +1,8 @@
-"""Habits of Jupyter cost no points, and what is lenient with them gives none. `nox -s habits` tries each habit on each sheet."""
+"""Habits of Jupyter cost no points, and what is lenient with them gives none. `nox -s every_sheet` tries each habit on each sheet."""
 
 import pytest
 import submissions
-from habits import HABITS, SHEETS, cells_of, graders, solved, text
+from habits import cells_of, graders, solved, text
 from submissions import as_bytes, code, names
 
 if lacking := submissions.sandbox_lacks():
@@ -50,15 +50,6 @@ def test_an_honest_sheet_without_a_habit_has_no_note(grade_habit):
     result = grade_habit("", SHEET)
     assert (result.points, result.reason, result.notes) == (result.max, "", [])
     assert not any(problem.notes for problem in result.problems)
-
-
-def test_the_habits_are_on_the_page():
-    page = (submissions.ROOT / "site" / "pages" / "habits.md").read_text("utf-8")
-    rows = [[cell.strip(" `") for cell in line.split(" | ")] for line in page.splitlines() if line.startswith("| `")]
-    assert [row[0].removeprefix("| ").strip("`") for row in rows] == HABITS
-    for row in rows:
-        assert len(row) == 1 + len(SHEETS)
-        assert all(cell.split(" of ")[0].split("→")[1].strip() == cell.split(" of ")[1].strip(" |") for cell in row[1:])
 
 
 # --- nothing is won ---

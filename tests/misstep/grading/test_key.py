@@ -1,11 +1,10 @@
 """Points that count: with the instructor's key, typed answers earn nothing, and computed ones keep their points."""
 
 import csv
-import re
 
 import pytest
 import submissions
-from habits import SHEETS, solution, solved
+from habits import solution, solved
 from submissions import as_bytes, handed_in, right
 
 if lacking := submissions.sandbox_lacks():
@@ -46,39 +45,6 @@ def test_typed_answers_earn_nothing_and_computed_ones_keep_their_points(results)
     assert (typed["points"], float(typed["points without the key"])) == ("0", 18)
     assert typed["right only for the own numbers"].startswith("10.1; 10.2; 10.3; 10.4")
     assert "was not computed from sheet.given(1)" in typed["reason"]
-
-
-GUIDE = (submissions.ROOT / "site" / "instructors.md").read_text("utf-8")
-TABLE = {
-    row[0]: row[1:]
-    for line in re.findall(r"^\| (\d\d \| \d+ of .*) \|$", GUIDE, re.MULTILINE)
-    if (row := line.split(" | "))
-}
-"""By sheet, what the guide's table says: `nox -s key` writes it."""
-
-
-def test_the_table_of_the_guide_says_what_the_key_did(results):
-    with (results / "grades.csv").open(newline="") as stream:
-        rows = {row["student"]: row for row in csv.DictReader(stream)}
-    honest, typed = rows[SAMPLE_ID], rows["ada"]
-    told = [f"{honest['points']} of {honest['max']}", typed["points without the key"], typed["points"]]
-    assert TABLE[SHEET[:2]] == ["7 of 7", "-", *told]
-    report = (results / "report.html").read_text("utf-8")
-    assert all(template.number in report for template in find_sheet(SHEET).problems)
-
-
-def test_the_table_of_the_guide_has_each_sheet_and_all_that_is_read_from_a_drawing():
-    assert list(TABLE) == [sheet[:2] for sheet in SHEETS]
-    for sheet in SHEETS:
-        covered, others, honest, own, typed = TABLE[sheet[:2]]
-        problems = {template.number: template for template in find_sheet(sheet).problems}
-        kept = [] if others == "-" else others.split(", ")
-        assert set(kept) <= set(problems)
-        assert covered == f"{len(problems) - len(kept)} of {len(problems)}"
-        assert honest == "{0} of {0}".format(sum(template.points for template in problems.values()))
-        assert float(typed) <= min(float(own), sum(problems[number].points for number in kept))
-        for number, template in problems.items():
-            assert number in kept or template.make_problem(template.sampler("ada", number)).given
 
 
 def test_the_report_and_the_page_say_what_the_key_did(results):
