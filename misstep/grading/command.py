@@ -19,10 +19,12 @@ import sys
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import contextmanager
+from dataclasses import dataclass, fields
 from functools import partial
 from importlib.util import find_spec
 from itertools import chain
 from pathlib import Path
+from typing import Any
 
 from misstep.grading.collect.gather import Submission, gather
 from misstep.grading.collect.roster import read_roster
@@ -34,13 +36,18 @@ from misstep.grading.judging.grader import Grader
 from misstep.grading.judging.result import Result
 from misstep.grading.publish.feedback_zip import write_feedback_zip
 from misstep.grading.publish.result_store import FolderInUse, ResultStore, open_results
+from misstep.grading.reading import Reader, StepFailed
 from misstep.grading.result_sink import ResultSink
+from misstep.grading.rpc import ProcessEnded
 from misstep.grading.sandbox.limits import UNSAFE_OPTION, Limits, SandboxUnavailable
 
 # They are imported where they are used, because that takes long. But if one is missing, it is said before anything is done.
 for _package in ("IPython", "jinja2", "latex2mathml", "mistune", "tqdm", "yaml"):
     if find_spec(_package) is None:
         raise ModuleNotFoundError(f"No module named {_package!r}")
+
+EXPLAINED_ERRORS = (ValueError, ModuleNotFoundError, SandboxUnavailable, FolderInUse, ProcessEnded, StepFailed)
+"""The errors whose message is a sentence for the instructor."""
 
 PROGRESS = "{desc}: {n_fmt} of {total_fmt} |{bar:30}| about {remaining} left"
 """How a terminal shows the progress: the estimate is minutes and seconds, from the time that the last ones took."""
@@ -53,6 +60,9 @@ SWITCH_SECONDS = 0.0005
 Python's 5 ms, each time, for the one that writes pages and the gradebook."""
 
 MIN_KEY_LENGTH = 8
+
+TABLES_SECONDS, TABLES_SECONDS_PER_STUDENT = 30.0, 0.5
+"""Processor time for comparing and writing the tables of a class."""
 
 PENDING_PER_WORKER = 3
 """How many submissions are read ahead for each worker, so that no worker waits for the disk."""
@@ -82,6 +92,13 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         "--key",
         metavar="KEY",
         help="a secret, or the file with it: then only answers count that are right for other numbers too",
+    )
+    parser.add_argument(
+        "--limit",
+        action="append",
+        default=[],
+        metavar="NAME=NUMBER",
+        help=f"change a limit of what one submission may use, as often as you like; the limits are: {Limits()}",
     )
     parser.add_argument("--jobs", type=int, default=2, metavar="N", help="how many at a time (default: 2)")
     parser.add_argument("--regrade", action="store_true", help="grade every submission again, even if it has a result")
@@ -114,7 +131,7 @@ def run(options: argparse.Namespace) -> int:
     except OSError as error:
         print(f"misstep grade: {_explain(error)}", file=sys.stderr)
         return 2
-    except (ValueError, ModuleNotFoundError, SandboxUnavailable, FolderInUse, ClusterUnreachable) as error:
+    except (*EXPLAINED_ERRORS, ClusterUnreachable) as error:
         print(f"misstep grade: {error}", file=sys.stderr)
         return 2
     except KeyboardInterrupt:
@@ -136,6 +153,7 @@ def _explain(error: OSError) -> str:
 
 
 def _run(options: argparse.Namespace) -> int:
+    limits = _read_limits(options.limit)
     sheet = read_released_sheet(options.sheet, options.course, options.site, _read_key(options.key))
     roster = read_roster(options.roster, options.id_column) if options.roster else None
     gathered = gather(options.submissions, sheet.name, roster)
@@ -144,23 +162,56 @@ def _run(options: argparse.Namespace) -> int:
         print(remark)
     with (
         open_results(options.out, sheet.name) as store,
-        ResultSink(options.out, sheet, options.gradebook, options.regrade) as sink,
+        Reader() as reader,
+        ResultSink(options.out, sheet, reader, nbgrader_course=options.gradebook, overwrite=options.regrade) as sink,
     ):
-        failures = _grade(options, sheet, selected, store, sink)
+        run = Run(options, sheet, limits, reader, store, sink)
+        failures, limited = run.grade(selected)
         for submission in selected:
             if submission.student not in sink.students and (result := store.load(submission.student)):
                 sink.write(submission, result)
-        from misstep.grading.publish.publish import publish  # the sink has imported it by now
-
-        summary = publish(options.out, gathered.submissions, store, roster, options.column, published=sink.students)
-        summary += sink.remarks()
+        students = [submission.student for submission in gathered.submissions]
+        for student in students:
+            if student not in sink.students and store.load(student):
+                sink.write_page(student)
+        remarks = sink.finish()
+        summary = reader.do(
+            "tables",
+            seconds=TABLES_SECONDS + TABLES_SECONDS_PER_STUDENT * len(students),
+            out=str(options.out),
+            students=students,
+            roster=vars(roster) if roster else None,
+            column=options.column,
+        )
         write_feedback_zip(options.out, gathered, sheet.name)
+    summary += [f"Limits: {limits}.", *remarks]
+    summary += [
+        f"{student} reached a limit, also when graded alone: {'; '.join(why)}." for student, why in limited.items()
+    ]
     if options.unsafe:
         summary.append(f"{UNSAFE_OPTION}: the submissions ran with your rights.")
     print("\n".join(summary))
     for student, error in failures.items():
         print(f"Not graded: {student}: {error!r}. The same command tries again.", file=sys.stderr)
     return 1 if failures else 0
+
+
+def _read_limits(settings: Sequence[str]) -> Limits:
+    """The limits, changed by settings such as "cell_seconds=20".
+
+    Raises ValueError for a setting of another form.
+    """
+    values: dict[str, float] = {}
+    known = {field.name: field.type for field in fields(Limits)}
+    for setting in settings:
+        name, _, text = setting.partition("=")
+        try:
+            values[name] = (int if known[name] in {int, "int"} else float)(text)
+        except (KeyError, ValueError) as error:
+            raise ValueError(
+                f"--limit takes NAME=NUMBER, with one of the names {', '.join(known)}; got {setting!r}."
+            ) from error
+    return Limits(**values)  # type: ignore[arg-type]
 
 
 def _read_key(key: str | None) -> str:
@@ -190,59 +241,83 @@ def _select(submissions: Sequence[Submission], only: Sequence[str] | None) -> li
     return selected
 
 
-def _grade(
-    options: argparse.Namespace,
-    sheet: ReleasedSheet,
-    submissions: Sequence[Submission],
-    store: ResultStore,
-    sink: ResultSink,
-) -> dict[str, BaseException]:
-    """Grade what has no result yet, and store each result at once. Returns the errors of those that could not be graded."""
+@dataclass(frozen=True)
+class Run:
+    """One run of the command: what it was asked for, and where its results go."""
 
-    def has_result(student: str, fingerprint: str) -> bool:
-        return not options.regrade and store.load(student, fingerprint) is not None
+    options: argparse.Namespace
+    sheet: ReleasedSheet
+    limits: Limits
+    reader: Reader
+    store: ResultStore
+    sink: ResultSink
 
-    from tqdm import tqdm  # here, because it is slow to import, and the other processes start meanwhile
+    def grade(self, submissions: Sequence[Submission]) -> tuple[dict[str, BaseException], dict[str, Sequence[str]]]:
+        """Grade what has no result yet, and store each result at once.
 
-    failures = {}
-    with tqdm(total=len(submissions), desc=sheet.name, bar_format=PROGRESS, disable=None) as bar:
+        A submission that reaches a limit is graded again at the end, alone: neither the load of the machine nor the number of
+        jobs may cost a point.
 
-        def pending_jobs() -> Iterator[GradingJob]:
-            for job in make_jobs(submissions, sheet, not options.unsafe, has_result):
-                if job is None:
-                    bar.update()
-                else:
-                    yield job
+        Returns the errors of those that could not be graded, and the limits of those that reached one alone.
+        """
+        from tqdm import tqdm  # here, because it is slow to import, and the other processes start meanwhile
 
-        jobs = pending_jobs()
-        if (first := next(jobs, None)) is None:
-            return {}  # without starting a sandbox
-        with _start_workers(options, sheet) as (submit, worker_count):
-            for job, outcome in run_bounded(submit, chain([first], jobs), PENDING_PER_WORKER * worker_count):
+        failures, limited, again = dict[str, BaseException](), dict[str, Sequence[str]](), list[Submission]()
+        with tqdm(total=len(submissions), desc=self.sheet.name, bar_format=PROGRESS, disable=None) as bar:
+
+            def finish(job: GradingJob, outcome: Result | BaseException) -> None:
+                bar.update()
                 if isinstance(outcome, BaseException):
                     failures[job.submission.student] = outcome
-                else:
-                    result = job.complete(outcome)
-                    store.save(result, job.fingerprint)
-                    sink.write(job.submission, result)
-                bar.update()
-    return failures
+                    return
+                result = job.complete(outcome)
+                if result.limits:
+                    limited[result.student] = result.limits
+                self.store.save(result, job.fingerprint)
+                self.sink.write(job.submission, result)
 
+            jobs = self._jobs(submissions, bar.update)
+            if (first := next(jobs, None)) is None:
+                return {}, {}  # without starting a sandbox
+            with self._start_workers() as (submit, worker_count):
+                for job, outcome in run_bounded(submit, chain([first], jobs), PENDING_PER_WORKER * worker_count):
+                    if isinstance(outcome, Result) and outcome.limits:
+                        again.append(job.submission)  # without its bytes, of which many might not fit into memory
+                    else:
+                        finish(job, outcome)
+                for job, outcome in run_bounded(submit, self._jobs(again, bar.update, is_again=True), 1):
+                    finish(job, outcome)
+        return failures, limited
 
-@contextmanager
-def _start_workers(
-    options: argparse.Namespace, sheet: ReleasedSheet
-) -> Iterator[tuple[Callable[[GradingJob], Future[Result]], int]]:
-    """A function that submits a job, and how many jobs run at a time: in threads with one grader, or on a cluster."""
-    limits, is_safe = Limits(), not options.unsafe
-    if options.cluster:
-        with connect(options.cluster) as (executor, worker_count):
-            yield (
-                lambda job: executor.submit(
-                    grade_best, partial(grade_on_worker, sheet, limits, is_safe), job.seed_id, job.contents
-                ),
-                worker_count,
-            )
-    else:
-        with Grader(sheet, limits, is_safe) as grader, ThreadPoolExecutor(options.jobs) as pool:
-            yield lambda job: pool.submit(grade_best, grader.grade, job.seed_id, job.contents), options.jobs
+    def _jobs(
+        self, submissions: Sequence[Submission], skip: Callable[[], Any], is_again: bool = False
+    ) -> Iterator[GradingJob]:
+        """The jobs of the submissions that have no result yet."""
+
+        def has_result(student: str, fingerprint: str) -> bool:
+            return not (is_again or self.options.regrade) and self.store.load(student, fingerprint) is not None
+
+        for job in make_jobs(submissions, self.sheet, f"{self.limits}, {not self.options.unsafe}", has_result):
+            if job:
+                yield job
+            else:
+                skip()
+
+    @contextmanager
+    def _start_workers(self) -> Iterator[tuple[Callable[[GradingJob], Future[Result]], int]]:
+        """A function that submits a job, and how many jobs run at a time: in threads with one grader, or on a cluster."""
+        is_safe, jobs = not self.options.unsafe, self.options.jobs
+        if self.options.cluster:
+            with connect(self.options.cluster) as (executor, worker_count):
+                grade = partial(grade_on_worker, (self.sheet, self.limits, is_safe))
+                yield lambda job: executor.submit(grade_best, grade, *job.request), worker_count
+            return
+        with (
+            ThreadPoolExecutor(jobs) as pool,
+            Grader(self.sheet, self.limits, is_safe, self.reader) as grader,
+        ):
+            try:
+                yield lambda job: pool.submit(grade_best, grader.grade, *job.request), jobs
+            except BaseException:
+                self.reader.close()  # so that no thread waits for it
+                raise

@@ -4,7 +4,7 @@ from collections.abc import Callable, Iterator, Sequence
 from dataclasses import dataclass, replace
 
 from misstep.grading.collect.files import UnreadableFile, list_names
-from misstep.grading.collect.gather import Submission, typed_id
+from misstep.grading.collect.gather import Submission
 from misstep.grading.collect.run_plan import ReleasedSheet
 from misstep.grading.judging.result import ABSENT, Result
 from misstep.grading.publish.result_store import fingerprint
@@ -14,7 +14,7 @@ from misstep.grading.publish.result_store import fingerprint
 class GradingJob:
     """A submission that has been read, and is now graded.
 
-    seed_id      the id from which the numbers are drawn
+    seed_id      the id from which the numbers are drawn; "" for the one that is typed in a notebook, or else the student's name
     contents     the notebooks, of which the best one counts; [None] if nothing was submitted or no file could be read
     fault        why no file could be read, "" if one could
     fingerprint  the digest of everything that the result depends on
@@ -25,6 +25,11 @@ class GradingJob:
     contents: Sequence[bytes | None]
     fault: str
     fingerprint: str
+
+    @property
+    def request(self) -> tuple[str, str, Sequence[bytes | None]]:
+        """The arguments of `grade_best` after the first one."""
+        return self.submission.student, self.seed_id, self.contents
 
     def complete(self, result: Result) -> Result:
         """The grader's result, with the student's name and the remarks on the files."""
@@ -40,16 +45,21 @@ class GradingJob:
         )
 
 
-def grade_best(grade: Callable[[str, bytes | None], Result], seed_id: str, contents: Sequence[bytes | None]) -> Result:
+def grade_best(
+    grade: Callable[[str, bytes | None, str], Result], student: str, seed_id: str, contents: Sequence[bytes | None]
+) -> Result:
     """Grade each of a student's notebooks; the result with the most points, the first one of these."""
-    return max((grade(seed_id, content) for content in contents), key=lambda result: result.points)
+    results = [grade(student, content, seed_id) for content in contents]
+    limits = list(dict.fromkeys(limit for result in results for limit in result.limits))
+    return replace(max(results, key=lambda result: result.points), limits=limits)
 
 
 def make_jobs(
-    submissions: Sequence[Submission], sheet: ReleasedSheet, is_safe: bool, has_result: Callable[[str, str], bool]
+    submissions: Sequence[Submission], sheet: ReleasedSheet, way: str, has_result: Callable[[str, str], bool]
 ) -> Iterator[GradingJob | None]:
     """A job for each submission, which is read when its job is made; None for a submission that has a result already.
 
+    way         how submissions run: the limits, and whether in the sandbox
     has_result  whether there is a result for a student and a fingerprint
     """
     for submission in submissions:
@@ -59,9 +69,7 @@ def make_jobs(
                 contents.append(file.read())
             except UnreadableFile as error:
                 faults.append(str(error))
-        typed = (name for content in contents if content and (name := typed_id(content)))
-        seed_id = submission.seed_id or next(typed, "") or submission.student
         fault = faults[0] if faults and not contents else ""
-        parts = [submission.student, seed_id, *contents, fault, *submission.notes]
-        job = GradingJob(submission, seed_id, contents or [None], fault, fingerprint(sheet, is_safe, parts))
+        parts = [submission.student, submission.seed_id, *contents, fault, *submission.notes]
+        job = GradingJob(submission, submission.seed_id, contents or [None], fault, fingerprint(sheet, way, parts))
         yield None if has_result(submission.student, job.fingerprint) else job

@@ -55,7 +55,7 @@ def limit_processor_time(seconds):
 
 def assert_verdict(verdict):
     from misstep.grading.publish.pages import STATE_LABELS  # grading cannot be imported on Windows
-    from misstep.grading.sandbox.rpc import encode_message
+    from misstep.grading.rpc import encode_message
 
     fraction, state = verdict["fraction"], verdict["state"]
     assert math.isfinite(fraction)

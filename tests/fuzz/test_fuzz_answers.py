@@ -15,6 +15,7 @@ from kincourse import find_sheet, sheets
 from misstep.grading.judging import judge_process as judging
 from misstep.grading.judging.result import ProblemResult, Result
 from misstep.grading.publish.shared_answers import find_matches
+from misstep.grading.sandbox.limits import Limits
 from misstep.storage.deserialize import Malformed, from_data
 from misstep.storage.serialize import to_data
 
@@ -74,7 +75,7 @@ def test_any_answer_data_gets_a_complete_verdict(case):
     assert_read_and_written(data)
     sheet, k = TEMPLATES[place]
     template = sheet.problems[k]
-    with limit_processor_time(judging.ANSWER_SECONDS):
+    with limit_processor_time(Limits.answer_seconds):
         verdict = judging._verdict(template, problem(place), address="", data=data)
     assert_verdict(verdict)
     points = template.points * verdict["fraction"]

@@ -9,9 +9,11 @@ import math
 import tempfile
 import warnings
 import zipfile
+from base64 import b64encode
 from contextlib import suppress
 from functools import cache
 from pathlib import Path
+from types import SimpleNamespace
 
 import nbformat
 from assertions import assert_explained, assert_verdict, limit_processor_time
@@ -36,16 +38,18 @@ from submissions import SHEET, as_bytes, handed_in, released, right
 from kincourse import COURSE, find_sheet
 from misstep.grading.collect.files import UnreadableFile
 from misstep.grading.collect.gather import gather
+from misstep.grading.collect.notebook import UnusableNotebook
 from misstep.grading.collect.roster import read_roster
 from misstep.grading.collect.run_plan import read_released_sheet
 from misstep.grading.jobs import grade_best, make_jobs
 from misstep.grading.judging import judge_process as judging
 from misstep.grading.judging.grader import Grader
 from misstep.grading.nbgrader.cells import fill_outputs, restore_metadata
-from misstep.grading.publish.publish import publish
+from misstep.grading.publish.publish import page_step, publish
 from misstep.grading.publish.result_store import ResultStore
+from misstep.grading.reading import do_step
+from misstep.grading.rpc import encode_message, receive_message
 from misstep.grading.sandbox.limits import Limits
-from misstep.grading.sandbox.rpc import encode_message, receive_message
 from misstep.grading.sandbox.runner import RunOutcome
 from misstep.storage.deserialize import MIME
 from misstep.storage.serialize import to_data
@@ -97,22 +101,33 @@ class Prompter:
         return outputs
 
 
+def read_here(step, seconds, **arguments):
+    """Do a step of a reader in this process."""
+    sent = {name: b64encode(each).decode() if isinstance(each, bytes) else each for name, each in arguments.items()}
+    with limit_processor_time(seconds):
+        answer = do_step(step, receive_message(io.BytesIO(encode_message(sent))))
+    if "unusable" in answer:
+        raise UnusableNotebook(answer["unusable"])
+    return receive_message(io.BytesIO(encode_message(answer)))["done"]
+
+
 class Rehearsal(Grader):
     """A grader without a sandbox, with its judge in this process."""
 
     def __init__(self, sheet):
         self.sheet, self.is_safe, self._runner, self._limits = sheet, False, Prompter(), Limits()
+        self._reader = SimpleNamespace(do=read_here)
         self._covered = ()
         self._templates = [(each.number, each.title, each.points) for each in find_sheet(sheet.name).problems]
 
     def _ask_judge(self, message):
         request = receive_message(io.BytesIO(encode_message(message)))
-        seconds = judging.ANSWER_SECONDS * len(self._templates)
+        seconds = Limits.answer_seconds * len(self._templates)
         with limit_processor_time(seconds):
             parts = judging._answer_parts(COURSE, {**request, "sheet": self.sheet.name, "done": []})
             answer = dict(item for part in parts for item in part.items())
         assert "error" not in answer, answer
-        answer = {"verdicts": answer} if message["request"] == "verdicts" else answer
+        answer = {"verdicts": answer, "limits": []} if message["request"] == "verdicts" else answer
         return receive_message(io.BytesIO(encode_message(answer)))
 
 
@@ -172,8 +187,8 @@ def test_every_student_of_any_submission_gets_valid_points_and_a_reason(case):
             assert_explained(error, ValueError, UnreadableFile)
             return
         store = ResultStore(Path(root) / "out")
-        for job in make_jobs(gathered.submissions, grader().sheet, False, lambda *_: False):
-            result = job.complete(grade_best(grader().grade, job.seed_id, job.contents))
+        for job in make_jobs(gathered.submissions, grader().sheet, "", lambda *_: False):
+            result = job.complete(grade_best(grader().grade, *job.request))
             assert_fair(result)
             store.save(result, job.fingerprint)
             loaded = store.load(result.student, job.fingerprint)
@@ -186,7 +201,10 @@ def test_every_student_of_any_submission_gets_valid_points_and_a_reason(case):
             for content in job.contents:
                 assert_fit_for_nbgrader(content, result)
         try:
-            publish(Path(root) / "out", gathered.submissions, store, roster, None)
+            students = [submission.student for submission in gathered.submissions]
+            for student in students:
+                page_step(str(store.folder.parent), student, is_short=False)
+            publish(Path(root) / "out", students, store, roster, None)
         except ValueError as error:
             assert_explained(error)
 

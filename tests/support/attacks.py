@@ -9,9 +9,9 @@ from dataclasses import replace
 
 from misstep.grading.sandbox.limits import Limits
 
-LIMITS = Limits(cell_seconds=2.0, seconds=20.0, processor_seconds=10, memory_mb=1024, output_mb=1)
+LIMITS = Limits(cell_seconds=2.0, cell_wall_seconds=10.0, seconds=10.0, wall_seconds=60.0, memory_mb=1024, output_mb=5)
 
-SHORT = replace(LIMITS, cell_seconds=0.5, seconds=2.0)
+SHORT = replace(LIMITS, cell_seconds=0.5, seconds=2.0, wall_seconds=8.0)
 """For what would take all the time there is: those who only need theirs get plenty, for the machine may be busy."""
 
 ENDLESS = {"signals are ignored for ever", "every exception is swallowed for ever", "a function never returns"}

@@ -10,12 +10,7 @@ from pathlib import Path
 
 from misstep.grading.collect.files import File, UnreadableFile, list_files, list_names
 from misstep.grading.collect.layouts import Layout, StudentFiles, detect_layout
-from misstep.grading.collect.notebook import UnusableNotebook, code_cells
 from misstep.grading.collect.roster import Roster
-
-STUDENT_ASSIGNMENT = re.compile(r"^student\s*=\s*([\"'])(.{1,200}?)\1", re.MULTILINE)
-"""The line of a sheet in which the student's id is typed."""
-
 
 MAX_NOTEBOOKS = 3
 """How many notebooks of one student are graded, of which the best one counts. More of them would be guesses."""
@@ -144,16 +139,6 @@ def _remarks_on_ids(submissions: Sequence[Submission], kind: str) -> list[str]:
         for submission in submissions
         if kind == "folder" and len({file.path.parts[0] for file in submission.notebooks}) > 1
     ]
-
-
-def typed_id(content: bytes) -> str:
-    """The id that is typed in a notebook, found in its code; "" if there is none."""
-    try:
-        cells = code_cells(content)
-    except UnusableNotebook:
-        return ""
-    match = next((match for cell in cells if (match := STUDENT_ASSIGNMENT.search(cell.source))), None)
-    return match[2].strip() if match else ""
 
 
 def _submission(student: StudentFiles, sheet: str, layout: Layout, roster: Roster | None) -> Submission:

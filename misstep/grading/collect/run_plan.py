@@ -5,12 +5,17 @@ edited or moved, so the released sheet's own check cells are run in their place,
 also there. The sheet's own opening cell runs first, and at the end those cells run again that failed.
 """
 
+import ast
+import builtins
 import re
+import warnings
+from base64 import b64decode
 from collections import Counter
-from collections.abc import Mapping, Sequence
-from contextlib import chdir, nullcontext
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import chdir, nullcontext, suppress
 from dataclasses import dataclass, field
 from pathlib import Path
+from typing import Any
 
 from misstep.catalog import course_of, find_course
 from misstep.grading.collect.notebook import CodeCell, UnusableNotebook, code_cells
@@ -20,6 +25,12 @@ OPEN_SHEET_CALL = re.compile(r"open_sheet\(\s*[\"']([^\"']+)[\"']")
 
 CHECK_CALL = re.compile(r"\.check\(\s*(\d+)\s*,\s*(\w+)\s*\)")
 """The call of a check cell: the number of the problem and the variable that is handed in."""
+
+STUDENT_ASSIGNMENT = re.compile(r"^student\s*=\s*([\"'])(.{1,200}?)\1", re.MULTILINE)
+"""The line of a sheet in which the student's id is typed."""
+
+MAX_CELL_CHARACTERS = 1_000_000
+"""The longest cell that is run. A sheet has 20,000 characters of code."""
 
 RERUN_SOURCE = "# Once more, in their order: the cells that failed, and the checks that got no answer."
 """The source of the cell at which `run_cells` runs these cells again."""
@@ -67,10 +78,14 @@ class PlannedCell:
 
 @dataclass(frozen=True)
 class RunPlan:
-    """The cells to run, in order, and remarks on the check cells of each problem, such as that one was edited."""
+    """The cells to run, in order, and remarks on the check cells of each problem, such as that one was edited.
+
+    typed_id  the id that is typed in the notebook, found in its code; "" if there is none
+    """
 
     cells: Sequence[PlannedCell]
     remarks: Mapping[int, Sequence[str]] = field(default_factory=dict)
+    typed_id: str = ""
 
     @property
     def problems(self) -> Sequence[int]:
@@ -127,17 +142,18 @@ def plan_run(sheet: ReleasedSheet, content: bytes) -> RunPlan:
     problems = [_problem_of(cell, checks) for cell in cells]
     opened = {name for cell in cells for name in OPEN_SHEET_CALL.findall(cell.source)}
     if sheet.name not in opened and (opened or not any(problems)):
-        reason = f"it opens {', '.join(sorted(opened))}" if opened else "none of its cells belongs to it"
+        shown = ", ".join(sorted(name[:80] for name in opened)[:5])
+        reason = f"it opens {shown}" if opened else "none of its cells belongs to it"
         raise UnusableNotebook(f"This is not sheet {sheet.name}: {reason}. Was another file handed in by mistake?")
     planned = [PlannedCell(sheet.opening)] if sheet.opening else []
     remarks = {k: list[str]() for k in sheet.checks}
-    where = {k: _where_checked(cells, problems, k, source) for k, source in sheet.checks.items()}
+    where = _where_checked(sheet, cells, problems)
     for place, (cell, k) in enumerate(zip(cells, problems, strict=True)):
-        planned.append(PlannedCell(cell.source if k is None else sheet.checks[k], k, cell.index))
+        planned.append(PlannedCell(_runnable(cell) if k is None else sheet.checks[k], k, cell.index))
         if k is not None and _normalize(cell.source) != _normalize(sheet.checks[k]):
             remarks[k].append("Its check cell was edited; the sheet's own check cell was run instead.")
             if any(int(call[1]) == k for call in CHECK_CALL.finditer(cell.source)):
-                planned.append(PlannedCell(cell.source, k, is_fallback=True))
+                planned.append(PlannedCell(_runnable(cell), k, is_fallback=True))
                 remarks[k][-1] = (
                     "Its check cell was edited; the sheet's own check cell was run too, and counts if it has an answer."
                 )
@@ -149,32 +165,108 @@ def plan_run(sheet: ReleasedSheet, content: bytes) -> RunPlan:
             remarks[k].append("Its check cell was deleted; the sheet's own check cell was run.")
         elif count > 1:
             remarks[k].append(f"Its check cell occurs {count} times; the last one that has an answer counts.")
-    return RunPlan([*planned, PlannedCell(RERUN_SOURCE)], {k: lines for k, lines in remarks.items() if lines})
+    remarks = {k: lines for k, lines in remarks.items() if lines}
+    return RunPlan([*planned, PlannedCell(RERUN_SOURCE)], remarks, typed_id(cells))
+
+
+def typed_id(cells: Sequence[CodeCell]) -> str:
+    """The id that is typed in the cells; "" if there is none."""
+    match = next((match for cell in cells if (match := STUDENT_ASSIGNMENT.search(cell.source))), None)
+    return match[2].strip() if match else ""
+
+
+def plan_step(sheet: Mapping[str, Any], content: str) -> dict[str, Any]:
+    """`plan_run` as a step of a reader: the name, checks and opening of the sheet, and the notebook as base64."""
+    checks = {int(k): source for k, source in sheet["checks"].items()}
+    plan = plan_run(ReleasedSheet(sheet["name"], Path(), checks, "", opening=sheet["opening"]), b64decode(content))
+    return {"cells": [vars(cell) for cell in plan.cells], "remarks": plan.remarks, "typed_id": plan.typed_id}
+
+
+def plan_from_data(data: Mapping[str, Any]) -> RunPlan:
+    """The plan that `plan_step` has made, from JSON."""
+    remarks = {int(k): lines for k, lines in data["remarks"].items()}
+    return RunPlan([PlannedCell(**cell) for cell in data["cells"]], remarks, data["typed_id"])
+
+
+def _runnable(cell: CodeCell) -> str:
+    """The source of a cell, or, of one that is too long, a line that says so."""
+    if len(cell.source) <= MAX_CELL_CHARACTERS:
+        return cell.source
+    size = f"{len(cell.source) / 1e6:.1f} MB"
+    message = f"This cell was left out: it has {size} of code, and at most {MAX_CELL_CHARACTERS / 1e6:g} MB are run."
+    return f"raise RuntimeError({message!r})"
 
 
 def _where_checked(
-    cells: Sequence[CodeCell], problems: Sequence[int | None], k: int, source: str
-) -> tuple[int, PlannedCell]:
-    """Where else problem k is checked, after which cell, and by which cell: where its variable is set for the last time.
+    sheet: ReleasedSheet, cells: Sequence[CodeCell], problems: Sequence[int | None]
+) -> dict[int, tuple[int, PlannedCell]]:
+    """Where else each problem is checked, after which cell, and by which cell: where its variable is set for the last time.
 
     If its check cell is below that, there is nothing to add, and the place is -1. If it is above, it was the last to run only if
     the student ran it again, as the execution counts show; otherwise the check that is added is a fallback.
     """
-    call = CHECK_CALL.search(source)
-    sets = (
-        re.compile(rf"\b{call[2]}\b[^=\n]*=(?!=)(?!\s*(\.\.\.|None)\s*$)|def\s+{call[2]}\b", re.MULTILINE)
-        if call
-        else None
-    )
-    setting = [
-        place for place, cell in enumerate(cells) if problems[place] is None and sets and sets.search(cell.source)
-    ]
-    checking = [place for place, problem in enumerate(problems) if problem == k]
-    last_set = setting[-1] if setting else len(cells)
-    if checking and (not setting or any(last_set < place for place in checking)):
-        return -1, PlannedCell(source, k)
-    was_run_again = setting and any(0 < cells[last_set].count < cells[place].count for place in checking)
-    return last_set, PlannedCell(source, k, is_fallback=bool(checking) and not was_run_again)
+    variables = {k: call[2] for k, source in sheet.checks.items() if (call := CHECK_CALL.search(source))}
+    last_set, last_check = dict[str, int](), dict[int, int]()
+    for place, (cell, problem) in enumerate(zip(cells, problems, strict=True)):
+        if problem is None:
+            last_set |= dict.fromkeys(_assigned_names(cell.source, set(variables.values())), place)
+        else:
+            last_check[problem] = place
+    where = {}
+    for k, source in sheet.checks.items():
+        setting = last_set.get(variables.get(k, ""))
+        checking = last_check.get(k)
+        if checking is not None and (setting is None or setting < checking):
+            where[k] = -1, PlannedCell(source, k)
+            continue
+        counts = [cell.count for cell, problem in zip(cells, problems, strict=True) if problem == k]
+        was_run_again = setting is not None and any(0 < cells[setting].count < count for count in counts)
+        is_fallback = checking is not None and not was_run_again
+        where[k] = (len(cells) if setting is None else setting), PlannedCell(source, k, is_fallback=is_fallback)
+    return where
+
+
+def _assigned_names(source: str, names: set[str]) -> set[str]:
+    """Which of these names a cell sets, to something else than `...` or `None`."""
+    if not any(name in source for name in names) or len(source) > MAX_CELL_CHARACTERS:
+        return set()
+    for python in (source, "\n".join(map(_python_line, source.split("\n")))):
+        with suppress(SyntaxError, ValueError, RecursionError, MemoryError), warnings.catch_warnings(action="ignore"):
+            return names & set(_set_names(ast.parse(python)))
+    return set()  # the whole cell fails when it is run
+
+
+def _python_line(line: str) -> str:
+    """A line of IPython as Python: what it measures stays, what a program or a magic returns is 0, any other magic is left out."""
+    text = line.lstrip()
+    indent = line[: len(line) - len(text)]
+    if text.startswith("%time "):
+        return indent + text.removeprefix("%time").lstrip()
+    if text.startswith(("%", "!", "?")) or text.rstrip().endswith("?"):
+        return f"{indent}pass"
+    head, _, value = line.partition("=")
+    return f"{head}= 0" if value.lstrip().startswith(("%", "!")) else line
+
+
+def _set_names(tree: ast.AST) -> Iterator[str]:
+    """The names that are set, or of which an item or an attribute is set; without those that are set to `...` or `None`."""
+    blank = set[ast.AST]()
+    for node in ast.walk(tree):
+        match node:
+            case ast.Assign(targets=targets, value=ast.Constant(value=None | builtins.Ellipsis)):
+                blank.update(targets)
+            case ast.AnnAssign(target=target, value=None | ast.Constant(value=None | builtins.Ellipsis)):
+                blank.add(target)
+            case ast.FunctionDef(name=name) | ast.AsyncFunctionDef(name=name) | ast.ClassDef(name=name):
+                yield name
+            case ast.alias(name=name, asname=other):
+                yield other or name
+            case ast.Name(ctx=ast.Store()) | ast.Attribute(ctx=ast.Store()) | ast.Subscript(ctx=ast.Store()):
+                part: ast.AST = node
+                while isinstance(part, ast.Attribute | ast.Subscript):
+                    part = part.value
+                if isinstance(part, ast.Name) and node not in blank:
+                    yield part.id
 
 
 def _problem_of(cell: CodeCell, checks: Mapping[str, int]) -> int | None:

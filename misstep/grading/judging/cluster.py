@@ -28,11 +28,16 @@ class ClusterUnreachable(RuntimeError):
     """No cluster answers at the address, or it has no workers."""
 
 
-def grade_on_worker(sheet: ReleasedSheet, limits: Limits, is_safe: bool, student: str, content: bytes | None) -> Result:
+def grade_on_worker(
+    setting: tuple[ReleasedSheet, Limits, bool], student: str, content: bytes | None, seed_id: str
+) -> Result:
     """Grade a submission in this worker process.
+
+    setting  the sheet, the limits, and whether submissions run in the sandbox
 
     Raises SandboxUnavailable if this machine cannot provide the sandbox.
     """
+    sheet, limits, is_safe = setting
     # The folder may exist only on the instructor's machine. Only a robot's own sheet needs it, and its error says so.
     sheet = sheet if sheet.folder.is_dir() else replace(sheet, folder=Path.cwd())
     key = repr((sheet, sheet.key, limits, is_safe))
@@ -40,7 +45,7 @@ def grade_on_worker(sheet: ReleasedSheet, limits: Limits, is_safe: bool, student
         if key not in GRADERS:
             GRADERS[key] = Grader(sheet, limits, is_safe)
             atexit.register(GRADERS[key].close)
-    return GRADERS[key].grade(student, content)
+    return GRADERS[key].grade(student, content, seed_id)
 
 
 @contextmanager

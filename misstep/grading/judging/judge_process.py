@@ -10,7 +10,7 @@ are drawn anew in every run. "verdicts" judges answers; the request has the seed
 course's site.
 
 Students who are graded in different threads are graded at the same time, each thread's in a forked process of its own. The
-kernel ends that process if one answer takes longer than ANSWER_SECONDS, also inside a single call of C code; the answers after
+kernel ends that process if one answer takes longer than the request allows, also inside a single call of C code; the answers after
 it are judged in the next process. So a slow answer costs its own problem, and no other. A process also ends after a few
 students, and earlier after an answer that could not be read or needed much memory: what such an answer leaves behind is gone
 for the next student.
@@ -38,19 +38,16 @@ from misstep.catalog import Course, find_course
 from misstep.display.card import Link
 from misstep.display.lecture_address import page_address
 from misstep.grading.judging.redraw import Draw, RedrawnSheet, redraw
+from misstep.grading.redacted_sheet import redact
+from misstep.grading.rpc import encode_message, receive_message
 from misstep.grading.sandbox.confine import set_resource_limits
-from misstep.grading.sandbox.redacted_sheet import redact
-from misstep.grading.sandbox.rpc import encode_message, receive_message
+from misstep.grading.sandbox.limits import Limits
 from misstep.judge import Finding, Judgement, judge
 from misstep.problem import Problem, Template
 from misstep.sheet import SAMPLE_ID, Sheet
 from misstep.storage.deserialize import Malformed, Opaque, from_data
 from misstep.storage.serialize import to_data
 from misstep.verdict import Verdict, observation
-
-ANSWER_SECONDS = 4.0
-"""Processor time for all that is done with one answer, reading included. It is no wall-clock time, so that a busy machine
-changes no verdict. The slowest answers that people give, tables that no mistake explains, take a tenth of it."""
 
 Task = partial[dict[str, Any]]
 
@@ -187,7 +184,7 @@ def _answer_parts(course: Course, message: Mapping[str, Any]) -> Iterator[dict[s
         return
     for k, task in tasks.items():
         if k not in message["done"]:
-            signal.setitimer(signal.ITIMER_PROF, ANSWER_SECONDS)
+            signal.setitimer(signal.ITIMER_PROF, message.get("answer_seconds", Limits.answer_seconds))
             yield {k: task()}
             signal.setitimer(signal.ITIMER_PROF, 0)
 
@@ -249,7 +246,7 @@ def _answer_thread(course: Course, inbox: int, outbox: IO[bytes], lock: IO[bytes
             if process and _import_sympy(message):
                 process.end()
                 process = None
-            answer, late = dict[str, Any](), set[str]()
+            answer, late, limits = dict[str, Any](), set[str](), list[str]()
             while "error" not in answer:
                 process = process or JudgingProcess(course)
                 parts, is_complete = process.ask({**message, "done": list(answer)})
@@ -265,10 +262,12 @@ def _answer_thread(course: Course, inbox: int, outbox: IO[bytes], lock: IO[bytes
                     answer = {"error": f"The process of the judge ended at problem {culprit}."}
                 late.add(culprit)
                 is_slow = exit_code == -signal.SIGPROF
-                why = f"takes more than {ANSWER_SECONDS:g} s to judge" if is_slow else "ends the process that judges it"
+                seconds = message.get("answer_seconds", Limits.answer_seconds)
+                why = f"takes more than {seconds:g} s to judge" if is_slow else "ends the process that judges it"
+                limits.append(f"answer {culprit} {why}")
                 message.setdefault("answers", {})[culprit] = {"other": f"an answer that {why}"}
             if message["request"] == "verdicts" and "error" not in answer:
-                answer = {"verdicts": answer}
+                answer = {"verdicts": answer, "limits": limits}
             _send({**answer, "id": message["id"]}, outbox, lock)
     os._exit(0)
 
@@ -331,4 +330,7 @@ def _import_sympy(message: Mapping[str, Any]) -> bool:
 
 
 if __name__ == "__main__":
-    main(sys.argv[1])
+    try:
+        main(sys.argv[1])
+    except (BrokenPipeError, KeyboardInterrupt):  # whoever grades has ended
+        os._exit(1)

@@ -1,16 +1,18 @@
 """Parse the output of a run: lines that untrusted code may have written, so everything but the expected form is refused."""
 
 import json
+from base64 import b64decode
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from misstep.grading.collect.run_plan import PASSED_OVER, RERUN_SOURCE, RunPlan
+from misstep.grading.collect.run_plan import PASSED_OVER, RERUN_SOURCE, RunPlan, plan_from_data
 from misstep.grading.judging.result import RanCell
+from misstep.grading.sandbox.limits import MAX_ANSWER_CHARACTERS, SHOWN_KINDS
 from misstep.storage.deserialize import MIME
 
-MAX_ANSWER_CHARACTERS = 256_000
-"""The longest answer, as JSON, in characters."""
+MAX_ANSWER_DEPTH = 50
+"""How deeply the JSON of an answer may be nested. Answers that can be read take 20 levels."""
 
 MAX_PASSED_OVER = 5
 """How many of the lines that were passed over a note names."""
@@ -23,6 +25,12 @@ class ParsedOutput:
     cells: Sequence[RanCell]
     answers: Mapping[str, Any]
     typed_id: str
+
+    @property
+    def limits(self) -> list[str]:
+        """The limits that cells reached, in words."""
+        errors = (error for cell in self.cells for error in _errors(cell))
+        return ["the time of a cell"] if any(error.startswith("CellTimeout: ") for error in errors) else []
 
     @property
     def own_cells(self) -> list[RanCell]:
@@ -46,7 +54,7 @@ class ParsedOutput:
             failed = again[0]
         if failed:
             which = "with" if len(failed) == 1 else "the first of them with"
-            notes.append(f"{_count_cells(len(failed))} failed, {which} {failed[0]}.")
+            notes.append(f"{_count_cells(len(failed))} failed, {which} {failed[0].rstrip('.')}.")
         if passed := list(dict.fromkeys(what for cell in self.cells for what in _passed_over(cell))):
             more = f"; and {len(passed) - MAX_PASSED_OVER} more" if len(passed) > MAX_PASSED_OVER else ""
             notes.append(f"{PASSED_OVER}{'; '.join(passed[:MAX_PASSED_OVER])}{more}.")
@@ -73,9 +81,7 @@ def parse_output(sheet: str, plan: RunPlan, output: bytes) -> ParsedOutput:
         outputs = _parse_line(line, len(cells))
         if outputs is None:
             break
-        displayed = [
-            {**output, "data": _without_answer(output["data"])} if "data" in output else output for output in outputs
-        ]
+        displayed = [{**output, "data": _shown(output["data"])} if "data" in output else output for output in outputs]
         cells.append(RanCell(planned.source, planned.problem, planned.index, displayed))
         is_second_pass = planned.source == RERUN_SOURCE
         given: dict[str, Any] = {}
@@ -89,6 +95,20 @@ def parse_output(sheet: str, plan: RunPlan, output: bytes) -> ParsedOutput:
             if answers.get(k) is None or not (answer is None or is_second_pass or planned.is_fallback):
                 answers[k] = answer
     return ParsedOutput(cells, answers, typed_id)
+
+
+def parse_step(sheet: str, plan: Mapping[str, Any], output: str, student: str) -> dict[str, Any]:
+    """`parse_output` as a step of a reader: the plan as its own step gave it, and the output as base64."""
+    run_plan = plan_from_data(plan)
+    parsed = parse_output(sheet, run_plan, b64decode(output))
+    return {
+        "outputs": [cell.outputs for cell in parsed.cells],
+        "answers": parsed.answers,
+        "typed_id": parsed.typed_id,
+        "remarks": parsed.remarks(student),
+        "check_errors": {k: errors for k in run_plan.problems if (errors := parsed.check_errors(k))},
+        "limits": parsed.limits,
+    }
 
 
 def _count_cells(count: int) -> str:
@@ -138,8 +158,23 @@ def _is_emission(emission: Any, sheet: str, problem: int) -> bool:
         return False
     if not isinstance(emission["student"], str) or len(json.dumps(emission["answer"])) > MAX_ANSWER_CHARACTERS:
         return False
+    if not _is_shallow(emission["answer"]):
+        return False
     return bool(emission["sheet"] == sheet and emission["problem"] == problem)
 
 
-def _without_answer(data: Mapping[str, Any]) -> dict[str, Any]:
-    return {kind: value for kind, value in data.items() if kind != MIME}
+def _is_shallow(answer: Any) -> bool:
+    """Whether the lists and mappings of an answer are nested at most MAX_ANSWER_DEPTH levels, so that recursion can read it."""
+    level = [answer]
+    for _ in range(MAX_ANSWER_DEPTH):
+        level = [
+            part
+            for parts in level
+            if isinstance(parts, dict | list)
+            for part in (parts.values() if isinstance(parts, dict) else parts)
+        ]
+    return not level
+
+
+def _shown(data: Mapping[str, Any]) -> dict[str, str]:
+    return {kind: value for kind, value in data.items() if kind in SHOWN_KINDS and isinstance(value, str)}

@@ -71,6 +71,7 @@ class Result:
     typed_id  the id that is typed in the notebook, "" if none was found
     digest    SHA-256 of the submitted file
     is_safe   whether it ran in the sandbox
+    limits    the limits that it reached, in words; without them, it might have more points
     """
 
     student: str
@@ -86,6 +87,7 @@ class Result:
     is_safe: bool = True
     seconds: float = 0.0
     cells: Sequence[RanCell] = field(default=(), repr=False)
+    limits: Sequence[str] = ()
 
     @property
     def typed(self) -> list[ProblemResult]:

@@ -7,9 +7,7 @@ gradebook.db, and a notebook in autograded/ for each student. Grades that were e
 import json
 import re
 from collections.abc import Iterator
-from contextlib import contextmanager
-from copy import deepcopy
-from dataclasses import replace
+from contextlib import contextmanager, suppress
 from datetime import datetime
 from hashlib import sha256
 from pathlib import Path
@@ -17,15 +15,11 @@ from typing import Any
 
 from traitlets.config.loader import PyFileConfigLoader
 
-from misstep.grading.collect.gather import Submission
 from misstep.grading.collect.run_plan import ReleasedSheet
 from misstep.grading.judging.result import Result
 from misstep.grading.nbgrader.lazy_nbgrader import lazy_nbgrader
-from misstep.grading.publish.result_store import write_if_changed
 
 with lazy_nbgrader():
-    import nbformat
-    from nbformat import NotebookNode
     from nbgrader.api import (
         Assignment,
         Comment,
@@ -38,16 +32,17 @@ with lazy_nbgrader():
     )
     from nbgrader.coursedir import CourseDirectory
 
-    from misstep.grading.nbgrader.cells import fill_outputs, restore_metadata, text_cells
-
 FOLDER_NAME = re.compile(r"[^./\\\0+][^/\\\0+]{0,79}")
 """An id that can be the name of a student's folder; nbgrader does not allow a + either."""
 
 GENERATE = "nbgrader generate_assignment {} --force"
 """Without --force, nbgrader skips an assignment whose released notebook is there already, as it is in a checkout."""
 
-METADATA_KEY = "misstep"
-"""The key in the metadata of an autograded notebook under which the digest of its result is stored."""
+DIGEST = re.compile(rb'"misstep": \{"result": "([0-9a-f]{64})"\}')
+"""How an autograded notebook names the result that it was made from."""
+
+HEAD_BYTES = 1000
+"""The beginning of an autograded notebook, which has its digest."""
 
 
 def read_course(folder: Path) -> CourseDirectory:
@@ -73,24 +68,28 @@ class GradebookWriter:
         course: CourseDirectory,
         gradebook: Gradebook,
         assignment: Assignment,
-        released: NotebookNode,
+        released: Path,
         overwrite: bool,
     ) -> None:
         self._course, self._gradebook, self._assignment, self._released = course, gradebook, assignment, released
         self._overwrite = overwrite
         self.invalid_ids: list[str] = []
 
-    def record(self, submission: Submission, result: Result) -> None:
-        """Write a result, in one transaction, and its notebook. A result that is already there is not written again."""
+    def record(self, result: Result) -> dict[str, str]:
+        """Write the points of a result, in one transaction. A result that is already there is not written again.
+
+        Returns the arguments of `notebook_step`, which writes its notebook; none if there is nothing to write.
+        """
         if not FOLDER_NAME.fullmatch(result.student):
             self.invalid_ids.append(result.student)
-            return
+            return {}
         folder = self._course.format_path(self._course.autograded_directory, result.student, result.sheet)
         target = Path(folder, f"{result.sheet}.ipynb")
         digest = sha256(json.dumps(result.to_dict()).encode()).hexdigest()
-        if self._overwrite or _stored_digest(target) != digest:
-            _record_points(self._gradebook, self._assignment, result, _submission_time(self._course, result))
-            write_if_changed(target, _autograded_notebook(submission, result, self._released, digest))
+        if not self._overwrite and _stored_digest(target) == digest:
+            return {}
+        _record_points(self._gradebook, self._assignment, result, _submission_time(self._course, result))
+        return {"released": str(self._released), "target": str(target), "digest": digest}
 
 
 @contextmanager
@@ -116,7 +115,7 @@ def open_gradebook(folder: Path, sheet: ReleasedSheet, overwrite: bool = False) 
             raise ValueError(
                 f"The gradebook must have the assignment {sheet.name}; it has not. First run: {GENERATE.format(sheet.name)}"
             ) from error
-        yield GradebookWriter(course, gradebook, assignment, nbformat.read(released, as_version=4), overwrite)
+        yield GradebookWriter(course, gradebook, assignment, released, overwrite)
 
 
 def _submission_time(course: CourseDirectory, result: Result) -> datetime | None:
@@ -133,25 +132,12 @@ def _submission_time(course: CourseDirectory, result: Result) -> datetime | None
     return submitted
 
 
-def _autograded_notebook(submission: Submission, result: Result, released: NotebookNode, digest: str) -> str:
-    """The graded notebook, or, if nbformat cannot read it, the released one. nbformat is stricter than the grader."""
-    texts = text_cells(released)
-    try:
-        notebook = fill_outputs(restore_metadata(submission.read(), result, released), result, texts)
-        nbformat.validate(notebook)
-    except Exception:  # nbformat raises many kinds of errors for invalid notebooks
-        notebook = fill_outputs(deepcopy(released), replace(result, cells=()), texts)
-    notebook.metadata[METADATA_KEY] = {"result": digest}
-    return (
-        json.dumps(notebook, ensure_ascii=False) + "\n"
-    )  # writing it indented, as nbformat does, takes five times as long
-
-
 def _stored_digest(path: Path) -> str | None:
-    try:
-        return str(json.loads(path.read_bytes())["metadata"][METADATA_KEY]["result"])
-    except (OSError, ValueError, KeyError, TypeError):
-        return None
+    """The digest in an autograded notebook, whose metadata comes first."""
+    with suppress(OSError), path.open("rb") as stream:
+        found = DIGEST.search(stream.read(HEAD_BYTES))
+        return found[1].decode() if found else None
+    return None
 
 
 def _record_points(gradebook: Gradebook, assignment: Assignment, result: Result, submitted: datetime | None) -> None:

@@ -1,11 +1,11 @@
 """Publish: from the stored results to the pages and tables that people open."""
 
 from collections import Counter
-from collections.abc import Container, Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import replace
 from pathlib import Path
+from typing import Any
 
-from misstep.grading.collect.gather import Submission
 from misstep.grading.collect.roster import Roster
 from misstep.grading.judging.result import ABSENT, Result
 from misstep.grading.publish.feedback import feedback_page
@@ -16,32 +16,43 @@ from misstep.grading.publish.report import report_page
 from misstep.grading.publish.result_store import ResultStore, file_name, write_if_changed
 from misstep.grading.publish.shared_answers import find_matches, matches_table
 
+LEFT_OUT = "This page has only your points, because the rest of it could not be made within the limits. Please tell your instructor."
 
-def publish_feedback(out: Path, result: Result) -> None:
-    """Write a student's page."""
-    write_if_changed(out / "feedback" / f"{file_name(result.student)}.html", feedback_page(result))
+
+def page_step(out: str, student: str, is_short: bool) -> None:
+    """Write a student's page from the stored result, as a step of a reader.
+
+    is_short  whether the page has the points only, because nothing else of this result can be read within the limits
+    """
+    if result := ResultStore(Path(out)).load(student):
+        write_if_changed(
+            Path(out) / "feedback" / f"{file_name(student)}.html", feedback_page(_shortened(result, is_short))
+        )
+
+
+def _shortened(result: Result, is_short: bool) -> Result:
+    if not is_short:
+        return result
+    problems = [
+        replace(one, verdict=LEFT_OUT, notes=[], statement="", figure="", address="") for one in result.problems
+    ]
+    return replace(result, cells=[], notes=[LEFT_OUT], problems=problems, reason="")
+
+
+def tables_step(out: str, students: Sequence[str], roster: Mapping[str, Any] | None, column: str | None) -> list[str]:
+    """`publish` as a step of a reader; the roster as a mapping of its fields."""
+    return publish(Path(out), students, ResultStore(Path(out)), Roster(**roster) if roster else None, column)
 
 
 def publish(
-    out: Path,
-    submissions: Sequence[Submission],
-    store: ResultStore,
-    roster: Roster | None,
-    column: str | None,
-    *,
-    published: Container[str] = (),
+    out: Path, students: Sequence[str], store: ResultStore, roster: Roster | None, column: str | None
 ) -> list[str]:
-    """Write all pages and tables, and return a short summary. Files whose content stays the same are not touched.
+    """Write all tables and the report, and return a short summary. Files whose content stays the same are not touched.
 
     column     the column of the sheet on the platform
-    published  the students whose pages are already written
     """
-    results = []
-    for submission in submissions:
-        if result := store.load(submission.student):
-            if submission.student not in published:
-                publish_feedback(out, result)
-            results.append(replace(result, cells=()))  # a thousand results with all pictures would not fit into memory
+    # A thousand results with all pictures would not fit into memory.
+    results = [replace(result, cells=()) for student in students if (result := store.load(student))]
     if not results:
         return ["Nothing is graded yet."]
     matches = find_matches(results)
@@ -57,7 +68,7 @@ def publish(
     suspects = sorted({match.student for match in matches if match.shared_count > 1})
     average = f"{mean} of {format_points(results[0].max)} points on average, of those who submitted something"
     return [
-        f"{len(results)} of {len(submissions)} submissions: {counts}. {average}.",
+        f"{len(results)} of {len(students)} submissions: {counts}. {average}.",
         *([f"Several answers right for one other student (matches.csv): {', '.join(suspects)}."] if suspects else []),
         f"The results are in {out}: open report.html, then grades.csv.",
     ]

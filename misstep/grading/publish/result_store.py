@@ -43,8 +43,12 @@ def file_name(student: str) -> str:
     return name or "%"
 
 
-def fingerprint(sheet: ReleasedSheet, is_safe: bool, parts: Sequence[str | bytes | None]) -> str:
-    """A digest of everything that a result depends on. `parts` are those that belong to one submission."""
+def fingerprint(sheet: ReleasedSheet, way: str, parts: Sequence[str | bytes | None]) -> str:
+    """A digest of everything that a result depends on.
+
+    way    how submissions run: the limits, and whether in the sandbox
+    parts  what belongs to one submission
+    """
     robot = sheet.folder / f"{sheet.name}.json"
     common = [
         _code_digest(sheet.course),
@@ -54,7 +58,7 @@ def fingerprint(sheet: ReleasedSheet, is_safe: bool, parts: Sequence[str | bytes
         sheet.key,
         sha256(sheet.solution).hexdigest(),
         sorted(sheet.checks.items()),
-        is_safe,
+        way,
         robot.read_text("utf-8") if robot.exists() else "",
     ]
     digests = [part if part is None else sha256(_encode(part)).hexdigest() for part in parts]

@@ -12,13 +12,13 @@ import tempfile
 from contextlib import suppress
 from functools import partial
 
+from misstep.grading.redacted_sheet import load_redacted
 from misstep.grading.sandbox import libc_calls
 from misstep.grading.sandbox.confine import Confinement, find_leaks, limit_resources
 from misstep.grading.sandbox.course_stub import CourseStub
 from misstep.grading.sandbox.limits import Limits, SandboxUnavailable
 from misstep.grading.sandbox.memory import process_tree
-from misstep.grading.sandbox.redacted_sheet import load_redacted
-from misstep.grading.sandbox.run_cells import SubmissionShell, encode_line, run_cells, write_all
+from misstep.grading.sandbox.run_cells import SubmissionShell, run_cells, write_all
 
 PIPE_DESCRIPTOR = 250
 """The first descriptor of the two pipes: above those that a notebook opens, below the limit of open files."""
@@ -47,15 +47,15 @@ def run_child(
             limit_resources(limits)
             os.chdir(tempfile.mkdtemp())
     except SandboxUnavailable as error:
-        write_all(outbox, encode_line({"unavailable": str(error)}))
+        write_all(outbox, json.dumps({"unavailable": str(error)}).encode())
         os._exit(0)
     os.closerange(3, PIPE_DESCRIPTOR)  # Landlock leaves one open
     if "probe" in message:
-        write_all(outbox, encode_line({"leaks": find_leaks(confinement.hidden) if confinement else []}))
+        write_all(outbox, json.dumps({"leaks": find_leaks(confinement.hidden) if confinement else []}).encode())
         os._exit(0)
     socket.socketpair = _pipe_pair  # type: ignore[assignment]
     stub.set_sheet(load_redacted(message.pop("sheet")))
-    run_cells(shell, message.pop("cells"), limits.cell_seconds, lambda record: write_all(outbox, encode_line(record)))
+    run_cells(shell, message.pop("cells"), limits, partial(write_all, outbox))
     os._exit(0)
 
 

@@ -2,6 +2,7 @@
 
 import os
 from collections.abc import Callable, Mapping, Sequence
+from math import ceil
 from pathlib import Path
 from typing import Any
 
@@ -88,7 +89,7 @@ def limit_resources(limits: Limits) -> None:
     """Set the limits that the kernel itself enforces: processor time, memory, files."""
     set_resource_limits(
         {
-            "CPU": limits.processor_seconds,
+            "CPU": ceil(limits.seconds),
             "AS": (limits.memory_mb - limits.scratch_mb) * BYTES_PER_MB,  # files in the scratch folder are memory, too
             "FSIZE": limits.file_mb * BYTES_PER_MB,
             "NOFILE": 256,

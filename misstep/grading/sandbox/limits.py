@@ -3,8 +3,8 @@
     namespaces    a root folder with the interpreter and the packages of the course, but without any sheet and without the
                   rest of the disk; for each submission a scratch folder of its own, no network, and no view of other processes
     user          a user id of its own, without privileges
-    limits        on processor time, memory, threads, open files and file size; the wall-clock time is limited from outside,
-                  and the memory of all processes together once more
+    limits        on processor time, memory, threads, open files and file size; from outside, the wall-clock time is limited, and
+                  the memory of all processes together once more
     landlock      may read what the interpreter needs, may write to the scratch folder, and nothing else
     seccomp       only the system calls that computing needs: no sockets, no new programs, no new processes, no files in memory
 
@@ -19,27 +19,50 @@ from dataclasses import dataclass
 UNSAFE_OPTION = "--unsafe-no-sandbox"
 """The option that switches the sandbox off. Every result and page that it affects says so."""
 
+SHOWN_KINDS = {"text/plain", "text/markdown", "image/png"}
+"""The kinds of displays that pages show. The others are not kept."""
+
+MAX_ANSWER_CHARACTERS = 256_000
+"""The longest answer, as JSON, in characters."""
+
 
 @dataclass(frozen=True)
 class Limits:
-    """What one submission may use.
+    """What one submission may use. Times are processor time, so that neither the load of the machine nor the number of jobs
+    changes a point; the two wall-clock times are for code that waits, and generous.
 
-    cell_seconds       for one cell; after that the cell is interrupted, and the next cell runs
-    seconds            for the whole submission, measured from outside; after that its process is killed
-    processor_seconds  processor time
+    cell_seconds       processor time of one cell; after that the cell is interrupted, and the next cell runs
+    cell_wall_seconds  wall-clock time of one cell
+    seconds            processor time of the whole submission; after that its process is killed
+    wall_seconds       wall-clock time of the whole submission
+    answer_seconds     processor time for judging one answer, reading included
+    reading_seconds    processor time for reading its notebook, and then what it wrote
     memory_mb          all memory, files included, in MB
     file_mb, scratch_mb, output_mb   size of one file, of all files, of all output, in MB
     threads            threads at the same time
+
+    Raises ValueError for a limit that is not positive.
     """
 
     cell_seconds: float = 10.0
+    cell_wall_seconds: float = 60.0
     seconds: float = 60.0
-    processor_seconds: int = 60
+    wall_seconds: float = 300.0
+    answer_seconds: float = 4.0
+    reading_seconds: float = 5.0
     memory_mb: int = 2048
     file_mb: int = 32
     scratch_mb: int = 64
-    output_mb: int = 4
+    output_mb: int = 16
     threads: int = 64
+
+    def __post_init__(self) -> None:
+        for name, value in vars(self).items():
+            if not 0 < value < float("inf"):
+                raise ValueError(f"The limit {name} must be a positive number; got {value:g}.")
+
+    def __str__(self) -> str:
+        return ", ".join(f"{name} {value:g}" for name, value in vars(self).items())
 
 
 class SandboxUnavailable(RuntimeError):

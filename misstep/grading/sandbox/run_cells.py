@@ -10,8 +10,6 @@ was passed over. This is no gain for anybody, because a student could as well ha
 
 import ast
 import dis
-import io
-import json
 import os
 import re
 import signal
@@ -21,14 +19,15 @@ from traceback import format_exception
 from types import TracebackType
 from typing import Any, cast
 
-from IPython.core.displaypub import CapturingDisplayPublisher
 from IPython.core.interactiveshell import ExecutionResult, InteractiveShell
 from IPython.utils.text import SList
 from traitlets import Type
 
 from misstep.grading.collect.run_plan import PASSED_OVER, RERUN_SOURCE
+from misstep.grading.redacted_sheet import AnswerWithheld
 from misstep.grading.sandbox.course_stub import Unavailable, Withheld
-from misstep.grading.sandbox.redacted_sheet import AnswerWithheld
+from misstep.grading.sandbox.kept_output import OutputBudget, TruncatedDisplays, TruncatedStream
+from misstep.grading.sandbox.limits import Limits
 from misstep.sheet import OpenSheet
 from misstep.shell import CellShell
 from misstep.storage.deserialize import MIME
@@ -49,9 +48,11 @@ MAX_TRACEBACK_FRAMES = 20
 REPEAT_INTERRUPT_SECONDS = 1.0
 """Seconds after which a cell that caught its interrupt is interrupted again."""
 
-MAX_PRINTED_CHARACTERS = 100_000
-"""How many characters of what a cell prints are kept."""
+MAX_TRACEBACK_LINES = 200
+"""How many lines of a traceback are kept, the last ones: an error may have others as its causes."""
 
+MAX_PASSED_OVER = 50
+"""How many statements of a cell are recorded as passed over."""
 
 SHELL_MAGICS = {"conda", "mamba", "micromamba", "pip", "uv", "sx", "system"}
 """Line magics that start other programs."""
@@ -92,7 +93,7 @@ class SubmissionShell(CellShell):
     """An IPython shell that records displays and errors instead of printing them."""
 
     no_input = "input() cannot be used while a sheet is graded. Write the value into the cell instead."
-    display_pub_class = Type(CapturingDisplayPublisher)
+    display_pub_class = Type(TruncatedDisplays)
     errors: Sequence[dict[str, Any]] = ()
     passed_over: Sequence[str] = ()
     source = ""
@@ -123,7 +124,7 @@ class SubmissionShell(CellShell):
 
     def pass_over(self, what: str) -> None:
         """Record what was passed over."""
-        self.passed_over = [*self.passed_over, " ".join(what.split())[:200]]
+        self.passed_over = [*self.passed_over, " ".join(what.split())[:200]][:MAX_PASSED_OVER]
 
     def run_line_magic(self, magic_name: str, line: str, _stack_depth: int = 1) -> Any:
         """Run a line magic, unless it starts a program or is one of a kernel; figures are always inline."""
@@ -154,7 +155,7 @@ class SubmissionShell(CellShell):
             "output_type": "error",
             "ename": type(error).__name__[:200],
             "evalue": str(error)[:2000],
-            "traceback": [line[:1000] for line in lines],
+            "traceback": [line[:1000] for line in lines[-MAX_TRACEBACK_LINES:]],
         }
         self.errors = [*self.errors, output]
 
@@ -176,17 +177,6 @@ class OneImportAtATime(ast.NodeTransformer):
         return node
 
 
-class TruncatedStream(io.StringIO):
-    """A stream that accepts any amount of text and keeps its beginning."""
-
-    def write(self, text: str) -> int:
-        if self.tell() < MAX_PRINTED_CHARACTERS:
-            super().write(text[: MAX_PRINTED_CHARACTERS - self.tell()])
-            if self.tell() >= MAX_PRINTED_CHARACTERS:
-                super().write("\n[the rest of this output is left out]\n")
-        return len(text)
-
-
 def new_shell(warm_up: Sequence[str] = ()) -> SubmissionShell:
     """Make the shell that is forked for each submission. It has already run some cells, because first calls are slow."""
     shell = SubmissionShell.start()
@@ -198,17 +188,18 @@ def new_shell(warm_up: Sequence[str] = ()) -> SubmissionShell:
     return shell
 
 
-def run_cells(
-    shell: SubmissionShell, sources: Sequence[str], seconds: float, report: Callable[[dict[str, Any]], None]
-) -> None:
-    """Run the cells in order, each for at most so many seconds, and report the outputs of each.
+def run_cells(shell: SubmissionShell, sources: Sequence[str], limits: Limits, report: Callable[[bytes], None]) -> None:
+    """Run the cells in order, each within its limits of time, and report the outputs of each as a line of JSON.
 
     A cell with the source RERUN_SOURCE runs again, in their order, those before it that failed or handed in nothing: what
     they need may be further down. Where `sheet` is no open sheet any more, the last one is put back before it is used.
     """
+    signal.signal(signal.SIGPROF, _interrupt)
     signal.signal(signal.SIGALRM, _interrupt)
+    budget = OutputBudget()
     opened: OpenSheet | None = None
     done: list[list[dict[str, Any]]] = []
+    left_out: list[int] = []
 
     def run(source: str) -> list[dict[str, Any]]:
         nonlocal opened
@@ -216,19 +207,23 @@ def run_cells(
         if opened and USES_SHEET.search(source) and not isinstance(shell.user_ns.get("sheet"), OpenSheet):
             shell.user_ns["sheet"] = opened
             shell.pass_over("the variable sheet, which had another value or none, is the sheet again")
-        signal.setitimer(signal.ITIMER_REAL, seconds, REPEAT_INTERRUPT_SECONDS)
+        signal.setitimer(signal.ITIMER_PROF, limits.cell_seconds, REPEAT_INTERRUPT_SECONDS)
+        signal.setitimer(signal.ITIMER_REAL, limits.cell_wall_seconds, REPEAT_INTERRUPT_SECONDS)
         try:
             outputs = _run_cell(shell, source)
         except CellTimeout:  # the signal arrived outside of the cell's own code
             outputs = []
         finally:
+            signal.setitimer(signal.ITIMER_PROF, 0)
             signal.setitimer(signal.ITIMER_REAL, 0)
+        left_out.extend(cast("TruncatedDisplays", shell.display_pub).left_out)
         if isinstance(sheet := shell.user_ns.get("sheet"), OpenSheet):
             opened = sheet
         notes = "".join(f"{PASSED_OVER}{what}\n" for what in shell.passed_over)
         return [*outputs, {"output_type": "stream", "name": "stderr", "text": notes}] if notes else outputs
 
     for number, source in enumerate(sources):
+        left_out.clear()
         if source == RERUN_SOURCE:
             outputs = []
             for k, first in enumerate(done):
@@ -239,21 +234,22 @@ def run_cells(
         else:
             outputs = run(source)
             done.append(outputs)
-        report({"cell": number, "outputs": outputs})
+        report(budget.encode_cell(number, outputs, left_out))
 
 
 def _needs_second_pass(outputs: Sequence[Mapping[str, Any]]) -> bool:
     """Whether a cell failed, other than by its time, or handed in nothing for its problem."""
     return any(
         output.get("ename", "CellTimeout") != "CellTimeout"
-        or (MIME in output.get("data", {}) and output["data"][MIME].get("answer") is None)
+        or (isinstance(emission := output.get("data", {}).get(MIME), dict) and emission.get("answer") is None)
         for output in outputs
     )
 
 
 def _run_cell(shell: SubmissionShell, source: str) -> list[dict[str, Any]]:
-    publisher = cast("CapturingDisplayPublisher", shell.display_pub)
-    publisher.outputs, shell.errors = [], []
+    publisher = cast("TruncatedDisplays", shell.display_pub)
+    publisher.start_cell()
+    shell.errors = []
     captured = {"stdout": TruncatedStream(), "stderr": TruncatedStream()}
     originals = sys.stdout, sys.stderr
     sys.stdout, sys.stderr = captured.values()
@@ -267,17 +263,7 @@ def _run_cell(shell: SubmissionShell, source: str) -> list[dict[str, Any]]:
         for name, stream in captured.items()
         if (text := stream.getvalue())
     ]
-    displays = [{"output_type": "display_data", "metadata": {}, "data": output["data"]} for output in publisher.outputs]
-    return [*streams, *displays, *shell.errors]
-
-
-def encode_line(record: Mapping[str, Any]) -> bytes:
-    """One line of JSON. Outputs that JSON cannot hold are left out."""
-    try:
-        text = json.dumps(record, allow_nan=False, skipkeys=True, ensure_ascii=False)
-    except (TypeError, ValueError, RecursionError):
-        text = json.dumps({**record, "outputs": []})
-    return text.encode(errors="replace") + b"\n"
+    return [*streams, *publisher.outputs, *shell.errors]
 
 
 def write_all(descriptor: int, data: bytes) -> None:

@@ -11,16 +11,17 @@ import sys
 import tempfile
 import threading
 import time
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextlib import suppress
 from dataclasses import asdict, dataclass, replace
 from pathlib import Path
 from typing import Any, cast
 
+from misstep.grading.rpc import ProcessEnded, child_environment, encode_message
 from misstep.grading.sandbox.course_stub import CourseSetup
 from misstep.grading.sandbox.limits import UNSAFE_OPTION, Limits, SandboxUnavailable
 from misstep.grading.sandbox.memory import BYTES_PER_MB, MemoryLimit, limit_memory
-from misstep.grading.sandbox.rpc import ProcessEnded, child_environment, encode_message
+from misstep.grading.sandbox.rootfs import NAMESPACES_REMEDY
 
 CHUNK_BYTES = 1 << 20
 
@@ -29,6 +30,9 @@ LIMIT_STATUSES = {-signal.SIGKILL, -signal.SIGXCPU} if sys.platform == "linux" e
 
 LOOK_SECONDS = 0.1
 """How often the memory of a submission is read."""
+
+CLOCK_TOLERANCE = 0.2
+"""By how many seconds the kernel's limit of processor time and its report may differ."""
 
 START_SECONDS = 120.0
 """How long the server may take to import everything. The first import of matplotlib also indexes all fonts."""
@@ -65,9 +69,12 @@ class Runner:
     Raises SandboxUnavailable if this machine lacks a layer of the sandbox, unless is_safe is False.
     """
 
-    def __init__(self, setup: CourseSetup, is_safe: bool = True) -> None:
-        self._lock, self._second_lock = threading.Lock(), threading.Lock()
+    def __init__(
+        self, setup: CourseSetup, is_safe: bool = True, register: "Callable[[Runner], None] | None" = None
+    ) -> None:
+        self._lock, self._second_lock, self._is_closed = threading.Lock(), threading.Lock(), False
         self._setup, self._is_safe, self._second = setup, is_safe, cast("Runner | None", None)
+        self._started: list[Runner] = []
         self._scratch = tempfile.TemporaryDirectory(ignore_cleanup_errors=True)
         self._socket, server_socket = socket.socketpair(socket.AF_UNIX, socket.SOCK_STREAM)
         with server_socket:
@@ -86,14 +93,27 @@ class Runner:
                 env={**child_environment(), "TMPDIR": self._scratch.name, "IPYTHONDIR": self._scratch.name},
                 start_new_session=True,
             )
+        if register:
+            register(self)  # so that it can be closed while it starts
+        try:
+            self._wait_until_ready()
+        except BaseException:
+            self.close()
+            raise
+
+    def _wait_until_ready(self) -> None:
         self._socket.settimeout(START_SECONDS)
         with suppress(OSError):  # it has ended already, and the greeting says so
-            self._socket.sendall(encode_message(asdict(setup)))
-        greeting = json.loads(self._socket.recv(CHUNK_BYTES) or b'{"unavailable": "The server ended while starting."}')
+            self._socket.sendall(encode_message(asdict(self._setup)))
+        try:
+            greeting = json.loads(
+                self._socket.recv(CHUNK_BYTES) or b'{"unavailable": "The server ended while starting."}'
+            )
+        except OSError as error:
+            raise SandboxUnavailable(f"The server of submissions did not start within {START_SECONDS:g} s.") from error
         if greeting["unavailable"]:
-            self.close()
             raise SandboxUnavailable(greeting["unavailable"])
-        if is_safe:
+        if self._is_safe:
             self._probe()
 
     def run(self, sheet: str, cells: Sequence[str], limits: Limits) -> RunOutcome:
@@ -108,30 +128,36 @@ class Runner:
         return self._run({"sheet": sheet, "cells": list(cells)}, limits)
 
     def close(self) -> None:
-        """End the servers and every process in them."""
-        with self._second_lock:
-            if self._second:
-                self._second.close()
-        self._socket.close()
+        """End the servers and every process in them. Runs that have not ended raise ProcessEnded."""
+        self._is_closed = True
+        for second in self._started:
+            second.close()
         self._process.kill()
         self._process.wait()
+        self._socket.close()
         self._scratch.cleanup()
 
     def _second_server(self) -> "Runner":
         with self._second_lock:
             if not self._second:
+                setup = replace(self._setup, imports=list(SLOW_IMPORTS))
                 try:
-                    self._second = Runner(replace(self._setup, imports=list(SLOW_IMPORTS)), self._is_safe)
+                    self._second = Runner(setup, self._is_safe, self._started.append)
                 except SandboxUnavailable as error:
                     raise ProcessEnded(str(error)) from error
             return self._second
 
     def _probe(self) -> None:
         """Confine a child process completely, and let it try what must be impossible."""
-        outcome = self._run({"probe": True}, Limits())
+        try:
+            outcome = self._run({"probe": True}, Limits())
+        except ProcessEnded as error:
+            raise SandboxUnavailable(
+                f"The sandbox cannot start a process in namespaces of its own on this machine. {NAMESPACES_REMEDY} "
+                "Nothing was run."
+            ) from error
         answer = json.loads(outcome.output or b'{"unavailable": "A first confined process ended without an answer."}')
         if "unavailable" in answer or answer["leaks"]:
-            self.close()
             raise SandboxUnavailable(
                 answer.get("unavailable") or f"Inside the sandbox it is possible to {', '.join(answer['leaks'])}."
             )
@@ -153,9 +179,16 @@ class Runner:
                 stream.close()
             except BrokenPipeError:
                 pass  # the child has ended already; its output, if any, says why
-            output, end_reason = _read_output(outputs.fileno(), limits, memory)
+            try:
+                output, end_reason = self._read_output(outputs.fileno(), limits, memory)
+            except ProcessEnded:
+                if process and not self._is_safe:  # in the sandbox, it ends with the server
+                    os.kill(process, signal.SIGTERM)
+                raise
             usage = json.loads(self._request(b"end " + child)[0])
         ended_by_itself = not end_reason and usage["status"] not in LIMIT_STATUSES
+        if not (end_reason or ended_by_itself) and usage["processor_seconds"] > limits.seconds - CLOCK_TOLERANCE:
+            end_reason = f"it used more than {limits.seconds:g} s of processor time"
         return RunOutcome(
             output,
             end_reason or _describe_status(usage["status"]),
@@ -163,6 +196,31 @@ class Runner:
             usage["memory_mb"],
             ended_by_itself,
         )
+
+    def _read_output(self, descriptor: int, limits: Limits, memory: MemoryLimit) -> tuple[bytes, str]:
+        """Read until the end of the stream, until a limit is reached, or until the time is over; also what ended it."""
+        output, max_bytes = bytearray(), limits.output_mb * BYTES_PER_MB
+        deadline = time.monotonic() + limits.wall_seconds
+        next_look = time.monotonic() + LOOK_SECONDS
+        chunk = b"first"
+        while chunk and (now := time.monotonic()) < deadline:
+            if now > next_look:
+                next_look = now + LOOK_SECONDS
+                if self._is_closed:
+                    raise ProcessEnded("The server that runs submissions was closed.")
+                if memory.is_exceeded():
+                    break
+            if not select.select([descriptor], [], [], min(deadline, next_look) - now)[0]:
+                continue
+            chunk = os.read(descriptor, CHUNK_BYTES)
+            output += chunk[: max_bytes - len(output)]
+            if len(output) >= max_bytes:
+                return bytes(output), f"it wrote more than {limits.output_mb} MB of output"
+        if memory.is_exceeded():  # a cgroup also says why a process has ended
+            return bytes(
+                output
+            ), f"it held more than {limits.memory_mb} MB of memory, all its processes and files together"
+        return bytes(output), f"it ran longer than {limits.wall_seconds:g} s" if chunk else ""
 
     def _fork(self, descriptors: Sequence[int]) -> tuple[bytes, int]:
         """Request a fork: the id of the child in its namespace, and in this one (0 if the system cannot tell)."""
@@ -194,28 +252,6 @@ def slow_imports(*sources: str) -> set[str]:
     {'sympy'}
     """
     return {module for module, pattern in SLOW_IMPORTS.items() if any(map(pattern.search, sources))}
-
-
-def _read_output(descriptor: int, limits: Limits, memory: MemoryLimit) -> tuple[bytes, str]:
-    """Read until the end of the stream, until a limit is reached, or until the time is over; also what ended it."""
-    output, max_bytes = bytearray(), limits.output_mb * BYTES_PER_MB
-    deadline = time.monotonic() + limits.seconds
-    next_look = time.monotonic() + LOOK_SECONDS
-    chunk = b"first"
-    while chunk and (now := time.monotonic()) < deadline:
-        if now > next_look:
-            next_look = now + LOOK_SECONDS
-            if memory.is_exceeded():
-                break
-        if not select.select([descriptor], [], [], min(deadline, next_look) - now)[0]:
-            continue
-        chunk = os.read(descriptor, CHUNK_BYTES)
-        output += chunk[: max_bytes - len(output)]
-        if len(output) >= max_bytes:
-            return bytes(output), f"it wrote more than {limits.output_mb} MB of output"
-    if memory.is_exceeded():  # a cgroup also says why a process has ended
-        return bytes(output), f"it held more than {limits.memory_mb} MB of memory, all its processes and files together"
-    return bytes(output), f"it ran longer than {limits.seconds:g} s" if chunk else ""
 
 
 def _describe_status(status: int) -> str:

@@ -21,11 +21,11 @@ from importlib import import_module
 from pathlib import Path
 from typing import TYPE_CHECKING
 
+from misstep.grading.rpc import THREAD_VARIABLES, receive_message
 from misstep.grading.sandbox import libc_calls
 from misstep.grading.sandbox.course_stub import CourseSetup, CourseStub, install_stub
 from misstep.grading.sandbox.limits import UNSAFE_OPTION, SandboxUnavailable
 from misstep.grading.sandbox.rootfs import SCRATCH, enter_namespaces, enter_root, readable_paths
-from misstep.grading.sandbox.rpc import THREAD_VARIABLES, receive_message
 
 if TYPE_CHECKING:
     from misstep.grading.sandbox.confine import Confinement
@@ -165,4 +165,5 @@ def _end_child(child: int, is_supervised: bool) -> dict[str, float]:
 
 
 if __name__ == "__main__":
-    main(int(sys.argv[1]), UNSAFE_OPTION not in sys.argv)
+    with suppress(BrokenPipeError, ConnectionResetError, KeyboardInterrupt):  # whoever grades has ended
+        main(int(sys.argv[1]), UNSAFE_OPTION not in sys.argv)

@@ -97,7 +97,7 @@ def test_a_worker_needs_no_folder_of_whoever_grades(monkeypatch, tmp_path):
         def __init__(self, sheet, *_):
             self.folder = sheet.folder
 
-        def grade(self, student, content):
+        def grade(self, student, content, seed_id):
             return self.folder
 
         def close(self):
@@ -106,7 +106,10 @@ def test_a_worker_needs_no_folder_of_whoever_grades(monkeypatch, tmp_path):
     monkeypatch.setattr("misstep.grading.judging.cluster.Grader", Told)
     monkeypatch.setattr("misstep.grading.judging.cluster.GRADERS", {})
     for folder, expected in ((tmp_path, tmp_path), (Path("/nowhere"), Path.cwd())):
-        assert grade_on_worker(ReleasedSheet(SHEET, folder, {}, "kincourse"), Limits(), True, "ada", None) == expected
+        assert (
+            grade_on_worker((ReleasedSheet(SHEET, folder, {}, "kincourse"), Limits(), True), "ada", None, "")
+            == expected
+        )
 
 
 def test_a_scheduler_that_is_not_there_is_told(monkeypatch):

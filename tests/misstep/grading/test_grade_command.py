@@ -171,7 +171,7 @@ class Told:
     asked: ClassVar = []
     broken: ClassVar = set()
 
-    def __init__(self, sheet, limits, is_safe):
+    def __init__(self, sheet, limits, is_safe, reader):
         self.is_safe = is_safe
 
     def __enter__(self):
@@ -180,7 +180,7 @@ class Told:
     def __exit__(self, *_):
         pass
 
-    def grade(self, student, content):
+    def grade(self, student, content, seed_id):
         self.asked.append(student)
         if student in self.broken:
             raise RuntimeError("the machine gave up")
@@ -312,7 +312,7 @@ def test_from_a_download_of_canvas_to_the_file_that_canvas_takes(tmp_path, asked
     assert asked() == ["ada", "bob", "cyn"]
     assert (out / "canvas.csv").read_text().splitlines()[2:] == ["A,1,,ada,S,2", "B,2,,bob,S,2", "C,3,,cyn,S,"]
     assert grade(zipped, tmp_path / "other") == 0
-    assert asked() == ["ada", "bob"]
+    assert asked() == ["xada_1", "xbob_2"]
     assert "no --roster" in capsys.readouterr().out
     assert [row["student"] for row in rows(tmp_path / "other" / "grades.csv")] == ["xada_1", "xbob_2"]
 

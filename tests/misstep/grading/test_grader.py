@@ -16,16 +16,16 @@ from typed_answers import as_typed, typable
 
 from kincourse import COURSE, find_sheet, sheets
 from misstep.answers.number import Numbers
+from misstep.grading import redacted_sheet
 from misstep.grading.collect.notebook import UnusableNotebook
 from misstep.grading.collect.run_plan import PlannedCell, RunPlan, plan_run, read_released_sheet
 from misstep.grading.judging import judge_process
 from misstep.grading.judging.grader import NOT_JUDGED, Grader
 from misstep.grading.judging.parse_output import parse_output
 from misstep.grading.publish.mathml import render_sentence
-from misstep.grading.sandbox import redacted_sheet
+from misstep.grading.rpc import ProcessEnded, Worker, child_environment
 from misstep.grading.sandbox.course_stub import setup_for
 from misstep.grading.sandbox.limits import UNSAFE_OPTION, Limits, SandboxUnavailable, sandbox_layer
-from misstep.grading.sandbox.rpc import ProcessEnded, Worker, child_environment
 from misstep.grading.sandbox.runner import Runner
 from misstep.problem import Problem
 from misstep.storage.deserialize import MIME, from_data

@@ -33,7 +33,7 @@ class ProcessEnded(RuntimeError):
 def child_environment() -> dict[str, str]:
     """The environment of a new process: one thread for BLAS, no window, no secrets."""
     variables = {name: os.environ[name] for name in INHERITED_VARIABLES if name in os.environ}
-    paths = [str(Path(__file__).parents[3]), *filter(None, variables.get("PYTHONPATH", "").split(os.pathsep))]
+    paths = [str(Path(__file__).parents[2]), *filter(None, variables.get("PYTHONPATH", "").split(os.pathsep))]
     # The process may start in another folder, so its paths must be absolute.
     variables["PYTHONPATH"] = os.pathsep.join(str(Path(path).resolve()) for path in paths)
     return {**variables, **dict.fromkeys(THREAD_VARIABLES, "1"), "MPLBACKEND": "agg"}
@@ -83,22 +83,31 @@ class Worker:
         """The id of the process."""
         return self._process.pid
 
-    def request(self, message: Mapping[str, Any], seconds: float) -> dict[str, Any]:
-        """Send a message and wait for its answer.
+    @property
+    def exit_code(self) -> int | None:
+        """How the process ended: negative for a signal; None while it runs."""
+        return self._process.poll()
 
-        Raises ProcessEnded if no answer arrives in time; then the process is ended too.
-        """
+    def send(self, message: Mapping[str, Any]) -> Future[dict[str, Any]]:
+        """Send a message. The answer will be in the future that is returned, or the error ProcessEnded."""
         with self._send_lock:
             number, answer = next(self._ids), Future[dict[str, Any]]()
             self._pending[number] = answer
             try:
                 self._outbox.write(encode_message({**message, "id": number, "thread": threading.get_ident()}))
                 self._outbox.flush()
-            except (OSError, ValueError) as error:  # the pipe is broken, or closed already
+            except (OSError, ValueError):  # the pipe is broken, or closed already
                 del self._pending[number]
-                raise ProcessEnded("The process has ended.") from error
+                answer.set_exception(ProcessEnded("The process has ended."))
+        return answer
+
+    def request(self, message: Mapping[str, Any], seconds: float) -> dict[str, Any]:
+        """Send a message and wait for its answer.
+
+        Raises ProcessEnded if no answer arrives in time; then the process is ended too.
+        """
         try:
-            return answer.result(seconds)
+            return self.send(message).result(seconds)
         except FutureTimeout as error:
             self.stop()
             raise ProcessEnded(f"The process gave no answer within {seconds:g} s.") from error

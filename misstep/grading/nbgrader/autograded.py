@@ -1,0 +1,47 @@
+"""The notebook that formgrader shows: the submission as it ran, with the verdicts in it. It is written by a reader, within limits."""
+
+import json
+from base64 import b64decode
+from copy import deepcopy
+from dataclasses import replace
+from functools import cache
+from pathlib import Path
+
+from misstep.grading.judging.result import Result
+from misstep.grading.nbgrader.lazy_nbgrader import lazy_nbgrader
+from misstep.grading.publish.result_store import ResultStore, write_if_changed
+
+with lazy_nbgrader():
+    import nbformat
+    from nbformat import NotebookNode
+
+    from misstep.grading.nbgrader.cells import fill_outputs, restore_metadata, text_cells
+
+METADATA_KEY = "misstep"
+"""The key in the metadata of an autograded notebook under which the digest of its result is stored."""
+
+
+def notebook_step(content: str | None, out: str, student: str, *, released: str, target: str, digest: str) -> None:
+    """Write the notebook of a stored result, as a step of a reader; the submission as base64."""
+    if result := ResultStore(Path(out)).load(student):
+        submitted = None if content is None else b64decode(content)
+        write_if_changed(Path(target), autograded_notebook(submitted, result, _read(released), digest))
+
+
+def autograded_notebook(content: bytes | None, result: Result, released: NotebookNode, digest: str) -> str:
+    """The graded notebook, or, if nbformat cannot read it, the released one. nbformat is stricter than the grader."""
+    texts = text_cells(released)
+    try:
+        notebook = fill_outputs(restore_metadata(content, result, released), result, texts)
+        nbformat.validate(notebook)
+    except Exception:  # nbformat raises many kinds of errors for invalid notebooks
+        notebook = fill_outputs(deepcopy(released), replace(result, cells=()), texts)
+    notebook.metadata = {METADATA_KEY: {"result": digest}, **notebook.metadata}
+    # The metadata first, so that the digest is found without reading the notebook. Indented, it would take five times as long.
+    return json.dumps({"metadata": notebook.metadata, **notebook}, ensure_ascii=False) + "\n"
+
+
+@cache
+def _read(path: str) -> NotebookNode:
+    released: NotebookNode = nbformat.read(path, as_version=4)
+    return released

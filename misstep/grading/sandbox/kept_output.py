@@ -1,0 +1,119 @@
+"""What is kept of the output of a submission: enough to show on its page, and never so much that it costs a point.
+
+Answers are always kept. Of the other output, what a cell or the whole notebook has too much of is left out, and a line in its
+place says so.
+"""
+
+import base64
+import io
+import json
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+from IPython.core.displaypub import CapturingDisplayPublisher
+
+from misstep.grading.sandbox.limits import MAX_ANSWER_CHARACTERS, SHOWN_KINDS
+from misstep.storage.deserialize import MIME
+
+MAX_PRINTED_CHARACTERS = 100_000
+"""How many characters of what a cell prints are kept."""
+
+MAX_CELL_BYTES = 1_000_000
+"""How many bytes of the output of a cell are kept, as JSON."""
+
+MAX_BYTES = 4_000_000
+"""How many bytes of the output of all cells are kept, as JSON."""
+
+
+class TruncatedStream(io.StringIO):
+    """A stream that accepts any amount of text and keeps its beginning."""
+
+    def write(self, text: str) -> int:
+        if self.tell() < MAX_PRINTED_CHARACTERS:
+            super().write(text[: MAX_PRINTED_CHARACTERS - self.tell()])
+            if self.tell() >= MAX_PRINTED_CHARACTERS:
+                super().write("\n[the rest of this output is left out]\n")
+        return len(text)
+
+
+class TruncatedDisplays(CapturingDisplayPublisher):
+    """Records displays in the forms that pages show, and answers, until a cell has too many of them.
+
+    left_out  the sizes in bytes of the displays that were not kept
+    """
+
+    def start_cell(self) -> None:
+        """Forget the displays of the cell before."""
+        self.outputs: list[dict[str, Any]] = []
+        self.left_out: list[int] = []
+        self._kept_bytes = 0
+
+    def publish(self, data: Mapping[str, Any], *_: Any, **__: Any) -> None:
+        """Record a display."""
+        size = sum(len(value) for value in data.values() if isinstance(value, str | bytes))
+        shown: dict[str, Any] = {kind: _text(value) for kind, value in data.items() if kind in SHOWN_KINDS}
+        self._kept_bytes += sum(map(len, shown.values()))
+        if self._kept_bytes > MAX_CELL_BYTES:
+            self.left_out.append(size)
+            shown = {}
+        if MIME in data:
+            shown[MIME] = data[MIME]
+        if shown:
+            self.outputs.append({"output_type": "display_data", "metadata": {}, "data": shown})
+
+
+def _text(value: Any) -> str:
+    """A form of a display as JSON holds it: a picture that is bytes as base64."""
+    return base64.b64encode(value).decode() if isinstance(value, bytes) else str(value)
+
+
+class OutputBudget:
+    """How much of the output of a submission can still be kept."""
+
+    def __init__(self) -> None:
+        self._left = MAX_BYTES
+
+    def encode_cell(self, number: int, outputs: Sequence[Mapping[str, Any]], left_out: Sequence[int] = ()) -> bytes:
+        """The outputs of a cell as a line of JSON. What JSON cannot hold is left out.
+
+        left_out  the sizes of the displays that have been left out already
+        """
+        lines, dropped, left = list[bytes](), list(left_out), min(self._left, MAX_CELL_BYTES)
+        last_answers = {_problem(output): place for place, output in enumerate(outputs) if _problem(output)}
+        for place, output in enumerate(outputs):
+            line = _encode(output)
+            if len(line) <= left:
+                lines.append(line)
+                left -= len(line)
+                self._left -= len(line)
+                continue
+            dropped.append(len(line))
+            if last_answers.get(_problem(output)) == place:
+                answer = _encode({**output, "data": {MIME: output["data"][MIME]}})
+                lines += [answer] if len(answer) < 2 * MAX_ANSWER_CHARACTERS else []
+            elif output["output_type"] == "error":
+                lines.append(_encode({**output, "traceback": []}))
+        if dropped:
+            lines.append(_encode({"output_type": "stream", "name": "stderr", "text": _note(dropped)}))
+        return b'{"cell": %d, "outputs": [%b]}\n' % (number, b", ".join(filter(None, lines)))
+
+
+def _problem(output: Mapping[str, Any]) -> str:
+    """The problem that an output has an answer to; "" if none."""
+    emission = output.get("data", {}).get(MIME)
+    return str(emission.get("problem")) if isinstance(emission, dict) else ""
+
+
+def _encode(output: Mapping[str, Any]) -> bytes:
+    try:
+        return json.dumps(output, allow_nan=False, skipkeys=True, ensure_ascii=False).encode(errors="replace")
+    except (TypeError, ValueError, RecursionError):
+        return b""
+
+
+def _note(sizes: Sequence[int]) -> str:
+    what = "One output" if len(sizes) == 1 else f"{len(sizes)} outputs"
+    return (
+        f"[{what} of this cell with {sum(sizes) / 1e6:.1f} MB left out here; this costs no points. "
+        f"At most {MAX_CELL_BYTES / 1e6:g} MB of a cell and {MAX_BYTES / 1e6:g} MB of a notebook are shown.]\n"
+    )
