@@ -382,8 +382,9 @@ class Mechanism(validation.ReadOnly):
         J = np.zeros((*r.shape, self.n))
         for i, loop in enumerate(self.loops):
             rows, q_loop = slice(6 * i, 6 * i + 6), q[:, loop.columns]
-            r[:, rows] = log(loop.chain.fk(q_loop))
-            J[:, rows, loop.columns] = left_jacobian_inverse(r[:, rows]) @ loop.chain.jacobian(q_loop)
+            T, J_s = loop.pose_and_jacobian(q_loop)
+            r[:, rows] = log(T)
+            J[:, rows, loop.columns] = left_jacobian_inverse(r[:, rows]) @ J_s
         return r, J
 
     def _centred_equations(self, q: Array) -> tuple[Array, Array]:
