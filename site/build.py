@@ -30,6 +30,8 @@ def build(folder: Path = ROOT / "build" / "site") -> int:
         folder / "doctrees",
         "-D",
         f"kinlib_lab={'lab' if built_lab else ''}",
+        "-D",
+        f"kinlib_python_mb={lab.megabytes(built_lab)}",
         folder / "source",
         folder / "html",
     )

@@ -30,6 +30,7 @@ def setup(app: Sphinx) -> dict[str, Any]:
     # Sphinx reads all pages again if this value changes, because the packages and these modules generate what they show
     app.add_config_value("kinlib_generator_hash", generator_hash(), "env")
     app.add_config_value("kinlib_lab", "", "html")  # the folder of the lab, or nothing if there is no lab
+    app.add_config_value("kinlib_python_mb", "", "html")  # how many megabytes of Python a page loads, if there is a lab
     app.add_config_value("kinlib_repository", "", "html")  # its address, or nothing: then no page links to it
     app.add_directive("kinlib-arm", ArmDirective)
     app.add_directive("kinlib-wrong-answers", WrongAnswersDirective)
@@ -94,6 +95,7 @@ def set_context(app: Sphinx, page: str, _: str, context: dict[str, Any], doctree
     """Set the values that the templates need for a page."""
     # a table without headings has empty cells in their place, which a screen reader would call headings
     body = UNCOLOURED.sub(r"\1", EMPTY_HEADING.sub("<td></td>", context.get("body", "")))
+    body = body.replace(' aria-label="Toggle hidden content"', "")  # a fold is called what it shows
     context["body"] = late_formulas.defer(body, at_once=FORMULAS_AT_ONCE)
     # furo gives its captions the role of headings without a level, which is not valid; they are captions
     context["furo_navigation_tree"] = context["furo_navigation_tree"].replace(' role="heading"', "")
@@ -108,6 +110,7 @@ def set_context(app: Sphinx, page: str, _: str, context: dict[str, Any], doctree
     lab = app.config.kinlib_lab
     context["kinlib_run"] = f"{lab}/notebooks/index.html?path={path}" if lab and is_notebook else ""
     context["kinlib_lab_folder"] = f"{lab}/"
+    context["kinlib_python_mb"] = app.config.kinlib_python_mb
     context["kinlib_kind"] = folder.rstrip("s") if is_notebook else ""
     context["kinlib_sheet"] = name if folder == "lectures" and f"sheets/{name}" in app.env.found_docs else ""
     context["kinlib_lecture"] = name if folder == "sheets" and f"lectures/{name}" in app.env.found_docs else ""

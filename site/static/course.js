@@ -43,9 +43,16 @@
     try {
       localStorage.setItem(KEY, JSON.stringify(progress));
     } catch {
-      if (storageWorks) document.body.append(h('p', { class: 'visually-hidden', role: 'status' }, NO_STORAGE));
+      if (storageWorks) showNotice(NO_STORAGE);
       storageWorks = false;
     }
+  }
+
+  /** Show a message at the lower edge of the window until it is closed. It covers no text: the page gets longer by it. */
+  function showNotice(text) {
+    const close = h('button', { type: 'button', class: 'kinlib-button', onclick: () => notice.remove() }, 'Close');
+    const notice = h('div', { class: 'kinlib-notice', role: 'status' }, h('p', {}, text), close);
+    document.querySelector('article').append(notice);
   }
 
   // live.js, which loads after this script, uses this function.
@@ -427,6 +434,36 @@
     target.scrollIntoView();
   }
 
+  // --- the bar of a phone: the page and the section that is read ---
+
+  function startBar() {
+    const bar = document.querySelector('.mobile-header .brand');
+    const title = document.querySelector('article h1');
+    if (!bar || !title) return;
+    const course = bar.textContent;
+    const heading = (element) => {
+      const copy = element.cloneNode(true);
+      for (const extra of all('.katex-html, annotation, kinlib-formula, .headerlink', copy)) extra.remove();
+      return copy.textContent.trim();
+    };
+    const sections = all('article h2');
+    let waiting = false;
+
+    function show() {
+      waiting = false;
+      const edge = bar.closest('header').offsetHeight;
+      const passed = sections.filter((section) => section.getBoundingClientRect().top < edge + 40).at(-1);
+      if (title.getBoundingClientRect().bottom > edge) bar.replaceChildren(course);
+      else bar.replaceChildren(heading(title), ...(passed ? [h('span', {}, heading(passed))] : []));
+    }
+    const onScroll = () => {
+      if (!waiting) requestAnimationFrame(show);
+      waiting = true;
+    };
+    addEventListener('scroll', onScroll, { passive: true });
+    show();
+  }
+
   // --- addresses of single things, and their links to copy ---
 
   /** A button that copies a text, and says so. `text` is called when it is pressed. */
@@ -523,6 +560,7 @@
   sendHeight();
   addCopyButtons();
   startContent(document);
+  startBar();
   // live.js adds outputs of cells that the reader runs; a self-check that was run again can be answered again
   document.addEventListener('kinlib-content', ({ detail }) => startContent(detail.root, detail.again));
   all('[data-kinlib-done]').forEach(startReadButton);

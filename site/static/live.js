@@ -14,7 +14,11 @@
 
   const h = window.kinlibElement; // of course.js
 
-  const INTRODUCTION = 'The code runs on this page: press Run below a cell, or Shift + Enter in it. ';
+  const PYTHON_SIZE = `${note.dataset.megabytes} MB`;
+  const INTRODUCTION =
+    'The code runs on this page: press Run below a cell, or Shift + Enter in it. ' +
+    `The first run loads Python, ${PYTHON_SIZE}, which this browser keeps. Until then nothing is loaded. `;
+  const CONSENT = 'kinlib-python'; // in localStorage, once the reader has agreed
   const DIFFERENCES = [
     'The results that you see first were computed when the page was built; your own replace them.',
     'Before a cell runs, the cells above it run, if they have not run yet.',
@@ -52,19 +56,56 @@
     }
   }
 
-  // --- the status of Python, in a corner of the page ---
+  // --- the status of Python, below the cell that was run ---
 
   const bar = h('progress', { max: 1, 'aria-label': 'Python is loading' });
   const amount = h('span', { class: 'kinlib-live-amount' });
   const phase = h('span', { role: 'status' });
-  const corner = h('div', { class: 'kinlib-live-status', hidden: true }, phase, amount, bar);
+  const statusBox = h('div', { class: 'kinlib-live-status', hidden: true }, phase, amount, bar);
   const spoken = h('p', { class: 'visually-hidden', role: 'status' });
-  note.after(corner, spoken);
+  note.after(statusBox, spoken);
 
   function showPhase(text, loading = true) {
     if (phase.textContent !== text) phase.textContent = text; // otherwise it would be announced again
-    corner.hidden = !text;
+    statusBox.hidden = !text;
     bar.hidden = amount.hidden = !loading;
+  }
+
+  // --- the reader is asked before Python is loaded for the first time ---
+
+  let agreed = false;
+  try {
+    agreed = localStorage.getItem(CONSENT) === 'yes';
+  } catch {
+    /* the reader is asked on each page */
+  }
+
+  /** Say how much will be loaded, and go on with `then` if the reader agrees. */
+  function ask(cell, then) {
+    document.querySelector('.kinlib-live-ask')?.remove();
+    const button = (label, onclick) => h('button', { type: 'button', class: 'kinlib-button', onclick }, label);
+    const box = h(
+      'div',
+      { class: 'kinlib-live-ask', role: 'group', 'aria-label': 'Load Python?' },
+      h('p', {}, `To run code, this page loads Python: ${PYTHON_SIZE}, once. The browser keeps it for all lectures.`),
+      button('Load Python and run', () => {
+        agreed = true;
+        try {
+          localStorage.setItem(CONSENT, 'yes');
+        } catch {
+          /* as above */
+        }
+        close(then);
+      }),
+      button('Not now', () => close()),
+    );
+    function close(next) {
+      box.remove();
+      cell.runButton.focus();
+      next?.();
+    }
+    cell.tools.after(box);
+    box.querySelector('button').focus();
   }
 
   // --- one worker for all cells of the page ---
@@ -74,8 +115,9 @@
   let queue = []; // the cells to run, the current one first
   let executed = new Set();
 
-  function startPython() {
+  function startPython(cell) {
     if (worker) return;
+    cell.tools.after(statusBox);
     worker = new Worker(new URL('live/worker.js', LAB), { type: 'module' });
     worker.onmessage = ({ data }) => ANSWERS[data.kind](data);
     worker.onerror = (event) => ANSWERS.failed({ text: event.message ?? 'its files could not be loaded' });
@@ -158,7 +200,11 @@
   /** Run a cell, and before it all cells above that this Python has not run yet. */
   function run(cell) {
     if (queue.includes(cell)) return;
-    startPython();
+    if (!agreed) {
+      ask(cell, () => run(cell));
+      return;
+    }
+    startPython(cell);
     const before = cells
       .slice(0, cells.indexOf(cell))
       .filter((other) => !executed.has(other) && !queue.includes(other));
@@ -219,7 +265,7 @@
       if (event.shiftKey || event.ctrlKey || event.metaKey) {
         event.preventDefault();
         run(this);
-        if (event.shiftKey) {
+        if (event.shiftKey && agreed) {
           const next = cells[cells.indexOf(this) + 1];
           (next?.area ?? next?.runButton)?.focus();
         }
@@ -433,10 +479,4 @@
       h('p', {}, 'To have all of it:', ' ', labLink()),
     ),
   );
-
-  // Python starts with the first sign of interest in a cell; if the reader wants to save data, with the first run
-  if (!navigator.connection?.saveData) {
-    const begin = ({ target }) => target.closest?.('div.cell') && startPython();
-    for (const event of ['pointerdown', 'keydown']) document.addEventListener(event, begin, { passive: true });
-  }
 })();

@@ -1,6 +1,7 @@
 """Cells that run on the page of a lecture: one visit with the real Python, and messages with a worker that only pretends."""
 
 import json
+import re
 
 import pytest
 from browser import unwatched, watched
@@ -26,6 +27,12 @@ def cell(page, text):
 
 def press(which, name):
     which.get_by_role("button", name=name, exact=False).first.click()
+
+
+def agree(page, which):
+    """Press Run for the first time, and agree to what is loaded."""
+    press(which, "Run")
+    page.get_by_role("button", name="Load Python and run").click()
 
 
 def ended(which, text="Done."):
@@ -57,12 +64,12 @@ def test_a_reader_runs_changes_and_stops_the_cells_of_a_lecture(chromium_without
 
 
 def runs_the_cells_above_first(page):
-    """Python starts with the click, the result that the page was built with stays until the new one is there."""
+    """Python loads after the reader has agreed; the result of the page stays until the new one is there."""
     pose = cell(page, "print(arm.home")
     before = pose.locator(".cell_output").inner_text()
     assert "0.5405" in before
-    press(pose, "Run")
-    expect(page.get_by_text("Python is loading")).to_be_visible()
+    agree(page, pose)
+    expect(pose.get_by_text("Python is loading")).to_be_visible()
     assert pose.locator(".cell_output").inner_text() == before
     ended(pose)
     assert pose.locator(".cell_output").inner_text().split() == before.split()
@@ -131,6 +138,34 @@ def stops_a_cell_that_never_ends(page):
     expect(endless.get_by_role("button", name="Run cell 9")).to_have_text("Run")
 
 
+def test_nothing_is_loaded_by_touching_scrolling_or_answering_until_the_reader_agrees(chromium, site_address, lecture):
+    """A finger moves over every figure of lecture 03, and every question is answered. Then Run says what it will load."""
+    with watched(chromium, viewport=PHONE, has_touch=True) as page:
+        asked = []
+        page.on("request", lambda request: asked.append(request.url))
+        page.goto(f"{site_address}/lectures/03_poe_space.html")
+        touch = page.context.new_cdp_session(page)
+        for figure in page.locator("div.cell_output").all():
+            figure.scroll_into_view_if_needed()
+            box = figure.bounding_box()
+            for kind, y in (("touchStart", 0.5), ("touchMove", 0.3), ("touchEnd", 0.3)):
+                point = {"x": box["x"] + 40, "y": box["y"] + y * min(box["height"], 300)}
+                points = [] if kind == "touchEnd" else [point]
+                touch.send("Input.dispatchTouchEvent", {"type": kind, "touchPoints": points})
+        questions = page.locator(".misstep-question")
+        for question in questions.all():
+            question.locator(".kinlib-choice").first.tap()
+        assert page.locator(".misstep-question[data-committed]").count() == questions.count() > 5
+        run = page.get_by_role("button", name="Run cell 1", exact=True)
+        run.tap()
+        expect(page.get_by_role("group", name="Load Python?")).to_contain_text(
+            re.compile(r"loads Python: \d+ MB, once")
+        )
+        page.get_by_role("button", name="Not now").tap()
+        expect(run).to_be_focused()
+        assert not [url for url in asked if "/lab/" in url]
+
+
 def test_the_page_says_how_much_is_loaded_and_when_nothing_arrives(chromium_without_webgl, lecture):
     with watched(chromium_without_webgl) as page:
         page.clock.install()
@@ -139,7 +174,7 @@ def test_the_page_says_how_much_is_loaded_and_when_nothing_arrives(chromium_with
             body="postMessage({ kind: 'bytes', received: 12.9e6, total: 37.2e6 });",
         ))  # fmt: skip
         page.goto(lecture)
-        press(cell(page, "draw_parts(arm)"), "Run")
+        agree(page, cell(page, "draw_parts(arm)"))
         expect(page.locator(".kinlib-live-status")).to_have_text("Python is loading 12 of 38 MB")
         assert float(page.locator(".kinlib-live-status progress").get_attribute("value")) == pytest.approx(12.9 / 37.2)
         page.clock.run_for(20_000)
@@ -148,13 +183,13 @@ def test_the_page_says_how_much_is_loaded_and_when_nothing_arrives(chromium_with
 
 def test_the_page_says_why_python_could_not_start_and_tries_again(chromium_without_webgl, lecture):
     with unwatched(chromium_without_webgl) as page:
-        page.route("**/static/pyodide/sizes.json", lambda route: route.abort())
+        page.route("**/live/load.json", lambda route: route.abort())
         page.goto(lecture)
         first = cell(page, "draw_parts(arm)")
-        press(first, "Run")
+        agree(page, first)
         ended(first, "Python could not start.")
         expect(page.locator(".kinlib-live-status")).to_contain_text("Check the connection, then press Run again.")
-        page.unroute("**/static/pyodide/sizes.json")  # otherwise it would fail again before this can be read
+        page.unroute("**/live/load.json")  # otherwise it would fail again before this can be read
         press(first, "Run")
         ended(first, "Waiting for Python.")
 

@@ -168,11 +168,17 @@ def test_the_page_of_a_notebook_begins_with_a_preview_and_the_service_worker_kno
     assert 'src="../start.js"' in pages["notebooks"]
     assert "start.js" not in pages["tree"]
     (tmp_path / "service-worker.js").write_text("theirs();")
+    python = tmp_path / "static" / "pyodide"
+    python.mkdir(parents=True)
+    packages = {name: {"file_name": f"{name}.whl", "depends": []} for name in lab.LIVE_PACKAGES}
+    (python / "pyodide-lock.json").write_text(json.dumps({"packages": packages}))
+    (python / "sizes.json").write_text(json.dumps({"pyodide.mjs": 1e6, "ipython.whl": 2e6, "python.wasm": 9e6}))
     lab.add_own_files(tmp_path)
     worker = (tmp_path / "service-worker.js").read_text()
     assert re.match(r"const VERSION = '[0-9a-f]{16}';\n", worker)
     assert worker.endswith("theirs();")
-    assert {path.name for path in (tmp_path / "live").iterdir()} == {"shell.py", "worker.js"}
+    assert {path.name for path in (tmp_path / "live").iterdir()} == {"load.json", "shell.py", "worker.js"}
+    assert lab.megabytes(tmp_path) == "12"
 
 
 def test_the_lab_is_copied_to_the_site_when_it_changes_and_deleted_when_there_is_none(tmp_path):

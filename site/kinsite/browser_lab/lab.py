@@ -9,6 +9,7 @@ If the variable is not set, the official release is tried, and if it cannot be d
 
 import hashlib
 import json
+import math
 import os
 import re
 import shutil
@@ -16,6 +17,9 @@ import subprocess
 import sys
 from collections.abc import Iterable
 from pathlib import Path
+from typing import Any
+
+from packaging.utils import canonicalize_name
 
 from kinsite.browser_lab import pyodide, wheels
 from kinsite.browser_lab.wheels import Unreachable
@@ -34,6 +38,9 @@ EXTENSIONS = (
     SITE / "lab" / "extension",
 )
 """The kernel, the widgets, and the extension of the course, which adds messages and records solved problems."""
+
+LIVE_PACKAGES = ("ipython", "kincourse")
+"""What a page loads before its first cell runs, with all that they require; a cell may load more."""
 
 APPS = ("tree", "notebooks")
 """The applications of JupyterLite that the lab has: the list of files, and the notebook."""
@@ -130,9 +137,44 @@ def add_own_files(built: Path) -> None:
     """Add what the course's pages run in Python, what the lab runs before JupyterLab, and the store of loaded files."""
     shutil.copytree(SITE / "lab" / "live", built / "live")
     shutil.copy(SITE / "lab" / "start.js", built)
+    python = built / "static" / "pyodide"
+    lock = json.loads((python / "pyodide-lock.json").read_text("utf-8"))["packages"]
+    sizes = json.loads((python / "sizes.json").read_text("utf-8"))
+    (built / "live" / "load.json").write_text(json.dumps(what_a_page_loads(lock, sizes)), "utf-8")
     worker = built / "service-worker.js"
     own = (SITE / "lab" / "service-worker.js").read_text("utf-8")
     worker.write_text(f"const VERSION = '{input_hash()[:16]}';\n{own}{worker.read_text('utf-8')}", "utf-8")
+
+
+def what_a_page_loads(lock: dict[str, Any], sizes: dict[str, int]) -> dict[str, Any]:
+    """Return the packages that a page loads, the bytes of all their files, and of these the bytes of JavaScript.
+
+    lock   the packages of Pyodide's lock file
+    sizes  the bytes of each file of Pyodide
+
+    >>> lock = {name: {"file_name": f"{name}.whl", "depends": []} for name in ("ipython", "kincourse", "numpy")}
+    >>> lock["kincourse"]["depends"] = ["numpy"]
+    >>> sizes = {"pyodide.mjs": 1, "python.wasm": 20, "ipython.whl": 300, "kincourse.whl": 4000, "numpy.whl": 50000}
+    >>> what_a_page_loads(lock, sizes)
+    {'packages': ('ipython', 'kincourse'), 'total': 54321, 'modules': 1}
+    """
+    needed, todo = set(), list(LIVE_PACKAGES)
+    while todo:
+        name = canonicalize_name(todo.pop())
+        if name not in needed:
+            needed.add(name)
+            todo += lock[name]["depends"]
+    packages = {entry["file_name"]: canonicalize_name(name) for name, entry in lock.items()}
+    files = {file: size for file, size in sizes.items() if file not in packages or packages[file] in needed}
+    modules = sum(size for file, size in files.items() if file.endswith((".mjs", ".js")))
+    return {"packages": LIVE_PACKAGES, "total": sum(files.values()), "modules": modules}
+
+
+def megabytes(built: Path | None) -> str:
+    """Return how many megabytes of Python a page loads, or nothing if there is no lab."""
+    if built is None:
+        return ""
+    return str(math.ceil(json.loads((built / "live" / "load.json").read_text("utf-8"))["total"] / 1e6))
 
 
 def complete_page(page: Path) -> None:
