@@ -28,7 +28,8 @@ def array(x: ArrayLike, name: str) -> Array:
         if values.dtype.kind not in "biufO":
             raise TypeError(f"{values.dtype} is not a real number")
         # astype alone would read None as NaN and "1" as 1. Adding zero first refuses both.
-        values = np.asarray(values + 0.0).astype(float, copy=False)
+        with np.errstate(over="ignore"):  # a long double beyond 1e308 becomes infinity, which is refused below
+            values = np.asarray(values + 0.0).astype(float, copy=False)
     except (TypeError, ValueError, OverflowError) as error:
         raise ValueError(
             f"{name} must be an array of real numbers; got {brief(x)}. "
