@@ -26,7 +26,7 @@ from itertools import chain
 from pathlib import Path
 from typing import Any
 
-from misstep.grading.collect.gather import Submission, gather
+from misstep.grading.collect.gather import Submission, WrongRoster, gather
 from misstep.grading.collect.roster import read_roster
 from misstep.grading.collect.run_plan import ReleasedSheet, read_released_sheet
 from misstep.grading.jobs import GradingJob, grade_best, make_jobs
@@ -120,7 +120,7 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
 
 
 def run(options: argparse.Namespace) -> int:
-    """Grade, and return the exit code: 0 done, 1 some submissions could not be graded, 2 impossible request."""
+    """Grade, and return the exit code: 0 done, 1 some or all submissions could not be graded, 2 impossible request."""
     if options.jobs < 1:
         print(f"misstep grade: --jobs must be at least 1; got {options.jobs}.", file=sys.stderr)
         return 2
@@ -134,6 +134,9 @@ def run(options: argparse.Namespace) -> int:
     except (*EXPLAINED_ERRORS, ClusterUnreachable) as error:
         print(f"misstep grade: {error}", file=sys.stderr)
         return 2
+    except WrongRoster as error:
+        print(f"misstep grade: {error}", file=sys.stderr)
+        return 1
     except KeyboardInterrupt:
         print(
             "misstep grade: stopped. All results so far are stored; the same command continues from there.",

@@ -27,6 +27,9 @@ ARCHIVE_ERRORS = (
 )
 """The errors that zipfile raises for damaged archives, depending on which bytes are wrong."""
 
+MAX_NAME_CHARACTERS = 255
+"""The longest name of a file or folder, as in file systems; members of a zip file could have longer ones."""
+
 SKIPPED_NAMES = ("__MACOSX", "Thumbs.db", "desktop.ini")
 
 MAX_MB = f"{MAX_NOTEBOOK_BYTES / 1e6:.0f} MB"
@@ -77,7 +80,7 @@ def list_files(source: Path) -> list[File]:
 
 
 def _is_skipped(path: PurePosixPath) -> bool:
-    return any(part.startswith(".") or part in SKIPPED_NAMES for part in path.parts)
+    return any(part.startswith(".") or part in SKIPPED_NAMES or len(part) > MAX_NAME_CHARACTERS for part in path.parts)
 
 
 def _files_of_folder(folder: Path) -> Iterator[File]:

@@ -16,6 +16,10 @@ MAX_NOTEBOOKS = 3
 """How many notebooks of one student are graded, of which the best one counts. More of them would be guesses."""
 
 
+class WrongRoster(RuntimeError):
+    """Most submissions are of students who are not in the roster, so nothing is graded."""
+
+
 @dataclass(frozen=True)
 class Submission:
     """What one student submitted.
@@ -70,7 +74,7 @@ def gather(source: Path, sheet: str, roster: Roster | None = None) -> Gathered:
 
     With a roster, every student in it gets a submission, and students who are not in it are listed in the remarks.
 
-    Raises ValueError if there are no submissions.
+    Raises ValueError if there are no submissions, and WrongRoster if more than half of them are not in the roster.
     """
     layout = detect_layout(list_files(source), sheet)
     remarks: list[str] = []
@@ -87,6 +91,15 @@ def gather(source: Path, sheet: str, roster: Roster | None = None) -> Gathered:
         submitted = {submission.student for submission in submissions}
         submissions += [Submission(student, student, None) for student in roster.ids if student not in submitted]
         unlisted = sorted(submitted - set(roster.ids))
+        known = {name.lower() for name in roster.ids}
+        if 2 * sum(name.lower() not in known for name in unlisted) > len(submitted):
+            keys = [row[roster.key_column].strip() for row in roster.rows[:3]]
+            raise WrongRoster(
+                f"{len(unlisted)} of {len(submitted)} submissions are not in the roster, for example "
+                f"{', '.join(unlisted[:3])}. Its column {roster.columns[roster.key_column]!r} has, for example, "
+                f"{', '.join(keys)}. Is it the list of this course, exported by the same platform as the submissions? "
+                "Nothing was graded."
+            )
         if unlisted:
             remarks.append(f"Not in the roster, and so not in the file for the platform: {', '.join(unlisted)}.")
         if roster.unsure_of:

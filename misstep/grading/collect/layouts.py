@@ -54,8 +54,8 @@ def detect_layout(files: Sequence[File], sheet: str) -> Layout:
     """
     if not files:
         raise ValueError("It contains no submission.")
-    if metadata := [file for file in files if file.path.name == GRADESCOPE]:
-        return Layout("gradescope", _gradescope_students(files, metadata[0]))
+    if metadata := _gradescope_metadata(files):
+        return Layout("gradescope", _gradescope_students(files, metadata))
     files = _without_wrapping_folder(files)
     tops = {file.path.parts[0] for file in files}
     if any(MOODLE.fullmatch(top) for top in tops):
@@ -126,6 +126,12 @@ def _without_wrapping_folder(files: Sequence[File]) -> Sequence[File]:
     return [File(PurePosixPath(*file.path.parts[1:]), file.modified, file.read) for file in files]
 
 
+def _gradescope_metadata(files: Sequence[File]) -> File | None:
+    """Gradescope's list: all files are below its folder. One that a student handed in is in a folder of that student."""
+    lists = (file for file in files if file.path.name == GRADESCOPE)
+    return next((one for one in lists if all(file.path.is_relative_to(one.path.parent) for file in files)), None)
+
+
 def _gradescope_students(files: Sequence[File], metadata: File) -> list[StudentFiles]:
     import yaml  # here, because only a download of Gradescope has such a file
 
@@ -142,12 +148,18 @@ def _gradescope_students(files: Sequence[File], metadata: File) -> list[StudentF
     for submission, record in records.items():
         own_files = [(file.path.name, file) for file in files if str(submission) in file.path.parts[depth : depth + 1]]
         for person in _submitters(record):
-            key = str(person.get(":sid") or person.get(":email") or "")
-            name = str(person.get(":name") or key or submission)
+            sid, email, called = (_text(person.get(kind)) for kind in (":sid", ":email", ":name"))
+            key = sid or email
+            name = called or key or str(submission)
             students.append(StudentFiles(name, key or str(submission), own_files))
     if not students:
         raise ValueError(f"{GRADESCOPE} lists no student. Download the submissions again.")
     return students
+
+
+def _text(value: Any) -> str:
+    """A text of the list; an alias of YAML could stand for more than fits into memory."""
+    return value.strip() if isinstance(value, str) else ""
 
 
 def _submitters(record: Any) -> list[Mapping[str, Any]]:

@@ -70,8 +70,8 @@ def _parse(content: bytes) -> dict[str, Any]:
         raise UnusableNotebook("The file is empty. Save the notebook, and hand it in again.")
     if len(content) > MAX_NOTEBOOK_BYTES:
         raise UnusableNotebook(
-            f"The file has {len(content) / 1e6:.0f} MB; at most {MAX_NOTEBOOK_BYTES / 1e6:.0f} MB are read. Clear all "
-            "outputs, save, and hand it in again."
+            f"The file is larger than {MAX_NOTEBOOK_BYTES / 1e6:.0f} MB, and so it is not read. Clear all outputs, save, and "
+            "hand it in again."
         )
     if sum(map(content.count, (b"[", b"{", b","))) > MAX_JSON_PARTS:
         raise UnusableNotebook("The JSON has more parts than any notebook of this course.")

@@ -15,8 +15,10 @@ import csv
 import io
 import re
 import unicodedata
-from collections.abc import Sequence
+from collections import Counter
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
+from functools import cached_property
 from pathlib import Path
 
 Row = Sequence[str]
@@ -63,12 +65,20 @@ class Roster:
     @property
     def ids(self) -> list[str]:
         """The ids of all students, without test students."""
-        people = [row for row in self.rows if _key(row[self.key_column]) not in self.test_keys]
+        people = [row for row in self.rows if _key(self.kind, row[self.key_column]) not in self.test_keys]
         return [name for row in people if (name := self.id_of(row))]
 
     def id_for_key(self, key: str) -> str | None:
         """The id of the student whose files have this key in a download; None if there is no such student."""
-        return next((self.id_of(row) for row in self.rows if _key(row[self.key_column]) == key.strip()), None)
+        return self._ids_by_key.get(key.strip().casefold())
+
+    @cached_property
+    def _ids_by_key(self) -> Mapping[str, str]:
+        """The ids by their keys; in Gradescope, where a student may have no SID, also by their email addresses."""
+        titles = [column.strip().casefold() for column in self.columns]
+        emails = titles.index("email") if self.kind == "gradescope" and "email" in titles else self.key_column
+        by_email = {row[emails].strip().casefold(): self.id_of(row) for row in self.rows if row[emails].strip()}
+        return by_email | {_key(self.kind, row[self.key_column]).casefold(): self.id_of(row) for row in self.rows}
 
 
 def read_roster(path: Path, id_column: str | None = None) -> Roster:
@@ -108,7 +118,7 @@ def read_roster(path: Path, id_column: str | None = None) -> Roster:
             "Name the column with --id-column."
         )
     maximum = grade + 1 if grade is not None else None
-    tests = [_key(row[key]) for row in people if kind == "canvas" and _is_test_student(row, key)]
+    tests = [_key(kind, row[key]) for row in people if kind == "canvas" and _is_test_student(row, key)]
     is_unsure = kind == "moodle" and not id_column and not {*MOODLE_IDS} & {*titles}
     unsure_of = [columns[place] for place in filled[1:]] if is_unsure else []
     roster = Roster(kind, columns, people, filled[0], key, grade, maximum, tests, unsure_of, delimiter)
@@ -119,16 +129,26 @@ def read_roster(path: Path, id_column: str | None = None) -> Roster:
             f"Each id must occur once; in {path}, column {columns[filled[0]]!r} has the id {repeated[0]!r} "
             f"{ids.count(repeated[0])} times ({same}). Capitals make no difference."
         )
+    keys = Counter(_key(kind, row[key]).casefold() for row in people)
+    if kind != "own" and (shared := [name for name, count in keys.items() if count > 1]):
+        same = ", ".join(roster.id_of(row) for row in people if _key(kind, row[key]).casefold() == shared[0])
+        raise ValueError(
+            f"Each student must have a key of their own, by which files are assigned; in {path}, column {columns[key]!r} has "
+            f"the key {shared[0]!r} for {same}. Correct the list, or export it again."
+        )
     return roster
 
 
 def _kind(titles: Sequence[str], rows: Sequence[Row]) -> str | None:
     """The platform that wrote the table, from its cells; the headers of Canvas and Gradescope are always in English."""
-    words = {match["word"] if (match := PARTICIPANT.fullmatch(row[0].strip())) else "" for row in rows}
-    if len(words) == 1 and "" not in words and (len(titles) >= 5 or "identifier" in titles):
-        return "moodle"
     if {"identifier", "full name", "grade"} <= set(titles):
         return "moodle"
+    words = {match["word"].strip() if (match := PARTICIPANT.fullmatch(row[0].strip())) else "" for row in rows}
+    # In a list of your own, s1815 is an id. Moodle's word is longer, and its table has a maximum grade; if not, it is said later.
+    if len(words) == 1 and len(min(words)) > (3 if min(words).isascii() else 0):
+        has_grades = _grade_column(rows) is not None or "id" not in titles
+        if "identifier" in titles or (len(titles) >= 5 and has_grades):
+            return "moodle"
     if ({"id", "section"} <= set(titles) and {"student", "lastname"} & set(titles)) or _points_row(rows) is not None:
         return "canvas"
     if {"sid", "email"} <= set(titles):
@@ -211,11 +231,18 @@ def _table(path: Path) -> tuple[list[str], list[Row], str]:
         header, *lines = [*csv.reader(io.StringIO(text), delimiter=delimiter)] or [[]]
         rows: list[Row] = [[*line, *[""] * (len(header) - len(line))][: len(header)] for line in lines if any(line)]
         return header, rows, delimiter
-    except (OSError, UnicodeDecodeError, csv.Error) as error:
+    except UnicodeDecodeError as error:
+        raise ValueError(
+            f'{path} must be a table in UTF-8; it is in another encoding. A spreadsheet saves it as "CSV UTF-8"; or take the '
+            "file as the platform exported it."
+        ) from error
+    except OSError as error:
+        raise ValueError(f"{path} cannot be read: {error.strerror}. Is it the file of the roster?") from error
+    except csv.Error as error:
         raise ValueError(f"{path} cannot be read as a table (CSV in UTF-8): {error}.") from error
 
 
-def _key(cell: str) -> str:
-    """The key in a cell, without Moodle's word in front."""
-    match = PARTICIPANT.fullmatch(cell.strip())
+def _key(kind: str, cell: str) -> str:
+    """The key in a cell: Moodle, and no other platform, writes a word in front of it."""
+    match = PARTICIPANT.fullmatch(cell.strip()) if kind == "moodle" else None
     return match["key"] if match else cell.strip()

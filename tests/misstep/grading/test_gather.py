@@ -15,7 +15,7 @@ if sys.platform == "win32":
 
 from misstep.grading.collect import run_plan
 from misstep.grading.collect.files import UnreadableFile, list_files
-from misstep.grading.collect.gather import gather
+from misstep.grading.collect.gather import WrongRoster, gather
 from misstep.grading.collect.notebook import MAX_NOTEBOOK_BYTES, code_cells
 from misstep.grading.collect.roster import read_roster
 from misstep.grading.judging.result import Result
@@ -278,7 +278,13 @@ def test_a_gradebook_of_canvas_is_known_by_its_cells_and_its_test_student_is_non
 
 
 @pytest.mark.parametrize(
-    "text", ["id,name\ns1,A\ns2,B\n", "ID,Name,Group,Email\nin20000,A,1,a@b\n", "name;id\nA;1\nB;2\n"]
+    "text",
+    [
+        "id,name\ns1,A\ns2,B\n",
+        "id,name,email,group,year\nstud1,A,a@b,1,\nstud2,B,b@b,2,\n",
+        "ID,Name,Group,Email\nin20000,A,1,a@b\n",
+        "name;id\nA;1\nB;2\n",
+    ],
 )
 def test_a_list_of_ones_own_stays_one(tmp_path, text):
     (tmp_path / "r.csv").write_text(text)
@@ -286,7 +292,8 @@ def test_a_list_of_ones_own_stays_one(tmp_path, text):
 
 
 def test_a_worksheet_with_a_scale_is_refused_and_one_with_two_columns_of_ids_names_them(tmp_path):
-    head, rows = "ID,Name,Nummer,Kennung,Status,Bewertung,Best", ["T1,A B,1,a,x,,{0}", "T2,C D,2,c,x,,{0}"]
+    head = "Identifiant,Name,Nummer,Kennung,Status,Bewertung,Best"
+    rows = ["Participant 1,A B,1,a,x,,{0}", "Participant 2,C D,2,c,x,,{0}"]
     table = tmp_path / "r.csv"
     table.write_text("\n".join([head, *rows]).format("gut"))
     with pytest.raises(ValueError, match="grade the assignment with points, not a scale"):
@@ -309,6 +316,82 @@ def test_a_roster_says_whose_a_submission_is_and_who_has_none(tmp_path, kind):
     assert students["ada"].seed_id == "ada"
     assert students["bob"].read() == notebook("bob")
     assert students["cyn"].read() is None
+
+
+ID_KINDS = {
+    "digits": ("0071815", "0071816", "0081815"),
+    "a letter in front": ("s1815", "t1815", "s1816"),
+    "names": ("ada01", "bob01", "jörg"),
+}
+
+
+def class_on(platform, ids, root):
+    """The submissions of a class on a platform, and its roster; whatever the platform lets students type in is an id of them."""
+    files = {
+        "canvas": "x{n}_{n}_9{n}_" + NAME,
+        "moodle": "Ada B_{n}_assignsubmission_file_/" + NAME,
+        "gradescope": "submission_{n}/" + NAME,
+        "nbgrader": f"{{id}}/{SHEET}/{NAME}",
+        "folder": f"{{id}}/{NAME}",
+    }[platform]
+    table = {
+        "canvas": ("Student,ID,SIS User ID,SIS Login ID,Section", '"A, B",{n},,{id},S'),
+        "moodle": ("Identifier,Full name,ID number,Status,Grade,Maximum grade", "Participant {n},A B,{id},x,,10"),
+        "gradescope": ("First Name,Last Name,SID,Email,Sections", "A,B,{id},{n}@x,S"),
+    }.get(platform, ("id,name,group,seat,room", "{id},A B,1,7,"))
+    members = {files.format(n=n, id=name): notebook(name) for n, name in enumerate(ids, start=1)}
+    if platform == "gradescope":
+        people = (f"submission_{n}:\n  :submitters:\n  - :sid: '{name}'\n" for n, name in enumerate(ids, start=1))
+        members["submission_metadata.yml"] = "".join(people)
+    lines = [table[0], *(table[1].format(n=n, id=name) for n, name in enumerate(ids, start=1))]
+    (root / "roster.csv").write_text("\n".join(lines), "utf-8")
+    return zipped(root / "s.zip", members), read_roster(root / "roster.csv")
+
+
+@pytest.mark.parametrize("platform", ["canvas", "moodle", "gradescope", "nbgrader", "folder"])
+@pytest.mark.parametrize("ids", ID_KINDS.values(), ids=ID_KINDS)
+def test_everybody_is_found_whatever_their_ids_are(tmp_path, platform, ids):
+    source, known = class_on(platform, ids, tmp_path)
+    gathered = gather(source, SHEET, known)
+    assert gathered.remarks == []
+    assert {one.student: one.read() for one in gathered.submissions} == {name: notebook(name) for name in ids}
+
+
+def test_a_student_without_sid_is_found_by_the_email_address(tmp_path):
+    source, known = class_on("gradescope", ("s1", "s2", ""), tmp_path)
+    list_of = zipped(
+        tmp_path / "t.zip",
+        {
+            "submission_1/x.ipynb": notebook("s1"),
+            "submission_metadata.yml": ("submission_1:\n  :submitters:\n  - :name: A\n    :email: 1@X\n"),
+        },
+    )
+    assert [one.student for one in gather(list_of, SHEET, known).submissions if one.notebook] == ["s1"]
+
+
+def test_two_students_with_one_key_are_refused(tmp_path):
+    text = ROSTERS["canvas"].replace(",1816,", ",1815,")
+    (tmp_path / "r.csv").write_text(text)
+    with pytest.raises(ValueError, match=r"column 'ID' has the key '1815' for ada, bob"):
+        read_roster(tmp_path / "r.csv")
+
+
+def test_a_roster_of_another_course_stops_the_run_and_says_why(tmp_path):
+    _, other = class_on("canvas", ("eve", "dan"), tmp_path)
+    (tmp_path / "other").mkdir()
+    source, _ = class_on("folder", ("s1", "s2", "eve"), tmp_path / "other")
+    with pytest.raises(
+        WrongRoster, match=r"2 of 3 submissions are not in the roster, for example s1, s2\. Its column 'ID'"
+    ):
+        gather(source, SHEET, other)
+
+
+def test_a_list_like_that_of_gradescope_that_a_student_hands_in_is_one_more_file(tmp_path):
+    listed = b"submission_1:\n  :submitters:\n  - :sid: bob\n"
+    gathered = gather(
+        folder(tmp_path, **{f"ada/{NAME}": "ada", f"bob/{NAME}": "bob", "bob/submission_metadata.yml": listed}), SHEET
+    )
+    assert (gathered.kind, list(by_student(gathered))) == ("folder", ["ada", "bob"])
 
 
 def test_an_id_may_stand_in_another_column_and_zeros_in_front_of_it_stay(tmp_path):
