@@ -114,13 +114,13 @@ def pytest_make_collect_report():
 # --- the order of tests, and which tests run on one worker ---
 
 LONGEST_FIRST = (
-    "tests/site/test_site.py",
     "notebooks/",
     "exercises/",
+    "tests/site/test_site.py",
     "solutions/",
     "tests/kincourse/sheets/test_sheets.py",
 )
-"""What starts first, so that all workers end at about the same time. By the time that a browser needs the site, it is built."""
+"""What starts first, so that all workers end at about the same time. The site is built from the outputs of the notebooks before it."""
 
 
 @pytest.hookimpl(wrapper=True)

@@ -63,19 +63,34 @@ def execute(path: Path, folder: Path = CACHE) -> NotebookNode:
     Raises NotebookError with the name of the notebook and the cell.
     """
     notebook: NotebookNode = nbformat.read(path, as_version=4)
-    code = [cell for cell in notebook.cells if cell.cell_type == "code"]
-    name = f"{path.relative_to(ROOT).parts[0]}-{path.stem}"  # a lecture and its sheet have the same file name
-    cached = folder / f"{name}-{input_hash(cell.source for cell in code)}.json"
+    cached = folder / cache_name(notebook, path)
     if not cached.exists():
         # execute a copy: a kernel writes more than outputs into a notebook, so the page would differ from the next build's
         executed = deepcopy(notebook)
         run(executed, path)
-        write_cache(cached, [cell.outputs for cell in executed.cells if cell.cell_type == "code"], name)
+        cache_outputs(executed, path, folder)
     cached_outputs = json.loads(cached.read_text("utf-8"))
-    for number, (cell, outputs) in enumerate(zip(code, cached_outputs, strict=True), start=1):
+    for number, (cell, outputs) in enumerate(zip(code_cells(notebook), cached_outputs, strict=True), start=1):
         cell.outputs = [nbformat.from_dict(output) for output in outputs]
         cell.execution_count = number
     return notebook
+
+
+def code_cells(notebook: NotebookNode) -> list[NotebookNode]:
+    """List the cells of a notebook that are executed."""
+    return [cell for cell in notebook.cells if cell.cell_type == "code"]
+
+
+def cache_name(notebook: NotebookNode, path: Path) -> str:
+    """Name the file of the outputs of a notebook. A lecture and its sheet have the same file name, in other folders."""
+    return (
+        f"{path.relative_to(ROOT).parts[0]}-{path.stem}-{input_hash(cell.source for cell in code_cells(notebook))}.json"
+    )
+
+
+def cache_outputs(executed: NotebookNode, path: Path, folder: Path = CACHE) -> None:
+    """Cache the outputs of a notebook that was executed with ENVIRONMENT_VARIABLE set, so that the next build reads them."""
+    write_cache(folder / cache_name(executed, path), [cell.outputs for cell in code_cells(executed)])
 
 
 def cached_pages(name: str, generate: Callable[[], Iterable[tuple[str, str]]], *sources: str) -> dict[str, str]:
@@ -85,18 +100,18 @@ def cached_pages(name: str, generate: Callable[[], Iterable[tuple[str, str]]], *
     """
     cached = CACHE / f"{name}-{input_hash(sources)}.json"
     if not cached.exists():
-        write_cache(cached, dict(generate()), name)
+        write_cache(cached, dict(generate()))
     pages: dict[str, str] = json.loads(cached.read_text("utf-8"))
     return pages
 
 
-def write_cache(path: Path, data: Any, name: str) -> None:
-    """Write a cached file in one step, so that nothing reads half of it, and delete older files of the same name."""
+def write_cache(path: Path, data: Any) -> None:
+    """Write a cached file in one step, so that nothing reads half of it, and delete older files with other hashes."""
     path.parent.mkdir(parents=True, exist_ok=True)
     part = path.with_suffix(f".{os.getpid()}")
     part.write_text(json.dumps(data), "utf-8")
     part.replace(path)
-    for old in path.parent.glob(f"{name}-{'?' * HASH_LENGTH}.json"):
+    for old in path.parent.glob(f"{path.stem[:-HASH_LENGTH]}{'?' * HASH_LENGTH}.json"):
         if old != path:
             old.unlink(missing_ok=True)
 

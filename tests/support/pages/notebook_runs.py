@@ -2,11 +2,13 @@
 
 nbval starts a new kernel for each notebook, executes its cells one after the other, and compares the outputs of those that are
 marked with NBVAL_CHECK_OUTPUT. It ignores the rest of what the kernel sends. Here all of it is recorded, and nbclient turns it
-into outputs and widgets, just as if it had executed the notebook itself.
+into outputs and widgets, just as if it had executed the notebook itself. The kernels write what a page needs too, so that the
+site, which is built later in the same run of the tests, reads these outputs and executes nothing.
 """
 
 import os
 import re
+import sys
 from contextlib import contextmanager, nullcontext, suppress
 from dataclasses import dataclass
 from functools import cache
@@ -20,6 +22,11 @@ from nbclient import NotebookClient
 from nbclient.exceptions import CellExecutionError
 from nbformat import NotebookNode
 from nbval.plugin import IPyNbCell, IPyNbFile
+
+from kinlib.view.drawing.static_export import ENVIRONMENT_VARIABLE
+
+ROOT = Path(__file__).parents[3]
+sys.path.insert(0, str(ROOT / "site"))
 
 TIMEOUT_S = 600
 """How long a cell may take before a run without nbval is given up. It is a safeguard against endless loops, not a claim."""
@@ -66,10 +73,21 @@ class Recorder:
     """A pytest plugin that records what nbval executes."""
 
     @pytest.hookimpl(wrapper=True)
-    def pytest_runtest_call(self, item):
-        """Record the execution of a cell."""
-        with recorded(item) if isinstance(item, IPyNbCell) else nullcontext():
+    def pytest_runtest_setup(self, item):
+        """Let the kernel of a notebook, which starts before its first cell, write what a page of the site needs."""
+        with pytest.MonkeyPatch.context() as patch:
+            if isinstance(item, IPyNbCell):
+                patch.setenv(ENVIRONMENT_VARIABLE, "1")
             return (yield)
+
+    @pytest.hookimpl(wrapper=True)
+    def pytest_runtest_call(self, item):
+        """Record the execution of a cell; after the last one, keep the outputs for the site."""
+        with recorded(item) if isinstance(item, IPyNbCell) else nullcontext():
+            result = yield
+        if isinstance(item, IPyNbCell):
+            keep_for_the_site(item.parent)
+        return result
 
 
 @contextmanager
@@ -91,6 +109,21 @@ def recorded(cell: IPyNbCell):
         with suppress(psutil.Error):  # a kernel that has crashed
             used = psutil.Process(notebook.kernel.km.provisioner.pid).cpu_times()
             recording.processor_seconds = used.user + used.system
+
+
+def keep_for_the_site(notebook: IPyNbFile):
+    """Cache the outputs of a lecture or a released sheet, once all of its cells were executed without an error or a warning."""
+    from kinsite.execute import cache_outputs, code_cells
+
+    recording = RECORDINGS.get(notebook.path)
+    if recording is None or len(recording.messages) < len(code_cells(notebook.nb)):
+        return
+    if not any(notebook.path.is_relative_to(ROOT / folder) for folder in ("notebooks", "exercises")):
+        return
+    executed = recording.run_of(notebook.path).notebook
+    outputs = [output for cell in code_cells(executed) for output in cell.outputs]
+    if not any(output.output_type == "error" or output.get("name") == "stderr" for output in outputs):
+        cache_outputs(executed, notebook.path)
 
 
 def record_messages(notebook: IPyNbFile, recording: Recording):
