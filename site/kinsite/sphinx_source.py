@@ -76,6 +76,7 @@ def handwritten_pages() -> Iterator[tuple[str, str]]:
     """Yield the pages that are written by hand, in site/pages and at the top of the repository."""
     for path in sorted((SITE / "pages").rglob("*.md")):
         name, text = path.relative_to(SITE / "pages").as_posix(), path.read_text("utf-8")
+        text = text.replace("(../instructors.md", "(instructors.md")  # on the site, all of them are in one folder
         complete = {"glossary.md": link_lectures, "index.md": fill_home_page}.get(name, str)
         yield name, complete(text)
     yield "notation.md", (ROOT / "NOTATION.md").read_text("utf-8")
