@@ -3,7 +3,6 @@
 from itertools import pairwise
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from kinlib.chains.chain import Chain
 from kinlib.view.drawing.canvas import Canvas
@@ -18,18 +17,14 @@ SHORTEST_LABELLED_SHARE = 0.08
 LABELS_ABOVE = [(0, 20), (0, -20), (34, 14), (-34, 14), (34, -14), (-34, -14), (48, 0), (-48, 0), (0, 36), (0, -36)]
 
 
-def draw_parts(chain: Chain, q: ArrayLike | None = None, *, caption: str = "") -> Picture:
-    """Draw an arm with the names of its parts: base, joints with their numbers, links and end-effector.
-
-    q  (n,) joint values, home by default
-
-    Raises ValueError if q does not have n values.
+def draw_parts(chain: Chain) -> Picture:
+    """Draw an arm at home with the names of its parts: base, joints with their numbers, links and end-effector.
 
     >>> from kinlib.chains.robots import rpr
-    >>> draw_parts(rpr(), [0, 0.5, 0]).alt[:98]
+    >>> draw_parts(rpr()).alt[:98]
     'RPR: from the base through joint 1 (revolute), link 1, joint 2 (prismatic), link 2, joint 3 (revol'
     """
-    q = np.zeros(chain.n) if q is None else np.asarray(q, dtype=float)
+    q = np.zeros(chain.n)
     links, tool = chain.link_poses(q), chain.fk(q)
     stations = np.array([np.zeros(3), *links[:, :3, 3], tool[:3, 3]])
     canvas = Canvas(stations)
@@ -50,4 +45,4 @@ def draw_parts(chain: Chain, q: ArrayLike | None = None, *, caption: str = "") -
         f"{chain.name}: from the base through {', '.join(parts[:-1])} to the end-effector at {vector_text(stations[-1])} m. "
         f"Joints: {at}."
     )
-    return canvas.picture(alt, caption, cropped=True)
+    return canvas.picture(alt, cropped=True)

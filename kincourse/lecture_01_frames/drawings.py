@@ -18,7 +18,7 @@ FLAG = np.array([(0, 0, 0), (0.36, 0, 0), (0.36, 0.22, 0), (0, 0, 0)])
 AXIS_LENGTH = 0.55
 
 
-def draw_three_readings(T: ArrayLike, point: ArrayLike, *, caption: str = "") -> Picture:
+def draw_three_readings(T: ArrayLike, point: ArrayLike) -> Picture:
     """Draw the three readings of a pose T_ab in the x-y plane, side by side.
 
     T      (4, 4) a rotation about z and a translation in the plane
@@ -67,7 +67,6 @@ def draw_three_readings(T: ArrayLike, point: ArrayLike, *, caption: str = "") ->
     return canvas.picture(
         f"Pose: frame {{b}} at {vector_text(T[:3, 3])} in {{a}}, rotated by {angle:.3g} degrees. Change of coordinates: the point "
         f"{before} in {{b}} is {after} in {{a}}. Motion: a body at {before} moves to {after}.",
-        caption,
         cropped=True,
     )
 
@@ -86,7 +85,7 @@ def _draw_axes(canvas: Canvas, T: Array, name: str, shift: Array) -> None:
     canvas.label(origin, f"{{{name}}}", INK, [(-14, -12), (14, -14), (-16, 12)], 11)
 
 
-def draw_rotation(axis: int, degrees: float, names: tuple[str, str] = ("a", "b")) -> Picture:
+def draw_rotation(axis: int, degrees: float) -> Picture:
     """Draw two frames with a common origin and one common axis, seen along that axis, and the angle between them.
 
     axis     the common axis: 0 for x, 1 for y, 2 for z; y points away from the viewer, x and z towards the viewer
@@ -104,7 +103,7 @@ def draw_rotation(axis: int, degrees: float, names: tuple[str, str] = ("a", "b")
     R_ab = exp(np.radians(degrees) * np.eye(3)[axis])
     corners = [np.eye(3)[k] * sign for k in (first, second) for sign in (-1.1, 1.1)]
     canvas = Canvas(np.array(corners), view, size=(640, 360))
-    for R, name, width in ((np.eye(3), names[0], 1.4), (R_ab, names[1], 2.6)):
+    for R, name, width in ((np.eye(3), "a", 1.4), (R_ab, "b", 2.6)):
         for k in (first, second):
             canvas.arrow(np.zeros(3), R[:, k], AXIS_COLOURS[k], width)
             canvas.label(1.12 * R[:, k], f"${'xyz'[k]}_{name}$", AXIS_COLOURS[k], [(0, 0)], 13)
@@ -116,12 +115,10 @@ def draw_rotation(axis: int, degrees: float, names: tuple[str, str] = ("a", "b")
     facing = view_axes(view)[0][axis] > 0
     canvas.arrow(np.zeros(3), 0.5 * np.eye(3)[axis], AXIS_COLOURS[axis], 2.2, level=6)
     shared = "xyz"[axis]
-    canvas.label(
-        np.zeros(3), f"${shared}_{names[0]} = {shared}_{names[1]}$", AXIS_COLOURS[axis], [(-44, -16), (44, -16)]
-    )
-    towards = f"{'' if degrees > 0 else '-'}{'xyz'[second]}_{names[0]}"
+    canvas.label(np.zeros(3), f"${shared}_a = {shared}_b$", AXIS_COLOURS[axis], [(-44, -16), (44, -16)])
+    towards = f"{'' if degrees > 0 else '-'}{'xyz'[second]}_a"
     return canvas.picture(
-        f"Frames {{{names[0]}}} and {{{names[1]}}} share their {shared} axis, which points {'at' if facing else 'away from'} you. "
-        f"{'xyz'[first]}_{names[1]} is {'xyz'[first]}_{names[0]} rotated by {abs(degrees):.3g} degrees towards {towards}.",
+        f"Frames {{a}} and {{b}} share their {shared} axis, which points {'at' if facing else 'away from'} you. "
+        f"{'xyz'[first]}_b is {'xyz'[first]}_a rotated by {abs(degrees):.3g} degrees towards {towards}.",
         cropped=True,
     )

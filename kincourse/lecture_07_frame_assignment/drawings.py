@@ -13,13 +13,16 @@ FLOOR = np.array([200.0, HEIGHT_PX - 40.0])
 """The place in pixels where axis 1 meets the floor."""
 
 
-def draw_nearly_parallel_axes(degrees: float, distance: float = 0.5) -> Picture:
+DISTANCE_M = 0.5
+"""How far axis 2 is to the side of axis 1 at the floor."""
+
+
+def draw_nearly_parallel_axes(degrees: float) -> Picture:
     """Draw a vertical axis 1, and an axis 2 that is inclined to it, seen along their common normal.
 
-    degrees   the angle between the axes
-    distance  how far axis 2 is to the side of axis 1 at the floor, in metres
+    degrees  the angle between the axes
 
-    Seen along the common normal the two axes cross, and the normal is the point where they do: distance / tan(angle) above
+    Seen along the common normal the two axes cross, and the normal is the point where they do: DISTANCE_M / tan(angle) above
     the floor. The scale is the same for every angle, so that the point leaves the picture.
 
     Raises ValueError if the angle is not between 0 and 90 degrees, 0 included.
@@ -30,7 +33,7 @@ def draw_nearly_parallel_axes(degrees: float, distance: float = 0.5) -> Picture:
     """
     if not 0 <= degrees < 90:
         raise ValueError(f"degrees must be at least 0 and less than 90; got {degrees!r}.")
-    height = np.inf if degrees == 0 else distance / np.tan(np.radians(degrees))
+    height = np.inf if degrees == 0 else DISTANCE_M / np.tan(np.radians(degrees))
     top = (FLOOR[1] - 14) / PX_PER_M
     drawn = [svg.polyline(np.array([(20, FLOOR[1]), (WIDTH_PX - 20, FLOOR[1])]), INK, 1.6)]
     for metre in range(1, int(top) + 1):
@@ -41,11 +44,11 @@ def draw_nearly_parallel_axes(degrees: float, distance: float = 0.5) -> Picture:
         ]
     direction = np.array([-np.sin(np.radians(degrees)), np.cos(np.radians(degrees))])
     low, high = (
-        _pixels(distance * np.eye(2)[0] + s * direction) for s in (-0.3, min(top / direction[1], height + 0.5))
+        _pixels(DISTANCE_M * np.eye(2)[0] + s * direction) for s in (-0.3, min(top / direction[1], height + 0.5))
     )
     drawn.append(svg.polyline(np.array([_pixels(np.array([0, -0.3])), _pixels(np.array([0, top]))]), VIOLET, 2, "--"))
     drawn.append(svg.polyline(np.array([low, high]), VIOLET, 2, "--"))
-    arm = np.array([(0, 0), (0, 0.5), (distance - 0.5 * np.tan(np.radians(degrees)), 0.5)])
+    arm = np.array([(0, 0), (0, 0.5), (DISTANCE_M - 0.5 * np.tan(np.radians(degrees)), 0.5)])
     drawn.append(svg.polyline(np.array([_pixels(p) for p in arm]), LINK_GREY, 7))
     drawn += [svg.circle(_pixels(p), 8, JOINT_FILL, INK) for p in arm[1:]]
     drawn += [
@@ -53,7 +56,7 @@ def draw_nearly_parallel_axes(degrees: float, distance: float = 0.5) -> Picture:
         svg.text([low[0] + 18, low[1] - 6], "$z_2$", VIOLET, 14),
     ]
     drawn += _normal(height, top)
-    return Picture(svg.document(drawn, WIDTH_PX, HEIGHT_PX), _describe(degrees, distance, height, height <= top))
+    return Picture(svg.document(drawn, WIDTH_PX, HEIGHT_PX), _describe(degrees, height, height <= top))
 
 
 def _normal(height: float, top: float) -> list[str]:
@@ -80,8 +83,8 @@ def _pixels(point: Array) -> Array:
     return pixels
 
 
-def _describe(degrees: float, distance: float, height: float, inside: bool) -> str:
-    beside = f"Axis 2 is {format_number(distance, 3)} m beside axis 1"
+def _describe(degrees: float, height: float, inside: bool) -> str:
+    beside = f"Axis 2 is {format_number(DISTANCE_M, 3)} m beside axis 1"
     if np.isinf(height):
         return (
             f"Two axes, seen from the side. {beside} and parallel to it, so there is a common normal at every height."

@@ -15,7 +15,7 @@ TRAY_DEPTH = 0.5
 
 
 def draw_two_arms(
-    left: Chain, right: Chain, q_left: ArrayLike, q_right: ArrayLike, *, width: float, base: Array, caption: str = ""
+    left: Chain, right: Chain, q_left: ArrayLike, q_right: ArrayLike, *, width: float, base: Array
 ) -> Picture:
     """Draw two arms whose tool frames are the frame {t} in the middle of one tray.
 
@@ -52,6 +52,5 @@ def draw_two_arms(
     return canvas.picture(
         f"Two arms with {left.n} and {right.n} joints hold one tray at {vector_text(tray[:3, 3])}, {width:.3g} m wide. The bases are "
         f"at (0, 0, 0) and {vector_text(base[:3, 3])}; the ends of the tray are at {vector_text(ends[0])} and {vector_text(ends[1])}.",
-        caption,
         cropped=True,
     )

@@ -21,7 +21,7 @@ VELOCITY_SHARE = 0.42
 """The length of the longest velocity, as a share of the width of a panel."""
 
 
-def draw_adjoint_steps(S: ArrayLike, M: ArrayLike, *, caption: str = "") -> Picture:
+def draw_adjoint_steps(S: ArrayLike, M: ArrayLike) -> Picture:
     """Draw how a twist in the x-y plane is taken from {s} to {b}, in three panels side by side.
 
     S  (6,) the twist (omega, v) in {s}, with omega along z and v in the x-y plane
@@ -79,7 +79,6 @@ def draw_adjoint_steps(S: ArrayLike, M: ArrayLike, *, caption: str = "") -> Pict
         f"In {{s}}: omega = {omega[2]:.3g} about z, and v = {vector_text(v)} at the origin of {{s}}. Steps (a) and (b): at the "
         f"origin of {{b}}, p = {vector_text(p)}, omega x p = {vector_text(added)}, and the velocity is {vector_text(at_p)}. "
         f"Step (c): its components along the axes of {{b}} are {vector_text(parts)}.",
-        caption,
     )
 
 

@@ -23,7 +23,6 @@ def slide_axis(
     *,
     ghost: ArrayLike | None = None,
     after: Any = None,
-    start: int = 0,
 ) -> widgets.Widget:
     """Show an arm in several configurations, and the screw axis of one joint in each, as {s} and as {b} read it.
 
@@ -45,7 +44,7 @@ def slide_axis(
     q = validation.vectors(configurations, "configurations", chain.n)
     points = np.concatenate([np.zeros((1, 3)), chain.fk(q)[:, :3, 3], chain.link_poses(q)[..., :3, 3].reshape(-1, 3)])
     pictures = [draw_arm(chain, now, ghost=ghost, around=points, caption=axis_caption(chain, joint, now)) for now in q]
-    return slide(pictures, label, values, after, start)
+    return slide(pictures, label, values, after)
 
 
 def axis_caption(chain: Chain, joint: int, q: Array) -> str:

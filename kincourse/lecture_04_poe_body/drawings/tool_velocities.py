@@ -18,9 +18,7 @@ LOST_RATIO = 1e-9
 """A singular value below this share of the largest one counts as zero."""
 
 
-def draw_tool_velocities(
-    chain: Chain, q: ArrayLike, *, around: ArrayLike | None = None, caption: str = "", view: str = "default"
-) -> Picture:
+def draw_tool_velocities(chain: Chain, q: ArrayLike, *, around: ArrayLike | None = None) -> Picture:
     """Draw an arm at q, and for each joint the velocity of the origin of {b} at a rate of 1 rad/s or 1 m/s of this joint alone.
 
     q       (n,) the joint values
@@ -40,7 +38,7 @@ def draw_tool_velocities(
     tool, velocities = chain.fk(q)[:3, 3], tool_velocities(chain, q)
     frames = chain.link_poses(q)
     path = np.concatenate([np.zeros((1, 3)), frames[:, :3, 3], tool[None]])
-    canvas = Canvas(path if around is None else around, view)
+    canvas = Canvas(path if around is None else around)
     canvas.floor(path if around is None else around)
     canvas.line(path, LINK_GREY, 6.0)
     draw_joint_bodies(canvas, chain, frames)
@@ -62,7 +60,6 @@ def draw_tool_velocities(
     along = " or ".join(vector_text(direction) for direction in lost)
     return canvas.picture(
         alt + (f"No joint rates move it along {along}." if along else "Joint rates move it in every direction."),
-        caption,
     )
 
 

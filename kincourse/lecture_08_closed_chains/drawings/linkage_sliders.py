@@ -65,9 +65,7 @@ def slide_curve(
     *,
     parts: Mapping[str, ArrayLike] | None = None,
     captions: Sequence[str] = (),
-    step: int = 2,
     after: Any = None,
-    start: int = 0,
 ) -> widgets.Widget:
     """Move a linkage along a curve, beside the square of two of its angles, on which the same curve is drawn.
 
@@ -75,7 +73,6 @@ def slide_curve(
     pair            the names of the two angles, such as ("A", "D")
     parts           {"one mode": mask, "other mode": mask} names of parts of the curve, (m,) true where each is; by default all
     captions        a caption for each configuration
-    step            the slider shows every step-th configuration
 
     The text alternative of each picture says both angles in degrees, and so does the caption if none is given.
 
@@ -98,7 +95,7 @@ def slide_curve(
         raise ValueError(f"captions must have one entry per configuration, {len(q)}; got {len(captions)}.")
     points = np.concatenate([linkage_geometry(mechanism, now).all for now in q])
 
-    shown = range(0, len(q), step)
+    shown = range(0, len(q), 2)  # every second configuration is near enough to the last one
     pictures = crop([draw_linkage(mechanism, q[k], around=points, size=(520, 380)) for k in shown])
     bars = dict(zip(shown, pictures, strict=True))
 
@@ -108,4 +105,4 @@ def slide_curve(
         torus = draw_torus(curves, {"now": angles[k]}, xlabel=pair[0], ylabel=pair[1])
         return side_by_side(bars[k], torus, captions[k] if captions else here)
 
-    return slide(draw, "along the curve", shown, after, start)
+    return slide(draw, "along the curve", shown, after)

@@ -32,14 +32,11 @@ def draw_torus(
     *,
     xlabel: str,
     ylabel: str,
-    alt: str | None = None,
-    caption: str = "",
 ) -> Picture:
     """Draw curves of two angles on the square from -180 to 180 degrees.
 
     curves  {"name": (m, 2)} angles in radians; each has its own colour and dash, and its name beside it
     marks   {"name": (2,)} points to mark and label, in radians
-    alt     what the curves are; by default the range of each. The text alternative continues with the angles of each mark
 
     Raises ValueError if there are more curves than line styles, or a curve or mark has another shape or contains NaN.
 
@@ -79,7 +76,7 @@ def draw_torus(
     for label, centre in place_labels(labels, np.concatenate([np.zeros((0, 2, 2)), *strokes]), discs, inside):
         drawn.append(svg.text(centre, label.text, label.colour, label.size))
     places = [f"{name} is at {xlabel} = {x:.3g}°, {ylabel} = {y:.3g}°." for name, (x, y) in placed.items()]
-    return Picture(svg.document(drawn, *sheet), " ".join([alt or _describe(xlabel, ylabel, pieces), *places]), caption)
+    return Picture(svg.document(drawn, *sheet), " ".join([_describe(xlabel, ylabel, pieces), *places]))
 
 
 def side_by_side(left: Picture, right: Picture, caption: str = "") -> Picture:

@@ -17,15 +17,12 @@ def draw_urdf_joint(
     axis: ArrayLike,
     q: float,
     links: tuple[str, str] = ("parent", "child"),
-    *,
-    prismatic: bool = False,
-    caption: str = "",
 ) -> Picture:
-    """Draw a joint of a URDF: the frame of the parent link, the origin, the axis, and the frame of the child link at q.
+    """Draw a revolute joint of a URDF: the frame of the parent link, the origin, the axis, and the frame of the child link at q.
 
     origin  (4, 4) the joint frame in the frame of the parent link, which is also the frame of the child link at q = 0
     axis    (3,) in the joint frame, of unit length
-    q       the joint value, in radians, or in metres if the joint is prismatic
+    q       the joint value, in radians
     links   the names of the parent link and the child link
 
     Raises ValueError if the origin is not a pose or the axis is not a unit vector.
@@ -39,7 +36,7 @@ def draw_urdf_joint(
     if abs(np.linalg.norm(a) - 1) > 1e-6:
         raise ValueError(f"axis must be a unit vector; got {vector_text(a)}, of length {np.linalg.norm(a):.4g}.")
     parent, child = links
-    moved = T @ exp(np.concatenate([0 * a, a] if prismatic else [a, 0 * a]) * q)
+    moved = T @ exp(q * np.concatenate([a, 0 * a]))
     direction = T[:3, :3] @ a
     length = 0.45 * max(float(np.linalg.norm(T[:3, 3])), 0.2)
     tip = T[:3, 3] + 1.5 * length * direction
@@ -54,11 +51,10 @@ def draw_urdf_joint(
         canvas.triad(T, "", 0.8 * length, (GHOST_GREY,) * 3, level=4)
     canvas.triad(moved, child, length, AXIS_COLOURS, level=6)
     canvas.dot(T[:3, 3], INK)
-    value = f"{q:.3g} {'m' if prismatic else 'rad'}"
     alt = (
         f"The frame {{{parent}}} of the parent link at (0, 0, 0). The origin leads to the joint frame at {vector_text(T[:3, 3])}, "
         f"its x along {vector_text(T[:3, 0])}, its z along {vector_text(T[:3, 2])}. The axis {vector_text(a)} of the joint frame has "
-        f"the direction {vector_text(direction)} in {{{parent}}}. At q = {value} the frame {{{child}}} of the child link is at "
+        f"the direction {vector_text(direction)} in {{{parent}}}. At q = {q:.3g} rad the frame {{{child}}} of the child link is at "
         f"{vector_text(moved[:3, 3])}, its x along {vector_text(moved[:3, 0])}."
     )
-    return canvas.picture(alt, caption, cropped=True)
+    return canvas.picture(alt, cropped=True)

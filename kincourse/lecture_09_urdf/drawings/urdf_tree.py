@@ -27,7 +27,7 @@ class Edge(NamedTuple):
         return f"{self.name} ({self.type})"
 
 
-def draw_urdf_tree(text: str, path: Sequence[str] = (), *, caption: str = "") -> Picture:
+def draw_urdf_tree(text: str, path: Sequence[str] = ()) -> Picture:
     """Draw the links and joints of a URDF as a tree, with its root at the top.
 
     text  the text of the URDF, or its path
@@ -70,9 +70,7 @@ def draw_urdf_tree(text: str, path: Sequence[str] = (), *, caption: str = "") ->
     ]
     marks += [mark for edge in closing for mark in _closing_arrow(edge, places, right)]
     marks += [mark for link, place in places.items() for mark in _box(link, place, bold=link in path)]
-    return Picture(
-        svg.document(marks, width, height), _describe(robot.text("name"), tree, closing, links, path), caption
-    )
+    return Picture(svg.document(marks, width, height), _describe(robot.text("name"), tree, closing, links, path))
 
 
 def _places(links: Iterable[str], tree: Mapping[str, Edge]) -> dict[str, Array]:

@@ -22,7 +22,6 @@ def draw_arm(
     q: ArrayLike | None = None,
     *,
     show: Collection[str] = ("axes", "base", "tool"),
-    alt: str | None = None,
     caption: str = "",
     ghost: ArrayLike | None = None,
     frames: Mapping[str, ArrayLike] | None = None,
@@ -77,10 +76,10 @@ def draw_arm(
     for name, T in (frames or {}).items():
         canvas.triad(validation.poses(T, f"frame {name}"), name, 0.17 * canvas.size)
     text = describe_arm(chain, q, ghost=ghost, home_axes="home axes" in show, frames=frames)
-    return canvas.picture(alt or text, caption, cropped=around is None)
+    return canvas.picture(text, caption, cropped=around is None)
 
 
-def draw_joints(chain: Chain, tool: bool = False, caption: str = "", view: str = "default") -> Picture:
+def draw_joints(chain: Chain, tool: bool = False) -> Picture:
     """Draw an arm at home so that its screw axes can be read off: each joint with its number and its positive direction.
 
     The grid has numbers. A dotted line runs from each joint's point down to the floor; its foot is labelled with x and y, and
@@ -93,7 +92,7 @@ def draw_joints(chain: Chain, tool: bool = False, caption: str = "", view: str =
     home = np.zeros(chain.n)
     measured = np.concatenate([chain.joint_points, chain.home[None, :3, 3]]) if tool else chain.joint_points
     seen = np.concatenate([np.zeros((1, 3)), measured, measured * (1, 1, 0)])
-    canvas = Canvas(seen, view)
+    canvas = Canvas(seen)
     canvas.floor(seen, numbers=True)
     canvas.measure(measured, ORANGE)
     draw_joint_bodies(canvas, chain, chain.link_poses(home))
@@ -101,7 +100,7 @@ def draw_joints(chain: Chain, tool: bool = False, caption: str = "", view: str =
     canvas.triad(np.eye(4), "s", 0.16 * canvas.size)
     if tool:
         canvas.triad(chain.home, "b", 0.16 * canvas.size)
-    return canvas.picture(describe_arm(chain, home), caption, cropped=True)
+    return canvas.picture(describe_arm(chain, home), cropped=True)
 
 
 def describe_arm(

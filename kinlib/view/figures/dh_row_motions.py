@@ -42,9 +42,7 @@ def poses_along_row(row: ArrayLike, convention: Convention) -> Array:
     return np.array(stops)
 
 
-def draw_row_motions(
-    row: ArrayLike, done: int, caption: str = "", *, conventions: Sequence[Convention] = tuple(MOTION_ORDER)
-) -> Picture:
+def draw_row_motions(row: ArrayLike, done: int, *, conventions: Sequence[Convention] = tuple(MOTION_ORDER)) -> Picture:
     """Draw a frame that is moved by the motions of one DH row, standard on the left and modified on the right.
 
     row          (4,) a, alpha, d, theta
@@ -95,7 +93,7 @@ def draw_row_motions(
             f"{convention.capitalize()}: {last_motion}; the frame is at {vector_text(place)}, its z along {vector_text(z)}."
         )
     head = "One DH row, two conventions" if len(tracks) > 1 else "One DH row"
-    return canvas.picture(f"{head}, motion {done} of 4. {' '.join(sentences)}", caption)
+    return canvas.picture(f"{head}, motion {done} of 4. {' '.join(sentences)}")
 
 
 def poses_along_arm(rows: ArrayLike) -> Array:
@@ -115,7 +113,7 @@ def poses_along_arm(rows: ArrayLike) -> Array:
     return np.array(stops)
 
 
-def draw_zx_factors(rows: ArrayLike, factors: int, caption: str = "") -> Picture:
+def draw_zx_factors(rows: ArrayLike, factors: int) -> Picture:
     """Draw the first factors of Z_1 X_1 Z_2 X_2 ... as a path along an arm, with the frames of both conventions.
 
     rows     (m, 4) standard rows a, alpha, d, theta
@@ -147,7 +145,7 @@ def draw_zx_factors(rows: ArrayLike, factors: int, caption: str = "") -> Picture
     for k in range(factors + 1):
         canvas.triad(stops[k], names[k], (0.2 if k % 2 else 0.15) * canvas.size)
     places = "; ".join(f"{{{names[k]}}} at {vector_text(origins[k])}" for k in range(factors + 1))
-    return canvas.picture(f"The path{_factor_names(factors)}. {places}.", caption)
+    return canvas.picture(f"The path{_factor_names(factors)}. {places}.")
 
 
 def _axes(canvas: Canvas, stops: Array) -> None:

@@ -149,11 +149,15 @@ _LABEL_NUDGES = (
 )
 
 
-def _faded(colour: str, share: float = 0.55) -> str:
+FADED_SHARE = 0.55
+"""How much of its colour is left of what the current step does not name."""
+
+
+def _faded(colour: str) -> str:
     """Mix a colour with white, for what the current step does not name.
 
-    >>> _faded("#000000", 0.2)
-    '#cccccc'
+    >>> _faded("#000000")
+    '#737373'
     """
     values = (int(colour[k : k + 2], 16) for k in (1, 3, 5))
-    return "#" + "".join(f"{round(255 - share * (255 - value)):02x}" for value in values)
+    return "#" + "".join(f"{round(255 - FADED_SHARE * (255 - value)):02x}" for value in values)

@@ -20,8 +20,6 @@ def draw_frames(
     arrows: bool = True,
     alt: str | None = None,
     caption: str = "",
-    around: ArrayLike | None = None,
-    view: str = "default",
     numbers: bool = False,
     axis_length: float | None = None,
 ) -> Picture:
@@ -47,8 +45,8 @@ def draw_frames(
     )
     if numbers:
         seen = np.concatenate([seen, seen * (1, 1, 0)])
-    canvas = Canvas(seen if around is None else around, view)
-    canvas.floor(seen if around is None else around, numbers=numbers)
+    canvas = Canvas(seen)
+    canvas.floor(seen, numbers=numbers)
     if numbers:
         canvas.measure(np.array([origin for origin in origins if origin.any()]).reshape(-1, 3), ORANGE)
     for start, end in pairwise(origins if arrows else []):
@@ -58,7 +56,7 @@ def draw_frames(
     for name, p in places.items():
         canvas.dot(p)
         canvas.label(p, name, INK)
-    return canvas.picture(alt or _describe(poses, places), caption, cropped=around is None)
+    return canvas.picture(alt or _describe(poses, places), caption, cropped=True)
 
 
 def _describe(poses: Mapping[str, Array], points: Mapping[str, Array]) -> str:

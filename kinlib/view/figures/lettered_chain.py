@@ -13,9 +13,7 @@ from kinlib.view.figures.arm import JOINT_KINDS, direction_text
 from kinlib.view.figures.joint_bodies import draw_joint_bodies
 
 
-def draw_lettered_chain(
-    chain: Chain, letters: Sequence[str], home: bool = True, caption: str = "", view: str = "default"
-) -> Picture:
+def draw_lettered_chain(chain: Chain, letters: Sequence[str], home: bool = True) -> Picture:
     """Draw a chain at home with a letter beside each link, an arrow S_i for each axis, and the frames {s} and {b}.
 
     letters  (n + 1,) the lengths, "L_1" and so on: from the origin of {s} to joint 1, from joint to joint, and to {b}; "" for
@@ -37,7 +35,7 @@ def draw_lettered_chain(
         raise ValueError(
             f"letters must have {len(steps)} entries, one for each link, with '' where two points coincide; got {list(letters)}."
         )
-    canvas = Canvas(path, view)
+    canvas = Canvas(path)
     canvas.line(path, LINK_GREY, 5.0)
     draw_joint_bodies(canvas, chain, chain.link_poses(np.zeros(chain.n)))
     for i, (axis, point) in enumerate(zip(chain.lines.axis, chain.joint_points, strict=True), start=1):
@@ -52,7 +50,7 @@ def draw_lettered_chain(
     for letter, start, end in zip(letters, path[:-1], path[1:], strict=True):
         if letter:
             canvas.label((start + end) / 2, f"${letter}$", ORANGE, size=12)
-    return canvas.picture(_description(chain, letters, steps), caption, cropped=True)
+    return canvas.picture(_description(chain, letters, steps), cropped=True)
 
 
 def _description(chain: Chain, letters: Sequence[str], steps: Array) -> str:

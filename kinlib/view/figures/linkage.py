@@ -98,12 +98,9 @@ def draw_linkage(
     *,
     ghost: ArrayLike | None = None,
     points: Points | None = None,
-    curve: ArrayLike | None = None,
     around: ArrayLike | None = None,
-    view: str | None = None,
     size: tuple[float, float] = (640, 440),
     names: bool = True,
-    alt: str | None = None,
     caption: str = "",
 ) -> Picture:
     """Draw a linkage in a configuration, in which its loops need not be closed.
@@ -111,9 +108,7 @@ def draw_linkage(
     q       (n,) joint values
     ghost   (n,) another configuration, drawn in grey
     points  {"P": ("coupler", (x, y, z))}: points of bodies to label, in the coordinates in which the joints are given
-    curve   (m, 3) points of a curve to draw dotted, such as the path of a point
     around  points (..., 3) to keep in view, so that pictures of several configurations have the same scale
-    view    one of kinlib.view.drawing.canvas.VIEWS; by default "top" for a planar linkage
     size    width and largest height in pixels
     names   whether joints are labelled
 
@@ -131,10 +126,8 @@ def draw_linkage(
     geometry = linkage_geometry(mechanism, q, points)
     shade = None if ghost is None else linkage_geometry(mechanism, ghost)
     planar = is_planar(mechanism)
-    view = view or ("top" if planar else "default")
-    seen = np.concatenate(
-        [geometry.all, *([] if shade is None else [shade.all]), *([] if curve is None else [np.asarray(curve)])]
-    )
+    view = "top" if planar else "default"
+    seen = np.concatenate([geometry.all, *([] if shade is None else [shade.all])])
     seen = seen if around is None else np.reshape(np.asarray(around, dtype=float), (-1, 3))
     # No axis or frame extends beyond the joints, so the margin can be smaller, most of all for a planar linkage.
     middle = (seen.min(axis=0) + seen.max(axis=0)) / 2
@@ -142,8 +135,6 @@ def draw_linkage(
     canvas.floor(seen)
     if shade is not None:
         _draw_bars(canvas, mechanism, shade, GHOST_GREY, 1.0)
-    if curve is not None:
-        canvas.line(curve, ORANGE, 1.8, ":", level=1.5)
     _draw_bars(canvas, mechanism, geometry, LINK_GREY, 2.0)
     _draw_ground(canvas, mechanism, geometry, view)
     for joint, here, there, axis in zip(mechanism.joints, geometry.first, geometry.second, geometry.axes, strict=True):
@@ -158,7 +149,7 @@ def draw_linkage(
     for name, point in geometry.points.items():
         canvas.dot(point, INK, 8)
         canvas.label(point, name, INK)
-    return canvas.picture(alt or describe_linkage(mechanism, geometry, shade), caption, cropped=around is None)
+    return canvas.picture(describe_linkage(mechanism, geometry, shade), caption, cropped=around is None)
 
 
 def describe_linkage(mechanism: Mechanism, geometry: LinkageGeometry, ghost: LinkageGeometry | None = None) -> str:

@@ -11,7 +11,7 @@ from kinlib.view.drawing.figure_colours import GREY, INK, ORANGE, VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
 
 
-def draw_point_velocity(omega: ArrayLike, p: ArrayLike, view: str = "default") -> Picture:
+def draw_point_velocity(omega: ArrayLike, p: ArrayLike) -> Picture:
     """Draw an axis through the origin, a point p of a body that rotates about it, its circle, and its velocity omega x p.
 
     omega  (3,) the angular velocity;  p  (3,) the point, not on the axis
@@ -24,7 +24,7 @@ def draw_point_velocity(omega: ArrayLike, p: ArrayLike, view: str = "default") -
     arrows.'
     """
     w, point = (validation.vectors(x, name, 3) for x, name in ((omega, "omega"), (p, "p")))
-    canvas, foot = _rotating(w, np.zeros(3), point, view)
+    canvas, foot = _rotating(w, np.zeros(3), point)
     velocity = np.cross(w, point)
     _arrow(canvas, np.zeros(3), point, ORANGE, "$p$")
     _arrow(canvas, point, point + _shown(w) * velocity, INK, "$\\omega$ × $p$")
@@ -37,7 +37,7 @@ def draw_point_velocity(omega: ArrayLike, p: ArrayLike, view: str = "default") -
     )
 
 
-def draw_moment(omega: ArrayLike, p: ArrayLike, view: str = "default") -> Picture:
+def draw_moment(omega: ArrayLike, p: ArrayLike) -> Picture:
     """Draw an axis omega through p, the arrow p from the origin to it, and v = -omega x p, the velocity of the point at the origin.
 
     omega  (3,) a unit vector;  p  (3,) a point on the axis, which does not pass through the origin
@@ -50,7 +50,7 @@ def draw_moment(omega: ArrayLike, p: ArrayLike, view: str = "default") -> Pictur
     v = -omega x p = (0, -2, 0), perpendicular to omega and p.'
     """
     w, point = (validation.vectors(x, name, 3) for x, name in ((omega, "omega"), (p, "p")))
-    canvas, foot = _rotating(w, point, np.zeros(3), view)
+    canvas, foot = _rotating(w, point, np.zeros(3))
     v = -np.cross(w, point)
     _arrow(canvas, np.zeros(3), point, ORANGE, "$p$")
     _arrow(canvas, np.zeros(3), _shown(w) * v, INK, "$v$ = −$\\omega$ × $p$")
@@ -64,7 +64,7 @@ def draw_moment(omega: ArrayLike, p: ArrayLike, view: str = "default") -> Pictur
     )
 
 
-def _rotating(w: Array, through: Array, at: Array, view: str) -> tuple[Canvas, Array]:
+def _rotating(w: Array, through: Array, at: Array) -> tuple[Canvas, Array]:
     """Draw {s}, an axis w through a point, and the circle of a point `at` about it; return the canvas and the centre."""
     axis = w / np.linalg.norm(w)
     centre = through + axis @ (at - through) * axis
@@ -78,7 +78,7 @@ def _rotating(w: Array, through: Array, at: Array, view: str) -> tuple[Canvas, A
     circle = centre + radius * (np.cos(angles) * across + np.sin(angles) * np.cross(axis, across))
     ends = sorted([0.0, float(axis @ (through - centre))])
     low, high = centre + (ends[0] - 0.5 * radius) * axis, centre + (ends[1] + 0.9 * radius) * axis
-    canvas = Canvas([*circle, low, high, np.zeros(3), through], view, size=(560, 420))
+    canvas = Canvas([*circle, low, high, np.zeros(3), through], size=(560, 420))
     canvas.line(circle, GREY, 1.4, level=1)
     canvas.line([centre, at], GREY, 1.4, ":", level=1)
     canvas.arrow(low, high, VIOLET, 1.8, style="--", level=2)

@@ -17,9 +17,7 @@ MOTION_STYLES = (("#0b5cad", "-"), ("#b35900", "--"), ("#1a7f37", ":"), ("#1f232
 """Colour and dash of each path, so that paths do not differ by colour alone."""
 
 
-def draw_motions(
-    start: ArrayLike, motions: Mapping[str, ArrayLike], caption: str = "", view: str = "default"
-) -> Picture:
+def draw_motions(start: ArrayLike, motions: Mapping[str, ArrayLike]) -> Picture:
     """Draw the paths of a frame along twists.
 
     start    (4, 4) the pose {a} at which all motions start
@@ -39,7 +37,7 @@ def draw_motions(
     twists = {name: validation.vectors(x, f"motion {name}", 6) for name, x in motions.items()}
     paths = {name: motion_path(x, T[:3, 3]) for name, x in twists.items()}
     feet = [_axis(x)[1] for x in twists.values() if x[:3].any()]
-    canvas = Canvas(np.concatenate([*paths.values(), *(np.atleast_2d(foot) for foot in feet)]), view)
+    canvas = Canvas(np.concatenate([*paths.values(), *(np.atleast_2d(foot) for foot in feet)]))
     canvas.floor(np.concatenate(list(paths.values())))
     drawn: list[Array] = []
     for (name, path), (colour, dash) in zip(paths.items(), MOTION_STYLES, strict=False):
@@ -56,7 +54,7 @@ def draw_motions(
     sentences = " ".join(
         f'Motion "{name}": {_describe(x)}, to {vector_text((exp(x) @ T)[:3, 3])}.' for name, x in twists.items()
     )
-    return canvas.picture(f"A frame starts at {vector_text(T[:3, 3])} m. {sentences}", caption, cropped=True)
+    return canvas.picture(f"A frame starts at {vector_text(T[:3, 3])} m. {sentences}", cropped=True)
 
 
 def motion_path(x: Array, point: Array) -> Array:

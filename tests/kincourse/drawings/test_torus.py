@@ -19,7 +19,7 @@ from kinlib import linkages
 from kinlib.view import draw_linkage
 
 angles = st.floats(-20, 20)
-LABELS = {"xlabel": "A", "ylabel": "D", "alt": "Two curves of two angles each."}
+LABELS = {"xlabel": "A", "ylabel": "D"}
 
 
 @given(st.lists(st.tuples(angles, angles), min_size=1, max_size=20))

@@ -281,3 +281,12 @@ def test_a_slider_draws_its_current_value():
 def test_a_slider_without_values_is_refused():
     with pytest.raises(ValueError, match="at least one value"):
         slide(lambda _: None, "nothing", [])
+
+
+def test_a_numbered_grid_labels_height_and_foot_of_each_frame():
+    frames = {"s": np.eye(4), "b": kl.robots.pose((kl.robots.Y, kl.robots.Z, kl.robots.X), (3, -2, 1.5))}
+    with_numbers = draw_frames(frames, arrows=False, numbers=True).svg
+    without = draw_frames(frames, arrows=False).svg
+    assert "(3, -2)" in with_numbers
+    assert ">1.5<" in with_numbers
+    assert "(3, -2)" not in without
