@@ -11,6 +11,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
+from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.mechanisms.continuation import Curve, CurveTracer
 from kinlib.mechanisms.levenberg_marquardt import Equations, null_space, solve
@@ -122,7 +123,7 @@ class Closure:
             message = f"Closed to {residual:.1g} {steps}, but beyond the limits of {', '.join(names)}."
         else:
             message = f"Closed to {residual:.1g} {steps}."
-        return Assembly(q, residual, found.iterations, residual <= self.tolerance, message)
+        return Assembly(validation.read_only_copy(q), residual, found.iterations, residual <= self.tolerance, message)
 
     def search_modes(self, poses: Callable[[Array], Array]) -> Array:
         """Search for all configurations (k, n) that close, from random guesses, until nothing new is found.

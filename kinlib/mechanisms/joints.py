@@ -218,13 +218,13 @@ class JointPath:
         # Only the distance across an axis counts, and not that along it: I - a a^T projects onto the plane across a.
         across = np.eye(3) - axis[:, :, None] * axis[:, None, :]
         # Axes that are nearly parallel intersect far away, and a centre there would be of no use.
-        nearest: Array = np.linalg.pinv(across.sum(axis=0), rcond=PARALLEL_RCOND, hermitian=True) @ point.sum(axis=0)
-        return nearest
+        nearest = np.linalg.pinv(across.sum(axis=0), rcond=PARALLEL_RCOND, hermitian=True) @ point.sum(axis=0)
+        return validation.read_only_copy(nearest)
 
     @cached_property
     def to_centre(self) -> Array:
         """The matrix (6, 6) that expresses twists about the centre instead of about the origin."""
-        return adjoint(exp([0, 0, 0, *-self.centre]))
+        return validation.read_only_copy(adjoint(exp([0, 0, 0, *-self.centre])))
 
     @cached_property
     def size(self) -> float:

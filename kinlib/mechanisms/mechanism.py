@@ -16,10 +16,10 @@ from functools import cached_property
 from typing import Self
 
 import numpy as np
-from numpy.typing import ArrayLike
 
 from kinlib.arrays import tolerances, validation
 from kinlib.arrays.formatting import aligned_table, format_vector, html_table, latex_array
+from kinlib.arrays.named_values import JointValues, in_order
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.mechanisms.closure import Assembly, Closure
@@ -55,6 +55,8 @@ class Mechanism(validation.ReadOnly):
     ground        the body that does not move; by default the first body of the first joint
     name, source  the name of the linkage, and the document that it is taken from
 
+    Wherever a configuration q is an argument, it may also be a mapping from each of `names` to its value.
+
     Raises ValueError if a body is not connected to the ground, if two joints have the same name, and if there is no loop.
     Source: Modern Robotics, chapters 2 and 7; Forward kinematics II, (3.81).
 
@@ -89,6 +91,9 @@ class Mechanism(validation.ReadOnly):
             raise ValueError(
                 f"A mechanism must have a loop; the {len(names)} joints of {self.name} form a tree. Use kl.Chain for an open chain."
             )
+
+    def __repr__(self) -> str:
+        return f"Mechanism({self._title})"
 
     def __str__(self) -> str:
         """Write the joints: their values in q, the bodies that they join, and their screw axes.
@@ -189,7 +194,7 @@ class Mechanism(validation.ReadOnly):
         cycles = fundamental_cycles(self.joints, self._tree)
         return tuple(chain_along(self.joints, cycle, f"loop {i}") for i, cycle in enumerate(cycles, start=1))
 
-    def residual(self, q: ArrayLike) -> Array:
+    def residual(self, q: JointValues) -> Array:
         """Compute the closure error of each loop: the logarithm of the pose at its end, 0 if the loop is closed.
 
         q (..., n) -> (..., 6 l) for l loops, one twist (omega, v) after the other.
@@ -204,7 +209,7 @@ class Mechanism(validation.ReadOnly):
         q = self._values(q)
         return np.concatenate([log(loop.chain.fk(q[..., loop.columns])) for loop in self.loops], axis=-1)
 
-    def jacobian(self, q: ArrayLike) -> Array:
+    def jacobian(self, q: JointValues) -> Array:
         """Compute the derivative of the residual r: for each loop left_jacobian_inverse(r) J_s, with J_s that of its chain.
 
         q (..., n) -> (..., 6 l, n). If a loop is closed, then r = 0 and its rows are the space Jacobian J_s itself.
@@ -218,7 +223,7 @@ class Mechanism(validation.ReadOnly):
         q = self._values(q)
         return self._linearized(q.reshape(-1, self.n))[1].reshape(*q.shape[:-1], -1, self.n)
 
-    def poses(self, q: ArrayLike) -> dict[str, Array]:
+    def poses(self, q: JointValues) -> dict[str, Array]:
         """Compute the displacement of every body from where it is drawn, along the shortest path over joints to it.
 
         q (..., n) -> (..., 4, 4) for each body. If a loop is not closed, another path would give another displacement.
@@ -235,7 +240,7 @@ class Mechanism(validation.ReadOnly):
         moved = {body: path.chain.fk(q[..., path.columns]) for body, path in self._paths.items()}
         return {self.ground: identity} | moved
 
-    def assemble(self, guess: ArrayLike, hold: Mapping[str, float] | None = None) -> Assembly:
+    def assemble(self, guess: JointValues, hold: Mapping[str, float] | None = None) -> Assembly:
         """Close the linkage near a guess (n,), while some joint values are held.
 
         hold  the names of joint values (see `names`), and the values at which they are held
@@ -273,7 +278,7 @@ class Mechanism(validation.ReadOnly):
 
     def trace(
         self,
-        start: ArrayLike,
+        start: JointValues,
         hold: Mapping[str, float] | None = None,
         step: float = 0.2,
         points: int | None = None,
@@ -302,7 +307,7 @@ class Mechanism(validation.ReadOnly):
             raise ValueError(f"A curve must have at least two points; got points={points!r}.")
         return self._closure(start, hold).trace(step, points)
 
-    def mobility(self, q: ArrayLike) -> Mobility:
+    def mobility(self, q: JointValues) -> Mobility:
         """Find the mobility at a configuration (n,): by counting, to first order there, and by finite motions.
 
         Raises ValueError if the configuration does not close.
@@ -339,7 +344,7 @@ class Mechanism(validation.ReadOnly):
         """
         return self.n - sum(group_dimension(loop.chain.screws @ loop.to_centre.T) for loop in self.loops)
 
-    def joint_points(self, q: ArrayLike) -> Array:
+    def joint_points(self, q: JointValues) -> Array:
         """Compute the position of every joint, which its first body carries: q (..., n) -> (..., j, 3) for j joints.
 
         Raises ValueError if q has another size or contains NaN.
@@ -367,8 +372,8 @@ class Mechanism(validation.ReadOnly):
         """The path from the ground to every body but the ground, as an open chain."""
         return {body: chain_along(self.joints, path, body) for body, path in self._tree.items() if path}
 
-    def _values(self, q: ArrayLike) -> Array:
-        q = validation.array(q, "q")
+    def _values(self, q: JointValues) -> Array:
+        q = in_order(q, self.names, self.name) if isinstance(q, Mapping) else validation.array(q, "q")
         if q.shape[-1:] != (self.n,):
             raise ValueError(
                 f"q must have shape (..., {self.n}); got {q.shape}. "
@@ -396,7 +401,7 @@ class Mechanism(validation.ReadOnly):
             J[:, rows] = loop.to_centre @ J[:, rows]
         return r, J
 
-    def _closure(self, configuration: ArrayLike, hold: Mapping[str, float] | None) -> Closure:
+    def _closure(self, configuration: JointValues, hold: Mapping[str, float] | None) -> Closure:
         """The closure equations in the joint values that are not held, with a configuration (n,) as start."""
         q = self._values(configuration).copy()
         if q.ndim != 1:

@@ -4,12 +4,13 @@ Every joint of the file is read and checked, also those that are not between bas
 element and its line.
 """
 
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass
 from typing import NamedTuple
 
 import numpy as np
 
+from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.rigid.rpy import origin
 from kinlib.rigid.screw import screw
@@ -43,7 +44,7 @@ class Coupling(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class UrdfJoint:
+class UrdfJoint(validation.ReadOnly):
     """A joint of the file.
 
     element        of the file that describes it
@@ -65,6 +66,10 @@ class UrdfJoint:
     limits: tuple[float, float]
     mimic: Coupling | None
 
+    def __post_init__(self) -> None:
+        for name in ("origin", "axis"):
+            object.__setattr__(self, name, validation.read_only_copy(getattr(self, name)))
+
     @property
     def moves(self) -> bool:
         """Whether it is of any other type than fixed."""
@@ -85,7 +90,7 @@ class PathStep(NamedTuple):
 
 @dataclass(frozen=True, eq=False)
 class LinkTree:
-    """The links of a URDF and the joints between them. Its text, str(tree), is a drawing of the tree.
+    """The links of a URDF and the joints between them.
 
     links          the elements of the links, by name
     parent_joints  for the name of each link but the root, the joint whose child it is, in the order of the file
@@ -93,9 +98,8 @@ class LinkTree:
     >>> from kinlib.urdf.xml_elements import read_robot
     >>> text = '''<robot name="crane"><link name="ground"/><link name="mast"/>
     ...   <joint name="slew" type="continuous"><parent link="ground"/><child link="mast"/></joint></robot>'''
-    >>> print(read_tree(read_robot(text)))
-    ground
-      slew (continuous): mast
+    >>> list(read_tree(read_robot(text)).descendants("ground"))             # depth, link, and whether it moves
+    [(0, 'ground', False), (1, 'mast', True)]
     """
 
     links: Mapping[str, Element]
@@ -129,6 +133,12 @@ class LinkTree:
             raise ValueError(f"{argument} must be the name of a link; got {link!r}.{suggest_link(link, self.links)}")
         return link
 
+    def common_ancestor(self, links: Sequence[str]) -> str:
+        """Find the link farthest from the root on the paths from the root to all of these links."""
+        paths = [[joint.child for joint in reversed(self._ancestors(link))] for link in links]
+        shared = [same[0] for same in zip(*paths, strict=False) if len(set(same)) == 1]
+        return shared[-1] if shared else self.root
+
     def _ancestors(self, link: str) -> Sequence[UrdfJoint]:
         """The joints from a link up to the root."""
         joints = []
@@ -147,14 +157,6 @@ class LinkTree:
             depth, link, moves = stack.pop()
             yield depth, link, moves
             stack += [(depth + 1, joint.child, moves or joint.moves) for joint in reversed(child_joints.get(link, []))]
-
-    def __str__(self) -> str:
-        lines = [self.root]
-        for depth, link, _ in self.descendants(self.root):
-            if depth:
-                joint = self.parent_joints[link]
-                lines.append(f"{'  ' * depth}{joint.name} ({joint.type}): {link}")
-        return "\n".join(lines)
 
 
 def read_tree(robot: Element) -> LinkTree:
@@ -230,10 +232,10 @@ def resolve_mimic_joints(joints: Mapping[str, UrdfJoint]) -> dict[str, Coupling]
     return {name: found[name] for name in joints}
 
 
-def suggest_link(name: str, links: Mapping[str, Element]) -> str:
+def suggest_link(name: str, links: Collection[str]) -> str:
     """Return a sentence with the link that a wrong name may mean, or with all names if none is similar.
 
-    >>> suggest_link("bsae", {"base": Element("link", 1, {}), "tool": Element("link", 2, {})})
+    >>> suggest_link("bsae", ["base", "tool"])
     ' Did you mean base?'
     """
     from difflib import get_close_matches

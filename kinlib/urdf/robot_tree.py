@@ -14,9 +14,10 @@ from numpy.typing import ArrayLike
 
 from kinlib.arrays import validation
 from kinlib.arrays.formatting import aligned_table, format_number, html_table
+from kinlib.arrays.named_values import JointValues, in_order
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
-from kinlib.rigid.lie import exp, inverse
+from kinlib.rigid.lie import adjoint, exp, inverse
 from kinlib.rigid.screw import screw
 from kinlib.urdf.links_and_joints import (
     MOVING_TYPES,
@@ -43,7 +44,8 @@ class Tree(validation.ReadOnly):
     link_tree  its links and joints, as elements of the file
 
     n joints are independent: they move, and they do not mimic another joint. m joints move by one value, mimic joints included.
-    Both are in the order of the file. Planar and floating joints have no single value: see `poses`.
+    Both are in the order of the file. Planar and floating joints have no single value: see `poses`. Wherever q is an argument, it
+    may also be a mapping from the name of each independent joint to its value.
 
     >>> tree = Tree.from_urdf('''<robot name="gripper">
     ...   <link name="palm"/> <link name="left"/> <link name="right"/> <link name="pad"/>
@@ -62,7 +64,7 @@ class Tree(validation.ReadOnly):
         pad | glue   | fixed     |
     >>> tree.tips, tree.joint_names, tree.moving_joint_names
     (('left', 'pad'), ('open',), ('open', 'follow'))
-    >>> {link: T[:3, 3].tolist() for link, T in tree.poses([0.25]).items()}
+    >>> {link: T[:3, 3].tolist() for link, T in tree.poses({"open": 0.25}).items()}
     {'palm': [0.0, 0.0, 0.0], 'left': [0.0, 0.25, 0.0], 'right': [0.0, -0.25, 0.0], 'pad': [0.0, -0.25, 0.5]}
     """
 
@@ -81,6 +83,9 @@ class Tree(validation.ReadOnly):
         """
         robot = read_robot(path_or_text)
         return cls(robot.text("name"), read_tree(robot))
+
+    def __repr__(self) -> str:
+        return f"Tree({self._title})"
 
     def __str__(self) -> str:
         """Write the links below each other, each with the joint above it and the value of this joint."""
@@ -193,7 +198,7 @@ class Tree(validation.ReadOnly):
     def _coupling(self, joint: UrdfJoint) -> Coupling:
         return self._couplings[joint.name] if joint.mimic else Coupling(joint.name, 1.0, 0.0)
 
-    def joint_values(self, q: ArrayLike) -> Array:
+    def joint_values(self, q: JointValues) -> Array:
         """Compute the values of all moving joints from those of the independent ones: C q + c.
 
         q (..., n) in radians and metres -> (..., m), in the order of `moving_joint_names`.
@@ -209,8 +214,8 @@ class Tree(validation.ReadOnly):
         values: Array = q[..., self._columns] * multipliers + self.offsets
         return values
 
-    def _validate(self, q: ArrayLike) -> Array:
-        q = validation.array(q, "q")
+    def _validate(self, q: JointValues) -> Array:
+        q = in_order(q, self.joint_names, self.name) if isinstance(q, Mapping) else validation.array(q, "q")
         if q.shape[-1:] != (self.n,):
             advice = (
                 "Joints go in the last dimension: try q.T"
@@ -223,7 +228,7 @@ class Tree(validation.ReadOnly):
         return q
 
     def poses(
-        self, q: ArrayLike, base: ArrayLike | None = None, joint_poses: Mapping[str, ArrayLike] | None = None
+        self, q: JointValues, base: ArrayLike | None = None, joint_poses: Mapping[str, ArrayLike] | None = None
     ) -> dict[str, Array]:
         """Compute the pose of every link, each in the link's own frame, as tf in ROS gives them.
 
@@ -267,7 +272,7 @@ class Tree(validation.ReadOnly):
                 found[link] = found[joint.parent] @ step
         return {link: found[link] for link in self.links}
 
-    def pose(self, base: str, tip: str, q: ArrayLike | None = None) -> Array:
+    def pose(self, base: str, tip: str, q: JointValues | None = None) -> Array:
         """Compute the pose of one link in the frame of another one; without q, the constant pose if no joint moves between them.
 
         q (..., n) of the independent joints -> (..., 4, 4). Each link may be anywhere in the tree, and mimic joints follow.
@@ -295,6 +300,34 @@ class Tree(validation.ReadOnly):
             step = joint.origin @ exp(joint.screw * self._values(q, joint)[..., None]) if joint.moves else joint.origin
             T = T @ (step if sign > 0 else inverse(step))
         return T
+
+    def jacobian(self, q: JointValues, link: str) -> Array:
+        """Compute the space Jacobian of a link: column i is its twist, in the frame of the root, at unit speed of joint i.
+
+        q (..., n) of the independent joints -> (..., 6, n). The columns of joints that do not move the link are 0, and that of a
+        joint that others mimic includes their motion: J_i = sum_k C_ki Ad(T_k) A_k, with the pose T_k of joint k, its axis A_k in
+        its own frame, and the coupling matrix C.
+
+        Raises ValueError for a name that is no link, for joint values of another size, for NaN, and if a planar or a floating joint
+        is between the root and the link.
+        Source: Modern Robotics, (5.11).
+
+        >>> from kinlib.chains.robots import youbot
+        >>> from kinlib.urdf.chains import to_urdf
+        >>> tree = Tree.from_urdf(to_urdf(youbot()))
+        >>> q = [0.1, 0.2, 0.3, 0.4, 0.5]
+        >>> bool(np.allclose(tree.jacobian(q, "tool"), youbot().jacobian(q)))
+        True
+        """
+        path, q = self._path(self.root, link), self._validate(q)
+        T, J = np.eye(4), np.zeros((*q.shape[:-1], 6, self.n))
+        for joint, _ in path:
+            T = T @ joint.origin
+            if joint.moves:
+                driver, multiplier, _ = self._coupling(joint)
+                J[..., self._numbers[driver]] += multiplier * (adjoint(T) @ joint.screw)
+                T = T @ exp(joint.screw * self._values(q, joint)[..., None])
+        return J
 
     def chain(self, base: str | None = None, tip: str | None = None) -> Chain:
         """Build a chain from the joints on the path from one link to another: up the tree, and down again.
@@ -399,7 +432,11 @@ class Tree(validation.ReadOnly):
 def _only_tip(tree: LinkTree, base: str) -> str:
     tips = tree.tips(tree.check_link(base, "base"))
     if len(tips) != 1:
-        choices = f"Pass tip=..., one of {', '.join(tips)}." if tips else "Pass a base with a moving joint below it."
+        choices = "Pass a base with a moving joint below it."
+        if tips:
+            hand = tree.common_ancestor(tips)
+            before = f", or {hand}, from which they branch off" if hand != base else ""
+            choices = f"Pass tip=..., one of {', '.join(tips)}{before}."
         raise tree.links[base].error(
             f"exactly one end of the tree must move relative to this base; got {len(tips)}. {choices}"
         )

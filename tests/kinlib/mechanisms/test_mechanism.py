@@ -346,6 +346,9 @@ def test_the_attributes_of_a_linkage_of_two_joints():
     assert Mechanism([turn, ball], "b").bodies == ("b", "a")
     assert (linkage.n, turn.dof, ball.dof) == (4, 1, 3)
     assert linkage.names == ("turn", "ball.1", "ball.2", "ball.3")
+    assert repr(linkage) == "Mechanism(linkage, 2 joints, 1 loop, ground: a)"
+    q = np.arange(4.0) / 10
+    assert linkage.residual(dict(zip(linkage.names, q, strict=True))).tolist() == linkage.residual(q).tolist()
     assert linkage.limits.tolist() == [[-1, 2], *[[-np.inf, np.inf]] * 3]
     assert turn.range.tolist() == [[-1, 2]]
     assert turn.screws.tolist() == [[0, 0, 1, 0, 0, 0]]
@@ -949,6 +952,10 @@ def test_invalid_arguments_are_refused(ask, message):
 
 def test_the_arrays_of_a_mechanism_are_read_only():
     listed = Joint("J", ("a", "b"), [0, 0, 1, 0, 0, 0], np.eye(4).tolist(), [-1, 2], [3, 0, 0])
-    for array in (FOUR_BAR.limits, listed.screws, listed.closing_offset, listed.limits, listed.point):
+    loop, found = FOUR_BAR.loops[0], FOUR_BAR.assemble(np.zeros(4)).q
+    for array in (
+        *(FOUR_BAR.limits, listed.screws, listed.closing_offset, listed.limits, listed.point),
+        *(loop.centre, loop.to_centre, found),
+    ):
         with pytest.raises(ValueError, match="read-only"):
             array[...] = 0

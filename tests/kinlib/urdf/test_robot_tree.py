@@ -14,6 +14,7 @@ from urdf_files import ARMS, link_poses_by_pinocchio, poses_by_pinocchio, trees,
 
 import kinlib as kl
 from kinlib import Tree, to_urdf
+from kinlib.arrays.named_values import in_order
 from kinlib.urdf.links_and_joints import resolve_mimic_joints
 
 CLOSE = 1e-9
@@ -75,6 +76,43 @@ def test_pose_and_chain_agree_with_pinocchio_between_any_two_links(drawn):
         return
     columns = [tree.joint_names.index(name) for name in chain.joint_names]
     np.testing.assert_allclose(chain.fk(q[:, columns]), expected, rtol=0, atol=CLOSE)
+
+
+@pytest.mark.oracle("pinocchio", Tree.jacobian)
+@settings(max_examples=40)
+@given(trees(mimic=True))
+def test_the_jacobian_of_any_link_is_that_of_pinocchio(drawn):
+    """Pinocchio's has a column for each joint that moves, (v, omega); the coupling matrix adds those of mimic joints."""
+    pin = pytest.importorskip("pinocchio", reason="no pinocchio here (the wheel `pin` does not exist for Windows)")
+    text, _, link = drawn
+    tree = Tree.from_urdf(text)
+    q = np.random.default_rng(4).uniform(-3, 3, (2, tree.n))
+    model = pin.buildModelFromXML(text)
+    joints = [model.joints[model.getJointId(name)] for name in tree.moving_joint_names]
+    for row, J in zip(q, tree.jacobian(q, link), strict=True):
+        at = np.zeros(model.nq)
+        for joint, value in zip(joints, tree.joint_values(row), strict=True):
+            at[joint.idx_q : joint.idx_q + joint.nq] = value if joint.nq == 1 else [np.cos(value), np.sin(value)]
+        data = model.createData()
+        frame = model.getFrameId(link, pin.FrameType.BODY)
+        theirs = pin.computeFrameJacobian(model, data, at, frame, pin.ReferenceFrame.WORLD).reshape(6, model.nv)
+        theirs = np.roll(theirs, 3, axis=0)
+        expected = theirs[:, [joint.idx_v for joint in joints]] @ tree.coupling
+        np.testing.assert_allclose(J, expected, rtol=0, atol=CLOSE)
+
+
+@pytest.mark.oracle("axiom: what is given by name is what is given by position", in_order)
+def test_joint_values_may_be_given_by_name():
+    tree = Tree.from_urdf(urdf_text("Franka Panda with hand"))
+    q = np.random.default_rng(5).uniform(-1, 1, (3, tree.n))
+    named = dict(zip(reversed(tree.joint_names), q[:, ::-1].T, strict=True))
+    for call in (tree.poses, tree.joint_values, lambda q: tree.jacobian(q, "panda_hand")):
+        np.testing.assert_equal(call(named), call(q))
+    np.testing.assert_equal(tree.pose("panda_link1", "panda_hand", named), tree.pose("panda_link1", "panda_hand", q))
+    still = named | {"panda_joint1": 0.0}
+    np.testing.assert_equal(tree.joint_values(still), tree.joint_values(q * (np.arange(tree.n) > 0)))
+    single = Tree.from_urdf('<robot name="r"><link name="a"/></robot>')
+    assert single.poses({})["a"].tolist() == np.eye(4).tolist()
 
 
 @settings(max_examples=40)
@@ -149,7 +187,7 @@ def test_a_tree_prints_its_links_and_the_values_of_its_joints():
     ]
     assert tree._repr_html_().count("<tr>") == 7
     assert "<td>-grip + 0.5</td>" in tree._repr_html_()
-    assert repr(tree) == "Tree(name='hand')"
+    assert repr(tree) == "Tree(hand, 6 links, 1 independent joint)"
 
 
 def test_a_mimic_joint_may_mimic_a_mimic_joint():
@@ -194,7 +232,13 @@ def test_links_between_which_nothing_moves_have_a_constant_pose():
         (lambda tree: tree.pose("plam", "thumb"), "base must be the name of a link; got 'plam'. Did you mean palm"),
         (lambda tree: tree.chain("finger", "nail"), r"Line 7, .*joint curl mimics joint grip, and has the multiplier -0\.5, not 1 or -1"),
         (lambda tree: tree.chain("thumb", "finger"), r'bend mimics joint grip, and moves with grip\. .*pose\("thumb", "finger", q\)'),
-        (lambda tree: tree.chain(), r"Pass tip=\.\.\., one of thumb, nail\."),
+        (lambda tree: tree.chain(), r"Pass tip=\.\.\., one of thumb, nail, or palm, from which they branch off\."),
+        (lambda tree: tree.chain("palm"), r"Pass tip=\.\.\., one of thumb, nail\."),
+        (lambda tree: tree.jacobian([0], "plam"), "must be the name of a link; got 'plam'. Did you mean palm"),
+        (lambda tree: tree.poses({"girp": 1}), r"names of the joint values of hand; got 'girp'\. Did you mean grip\?"),
+        (lambda tree: tree.poses({"grip": 1, "bend": 1}), r"got 'bend'\. Its joint values are grip\."),
+        (lambda tree: tree.poses({}), r"a value for each joint of hand; got none for grip\. .*dict\.fromkeys\(names, 0\.0\)"),
+        (lambda tree: tree.poses({"grip": "a"}), r"q\['grip'\] must be an array of real numbers"),
     ],
 )  # fmt: skip
 def test_errors_say_what_must_hold_and_what_to_try(call, said):
@@ -373,6 +417,7 @@ def test_a_copied_tree_is_the_same_and_stays_read_only(again):
     same = again(tree)
     assert_equal_poses(same.poses([0.3]), tree.poses([0.3]))
     assert str(same) == str(tree)
-    for array in (same.coupling, same.offsets, same.limits):
+    grip = same.link_tree.parent_joints["thumb"]
+    for array in (same.coupling, same.offsets, same.limits, grip.origin, grip.axis):
         with pytest.raises(ValueError, match="read-only"):
             array[0] = 1
