@@ -1,7 +1,6 @@
 """Joint values by name: a mapping from the name of each joint to its value, put in the order of the joints."""
 
 from collections.abc import Mapping, Sequence
-from difflib import get_close_matches
 
 import numpy as np
 from numpy.typing import ArrayLike
@@ -26,6 +25,8 @@ def in_order(values: Mapping[str, ArrayLike], names: Sequence[str], robot: str) 
            [0.5, 3. ]])
     """
     if unknown := [name for name in values if name not in names]:
+        from difflib import get_close_matches
+
         close = get_close_matches(str(unknown[0]), names, n=1)
         advice = f"Did you mean {close[0]}?" if close else f"Its joint values are {_listed(names)}."
         raise ValueError(f"q must have the names of the joint values of {robot}; got {unknown[0]!r}. {advice}")

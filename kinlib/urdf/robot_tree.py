@@ -251,6 +251,7 @@ class Tree(validation.ReadOnly):
         >>> lifted["base_link"].shape, bool(np.allclose(lifted["tool"], exp([0, 0, 0, 0, 0, 0.5]) @ youbot().home))
         ((10, 4, 4), True)
         """
+        q = self._validate(q)
         values = self.joint_values(q)
         origins, screws = self._origins_and_screws
         steps = dict(
@@ -262,7 +263,7 @@ class Tree(validation.ReadOnly):
             shape = np.broadcast_shapes(values.shape[:-1], root.shape[:-2], *(T.shape[:-2] for T in free.values()))
         except ValueError as error:
             raise ValueError(
-                f"q, base and joint_poses must have the same number of configurations, or one; got q of shape {np.shape(q)} and "
+                f"q, base and joint_poses must have the same number of configurations, or one; got q of shape {q.shape} and "
                 f"poses of shape {', '.join(str(T.shape) for T in (root, *free.values()))}."
             ) from error
         found = {self.root: np.broadcast_to(root, (*shape, 4, 4)).copy()}
