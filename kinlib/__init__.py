@@ -1,7 +1,55 @@
 """kinlib: robot forward kinematics, small enough to read and strict enough to trust.
 
-The folders are in the order of the lectures: rigid, chains, dh, mechanisms, urdf; symbolic and view are used in all of them.
-`NOTATION.md` lists the conventions.
+Twelve jobs, with kinlib imported as kl and numpy as np:
+
+>>> import tempfile, numpy as np, kinlib as kl
+>>> arm = kl.load_urdf(kl.to_urdf(kl.robots.puma560()))                # 1, 2  load a URDF file or its text; export an arm
+>>> own = kl.Chain(kl.screw(axis=[[0, 0, 1], [0, 1, 0]], point=[[0, 0, 0], [1, 0, 0]]), np.eye(4))        # 3  write an arm
+>>> q = arm.random_configurations(1000)                                # or {"joint_1": 0.5, ...}, a value for each name
+>>> arm.fk(q).shape, arm.link_poses(q).shape                           # 4  the poses of the tool, and of all links
+((1000, 4, 4), (1000, 6, 4, 4))
+>>> arm.jacobian(q).shape, arm.body_jacobian(q).shape                  # 5  Jacobians in {s} and in {b}
+((1000, 6, 6), (1000, 6, 6))
+>>> bool(arm.within_limits(q).all())                                   # 6  limits
+True
+>>> table = kl.assign_frames(arm, convention="standard").table         # 7  the DH table of an arm
+>>> bool(np.allclose(table.to_chain().fk(q), arm.fk(q)))               # 8  the arm of a DH table
+True
+>>> print(kl.diagnose(table.changed(convention="modified"), arm))      # 9  what is wrong with a DH table
+The table is in the standard convention, but was read as modified.
+>>> linkage = kl.linkages.four_bar(0.4, 0.1, 0.35, 0.3)
+>>> linkage.assembly_modes(hold={"A": 1.0}).shape                      # 10  close a chain: all ways of assembling it
+(2, 4)
+>>> kl.symbolic.shorthand(kl.symbolic.fk(own))[:3, 3].T                # 11  closed forms, in SymPy
+Matrix([[c_1*(1 - c_2), s_1*(1 - c_2), s_2]])
+>>> kl.show(own, path=tempfile.mkdtemp() + "/arm.svg")                # 12  a picture; kl.show(own) has sliders
+
+Rigid motions
+    exp(x)               rotation vectors (..., 3) -> rotations (..., 3, 3); twists (..., 6) -> poses (..., 4, 4)
+    log(X)               the inverse of exp
+    inverse(X)           T_ab -> T_ba
+    adjoint(X)           poses (..., 4, 4) -> (..., 6, 6), which takes twists in {b} to twists in {a}
+    hat(x), vee(X)       vector or twist -> its matrix, and back
+    screw(axis, point, pitch), line(S)           a line -> its screw axis (..., 6), and back as a Line
+    nearest_rotation(X)  repair a rounded rotation or pose
+Open chains
+    Chain(screws, home)  n screw axes (n, 6) and M (4, 4): fk, link_poses, jacobian, limits; print(arm) lists its axes
+    robots               the arms of the course, and robots.arm and robots.pose to write your own
+    load_urdf(file), to_urdf(arm), Tree          URDF; a Tree has all branches of a robot
+Denavit-Hartenberg
+    DHTable(rows, convention), dh_transform(a, alpha, d, theta, convention)
+    assign_frames(arm, convention)               a FrameAssignment, with its table and the reason for each frame
+    equivalent(one, other), diagnose(table, arm), check_frames(arm, frames, convention)
+                         compare: an Equivalence, a Diagnosis, a list of Breach
+Closed chains
+    Mechanism(joints), Joint, linkages           linkages: assemble, trace, mobility
+Also
+    symbolic             the same formulas in SymPy
+    show(arm)            pictures and three dimensions; more in kinlib.view
+
+A twist and a screw axis are (omega, v), as in Modern Robotics; T_ab takes coordinates in {b} to coordinates in {a}; radians and
+metres. An array of shape (..., n) holds any number of configurations. `NOTATION.md` lists the conventions, and for example
+`help(kl.Chain.fk)` says shapes, units, frames and errors. The folders are in the order of the lectures.
 """
 
 from typing import TYPE_CHECKING, Any
@@ -24,6 +72,41 @@ from kinlib.urdf.robot_tree import Tree
 if TYPE_CHECKING:
     from kinlib import symbolic
     from kinlib.view.viewer.browser import show
+
+    # For type checkers only: `help` would print every class and function named here, 1,700 lines.
+    __all__ = [
+        "Breach",
+        "Chain",
+        "Convention",
+        "DHTable",
+        "Diagnosis",
+        "Equivalence",
+        "FrameAssignment",
+        "Joint",
+        "Line",
+        "Mechanism",
+        "Tree",
+        "adjoint",
+        "assign_frames",
+        "check_frames",
+        "dh_transform",
+        "diagnose",
+        "equivalent",
+        "exp",
+        "hat",
+        "inverse",
+        "line",
+        "linkages",
+        "load_urdf",
+        "log",
+        "nearest_rotation",
+        "robots",
+        "screw",
+        "show",
+        "symbolic",
+        "to_urdf",
+        "vee",
+    ]
 else:
 
     def __getattr__(name: str) -> Any:
@@ -35,41 +118,8 @@ else:
         return import_module("kinlib.symbolic") if name == "symbolic" else import_module("kinlib.view").show
 
     def __dir__() -> list[str]:
-        return sorted({*globals(), *__all__})
+        names = {name for name in globals() if not name.startswith("_")} - {"Any", "TYPE_CHECKING"}
+        return sorted(names | {"__version__", "show", "symbolic"})
 
 
 __version__ = "0.1.0"
-
-__all__ = [
-    "Breach",
-    "Chain",
-    "Convention",
-    "DHTable",
-    "Diagnosis",
-    "Equivalence",
-    "FrameAssignment",
-    "Joint",
-    "Line",
-    "Mechanism",
-    "Tree",
-    "adjoint",
-    "assign_frames",
-    "check_frames",
-    "dh_transform",
-    "diagnose",
-    "equivalent",
-    "exp",
-    "hat",
-    "inverse",
-    "line",
-    "linkages",
-    "load_urdf",
-    "log",
-    "nearest_rotation",
-    "robots",
-    "screw",
-    "show",
-    "symbolic",
-    "to_urdf",
-    "vee",
-]

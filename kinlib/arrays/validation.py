@@ -4,8 +4,11 @@ Every public function validates its arguments here. A wrong argument is refused 
 what was given and the likely cause, so the formulas behind it can stay as short as in the book.
 """
 
+from __future__ import annotations
+
 import re
 import reprlib
+from collections.abc import Mapping, Sequence
 from dataclasses import fields
 from typing import Any
 
@@ -15,6 +18,9 @@ from numpy.typing import ArrayLike, NDArray
 from kinlib.arrays.tolerances import MAX_ROTATION_RAD, ORTHONORMALITY_TOL, UNIT_LENGTH_ROUNDING, UNIT_LENGTH_TOL
 
 Array = NDArray[np.float64]
+
+JointValues = ArrayLike | Mapping[str, ArrayLike]
+"""Values of the joints: an array (..., n), or a mapping from the name of each joint to its value."""
 
 
 def array(x: ArrayLike, name: str) -> Array:
@@ -66,6 +72,28 @@ def real_array(x: ArrayLike, name: str) -> Array:
             "Does it contain None, a symbol, a string or a row of another length?"
         ) from error
     return values
+
+
+def values_by_name(values: Mapping[str, ArrayLike], names: Sequence[str], name: str) -> Array:
+    """Read a mapping from each of the names to its value, or to a batch of values, as one array (..., n), in their order.
+
+    Raises ValueError if there are no names, and for a missing and an unknown one.
+
+    >>> values_by_name({"elbow": 0.5, "hip": [1, 2]}, ["hip", "elbow"], "q")
+    array([[1. , 0.5],
+           [2. , 0.5]])
+    """
+    if not names:
+        raise ValueError(f"{name} must be an array, because the joints have no names; got {describe(values)}.")
+    if values.keys() != set(names):
+        missing, unknown = [one for one in names if one not in values], [one for one in values if one not in names]
+        faults = [
+            f"{what} {', '.join(map(repr, keys))}" for what, keys in (("no", missing), ("unknown", unknown)) if keys
+        ]
+        raise ValueError(
+            f"{name} must have one value for each of the joints {', '.join(names)}; got {' and '.join(faults)}."
+        )
+    return np.stack(np.broadcast_arrays(*(array(values[one], f"{name}[{one!r}]") for one in names)), axis=-1)
 
 
 def vectors(x: ArrayLike, name: str, size: int) -> Array:
@@ -174,23 +202,43 @@ def read_only_copy(values: ArrayLike) -> Array:
 
 
 class ReadOnly:
-    """A frozen dataclass whose copies and pickles are constructed anew from its fields.
+    """A frozen dataclass that is equal to another one with equal fields, and whose copies are constructed anew from them.
 
-    So the arrays of a copy are read-only too, and nothing that was computed from the fields before travels with it.
+    So the arrays of a copy or a pickle are read-only too, and nothing that was computed from the fields travels with it.
 
     >>> from copy import deepcopy
     >>> from dataclasses import dataclass
-    >>> @dataclass(frozen=True)
+    >>> @dataclass(frozen=True, eq=False)
     ... class Point(ReadOnly):
     ...     p: Array
     ...     def __post_init__(self): object.__setattr__(self, "p", read_only_copy(self.p))
-    >>> deepcopy(Point([1.0, 2.0])).p.flags.writeable
-    False
+    >>> point = deepcopy(Point([1.0, 2.0]))
+    >>> point.p.flags.writeable, point == Point([1, 2]), point == Point([1, 3])
+    (False, True, False)
     """
 
     def __reduce__(self) -> tuple[Any, ...]:
-        values = {one.name: getattr(self, one.name) for one in fields(self) if one.init}  # type: ignore[arg-type]
-        return _construct, (type(self), values)
+        return _construct, (type(self), self._fields())
+
+    def __eq__(self, other: object) -> bool:
+        return _comparable(self) == _comparable(other) if type(other) is type(self) else NotImplemented
+
+    def __hash__(self) -> int:
+        return hash(_comparable(self))
+
+    def _fields(self) -> dict[str, Any]:
+        return {one.name: getattr(self, one.name) for one in fields(self) if one.init}  # type: ignore[arg-type]
+
+
+def _comparable(value: Any) -> Any:
+    """Convert a value to one that can be compared and hashed: arrays to their shape and their numbers."""
+    if isinstance(value, ReadOnly):
+        return type(value), *map(_comparable, value._fields().values())
+    if isinstance(value, np.ndarray):
+        return value.shape, tuple(value.ravel().tolist())
+    if isinstance(value, Mapping):
+        return frozenset((key, _comparable(one)) for key, one in value.items())
+    return tuple(map(_comparable, value)) if isinstance(value, tuple | list) else value
 
 
 def _construct(kind: type[Any], values: dict[str, Any]) -> Any:
@@ -248,5 +296,5 @@ def _describe_fault(values: Array, index: tuple[int, ...], name: str) -> str:
         return f"{name} is a reflection{place} (det R = -1), not a rotation. Are two axes swapped? Is y = z x x?"
     return (
         f"{name} is not rigid{place}: R^T R differs from the identity by {defect:.2g}. "
-        "Were its entries rounded, or is an axis not of unit length?"
+        "Were its entries rounded? Then take its nearest_rotation. Or is an axis not of unit length?"
     )

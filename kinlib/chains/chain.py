@@ -7,8 +7,10 @@ The same motion can be written in three forms, which differ in the position of t
     mid form     T(q) = e^[S1]q1 ... e^[Sk]qk M e^[Bk+1]qk+1 ... e^[Bn]qn
 """
 
-from collections.abc import Callable
-from dataclasses import dataclass, field
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from functools import cached_property, reduce, wraps
 from typing import TYPE_CHECKING, Any
 
@@ -17,7 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from kinlib.arrays import tolerances, validation
 from kinlib.arrays.formatting import aligned_table, format_matrix, format_vector, html_table, latex_array
-from kinlib.arrays.validation import Array
+from kinlib.arrays.validation import Array, JointValues
 from kinlib.rigid.lie import _adjoint, _inverse, _screw_motions, adjoint, homogeneous, inverse
 from kinlib.rigid.screw import Line, axes, is_prismatic, line
 
@@ -28,11 +30,11 @@ MAX_CHUNK = 1000
 """Number of configurations in a chunk: the sixteen entries of so many poses fit into a core's cache."""
 
 
-def _in_chunks(equation: Callable[["Chain", Array], Array]) -> Callable[["Chain", ArrayLike], Array]:
+def _in_chunks(equation: Callable[[Chain, Array], Array]) -> Callable[[Chain, JointValues], Array]:
     """Read q, and evaluate an equation of `Chain` for a chunk of the configurations at a time, which stays in the cache."""
 
     @wraps(equation)
-    def method(self: "Chain", q: ArrayLike) -> Array:
+    def method(self: Chain, q: JointValues) -> Array:
         q = self._joint_values(q)
         if q.size <= MAX_CHUNK * self.n:
             return equation(self, q)
@@ -43,7 +45,7 @@ def _in_chunks(equation: Callable[["Chain", Array], Array]) -> Callable[["Chain"
     return method
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Chain(validation.ReadOnly):
     """An open chain of revolute, prismatic and helical joints.
 
@@ -65,14 +67,14 @@ class Chain(validation.ReadOnly):
     array([0., 2., 0.])
     """
 
-    screws: Array = field(repr=False)
-    home: Array = field(repr=False)
-    points: Array | None = field(default=None, repr=False)
+    screws: Array
+    home: Array
+    points: Array | None = None
     name: str = "arm"
     source: str = ""
-    limits: Array | None = field(default=None, repr=False)
-    joint_names: tuple[str, ...] = field(default=(), repr=False)
-    link_names: tuple[str, ...] = field(default=(), repr=False)
+    limits: Array | None = None
+    joint_names: tuple[str, ...] = ()
+    link_names: tuple[str, ...] = ()
 
     if TYPE_CHECKING:  # the constructor takes lists, too, and the attributes are arrays
 
@@ -101,8 +103,17 @@ class Chain(validation.ReadOnly):
             self._set("points", _validate_points(self.screws, self.points))
         if self.limits is not None:
             self._set("limits", _validate_limits(self.limits, len(screws)))
-        if self.joint_names and len(self.joint_names) != len(screws):
-            raise ValueError(f"joint_names must have {len(screws)} names, one per joint; got {len(self.joint_names)}.")
+        for names in ("joint_names", "link_names"):
+            object.__setattr__(self, names, tuple(getattr(self, names)))
+        if not all(isinstance(text, str) for text in (self.name, self.source, *self.joint_names, *self.link_names)):
+            raise ValueError(
+                f"The names of a chain, of its joints and of its links must be text; got {self.name!r}, "
+                f"{self.joint_names} and {self.link_names}."
+            )
+        if self.joint_names and len(set(self.joint_names)) != len(screws):
+            raise ValueError(
+                f"joint_names must have {len(screws)} different names, one per joint; got {self.joint_names}."
+            )
         if self.link_names and len(self.link_names) - len(screws) not in (1, 2):
             raise ValueError(
                 f"link_names must have {len(screws) + 1} names, the base and a link after each joint, or one more for the tool; "
@@ -111,6 +122,9 @@ class Chain(validation.ReadOnly):
 
     def _set(self, name: str, values: Array) -> None:
         object.__setattr__(self, name, validation.read_only_copy(values))
+
+    def __repr__(self) -> str:
+        return f"Chain({self.name!r}, {self.n} joints: {self.joint_types})"
 
     def __str__(self) -> str:
         """Write the screw axes and the home pose.
@@ -160,7 +174,7 @@ class Chain(validation.ReadOnly):
         >>> rpr().lines.pitch
         array([ 0., inf,  0.])
         """
-        return line(self.screws)
+        return Line(*map(validation.read_only_copy, line(self.screws)))
 
     @cached_property
     def joint_types(self) -> str:
@@ -200,9 +214,10 @@ class Chain(validation.ReadOnly):
     def fk(self, q: Array) -> Array:
         """Compute the pose of the tool by the space form: T(q) = e^[S1]q1 ... e^[Sn]qn M.
 
-        q (..., n) in radians and metres -> T_sb (..., 4, 4), for any number of configurations at once.
+        q (..., n) in radians and metres -> T_sb (..., 4, 4), for any number of configurations at once. Here and in the other
+        methods, q may also be a mapping from the name of each joint to its value.
 
-        Raises ValueError for joint values of another size, and for NaN.
+        Raises ValueError for joint values of another size, for NaN, and for a missing or an unknown name.
         Source: Modern Robotics, (4.14).
 
         >>> from kinlib.chains.robots import rprr
@@ -232,7 +247,7 @@ class Chain(validation.ReadOnly):
             T = T @ E_i
         return T
 
-    def fk_mid(self, q: ArrayLike, k: int) -> Array:
+    def fk_mid(self, q: JointValues, k: int) -> Array:
         """Compute the pose of the tool with M after the first k joints: e^[S1]q1 ... e^[Sk]qk M e^[Bk+1]qk+1 ... e^[Bn]qn.
 
         q (..., n) -> (..., 4, 4), equal to fk(q) for every k from 0, the body form, to n, the space form.
@@ -304,49 +319,7 @@ class Chain(validation.ReadOnly):
         """
         return _adjoint(_inverse(self.fk(q))) @ self.jacobian(q)
 
-    def point_jacobian(self, q: ArrayLike, point: ArrayLike, link: int | None = None) -> Array:
-        """Compute the Jacobian of a point that is fixed to a link: angular velocity of the link, then velocity of the point, in {s}.
-
-        q (..., n), point (3,) in {s}, where it is at home -> (..., 6, n). The link is 1 to n, by default n, the link of the tool;
-        the columns of the joints after it are 0. With J_s = (omega, v) and p(q) = e^[S1]q1 ... e^[Si]qi p, its rows are omega and
-        v + omega x p(q).
-
-        Raises ValueError for joint values of another size, for NaN, for a point of another size, and for a link outside 1 ... n.
-        Source: Modern Robotics, 5.1: the velocity of a point of a body with the spatial twist (omega, v).
-
-        >>> from kinlib.chains.robots import rpr
-        >>> rpr().point_jacobian([0, 0, 0], point=(0, 0, 0), link=1)[3:, 0]      # joint 1 rotates about -y through (-4, -2, 0)
-        array([0., 0., 4.])
-        """
-        link = self.n if link is None else link
-        if link not in range(1, self.n + 1):
-            raise ValueError(f"link must be the number of a link, 1 to {self.n}; got {link!r}.")
-        point = validation.vectors(point, "point", 3)
-        if point.shape != (3,):
-            raise ValueError(f"point must be one point, shape (3,); got {point.shape}. Call it for each point.")
-        J = self.jacobian(q) * (np.arange(self.n) < link)
-        T = self.link_poses(q)[..., link - 1, :, :]
-        position = (T[..., :3, :3] @ (point - self.joint_points[link - 1]) + T[..., :3, 3])[..., None]
-        J[..., 3:, :] += np.cross(J[..., :3, :], position, axis=-2)
-        return J
-
-    def manipulability(self, q: ArrayLike) -> Array:
-        """Compute Yoshikawa's manipulability, which is 0 at a singular configuration: the product of the singular values of J_b.
-
-        q (..., n) -> (...). With n >= 6 joints it is sqrt(det(J J^T)). It mixes radians and metres, so only values of the same arm
-        can be compared. The singular values themselves are np.linalg.svd(arm.body_jacobian(q), compute_uv=False).
-
-        Raises ValueError for joint values of another size, and for NaN.
-        Source: Yoshikawa, Manipulability of robotic mechanisms, 1985; Modern Robotics, 5.4.
-
-        >>> from kinlib.chains.robots import puma560
-        >>> round(float(puma560().manipulability(np.zeros(6))), 9)             # axes 4 and 6 coincide
-        0.0
-        """
-        values: Array = np.linalg.svd(self.body_jacobian(q), compute_uv=False).prod(axis=-1)
-        return values
-
-    def within_limits(self, q: ArrayLike) -> NDArray[np.bool_]:
+    def within_limits(self, q: JointValues) -> NDArray[np.bool_]:
         """Return for each configuration whether all its joint values are within the limits.
 
         q (..., n) -> (...). A chain without limits accepts every configuration.
@@ -365,14 +338,16 @@ class Chain(validation.ReadOnly):
         """Draw configurations within the limits, the same ones for the same seed: (count, n).
 
         A joint without limits takes values between -pi and pi, in radians or metres; one with a single limit, up to 2 pi from it.
+        A limit beyond MAX_ROTATION_RAD, as some files have for a joint that rotates without end, is none.
 
         >>> arm = Chain([[0, 0, 1, 0, 0, 0]], np.eye(4), limits=[[0, 1]])
         >>> bool(arm.within_limits(arm.random_configurations(100)).all())
         True
         """
         lower, upper = self._limits.T
-        low = np.where(np.isfinite(lower), lower, np.where(np.isfinite(upper), upper - 2 * np.pi, -np.pi))
-        high = np.where(np.isfinite(upper), upper, np.where(np.isfinite(lower), lower + 2 * np.pi, np.pi))
+        has_lower, has_upper = (np.abs(limit) < tolerances.MAX_ROTATION_RAD for limit in (lower, upper))
+        low = np.where(has_lower, lower, np.where(has_upper, upper - 2 * np.pi, -np.pi))
+        high = np.where(has_upper, upper, np.where(has_lower, lower + 2 * np.pi, np.pi))
         return np.random.default_rng(seed).uniform(low, high, (count, self.n))
 
     def to_dict(self) -> dict[str, Any]:
@@ -397,7 +372,7 @@ class Chain(validation.ReadOnly):
         }
 
     @classmethod
-    def from_dict(cls, data: Any) -> "Chain":
+    def from_dict(cls, data: Any) -> Chain:
         """Read a chain that `to_dict` wrote, for example from a JSON or a YAML file that other people can edit.
 
         Raises ValueError for a missing or an unknown key, and for the same reasons as a new chain.
@@ -420,16 +395,16 @@ class Chain(validation.ReadOnly):
             fields["limits"] = [
                 [end if x is None else x for x, end in zip(pair, infinite, strict=True)] for pair in fields["limits"]
             ]
-        names = {key: tuple(fields.get(key) or ()) for key in ("joint_names", "link_names")}
+        names = {key: fields.get(key) or () for key in ("joint_names", "link_names")}
         return cls(**fields | names)
 
     @property
     def _limits(self) -> Array:
         return np.tile([-np.inf, np.inf], (self.n, 1)) if self.limits is None else self.limits
 
-    def _joint_values(self, q: ArrayLike) -> Array:
+    def _joint_values(self, q: JointValues) -> Array:
         """Read q as joint values of this chain, (..., n)."""
-        q = validation.array(q, "q")
+        q = validation.values_by_name(q, self.joint_names, "q") if isinstance(q, Mapping) else validation.array(q, "q")
         if q.shape[-1:] != (self.n,):
             fits = q.ndim > 1 and q.shape[-2] == self.n
             advice = "Joints go in the last dimension: try q.T" if fits else "Pass one value per joint"

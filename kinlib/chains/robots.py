@@ -4,6 +4,8 @@ An arm is written in the way its drawing is read: for each joint a direction, a 
 metres. Where a document gives symbols instead of numbers, the lengths are arguments with defaults of realistic proportions.
 """
 
+from __future__ import annotations
+
 from collections.abc import Sequence
 from typing import Any
 
@@ -14,6 +16,25 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.rigid import lie
 from kinlib.rigid.screw import screw
+
+__all__ = [
+    "angled_arm",
+    "arm",
+    "hrr",
+    "mid_formula_arm",
+    "panda",
+    "plain_arm",
+    "pose",
+    "puma560",
+    "rppr",
+    "rpr",
+    "rpr_lecture7",
+    "rprr",
+    "scara",
+    "ur5e",
+    "youbot",
+]
+"""The functions, without X, Y, Z and SLIDE, so that `help` does not print what NumPy says about arrays."""
 
 X, Y, Z = np.eye(3)
 SLIDE = np.inf

@@ -1,5 +1,7 @@
 """Angles modulo a full turn."""
 
+from __future__ import annotations
+
 import numpy as np
 from numpy.typing import ArrayLike
 

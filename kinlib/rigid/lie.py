@@ -4,6 +4,8 @@ A twist is (omega, v) stacked in one 6-vector, as in Modern Robotics. Every func
 distinguishes the two groups by the last dimensions: 3 and 3x3 for rotations, 6 and 4x4 for rigid motions.
 """
 
+from __future__ import annotations
+
 import math
 
 import numpy as np

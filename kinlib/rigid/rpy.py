@@ -1,5 +1,7 @@
 """Roll, pitch and yaw as URDF defines them: rotations about the *fixed* axes x, y and z, in this order."""
 
+from __future__ import annotations
+
 import numpy as np
 from numpy.typing import ArrayLike
 

@@ -4,6 +4,8 @@ A screw axis is a normalized twist (omega, v). Its six numbers encode a directio
 computes the six numbers from these, and `line` recovers them.
 """
 
+from __future__ import annotations
+
 from typing import NamedTuple
 
 import numpy as np

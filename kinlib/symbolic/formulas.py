@@ -22,7 +22,6 @@ from kinlib.symbolic.numbers import exact, joints, shorthand
 
 __all__ = [
     "adjoint",
-    "dh_transform",
     "exact",
     "exp",
     "fk",
@@ -34,7 +33,6 @@ __all__ = [
     "screw",
     "shorthand",
     "table_fk",
-    "vee",
 ]
 
 X, Y, Z = (sp.Matrix(column) for column in np.eye(3, dtype=int))
@@ -54,24 +52,6 @@ def hat(x: Any) -> sp.Matrix:
     x = _matrix(x, "x", (3, 1), (6, 1))
     W = skew_symmetric(x[:3, 0])
     return W if len(x) == 3 else W.row_join(x[3:, 0]).col_join(sp.zeros(1, 4))
-
-
-def vee(matrix: Any) -> sp.Matrix:
-    """Read the rotation vector or the twist from its matrix: 3x3 -> 3x1, 4x4 -> 6x1, the inverse of hat.
-
-    Raises ValueError if the matrix is not in so(3) or se(3).
-
-    >>> vee(hat(sp.symbols("w_1:4"))).T
-    Matrix([[w_1, w_2, w_3]])
-    """
-    matrix = _matrix(matrix, "matrix", (3, 3), (4, 4))
-    W, last = matrix[:3, :3], matrix[3:, :]
-    if any(sp.simplify(entry) != 0 for entry in [*(W + W.T), *last]):
-        raise ValueError(
-            "matrix must be a skew-symmetric block, in 4x4 with zeros as last row; got another form. "
-            "If it is a rotation or a pose, take its logarithm first."
-        )
-    return sp.Matrix([W[2, 1], W[0, 2], W[1, 0], *matrix[:3, 3:]])
 
 
 def exp(x: Any) -> sp.Matrix:
@@ -146,21 +126,6 @@ def screw(axis: Any, point: Any = (0, 0, 0), pitch: Any = 0) -> sp.Matrix:
     if pitch in (np.inf, sp.oo):
         return sp.zeros(3, 1).col_join(axis)
     return axis.col_join(point.cross(axis) + exact(pitch) * axis)
-
-
-def dh_transform(a: Any, alpha: Any, d: Any, theta: Any, *, convention: Convention) -> sp.Matrix:
-    """Write the transform of one DH row, as kl.dh_transform.
-
-    standard: Rz(theta) Tz(d) Tx(a) Rx(alpha);  modified: Rx(alpha) Tx(a) Rz(theta) Tz(d).
-
-    Raises ValueError for another convention.
-
-    >>> dh_transform(0, np.pi / 2, 0, sp.Symbol("q_1"), convention="standard")[:3, 2].T
-    Matrix([[sin(q_1), -cos(q_1), 0]])
-    """
-    a, alpha, d, theta = map(exact, (a, alpha, d, theta))
-    about_z, about_x = homogeneous(rotation(Z, theta), d * Z), homogeneous(rotation(X, alpha), a * X)
-    return about_z * about_x if validate_convention(convention) == "standard" else about_x * about_z
 
 
 # --- arms ---

@@ -54,30 +54,19 @@ def joints(n: int) -> tuple[sp.Symbol, ...]:
     return tuple(sp.symbols(f"q_1:{n + 1}", real=True))
 
 
-def shorthand(expression: Any, *, digits: int | None = None) -> Any:
+def shorthand(expression: Any) -> Any:
     """Abbreviate cos(q_1) as c_1 and sin(q_2 + q_3) as s_23, as on a blackboard: symbols that notebooks print as `$s_{23}$`.
 
     An expression or a matrix in q_i or theta_i -> the same, for display only: compute with the original. Angles with an index
     above 9 have no shorthand, because s_12 could then mean the sine of one angle or of the sum of two.
 
-    digits  write fractions such as 2159/5000 as decimals with so many significant digits; by default they stay exact
-
     >>> q_1, q_2, a_2 = sp.symbols("q_1 q_2 a_2")
     >>> shorthand(a_2 * sp.cos(q_1 + q_2) - sp.sin(q_1) ** 2)
     a_2*c_12 - s_1**2
-    >>> shorthand(sp.Rational(2159, 5000) * sp.cos(q_1) / 2, digits=4)
-    0.2159*c_1
     """
     if isinstance(expression, sp.MatrixBase):
-        return expression.applyfunc(lambda entry: shorthand(entry, digits=digits))
-    short = expression.replace(lambda part: bool(_abbreviation(part)), lambda part: sp.Symbol(_abbreviation(part)))
-    if digits is None:
-        return short
-    # An exponent stays a fraction: the square root of 3 is no decimal power.
-    fractions = {number for number in short.atoms(sp.Rational) if number.q > 1} - {
-        power.exp for power in short.atoms(sp.Pow)
-    }
-    return short.xreplace({fraction: sp.Float(fraction, digits) for fraction in fractions})
+        return expression.applyfunc(shorthand)
+    return expression.replace(lambda part: bool(_abbreviation(part)), lambda part: sp.Symbol(_abbreviation(part)))
 
 
 def _abbreviation(part: Any) -> str:

@@ -12,7 +12,7 @@ import kinlib as kl
 from kinlib import robots
 
 ROBOT_FUNCTIONS = [
-    f for _, f in getmembers(robots, isfunction) if f is not robots.arm and get_annotations(f)["return"] is kl.Chain
+    f for _, f in getmembers(robots, isfunction) if f is not robots.arm and get_annotations(f)["return"] == "Chain"
 ]
 """The functions of kinlib.robots that return a robot. A new one is tested as soon as it is added."""
 

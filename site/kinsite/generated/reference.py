@@ -17,6 +17,7 @@ from numpy.typing import ArrayLike
 from sphinx.util.inspect import stringify_signature
 from sphinx.util.typing import stringify_annotation
 
+import kinlib
 from kincourse import COURSE
 from kinlib.arrays.validation import Array
 
@@ -61,8 +62,9 @@ def pages() -> Iterator[tuple[str, str]]:
             yield f"reference/{name}.md", page(module)
             lists.append(f"- [`{name}`]({name}.md): {escape(first_line(module))}")
         lists.append("")
+    jobs = next(block for block in re.split(r"\n\s*\n", inspect.getdoc(kinlib) or "") if block.startswith(">>>"))
     tree = "\n".join(name for names in MODULES.values() for name in names)
-    yield "reference/index.md", OVERVIEW.format(lists="\n".join(lists), tree=tree)
+    yield "reference/index.md", OVERVIEW.format(jobs=jobs, lists="\n".join(lists), tree=tree)
 
 
 OVERVIEW = """\
@@ -71,6 +73,12 @@ OVERVIEW = """\
 `import kinlib as kl` provides what most lectures need: `kl.exp`, `kl.screw`, `kl.Chain`, `kl.DHTable`,
 `kl.assign_frames`, `kl.Mechanism`, `kl.load_urdf`, `kl.Tree`, `kl.robots` and related functions. These pages describe everything,
 module by module, in reading order.
+
+## Twelve jobs
+
+```pycon
+{jobs}
+```
 
 {lists}
 

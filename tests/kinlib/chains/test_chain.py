@@ -485,7 +485,7 @@ def test_v_with_the_wrong_sign_is_found_by_its_point():
         ({"limits": [[-1, 1], [1, -1], [0, 1]]}, r"limits of joint 2 .*got \[1.0, -1.0\]. Are they swapped\?"),
         ({"limits": [[-1, 1], [0, 1], [np.nan, 1]]}, "limits of joint 3"),
         ({"limits": [["low", "high"]] * 3}, "^limits must be an array of real numbers; got list"),
-        ({"joint_names": ("shoulder", "elbow")}, "3 names, one per joint; got 2"),
+        ({"joint_names": ("shoulder", "elbow")}, "3 different names, one per joint; got "),
     ],
 )
 def test_invalid_limits_and_names_are_refused(fields, message):
