@@ -48,7 +48,6 @@ PROGRAMS = {
 GROUPS = {"open": "lab", "test": "test", "site": "site", "serve": "site"}  # dependency groups of pyproject.toml
 MEGABYTES = {"lab": 400, "test": 1400, "site": 500}  # what a group takes on the disk
 INCLUDED = {"test": {"test", "lab", "site"}}  # groups that a group includes
-PROCESSOR_MINUTES = {"": 30, "--quick": 6}  # of the tests, without and with an option; measured on two quiet cores
 
 INTERRUPTS: list[int] = []  # one entry for each Ctrl-C
 
@@ -64,8 +63,6 @@ def main(command: str = "help", *words: str) -> None:
     if command in PROGRAMS:
         prepare(GROUPS[command], newest="--newest" in words)
         arguments = [word for word in words if word != "--newest"]
-        if command == "test" and arguments in ([], ["--quick"]):
-            print(expected_time(*arguments), flush=True)
         sys.exit(call(PYTHON, *PROGRAMS[command], *arguments))
     elif command in ("help", "-h", "--help"):
         print(__doc__)
@@ -114,13 +111,6 @@ def step(purpose: str, module: str, *arguments: str | Path, **settings: str) -> 
     command = (sys.executable, "-m", module, *arguments)
     if call(*command, **settings):
         sys.exit(f"course.py could not {purpose}. {remedy(*command, **settings)}")
-
-
-def expected_time(option: str = "") -> str:
-    """Say how long the tests take on this machine."""
-    cores = os.cpu_count() or 1
-    hint = "" if option else " `python course.py test --quick` takes a few minutes."
-    return f"On a laptop with {cores} cores, this takes about {PROCESSOR_MINUTES[option] / cores:.0f} minutes.{hint}"
 
 
 def remedy(*command: str | Path, **settings: str) -> str:

@@ -9,10 +9,9 @@ It needs a Python with its standard library, bash and git. `paths.py` says what 
 import argparse
 import sys
 import time
-from pathlib import Path
 
-from paths import NOT_REHEARSED, PATHS
-from place import SUPPORTED, Failure, NotTried, Place, pythons
+from paths import NOT_REHEARSED, PATHS, rehearse
+from place import SUPPORTED, pythons
 
 
 def main() -> int:
@@ -39,22 +38,6 @@ def main() -> int:
         not_tried += [f"`{command.strip()}`: {reason}" for command, reason in NOT_REHEARSED.items()]
     print("\nNot tried:", *not_tried, sep="\n  ")
     return bool(failed)
-
-
-def rehearse(name: str, python: Path) -> tuple[str, str]:
-    """Run a path on a Python. Returns the result, and the reason if it did not pass."""
-    place, path = Place(python), PATHS[name]
-    try:
-        path.run(place)
-    except NotTried as reason:
-        return "not tried", str(reason)
-    except (Failure, OSError) as error:
-        return "FAILED", str(error)
-    finally:
-        place.remove()
-    if forgotten := [command for command in path.commands if command not in place.done]:
-        return "FAILED", f"It did not run {forgotten}."
-    return "passed", ""
 
 
 if __name__ == "__main__":

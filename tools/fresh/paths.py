@@ -6,6 +6,7 @@ import shutil
 import urllib.request
 from collections.abc import Callable
 from dataclasses import dataclass
+from pathlib import Path as FilePath
 
 from place import Failure, NotTried, Place, free_port, reachable
 
@@ -35,6 +36,22 @@ def path(*commands: str) -> Callable[[Callable[[Place], None]], Callable[[Place]
         return function
 
     return register
+
+
+def rehearse(name: str, python: FilePath) -> tuple[str, str]:
+    """Run a path on a Python. Returns the result, and the reason if it did not pass."""
+    place, path = Place(python), PATHS[name]
+    try:
+        path.run(place)
+    except NotTried as reason:
+        return "not tried", str(reason)
+    except (Failure, OSError) as error:
+        return "FAILED", str(error)
+    finally:
+        place.remove()
+    if forgotten := [command for command in path.commands if command not in place.done]:
+        return "FAILED", f"It did not run {forgotten}."
+    return "passed", ""
 
 
 # --- a student ---
