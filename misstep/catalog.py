@@ -14,6 +14,7 @@ its folder. A lecture is imported only when it is used.
 """
 
 import importlib
+import os
 import sys
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass, field
@@ -25,6 +26,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from misstep.display.lecture_address import lecture_address
+from misstep.display.static_output import is_static_export
 from misstep.judge import judge
 from misstep.problem import Template
 from misstep.questions.item import Item, read_questions
@@ -36,6 +38,9 @@ if TYPE_CHECKING:
 
 ENTRY_POINT_GROUP = "misstep.courses"
 """The group of entry points by which installed courses are found."""
+
+READER_VARIABLE = "JUPYTERHUB_USER"
+"""The environment variable in which a JupyterHub says whose server this is."""
 
 FOLDER_PREFIX = "lecture_"
 """The beginning of the name of each lecture's folder."""
@@ -208,7 +213,7 @@ class Course:
         """
         from misstep.questions.widget import Question
 
-        self._asked[name] = Question(self.find_question(name), name)
+        self._asked[name] = Question(self._question_of_reader(name), name)
         return self._asked[name]  # type: ignore[no-any-return]
 
     def explain(self, name: str) -> "Explanation":
@@ -218,7 +223,12 @@ class Course:
         """
         from misstep.questions.widget import Explanation, Question
 
-        return Explanation(self._asked.get(name) or Question(self.find_question(name), name))
+        return Explanation(self._asked.get(name) or Question(self._question_of_reader(name), name))
+
+    def _question_of_reader(self, name: str) -> Item:
+        """The question with its options in the order of this reader, where a JupyterHub says who it is."""
+        item, reader = self.find_question(name), os.environ.get(READER_VARIABLE)
+        return item.shuffled(f"{name} {reader}") if reader and not is_static_export() else item
 
     def _module(self, lecture: str, name: str) -> Any:
         return importlib.import_module(f"{self.package}.{FOLDER_PREFIX}{lecture}.{name}")

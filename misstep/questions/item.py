@@ -19,6 +19,10 @@ beside the question. Each question is a table:
 
 Single quotes keep the backslashes of formulas. Use three single quotes for text with an apostrophe or a second line.
 
+The options are shown in an order of their own, which depends on the question and on the texts of the options, but not on their
+order in the file, so that the place of the right option says nothing. An option that speaks of the others, such as "None of
+them", is marked with `last = true` and stays below them.
+
 Questions of the kinds recall and check show the reason of the chosen option at once. A prediction is only recorded, because
 the figure that follows shows the answer. explain("03/order") compares them afterwards and shows the explanation, which only a
 prediction has. It is Markdown of several paragraphs, as misstep.display.markdown reads it, and it precedes the options,
@@ -27,7 +31,8 @@ because TOML counts a key after them as a key of the last option.
 
 import tomllib
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
+from hashlib import sha256
 from typing import Any
 
 from misstep.display.markdown import markdown_html
@@ -38,11 +43,12 @@ LETTERS = "ABCDEFGH"
 
 @dataclass(frozen=True)
 class Option:
-    """One possible answer, and why it is right or wrong."""
+    """One possible answer, why it is right or wrong, and whether it stays below the others because it speaks of them."""
 
     text: str
     why: str
     right: bool = False
+    last: bool = False
 
 
 @dataclass(frozen=True)
@@ -60,6 +66,19 @@ class Item:
         """The index of the right option."""
         return next(index for index, option in enumerate(self.options) if option.right)
 
+    def shuffled(self, seed: str) -> "Item":
+        """Return the question with its options in another order, which depends on the seed and the texts of the options.
+
+        >>> options = [Option(text, "", last=text == "none of them") for text in ("none of them", "1", "2", "3")]
+        >>> item = Item("count", "check", "How many?", options)
+        >>> [option.text for option in item.shuffled("03/count").options]
+        ['2', '1', '3', 'none of them']
+        """
+        order = sorted(
+            self.options, key=lambda option: (option.last, sha256(f"{seed}\0{option.text}".encode()).digest())
+        )
+        return replace(self, options=order)
+
 
 def read_questions(text: str, file: str) -> dict[str, Item]:
     r"""Read the questions of one file.
@@ -68,8 +87,8 @@ def read_questions(text: str, file: str) -> dict[str, Item]:
 
     >>> order = "[order]\nkind = 'check'\ntext = '?'"
     >>> options = [f"[[order.options]]\ntext = '{n}'\nwhy = '!'\nright = {n}" for n in ("true", "false")]
-    >>> read_questions("\n".join([order, *options]), "03_poe_space.toml")["order"].right
-    0
+    >>> sorted(option.text for option in read_questions("\n".join([order, *options]), "03.toml")["order"].options)
+    ['false', 'true']
     """
     try:
         tables = tomllib.loads(text)
@@ -96,11 +115,11 @@ def _item(key: str, table: Any, place: str) -> Item:
         raise ValueError(f"{place}: {error}") from error
     options = []
     for number, option in enumerate(table["options"], start=1):
-        _keys(option, f"{place}, option {number}", required={"text", "why"}, allowed={"right"})
+        _keys(option, f"{place}, option {number}", required={"text", "why"}, allowed={"right", "last"})
         options.append(Option(**option))
     if sum(option.right for option in options) != 1 or not 2 <= len(options) <= len(LETTERS):
         raise ValueError(f"{place}: there must be 2 to {len(LETTERS)} options, exactly one of them with right = true.")
-    return Item(key, table["kind"], table["text"], options, explanation)
+    return Item(key, table["kind"], table["text"], options, explanation).shuffled(place)
 
 
 def _keys(table: Any, place: str, required: set[str], allowed: set[str]) -> None:

@@ -5,6 +5,7 @@ import re
 from pathlib import Path
 
 import pytest
+from scipy.stats import chi2, chisquare
 
 from kincourse import COURSE, find_question
 from misstep.questions.item import KINDS
@@ -24,6 +25,25 @@ def test_every_option_of_every_question_has_a_reason(lecture, key):
     assert item.kind in KINDS
     assert all(len(option.why) > 20 for option in item.options)
     assert len({option.text for option in item.options}) == len(item.options)
+
+
+def test_the_place_of_the_right_option_is_left_to_chance():
+    """Over all questions, as often in each place as chance would have it: a reader who always presses B gains nothing."""
+    items = [find_question(f"{lecture}/{key}") for lecture, key in QUESTIONS]
+    places = [[sum(item.right == k for item in items if len(item.options) == n) for k in range(n)] for n in range(2, 9)]
+    counted = [counts for counts in places if sum(counts)]
+    statistic = sum(chisquare(counts).statistic for counts in counted)
+    assert chi2.sf(statistic, sum(len(counts) - 1 for counts in counted)) > 0.05, counted
+
+
+@pytest.mark.parametrize(("lecture", "key"), QUESTIONS)
+def test_options_that_speak_of_the_others_stay_last(lecture, key):
+    options = find_question(f"{lecture}/{key}").options
+    speak = [
+        re.match(r"(all|none) of them\b|(in )?both[,.]|both are\b|either[,.]|neither[,.]", one.text, re.IGNORECASE)
+        for one in options
+    ]
+    assert [bool(found) for found in speak] == [one.last for one in options] == sorted(one.last for one in options)
 
 
 PREDICTIONS = [(lecture, key) for lecture, key in QUESTIONS if find_question(f"{lecture}/{key}").kind == "predict"]

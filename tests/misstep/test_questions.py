@@ -3,8 +3,11 @@
 import pytest
 from circuits_course import write_course
 
-from misstep.catalog import forget_package, load_course
-from misstep.questions.item import read_questions
+from misstep.catalog import READER_VARIABLE, forget_package, load_course
+from misstep.display.card import inline
+from misstep.display.static_output import ENVIRONMENT_VARIABLE
+from misstep.questions.item import Item, Option, read_questions
+from misstep.questions.page import explanation_html, question_html
 from misstep.questions.widget import Explanation, Question
 
 QUESTIONS = """
@@ -13,10 +16,10 @@ kind = 'predict'
 text = 'Which comes first, for $a < b$?'
 explanation = 'Read **from the left**, as in [02](02_b.ipynb).'
 [[order.options]]
-text = 'the left one'
+text = 'the left factor'
 why = 'It acts last.'
 [[order.options]]
-text = 'the right one'
+text = 'the right factor'
 right = true
 why = 'It stands next to $M$.'
 """
@@ -52,7 +55,7 @@ def test_a_self_check_explains_the_choice_and_names_the_right_one():
     reply = question._widget.children[-1].value
     assert "You said A, but B is right" in reply
     assert "It acts last." in reply
-    assert "The correct answer is B: the right one. It stands" in reply
+    assert "The correct answer is B: the right factor. It stands" in reply
 
 
 def test_a_right_choice_is_explained(question):
@@ -95,8 +98,8 @@ def test_an_index_without_an_option_is_refused(question):
 def test_a_question_is_readable_in_a_terminal(question):
     assert question.text().splitlines() == [
         "Predict: Which comes first, for $a < b$?",
-        "A  the left one",
-        "B  the right one",
+        "A  the left factor",
+        "B  the right factor",
     ]
 
 
@@ -164,3 +167,45 @@ def test_unknown_names_of_questions_are_refused(course):
         course.find_question("nothing")
     with pytest.raises(ValueError, match=r"has no question 'nothing'. It has: "):
         course.find_question("01/nothing")
+
+
+# --- the order of the options ---
+
+OPTIONS = [Option(str(n), f"because of {n}", right=n == 3) for n in range(5)] + [Option("none of them", "", last=True)]
+
+
+@pytest.mark.parametrize("seed", ["", "03/order", "03/order ada"])
+def test_the_order_of_the_options_does_not_depend_on_that_in_the_file_and_reasons_stay_with_them(seed):
+    orders = [Item("count", "check", "?", order).shuffled(seed) for order in (OPTIONS, OPTIONS[::-1])]
+    assert orders[0].options == orders[1].options
+    assert set(orders[0].options) == set(OPTIONS)
+    assert orders[0].options[-1].text == "none of them"
+    assert orders[0].options[orders[0].right].text == "3"
+
+
+def test_every_form_of_a_question_has_the_same_order(course):
+    item, question = course.find_question(NAME), course.ask(NAME)
+    texts = [option.text for option in item.options]
+    question._repr_mimebundle_()
+    widget = [row.children[1].value for row in question._widget.children[1:-1]]
+    page, explained = question_html(NAME, item), explanation_html(NAME, item)
+    assert [line[3:] for line in question.text().splitlines()[1:]] == texts
+    assert widget == [inline(text) for text in texts]
+    assert f'data-right="{item.right}"' in page
+    for html in (page, explained):
+        places = [html.index(f">{inline(text)}<") for text in texts]
+        assert places == sorted(places)
+
+
+def test_on_a_hub_each_reader_has_an_order_of_their_own_but_not_on_a_page(course, monkeypatch):
+    def order(reader):
+        monkeypatch.setenv(READER_VARIABLE, reader)
+        return tuple(option.text for option in course.ask(NAME).item.options)
+
+    readers = [f"student {k}" for k in range(20)]
+    assert len({order(reader) for reader in readers}) == 2
+    assert [order(reader) for reader in readers] == [order(reader) for reader in readers]
+    monkeypatch.setenv(ENVIRONMENT_VARIABLE, "1")
+    assert {order(reader) for reader in readers} == {
+        tuple(option.text for option in course.find_question(NAME).options)
+    }

@@ -28,6 +28,7 @@ from kinsite.generated import census, gallery, mistakes, reference
 from lessons import plain_words, words_of
 
 from kincourse import COURSE, find_question
+from misstep.questions.item import LETTERS
 
 MAX_PAGE_BYTES, MAX_LECTURE_BYTES = 200_000, 450_000
 """Limits for a page with all the files that it loads, compressed, without the viewer's bundle."""
@@ -173,18 +174,25 @@ def test_axe_finds_no_violation_in_light_and_dark_mode(chromium, site_address, k
 
 RECALL = '[data-misstep-question="03/recall-2"]'
 ORDER = '[data-misstep-question="03/order"]'
+RECALL_ITEM, ORDER_ITEM = find_question("03/recall-2"), find_question("03/order")
+
+
+def wrong_index(item):
+    """The index of the first wrong option, as the page shows them."""
+    return next(k for k, option in enumerate(item.options) if not option.right)
 
 
 def test_a_question_explains_the_first_choice_and_ignores_later_ones(page, site_address):
     page.goto(f"{site_address}/{LECTURE_03}")
-    page.locator(f"{RECALL} .kinlib-choice").nth(0).click()
+    wrong, right = wrong_index(RECALL_ITEM), RECALL_ITEM.right
+    page.locator(f"{RECALL} .kinlib-choice").nth(wrong).click()
     reply = page.locator(f"{RECALL} .kinlib-reply")
-    assert "A is not correct" in reply.inner_text()
-    wrong, _, right = find_question("03/recall-2").options
-    assert plain_words(wrong.why) in reply.inner_text()
-    assert f"The correct answer is C: {plain_words(right.text)}" in reply.inner_text()
-    page.locator(f"{RECALL} .kinlib-choice").nth(2).dispatch_event("click")
-    assert "A is not correct" in reply.inner_text()
+    assert f"{LETTERS[wrong]} is not correct" in reply.inner_text()
+    assert plain_words(RECALL_ITEM.options[wrong].why) in reply.inner_text()
+    text = plain_words(RECALL_ITEM.options[right].text)
+    assert f"The correct answer is {LETTERS[right]}: {text}" in reply.inner_text()
+    page.locator(f"{RECALL} .kinlib-choice").nth(right).dispatch_event("click")
+    assert f"{LETTERS[wrong]} is not correct" in reply.inner_text()
 
 
 def test_a_prediction_uncovers_the_arm_and_the_explanation(page, site_address):
@@ -194,18 +202,19 @@ def test_a_prediction_uncovers_the_arm_and_the_explanation(page, site_address):
     explanation = page.locator('[data-misstep-explain="03/order"]')
     covered.scroll_into_view_if_needed()
     covered.locator(".kv-cover").wait_for()
-    why = plain_words(find_question("03/order").options[0].why)
+    wrong = wrong_index(ORDER_ITEM)
+    why = plain_words(ORDER_ITEM.options[wrong].why)
     assert not explanation.get_by_text(why).is_visible()
-    page.locator(f"{ORDER} .kinlib-choice").nth(0).focus()
+    page.locator(f"{ORDER} .kinlib-choice").nth(wrong).focus()
     page.keyboard.press("Enter")
     covered.locator(".kv-canvas").wait_for(state="visible")
-    assert "A is not correct" in explanation.inner_text()
+    assert f"{LETTERS[wrong]} is not correct" in explanation.inner_text()
     assert why in explanation.inner_text()
     assert why not in page.locator(ORDER).inner_text()
     page.reload()
     covered.scroll_into_view_if_needed()
     covered.locator(".kv-canvas").wait_for(state="visible")
-    assert "A is not correct" in page.locator('[data-misstep-explain="03/order"]').inner_text()
+    assert f"{LETTERS[wrong]} is not correct" in page.locator('[data-misstep-explain="03/order"]').inner_text()
 
 
 def test_a_slider_shows_its_images_after_the_prediction(page, site_address):
@@ -227,7 +236,7 @@ def test_a_slider_shows_its_images_after_the_prediction(page, site_address):
 
 def test_progress_is_shown_saved_deleted_and_loaded_again(page, site_address, tmp_path):
     page.goto(f"{site_address}/{LECTURE_03}")
-    page.locator(f"{RECALL} .kinlib-choice").nth(2).click()
+    page.locator(f"{RECALL} .kinlib-choice").nth(RECALL_ITEM.right).click()
     page.get_by_role("button", name="Mark this lecture as read").click()
     page.goto(f"{site_address}/progress.html")
     row = page.locator('tr[data-lecture="lectures/03_poe_space"]')
@@ -264,8 +273,8 @@ def test_without_storage_questions_still_work_and_a_message_is_shown(chromium, s
             "Storage.prototype.setItem = () => { throw new DOMException('full', 'QuotaExceededError'); }"
         )
         page.goto(f"{site_address}/{LECTURE_03}")
-        page.locator(f"{RECALL} .kinlib-choice").nth(2).click()
-        assert "C is correct" in page.locator(f"{RECALL} .kinlib-reply").inner_text()
+        page.locator(f"{RECALL} .kinlib-choice").nth(RECALL_ITEM.right).click()
+        assert f"{LETTERS[RECALL_ITEM.right]} is correct" in page.locator(f"{RECALL} .kinlib-reply").inner_text()
         assert page.get_by_text("stores nothing for this page").count() == 1
 
 
@@ -291,9 +300,9 @@ def test_without_javascript_every_explanation_can_be_opened(chromium, site_addre
     with watched(chromium, java_script_enabled=False) as page:
         page.goto(f"{site_address}/{LECTURE_03}")
         page.locator(f"{RECALL} summary").nth(2).click()
-        assert page.get_by_text(plain_words(find_question("03/recall-2").options[2].why)).is_visible()
+        assert page.get_by_text(plain_words(RECALL_ITEM.options[2].why)).is_visible()
         page.locator('[data-misstep-explain="03/order"] summary').click()
-        assert page.get_by_text(plain_words(find_question("03/order").options[1].why)).is_visible()
+        assert page.get_by_text(plain_words(ORDER_ITEM.options[1].why)).is_visible()
 
 
 PREDICTIONS = [f"00/{key}" for key, item in COURSE.questions()["00"].items() if item.kind == "predict"]
