@@ -9,6 +9,7 @@ a reason. The folder of results has:
     matches.csv      answers right for other students  feedback/     a page for each student
     canvas.csv, moodle.csv, gradescope.csv            points for the platform that exported the roster
     feedback.zip     all pages, as Moodle and Canvas import them
+    overrides.csv    points and comments by hand, for you to fill in
     results/         the stored results, from which the next run continues
 """
 
@@ -18,8 +19,8 @@ import gc
 import sys
 from collections.abc import Callable, Iterator, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
-from contextlib import contextmanager
-from dataclasses import dataclass, fields
+from contextlib import contextmanager, suppress
+from dataclasses import asdict, dataclass, fields
 from functools import partial
 from importlib.util import find_spec
 from itertools import chain
@@ -35,6 +36,7 @@ from misstep.grading.judging.cluster import ClusterUnreachable, connect, grade_o
 from misstep.grading.judging.grader import Grader
 from misstep.grading.judging.result import Result
 from misstep.grading.publish.feedback_zip import write_feedback_zip
+from misstep.grading.publish.overrides import read_overrides, write_template
 from misstep.grading.publish.result_store import FolderInUse, ResultStore, open_results
 from misstep.grading.reading import Reader, StepFailed
 from misstep.grading.result_sink import ResultSink
@@ -89,10 +91,9 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help="the address of the course's site, to whose lectures feedback links (default: the one that the course names)",
     )
     parser.add_argument(
-        "--key",
-        metavar="KEY",
-        help="a secret, or the file with it: then only answers count that are right for other numbers too",
+        "--key", metavar="KEY", help="a secret: then only answers count that are right for other numbers too"
     )
+    parser.add_argument("--key-file", type=Path, metavar="FILE", help="the file with the key, instead of --key")
     parser.add_argument(
         "--limit",
         action="append",
@@ -152,12 +153,12 @@ def _explain(error: OSError) -> str:
         return f"the disk is full{where}. All results so far are stored. Free some space; the same command continues from there."
     if error.errno == errno.EROFS:
         return f"{error.filename} cannot be written, because its disk is read-only. Choose another folder with --out."
-    return str(error)
+    return f"{error.filename}: {error.strerror}." if error.filename and error.strerror else str(error)
 
 
 def _run(options: argparse.Namespace) -> int:
     limits = _read_limits(options.limit)
-    sheet = read_released_sheet(options.sheet, options.course, options.site, _read_key(options.key))
+    sheet = read_released_sheet(options.sheet, options.course, options.site, _read_key(options.key, options.key_file))
     roster = read_roster(options.roster, options.id_column) if options.roster else None
     gathered = gather(options.submissions, sheet.name, roster)
     selected = _select(gathered.submissions, options.only)
@@ -168,6 +169,8 @@ def _run(options: argparse.Namespace) -> int:
         Reader() as reader,
         ResultSink(options.out, sheet, reader, nbgrader_course=options.gradebook, overwrite=options.regrade) as sink,
     ):
+        write_template(options.out)
+        read_overrides(options.out)  # what is wrong with it is said before anything is graded
         run = Run(options, sheet, limits, reader, store, sink)
         failures, limited = run.grade(selected)
         for submission in selected:
@@ -177,14 +180,16 @@ def _run(options: argparse.Namespace) -> int:
         for student in students:
             if student not in sink.students and store.load(student):
                 sink.write_page(student)
+        sink.write_entered()
         remarks = sink.finish()
         summary = reader.do(
             "tables",
             seconds=TABLES_SECONDS + TABLES_SECONDS_PER_STUDENT * len(students),
             out=str(options.out),
             students=students,
-            roster=vars(roster) if roster else None,
+            roster=asdict(roster) if roster else None,
             column=options.column,
+            limits=str(limits),
         )
         write_feedback_zip(options.out, gathered, sheet.name)
     summary += [f"Limits: {limits}.", *remarks]
@@ -217,14 +222,24 @@ def _read_limits(settings: Sequence[str]) -> Limits:
     return Limits(**values)  # type: ignore[arg-type]
 
 
-def _read_key(key: str | None) -> str:
-    """The key: the text of a file, or the given text itself.
+def _read_key(key: str | None, file: Path | None) -> str:
+    """The key, or that in a file; "" if there is none.
 
-    Raises ValueError for a key of less than 8 characters, which can be guessed.
+    Raises ValueError for a key of less than 8 characters, which can be guessed, and for the name of a file as the key.
     """
-    if key is None:
+    if key is None and file is None:
         return ""
-    text = Path(key).read_text("utf-8").strip() if Path(key).is_file() else key
+    if key is not None and file is not None:
+        raise ValueError("Give the key with --key or with --key-file, not with both.")
+    is_file = False
+    with suppress(OSError):  # a key may be what cannot be the name of a file
+        is_file = key is not None and Path(key).is_file()
+    if is_file:
+        raise ValueError(f"--key takes the key itself; {key} is a file. Pass it with --key-file {key}.")
+    try:
+        text = file.read_text("utf-8").strip() if file else str(key)
+    except (OSError, UnicodeDecodeError) as error:
+        raise ValueError(f"The key cannot be read from {file}: {getattr(error, 'strerror', None) or error}.") from error
     if len(text) < MIN_KEY_LENGTH:
         raise ValueError(
             f"The key must have at least {MIN_KEY_LENGTH} characters; it has {len(text)}. Students must not guess it."

@@ -66,7 +66,8 @@ class Reader:
     def do(self, step: str, *, seconds: float = STEP_SECONDS, **arguments: Any) -> Any:
         """Do a step. Bytes among its arguments arrive there as base64.
 
-        Raises StepFailed if it reaches a limit, and UnusableNotebook, with a sentence for the student, if the step does.
+        Raises StepFailed if it reaches a limit, UnusableNotebook, with a sentence for the student, if the step does, and OSError
+        if the disk takes no more.
         """
         sendable = {
             name: b64encode(value).decode() if isinstance(value, bytes) else value for name, value in arguments.items()
@@ -85,6 +86,8 @@ class Reader:
         self._give_back(worker, is_spent=answer["memory_kb"] > KEPT_MEMORY_KB)
         if "unusable" in answer:
             raise UnusableNotebook(answer["unusable"])
+        if "os_error" in answer:
+            raise OSError(*answer["os_error"])
         if "failed" in answer:
             raise StepFailed(answer["failed"])
         return answer["done"]
@@ -124,6 +127,8 @@ def do_step(step: str, arguments: dict[str, Any]) -> dict[str, Any]:
         return {"done": getattr(import_module(module), function)(**arguments)}
     except UnusableNotebook as error:
         return {"unusable": str(error)}
+    except OSError as error:  # of the disk to which a page is written
+        return {"os_error": [error.errno, error.strerror, error.filename and str(error.filename)]}
     except MemoryError:
         return {"failed": f"it takes more than {MEMORY_BYTES >> 20} MB of memory to read"}
     except Exception as error:  # whatever is wrong with this submission, the next one is another

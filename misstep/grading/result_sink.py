@@ -4,6 +4,7 @@ Pages and notebooks are written by a reader, from the stored results. The module
 are imported while the sandbox starts.
 """
 
+from collections.abc import Sequence
 from concurrent.futures import Future, ThreadPoolExecutor
 from contextlib import ExitStack, suppress
 from functools import cached_property
@@ -17,6 +18,7 @@ from misstep.grading.collect.files import UnreadableFile
 from misstep.grading.collect.gather import Submission
 from misstep.grading.collect.run_plan import ReleasedSheet
 from misstep.grading.judging.result import Result
+from misstep.grading.publish.overrides import write_formgrader
 from misstep.grading.reading import Reader, StepFailed
 
 if TYPE_CHECKING:
@@ -43,6 +45,7 @@ class ResultSink:
             list[Future[None]](),
         )
         self._remarks: list[str] = []
+        self._problems: Sequence[str] = ()
         self.students: set[str] = set()
         if nbgrader_course:
             Thread(target=_import_gradebook, daemon=True).start()
@@ -63,6 +66,7 @@ class ResultSink:
 
         Raises ValueError if the folder of the gradebook is no nbgrader course, or if its assignment is not generated.
         """
+        self._problems = [problem.number for problem in result.problems]
         if self._gradebook and (arguments := self._gradebook.record(result)):
             self._pending.append(self._writers.submit(self._write_notebook, submission, result, arguments))
         self.write_page(result.student)
@@ -71,6 +75,15 @@ class ResultSink:
         """Write the page of a stored result."""
         self._pending.append(self._writers.submit(self._write_page, student))
         self.students.add(student)
+
+    def write_entered(self) -> None:
+        """Write what was entered in formgrader, and the pages of these students again."""
+        if self._gradebook and self._problems:
+            entered = self._gradebook.entered(self._problems)
+            write_formgrader(self._out, entered)
+            for student in entered:
+                if student in self.students:
+                    self.write_page(student)
 
     def finish(self) -> list[str]:
         """Wait until everything is written; what could not be."""

@@ -88,7 +88,7 @@ def read_roster(path: Path, id_column: str | None = None) -> Roster:
 
     Raises ValueError for a table of an unknown kind, without such a column, or with the same id twice.
     """
-    columns, rows, delimiter = _table(path)
+    columns, rows, delimiter = read_table(path)
     titles = [column.strip().casefold() for column in columns]
     kind = _kind(titles, rows)
     if kind is None:
@@ -223,7 +223,11 @@ def _is_test_student(row: Row, key: int) -> bool:
     return any(TEST_STUDENT.fullmatch(cell.strip()) for cell in row[: key + 4])
 
 
-def _table(path: Path) -> tuple[list[str], list[Row], str]:
+def read_table(path: Path) -> tuple[list[str], list[Row], str]:
+    """A table of a spreadsheet: its header, its rows, and what separates its cells.
+
+    Raises ValueError for a file that is none.
+    """
     try:
         text = path.read_text("utf-8-sig")
         head = text.partition("\n")[0]

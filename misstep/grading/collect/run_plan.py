@@ -105,7 +105,15 @@ def read_released_sheet(
     Raises ValueError for a notebook that opens no sheet or has no check cells, or two of the same name, if no course has the
     sheet, and for a site whose address is not complete.
     """
-    cells = code_cells(path.read_bytes())
+    try:
+        content = path.read_bytes()
+        cells = code_cells(content)
+    except OSError as error:
+        raise ValueError(f"SHEET must be the notebook of a sheet; {path} cannot be read: {error.strerror}.") from error
+    except UnusableNotebook as error:
+        raise ValueError(
+            f"SHEET must be the notebook of a sheet, such as solutions/X/X.ipynb; {path} is none."
+        ) from error
     opening = next((cell.source for cell in cells if OPEN_SHEET_CALL.search(cell.source)), "")
     opened = match[1] if (match := OPEN_SHEET_CALL.search(opening)) else None
     checks = {int(cell.name.removeprefix("check-")): cell.source for cell in cells if _is_check(cell.name)}
@@ -127,9 +135,7 @@ def read_released_sheet(
     if site and not site.startswith(("https://", "http://")):
         raise ValueError(f"The address of the site must begin with https:// or http://; got {site!r}.")
     opening = re.sub(rf"(['\"]){SAMPLE_ID}\1", '""', opening)
-    return ReleasedSheet(
-        opened, path.parent, checks, owner.reference, site, opening, key, path.read_bytes() if key else b""
-    )
+    return ReleasedSheet(opened, path.parent, checks, owner.reference, site, opening, key, content if key else b"")
 
 
 def plan_run(sheet: ReleasedSheet, content: bytes) -> RunPlan:

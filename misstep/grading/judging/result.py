@@ -72,6 +72,7 @@ class Result:
     digest    SHA-256 of the submitted file
     is_safe   whether it ran in the sandbox
     limits    the limits that it reached, in words; without them, it might have more points
+    changes   what the instructor decided otherwise, in words; it is never stored with the result
     """
 
     student: str
@@ -88,6 +89,7 @@ class Result:
     seconds: float = 0.0
     cells: Sequence[RanCell] = field(default=(), repr=False)
     limits: Sequence[str] = ()
+    changes: Sequence[str] = ()
 
     @property
     def typed(self) -> list[ProblemResult]:

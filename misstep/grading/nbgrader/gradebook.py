@@ -6,7 +6,7 @@ gradebook.db, and a notebook in autograded/ for each student. Grades that were e
 
 import json
 import re
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager, suppress
 from datetime import datetime
 from hashlib import sha256
@@ -18,6 +18,7 @@ from traitlets.config.loader import PyFileConfigLoader
 from misstep.grading.collect.run_plan import ReleasedSheet
 from misstep.grading.judging.result import Result
 from misstep.grading.nbgrader.lazy_nbgrader import lazy_nbgrader
+from misstep.grading.publish.overrides import Override
 
 with lazy_nbgrader():
     from nbgrader.api import (
@@ -90,6 +91,26 @@ class GradebookWriter:
             return {}
         _record_points(self._gradebook, self._assignment, result, _submission_time(self._course, result))
         return {"released": str(self._released), "target": str(target), "digest": digest}
+
+    def entered(self, problems: Sequence[str]) -> dict[str, list[Override]]:
+        """The points and comments that were entered in formgrader, by student.
+
+        problems  the numbers of the sheet's problems, such as "03.1"
+        """
+        found: dict[str, list[Override]] = {}
+        cells = self._gradebook.find_notebook(self._assignment.name, self._assignment.name)
+        numbers = {
+            cell.id: problems[int(cell.name.rpartition("-")[2]) - 1]
+            for cell in [*cells.grade_cells, *cells.solution_cells]
+        }
+        for notebook in cells.submissions:
+            points = {numbers[one.cell_id]: one.manual_score for one in notebook.grades if one.manual_score is not None}
+            comments = {numbers[one.cell_id]: one.manual_comment for one in notebook.comments if one.manual_comment}
+            student = notebook.assignment.student_id
+            for number in sorted({*points, *comments}):
+                override = Override(student, number, points.get(number), comments.get(number, ""))
+                found.setdefault(student, []).append(override)
+        return found
 
 
 @contextmanager

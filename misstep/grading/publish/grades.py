@@ -13,7 +13,18 @@ def grades_table(results: Sequence[Result]) -> str:
     """The table as CSV: student, points, maximum, status, points of each problem, reasons, mistakes, and how it was run."""
     numbers = [problem.number for problem in results[0].problems] if results else []
     has_key = any(problem.own_points is not None for result in results for problem in result.problems)
-    header = ["student", "points", "max", "status", *numbers, "reason", "mistakes", "id in the sheet", "run in"]
+    header = [
+        "student",
+        "points",
+        "max",
+        "status",
+        *numbers,
+        "reason",
+        "mistakes",
+        "id in the sheet",
+        "run in",
+        "by hand",
+    ]
     header += ["points without the key", "right only for the own numbers"] if has_key else []
     typed_ids = Counter(_fold(result.typed_id) for result in results)
     rows = [_row(result, typed_ids[_fold(result.typed_id)]) for result in results]
@@ -36,6 +47,7 @@ def _row(result: Result, typed_count: int) -> list[str]:
         "; ".join(mistakes),
         result.typed_id,
         "sandbox" if result.is_safe else UNSAFE_OPTION,
+        " | ".join(result.changes),
         format_points(sum(one.points if one.own_points is None else one.own_points for one in result.problems)),
         "; ".join(problem.number for problem in result.typed),
     ]

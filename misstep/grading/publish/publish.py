@@ -10,6 +10,7 @@ from misstep.grading.collect.roster import Roster
 from misstep.grading.judging.result import ABSENT, Result
 from misstep.grading.publish.feedback import feedback_page
 from misstep.grading.publish.grades import grades_table
+from misstep.grading.publish.overrides import apply_overrides, read_overrides
 from misstep.grading.publish.pages import format_points
 from misstep.grading.publish.platform_exports import export
 from misstep.grading.publish.report import report_page
@@ -25,9 +26,14 @@ def page_step(out: str, student: str, is_short: bool) -> None:
     is_short  whether the page has the points only, because nothing else of this result can be read within the limits
     """
     if result := ResultStore(Path(out)).load(student):
+        result = apply_overrides(result, read_overrides(Path(out)).get(student, ()))
         write_if_changed(
             Path(out) / "feedback" / f"{file_name(student)}.html", feedback_page(_shortened(result, is_short))
         )
+
+
+def _changed(results: Sequence[Result]) -> str:
+    return ", ".join(result.student for result in results if result.changes)
 
 
 def _shortened(result: Result, is_short: bool) -> Result:
@@ -39,26 +45,39 @@ def _shortened(result: Result, is_short: bool) -> Result:
     return replace(result, cells=[], notes=[LEFT_OUT], problems=problems, reason="")
 
 
-def tables_step(out: str, students: Sequence[str], roster: Mapping[str, Any] | None, column: str | None) -> list[str]:
+def tables_step(
+    out: str, students: Sequence[str], roster: Mapping[str, Any] | None, column: str | None, limits: str
+) -> list[str]:
     """`publish` as a step of a reader; the roster as a mapping of its fields."""
-    return publish(Path(out), students, ResultStore(Path(out)), Roster(**roster) if roster else None, column)
+    return publish(
+        Path(out), students, ResultStore(Path(out)), Roster(**roster) if roster else None, column, limits=limits
+    )
 
 
 def publish(
-    out: Path, students: Sequence[str], store: ResultStore, roster: Roster | None, column: str | None
+    out: Path,
+    students: Sequence[str],
+    store: ResultStore,
+    roster: Roster | None,
+    column: str | None,
+    *,
+    limits: str = "",
 ) -> list[str]:
     """Write all tables and the report, and return a short summary. Files whose content stays the same are not touched.
 
-    column     the column of the sheet on the platform
+    column  the column of the sheet on the platform
+    limits  what each submission might use, in words
     """
     # A thousand results with all pictures would not fit into memory.
-    results = [replace(result, cells=()) for student in students if (result := store.load(student))]
+    loaded = (replace(result, cells=()) for student in students if (result := store.load(student)))
+    overrides = read_overrides(out)
+    results = [apply_overrides(result, overrides.get(result.student, ())) for result in loaded]
     if not results:
         return ["Nothing is graded yet."]
     matches = find_matches(results)
     write_if_changed(out / "grades.csv", grades_table(results))
     write_if_changed(out / "matches.csv", matches_table(matches))
-    write_if_changed(out / "report.html", report_page(results, matches))
+    write_if_changed(out / "report.html", report_page(results, matches, limits))
     if roster and (text := export(roster, results, column)):
         write_if_changed(out / f"{roster.kind}.csv", text)
     statuses = Counter(result.status for result in results)
@@ -66,9 +85,12 @@ def publish(
     present = [result for result in results if result.status != ABSENT]
     mean = format_points(sum(result.points for result in present) / max(len(present), 1))
     suspects = sorted({match.student for match in matches if match.shared_count > 1})
+    unknown = sorted({*overrides} - {*students})
     average = f"{mean} of {format_points(results[0].max)} points on average, of those who submitted something"
     return [
         f"{len(results)} of {len(students)} submissions: {counts}. {average}.",
         *([f"Several answers right for one other student (matches.csv): {', '.join(suspects)}."] if suspects else []),
+        *([f"overrides.csv: there is no submission of {', '.join(unknown)}."] if unknown else []),
+        *([f"By hand (overrides.csv, formgrader): {changed}."] if (changed := _changed(results)) else []),
         f"The results are in {out}: open report.html, then grades.csv.",
     ]

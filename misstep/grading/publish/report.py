@@ -50,8 +50,11 @@ class ProblemReport:
     mistakes: Sequence[tuple[str, int]]
 
 
-def report_page(results: Sequence[Result], matches: Sequence[Match]) -> str:
-    """The HTML of the report. There must be at least one result. Those who submitted nothing are counted, but not as points."""
+def report_page(results: Sequence[Result], matches: Sequence[Match], limits: str = "") -> str:
+    """The HTML of the report. There must be at least one result. Those who submitted nothing are counted, but not as points.
+
+    limits  what each submission might use, in words
+    """
     absent = sum(result.status == ABSENT for result in results)
     results = [result for result in results if result.status != ABSENT] or results
     problems = [problem_report(results, k) for k in range(len(results[0].problems))]
@@ -73,6 +76,8 @@ def report_page(results: Sequence[Result], matches: Sequence[Match]) -> str:
         patterns=patterns(results),
         max_count=max((count for problem in problems for _, count in problem.mistakes), default=1),
         histogram=histogram,
+        changed=sum(bool(result.changes) for result in results),
+        limits=limits,
         is_safe=all(result.is_safe for result in results),
     )
 

@@ -1,25 +1,23 @@
 """The result store: a file for each student, written completely or not at all, so that grading can be stopped at any moment.
 
-A result is stored with a fingerprint of everything that it depends on: the notebook, the sheet, the sandbox, and the code
-of the course and the engine. The next run asks for results by their fingerprints, and grades only what has none.
+A result is stored with a fingerprint of everything that it depends on: the notebook, the sheet, the limits, and the code
+that the sheet and the grader import. The next run asks for results by their fingerprints, and grades only what has none.
 """
 
 import fcntl
 import json
 from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
-from functools import cache
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
 from urllib.parse import quote
 
-from misstep.catalog import find_course
 from misstep.grading.collect.run_plan import ReleasedSheet
 from misstep.grading.judging.result import ProblemResult, RanCell, Result
-from misstep.grading.sandbox.course_stub import code_folders
+from misstep.grading.publish.code_digest import code_digest
 
-FORMAT_VERSION = 3
+FORMAT_VERSION = 4
 """The version of the format of the files."""
 
 MAX_NAME_LENGTH = 100
@@ -51,7 +49,7 @@ def fingerprint(sheet: ReleasedSheet, way: str, parts: Sequence[str | bytes | No
     """
     robot = sheet.folder / f"{sheet.name}.json"
     common = [
-        _code_digest(sheet.course),
+        code_digest(sheet.course, sheet.name),
         sheet.name,
         sheet.site,
         sheet.opening,
@@ -63,13 +61,6 @@ def fingerprint(sheet: ReleasedSheet, way: str, parts: Sequence[str | bytes | No
     ]
     digests = [part if part is None else sha256(_encode(part)).hexdigest() for part in parts]
     return sha256(json.dumps([*common, digests]).encode()).hexdigest()
-
-
-@cache
-def _code_digest(course: str) -> str:
-    """A digest of the code of the engine, the course and its required packages, because problems may be corrected later."""
-    modules = sorted(file for folder in code_folders(find_course(course)) for file in folder.rglob("*.py"))
-    return sha256(b"\0".join(module.read_bytes() for module in modules)).hexdigest()
 
 
 def _encode(part: str | bytes) -> bytes:

@@ -358,7 +358,7 @@ def test_everybody_is_found_whatever_their_ids_are(tmp_path, platform, ids):
 
 
 def test_a_student_without_sid_is_found_by_the_email_address(tmp_path):
-    source, known = class_on("gradescope", ("s1", "s2", ""), tmp_path)
+    _, known = class_on("gradescope", ("s1", "s2", ""), tmp_path)
     list_of = zipped(
         tmp_path / "t.zip",
         {

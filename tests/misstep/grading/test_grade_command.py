@@ -220,7 +220,7 @@ def test_what_changed_is_graded_again_and_nothing_else(folder, tmp_path, asked, 
     assert asked() == ["bob"]
     assert grade(folder, out, "--unsafe-no-sandbox") == 0  # another way to run is another result
     assert asked() == ["ada", "bob", "cyn"]
-    monkeypatch.setattr("misstep.grading.publish.result_store._code_digest", lambda _: "a problem was changed")
+    monkeypatch.setattr("misstep.grading.publish.result_store.code_digest", lambda *_: "a problem was changed")
     assert grade(folder, out, "--unsafe-no-sandbox") == 0
     assert asked() == ["ada", "bob", "cyn"]
 
@@ -283,7 +283,9 @@ def test_two_runs_do_not_write_into_one_folder_and_two_sheets_neither(folder, tm
         (SOLUTION, ["--jobs", "0"], "--jobs must be at least 1"),
         (SOLUTION, ["--roster", "nowhere.csv"], "nowhere.csv cannot be read"),
         (str(submissions.ROOT / "notebooks" / "03_poe_space.ipynb"), [], "is it the notebook of a sheet"),
-        ("nowhere.ipynb", [], "nowhere.ipynb"),
+        ("nowhere.ipynb", [], "SHEET must be the notebook of a sheet; nowhere.ipynb cannot be read: No such file"),
+        (SOLUTION, ["--limit", "cell=3"], "--limit takes NAME=NUMBER, with one of the names cell_seconds,"),
+        (SOLUTION, ["--limit", "threads=0"], "The limit threads must be a positive number; got 0"),
     ],
 )
 def test_what_cannot_be_is_told_in_a_sentence(folder, capsys, sheet, options, message):
@@ -315,6 +317,89 @@ def test_from_a_download_of_canvas_to_the_file_that_canvas_takes(tmp_path, asked
     assert asked() == ["xada_1", "xbob_2"]
     assert "no --roster" in capsys.readouterr().out
     assert [row["student"] for row in rows(tmp_path / "other" / "grades.csv")] == ["xada_1", "xbob_2"]
+
+
+def test_what_is_decided_by_hand_reaches_tables_pages_and_platforms_and_stays(tmp_path, asked, capsys):
+    folder, out = tmp_path / "in", tmp_path / "out"
+    for student in ("ada", "bob"):
+        (folder / student).mkdir(parents=True)
+        (folder / student / f"{SHEET}.ipynb").write_bytes(as_bytes(handed_in(student)))
+    (tmp_path / "roster.csv").write_text("Student,ID,SIS User ID,SIS Login ID,Section\nA,1,,ada,S\nB,2,,bob,S\n")
+    roster = ("--roster", tmp_path / "roster.csv")
+    assert grade(folder, out, *roster) == 0
+    assert (out / "overrides.csv").read_text() == "student,problem,points,comment\n"
+    (out / "formgrader.csv").write_text(
+        "student,problem,points,comment\nada,03.1,1,Seen in formgrader.\nbob,03.1,1.5,So.\n"
+    )
+    (out / "overrides.csv").write_text(
+        "student;problem;points;comment\nada;03.1;2,5;The <sketch> is right.\nbob;;0;Two days late.\n"
+    )
+    assert grade(folder, out, *roster) == 0
+    assert asked() == ["ada", "bob"]  # the first time
+    for options in ((), ("--regrade",)):
+        assert grade(folder, out, *roster, *options) == 0
+        assert {row["student"]: (row["points"], row["03.1"]) for row in rows(out / "grades.csv")} == {
+            "ada": ("2.5", "2.5"),
+            "bob": ("0", "1.5"),
+        }
+        assert [line[-3:] for line in (out / "canvas.csv").read_text().splitlines()[2:]] == ["2.5", "S,0"]
+        pages = {name: (out / "feedback" / f"{name}.html").read_text() for name in ("ada", "bob")}
+        assert "from 2 to 2 1/2 points. The &lt;sketch&gt; is right." in pages["ada"]
+        assert "formgrader" not in pages["ada"]
+        assert "Changed by your instructor from 1 1/2 to 0 points. Two days late." in pages["bob"]
+        assert "By hand (overrides.csv, formgrader): ada, bob." in capsys.readouterr().out
+    assert "2 with points or comments by hand" in (out / "report.html").read_text()
+
+
+@pytest.mark.usefixtures("asked")
+@pytest.mark.parametrize(
+    ("text", "message"),
+    [
+        ("student,problem,points\n", "must have the columns student, problem, points, comment; comment is missing"),
+        (
+            "student,problem,points,comment\nada,03.1,two,\n",
+            "points must be a number, 0 or more; got 'two' for ada 03.1",
+        ),
+        ("student,problem,points,comment\nada,03.1,-1,\n", "got '-1' for ada 03.1"),
+        ("student,problem,points,comment\nada,03.7,1,\n", "sheet 03_poe_space has no problem '03.7'; it has 03.1"),
+        ("student,problem,points,comment\nada,03.1,9,\n", "ada 03.1 can have at most 3 points; got 9"),
+    ],
+)
+def test_an_override_that_cannot_be_is_told_in_a_sentence(folder, tmp_path, text, message, capsys):
+    (tmp_path / "out").mkdir()
+    (tmp_path / "out" / "overrides.csv").write_text(text)
+    assert grade(folder, tmp_path / "out") == 2
+    assert message in capsys.readouterr().err
+
+
+def test_a_change_in_the_sheet_of_another_lecture_grades_nothing_again(tmp_path, monkeypatch):
+    from misstep.catalog import Course
+    from misstep.grading.publish import code_digest
+
+    for name in (
+        "circuits/__init__",
+        "circuits/lecture_01_ohm/problems",
+        "circuits/lecture_02_loops/problems",
+        "circuits/laws",
+    ):
+        path = tmp_path / f"{name}.py"
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_text("from circuits import laws\n" if name.endswith("problems") else "")
+    course = Course("circuits")
+    monkeypatch.setattr(Course, "folder", tmp_path / "circuits")
+    monkeypatch.setattr(code_digest, "find_course", lambda _: course)
+
+    def digests():
+        code_digest.code_digest.cache_clear()
+        return [code_digest.code_digest("circuits", sheet) for sheet in ("01_ohm", "02_loops")]
+
+    before = digests()
+    (tmp_path / "circuits" / "lecture_02_loops" / "problems.py").write_text("from circuits import laws  # mended\n")
+    second = digests()
+    assert [a == b for a, b in zip(before, second, strict=True)] == [True, False]
+    (tmp_path / "circuits" / "laws.py").write_text("V = 1\n")
+    assert not {*second} & {*digests()}
+    code_digest.code_digest.cache_clear()
 
 
 def as_moodle_finds(name):
@@ -385,7 +470,7 @@ def test_an_interrupt_ends_it_with_what_is_done(folder, tmp_path, asked, monkeyp
             r"the disk is full at /out/x\. All results so far are stored\. Free some space; the same command",
         ),
         (errno.EROFS, r"/out/x cannot be written, because its disk is read-only\. Choose another folder with --out\."),
-        (errno.EACCES, r"Permission denied: '/out/x'"),
+        (errno.EACCES, r"/out/x: Permission denied\."),
     ],
 )
 def test_a_disk_that_takes_no_more_is_told_in_a_sentence(

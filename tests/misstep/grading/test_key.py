@@ -32,7 +32,7 @@ def results(tmp_path_factory):
         (root / "in" / student / f"{SHEET}.ipynb").write_bytes(as_bytes(notebook))
     (root / "key.txt").write_text(f"{KEY}\n")
     arguments = ["grade", str(solution(SHEET)), str(root / "in"), "--out", str(root / "out")]
-    assert main([*arguments, "--key", str(root / "key.txt")]) == 0
+    assert main([*arguments, "--key-file", str(root / "key.txt")]) == 0
     return root / "out"
 
 
@@ -61,6 +61,21 @@ def test_the_report_and_the_page_say_what_the_key_did(results):
 def test_a_key_that_can_be_guessed_is_refused(key, tmp_path, capsys):
     assert main(["grade", str(solution(SHEET)), str(tmp_path), "--out", str(tmp_path / "out"), "--key", key]) == 2
     assert f"must have at least 8 characters; it has {len(key)}" in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(
+    ("options", "message"),
+    [
+        (["--key", "{file}"], "--key takes the key itself; {file} is a file. Pass it with --key-file"),
+        (["--key-file", "{file}s"], "The key cannot be read from {file}s: No such file"),
+        (["--key", "a long key", "--key-file", "{file}"], "not with both"),
+    ],
+)
+def test_a_file_is_never_taken_for_the_key(options, message, tmp_path, capsys):
+    (file := tmp_path / "key.txt").write_text("correct horse")
+    chosen = [option.format(file=file) for option in options]
+    assert main(["grade", str(solution(SHEET)), str(tmp_path), "--out", str(tmp_path / "out"), *chosen]) == 2
+    assert message.format(file=file) in capsys.readouterr().err
 
 
 def test_a_sheet_without_its_solution_has_no_key():

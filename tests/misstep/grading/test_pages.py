@@ -423,6 +423,7 @@ def test_grades_hold_points_reasons_and_mistakes():
         "mistakes": "03.2 omega x q",
         "id in the sheet": "ada",
         "run in": "sandbox",
+        "by hand": "",
     }
     assert (rows[1]["student"], rows[1]["reason"]) == ("'=bob", "It stopped. | Odd. | The id 'ada' is in 2 sheets.")
 
