@@ -70,10 +70,25 @@ def oracles(session: nox.Session) -> None:
 
 
 @nox.session
+def census(session: nox.Session) -> None:
+    """Judge the wrong answers of 60 students to each problem; `-- --save site/census.json` keeps the counts for the site."""
+    session.run(PYTHON, "-m", "misstep", "census", "--by-hand", "evidence.answers_by_hand", *session.posargs)
+
+
+@nox.session
+def evidence(session: nox.Session) -> None:
+    """Show that the library is right and that feedback is true; every night and before a release, in about an hour."""
+    session.run(PYTHON, "-m", "misstep", "census", "--by-hand", "evidence.answers_by_hand")
+    run_pytest(session, "evidence", "--numprocesses=auto")
+    run_pytest(session, "tests", "--numprocesses=auto", "--dist=loadfile", "--oracles")
+    run_pytest(session, "tests/fuzz", "--numprocesses=auto", "--hypothesis-profile=nightly")
+
+
+@nox.session
 def formulas(session: nox.Session) -> None:
     """Change the formulas of lectures, and list the changes that no assertion notices: `nox -s formulas -- notebooks/03*.ipynb`."""
     lectures = session.posargs or sorted(str(path) for path in Path("notebooks").glob("*.ipynb"))
-    session.run(PYTHON, "tools/check_formulas.py", *lectures)
+    session.run(PYTHON, "evidence/checks/check_formulas.py", *lectures)
 
 
 @nox.session

@@ -3,7 +3,7 @@
 For each problem and student it judges
 
 - every mutant of the solution, every mistake of the author, and every slip of the kind of answer, and
-- the answers that the course has by hand, in `answers_by_hand(number, given, answer)` of its module or folder `census`, which
+- the answers that people made by hand, from `answers_by_hand(number, given, answer)` of the module that --by-hand names. It
   shares no code with the engine, so that it may contradict it,
 
 and counts full marks for a wrong answer, right answers that are refused, names that are not what was done, messages whose
@@ -12,6 +12,7 @@ by hand that is also that of the mistake that feedback names is counted apart: n
 """
 
 import json
+import sys
 from argparse import ArgumentParser, Namespace
 from collections import Counter
 from collections.abc import Callable, Iterable, Iterator, Sequence
@@ -19,14 +20,13 @@ from concurrent.futures import ProcessPoolExecutor
 from dataclasses import dataclass, field
 from functools import partial
 from importlib import import_module
-from importlib.util import find_spec
 from itertools import chain
 from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
 from misstep.bugs import inseparable_pairs
-from misstep.catalog import Course, find_course
+from misstep.catalog import find_course
 from misstep.judge import Finding, judge
 from misstep.mistakes import Mistake
 from misstep.problem import Problem, Template
@@ -241,6 +241,11 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("--sheet", action="append", help="only this sheet; may be repeated")
     parser.add_argument("--examples", action="store_true", help="print examples of what was counted")
     parser.add_argument(
+        "--by-hand",
+        metavar="MODULE",
+        help="a module with answers_by_hand(number, given, answer), found from this folder",
+    )
+    parser.add_argument(
         "--save", type=Path, help="write the counts to this JSON file, from which the site makes its page"
     )
 
@@ -251,7 +256,9 @@ def run(options: Namespace) -> int:
     students = [f"student {k}" for k in range(options.students)]
     sheets = options.sheet or course.sheets()
     jobs = [
-        (options.course, sheet, k, students) for sheet in sheets for k in range(len(course.find_sheet(sheet).problems))
+        (options.course, sheet, k, students, options.by_hand)
+        for sheet in sheets
+        for k in range(len(course.find_sheet(sheet).problems))
     ]
     with ProcessPoolExecutor() as pool:
         rows = list(pool.map(_row, *zip(*jobs, strict=True)))
@@ -273,12 +280,10 @@ def run(options: Namespace) -> int:
     return int(any(row.counts[what] for row in rows for what in ("full_marks", "refused", "misnamed", "false")))
 
 
-def _row(course_name: str, sheet: str, position: int, students: Sequence[str]) -> Row:
-    course = find_course(course_name)
-    return census_of(course.find_sheet(sheet).problems[position], students, answers_by_hand(course))
-
-
-def answers_by_hand(course: Course) -> Callable[..., Any] | None:
-    """Return the function of a course that makes answers by hand; None if it has none."""
-    name = f"{course.package}.census"
-    return import_module(name).answers_by_hand if find_spec(name) else None
+def _row(course_name: str, sheet: str, position: int, students: Sequence[str], by_hand: str | None) -> Row:
+    if by_hand and "" not in sys.path:
+        sys.path.insert(
+            0, ""
+        )  # the installed command `misstep` does not look for modules in the folder where it is run
+    answers_by_hand = import_module(by_hand).answers_by_hand if by_hand else None
+    return census_of(find_course(course_name).find_sheet(sheet).problems[position], students, answers_by_hand)

@@ -27,6 +27,7 @@ hypothesis.settings.register_profile(
 )
 # `nox -s fuzz`: many examples, and a case that takes seconds is a fault too.
 hypothesis.settings.register_profile("fuzz", deadline=5000, max_examples=100_000, print_blob=True)
+hypothesis.settings.register_profile("nightly", hypothesis.settings.get_profile("fuzz"), max_examples=2000)
 hypothesis.settings.load_profile("kinlib")
 
 

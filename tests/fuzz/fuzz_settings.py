@@ -1,10 +1,10 @@
-"""Settings of the fuzz targets: few examples in a normal run, and as many as the profile "fuzz" says under `nox -s fuzz`."""
+"""Settings of the fuzz targets: few examples in a normal run, and as many as the profile says under `nox -s fuzz` or `evidence`."""
 
 from contextlib import suppress
 
 from hypothesis import HealthCheck, settings
 
-IS_FUZZING = settings.get_current_profile_name() == "fuzz"
+IS_FUZZING = settings.get_current_profile_name() in {"fuzz", "nightly"}
 
 MEMORY_BYTES = 6 << 30
 

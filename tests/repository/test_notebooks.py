@@ -1,6 +1,6 @@
 """Every notebook runs in a new kernel without warnings within a time limit, and every figure has a text alternative.
 
-The numbers in the text of a lecture come from its cells; tools/prose_numbers.py defines which numbers, and what counts as a source.
+The numbers in the text of a lecture come from its cells; prose_numbers.py defines which numbers, and what counts as a source.
 """
 
 import gc

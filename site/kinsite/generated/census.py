@@ -39,7 +39,7 @@ What is counted:
 The first four should be 0. You can repeat the census with one command:
 
 ```text
-misstep census --students {students} --save site/census.json
+misstep census --students {students} --by-hand evidence.answers_by_hand --save site/census.json
 ```
 """
 

@@ -21,7 +21,7 @@ when the function is wrong by 1e-7.
 
 def pages() -> Iterator[tuple[str, str]]:
     """Yield the page: one row for each function, with its oracles and the number of tests that use each."""
-    sys.path.append(str(ROOT / "tools"))
+    sys.path.append(str(ROOT / "evidence" / "checks"))
     from oracle_table import table
 
     rows = []

@@ -5,7 +5,7 @@ from typing import Any
 
 import numpy as np
 
-from kincourse.census.motions import Array, negated
+from evidence.answers_by_hand.common.motions import Array, negated
 from kinlib.dh.table import DHTable
 
 A, ALPHA, D, THETA = range(4)

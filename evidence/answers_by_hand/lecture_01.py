@@ -5,9 +5,9 @@ from typing import Any
 
 import numpy as np
 
-from kincourse.census import WrongAnswer, alike, right, wrong_answers
-from kincourse.census import words as by
-from kincourse.census.motions import I3, I4, exp, negated, negated_one, parts, pose, rot, swapped
+from evidence.answers_by_hand import WrongAnswer, alike, right, wrong_answers
+from evidence.answers_by_hand.common import words as by
+from evidence.answers_by_hand.common.motions import I3, I4, exp, negated, negated_one, parts, pose, rot, swapped
 
 inv = np.linalg.inv
 Answers = Iterator[WrongAnswer]

@@ -8,7 +8,7 @@ An oracle is a package. Where no package computes the same, it is "printed: ..."
 the test compares with, or "axiom: ...", with a property that only the right answer has.
 
 The table is read from these markers in the source of the tests, so there is no second list to maintain.
-tools/check_oracles.py checks that each marker is true: `python course.py test --oracles` runs it and prints the table.
+check_oracles.py checks that each marker is true: `python course.py test --oracles` runs it and prints the table.
 """
 
 import ast
@@ -22,7 +22,7 @@ from typing import NamedTuple
 
 import kinlib
 
-TESTS = Path(__file__).resolve().parents[1] / "tests"
+TESTS = Path(__file__).resolve().parents[2] / "tests"
 COMPUTING = [
     *("kincourse.sampling.four_bar_geometry", "misstep.answers.expression", "misstep.formulas.evaluation"),
     *("kinlib.view.figures.linkage", "kincourse.lecture_02_matrix_exponential.drawings.exponential_series"),

@@ -5,10 +5,19 @@ from typing import Any
 
 import numpy as np
 
-from kincourse.census import WrongAnswer, right, wrong, wrong_answers
-from kincourse.census.kinematics import at, chain, frame, link, one_entry, ordinary_forms, pose_slips, turn
-from kincourse.census.motions import Array, product
-from kincourse.census.tables import NORMAL, SIGN, legal_tables, table_slips
+from evidence.answers_by_hand import WrongAnswer, right, wrong, wrong_answers
+from evidence.answers_by_hand.common.kinematics import (
+    at,
+    chain,
+    frame,
+    link,
+    one_entry,
+    ordinary_forms,
+    pose_slips,
+    turn,
+)
+from evidence.answers_by_hand.common.motions import Array, product
+from evidence.answers_by_hand.common.tables import NORMAL, SIGN, legal_tables, table_slips
 from kinlib.dh.table import DHTable
 
 SWAP = "swap, exchang, interchang"

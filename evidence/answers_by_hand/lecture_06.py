@@ -5,11 +5,11 @@ from typing import Any
 
 import numpy as np
 
-from kincourse.census import WrongAnswer, right, wrong, wrong_answers
-from kincourse.census.kinematics import at, chain, link, one_entry, ordinary_forms, pose_slips, turn
-from kincourse.census.lecture_05 import LEFT_OUT, SWAP, row_slips
-from kincourse.census.motions import Array, product
-from kincourse.census.tables import SIGN, as_text, legal_tables, table_slips
+from evidence.answers_by_hand import WrongAnswer, right, wrong, wrong_answers
+from evidence.answers_by_hand.common.kinematics import at, chain, link, one_entry, ordinary_forms, pose_slips, turn
+from evidence.answers_by_hand.common.motions import Array, product
+from evidence.answers_by_hand.common.tables import SIGN, as_text, legal_tables, table_slips
+from evidence.answers_by_hand.lecture_05 import LEFT_OUT, SWAP, row_slips
 from kinlib.dh.table import DHTable
 
 RADIANS_TO_DEGREES = (1, 180 / np.pi, 1, 180 / np.pi)

@@ -6,9 +6,9 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from kincourse.census import WrongAnswer, alike, right, wrong_answers
-from kincourse.census import words as by
-from kincourse.census.motions import (
+from evidence.answers_by_hand import WrongAnswer, alike, right, wrong_answers
+from evidence.answers_by_hand.common import words as by
+from evidence.answers_by_hand.common.motions import (
     I3,
     Ad,
     exp,

@@ -20,7 +20,7 @@ KINDS = ("printed", "axiom", "text")
 
 def test_every_public_function_has_an_oracle():
     missing = [name for name, comparisons in TABLE.items() if not comparisons]
-    assert not missing, "mark a test of each with @pytest.mark.oracle(...): see tools/oracle_table.py"
+    assert not missing, "mark a test of each with @pytest.mark.oracle(...): see evidence/checks/oracle_table.py"
 
 
 def test_the_table_lists_exactly_the_public_functions():

@@ -6,9 +6,21 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from kincourse.census import WrongAnswer, alike, right, wrong_answers
-from kincourse.census import words as by
-from kincourse.census.motions import I3, I4, exp, expm, hat, negated, negated_one, pose, series, swapped, twist
+from evidence.answers_by_hand import WrongAnswer, alike, right, wrong_answers
+from evidence.answers_by_hand.common import words as by
+from evidence.answers_by_hand.common.motions import (
+    I3,
+    I4,
+    exp,
+    expm,
+    hat,
+    negated,
+    negated_one,
+    pose,
+    series,
+    swapped,
+    twist,
+)
 
 theta = sp.Symbol("theta", real=True)
 a = sp.Symbol("a", positive=True)

@@ -5,12 +5,12 @@ from typing import Any
 
 import numpy as np
 
-from kincourse.census import WrongAnswer, right, wrong, wrong_answers
-from kincourse.census.kinematics import logarithm, ordinary_forms, turn
-from kincourse.census.lecture_05 import LEFT_OUT, SWAP
-from kincourse.census.lecture_07 import other_letters
-from kincourse.census.motions import Array, exp, product
-from kincourse.census.tables import SIGN
+from evidence.answers_by_hand import WrongAnswer, right, wrong, wrong_answers
+from evidence.answers_by_hand.common.kinematics import logarithm, ordinary_forms, turn
+from evidence.answers_by_hand.common.motions import Array, exp, product
+from evidence.answers_by_hand.common.tables import SIGN
+from evidence.answers_by_hand.lecture_05 import LEFT_OUT, SWAP
+from evidence.answers_by_hand.lecture_07 import other_letters
 
 MODE = "mode, other side, right of, left of, mirror"
 BARS = "coupler, rocker, bar, length, " + SWAP

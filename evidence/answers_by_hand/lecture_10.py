@@ -6,13 +6,13 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from kincourse.census import WrongAnswer, right, wrong, wrong_answers
-from kincourse.census.kinematics import chain, frame, logarithm, ordinary_forms, pose_slips, turn
-from kincourse.census.lecture_05 import LEFT_OUT, SWAP
-from kincourse.census.lecture_07 import other_letters
-from kincourse.census.lecture_09 import OWN_AXES, rotation, screw
-from kincourse.census.motions import Ad, Array, exp, parts, product
-from kincourse.census.tables import SIGN
+from evidence.answers_by_hand import WrongAnswer, right, wrong, wrong_answers
+from evidence.answers_by_hand.common.kinematics import chain, frame, logarithm, ordinary_forms, pose_slips, turn
+from evidence.answers_by_hand.common.motions import Ad, Array, exp, parts, product
+from evidence.answers_by_hand.common.tables import SIGN
+from evidence.answers_by_hand.lecture_05 import LEFT_OUT, SWAP
+from evidence.answers_by_hand.lecture_07 import other_letters
+from evidence.answers_by_hand.lecture_09 import OWN_AXES, rotation, screw
 
 
 @wrong_answers("10.1")

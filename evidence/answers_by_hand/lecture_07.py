@@ -5,11 +5,11 @@ from typing import Any
 
 import numpy as np
 
-from kincourse.census import WrongAnswer, right, wrong, wrong_answers
-from kincourse.census.kinematics import ordinary_forms
-from kincourse.census.lecture_05 import LEFT_OUT, SWAP
-from kincourse.census.motions import Array
-from kincourse.census.tables import SIGN, as_text, legal_tables, table_slips
+from evidence.answers_by_hand import WrongAnswer, right, wrong, wrong_answers
+from evidence.answers_by_hand.common.kinematics import ordinary_forms
+from evidence.answers_by_hand.common.motions import Array
+from evidence.answers_by_hand.common.tables import SIGN, as_text, legal_tables, table_slips
+from evidence.answers_by_hand.lecture_05 import LEFT_OUT, SWAP
 from kinlib.dh.table import DHTable
 
 

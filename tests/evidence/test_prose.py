@@ -1,4 +1,4 @@
-"""Each formula of a lecture has its assertion nearby; and the rules of tools/prose_numbers.py detect missing ones."""
+"""Each formula of a lecture has its assertion nearby; and the rules of evidence/checks/prose_numbers.py detect missing ones."""
 
 from pathlib import Path
 

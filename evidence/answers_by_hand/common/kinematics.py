@@ -4,7 +4,7 @@ from typing import Any
 
 import numpy as np
 
-from kincourse.census.motions import I3, Array, exp, parts, pose, product
+from evidence.answers_by_hand.common.motions import I3, Array, exp, parts, pose, product
 
 
 def turn(axis: str, angle: float) -> Array:

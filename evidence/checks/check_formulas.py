@@ -318,6 +318,16 @@ def equivalent_changes(lecture: str) -> dict[tuple[str, str], str]:
     return {(entry["before"], entry["after"]): entry["reason"] for entry in listed}
 
 
+def assert_formulas_are_asserted(path: Path) -> None:
+    """Each numbered formula has an assertion that notices each change of it, but for those listed as equivalent."""
+    planted, unnoticed = check(path)
+    assert not [number for number, count in planted.items() if not count], "formulas that no code states"
+    found = {(change.before, change.after): change.formulas for change in unnoticed}
+    listed = equivalent_changes(path.stem)
+    assert not {change: numbers for change, numbers in found.items() if change not in listed}
+    assert not listed.keys() - found.keys(), "these are noticed: remove them from equivalent_changes.toml"
+
+
 def main(paths: list[str]) -> None:
     for path in map(Path, paths):
         planted, unnoticed = check(path)

@@ -6,12 +6,12 @@ from typing import Any
 
 import numpy as np
 
-from kincourse.census import WrongAnswer, right, wrong, wrong_answers
-from kincourse.census.kinematics import frame, ordinary_forms, pose_slips, turn
-from kincourse.census.lecture_05 import LEFT_OUT, SWAP
-from kincourse.census.lecture_07 import other_letters
-from kincourse.census.motions import Array, product
-from kincourse.census.tables import SIGN
+from evidence.answers_by_hand import WrongAnswer, right, wrong, wrong_answers
+from evidence.answers_by_hand.common.kinematics import frame, ordinary_forms, pose_slips, turn
+from evidence.answers_by_hand.common.motions import Array, product
+from evidence.answers_by_hand.common.tables import SIGN
+from evidence.answers_by_hand.lecture_05 import LEFT_OUT, SWAP
+from evidence.answers_by_hand.lecture_07 import other_letters
 
 OWN_AXES = "own axes, moving, order, R_x R_y R_z, fixed, intrinsic"
 RPY_ORDER = "yaw, pitch, roll, order"

@@ -1,0 +1,1 @@
+"""What the answers by hand of several lectures need: motions, chains, DH tables, and the words that name a mistake."""
