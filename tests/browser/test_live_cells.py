@@ -156,7 +156,7 @@ def test_nothing_is_loaded_by_touching_scrolling_or_answering_until_the_reader_a
         for question in questions.all():
             question.locator(".kinlib-choice").first.tap()
         assert page.locator(".misstep-question[data-committed]").count() == questions.count() > 5
-        run = page.get_by_role("button", name="Run cell 1", exact=True)
+        run = cell(page, "plain_arm()").get_by_role("button", name="Run")
         run.tap()
         expect(page.get_by_role("group", name="Load Python?")).to_contain_text(
             re.compile(r"loads Python: \d+ MB, once")

@@ -371,8 +371,9 @@ ALL = {
 }
 
 
-@pytest.mark.parametrize("kind", ALL)
-@pytest.mark.parametrize("style", ["background:white", "background:#111418"])
+@pytest.mark.parametrize(
+    ("kind", "style"), [*((kind, "background:#111418") for kind in ALL), ("by hand", "background:white")]
+)
 def test_contrast_narrow_pages_and_a_name_and_keys_for_each_control(show, kind, style):
     page = show(ALL[kind](), style=style, viewport={"width": 400, "height": 900})
     faint = {text: contrast(ink, paper) for text, ink, paper in text_colours(page) if contrast(ink, paper) < 4.5}

@@ -24,9 +24,8 @@ def page(chromium):
         yield page
 
 
-@pytest.mark.parametrize("lecture", [LECTURE_03, LONGEST_LECTURE])
-def test_a_long_lecture_opens_with_less_than_three_quarters_of_its_elements(page, site_address, lecture):
-    page.goto(f"{site_address}/{lecture}")
+def test_a_long_lecture_opens_with_less_than_three_quarters_of_its_elements(page, site_address):
+    page.goto(f"{site_address}/{LONGEST_LECTURE}")
     at_first = page.locator("*").count()
     assert page.evaluate(WAITING) > 100
     page.evaluate(DRAW_ALL)
@@ -76,8 +75,9 @@ def test_the_first_screen_of_every_page_is_complete_without_scripts(chromium, si
             assert page.evaluate(WAITING_IN_SIGHT) == 0, path
 
 
-@pytest.mark.parametrize("size", [PHONE, DESKTOP], ids=["phone", "desktop"])
-@pytest.mark.parametrize("arrives", ["by the address", "by a click"])
+@pytest.mark.parametrize(
+    ("size", "arrives"), [(PHONE, "by the address"), (DESKTOP, "by a click")], ids=["phone", "desktop"]
+)
 def test_a_link_to_a_section_leads_there(page, site_address, size, arrives):
     """MathML has not the height of the drawn formula, so everything above the section must be drawn first."""
     page.set_viewport_size(size)

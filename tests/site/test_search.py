@@ -37,9 +37,12 @@ def results(chromium, site_address):
         )
 
 
-@pytest.mark.parametrize("query", QUERIES)
-def test_the_page_that_is_looked_for_is_among_the_first_two(results, query):
-    assert any(address.startswith(QUERIES[query]) for address in results[query][:2]), results[query][:4]
+def test_the_page_that_is_looked_for_is_among_the_first_two(results):
+    assert not {
+        query: results[query][:4]
+        for query, wanted in QUERIES.items()
+        if not any(address.startswith(wanted) for address in results[query][:2])
+    }
 
 
 def test_no_page_of_figures_is_above_a_lecture(results):
