@@ -195,7 +195,13 @@ class JointPath:
     columns: NDArray[np.intp]
 
     def pose_and_jacobian(self, q: Array) -> tuple[Array, Array]:
-        """The pose (m, 4, 4) of the chain and its space Jacobian (m, 6, k) at m configurations q (m, k), from the same factors."""
+        """The pose (m, 4, 4) of the chain and its space Jacobian (m, 6, k) at m configurations q (m, k), from the same factors.
+
+        >>> from kinlib.chains.robots import rpr
+        >>> poses, jacobians = JointPath(rpr(), np.arange(3)).pose_and_jacobian(np.zeros((5, 3)))
+        >>> poses.shape, jacobians.shape
+        ((5, 4, 4), (5, 6, 3))
+        """
         T, before = np.broadcast_to(np.eye(4), (len(q), 4, 4)), []
         for E_i in _screw_motions(self.chain.screws, q):
             before.append(T)
