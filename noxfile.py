@@ -28,9 +28,10 @@ def run_pytest(session: nox.Session, *arguments: str, **settings: str) -> None:
 
 @nox.session
 def lint(session: nox.Session) -> None:
-    """Find mistakes without running the code: ruff, the format, types."""
+    """Find mistakes without running the code: ruff, the format, dependencies that are not declared or not used, types."""
     session.run(PYTHON, "-m", "ruff", "check")
     session.run(PYTHON, "-m", "ruff", "format", "--check")
+    session.run(PYTHON, "tools/check_dependencies.py")
     session.run(PYTHON, "-m", "mypy")
 
 
@@ -128,7 +129,7 @@ def benchmarks(session: nox.Session) -> None:
     folder = Path("build/benchmarks")
     if not folder.exists():  # not in .venv, because its plug-in would warn in every run of the tests on several cores
         target = (f"--target={folder}", "--no-deps", "--only-binary=:all:", "--constraint=constraints.txt")
-        session.run(PYTHON, "-m", "pip", "install", "--quiet", *target, "pytest-benchmark", "py-cpuinfo")
+        session.run(PYTHON, "-m", "pip", "install", "--quiet", *target, "pytest-benchmark", "py-cpuinfo2")
     run_pytest(
         session,
         *(*sorted(map(str, Path("evidence/benchmarks").glob("bench_*.py"))), "-pno:xdist", "-Wdefault"),

@@ -8,8 +8,10 @@ import subprocess
 import sys
 import tomllib
 import zipfile
+from dataclasses import replace
 from pathlib import Path
 
+import check_dependencies
 import pytest
 from tidy_notebooks import MARK, tidied
 
@@ -250,6 +252,27 @@ def dependencies():
 def test_the_guide_gives_the_reason_for_each_dependency():
     lines = (ROOT / "guides" / "dependencies.md").read_text("utf-8").partition("\n## Versions")[0]
     assert set(re.findall(r"^- `([\w.-]+)`: \w.{9}", lines, re.MULTILINE)) == dependencies()
+
+
+AREAS = check_dependencies.areas()
+UNUSED = f"json{5}"  # composed, so that no text of this file names it
+
+
+@pytest.mark.parametrize("area", AREAS)
+def test_each_package_and_group_declares_what_it_imports_and_uses_what_it_declares(area):
+    assert list(check_dependencies.faults(area, AREAS[area])) == []
+
+
+@pytest.mark.parametrize(
+    ("area", "package"),
+    [("misstep", "traitlets"), ("site", "myst-parser"), ("tests", "scipy"), ("tests", "playwright")],
+)
+def test_a_dependency_that_is_missing_or_not_used_is_reported(area, package):
+    declared = [item for item in AREAS[area].declared if check_dependencies.requirement_name(item) != package]
+    assert len(declared) < len(AREAS[area].declared)
+    less, more = (replace(AREAS[area], declared=items) for items in (declared, [*AREAS[area].declared, UNUSED]))
+    assert any(package.replace("-", "_") in fault for fault in check_dependencies.faults(area, less))
+    assert any(UNUSED in fault for fault in check_dependencies.faults(area, more))
 
 
 def test_every_dependency_is_pinned():
