@@ -2,6 +2,7 @@
 
 import dataclasses
 import json
+import re
 
 import numpy as np
 import pytest
@@ -310,74 +311,38 @@ def test_text_dictionaries_and_numbers_are_the_same_table():
 
 
 @pytest.mark.parametrize(
-    ("entry", "number"),
+    ("number", "entries"),
     [
-        ("-90°", -np.pi / 2),
-        ("90 deg", np.pi / 2),
-        ("−π/2", -np.pi / 2),
-        ("3*pi/4", 3 * np.pi / 4),
-        (r"-\frac{\pi}{2}", -np.pi / 2),
-        (r"$\frac{\pi}{4}$", np.pi / 4),
-        ("0.5", 0.5),
-        ("+1e-3", 1e-3),
-        *[
-            (spelling, np.pi / 2)
-            for spelling in ("np.pi/2", "math.pi/2", "π / 2", "½π", "½ pi", "0.5pi", "90º", "90^\\circ", "90 degrees")
-        ],
-        *[
-            (spelling, 3 * np.pi / 2)
-            for spelling in ("3\\pi/2", "\\frac{3\\pi}{2}", "3π/2", "3pi/2", "1½π", "(3/2)pi", "\\tfrac{3}{2}\\pi")
-        ],
-        *[(spelling, 5 * np.pi / 2) for spelling in ("5\\frac{\\pi}{2}", "5\\frac\\pi2", "5 \\frac{\\pi}{2}", "450°")],
-        *[
-            (spelling, -np.pi / 2)
-            for spelling in ("-π/2", "−½π", "-\\frac12\\pi", "-1.5707963267948966 rad", "-np.radians(90)")
-        ],
-        ("\frac{\\pi}{2}", np.pi / 2),  # a text without r in front, in which Python reads \f as a form feed
-        ("-1\\frac{1}{2}\\pi", -3 * np.pi / 2),
-        ("1e-3pi", 1e-3 * np.pi),
+        # the last one is a text without r in front, in which Python reads \f as a form feed
+        (np.pi / 2, ["90 deg", "90º", "90^\\circ", "np.pi/2", "½ pi", r"$\frac{\pi}{2}$", "\frac{\\pi}{2}"]),
+        (-np.pi / 2, ["-90°", "−π/2", "−½π", "-\\frac12\\pi", "-1.5707963267948966 rad", "-np.radians(90)"]),
+        (3 * np.pi / 2, ["3\\pi/2", "\\frac{3\\pi}{2}", "1½π", "(3/2)pi", "\\tfrac{3}{2}\\pi", "1\\frac{1}{2}\\pi"]),
+        (5 * np.pi / 2, ["5\\frac{\\pi}{2}", "5\\frac\\pi2", "5 \\frac{\\pi}{2}", "450°"]),
+        (1e-3 * np.pi, ["1e-3pi", "+1e-3 pi"]),
     ],
 )
-def test_an_angle_may_be_typed_in_any_of_these_ways(entry, number):
-    close(DHTable(f"a | alpha | d | theta\n 0 | {entry} | 0 | q1", convention="standard").rows[0, 1], number, 1e-15)
+def test_an_angle_may_be_typed_in_any_of_these_ways(number, entries):
+    rows = [{"a": 0, "alpha": entry, "d": 0, "theta": "q"} for entry in entries]
+    close(DHTable(rows, convention="standard").columns["alpha"], number, 1e-15)
 
 
 @pytest.mark.parametrize(
-    ("entry", "constant", "sign"),
+    ("constant", "sign", "entries"),
     [
-        *[
-            (entry, 0.0, 1)
-            for entry in ("q", "q1", "q_1", "θ1", "θ_1", "theta_1", r"$\theta_{1}$", "+q1", "1*q1", "q1*1", "q1/1")
-        ],
-        *[
-            (entry, 0.0, 1)
-            for entry in (
-                "θ₁",
-                "ϑ_1",
-                "θ_₁",
-                "θ_1*",
-                "θ1*",
-                "q₁*",
-                r"\theta_1^*",
-                r"$\theta_{1}^{*}$",
-                "\theta_1",
-                "1q1",
-                "(q1*)",
-            )
-        ],
-        *[(entry, 0.0, -1) for entry in ("-q1", "−θ_1", "-1*q1", "q1*-1", "q1/-1", "q1 * -1", "-θ₁*")],
-        *[(entry, np.pi / 2, 1) for entry in ("q_1 + ½π", "q1* + π/2", "θ₁ + ½π", "q1 + np.pi/2", "pi/2 + θ1*")],
-        *[(entry, 0.5, 1) for entry in ("q1 + 0.5", "0.5 + q1", "q1 - -0.5", "-(-q1 - 0.5)", "(2*q1 + 1)/2")],
-        *[(entry, 0.5, -1) for entry in ("0.5 - q1", "-q1 + 0.5", "-(q1 - 0.5)")],
-        *[(entry, -0.5, 1) for entry in ("q1 - 0.5", "-0.5 + q1", "q1 - 1 + 0.5", "q1 + 0.5 - 1")],
+        (0.0, 1, ["q", "q1", "θ_1", "theta_1", r"$\theta_{1}$", "+q1", "q1*1", "q1/1", "1q1", "\theta_1"]),
+        (0.0, 1, ["θ₁", "ϑ_1", "θ_₁", "θ_1*", "q₁*", r"\theta_1^*", r"$\theta_{1}^{*}$", "(q1*)"]),
+        (0.0, -1, ["-q1", "−θ_1", "-1*q1", "q1*-1", "q1/-1", "q1 * -1", "-θ₁*"]),
+        (np.pi / 2, 1, ["q_1 + ½π", "q1* + π/2", "q1 + np.pi/2", "pi/2 + θ1*"]),
+        (0.5, 1, ["0.5 + q1", "q1 - -0.5", "-(-q1 - 0.5)", "(2*q1 + 1)/2", "q1 + 1 - 0.5"]),
+        (0.5, -1, ["0.5 - q1", "-q1 + 0.5", "-(q1 - 0.5)"]),
     ],
 )
-def test_a_joint_variable_is_found_wherever_it_stands_in_an_entry(entry, constant, sign):
-    for column, joint in (("theta", "R"), ("d", "P")):
+@pytest.mark.parametrize(("column", "joint"), [("theta", "R"), ("d", "P")])
+def test_a_joint_variable_is_found_wherever_it_stands_in_an_entry(constant, sign, entries, column, joint):
+    for entry in entries:
         row = {"a": 0, "alpha": 0, "d": 0, "theta": 0, column: entry}
         table = DHTable([row], convention="standard")
-        assert (table.joints, table.rows[0, ("d", "theta").index(column) + 2]) == (joint, constant)
-        assert table.signs.tolist() == [sign]
+        assert (table.joints, table.columns[column][0], table.signs[0]) == (joint, constant, sign), entry
 
 
 @pytest.mark.parametrize(
@@ -454,167 +419,95 @@ def test_under_a_head_in_degrees_a_number_is_degrees_however_it_is_written(entry
     close(table.rows[0, 3], np.radians(degrees), 1e-15)
 
 
+HEAD = "a|alpha|d|theta\n"
 REFUSED = {
     "degrees": (
-        "a|alpha|d|theta\n0|-90|0|q1",
-        r"^Row 1, alpha: an angle must be .*; got -90 rad\. -90 rad\? Write -90° if it is in degrees, or subtract full turns if",
+        HEAD + "0|-90|0|q1",
+        r"^Row 1, alpha: an angle must be .*; got -90 rad\. -90 rad\? Write -90° if it is in",
     ),
-    "ten degrees without a sign": (
-        "a|alpha|d|theta\n0|10|0|q1",
-        "Row 1, alpha: an angle must be .*; got 10 rad. 10 rad\\? Write 10° if",
-    ),
-    "a turn and a bit": ([[0, 0, 0, 6.3]], "Row 1, theta: an angle must be at most a full turn, 2 pi, .*; got 6.3 rad"),
-    "two turns and a bit, computed": (
-        [[0, 0, 0, 4 * np.pi + 0.12345]],
-        "Row 1, theta: an angle must be .*; got 12.6898 rad",
-    ),
-    "degrees beside a variable": (
-        "a|alpha|d|theta\n0|0|0|q1 - 90",
-        "Row 1, theta: an angle .*; got -90 rad. -90 rad\\? Write -90° if",
-    ),
-    "a turn in uneven degrees": (
-        "a|alpha|d|theta\n0|1000.5°|0|q1",
-        "Row 1, alpha: an angle .*; got '1000.5°'. Subtract full turns: 280.5° is the same angle",
-    ),
-    "eleven turns": (
-        "a|alpha|d|theta\n0|0|0|q1 + 22*pi",
-        r"Row 1, theta: an angle .*; got 'q1 \+ 22\*pi'. Subtract full turns: 0° is",
-    ),
-    "an angle of two turns and a bit": (
-        [[0, 0, 0, 0], [0, -12.57, 0, 0]],
-        "Row 2, alpha: an angle must be at most a full turn, .*; got -12.57 rad",
-    ),
+    "degrees beside a variable": (HEAD + "0|0|0|q1 - 90", r"Row 1, theta: .*; got -90 rad\. -90 rad\? Write -90° if"),
     "degrees in row 2": (
-        "a|alpha|d|theta\n0|0|0|q1\n0|0|q2|90",
+        HEAD + "0|0|0|q1\n0|0|q2|90",
         "Row 2, theta: an angle must be at most a full turn, .*; got 90 rad",
     ),
-    "a row too many numbers": (
-        "a|alpha|d|theta\n0|0|0|q1\n3|0|0|0|q2",
-        "Row 2 must have 4 entries, one per heading; got 5: '3",
+    "a turn and a bit": ([[0, 0, 0, 6.3]], "Row 1, theta: an angle must be at most a full turn, 2 pi, .*; got 6.3 rad"),
+    "two turns and a bit": ([[0] * 4, [0, -12.57, 0, 0]], "Row 2, alpha: an angle must be .*; got -12.57 rad"),
+    "a turn in uneven degrees": (
+        HEAD + "0|1000.5°|0|q1",
+        "got '1000.5°'. Subtract full turns: 280.5° is the same angle",
     ),
-    "two variables": ("a|alpha|d|theta\n0|0|q1|q1", "Row 1: the joint variable must be in theta or in d, once"),
-    "a variable in a": ("a|alpha|d|theta\nq1|0|0|0", "Row 1: .* it is in a. Are the columns a and d swapped?"),
-    "a variable in alpha": (
-        "a|alpha|d|theta\n0|0|0|q1\n0|q2|0|0",
-        "Row 2: the joint variable must be in theta or in d, once; it is in alpha",
-    ),
-    "a gear": ("a|alpha|d|theta\n0|0|0|2*q1", "must be q or -q, without a factor; its factor is 2"),
-    "an unknown length": ("a|alpha|d|theta\n0|0|l7|q1", r"Row 1, d: .*; got 'l7'.*lengths=\{'l7': ...\}"),
-    "a row that another number counts": (
-        "a|alpha|d|theta\n1X|3|0|0|q1",
-        "Row 1 must have 4 entries, one per heading; got 5: '1X",
-    ),
-    "an angle in a length, in letters": ("a|alpha|d|theta\n30 deg|0|0|q1", "a is a length. Are two columns swapped"),
-    "an angle in a length": ("a|alpha|d|theta\n0|0|30°|q1", "d is a length. Are two columns swapped"),
-    "code": ("a|alpha|d|theta\n0|0|0|__import__('os')", "Row 1, theta: an entry must be a number"),
-    "a division by zero": ("a|alpha|d|theta\n0|1/0|0|q1", "Row 1, alpha: an entry must be .*; got '1/0'"),
-    "a product of variables": ("a|alpha|d|theta\n0|0|0|q1*q1", "Row 1, theta: an entry must be a number"),
+    "eleven turns": (HEAD + "0|0|0|q1 + 22*pi", r"Row 1, theta: .*; got 'q1 \+ 22\*pi'. Subtract full turns: 0° is"),
+    "a row too many numbers": (HEAD + "0|0|0|q1\n3|0|0|0|q2", "Row 2 must have 4 entries, one per heading; got 5: '3"),
+    "a missing entry": (HEAD + "0|0|q1", "Row 1 must have 4 entries, one per heading; got 3"),
     "a missing column": ("a|alpha|d\n0|0|0", "The heading must name the columns a, alpha, d, theta, each once"),
-    "a missing entry": ("a|alpha|d|theta\n0|0|q1", "Row 1 must have 4 entries, one per heading; got 3"),
-    "no rows": ("a|alpha|d|theta", "must have a heading, .* and at least one row"),
-    "no joint": ("a|alpha|d|theta\n0|0|0|0", "every row is fixed"),
     "a row without a column": (
         [{"a": 0, "d": 0, "theta": "q1"}],
-        r"Row 1 has no alpha\. Each row must have all of a, alpha, d, theta",
+        r"Row 1 has no alpha\. Each row must have all of a, alpha",
     ),
-    "NaN": ([[0, 0, np.nan, 0]], r"rows contains NaN or infinity at index \[0, 2\]"),
-    "a transposed table": (np.zeros((4, 6)), r"rows must have shape \(..., 4\); got \(4, 6\).*rows.T"),
-    "one row": (np.zeros(4), r"must have shape \(m, 4\)"),
-    # What fuzzing found: these came as another error, as infinity, or as a number that nobody had typed
-    "two numbers in one entry": (
-        "a|alpha|d|theta\n1 2|0|0|q1",
-        r"Row 1, a: an entry must be a number, or a joint variable with a number; got '1 2'\. Try 0\.5, pi/2, q1 \+ pi/2 or -90°\.",
+    "a nameless row": ([{"a": 0, "alpha": 0, "d": 0, "theta": "q"}, None], "Row 2 has no a; it is NoneType"),
+    "a list for a number": ([{"a": [1], "alpha": 0, "d": 0, "theta": 0}], "Row 1, a must be a single number; got list"),
+    "no rows": (HEAD, "must have a heading, .* and at least one row"),
+    "no joint": (HEAD + "0|0|0|0", "every row is fixed"),
+    "two variables": (HEAD + "0|0|q1|q1", "Row 1: the joint variable must be in theta or in d, once"),
+    "a variable in a": (HEAD + "q1|0|0|0", "Row 1: .* it is in a. Are the columns a and d swapped?"),
+    "a variable in alpha": (HEAD + "0|0|0|q1\n0|q2|0|0", "Row 2: the joint variable must be .*; it is in alpha"),
+    "a gear": (HEAD + "0|0|0|2*q1", "must be q or -q, without a factor; its factor is 2"),
+    "two joints in an angle": (HEAD + "1|0|0|q1\n1|0|0|q1+q2", "Row 2, theta: .* that of its own joint; got q1 and q2"),
+    "an unknown length": (HEAD + "0|0|l7|q1", r"Row 1, d: .*; got 'l7'.*lengths=\{'l7': ...\}"),
+    "an angle in a length": (HEAD + "0|0|30°|q1", "d is a length. Are two columns swapped"),
+    "a length in degrees": ("a (deg)|alpha|d|theta\n0.4|0|0|q1", "Row 1, a: '0.4' is an angle, but a is a length"),
+    "millimetres in the heading": (
+        "a (mm)|alpha|d|theta\n400|0|0|q1",
+        r"in metres, but the heading 'a \(mm\)' says mm",
     ),
-    "a number as in Python": ("a|alpha|d|theta\n1_000|0|0|q1", "Row 1, a: an entry must be .*; got '1_000'"),
-    "a number in sixteens": ("a|alpha|d|theta\n0x10|0|0|q1", "Row 1, a: an entry must be .*; got '0x10'"),
-    "a decimal comma": (
-        "a|alpha|d|theta\n0,4|0|0|q1",
-        r"Row 1, a: an entry must be .*; got '0,4'\. The decimal sign is a point: write 0\.4\.$",
-    ),
-    "a decimal comma in an angle": (
-        "a|alpha|d|theta\n0|0|0|q1 + 1,57",
+    "millimetres in an entry": (HEAD + "400 mm|0|0|q1", "Row 1, a: .*Lengths are in metres: write 0.4 for 400 mm"),
+    "a decimal comma": (HEAD + "0,4|0|0|q1", r"Row 1, a: .*; got '0,4'\. The decimal sign is a point: write 0\.4\.$"),
+    "a decimal comma in a sum": (
+        HEAD + "0|0|0|q1 + 1,57",
         r"Row 1, theta: .*The decimal sign is a point: write 1\.57\.$",
     ),
-    "millimetres in an entry": (
-        "a|alpha|d|theta\n400 mm|0|0|q1",
-        "Row 1, a: .*Lengths are in metres: write 0.4 for 400 mm",
-    ),
-    "two joints in an angle": (
-        "a|alpha|d|theta\n1|0|0|q1\n1|0|0|q1+q2",
-        "Row 2, theta: an entry must have one joint variable, that of its own joint; got q1 and q2",
-    ),
     "swapped labels": (
-        "a|alpha|d|theta\n1|0|0|q2\n1|0|0|q1",
-        r"^The joint variables must be numbered 1, 2, \.\.\. in the order of the rows; got q2, q1\. Give the rows in the order of the",
+        HEAD + "1|0|0|q2\n1|0|0|q1",
+        r"^The joint variables must be numbered 1, 2, .*; got q2, q1\. Give the",
     ),
     "a label twice": (
-        "a|alpha|d|theta\n1|0|0|q1\n1|0|0|q_1\n1|0|0|q2",
-        r"in the order of the rows; got q1, q1, q2\. Two rows have the variable of joint 1, but each joint has one row\.$",
+        HEAD + "1|0|0|q1\n1|0|0|q_1",
+        r"; got q1, q1\. Two rows have the variable of joint 1, but each .*\.$",
     ),
     "a gap between labels": (
-        "a|alpha|d|theta\n1|0|0|θ1\n1|0|d_3|0",
-        r"; got theta1, d3\. Is a row missing\? The joints are counted from 1",
+        HEAD + "1|0|0|θ1\n1|0|d_3|0",
+        r"; got theta1, d3\. Is a row missing\? The joints are counted",
     ),
-    "labels from 0": (
-        "a|alpha|d|theta\n1|0|0|q0\n1|0|0|q1",
-        r"; got q0, q1\. Is a row missing\? The joints are counted from 1",
-    ),
-    "a label that is not that of its place": (
-        "a|alpha|d|theta\n1|0|0|q\n1|0|0|q1",
-        r"; got q, q1\. Two rows have the variable of joint 1",
-    ),
-    "swapped labels in dictionaries": (
-        [{"a": 1, "alpha": 0, "d": 0, "theta": "q2"}, {"a": 1, "alpha": 0, "d": 0, "theta": "q1"}],
-        r"in the order of the rows; got q2, q1\.",
-    ),
+    "labels from 0": (HEAD + "1|0|0|q0\n1|0|0|q1", r"; got q0, q1\. Is a row missing\? The joints are counted from 1"),
+    "a label of another row": (HEAD + "1|0|0|q\n1|0|0|q1", r"; got q, q1\. Two rows have the variable of joint 1"),
     "rows in another order": (
         "i|a|alpha|d|theta\n2|1|0|0|q\n1|1|0|0|q",
-        r"The rows must be in the order of their numbers, none of them missing or twice; got 2, 1\. Sort the rows",
+        "in the order of their numbers, .*; got 2, 1. Sort",
     ),
-    "a row that is missing": (
-        "Link a alpha d theta\n1 1 0 0 q\n3 1 0 0 q",
-        "in the order of their numbers, .*; got 1, 3",
-    ),
-    "a digit of another script": ("a|alpha|d|theta\n٣|0|0|q1", "Row 1, a: an entry must be .*; got '٣'"),
-    "a variable of another script": ("a|alpha|d|theta\n0|0|0|q٣", "Row 1, theta: an entry must be .*; got 'q٣'"),
-    "a word of Python": ("a|alpha|d|theta\nTrue|0|0|q1", "Row 1, a: an entry must be .*; got 'True'"),
-    "infinity": ("a|alpha|d|theta\n1e400|0|0|q1", "Row 1, a: an entry must be a finite number; got '1e400'"),
-    "infinity less infinity": (
-        "a|alpha|d|theta\n1e400-1e400|0|0|q1",
-        "Row 1, a: an entry must be a finite number; got",
-    ),
+    "NaN": ([[0, 0, np.nan, 0]], r"rows contains NaN or infinity at index \[0, 2\]"),
+    "infinity": (HEAD + "1e400|0|0|q1", "Row 1, a: an entry must be a finite number; got '1e400'"),
+    "infinity less infinity": (HEAD + "1e400-1e400|0|0|q1", "Row 1, a: an entry must be a finite number; got"),
+    "a transposed table": (np.zeros((4, 6)), r"rows must have shape \(..., 4\); got \(4, 6\).*rows.T"),
+    "one row": (np.zeros(4), r"must have shape \(m, 4\)"),
     "a length beyond the planets": ([[1e200, 0, 0, 0]], r"Row 1: a must be at most 1e\+12 m; got 1e\+200 m"),
-    "an offset beyond the planets": (
-        [[0] * 4, [0, 0, -1e13, 0]],
-        r"Row 2: d must be at most 1e\+12 m; got -1e\+13 m",
-    ),
-    "a letter of no file": ("a|alpha|d|theta\n\0|0|0|q1", r"Row 1, a: an entry must be .*; got '\\x00'"),
-    "half a letter in the head": ("a|alpha|d|\ud800\n0|0|0|q1", r"each once; got 'a\|alpha\|d\|\\ud800'"),
+    "an offset beyond the planets": ([[0] * 4, [0, 0, -1e13, 0]], r"Row 2: d must be at most 1e\+12 m; got -1e\+13 m"),
     "a long head": ("a" * 10_000 + "\n0", "each once; got 'a{40}"),
-    "an entry nested without end": (
-        f"a|alpha|d|theta\n{'-' * 5000}1|0|0|q1",
-        r"Row 1, a: an entry must have at most 200 characters; '-{20}'\.\.\. has 5001",
-    ),
-    "a word of forty letters": (f"a|alpha|d|theta\n{'a' * 40}!|0|0|q1", "Row 1, a: an entry must be .*; got 'a{40}!'"),
+    "half a letter in the head": ("a|alpha|d|\ud800\n0|0|0|q1", r"each once; got 'a\|alpha\|d\|\\ud800'"),
+    "an entry without end": (HEAD + "-" * 5000 + "1|0|0|q1", r"at most 200 characters; '-{20}'\.\.\. has 5001"),
     "a text without end": ("0 " * 60_000, "at most 100000 characters; got 120000"),
-    "millimetres": (
-        "a (mm)|alpha|d (mm)|theta\n400|0|0|q1",
-        r"Lengths must be in metres, but the heading 'a \(mm\)' says mm",
-    ),
-    "a length in degrees": ("a (deg)|alpha|d|theta\n0.4|0|0|q1", "Row 1, a: '0.4' is an angle, but a is a length"),
-    "a nameless row among named ones": (
-        [{"a": 0, "alpha": 0, "d": 0, "theta": "q"}, None],
-        "Row 2 has no a; it is NoneType",
-    ),
-    "text among named rows": (["a", {"a": 0, "alpha": 0, "d": 0, "theta": "q"}], "Row 1 has no a; it is str 'a'"),
-    "two numbers for one": (
-        [{"a": [1, 2], "alpha": 0, "d": 0, "theta": "q"}],
-        "Row 1, a must be a single number; got list",
-    ),
-    "one number in a list": (
-        [{"a": [1], "alpha": 0, "d": 0, "theta": "q"}],
-        "Row 1, a must be a single number; got list",
-    ),
+    # What is no entry; fuzzing found that some came as another error, or as a number that nobody had typed
+    **{
+        entry: (f"{HEAD}{entry}|0|0|q1", f"^Row 1, a: an entry must be a number, or .*; got {shown}")
+        for entry, shown in {
+            **{
+                text: re.escape(repr(text)) for text in ("__import__('os')", "1/0", "1 2", "1_000", "0x10", "٣", "True")
+            },
+            "\0": r"'\\x00'",
+            "a" * 40 + "!": "'a{40}!'",
+        }.items()
+    },
+    "a product of variables": (HEAD + "0|0|0|q1*q1", "Row 1, theta: an entry must be a number"),
+    "a variable of another script": (HEAD + "0|0|0|q٣", "Row 1, theta: an entry must be .*; got 'q٣'"),
 }
 
 
@@ -626,16 +519,7 @@ def test_a_table_that_is_none_is_refused_by_row_and_column(rows, words):
 
 @pytest.mark.parametrize(
     "names",
-    [
-        *[("a_{i-1}", "alpha_{i-1}"), ("a_i-1", "α_i-1"), ("a(i-1)", "alpha(i-1)"), ("$a_{i−1}$", "$\\alpha_{i−1}$")],
-        *[
-            ("aᵢ₋₁", "αᵢ₋₁"),
-            ("a[i-1] (m)", "α_{i-1} [deg]"),
-            ("ai-1", "alphai-1"),
-            ("a_{n-1}", "twist_{n-1}"),
-            ("a_{i - 1}", "ψ_{j-1}"),
-        ],
-    ],
+    [("a_{i-1}", "alpha_{i-1}"), ("$a_{i−1}$", "$\\alpha_{i−1}$"), ("aᵢ₋₁", "αᵢ₋₁"), ("a[i-1] (m)", "α_{i-1} [deg]")],
 )
 @pytest.mark.parametrize("place", [0, 1])
 def test_a_heading_of_the_other_convention_is_refused(names, place):
@@ -813,24 +697,15 @@ DATA = DHTable([[0.5, 0, 0, 0]], convention="standard").to_dict()
     ("data", "message"),
     [
         (7, r"^A table as data must be a dictionary with the keys rows, convention, joints, .*; got int 7\.$"),
-        ({}, r"must be a dictionary with the keys .*; got \[\]\.$"),
         ({**DATA, "name": "arm"}, "must be a dictionary with the keys .*'name'"),
-        ({**DATA, "rows": "a | alpha"}, "rows must be a list of rows of numbers; got str"),
         ({**DATA, "rows": [["0.5", 0, 0, 0]]}, "rows must be a list of rows of numbers; got list"),
         ({**DATA, "rows": [[True, 0, 0, 0]]}, "rows must be a list of rows of numbers"),
-        ({**DATA, "rows": [{"a": 1}]}, "rows must be a list of rows of numbers"),
         ({**DATA, "rows": [[0.5, 0, 0]]}, r"rows must have shape \(\.\.\., 4\); got \(1, 3\)"),
-        ({**DATA, "rows": [[np.nan, 0, 0, 0]]}, "rows contains NaN"),
         ({**DATA, "rows": [[10**400, 0, 0, 0]]}, "rows"),
-        ({**DATA, "convention": "other"}, "convention must be 'standard' or 'modified'"),
         ({**DATA, "joints": ["R"]}, "joints must be a string with a letter for each row; got list"),
-        ({**DATA, "joints": "X"}, "joints must have a letter R, P or F"),
         ({**DATA, "signs": "1"}, "signs must be a list of 1 and -1, one for each row; got str"),
-        ({**DATA, "signs": []}, "signs must be a list of 1 and -1"),
         ({**DATA, "signs": [True]}, "signs must be a list of 1 and -1"),
-        ({**DATA, "signs": [2]}, "signs must have an entry 1 or -1"),
         ({**DATA, "base": None}, "base must be a list of rows of numbers; got NoneType"),
-        ({**DATA, "tool": np.diag([1.0, 1, -1, 1]).tolist()}, "tool is a reflection"),
     ],
 )
 def test_data_of_any_other_form_is_refused(data, message):
