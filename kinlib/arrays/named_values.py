@@ -24,6 +24,10 @@ def in_order(values: Mapping[str, ArrayLike], names: Sequence[str], robot: str) 
            [0.5, 2. ],
            [0.5, 3. ]])
     """
+    if not names:
+        raise ValueError(
+            f"q must be an array, because the joints of {robot} have no names; got {validation.describe(values)}."
+        )
     if unknown := [name for name in values if name not in names]:
         from difflib import get_close_matches
 

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import re
 import reprlib
-from collections.abc import Mapping, Sequence
+from collections.abc import Mapping
 from dataclasses import fields
 from typing import Any
 
@@ -18,9 +18,6 @@ from numpy.typing import ArrayLike, NDArray
 from kinlib.arrays.tolerances import MAX_ROTATION_RAD, ORTHONORMALITY_TOL, UNIT_LENGTH_ROUNDING, UNIT_LENGTH_TOL
 
 Array = NDArray[np.float64]
-
-JointValues = ArrayLike | Mapping[str, ArrayLike]
-"""Values of the joints: an array (..., n), or a mapping from the name of each joint to its value."""
 
 
 def array(x: ArrayLike, name: str) -> Array:
@@ -72,28 +69,6 @@ def real_array(x: ArrayLike, name: str) -> Array:
             "Does it contain None, a symbol, a string or a row of another length?"
         ) from error
     return values
-
-
-def values_by_name(values: Mapping[str, ArrayLike], names: Sequence[str], name: str) -> Array:
-    """Read a mapping from each of the names to its value, or to a batch of values, as one array (..., n), in their order.
-
-    Raises ValueError if there are no names, and for a missing and an unknown one.
-
-    >>> values_by_name({"elbow": 0.5, "hip": [1, 2]}, ["hip", "elbow"], "q")
-    array([[1. , 0.5],
-           [2. , 0.5]])
-    """
-    if not names:
-        raise ValueError(f"{name} must be an array, because the joints have no names; got {describe(values)}.")
-    if values.keys() != set(names):
-        missing, unknown = [one for one in names if one not in values], [one for one in values if one not in names]
-        faults = [
-            f"{what} {', '.join(map(repr, keys))}" for what, keys in (("no", missing), ("unknown", unknown)) if keys
-        ]
-        raise ValueError(
-            f"{name} must have one value for each of the joints {', '.join(names)}; got {' and '.join(faults)}."
-        )
-    return np.stack(np.broadcast_arrays(*(array(values[one], f"{name}[{one!r}]") for one in names)), axis=-1)
 
 
 def vectors(x: ArrayLike, name: str, size: int) -> Array:

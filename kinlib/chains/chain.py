@@ -19,7 +19,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from kinlib.arrays import tolerances, validation
 from kinlib.arrays.formatting import aligned_table, format_matrix, format_vector, html_table, latex_array
-from kinlib.arrays.validation import Array, JointValues
+from kinlib.arrays.named_values import JointValues, in_order
+from kinlib.arrays.validation import Array
 from kinlib.rigid.lie import _adjoint, _inverse, _screw_motions, adjoint, homogeneous, inverse
 from kinlib.rigid.screw import Line, axes, is_prismatic, line
 
@@ -404,7 +405,7 @@ class Chain(validation.ReadOnly):
 
     def _joint_values(self, q: JointValues) -> Array:
         """Read q as joint values of this chain, (..., n)."""
-        q = validation.values_by_name(q, self.joint_names, "q") if isinstance(q, Mapping) else validation.array(q, "q")
+        q = in_order(q, self.joint_names, self.name) if isinstance(q, Mapping) else validation.array(q, "q")
         if q.shape[-1:] != (self.n,):
             fits = q.ndim > 1 and q.shape[-2] == self.n
             advice = "Joints go in the last dimension: try q.T" if fits else "Pass one value per joint"

@@ -7,10 +7,10 @@ import mpmath_oracle
 import numpy as np
 import pytest
 import scipy.linalg
-from hypothesis import given
+from hypothesis import given, settings
 from strategies import twists
 
-from kinlib import adjoint, exp, hat, inverse, vee
+from kinlib import adjoint, exp
 from kinlib.rigid.se3_jacobians import SERIES_BELOW_RAD, ad, left_jacobian_inverse
 
 EXACT = 1e-13
@@ -53,21 +53,12 @@ def bernoulli_series(x):
 # --- ad ---
 
 
-@given(twists(), twists())
-def test_ad_is_the_commutator_of_matrices(x, y):
-    close(ad(x) @ y, vee(hat(x) @ hat(y) - hat(y) @ hat(x)))
-
-
 @pytest.mark.oracle("scipy", ad)
+@settings(max_examples=25)
 @given(twists())
 def test_ad_generates_the_adjoint(x):
     """exp of the matrix ad(x) is Ad of exp(x), by SciPy's matrix exponential."""
     close(scipy.linalg.expm(ad(x)), adjoint(exp(x)))
-
-
-@given(twists(), twists(), twists())
-def test_the_bracket_obeys_jacobi(x, y, z):
-    close(ad(x) @ ad(y) @ z + ad(y) @ ad(z) @ x + ad(z) @ ad(x) @ y, 0)
 
 
 # --- left_jacobian_inverse ---
@@ -78,37 +69,6 @@ def test_the_bracket_obeys_jacobi(x, y, z):
 def test_left_jacobian_inverse_is_the_bernoulli_series_to_1e_13(angle):
     x = twists_of_angle(angle)
     close(left_jacobian_inverse(x), [bernoulli_series(row) for row in x])
-
-
-@pytest.mark.oracle("scipy", left_jacobian_inverse)
-@given(twists())
-def test_left_jacobian_inverse_undoes_the_integral_of_the_adjoint(x):
-    """With A = ad(x), exp of [[A, I], [0, 0]] holds the integral of exp(s A) over s from 0 to 1: the left Jacobian."""
-    block = np.zeros((12, 12))
-    block[:6, :6], block[:6, 6:] = ad(x), np.eye(6)
-    close(left_jacobian_inverse(x) @ scipy.linalg.expm(block)[:6, 6:], np.eye(6))
-
-
-@given(twists())
-def test_a_further_motion_along_the_same_twist_adds_to_the_logarithm(x):
-    close(left_jacobian_inverse(x) @ x, x)
-
-
-@given(twists(largest=3.0))
-def test_the_right_jacobian_follows_by_the_adjoint(x):
-    """log(exp(V) E) = log(E exp(Ad(E^-1) V)): the right Jacobian is the left one of -x."""
-    close(left_jacobian_inverse(x), left_jacobian_inverse(-x) @ adjoint(inverse(exp(x))))
-
-
-@pytest.mark.oracle("pinocchio", left_jacobian_inverse)
-@pytest.mark.parametrize("angle", [0.3, 1.0, 2.0, 3.0])
-def test_left_jacobian_inverse_agrees_with_pinocchio(angle):
-    """Pinocchio goes on from the other side, and stacks (v, omega). At 1e-3 rad it is off by 1e-7, so not there."""
-    pin = pytest.importorskip("pinocchio", reason="no pinocchio here (the wheel `pin` does not exist for Windows)")
-    for x in twists_of_angle(angle):
-        E = exp(x)
-        J = np.roll(pin.Jlog6(pin.SE3(E)), (3, 3), axis=(0, 1))
-        close(left_jacobian_inverse(x), J @ adjoint(inverse(E)), atol=1e-12)
 
 
 @pytest.mark.parametrize("far", [1e3, 1e6])

