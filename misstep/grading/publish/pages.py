@@ -19,10 +19,10 @@ from misstep.grading.publish.mathml import render_markdown, render_sentence
 
 PNG_SIGNATURE = b"\x89PNG\r\n\x1a\n"
 
-TALLY_CELL = re.compile(r"\s*sheet\.tally\(\)\s*")
+TALLY_CELL = re.compile(r"\A\s*sheet\.tally\(\)\s*")
 """The cell of a sheet that shows its points."""
 
-SHOW_CELL = re.compile(r"\s*sheet\.show\((\d{1,3})\)\s*")
+SHOW_CELL = re.compile(r"\A\s*sheet\.show\((\d{1,3})\)\s*")
 """The cell of a sheet that shows a problem. Feedback shows it as the judge has drawn it."""
 
 STATE_LABELS = {

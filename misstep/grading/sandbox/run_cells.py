@@ -74,7 +74,7 @@ SHELL_CELL_MAGICS = {
 }
 """Cell magics that start other programs."""
 
-MEASURING_MAGIC = re.compile(r"\s*%%(time|capture)\b.*\n")
+MEASURING_MAGIC = re.compile(r"\A\s*%%(time|capture)\b.*\n")
 """Cell magics that run their cell as it is. They are left out, so that statements of the cell can be passed over."""
 
 USES_SHEET = re.compile(r"\bsheet\.(check|given|problem|show|tally)\b")
