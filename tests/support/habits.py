@@ -214,6 +214,23 @@ PLANTS = {
     "%%bash": own_cell("%%bash\npip install kinlib\nls"),
     "%%writefile, %run": own_cell("%run helpers.py"),
     "a half-typed cell": own_cell("for k in range(3", 1),
+    # output, which costs nothing
+    "plots at 150 dpi": own_cell(
+        "import matplotlib.pyplot as plt\nimport numpy as np\nplt.rcParams['figure.dpi'] = 150\n"
+        "for k in range(12):\n    plt.figure(figsize=(8, 7))\n    plt.imshow(np.random.rand(900, 900))\n    plt.show()",
+        -1,
+    ),
+    "retina figures": own_cell(
+        "%config InlineBackend.figure_formats = ['retina']\nimport matplotlib.pyplot as plt\nimport numpy as np\n"
+        "for k in range(16):\n    plt.imshow(np.random.rand(300, 300))\n    plt.show()",
+        -1,
+    ),
+    "large tables": own_cell(
+        "from IPython.display import HTML\nfor k in range(3):\n    display(HTML('<table>' + '<tr><td>0.123456</td></tr>' * 90_000))",
+        -1,
+    ),
+    "2,000 displays": own_cell("for k in range(2000):\n    display('x' * 5000)", -1),
+    "long prints in many cells": in_answers("for _ in range(100): print('x' * 50_000)"),
     # lines in answer cells
     "%matplotlib in answers": in_answers("%matplotlib widget"),
     "import in answers": in_answers("import seaborn as sns\nsns.set_theme()"),

@@ -10,6 +10,7 @@ import subprocess
 import sys
 import time
 import zipfile
+from dataclasses import replace
 from pathlib import Path
 from typing import ClassVar
 
@@ -162,6 +163,41 @@ def test_killed_at_any_moment_it_goes_on_and_ends_as_if_nothing_had_been(handed,
         assert contents(tmp_path / "out", pattern) == contents(out, pattern)
 
 
+WORK = "import time\nstart = time.process_time()\nwhile time.process_time() - start < {}: pass"
+"""Code that takes so many seconds of processor time."""
+
+
+def test_the_number_of_jobs_and_the_load_change_no_byte_of_the_results(tmp_path):
+    """Cells that compute for most of their time, one that takes too long, one that waits, and plots."""
+    slow = {k: f"{WORK.format(0.6)}\n{line}" for k, line in right("slow").items() if k < 4}
+    notebooks = {
+        "slow": handed_in("slow", right("slow") | slow),
+        "slower": handed_in("slower", right("slower") | {1: f"{right('slower')[1]}\n{WORK.format(60)}"}),
+        "waiting": handed_in("waiting", right("waiting"), first="import time\ntime.sleep(2)"),
+        "plots": handed_in("plots", right("plots"), last="for k in range(999): display('x' * 5000)"),
+        "mistaken": handed_in("mistaken", mistaken("mistaken")),
+    }
+    for student, notebook in notebooks.items():
+        (tmp_path / "in" / student).mkdir(parents=True)
+        (tmp_path / "in" / student / f"{SHEET}.ipynb").write_bytes(as_bytes(notebook))
+    written = {}
+    for jobs in (1, 2, 12):
+        load = [subprocess.Popen([sys.executable, "-c", "while True: pass"]) for _ in range(0 if jobs == 1 else 3)]
+        try:
+            out = tmp_path / f"out{jobs}"
+            assert grade(tmp_path / "in", out, "--jobs", jobs, "--limit", "cell_seconds=1") == 0
+        finally:
+            for process in load:
+                process.kill()
+                process.wait()
+        files = [*out.glob("*.csv"), *out.glob("*.html"), *out.glob("feedback/*")]
+        written[jobs] = {path.relative_to(out): path.read_bytes() for path in files}
+    assert written[1] == written[2] == written[12]
+    points = {row["student"]: row["points"] for row in rows(tmp_path / "out12" / "grades.csv")}
+    assert points.pop("mistaken") != "24"
+    assert {*points.values()} == {"24"}
+
+
 # --- what a run does, with a grader that is none ---
 
 
@@ -249,6 +285,32 @@ def test_a_submission_on_which_the_machine_gives_up_is_said_and_tried_again(fold
     asked()
     assert grade(folder, tmp_path / "out") == 0
     assert asked() == ["bob"]
+
+
+def test_a_submission_that_reached_a_limit_is_graded_again_alone_before_it_is_stored(
+    folder, tmp_path, asked, monkeypatch, capsys
+):
+    stored = []
+    graded = Told.grade
+
+    def grade_limited(self, student, content, seed_id):
+        first = student not in self.asked
+        limits = ["a limit"] if first or student == "cyn" else []
+        return replace(graded(self, student, content, seed_id), limits=limits)
+
+    def save(self, result, fingerprint):
+        stored.append((result.student, result.limits))
+        keep(self, result, fingerprint)
+
+    keep = ResultStore.save
+    monkeypatch.setattr(Told, "grade", grade_limited)
+    monkeypatch.setattr(ResultStore, "save", save)
+    assert grade(folder, tmp_path / "out", "--jobs", 3) == 0
+    assert sorted(asked()) == ["ada", "ada", "bob", "bob", "cyn", "cyn"]
+    assert sorted(stored) == [("ada", []), ("bob", []), ("cyn", ["a limit"])]
+    told = capsys.readouterr().out
+    assert "cyn reached a limit, also when graded alone: a limit." in told
+    assert "Limits: cell_seconds 10, " in told
 
 
 def test_a_result_that_cannot_be_read_is_made_anew(folder, tmp_path, asked):

@@ -1,5 +1,7 @@
 """Habits of Jupyter cost no points, and what is lenient with them gives none. `nox -s every_sheet` tries each habit on each sheet."""
 
+import re
+
 import pytest
 import submissions
 from habits import cells_of, graders, solved, text
@@ -10,6 +12,7 @@ if lacking := submissions.sandbox_lacks():
 
 from misstep.grading.collect.run_plan import PASSED_OVER, RERUN_SOURCE, read_released_sheet
 from misstep.grading.judging.grader import Grader
+from misstep.grading.publish.feedback import feedback_page
 from misstep.sheet import SAMPLE_ID
 
 SHEET = "10_one_robot_four_ways"
@@ -28,6 +31,10 @@ SAMPLE = {
     "answers cleared at the end": "",
     "answers renamed": "",
     "helper at the end": "failed at first",
+    "plots at 150 dpi": "",
+    "large tables": "",
+    "2,000 displays": "",
+    "long prints in many cells": "",
     "X (1).ipynb beside blank X.ipynb": f"{SHEET} (1).ipynb counts, because no other has more points",
 }
 """Habits that are tried in every run, each with a part of the note."""
@@ -50,6 +57,19 @@ def test_an_honest_sheet_without_a_habit_has_no_note(grade_habit):
     result = grade_habit("", SHEET)
     assert (result.points, result.reason, result.notes) == (result.max, "", [])
     assert not any(problem.notes for problem in result.problems)
+
+
+def test_what_is_left_out_of_the_output_is_said_on_the_page(grade_habit):
+    for habit, count, size in (
+        ("2,000 displays", r"1,?8\d\d outputs", "9"),
+        ("plots at 150 dpi", r"\d+ outputs", "[1-9]"),
+    ):
+        page = feedback_page(grade_habit(habit, SHEET))
+        assert re.search(
+            rf"\[{count} of this cell with {size}\.\d MB left out here; this costs no points\. At most 1 MB of a cell",
+            page,
+        )
+    assert "[the rest of this output is left out]" in feedback_page(grade_habit("long prints in many cells", SHEET))
 
 
 # --- nothing is won ---
