@@ -17,7 +17,9 @@ nox.options.sessions = ["lint"]
 
 PYTHON = sys.executable
 PINS = "constraints.txt"
-PYTHONS = ("3.11", "3.12", "3.13", "3.14")
+PYTHONS = ("3.11", "3.12", "3.13")
+UPLOADERS = (("twine==6.0.1", "pkginfo==1.12.0"), ("twine==6.1.0", "packaging==24.2"), ("twine", "packaging"))
+"""What may upload a release: an action of GitHub brings along a version of its own, and each refuses metadata that it does not know."""
 ONE_THREAD = {"OPENBLAS_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
 
 
@@ -164,15 +166,30 @@ def release(session: nox.Session) -> None:
     session.run(PYTHON, "-m", "misstep", "release", *session.posargs)
 
 
+@nox.session
+def hooks(session: nox.Session) -> None:
+    """Let git check the subject of each commit in this clone."""
+    hook = (
+        Path(session.run("git", "rev-parse", "--git-path", "hooks", external=True, silent=True).strip()) / "commit-msg"
+    )
+    hook.parent.mkdir(exist_ok=True)
+    hook.write_text(f'#!/bin/sh\nexec "{PYTHON}" tools/check_commit_message.py "$1"\n', "utf-8")
+    hook.chmod(0o755)
+
+
 @nox.session(venv_backend="venv")
 def distributions(session: nox.Session) -> None:
     """Build the wheels and source archives of the three packages in dist/, and check them; in an environment of its own."""
-    session.install("build", "check-wheel-contents", "twine")
+    session.install("build", "check-wheel-contents")
     for package in ("kinlib", "misstep", "kincourse"):
-        session.run("python", "-m", "build", "--outdir", "dist", package)
+        session.run(
+            "python", "-m", "build", "--outdir", "dist", package, env={"PIP_CONSTRAINT": str(Path(PINS).resolve())}
+        )
     built = sorted(map(str, Path("dist").iterdir()))
-    session.run("twine", "check", "--strict", *built)
     session.run("check-wheel-contents", *(path for path in built if path.endswith(".whl")))
+    for uploader in UPLOADERS:
+        session.install("--upgrade", *uploader)
+        session.run("twine", "check", "--strict", *built)
 
 
 @nox.session

@@ -7,6 +7,7 @@ import sys
 import tomllib
 from pathlib import Path
 
+import check_commit_message
 import pytest
 import yaml
 
@@ -59,6 +60,19 @@ def test_a_workflow_may_only_read_and_its_actions_are_pinned(workflow):
         assert action.startswith("./") or (re.search(r"@[0-9a-f]{40}$", action) and re.search(r"# v\d", comment)), (
             action
         )
+
+
+def test_every_python_that_a_package_names_is_tested_tried_and_rehearsed():
+    files = [ROOT / folder / "pyproject.toml" for folder in (".", "kinlib", "misstep", "kincourse")]
+    named = [re.findall(r"Python :: (3\.\d+)", file.read_text("utf-8")) for file in files]
+    matrices = [
+        job["strategy"]["matrix"]["python"]
+        for workflow in ("test.yml", "release.yml", "fresh.yml")
+        for job in yaml.safe_load((ROOT / ".github/workflows" / workflow).read_text("utf-8"))["jobs"].values()
+        if "python" in job.get("strategy", {}).get("matrix", {})
+    ]
+    assert len(matrices) == 3
+    assert all(versions == named[0] for versions in (*named, *matrices))
 
 
 def test_only_a_release_that_was_built_tried_and_tested_is_published():
@@ -136,3 +150,23 @@ def test_in_ci_a_skipped_test_fails_with_its_reason(tmp_path):
 def test_outside_ci_a_skipped_test_is_skipped(tmp_path):
     summary, text = run_skipping_tests(tmp_path, ci=False)
     assert summary.startswith("4 skipped, 1 xfailed"), text
+
+
+@pytest.mark.parametrize(
+    ("message", "said"),
+    [
+        ("dh: refuse duplicate labels\n\nBecause ...\n# a comment", ""),
+        ("dh, view: embed a question", ""),
+        ("Merge branch 'main'", ""),
+        ("dh: " + "x" * 69, "at most 72 characters; it has 73"),
+        ("dh: refused duplicate labels", "got 'refused'"),
+        ("dh: refusing duplicate labels", "got 'refusing'"),
+        ("refuse duplicate labels", "must name a module"),
+        ("", "must name a module"),
+        ("dh: refuse duplicate labels\nBecause ...", "must be empty"),
+    ],
+)
+def test_the_subject_of_a_commit_is_a_short_request_to_a_module(message, said):
+    found = check_commit_message.faults(message)
+    assert len(found) == bool(said)
+    assert said in "".join(found)

@@ -141,13 +141,13 @@ def quick_tests(place: Place) -> None:
 
 
 @path(
-    "python -m pip install nox", "python -m nox -s distributions", "python -m pip install dist/*.whl",
+    "python -m pip install -c constraints.txt nox", "python -m nox -s distributions", "python -m pip install dist/*.whl",
     'for package in kinlib misstep kincourse; do python -m doctest "checkout/$package/README.md"; done',
 )  # fmt: skip
 def release(place: Place) -> None:
     """The wheels are built and checked, and the documents of the packages are true of them, as in release.yml."""
     place.run("python -m venv builder")
-    place.run("python -m pip install nox", replace={"python": "builder/bin/python"})
+    place.run("python -m pip install -c constraints.txt nox", replace={"python": "builder/bin/python"})
     place.run("python -m nox -s distributions", replace={"python": "builder/bin/python"})
     place.run("python -m venv tried")
     place.run("python -m pip install dist/*.whl", replace={"python": "tried/bin/python"})
