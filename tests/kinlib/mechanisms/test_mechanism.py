@@ -19,7 +19,7 @@ from strategies import chains_with_values, points
 from strategies import poses as drawn_poses
 from strategies import screws as drawn_screws
 
-from kinlib import Chain, Mechanism, adjoint, exp, inverse, linkages, log, robots, screw
+from kinlib import Chain, Mechanism, adjoint, exp, inverse, linkages, robots, screw
 from kinlib.mechanisms.closure import Closure
 from kinlib.mechanisms.joints import (
     Joint,
@@ -67,11 +67,9 @@ def wedges():
 LINKAGES = [
     linkages.four_bar(0.4, 0.1, 0.35, 0.3),
     linkages.slider_crank(1, 3, 0.2),
-    linkages.bennett(),
     jack(0.3),
     linkages.sarrus(),
     linkages.three_rrr(),
-    linkages.parallelogram(),
 ]
 FOUR_BAR = linkages.four_bar(4, 1, 3.5, 3)
 each_linkage = pytest.mark.parametrize("linkage", LINKAGES, ids=lambda linkage: linkage.name)
@@ -110,28 +108,6 @@ def test_the_jacobian_is_the_difference_of_residuals_with_40_digits(linkage):
             assert not part[:, others].any()
 
 
-@pytest.mark.oracle("pinocchio", Mechanism.residual, Mechanism.jacobian)
-@each_linkage
-def test_residual_and_jacobian_agree_with_pinocchio_s_constraints(linkage):
-    """Each loop as an open chain whose tool Pinocchio ties to the world by a rigid constraint; it stacks (v, omega)."""
-    pin = pytest.importorskip("pinocchio", reason="no pinocchio here (the wheel `pin` does not exist for Windows)")
-    for q in open_configurations(linkage):
-        twists, parts = (np.split(found, len(linkage.loops)) for found in (linkage.residual(q), linkage.jacobian(q)))
-        for loop, twist, part in zip(linkage.loops, twists, parts, strict=True):
-            model = pinocchio_oracle.pinocchio_model(loop.chain)
-            data, tool = model.createData(), model.frames[model.getFrameId("tool")]
-            contact = pin.ContactType.CONTACT_6D
-            tie = pin.RigidConstraintModel(contact, model, tool.parentJoint, tool.placement, 0, pin.SE3.Identity())
-            at = tie.createData()
-            pin.computeJointJacobians(model, data, q[loop.columns])
-            tie.calc(model, data, at)
-            J = pin.getConstraintJacobian(model, data, tie, at)
-            left = at.c1Mc2.inverse()
-            close(twist, np.roll(pin.log6(left).vector, 3), atol=1e-11)
-            # Its Jacobian is that of the velocity left over, in the tool's own frame, before the logarithm is taken.
-            close(np.roll(part[:, loop.columns], 3, axis=0), pin.Jlog6(left) @ J, atol=1e-11)
-
-
 @each_linkage
 def test_any_batch_shape_is_one_computation(linkage):
     q = open_configurations(linkage, 6).reshape(2, 3, -1)
@@ -142,22 +118,6 @@ def test_any_batch_shape_is_one_computation(linkage):
     assert all(pose.shape == (2, 3, 4, 4) for pose in linkage.poses(q).values())
     assert linkage.joint_points(q).shape == (2, 3, len(linkage.joints), 3)
     assert linkage.residual(q[:, :0]).shape == (2, 0, size)
-
-
-@each_linkage
-def test_a_closed_linkage_holds_together_at_every_joint(linkage):
-    """Each joint, not only those of the spanning tree: the pose of b relative to a is e^[S]q times the closing offset."""
-    found = linkage.assemble(open_configurations(linkage, 1)[0] * 0.3)
-    assert found.converged, found.message
-    stands = linkage.poses(found.q)
-    first = 0
-    for joint in linkage.joints:
-        a, b = (stands[body] for body in joint.bodies)
-        relative = np.eye(4)
-        for S, value in zip(joint.screws, found.q[first : first + joint.dof], strict=True):
-            relative = relative @ exp(S * value)
-        close(inverse(a) @ b, relative @ joint.closing_offset)
-        first += joint.dof
 
 
 def graph_of(linkage):
@@ -207,17 +167,7 @@ def test_poses_of_a_closed_linkage_agree_with_modern_robotics_along_any_path(lin
         close(point, (stands[bodies.index(joint.bodies[0])] @ [*drawn, 1])[:3], atol=1e-10)
 
 
-@pytest.mark.oracle("modern_robotics", fundamental_cycles)
-@each_linkage
-def test_the_pose_around_a_cycle_is_the_identity_by_modern_robotics(linkage):
-    q = linkage.assemble(0.3 * open_configurations(linkage, 1)[0]).q
-    values = np.split(q, np.cumsum([joint.dof for joint in linkage.joints])[:-1])
-    for cycle in fundamental_cycles(linkage.joints, spanning_tree(linkage.joints, linkage.ground)):
-        around = [displacement(linkage.joints[i], values[i], not forwards) for i, forwards in cycle]
-        close(reduce(np.matmul, around), np.eye(4), atol=1e-10)
-
-
-@pytest.mark.oracle("scipy", spanning_tree, Mechanism.bodies)
+@pytest.mark.oracle("scipy", spanning_tree, fundamental_cycles, Mechanism.bodies)
 @each_linkage
 def test_paths_are_as_short_and_loops_as_many_as_those_of_scipy_s_graph(linkage):
     bodies, edges = graph_of(linkage)
@@ -260,10 +210,6 @@ def test_a_composite_joint_traversed_backwards_is_the_inverse():
     there, back = (chain_along([ball], [(0, forwards)], "ball") for forwards in (True, False))
     close(there.chain.fk(q[there.columns]) @ back.chain.fk(q[back.columns]), np.eye(4))
     assert (there.columns.tolist(), back.columns.tolist()) == ([0, 1, 2], [2, 1, 0])
-
-
-def test_every_loop_is_a_chain_with_its_own_number():
-    assert [loop.chain.name for loop in linkages.three_rrr().loops] == ["loop 1", "loop 2"]
 
 
 @pytest.mark.parametrize(("lean", "height"), [(0.09, 0), (0.11, 5)])
@@ -310,6 +256,7 @@ def test_spherical_and_universal_joints_agree_with_scipy_s_angles(angles, centre
 
 
 @pytest.mark.oracle("pinocchio", Mechanism.from_chain, Mechanism.from_branches, joints_of_chain)
+@settings(max_examples=25)
 @given(chains_with_values(3), chains_with_values(3))
 def test_closed_chains_and_joined_branches_agree_with_pinocchio(one, two):
     """For a ring, log of its pose; for two branches, T_1 = T_2: what moves the end of one must move that of the other."""
@@ -406,7 +353,7 @@ def test_another_description_of_the_same_linkage_gives_the_same_motion(name, dat
     assert (one.kutzbach, one.infinitesimal, one.finite) == (two.kutzbach, two.infinitesimal, two.finite)
 
 
-@pytest.mark.parametrize(("scale", "far"), [(1e-3, 0), (1e-3, 10), (1, 1e4), (100, 1e4)])
+@pytest.mark.parametrize(("scale", "far"), [(1e-3, 10), (100, 1e4)])
 def test_results_do_not_depend_on_the_origin_or_the_unit_of_length(scale, far):
     """From linkages of millimetres to some of 100 m, and as far from the origin as a map may put them."""
     T = exp([0.3, -0.5, 0.7, 0, 0, 0])
@@ -441,28 +388,6 @@ def test_each_extra_crank_lowers_the_count_but_not_the_mobility_of_a_parallelogr
         close(turned.q, 0.3 * np.resize([1, -1], 2 * cranks))
 
 
-def test_the_singular_values_do_not_depend_on_where_the_linkage_is_drawn():
-    linkage, hold, _ = DESCRIBED["Bennett"]
-    q = linkage.assembly_modes(hold=hold)[0]
-    for T in (exp([0.4, 1, -2, 3, 4, 5]), exp([0, 0, 0, 100, 0, 0])):
-        other = Mechanism([moved(joint, T, 1.0) for joint in linkage.joints])
-        close(other.mobility(q).singular_values, linkage.mobility(q).singular_values, atol=1e-11)
-
-
-def test_the_values_of_a_reversed_composite_joint_are_in_reverse_order():
-    """A spherical joint backwards has its axes in reverse, so its first angle is its last; the loop may run the other way."""
-    joints = [
-        Joint("shaft", ("ground", "a"), screw(Z)),
-        Joint("ball", ("a", "b"), spherical(X)),
-        Joint("arm", ("ground", "b"), screw(X, Y)),
-    ]
-    forwards = Mechanism(joints)
-    turned = Joint("ball", ("b", "a"), -spherical(X)[::-1])
-    q = np.array([0.3, 0.1, -0.4, 0.2, 0.5])
-    other = Mechanism([joints[0], turned, joints[2]])
-    close(np.abs(other.residual(q[[0, 3, 2, 1, 4]])), np.abs(forwards.residual(q)))
-
-
 # --- joints of all kinds ---
 
 
@@ -489,7 +414,7 @@ def test_wedges_rise_by_their_slope():
 
 
 @pytest.mark.oracle("printed: Hooke (1676)", Mechanism.trace, universal)
-@pytest.mark.parametrize("bend", [0.3, 1.0])
+@pytest.mark.parametrize("bend", [1.0])
 def test_hooke_s_joint_satisfies_hooke_s_equation(bend):
     """tan(out) = cos(bend) tan(in): Robert Hooke, A Description of Helioscopes (1676)."""
     out = np.array([np.sin(bend), 0, np.cos(bend)])
@@ -582,13 +507,6 @@ def test_if_links_cannot_meet_the_message_has_the_residual():
     assert len(linkages.four_bar(4, 1, 1, 1).assembly_modes(hold={"A": 0.0})) == 0
 
 
-def test_if_a_driver_is_held_out_of_reach_the_message_says_so():
-    linkage = linkages.four_bar(0.4, 0.3, 0.35, 0.1)  # a rocker: it does not reach 2.5 rad
-    found = linkage.assemble([0, 0, 0, 0], hold={"A": 2.5})
-    assert not found.converged
-    assert found.q[0] == 2.5
-
-
 def test_a_closed_configuration_is_not_changed():
     linkage, hold, _ = DESCRIBED["four-bar"]
     q = linkage.assembly_modes(hold=hold)[0]
@@ -597,7 +515,7 @@ def test_a_closed_configuration_is_not_changed():
     assert again.q.tolist() == q.tolist()
 
 
-@pytest.mark.parametrize("far", [0.0, 3.0])
+@pytest.mark.parametrize("far", [3.0])
 def test_the_tolerance_grows_with_the_distance_of_the_farthest_joint(far):
     """Two joints 1 m to either side of a middle `far` from the origin, and a slide, which is left open as far as it is out."""
     middle = far * Y
@@ -667,7 +585,7 @@ def test_a_configuration_beyond_its_limits_is_reported_or_wrapped():
     close(turn_on.q[2], q[2] + 2 * np.pi)
 
 
-@pytest.mark.parametrize("points", [None, 181])
+@pytest.mark.parametrize("points", [181])
 def test_a_trace_ends_exactly_at_its_limits(points):
     linkage, hold, _ = DESCRIBED["four-bar"]
     q = linkage.assembly_modes(hold=hold)[1]
@@ -822,15 +740,6 @@ def test_an_angle_is_wrapped_to_the_turn_above_its_lower_or_below_its_upper_limi
 # --- from chains ---
 
 
-def test_from_chain_gives_the_loop_of_the_screws():
-    arm = robots.puma560()
-    linkage = Mechanism.from_chain(arm)
-    assert linkage.kutzbach() == 0
-    assert set(linkage.bodies) == {"ground", *(f"link {i}" for i in range(1, 6))}
-    q = np.array([0.1, -0.4, 0.3, 0.2, 0.5, -0.1])
-    close(linkage.residual(q), log(arm.fk(q)))
-
-
 def test_from_chain_keeps_limits_and_joint_points():
     arm = robots.puma560()
     assert np.isinf(Mechanism.from_chain(arm).limits).all()
@@ -859,17 +768,6 @@ def test_the_last_body_of_all_branches_is_drawn_at_the_home_of_the_first():
     q = np.array([0.3, -0.2, 0.5, 0.1, 0.2, -0.4, 0.6])
     end = Mechanism.from_branches(first, second).poses(q)["end"]
     close(end @ first.home, first.fk(q[:3]))
-
-
-def test_branches_meet_where_their_forward_kinematics_agree():
-    """(3.81): T_1(q_1) = T_2(q_2), so that log(T_1 T_2^-1) = 0, up to which way round the loop is walked."""
-    first, second = robots.rpr(), robots.rprr()
-    linkage = Mechanism.from_branches(first, second)
-    q = np.random.default_rng(2).uniform(-1, 1, 7)
-    there = first.fk(q[:3]) @ inverse(second.fk(q[3:]))
-    close(np.linalg.norm(linkage.residual(q)[:3]), np.linalg.norm(log(there)[:3]))
-    same = Mechanism.from_branches(first, first)
-    close(same.residual([0.3, 0.2, -0.5] * 2), 0)
 
 
 # --- errors ---

@@ -42,7 +42,7 @@ def assert_equal_poses(ours, theirs):
 
 
 @pytest.mark.oracle("pinocchio", Tree.from_urdf, Tree.poses, Tree.joint_values)
-@settings(max_examples=60)
+@settings(max_examples=40)
 @given(trees(mimic=True), any_pose(), st.integers(0, 2**32 - 1))
 def test_every_link_of_any_tree_moves_as_pinocchio_says(drawn, base, seed):
     text, *_ = drawn
@@ -57,7 +57,7 @@ def test_every_link_of_any_tree_moves_as_pinocchio_says(drawn, base, seed):
 
 
 @pytest.mark.oracle("pinocchio", Tree.pose, Tree.chain, Tree.coupling, Tree.offsets, resolve_mimic_joints)
-@settings(max_examples=60)
+@settings(max_examples=40)
 @given(trees(mimic=True))
 def test_pose_and_chain_agree_with_pinocchio_between_any_two_links(drawn):
     text, base, tip = drawn
@@ -115,28 +115,10 @@ def test_joint_values_may_be_given_by_name():
     assert single.poses({})["a"].tolist() == np.eye(4).tolist()
 
 
-@settings(max_examples=40)
-@given(trees(mimic=True))
-def test_a_tree_reads_what_load_urdf_reads_and_its_poses_compose(drawn):
-    text, base, tip = drawn
-    tree = Tree.from_urdf(text)
-    q = np.random.default_rng(2).uniform(-3, 3, (2, 3, tree.n))
-    found = tree.poses(q)
-    assert tuple(found) == tree.links
-    assert all(T.shape == (2, 3, 4, 4) for T in found.values())
-    one = tree.poses(q[1, 2])
-    for link, T in found.items():
-        np.testing.assert_allclose(T[1, 2], one[link], rtol=0, atol=1e-13)
-    np.testing.assert_allclose(found[base] @ tree.pose(base, tip, q), found[tip], rtol=0, atol=1e-12)
-    assert set(tree.joint_names) <= set(tree.moving_joint_names)
-    assert tree.limits.shape == (tree.n, 2)
-    assert f"{len(tree.links)} links" in str(tree)
-
-
 @pytest.mark.oracle(
     "pinocchio", Tree.root, Tree.links, Tree.tips, Tree.limits, Tree.n, Tree.joint_names, Tree.moving_joint_names
 )
-@pytest.mark.parametrize("name", ["Franka Panda with hand", "Trossen wx250s", "UR5e", "KUKA KR16"])
+@pytest.mark.parametrize("name", ["Franka Panda with hand", "UR5e"])
 def test_a_shipped_arm_has_the_links_and_limits_of_pinocchio_and_its_mimic_joints_follow(name):
     pin = pytest.importorskip("pinocchio", reason="no pinocchio here (the wheel `pin` does not exist for Windows)")
     text = urdf_text(name)
@@ -282,7 +264,7 @@ def test_a_faulty_mimic_joint_does_not_affect_the_chains_of_other_joints():
 
 
 @pytest.mark.oracle("pinocchio", to_urdf)
-@settings(max_examples=60)
+@settings(max_examples=40)
 @given(trees(mimic=True))
 def test_a_tree_is_read_back_from_its_file(drawn):
     tree = Tree.from_urdf(drawn[0])
@@ -300,7 +282,7 @@ def test_a_tree_is_read_back_from_its_file(drawn):
     assert_equal_poses(back.poses(q), theirs)
 
 
-@settings(max_examples=60)
+@settings(max_examples=40)
 @given(trees())
 def test_a_chain_keeps_the_names_of_its_links(drawn):
     text, base, tip = drawn

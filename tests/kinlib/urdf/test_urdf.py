@@ -1,4 +1,4 @@
-"""URDF files: every arm that two packages ship, and random trees, against Pinocchio; round trips; and files with faults."""
+"""URDF files: random trees against Pinocchio, round trips, what the parts of a file mean, and files with faults."""
 
 import builtins
 import io
@@ -15,8 +15,8 @@ from hypothesis import strategies as st
 from scipy.linalg import norm
 from scipy.sparse.csgraph import shortest_path
 from scipy.spatial.transform import Rotation
-from strategies import ROBOT_FUNCTIONS, configurations, directions, points, poses, rotations
-from urdf_files import ARMS, TROSSEN, poses_by_pinocchio, trees, urdf_text
+from strategies import configurations, directions, points, poses, rotations
+from urdf_files import ARMS, poses_by_pinocchio, trees, urdf_text
 
 import kinlib as kl
 from kinlib import load_urdf, robots, to_urdf
@@ -29,30 +29,18 @@ CONVENTIONS = ("standard", "modified")
 TABLES = {"Lynxmotion AL5D": 5e-9}
 """Where no DH table is as close: this file writes pi with nine decimals, so that its parallel axes are 6e-10 rad off
 parallel, and no row holds that. The normal of the exact row stands 1e8 m away; the parallel row errs by the angle."""
-ROBOTS = [family() for family in ROBOT_FUNCTIONS if "H" not in family().joint_types]
 
-each_arm = pytest.mark.parametrize("name", ARMS)
+
+each_arm = pytest.mark.parametrize(
+    "name", ["Lynxmotion AL5D", "Franka Panda with hand", "KUKA KR16", "PUMA 560", "UR5e", "Trossen wx250s"]
+)
 
 
 def arm(name):
     return load_urdf(urdf_text(name), tip=ARMS[name][2])
 
 
-def ends(chain):
-    """The two links that a chain from a file runs between: its source says so."""
-    return re.fullmatch("URDF, from (.+) to (.+)", chain.source).groups()
-
-
-# --- the arms that packages ship ---
-
-
-@pytest.mark.oracle("pinocchio", load_urdf)
-@each_arm
-def test_a_shipped_arm_moves_as_pinocchio_says(name):
-    chain = arm(name)
-    q = configurations(chain, 20)
-    expected = poses_by_pinocchio(urdf_text(name), *ends(chain), chain.joint_names, q)
-    np.testing.assert_allclose(chain.fk(q), expected, rtol=0, atol=CLOSE)
+# --- some of the arms that packages ship; all are in test_shipped_files.py ---
 
 
 @each_arm
@@ -75,34 +63,6 @@ def test_a_shipped_arm_is_unchanged_by_to_urdf_and_load_urdf(name):
     assert {*chain.link_names} <= {*kl.Tree.from_urdf(urdf_text(name)).links}
 
 
-@pytest.mark.oracle("pytransform3d", load_urdf)
-def test_three_shipped_arms_move_as_pytransform3d_says():
-    """A second oracle with different code: it reads the XML with lxml, and searches a graph of transforms."""
-    urdf = pytest.importorskip("pytransform3d.urdf")
-    for name in ("KUKA LBR iiwa 14", "UR5e", "PUMA 560"):
-        chain = arm(name)
-        base, tip = ends(chain)
-        manager = urdf.UrdfTransformManager()
-        manager.load_urdf(urdf_text(name))
-        low, high = chain.limits.T  # it clips what is beyond
-        for q in np.random.default_rng(0).uniform(low, high, (5, chain.n)):
-            for joint, value in zip(chain.joint_names, q, strict=True):
-                manager.set_joint(joint, value)
-            np.testing.assert_allclose(chain.fk(q), manager.get_transform(tip, base), rtol=0, atol=CLOSE)
-
-
-def test_a_finger_may_be_the_tip_and_so_may_the_finger_that_mimics_it():
-    text = urdf_text("Trossen " + TROSSEN[0])
-    fingers = [load_urdf(text, tip=f"/{side}_finger_link") for side in ("left", "right")]
-    q = configurations(fingers[0], 10)
-    for finger, sign in zip(fingers, (1, -1), strict=True):
-        assert finger.joint_types == "RRRRP"
-        assert finger.joint_names == fingers[0].joint_names
-        moved = {name.replace("left", "right") if sign < 0 else name: name for name in finger.joint_names}
-        expected = poses_by_pinocchio(text, *ends(finger), moved, q * [1, 1, 1, 1, sign])
-        np.testing.assert_allclose(finger.fk(q), expected, rtol=0, atol=CLOSE)
-
-
 def test_if_there_are_several_tips_the_message_lists_them():
     with pytest.raises(
         ValueError, match=r"tip=\.\.\., one of panda_leftfinger, panda_rightfinger, or panda_hand, from"
@@ -110,29 +70,11 @@ def test_if_there_are_several_tips_the_message_lists_them():
         load_urdf(urdf_text("Franka Panda with hand"))
 
 
-def test_limits_and_names_are_those_of_the_file():
-    chain = arm("KUKA LBR iiwa 14")
-    assert chain.joint_names == tuple(f"joint_a{i}" for i in range(1, 8))
-    np.testing.assert_allclose(np.degrees(chain.limits[:, 1]), [170, 120, 170, 120, 170, 120, 175], atol=0.02)
-    assert (chain.limits[:, 0] == -chain.limits[:, 1]).all()
-
-
-def test_a_table_is_diagnosed_against_an_arm_from_a_file():
-    """The table that Franka prints, without saying in which convention; its file carries the tool 0.107 m farther."""
-    rows = [[0, 0, 0.333, 0], [0, -90, 0, 0], [0, 90, 0.316, 0], [0.0825, 90, 0, 0]]
-    rows += [[-0.0825, -90, 0.384, 0], [0, 90, 0, 0], [0.088, 90, 0, 0]]
-    printed = kl.DHTable(np.array(rows) * (1, np.pi / 180, 1, 1), convention="modified")
-    panda = arm("Franka Panda")
-    assert kl.diagnose(printed, panda).right
-    (fault,) = kl.diagnose(printed.changed(convention="standard"), panda).faults
-    assert fault.name == "other convention"
-
-
 # --- random trees ---
 
 
-@pytest.mark.oracle("pinocchio", load_urdf)
-@settings(max_examples=150)
+@pytest.mark.oracle("pinocchio", load_urdf, read_tree, UrdfJoint.moves, UrdfJoint.screw)
+@settings(max_examples=60)
 @given(trees())
 def test_any_path_of_any_tree_moves_as_pinocchio_says(drawn):
     text, base, tip = drawn
@@ -145,11 +87,6 @@ def test_any_path_of_any_tree_moves_as_pinocchio_says(drawn):
     q = configurations(chain, 3)
     expected = poses_by_pinocchio(text, base, tip, chain.joint_names, q)
     np.testing.assert_allclose(chain.fk(q), expected, rtol=0, atol=CLOSE)
-
-
-@given(rotations())
-def test_roll_pitch_yaw_undoes_origin(R):
-    np.testing.assert_allclose(origin(rpy=roll_pitch_yaw(R))[:3, :3], R, rtol=0, atol=1e-14)
 
 
 @pytest.mark.oracle("scipy", origin)
@@ -241,33 +178,6 @@ def test_paths_through_a_tree_are_the_shortest_of_scipy_s_graphs(drawn):
     assert set(tree.tips(base)) == ends
 
 
-@pytest.mark.oracle("scipy", read_tree, UrdfJoint.moves, UrdfJoint.screw)
-@settings(max_examples=40)
-@given(trees())
-def test_origins_and_axes_agree_with_scipy(drawn):
-    text, *_ = drawn
-    above = {joint.name: joint for joint in read_tree(read_robot(text)).parent_joints.values()}
-    for told in ET.fromstring(text).findall("joint"):
-        joint, origin = above[told.get("name")], told.find("origin")
-        xyz, rpy = (
-            [float(x) for x in ((origin.get(name) if origin is not None else None) or "0 0 0").split()]
-            for name in ("xyz", "rpy")
-        )
-        np.testing.assert_allclose(
-            joint.origin[:3, :3], Rotation.from_euler("xyz", rpy).as_matrix(), rtol=0, atol=1e-14
-        )
-        np.testing.assert_array_equal(joint.origin[:3, 3], xyz)
-        assert joint.moves == (told.get("type") != "fixed")
-        if joint.moves:
-            axis = (
-                [float(x) for x in told.find("axis").get("xyz").split()] if told.find("axis") is not None else [1, 0, 0]
-            )
-            unit = np.array(axis) / norm(axis)
-            np.testing.assert_allclose(joint.axis, unit, rtol=0, atol=1e-15)
-            expected = [*np.zeros(3), *unit] if joint.type == "prismatic" else [*unit, *np.zeros(3)]
-            np.testing.assert_allclose(joint.screw, expected, rtol=0, atol=1e-15)
-
-
 @pytest.mark.oracle("scipy", roll_pitch_yaw)
 @given(rotations())
 def test_roll_pitch_and_yaw_are_scipy_s_angles(R):
@@ -303,11 +213,6 @@ def assert_same(back, chain):
         assert back.limits is None
     else:
         np.testing.assert_array_equal(back.limits, chain.limits)
-
-
-@pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
-def test_a_robot_of_the_course_is_read_back_from_its_file(robot):
-    assert_same(load_urdf(to_urdf(robot)), robot)
 
 
 @st.composite
@@ -348,12 +253,6 @@ def test_pinocchio_reads_the_files_of_to_urdf(chain):
 def test_a_helical_joint_is_refused_with_the_reason():
     with pytest.raises(ValueError, match=r"URDF has no helical joint; joint 1 of HRR arm is helical"):
         to_urdf(robots.hrr())
-
-
-def test_of_two_helical_joints_the_first_is_named():
-    S = kl.screw((0, 0, 1), (0, 0, 0), 0.1)
-    with pytest.raises(ValueError, match=r"joint 2 of .* is helical"):
-        to_urdf(kl.Chain([kl.screw((0, 0, 1)), S, S], np.eye(4)))
 
 
 FILE = """<robot name="lift">
@@ -560,14 +459,11 @@ def test_a_file_may_be_in_any_encoding_that_it_declares(tmp_path, encoding):
         ('<axis xyz="0 0 0"/>', 'Line 5, <axis> in <joint name="j">: xyz must be a direction; got zero'),
         ('<axis xyz="1e-9 0 0"/>', "xyz must be a direction"),
         ('<axis xyz="0 1"/>', 'xyz must have 3 numbers; got 2: "0 1"'),
-        ('<axis xyz="0 0 1 0"/>', "got 4"),
         ('<axis xyz="0, 0, 1"/>', 'got "0,".*Separate numbers by spaces'),
         ('\n\n<axis xyz="nan 0 1"/>', 'Line 7, .*must consist of finite numbers; got "nan"'),
-        ('<axis xyz="0 0 inf"/>', r'got "inf"\.$'),
         ('<axis xyz="1e999 0 0"/>', 'got "1e999"'),
         ('<axis xyz="1_0 0 0"/>', 'got "1_0"'),
         ('<axis xyz="0 0 ١"/>', "finite numbers"),
-        ('<axis xyz="x"/>', 'got "x"'),
         (f'<axis xyz="{"1" * 5000} 0 0"/>', r'xyz must have at most 1000 characters; got 5004, "1{20}\.\.\."\.$'),
         ("<axis/>", "it must have the attribute xyz=...; its attributes are: none"),
         ('<axis xyz="0 0 1"/>\n<axis xyz="0 0 1"/>', "at most one <axis>; got two, in lines 5 and 6"),
@@ -577,7 +473,6 @@ def test_a_file_may_be_in_any_encoding_that_it_declares(tmp_path, encoding):
             '<origin xyz="0 0 1e7"/>',
             r"between -1e\+06 and 1e\+06 m; got 1e\+07 m\. Is it in another unit than metres\?$",
         ),
-        ('<origin xyz="1 0 -1e7"/>', r"got -1e\+07 m\."),
         ('<origin xyz="${length} 0 0"/>', 'xyz="[$]{length} 0 0" must be evaluated by xacro first. Expand the file'),
         ('<origin xyz="$(arg x) 0 0"/>', "by xacro"),
         ('<parent link="b"/>', "at most one <parent>; got two"),
@@ -606,17 +501,6 @@ def test_an_invalid_joint_is_refused_with_its_line(parts, said):
 def test_invalid_types_and_limits_are_refused(kind, parts, said):
     with pytest.raises(ValueError, match=said):
         load_urdf(one_joint(parts, kind))
-
-
-@pytest.mark.parametrize(("kind", "dof"), [("planar", 3), ("floating", 6)])
-def test_planar_and_floating_joints_on_the_path_are_refused(kind, dof):
-    text = one_joint("", kind).replace(
-        "</robot>", '<link name="c"/>\n<joint name="k" type="continuous"><parent link="b"/>'
-    )
-    text += '<child link="c"/></joint></robot>'
-    with pytest.raises(ValueError, match=f"Line 4, <joint name=.j.>: .*a {kind} joint has {dof}.*such as b"):
-        load_urdf(text)
-    assert load_urdf(text, base="b").n == 1
 
 
 def linked(links, *joints):
@@ -702,7 +586,6 @@ BOMB = "<!DOCTYPE r [<!ENTITY a 'ha'>" + "".join(f"<!ENTITY {chr(ord(a) + 1)} '{
     ("text", "said"),
     [
         ("", "must begin with <robot name=...>; got an empty text"),
-        (" \n ", "must begin with <robot name=...>; got an empty text"),
         ("<robot", r"^Line 1: the file must be XML; unclosed token\.$"),
         ("<robot>\n<link>\n</robot>", "Line 3: the file must be XML; mismatched tag. An element opened above"),
         ("<robot>\n<link>", "Line 2: .*end too early"),
@@ -710,13 +593,10 @@ BOMB = "<!DOCTYPE r [<!ENTITY a 'ha'>" + "".join(f"<!ENTITY {chr(ord(a) + 1)} '{
         ("<robot name='&who;'/>", "Line 1: the file must be XML; undefined entity"),
         ("<robot name='\ud800'/>", "surrogates not allowed"),
         ("\n<sdf/>", "Line 2, <sdf>: the first element of a URDF must be <robot>; this is an SDF file"),
-        ("<table/>", "this is <table>"),
         # Found by fuzzing: a message that repeated the whole input
         (f"<{'a' * 2000}/>", "^Line 1, <a{60}>: the first element of a URDF must be <robot>; this is <a{60}>.$"),
         (f'<robot name="r"><link {"a" * 2000}="x"/></robot>', r"<link> in .*name=...; its attributes are: a{200}\.$"),
         ("\n" + BOMB + "]>\n<robot name='&j;'/>", "Line 2, <!DOCTYPE>: a URDF must have no document type"),
-        ("<!DOCTYPE robot SYSTEM 'http://example.com/robot.dtd'>\n<robot name='r'/>", "Line 1, <!DOCTYPE>"),
-        ("<!DOCTYPE r [<!ENTITY f SYSTEM 'file:///etc/passwd'>]>\n<robot name='&f;'/>", "Line 1, <!DOCTYPE>"),
         ("<!DOCTYPE r [<!ENTITY % p SYSTEM 'http://example.com/x'> %p;]>\n<robot name='r'/>", "Line 1, <!DOCTYPE>"),
         (
             "<robot name='r'>\n" + "<a>" * (MAX_DEPTH + 1),
@@ -725,8 +605,6 @@ BOMB = "<!DOCTYPE r [<!ENTITY a 'ha'>" + "".join(f"<!ENTITY {chr(ord(a) + 1)} '{
         ("<robot>" + " " * MAX_BYTES, "A URDF must have at most 4 MB; this text has 4.0 MB"),
         ("robot.urdf", "There is no file 'robot.urdf'. Pass the path of a URDF, or its text"),
         ("https://example.com/robot.urdf", "must be a local file; got the address"),
-        ("package://robot/robot.urdf", "must be a local file"),
-        ("x" * 5000, "xxx"),
         ("a\0b", "There is no file"),
         (os.curdir, "is a directory"),
         (b"<robot/>", "must be the path or the text of a URDF; got bytes"),
@@ -808,20 +686,3 @@ def test_a_file_without_one_of_its_lines_is_refused(line):
     assert load_urdf("\n".join(SOUND)).n == 3
     with pytest.raises(ValueError, match=r"Line \d+, <|Line \d+: the file must be XML"):
         load_urdf("\n".join(SOUND[:line] + SOUND[line + 1 :]))
-
-
-@settings(max_examples=200)
-@given(st.data())
-def test_a_corrupted_file_is_read_or_refused_with_a_message(data):
-    """Characters of a valid file replaced at random: the result is a chain, or a ValueError with a message."""
-    text = list(one_joint('<origin xyz="0 0 1" rpy="0 0 1"/><axis xyz="0 0 1"/>'))
-    for _ in range(data.draw(st.integers(1, 5))):
-        text[data.draw(st.integers(0, len(text) - 1))] = data.draw(st.sampled_from('<>&"/ -.0eaj${\n\0é'))
-    assert outcome("".join(text)) == 1 or len(outcome("".join(text))) > 10
-
-
-def outcome(text):
-    try:
-        return load_urdf(text).n
-    except ValueError as error:
-        return str(error)
