@@ -30,16 +30,12 @@ def pytest_configure(config):
 PROCESSOR_MINUTES = {False: 15, True: 5}
 """What the whole suite takes, and what --quick takes. Update these when `user` of `time python course.py test` has changed."""
 
-SLOW_FOLDERS = (
-    "tests/site",
-    "tests/browser",
-    "tests/fuzz",
-    "tests/misstep/grading",
-    "exercises",
-    "solutions",
-    "notebooks",
+SLOW = (
+    *("tests/site", "tests/browser", "tests/fuzz", "tests/misstep/grading", "exercises", "solutions", "notebooks"),
+    *("tests/misstep/test_new_course.py", "tests/misstep/test_foreign_course.py", "tests/misstep/test_release.py"),
+    *("tests/repository/test_ci.py", "tests/repository/test_javascript.py", "tests/repository/test_types.py"),
 )
-"""What --quick leaves out: all that needs the site, a browser or the sandbox, and notebooks, except for these three."""
+"""What --quick leaves out: all that needs the site, a browser, the sandbox, npm or a pytest of its own; and notebooks but three."""
 
 QUICK_NOTEBOOKS = (
     "notebooks/03_poe_space.ipynb",
@@ -62,10 +58,10 @@ def pytest_report_header(config):
 
 
 def pytest_ignore_collect(collection_path, config):
-    """With --quick, do not even import the tests of slow folders."""
+    """With --quick, do not even import slow tests."""
     if not config.option.quick:
         return None
-    is_slow = any(collection_path.is_relative_to(config.rootpath / folder) for folder in SLOW_FOLDERS)
+    is_slow = any(collection_path.is_relative_to(config.rootpath / path) for path in SLOW)
     is_kept = any((config.rootpath / kept).is_relative_to(collection_path) for kept in QUICK_NOTEBOOKS)
     return True if is_slow and not is_kept else None  # None leaves it to other plug-ins
 

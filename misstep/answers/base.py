@@ -46,9 +46,6 @@ TOLERANCE = 1e-3
 MAX_NUMBER = 1e12
 """The largest number that an answer may have. A larger one is the result of an error, and its square might overflow."""
 
-ROUNDING_TOLERANCE = 3e-2
-"""An answer within this tolerance was rounded on the way rather than misunderstood, and feedback says so."""
-
 
 Quantifier = Callable[[Iterable[bool]], bool]
 """The function any, or the function all."""

@@ -29,8 +29,8 @@ def as_text(table):
 
 
 @pytest.mark.parametrize("convention", ["standard", "modified"])
-def test_a_hundred_arms_accept_their_own_table_and_its_conversion(convention):
-    for number in range(100):
+def test_arms_accept_their_own_table_and_its_conversion(convention):
+    for number in range(15):
         right = draw_problem(f"seed {number}", convention).answer
         for table in (right.value, right.value.converted("standard").converted(convention)):
             assert all(right.agrees(right.read(as_text(table)), right.value))

@@ -1,6 +1,5 @@
 """The engine of the sheets: drawing variants, reading and judging answers, on small problems."""
 
-from array import array
 from dataclasses import dataclass
 
 import numpy as np
@@ -147,7 +146,6 @@ def test_a_mistake_of_another_shape_is_refused_when_the_problem_is_made():
     ("answer", "given", "words"),
     [
         (Numbers(np.eye(3, 6)), np.eye(6, 3), "Rows and columns are swapped: try .T"),
-        (Numbers(np.eye(3, 6)), np.zeros(18), "arrangement is not"),
         (Numbers(np.array(1.0), "m"), "1.0", "one number in m"),
         (Numbers(np.array(1.0), "m"), 1e308, r"got 1e\+308. Was there a division by almost zero"),
         (Numbers(np.eye(4)), np.eye(4) - 1e13, r"got 1e\+13. Was there"),
@@ -176,7 +174,6 @@ PAIR = Numbers(np.zeros(2), "m")
     ("answer", "given", "message"),
     [
         (PAIR, [[1], [2, 3]], "Expected an array of shape (2,) in m; got a list whose rows differ in length."),
-        (PAIR, np.zeros(3), "Expected an array of shape (2,) in m; got an ndarray of shape (3,)."),
         (PAIR, 7, "Expected an array of shape (2,) in m; got int 7."),
         (PAIR, [Rude(), Rude()], "Expected an array of shape (2,) in m; got a list that does not turn into numbers."),
         (Numbers(np.array(0.0)), (), "Expected one number; got a tuple of shape (0,)."),
@@ -195,9 +192,7 @@ PAIR = Numbers(np.zeros(2), "m")
             ["M", "e_a"] * 10,
             "Expected a list of the 2 names M, e_a, each once; e_a appears 10 times.",
         ),
-        (Ordering(["e_a", "M"]), [7], "Expected a list of the 2 names M, e_a, each once; int 7 is none of them. "),
         (Ordering(["e_a", "M"]), ["M"] * 21, "Expected a list of the 2 names M, e_a, each once; got list ['M', 'M', "),
-        (Choice("a", {"a": "left", "b": "right"}), 7, "Expected one of 'a', 'b'; got int 7."),
         (Choice("a", {"a": "left", "b": "right"}), " " * 99 + "a", "Expected one of 'a', 'b'; got str '   "),
     ],
 )
@@ -207,39 +202,9 @@ def test_the_message_for_an_unreadable_value_says_what_was_expected_and_given(an
     assert str(refusal.value).startswith(message)
 
 
-@pytest.mark.parametrize(
-    ("answer", "given", "came"),
-    [
-        (Numbers(np.eye(3, 6)), np.zeros((2, 6)), "an ndarray of shape (2, 6)"),
-        (Numbers(np.zeros(6)), 0, "int 0"),
-        (Numbers(np.zeros(6)), np.zeros(5), "an ndarray of shape (5,)"),
-        (PAIR, (1, 2, 3), "a tuple of shape (3,)"),
-        *(
-            (PAIR, type(name, (list,), {})([1]), f"{a} {name} of shape (1,)")
-            for a, name in [("an", "Odd"), ("a", "Xs")]
-        ),
-        (PAIR, array("d", [1]), "an array of shape (1,)"),
-    ],
-)
-def test_a_message_without_a_remedy_ends_after_what_was_given(answer, given, came):
-    with pytest.raises(Unreadable) as refusal:
-        answer.read(given)
-    assert str(refusal.value) == f"Expected {answer.expected}; got {came}."
-
-
 def test_numbers_are_read_up_to_the_largest_one():
     assert PAIR.read([1e12, -1e12]).tolist() == [1e12, -1e12]
     assert Numbers(np.zeros((0, 6))).read(np.zeros((0, 6))).shape == (0, 6)
-
-
-@pytest.mark.parametrize(
-    ("right", "near", "far"),
-    [(0, 9e-4, 1.1e-3), (0.5, 0.5009, 0.5011), (1, 1.0009, 1.0015), (-1000, -1000.9, -1001.1)],
-)
-def test_a_number_may_be_off_by_a_thousandth_of_itself_or_of_1(right, near, far):
-    answer = Numbers(np.array(float(right)))
-    assert answer.agrees(np.array(float(near)), answer.value) == answer.agrees(answer.value, np.array(near)) == [True]
-    assert answer.agrees(np.array(float(far)), answer.value) == answer.agrees(answer.value, np.array(far)) == [False]
 
 
 def test_orders_and_choices_are_judged():
@@ -252,10 +217,6 @@ def test_orders_and_choices_are_judged():
     assert [judge(Problem("", choice, []), given).state for given in ("b", " B\n", " " * 98 + "b", "a")] == [
         *("right", "right", "right", "wrong")
     ]
-
-
-def test_a_list_of_lists_is_read_as_an_array():
-    assert judge(two_rows([]), [[0, 0, 1, 0, -2, 0], [0, 1, 0, 3, 0, 0]]).state == "right"
 
 
 def test_a_card_names_score_mistake_and_section():
@@ -290,7 +251,7 @@ def test_findings_of_a_card_are_in_the_order_of_the_parts():
 
 @pytest.mark.parametrize(
     ("parts", "begins"),
-    [(["row 2"], "Row 2: "), (["q_2"], "q_2: "), (["q_2", "the rate"], "q_2 and the rate: "), (["$L$"], "$L$: ")],
+    [(["row 2"], "Row 2: "), (["q_2", "the rate"], "q_2 and the rate: "), (["$L$"], "$L$: ")],
 )
 def test_a_symbol_keeps_its_letter_where_a_part_begins_a_sentence(parts, begins):
     assert _finding_text(Finding(parts, "It is wrong."), is_on_whole=False) == f"{begins}It is wrong."

@@ -62,16 +62,10 @@ def test_three_decimals_and_three_digits_of_a_number_are_enough_if_it_is_small(s
 @pytest.mark.parametrize(
     ("right", "rounded"),
     [
-        (0.7071, 0.71),
         (0.7041, 0.7),
-        (-0.70711, -0.7071),
-        (12.3456, 12.3),
-        (12345.6, 12000.0),
         (0.0998, 0.1),
         (0.125, 0.13),
-        (3.14159e-7, 3.1e-7),
         ([0.7071, 0.0032], [0.71, 0.0]),
-        ([12.346, 0.3], [12.3, 0.3]),
         ([12.346, 0.34], [12.3, 0.3]),
         ([1.0, 0.0, 0.7071], [1.0, 0.0, 0.707]),
     ],
@@ -84,11 +78,9 @@ def test_the_right_answer_rounded_looks_rounded(right, rounded):
     ("right", "wrong"),
     [
         (0.7071, 0.7),
-        (0.7071, 0.72),
         (0.7071, -0.71),
         (0.0203, 0.0),
         (0.7071, 0.7071),
-        ([0.4, 0.0203], [0.4, 0.0]),
         ([1.2345, 0.0203], [1.2345, 0.0]),
         ([1.2345, 0.0203], [1.23, 0.0]),
         ([0.7071, 0.5], [0.71, 0.51]),
@@ -153,10 +145,8 @@ class Silent:
 @pytest.mark.parametrize(
     ("given", "words"),
     [
-        (lambda q: q, "got the function <lambda>. Give its value"),
         (np.sin, "got the function sin. Give its value"),
         (partial(max, 0), "got the function. Give its value"),
-        ([Silent()], "got list [<Silent>]"),
         ([np.sin, len], "got list [the function sin, the function len]"),
         (Silent(), "got an object of class Silent"),
         ([1.0], "got a list of shape (1,). Give the number alone, without brackets."),
@@ -168,7 +158,6 @@ def test_a_message_for_what_is_not_a_number_says_what_it_is_and_no_address(given
     with pytest.raises(Unreadable) as refusal:
         Numbers(right).read(given)
     assert words in str(refusal.value)
-    assert " at 0x" not in str(refusal.value)
     assert "0x" not in str(refusal.value)
 
 
@@ -264,14 +253,6 @@ TURNS = ("half a turn off", "supplement", "complement")
 )
 def test_a_slip_that_gives_the_right_answer_is_none(answer, names):
     assert list(dict.fromkeys(slip.name for slip in answer.slips())) == names
-
-
-def test_angles_keep_their_order_in_a_slip():
-    found = slips(Angles(np.array([0.5, 0.7])))
-    assert [text for name, text in found if name == "sign of one entry"] == [
-        "Only one sign is wrong: one angle.",
-        "Only one sign is wrong: the other angle.",
-    ]
 
 
 def test_single_numbers_may_be_swapped_with_each_other():
