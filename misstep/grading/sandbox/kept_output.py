@@ -52,8 +52,10 @@ class TruncatedDisplays(CapturingDisplayPublisher):
         """Record a display."""
         size = sum(len(value) for value in data.values() if isinstance(value, str | bytes))
         shown: dict[str, Any] = {kind: _text(value) for kind, value in data.items() if kind in SHOWN_KINDS}
-        self._kept_bytes += sum(map(len, shown.values()))
-        if self._kept_bytes > MAX_CELL_BYTES:
+        shown_size = sum(map(len, shown.values()))
+        if self._kept_bytes + shown_size <= MAX_CELL_BYTES:
+            self._kept_bytes += shown_size
+        else:
             self.left_out.append(size)
             shown = {}
         if MIME in data:
