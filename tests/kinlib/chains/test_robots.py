@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
-from strategies import ROBOT_FUNCTIONS, ROBOTS, configurations, directions, points, rotation_vectors
+from strategies import ROBOT_FUNCTIONS, ROBOTS, configurations, directions, points
 
-from kinlib import exp, hat, inverse, line, robots, screw
+from kinlib import exp, hat, line, robots, screw
 from kinlib.arrays import validation
 
 PI = np.pi
@@ -51,7 +51,7 @@ def test_every_robot_knows_its_source_and_has_a_name_of_its_own(family):
     assert [other.name for other in ROBOTS].count(robot.name) == 1
 
 
-@settings(max_examples=30)
+@settings(max_examples=5)
 @pytest.mark.parametrize("family", ROBOT_FUNCTIONS, ids=lambda family: family.__name__)
 @given(data=st.data())
 def test_every_family_keeps_its_joints_apart_over_its_whole_range(family, data):
@@ -99,6 +99,7 @@ L2, L4, L5 = 0.7, 0.25, 0.35
 A2, A3, D3, D4 = 0.41, 0.03, 0.16, 0.44
 
 
+@pytest.mark.oracle("roboticstoolbox", robots.rprr, robots.puma560, robots.rpr_lecture7)
 @pytest.mark.parametrize(
     ("robot", "convention", "rows", "tool"),
     [
@@ -179,29 +180,6 @@ def drawn_robots():
         return made.A
 
     yield (
-        robots.rprr(L2, L4, L5),
-        lambda q: (
-            walk(("z", q[0]), (0, q[1], L2), ("x", q[2]), ("y", q[3]), (0, L5, -L4)) @ SE3.OA([1, 0, 0], [0, 1, 0]).A
-        ),
-    )
-    yield (
-        robots.puma560(A2, A3, D3, D4),
-        lambda q: walk(
-            *(
-                ("z", q[0]),
-                ("y", q[1]),
-                (A2, D3, 0),
-                ("y", q[2]),
-                (A3, 0, -D4),
-                ("z", -q[3]),
-                ("y", q[4]),
-                ("z", -q[5]),
-            ),
-            ("x", PI),
-        ),
-    )
-    yield robots.rpr_lecture7(0.6), lambda q: walk(("z", q[0]), (0.6, -q[1], 0), ("z", q[2]))
-    yield (
         robots.plain_arm(0.4, 0.5, 0.3),
         lambda q: walk(("z", q[0]), (0, 0, 0.4), ("y", -q[1]), (0.5 + q[2], 0, 0), ("x", q[3]), (0.3, 0, 0)),
     )
@@ -223,8 +201,9 @@ def drawn_robots():
     )
 
 
-@pytest.mark.oracle("spatialmath", robots.rprr, robots.puma560, robots.rpr_lecture7, robots.plain_arm)
-@pytest.mark.oracle("spatialmath", robots.angled_arm, robots.mid_formula_arm, robots.hrr, robots.arm, robots.pose)
+@pytest.mark.oracle(
+    "spatialmath", robots.plain_arm, robots.angled_arm, robots.mid_formula_arm, robots.hrr, robots.arm, robots.pose
+)
 def test_a_robot_moves_as_spatialmath_walks_through_its_drawing():
     pytest.importorskip("spatialmath")
     for robot, walked in drawn_robots():
@@ -379,33 +358,12 @@ def test_388_fails_when_omega_has_another_length(length):
     assert error[:3, 3].max() > 1e-3
 
 
-def test_without_omega_the_screw_is_a_shift_by_v_theta():
-    close(exp(np.array([0, 0, 0, 0.6, 0, 0.8]) * 2.5)[:3, 3], [1.5, 0, 2.0])
-
-
 # --- both decks, from the space form to the body form ---
-
-
-@given(rotation_vectors(), points())
-def test_conjugation_passes_through_the_exponential(omega, v):
-    """e^{M^-1 P M} = M^-1 e^P M, and therefore e^P M = M e^{M^-1 P M}."""
-    M, P = robots.rppr().home, hat([*omega, *v])
-    B = inverse(M) @ P @ M
-    close(M @ mpmath_oracle.exp([B[2, 1], B[0, 2], B[1, 0], *B[:3, 3]]), exp([*omega, *v]) @ M)
 
 
 def factors(robot, q):
     """e^[S_i]q_i, and e^{M^-1 [S_i] M q_i} = e^[B_i]q_i, for all i."""
     return exp(robot.screws * q[:, None]), exp(robot.body_screws * q[:, None])
-
-
-@pytest.mark.parametrize("robot", ROBOTS, ids=lambda robot: robot.name)
-def test_every_line_of_the_review_decks_derivation_is_the_same_pose(robot):
-    """M moves to the left past one factor a line, and each factor that it passes becomes a body factor."""
-    q = configurations(robot, 1)[0]
-    E, F = factors(robot, q)
-    for k in range(robot.n, -1, -1):
-        close(reduce(np.matmul, [*E[:k], robot.home, *F[k:]]), robot.fk(q))
 
 
 def test_the_second_line_of_the_UIUC_derivation_drops_the_factors_between_first_and_last():
