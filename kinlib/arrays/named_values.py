@@ -24,7 +24,7 @@ def in_order(values: Mapping[str, ArrayLike], names: Sequence[str], robot: str) 
            [0.5, 2. ],
            [0.5, 3. ]])
     """
-    if not names:
+    if values and not names:
         raise ValueError(
             f"q must be an array, because the joints of {robot} have no names; got {validation.describe(values)}."
         )
