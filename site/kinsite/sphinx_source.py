@@ -86,7 +86,8 @@ def handwritten_pages() -> Iterator[tuple[str, str]]:
     )
     for path in sorted((ROOT / "guides").glob("*.md")):
         yield f"guides/{path.name}", path.read_text("utf-8")
-    yield "instructors.md", performance.with_grading_times((SITE / "instructors.md").read_text("utf-8"))
+    guide = (SITE / "instructors.md").read_text("utf-8").replace("](pages/", "](")
+    yield "instructors.md", performance.with_grading_times(guide)
 
 
 def link_lectures(text: str) -> str:
