@@ -91,7 +91,7 @@ def areas() -> dict[str, Area]:
         "tests": Area(
             ["tests", "tools", "evidence", "kincourse", "misstep"],
             groups,
-            [*course, *group("site"), *extras["misstep"], *group("robots"), *group("benchmarks")],
+            [*course, *group("site"), *group("robots"), *group("benchmarks")],
         ),
         "new course": Area(
             ["misstep/new_course/template"],
@@ -152,9 +152,10 @@ def files_of(area: Area) -> list[Path]:
 
 @cache
 def local_modules() -> set[str]:
-    """Modules of this repository, which files of other folders import by name."""
+    """Modules of this repository that files of other folders import by name, except where a package has the same name."""
     paths = {path for area in areas().values() for path in files_of(area)}
-    return {path.stem for path in paths} | {path.parent.name for path in paths if path.name == "__init__.py"}
+    names = {path.stem for path in paths} | {path.parent.name for path in paths if path.name == "__init__.py"}
+    return names - set(packages_distributions())
 
 
 if __name__ == "__main__":
