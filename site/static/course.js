@@ -48,11 +48,11 @@
     }
   }
 
-  /** Show a message at the lower edge of the window until it is closed. It covers no text: the page gets longer by it. */
+  /** Show a message at the lower edge of the window until it is closed. */
   function showNotice(text) {
     const close = h('button', { type: 'button', class: 'kinlib-button', onclick: () => notice.remove() }, 'Close');
     const notice = h('div', { class: 'kinlib-notice', role: 'status' }, h('p', {}, text), close);
-    document.querySelector('article').append(notice);
+    document.body.append(notice);
   }
 
   // live.js, which loads after this script, uses this function.
