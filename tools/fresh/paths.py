@@ -253,7 +253,7 @@ def new_course(place: Place) -> None:
     place.run(".venv/bin/python -m pip install path/to/repository/misstep", replace=repository)
     for command in PATHS["new_course"].commands[4:7]:
         place.run(command)
-    if place.python.name < "python3.12":
+    if place.run("python -c 'import sys; print(sys.version_info >= (3, 12))'").strip() == "False":
         raise NotTried("the site of a new course needs Python 3.12")
     settings = place.folder / "jupyter_lite_config.json"
     if not reachable(PYODIDE):

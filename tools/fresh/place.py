@@ -5,6 +5,7 @@ import re
 import shutil
 import socket
 import subprocess
+import sys
 import tempfile
 import time
 from collections.abc import Iterator
@@ -141,7 +142,8 @@ def reachable(host: str) -> bool:
 def pythons() -> dict[str, Path]:
     """Find the Pythons of this machine that the course supports, by their versions."""
     folders = [*os.environ["PATH"].split(os.pathsep), *sorted(map(str, Path.home().glob(".pyenv/versions/*/bin")))]
-    found: dict[str, Path] = {}
+    own = f"{sys.version_info.major}.{sys.version_info.minor}"
+    found = {own: Path(sys._base_executable)} if own in SUPPORTED else {}
     for version in SUPPORTED:
         for folder in folders:
             program = Path(folder) / f"python{version}"
@@ -150,4 +152,4 @@ def pythons() -> dict[str, Path]:
                 and subprocess.run([program, "-c", ""], capture_output=True, check=False).returncode == 0
             ):
                 found.setdefault(version, program)
-    return found
+    return dict(sorted(found.items()))
