@@ -107,17 +107,17 @@ def batch_table(rows: Sequence[Result]) -> str:
     by_key = {(row["size"], row["library"]): row for row in rows}
     lines = []
     for size in sorted({row["size"] for row in rows}):
-        own = by_key[size, "kinlib"]["warmed"]
+        own = by_key.get((size, "kinlib"))
         cells = [batch_cell(by_key.get((size, library)), size, own) for library in libraries]
         lines.append([f"{size:,}", *cells])
     return markdown_table(["batch", *(f"{library}: fresh, warmed" for library in libraries)], lines)
 
 
-def batch_cell(row: Result | None, size: int, own: float) -> str:
+def batch_cell(row: Result | None, size: int, own: Result | None) -> str:
     """Write the two times of a row, and for a peer the ratio to the time of kinlib."""
     if row is None:
-        return "as above"
-    ratio = "" if row["library"] == "kinlib" else f" ({row['warmed'] / own:.2g} x)"
+        return "-"
+    ratio = f" ({row['warmed'] / own['warmed']:.2g} x)" if own and row is not own else ""
     return f"{seconds(row['fresh'] / size)}, {seconds(row['warmed'] / size)}{ratio}"
 
 
