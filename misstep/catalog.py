@@ -207,14 +207,17 @@ class Course:
     def ask(self, name: str) -> "Question":
         """Return a question of a lecture, which displays itself; name is "lecture/question", for example "03/order".
 
-        Pass the result as `after=` to a figure to cover the figure until the reader has answered.
+        Pass the result as `after=` to a figure to cover the figure until the reader has answered. The question that is asked
+        again is the same one, so an answer survives running a cell again.
 
         Raises ValueError for an unknown name.
         """
         from misstep.questions.widget import Question
 
-        self._asked[name] = Question(self._question_of_reader(name), name)
-        return self._asked[name]  # type: ignore[no-any-return]
+        item, asked = self._question_of_reader(name), self._asked.get(name)
+        if asked is None or asked.item != item:
+            asked = self._asked[name] = Question(item, name)
+        return asked
 
     def explain(self, name: str) -> "Explanation":
         """Return the explanation of the prediction at ask(name), which displays itself and opens when the reader has answered.

@@ -169,6 +169,15 @@ def test_unknown_names_of_questions_are_refused(course):
         course.find_question("01/nothing")
 
 
+def test_an_answer_survives_running_the_cell_again(course):
+    course.ask(NAME).commit(1)
+    again = course.ask(NAME)
+    again._repr_mimebundle_()
+    assert again.choice == 1
+    assert again._widget.children[2].children[0].description == "B ●"
+    assert course.explain(NAME).card.title != "You have not committed to an answer yet"
+
+
 # --- the order of the options ---
 
 OPTIONS = [Option(str(n), f"because of {n}", right=n == 3) for n in range(5)] + [Option("none of them", "", last=True)]

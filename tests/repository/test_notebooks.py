@@ -3,6 +3,7 @@
 The numbers in the text of a lecture come from its cells; prose_numbers.py defines which numbers, and what counts as a source.
 """
 
+import ast
 import gc
 import re
 from html.parser import HTMLParser
@@ -43,11 +44,55 @@ def test_the_notebooks_are_found():
 
 
 @each(LECTURES)
-def test_a_lecture_has_at_most_40_cells_of_at_most_15_lines(path):
-    cells = nbformat.read(path, as_version=4).cells
-    assert len(cells) <= 40, f"{len(cells)} cells: split the lecture"
-    long = [cell.source for cell in cells if cell.cell_type == "code" and len(cell.source.splitlines()) > 15]
+def test_a_cell_of_a_lecture_has_at_most_15_lines_and_one_widget(path):
+    """A cell that is run again to check a blank step must not start another question or another picture anew."""
+    code = [cell.source for cell in nbformat.read(path, as_version=4).cells if cell.cell_type == "code"]
+    long = [source for source in code if len(source.splitlines()) > 15]
     assert not long, f"more than 15 lines; move what students need not read to kinlib:\n\n{long[0]}"
+    crowded = [source for source in code if len(shown_widgets(source)) > 1]
+    assert not crowded, f"one widget or one blank a cell: split\n\n{crowded[0]}"
+
+
+WIDGETS = re.compile(r"(?:\w+\.)?(?:ask|attempt|explain|explore|quiz|assign|drive|slide\w*|play_\w+)")
+
+
+def shown_widgets(source):
+    """List the widgets that a cell shows: those given to display, and that in its last line."""
+    statements = ast.parse(source).body if not source.startswith("%") else []
+    makes = {
+        name.id: one.value
+        for one in statements
+        if isinstance(one, ast.Assign)
+        for name in one.targets
+        if isinstance(name, ast.Name)
+    }
+    shown = [one.value for one in statements[-1:] if isinstance(one, ast.Expr)]
+    shown += [
+        argument.value.elt
+        if isinstance(argument, ast.Starred) and isinstance(argument.value, ast.GeneratorExp)
+        else argument
+        for call in ast.walk(ast.Module(statements, []))
+        if isinstance(call, ast.Call) and getattr(call.func, "id", "") == "display"
+        for argument in [
+            *call.args,
+            *(one for one in call.args if isinstance(one, ast.Starred)),
+        ]  # a loop shows several
+    ]
+    made = [makes.get(one.id) if isinstance(one, ast.Name) else one for one in shown]
+    return [one for one in made if isinstance(one, ast.Call) and WIDGETS.fullmatch(ast.unparse(one.func))]
+
+
+@pytest.mark.parametrize(
+    "source",
+    [
+        'display(ask("01/a"), explain("01/a"))',
+        'display(*(ask(f"01/{k}") for k in (1, 2)))',
+        'question = ask("01/a")\ndisplay(question, slide(draw, "k", range(3)))',
+        'display(attempt("01.a", x))\nview.assign(arm, "standard")',
+    ],
+)
+def test_two_widgets_in_one_cell_are_found(source):
+    assert len(shown_widgets(source)) > 1
 
 
 @each(LECTURES)

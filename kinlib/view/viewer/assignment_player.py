@@ -52,6 +52,7 @@ class Player(Viewer):
     """
 
     step = traitlets.Int(0).tag(sync=True)
+    _set_by_reader = ("step",)
     convention = traitlets.Enum(list(CONVENTIONS), default_value="standard").tag(sync=True)
 
     def __init__(self, chain: Chain, rows: int | None = None, **traits: Any) -> None:

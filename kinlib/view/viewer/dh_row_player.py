@@ -81,6 +81,7 @@ class RowPlayer(ViewerBase):
     """
 
     done = traitlets.Float(0.0).tag(sync=True)
+    _set_by_reader = ("done",)
 
     def __init__(self, tracks: Sequence[dict[str, Any]], draw: Any, **traits: Any) -> None:
         self.draw, self.motions = draw, len(tracks[0]["motions"])

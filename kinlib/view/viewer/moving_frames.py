@@ -28,6 +28,7 @@ class FramesViewer(ViewerBase):
     """
 
     at = traitlets.Int(0).tag(sync=True)
+    _set_by_reader = ("at",)
 
     @traitlets.validate("at")
     def _validate_at(self, proposal: Any) -> int:

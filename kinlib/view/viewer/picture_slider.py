@@ -13,6 +13,7 @@ import ipywidgets as widgets
 from kinlib.view.drawing.crop import crop, is_croppable
 from kinlib.view.drawing.picture import Picture
 from kinlib.view.drawing.static_export import is_static_export
+from kinlib.view.viewer.cell_memory import keep_in_cell
 
 PAPER, INK = "var(--jp-layout-color1,#fff)", "var(--jp-content-font-color1,#1f2328)"
 """The colours of JupyterLab's theme, light or dark; a page without them is light."""
@@ -61,6 +62,7 @@ def slide(
         layout=widgets.Layout(width="95%"),
         style={"description_width": "initial"},
     )
+    keep_in_cell(slider, ["value"], (label, options))
     drawn = {start: at(start)}
     if is_croppable(drawn[start]) or is_static_export():
         pictures = [drawn[start] if index == start else at(index) for index in range(len(values))]

@@ -62,6 +62,7 @@ class ByHand(Viewer):
     frames = Poses()
     asked = traitlets.Int(0).tag(sync=True)
     verdict = traitlets.Dict().tag(sync=True)
+    _set_by_reader = ("frames",)
 
     def __init__(self, chain: Chain, convention: Convention, frames: Array) -> None:
         features, home = frame_candidates(chain), np.zeros(chain.n)

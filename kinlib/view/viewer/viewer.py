@@ -21,6 +21,7 @@ from kinlib.chains.chain import Chain
 from kinlib.view.drawing.picture import Picture, page, save
 from kinlib.view.drawing.static_export import is_static_export
 from kinlib.view.figures.arm import ARM_LAYERS, describe_arm, draw_arm
+from kinlib.view.viewer.cell_memory import keep_in_cell
 from kinlib.view.viewer.scene import FRAME_LAYERS, LAYERS, body_motions, scene
 
 STATIC = Path(__file__).parents[1] / "static"
@@ -104,8 +105,11 @@ class ViewerBase(anywidget.AnyWidget):
 
     _after = ""  # the name of the question that uncovers the picture; the page has that question too
 
+    _set_by_reader: Sequence[str] = ("q", "shown")  # the traits that survive running the cell again
+
     def wait_for(self, question: Any) -> None:
-        """Cover the picture until a question is committed. If the question is None, nothing is covered."""
+        """Show the picture as the reader has left it, if the cell is run again. Cover it until a question is committed, if any."""
+        keep_in_cell(self, self._set_by_reader, (self.scene, self.mode, self.start))
         if question is not None and not question.committed:
             self.covered = True
             self._after = getattr(question, "name", "")
