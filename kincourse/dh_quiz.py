@@ -12,6 +12,7 @@ from kincourse.answers.dh_table import DHTableAnswer
 from kincourse.mistakes.dh import z_on_the_wrong_joint
 from kincourse.sampling.arms import ArmSampler
 from kincourse.text.joint_table import joint_table
+from kinlib.arrays.tolerances import EQUIVALENCE_TOL
 from kinlib.dh.assignment import assign_frames
 from kinlib.dh.diagnosis import diagnose
 from kinlib.dh.mistakes import corrected_rows, known_corrections
@@ -128,7 +129,7 @@ def suspects_after(suspects: Collection[str], problem: Problem, table: DHTable) 
     """
     if all(problem.answer.agrees(table, problem.answer.value)):
         return {name for name in suspects or MISTAKES if not separation(problem, [name])[name]}
-    found = diagnose(table, problem.answer.value, in_pairs=False)
+    found = diagnose(table, problem.answer.value, tolerance=EQUIVALENCE_TOL, in_pairs=False)
     explaining = {fault.name for explanation in found.explanations for fault in explanation.faults} & {*MISTAKES}
     return explaining & set(suspects) or explaining or set(suspects)
 

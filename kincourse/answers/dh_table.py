@@ -98,7 +98,8 @@ class DHTableAnswer(Answer):
         if one.n != other.n or one.convention != other.convention:
             return [False]
         if not self.anchored:
-            return [bool(equivalent(one, other, tolerance=POSE_TOLERANCE_FACTOR * tolerance, simplest=False))]
+            same = equivalent(one, other, tolerance=POSE_TOLERANCE_FACTOR * tolerance, simplest=False)
+            return [same.verdict == "same"]
         q = random_configurations(one.n, 16)
         return [bool(largest_difference(one.fk(q), other.fk(q)) <= POSE_TOLERANCE_FACTOR * tolerance)]
 
@@ -138,7 +139,7 @@ class DHTableAnswer(Answer):
         diagnosis = self._diagnose(given)
         if diagnosis.explanations:
             return _described([explanation.faults for explanation in diagnosis.explanations])
-        if diagnosis.unfixed:
+        if diagnosis.unfixed and diagnosis.unfixed.verdict == "same":
             return (
                 "another start",
                 "Your table moves like the arm, from another start. " + diagnosis.difference.partition(". ")[2],

@@ -22,8 +22,12 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
 from kinlib.dh.common_normal import CommonNormal, common_normal
 from kinlib.dh.explanation import ACCURACY_SAMPLES, AssignmentStep, explain_assignment
+from kinlib.dh.parsing import MAX_LENGTH_M
 from kinlib.dh.table import Convention, DHTable, joint_transform, normal_transform, validate_convention
 from kinlib.rigid.lie import cross, homogeneous
+
+PARALLEL_BOUNDS_RAD = 10.0 ** np.arange(-11.5, -4.5, 0.5)
+"""The bounds below which axes are tried as parallel; the last one is beyond every pair that is nearly parallel."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -112,15 +116,15 @@ def assign_frames(chain: Chain, *, convention: Convention) -> FrameAssignment:
             "once, and a DH row has one variable. Use its screw axis instead."
         )
     exact = _assign(chain, convention, PARALLEL_TOL_RAD)
-    if not any(normal.is_nearly_parallel for normal in exact.normals):
+    if exact and not any(normal.is_nearly_parallel for normal in exact.normals):
         return exact
     # One bound for the whole arm: an axis that is treated as parallel passes its small error on to the next comparison.
-    bounds = 10.0 ** np.arange(-10.5, -5.0, 0.5)
-    return min([exact, *(_assign(chain, convention, bound) for bound in bounds)], key=lambda result: result.accuracy)
+    results = [exact, *(_assign(chain, convention, bound) for bound in PARALLEL_BOUNDS_RAD)]
+    return min((result for result in results if result), key=lambda result: result.accuracy)
 
 
-def _assign(chain: Chain, convention: Convention, parallel_below: float) -> FrameAssignment:
-    """Assign frames, treating axes at a smaller angle than the bound as parallel."""
+def _assign(chain: Chain, convention: Convention, parallel_below: float) -> FrameAssignment | None:
+    """Assign frames, treating axes at a smaller angle than the bound as parallel; None if a normal is too far away for a table."""
     standard = convention == "standard"
     axes, points = chain.lines.axis, _points_on_axes(chain)
     frame = _first_frame(axes[0], points[0])
@@ -151,6 +155,8 @@ def _assign(chain: Chain, convention: Convention, parallel_below: float) -> Fram
         normal_steps.insert(0, (0.0, 0.0))
     frames.append(frame)
     rows = [(a, alpha, d, theta) for (a, alpha), (d, theta) in zip(normal_steps, joint_steps, strict=True)]
+    if max(max(abs(a), abs(d)) for a, _, d, _ in rows) > MAX_LENGTH_M:
+        return None
     tool = _relative_pose(frame, chain.home)
     table = DHTable(rows, convention=convention, joints=chain.joint_types, base=base, tool=tool, name=chain.name)
     return FrameAssignment(chain, table, np.array(frames), tuple(normals))

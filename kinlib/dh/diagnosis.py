@@ -9,17 +9,18 @@ Most corrections are refuted by the invariants of the axes, for all of them at o
 """
 
 from collections.abc import Callable, Collection, Iterable, Iterator, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, replace
 from functools import cached_property, reduce
 from itertools import pairwise
+from typing import Literal
 
 import numpy as np
 
 from kinlib.arrays.tolerances import EQUIVALENCE_TOL
 from kinlib.arrays.validation import Array
-from kinlib.chains.chain import Chain, largest_difference, random_configurations
+from kinlib.chains.chain import Chain, random_configurations
 from kinlib.dh.assignment import assign_frames
-from kinlib.dh.equivalence import CHECKED_CONFIGURATIONS, Equivalence, equivalent
+from kinlib.dh.equivalence import Equivalence, equivalent
 from kinlib.dh.invariants import AxisInvariants, Booleans, joint_axes
 from kinlib.dh.mistakes import (
     ALPHA,
@@ -37,6 +38,8 @@ from kinlib.dh.mistakes import (
     format_entry,
     known_corrections,
 )
+from kinlib.dh.parsing import COLUMNS
+from kinlib.dh.rounding import ALMOST_1, Rounding, judge_rounding
 from kinlib.dh.table import DHTable, dh_transform
 from kinlib.rigid.lie import log
 
@@ -49,6 +52,9 @@ MAX_COMPARED = 15
 MAX_PAIRS = 20_000
 """How many pairs of mistakes are tried."""
 
+MAX_ROUNDED_TOL = 1e-2
+"""If the rounding of a table's numbers changes its poses by more than this, mistakes are not looked for through it."""
+
 FILTER_TOL_FACTOR = 3
 """How many times the tolerance an invariant may be off before a correction is refuted by it."""
 
@@ -60,11 +66,13 @@ class TableExplanation:
     """Mistakes that together explain a table.
 
     faults     the mistakes
+    table      the table with them
     corrected  the table without them
     arm        the arm, which the corrected table describes up to the choices that are not fixed
     """
 
     faults: Sequence[Fault]
+    table: DHTable
     corrected: DHTable
     arm: Chain
     fixed: frozenset[str] = frozenset()
@@ -73,12 +81,15 @@ class TableExplanation:
     @cached_property
     def equivalence(self) -> Equivalence:
         """The equivalence of the corrected table and the arm, with the simplest map between them."""
-        return _compare(self.corrected, self.arm, self.fixed, self.tolerance)
+        return equivalent(self.corrected, self.arm, fixed=self.fixed, tolerance=self.tolerance)
 
 
 @dataclass(frozen=True, eq=False)
 class Diagnosis:
-    """The result of a diagnosis: the table is right, or it has explanations, or neither.
+    """The result of a diagnosis.
+
+    verdict       "right"; "rounded", if the table differs from the arm by no more than its numbers are rounded; "undecided", if
+                  rounding or nearly parallel axes may explain the difference, and no mistake does; or "wrong"
 
     table         the table that was diagnosed
     comparison    of this table and the arm, up to the choices that are free
@@ -86,6 +97,7 @@ class Diagnosis:
     tolerance     differences below it are not mentioned
     unfixed       the comparison up to every choice, if some of them are fixed and the table is not right
     in_pairs      whether pairs of mistakes were tried
+    rounding      how far the numbers of a table that is not right may be off, read from their digits; None with a given tolerance
     """
 
     table: DHTable
@@ -94,11 +106,24 @@ class Diagnosis:
     tolerance: float = EQUIVALENCE_TOL
     unfixed: Equivalence | None = None
     in_pairs: bool = True
+    rounding: Rounding | None = None
+
+    @property
+    def verdict(self) -> Literal["right", "rounded", "undecided", "wrong"]:
+        """What is known of the table; only a wrong one is accused of mistakes."""
+        if self.comparison.verdict == "same":
+            return "right"
+        if self.explanations:
+            return "wrong"
+        if self.rounding and self.rounding.verdict == "explains":
+            return "rounded"
+        is_open = self.comparison.verdict == "undecided" or (self.rounding and self.rounding.verdict == "possible")
+        return "undecided" if is_open else "wrong"
 
     @property
     def right(self) -> bool:
         """Whether the table was right without corrections."""
-        return self.comparison.same
+        return self.verdict == "right"
 
     @property
     def faults(self) -> Sequence[Fault]:
@@ -110,7 +135,7 @@ class Diagnosis:
         """The table without these mistakes, which is equivalent to the arm; None if nothing explains the table."""
         if self.explanations:
             return self.explanations[0].corrected
-        return self.table if self.right else None
+        return self.table if self.verdict in {"right", "rounded"} else None
 
     @property
     def equivalence(self) -> Equivalence:
@@ -120,34 +145,47 @@ class Diagnosis:
     @property
     def difference(self) -> str:
         """The first difference between the uncorrected table and the arm, in words; empty if there is none or it is explained."""
-        if self.right or self.explanations:
+        if self.verdict in {"right", "rounded"} or self.explanations:
             return ""
-        if self.unfixed:
+        if self.unfixed and self.unfixed.verdict == "same":
             choices = " ".join(_describe_choices(self.unfixed, self.table, self.tolerance))
             return f"The table describes the arm only up to choices that are fixed here. {choices}".rstrip()
         return self.comparison.reason.replace("the first", "the table").replace("the second", "the arm")
 
     def __str__(self) -> str:
-        if self.right:
-            choices = list(_describe_choices(self.comparison, self.table, self.tolerance))
-            return "\n".join(
-                ["This table describes the arm" + (", up to these choices:" if choices else "."), *choices]
-            )
+        if self.verdict in {"right", "rounded"}:
+            return self._describe_agreement()
+        limit = self.rounding.limit if self.rounding else ""
+        if self.verdict == "undecided":
+            reason = limit or self.difference
+            return f"Whether this table describes the arm cannot be decided, and no known mistake explains it. {reason}"
         if not self.explanations:
             mistakes = "No known mistake, and no pair of them," if self.in_pairs else "No known mistake"
-            return f"{mistakes} was found that explains this table. {self.difference}"
+            return f"{mistakes} was found that explains this table. {self.difference} {limit}".rstrip()
         # Another number for the same entry is the same mistake.
         told = {
             tuple((fault.name, fault.row, fault.column) for fault in explanation.faults): explanation
             for explanation in reversed(self.explanations)
         }
         texts = [[fault.text for fault in explanation.faults] for explanation in reversed(told.values())]
-        if len(texts) == 1:
-            return "\n".join(texts[0])
-        lines = ["Either: " + " ".join(texts[0]), *("or: " + " ".join(text) for text in texts[1:MAX_TOLD])]
+        lines = texts[0]
+        if len(texts) > 1:
+            lines = ["Either: " + " ".join(texts[0]), *("or: " + " ".join(text) for text in texts[1:MAX_TOLD])]
         if len(texts) > MAX_TOLD:
             lines.append(f"({len(texts) - MAX_TOLD} more are as simple.)")
-        return "\n".join(lines)
+        return "\n".join([*lines, *([limit] if limit else [])])
+
+    def _describe_agreement(self) -> str:
+        """Describe how well a table describes the arm, and up to which choices."""
+        comparison, tolerance, accuracy = self.comparison, self.tolerance, ""
+        if self.rounding:
+            comparison, tolerance = self.rounding.nearest, max(self.rounding.effect, tolerance)
+            accuracy = f" to within the rounding of its numbers ({self.rounding.units}); its poses differ by up to "
+            accuracy += f"{comparison.difference:.2g}"
+        choices = list(_describe_choices(comparison, self.table, tolerance))
+        return "\n".join(
+            [f"This table describes the arm{accuracy}{', up to these choices:' if choices else '.'}", *choices]
+        )
 
 
 def diagnose(
@@ -155,13 +193,15 @@ def diagnose(
     reference: Chain | DHTable,
     fixed: Collection[str] = (),
     *,
-    tolerance: float = EQUIVALENCE_TOL,
+    tolerance: float | None = None,
     in_pairs: bool = True,
 ) -> Diagnosis:
     """Find the mistakes in a table, given the arm that it is meant to describe.
 
     fixed     what may not differ: any of "base", "tool", "zeros" and "signs". By default a table is right if it has the motions
               of the arm up to these four choices; with all four it is right only if its poses are those of the arm
+    tolerance how far the poses of a right table may be off, in metres and radians. By default 1e-8, and a table is not accused
+              of what the rounding of its numbers explains, as far as their digits show
     in_pairs  whether pairs of mistakes are tried if no single one explains the table
 
     Raises ValueError if the first argument is not a table and the second not an arm, if the two have different numbers of
@@ -185,24 +225,46 @@ def diagnose(
         raise ValueError(
             f"The table must have as many joints as the arm, {arm.n} ({arm.joint_types}); it has {table.n} ({table.joints})."
         )
-    comparison = _compare(table, arm, fixed, tolerance)
     fixed = frozenset(fixed)
-    if comparison:
-        return Diagnosis(table, comparison, (), tolerance)
-    explanations = _explain(table, reference, fixed, tolerance, 2 if in_pairs else 1)
-    unfixed = equivalent(table, arm, tolerance=tolerance) if fixed else None
-    return Diagnosis(table, comparison, explanations, tolerance, unfixed, in_pairs)
+    bound = EQUIVALENCE_TOL if tolerance is None else tolerance
+    comparison = equivalent(table, arm, fixed=fixed, tolerance=bound)
+    found = Diagnosis(table, comparison, (), bound, in_pairs=in_pairs)
+    if comparison.verdict != "different":
+        return found
+    rounding = None
+    if tolerance is None and table.joints.replace("F", "") == arm.joint_types:
+        rounding = judge_rounding(table, arm, fixed)
+        found = replace(found, rounding=rounding)
+    if found.verdict == "rounded":
+        return found
+    explanations = _explain(table, reference, fixed, bound, 2 if in_pairs else 1)
+    if rounding:
+        if any(_is_rounding(explanation, rounding) for explanation in explanations):
+            return replace(found, rounding=replace(rounding, verdict="explains"))
+        explanations = [each for each in explanations if not _needs_rounding(each, rounding)]
+        if not explanations and rounding.verdict == "excluded" and bound < rounding.effect <= MAX_ROUNDED_TOL:
+            explanations = _explain(table, reference, fixed, rounding.effect, 2 if in_pairs else 1)
+    unfixed = equivalent(table, arm, tolerance=bound) if fixed else None
+    return replace(found, explanations=explanations, unfixed=unfixed)
 
 
-def _compare(table: DHTable, arm: Chain, fixed: Collection[str], tolerance: float) -> Equivalence:
-    """Compare a table with the arm: pose by pose if they agree without any map, or else up to the choices that are free."""
-    comparison = equivalent(table, arm, fixed=fixed, tolerance=tolerance)
-    if comparison:
-        q = random_configurations(arm.n, CHECKED_CONFIGURATIONS)
-        difference = largest_difference(table.to_chain().fk(q), arm.fk(q))
-        if difference <= tolerance:
-            return Equivalence(True, signs=np.ones(arm.n), offsets=np.zeros(arm.n), difference=difference)
-    return comparison
+def _is_rounding(explanation: TableExplanation, rounding: Rounding) -> bool:
+    """Whether an explanation changes no number by more than its rounding."""
+    corrected, table = explanation.corrected, explanation.table
+    if (corrected.convention, corrected.joints) != (table.convention, table.joints):
+        return False
+    return bool((np.abs(corrected.rows - table.rows) <= ALMOST_1 * rounding.half_unit).all())
+
+
+def _needs_rounding(explanation: TableExplanation, rounding: Rounding) -> bool:
+    """Whether one of several mistakes is a number that only has fewer decimals than it should have."""
+    corrected, table = explanation.corrected, explanation.table
+    is_close = np.abs(corrected.rows - table.rows) <= ALMOST_1 * rounding.half_unit
+    return any(
+        is_close[fault.row - 1, COLUMNS.index(fault.column)]
+        for fault in explanation.faults
+        if fault.name in NUMBERS and fault.row and fault.column
+    )
 
 
 def _explain(
@@ -257,10 +319,11 @@ class _Search:
             if found and entries > price:
                 break
             corrected = self._corrected(corrections)
-            if equivalent(corrected, self.arm, fixed=self.fixed, tolerance=self.tolerance, simplest=False):
+            compared = equivalent(corrected, self.arm, fixed=self.fixed, tolerance=self.tolerance, simplest=False)
+            if compared.verdict == "same":
                 found[corrections], price = corrected, entries
         return [
-            TableExplanation([c.fault for c in kept], found[kept], self.arm, self.fixed, self.tolerance)
+            TableExplanation([c.fault for c in kept], self.table, found[kept], self.arm, self.fixed, self.tolerance)
             for kept in self._without_details(list(found))
         ]
 

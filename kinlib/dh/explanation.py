@@ -124,7 +124,7 @@ def _explain_link(chain: Chain, T: Array, pair: int, normal: CommonNormal, stand
     has_length = normal.case in {"skew", "parallel", "antiparallel"}
     if normal.is_nearly_parallel and (has_length or "P" not in chain.joint_types[pair : pair + 2]):
         text += " " + NEARLY_PARALLEL.format(angle=normal.sine, far=1e-3 / normal.sine)
-        text += " Here the distant normal is kept." if normal.is_unique else " Here they are treated as parallel."
+        text += f" Here they are taken as {normal.case}" + (", with the distant normal." if normal.is_unique else ".")
         others = others if normal.is_unique else "The distant normal."
     elif normal.is_nearly_parallel:
         text += " " + PRISMATIC_AXIS_RELOCATED.format(angle=normal.sine)

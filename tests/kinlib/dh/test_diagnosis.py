@@ -488,7 +488,9 @@ def test_what_only_the_fixed_choices_exclude_is_said():
         "The table describes the arm only up to choices that are fixed here. "
         "The base frames differ: rotated by 17.19 degrees, translated by 0 m."
     )
-    assert str(found) == f"No known mistake was found that explains this table. {found.difference}"
+    assert str(found).startswith(
+        f"No known mistake was found that explains this table. {found.difference} The rounding of"
+    )
 
 
 def test_with_fixed_zeros_a_forgotten_offset_is_found():
@@ -534,6 +536,7 @@ def test_equally_simple_explanations_are_all_told():
     assert str(found).splitlines() == [
         "Either: Row 2: a has the wrong sign.",
         "or: Row 2: alpha has the wrong sign.",
+        "The rounding of its numbers (lengths to 0.01 m, angles to 0.1 rad) explains a difference of at most 0.77.",
     ]
     assert all(equivalent(each.corrected, SIGNED) for each in found.explanations)
 

@@ -468,8 +468,8 @@ def leaning(angle, letters="RR"):
 @pytest.mark.parametrize(
     ("angle", "far", "taken", "others"),
     [
-        (1e-6, "1e+03", " Here the distant normal is kept.", ROUND),
-        (1e-11, "1e+08", " Here they are treated as parallel.", "The distant normal."),
+        (1e-6, "1e+03", " Here they are taken as skew, with the distant normal.", ROUND),
+        (1e-11, "1e+08", " Here they are taken as parallel.", "The distant normal."),
     ],
 )
 def test_nearly_parallel_axes_are_said_to_be_singular_and_what_was_done(angle, far, taken, others, convention):

@@ -1,0 +1,242 @@
+"""What the digits of a table's numbers say: how far each number may be off, and whether that alone explains other poses.
+
+A number that is typed as 0.43 stands for everything between 0.425 and 0.435, so a table with rounded numbers does not have the
+poses of its arm, although nobody made a mistake. All lengths of a table are taken to have as many decimals as the one that has
+the most, and so are all angles, in radians or in degrees, whichever takes fewer.
+"""
+
+from collections.abc import Collection
+from dataclasses import dataclass
+from typing import Literal
+
+import numpy as np
+
+from kinlib.arrays.tolerances import EQUIVALENCE_TOL, PARALLEL_TOL_RAD
+from kinlib.arrays.validation import Array
+from kinlib.chains.chain import Chain, largest_difference, random_configurations
+from kinlib.dh.equivalence import (
+    CHECKED_CONFIGURATIONS,
+    Equivalence,
+    acute_angle,
+    axis_distance,
+    equivalent,
+    pose_error,
+    rough_maps,
+)
+from kinlib.dh.parsing import COLUMNS
+from kinlib.dh.table import DHTable
+from kinlib.rigid.lie import adjoint, exp, inverse
+
+FIT_STEPS = 60
+"""How many corrections are tried until the rounded numbers give the poses of the arm."""
+
+ALMOST_1 = 1.05
+"""How much farther than by its rounding a number may be off, because the fit ends before it is exact."""
+
+LARGEST_MAPPED_EFFECT = 0.1
+"""If rounding changes the poses by more than this, in metres and radians, or by this fraction of the sine between two axes, no map
+of the axes can be found through it."""
+
+ROUGH, MAX_STARTS = 0.5, 6
+"""How far the axes may be off then, in metres and radians, and how many maps are tried."""
+
+ROW_SCREWS = {
+    "theta": (0, 0, 1, 0, 0, 0),
+    "d": (0, 0, 0, 0, 0, 1),
+    "a": (0, 0, 0, 1, 0, 0),
+    "alpha": (1, 0, 0, 0, 0, 0),
+}
+"""The screw axes of the four motions of a row, in the frame that it begins with; all of them pass through its origin."""
+
+FACTORS = {"standard": ("theta", "d", "a", "alpha"), "modified": ("alpha", "a", "theta", "d")}
+"""The order of these motions by convention."""
+
+
+@dataclass(frozen=True, eq=False)
+class Rounding:
+    """How far the numbers of a table may be off, and what that explains.
+
+    half_unit  (m, 4) half a unit in the last decimal of each number, in metres and radians
+    units      the last decimals in words
+    effect     the largest difference in an entry of a pose that it can make
+    verdict    "explains", if some numbers within these bounds give the poses of the arm; "excluded", if none can; or "possible"
+    nearest    the comparison of table and arm with the effect as tolerance
+    """
+
+    half_unit: Array
+    units: str
+    effect: float
+    verdict: Literal["explains", "possible", "excluded"]
+    nearest: Equivalence
+
+    @property
+    def limit(self) -> str:
+        """A sentence on what rounding explains; empty if no number was rounded."""
+        if not self.units:
+            return ""
+        return f"The rounding of its numbers ({self.units}) explains a difference of at most {self.effect:.2g}."
+
+
+def judge_rounding(table: DHTable, arm: Chain, fixed: Collection[str]) -> Rounding:
+    """Judge whether the rounding of its numbers explains why a table does not have the poses of an arm.
+
+    >>> from kinlib.chains.robots import puma560
+    >>> from kinlib.dh.assignment import assign_frames
+    >>> table = assign_frames(puma560(), convention="standard").table
+    >>> judge_rounding(table.changed(rows=table.rows.round(3)), puma560(), ()).verdict
+    'explains'
+    >>> judge_rounding(table.changed(rows=table.rows * (2, 1, 1, 1)), puma560(), ()).verdict
+    'excluded'
+    """
+    half_unit, units = typed_half_units(table.rows)
+    effect = rounding_effect(table, half_unit)
+    nearest = equivalent(table, arm, fixed=fixed, tolerance=max(effect, EQUIVALENCE_TOL))
+    verdict: Literal["explains", "possible", "excluded"] = "possible"
+    if nearest.verdict == "same":
+        starts = [nearest] if effect <= LARGEST_MAPPED_EFFECT else _starts(table, arm, nearest, frozenset(fixed))
+        if any(_fits(table, arm, start, half_unit, frozenset(fixed)) for start in starts):
+            verdict = "explains"
+    is_far = nearest.verdict == "different" and effect <= LARGEST_MAPPED_EFFECT * _smallest_sine(arm)
+    if verdict == "possible" and (is_far or _is_excluded(table, arm, half_unit)):
+        verdict = "excluded"
+    return Rounding(half_unit, units, effect, verdict, nearest)
+
+
+def _starts(table: DHTable, arm: Chain, nearest: Equivalence, fixed: frozenset[str]) -> list[Equivalence]:
+    """Return maps from which to fit numbers that are rounded so much that the axes agree only roughly."""
+    rough = rough_maps(table.to_chain(), arm, fixed, ROUGH)
+    return [nearest, *sorted(rough, key=lambda each: each.difference)[:MAX_STARTS]]
+
+
+def typed_half_units(rows: Array) -> tuple[Array, str]:
+    """Read from the digits of a table how far its numbers may be off, (m, 4) -> half units (m, 4), and the units in words.
+
+    >>> half, units = typed_half_units(np.array([[0.43, np.pi / 2, 0.1, 0], [0, -0.5, 0, 0]]))
+    >>> half[0, [0, 2]].tolist(), units
+    ([0.005, 0.005], 'lengths to 0.01 m')
+    >>> typed_half_units(np.radians([[0, 90, 0, 22.5]]))[1]
+    'lengths to 0.1 m, angles to 0.1°'
+    """
+    lengths, angles = rows[:, [0, 2]], rows[:, [1, 3]]
+    length_decimals, angle_decimals, unit = _decimals(lengths), _decimals(angles), 1.0
+    degrees = np.degrees(angles)
+    in_degrees = degrees.round(6)
+    # A number in degrees was converted, so its last digit in radians is lost.
+    if (np.abs(degrees - in_degrees) <= 4 * np.spacing(np.abs(degrees))).all() and _decimals(
+        in_degrees
+    ) + 2 < angle_decimals:
+        angle_decimals, unit = _decimals(in_degrees), np.radians(1)
+    # Zeros alone do not show how many decimals they have.
+    if not lengths.any():
+        length_decimals = angle_decimals
+    if not angles.any():
+        angle_decimals = length_decimals
+    half = np.empty(rows.shape)
+    half[:, [0, 2]] = 0.5 * 10.0**-length_decimals
+    half[:, [1, 3]] = 0.5 * unit * 10.0**-angle_decimals
+    words = [f"lengths to {10.0**-length_decimals:g} m"] if length_decimals < ALL_DECIMALS else []
+    if angle_decimals < ALL_DECIMALS:
+        words.append(f"angles to {10.0**-angle_decimals:g}{' rad' if unit == 1 else '°'}")
+    return np.maximum(half, np.spacing(np.abs(rows)) / 2), ", ".join(words)
+
+
+ALL_DECIMALS = 15
+"""A number with as many decimals was not rounded by a person."""
+
+
+def _decimals(numbers: Array) -> int:
+    """Return how many decimals the number with the most of them has, in the shortest form that reads back as the same number."""
+    texts = (np.format_float_positional(number, trim="-") for number in numbers.ravel())
+    return max(len(text.partition(".")[2]) for text in texts)
+
+
+def rounding_effect(table: DHTable, half_unit: Array) -> float:
+    """Bound the difference in an entry of a pose that the rounding of the numbers can make, in metres and radians.
+
+        sum of the half units of all lengths + reach * sum of the half units of all angles
+
+    The reach is the sum of all lengths, with the tool, and with prismatic joints moved by pi metres; it is at least 1, because a
+    rotation matrix changes by the angle itself.
+
+    >>> table = DHTable([[0.5, 0, 0, 0]], convention="standard")
+    >>> round(rounding_effect(table, np.array([[0.05, 0, 0, 0.01]])), 6)
+    0.06
+    """
+    lengths = np.abs(table.rows[:, [0, 2]]) + half_unit[:, [0, 2]]
+    reach = lengths.sum() + np.linalg.norm(table.tool[:3, 3]) + np.pi * table.joints.count("P")
+    return float(half_unit[:, [0, 2]].sum() + max(1.0, reach) * half_unit[:, [1, 3]].sum())
+
+
+def _fits(table: DHTable, arm: Chain, nearest: Equivalence, half_unit: Array, fixed: frozenset[str]) -> bool:
+    """Whether some numbers within half a unit of the typed ones give the poses of the arm, up to the choices that are free.
+
+    The four motions of each row are those of a chain of 4 m joints whose values are the numbers. So its body Jacobian says how
+    the poses change with the numbers, and the smallest change of all numbers that closes the gap is found by least squares, and
+    brought back into the bounds, in turn.
+    """
+    order = [COLUMNS.index(name) for name in FACTORS[table.convention]]
+    motions = Chain(np.tile([ROW_SCREWS[COLUMNS[k]] for k in order], (len(table.rows), 1)), np.eye(4))
+    q = random_configurations(arm.n, CHECKED_CONFIGURATIONS)
+    moving = [row for row, letter in enumerate(table.joints) if letter != "F"]
+    columns = [COLUMNS.index("theta" if table.joints[row] == "R" else "d") for row in moving]
+    numbers = np.zeros((len(q), *table.rows.shape)) + table.rows
+    numbers[:, moving, columns] += table.signs[moving] * (nearest.signs * q + nearest.offsets)
+    scale, bounded = half_unit.copy(), np.ones(half_unit.shape, bool)
+    if "zeros" not in fixed:
+        scale[moving, columns], bounded[moving, columns] = 1.0, False
+    ends = [np.full(6, float(name not in fixed)) for name in ("base", "tool")]
+    scales, is_bounded = scale[:, order].ravel(), bounded[:, order].ravel()
+    values, changes = numbers[:, :, order].reshape(len(q), -1), np.zeros(scales.size)
+    X, Y, target = nearest.base @ table.base, table.tool @ nearest.tool, arm.fk(q)
+    for _ in range(FIT_STEPS):
+        M = X @ motions.fk(values + scales * changes) @ Y
+        J = np.concatenate(
+            [
+                adjoint(inverse(M)) * ends[0],
+                adjoint(inverse(Y)) @ motions.body_jacobian(values + scales * changes) * scales,
+                np.broadcast_to(np.diag(ends[1]), (len(q), 6, 6)),
+            ],
+            axis=-1,
+        )
+        step = np.linalg.lstsq(J.reshape(-1, J.shape[-1]), -pose_error(target, M).ravel(), rcond=1e-12)[0]
+        if not np.isfinite(step).all() or np.abs(step).max() > MAX_STEP:
+            return False  # the fit does not converge
+        X, Y, changes = exp(ends[0] * step[:6]) @ X, Y @ exp(ends[1] * step[-6:]), changes + step[6:-6]
+        if np.abs(scales * changes).max() > MAX_STEP:
+            return False
+        is_near = np.abs(changes[is_bounded]).max() <= ALMOST_1
+        if is_near and largest_difference(X @ motions.fk(values + scales * changes) @ Y, target) <= EQUIVALENCE_TOL:
+            return True
+        changes[is_bounded] = changes[is_bounded].clip(-1, 1)
+    return False
+
+
+MAX_STEP = 1e6
+"""A fit with a larger step, in metres, radians and half units, does not converge."""
+
+
+def _smallest_sine(arm: Chain) -> float:
+    """Return the smallest sine of an angle between neighbouring axes that are not parallel."""
+    sines = np.linalg.norm(np.cross(arm.lines.axis[:-1], arm.lines.axis[1:]), axis=1)
+    return float(sines[sines > PARALLEL_TOL_RAD].min(initial=1.0))
+
+
+def _is_excluded(table: DHTable, arm: Chain, half_unit: Array) -> bool:
+    """Whether two neighbouring axes have an angle or a distance that no table has whose numbers round to these.
+
+    The angle is alpha itself and the distance a itself, unless a row without a joint lies between, or the axes are so nearly
+    parallel that another alpha would make it another distance.
+    """
+    if "F" in table.joints:
+        return False
+    length, angle = half_unit[:, [0, 2]].max() + EQUIVALENCE_TOL, half_unit[:, [1, 3]].max() + EQUIVALENCE_TOL
+    lines = table.to_chain().lines, arm.lines
+    for i in range(arm.n - 1):
+        angles = [acute_angle(*each.axis[i : i + 2]) for each in lines]
+        if abs(angles[0] - angles[1]) > ALMOST_1 * angle:
+            return True
+        if arm.joint_types[i : i + 2] == "RR" and min(angles) > 2 * angle + 1e-3:
+            distances = [axis_distance(each.axis[i : i + 2], each.point[i : i + 2]) for each in lines]
+            if abs(distances[0] - distances[1]) > ALMOST_1 * length:
+                return True
+    return False
