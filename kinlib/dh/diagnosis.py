@@ -243,7 +243,7 @@ def diagnose(
             return replace(found, rounding=replace(rounding, verdict="explains"))
         explanations = [each for each in explanations if not _needs_rounding(each, rounding)]
         if not explanations and rounding.verdict == "excluded" and bound < rounding.effect <= MAX_ROUNDED_TOL:
-            explanations = _explain(table, reference, fixed, rounding.effect, 2 if in_pairs else 1)
+            explanations = _explain(table, reference, fixed, rounding.effect, 1)
     unfixed = equivalent(table, arm, tolerance=bound) if fixed else None
     return replace(found, explanations=explanations, unfixed=unfixed)
 

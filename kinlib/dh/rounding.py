@@ -11,7 +11,7 @@ from typing import Literal
 
 import numpy as np
 
-from kinlib.arrays.tolerances import EQUIVALENCE_TOL, PARALLEL_TOL_RAD
+from kinlib.arrays.tolerances import EQUIVALENCE_TOL, PARALLEL_TOL_RAD, ROUNDING_ERROR, TYPED_PI_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
 from kinlib.dh.equivalence import (
@@ -134,6 +134,9 @@ def typed_half_units(rows: Array) -> tuple[Array, str]:
     half = np.empty(rows.shape)
     half[:, [0, 2]] = 0.5 * 10.0**-length_decimals
     half[:, [1, 3]] = 0.5 * unit * 10.0**-angle_decimals
+    if angles.any() and (np.abs(np.sin(2 * angles)) < ROUNDING_ERROR).all():
+        # Nobody rounds right angles; but files of arms have pi / 2 with five digits.
+        half[:, [1, 3]], angle_decimals = TYPED_PI_ERROR, ALL_DECIMALS
     words = [f"lengths to {10.0**-length_decimals:g} m"] if length_decimals < ALL_DECIMALS else []
     if angle_decimals < ALL_DECIMALS:
         words.append(f"angles to {10.0**-angle_decimals:g}{' rad' if unit == 1 else '°'}")

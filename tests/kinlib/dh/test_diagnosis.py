@@ -536,7 +536,7 @@ def test_equally_simple_explanations_are_all_told():
     assert str(found).splitlines() == [
         "Either: Row 2: a has the wrong sign.",
         "or: Row 2: alpha has the wrong sign.",
-        "The rounding of its numbers (lengths to 0.01 m, angles to 0.1 rad) explains a difference of at most 0.77.",
+        "The rounding of its numbers (lengths to 0.01 m, angles to 0.1 rad) explains a difference of at most 0.82.",
     ]
     assert all(equivalent(each.corrected, SIGNED) for each in found.explanations)
 
