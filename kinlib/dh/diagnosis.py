@@ -242,7 +242,8 @@ def diagnose(
         if any(_is_rounding(explanation, rounding) for explanation in explanations):
             return replace(found, rounding=replace(rounding, verdict="explains"))
         explanations = [each for each in explanations if not _needs_rounding(each, rounding)]
-        if not explanations and rounding.verdict == "excluded" and bound < rounding.effect <= MAX_ROUNDED_TOL:
+        is_beyond = rounding.verdict == "excluded" and rounding.nearest.verdict == "different"
+        if not explanations and is_beyond and bound < rounding.effect <= MAX_ROUNDED_TOL:
             explanations = _explain(table, reference, fixed, rounding.effect, 1)
     unfixed = equivalent(table, arm, tolerance=bound) if fixed else None
     return replace(found, explanations=explanations, unfixed=unfixed)

@@ -28,6 +28,7 @@ from kinlib.arrays.tolerances import (
     NEARLY_PARALLEL_RAD,
     PARALLEL_TOL_RAD,
     RELOCATE_PRISMATIC_RAD,
+    ROUNDING_ERROR,
     SAME_DISTANCE_RAD,
 )
 from kinlib.arrays.validation import Array
@@ -542,7 +543,8 @@ def format_different(one: float, other: float) -> tuple[str, str]:
     >>> format_different(0.4318, 0.5), format_different(0.407, 0.40700001)
     (('0.4318', '0.5'), ('0.407', '0.40700001'))
     """
-    texts = [(f"{one + 0.0:.{digits}g}", f"{other + 0.0:.{digits}g}") for digits in range(4, 18)]
+    one, other = (0.0 if abs(number) < ROUNDING_ERROR * abs(one - other) else number for number in (one, other))
+    texts = [(f"{one:.{digits}g}", f"{other:.{digits}g}") for digits in range(4, 18)]
     return next((pair for pair in texts if pair[0] != pair[1]), texts[0])
 
 

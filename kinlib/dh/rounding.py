@@ -113,30 +113,28 @@ def typed_half_units(rows: Array) -> tuple[Array, str]:
 
     >>> half, units = typed_half_units(np.array([[0.43, np.pi / 2, 0.1, 0], [0, -0.5, 0, 0]]))
     >>> half[0, [0, 2]].tolist(), units
-    ([0.005, 0.005], 'lengths to 0.01 m')
+    ([0.005, 0.005], 'lengths to 0.01 m, angles to 0.1 rad')
     >>> typed_half_units(np.radians([[0, 90, 0, 22.5]]))[1]
     'lengths to 0.1 m, angles to 0.1°'
     """
     lengths, angles = rows[:, [0, 2]], rows[:, [1, 3]]
-    length_decimals, angle_decimals, unit = _decimals(lengths), _decimals(angles), 1.0
-    degrees = np.degrees(angles)
-    in_degrees = degrees.round(6)
+    # Nobody rounds right angles; but the files of arms have pi / 2 with five digits.
+    is_right = (np.abs(np.sin(2 * angles)) < ROUNDING_ERROR) & (angles != 0)
+    typed = angles[~is_right & (angles != 0)]
+    degrees, unit = np.degrees(typed), 1.0
+    length_decimals, angle_decimals = _decimals(lengths), _decimals(typed)
     # A number in degrees was converted, so its last digit in radians is lost.
-    if (np.abs(degrees - in_degrees) <= 4 * np.spacing(np.abs(degrees))).all() and _decimals(
-        in_degrees
-    ) + 2 < angle_decimals:
-        angle_decimals, unit = _decimals(in_degrees), np.radians(1)
+    is_in_degrees = (np.abs(degrees - degrees.round(6)) <= 4 * np.spacing(np.abs(degrees))).all()
+    if is_in_degrees and _decimals(degrees.round(6)) + 2 < angle_decimals:
+        angle_decimals, unit = _decimals(degrees.round(6)), np.radians(1)
     # Zeros alone do not show how many decimals they have.
+    if not typed.size:
+        angle_decimals = ALL_DECIMALS if is_right.any() else length_decimals
     if not lengths.any():
         length_decimals = angle_decimals
-    if not angles.any():
-        angle_decimals = length_decimals
     half = np.empty(rows.shape)
     half[:, [0, 2]] = 0.5 * 10.0**-length_decimals
-    half[:, [1, 3]] = 0.5 * unit * 10.0**-angle_decimals
-    if angles.any() and (np.abs(np.sin(2 * angles)) < ROUNDING_ERROR).all():
-        # Nobody rounds right angles; but files of arms have pi / 2 with five digits.
-        half[:, [1, 3]], angle_decimals = TYPED_PI_ERROR, ALL_DECIMALS
+    half[:, [1, 3]] = np.maximum(0.5 * unit * 10.0**-angle_decimals, TYPED_PI_ERROR * (is_right | (not typed.size)))
     words = [f"lengths to {10.0**-length_decimals:g} m"] if length_decimals < ALL_DECIMALS else []
     if angle_decimals < ALL_DECIMALS:
         words.append(f"angles to {10.0**-angle_decimals:g}{' rad' if unit == 1 else '°'}")
@@ -150,7 +148,7 @@ ALL_DECIMALS = 15
 def _decimals(numbers: Array) -> int:
     """Return how many decimals the number with the most of them has, in the shortest form that reads back as the same number."""
     texts = (np.format_float_positional(number, trim="-") for number in numbers.ravel())
-    return max(len(text.partition(".")[2]) for text in texts)
+    return max((len(text.partition(".")[2]) for text in texts), default=0)
 
 
 def rounding_effect(table: DHTable, half_unit: Array) -> float:

@@ -73,7 +73,9 @@ def test_other_choices_of_a_nearly_parallel_arm_are_not_called_different(angle):
 
 
 def test_wrong_tables_of_few_digits_are_still_accused():
-    right = DHTable([[4, np.pi / 2, 1, 0], [3, 0, 0, 0], [2, -np.pi / 2, 2, 0], [1, 0, 0, 0]], convention="standard")
+    right = DHTable(
+        [[4, np.pi / 2, 1, 0], [3, np.pi / 2, 0, 0], [2, -np.pi / 2, 2, 0], [1, 0, 0, 0]], convention="standard"
+    )
     for place, value, text in (((1, 0), 2, "a should be 3"), ((2, 2), 1, "d should be 2"), ((0, 0), -4, "wrong sign")):
         rows = np.array(right.rows)
         rows[place] = value
@@ -142,7 +144,12 @@ def test_frames_are_assigned_at_every_angle_and_the_reading_is_said(convention, 
         found = assign_frames(kl.Chain(np.array(screws), np.eye(4)), convention=convention)
         assert found.accuracy < 1e-6
         normal, text = found.normals[0], found.steps[2].text
-        words = {"skew": "are skew", "intersecting": "intersect", "parallel": "are parallel", "coincident": "are the same line"}
+        words = {
+            "skew": "are skew",
+            "intersecting": "intersect",
+            "parallel": "are parallel",
+            "coincident": "are the same line",
+        }
         assert words[normal.case] in text
         if normal.is_nearly_parallel and letters == "RR":
             assert f"taken as {normal.case}" in text
