@@ -237,11 +237,19 @@ def test_a_grade_given_by_hand_stays_and_is_to_be_looked_at_again(ours, tmp_path
     shutil.copytree(ours, folder)
     book = sqlite3.connect(folder / "gradebook.db")
     book.execute("update grade set manual_score = 2.5")
+    book.execute("update comment set manual_comment = 'Seen.'")
     book.commit()
     book.close()
     grade(folder)
     assert by_hand(folder) == {(0, 2.5)}  # nothing is new, so nothing was touched
-    grade(folder, "--regrade")
+    for options in ((), ("--regrade",)):
+        grade(folder, *options)
+        with (folder / "results" / "grades.csv").open(newline="") as table:
+            assert {(row["points"], row["03.1"], row["03.10"]) for row in csv.DictReader(table)} == {
+                ("27.5", "2.5", "2.5")
+            }
+        pages = [path.read_text("utf-8") for path in (folder / "results" / "feedback").iterdir()]
+        assert all("to 2 1/2 points. Seen." in page for page in pages)
     assert by_hand(folder) == {(1, 2.5)}
 
 
