@@ -8,13 +8,15 @@ How one submission gets its grade, in the order of reading:
         gather                   one Submission for each student
         notebook, run_plan       its code cells, and what is run of them: with the sheet's own check cells
     jobs         the submissions that have no result yet, each with a fingerprint of what its result depends on
+    reading      the one place outside of the sandbox that reads what students wrote: in processes with limits
+    rpc          messages to worker processes, such as the judge
+    redacted_sheet   the sheet without answers, which a child of the sandbox sees
     sandbox/     the confined processes in which submissions run
         runner, server, child    the server imports everything once, and forks a child for each submission
         rootfs, confine, limits, allowed_syscalls   what a child can reach, layer by layer
         memory                   what a child holds, counted from outside
-        course_stub, redacted_sheet         what a child sees instead of the course: the sheet without answers
-        run_cells                runs the cells as a notebook would
-        rpc                      messages to worker processes, such as the judge
+        course_stub              what a child sees instead of the course
+        run_cells, kept_output   runs the cells as a notebook would, and keeps as much of their output as can be shown
     judging/     from one submission to its Result
         grader                   all of this for one submission: bytes in, a Result out
         parse_output             parses what the child wrote, and trusts none of it
@@ -23,6 +25,6 @@ How one submission gets its grade, in the order of reading:
         redraw                   with a key: other numbers, by which computed answers are told from typed ones
         bounded_executor, cluster   many submissions at a time, on this machine or on a Dask cluster
     result_sink  writes each result to its page and into the gradebook at once
-    publish/     the stored results, feedback pages, the report, tables and files for learning platforms
+    publish/     the stored results, what is changed by hand, feedback pages, the report, tables and files for platforms
     nbgrader/    the plugin for `nbgrader autograde`, and the gradebook of an nbgrader course
 """
