@@ -8,7 +8,7 @@ from test_dh_table import tables
 from kinlib import DHTable
 from kinlib.arrays.formatting import format_degrees, format_number, format_vector
 from kinlib.arrays.tolerances import TYPED_PI_ERROR
-from kinlib.dh.formatting import add_variable, format_rows, markdown_table
+from kinlib.dh.formatting import add_variable, format_rows, in_latex, markdown_table
 
 
 @pytest.mark.oracle("text: written out in the test", format_number)
@@ -61,3 +61,8 @@ def test_a_table_that_is_written_out_can_be_read_again(table):
     assert back.joints == table.joints
     np.testing.assert_array_equal(back.signs, table.signs)
     np.testing.assert_allclose(back.rows, table.rows, rtol=1e-15, atol=0)
+
+
+@pytest.mark.oracle("text: written out in the test", in_latex)
+def test_a_heading_is_written_in_latex():
+    assert [in_latex(heading) for heading in ("a_i", "alpha_{i-1}", "theta_i")] == ["a_i", r"\alpha_{i-1}", r"\theta_i"]

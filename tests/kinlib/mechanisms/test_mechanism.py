@@ -221,6 +221,16 @@ def test_the_centre_is_not_where_nearly_parallel_axes_intersect(lean, height):
     close(JointPath(chain, np.arange(2)).centre, height * Z)
 
 
+@pytest.mark.oracle("modern_robotics", JointPath.pose_and_jacobian)
+@pytest.mark.parametrize("chain", [robots.youbot(), robots.hrr()], ids=lambda chain: chain.name)
+def test_pose_and_jacobian_of_a_path_agree_with_modern_robotics(chain):
+    configurations = np.random.default_rng(7).uniform(-3, 3, (5, chain.n))
+    poses, jacobians = JointPath(chain, np.arange(chain.n)).pose_and_jacobian(configurations)
+    for q, pose, jacobian in zip(configurations, poses, jacobians, strict=True):
+        close(pose, mr.FKinSpace(chain.home, chain.screws.T, q), atol=1e-10)
+        close(jacobian, mr.JacobianSpace(chain.screws.T, q), atol=1e-10)
+
+
 @pytest.mark.oracle("scipy", JointPath.centre, JointPath.size, JointPath.to_centre)
 @each_linkage
 def test_the_centre_of_a_loop_is_scipy_s_least_squares_point(linkage):

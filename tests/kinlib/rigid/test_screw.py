@@ -9,6 +9,7 @@ from hypothesis import strategies as st
 from strategies import directions, points, screws, twists
 
 from kinlib import line, screw
+from kinlib.rigid.lie import cross
 from kinlib.rigid.screw import axes, is_prismatic
 
 Z = (0, 0, 1)
@@ -16,6 +17,12 @@ Z = (0, 0, 1)
 
 def close(got, expected, atol=1e-13):
     np.testing.assert_allclose(got, expected, rtol=0, atol=atol)
+
+
+@pytest.mark.oracle("modern_robotics", cross)
+@given(points(), points())
+def test_a_cross_product_is_that_of_the_skew_symmetric_matrix(u, v):
+    close(cross(u, v), mr.VecToso3(u) @ v, atol=1e-9)
 
 
 @pytest.mark.oracle("modern_robotics", screw)
