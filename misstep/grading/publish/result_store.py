@@ -13,9 +13,9 @@ from pathlib import Path
 from typing import Any
 from urllib.parse import quote
 
+from misstep.grading.code_digest import code_digest
 from misstep.grading.collect.run_plan import ReleasedSheet
 from misstep.grading.judging.result import ProblemResult, RanCell, Result
-from misstep.grading.publish.code_digest import code_digest
 
 FORMAT_VERSION = 4
 """The version of the format of the files."""

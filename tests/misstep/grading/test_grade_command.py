@@ -436,7 +436,7 @@ def test_an_override_that_cannot_be_is_told_in_a_sentence(folder, tmp_path, text
 
 def test_a_change_in_the_sheet_of_another_lecture_grades_nothing_again(tmp_path, monkeypatch):
     from misstep.catalog import Course
-    from misstep.grading.publish import code_digest
+    from misstep.grading import code_digest
 
     for name in (
         "circuits/__init__",

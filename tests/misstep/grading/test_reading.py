@@ -17,12 +17,11 @@ if lacking := submissions.sandbox_lacks():
     pytest.skip(f"NOTHING IS READ: this machine lacks {lacking}", allow_module_level=True)
 
 from misstep.__main__ import main
-from misstep.grading import collect, judging, nbgrader, publish, sandbox
+from misstep.grading import code_digest, collect, judging, nbgrader, publish, sandbox
 from misstep.grading.collect import layouts, roster
 from misstep.grading.collect.run_plan import plan_step, read_released_sheet
 from misstep.grading.judging.grader import Grader
 from misstep.grading.nbgrader import gradebook
-from misstep.grading.publish import code_digest
 from misstep.grading.publish.result_store import ResultStore
 from misstep.grading.reading import Reader, StepFailed
 
