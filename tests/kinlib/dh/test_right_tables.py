@@ -8,7 +8,16 @@ from hypothesis import strategies as st
 
 import kinlib as kl
 from kinlib import DHTable, assign_frames, diagnose, equivalent
-from kinlib.dh.rounding import judge_rounding, rounding_effect, typed_half_units
+from kinlib.dh.equivalence import (
+    acute_angle,
+    axis_distance,
+    derived_accuracy,
+    format_different,
+    pose_error,
+    rough_maps,
+)
+from kinlib.dh.formatting import headings, in_latex
+from kinlib.dh.rounding import Rounding, judge_rounding, rounding_effect, typed_half_units
 
 CONVENTIONS = ("standard", "modified")
 ANGLES_RAD = np.concatenate([[0.0], np.logspace(-14, -2, 24 * 12 + 1)])
@@ -49,6 +58,7 @@ def test_a_rounded_table_is_not_accused(seed, convention, power, decimals):
         assert found.rounding.nearest.difference <= max(found.rounding.effect, 1e-8)
 
 
+@pytest.mark.oracle("axiom: rounding moves a number by half a unit at most", typed_half_units, rounding_effect)
 @given(st.integers(0, 2**32 - 1), st.integers(1, 6))
 def test_rounding_changes_poses_by_no_more_than_its_bound(seed, decimals):
     rng = np.random.default_rng(seed)
@@ -84,6 +94,7 @@ def test_wrong_tables_of_few_digits_are_still_accused():
         assert text in str(found)
 
 
+@pytest.mark.oracle("text: written out in the test", judge_rounding, Rounding.limit)
 def test_the_rounding_of_the_numbers_is_said_with_what_it_explains():
     right = DHTable([[0.4318, 0.7, 0.1501, 0], [0.0203, -1.1, 0.4312, 0], [0.25, 0, 0, 0]], convention="standard")
     found = diagnose(rounded(right, 2), right)
@@ -93,7 +104,11 @@ def test_the_rounding_of_the_numbers_is_said_with_what_it_explains():
     assert str(found).startswith(
         "This table describes the arm to within the rounding of its numbers (lengths to 0.01 m, angles to 0.1 rad); its poses"
     )
-    assert judge_rounding(rounded(right, 2), right.to_chain(), ()).verdict == "explains"
+    judged = judge_rounding(rounded(right, 2), right.to_chain(), ())
+    assert judged.verdict == "explains"
+    assert judged.limit.startswith(
+        "The rounding of its numbers (lengths to 0.01 m, angles to 0.1 rad) explains a difference"
+    )
     beyond = right.changed(rows=right.rows + np.array([[2e-4, 0, 0, 0], [0] * 4, [0] * 4]))
     assert diagnose(beyond, right).verdict == "wrong"
 
@@ -101,12 +116,13 @@ def test_the_rounding_of_the_numbers_is_said_with_what_it_explains():
 # --- three answers, and what they say ---
 
 
+@pytest.mark.oracle("axiom: the offered tolerance decides", kl.Equivalence.reason, derived_accuracy)
 def test_what_is_undecided_is_neither_true_nor_false():
     chain = arm(np.random.default_rng(3), 4, cases=(), angle=3e-8, slides=0)[0]
     table = assign_frames(chain, convention="standard").table
     found = equivalent(table, chain, tolerance=1e-12)
     assert found.verdict == "undecided"
-    assert found.difference <= found.accuracy < 1e-5
+    assert found.difference <= found.accuracy == derived_accuracy(chain) < 1e-5
     assert "nearly parallel" in found.reason
     offered = float(found.reason.partition("tolerance=")[2].split()[0])
     assert equivalent(table, chain, tolerance=offered).verdict == "same"
@@ -153,3 +169,33 @@ def test_frames_are_assigned_at_every_angle_and_the_reading_is_said(convention, 
         assert words[normal.case] in text
         if normal.is_nearly_parallel and letters == "RR":
             assert f"taken as {normal.case}" in text
+
+
+@pytest.mark.oracle("axiom: different numbers have different texts", format_different)
+@given(st.floats(1e-3, 1e3), st.floats(1e-12, 1e-2))
+def test_different_numbers_are_written_differently(number, step):
+    one, other = format_different(number, number + step)
+    assert (one != other) == (number != number + step)
+    assert float(one) == pytest.approx(number, rel=1e-3)
+
+
+@pytest.mark.oracle("text: written out in the test", acute_angle, axis_distance, headings, in_latex)
+def test_angles_distances_and_headings_of_simple_cases():
+    X, Y, Z = np.eye(3)
+    assert [acute_angle(X, other) for other in (X, -X, Y)] == [0, 0, np.pi / 2]
+    assert axis_distance(np.array([X, Y]), np.array([0 * Z, 3 * Z + X])) == 3
+    assert axis_distance(np.array([X, -X]), np.array([0 * Z, 4 * Y + 3 * Z + X])) == 5
+    assert headings("standard") == ("i", "a_i", "alpha_i", "d_i", "theta_i")
+    assert [in_latex(name) for name in headings("modified")[2:]] == ["\\alpha_{i-1}", "d_i", "\\theta_i"]
+
+
+@pytest.mark.oracle(
+    "axiom: a small error is the logarithm, and a map leads from one arm to the other", pose_error, rough_maps
+)
+def test_errors_are_logarithms_and_rough_maps_lead_to_the_other_arm():
+    rng = np.random.default_rng(0)
+    poses = kl.exp(rng.normal(size=(5, 6)))
+    twists = 1e-5 * rng.normal(size=(5, 6))
+    np.testing.assert_allclose(pose_error(poses, poses @ kl.exp(twists)), twists, atol=1e-9)
+    chain = arm(rng, 5, cases=("skew",), slides=0)[0]
+    assert min(found.difference for found in rough_maps(chain, chain, frozenset(), 0.1)) < 1e-9
