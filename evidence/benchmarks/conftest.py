@@ -37,7 +37,8 @@ def pytest_addoption(parser):
 def pytest_benchmark_update_json(config, benchmarks, output_json):
     """Keep the results, if this was asked for; pytest-benchmark calls this where it writes its own file."""
     if config.getoption("keep"):
-        measured = [{**one.extra_info, "warmed": one.stats.median} for one in benchmarks]
+        # a benchmark that has failed has no data
+        measured = [{**one.extra_info, "warmed": one.stats.median} for one in benchmarks if one.stats.data]
         kept = json.loads(RESULTS.read_text("utf-8")) if RESULTS.exists() else {"set_ups": [], "rows": []}
         RESULTS.write_text(dumps(merged(kept, measured, describe_set_up())), "utf-8")
 

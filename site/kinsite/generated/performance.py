@@ -90,6 +90,8 @@ def pages() -> Iterator[tuple[str, str]]:
         kinlib = next(row for row in ROWS if row.operation == operation)
         lines = kinlib.setup.format(batch="100, ") + kinlib.call
         own = [row for row in rows if row["section"] == operation]
+        if not own:
+            continue
         parts += [
             f"### {title}",
             f"For example, of 100 elements, and likewise for the other sizes:\n\n```python\n{lines}\n```",
@@ -97,6 +99,8 @@ def pages() -> Iterator[tuple[str, str]]:
         parts += [batch_table(own), set_up_text(own, set_ups)]
     for section, (title, text) in COURSE.items():
         own = [row for row in rows if row["section"] == section]
+        if not own:
+            continue
         parts += [f"## {title}", text, course_table(own), set_up_text(own, set_ups)]
     yield "performance.md", "\n\n".join(parts) + "\n"
 
