@@ -4,9 +4,9 @@ import mpmath
 import numpy as np
 import pytest
 import sympy as sp
-from circles import intersections
 from hypothesis import assume, given
 from hypothesis import strategies as st
+from mpmath_oracle import intersections
 
 from kincourse.sampling.four_bar_geometry import FourBar, slider_position
 from kinlib import linkages

@@ -81,3 +81,16 @@ def residual_jacobian(chain, q):
             ahead, behind = (log(product(chain, [x + (i == j) * s for j, x in enumerate(q)])) for s in (h, -h))
             columns.append([(a - b) / (2 * h) for a, b in zip(ahead, behind, strict=True)])
         return doubles(mpmath.matrix(columns).T)
+
+
+def intersections(one, r, other, s):
+    """The intersections of two circles, of radius r and s about two points, with 30 digits; [] if none."""
+    with mpmath.workdps(30):
+        offset = mpmath.mpc(*other) - mpmath.mpc(*one)
+        d = abs(offset)
+        along = (d * d + r * r - s * s) / (2 * d)
+        square = r * r - along * along
+        if square < 0:
+            return []
+        points = [mpmath.mpc(*one) + offset / d * mpmath.mpc(along, sign * mpmath.sqrt(square)) for sign in (1, -1)]
+        return [np.array([float(p.real), float(p.imag)]) for p in points]

@@ -2,9 +2,9 @@
 
 import numpy as np
 import pytest
-from circles import intersections
 from hypothesis import assume, given, settings
 from hypothesis import strategies as st
+from mpmath_oracle import intersections
 from scipy.spatial import distance
 
 from kinlib import Mechanism, exp, linkages

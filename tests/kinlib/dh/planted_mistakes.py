@@ -1,6 +1,6 @@
 """Published DH tables with one mistake planted: the measurement of how well `kl.diagnose` finds it.
 
-    PYTHONPATH=tests/support python -m planted_mistakes
+    PYTHONPATH=tests/support:tests/kinlib/dh python -m planted_mistakes
 
 Each table is diagnosed twice. First the arm has another base, tool, zeros and signs, and everything is free: the mistakes that
 remain visible should be mended to the published table. Then the arm is that of the published table, and everything is fixed: a
