@@ -21,6 +21,7 @@ PARTS = (
     "exercises",
     "tests",
     "tools",
+    "evidence",
     "paper",
     "site/pages",
 )
@@ -32,7 +33,7 @@ TESTS = (
         "tests/kincourse/answers",
     ),
     *("tests/kincourse/sheets/test_sheets.py", "tests/kincourse/sheets/test_exercises.py"),
-    *("tests/repository/test_notebooks.py", "tests/repository/test_formulas.py", "tests/repository/test_prose.py"),
+    *("tests/repository/test_notebooks.py", "tests/evidence/test_formulas.py", "tests/evidence/test_prose.py"),
     *("kincourse/lecture_11_dynamics", "notebooks/11_dynamics.ipynb", "solutions/11_dynamics/11_dynamics.ipynb"),
 )
 
