@@ -33,7 +33,7 @@ PROCESSOR_MINUTES = {False: 15, True: 5}
 SLOW = (
     *("tests/site", "tests/browser", "tests/fuzz", "tests/misstep/grading", "exercises", "solutions", "notebooks"),
     *("tests/misstep/test_new_course.py", "tests/misstep/test_foreign_course.py", "tests/misstep/test_release.py"),
-    *("tests/repository/test_ci.py", "tests/repository/test_javascript.py", "tests/repository/test_types.py"),
+    *("tests/repository/test_ci.py", "tests/repository/test_javascript.py", "tests/kinlib/test_types.py"),
 )
 """What --quick leaves out: all that needs the site, a browser, the sandbox, npm or a pytest of its own; and notebooks but three."""
 

@@ -217,7 +217,8 @@ def _comparable(value: Any) -> Any:
 
 
 def _construct(kind: type[Any], values: dict[str, Any]) -> Any:
-    return kind(**values)
+    # The arrays of a pickle can be written to, and not every class copies its arguments.
+    return kind(**{name: read_only_copy(x) if isinstance(x, np.ndarray) else x for name, x in values.items()})
 
 
 def describe(x: Any) -> str:

@@ -103,11 +103,10 @@ def _tree_of_chain(chain: Chain) -> Tree:
         )
     names = list(chain.joint_names or (f"joint_{i + 1}" for i in range(chain.n)))
     links = list(chain.link_names or ("base_link", *(f"link_{i + 1}" for i in range(chain.n)), "tool"))
-    for what, given in (("joint", names), ("link", links)):
-        if len(set(given)) < len(given):
-            raise ValueError(
-                f"The names of the {what}s must be different; got {', '.join(given)}. Pass other {what}_names to the chain."
-            )
+    if len(set(links)) < len(links):
+        raise ValueError(
+            f"The names of the links must be different; got {', '.join(links)}. Pass other link_names to the chain."
+        )
     limits = np.full((chain.n, 2), (-np.inf, np.inf)) if chain.limits is None else chain.limits
     kinds = [
         "prismatic" if letter == "P" else "revolute" if np.isfinite(pair).any() else "continuous"
@@ -124,10 +123,11 @@ def _tree_of_chain(chain: Chain) -> Tree:
     else:
         links[-1:-1] = [_unused(f"link_{chain.n}", links)] if len(links) == chain.n + 1 else []
         names, kinds = [*names, _unused("weld", names)], [*kinds, "fixed"]
+    frames_and_axes = [[validation.read_only_copy(array) for array in arrays] for arrays in (origins, axes)]
     joints = [
         UrdfJoint(Element("joint", 0, {"name": name}), name, kind, parent, child, T, axis, (lower, upper), None)
         for name, kind, (parent, child), T, axis, (lower, upper) in zip(
-            names, kinds, pairwise(links), origins, axes, limits, strict=False
+            names, kinds, pairwise(links), *frames_and_axes, limits, strict=False
         )
     ]
     elements = {link: Element("link", 0, {"name": link}) for link in links}

@@ -66,10 +66,6 @@ class UrdfJoint(validation.ReadOnly):
     limits: tuple[float, float]
     mimic: Coupling | None
 
-    def __post_init__(self) -> None:
-        for name in ("origin", "axis"):
-            object.__setattr__(self, name, validation.read_only_copy(getattr(self, name)))
-
     @property
     def moves(self) -> bool:
         """Whether it is of any other type than fixed."""
@@ -252,7 +248,8 @@ def _joint(element: Element, links: Mapping[str, Element]) -> UrdfJoint:
     parent, child = (_end(element, tag, links) for tag in ("parent", "child"))
     axis = _axis(element) if kind in (*MOVING_TYPES, "planar") else np.zeros(3)
     limits = _limits(element, kind) if kind in {"revolute", "prismatic"} else (-np.inf, np.inf)
-    return UrdfJoint(element, name, kind, parent, child, _origin(element), axis, limits, _mimic(element, kind))
+    origin, axis = map(validation.read_only_copy, (_origin(element), axis))
+    return UrdfJoint(element, name, kind, parent, child, origin, axis, limits, _mimic(element, kind))
 
 
 def _end(joint: Element, tag: str, links: Mapping[str, Element]) -> str:

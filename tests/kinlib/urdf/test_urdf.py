@@ -303,7 +303,7 @@ def test_the_fixed_joint_at_the_end_has_a_unique_name(names, weld):
 @pytest.mark.parametrize(
     ("names", "said"),
     [
-        (("a", "a", "b"), r"names of the joints must be different; got a, a, b\. Pass other joint_names"),
+        (("a", "a", "b"), r"joint_names must have 3 different names, one per joint; got \('a', 'a', 'b'\)"),
         (("a", "", "b"), r"must consist of printable characters; got str ''\.$"),
         (("a", "b\n", "c"), r"printable characters; got str 'b\\n'\.$"),
     ],
