@@ -179,7 +179,7 @@ def test_different_numbers_are_written_differently(number, step):
     assert float(one) == pytest.approx(number, rel=1e-3)
 
 
-@pytest.mark.oracle("text: written out in the test", acute_angle, axis_distance, headings, in_latex)
+@pytest.mark.oracle("text: written out in the test", acute_angle, axis_distance, in_latex)
 def test_angles_distances_and_headings_of_simple_cases():
     X, Y, Z = np.eye(3)
     assert [acute_angle(X, other) for other in (X, -X, Y)] == [0, 0, np.pi / 2]
