@@ -1,6 +1,6 @@
 """Check that the assertion of each numbered formula of a lecture can fail: change the formula, and it must.
 
-    python tools/check_formulas.py notebooks/03_poe_space.ipynb ...
+    python evidence/checks/check_formulas.py notebooks/03_poe_space.ipynb ...
 
 An assertion with the comment `# (7)` claims that formula (7) holds. This tool plants changes in the code of the formula, one at a
 time: the sign of a term, a factor of two, the order of two factors, sine for cosine, the exponent of a power. Then it runs the
