@@ -108,7 +108,7 @@ def faults(name: str, area: Area) -> Iterator[str]:
         requirements.write_text("\n".join([*area.declared, *area.present]), "utf-8")
         settings.write_text("[tool.deptry]\n", "utf-8")
         options = [f"--requirements-files={requirements}", f"--config={settings}", f"--json-output={report}"]
-        left_out = "node_modules" if name == "new course" else "node_modules|.*new_course/template"
+        left_out = ".*node_modules" if name == "new course" else ".*node_modules|.*new_course/template"
         folders = [folder for folder in area.folders if (ROOT / folder).exists()]
         command = [
             sys.executable,

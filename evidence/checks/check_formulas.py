@@ -27,6 +27,7 @@ from dataclasses import dataclass
 from pathlib import Path
 
 import nbformat
+import numpy as np
 from prose_numbers import checked, named
 
 EQUIVALENT = Path(__file__).with_name("equivalent_changes.toml")
@@ -192,7 +193,8 @@ class Lecture:
 
 
 def execute(source: str, names: dict[str, object]) -> None:
-    with contextlib.redirect_stdout(io.StringIO()), warnings.catch_warnings():
+    # a lecture also changes how arrays are printed, which the rest of the process must not see
+    with contextlib.redirect_stdout(io.StringIO()), warnings.catch_warnings(), np.printoptions():
         warnings.simplefilter("ignore")
         exec(source, names)
 
