@@ -130,8 +130,7 @@
   function watchBytes() {
     clearTimeout(stalled);
     stalled = setTimeout(
-      () =>
-        showPhase(`No data has arrived for ${STALLED_S} seconds. Check the connection; loading goes on by itself.`),
+      () => showPhase(`No data has arrived for ${STALLED_S} seconds. Check the connection; loading goes on by itself.`),
       STALLED_S * 1000,
     );
   }
