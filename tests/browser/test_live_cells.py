@@ -3,13 +3,18 @@
 import json
 import re
 
+import nbformat
 import pytest
 from browser import unwatched, watched
-from built_site import SITE
+from built_site import ROOT, SITE
 from lab_page import PYTHON_TIMEOUT_MS
 from playwright.sync_api import expect
 
 LECTURE = "lectures/00_start_here.html"
+CELLS = nbformat.read(ROOT / "notebooks" / "00_start_here.ipynb", as_version=4).cells
+CODES = [cell.source for cell in CELLS if cell.cell_type == "code"]
+BLANK = next(number for number, code in enumerate(CODES, 1) if "position = ..." in code)
+"""The number of the cell with the blank step."""
 PHONE = {"width": 390, "height": 844}
 
 
@@ -58,7 +63,7 @@ def test_a_reader_runs_changes_and_stops_the_cells_of_a_lecture(chromium_without
         page.reload()
         typed = page.get_by_role("textbox", name="Code of cell")
         assert [area.input_value() for area in typed.all()] == ["1 +", "while True: pass"]
-        page.get_by_role("button", name="Reset cell 9").click()
+        page.get_by_role("button", name=f"Reset cell {BLANK}").click()
         page.reload()
         assert [area.input_value() for area in typed.all()] == ["1 +"]
 
@@ -112,11 +117,11 @@ def answers_a_blank_step(page):
     """The card of a blank step in the lecture judges what the reader typed; Shift+Enter goes on to the next cell."""
     blank = cell(page, "position = ...")
     write(blank, 'position = [0.5405, 0, 0.147]\nattempt("00.a", position)')
-    blank = page.locator("div.cell", has=page.get_by_role("textbox", name="Code of cell 9"))
+    blank = page.locator("div.cell", has=page.get_by_role("textbox", name=f"Code of cell {BLANK}"))
     blank.locator("textarea").press("Shift+Enter")
     ended(blank)
     expect(blank.locator(".cell_output")).to_contain_text("Right")
-    expect(page.get_by_role("button", name="Run cell 10")).to_be_focused()
+    expect(page.get_by_role("button", name=f"Run cell {BLANK + 1}")).to_be_focused()
 
 
 def has_no_violation(page):
@@ -129,13 +134,13 @@ def has_no_violation(page):
 
 
 def stops_a_cell_that_never_ends(page):
-    endless = page.locator("div.cell", has=page.get_by_role("textbox", name="Code of cell 9"))
+    endless = page.locator("div.cell", has=page.get_by_role("textbox", name=f"Code of cell {BLANK}"))
     write(endless, "while True: pass")
     press(endless, "Run")
     ended(endless, "Running.")
     press(endless, "Stop")
     expect(endless.locator(".kinlib-live-note")).to_contain_text("All variables are lost")
-    expect(endless.get_by_role("button", name="Run cell 9")).to_have_text("Run")
+    expect(endless.get_by_role("button", name=f"Run cell {BLANK}")).to_have_text("Run")
 
 
 def test_nothing_is_loaded_by_touching_scrolling_or_answering_until_the_reader_agrees(chromium, site_address, lecture):
