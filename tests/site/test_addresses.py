@@ -9,7 +9,7 @@ from browser import watched
 from built_site import ROOT, SITE
 from kinsite import demonstration, embeds, page_template
 
-from kincourse import open_sheet
+from kincourse import find_question, open_sheet
 
 
 @pytest.fixture
@@ -25,7 +25,7 @@ def page(chromium):
         ("lectures/03_poe_space.html#formula-6", "formula (6)"),
         ("mistakes/03_poe_space.html#mistake-03-2-halves-swapped", "mistake"),
         ("lectures/03_poe_space.html#figure-the-chain", "figure"),
-        ("lectures/03_poe_space.html#figure-helical-observe", "figure"),
+        ("lectures/03_poe_space.html#figure-helical-observe-2", "figure"),
         ("robots/youbot.html#figure", "figure"),
     ],
 )
@@ -92,8 +92,9 @@ def test_a_question_can_be_answered_in_a_frame_on_another_page_which_fits_it(chr
         frame, height = page.frame_locator("iframe"), "document.querySelector('iframe').offsetHeight"
         page.wait_for_function("document.querySelector('iframe').style.height")
         before = page.evaluate(height)
-        frame.locator(".kinlib-choice").first.click()
-        frame.get_by_text("A is not correct").wait_for()
+        wrong = (find_question("03/recall-2").right + 1) % 3
+        frame.locator(".kinlib-choice").nth(wrong).click()
+        frame.get_by_text(f"{'ABC'[wrong]} is not correct").wait_for()
         page.wait_for_function(f"{height} > {before} + 50")
         back = frame.get_by_role("link", name="The product of exponentials in the space frame")
         assert back.evaluate("link => link.href") == f"{site_address}/lectures/03_poe_space.html#question-03-recall-2"
@@ -115,7 +116,7 @@ def test_an_arm_is_embedded_in_its_present_configuration(page, site_address):
 
 
 def test_a_viewer_that_waits_for_a_question_is_uncovered_in_a_frame_of_its_own(page, site_address):
-    page.goto(f"{site_address}/embed/lectures/03_poe_space/figure-helical-observe.html")
+    page.goto(f"{site_address}/embed/lectures/03_poe_space/figure-helical-observe-2.html")
     page.wait_for_function("document.querySelector('.kv')?.viewer.model.get('covered') === false")
 
 
