@@ -106,7 +106,10 @@ LABEL = r"\((\d{1,2}|[a-h])\)"
 NAMED = re.compile(rf"(?:(?<![\w{{}})\\])|(?<=\\quad)){LABEL}(?!\()|\\tag\{{(\d{{1,2}}|[a-h])\}}|\\text\{{{LABEL}\}}")
 CHECKED = re.compile(rf"{LABEL}(?: to {LABEL})?")
 NEAR = 4
-"""Largest distance of a formula from its assertion, in cells: a question, a slider and an explanation may lie between."""
+"""Largest distance of a formula from its assertion, in cells: a question, a slider and an explanation may lie between.
+
+A cell that only shows one thing, such as a widget that an earlier cell has made, belongs to that cell and is not counted.
+"""
 
 PARAGRAPHS = re.compile(r"\n\s*\n|\n(?=\s*(?:[-*|] ?|\d+\. ))")
 FORMULA = re.compile(r"\$\$(.+?)\$\$|\$([^$]+)\$", re.DOTALL)
@@ -162,16 +165,30 @@ def every(first, last):
     return [chr(letter) for letter in range(ord(first), ord(last) + 1)]
 
 
+def only_shows(code):
+    """Return whether a cell only shows one thing: `turning`, `explain("03/order")`.
+
+    >>> [only_shows(code) for code in ("turning", "slide(draw, rotation)", "turning; rotation", "assert a == b")]
+    [True, True, False, False]
+    """
+    match ast.parse(code).body:
+        case [ast.Expr(ast.Name() | ast.Call())]:
+            return True
+    return False
+
+
 def formulas_without_check(cells):
     """Yield the numbers of formulas without an assertion nearby, and of assertions without a formula nearby."""
-    formulas, checks = {}, {}
-    for place, cell in enumerate(cells):
+    formulas, checks, shown = {}, {}, 0
+    for index, cell in enumerate(cells):
         markdown = cell.cell_type == "markdown"
+        shown += not markdown and only_shows(cell.source)
+        place = index - shown
         for number in named(cell.source) if markdown else checked(cell.source):
-            (formulas if markdown else checks).setdefault(number, []).append(place)
+            (formulas if markdown else checks).setdefault(number, {})[place] = cell.id
     for number in sorted(formulas.keys() | checks.keys()):
-        ways = [abs(one - other) for one in formulas.get(number, []) for other in checks.get(number, [])]
+        ways = [abs(one - other) for one in formulas.get(number, ()) for other in checks.get(number, ())]
         if min(ways, default=NEAR + 1) > NEAR:
-            cell = cells[(formulas.get(number) or checks[number])[0]]
+            first = next(iter((formulas.get(number) or checks[number]).values()))
             missing = "assertion" if number in formulas else "formula"
-            yield f"({number}) of {cell.id} has no {missing} within {NEAR} cells"
+            yield f"({number}) of {first} has no {missing} within {NEAR} cells"

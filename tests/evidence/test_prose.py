@@ -92,7 +92,16 @@ def test_a_formula_and_its_assertion_must_be_near_each_other():
     assert not list(formulas_without_check([check, other, formula]))
     assert list(formulas_without_check([formula, other]))
     assert list(formulas_without_check([check, other]))
-    assert list(formulas_without_check([formula, *5 * [other], check]))
+    assert not list(formulas_without_check([formula, *3 * [other], check]))
+    assert list(formulas_without_check([formula, *4 * [other], check]))
+
+
+@pytest.mark.parametrize(
+    ("code", "is_counted"), [("turning", 0), ("explain('03/order')", 0), ("a = 1", 1), ("a\nb", 1)]
+)
+def test_a_cell_that_only_shows_one_thing_does_not_separate_a_formula_from_its_assertion(code, is_counted):
+    formula, check = new_markdown_cell("$$ab = c \\tag{1}$$"), new_code_cell("assert True  # (1)")
+    assert len([*formulas_without_check([formula, *9 * [new_code_cell(code)], check])]) == is_counted
 
 
 @pytest.mark.parametrize(
