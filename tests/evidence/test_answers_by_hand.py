@@ -1,4 +1,4 @@
-"""The census, on one student: feedback is held against wrong answers that share no code with it.
+"""The census, on two students: feedback is held against wrong answers that share no code with it.
 
 `nox -s census` does the same for 60 students and writes what the site shows.
 """
@@ -11,7 +11,7 @@ from evidence.answers_by_hand import answers_by_hand
 from kincourse import find_sheet, sheets
 from misstep.census import COUNTS, census_of
 
-STUDENTS = ["a student of the tests"]
+STUDENTS = ["a student of the tests", "another one"]
 
 MAX_UNNAMED = 0.25
 """The largest share of the wrong answers by hand to one problem that may have no name."""
