@@ -149,8 +149,12 @@ class SubmissionShell(CellShell):
         return SList() if split else ""
 
     def report_error(self, error: BaseException, trace: TracebackType | None) -> None:
-        """Record an error."""
-        lines = "".join(format_exception(type(error), error, trace, limit=-MAX_TRACEBACK_FRAMES)).splitlines()
+        """Record an error; that of a timeout without the place, because two runs are not interrupted at the same one."""
+        is_timeout = isinstance(error, CellTimeout)
+        shown = format_exception(
+            type(error), error, None if is_timeout else trace, limit=-MAX_TRACEBACK_FRAMES, chain=not is_timeout
+        )
+        lines = "".join(shown).splitlines()
         output = {
             "output_type": "error",
             "ename": type(error).__name__[:200],
