@@ -312,7 +312,9 @@ class _Search:
         candidates = [c for c in candidates if all(_can_combine(*pair) for pair in pairwise(c))]
         agree = self._may_agree(candidates)
         priced = [
-            (self._price(c), k, c) for k, (c, possible) in enumerate(zip(candidates, agree, strict=True)) if possible
+            (self._price(c), k, c)
+            for k, (c, possible) in enumerate(zip(candidates, agree, strict=True))
+            if possible and self._edits(c)
         ]
         found: dict[Corrections, DHTable] = {}
         price = 0.0
@@ -337,6 +339,10 @@ class _Search:
         """The entries that corrections edit, with their new values."""
         rows = corrected_rows(self.table.rows, corrections)
         return {(int(i), int(j)): float(rows[i, j]) for i, j in np.argwhere(np.abs(rows - self.table.rows) > 1e-12)}
+
+    def _edits(self, corrections: Corrections) -> bool:
+        """Whether corrections edit anything. Without a change, the table is the one that has been compared already."""
+        return bool(self.start or any(c.convention or c.letters for c in corrections) or self._changes(corrections))
 
     def _price(self, corrections: Corrections) -> list[float]:
         """The number of edited entries, where a number counts twice and a label once; then what is less plausible."""
@@ -386,7 +392,9 @@ class _Search:
 
     @cached_property
     def _singles(self) -> list[Correction]:
-        return known_corrections(self.table, self._numbers, self._more_d, zeros_are_fixed="zeros" in self.fixed)
+        """The known corrections, without those that edit nothing, such as swapping two equal rows."""
+        known = known_corrections(self.table, self._numbers, self._more_d, zeros_are_fixed="zeros" in self.fixed)
+        return [correction for correction in known if self._edits((correction,))]
 
     @cached_property
     def _numbers(self) -> Array:

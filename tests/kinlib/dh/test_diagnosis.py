@@ -6,6 +6,7 @@ from planted_mistakes import TABLES
 
 import kinlib as kl
 from kinlib import DHTable, assign_frames, diagnose, equivalent
+from kinlib.arrays.tolerances import EQUIVALENCE_TOL
 from kinlib.dh import diagnosis
 from kinlib.dh.diagnosis import TableExplanation
 from kinlib.dh.mistakes import corrected_rows, corrections_of_joint_types, format_entry, known_corrections
@@ -657,14 +658,24 @@ def test_an_angle_is_told_in_degrees_and_a_length_as_a_number():
 @pytest.mark.parametrize("joints", ["R", "RPR"])
 @pytest.mark.parametrize("fixed", [(), CHOICES])
 def test_few_corrections_of_a_table_with_three_wrong_numbers_are_compared_joint_by_joint(n, joints, fixed, monkeypatch):
-    """Each comparison takes some 50 ms. All other corrections, thousands of pairs, are ruled out together."""
-    compared = []
-    monkeypatch.setattr(
-        diagnosis, "equivalent", lambda *given, **options: compared.append(given) or equivalent(*given, **options)
-    )
+    """Each comparison takes some 50 ms. All other corrections, thousands of pairs, are ruled out together.
+
+    Single corrections are searched for once more with the tolerance that the rounding of the numbers gives.
+    """
+    compared, through_rounding = [], []
+
+    def counted(table, arm, *, tolerance, **options):
+        (compared if tolerance == EQUIVALENCE_TOL else through_rounding).append((table, options))
+        return equivalent(table, arm, tolerance=tolerance, **options)
+
+    monkeypatch.setattr(diagnosis, "equivalent", counted)
     joints = (joints * n)[:n]
     rows = np.array([[0.1 * (k % 3 == 1), (-1) ** k * np.pi / 2, 0.1 * (k % 2) * (k + 1), 0] for k in range(n)])
     right = DHTable(rows, convention="standard", joints=joints)
     wrong = with_entries(right, (2, "a", 0.12), (4, "d", 0.433), (5, "a", 0.5))
     assert not diagnose(wrong, right, fixed).right
     assert len(compared) <= 2 * diagnosis.MAX_COMPARED + 2
+    assert len(through_rounding) <= diagnosis.MAX_COMPARED
+    corrected = [table for table, options in compared + through_rounding if "simplest" in options]
+    unchanged = [t for t in corrected if t.convention == wrong.convention and np.allclose(t.rows, wrong.rows)]
+    assert not unchanged, "a correction that edits nothing was compared"
