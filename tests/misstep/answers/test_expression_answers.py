@@ -1,5 +1,6 @@
 """Formulas as answers: compared by their values; no input breaks the reader or keeps it busy."""
 
+import sys
 from contextlib import suppress
 
 import numpy as np
@@ -306,6 +307,16 @@ UNREADABLE = {
 }
 
 
+@pytest.fixture
+def usual_recursion_limit():
+    """Set Python's own limit, because other packages raise it, and then formulas nested more deeply can be read."""
+    before = sys.getrecursionlimit()
+    sys.setrecursionlimit(1000)
+    yield
+    sys.setrecursionlimit(before)
+
+
+@pytest.mark.usefixtures("usual_recursion_limit")
 @pytest.mark.parametrize(("hostile", "words"), UNREADABLE.values(), ids=UNREADABLE)
 def test_anything_but_a_formula_is_refused_with_a_reason(hostile, words):
     with pytest.raises(Unreadable, match=f"(?s)^Expected one formula in a_2, q_1, q_2: .*({words})"):
