@@ -332,5 +332,5 @@ def _import_sympy(message: Mapping[str, Any]) -> bool:
 if __name__ == "__main__":
     try:
         main(sys.argv[1])
-    except (BrokenPipeError, KeyboardInterrupt):  # whoever grades has ended
+    except (BrokenPipeError, KeyboardInterrupt):  # the process that grades has ended
         os._exit(1)

@@ -165,5 +165,5 @@ def _end_child(child: int, is_supervised: bool) -> dict[str, float]:
 
 
 if __name__ == "__main__":
-    with suppress(BrokenPipeError, ConnectionResetError, KeyboardInterrupt):  # whoever grades has ended
+    with suppress(BrokenPipeError, ConnectionResetError, KeyboardInterrupt):  # the process that grades has ended
         main(int(sys.argv[1]), UNSAFE_OPTION not in sys.argv)
