@@ -83,7 +83,7 @@ def test_every_option_in_the_guide_is_an_option_of_misstep_grade():
 
 
 def test_every_test_in_the_table_of_threats_exists():
-    tests = "\n".join(path.read_text("utf-8") for path in (ROOT / "tests" / "misstep" / "grading").glob("test_*.py"))
+    tests = "\n".join(path.read_text("utf-8") for path in (ROOT / "tests" / "misstep" / "grading").rglob("test_*.py"))
     rows = (
         GUIDE.partition("### Each promise, its layers, and its tests")[2].partition("\nFormgrader")[0].split("\n| ")[3:]
     )
