@@ -22,7 +22,7 @@ The table is in the standard convention, but was read as modified.
 (2, 4)
 >>> kl.symbolic.shorthand(kl.symbolic.fk(own))[:3, 3].T                # 11  closed forms, in SymPy
 Matrix([[c_1*(1 - c_2), s_1*(1 - c_2), s_2]])
->>> kl.show(own, path=tempfile.mkdtemp() + "/arm.svg")                # 12  a picture; kl.show(own) has sliders
+>>> kl.show(own, path=tempfile.mkdtemp() + "/arm.png")                # 12  a picture, or .pdf; kl.show(own) has sliders
 
 Rigid motions
     exp(x)               rotation vectors (..., 3) -> rotations (..., 3, 3); twists (..., 6) -> poses (..., 4, 4)
@@ -45,7 +45,7 @@ Closed chains
     Mechanism(joints), Joint, linkages           linkages: assemble, trace, mobility
 Also
     symbolic             the same formulas in SymPy
-    show(arm)            pictures and three dimensions; more in kinlib.view
+    show(robot)          an arm, a table, a tree or a closed chain in pictures and three dimensions; more in kinlib.view
 
 A twist and a screw axis are (omega, v), as in Modern Robotics; T_ab takes coordinates in {b} to coordinates in {a}; radians and
 metres. An array of shape (..., n) holds any number of configurations. `NOTATION.md` lists the conventions, and for example
@@ -71,7 +71,7 @@ from kinlib.urdf.robot_tree import Tree
 
 if TYPE_CHECKING:
     from kinlib import symbolic
-    from kinlib.view.viewer.browser import show
+    from kinlib.view.browser import show
 
     # For type checkers only: `help` would print every class and function named here, 1,700 lines.
     __all__ = [

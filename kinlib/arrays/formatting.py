@@ -85,3 +85,14 @@ def latex_array(heads: Sequence[str], rows: Sequence[Sequence[str]]) -> str:
     lines = " \\\\ ".join(" & ".join(row) for row in rows)
     columns = "c|" + "c" * (len(heads) - 1)
     return f"$\\displaystyle \\begin{{array}}{{{columns}}}{' & '.join(heads)} \\\\ \\hline {lines}\\end{{array}}$"
+
+
+def format_different(one: float, other: float) -> tuple[str, str]:
+    """Write two numbers with four digits, or with as many more as show that they differ.
+
+    >>> format_different(0.4318, 0.5), format_different(0.407, 0.40700001)
+    (('0.4318', '0.5'), ('0.407', '0.40700001'))
+    """
+    one, other = (0.0 if abs(number) < ROUNDING_ERROR * abs(one - other) else number for number in (one, other))
+    texts = [(f"{one:.{digits}g}", f"{other:.{digits}g}") for digits in range(4, 18)]
+    return next((pair for pair in texts if pair[0] != pair[1]), texts[0])

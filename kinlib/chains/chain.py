@@ -21,7 +21,7 @@ from kinlib.arrays import tolerances, validation
 from kinlib.arrays.formatting import aligned_table, format_matrix, format_vector, html_table, latex_array
 from kinlib.arrays.named_values import JointValues, in_order
 from kinlib.arrays.validation import Array
-from kinlib.rigid.lie import _adjoint, _inverse, _screw_motions, adjoint, homogeneous, inverse
+from kinlib.rigid.lie import _adjoint, _inverse, _screw_constants, _screw_motions, adjoint, homogeneous, inverse
 from kinlib.rigid.screw import Line, axes, is_prismatic, line
 
 SCREW_HEADINGS = ["i", "joint", "omega", "v"]
@@ -36,7 +36,7 @@ def _in_chunks(equation: Callable[[Chain, Array], Array]) -> Callable[[Chain, Jo
 
     @wraps(equation)
     def method(self: Chain, q: JointValues) -> Array:
-        q = self._joint_values(q)
+        q = self.in_order(q)
         if q.size <= MAX_CHUNK * self.n:
             return equation(self, q)
         rows = q.reshape(-1, self.n)
@@ -185,8 +185,13 @@ class Chain(validation.ReadOnly):
         >>> rpr().joint_types
         'RPR'
         """
-        pitch = self.lines.pitch
-        return "".join("P" if h == np.inf else "H" if abs(h) > tolerances.UNIT_LENGTH_TOL else "R" for h in pitch)
+        _, point, pitch = self.lines
+        # omega . v has the rounding errors of v, which grow with the distance of the axis.
+        rounding = 8 * np.finfo(float).eps * np.linalg.norm(point, axis=-1)
+        is_helical = np.abs(pitch) > np.maximum(tolerances.UNIT_LENGTH_TOL, rounding)
+        return "".join(
+            "P" if h == np.inf else "H" if helical else "R" for h, helical in zip(pitch, is_helical, strict=True)
+        )
 
     @cached_property
     def joint_points(self) -> Array:
@@ -211,6 +216,19 @@ class Chain(validation.ReadOnly):
         """
         return validation.read_only_copy(self.screws @ adjoint(inverse(self.home)).T)
 
+    @cached_property
+    def _constants(self) -> Array:
+        return validation.read_only_copy(_screw_constants(self.screws))
+
+    @cached_property
+    def _body_constants(self) -> Array:
+        return validation.read_only_copy(_screw_constants(self.body_screws))
+
+    @cached_property
+    def _rotates(self) -> NDArray[np.bool_]:
+        """Which joints are not prismatic, (n,)."""
+        return ~is_prismatic(self.screws)
+
     @_in_chunks
     def fk(self, q: Array) -> Array:
         """Compute the pose of the tool by the space form: T(q) = e^[S1]q1 ... e^[Sn]qn M.
@@ -226,7 +244,7 @@ class Chain(validation.ReadOnly):
         (1000, 4, 4)
         """
         T = np.eye(4)
-        for E_i in _screw_motions(self.screws, q):  # E_i = e^[Si]qi
+        for E_i in _screw_motions(self._constants, q):  # E_i = e^[Si]qi
             T = T @ E_i
         return T @ self.home
 
@@ -244,7 +262,7 @@ class Chain(validation.ReadOnly):
         True
         """
         T = self.home
-        for E_i in _screw_motions(self.body_screws, q):  # E_i = e^[Bi]qi
+        for E_i in _screw_motions(self._body_constants, q):  # E_i = e^[Bi]qi
             T = T @ E_i
         return T
 
@@ -260,10 +278,13 @@ class Chain(validation.ReadOnly):
         >>> np.allclose(youbot().fk_mid([1, 2, 3, 4, 5], 2), youbot().fk([1, 2, 3, 4, 5]), atol=1e-13)
         True
         """
-        q = self._joint_values(q)
+        q = self.in_order(q)
         if k not in range(self.n + 1):
             raise ValueError(f"k must be the number of joints to the left of M, 0 to {self.n}; got {k!r}.")
-        before, after = _screw_motions(self.screws[:k], q[..., :k]), _screw_motions(self.body_screws[k:], q[..., k:])
+        before, after = (
+            _screw_motions(self._constants[:k], q[..., :k]),
+            _screw_motions(self._body_constants[k:], q[..., k:]),
+        )
         return reduce(np.matmul, [*before, self.home, *after])
 
     @_in_chunks
@@ -280,7 +301,7 @@ class Chain(validation.ReadOnly):
         array([0.323, 0.   , 0.147])
         """
         links, T = [], np.eye(4)
-        for E_i, point in zip(_screw_motions(self.screws, q), self.joint_points, strict=True):
+        for E_i, point in zip(_screw_motions(self._constants, q), self.joint_points, strict=True):
             T = T @ E_i
             links.append(T @ homogeneous(np.eye(3), point))
         return np.stack(links, axis=-3)
@@ -300,7 +321,7 @@ class Chain(validation.ReadOnly):
         True
         """
         columns, T = [], np.broadcast_to(np.eye(4), (*np.shape(q)[:-1], 4, 4))
-        for S_i, E_i in zip(self.screws, _screw_motions(self.screws, q), strict=True):
+        for S_i, E_i in zip(self.screws, _screw_motions(self._constants, q), strict=True):
             columns.append(_adjoint(T) @ S_i)
             T = T @ E_i
         return np.stack(columns, axis=-1)
@@ -330,7 +351,7 @@ class Chain(validation.ReadOnly):
         >>> Chain([[0, 0, 1, 0, 0, 0]], np.eye(4), limits=[[-1, 1]]).within_limits([[0.5], [1.5]])
         array([ True, False])
         """
-        q = self._joint_values(q)
+        q = self.in_order(q)
         lower, upper = self._limits.T
         inside: NDArray[np.bool_] = ((lower <= q) & (q <= upper)).all(axis=-1)
         return inside
@@ -403,8 +424,15 @@ class Chain(validation.ReadOnly):
     def _limits(self) -> Array:
         return np.tile([-np.inf, np.inf], (self.n, 1)) if self.limits is None else self.limits
 
-    def _joint_values(self, q: JointValues) -> Array:
-        """Read q as joint values of this chain, (..., n)."""
+    def in_order(self, q: JointValues) -> Array:
+        """Read joint values as an array (..., n) in the order of the joints, from an array or a mapping by joint name.
+
+        Raises ValueError for joint values of another size, for NaN, and for a missing or an unknown name.
+
+        >>> arm = Chain([[0, 0, 1, 0, 0, 0], [0, 0, 0, 1, 0, 0]], np.eye(4), joint_names=("turn", "slide"))
+        >>> arm.in_order({"slide": 0.5, "turn": 1})
+        array([1. , 0.5])
+        """
         q = in_order(q, self.joint_names, self.name) if isinstance(q, Mapping) else validation.array(q, "q")
         if q.shape[-1:] != (self.n,):
             fits = q.ndim > 1 and q.shape[-2] == self.n
@@ -413,8 +441,7 @@ class Chain(validation.ReadOnly):
                 f"{self.name} has {self.n} joints ({self.joint_types}), so q must have shape (..., {self.n}); "
                 f"got {q.shape}. {advice}."
             )
-        rotates = self.screws[:, :3].any(axis=-1)
-        validation.rotation_angles(np.abs(q * rotates))
+        validation.rotation_angles(np.abs(q * self._rotates))
         return q
 
 

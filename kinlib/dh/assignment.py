@@ -16,6 +16,7 @@ from functools import cached_property
 
 import numpy as np
 
+from kinlib.arrays import validation
 from kinlib.arrays.formatting import format_matrix
 from kinlib.arrays.tolerances import INTERSECTION_TOL_M, PARALLEL_TOL_RAD, RELOCATE_PRISMATIC_RAD
 from kinlib.arrays.validation import Array
@@ -31,7 +32,7 @@ PARALLEL_BOUNDS_RAD = 10.0 ** np.arange(-11.5, -4.5, 0.5)
 
 
 @dataclass(frozen=True, eq=False)
-class FrameAssignment:
+class FrameAssignment(validation.ReadOnly):
     """The DH frames of an arm, its table, and the steps of the assignment.
 
     table    with exactly one row per joint, and with base and tool
@@ -43,6 +44,9 @@ class FrameAssignment:
     table: DHTable
     frames: Array = field(repr=False)
     normals: tuple[CommonNormal, ...] = field(repr=False)
+
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "frames", validation.read_only_copy(self.frames))
 
     def __str__(self) -> str:
         """Write the table, with base and tool.

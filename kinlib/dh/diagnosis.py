@@ -40,7 +40,7 @@ from kinlib.dh.mistakes import (
 )
 from kinlib.dh.parsing import COLUMNS
 from kinlib.dh.rounding import ALMOST_1, Rounding, judge_rounding
-from kinlib.dh.table import DHTable, dh_transform
+from kinlib.dh.table import Convention, DHTable, dh_transform
 from kinlib.rigid.lie import log
 
 MAX_TOLD = 3
@@ -49,11 +49,17 @@ MAX_TOLD = 3
 MAX_COMPARED = 15
 """How many corrected tables, of those whose invariants agree, are compared with the arm in full."""
 
+MAX_WRONG_ANGLES = 2
+"""How many angles between neighbouring axes a single mistake makes wrong at most, apart from one in the whole table."""
+
 MAX_PAIRS = 20_000
 """How many pairs of mistakes are tried."""
 
 MAX_ROUNDED_TOL = 1e-2
 """If the rounding of a table's numbers changes its poses by more than this, mistakes are not looked for through it."""
+
+TYPED_POSE_TOL = 1e-6
+"""How far the inverse of a pose may be off that a person typed."""
 
 FILTER_TOL_FACTOR = 3
 """How many times the tolerance an invariant may be off before a correction is refuted by it."""
@@ -84,7 +90,7 @@ class TableExplanation:
         return equivalent(self.corrected, self.arm, fixed=self.fixed, tolerance=self.tolerance)
 
 
-@dataclass(frozen=True, eq=False)
+@dataclass(frozen=True, eq=False, repr=False)
 class Diagnosis:
     """The result of a diagnosis.
 
@@ -113,10 +119,12 @@ class Diagnosis:
         """What is known of the table; only a wrong one is accused of mistakes."""
         if self.comparison.verdict == "same":
             return "right"
-        if self.explanations:
-            return "wrong"
         if self.rounding and self.rounding.verdict == "explains":
             return "rounded"
+        # Where coarse rounding may be the cause, only a single mistake that invents no numbers outweighs it.
+        is_open = self.rounding and self.rounding.verdict == "possible"
+        if any(not (self.rounding and is_open) or _is_plain(each, self.rounding) for each in self.explanations):
+            return "wrong"
         is_open = self.comparison.verdict == "undecided" or (self.rounding and self.rounding.verdict == "possible")
         return "undecided" if is_open else "wrong"
 
@@ -127,7 +135,7 @@ class Diagnosis:
 
     @property
     def faults(self) -> Sequence[Fault]:
-        """The mistakes of the first explanation; empty if the table is right or nothing explains it."""
+        """The mistakes of the first explanation; empty if the table is right or nothing explains it. Possible ones if undecided."""
         return self.explanations[0].faults if self.explanations else ()
 
     @property
@@ -152,16 +160,32 @@ class Diagnosis:
             return f"The table describes the arm only up to choices that are fixed here. {choices}".rstrip()
         return self.comparison.reason.replace("the first", "the table").replace("the second", "the arm")
 
+    def __repr__(self) -> str:
+        return f"Diagnosis({self.verdict!r}: {str(self).partition(chr(10))[0]})"
+
     def __str__(self) -> str:
         if self.verdict in {"right", "rounded"}:
             return self._describe_agreement()
         limit = self.rounding.limit if self.rounding else ""
         if self.verdict == "undecided":
-            reason = limit or self.difference
-            return f"Whether this table describes the arm cannot be decided, and no known mistake explains it. {reason}"
+            told = self._told_mistakes()
+            also = (
+                "either its numbers are only rounded, or:\n" + "\n".join(told)
+                if told
+                else "no known mistake explains it."
+            )
+            return (
+                f"Whether this table describes the arm cannot be decided: {also}\n{limit or self.difference}".rstrip()
+            )
         if not self.explanations:
             mistakes = "No known mistake, and no pair of them," if self.in_pairs else "No known mistake"
             return f"{mistakes} was found that explains this table. {self.difference} {limit}".rstrip()
+        return "\n".join([*self._told_mistakes(), *([limit] if limit else [])])
+
+    def _told_mistakes(self) -> list[str]:
+        """Write the explanations, one in a line."""
+        if not self.explanations:
+            return []
         # Another number for the same entry is the same mistake.
         told = {
             tuple((fault.name, fault.row, fault.column) for fault in explanation.faults): explanation
@@ -173,14 +197,17 @@ class Diagnosis:
             lines = ["Either: " + " ".join(texts[0]), *("or: " + " ".join(text) for text in texts[1:MAX_TOLD])]
         if len(texts) > MAX_TOLD:
             lines.append(f"({len(texts) - MAX_TOLD} more are as simple.)")
-        return "\n".join([*lines, *([limit] if limit else [])])
+        return lines
 
     def _describe_agreement(self) -> str:
         """Describe how well a table describes the arm, and up to which choices."""
         comparison, tolerance, accuracy = self.comparison, self.tolerance, ""
         if self.rounding:
             comparison, tolerance = self.rounding.nearest, max(self.rounding.effect, tolerance)
-            accuracy = f" to within the rounding of its numbers ({self.rounding.units}); its poses differ by up to "
+            digits = (
+                f"the rounding of its numbers ({self.rounding.units})" if self.rounding.units else "double precision"
+            )
+            accuracy = f" to within {digits}; its poses differ by up to "
             accuracy += f"{comparison.difference:.2g}"
         choices = list(_describe_choices(comparison, self.table, tolerance))
         return "\n".join(
@@ -229,13 +256,13 @@ def diagnose(
     bound = EQUIVALENCE_TOL if tolerance is None else tolerance
     comparison = equivalent(table, arm, fixed=fixed, tolerance=bound)
     found = Diagnosis(table, comparison, (), bound, in_pairs=in_pairs)
-    if comparison.verdict != "different":
+    if comparison.verdict == "same":
         return found
     rounding = None
     if tolerance is None and table.joints.replace("F", "") == arm.joint_types:
         rounding = judge_rounding(table, arm, fixed)
         found = replace(found, rounding=rounding)
-    if found.verdict == "rounded":
+    if found.verdict == "rounded" or comparison.verdict == "undecided":
         return found
     explanations = _explain(table, reference, fixed, bound, 2 if in_pairs else 1)
     if rounding:
@@ -249,11 +276,25 @@ def diagnose(
     return replace(found, explanations=explanations, unfixed=unfixed)
 
 
+def _is_plain(explanation: TableExplanation, rounding: Rounding) -> bool:
+    """Whether an explanation is a single usual mistake, or one number whose correction has as few digits as the others.
+
+    Rounding leads to such a number by chance only.
+    """
+    if len(explanation.faults) != 1 or explanation.faults[0].name == "columns in another order":
+        return False
+    rows, changed = explanation.corrected.rows, explanation.corrected.rows != explanation.table.rows
+    unit = np.broadcast_to(2 * rounding.half_unit, rows.shape)[changed]
+    step = np.where(unit > 0, unit, 1.0)
+    has_few_digits = (unit > 0) & (np.abs(rows[changed] - np.round(rows[changed] / step) * step) < 1e-9)
+    return explanation.faults[0].name not in NUMBERS or bool(has_few_digits.all())
+
+
 def _is_rounding(explanation: TableExplanation, rounding: Rounding) -> bool:
     """Whether an explanation changes no number by more than its rounding."""
     corrected, table = explanation.corrected, explanation.table
-    if (corrected.convention, corrected.joints) != (table.convention, table.joints):
-        return False
+    if corrected.changed(rows=table.rows) != table:
+        return False  # something else than a number was corrected
     return bool((np.abs(corrected.rows - table.rows) <= ALMOST_1 * rounding.half_unit).all())
 
 
@@ -276,32 +317,65 @@ def _explain(
     if "H" in arm.joint_types:
         return []
     # If the joint types differ, no other correction can help without these.
-    searches = []
+    starts = []
     for start in corrections_of_joint_types(table, arm.joint_types):
         letters = dict(enumerate(table.joints))
         for correction in start:
             letters |= correction.letters
-        with_types = table.changed(joints="".join(letters.values()))
-        searches.append(_Search(with_types, start, reference, arm, fixed, tolerance))
+        starts.append((table.changed(joints="".join(letters.values())), start))
+    # A wrong frame at an end is the mistake that remains if the table describes the arm up to this frame.
+    frames = [
+        (),
+        *((end,) for end in ("base", "tool") if end in fixed),
+        *([("base", "tool")] if fixed >= {"base", "tool"} else []),
+    ]
+    searches = {
+        ends: [_Search(with_types, start, reference, arm, fixed, tolerance, ends) for with_types, start in starts]
+        for ends in frames
+    }
+
+    def numbers(explanation: TableExplanation) -> int:
+        return sum(fault.name in NUMBERS for fault in explanation.faults)
+
+    def is_end_wrong(explanation: TableExplanation) -> bool:
+        return any(fault.name in {"wrong base", "wrong tool"} for fault in explanation.faults)
+
     for count in range(1, max_faults + 1):
-        if found := [explanation for search in searches for explanation in search.explanations(count)]:
-            return found
+        found: list[TableExplanation] = []
+        for ends in frames:
+            # What moves a frame moves whole arms, so mistakes in the rows come first, unless they are invented numbers.
+            if len(ends) <= count and not any(numbers(each) == 0 for each in found):
+                found += [each for search in searches[ends] for each in search.explanations(count - len(ends))]
+        # With free zeros too many tables fit: only where these count, two steps say something.
+        if count == 2 and "zeros" in fixed and not any(numbers(each) == 0 for each in found):
+            found += [each for search in searches[()] for each in search.explanations_in_two_steps()]
+        if found:
+            return sorted(found, key=lambda each: numbers(each) > 0 or not is_end_wrong(each))
     return []
 
 
 @dataclass(frozen=True, eq=False)
 class _Search:
-    """The search for the simplest corrections of a table, which has the joint types of the arm after those at the start."""
+    """The search for the simplest corrections of a table, which has the joint types of the arm after those at the start.
+
+    ends  the frames that are wrong too, of "base" and "tool"; their mistakes are added to each explanation
+    """
 
     table: DHTable
     start: Corrections
     reference: Chain | DHTable
     arm: Chain
-    fixed: frozenset[str]
+    all_fixed: frozenset[str]
     tolerance: float
+    ends: tuple[str, ...] = ()
+
+    @property
+    def fixed(self) -> frozenset[str]:
+        """What may not differ, apart from the frames that are wrong."""
+        return self.all_fixed - set(self.ends)
 
     def explanations(self, count: int) -> list[TableExplanation]:
-        """Return the explanations by this number of faults with the fewest edited entries."""
+        """Return the explanations by this number of faults in the rows with the fewest edited entries."""
         more = count - len(self.start)
         if more < 0:
             return []
@@ -314,26 +388,64 @@ class _Search:
         priced = [
             (self._price(c), k, c)
             for k, (c, possible) in enumerate(zip(candidates, agree, strict=True))
-            if possible and self._edits(c)
+            if possible and (self._edits(c) or self.ends)
         ]
         found: dict[Corrections, DHTable] = {}
+        wrong_ends: dict[Corrections, list[Fault]] = {}
         price = 0.0
         for (entries, *_), _, corrections in sorted(priced)[:MAX_COMPARED]:
             if found and entries > price:
                 break
-            corrected = self._corrected(corrections)
-            compared = equivalent(corrected, self.arm, fixed=self.fixed, tolerance=self.tolerance, simplest=False)
+            try:
+                corrected = self._corrected(corrections)
+            except ValueError:  # for example an angle of many turns, which no table has
+                continue
+            compared = equivalent(corrected, self.arm, fixed=self.fixed, tolerance=self.tolerance)
             if compared.verdict == "same":
-                found[corrections], price = corrected, entries
+                right = {"base": compared.base @ corrected.base, "tool": corrected.tool @ compared.tool}
+                wrong_ends[corrections] = [_wrong_end(end, getattr(corrected, end), right[end]) for end in self.ends]
+                found[corrections], price = corrected.changed(**{end: right[end] for end in self.ends}), entries
         return [
-            TableExplanation([c.fault for c in kept], self.table, found[kept], self.arm, self.fixed, self.tolerance)
+            TableExplanation(
+                [*(c.fault for c in kept), *wrong_ends[kept]],
+                self.table,
+                found[kept],
+                self.arm,
+                self.all_fixed,
+                self.tolerance,
+            )
             for kept in self._without_details(list(found))
         ]
+
+    def explanations_in_two_steps(self) -> list[TableExplanation]:
+        """Return the explanations by a mistake in the whole table, such as its convention, and another one in the table without it."""
+        found = []
+        for whole in self._singles:
+            if whole.fault.row is not None or self.start:
+                continue
+            angles = self._invariants.violated(self._values([(whole,)])[0])[: self.arm.n - 1]
+            if np.count_nonzero(angles) > MAX_WRONG_ANGLES:
+                continue
+            try:
+                rest = replace(self, table=self._corrected((whole,)))
+            except ValueError:  # for example an angle of many turns, which no table has
+                continue
+            found += [
+                replace(each, faults=[whole.fault, *each.faults], table=self.table) for each in rest.explanations(1)
+            ]
+        return found
 
     def _corrected(self, corrections: Corrections) -> DHTable:
         rows = corrected_rows(self.table.rows, corrections)
         convention = next((c.convention for c in corrections if c.convention), self.table.convention)
-        return self.table.changed(rows=rows, convention=convention)
+        return self.table.changed(rows=rows, convention=convention, signs=self._signs(corrections))
+
+    def _signs(self, corrections: Corrections) -> Array:
+        """The signs of the corrected table, (m,)."""
+        signs = self.table.signs.copy()
+        for correction in corrections:
+            signs[sorted(correction.turned)] *= -1
+        return signs
 
     def _changes(self, corrections: Corrections) -> dict[tuple[int, int], float]:
         """The entries that corrections edit, with their new values."""
@@ -342,12 +454,13 @@ class _Search:
 
     def _edits(self, corrections: Corrections) -> bool:
         """Whether corrections edit anything. Without a change, the table is the one that has been compared already."""
-        return bool(self.start or any(c.convention or c.letters for c in corrections) or self._changes(corrections))
+        is_edited = self.start or any(c.convention or c.letters or c.turned for c in corrections)
+        return bool(is_edited or self._changes(corrections))
 
     def _price(self, corrections: Corrections) -> list[float]:
         """The number of edited entries, where a number counts twice and a label once; then what is less plausible."""
         numbers = sum(c.fault.name in NUMBERS for c in corrections)
-        labels = sum(bool(c.convention) + len(c.letters) for c in corrections)
+        labels = sum(bool(c.convention) + len(c.letters) + bool(c.turned) for c in corrections)
         # Every entry of a column has to be wrong in the same way: a single entry is the simpler explanation.
         columns = sum(c.fault.row is None and c.fault.name.startswith("sign of") for c in corrections)
         rows = corrected_rows(self.table.rows, corrections)
@@ -385,7 +498,7 @@ class _Search:
             if not any(
                 changes == others if numbers <= fewer else changes.items() <= others.items() and not is_usual(changes)
                 for one, others, fewer in kept
-                if [c.convention for c in one] == [c.convention for c in candidate]
+                if [(c.convention, c.turned) for c in one] == [(c.convention, c.turned) for c in candidate]
             ):
                 kept.append((candidate, changes, numbers))
         return [candidate for candidate, _, _ in kept]
@@ -393,13 +506,15 @@ class _Search:
     @cached_property
     def _singles(self) -> list[Correction]:
         """The known corrections, without those that edit nothing, such as swapping two equal rows."""
-        known = known_corrections(self.table, self._numbers, self._more_d, zeros_are_fixed="zeros" in self.fixed)
+        known = known_corrections(self.table, self._right_rows, self._more_d, self.fixed)
         return [correction for correction in known if self._edits((correction,))]
 
     @cached_property
-    def _numbers(self) -> Array:
+    def _right_rows(self) -> list[Array]:
+        """The rows of right tables of the arm: of an assigned one, and of the one that is given, if it is a table."""
         own = assign_frames(self.arm, convention=self.table.convention).table.rows
-        return np.concatenate([own, self.reference.rows]) if isinstance(self.reference, DHTable) else own
+        given = [self.reference.converted(self.table.convention).rows] if isinstance(self.reference, DHTable) else []
+        return [own, *given]
 
     @cached_property
     def _more_d(self) -> dict[int, list[float]]:
@@ -431,7 +546,7 @@ class _Search:
 
     def _values(self, candidates: Sequence[Corrections]) -> Array:
         """Compute the invariants of the corrected tables, (N, k)."""
-        return self._by_convention(
+        return self._by_setting(
             candidates,
             lambda table, rows: self._invariants.of(
                 *joint_axes(rows, convention=table.convention, joints=table.joints, signs=table.signs)
@@ -445,22 +560,25 @@ class _Search:
         agree = self._invariants.agree(self._values(candidates))
         if self.fixed >= {"zeros", "signs"}:
             q = random_configurations(self.arm.n, 4)
-            poses = self._by_convention(candidates, lambda table, rows: _poses(table, rows, q))
+            poses = self._by_setting(candidates, lambda table, rows: _poses(table, rows, q))
             loose = FILTER_TOL_FACTOR * self.tolerance
             agree &= _same_motion(poses, self.arm.fk(q), self.fixed, loose)
         return agree
 
-    def _by_convention(self, candidates: Sequence[Corrections], compute: Callable[[DHTable, Array], Array]) -> Array:
-        """Compute something from the rows of all corrected tables (N, m, 4), for the tables of one convention at a time."""
-        other = np.array([any(c.convention for c in candidate) for candidate in candidates])
-        results = []
-        for is_other, convention in ((False, self.table.convention), (True, OTHER_CONVENTION[self.table.convention])):
-            rows = [corrected_rows(self.table.rows, c) for c, o in zip(candidates, other, strict=True) if o == is_other]
-            if rows:
-                results.append((other == is_other, compute(self.table.changed(convention=convention), np.array(rows))))
-        values = np.empty((len(candidates), *results[0][1].shape[1:]))
-        for selected, part in results:
-            values[selected] = part
+    def _by_setting(self, candidates: Sequence[Corrections], compute: Callable[[DHTable, Array], Array]) -> Array:
+        """Compute something from the rows of all corrected tables (N, m, 4), for those of one convention and signs at a time."""
+        other = OTHER_CONVENTION[self.table.convention]
+        groups: dict[tuple[Convention, tuple[float, ...]], list[int]] = {}
+        for number, candidate in enumerate(candidates):
+            convention = other if any(c.convention for c in candidate) else self.table.convention
+            groups.setdefault((convention, tuple(self._signs(candidate))), []).append(number)
+        parts: list[tuple[list[int], Array]] = []
+        for (convention, signs), members in groups.items():
+            rows = np.array([corrected_rows(self.table.rows, candidates[number]) for number in members])
+            parts.append((members, compute(self.table.changed(convention=convention, signs=signs), rows)))
+        values = np.empty((len(candidates), *parts[0][1].shape[1:]))
+        for members, part in parts:
+            values[members] = part
         return values
 
 
@@ -468,12 +586,23 @@ def _can_combine(one: Correction, other: Correction) -> bool:
     """Whether the order of two corrections has no effect."""
     if one.entries.keys() & other.entries.keys() or (one.convention and other.convention):
         return False
+    if one.turned & other.turned:
+        return False
     return not any(
         number.fault.name in NUMBERS
         and scale.factors is not None
         and any(scale.factors[k] != 1 for k in number.entries)
         for number, scale in ((one, other), (other, one))
     )
+
+
+def _wrong_end(end: str, typed: Array, right: Array) -> Fault:
+    """Describe a wrong base or tool."""
+    name = {"base": "The base T_s0", "tool": "The tool transform"}[end]
+    is_missing = np.abs(typed - np.eye(4)).max() < EQUIVALENCE_TOL
+    is_inverted = np.abs(typed @ right - np.eye(4)).max() < TYPED_POSE_TOL
+    what = "is missing" if is_missing else "is inverted" if is_inverted else "is wrong"
+    return Fault(f"wrong {end}", f"{name} {what}: it should be {_describe_pose(right)}.")
 
 
 def _poses(table: DHTable, rows: Array, q: Array) -> Array:

@@ -15,7 +15,7 @@ from itertools import combinations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from kinlib.arrays.tolerances import CLEARLY_NOT_PARALLEL_COS, SAME_DISTANCE_RAD
+from kinlib.arrays.tolerances import CLEARLY_NOT_PARALLEL_COS, PARALLEL_TOL_RAD, SAME_DISTANCE_RAD
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.table import Convention, dh_transform
@@ -207,6 +207,28 @@ class AxisInvariants:
     @cached_property
     def _values(self) -> Array:
         return self.of(self.reference.lines.axis, self.reference.joint_points)
+
+
+def acute_angle(u: Array, v: Array) -> float:
+    """Compute the acute angle between two directions, in radians.
+
+    >>> round(acute_angle(np.array([1, 0, 0]), np.array([-1, 1, 0])), 4)
+    0.7854
+    """
+    return float(np.arctan2(np.linalg.norm(cross(u, v)), abs(u @ v)))
+
+
+def axis_distance(axes: Array, points: Array) -> float:
+    """Compute the length of the common normal of two axes, directions (2, 3) and a point on each (2, 3).
+
+    >>> axis_distance(np.array([[1, 0, 0], [0, 1, 0]]), np.array([[5, 0, 0], [0, 7, 2]]))
+    2.0
+    """
+    normal, between = cross(*axes), points[1] - points[0]
+    sine = float(np.linalg.norm(normal))
+    if sine > PARALLEL_TOL_RAD:
+        return float(abs(between @ normal)) / sine
+    return float(np.linalg.norm(cross(between, axes[0])))
 
 
 def _all(values: Booleans) -> Booleans:

@@ -3,10 +3,10 @@
 A correction is written for the table as it is, with its own row numbers, so that two of them can be combined.
 """
 
-from collections.abc import Iterable, Iterator, Mapping, Sequence
+from collections.abc import Collection, Iterable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
-from itertools import combinations
+from itertools import combinations, permutations
 
 import numpy as np
 
@@ -24,7 +24,7 @@ VARIABLES = {("R", THETA), ("P", D)}
 
 OTHER_CONVENTION: dict[Convention, Convention] = {"standard": "modified", "modified": "standard"}
 
-NUMBERS = {"wrong number", "offset forgotten"}
+NUMBERS = {"wrong number", "offset forgotten", "entries lost"}
 """The faults that are corrected by a number that the table does not suggest; so they could explain almost anything."""
 
 MEANINGS = {A: "a is measured along x", ALPHA: "alpha about x", D: "d along z", THETA: "theta about z"}
@@ -41,8 +41,9 @@ class Fault:
     """A mistake in a table: its name, a sentence that describes it, and its row (from 1) and column, if it has any.
 
     name  "sign of a", "sign of alpha", "sign of d", "sign of theta", "antiparallel", "a and d swapped",
-          "theta and alpha swapped", "rows swapped", "rows shifted", "column shifted", "entry one row off",
-          "variable in the wrong column", "other convention", "degrees", "unit of length", "offset forgotten" or "wrong number"
+          "theta and alpha swapped", "columns in another order", "rows swapped", "rows shifted", "column shifted",
+          "entry one row off", "variable in the wrong column", "other convention", "degrees", "unit of length", "sign of q",
+          "wrong base", "wrong tool", "entries lost", "offset forgotten" or "wrong number"
     """
 
     name: str
@@ -53,13 +54,15 @@ class Fault:
 
 @dataclass(frozen=True, eq=False)
 class Correction:
-    """A fault and its correction: new entries by (row, column), then factors (m, 4), another convention, or letters of joints."""
+    """A fault and its correction: new entries by (row, column), then factors (m, 4), another convention, letters or signs of joints."""
 
     fault: Fault
     entries: Mapping[tuple[int, int], float] = field(default_factory=dict)
     factors: Array | None = None
     convention: Convention | None = None
     letters: Mapping[int, str] = field(default_factory=dict)
+    turned: frozenset[int] = frozenset()
+    """The rows whose joint counts in the opposite direction."""
 
 
 def corrected_rows(rows: Array, corrections: Sequence[Correction]) -> Array:
@@ -91,22 +94,31 @@ def format_entry(value: float, column: int) -> str:
 
 
 def known_corrections(
-    table: DHTable, numbers: Array, more_d: Mapping[int, Sequence[float]], *, zeros_are_fixed: bool
+    table: DHTable, right: Sequence[Array], more_d: Mapping[int, Sequence[float]], fixed: Collection[str] = ()
 ) -> list[Correction]:
     """Return the corrections of all known mistakes that leave the joint types as they are, the most usual ones first.
 
-    numbers          (k, 4), rows of right tables of the arm, whose numbers are tried in place of a wrong one
-    more_d           further values of d to try, by row
-    zeros_are_fixed  whether the zeros of the joints count: the entries that they change
+    right   the rows (k, 4) of right tables of the arm, whose numbers are tried in place of wrong and of lost ones
+    more_d  further values of d to try, by row
+    fixed   what counts, of "zeros", the entries that the joints change, and "signs", the directions in which they count
 
     >>> table = DHTable([[0.4, 0, 0, 0], [-0.3, 0, 0, 0]], convention="standard")
-    >>> known_corrections(table, table.rows, {}, zeros_are_fixed=False)[1].fault.text
+    >>> known_corrections(table, [table.rows], {})[1].fault.text
     'Row 1: a has the wrong sign.'
     """
+    zeros_are_fixed, numbers = "zeros" in fixed, np.concatenate(right)
+    same_size = [rows for rows in right if rows.shape == table.rows.shape]
     return [
         *_corrections_of_a_row(table, zeros_are_fixed),
         *(correction for correction in _corrections_of_a_pair_of_rows(table) if not correction.letters),
         *_corrections_of_the_table(table),
+        *_corrections_of_the_column_order(table),
+        *(
+            correction
+            for rows in same_size
+            for correction in _corrections_of_lost_entries(table, rows, zeros_are_fixed)
+        ),
+        *(_corrections_of_signs(table) if "signs" in fixed else ()),
         *_corrections_of_a_number(table, numbers, more_d, zeros_are_fixed),
     ]
 
@@ -159,7 +171,9 @@ def _corrections_of_the_table(table: DHTable) -> Iterator[Correction]:
         factors = np.ones_like(rows)
         factors[:, LENGTHS] = factor
         yield Correction(Fault("unit of length", text), factors=factors)
-    for column in (ALPHA, D, A):
+    for column in (ALPHA, D, A, THETA):
+        if not table.rows[:, column].any():
+            continue
         text = f"Every {COLUMNS[column]} has the wrong sign."
         if column == ALPHA:
             text = f"{text[:-1]}: it is the angle from z_{{i-1}} to z_i about x_i, by the right-hand rule."
@@ -172,6 +186,67 @@ def _corrections_of_the_table(table: DHTable) -> Iterator[Correction]:
         names = f"{COLUMNS[one]} and {COLUMNS[two]}"
         text = f"The columns {names} are swapped: {MEANINGS[one]}, {MEANINGS[two]}."
         yield _replaced(Fault(f"{names} swapped", text, None, COLUMNS[one]), rows, swapped, (one, two))
+
+
+def _corrections_of_the_column_order(table: DHTable) -> Iterator[Correction]:
+    """Yield the corrections of columns that were typed in another order; a and d, theta and alpha are mistakes of their own."""
+    for order in permutations(range(4)):
+        if order not in {(A, ALPHA, D, THETA), (D, ALPHA, A, THETA), (A, THETA, D, ALPHA)}:
+            typed = ", ".join(COLUMNS[column] for column in order)
+            text = f"The columns are in the order {typed}, but were read as {', '.join(COLUMNS)}."
+            right = table.rows[:, np.argsort(order)]
+            yield _replaced(Fault("columns in another order", text), table.rows, right, range(4))
+
+
+def _corrections_of_lost_entries(table: DHTable, right: Array, zeros_are_fixed: bool) -> Iterator[Correction]:
+    """Yield the corrections of numbers that moved one row, with 0 where they were; right has those that were lost by that."""
+    rows, m = table.rows, len(table.rows)
+    columns = [(A, ALPHA), *((k,) for k in range(4)), tuple(range(4))]
+    for shift, where, first, last in ((1, "one row too low", 0, m - 1), (-1, "one row too high", m - 1, 0)):
+        for moved in columns:
+            if rows[first, moved].any() or not right[last, moved].any():
+                continue  # nothing was filled in, or nothing was lost
+            restored = np.roll(rows, -shift, axis=0)
+            restored[last, moved] = right[last, moved]
+            names = " and ".join(COLUMNS[k] for k in moved) if len(moved) < 4 else "all columns"
+            text = f"The entries of {names} are {where}, so that those of row {last + 1} are lost."
+            yield _replaced(Fault("entries lost", text), rows, restored, moved)
+        for row, column in np.ndindex(m, 4):
+            other = row + shift
+            is_free = (table.joints[row], column) in VARIABLES and not zeros_are_fixed
+            if (
+                not 0 <= other < m
+                or is_free
+                or rows[row, column]
+                or not rows[other, column]
+                or not right[other, column]
+            ):
+                continue
+            name = COLUMNS[column]
+            text = f"Row {other + 1}: the entry of {name} belongs in row {row + 1}; its own is lost."
+            entries = {(row, column): float(rows[other, column]), (other, column): float(right[other, column])}
+            yield Correction(Fault("entries lost", text, other + 1, name), entries)
+    if zeros_are_fixed and not rows[:, THETA].any() and np.count_nonzero(right[:, THETA]) > 1:
+        restored = rows.copy()
+        restored[:, THETA] = right[:, THETA]
+        yield _replaced(
+            Fault("offset forgotten", "The offsets of theta are missing.", None, "theta"), rows, restored, (THETA,)
+        )
+
+
+def _corrections_of_signs(table: DHTable) -> Iterator[Correction]:
+    """Yield the corrections of joints that count in the opposite direction: one of them, or all that rotate."""
+    turning = frozenset(row for row, letter in enumerate(table.joints) if letter == "R")
+    for row, letter in enumerate(table.joints):
+        if letter != "F":
+            name, sign = COLUMNS[THETA if letter == "R" else D], "-" if table.signs[row] > 0 else "+"
+            text = f"Row {row + 1}: the joint counts in the opposite direction; {name} should have {sign}q."
+            yield Correction(Fault("sign of q", text, row + 1, name), turned=frozenset({row}))
+    if len(turning) > 1:
+        factors = np.ones_like(table.rows)
+        factors[sorted(turning), THETA] = -1
+        text = "Every theta has the wrong sign, with its q."
+        yield Correction(Fault("sign of theta", text, None, "theta"), factors=factors, turned=turning)
 
 
 def _corrections_of_a_pair_of_rows(table: DHTable) -> Iterator[Correction]:

@@ -14,15 +14,9 @@ import numpy as np
 from kinlib.arrays.tolerances import EQUIVALENCE_TOL, PARALLEL_TOL_RAD, ROUNDING_ERROR, TYPED_PI_ERROR
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain, largest_difference, random_configurations
-from kinlib.dh.equivalence import (
-    CHECKED_CONFIGURATIONS,
-    Equivalence,
-    acute_angle,
-    axis_distance,
-    equivalent,
-    pose_error,
-    rough_maps,
-)
+from kinlib.chains.joint_maps import CHECKED_CONFIGURATIONS, JointMap, joint_maps, pose_error
+from kinlib.dh.equivalence import Equivalence, equivalent
+from kinlib.dh.invariants import acute_angle, axis_distance
 from kinlib.dh.parsing import COLUMNS
 from kinlib.dh.table import DHTable
 from kinlib.rigid.lie import adjoint, exp, inverse
@@ -102,9 +96,9 @@ def judge_rounding(table: DHTable, arm: Chain, fixed: Collection[str]) -> Roundi
     return Rounding(half_unit, units, effect, verdict, nearest)
 
 
-def _starts(table: DHTable, arm: Chain, nearest: Equivalence, fixed: frozenset[str]) -> list[Equivalence]:
+def _starts(table: DHTable, arm: Chain, nearest: Equivalence, fixed: frozenset[str]) -> list[Equivalence | JointMap]:
     """Return maps from which to fit numbers that are rounded so much that the axes agree only roughly."""
-    rough = rough_maps(table.to_chain(), arm, fixed, ROUGH)
+    rough = joint_maps(table.to_chain(), arm, fixed, ROUGH)
     return [nearest, *sorted(rough, key=lambda each: each.difference)[:MAX_STARTS]]
 
 
@@ -168,7 +162,7 @@ def rounding_effect(table: DHTable, half_unit: Array) -> float:
     return float(half_unit[:, [0, 2]].sum() + max(1.0, reach) * half_unit[:, [1, 3]].sum())
 
 
-def _fits(table: DHTable, arm: Chain, nearest: Equivalence, half_unit: Array, fixed: frozenset[str]) -> bool:
+def _fits(table: DHTable, arm: Chain, nearest: Equivalence | JointMap, half_unit: Array, fixed: frozenset[str]) -> bool:
     """Whether some numbers within half a unit of the typed ones give the poses of the arm, up to the choices that are free.
 
     The four motions of each row are those of a chain of 4 m joints whose values are the numbers. So its body Jacobian says how

@@ -25,7 +25,7 @@ from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.dh.formatting import format_rows, headings, in_latex
 from kinlib.dh.parsing import COLUMNS, Rows, read_rows
-from kinlib.rigid.lie import adjoint
+from kinlib.rigid.screw import screw
 
 Convention = Literal["standard", "modified"]
 
@@ -231,10 +231,10 @@ class DHTable(validation.ReadOnly):
         joint_frames = before[:-1] if self.convention == "standard" else before[1:]
         screws, points = [], []
         for row in self._joint_rows:
-            along_z = np.zeros(6)
-            along_z[2 if self.joints[row] == "R" else 5] = self.signs[row]
-            screws.append(adjoint(joint_frames[row]) @ along_z)
-            points.append(joint_frames[row][:3, 3])
+            z, point = self.signs[row] * joint_frames[row][:3, 2], joint_frames[row][:3, 3]
+            # The point nearest the origin keeps its digits where a distant normal has put the frame far along the axis.
+            screws.append(screw(z, point - z * (z @ point), 0.0 if self.joints[row] == "R" else np.inf))
+            points.append(point)
         return Chain(np.array(screws), before[-1] @ self.tool, np.array(points), self.name)
 
     def converted(self, convention: Convention) -> "DHTable":

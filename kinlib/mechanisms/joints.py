@@ -19,7 +19,7 @@ from numpy.typing import ArrayLike, NDArray
 from kinlib.arrays import validation
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
-from kinlib.rigid.lie import _adjoint, _screw_motions, adjoint, exp, inverse
+from kinlib.rigid.lie import _adjoint, _screw_constants, _screw_motions, adjoint, exp, inverse
 from kinlib.rigid.screw import axes, is_prismatic, line, screw
 
 PARALLEL_RCOND = 1e-2
@@ -194,6 +194,10 @@ class JointPath:
     chain: Chain
     columns: NDArray[np.intp]
 
+    @cached_property
+    def _constants(self) -> Array:
+        return _screw_constants(self.chain.screws)
+
     def pose_and_jacobian(self, q: Array) -> tuple[Array, Array]:
         """The pose (m, 4, 4) of the chain and its space Jacobian (m, 6, k) at m configurations q (m, k), from the same factors.
 
@@ -203,7 +207,7 @@ class JointPath:
         ((5, 4, 4), (5, 6, 3))
         """
         T, before = np.broadcast_to(np.eye(4), (len(q), 4, 4)), []
-        for E_i in _screw_motions(self.chain.screws, q):
+        for E_i in _screw_motions(self._constants, q):
             before.append(T)
             T = T @ E_i
         columns = _adjoint(np.stack(before, axis=1)) @ self.chain.screws[:, :, None]

@@ -206,7 +206,7 @@ class Mechanism(validation.ReadOnly):
         >>> bool(np.linalg.norm(linkage.residual(linkage.assemble([1, 2, 1, 2]).q)) < 1e-12)
         True
         """
-        q = self._values(q)
+        q = self.in_order(q)
         return np.concatenate([log(loop.chain.fk(q[..., loop.columns])) for loop in self.loops], axis=-1)
 
     def jacobian(self, q: JointValues) -> Array:
@@ -220,7 +220,7 @@ class Mechanism(validation.ReadOnly):
         >>> bennett().jacobian([1, 2, 1, 2]).shape
         (6, 4)
         """
-        q = self._values(q)
+        q = self.in_order(q)
         return self._linearized(q.reshape(-1, self.n))[1].reshape(*q.shape[:-1], -1, self.n)
 
     def poses(self, q: JointValues) -> dict[str, Array]:
@@ -235,7 +235,7 @@ class Mechanism(validation.ReadOnly):
         array([[-1.,  0.],
                [ 0., -1.]])
         """
-        q = self._values(q)
+        q = self.in_order(q)
         identity = np.broadcast_to(np.eye(4), (*q.shape[:-1], 4, 4))
         moved = {body: path.chain.fk(q[..., path.columns]) for body, path in self._paths.items()}
         return {self.ground: identity} | moved
@@ -372,7 +372,15 @@ class Mechanism(validation.ReadOnly):
         """The path from the ground to every body but the ground, as an open chain."""
         return {body: chain_along(self.joints, path, body) for body, path in self._tree.items() if path}
 
-    def _values(self, q: JointValues) -> Array:
+    def in_order(self, q: JointValues) -> Array:
+        """Read joint values as an array (..., n) in the order of `names`, from an array or a mapping by name.
+
+        Raises ValueError for joint values of another size, for NaN, and for a missing or an unknown name.
+
+        >>> from kinlib.mechanisms.linkages import four_bar
+        >>> four_bar(4, 1, 3.5, 3).in_order({"A": 0.1, "B": 0.2, "C": 0.4, "D": 0.3})
+        array([0.1, 0.2, 0.3, 0.4])
+        """
         q = in_order(q, self.names, self.name) if isinstance(q, Mapping) else validation.array(q, "q")
         if q.shape[-1:] != (self.n,):
             raise ValueError(
@@ -403,7 +411,7 @@ class Mechanism(validation.ReadOnly):
 
     def _closure(self, configuration: JointValues, hold: Mapping[str, float] | None) -> Closure:
         """The closure equations in the joint values that are not held, with a configuration (n,) as start."""
-        q = self._values(configuration).copy()
+        q = self.in_order(configuration).copy()
         if q.ndim != 1:
             raise ValueError(f"q must have shape ({self.n},); got {q.shape}. Pass one configuration at a time.")
         for name, value in (hold or {}).items():

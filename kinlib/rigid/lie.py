@@ -274,25 +274,32 @@ def _hat(x: Array) -> Array:
     return W - np.swapaxes(W, -1, -2)
 
 
-def _screw_motions(S: Array, q: Array) -> Array:
-    """Compute the factors e^[S_1]q_1, ..., e^[S_n]q_n of the PoE formula: screw axes (n, 6), q (..., n) -> (n, ..., 4, 4).
+def _screw_constants(S: Array) -> Array:
+    """Compute what `_screw_motions` needs of screw axes (n, 6) and no joint value changes: I, D, [S] - D and [S]^2, (n, 4, 16).
 
-    A screw axis has |omega| = 1, so that omega q has the angle q, and exp(S q) is a sum of four constant matrices:
-
-        e^[S]q = I + q D + sin(q) ([S] - D) + (1 - cos(q)) [S]^2,    D = [S] + [S]^3
-
-    D is the translation along the axis for each radian, by the pitch. For a prismatic joint [S]^2 = 0, and I + q [S] is left.
-    Source: Modern Robotics, (3.51) and (3.88): R = I + sin(q) W + (1 - cos(q)) W^2, p = (I q + (1 - cos(q)) W + (q - sin(q)) W^2) v.
+    D = [S] + [S]^3 is the translation along the axis for each radian, by the pitch.
     """
     S1 = _hat(S)
     S2 = S1 @ S1
     D = S1 + S2 @ S1
     D[:, :3, :3] = 0.0  # W + W^3, up to rounding
-    constants = np.stack([np.broadcast_to(np.eye(4), S1.shape), D, S1 - D, S2], axis=1)
+    return np.stack([np.broadcast_to(np.eye(4), S1.shape), D, S1 - D, S2], axis=1).reshape(len(S), 4, 16)
+
+
+def _screw_motions(constants: Array, q: Array) -> Array:
+    """Compute the factors e^[S_1]q_1, ..., e^[S_n]q_n of the PoE formula: constants (n, 4, 16), q (..., n) -> (n, ..., 4, 4).
+
+    A screw axis has |omega| = 1, so that omega q has the angle q, and exp(S q) is a sum of four constant matrices:
+
+        e^[S]q = I + q D + sin(q) ([S] - D) + (1 - cos(q)) [S]^2,    D = [S] + [S]^3
+
+    For a prismatic joint [S]^2 = 0, and I + q [S] is left.
+    Source: Modern Robotics, (3.51) and (3.88): R = I + sin(q) W + (1 - cos(q)) W^2, p = (I q + (1 - cos(q)) W + (q - sin(q)) W^2) v.
+    """
     q = np.moveaxis(q, -1, 0)
     numbers = np.stack([np.ones_like(q), q, np.sin(q), 1 - np.cos(q)], axis=-1)
     # The sum of products of numbers and constants, as one matrix product for each joint: that is twice as fast.
-    sums = numbers.reshape(len(S), math.prod(q.shape[1:]), 4) @ constants.reshape(len(S), 4, 16)
+    sums = numbers.reshape(len(q), math.prod(q.shape[1:]), 4) @ constants
     motions: Array = sums.reshape(*q.shape, 4, 4)
     return motions
 

@@ -5,8 +5,8 @@ element and its line.
 """
 
 from collections.abc import Collection, Iterator, Mapping, Sequence
-from dataclasses import dataclass
-from typing import NamedTuple
+from dataclasses import dataclass, field
+from typing import Any, NamedTuple
 
 import numpy as np
 
@@ -56,7 +56,7 @@ class UrdfJoint(validation.ReadOnly):
     mimic          how it follows another joint; None for an independent joint
     """
 
-    element: Element
+    element: Element = field(compare=False)
     name: str
     type: str
     parent: str
@@ -85,7 +85,7 @@ class PathStep(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class LinkTree:
+class LinkTree(validation.ReadOnly):
     """The links of a URDF and the joints between them.
 
     links          the elements of the links, by name
@@ -100,6 +100,10 @@ class LinkTree:
 
     links: Mapping[str, Element]
     parent_joints: Mapping[str, UrdfJoint]
+
+    def compared_fields(self) -> dict[str, Any]:
+        """The names of the links, and the joints with all that is theirs."""
+        return {"links": tuple(self.links), "parent_joints": self.parent_joints}
 
     @property
     def root(self) -> str:

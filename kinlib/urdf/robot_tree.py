@@ -209,12 +209,20 @@ class Tree(validation.ReadOnly):
         >>> Tree.from_urdf(text).joint_values([])
         array([], dtype=float64)
         """
-        q = self._validate(q)
+        q = self.in_order(q)
         multipliers = [multiplier for _, multiplier, _ in self._couplings.values()]
         values: Array = q[..., self._columns] * multipliers + self.offsets
         return values
 
-    def _validate(self, q: JointValues) -> Array:
+    def in_order(self, q: JointValues) -> Array:
+        """Read joint values as an array (..., n) in the order of `joint_names`, from an array or a mapping by joint name.
+
+        Raises ValueError for joint values of another size, for NaN, and for a missing or an unknown name.
+
+        >>> text = '<robot name="ground"><link name="floor"/></robot>'
+        >>> Tree.from_urdf(text).in_order({}).shape
+        (0,)
+        """
         q = in_order(q, self.joint_names, self.name) if isinstance(q, Mapping) else validation.array(q, "q")
         if q.shape[-1:] != (self.n,):
             advice = (
@@ -251,7 +259,7 @@ class Tree(validation.ReadOnly):
         >>> lifted["base_link"].shape, bool(np.allclose(lifted["tool"], exp([0, 0, 0, 0, 0, 0.5]) @ youbot().home))
         ((10, 4, 4), True)
         """
-        q = self._validate(q)
+        q = self.in_order(q)
         values = self.joint_values(q)
         origins, screws = self._origins_and_screws
         steps = dict(
@@ -295,7 +303,7 @@ class Tree(validation.ReadOnly):
                 f"q must be given if a joint moves between the links; between {base} and {tip} {', '.join(moving[:12])} "
                 f"{'moves' if len(moving) == 1 else 'move'}. Pass the values of the {self._joints}."
             )
-        q = self._validate(np.zeros(self.n) if q is None else q)
+        q = self.in_order(np.zeros(self.n) if q is None else q)
         T = np.broadcast_to(np.eye(4), (*q.shape[:-1], 4, 4)).copy()
         for joint, sign in path:
             step = joint.origin @ exp(joint.screw * self._values(q, joint)[..., None]) if joint.moves else joint.origin
@@ -320,7 +328,7 @@ class Tree(validation.ReadOnly):
         >>> bool(np.allclose(tree.jacobian(q, "tool"), youbot().jacobian(q)))
         True
         """
-        path, q = self._path(self.root, link), self._validate(q)
+        path, q = self._path(self.root, link), self.in_order(q)
         T, J = np.eye(4), np.zeros((*q.shape[:-1], 6, self.n))
         for joint, _ in path:
             T = T @ joint.origin

@@ -24,9 +24,10 @@ from kinlib.view.figures.linkage import draw_linkage
 from kinlib.view.figures.point_velocity import draw_moment, draw_point_velocity
 
 if TYPE_CHECKING:
+    from kinlib.view.browser import show
     from kinlib.view.viewer.assignment_player import Player, play_assignment
-    from kinlib.view.viewer.browser import show
     from kinlib.view.viewer.dh_row_player import RowPlayer, play_row, play_walk
+    from kinlib.view.viewer.film import Film, film
     from kinlib.view.viewer.linkage_driver import Drive, drive
     from kinlib.view.viewer.moving_frames import FramesViewer, slide_frames
     from kinlib.view.viewer.picture_slider import slide
@@ -36,6 +37,7 @@ if TYPE_CHECKING:
 __all__ = [
     "ByHand",
     "Drive",
+    "Film",
     "FramesViewer",
     "Gallery",
     "Picture",
@@ -54,6 +56,7 @@ __all__ = [
     "draw_point_velocity",
     "drive",
     "explore",
+    "film",
     "play_assignment",
     "play_row",
     "play_walk",
@@ -66,10 +69,11 @@ __all__ = [
 LAZY_NAMES = {
     **dict.fromkeys(("ByHand", "assign"), "viewer.place_frames"),
     **dict.fromkeys(("Drive", "drive"), "viewer.linkage_driver"),
+    **dict.fromkeys(("Film", "film"), "viewer.film"),
     **dict.fromkeys(("Player", "play_assignment"), "viewer.assignment_player"),
     **dict.fromkeys(("RowPlayer", "play_row", "play_walk"), "viewer.dh_row_player"),
     **dict.fromkeys(("Viewer", "explore"), "viewer.viewer"),
-    "show": "viewer.browser",
+    "show": "browser",
     "slide": "viewer.picture_slider",
     **dict.fromkeys(("FramesViewer", "slide_frames"), "viewer.moving_frames"),
 }

@@ -18,7 +18,13 @@ from kinlib.view.drawing.figure_colours import AXIS_COLOURS, GREY, INK, PALE_GRE
 from kinlib.view.drawing.labels import LABEL_OFFSETS, Label, Offset, place_labels
 from kinlib.view.drawing.picture import Picture
 
-VIEWS = {"default": (-60.0, 22.0), "front": (-90.0, 0.0), "side": (0.0, 0.0), "top": (-90.0, 90.0)}
+VIEWS = {
+    "default": (-60.0, 22.0),
+    "front": (-90.0, 0.0),
+    "side": (0.0, 0.0),
+    "top": (-90.0, 90.0),
+    "facing": (-22.0, 28.0),
+}
 """Named views: azimuth and elevation of the viewing direction, in degrees."""
 
 MARGIN_SHARE = 0.33

@@ -4,8 +4,9 @@ import base64
 import html
 import io
 import re
-from collections.abc import Callable
-from dataclasses import dataclass
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass, field
+from functools import partial
 from os import PathLike
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -15,6 +16,7 @@ from numpy.typing import ArrayLike
 from kinlib.arrays.formatting import format_vector
 from kinlib.arrays.tolerances import TYPED_PI_ERROR
 from kinlib.view.drawing.dark_theme import THEME_CSS, follow_theme
+from kinlib.view.drawing.export import KINDS, image_bytes
 
 if TYPE_CHECKING:
     from matplotlib.figure import Figure
@@ -27,14 +29,16 @@ MIN_ALT_CHARACTERS = 20
 class Picture:
     """A finished drawing as SVG, with a text alternative that says what it shows.
 
+    figure  the matplotlib figure that it was made from, if it is a plot
+
     Raises ValueError if the text alternative is shorter than MIN_ALT_CHARACTERS.
 
     >>> nothing = Picture("<svg></svg>", "A drawing with nothing in it.")
     >>> nothing.labelled_svg()
     '<svg role="img"><title>A drawing with nothing in it.</title><desc>A drawing with nothing in it.</desc></svg>'
-    >>> nothing.save("nothing.png")
+    >>> nothing.save("nothing.jpg")
     Traceback (most recent call last):
-    ValueError: path must end in .svg or .html; got 'nothing.png'. For pixels, convert a saved .svg, for example with Inkscape.
+    ValueError: path must end in .svg, .html, .png or .pdf; got 'nothing.jpg'.
     >>> nothing.html()
     '<figure class="kinlib-figure" ...><style>...</style><img alt="A drawing with nothing in it." ...></figure>'
     """
@@ -42,6 +46,7 @@ class Picture:
     svg: str
     alt: str
     caption: str = ""
+    figure: "Figure | None" = field(default=None, repr=False, compare=False)
 
     def __post_init__(self) -> None:
         if len(self.alt) < MIN_ALT_CHARACTERS:
@@ -65,11 +70,18 @@ class Picture:
         return re.sub(r"(<svg[^>]*)>", lambda head: head[1] + label, self.svg, count=1)
 
     def save(self, path: str | PathLike[str]) -> None:
-        """Save the drawing with its text alternative: as an image, .svg, or as a page of its own, .html.
+        """Save the drawing with its text alternative: as an image, .svg, .png or .pdf, or as a page of its own, .html.
 
         Raises ValueError for another ending.
         """
-        save(path, svg=self.labelled_svg, html=lambda: page(self.alt, self.html()))
+        title = self.caption or first_sentence(self.alt)
+        contents: dict[str, Callable[[], str | bytes]] = {
+            "svg": self.labelled_svg,
+            "html": lambda: page(self.alt, self.html()),
+        }
+        for kind in KINDS:
+            contents[kind] = partial(image_bytes, self.figure or self.svg, kind, title, self.alt)
+        save(path, contents)
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
         return {"text/html": self.html(), "text/plain": self.alt}
@@ -84,7 +96,7 @@ class Gallery:
     1
     >>> gallery.save("nothing.svg")
     Traceback (most recent call last):
-    ValueError: path must end in .html; got 'nothing.svg'. Save one of its `pictures` as .svg.
+    ValueError: path must end in .html; got 'nothing.svg'. One of its `pictures` can be saved as an image.
     """
 
     pictures: tuple[Picture, ...]
@@ -101,7 +113,7 @@ class Gallery:
         Raises ValueError for another ending.
         """
         alt = " ".join(picture.alt for picture in self.pictures)
-        save(path, "Save one of its `pictures` as .svg.", html=lambda: page(alt, self.html()))
+        save(path, {"html": lambda: page(alt, self.html())}, "One of its `pictures` can be saved as an image.")
 
     def _repr_mimebundle_(self, **_: Any) -> dict[str, str]:
         return {"text/html": self.html(), "text/plain": "\n".join(picture.alt for picture in self.pictures)}
@@ -123,7 +135,7 @@ def picture_from_figure(figure: "Figure", alt: str, caption: str = "") -> Pictur
     # With a fixed salt and no date, the same drawing always gives the same SVG text.
     with rc_context({"svg.hashsalt": "kinlib", "svg.fonttype": "path"}):
         figure.savefig(buffer, format="svg", metadata={"Date": None}, facecolor="white")
-    return Picture(buffer.getvalue(), alt, caption)
+    return Picture(buffer.getvalue(), alt, caption, figure)
 
 
 def vector_text(values: ArrayLike) -> str:
@@ -135,25 +147,22 @@ def vector_text(values: ArrayLike) -> str:
     return format_vector(values, 3, zero=TYPED_PI_ERROR)
 
 
-def save(
-    path: str | PathLike[str],
-    advice: str = "For pixels, convert a saved .svg, for example with Inkscape.",
-    **contents: Callable[[], str],
-) -> None:
-    """Write a text file of the kind that its ending names; contents gives the text of each kind.
+def save(path: str | PathLike[str], contents: Mapping[str, Callable[[], str | bytes]], advice: str = "") -> None:
+    """Write a file of the kind that its ending names; contents gives the text or the bytes of each kind.
 
     Raises ValueError for any other ending, with the advice.
 
-    >>> save("arm.pdf", svg=lambda: "<svg></svg>")
+    >>> save("arm.jpg", {"svg": lambda: "<svg></svg>", "png": lambda: b""})
     Traceback (most recent call last):
-    ValueError: path must end in .svg; got 'arm.pdf'. For pixels, convert a saved .svg, for example with Inkscape.
+    ValueError: path must end in .svg or .png; got 'arm.jpg'.
     """
     kind = Path(path).suffix.lower().removeprefix(".")
     if kind not in contents:
-        raise ValueError(
-            f"path must end in {' or '.join(f'.{name}' for name in contents)}; got {str(path)!r}. {advice}"
-        )
-    Path(path).write_text(contents[kind](), "utf-8")
+        *most, last = (f".{name}" for name in contents)
+        kinds = f"{', '.join(most)} or {last}" if most else last
+        raise ValueError(f"path must end in {kinds}; got {str(path)!r}. {advice}".rstrip())
+    content = contents[kind]()
+    Path(path).write_bytes(content.encode() if isinstance(content, str) else content)
 
 
 def page(alt: str, body: str) -> str:

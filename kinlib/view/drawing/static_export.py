@@ -1,6 +1,6 @@
 """Whether notebooks are being executed for a static page, on which no Python runs afterwards.
 
-misstep/display/static_output.py is the same, because the two packages are installed independently of each other.
+misstep/display/static_output.py reads the same variable, because the two packages are installed independently of each other.
 """
 
 import os
@@ -12,4 +12,4 @@ Python draws them when the slider moves."""
 
 def is_static_export() -> bool:
     """Whether outputs must work without a kernel."""
-    return bool(os.environ.get(ENVIRONMENT_VARIABLE))
+    return os.environ.get(ENVIRONMENT_VARIABLE, "") not in ("", "live")

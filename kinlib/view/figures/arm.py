@@ -6,6 +6,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlib.arrays import tolerances, validation
+from kinlib.arrays.named_values import JointValues
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
 from kinlib.view.drawing.canvas import Canvas
@@ -19,18 +20,18 @@ JOINT_KINDS = {"R": "revolute", "P": "prismatic", "H": "helical"}
 
 def draw_arm(
     chain: Chain,
-    q: ArrayLike | None = None,
+    q: JointValues | None = None,
     *,
     show: Collection[str] = ("axes", "base", "tool"),
     caption: str = "",
-    ghost: ArrayLike | None = None,
+    ghost: JointValues | None = None,
     frames: Mapping[str, ArrayLike] | None = None,
     around: ArrayLike | None = None,
     view: str = "default",
 ) -> Picture:
     """Draw an arm in a configuration.
 
-    q       (n,) joint values, home by default
+    q       (n,) joint values, or a mapping from joint names to values; home by default
     show    any of "axes" (the screw axes S_i as the joints have moved them), "home axes" (the same axes at home), "body axes"
             (as "axes", but named B_i), "links" (a frame on each link), "base" ({s}) and "tool" ({b})
     ghost   (n,) another configuration, drawn in grey
@@ -52,8 +53,9 @@ def draw_arm(
             f"show may contain {', '.join(sorted(ARM_LAYERS))}; got {', '.join(map(repr, sorted(unknown)))}."
         )
     home = np.zeros(chain.n)
-    q = home if q is None else np.asarray(q, dtype=float)
-    path, shadow = _path(chain, q), _path(chain, q if ghost is None else np.asarray(ghost, dtype=float))
+    q = home if q is None else chain.in_order(q)
+    ghost = None if ghost is None else chain.in_order(ghost)
+    path, shadow = _path(chain, q), _path(chain, q if ghost is None else ghost)
     seen = np.concatenate([path, shadow]) if around is None else around
     canvas = Canvas(seen, view, sizes=_path(chain, home))
     canvas.floor(seen)
@@ -105,9 +107,9 @@ def draw_joints(chain: Chain, tool: bool = False) -> Picture:
 
 def describe_arm(
     chain: Chain,
-    q: ArrayLike,
+    q: JointValues,
     *,
-    ghost: ArrayLike | None = None,
+    ghost: JointValues | None = None,
     home_axes: bool = False,
     frames: Mapping[str, ArrayLike] | None = None,
 ) -> str:
@@ -125,7 +127,7 @@ def describe_arm(
     (-4, -2, 0); joint 3 revolute along -y at (-4, -4, 4). The end-effector is at (-5, 0, 4) m. In grey, the arm at home, its
     end-effector at (0, 0, 1) m.
     """
-    q = np.asarray(q, dtype=float)
+    q = chain.in_order(q)
     links = chain.link_poses(q)
     joints = "; ".join(
         f"joint {i + 1} {JOINT_KINDS[letter]} along {direction_text(axis)} at {vector_text(point)}"
@@ -134,15 +136,16 @@ def describe_arm(
         )
     )
     sentences = [
-        f"{chain.name}, {chain.n} joints ({chain.joint_types}), {_configuration(q)}.",
+        f"{chain.name}, {chain.n} joints ({chain.joint_types}), {configuration_text(q)}.",
         f"{joints.capitalize()}.",
         f"The end-effector is at {vector_text(chain.fk(q)[:3, 3])} m.",
     ]
     if home_axes:
         sentences.append(f"In grey, the axes at home: {', '.join(map(direction_text, chain.lines.axis))}.")
     if ghost is not None:
+        ghost = chain.in_order(ghost)
         tool = vector_text(chain.fk(ghost)[:3, 3])
-        sentences.append(f"In grey, the arm {_configuration(ghost)}, its end-effector at {tool} m.")
+        sentences.append(f"In grey, the arm {configuration_text(ghost)}, its end-effector at {tool} m.")
     return " ".join([*sentences, *map(frame_text, (frames or {}).items())])
 
 
@@ -185,5 +188,10 @@ def direction_text(axis: Array) -> str:
     return vector_text(axis)
 
 
-def _configuration(q: ArrayLike) -> str:
+def configuration_text(q: ArrayLike) -> str:
+    """Write a configuration as "at home" or by its values.
+
+    >>> configuration_text([0, 0]), configuration_text([0, 1.5])
+    ('at home', 'at q = (0, 1.5)')
+    """
     return f"at q = {vector_text(q)}" if np.abs(q).max() > tolerances.TYPED_PI_ERROR else "at home"

@@ -103,3 +103,42 @@ def _describe(normal: CommonNormal, first: tuple[Array, Array], second: tuple[Ar
         f"that is drawn leads from {vector_text(normal.start)} to {vector_text(normal.end)}, its length is {length} m, and its x "
         f"points along {direction_text(normal.x)}."
     )
+
+
+FARTHEST_FOOT_M = 1.9
+"""How far from the middle of the picture the foot of a common normal is still drawn."""
+
+
+def draw_moving_normal(tilt: float, side: float) -> Picture:
+    """Draw a vertical axis and a tilted one beside it, with their common normal and its feet, all on the same canvas.
+
+    tilt  the angle between the axes in radians; 0 for parallel axes, of which all common normals are alike
+    side  the distance of the axes in metres
+
+    >>> draw_moving_normal(np.pi / 2, 0.8).alt
+    'Axis 1 along z, axis 2 at 90 degrees to it. The common normal leads from (0, 0, 0.5) to (0.8, 0, 0.5), its length is 0.8 m.'
+    """
+    w = np.cos(tilt) * Z + np.sin(tilt) * Y
+    point = side * X + 0.4 * Y + 0.5 * Z
+    normal = common_normal((Z, 0 * Z), (w, point), X, at_other_point=True)
+    canvas = Canvas([(-0.3, -0.7, -1.6), (1.3, 1.0, 1.5)])
+    for axis, place, name, ends in ((Z, 0 * Z, "1", (-1.7, 1.5)), (w, point, "2", (-2.2, 1.1))):
+        canvas.line([place + ends[0] * axis, place], VIOLET, 1.6, "--", level=2)
+        canvas.arrow(place, place + ends[1] * axis, VIOLET, 2.0, style="--", level=3.5)
+        canvas.label(place + ends[1] * axis, f"$z_{name}$", VIOLET, size=12)
+        draw_joint_body(canvas, "R", axis, place)
+    if normal.is_unique and max(abs(normal.start[2]), abs(normal.end[2])) > FARTHEST_FOOT_M:
+        where = f"The common normal is outside of the picture, from {vector_text(normal.start)} to {vector_text(normal.end)}"
+    elif normal.is_unique:
+        canvas.line([normal.start, normal.end], ORANGE, 3.2, level=3.2)
+        for foot in (normal.start, normal.end):
+            canvas.dot(foot, INK, 9)
+        where = f"The common normal leads from {vector_text(normal.start)} to {vector_text(normal.end)}"
+    else:
+        for height in np.linspace(-1.2, 1.2, 7):
+            canvas.line([normal.start + height * Z, normal.end + height * Z], ORANGE, 2.0, ":", level=3.2)
+        where = "Every line between them that is perpendicular to both is a common normal"
+    length = format_number(float(np.linalg.norm(normal.end - normal.start)), 3)
+    return canvas.picture(
+        f"Axis 1 along z, axis 2 at {np.degrees(tilt):.0f} degrees to it. {where}, its length is {length} m."
+    )

@@ -66,6 +66,7 @@ def draw_row(row: ArrayLike, done: int = 4, *, caption: str = "") -> Picture:
     canvas.dot(end[:3, 3], GREY)
     canvas.triad(moving, "", length)
     progress = f"after {', '.join(STANDARD_MOTION_NAMES[:done])}" if done else "before the first motion"
+    progress = "with all four numbers" if done == 4 else progress
     return canvas.picture(
         f"One row of a table, {progress}. The frame is at {vector_text(moving[:3, 3])}, its x along {direction_text(moving[:3, 0])}, "
         f"its z along {direction_text(moving[:3, 2])}.",

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlib.arrays import validation
+from kinlib.arrays.named_values import JointValues
 from kinlib.arrays.validation import Array
 from kinlib.mechanisms.mechanism import Mechanism
 from kinlib.rigid.lie import exp, inverse
@@ -55,7 +56,7 @@ class LinkageGeometry:
         return distance
 
 
-def linkage_geometry(mechanism: Mechanism, q: ArrayLike, points: Points | None = None) -> LinkageGeometry:
+def linkage_geometry(mechanism: Mechanism, q: JointValues, points: Points | None = None) -> LinkageGeometry:
     """Compute where joints, bodies and named points are in a configuration, in which the loops need not be closed.
 
     q       (n,) joint values
@@ -67,7 +68,7 @@ def linkage_geometry(mechanism: Mechanism, q: ArrayLike, points: Points | None =
     >>> linkage_geometry(four_bar(4, 1, 3.5, 3), [np.pi / 2, 0, 0, 0]).gap.round(3)      # at q = 0 it is drawn open
     array([0.   , 0.   , 0.   , 8.322])
     """
-    values = np.asarray(q, dtype=float)
+    values = mechanism.in_order(q)
     poses = mechanism.poses(values)
     if wrong := [body for body, _ in (points or {}).values() if body not in poses]:
         raise ValueError(f"{mechanism.name} has the bodies {', '.join(poses)}; got {wrong[0]!r}.")
@@ -94,9 +95,9 @@ def linkage_geometry(mechanism: Mechanism, q: ArrayLike, points: Points | None =
 
 def draw_linkage(
     mechanism: Mechanism,
-    q: ArrayLike,
+    q: JointValues,
     *,
-    ghost: ArrayLike | None = None,
+    ghost: JointValues | None = None,
     points: Points | None = None,
     around: ArrayLike | None = None,
     size: tuple[float, float] = (640, 440),
@@ -105,7 +106,7 @@ def draw_linkage(
 ) -> Picture:
     """Draw a linkage in a configuration, in which its loops need not be closed.
 
-    q       (n,) joint values
+    q       (n,) joint values, or a mapping from their names to values
     ghost   (n,) another configuration, drawn in grey
     points  {"P": ("coupler", (x, y, z))}: points of bodies to label, in the coordinates in which the joints are given
     around  points (..., 3) to keep in view, so that pictures of several configurations have the same scale

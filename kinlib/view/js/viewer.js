@@ -6,10 +6,11 @@ import { layerToggles, viewButtons } from './controls/layer-toggles.js';
 import { poseReadout } from './controls/pose-readout.js';
 import { predictionCover } from './controls/prediction-cover.js';
 import { formatNumber, h, NO_SHORTCUTS } from './dom.js';
+import { renderFilm } from './film.js';
 import { MODES } from './modes/index.js';
 import { orbitControls } from './render/camera.js';
 import { Stage } from './render/stage.js';
-import { describeArm, describeLinkage, endEffectorText, frameText } from './scene/describe.js';
+import { describeArm, describeLinkage, describeTree, endEffectorText, frameText, tipsText } from './scene/describe.js';
 import { matrixOf, rows } from './scene/kinematic-tree.js';
 import { availableLayers, buildLayers, isSingleFrame, showGhost, showLayers } from './scene/layers.js';
 import { Trail } from './scene/trail.js';
@@ -20,7 +21,6 @@ const HEIGHT_PER_WIDTH = 0.78; // of the picture
 const SPEECH_DELAY_MS = 700; // a screen reader announces the pose when nothing has moved for this long
 
 function render({ model, el }) {
-  addStyleSheet();
   const data = model.get('scene');
   const q = () => model.get('q');
   const set = (values) => {
@@ -112,10 +112,12 @@ function render({ model, el }) {
 
   function describe() {
     const isArm = Boolean(data.arms[0].links);
-    const text = mode.describe?.() ?? (isArm ? describeArm(data, stage.tree, q()) : describeLinkage(data, stage.tree));
+    const isTree = Boolean(data.arms[0].tip);
+    const describeRobot = isTree ? describeTree : describeArm;
+    const text = mode.describe?.() ?? (isArm ? describeRobot : describeLinkage)(data, stage.tree, q());
     canvas.setAttribute('aria-label', `${text}${shownFrames()} ${KEYBOARD_HELP}`);
     if (isArm && !mode.describe && root.contains(document.activeElement))
-      announcement.textContent = endEffectorText(stage.tree);
+      announcement.textContent = isTree ? tipsText(data, stage.tree) : endEffectorText(stage.tree);
   }
 
   /** The frames that the reader has switched on one by one. */
@@ -231,9 +233,9 @@ function addStyleSheet() {
 /** Render, and show an error in place of the picture, not only in the console. */
 function renderOrExplain(context) {
   try {
-    return render(context);
-  } catch (error) {
     addStyleSheet();
+    return context.model.get('scene') ? render(context) : renderFilm(context);
+  } catch (error) {
     context.el.append(
       h('p', { class: 'kv-failed', role: 'alert' }, `The viewer cannot show this arm: ${error.message}`),
     );

@@ -3,7 +3,7 @@
 (() => {
   const bundle = new URL('viewer.js', document.currentScript.src);
   const begin = () => {
-    if (!document.querySelector('[data-kinlib-viewer]')) return;
+    if (!document.querySelector('[data-kinlib-viewer], [data-kinlib-film]')) return;
     const script = document.createElement('script');
     script.src = bundle;
     script.onload = () => kinlib.startViewers();

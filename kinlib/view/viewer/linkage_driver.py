@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import ArrayLike
 
 from kinlib.arrays import tolerances, validation
+from kinlib.arrays.named_values import JointValues
 from kinlib.arrays.validation import Array
 from kinlib.mechanisms.joints import chain_along, spanning_tree
 from kinlib.mechanisms.mechanism import Mechanism
@@ -57,7 +58,7 @@ class Drive(ViewerBase):
 
 def drive(
     mechanism: Mechanism,
-    start: ArrayLike,
+    start: JointValues,
     *,
     across: tuple[str, str] | None = None,
     curves: Sequence[ArrayLike] | None = None,
@@ -66,7 +67,7 @@ def drive(
 ) -> Drive:
     """Move a closed chain of one degree of freedom along its curves, and show them in its configuration space.
 
-    start   (n,) the first configuration, in which the loops are closed
+    start   (n,) the first configuration, or a mapping from joint names to values, in which the loops are closed
     across  the names of two joint values, drawn against each other; by default the first two
     curves  arrays (m, n) of closed configurations; by default the curve through start, and one for each assembly mode with
             the same first joint value that this curve does not reach
@@ -82,7 +83,7 @@ def drive(
     >>> len(shown.mode["curves"]), shown.mode["names"]
     (2, ['A', 'B'])
     """
-    first = np.array(start, dtype=float)
+    first = mechanism.in_order(start)
     named = list(across or mechanism.names[:2])
     if unknown := [name for name in named if name not in mechanism.names]:
         raise ValueError(f"{mechanism.name} has joint values {', '.join(mechanism.names)}; got {unknown[0]!r}.")

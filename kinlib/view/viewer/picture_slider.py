@@ -120,7 +120,8 @@ def _covered(inside: widgets.VBox, after: Any) -> widgets.VBox:
     """Cover a widget until a question is committed. A button uncovers it without a prediction, and records nothing."""
     if after is None or after.committed:
         return inside
-    note = _note("Commit to your prediction above first", "The picture appears here afterwards.")
+    # a line without a frame: the question above and its explanation have one each
+    note = f'<p role="status" style="margin:0;color:{INK}">Commit to your prediction above first; the picture appears here then.</p>'
     anyway = widgets.Button(description="Show anyway", tooltip="Uncover the picture without a prediction")
     box = widgets.VBox([widgets.HTML(note), anyway])
 

@@ -70,21 +70,26 @@ def scene(
     if wrong := [joint for joint in joints if joint not in range(1, chain.n + 1)]:
         raise ValueError(f"{chain.name} has joints 1 to {chain.n}; got {wrong[0]!r}.")
     chain.fk(start)  # raises ValueError if start has another size
-    sliders = [_slider(chain, joint - 1, float(start[joint - 1]), span) for joint in joints]
+    limits = [(-np.inf, np.inf)] * chain.n if chain.limits is None else chain.limits
+    titles = chain.joint_names or [""] * chain.n
+    sliders = [
+        joint_slider(i, chain.joint_types[i] == "P", limits[i], float(start[i]), title=titles[i], span=span)
+        for i in (joint - 1 for joint in joints)
+    ]
     configurations = [_stations(chain, np.zeros(chain.n)), _stations(chain, start)]
     configurations += [] if ghost is None else [_stations(chain, ghost)]
-    room, floor = _room(np.concatenate(configurations), _tips(chain, start), extent(chain))
+    view, floor = room(np.concatenate(configurations), _tips(chain, start), extent(chain))
     arm = arm_data(chain, range(chain.n))
     if frames:
         arm["frames"] = frames_on_links(chain, start, frames)
     return {
         "name": chain.name,
         # If an arm is small compared with what is in view, its marks must stay large enough to be distinguished.
-        "size": max(extent(chain), MIN_SIZE_IN_ROOM_RADII * room["radius"]),
+        "size": max(extent(chain), MIN_SIZE_IN_ROOM_RADII * view["radius"]),
         "arms": [arm],
         "sliders": sliders,
-        "limits": [[_finite(end) for end in pair] for pair in chain.limits] if chain.limits is not None else [],
-        "room": room,
+        "limits": finite_limits(chain.limits) if chain.limits is not None else [],
+        "room": view,
         "floor": floor,
         "foot": [0.0, 0.0, 0.0],
     }
@@ -102,7 +107,7 @@ def arm_data(chain: Chain, columns: Sequence[int]) -> dict[str, Any]:
     size = extent(chain)
     return {
         "columns": list(columns),
-        "joints": _joints(chain),
+        "joints": joint_data(chain),
         "links": [path.tolist() for path in link_paths(chain)],
         "home": chain.home.ravel().tolist(),
         "frames": _frames(chain, size),
@@ -137,7 +142,7 @@ def frames_on_links(chain: Chain, q: Array, frames: Mapping[str, ArrayLike]) -> 
         # Frames with the same origin have arrows of different length, so that none hides another.
         rank = sum(bool(np.allclose(pose[:3, 3], origin, atol=1e-6)) for origin in origins)
         origins.append(pose[:3, 3])
-        layers[f"frame {name}"] = [{**_frame(name, body, inverse(moved[body]) @ pose), "rank": rank}]
+        layers[f"frame {name}"] = [{**frame_data(name, body, inverse(moved[body]) @ pose), "rank": rank}]
     return layers
 
 
@@ -198,21 +203,51 @@ def link_paths(chain: Chain) -> list[Array]:
     return paths
 
 
-def _slider(chain: Chain, i: int, value: float, span: tuple[float, float] | None) -> dict[str, Any]:
-    prismatic = chain.joint_types[i] == "P"
-    far = DEFAULT_TRAVEL_M if prismatic else DEFAULT_ANGLE_RAD
-    least, most = chain.limits[i] if chain.limits is not None else (-np.inf, np.inf)
+def joint_slider(
+    column: int,
+    is_prismatic: bool,
+    limits: ArrayLike,
+    value: float,
+    *,
+    title: str = "",
+    span: tuple[float, float] | None = None,
+) -> dict[str, Any]:
+    """Return the slider of the joint value in a column of q, from 0; its range is span, or its limits where it has them.
+
+    Raises ValueError if span does not contain the value.
+
+    >>> joint_slider(0, True, (0, np.inf), 0.5)
+    {'column': 0, 'name': 'q_1', 'title': '', 'unit': 'm', 'low': 0.0, 'high': 1.0}
+    """
+    far = DEFAULT_TRAVEL_M if is_prismatic else DEFAULT_ANGLE_RAD
+    least, most = np.asarray(limits, dtype=float)
     low, high = span or (
         least if np.isfinite(least) else min(-far, value),
         most if np.isfinite(most) else max(far, value),
     )
     if span and not low <= value <= high:
         raise ValueError(
-            f"span must contain the start of joint {i + 1}, {value:.3g}; got {low:.3g} to {high:.3g}. Is one of them in degrees?"
+            f"span must contain the start of joint {column + 1}, {value:.3g}; got {low:.3g} to {high:.3g}. "
+            "Is one of them in degrees?"
         )
-    title = chain.joint_names[i] if chain.joint_names else ""
-    unit = "m" if prismatic else "rad"
-    return {"column": i, "name": f"q_{i + 1}", "title": title, "unit": unit, "low": float(low), "high": float(high)}
+    unit = "m" if is_prismatic else "rad"
+    return {
+        "column": column,
+        "name": f"q_{column + 1}",
+        "title": title,
+        "unit": unit,
+        "low": float(low),
+        "high": float(high),
+    }
+
+
+def finite_limits(limits: Array) -> list[list[float | None]]:
+    """Return limits (n, 2) for JSON, which has no infinity.
+
+    >>> finite_limits(np.array([[0, np.inf]]))
+    [[0.0, None]]
+    """
+    return [[float(end) if np.isfinite(end) else None for end in pair] for pair in limits]
 
 
 def _stations(chain: Chain, q: Array) -> Array:
@@ -227,11 +262,14 @@ def _tips(chain: Chain, q: Array) -> Array:
     return np.concatenate([axes, 0.2 * size * np.eye(3), tool[:3, 3] + 0.2 * size * tool[:3, :3].T])
 
 
-def _room(configurations: Array, tips: Array, size: float) -> tuple[dict[str, Any], float]:
+def room(configurations: Array, tips: Array, size: float) -> tuple[dict[str, Any], float]:
     """Return the region that must be in view, and the height of the floor.
 
-    The configurations shown and the tips of their arrows fill the picture, with a margin for labels. If the arm moves
-    farther, the page zooms out.
+    The configurations shown (m, 3) and the tips of their arrows (k, 3) fill the picture, with a margin for labels. If the arm
+    moves farther, the page zooms out.
+
+    >>> room(np.eye(3), np.zeros((1, 3)), size=1.0)[1]
+    -0.1
     """
     seen = np.concatenate([configurations, tips])
     centre = (seen.min(axis=0) + seen.max(axis=0)) / 2
@@ -240,10 +278,6 @@ def _room(configurations: Array, tips: Array, size: float) -> tuple[dict[str, An
     # The lowest joint must be above the floor; an arm that hangs from its base gets more space below it.
     floor = lowest - (0.1 if lowest > -0.05 * size else 0.2) * size
     return {"centre": centre.tolist(), "radius": radius}, floor
-
-
-def _finite(value: float) -> float | None:
-    return float(value) if np.isfinite(value) else None
 
 
 def _path(points: list[Array]) -> Array:
@@ -259,7 +293,13 @@ def _path(points: list[Array]) -> Array:
     return path + 0.0
 
 
-def _joints(chain: Chain) -> list[dict[str, Any]]:
+def joint_data(chain: Chain) -> list[dict[str, Any]]:
+    """Return the joints of an arm as data: their screws, and where and how they are drawn.
+
+    >>> from kinlib.chains.robots import rpr
+    >>> [joint["travel"] for joint in joint_data(rpr())]
+    [0.0, 1.0, 0.0]
+    """
     axis, _, pitch = chain.lines
     return [
         {
@@ -286,25 +326,30 @@ def _joints(chain: Chain) -> list[dict[str, Any]]:
 def _frames(chain: Chain, size: float) -> dict[str, Any]:
     """Return the frames that can be shown, each with its name, its body and its pose at home."""
     n = chain.n
-    ends = {"s": _frame("s", 0, np.eye(4)), "b": _frame("b", n, chain.home)}
+    ends = {"s": frame_data("s", 0, np.eye(4)), "b": frame_data("b", n, chain.home)}
     on_links = homogeneous(np.eye(3), chain.joint_points)
     shown: dict[str, Any] = {
         "base": [ends["s"]],
         "tool": [ends["b"]],
-        "links": [_frame(str(i + 1), i + 1, T) for i, T in enumerate(on_links)],
+        "links": [frame_data(str(i + 1), i + 1, T) for i, T in enumerate(on_links)],
     }
     if "H" in chain.joint_types:
         return shown  # a DH row has one variable, and a helical joint would need two
     for convention in ("standard", "modified"):
         frames = assign_frames(chain, convention=convention).frames
-        drawable = [_frame(str(i), i, T) for i, T in enumerate(frames) if _near(T[:3, 3], size)]
+        drawable = [frame_data(str(i), i, T) for i, T in enumerate(frames) if _near(T[:3, 3], size)]
         drawable += [ends["s"]] * (not np.allclose(frames[0], np.eye(4)))
         drawable += [ends["b"]] * (not np.allclose(frames[-1], chain.home))
         shown[convention] = drawable
     return shown
 
 
-def _frame(name: str, body: int, pose: Array) -> dict[str, Any]:
+def frame_data(name: str, body: int, pose: Array) -> dict[str, Any]:
+    """Return a frame on a body as data: its pose (4, 4) at home.
+
+    >>> frame_data("b", 3, np.eye(4))["name"]
+    'b'
+    """
     return {"name": name, "body": body, "pose": (np.asarray(pose) + 0.0).ravel().tolist()}
 
 

@@ -16,9 +16,10 @@ import numpy as np
 import traitlets
 from numpy.typing import ArrayLike
 
+from kinlib.arrays.named_values import JointValues
 from kinlib.arrays.validation import Array
 from kinlib.chains.chain import Chain
-from kinlib.view.drawing.picture import Picture, page, save
+from kinlib.view.drawing.picture import Picture, page
 from kinlib.view.drawing.static_export import is_static_export
 from kinlib.view.figures.arm import ARM_LAYERS, describe_arm, draw_arm
 from kinlib.view.viewer.cell_memory import keep_in_cell
@@ -59,9 +60,9 @@ class ViewerBase(anywidget.AnyWidget):
     >>> question.committed = True
     >>> arm.covered
     False
-    >>> arm.save("arm.png")
+    >>> arm.save("arm.jpg")
     Traceback (most recent call last):
-    ValueError: path must end in .svg or .html; got 'arm.png'. For pixels, convert a saved .svg, for example with Inkscape.
+    ValueError: path must end in .svg, .html, .png or .pdf; got 'arm.jpg'.
     """
 
     # The bundle defines one global object, so that a page without modules can run it too; a widget needs a default export.
@@ -124,7 +125,9 @@ class ViewerBase(anywidget.AnyWidget):
         raise NotImplementedError
 
     def save(self, path: str | PathLike[str]) -> None:
-        """Save the viewer as a page of its own that needs no kernel and no network, .html, or its current drawing, .svg.
+        """Save the viewer as a page of its own that needs no kernel and no network, .html.
+
+        Or its current drawing, as .svg, .png or .pdf.
 
         Raises ValueError for another ending, and if the viewer is covered until a question elsewhere is answered.
         """
@@ -138,18 +141,19 @@ class ViewerBase(anywidget.AnyWidget):
             script = (STATIC / "viewer.js").read_text("utf-8")
             return page(self.alt, f"{self.html()}<script>{script}\nkinlib.startViewers();</script>")
 
-        save(path, svg=lambda: self._picture().labelled_svg(), html=whole_page)
+        if Path(path).suffix.lower() == ".html":
+            Path(path).write_text(whole_page(), "utf-8")
+        else:
+            self._picture().save(path)
 
     def html(self) -> str:
         """Return the viewer for a page without a kernel: its state as JSON, and a drawing that loader.js replaces."""
         # The page does not need what anywidget and ipywidgets synchronize for themselves.
         own = set(self.trait_names(sync=True)) - set(anywidget.AnyWidget.class_trait_names(sync=True))
         state = self.get_state(sorted(name for name in own if not name.startswith("_")))
-        # A "<" could end the script or begin another one; JSON allows this escape for it.
-        data = json.dumps(state, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")
         after = f' data-kinlib-after="{html.escape(self._after)}"' if self._after else ""
         return (
-            f'<div data-kinlib-viewer{after}><script type="application/json">{data}</script>'
+            f"<div data-kinlib-viewer{after}>{as_script(state)}"
             f"<div data-kinlib-drawing>{self._covered_drawing() if self.covered else self._picture().html()}</div></div>"
         )
 
@@ -167,6 +171,17 @@ class ViewerBase(anywidget.AnyWidget):
     def _repr_mimebundle_(self, **options: Any) -> Any:
         data, metadata = super()._repr_mimebundle_(**options) or ({}, {})
         return {**data, "text/plain": self.alt, "text/html": self.html()}, metadata
+
+
+def as_script(state: Mapping[str, Any]) -> str:
+    r"""Return the state of a widget as JSON in an element of HTML, from which a script on the page reads it.
+
+    >>> as_script({"text": "<b>"})
+    '<script type="application/json">{"text":"\\u003cb>"}</script>'
+    """
+    # A "<" could end the script or begin another one; JSON allows this escape for it.
+    data = json.dumps(state, separators=(",", ":"), allow_nan=False).replace("<", "\\u003c")
+    return f'<script type="application/json">{data}</script>'
 
 
 class Viewer(ViewerBase):
@@ -208,9 +223,9 @@ def explore(
     *,
     show: Collection[str] = ("axes", "base", "tool"),
     after: Any = None,
-    start: ArrayLike | None = None,
+    start: JointValues | None = None,
     span: tuple[float, float] | None = None,
-    ghost: ArrayLike | None = None,
+    ghost: JointValues | None = None,
     frames: Mapping[str, ArrayLike] | None = None,
     readout: bool = True,
     predict: tuple[str, Sequence[str]] | None = None,
@@ -220,7 +235,8 @@ def explore(
     joints   the joints that get a slider, counted from 1; all by default, but better only those that matter
     show     the layers that are drawn at first, any of kinlib.view.viewer.scene.LAYERS; the reader can switch them
     after    a question; the arm stays covered until a prediction is committed
-    start    (n,) the first joint values, by default home; afterwards `q` is synchronized with the page
+    start    (n,) the first joint values, or a mapping from joint names to values; by default home. Afterwards `q` is
+             synchronized with the page
     span     the range of the sliders, in radians or metres; by default the limits of the joints
     ghost    (n,) another configuration, drawn in grey
     frames   {"0": T_00, "1": T_01, ...} frames on the links, which the reader switches on one by one; poses (4, 4) in {s} at
@@ -246,8 +262,8 @@ def explore(
     >>> arm.shown
     ['axes', 'frame 0', 'frame 1']
     """
-    home = np.zeros(chain.n) if start is None else np.array(start, dtype=float)
-    shade = None if ghost is None else np.array(ghost, dtype=float)
+    home = np.zeros(chain.n) if start is None else chain.in_order(start)
+    shade = None if ghost is None else chain.in_order(ghost)
     text, options = predict or ("", ())
     layers = list(show)
     if frames:

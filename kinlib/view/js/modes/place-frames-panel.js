@@ -19,7 +19,7 @@ const MISSING = {
   origin: 'Place O_{i} first, because x_{i} starts there.',
 };
 const NO_KERNEL =
-  'Checking needs Python, and this page has no kernel. Copy your frames and check them in a notebook ' +
+  'Checking needs Python, and this page has none. Copy your frames and check them in a notebook ' +
   'with kl.check_frames, or in the sheet.';
 const SYMBOLS = { z: 'z_', origin: 'O_', x: 'x_' };
 const withIndex = (text, i) => text.replaceAll('{i}', `${i}`);
@@ -224,8 +224,8 @@ export function placeFramesPanel({
     verdictBox.replaceChildren(...verdictNodes());
 
     function verdictNodes() {
+      if (waiting) return [h('p', {}, model.withoutKernel ? 'Waiting for Python …' : 'Checking in Python …')];
       if (model.withoutKernel && model.get('asked') > (asked ?? 0)) return [h('p', {}, NO_KERNEL)];
-      if (waiting) return [h('p', {}, 'Checking in Python …')];
       if (!asked) return [];
       if (broken.length) return brokenRules(broken);
       if (changedFrames().length) {

@@ -77,10 +77,16 @@ export function placeFrames({ model, stage, data }) {
   function requestVerdict() {
     sentFrames = snapshot();
     clearTimeout(selection.timer);
-    selection.waiting = !model.withoutKernel;
-    if (selection.waiting) selection.timer = setTimeout(() => panel.showNoAnswer(), SILENCE_MS);
     model.set('asked', model.get('asked') + 1);
     model.save_changes();
+    // a page of the site may have to load Python first, which it says itself
+    selection.waiting = !model.withoutKernel || model.wake(onRefused);
+    if (!model.withoutKernel) selection.timer = setTimeout(() => panel.showNoAnswer(), SILENCE_MS);
+    panel.update();
+  }
+  function onRefused() {
+    selection.waiting = false;
+    model.set('asked', model.get('verdict').asked ?? 0);
     panel.update();
   }
 

@@ -1,5 +1,5 @@
-// Text alternatives, computed from what is drawn. describeArm and describeLinkage say what describe_arm and
-// describe_linkage say in kinlib/view/figures.
+// Text alternatives, computed from what is drawn. describeArm, describeTree and describeLinkage say what describe_arm,
+// describe_tree and describe_linkage say in kinlib/view.
 import { Vector3 } from 'three';
 
 const JOINT_KINDS = { R: 'revolute', P: 'prismatic', H: 'helical' };
@@ -31,24 +31,44 @@ export function frameText(name, T) {
   return `Frame {${name}} at ${vectorText(column(3))}, ${axes}.`;
 }
 
+/** A joint as it is at q: its number, its name if it has one, its kind, its axis and its place. */
+function jointText({ kind, axis, point, number, name }, i, tree, k) {
+  const { matrixWorld } = tree.body(k, i + 1);
+  const along = directionText(new Vector3(...axis).transformDirection(matrixWorld).toArray());
+  const at = vectorText(new Vector3(...point).applyMatrix4(matrixWorld).toArray());
+  return `joint ${number ?? i + 1} ${name ? `${name} ` : ''}${JOINT_KINDS[kind]} along ${along} at ${at}`;
+}
+
 /** The arm of a scene as it is at q: the axis of each joint, and the end-effector. */
 export function describeArm(data, tree, q) {
   const arm = data.arms[0];
-  const joints = arm.joints.map(({ kind, axis, point }, i) => {
-    const { matrixWorld } = tree.body(0, i + 1);
-    const along = directionText(new Vector3(...axis).transformDirection(matrixWorld).toArray());
-    const at = vectorText(new Vector3(...point).applyMatrix4(matrixWorld).toArray());
-    return `joint ${i + 1} ${JOINT_KINDS[kind]} along ${along} at ${at}`;
-  });
+  const joints = arm.joints.map((joint, i) => jointText(joint, i, tree, 0));
   const kinds = arm.joints.map(({ kind }) => kind).join('');
   const text = joints.join('; ');
   const head = `${data.name}, ${joints.length} joints (${kinds}), ${configurationText(q)}.`;
   return `${head} ${text[0].toUpperCase()}${text.slice(1)}. ${endEffectorText(tree)}`;
 }
 
+/** A robot with branches as it is at q: the joints of each branch that no earlier one has, and the end of each. */
+export function describeTree(data, tree, q) {
+  const count = (n, noun, ending) => `${n} ${noun}${n === 1 ? '' : ending}`;
+  const branches = data.arms.map(({ joints, tip }, k) => {
+    const own = joints.flatMap((joint, i) => (joint.hidden ? [] : [jointText(joint, i, tree, k)]));
+    return `To ${tip}: ${[...own, `its end is at ${placeText(tree, k)} m`].join('; ')}.`;
+  });
+  const head = `${data.name}, ${count(q.length, 'independent joint', 's')}, ${count(data.arms.length, 'branch', 'es')}`;
+  return [`${head}, ${configurationText(q)}.`, ...branches].join(' ');
+}
+
+const placeText = (tree, k) => vectorText([0, 1, 2].map((row) => tree.pose(k)[row][3]));
+
+/** Where the ends of all branches are. */
+export function tipsText(data, tree) {
+  return data.arms.map(({ tip }, k) => `${tip} is at ${placeText(tree, k)} m.`).join(' ');
+}
+
 export function endEffectorText(tree) {
-  const T = tree.pose();
-  return `The end-effector is at ${vectorText([0, 1, 2].map((row) => T[row][3]))} m.`;
+  return `The end-effector is at ${placeText(tree, 0)} m.`;
 }
 
 /** A linkage as it is at q: its bodies, and where its joints are. */

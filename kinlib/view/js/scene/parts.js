@@ -36,6 +36,7 @@ export function links(arm, size, colours) {
 export function joints(arm, size, colours) {
   const r = JOINT * size;
   return arm.joints.flatMap((joint, i) => {
+    if (joint.hidden) return []; // another branch of the robot shows it
     const centre = jointCentre(joint, size);
     const at = (share) => add(centre, joint.axis, share * r);
     if (joint.kind === 'P') {
@@ -75,7 +76,7 @@ export function joints(arm, size, colours) {
 /** The rod of a prismatic or helical joint, as long as the joint's translation. */
 export function rods(arm, size, colours) {
   return arm.joints.flatMap((joint, i) =>
-    joint.travel === 0
+    joint.travel === 0 || joint.hidden
       ? []
       : [
           {
@@ -94,6 +95,7 @@ export function rods(arm, size, colours) {
 /** Screw axes: dashed, with a tip and a name; on the body before the joint, which does not move its own axis. */
 export function axes(arm, size, { letter, colour, onBody = (i) => i }) {
   return arm.joints.flatMap((joint, i) => {
+    if (joint.hidden) return [];
     const body = onBody(i);
     const centre = jointCentre(joint, size);
     const from = add(centre, joint.axis, -0.26 * size);
@@ -103,7 +105,17 @@ export function axes(arm, size, { letter, colour, onBody = (i) => i }) {
     return [
       ...dashedLine(line),
       { body, shape: 'cone', from: neck, to: tip, radius: 0.014 * size, colour },
-      { body, label: true, at: tip, from: centre, text: letter, sub: `${i + 1}`, colour, italic: true, weight: 3 },
+      {
+        body,
+        label: true,
+        at: tip,
+        from: centre,
+        text: letter,
+        sub: `${joint.number ?? i + 1}`,
+        colour,
+        italic: true,
+        weight: 3,
+      },
     ];
   });
 }

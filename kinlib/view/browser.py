@@ -1,0 +1,81 @@
+"""Show an arm or a picture with one call: in a notebook, or, from a script, in the web browser."""
+
+import sys
+import webbrowser
+from os import PathLike
+from pathlib import Path
+from tempfile import mkdtemp
+from typing import Any
+
+from kinlib.arrays.named_values import JointValues
+from kinlib.arrays.validation import describe
+from kinlib.chains.chain import Chain
+from kinlib.dh.table import DHTable
+from kinlib.mechanisms.mechanism import Mechanism
+from kinlib.urdf.robot_tree import Tree
+from kinlib.view.drawing.picture import Gallery, Picture
+from kinlib.view.figures.linkage import draw_linkage
+from kinlib.view.viewer.tree_viewer import explore_tree
+from kinlib.view.viewer.viewer import ViewerBase, explore
+
+
+def show(
+    shown: Chain | DHTable | Tree | Mechanism | Picture | Gallery | ViewerBase,
+    q: JointValues | None = None,
+    *,
+    path: str | PathLike[str] = "",
+) -> None:
+    """Show a robot in three dimensions with sliders, a closed chain as a drawing, or anything that this package draws.
+
+    In a notebook it is displayed below the cell. Elsewhere it is saved as a page in a temporary folder, which the web browser
+    opens; where there is no browser, the name of the file is printed.
+
+    shown  a chain, a table, a tree, a closed chain, or what a function of kinlib.view returns
+    q      (n,) joint values, or a mapping from joint names to values; home by default. A closed chain needs them
+    path   the file to save to instead of showing it: .html, or a drawing as .svg, .png or .pdf
+
+    Raises ValueError if q does not have n values or is given without a robot, for anything else to show, and for another ending.
+
+    >>> from kinlib.chains.robots import youbot
+    >>> from tempfile import TemporaryDirectory
+    >>> with TemporaryDirectory() as folder:
+    ...     show(youbot(), [0, 0, 1, 0, 0], path=f"{folder}/youbot.html")
+    ...     Path(folder, "youbot.html").read_text("utf-8")[:15]
+    '<!DOCTYPE html>'
+    """
+    if isinstance(shown, Chain | DHTable):
+        shown = explore(shown.to_chain() if isinstance(shown, DHTable) else shown, start=q)
+    elif isinstance(shown, Tree):
+        shown = explore_tree(shown, q)
+    elif isinstance(shown, Mechanism):
+        if q is None:
+            raise ValueError(
+                f"q must be given with a closed chain, the values of {', '.join(shown.names)}, because at 0 its loops need not "
+                "close. Pass one of its assembly_modes(hold={...}), or .q of what assemble returns."
+            )
+        shown = draw_linkage(shown, q)
+    elif q is not None:
+        raise ValueError(
+            f"q must be given with a robot only; got it with a {type(shown).__name__}, which has been drawn already."
+        )
+    if not isinstance(shown, Picture | Gallery | ViewerBase):
+        raise ValueError(
+            f"show takes a Chain, DHTable, Tree or Mechanism, or what a function of kinlib.view returns; got {describe(shown)}."
+        )
+    if path:
+        shown.save(path)
+    elif _is_notebook():
+        from IPython.display import display
+
+        display(shown)
+    else:
+        page = Path(mkdtemp(prefix="kinlib-")) / "shown.html"
+        shown.save(page)
+        if not webbrowser.open(page.as_uri()):
+            print(f"No web browser was found. Open this file in one: {page}")
+
+
+def _is_notebook() -> bool:
+    """Whether this runs in a kernel, which displays HTML, and not in a script or a terminal."""
+    shell: Any = getattr(sys.modules.get("IPython"), "get_ipython", lambda: None)()
+    return shell is not None and type(shell).__name__ != "TerminalInteractiveShell"
