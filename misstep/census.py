@@ -3,6 +3,9 @@
 For each problem and student it judges
 
 - every mutant of the solution, every mistake of the author, and every slip of the kind of answer, and
+- the answers from outside, from `outside_answers(number, given, answer, given of a neighbour)` of the module that --outside names.
+  They are made from the statement and the given values alone; each has `label`, `value`, `right`, `has_name`, `earns_nothing`,
+  `is_held_out` and `is_named_by(text)`, and
 - the answers that people made by hand, from `answers_by_hand(number, given, answer)` of the module that --by-hand names. It
   shares no code with the engine, so that it may contradict it,
 
@@ -12,6 +15,7 @@ by hand that is also that of the mistake that feedback names is counted apart: n
 """
 
 import json
+import re
 import sys
 from argparse import ArgumentParser, Namespace
 from collections import Counter
@@ -25,9 +29,9 @@ from pathlib import Path
 from types import SimpleNamespace
 from typing import Any
 
-from misstep.bugs import inseparable_pairs
 from misstep.catalog import find_course
-from misstep.judge import Finding, judge
+from misstep.diagnosis.bugs import inseparable_pairs
+from misstep.judge import BY_CHANCE, Finding, judge
 from misstep.mistakes import Mistake
 from misstep.problem import Problem, Template
 
@@ -41,6 +45,9 @@ COUNTS = {
 }
 """What is counted, with its heading."""
 
+OUTSIDE = ("wrong", "full marks", "unnamed", "false", "undeserved", "unreadable", "refused")
+"""What is counted of the answers from outside."""
+
 MAX_EXAMPLES = 5
 """How many examples of each count are kept for a problem."""
 
@@ -52,6 +59,7 @@ class Row:
     wrong     the number of wrong answers that were judged
     by_hand   how many of them were made by hand
     unnamed_by_hand  how many of these have no name
+    outside   what was counted of the answers from outside, "held out" of the half that is counted by itself
     examples  for each count, some answers that were counted: the student, what was done, and what feedback said
     """
 
@@ -60,6 +68,7 @@ class Row:
     by_hand: int = 0
     unnamed_by_hand: int = 0
     counts: Counter[str] = field(default_factory=Counter)
+    outside: Counter[str] = field(default_factory=Counter)
     examples: dict[str, list[str]] = field(default_factory=dict)
 
     def count(self, what: str, example: str) -> None:
@@ -83,11 +92,20 @@ class Tried:
     fits: Callable[[Sequence[Finding]], bool]
 
 
-def census_of(template: Template, students: Iterable[str], by_hand: Callable[..., Any] | None = None) -> Row:
+def census_of(
+    template: Template,
+    students: Iterable[str],
+    by_hand: Callable[..., Any] | None = None,
+    outside: Callable[..., Any] | None = None,
+    *,
+    own: bool = True,
+) -> Row:
     """Judge all answers of some students to one problem.
 
     by_hand  makes answers from the number of the problem, the given values and the right answer; each has `label`, `value`,
              `right` and `is_named_by(text)`
+    outside  makes the answers from outside
+    own      whether the answers that the engine itself makes are judged
 
     >>> import numpy as np
     >>> from misstep import problem
@@ -104,9 +122,56 @@ def census_of(template: Template, students: Iterable[str], by_hand: Callable[...
     row = Row(template.number)
     for student in students:
         problem = template.variant(student)
-        for tried in chain(_by_engine(problem), _by_hand(template, problem, by_hand)):
+        for tried in chain(_by_engine(problem) if own else (), _by_hand(template, problem, by_hand)):
             _count(row, student, problem, tried)
+        if outside:
+            neighbour = SimpleNamespace(**template.variant(f"the neighbour of {student}").given)
+            given = SimpleNamespace(**problem.given)
+            for made in outside(template.number, given, problem.answer.value, neighbour):
+                _count_outside(row, student, problem, made)
     return row
+
+
+def _count_outside(row: Row, student: str, problem: Problem, made: Any) -> None:
+    judgement = judge(problem, made.value)
+    if made.right:
+        row.outside["right forms"] += 1
+        found = {"refused"} if judgement.state != "right" else set()
+    elif judgement.state == "unreadable":
+        found = {"unreadable"}
+    else:
+        named = [finding for finding in judgement.findings if finding.mistake]
+        said = " ".join(f"{finding.mistake} {finding.message}" for finding in named)
+        found = {"wrong"}
+        found |= {"full marks"} if judgement.state == "right" else set()
+        found |= {"unnamed"} if made.has_name and not named and judgement.state != "right" else set()
+        found |= {"false"} if any(map(says_a_fact, named)) and not made.is_named_by(said) else set()
+        found |= {"undeserved"} if made.earns_nothing and 0 < judgement.fraction < 1 else set()
+    row.outside.update(found)
+    row.outside.update(f"held out: {what}" for what in found if made.is_held_out and not made.right)
+    text = " | ".join(f"{finding.mistake}: {finding.message}" for finding in judgement.findings)
+    for what in found - {"wrong"}:
+        kept = row.examples.setdefault(f"outside, {what}", [])
+        if len(kept) < MAX_EXAMPLES:
+            kept.append(f"{student}: {made.label}: {text}")
+
+
+def says_a_fact(finding: Finding) -> bool:
+    """Return whether a message says what was done, and not only what leads to the same answer.
+
+    >>> says_a_fact(Finding((), "You left out M.")), says_a_fact(Finding((), "This is what you get if you leave out M."))
+    (True, False)
+    """
+    possible = ("This is what you get", "This is also what you get", "Several mistakes")
+    return bool(re.search(r"\bYou\b", finding.message)) and not finding.message.startswith(possible)
+
+
+def is_observation(problem: Problem, value: Any, finding: Finding) -> bool:
+    """Return whether a finding says only what the answer itself shows beside the right one, and nothing of how it came about."""
+    answer, part = problem.answer, list(problem.answer.parts).index(finding.parts[0])
+    seen = [answer.appearance(value, None), answer.arrangement(value)]
+    seen += [look(value, part) for look in (answer.appearance, answer.explanation, answer.description)]
+    return any(one and one[1] == finding.message for one in seen) or finding.mistake == "given unchanged"
 
 
 def is_true(problem: Problem, value: Any, finding: Finding) -> bool:
@@ -118,20 +183,27 @@ def is_true(problem: Problem, value: Any, finding: Finding) -> bool:
     if finding.mistake is None or finding.alternatives in ((("rounded",),), ()):
         return True
     parts = [list(problem.answer.parts).index(part) for part in finding.parts]
-    if (explained := problem.answer.explanation(value, parts[0])) and explained[1] == finding.message:
-        return True  # the answer shows the mistake: its kind has corrected it, and found the right answer
+    if is_observation(problem, value, finding):
+        return True
     known = [*problem.mistakes, *problem.mutants, *problem.slips]
     if any(len(names) > 1 for names in finding.alternatives):
         known += problem.double_mutants(value)
     claims: dict[str, bool] = {}
     for mistake in known:
         agrees = problem.answer.agrees(value, mistake.value)
-        for text, holds in ((mistake.message, all(agrees)), (mistake.part, all(agrees[part] for part in parts))):
-            if text and text in finding.message and mistake.names in finding.alternatives:
-                claims[text] = claims.get(text, False) or holds
+        in_parts = all(agrees[part] for part in parts)
+        for text, holds in (
+            (mistake.message, all(agrees)),
+            (mistake.possible, all(agrees)),
+            (mistake.part, in_parts),
+        ):
+            # Of two long stories only their first sentences are told.
+            for said in {text, f"{text.partition('. ')[0].removesuffix('.')}."} if text else ():
+                if said in finding.message and mistake.names in finding.alternatives:
+                    claims[said] = claims.get(said, False) or holds
     # A sentence may be the beginning of a longer one, which then is the one that was said.
-    said = [text for text in claims if not any(text != other and text in other for other in claims)]
-    return bool(said) and all(claims[text] for text in said)
+    told = [text for text in claims if not any(text != other and text in other for other in claims)]
+    return bool(told) and all(claims[text] for text in told)
 
 
 def _by_engine(problem: Problem) -> Iterator[Tried]:
@@ -181,7 +253,8 @@ def _count(row: Row, student: str, problem: Problem, tried: Tried) -> None:
         row.count("full_marks", example)
         return
     named = [finding for finding in judgement.findings if finding.mistake]
-    if len(named) < len(judgement.findings) and judgement.state != "unreadable":
+    unnamed = [finding for finding in judgement.findings if not finding.mistake and finding.message != BY_CHANCE]
+    if unnamed and judgement.state != "unreadable":
         row.count("unnamed", example)
         row.unnamed_by_hand += tried.is_by_hand
     if not named:
@@ -190,7 +263,7 @@ def _count(row: Row, student: str, problem: Problem, tried: Tried) -> None:
     all_true = all(is_true(problem, value, finding) for finding in named)
     if not all_true:
         row.count("false", example)
-    if not tried.fits(named) and any(_claims_a_method(problem, finding) for finding in named):
+    if not tried.fits(named) and any(_claims_a_method(problem, value, finding) for finding in named):
         row.count("coincident" if tried.is_by_hand and all_true else "misnamed", example)
 
 
@@ -207,8 +280,10 @@ def wrong_answers(problem: Problem) -> list[list[tuple[str, ...]]]:
     return [names for _, names in reached]
 
 
-def _claims_a_method(problem: Problem, finding: Finding) -> bool:
+def _claims_a_method(problem: Problem, value: Any, finding: Finding) -> bool:
     """Return whether a finding says what was done. A slip only says how the answer differs from the right one."""
+    if is_observation(problem, value, finding):
+        return False
     slips = {slip.names for slip in problem.slips}
     return not slips.issuperset(finding.alternatives)
 
@@ -246,6 +321,12 @@ def add_arguments(parser: ArgumentParser) -> None:
         help="a module with answers_by_hand(number, given, answer), found from this folder",
     )
     parser.add_argument(
+        "--outside",
+        metavar="MODULE",
+        help="a module with outside_answers(number, given, answer, neighbour), found from this folder",
+    )
+    parser.add_argument("--not-own", action="store_true", help="leave out the answers that the engine itself makes")
+    parser.add_argument(
         "--save", type=Path, help="write the counts to this JSON file, from which the site makes its page"
     )
 
@@ -255,14 +336,12 @@ def run(options: Namespace) -> int:
     course = find_course(options.course)
     students = [f"student {k}" for k in range(options.students)]
     sheets = options.sheet or course.sheets()
-    jobs = [
-        (options.course, sheet, k, students, options.by_hand)
-        for sheet in sheets
-        for k in range(len(course.find_sheet(sheet).problems))
-    ]
+    jobs = [(options, sheet, k, students) for sheet in sheets for k in range(len(course.find_sheet(sheet).problems))]
     with ProcessPoolExecutor() as pool:
         rows = list(pool.map(_row, *zip(*jobs, strict=True)))
     print(table(rows))
+    if options.outside:
+        print(f"\nFrom outside:\n\n{outside_table(rows)}")
     pairs = {}
     for sheet in sheets:
         problems = [template.variant(students[0]) for template in course.find_sheet(sheet).problems]
@@ -272,18 +351,37 @@ def run(options: Namespace) -> int:
     if options.examples:
         for row in rows:
             for what, examples in row.examples.items():
-                print(f"\n{row.number}, {COUNTS[what]}:", *examples, sep="\n- ")
+                print(f"\n{row.number}, {COUNTS.get(what, what)}:", *examples, sep="\n- ")
     if options.save:
-        counted = [{**vars(row), "examples": {}} for row in rows]  # examples contain answers
-        saved = {"students": len(students), "problems": counted, "inseparable": pairs}
+        saved = json.loads(options.save.read_text("utf-8")) if options.save.exists() else {}
+        if not options.not_own:
+            counted = [{**vars(row), "outside": {}, "examples": {}} for row in rows]  # examples contain answers
+            saved |= {"students": len(students), "problems": counted, "inseparable": pairs}
+        if options.outside:
+            found = {row.number: dict(sorted(row.outside.items())) for row in rows if row.outside}
+            saved["outside"] = {"students": len(students), "problems": found}
         options.save.write_text(json.dumps(saved, indent=1) + "\n", encoding="utf-8")
     return int(any(row.counts[what] for row in rows for what in ("full_marks", "refused", "misnamed", "false")))
 
 
-def _row(course_name: str, sheet: str, position: int, students: Sequence[str], by_hand: str | None) -> Row:
-    if by_hand and "" not in sys.path:
+def _row(options: Namespace, sheet: str, position: int, students: Sequence[str]) -> Row:
+    if (options.by_hand or options.outside) and "" not in sys.path:
         sys.path.insert(
             0, ""
         )  # the installed command `misstep` does not look for modules in the folder where it is run
-    answers_by_hand = import_module(by_hand).answers_by_hand if by_hand else None
-    return census_of(find_course(course_name).find_sheet(sheet).problems[position], students, answers_by_hand)
+    by_hand = import_module(options.by_hand).answers_by_hand if options.by_hand else None
+    outside = import_module(options.outside).outside_answers if options.outside else None
+    template = find_course(options.course).find_sheet(sheet).problems[position]
+    return census_of(template, students, by_hand, outside, own=not options.not_own)
+
+
+def outside_table(rows: Sequence[Row]) -> str:
+    """Return what was counted of the answers from outside as a table in Markdown, all of them and the half that is counted by itself."""
+    lines = [f"| problem | {' | '.join(OUTSIDE)} | held out: {' | held out: '.join(OUTSIDE)} |"]
+    lines.append("| --- " * (2 * len(OUTSIDE) + 1) + "|")
+    total = Row("**together**")
+    for row in (*rows, total):
+        counts = [str(row.outside[f"{half}{what}"]) for half in ("", "held out: ") for what in OUTSIDE]
+        lines.append(f"| {row.number} | {' | '.join(counts)} |")
+        total.outside += row.outside if row is not total else Counter()
+    return "\n".join(lines)

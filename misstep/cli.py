@@ -11,13 +11,20 @@ from collections.abc import Mapping, Sequence
 
 COMMANDS = {
     "census": ("misstep.census", "judge many wrong answers, and count what feedback says to them"),
+    "check": ("misstep.authoring.check", "say what is missing in a course"),
     "grade": ("misstep.grading.command", "grade the submissions of a sheet, in a sandbox"),
     "new-course": ("misstep.new_course", "write a small course that works, as the beginning of your own"),
+    "new-problem": ("misstep.authoring.new_problem", "add a problem and its cells to a sheet"),
+    "preview": ("misstep.authoring.preview", "show a problem, and each mistake with its card"),
     "release": ("misstep.release.student_notebook", "write the students' notebooks from the instructors' notebooks"),
+    "unnamed": (
+        "misstep.grading.unnamed",
+        "list the wrong answers of a graded class that have no name, without names of students",
+    ),
 }
 """For each command its module, and what it does."""
 
-EXTRAS = {"grade": "misstep[grading]", "release": "misstep[release]"}
+EXTRAS = {"grade": "misstep[grading]", "unnamed": "misstep[grading]", "release": "misstep[release]"}
 """For each command the extra that installs what it requires besides NumPy."""
 
 
@@ -40,18 +47,23 @@ def run_command(
     """Run the command of a program that the arguments name, and return its exit code."""
     arguments = sys.argv[1:] if arguments is None else arguments
     parser = argparse.ArgumentParser(prog=program, description=description)
-    subparsers = parser.add_subparsers(metavar="command", required=True)
+    subparsers = parser.add_subparsers(metavar="command", dest="command", required=True)
     for name, (module, purpose) in commands.items():
         subparser = subparsers.add_parser(name, help=purpose, description=f"{purpose[0].upper()}{purpose[1:]}.")
         if name in arguments[:1]:
             try:
                 command = importlib.import_module(module)
             except ModuleNotFoundError as missing:
-                subparser.error(
-                    f"{missing}. Install what this command requires: pip install '{extras.get(name, program)}'"
-                )
+                subparser.error(_advice(missing, extras.get(name, program)))
             command.add_arguments(subparser)
             subparser.set_defaults(run=command.run)
     options = parser.parse_args(arguments)
-    code: int = options.run(options)
+    try:
+        code: int = options.run(options)
+    except ModuleNotFoundError as missing:
+        parser.error(_advice(missing, extras.get(options.command, program)))
     return code
+
+
+def _advice(missing: ModuleNotFoundError, package: str) -> str:
+    return f"{missing}. Install what this command requires: pip install '{package}'"

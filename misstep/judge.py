@@ -8,11 +8,14 @@ from dataclasses import dataclass, field
 from typing import Any, Literal
 
 from misstep.answers.base import Answer, Unreadable
-from misstep.explanation import explain, message_of, name_of
+from misstep.diagnosis.explanation import Explanation, explain, name_of
 from misstep.problem import Problem
 from misstep.validation import is_blank
 
-State = Literal["right", "partly", "wrong", "blank", "unreadable"]
+BY_CHANCE = "This comes out right by the wrong method as well, so it earns nothing alone."
+"""What is said of the right parts of an answer whose method is wrong in all of them."""
+
+State = Literal["right", "partly", "wrong", "blank", "unreadable", "unmarked"]
 
 
 @dataclass(frozen=True)
@@ -53,31 +56,40 @@ def judge(problem: Problem, given: Any) -> Judgement:
         value = answer.read(given)
     except Unreadable as error:
         return Judgement("unreadable", findings=[Finding(answer.parts, str(error))])
+    if answer.rubric:
+        criteria = ", ".join(f"{name} ({points:g})" for name, points in answer.rubric.items())
+        return Judgement("unmarked", findings=[Finding(answer.parts, f"A person marks it, for: {criteria}.")])
     right = answer.agrees(value, answer.value)
     wrong = [part for part, is_right in enumerate(right) if not is_right]
     if not wrong:
         remark = answer.remark(value)
         return Judgement("right", 1.0, answer.parts, [Finding(answer.parts, remark)] if remark else [])
-    return Judgement(
-        "partly" if any(right) else "wrong",
-        sum(right) / len(right),
-        [answer.parts[part] for part, is_right in enumerate(right) if is_right],
-        _findings(problem, value, wrong),
-    )
+    return _partly(answer, right, explain(problem, value, wrong), value)
 
 
-def _findings(problem: Problem, value: Any, wrong: list[int]) -> list[Finding]:
+def _partly(answer: Answer, right: list[bool], explanations: Sequence[Explanation], value: Any) -> Judgement:
+    """Return the judgement of an answer with a wrong part: what it earns, and why not more."""
+    fine = [part for part, is_right in zip(answer.parts, right, strict=True) if is_right]
+    findings = _findings(answer, value, [k for k, is_right in enumerate(right) if not is_right], explanations)
+    if fine and any(one.spoils for one in explanations):
+        return Judgement("wrong", 0.0, (), [*findings, Finding(fine, BY_CHANCE)])
+    credit = min((mistake.credit for one in explanations for mistake in one.mistakes), default=0.0)
+    if credit and not fine and all(one.is_whole for one in explanations):
+        return Judgement("partly", credit, ["what follows from it"], findings)
+    return Judgement("partly" if fine else "wrong", len(fine) / len(right), fine, findings)
+
+
+def _findings(answer: Answer, value: Any, wrong: list[int], explanations: Sequence[Explanation]) -> list[Finding]:
     """Return the findings on the wrong parts, in the order of the parts."""
-    names = problem.answer.parts
-    found: list[tuple[list[int], Finding]] = []
-    for parts, mistakes in explain(problem, value, wrong):
-        is_whole = parts == wrong and all(problem.answer.agrees(value, mistakes[0].value))
-        alternatives = tuple(dict.fromkeys(mistake.names for mistake in mistakes))
-        text, name = message_of(mistakes, is_whole), name_of(mistakes)
-        found.append((parts, Finding([names[part] for part in parts], text, name, alternatives)))
+    names = answer.parts
+    found: list[tuple[Sequence[int], Finding]] = []
+    for one in explanations:
+        alternatives = tuple(dict.fromkeys(mistake.names for mistake in one.mistakes))
+        finding = Finding([names[part] for part in one.parts], one.message, name_of(one.mistakes), alternatives)
+        found.append((one.parts, finding))
     explained = {part for parts, _ in found for part in parts}
-    found += [([part], _unexplained(problem.answer, value, part)) for part in wrong if part not in explained]
-    return [finding for _, finding in sorted(found, key=lambda pair: pair[0])]
+    found += [([part], _unexplained(answer, value, part)) for part in wrong if part not in explained]
+    return [finding for _, finding in sorted(found, key=lambda pair: tuple(pair[0]))]
 
 
 def _unexplained(answer: Answer, value: Any, part: int) -> Finding:
@@ -86,12 +98,10 @@ def _unexplained(answer: Answer, value: Any, part: int) -> Finding:
     if answer.is_rounded(value, part):
         return Finding(
             parts,
-            "These are the right numbers, but rounded too much. Keep at least four significant digits.",
+            f"These are the right numbers, but rounded too much. {answer.precision}",
             "rounded",
             (("rounded",),),
         )
-    if named := answer.explanation(value, part):
-        return Finding(parts, named[1], named[0], ((named[0],),))
     return Finding(
         parts,
         answer.hint(value, part)

@@ -15,6 +15,9 @@ class Mistake:
              mistake explains only whole answers
     names    the names of the errors, if several of them lead to this answer together
     key      equal for two mistakes that are the same one, described in two ways
+    spoils   whether it is a wrong method for the whole answer, so that a part that comes out right earns nothing
+    credit   the fraction of the points for what follows rightly, if it is a mistake of a problem before
+    possible the feedback where the answer does not show that it was made; by default the message
     """
 
     name: str
@@ -23,6 +26,9 @@ class Mistake:
     part: str = ""
     names: tuple[str, ...] = ()
     key: Any = None
+    spoils: bool = False
+    credit: float = 0.0
+    possible: str = ""
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "names", self.names or (self.name,))

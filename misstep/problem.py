@@ -70,7 +70,7 @@ class Problem:
     invisible: Collection[str] = ()
 
     def __post_init__(self) -> None:
-        read = [replace(wrong, value=self.answer.read(wrong.value)) for wrong in self.mistakes]
+        read = [replace(wrong, value=self.answer.from_author(wrong.value)) for wrong in self.mistakes]
         object.__setattr__(self, "mistakes", read)
 
     def with_inputs(self, seed: int) -> "Problem":
@@ -85,8 +85,10 @@ class Problem:
 
     @cached_property
     def mutants(self) -> Sequence[Mistake]:
-        """The mistakes to which one change of the solution leads."""
-        return list(self._mistakes(attrgetter("single")))
+        """The mistakes to which one change of the solution leads, without those that are right for these numbers by chance."""
+        found = self._mistakes(attrgetter("single"))
+        right = partial(self.answer.agrees, self.answer.value)
+        return [wrong for wrong in found if wrong.name in self.invisible or not all(right(wrong.value))]
 
     def mutants_near(self, given: Any) -> Iterator[Mistake]:
         """Yield the mutants that may share a part with an answer that was read, without computing the others at all inputs."""
@@ -118,10 +120,20 @@ class Problem:
 
         Mutants need to differ from the right answer only: where two of them lead to the same answer, feedback names both.
         """
-        reached = [self.answer.value, *(wrong.value for wrong in self.mistakes)]
-        if any(self._same(one, other) for one, other in combinations(reached, 2)):
-            return False
-        return not any(self._hidden_mutants())  # the first of them, because many draws are refused
+        return self.collision() is None
+
+    def collision(self) -> tuple[str, str] | None:
+        """Return what gives the same answer: two mistakes of the author, or one mistake and the solution; None if nothing does."""
+        named = [
+            ("the right answer", self.answer.value),
+            *((f"the mistake {one.name!r}", one.value) for one in self.mistakes),
+        ]
+        for (one, value), (other, same) in combinations(named, 2):
+            if self._same(value, same):
+                return one, other
+        # Only the first of them, because many draws are refused.
+        hidden = next(self._hidden_mutants(), None)
+        return ("the right answer", f"the mutant {hidden.name!r} ({hidden.message})") if hidden else None
 
     @cached_property
     def hidden(self) -> Sequence[str]:
@@ -142,7 +154,7 @@ class Problem:
     def _hidden_mutants(self) -> Iterator[Mistake]:
         tolerance = SEPARATION_TOLERANCES * TOLERANCE
         near = partial(self.answer.may_share, self.answer.value, tolerance=tolerance, parts=all)
-        for wrong in self._mistakes(attrgetter("single"), near):
+        for wrong in self._mistakes(attrgetter("separating"), near):
             if wrong.name not in self.invisible and self._same(wrong.value, self.answer.value):
                 yield wrong
 
@@ -195,7 +207,8 @@ class Problem:
                 value = self.answer.collect([value_of(root) for root in (first, *others)])
             except Unreadable:
                 continue
-            yield mutant([mutation.change for mutation in changes], value, self.advice, first.key)
+            spoils = self.answer.rows_are_alike and all(map(solution.is_in_every_row, changes))
+            yield mutant([mutation.change for mutation in changes], value, self.advice, first.key, spoils=spoils)
 
     def _same(self, one: Any, other: Any) -> bool:
         return all(self.answer.agrees(one, other, SEPARATION_TOLERANCES * TOLERANCE))
@@ -237,10 +250,11 @@ class Template:
             problem = self.make_problem(self.sampler(student, self.number, attempt))
             if problem.is_discriminating():
                 return problem
-        named = f" In the last draw these did: {', '.join(problem.hidden)}." if problem.hidden else ""
+        one, other = problem.collision() or ("", "")
         raise ValueError(
-            f"Problem {self.number}: in each of {MAX_DRAWS} draws, two mistakes gave the same answer, or a mistake gave the right "
-            f"one.{named} Draw from a wider range, or remove a mistake that does not change the answer; a mutant that never does "
+            f"Problem {self.number}: in each of {MAX_DRAWS} draws, two answers that must differ were the same. In the last draw, "
+            f"{other} gave the same answer as {one}. Draw from a wider range, or remove a mistake that does not change the "
+            "answer; a mutant that never does "
             "is declared as invisible."
         )
 

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from types import SimpleNamespace
 from typing import Any
 
-from misstep.bugs import recurrences
+from misstep.diagnosis.bugs import recurrences
 from misstep.display.lecture_address import lecture_address
 from misstep.judge import Judgement, judge
 from misstep.problem import Problem, Template

@@ -15,25 +15,47 @@ FUNCTIONS = (FunctionType, BuiltinFunctionType, MethodType, partial, np.ufunc)
 """The classes of functions that a student may give. Others can be called too, such as symbols of SymPy."""
 
 
-def array(x: ArrayLike, name: str) -> Array:
-    """Read x as an array of finite real numbers.
+TRUTH = (bool, np.bool_)
+"""The classes of True and False."""
+
+NO_NUMBER = "True and False are no numbers; give the number itself."
+
+
+def has_truth(x: Any) -> bool:
+    """Return whether x is, or contains, True or False.
+
+    >>> has_truth([[1, True]]), has_truth(np.array([1.0]))
+    (True, False)
+    """
+    if isinstance(x, np.ndarray) and x.dtype != object:
+        return bool(x.dtype.kind == "b")
+    return isinstance(x, TRUTH) or (
+        isinstance(x, list | tuple | np.ndarray) and np.ndim(x) > 0 and any(map(has_truth, x))
+    )
+
+
+def array(x: ArrayLike, name: str, kind: str = "f") -> NDArray[Any]:
+    """Read x as an array of finite numbers: real, or complex if the kind is "c".
 
     Raises ValueError for anything else, with the index of the first NaN or infinity.
 
     >>> array([1, 2, 3], "your answer")
     array([1., 2., 3.])
     """
+    noun = "complex" if kind == "c" else "real"
     try:
         values = np.asarray(x)
-        if values.dtype.kind not in "biufO":
-            raise TypeError(f"{values.dtype} is not a real number")
+        if has_truth(x):
+            raise TypeError(NO_NUMBER)
+        if values.dtype.kind not in f"iufO{kind}":
+            raise TypeError(f"{values.dtype} is not a {noun} number")
         # astype alone would read None as NaN and "1" as 1. Adding zero first refuses both.
         with np.errstate(over="ignore"):  # a long double beyond 1e308 becomes infinity, which is refused below
-            values = np.asarray(values + 0.0).astype(float, copy=False)
+            values = np.asarray(values + 0.0).astype(complex if kind == "c" else float, copy=False)
     except (TypeError, ValueError, OverflowError) as error:
         raise ValueError(
-            f"{name} must be an array of real numbers; got {brief(x)}. "
-            "Is there None, a symbol, a string or a row of another length among them?"
+            f"{name} must be an array of {noun} numbers; got {brief(x)}. "
+            "Is there None, a symbol, a string, True or a row of another length among them?"
         ) from error
     if not np.isfinite(values).all():
         place = f" at index {np.argwhere(~np.isfinite(values))[0].tolist()}" if values.ndim else ""

@@ -4,7 +4,7 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from misstep.bugs import Observation, Recurrence
+from misstep.diagnosis.bugs import Observation, Recurrence
 from misstep.display.card import Card, Link
 from misstep.display.text import points
 from misstep.judge import Finding, Judgement
@@ -17,6 +17,7 @@ TITLES = {
     "wrong": "Not yet",
     "blank": "Nothing here yet",
     "unreadable": "This cannot be read as an answer",
+    "unmarked": "Ready to be marked",
 }
 
 
@@ -52,7 +53,7 @@ class Verdict:
             body.append(f"Right: {_enumeration(judgement.right_parts)}.")
         is_on_whole = judgement.state != "partly" and len(judgement.findings) == 1
         body += [_finding_text(finding, is_on_whole) for finding in judgement.findings]
-        if judgement.state not in ("right", "blank"):
+        if judgement.state not in ("right", "blank", "unmarked"):
             notebook, _, section = template.lecture.partition("#")
             body.append(Link(f"Re-read: lecture {notebook}, section “{section}”.", self.address))
         return Card(judgement.state, title, body)

@@ -9,27 +9,43 @@ import numpy as np
 from numpy.typing import NDArray
 
 from misstep.answers.base import TOLERANCE
+from misstep.answers.likeness import Named
 from misstep.answers.number import Numbers, Slip
 from misstep.validation import Array
 
-
-def _within_half_a_turn(angle: Array) -> Array:
-    return np.asarray(np.remainder(angle + np.pi, 2 * np.pi) - np.pi)
+TURNS = {"rad": 2 * np.pi, "radians": 2 * np.pi, "degrees": 360.0, "°": 360.0, "gon": 400.0, "turns": 1.0}
+"""A full turn in each unit of an angle."""
 
 
 @dataclass(frozen=True, eq=False)
 class Angles(Numbers):
-    """One angle or k angles, shape (k,), in radians: 3 pi / 2 and -pi / 2 are the same angle. Each angle is a part.
+    """One angle or k angles, shape (k,): 3 pi / 2 and -pi / 2 are the same angle. Each angle is a part.
 
+    unit       a key of TURNS, in which the angles are given, compared and expected
     any_order  whether the order of the k angles is irrelevant
 
     >>> Angles(np.array([0.5, -0.5]), any_order=True).read([2 * np.pi - 0.5, 0.5]).round(9)
     array([ 0.5, -0.5])
+    >>> bearing = Angles(350.0, unit="degrees")
+    >>> bearing.agrees(bearing.read(-10), bearing.value), bearing.agrees(bearing.read(-10 + 2 * np.pi), bearing.value)
+    ([True], [False])
     """
 
     unit: str = "rad"
     any_order: bool = False
     noun: ClassVar[str] = "angles, an array"
+
+    def __post_init__(self) -> None:
+        if self.unit not in TURNS:
+            raise ValueError(f"The unit of an angle must be one of {', '.join(TURNS)}; got {self.unit!r}.")
+        super().__post_init__()
+
+    @property
+    def _turn(self) -> float:
+        return TURNS[self.unit]
+
+    def _within_half_a_turn(self, angle: Array) -> Array:
+        return np.asarray((angle + self._turn / 2) % self._turn - self._turn / 2)
 
     @property
     def expected(self) -> str:
@@ -37,12 +53,12 @@ class Angles(Numbers):
 
     @property
     def parts(self) -> Sequence[str]:
-        if self.value.ndim == 0:
+        if self._right.ndim == 0:
             return ["the angle"]
         return (
             ["one angle", "the other angle"]
-            if len(self.value) == 2
-            else [f"angle {i + 1}" for i in range(self.value.size)]
+            if len(self._right) == 2
+            else [f"angle {i + 1}" for i in range(self._right.size)]
         )
 
     def read(self, given: Any) -> Array:
@@ -58,36 +74,52 @@ class Angles(Numbers):
         return min(orders, key=self._difference)
 
     def _difference(self, angles: Array) -> tuple[int, float]:
-        error = angles - self.value
-        return int(np.count_nonzero(~self.same_entries(angles, self.value))), float((error * error).sum())
+        error = angles - self._right
+        return int(np.count_nonzero(~self.same_entries(angles, self._right))), float((error * error).sum())
 
     def _modulo_turns(self, angles: Array) -> Array:
-        shifted = self.value + _within_half_a_turn(angles - self.value)
+        shifted = self._right + self._within_half_a_turn(angles - self._right)
         # An angle of more than two turns is most likely in degrees. It keeps its size, and with it its precision.
-        return np.where(np.abs(angles) > 4 * np.pi, angles, shifted)
+        return np.where(np.abs(angles) > 2 * self._turn, angles, shifted)
 
     def same_entries(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> NDArray[np.bool_]:
         size = np.maximum(self._scales, np.minimum(np.abs(one), np.abs(other)))
-        return np.asarray(np.abs(_within_half_a_turn(one - other)) <= tolerance * size)
+        bound = tolerance * size if self.accuracy is None else tolerance / TOLERANCE * self.accuracy.bound(other)
+        far = (np.abs(one) > 2 * self._turn) & (
+            np.abs(other) > 2 * self._turn
+        )  # in another unit, where this turn means nothing
+        difference = np.where(far, one - other, self._within_half_a_turn(one - other))
+        return np.asarray(np.abs(difference) <= bound, dtype=bool)
+
+    def appearance(self, given: Array, part: int | None) -> Named | None:
+        if part is not None or not self.any_order:
+            return super().appearance(given, part)
+        # The order in which most angles are right does not count if none is, as with degrees.
+        orders = (given[list(order)] for order in permutations(range(len(given))))
+        return next(filter(None, (self.likeness(angles, None).at_sight() for angles in orders)), None)
 
     def place(self, index: Sequence[Any]) -> str:
         return self.parts[int(index[0])]
 
     def whole_slips(self) -> Iterator[Slip]:
         yield from super().whole_slips()
-        yield ("half a turn off", self.value + np.pi, "Your answer is half a turn off.", "This is half a turn off.")
+        X = self._right
+        half = self._turn / 2
+        names = ("pi", "pi/2") if self.unit in ("rad", "radians") else (f"{half:g}", f"{half / 2:g}")
+        yield ("half a turn off", X + half, "Your answer is half a turn off.", "This is half a turn off.")
         yield (
             "supplement",
-            np.pi - self.value,
-            "Your answer is pi minus the right one.",
-            "This is pi minus the right angle.",
+            half - X,
+            f"Your answer is {names[0]} minus the right one.",
+            f"This is {names[0]} minus the right angle.",
         )
+        other = "the angle from the other axis, or the arcsine in place of the arccosine."
         yield (
             "complement",
-            np.pi / 2 - self.value,
-            "Your answer is pi/2 minus the right one: the angle from the other axis, or the arcsine in place of the arccosine.",
-            "This is pi/2 minus the right angle: the angle from the other axis, or the arcsine in place of the arccosine.",
+            half / 2 - X,
+            f"Your answer is {names[1]} minus the right one: {other}",
+            f"This is {names[1]} minus the right angle: {other}",
         )
 
     def part_indices(self) -> list[Any]:
-        return [...] if self.value.ndim == 0 else list(range(len(self.value)))
+        return [...] if self._right.ndim == 0 else list(range(len(self._right)))

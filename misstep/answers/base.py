@@ -11,9 +11,15 @@ answers/ of a course. It defines:
 and only where the default is not enough:
 
     slips             wrong answers that need no solution: a sign, two rows swapped
+    appearance        what is seen in an answer before any mistake is looked for: a placeholder, another unit, too few digits
+    arrangement       whether the whole is the right one in another order
     explanation       a mistake that is found by looking at the answer itself, as in a table
-    hint              what to say about a wrong part that no mistake explains
+    description       how a wrong part that nothing else explains differs from the right one
     is_rounded        whether a wrong part is the right one, rounded too much
+    hint              what to say about a wrong part that no mistake explains
+    from_author       how a value of the author or of a mutant is read, if not as one of a student
+    rubric            the criteria by which a person marks it
+    precision         how many digits are asked for, in a sentence
     remark            what to say about a right answer that differs from ours
     pins_down         whether a part has enough digits to be explained by two mistakes at once
     expressions       the solution at each input, if the answer is a function or a formula
@@ -34,6 +40,7 @@ Withholding: where submissions run, neither the answer nor its class is availabl
 
 from abc import ABC, abstractmethod
 from collections.abc import Callable, Iterable, Iterator, Mapping, Sequence
+from types import MappingProxyType
 from typing import Any, ClassVar
 
 from misstep.mistakes import Mistake
@@ -92,6 +99,8 @@ class Answer(ABC):
 
     value: Any
     inputs: Sequence[Any] = ()
+    rubric: Mapping[str, float] = MappingProxyType({})
+    """The criteria with their points, if a person marks the answer."""
     stored_objects: ClassVar[StoredObjects] = {}
     """Classes of objects that are answers. Each has a method to_dict(), and its function makes an object from these fields."""
 
@@ -107,6 +116,11 @@ class Answer(ABC):
         """What to type, in words: "an array of shape (3, 6)"."""
 
     @property
+    def precision(self) -> str:
+        """What to do about an answer that is the right one, rounded too much."""
+        return "Keep at least four significant digits."
+
+    @property
     @abstractmethod
     def parts(self) -> Sequence[str]:
         """The names of the parts that are judged and scored one by one."""
@@ -120,6 +134,10 @@ class Answer(ABC):
         Raises Unreadable with what was expected and what was given.
         """
 
+    def from_author(self, value: Any) -> Any:
+        """Read a wrong answer of the author, or the value of a mutant; by default like one of a student."""
+        return self.read(value)
+
     @abstractmethod
     def agrees(self, one: Any, other: Any, tolerance: float = TOLERANCE) -> list[bool]:
         """Compare two values that were read: for each part, whether they are the same answer."""
@@ -132,12 +150,36 @@ class Answer(ABC):
         """Return wrong answers that people give to any problem of this kind, as mistakes."""
         return ()
 
+    def shows(self, given: Any, value: Any) -> list[bool]:
+        """Return for each part whether an answer shows the value of a mistake, which may need more than that they agree."""
+        return self.agrees(given, value)
+
+    def appearance(self, given: Any, part: int | None) -> tuple[str, str] | None:
+        """Return the name of what is seen in a wrong part, or with None in the whole answer, and a sentence on it.
+
+        It is looked at before any mistake, so that a placeholder is never explained as a method.
+        """
+        return None
+
+    def arrangement(self, given: Any) -> tuple[str, str] | None:
+        """Return how the whole answer is the right one in another order, with other signs or multiplied by a factor."""
+        return None
+
     def explanation(self, given: Any, part: int) -> tuple[str, str] | None:
         """Return the name and the message of the mistake in a wrong part, if the answer itself shows it."""
         return None
 
+    def description(self, given: Any, part: int) -> tuple[str, str] | None:
+        """Return a name and a sentence for how a wrong part differs from the right one, if nothing else explains it."""
+        return None
+
     def is_rounded(self, given: Any, part: int) -> bool:
         """Return whether a wrong part is the right one, rounded to fewer digits than are asked for."""
+        return False
+
+    @property
+    def rows_are_alike(self) -> bool:
+        """Whether one method gives all parts, as the rows of a table of screws: a wrong method earns nothing for one of them."""
         return False
 
     def remark(self, given: Any) -> str:
@@ -154,7 +196,7 @@ class Answer(ABC):
 
     def collect(self, values: Sequence[Any]) -> Any:
         """Return the answer that has these values at the inputs, as if it had been read. Raises Unreadable if there is none."""
-        return self.read(values[0])
+        return self.from_author(values[0])
 
     def may_be(self, given: Any, value: Any) -> bool:
         """Return whether an answer may be one that has a value at the first input, to save computing it at all inputs."""

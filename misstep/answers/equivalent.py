@@ -6,6 +6,7 @@ from dataclasses import dataclass, field
 import numpy as np
 
 from misstep.answers.base import TOLERANCE
+from misstep.answers.likeness import DEGREES, Named
 from misstep.answers.number import Numbers, scale_of
 from misstep.mistakes import Mistake
 from misstep.validation import Array
@@ -32,6 +33,21 @@ class Equivalent(Numbers):
         return [
             bool((np.abs(mine - yours) <= tolerance * np.maximum(size, np.maximum(np.abs(mine), np.abs(yours)))).all())
         ]
+
+    def appearance(self, given: Array, part: int | None) -> Named | None:
+        """Return whether it is a placeholder or in degrees, by its meaning: an entry that differs from ours is not wrong for that."""
+        likeness = Numbers.likeness(self, given, part)
+        if seen := likeness.placeholder() if part is None else None:
+            return seen
+        radians = np.where(self.angle_entries(), np.radians(given), given)
+        fine = self.agrees(radians, self.value)
+        return DEGREES if self.angle_entries().any() and (all(fine) if part is None else fine[part]) else None
+
+    def explanation(self, given: Array, part: int) -> Named | None:
+        return None
+
+    def description(self, given: Array, part: int) -> Named | None:
+        return None
 
     def hint(self, given: Array, part: int) -> str:
         """Return "": an entry that differs from ours is not wrong for that."""

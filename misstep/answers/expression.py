@@ -10,6 +10,7 @@ import sympy as sp
 from numpy.typing import NDArray
 
 from misstep.answers.base import TOLERANCE, Answer, Quantifier, Unreadable
+from misstep.answers.likeness import Likeness, Named
 from misstep.answers.number import Slip, entries_hint, place_of, scale_of, wrong_slips
 from misstep.display.text import number
 from misstep.formulas.evaluation import Formula, Reader, shaped
@@ -64,6 +65,36 @@ class ClosedForm(Answer):
     def agrees(self, one: Any, other: Any, tolerance: float = TOLERANCE) -> list[bool]:
         same = self.same_entries(one, other, tolerance)
         return [bool(same[piece].all()) for piece in self.part_indices()]
+
+    def appearance(self, given: Formula, part: int | None) -> Named | None:
+        return self.likeness(given, part).placeholder()
+
+    def arrangement(self, given: Formula) -> Named | None:
+        return self.likeness(given, None).order() if self.rows_are_alike else None
+
+    def explanation(self, given: Formula, part: int) -> Named | None:
+        return self.likeness(given, part).resemblance()
+
+    def description(self, given: Formula, part: int) -> Named | None:
+        same = self.same_entries(given, self.value)[self.core_indices()[part]]
+        return ("one entry", self.hint(given, part)) if np.size(same) > 1 and np.count_nonzero(~same) == 1 else None
+
+    def likeness(self, given: Formula, part: int | None) -> Likeness:
+        """Return a part of an answer, or with None the whole, beside the right one, by their values."""
+        piece = ... if part is None else self.core_indices()[part]
+        places = np.moveaxis(np.indices(self._shape), 0, -1)[piece]
+        tolerance = TOLERANCE if given.rounded or self._right.rounded else EXACT_TOLERANCE * 10
+        return Likeness(
+            given.values[piece],
+            self._right.values[piece],
+            place=lambda index: place_of(places[tuple(index)]),
+            tolerance=tolerance,
+            is_formula=True,
+        )
+
+    def core_indices(self) -> list[Any]:
+        """Return, for each part, the index of the entries that make it up, without those that are always the same."""
+        return self.part_indices()
 
     def hint(self, given: Formula, part: int) -> str:
         same = self.same_entries(given, self.value)[self.part_indices()[part]]

@@ -1,5 +1,6 @@
 """Functions as answers: two functions agree if they give the same values at some random inputs."""
 
+import pickle
 from collections.abc import Callable, Iterator, Sequence
 from copy import deepcopy
 from dataclasses import dataclass, field, replace
@@ -10,11 +11,11 @@ import numpy as np
 
 from misstep import validation
 from misstep.answers.base import TOLERANCE, Answer, Quantifier, Unreadable
+from misstep.answers.likeness import Likeness, Named
 from misstep.answers.number import Numbers, wrong_slips
 from misstep.mistakes import Mistake
 from misstep.mutants.expression import Expression
 from misstep.storage.deserialize import Outputs
-from misstep.validation import Array
 
 CALL_COUNT = 4
 """The number of inputs at which a function is called."""
@@ -37,7 +38,7 @@ def function_mistakes(mistakes_at: Callable[..., Sequence[Mistake]], *example: A
 
     def value(index: int, *arguments: Any) -> Any:
         # All mistakes are needed at the same inputs, one after the other, so they are computed together.
-        key = b"".join(np.asarray(argument).tobytes() for argument in arguments)
+        key = pickle.dumps(arguments)
         if key not in known:
             known[key] = mistakes_at(*arguments)
         return known[key][index].value
@@ -59,17 +60,21 @@ class FunctionCalls:
 class Function(Answer):
     """A function, judged by its outputs at random inputs. A grader draws other inputs in every run.
 
-    value   the right function
+    value   the right function, of numbers, texts or lists
     output  the kind of answer that each call gives
     sample  draws the arguments of one call from a random generator
 
     >>> square = Function(np.square, Numbers(np.array(0.0)), lambda chance: (chance.uniform(1, 2),))
     >>> square.agrees(square.read(lambda x: x * x), square.read(np.square))
     [True]
+    >>> from misstep.answers.text import Text
+    >>> reverse = Function(lambda word: word[::-1], Text("a word"), lambda chance: ("".join(chance.choice(list("abcd"), 5)),))
+    >>> reverse.agrees(reverse.read(lambda word: "".join(reversed(word))), reverse.value)
+    [True]
     """
 
     value: Callable[..., Any]
-    output: Numbers
+    output: Answer
     sample: Sample
     inputs: Sequence[tuple[Any, ...]] = field(default=())
 
@@ -124,7 +129,11 @@ class Function(Answer):
                 f"{type(error).__name__}: {error}"
             ) from error
 
-    def _output(self, value: Any) -> Array:
+    def _output_of(self, right: Any) -> Any:
+        """The kind of answer of a call whose right output is known."""
+        return replace(self.output, value=right)  # type: ignore[type-var]
+
+    def _output(self, value: Any) -> Any:
         if value is None or value is ...:
             raise Unreadable(f"Expected {self.expected}; a call gave nothing. Is the return missing?")
         return self.output.read(value)
@@ -140,9 +149,7 @@ class Function(Answer):
         return FunctionCalls(None, [self._output(value) for value in values])
 
     def may_be(self, given: FunctionCalls, value: Any) -> bool:
-        return np.shape(value) == np.shape(given.outputs[0]) and all(
-            self.output.agrees(given.outputs[0], np.asarray(value))
-        )
+        return self.may_share(given, value, parts=all)
 
     def may_share(self, given: Any, value: Any, tolerance: float = TOLERANCE, parts: Quantifier = any) -> bool:
         try:
@@ -151,10 +158,74 @@ class Function(Answer):
             return False
         return all(self.output.agrees(self._called(given).outputs[0], first, tolerance))
 
+    def appearance(self, given: FunctionCalls, part: int | None) -> Named | None:
+        if not (likenesses := self._likenesses(given)):
+            return None
+        if part is None:
+            return self._at_every_input(likenesses[0].placeholder())
+        seen = [likeness.at_sight() for likeness in likenesses[1:]]
+        wrong = [named for named, fine in zip(seen, self._parts_right(given), strict=True) if not fine]
+        return self._at_every_input(wrong[0]) if wrong and all(named == wrong[0] for named in wrong) else None
+
+    def explanation(self, given: FunctionCalls, part: int) -> Named | None:
+        """Return what is the same at every input: the value, or how the wrong parts differ from the right ones."""
+        if not isinstance(self.output, Numbers):
+            return None
+        outputs = np.array(given.outputs)
+        if np.abs(outputs - outputs[0]).max() < TOLERANCE < np.abs(np.array(self._right.outputs) - outputs).max():
+            return (
+                "the same at every input",
+                "It gives the same at every input that was tried. Does it use its arguments?",
+            )
+        if not (likenesses := self._likenesses(given)):
+            return None
+        right, parts = self._parts_right(given), self.output.parts
+        seen = [
+            f"{name}: {named[1][:1].lower()}{named[1][1:]}" if len(parts) > 1 else named[1]
+            for name, fine, likeness in zip(parts, right, likenesses[1:], strict=True)
+            if not fine and (named := likeness.resemblance())
+        ]
+        if len(seen) < right.count(False):
+            return None
+        return self._at_every_input(("likeness at every input", " ".join(seen)))
+
+    def description(self, given: FunctionCalls, part: int) -> Named | None:
+        right, parts = self._parts_right(given), self.output.parts
+        if not any(right):
+            return None
+        fine, wrong = (
+            [name for name, is_fine in zip(parts, right, strict=True) if is_fine is what] for what in (True, False)
+        )
+        text = (
+            f"At every input that was tried, the {' and '.join(fine)} is right, and the {' and '.join(wrong)} is not."
+        )
+        return f"only the {' and '.join(wrong)}", text
+
+    def _parts_right(self, given: FunctionCalls) -> list[bool]:
+        """Return, for each part of the outputs, whether it is right at every input."""
+        pairs = zip(given.outputs, self._right.outputs, strict=True)
+        return [all(fine) for fine in zip(*(self.output.agrees(mine, yours) for mine, yours in pairs), strict=True)]
+
+    def _likenesses(self, given: FunctionCalls) -> list[Likeness]:
+        """Return the outputs beside the right ones: the whole first, and then each part; nothing for outputs without numbers."""
+        if not (isinstance(self.output, Numbers) and self.output.is_plain):
+            return []
+        mine, right = (np.moveaxis(np.array(x.outputs), 0, -1) for x in (given, self._right))
+        whole = replace(self.output, value=self._right.outputs[0])
+        found = []
+        for part in (None, *range(len(whole.parts))):
+            piece = ... if part is None else whole.core_indices()[part]
+            found.append(replace(whole.likeness(given.outputs[0], part), mine=mine[piece], right=right[piece]))
+        return found
+
+    @staticmethod
+    def _at_every_input(named: Named | None) -> Named | None:
+        return named and (named[0], f"At every input that was tried: {named[1][:1].lower()}{named[1][1:]}")
+
     def is_rounded(self, given: FunctionCalls, part: int) -> bool:
         """Return whether every wrong output is the right one, rounded to two or more significant digits."""
         wrong = [
-            (replace(self.output, value=right), mine)
+            (self._output_of(right), mine)
             for mine, right in zip(given.outputs, self._right.outputs, strict=True)
             if not all(self.output.agrees(mine, right))
         ]
@@ -166,9 +237,11 @@ class Function(Answer):
 
     def slips(self) -> Iterator[Mistake]:
         """Yield functions whose every output has one of the slips of a whole array."""
+        if not isinstance(self.output, Numbers):
+            return iter(())
 
         def slips_at(*arguments: Any) -> list[Mistake]:
-            output = replace(self.output, value=self._call(self.value, arguments))
+            output = self._output_of(self._call(self.value, arguments))
             return [Mistake(name, value, "") for name, value, _, _ in output.whole_slips()]
 
         functions = function_mistakes(slips_at, *self.inputs[0])

@@ -1,7 +1,8 @@
-"""Numbers and arrays of numbers as answers."""
+"""Numbers and arrays of numbers as answers: real, complex, or exact as whole numbers and fractions."""
 
 from collections.abc import Callable, Iterable, Iterator, Sequence
 from dataclasses import dataclass, field
+from fractions import Fraction
 from functools import cached_property
 from itertools import combinations
 from math import floor, log10
@@ -11,12 +12,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from misstep import validation
+from misstep.answers.accuracy import Accuracy, exact
 from misstep.answers.base import MAX_NUMBER, TOLERANCE, Answer, Unreadable
+from misstep.answers.likeness import LENGTH_UNITS, Likeness, Named
+from misstep.answers.numerals import numeral
 from misstep.mistakes import Mistake
 from misstep.validation import Array
 
 ROUND_OFF = 1e-12
 """Smaller absolute values are zeros with an error of the computer's arithmetic."""
+
+HIDDEN = 1e-6
+"""Smaller sizes are 0 for an explanation, whatever the tolerance of the answer is."""
 
 LENGTH = 1
 """The kind of lengths in an answer whose other numbers have none."""
@@ -27,43 +34,85 @@ PURE = 0
 Slip = tuple[str, Any, str, str]
 """A mistake that people make by hand: its name, the wrong answer, and what is true of such an answer and of a part of it."""
 
+MAX_EXACT = 10**300
+"""The largest number of an answer with an accuracy of its own. The number of orders of 150 books is smaller."""
+
 SMALLER_UNITS = {
     "m": (1000, "millimetres", "metres"),
     "metres": (1000, "millimetres", "metres"),
     "mm": (1e-3, "metres", "millimetres"),
     "rad": (180 / np.pi, "degrees", "radians"),
     "radians": (180 / np.pi, "degrees", "radians"),
+    "degrees": (np.pi / 180, "radians", "degrees"),
+    "°": (np.pi / 180, "radians", "degrees"),
 }
 """For each unit: by how much a number grows in the unit that is mistaken for it, and the names of both."""
 
 
 @dataclass(frozen=True, eq=False)
 class Numbers(Answer):
-    """An array of real numbers of a given shape.
+    """A number, or an array of numbers of a given shape.
 
-    unit   the unit of all numbers, for feedback
-    scale  a size that matters, as one number or one for each entry; by default `scale_of` the numbers of the same kind
+    value     whole numbers and fractions (`int`, `Fraction`, text such as "1/3") are exact; others are real or complex
+    unit      the unit of all numbers, for feedback
+    accuracy  how far a number may be off: `exact`, or absolute(0.5), relative(0.02), decimals(2), digits(3)
+    scale     a size that matters, as one number or one for each entry; by default `scale_of` the numbers of the same kind
 
-    A number may be off by a thousandth of itself, or of its scale: three digits of the largest number of its kind are enough,
-    0 is right for 1e-17, and wrong for 3e-7. The array is one part, unless a subclass overrides `parts` and `part_indices`.
+    Without an accuracy, a real or complex number may be off by a thousandth of itself, or of its scale: three digits of the
+    largest number of its kind are enough, 0 is right for 1e-17, and wrong for 3e-7. The array is one part, unless a subclass
+    overrides `parts` and `part_indices`.
 
     >>> Numbers(np.array([1.0, 2.0]), unit="m").read([1, 2])
     array([1., 2.])
     >>> small = Numbers(np.array(3e-7))
     >>> small.agrees(np.array(0.0), small.value), small.agrees(np.array(3e-7), small.value)
     ([False], [True])
+    >>> factorial, third = Numbers(5040), Numbers("1/3")
+    >>> factorial.agrees(factorial.read(5041), factorial.value), third.agrees(third.read(1 / 3), third.value)
+    ([False], [True])
+    >>> impedance = Numbers(3 + 4j)
+    >>> impedance.agrees(impedance.read("5∠53.13°"), impedance.value)
+    [True]
     """
 
-    value: Array
+    value: Any
     unit: str = ""
+    accuracy: Accuracy | None = field(default=None, kw_only=True)
     scale: Any = field(default=None, kw_only=True)
     noun: ClassVar[str] = "an array"
+
+    def __post_init__(self) -> None:
+        if self.accuracy is None and self._right.dtype.kind == "O":
+            object.__setattr__(self, "accuracy", exact)
+        if any(isinstance(x, str) for x in np.ravel(np.asarray(self.value)).tolist()):
+            object.__setattr__(self, "value", self._right)
 
     @property
     def expected(self) -> str:
         shape = np.shape(self.value)
         what = f"{self.noun} of shape {shape}" if shape else "one number"
-        return f"{what} in {self.unit}" if self.unit else what
+        if self._right.dtype.kind == "c":
+            what = f"{self.noun} of complex numbers, of shape {shape}" if shape else "one complex number, such as 3+4j"
+        what += f" in {self.unit}" if self.unit else ""
+        return f"{what}, {self.accuracy.words}" if self.accuracy else what
+
+    @property
+    def precision(self) -> str:
+        return f"Give the answer {self.accuracy.words}." if self.accuracy else super().precision
+
+    @cached_property
+    def _right(self) -> NDArray[Any]:
+        """The right numbers: fractions if they are exact, otherwise floating-point numbers."""
+        value = np.asarray(self.value)
+        is_counted = value.dtype.kind in "iu" or all(
+            isinstance(x, int | Fraction | str) for x in value.ravel().tolist()
+        )
+        if self.accuracy is exact or (self.accuracy is None and is_counted and value.size):
+            entries = [numeral(x) if isinstance(x, str) else x for x in value.ravel().tolist()]
+            if not any(isinstance(x, complex) for x in entries):
+                return _objects([_fraction(x) for x in entries], value.shape)
+            value = np.reshape(np.asarray(entries, dtype=complex), value.shape)
+        return value.astype(complex if value.dtype.kind == "c" else float, copy=False)
 
     @property
     def parts(self) -> Sequence[str]:
@@ -83,16 +132,30 @@ class Numbers(Answer):
             description = f"{_kind(given)} of shape {shape}" if shape else validation.brief(given)
             raise Unreadable(f"Expected {self.expected}; got {description}.{self.remedy(shape)}")
         try:
-            values = validation.array(given, "your answer")
+            values = self._converted(given)
         except ValueError as error:
             raise Unreadable(f"Expected {self.expected}. {_sentence(str(error))}") from error
         except Exception as error:
             raise Unreadable(
                 f"Expected {self.expected}; got {_kind(given)} that does not turn into numbers."
             ) from error
-        if (largest := np.abs(values).max(initial=0.0)) > MAX_NUMBER:
-            raise Unreadable(f"Expected {self.expected}; got {largest:.3g}. Was there a division by almost zero?")
+        largest = np.asarray(np.abs(values)).max(initial=0)
+        if largest > (MAX_NUMBER if self.accuracy is None else MAX_EXACT):
+            shown = f"{float(largest):.3g}" if largest < 1.7e308 else "a number of more than 300 digits"
+            raise Unreadable(f"Expected {self.expected}; got {shown}. Was there a division by almost zero?")
         return values
+
+    def _converted(self, given: Any) -> NDArray[Any]:
+        """Read numbers as those of the right answer are: as fractions, complex or real. Raises ValueError for anything else."""
+        values, kind = given if isinstance(given, np.ndarray) else np.asarray(given), self._right.dtype.kind
+        if values.dtype.kind in "OU" and any(isinstance(x, str) for x in values.ravel().tolist()):
+            entries = [numeral(x) if isinstance(x, str) else x for x in values.ravel().tolist()]
+            given = values = _objects(entries, values.shape)
+        if kind == "O":
+            if validation.has_truth(given):
+                raise ValueError(validation.NO_NUMBER)
+            return _objects([_fraction(x) for x in values.ravel().tolist()], values.shape)
+        return validation.array(given, "your answer", kind)
 
     def agrees(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> list[bool]:
         same = self.same_entries(one, other, tolerance)
@@ -100,6 +163,9 @@ class Numbers(Answer):
 
     def same_entries(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> NDArray[np.bool_]:
         """Return, for each entry, whether two arrays have the same number there."""
+        if self.accuracy is not None:
+            bound = tolerance / TOLERANCE * self.accuracy.bound(other)
+            return np.asarray(np.abs(one - other) <= bound, dtype=bool)
         size = np.maximum(self._scales, np.maximum(np.abs(one), np.abs(other)))
         return np.asarray(np.abs(one - other) <= tolerance * size)
 
@@ -122,7 +188,7 @@ class Numbers(Answer):
 
     @cached_property
     def _scales(self) -> Array:
-        value = np.asarray(self.value, dtype=float)
+        value = self._right
         scales = np.ones(value.shape)
         if self.scale is not None:
             return np.broadcast_to(np.asarray(self.scale, dtype=float), value.shape)
@@ -131,12 +197,79 @@ class Numbers(Answer):
             scales[kinds == kind] = scale_of(value[kinds == kind])
         return scales
 
+    def appearance(self, given: Array, part: int | None) -> Named | None:
+        if not self.is_plain:
+            return None
+        likeness = self.likeness(given, part)
+        return likeness.placeholder() if part is None else likeness.at_sight()
+
+    @property
+    def is_plain(self) -> bool:
+        """Whether the numbers are real and have no accuracy of their own, so that they can be compared in size."""
+        return self._right.dtype.kind == "f" and self.accuracy is None
+
+    def arrangement(self, given: Array) -> Named | None:
+        if not self.is_plain:
+            return None
+        if self.rows_are_alike:
+            return self.likeness(given, None).order()
+        is_list = np.ndim(self.value) == 1 and len(self.parts) == np.size(self.value) > 1
+        if not is_list or any(self.agrees(given, self.value)):
+            return None
+        likeness = self.likeness(given, None)
+        factor = likeness.factor()
+        return likeness.order() or (factor if factor and factor[0] in {"doubled", "halved"} else None)
+
+    def shows(self, given: Array, value: Array) -> list[bool]:
+        # A number that is hidden in the tolerance is no 0: one of the two was not found by the method of the other.
+        hidden = np.asarray((np.abs(given) < HIDDEN) == (np.abs(value) < HIDDEN))
+        pieces = self.part_indices()
+        return [
+            fine and bool(np.all(hidden[piece])) for fine, piece in zip(self.agrees(given, value), pieces, strict=True)
+        ]
+
+    def explanation(self, given: Array, part: int) -> Named | None:
+        return self.likeness(given, part).resemblance() if self.is_plain else None
+
+    def description(self, given: Array, part: int) -> Named | None:
+        same = self.same_entries(given, self.value)[self.core_indices()[part]]
+        if self.rows_are_alike:
+            for other, name in enumerate(self.parts):
+                order = [other if k == part else k for k in range(len(self.parts))]
+                if other != part and self.agrees(given, self.value[order])[part]:
+                    return "another row", f"This is what belongs to {name}."
+        if np.size(same) > 1:
+            return ("one entry", self.hint(given, part)) if np.count_nonzero(~same) == 1 else None
+        if self.agrees(given, self.value).count(False) == 1 < len(self.parts):
+            return "one entry", "All others are right. Look again at this one."
+        return None
+
+    def likeness(self, given: Array, part: int | None) -> Likeness:
+        """Return a part of an answer, or with None the whole, beside the right one."""
+        piece = ... if part is None else self.core_indices()[part]
+        mine, right = (np.asarray(x, dtype=float)[piece][..., None] for x in (given, self.value))
+        places = np.moveaxis(np.indices(np.shape(self.value)), 0, -1)[piece]
+        lengths, angles = (np.atleast_1d(mask[piece]) for mask in (self.length_entries(), self.angle_entries()))
+        unit = self.unit if self.unit in LENGTH_UNITS else "m"
+        return Likeness(mine, right, lengths, angles, unit, lambda index: self.place(places[tuple(index)]))
+
+    def core_indices(self) -> list[Any]:
+        """Return, for each part, the index of the entries that make it up, without those that are always the same."""
+        return self.part_indices()
+
+    def length_entries(self) -> NDArray[np.bool_]:
+        """Return which entries are lengths in `unit`."""
+        return np.full(np.shape(self.value), self.unit in {"m", "metres", "mm"})
+
+    def angle_entries(self) -> NDArray[np.bool_]:
+        """Return which entries are angles in radians."""
+        return np.full(np.shape(self.value), self.unit in {"rad", "radians"})
+
     def is_rounded(self, given: Array, part: int) -> bool:
         """Return whether a wrong part is the right one, rounded to two or more significant digits."""
         piece = self.part_indices()[part]
-        mine, right, kinds = (
-            np.atleast_1d(array[piece]) for array in (given, np.asarray(self.value, dtype=float), self.kinds())
-        )
+        mine, right = (_real_numbers(array[piece]) for array in (given, self._right))
+        kinds = np.resize(self.kinds()[piece], mine.shape)
         groups = [(mine[kinds == kind], right[kinds == kind]) for kind in set(kinds.ravel().tolist())]
         changed = [group for group in groups if not _equal(*group).all()]
         return bool(changed) and all(looks_rounded(*group) for group in changed)
@@ -164,7 +297,7 @@ class Numbers(Answer):
 
     def whole_slips(self) -> Iterator[Slip]:
         """Yield the slips in the whole array; for every value of the same shape the same ones in the same order."""
-        X = np.asarray(self.value, dtype=float)
+        X = self._right
         if X.ndim == 2:
             if X.shape[0] == X.shape[1]:
                 yield ("transposed", X.T, "Your answer is the transpose of the right one.", "")
@@ -176,26 +309,31 @@ class Numbers(Answer):
             f"Your answer has the right size and {sign}.",
             "The sizes are right, and all signs are wrong.",
         )
+        if X.dtype.kind == "c":
+            text = "Your answer is the conjugate of the right one: the sign of the imaginary part is wrong."
+            yield ("conjugate", X.conj(), text, text)
+            text = "You swapped the real and the imaginary part."
+            yield ("real and imaginary swapped", X.imag + 1j * X.real, text, text)
         if self.unit in SMALLER_UNITS:
             factor, wrong, right = SMALLER_UNITS[self.unit]
             text = f"This is the right answer in {wrong}. Give it in {right}."
             yield (wrong, X * factor, text, text)
 
     def _factor_slips(self) -> Iterator[Slip]:
-        X = np.asarray(self.value, dtype=float)
+        X = self._right
         # A rotation has no double, and a small whole number is too often the double of another one.
-        if (self.kinds() != PURE).all() and (self.unit or (np.round(X) != X).any()):
+        if (self.kinds() != PURE).all() and (self.unit or (_real_numbers(X) % 1).any()):
             yield ("doubled", 2 * X, "Your answer is twice the right one.", "This is twice the right one.")
             yield ("halved", X / 2, "Your answer is half the right one.", "This is half the right one.")
 
     def entry_slips(self) -> Iterator[Slip]:
         """Yield the slips in one entry, or in two of the same row or column of a part."""
-        X = np.asarray(self.value, dtype=float)
+        X = self._right
         if X.ndim == 0:
             return
         places = np.arange(X.size).reshape(X.shape)
         for entry in places[np.abs(X) > ROUND_OFF]:
-            signs = np.where(places == entry, -1.0, 1.0)
+            signs = np.where(places == entry, -1, 1)
             place = self.place(np.unravel_index(entry, X.shape))
             text = f"Only one sign is wrong: {place}."
             yield ("sign of one entry", X * signs, text, f"Only one sign is wrong in this part: {place}.")
@@ -307,7 +445,9 @@ def wrong_slips(
     """
 
     def digests(array: Any) -> list[bytes]:
-        array = array if array.dtype.kind in "OU" else np.round(array / size, 9) + 0.0
+        if array.dtype.kind == "O":
+            return [repr(np.asarray(array[piece]).tolist()).encode() for piece in pieces]
+        array = array if array.dtype.kind == "U" else np.round(array / size, 9) + 0.0
         return [array[piece].tobytes() for piece in pieces]
 
     right = entries(answer.read(answer.value))
@@ -354,6 +494,27 @@ def _rounding_unit(given: float, right: float) -> float | None:
 def _is_rounded_to(given: float, right: float, unit: float) -> bool:
     counted = given / unit
     return bool(abs(given - right) <= 0.5 * unit * (1 + 1e-6) and abs(counted - round(counted)) < 1e-6)
+
+
+def _objects(entries: Sequence[Any], shape: tuple[int, ...]) -> NDArray[Any]:
+    array = np.empty(shape, dtype=object)
+    array.ravel()[:] = entries
+    return array
+
+
+def _fraction(x: Any) -> Fraction:
+    """Return a real number as the fraction that it is. Raises ValueError for anything else."""
+    try:
+        return Fraction(x)
+    except (TypeError, ValueError, OverflowError) as error:
+        raise ValueError(f"Each entry must be a real number; got {validation.brief(x)}.") from error
+
+
+def _real_numbers(array: Any) -> Array:
+    """Return real numbers as floating-point numbers, and of complex ones the real and the imaginary parts."""
+    array = np.ravel(array)
+    parts = [array.real, array.imag] if array.dtype.kind == "c" else [array.astype(float)]
+    return np.concatenate(parts)
 
 
 def _kind(given: Any) -> str:

@@ -14,6 +14,7 @@ TONES = {
     "wrong": ("✗", "#b42318"),
     "blank": ("…", "#57606a"),
     "unreadable": ("?", "#6e40c9"),
+    "unmarked": ("✎", "#0b5cad"),
     "note": ("i", "#0b5cad"),
 }
 """For each tone the icon and the colour of the edge."""

@@ -1,6 +1,6 @@
 """Whether notebooks are being executed for a static page, on which no Python runs afterwards.
 
-kinlib/view/drawing/static_export.py is the same, because the two packages are installed independently of each other.
+kinlib/view/drawing/static_export.py reads the same variable, because the two packages are installed independently of each other.
 """
 
 import os
@@ -11,5 +11,5 @@ after the answer, so that a student's saved notebook does not contain them."""
 
 
 def is_static_export() -> bool:
-    """Whether outputs must work without a kernel."""
+    """Whether outputs must be those of a page: one without a kernel, or one with a Python of its own, where the variable is "live"."""
     return bool(os.environ.get(ENVIRONMENT_VARIABLE))

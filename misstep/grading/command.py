@@ -9,7 +9,8 @@ a reason. The folder of results has:
     matches.csv      answers right for other students  feedback/     a page for each student
     canvas.csv, moodle.csv, gradescope.csv            points for the platform that exported the roster
     feedback.zip     all pages, as Moodle and Canvas import them
-    overrides.csv    points and comments by hand, for you to fill in
+    overrides.csv    points, comments and late days by hand, for you to fill in
+    changes.csv      points that a later run changed, with the reason
     results/         the stored results, from which the next run continues
 """
 
@@ -36,17 +37,15 @@ from misstep.grading.judging.cluster import ClusterUnreachable, connect, grade_o
 from misstep.grading.judging.grader import Grader
 from misstep.grading.judging.result import Result
 from misstep.grading.publish.feedback_zip import write_feedback_zip
-from misstep.grading.publish.overrides import read_overrides, write_template
+from misstep.grading.publish.overrides import LateRule, check_overrides, write_template
 from misstep.grading.publish.result_store import FolderInUse, ResultStore, open_results
 from misstep.grading.reading import Reader, StepFailed
 from misstep.grading.result_sink import ResultSink
 from misstep.grading.rpc import ProcessEnded
 from misstep.grading.sandbox.limits import UNSAFE_OPTION, Limits, SandboxUnavailable
 
-# They are imported where they are used, because that takes long. But if one is missing, it is said before anything is done.
-for _package in ("IPython", "jinja2", "latex2mathml", "mistune", "tqdm", "yaml"):
-    if find_spec(_package) is None:
-        raise ModuleNotFoundError(f"No module named {_package!r}")
+REQUIRED = ("IPython", "jinja2", "latex2mathml", "mistune", "tqdm", "yaml")
+"""The packages of the extra. They are imported where they are used, because that takes long."""
 
 EXPLAINED_ERRORS = (ValueError, ModuleNotFoundError, SandboxUnavailable, FolderInUse, ProcessEnded, StepFailed)
 """The errors whose message is a sentence for the instructor."""
@@ -102,7 +101,18 @@ def add_arguments(parser: argparse.ArgumentParser) -> None:
         help=f"change a limit of what one submission may use, as often as you like; the limits are: {Limits()}",
     )
     parser.add_argument("--jobs", type=int, default=2, metavar="N", help="how many at a time (default: 2)")
-    parser.add_argument("--regrade", action="store_true", help="grade every submission again, even if it has a result")
+    parser.add_argument(
+        "--regrade",
+        nargs="*",
+        metavar="PROBLEM",
+        help="grade every submission again, even if it has a result; with numbers such as 03.2, only these problems",
+    )
+    parser.add_argument(
+        "--late",
+        default="",
+        metavar="percent=NUMBER,...",
+        help="what the days late of overrides.csv cost: percent of the maximum for each day, and if you like free=DAYS and lowest=PERCENT",
+    )
     parser.add_argument(
         "--only", nargs="+", metavar="ID", help="grade only these students, and leave the other results as they are"
     )
@@ -125,6 +135,8 @@ def run(options: argparse.Namespace) -> int:
     if options.jobs < 1:
         print(f"misstep grade: --jobs must be at least 1; got {options.jobs}.", file=sys.stderr)
         return 2
+    if missing := next((package for package in REQUIRED if find_spec(package) is None), None):
+        raise ModuleNotFoundError(f"No module named {missing!r}")
     gc.set_threshold(GC_THRESHOLD)
     sys.setswitchinterval(SWITCH_SECONDS)
     try:
@@ -158,6 +170,8 @@ def _explain(error: OSError) -> str:
 
 def _run(options: argparse.Namespace) -> int:
     limits = _read_limits(options.limit)
+    if options.late:
+        LateRule.parse(options.late)  # what is wrong with it is said before anything is graded
     sheet = read_released_sheet(options.sheet, options.course, options.site, _read_key(options.key, options.key_file))
     roster = read_roster(options.roster, options.id_column) if options.roster else None
     gathered = gather(options.submissions, sheet.name, roster)
@@ -167,10 +181,17 @@ def _run(options: argparse.Namespace) -> int:
     with (
         open_results(options.out, sheet.name) as store,
         Reader() as reader,
-        ResultSink(options.out, sheet, reader, nbgrader_course=options.gradebook, overwrite=options.regrade) as sink,
+        ResultSink(
+            options.out,
+            sheet,
+            reader,
+            nbgrader_course=options.gradebook,
+            overwrite=options.regrade is not None,
+            late=options.late,
+        ) as sink,
     ):
         write_template(options.out)
-        read_overrides(options.out)  # what is wrong with it is said before anything is graded
+        check_overrides(options.out, bool(options.late))
         run = Run(options, sheet, limits, reader, store, sink)
         failures, limited = run.grade(selected)
         for submission in selected:
@@ -190,6 +211,7 @@ def _run(options: argparse.Namespace) -> int:
             roster=asdict(roster) if roster else None,
             column=options.column,
             limits=str(limits),
+            late=options.late,
         )
         write_feedback_zip(options.out, gathered, sheet.name)
     summary += [f"Limits: {limits}.", *remarks]
@@ -289,6 +311,8 @@ class Run:
                     failures[job.submission.student] = outcome
                     return
                 result = job.complete(outcome)
+                if self.options.regrade and (old := self.store.load(result.student)):
+                    result = result.keeping(old, self.options.regrade)
                 if result.limits:
                     limited[result.student] = result.limits
                 self.store.save(result, job.fingerprint)
@@ -313,7 +337,7 @@ class Run:
         """The jobs of the submissions that have no result yet."""
 
         def has_result(student: str, fingerprint: str) -> bool:
-            return not (is_again or self.options.regrade) and self.store.load(student, fingerprint) is not None
+            return not is_again and self.options.regrade is None and self.store.load(student, fingerprint) is not None
 
         for job in make_jobs(submissions, self.sheet, f"{self.limits}, {not self.options.unsafe}", has_result):
             if job:

@@ -35,9 +35,16 @@ class ResultSink:
     """
 
     def __init__(
-        self, out: Path, sheet: ReleasedSheet, reader: Reader, *, nbgrader_course: Path | None, overwrite: bool
+        self,
+        out: Path,
+        sheet: ReleasedSheet,
+        reader: Reader,
+        *,
+        nbgrader_course: Path | None,
+        overwrite: bool,
+        late: str = "",
     ) -> None:
-        self._out, self._sheet, self._reader = out, sheet, reader
+        self._out, self._sheet, self._reader, self._late = out, sheet, reader, late
         self._nbgrader_course, self._overwrite = nbgrader_course, overwrite
         self._open_contexts, self._writers, self._pending = (
             ExitStack(),
@@ -96,9 +103,9 @@ class ResultSink:
 
     def _write_page(self, student: str) -> None:
         try:
-            self._reader.do("page", out=str(self._out), student=student, is_short=False)
+            self._reader.do("page", out=str(self._out), student=student, late=self._late, is_short=False)
         except StepFailed as error:
-            self._reader.do("page", out=str(self._out), student=student, is_short=True)
+            self._reader.do("page", out=str(self._out), student=student, late=self._late, is_short=True)
             self._remarks.append(f"The page of {student} has only the points: {error}.")
 
     def _write_notebook(self, submission: Submission, result: Result, arguments: dict[str, str]) -> None:

@@ -46,6 +46,8 @@ class Change:
     advice      a sentence on what is right
     one_by_one  whether people also make it in one of several places alone
     in_parts    whether one part of an answer can show it; otherwise only the whole answer does
+    credit      the fraction of the points that it leaves, because it is one of a problem before and all that follows is right
+    alone       whether it is never combined with another change, because people seldom make both and there are many of it
 
     >>> Change("degrees", "use degrees as radians").past
     'used degrees as radians'
@@ -57,6 +59,8 @@ class Change:
     advice: str = ""
     one_by_one: bool = True
     in_parts: bool = True
+    alone: bool = False
+    credit: float = 0.0
 
     @property
     def past(self) -> str:
@@ -174,14 +178,16 @@ class Expression:
         """Return the same expression with a name of its own in LaTeX, by which messages speak of it."""
         return replace(self, label=label)
 
-    def mistaken_for(self, other: Any, name: str, text: str, advice: str = "") -> "Expression":
+    def mistaken_for(self, other: Any, name: str, text: str, advice: str = "", credit: float = 0.0) -> "Expression":
         """Return the same expression with a further change: here, and in this problem, people take another value.
+
+        credit  the fraction of the points that is left, if it is a mistake of a problem before
 
         >>> pitch = given("h", 0.1).mistaken_for(0.6, "lead for pitch", "use the lead as the pitch")
         >>> [(change.name, wrong.value) for change, wrong in pitch.changes()]
         [('lead for pitch', 0.6)]
         """
-        further = (Change(name, text, advice=advice), as_expression(other))
+        further = (Change(name, text, advice=advice, alone=credit > 0, credit=credit), as_expression(other))
         return replace(self, alternatives=(*self.alternatives, further))
 
     @property
@@ -282,6 +288,14 @@ def _product_changes(node: Expression) -> Changes:
                     Change(f"{place} factor", f"put {_quoted(factor)} {place}", advice=advice),
                     product(*_moved(factors, i, end)),
                 )
+    for factor in factors if last > 1 else ():
+        if not factor.arguments:
+            for wrong in ((*factors, factor), (factor, *factors)):
+                if wrong[0] is not wrong[1] and wrong[-1] is not wrong[-2]:
+                    yield (
+                        Change("factor twice", f"multiply by {_quoted(factor)} once more", alone=True),
+                        product(*wrong),
+                    )
     if all(np.ndim(factor.value) == 2 for factor in factors):
         by_entry = "multiply entry by entry (`*` instead of `@`)"
         yield Change("entry by entry", by_entry, everywhere=by_entry), _entrywise(*factors)

@@ -5,9 +5,9 @@ twice is changed in both places, because people compute it once.
 """
 
 from collections.abc import Iterator, Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import cached_property
-from itertools import combinations
+from itertools import combinations, permutations
 from operator import is_
 from typing import Any
 
@@ -15,6 +15,9 @@ import numpy as np
 
 from misstep.mistakes import Mistake
 from misstep.mutants.expression import Change, Expression
+
+MAX_SIBLINGS = 7
+"""How many given values of one kind are taken for one another."""
 
 Built = dict[tuple[Any, ...], tuple[tuple[Expression, ...], Expression]]
 """Parts of mutants by their operation and the ids of their arguments, with these arguments, so that the ids stay theirs."""
@@ -44,9 +47,18 @@ class MutableSolution:
         return [(mutation,) for mutation in mutations(self.root)]
 
     @cached_property
+    def separating(self) -> Sequence[tuple[Mutation, ...]]:
+        """The single changes that must not lead to the right answer: two given values may be equal by chance."""
+        return [changes for changes in self.single if not changes[0].change.alone]
+
+    @cached_property
     def double(self) -> Sequence[tuple[Mutation, ...]]:
         """Every two changes."""
-        return list(pairs(self.root, [mutation for (mutation,) in self.single]))
+        return list(pairs(self.root, [mutation for (mutation,) in self.separating]))
+
+    def is_in_every_row(self, mutation: Mutation) -> bool:
+        """Return whether a change belongs to the method for all rows: rows that are put on top of each other have one each."""
+        return self.root.operation.name != "stack" or id(self.root) in mutation.replaced
 
     def mutant(self, changes: Sequence[Mutation]) -> Expression:
         """Return the solution with these changes."""
@@ -105,7 +117,49 @@ def mutations(root: Expression) -> list[Mutation]:
         if len(replaced) > 1:
             single = [mutation for mutation in single if mutation not in several or mutation.change.one_by_one]
             single.append(Mutation(Change(name, text, advice=first.advice, in_parts=first.in_parts), replaced))
-    return single
+    return [*single, *_siblings_confused(root)]
+
+
+def _siblings_confused(root: Expression) -> Iterator[Mutation]:
+    """Yield the changes by which a given value takes the place of another one of its kind: q_2 for q_1, or each the next one.
+
+    Values are of one kind if they have the same letter, such as q_1 and q_2, and the same shape.
+    """
+    families: dict[Any, dict[str, list[Expression]]] = {}
+    for node in _nodes(root):
+        # An angle that is given in degrees is taken for another one in radians.
+        leaf = node.arguments[0] if node.operation.name == "radians" and len(node.arguments) == 1 else node
+        letter, underscore, _ = leaf.label.partition("_")
+        if underscore and not leaf.arguments:
+            families.setdefault((letter, np.shape(node.value)), {}).setdefault(leaf.label, []).append(node)
+    for family in families.values():
+        labels = sorted(family)
+        # A copy has an id of its own, so that it is not replaced again; the leaf of a conversion goes with it.
+        outer = {label: max(nodes, key=lambda node: len(node.arguments)) for label, nodes in family.items()}
+
+        def put(changes: Mapping[str, str], outer: Mapping[str, Expression] = outer) -> Mapping[int, Expression]:
+            return {id(outer[one]): replace(outer[other]) for one, other in changes.items()}
+
+        if not 1 < len(labels) <= MAX_SIBLINGS:
+            continue
+        for one, other in permutations(labels, 2):
+            text = f"use ${other}$, where ${one}$ belongs"
+            yield Mutation(Change("another given value", text, alone=True), put({one: other}))
+        for one, other in combinations(labels, 2):
+            text = f"swap ${one}$ and ${other}$"
+            yield Mutation(Change("given values swapped", text, alone=True), put({one: other, other: one}))
+        if len(labels) == 2:
+            continue
+        listed = ", ".join(f"${label}$" for label in labels)
+        for by, where in ((1, "early"), (-1, "late")):
+            moved = {one: labels[(k + by) % len(labels)] for k, one in enumerate(labels)}
+            text = f"take each of {listed} one place too {where}"
+            yield Mutation(Change("given values shifted", text, alone=True), put(moved))
+        for one in labels:
+            text = f"use ${one}$ for all of {listed}"
+            yield Mutation(
+                Change("one value for all", text, alone=True), put(dict.fromkeys([x for x in labels if x != one], one))
+            )
 
 
 def pairs(root: Expression, single: Sequence[Mutation]) -> Iterator[tuple[Mutation, Mutation]]:
@@ -123,21 +177,36 @@ def pairs(root: Expression, single: Sequence[Mutation]) -> Iterator[tuple[Mutati
                         yield mutation, Mutation(change, {id(node): newer})
 
 
-def mutant(changes: Sequence[Change], value: Any, advice: Mapping[str, str], key: Any = None) -> Mistake:
+def mutant(
+    changes: Sequence[Change], value: Any, advice: Mapping[str, str], key: Any = None, *, spoils: bool = False
+) -> Mistake:
     """Return the mistake of some changes that lead to a value.
 
     advice  for names or texts of changes, a sentence on what is right, instead of their own
     key     equal for mutants that are the same expression
+    spoils  whether they belong to the method for all parts of the answer
 
     >>> mutant([Change("degrees", "use degrees as radians")], 3.0, {}).message
     'You used degrees as radians.'
     """
     names = tuple(change.name for change in changes)
-    sentences = [f"You {', and you '.join(change.past for change in changes)}."]
-    sentences += dict.fromkeys(advice.get(change.text, advice.get(change.name, change.advice)) for change in changes)
-    part = f"This is what you get if you {', and you '.join(change.text for change in changes)}."
-    part *= all(change.in_parts for change in changes)
-    return Mistake(" and ".join(names), value, " ".join(filter(None, sentences)), part, names, key)
+    advice_of = dict.fromkeys(advice.get(change.text, advice.get(change.name, change.advice)) for change in changes)
+    further = list(filter(None, advice_of))
+    sentence = f"You {', and you '.join(change.past for change in changes)}."
+    also = "also " * (len(changes) > 1)
+    part = f"This is {also}what you get if you {', and you '.join(change.text for change in changes)}."
+    in_parts = part * all(change.in_parts for change in changes)
+    return Mistake(
+        " and ".join(names),
+        value,
+        " ".join([sentence, *further]),
+        in_parts,
+        names,
+        key,
+        spoils=spoils,
+        credit=min(change.credit for change in changes),
+        possible=" ".join([part, *further[: 2 - len(changes)]]),
+    )
 
 
 def value_of(expression: Expression) -> Any:

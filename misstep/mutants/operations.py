@@ -59,6 +59,8 @@ def _radians_changes(node: Expression) -> Changes:
     angle = node.arguments[0]
     text, all_of_them = f"use the degrees of ${angle.latex}$ as radians", "use degrees as radians"
     yield Change("degrees", text, all_of_them, DEGREES_ADVICE), angle
+    text = f"convert ${angle.latex}$ to radians twice"
+    yield Change("converted twice", text, "convert to radians twice", one_by_one=False), radians(node)
 
 
 def _sine_changes(node: Expression) -> Changes:

@@ -42,19 +42,7 @@ def notebook(sheet: Sheet, entries: Sequence[Entry], intro: str, imports: str, a
     title = f"# Sheet {number}: {sheet.title[0].lower()}{sheet.title[1:]}"
     cells = [_markdown("title", f"{title}\n\n{intro}"), _code("open", "\n".join(opening))]
     for k, (template, entry) in enumerate(zip(sheet.problems, entries, strict=True), start=1):
-        name = f"{entry.answer}_{k}"
-        given = [f"given = sheet.given({k})"] if "given." in entry.solution else []
-        lines = [*given, f"{name} = ...", "### BEGIN SOLUTION", entry.solution.strip(), "### END SOLUTION"]
-        cells += [
-            _markdown(f"heading-{k}", f"## Problem {k}. {template.title}\n\n{entry.ask}"),
-            _code(f"show-{k}", f"sheet.show({k})"),
-            _code(f"answer-{k}", "\n".join(lines), {"grade": False, "locked": False, "solution": True}),
-            _code(
-                f"check-{k}",
-                f"sheet.check({k}, {name})",
-                {"grade": True, "locked": True, "points": template.points, "solution": False},
-            ),
-        ]
+        cells += problem_cells(k, template.title, template.points, entry)
         if k in after:
             cells.append(_markdown(f"note-{k}", after[k]))
     cells.append(_markdown("together", "## Together\n\nRun this cell last: it counts what you have."))
@@ -63,6 +51,20 @@ def notebook(sheet: Sheet, entries: Sequence[Entry], intro: str, imports: str, a
     metadata = {"kernelspec": kernel, "language_info": {"name": "python"}}
     content = {"cells": cells, "metadata": metadata, "nbformat": 4, "nbformat_minor": 5}
     return json.dumps(content, indent=1, ensure_ascii=False) + "\n"
+
+
+def problem_cells(k: int, title: str, points: int, entry: Entry) -> list[dict[str, Any]]:
+    """The four cells of problem k: heading, statement, answer and check."""
+    name = f"{entry.answer}_{k}"
+    given = [f"given = sheet.given({k})"] if "given." in entry.solution else []
+    lines = [*given, f"{name} = ...", "### BEGIN SOLUTION", entry.solution.strip(), "### END SOLUTION"]
+    scored = {"grade": True, "locked": True, "points": points, "solution": False}
+    return [
+        _markdown(f"heading-{k}", f"## Problem {k}. {title}\n\n{entry.ask}".strip()),
+        _code(f"show-{k}", f"sheet.show({k})"),
+        _code(f"answer-{k}", "\n".join(lines), {"grade": False, "locked": False, "solution": True}),
+        _code(f"check-{k}", f"sheet.check({k}, {name})", scored),
+    ]
 
 
 def _markdown(name: str, text: str) -> dict[str, Any]:

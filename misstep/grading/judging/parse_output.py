@@ -32,11 +32,6 @@ class ParsedOutput:
         errors = (error for cell in self.cells for error in _errors(cell))
         return ["the time of a cell"] if any(error.startswith("CellTimeout: ") for error in errors) else []
 
-    @property
-    def own_cells(self) -> list[RanCell]:
-        """The cells of the submission and the checks, without what is run before and after them."""
-        return [cell for cell in self.cells if cell.index is not None or cell.problem]
-
     def remarks(self, student: str) -> list[str]:
         """What an instructor who grades by hand would notice: another id, or cells that failed."""
         notes = []

@@ -1,10 +1,10 @@
 """Results: what one submission earned, problem by problem, and why."""
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from typing import Any
 
-from misstep.bugs import Alternatives, Observation, Recurrence, recurrences
+from misstep.diagnosis.bugs import Alternatives, Observation, Recurrence, recurrences
 
 ABSENT = "absent"
 """The status of a student who submitted nothing."""
@@ -24,7 +24,7 @@ class ProblemResult:
     notes    remarks on its cells
     answer   the answer as data, in the form of misstep.storage.deserialize
     right    the right answer as data, for the instructor; None if the problem was not judged
-    possible, explanations   which mistakes can be made and which were, as an Observation of misstep.bugs has them
+    possible, explanations   which mistakes can be made and which were, as an Observation of misstep.diagnosis.bugs has them
     address  the address of the section to re-read, which the last line of the verdict names; "" if there is none
     own_points  with an instructor's key: the points for the student's own numbers; None if the key does not apply
     """
@@ -100,6 +100,20 @@ class Result:
     def recurrences(self) -> list[Recurrence]:
         """The mistakes of this student across the problems of the sheet."""
         return recurrences([Observation(one.number, one.possible, one.explanations) for one in self.problems])
+
+    def keeping(self, old: "Result", regraded: Sequence[str]) -> "Result":
+        """This result with the problems of an old one, except those that were to be graded again.
+
+        Raises ValueError for a problem that the sheet does not have.
+        """
+        numbers = [problem.number for problem in self.problems]
+        if unknown := set(regraded) - set(numbers):
+            raise ValueError(
+                f"Sheet {self.sheet} has the problems {', '.join(numbers)}; got {', '.join(sorted(unknown))}."
+            )
+        kept = {problem.number: problem for problem in old.problems if problem.number not in regraded}
+        problems = [kept.get(problem.number, problem) for problem in self.problems]
+        return replace(self, problems=problems, points=sum(problem.points for problem in problems))
 
     def to_dict(self) -> dict[str, Any]:
         """The result as JSON holds it. It is not copied, because its cells have all outputs in them."""

@@ -31,6 +31,7 @@ STATE_LABELS = {
     "wrong": ("✗", "not yet right"),
     "blank": ("…", "no answer yet"),
     "unreadable": ("?", "unreadable"),
+    "unmarked": ("✎", "not marked yet"),
     "missing": ("–", "no answer received"),
 }
 """For each state of a problem its sign and its words, so that no meaning depends on colour alone."""

@@ -8,9 +8,10 @@ from typing import Any
 
 from misstep.grading.collect.roster import Roster
 from misstep.grading.judging.result import ABSENT, Result
+from misstep.grading.marking import marking_page
 from misstep.grading.publish.feedback import feedback_page
-from misstep.grading.publish.grades import grades_table
-from misstep.grading.publish.overrides import apply_overrides, read_overrides
+from misstep.grading.publish.grades import grades_table, record_changes
+from misstep.grading.publish.overrides import UNMARKED, LateRule, apply_overrides, read_overrides
 from misstep.grading.publish.pages import format_points
 from misstep.grading.publish.platform_exports import export
 from misstep.grading.publish.report import report_page
@@ -20,19 +21,20 @@ from misstep.grading.publish.shared_answers import find_matches, matches_table
 LEFT_OUT = "This page has only your points, because the rest of it could not be made within the limits. Please tell your instructor."
 
 
-def page_step(out: str, student: str, is_short: bool) -> None:
+def page_step(out: str, student: str, late: str, is_short: bool) -> None:
     """Write a student's page from the stored result, as a step of a reader.
 
+    late      the rule for late days as text, "" for none
     is_short  whether the page has the points only, because nothing else of this result can be read within the limits
     """
     if result := ResultStore(Path(out)).load(student):
-        result = apply_overrides(result, read_overrides(Path(out)).get(student, ()))
+        result = apply_overrides(result, read_overrides(Path(out)).get(student, ()), _late_rule(late))
         write_if_changed(
             Path(out) / "feedback" / f"{file_name(student)}.html", feedback_page(_shortened(result, is_short))
         )
 
 
-def _changed(results: Sequence[Result]) -> str:
+def _by_hand(results: Sequence[Result]) -> str:
     return ", ".join(result.student for result in results if result.changes)
 
 
@@ -46,12 +48,17 @@ def _shortened(result: Result, is_short: bool) -> Result:
 
 
 def tables_step(
-    out: str, students: Sequence[str], roster: Mapping[str, Any] | None, column: str | None, limits: str
+    out: str, students: Sequence[str], roster: Mapping[str, Any] | None, column: str | None, *, limits: str, late: str
 ) -> list[str]:
     """`publish` as a step of a reader; the roster as a mapping of its fields."""
+    store = ResultStore(Path(out))
     return publish(
-        Path(out), students, ResultStore(Path(out)), Roster(**roster) if roster else None, column, limits=limits
+        Path(out), students, store, Roster(**roster) if roster else None, column, limits=limits, late=_late_rule(late)
     )
+
+
+def _late_rule(text: str) -> LateRule | None:
+    return LateRule.parse(text) if text else None
 
 
 def publish(
@@ -62,19 +69,26 @@ def publish(
     column: str | None,
     *,
     limits: str = "",
+    late: LateRule | None = None,
 ) -> list[str]:
     """Write all tables and the report, and return a short summary. Files whose content stays the same are not touched.
 
     column  the column of the sheet on the platform
     limits  what each submission might use, in words
+    late    the rule for late days
     """
     # A thousand results with all pictures would not fit into memory.
     loaded = (replace(result, cells=()) for student in students if (result := store.load(student)))
     overrides = read_overrides(out)
-    results = [apply_overrides(result, overrides.get(result.student, ())) for result in loaded]
+    graded = list(loaded)
+    results = [apply_overrides(result, overrides.get(result.student, ()), late) for result in graded]
     if not results:
         return ["Nothing is graded yet."]
+    if to_mark := marking_page(graded, overrides):
+        write_if_changed(out / "marking.html", to_mark)
+    left = sum(problem.state == UNMARKED for result in results for problem in result.problems)
     matches = find_matches(results)
+    changed = record_changes(out / "changes.csv", out / "grades.csv", results)
     write_if_changed(out / "grades.csv", grades_table(results))
     write_if_changed(out / "matches.csv", matches_table(matches))
     write_if_changed(out / "report.html", report_page(results, matches, limits))
@@ -91,6 +105,8 @@ def publish(
         f"{len(results)} of {len(students)} submissions: {counts}. {average}.",
         *([f"Several answers right for one other student (matches.csv): {', '.join(suspects)}."] if suspects else []),
         *([f"overrides.csv: there is no submission of {', '.join(unknown)}."] if unknown else []),
-        *([f"By hand (overrides.csv, formgrader): {changed}."] if (changed := _changed(results)) else []),
+        *([f"{left} answers are not marked yet: open marking.html, and save its marks.csv in {out}."] if left else []),
+        *([f"By hand (overrides.csv, formgrader): {by_hand}."] if (by_hand := _by_hand(results)) else []),
+        *([f"Points that are others than after the last run (changes.csv): {changed}."] if changed else []),
         f"The results are in {out}: open report.html, then grades.csv.",
     ]

@@ -7,7 +7,7 @@ that the sheet and the grader import. The next run asks for results by their fin
 import fcntl
 import json
 from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from contextlib import contextmanager, suppress
 from hashlib import sha256
 from pathlib import Path
 from typing import Any
@@ -101,6 +101,15 @@ class ResultStore:
 
     def _path(self, student: str) -> Path:
         return self.folder / f"{file_name(student)}.json"
+
+
+def stored_results(folder: Path) -> Iterator[Result]:
+    """The results of all students in a folder, in the order of the file names. Files of older versions are left out."""
+    store = ResultStore(folder)
+    for path in sorted(store.folder.glob("*.json")):
+        with suppress(ValueError, KeyError, TypeError):
+            if result := store.load(json.loads(path.read_text("utf-8"))["result"]["student"]):
+                yield result
 
 
 @contextmanager

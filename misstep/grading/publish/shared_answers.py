@@ -50,33 +50,56 @@ def find_matches(results: Sequence[Result]) -> list[Match]:
 
 
 def _matches_of_problem(results: Sequence[Result], k: int) -> Iterable[Match]:
-    """Compare answers of the same form at once: for each form, the numbers of the right answers are rows of an array."""
+    """Compare answers of the same form: for each form, the numbers of the right answers are rows of an array."""
     owners: dict[str, list[str]] = {}
     rows: dict[str, list[list[float]]] = {}
     for result in results:
         problem = result.problems[k]
         for right in [problem.right, problem.answer if problem.state == "right" else None]:
-            form, numbers = _split_numbers(right)
+            form, numbers = split_numbers(right)
             if form:
                 owners.setdefault(form, []).append(result.student)
                 rows.setdefault(form, []).append(numbers)
-    arrays = {form: np.array(numbers, dtype=float) for form, numbers in rows.items()}
+    sorted_rows = {form: SortedRows(np.array(numbers, dtype=float)) for form, numbers in rows.items()}
     for result in results:
         problem = result.problems[k]
         # An answer that the judge could not read may be any JSON, so only wrong and partly right ones are compared.
-        form, numbers = _split_numbers(problem.answer if problem.state in WRONG_STATES else None)
-        if form in arrays:
-            is_equal = _rows_close(arrays[form], np.array(numbers, dtype=float))
-            others = {owners[form][row] for row in np.flatnonzero(is_equal)} - {result.student}
+        form, numbers = split_numbers(problem.answer if problem.state in WRONG_STATES else None)
+        if form in sorted_rows:
+            equal = sorted_rows[form].close_to(np.array(numbers, dtype=float))
+            others = {owners[form][row] for row in equal} - {result.student}
             if others:
                 yield Match(result.student, problem.number, sorted(others))
 
 
-def _rows_close(rows: Array, numbers: Array) -> Array:
-    return np.asarray((np.abs(rows - numbers) <= TOLERANCE * np.maximum(np.abs(rows), 1.0)).all(axis=-1))
+class SortedRows:
+    """Rows of numbers, sorted by their most varied column, so that an answer is compared with its few neighbours.
+
+    Comparing it with all rows would take hours for a course with 100,000 students.
+    """
+
+    def __init__(self, rows: Array) -> None:
+        self._rows = rows
+        self._column = int(np.argmax([len(np.unique(column)) for column in rows.T])) if rows.size else None
+        self._order = np.arange(len(rows)) if self._column is None else np.argsort(rows[:, self._column])
+        self._keys = np.zeros(0) if self._column is None else rows[self._order, self._column]
+
+    def close_to(self, numbers: Array) -> Sequence[int]:
+        """The indices of the rows that are equal to some numbers, within TOLERANCE of each number of the row."""
+        near = self._order
+        if self._column is not None:
+            center = numbers[self._column]
+            width = (
+                TOLERANCE / (1 - TOLERANCE) * max(abs(center), 1.0)
+            )  # as the tolerance is relative to the row's number
+            bounds = np.searchsorted(self._keys, [center - width, center + width])
+            near = self._order[bounds[0] : bounds[1] + 1]
+        rows = self._rows[near]
+        is_close = (np.abs(rows - numbers) <= TOLERANCE * np.maximum(np.abs(rows), 1.0)).all(axis=-1)
+        return [int(row) for row in near[is_close]]
 
 
-def _split_numbers(data: Any) -> tuple[str, list[float]]:
+def split_numbers(data: Any) -> tuple[str, list[float]]:
     """The form of an answer without its numbers, and the numbers in order; "" for answers that cannot be compared."""
     numbers: list[float] = []
 

@@ -13,6 +13,8 @@ PROBLEMS = [template for sheet in COURSE.sheets() for template in COURSE.find_sh
 
 @pytest.mark.parametrize("template", PROBLEMS, ids=lambda template: template.number)
 def test_no_mistake_has_full_marks_and_each_has_its_true_name(template):
+    if template.variant("student").answer.rubric:
+        return  # a person marks it
     row = census_of(template, [f"student {k}" for k in range(40)])
     assert row.wrong > 40
     assert not row.counts, row.examples

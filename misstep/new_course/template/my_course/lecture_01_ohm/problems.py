@@ -7,6 +7,8 @@ import numpy as np
 
 from misstep import Problem, Sampler, Sheet, mistake, problem
 from misstep.answers.number import Numbers
+from misstep.answers.quantity import Quantity
+from misstep.answers.text import Prose
 from misstep.mutants.expression import given
 from misstep.mutants.operations import ANGLE, radians, sin
 
@@ -40,4 +42,27 @@ def alternating(sampler: Sampler) -> Problem:
     )
 
 
-SHEET = Sheet("01_ohm", "Ohm's law", [parallel, alternating])
+@problem("01.3", "An impedance", points=3, lecture="01_ohm#Alternating current")
+def impedance(sampler: Sampler) -> Problem:
+    """A complex number with a unit, which students give as text."""
+    ohms, reactance = sampler.choice([30.0, 50.0, 80.0]), sampler.choice([20.0, 40.0, 70.0])
+    z = given("R", ohms) + given(r"\mathrm{j}", 1j) * given("X", reactance)
+    return Problem(
+        statement=f"A coil has the resistance {ohms:g} Ω and the reactance {reactance:g} Ω. Give its impedance with its unit.",
+        given={"resistance": ohms, "reactance": reactance},
+        answer=Quantity(z.value, "ohm"),
+        solution=z,
+    )
+
+
+@problem("01.4", "Why does it lag?", points=3, lecture="01_ohm#Alternating current")
+def lag(sampler: Sampler) -> Problem:
+    """A text, which a person marks by these criteria."""
+    device = sampler.choice(["a coil", "a motor", "a transformer"])
+    return Problem(
+        statement=f"In two or three sentences: why does the current in {device} lag behind the voltage?",
+        answer=Prose({"names the induced voltage": 2, "says what it opposes": 1}),
+    )
+
+
+SHEET = Sheet("01_ohm", "Ohm's law", [parallel, alternating, impedance, lag])

@@ -1,0 +1,1 @@
+"""Answers that are made of others: intervals, sets and tables."""
