@@ -105,7 +105,7 @@ def wrong_tables(table: DHTable) -> Iterator[tuple[str, DHTable]]:
         other = "P" if letter == "R" else "R"
         yield "variable in the wrong column", table.changed(joints=table.joints[:row] + other + table.joints[row + 1 :])
     # Almost all corrections are their own inverse, and the inverses of the others are among them.
-    for correction in known_corrections(table, table.rows, {}, zeros_are_fixed=False):
+    for correction in known_corrections(table, [table.rows], {}):
         if correction.fault.name in MISTAKES and not correction.convention:
             yield correction.fault.name, table.changed(rows=corrected_rows(table.rows, [correction]))
 

@@ -2,6 +2,7 @@
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
+from itertools import permutations
 from typing import Any, ClassVar
 
 import numpy as np
@@ -50,6 +51,12 @@ class DHEntriesAnswer(Numbers):
     def entry_slips(self) -> Iterator[Slip]:
         for name, rows, text, part in super().entry_slips():
             yield name, rows, text, part if name == "sign of one entry" else ""  # a swap takes two parts
+
+    def length_entries(self) -> NDArray[np.bool_]:
+        return np.asarray(self.kinds() == LENGTH)
+
+    def angle_entries(self) -> NDArray[np.bool_]:
+        return np.asarray(self.kinds() == PURE)
 
     def explanation(self, given: Array, part: int) -> tuple[str, str] | None:
         mine, right = float(given[part]), float(self.value[part])
@@ -107,9 +114,12 @@ class DHRowAnswer(DHEntriesAnswer):
     names: Sequence[str] = COLUMNS
     noun: ClassVar[str] = "row"
 
-    def whole_slips(self) -> Iterator[Slip]:
-        yield from super().whole_slips()
-        for order in ((2, 3, 0, 1), (3, 2, 0, 1), (3, 2, 1, 0)):
-            names = ", ".join(COLUMNS[k] for k in order)
-            text = f"Your numbers are in the order {names}. Give them in the order {', '.join(COLUMNS)}."
-            yield "order of the numbers", self.value[list(order)], text, ""
+    def arrangement(self, given: Array) -> tuple[str, str] | None:
+        for order in list(permutations(range(4)))[1:]:
+            if all(self.same_entries(given, self.value[list(order)])) and len(set(np.round(self.value, 3))) == 4:
+                names = ", ".join(COLUMNS[k] for k in order)
+                return (
+                    "order of the numbers",
+                    f"Your numbers are in the order {names}. Give them in the order {', '.join(COLUMNS)}.",
+                )
+        return super().arrangement(given)

@@ -20,7 +20,7 @@ from kinlib.dh.equivalence import CHOICES, equivalent
 from kinlib.dh.mistakes import Fault
 from kinlib.dh.table import DHTable
 from misstep.answers.base import TOLERANCE, Answer, StoredObjects, Unreadable
-from misstep.explanation import MAX_ALTERNATIVES
+from misstep.diagnosis.explanation import MAX_ALTERNATIVES
 from misstep.mistakes import Mistake
 
 MAX_TEXT_LENGTH = 10_000
@@ -28,6 +28,13 @@ MAX_TEXT_LENGTH = 10_000
 
 POSE_TOLERANCE_FACTOR = 3
 """How many times the tolerance of one entry a pose may be off: the rounding errors of the rows add up along the arm."""
+
+
+ENDS = {
+    "base": "Your first row begins in {s}. The problem gives frame 0, which is not {s}, so the way from {s} to it is in no row.",
+    "tool": "Your last row ends at the tool. The problem gives the last frame, so the way from it to the tool is in no row.",
+}
+"""What is said of rows that lead from {s} to the tool, where a base and a tool are given."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -98,29 +105,45 @@ class DHTableAnswer(Answer):
         if one.n != other.n or one.convention != other.convention:
             return [False]
         if not self.anchored:
-            same = equivalent(one, other, tolerance=POSE_TOLERANCE_FACTOR * tolerance, simplest=False)
+            same = equivalent(one, other, tolerance=POSE_TOLERANCE_FACTOR * tolerance)
             return [same.verdict == "same"]
         q = random_configurations(one.n, 16)
         return [bool(largest_difference(one.fk(q), other.fk(q)) <= POSE_TOLERANCE_FACTOR * tolerance)]
 
+    def appearance(self, given: DHTable, part: int | None) -> tuple[str, str] | None:
+        if given.rows.any() or not self.value.rows.any():
+            return None
+        return "placeholder", "Every number in your table is 0. Put in the numbers that you find."
+
     def slips(self) -> Iterator[Mistake]:
-        """Yield the changes of the whole table that cannot be undone in a wrong table, because numbers are lost."""
-        rows, known = self.value.rows, set[bytes]()
-        for name, changed, text in (
-            ("every alpha 0", rows * (1, 0, 1, 1), "as if every alpha were 0"),
-            ("d left out", rows * (1, 1, 0, 1), "as if every d were 0"),
-            ("offset forgotten", rows * (1, 1, 1, 0), "as if every theta were 0 at q = 0"),
-            ("signs left out", np.abs(rows), "as if no entry had a minus sign"),
-            ("all signs", -rows, "as if every entry had the other sign"),
-            ("rows swapped", rows[::-1], "as if its rows were in reverse order"),
-            ("columns swapped", rows[:, [2, 3, 0, 1]], "as if a and d were swapped, and alpha and theta as well"),
-        ):
-            table = self.value.changed(rows=changed)
+        """Yield the changes of the whole table that cannot be undone in a wrong table, because numbers are lost, and signs of q."""
+        right = self.value
+        rows, n = right.rows, right.n
+        turns = np.array([[letter == "R"] for letter in right.joints]) & (np.arange(4) == 3)
+        changes: list[tuple[str, dict[str, Any], str]] = [
+            ("every alpha 0", {"rows": rows * (1, 0, 1, 1)}, "as if every alpha were 0"),
+            ("d left out", {"rows": rows * (1, 1, 0, 1)}, "as if every d were 0"),
+            ("offset forgotten", {"rows": np.where(turns, 0.0, rows)}, "as if no theta had an offset"),
+            ("offset forgotten", {"rows": rows * (1, 1, 1, 0)}, "as if every theta were 0 at q = 0"),
+            ("signs left out", {"rows": np.abs(rows)}, "as if no entry had a minus sign"),
+            ("all signs", {"rows": -rows}, "as if every entry had the other sign"),
+            ("sign of theta", {"rows": rows * (1, 1, 1, -1)}, "as if every theta had the other sign at q = 0"),
+            ("sign of theta", {"rows": rows * (1, 1, 1, -1), "signs": -right.signs}, "as if every theta had the other sign"),
+            ("rows swapped", {"rows": rows[::-1]}, "as if its rows were in reverse order"),
+            ("columns swapped", {"rows": rows[:, [2, 3, 0, 1]]}, "as if a and d were swapped, and alpha and theta as well"),
+            ("sign of every q", {"signs": -right.signs}, "as if every joint moved in the other direction"),
+        ]  # fmt: skip
+        for i in range(n):
+            signs = np.where(np.arange(n) == i, -right.signs, right.signs)
+            changes.append(("sign of a q", {"signs": signs}, f"as if joint {i + 1} moved in the other direction"))
+        known = set[bytes]()
+        for name, fields, text in changes:
+            table = right.changed(**fields)
             # A single entry is explained by its place.
-            is_new = np.count_nonzero(changed - rows) > 1 and changed.tobytes() not in known
-            if is_new and not all(self.agrees(table, self.value)):
+            changed, key = np.count_nonzero(table.rows - rows), table.rows.tobytes() + table.signs.tobytes()
+            if (changed > 1 or "signs" in fields) and key not in known and not all(self.agrees(table, right)):
                 yield Mistake(name, table, f"Your table moves {text}.")
-            known.add(changed.tobytes())
+            known.add(key)
 
     def explanation(self, given: DHTable, part: int) -> tuple[str, str] | None:
         """Return the name of the mistake in a wrong table and a sentence on it, or None if no known mistake explains it."""
@@ -136,6 +159,10 @@ class DHTableAnswer(Answer):
                 "variable in the wrong column",
                 f"Its joints are {given.joints}; those of the arm are {ours.joints}. Which column holds the variable?",
             )
+        for end, text in ENDS.items() if self.anchored else ():
+            without = given.changed(**{end: np.eye(4)})
+            if (getattr(ours, end) != np.eye(4)).any() and all(self.agrees(without, ours)):
+                return f"{end} forgotten", text
         diagnosis = self._diagnose(given)
         if diagnosis.explanations:
             return _described([explanation.faults for explanation in diagnosis.explanations])

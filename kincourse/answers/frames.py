@@ -12,6 +12,7 @@ from kinlib.dh.rules import Breach, check_frames
 from kinlib.dh.table import Convention
 from kinlib.rigid.lie import inverse
 from misstep.answers.base import TOLERANCE, Unreadable
+from misstep.answers.likeness import Named
 from misstep.answers.number import Numbers, wrong_slips
 from misstep.mistakes import Mistake
 
@@ -54,12 +55,30 @@ class DHFramesAnswer(Numbers):
 
     def agrees(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> list[bool]:
         if not self._breaches(other):
-            broken = {breach.frame for breach in self._breaches(one)}
-            return [i not in broken for i in range(len(one))]
+            return [not self._breaches_of(one, i) for i in range(len(one))]
         return [bool(np.allclose(mine, yours, rtol=0, atol=tolerance)) for mine, yours in zip(one, other, strict=True)]
 
     def explanation(self, given: Array, part: int) -> tuple[str, str] | None:
-        return next(((breach.rule, breach.text) for breach in self._breaches(given) if breach.frame == part), None)
+        return next(((breach.rule, breach.text) for breach in self._breaches_of(given, part)), None)
+
+    def appearance(self, given: Array, part: int | None) -> Named | None:
+        """Return whether nothing is placed yet; a single frame may well have the axes of {s}."""
+        if part is None and (np.ptp(given, axis=0) == 0).all():
+            return "placeholder", "All frames are the same, as if none were placed yet."
+        return None
+
+    def description(self, given: Array, part: int) -> Named | None:
+        return None
+
+    def _breaches_of(self, frames: Array, i: int) -> list[Breach]:
+        """The breaches of frame i that are its own: it is held against right frames where others are wrong."""
+        breaches = self._breaches(frames)
+        others = {breach.frame for breach in breaches} - {i}
+        if others and any(breach.frame == i for breach in breaches):
+            mended = np.array(frames)
+            mended[list(others)] = np.asarray(self.value)[list(others)]
+            breaches = self._breaches(mended)
+        return [breach for breach in breaches if breach.frame == i]
 
     def slips(self) -> Iterator[Mistake]:
         """Yield our frames with a mistake that breaks the rules: other frames differ in the directions that are free."""

@@ -8,6 +8,7 @@ import numpy as np
 
 from kinlib.arrays.validation import Array
 from misstep.answers.base import TOLERANCE
+from misstep.answers.likeness import Named
 from misstep.answers.number import Numbers, Slip, entries_hint, is_nearly_all, scale_of
 
 HOMOGENEOUS = " These are homogeneous coordinates: leave off the last entry (1 for a point, 0 for a direction), so that x, y, z are left."
@@ -42,6 +43,12 @@ class VectorsAnswer(Numbers):
             return entries_hint(same, "xyz")
         off = np.abs(np.sort(np.abs(mine)) - np.sort(np.abs(right)))
         return ORDER_OR_SIGNS if off.max() <= TOLERANCE * max(scale_of(right), np.abs(right).max()) else ""
+
+    def description(self, given: Array, part: int) -> Named | None:
+        piece = self.part_indices()[part]
+        if not self.unit and abs(np.linalg.norm(given[piece]) - 1) > 0.01 > abs(np.linalg.norm(self.value[piece]) - 1):
+            return "not a unit vector", "This is not a unit vector: its length is not 1."
+        return super().description(given, part)
 
     def remedy(self, shape: tuple[int, ...]) -> str:
         if shape == (*np.shape(self.value)[:-1], 4):

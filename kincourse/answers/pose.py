@@ -7,10 +7,11 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from kinlib.rigid.lie import homogeneous, inverse
+from kinlib.rigid.lie import homogeneous, inverse, log, nearest_rotation
 from kinlib.rigid.rpy import origin
 from misstep.answers.base import TOLERANCE
 from misstep.answers.equivalent import Equivalent
+from misstep.answers.likeness import Named
 from misstep.answers.number import LENGTH, PURE, Numbers, Slip, entries_hint
 from misstep.validation import Array
 
@@ -41,6 +42,9 @@ class RotationAnswer(Numbers):
 
     def hint(self, given: Array, part: int) -> str:
         return _rotation_hint(given, self.same_entries(given, self.value))
+
+    def description(self, given: Array, part: int) -> Named | None:
+        return super().description(given, part) or _rotation_description(given, self.value)
 
     def whole_slips(self) -> Iterator[Slip]:
         yield ("R^T", self.value.T, "Your rotation is the transpose of the right one.", "")
@@ -76,8 +80,24 @@ class PoseAnswer(Numbers):
     def part_indices(self) -> list[Any]:
         return [np.s_[:, :3], np.s_[:, 3]]
 
-    def slip_indices(self) -> list[Any]:
+    def core_indices(self) -> list[Any]:
         return [np.s_[:3, :3], np.s_[:3, 3]]
+
+    def slip_indices(self) -> list[Any]:
+        return self.core_indices()
+
+    def length_entries(self) -> NDArray[np.bool_]:
+        return np.asarray(self.kinds() == LENGTH)
+
+    def description(self, given: Array, part: int) -> Named | None:
+        if not np.allclose(given[3], (0, 0, 0, 1), atol=TOLERANCE) and self._core_is_right(given, part):
+            return "last row", "The last row of a pose is 0 0 0 1, whatever is above it."
+        return super().description(given, part) or (
+            _rotation_description(given[:3, :3], self.value[:3, :3]) if part == 0 else None
+        )
+
+    def _core_is_right(self, given: Array, part: int) -> bool:
+        return bool(self.same_entries(given, self.value)[self.core_indices()[part]].all())
 
     def whole_slips(self) -> Iterator[Slip]:
         T = np.asarray(self.value, dtype=float)
@@ -132,6 +152,12 @@ class PoseAnswer(Numbers):
             "The rotation is right; the position is in millimetres. Give it in metres.",
             "The position is in millimetres. Give it in metres.",
         )
+        yield (
+            "position in the other frame",
+            homogeneous(R, R.T @ p),
+            "The rotation is right; the position is R^T p, the same vector written in the axes of the frame itself.",
+            "This is R^T p, the same vector written in the axes of the frame itself.",
+        )
         for i, j in ((0, 1), (1, 2), (0, 2)):
             order = np.arange(4)
             order[[i, j]] = j, i
@@ -152,6 +178,10 @@ class OriginAnswer(Equivalent):
     """
 
     noun: ClassVar[str] = "xyz and rpy in two rows, an array"
+
+    def angle_entries(self) -> NDArray[np.bool_]:
+        return np.array([[False] * 3, [True] * 3])
+
     meaning: Callable[[Array], Array] = field(default=_origin_pose, kw_only=True)
 
     @property
@@ -176,6 +206,26 @@ def _rotation_hint(R: Array, same: NDArray[np.bool_]) -> str:
     if 0 < np.count_nonzero(~same) <= 2:
         return entries_hint(same)
     return "" if _is_rotation(R) else NOT_A_ROTATION
+
+
+def _rotation_description(R: Array, right: Array) -> Named | None:
+    """Say how a rotation differs from the right one as a motion: by a right angle, by its angle alone, by its axis alone."""
+    if not _is_rotation(R):
+        return "not a rotation", NOT_A_ROTATION
+    for turn, columns in ((right.T @ R, "columns"), (R @ right.T, "rows")):
+        if np.allclose(np.abs(turn), np.abs(turn).round(), atol=ORTHONORMAL_TOLERANCE):
+            return (
+                f"{columns} in another order",
+                f"The {columns} are right up to their order and their signs, so the axes are named or directed in another way.",
+            )
+    mine, other = (log(nearest_rotation(X)) for X in (R, right))
+    sizes = np.linalg.norm(mine), np.linalg.norm(other)
+    if min(sizes) > ORTHONORMAL_TOLERANCE:
+        if np.linalg.norm(np.cross(mine, other)) < 0.01 * sizes[0] * sizes[1]:
+            return "angle of the rotation", "Your rotation has the right axis; its angle is not right."
+        if abs(sizes[0] - sizes[1]) < 5 * TOLERANCE:
+            return "axis of the rotation", "Your rotation has the right angle; its axis is not right."
+    return None
 
 
 def _is_rotation(R: Array) -> bool:

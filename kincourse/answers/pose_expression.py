@@ -27,6 +27,9 @@ class PoseExpressionAnswer(ClosedForm):
     def part_indices(self) -> list[Any]:
         return [np.s_[:, :3], np.s_[:, 3]]
 
+    def core_indices(self) -> list[Any]:
+        return [np.s_[:3, :3], np.s_[:3, 3]]
+
     def hint(self, given: Formula, part: int) -> str:
         same = self.same_entries(given, self.value)
         if part == 0:

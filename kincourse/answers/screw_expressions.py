@@ -20,11 +20,23 @@ class ScrewExpressionsAnswer(ClosedForm):
     """
 
     @property
+    def rows_are_alike(self) -> bool:
+        return True
+
+    @property
     def parts(self) -> Sequence[str]:
         return [f"screw {i + 1}" for i in range(len(self.part_indices()))]
 
     def part_indices(self) -> list[Any]:
         return list(range(self.value.shape[0]))
+
+    def description(self, given: Formula, part: int) -> tuple[str, str] | None:
+        if one := super().description(given, part):
+            return one
+        omega, v = self.same_entries(given, self.value)[part].reshape(2, 3).all(axis=1)
+        if omega == v:
+            return None
+        return ("another point" if omega else "another direction"), self.hint(given, part)
 
     def hint(self, given: Formula, part: int) -> str:
         same = self.same_entries(given, self.value)[part]

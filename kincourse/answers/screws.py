@@ -7,6 +7,7 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
+from misstep.answers.likeness import Named
 from misstep.answers.number import LENGTH, PURE, ROUND_OFF, Numbers, Slip
 from misstep.validation import Array
 
@@ -43,6 +44,60 @@ class ScrewsAnswer(Numbers):
         if omega.all():
             return f"The omega is right, but the v is not.{place}"
         return f"The v is right, but the omega is not.{place}" if v.all() else ""
+
+    @property
+    def rows_are_alike(self) -> bool:
+        return bool(self.value.ndim > 1)
+
+    def length_entries(self) -> NDArray[np.bool_]:
+        return np.asarray(self.kinds() == LENGTH)
+
+    def description(self, given: Array, part: int) -> Named | None:
+        """Say what is right and wrong about the axis as a line in space."""
+        if one := super().description(given, part):
+            return one
+        mine, right = (np.atleast_2d(S)[part] for S in (given, self.value))
+        omega, v = np.atleast_2d(self.same_entries(given, self.value))[part].reshape(2, 3).all(axis=1)
+        (w, m), (direction, moment) = mine.reshape(2, 3), right.reshape(2, 3)
+        size, right_size = float(np.linalg.norm(w)), float(np.linalg.norm(direction))
+        along, of_moment = abs(m @ w - moment @ direction), max(1.0, float(np.linalg.norm(m)))
+        no_unit = abs(right_size - 1) < 1e-6 and abs(size - 1) > 1e-2
+        cases = (
+            (v and not no_unit, "another direction", "The v is right, but the omega is not."),
+            (v, "not a unit vector", "The v is right, but the omega is not. It is not a unit vector."),
+            (right_size > ROUND_OFF >= size, "omega left at 0", "The omega is 0, as if nothing rotated."),
+            (
+                right_size <= ROUND_OFF < size,
+                "omega for a translation",
+                "This is a translation, so omega is 0, and the direction is in v.",
+            ),
+            (
+                no_unit,
+                "not a unit vector",
+                "The omega is not a unit vector: its length is not 1.",
+            ),
+            (
+                omega and abs(moment @ direction) < 1e-9 and along > 2e-3 * of_moment,
+                "moment along the axis",
+                "The omega is right. The v is not perpendicular to it, as a moment q x omega must be.",
+            ),
+            (
+                omega,
+                "another point",
+                "The omega is right, so the axis has the right direction. It passes through other points.",
+            ),
+            (
+                np.linalg.norm(np.cross(w, direction)) < 1e-3 * max(size * right_size, 1e-9),
+                "another line",
+                "The axis is parallel to the right one, but it lies elsewhere.",
+            ),
+            (
+                right_size > ROUND_OFF,
+                "another axis",
+                "The omega is not right. Begin with the direction of the axis; the moment depends on it.",
+            ),
+        )
+        return next(((name, text) for is_so, name, text in cases if is_so), None)
 
     def kinds(self) -> NDArray[np.int_]:
         # The v of a prismatic joint is a direction, that of any other joint a moment, whose size is that of the lengths.

@@ -193,6 +193,8 @@ def kutzbach(d: int, legs: Sequence[Sequence[int]]) -> Expression:
         ("leave out the ground or the platform", N - 1),
         ("leave out both the ground and the platform", N - 2),
         ("count as many bodies as joints", J),
+        ("leave out the bodies between the joints of a leg", 2.0),
+        ("count one body for each joint, and the ground", J + 1),
     ):
         if wrong != N:
             bodies = bodies.mistaken_for(wrong, "bodies", text)
@@ -216,6 +218,8 @@ def kutzbach(d: int, legs: Sequence[Sequence[int]]) -> Expression:
         ("loops", "close one loop for each leg, although the first leg closes no loop", F - d * len(legs)),
         ("joint left out", "leave out one joint", right.value + d - f[-1]),
         *(("leg left out", "leave out one leg", right.value + d - sum(leg)) for leg in dict.fromkeys(map(tuple, legs))),
+        ("loops", "count each leg by itself, as if it closed a loop", F - len(legs) * 1.0),
+        ("loops", "count one leg alone", float(sum(legs[0]))),
         ("platform alone", "give the degrees of freedom of the platform when it is free", float(d)),
         ("negative number", "write 0 for a negative number", max(right.value, 0.0)),
         (

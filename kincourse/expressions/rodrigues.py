@@ -61,6 +61,43 @@ _POSITIONS: list[tuple[str, str, Coefficients]] = [
     ("sign", "take the term with $[\\omega]^2$ with the opposite sign", lambda q: (q, 1 - cos(q), sin(q) - q)),
 ]
 
+_WRONG_FUNCTIONS: dict[str, Callable[[float], float]] = {
+    "1": lambda _: 1.0,
+    "\\theta": lambda q: q,
+    "\\theta^2 / 2": lambda q: q**2 / 2,
+    "\\sin \\theta": sin,
+    "\\cos \\theta": cos,
+    "\\tan \\theta": np.tan,
+    "\\sin 2\\theta": lambda q: sin(2 * q),
+    "\\sin^2 \\theta": lambda q: sin(q) ** 2,
+    "1 + \\cos \\theta": lambda q: 1 + cos(q),
+}
+"""The functions that people write where another one belongs."""
+
+
+def _with_another_function(
+    right: Coefficients, names: tuple[str, str, str], known: list[tuple[str, str, Coefficients]]
+) -> list[tuple[str, str, Coefficients]]:
+    """Return the formulas with another function as one of the coefficients, as far as they are not known already."""
+
+    def put(place: int, wrong: Callable[[float], float], q: float) -> tuple[float, float, float]:
+        one, two, three = (wrong(q) if k == place else value for k, value in enumerate(right(q)))
+        return one, two, three
+
+    found: list[tuple[str, str, Coefficients]] = []
+    seen = {np.round(which(0.7), 9).tobytes() for _, _, which in known}
+    for place, name in enumerate(names):
+        for latex, wrong in _WRONG_FUNCTIONS.items() if name else ():
+            formula = partial(put, place, wrong)
+            if latex != name and np.round(formula(0.7), 9).tobytes() not in seen:
+                found.append(("another function", f"write ${latex}$, where ${name}$ belongs", formula))
+    return found
+
+
+_ROTATIONS += _with_another_function(RODRIGUES, ("", "\\sin \\theta", "1 - \\cos \\theta"), _ROTATIONS)
+_POSITIONS += [("sine and cosine swapped", "swap sine and cosine", lambda q: INTEGRAL(np.pi / 2 - q))]
+_POSITIONS += _with_another_function(INTEGRAL, ("\\theta", "1 - \\cos \\theta", "\\theta - \\sin \\theta"), _POSITIONS)
+
 _SQUARES: list[tuple[str, str, Square]] = [
     ("square left out", "write $[\\omega]$ instead of $[\\omega]^2$", lambda W: W),
     ("entry by entry", "square $[\\omega]$ entry by entry", lambda W: W * W),
@@ -145,7 +182,9 @@ def _changes(
     for name, text, coefficients, square in wrong:
         said, why = (words.replace("\\theta", theta.latex) for words in (text, advice.get(name, "")))
         formula = partial(_formula, coefficients, square, _size(omega.value))
-        yield Change(name, said, advice=why), Operation(name, formula, node.operation.latex)(omega, theta, *v)
+        # With some angles another function has the same value, which is no reason to draw other numbers.
+        change = Change(name, said, advice=why, alone=name == "another function")
+        yield change, Operation(name, formula, node.operation.latex)(omega, theta, *v)
 
 
 def _raw_axis(omega: Expression) -> Expression | None:
@@ -177,6 +216,10 @@ def _skew_changes(node: Expression) -> Changes:
     antisymmetric = "The matrix $[\\omega]$ is skew-symmetric: $[\\omega]^T = -[\\omega]$."
     first_row = "$[\\omega]\\,u = \\omega \\times u$, so the first row is $(0, -\\omega_z, \\omega_y)$."
     for name, text, advice, wrong in (
+        ("diagonal", "write a diagonal matrix", antisymmetric, np.diag),
+        ("one half", "leave out the half below the diagonal", antisymmetric, lambda w: np.triu(hat(w))),
+        ("outer product", "write the outer product", antisymmetric, lambda w: np.outer(w, w)),
+        ("squared", "square the matrix", antisymmetric, lambda w: _squared(hat(w))),
         ("no minus signs", "leave out the minus signs", antisymmetric, lambda w: abs(hat(w))),
         ("symmetric", "write a symmetric matrix", antisymmetric, lambda w: np.triu(hat(w)) - np.tril(hat(w))),
         (

@@ -45,11 +45,11 @@ POSITIVE_ROTATION = "A rotation has a sense: it is positive if it is countercloc
 
 @problem("00.b", "A configuration in radians", points=1, lecture="00_start_here#Degrees and radians")
 def configuration_in_radians(_draw: ArmSampler) -> Problem:
-    degrees = np.array([0, 0, 90, -90, -45])
+    degrees = np.array([0, 60, 0, -120, 45])
     q = given("q", np.radians(degrees))
     offset = "The DH table needs it, but here the home pose and the screw axes already describe the straight arm."
     return Problem(
-        statement="Joints 3, 4 and 5 are at 90, -90 and -45 degrees, and joints 1 and 2 at 0. Give the five joint values for `arm.fk`.",
+        statement="Joints 2, 4 and 5 are at 60, -120 and 45 degrees, and joints 1 and 3 at 0. Give the five joint values for `arm.fk`.",
         answer=Numbers(q.value, unit="radians"),
         solution=q.mistaken_for(np.abs(q.value), "signs left out", "leave out the minus signs", POSITIVE_ROTATION)
         .mistaken_for(

@@ -1,5 +1,7 @@
 """The parts of an arm, each with its name: base, joints, links and end-effector."""
 
+import re
+from dataclasses import replace
 from itertools import pairwise
 
 import numpy as np
@@ -8,7 +10,7 @@ from kinlib.chains.chain import Chain
 from kinlib.view.drawing.canvas import Canvas
 from kinlib.view.drawing.figure_colours import INK, LINK_GREY, VIOLET
 from kinlib.view.drawing.picture import Picture, vector_text
-from kinlib.view.figures.arm import JOINT_KINDS
+from kinlib.view.figures.arm import JOINT_KINDS, draw_arm
 from kinlib.view.figures.joint_bodies import draw_joint_bodies
 
 SHORTEST_LABELLED_SHARE = 0.08
@@ -41,8 +43,16 @@ def draw_parts(chain: Chain) -> Picture:
     kinds = [f"joint {i} ({JOINT_KINDS[letter]})" for i, letter in enumerate(chain.joint_types, start=1)]
     parts = [text for i, kind in enumerate(kinds, start=1) for text in (kind, f"link {i}")]
     at = "; ".join(f"{i} at {vector_text(p)}" for i, p in enumerate(stations[1:-1], start=1))
-    alt = (
-        f"{chain.name}: from the base through {', '.join(parts[:-1])} to the end-effector at {vector_text(stations[-1])} m. "
-        f"Joints: {at}."
-    )
+    alt = f"{chain.name}: from the base through {', '.join(parts[:-1])} to the end-effector. Joints, in metres: {at}."
     return canvas.picture(alt, cropped=True)
+
+
+def draw_home(chain: Chain) -> Picture:
+    """Draw an arm at home with its axes. The text does not say where the end-effector is, because a blank step asks for it.
+
+    >>> from kinlib.chains.robots import rpr
+    >>> "end-effector" in draw_home(rpr()).alt
+    False
+    """
+    picture = draw_arm(chain, caption="The arm at home, with the axes of its joints.")
+    return replace(picture, alt=re.sub(r" The end-effector is at [^;]*? m\.", "", picture.alt))

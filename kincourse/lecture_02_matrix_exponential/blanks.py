@@ -1,4 +1,4 @@
-"""The blank steps of lecture 02: a p-column, a rotation, a pose, an axis that is not of unit length, and a logarithm."""
+"""The blank steps of lecture 02: a translation part, a rotation, a pose, an axis that is not of unit length, and a logarithm."""
 
 import numpy as np
 
@@ -31,12 +31,14 @@ def third_of_a_turn() -> Expression:
     return radians(given("q", 120.0, ANGLE))
 
 
-@problem("02.a", "The p-column of a rotation", points=1, lecture="02_matrix_exponential#From rotations to screws")
+@problem(
+    "02.a", "The translation part of a rotation", points=1, lecture="02_matrix_exponential#From rotations to screws"
+)
 def p_column(_draw: ArmSampler) -> Problem:
     S = hrr().screws[1]
     p = position_exp(direction("\\omega", S[:3]), direction("v", S[3:]), third_of_a_turn())
     return Problem(
-        statement=f"Give the p-column of $e^{{[S]q}}$ for $S = {vector(S)}$ and $q = 2\\pi/3$.",
+        statement=f"Give the translation part of $e^{{[S]q}}$ for $S = {vector(S)}$ and $q = 2\\pi/3$.",
         answer=Numbers(p.value, unit="metres"),
         solution=p,
     )

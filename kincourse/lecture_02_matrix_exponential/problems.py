@@ -75,7 +75,8 @@ def matrix_of_a_screw(sampler: ArmSampler) -> Problem:
 def turn_about_a_line(sampler: ArmSampler) -> Problem:
     direction, length = _direction(sampler)
     degrees = sampler.choice([degrees for degrees in range(35, 165, 5) if degrees not in (45, 90, 120)])
-    R = rotation_exp(unit(point("d", direction)), radians(given("\\theta", degrees, ANGLE)))
+    angle = given("\\theta", degrees, ANGLE).mistaken_for(180 - degrees, "supplement", "rotate by $180° - \\theta$")
+    R = rotation_exp(unit(point("d", direction)), radians(angle))
     return Problem(
         statement=f"A body rotates by {degrees} degrees about an axis with the direction ${vector(direction)}$. Give its "
         f"rotation matrix $R$.",
@@ -139,7 +140,7 @@ def where_the_origin_goes(sampler: ArmSampler) -> Problem:
     told = ", ".join(str(entry) for entry in place)
     return Problem(
         statement=f"A revolute joint has the direction ${vector(d)}$ and passes through the point $({told})$. The length $a$ is not "
-        "yet known. Give the p-column of $e^{[S]\\theta}$, that is, the place to which the origin moves, as three formulas in $a$ and "
+        "yet known. Give the translation part of $e^{[S]\\theta}$, the place to which the origin moves, as three formulas in $a$ and "
         "$\\theta$.",
         given={"omega": w, "point": place},
         answer=ClosedForm(place - turn(w, THETA) * place),
@@ -173,6 +174,8 @@ def three_terms(sampler: ArmSampler) -> Problem:
             "add the errors of sine and cosine, which are perpendicular",
         ),
         (along.value**2 + across.value**2, "root left out", "leave out the square root"),
+        (2 * np.sin(angle / 2), "chord", "give the distance by which the point moves"),
+        (angle, "arc", "give the length of the arc on which the point moves"),
         (np.exp(angle) - 1 - angle - angle**2 / 2, "scalar series", "take the series of the number $e^\\theta$"),
         (sum_size, "length of the sum", "give the length of the sum, and not of its difference from $R$"),
         (

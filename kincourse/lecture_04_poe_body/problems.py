@@ -21,6 +21,7 @@ from kincourse.expressions.screws import (
     joint_values,
     screw_axes,
 )
+from kincourse.lecture_04_poe_body.drawn_problem import wrist as drawn_wrist
 from kincourse.mistakes.factor_order import factor_order_mistakes
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler, are_distinguishable, shows_transposes
@@ -346,6 +347,22 @@ def twist_of_the_tool(sampler: ArmSampler) -> Problem:
             robot.body_jacobian(q) @ rates,
             "Use `np.radians` first.",
         ),
+        ("rates swapped", "swap the joint values and the rates", robot.body_jacobian(qdot) @ q, ""),
+        (
+            "rates left out",
+            "add up the columns without the rates",
+            robot.body_jacobian(q).sum(axis=1),
+            "Multiply by the rates.",
+        ),
+        *(
+            (
+                "one column",
+                f"give column {i} alone",
+                robot.body_jacobian(q)[:, i - 1],
+                "Every joint that moves adds its column.",
+            )
+            for i in (1, 2, 3)
+        ),
         ("joints before", "move each axis by the joints before it", _by_joints_before(robot, q) @ qdot, CARRY_ADVICE),
     ):
         V = V.mistaken_for(wrong, name, text, advice)
@@ -408,6 +425,14 @@ def singular_wrist(sampler: ArmSampler) -> Problem:
             sign * (180.0 * (not opposite) - tilt),
         ),
         ("at home", "take the home configuration", 0.0),
+        ("right angle", "take a right angle", 90.0),
+        ("right angle", "take a right angle", -90.0),
+        (
+            "complement",
+            "take the complement, as if axis 3 were measured from another axis",
+            sign * (90.0 - abs(180.0 * opposite - tilt)),
+        ),
+        ("supplement", "take the supplement", 180.0 - sign * (180.0 * opposite - tilt)),
         ("radians", "give the angle in radians", np.radians(q_2.value)),
     ):
         q_2 = q_2.mistaken_for(value, name_of, text, "The wrist is singular where axes 1 and 3 are on one line.")
@@ -415,6 +440,7 @@ def singular_wrist(sampler: ArmSampler) -> Problem:
     for name_of, text, value in (
         ("sign of a rate", "let the two rotations add up", rate * (-1 if opposite else 1)),
         ("joint 1 at rest", "leave joint 1 at rest", 0.0),
+        ("doubled", "take twice the rate", -2 * rate * (-1 if opposite else 1)),
         ("radians", "give the rate in radians per second", np.radians(qdot_1.value)),
         ("rate at home", "use the angle between axes 1 and 3 at home", -rate * np.cos(np.radians(tilt))),
     ):
@@ -537,5 +563,6 @@ SHEET = Sheet(
         twist_of_the_tool,
         singular_wrist,
         body_screws_of_a_whole_arm,
+        drawn_wrist,
     ],
 )

@@ -9,6 +9,7 @@ from kincourse.answers.dh_table import DHTableAnswer
 from kincourse.answers.pose import PoseAnswer
 from kincourse.expressions.links import dh_row, link, links, mounted, table_product
 from kincourse.expressions.poses import inverse
+from kincourse.lecture_05_dh_standard.drawn_problem import scara
 from kincourse.mistakes.dh import base_in_a_row, table_mistakes, tool_in_a_row
 from kincourse.problem import problem
 from kincourse.sampling.arms import AXIS_DIRECTIONS, ArmSampler, are_distinguishable
@@ -413,5 +414,6 @@ SHEET = Sheet(
         faulty_entry,
         parallel_axes,
         base_and_tool,
+        scara,
     ],
 )

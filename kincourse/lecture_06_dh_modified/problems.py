@@ -2,7 +2,7 @@
 
 import itertools
 from collections.abc import Callable, Iterator, Sequence
-from dataclasses import dataclass, field
+from dataclasses import dataclass, field, replace
 from functools import lru_cache, partial, reduce
 from itertools import accumulate
 from typing import Any, ClassVar
@@ -16,6 +16,7 @@ from kincourse.answers.screws import ScrewsAnswer
 from kincourse.expressions.links import axial_twists, link, table_product
 from kincourse.expressions.poses import inverse, rotation_about, rotation_of
 from kincourse.expressions.wrist import wrist_angles, wrist_rotation
+from kincourse.lecture_06_dh_modified.drawn_problem import telescope_mount
 from kincourse.mistakes.dh import table_mistakes
 from kincourse.problem import problem
 from kincourse.sampling.arms import ArmSampler, are_distinguishable
@@ -30,6 +31,7 @@ from kinlib.view import draw_arm, draw_frames, draw_joints
 from misstep.answers.base import TOLERANCE
 from misstep.answers.choice import Choice
 from misstep.answers.equivalent import Equivalent
+from misstep.answers.likeness import Likeness, Named
 from misstep.answers.number import LENGTH, PURE, Numbers, Slip
 from misstep.display.text import degrees, matrix, number, vector
 from misstep.mistakes import Mistake, mistake
@@ -98,13 +100,37 @@ class DHRowsAnswer(Numbers):
         """Return, for each entry, whether it is right, for the directions of x for which the most rows and entries are."""
         if np.abs(self._poses(one) - self._poses(other)).max() <= tolerance:
             return np.ones(np.shape(other), dtype=bool)
+        return self._nearest(one, other, tolerance)[1]
+
+    def _nearest(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> tuple[Array, NDArray[np.bool_]]:
+        """Return the second rows with those directions of x, and which entries agree."""
         rows = self._with_other_x(other)
         # The chord 2 sin(x / 2) of an angular difference x does not change when x changes by a full turn.
         angles_agree = np.abs(2 * np.sin((one - rows) / 2)) <= tolerance
         same = np.where(self.kinds() == PURE, angles_agree, super().same_entries(one, rows, tolerance))
         right_rows, right_entries = same.all(axis=2).sum(axis=1), same.sum(axis=(1, 2))
-        best: NDArray[np.bool_] = same[np.argmax(right_rows * same[0].size + right_entries)]
-        return best
+        best = np.argmax(right_rows * same[0].size + right_entries)
+        return rows[best], same[best]
+
+    @property
+    def rows_are_alike(self) -> bool:
+        return True
+
+    def length_entries(self) -> NDArray[np.bool_]:
+        return np.asarray(self.kinds() == LENGTH)
+
+    def angle_entries(self) -> NDArray[np.bool_]:
+        return np.asarray(self.kinds() == PURE)
+
+    def likeness(self, given: Array, part: int | None) -> Likeness:
+        right = self._nearest(given, self.value)[0]
+        return Numbers.likeness(replace(self, value=right), given, part)
+
+    def description(self, given: Array, part: int) -> Named | None:
+        wrong = [
+            name for name, fine in zip(COLUMNS, self._nearest(given, self.value)[1][part], strict=True) if not fine
+        ]
+        return (f"wrong {' and '.join(wrong)}", self.hint(given, part)) if len(wrong) < 3 else None
 
     def wrong_conversions(self) -> list[tuple[str, Array, str]]:
         """Return wrong conversions of the given table: the name, the rows, and what is true of them."""
@@ -228,9 +254,24 @@ class WristAnglesAnswer(Equivalent):
     def part_indices(self) -> list[int]:
         return [0, 1]
 
+    def angle_entries(self) -> NDArray[np.bool_]:
+        return np.ones((2, 3), dtype=bool)
+
     def agrees(self, one: Array, other: Array, tolerance: float = TOLERANCE) -> list[bool]:
         off = [np.abs(self.meaning(mine) - self.meaning(yours)).max() for mine, yours in zip(one, other, strict=True)]
         return [bool(distance <= ANGLES_TOLERANCE_FACTOR * tolerance) for distance in off]
+
+    def explanation(self, given: Array, part: int) -> Named | None:
+        mine, right = given[part, 1], self.value[part, 1]
+        if part == 1 and abs(abs(np.sin(mine)) - 1) < TOLERANCE:
+            text = "At $\\theta_5 = \\pm 90°$ axes 4 and 6 are perpendicular. At which $\\theta_5$ are they collinear?"
+            return "singular at a right angle", text
+        if abs(np.cos(mine) + np.cos(right)) < TOLERANCE and abs(np.cos(mine)) > TOLERANCE:
+            text = "The cosine of your $\\theta_5$ has the wrong sign: it is off by half a turn, or its supplement."
+            return "theta_5 beyond a right angle", text
+        if abs(np.cos(mine) - np.cos(right)) > TOLERANCE:
+            return "another theta_5", "No solution has this $\\theta_5$."
+        return ("theta_4 and theta_6" if part == 0 else "the sum of theta_4 and theta_6"), self.hint(given, part)
 
     def hint(self, given: Array, part: int) -> str:
         if abs(np.cos(given[part, 1]) - np.cos(self.value[part, 1])) > TOLERANCE:
@@ -274,9 +315,26 @@ class FaultyEntryAnswer(Numbers):
     def slips(self) -> Iterator[Mistake]:
         return iter(())  # a row number has no half and no sign
 
+    def angle_entries(self) -> NDArray[np.bool_]:
+        return np.array([False, False, COLUMNS[int(self.value[1]) - 1] in ANGLE_COLUMNS])
+
+    def length_entries(self) -> NDArray[np.bool_]:
+        return np.array([False, False, True]) ^ self.angle_entries()
+
+    def arrangement(self, given: Array) -> Named | None:
+        for order in ((2, 0, 1), (1, 0, 2), (2, 1, 0), (0, 2, 1), (1, 2, 0)):
+            if all(self.agrees(given, self.value[list(order)])) and not self.agrees(given, self.value)[2]:
+                return (
+                    "order of the numbers",
+                    "These are the right numbers in another order. Give the row, the column, the value.",
+                )
+        return None
+
     def explanation(self, given: Array, part: int) -> tuple[str, str] | None:
         if part == 2:
-            return None
+            return (
+                ("sign", "The size is right, the sign is not.") if abs(given[2] + self.value[2]) < TOLERANCE else None
+            )
         what = ("row", "column")[part]
         if given[part] < 1:
             return f"{what} counted from 0", f"The first {what} is {what} 1."
@@ -689,5 +747,6 @@ SHEET = Sheet(
         chain,
         angles_of_a_wrist,
         whole_arm,
+        telescope_mount,
     ],
 )

@@ -1,9 +1,11 @@
-"""The common normal of two nearly parallel axes, drawn: it moves away as the angle between the axes becomes smaller."""
+"""The common normal of two nearly parallel axes, drawn: it moves away as the angle becomes smaller. And what two tables share."""
 
 import numpy as np
 
 from kinlib.arrays.formatting import format_number
 from kinlib.arrays.validation import Array
+from kinlib.chains.chain import Chain
+from kinlib.dh.assignment import FrameAssignment
 from kinlib.view.drawing import svg
 from kinlib.view.drawing.figure_colours import INK, JOINT_FILL, LINK_GREY, ORANGE, PALE_GREY, VIOLET
 from kinlib.view.drawing.picture import Picture
@@ -94,3 +96,17 @@ def _describe(degrees: float, height: float, inside: bool) -> str:
         f"Two axes, seen along their common normal. {beside} at the floor and inclined by {format_number(degrees, 3)} degrees. They "
         f"cross, and have their common normal, {format_number(height, 3)} m above the floor, {place}."
     )
+
+
+def compared(found: FrameAssignment, arm: Chain) -> str:
+    """Say what a_1 and a_2 are in a table, and how far its poses are from those of an arm.
+
+    >>> from kinlib.chains.robots import rpr_lecture7
+    >>> from kinlib.dh.assignment import assign_frames
+    >>> arm = rpr_lecture7(a1=0.4)
+    >>> compared(assign_frames(arm, convention="modified"), arm)
+    'a_1 = 0.4 m, a_2 = 0.0 m; the poses differ by 0.0 m'
+    """
+    a_1, a_2 = found.table.columns["a"][1:] + 0.0
+    error = np.abs(found.table.fk(np.eye(3)) - arm.fk(np.eye(3))).max().round(9)
+    return f"a_1 = {a_1:.1f} m, a_2 = {a_2:.1f} m; the poses differ by {error} m"

@@ -7,6 +7,7 @@ import numpy as np
 
 from kincourse.answers.dh_table import DHTableAnswer
 from kincourse.answers.frames import DHFramesAnswer
+from kincourse.lecture_07_frame_assignment.drawn_problem import leg
 from kincourse.mistakes.dh import table_mistakes
 from kincourse.problem import problem
 from kincourse.sampling.arms import AXIS_DIRECTIONS, ArmSampler
@@ -350,6 +351,10 @@ def prismatic_joint_elsewhere(sampler: ArmSampler) -> Problem:
         ("sign of the second", "take $a_2$ with the opposite sign", (x, x - a_1 - a_2), "$a_2$ is measured along $x$."),
         ("measured from joint 3", "measure from joint 3", (a_1 + a_2 - x, -x), "Row 1 begins at joint 1."),
         ("displacement as a_1", "give the displacement of joint 2 as $a_1$", (x - a_1, a_1 + a_2 - x), "$a_1$ is measured from axis 1."),
+        ("displacement as a_1", "give the displacement of joint 2 as $a_1$, and the rest as $a_2$",
+         (x - a_1, 2 * a_1 + a_2 - x), "$a_1$ is measured from axis 1."),
+        ("sum kept", "give the sum as $a_2$, without subtracting $a_1$", (x, a_1 + a_2), "$a_2$ is measured from the new line."),
+        ("position added", "add the new position to $a_2$", (x, x + a_2), "The sum $a_1 + a_2$ stays the same."),
         ("displacement as a_2", "give the displacement of joint 2 as $a_2$", (x, x - a_1), "$a_2$ is measured to axis 3."),
         ("position added", "add the new position to $a_1$", (a_1 + x, a_2 - x), "The new position is $a_1$ itself."),
         ("position added", "add the new position to both", (a_1 + x, a_2 + x), "The new position is $a_1$ itself."),
@@ -458,5 +463,6 @@ SHEET = Sheet(
         table_to_mend,
         prismatic_joint_elsewhere,
         same_arm,
+        leg,
     ],
 )

@@ -168,6 +168,7 @@ def coupler_point(sampler: ArmSampler) -> Problem:
         ("measure $p$ from C, towards B", (four_bar.coupler - along, left)),
         ("measure $p$ from C, away from B", (four_bar.coupler + along, left)),
         ("take $p$ along the coupler only", (along, 0.0)),
+        ("take $p$ across the coupler only", (0.0, left)),
         ("give C instead of P", (four_bar.coupler, 0.0)),
     ):
         p = p.mistaken_for(np.array(wrong), "another point", text, "P's distance along the coupler is measured from B.")
@@ -338,6 +339,21 @@ def dead_point(sampler: ArmSampler) -> Problem:
             180 / np.pi * corner_angle(ground, coupler + rocker, crank),
         ),
         ("supplement", "give the supplement in degrees", 180 - 180 / np.pi * A),
+        (
+            "another corner",
+            "give the supplement of the angle at D",
+            np.pi - corner_angle(ground, coupler + rocker, crank),
+        ),
+        (
+            "another corner",
+            "give the supplement of the angle at B",
+            np.pi - corner_angle(crank, coupler + rocker, ground),
+        ),
+        (
+            "square of the sum",
+            "add the squares of coupler and rocker instead of squaring their sum",
+            corner_angle(ground, crank, float(np.hypot(four_bar.coupler, four_bar.rocker))),
+        ),
         ("full turn", "assume that the crank makes full turns", np.pi),
     ):
         A = A.mistaken_for(wrong, name, text)
@@ -412,7 +428,7 @@ def three_mobilities(sampler: ArmSampler) -> Problem:
             mistake(
                 "count for all three",
                 [kutzbach_count] * 3,
-                "You gave the count of the formula for all three. The formula is right only if the equations of the loops are "
+                "This is the count of the formula for all three. The formula is right only if the equations of the loops are "
                 "independent. The infinitesimal mobility is the number of joint variables minus the rank of $J$.",
                 "This is the count of the formula, which is right only if the equations of the loops are independent.",
             ),
@@ -425,7 +441,7 @@ def three_mobilities(sampler: ArmSampler) -> Problem:
             mistake(
                 "the wrong d",
                 [linkage.n - (9 - d) * loops, infinitesimal, finite],
-                f"You counted with $d = {9 - d}$. {moves}",
+                f"This is the count with $d = {9 - d}$. {moves}",
                 f"This is the count with $d = {9 - d}$. {moves}",
             ),
             mistake(
@@ -462,6 +478,12 @@ class CountsAnswer(Numbers):
     """Named integers, shape (k,); each is a part."""
 
     names: Sequence[str] = ()
+
+    def appearance(self, given: Array, part: int | None) -> None:
+        """Return nothing: 0 and 1 are counts like any other."""
+
+    def arrangement(self, given: Array) -> None:
+        """Return nothing: counts that are equal to others are no order."""
 
     @property
     def expected(self) -> str:

@@ -13,6 +13,7 @@ from kincourse.expressions.planar import length, polar
 from kincourse.expressions.poses import assemble, point, translation
 from kincourse.expressions.screws import direction, revolute
 from kincourse.expressions.urdf import about_own_axes, rpy_rotation
+from kincourse.lecture_09_urdf.drawn_problem import gantry
 from kincourse.problem import problem
 from kincourse.sampling.arms import AXIS_DIRECTIONS, ArmSampler
 from kincourse.text.urdf_text import UrdfJoint, fence_urdf, format_values, random_right_angles, robot_urdf, serial_urdf
@@ -490,6 +491,11 @@ def mimic_joint(sampler: ArmSampler) -> Problem:
     ]
     text = serial_urdf(joints, ("base", "boom", "forearm", "tool"))
     q = given("q_1", q_rad, ANGLE)
+    for wrong, what in (
+        (np.radians(q_rad), "convert $q_1$ to radians, although it is in radians"),
+        (np.degrees(q_rad), "convert $q_1$ to degrees"),
+    ):
+        q = q.mistaken_for(wrong, "converted", what, "URDF files and NumPy have angles in radians.")
     q_2 = _mimic_value(q, given("\\mathrm{multiplier}", factor), given("\\mathrm{offset}", shift_rad))
     from_base = (q + q_2).mistaken_for(
         q_2, "frame not changed", "take the value of `fold` from the $x$ axis of the base instead of that of `boom`"
@@ -497,9 +503,13 @@ def mimic_joint(sampler: ArmSampler) -> Problem:
     first, second = polar(length("boom", boom), q), polar(length("forearm", forearm), from_base)
     in_plane = first.named("\\text{the step along the boom}") + second.named("\\text{the step along the forearm}")
     swapped = polar(forearm, q) + polar(boom, from_base)
+    unturned = np.array([boom, 0.0]) + polar(forearm, q_2)
+    straight = np.array([boom + forearm, 0.0])
     in_plane = in_plane.mistaken_for(swapped, "lengths swapped", "swap the lengths of `boom` and `forearm`").named(
         "(x, y)"
     )
+    in_plane = in_plane.mistaken_for(unturned, "swing left out", "leave `swing` at 0, and move `fold` alone")
+    in_plane = in_plane.mistaken_for(straight, "rotation left out", "add the lengths without rotating").named("(x, y)")
     x = concatenate(in_plane, given("z", height).mistaken_for(0.0, "coordinate left out", "take the height as 0"))
     return Problem(
         statement=f"The joint `swing` of this file has the value $q_1 = {number(q_rad)}$ rad. Give the position of the origin of the link "
@@ -647,5 +657,6 @@ SHEET = Sheet(
         mimic_joint,
         axis_in_the_wrong_frame,
         origin_or_axis,
+        gantry,
     ],
 )

@@ -21,6 +21,7 @@ from kincourse.expressions.screws import (
     screw_axes,
 )
 from kincourse.expressions.urdf import rpy_rotation
+from kincourse.lecture_10_one_robot_four_ways.project_problems import PROJECT_PROBLEMS
 from kincourse.problem import problem
 from kincourse.sampling.arms import PLAIN_ANGLES_DEG, ArmSampler
 from kincourse.text.joint_table import joint_table
@@ -390,5 +391,8 @@ def _format_table(table: DHTable) -> str:
 SHEET = Sheet(
     "10_one_robot_four_ways",
     "One robot, four ways",
-    [from_a_table, another_tool, one_of_four, joint_origin, in_letters, three_arms, where_is_the_tool],
+    [
+        *(from_a_table, another_tool, one_of_four, joint_origin, in_letters, three_arms, where_is_the_tool),
+        *PROJECT_PROBLEMS,
+    ],
 )

@@ -64,7 +64,8 @@ class ArmSampler(Sampler):
 
     def __init__(self, student: str, problem: str, attempt: int = 0) -> None:
         super().__init__(student, problem, attempt)
-        self._student = student
+        self.student = student
+        """Whose numbers are drawn: what several problems share is drawn from this alone."""
 
     def of_problem(self, number: str) -> "ArmSampler":
         """Return the sampler of another problem for the same student, so that several problems can share a robot.
@@ -72,7 +73,7 @@ class ArmSampler(Sampler):
         >>> ArmSampler("ada", "03.2", attempt=7).of_problem("03.1").integer(1, 99) == ArmSampler("ada", "03.1").integer(1, 99)
         True
         """
-        return ArmSampler(self._student, number)
+        return ArmSampler(self.student, number)
 
     def point(self, reach: int) -> Array:
         """Draw a point (3,) with integer coordinates up to `reach` in size, none of them zero and no two of equal size.

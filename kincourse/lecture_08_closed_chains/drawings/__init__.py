@@ -1,5 +1,6 @@
 """Drawings of lecture 08 alone."""
 
+from kincourse.lecture_08_closed_chains.drawings.hinged_plates import draw_hinged_plates
 from kincourse.lecture_08_closed_chains.drawings.linkage_sliders import slide_curve, slide_linkage
 
-__all__ = ["slide_curve", "slide_linkage"]
+__all__ = ["draw_hinged_plates", "slide_curve", "slide_linkage"]

@@ -1,0 +1,50 @@
+"""The opening film: one bolt, seen from a camera and from the base of a robot, with the numbers of each."""
+
+import numpy as np
+
+from kinlib.rigid.lie import exp, homogeneous
+from kinlib.view.drawing.canvas import Canvas
+from kinlib.view.drawing.figure_colours import GREY, INK, ORANGE
+from kinlib.view.drawing.picture import Picture, vector_text
+from kinlib.view.viewer.film import Film, film, share
+
+CAMERA = homogeneous(exp([0, 0, np.pi]) @ exp([2.4, 0, 0]), (0.9, 0.5, 1.0))
+START, END = np.array([0.9, 0.0, 0.2]), np.array([0.3, 0.7, 0.2])
+
+
+def opening() -> Film:
+    """Play a bolt that moves on a table, with its coordinates in the frame of a camera and in that of a base.
+
+    >>> opening().alt[:34]
+    'A camera measures where a bolt is.'
+    """
+    around = np.array([(-0.2, -0.3, 0), (1.3, 1.0, 1.2)])
+
+    def draw(t: float) -> Picture:
+        bolt = START + share(t, 4, 7) * (END - START)
+        seen = CAMERA[:3, :3].T @ (bolt - CAMERA[:3, 3])
+        texts = [(CAMERA, "camera", seen, GREY)] + ([(np.eye(4), "base", bolt, ORANGE)] if t >= 2 else [])
+        canvas = Canvas(around)
+        canvas.floor(around)
+        for T, name, numbers, colour in texts:
+            canvas.triad(T, name, 0.25)
+            canvas.arrow(T[:3, 3], bolt, colour, 1.6, style="--")
+            canvas.label((T[:3, 3] + bolt) / 2, f"from the {name}: {vector_text(numbers.round(2))}", colour, size=11)
+        canvas.dot(bolt, INK, 10)
+        canvas.label(bolt, "bolt", INK)
+        said = " ".join(
+            f"From the {name} the bolt is at {vector_text(numbers.round(2))}." for _, name, numbers, _ in texts
+        )
+        return canvas.picture(said)
+
+    return film(
+        draw,
+        [
+            (1.9, "A camera measures where a bolt is."),
+            (2.1, "The robot needs the place of the same bolt, seen from its own base. Its three numbers are others."),
+            (
+                4.0,
+                "The bolt moves, and all six numbers change. Which matrix turns the three numbers of the camera into those of the base?",
+            ),
+        ],
+    )

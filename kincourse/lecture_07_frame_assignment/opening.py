@@ -1,0 +1,27 @@
+"""The opening film: the common normal of two axes slides away while the axes become parallel."""
+
+import numpy as np
+
+from kinlib.view.drawing.picture import Picture
+from kinlib.view.figures.axis_relations import draw_moving_normal
+from kinlib.view.viewer.film import Film, film, share
+
+
+def opening() -> Film:
+    """Play the common normal of two axes while the second axis turns towards the direction of the first.
+
+    >>> opening().alt[:36]
+    'The common normal of two axes, with '
+    """
+
+    def draw(t: float) -> Picture:
+        return draw_moving_normal(np.radians(75 - 63 * share(t, 1.5, 6.5) - 12 * share(t, 8, 9)), 0.8)
+
+    return film(
+        draw,
+        [
+            (1.5, "The common normal of two axes, with one foot on each."),
+            (7.6, "The second axis turns slowly towards the direction of the first. Watch the feet."),
+            (1.9, "Now the axes have the same direction. Where would you put the x axis of a frame?"),
+        ],
+    )

@@ -1,0 +1,180 @@
+"""The arms of the project: four machines that the course uses nowhere else, with lengths of their own for each student.
+
+A machine is written here as a standard table with a base, because a table whose frames are all prescribed has exactly the
+numbers that are needed. Students see none of this: they get drawings with dimensions, and write each description from them.
+"""
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from itertools import accumulate, count
+
+import numpy as np
+
+from kinlib.arrays.validation import Array
+from kinlib.chains.chain import Chain
+from kinlib.chains.robots import X, Y, Z, pose
+from kinlib.dh.table import DHTable
+from misstep.sampling import Sampler
+
+STEP_M = 0.005
+"""Lengths are multiples of this one, and no two of them are equal."""
+
+MIN_GAP_M, SAME_M = 0.025, 1e-6
+"""Marks differ in a coordinate by at least this much, or not at all, so that a drawing can be read."""
+
+MIN_HEIGHT_M = 0.1
+"""The height of the lowest mark above the floor at least."""
+
+RAISED_M = {"pillar arm": 0.0, "bridge arm": 0.5, "ceiling arm": 1.2, "wall arm": 0.6}
+"""How much higher than the others the base of a machine is mounted."""
+
+QUARTER = np.pi / 2
+
+Rows = list[tuple[float, float, float, float]]
+
+
+@dataclass(frozen=True)
+class Kind:
+    """A kind of machine before its lengths are drawn.
+
+    name    what it is called
+    joints  a letter for each joint, R or P
+    base    the axes (3, 3) of frame 0 in {s}, as rows
+    rows    a function from eight lengths in metres to the rows a, alpha, d, theta
+    tool    the axes (3, 3) of {b} in the last frame, as rows
+    """
+
+    name: str
+    joints: str
+    base: Sequence[Array]
+    rows: Callable[[Array], Rows]
+    tool: Sequence[Array]
+
+
+def _pillar(L: Array) -> Rows:
+    return [(L[0], QUARTER, L[1], 0), (L[2], 0, L[3], QUARTER), (L[4], QUARTER, L[5], -QUARTER), (0, 0, L[6], 0)]
+
+
+def _bridge(L: Array) -> Rows:
+    return [(L[0], -QUARTER, L[1], 0), (L[2], 0, L[3], -QUARTER), (L[4], -QUARTER, L[5], -QUARTER), (L[7], 0, L[6], 0)]
+
+
+def _ceiling(L: Array) -> Rows:
+    return [(L[0], 0, L[1], 0), (L[2], QUARTER, L[3], QUARTER), (L[4], -QUARTER, L[5], QUARTER), (L[7], 0, L[6], 0)]
+
+
+def _wall(L: Array) -> Rows:
+    return [
+        (L[0], -QUARTER, L[1], -QUARTER),
+        (L[2], QUARTER, L[3], -QUARTER),
+        (L[4], 0, L[5], 0),
+        (L[7], 0, L[6], QUARTER),
+    ]
+
+
+KINDS = (
+    Kind("pillar arm", "RRRR", (X, Y, Z), _pillar, (X, Y, Z)),
+    Kind("bridge arm", "PRRR", (Z, -Y, X), _bridge, (Y, Z, X)),
+    Kind("ceiling arm", "RPRR", (X, -Y, -Z), _ceiling, (Y, Z, X)),
+    Kind("wall arm", "RRPR", (X, -Z, Y), _wall, (Y, -X, Z)),
+)
+
+
+@dataclass(frozen=True, eq=False)
+class Machine:
+    """One student's machine.
+
+    name    what it is called
+    table   the standard table with the prescribed frames, base and tool
+    limits  (n, 2) the limits of its joints, in radians and metres
+    points  (n, 3) a point on each axis, marked in the drawing for the screws
+    seats   (n, 4, 4) the prescribed joint frames of the file, in {s}: z along the joint axis
+
+    >>> machine = draw_machine("ada")
+    >>> machine.n, machine.chain.n
+    (4, 4)
+    """
+
+    name: str
+    table: DHTable
+    limits: Array
+    points: Array
+    seats: Array
+
+    @property
+    def n(self) -> int:
+        """The number of joints."""
+        return self.table.n
+
+    @property
+    def chain(self) -> Chain:
+        """The machine as screws with its limits: what its tool really does."""
+        chain = self.table.to_chain()
+        return Chain(chain.screws, chain.home, self.points, self.name, limits=self.limits)
+
+    @property
+    def frames(self) -> Array:
+        """The prescribed frames 0 to n of the table in {s}, at home: (n + 1, 4, 4)."""
+        return frames_of(self.table)
+
+
+def draw_machine(student: str, kind: int | None = None) -> Machine:
+    """Draw the machine of a student; the same id always gives the same machine.
+
+    kind  the index of one of KINDS, for tests; by default drawn as well
+
+    >>> np.allclose(draw_machine("ada").table.rows, draw_machine(" Ada").table.rows)
+    True
+    """
+    for attempt in count():
+        machine = _draw(Sampler(student, "10.project", attempt), kind)
+        if _is_readable(machine):
+            return machine
+    raise AssertionError("there is always a next attempt")
+
+
+def _is_readable(machine: Machine) -> bool:
+    """Whether marks are clearly apart or in line in each view, and none is below the floor."""
+    tool = machine.chain.home[:3, 3]
+    for places in (machine.points, machine.frames[:, :3, 3], machine.seats[:, :3, 3]):
+        marks = np.array([np.zeros(3), *places, tool])
+        gaps = np.diff(np.sort(marks, axis=0), axis=0)
+        if ((gaps > SAME_M) & (gaps < MIN_GAP_M)).any() or marks[1:, 2].min() < MIN_HEIGHT_M:
+            return False
+    return True
+
+
+def _draw(sampler: Sampler, kind: int | None) -> Machine:
+    chosen = sampler.integer(0, len(KINDS) - 1) if kind is None else kind
+    pattern = KINDS[chosen]
+    lengths = STEP_M * np.array(sampler.shuffled(range(22, 66))[:8])
+    place = [STEP_M * step for step in sampler.shuffled(range(24, 80))[:3]]
+    place[2] += RAISED_M[pattern.name]
+    table = DHTable(
+        pattern.rows(lengths),
+        convention="standard",
+        joints=pattern.joints,
+        base=pose(pattern.base, place),
+        tool=pose(pattern.tool, (0, 0, 0)),
+        name=pattern.name,
+    )
+    frames = frames_of(table)
+    shifts = [STEP_M * step for step in sampler.shuffled(range(8, 21))[: 2 * table.n]]
+    points, seats = [], []
+    for i, frame in enumerate(frames[:-1]):
+        z, origin = frame[:3, 2], frame[:3, 3]
+        points.append(origin - shifts[i] * z)
+        x = sampler.choice([axis for axis in (X, Y, Z) if abs(axis @ z) + abs(axis @ frame[:3, 0]) < 0.5])
+        seats.append(pose((x, np.cross(z, x), z), origin + shifts[table.n + i] * z))
+    limits = [
+        (-0.05 * sampler.integer(2, 4), 0.05 * sampler.integer(4, 7))
+        if letter == "P"
+        else (-np.radians(5 * sampler.integer(16, 30)), np.radians(5 * sampler.integer(16, 30)))
+        for letter in table.joints
+    ]
+    return Machine(pattern.name, table, np.array(limits), np.array(points), np.array(seats))
+
+
+def frames_of(table: DHTable) -> Array:
+    """The frames 0 to n of a table in {s}, at home: (n + 1, 4, 4)."""
+    return np.array(list(accumulate([table.base, *table.link_transforms(np.zeros(table.n))], np.matmul)))

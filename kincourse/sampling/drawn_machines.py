@@ -1,0 +1,137 @@
+"""Machines in dimensioned drawings: random lengths that can be read off, and the mistakes that people make when they read them."""
+
+from collections.abc import Iterable, Iterator, Sequence
+
+import numpy as np
+
+from kincourse.sampling.arms import ArmSampler
+from kinlib.arrays.validation import Array
+from kinlib.dh.table import Convention, DHTable
+from kinlib.view.drawing.dimensions import DrawnAxis, draw_dimensions
+from kinlib.view.drawing.picture import Picture
+from misstep.mistakes import Mistake, mistake
+from misstep.mutants.expression import Expression, given
+from misstep.mutants.operations import LENGTH
+
+STEP_M = 0.01
+"""Lengths in drawings are multiples of this one."""
+
+MIN_GAP_M = 0.03
+"""Two marks differ in a coordinate by at least this much, or not at all."""
+
+
+def lengths(sampler: ArmSampler, count: int, low: float = 0.1, high: float = 0.6) -> Array:
+    """Draw different lengths in metres, no two of which are equal or half of each other.
+
+    >>> len(set(lengths(ArmSampler("ada", "03.12"), 5).tolist()))
+    5
+    """
+    while True:
+        drawn = STEP_M * np.array(sampler.shuffled(range(round(low / STEP_M), round(high / STEP_M)))[:count])
+        doubled = np.abs(drawn[:, None] - 2 * drawn)
+        if doubled.min() > STEP_M / 2:
+            return drawn.round(3)
+
+
+def is_readable(points: Iterable[Array]) -> bool:
+    """Whether points are clearly apart or in line along each axis, so that their dimensions can be read.
+
+    >>> is_readable([np.zeros(3), np.array([0.01, 0, 0])]), is_readable([np.zeros(3), np.array([0.2, 0, 0])])
+    (False, True)
+    """
+    gaps = np.diff(np.sort(np.array([np.zeros(3), *points]), axis=0), axis=0)
+    return not ((gaps > 1e-6) & (gaps < MIN_GAP_M)).any()
+
+
+def read_point(label: str, p: Array, axis: Array, others: Sequence[Array] = ()) -> Expression:
+    """A point (3,) of a joint axis that is read off a drawing, with the ways in which people misread it.
+
+    axis    (3,) the direction of the axis; another point of it is as good
+    others  other marks that people take for it
+
+    >>> [change.name for change, _ in read_point("P_1", np.array([0.1, 0.2, 0.3]), np.array([1, 0, 0])).alternatives]
+    ['views swapped', 'depth reversed']
+    """
+    point = given(label, p, LENGTH)
+    for name, text, wrong in (
+        ("views swapped", f"swap $y$ and $z$ of ${label}$", p[[0, 2, 1]]),
+        ("depth reversed", f"take the $y$ of ${label}$ with the opposite sign", p * (1, -1, 1)),
+    ):
+        if np.abs(np.cross(axis, wrong - p)).max() > STEP_M:
+            point = point.mistaken_for(wrong, name, text, "The top view shows $x$ and $y$, the front view $x$ and $z$.")
+    for other in others:
+        if np.abs(np.cross(axis, other - p)).max() > STEP_M:
+            point = point.mistaken_for(other, "another mark", f"read another mark instead of ${label}$")
+    return point
+
+
+def misread(points: Array) -> Iterator[tuple[str, Array, str]]:
+    """Yield how people misread points (k, 3) in a drawing: the name, the wrong points, and what is true of them."""
+    yield (
+        "views swapped",
+        points[:, [0, 2, 1]],
+        "y and z are swapped. The top view shows x and y, the front view x and z.",
+    )
+    yield "depth reversed", points * (1, -1, 1), "Every y has the wrong sign. In the top view, y is up."
+    yield "not from {s}", points - points[0], "Your points are measured from the first of them, and not from {s}."
+    steps = np.array([_last_steps(points[:, k]) for k in range(3)]).T
+    yield "steps not added", steps, "Each coordinate is the last step of its chain. Add all steps from {s} to the mark."
+
+
+def _last_steps(values: Array) -> Array:
+    """The distance of each value to its neighbour towards 0, with its sign."""
+    levels = np.unique(np.append(values, 0.0).round(6))
+    steps = []
+    for value in values.round(6):
+        nearer = [level for level in levels if abs(level) < abs(value) and level * value >= 0]
+        steps.append(value - max(nearer, key=abs) if nearer else value)
+    return np.array(steps)
+
+
+def table_frames(table: DHTable) -> Array:
+    """The frames 0 to n of a table in {s}, at home: (n + 1, 4, 4)."""
+    frames = [table.base]
+    for A in table.link_transforms(np.zeros(table.n)):
+        frames.append(frames[-1] @ A)
+    return np.array(frames)
+
+
+def draw_table_frames(table: DHTable) -> Picture:
+    """Draw the frames of a table with right angles as a dimensioned drawing: marks D0, D1, ..., their x axes and the joint axes."""
+    frames = table_frames(table)
+    first = 0 if table.convention == "standard" else 1
+    axes = [
+        DrawnAxis(str(i + 1), frames[i + first, :3, 2].round(), frames[i + first, :3, 3], letter == "P")
+        for i, letter in enumerate(table.joints)
+    ]
+    marks = {f"D{i}": frame[:3, 3] for i, frame in enumerate(frames)}
+    arrows = {f"x{i}": (frame[:3, 3], frame[:3, 0].round()) for i, frame in enumerate(frames)}
+    return draw_dimensions(frames[:, :3, 3], axes, marks, arrows=arrows)
+
+
+def table_mistakes(table: DHTable) -> list[Mistake]:
+    """The mistakes that people make in the rows of a drawn table as a whole, as flat lists of entries."""
+    rows, frames = table.rows, table_frames(table)
+    other: Convention = "modified" if table.convention == "standard" else "standard"
+    from_floor = rows.copy()
+    from_floor[:, 2] = frames[1:, 2, 3]
+    wrong = (
+        ("the other convention", table.converted(other).rows, f"These are the rows of the {other} convention."),
+        (
+            "every alpha",
+            rows * (1, -1, 1, 1),
+            "Every alpha has the wrong sign. It leads from one z to the next, about x.",
+        ),
+        (
+            "every theta",
+            rows * (1, 1, 1, -1),
+            "Every theta has the wrong sign. It leads from one x to the next, about z.",
+        ),
+        ("a and d swapped", rows[:, [2, 1, 0, 3]], "a and d are swapped: a is along x, d along z."),
+        (
+            "d from the floor",
+            from_floor,
+            "Every d is a height above the floor. It is the step along z from one x to the next.",
+        ),
+    )
+    return [mistake(name, value.ravel(), text) for name, value, text in wrong]
