@@ -69,6 +69,14 @@ def right(answers: dict[str, Any]) -> Iterator[WrongAnswer]:
         yield WrongAnswer(label, value, right=True)
 
 
+def other_letters(options: dict[str, str], answer: str) -> Iterator[WrongAnswer]:
+    """Every other letter as a wrong answer, with the words for it, and the right one in other forms."""
+    yield from wrong(
+        {f"{letter} for {answer}": (letter, words) for letter, words in options.items() if letter != answer}
+    )
+    yield from right({"a capital": answer.upper(), "with spaces": f" {answer} "})
+
+
 def answers_by_hand(number: str, given: Any, answer: Any) -> list[WrongAnswer]:
     """Return all answers made by hand for one student's problem; an empty list for a number without any.
 

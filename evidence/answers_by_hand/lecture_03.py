@@ -6,8 +6,10 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from evidence.answers_by_hand import WrongAnswer, alike, right, wrong_answers
+from evidence.answers_by_hand import WrongAnswer, alike, right, wrong, wrong_answers
+from evidence.answers_by_hand.common import drawings
 from evidence.answers_by_hand.common import words as by
+from evidence.answers_by_hand.common.drawn_axis import screw_of_a_drawn_axis
 from evidence.answers_by_hand.common.kinematics import logarithm
 from evidence.answers_by_hand.common.motions import (
     I3,
@@ -156,34 +158,7 @@ def helical_joint(given: Any, answer: Any) -> Answers:
     yield from right({"list": S.tolist(), "three decimals": S.round(3), "-omega x p": spindle(-np.cross(w, p))})
 
 
-@wrong_answers("03.5")
-def from_a_drawing(given: Any, answer: Any) -> Answers:
-    S = np.round(answer, 9)
-    w, v = S[:3], S[3:]
-    p, k = np.cross(w, v), int(np.argmax(np.abs(w)))
-    i, j = (k + 1) % 3, (k + 2) % 3
-
-    def line(p: Any = p, w: Any = w) -> Any:
-        return np.array([*w, *np.cross(p, w)])
-
-    next_axis = np.roll(w, 1)
-    yield from alike(by.SIGN | {"other way"}, {"-S": -S})
-    yield from alike(by.MOMENT, {"omega x p": S * MOMENT_SIGN, "-omega, moment kept": -S * MOMENT_SIGN})
-    yield from alike(by.HALVES, {"halves swapped": halves_swapped(S)})
-    yield from alike(by.POINT, {"point as moment": [*w, *p], "moment along the axis": [*w, *v + w]})
-    yield from alike(by.OMITTED | {"moment", "origin"}, {"no moment": [*w, 0, 0, 0]})
-    yield from alike(by.SLIDE, {"as a slide": [0, 0, 0, *w]})
-    yield from alike(
-        by.AXIS | by.SWAPPED, {"another axis, moment kept": [*next_axis, *v], "another axis": line(w=next_axis)}
-    )
-    yield from alike(by.SWAPPED, {"two coordinates swapped": line(swapped(p, i, j))})
-    yield from alike(by.SWAPPED | by.MOMENT, {"omega x p, two coordinates swapped": line(swapped(-p, i, j))})
-    yield from alike(by.SIGN, {"one sign of the point": line(negated_one(p)), "one sign of v": [*w, *negated_one(v)]})
-    yield from alike(by.POINT, {"one metre off": line(p + I3[i])})
-    yield from alike(by.POINT, {"a coordinate read as zero": line(p * (I3[i] + I3[k]))})
-    yield from alike(by.SIGN | by.HALVES, {"-S and halves swapped": halves_swapped(-S)})
-    yield from alike(by.MOMENT | by.HALVES, {"omega x p and halves swapped": halves_swapped(S * MOMENT_SIGN)})
-    yield from right({"integers": S.astype(int), "list": S.tolist(), "another point of the axis": line(p + 2 * w)})
+wrong_answers("03.5")(screw_of_a_drawn_axis)
 
 
 @wrong_answers("03.6")
@@ -391,3 +366,8 @@ def kinematics_of_a_whole_arm(given: Any, answer: Any) -> Answers:
     )
     yield from alike(by.ORDER | by.OMITTED, {"reversed, no M": chained(lambda e, _: e[::-1])})
     yield from right({"function": chained(), "list": lambda q, L: answer(q, L).tolist()})
+
+
+@wrong_answers("03.12")
+def palletizer(given: Any, answer: Any) -> Iterator[WrongAnswer]:
+    yield from wrong(drawings.screws(answer))

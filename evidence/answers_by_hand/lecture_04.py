@@ -6,10 +6,11 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from evidence.answers_by_hand import WrongAnswer, alike, right, wrong_answers
+from evidence.answers_by_hand import WrongAnswer, alike, right, wrong, wrong_answers
+from evidence.answers_by_hand.common import drawings
 from evidence.answers_by_hand.common import words as by
+from evidence.answers_by_hand.common.drawn_axis import screw_of_a_drawn_axis
 from evidence.answers_by_hand.common.motions import (
-    I3,
     Ad,
     exp,
     halves_swapped,
@@ -19,40 +20,13 @@ from evidence.answers_by_hand.common.motions import (
     parts,
     pose,
     product,
-    swapped,
 )
 
 inv = np.linalg.inv
 Answers = Iterator[WrongAnswer]
 
 
-@wrong_answers("04.1")
-def body_screw_off_a_drawing(given: Any, answer: Any) -> Answers:
-    B = np.round(answer, 9)
-    w, v = B[:3], B[3:]
-    p, k = np.cross(w, v), int(np.argmax(np.abs(w)))
-    i, j = (k + 1) % 3, (k + 2) % 3
-
-    def line(p: Any = p, w: Any = w) -> Any:
-        return np.array([*w, *np.cross(p, w)])
-
-    next_axis = np.roll(w, 1)
-    yield from alike(by.SIGN | {"other way"}, {"-B": -B})
-    yield from alike(by.MOMENT | {"arrow"}, {"omega x p": line(-p), "-omega, moment kept": [*-w, *v]})
-    yield from alike(by.HALVES, {"halves swapped": halves_swapped(B)})
-    yield from alike(by.POINT, {"point as moment": [*w, *p], "moment along the axis": [*w, *v + w]})
-    yield from alike(by.OMITTED | {"moment", "origin"}, {"no moment": [*w, 0, 0, 0]})
-    yield from alike(by.SLIDE, {"as a slide": [0, 0, 0, *w]})
-    yield from alike(
-        by.AXIS | by.SWAPPED, {"another axis, moment kept": [*next_axis, *v], "another axis": line(w=next_axis)}
-    )
-    yield from alike(by.SWAPPED, {"two coordinates": line(swapped(p, i, j)), "entries of v": [*w, *swapped(v, i, j)]})
-    yield from alike(by.SIGN, {"one sign of the point": line(negated_one(p)), "one sign of v": [*w, *negated_one(v)]})
-    yield from alike(by.POINT, {"one metre off": line(p + I3[i])})
-    yield from alike(by.SIGN | by.HALVES, {"-B and halves swapped": halves_swapped(-B)})
-    yield from alike(by.MOMENT | by.HALVES, {"omega x p and halves swapped": [*-v, *w]})
-    yield from alike(by.POINT | by.HALVES, {"point as moment, halves swapped": [*p, *w]})
-    yield from right({"integers": B.astype(int), "list": B.tolist(), "another point of the axis": line(p + 2 * w)})
+wrong_answers("04.1")(screw_of_a_drawn_axis)
 
 
 def _carried(S: Any, T: Any, copied: str, is_inverted: bool = True) -> Answers:
@@ -330,3 +304,8 @@ def body_screws_of_a_whole_arm(given: Any, answer: Any) -> Answers:
         yield from alike(by.SLIDE | by.HALVES | {"omega"}, {"direction in omega": rows(halves, slides)})
         yield from alike(by.SIGN, {"slide backwards": rows(minus, slides)})
     yield from right({"text": str(B.tolist()), "list": B.tolist(), "expanded": sp.expand(B)})
+
+
+@wrong_answers("04.12")
+def wrist_with_offsets(given: Any, answer: Any) -> Iterator[WrongAnswer]:
+    yield from wrong(drawings.screws(answer))

@@ -6,6 +6,7 @@ from typing import Any
 import numpy as np
 
 from evidence.answers_by_hand import WrongAnswer, right, wrong, wrong_answers
+from evidence.answers_by_hand.common import drawings
 from evidence.answers_by_hand.common.kinematics import (
     at,
     chain,
@@ -309,3 +310,8 @@ def base_and_tool(given: Any, answer: Array) -> Iterator[WrongAnswer]:
         }
     )
     yield from right(ordinary_forms(full))
+
+
+@wrong_answers("05.9")
+def scara_from_a_drawing(given: Any, answer: Any) -> Iterator[WrongAnswer]:
+    yield from wrong(drawings.rows(answer))

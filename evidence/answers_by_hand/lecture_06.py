@@ -5,7 +5,8 @@ from typing import Any
 
 import numpy as np
 
-from evidence.answers_by_hand import WrongAnswer, right, wrong, wrong_answers
+from evidence.answers_by_hand import WrongAnswer, other_letters, right, wrong, wrong_answers
+from evidence.answers_by_hand.common import drawings
 from evidence.answers_by_hand.common.kinematics import at, chain, link, one_entry, ordinary_forms, pose_slips, turn
 from evidence.answers_by_hand.common.motions import Array, product
 from evidence.answers_by_hand.common.tables import SIGN, as_text, legal_tables, table_slips
@@ -135,8 +136,7 @@ def which_convention(given: Any, answer: str) -> Iterator[WrongAnswer]:
         "c": "both, either, same pose, two readings",
         "d": "fault, neither, readings, one of the two conventions",
     }
-    yield from wrong({f"{letter} for {answer}": (letter, words[letter]) for letter in words if letter != answer})
-    yield from right({"a capital": answer.upper(), "with spaces": f" {answer} "})
+    yield from other_letters(words, answer)
 
 
 @wrong_answers("06.6")
@@ -330,3 +330,8 @@ def whole_arm(given: Any, answer: DHTable) -> Iterator[WrongAnswer]:
     for k, length in enumerate(given.lengths, start=1):
         text = text.replace(f"{length:g}", f"l_{k}")
     yield from right({**legal_tables(answer), "lengths as letters": text})
+
+
+@wrong_answers("06.11")
+def telescope_mount(given: Any, answer: Any) -> Iterator[WrongAnswer]:
+    yield from wrong(drawings.rows(answer))

@@ -5,20 +5,13 @@ from typing import Any
 
 import numpy as np
 
-from evidence.answers_by_hand import WrongAnswer, right, wrong, wrong_answers
+from evidence.answers_by_hand import WrongAnswer, other_letters, right, wrong, wrong_answers
+from evidence.answers_by_hand.common import drawings
 from evidence.answers_by_hand.common.kinematics import ordinary_forms
 from evidence.answers_by_hand.common.motions import Array
 from evidence.answers_by_hand.common.tables import SIGN, as_text, legal_tables, table_slips
 from evidence.answers_by_hand.lecture_05 import LEFT_OUT, SWAP
 from kinlib.dh.table import DHTable
-
-
-def other_letters(options: dict[str, str], answer: str) -> Iterator[WrongAnswer]:
-    """Every other letter as a wrong answer, with the words for it, and the right one in other forms."""
-    yield from wrong(
-        {f"{letter} for {answer}": (letter, words) for letter, words in options.items() if letter != answer}
-    )
-    yield from right({"a capital": answer.upper(), "with spaces": f" {answer} "})
 
 
 @wrong_answers("07.1")
@@ -224,3 +217,8 @@ def same_arm(given: Any, answer: str) -> Iterator[WrongAnswer]:
         k = np.argwhere(~np.isclose(rows, legal))[:, 1].tolist()
         words[letter] = {0: SIGN, 1: "alpha, reversed", 2: f"d_, {SIGN}, moved"}[k[0] if k else 0]
     yield from other_letters(words, answer)
+
+
+@wrong_answers("07.9")
+def leg(given: Any, answer: Any) -> Iterator[WrongAnswer]:
+    yield from wrong(drawings.points(answer))

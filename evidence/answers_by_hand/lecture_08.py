@@ -5,12 +5,11 @@ from typing import Any
 
 import numpy as np
 
-from evidence.answers_by_hand import WrongAnswer, right, wrong, wrong_answers
+from evidence.answers_by_hand import WrongAnswer, other_letters, right, wrong, wrong_answers
 from evidence.answers_by_hand.common.kinematics import logarithm, ordinary_forms, turn
 from evidence.answers_by_hand.common.motions import Array, exp, product
 from evidence.answers_by_hand.common.tables import SIGN
 from evidence.answers_by_hand.lecture_05 import LEFT_OUT, SWAP
-from evidence.answers_by_hand.lecture_07 import other_letters
 
 MODE = "mode, other side, right of, left of, mirror"
 BARS = "coupler, rocker, bar, length, " + SWAP

@@ -6,12 +6,12 @@ from typing import Any
 
 import numpy as np
 
-from evidence.answers_by_hand import WrongAnswer, right, wrong, wrong_answers
+from evidence.answers_by_hand import WrongAnswer, other_letters, right, wrong, wrong_answers
+from evidence.answers_by_hand.common import drawings
 from evidence.answers_by_hand.common.kinematics import frame, ordinary_forms, pose_slips, turn
 from evidence.answers_by_hand.common.motions import Array, product
 from evidence.answers_by_hand.common.tables import SIGN
 from evidence.answers_by_hand.lecture_05 import LEFT_OUT, SWAP
-from evidence.answers_by_hand.lecture_07 import other_letters
 
 OWN_AXES = "own axes, moving, order, R_x R_y R_z, fixed, intrinsic"
 RPY_ORDER = "yaw, pitch, roll, order"
@@ -433,3 +433,8 @@ def origin_or_axis(given: Any, answer: float) -> Iterator[WrongAnswer]:
     cases["past the end"] = (len(lines) + 1, "lines 1 to, count")
     yield from wrong(cases)
     yield from right({"an integer": fault, "a float": float(fault)})
+
+
+@wrong_answers("09.12")
+def gantry(given: Any, answer: Any) -> Iterator[WrongAnswer]:
+    yield from wrong(drawings.points(answer))

@@ -6,12 +6,12 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from evidence.answers_by_hand import WrongAnswer, right, wrong, wrong_answers
+from evidence.answers_by_hand import WrongAnswer, other_letters, right, wrong, wrong_answers
+from evidence.answers_by_hand.common import drawings
 from evidence.answers_by_hand.common.kinematics import chain, frame, logarithm, ordinary_forms, pose_slips, turn
 from evidence.answers_by_hand.common.motions import Ad, Array, exp, parts, product
 from evidence.answers_by_hand.common.tables import SIGN
 from evidence.answers_by_hand.lecture_05 import LEFT_OUT, SWAP
-from evidence.answers_by_hand.lecture_07 import other_letters
 from evidence.answers_by_hand.lecture_09 import OWN_AXES, rotation, screw
 
 
@@ -327,3 +327,62 @@ def where_is_the_tool(given: Any, answer: Array) -> Iterator[WrongAnswer]:
         }
     )  # fmt: skip
     yield from right(ordinary_forms(T))
+
+
+@wrong_answers("10.8")
+def marks_of_the_axes(given: Any, answer: Any) -> Iterator[WrongAnswer]:
+    yield from wrong(drawings.points(answer))
+
+
+@wrong_answers("10.9")
+def screws_of_the_project(given: Any, answer: Any) -> Iterator[WrongAnswer]:
+    yield from wrong(drawings.screws(answer))
+
+
+@wrong_answers("10.10")
+def table_of_the_project(given: Any, answer: Any) -> Iterator[WrongAnswer]:
+    yield from wrong(drawings.rows(answer))
+
+
+@wrong_answers("10.11")
+def origins_of_the_file(given: Any, answer: Array) -> Iterator[WrongAnswer]:
+    T = np.array(answer)
+    in_base = np.array([np.linalg.multi_dot([np.eye(4), *T[: k + 1]]) for k in range(len(T))])
+    straight = T.copy()
+    straight[:, :3, :3] = np.eye(3)
+    yield from wrong(
+        {
+            "seen from the child": (np.linalg.inv(T), "invers"),
+            "all in the base": (in_base, "base, parent"),
+            "no rpy": (straight, "rpy, rotation"),
+        }
+    )
+    yield from right({"as nested lists": T.tolist()})
+
+
+@wrong_answers("10.12")
+def wrong_joint(given: Any, answer: str) -> Iterator[WrongAnswer]:
+    yield from wrong({f"joint {i}": (i, "joint") for i in "1234" if i != answer})
+
+
+@wrong_answers("10.13")
+def how_far_off(given: Any, answer: Array) -> Iterator[WrongAnswer]:
+    said = np.array(
+        [product(given.home, *(exp(B, q) for B, q in zip(given.body_screws, row, strict=True))) for row in given.q]
+    )
+    steps = said[:, :3, 3] - np.array(given.poses)[:, :3, 3]
+    gaps = 1000 * np.linalg.norm(steps, axis=1)
+    yield from wrong(
+        {
+            "in metres": (gaps.max() / 1000, "metre"),
+            "the mean": (gaps.mean(), "mean"),
+        }
+    )
+    if (longest := 1000 * np.abs(steps).max()) < 0.98 * gaps.max():
+        yield from wrong({"along one axis": (longest, "component, along, length")})
+    yield from right({"computed here": gaps.max()})
+
+
+@wrong_answers("10.14")
+def which_path_writes(given: Any, answer: str) -> Iterator[WrongAnswer]:
+    yield from wrong({f"path {name}": (name, "pen, limits, table") for name in "ABCD" if name != answer})

@@ -5,12 +5,11 @@ from typing import Any
 
 import numpy as np
 
-from evidence.answers_by_hand import WrongAnswer, right, wrong, wrong_answers
+from evidence.answers_by_hand import WrongAnswer, other_letters, right, wrong, wrong_answers
 from evidence.answers_by_hand.common.kinematics import frame, ordinary_forms, pose_slips
 from evidence.answers_by_hand.common.motions import Ad, Array, exp, parts, product
 from evidence.answers_by_hand.common.tables import SIGN, legal_tables, table_slips
 from evidence.answers_by_hand.lecture_05 import LEFT_OUT, SWAP, other_entries
-from evidence.answers_by_hand.lecture_07 import other_letters
 from evidence.answers_by_hand.lecture_10 import frame_change_slips, product_slips
 from kinlib.dh.table import DHTable
 

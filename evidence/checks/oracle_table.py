@@ -27,6 +27,7 @@ COMPUTING = [
     *("kincourse.sampling.four_bar_geometry", "misstep.answers.expression", "misstep.formulas.evaluation"),
     *("kinlib.view.figures.linkage", "kincourse.lecture_02_matrix_exponential.drawings.exponential_series"),
     *("kinlib.view.figures.dh_row_motions", "kinlib.view.viewer.scene"),
+    *("kinlib.view.viewer.tree_viewer", "kinlib.view.drawing.export"),
 ]
 """Modules of the packages above the mathematics that compute: all their public functions but those that draw need an oracle too."""
 
@@ -37,8 +38,8 @@ SPECIAL_METHODS = {"__str__", "__bool__"}
 """Special methods whose result is compared too."""
 
 
-WITHOUT_RESULT = {"part_indices"}
-"""Methods that only say which entries belong to which part of an answer, and compute nothing."""
+WITHOUT_RESULT = {"part_indices", "core_indices", "likeness", "compared_fields"}
+"""Methods that only say what of an answer or of an object belongs together, and compute nothing."""
 
 
 class Comparison(NamedTuple):
@@ -55,7 +56,7 @@ def public():
     below = [name for name in names if not name.startswith(LAYERS_ABOVE) and "._" not in name]
     for module in map(import_module, [*below, *COMPUTING]):
         for name, thing in vars(module).items():
-            if name.startswith(("_", "draw_")) or getattr(thing, "__module__", "") != module.__name__:
+            if name.startswith(("_", "draw_", "explore_")) or getattr(thing, "__module__", "") != module.__name__:
                 continue
             if inspect.isfunction(thing):
                 yield name_of(thing)

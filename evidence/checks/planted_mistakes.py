@@ -1,0 +1,322 @@
+"""Published DH tables with one or two mistakes planted: the measurement of how well `kl.diagnose` finds them.
+
+    PYTHONPATH=tests/support python evidence/checks/planted_mistakes.py
+
+Each table is diagnosed twice: against the published one with base, tool, zeros and signs fixed, and by default, where the arm may
+choose these four. A table is mended if one of the corrections that are told has the published numbers, base, tool and signs. By
+default another repair is as good if it leaves nothing but these choices. The mistakes are written here by hand; no code is shared
+with `kinlib.dh`.
+
+Sources: Universal Robots, "DH parameters for calculations of kinematics and dynamics"; Franka Emika, "Robot and interface
+specifications"; KUKA, "LBR iiwa 14 R820, Specification"; KUKA, "KR 6-2, KR 16-2, Specification" (dimensions); ABB, "IRB 140 data
+sheet", as in Corke's Robotics Toolbox, `IRB140`; Paul, "Modelling, Trajectory Calculation and Servoing of a Computer Controlled
+Arm" (Stanford AIM-177), figure 2.3; Adept, "Cobra 600", as in the Robotics Toolbox, `Cobra600`; Corke, the same, `Puma560`;
+Craig, "Introduction to Robotics", figure 3.21.
+"""
+
+import argparse
+import time
+from collections import Counter, defaultdict
+from collections.abc import Callable, Iterator
+
+import numpy as np
+
+import kinlib as kl
+
+RIGHT = np.pi / 2
+A, ALPHA, D, THETA = range(4)
+EVERYTHING = ("base", "tool", "zeros", "signs")
+
+ON_A_TABLE = {"base": kl.exp([0, 0, RIGHT, 0.4, -0.3, 0.75]), "tool": kl.exp([0, 0, 0, 0.02, 0, 0.13])}
+
+
+def published(name, rows, convention="standard", joints="", **ends):
+    """Construct a table from its printed rows: a, alpha in degrees, d, theta in degrees."""
+    return kl.DHTable(
+        np.array(rows) * (1, np.pi / 180, 1, np.pi / 180), convention=convention, joints=joints, name=name, **ends
+    )
+
+
+SEVEN = {
+    "UR5e": published(
+        "UR5e",
+        [
+            *((0, 90, 0.1625, 0), (-0.425, 0, 0, 0), (-0.3922, 0, 0, 0)),
+            *((0, 90, 0.1333, 0), (0, -90, 0.0997, 0), (0, 0, 0.0996, 0)),
+        ],
+        **ON_A_TABLE,
+    ),
+    "Panda": published(
+        "Panda",
+        [
+            *((0, 0, 0.333, 0), (0, -90, 0, 0), (0, 90, 0.316, 0), (0.0825, 90, 0, 0)),
+            *((-0.0825, -90, 0.384, 0), (0, 90, 0, 0), (0.088, 90, 0, 0), (0, 0, 0.107, 0)),
+        ],
+        "modified",
+        "RRRRRRRF",
+        **ON_A_TABLE,
+    ),
+    "iiwa": published(
+        "iiwa",
+        [
+            *((0, -90, 0.36, 0), (0, 90, 0, 0), (0, 90, 0.42, 0), (0, -90, 0, 0)),
+            *((0, -90, 0.4, 0), (0, 90, 0, 0), (0, 0, 0.126, 0)),
+        ],
+        **ON_A_TABLE,
+    ),
+    "KR16": published(
+        "KR16",
+        [
+            *((0.26, 90, 0.675, 0), (0.68, 0, 0, 90), (-0.035, 90, 0, 0)),
+            *((0, -90, 0.67, 0), (0, 90, 0, 0), (0, 0, 0.158, 180)),
+        ],
+        **ON_A_TABLE,
+    ),
+    "IRB140": published(
+        "IRB140",
+        [
+            *((0.07, -90, 0.352, 0), (0.36, 0, 0, -90), (0, -90, 0, 0)),
+            *((0, 90, 0.38, 0), (0, -90, 0, 0), (0, 0, 0.065, 180)),
+        ],
+        **ON_A_TABLE,
+    ),
+    "Stanford": published(
+        "Stanford",
+        [
+            *((0, -90, 0.412, 0), (0, 90, 0.154, 0), (0, 0, 0, -90)),
+            *((0, -90, 0, 0), (0, 90, 0, 0), (0, 0, 0.263, 0)),
+        ],
+        joints="RRPRRR",
+        **ON_A_TABLE,
+    ),
+    "SCARA": published(
+        "SCARA",
+        [(0.325, 0, 0.387, 0), (0.275, 180, 0, 0), (0, 0, 0, 0), (0, 0, 0, 0)],
+        joints="RRPR",
+        **ON_A_TABLE,
+    ),
+}
+TABLES = SEVEN | {
+    "UR5": published(
+        "UR5",
+        [
+            *((0, 90, 0.089159, 0), (-0.425, 0, 0, 0), (-0.39225, 0, 0, 0)),
+            *((0, 90, 0.10915, 0), (0, -90, 0.09465, 0), (0, 0, 0.0823, 0)),
+        ],
+    ),
+    "Puma (Corke)": published(
+        "Puma (Corke)",
+        [
+            *((0, 90, 0.6718, 0), (0.4318, 0, 0, 0), (0.0203, -90, 0.15005, 0)),
+            *((0, 90, 0.4318, 0), (0, -90, 0, 0), (0, 0, 0, 0)),
+        ],
+    ),
+    "Puma (Craig)": published(
+        "Puma (Craig)",
+        [
+            *((0, 0, 0, 0), (0, -90, 0, 0), (0.4318, 0, 0.15005, 0)),
+            *((0.0203, -90, 0.4318, 0), (0, 90, 0, 0), (0, -90, 0, 0)),
+        ],
+        "modified",
+    ),
+}
+
+Mistake = Callable[[kl.DHTable], kl.DHTable]
+
+
+def single_mistakes(right: kl.DHTable) -> Iterator[tuple[str, Mistake]]:
+    """Yield every mistake of one step, with its kind. Some change nothing in a given table."""
+    m = len(right.rows)
+    for row in range(m):
+        for column, name in enumerate(("a", "alpha", "d", "theta")):
+            yield f"sign of {name}", entry(row, column, lambda value: -value)
+            if column in {ALPHA, THETA}:
+                for turn in (RIGHT, -RIGHT):
+                    yield "90 degrees", entry(row, column, lambda value, turn=turn: value + turn)
+            else:
+                yield "one length in mm", entry(row, column, lambda value: 1000 * value)
+        yield "a and d swapped", rows_of(lambda rows, row=row: exchanged(rows, (row, A), (row, D)))
+        yield "offset dropped", entry(row, THETA, lambda _: 0)
+        if right.joints[row] != "F":
+            yield (
+                "sign of q",
+                lambda table, row=row: table.changed(signs=table.signs * np.where(np.arange(m) == row, -1, 1)),
+            )
+        for column in (A, ALPHA, D, THETA):
+            for other in (row - 1, row + 1):
+                if 0 <= other < m:
+                    yield (
+                        "entry one row off, 0 filled in",
+                        rows_of(lambda rows, i=row, j=other, k=column: moved(rows, i, j, k)),
+                    )
+    for order in ((THETA, D, A, ALPHA), (ALPHA, A, THETA, D), (ALPHA, A, D, THETA), (D, THETA, A, ALPHA)):
+        yield "column order", rows_of(lambda rows, order=order: rows[:, order])
+    yield "offsets dropped", rows_of(lambda rows: rows * (1, 1, 1, 0))
+    yield "mm", rows_of(lambda rows: rows * (1000, 1, 1000, 1))
+    yield (
+        "sign of every theta",
+        lambda table: table.changed(
+            rows=table.rows * np.where(np.array(list(table.joints)) == "R", -1, 1)[:, None] ** np.array([0, 0, 0, 1]),
+            signs=table.signs * np.where(np.array(list(table.joints)) == "R", -1, 1),
+        ),
+    )
+    for shift in (1, -1):
+        yield "rows shifted", rows_of(lambda rows, shift=shift: np.roll(rows, shift, axis=0))
+        yield "a and alpha shifted, 0 filled in", rows_of(lambda rows, shift=shift: shifted(rows, shift))
+    other = {"standard": "modified", "modified": "standard"}[right.convention]
+    yield "convention", lambda table: table.changed(convention=other)
+    for end in ("base", "tool"):
+        yield f"{end} left out", lambda table, end=end: table.changed(**{end: np.eye(4)})
+        yield f"{end} inverted", lambda table, end=end: table.changed(**{end: np.linalg.inv(getattr(table, end))})
+
+
+def entry(row: int, column: int, change: Callable[[float], float]) -> Mistake:
+    """Return the mistake that changes one number."""
+
+    def mistake(table: kl.DHTable) -> kl.DHTable:
+        rows = table.rows.copy()
+        rows[row, column] = change(rows[row, column])
+        return table.changed(rows=rows)
+
+    return mistake
+
+
+def rows_of(change: Callable[[np.ndarray], np.ndarray]) -> Mistake:
+    """Return the mistake that changes the rows."""
+    return lambda table: table.changed(rows=change(table.rows.copy()))
+
+
+def exchanged(rows, one, two):
+    """Exchange two numbers."""
+    rows[one], rows[two] = rows[two], rows[one]
+    return rows
+
+
+def moved(rows, row, other, column):
+    """Write a number into another row, and 0 where it was."""
+    rows[other, column], rows[row, column] = rows[row, column], 0
+    return rows
+
+
+def shifted(rows, shift):
+    """Write a and alpha one row off, and 0 into the row that becomes empty."""
+    rows[:, :2] = np.roll(rows[:, :2], shift, axis=0)
+    rows[0 if shift == 1 else -1, :2] = 0
+    return rows
+
+
+def made(mistake: Mistake, table: kl.DHTable) -> kl.DHTable | None:
+    """Return the table with the mistake; None if it is refused at once, such as 425 millimetres for an angle."""
+    try:
+        return mistake(table)
+    except ValueError:
+        return None
+
+
+def differ(one: kl.DHTable, two: kl.DHTable) -> bool:
+    """Whether two tables have other poses."""
+    q = np.random.default_rng(1).uniform(-3, 3, (5, one.n))
+    return bool(np.abs(one.fk(q) - two.fk(q)).max() > 1e-6)
+
+
+def wrong_tables(right: kl.DHTable, pairs: int, seed: int) -> Iterator[tuple[str, kl.DHTable]]:
+    """Yield the tables with one mistake, and that many with two of different kinds, each of which changes the poses."""
+    tables, seen, singles = [], [], []
+    for kind, mistake in single_mistakes(right):
+        if (wrong := made(mistake, right)) is None:
+            continue
+        if differ(wrong, right) and wrong not in seen:
+            seen.append(wrong)
+            singles.append((kind, mistake, wrong))
+            tables.append((kind, wrong))
+    yield from tables
+    rng, by_kind, count = np.random.default_rng(seed), defaultdict(list), 0
+    for kind, mistake, wrong in singles:
+        by_kind[kind].append((mistake, wrong))
+    while count < pairs:
+        kinds = rng.choice(sorted(by_kind), 2, replace=False)
+        (one, first), (two, second) = (by_kind[kind][rng.integers(len(by_kind[kind]))] for kind in kinds)
+        wrong = made(two, first)
+        is_order_free = wrong is not None and wrong == made(one, second)
+        if is_order_free and all(differ(wrong, other) for other in (right, first, second)):
+            count += 1
+            yield " + ".join(kinds), wrong
+
+
+def restored(found: kl.Diagnosis, right: kl.DHTable) -> bool:
+    """Whether a correction that is told has the published numbers, and the poses of the arm."""
+    return any(
+        np.abs(one.corrected.converted(right.convention).rows - right.rows).max() < 1e-9
+        and not differ(one.corrected, right)
+        for one in found.explanations
+    )
+
+
+COUNTS = ("planted", "mended", "same poses", "other repair", "no repair", "called right", "default: right", "unsaid")
+
+
+def judged(wrong: kl.DHTable, right: kl.DHTable) -> tuple[Counter[str], float, str]:
+    """Diagnose one table both ways: what is counted of it, the longer time, and the text with everything fixed."""
+    start = time.process_time()
+    strict = kl.diagnose(wrong, right, EVERYTHING)
+    middle = time.process_time()
+    free = kl.diagnose(wrong, right)
+    seconds = max(middle - start, time.process_time() - middle)
+    same_poses = bool(strict.explanations) and not differ(strict.explanations[0].corrected, right)
+    is_mended = restored(strict, right)
+    return (
+        Counter(
+            {
+                "planted": 1,
+                "mended": is_mended,
+                "same poses": same_poses,
+                "other repair": bool(strict.explanations) and not is_mended,
+                "no repair": not strict.explanations,
+                "called right": strict.verdict in {"right", "rounded"},
+                "default: right": free.right,
+                # By default base, tool, zeros and signs are free: what differs in them must be said.
+                "unsaid": free.right and "up to these choices" not in str(free),
+            }
+        ),
+        seconds,
+        str(strict),
+    )
+
+
+def measure(names=tuple(SEVEN), *, pairs=30, seed=0, every=1, told=False):
+    """Plant the mistakes, or every k-th one, and count what becomes of them: {number of mistakes: {kind: Counter}}, and times."""
+    tallies, times = {1: defaultdict(Counter), 2: defaultdict(Counter)}, []
+    for name in names:
+        right = TABLES[name]
+        for number, (kind, wrong) in enumerate(wrong_tables(right, pairs, seed)):
+            if number % every == seed % every:
+                counts, seconds, text = judged(wrong, right)
+                tallies[1 + (" + " in kind)][kind] += counts
+                times.append(seconds)
+                if told and not counts["mended"]:
+                    print(f"{name}, {kind}:\n{wrong}\n  {text}\n", flush=True)
+    return tallies, times
+
+
+def main() -> None:
+    """Print the counts."""
+    parser = argparse.ArgumentParser(description=__doc__.partition("\n")[0])
+    parser.add_argument("--tables", nargs="+", default=list(SEVEN), metavar="NAME")
+    parser.add_argument("--pairs", type=int, default=30, help="tables with two mistakes, for each published one")
+    parser.add_argument("--every", type=int, default=1, help="judge every k-th table only")
+    parser.add_argument("--told", action="store_true", help="print what is not mended, and what is said of it")
+    given = parser.parse_args()
+    tallies, times = measure(tuple(given.tables), pairs=given.pairs, every=given.every, told=given.told)
+    print(f"{'':34}" + "".join(f"{name:>16}" for name in COUNTS))
+    for number, tally in tallies.items():
+        total = sum(tally.values(), Counter())
+        rows = [*tally.items()] if number == 1 else []
+        for kind, counts in [*rows, (f"{number} planted", total)]:
+            print(f"{kind:34}" + "".join(f"{counts[name]:>16}" for name in COUNTS))
+        if total:
+            print(f"mended: {100 * total['mended'] / total['planted']:.1f} %")
+    print(f"processor time: median {np.median(times):.2f} s, slowest {max(times):.2f} s")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,102 @@
+"""Answers from outside: what people may hand in, made from the statement and the given values alone.
+
+No module here imports the engine, the problems or kinlib, and none of them was written with the mistakes of a problem in sight.
+Each answer carries the sentence of what its maker did, and the words by which feedback may name it. A card that says something
+else as a fact is false, even if its numbers agree. Half of the kinds, chosen by their sentence, are counted by themselves, so that
+who tunes feedback can leave them unseen. When this bank was made, they were seen.
+"""
+
+from collections.abc import Callable, Iterator
+from dataclasses import dataclass
+from typing import Any
+from zlib import crc32
+
+NAMELESS = frozenset({"-"})
+"""The words of an answer that has no name: a guess, or the answer of a neighbour. Only a false claim counts."""
+
+
+EARNS_NOTHING = frozenset({
+    "left the zeros of np.zeros", "left the ones of np.ones", "left the identity of np.eye", "wrote the last row first",
+    "wrote the rows one down", "carried the wrong way", "forgot .T after the rows", "only rotated", "rotated with R",
+    "used R for R^T", "used -p for the way back", "put the block at the top", "took p without brackets", "negated the block",
+    "handed in what is given", "gave 1 three times",
+})  # fmt: skip
+"""The kinds whose maker found nothing: guesses, and one wrong method for all rows. A mark for one of them is undeserved."""
+
+
+@dataclass(frozen=True, eq=False)
+class OutsideAnswer:
+    """An answer, the sentence of what its maker did, and the words by which feedback may name it.
+
+    >>> OutsideAnswer("took degrees for radians", 1, frozenset({"degree"})).is_held_out
+    True
+    """
+
+    label: str
+    value: Any
+    did: frozenset[str] = frozenset()
+    right: bool = False
+
+    @property
+    def is_held_out(self) -> bool:
+        """Whether it belongs to the half of the kinds that is counted by itself."""
+        return bool(crc32(self.label.encode()) % 2)
+
+    @property
+    def earns_nothing(self) -> bool:
+        """Whether a part of it that comes out right does so by chance."""
+        return self.label in EARNS_NOTHING
+
+    @property
+    def has_name(self) -> bool:
+        """Whether a tutor could say what was done."""
+        return self.did != NAMELESS
+
+    def is_named_by(self, text: str) -> bool:
+        """Return whether a text contains one of the words."""
+        return any(word.casefold() in text.casefold() for word in self.did)
+
+
+Kinds = dict[str, tuple[Any, str]]
+"""What was done -> the answer, and the words for it, separated by |."""
+
+SPECIFIC: dict[str, Callable[..., Kinds]] = {}
+"""For a problem, the function from its given values and its right answer to the kinds that belong to it alone."""
+
+
+def kinds_of(*numbers: str) -> Callable[[Callable[..., Kinds]], Callable[..., Kinds]]:
+    """Register the kinds that belong to some problems alone."""
+
+    def register(make: Callable[..., Kinds]) -> Callable[..., Kinds]:
+        SPECIFIC.update(dict.fromkeys(numbers, make))
+        return make
+
+    return register
+
+
+def outside_answers(number: str, given: Any, drawn: Any, neighbour: Any = None) -> Iterator[OutsideAnswer]:
+    """Yield the answers to one student's problem.
+
+    given      the given values
+    drawn      the right answer, which is used only where it must be read from a drawing
+    neighbour  the given values of another student
+    """
+    from evidence.outside import sheets_01_to_05, sheets_06_to_10  # noqa: F401  they register their kinds
+    from evidence.outside.right import RIGHT, read_from_a_drawing
+    from evidence.outside.shared import differs, legal_forms, shared_kinds
+
+    if number not in RIGHT:
+        return
+    kind, solve = RIGHT[number]
+    value = solve(given) if number not in read_from_a_drawing else drawn
+    for label, form in legal_forms(kind, value).items():
+        yield OutsideAnswer(label, form, right=True)
+    own = SPECIFIC[number](given, value) if number in SPECIFIC else {}
+    made = {
+        **shared_kinds(kind, value),
+        **{label: case for label, case in own.items() if differs(kind, case[0], value)},
+    }
+    if neighbour is not None and number not in read_from_a_drawing:
+        made["copied the answer of a neighbour"] = (solve(neighbour), "-")
+    for label, (wrong, words) in made.items():
+        yield OutsideAnswer(label, wrong, frozenset(word.strip() for word in words.split("|")))
