@@ -82,6 +82,9 @@ def prepare_page(app: Sphinx, doctree: nodes.document, page: str) -> None:
             formula.parent.insert(formula.parent.index(formula), nodes.raw("", formula_anchor(found[1]), format="html"))
     up = "../" * page.count("/")
     folder = Path(app.outdir) / "_images"
+    for cell in doctree.findall(nodes.container):
+        if name := cell.get("cell_metadata", {}).get("kinlib-cell"):
+            cell["classes"].append(f"kinlib-cell-{name}")  # for live.js, which hands in the cells of a sheet
     html = [node for node in doctree.findall(nodes.raw) if node.get("format") == "html"]
     taken, outputs = set(doctree.ids), []
     for node in html:

@@ -1,6 +1,7 @@
 """Wrong answers to a problem with the cards that the course shows for them, for a page without a kernel.
 
-The cards are made by the sheet itself while the site is built, so they cannot differ from what a student sees.
+The cards are made by the sheet itself while the site is built, so they cannot differ from what a student sees. Beside each
+is a drawing of where the tool goes: as the joint moves it, and as the answer says.
 """
 
 import re
@@ -11,6 +12,11 @@ from docutils import nodes
 from sphinx.util.docutils import SphinxDirective
 
 from kincourse import open_sheet
+from kinlib.arrays.validation import Array
+from kinlib.rigid.lie import exp
+from kinlib.view.drawing.canvas import Canvas
+from kinlib.view.drawing.figure_colours import GHOST_GREY, GREY, INK, ORANGE, VIOLET
+from kinlib.view.drawing.picture import Picture, vector_text
 from misstep.display.markdown import markdown_html
 from misstep.sheet import OpenSheet as Sheet
 
@@ -25,6 +31,11 @@ ATTEMPTS = (
 
 LINK = re.compile(r'href="notebooks/(\w+)\.ipynb#([^"]*)" onclick="[^"]*"')
 """A link of a card, and the script with which it opens a notebook in JupyterLab."""
+
+
+LINK_LENGTH_M = 2.0
+"""From the axis of the joint to its tool."""
+TURN_RAD = np.pi / 2
 
 
 class WrongAnswersDirective(SphinxDirective):
@@ -51,6 +62,45 @@ def answer_html(sheet: Sheet, code: str, mistake: str, first: bool) -> str:
     found = [finding.mistake for finding in result.judgement.findings]
     if found != [mistake] * bool(mistake):
         raise ValueError(f"{code} must be the mistake {mistake!r}; the sheet names {found}. Correct ATTEMPTS.")
+    picture = draw_motions(given.point, np.array(sheet.problem(PROBLEM).answer.value), answer)
     card = LINK.sub(lambda link: f'href="lectures/{link[1]}.html#{nodes.make_id(link[2])}"', result.card.html())
-    shown = f"<details name='kinlib-answers'{' open' * first}><summary><code>{escape(code)}</code></summary>{card}</details>"
+    head = f"<details name='kinlib-answers'{' open' * first}><summary><code>{escape(code)}</code></summary>"
+    shown = f"{head}{picture.html()}{card}</details>"
     return shown.replace('role="status" ', "")
+
+
+def draw_motions(point: Array, right: Array, typed: Array) -> Picture:
+    """Draw a link on a joint as the joint turns it by 90 degrees, and dashed where the typed screw axis would take it.
+
+    >>> S = np.array([0, 0, 1.0, 0, 0, 0])
+    >>> draw_motions(np.zeros(3), S, -S).alt[:75]
+    'The joint turns its link by 90 degrees. Its tool moves from (2, 0, 0) to (0'
+    """
+    across = np.cross(right[:3], (0.0, 0.0, 1.0))
+    out = across / np.linalg.norm(across) if np.linalg.norm(across) > 0.1 else np.array([1.0, 0.0, 0.0])
+    start = point + LINK_LENGTH_M * out
+    link = np.stack([np.append(point, 1.0), np.append(start, 1.0)], axis=1)
+    true, said = (
+        np.array([(exp(S * angle) @ link)[:3].T for angle in np.linspace(0.0, TURN_RAD, 25)]) for S in (right, typed)
+    )
+    axis = point + np.outer((-1.5, 2.0), right[:3])
+    canvas = Canvas(np.concatenate([true.reshape(-1, 3), said.reshape(-1, 3), axis]), size=(520, 300))
+    canvas.line(axis, ORANGE, 2.0)
+    canvas.label(axis[1], "joint", ORANGE)
+    canvas.line(true[0], GREY, 4.0)
+    canvas.line(true[:, 1], VIOLET, 1.2)
+    canvas.line(true[-1], INK, 6.0, level=3)
+    canvas.label(true[-1, 1], "as it is", INK)
+    moved = f"The joint turns its link by 90 degrees. Its tool moves from {vector_text(start)} to {vector_text(true[-1, 1])} m."
+    if np.allclose(right, typed):
+        return canvas.picture(
+            f"{moved} The screw axis that was typed says the same.", "The tool goes where the answer says."
+        )
+    canvas.line(said[:, 1], GHOST_GREY, 1.2, "--")
+    canvas.line(said[-1], GHOST_GREY, 6.0, "--", level=2.5)
+    canvas.label(said[-1, 1], "as typed", GREY)
+    off = float(np.linalg.norm(said[-1, 1] - true[-1, 1]))
+    return canvas.picture(
+        f"{moved} The screw axis that was typed takes the tool to {vector_text(said[-1, 1])} m, {off:.1f} m away.",
+        f"Dashed: where this answer would take the link, {off:.1f} m off.",
+    )

@@ -16,7 +16,7 @@ from kinlib.view.viewer.viewer import STATIC
 from kinsite import late_formulas
 from kinsite.demonstration import WrongAnswersDirective
 from kinsite.execute import ROOT, package_hash
-from kinsite.npm_packages import FONTS, TEXT_FONTS
+from kinsite.npm_packages import FONTS, MODULES, TEXT_FONTS
 
 UNCOLOURED = re.compile(r'<span class="(?:n|nn|p|pm|w)">([^<]*)</span>')
 """Names, punctuation and spaces have the colour of all code in both themes: without elements of their own a page is lighter."""
@@ -65,6 +65,7 @@ def copy_files(app: Sphinx) -> None:
     shutil.copy(FONTS / "katex.min.css", target / "katex")
     for name in ("katex.min.js", "contrib/auto-render.min.js"):  # for outputs of cells that run on the page
         shutil.copy(FONTS / name, target / "katex")
+    shutil.copy(MODULES / "marked" / "lib" / "marked.umd.js", target)  # likewise
     for font in (FONTS / "fonts").glob("*.woff2"):
         shutil.copy(font, target / "katex" / "fonts")
     (target / "fonts").mkdir(exist_ok=True)

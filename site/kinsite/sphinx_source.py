@@ -86,6 +86,8 @@ def handwritten_pages() -> Iterator[tuple[str, str]]:
     )
     for path in sorted((ROOT / "guides").glob("*.md")):
         yield f"guides/{path.name}", path.read_text("utf-8")
+    for path in sorted((ROOT / "misstep" / "docs").glob("*.md")):
+        yield f"misstep/{path.name}", path.read_text("utf-8")
     guide = (SITE / "instructors.md").read_text("utf-8").replace("](pages/", "](")
     yield "instructors.md", performance.with_grading_times(guide)
 
@@ -124,7 +126,7 @@ def adapt(notebook: NotebookNode) -> NotebookNode:
             cell.metadata["kinlib-cell"] = cell.get("id", "")  # names the addresses of its figures
             cell.source = cell.source.removeprefix(f"{NBVAL_MARK}\n")
             if is_plumbing(cell.source):
-                cell.metadata["tags"] = [*cell.metadata.get("tags", []), "hide-input"]
+                cell.metadata["tags"] = sorted({*cell.metadata.get("tags", []), "hide-input"})
             for data in (output["data"] for output in cell.outputs if "text/html" in output.get("data", {})):
                 for old, new in LINK_TARGETS.items():
                     data["text/html"] = re.sub(f'href="{old}', f'href="{new}', data["text/html"])

@@ -563,6 +563,13 @@
   startBar();
   // live.js adds outputs of cells that the reader runs; a self-check that was run again can be answered again
   document.addEventListener('kinlib-content', ({ detail }) => startContent(detail.root, detail.again));
+  // and the problems of a sheet that were solved on its page
+  document.addEventListener('kinlib-solved', ({ detail }) => {
+    const names = detail.map(({ sheet, problem }) => `${sheet}/${problem}`);
+    updateProgress((record) => {
+      record.solved = [...new Set([...record.solved, ...names])];
+    });
+  });
   all('[data-kinlib-done]').forEach(startReadButton);
   all('[data-kinlib-progress]').forEach(startProgressTable);
   markReadLectures();

@@ -1,5 +1,6 @@
-// Makes the code of a lecture run where it is read: each cell gets a Run button, and one worker with the Python of the
-// lab runs the cells. Without a lab, without this script or without WebAssembly, the page stays as it was built.
+// Makes the code of a page run where it is read: each cell gets a Run button, and one worker with the Python of the lab
+// runs the cells and answers the widgets. Without a lab, without this script or without WebAssembly, the page stays as it
+// was built. On the page of a sheet the answers are typed here, checked here, and downloaded in the notebook of the sheet.
 (() => {
   'use strict';
   const note = document.querySelector('[data-kinlib-lab]'); // the template writes it if the site has a lab
@@ -21,20 +22,31 @@
   const CONSENT = 'kinlib-python'; // in localStorage, once the reader has agreed
   const DIFFERENCES = [
     'The results that you see first were computed when the page was built; your own replace them.',
-    'Before a cell runs, the cells above it run, if they have not run yet.',
+    'Before a cell runs, the cells above it run, if they have not run yet or have changed.',
     'Code that you change is kept in this browser, and handed in nowhere.',
-    'Sliders of 3-D pictures and questions do not change variables in Python; in the lab they do.',
   ];
+  const SHEET = note.dataset.kinlibSheet; // the address of the notebook, on the page of a sheet
+  const SHEET_INTRODUCTION =
+    'Work on this sheet here: write your id, type an answer below each problem, and press Check. ' +
+    'Your answers are kept in this browser. When you are done, download the notebook with your answers and hand it in. ' +
+    `The first check loads Python, ${PYTHON_SIZE}, which this browser keeps. `;
+  const SAMPLE_ID = /^(student = )"([^"\\\n]*)"$/m; // in the cell that opens the sheet
+  const SOLVED = 'application/vnd.misstep.solved+json';
+  const WIDGET = 'application/vnd.jupyter.widget-view+json';
   const PREVIEW = 'You have changed the code: the result below is that of the original. Run the cell.';
   const STOPPED = 'Stopped. All variables are lost: the next run starts Python again, and first runs the cells above.';
   const NOT_RUN = 'Not run, because a cell above ended with an error. Run it again to go on without that cell.';
-  const NEEDS_LAB = 'This output has buttons that need Python all the time: ';
+  const NEEDS_LAB = 'This output has a widget that this page cannot show: ';
 
   const labLink = () => h('a', { href: note.dataset.kinlibRun }, 'open this lecture in the lab');
-  const load = (name) =>
-    new Promise((resolve, reject) => {
+  const loaded = {};
+  const load = (name) => {
+    loaded[name] ??= new Promise((resolve, reject) => {
+      if (name === 'viewer.js' && typeof kinlib !== 'undefined') return resolve();
       document.head.append(h('script', { src: new URL(name, STATIC), onload: resolve, onerror: reject }));
     });
+    return loaded[name];
+  };
 
   // --- what the reader typed: { original code: changed code } ---
 
@@ -81,13 +93,14 @@
   }
 
   /** Say how much will be loaded, and go on with `then` if the reader agrees. */
-  function ask(cell, then) {
+  function ask(cell, then, refused = () => {}) {
+    const before = document.activeElement;
     document.querySelector('.kinlib-live-ask')?.remove();
     const button = (label, onclick) => h('button', { type: 'button', class: 'kinlib-button', onclick }, label);
     const box = h(
       'div',
       { class: 'kinlib-live-ask', role: 'group', 'aria-label': 'Load Python?' },
-      h('p', {}, `To run code, this page loads Python: ${PYTHON_SIZE}, once. The browser keeps it for all lectures.`),
+      h('p', {}, `To run code, this page loads Python: ${PYTHON_SIZE}, once. The browser keeps it for all pages.`),
       button('Load Python and run', () => {
         agreed = true;
         try {
@@ -97,14 +110,15 @@
         }
         close(then);
       }),
-      button('Not now', () => close()),
+      button('Not now', () => close(refused)),
     );
     function close(next) {
       box.remove();
-      cell.runButton.focus();
-      next?.();
+      if (before?.isConnected && before !== document.body) before.focus();
+      else cell.runButton.focus();
+      next();
     }
-    cell.tools.after(box);
+    cell.place(box);
     box.querySelector('button').focus();
   }
 
@@ -113,11 +127,21 @@
   let worker = null;
   let stalled;
   let queue = []; // the cells to run, the current one first
-  let executed = new Set();
+  let executed = new Map(); // each cell that this Python has run, with the code that it had
+  let widgets = null;
 
   function startPython(cell) {
     if (worker) return;
-    cell.tools.after(statusBox);
+    cell.place(statusBox);
+    widgets = new window.KinlibWidgets({
+      send: (message) => worker?.postMessage(message),
+      output: (data) => displayed(data, true),
+      fill(element, html) {
+        element.innerHTML = siteLinks(html);
+        typeset(element);
+      },
+      load,
+    });
     worker = new Worker(new URL('live/worker.js', LAB), { type: 'module' });
     worker.onmessage = ({ data }) => ANSWERS[data.kind](data);
     worker.onerror = (event) => ANSWERS.failed({ text: event.message ?? 'its files could not be loaded' });
@@ -138,7 +162,9 @@
   function stopPython() {
     worker?.terminate();
     worker = null;
-    executed = new Set();
+    executed = new Map();
+    for (const { kinlibModel } of document.querySelectorAll('[data-kinlib-viewer], [data-kinlib-film]'))
+      kinlibModel?.connect(null);
     clearTimeout(stalled);
     const waiting = queue;
     queue = [];
@@ -171,42 +197,55 @@
       for (const cell of waiting) cell.finish('Python could not start.');
       showPhase(`Python could not start: ${text}. Check the connection, then press Run again.`, false);
     },
+    loading: ({ name }) => showPhase(`Python is loading ${name}`, false),
+    loaded: () => showPhase(''),
     begin: () => queue[0]?.begin(),
-    stream: (data) => queue[0]?.show(data),
-    display: (data) => queue[0]?.show(data),
-    error: (data) => queue[0]?.show(data),
+    stream: (data) => cellOf(data)?.show(data),
+    display: (data) => cellOf(data)?.show(data),
+    error: (data) => cellOf(data)?.show(data),
+    comm: (data) => widgets.receive(data, cellOf(data)),
+    heard: ({ id }) => widgets.model(id)?.heard(),
     end() {
       const cell = queue.shift();
       if (!cell) return;
       cell.finish(cell.failed ? 'Ended with an error.' : 'Done.', true);
       if (cell.failed && queue.length) {
-        const waiting = queue;
-        queue = [];
-        for (const other of waiting) other.finish(other.asked ? NOT_RUN : '');
+        const stopped = queue.filter((other) => other.dependsOn(cell));
+        queue = queue.filter((other) => !stopped.includes(other));
+        for (const other of stopped) other.finish(other.asked ? NOT_RUN : '');
       }
       runNext();
     },
   };
 
+  /** The cell to which an output belongs: that of the widget that Python is listening to, or the one that runs. */
+  const cellOf = ({ widget }) => (widget ? widgets.model(widget)?.cell : queue[0]);
+
   function runNext() {
     const [cell] = queue;
     if (!cell || cell.sent) return;
     cell.sent = true;
-    executed.add(cell);
-    worker.postMessage({ source: cell.source() });
+    if (cell.role === 'open') executed.clear(); // other numbers for all problems
+    executed.set(cell, cell.source());
+    worker.postMessage({ source: cell.source(), cell: cell.key });
   }
 
-  /** Run a cell, and before it all cells above that this Python has not run yet. */
-  function run(cell) {
+  const isCurrent = (cell) => executed.get(cell) === cell.source();
+
+  /** Run a cell, and before it the cells above on which it depends, unless this Python has run them as they are. */
+  function run(cell, refused) {
     if (queue.includes(cell)) return;
     if (!agreed) {
-      ask(cell, () => run(cell));
+      ask(cell, () => run(cell, refused), refused);
       return;
     }
+    cell.refused = refused;
     startPython(cell);
+    const [opening] = cells;
+    const again = opening.role === 'open' && cell !== opening && !isCurrent(opening); // then all others run again
     const before = cells
       .slice(0, cells.indexOf(cell))
-      .filter((other) => !executed.has(other) && !queue.includes(other));
+      .filter((other) => cell.dependsOn(other) && (again || !isCurrent(other)) && !queue.includes(other));
     for (const each of [...before, cell]) each.wait(each === cell, before.length);
     queue.push(...before, cell);
     runNext();
@@ -219,6 +258,10 @@
       this.element = element;
       this.number = number;
       this.key = key;
+      // on the page of a sheet: open, show, answer, check or tally, and the number of the problem
+      [, this.id, this.role, this.problem] = element.className.match(/kinlib-cell-((\w+?)(?:-(\d+))?)(?:\s|$)/) ?? [];
+      if (!SHEET) this.role = 'cell';
+      this.runLabel = this.role === 'check' ? 'Check' : 'Run';
       this.pre = element.querySelector('.cell_input pre');
       this.original = this.pre.textContent.replace(/\n$/, '');
       this.output = element.querySelector(':scope > .cell_output');
@@ -229,10 +272,11 @@
           { type: 'button', class: 'kinlib-button', onclick: action, 'aria-label': `${label} cell ${number}` },
           label,
         );
-      this.runButton = button('Run', () => (queue.includes(this) ? this.stop() : run(this)));
+      this.runButton = button(this.runLabel, () => (queue.includes(this) ? this.stop() : run(this)));
       this.editButton = button('Edit', () => this.edit());
       this.resetButton = button('Reset', () => this.reset());
       this.resetButton.hidden = true;
+      this.editButton.hidden = ['show', 'check', 'tally'].includes(this.role); // these are graded as they are
       this.tools = h(
         'div',
         { class: 'kinlib-live-tools' },
@@ -242,12 +286,46 @@
         this.status,
       );
       this.pre.closest('.cell_input').after(this.tools);
-      this.pre.addEventListener('click', () => getSelection().isCollapsed && this.edit());
+      if (!this.editButton.hidden) this.pre.addEventListener('click', () => getSelection().isCollapsed && this.edit());
       element.addEventListener('keydown', (event) => this.onKey(event));
       if (typeof typed[key] === 'string') {
         this.edit(typed[key], false);
-        this.status.textContent = PREVIEW;
-      }
+        this.status.textContent = SHEET ? '' : PREVIEW;
+      } else if (this.role === 'answer') this.edit(this.original, false);
+      if (this.role === 'open') this.askForId();
+    }
+
+    /** A field for the id of the student, from which the numbers of the sheet come. */
+    askForId() {
+      const id = () => SAMPLE_ID.exec(this.source())?.[2] ?? '';
+      const field = h('input', { autocomplete: 'off', value: id() });
+      const use = () => {
+        const text = this.source().replace(SAMPLE_ID, (_, before) => `${before}${JSON.stringify(field.value.trim())}`);
+        this.edit(text, false);
+        if (!agreed) ask(this, use);
+        else for (const cell of cells) if (cell === this || cell.role === 'show') run(cell);
+      };
+      field.addEventListener('keydown', (event) => {
+        if (event.key !== 'Enter') return;
+        event.preventDefault();
+        event.stopPropagation();
+        use();
+      });
+      const button = h('button', { type: 'button', class: 'kinlib-button', onclick: use }, 'Show my numbers');
+      this.element.before(h('p', { class: 'kinlib-live-id' }, h('label', {}, 'Your id ', field), ' ', button));
+    }
+
+    /** Put a message where it is seen, also if the code is folded. */
+    place(message) {
+      if (this.output) this.output.before(message);
+      else this.tools.after(message);
+    }
+
+    /** Whether a cell above has to run before this one. */
+    dependsOn(other) {
+      if (!SHEET || other.role === 'open' || this.role === 'tally') return true;
+      if (this.role === 'show') return false;
+      return other.problem === this.problem || (other.role === 'answer' && other.source() !== other.original);
     }
 
     nameButton(label) {
@@ -279,7 +357,8 @@
 
     /** Replace the code by a field to type in. */
     edit(text = this.original, focus = true) {
-      if (!this.area) {
+      if (this.area) this.area.value = text;
+      else {
         this.area = h('textarea', {
           class: 'kinlib-live-code',
           'aria-label': `Code of cell ${this.number}`,
@@ -295,8 +374,8 @@
         this.pre.after(this.area);
         this.editButton.hidden = true;
         this.fit();
-        this.resetButton.hidden = text === this.original;
       }
+      this.onInput();
       if (focus) this.area.focus();
     }
 
@@ -309,7 +388,7 @@
       const changed = this.area.value !== this.original;
       keep(this.key, changed ? this.area.value : null);
       this.resetButton.hidden = !changed;
-      this.status.textContent = changed && !executed.has(this) ? PREVIEW : '';
+      this.status.textContent = changed && !executed.has(this) && !SHEET ? PREVIEW : '';
     }
 
     reset() {
@@ -318,6 +397,7 @@
       this.pre.hidden = false;
       this.editButton.hidden = false;
       this.resetButton.hidden = true;
+      if (this.role === 'answer') this.edit();
       this.status.textContent = executed.has(this) ? 'The original code. Run the cell to see its result.' : '';
       keep(this.key, null);
       this.runButton.focus();
@@ -346,19 +426,27 @@
     finish(text, ran = false) {
       if (ran && this.fresh) this.clear(); // it has displayed nothing
       this.status.textContent = text;
-      this.nameButton('Run');
+      this.nameButton(this.runLabel);
       this.element.removeAttribute('aria-busy');
+      if (!ran || this.failed) this.refused?.();
+      this.refused = null;
       if (ran && this.asked) spoken.textContent = `Cell ${this.number}: ${text}`;
     }
 
     /** Remove the outputs of the run before: until there is a new one, they stay as a preview. */
     clear() {
       this.fresh = false;
+      // a viewer that is made again from the same data goes on as the reader has left it
+      this.kept = [...this.element.querySelectorAll('[data-kinlib-viewer], [data-kinlib-film]')].filter(
+        (viewer) => viewer.kinlibModel,
+      );
       if (!this.output) {
         this.output = h('div', { class: 'cell_output docutils container' });
         this.tools.after(this.output);
       }
-      this.output.replaceChildren();
+      const { kept } = this;
+      for (const child of [...this.output.childNodes])
+        if (!kept.some((viewer) => child.contains(viewer))) child.remove();
       this.element.querySelector('details.below-input, details.hide.above-output')?.setAttribute('open', '');
     }
 
@@ -369,7 +457,16 @@
       this.length += text.length;
       if (data.kind === 'stream' && this.length - text.length > MAX_TEXT) return;
       if (data.kind === 'stream') this.showStream(data);
-      else this.output.append(data.kind === 'error' ? errorCard(data) : displayed(data.data, this.asked));
+      else if (data.kind === 'error') this.output.append(errorCard(data));
+      else this.showDisplay(data.data);
+    }
+
+    /** Show what Python displays; a viewer that goes on is moved, with the focus that is in it. */
+    showDisplay(data) {
+      const focused = this.element.contains(document.activeElement) ? document.activeElement : null;
+      this.output.append(displayed(data, this.asked, this.kept));
+      if (focused !== document.activeElement) focused?.focus({ preventScroll: true });
+      record(data[SOLVED]);
     }
 
     showStream({ name, text }) {
@@ -399,22 +496,48 @@
 
   const IMAGES = ['image/png', 'image/jpeg'];
 
-  function displayed(data, asked) {
+  function displayed(data, asked, kept) {
     const box = h('div', { class: 'output' });
     const image = IMAGES.find((type) => data[type]);
-    if (data['text/html']) {
+    const widget = data[WIDGET]?.model_id;
+    const isQuestion = /data-misstep-(question|explain)=/.test(data['text/html']);
+    if (widgets?.canShow(widget) && !isQuestion) box.append(widgets.view(widget, kept));
+    else if (data['text/html']) {
       box.innerHTML = siteLinks(data['text/html']);
-      startContent(box, asked);
-    } else if (data['image/svg+xml']) box.innerHTML = data['image/svg+xml'];
+      startContent(box, asked).then(() => pressAnswers(box, widget));
+    } else if (data['text/markdown']) showMarkdown(box, data['text/markdown']);
+    else if (data['image/svg+xml']) box.innerHTML = data['image/svg+xml'];
     else if (image) box.append(h('img', { src: `data:${image};base64,${data[image]}`, alt: data['text/plain'] ?? '' }));
     else if (data['text/latex']) {
       box.textContent = data['text/latex'];
       typeset(box);
     } else {
       box.append(h('pre', {}, data['text/plain'] ?? ''));
-      if (data['application/vnd.jupyter.widget-view+json']) box.append(h('p', {}, NEEDS_LAB, labLink()));
+      if (widget) box.append(h('p', {}, NEEDS_LAB, labLink()));
     }
     return box;
+  }
+
+  const FORMULA = /\$\$[\s\S]+?\$\$|\$[^$\n]+\$/g;
+
+  /** Show Markdown, for example the statement of a problem. Its formulas are kept from marked, and typeset afterwards. */
+  async function showMarkdown(box, text) {
+    await load('marked.umd.js');
+    const formulas = text.match(FORMULA) ?? [];
+    const html = window.marked.parse(text.replace(FORMULA, () => '\0'));
+    let next = 0;
+    box.innerHTML = siteLinks(html.replace(/[\0\ufffd]/g, () => h('i', {}, formulas[next++]).innerHTML));
+    typeset(box);
+  }
+
+  /** What the reader answers to a question of the page is pressed in the widget of this question, too. */
+  function pressAnswers(box, widget) {
+    const section = box.querySelector('[data-misstep-question]');
+    const buttons = widgets?.buttons(widget) ?? [];
+    if (!section || !buttons.length) return;
+    const press = () => 'committed' in section.dataset && widgets.press(buttons[section.dataset.committed]);
+    press();
+    new MutationObserver(press).observe(section, { attributeFilter: ['data-committed'] });
   }
 
   /** Links between notebooks lead to the pages of the site. */
@@ -440,9 +563,32 @@
     typeset(box);
     await Promise.resolve(); // until the box is on the page
     document.dispatchEvent(new CustomEvent('kinlib-content', { detail: { root: box, again } }));
-    if (!box.querySelector('[data-kinlib-viewer]')) return;
-    if (typeof kinlib === 'undefined') await load('viewer.js');
+    if (!box.querySelector('[data-kinlib-viewer], [data-kinlib-film]')) return;
+    await load('viewer.js');
     kinlib.startViewers(box);
+  }
+
+  // --- the page of a sheet ---
+
+  /** Add the problems that are solved to the record of progress (course.js). */
+  function record(solved) {
+    if (solved) document.dispatchEvent(new CustomEvent('kinlib-solved', { detail: [solved].flat() }));
+  }
+
+  /** The notebook of the sheet with what the reader has typed, which is handed in. */
+  async function download() {
+    const notebook = await (await fetch(SHEET)).json();
+    for (const cell of cells) {
+      if (cell.source() === cell.original) continue;
+      const handedIn = notebook.cells.find(({ id }) => id === cell.id);
+      handedIn.source = cell.source();
+      handedIn.outputs = [];
+      handedIn.execution_count = null;
+    }
+    const file = new Blob([JSON.stringify(notebook, null, 1)], { type: 'application/x-ipynb+json' });
+    const link = h('a', { href: URL.createObjectURL(file), download: SHEET.split('/').pop() });
+    link.click();
+    setTimeout(() => URL.revokeObjectURL(link.href), 10_000);
   }
 
   let katex;
@@ -468,14 +614,25 @@
       seen.set(source, (seen.get(source) ?? 0) + 1);
       return new Cell(element, index + 1, `${source}#${seen.get(source)}`);
     });
+  document.addEventListener('kinlib-needs-python', (event) => {
+    const cell = cells.find(({ element }) => element.contains(event.target));
+    if (!cell) return;
+    event.preventDefault();
+    run(cell, event.detail.refused);
+  });
+  const button = h('button', { type: 'button', class: 'kinlib-button', onclick: download }, 'Download with my answers');
   note.replaceChildren(
-    INTRODUCTION,
-    h(
-      'details',
-      {},
-      h('summary', {}, 'What is different from the lab'),
-      h('ul', {}, ...DIFFERENCES.map((text) => h('li', {}, text))),
-      h('p', {}, 'To have all of it:', ' ', labLink()),
-    ),
+    ...(SHEET
+      ? [SHEET_INTRODUCTION, h('p', {}, button)]
+      : [
+          INTRODUCTION,
+          h(
+            'details',
+            {},
+            h('summary', {}, 'What is different from the lab'),
+            h('ul', {}, ...DIFFERENCES.map((text) => h('li', {}, text))),
+            h('p', {}, 'To have all of it:', ' ', labLink()),
+          ),
+        ]),
   );
 })();

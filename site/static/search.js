@@ -6,6 +6,7 @@
   // How much a match counts on each kind of page: lectures explain a term, other pages use it.
   const KINDS = {
     lecture: 4,
+    students: 4,
     term: 3,
     robot: 2.5,
     notation: 2,
@@ -25,12 +26,44 @@
     poe: 'product of exponentials',
     fk: 'forward kinematics',
     rpy: 'roll-pitch-yaw',
+    exp: 'exponential',
+    log: 'logarithm',
+    hat: 'skew-symmetric matrix',
+    dof: 'degree of freedom',
   };
+  // What other words are used for the same thing by those who search.
+  const SYNONYMS = {
+    'rotation matrix': 'SO(3)',
+    'inverse kinematics': 'forward kinematics',
+    'exp map': 'exponential',
+    'hat operator': 'skew-symmetric matrix',
+    'home position': 'home',
+  };
+  const STOP_WORDS = new Set(
+    (
+      'a an and any are as at be by can did do does for from have how i in is it its me my of on or shall should that the ' +
+      'there these this to was what when where which who why will with you your der die das und ein eine ist wie was'
+    ).split(' '),
+  );
+  const GREEK =
+    'alpha beta gamma delta epsilon zeta eta theta iota kappa lambda mu nu xi omicron pi rho sigma sigma tau upsilon phi chi psi omega';
+  const LETTERS = Object.fromEntries(GREEK.split(' ').map((name, k) => [String.fromCharCode(0x3b1 + k), name]));
+  const SYMBOL = /^[\u0391-\u03c9]$/; // one letter: the notation says what it stands for
+  const CODE = /^(?:\w+\.)*(\w+)(?:\(.*\))?$/; // kl.robots.rpr, assign_frames, equivalent(a, b)
   const MOST = 60; // results in the list
   const EXCERPT = 180; // characters
 
-  /** A word as it is indexed: in lower case, without accents and without the s of a plural. */
+  /** Write symbols by their names: ω as omega, SE(3) as SE3, [S] as the matrix of S. */
+  function spell(text) {
+    return text
+      .replace(/[\u0391-\u03c9]/g, (letter) => LETTERS[letter.toLowerCase()] ?? letter)
+      .replace(/\b(s[eo])\s?\((\d)\)/gi, '$1$2')
+      .replace(/\[(\w)\]/g, 'skew-symmetric matrix $1');
+  }
+
+  /** A word as it is indexed: in lower case, without accents and without the s of a plural; null if it says nothing. */
   function normalize(word) {
+    if (STOP_WORDS.has(word.toLowerCase())) return null;
     const plain = word.normalize('NFD').replace(/\p{M}/gu, '').toLowerCase();
     return plain.length > 3 ? plain.replace(/(?<![su])s$/, '') : plain;
   }
@@ -39,6 +72,7 @@
     const index = new Engine({
       idField: 'url',
       fields: Object.keys(WEIGHTS),
+      extractField: (entry, field) => (field === 'url' ? entry.url : spell(entry[field] ?? '')),
       storeFields: ['title', 'page', 'kind', 'text'],
       processTerm: normalize,
     });
@@ -46,19 +80,46 @@
     return index;
   }
 
+  /** How much more an entry counts whose title is what was searched; case tells the group SE(3) from its algebra se(3). */
+  function titleBoost(title, query, name) {
+    if (title === query) return 12;
+    if (spell(title).toLowerCase() === spell(query).toLowerCase()) return 8;
+    return normalize(title) === name ? 3 : 1;
+  }
+
   /** The entries that contain all words, or, if there are none, those that contain one of them. */
   function find(index, query) {
+    const wanted = query.trim();
+    const [, name] = CODE.exec(wanted) ?? [];
+    const isCode = name && /[_.(]/.test(wanted) && !/^s[eo]\(/i.test(wanted);
+    if (isCode) {
+      const exact = index.search(name, {
+        fields: ['title'],
+        filter: ({ kind, title }) => kind === 'function' && title === name,
+      });
+      const rest = index.search(name, {
+        boost: WEIGHTS,
+        filter: ({ kind, title }) => kind !== 'function' || title !== name,
+      });
+      const depth = ({ id }) => id.split('#')[0].split('.').length;
+      if (exact.length) return [...exact.sort((a, b) => depth(a) - depth(b)), ...rest];
+    }
+    const lower = wanted.toLowerCase();
+    const same = Object.entries(SYNONYMS).find(([words]) => lower.includes(words));
     const options = {
       boost: WEIGHTS,
       prefix: (term) => term.length > 2,
       fuzzy: (term) => (term.length > 5 ? 0.2 : false),
       boostDocument: (_, __, { kind, title }) =>
-        (KINDS[kind] ?? 1) * (normalize(title) === normalize(query.trim()) ? 3 : 1),
+        (kind === 'notation' && SYMBOL.test(wanted) ? 100 : 1) *
+        (KINDS[kind] ?? 1) *
+        titleBoost(title, same ? same[1] : wanted, normalize(same ? same[1] : wanted)),
     };
-    const written = query.replace(/\w+/g, (word) => ABBREVIATIONS[word.toLowerCase()] ?? word);
-    const queries = [...new Set([query, written])].map((text) => ({ queries: [text], combineWith: 'AND' }));
+    const written = wanted.replace(/\w+/g, (word) => ABBREVIATIONS[word.toLowerCase()] ?? word);
+    const forms = [wanted, written, ...(same ? [same[1]] : [])].map(spell);
+    const queries = [...new Set(forms)].map((text) => ({ queries: [text], combineWith: 'AND' }));
     const all = index.search({ queries, combineWith: 'OR' }, options);
-    return all.length ? all : index.search(query, options);
+    return all.length ? all : index.search(spell(wanted), options);
   }
 
   /** The part of a text around the first word that was found, and that word apart. */

@@ -42,6 +42,9 @@ EXTENSIONS = (
 LIVE_PACKAGES = ("ipython", "kincourse")
 """What a page loads before its first cell runs, with all that they require; a cell may load more."""
 
+LATER = ("matplotlib", "sympy")
+"""What our packages require, but a page loads only when a cell uses it: together they are as large as half of the rest."""
+
 APPS = ("tree", "notebooks")
 """The applications of JupyterLite that the lab has: the list of files, and the notebook."""
 
@@ -140,6 +143,16 @@ def add_own_files(built: Path) -> None:
     python = built / "static" / "pyodide"
     lock = json.loads((python / "pyodide-lock.json").read_text("utf-8"))["packages"]
     sizes = json.loads((python / "sizes.json").read_text("utf-8"))
+    # the same lock file, in which nothing requires what is loaded later
+    whole = json.loads((python / "pyodide-lock.json").read_text("utf-8"))
+    for entry in whole["packages"].values():
+        entry["depends"] = [name for name in entry["depends"] if canonicalize_name(name) not in LATER]
+    for name in whole["packages"].keys() & set(LATER):
+        whole["packages"][name]["imports"] = []  # shell.py loads it
+    own_lock = python / "live-lock.json"
+    own_lock.write_text(json.dumps(whole), "utf-8")
+    if "pyodide-lock.json" in sizes:  # which is not fetched
+        sizes["pyodide-lock.json"] = own_lock.stat().st_size
     (built / "live" / "load.json").write_text(json.dumps(what_a_page_loads(lock, sizes)), "utf-8")
     worker = built / "service-worker.js"
     own = (SITE / "lab" / "service-worker.js").read_text("utf-8")
@@ -147,7 +160,7 @@ def add_own_files(built: Path) -> None:
 
 
 def what_a_page_loads(lock: dict[str, Any], sizes: dict[str, int]) -> dict[str, Any]:
-    """Return the packages that a page loads, the bytes of all their files, and of these the bytes of JavaScript.
+    """Return the packages that a page loads, the bytes of all their files, of these the bytes of JavaScript, and later files.
 
     lock   the packages of Pyodide's lock file
     sizes  the bytes of each file of Pyodide
@@ -155,19 +168,36 @@ def what_a_page_loads(lock: dict[str, Any], sizes: dict[str, int]) -> dict[str, 
     >>> lock = {name: {"file_name": f"{name}.whl", "depends": []} for name in ("ipython", "kincourse", "numpy")}
     >>> lock["kincourse"]["depends"] = ["numpy"]
     >>> sizes = {"pyodide.mjs": 1, "python.wasm": 20, "ipython.whl": 300, "kincourse.whl": 4000, "numpy.whl": 50000}
-    >>> what_a_page_loads(lock, sizes)
-    {'packages': ('ipython', 'kincourse'), 'total': 54321, 'modules': 1}
+    >>> lock["sympy"] = {"file_name": "sympy.whl", "depends": ["numpy"]}
+    >>> lock["matplotlib"] = {"file_name": "matplotlib.whl", "depends": []}
+    >>> sizes |= {"sympy.whl": 600000, "matplotlib.whl": 7000000}
+    >>> what_a_page_loads(lock, sizes)["later"]
+    {'matplotlib': ['matplotlib.whl'], 'sympy': ['sympy.whl']}
+    >>> what_a_page_loads(lock, sizes)["total"], what_a_page_loads(lock, sizes)["modules"]
+    (54321, 1)
     """
-    needed, todo = set(), list(LIVE_PACKAGES)
-    while todo:
-        name = canonicalize_name(todo.pop())
-        if name not in needed:
-            needed.add(name)
-            todo += lock[name]["depends"]
+    needed = required(lock, LIVE_PACKAGES)
     packages = {entry["file_name"]: canonicalize_name(name) for name, entry in lock.items()}
     files = {file: size for file, size in sizes.items() if file not in packages or packages[file] in needed}
     modules = sum(size for file, size in files.items() if file.endswith((".mjs", ".js")))
-    return {"packages": LIVE_PACKAGES, "total": sum(files.values()), "modules": modules}
+    later = {
+        name: [lock[other]["file_name"] for other in sorted(required(lock, [name], LATER) - needed)]
+        for name in LATER
+        if name in lock
+    }
+    return {"packages": LIVE_PACKAGES, "total": sum(files.values()), "modules": modules, "later": later}
+
+
+def required(lock: dict[str, Any], names: Iterable[str], wanted: Iterable[str] = ()) -> set[str]:
+    """Return packages and all that they require, without what is loaded later unless it is wanted."""
+    needed: set[str] = set()
+    todo = list(names)
+    while todo:
+        name = canonicalize_name(todo.pop())
+        if name not in needed and (name not in LATER or name in wanted):
+            needed.add(name)
+            todo += lock[name]["depends"]
+    return needed
 
 
 def megabytes(built: Path | None) -> str:

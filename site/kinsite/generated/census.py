@@ -7,7 +7,7 @@ from typing import Any
 
 from kincourse import find_sheet, sheets
 from kinsite.execute import ROOT
-from misstep.census import COUNTS
+from misstep.census import COUNTS, OUTSIDE
 
 RESULTS = ROOT / "site" / "census.json"
 
@@ -25,6 +25,12 @@ For each problem, the numbers of {students} students are drawn. For each student
 - every mistake that the author of the problem has written down, and slips in a single entry;
 - wrong answers, and right answers in another form, that were written by hand and share no code with the sheets.
 
+And by itself:
+
+- answers from outside, computed from the statement and the given values alone by code that imports neither the engine nor the
+  problems. Each carries the sentence of what its maker did, and a claim is false if it says something else as a fact. Half of
+  these kinds are counted by themselves too, in brackets; they were seen while the feedback was improved, so they are no blind test.
+
 What is counted:
 
 - **{full_marks}**: a wrong method is not noticed;
@@ -40,6 +46,7 @@ The first four should be 0. You can repeat the census with one command:
 
 ```text
 misstep census --students {students} --by-hand evidence.answers_by_hand --save site/census.json
+misstep census --students 2 --outside evidence.outside --not-own --save site/census.json
 ```
 """
 
@@ -70,7 +77,10 @@ def page(census: Mapping[str, Any]) -> str:
     rows = census["problems"]
     counted = {row["number"][:2] for row in rows}
     missing = [name[:2] for name in sheets() if name[:2] not in counted]
-    parts = [HEAD.format(students=census["students"], **COUNTS), "## All sheets", table(rows_by_sheet(rows))]
+    parts = [HEAD.format(students=census["students"], **COUNTS), three_figures(census)]
+    if outside := census.get("outside"):
+        parts += ["## From outside", outside_table(outside)]
+    parts += ["## All sheets", table(rows_by_sheet(rows))]
     if missing:
         parts.append(f"Not counted in this census: sheet {', '.join(missing)}.")
     for name in sheets():
@@ -82,6 +92,53 @@ def page(census: Mapping[str, Any]) -> str:
         if found
     ]
     return "\n\n".join([*parts, TAIL, "\n".join(pairs) or "There are none."]) + "\n"
+
+
+def three_figures(census: Mapping[str, Any]) -> str:
+    """Write the share of wrong answers without a name three times: the engine's own, by hand, and from outside.
+
+    >>> rows = [{"number": "01.1", "wrong": 8, "by_hand": 4, "unnamed_by_hand": 1, "counts": {"unnamed": 2}}]
+    >>> text = three_figures({"problems": rows, "outside": {"students": 1, "problems": {"01.1": {"wrong": 50, "unnamed": 2}}}})
+    >>> print(text.partition("only tests ")[2])
+    the engine. Of those by hand, 1 of 4 (25.0 %) have one. Of those from outside, 2 of 50 (4.0 %) have no name at all.
+    """
+    all_rows = total("", census["problems"])
+    hand, unnamed_by_hand = all_rows["by_hand"], all_rows["unnamed_by_hand"]
+    own, unnamed = all_rows["wrong"] - hand, all_rows["counts"].get("unnamed", 0) - unnamed_by_hand
+    text = (
+        f"Of the wrong answers that the engine itself makes, {of(unnamed, own)} have a wrong part without a name, which only tests "
+        f"the engine. Of those by hand, {of(unnamed_by_hand, hand)} have one."
+    )
+    if "outside" in census:
+        counts: Counter[str] = sum(map(Counter, census["outside"]["problems"].values()), Counter())
+        text += f" Of those from outside, {of(counts['unnamed'], counts['wrong'])} have no name at all."
+    return text
+
+
+def of(part: int, whole: int) -> str:
+    """Write a share with its denominator.
+
+    >>> of(1, 8)
+    '1 of 8 (12.5 %)'
+    """
+    return f"{part:,} of {whole:,} ({part / whole:.1%})".replace("%", " %") if whole else f"{part} of 0"
+
+
+def outside_table(outside: Mapping[str, Any]) -> str:
+    """Write what was counted of the answers from outside, a row for each sheet, with the half that is counted by itself in brackets."""
+    sheets_of: dict[str, Counter[str]] = {}
+    for number, counts in outside["problems"].items():
+        sheets_of.setdefault(number.partition(".")[0], Counter()).update(counts)
+    sheets_of["**all**"] = sum(sheets_of.values(), Counter())
+    lines = [f"| sheet | {' | '.join(OUTSIDE)} |", "| --- " + "| ---: " * len(OUTSIDE) + "|"]
+    lines += [
+        f"| {sheet} | {' | '.join(_halves(counts, what) for what in OUTSIDE)} |" for sheet, counts in sheets_of.items()
+    ]
+    return "\n".join(lines)
+
+
+def _halves(counts: Counter[str], what: str) -> str:
+    return f"{counts[what]} ({counts[f'held out: {what}']})"
 
 
 def rows_by_sheet(rows: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:

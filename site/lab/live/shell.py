@@ -1,27 +1,75 @@
-"""Run the cells of a page in IPython, and report each output as soon as it exists. worker.js loads this file in Pyodide."""
+"""Run the cells of a page in IPython, and report each output and each change of a widget as soon as it exists.
+
+worker.js loads this file in Pyodide.
+"""
 
 import io
 import json
 import logging
 import os
+import site
 import sys
 import time
+import zipfile
 from collections.abc import Callable
+from importlib import invalidate_caches
+from importlib.abc import Loader, MetaPathFinder
+from importlib.machinery import ModuleSpec, PathFinder
+from importlib.util import LazyLoader
 from traceback import format_exception
-from types import TracebackType
-from typing import Any
+from types import ModuleType, TracebackType
+from typing import Any, ClassVar
 
-os.environ["NOTEBOOK_STATIC_PAGE"] = "1"  # questions, sliders and viewers in the form that the page's own scripts run
+os.environ["NOTEBOOK_STATIC_PAGE"] = (
+    "live"  # questions in the form that the page's own script runs, widgets with Python
+)
+os.environ["JUPYTER_WIDGETS_ECHO"] = "0"  # the page knows what it has set
 os.environ["MPLBACKEND"] = "agg"
 sys.modules["jedi"] = None  # type: ignore[assignment]  # only completion needs it, and its import takes a second
 logging.getLogger("matplotlib.font_manager").setLevel(logging.ERROR)  # "building the font cache"
 
+import comm  # noqa: E402
+from comm.base_comm import BaseComm  # noqa: E402
 from IPython.core.displaypub import DisplayPublisher  # noqa: E402
 from traitlets import Type  # noqa: E402
 
 from misstep.display.shell import CellShell  # noqa: E402
 
 Report = Callable[[str], None]
+
+SITE_PACKAGES = site.getsitepackages()[0]
+
+
+class Later(MetaPathFinder, Loader):
+    """Loads large packages when they are used, not when they are imported: many cells import SymPy and do not use it."""
+
+    def __init__(self, files: dict[str, list[str]]) -> None:
+        self.files = files
+
+    def find_spec(self, name: str, path: Any = None, target: Any = None) -> ModuleSpec | None:
+        """Return a module that is loaded with its first attribute."""
+        if name not in self.files:
+            return None
+        return ModuleSpec(name, LazyLoader(self), is_package=True)
+
+    def exec_module(self, module: ModuleType) -> None:
+        """Load the files of a package, and run it."""
+        object.__setattr__(module, "__class__", ModuleType)  # from here on, its attributes are read as they are
+        report(kind="loading", name=module.__name__)
+        for file in self.files.pop(module.__name__):
+            with zipfile.ZipFile(io.BytesIO(bytes(read_now(file)))) as wheel:  # type: ignore[name-defined]  # noqa: F821
+                wheel.extractall(SITE_PACKAGES)
+        invalidate_caches()
+        spec = PathFinder.find_spec(module.__name__)
+        assert spec is not None  # noqa: S101  the wheel has it
+        assert spec.loader is not None  # noqa: S101
+        module.__spec__, module.__file__, module.__loader__ = spec, spec.origin, spec.loader
+        module.__path__ = spec.submodule_search_locations or []
+        report(kind="loaded")
+        spec.loader.exec_module(module)
+
+
+sys.meta_path.insert(0, Later(dict(globals().get("LATER", {}))))
 
 FLUSH_S = 0.1
 """How long printed text is collected before it is reported."""
@@ -31,7 +79,36 @@ def report(**output: Any) -> None:
     """Report an output to the page, after what was printed before it. `post` is a function of worker.js."""
     for stream in (sys.stdout, sys.stderr):
         stream.flush()
-    post(json.dumps(output, default=str))  # type: ignore[name-defined]  # noqa: F821
+    origin = {"widget": PageKernel.widget} if PageKernel.widget else {}
+    post(json.dumps({**output, **origin}, default=str))  # type: ignore[name-defined]  # noqa: F821
+
+
+class PageComm(BaseComm):
+    """Python's end of the line between a widget and the page, by which ipywidgets sends what has changed."""
+
+    def publish_msg(self, msg_type: str, data: Any = None, metadata: Any = None, buffers: Any = None, **_: Any) -> None:
+        data = dict(data or {})
+        if data.get("state", {}).get("_anywidget_id", "").startswith("kinlib."):
+            data["state"] = {name: value for name, value in data["state"].items() if name != "_esm"}  # the page has it
+        report(kind="comm", type=msg_type, id=self.comm_id, data=data)
+
+
+comm.create_comm = PageComm  # before ipywidgets is imported
+
+
+class PageKernel:
+    """Names the cell that runs, as a kernel of Jupyter does.
+
+    request  what runs, replaced for each cell
+    widget   the widget whose message is being heard: what is printed meanwhile belongs to its cell
+    """
+
+    request: ClassVar[dict[str, Any]] = {}
+    widget: ClassVar[str] = ""
+
+    def get_parent(self, *_: Any) -> dict[str, Any]:
+        """Return the request that runs."""
+        return self.request
 
 
 class PageStream(io.TextIOBase):
@@ -49,7 +126,7 @@ class PageStream(io.TextIOBase):
     def flush(self) -> None:
         text, self.text, self.reported = self.text, "", time.monotonic()
         if text:
-            post(json.dumps({"kind": "stream", "name": self.name, "text": text}))  # type: ignore[name-defined]  # noqa: F821
+            report(kind="stream", name=self.name, text=text)
 
 
 class PagePublisher(DisplayPublisher):
@@ -94,12 +171,31 @@ def save_as_svg(figure: Any) -> str:
     return text.getvalue()
 
 
-async def run(source: str) -> None:
-    """Run one cell; its outputs are reported while it runs."""
+async def run(source: str, cell: str = "") -> None:
+    """Run one cell; its outputs are reported while it runs.
+
+    cell  its name: widgets that are made again by the same cell begin where the reader has left them
+    """
+    runs = PageKernel.request.get("header", {}).get("msg_id", 0) + 1
+    PageKernel.request = {"header": {"msg_id": runs}, "metadata": {"cellId": cell}}
     await shell.run_cell_async(source, transformed_cell=shell.transform_cell(source))
     display_figures()
     report(kind="end")
 
 
+def hear(text: str) -> None:
+    """Give a widget a message of the page: {"comm": its id, "data": ...}."""
+    message = json.loads(text)
+    PageKernel.widget = widget = message["comm"]
+    try:
+        if line := comm.get_comm_manager().comms.get(widget):
+            line.handle_msg({"content": {"comm_id": widget, "data": message["data"]}, "buffers": []})
+            display_figures()
+        report(kind="heard", id=widget)
+    finally:
+        PageKernel.widget = ""
+
+
 shell = PageShell.start()
+shell.kernel = PageKernel()  # type: ignore[attr-defined]
 sys.stdout, sys.stderr = PageStream("stdout"), PageStream("stderr")

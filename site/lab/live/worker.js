@@ -1,12 +1,12 @@
-// The Python of a lecture's page: starts with the first cell that is run, and runs one cell after the other. live.js starts this worker, and
-// ends it to stop a cell. It is in the folder of the lab, so that the lab's service worker stores what it loads.
+// The Python of a page: starts when the reader asks for it, runs one cell after the other, and between them gives widgets
+// what the page has changed. live.js starts this worker, and ends it to stop a cell. It is in the folder of the lab, so that the lab's service worker stores what it loads.
 const PYTHON = new URL('../static/pyodide/', self.location.href).href;
 
-const cells = [];
+const messages = []; // { source, cell } runs a cell, { comm, data } is for a widget
 let wake = () => {};
 // listen before anything is awaited: the messages that arrive while Python starts must not be lost
 self.onmessage = ({ data }) => {
-  cells.push(data);
+  messages.push(data);
   wake();
 };
 
@@ -31,30 +31,48 @@ function countBytes({ modules, total }) {
   };
 }
 
+/** Read a file of Python at once, because nothing can be awaited within an import; a worker may wait for it. */
+function readNow(name) {
+  const request = new XMLHttpRequest();
+  request.open('GET', PYTHON + name, false);
+  request.responseType = 'arraybuffer';
+  request.send();
+  if (request.status !== 200) throw new Error(`${name} could not be loaded`);
+  return new Uint8Array(request.response);
+}
+
 async function start() {
   const files = await (await beside('load.json')).json();
   countBytes(files);
   const shell = beside('shell.py').then((response) => response.text());
   const { loadPyodide } = await import(`${PYTHON}pyodide.mjs`);
-  const python = await loadPyodide({ indexURL: PYTHON, packages: files.packages });
+  const lockFileURL = `${PYTHON}live-lock.json`;
+  const python = await loadPyodide({ indexURL: PYTHON, lockFileURL, packages: files.packages });
   python.globals.set('post', (text) => postMessage(JSON.parse(text)));
+  python.globals.set('LATER', python.toPy(files.later));
+  python.globals.set('read_now', readNow);
   python.runPython(await shell);
-  const run = python.globals.get('run');
+  const [run, hear] = ['run', 'hear'].map((name) => python.globals.get(name));
   postMessage({ kind: 'ready' });
   for (;;) {
-    while (!cells.length) {
+    while (!messages.length) {
       await new Promise((resolve) => {
         wake = resolve;
       });
     }
-    const { source } = cells.shift();
+    const message = messages.shift();
+    if (message.comm) {
+      hear(JSON.stringify(message));
+      continue;
+    }
+    const { source, cell } = message;
     postMessage({ kind: 'begin' });
     try {
-      await python.loadPackagesFromImports(source);
+      await python.loadPackagesFromImports(source, { messageCallback() {} });
     } catch {
       /* the code is not Python, which running it reports */
     }
-    await run(source);
+    await run(source, cell);
   }
 }
 
