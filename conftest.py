@@ -6,8 +6,13 @@ from collections import defaultdict
 
 import pytest
 
-# The template of a new course can be imported only after it was copied; tests/misstep/test_new_course.py does so.
-collect_ignore = ["misstep/new_course/template"]
+# Workers, kernels, graders and builds of the site import the same packages: without stored bytecode, each of them would compile
+# all of Jupyter, Matplotlib and SymPy again. Images of containers often switch it off.
+os.environ.pop("PYTHONDONTWRITEBYTECODE", None)
+sys.dont_write_bytecode = False
+
+# The template of a new course, and its examples, can be imported only after they were copied; tests/misstep/test_new_course.py does so.
+collect_ignore = ["misstep/new_course/template", "misstep/new_course/examples"]
 # Grading needs Linux or macOS; on Windows not even its modules can be imported.
 if sys.platform == "win32":
     collect_ignore += ["misstep/grading", "tests/fuzz/test_fuzz_answers.py", "tests/fuzz/test_fuzz_notebooks.py"]
@@ -27,13 +32,14 @@ def pytest_configure(config):
 
 # --- how long it takes, and what --quick leaves out ---
 
-PROCESSOR_MINUTES = {False: 40, True: 10}
+PROCESSOR_MINUTES = {False: 90, True: 10}
 """Minutes of one core that the whole suite and --quick keep busy, with their browsers and servers: on two cores, half of that."""
 
 SLOW = (
     *("tests/site", "tests/browser", "tests/fuzz", "tests/misstep/grading", "exercises", "solutions", "notebooks"),
     *("tests/misstep/test_new_course.py", "tests/misstep/test_foreign_course.py", "tests/misstep/test_release.py"),
-    *("tests/repository/test_ci.py", "tests/repository/test_javascript.py", "tests/kinlib/test_types.py"),
+    *("tests/repository/test_ci.py", "tests/repository/test_javascript.py"),
+    *("tests/repository/test_packages.py", "tests/kinlib/test_types.py"),
 )
 """What --quick leaves out: all that needs the site, a browser, the sandbox, npm or a pytest of its own; and notebooks but three."""
 

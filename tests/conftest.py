@@ -15,7 +15,12 @@ from notebook_runs import Recorder
 mpl.use("agg")
 
 # Deadlines measure the machine, not the code. In CI, the same commit draws the same examples; elsewhere each run draws new ones.
-hypothesis.settings.register_profile("kinlib", deadline=None, derandomize="CI" in os.environ, print_blob=True)
+# Of each property they draw 40; `nox -s evidence` draws 100, and --quick 10.
+hypothesis.settings.register_profile(
+    "kinlib", deadline=None, derandomize="CI" in os.environ, print_blob=True, max_examples=40
+)
+hypothesis.settings.register_profile("thorough", hypothesis.settings.get_profile("kinlib"), max_examples=100)
+hypothesis.settings.register_profile("quick", hypothesis.settings.get_profile("kinlib"), max_examples=10)
 # `nox -s mutation` runs the tests once for each mutant: a few examples, always the same, and no shrinking.
 hypothesis.settings.register_profile(
     "mutation",
@@ -32,7 +37,9 @@ hypothesis.settings.load_profile("kinlib")
 
 
 def pytest_configure(config):
-    """Record what nbval executes, for tests/repository/test_notebooks.py."""
+    """Record what nbval executes, for tests/repository/test_notebooks.py; with --quick, draw few examples."""
+    if config.getoption("--quick"):
+        hypothesis.settings.load_profile("quick")
     config.pluginmanager.register(Recorder())
 
 

@@ -78,7 +78,7 @@ def runs_the_cells_above_first(page):
     assert pose.locator(".cell_output").inner_text() == before
     ended(pose)
     assert pose.locator(".cell_output").inner_text().split() == before.split()
-    for above in ("draw_parts(arm)", "The arm at home", 'ask("00/joint-3")', 'explain("00/joint-3")'):
+    for above in ("draw_parts(arm)", "draw_home(arm)", 'ask("00/joint-3")', 'explain("00/joint-3")'):
         ended(cell(page, above))
     assert cell(page, "draw_parts(arm)").get_by_role("img").count() == 1
     question = cell(page, 'ask("00/joint-3")')

@@ -313,7 +313,7 @@ def test_frames_are_placed_with_keys_only(show):
 def test_without_python_the_frames_can_be_copied_and_a_message_says_how_to_check_them(show):
     page = show(assign(ARM, "standard", frames=RIGHT), permissions=["clipboard-read", "clipboard-write"])
     page.get_by_role("button", name="Check the rules").click()
-    assert "Checking needs Python, and this page has no kernel." in page.locator(".kv-verdict").inner_text()
+    assert "Checking needs Python, and this page has none." in page.locator(".kv-verdict").inner_text()
     page.get_by_role("button", name="Copy the frames as Python").click()
     page.get_by_text("Copied").wait_for()
     copied = eval(page.evaluate("navigator.clipboard.readText()"), {"pose": pose})

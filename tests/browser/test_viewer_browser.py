@@ -23,6 +23,7 @@ from browser import (
 from PIL import Image
 from strategies import ROBOTS
 from traitlets import Bool, HasTraits
+from urdf_files import TWO_FINGERS
 
 import kinlib as kl
 from kinlib.mechanisms.linkages import four_bar
@@ -30,6 +31,7 @@ from kinlib.rigid.screw import screw
 from kinlib.view import draw_arm, drive, explore, slide_frames
 from kinlib.view.figures.arm import describe_arm, frame_text
 from kinlib.view.viewer.scene import LAYERS
+from kinlib.view.viewer.tree_viewer import explore_tree
 
 DEGREE = np.pi / 180
 Q = [0.5, -0.6, 0.7, -0.8, 0.9, -1.0]
@@ -316,6 +318,22 @@ def test_the_text_alternative_describes_the_configuration_that_is_drawn(show, ro
         texts[describe_arm(robot, q)] = spoken(page)
     assert list(texts) == list(texts.values())
     assert len(texts) == 4
+
+
+def test_a_tree_is_drawn_and_described_branch_by_branch(show):
+    """The page and Tree.poses agree on every tip, and the text on the page and in Python is the same."""
+    tree = kl.Tree.from_urdf(TWO_FINGERS)
+    viewer = explore_tree(tree)
+    page = show(viewer)
+    assert spoken(page) == viewer.alt
+    assert sliders(page).count() == tree.n
+    viewer.q = [0.4, 0.02]
+    settled(page, lambda: set_q(page, viewer.q))
+    page.wait_for_timeout(900)  # the text follows when nothing has moved for a while
+    assert spoken(page) == viewer.alt
+    ends = page.evaluate("[0, 1, 2].map((k) => document.querySelector('.kv').viewer.stage.tree.pose(k))")
+    for T, tip in zip(ends, tree.tips, strict=True):
+        np.testing.assert_allclose(T, tree.poses(viewer.q)[tip], atol=1e-12)
 
 
 def test_the_text_alternative_of_a_linkage_says_where_its_joints_are(show):

@@ -15,47 +15,38 @@ from prose_numbers import (
     numbers_printed,
     numbers_without_source,
 )
+from reading_time import minutes, stated
+
+from kincourse import COURSE
 
 LECTURES = sorted((Path(__file__).parents[2] / "notebooks").glob("*.ipynb"))
-each_lecture = pytest.mark.parametrize("path", LECTURES, ids=lambda path: path.stem)
 
 
 # --- the formulas of the lectures; test_notebooks.py checks the numbers, because it runs the notebooks ---
 
 
-@each_lecture
-def test_every_formula_has_a_number(path):
-    bare = list(formulas_without_number(nbformat.read(path, as_version=4).cells))
+@pytest.mark.parametrize("path", LECTURES, ids=lambda path: path.stem)
+def test_every_formula_has_a_number_and_its_assertion(path):
+    cells = nbformat.read(path, as_version=4).cells
+    bare = list(formulas_without_number(cells))
     assert not bare, "number them, as \\tag{7} or (7), and assert them in a cell nearby:\n" + "\n".join(bare)
-
-
-@each_lecture
-def test_every_number_of_a_formula_has_its_assertion(path):
-    unproved = list(formulas_without_check(nbformat.read(path, as_version=4).cells))
-    assert not unproved, "\n".join(unproved)
+    assert list(formulas_without_check(cells)) == []
 
 
 # --- the rules ---
 
 
-@pytest.mark.parametrize(
-    "markdown",
-    [
+def test_a_claim_without_a_number_is_reported_and_definitions_cases_and_quotations_are_not():
+    for markdown in (
         "$$R = I$$",
         r"so $T_{ab} T_{bc} = T_{ac}$ holds",
         r"and $\mathrm{Ad}_M S \neq S$ in general",
         "(1) first.\n\nThen:\n\n$$a = b$$",
         "$$a = b \\tag{1}$$\n\n$$c = d$$",
         "- (1) $ab = c$\n- $ef = g$",
-    ],
-)
-def test_a_claim_without_a_number_is_reported(markdown):
-    assert list(formulas_without_number([new_markdown_cell(markdown)]))
-
-
-@pytest.mark.parametrize(
-    "markdown",
-    [
+    ):
+        assert list(formulas_without_number([new_markdown_cell(markdown)])), markdown
+    for markdown in (
         r"$$R = I \tag{1}$$",
         r"$$\text{(1)} \quad R = I$$",
         "(1) So it is:\n\n$$R = I$$",
@@ -65,10 +56,8 @@ def test_a_claim_without_a_number_is_reported(markdown):
         "> $$M = 0$$",
         "$$Z_1 X_1 Z_2$$",
         "`$ab = c$`",
-    ],
-)
-def test_definitions_cases_quotations_and_numbered_claims_are_accepted(markdown):
-    assert not list(formulas_without_number([new_markdown_cell(markdown)]))
+    ):
+        assert not list(formulas_without_number([new_markdown_cell(markdown)])), markdown
 
 
 def test_numbers_of_formulas_are_distinguished_from_other_brackets():
@@ -83,30 +72,22 @@ def test_only_an_assertion_counts_as_a_check():
 
 
 def test_a_formula_and_its_assertion_must_be_near_each_other():
-    formula, check, other = (
-        new_markdown_cell("$$ab = c \\tag{1}$$"),
-        new_code_cell("assert True  # (1)"),
-        new_code_cell("1"),
-    )
-    assert not list(formulas_without_check([formula, other, check]))
-    assert not list(formulas_without_check([check, other, formula]))
-    assert list(formulas_without_check([formula, other]))
-    assert list(formulas_without_check([check, other]))
-    assert not list(formulas_without_check([formula, *3 * [other], check]))
-    assert list(formulas_without_check([formula, *4 * [other], check]))
-
-
-@pytest.mark.parametrize(
-    ("code", "is_counted"), [("turning", 0), ("explain('03/order')", 0), ("a = 1", 1), ("a\nb", 1)]
-)
-def test_a_cell_that_only_shows_one_thing_does_not_separate_a_formula_from_its_assertion(code, is_counted):
     formula, check = new_markdown_cell("$$ab = c \\tag{1}$$"), new_code_cell("assert True  # (1)")
-    assert len([*formulas_without_check([formula, *9 * [new_code_cell(code)], check])]) == is_counted
+    for cells, is_reported in [
+        ([formula, new_code_cell("1"), check], False),
+        ([check, new_code_cell("1"), formula], False),
+        ([formula], True),
+        ([check], True),
+        ([formula, *3 * [new_code_cell("1")], check], False),
+        ([formula, *4 * [new_code_cell("1")], check], True),
+        *(([formula, *9 * [new_code_cell(shown)], check], False) for shown in ("turning", "explain('03/order')")),
+        *(([formula, *9 * [new_code_cell(code)], check], True) for code in ("a = 1", "a\nb")),
+    ]:
+        assert bool([*formulas_without_check(cells)]) == is_reported
 
 
-@pytest.mark.parametrize(
-    ("text", "right", "wrong"),
-    [
+def test_a_number_needs_a_source_that_rounds_to_it():
+    for text, right, wrong in [
         ("off by 0.41 m", 0.4055, 0.4155),
         ("off by 0.4055 m", 0.4055, 0.405),
         ("$-0.50$", 0.501, 0.51),
@@ -118,39 +99,34 @@ def test_a_cell_that_only_shows_one_thing_does_not_separate_a_formula_from_its_a
         (r"$2\text{ m}$", 2.0, 3.0),
         ("10 cm to the side", 0.1, 0.2),
         ("90 radians", 90.0, 9.0),
-    ],
-)
-def test_a_number_needs_a_source_that_rounds_to_it(text, right, wrong):
-    assert not numbers_without_source(text, [right])
-    assert numbers_without_source(text, [wrong])
+    ]:
+        assert not numbers_without_source(text, [right])
+        assert numbers_without_source(text, [wrong])
+    for text in (
+        *("6 joints, 90 degrees, $-90°$, in 1954", "Modern Robotics (3.88)", "example 2.3, section 3.4.1", "`0.5`"),
+        *("```python\n0.5\n```", "> 0.5 as printed", "[here](page_0.5.md)", r"$\frac12$ and $x_{10}$"),
+    ):
+        assert not list(numbers_in(text)), "what is chosen or quoted needs no source"
 
 
-@pytest.mark.parametrize(
-    "text",
-    [
-        "6 joints, 90 degrees, $-90°$, in 1954",
-        "Modern Robotics (3.88)",
-        "example 2.3, section 3.4.1",
-        "`0.5`",
-        "```python\n0.5\n```",
-        "> 0.5 as printed",
-        "[here](page_0.5.md)",
-        r"$\frac12$ and $x_{10}$",
-    ],
-)
-def test_chosen_and_quoted_numbers_need_no_source(text):
-    assert not list(numbers_in(text))
-
-
-def test_pictures_and_questions_are_not_sources():
+def test_what_is_printed_and_literals_in_code_are_sources_and_pictures_and_questions_are_not():
     picture = new_output(
         "display_data", {"text/html": '<svg viewBox="0 0 0.37 1"/>', "text/plain": "An arm, 0.2 m long."}
     )
     question = new_output("display_data", {"application/vnd.jupyter.widget-view+json": {}, "text/plain": "Is it 0.37?"})
     cell = new_code_cell("1.5", outputs=[picture, question, new_output("stream", text="0.1\n")])
     assert set(numbers_printed([cell])) == {0.2, 0.1}
-
-
-def test_literals_in_code_are_sources():
     cell = new_code_cell('length = -0.25  # 0.75\ntable = "1 | 0.147"\nflag = True')
     assert set(numbers_given([cell, new_markdown_cell("0.9")])) == {0.25, 1, 0.147}
+
+
+def test_the_stated_times_are_those_that_the_counts_give():
+    """Within a fifth, so that a lecture that grows says so."""
+    wrong = {}
+    for number, questions in COURSE.questions().items():
+        (path,) = (path for path in LECTURES if path.name.startswith(f"{number}_"))
+        notebook = nbformat.read(path, as_version=4)
+        counted, (low, high) = minutes(notebook, len(questions)), stated(notebook)
+        if not 0.8 * counted <= low <= high <= 1.2 * counted:
+            wrong[path.stem] = f"counted {counted:.0f}, stated {low} to {high}"
+    assert wrong == {}

@@ -17,30 +17,8 @@ NUMBERS = (
 """Numbers, and text that looks like a number."""
 
 LETTERS = (
-    *("\x00", "\x1b", "\x7f", "\x85", "\xa0", "\xad", "\u0301", "\u200b", "\u202e", "\u2028", "\ufeff", "\ufffd"),
-    *(
-        "\ud800",
-        "\udcff",
-        "\U0010ffff",
-        "ß",
-        "İ",
-        "ﬁ",
-        "é",
-        "٣",
-        "１",
-        "²",
-        "½",
-        "Ⅳ",
-        "−",
-        "×",
-        "ｑ",
-        "π",
-        "θ",
-        "°",
-        "🤖",
-    ),
-    *("\r", "\n", "\t", "\v", " ", '"', "'", "\\", "/", "<", ">", "&", "%", "$", "{", "}", "[", "]", "(", ")"),
-    *("|", ",", ";", ":", "=", "#", "*", "**", "^", "_", "-", "+", ".", "..", "!", "?"),
+    *"\x00\x1b\x7f\x85\xa0\xad\u0301\u200b\u202e\u2028\ufeff\ufffd\ud800\udcff\U0010ffffßİﬁé٣１²½Ⅳ−×ｑπθ°🤖",
+    *("**", "..", *"\r\n\t\v \"'\\/<>&%${}[]()|,;:=#*^_-+.!?"),
 )
 """Difficult characters: control and zero-width ones, other scripts, lone surrogates, operators of some language."""
 
@@ -119,23 +97,27 @@ def change_text(text, changes, own=(), cuts=(PIECE,)):
 
 
 LEAVES = (
-    *(None, True, False, 0, -1, 1, 0.5, 10**9, 10**400, -(10**25), 1e308, 5e-324, 1e-7, 3.0),
     *(
-        "",
-        "x",
-        "q_1",
-        "standard",
-        "RRR",
-        "\x00",
-        "\ud800",
-        "١",
-        "x" * 11_000,
-        "9" * 5000,
+        None,
+        True,
+        False,
+        0,
+        -1,
+        1,
+        0.5,
+        10**9,
+        10**400,
+        -(10**25),
+        1e308,
+        5e-324,
+        1e-7,
+        3.0,
         [],
         {},
         [[]],
         [[[[[[[[]]]]]]]],
     ),
+    *("", "x", "q_1", "standard", "RRR", "\x00", "\ud800", "١", "x" * 11_000, "9" * 5000),
     *([0] * 5000, {"": None}, {"number": 1}, {"text": "x"}, {"list": []}, {"array": [1.0], "shape": [1]}),
 )
 """Values that JSON may contain anywhere."""

@@ -23,20 +23,10 @@ TEMPLATES = [(find_sheet(name), k) for name in sheets() for k in range(len(find_
 
 FORMS = (
     *({"number": 1e308}, {"text": "a | alpha | d | theta\n1 | 0 | 0 | q1"}, {"array": [None], "shape": [1]}),
-    *(
-        {"symbolic": "cos(q_1)"},
-        {"symbolic": "1/0"},
-        {"symbolic": "E**(I*pi)"},
-        {"symbolic": "(x+1)**64"},
-        {"other": "thing"},
-    ),
-    *(
-        {"matrix": [[{"symbolic": "sin(q_1)"}, {"number": 1.0}]]},
-        {"matrix": []},
-        {"matrix": [[]]},
-        {"map": [["a", None]]},
-    ),
-    *({"function": "fk", "outputs": [None, {"number": 0.5}]}, {"function": "fk"}, {"list": [{"text": "e_a"}, None]}),
+    *({"symbolic": text} for text in ("cos(q_1)", "1/0", "E**(I*pi)", "(x+1)**64")),
+    *({"matrix": [[{"symbolic": "sin(q_1)"}, {"number": 1.0}]]}, {"matrix": []}, {"matrix": [[]]}, {"other": "thing"}),
+    *({"map": [["a", None]]}, {"function": "fk", "outputs": [None, {"number": 0.5}]}, {"function": "fk"}),
+    {"list": [{"text": "e_a"}, None]},
     {"list": [{"map": [["a", {"text": "l1"}], ["alpha", None], ["d", {"number": 1}], ["theta", {"text": "q1"}]]}]},
 )
 

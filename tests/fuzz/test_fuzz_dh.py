@@ -4,7 +4,7 @@ import re
 
 import numpy as np
 from assertions import assert_explained, assert_rigid
-from corruption import LEAVES, PIECE, corrupted_texts, mostly, noise, often, random_sources
+from corruption import LEAVES, PIECE, corrupted_texts, mostly, noise, often, pieces, random_sources
 from fuzz_settings import fuzz_settings
 from hypothesis import given
 from hypothesis import strategies as st
@@ -41,22 +41,7 @@ PLAIN = re.compile(
 )
 """What a valid entry consists of: no keyword of Python and no digit of another script counts as a number."""
 
-ENTRIES = (
-    "0",
-    "0.4",
-    "-90°",
-    "pi/2",
-    "q1",
-    "-q",
-    "theta_2 - pi/2",
-    "d_3",
-    "l1",
-    0,
-    0.5,
-    -1,
-    np.float32(0.25),
-    np.pi / 2,
-)
+ENTRIES = (*pieces("0  0.4  -90°  pi/2  q1  -q  theta_2 - pi/2  d_3  l1"), *(0, 0.5, -1, np.float32(0.25), np.pi / 2))
 
 
 def in_rows(chance):
@@ -86,19 +71,7 @@ def cases():
     texts, rows = corrupted_texts(st.sampled_from(SLIDES), WORDS, CUTS), random_sources().map(in_rows)
     conventions = mostly(["standard", "modified"], ["Standard", "", None, [], {}, "\ud800", "x" * 9999, np.zeros(2)])
     joints = mostly([""], ["RR", "RP", "RPR", "R", "FF", "rr", None, 0, ["R", "R"], "R" * 9999])
-    odd = [
-        None,
-        {},
-        {"l1": "x"},
-        {"l1": None},
-        {"l1": np.nan},
-        {"l1": 10**400},
-        {"l1": [0.5]},
-        {"pi": 3.0},
-        {3: 3},
-        [],
-        7,
-    ]
+    odd = [None, {}, *({"l1": length} for length in ("x", None, np.nan, 10**400, [0.5])), {"pi": 3.0}, {3: 3}, [], 7]
     anything = often(20, texts | rows, noise(), st.sampled_from(LEAVES))
     return st.tuples(anything, conventions, joints, mostly([LENGTHS], odd))
 

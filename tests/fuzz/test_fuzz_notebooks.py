@@ -208,7 +208,7 @@ def test_every_student_of_any_submission_gets_valid_points_and_a_reason(case):
         try:
             students = [submission.student for submission in gathered.submissions]
             for student in students:
-                page_step(str(store.folder.parent), student, is_short=False)
+                page_step(str(store.folder.parent), student, "", is_short=False)
             publish(Path(root) / "out", students, store, roster, None)
         except ValueError as error:
             assert_explained(error)

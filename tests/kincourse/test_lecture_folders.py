@@ -11,17 +11,13 @@ from kincourse.table_of_lectures import FILES_WITH_LISTS, fill_home_page, lectur
 ROOT = Path(__file__).parents[2]
 
 
-@pytest.mark.parametrize("name", COURSE.lectures)
-def test_a_lecture_has_its_files_and_its_notebooks(name):
-    folder = COURSE.folder / f"lecture_{name}"
-    assert (folder / "blanks.py").is_file()
-    assert (folder / "questions.toml").is_file()
-    assert (ROOT / "notebooks" / f"{name}.ipynb").is_file()
-    for sheet in ("solutions", "exercises"):
-        assert (ROOT / sheet / name / f"{name}.ipynb").is_file() == (name in sheets())
-
-
-def test_every_notebook_of_a_lecture_has_a_folder():
+def test_a_lecture_has_its_files_and_its_notebooks():
+    for name in COURSE.lectures:
+        folder = COURSE.folder / f"lecture_{name}"
+        files = (folder / "blanks.py", folder / "questions.toml", ROOT / "notebooks" / f"{name}.ipynb")
+        assert all(file.is_file() for file in files), name
+        for sheet in ("solutions", "exercises"):
+            assert (ROOT / sheet / name / f"{name}.ipynb").is_file() == (name in sheets()), name
     assert {path.stem for path in (ROOT / "notebooks").glob("[0-9]*.ipynb")} == set(COURSE.lectures)
 
 

@@ -5,6 +5,8 @@ from fractions import Fraction
 
 import numpy as np
 import pytest
+from hypothesis import given
+from hypothesis import strategies as st
 
 from misstep.display.card import PAPER_SHARE, TITLE_SHARE, TONES, Card, Link
 from misstep.display.lecture_address import lecture_address
@@ -12,12 +14,14 @@ from misstep.display.static_output import ENVIRONMENT_VARIABLE
 from misstep.display.text import points
 
 
-@pytest.mark.parametrize("tone", TONES)
-def test_a_card_says_its_tone_without_colour(tone):
-    card = Card(tone, "A title", ["A line."])
-    assert TONES[tone][0] in card.html()
-    assert TONES[tone][0] in card.text()
-    assert 'role="status"' in card.html()
+def test_a_card_says_its_tone_without_colour():
+    for tone in TONES:
+        card = Card(tone, "A title", ["A line."])
+        assert TONES[tone][0] in card.html()
+        assert TONES[tone][0] in card.text()
+        assert 'role="status"' in card.html()
+    with pytest.raises(ValueError, match=r"tone must be one of right.*'green'"):
+        Card("green", "A title")
 
 
 @pytest.mark.parametrize(("theme_paper", "theme_ink"), [("#ffffff", "#212121"), ("#111111", "#ffffff")])
@@ -40,16 +44,14 @@ def test_a_title_contrasts_with_its_background(tone, theme_paper, theme_ink):
 
 
 def test_a_message_cannot_run_code_on_the_page():
-    card = Card("wrong", "<b>", ["<script>alert(1)</script> and `<i>`", ("pre", "</pre><script>")])
-    assert "<script>" not in card.html()
-    assert "<i>" not in card.html()
-    assert "<b>" not in card.html()
-
-
-def test_code_and_formulas_reach_the_page():
-    html = Card("note", "n", ["try `x.T`, for $a < b$"]).html()
+    html = Card("wrong", "<b>", ["<script>alert(1)</script>, try `x.T`, for $a < b$", ("pre", "</pre><script>")]).html()
+    assert "<script>" not in html
+    assert "<b>" not in html
     assert ">x.T</code>" in html
     assert "$a &lt; b$" in html
+    for address in ("javascript:alert(1)", "data:text/html,x", " JavaScript:alert(1)", "file:///etc"):
+        with pytest.raises(ValueError, match=r"address must be relative, or begin with https://"):
+            Link("text", address)
 
 
 def test_only_a_link_can_be_followed():
@@ -61,12 +63,6 @@ def test_only_a_link_can_be_followed():
     assert followed == [("https://example.org/lectures/01.html#&quot;a&quot;", "Re-read &lt;this&gt;")]
     assert card.html().count("<a ") == 1
     assert card.text().splitlines()[2:] == ["  Re-read <this>", "  plain"]
-
-
-@pytest.mark.parametrize("address", ["javascript:alert(1)", "data:text/html,x", " JavaScript:alert(1)", "file:///etc"])
-def test_a_link_has_no_address_that_a_browser_may_run(address):
-    with pytest.raises(ValueError, match=r"address must be relative, or begin with https://"):
-        Link("text", address)
 
 
 def test_a_lecture_is_found_beside_the_sheet_and_above_it(tmp_path, monkeypatch):
@@ -89,15 +85,9 @@ def test_a_lecture_is_found_beside_the_sheet_and_above_it(tmp_path, monkeypatch)
     assert lecture_address("01_frames#The inverse", "https://a.b/") == "../notebooks/01_frames.ipynb#The-inverse"
 
 
-@pytest.mark.parametrize("whole", range(4))
-@pytest.mark.parametrize("below", range(1, 13))
-def test_points_are_written_as_a_person_writes_them(whole, below):
-    for above in range(below):
-        text = points(sum([1 / below] * above, start=float(whole)))
-        assert sum(map(Fraction, text.split())) == whole + Fraction(above, below)
-        assert "." not in text
-
-
-def test_an_unknown_tone_is_refused():
-    with pytest.raises(ValueError, match=r"tone must be one of right.*'green'"):
-        Card("green", "A title")
+@given(st.integers(0, 3), st.integers(1, 12), st.data())
+def test_points_are_written_as_a_person_writes_them(whole, below, data):
+    above = data.draw(st.integers(0, below - 1))
+    text = points(sum([1 / below] * above, start=float(whole)))
+    assert sum(map(Fraction, text.split())) == whole + Fraction(above, below)
+    assert "." not in text

@@ -36,14 +36,9 @@ def test_html_is_shown_and_not_run():
     assert '"onclick' not in markdown_html('[a](b"onclick="c)')
 
 
-@pytest.mark.parametrize(
-    "text", ["# Heading", "> a", "| a | b |", "```\na\n```", "![a](b.svg)", "<b>a</b>", "- a\n  - b", "a $b"]
-)
-def test_other_marks_are_refused(text):
-    with pytest.raises(ValueError, match="An explanation may contain paragraphs, lists that are not nested"):
-        markdown_html(text)
-
-
-def test_an_address_that_a_browser_may_run_is_refused():
+def test_other_marks_are_refused():
+    for text in ("# Heading", "> a", "| a | b |", "```\na\n```", "![a](b.svg)", "<b>a</b>", "- a\n  - b", "a $b"):
+        with pytest.raises(ValueError, match="An explanation may contain paragraphs, lists that are not nested"):
+            markdown_html(text)
     with pytest.raises(ValueError, match="address must be relative"):
         markdown_html("[a](javascript:alert)")

@@ -7,7 +7,6 @@ import shutil
 import subprocess
 import sys
 import tomllib
-import zipfile
 from dataclasses import replace
 from pathlib import Path
 
@@ -66,10 +65,6 @@ def test_ruff_finds_nothing(command, committed):
     assert_no_findings(command, "notebooks", "solutions", "exercises", where=committed)
 
 
-def test_mypy_finds_nothing():
-    assert_no_findings("mypy")
-
-
 # --- imports ---
 
 
@@ -86,32 +81,39 @@ def test_the_import_contracts_are_kept():
     assert done.returncode == 0, done.stdout
 
 
-@pytest.mark.parametrize(
-    ("module", "line"),
-    [
-        ("kinlib/rigid/screw.py", "from kinlib.chains.chain import Chain"),
-        ("kinlib/rigid/screw.py", "def later():\n    import kinlib.view.drawing.picture"),
-        ("kinlib/dh/table.py", "import misstep.display.text"),
-        ("misstep/display/text.py", "from kinlib import exp"),
-        ("misstep/judge.py", "from kincourse.catalog import COURSE"),
-        ("misstep/grading/collect/files.py", "from misstep.grading.publish import pages"),
-        ("kincourse/lecture_01_frames/problems.py", "from kincourse.lecture_02_matrix_exponential import problems"),
-        ("kincourse/answers/frames.py", "from kincourse.lecture_10_one_robot_four_ways import problems"),
-        ("evidence/answers_by_hand/lecture_01.py", "from kinlib import exp"),
-    ],
-)
-def test_an_import_that_breaks_a_contract_is_reported(tmp_path, module, line):
+FORBIDDEN_IMPORTS = {
+    "kinlib.rigid.screw": (
+        "from kinlib.chains.chain import Chain",
+        "def later():\n    import kinlib.view.drawing.picture",
+    ),
+    "kinlib.dh.table": ("import misstep.display.text",),
+    "misstep.display.text": ("from kinlib import exp",),
+    "misstep.judge": ("from kincourse.catalog import COURSE",),
+    "misstep.grading.collect.files": ("from misstep.grading.publish import pages",),
+    "kincourse.lecture_01_frames.problems": ("from kincourse.lecture_02_matrix_exponential import problems",),
+    "kincourse.answers.frames": ("from kincourse.lecture_10_one_robot_four_ways import problems",),
+    "evidence.answers_by_hand.lecture_01": ("from kinlib import exp",),
+}
+"""A module, and imports that a contract forbids it."""
+
+
+def test_each_import_that_breaks_a_contract_is_reported(tmp_path):
     for package in ("kinlib", "misstep", "kincourse", "evidence"):
         shutil.copytree(
             ROOT / package, tmp_path / package, ignore=shutil.ignore_patterns("*.js", "static", "__pycache__")
         )
     shutil.copy(ROOT / "pyproject.toml", tmp_path)
     shutil.copytree(ROOT / "tools", tmp_path / "tools")
-    changed = tmp_path / module
-    changed.write_text(f"{changed.read_text('utf-8')}\n\n{line}\n", "utf-8")
+    for module, lines in FORBIDDEN_IMPORTS.items():
+        with (tmp_path / f"{module.replace('.', '/')}.py").open("a", encoding="utf-8") as file:
+            file.writelines(f"\n\n{line}\n" for line in lines)
     done = lint_imports(tmp_path)
     assert done.returncode == 1
-    assert "BROKEN" in done.stdout, done.stdout + done.stderr
+    said = " ".join(done.stdout.split())  # it breaks long lines
+    for module, lines in FORBIDDEN_IMPORTS.items():
+        for line in lines:
+            imported = re.search(r"(?:from|import) ([\w.]+)", line)[1]
+            assert f"{module} -> {imported}" in said, done.stdout
 
 
 def test_importing_kinlib_loads_numpy_dataclasses_and_nothing_else():
@@ -294,24 +296,6 @@ def test_the_workspace_has_the_dependencies_and_entry_points_of_its_packages():
     assert PROJECT["project"]["entry-points"] == PACKAGES["kincourse"]["project"]["entry-points"]
     assert PROJECT["tool"]["hatch"]["build"]["targets"]["wheel"] == {"packages": [*PACKAGES]}
     assert [item for item in PACKAGES["misstep"]["project"]["dependencies"] if name_of(item) != "numpy"] == []
-
-
-@pytest.mark.parametrize("package", ["kinlib", "misstep", "kincourse"])
-def test_the_wheel_that_is_built_from_the_source_archive_has_every_file_of_the_package(tmp_path, package):
-    """A release builds the wheel from the archive, where the patterns of .gitignore are relative to the package."""
-    build = [sys.executable, "-P", "-m", "hatchling", "build", "-d", str(tmp_path)]
-    subprocess.run([*build, "-t", "sdist"], cwd=ROOT / package, capture_output=True, check=True)
-    (archive,) = tmp_path.glob("*.tar.gz")
-    shutil.unpack_archive(archive, tmp_path, filter="data")
-    unpacked = tmp_path / archive.name.removesuffix(".tar.gz")
-    subprocess.run([*build, "-t", "wheel"], cwd=unpacked, capture_output=True, check=True)
-    (wheel,) = tmp_path.glob("*.whl")
-    built = {name for name in zipfile.ZipFile(wheel).namelist() if ".dist-info/" not in name}
-    paths = [path for path in (ROOT / package).rglob("*") if path.is_file() and path.suffix != ".pyc"]
-    only_source = {f"{package}/{name}" for name in ("pyproject.toml", "README.md", "LICENSE")}
-    assert (
-        built == {path.relative_to(ROOT).as_posix() for path in paths if not GENERATED & set(path.parts)} - only_source
-    )
 
 
 def test_the_dependencies_of_each_extra_are_installed_for_the_tests():

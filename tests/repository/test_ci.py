@@ -34,18 +34,6 @@ def test_building_the_published_site_fails_without_the_lab():
     ]
 
 
-def test_the_pdf_is_printed_after_the_site_is_built():
-    commands = [step.get("run", "") for step in workflow_steps("site.yml")]
-    assert commands.index("python course.py site") < commands.index(".venv/bin/python site/pdf.py")
-
-
-@pytest.mark.parametrize("file", [".ci/run", ".github/workflows/test.yml", ".github/workflows/newest.yml"])
-def test_every_ci_run_prints_the_ten_slowest_tests(file):
-    lines = [line for line in (ROOT / file).read_text("utf-8").splitlines() if "course.py test" in line]
-    assert lines
-    assert lines[-1].endswith("--durations=10")
-
-
 WORKFLOWS = sorted((ROOT / ".github" / "workflows").glob("*.yml"))
 
 

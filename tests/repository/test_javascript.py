@@ -47,20 +47,5 @@ def test_the_linter_and_the_formatter_find_nothing_to_change(node_modules):
     assert done.returncode == 0, f"run: npm run format\n{done.stdout}{done.stderr}"
 
 
-def test_no_line_is_longer_than_120_characters():
-    # the formatter leaves comments and strings as they are
-    sources = [
-        path for folder in [ROOT / "kinlib", *SITE] for path in folder.rglob("*.js") if path != STATIC / "viewer.js"
-    ]
-    assert len(sources) > 30
-    long = [
-        f"{path.relative_to(ROOT)}:{number}"
-        for path in sources
-        for number, line in enumerate(path.read_text("utf-8").splitlines(), start=1)
-        if len(line) > 120
-    ]
-    assert long == []
-
-
 def test_the_lock_file_names_no_registry():
     assert '"resolved"' not in (ROOT / "package-lock.json").read_text("utf-8")

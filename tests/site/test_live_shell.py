@@ -14,13 +14,15 @@ CELLS = {
     "syntax": "1\n2 +",
     "keyboard": "input('name? ')",
     "window": "get_ipython().enable_gui('qt')",
+    "unused": "import sympy, sys\n'sympy.core' in sys.modules",
+    "used": "from sympy import symbols\nsymbols('x') ** 2",
     "figure": "import matplotlib.pyplot as plt\nlines = plt.plot([1, 2])",
 }
 
 PROGRAM = """
 import asyncio, json, sys
 reports = []
-scope = {"post": lambda text: reports.append(json.loads(text))}
+scope = {"post": lambda text: reports.append(json.loads(text)), "LATER": {"sympy": []}}
 exec(open(sys.argv[1]).read(), scope)
 for name, source in json.loads(sys.argv[2]).items():
     reports.append({"kind": "begin", "name": name})
@@ -48,4 +50,50 @@ def test_each_cell_reports_what_it_displays_and_its_error_with_the_line_in_the_c
     assert "Write the value into the cell" in cells["keyboard"][0]["text"]
     assert "in raw_decode" in cells["library"][0]["traceback"]
     assert cells["window"] == []
+    assert [one["data"]["text/plain"] for one in cells["unused"]] == ["False"]
+    assert [one["kind"] for one in cells["used"]] == ["loading", "loaded", "display"]
+    assert cells["used"][-1]["data"]["text/plain"] == "x**2"
     assert "<svg" in cells["figure"][0]["data"]["image/svg+xml"]
+
+
+WIDGETS = """
+import asyncio, json, sys
+reports = []
+scope = {"post": lambda text: reports.append(json.loads(text))}
+exec(open(sys.argv[1]).read(), scope)
+
+def run(source):
+    reports.clear()
+    asyncio.run(scope["run"](source, "cell"))
+    return list(reports)
+
+def tell(shown, state):
+    opened = next(one["id"] for one in shown if one["kind"] == "comm" and state.keys() <= one["data"]["state"].keys())
+    reports.clear()
+    scope["hear"](json.dumps({"comm": opened, "data": {"method": "update", "state": state, "buffer_paths": []}}))
+    return opened, list(reports)
+
+unplaced = [[None] * 4] * 3 + [[0, 0, 0, 1]]
+crossed = [[1, 0, 0, 0], [0, 1, 0, 0], [0, 0, 1, 0], [0, 0, 0, 1]]
+placed = run("from kinlib import robots\\nfrom kinlib.view.viewer.place_frames import assign\\nassign(robots.rpr(), 'standard')")
+judged = tell(placed, {"frames": [crossed, unplaced, unplaced, unplaced], "asked": 1})
+slider = "import ipywidgets\\none = ipywidgets.IntSlider()\\none.observe(lambda change: print('now', change.new), 'value')\\none"
+moved = tell(run(slider), {"value": 7})
+sys.__stdout__.write(json.dumps([placed, judged, moved]))
+"""
+
+
+def test_a_widget_hears_the_page_and_answers_it():
+    """The frames of the page are judged by the rules; what a widget prints is marked as its own."""
+    command = [sys.executable, "-c", WIDGETS, SHELL]
+    done = subprocess.run(command, capture_output=True, text=True, check=True)
+    placed, (_, judged), (slider, moved) = json.loads(done.stdout)
+    assert any("application/vnd.jupyter.widget-view+json" in one.get("data", {}) for one in placed)
+    assert not any("_esm" in one["data"].get("state", {}) for one in placed if one["kind"] == "comm")  # the page has it
+    verdict, heard = judged
+    assert verdict["data"]["state"]["verdict"]["breaches"][0]["rule"] == "z along axis"
+    assert heard["kind"] == "heard"
+    assert [(one["kind"], one.get("text"), one["widget"]) for one in moved] == [
+        ("stream", "now 7\n", slider),
+        ("heard", None, slider),
+    ]

@@ -1,24 +1,13 @@
-"""The search lists the page that a reader looks for among its first two results."""
+"""The search lists the page that a reader looks for first."""
+
+import json
+from pathlib import Path
 
 import pytest
 from browser import watched
 
-QUERIES = {
-    "matrix exponential": "lectures/02_", "space frame": "lectures/03_", "body frame": "lectures/04_",
-    "Euler angles": "glossary.html#term-Euler-angles", "screw axis": "glossary.html#term-screw-axis",
-    "adjoint": "glossary.html#term-adjoint",
-    "product of exponentials": "glossary.html#term-product", "PoE": "glossary.html#term-product",
-    "home pose": "lectures/03_", "DH": "glossary.html#term-Denavit", "Denavit-Hartenberg": "lectures/05_",
-    "standard DH": "lectures/05_", "modified DH": "lectures/06_", "common normal": "glossary.html#term-common-normal",
-    "frame assignment": "glossary.html#term-frame-assignment", "assign_frames": "reference/kinlib.dh.assignment",
-    "closed chain": "lectures/08_", "Gruebler": "lectures/08_", "Grübler": "lectures/08_", "mobility": "glossary.html#term-mobility",
-    "URDF": "lectures/09_", "youBot": "robots/youbot", "PUMA 560": "robots/puma560", "Bennett": "robots/bennett",
-    "forward kinematics": "glossary.html#term-forward-kinematics", "Pieper": "glossary.html#term-forward-kinematics",
-    "homogeneous transformation": "glossary.html#term-homogeneous-transformation", "pose": "lectures/00_",
-    "twist": "glossary.html#term-twist", "gimbal lock": "lectures/08_", "halves swapped": "mistakes/",
-    "sine and cosine swapped": "mistakes/",
-}  # fmt: skip
-"""Words that readers type, each with the beginning of the address that must be among the first two results."""
+QUERIES = json.loads(Path(__file__).with_name("search_queries.json").read_text("utf-8"))
+"""Words that readers type, each with the beginnings of the addresses that are right first; the ranking was tuned on one half."""
 
 FIGURES = ("performance.html", "census.html", "independent_checks.html")
 
@@ -33,16 +22,19 @@ def results(chromium, site_address):
             """queries => {
                 const index = kinlibSearch.makeIndex(kinlibSearchData, MiniSearch);
                 return Object.fromEntries(queries.map((query) => [query, kinlibSearch.find(index, query).map(({ id }) => id)])); }""",
-            list(QUERIES),
+            [query for half in QUERIES.values() for query in half],
         )
 
 
-def test_the_page_that_is_looked_for_is_among_the_first_two(results):
-    assert not {
-        query: results[query][:4]
-        for query, wanted in QUERIES.items()
-        if not any(address.startswith(wanted) for address in results[query][:2])
+def test_the_page_that_is_looked_for_is_first_for_fifty_of_sixty_queries(results):
+    missed = {
+        (query, wanted if isinstance(wanted, str) else wanted[0]): results[query][:3]
+        for half in QUERIES.values()
+        for query, wanted in half.items()
+        if not results[query] or not results[query][0].startswith(wanted if isinstance(wanted, str) else tuple(wanted))
     }
+    assert len(results) == 60
+    assert len(missed) <= 10, missed
 
 
 def test_no_page_of_figures_is_above_a_lecture(results):

@@ -17,9 +17,13 @@ import pytest
 from accessibility import violations
 from browser import unwatched, watched
 from built_site import DESKTOP, PHONE, ROOT, SITE
+from gate import LECTURES, giveaways
 from kinsite import STRICT, execute
 from kinsite.generated import gallery, mistakes, reference
+from kinsite.late_formulas import show_all
+from kinsite.pdf_document import compose_document
 from lessons import plain_words, words_of
+from readings import page_reading
 
 from kincourse import COURSE, find_question
 from misstep.questions.item import LETTERS
@@ -482,3 +486,15 @@ def test_a_robot_without_a_source_fails_the_build_by_name(monkeypatch):
     )
     with pytest.raises(ValueError, match="rpr must have a source"):
         dict(gallery.pages())
+
+
+# --- giveaways ---
+
+
+@pytest.mark.parametrize("path", LECTURES, ids=lambda path: path.stem)
+def test_nothing_above_a_question_gives_its_answer_away(site_folder, path):
+    """On the page, and in the PDF, which opens what the page folds."""
+    page = f"lectures/{path.stem}.html"
+    document = compose_document(site_folder, "html", "", [page])
+    for html in (show_all((site_folder / page).read_text("utf-8")), document):
+        assert giveaways(page_reading(re.search(r"<article.*</article>", html, re.DOTALL)[0]), path.stem[:2]) == []

@@ -46,6 +46,19 @@ ROOT = Path(__file__).resolve().parents[2]
 EXAMPLE_ROBOT_DATA = ROOT / "build/example_robot_data/cmeel.prefix/share/example-robot-data/robots"
 """Where `nox -s urdf` puts the URDF files of example-robot-data, a package of 131 MB with 69 robots."""
 
+TWO_FINGERS = """<robot name="gripper">
+  <link name="floor"/> <link name="palm"/> <link name="left"/> <link name="right"/> <link name="pad"/> <link name="lamp"/>
+  <joint name="turn" type="revolute"> <parent link="floor"/> <child link="palm"/> <origin xyz="0 0 0.2"/> <axis xyz="0 0 1"/>
+    <limit lower="-1" upper="1" effort="1" velocity="1"/> </joint>
+  <joint name="open" type="prismatic"> <parent link="palm"/> <child link="left"/> <origin xyz="0 0.05 0.1"/> <axis xyz="0 1 0"/>
+    <limit lower="0" upper="0.05" effort="1" velocity="1"/> </joint>
+  <joint name="follow" type="prismatic"> <parent link="palm"/> <child link="right"/> <origin xyz="0 -0.05 0.1"/> <axis xyz="0 1 0"/>
+    <limit lower="-0.1" upper="0" effort="1" velocity="1"/> <mimic joint="open" multiplier="-2" offset="-0.01"/> </joint>
+  <joint name="glue" type="fixed"> <parent link="right"/> <child link="pad"/> <origin xyz="0 0 0.05"/> </joint>
+  <joint name="arm" type="fixed"> <parent link="palm"/> <child link="lamp"/> <origin xyz="0.2 0 0.1"/> </joint>
+</robot>"""
+"""A gripper on a turning palm: two fingers, one of which mimics the other at twice the speed, and a lamp beside them."""
+
 
 def shipped_files():
     """Every file *.urdf that airo-models and rtb-data ship, and example-robot-data if it is there: {package/name: path}."""

@@ -7,20 +7,13 @@ from kincourse.answers.frames import DHFramesAnswer
 from kincourse.answers.point import VectorsAnswer
 from kincourse.answers.pose import OriginAnswer, PoseAnswer, RotationAnswer
 from kincourse.answers.screws import ScrewsAnswer, TwistAnswer
-from kinlib.chains.robots import rpr, youbot
+from kinlib.chains.robots import rpr
 from kinlib.dh.assignment import assign_frames
 from kinlib.rigid.lie import exp, inverse
 from kinlib.rigid.rpy import origin, roll_pitch_yaw
 from misstep.answers.base import Unreadable
 from misstep.judge import judge
 from misstep.problem import Problem
-
-
-def test_a_pose_that_is_no_pose_is_told_so():
-    p = Problem("Where?", PoseAnswer(youbot().home), [])
-    judgement = judge(p, 2 * youbot().home)
-    assert "no rotation at all" in judgement.findings[0].message
-
 
 TURN = np.array([[0.0, -1, 0, 1], [1, 0, 0, 2], [0, 0, 1, 3], [0, 0, 0, 1]])
 
@@ -31,9 +24,8 @@ def turned(R, p=(1, 2, 3)):
     return T
 
 
-@pytest.mark.parametrize(
-    ("given", "right_parts", "hints"),
-    [
+def test_a_pose_is_judged_by_rotation_and_position_and_what_is_no_rotation_is_told_so():
+    for given, right_parts, hints in [
         (TURN, ["rotation", "position"], []),
         (turned(TURN[:3, :3], (9, 9, 9)), ["rotation"], [False]),
         (turned(np.eye(3)), ["position"], [False]),
@@ -41,27 +33,22 @@ def turned(R, p=(1, 2, 3)):
         (turned([[0.87, -0.5, 0], [0.5, 0.87, 0], [0, 0, 1]]), ["position"], [False]),
         (turned(np.diag([1, 1, -1])), ["position"], [True]),
         (turned(2 * np.eye(3), (9, 9, 9)), [], [True, False]),
-    ],
-)
-def test_a_pose_is_judged_by_rotation_and_position_and_what_is_no_rotation_is_told_so(given, right_parts, hints):
-    judgement = judge(Problem("", PoseAnswer(TURN), []), given)
-    assert list(judgement.right_parts) == right_parts
-    assert ["no rotation at all" in finding.message for finding in judgement.findings] == hints
+    ]:
+        judgement = judge(Problem("", PoseAnswer(TURN), []), given)
+        assert list(judgement.right_parts) == right_parts
+        assert ["no rotation at all" in finding.message for finding in judgement.findings] == hints
 
 
-@pytest.mark.parametrize(
-    ("row", "right_parts"),
-    [
-        ((0, 0, 0, 0), ["rotation"]),
-        ((0, 0.5, 0, 1), ["position"]),
-        ((1, 2, 3, 4), []),
-        ((0, 0, 0, 1.0005), ["rotation", "position"]),
-    ],
-)
-def test_a_pose_ends_in_a_row_of_its_own(row, right_parts):
-    judgement = judge(Problem("", PoseAnswer(TURN), []), [*TURN[:3].tolist(), row])
-    assert list(judgement.right_parts) == right_parts
-    assert all(finding.message.startswith("The last row of a pose is 0 0 0 1") for finding in judgement.findings)
+def test_a_pose_ends_in_a_row_of_its_own():
+    for row, right_parts in {
+        (0, 0, 0, 0): ["rotation"],
+        (0, 0.5, 0, 1): ["position"],
+        (1, 2, 3, 4): [],
+        (0, 0, 0, 1.0005): ["rotation", "position"],
+    }.items():
+        judgement = judge(Problem("", PoseAnswer(TURN), []), [*TURN[:3].tolist(), row])
+        assert list(judgement.right_parts) == right_parts
+        assert all(finding.message.startswith("The last row of a pose is 0 0 0 1") for finding in judgement.findings)
 
 
 def test_a_pose_that_is_wrong_and_no_more_is_told_nothing_of_its_form():
@@ -79,34 +66,27 @@ def test_a_screw_is_told_which_half_is_right_if_one_is():
         (0, 0, 1, 9, -2, 0.5): "The omega is right, but the v is not.",
         (0, 0.0005, 1, 9, -2, 0.5): "The omega is right, but the v is not.",
         (0, 2, 0, 0, -2, 0.5): "The v is right, but the omega is not.",
-        (0, 1, 0, 9, -2, 0.5): "None of the mistakes",
+        (0, 1, 0, 9, -2, 0.5): "The omega is not right.",
     }
     for given, words in told.items():
         assert judge(problem, given).findings[0].message.startswith(words)
 
 
-@pytest.mark.parametrize(
-    ("answer", "given", "words"),
-    [
-        (ScrewsAnswer(np.eye(3, 6)), np.eye(6, 3), "Rows and columns are swapped: try .T"),
-        (ScrewsAnswer(np.eye(1, 6)[0]), [0, 0, 1], "is the other half missing"),
-        (ScrewsAnswer(np.eye(3, 6)), np.zeros(18), "arrangement is not"),
-        (
-            ScrewsAnswer(np.eye(1, 6)[0]),
-            0,
-            r"Expected a screw axis \(omega, v\), an array of shape \(6,\); got int 0\.",
-        ),
-        (ScrewsAnswer(np.eye(3, 6)), np.zeros((2, 6)), r"an ndarray of shape \(2, 6\)\.$"),
-        (ScrewsAnswer(np.eye(1, 6)[0]), np.zeros(5), r"an ndarray of shape \(5,\)\.$"),
-        (PoseAnswer(np.eye(4)), np.eye(4) - 1e13, r"got 1e\+13. Was there"),
-    ],
-)
-def test_an_unreadable_value_is_refused_with_a_remedy(answer, given, words):
-    with pytest.raises(Unreadable, match=words):
-        answer.read(given)
-
-
-def test_no_screws_at_all_may_be_an_answer():
+def test_an_unreadable_value_is_refused_with_a_remedy():
+    one, three = ScrewsAnswer(np.eye(1, 6)[0]), ScrewsAnswer(np.eye(3, 6))
+    homogeneous = "homogeneous coordinates: leave off the last entry"
+    for answer, given, words in [
+        (three, np.eye(6, 3), "Rows and columns are swapped: try .T"),
+        (one, [0, 0, 1], "is the other half missing"),
+        (three, np.zeros(18), "arrangement is not"),
+        (one, 0, r"Expected a screw axis \(omega, v\), an array of shape \(6,\); got int 0\."),
+        (three, np.zeros((2, 6)), r"an ndarray of shape \(2, 6\)\.$"),
+        (one, np.zeros(5), r"an ndarray of shape \(5,\)\.$"),
+        (VectorsAnswer(np.zeros((2, 3)), names=["the point", "the arrow"]), np.zeros((2, 4)), homogeneous),
+        (VectorsAnswer(np.zeros(3), unit="m"), np.zeros(4), homogeneous),
+    ]:
+        with pytest.raises(Unreadable, match=words):
+            answer.read(given)
     assert ScrewsAnswer(np.zeros((0, 6))).read(np.zeros((0, 6))).shape == (0, 6)
 
 
@@ -138,24 +118,22 @@ def test_a_missing_length_is_not_called_rounded():
 # --- equal in meaning ---
 
 
-@pytest.mark.parametrize("rpy", [(0.3, 0, 0), (-np.pi / 3, 0, 0), (0.1, 0.2, 0.3), (0.4, np.pi / 2, 0.1)])
-def test_all_angles_of_the_same_rotation_are_right(rpy):
-    roll, pitch, yaw = rpy
-    right = np.array([[0.9, 0.4, 0.2], rpy])
-    answer = OriginAnswer(right)
-    for same in (
-        (roll + np.pi, np.pi - pitch, yaw + np.pi),
-        (roll + 2 * np.pi, pitch, yaw),
-        roll_pitch_yaw(origin(rpy=rpy)[:3, :3]),
-    ):
-        assert answer.agrees(answer.read([right[0], same]), right) == [True]
-    assert answer.agrees(answer.read([right[0], (roll + 0.01, pitch, yaw)]), right) == [False]
-    assert (
-        answer.hint(np.array([right[0], (roll + 0.1, pitch, yaw)]), 0)
-        == "The xyz is right, but the rpy is another rotation."
-    )
-    assert answer.hint(np.array([right[1], right[1]]), 0) == "The rpy is right, but the xyz is not."
-    assert answer.hint(np.array([right[1], right[0]]), 0) == ""
+def test_all_angles_of_the_same_rotation_are_right():
+    for rpy in [(0.3, 0, 0), (-np.pi / 3, 0, 0), (0.1, 0.2, 0.3), (0.4, np.pi / 2, 0.1)]:
+        roll, pitch, yaw = rpy
+        right = np.array([[0.9, 0.4, 0.2], rpy])
+        answer = OriginAnswer(right)
+        for same in (
+            (roll + np.pi, np.pi - pitch, yaw + np.pi),
+            (roll + 2 * np.pi, pitch, yaw),
+            roll_pitch_yaw(origin(rpy=rpy)[:3, :3]),
+        ):
+            assert answer.agrees(answer.read([right[0], same]), right) == [True]
+        assert answer.agrees(answer.read([right[0], (roll + 0.01, pitch, yaw)]), right) == [False]
+        off = np.array([right[0], (roll + 0.1, pitch, yaw)])
+        assert answer.hint(off, 0) == "The xyz is right, but the rpy is another rotation."
+        assert answer.hint(np.array([right[1], right[1]]), 0) == "The rpy is right, but the xyz is not."
+        assert answer.hint(np.array([right[1], right[0]]), 0) == ""
 
 
 # --- hints ---
@@ -180,27 +158,11 @@ def test_hints_name_the_wrong_entries():
     assert points.hint(np.array([[1.0, 2, 9], [6, 4, 7]]), 1) == ""
 
 
-@pytest.mark.parametrize(
-    ("answer", "given"),
-    [
-        (VectorsAnswer(np.zeros((2, 3)), names=["the point", "the arrow"]), np.zeros((2, 4))),
-        (VectorsAnswer(np.zeros(3), unit="m"), np.zeros(4)),
-    ],
-)
-def test_homogeneous_coordinates_are_recognised(answer, given):
-    with pytest.raises(Unreadable, match="homogeneous coordinates: leave off the last entry"):
-        answer.read(given)
-
-
 # --- slips: each text is a claim, and the value shows it ---
 
 
-def slips_of(answer):
-    return {slip.message: slip.value for slip in answer.slips()}
-
-
 def check_slips(answer, expected):
-    found = slips_of(answer)
+    found = {slip.message: slip.value for slip in answer.slips()}
     for text, value in expected.items():
         np.testing.assert_allclose(found[text], value, rtol=0, atol=1e-12, err_msg=text)
     assert not any(all(answer.agrees(value, answer.value)) for value in found.values())
@@ -228,13 +190,11 @@ def test_the_slips_of_a_pose_are_what_their_texts_say():
     check_slips(RotationAnswer(R), {"Your rotation is the transpose of the right one.": R.T})
 
 
-@pytest.mark.parametrize("part", [0, 1])
-def test_the_text_for_a_part_of_a_pose_speaks_of_this_part_alone(part):
+def test_the_text_for_a_part_of_a_pose_speaks_of_this_part_alone():
     T = turned(exp(np.array([0.3, 0.4, 0.5])))
-    other = ("position", "rotation")[part]
     for slip in PoseAnswer(T).slips():
-        if not PoseAnswer(T).agrees(slip.value, T)[part]:
-            assert other not in slip.part
+        for is_right, other in zip(PoseAnswer(T).agrees(slip.value, T), ("position", "rotation"), strict=True):
+            assert is_right or other not in slip.part
 
 
 def test_the_slips_of_screws_are_what_their_texts_say():

@@ -21,12 +21,9 @@ def test_a_pose_may_be_given_as_text_or_as_kinlib_computed_it():
     assert PoseExpressionAnswer(T).parts == ["rotation", "position"]
 
 
-def test_the_rotation_and_the_position_are_judged_separately():
+def test_the_rotation_and_the_position_are_judged_separately_each_with_its_share_of_the_last_row():
     assert agreement(sp.eye(4)) == [False, False]
     assert agreement(TEXT.replace("a2(1 - c1)", "a2")) == [True, False]
-
-
-def test_each_part_has_its_share_of_the_last_row():
     assert agreement(TEXT.replace("0, 0, 0, 1", "0, 0, 0, 0")) == [True, False]
     assert agreement(TEXT.replace("0, 0, 0, 1", "0, 1, 0, 1")) == [False, True]
 

@@ -14,6 +14,7 @@ from misstep.storage.deserialize import Malformed, from_data
 from misstep.storage.serialize import to_data
 
 TEMPLATES = [template for name in sheets() for template in find_sheet(name).problems]
+ONE_OF_EACH_KIND = list({type(template.variant("ada").answer): template for template in TEMPLATES}.values())
 
 
 def sent(value, inputs=()):
@@ -24,11 +25,9 @@ def sent(value, inputs=()):
 @pytest.mark.parametrize("template", TEMPLATES, ids=lambda template: template.number)
 def test_an_answer_is_judged_from_json_as_in_the_notebook(template):
     problem = template.variant("ada")
-    typed = [
-        problem.answer.value,
-        *(wrong.value for wrong in typable(problem)[:12]),
-    ]
-    for value in [*map(as_typed, typed), ..., None, *HOSTILE.values(), Rude()]:
+    typed = [problem.answer.value, *(wrong.value for wrong in typable(problem)[:4])]
+    hostile = [*HOSTILE.values(), Rude()] if template in ONE_OF_EACH_KIND else []
+    for value in [*map(as_typed, typed), ..., *hostile]:
         home, away = judge(problem, value), judge(problem, sent(value, problem.answer.inputs))
         assert (away.state, away.fraction, away.mistakes) == (home.state, home.fraction, home.mistakes)
 
@@ -48,37 +47,31 @@ def a_table(**odd):
     return {"object": "DHTable", "fields": {**right, **odd}}
 
 
-def test_a_table_of_plain_numbers_is_read():
+MALFORMED = (
+    {"object": "DHTable", "fields": {"rows": [[0, 0, 0, 0]]}},
+    a_table(score=3),
+    a_table(convention="other"),
+    a_table(base=[], tool=[]),
+    a_table(rows=7),
+    a_table(rows=[["x"]], convention=[], joints={}, signs=1, base=None, tool=7),
+    a_table(signs="1"),
+    a_table(joints=["R"]),
+    a_table(joints="X"),
+    a_table(rows=[[0] * 4] * 2000, joints="X" * 2000, signs=[1] * 2000),
+    *(a_table(signs=[sign]) for sign in (0.5, True)),
+    *(a_table(rows=[[number, 0, 0, 0]]) for number in ("0", 10**400, 1e400)),
+    a_table(base=[[1, 0, 0, 0], [0, 1, 0], [0, 0, 1, 0], [0, 0, 0, 1]]),
+    a_table(rows=[[0, 0, 0]]),
+    a_table(signs=[1, 1]),
+    a_table(joints="RR"),
+    a_table(rows=[[0, 0, 0, 0]] * 5000, joints="F" * 5000, signs=[1] * 5000),
+)
+
+
+def test_a_table_of_any_other_form_is_refused():
     assert from_data(a_table()).joints == "R"
-
-
-MALFORMED = {
-    "a key missing": {"object": "DHTable", "fields": {"rows": [[0, 0, 0, 0]]}},
-    "an unknown key": a_table(score=3),
-    "another convention": a_table(convention="other"),
-    "empty poses": a_table(base=[], tool=[]),
-    "a number as rows": a_table(rows=7),
-    "every type wrong": a_table(rows=[["x"]], convention=[], joints={}, signs=1, base=None, tool=7),
-    "signs as text": a_table(signs="1"),
-    "joints as a list": a_table(joints=["R"]),
-    "an unknown joint type": a_table(joints="X"),
-    "2000 unknown joint types": a_table(rows=[[0] * 4] * 2000, joints="X" * 2000, signs=[1] * 2000),
-    "a sign of 0.5": a_table(signs=[0.5]),
-    "a sign that is a truth value": a_table(signs=[True]),
-    "a number as text": a_table(rows=[["0", 0, 0, 0]]),
-    "a whole number beyond floats": a_table(rows=[[10**400, 0, 0, 0]]),
-    "infinity": a_table(rows=[[1e400, 0, 0, 0]]),
-    "a ragged pose": a_table(base=[[1, 0, 0, 0], [0, 1, 0], [0, 0, 1, 0], [0, 0, 0, 1]]),
-    "a row of three numbers": a_table(rows=[[0, 0, 0]]),
-    "a sign too many": a_table(signs=[1, 1]),
-    "a joint too many": a_table(joints="RR"),
-    "5000 fixed rows": a_table(rows=[[0, 0, 0, 0]] * 5000, joints="F" * 5000, signs=[1] * 5000),
-}
-
-
-@pytest.mark.parametrize("data", MALFORMED.values(), ids=MALFORMED)
-def test_a_table_of_any_other_form_is_refused(data):
-    with pytest.raises(Malformed, match=r"^This is not a DHTable: ") as refused:
-        from_data(data)
-    assert str(refused.value).encode().endswith((b".", b"?")), "a complete sentence that a screen can show"
-    assert len(str(refused.value)) < 500
+    for data in MALFORMED:
+        with pytest.raises(Malformed, match=r"^This is not a DHTable: ") as refused:
+            from_data(data)
+        assert str(refused.value).encode().endswith((b".", b"?")), "a complete sentence that a screen can show"
+        assert len(str(refused.value)) < 500

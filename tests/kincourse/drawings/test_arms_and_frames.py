@@ -1,5 +1,7 @@
 """The drawings of lectures 00, 01 and 10: the parts of an arm, the readings of a pose, a rotation, and two arms with one tray."""
 
+from itertools import product
+
 import numpy as np
 import pytest
 from scipy.spatial.transform import Rotation
@@ -10,70 +12,56 @@ from kincourse.lecture_01_frames.drawings import draw_rotation, draw_three_readi
 from kincourse.lecture_10_one_robot_four_ways.drawings import draw_two_arms
 from kinlib.chains.robots import X, Y, Z, pose, rpr, youbot
 from kinlib.view.drawing.canvas import view_axes
+from kinlib.view.drawing.picture import vector_text
 
 
-def test_every_part_is_named_in_the_text_alternative():
-    alt = draw_parts(youbot()).alt
-    assert [f"joint {i} (revolute)" in alt for i in range(1, 6)] == [True] * 5
-    assert [f"link {i}" in alt for i in range(1, 5)] == [True] * 4
-    assert alt.index("base") < alt.index("joint 1") < alt.index("link 1") < alt.index("end-effector")
-
-
-def test_the_text_alternative_says_where_the_end_effector_is():
-    x, y, z = rpr().home[:3, 3]
-    assert f"end-effector at ({x:.3g}, {y:.3g}, {z:.3g}) m" in draw_parts(rpr()).alt
-
-
-def test_links_without_length_have_no_label():
+def test_every_part_is_named_and_every_joint_is_where_it_is():
+    """But not the end-effector: where it is, a blank step asks for."""
+    for chain in (youbot(), rpr()):
+        alt = draw_parts(chain).alt
+        assert all(f"joint {i} (" in alt for i in range(1, chain.n + 1))
+        assert all(f"link {i}" in alt for i in range(1, chain.n))
+        assert alt.index("base") < alt.index("joint 1") < alt.index("link 1") < alt.index("end-effector")
+        joints = chain.link_poses(np.zeros(chain.n))[:, :3, 3]
+        assert all(f"{i} at {vector_text(p)}" in alt for i, p in enumerate(joints, start=1))
+        assert alt.partition("Joints, in metres")[0].endswith("to the end-effector. ")
     svg = draw_parts(youbot()).svg
     assert all(f"link {i}" in svg for i in (1, 2, 3))
-    assert "link 4" not in svg
+    assert "link 4" not in svg, "a link without length has no label"
 
 
 def test_the_text_alternative_has_the_pose_and_both_coordinates_of_the_point():
-    T = pose((Y, -X, Z), (2, 1, 0))
-    alt = draw_three_readings(T, [0.5, 0.25, 0]).alt
-    assert "frame {b} at (2, 1, 0) in {a}, rotated by 90 degrees" in alt
-    assert "(0.5, 0.25, 0) in {b} is (1.75, 1.5, 0) in {a}" in alt
-    assert alt != draw_three_readings(np.eye(4), [0.5, 0.25, 0]).alt
+    picture = draw_three_readings(pose((Y, -X, Z), (2, 1, 0)), [0.5, 0.25, 0])
+    assert "frame {b} at (2, 1, 0) in {a}, rotated by 90 degrees" in picture.alt
+    assert "(0.5, 0.25, 0) in {b} is (1.75, 1.5, 0) in {a}" in picture.alt
+    assert all(title in picture.svg for title in ("pose", "change of coordinates", "motion"))
+    assert "(0.5, 0.25, 0) in {b} is (0.5, 0.25, 0) in {a}" in draw_three_readings(np.eye(4), [0.5, 0.25, 0]).alt
 
 
-def test_all_three_readings_have_a_title():
-    svg = draw_three_readings(pose((X, Y, Z), (1, 0, 0)), [0.5, 0.5, 0]).svg
-    assert all(title in svg for title in ("pose", "change of coordinates", "motion"))
-
-
-@pytest.mark.parametrize(
-    ("T", "point"),
-    [(pose((X, -Z, Y), (1, 0, 0)), [1, 0, 0]), (pose((X, Y, Z), (0, 0, 1)), [1, 0, 0]), (np.eye(4), [0, 0, 1])],
-)
-def test_what_leaves_the_plane_is_refused(T, point):
-    with pytest.raises(ValueError, match="rotation about z"):
-        draw_three_readings(T, point)
-
-
-@pytest.mark.parametrize("axis", [0, 1, 2])
-@pytest.mark.parametrize("degrees", [35, -70])
-def test_the_text_alternative_gives_the_rotation_that_scipy_computes(axis, degrees):
-    """The sign of the sine says whether the first axis rotates towards the second or away from it."""
-    words = draw_rotation(axis, degrees).alt
-    first, second = "xyz"[(axis + 1) % 3], "xyz"[(axis + 2) % 3]
-    turned = Rotation.from_rotvec(np.radians(degrees) * np.eye(3)[axis]).as_matrix()
-    share = turned["xyz".index(second), "xyz".index(first)]
-    sign = "" if share > 0 else "-"
-    assert f"{first}_b is {first}_a rotated by {abs(degrees)} degrees towards {sign}{second}_a" in words
-
-
-@pytest.mark.parametrize(("axis", "view", "facing"), [(0, "side", "at"), (1, "front", "away from"), (2, "top", "at")])
-def test_the_text_alternative_says_where_the_common_axis_points(axis, view, facing):
-    towards_the_viewer = view_axes(view)[0][axis] > 0
-    assert (facing == "at") == towards_the_viewer
-    assert f"points {facing} you" in draw_rotation(axis, 20).alt
-
-
-def test_another_axis_is_refused():
+def test_what_cannot_be_drawn_is_refused():
+    for T, point in [
+        (pose((X, -Z, Y), (1, 0, 0)), [1, 0, 0]),
+        (pose((X, Y, Z), (0, 0, 1)), [1, 0, 0]),
+        (np.eye(4), [0, 0, 1]),
+    ]:
+        with pytest.raises(ValueError, match="rotation about z"):
+            draw_three_readings(T, point)
     with pytest.raises(ValueError, match="0, 1 or 2, for x, y or z; got 3"):
         draw_rotation(3, 20)
+    left, right, base = pair(0.8)
+    with pytest.raises(ValueError, match="same pose"):
+        draw_two_arms(left, right, TRAY_Q, TRAY_Q + 0.1, width=0.8, base=base)
+
+
+def test_the_text_alternative_gives_the_rotation_that_scipy_computes_and_where_the_axis_points():
+    """The sign of the sine says whether the first axis rotates towards the second or away from it."""
+    for (axis, view), degrees in product(enumerate(("side", "front", "top")), (35, -70)):
+        words = draw_rotation(axis, degrees).alt
+        first, second = "xyz"[(axis + 1) % 3], "xyz"[(axis + 2) % 3]
+        turned = Rotation.from_rotvec(np.radians(degrees) * np.eye(3)[axis]).as_matrix()
+        sign = "" if turned["xyz".index(second), "xyz".index(first)] > 0 else "-"
+        assert f"{first}_b is {first}_a rotated by {abs(degrees)} degrees towards {sign}{second}_a" in words
+        assert f"points {'at' if view_axes(view)[0][axis] > 0 else 'away from'} you" in words
 
 
 TRAY_Q = np.radians([0, -75, 60, 0, -75, 0])
@@ -98,9 +86,3 @@ def test_the_text_says_where_the_tray_and_the_bases_are():
     assert "(0, 0, 0) and (0, -0.8, 0)" in alt
     moved = TRAY_Q + 0.3 * np.eye(6)[0]
     assert alt != draw_two_arms(left, left, moved, moved, width=0.8, base=np.eye(4)).alt
-
-
-def test_arms_that_do_not_hold_the_same_tray_are_refused():
-    left, right, base = pair(0.8)
-    with pytest.raises(ValueError, match="same pose"):
-        draw_two_arms(left, right, TRAY_Q, TRAY_Q + 0.1, width=0.8, base=base)

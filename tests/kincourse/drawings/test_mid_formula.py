@@ -11,39 +11,29 @@ from kinlib import robots
 ARMS = [robots.rpr(), robots.rppr(), robots.youbot(), robots.puma560(), robots.mid_formula_arm(), robots.angled_arm()]
 
 
-@pytest.mark.parametrize("chain", ARMS, ids=lambda chain: chain.name)
-def test_a_perpendicular_is_as_long_as_the_moment_of_its_screw(chain):
+def test_a_perpendicular_is_as_long_as_the_moment_of_its_screw():
     """|v| of a revolute joint is the distance of its axis from the origin of the frame in which the screw is given."""
-    turns = chain.screws[:, :3].any(axis=-1)
-    for k in range(chain.n + 1):
-        ends = axis_perpendiculars(chain, k)
-        read = np.concatenate([chain.screws[:k], chain.body_screws[k:]])
-        far = np.linalg.norm(ends[:, 1] - ends[:, 0], axis=-1)
-        np.testing.assert_allclose(far[turns], np.linalg.norm(read[turns, 3:], axis=-1), atol=1e-12)
-        assert not far[~turns].any()
-
-
-def test_a_perpendicular_is_orthogonal_to_its_axis():
-    chain = robots.angled_arm()
-    ends = axis_perpendiculars(chain, 2)
-    np.testing.assert_allclose(np.sum((ends[:2, 1] - ends[:2, 0]) * chain.screws[:2, :3], axis=-1), 0, atol=1e-12)
+    for chain in ARMS:
+        turns = chain.screws[:, :3].any(axis=-1)
+        for k in range(chain.n + 1):
+            ends = axis_perpendiculars(chain, k)
+            across = ends[:, 1] - ends[:, 0]
+            read = np.concatenate([chain.screws[:k], chain.body_screws[k:]])
+            far = np.linalg.norm(across, axis=-1)
+            np.testing.assert_allclose(far[turns], np.linalg.norm(read[turns, 3:], axis=-1), atol=1e-12)
+            np.testing.assert_allclose(np.sum(across * chain.screws[:, :3], axis=-1), 0, atol=1e-12)
+            assert not far[~turns].any()
 
 
 def test_the_text_alternative_gives_the_frame_of_each_axis():
     alt = draw_mid_formula(robots.rppr(), 1).alt
     assert "Read from {s}: S_1 at 2 m." in alt
     assert "Read from {b}: B_2 prismatic, B_3 prismatic, B_4 at 2 m." in alt
-
-
-def test_all_screws_can_be_given_in_one_frame():
     assert "{b}" not in draw_mid_formula(robots.rppr(), 4).alt
     assert "{s}" not in draw_mid_formula(robots.rppr(), 0).alt
-
-
-@pytest.mark.parametrize("k", [-1, 5, 1.5, None])
-def test_another_number_of_joints_is_refused(k):
-    with pytest.raises(ValueError, match="k must be the number of joints whose screws are given in"):
-        draw_mid_formula(robots.rppr(), k)
+    for k in (-1, 5, 1.5, None):
+        with pytest.raises(ValueError, match="k must be the number of joints whose screws are given in"):
+            draw_mid_formula(robots.rppr(), k)
 
 
 def test_perpendiculars_that_lie_on_each_other_are_drawn_side_by_side():

@@ -51,9 +51,6 @@ def test_curves_differ_by_dash_as_well_as_by_colour():
     picture = draw_torus({name: np.zeros((2, 2)) + k for k, name in enumerate("abc")}, **LABELS)
     kinds = re.findall(r'stroke="(#[^"]+)" stroke-width="2.2"( stroke-dasharray="[^"]*")?', picture.svg)
     assert len({colour for colour, _ in kinds}) == len({dash for _, dash in kinds}) == 3
-
-
-def test_more_curves_than_line_styles_are_refused():
     with pytest.raises(ValueError, match="at most 3 entries, one per line style; got 4"):
         draw_torus({name: np.zeros((2, 2)) for name in "abcd"}, **LABELS)
 

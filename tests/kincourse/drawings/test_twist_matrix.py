@@ -20,16 +20,14 @@ def matrix_in(alt):
     return M
 
 
-@pytest.mark.parametrize("S", TWISTS)
-def test_the_text_alternative_gives_the_matrix(S):
-    np.testing.assert_array_equal(matrix_in(draw_twist_matrix(S).alt), hat(np.array(S, dtype=float)))
-
-
-@pytest.mark.parametrize("S", TWISTS)
-def test_the_numbers_of_the_matrix_are_drawn_row_by_row(S):
-    texts = re.findall(r">([−\d.]+)</text>", draw_twist_matrix(S).svg)
-    drawn = [float(text.replace("−", "-")) for text in texts[-16:]]
-    np.testing.assert_array_equal(np.reshape(drawn, (4, 4)), hat(np.array(S, dtype=float)))
+def test_the_text_alternative_and_the_drawing_give_the_matrix():
+    for S in TWISTS:
+        picture, expected = draw_twist_matrix(S), hat(np.array(S, dtype=float))
+        np.testing.assert_array_equal(matrix_in(picture.alt), expected)
+        drawn = [float(text.replace("−", "-")) for text in re.findall(r">([−\d.]+)</text>", picture.svg)[-16:]]
+        np.testing.assert_array_equal(np.reshape(drawn, (4, 4)), expected)
+    with pytest.raises(ValueError, match="S must have shape"):
+        draw_twist_matrix([1, 2, 3])
 
 
 def test_the_rows_of_the_cross_product_are_its_components():
@@ -41,8 +39,3 @@ def test_the_rows_of_the_cross_product_are_its_components():
         assert eval(component.replace(" p", " * p"), {}, names) == np.cross(omega, p)[i]
     rows = re.findall(r"Row \d of \[omega\]: (.*?)\.", alt)
     np.testing.assert_array_equal([eval(f"[{row}]", {}, names) for row in rows], hat(omega))
-
-
-def test_a_twist_has_six_components():
-    with pytest.raises(ValueError, match="S must have shape"):
-        draw_twist_matrix([1, 2, 3])

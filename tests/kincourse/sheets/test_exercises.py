@@ -27,25 +27,26 @@ def test_every_sheet_in_exercises_is_up_to_date(committed):
     assert main(["release", "--check", "--root", str(committed)]) == 0, "run misstep release"
 
 
-@pytest.mark.parametrize("source", SOURCES, ids=lambda path: path.stem)
-def test_every_problem_has_its_cells_and_its_points_in_the_sheet(source):
-    cells = {cell["id"]: cell for cell in json.loads(source.read_text(encoding="utf-8"))["cells"]}
-    for k, template in enumerate(find_sheet(source.stem).problems, start=1):
-        assert f"sheet.show({k})" in "".join(cells[f"show-{k}"]["source"])
-        assert cells[f"answer-{k}"]["metadata"]["nbgrader"]["solution"]
-        check = cells[f"check-{k}"]
-        assert f"sheet.check({k}, " in "".join(check["source"])
-        assert check["metadata"]["nbgrader"]["points"] == template.points
-    assert f"check-{len(find_sheet(source.stem).problems) + 1}" not in cells
+def test_every_problem_has_its_cells_and_its_points_in_the_sheet():
+    for source in SOURCES:
+        cells = {cell["id"]: cell for cell in json.loads(source.read_text(encoding="utf-8"))["cells"]}
+        problems = find_sheet(source.stem).problems
+        for k, template in enumerate(problems, start=1):
+            check = cells[f"check-{k}"]
+            assert f"sheet.show({k})" in "".join(cells[f"show-{k}"]["source"])
+            assert cells[f"answer-{k}"]["metadata"]["nbgrader"]["solution"]
+            assert f"sheet.check({k}, " in "".join(check["source"])
+            assert check["metadata"]["nbgrader"]["points"] == template.points
+        assert f"check-{len(problems) + 1}" not in cells
 
 
-@pytest.mark.parametrize("source", SOURCES, ids=lambda path: path.stem)
-def test_no_line_of_a_solution_is_released(source):
-    released = (ROOT / "exercises" / source.relative_to(ROOT / "solutions")).read_text(encoding="utf-8")
-    hidden = []
-    for cell in json.loads(source.read_text(encoding="utf-8"))["cells"]:
-        text = "".join(cell["source"])
-        if "### BEGIN SOLUTION" in text:
-            hidden += text.split("### BEGIN SOLUTION")[1].split("### END SOLUTION")[0].strip().splitlines()
-    assert hidden
-    assert not [line for line in hidden if len(line.strip()) > 12 and line.strip() in released]
+def test_no_line_of_a_solution_is_released():
+    for source in SOURCES:
+        released = (ROOT / "exercises" / source.relative_to(ROOT / "solutions")).read_text(encoding="utf-8")
+        hidden = []
+        for cell in json.loads(source.read_text(encoding="utf-8"))["cells"]:
+            text = "".join(cell["source"])
+            if "### BEGIN SOLUTION" in text:
+                hidden += text.split("### BEGIN SOLUTION")[1].split("### END SOLUTION")[0].strip().splitlines()
+        assert hidden, source.stem
+        assert not [line for line in hidden if len(line.strip()) > 12 and line.strip() in released]

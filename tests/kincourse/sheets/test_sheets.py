@@ -14,7 +14,7 @@ from right_and_wrong import assert_mistakes_are_named
 
 from kincourse import attempt, blanks, find_sheet, open_sheet, sheets
 from misstep.answers.number import Numbers
-from misstep.census import is_true
+from misstep.census import is_observation, is_true
 from misstep.display.lecture_address import page_address
 from misstep.judge import judge
 from misstep.sheet import SAMPLE_ID
@@ -61,7 +61,8 @@ def test_every_mutant_that_shares_a_part_with_an_answer_is_near_it(template):
     for wrong in problem.mutants[::12]:
         near = [one.message for one in problem.mutants_near(wrong.value)]
         assert {one.message for one in problem.mutants if any(agrees(wrong.value, one.value))} <= {*near}
-    assert problem.names_of_mutants == {name for wrong in problem.mutants for name in wrong.names}
+    # A change whose result is right by chance for this student is a possible mistake, too.
+    assert problem.names_of_mutants >= {name for wrong in problem.mutants for name in wrong.names}
 
 
 @each_problem
@@ -75,29 +76,19 @@ def test_each_mutant_of_the_solution_costs_points_and_is_named(template):
                 own = [one.names for one in problem.mistakes if all(problem.answer.agrees(one.value, wrong.value))]
                 own += [one.names for one in problem.mutants if one.key == wrong.key]  # the same one in other words
                 named = {names for finding in judgement.findings for names in finding.alternatives}
-                assert named & {wrong.names, *own}, (wrong.name, judgement)
                 value = problem.answer.read(wrong.value)
+                is_seen = any(is_observation(problem, value, finding) for finding in judgement.findings)
+                assert is_seen or named & {wrong.names, *own}, (wrong.name, judgement)
                 assert all(is_true(problem, value, finding) for finding in judgement.findings)
 
 
 @each_problem
-def test_a_right_answer_typed_with_three_decimals_is_right(template):
-    problem = variant(template, "ada")
-    if isinstance(problem.answer, Numbers):
-        assert judge(problem, np.round(problem.answer.value, 3).tolist()).state == "right"
-
-
-@each_problem
-def test_students_get_different_numbers(template):
-    statements = {
-        variant(template, student).statement + str(variant(template, student).answer.value) for student in STUDENTS
-    }
-    assert len(statements) > 6
-
-
-@each_problem
-def test_a_problem_names_at_least_three_mistakes(template):
-    assert len(variant(template, "ada").known_mistakes) >= 3
+def test_students_get_different_numbers_at_least_three_mistakes_and_points_for_three_decimals(template):
+    problems = [variant(template, student) for student in STUDENTS]
+    assert len({problem.statement + str(problem.answer.value) for problem in problems}) > 6
+    assert len(problems[0].known_mistakes) >= 3
+    if isinstance(problems[0].answer, Numbers):
+        assert judge(problems[0], np.round(problems[0].answer.value, 3).tolist()).state == "right"
 
 
 @each_problem_and_step
@@ -132,58 +123,35 @@ def test_the_section_to_reread_is_a_heading_of_its_lecture(template):
 
 
 def test_ids_that_differ_only_in_case_or_spaces_are_the_same_student():
-    assert (
-        open_sheet("03_poe_space", " Ada").problem(1).statement
-        == open_sheet("03_poe_space", "ada").problem(1).statement
-    )
+    def statement(student):
+        return open_sheet("03_poe_space", student).problem(1).statement
+
+    assert statement(" Ada") == statement("ada")
+    assert statement(1234567) == statement("1234567") != statement("ada")
+    for student in ("", "  ", None, True, [7]):
+        with pytest.raises(ValueError, match="student must be your id"):
+            open_sheet("03_poe_space", student)
 
 
-def test_a_sheet_counts_its_points():
+def test_a_sheet_counts_the_points_of_the_last_answers_and_says_whose_they_are():
     sheet = open_sheet("03_poe_space", "ada")
-    sheet.check(1, sheet.problem(1).answer.value)
+    for k in (1, 2):
+        sheet.check(k, sheet.problem(k).answer.value)
     sheet.check(2, ...)
     assert sheet.tally().score == 3
     assert "not checked yet" in sheet.tally()._repr_markdown_()
-
-
-def test_the_last_answer_counts():
-    sheet = open_sheet("03_poe_space", "ada")
-    sheet.check(1, sheet.problem(1).answer.value)
-    sheet.check(1, ...)
-    assert sheet.tally().score == 0
-
-
-def test_the_sample_id_is_reported():
+    assert "type your own id" not in sheet.tally()._repr_markdown_()
     assert "type your own id" in open_sheet("03_poe_space", SAMPLE_ID).tally()._repr_markdown_()
     assert "type your own id" in repr(open_sheet("03_poe_space", "Your ID"))
-    assert "type your own id" not in open_sheet("03_poe_space", "ada").tally()._repr_markdown_()
 
 
-def test_an_id_can_be_a_number():
-    assert (
-        open_sheet("03_poe_space", 1234567).problem(1).statement
-        == open_sheet("03_poe_space", "1234567").problem(1).statement
-    )
-
-
-@pytest.mark.parametrize("student", ["", "  ", None, True, [7]])
-def test_a_sheet_needs_the_id_of_a_student(student):
-    with pytest.raises(ValueError, match="student must be your id"):
-        open_sheet("03_poe_space", student)
-
-
-def test_the_error_for_an_unknown_sheet_lists_the_sheets():
-    with pytest.raises(ValueError, match=r"no sheet '99'.*03_poe_space"):
-        open_sheet("99", "ada")
-
-
-def test_the_error_for_an_unknown_problem_names_the_range():
+def test_unknown_sheets_problems_and_steps_are_refused_with_those_that_there_are():
     sheet = open_sheet("03_poe_space", "ada")
     last = len(sheet.sheet.problems)
-    with pytest.raises(ValueError, match=f"problems 1 to {last}; got {last + 1}"):
-        sheet.check(last + 1, 0)
-
-
-def test_the_error_for_an_unknown_step_lists_the_steps():
-    with pytest.raises(ValueError, match=r"no blank step '00.z'.*00.a"):
-        attempt("00.z", 0)
+    for ask, says in [
+        (lambda: open_sheet("99", "ada"), r"no sheet '99'.*03_poe_space"),
+        (lambda: sheet.check(last + 1, 0), f"problems 1 to {last}; got {last + 1}"),
+        (lambda: attempt("00.z", 0), r"no blank step '00.z'.*00.a"),
+    ]:
+        with pytest.raises(ValueError, match=says):
+            ask()

@@ -8,7 +8,7 @@ from hypothesis import strategies as st
 
 import kinlib as kl
 from kinlib import DHTable, assign_frames, equivalent
-from kinlib.dh.equivalence import _Matcher
+from kinlib.chains.joint_maps import _Matcher
 
 
 @pytest.mark.parametrize("seed", range(8))
@@ -220,11 +220,6 @@ def test_a_joint_that_counts_the_other_way_is_no_arm_turned_over():
     found = equivalent(arm, kl.Chain(-arm.screws, arm.home))
     assert (found.signs.tolist(), found.offsets.tolist()) == ([-1], [0])
     np.testing.assert_allclose([found.base, found.tool], [np.eye(4)] * 2, atol=1e-12)
-    first = equivalent(arm, kl.Chain(-arm.screws, arm.home), simplest=False)
-    assert first, "where a bare yes is wanted, any map will do"
-    np.testing.assert_allclose(
-        first.base @ arm.fk(first.signs * [0.7] + first.offsets) @ first.tool, arm.fk([-0.7]), atol=1e-12
-    )
 
 
 @pytest.mark.parametrize("angle", [0, 1e-12, 1e-10])

@@ -65,7 +65,7 @@ def test_deck_n_5_s_fifth_row_is_the_tool():
     np.testing.assert_allclose(assign_frames(chain, convention="modified").tool, tool, rtol=0, atol=1e-12)
 
 
-@pytest.mark.oracle("scipy", common_normal, CommonNormal.is_unique)
+@pytest.mark.oracle("scipy", common_normal, CommonNormal, CommonNormal.is_unique)
 @pytest.mark.parametrize("case", AXIS_CASES)
 def test_a_common_normal_runs_between_the_feet_that_scipy_finds_nearest(case):
     """How far to go along both axes so that the way between is shortest: least squares, with rank 1 where it is free."""

@@ -10,6 +10,7 @@ import pytest
 
 import kinlib as kl
 from kinlib import DHTable, diagnose, equivalent
+from kinlib.chains.joint_maps import JointMap
 
 pin = pytest.importorskip("pinocchio", reason="Pinocchio reads the URDF files")
 
@@ -93,7 +94,7 @@ UR5 = DHTable(UR5_TABLE, convention="standard", name="UR5")
 PANDA = DHTable(PANDA_TABLE, convention="modified", name="Panda")
 
 
-@pytest.mark.oracle("pinocchio", equivalent)
+@pytest.mark.oracle("pinocchio", equivalent, kl.Equivalence, JointMap.poses)
 @pytest.mark.parametrize(("table", "joints"), [(UR5, UR5_JOINTS), (PANDA, PANDA_JOINTS)], ids=["UR5", "Panda"])
 def test_the_maker_s_table_is_the_urdf_up_to_base_tool_and_zero(table, joints):
     chain, model = from_pinocchio(joints)
@@ -103,6 +104,8 @@ def test_the_maker_s_table_is_the_urdf_up_to_base_tool_and_zero(table, joints):
     assert found
     mapped = found.base @ table.fk(found.signs * q + found.offsets) @ found.tool
     np.testing.assert_allclose(mapped, poses(model, q), rtol=0, atol=1e-9)
+    same = JointMap(found.base, found.tool, found.signs, found.offsets).poses(table.to_chain(), q)
+    np.testing.assert_allclose(same, poses(model, q), rtol=0, atol=1e-9)
 
 
 def test_the_ur5_s_half_turn_is_told():
@@ -125,7 +128,7 @@ def test_the_panda_s_table_read_in_the_wrong_convention_is_recognised():
     assert fault.text == "The table is in the modified convention, but was read as standard."
 
 
-@pytest.mark.oracle("pinocchio", kl.assign_frames)
+@pytest.mark.oracle("pinocchio", kl.assign_frames, kl.FrameAssignment)
 @pytest.mark.parametrize("joints", [UR5_JOINTS, PANDA_JOINTS], ids=["UR5", "Panda"])
 @pytest.mark.parametrize("convention", ["standard", "modified"])
 def test_frames_are_assigned_to_them_with_base_and_tool_made_explicit(joints, convention):

@@ -7,7 +7,7 @@ import mpmath_oracle
 import numpy as np
 import pytest
 import scipy.linalg
-from hypothesis import given, settings
+from hypothesis import given
 from strategies import twists
 
 from kinlib import adjoint, exp
@@ -54,7 +54,6 @@ def bernoulli_series(x):
 
 
 @pytest.mark.oracle("scipy", ad)
-@settings(max_examples=25)
 @given(twists())
 def test_ad_generates_the_adjoint(x):
     """exp of the matrix ad(x) is Ad of exp(x), by SciPy's matrix exponential."""

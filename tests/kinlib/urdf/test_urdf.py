@@ -10,7 +10,7 @@ from xml.etree import ElementTree as ET
 
 import numpy as np
 import pytest
-from hypothesis import assume, given, settings
+from hypothesis import assume, given
 from hypothesis import strategies as st
 from scipy.linalg import norm
 from scipy.sparse.csgraph import shortest_path
@@ -74,7 +74,6 @@ def test_if_there_are_several_tips_the_message_lists_them():
 
 
 @pytest.mark.oracle("pinocchio", load_urdf, read_tree, UrdfJoint.moves, UrdfJoint.screw)
-@settings(max_examples=60)
 @given(trees())
 def test_any_path_of_any_tree_moves_as_pinocchio_says(drawn):
     text, base, tip = drawn
@@ -141,7 +140,6 @@ def test_the_elements_of_a_shipped_file_are_those_of_lxml(name):
 
 @pytest.mark.oracle("scipy", LinkTree.root, LinkTree.path, LinkTree.tips, LinkTree.check_link, LinkTree.descendants)
 @pytest.mark.oracle("scipy", LinkTree.common_ancestor)
-@settings(max_examples=40)
 @given(trees())
 def test_paths_through_a_tree_are_the_shortest_of_scipy_s_graphs(drawn):
     text, base, tip = drawn

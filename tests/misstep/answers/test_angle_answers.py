@@ -51,7 +51,7 @@ def test_an_angle_is_read_within_half_a_turn_of_the_right_one():
     assert Angles(np.array(0.5)).read(0.5 - 4 * np.pi + 3) == pytest.approx(3.5, abs=1e-12)
 
 
-@pytest.mark.parametrize("given", [[1.0], [1.0, 2.0, 3.0], "east", [np.nan, 1.0]])
-def test_anything_but_two_angles_is_unreadable(given):
-    with pytest.raises(Unreadable, match=r"Expected angles, an array of shape \(2,\) in rad, in any order"):
-        Angles(np.array([0.5, -0.5]), any_order=True).read(given)
+def test_anything_but_two_angles_is_unreadable():
+    for odd in ([1.0], [1.0, 2.0, 3.0], "east", [np.nan, 1.0]):
+        with pytest.raises(Unreadable, match=r"Expected angles, an array of shape \(2,\) in rad, in any order"):
+            Angles(np.array([0.5, -0.5]), any_order=True).read(odd)

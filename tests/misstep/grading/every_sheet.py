@@ -3,7 +3,7 @@
 import re
 
 import pytest
-from habits import HABITS, SHEETS, graders, solution, solved
+from habits import HABITS, SHEETS, solution, solved
 from submissions import ROOT, as_bytes, handed_in, right
 
 from misstep.grading.collect.run_plan import read_released_sheet
@@ -13,12 +13,6 @@ from misstep.sheet import SAMPLE_ID
 GUIDE = (ROOT / "site" / "instructors.md").read_text("utf-8")
 KEY_TABLE = {row[0]: row[1:] for row in re.findall(r"^\| (\d\d) \| (\d+) of (\d+) \| (.*) \|$", GUIDE, re.MULTILINE)}
 """By the number of a sheet: how many problems the key covers, of how many, and which it does not cover."""
-
-
-@pytest.fixture(scope="module")
-def grade_habit():
-    with graders() as grade:
-        yield grade
 
 
 @pytest.mark.parametrize("sheet", SHEETS)

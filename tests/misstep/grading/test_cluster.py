@@ -7,6 +7,7 @@ import sys
 import threading
 import time
 from pathlib import Path
+from types import SimpleNamespace
 
 import pytest
 import submissions
@@ -17,7 +18,7 @@ if sys.platform != "linux":
 
 from misstep.__main__ import main
 from misstep.grading.collect.run_plan import ReleasedSheet
-from misstep.grading.judging.cluster import ClusterUnreachable, connect, grade_on_worker
+from misstep.grading.judging import cluster
 from misstep.grading.publish.grades import grades_table
 from misstep.grading.publish.result_store import ResultStore
 from misstep.grading.sandbox.limits import Limits
@@ -88,31 +89,18 @@ def test_a_worker_is_killed_in_the_middle_and_everybody_is_graded_once(running, 
     assert workers[1].poll() is None
     assert sorted(kept) == STUDENTS
     results = [ResultStore(out).load(student) for student in STUDENTS]
-    assert [result.points for result in results] == [24] * len(STUDENTS)
+    assert [result.points for result in results] == [28] * len(STUDENTS)
     assert (out / "grades.csv").read_text("utf-8") == grades_table(results)
 
 
-def test_a_worker_needs_no_folder_of_whoever_grades(monkeypatch, tmp_path):
-    class Told:
-        def __init__(self, sheet, *_):
-            self.folder = sheet.folder
-
-        def grade(self, student, content, seed_id):
-            return self.folder
-
-        def close(self):
-            pass
-
-    monkeypatch.setattr("misstep.grading.judging.cluster.Grader", Told)
-    monkeypatch.setattr("misstep.grading.judging.cluster.GRADERS", {})
-    for folder, expected in ((tmp_path, tmp_path), (Path("/nowhere"), Path.cwd())):
-        assert (
-            grade_on_worker((ReleasedSheet(SHEET, folder, {}, "kincourse"), Limits(), True), "ada", None, "")
-            == expected
-        )
-
-
-def test_a_scheduler_that_is_not_there_is_told(monkeypatch):
-    monkeypatch.setattr("misstep.grading.judging.cluster.CONNECT_TIMEOUT", "0.2s")
-    with pytest.raises(ClusterUnreachable, match="No Dask scheduler answers at tcp"), connect("tcp://127.0.0.1:1"):
-        pass
+def test_a_worker_needs_no_folder_of_the_instructor_and_a_missing_scheduler_is_told(monkeypatch, tmp_path):
+    told = SimpleNamespace(grade=lambda *_: None, close=lambda: None)
+    folders = []
+    monkeypatch.setattr(cluster, "Grader", lambda sheet, *_: folders.append(sheet.folder) or told)
+    monkeypatch.setattr(cluster, "GRADERS", {})
+    for folder in (tmp_path, Path("/nowhere")):
+        cluster.grade_on_worker((ReleasedSheet(SHEET, folder, {}, "kincourse"), Limits(), True), "ada", None, "")
+    assert folders == [tmp_path, Path.cwd()]
+    monkeypatch.setattr(cluster, "CONNECT_TIMEOUT", "0.2s")
+    with pytest.raises(cluster.ClusterUnreachable, match="No Dask scheduler answers at tcp"):
+        cluster.connect("tcp://127.0.0.1:1").__enter__()

@@ -4,7 +4,7 @@ import re
 
 import pytest
 import submissions
-from habits import cells_of, graders, solved, text
+from habits import cells_of, solved, text
 from submissions import as_bytes, code, names
 
 if lacking := submissions.sandbox_lacks():
@@ -40,12 +40,6 @@ SAMPLE = {
 """Habits that are tried in every run, each with a part of the note."""
 
 
-@pytest.fixture(scope="module")
-def grade_habit():
-    with graders() as grade:
-        yield grade
-
-
 @pytest.mark.parametrize("habit", SAMPLE)
 def test_a_habit_costs_nothing_and_the_note_says_what_was_passed_over(habit, grade_habit):
     result = grade_habit(habit, SHEET)
@@ -76,15 +70,15 @@ def test_what_is_left_out_of_the_output_is_said_on_the_page(grade_habit):
 
 WRONG = "screw_1 = np.zeros(6)"
 
-ABUSES = {
-    "the right answer read": "screw_1 = sheet.problem(1).answer.value",
-    "the right answer read by a detour": "found = sheet.problem(1).answer.value\nscrew_1 = found",
-    "from a package that is not there": "import nowhere\nscrew_1 = nowhere.answers[1]",
-    "from a file that is not there": "screw_1 = open('answers.txt').read()",
-    "asked for": "screw_1 = input('Which?')",
-    "a program": "screw_1 = !solve 1",
-    "an error before the answer": "1 / 0\nscrew_1 = kl.DHTable(given.rows, convention='standard').to_chain().screws[2]",
-}
+ABUSES = (
+    "screw_1 = sheet.problem(1).answer.value",
+    "found = sheet.problem(1).answer.value\nscrew_1 = found",
+    "import nowhere\nscrew_1 = nowhere.answers[1]",
+    "screw_1 = open('answers.txt').read()",
+    "screw_1 = input('Which?')",
+    "screw_1 = !solve 1",
+    "1 / 0\nscrew_1 = kl.DHTable(given.rows, convention='standard').to_chain().screws[2]",
+)
 
 
 @pytest.fixture(scope="module")
@@ -103,10 +97,9 @@ def points_of_first(grader, *cells, below=()):
     return result.problems[0].points
 
 
-@pytest.mark.parametrize("abuse", ABUSES)
-def test_what_is_passed_over_gives_no_answer(abuse, grader):
-    lines = f"given = sheet.given(1)\nscrew_1 = ...\n{ABUSES[abuse]}"
-    assert points_of_first(grader, lines) == 0
+def test_what_is_passed_over_gives_no_answer(grader):
+    for abuse in ABUSES:
+        assert points_of_first(grader, f"given = sheet.given(1)\nscrew_1 = ...\n{abuse}") == 0, abuse
 
 
 def test_a_second_answer_is_no_second_guess(grader):

@@ -77,12 +77,6 @@ def test_every_joint_is_labelled_and_described(mechanism):
     assert not {"A", "pin"} & drawn_names(draw_linkage(mechanism, np.zeros(mechanism.n), names=False))
 
 
-@each
-def test_planar_linkages_are_recognised(mechanism):
-    spatial = {"Bennett's linkage", "Bricard's linkage", "Sarrus's linkage", "Stewart-Gough platform"}
-    assert is_planar(mechanism) == (mechanism.name not in spatial)
-
-
 def test_a_named_point_moves_with_its_body():
     mechanism = linkages.four_bar(4, 1, 3.5, 3)
     geometry = linkage_geometry(mechanism, [np.pi / 2, -np.pi / 2, 0, 0], {"P": ("coupler", (2, 0.5, 0))})

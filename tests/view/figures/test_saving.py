@@ -12,12 +12,16 @@ from xml.etree import ElementTree as ET
 
 import numpy as np
 import pytest
+from PIL import Image
 from traitlets import Bool, HasTraits
 
 import kinlib as kl
 from kincourse.lecture_08_closed_chains.drawings.torus import side_by_side
 from kinlib import view
 from kinlib.view import Gallery, Picture
+from kinlib.view.drawing import svg
+from kinlib.view.drawing.export import figure_from_svg, image_bytes
+from kinlib.view.figures.arm import describe_arm
 
 ALT = "A curve & its <tangent>, 0.5 m long. The two meet at 1."
 Q = [0, 0.5, -0.5, 0, 1, 0]
@@ -76,12 +80,58 @@ def test_a_gallery_is_saved_as_a_page(tmp_path):
     assert (tmp_path / "both.html").read_text("utf-8").count("<img ") == 2
 
 
-@pytest.mark.parametrize("name", ["arm.png", "arm.pdf", "arm", "svg", ".svg", "arm.svg.gz", "arm.htm"])
 @pytest.mark.parametrize("shown", ["a drawing", "a viewer"])
-def test_other_endings_are_refused_and_nothing_is_written(shown, name, tmp_path):
-    with pytest.raises(ValueError, match=r"path must end in \.svg or \.html; got .*Inkscape"):
-        SHOWN[shown]().save(tmp_path / name)
+def test_other_endings_are_refused_and_nothing_is_written(shown, tmp_path):
+    drawn = SHOWN[shown]()
+    for name in ("arm.jpg", "arm", "svg", ".svg", "arm.svg.gz", "arm.htm"):
+        with pytest.raises(ValueError, match=r"path must end in \.svg, \.html, \.png or \.pdf; got "):
+            drawn.save(tmp_path / name)
     assert not list(tmp_path.iterdir())
+
+
+@pytest.mark.oracle("PIL", image_bytes, figure_from_svg)
+def test_an_image_has_the_marks_of_the_drawing_where_they_are(tmp_path):
+    """Half a drawing of 200 by 100 is the part from (50, 0) to (150, 50)."""
+    marks = [
+        svg.circle(np.array([130.0, 20.0]), 5, "#ff0000"),
+        svg.polygon(np.array([[60.0, 10], [80, 10], [80, 30], [60, 30]]), "#00ff00"),
+        svg.polyline(np.array([[60.0, 40], [140, 40]]), "#0000ff", 4, "--"),
+        svg.text((100.0, 20.0), "$S_{12}$", "#ff00ff", 14),
+    ]
+    half = svg.document(marks, 200, 100).replace('viewBox="0 0 200 100"', 'viewBox="50 0 100 50"')
+    Picture(half, ALT).save(tmp_path / "marks.PNG")
+    with Image.open(tmp_path / "marks.PNG") as image:
+        assert image.info["Description"] == ALT
+        pixels = np.asarray(image.convert("RGB"), dtype=int)
+    height, width, _ = pixels.shape
+    assert width == pytest.approx(2 * height, abs=1)
+    boxes = {}
+    for name, colour in (("dot", (255, 0, 0)), ("square", (0, 255, 0)), ("line", (0, 0, 255)), ("text", (255, 0, 255))):
+        rows, columns = np.nonzero(np.abs(pixels - colour).max(axis=2) < 100)
+        x, y = 50 + 100 * (columns + 0.5) / width, 50 * (rows + 0.5) / height
+        boxes[name] = [x.min(), y.min(), x.max(), y.max()]
+    np.testing.assert_allclose(boxes["dot"], [125, 15, 135, 25], atol=0.8)
+    np.testing.assert_allclose(boxes["square"], [60, 10, 80, 30], atol=0.8)
+    np.testing.assert_allclose(boxes["line"], [60, 38, 138, 42], atol=2.5)
+    left, top, right, bottom = boxes["text"]
+    assert left + right == pytest.approx(200, abs=4)
+    assert 8 < top < 16
+    assert 22 < bottom < 34
+    dashes = np.abs(pixels[int(0.8 * height)] - (0, 0, 255)).max(axis=1) < 100
+    assert np.count_nonzero(np.diff(dashes.astype(int)) == 1) >= 6
+
+
+@pytest.mark.parametrize("shown", ["a plot", "two drawings", "a viewer", "a linkage"])
+def test_every_kind_is_saved_as_pixels_and_for_print(shown, tmp_path):
+    drawn = SHOWN[shown]()
+    for name, start in (("it.png", b"\x89PNG"), ("it.pdf", b"%PDF")):
+        drawn.save(tmp_path / name)
+        once = (tmp_path / name).read_bytes()
+        assert once.startswith(start)
+        drawn.save(tmp_path / name)
+        assert (tmp_path / name).read_bytes() == once
+    with Image.open(tmp_path / "it.png") as image:
+        assert len(image.convert("RGB").getcolors(maxcolors=1 << 24)) > 20
 
 
 def test_a_viewer_that_waits_for_a_question_is_not_saved(tmp_path):
@@ -131,6 +181,31 @@ def test_show_saves_to_a_path_and_opens_nothing(opened, tmp_path):
     assert not opened
 
 
+def test_show_takes_every_kind_of_robot_with_values_by_name(opened, tmp_path):
+    arm = kl.robots.rpr()
+    named = kl.Chain(arm.screws, arm.home, joint_names=("a", "b", "c"))
+    table = kl.assign_frames(arm, convention="standard").table
+    closed = FOUR_BAR.assembly_modes(hold={"A": 1.0})[0]
+    by_name = {"c": 0.3, "a": 0.1, "b": 0.2}
+    for robot, q, alt in (
+        (named, by_name, describe_arm(named, [0.1, 0.2, 0.3])),
+        (table, [0.1, 0.2, 0.3], describe_arm(table.to_chain(), [0.1, 0.2, 0.3])),
+        (kl.Tree.from_urdf(kl.to_urdf(named)), by_name, None),
+        (FOUR_BAR, dict(zip(FOUR_BAR.names, closed, strict=True)), view.draw_linkage(FOUR_BAR, closed).alt),
+    ):
+        kl.show(robot, q, path=tmp_path / "robot.svg")
+        shown = ET.parse(tmp_path / "robot.svg").getroot()[1].text
+        assert shown == alt if alt else "at q = (0.1, 0.2, 0.3)" in shown
+    assert (
+        view.draw_arm(named, by_name, ghost=by_name).alt
+        == view.draw_arm(named, [0.1, 0.2, 0.3], ghost=[0.1, 0.2, 0.3]).alt
+    )
+    assert view.explore(named, start=by_name, ghost=by_name).q == [0.1, 0.2, 0.3]
+    start = dict(zip(FOUR_BAR.names, closed, strict=True))
+    assert view.drive(FOUR_BAR, start).q == view.drive(FOUR_BAR, closed).q
+    assert not opened
+
+
 def test_show_displays_in_a_notebook(opened, monkeypatch):
     displayed = []
     kernel = SimpleNamespace(get_ipython=object, display=SimpleNamespace(display=displayed.append))
@@ -144,7 +219,9 @@ def test_show_displays_in_a_notebook(opened, monkeypatch):
 def test_show_refuses_what_it_cannot_draw():
     with pytest.raises(ValueError, match=r"show takes a Chain, .*got list \[1, 2\]"):
         kl.show([1, 2])
-    with pytest.raises(ValueError, match="q must be given with a chain only; got it with a Picture"):
+    with pytest.raises(ValueError, match="q must be given with a robot only; got it with a Picture"):
         kl.show(view.draw_arm(kl.robots.rpr()), [0, 0, 0])
+    with pytest.raises(ValueError, match="q must be given with a closed chain, the values of A, B, D, C"):
+        kl.show(FOUR_BAR)
     with pytest.raises(ValueError, match="5 joints"):
         kl.show(kl.robots.youbot(), [0, 0, 0])

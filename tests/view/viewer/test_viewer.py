@@ -20,9 +20,14 @@ from kinlib.view.viewer.scene import (
     arm_data,
     body_motions,
     extent,
+    finite_limits,
+    frame_data,
     frames_on_links,
     half_height,
+    joint_data,
+    joint_slider,
     link_paths,
+    room,
     scene,
 )
 from kinlib.view.viewer.viewer import STATIC
@@ -50,7 +55,7 @@ def test_the_links_run_from_the_base_over_every_joint_to_the_tool(robot):
         np.testing.assert_allclose(path[-1], end, atol=1e-9)
 
 
-@pytest.mark.oracle("modern_robotics", arm_data, scene)
+@pytest.mark.oracle("modern_robotics", arm_data, scene, joint_data)
 @each_robot
 def test_the_data_of_an_arm_has_the_forward_kinematics_of_modern_robotics(robot):
     """The page moves each body by its screw, so the data alone must give the pose of the arm's tool."""
@@ -102,6 +107,7 @@ def test_dh_frames_are_those_of_the_assignment(robot):
         np.testing.assert_array_equal(np.reshape(shown[str(i)], (4, 4)), T)
 
 
+@pytest.mark.oracle("text: written out in the test", joint_slider, finite_limits)
 def test_sliders_have_the_limits_of_the_joints_or_default_ranges():
     rpr = kl.robots.rpr()
     limited = kl.Chain(rpr.screws, rpr.home, limits=[(-1, 2), (-np.inf, np.inf), (0, np.inf)])
@@ -217,7 +223,7 @@ def test_a_body_has_the_motions_of_all_joints_before_it(robot):
         np.testing.assert_allclose(motion, T, atol=1e-12)
 
 
-@pytest.mark.oracle("modern_robotics", frames_on_links)
+@pytest.mark.oracle("modern_robotics", frames_on_links, frame_data)
 def test_a_frame_on_a_link_is_where_it_was_given_after_the_motion_of_its_link():
     robot = kl.robots.youbot()
     q = configurations(robot, 1)[0]
@@ -231,7 +237,13 @@ def test_a_frame_on_a_link_is_where_it_was_given_after_the_motion_of_its_link():
         np.testing.assert_allclose(T @ np.reshape(frame["pose"], (4, 4)), given[name], atol=1e-12)
 
 
-@pytest.mark.oracle("text: written out in the test", half_height)
+@pytest.mark.oracle("text: written out in the test", half_height, room)
 def test_the_height_of_a_view_fits_what_lies_upwards_and_sideways():
-    assert half_height(np.array([[0.0, 0, 3], [0, 0, -1]])) == pytest.approx(3)  # upright from the front
-    assert half_height(np.array([[0.0, 2, 0]])) == pytest.approx(2)  # upright from above
+    assert half_height(np.array([[0.0, 0, 3], [0, 0, -1]])) == pytest.approx(3, rel=1e-12)  # upright from the front
+    assert half_height(np.array([[0.0, 2, 0]])) == pytest.approx(2, rel=1e-12)  # upright from above
+    view, floor = room(np.array([[0.0, 0, -1]]), np.array([[0.0, 0, 3]]), size=0.5)
+    assert (view["centre"], view["radius"], floor) == (
+        [0, 0, 1],
+        pytest.approx(2.05, rel=1e-12),
+        pytest.approx(-1.1, rel=1e-12),
+    )

@@ -89,6 +89,22 @@ for thing in gc.get_objects():
         print("fo" "und", thing)
 """
 
+LIST_PATHS = """
+import os, sys
+modules = [module for name, module in sys.modules.items() if name.partition(".")[0] in ("misstep", "__main__")]
+print(dict(os.environ), sys.argv, sys.orig_argv, os.getcwd())
+print([(vars(module).get("__file__"), list(vars(module).get("__path__") or [])) for module in modules])
+print([path for path in sys.path if not os.path.exists(path)])
+"""
+
+LIST_DESCRIPTORS = """
+import os
+def is_open(descriptor):
+    try: return bool(os.fstat(descriptor))
+    except OSError: return False
+print("open:", *(k for k in range(1 << 16) if is_open(k)))
+"""
+
 OPEN_SHEET = """
 from {name} import open_sheet
 print("opened", open_sheet("{sheet}", "ada").problem(1).statement != "")
@@ -146,30 +162,32 @@ def run(course, sheet, is_safe, *attacks):
     return [json.dumps(line["outputs"]) for line in lines]
 
 
-def test_a_submission_opens_its_sheet_and_reads_nothing_of_the_course(course):
+def test_a_submission_opens_its_sheet_and_reads_nothing_of_the_course_and_of_the_grader(course, monkeypatch):
     course, sheet = course
-    opened, *attacks = run(course, sheet, True, OPEN_SHEET, READ_FILES, WALK_ROOT, IMPORT_MODULES, SEARCH_MEMORY)
+    monkeypatch.setenv("PATH", f"{os.environ['PATH']}:{course.folder.parent}")
+    attacks = (LIST_PATHS, LIST_DESCRIPTORS, READ_FILES, WALK_ROOT, IMPORT_MODULES, SEARCH_MEMORY)
+    opened, *told = run(course, sheet, True, OPEN_SHEET, *attacks)
     assert "opened True" in opened
-    assert len(attacks) == 4
-    for output in attacks:
+    assert len(told) == len(attacks)
+    for output in told:
         assert "found" not in output
         assert CANARY not in output
-    assert "FileNotFoundError" in attacks[0]
-    assert "error" not in attacks[3], "the search of the memory must run to its end"
+    paths, descriptors, files, _, _, memory = told
+    assert "FileNotFoundError" in files
+    assert "error" not in memory, "the search of the memory must run to its end"
+    assert "/scratch" in paths
+    assert str(course.folder.parent) not in paths
+    assert str(engine_folder()) not in paths
+    assert f"open: 0 1 2 {PIPE_DESCRIPTOR + 1}\\n" in descriptors
 
 
-def test_without_the_sandbox_the_same_attack_reads_the_course(course):
+def test_without_the_sandbox_the_same_attack_reads_the_course_but_finds_no_right_answer_in_the_memory(course):
     """So the test above tests the sandbox, and not attacks that would find nothing anywhere."""
     course, sheet = course
-    (output,) = run(course, sheet, False, 'print(open("{problems}").read())')
-    assert "SHEET = Sheet(" in output
-
-
-def test_without_the_sandbox_the_memory_still_has_no_right_answer(course):
-    course, sheet = course
-    (output,) = run(course, sheet, False, SEARCH_MEMORY)
-    assert "found" not in output
-    assert "error" not in output
+    files, memory = run(course, sheet, False, 'print(open("{problems}").read())', SEARCH_MEMORY)
+    assert "SHEET = Sheet(" in files
+    assert "found" not in memory
+    assert "error" not in memory
 
 
 def test_every_place_of_the_course_the_engine_and_the_released_sheet_is_hidden(tmp_path):
@@ -182,33 +200,3 @@ def test_a_course_that_is_no_folder_is_refused(course, monkeypatch):
     monkeypatch.setattr(type(course), "folder", property(lambda _: engine_folder() / "course.zip"))
     with pytest.raises(ValueError, match="must be a folder on the disk"):
         setup_for(course)
-
-
-LIST_PATHS = """
-import os, sys
-modules = [module for name, module in sys.modules.items() if name.partition(".")[0] in ("misstep", "__main__")]
-print(dict(os.environ), sys.argv, sys.orig_argv, os.getcwd())
-print([(vars(module).get("__file__"), list(vars(module).get("__path__") or [])) for module in modules])
-print([path for path in sys.path if not os.path.exists(path)])
-"""
-
-
-def test_a_submission_sees_no_path_no_argument_and_no_variable_of_the_grader(course, monkeypatch):
-    course, sheet = course
-    monkeypatch.setenv("PATH", f"{os.environ['PATH']}:{course.folder.parent}")
-    (output,) = run(course, sheet, True, LIST_PATHS)
-    assert "/scratch" in output
-    assert str(course.folder.parent) not in output
-    assert str(engine_folder()) not in output
-
-
-def test_a_submission_has_no_descriptor_but_its_streams_and_the_pipe_for_its_outputs():
-    code = """
-import os
-def is_open(descriptor):
-    try: return bool(os.fstat(descriptor))
-    except OSError: return False
-print("open:", *(k for k in range(1 << 16) if is_open(k)))
-"""
-    (output,) = run(COURSE, "01_frames", True, code)
-    assert f"open: 0 1 2 {PIPE_DESCRIPTOR + 1}\\n" in output

@@ -84,12 +84,12 @@ time.sleep(60)
 """
 
 
-@pytest.mark.parametrize("code", [HOARD_IN_PROCESSES, HOARD_IN_FILES], ids=["processes", "files"])
-def test_what_all_processes_hold_is_added_up_and_ended(code, unconfined, redacted):
-    outcome = unconfined.run(redacted, ["print('before')", code], LIMITS)
-    assert outcome.end_reason == "it held more than 400 MB of memory, all its processes and files together"
-    assert lines_printed(outcome) == ["before"]
-    assert not outcome.ended_by_itself
+def test_what_all_processes_hold_is_added_up_and_ended(unconfined, redacted):
+    for code in (HOARD_IN_PROCESSES, HOARD_IN_FILES):
+        outcome = unconfined.run(redacted, ["print('before')", code], LIMITS)
+        assert outcome.end_reason == "it held more than 400 MB of memory, all its processes and files together"
+        assert lines_printed(outcome) == ["before"]
+        assert not outcome.ended_by_itself
 
 
 def test_a_process_that_left_its_session_ends_with_its_submission(unconfined, redacted):
@@ -149,21 +149,18 @@ def make_cgroups(folder, controllers):
     return proc, cgroups, scope.parent
 
 
-def test_the_nearest_delegated_cgroup_with_a_limit_of_memory_is_found(tmp_path):
+def test_the_nearest_delegated_cgroup_with_a_limit_of_memory_is_found_or_none(tmp_path):
     proc, cgroups, app = make_cgroups(tmp_path, "cpu memory pids\n")
     assert delegated_cgroup(proc, cgroups) == app
-
-
-@pytest.mark.parametrize("lacking", ["the controller", "the file", "the folder", "version 2"])
-def test_without_a_delegated_cgroup_there_is_none(lacking, tmp_path):
-    proc, cgroups, app = make_cgroups(tmp_path, "cpu pids\n" if lacking == "the controller" else "memory\n")
-    if lacking == "the file":
-        (app / "cgroup.procs").unlink()
-    elif lacking == "the folder":
-        (proc / "self" / "cgroup").write_text("0::/elsewhere\n")
-    elif lacking == "version 2":
-        (proc / "self" / "cgroup").write_text("4:memory:/x\n")
-    assert delegated_cgroup(proc, cgroups) is None
+    (app / "cgroup.subtree_control").write_text("cpu pids\n")
+    assert delegated_cgroup(proc, cgroups) is None, "without the controller"
+    (app / "cgroup.subtree_control").write_text("memory\n")
+    (app / "cgroup.procs").unlink()
+    assert delegated_cgroup(proc, cgroups) is None, "not delegated"
+    (app / "cgroup.procs").touch()
+    for told in ("0::/elsewhere\n", "4:memory:/x\n"):  # a folder that is not there, and version 1
+        (proc / "self" / "cgroup").write_text(told)
+        assert delegated_cgroup(proc, cgroups) is None
 
 
 def test_a_cgroup_gets_the_process_and_its_limit_and_says_when_it_ended_something(tmp_path):

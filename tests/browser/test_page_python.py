@@ -1,0 +1,94 @@
+"""Widgets and sheets on their pages, with the Python of the page: by keyboard alone, and graded as the page says."""
+
+import csv
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+from browser import watched
+from built_site import ROOT
+from lab_page import PYTHON_TIMEOUT_MS
+from playwright.sync_api import expect
+
+from kincourse import find_sheet, open_sheet
+
+STUDENT, SHEET = "ada", "03_poe_space"
+
+
+@pytest.fixture(scope="module")
+def pages(site_folder, site_address):
+    """The address of the site, whose pages can run Python."""
+    if not (site_folder / "lab").exists():
+        pytest.skip("NO LAB WAS BUILT: its files could not be downloaded.")
+    return site_address
+
+
+def press(page, element, key="Enter"):
+    element.focus()
+    page.keyboard.press(key)
+
+
+def test_frames_that_are_placed_by_keyboard_are_judged_by_the_rules_on_the_page(chromium, pages):
+    with watched(chromium) as page:
+        page.goto(f"{pages}/lectures/07_frame_assignment.html")
+        page.locator("div.cell", has_text="assign(").first.scroll_into_view_if_needed()
+        check = page.get_by_role("button", name="Check the rules").first
+        panel = page.locator(".kv-assign").first
+        direction = panel.locator("select").first
+        direction.focus()
+        page.keyboard.press("ArrowDown")
+        chosen = direction.input_value()
+        press(page, check)
+        expect(panel.locator(".kv-verdict")).to_have_text("Waiting for Python …")
+        press(page, page.get_by_role("button", name="Load Python and run"))
+        expect(panel.locator(".kv-verdict")).to_contain_text("Not complete yet", timeout=2 * PYTHON_TIMEOUT_MS)
+        assert direction.input_value() == chosen
+        expect(check).to_be_focused()
+
+
+def test_a_sheet_is_answered_on_its_page_and_graded_with_the_points_of_the_page(
+    chromium_without_webgl, pages, tmp_path
+):
+    with watched(chromium_without_webgl) as page:
+        page.goto(f"{pages}/sheets/{SHEET}.html")
+        page.get_by_label("Your id").fill(STUDENT)
+        press(page, page.get_by_role("button", name="Show my numbers"))
+        press(page, page.get_by_role("button", name="Load Python and run"))
+        statement, answer, check, tally = (
+            page.locator(f".kinlib-cell-{name}") for name in ("show-1", "answer-1", "check-1", "tally")
+        )
+        expect(statement.locator(".kinlib-live-note")).to_have_text("Done.", timeout=PYTHON_TIMEOUT_MS)
+        expect(statement.locator("td .katex")).not_to_have_count(0)
+        right = np.array(open_sheet(SHEET, STUDENT).problem(1).answer.value)
+        for screws, title in ((-right, "Not yet"), (right, "Right")):
+            answer.locator("textarea").fill(f"screws_1 = np.array({screws.tolist()})")
+            press(page, check.get_by_role("button", name="Check"))
+            expect(check.locator(".cell_output [role=status]")).to_contain_text(title, timeout=PYTHON_TIMEOUT_MS)
+        press(page, tally.get_by_role("button", name="Run"))
+        expect(tally.locator(".cell_output")).to_contain_text(
+            f"3 of {find_sheet(SHEET).points}", timeout=PYTHON_TIMEOUT_MS
+        )
+        with page.expect_download() as taken:
+            press(page, page.get_by_role("button", name="Download with my answers"))
+        folder = tmp_path / "submitted" / STUDENT
+        taken.value.save_as(folder / taken.value.suggested_filename)
+        page.reload()
+        assert "screws_1 = np.array" in answer.locator("textarea").input_value()
+    sheet = ROOT / "solutions" / SHEET / f"{SHEET}.ipynb"
+    command = [
+        sys.executable,
+        "-m",
+        "misstep",
+        "grade",
+        sheet,
+        folder.parent,
+        "--out",
+        tmp_path / "results",
+        "--jobs",
+        "1",
+    ]
+    subprocess.run(command, check=True, capture_output=True, cwd=ROOT)
+    with (tmp_path / "results" / "grades.csv").open(encoding="utf-8") as file:
+        [graded] = csv.DictReader(file)
+    assert (graded["student"], graded["points"], graded["03.1"]) == (STUDENT, "3", "3")

@@ -1,0 +1,186 @@
+"""The project of lecture 10: a planted fault is found and named, and no description passes that was computed from another."""
+
+import re
+from functools import reduce
+
+import numpy as np
+import pytest
+
+from kincourse.lecture_10_one_robot_four_ways.arms import KINDS
+from kincourse.lecture_10_one_robot_four_ways.paths import EFFECTS, effect_of
+from kincourse.lecture_10_one_robot_four_ways.project import Project, joint_frames, write_urdf
+from kinlib.chains.robots import pose
+from kinlib.dh.assignment import assign_frames
+from kinlib.rigid.lie import adjoint, exp
+from kinlib.urdf.chains import load_urdf, to_urdf
+
+MACHINES = range(len(KINDS))
+
+
+def descriptions(project):
+    right = project.reference()
+    return {"screws": (right.chain.screws, right.chain.home, right.points), "table": right.table, "urdf": right.urdf}
+
+
+@pytest.mark.parametrize("kind", MACHINES)
+def test_right_descriptions_agree_with_the_log_and_with_each_other(kind):
+    project = Project("ada", kind)
+    result = project.verify(**descriptions(project))
+    assert result.passed, str(result)
+    assert str(result).count("agrees") == 9 + 3
+
+
+def planted_in_screws(right):
+    S, M, points = right["screws"]
+    for i in range(len(S)):
+        for wrong in (-S[i], S[i] - 0.03 * np.roll(np.eye(6)[3 + int(np.argmax(np.abs(S[i, :3] + S[i, 3:])))], 1)):
+            if np.allclose(wrong[:3], S[i, :3]) and not S[i, :3].any():
+                continue  # the length of a prismatic screw is its direction
+            yield f"joint {i + 1}", (np.array([*S[:i], wrong, *S[i + 1 :]]), M, points)
+    yield "M", (S, M @ pose(np.eye(3), (0.02, 0, 0)), points)
+
+
+def planted_in_table(right):
+    table = right["table"]
+    for i in range(table.n):
+        for column, change in ((0, 0.04), (1, np.pi), (2, -0.03), (3, np.pi / 2)):
+            rows = table.rows.copy()
+            rows[i, column] += change
+            yield f"row {i + 1}", table.changed(rows=rows)
+
+
+def planted_in_urdf(right):
+    origins = list(re.finditer(r'<origin xyz="(.*?)"', right["urdf"]))
+    for i, found in enumerate(origins):
+        for k, change in ((0, 0.04), (1, -0.03), (2, 0.05)):
+            xyz = np.array(found[1].split(), dtype=float)
+            xyz[k] += change
+            text = f'<origin xyz="{" ".join(map(str, xyz))}"'
+            place = f"joint {i + 1}" if i < len(origins) - 1 else "the tool"
+            yield place, right["urdf"][: found.start()] + text + right["urdf"][found.end() :]
+    for i, found in enumerate(re.finditer('axis xyz="0 0 1"', right["urdf"])):
+        yield f"joint {i + 1}", right["urdf"][: found.start()] + 'axis xyz="0 0 -1"' + right["urdf"][found.end() :]
+
+
+@pytest.mark.parametrize("kind", MACHINES)
+@pytest.mark.parametrize("name", ["screws", "table", "urdf"])
+def test_a_planted_fault_is_found_and_named_at_its_joint(name, kind):
+    project = Project("grace", kind)
+    right = descriptions(project)
+    faults = {"screws": planted_in_screws, "table": planted_in_table, "urdf": planted_in_urdf}[name](right)
+    shown = "URDF" if name == "urdf" else name
+    for place, wrong in faults:
+        result = project.verify(**{**right, name: wrong})
+        assert not result.passed
+        assert [finding.name for finding in result.findings if not finding.agrees] == [shown], (place, str(result))
+        assert result[shown].place == place, (place, str(result))
+        own = project.log.distances_mm(product_poses(name, wrong, project.log.q))
+        assert result[shown].worst_mm == pytest.approx(own.max())
+
+
+def product_poses(name, description, q):
+    """The forward kinematics of the library, which does not use the products that are verified."""
+    if name == "screws":
+        S, M, _ = description
+        return np.array([reduce(np.matmul, [*exp(S * values[:, None]), M]) for values in q])
+    return description.fk(q) if name == "table" else load_urdf(description).fk(q)
+
+
+@pytest.mark.parametrize("kind", MACHINES)
+def test_two_faults_are_not_blamed_on_one_joint(kind):
+    project = Project("emmy", kind)
+    right = descriptions(project)
+    rows = right["table"].rows.copy()
+    rows[0, 0], rows[3, 2] = rows[0, 0] + 0.05, rows[3, 2] - 0.06
+    rows[1, 1] += 0.4
+    finding = project.verify(**{**right, "table": right["table"].changed(rows=rows)})["table"]
+    assert not finding.agrees
+    assert not finding.places
+    assert "more than one is wrong" in str(finding)
+
+
+@pytest.mark.parametrize("kind", MACHINES)
+def test_no_description_passes_that_is_computed_from_another(kind):
+    project = Project("alan", kind)
+    right = descriptions(project)
+    from_screws, from_file, from_table = project.reference().chain, load_urdf(right["urdf"]), right["table"].to_chain()
+    for chain in (from_screws, from_file, from_table):
+        for name, computed in {
+            "screws": (chain.screws, chain.home, chain.joint_points),
+            "table": assign_frames(chain, convention="standard").table,
+            "urdf": to_urdf(chain),
+        }.items():
+            if name == "screws" and chain is from_screws:
+                continue  # they are what the student wrote
+            result = project.verify(**{**right, name: computed})
+            finding = result["URDF" if name == "urdf" else name]
+            assert finding.agrees, str(result)
+            assert finding.off_mark, str(result)
+            assert not result.passed
+            assert "read them off the drawing" in str(finding)
+
+
+@pytest.mark.parametrize("kind", MACHINES)
+def test_the_received_description_is_wrong_at_one_joint(kind):
+    for student in ("ada", "grace", "alan"):
+        project = Project(student, kind)
+        received = project.received
+        finding = project.verify(received=(received.body_screws, received.home))["body screws"]
+        assert not finding.agrees
+        assert finding.place == f"joint {received.joint}"
+        right = project.reference().chain
+        computed = received.body_screws @ adjoint(received.home).T
+        wrong = np.abs(computed - right.screws).max(axis=1) > 1e-3
+        assert np.flatnonzero(wrong).tolist() == [received.joint - 1]
+
+
+@pytest.mark.parametrize("kind", MACHINES)
+def test_each_path_has_its_effect_and_no_other(kind):
+    project = Project("ada", kind)
+    chain = project.reference().chain
+    assert sorted(path.effect for path in project.paths.values()) == sorted(EFFECTS)
+    for path in project.paths.values():
+        assert effect_of(chain, path) == path.effect
+        assert effect_of(load_urdf(project.reference().urdf), path) == path.effect  # limits are in the file too
+
+
+def test_the_drawing_says_in_words_what_the_descriptions_need():
+    project = Project("ada")
+    machine = project.reference()
+    chains = {}
+    for letter, steps in re.findall(r"Along (.): (.*?)\.", project.drawing("screws").alt):
+        value, values = 0.0, {}
+        for step in steps.split(", then "):
+            length, names = re.fullmatch(r"(?:(\S+) mm to )?(.*)", step).groups()
+            value += float(length or 0)
+            values.update(dict.fromkeys(re.split(", | and ", names), value))
+        chains[letter] = {name: x - values["{s}"] for name, x in values.items()}
+    for i, point in enumerate(machine.points, start=1):
+        assert [chains[letter][f"P{i}"] for letter in "xyz"] == pytest.approx(1000 * point, abs=0.6)
+
+
+def test_a_written_file_is_read_back():
+    frames = [np.eye(4), pose(np.eye(3), (0.1, 0.2, 0.3)), pose(([0, 1, 0], [0, 0, 1], [1, 0, 0]), (0.4, 0, 0))]
+    poses, axes = joint_frames(write_urdf(frames, "R", np.array([[-1, 1]])))
+    assert np.allclose(poses, frames[1:2])
+    assert np.allclose(load_urdf(write_urdf(frames, "R", np.array([[-1, 1]]))).home, frames[2], atol=1e-5)
+    assert axes.tolist() == [[0, 0, 1]]
+
+
+@pytest.mark.parametrize("given", [{"table": "modified"}, {"urdf": "<robot"}])
+def test_bad_input_is_refused(given):
+    project = Project("ada")
+    if given.get("table"):
+        given = {"table": project.reference().table.changed(convention="modified")}
+    with pytest.raises(ValueError, match=r"standard convention|XML"):
+        project.verify(**given)
+
+
+def test_what_is_not_written_yet_is_left_out():
+    project = Project("ada")
+    right = descriptions(project)
+    result = project.verify(screws=(..., right["screws"][1], ...), table=..., urdf=right["urdf"])
+    assert [finding.name for finding in result.findings] == ["URDF"]
+    nothing = project.verify(screws=(..., ..., ...))
+    assert not nothing.passed
+    assert "nothing to verify yet" in str(nothing)
