@@ -30,7 +30,7 @@ def commands() -> dict[str, list[str]]:
     found: dict[str, list[str]] = {}
     for pattern in DOCUMENTS:
         for path in sorted(ROOT.glob(pattern)):
-            if path.name != "CHANGELOG.md":
+            if path.is_file() and path.name != "CHANGELOG.md":
                 for command in commands_of(path):
                     found.setdefault(command, []).append(path.relative_to(ROOT).as_posix())
     return found

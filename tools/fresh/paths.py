@@ -311,6 +311,7 @@ NOT_REHEARSED = {
     "misstep grade ": "the same program with files that a person has; graded with other files",
     "misstep census": "the census takes long; a new course runs one",
     "misstep new-course": "run with a name",
+    "misstep unnamed": "needs the results of a graded class; a test of misstep has some",
     ".venv/bin/misstep release": "the same program as `misstep release`",
     "python -m kincourse": "the same program as `kincourse`",
     "pip install pandas": "an example of a package of students",
@@ -319,6 +320,9 @@ NOT_REHEARSED = {
     ".venv/bin/python -m jupyterlab": "needs a person; another path opens JupyterLab",
     ".venv/bin/python -m http.server": "the standard library's server",
     ".venv/bin/python -m misstep grade": "run in the tests of the new course",
+    ".venv/bin/python -m misstep new-problem": "a test of the guide of the engine runs it",
+    ".venv/bin/python -m misstep check": "a test of the guide of the engine runs it",
+    ".venv/bin/python -m misstep preview": "opens a page that a person reads; tests of misstep make it",
     "dask": "needs several machines",
     "pip install ./kinlib './misstep[grading,cluster]'": "needs several machines",
 }
