@@ -147,6 +147,13 @@ class DHTableAnswer(Answer):
 
     def explanation(self, given: DHTable, part: int) -> tuple[str, str] | None:
         """Return the name of the mistake in a wrong table and a sentence on it, or None if no known mistake explains it."""
+        return self._explanation(given, in_pairs=True)
+
+    def is_near(self, given: DHTable, part: int) -> bool:
+        """Return whether a single mistake explains a wrong table. Pairs would take seconds where a known mistake is told anyway."""
+        return self._explanation(given, in_pairs=False) is not None
+
+    def _explanation(self, given: DHTable, *, in_pairs: bool) -> tuple[str, str] | None:
         ours = self.value
         if given.convention != ours.convention:
             text = (
@@ -163,7 +170,7 @@ class DHTableAnswer(Answer):
             without = given.changed(**{end: np.eye(4)})
             if (getattr(ours, end) != np.eye(4)).any() and all(self.agrees(without, ours)):
                 return f"{end} forgotten", text
-        diagnosis = self._diagnose(given)
+        diagnosis = self._diagnose(given, in_pairs=in_pairs)
         if diagnosis.explanations:
             return _described([explanation.faults for explanation in diagnosis.explanations])
         if diagnosis.unfixed and diagnosis.unfixed.verdict == "same":
@@ -190,9 +197,9 @@ class DHTableAnswer(Answer):
         ]
         return f"It differs from ours where the rules leave a choice: {'; '.join(choices)}." if choices else ""
 
-    def _diagnose(self, given: DHTable) -> Diagnosis:
+    def _diagnose(self, given: DHTable, *, in_pairs: bool = False) -> Diagnosis:
         fixed = CHOICES if self.anchored else ()
-        return diagnose(given, self.value, fixed, tolerance=POSE_TOLERANCE_FACTOR * TOLERANCE)
+        return diagnose(given, self.value, fixed, tolerance=POSE_TOLERANCE_FACTOR * TOLERANCE, in_pairs=in_pairs)
 
 
 def _choices(diagnosis: Diagnosis) -> str:

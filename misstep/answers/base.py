@@ -169,6 +169,10 @@ class Answer(ABC):
         """Return the name and the message of the mistake in a wrong part, if the answer itself shows it."""
         return None
 
+    def is_near(self, given: Any, part: int) -> bool:
+        """Return whether a wrong part is so near to the right one that the answer itself shows a single mistake."""
+        return self.explanation(given, part) is not None
+
     def description(self, given: Any, part: int) -> tuple[str, str] | None:
         """Return a name and a sentence for how a wrong part differs from the right one, if nothing else explains it."""
         return None

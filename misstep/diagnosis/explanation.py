@@ -118,9 +118,7 @@ def _told(
     problem: Problem, value: Any, parts: Sequence[int], mistakes: Sequence[Mistake], *, is_whole: bool = False
 ) -> Explanation:
     # Where the answer is the right one but for signs or an order, other ways lead to it as easily.
-    is_sure = all(
-        problem.answer.pins_down(value, part) and not problem.answer.explanation(value, part) for part in parts
-    )
+    is_sure = all(problem.answer.pins_down(value, part) and not problem.answer.is_near(value, part) for part in parts)
     return Explanation(list(parts), mistakes, message_of(mistakes, is_whole, is_sure), is_whole)
 
 
