@@ -26,7 +26,7 @@ from kincourse.sampling.arms import ArmSampler
 from misstep.cli import main as release
 from misstep.judge import judge
 
-STUDENTS = [f"student {i}" for i in range(12)]
+STUDENTS = [f"student {i}" for i in range(4)]
 
 each_robot = pytest.mark.parametrize("key", ODD_ROBOTS)
 
@@ -56,7 +56,7 @@ def test_every_robot_gets_eight_problems_that_suit_it_and_whose_mistakes_can_be_
     if not unsuited and "axis" not in key:
         assert tasks == list(TASK_ORDER[:PROBLEMS_PER_SHEET])
     for task in tasks:
-        for problem in variants(key, task, STUDENTS[:3]):
+        for problem in variants(key, task, STUDENTS[:1]):
             assert len(problem.known_mistakes) >= 3
             assert judge(problem, problem.answer.value).fraction == 1.0
             for wrong in problem.mistakes:
@@ -91,7 +91,7 @@ def test_poses_agree_with_modern_robotics(key):
 @pytest.mark.parametrize("key", ["PUMA", "seven", "ten", "SCARA", "gantry"])
 @pytest.mark.parametrize("task", ["standard_table", "modified_table"])
 def test_a_right_table_has_the_given_end_frames_and_the_drawn_zero_configuration(key, task):
-    for problem in variants(key, task, STUDENTS[:4]):
+    for problem in variants(key, task, STUDENTS[:2]):
         table, given = problem.answer.value, problem.given
         q = np.random.default_rng(1).uniform(-1, 1, table.n)
         np.testing.assert_allclose(table.fk(q), mr.FKinSpace(given["home"], given["screws"].T, q), atol=1e-6)
@@ -114,11 +114,11 @@ def test_a_faulty_table_has_one_wrong_row_and_it_is_that_of_the_answer(key):
 @pytest.mark.parametrize("task", TASK_ORDER)
 def test_students_have_different_answers(task):
     answers = set()
-    for problem in variants("PUMA", task, [f"s{i}" for i in range(30)]):
+    for problem in variants("PUMA", task, [f"s{i}" for i in range(12)]):
         value = problem.answer.value
         numbers = value.rows if isinstance(value, kl.DHTable) else value
         answers.add(np.round(numbers, 6).tobytes() if not isinstance(value, str) else problem.statement)
-    assert len(answers) > 20
+    assert len(answers) > 8
 
 
 limits = st.lists(st.floats(-1e3, 1e3, allow_subnormal=False), min_size=2, max_size=2).map(sorted)

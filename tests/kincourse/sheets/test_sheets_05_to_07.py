@@ -9,7 +9,7 @@ from kincourse import find_sheet
 from kinlib.chains.chain import random_configurations
 from misstep.judge import judge
 
-STUDENTS = [f"s{i}" for i in range(8)]
+STUDENTS = [f"s{i}" for i in range(3)]
 WHOLE_TABLES = {
     **{f"05.{k}": ("05_dh_standard", k) for k in (3,)},
     **{f"07.{k}": ("07_frame_assignment", k) for k in (3, 4, 6)},
@@ -61,7 +61,8 @@ def test_random_signs_of_the_entries_are_right_only_if_the_table_is_the_arm(plac
         for _ in range(5):
             rows = np.abs(ours.rows) * rng.choice([-1, 1], size=ours.rows.shape)
             right = moves_alike(ours.changed(rows=rows), ours)
-            assert judge(problem, rows.tolist()).fraction == (1.0 if right else 0.0)
+            given = problem.answer.read(rows.tolist())
+            assert all(problem.answer.agrees(given, ours)) == right
 
 
 @each_table
