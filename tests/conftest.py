@@ -15,9 +15,9 @@ from notebook_runs import Recorder
 mpl.use("agg")
 
 # Deadlines measure the machine, not the code. In CI, the same commit draws the same examples; elsewhere each run draws new ones.
-# Of each property they draw 40; `nox -s evidence` draws 100, and --quick 10.
+# Of each property they draw 25; `nox -s evidence` draws 100, and --quick 10.
 hypothesis.settings.register_profile(
-    "kinlib", deadline=None, derandomize="CI" in os.environ, print_blob=True, max_examples=40
+    "kinlib", deadline=None, derandomize="CI" in os.environ, print_blob=True, max_examples=25
 )
 hypothesis.settings.register_profile("thorough", hypothesis.settings.get_profile("kinlib"), max_examples=100)
 hypothesis.settings.register_profile("quick", hypothesis.settings.get_profile("kinlib"), max_examples=10)

@@ -1,6 +1,5 @@
 """The tutorial in misstep/docs: each command is run in order, and its problem stands in for the one that the command wrote."""
 
-import os
 import re
 import subprocess
 import sys
@@ -24,11 +23,9 @@ def test_the_tutorial_leads_to_a_course_in_which_nothing_is_missing(tmp_path):
                 here /= line.removeprefix("cd ")
                 continue
             command = [sys.executable, "-m", *re.findall(r'"[^"]*"|\S+', line)]
-            environment = {**os.environ, "PYTHONDONTWRITEBYTECODE": "1"}
             done = subprocess.run(
                 [one.strip('"') for one in command],
                 cwd=here,
-                env=environment,
                 capture_output=True,
                 encoding="utf-8",
                 check=False,

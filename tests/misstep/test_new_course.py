@@ -49,7 +49,7 @@ def course(tmp_path_factory):
         assert line.startswith(".venv/bin/python -m ")
         module, *arguments = shlex.split(line.removeprefix(".venv/bin/python -m "))
         quiet = ["-p", "no:cacheprovider"] if module == "pytest" else []
-        environment = {**os.environ, "PYTHONPATH": str(folder), "PYTHONDONTWRITEBYTECODE": "1"}
+        environment = {**os.environ, "PYTHONPATH": str(folder)}
         command = [sys.executable, "-m", module, *quiet, *arguments]
         done = subprocess.run(command, cwd=folder, env=environment, capture_output=True, encoding="utf-8", check=False)
         assert done.returncode == code, f"{line}\n{done.stdout}{done.stderr}"
