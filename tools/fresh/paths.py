@@ -178,8 +178,10 @@ def grade(place: Place) -> None:
     programs = {"misstep": ".venv/bin/misstep"}
     place.run("misstep grade", also=f"{SHEET} submissions --out results", replace=programs)
     points = re.search(r"^your id,([\d.]+)", (place.folder / "results/grades.csv").read_text("utf-8"), re.MULTILINE)
-    if points is None or float(points[1]) != 33:
-        raise Failure("The official solution of sheet 03 must have 33 points.")
+    cells = json.loads((place.folder / SHEET).read_text("utf-8"))["cells"]
+    total = sum(cell["metadata"].get("nbgrader", {}).get("points", 0) for cell in cells)
+    if points is None or float(points[1]) != total:
+        raise Failure(f"The official solution of sheet 03 must have {total} points, has {points and points[1]}.")
     place.run(
         "nbgrader generate_assignment 03_poe_space --force",
         replace={"nbgrader": "PATH=.venv/bin:$PATH .venv/bin/nbgrader"},
