@@ -12,6 +12,13 @@ from kincourse import find_question
 
 SHEET = "exercises/01_frames/01_frames.ipynb"
 LECTURE = "notebooks/00_start_here.ipynb"
+KERNEL = {"name": "python3", "display_name": "Python 3", "language": "python"}
+PLACING = [
+    nbformat.v4.new_code_cell(
+        "from kinlib import view\nfrom kinlib.chains.robots import rpr\n\nby_hand = view.assign(rpr(), 'standard')\nby_hand"
+    ),
+    nbformat.v4.new_code_cell("from kincourse import attempt\n\nrow_3 = ...\nattempt('07.a', row_3)"),
+]
 FOLDS = [
     nbformat.v4.new_code_cell(
         "'visible'; 'folded'\n'hidden'", metadata={"jupyter": {"source_hidden": True}, "tags": ["hide-input"]}
@@ -37,7 +44,9 @@ def lab(chromium_without_webgl, tmp_path_factory):
     shutil.copytree(ROOT / "exercises" / "01_frames", folder / "exercises" / "01_frames")
     sheet = folder / SHEET
     sheet.write_text(sheet.read_text("utf-8").replace("back_5 = ...", "back_5 = np.eye(4)"), "utf-8")
-    nbformat.write(nbformat.v4.new_notebook(cells=FOLDS), folder / "folds.ipynb")
+    for name, cells in {"folds": FOLDS, "placing": PLACING}.items():
+        notebook = nbformat.v4.new_notebook(cells=cells, metadata={"kernelspec": KERNEL})
+        nbformat.write(notebook, folder / f"{name}.ipynb")
     themes = folder / "config" / "lab" / "user-settings" / THEMES
     themes.parent.mkdir(parents=True)
     themes.write_text('{"theme": "JupyterLab Dark"}', "utf-8")
@@ -135,3 +144,23 @@ def test_one_click_on_the_section_to_reread_arrives_there(lab):
     page.wait_for_function(
         f"(() => {{ const top = ({HEADING_TOP})(); return 0 < top && top < innerHeight; }})()", timeout=60_000
     )
+
+
+def test_frames_placed_by_hand_stay_when_a_blank_is_checked_and_the_cell_runs_again(lab):
+    page = lab("placing.ipynb")
+    run(page, "by_hand = view.assign")
+    placing = cell(page, "by_hand = view.assign")
+    chosen = placing.locator(".kv-assign select").nth(1)
+    chosen.wait_for(timeout=60_000)
+    chosen.focus()
+    page.keyboard.press("ArrowDown")
+    name = chosen.input_value()
+    assert name
+    run(page, "row_3 = ...")
+    cell(page, "row_3 = ...").get_by_text("Nothing here yet").wait_for(timeout=60_000)
+    assert chosen.input_value() == name
+    old = chosen.element_handle()
+    run(page, "by_hand = view.assign")
+    page.wait_for_function("select => !select.isConnected", arg=old, timeout=60_000)
+    chosen.wait_for(timeout=60_000)
+    assert chosen.input_value() == name
