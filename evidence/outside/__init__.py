@@ -1,9 +1,10 @@
 """Answers from outside: what people may hand in, made from the statement and the given values alone.
 
-No module here imports the engine, the problems or kinlib, and none of them was written with the mistakes of a problem in sight.
-Each answer carries the sentence of what its maker did, and the words by which feedback may name it. A card that says something
-else as a fact is false, even if its numbers agree. Half of the kinds, chosen by their sentence, are counted by themselves, so that
-who tunes feedback can leave them unseen. When this bank was made, they were seen.
+Where the right answer stands in a drawing, or is one of many, they are made from ours. No module here imports the engine, the
+problems or kinlib, and but for the words of letters and lines none was written with the mistakes of a problem in sight. Each answer
+carries the sentence of what its maker did, and the words by which feedback may name it. A card that says something else as a fact
+is false, even if its numbers agree. Half of the kinds, chosen by their sentence, are counted by themselves, so that who tunes
+feedback can leave them unseen. When this bank was made, they were seen.
 """
 
 from collections.abc import Callable, Iterator
@@ -64,11 +65,25 @@ SPECIFIC: dict[str, Callable[..., Kinds]] = {}
 """For a problem, the function from its given values and its right answer to the kinds that belong to it alone."""
 
 
+RIGHT_FORMS: dict[str, Callable[..., dict[str, Any]]] = {}
+"""For a problem, the function from its given values and its right answer to right answers with other numbers."""
+
+
 def kinds_of(*numbers: str) -> Callable[[Callable[..., Kinds]], Callable[..., Kinds]]:
     """Register the kinds that belong to some problems alone."""
 
     def register(make: Callable[..., Kinds]) -> Callable[..., Kinds]:
         SPECIFIC.update(dict.fromkeys(numbers, make))
+        return make
+
+    return register
+
+
+def right_forms_of(*numbers: str) -> Callable[[Callable[..., dict[str, Any]]], Callable[..., dict[str, Any]]]:
+    """Register the right answers with other numbers, such as a table with an axis reversed."""
+
+    def register(make: Callable[..., dict[str, Any]]) -> Callable[..., dict[str, Any]]:
+        RIGHT_FORMS.update(dict.fromkeys(numbers, make))
         return make
 
     return register
@@ -81,7 +96,8 @@ def outside_answers(number: str, given: Any, drawn: Any, neighbour: Any = None) 
     drawn      the right answer, which is used only where it must be read from a drawing
     neighbour  the given values of another student
     """
-    from evidence.outside import sheets_01_to_05, sheets_06_to_10  # noqa: F401  they register their kinds
+    # They register their kinds.
+    from evidence.outside import drawings, robot_sheets, sheets_01_to_05, sheets_06_to_10, tables  # noqa: F401
     from evidence.outside.right import RIGHT, read_from_a_drawing
     from evidence.outside.shared import differs, legal_forms, shared_kinds
 
@@ -89,14 +105,12 @@ def outside_answers(number: str, given: Any, drawn: Any, neighbour: Any = None) 
         return
     kind, solve = RIGHT[number]
     value = solve(given) if number not in read_from_a_drawing else drawn
-    for label, form in legal_forms(kind, value).items():
+    own_forms = RIGHT_FORMS[number](given, value) if number in RIGHT_FORMS else {}
+    for label, form in {**legal_forms(kind, value), **own_forms}.items():
         yield OutsideAnswer(label, form, right=True)
     own = SPECIFIC[number](given, value) if number in SPECIFIC else {}
-    made = {
-        **shared_kinds(kind, value),
-        **{label: case for label, case in own.items() if differs(kind, case[0], value)},
-    }
-    if neighbour is not None and number not in read_from_a_drawing:
-        made["copied the answer of a neighbour"] = (solve(neighbour), "-")
+    if neighbour is not None and kind != "letter" and number not in read_from_a_drawing:  # letters are all tried
+        own["copied the answer of a neighbour"] = (solve(neighbour), "-")
+    made = shared_kinds(kind, value) | {label: case for label, case in own.items() if differs(kind, case[0], value)}
     for label, (wrong, words) in made.items():
         yield OutsideAnswer(label, wrong, frozenset(word.strip() for word in words.split("|")))

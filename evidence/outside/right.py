@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from evidence.answers_by_hand.common.kinematics import at, chain, link, logarithm, turn
-from evidence.answers_by_hand.common.motions import Ad, Array, exp, hat, pose, product, rot
+from evidence.outside import choices
+from evidence.outside.motions import Ad, Array, at, chain, exp, hat, link, logarithm, pose, product, rot, rpy_matrix
 
 inv = np.linalg.inv
 theta, a = sp.symbols("theta a")
@@ -17,7 +17,7 @@ theta, a = sp.symbols("theta a")
 
 def radians_of(values: Any, screws: Any) -> Array:
     """The joint values in radians and metres: the angles are given in degrees."""
-    return np.where(np.asarray(screws)[:, :3].any(axis=1), np.radians(values), values)
+    return np.array(np.where(np.asarray(screws)[:, :3].any(axis=1), np.radians(values), values))
 
 
 def skew(w: Any) -> Any:
@@ -55,7 +55,7 @@ def screw(w: Any, p: Any) -> Array:
 def tilted(g: Any) -> Array:
     """The direction of 03.2."""
     c, s = np.cos(np.radians(g.degrees)), np.sin(np.radians(g.degrees))
-    return c * np.asarray(g.from_axis) + s * np.asarray(g.towards)
+    return np.array(c * np.asarray(g.from_axis) + s * np.asarray(g.towards))
 
 
 def axes_to_screws(g: Any) -> Array:
@@ -152,12 +152,6 @@ def joints_of(text: str) -> list[Given]:
     return joints
 
 
-def rpy_matrix(rpy: Any, order: str = "zyx") -> Array:
-    """The rotation by roll, pitch and yaw."""
-    angles = dict(zip("xyz", rpy, strict=True))
-    return product(*(turn(k, angles[k]) for k in order))
-
-
 def frames_of(g: Any, order: str = "zyx") -> list[Array]:
     """The poses of all joints in the base, at home."""
     poses = [np.eye(4)]
@@ -203,7 +197,7 @@ def coupler_point(g: Any) -> Array:
     crank, A = g.bars[1], np.radians(g.degrees)
     coupler = to_point_C(g.bars, A)[0][0]
     c, s = np.cos(coupler), np.sin(coupler)
-    return crank * np.array([np.cos(A), np.sin(A)]) + np.array([c * g.along - s * g.left, s * g.along + c * g.left])
+    return np.array([crank * np.cos(A) + c * g.along - s * g.left, crank * np.sin(A) + s * g.along + c * g.left])
 
 
 def slider_x(g: Any) -> float:
@@ -240,8 +234,26 @@ def joint_origin(g: Any, order: str = "zyx") -> Array:
     return np.array(R.T @ (np.asarray(g.place_2) - g.xyz_1))
 
 
+def in_letters(g: Any, height_of_q2: float = 1) -> Any:
+    """The position of 10.5 as a formula."""
+    q1, q2 = sp.symbols("q1 q2")
+    a, b = (sp.Rational(str(x)) for x in (g.a, g.b))
+    radius, height = (a + q2, g.lift * b) if g.slides else (b * sp.cos(q2), a + height_of_q2 * g.lift * b * sp.sin(q2))
+    return sp.Matrix([radius * sp.cos(q1), radius * sp.sin(q1), height])
+
+
+def screws_of_any_joints(axes: Any, points: Any, pitches: Any) -> Array:
+    """The screws of joints with pitches, which are infinite where a joint slides."""
+    return np.array(
+        [
+            [0, 0, 0, *w] if np.isinf(h) else [*w, *np.cross(p, w) + h * np.asarray(w)]
+            for w, p, h in zip(axes, points, pitches, strict=True)
+        ]
+    )
+
+
 def in_the_drawing(g: Any) -> Any:
-    """Nothing: the answer is read from a drawing, or one of many is right."""
+    """Nothing: the answer is read from a drawing, one of many is right, or the wrong letters are known without the right one."""
     return None
 
 
@@ -355,8 +367,59 @@ RIGHT: dict[str, tuple[str, Callable[[Any], Any]]] = {
     "10.4": ("vector", joint_origin),
     "10.6": ("count", lambda g: mobility(6, int(sum(g.joints)) - len(g.joints) + 2, np.ones(int(sum(g.joints))))),
     "10.7": ("pose", poe),
+    "01.8": ("order", choices.rotations),
+    "01.9": ("letter", choices.rigid_or_not),
+    "03.6": ("order", choices.from_the_floor),
+    "03.12": ("screws", in_the_drawing),
+    "04.4": ("order", choices.around_home),
+    "04.12": ("screws", in_the_drawing),
+    "05.6": ("letter", choices.faulty_entry),
+    "05.9": ("flat rows", in_the_drawing),
+    "06.5": ("letter", choices.convention_of),
+    "06.11": ("flat rows", in_the_drawing),
+    "07.1": ("letter", choices.relation),
+    "07.5": ("letter", choices.broken_rule),
+    "07.8": ("letter", choices.same_arm),
+    "07.9": ("vectors", in_the_drawing),
+    "08.5": ("letter", in_the_drawing),
+    "08.6": ("letter", choices.grashof),
+    "09.6": ("line", in_the_drawing),
+    "09.7": ("letter", choices.path_through_a_tree),
+    "09.8": (
+        "origin",
+        lambda g: np.array([[g.a, -g.d * np.sin(g.alpha), g.d * np.cos(g.alpha)], [g.alpha, 0, 0]]),
+    ),
+    "09.11": ("line", in_the_drawing),
+    "09.12": ("vectors", in_the_drawing),
+    "10.3": ("letter", choices.one_of_four),
+    "10.5": ("formula", in_letters),
+    "10.8": ("vectors", in_the_drawing),
+    "10.9": ("screws", in_the_drawing),
+    "10.10": ("flat rows", in_the_drawing),
+    "10.11": ("frames", in_the_drawing),
+    "10.12": ("letter", in_the_drawing),
+    "10.13": ("millimetres", lambda g: max(choices.how_far_off(g))),
+    "10.14": ("letter", in_the_drawing),
+    "robot.home_pose": ("pose", lambda g: product(g.T_sr, g.T_rf, g.T_fb)),
+    "robot.where_is_the_tool": ("pose", lambda g: poe(g, g.screws, g.home, radians_of(g.values, g.screws))),
+    "robot.point_of_the_tool": (
+        "vector",
+        lambda g: (poe(g, g.screws, g.home, radians_of(g.values, g.screws)) @ [*g.tip, 1])[:3],
+    ),
+    "robot.space_screws": ("screws", lambda g: screws_of_any_joints(g.axes, g.points, g.pitches)),
+    "robot.which_mistake": ("letter", in_the_drawing),
+    "robot.faulty_entry": ("letter", choices.faulty_entry),
+    "robot.standard_table": ("table", in_the_drawing),
+    "robot.modified_table": ("table", in_the_drawing),
 }  # fmt: skip
 """For each problem the kind of its answer, and the function from its given values to the right answer."""
+
+RIGHT |= {
+    "robot.body_form": RIGHT["04.5"],
+    "robot.body_screws": RIGHT["04.2"],
+    "robot.back_to_space": RIGHT["04.3"],
+    "robot.new_tool": RIGHT["04.7"],
+}
 
 read_from_a_drawing = {number for number, (_, solve) in RIGHT.items() if solve.__name__ == "in_the_drawing"}
 """The problems whose right answer stands in a drawing or is a choice of several, and not among the given values."""

@@ -10,8 +10,9 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from evidence.answers_by_hand.common.motions import I3, halves_swapped, negated_one, pose, rot
 from evidence.outside import Kinds
+from evidence.outside.choices import shared_orders
+from evidence.outside.motions import I3, halves_swapped, negated_one, pose, rot
 
 SIGN = "sign|minus|negat|opposite|backwards|left-handed"
 SWAP = "swap|exchang|interchang|order"
@@ -20,6 +21,8 @@ CENTI = "centimet|unit|cm|hundred"
 DEGREES = "degree|radian"
 ROUND = "round|digit|decimal"
 TRANSPOSE = "transpos|R^T|rows|inver"
+LEFT_OUT = "left out|leave out|forgot|missing|without"
+POINT = "point|coordinate|p$|moment"
 PLACEHOLDER = "left at|still|placeholder|is 0|are 0|zero|no numbers of your own|identity|left out|nothing"
 PLACE = "look|entry|row|component|wrong place|only one|column|all but|the others|omega is right|v is right"
 SIZE = "twice|half|factor|times|length|unit vector|doubl|divide|multipl"
@@ -35,6 +38,8 @@ def _lengths(kind: str, X: Any) -> Any:
         mask[..., [0, 2]] = True
     elif kind in ("length", "vectors"):
         mask[...] = True
+    elif kind == "origin":
+        mask[0] = True
     elif kind in ("screw", "screws"):
         turns = np.abs(X[..., :3]).max(axis=-1, keepdims=True) > 1e-12
         mask[...] = turns & (np.arange(6) >= 3)
@@ -48,6 +53,10 @@ def _angles(kind: str, X: Any) -> Any:
         mask[...] = True
     elif kind in ("rows", "row"):
         mask[..., [1, 3]] = True
+    elif kind == "flat rows":
+        mask[1::2] = True
+    elif kind == "origin":
+        mask[1] = True
     return mask
 
 
@@ -57,14 +66,22 @@ def shared_kinds(kind: str, value: Any) -> Kinds:
         return _of_function(value)
     if kind == "formula":
         return {label: case for label, case in _of_formula(value).items() if differs(kind, case[0], value)}
-    if kind == "table":
+    if kind == "order":
+        return {label: case for label, case in shared_orders(value).items() if case[0] != value}
+    if kind in ("table", "letter", "line"):
         return {}
-    made = _of_array(kind, np.asarray(value, dtype=float))
+    if kind == "flat rows":
+        made = _of_array("rows", np.reshape(value, (-1, 4)))
+        made = {label: (np.ravel(case), words) for label, (case, words) in made.items()}
+    else:
+        made = _of_array(kind, np.asarray(value, dtype=float))
     return {label: case for label, case in made.items() if differs(kind, case[0], value)}
 
 
 def differs(kind: str, wrong: Any, value: Any) -> bool:
     """Return whether an answer differs from the right one by more than rounding; angles by more than full turns."""
+    if kind in ("letter", "line", "order"):
+        return bool(wrong != value)
     if kind == "formula":
         return any(sp.expand(x) != 0 for x in sp.Matrix(wrong) - sp.Matrix(value))
     if kind == "frames":
@@ -273,19 +290,16 @@ def _of_formula(X: Any) -> Kinds:
     return made
 
 
-def legal_forms(kind: str, value: Any) -> Kinds:  # type: ignore[type-arg]
+def legal_forms(kind: str, value: Any) -> dict[str, Any]:
     """Return the right answer in other forms, by what was done."""
     if kind == "pose function":
         return {"a function that returns lists": lambda *x: np.asarray(value(*x)).tolist()}
     if kind == "formula":
         X = sp.Matrix(value)
-        return {
-            "as text": str(X.tolist() if X.shape[1] > 1 else list(X)),
-            "expanded": sp.expand(X),
-            "as lists": X.tolist() if X.shape[1] > 1 else list(X),
-        }
-    if kind == "table":
-        return {}
+        lists = X.tolist() if X.shape[1] > 1 else list(X)
+        return {"as text": str(lists), "expanded": sp.expand(X), "as lists": lists}
+    if kind in ("table", "letter", "line", "order"):
+        return _forms_of_a_choice(kind, value)
     X = np.asarray(value, dtype=float)
     forms: dict[str, Any] = {"as a list": X.tolist(), "as an array of objects": X.astype(object), "four decimals": np.round(X, 4)}
     if kind in ("vector", "screw"):
@@ -295,3 +309,11 @@ def legal_forms(kind: str, value: Any) -> Kinds:  # type: ignore[type-arg]
         forms["a turn more"] = X + 2 * np.pi
         forms["from 0 to a turn"] = X % (2 * np.pi)
     return forms
+
+
+def _forms_of_a_choice(kind: str, value: Any) -> dict[str, Any]:
+    if kind == "letter":
+        return {"as a capital": str(value).upper(), "with spaces": f" {value} "}
+    if kind == "order":
+        return {"as a tuple": tuple(value), "as a list": list(value)}
+    return {"as an integer": int(value), "as a float": float(value)} if kind == "line" else {}

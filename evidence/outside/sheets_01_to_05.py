@@ -6,9 +6,8 @@ from typing import Any
 import numpy as np
 import sympy as sp
 
-from evidence.answers_by_hand.common.kinematics import chain, link
-from evidence.answers_by_hand.common.motions import I3, Ad, exp, hat, pose, product, rot
-from evidence.outside import Kinds, kinds_of
+from evidence.outside import Kinds, kinds_of, shared
+from evidence.outside.motions import I3, Ad, at, chain, exp, hat, link, logarithm, pose, product, rot
 from evidence.outside.right import (
     inv,
     jacobian,
@@ -21,11 +20,10 @@ from evidence.outside.right import (
     skew,
     theta,
 )
-from evidence.outside.shared import DEGREES, ORDER, PLACE, SIGN, SIZE, SWAP, TRANSPOSE, UNIT
+from evidence.outside.shared import DEGREES, ORDER, PLACE, POINT, SIGN, SIZE, SWAP, TRANSPOSE, UNIT
 
-LEFT_OUT = "left out|leave out|forgot|missing|without|not rotat|kept"
+LEFT_OUT = shared.LEFT_OUT + "|not rotat|kept"
 INVERSE = "inver|transpos|R^T|other way|direction|T_{"
-POINT = "point|coordinate|p$|moment"
 JOINT = "joint|row|axis|point|column|q_|instead|belongs"
 
 
@@ -348,7 +346,7 @@ def plain_arm(g: Any, S: Any) -> Kinds:
         "took a prismatic joint for a revolute one": (np.hstack([d, np.cross(p, d)]), "prismatic|slide|translation"),
         "wrote the direction of the slide in omega": (np.where(slide, np.hstack([d, 0 * d]), S), "omega|translation|prismatic|v"),
         "used the point of the next joint": (np.where(slide, S, np.hstack([d, np.cross(np.roll(p, -1, 0), d)])), JOINT),
-        "used the point of the joint before": (np.where(slide, S, np.hstack([d, np.cross(np.roll(p, 1, 0), d)])), JOINT),
+        "used the point of the joint before": (np.where(slide, S, np.hstack([d, np.cross(np.roll(p, 1, 0), d)])), JOINT + "|one place"),
         "left the slide at 0": (np.where(slide, 0, S), "0|prismatic|left out|slide"),
         "gave the slide a moment": (np.where(slide, np.hstack([0 * d, np.cross(p, d)]), S), "prismatic|translation|v|moment|direction"),
         "negated the middle of each cross product": (np.where(slide, S, S * (1, 1, 1, 1, -1, 1)), SIGN + "|" + PLACE),
@@ -538,8 +536,6 @@ def screw_formulas(g: Any, S: Any) -> Kinds:
 
 @kinds_of("03.11")
 def whole_arm(g: Any, f: Any) -> Kinds:
-    from evidence.answers_by_hand.common.kinematics import logarithm
-
     def parts_of(L: Any) -> Any:
         n = len(L) - 1
         M = np.asarray(f(np.zeros(n), L))
@@ -584,7 +580,7 @@ def whole_arm(g: Any, f: Any) -> Kinds:
         "negated one link": (lambda q, L: f(q, [L[0], -L[1], *L[2:]]), SIGN + "|L_|link"),
         "left out one link": (lambda q, L: f(q, [0.0, *L[1:]]), LEFT_OUT + "|L_|link"),
         "doubled all links": (lambda q, L: f(q, 2 * np.asarray(L)), SIZE + "|L"),
-        "reversed the factors": (of(lambda S, M, q, L: product(*(exp(s, x) for s, x in zip(S, q, strict=True)), np.eye(4)) if False else product(*[exp(s, x) for s, x in zip(S, q, strict=True)][::-1], M)), "revers|" + ORDER),
+        "reversed the factors": (of(lambda S, M, q, L: product(*[exp(s, x) for s, x in zip(S, q, strict=True)][::-1], M)), "revers|" + ORDER),
         "put M first": (of(lambda S, M, q, L: product(M, *[exp(s, x) for s, x in zip(S, q, strict=True)])), "first|" + ORDER + "|front"),
         "left out M": (of(lambda S, M, q, L: usual(S, np.eye(4), q)), LEFT_OUT),
         "left out joint 1": (without(0), LEFT_OUT),
@@ -619,17 +615,17 @@ def _carried(S: Any, T: Any) -> Kinds:
     }
 
 
-@kinds_of("04.2")
+@kinds_of("04.2", "robot.body_screws")
 def to_body(g: Any, X: Any) -> Kinds:
     return _carried(np.asarray(g.screws), np.asarray(g.home))
 
 
-@kinds_of("04.3")
+@kinds_of("04.3", "robot.back_to_space")
 def to_space(g: Any, X: Any) -> Kinds:
     return _carried(np.asarray(g.body_screws), inv(g.home))
 
 
-@kinds_of("04.7")
+@kinds_of("04.7", "robot.new_tool")
 def to_tool(g: Any, X: Any) -> Kinds:
     return _carried(np.asarray(g.body_screws), np.asarray(g.T_bt))
 
@@ -639,10 +635,23 @@ def to_gripper(g: Any, X: Any) -> Kinds:
     return _carried(np.asarray(g.body_screws), np.asarray(g.T_bc))
 
 
-@kinds_of("04.5", "04.6")
-def with_home(g: Any, X: Any) -> Kinds:
-    S = np.asarray(g.body_screws if hasattr(g, "body_screws") else g.screws)
-    k = 0 if hasattr(g, "body_screws") else 2
+@kinds_of("04.5", "robot.body_form")
+def behind_home(g: Any, X: Any) -> Kinds:
+    return _with_home(g, np.asarray(g.body_screws), 0)
+
+
+@kinds_of("04.6")
+def around_home(g: Any, X: Any) -> Kinds:
+    return _with_home(g, np.asarray(g.screws), 2)
+
+
+@kinds_of("robot.where_is_the_tool")
+def before_home(g: Any, X: Any) -> Kinds:
+    return _with_home(g, np.asarray(g.screws), len(g.screws))
+
+
+def _with_home(g: Any, S: Any, k: int) -> Kinds:
+    """Wrong poses where k screws are read in {s}, and stand to the left of the home pose."""
     q, M = radians_of(g.values, S), np.asarray(g.home)
 
     def of(q: Any = q, M: Any = M, k: int = k, S: Any = S) -> Any:
@@ -652,6 +661,7 @@ def with_home(g: Any, X: Any) -> Kinds:
     e = [exp(s, x) for s, x in zip(S, q, strict=True)]
     return {
         "put M last": (of(k=len(S)), ORDER + "|last"),
+        "put M first": (of(k=0), ORDER + "|first|front"),
         "put M one joint later": (of(k=k + 1), ORDER + "|M|place"),
         "put M on both sides": (product(M, *e, M) if k == 0 else product(M, of()), "twice|two|both|M"),
         "conjugated with M": (product(M, *e, inv(M)), "M|inver|twice|both"),
@@ -659,9 +669,11 @@ def with_home(g: Any, X: Any) -> Kinds:
         "inverted M": (of(M=inv(M)), "inver"),
         "took degrees for radians": (of(q=np.asarray(g.values, dtype=float)), DEGREES),
         "turned the slide into radians too": (of(q=np.radians(g.values)), DEGREES + "|length"),
-        "used q_2 for q_1": (of(q=[q[1], *q[1:]]), "q_|joint|belongs"),
+        "used q_2 for q_1": (of(q=[q[min(1, len(q) - 1)], *q[1:]]), "q_|joint|belongs"),
         "was off by one in q": (of(q=np.roll(q, 1)), "q|" + ORDER + "|values"),
         "reversed the factors": (product(*e[:k], M, *e[k:][::-1]), "revers|" + ORDER),
+        "reversed all factors": (product(*e[::-1][:k], M, *e[::-1][k:]), "revers|" + ORDER),
+        "added the exponents": (product(exp(q[:k] @ S[:k]), M, exp(q[k:] @ S[k:])), "sum|add|exponent"),
         "turned all joints the other way": (of(q=-q), SIGN),
         "turned joint 1 the other way": (of(q=[-q[0], *q[1:]]), SIGN),
         "left out the last joint": (of(q=[*q[:-1], 0]), LEFT_OUT),
@@ -837,8 +849,6 @@ def parallel_axes(g: Any, X: Any) -> Kinds:
 
 @kinds_of("05.8")
 def base_and_tool(g: Any, X: Any) -> Kinds:
-    from evidence.answers_by_hand.common.kinematics import at
-
     A = chain(at(g.rows, "RR", g.q), "standard")
     b, t = np.asarray(g.base), np.asarray(g.tool)
     return {

@@ -4,26 +4,26 @@
 from typing import Any
 
 import numpy as np
+import sympy as sp
 
-from evidence.answers_by_hand.common.kinematics import at, chain, link, logarithm
-from evidence.answers_by_hand.common.motions import I3, exp, pose, product, rot
-from evidence.outside import Kinds, kinds_of
+from evidence.outside import Kinds, kinds_of, right_forms_of, shared
+from evidence.outside.motions import I3, at, chain, exp, link, logarithm, pose, product, rot, rpy_matrix
 from evidence.outside.right import (
     axes_to_screws,
     frames_of,
+    in_letters,
     inv,
     joint_origin,
     joints_of,
     mimicked,
     mobility,
     poe,
-    rpy_matrix,
     screw,
     to_point_C,
 )
 from evidence.outside.shared import CENTI, DEGREES, ORDER, PLACE, PLACEHOLDER, SIGN, SIZE, SWAP, UNIT
 
-LEFT_OUT = "left out|leave out|forgot|missing|without|kept|left at"
+LEFT_OUT = shared.LEFT_OUT + "|kept|left at"
 JOINT = "joint|row|axis|point|column|q_|instead|belongs"
 BARS = "bar|coupler|rocker|crank|swap"
 MODE = "mode|other|twice|mirror|same|" + SIGN
@@ -98,6 +98,16 @@ def converted(g: Any, X: Any) -> Kinds:
         "lost every minus sign of the angles": (np.abs(X), SIGN),
         "dropped the zero of a prismatic joint": (X * np.where(np.arange(4)[None, :] == 2, [[k != "P"] for k in g.joints], 1), "d|offset|q|left"),
     }
+
+
+@right_forms_of("06.3", "06.4")
+def legal_rows(g: Any, X: Any) -> dict[str, Any]:
+    k = 1 if X[0, 0] == 0 and X[0, 1] == 0 else 0
+    flip = X.copy()
+    flip[k, :2] *= -1
+    flip[:2, 3] += (np.pi, -np.pi)
+    turned = X + 2 * np.pi * np.outer(np.arange(len(X)) == 1, np.arange(4) == 1)
+    return {"x_1 reversed": flip, "an alpha with a turn more": turned}
 
 
 @kinds_of("06.6")
@@ -190,56 +200,13 @@ def wrist_angles(g: Any, X: Any) -> Kinds:
     }
 
 
-@kinds_of("05.3", "06.10", "07.3", "07.4", "07.6")
-def tables(g: Any, table: Any) -> Kinds:
-    from evidence.answers_by_hand.common.tables import as_text
-
-    rows, joints = np.round(table.rows, 12), table.joints
-    n = len(rows)
-    step = 1 if table.convention == "standard" else -1
-    down = rows.copy()
-    down[:, :2] = np.roll(rows[:, :2], step, axis=0)
-    down[0 if step == 1 else -1, :2] = 0
-    k = int(np.argmax(np.abs(rows[:, 1]) > 0.1))
-    alpha_wrong, digit, off = rows.copy(), rows.copy(), rows.copy()
-    alpha_wrong[k, 1] *= -1
-    place = (n - 1, 2) if abs(rows[n - 1, 2]) > 0 else tuple(np.argwhere(np.abs(rows[:, [0, 2]]) > 0)[-1] * (1, 2))
-    digit[place] += np.sign(rows[place]) or 1
-    turns = np.array([[j == "R"] for j in joints]) & (np.arange(4) == 3)
-    off[turns] = 0
-    order = "row|convention|shift|a and alpha|column"
-    made: Kinds = {
-        "turned one joint the other way": ((rows, np.where(np.arange(n) == 0, -1, 1)), SIGN + "|direction|q_1|joint 1"),
-        "turned the last joint the other way": ((rows, np.where(np.arange(n) == n - 1, -1, 1)), SIGN + "|direction"),
-        "turned all joints the other way": ((rows, -np.ones(n)), SIGN + "|direction"),
-        "negated all theta and q": ((rows * (1, 1, 1, -1), -np.ones(n)), SIGN + "|direction|theta"),
-        "dropped the offsets": (off, "offset|theta|zero|start"),
-        "moved a and alpha one row, with 0 in the empty row": (down, order + "|one row"),
-        "negated one alpha": (alpha_wrong, SIGN + "|alpha"),
-        "negated every alpha": (rows * (1, -1, 1, 1), SIGN + "|alpha"),
-        "misread one length": (digit, "wrong number|look again|d|a|number"),
-        "swapped a and d": (rows[:, [2, 1, 0, 3]], SWAP),
-        "swapped alpha and theta": (rows[:, [0, 3, 2, 1]], SWAP),
-        "gave lengths in millimetres": (rows * (1000, 1, 1000, 1), UNIT),
-        "gave lengths in centimetres": (rows * (100, 1, 100, 1), CENTI),
-        "left every alpha at 0": (rows * (1, 0, 1, 1), "alpha|0"),
-        "left every number at 0": (0 * rows, PLACEHOLDER + "|every"),
-        "reversed the rows": (rows[::-1], "row|order|revers"),
-        "left every d at 0": (rows * (1, 1, 0, 1), "d|0"),
-        "dropped every minus sign": (np.abs(rows), SIGN),
+@right_forms_of("06.9")
+def legal_wrists(g: Any, X: Any) -> dict[str, Any]:
+    (a, b, c), (d, _, f) = X
+    return {
+        "the second solution": np.array([[a + np.pi, -b, c + np.pi], [d + 0.4, 0, f - 0.4]]),
+        "a turn more": X + 2 * np.pi,
     }
-    if hasattr(g, "home") and not np.allclose(table.base, np.eye(4)):
-        base = table.base[:3, 3]
-        moved = rows.copy()
-        moved[0, 2] += base[2]
-        made["forgot that frame 0 is not {s}"] = (moved, "base|frame 0|T_{s0}|d|start")
-    texts: Kinds = {}
-    for label, (changed, words) in made.items():
-        of, signs = changed if isinstance(changed, tuple) else (changed, None)
-        if signs is not None or np.abs(of - rows).max() > 1e-6:
-            texts[label] = (as_text(of, joints, signs), words)
-    texts["typed angles in degrees without a sign"] = (as_text(rows, joints, unit=""), DEGREES)
-    return texts
 
 
 @kinds_of("07.2")
@@ -262,6 +229,16 @@ def frames(g: Any, T: Any) -> Kinds:
         "put z on the joint of the same number": (T[[0, 0, 1, 2]], words),
         "gave relative poses": (np.array([T[0], *(inv(T[i]) @ T[i + 1] for i in range(len(T) - 1))]), words + "|before"),
     }
+
+
+@right_forms_of("07.2")
+def legal_frames(g: Any, T: Any) -> dict[str, Any]:
+    def reversed_axes(signs: Any) -> Any:
+        Y = np.array(T)
+        Y[1:-1, :3, :3] *= signs
+        return Y
+
+    return {"inner x reversed": reversed_axes((-1, -1, 1)), "inner z reversed": reversed_axes((1, -1, -1))}
 
 
 @kinds_of("07.7")
@@ -591,6 +568,37 @@ def home_of_a_file(g: Any, X: Any) -> Kinds:
     }
 
 
+@kinds_of("09.8")
+def from_a_row(g: Any, X: Any) -> Kinds:
+    (a, y, z), rpy = X
+    d, along, degrees = g.d, "along|lean|turn|z", np.degrees(rpy)
+    swapped = [d, -a * np.sin(g.alpha), a * np.cos(g.alpha)]
+    made = {
+        "moved d along the old z": ([[a, 0, d], rpy], along + "|convention"),
+        "moved d along x too": ([[a + d, 0, 0], rpy], along),
+        "left out d": ([[a, 0, 0], rpy], LEFT_OUT),
+        "left out a": ([[0, y, z], rpy], LEFT_OUT),
+        "leaned the new z the other way": ([[a, -y, z], rpy], SIGN + "|lean|other way"),
+        "swapped sine and cosine": ([[a, -z, -y], rpy], "sin|cos|" + SWAP),
+        "swapped a and d": ([swapped, rpy], SWAP),
+        "swapped xyz and rpy": ([rpy, [a, y, z]], SWAP + "|order"),
+        "gave alpha as the yaw": ([[a, y, z], rpy[::-1]], "yaw|roll|about x"),
+        "gave alpha as the pitch": ([[a, y, z], rpy[[1, 0, 2]]], "pitch|roll|about x"),
+        "negated alpha": ([[a, -y, z], -rpy], "alpha|" + SIGN),
+        "negated the roll alone": ([[a, y, z], -rpy], "alpha|roll|" + SIGN),
+        "left out the roll": ([[a, y, z], 0 * rpy], "roll|alpha|" + LEFT_OUT),
+        "rotated a as well": ([[a * np.cos(g.alpha), a * np.sin(g.alpha), d], rpy], along + "|rotat"),
+        "moved d along the old z, in degrees": ([[a, 0, d], degrees], along + "|" + DEGREES),
+    }
+    return {label: (np.array(case), words) for label, (case, words) in made.items()}
+
+
+@right_forms_of("09.8")
+def legal_origins(g: Any, X: Any) -> dict[str, Any]:
+    xyz, (roll, _, _) = X
+    return {"a turn more": [xyz, [roll + 2 * np.pi, 0, 0]], "other angles of the same rotation": [xyz, [roll + np.pi, np.pi, np.pi]]}
+
+
 @kinds_of("09.9")
 def mimic(g: Any, X: Any) -> Kinds:
     _, fold, _ = joints_of(g.urdf)
@@ -672,6 +680,32 @@ def origin_of_a_joint(g: Any, X: Any) -> Kinds:
         "left the place": (b, "given|{s}|unchanged|left out|same"),
         "gave the place from joint 1 to the base": (R.T @ -a, "-|inver|left out"),
         "read yaw, pitch, roll": (rpy_matrix(np.radians(g.rpy_1_in_degrees)[::-1]).T @ (b - a), "yaw|roll|order"),
+    }
+
+
+@kinds_of("10.5")
+def position_in_letters(g: Any, X: Any) -> Kinds:
+    (x, y, z), (q1, q2, t) = X, sp.symbols("q1 q2 t")
+    radius = sp.cancel(x / sp.cos(q1))
+    exchanged = in_letters(type(g)(**{**vars(g), "a": g.b, "b": g.a}))
+    other = in_letters(type(g)(**{**vars(g), "slides": not g.slides}))
+    words = "entry|entries|height|boom|q_2|joint 2|slide|" + PLACE
+    return {
+        "swapped sine and cosine of q_1": (sp.Matrix([y, x, z]), "sin|cos|" + SWAP),
+        "turned clockwise": (sp.Matrix([x, -y, z]), SIGN + "|clockwise|sense"),
+        "negated x": (sp.Matrix([-x, y, z]), SIGN),
+        "left out joint 1": (X.subs(q1, 0), "joint 1|q_1|" + LEFT_OUT),
+        "left out joint 2": (X.subs(q2, 0), words + "|" + LEFT_OUT),
+        "moved joint 2 the other way": (X.subs(q2, -q2), SIGN + "|" + words),
+        "swapped q_1 and q_2": (X.subs(q1, t).subs(q2, q1).subs(t, q2), SWAP + "|q_1|q_2"),
+        "negated the height": (sp.Matrix([x, y, -z]) if g.slides else in_letters(g, -1), SIGN + "|height|mirror"),
+        "left out the height": (sp.Matrix([x, y, 0]), words + "|" + LEFT_OUT),
+        "swapped y and z": (sp.Matrix([x, z, y]), SWAP + "|" + ORDER),
+        "swapped a and b": (exchanged, SWAP + "|a|b"),
+        "took the other kind of joint": (other, "slide|turn|prismatic|revolute|rotat|translat"),
+        "took degrees": (X.subs(q1, sp.pi * q1 / 180), DEGREES),
+        "left out the radius": (sp.Matrix([sp.cos(q1), sp.sin(q1), z]), words + "|" + LEFT_OUT),
+        "added the angles": (sp.Matrix([radius * sp.cos(q1 + q2), radius * sp.sin(q1 + q2), z]), "add|sum|plane|axis"),
     }
 
 

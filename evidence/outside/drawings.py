@@ -1,0 +1,87 @@
+"""Kinds of wrong readings of a dimensioned drawing: points, screws, rows and poses that no program can compute."""
+
+# fmt: off
+from typing import Any
+
+import numpy as np
+
+from evidence.outside import Kinds, kinds_of
+from evidence.outside.motions import I3, pose, product
+from evidence.outside.shared import ORDER, PLACE, SIGN, SWAP, UNIT
+
+READ = "point|coordinate|view|measured|axis|" + PLACE
+
+
+@kinds_of("07.9", "09.12", "10.8")
+def points(g: Any, X: Any) -> Kinds:
+    return {
+        "took the height for the depth": (X[:, [0, 2, 1]], SWAP + "|view|" + READ),
+        "took y as pointing towards me": (X * (1, -1, 1), SIGN + "|y|" + READ),
+        "took z as pointing down": (X * (1, 1, -1), SIGN + "|z|" + READ),
+        "gave the steps from point to point": (np.diff(X, axis=0, prepend=0 * X[:1]), "step|before|parent|origin|{s}|from|" + READ),
+        "added the points up": (np.cumsum(X, axis=0), "step|before|parent|origin|{s}|sum|add|from|" + READ),
+        "misread one coordinate": (X + 0.1 * np.outer(np.arange(len(X)) == 1, I3[0]), READ),
+    }
+
+
+@kinds_of("03.12", "04.12", "10.9")
+def screws(g: Any, X: Any) -> Kinds:
+    turns = np.any(X[:, :3], axis=1)[:, None]
+    w, v = X[:, :3], X[:, 3:]
+    p = np.cross(w, v)
+    one = np.arange(len(X))[:, None] == np.argmax(turns)
+
+    def through(p: Any, which: Any = turns) -> Any:
+        return np.where(turns & which, np.hstack([w, np.cross(p, w)]), X)
+
+    def tilted(w: Any) -> Any:
+        return np.where(turns & one, np.hstack([w, np.cross(p, w)]), X)
+
+    return {
+        "took the points as moments": (np.where(turns, np.hstack([w, p]), X), "point|moment|" + PLACE),
+        "misread one coordinate": (through(p + np.roll(w, 1, axis=1) * 0.1, one), "parallel|moment|" + READ),
+        "swapped height and depth of the points": (through(p[:, [0, 2, 1]]), "parallel|moment|" + SWAP + "|" + READ),
+        "used the point of the joint before": (through(np.roll(p, 1, axis=0)), "joint|row|parallel|moment|" + READ),
+        "took another direction for one axis": (tilted(np.roll(w, 1, axis=1)), ORDER + "|direction|omega|" + READ),
+        "took a slide for a turn": (np.where(turns, X, np.hstack([v, 0 * v])), "slide|prismatic|translation|omega|halves"),
+        "took one turn for a slide": (np.where(turns & one, np.hstack([0 * w, w]), X), "slide|prismatic|turn|revolute|omega"),
+    }
+
+
+@kinds_of("05.9", "06.11", "10.10")
+def rows(g: Any, X: Any) -> Kinds:
+    table = X.reshape(-1, 4)
+    reach = table * (0, 1, 0, 1)
+    reach[:, 0] = np.hypot(table[:, 0], table[:, 2])
+    made: Kinds = {
+        "negated every theta": (table * (1, 1, 1, -1), SIGN + "|theta"),
+        "negated every d": (table * (1, 1, -1, 1), SIGN + "|d"),
+        "swapped a and d": (table[:, [2, 1, 0, 3]], SWAP + "|order|left out|a and d"),
+        "left every d at 0": (table * (1, 1, 0, 1), "left out|left at|0|d"),
+        "moved a and alpha one row down": (np.column_stack([np.roll(table[:, :2], 1, axis=0), table[:, 2:]]), "row|convention|shift|" + ORDER),
+        "moved a and alpha one row up": (np.column_stack([np.roll(table[:, :2], -1, axis=0), table[:, 2:]]), "row|convention|shift|" + ORDER),
+        "measured a from joint to joint": (reach, "normal|distance|joint to joint|left|d|a"),
+    }
+    return {label: (case.ravel(), words) for label, (case, words) in made.items()}
+
+
+@kinds_of("10.11")
+def origins(g: Any, X: Any) -> Kinds:
+    R, p = X[:, :3, :3], X[:, :3, 3]
+    origin = "rpy|rotat|xyz|origin|parent|joint|base|order|pose|" + PLACE
+
+    def of(R: Any = R, p: Any = p) -> Any:
+        return np.array([pose(*both) for both in zip(R, p, strict=True)])
+
+    return {
+        "gave the parent in the child": (np.linalg.inv(X), "invers|child|parent"),
+        "gave all poses in the base": (np.array([product(*X[:k + 1]) for k in range(len(X))]), "base|parent"),
+        "left every rpy at 0": (of(R=0 * R + I3), origin + "|left"),
+        "left every xyz at 0": (of(p=0 * p), origin + "|left"),
+        "transposed every rotation": (of(R=np.swapaxes(R, 1, 2)), "transpos|R^T|" + SIGN + "|" + origin),
+        "gave xyz in millimetres": (of(p=1000 * p), UNIT + "|" + origin),
+        "negated every xyz": (of(p=-p), SIGN + "|" + origin),
+        "swapped y and z of xyz": (of(p=p[:, [0, 2, 1]]), SWAP + "|" + origin),
+        "wrote the last joint first": (X[::-1], ORDER + "|" + origin),
+        "left the last origin out": (np.array([*X[:-1], np.eye(4)]), origin + "|left|weld"),
+    }
