@@ -75,14 +75,13 @@ def oracles(session: nox.Session) -> None:
 @nox.session
 def census(session: nox.Session) -> None:
     """Judge the wrong answers of 60 students to each problem; `-- --save site/census.json` keeps the counts for the site."""
-    outside = ("--outside", "evidence.outside")
-    session.run(PYTHON, "-m", "misstep", "census", "--by-hand", "evidence.answers_by_hand", *outside, *session.posargs)
+    session.run(PYTHON, "-m", "misstep", "census", "--outside", "evidence.outside", *session.posargs)
 
 
 @nox.session
 def evidence(session: nox.Session) -> None:
     """Show that the library is right and that feedback is true; every night and before a release, in about an hour."""
-    session.run(PYTHON, "-m", "misstep", "census", "--by-hand", "evidence.answers_by_hand")
+    session.run(PYTHON, "-m", "misstep", "census")
     run_pytest(session, "evidence", "--numprocesses=auto")
     run_pytest(session, "tests", "--numprocesses=auto", "--dist=loadfile", "--oracles", "--hypothesis-profile=thorough")
     run_pytest(session, "tests/fuzz", "--numprocesses=auto", "--hypothesis-profile=nightly")

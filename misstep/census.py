@@ -4,14 +4,11 @@ For each problem and student it judges
 
 - every mutant of the solution, every mistake of the author, and every slip of the kind of answer, and
 - the answers from outside, from `outside_answers(number, given, answer, given of a neighbour)` of the module that --outside names.
-  They are made from the statement and the given values alone; each has `label`, `value`, `right`, `has_name`, `earns_nothing`,
-  `is_held_out` and `is_named_by(text)`, and
-- the answers that people made by hand, from `answers_by_hand(number, given, answer)` of the module that --by-hand names. It
-  shares no code with the engine, so that it may contradict it,
+  They share no code with the engine, so that they may contradict it; each has `label`, `value`, `right`, `has_name`,
+  `earns_nothing`, `is_held_out` and `is_named_by(text)`,
 
-and counts full marks for a wrong answer, right answers that are refused, names that are not what was done, messages whose
-claim is false, and mistakes without a name. With the numbers of some students, two mistakes give the same answer. An answer
-by hand that is also that of the mistake that feedback names is counted apart: no feedback could tell which one was made.
+and counts full marks for a wrong answer, names that are not what was done, messages whose claim is false, and mistakes without a
+name; of the answers from outside also right answers that are refused.
 """
 
 import json
@@ -37,10 +34,8 @@ from misstep.problem import Problem, Template
 
 COUNTS = {
     "full_marks": "full marks for a wrong answer",
-    "refused": "right answers refused",
     "misnamed": "a name that is not what was done",
     "false": "false claims",
-    "coincident": "named as another mistake that gives the same numbers",
     "unnamed": "without a name",
 }
 """What is counted, with its heading."""
@@ -57,16 +52,12 @@ class Row:
     """The counts of one problem.
 
     wrong     the number of wrong answers that were judged
-    by_hand   how many of them were made by hand
-    unnamed_by_hand  how many of these have no name
     outside   what was counted of the answers from outside, "held out" of the half that is counted by itself
     examples  for each count, some answers that were counted: the student, what was done, and what feedback said
     """
 
     number: str
     wrong: int = 0
-    by_hand: int = 0
-    unnamed_by_hand: int = 0
     counts: Counter[str] = field(default_factory=Counter)
     outside: Counter[str] = field(default_factory=Counter)
     examples: dict[str, list[str]] = field(default_factory=dict)
@@ -87,23 +78,18 @@ class Tried:
 
     label: str
     value: Any
-    is_right: bool
-    is_by_hand: bool
     fits: Callable[[Sequence[Finding]], bool]
 
 
 def census_of(
     template: Template,
     students: Iterable[str],
-    by_hand: Callable[..., Any] | None = None,
     outside: Callable[..., Any] | None = None,
     *,
     own: bool = True,
 ) -> Row:
     """Judge all answers of some students to one problem.
 
-    by_hand  makes answers from the number of the problem, the given values and the right answer; each has `label`, `value`,
-             `right` and `is_named_by(text)`
     outside  makes the answers from outside
     own      whether the answers that the engine itself makes are judged
 
@@ -122,7 +108,7 @@ def census_of(
     row = Row(template.number)
     for student in students:
         problem = template.variant(student)
-        for tried in chain(_by_engine(problem) if own else (), _by_hand(template, problem, by_hand)):
+        for tried in _by_engine(problem) if own else ():
             _count(row, student, problem, tried)
         if outside:
             neighbour = SimpleNamespace(**template.variant(f"the neighbour of {student}").given)
@@ -210,7 +196,7 @@ def _by_engine(problem: Problem) -> Iterator[Tried]:
     for mistake in chain(problem.known_mistakes, problem.slips):
         is_seen = mistake.name not in problem.invisible
         if is_seen or not all(problem.answer.agrees(mistake.value, problem.answer.value)):
-            yield Tried(mistake.name, mistake.value, False, False, partial(_is_named, problem, mistake))
+            yield Tried(mistake.name, mistake.value, partial(_is_named, problem, mistake))
 
 
 def _is_named(problem: Problem, mistake: Mistake, findings: Sequence[Finding]) -> bool:
@@ -222,33 +208,11 @@ def _is_named(problem: Problem, mistake: Mistake, findings: Sequence[Finding]) -
     return any(one.names in finding.alternatives for finding in findings for one in (mistake, *same, *own))
 
 
-def _by_hand(template: Template, problem: Problem, by_hand: Callable[..., Any] | None) -> Iterator[Tried]:
-    if by_hand is None:
-        return
-    for made in by_hand(template.number, SimpleNamespace(**problem.given), problem.answer.value):
-        yield Tried(
-            made.label,
-            made.value,
-            made.right,
-            True,
-            partial(_are_words_of, made),
-        )
-
-
-def _are_words_of(made: Any, findings: Sequence[Finding]) -> bool:
-    return bool(made.is_named_by(" ".join(found.message for found in findings)))
-
-
 def _count(row: Row, student: str, problem: Problem, tried: Tried) -> None:
     judgement = judge(problem, tried.value)
     said = " | ".join(f"{finding.mistake}: {finding.message}" for finding in judgement.findings)
     example = f"{student}: {tried.label}: {said}"
-    if tried.is_right:
-        if judgement.state != "right":
-            row.count("refused", example)
-        return
     row.wrong += 1
-    row.by_hand += tried.is_by_hand
     if judgement.state == "right":
         row.count("full_marks", example)
         return
@@ -256,15 +220,13 @@ def _count(row: Row, student: str, problem: Problem, tried: Tried) -> None:
     unnamed = [finding for finding in judgement.findings if not finding.mistake and finding.message != BY_CHANCE]
     if unnamed and judgement.state != "unreadable":
         row.count("unnamed", example)
-        row.unnamed_by_hand += tried.is_by_hand
     if not named:
         return
     value = problem.answer.read(tried.value)
-    all_true = all(is_true(problem, value, finding) for finding in named)
-    if not all_true:
+    if not all(is_true(problem, value, finding) for finding in named):
         row.count("false", example)
     if not tried.fits(named) and any(_claims_a_method(problem, value, finding) for finding in named):
-        row.count("coincident" if tried.is_by_hand and all_true else "misnamed", example)
+        row.count("misnamed", example)
 
 
 def wrong_answers(problem: Problem) -> list[list[tuple[str, ...]]]:
@@ -290,17 +252,14 @@ def _claims_a_method(problem: Problem, value: Any, finding: Finding) -> bool:
 
 def table(rows: Sequence[Row]) -> str:
     """Return the counts as a table in Markdown, with a line for all problems together."""
-    names = [*COUNTS.values(), "of those by hand"]
-    lines = ["| problem | wrong answers | " + " | ".join(names) + " |", "| --- " * (len(names) + 2) + "|"]
+    lines = ["| problem | wrong answers | " + " | ".join(COUNTS.values()) + " |", "| --- " * (len(COUNTS) + 2) + "|"]
     total = Row("**together**")
     for row in rows:
         total.wrong += row.wrong
-        total.by_hand += row.by_hand
-        total.unnamed_by_hand += row.unnamed_by_hand
         total.counts += row.counts
     for row in (*rows, total):
         counts = [str(row.counts[what]) for what in COUNTS if what != "unnamed"]
-        counts += [_share(row.counts["unnamed"], row.wrong), _share(row.unnamed_by_hand, row.by_hand)]
+        counts.append(_share(row.counts["unnamed"], row.wrong))
         lines.append(f"| {row.number} | {row.wrong} | {' | '.join(counts)} |")
     return "\n".join(lines)
 
@@ -315,11 +274,6 @@ def add_arguments(parser: ArgumentParser) -> None:
     parser.add_argument("--students", type=int, default=60, help="how many students (60)")
     parser.add_argument("--sheet", action="append", help="only this sheet; may be repeated")
     parser.add_argument("--examples", action="store_true", help="print examples of what was counted")
-    parser.add_argument(
-        "--by-hand",
-        metavar="MODULE",
-        help="a module with answers_by_hand(number, given, answer), found from this folder",
-    )
     parser.add_argument(
         "--outside",
         metavar="MODULE",
@@ -361,18 +315,15 @@ def run(options: Namespace) -> int:
             found = {row.number: dict(sorted(row.outside.items())) for row in rows if row.outside}
             saved["outside"] = {"students": len(students), "problems": found}
         options.save.write_text(json.dumps(saved, indent=1) + "\n", encoding="utf-8")
-    return int(any(row.counts[what] for row in rows for what in ("full_marks", "refused", "misnamed", "false")))
+    return int(any(row.counts[what] for row in rows for what in ("full_marks", "misnamed", "false")))
 
 
 def _row(options: Namespace, sheet: str, position: int, students: Sequence[str]) -> Row:
-    if (options.by_hand or options.outside) and "" not in sys.path:
-        sys.path.insert(
-            0, ""
-        )  # the installed command `misstep` does not look for modules in the folder where it is run
-    by_hand = import_module(options.by_hand).answers_by_hand if options.by_hand else None
+    if options.outside and "" not in sys.path:
+        sys.path.insert(0, "")  # the installed command does not look for modules in the folder where it is run
     outside = import_module(options.outside).outside_answers if options.outside else None
     template = find_course(options.course).find_sheet(sheet).problems[position]
-    return census_of(template, students, by_hand, outside, own=not options.not_own)
+    return census_of(template, students, outside, own=not options.not_own)
 
 
 def outside_table(rows: Sequence[Row]) -> str:

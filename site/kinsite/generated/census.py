@@ -22,30 +22,27 @@ For each problem, the numbers of {students} students are drawn. For each student
 
 - every answer to which a change of the solution leads, by which people go wrong: a matrix instead of its inverse, two factors
   swapped, degrees instead of radians, a sign, ...;
-- every mistake that the author of the problem has written down, and slips in a single entry;
-- wrong answers, and right answers in another form, that were written by hand and share no code with the sheets.
+- every mistake that the author of the problem has written down, and slips in a single entry.
 
 And by itself:
 
 - answers from outside, computed from the statement and the given values alone by code that imports neither the engine nor the
-  problems. Each carries the sentence of what its maker did, and a claim is false if it says something else as a fact. Half of
-  these kinds are counted by themselves too, in brackets; they were seen while the feedback was improved, so they are no blind test.
+  problems. Only where the right answer stands in a drawing, or is one of many, does it start from ours. Each carries the sentence
+  of what its maker did, and a claim is false if it says something else as a fact. Half of these kinds are counted by themselves
+  too, in brackets; they were seen while the feedback was improved, so they are no blind test.
 
 What is counted:
 
 - **{full_marks}**: a wrong method is not noticed;
-- **{refused}**: a right answer in another form gets no full marks;
 - **{misnamed}**: the card names another mistake than the one that was made;
 - **{false}**: a sentence on the card is not true of the answer;
-- **{coincident}**: with the numbers of this student, the answer by hand is also that of another mistake, and the card names
-  that one. No feedback can tell which of the two was made;
-- **{unnamed}**: at least one wrong part of the answer is not explained by any mistake. The card then gives a hint only. The last
-  column is the share among the answers by hand.
+- **{unnamed}**: at least one wrong part of the answer is not explained by any mistake. The card then gives a hint only.
 
-The first four should be 0. You can repeat the census with one command:
+The first three should be 0. Of the answers from outside, those without any name are counted, and also right answers in another
+form that were refused. You can repeat the census with two commands:
 
 ```text
-misstep census --students {students} --by-hand evidence.answers_by_hand --save site/census.json
+misstep census --students {students} --save site/census.json
 misstep census --students 2 --outside evidence.outside --not-own --save site/census.json
 ```
 """
@@ -66,18 +63,18 @@ def pages() -> Iterator[tuple[str, str]]:
 def page(census: Mapping[str, Any]) -> str:
     r"""Write the page. Fields of the census that are not known here are left out.
 
-    >>> row = {"number": "01.1", "wrong": 8, "by_hand": 4, "unnamed_by_hand": 1, "counts": {"unnamed": 2}, "new": 0}
+    >>> row = {"number": "01.1", "wrong": 8, "counts": {"unnamed": 2}, "new": 0}
     >>> text = page({"students": 3, "problems": [row], "inseparable": {"01_frames": [["a", "b"]]}, "new": 0})
     >>> print(*(line for line in text.splitlines() if line.startswith(("| 01.1", "| **", "- sheet"))), sep="\n")
-    | **01** | 8 | 0 | 0 | 0 | 0 | 0 | 25 % | 25 % |
-    | **all** | 8 | 0 | 0 | 0 | 0 | 0 | 25 % | 25 % |
-    | 01.1 | 8 | 0 | 0 | 0 | 0 | 0 | 25 % | 25 % |
+    | **01** | 8 | 0 | 0 | 0 | 25 % |
+    | **all** | 8 | 0 | 0 | 0 | 25 % |
+    | 01.1 | 8 | 0 | 0 | 0 | 25 % |
     - sheet 01: `a` and `b`
     """
     rows = census["problems"]
     counted = {row["number"][:2] for row in rows}
     missing = [name[:2] for name in sheets() if name[:2] not in counted]
-    parts = [HEAD.format(students=census["students"], **COUNTS), three_figures(census)]
+    parts = [HEAD.format(students=census["students"], **COUNTS), two_figures(census)]
     if outside := census.get("outside"):
         parts += ["## From outside", outside_table(outside)]
     parts += ["## All sheets", table(rows_by_sheet(rows))]
@@ -94,20 +91,18 @@ def page(census: Mapping[str, Any]) -> str:
     return "\n\n".join([*parts, TAIL, "\n".join(pairs) or "There are none."]) + "\n"
 
 
-def three_figures(census: Mapping[str, Any]) -> str:
-    """Write the share of wrong answers without a name three times: the engine's own, by hand, and from outside.
+def two_figures(census: Mapping[str, Any]) -> str:
+    """Write the share of wrong answers without a name twice: the engine's own, and from outside.
 
-    >>> rows = [{"number": "01.1", "wrong": 8, "by_hand": 4, "unnamed_by_hand": 1, "counts": {"unnamed": 2}}]
-    >>> text = three_figures({"problems": rows, "outside": {"students": 1, "problems": {"01.1": {"wrong": 50, "unnamed": 2}}}})
+    >>> rows = [{"number": "01.1", "wrong": 8, "counts": {"unnamed": 1}}]
+    >>> text = two_figures({"problems": rows, "outside": {"students": 1, "problems": {"01.1": {"wrong": 50, "unnamed": 2}}}})
     >>> print(text.partition("only tests ")[2])
-    the engine. Of those by hand, 1 of 4 (25.0 %) have one. Of those from outside, 2 of 50 (4.0 %) have no name at all.
+    the engine. Of those from outside, 2 of 50 (4.0 %) have no name at all.
     """
-    all_rows = total("", census["problems"])
-    hand, unnamed_by_hand = all_rows["by_hand"], all_rows["unnamed_by_hand"]
-    own, unnamed = all_rows["wrong"] - hand, all_rows["counts"].get("unnamed", 0) - unnamed_by_hand
+    own = total("", census["problems"])
     text = (
-        f"Of the wrong answers that the engine itself makes, {of(unnamed, own)} have a wrong part without a name, which only tests "
-        f"the engine. Of those by hand, {of(unnamed_by_hand, hand)} have one."
+        f"Of the wrong answers that the engine itself makes, {of(own['counts'].get('unnamed', 0), own['wrong'])} have a wrong part "
+        "without a name, which only tests the engine."
     )
     if "outside" in census:
         counts: Counter[str] = sum(map(Counter, census["outside"]["problems"].values()), Counter())
@@ -152,22 +147,18 @@ def rows_by_sheet(rows: Sequence[Mapping[str, Any]]) -> list[Mapping[str, Any]]:
 
 def total(number: str, rows: Sequence[Mapping[str, Any]]) -> Mapping[str, Any]:
     """Add up the counts of some problems."""
-    sums = {field: sum(row[field] for row in rows) for field in ("wrong", "by_hand", "unnamed_by_hand")}
     counts: Counter[str] = sum((Counter(row["counts"]) for row in rows), Counter())
-    return {"number": number, "counts": counts, **sums}
+    return {"number": number, "counts": counts, "wrong": sum(row["wrong"] for row in rows)}
 
 
 def table(rows: Sequence[Mapping[str, Any]]) -> str:
     """Write the counts as a table, one row for each problem or sheet."""
-    heads = ["problem" if "." in rows[0]["number"] else "sheet", "wrong answers", *COUNTS.values(), "of those by hand"]
+    heads = ["problem" if "." in rows[0]["number"] else "sheet", "wrong answers", *COUNTS.values()]
     lines = [f"| {' | '.join(heads)} |", "| --- " + "| ---: " * (len(heads) - 1) + "|"]
     for row in rows:
         counts = [str(row["counts"].get(what, 0)) for what in COUNTS if what != "unnamed"]
-        unnamed = [
-            share(row["counts"].get("unnamed", 0), row["wrong"]),
-            share(row["unnamed_by_hand"], row["by_hand"]),
-        ]
-        lines.append(f"| {' | '.join([row['number'], str(row['wrong']), *counts, *unnamed])} |")
+        counts.append(share(row["counts"].get("unnamed", 0), row["wrong"]))
+        lines.append(f"| {' | '.join([row['number'], str(row['wrong']), *counts])} |")
     return "\n".join(lines)
 
 
