@@ -92,7 +92,7 @@ FORBIDDEN_IMPORTS = {
     "misstep.grading.collect.files": ("from misstep.grading.publish import pages",),
     "kincourse.lecture_01_frames.problems": ("from kincourse.lecture_02_matrix_exponential import problems",),
     "kincourse.answers.frames": ("from kincourse.lecture_10_one_robot_four_ways import problems",),
-    "evidence.answers_by_hand.lecture_01": ("from kinlib import exp",),
+    "evidence.outside.right": ("from kinlib import exp",),
 }
 """A module, and imports that a contract forbids it."""
 
