@@ -20,7 +20,7 @@ from evidence.outside.right import (
     skew,
     theta,
 )
-from evidence.outside.shared import DEGREES, ORDER, PLACE, POINT, SIGN, SIZE, SWAP, TRANSPOSE, UNIT
+from evidence.outside.shared import DEGREES, ORDER, PLACE, PLACEHOLDER, POINT, SIGN, SIZE, SWAP, TRANSPOSE, UNIT
 
 LEFT_OUT = shared.LEFT_OUT + "|not rotat|kept"
 INVERSE = "inver|transpos|R^T|other way|direction|T_{"
@@ -31,6 +31,8 @@ JOINT = "joint|row|axis|point|column|q_|instead|belongs"
 def pose_from_a_drawing(g: Any, T: Any) -> Kinds:
     R, p = T[:3, :3], T[:3, 3]
     return {
+        "left the height at 0": (pose(R, p * (1, 1, 0)), PLACEHOLDER + "|height|" + PLACE),
+        "swapped the x and the y axis": (pose(R[:, [1, 0, 2]], p), ORDER + "|axes|left-handed|" + SIGN),
         "read x for the height": (pose(R, p[[2, 1, 0]]), SWAP + "|sizes"),
         "miscounted the height by one": (pose(R, p + [0, 0, 1]), PLACE + "|height"),
         "took the z axis as pointing down": (pose(R @ np.diag([1, -1, -1]), p), SIGN + "|" + PLACE),
@@ -46,6 +48,8 @@ def rotation_from_a_drawing(g: Any, R: Any) -> Kinds:
     t = np.arctan2(R[(k + 2) % 3, (k + 1) % 3], R[(k + 1) % 3, (k + 1) % 3])
     d = float(np.degrees(t))
     return {
+        "took degrees for radians": (rot(k, float(np.degrees(d))), DEGREES),
+        "rotated about the axis before": (rot((k + 2) % 3, d), "axis|" + ORDER),
         "measured from the other axis": (rot(k, 90 - d), "sin|cos|90|complement|other axis|angle"),
         "added a right angle": (rot(k, d + 90), "90|right angle|turn|quarter|sin|angle"),
         "rotated about the next axis": (rot((k + 1) % 3, d), "axis|" + ORDER),
@@ -59,6 +63,9 @@ def plane_motion(g: Any, T: Any) -> Kinds:
     p = np.asarray(g.p)
     once = plane(g)
     return {
+        "gave the inverse": (inv(once), "inver|other way|transpos|order"),
+        "transposed the rotation alone": (np.block([[once[:2, :2].T, once[:2, 2:]], [once[2:]]]), TRANSPOSE + "|" + SIGN + "|clockwise"),
+        "took degrees for radians": (plane(g, angle=180 / np.pi), DEGREES),
         "made the two motions in the other order": (plane(g, order=-1), ORDER + "|rotat"),
         "turned the other way": (plane(g, angle=-1), SIGN + "|transpos|clockwise"),
         "put p in the last row": (np.array([[*once[0, :2], 0], [*once[1, :2], 0], [*once[:2, 2], 1]]), "last row|transpos"),
@@ -72,6 +79,7 @@ def rod(g: Any, X: Any) -> Kinds:
     R, p = g.T_sc[:3, :3], g.T_sc[:3, 3]
     x, d = np.asarray(g.point_c), np.asarray(g.arrow_c)
     return {
+        "translated before rotating": (np.array([R @ (x + p), X[1]]), ORDER + "|first|point|position"),
         "added the origin to the vector": (np.array([X[0], X[1] + p]), "vector|direction|point"),
         "forgot the origin of the camera": (np.array([R @ x, R @ d]), "point|extra|position|0 "),
         "went from {s} to {c}": (np.array([R.T @ (x - p), R.T @ d]), INVERSE),
@@ -87,6 +95,7 @@ def rod(g: Any, X: Any) -> Kinds:
 def inverse_pose(g: Any, X: Any) -> Kinds:
     R, p = g.T_sg[:3, :3], g.T_sg[:3, 3]
     return {
+        "wrote R and -p": (pose(R, -p), "R|transpos|minus|" + SIGN),
         "forgot both transposes": (pose(R, -R @ p), "R|transpos"),
         "wrote R^T and -p": (pose(R.T, -p), "-p|transpos|minus"),
         "wrote R^T and p": (pose(R.T, p), "kept|p|position"),
@@ -101,6 +110,7 @@ def inverse_pose(g: Any, X: Any) -> Kinds:
 def cancel(g: Any, X: Any) -> Kinds:
     a, b, c = inv(g.T_st), g.T_sc, g.T_co
     return {
+        "multiplied in reverse": (c @ b @ a, ORDER + "|revers"),
         "forgot to invert T_st": (g.T_st @ b @ c, "inver"),
         "inverted the camera as well": (a @ inv(b) @ c, INVERSE),
         "wrote the factors in another order": (a @ c @ b, ORDER),
@@ -294,6 +304,7 @@ def logarithm_near_half_a_turn(g: Any, x: Any) -> Kinds:
     R = np.asarray(g.R)
     m = np.array([R[2, 1] - R[1, 2], R[0, 2] - R[2, 0], R[1, 0] - R[0, 1]])
     return {
+        "went round once more": (u * (t + 2 * np.pi), "turn|angle|long|direction"),
         "gave the axis alone": (u, "axis|angle|unit|length"),
         "gave degrees": (np.degrees(x), DEGREES),
         "used the arcsine": (u * (np.pi - t), "arcsin|supplement|angle|pi"),
@@ -342,6 +353,7 @@ def plain_arm(g: Any, S: Any) -> Kinds:
     d, p = np.asarray(g.axes), np.asarray(g.points)
     slide = np.array([[k == "P"] for k in g.letters])
     return {
+        "moved the slide backwards": (np.where(slide, -S, S), SIGN),
         "took the points as moments": (np.where(slide, S, np.hstack([d, p])), POINT),
         "took a prismatic joint for a revolute one": (np.hstack([d, np.cross(p, d)]), "prismatic|slide|translation"),
         "wrote the direction of the slide in omega": (np.where(slide, np.hstack([d, 0 * d]), S), "omega|translation|prismatic|v"),
@@ -362,6 +374,8 @@ def tilted_joint(g: Any, S: Any) -> Kinds:
     c, s = np.cos(np.radians(g.degrees)), np.sin(np.radians(g.degrees))
     w = S[:3]
     return {
+        "negated omega alone": (S * (-1, -1, -1, 1, 1, 1), SIGN),
+        "tilted by half the angle": (screw(np.cos(np.radians(g.degrees / 2)) * u + np.sin(np.radians(g.degrees / 2)) * t, p), "half|angle|tilt|axis|" + PLACE),
         "tilted from the other axis": (screw(s * u + c * t, p), SWAP + "|sin"),
         "tilted away": (screw(c * u - s * t, p), SIGN + "|away"),
         "did not tilt": (screw(u, p), "tilt|lean|angle|0|axis"),
@@ -401,6 +415,7 @@ def helical(g: Any, S: Any) -> Kinds:
     w, m = np.asarray(g.axis), np.cross(g.point, g.axis)
     h = g.lead / 2 / np.pi
     return {
+        "multiplied the lead by 2 pi": (np.array([*w, *m + 2 * np.pi * g.lead * w]), "lead|pitch|2\\pi|climb"),
         "used the lead as the pitch": (np.array([*w, *m + g.lead * w]), "lead|pitch|2\\pi"),
         "left out the climb": (np.array([*w, *m]), "climb|pitch|left out|h"),
         "made it left-handed": (np.array([*w, *m - h * w]), SIGN + "|left-handed"),
@@ -466,6 +481,8 @@ def longer_tool(g: Any, X: Any) -> Kinds:
     S, M, L = np.asarray(g.screws), np.asarray(g.home), g.longer
     Z = pose(I3, [0, 0, L])
     return {
+        "lengthened along y": (poe(g, S, M @ pose(I3, [0, L, 0])), "y|axis"),
+        "left out M": (poe(g, S, Z), LEFT_OUT),
         "kept the old tool": (poe(g, S, M), "tool|longer|left out|leave out"),
         "lengthened along z of {s}": (poe(g, S, Z @ M), "{s}|" + ORDER + "|left"),
         "lengthened after all": (Z @ poe(g, S, M), "{s}|" + ORDER + "|first|left"),
@@ -600,6 +617,7 @@ def _carried(S: Any, T: Any) -> Kinds:
 
     rotated = "rotat|transpos|R^T|turned|position|left out|p$|moved"
     return {
+        "moved and did not rotate": (np.hstack([w, v - np.cross(p, w)]), rotated + "|axes|" + PLACE),
         "carried the wrong way": (by(Ad(T)), INVERSE + "|Ad"),
         "forgot .T after the rows": (S @ Ad(Q), "transpos|.T|rows"),
         "only rotated": (np.hstack([w @ R, v @ R]), rotated),
@@ -660,6 +678,8 @@ def _with_home(g: Any, S: Any, k: int) -> Kinds:
 
     e = [exp(s, x) for s, x in zip(S, q, strict=True)]
     return {
+        "swapped the sides of M": (product(*e[k:], M, *e[:k]), ORDER + "|sides|first|last"),
+        "took R^T in M": (of(M=pose(M[:3, :3].T, M[:3, 3])), "transpos|R^T"),
         "put M last": (of(k=len(S)), ORDER + "|last"),
         "put M first": (of(k=0), ORDER + "|first|front"),
         "put M one joint later": (of(k=k + 1), ORDER + "|M|place"),
@@ -690,6 +710,7 @@ def column(g: Any, X: Any) -> Kinds:
     q = radians_of(g.values, B)
     e = [exp(b, x) for b, x in zip(B, q, strict=True)]
     return {
+        "turned joint 4 the other way": (Ad(inv(e[2] @ inv(e[3]))) @ B[1], SIGN + "|inver"),
         "did not invert": (Ad(e[2] @ e[3]) @ B[1], "inver|" + SIGN),
         "took all joints": (Ad(inv(product(*e))) @ B[1], JOINT),
         "took the joints before": (Ad(e[0]) @ B[1], JOINT),
@@ -712,6 +733,7 @@ def twist_of_the_tool(g: Any, X: Any) -> Kinds:
     e = [exp(b, x) for b, x in zip(B, q, strict=True)]
     M = np.array([Ad(product(np.eye(4), *e[:i])) @ B[i] for i in range(3)])
     return {
+        "left out joint 2": (rates @ (J * [[1], [0], [1]]), LEFT_OUT),
         "left the rates in degrees": (np.asarray(g.rates) @ J, DEGREES),
         "left the angles in degrees": (rates @ jacobian(g, np.asarray(g.values, dtype=float)), DEGREES),
         "left both in degrees": (np.asarray(g.rates) @ jacobian(g, np.asarray(g.values, dtype=float)), DEGREES),
@@ -758,6 +780,9 @@ def singular_wrist(g: Any, X: Any) -> Kinds:
 def row_from_a_drawing(g: Any, X: Any) -> Kinds:
     a, alpha, d, t = X
     return {
+        "left out d": (np.array([a, alpha, 0, t]), LEFT_OUT + "|0|d"),
+        "left out a": (np.array([0, alpha, d, t]), LEFT_OUT + "|0|a"),
+        "measured theta half a turn off": (np.array([a, alpha, d, t + np.pi]), "theta|half|turn|pi|" + SIGN + "|" + PLACE),
         "gave theta, d, a, alpha": (X[[3, 2, 0, 1]], ORDER),
         "gave d, theta, a, alpha": (X[[2, 3, 0, 1]], ORDER),
         "swapped a and d": (X[[2, 1, 0, 3]], ORDER + "|a and d"),
@@ -774,6 +799,7 @@ def row_from_a_drawing(g: Any, X: Any) -> Kinds:
 def row_as_a_matrix(g: Any, X: Any) -> Kinds:
     a, al, d, t = g.a, np.radians(g.alpha_degrees), g.d, np.radians(g.theta_degrees)
     return {
+        "left out a": (link((0, al, d, t), "standard"), LEFT_OUT + "|a"),
         "used the modified convention": (link((a, al, d, t), "modified"), "modified|convention|order|revers|last|first"),
         "swapped a and d": (link((d, al, a, t), "standard"), SWAP + "|a|d"),
         "swapped alpha and theta": (link((a, t, d, al), "standard"), SWAP + "|theta"),
@@ -814,8 +840,9 @@ def chain_of_rows(g: Any, X: Any) -> Kinds:
     def at(q: Any, convention: str = "standard", text: str = g.text) -> Any:
         return table_at(SimpleNamespace(text=text), q, convention)
 
-    q = np.asarray(g.q)
+    q, lines = np.asarray(g.q), g.text.strip().splitlines()
     return {
+        "multiplied the last row first": (at(q, text="\n".join([lines[0], *lines[:0:-1]])), ORDER + "|revers|row"),
         "used the modified convention": (at(q, "modified"), "modified|convention|order"),
         "gave the pose at q = 0": (at(0 * q), "q|0|home|left out|zero"),
         "took q in reverse": (at(q[::-1]), ORDER + "|revers"),
@@ -834,6 +861,7 @@ def parallel_axes(g: Any, X: Any) -> Kinds:
     step = np.diff(P, axis=0)
     length = np.linalg.norm(step, axis=1)
     return {
+        "negated the first d": (X * (1, -1, 1, 1), SIGN + "|" + PLACE),
         "measured a in space": (np.array([length[0], X[1], length[1], X[3]]), "normal|distance|height|d|z|plane"),
         "gave heights for d": (np.array([X[0], P[0, 2], X[2], P[1, 2]]), "height|z|difference|absolute"),
         "negated d": (X * (1, -1, 1, -1), SIGN),
@@ -852,6 +880,8 @@ def base_and_tool(g: Any, X: Any) -> Kinds:
     A = chain(at(g.rows, "RR", g.q), "standard")
     b, t = np.asarray(g.base), np.asarray(g.tool)
     return {
+        "put the base behind the arm": (A @ b @ t, ORDER + "|base"),
+        "did not rotate the base": (pose(I3, b[:3, 3]) @ A @ t, "base|rotat|turn"),
         "forgot the base": (A @ t, LEFT_OUT),
         "forgot the tool": (b @ A, LEFT_OUT),
         "forgot both": (A, LEFT_OUT),

@@ -52,6 +52,7 @@ def modified_row(g: Any, X: Any) -> Kinds:
 def two_twists(g: Any, X: Any) -> Kinds:
     one, two = X
     return {
+        "swapped alpha and theta": (np.array([[g.theta, 0, 0, g.a, 0, 0], [0, 0, g.alpha, 0, 0, g.d]]), SWAP + "|alpha|theta"),
         "gave bare unit screws": (np.array([[1, 0, 0, g.a, 0, 0], [0, 0, 1, 0, 0, g.d]]), "unit|angle|theta|1|alpha"),
         "gave unit screws without lengths": (np.array([[1.0, 0, 0, 0, 0, 0], [0, 0, 1, 0, 0, 0]]), "unit|angle|theta|left|length"),
         "gave pitches": (np.array([[1, 0, 0, g.a / g.alpha, 0, 0], [0, 0, 1, 0, 0, g.d / g.theta]]), "unit|angle|pitch|divide|theta"),
@@ -136,6 +137,7 @@ def wrist_rotation(g: Any, X: Any) -> Kinds:
 
     q = np.radians(g.degrees)
     return {
+        "left out the constant rotation": (product(rot(1, g.degrees[0]), rot(2, g.degrees[1]), rot(1, g.degrees[2])), "constant|alpha|R_x|Euler|" + LEFT_OUT),
         "used the standard convention": (of(q, convention="standard"), "standard|convention|order"),
         "took degrees for radians": (of(np.asarray(g.degrees, dtype=float)), DEGREES),
         "took the angles in reverse": (of(q[::-1]), ORDER + "|revers"),
@@ -161,6 +163,9 @@ def rpr(g: Any, X: Any) -> Kinds:
 
     rows = np.asarray(g.rows)
     return {
+        "multiplied the last row first": (chain(at(g.rows, "RPR", q)[::-1], "modified"), ORDER + "|revers|row|last"),
+        "negated theta_3": (of(q * (1, 1, -1)), SIGN),
+        "left out d_2": (of(q * (1, 0, 1)), LEFT_OUT + "|d_2|slide|0"),
         "used the standard convention": (of(convention="standard"), "standard|convention|order|revers"),
         "took theta_1 for radians": (of([one, two, q[2]]), DEGREES),
         "took theta_3 for radians": (of([q[0], two, three]), DEGREES),
@@ -218,6 +223,9 @@ def frames(g: Any, T: Any) -> Kinds:
 
     words = "axis|z_|x_|origin|frame|normal|rotat"
     return {
+        "drew left-handed frames": (T * np.where(np.arange(4) == 1, -1, 1), words + "|handed"),
+        "left every frame parallel to {s}": (np.array([pose(I3, X[:3, 3]) for X in T]), words + "|parallel"),
+        "gave origins in millimetres": (np.array([pose(X[:3, :3], 1000 * X[:3, 3]) for X in T]), words + "|" + UNIT),
         **({} if abs(g.screws[1][2]) > 0.5 else {"left frame 1 with the axes of {s}": (one(1, lambda X: pose(I3, X[:3, 3])), words)}),
         "left frame 0 at {s}": (one(0, lambda X: np.eye(4)), words),
         "left frame 2 at {s}": (one(2, lambda X: np.eye(4)), words),
@@ -245,6 +253,7 @@ def legal_frames(g: Any, T: Any) -> dict[str, Any]:
 def drawn_elsewhere(g: Any, X: Any) -> Kinds:
     shift = g.moved_to - g.a_1
     return {
+        "added the new place to a_1": (np.array([g.a_1 + g.moved_to, g.a_2 - g.moved_to]), "add|moved|from|x =|sum"),
         "gave the shift as a_1": (np.array([shift, X[1]]), "shift|displace|moved|difference|by how|x ="),
         "gave the shift as a_1, and the rest": (np.array([shift, g.a_1 + g.a_2 - shift]), "shift|displace|moved|difference|by how"),
         "left a_2": (np.array([X[0], g.a_2]), "a_2|sum|kept|unchanged|left"),
@@ -273,6 +282,8 @@ def residual(g: Any, X: Any) -> Kinds:
     from_rocker = q | {"C": q["C"] - q["D"]}
     T = of()
     return {
+        "put G first": (logarithm(product(g.G, of(G=np.eye(4)))), ORDER + "|G|front|first"),
+        "left B out": (logarithm(of(way="A")), LEFT_OUT + "|B"),
         "left out the way back": (logarithm(of(back=False)), "back|" + LEFT_OUT),
         "left out G": (logarithm(of(G=np.eye(4))), "G|home|" + LEFT_OUT),
         "went back with the signs of the way there": (logarithm(of(sign=1)), SIGN + "|inver|back"),
@@ -514,6 +525,7 @@ def deep_joint(g: Any, X: Any) -> Kinds:
         return a.xyz + rpy_matrix(a.rpy, order) @ (b.xyz + rpy_matrix(b.rpy, order) @ c.xyz)
 
     return {
+        "left out joint 2": (a.xyz + A @ c.xyz, LEFT_OUT + "|joint 2|T_|rotat"),
         "added the positions": (a.xyz + b.xyz + c.xyz, "rotat|add|" + LEFT_OUT),
         "rotated about own axes": (with_order("xyz"), "order|own|fixed|roll|yaw|revers"),
         "stopped at joint 2": (a.xyz + A @ b.xyz, LEFT_OUT + "|joint 2|T_"),
@@ -535,6 +547,7 @@ def screw_of_a_file(g: Any, X: Any) -> Kinds:
     axis = joints_of(g.urdf)[2].axis
     w, p = X[:3], T[2][:3, 3]
     return {
+        "negated omega alone": (np.array([*-w, *X[3:]]), SIGN),
         "wrote the axis of the file": (screw(axis, p), "rotat|file|frame|axis|omega"),
         "rotated by the parent only": (screw(T[1][:3, :3] @ axis, p), "rotat|joint|R_|left out|T_"),
         "used z as the axis": (screw(T[2][:3, 2], p), "axis|z"),
@@ -555,6 +568,8 @@ def home_of_a_file(g: Any, X: Any) -> Kinds:
     T = [pose(rpy_matrix(j.rpy), j.xyz) for j in joints]
     visual = g.urdf.split("<visual>")[1].split('xyz="')[1].split('"')[0]
     return {
+        "put the weld first": (T[2] @ T[0] @ T[1], ORDER + "|weld|first|left"),
+        "inverted the weld": (T[0] @ T[1] @ inv(T[2]), "inver|weld"),
         "forgot the weld": (T[0] @ T[1], LEFT_OUT + "|weld|fixed"),
         "added the visual": (X @ pose(I3, np.array(visual.split(), dtype=float)), "visual|drawing|mesh"),
         "multiplied in reverse": (product(*T[::-1]), "revers|" + ORDER),
@@ -604,6 +619,7 @@ def mimic(g: Any, X: Any) -> Kinds:
     _, fold, _ = joints_of(g.urdf)
     m, o = fold.multiplier, fold.offset
     return {
+        "measured fold from the base": (mimicked(g, m * g.q + o - g.q), "base|x$ axis|parent|q_1|fold|mimic"),
         "forgot the offset": (mimicked(g, m * g.q), "offset|" + LEFT_OUT),
         "forgot the multiplier": (mimicked(g, g.q + o), "multiplier|" + LEFT_OUT + "|factor"),
         "left fold at 0": (mimicked(g, 0.0), "0|mimic|fold|left out"),
@@ -627,6 +643,7 @@ def axis_in_its_frame(g: Any, X: Any) -> Kinds:
     R = [rpy_matrix(j.rpy) for j in joints_of(g.urdf)]
     w = np.asarray(g.omega)
     return {
+        "left out joint 2": ((R[0] @ R[2]).T @ w, LEFT_OUT + "|joint|R_"),
         "rotated the other way": (T[2][:3, :3] @ w, "transpos|inver|direction|other way"),
         "left the numbers": (w, "given|unchanged|same|author|base|as they"),
         "used joint 3 alone": (R[2].T @ w, "joint|R_|left out"),
@@ -648,6 +665,7 @@ def table_to_screw(g: Any, X: Any) -> Kinds:
     T2, T3, T1 = (chain(rows[:k], "standard") for k in (2, 3, 1))
     w, p = X[:3], T2[:3, 3]
     return {
+        "swapped a and d": (screw(chain(rows[:2, [2, 1, 0, 3]], "standard")[:3, 2], chain(rows[:2, [2, 1, 0, 3]], "standard")[:3, 3]), SWAP),
         "used frame 3": (screw(T3[:3, 2], T3[:3, 3]), "frame|row|z_|A_|left out|T_"),
         "used frame 1": (screw(T1[:3, 2], T1[:3, 3]), "frame|row|z_|A_|left out|T_"),
         "used x for the axis": (screw(T2[:3, 0], p), "axis|x|z|column"),
@@ -669,6 +687,8 @@ def origin_of_a_joint(g: Any, X: Any) -> Kinds:
     R = rpy_matrix(np.radians(g.rpy_1_in_degrees))
     a, b = np.asarray(g.xyz_1), np.asarray(g.place_2)
     return {
+        "went from joint 2 to joint 1, not rotated": (a - b, SIGN + "|joint 2|parent|rotat|turn|" + LEFT_OUT),
+        "swapped x and y": (X[[1, 0, 2]], SWAP + "|order"),
         "did not rotate": (b - a, "rotat|" + LEFT_OUT + "|{s}"),
         "rotated the other way": (R @ (b - a), "transpos|inver|R^T|R_"),
         "added": (R.T @ (b + a), SIGN + "|add"),
@@ -738,6 +758,9 @@ def pose_of_the_tool(g: Any, X: Any) -> Kinds:
     flipped = np.where(slide[:, None], S, S * (1, 1, 1, -1, -1, -1))
     points = np.where(slide[:, None], S, np.hstack([g.axes, g.points]))
     return {
+        "left out joint 1": (product(*e[1:], M), LEFT_OUT),
+        "took the slide for a turn": (poe(g, S=np.array([screw(w, p) for w, p in zip(g.axes, g.points, strict=True)])), "slide|prismatic|revolute|turn"),
+        "read (v, omega)": (poe(g, S=np.roll(S, 3, axis=1)), "halves|(v|" + ORDER),
         "converted to radians once more": (poe(g, q=np.radians(q)), DEGREES),
         "converted the angles once more": (poe(g, q=np.where(slide, q, np.radians(q))), DEGREES),
         "took degrees for radians": (poe(g, q=np.where(slide, q, np.degrees(q))), DEGREES),
