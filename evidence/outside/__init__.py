@@ -30,7 +30,7 @@ class OutsideAnswer:
     """An answer, the sentence of what its maker did, and the words by which feedback may name it.
 
     >>> OutsideAnswer("took degrees for radians", 1, frozenset({"degree"})).is_held_out
-    True
+    False
     """
 
     label: str
