@@ -112,6 +112,8 @@ def log(X: ArrayLike) -> Array:
 
     With W = hat(omega):  v = (I - W / 2 + k W^2) p,  k = (1 - (theta / 2) cot(theta / 2)) / theta^2.
 
+    The screw axis of the motion is the whole twist divided by its angle |omega|, or by |v| if omega is 0: see kl.line.
+
     Raises ValueError for a matrix that is not a rotation or a pose.
     Source: Modern Robotics, 3.2.3.3 and (3.91), (3.92); the rotation is computed through its unit quaternion.
 
